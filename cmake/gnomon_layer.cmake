@@ -1,0 +1,26 @@
+# gnomon_layer(<name> SOURCES <file>... [NEEDS <target>...] [USES <target>...])
+# One static library per layer, from the folder that calls it. NEEDS are public, USES stay inside the layer.
+function(gnomon_layer name)
+    cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;NEEDS;USES")
+    add_library(gnomon_${name} STATIC ${arg_SOURCES})
+    add_library(gnomon::${name} ALIAS gnomon_${name})
+    target_include_directories(gnomon_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR})
+    target_link_libraries(gnomon_${name} PUBLIC ${arg_NEEDS} PRIVATE gnomon_options ${arg_USES})
+endfunction()
+
+# gnomon_tests(<layer> SOURCES <file>... [NEEDS <target>...] [LABEL <label>])
+# One test program per layer; every TEST in it is a ctest entry that carries the label (unit unless said otherwise).
+# A suite whose name starts with "Slow" carries the label `slow` instead.
+function(gnomon_tests name)
+    cmake_parse_arguments(PARSE_ARGV 1 arg "" "LABEL" "SOURCES;NEEDS")
+    if(NOT arg_LABEL)
+        set(arg_LABEL unit)
+    endif()
+    add_executable(${name}_tests ${arg_SOURCES})
+    target_include_directories(${name}_tests PRIVATE ${PROJECT_SOURCE_DIR})
+    target_link_libraries(${name}_tests PRIVATE ${arg_NEEDS} gnomon_options GTest::gtest_main)
+    target_compile_definitions(${name}_tests PRIVATE GNOMON_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+    gtest_discover_tests(${name}_tests TEST_FILTER "-Slow*" PROPERTIES LABELS ${arg_LABEL} DISCOVERY_TIMEOUT 60)
+    gtest_discover_tests(${name}_tests TEST_FILTER "Slow*" TEST_LIST ${name}_slow
+        PROPERTIES LABELS slow DISCOVERY_TIMEOUT 60)
+endfunction()

@@ -1,0 +1,31 @@
+// The subcommands of `gnomon`: each adds itself, its options and what it does to the command line.
+#pragma once
+
+#include "core/progress.h"
+
+#include <algorithm>
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+namespace gnomon::app {
+
+/// Options of every subcommand.
+struct CommonOptions {
+    std::string progress = "auto"; // auto | bar | json | none
+    int threads = 0;               // 0: all
+};
+
+/// Adds `--threads` and `--progress` to `command`.
+void addCommonOptions(CLI::App& command, CommonOptions& options);
+
+/// The progress display that `options` ask for, on stderr; also turns Ctrl-C into gnomon::Interrupted.
+std::unique_ptr<Progress> makeProgress(const CommonOptions& options);
+
+/// A contradiction between options: exit code 2 with `message`.
+struct UsageError {
+    std::string message;
+};
+
+} // namespace gnomon::app

@@ -1,0 +1,52 @@
+// The program: one table of subcommands, one place where errors become exit codes.
+
+#include "app/commands.h"
+#include "core/error.h"
+
+#include <array>
+#include <cstdio>
+#include <exception>
+
+namespace {
+
+using gnomon::app::UsageError;
+
+using AddCommand = void (*)(CLI::App&);
+
+// In the order in which a user meets them, which is also the order of --help.
+constexpr std::array<AddCommand, 0> kCommands{};
+
+int run(int argc, char** argv) {
+    CLI::App program("Low-error shadow maps for meshes of a million to a billion triangles.", "gnomon");
+    program.set_version_flag("--version", "gnomon " GNOMON_VERSION);
+    program.require_subcommand(1);
+    program.get_formatter()->column_width(38);
+    for (const AddCommand add : kCommands)
+        add(program);
+    try {
+        program.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return program.exit(error) == 0 ? 0 : 2;
+    }
+    return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return run(argc, argv);
+    } catch (const UsageError& error) {
+        std::fprintf(stderr, "gnomon: %s\n", error.message.c_str());
+        return 2;
+    } catch (const gnomon::Interrupted&) {
+        std::fprintf(stderr, "gnomon: interrupted; nothing was left half-written\n");
+        return 1;
+    } catch (const std::bad_alloc&) {
+        std::fprintf(stderr, "gnomon: out of memory\n");
+        return 1;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "gnomon: %s\n", error.what());
+        return 1;
+    }
+}

@@ -1,0 +1,148 @@
+#include "app/commands.h"
+#include "core/units.h"
+
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <fstream>
+#include <mutex>
+
+#include <unistd.h>
+
+namespace gnomon::app {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+std::atomic_flag
+    interrupted; // NOLINT(cppcoreguidelines-avoid-non-const-global-variables): a signal reaches nothing else
+
+extern "C" void onInterrupt(int /*signal*/) {
+    interrupted.test_and_set();
+}
+
+/// Resident bytes of this process, from the kernel.
+std::uint64_t residentBytes() {
+    std::ifstream statm("/proc/self/statm");
+    std::uint64_t total = 0;
+    std::uint64_t resident = 0;
+    statm >> total >> resident;
+    return resident * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+}
+
+/// Shows stage, done/total, rate, memory and time left, at most ten times a second.
+class StderrProgress final : public Progress {
+public:
+    enum class Style { kBar, kJson, kNone };
+
+    explicit StderrProgress(Style style) : style_(style) {}
+
+    ~StderrProgress() override {
+        const std::scoped_lock lock(mutex_);
+        finishStage();
+    }
+
+    StderrProgress(const StderrProgress&) = delete;
+    StderrProgress& operator=(const StderrProgress&) = delete;
+    StderrProgress(StderrProgress&&) = delete;
+    StderrProgress& operator=(StderrProgress&&) = delete;
+
+    void stage(std::string_view name, std::string_view unit, std::uint64_t total) override {
+        const std::scoped_lock lock(mutex_);
+        finishStage();
+        name_ = name;
+        unit_ = unit;
+        total_ = total;
+        done_ = 0;
+        start_ = Clock::now();
+        shown_ = start_;
+    }
+
+    void advance(std::uint64_t count) override {
+        if (interrupted.test()) throw Interrupted{};
+        const std::scoped_lock lock(mutex_);
+        done_ += count;
+        const auto now = Clock::now();
+        if (now - shown_ < std::chrono::milliseconds(100)) return;
+        shown_ = now;
+        show();
+    }
+
+private:
+    void finishStage() {
+        if (name_.empty() || style_ == Style::kNone) return;
+        show();
+        if (style_ == Style::kBar) std::fputc('\n', stderr);
+        name_.clear();
+    }
+
+    void show() const {
+        const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+        const double rate = seconds > 0 ? static_cast<double>(done_) / seconds : 0;
+        const double left = rate > 0 && total_ > done_ ? static_cast<double>(total_ - done_) / rate : 0;
+        if (style_ == Style::kJson) {
+            std::fprintf(
+                stderr,
+                "{\"stage\": \"%s\", \"unit\": \"%s\", \"done\": %llu, \"total\": %llu, \"per_second\": %.0f, "
+                "\"memory_bytes\": %llu, \"seconds_left\": %.1f}\n",
+                name_.c_str(),
+                unit_.c_str(),
+                static_cast<unsigned long long>(done_),
+                static_cast<unsigned long long>(total_),
+                rate,
+                static_cast<unsigned long long>(residentBytes()),
+                left);
+        } else if (style_ == Style::kBar) {
+            constexpr int kWidth = 24;
+            const double fraction = total_ > 0 ? static_cast<double>(done_) / static_cast<double>(total_) : 0;
+            const int filled = static_cast<int>(std::min(1.0, fraction) * kWidth);
+            std::string bar(static_cast<std::size_t>(filled), '#');
+            bar.resize(kWidth, '.');
+            std::fprintf(
+                stderr,
+                "\r\033[K%-10s [%s] %s/%s %s  %s/s  %s  %.0f s left",
+                name_.c_str(),
+                bar.c_str(),
+                readableCount(done_).c_str(),
+                readableCount(total_).c_str(),
+                unit_.c_str(),
+                readableCount(static_cast<std::uint64_t>(rate)).c_str(),
+                readableBytes({residentBytes()}).c_str(),
+                left);
+        }
+    }
+
+    Style style_;
+    std::mutex mutex_;
+    std::string name_;
+    std::string unit_;
+    std::uint64_t total_ = 0;
+    std::uint64_t done_ = 0;
+    Clock::time_point start_;
+    Clock::time_point shown_;
+};
+
+} // namespace
+
+void addCommonOptions(CLI::App& command, CommonOptions& options) {
+    command.add_option("--threads", options.threads, "Worker threads; 0 is all cores")
+        ->check(CLI::Range(0, 1024))
+        ->capture_default_str();
+    command.add_option("--progress", options.progress, "How progress is shown on stderr")
+        ->check(CLI::IsMember({"auto", "bar", "json", "none"}))
+        ->capture_default_str();
+}
+
+std::unique_ptr<Progress> makeProgress(const CommonOptions& options) {
+    using Style = StderrProgress::Style;
+    std::signal(SIGINT, onInterrupt);
+    std::signal(SIGTERM, onInterrupt);
+    Style style = Style::kNone;
+    if (options.progress == "bar" || (options.progress == "auto" && ::isatty(STDERR_FILENO) != 0)) style = Style::kBar;
+    if (options.progress == "json") style = Style::kJson;
+    return std::make_unique<StderrProgress>(style);
+}
+
+} // namespace gnomon::app

@@ -1,0 +1,49 @@
+// Axis-aligned boxes and spheres in double precision.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <limits>
+
+namespace gnomon {
+
+/// A closed axis-aligned box; empty (min above max) until something is added.
+struct Box {
+    glm::dvec3 min{std::numeric_limits<double>::infinity()};
+    glm::dvec3 max{-std::numeric_limits<double>::infinity()};
+
+    bool isEmpty() const { return min.x > max.x || min.y > max.y || min.z > max.z; }
+
+    void add(const glm::dvec3& point) {
+        min = glm::min(min, point);
+        max = glm::max(max, point);
+    }
+
+    void add(const Box& box) {
+        min = glm::min(min, box.min);
+        max = glm::max(max, box.max);
+    }
+
+    glm::dvec3 center() const { return (min + max) * 0.5; }
+
+    glm::dvec3 extent() const { return isEmpty() ? glm::dvec3(0) : max - min; }
+};
+
+/// A ball: every point within `radius` of `center`.
+struct Sphere {
+    glm::dvec3 center{0};
+    double radius = 0;
+};
+
+/// The distance of `point` from `box`; 0 inside.
+inline double distance(const Box& box, const glm::dvec3& point) {
+    return glm::length(glm::max(glm::max(box.min - point, point - box.max), glm::dvec3(0)));
+}
+
+/// The distance of `point` from `sphere`; 0 inside.
+inline double distance(const Sphere& sphere, const glm::dvec3& point) {
+    return std::max(0.0, glm::length(point - sphere.center) - sphere.radius);
+}
+
+} // namespace gnomon

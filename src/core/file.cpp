@@ -1,0 +1,126 @@
+#include "core/file.h"
+
+#include "core/error.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace gnomon {
+
+namespace {
+
+[[noreturn]] void throwSystemError(const std::string& where, const std::string& what) {
+    throw Error(where, what + ": " + std::strerror(errno));
+}
+
+} // namespace
+
+File::File(const std::string& path, Mode mode) : path_(path) {
+    const int flags = mode == Mode::kRead ? O_RDONLY : (O_RDWR | O_CREAT | O_TRUNC);
+    descriptor_ = ::open(path.c_str(), flags | O_CLOEXEC, 0666);
+    if (descriptor_ < 0) throwSystemError(path, mode == Mode::kRead ? "cannot open" : "cannot create");
+
+    struct stat info {};
+
+    if (::fstat(descriptor_, &info) == 0 && S_ISDIR(info.st_mode)) {
+        ::close(descriptor_);
+        throw Error(path, "cannot open: is a directory");
+    }
+}
+
+File::~File() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+File::File(File&& other) noexcept : path_(std::move(other.path_)), descriptor_(std::exchange(other.descriptor_, -1)) {}
+
+File& File::operator=(File&& other) noexcept {
+    if (this != &other) {
+        if (descriptor_ >= 0) ::close(descriptor_);
+        path_ = std::move(other.path_);
+        descriptor_ = std::exchange(other.descriptor_, -1);
+    }
+    return *this;
+}
+
+std::uint64_t File::size() const {
+    struct stat info {};
+
+    if (::fstat(descriptor_, &info) != 0) throwSystemError(path_, "cannot stat");
+    return static_cast<std::uint64_t>(info.st_size);
+}
+
+std::size_t File::readSomeAt(std::uint64_t offset, std::span<std::byte> out) const {
+    std::size_t done = 0;
+    while (done < out.size()) {
+        const ssize_t got =
+            ::pread(descriptor_, out.data() + done, out.size() - done, static_cast<off_t>(offset + done));
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) throwSystemError(atByte(path_, offset + done), "cannot read");
+        if (got == 0) break;
+        done += static_cast<std::size_t>(got);
+    }
+    return done;
+}
+
+void File::readAt(std::uint64_t offset, std::span<std::byte> out) const {
+    const std::size_t got = readSomeAt(offset, out);
+    if (got < out.size())
+        throw Error(
+            atByte(path_, offset + got),
+            "the file ends too early",
+            std::to_string(out.size() - got) + " more bytes",
+            "the end");
+}
+
+void File::writeAt(std::uint64_t offset, std::span<const std::byte> bytes) {
+    std::size_t done = 0;
+    while (done < bytes.size()) {
+        const ssize_t put =
+            ::pwrite(descriptor_, bytes.data() + done, bytes.size() - done, static_cast<off_t>(offset + done));
+        if (put < 0 && errno == EINTR) continue;
+        if (put <= 0) throwSystemError(atByte(path_, offset + done), "cannot write");
+        done += static_cast<std::size_t>(put);
+    }
+}
+
+void File::sync() {
+    if (::fsync(descriptor_) != 0 && errno != EINVAL && errno != EROFS) throwSystemError(path_, "cannot flush");
+}
+
+AtomicFile::AtomicFile(const std::string& finalPath)
+    : finalPath_(finalPath),
+      temporaryPath_(finalPath + "." + std::to_string(::getpid()) + ".partial"),
+      file_(temporaryPath_, File::Mode::kCreate) {}
+
+AtomicFile::~AtomicFile() {
+    if (!committed_) ::unlink(temporaryPath_.c_str());
+}
+
+void AtomicFile::commit() {
+    file_.sync();
+    if (std::rename(temporaryPath_.c_str(), finalPath_.c_str()) != 0)
+        throwSystemError(finalPath_, "cannot rename the finished file");
+    committed_ = true;
+}
+
+std::string readTextFile(const std::string& path) {
+    const File file(path, File::Mode::kRead);
+    std::string text(file.size(), '\0');
+    file.readAt(0, std::as_writable_bytes(std::span(text)));
+    return text;
+}
+
+void writeTextFile(const std::string& path, const std::string& text) {
+    AtomicFile output(path);
+    output.file().writeAt(0, std::as_bytes(std::span(text)));
+    output.commit();
+}
+
+} // namespace gnomon

@@ -1,0 +1,76 @@
+// Checked file I/O: every short read, failed write and full disk becomes one Error with path and offset.
+#pragma once
+
+#include "core/units.h"
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace gnomon {
+
+/// An open file, move-only. Positional calls are safe from many threads at once.
+class File {
+public:
+    enum class Mode { kRead, kCreate };
+
+    /// Opens `path`; kCreate truncates and allows reading back. Throws Error with the system's reason.
+    File(const std::string& path, Mode mode);
+    ~File();
+    File(File&& other) noexcept;
+    File& operator=(File&& other) noexcept;
+    File(const File&) = delete;
+    File& operator=(const File&) = delete;
+
+    const std::string& path() const { return path_; }
+
+    std::uint64_t size() const;
+
+    /// Fills `out` from `offset`; throws Error if the file ends before.
+    void readAt(std::uint64_t offset, std::span<std::byte> out) const;
+
+    /// Up to `out.size()` bytes from `offset`; fewer only at the end of the file.
+    std::size_t readSomeAt(std::uint64_t offset, std::span<std::byte> out) const;
+
+    /// Writes all of `bytes` at `offset`.
+    void writeAt(std::uint64_t offset, std::span<const std::byte> bytes);
+
+    /// Flushes to the device, so that a rename after it is safe.
+    void sync();
+
+private:
+    std::string path_;
+    int descriptor_ = -1;
+};
+
+/// A file that appears under its final name only when it is complete: written beside it under a temporary name,
+/// renamed by `commit`, removed by the destructor otherwise.
+class AtomicFile {
+public:
+    explicit AtomicFile(const std::string& finalPath);
+    ~AtomicFile();
+    AtomicFile(const AtomicFile&) = delete;
+    AtomicFile& operator=(const AtomicFile&) = delete;
+    AtomicFile(AtomicFile&&) = delete;
+    AtomicFile& operator=(AtomicFile&&) = delete;
+
+    File& file() { return file_; }
+
+    /// Flushes and renames onto the final name.
+    void commit();
+
+private:
+    std::string finalPath_;
+    std::string temporaryPath_;
+    File file_;
+    bool committed_ = false;
+};
+
+/// The whole of a small file as text.
+std::string readTextFile(const std::string& path);
+
+/// Writes `text` to `path` through an AtomicFile.
+void writeTextFile(const std::string& path, const std::string& text);
+
+} // namespace gnomon

@@ -1,0 +1,43 @@
+// Reading a .gnm: tables once, pages on demand from any thread.
+#pragma once
+
+#include "core/file.h"
+#include "hierarchy/model.h"
+
+#include <span>
+
+namespace gnomon::hierarchy {
+
+/// An open model. The tables are validated when it opens: a damaged table throws Error. Pages come coarsest level
+/// first, so the root groups are in the first pages.
+class ModelFile {
+public:
+    explicit ModelFile(const std::string& path);
+
+    const std::string& path() const { return file_.path(); }
+
+    const ModelSummary& summary() const { return summary_; }
+
+    std::span<const PageInfo> pages() const { return pages_; }
+
+    std::uint64_t fileBytes() const { return fileBytes_; }
+
+    /// The hash stored in the file: xxh3-128, lower hex, over all bytes after the hash field.
+    const std::string& contentHash() const { return contentHash_; }
+
+    /// The hash of the bytes as they are now; reads the whole file.
+    std::string computedContentHash() const;
+
+    /// Reads, checks and decodes one page; safe from many threads. Throws Error (path, byte offset) if it is damaged:
+    /// wrong checksum, or any index, count or range that does not fit.
+    Page readPage(std::uint32_t page) const;
+
+private:
+    File file_;
+    std::uint64_t fileBytes_ = 0;
+    std::string contentHash_;
+    ModelSummary summary_;
+    std::vector<PageInfo> pages_;
+};
+
+} // namespace gnomon::hierarchy

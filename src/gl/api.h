@@ -1,0 +1,86 @@
+// The OpenGL 4.5 core functions that Gnomon calls, as one table of pointers filled by whichever context was made.
+#pragma once
+
+#include <GL/glcorearb.h>
+
+// X(type, member, name): one line a function.
+#define GNOMON_GL_FUNCTIONS(X)                                                                                         \
+    X(PFNGLATTACHSHADERPROC, attachShader, "glAttachShader")                                                           \
+    X(PFNGLBINDBUFFERBASEPROC, bindBufferBase, "glBindBufferBase")                                                     \
+    X(PFNGLBINDBUFFERPROC, bindBuffer, "glBindBuffer")                                                                 \
+    X(PFNGLBINDFRAMEBUFFERPROC, bindFramebuffer, "glBindFramebuffer")                                                  \
+    X(PFNGLBINDSAMPLERPROC, bindSampler, "glBindSampler")                                                              \
+    X(PFNGLBINDTEXTUREUNITPROC, bindTextureUnit, "glBindTextureUnit")                                                  \
+    X(PFNGLBINDVERTEXARRAYPROC, bindVertexArray, "glBindVertexArray")                                                  \
+    X(PFNGLCHECKNAMEDFRAMEBUFFERSTATUSPROC, checkNamedFramebufferStatus, "glCheckNamedFramebufferStatus")              \
+    X(PFNGLCLEARNAMEDFRAMEBUFFERFVPROC, clearNamedFramebufferfv, "glClearNamedFramebufferfv")                          \
+    X(PFNGLCLIPCONTROLPROC, clipControl, "glClipControl")                                                              \
+    X(PFNGLCOLORMASKPROC, colorMask, "glColorMask")                                                                    \
+    X(PFNGLCOMPILESHADERPROC, compileShader, "glCompileShader")                                                        \
+    X(PFNGLCREATEBUFFERSPROC, createBuffers, "glCreateBuffers")                                                        \
+    X(PFNGLCREATEFRAMEBUFFERSPROC, createFramebuffers, "glCreateFramebuffers")                                         \
+    X(PFNGLCREATEPROGRAMPROC, createProgram, "glCreateProgram")                                                        \
+    X(PFNGLCREATESHADERPROC, createShader, "glCreateShader")                                                           \
+    X(PFNGLCREATETEXTURESPROC, createTextures, "glCreateTextures")                                                     \
+    X(PFNGLCREATEVERTEXARRAYSPROC, createVertexArrays, "glCreateVertexArrays")                                         \
+    X(PFNGLDELETEBUFFERSPROC, deleteBuffers, "glDeleteBuffers")                                                        \
+    X(PFNGLDELETEFRAMEBUFFERSPROC, deleteFramebuffers, "glDeleteFramebuffers")                                         \
+    X(PFNGLDELETEPROGRAMPROC, deleteProgram, "glDeleteProgram")                                                        \
+    X(PFNGLDELETESHADERPROC, deleteShader, "glDeleteShader")                                                           \
+    X(PFNGLDELETETEXTURESPROC, deleteTextures, "glDeleteTextures")                                                     \
+    X(PFNGLDELETEVERTEXARRAYSPROC, deleteVertexArrays, "glDeleteVertexArrays")                                         \
+    X(PFNGLDEPTHFUNCPROC, depthFunc, "glDepthFunc")                                                                    \
+    X(PFNGLDEPTHMASKPROC, depthMask, "glDepthMask")                                                                    \
+    X(PFNGLDISABLEPROC, disable, "glDisable")                                                                          \
+    X(PFNGLDRAWARRAYSPROC, drawArrays, "glDrawArrays")                                                                 \
+    X(PFNGLENABLEPROC, enable, "glEnable")                                                                             \
+    X(PFNGLENABLEVERTEXARRAYATTRIBPROC, enableVertexArrayAttrib, "glEnableVertexArrayAttrib")                          \
+    X(PFNGLFINISHPROC, finish, "glFinish")                                                                             \
+    X(PFNGLGETERRORPROC, getError, "glGetError")                                                                       \
+    X(PFNGLGETINTEGERVPROC, getIntegerv, "glGetIntegerv")                                                              \
+    X(PFNGLGETPROGRAMINFOLOGPROC, getProgramInfoLog, "glGetProgramInfoLog")                                            \
+    X(PFNGLGETPROGRAMIVPROC, getProgramiv, "glGetProgramiv")                                                           \
+    X(PFNGLGETSHADERINFOLOGPROC, getShaderInfoLog, "glGetShaderInfoLog")                                               \
+    X(PFNGLGETSHADERIVPROC, getShaderiv, "glGetShaderiv")                                                              \
+    X(PFNGLGETSTRINGPROC, getString, "glGetString")                                                                    \
+    X(PFNGLGETTEXTUREIMAGEPROC, getTextureImage, "glGetTextureImage")                                                  \
+    X(PFNGLGETUNIFORMLOCATIONPROC, getUniformLocation, "glGetUniformLocation")                                         \
+    X(PFNGLLINKPROGRAMPROC, linkProgram, "glLinkProgram")                                                              \
+    X(PFNGLMULTIDRAWELEMENTSBASEVERTEXPROC, multiDrawElementsBaseVertex, "glMultiDrawElementsBaseVertex")              \
+    X(PFNGLNAMEDBUFFERSTORAGEPROC, namedBufferStorage, "glNamedBufferStorage")                                         \
+    X(PFNGLNAMEDBUFFERSUBDATAPROC, namedBufferSubData, "glNamedBufferSubData")                                         \
+    X(PFNGLNAMEDFRAMEBUFFERDRAWBUFFERSPROC, namedFramebufferDrawBuffers, "glNamedFramebufferDrawBuffers")              \
+    X(PFNGLNAMEDFRAMEBUFFERTEXTUREPROC, namedFramebufferTexture, "glNamedFramebufferTexture")                          \
+    X(PFNGLPIXELSTOREIPROC, pixelStorei, "glPixelStorei")                                                              \
+    X(PFNGLPROGRAMUNIFORM1IPROC, programUniform1i, "glProgramUniform1i")                                               \
+    X(PFNGLPROGRAMUNIFORM4FPROC, programUniform4f, "glProgramUniform4f")                                               \
+    X(PFNGLPROGRAMUNIFORMMATRIX4FVPROC, programUniformMatrix4fv, "glProgramUniformMatrix4fv")                          \
+    X(PFNGLSCISSORPROC, scissor, "glScissor")                                                                          \
+    X(PFNGLSHADERSOURCEPROC, shaderSource, "glShaderSource")                                                           \
+    X(PFNGLTEXTUREPARAMETERIPROC, textureParameteri, "glTextureParameteri")                                            \
+    X(PFNGLTEXTURESTORAGE2DPROC, textureStorage2D, "glTextureStorage2D")                                               \
+    X(PFNGLTEXTURESUBIMAGE2DPROC, textureSubImage2D, "glTextureSubImage2D")                                            \
+    X(PFNGLUSEPROGRAMPROC, useProgram, "glUseProgram")                                                                 \
+    X(PFNGLVERTEXARRAYATTRIBBINDINGPROC, vertexArrayAttribBinding, "glVertexArrayAttribBinding")                       \
+    X(PFNGLVERTEXARRAYATTRIBFORMATPROC, vertexArrayAttribFormat, "glVertexArrayAttribFormat")                          \
+    X(PFNGLVERTEXARRAYATTRIBIFORMATPROC, vertexArrayAttribIFormat, "glVertexArrayAttribIFormat")                       \
+    X(PFNGLVERTEXARRAYELEMENTBUFFERPROC, vertexArrayElementBuffer, "glVertexArrayElementBuffer")                       \
+    X(PFNGLVERTEXARRAYVERTEXBUFFERPROC, vertexArrayVertexBuffer, "glVertexArrayVertexBuffer")                          \
+    X(PFNGLVIEWPORTPROC, viewport, "glViewport")
+
+namespace gnomon::gl {
+
+/// The functions of one context; valid on the thread where that context is current.
+struct Api {
+#define GNOMON_GL_MEMBER(type, member, name) type member = nullptr;
+    GNOMON_GL_FUNCTIONS(GNOMON_GL_MEMBER)
+#undef GNOMON_GL_MEMBER
+};
+
+using FunctionPointer = void (*)();
+using FunctionSource = FunctionPointer (*)(const char* name);
+
+/// Asks `source` for every function; throws gnomon::Error naming the first that is missing.
+Api loadApi(FunctionSource source);
+
+} // namespace gnomon::gl

@@ -1,0 +1,46 @@
+// A headless OpenGL 4.5 core context: OSMesa in memory, or EGL without a surface.
+#pragma once
+
+#include "gl/api.h"
+#include "gl/native_context.h"
+
+#include <memory>
+#include <string>
+
+namespace gnomon::gl {
+
+/// Where a context comes from. `kEgl` takes a GPU if EGL knows one, else EGL's surfaceless platform.
+enum class Platform { kOsmesa, kEgl };
+
+/// A context, current on the thread that made it until it is destroyed. Everything is drawn into framebuffer objects;
+/// clip space is z in [0, 1] with the origin at the lower left.
+class Context {
+public:
+    /// Throws gnomon::Error if the library, the context or a function is missing.
+    explicit Context(Platform platform);
+
+    const Api& api() const { return *api_; }
+
+    /// GL_RENDERER, e.g. "llvmpipe (LLVM 15.0.6, 256 bits)".
+    const std::string& renderer() const { return renderer_; }
+
+    /// True unless the renderer is one of Mesa's software ones.
+    bool isHardware() const;
+
+    /// The largest width or height of a texture.
+    int maxTextureSize() const { return maxTextureSize_; }
+
+    /// Throws gnomon::Error naming `where` if GL has recorded an error since the last call.
+    void check(const char* where) const;
+
+private:
+    std::unique_ptr<NativeContext> native_;
+    std::unique_ptr<Api> api_; // at a fixed address: GL objects keep a pointer to it
+    std::string renderer_;
+    int maxTextureSize_ = 0;
+};
+
+/// Whether EGL knows a device that is not software. Loads EGL, makes no context.
+bool hasGpu();
+
+} // namespace gnomon::gl

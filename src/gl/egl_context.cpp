@@ -1,0 +1,122 @@
+#include "gl/context.h"
+#include "gl/native_context.h"
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+
+namespace gnomon::gl {
+
+namespace {
+
+bool hasWord(const char* list, std::string_view word) {
+    return list != nullptr && std::string_view(list).find(word) != std::string_view::npos;
+}
+
+class Egl {
+public:
+    bool isOpen() const { return library_.isOpen(); }
+
+    template <class Function>
+    Function function(const char* name) const {
+        return library_.function<Function>(name);
+    }
+
+    /// A function of an extension; null if there is none.
+    template <class Function>
+    Function extension(const char* name) const {
+        return reinterpret_cast<Function>(function<PFNEGLGETPROCADDRESSPROC>("eglGetProcAddress")(name));
+    }
+
+    /// The first device that is not Mesa's software one; EGL_NO_DEVICE_EXT if there is none.
+    EGLDeviceEXT gpu() const {
+        const auto queryDevices = extension<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
+        const auto queryString = extension<PFNEGLQUERYDEVICESTRINGEXTPROC>("eglQueryDeviceStringEXT");
+        if (queryDevices == nullptr || queryString == nullptr) return EGL_NO_DEVICE_EXT;
+        EGLint count = 0;
+        if (queryDevices(0, nullptr, &count) == EGL_FALSE || count == 0) return EGL_NO_DEVICE_EXT;
+        std::vector<EGLDeviceEXT> devices(static_cast<std::size_t>(count));
+        if (queryDevices(count, devices.data(), &count) == EGL_FALSE) return EGL_NO_DEVICE_EXT;
+        for (EGLDeviceEXT device : devices)
+            if (!hasWord(queryString(device, EGL_EXTENSIONS), "EGL_MESA_device_software")) return device;
+        return EGL_NO_DEVICE_EXT;
+    }
+
+private:
+    Library library_{"libEGL.so.1"};
+};
+
+constexpr std::array<EGLint, 7> kContextAttributes = {
+    EGL_CONTEXT_MAJOR_VERSION,
+    4,
+    EGL_CONTEXT_MINOR_VERSION,
+    5,
+    EGL_CONTEXT_OPENGL_PROFILE_MASK,
+    EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+    EGL_NONE};
+
+class EglContext final : public NativeContext {
+public:
+    EglContext() {
+        const auto platformDisplay = egl_.function<PFNEGLGETPLATFORMDISPLAYPROC>("eglGetPlatformDisplay");
+        const EGLDeviceEXT device = egl_.gpu();
+        display_ = device != EGL_NO_DEVICE_EXT
+                       ? platformDisplay(EGL_PLATFORM_DEVICE_EXT, device, nullptr)
+                       : platformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+        if (display_ == EGL_NO_DISPLAY ||
+            egl_.function<PFNEGLINITIALIZEPROC>("eglInitialize")(display_, nullptr, nullptr) == EGL_FALSE)
+            throw Error("EGL", "no display without a window system");
+        makeContext();
+    }
+
+    ~EglContext() override {
+        egl_.function<PFNEGLMAKECURRENTPROC>("eglMakeCurrent")(
+            display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+        egl_.function<PFNEGLDESTROYCONTEXTPROC>("eglDestroyContext")(display_, context_);
+        // No eglTerminate: another context of this process may live on the same display.
+    }
+
+    EglContext(const EglContext&) = delete;
+    EglContext& operator=(const EglContext&) = delete;
+    EglContext(EglContext&&) = delete;
+    EglContext& operator=(EglContext&&) = delete;
+
+    FunctionSource functionSource() const override { return egl_.function<FunctionSource>("eglGetProcAddress"); }
+
+private:
+    void makeContext() {
+        if (egl_.function<PFNEGLBINDAPIPROC>("eglBindAPI")(EGL_OPENGL_API) == EGL_FALSE)
+            throw Error("EGL", "no desktop OpenGL");
+        // EGL_KHR_no_config_context would do, but a config that renders OpenGL is had everywhere.
+        const std::array<EGLint, 5> wanted = {EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
+        EGLConfig config = nullptr;
+        EGLint count = 0;
+        egl_.function<PFNEGLCHOOSECONFIGPROC>("eglChooseConfig")(display_, wanted.data(), &config, 1, &count);
+        context_ = egl_.function<PFNEGLCREATECONTEXTPROC>("eglCreateContext")(
+            display_, count > 0 ? config : nullptr, EGL_NO_CONTEXT, kContextAttributes.data());
+        if (context_ == EGL_NO_CONTEXT) throw Error("EGL", "no context", "core 4.5", "nothing");
+        const auto makeCurrent = egl_.function<PFNEGLMAKECURRENTPROC>("eglMakeCurrent");
+        if (makeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_FALSE)
+            throw Error("EGL", "the context cannot be made current without a surface");
+    }
+
+    Egl egl_;
+    EGLDisplay display_ = EGL_NO_DISPLAY;
+    EGLContext context_ = EGL_NO_CONTEXT;
+};
+
+} // namespace
+
+std::unique_ptr<NativeContext> makeEglContext() {
+    return std::make_unique<EglContext>();
+}
+
+bool hasGpu() {
+    const Egl egl;
+    return egl.isOpen() && egl.gpu() != EGL_NO_DEVICE_EXT;
+}
+
+} // namespace gnomon::gl

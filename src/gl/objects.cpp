@@ -1,0 +1,83 @@
+#include "gl/objects.h"
+
+#include "core/check.h"
+#include "core/error.h"
+
+#include <array>
+
+namespace gnomon::gl {
+
+namespace {
+
+using Create = void(APIENTRYP)(GLsizei, GLuint*);
+
+Object make(Create create, Object::Delete release) {
+    GLuint id = 0;
+    create(1, &id);
+    return {id, release};
+}
+
+} // namespace
+
+Buffer::Buffer(const Api& api, std::size_t bytes)
+    : api_(&api), object_(make(api.createBuffers, api.deleteBuffers)), bytes_(bytes) {
+    api.namedBufferStorage(id(), static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_STORAGE_BIT);
+}
+
+void Buffer::write(std::size_t offset, std::span<const std::byte> bytes) const {
+    GNOMON_CHECK_OP(offset + bytes.size(), <=, bytes_);
+    api_->namedBufferSubData(id(), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes.size()), bytes.data());
+}
+
+Texture::Texture(const Api& api, GLenum internalFormat, int width, int height)
+    : api_(&api), width_(width), height_(height) {
+    GLuint name = 0;
+    api.createTextures(GL_TEXTURE_2D, 1, &name);
+    object_ = {name, api.deleteTextures};
+    api.textureStorage2D(name, 1, internalFormat, width, height);
+    api.textureParameteri(name, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    api.textureParameteri(name, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    api.textureParameteri(name, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    api.textureParameteri(name, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+}
+
+void Texture::read(GLenum format, GLenum type, std::span<std::byte> out) const {
+    api_->getTextureImage(id(), 0, format, type, static_cast<GLsizei>(out.size()), out.data());
+}
+
+void Texture::write(GLenum format, GLenum type, std::span<const std::byte> texels) const {
+    api_->textureSubImage2D(id(), 0, 0, 0, width_, height_, format, type, texels.data());
+}
+
+Framebuffer::Framebuffer(const Api& api, std::span<const Texture* const> colors, const Texture& depth)
+    : object_(make(api.createFramebuffers, api.deleteFramebuffers)) {
+    std::vector<GLenum> targets;
+    for (const Texture* color : colors) {
+        const auto attachment = static_cast<GLenum>(GL_COLOR_ATTACHMENT0 + targets.size());
+        api.namedFramebufferTexture(id(), attachment, color->id(), 0);
+        targets.push_back(attachment);
+    }
+    api.namedFramebufferTexture(id(), GL_DEPTH_ATTACHMENT, depth.id(), 0);
+    api.namedFramebufferDrawBuffers(id(), static_cast<GLsizei>(targets.size()), targets.data());
+    if (api.checkNamedFramebufferStatus(id(), GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        throw Error("OpenGL", "this framebuffer cannot be drawn into");
+}
+
+VertexArray::VertexArray(
+    const Api& api, const Buffer& buffer, GLsizei vertexBytes, std::span<const Attribute> attributes)
+    : VertexArray(api) {
+    api.vertexArrayVertexBuffer(id(), 0, buffer.id(), 0, vertexBytes);
+    api.vertexArrayElementBuffer(id(), buffer.id());
+    for (const Attribute& a : attributes) {
+        api.enableVertexArrayAttrib(id(), a.location);
+        api.vertexArrayAttribBinding(id(), a.location, 0);
+        if (a.isInteger)
+            api.vertexArrayAttribIFormat(id(), a.location, a.components, a.type, a.offset);
+        else
+            api.vertexArrayAttribFormat(id(), a.location, a.components, a.type, GL_TRUE, a.offset);
+    }
+}
+
+VertexArray::VertexArray(const Api& api) : object_(make(api.createVertexArrays, api.deleteVertexArrays)) {}
+
+} // namespace gnomon::gl

@@ -1,0 +1,63 @@
+#include "gl/native_context.h"
+
+#include <array>
+
+namespace gnomon::gl {
+
+namespace {
+
+// What libOSMesa exports, as its manual states it; its own header would bring in the system's gl.h of 1.x.
+constexpr std::array<int, 13> kAttributes = {
+    0x22,   // OSMESA_FORMAT
+    0x1908, // OSMESA_RGBA
+    0x30,   // OSMESA_DEPTH_BITS: everything is drawn into framebuffer objects
+    0,
+    0x33, // OSMESA_PROFILE
+    0x34, // OSMESA_CORE_PROFILE
+    0x36, // OSMESA_CONTEXT_MAJOR_VERSION
+    4,
+    0x37, // OSMESA_CONTEXT_MINOR_VERSION
+    5,
+    0,
+    0,
+    0};
+
+using CreateContext = void* (*)(const int*, void*);
+using MakeCurrent = GLboolean (*)(void*, void*, GLenum, GLsizei, GLsizei);
+using DestroyContext = void (*)(void*);
+
+class OsmesaContext final : public NativeContext {
+public:
+    OsmesaContext() {
+        context_ = library_.function<CreateContext>("OSMesaCreateContextAttribs")(kAttributes.data(), nullptr);
+        if (context_ == nullptr) throw Error("OSMesa", "no context", "core 4.5", "nothing");
+        const auto makeCurrent = library_.function<MakeCurrent>("OSMesaMakeCurrent");
+        if (makeCurrent(context_, pixel_.data(), GL_UNSIGNED_BYTE, 1, 1) == GL_FALSE) {
+            destroy_(context_);
+            throw Error("OSMesa", "the context cannot be made current");
+        }
+    }
+
+    ~OsmesaContext() override { destroy_(context_); }
+
+    OsmesaContext(const OsmesaContext&) = delete;
+    OsmesaContext& operator=(const OsmesaContext&) = delete;
+    OsmesaContext(OsmesaContext&&) = delete;
+    OsmesaContext& operator=(OsmesaContext&&) = delete;
+
+    FunctionSource functionSource() const override { return library_.function<FunctionSource>("OSMesaGetProcAddress"); }
+
+private:
+    Library library_{"libOSMesa.so.8"};
+    DestroyContext destroy_ = library_.function<DestroyContext>("OSMesaDestroyContext");
+    void* context_ = nullptr;
+    std::array<GLubyte, 4> pixel_{}; // the default framebuffer that OSMesa insists on
+};
+
+} // namespace
+
+std::unique_ptr<NativeContext> makeOsmesaContext() {
+    return std::make_unique<OsmesaContext>();
+}
+
+} // namespace gnomon::gl

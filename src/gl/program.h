@@ -1,0 +1,34 @@
+// A linked GLSL program.
+#pragma once
+
+#include "gl/api.h"
+#include "gl/shader_library.h"
+
+namespace gnomon::gl {
+
+/// Vertex and fragment shader, linked; move-only.
+class Program {
+public:
+    Program() = default;
+    /// Compiles `vertexPath` and `fragmentPath` of `library`, both behind `defines` ("#define A 1\n...").
+    /// Throws Error with the driver's log.
+    Program(
+        const Api& api,
+        const ShaderLibrary& library,
+        std::string_view vertexPath,
+        std::string_view fragmentPath,
+        std::string_view defines = {});
+    ~Program();
+    Program(Program&& other) noexcept;
+    Program& operator=(Program&& other) noexcept;
+    Program(const Program&) = delete;
+    Program& operator=(const Program&) = delete;
+
+    GLuint id() const { return id_; }
+
+private:
+    const Api* api_ = nullptr;
+    GLuint id_ = 0;
+};
+
+} // namespace gnomon::gl

@@ -1,0 +1,64 @@
+#include "preprocess/read/block_buffers.h"
+
+#include "core/check.h"
+
+namespace gnomon::preprocess {
+
+VertexBuffer::VertexBuffer(const VertexSink& sink, bool hasNormals, bool hasColors)
+    : sink_(sink), positions_(kBlockRows), normals_(hasNormals ? kBlockRows : 0), colors_(hasColors ? kBlockRows : 0) {}
+
+VertexBuffer::Rows VertexBuffer::append(std::size_t count) {
+    GNOMON_CHECK_OP(count, <=, room());
+    Rows rows;
+    rows.positions = std::span(positions_).subspan(size_, count);
+    if (!normals_.empty()) rows.normals = std::span(normals_).subspan(size_, count);
+    if (!colors_.empty()) rows.colors = std::span(colors_).subspan(size_, count);
+    size_ += count;
+    return rows;
+}
+
+void VertexBuffer::flush() {
+    if (size_ == 0) return;
+    VertexBlock block;
+    block.firstVertex = first_;
+    block.positions = std::span(positions_).first(size_);
+    if (!normals_.empty()) block.normals = std::span(normals_).first(size_);
+    if (!colors_.empty()) block.colors = std::span(colors_).first(size_);
+    first_ += size_;
+    size_ = 0;
+    sink_(block);
+}
+
+TriangleBuffer::TriangleBuffer(const TriangleSink& sink) : sink_(sink), triangles_(kBlockRows) {}
+
+void TriangleBuffer::addPolygon(std::span<const std::uint64_t> corners) {
+    if (corners.size() < 3) {
+        ++notAPolygon_;
+        return;
+    }
+    if (corners.size() == 3) return add({corners[0], corners[1], corners[2]});
+    const std::size_t count = corners.size() - 2;
+    if (count > room().size()) flush();
+    if (count > room().size()) triangles_.resize(count);
+    polygons_.push_back({static_cast<std::uint32_t>(size_), static_cast<std::uint32_t>(count)});
+    for (std::size_t i = 0; i < count; ++i)
+        triangles_[size_ + i] = {corners[0], corners[i + 1], corners[i + 2]};
+    commit(count);
+}
+
+void TriangleBuffer::flush() {
+    if (size_ == 0 && notAPolygon_ == 0) return;
+    TriangleBlock block;
+    block.firstTriangle = first_;
+    block.triangles = std::span(triangles_).first(size_);
+    block.polygons = polygons_;
+    block.notAPolygon = notAPolygon_;
+    first_ += size_;
+    size_ = 0;
+    notAPolygon_ = 0;
+    sink_(block);
+    polygons_.clear();
+    triangles_.resize(kBlockRows);
+}
+
+} // namespace gnomon::preprocess

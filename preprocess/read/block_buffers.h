@@ -1,0 +1,86 @@
+// Collects vertices and triangles into the blocks that sinks of a MeshSource receive.
+#pragma once
+
+#include "preprocess/read/mesh_source.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace gnomon::preprocess {
+
+/// Rows or triangles of a full block: small enough for the second-level cache.
+constexpr std::size_t kBlockRows = 16384;
+
+/// Collects vertices.
+class VertexBuffer {
+public:
+    /// Places to fill for rows that were appended; normals and colours are empty where the input has none.
+    struct Rows {
+        std::span<glm::dvec3> positions;
+        std::span<glm::vec3> normals;
+        std::span<std::uint32_t> colors;
+    };
+
+    VertexBuffer(const VertexSink& sink, bool hasNormals, bool hasColors);
+
+    /// Rows that fit before the next flush, at least 1.
+    std::size_t room() const { return kBlockRows - size_; }
+
+    /// Appends `count` (at most room()) rows for the caller to fill before the next call. The filled block is handed on
+    /// by the call after it.
+    Rows append(std::size_t count);
+
+    /// Hands a full block on; call after the rows of `append` are filled.
+    void flushIfFull() {
+        if (size_ == kBlockRows) flush();
+    }
+
+    /// Hands on what is left.
+    void flush();
+
+private:
+    const VertexSink& sink_;
+    std::vector<glm::dvec3> positions_;
+    std::vector<glm::vec3> normals_;
+    std::vector<std::uint32_t> colors_;
+    std::uint64_t first_ = 0;
+    std::size_t size_ = 0;
+};
+
+/// Collects triangles, polygons and faces that are none.
+class TriangleBuffer {
+public:
+    explicit TriangleBuffer(const TriangleSink& sink);
+
+    void add(const TriangleCorners& corners) {
+        triangles_[size_++] = corners;
+        if (size_ >= kBlockRows) flush();
+    }
+
+    /// A face of any number of corners, given as its vertex indices.
+    void addPolygon(std::span<const std::uint64_t> corners);
+
+    /// The free places of the block, for callers that write triangles themselves and then `commit` as many.
+    std::span<TriangleCorners> room() { return std::span(triangles_).subspan(size_); }
+
+    void commit(std::size_t count) {
+        size_ += count;
+        if (size_ >= kBlockRows) flush();
+    }
+
+    /// Hands on what is left.
+    void flush();
+
+    /// Triangles so far.
+    std::uint64_t count() const { return first_ + size_; }
+
+private:
+    const TriangleSink& sink_;
+    std::vector<TriangleCorners> triangles_;
+    std::vector<PolygonRun> polygons_;
+    std::uint64_t notAPolygon_ = 0;
+    std::uint64_t first_ = 0;
+    std::size_t size_ = 0;
+};
+
+} // namespace gnomon::preprocess

@@ -1,0 +1,82 @@
+// What every input looks like to the builder: a mesh that is read in streams, as often as wanted, in bounded memory.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+
+namespace gnomon::preprocess {
+
+/// What is known before the body is read. Counts are the header's: checked against the file's size, so they may size
+/// an estimate, but still unproved until a pass has ended.
+struct MeshSummary {
+    std::string path;            ///< of the input; several inputs are joined by ", "
+    std::uint64_t fileBytes = 0; ///< of all inputs
+    std::uint64_t vertexCount = 0;
+    std::uint64_t faceCount = 0;  ///< polygons of any number of corners
+    std::uint64_t stripCount = 0; ///< lists of triangle strips
+    bool hasNormals = false;
+    bool hasColors = false;
+    bool isDouble = false; ///< positions need more than a float
+};
+
+/// Consecutive vertices. Valid only during the call of the sink.
+struct VertexBlock {
+    std::uint64_t firstVertex = 0;
+    std::span<const glm::dvec3> positions; ///< finite
+    std::span<const glm::vec3> normals;    ///< as stored, zero where not finite; empty if the input has none
+    std::span<const std::uint32_t> colors; ///< RGBA8, red in the lowest byte; empty if the input has none
+};
+
+/// The vertex indices of one triangle, each below the summary's vertexCount.
+using TriangleCorners = std::array<std::uint64_t, 3>;
+
+/// A polygon of more than three corners inside a TriangleBlock: triangles [first, first + count) of the block are its
+/// fan from corner 0, so the polygon has count + 2 corners: both ends of triangle `first`, then each last corner.
+struct PolygonRun {
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+};
+
+/// Consecutive triangles in file order. Valid only during the call of the sink.
+///
+/// A polygon of n corners is n - 2 consecutive triangles and never straddles two blocks. The reader has no positions,
+/// so it delivers the fan, which is right for convex polygons, and names the run in `polygons`. Whoever holds the
+/// positions calls PolygonRefiner::refine (polygon.h) on each run; an out-of-core builder may do so after positions
+/// have been joined to the triangles, because the fan holds every corner and the source indices of a run are
+/// consecutive.
+struct TriangleBlock {
+    std::uint64_t firstTriangle = 0; ///< source index of triangles[0]
+    std::span<const TriangleCorners> triangles;
+    std::span<const PolygonRun> polygons; ///< in ascending order of `first`
+    std::uint64_t notAPolygon = 0; ///< faces of fewer than three corners met in this block, which have no triangles
+};
+
+using VertexSink = std::function<void(const VertexBlock&)>;
+using TriangleSink = std::function<void(const TriangleBlock&)>;
+
+/// One mesh on disk or in memory. Passes are repeatable and independent of each other; one pass at a time.
+/// A pass throws gnomon::Error with path and byte or line at the first defect; blocks delivered before stay delivered.
+class MeshSource {
+public:
+    MeshSource() = default;
+    virtual ~MeshSource() = default;
+    MeshSource(const MeshSource&) = delete;
+    MeshSource& operator=(const MeshSource&) = delete;
+    MeshSource(MeshSource&&) = delete;
+    MeshSource& operator=(MeshSource&&) = delete;
+
+    virtual const MeshSummary& summary() const = 0;
+
+    /// Delivers all vertices in index order, exactly summary().vertexCount of them.
+    virtual void readVertices(const VertexSink& sink) = 0;
+
+    /// Delivers all triangles in file order; source indices count from 0 without gaps.
+    virtual void readTriangles(const TriangleSink& sink) = 0;
+};
+
+} // namespace gnomon::preprocess

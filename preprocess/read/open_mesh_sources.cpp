@@ -1,0 +1,77 @@
+#include "preprocess/read/open_mesh_sources.h"
+
+#include "core/check.h"
+#include "preprocess/read/ply_source.h"
+
+namespace gnomon::preprocess {
+
+namespace {
+
+class JoinedSource final : public MeshSource {
+public:
+    explicit JoinedSource(std::vector<std::unique_ptr<MeshSource>> parts) : parts_(std::move(parts)) {
+        for (const auto& part : parts_) {
+            const MeshSummary& more = part->summary();
+            summary_.path += (summary_.path.empty() ? "" : ", ") + more.path;
+            summary_.fileBytes += more.fileBytes;
+            summary_.vertexCount += more.vertexCount;
+            summary_.faceCount += more.faceCount;
+            summary_.stripCount += more.stripCount;
+            summary_.hasNormals |= more.hasNormals;
+            summary_.hasColors |= more.hasColors;
+            summary_.isDouble |= more.isDouble;
+        }
+    }
+
+    const MeshSummary& summary() const override { return summary_; }
+
+    void readVertices(const VertexSink& sink) override {
+        std::uint64_t first = 0;
+        for (const auto& part : parts_) {
+            part->readVertices([&](VertexBlock block) {
+                block.firstVertex += first;
+                sink(block);
+            });
+            first += part->summary().vertexCount;
+        }
+    }
+
+    void readTriangles(const TriangleSink& sink) override {
+        std::uint64_t firstVertex = 0;
+        std::uint64_t firstTriangle = 0;
+        std::vector<TriangleCorners> shifted;
+        for (const auto& part : parts_) {
+            std::uint64_t end = firstTriangle;
+            part->readTriangles([&](TriangleBlock block) {
+                shifted.assign(block.triangles.begin(), block.triangles.end());
+                for (TriangleCorners& triangle : shifted)
+                    for (std::uint64_t& corner : triangle)
+                        corner += firstVertex;
+                block.firstTriangle += firstTriangle;
+                end = block.firstTriangle + shifted.size();
+                block.triangles = shifted;
+                sink(block);
+            });
+            firstTriangle = end;
+            firstVertex += part->summary().vertexCount;
+        }
+    }
+
+private:
+    std::vector<std::unique_ptr<MeshSource>> parts_;
+    MeshSummary summary_;
+};
+
+} // namespace
+
+std::unique_ptr<MeshSource> openMeshSources(const std::vector<std::string>& paths, Bytes /*memoryLimit*/) {
+    GNOMON_CHECK(!paths.empty());
+    std::vector<std::unique_ptr<MeshSource>> parts;
+    parts.reserve(paths.size());
+    for (const std::string& path : paths)
+        parts.push_back(openPly(path));
+    if (parts.size() == 1) return std::move(parts.front());
+    return std::make_unique<JoinedSource>(std::move(parts));
+}
+
+} // namespace gnomon::preprocess

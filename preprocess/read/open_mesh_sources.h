@@ -1,0 +1,21 @@
+// The way in: paths become one MeshSource.
+#pragma once
+
+#include "core/units.h"
+#include "preprocess/read/mesh_source.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace gnomon::preprocess {
+
+/// Opens every path and joins them into one model: vertices and triangles follow one another in the order of `paths`,
+/// indices are shifted accordingly. A block of a joined model holds vertices of one input only, so it lacks normals or
+/// colours where that input has none, even if the summary has them because another does.
+///
+/// PLY files are known by their first line, whatever their name; the others by their suffix. PLY is streamed; OBJ, STL
+/// and OFF are read whole and throw Error if that could take more than `memoryLimit`. All errors name the file.
+std::unique_ptr<MeshSource> openMeshSources(const std::vector<std::string>& paths, Bytes memoryLimit);
+
+} // namespace gnomon::preprocess

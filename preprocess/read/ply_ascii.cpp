@@ -1,0 +1,117 @@
+#include "core/error.h"
+#include "preprocess/read/ply_values.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace gnomon::preprocess {
+
+namespace {
+
+// Longer than any number that is printed with sense.
+constexpr std::size_t kLongestWord = 1000;
+
+bool isBlank(char c) {
+    return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\v' || c == '\f';
+}
+
+// What std::from_chars leaves open when a value is too large or too small for a double.
+double outOfRangeValue(std::string_view text) {
+    const std::size_t exponent = text.find_first_of("eE");
+    if (exponent != std::string_view::npos && text.substr(exponent + 1, 1) == "-") return 0;
+    return std::numeric_limits<double>::infinity();
+}
+
+} // namespace
+
+AsciiValues::AsciiValues(const File& file, char lineEnd, PlyPlace start)
+    : stream_(file, start.offset), lineEnd_(lineEnd), line_(start.line) {}
+
+std::string AsciiValues::where() const {
+    return atLine(stream_.path(), line_);
+}
+
+bool AsciiValues::skipBlanks(bool acrossLines) {
+    while (stream_.fill(1)) {
+        const auto* text = reinterpret_cast<const char*>(stream_.data());
+        const std::size_t size = stream_.available();
+        std::size_t i = 0;
+        for (; i < size && isBlank(text[i]) && (acrossLines || text[i] != lineEnd_); ++i)
+            line_ += text[i] == lineEnd_ ? 1 : 0;
+        stream_.consume(i);
+        if (i < size) return true;
+    }
+    return false;
+}
+
+std::string_view AsciiValues::word() {
+    if (!skipBlanks(true)) throw Error(where(), "the file ends too early");
+    // Near the end of the file there is less; a word that ends the file needs no separator.
+    stream_.fill(kLongestWord + 1);
+    const auto* text = reinterpret_cast<const char*>(stream_.data());
+    const std::size_t size = std::min(stream_.available(), kLongestWord + 1);
+    std::size_t length = 0;
+    while (length < size && !isBlank(text[length]))
+        ++length;
+    if (length > kLongestWord) throw Error(where(), "not a number: a word of more than 1000 characters");
+    stream_.consume(length);
+    return {text, length};
+}
+
+double AsciiValues::real(PlyType type) {
+    const std::string_view text = word();
+    const char* begin = text.data() + (text.size() > 1 && text[0] == '+' ? 1 : 0);
+    const char* end = text.data() + text.size();
+    double value = 0;
+    const auto [stop, error] = std::from_chars(begin, end, value);
+    if (stop != end || error == std::errc::invalid_argument)
+        throw Error(where(), "not a number", "a number", quotedForMessage(text));
+    if (error == std::errc::result_out_of_range) value = outOfRangeValue(text);
+    return type == PlyType::Float32 ? static_cast<double>(static_cast<float>(value)) : value;
+}
+
+std::int64_t AsciiValues::integer(PlyType /*type*/) {
+    const std::string_view text = word();
+    const char* begin = text.data() + (text.size() > 1 && text[0] == '+' ? 1 : 0);
+    const char* end = text.data() + text.size();
+    std::int64_t value = 0;
+    const auto [stop, error] = std::from_chars(begin, end, value);
+    if (stop == end && error == std::errc()) return value;
+    double number = 0;
+    const auto [realStop, realError] = std::from_chars(begin, end, number);
+    constexpr double kLimit = 0x1.0p53;
+    if (realStop == end && realError == std::errc() && std::abs(number) < kLimit && number == std::floor(number))
+        return static_cast<std::int64_t>(number);
+    throw Error(where(), "not a whole number", "an index or a count", quotedForMessage(text));
+}
+
+void AsciiValues::skip(PlyType /*type*/, std::uint64_t count) {
+    for (std::uint64_t i = 0; i < count; ++i)
+        word();
+}
+
+void AsciiValues::skipRows(std::uint64_t valuesPerRow, std::uint64_t count) {
+    if (valuesPerRow == 0) return;
+    for (std::uint64_t row = 0; row < count; ++row) {
+        for (std::uint64_t i = 0; i < valuesPerRow; ++i)
+            word();
+        endRow();
+    }
+}
+
+void AsciiValues::endRow() {
+    if (skipBlanks(false) && *reinterpret_cast<const char*>(stream_.data()) != lineEnd_)
+        throw Error(where(), "more values in a row than the header declares");
+}
+
+std::uint64_t AsciiValues::mostValues(PlyType /*type*/) const {
+    return stream_.remaining() / 2 + 1;
+}
+
+void AsciiValues::expectEnd() {
+    if (skipBlanks(true)) throw Error(where(), "data after the last element: the header's counts are too small");
+}
+
+} // namespace gnomon::preprocess

@@ -1,0 +1,215 @@
+// The rows of a PLY body in any layout, value by value; the fast paths of ply_fast.h fall back on these.
+#pragma once
+
+#include "core/error.h"
+#include "preprocess/read/block_buffers.h"
+#include "preprocess/read/ply_values.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace gnomon::preprocess {
+
+// What is kept of a vertex, as places in a row of doubles: three coordinates, three of the normal, four channels.
+constexpr std::size_t kPosition = 0;
+constexpr std::size_t kNormal = 3;
+constexpr std::size_t kColor = 6;
+constexpr std::size_t kAlpha = 9;
+constexpr std::size_t kVertexSlots = 10;
+
+/// Which property fills which slot.
+struct VertexLayout {
+    std::array<int, kVertexSlots> property{}; ///< index into the element's properties, -1 where there is none
+    bool hasNormals = false;
+    bool hasColors = false;
+    bool isDouble = false;
+
+    /// Whether the element has all of `count` slots from `first` on.
+    bool has(std::size_t first, std::size_t count) const {
+        return std::all_of(
+            property.begin() + first, property.begin() + first + count, [](int index) { return index >= 0; });
+    }
+};
+
+/// A colour channel in 0..255: uchar as it is, ushort scaled down, floats from 0..1; everything else clamped.
+inline std::uint8_t colorByte(PlyType type, double value) {
+    if (isFloat(type)) value *= 255;
+    if (type == PlyType::Uint16) value /= 257;
+    // The order of the comparisons makes a NaN 0.
+    return static_cast<std::uint8_t>(value > 0 ? std::min(value, 255.0) + 0.5 : 0.0);
+}
+
+/// A normal that can be computed with: zero stands for none.
+inline glm::vec3 usableNormal(const glm::vec3& normal) {
+    return std::isfinite(normal.x + normal.y + normal.z) ? normal : glm::vec3(0);
+}
+
+/// More corners than any real polygon; a longer list is a damaged file, and would break the bound on memory.
+constexpr std::uint64_t kMostPolygonCorners = std::uint64_t{1} << 20U;
+
+/// Reads the count of a list whose values the rest of the file can hold.
+template <class Values>
+std::uint64_t readListCount(Values& values, const PlyProperty& list) {
+    const std::int64_t count = values.integer(list.countType);
+    const std::uint64_t most = values.mostValues(list.type);
+    if (count < 0 || static_cast<std::uint64_t>(count) > most)
+        throw Error(values.where(), "absurd list count", "at most " + std::to_string(most), std::to_string(count));
+    return static_cast<std::uint64_t>(count);
+}
+
+template <class Values>
+void skipProperty(Values& values, const PlyProperty& property) {
+    values.skip(property.type, property.isList ? readListCount(values, property) : 1);
+}
+
+/// Passes over all rows of an element.
+template <class Values>
+void skipElement(Values& values, const PlyElement& element, PlyFormat format) {
+    if (element.properties.empty()) return;
+    if (!element.hasLists()) {
+        const bool isAscii = format == PlyFormat::Ascii;
+        return values.skipRows(isAscii ? element.properties.size() : element.leastRowBytes(format), element.count);
+    }
+    for (std::uint64_t row = 0; row < element.count; ++row) {
+        for (const PlyProperty& property : element.properties)
+            skipProperty(values, property);
+        values.endRow();
+    }
+}
+
+/// Throws Error unless `value` indexes one of `vertexCount` vertices.
+template <class Values>
+std::uint64_t checkedIndex(const Values& values, std::int64_t value, std::uint64_t vertexCount) {
+    if (value < 0 || static_cast<std::uint64_t>(value) >= vertexCount)
+        throw Error(
+            values.where(),
+            "vertex index out of range",
+            "0 to less than " + std::to_string(vertexCount),
+            std::to_string(value));
+    return static_cast<std::uint64_t>(value);
+}
+
+/// The corners of one polygon.
+template <class Values>
+void readCorners(
+    Values& values, const PlyProperty& list, std::uint64_t vertexCount, std::vector<std::uint64_t>& corners) {
+    const std::uint64_t count = readListCount(values, list);
+    if (count > kMostPolygonCorners)
+        throw Error(
+            values.where(),
+            "absurd list count",
+            "a polygon of at most " + std::to_string(kMostPolygonCorners) + " corners",
+            std::to_string(count));
+    corners.clear();
+    for (std::uint64_t i = 0; i < count; ++i)
+        corners.push_back(checkedIndex(values, values.integer(list.type), vertexCount));
+}
+
+/// One row of a face element; `corners` is scratch.
+template <class Values>
+void readFaceRow(
+    Values& values,
+    const PlyElement& element,
+    int list,
+    std::uint64_t vertexCount,
+    TriangleBuffer& out,
+    std::vector<std::uint64_t>& corners) {
+    for (int i = 0; i < static_cast<int>(element.properties.size()); ++i) {
+        const PlyProperty& property = element.properties[static_cast<std::size_t>(i)];
+        if (i == list)
+            readCorners(values, property, vertexCount, corners);
+        else
+            skipProperty(values, property);
+    }
+    values.endRow();
+    out.addPolygon(corners);
+}
+
+/// Decodes triangle strips: the winding alternates, a restart begins a new strip, a triangle with two equal corners
+/// only stitches strips together.
+class StripDecoder {
+public:
+    explicit StripDecoder(TriangleBuffer& out) : out_(out) {}
+
+    void restart() { length_ = 0; }
+
+    void add(std::uint64_t index) {
+        const bool isOdd = length_ % 2 != 0;
+        if (length_ >= 2 && index != first_ && index != second_ && first_ != second_)
+            out_.add(isOdd ? TriangleCorners{second_, first_, index} : TriangleCorners{first_, second_, index});
+        first_ = second_;
+        second_ = index;
+        ++length_;
+    }
+
+private:
+    TriangleBuffer& out_;
+    std::uint64_t first_ = 0;
+    std::uint64_t second_ = 0;
+    std::uint64_t length_ = 0;
+};
+
+/// One row of a tristrips element; a list of any length passes in bounded memory.
+template <class Values>
+void readStripRow(Values& values, const PlyElement& element, int list, std::uint64_t vertexCount, TriangleBuffer& out) {
+    StripDecoder strip(out);
+    for (int i = 0; i < static_cast<int>(element.properties.size()); ++i) {
+        const PlyProperty& property = element.properties[static_cast<std::size_t>(i)];
+        if (i != list) {
+            skipProperty(values, property);
+            continue;
+        }
+        const std::uint64_t count = readListCount(values, property);
+        for (std::uint64_t k = 0; k < count; ++k) {
+            const std::int64_t index = values.integer(property.type);
+            // An unsigned type can only hold -1 as its largest value.
+            const bool isUnsignedRestart = property.type == PlyType::Uint32 && index == 0xFFFFFFFF;
+            if (index == -1 || (isUnsignedRestart && vertexCount <= 0xFFFFFFFF))
+                strip.restart();
+            else
+                strip.add(checkedIndex(values, index, vertexCount));
+        }
+    }
+    values.endRow();
+}
+
+/// The vertices of an element in any layout.
+template <class Values>
+void readVertexRows(Values& values, const PlyElement& element, const VertexLayout& layout, VertexBuffer& out) {
+    const std::size_t width = element.properties.size();
+    std::vector<int> slotOf(width, -1);
+    for (std::size_t slot = 0; slot < kVertexSlots; ++slot)
+        if (const int i = layout.property[slot]; i >= 0) slotOf[static_cast<std::size_t>(i)] = static_cast<int>(slot);
+    std::array<PlyType, kVertexSlots> type{};
+    std::array<double, kVertexSlots> row{};
+    row[kAlpha] = 255;
+    for (std::uint64_t n = 0; n < element.count; ++n) {
+        for (std::size_t i = 0; i < width; ++i) {
+            const PlyProperty& property = element.properties[i];
+            if (slotOf[i] < 0) {
+                skipProperty(values, property);
+                continue;
+            }
+            const auto slot = static_cast<std::size_t>(slotOf[i]);
+            type[slot] = property.type;
+            row[slot] = values.real(property.type);
+            if (slot < kNormal && !std::isfinite(row[slot]))
+                throw Error(values.where(), "a coordinate of vertex " + std::to_string(n) + " is not finite");
+        }
+        values.endRow();
+        const VertexBuffer::Rows place = out.append(1);
+        place.positions[0] = {row[0], row[1], row[2]};
+        if (!place.normals.empty())
+            place.normals[0] = usableNormal(glm::vec3(row[kNormal], row[kNormal + 1], row[kNormal + 2]));
+        if (!place.colors.empty()) {
+            place.colors[0] = 0;
+            for (std::uint32_t c = 0; c < 4; ++c)
+                place.colors[0] |= static_cast<std::uint32_t>(colorByte(type[kColor + c], row[kColor + c])) << (8 * c);
+        }
+        out.flushIfFull();
+    }
+}
+
+} // namespace gnomon::preprocess

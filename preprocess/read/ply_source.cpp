@@ -1,0 +1,181 @@
+#include "preprocess/read/ply_source.h"
+
+#include "preprocess/read/ply_fast.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace gnomon::preprocess {
+
+namespace {
+
+enum class Role { Other, Vertices, Faces, Strips };
+
+int indexListOf(const PlyElement& element) {
+    const int list = element.indexOf("vertex_indices", "vertex_index");
+    return list >= 0 && element.properties[static_cast<std::size_t>(list)].isList ? list : -1;
+}
+
+Role roleOf(const PlyElement& element) {
+    if (element.name == "vertex") return Role::Vertices;
+    if (element.name == "face" && indexListOf(element) >= 0) return Role::Faces;
+    if (element.name == "tristrips" && indexListOf(element) >= 0) return Role::Strips;
+    return Role::Other;
+}
+
+VertexLayout vertexLayoutOf(const PlyElement& element) {
+    constexpr std::array<std::array<const char*, 2>, kVertexSlots> kNames = {
+        {{"x", ""},
+         {"y", ""},
+         {"z", ""},
+         {"nx", ""},
+         {"ny", ""},
+         {"nz", ""},
+         {"red", "diffuse_red"},
+         {"green", "diffuse_green"},
+         {"blue", "diffuse_blue"},
+         {"alpha", "diffuse_alpha"}}};
+    VertexLayout layout;
+    for (std::size_t slot = 0; slot < kVertexSlots; ++slot) {
+        int found = element.indexOf(kNames[slot][0], kNames[slot][1]);
+        if (found >= 0 && element.properties[static_cast<std::size_t>(found)].isList) found = -1;
+        layout.property[slot] = found;
+        const PlyType type = found >= 0 ? element.properties[static_cast<std::size_t>(found)].type : PlyType::Float32;
+        if (slot < kNormal)
+            layout.isDouble |= type == PlyType::Float64 || type == PlyType::Int32 || type == PlyType::Uint32;
+    }
+    layout.hasNormals = layout.has(kNormal, 3);
+    layout.hasColors = layout.has(kColor, 3);
+    return layout;
+}
+
+class PlySource final : public MeshSource {
+public:
+    explicit PlySource(const std::string& path)
+        : file_(path, File::Mode::kRead), header_(readPlyHeader(file_)), starts_(header_.elements.size() + 1) {
+        starts_[0] = {header_.bodyOffset, header_.bodyLine};
+        summary_.path = path;
+        summary_.fileBytes = file_.size();
+        for (std::size_t i = 0; i < header_.elements.size(); ++i)
+            addToSummary(i);
+        if (vertices_ == header_.elements.size()) throw Error(path, "the header declares no vertices");
+        if (!layout_.has(kPosition, 3)) throw Error(path, "the vertices have no x, y and z");
+        if (summary_.faceCount + summary_.stripCount == 0) throw Error(path, "no faces: this is a point cloud");
+    }
+
+    const MeshSummary& summary() const override { return summary_; }
+
+    void readVertices(const VertexSink& sink) override {
+        pass([&](auto values) { vertexPass(values, sink); }, vertices_);
+    }
+
+    void readTriangles(const TriangleSink& sink) override {
+        pass([&](auto values) { trianglePass(values, sink); }, firstFaces_);
+    }
+
+private:
+    void addToSummary(std::size_t i) {
+        const PlyElement& element = header_.elements[i];
+        const Role role = roleOf(element);
+        if (role == Role::Vertices) {
+            if (vertices_ < header_.elements.size()) throw Error(summary_.path, "the header declares vertices twice");
+            vertices_ = i;
+            layout_ = vertexLayoutOf(element);
+            summary_.vertexCount = element.count;
+            summary_.hasNormals = layout_.hasNormals;
+            summary_.hasColors = layout_.hasColors;
+            summary_.isDouble = layout_.isDouble;
+        }
+        if (role == Role::Faces) summary_.faceCount += element.count;
+        if (role == Role::Strips) summary_.stripCount += element.count;
+        if (role == Role::Faces || role == Role::Strips) firstFaces_ = std::min(firstFaces_, i);
+    }
+
+    // Calls `body` with values that stand at element `begin`; where that is, is found once by reading up to it.
+    template <class Body>
+    void pass(Body body, std::size_t begin) {
+        std::size_t known = begin;
+        while (!starts_[known])
+            --known;
+        const auto walk = [&](auto values) {
+            for (std::size_t i = known; i < begin; ++i)
+                skip(values, i);
+            body(std::move(values));
+        };
+        if (header_.format == PlyFormat::Ascii)
+            walk(AsciiValues(file_, header_.lineEnd, *starts_[known]));
+        else
+            walk(BinaryValues(file_, header_.format, *starts_[known]));
+    }
+
+    template <class Values>
+    void skip(Values& values, std::size_t i) {
+        skipElement(values, header_.elements[i], header_.format);
+        starts_[i + 1] = values.place();
+    }
+
+    template <class Values>
+    void vertexPass(Values& values, const VertexSink& sink) {
+        const PlyElement& element = header_.elements[vertices_];
+        VertexBuffer out(sink, layout_.hasNormals, layout_.hasColors);
+        if constexpr (std::is_same_v<Values, BinaryValues>) {
+            if (element.hasLists())
+                readVertexRows(values, element, layout_, out);
+            else
+                readVertexColumns(values, element, layout_, out);
+        } else {
+            readVertexRows(values, element, layout_, out);
+        }
+        starts_[vertices_ + 1] = values.place();
+        out.flush();
+    }
+
+    // Reads to the end of the file, so that a pass that ends well has seen every count proved.
+    template <class Values>
+    void trianglePass(Values& values, const TriangleSink& sink) {
+        TriangleBuffer out(sink);
+        for (std::size_t i = firstFaces_; i < header_.elements.size(); ++i) {
+            const PlyElement& element = header_.elements[i];
+            const Role role = roleOf(element);
+            if (role == Role::Faces) readFaces(values, element, out);
+            if (role == Role::Strips) {
+                for (std::uint64_t row = 0; row < element.count; ++row)
+                    readStripRow(values, element, indexListOf(element), summary_.vertexCount, out);
+            }
+            if (role == Role::Faces || role == Role::Strips)
+                starts_[i + 1] = values.place();
+            else
+                skip(values, i);
+        }
+        values.expectEnd();
+        out.flush();
+        if (out.count() == 0) throw Error(summary_.path, "no triangles: no face has three corners");
+    }
+
+    template <class Values>
+    void readFaces(Values& values, const PlyElement& element, TriangleBuffer& out) {
+        if constexpr (std::is_same_v<Values, BinaryValues>) {
+            readFaceRows(values, element, indexListOf(element), summary_.vertexCount, out);
+        } else {
+            std::vector<std::uint64_t> corners;
+            for (std::uint64_t row = 0; row < element.count; ++row)
+                readFaceRow(values, element, indexListOf(element), summary_.vertexCount, out, corners);
+        }
+    }
+
+    File file_;
+    PlyHeader header_;
+    VertexLayout layout_;
+    MeshSummary summary_;
+    std::size_t vertices_ = header_.elements.size();   ///< the vertex element
+    std::size_t firstFaces_ = header_.elements.size(); ///< the first element with triangles
+    std::vector<std::optional<PlyPlace>> starts_;      ///< of each element, where known; one more for the end
+};
+
+} // namespace
+
+std::unique_ptr<MeshSource> openPly(const std::string& path) {
+    return std::make_unique<PlySource>(path);
+}
+
+} // namespace gnomon::preprocess

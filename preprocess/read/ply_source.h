@@ -1,0 +1,20 @@
+// PLY as a MeshSource: streamed, in any legal layout.
+#pragma once
+
+#include "preprocess/read/mesh_source.h"
+
+#include <memory>
+#include <string>
+
+namespace gnomon::preprocess {
+
+/// Opens a PLY file and reads its header. Any element named `face` or `tristrips` with a list `vertex_indices` (or
+/// `vertex_index`) gives triangles, in file order; `vertex` gives x y z, nx ny nz, red green blue alpha (or diffuse_*).
+/// Everything else is passed over. Elements may come in any order. Memory: a few MiB, whatever the file's size.
+///
+/// Throws Error with line or byte: no PLY, a bad header, counts that the file is too short for, no x y z, no faces.
+/// The passes throw for truncated bodies, list counts that are negative or absurd, indices out of range, coordinates
+/// that are not finite, and data after the last element.
+std::unique_ptr<MeshSource> openPly(const std::string& path);
+
+} // namespace gnomon::preprocess

@@ -1,0 +1,65 @@
+"""Fails when a source file includes a layer, or a library, above its station (src/layers.txt), or lies outside the table.
+
+usage: check_layers.py [ROOT]
+"""
+import pathlib
+import re
+import sys
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
+# What the system itself gives: POSIX and Linux headers, by their first part. Headers of the standard library have no dot.
+SYSTEM = {"sys", "linux", "fcntl.h", "unistd.h", "dirent.h", "dlfcn.h", "poll.h", "pthread.h", "sched.h"}
+
+
+def read_layers(text):
+    """layer -> (layers it may include, libraries it may include)"""
+    layers = {}
+    for line in text.splitlines():
+        if line.strip() and not line.startswith("#"):
+            name, rest = line.split(":", 1)
+            ours, _, theirs = rest.partition("|")
+            layers[name.strip()] = (set(ours.split()), set(theirs.split()))
+    return layers
+
+
+def folders(root):
+    """layer -> its folder; `preprocess` lies beside src/"""
+    found = {p.name: p for p in (root / "src").iterdir() if p.is_dir()}
+    found["preprocess"] = root / "preprocess"
+    return found
+
+
+def is_standard(header):
+    return "." not in header and "/" not in header
+
+
+def breaches(root):
+    layers = read_layers((root / "src" / "layers.txt").read_text())
+    places = folders(root)
+    for name in sorted(set(places) - set(layers)):
+        yield f"{places[name].relative_to(root)}: not in src/layers.txt"
+    for layer, (ours, theirs) in layers.items():
+        if layer not in places:
+            continue
+        for path in sorted(places[layer].rglob("*")):
+            if path.suffix not in {".h", ".cpp", ".inc"}:
+                continue
+            for bracket, header in INCLUDE.findall(path.read_text()):
+                head = header.split("/")[0]
+                if bracket == '"':
+                    fine = "/" in header and head in ours | {layer}
+                else:
+                    fine = is_standard(header) or head in SYSTEM or head in theirs
+                if not fine:
+                    yield f"{path.relative_to(root)}: {layer} may not include {header}"
+
+
+def main():
+    root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".").resolve()
+    found = list(breaches(root))
+    print("\n".join(found) or "layers: clean")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,40 @@
+"""The layer lint must go red for each kind of breach, and stay green for what is allowed."""
+import pathlib
+import tempfile
+import unittest
+
+import check_layers
+
+TABLE = "core: | glm\nshadow: core | glm\npreprocess: core | zstd.h\n"
+
+
+class CheckLayers(unittest.TestCase):
+    def breaches(self, files):
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            for name, text in {"src/layers.txt": TABLE, "src/core/a.h": "", "preprocess/p.cpp": "", **files}.items():
+                path = root / name
+                path.parent.mkdir(parents=True, exist_ok=True)
+                path.write_text(text)
+            return list(check_layers.breaches(root))
+
+    def test_allowed_includes_are_clean(self):
+        self.assertEqual([], self.breaches({
+            "src/shadow/a.cpp": '#include "shadow/a.h"\n#include "core/a.h"\n#include <glm/glm.hpp>\n#include <vector>\n',
+            "preprocess/b.cpp": '#include "preprocess/c/d.h"\n#include <zstd.h>\n#include <sys/stat.h>\n'}))
+
+    def test_each_breach_is_found(self):
+        for name, text in {
+            "src/core/b.h": '#include "shadow/a.h"\n',
+            "src/core/c.h": "#include <tbb/task_group.h>\n",
+            "src/shadow/d.cpp": "#include <zstd.h>\n",
+            "src/shadow/e.cpp": '#include "neighbour.h"\n',
+            "src/attic/f.cpp": "",
+            "preprocess/g.cpp": '#include "shadow/a.h"\n',
+        }.items():
+            with self.subTest(name):
+                self.assertEqual(1, len(self.breaches({name: text})))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,221 @@
+#include "report/accuracy_cost.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+
+namespace gnomon::report {
+
+namespace {
+
+std::optional<double> errorOf(const RunSummary& run, ErrorKind kind) {
+    const auto found = run.errors.find(kind);
+    if (found == run.errors.end() || !std::isfinite(found->second)) return std::nullopt;
+    return found->second;
+}
+
+/// Ranks from 0; equal values share the mean of their ranks.
+std::vector<double> ranks(const std::vector<double>& values) {
+    std::vector<std::size_t> order(values.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return values[a] < values[b]; });
+    std::vector<double> result(values.size());
+    for (std::size_t begin = 0; begin < order.size();) {
+        std::size_t end = begin;
+        while (end < order.size() && values[order[end]] == values[order[begin]])
+            ++end;
+        const double mean = (static_cast<double>(begin) + static_cast<double>(end) - 1) / 2;
+        for (std::size_t i = begin; i < end; ++i)
+            result[order[i]] = mean;
+        begin = end;
+    }
+    return result;
+}
+
+double pearson(const std::vector<double>& a, const std::vector<double>& b) {
+    const auto n = static_cast<double>(a.size());
+    const double meanA = std::accumulate(a.begin(), a.end(), 0.0) / n;
+    const double meanB = std::accumulate(b.begin(), b.end(), 0.0) / n;
+    double ab = 0;
+    double aa = 0;
+    double bb = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        ab += (a[i] - meanA) * (b[i] - meanB);
+        aa += (a[i] - meanA) * (a[i] - meanA);
+        bb += (b[i] - meanB) * (b[i] - meanB);
+    }
+    return aa > 0 && bb > 0 ? ab / std::sqrt(aa * bb) : 0;
+}
+
+std::string text(const char* format, double value) {
+    std::array<char, 64> buffer{};
+    std::snprintf(buffer.data(), buffer.size(), format, value);
+    return buffer.data();
+}
+
+/// The error that says most about what is seen, of those that both runs know.
+std::optional<ErrorKind> telling(const RunSummary& a, const RunSummary& b) {
+    for (const ErrorKind kind : {ErrorKind::kShadowEdge, ErrorKind::kWrongShadow, ErrorKind::kPromisedAliasing})
+        if (errorOf(a, kind).value_or(0) > 0 && errorOf(b, kind)) return kind;
+    return std::nullopt;
+}
+
+std::string mapCount(int maps) {
+    return maps == 1 ? "One map" : std::to_string(maps) + " maps";
+}
+
+/// The fastest run of each number of maps, fewest maps first, among those that differ from the first run in nothing
+/// else.
+std::vector<const RunSummary*> sweepOverMaps(std::span<const RunSummary> runs) {
+    const auto others = [](const RunSummary& run) {
+        auto settings = run.settings;
+        for (const char* key : {"shadow_maps", "z_partitions"})
+            settings.erase(key);
+        return settings;
+    };
+    std::map<int, const RunSummary*> sweep;
+    for (const RunSummary& run : runs) {
+        if (run.shadowMaps < 1 || others(run) != others(runs.front())) continue;
+        const auto [place, isNew] = sweep.emplace(run.shadowMaps, &run);
+        if (!isNew && run.p50Ms < place->second->p50Ms) place->second = &run;
+    }
+    std::vector<const RunSummary*> result;
+    for (const auto& [maps, run] : sweep)
+        result.push_back(run);
+    return result;
+}
+
+/// The first number of maps after which no further map lowers the error by at least a tenth.
+std::optional<int> enoughMaps(const std::vector<const RunSummary*>& sweep, ErrorKind kind) {
+    for (std::size_t i = 0; i + 1 < sweep.size(); ++i) {
+        const double here = errorOf(*sweep[i], kind).value_or(0);
+        const bool improves =
+            std::any_of(sweep.begin() + static_cast<std::ptrdiff_t>(i) + 1, sweep.end(), [&](auto* run) {
+                return errorOf(*run, kind).value_or(here) < 0.9 * here;
+            });
+        if (!improves) return sweep[i]->shadowMaps;
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+std::string_view key(ErrorKind kind) {
+    switch (kind) {
+    case ErrorKind::kPromisedAliasing:
+        return "promised_aliasing";
+    case ErrorKind::kMeasuredAliasing:
+        return "measured_aliasing";
+    case ErrorKind::kWrongShadow:
+        return "wrong_shadow_fraction";
+    case ErrorKind::kShadowEdge:
+        return "shadow_edge_p99_px";
+    case ErrorKind::kImageDifference:
+        return "image_difference";
+    }
+    return {};
+}
+
+std::string_view label(ErrorKind kind) {
+    switch (kind) {
+    case ErrorKind::kPromisedAliasing:
+        return "promised aliasing (texel widths per pixel width)";
+    case ErrorKind::kMeasuredAliasing:
+        return "measured aliasing (texel widths per pixel width)";
+    case ErrorKind::kWrongShadow:
+        return "wrong shadow pixels (fraction of the lit side)";
+    case ErrorKind::kShadowEdge:
+        return "shadow edge distance (pixels, 99th percentile)";
+    case ErrorKind::kImageDifference:
+        return "image difference (fraction of full scale)";
+    }
+    return {};
+}
+
+bool dominates(const RunSummary& a, const RunSummary& b, ErrorKind kind) {
+    const auto errorA = errorOf(a, kind);
+    const auto errorB = errorOf(b, kind);
+    if (!errorA || !errorB) return false;
+    const bool nowhereWorse = a.p50Ms <= b.p50Ms && *errorA <= *errorB;
+    return nowhereWorse && (a.p50Ms < b.p50Ms || *errorA < *errorB);
+}
+
+std::vector<std::size_t> paretoFront(std::span<const RunSummary> runs, ErrorKind kind) {
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < runs.size(); ++i)
+        if (errorOf(runs[i], kind)) order.push_back(i);
+    const auto cost = [&](std::size_t i) { return std::pair(runs[i].p50Ms, *errorOf(runs[i], kind)); };
+    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return cost(a) < cost(b); });
+    std::vector<std::size_t> front;
+    for (const std::size_t i : order)
+        if (front.empty() || cost(i).second < cost(front.back()).second || cost(i) == cost(front.back()))
+            front.push_back(i);
+    return front;
+}
+
+std::optional<std::size_t> bestUnderBudget(std::span<const RunSummary> runs, ErrorKind kind, double budgetMs) {
+    std::optional<std::size_t> best;
+    for (const std::size_t i : paretoFront(runs, kind))
+        if (runs[i].p50Ms <= budgetMs && (!best || *errorOf(runs[i], kind) < *errorOf(runs[*best], kind))) best = i;
+    return best;
+}
+
+std::optional<std::size_t> cheapestUnderError(std::span<const RunSummary> runs, ErrorKind kind, double bound) {
+    for (const std::size_t i : paretoFront(runs, kind))
+        if (*errorOf(runs[i], kind) <= bound) return i;
+    return std::nullopt;
+}
+
+Correlation correlation(std::span<const RunSummary> runs, ErrorKind a, ErrorKind b) {
+    std::vector<std::size_t> known;
+    std::vector<double> valuesA;
+    std::vector<double> valuesB;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        const auto errorA = errorOf(runs[i], a);
+        const auto errorB = errorOf(runs[i], b);
+        if (!errorA || !errorB) continue;
+        known.push_back(i);
+        valuesA.push_back(*errorA);
+        valuesB.push_back(*errorB);
+    }
+    Correlation result;
+    result.runs = known.size();
+    if (known.size() < 3) return result;
+    const auto ranksA = ranks(valuesA);
+    const auto ranksB = ranks(valuesB);
+    result.rank = pearson(ranksA, ranksB);
+    for (std::size_t i = 0; i < known.size(); ++i)
+        if (std::abs(ranksA[i] - ranksB[i]) > static_cast<double>(known.size()) / 3)
+            result.disobedient.push_back(known[i]);
+    return result;
+}
+
+std::vector<std::string> sentences(std::span<const RunSummary> runs) {
+    std::vector<std::string> result;
+    if (runs.empty()) return result;
+    const auto sweep = sweepOverMaps(runs);
+    if (sweep.size() < 2) return result;
+    const RunSummary& one = *sweep.front();
+    const auto four = std::find_if(sweep.begin(), sweep.end(), [](auto* run) { return run->shadowMaps >= 4; });
+    const RunSummary& more = four == sweep.end() ? *sweep.back() : **four;
+    const auto kind = telling(one, more);
+    std::string first = mapCount(more.shadowMaps) + " cost " + text("%.2g", more.p50Ms / one.p50Ms) +
+                        " times the frame of " + (one.shadowMaps == 1 ? "one" : std::to_string(one.shadowMaps));
+    if (kind) {
+        const double share = *errorOf(more, *kind) / *errorOf(one, *kind);
+        const std::string what = *kind == ErrorKind::kShadowEdge    ? "shadow-edge distance"
+                                 : *kind == ErrorKind::kWrongShadow ? "wrong shadow pixels"
+                                                                    : "promised aliasing";
+        first += " and leave " + text("%.2g", share) + " of its " + what;
+    }
+    result.push_back(first + ".");
+    if (kind) {
+        const auto enough = enoughMaps(sweep, *kind);
+        if (enough)
+            result.push_back("More than " + std::to_string(*enough) + " buys nothing here (less than a tenth).");
+    }
+    return result;
+}
+
+} // namespace gnomon::report

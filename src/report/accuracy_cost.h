@@ -1,0 +1,38 @@
+// What accuracy costs in time: the Pareto front of a set of runs, and the setting that a budget or a bound calls for.
+#pragma once
+
+#include "report/run_summary.h"
+
+#include <cstddef>
+#include <span>
+
+namespace gnomon::report {
+
+/// `a` dominates `b` if it is nowhere worse in median time and error and somewhere better.
+/// Runs that do not know the error neither dominate nor are dominated.
+bool dominates(const RunSummary& a, const RunSummary& b, ErrorKind kind);
+
+/// The indices of the runs that know the error and that none dominates, fastest first.
+std::vector<std::size_t> paretoFront(std::span<const RunSummary> runs, ErrorKind kind);
+
+/// The run of least error whose median time is at most `budgetMs`; of equals the fastest; nothing if none is that fast.
+std::optional<std::size_t> bestUnderBudget(std::span<const RunSummary> runs, ErrorKind kind, double budgetMs);
+
+/// The fastest run whose error is at most `bound`; nothing if none is that good.
+std::optional<std::size_t> cheapestUnderError(std::span<const RunSummary> runs, ErrorKind kind, double bound);
+
+/// Spearman's rank correlation of two errors over the runs that know both, ties at their mean rank, and the runs that
+/// disobey it most.
+struct Correlation {
+    double rank = 0; // in [-1, 1]; 0 if fewer than three runs know both
+    std::size_t runs = 0;
+    std::vector<std::size_t> disobedient; // rank in one differs from the other's by more than a third of the runs
+};
+
+Correlation correlation(std::span<const RunSummary> runs, ErrorKind a, ErrorKind b);
+
+/// One or two sentences that a person would say of these runs, the first about what more maps cost and bring, computed
+/// from them.
+std::vector<std::string> sentences(std::span<const RunSummary> runs);
+
+} // namespace gnomon::report

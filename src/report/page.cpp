@@ -1,0 +1,112 @@
+#include "report/page.h"
+
+#include "report/accuracy_cost.h"
+#include "report/page_assets.h"
+
+namespace gnomon::report {
+
+namespace {
+
+std::string base64(std::span<const std::uint8_t> bytes) {
+    constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    text.reserve((bytes.size() + 2) / 3 * 4);
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        std::uint32_t word = 0;
+        for (std::size_t j = 0; j < 3; ++j)
+            word = (word << 8U) | (i + j < bytes.size() ? bytes[i + j] : 0U);
+        for (std::size_t j = 0; j < 4; ++j)
+            text += i + j > bytes.size() ? '=' : kDigits[(word >> (18U - 6U * j)) & 63U];
+    }
+    return text;
+}
+
+nlohmann::json runData(const RunSummary& run) {
+    nlohmann::json errors = nlohmann::json::object();
+    for (const auto& [kind, value] : run.errors)
+        errors[std::string(key(kind))] = value;
+    const StageTimes& s = run.stages;
+    return {
+        {"name", run.name},
+        {"options", run.options},
+        {"settings", run.settings},
+        {"shadow_maps", run.shadowMaps},
+        {"p50", run.p50Ms},
+        {"p95", run.p95Ms},
+        {"p99", run.p99Ms},
+        {"stages",
+         {{"plan", s.plan},
+          {"select", s.select},
+          {"cull", s.cull},
+          {"stream", s.stream},
+          {"shadow", s.shadow},
+          {"image", s.image}}},
+        {"image_triangles", run.imageTriangles},
+        {"shadow_triangles", run.shadowTriangles},
+        {"errors", errors},
+        {"crawl", run.crawl < 0 ? nlohmann::json() : nlohmann::json(run.crawl)},
+        {"storage_factor", run.storageFactor},
+        {"promise_kept", run.promiseKept},
+        {"frames", run.frameMs}};
+}
+
+/// Puts `value` where `mark` stands in `text`.
+void substitute(std::string& text, std::string_view mark, std::string_view value) {
+    const auto place = text.find(mark);
+    if (place != std::string::npos) text.replace(place, mark.size(), value);
+}
+
+/// JSON that may stand inside a script element: no "</" and no "<!--".
+std::string scriptSafe(const nlohmann::json& data) {
+    std::string text = data.dump();
+    std::string safe;
+    safe.reserve(text.size());
+    for (const char c : text) {
+        if (c == '<')
+            safe += "\\u003c";
+        else
+            safe += c;
+    }
+    return safe;
+}
+
+} // namespace
+
+nlohmann::json pageData(const Report& report) {
+    nlohmann::json data = {
+        {"model", report.model},
+        {"context", report.context},
+        {"csv", report.csvFile},
+        {"json", report.jsonFile},
+        {"sentences", sentences(report.runs)},
+        {"runs", nlohmann::json::array()},
+        {"errors", nlohmann::json::array()},
+        {"fronts", nlohmann::json::object()},
+        {"pictures", nlohmann::json::array()},
+        {"storage", nlohmann::json::array()}};
+    for (const RunSummary& run : report.runs)
+        data["runs"].push_back(runData(run));
+    for (const ErrorKind kind : kErrorKinds) {
+        data["errors"].push_back({{"key", key(kind)}, {"label", label(kind)}});
+        data["fronts"][std::string(key(kind))] = paretoFront(report.runs, kind);
+    }
+    const Correlation promise = correlation(report.runs, ErrorKind::kPromisedAliasing, ErrorKind::kWrongShadow);
+    data["correlation"] = {{"rank", promise.rank}, {"runs", promise.runs}, {"disobedient", promise.disobedient}};
+    for (const StoragePoint& point : report.storage)
+        data["storage"].push_back({{"scheme", point.scheme}, {"maps", point.maps}, {"S", point.storageFactor}});
+    for (const Picture& picture : report.pictures)
+        data["pictures"].push_back(
+            {{"run", picture.run}, {"kind", picture.kind}, {"src", "data:image/png;base64," + base64(picture.png)}});
+    return data;
+}
+
+std::string page(const Report& report) {
+    std::string text(kPageHtml);
+    substitute(text, "/*CSS*/", kPageCss);
+    substitute(text, "/*CHART*/", kChartJs);
+    substitute(text, "/*DATA*/", scriptSafe(pageData(report)));
+    substitute(text, "/*JS*/", kPageJs);
+    return text;
+}
+
+} // namespace gnomon::report

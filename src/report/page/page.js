@@ -1,0 +1,244 @@
+"use strict";
+const data = JSON.parse(document.getElementById("data").textContent);
+const element = (id) => document.getElementById(id);
+const style = getComputedStyle(document.documentElement);
+const ink = style.getPropertyValue("--ink").trim();
+const line = style.getPropertyValue("--line").trim();
+const accent = style.getPropertyValue("--accent").trim();
+const palette = ["#4477aa", "#ee6677", "#228833", "#ccbb44", "#66ccee", "#aa3377", "#bb5500", "#777777"];
+
+Chart.defaults.color = ink;
+Chart.defaults.borderColor = line;
+Chart.defaults.animation = false;
+Chart.defaults.maintainAspectRatio = false;
+
+const figures = (value) => value === null || value === undefined ? "" : Number(value.toPrecision(4)).toString();
+const axis = (title, logarithmic) => ({ type: logarithmic ? "logarithmic" : "linear", title: { display: true, text: title } });
+const known = (key) => data.runs.map((run, i) => ({ run, i })).filter(({ run }) => run.errors[key] !== undefined);
+
+function describe(run) {
+  const errors = data.errors.filter((e) => run.errors[e.key] !== undefined).map((e) => `${e.key} ${figures(run.errors[e.key])}`);
+  return [run.name, `${figures(run.p50)} ms (p95 ${figures(run.p95)}, p99 ${figures(run.p99)})`, ...errors];
+}
+
+function scatter(id, xTitle, yTitle, datasets, logarithmic = {}) {
+  return new Chart(element(id), {
+    type: "scatter",
+    data: { datasets },
+    options: {
+      scales: { x: axis(xTitle, logarithmic.x), y: axis(yTitle, logarithmic.y) },
+      plugins: { tooltip: { callbacks: { label: (item) => item.raw.run ? describe(item.raw.run) : `${figures(item.raw.x)}, ${figures(item.raw.y)}` } } },
+    },
+  });
+}
+
+let errorTime;
+function drawErrorTime() {
+  const kind = data.errors.find((e) => e.key === element("error-kind").value);
+  const logarithmic = element("log-error").checked;
+  const point = (run) => ({ x: run.p50, y: run.errors[kind.key], run });
+  const visible = known(kind.key).filter(({ run }) => !logarithmic || run.errors[kind.key] > 0);
+  const front = data.fronts[kind.key].map((i) => data.runs[i]).filter((run) => !logarithmic || run.errors[kind.key] > 0);
+  if (errorTime) errorTime.destroy();
+  errorTime = scatter("error-time", "median frame time, ms", kind.label, [
+    { label: "Pareto front", data: front.map(point), showLine: true, borderColor: accent, backgroundColor: accent, pointRadius: 5 },
+    { label: "runs", data: visible.map(({ run }) => point(run)), backgroundColor: palette[0], pointRadius: 4 },
+  ], { y: logarithmic });
+  answerBudget();
+  answerBound();
+}
+
+function answer(output, run) {
+  element(output).textContent = run ? `${run.options}   (${figures(run.p50)} ms, error ${figures(run.errors[element("error-kind").value])})` : "no run does";
+}
+
+function answerBudget() {
+  const budget = element("budget").valueAsNumber;
+  const kind = element("error-kind").value;
+  if (Number.isNaN(budget)) return void (element("budget-answer").textContent = "");
+  const front = data.fronts[kind].map((i) => data.runs[i]).filter((run) => run.p50 <= budget);
+  answer("budget-answer", front.sort((a, b) => a.errors[kind] - b.errors[kind] || a.p50 - b.p50)[0]);
+}
+
+function answerBound() {
+  const bound = element("bound").valueAsNumber;
+  const kind = element("error-kind").value;
+  if (Number.isNaN(bound)) return void (element("bound-answer").textContent = "");
+  const front = data.fronts[kind].map((i) => data.runs[i]).filter((run) => run.errors[kind] <= bound);
+  answer("bound-answer", front.sort((a, b) => a.p50 - b.p50)[0]);
+}
+
+function drawMaps() {
+  const groups = new Map();
+  for (const run of data.runs.filter((r) => r.shadow_maps > 0)) {
+    const { shadow_maps: _, z_partitions: __, ...others } = run.settings;
+    const key = JSON.stringify(others);
+    if (!groups.has(key)) groups.set(key, []);
+    groups.get(key).push(run);
+  }
+  const sweeps = [...groups.entries()].filter(([, runs]) => new Set(runs.map((r) => r.shadow_maps)).size > 1);
+  const differing = [...new Set(data.runs.flatMap((r) => Object.keys(r.settings)))]
+    .filter((key) => new Set(sweeps.map(([, runs]) => runs[0].settings[key])).size > 1);
+  const datasets = [];
+  sweeps.forEach(([, runs], i) => {
+    const sorted = [...runs].sort((a, b) => a.shadow_maps - b.shadow_maps);
+    const name = differing.filter((k) => k !== "shadow_maps" && k !== "z_partitions").map((k) => `${k} ${runs[0].settings[k]}`).join(", ");
+    const color = palette[i % palette.length];
+    const add = (stage, dash) => datasets.push({
+      label: [name, stage].filter(Boolean).join(": "), showLine: true, borderColor: color, backgroundColor: color, borderDash: dash,
+      data: sorted.map((run) => ({ x: run.shadow_maps, y: run.stages[stage], run })),
+    });
+    add("shadow", []);
+    add("image", [5, 4]);
+  });
+  scatter("time-maps", "shadow maps", "ms", datasets);
+}
+
+function drawStorage() {
+  const schemes = [...new Set(data.storage.map((p) => p.scheme))];
+  scatter("storage-maps", "shadow maps", "storage factor S", schemes.map((scheme, i) => ({
+    label: scheme, showLine: true, borderColor: palette[i % palette.length], backgroundColor: palette[i % palette.length],
+    data: data.storage.filter((p) => p.scheme === scheme).map((p) => ({ x: p.maps, y: p.S })),
+  })), { y: true });
+}
+
+function drawPromises() {
+  const both = known("promised_aliasing").filter(({ run }) => run.errors.measured_aliasing !== undefined);
+  const largest = Math.max(1, ...both.map(({ run }) => run.errors.promised_aliasing));
+  scatter("promise", "promised aliasing", "measured aliasing", [
+    { label: "runs", data: both.map(({ run }) => ({ x: run.errors.promised_aliasing, y: run.errors.measured_aliasing, run })), backgroundColor: palette[0] },
+    { label: "measured = promised", data: [{ x: 0, y: 0 }, { x: largest, y: largest }], showLine: true, pointRadius: 0, borderColor: accent },
+  ]);
+  const wrong = known("promised_aliasing").filter(({ run }) => run.errors.wrong_shadow_fraction !== undefined);
+  const disobedient = new Set(data.correlation.disobedient);
+  const points = (wanted) => wrong.filter(({ i }) => disobedient.has(i) === wanted)
+    .map(({ run }) => ({ x: run.errors.promised_aliasing, y: run.errors.wrong_shadow_fraction, run }));
+  scatter("wrong", "promised aliasing", "wrong shadow pixels, fraction", [
+    { label: "runs", data: points(false), backgroundColor: palette[0] },
+    { label: "disobedient", data: points(true), backgroundColor: palette[1] },
+  ]);
+  element("correlation").textContent = data.correlation.runs < 3 ? "Too few runs were measured against rays for a correlation." :
+    `Rank correlation ${figures(data.correlation.rank)} over ${data.correlation.runs} runs.` +
+    (disobedient.size ? ` Disobedient (ranks differ by more than a third): ${[...disobedient].map((i) => data.runs[i].name).join("; ")}.` : "");
+}
+
+function drawStages() {
+  const stages = ["plan", "select", "cull", "stream", "shadow", "image"];
+  new Chart(element("stages"), {
+    type: "bar",
+    data: {
+      labels: data.runs.map((run) => run.name),
+      datasets: stages.map((stage, i) => ({ label: stage, data: data.runs.map((run) => run.stages[stage]), backgroundColor: palette[i] })),
+    },
+    options: { scales: { x: { stacked: true }, y: { stacked: true, title: { display: true, text: "ms" } } } },
+  });
+}
+
+function drawPath() {
+  const longest = Math.max(0, ...data.runs.map((run) => run.frames.length));
+  new Chart(element("path"), {
+    type: "line",
+    data: {
+      labels: Array.from({ length: longest }, (_, i) => i),
+      datasets: data.runs.map((run, i) => ({
+        label: run.name, data: run.frames, borderColor: palette[i % palette.length], borderWidth: 1.5, pointRadius: 0, hidden: i >= palette.length,
+      })),
+    },
+    options: {
+      interaction: { mode: "nearest", intersect: false },
+      scales: { x: { title: { display: true, text: "frame" } }, y: { title: { display: true, text: "ms" }, beginAtZero: true } },
+    },
+  });
+}
+
+function showPictures() {
+  if (data.pictures.length === 0) return void element("pictures-section").remove();
+  for (const side of ["left", "right"]) {
+    const select = element(`${side}-picture`);
+    data.pictures.forEach((picture, i) => select.add(new Option(`${picture.run}: ${picture.kind}`, i)));
+    select.value = side === "left" ? 0 : data.pictures.length - 1;
+    const show = () => { element(`${side}-image`).src = data.pictures[select.value].src; };
+    select.addEventListener("change", show);
+    show();
+  }
+  const slide = () => {
+    const percent = element("slider").value;
+    element("left-image").style.clipPath = `inset(0 ${100 - percent}% 0 0)`;
+    element("divider").style.left = `${percent}%`;
+  };
+  element("slider").addEventListener("input", slide);
+  slide();
+}
+
+function showTable() {
+  const settings = [...new Set(data.runs.flatMap((run) => Object.keys(run.settings)))];
+  const columns = [
+    ["run", (r) => r.name], ...settings.map((key) => [key, (r) => r.settings[key] ?? ""]),
+    ["p50 ms", (r) => r.p50], ["p95 ms", (r) => r.p95], ["p99 ms", (r) => r.p99],
+    ["image tri", (r) => r.image_triangles], ["shadow tri", (r) => r.shadow_triangles], ["S", (r) => r.storage_factor],
+    ...data.errors.map((e) => [e.key, (r) => r.errors[e.key] ?? null]), ["crawl", (r) => r.crawl], ["promise kept", (r) => r.promise_kept ? "yes" : "no"],
+  ];
+  const table = element("table");
+  let order = data.runs.map((_, i) => i);
+  const render = () => {
+    const onFront = new Set(data.fronts[element("error-kind").value]);
+    const body = order.map((i) => {
+      const row = document.createElement("tr");
+      if (onFront.has(i)) row.className = "front";
+      for (const [, value] of columns) {
+        const v = value(data.runs[i]);
+        row.insertCell().textContent = typeof v === "number" || v === null ? figures(v) : v;
+      }
+      return row;
+    });
+    table.tBodies[0].replaceChildren(...body);
+  };
+  const head = table.createTHead().insertRow();
+  table.createTBody();
+  columns.forEach(([title, value]) => {
+    const cell = document.createElement("th");
+    cell.textContent = title;
+    let ascending = false;
+    cell.addEventListener("click", () => {
+      ascending = !ascending;
+      const compare = (a, b) => typeof a === "number" && typeof b === "number" ? a - b : String(a ?? "").localeCompare(String(b ?? ""), "en", { numeric: true });
+      order = [...order].sort((i, j) => (ascending ? 1 : -1) * compare(value(data.runs[i]), value(data.runs[j])));
+      render();
+    });
+    head.append(cell);
+  });
+  element("error-kind").addEventListener("change", render);
+  render();
+}
+
+function showContext() {
+  element("model").textContent = data.model;
+  element("sentences").replaceChildren(...data.sentences.map((sentence) => Object.assign(document.createElement("p"), { textContent: sentence })));
+  for (const [name, value] of Object.entries(data.context)) {
+    element("context").append(
+      Object.assign(document.createElement("dt"), { textContent: name }),
+      Object.assign(document.createElement("dd"), { textContent: typeof value === "string" ? value : JSON.stringify(value) }));
+  }
+  for (const [title, file] of [["CSV", data.csv], ["JSON", data.json]]) {
+    if (file) element("links").append(Object.assign(document.createElement("a"), { href: file, textContent: title }), " ");
+  }
+}
+
+const measured = data.errors.filter((e) => known(e.key).length > 0);
+for (const kind of measured.length ? measured : data.errors) element("error-kind").add(new Option(kind.label, kind.key));
+const preferred = ["shadow_edge_p99_px", "wrong_shadow_fraction"].find((key) => measured.some((e) => e.key === key));
+if (preferred) element("error-kind").value = preferred;
+element("error-kind").addEventListener("change", drawErrorTime);
+element("log-error").addEventListener("change", drawErrorTime);
+element("budget").addEventListener("input", answerBudget);
+element("bound").addEventListener("input", answerBound);
+showContext();
+drawErrorTime();
+drawMaps();
+drawStorage();
+drawPromises();
+drawStages();
+drawPath();
+showPictures();
+showTable();
+document.documentElement.dataset.ready = "yes";

@@ -1,0 +1,13 @@
+// The parts of the report's page, embedded at build time: ours from src/report/page, Chart.js from its Debian package.
+#pragma once
+
+#include <string_view>
+
+namespace gnomon::report {
+
+extern const std::string_view kPageHtml;
+extern const std::string_view kPageCss;
+extern const std::string_view kPageJs;
+extern const std::string_view kChartJs;
+
+} // namespace gnomon::report

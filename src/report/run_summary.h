@@ -1,0 +1,64 @@
+// One run of a benchmark as the report sees it: its settings, what it cost and how wrong it was.
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gnomon::report {
+
+/// The ways in which a run can be wrong; each run knows some of them.
+enum class ErrorKind {
+    kPromisedAliasing, // the larger of the promised perspective aliasing in x and z over [near, far]
+    kMeasuredAliasing, // the perspective aliasing found at the pixels
+    kWrongShadow,      // the fraction of lit-side pixels whose shadow differs from the ray-traced one
+    kShadowEdge,       // 99th percentile of the distance of shadow edges from ray-traced ones, pixels
+    kImageDifference,  // mean absolute difference from full detail, fraction of full scale
+};
+
+inline constexpr std::array kErrorKinds{
+    ErrorKind::kPromisedAliasing,
+    ErrorKind::kMeasuredAliasing,
+    ErrorKind::kWrongShadow,
+    ErrorKind::kShadowEdge,
+    ErrorKind::kImageDifference};
+
+/// The column of the bench log, or the pair of columns' short name, that holds `kind`.
+std::string_view key(ErrorKind kind);
+
+/// What a person calls `kind`, with its unit.
+std::string_view label(ErrorKind kind);
+
+/// The median times of a frame's stages, milliseconds.
+struct StageTimes {
+    double plan = 0;
+    double select = 0;
+    double cull = 0;
+    double stream = 0;
+    double shadow = 0;
+    double image = 0;
+};
+
+/// The frames of one run, over all repetitions.
+struct RunSummary {
+    std::string name;                            // unique in a report
+    std::string options;                         // to paste behind `gnomon render MODEL`
+    std::map<std::string, std::string> settings; // the swept columns and their values
+    int shadowMaps = 0;
+    double p50Ms = 0; // of the whole frame
+    double p95Ms = 0;
+    double p99Ms = 0;
+    StageTimes stages;
+    double imageTriangles = 0;
+    double shadowTriangles = 0;
+    std::map<ErrorKind, double> errors; // the worst over the frames for a maximum, the mean for a fraction
+    double crawl = -1;                  // share of fixed points whose shadow test changed; below 0: not measured
+    double storageFactor = 0;
+    bool promiseKept = true;
+    std::vector<double> frameMs; // along the path, the median over repetitions
+};
+
+} // namespace gnomon::report

@@ -1,0 +1,108 @@
+#include "core/random.h"
+#include "report/accuracy_cost.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gnomon::report {
+namespace {
+
+constexpr ErrorKind kKind = ErrorKind::kWrongShadow;
+
+RunSummary run(double ms, std::optional<double> error, int maps = 1) {
+    RunSummary result;
+    result.p50Ms = ms;
+    result.shadowMaps = maps;
+    if (error) result.errors[kKind] = *error;
+    result.settings = {{"warp", "auto"}, {"shadow_maps", std::to_string(maps)}};
+    return result;
+}
+
+std::vector<RunSummary> randomRuns(Random& random) {
+    std::vector<RunSummary> runs;
+    const auto count = random.below(40);
+    for (std::uint64_t i = 0; i < count; ++i) {
+        // Few distinct values, so that ties are common.
+        const auto ms = static_cast<double>(1 + random.below(8));
+        const auto error = static_cast<double>(random.below(8));
+        runs.push_back(run(ms, random.below(10) == 0 ? std::nullopt : std::optional(error)));
+    }
+    return runs;
+}
+
+// Brute force over all pairs beside the sorted sweep.
+TEST(AccuracyCost, TheFrontIsWhatNoRunDominates) {
+    Random random(11);
+    for (int trial = 0; trial < 500; ++trial) {
+        const auto runs = randomRuns(random);
+        auto front = paretoFront(runs, kKind);
+        std::sort(front.begin(), front.end());
+        std::vector<std::size_t> expected;
+        for (std::size_t i = 0; i < runs.size(); ++i) {
+            const bool dominated = std::any_of(
+                runs.begin(), runs.end(), [&](const auto& other) { return dominates(other, runs[i], kKind); });
+            if (runs[i].errors.contains(kKind) && !dominated) expected.push_back(i);
+        }
+        EXPECT_EQ(front, expected);
+    }
+}
+
+TEST(AccuracyCost, BudgetAndBoundMeetBruteForce) {
+    Random random(12);
+    for (int trial = 0; trial < 500; ++trial) {
+        const auto runs = randomRuns(random);
+        const double limit = random.uniform(0, 9);
+        double leastError = std::numeric_limits<double>::infinity();
+        double leastTime = std::numeric_limits<double>::infinity();
+        for (const auto& candidate : runs) {
+            const auto error = candidate.errors.find(kKind);
+            if (error == candidate.errors.end()) continue;
+            if (candidate.p50Ms <= limit) leastError = std::min(leastError, error->second);
+            if (error->second <= limit) leastTime = std::min(leastTime, candidate.p50Ms);
+        }
+        const auto best = bestUnderBudget(runs, kKind, limit);
+        ASSERT_EQ(best.has_value(), std::isfinite(leastError));
+        if (best) {
+            EXPECT_EQ(runs[*best].errors.at(kKind), leastError);
+            EXPECT_LE(runs[*best].p50Ms, limit);
+        }
+        const auto cheapest = cheapestUnderError(runs, kKind, limit);
+        ASSERT_EQ(cheapest.has_value(), std::isfinite(leastTime));
+        if (cheapest) {
+            EXPECT_EQ(runs[*cheapest].p50Ms, leastTime);
+            EXPECT_LE(runs[*cheapest].errors.at(kKind), limit);
+        }
+    }
+}
+
+TEST(AccuracyCost, RankCorrelationOfAgreeingAndOpposedErrors) {
+    std::vector<RunSummary> runs;
+    for (int i = 0; i < 9; ++i) {
+        RunSummary r = run(1, i * i);
+        r.errors[ErrorKind::kPromisedAliasing] = i;
+        r.errors[ErrorKind::kShadowEdge] = -i;
+        runs.push_back(r);
+    }
+    EXPECT_NEAR(correlation(runs, kKind, ErrorKind::kPromisedAliasing).rank, 1.0, 1e-12);
+    EXPECT_TRUE(correlation(runs, kKind, ErrorKind::kPromisedAliasing).disobedient.empty());
+    const Correlation opposed = correlation(runs, kKind, ErrorKind::kShadowEdge);
+    EXPECT_NEAR(opposed.rank, -1.0, 1e-12);
+    EXPECT_EQ(opposed.disobedient, (std::vector<std::size_t>{0, 1, 2, 6, 7, 8}));
+}
+
+TEST(AccuracyCost, TheSentencesSayWhatTheRunsSay) {
+    const std::vector<RunSummary> runs{run(100, 0.10, 1), run(110, 0.05, 2), run(130, 0.02, 4), run(160, 0.019, 8)};
+    EXPECT_EQ(
+        sentences(runs),
+        (std::vector<std::string>{
+            "4 maps cost 1.3 times the frame of one and leave 0.2 of its wrong shadow pixels.",
+            "More than 4 buys nothing here (less than a tenth)."}));
+    EXPECT_TRUE(sentences(std::vector<RunSummary>{}).empty());
+    EXPECT_TRUE(sentences(std::vector<RunSummary>{run(1, 1.0)}).empty());
+}
+
+} // namespace
+} // namespace gnomon::report

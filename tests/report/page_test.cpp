@@ -1,0 +1,81 @@
+#include "core/file.h"
+#include "report/accuracy_cost.h"
+#include "report/page.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+namespace gnomon::report {
+namespace {
+
+Report exampleReport() {
+    Report report;
+    report.model = "</script><b>model";
+    report.context = {{"cores", 2}, {"light", "0.4,1,0.3"}};
+    for (int maps : {1, 2, 4, 8}) {
+        RunSummary run;
+        run.name = "maps " + std::to_string(maps);
+        run.options = "--z-partitions " + std::to_string(maps);
+        run.settings = {{"shadow_maps", std::to_string(maps)}, {"warp", "auto"}};
+        run.shadowMaps = maps;
+        run.p50Ms = 100 + 5 * maps;
+        run.p95Ms = run.p50Ms * 1.1;
+        run.p99Ms = run.p50Ms * 1.2;
+        run.stages = {0.1, 0.3, 0.2, 0, 20.0 + maps, 80};
+        run.errors = {
+            {ErrorKind::kPromisedAliasing, 30.0 / maps},
+            {ErrorKind::kMeasuredAliasing, 25.0 / maps},
+            {ErrorKind::kWrongShadow, 0.02 / maps},
+            {ErrorKind::kShadowEdge, 12.0 / maps}};
+        run.frameMs = {run.p50Ms, run.p50Ms + 1, run.p50Ms - 1};
+        report.runs.push_back(run);
+        report.storage.push_back({"ZP + W", maps, 1000.0 / maps});
+    }
+    report.pictures.push_back({"maps 1", "picture", {0x89, 'P', 'N', 'G'}});
+    return report;
+}
+
+nlohmann::json embeddedData(const std::string& html) {
+    const std::string begin = "id=\"data\">";
+    const auto from = html.find(begin) + begin.size();
+    return nlohmann::json::parse(html.substr(from, html.find("</script>", from) - from));
+}
+
+TEST(ReportPage, CarriesItsDataUnharmed) {
+    const Report report = exampleReport();
+    const auto data = embeddedData(page(report));
+    EXPECT_EQ(data, pageData(report));
+    EXPECT_EQ(data["model"], report.model);
+    EXPECT_EQ(data["pictures"][0]["src"], "data:image/png;base64,iVBORw==");
+}
+
+// The browser test opens the file that this one leaves.
+TEST(ReportPage, AsksNothingOfAnyNetwork) {
+    const std::string html = page(exampleReport());
+    if (const char* path = std::getenv("GNOMON_EXAMPLE_PAGE")) writeTextFile(path, html);
+    EXPECT_EQ(html.find("src=\"http"), std::string::npos);
+    EXPECT_EQ(html.find("href=\"http"), std::string::npos);
+    EXPECT_EQ(html.find("/*CHART*/"), std::string::npos);
+    EXPECT_EQ(html.find("/*JS*/"), std::string::npos);
+}
+
+// From the page's own table, as a reader would check it.
+TEST(ReportPage, NoRunOfTheTableDominatesTheFront) {
+    const auto data = embeddedData(page(exampleReport()));
+    for (const auto& [kind, front] : data["fronts"].items()) {
+        for (const auto& index : front) {
+            const auto& member = data["runs"][index.get<std::size_t>()];
+            for (const auto& run : data["runs"]) {
+                if (!run["errors"].contains(kind)) continue;
+                const bool faster = run["p50"] < member["p50"];
+                const bool better = run["errors"][kind] < member["errors"][kind];
+                const bool nowhereWorse = run["p50"] <= member["p50"] && run["errors"][kind] <= member["errors"][kind];
+                EXPECT_FALSE(nowhereWorse && (faster || better)) << kind;
+            }
+        }
+    }
+}
+
+} // namespace
+} // namespace gnomon::report

@@ -35,7 +35,7 @@ std::uint64_t residentBytes() {
 /// Shows stage, done/total, rate, memory and time left, at most ten times a second.
 class StderrProgress final : public Progress {
 public:
-    enum class Style { kBar, kJson, kNone };
+    enum class Style { Bar, Json, None };
 
     explicit StderrProgress(Style style) : style_(style) {}
 
@@ -72,9 +72,9 @@ public:
 
 private:
     void finishStage() {
-        if (name_.empty() || style_ == Style::kNone) return;
+        if (name_.empty() || style_ == Style::None) return;
         show();
-        if (style_ == Style::kBar) std::fputc('\n', stderr);
+        if (style_ == Style::Bar) std::fputc('\n', stderr);
         name_.clear();
     }
 
@@ -82,7 +82,7 @@ private:
         const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
         const double rate = seconds > 0 ? static_cast<double>(done_) / seconds : 0;
         const double left = rate > 0 && total_ > done_ ? static_cast<double>(total_ - done_) / rate : 0;
-        if (style_ == Style::kJson) {
+        if (style_ == Style::Json) {
             std::fprintf(
                 stderr,
                 "{\"stage\": \"%s\", \"unit\": \"%s\", \"done\": %llu, \"total\": %llu, \"per_second\": %.0f, "
@@ -94,7 +94,7 @@ private:
                 rate,
                 static_cast<unsigned long long>(residentBytes()),
                 left);
-        } else if (style_ == Style::kBar) {
+        } else if (style_ == Style::Bar) {
             constexpr int kWidth = 24;
             const double fraction = total_ > 0 ? static_cast<double>(done_) / static_cast<double>(total_) : 0;
             const int filled = static_cast<int>(std::min(1.0, fraction) * kWidth);
@@ -139,9 +139,9 @@ std::unique_ptr<Progress> makeProgress(const CommonOptions& options) {
     using Style = StderrProgress::Style;
     std::signal(SIGINT, onInterrupt);
     std::signal(SIGTERM, onInterrupt);
-    Style style = Style::kNone;
-    if (options.progress == "bar" || (options.progress == "auto" && ::isatty(STDERR_FILENO) != 0)) style = Style::kBar;
-    if (options.progress == "json") style = Style::kJson;
+    Style style = Style::None;
+    if (options.progress == "bar" || (options.progress == "auto" && ::isatty(STDERR_FILENO) != 0)) style = Style::Bar;
+    if (options.progress == "json") style = Style::Json;
     return std::make_unique<StderrProgress>(style);
 }
 

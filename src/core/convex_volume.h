@@ -21,11 +21,11 @@ struct ConvexVolume {
 };
 
 /// How a box lies to a volume.
-enum class Containment { kOutside, kIntersecting, kInside };
+enum class Containment { Outside, Intersecting, Inside };
 
 bool contains(const ConvexVolume& volume, const glm::dvec3& point);
 
-/// Conservative: a box that touches the volume is never `kOutside`; some that do not are `kIntersecting`.
+/// Conservative: a box that touches the volume is never `Outside`; some that do not are `Intersecting`.
 Containment classify(const ConvexVolume& volume, const Box& box);
 
 } // namespace gnomon

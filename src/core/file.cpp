@@ -22,9 +22,9 @@ namespace {
 } // namespace
 
 File::File(const std::string& path, Mode mode) : path_(path) {
-    const int flags = mode == Mode::kRead ? O_RDONLY : (O_RDWR | O_CREAT | O_TRUNC);
+    const int flags = mode == Mode::Read ? O_RDONLY : (O_RDWR | O_CREAT | O_TRUNC);
     descriptor_ = ::open(path.c_str(), flags | O_CLOEXEC, 0666);
-    if (descriptor_ < 0) throwSystemError(path, mode == Mode::kRead ? "cannot open" : "cannot create");
+    if (descriptor_ < 0) throwSystemError(path, mode == Mode::Read ? "cannot open" : "cannot create");
 
     struct stat info {};
 
@@ -97,7 +97,7 @@ void File::sync() {
 AtomicFile::AtomicFile(const std::string& finalPath)
     : finalPath_(finalPath),
       temporaryPath_(finalPath + "." + std::to_string(::getpid()) + ".partial"),
-      file_(temporaryPath_, File::Mode::kCreate) {}
+      file_(temporaryPath_, File::Mode::Create) {}
 
 AtomicFile::~AtomicFile() {
     if (!committed_) ::unlink(temporaryPath_.c_str());
@@ -111,7 +111,7 @@ void AtomicFile::commit() {
 }
 
 std::string readTextFile(const std::string& path) {
-    const File file(path, File::Mode::kRead);
+    const File file(path, File::Mode::Read);
     std::string text(file.size(), '\0');
     file.readAt(0, std::as_writable_bytes(std::span(text)));
     return text;

@@ -13,9 +13,9 @@ namespace gnomon {
 /// An open file, move-only. Positional calls are safe from many threads at once.
 class File {
 public:
-    enum class Mode { kRead, kCreate };
+    enum class Mode { Read, Create };
 
-    /// Opens `path`; kCreate truncates and allows reading back. Throws Error with the system's reason.
+    /// Opens `path`; Create truncates and allows reading back. Throws Error with the system's reason.
     File(const std::string& path, Mode mode);
     ~File();
     File(File&& other) noexcept;

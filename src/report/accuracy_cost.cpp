@@ -56,7 +56,7 @@ std::string text(const char* format, double value) {
 
 /// The error that says most about what is seen, of those that both runs know.
 std::optional<ErrorKind> telling(const RunSummary& a, const RunSummary& b) {
-    for (const ErrorKind kind : {ErrorKind::kShadowEdge, ErrorKind::kWrongShadow, ErrorKind::kPromisedAliasing})
+    for (const ErrorKind kind : {ErrorKind::ShadowEdge, ErrorKind::WrongShadow, ErrorKind::PromisedAliasing})
         if (errorOf(a, kind).value_or(0) > 0 && errorOf(b, kind)) return kind;
     return std::nullopt;
 }
@@ -81,6 +81,7 @@ std::vector<const RunSummary*> sweepOverMaps(std::span<const RunSummary> runs) {
         if (!isNew && run.p50Ms < place->second->p50Ms) place->second = &run;
     }
     std::vector<const RunSummary*> result;
+    result.reserve(sweep.size());
     for (const auto& [maps, run] : sweep)
         result.push_back(run);
     return result;
@@ -103,15 +104,15 @@ std::optional<int> enoughMaps(const std::vector<const RunSummary*>& sweep, Error
 
 std::string_view key(ErrorKind kind) {
     switch (kind) {
-    case ErrorKind::kPromisedAliasing:
+    case ErrorKind::PromisedAliasing:
         return "promised_aliasing";
-    case ErrorKind::kMeasuredAliasing:
+    case ErrorKind::MeasuredAliasing:
         return "measured_aliasing";
-    case ErrorKind::kWrongShadow:
+    case ErrorKind::WrongShadow:
         return "wrong_shadow_fraction";
-    case ErrorKind::kShadowEdge:
+    case ErrorKind::ShadowEdge:
         return "shadow_edge_p99_px";
-    case ErrorKind::kImageDifference:
+    case ErrorKind::ImageDifference:
         return "image_difference";
     }
     return {};
@@ -119,15 +120,15 @@ std::string_view key(ErrorKind kind) {
 
 std::string_view label(ErrorKind kind) {
     switch (kind) {
-    case ErrorKind::kPromisedAliasing:
+    case ErrorKind::PromisedAliasing:
         return "promised aliasing (texel widths per pixel width)";
-    case ErrorKind::kMeasuredAliasing:
+    case ErrorKind::MeasuredAliasing:
         return "measured aliasing (texel widths per pixel width)";
-    case ErrorKind::kWrongShadow:
+    case ErrorKind::WrongShadow:
         return "wrong shadow pixels (fraction of the lit side)";
-    case ErrorKind::kShadowEdge:
+    case ErrorKind::ShadowEdge:
         return "shadow edge distance (pixels, 99th percentile)";
-    case ErrorKind::kImageDifference:
+    case ErrorKind::ImageDifference:
         return "image difference (fraction of full scale)";
     }
     return {};
@@ -204,9 +205,9 @@ std::vector<std::string> sentences(std::span<const RunSummary> runs) {
                         " times the frame of " + (one.shadowMaps == 1 ? "one" : std::to_string(one.shadowMaps));
     if (kind) {
         const double share = *errorOf(more, *kind) / *errorOf(one, *kind);
-        const std::string what = *kind == ErrorKind::kShadowEdge    ? "shadow-edge distance"
-                                 : *kind == ErrorKind::kWrongShadow ? "wrong shadow pixels"
-                                                                    : "promised aliasing";
+        const std::string what = *kind == ErrorKind::ShadowEdge    ? "shadow-edge distance"
+                                 : *kind == ErrorKind::WrongShadow ? "wrong shadow pixels"
+                                                                   : "promised aliasing";
         first += " and leave " + text("%.2g", share) + " of its " + what;
     }
     result.push_back(first + ".");

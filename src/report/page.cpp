@@ -90,7 +90,7 @@ nlohmann::json pageData(const Report& report) {
         data["errors"].push_back({{"key", key(kind)}, {"label", label(kind)}});
         data["fronts"][std::string(key(kind))] = paretoFront(report.runs, kind);
     }
-    const Correlation promise = correlation(report.runs, ErrorKind::kPromisedAliasing, ErrorKind::kWrongShadow);
+    const Correlation promise = correlation(report.runs, ErrorKind::PromisedAliasing, ErrorKind::WrongShadow);
     data["correlation"] = {{"rank", promise.rank}, {"runs", promise.runs}, {"disobedient", promise.disobedient}};
     for (const StoragePoint& point : report.storage)
         data["storage"].push_back({{"scheme", point.scheme}, {"maps", point.maps}, {"S", point.storageFactor}});

@@ -27,7 +27,7 @@ struct StoragePoint {
 /// All that the page shows.
 struct Report {
     std::string model;
-    nlohmann::json context; // machine, build, image size, light: shown under every figure
+    std::map<std::string, std::string> context; // machine, build, image size, light: shown under every figure
     std::vector<RunSummary> runs;
     std::vector<Picture> pictures;
     std::vector<StoragePoint> storage;

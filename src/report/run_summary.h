@@ -12,19 +12,19 @@ namespace gnomon::report {
 
 /// The ways in which a run can be wrong; each run knows some of them.
 enum class ErrorKind {
-    kPromisedAliasing, // the larger of the promised perspective aliasing in x and z over [near, far]
-    kMeasuredAliasing, // the perspective aliasing found at the pixels
-    kWrongShadow,      // the fraction of lit-side pixels whose shadow differs from the ray-traced one
-    kShadowEdge,       // 99th percentile of the distance of shadow edges from ray-traced ones, pixels
-    kImageDifference,  // mean absolute difference from full detail, fraction of full scale
+    PromisedAliasing, // the larger of the promised perspective aliasing in x and z over [near, far]
+    MeasuredAliasing, // the perspective aliasing found at the pixels
+    WrongShadow,      // the fraction of lit-side pixels whose shadow differs from the ray-traced one
+    ShadowEdge,       // 99th percentile of the distance of shadow edges from ray-traced ones, pixels
+    ImageDifference,  // mean absolute difference from full detail, fraction of full scale
 };
 
 inline constexpr std::array kErrorKinds{
-    ErrorKind::kPromisedAliasing,
-    ErrorKind::kMeasuredAliasing,
-    ErrorKind::kWrongShadow,
-    ErrorKind::kShadowEdge,
-    ErrorKind::kImageDifference};
+    ErrorKind::PromisedAliasing,
+    ErrorKind::MeasuredAliasing,
+    ErrorKind::WrongShadow,
+    ErrorKind::ShadowEdge,
+    ErrorKind::ImageDifference};
 
 /// The column of the bench log, or the pair of columns' short name, that holds `kind`.
 std::string_view key(ErrorKind kind);

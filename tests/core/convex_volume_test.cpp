@@ -26,8 +26,8 @@ TEST(ConvexVolume, ClassificationIsConservative) {
         for (int sample = 0; sample < 20; ++sample) {
             const glm::dvec3 t(random.unit(), random.unit(), random.unit());
             const bool inside = contains(volume, glm::mix(box.min, box.max, t));
-            EXPECT_FALSE(inside && answer == Containment::kOutside);
-            EXPECT_FALSE(!inside && answer == Containment::kInside);
+            EXPECT_FALSE(inside && answer == Containment::Outside);
+            EXPECT_FALSE(!inside && answer == Containment::Inside);
         }
     }
 }

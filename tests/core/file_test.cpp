@@ -35,7 +35,7 @@ TEST(File, AnAbandonedWriteLeavesTheOldFile) {
 TEST(File, AShortReadSaysWhereAndHowMuch) {
     const std::string path = scratch("short");
     writeTextFile(path, "12345");
-    const File file(path, File::Mode::kRead);
+    const File file(path, File::Mode::Read);
     std::array<std::byte, 8> buffer{};
     try {
         file.readAt(0, buffer);
@@ -49,11 +49,11 @@ TEST(File, AShortReadSaysWhereAndHowMuch) {
 }
 
 TEST(File, AMissingFileIsAnError) {
-    EXPECT_THROW(File("/nonexistent/x", File::Mode::kRead), Error);
+    EXPECT_THROW(File("/nonexistent/x", File::Mode::Read), Error);
 }
 
 TEST(File, ADirectoryIsAnError) {
-    EXPECT_THROW(File(testing::TempDir(), File::Mode::kRead), Error);
+    EXPECT_THROW(File(testing::TempDir(), File::Mode::Read), Error);
 }
 
 } // namespace

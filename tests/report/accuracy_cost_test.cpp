@@ -10,7 +10,7 @@
 namespace gnomon::report {
 namespace {
 
-constexpr ErrorKind kKind = ErrorKind::kWrongShadow;
+constexpr ErrorKind kKind = ErrorKind::WrongShadow;
 
 RunSummary run(double ms, std::optional<double> error, int maps = 1) {
     RunSummary result;
@@ -82,13 +82,13 @@ TEST(AccuracyCost, RankCorrelationOfAgreeingAndOpposedErrors) {
     std::vector<RunSummary> runs;
     for (int i = 0; i < 9; ++i) {
         RunSummary r = run(1, i * i);
-        r.errors[ErrorKind::kPromisedAliasing] = i;
-        r.errors[ErrorKind::kShadowEdge] = -i;
+        r.errors[ErrorKind::PromisedAliasing] = i;
+        r.errors[ErrorKind::ShadowEdge] = -i;
         runs.push_back(r);
     }
-    EXPECT_NEAR(correlation(runs, kKind, ErrorKind::kPromisedAliasing).rank, 1.0, 1e-12);
-    EXPECT_TRUE(correlation(runs, kKind, ErrorKind::kPromisedAliasing).disobedient.empty());
-    const Correlation opposed = correlation(runs, kKind, ErrorKind::kShadowEdge);
+    EXPECT_NEAR(correlation(runs, kKind, ErrorKind::PromisedAliasing).rank, 1.0, 1e-12);
+    EXPECT_TRUE(correlation(runs, kKind, ErrorKind::PromisedAliasing).disobedient.empty());
+    const Correlation opposed = correlation(runs, kKind, ErrorKind::ShadowEdge);
     EXPECT_NEAR(opposed.rank, -1.0, 1e-12);
     EXPECT_EQ(opposed.disobedient, (std::vector<std::size_t>{0, 1, 2, 6, 7, 8}));
 }

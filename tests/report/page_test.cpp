@@ -12,7 +12,7 @@ namespace {
 Report exampleReport() {
     Report report;
     report.model = "</script><b>model";
-    report.context = {{"cores", 2}, {"light", "0.4,1,0.3"}};
+    report.context = {{"cores", "2"}, {"light", "0.4,1,0.3"}};
     for (int maps : {1, 2, 4, 8}) {
         RunSummary run;
         run.name = "maps " + std::to_string(maps);
@@ -24,10 +24,10 @@ Report exampleReport() {
         run.p99Ms = run.p50Ms * 1.2;
         run.stages = {0.1, 0.3, 0.2, 0, 20.0 + maps, 80};
         run.errors = {
-            {ErrorKind::kPromisedAliasing, 30.0 / maps},
-            {ErrorKind::kMeasuredAliasing, 25.0 / maps},
-            {ErrorKind::kWrongShadow, 0.02 / maps},
-            {ErrorKind::kShadowEdge, 12.0 / maps}};
+            {ErrorKind::PromisedAliasing, 30.0 / maps},
+            {ErrorKind::MeasuredAliasing, 25.0 / maps},
+            {ErrorKind::WrongShadow, 0.02 / maps},
+            {ErrorKind::ShadowEdge, 12.0 / maps}};
         run.frameMs = {run.p50Ms, run.p50Ms + 1, run.p50Ms - 1};
         report.runs.push_back(run);
         report.storage.push_back({"ZP + W", maps, 1000.0 / maps});

@@ -52,7 +52,7 @@ VertexLayout vertexLayoutOf(const PlyElement& element) {
 class PlySource final : public MeshSource {
 public:
     explicit PlySource(const std::string& path)
-        : file_(path, File::Mode::kRead), header_(readPlyHeader(file_)), starts_(header_.elements.size() + 1) {
+        : file_(path, File::Mode::Read), header_(readPlyHeader(file_)), starts_(header_.elements.size() + 1) {
         starts_[0] = {header_.bodyOffset, header_.bodyLine};
         summary_.path = path;
         summary_.fileBytes = file_.size();

@@ -1,0 +1,87 @@
+"""Opens a report in headless Chromium and tries every control.
+
+usage: report_page_test.py PAGE.html [SCREENSHOT.png]
+"""
+import base64
+import json
+import pathlib
+import sys
+import unittest
+
+import webdriver
+
+PAGE = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else "report.html").resolve()
+SCREENSHOT = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else None
+SET = "const e = document.querySelector(arguments[0]); e.value = arguments[1]; e.dispatchEvent(new Event(arguments[2]));"
+BLANK = """const c = document.querySelector(arguments[0]);
+const empty = Object.assign(document.createElement('canvas'), { width: c.width, height: c.height });
+return c.toDataURL() === empty.toDataURL();"""
+
+
+class ReportPage(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.browser = webdriver.Browser()
+        cls.browser.open(PAGE.as_uri())
+        cls.data = json.loads(cls.browser.run("return document.getElementById('data').textContent"))
+
+    @classmethod
+    def tearDownClass(cls):
+        if SCREENSHOT:
+            SCREENSHOT.write_bytes(base64.b64decode(cls.browser.screenshot()))
+        cls.browser.__exit__()
+
+    def tearDown(self):
+        self.assertEqual([], self.browser.console())
+
+    def text(self, selector):
+        return self.browser.run("return document.querySelector(arguments[0]).textContent", selector)
+
+    def test_it_is_drawn_and_asks_nobody(self):
+        self.assertEqual("yes", self.browser.run("return document.documentElement.dataset.ready"))
+        for name in ["error-time", "time-maps", "storage-maps", "promise", "wrong", "stages", "path"]:
+            self.assertFalse(self.browser.run(BLANK, f"#{name}"), name)
+        asked = [url for url in self.browser.requests() if not url.startswith(("file:", "data:"))]
+        self.assertEqual([], asked)
+
+    def test_every_error_can_be_chosen(self):
+        kinds = self.browser.run("return [...document.querySelector('#error-kind').options].map((o) => o.value)")
+        self.assertTrue(kinds)
+        for kind in kinds:
+            self.browser.run(SET, "#error-kind", kind, "change")
+            self.assertFalse(self.browser.run(BLANK, "#error-time"), kind)
+            bold = self.browser.run("return document.querySelectorAll('#table tr.front').length")
+            self.assertEqual(len(self.data["fronts"][kind]), bold)
+        self.browser.click("#log-error")
+        self.assertFalse(self.browser.run(BLANK, "#error-time"))
+
+    def test_a_budget_names_the_most_accurate_setting_that_meets_it(self):
+        kind = self.browser.run("return document.querySelector('#error-kind').value")
+        runs = [r for r in self.data["runs"] if kind in r["errors"]]
+        budget = sorted(r["p50"] for r in runs)[len(runs) // 2]
+        best = min((r for r in runs if r["p50"] <= budget), key=lambda r: (r["errors"][kind], r["p50"]))
+        self.browser.run(SET, "#budget", str(budget), "input")
+        self.assertTrue(self.text("#budget-answer").startswith(best["options"]))
+        self.browser.run(SET, "#budget", "0", "input")
+        self.assertEqual("no run does", self.text("#budget-answer"))
+        bound = best["errors"][kind]
+        cheapest = min((r for r in runs if r["errors"][kind] <= bound), key=lambda r: r["p50"])
+        self.browser.run(SET, "#bound", str(bound), "input")
+        self.assertTrue(self.text("#bound-answer").startswith(cheapest["options"]))
+
+    def test_the_table_sorts(self):
+        first = lambda: self.browser.run("return document.querySelector('#table tbody td').textContent")
+        self.browser.click("#table th")
+        ascending = first()
+        self.browser.click("#table th")
+        self.assertNotEqual(ascending, first())
+
+    def test_pictures_slide(self):
+        if not self.data["pictures"]:
+            self.skipTest("this page has no pictures")
+        self.browser.run(SET, "#slider", "20", "input")
+        self.assertIn("80%", self.browser.run("return document.querySelector('#left-image').style.clipPath"))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

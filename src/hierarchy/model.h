@@ -30,6 +30,7 @@ struct PageInfo {
     Sphere bounds;       // encloses the bounds of its groups; local space
     double minError = 0; // least and largest of its groups' errors; infinite if it holds a root group
     double maxError = 0;
+    std::vector<std::uint32_t> children; // the pages that its refinements name, each once, ascending
 };
 
 struct LevelInfo {

@@ -15,13 +15,13 @@ VolumeMask narrowed(VolumeMask mask, std::span<const ConvexVolume> volumes, cons
     for (std::uint64_t left = mask.undecided(); left != 0; left &= left - 1) {
         const auto bit = static_cast<std::size_t>(std::countr_zero(left));
         switch (gnomon::classify(volumes[bit], part)) {
-        case Containment::kOutside:
+        case Containment::Outside:
             mask.touching &= ~(std::uint64_t{1} << bit);
             break;
-        case Containment::kInside:
+        case Containment::Inside:
             mask.inside |= std::uint64_t{1} << bit;
             break;
-        case Containment::kIntersecting:
+        case Containment::Intersecting:
             break;
         }
     }

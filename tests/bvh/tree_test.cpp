@@ -41,7 +41,7 @@ std::vector<std::uint64_t> touchedByEach(std::span<const Item> items, std::span<
     std::vector<std::uint64_t> result(items.size());
     for (std::size_t i = 0; i < items.size(); ++i)
         for (std::size_t v = 0; v < volumes.size(); ++v)
-            if (classify(volumes[v], items[i].box) != Containment::kOutside) result[i] |= std::uint64_t{1} << v;
+            if (classify(volumes[v], items[i].box) != Containment::Outside) result[i] |= std::uint64_t{1} << v;
     return result;
 }
 

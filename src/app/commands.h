@@ -23,6 +23,8 @@ void addCommonOptions(CLI::App& command, CommonOptions& options);
 /// The progress display that `options` ask for, on stderr; also turns Ctrl-C into gnomon::Interrupted.
 std::unique_ptr<Progress> makeProgress(const CommonOptions& options);
 
+void addTheoryCommand(CLI::App& program);
+
 /// A contradiction between options: exit code 2 with `message`.
 struct UsageError {
     std::string message;

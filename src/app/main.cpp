@@ -14,7 +14,9 @@ using gnomon::app::UsageError;
 using AddCommand = void (*)(CLI::App&);
 
 // In the order in which a user meets them, which is also the order of --help.
-constexpr std::array<AddCommand, 0> kCommands{};
+constexpr std::array kCommands{
+    AddCommand{gnomon::app::addTheoryCommand},
+};
 
 int run(int argc, char** argv) {
     CLI::App program("Low-error shadow maps for meshes of a million to a billion triangles.", "gnomon");

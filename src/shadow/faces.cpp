@@ -1,0 +1,114 @@
+#include "shadow/faces.h"
+
+#include "core/check.h"
+
+#include <cmath>
+
+namespace gnomon::shadow {
+
+namespace {
+
+constexpr std::array<Face, 4> kSides{Face::Top, Face::Bottom, Face::Left, Face::Right};
+
+/// The two near corners of a side face as indices into shadow::corners; the far ones are 4 further.
+std::array<std::size_t, 2> nearCorners(Face face) {
+    switch (face) {
+    case Face::Top:
+        return {2, 3};
+    case Face::Bottom:
+        return {0, 1};
+    case Face::Left:
+        return {0, 2};
+    case Face::Right:
+        return {1, 3};
+    case Face::Whole:
+    case Face::Near:
+        break;
+    }
+    GNOMON_CHECK(false && "not a side face");
+    return {};
+}
+
+} // namespace
+
+const char* name(Face face) {
+    switch (face) {
+    case Face::Whole:
+        return "whole";
+    case Face::Top:
+        return "top";
+    case Face::Bottom:
+        return "bottom";
+    case Face::Left:
+        return "left";
+    case Face::Right:
+        return "right";
+    case Face::Near:
+        return "near";
+    }
+    return "";
+}
+
+glm::dvec3 outwardNormal(const ViewFrustum& frustum, Face face) {
+    switch (face) {
+    case Face::Top:
+        return glm::normalize(glm::dvec3(0, 1, -tanHalfY(frustum)));
+    case Face::Bottom:
+        return glm::normalize(glm::dvec3(0, -1, -tanHalfY(frustum)));
+    case Face::Left:
+        return glm::normalize(glm::dvec3(-1, 0, -tanHalfX(frustum)));
+    case Face::Right:
+        return glm::normalize(glm::dvec3(1, 0, -tanHalfX(frustum)));
+    case Face::Near:
+        return {0, 0, -1};
+    case Face::Whole:
+        break;
+    }
+    GNOMON_CHECK(false && "the whole has no normal");
+    return {};
+}
+
+std::vector<Face> sideFaces(const ViewFrustum& frustum, const glm::dvec3& towardsLight, double grazing) {
+    const double sign = towardsLight.z <= 0 ? 1 : -1;
+    std::vector<Face> faces;
+    for (const Face face : kSides)
+        if (sign * glm::dot(outwardNormal(frustum, face), towardsLight) > grazing) faces.push_back(face);
+    return faces;
+}
+
+std::array<FitVertex, 4> faceVertices(const ViewFrustum& slice, Face face) {
+    const std::array<glm::dvec3, 8> points = corners(slice);
+    std::array<FitVertex, 4> vertices;
+    if (face == Face::Near) {
+        for (std::size_t i = 0; i < 4; ++i)
+            vertices[i] = {points[i], DepthEnd::Near};
+        return vertices;
+    }
+    const std::array<std::size_t, 2> near = nearCorners(face);
+    for (std::size_t i = 0; i < 2; ++i) {
+        vertices[i] = {points[near[i]], DepthEnd::Near};
+        vertices[i + 2] = {points[near[i] + 4], DepthEnd::Far};
+    }
+    return vertices;
+}
+
+LightFrame faceFrame(const ViewFrustum& slice, const glm::dvec3& towardsLight, Face face, Bisector bisector) {
+    if (face == Face::Near || face == Face::Whole) return lightFrame(towardsLight);
+    const std::array<FitVertex, 4> vertices = faceVertices(slice, face);
+    const auto projectedEdge = [&](std::size_t side) {
+        const glm::dvec3 edge = vertices[side + 2].position - vertices[side].position;
+        const glm::dvec3 flat = edge - towardsLight * glm::dot(edge, towardsLight);
+        const double length = glm::length(flat);
+        return bisector == Bisector::Normalized && length > 0 ? flat / length : flat;
+    };
+    const glm::dvec3 guide = projectedEdge(0) + projectedEdge(1);
+    // Opposite edges: the light grazes the face and the light's side of it says nothing about the orientation.
+    if (!(glm::length(glm::cross(towardsLight, guide)) > 1e-12 * slice.far)) return lightFrame(towardsLight);
+    return lightFrameAlong(towardsLight, guide);
+}
+
+LightFit fitFace(const ViewFrustum& slice, const glm::dvec3& towardsLight, Face face, Bisector bisector) {
+    return fitRegion(faceFrame(slice, towardsLight, face, bisector), slice, faceVertices(slice, face));
+}
+
+} // namespace gnomon::shadow

@@ -1,0 +1,115 @@
+#include "shadow/light_fit.h"
+
+#include "core/check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gnomon::shadow {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Moves the zeta origin to the least z of the region, given points whose zeta still is their z.
+void settle(LightFit& fit) {
+    double least = kInfinity;
+    double most = -kInfinity;
+    for (const FitPoint& point : fit.points()) {
+        least = std::min(least, point.zeta);
+        most = std::max(most, point.zeta);
+    }
+    for (std::size_t i = 0; i < fit.count; ++i)
+        fit.storage[i].zeta -= least;
+    fit.zMin += least;
+    fit.length = most - least;
+}
+
+} // namespace
+
+LightFit fitRegion(const LightFrame& frame, const ViewFrustum& slice, std::span<const FitVertex> vertices) {
+    GNOMON_CHECK_OP(vertices.size(), >=, std::size_t{1});
+    GNOMON_CHECK_OP(vertices.size(), <=, LightFit::kCapacity);
+    LightFit fit;
+    fit.frame = frame;
+    fit.slice = slice;
+    for (const FitVertex& vertex : vertices) {
+        const glm::dvec3 p = toLight(frame, vertex.position);
+        fit.storage[fit.count++] = {p.x, p.y, p.z, vertex.position.z, vertex.end};
+    }
+    settle(fit);
+    return fit;
+}
+
+LightFit fitSlice(const LightFrame& frame, const ViewFrustum& slice) {
+    const std::array<glm::dvec3, 8> points = corners(slice);
+    std::array<FitVertex, 8> vertices;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        vertices[i] = {points[i], i < 4 ? DepthEnd::Near : DepthEnd::Far};
+    return fitRegion(frame, slice, vertices);
+}
+
+LightFit turned(const LightFit& fit, double radians) {
+    const double c = std::cos(radians);
+    const double s = std::sin(radians);
+    LightFit result = fit;
+    result.frame = turned(fit.frame, radians);
+    result.zMin = 0;
+    for (std::size_t i = 0; i < fit.count; ++i) {
+        const FitPoint& from = fit.storage[i];
+        const double z = from.zeta + fit.zMin;
+        result.storage[i].x = c * from.x - s * z;
+        result.storage[i].zeta = c * z + s * from.x;
+    }
+    settle(result);
+    return result;
+}
+
+WarpedExtent warpedExtent(const LightFit& fit, double kappa) {
+    WarpedExtent extent{kInfinity, -kInfinity};
+    for (const FitPoint& point : fit.points()) {
+        const double u = point.x / (1 + kappa * point.zeta);
+        extent.min = std::min(extent.min, u);
+        extent.max = std::max(extent.max, u);
+    }
+    return extent;
+}
+
+Aliasing worstAliasing(const LightFit& fit, double kappa) {
+    WarpedExtent extent{kInfinity, -kInfinity};
+    double worstX = 0; // of (1 + kappa zeta) / depth
+    double worstZ = 0; // of (1 + kappa zeta)^2 / depth
+    for (const FitPoint& point : fit.points()) {
+        const double w = 1 + kappa * point.zeta;
+        const double u = point.x / w;
+        extent.min = std::min(extent.min, u);
+        extent.max = std::max(extent.max, u);
+        const double ratio = w / point.depth;
+        worstX = std::max(worstX, ratio);
+        worstZ = std::max(worstZ, ratio * w);
+    }
+    const double twoTan = 2 * tanHalfY(fit.slice);
+    return {extent.width() * worstX / twoTan, fit.length * worstZ / ((1 + kappa * fit.length) * twoTan)};
+}
+
+double storageFactor(const LightFit& fit, double kappa) {
+    const Aliasing worst = worstAliasing(fit, kappa);
+    return worst.x * worst.z;
+}
+
+double worstShearedAliasing(const LightFit& fit, double kappa) {
+    const WarpedExtent extent = warpedExtent(fit, kappa);
+    const double shear = kappa * std::max(std::abs(extent.min), std::abs(extent.max));
+    const double straight = worstAliasing(fit, kappa).z;
+    if (shear > std::sqrt(2.0)) return straight * std::sqrt(1 + shear * shear);
+    double worst = 0;
+    for (const FitPoint& point : fit.points()) {
+        const double w = 1 + kappa * point.zeta;
+        const double tilt = kappa * point.x / w;
+        worst = std::max(worst, w * w / point.depth * std::sqrt(1 + tilt * tilt));
+    }
+    return fit.length * worst / ((1 + kappa * fit.length) * 2 * tanHalfY(fit.slice));
+}
+
+} // namespace gnomon::shadow

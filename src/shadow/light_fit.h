@@ -1,0 +1,79 @@
+// What one map is fitted to: the vertices of a convex part of the view frustum as the light sees them, and the
+// aliasing that a warp kappa gives over them.
+#pragma once
+
+#include "shadow/light_frame.h"
+#include "shadow/overhead.h"
+#include "shadow/view_frustum.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+namespace gnomon::shadow {
+
+/// Where along the slice a vertex lies.
+enum class DepthEnd : std::uint8_t { Near, Far, Between };
+
+/// A vertex of the fitted region in camera space.
+struct FitVertex {
+    glm::dvec3 position{0};
+    DepthEnd end = DepthEnd::Between;
+};
+
+/// A vertex of the fitted region in light space. The light-space x is measured from the eye, through which the axis of
+/// every warp passes; zeta is z less its minimum over the region.
+struct FitPoint {
+    double x = 0;
+    double y = 0;
+    double zeta = 0;
+    double depth = 0; // view depth, p.v
+    DepthEnd end = DepthEnd::Between;
+};
+
+/// A fitted region: what all warp rules and error measures need to know of it.
+struct LightFit {
+    static constexpr std::size_t kCapacity = 32;
+
+    LightFrame frame;
+    ViewFrustum slice;
+    double zMin = 0;   // the light-space z where zeta is 0
+    double length = 0; // d: the largest zeta
+    std::size_t count = 0;
+    std::array<FitPoint, kCapacity> storage{};
+
+    std::span<const FitPoint> points() const { return {storage.data(), count}; }
+};
+
+/// The region of at most LightFit::kCapacity `vertices` seen in `frame`; `slice` gives image beams and depth ends.
+LightFit fitRegion(const LightFrame& frame, const ViewFrustum& slice, std::span<const FitVertex> vertices);
+
+/// A whole slice of the frustum, seen in `frame`: its eight corners.
+LightFit fitSlice(const LightFrame& frame, const ViewFrustum& slice);
+
+/// The same region in a frame turned about the light by `radians`, as shadow::turned does.
+LightFit turned(const LightFit& fit, double radians);
+
+/// The extent of u = x / (1 + kappa zeta) over the region; W = max - min. Tight, not symmetric.
+struct WarpedExtent {
+    double min = 0;
+    double max = 0;
+
+    double width() const { return max - min; }
+};
+
+WarpedExtent warpedExtent(const LightFit& fit, double kappa);
+
+/// M_x and M_z over the region at unit resolutions (res_i = res_s = res_t = 1). The vertices suffice: both measures
+/// are quasi-convex over the region (affine over affine, and affine squared over affine).
+Aliasing worstAliasing(const LightFit& fit, double kappa);
+
+/// S = M_x M_z at unit resolutions.
+double storageFactor(const LightFit& fit, double kappa);
+
+/// The largest m_t over the region when the shear of the texel is counted: m_z sqrt(1 + (kappa u)^2). It lies at a
+/// vertex as long as |kappa u| <= sqrt(2) (then w sqrt(w^2 + (kappa x)^2) is convex); beyond that the product of the
+/// two maxima is returned, which is never too small.
+double worstShearedAliasing(const LightFit& fit, double kappa);
+
+} // namespace gnomon::shadow

@@ -1,0 +1,141 @@
+#include "shadow/warp.h"
+
+#include "core/check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gnomon::shadow {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kMostWarp = 1e6; // of kappa d: what a rule with a pole may ask for
+
+/// The least of `value` on [low, high], where it is unimodal, by golden section down to `tolerance`; the better end
+/// if that is not worse.
+template <class Function>
+double leastOf(const Function& value, double low, double high, double tolerance) {
+    constexpr double kGolden = 0.6180339887498949;
+    double bestAt = low;
+    double best = value(low);
+    const auto keep = [&](double at, double found) {
+        if (found < best) {
+            best = found;
+            bestAt = at;
+        }
+        return found;
+    };
+    keep(high, value(high));
+    double a = high - kGolden * (high - low);
+    double b = low + kGolden * (high - low);
+    double atA = keep(a, value(a));
+    double atB = keep(b, value(b));
+    while (high - low > tolerance) {
+        if (atA <= atB) {
+            high = b;
+            b = a;
+            atB = atA;
+            a = high - kGolden * (high - low);
+            atA = keep(a, value(a));
+        } else {
+            low = a;
+            a = b;
+            atA = atB;
+            b = low + kGolden * (high - low);
+            atB = keep(b, value(b));
+        }
+    }
+    return bestAt;
+}
+
+double kappaOfLog(const LightFit& fit, double logGrowth) {
+    return fit.length > 0 ? std::expm1(logGrowth) / fit.length : 0.0;
+}
+
+} // namespace
+
+double kappaLspsm(const LightFit& fit) {
+    const double sine = sinLightAngle(fit.frame.y);
+    const double near = fit.slice.near;
+    return sine / (near + std::sqrt(near * (near + fit.length * sine)));
+}
+
+double kappaTsm(const LightFit& fit, double focusZeta, double fraction) {
+    const double d = fit.length;
+    const double room = fraction * d - focusZeta;
+    if (!(room > 0)) return 0;
+    const double most = kMostWarp / d;
+    const double pole = (1 - fraction) * d * std::max(focusZeta, 0.0);
+    return pole * most > room ? room / pole : most;
+}
+
+double kappaMinimax(const LightFit& fit) {
+    double a = 0;
+    double b = 0;
+    for (const FitPoint& point : fit.points()) {
+        if (point.end == DepthEnd::Near) a = std::max(a, point.zeta);
+        if (point.end == DepthEnd::Far) b = std::max(b, point.zeta);
+    }
+    const double d = fit.length;
+    if (d <= 2 * a) return 0;
+    const double root = std::sqrt(fit.slice.depthRatio());
+    const double nearStops = a > 0 ? (d - 2 * a) / (a * d) : kInfinity;
+    const double farOvertakes = b > root * a ? (root - 1) / (b - root * a) : kInfinity;
+    const double kappa = std::min(nearStops, farOvertakes);
+    return std::isfinite(kappa) ? std::min(kappa, kMostWarp / d) : 0.0;
+}
+
+double kappaAuto(const LightFit& fit) {
+    const double most = kappaMinimax(fit);
+    if (!(most > 0)) return 0;
+    const auto storage = [&](double logGrowth) { return storageFactor(fit, kappaOfLog(fit, logGrowth)); };
+    return std::min(most, kappaOfLog(fit, leastOf(storage, 0, std::log1p(most * fit.length), 1e-5)));
+}
+
+double kappaLeastStorage(const LightFit& fit) {
+    if (!(fit.length > 0)) return 0;
+    const auto storage = [&](double logGrowth) { return storageFactor(fit, kappaOfLog(fit, logGrowth)); };
+    constexpr int kSteps = 2000;
+    const double step = std::log1p(kMostWarp) / kSteps;
+    double best = storage(0);
+    double bestAt = 0;
+    for (int i = 1; i <= kSteps; ++i) {
+        const double found = storage(i * step);
+        if (found < best) {
+            best = found;
+            bestAt = i * step;
+        }
+    }
+    return kappaOfLog(fit, leastOf(storage, std::max(0.0, bestAt - step), bestAt + step, 1e-12));
+}
+
+double kappaOf(const Warp& warp, const LightFit& fit) {
+    switch (warp.rule) {
+    case WarpRule::None:
+        return 0;
+    case WarpRule::Psm:
+        return 1 / fit.slice.near;
+    case WarpRule::Lspsm:
+        return kappaLspsm(fit);
+    case WarpRule::Tsm: {
+        const glm::dvec3 focus{0, 0, fit.slice.near + warp.tsmFocus};
+        return kappaTsm(fit, toLight(fit.frame, focus).z - fit.zMin, warp.tsmFraction);
+    }
+    case WarpRule::Minimax:
+        return kappaMinimax(fit);
+    case WarpRule::Auto:
+        return kappaAuto(fit);
+    case WarpRule::LeastStorage:
+        return kappaLeastStorage(fit);
+    case WarpRule::Eta:
+        return 1 / nPrimeOfEta(fit.slice, warp.eta);
+    case WarpRule::Given:
+        return warp.kappa;
+    }
+    GNOMON_CHECK(false && "a warp rule without a kappa");
+    return 0;
+}
+
+} // namespace gnomon::shadow

@@ -1,0 +1,55 @@
+// The warp rules: how kappa = 1/n' of a map is chosen. Carried as kappa, which is 0 for an orthogonal map and stays
+// finite and continuous as the light turns parallel to the view, where n' does neither.
+#pragma once
+
+#include "shadow/light_fit.h"
+
+#include <cstdint>
+
+namespace gnomon::shadow {
+
+/// The rules; docs/shadow_theory.md compares them.
+enum class WarpRule : std::uint8_t {
+    None,         // kappa = 0
+    Psm,          // kappa = 1/near (Stamminger and Drettakis 2002, light overhead; elsewhere in the light's frame)
+    Lspsm,        // Wimmer et al. 2004 for a tilted light
+    Tsm,          // Martin and Tan 2004: the focus maps to t = 0.8
+    Minimax,      // the least M_z over the vertices
+    Auto,         // the least S with kappa up to the minimax one
+    LeastStorage, // the least S over every kappa >= 0
+    Eta,          // n' from eta by Eq 11
+    Given,        // kappa itself
+};
+
+/// A rule with its parameters.
+struct Warp {
+    WarpRule rule = WarpRule::Auto;
+    double eta = 0;      // Eta: in [-1, 1]
+    double tsmFocus = 0; // Tsm: view distance of the focus from the near plane, world units, > 0
+    double tsmFraction = 0.8;
+    double kappa = 0; // Given: 1 / world units, >= 0
+};
+
+/// Wimmer's rule: n' = (n + sqrt(n (n + d sin gamma))) / sin gamma.
+double kappaLspsm(const LightFit& fit);
+
+/// The kappa that maps `focusZeta` to t = `fraction`; 0 from focusZeta = fraction d on. kappa d is capped at 1e6, which
+/// a focus on the near side would exceed without bound.
+double kappaTsm(const LightFit& fit, double focusZeta, double fraction);
+
+/// The kappa of least M_z over the vertices, in closed form: with a and b the largest zeta of the near and of the far
+/// vertices and r = sqrt(f/n), the smaller of (d - 2a)/(a d), where the near side's error stops falling, and
+/// (r - 1)/(b - r a), where the far side's overtakes it.
+double kappaMinimax(const LightFit& fit);
+
+/// The kappa in [0, kappaMinimax] of least S, by golden section in log(1 + kappa d); S is unimodal there. Never worse
+/// than no warp nor than minimax.
+double kappaAuto(const LightFit& fit);
+
+/// The kappa >= 0 of least S, by a scan and golden sections: slow, for comparison only.
+double kappaLeastStorage(const LightFit& fit);
+
+/// The kappa that `warp` chooses for `fit`.
+double kappaOf(const Warp& warp, const LightFit& fit);
+
+} // namespace gnomon::shadow

@@ -1,0 +1,99 @@
+#include "shadow/warped_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gnomon::shadow {
+
+namespace {
+
+/// The light-space form of the map's four linear functions: each value is dot(row.xyz, light point) + row.w.
+struct LightRows {
+    glm::dvec4 u{0};     // x
+    glm::dvec4 zeta{0};  // z - zMin
+    glm::dvec4 w{0};     // 1 + kappa zeta
+    glm::dvec4 depth{0}; // -y
+};
+
+LightRows lightRows(const WarpedMap& map) {
+    LightRows rows;
+    rows.u = {map.frame.x, 0};
+    rows.zeta = {map.frame.z, -map.zMin};
+    rows.w = rows.zeta * map.kappa + glm::dvec4(0, 0, 0, 1);
+    rows.depth = {-map.frame.y, 0};
+    return rows;
+}
+
+} // namespace
+
+WarpedMap warpedMap(const LightFit& fit, double kappa, double bias) {
+    const double least = 1e-9 * fit.slice.far;
+    WarpedMap map;
+    map.frame = fit.frame;
+    map.kappa = kappa;
+    map.zMin = fit.zMin;
+    map.length = std::max(fit.length, least);
+    const WarpedExtent extent = warpedExtent(fit, kappa);
+    map.uMin = extent.min;
+    map.width = std::max(extent.width(), least);
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const FitPoint& point : fit.points()) {
+        const double raw = -point.y / (1 + kappa * point.zeta);
+        low = std::min(low, raw);
+        high = std::max(high, raw);
+    }
+    map.rawMin = low - bias;
+    map.rawRange = std::max(high - low + 2 * bias, least);
+    return map;
+}
+
+MapPoint mapPoint(const WarpedMap& map, const glm::dvec3& p) {
+    const glm::dvec3 light = toLight(map.frame, p);
+    const double zeta = light.z - map.zMin;
+    MapPoint result;
+    result.w = 1 + map.kappa * zeta;
+    result.s = (light.x / result.w - map.uMin) / map.width;
+    result.t = zeta * (1 + map.kappa * map.length) / (map.length * result.w);
+    result.depth = (-light.y / result.w - map.rawMin) / map.rawRange;
+    return result;
+}
+
+MapJacobian mapJacobian(const WarpedMap& map, const glm::dvec3& p) {
+    const glm::dvec3 light = toLight(map.frame, p);
+    const double w = 1 + map.kappa * (light.z - map.zMin);
+    const glm::dvec3 gradientOfW = map.frame.z * map.kappa;
+    MapJacobian result;
+    result.s = (map.frame.x - gradientOfW * (light.x / w)) / (w * map.width);
+    result.t = map.frame.z * ((1 + map.kappa * map.length) / (map.length * w * w));
+    result.depth = (-map.frame.y + gradientOfW * (light.y / w)) / (w * map.rawRange);
+    return result;
+}
+
+LightBeam lightBeam(const WarpedMap& map, const glm::dvec3& p, const Resolution& resolution) {
+    const glm::dvec3 light = toLight(map.frame, p);
+    const double w = 1 + map.kappa * (light.z - map.zMin);
+    const double shear = map.kappa * light.x / w;
+    LightBeam beam;
+    beam.x = map.width * w / resolution.s;
+    beam.z = map.length * w * w / ((1 + map.kappa * map.length) * resolution.t);
+    beam.sheared = beam.z * std::sqrt(1 + shear * shear);
+    return beam;
+}
+
+glm::dmat4 textureFromCamera(const WarpedMap& map) {
+    const LightRows rows = lightRows(map);
+    const glm::dvec4 s = (rows.u - rows.w * map.uMin) / map.width;
+    const glm::dvec4 t = rows.zeta * ((1 + map.kappa * map.length) / map.length);
+    const glm::dvec4 depth = (rows.depth - rows.w * map.rawMin) / map.rawRange;
+    return glm::transpose(glm::dmat4(s, t, depth, rows.w));
+}
+
+glm::dmat4 relativeTo(const glm::dmat4& textureFromCamera, const glm::dvec3& origin) {
+    glm::dmat4 result = textureFromCamera;
+    result[3] = textureFromCamera * glm::dvec4(origin, 1);
+    return result;
+}
+
+} // namespace gnomon::shadow

@@ -1,0 +1,109 @@
+// Little-endian byte streams: one that grows, one that never reads past its end.
+#pragma once
+
+#include "core/error.h"
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace gnomon::hierarchy {
+
+static_assert(std::endian::native == std::endian::little, "a .gnm is little-endian and copied as it is");
+
+/// What is wrong with stored bytes; whoever knows the file turns it into an Error with path and offset.
+struct Damage {
+    std::string what;
+};
+
+/// Collects values one after the other.
+class ByteWriter {
+public:
+    template <class T>
+    requires std::is_arithmetic_v<T>
+
+    void put(const T& value) {
+        const auto* raw = reinterpret_cast<const std::byte*>(&value);
+        bytes_.insert(bytes_.end(), raw, raw + sizeof(T));
+    }
+
+    /// Seven bits a byte, low ones first; 1 to 10 bytes.
+    void putVarint(std::uint64_t value) {
+        while (value >= 0x80U) {
+            put(static_cast<std::uint8_t>(value | 0x80U));
+            value >>= 7U;
+        }
+        put(static_cast<std::uint8_t>(value));
+    }
+
+    void put(std::span<const std::byte> bytes) { bytes_.insert(bytes_.end(), bytes.begin(), bytes.end()); }
+
+    void putText(const std::string& text) {
+        putVarint(text.size());
+        put(std::as_bytes(std::span(text)));
+    }
+
+    std::size_t size() const { return bytes_.size(); }
+
+    const std::vector<std::byte>& bytes() const { return bytes_; }
+
+    std::vector<std::byte> take() { return std::move(bytes_); }
+
+private:
+    std::vector<std::byte> bytes_;
+};
+
+/// Takes values one after the other; throws Damage where the bytes end too early.
+class ByteReader {
+public:
+    explicit ByteReader(std::span<const std::byte> bytes) : rest_(bytes) {}
+
+    template <class T>
+    T take() {
+        static_assert(std::is_arithmetic_v<T>);
+        T value;
+        std::memcpy(&value, take(sizeof(T)).data(), sizeof(T));
+        return value;
+    }
+
+    std::uint64_t takeVarint() {
+        std::uint64_t value = 0;
+        for (unsigned shift = 0; shift < 64; shift += 7) {
+            const auto byte = take<std::uint8_t>();
+            value |= static_cast<std::uint64_t>(byte & 0x7FU) << shift;
+            if (byte < 0x80U) return value;
+        }
+        throw Damage{"a number has more than 64 bits"};
+    }
+
+    std::span<const std::byte> take(std::size_t count) {
+        if (count > rest_.size()) throw Damage{"the bytes end too early"};
+        const auto taken = rest_.first(count);
+        rest_ = rest_.subspan(count);
+        return taken;
+    }
+
+    std::string takeText() {
+        const std::uint64_t length = takeVarint();
+        const auto raw = take(length);
+        return {reinterpret_cast<const char*>(raw.data()), raw.size()};
+    }
+
+    std::size_t remaining() const { return rest_.size(); }
+
+    /// Throws Damage unless every byte was taken.
+    void expectEnd() const {
+        if (!rest_.empty()) throw Damage{std::to_string(rest_.size()) + " bytes too many"};
+    }
+
+private:
+    std::span<const std::byte> rest_;
+};
+
+} // namespace gnomon::hierarchy

@@ -1,0 +1,18 @@
+// How the triangles and vertices of a page's clusters become bytes: an edge-and-vertex code for the triangles, and
+// what prediction from the triangle next door leaves over of the vertices.
+#pragma once
+
+#include "hierarchy/bytes.h"
+#include "hierarchy/page.h"
+
+namespace gnomon::hierarchy {
+
+/// Appends vertices and triangles of all clusters of `page`. Exact for any valid page; short for one that went through
+/// orderForCoding.
+void encodeClusters(const Page& page, ByteWriter& out);
+
+/// The reverse: fills `page.vertices`, `page.triangles` and the boxes of `page.clusters`, whose ranges are already
+/// there and tile. Throws Damage.
+void decodeClusters(ByteReader& in, Page& page);
+
+} // namespace gnomon::hierarchy

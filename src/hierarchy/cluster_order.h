@@ -1,0 +1,13 @@
+// The order of triangles, corners and vertices inside a cluster that makes it short in the file.
+#pragma once
+
+#include "hierarchy/page.h"
+
+namespace gnomon::hierarchy {
+
+/// Reorders triangles, their corners (keeping the winding) and vertices inside each cluster of `page` so that each
+/// triangle follows across an edge that is still open; vertices come in the order of their first use. The surface is
+/// the same and so is the result everywhere; call it before encodePage. Needs ranges that tile and corners in range.
+void orderForCoding(Page& page);
+
+} // namespace gnomon::hierarchy

@@ -1,0 +1,252 @@
+#include "hierarchy/file_layout.h"
+
+#include <cmath>
+
+#include <xxhash.h>
+
+namespace gnomon::hierarchy {
+
+namespace {
+
+constexpr std::uint32_t kNormalsFlag = 1;
+constexpr std::uint32_t kColorsFlag = 2;
+
+void putPoint(ByteWriter& out, const GridPoint& p) {
+    out.put(p.x);
+    out.put(p.y);
+    out.put(p.z);
+}
+
+GridPoint takePoint(ByteReader& in) {
+    GridPoint p;
+    p.x = in.take<std::uint32_t>();
+    p.y = in.take<std::uint32_t>();
+    p.z = in.take<std::uint32_t>();
+    return p;
+}
+
+void putVector(ByteWriter& out, const glm::dvec3& v) {
+    out.put(v.x);
+    out.put(v.y);
+    out.put(v.z);
+}
+
+glm::dvec3 takeVector(ByteReader& in) {
+    glm::dvec3 v;
+    v.x = in.take<double>();
+    v.y = in.take<double>();
+    v.z = in.take<double>();
+    return v;
+}
+
+bool isFinite(const glm::dvec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+void putRow(ByteWriter& out, const PageInfo& page) {
+    out.put(page.storedBytes);
+    out.put(page.level);
+    out.put(page.checksum);
+    out.put(page.groupCount);
+    out.put(page.clusterCount);
+    out.put(page.refinementCount);
+    out.put(page.vertexCount);
+    out.put(page.triangleCount);
+    putPoint(out, page.box.min);
+    putPoint(out, page.box.max);
+    out.put(std::uint32_t{0});
+    putVector(out, page.bounds.center);
+    out.put(page.bounds.radius);
+    out.put(page.minError);
+    out.put(page.maxError);
+}
+
+PageInfo takeRow(ByteReader& in) {
+    PageInfo page;
+    page.storedBytes = in.take<std::uint32_t>();
+    page.level = in.take<std::uint32_t>();
+    page.checksum = in.take<std::uint64_t>();
+    page.groupCount = in.take<std::uint32_t>();
+    page.clusterCount = in.take<std::uint32_t>();
+    page.refinementCount = in.take<std::uint32_t>();
+    page.vertexCount = in.take<std::uint32_t>();
+    page.triangleCount = in.take<std::uint32_t>();
+    page.box.min = takePoint(in);
+    page.box.max = takePoint(in);
+    if (in.take<std::uint32_t>() != 0) throw Damage{"a page's row has something where nothing should be"};
+    page.bounds.center = takeVector(in);
+    page.bounds.radius = in.take<double>();
+    page.minError = in.take<double>();
+    page.maxError = in.take<double>();
+    const bool numbers = isFinite(page.bounds.center) && std::isfinite(page.bounds.radius) && page.bounds.radius >= 0 &&
+                         page.minError >= 0 && page.maxError >= page.minError;
+    if (!numbers) throw Damage{"a page's bounds or errors are no numbers"};
+    return page;
+}
+
+template <class Value, class Put>
+void putMap(ByteWriter& out, const std::map<std::string, Value>& map, Put put) {
+    out.putVarint(map.size());
+    for (const auto& [key, value] : map) {
+        out.putText(key);
+        put(value);
+    }
+}
+
+/// Keys must ascend, so that the same map has one form only.
+template <class Value, class Take>
+std::map<std::string, Value> takeMap(ByteReader& in, Take take) {
+    std::map<std::string, Value> map;
+    const std::uint64_t count = in.takeVarint();
+    for (std::uint64_t i = 0; i < count; ++i) {
+        std::string key = in.takeText();
+        if (!map.empty() && key <= map.rbegin()->first) throw Damage{"names out of order"};
+        map.emplace_hint(map.end(), std::move(key), take());
+    }
+    return map;
+}
+
+TablePlace takePlace(ByteReader& in) {
+    TablePlace place;
+    place.offset = in.take<std::uint64_t>();
+    place.bytes = in.take<std::uint64_t>();
+    place.checksum = in.take<std::uint64_t>();
+    return place;
+}
+
+} // namespace
+
+std::uint64_t checksum64(std::span<const std::byte> bytes) {
+    return XXH3_64bits(bytes.data(), bytes.size());
+}
+
+std::string hexText(const ContentHash& hash) {
+    constexpr std::string_view kDigits = "0123456789abcdef";
+    std::string text;
+    for (const std::byte byte : hash) {
+        text += kDigits[static_cast<unsigned>(byte) >> 4U];
+        text += kDigits[static_cast<unsigned>(byte) & 15U];
+    }
+    return text;
+}
+
+std::uint32_t flagsOf(const ModelSummary& summary) {
+    return (summary.hasNormals ? kNormalsFlag : 0U) | (summary.hasColors ? kColorsFlag : 0U);
+}
+
+std::vector<std::byte> encodeHeader(std::uint32_t flags, const ContentHash& hash) {
+    ByteWriter start;
+    start.put(std::as_bytes(std::span(kMagic)));
+    start.put(kFormatVersion);
+    start.put(flags);
+    ByteWriter covered = start;
+    covered.put(hash);
+    start.put(checksum64(covered.bytes()));
+    start.put(hash);
+    return start.take();
+}
+
+std::vector<std::byte> encodeFooter(const Footer& footer) {
+    ByteWriter out;
+    for (const TablePlace& place : {footer.pageTable, footer.summary}) {
+        out.put(place.offset);
+        out.put(place.bytes);
+        out.put(place.checksum);
+    }
+    out.put(footer.fileBytes);
+    out.put(std::uint64_t{kPageRowBytes});
+    out.put(checksum64(out.bytes()));
+    return out.take();
+}
+
+Footer decodeFooter(std::span<const std::byte> bytes) {
+    ByteReader in(bytes);
+    Footer footer;
+    footer.pageTable = takePlace(in);
+    footer.summary = takePlace(in);
+    footer.fileBytes = in.take<std::uint64_t>();
+    const auto rowBytes = in.take<std::uint64_t>();
+    if (in.take<std::uint64_t>() != checksum64(bytes.first(kFooterBytes - sizeof(std::uint64_t))))
+        throw Damage{"the footer's checksum is wrong"};
+    if (rowBytes != kPageRowBytes) throw Damage{"the page table has rows of another size"};
+    return footer;
+}
+
+std::vector<std::byte> encodePageTable(std::span<const PageInfo> pages) {
+    ByteWriter out;
+    for (const PageInfo& page : pages)
+        putRow(out, page);
+    return out.take();
+}
+
+std::vector<PageInfo> decodePageTable(std::span<const std::byte> bytes, std::uint64_t end) {
+    ByteReader in(bytes);
+    std::vector<PageInfo> pages;
+    pages.reserve(bytes.size() / kPageRowBytes);
+    std::uint64_t offset = kHeaderBytes;
+    while (in.remaining() > 0) {
+        PageInfo page = takeRow(in);
+        page.offset = offset;
+        offset += page.storedBytes;
+        if (!pages.empty() && page.level > pages.back().level) throw Damage{"pages are not coarsest first"};
+        pages.push_back(page);
+    }
+    if (offset != end) throw Damage{"the pages do not end where their table begins"};
+    return pages;
+}
+
+std::vector<std::byte> encodeSummary(const ModelSummary& summary) {
+    ByteWriter out;
+    putVector(out, summary.grid.origin);
+    out.put(static_cast<std::int32_t>(summary.grid.stepExponent));
+    putVector(out, summary.bounds.min);
+    putVector(out, summary.bounds.max);
+    out.putVarint(summary.sourceTriangles);
+    out.putVarint(summary.sourceVertices);
+    out.putVarint(summary.coarsestTriangles);
+    out.put(flagsOf(summary));
+    putMap(out, summary.dropped, [&out](std::uint64_t count) { out.putVarint(count); });
+    putMap(out, summary.options, [&out](const std::string& value) { out.putText(value); });
+    out.putVarint(summary.levels.size());
+    for (const LevelInfo& level : summary.levels) {
+        out.putVarint(level.triangles);
+        out.putVarint(level.clusters);
+        out.putVarint(level.groups);
+        out.put(level.maxError);
+    }
+    return out.take();
+}
+
+ModelSummary decodeSummary(std::span<const std::byte> bytes) {
+    ByteReader in(bytes);
+    ModelSummary summary;
+    summary.grid.origin = takeVector(in);
+    summary.grid.stepExponent = in.take<std::int32_t>();
+    summary.bounds.min = takeVector(in);
+    summary.bounds.max = takeVector(in);
+    summary.sourceTriangles = in.takeVarint();
+    summary.sourceVertices = in.takeVarint();
+    summary.coarsestTriangles = in.takeVarint();
+    const auto flags = in.take<std::uint32_t>();
+    summary.hasNormals = (flags & kNormalsFlag) != 0;
+    summary.hasColors = (flags & kColorsFlag) != 0;
+    summary.dropped = takeMap<std::uint64_t>(in, [&in] { return in.takeVarint(); });
+    summary.options = takeMap<std::string>(in, [&in] { return in.takeText(); });
+    const std::uint64_t levelCount = in.takeVarint();
+    for (std::uint64_t i = 0; i < levelCount; ++i) {
+        LevelInfo level;
+        level.triangles = in.takeVarint();
+        level.clusters = in.takeVarint();
+        level.groups = in.takeVarint();
+        level.maxError = in.take<double>();
+        if (!std::isfinite(level.maxError) || level.maxError < 0) throw Damage{"an error is no length"};
+        summary.levels.push_back(level);
+    }
+    in.expectEnd();
+    if (!isFinite(summary.grid.origin)) throw Damage{"the grid's origin is no point"};
+    constexpr int kLargestExponent = 1000;
+    if (std::abs(summary.grid.stepExponent) > kLargestExponent) throw Damage{"the grid's step is no length"};
+    return summary;
+}
+
+} // namespace gnomon::hierarchy

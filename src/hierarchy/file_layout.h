@@ -1,0 +1,66 @@
+// Where what lies in a .gnm, and its tables as bytes. Little-endian throughout:
+//   header    magic 8, format version u32, flags u32, checksum of these and the hash u64, content hash 16
+//   pages     one after the other without gaps, in the order of the page table
+//   pages'    one row each
+//   summary   what `gnomon info` prints
+//   footer    places, sizes and checksums of both tables, the size of the file, its own checksum
+// Everything after the hash is written once, in order; only the checksum and the hash are filled in at the end.
+#pragma once
+
+#include "hierarchy/bytes.h"
+#include "hierarchy/model.h"
+
+#include <array>
+
+namespace gnomon::hierarchy {
+
+constexpr std::array<unsigned char, 8> kMagic = {0x89, 'G', 'N', 'M', '\r', '\n', 0x1A, '\n'};
+constexpr std::uint64_t kHashBytes = 16;
+constexpr std::uint64_t kHeaderBytes = 40;
+constexpr std::uint64_t kHashOffset = kHeaderBytes - kHashBytes;
+constexpr std::uint64_t kFooterBytes = 72;
+constexpr std::uint64_t kPageRowBytes = 112;
+
+/// xxh3-64 of `bytes`.
+std::uint64_t checksum64(std::span<const std::byte> bytes);
+
+/// An xxh3-128 in its canonical (big-endian) bytes.
+using ContentHash = std::array<std::byte, kHashBytes>;
+
+/// Two lower-case digits a byte.
+std::string hexText(const ContentHash& hash);
+
+/// The whole header. Flag bit 0: normals, bit 1: colours.
+std::vector<std::byte> encodeHeader(std::uint32_t flags, const ContentHash& hash);
+
+std::uint32_t flagsOf(const ModelSummary& summary);
+
+/// Where one table lies.
+struct TablePlace {
+    std::uint64_t offset = 0;
+    std::uint64_t bytes = 0;
+    std::uint64_t checksum = 0;
+};
+
+struct Footer {
+    TablePlace pageTable;
+    TablePlace summary;
+    std::uint64_t fileBytes = 0;
+};
+
+std::vector<std::byte> encodeFooter(const Footer& footer);
+
+/// Throws Damage.
+Footer decodeFooter(std::span<const std::byte> bytes);
+
+std::vector<std::byte> encodePageTable(std::span<const PageInfo> pages);
+
+/// Throws Damage, also where pages do not follow each other from the header to `end`.
+std::vector<PageInfo> decodePageTable(std::span<const std::byte> bytes, std::uint64_t end);
+
+std::vector<std::byte> encodeSummary(const ModelSummary& summary);
+
+/// Throws Damage.
+ModelSummary decodeSummary(std::span<const std::byte> bytes);
+
+} // namespace gnomon::hierarchy

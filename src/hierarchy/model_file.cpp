@@ -1,0 +1,121 @@
+#include "hierarchy/model_file.h"
+
+#include "core/error.h"
+#include "hierarchy/file_layout.h"
+#include "hierarchy/page_codec.h"
+
+#include <algorithm>
+#include <memory>
+
+#include <xxhash.h>
+
+namespace gnomon::hierarchy {
+
+namespace {
+
+std::vector<std::byte> readBytes(const File& file, std::uint64_t offset, std::uint64_t count) {
+    std::vector<std::byte> bytes(count);
+    file.readAt(offset, bytes);
+    return bytes;
+}
+
+/// The header after its checks: flags and hash.
+std::pair<std::uint32_t, ContentHash> readHeader(const File& file, std::uint64_t fileBytes) {
+    if (fileBytes < kHeaderBytes + kFooterBytes)
+        throw Error(
+            atByte(file.path(), fileBytes),
+            "not a model, or one cut off",
+            "at least " + std::to_string(kHeaderBytes + kFooterBytes) + " bytes",
+            std::to_string(fileBytes));
+    const std::vector<std::byte> bytes = readBytes(file, 0, kHeaderBytes);
+    if (!std::ranges::equal(std::span(bytes).first(kMagic.size()), std::as_bytes(std::span(kMagic))))
+        throw Error(atByte(file.path(), 0), "not a model", "the magic of a .gnm", "something else");
+    ByteReader in{std::span(bytes).subspan(kMagic.size())};
+    const auto version = in.take<std::uint32_t>();
+    if (version != kFormatVersion)
+        throw Error(
+            atByte(file.path(), kMagic.size()),
+            "format version",
+            std::to_string(kFormatVersion),
+            std::to_string(version));
+    const auto flags = in.take<std::uint32_t>();
+    ContentHash hash{};
+    std::ranges::copy(std::span(bytes).subspan(kHashOffset), hash.begin());
+    if (encodeHeader(flags, hash) != bytes) throw Error(atByte(file.path(), 0), "damaged header: wrong checksum");
+    return {flags, hash};
+}
+
+Footer readFooter(const File& file, std::uint64_t fileBytes) {
+    const std::uint64_t offset = fileBytes - kFooterBytes;
+    try {
+        const Footer footer = decodeFooter(readBytes(file, offset, kFooterBytes));
+        if (footer.fileBytes != fileBytes)
+            throw Damage{
+                "the file should have " + std::to_string(footer.fileBytes) + " bytes and has " +
+                std::to_string(fileBytes)};
+        const bool tiled = footer.pageTable.offset >= kHeaderBytes && footer.pageTable.offset <= offset &&
+                           footer.pageTable.bytes <= offset - footer.pageTable.offset &&
+                           footer.summary.offset == footer.pageTable.offset + footer.pageTable.bytes &&
+                           footer.summary.bytes == offset - footer.summary.offset;
+        if (!tiled) throw Damage{"the tables are not where they should be"};
+        return footer;
+    } catch (const Damage& damage) {
+        throw Error(atByte(file.path(), offset), "damaged footer, or a file cut off: " + damage.what);
+    }
+}
+
+/// Reads the table at `place` and decodes it.
+template <class Decode>
+auto readTable(const File& file, const TablePlace& place, const char* name, Decode decode) {
+    const std::vector<std::byte> bytes = readBytes(file, place.offset, place.bytes);
+    try {
+        if (checksum64(bytes) != place.checksum) throw Damage{"wrong checksum"};
+        return decode(std::span<const std::byte>(bytes));
+    } catch (const Damage& damage) {
+        throw Error(atByte(file.path(), place.offset), std::string("damaged ") + name + ": " + damage.what);
+    }
+}
+
+} // namespace
+
+ModelFile::ModelFile(const std::string& path) : file_(path, File::Mode::Read), fileBytes_(file_.size()) {
+    const auto [flags, hash] = readHeader(file_, fileBytes_);
+    contentHash_ = hexText(hash);
+    const Footer footer = readFooter(file_, fileBytes_);
+    pages_ = readTable(file_, footer.pageTable, "page table", [&footer](std::span<const std::byte> bytes) {
+        return decodePageTable(bytes, footer.pageTable.offset);
+    });
+    summary_ = readTable(file_, footer.summary, "summary", decodeSummary);
+    if (flagsOf(summary_) != flags)
+        throw Error(atByte(path, footer.summary.offset), "damaged summary: its flags are not the header's");
+}
+
+std::string ModelFile::computedContentHash() const {
+    const std::unique_ptr<XXH3_state_t, XXH_errorcode (*)(XXH3_state_t*)> state(XXH3_createState(), XXH3_freeState);
+    if (!state) throw std::bad_alloc();
+    XXH3_128bits_reset(state.get());
+    std::vector<std::byte> buffer(std::size_t{1} << 20U);
+    for (std::uint64_t offset = kHeaderBytes; offset < fileBytes_; offset += buffer.size()) {
+        const auto part = std::span(buffer).first(std::min<std::uint64_t>(buffer.size(), fileBytes_ - offset));
+        file_.readAt(offset, part);
+        XXH3_128bits_update(state.get(), part.data(), part.size());
+    }
+    XXH128_canonical_t canonical;
+    XXH128_canonicalFromHash(&canonical, XXH3_128bits_digest(state.get()));
+    ContentHash hash{};
+    std::memcpy(hash.data(), canonical.digest, hash.size());
+    return hexText(hash);
+}
+
+Page ModelFile::readPage(std::uint32_t page) const {
+    const PageInfo& info = pages_.at(page);
+    const std::vector<std::byte> bytes = readBytes(file_, info.offset, info.storedBytes);
+    try {
+        if (checksum64(bytes) != info.checksum) throw Damage{"wrong checksum"};
+        return decodePageBytes(bytes, info);
+    } catch (const Damage& damage) {
+        throw Error(atByte(file_.path(), info.offset), "damaged page " + std::to_string(page) + ": " + damage.what);
+    }
+}
+
+} // namespace gnomon::hierarchy

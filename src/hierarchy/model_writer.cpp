@@ -1,0 +1,79 @@
+#include "hierarchy/model_writer.h"
+
+#include "core/check.h"
+#include "hierarchy/file_layout.h"
+#include "hierarchy/page_codec.h"
+#include "hierarchy/validation.h"
+
+#include <xxhash.h>
+
+namespace gnomon::hierarchy {
+
+EncodedPage encodePage(const Page& page) {
+    GNOMON_CHECK_OP(pageFault(page).value_or("no fault"), ==, "no fault");
+    EncodedPage encoded;
+    encoded.info = describePage(page);
+    encoded.bytes = encodePageBytes(page);
+    encoded.info.storedBytes = static_cast<std::uint32_t>(encoded.bytes.size());
+    encoded.info.checksum = checksum64(encoded.bytes);
+    return encoded;
+}
+
+struct ModelWriter::State {
+    explicit State(const std::string& path) : output(path), hash(XXH3_createState(), XXH3_freeState) {
+        if (!hash) throw std::bad_alloc();
+        XXH3_128bits_reset(hash.get());
+    }
+
+    /// Everything after the header goes through here, in file order.
+    void write(std::span<const std::byte> bytes) {
+        output.file().writeAt(offset, bytes);
+        XXH3_128bits_update(hash.get(), bytes.data(), bytes.size());
+        offset += bytes.size();
+    }
+
+    TablePlace writeTable(std::span<const std::byte> bytes) {
+        const TablePlace place{offset, bytes.size(), checksum64(bytes)};
+        write(bytes);
+        return place;
+    }
+
+    AtomicFile output;
+    std::unique_ptr<XXH3_state_t, XXH_errorcode (*)(XXH3_state_t*)> hash;
+    std::uint64_t offset = kHeaderBytes;
+    std::vector<PageInfo> pages;
+};
+
+ModelWriter::ModelWriter(const std::string& path) : state_(std::make_unique<State>(path)) {}
+
+ModelWriter::~ModelWriter() = default;
+
+std::uint32_t ModelWriter::append(const EncodedPage& page) {
+    GNOMON_CHECK(state_->pages.empty() || page.info.level <= state_->pages.back().level);
+    PageInfo info = page.info;
+    info.offset = state_->offset;
+    state_->write(page.bytes);
+    state_->pages.push_back(info);
+    return static_cast<std::uint32_t>(state_->pages.size() - 1);
+}
+
+std::string ModelWriter::finish(const ModelSummary& summary) {
+    Footer footer;
+    footer.pageTable = state_->writeTable(encodePageTable(state_->pages));
+    footer.summary = state_->writeTable(encodeSummary(summary));
+    footer.fileBytes = state_->offset + kFooterBytes;
+    state_->write(encodeFooter(footer));
+    XXH128_canonical_t canonical;
+    XXH128_canonicalFromHash(&canonical, XXH3_128bits_digest(state_->hash.get()));
+    ContentHash hash{};
+    std::memcpy(hash.data(), canonical.digest, hash.size());
+    state_->output.file().writeAt(0, encodeHeader(flagsOf(summary), hash));
+    state_->output.commit();
+    return hexText(hash);
+}
+
+std::uint64_t ModelWriter::bytesWritten() const {
+    return state_->offset;
+}
+
+} // namespace gnomon::hierarchy

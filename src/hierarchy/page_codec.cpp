@@ -1,0 +1,183 @@
+#include "hierarchy/page_codec.h"
+
+#include "core/check.h"
+#include "hierarchy/bytes.h"
+#include "hierarchy/cluster_codec.h"
+#include "hierarchy/validation.h"
+
+#include <cmath>
+#include <memory>
+
+#include <zstd.h>
+
+namespace gnomon::hierarchy {
+
+namespace {
+
+enum class Packing : std::uint8_t { Plain = 0, Zstd = 1 };
+
+/// No page may unfold to more than this times its stored bytes, so that a small file cannot ask for a large buffer.
+constexpr std::uint64_t kMaxExpansion = 256;
+
+void putSphere(ByteWriter& out, const Sphere& sphere) {
+    out.put(sphere.center.x);
+    out.put(sphere.center.y);
+    out.put(sphere.center.z);
+    out.put(sphere.radius);
+}
+
+Sphere takeSphere(ByteReader& in) {
+    Sphere sphere;
+    sphere.center.x = in.take<double>();
+    sphere.center.y = in.take<double>();
+    sphere.center.z = in.take<double>();
+    sphere.radius = in.take<double>();
+    const bool finite = std::isfinite(sphere.center.x) && std::isfinite(sphere.center.y) &&
+                        std::isfinite(sphere.center.z) && std::isfinite(sphere.radius);
+    if (!finite || sphere.radius < 0) throw Damage{"bounds are no sphere"};
+    return sphere;
+}
+
+std::uint32_t takeIndex(ByteReader& in) {
+    const std::uint64_t value = in.takeVarint();
+    if (value >= kNone) throw Damage{"an index has more than 32 bits"};
+    return static_cast<std::uint32_t>(value);
+}
+
+void putTables(const Page& page, ByteWriter& out) {
+    for (const Group& group : page.groups) {
+        out.putVarint(group.clusterCount);
+        putSphere(out, group.bounds);
+        out.put(group.error);
+    }
+    for (const Refinement& refinement : page.refinements) {
+        out.putVarint(refinement.group.page);
+        out.putVarint(refinement.group.group);
+        putSphere(out, refinement.bounds);
+        out.put(refinement.error);
+    }
+    for (const Cluster& cluster : page.clusters) {
+        out.put(static_cast<std::uint8_t>(cluster.vertexCount - 1));
+        out.put(static_cast<std::uint8_t>(cluster.triangleCount - 1));
+        if (page.level > 0) out.putVarint(cluster.refinement);
+    }
+}
+
+void takeGroups(ByteReader& in, const PageInfo& info, Page& page) {
+    std::uint32_t firstCluster = 0;
+    for (std::uint32_t i = 0; i < info.groupCount; ++i) {
+        Group group;
+        group.firstCluster = firstCluster;
+        group.clusterCount = takeIndex(in);
+        if (group.clusterCount == 0 || group.clusterCount > info.clusterCount - firstCluster)
+            throw Damage{"a group has clusters that are not there"};
+        firstCluster += group.clusterCount;
+        group.bounds = takeSphere(in);
+        group.error = in.take<double>();
+        if (std::isnan(group.error) || group.error < 0) throw Damage{"an error is no length"};
+        page.groups.push_back(group);
+    }
+    if (firstCluster != info.clusterCount) throw Damage{"clusters belong to no group"};
+}
+
+void takeRefinements(ByteReader& in, const PageInfo& info, Page& page) {
+    for (std::uint32_t i = 0; i < info.refinementCount; ++i) {
+        Refinement refinement;
+        refinement.group.page = takeIndex(in);
+        refinement.group.group = takeIndex(in);
+        refinement.bounds = takeSphere(in);
+        refinement.error = in.take<double>();
+        if (!std::isfinite(refinement.error) || refinement.error < 0) throw Damage{"an error is no length"};
+        page.refinements.push_back(refinement);
+    }
+}
+
+void takeClusters(ByteReader& in, const PageInfo& info, Page& page) {
+    std::uint32_t vertices = 0;
+    std::uint32_t triangles = 0;
+    for (std::uint32_t i = 0; i < info.clusterCount; ++i) {
+        Cluster cluster;
+        cluster.firstVertex = vertices;
+        cluster.firstTriangle = triangles;
+        cluster.vertexCount = in.take<std::uint8_t>() + 1U;
+        cluster.triangleCount = in.take<std::uint8_t>() + 1U;
+        if (info.level > 0) {
+            cluster.refinement = takeIndex(in);
+            if (cluster.refinement >= info.refinementCount) throw Damage{"a cluster names a refinement out of range"};
+        }
+        vertices += cluster.vertexCount;
+        triangles += cluster.triangleCount;
+        page.clusters.push_back(cluster);
+    }
+    if (vertices != info.vertexCount || triangles != info.triangleCount)
+        throw Damage{"the clusters' counts do not sum up to those of the page table"};
+}
+
+std::vector<std::byte> pack(std::span<const std::byte> plain) {
+    std::vector<std::byte> packed(ZSTD_compressBound(plain.size()));
+    const std::size_t size = ZSTD_compress(packed.data(), packed.size(), plain.data(), plain.size(), kCompressionLevel);
+    GNOMON_CHECK(ZSTD_isError(size) == 0);
+    ByteWriter out;
+    const bool worthIt = size < plain.size() && plain.size() <= size * kMaxExpansion;
+    out.put(static_cast<std::uint8_t>(worthIt ? Packing::Zstd : Packing::Plain));
+    out.putVarint(plain.size());
+    out.put(worthIt ? std::span<const std::byte>(packed).first(size) : plain);
+    return out.take();
+}
+
+/// The plain bytes of a page; `storage` holds them where they had to be unfolded.
+std::span<const std::byte> unpack(std::span<const std::byte> stored, std::vector<std::byte>& storage) {
+    ByteReader in(stored);
+    const auto packing = static_cast<Packing>(in.take<std::uint8_t>());
+    const std::uint64_t size = in.takeVarint();
+    const auto rest = in.take(in.remaining());
+    if (packing == Packing::Plain) {
+        if (size != rest.size()) throw Damage{"the stored size is not the one promised"};
+        return rest;
+    }
+    if (packing != Packing::Zstd) throw Damage{"unknown packing"};
+    if (size > rest.size() * kMaxExpansion) throw Damage{"more is promised than the stored bytes can hold"};
+    storage.resize(size);
+    // One context a thread: making one costs a tenth of decoding a page.
+    thread_local const std::unique_ptr<ZSTD_DCtx, std::size_t (*)(ZSTD_DCtx*)> context(
+        ZSTD_createDCtx(), ZSTD_freeDCtx);
+    if (!context) throw std::bad_alloc();
+    const std::size_t got = ZSTD_decompressDCtx(context.get(), storage.data(), size, rest.data(), rest.size());
+    if (ZSTD_isError(got) != 0) throw Damage{std::string("cannot unfold: ") + ZSTD_getErrorName(got)};
+    if (got != size) throw Damage{"the unfolded size is not the one promised"};
+    return storage;
+}
+
+bool sameRow(const PageInfo& a, const PageInfo& b) {
+    return a.box.min == b.box.min && a.box.max == b.box.max && a.bounds.center == b.bounds.center &&
+           a.bounds.radius == b.bounds.radius && a.minError == b.minError && a.maxError == b.maxError;
+}
+
+} // namespace
+
+std::vector<std::byte> encodePageBytes(const Page& page) {
+    ByteWriter plain;
+    putTables(page, plain);
+    encodeClusters(page, plain);
+    return pack(plain.bytes());
+}
+
+Page decodePageBytes(std::span<const std::byte> bytes, const PageInfo& info) {
+    std::vector<std::byte> storage;
+    ByteReader in(unpack(bytes, storage));
+    Page page;
+    page.level = info.level;
+    takeGroups(in, info, page);
+    takeRefinements(in, info, page);
+    takeClusters(in, info, page);
+    if (page.clusters.empty()) throw Damage{"no cluster"};
+    decodeClusters(in, page);
+    in.expectEnd();
+    for (Group& group : page.groups)
+        for (std::uint32_t c = 0; c < group.clusterCount; ++c)
+            group.box.add(page.clusters[group.firstCluster + c].box);
+    if (!sameRow(describePage(page), info)) throw Damage{"bounds or errors are not those of the page table"};
+    return page;
+}
+
+} // namespace gnomon::hierarchy

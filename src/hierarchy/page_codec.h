@@ -1,0 +1,21 @@
+// A page as bytes: tables of groups, refinements and clusters, then their geometry, the whole through zstd.
+#pragma once
+
+#include "hierarchy/model.h"
+
+#include <span>
+#include <vector>
+
+namespace gnomon::hierarchy {
+
+/// The zstd level of every page, by measurement (bytes against build time; decoding is alike at all levels).
+constexpr int kCompressionLevel = 3;
+
+/// The stored form of `page`: a pure function of it.
+std::vector<std::byte> encodePageBytes(const Page& page);
+
+/// The page whose stored form is `bytes` and whose row in the page table is `info`. Every count, index and range is
+/// checked before it is used, and nothing is allocated that `bytes` cannot fill. Throws Damage.
+Page decodePageBytes(std::span<const std::byte> bytes, const PageInfo& info);
+
+} // namespace gnomon::hierarchy

@@ -1,0 +1,225 @@
+// Pages go through their stored form unchanged, and damaged ones are refused even where the checksum was made to fit.
+#include "core/random.h"
+#include "hierarchy/bytes.h"
+#include "hierarchy/cluster_order.h"
+#include "hierarchy/model_writer.h"
+#include "hierarchy/page_codec.h"
+#include "hierarchy/tiny_model.h"
+#include "hierarchy/validation.h"
+#include "page_equality.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace gnomon::hierarchy {
+namespace {
+
+enum class Attributes { None, Normals, CoarseNormals, All };
+
+std::uint32_t coordinate(Random& random) {
+    // Clustered, spread out, and at both ends of the grid.
+    switch (random.below(4)) {
+    case 0:
+        return static_cast<std::uint32_t>(1'000'000 + random.below(500));
+    case 1:
+        return static_cast<std::uint32_t>(random.below(kMaxGridCoordinate));
+    case 2:
+        return kMaxGridCoordinate;
+    default:
+        return 0;
+    }
+}
+
+Vertex randomVertex(Random& random, Attributes attributes) {
+    Vertex vertex;
+    vertex.position = {coordinate(random), coordinate(random), coordinate(random)};
+    const auto bits = static_cast<std::uint32_t>(random.bits());
+    if (attributes == Attributes::Normals || attributes == Attributes::All) vertex.normal = bits;
+    if (attributes == Attributes::CoarseNormals) vertex.normal = random.below(9) == 0 ? kNoNormal : bits & 0xFFC0FFC0U;
+    if (attributes == Attributes::All) vertex.color = static_cast<std::uint32_t>(random.bits());
+    return vertex;
+}
+
+Sphere randomSphere(Random& random) {
+    return {{random.uniform(-9, 9), random.uniform(-9, 9), random.uniform(0, 1e7)}, random.uniform(0, 5)};
+}
+
+/// Any page that keeps the rules: triangles at random, doubled ones and ones of equal corners among them.
+Page randomPage(std::uint64_t seed) {
+    Random random(seed);
+    const auto attributes = static_cast<Attributes>(random.below(4));
+    Page page;
+    page.level = static_cast<std::uint32_t>(random.below(3));
+    const auto groups = 1 + random.below(3);
+    if (page.level > 0)
+        for (std::uint64_t i = 0; i <= random.below(4); ++i)
+            page.refinements.push_back(
+                {{static_cast<std::uint32_t>(random.below(1U << 20U)), static_cast<std::uint32_t>(random.below(9))},
+                 randomSphere(random),
+                 random.unit()});
+    for (std::uint64_t g = 0; g < groups; ++g) {
+        Group group;
+        group.firstCluster = static_cast<std::uint32_t>(page.clusters.size());
+        group.clusterCount = static_cast<std::uint32_t>(1 + random.below(3));
+        group.bounds = randomSphere(random);
+        if (random.below(4) != 0) group.error = random.unit();
+        for (std::uint32_t c = 0; c < group.clusterCount; ++c) {
+            Cluster cluster;
+            cluster.firstVertex = static_cast<std::uint32_t>(page.vertices.size());
+            cluster.firstTriangle = static_cast<std::uint32_t>(page.triangles.size());
+            cluster.vertexCount = static_cast<std::uint32_t>(1 + random.below(kMaxClusterVertices));
+            cluster.triangleCount = static_cast<std::uint32_t>(1 + random.below(kMaxClusterTriangles));
+            if (page.level > 0) cluster.refinement = static_cast<std::uint32_t>(random.below(page.refinements.size()));
+            for (std::uint32_t v = 0; v < cluster.vertexCount; ++v) {
+                page.vertices.push_back(randomVertex(random, attributes));
+                cluster.box.add(page.vertices.back().position);
+            }
+            const auto corner = [&] { return static_cast<std::uint8_t>(random.below(cluster.vertexCount)); };
+            for (std::uint32_t t = 0; t < cluster.triangleCount; ++t)
+                page.triangles.push_back({corner(), corner(), corner()});
+            group.box.add(cluster.box);
+            page.clusters.push_back(cluster);
+        }
+        page.groups.push_back(group);
+    }
+    return page;
+}
+
+Page throughBytes(const Page& page) {
+    const EncodedPage encoded = encodePage(page);
+    return decodePageBytes(encoded.bytes, encoded.info);
+}
+
+TEST(PageCodec, RandomPagesComeBackUnchanged) {
+    for (std::uint64_t seed = 0; seed < 300; ++seed) {
+        const Page page = randomPage(seed);
+        EXPECT_TRUE(samePage(throughBytes(page), page)) << "seed " << seed;
+        Page ordered = page;
+        orderForCoding(ordered);
+        EXPECT_TRUE(samePage(throughBytes(ordered), ordered)) << "ordered, seed " << seed;
+    }
+}
+
+TEST(PageCodec, TheSamePageGivesTheSameBytes) {
+    const Page page = randomPage(7);
+    const Page copy = page;
+    EXPECT_TRUE(encodePage(page).bytes == encodePage(copy).bytes);
+}
+
+/// All triangles of a cluster, sorted, each in the least of its three turns.
+std::vector<std::array<Vertex, 3>> surface(const Page& page, const Cluster& cluster) {
+    std::vector<std::array<Vertex, 3>> triangles;
+    for (std::uint32_t t = 0; t < cluster.triangleCount; ++t) {
+        std::array<Vertex, 3> corners;
+        for (std::size_t k = 0; k < 3; ++k)
+            corners[k] = page.vertices[cluster.firstVertex + page.triangles[cluster.firstTriangle + t][k]];
+        std::array<Vertex, 3> least = corners;
+        for (int turn = 0; turn < 2; ++turn) {
+            std::rotate(corners.begin(), corners.begin() + 1, corners.end());
+            least = std::min(least, corners);
+        }
+        triangles.push_back(least);
+    }
+    std::sort(triangles.begin(), triangles.end());
+    return triangles;
+}
+
+TEST(ClusterOrder, KeepsTheSurfaceAndTheWinding) {
+    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+        const Page page = randomPage(seed);
+        Page ordered = page;
+        orderForCoding(ordered);
+        EXPECT_EQ(pageFault(ordered), std::nullopt);
+        for (std::size_t c = 0; c < page.clusters.size(); ++c)
+            EXPECT_TRUE(surface(ordered, ordered.clusters[c]) == surface(page, page.clusters[c])) << "seed " << seed;
+    }
+}
+
+TEST(ClusterOrder, PaysInBytes) {
+    tests::TinyModelOptions options;
+    Page page = tests::makeTinyModel(options).pages.back();
+    const std::size_t ordered = encodePage(page).bytes.size();
+    Random random(3);
+    for (const Cluster& cluster : page.clusters)
+        for (std::uint32_t t = cluster.triangleCount - 1; t > 0; --t)
+            std::swap(
+                page.triangles[cluster.firstTriangle + t], page.triangles[cluster.firstTriangle + random.below(t + 1)]);
+    EXPECT_LT(static_cast<double>(ordered), 0.8 * static_cast<double>(encodePage(page).bytes.size()));
+}
+
+TEST(PageCodec, DamagedBytesNeverCrashAndNeverBreakTheRules) {
+    std::size_t refused = 0;
+    std::size_t taken = 0;
+    for (std::uint64_t seed = 0; seed < 40; ++seed) {
+        const EncodedPage encoded = encodePage(randomPage(seed));
+        Random random(seed);
+        for (int mutation = 0; mutation < 50; ++mutation) {
+            std::vector<std::byte> bytes = encoded.bytes;
+            const std::uint64_t flips = 1 + random.below(3);
+            for (std::uint64_t i = 0; i < flips; ++i)
+                bytes[random.below(bytes.size())] ^= static_cast<std::byte>(1 + random.below(255));
+            if (random.below(5) == 0) bytes.resize(random.below(bytes.size()));
+            try {
+                // No checksum stands in the way here: what is decoded all the same must be a valid page.
+                EXPECT_EQ(pageFault(decodePageBytes(bytes, encoded.info)), std::nullopt);
+                ++taken;
+            } catch (const Damage&) {
+                ++refused;
+            }
+        }
+    }
+    EXPECT_GT(refused, 500U);
+    EXPECT_GT(taken, 10U) << "mutations never reach past the first checks";
+}
+
+TEST(PageCodec, CountsThatLieAreRefused) {
+    const EncodedPage encoded = encodePage(randomPage(5));
+    for (std::uint32_t PageInfo::*count :
+         {&PageInfo::groupCount,
+          &PageInfo::clusterCount,
+          &PageInfo::refinementCount,
+          &PageInfo::vertexCount,
+          &PageInfo::triangleCount})
+        for (const std::uint32_t lie : {0U, 1U, 1000U, 0xFFFFFFFFU}) {
+            PageInfo info = encoded.info;
+            if (info.*count == lie) continue;
+            info.*count = lie;
+            EXPECT_THROW(decodePageBytes(encoded.bytes, info), Damage);
+        }
+}
+
+TEST(Validation, NamesEachBrokenRule) {
+    const auto fault = [](auto&& breakIt) {
+        Page page = randomPage(11);
+        breakIt(page);
+        return pageFault(page).value_or("");
+    };
+    EXPECT_EQ(fault([](Page&) {}), "");
+    EXPECT_NE(fault([](Page& p) { p.groups.clear(); }), "");
+    EXPECT_NE(fault([](Page& p) { p.clusters[0].firstVertex = 1; }), "");
+    EXPECT_NE(fault([](Page& p) { p.clusters.back().triangleCount -= 1; }), "");
+    EXPECT_NE(fault([](Page& p) { p.clusters[0].box.min.x += 1; }), "");
+    EXPECT_NE(fault([](Page& p) { p.groups[0].box.max.x += 1; }), "");
+    EXPECT_NE(fault([](Page& p) { p.groups[0].error = std::nan(""); }), "");
+    EXPECT_NE(fault([](Page& p) { p.groups[0].bounds.radius = -1; }), "");
+    EXPECT_NE(fault([](Page& p) { p.clusters[0].refinement = 77; }), "");
+    EXPECT_NE(fault([](Page& p) { p.groups[0].clusterCount = 0xFFFFFFFFU; }), "");
+    EXPECT_NE(fault([](Page& p) { p.vertices[0].position.x = 0xFFFFFFFFU; }), "");
+}
+
+TEST(Validation, SpheresEnclose) {
+    Random random(1);
+    for (int i = 0; i < 1000; ++i) {
+        const std::array spheres{randomSphere(random), randomSphere(random), randomSphere(random)};
+        const Sphere around = enclosingSphere(spheres);
+        for (const Sphere& sphere : spheres)
+            EXPECT_TRUE(encloses(around, sphere));
+        EXPECT_FALSE(encloses({around.center, around.radius * 0.99}, around));
+    }
+    EXPECT_TRUE(encloses(Sphere{{0, 0, 0}, 1.733}, Box{glm::dvec3(-1), glm::dvec3(1)}));
+    EXPECT_FALSE(encloses(Sphere{{0, 0, 0}, 1.731}, Box{glm::dvec3(-1), glm::dvec3(1)}));
+}
+
+} // namespace
+} // namespace gnomon::hierarchy

@@ -54,11 +54,13 @@ void putRow(ByteWriter& out, const PageInfo& page) {
     out.put(page.triangleCount);
     putPoint(out, page.box.min);
     putPoint(out, page.box.max);
-    out.put(std::uint32_t{0});
+    out.put(static_cast<std::uint32_t>(page.children.size()));
     putVector(out, page.bounds.center);
     out.put(page.bounds.radius);
     out.put(page.minError);
     out.put(page.maxError);
+    for (const std::uint32_t child : page.children)
+        out.put(child);
 }
 
 PageInfo takeRow(ByteReader& in) {
@@ -73,7 +75,7 @@ PageInfo takeRow(ByteReader& in) {
     page.triangleCount = in.take<std::uint32_t>();
     page.box.min = takePoint(in);
     page.box.max = takePoint(in);
-    if (in.take<std::uint32_t>() != 0) throw Damage{"a page's row has something where nothing should be"};
+    const auto childCount = in.take<std::uint32_t>();
     page.bounds.center = takeVector(in);
     page.bounds.radius = in.take<double>();
     page.minError = in.take<double>();
@@ -81,6 +83,11 @@ PageInfo takeRow(ByteReader& in) {
     const bool numbers = isFinite(page.bounds.center) && std::isfinite(page.bounds.radius) && page.bounds.radius >= 0 &&
                          page.minError >= 0 && page.maxError >= page.minError;
     if (!numbers) throw Damage{"a page's bounds or errors are no numbers"};
+    for (std::uint32_t i = 0; i < childCount; ++i) {
+        const auto child = in.take<std::uint32_t>();
+        if (i > 0 && child <= page.children.back()) throw Damage{"a page's children do not ascend"};
+        page.children.push_back(child);
+    }
     return page;
 }
 
@@ -154,7 +161,7 @@ std::vector<std::byte> encodeFooter(const Footer& footer) {
         out.put(place.checksum);
     }
     out.put(footer.fileBytes);
-    out.put(std::uint64_t{kPageRowBytes});
+    out.put(footer.pageCount);
     out.put(checksum64(out.bytes()));
     return out.take();
 }
@@ -165,10 +172,9 @@ Footer decodeFooter(std::span<const std::byte> bytes) {
     footer.pageTable = takePlace(in);
     footer.summary = takePlace(in);
     footer.fileBytes = in.take<std::uint64_t>();
-    const auto rowBytes = in.take<std::uint64_t>();
+    footer.pageCount = in.take<std::uint64_t>();
     if (in.take<std::uint64_t>() != checksum64(bytes.first(kFooterBytes - sizeof(std::uint64_t))))
         throw Damage{"the footer's checksum is wrong"};
-    if (rowBytes != kPageRowBytes) throw Damage{"the page table has rows of another size"};
     return footer;
 }
 
@@ -179,19 +185,23 @@ std::vector<std::byte> encodePageTable(std::span<const PageInfo> pages) {
     return out.take();
 }
 
-std::vector<PageInfo> decodePageTable(std::span<const std::byte> bytes, std::uint64_t end) {
+std::vector<PageInfo> decodePageTable(std::span<const std::byte> bytes, const Footer& footer) {
     ByteReader in(bytes);
     std::vector<PageInfo> pages;
-    pages.reserve(bytes.size() / kPageRowBytes);
     std::uint64_t offset = kHeaderBytes;
-    while (in.remaining() > 0) {
+    for (std::uint64_t i = 0; i < footer.pageCount; ++i) {
         PageInfo page = takeRow(in);
         page.offset = offset;
         offset += page.storedBytes;
         if (!pages.empty() && page.level > pages.back().level) throw Damage{"pages are not coarsest first"};
         pages.push_back(page);
     }
-    if (offset != end) throw Damage{"the pages do not end where their table begins"};
+    in.expectEnd();
+    if (offset != footer.pageTable.offset) throw Damage{"the pages do not end where their table begins"};
+    for (const PageInfo& page : pages)
+        for (const std::uint32_t child : page.children)
+            if (child >= pages.size() || pages[child].level >= page.level)
+                throw Damage{"a page is refined by one that is not finer"};
     return pages;
 }
 

@@ -3,7 +3,7 @@
 //   pages     one after the other without gaps, in the order of the page table
 //   pages'    one row each
 //   summary   what `gnomon info` prints
-//   footer    places, sizes and checksums of both tables, the size of the file, its own checksum
+//   footer    places, sizes and checksums of both tables, the size of the file, the number of pages, its own checksum
 // Everything after the hash is written once, in order; only the checksum and the hash are filled in at the end.
 #pragma once
 
@@ -19,7 +19,6 @@ constexpr std::uint64_t kHashBytes = 16;
 constexpr std::uint64_t kHeaderBytes = 40;
 constexpr std::uint64_t kHashOffset = kHeaderBytes - kHashBytes;
 constexpr std::uint64_t kFooterBytes = 72;
-constexpr std::uint64_t kPageRowBytes = 112;
 
 /// xxh3-64 of `bytes`.
 std::uint64_t checksum64(std::span<const std::byte> bytes);
@@ -46,6 +45,7 @@ struct Footer {
     TablePlace pageTable;
     TablePlace summary;
     std::uint64_t fileBytes = 0;
+    std::uint64_t pageCount = 0;
 };
 
 std::vector<std::byte> encodeFooter(const Footer& footer);
@@ -55,8 +55,9 @@ Footer decodeFooter(std::span<const std::byte> bytes);
 
 std::vector<std::byte> encodePageTable(std::span<const PageInfo> pages);
 
-/// Throws Damage, also where pages do not follow each other from the header to `end`.
-std::vector<PageInfo> decodePageTable(std::span<const std::byte> bytes, std::uint64_t end);
+/// The rows of the page table that `footer` tells of. Throws Damage, also where the pages do not fill the file between
+/// the header and the table.
+std::vector<PageInfo> decodePageTable(std::span<const std::byte> bytes, const Footer& footer);
 
 std::vector<std::byte> encodeSummary(const ModelSummary& summary);
 

@@ -83,7 +83,7 @@ ModelFile::ModelFile(const std::string& path) : file_(path, File::Mode::Read), f
     contentHash_ = hexText(hash);
     const Footer footer = readFooter(file_, fileBytes_);
     pages_ = readTable(file_, footer.pageTable, "page table", [&footer](std::span<const std::byte> bytes) {
-        return decodePageTable(bytes, footer.pageTable.offset);
+        return decodePageTable(bytes, footer);
     });
     summary_ = readTable(file_, footer.summary, "summary", decodeSummary);
     if (flagsOf(summary_) != flags)

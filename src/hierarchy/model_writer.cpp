@@ -61,6 +61,7 @@ std::string ModelWriter::finish(const ModelSummary& summary) {
     Footer footer;
     footer.pageTable = state_->writeTable(encodePageTable(state_->pages));
     footer.summary = state_->writeTable(encodeSummary(summary));
+    footer.pageCount = state_->pages.size();
     footer.fileBytes = state_->offset + kFooterBytes;
     state_->write(encodeFooter(footer));
     XXH128_canonical_t canonical;

@@ -150,7 +150,8 @@ std::span<const std::byte> unpack(std::span<const std::byte> stored, std::vector
 
 bool sameRow(const PageInfo& a, const PageInfo& b) {
     return a.box.min == b.box.min && a.box.max == b.box.max && a.bounds.center == b.bounds.center &&
-           a.bounds.radius == b.bounds.radius && a.minError == b.minError && a.maxError == b.maxError;
+           a.bounds.radius == b.bounds.radius && a.minError == b.minError && a.maxError == b.maxError &&
+           a.children == b.children;
 }
 
 } // namespace

@@ -150,6 +150,10 @@ PageInfo describePage(const Page& page) {
         info.maxError = std::max(info.maxError, group.error);
     }
     info.bounds = enclosingSphere(spheres);
+    for (const Refinement& refinement : page.refinements)
+        info.children.push_back(refinement.group.page);
+    std::sort(info.children.begin(), info.children.end());
+    info.children.erase(std::unique(info.children.begin(), info.children.end()), info.children.end());
     return info;
 }
 

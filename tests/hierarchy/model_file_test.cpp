@@ -52,6 +52,9 @@ TEST(ModelFile, ReadsBackWhatWasWritten) {
     for (std::uint32_t page = 0; page < file.pages().size(); ++page) {
         EXPECT_TRUE(samePage(file.readPage(page), model.pages[page])) << "page " << page;
         EXPECT_EQ(file.pages()[page].level, model.pages[page].level);
+        for (const std::uint32_t child : file.pages()[page].children)
+            EXPECT_LT(file.pages()[child].level, file.pages()[page].level);
+        EXPECT_EQ(file.pages()[page].children.empty(), file.pages()[page].level == 0);
         EXPECT_EQ(file.pages()[page].triangleCount, model.pages[page].triangles.size());
     }
     const ModelSummary& summary = file.summary();

@@ -1,0 +1,49 @@
+// The power plant: units on lots in a wide, fenced yard, made of many small, open, unwelded and doubled parts.
+#pragma once
+
+#include "preprocess/make/plant_kit.h"
+
+#include <vector>
+
+namespace gnomon::preprocess {
+
+/// A plant of 320 m in a yard of 400 m, y up, ground at 0, metres. More triangles make more parts first (bars, bolts,
+/// tubes, fins, gravel) and rounder ones second; fewer than about 300,000 leave lots empty.
+class Plant final : public MadeModel {
+public:
+    static constexpr std::uint64_t kFewestTriangles = 20'000;
+
+    /// `triangles` is at least kFewestTriangles and met within 0.1%.
+    Plant(std::uint64_t triangles, std::uint64_t seed);
+
+    std::size_t blockCount() const override { return jobs_.size(); }
+
+    MeshSize blockSize(std::size_t block) const override { return jobs_[block].size; }
+
+    void makeBlock(std::size_t block, std::uint64_t firstVertex, MeshSink& sink) const override;
+
+private:
+    using MakeParts = void (*)(Site& site, std::uint64_t piece);
+
+    /// A block: one unit (or one piece of it), or some gravel.
+    struct Job {
+        MakeParts make = nullptr; // none: gravel
+        std::uint64_t piece = 0;  // which piece of the unit; for gravel how many stones
+        glm::dvec3 origin{0};
+        int quarterTurns = 0;
+        std::uint64_t seed = 0;
+        MeshSize size;
+    };
+
+    void layOut(std::uint64_t seed, std::size_t lotsBuilt);
+    void addLot(char kind, const glm::dvec3& center, std::uint64_t seed);
+    std::uint64_t countParts(double level);
+    void addGravel(std::uint64_t triangles, std::uint64_t seed);
+    void makeJob(const Job& job, PartSink& parts, const Detail& detail) const;
+
+    std::vector<Job> jobs_;
+    double level_ = 1;
+    double stoneRadius_ = 0.05;
+};
+
+} // namespace gnomon::preprocess

@@ -1,0 +1,116 @@
+#include "selection/error_rule.h"
+
+#include "core/check.h"
+
+#include <cmath>
+
+namespace gnomon::selection {
+namespace {
+
+bool touches(const ConvexVolume& volume, const Sphere& sphere) {
+    return std::all_of(volume.planes.begin(), volume.planes.end(), [&](const Plane& plane) {
+        return plane.signedDistance(sphere.center) >= -sphere.radius;
+    });
+}
+
+bool isWithin(const ConvexVolume& volume, const Sphere& sphere) {
+    return std::all_of(volume.planes.begin(), volume.planes.end(), [&](const Plane& plane) {
+        return plane.signedDistance(sphere.center) >= sphere.radius;
+    });
+}
+
+/// Parameters of a line.
+struct Interval {
+    double first = 0;
+    double last = std::numeric_limits<double>::infinity();
+
+    bool isEmpty() const { return first > last; }
+};
+
+/// Where the ray `origin + t direction`, t >= 0, lies in `volume` grown by `margin`.
+Interval clippedRay(const ConvexVolume& volume, double margin, const glm::dvec3& origin, const glm::dvec3& direction) {
+    Interval result;
+    for (const Plane& plane : volume.planes) {
+        const double start = plane.signedDistance(origin) + margin;
+        const double slope = glm::dot(plane.normal, direction);
+        if (slope > 0) {
+            result.first = std::max(result.first, -start / slope);
+        } else if (slope < 0) {
+            result.last = std::min(result.last, start / -slope);
+        } else if (start < 0) {
+            result.last = -1;
+        }
+    }
+    return result;
+}
+
+} // namespace
+
+ConvexVolume viewPyramid(const DetailView& view) {
+    const CameraBasis& basis = view.basis;
+    ConvexVolume pyramid;
+    for (const glm::dvec3& inward :
+         {basis.view * view.tanHalfX + basis.right,
+          basis.view * view.tanHalfX - basis.right,
+          basis.view * view.tanHalfY + basis.up,
+          basis.view * view.tanHalfY - basis.up,
+          basis.view}) {
+        const glm::dvec3 normal = glm::normalize(inward);
+        pyramid.planes.push_back({normal, -glm::dot(normal, view.eye)});
+    }
+    return pyramid;
+}
+
+double TexelWidth::smallerSide(double zeta) const {
+    const double stretch = 1 + kappa * std::clamp(zeta, 0.0, depth);
+    return std::min(width * stretch, length * stretch * stretch / (1 + kappa * depth));
+}
+
+ErrorRule::ErrorRule(const DetailView& view) : ErrorRule(view, {}) {}
+
+ErrorRule::ErrorRule(const DetailView& view, std::vector<CasterDetail> casters)
+    : view_(view),
+      pyramid_(viewPyramid(view)),
+      pixelsPerUnit_(view.pixelsPerUnit()),
+      cornerCosine_(1 / std::sqrt(1 + view.tanHalfX * view.tanHalfX + view.tanHalfY * view.tanHalfY)),
+      casters_(std::move(casters)) {
+    GNOMON_CHECK(view.nearestDepth > 0 && view.tanHalfX > 0 && view.tanHalfY > 0);
+}
+
+double ErrorRule::viewPixels(const Sphere& bounds, double error) const {
+    if (!(error > 0) || !touches(pyramid_, bounds)) return 0;
+    const glm::dvec3 toCenter = bounds.center - view_.eye;
+    const double depth = glm::dot(toCenter, view_.basis.view);
+    const double squaredDistance = glm::dot(toCenter, toCenter);
+    const double squaredTangent = squaredDistance - bounds.radius * bounds.radius; // to where the eye's cone touches
+    double cosine = cornerCosine_;
+    if (depth > 0 && squaredTangent > 0) {
+        // cos(phi + asin(r / |p|)): the largest angle off the axis that the sphere reaches.
+        const double across = std::sqrt(std::max(0.0, squaredDistance - depth * depth));
+        cosine = std::max(cosine, (depth * std::sqrt(squaredTangent) - across * bounds.radius) / squaredDistance);
+    }
+    return error * pixelsPerUnit_ / (std::max(depth - bounds.radius, view_.nearestDepth) * cosine);
+}
+
+double ErrorRule::casterPixels(const Sphere& bounds, double error) const {
+    if (casters_.empty() || !(error > 0) || isWithin(pyramid_, bounds)) return 0;
+    double pixels = 0;
+    for (const CasterDetail& caster : casters_)
+        pixels = std::max(pixels, oneCasterPixels(caster, bounds, error));
+    return pixels;
+}
+
+double ErrorRule::oneCasterPixels(const CasterDetail& caster, const Sphere& bounds, double error) const {
+    if (!touches(caster.casters, bounds)) return 0;
+    const TexelWidth& texel = caster.texel;
+    const double zeta = glm::dot(texel.axis, bounds.center) - texel.origin;
+    if (error <= 0.5 * texel.smallerSide(zeta - bounds.radius)) return 0;
+    const Interval ray = clippedRay(caster.receivers, bounds.radius, bounds.center, -caster.towardsLight);
+    if (ray.isEmpty()) return 0;
+    const double start = glm::dot(bounds.center - view_.eye, view_.basis.view);
+    const double slope = -glm::dot(caster.towardsLight, view_.basis.view);
+    const double nearest = start + slope * (slope > 0 ? ray.first : ray.last) - bounds.radius;
+    return error * pixelsPerUnit_ / std::max(slope == 0 ? start - bounds.radius : nearest, caster.receiverNear);
+}
+
+} // namespace gnomon::selection

@@ -1,0 +1,96 @@
+// The error rule: how many pixels of error it would remove to refine a group, on the screen or at a shadow's edge.
+#pragma once
+
+#include "core/camera.h"
+#include "core/convex_volume.h"
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace gnomon::selection {
+
+/// The view for which detail is chosen. Positions are LOCAL to the model (world minus the grid's origin).
+struct DetailView {
+    glm::dvec3 eye{0};
+    CameraBasis basis;
+    double tanHalfX = 0.5773502691896257; // tan of half the horizontal and half the vertical angle, both above 0
+    double tanHalfY = 0.5773502691896257;
+    double heightPixels = 800;
+    double nearestDepth = 1e-6; // nothing counts as nearer than this, world units, above 0
+
+    /// Pixels that a unit length across the view axis covers at view depth 1.
+    double pixelsPerUnit() const { return heightPixels / (2 * tanHalfY); }
+};
+
+/// The pyramid of what the image of `view` can show: the sides, and the plane of the eye.
+ConvexVolume viewPyramid(const DetailView& view);
+
+/// The width of a shadow map's texel, as an affine warp of `zeta` gives it (theory: w_lx and w_lz, without shear).
+/// `zeta` is dot(axis, point) - origin, clamped to [0, depth]. All zero is a map without texels: rays.
+struct TexelWidth {
+    glm::dvec3 axis{0, 0, 1}; // unit, local space: z_l of the light frame
+    double origin = 0;        // dot(axis, point) where zeta is 0
+    double depth = 0;         // d
+    double kappa = 0;         // of the warp
+    double width = 0;         // W / res_s: across, at zeta 0
+    double length = 0;        // d / res_t: along, without a warp
+
+    /// The smaller side of the texel at `zeta`, world units. It grows with zeta.
+    double smallerSide(double zeta) const;
+};
+
+/// What an off-screen caster of one partition must be exact enough for.
+struct CasterDetail {
+    ConvexVolume casters;             // all that can throw a shadow into the partition; unit normals, local space
+    ConvexVolume receivers;           // the partition's frustum, local space
+    double receiverNear = 1e-6;       // the least view depth in `receivers`, above 0
+    glm::dvec3 towardsLight{0, 1, 0}; // unit, local space
+    TexelWidth texel;
+};
+
+/// Pixels of error as a monotone function of (bounds, error): a sphere within another, with an error no larger, never
+/// gets more pixels. So along every chain of refinement pixels never decrease towards the root, and
+/// "refined where pixels > threshold" is a valid cut for any threshold.
+///
+/// In view (the sphere touches the pyramid): a displacement e at view depth z, seen phi off the view axis, moves its
+/// image by at most e pixelsPerUnit / (z cos phi), which is the radial stretch 1/cos^2 phi over the distance z / cos
+/// phi. The rule takes the least z and the largest phi that the sphere reaches, each no further than the image's
+/// corner, so corners are not under-reported and the centre is not charged for them.
+///
+/// Off screen (the sphere is not wholly in the pyramid), for each partition whose caster volume it touches: nothing if
+/// the error is at most half a texel where the sphere's shadow falls, else e pixelsPerUnit / z at the least view depth
+/// z of the partition's receivers on the light rays through the sphere.
+class ErrorRule {
+public:
+    /// The rule of a view that casts no shadows.
+    explicit ErrorRule(const DetailView& view);
+
+    /// The rule of a view and of the casters of its partitions.
+    ErrorRule(const DetailView& view, std::vector<CasterDetail> casters);
+
+    const DetailView& view() const { return view_; }
+
+    /// The larger of both; 0 where refining would be seen nowhere, infinite for an infinite error (a root group).
+    double pixels(const Sphere& bounds, double error) const {
+        if (error == std::numeric_limits<double>::infinity()) return error;
+        return std::max(viewPixels(bounds, error), casterPixels(bounds, error));
+    }
+
+    /// The part that the screen shows.
+    double viewPixels(const Sphere& bounds, double error) const;
+
+    /// The part that off-screen casters show at the edges of their shadows.
+    double casterPixels(const Sphere& bounds, double error) const;
+
+private:
+    double oneCasterPixels(const CasterDetail& caster, const Sphere& bounds, double error) const;
+
+    DetailView view_;
+    ConvexVolume pyramid_;
+    double pixelsPerUnit_;
+    double cornerCosine_;
+    std::vector<CasterDetail> casters_;
+};
+
+} // namespace gnomon::selection

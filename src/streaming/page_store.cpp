@@ -1,0 +1,322 @@
+#include "streaming/page_store.h"
+
+#include "core/check.h"
+#include "core/error.h"
+
+#include <algorithm>
+#include <limits>
+#include <queue>
+
+namespace gnomon::streaming {
+namespace {
+
+/// Whatever is prefetched comes after whatever is used or wanted.
+constexpr double kPrefetchScale = 1e-30;
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+} // namespace
+
+Bytes decodedBytes(const hierarchy::PageInfo& info) {
+    return {
+        sizeof(hierarchy::Page) + info.groupCount * sizeof(hierarchy::Group) +
+        info.clusterCount * sizeof(hierarchy::Cluster) + info.refinementCount * sizeof(hierarchy::Refinement) +
+        info.vertexCount * sizeof(hierarchy::Vertex) + info.triangleCount * sizeof(hierarchy::Triangle)};
+}
+
+PageStore::PageStore(const PageSource& source, PageStoreOptions options)
+    : source_(&source),
+      options_(std::move(options)),
+      entries_(source.pages().size()),
+      table_(source.pages().size(), nullptr),
+      loaders_(source, options_.loaderThreads) {
+    link();
+    loadRoots();
+}
+
+PageStore::~PageStore() = default;
+
+void PageStore::link() {
+    const std::span<const hierarchy::PageInfo> pages = source_->pages();
+    for (std::uint32_t page = 0; page < pages.size(); ++page) {
+        entries_[page].bytes = decodedBytes(pages[page]);
+        entries_[page].isRoot = pages[page].maxError == kInfinite;
+        for (const std::uint32_t child : pages[page].children) {
+            if (child <= page || child >= pages.size())
+                throw Error(
+                    source_->name(),
+                    "page table: page " + std::to_string(page) + " is refined by a page out of order",
+                    "one after it",
+                    std::to_string(child));
+            entries_[child].parents.push_back(page);
+        }
+    }
+}
+
+void PageStore::loadRoots() {
+    std::vector<hierarchy::PageDemand> roots;
+    for (std::uint32_t page = 0; page < entries_.size(); ++page)
+        if (entries_[page].isRoot) roots.push_back({page, kInfinite});
+    rank({{}, roots, {}});
+    Bytes total;
+    for (const std::uint32_t page : asked_)
+        total.count += entries_[page].bytes.count;
+    if (total.count > options_.budget.count / 2) return;
+    const std::vector<std::uint32_t> needed = asked_;
+    while (load({{}, roots, {}}).hasChanged) {
+    }
+    for (const std::uint32_t page : needed) {
+        Entry& entry = entries_[page];
+        if (!entry.content) continue;
+        entry.isPinned = true;
+        entry.isKept = true;
+        pinned_.count += entry.bytes.count;
+    }
+}
+
+DemandOutcome PageStore::update(const Demand& demand) {
+    DemandOutcome outcome;
+    rank(demand);
+    withdrawQueued();
+    outcome.hasChanged = takeFinished();
+    chooseKept(outcome);
+    requestKept();
+    countMissing(demand, outcome);
+    return outcome;
+}
+
+DemandOutcome PageStore::load(const Demand& demand) {
+    DemandOutcome outcome;
+    rank(demand);
+    withdrawQueued();
+    loaders_.wait();
+    outcome.hasChanged = takeFinished();
+    chooseKept(outcome);
+    requestKept();
+    loaders_.wait();
+    outcome.hasChanged = takeFinished() || outcome.hasChanged;
+    if (outcome.isBudgetBinding) outcome.hasChanged = dropUnkept() || outcome.hasChanged;
+    countMissing(demand, outcome);
+    return outcome;
+}
+
+void PageStore::rank(const Demand& demand) {
+    ++clock_;
+    for (const std::uint32_t page : asked_) {
+        entries_[page].urgency = 0;
+        entries_[page].isKept = entries_[page].isPinned;
+    }
+    asked_.clear();
+    areVictimsKnown_ = false;
+    for (const hierarchy::PageDemand& used : demand.used)
+        raise(used.page, used.pixels);
+    for (const hierarchy::PageDemand& wanted : demand.wanted)
+        raise(wanted.page, wanted.pixels);
+    for (const hierarchy::PageDemand& ahead : demand.prefetch)
+        raise(ahead.page, std::min(ahead.pixels, 1e20) * kPrefetchScale);
+    raiseParents();
+    std::sort(asked_.begin(), asked_.end(), [this](std::uint32_t a, std::uint32_t b) {
+        const double urgencyA = entries_[a].urgency;
+        const double urgencyB = entries_[b].urgency;
+        return urgencyA != urgencyB ? urgencyA > urgencyB : a < b;
+    });
+    for (const std::uint32_t page : asked_)
+        entries_[page].lastUsed = clock_;
+}
+
+void PageStore::raise(std::uint32_t page, double urgency) {
+    if (!(urgency > 0)) return;
+    Entry& entry = entries_[page];
+    if (entry.urgency == 0) asked_.push_back(page);
+    entry.urgency = std::max(entry.urgency, urgency);
+}
+
+void PageStore::raiseParents() {
+    std::priority_queue<std::uint32_t> finestFirst(asked_.begin(), asked_.end()); // a parent has the lower id
+    while (!finestFirst.empty()) {
+        const std::uint32_t page = finestFirst.top();
+        finestFirst.pop();
+        for (const std::uint32_t parent : entries_[page].parents) {
+            if (entries_[parent].urgency == 0) finestFirst.push(parent);
+            raise(parent, entries_[page].urgency);
+        }
+    }
+}
+
+void PageStore::chooseKept(DemandOutcome& outcome) {
+    Bytes total = pinned_;
+    for (const std::uint32_t page : asked_) {
+        Entry& entry = entries_[page];
+        if (entry.isKept) continue;
+        const auto isBlocked = [this](std::uint32_t parent) { return entries_[parent].isBlocked; };
+        if (std::any_of(entry.parents.begin(), entry.parents.end(), isBlocked)) block(page);
+        if (entry.isBlocked) continue;
+        if (total.count + entry.bytes.count > options_.budget.count) {
+            if (entry.urgency == kInfinite)
+                throw Error(
+                    source_->name(),
+                    "the page cache is too small for the coarsest level",
+                    "at least " + readableBytes({total.count + entry.bytes.count}),
+                    readableBytes(options_.budget));
+            outcome.isBudgetBinding = entry.urgency > 1e20 * kPrefetchScale;
+            return;
+        }
+        total.count += entry.bytes.count;
+        entry.isKept = true;
+    }
+}
+
+void PageStore::requestKept() {
+    std::vector<std::uint32_t> requests;
+    for (const std::uint32_t page : asked_) {
+        Entry& entry = entries_[page];
+        if (!entry.isKept || entry.isInFlight || entry.content) continue;
+        if (!makeRoom(entry.bytes)) break;
+        hold(page);
+        requests.push_back(page);
+    }
+    loaders_.request(requests);
+}
+
+bool PageStore::makeRoom(Bytes bytes) {
+    const auto fits = [&] { return statistics_.committed.count + bytes.count <= options_.budget.count; };
+    if (fits()) return true;
+    if (!areVictimsKnown_) {
+        areVictimsKnown_ = true;
+        victims_.clear();
+        for (std::uint32_t page = 0; page < table_.size(); ++page)
+            if (table_[page] != nullptr && !entries_[page].isKept) victims_.push_back(page);
+        // Longest unused first, and a child, which was used no later than its parents, before them.
+        std::sort(victims_.begin(), victims_.end(), [this](std::uint32_t a, std::uint32_t b) {
+            const std::uint64_t usedA = entries_[a].lastUsed;
+            const std::uint64_t usedB = entries_[b].lastUsed;
+            if (usedA != usedB) return usedA > usedB;
+            return entries_[a].urgency != entries_[b].urgency ? entries_[a].urgency > entries_[b].urgency : a < b;
+        });
+    }
+    while (!fits() && !victims_.empty()) {
+        const std::uint32_t page = victims_.back();
+        victims_.pop_back();
+        if (entries_[page].heldChildren == 0) evict(page);
+    }
+    return fits();
+}
+
+void PageStore::withdrawQueued() {
+    for (const std::uint32_t page : loaders_.withdraw())
+        release(page);
+}
+
+bool PageStore::takeFinished() {
+    const std::uint64_t before = statistics_.pagesRead;
+    for (LoadedPage& loaded : loaders_.finished()) {
+        ++statistics_.pagesRead;
+        statistics_.read.count += source_->pages()[loaded.page].storedBytes;
+        if (loaded.content) {
+            waiting_.push_back(std::move(loaded));
+        } else {
+            reportDamage(loaded);
+        }
+    }
+    while (settleWaiting()) {
+    }
+    return statistics_.pagesRead != before;
+}
+
+/// Admits one round of the pages whose parents are there; true if there was any.
+bool PageStore::settleWaiting() {
+    bool hasMoved = false;
+    std::vector<LoadedPage> still;
+    for (LoadedPage& loaded : waiting_) {
+        const Entry& entry = entries_[loaded.page];
+        const auto isResident = [this](std::uint32_t parent) { return table_[parent] != nullptr; };
+        const auto isBlocked = [this](std::uint32_t parent) { return entries_[parent].isBlocked; };
+        if (std::all_of(entry.parents.begin(), entry.parents.end(), isResident)) {
+            admit(std::move(loaded));
+            hasMoved = true;
+        } else if (std::any_of(entry.parents.begin(), entry.parents.end(), isBlocked)) {
+            release(loaded.page);
+            block(loaded.page);
+            hasMoved = true;
+        } else {
+            still.push_back(std::move(loaded));
+        }
+    }
+    waiting_ = std::move(still);
+    return hasMoved;
+}
+
+void PageStore::reportDamage(const LoadedPage& loaded) {
+    release(loaded.page);
+    if (entries_[loaded.page].isRoot) throw Error(loaded.fault);
+    ++statistics_.pagesDamaged;
+    block(loaded.page);
+    if (options_.onDamaged) options_.onDamaged({loaded.page, loaded.fault});
+}
+
+void PageStore::block(std::uint32_t page) {
+    if (entries_[page].isRoot)
+        throw Error(
+            source_->name(), "page " + std::to_string(page) + " of the coarsest level hangs from a damaged one");
+    entries_[page].isBlocked = true;
+}
+
+void PageStore::admit(LoadedPage loaded) {
+    Entry& entry = entries_[loaded.page];
+    entry.isInFlight = false;
+    entry.content = std::move(loaded.content);
+    table_[loaded.page] = entry.content.get();
+    ++statistics_.residentPages;
+    statistics_.resident.count += entry.bytes.count;
+}
+
+/// Lets go of what the demand at hand asked for but the budget has no room for; true if that was anything.
+bool PageStore::dropUnkept() {
+    bool hasDropped = false;
+    for (std::size_t i = asked_.size(); i-- > 0;) { // least urgent first, so children before parents
+        const Entry& entry = entries_[asked_[i]];
+        if (entry.isKept || !entry.content || entry.heldChildren != 0) continue;
+        evict(asked_[i]);
+        hasDropped = true;
+    }
+    return hasDropped;
+}
+
+void PageStore::hold(std::uint32_t page) {
+    Entry& entry = entries_[page];
+    entry.isInFlight = true;
+    for (const std::uint32_t parent : entry.parents)
+        ++entries_[parent].heldChildren;
+    statistics_.committed.count += entry.bytes.count;
+    statistics_.peak = std::max(statistics_.peak, statistics_.committed);
+}
+
+void PageStore::release(std::uint32_t page) {
+    Entry& entry = entries_[page];
+    entry.isInFlight = false;
+    for (const std::uint32_t parent : entry.parents)
+        --entries_[parent].heldChildren;
+    statistics_.committed.count -= entry.bytes.count;
+}
+
+void PageStore::evict(std::uint32_t page) {
+    Entry& entry = entries_[page];
+    GNOMON_CHECK_OP(entry.heldChildren, ==, 0U);
+    entry.content.reset();
+    table_[page] = nullptr;
+    --statistics_.residentPages;
+    ++statistics_.pagesEvicted;
+    statistics_.resident.count -= entry.bytes.count;
+    release(page);
+}
+
+void PageStore::countMissing(const Demand& demand, DemandOutcome& outcome) const {
+    for (const std::span<const hierarchy::PageDemand> demands : {demand.used, demand.wanted}) {
+        for (const hierarchy::PageDemand& asked : demands) {
+            if (table_[asked.page] != nullptr) continue;
+            ++(entries_[asked.page].isBlocked ? outcome.pagesBlocked : outcome.pagesMissing);
+        }
+    }
+}
+
+} // namespace gnomon::streaming

@@ -1,0 +1,132 @@
+// The page cache: decoded pages under a hard budget, loaded by the error that they remove, closed upwards at any time.
+#pragma once
+
+#include "core/units.h"
+#include "hierarchy/residency.h"
+#include "streaming/loaders.h"
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace gnomon::streaming {
+
+/// A page that could not be read.
+struct DamagedPage {
+    std::uint32_t page = 0;
+    std::string reason; // one line, with path and byte offset
+};
+
+struct PageStoreOptions {
+    Bytes budget = gibibytes(1); // of decoded pages, those in the loaders' hands included
+    unsigned loaderThreads = 4;
+    std::function<void(const DamagedPage&)> onDamaged; // once for each, on the thread of `update` and `load`
+};
+
+/// What a cut asks of the store. Pages of which nothing is asked may leave.
+struct Demand {
+    std::span<const hierarchy::PageDemand> used;
+    std::span<const hierarchy::PageDemand> wanted;
+    std::span<const hierarchy::PageDemand> prefetch; // after all others, if there is room
+};
+
+/// How the last demand was met.
+struct DemandOutcome {
+    std::uint64_t pagesMissing = 0; // used or wanted, not resident, but neither damaged nor below a damaged page
+    std::uint64_t pagesBlocked = 0; // wanted, but damaged or below a damaged page
+    bool isBudgetBinding = false;   // the budget holds less than all that was asked for
+    bool hasChanged = false;        // pages came or went
+};
+
+struct StoreStatistics {
+    std::uint64_t residentPages = 0;
+    Bytes resident;  // decoded
+    Bytes committed; // resident and in the loaders' hands
+    Bytes peak;      // the most that was ever committed
+    Bytes read;      // stored bytes of all pages read so far
+    std::uint64_t pagesRead = 0;
+    std::uint64_t pagesEvicted = 0;
+    std::uint64_t pagesDamaged = 0;
+};
+
+/// The bytes that a page takes when decoded.
+Bytes decodedBytes(const hierarchy::PageInfo& info);
+
+/// The cache. One thread owns it; only that thread calls it. `resident()` changes in `update` and `load` alone, so what
+/// a frame draws stays where it is until the frame is over: that is how pages in use are pinned.
+class PageStore {
+public:
+    /// Starts the loaders and reads the pages that hold root groups, with what they hang from, as long as they fit into
+    /// half the budget; these stay. Throws Error if one of them is damaged or the page table is not coarsest first.
+    PageStore(const PageSource& source, PageStoreOptions options);
+    ~PageStore();
+    PageStore(const PageStore&) = delete;
+    PageStore& operator=(const PageStore&) = delete;
+    PageStore(PageStore&&) = delete;
+    PageStore& operator=(PageStore&&) = delete;
+
+    hierarchy::ResidentPages resident() const { return table_; }
+
+    /// Takes in what the loaders finished, makes room and asks them for what is most urgent; never waits for the disk.
+    /// Throws Error if a page with a root group is damaged or all such pages in demand do not fit the budget.
+    DemandOutcome update(const Demand& demand);
+
+    /// The same, but waits for all that fits, and lets go of what the budget has no room for, so that the residency of
+    /// what is in demand does not depend on the past. Cut and load in turns until nothing changes.
+    DemandOutcome load(const Demand& demand);
+
+    const StoreStatistics& statistics() const { return statistics_; }
+
+private:
+    /// Everything the store knows of one page besides the table row.
+    struct Entry {
+        std::unique_ptr<const hierarchy::Page> content;
+        std::vector<std::uint32_t> parents;
+        Bytes bytes;
+        std::uint64_t lastUsed = 0;     // the update that last asked for it
+        double urgency = 0;             // in the update at hand; above 0 only if it is in `asked_`
+        std::uint32_t heldChildren = 0; // resident, waiting or in flight
+        bool isRoot = false;            // holds a root group
+        bool isPinned = false;
+        bool isInFlight = false; // queued, in a loader's hands, or waiting for its parents
+        bool isKept = false;     // in the update at hand
+        bool isBlocked = false;  // damaged or below a damaged page
+    };
+
+    void link();
+    void loadRoots();
+    void rank(const Demand& demand);
+    void raise(std::uint32_t page, double urgency);
+    void raiseParents();
+    void chooseKept(DemandOutcome& outcome);
+    void requestKept();
+    bool makeRoom(Bytes bytes);
+    void withdrawQueued();
+    bool takeFinished();
+    bool settleWaiting();
+    bool dropUnkept();
+    void release(std::uint32_t page);
+    void hold(std::uint32_t page);
+    void evict(std::uint32_t page);
+    void block(std::uint32_t page);
+    void reportDamage(const LoadedPage& loaded);
+    void admit(LoadedPage loaded);
+    void countMissing(const Demand& demand, DemandOutcome& outcome) const;
+
+    const PageSource* source_;
+    PageStoreOptions options_;
+    std::vector<Entry> entries_;
+    std::vector<const hierarchy::Page*> table_;
+    std::vector<std::uint32_t> asked_;   // by urgency, coarser first; the update at hand
+    std::vector<std::uint32_t> victims_; // resident pages that may go, the next one last; the update at hand
+    bool areVictimsKnown_ = false;
+    std::vector<LoadedPage> waiting_; // decoded before one of their parents
+    Bytes pinned_;
+    std::uint64_t clock_ = 0;
+    StoreStatistics statistics_;
+    Loaders loaders_; // last, so that it stops first
+};
+
+} // namespace gnomon::streaming

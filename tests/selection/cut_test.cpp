@@ -1,0 +1,255 @@
+// The cut that the trees find against the one that looking at every group finds, and what every cut must keep.
+#include "model_views.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+namespace gnomon::selection {
+namespace {
+
+using hierarchy::kNone;
+using tests::ModelInMemory;
+using tests::sharedModel;
+
+/// A cluster's address.
+struct ClusterId {
+    std::uint32_t page = 0;
+    std::uint32_t cluster = 0;
+    auto operator<=>(const ClusterId&) const = default;
+};
+
+std::set<ClusterId> clustersOf(const DrawList& list) {
+    std::set<ClusterId> result;
+    for (const ClusterRange& range : list.ranges)
+        for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c)
+            EXPECT_TRUE(result.insert({range.page, c}).second) << "drawn twice";
+    return result;
+}
+
+struct SlowCut {
+    std::vector<std::set<ClusterId>> lists;
+    std::set<std::uint32_t> used;
+    std::set<std::uint32_t> wanted;
+};
+
+/// Every group of every resident page, no tree, no mask.
+SlowCut slowCut(const CutQuery& query) {
+    SlowCut result;
+    result.lists.resize(query.volumes.size());
+    const auto isAsked = [&](const Sphere& bounds, double error) {
+        return query.rule->pixels(bounds, error) > query.errorPixels;
+    };
+    for (std::uint32_t p = 0; p < query.resident.size(); ++p) {
+        if (query.resident[p] == nullptr) continue;
+        const hierarchy::Page& page = *query.resident[p];
+        for (const hierarchy::Group& group : page.groups) {
+            if (!isAsked(group.bounds, group.error)) continue;
+            result.used.insert(p);
+            for (std::uint32_t c = group.firstCluster; c < group.firstCluster + group.clusterCount; ++c) {
+                const hierarchy::Cluster& cluster = page.clusters[c];
+                if (cluster.refinement != kNone) {
+                    const hierarchy::Refinement& finer = page.refinements[cluster.refinement];
+                    const bool isResident = query.resident[finer.group.page] != nullptr;
+                    const bool isFinerAsked = isAsked(finer.bounds, finer.error);
+                    if (isFinerAsked && !isResident) result.wanted.insert(finer.group.page);
+                    if (isFinerAsked && isResident) continue;
+                }
+                for (std::size_t v = 0; v < query.volumes.size(); ++v)
+                    if (classify(query.volumes[v], query.trees->grid().local(cluster.box)) != Containment::Outside)
+                        result.lists[v].insert({p, c});
+            }
+        }
+    }
+    return result;
+}
+
+std::set<std::uint32_t> pagesOf(std::span<const hierarchy::PageDemand> demands) {
+    std::set<std::uint32_t> result;
+    for (const hierarchy::PageDemand& demand : demands)
+        EXPECT_TRUE(result.insert(demand.page).second);
+    return result;
+}
+
+/// One view with everything that a query points to.
+struct Scene {
+    Scene(Random& random, const ModelInMemory& model, std::vector<const hierarchy::Page*> pages)
+        : trees(&model.trees),
+          resident(std::move(pages)),
+          view(tests::randomView(random, model.bounds)),
+          casters(random.below(3) == 0 ? std::vector<CasterDetail>{} : tests::randomCasters(random, view)),
+          rule(view, casters) {
+        volumes.push_back(viewPyramid(view));
+        for (const CasterDetail& caster : casters)
+            volumes.push_back(caster.casters);
+        errorPixels = std::exp(random.uniform(-5, 2));
+    }
+
+    CutQuery query() const { return {trees, resident, &rule, errorPixels, volumes}; }
+
+    const PageTrees* trees;
+    std::vector<const hierarchy::Page*> resident;
+    DetailView view;
+    std::vector<CasterDetail> casters;
+    ErrorRule rule;
+    std::vector<ConvexVolume> volumes;
+    double errorPixels = 1;
+};
+
+TEST(Cut, TreesFindWhatBruteForceFinds) {
+    Random random(31);
+    std::size_t drawn = 0;
+    for (int trial = 0; trial < 200; ++trial) {
+        const Scene scene(random, sharedModel(), tests::randomResidency(random, sharedModel()));
+        const Cut fast = cut(scene.query());
+        const SlowCut slow = slowCut(scene.query());
+        ASSERT_EQ(fast.lists.size(), slow.lists.size());
+        for (std::size_t v = 0; v < slow.lists.size(); ++v) {
+            EXPECT_EQ(clustersOf(fast.lists[v]), slow.lists[v]) << "volume " << v;
+            EXPECT_EQ(fast.lists[v].clusters, slow.lists[v].size());
+            drawn += slow.lists[v].size();
+        }
+        EXPECT_EQ(pagesOf(fast.used), slow.used);
+        EXPECT_EQ(pagesOf(fast.wanted), slow.wanted);
+    }
+    EXPECT_GT(drawn, 10000U);
+}
+
+/// Walks from a finest cluster to a root, by a random one of the clusters that replace each group.
+class Chains {
+public:
+    explicit Chains(const ModelInMemory& model) : model_(&model) {
+        for (std::uint32_t p = 0; p < model.all.size(); ++p) {
+            const hierarchy::Page& page = *model.all[p];
+            for (std::uint32_t g = 0; g < page.groups.size(); ++g) {
+                const hierarchy::Group& group = page.groups[g];
+                for (std::uint32_t c = group.firstCluster; c < group.firstCluster + group.clusterCount; ++c) {
+                    groupOf_[{p, c}] = {p, g};
+                    const std::uint32_t refinement = page.clusters[c].refinement;
+                    if (refinement == kNone) {
+                        finest_.push_back({p, c});
+                    } else {
+                        replacements_[page.refinements[refinement].group].push_back({p, c});
+                    }
+                }
+            }
+        }
+    }
+
+    std::vector<ClusterId> randomChain(Random& random) const {
+        std::vector<ClusterId> chain{finest_[random.below(finest_.size())]};
+        while (true) {
+            const hierarchy::GroupRef group = groupOf_.at(chain.back());
+            if (model_->all[group.page]->groups[group.group].error == std::numeric_limits<double>::infinity())
+                return chain;
+            const std::vector<ClusterId>& above = replacements_.at(group);
+            chain.push_back(above[random.below(above.size())]);
+        }
+    }
+
+private:
+    const ModelInMemory* model_;
+    std::map<ClusterId, hierarchy::GroupRef> groupOf_;
+    std::map<hierarchy::GroupRef, std::vector<ClusterId>> replacements_;
+    std::vector<ClusterId> finest_;
+};
+
+TEST(Cut, CutsEveryChainExactlyOnceWhateverIsResident) {
+    Random random(32);
+    const Chains chains(sharedModel());
+    for (int trial = 0; trial < 200; ++trial) {
+        Scene scene(random, sharedModel(), tests::randomResidency(random, sharedModel()));
+        scene.volumes.assign(1, {}); // all of space, so that nothing is culled away
+        const std::set<ClusterId> drawn = clustersOf(cut(scene.query()).lists[0]);
+        for (int i = 0; i < 200; ++i) {
+            const std::vector<ClusterId> chain = chains.randomChain(random);
+            const auto count =
+                std::count_if(chain.begin(), chain.end(), [&](const ClusterId& id) { return drawn.contains(id); });
+            EXPECT_EQ(count, 1) << "view " << trial;
+        }
+    }
+}
+
+TEST(Cut, AsksForTheSamePagesWhateverIsResident) {
+    Random random(33);
+    for (int trial = 0; trial < 100; ++trial) {
+        Scene scene(random, sharedModel(), sharedModel().all);
+        const std::set<std::uint32_t> needed = pagesOf(cut(scene.query()).used);
+        scene.resident = tests::randomResidency(random, sharedModel());
+        while (true) { // bring in what is wanted until nothing is
+            const Cut now = cut(scene.query());
+            EXPECT_EQ(pagesOf(demand(scene.query())).size(), now.used.size() + now.wanted.size());
+            if (now.wanted.empty()) {
+                EXPECT_EQ(pagesOf(now.used), needed);
+                EXPECT_LE(now.achievedErrorPixels, scene.errorPixels);
+                break;
+            }
+            EXPECT_GT(now.wanted.size(), 0U);
+            for (const hierarchy::PageDemand& wanted : now.wanted) {
+                EXPECT_TRUE(needed.contains(wanted.page));
+                scene.resident[wanted.page] = sharedModel().all[wanted.page];
+            }
+        }
+    }
+}
+
+TEST(Cut, ReportsTheErrorOfWhatIsMissing) {
+    Random random(34);
+    int worse = 0;
+    for (int trial = 0; trial < 50; ++trial) {
+        Scene scene(random, sharedModel(), tests::randomResidency(random, sharedModel()));
+        const Cut now = cut(scene.query());
+        double worst = 0;
+        for (const ClusterRange& range : now.lists[0].ranges) {
+            const hierarchy::Page& page = *scene.resident[range.page];
+            for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c) {
+                if (page.clusters[c].refinement == kNone) continue;
+                const hierarchy::Refinement& finer = page.refinements[page.clusters[c].refinement];
+                worst = std::max(worst, scene.rule.pixels(finer.bounds, finer.error));
+            }
+        }
+        EXPECT_EQ(now.achievedErrorPixels, worst);
+        worse += worst > scene.errorPixels ? 1 : 0;
+    }
+    EXPECT_GT(worse, 5);
+}
+
+TEST(Cut, ATriangleCapIsKeptAndNotUndercutByMuch) {
+    Random random(35);
+    int capped = 0;
+    for (int trial = 0; trial < 100; ++trial) {
+        Scene scene(random, sharedModel(), sharedModel().all);
+        scene.errorPixels = 0.1;
+        const std::uint64_t free = cut(scene.query()).lists[0].triangles;
+        const std::uint64_t cap = 1 + random.below(free + 1);
+        const double errorPixels = cappedErrorPixels(scene.query(), cap);
+        if (free <= cap) {
+            EXPECT_EQ(errorPixels, 0.1);
+            continue;
+        }
+        ++capped;
+        scene.errorPixels = errorPixels;
+        const std::uint64_t kept = cut(scene.query()).lists[0].triangles;
+        scene.errorPixels = 1e30;
+        const std::uint64_t least = cut(scene.query()).lists[0].triangles;
+        EXPECT_LE(kept, std::max(cap, least));
+        scene.errorPixels = errorPixels / 1.002;
+        const bool couldBeFiner = cut(scene.query()).lists[0].triangles <= cap;
+        EXPECT_FALSE(kept > least && couldBeFiner) << "a lower error would have done";
+    }
+    EXPECT_GT(capped, 30);
+}
+
+TEST(Cut, NamesRootsThatAreNotResident) {
+    Random random(36);
+    Scene scene(random, sharedModel(), std::vector<const hierarchy::Page*>(sharedModel().all.size(), nullptr));
+    const Cut empty = cut(scene.query());
+    EXPECT_EQ(empty.lists[0].triangles, 0U);
+    EXPECT_EQ(empty.wanted.size(), sharedModel().rootCount());
+    EXPECT_EQ(empty.achievedErrorPixels, std::numeric_limits<double>::infinity());
+}
+
+} // namespace
+} // namespace gnomon::selection

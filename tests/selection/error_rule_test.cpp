@@ -1,0 +1,121 @@
+// The rule is monotone under nesting and reports no less than what a displaced point moves on the screen.
+#include "model_views.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace gnomon::selection {
+namespace {
+
+using tests::randomCasters;
+using tests::randomView;
+
+const Box kSpace{{-10, -3, -10}, {10, 5, 10}};
+
+glm::dvec3 randomPointIn(Random& random, const Sphere& sphere) {
+    while (true) {
+        const glm::dvec3 p(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+        if (glm::length(p) <= 1) return sphere.center + sphere.radius * p;
+    }
+}
+
+Sphere randomSphere(Random& random) {
+    const glm::dvec3 center(random.uniform(-20, 20), random.uniform(-20, 20), random.uniform(-20, 20));
+    return {center, std::exp(random.uniform(-5, 2))};
+}
+
+glm::dvec2 projected(const DetailView& view, const glm::dvec3& point) {
+    const glm::dvec3 p = toCamera(view.basis, point - view.eye);
+    return glm::dvec2(p.x, p.y) / p.z * view.pixelsPerUnit();
+}
+
+TEST(ErrorRule, NestedSpheresNeverGetMorePixels) {
+    Random random(21);
+    int positive = 0;
+    for (int trial = 0; trial < 100000; ++trial) {
+        const DetailView view = randomView(random, kSpace);
+        const ErrorRule rule(view, randomCasters(random, view));
+        const Sphere outer = randomSphere(random);
+        const double radius = outer.radius * random.unit();
+        const Sphere inner{randomPointIn(random, {outer.center, outer.radius - radius}), radius * (1 - 1e-12)};
+        const double outerError = std::exp(random.uniform(-8, 0));
+        const double innerError = outerError * (random.below(2) == 0 ? 1 : random.unit());
+        const double inside = rule.pixels(inner, innerError);
+        positive += inside > 0 ? 1 : 0;
+        EXPECT_LE(inside, rule.pixels(outer, outerError) * (1 + 1e-12));
+        EXPECT_LE(rule.casterPixels(inner, innerError), rule.casterPixels(outer, outerError) * (1 + 1e-12));
+    }
+    EXPECT_GT(positive, 10000);
+}
+
+// The truth in view: points of the sphere that the image shows, moved by the error in every direction.
+TEST(ErrorRule, NoPointInViewMovesFurtherThanReported) {
+    Random random(22);
+    int shown = 0;
+    double tightest = 1e9;
+    for (int trial = 0; trial < 200000; ++trial) {
+        const DetailView view = randomView(random, kSpace);
+        const ErrorRule rule(view);
+        const Sphere sphere = randomSphere(random);
+        const glm::dvec3 point = randomPointIn(random, sphere);
+        const glm::dvec3 inCamera = toCamera(view.basis, point - view.eye);
+        const bool isShown = inCamera.z >= view.nearestDepth && std::abs(inCamera.x) <= view.tanHalfX * inCamera.z &&
+                             std::abs(inCamera.y) <= view.tanHalfY * inCamera.z;
+        if (!isShown) continue;
+        ++shown;
+        const double error = 1e-6 * inCamera.z; // small, so that the image of a displacement is linear
+        const glm::dvec3 direction = randomPointIn(random, {glm::dvec3(0), 1});
+        const glm::dvec3 moved = point + error * glm::normalize(direction + glm::dvec3(1e-9));
+        const double seen = glm::distance(projected(view, point), projected(view, moved));
+        const double reported = rule.pixels(sphere, error);
+        EXPECT_LE(seen, reported * 1.0001);
+        tightest = std::min(tightest, reported / seen);
+    }
+    EXPECT_GT(shown, 10000);
+    EXPECT_LT(tightest, 1.1) << "a bound that nothing comes near says little";
+}
+
+TEST(ErrorRule, ChargesACornerMoreThanTheCentre) {
+    DetailView view; // 60 degrees each way, looking along -z
+    const ErrorRule rule(view);
+    const double atCentre = rule.pixels({{0, 0, -10}, 1e-9}, 0.01);
+    const double atCorner = rule.pixels({{5.7735, 5.7735, -10}, 1e-4}, 0.01);
+    EXPECT_NEAR(atCentre, 0.01 / 10 * view.pixelsPerUnit(), 1e-6);
+    EXPECT_NEAR(atCorner / atCentre, std::sqrt(1 + 2.0 / 3), 1e-3);
+    EXPECT_EQ(rule.pixels({{0, 0, 10}, 1}, 0.01), 0) << "behind the eye";
+    EXPECT_EQ(rule.pixels({{0, 0, -10}, 1}, 0), 0) << "nothing to gain";
+    EXPECT_TRUE(std::isinf(rule.pixels({{0, 0, 10}, 1}, std::numeric_limits<double>::infinity())));
+}
+
+// The truth off screen: for points of the sphere, march along the ray of light and look for a receiver.
+TEST(ErrorRule, NoShadowEdgeMovesFurtherThanReported) {
+    Random random(23);
+    int cast = 0;
+    for (int trial = 0; trial < 30000; ++trial) {
+        const DetailView view = randomView(random, kSpace);
+        const std::vector<CasterDetail> casters = randomCasters(random, view);
+        const ErrorRule rule(view, casters);
+        const Sphere sphere = randomSphere(random);
+        const glm::dvec3 point = randomPointIn(random, sphere);
+        if (contains(viewPyramid(view), point)) continue;
+        const double error = std::exp(random.uniform(-6, 0));
+        for (const CasterDetail& caster : casters) {
+            const double step = caster.receiverNear * 0.05;
+            for (int i = 0; i < 400; ++i) {
+                const glm::dvec3 receiver = point - caster.towardsLight * (step * i);
+                if (!contains(caster.receivers, receiver)) continue;
+                ++cast;
+                const double depth = glm::dot(receiver - view.eye, view.basis.view);
+                const double zeta = glm::dot(caster.texel.axis, receiver) - caster.texel.origin;
+                const double edge = error * view.pixelsPerUnit() / depth;
+                const bool isBelowTexel = error <= 0.5 * caster.texel.smallerSide(zeta);
+                EXPECT_LE(isBelowTexel ? 0 : edge, rule.pixels(sphere, error) * (1 + 1e-9));
+            }
+        }
+    }
+    EXPECT_GT(cast, 1000);
+}
+
+} // namespace
+} // namespace gnomon::selection

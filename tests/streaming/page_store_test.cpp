@@ -1,0 +1,280 @@
+// The cache keeps its budget, stays closed upwards, survives damage and gives the same residency twice.
+#include "core/error.h"
+#include "hierarchy/validation.h"
+#include "model_views.h"
+#include "streaming/page_store.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <limits>
+#include <numeric>
+#include <set>
+#include <thread>
+
+namespace gnomon::streaming {
+namespace {
+
+using hierarchy::PageDemand;
+using tests::ModelInMemory;
+using tests::sharedModel;
+
+/// A source in memory that can be slow and damaged.
+class FakeSource final : public PageSource {
+public:
+    explicit FakeSource(const ModelInMemory& model) : model_(&model) {}
+
+    std::string name() const override { return "fake.gnm"; }
+
+    std::span<const hierarchy::PageInfo> pages() const override { return model_->table; }
+
+    hierarchy::Page readPage(std::uint32_t page) const override {
+        ++reads;
+        if (delay.count() > 0) std::this_thread::sleep_for(delay);
+        if (damaged.contains(page)) throw Error("fake.gnm: byte " + std::to_string(page), "page checksum");
+        return *model_->all[page];
+    }
+
+    std::set<std::uint32_t> damaged;
+    std::chrono::microseconds delay{0};
+    mutable std::atomic<int> reads{0};
+
+private:
+    const ModelInMemory* model_;
+};
+
+Bytes wholeModel() {
+    Bytes total;
+    for (const hierarchy::PageInfo& info : sharedModel().table)
+        total.count += decodedBytes(info).count;
+    return total;
+}
+
+PageStoreOptions withBudget(Bytes budget, unsigned threads = 4) {
+    PageStoreOptions options;
+    options.budget = budget;
+    options.loaderThreads = threads;
+    return options;
+}
+
+void expectClosedUpwards(hierarchy::ResidentPages resident) {
+    const std::vector<hierarchy::PageInfo>& table = sharedModel().table;
+    for (std::size_t page = 0; page < resident.size(); ++page)
+        for (const std::uint32_t child : table[page].children)
+            EXPECT_FALSE(resident[page] == nullptr && resident[child] != nullptr) << page << " lacks under " << child;
+}
+
+void expectWithinBudget(const PageStore& store, Bytes budget) {
+    Bytes resident;
+    for (std::size_t page = 0; page < store.resident().size(); ++page)
+        if (store.resident()[page] != nullptr) resident.count += decodedBytes(sharedModel().table[page]).count;
+    EXPECT_EQ(store.statistics().resident, resident);
+    EXPECT_LE(store.statistics().resident, store.statistics().committed);
+    EXPECT_LE(store.statistics().peak, budget);
+}
+
+std::set<std::uint32_t> residentSet(const PageStore& store) {
+    std::set<std::uint32_t> result;
+    for (std::uint32_t page = 0; page < store.resident().size(); ++page)
+        if (store.resident()[page] != nullptr) result.insert(page);
+    return result;
+}
+
+/// A view of the shared model that asks a store for its pages.
+class Viewer {
+public:
+    explicit Viewer(Random& random)
+        : view_(tests::randomView(random, sharedModel().bounds)),
+          rule_(view_),
+          errorPixels_(std::exp(random.uniform(-4, 3))) {
+        volumes_.push_back(selection::viewPyramid(view_));
+    }
+
+    selection::Cut cut(const PageStore& store) const {
+        return selection::cut({&sharedModel().trees, store.resident(), &rule_, errorPixels_, volumes_});
+    }
+
+    DemandOutcome loadAll(PageStore& store) const {
+        for (int round = 0; round < 100; ++round) {
+            const selection::Cut now = cut(store);
+            const DemandOutcome outcome = store.load({now.used, now.wanted, {}});
+            if (!outcome.hasChanged) return outcome;
+        }
+        ADD_FAILURE() << "loading does not settle";
+        return {};
+    }
+
+private:
+    selection::DetailView view_;
+    selection::ErrorRule rule_;
+    double errorPixels_;
+    std::vector<ConvexVolume> volumes_;
+};
+
+TEST(PageStore, LoadsWhatAViewWants) {
+    Random random(41);
+    const FakeSource source(sharedModel());
+    PageStore store(source, withBudget(wholeModel()));
+    std::size_t most = 0;
+    for (int trial = 0; trial < 30; ++trial) {
+        const Viewer viewer(random);
+        const DemandOutcome outcome = viewer.loadAll(store);
+        EXPECT_EQ(outcome.pagesMissing, 0U);
+        EXPECT_FALSE(outcome.isBudgetBinding);
+        EXPECT_TRUE(viewer.cut(store).wanted.empty());
+        expectClosedUpwards(store.resident());
+        expectWithinBudget(store, wholeModel());
+        most = std::max(most, residentSet(store).size());
+    }
+    EXPECT_GT(most, 50U);
+    EXPECT_EQ(store.statistics().pagesEvicted, 0U) << "all fits";
+    EXPECT_EQ(source.reads, static_cast<int>(store.statistics().pagesRead)) << "nothing is read twice";
+}
+
+TEST(PageStore, KeepsATinyBudgetAndRepeatsItself) {
+    Random random(42);
+    const FakeSource source(sharedModel());
+    const Bytes budget{wholeModel().count / 3};
+    PageStore walked(source, withBudget(budget));
+    int binding = 0;
+    for (int trial = 0; trial < 40; ++trial) {
+        const Viewer viewer(random);
+        const DemandOutcome outcome = viewer.loadAll(walked);
+        binding += outcome.isBudgetBinding ? 1 : 0;
+        expectClosedUpwards(walked.resident());
+        expectWithinBudget(walked, budget);
+        // A store that has seen nothing else ends with the same cut.
+        PageStore fresh(source, withBudget(budget));
+        viewer.loadAll(fresh);
+        EXPECT_EQ(viewer.cut(walked).lists[0].ranges, viewer.cut(fresh).lists[0].ranges) << trial;
+        EXPECT_EQ(viewer.cut(walked).achievedErrorPixels, viewer.cut(fresh).achievedErrorPixels);
+    }
+    EXPECT_GT(binding, 5);
+    EXPECT_GT(walked.statistics().pagesEvicted, 100U);
+}
+
+TEST(PageStore, UpdateNeverWaitsAndArrivesInTheEnd) {
+    Random random(43);
+    FakeSource source(sharedModel());
+    const Bytes budget{wholeModel().count / 4};
+    PageStore store(source, withBudget(budget));
+    source.delay = std::chrono::microseconds(300);
+    for (int trial = 0; trial < 10; ++trial) {
+        const Viewer viewer(random);
+        int frames = 0;
+        while (true) {
+            const selection::Cut now = viewer.cut(store);
+            const DemandOutcome outcome = store.update({now.used, now.wanted, {}});
+            expectClosedUpwards(store.resident());
+            expectWithinBudget(store, budget);
+            if (now.wanted.empty() && outcome.pagesMissing == 0) break;
+            if (outcome.isBudgetBinding && frames > 200) break;
+            ASSERT_LT(++frames, 5000) << "pages never arrive";
+            std::this_thread::sleep_for(std::chrono::microseconds(200));
+        }
+    }
+}
+
+TEST(PageStore, AViewThatChangesEveryFrameNeverBreaksTheRules) {
+    Random random(44);
+    FakeSource source(sharedModel());
+    const Bytes budget{wholeModel().count / 8};
+    PageStore store(source, withBudget(budget));
+    source.delay = std::chrono::microseconds(50);
+    for (int frame = 0; frame < 150; ++frame) {
+        const Viewer viewer(random);
+        const Viewer ahead(random);
+        const selection::Cut now = viewer.cut(store);
+        const selection::Cut next = ahead.cut(store);
+        if (random.below(10) == 0) {
+            store.load({now.used, now.wanted, {}});
+        } else {
+            store.update({now.used, now.wanted, next.wanted});
+        }
+        expectClosedUpwards(store.resident());
+        expectWithinBudget(store, budget);
+    }
+    EXPECT_GT(store.statistics().pagesEvicted, 10U);
+}
+
+TEST(PageStore, PrefetchOnlyFillsWhatIsLeft) {
+    Random random(45);
+    const FakeSource source(sharedModel());
+    const Bytes budget{wholeModel().count / 6};
+    for (int trial = 0; trial < 20; ++trial) {
+        PageStore store(source, withBudget(budget));
+        const Viewer viewer(random);
+        const Viewer ahead(random);
+        viewer.loadAll(store);
+        const std::set<std::uint32_t> before = residentSet(store);
+        const selection::Cut now = viewer.cut(store);
+        store.load({now.used, now.wanted, ahead.cut(store).wanted});
+        const std::set<std::uint32_t> after = residentSet(store);
+        for (const PageDemand& used : now.used)
+            EXPECT_TRUE(after.contains(used.page)) << "prefetch took the place of a page in use";
+    }
+}
+
+TEST(PageStore, ADamagedPageIsNamedOnceAndNeverWantedAgain) {
+    Random random(46);
+    FakeSource source(sharedModel());
+    const std::vector<hierarchy::PageInfo>& table = sharedModel().table;
+    for (std::uint32_t page = 0; page < table.size(); ++page)
+        if (table[page].maxError < std::numeric_limits<double>::infinity() && random.below(4) == 0)
+            source.damaged.insert(page);
+    std::vector<std::uint32_t> named;
+    PageStoreOptions options = withBudget(wholeModel());
+    options.onDamaged = [&](const DamagedPage& damaged) {
+        named.push_back(damaged.page);
+        EXPECT_NE(damaged.reason.find("fake.gnm: byte"), std::string::npos);
+    };
+    PageStore store(source, options);
+    for (int trial = 0; trial < 20; ++trial) {
+        const Viewer viewer(random);
+        const DemandOutcome outcome = viewer.loadAll(store);
+        EXPECT_EQ(outcome.pagesMissing, 0U) << "all that can be loaded is loaded";
+        EXPECT_GT(viewer.cut(store).lists.size(), 0U);
+        expectClosedUpwards(store.resident());
+    }
+    EXPECT_GT(named.size(), 3U);
+    EXPECT_EQ(named.size(), store.statistics().pagesDamaged);
+    EXPECT_EQ(std::set<std::uint32_t>(named.begin(), named.end()).size(), named.size());
+    for (const std::uint32_t page : named)
+        EXPECT_TRUE(source.damaged.contains(page));
+}
+
+TEST(PageStore, ADamagedRootIsAnError) {
+    FakeSource source(sharedModel());
+    source.damaged.insert(0);
+    EXPECT_THROW(PageStore(source, withBudget(wholeModel())), Error);
+}
+
+TEST(PageStore, ABudgetBelowTheCoarsestLevelIsAnError) {
+    Random random(47);
+    const FakeSource source(sharedModel());
+    PageStore store(source, withBudget({100}));
+    EXPECT_EQ(store.statistics().committed.count, 0U);
+    const std::vector<PageDemand> root{{0, std::numeric_limits<double>::infinity()}};
+    EXPECT_THROW(store.load({{}, root, {}}), Error);
+}
+
+TEST(PageStore, EndsCleanlyWithWorkInTheQueue) {
+    FakeSource source(sharedModel());
+    for (int trial = 0; trial < 20; ++trial) {
+        source.delay = std::chrono::microseconds(0);
+        PageStore store(source, withBudget(wholeModel()));
+        source.delay = std::chrono::microseconds(500);
+        std::vector<PageDemand> everything;
+        for (std::uint32_t page = 0; page < sharedModel().table.size(); ++page)
+            everything.push_back({page, 1});
+        const int before = source.reads;
+        store.update({{}, everything, {}});
+        store.update({}); // withdraws what no loader has begun
+        EXPECT_LE(source.reads - before, 8);
+    }
+}
+
+} // namespace
+} // namespace gnomon::streaming

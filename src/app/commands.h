@@ -23,8 +23,11 @@ void addCommonOptions(CLI::App& command, CommonOptions& options);
 /// The progress display that `options` ask for, on stderr; also turns Ctrl-C into gnomon::Interrupted.
 std::unique_ptr<Progress> makeProgress(const CommonOptions& options);
 
+void addExportCommand(CLI::App& program);
+void addInfoCommand(CLI::App& program);
 void addMakeCommand(CLI::App& program);
 void addTheoryCommand(CLI::App& program);
+void addVerifyCommand(CLI::App& program);
 
 /// A contradiction between options: exit code 2 with `message`.
 struct UsageError {

@@ -1,0 +1,162 @@
+#include "preprocess/verify/cracks.h"
+
+#include "core/random.h"
+#include "hierarchy/cut_rule.h"
+#include "preprocess/verify/locked_edges.h"
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace gnomon::preprocess {
+
+using namespace hierarchy;
+
+namespace {
+
+/// Refines what looks larger than `threshold` (world units of error a unit of distance) from `eye`.
+struct View {
+    glm::dvec3 eye{0}; // local space
+    double threshold = 0;
+
+    bool operator()(double error, const Sphere& bounds) const { return error > threshold * distance(bounds, eye); }
+};
+
+/// Draws views that differ: near, on, inside and far from the model, with thresholds at which a group chosen at random
+/// from a level chosen at random just flips.
+class ViewSource {
+public:
+    explicit ViewSource(const LoadedModel& model) : model_(model) {
+        const glm::dvec3 origin = model.summary.grid.origin;
+        bounds_ = {model.summary.bounds.min - origin, model.summary.bounds.max - origin};
+        groups_.resize(model.summary.levels.size());
+        for (const Page& page : model.pages)
+            for (const Group& group : page.groups)
+                if (std::isfinite(group.error)) groups_[page.level].push_back(&group);
+        std::erase_if(groups_, [](const auto& level) { return level.empty(); });
+    }
+
+    View draw(Random& random) const {
+        View view;
+        view.eye = eye(random);
+        if (groups_.empty()) return view;
+        const auto& level = groups_[random.below(groups_.size())];
+        const Group& group = *level[random.below(level.size())];
+        const double span = std::max(glm::length(bounds_.extent()), 1e-300);
+        const double away = std::max(distance(group.bounds, view.eye), random.uniform(1e-4, 1) * span);
+        view.threshold = group.error / away * std::exp2(random.uniform(-1, 1));
+        return view;
+    }
+
+private:
+    glm::dvec3 eye(Random& random) const {
+        const glm::dvec3 unit(random.unit(), random.unit(), random.unit());
+        switch (random.below(4)) {
+        case 0:
+            return bounds_.min + unit * bounds_.extent();
+        case 1:
+            return onSurface(random);
+        case 2:
+            return bounds_.center() + (unit - 0.5) * 3.0 * (bounds_.extent() + glm::length(bounds_.extent()) * 0.1);
+        default:
+            return bounds_.center() + (unit - 0.5) * glm::length(bounds_.extent()) * std::exp2(random.uniform(2, 10));
+        }
+    }
+
+    glm::dvec3 onSurface(Random& random) const {
+        const Page& page = model_.pages[random.below(model_.pages.size())];
+        return model_.summary.grid.local(page.vertices[random.below(page.vertices.size())].position);
+    }
+
+    const LoadedModel& model_;
+    Box bounds_;
+    std::vector<std::vector<const Group*>> groups_; // with a finite error, by level
+};
+
+/// What one cut has at the locked edges; kept between cuts, so that only what was touched is cleared.
+struct CutEdges {
+    std::vector<std::uint32_t> triangles;
+    std::vector<std::uint64_t> levels; // bit l: a triangle of level l lies there
+    std::vector<std::uint32_t> touched;
+};
+
+struct CutResult {
+    std::uint64_t tested = 0;
+    std::uint64_t cracks = 0;
+    std::string detail;
+};
+
+void collect(const LoadedModel& model, const LockedEdges& edges, const View& view, CutEdges& cut) {
+    cut.triangles.resize(edges.count());
+    cut.levels.resize(edges.count());
+    for (std::size_t p = 0; p < model.pages.size(); ++p) {
+        const Page& page = model.pages[p];
+        forEachDrawn(page, view, [&](const Group&, const Cluster& cluster) {
+            const auto index = static_cast<std::uint32_t>(&cluster - page.clusters.data());
+            for (const std::uint32_t edge : edges.edgesOf(model.firstCluster[p] + index)) {
+                if (cut.triangles[edge]++ == 0) cut.touched.push_back(edge);
+                cut.levels[edge] |= std::uint64_t{1} << page.level;
+            }
+        });
+    }
+}
+
+std::string words(const LockedEdges& edges, std::uint32_t edge, const EdgeLock& lock, std::uint64_t found) {
+    std::ostringstream text;
+    for (const bool second : {false, true}) {
+        const GridPoint p = edges.end(edge, second);
+        text << (second ? " and " : "the edge between grid points ") << p.x << ',' << p.y << ',' << p.z;
+    }
+    text << ", locked at level " << lock.level << " with " << lock.triangles << " triangles, has " << found;
+    return text.str();
+}
+
+CutResult judge(const LockedEdges& edges, CutEdges& cut) {
+    CutResult result;
+    for (const std::uint32_t edge : cut.touched) {
+        for (const EdgeLock& lock : edges.locks(edge)) {
+            if ((cut.levels[edge] >> lock.level & 3U) == 0) continue;
+            ++result.tested;
+            if (cut.triangles[edge] == lock.triangles) continue;
+            if (result.cracks++ == 0) result.detail = words(edges, edge, lock, cut.triangles[edge]);
+        }
+        cut.triangles[edge] = 0;
+        cut.levels[edge] = 0;
+    }
+    cut.touched.clear();
+    return result;
+}
+
+} // namespace
+
+Check checkCracks(const LoadedModel& model, std::uint64_t cuts, std::uint64_t seed, Progress& progress) {
+    progress.stage("index locked edges", "models", 1);
+    const LockedEdges edges(model);
+    const ViewSource views(model);
+    progress.advance(1);
+    progress.stage("cut", "cuts", cuts);
+    std::vector<CutResult> results(cuts);
+    tbb::enumerable_thread_specific<CutEdges> scratch;
+    tbb::parallel_for(std::uint64_t{0}, cuts, [&](std::uint64_t i) {
+        Random random(mix64(seed) + i);
+        CutEdges& cut = scratch.local();
+        collect(model, edges, views.draw(random), cut);
+        results[i] = judge(edges, cut);
+        progress.advance(1);
+    });
+    Check check{"cracks"};
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        check.tested += results[i].tested;
+        if (check.failed == 0 && results[i].cracks > 0)
+            check.detail = results[i].detail + ", in cut " + std::to_string(i);
+        check.failed += results[i].cracks;
+        check.worst = std::max(check.worst, static_cast<double>(results[i].cracks));
+    }
+    if (check.failed == 0)
+        check.detail = std::to_string(cuts) + " cuts, " + std::to_string(edges.count()) + " locked edges";
+    return check;
+}
+
+} // namespace gnomon::preprocess

@@ -1,0 +1,15 @@
+// Cracks of random view-dependent cuts: edges locked between groups that do not fit together.
+#pragma once
+
+#include "preprocess/verify/check.h"
+#include "preprocess/verify/loaded_model.h"
+
+namespace gnomon::preprocess {
+
+/// Draws `cuts` random view-dependent cuts (a group is refined if its error exceeds threshold times distance to the
+/// eye) and looks at every edge that was locked between groups of a level, in each cut that draws a triangle of that
+/// level or the next coarser one at it: the number of triangles at the edge, compared by position, must be that of the
+/// level. Worst: the most cracks in one cut.
+Check checkCracks(const LoadedModel& model, std::uint64_t cuts, std::uint64_t seed, Progress& progress);
+
+} // namespace gnomon::preprocess

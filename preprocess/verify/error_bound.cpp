@@ -1,0 +1,239 @@
+#include "preprocess/verify/error_bound.h"
+
+#include "core/random.h"
+#include "hierarchy/cut_rule.h"
+#include "preprocess/verify/uniform_cut.h"
+
+#include <tbb/parallel_for.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace gnomon::preprocess {
+
+using namespace hierarchy;
+
+namespace {
+
+constexpr std::size_t kMostCuts = 8;
+constexpr std::size_t kPointSamples = 60'000; // each way and cut, by area; as many corners
+constexpr std::size_t kDenseGroups = 150;     // a cut
+constexpr std::uint32_t kDensePoints = 4;     // a triangle, besides its corners
+
+/// Distances that differ by rounding are the same: coordinates are below 2^31 steps.
+constexpr double kRounding = 1e-9;
+
+/// A point on a triangle of a soup.
+struct Sample {
+    std::uint32_t triangle = 0;
+    glm::dvec3 point{0};
+};
+
+/// A point of a triangle, uniform by area.
+Sample onTriangle(const TriangleSoup& soup, std::uint32_t triangle, Random& random) {
+    double u = random.unit();
+    double v = random.unit();
+    if (u + v > 1) {
+        u = 1 - u;
+        v = 1 - v;
+    }
+    return {triangle, soup.point(triangle, u, v)};
+}
+
+/// `kPointSamples` points by area and as many corners, in the order of their triangles.
+std::vector<Sample> drawSamples(const TriangleSoup& soup, Random& random) {
+    std::vector<Sample> samples;
+    if (soup.triangles.empty()) return samples;
+    const auto count = static_cast<std::uint32_t>(soup.triangles.size());
+    std::vector<double> upTo(count);
+    double area = 0;
+    for (std::uint32_t t = 0; t < count; ++t)
+        upTo[t] = area += soup.area(t);
+    for (std::size_t i = 0; i < kPointSamples; ++i) {
+        const auto it = std::upper_bound(upTo.begin(), upTo.end(), random.unit() * area);
+        samples.push_back(onTriangle(soup, std::min(static_cast<std::uint32_t>(it - upTo.begin()), count - 1), random));
+        const auto triangle = static_cast<std::uint32_t>(random.below(count));
+        samples.push_back({triangle, soup.corner(triangle, random.below(3))});
+    }
+    std::sort(samples.begin(), samples.end(), [](const Sample& a, const Sample& b) { return a.triangle < b.triangle; });
+    return samples;
+}
+
+/// The nearest triangles of `tree` to all samples.
+std::vector<TriangleTree::Nearest> nearestTo(const std::vector<Sample>& samples, const TriangleTree& tree) {
+    std::vector<TriangleTree::Nearest> found(samples.size());
+    constexpr std::size_t kRun = 256;
+    tbb::parallel_for(std::size_t{0}, (samples.size() + kRun - 1) / kRun, [&](std::size_t run) {
+        std::uint32_t hint = kNone;
+        for (std::size_t i = run * kRun; i < std::min(samples.size(), (run + 1) * kRun); ++i) {
+            found[i] = tree.nearest(samples[i].point, hint);
+            hint = found[i].triangle;
+        }
+    });
+    return found;
+}
+
+/// Errors at which to cut: each level's largest, thinned to a few, the finest and the coarsest among them.
+std::vector<double> cutErrors(const ModelSummary& summary) {
+    std::set<double> errors;
+    for (const LevelInfo& level : summary.levels)
+        errors.insert(level.maxError);
+    std::vector<double> all(errors.begin(), errors.end());
+    std::vector<double> thinned;
+    for (std::size_t i = 0; i < std::min(all.size(), kMostCuts); ++i)
+        thinned.push_back(all[i * (all.size() - 1) / std::max<std::size_t>(std::min(all.size(), kMostCuts) - 1, 1)]);
+    return thinned;
+}
+
+/// The comparison of one model with its source.
+class Comparison {
+public:
+    Comparison(const LoadedModel& model, const TriangleSoup& source, std::uint64_t seed)
+        : model_(model), source_(source), sourceTree_(source), finest_(uniformCut(model, 0)), random_(mix64(seed)) {
+        for (const Page& page : model.pages)
+            for (std::uint32_t g = 0; g < page.groups.size(); ++g)
+                for (std::uint32_t c = 0; c < page.groups[g].clusterCount; ++c)
+                    groupOfCluster_.push_back(
+                        model.firstGroup[static_cast<std::size_t>(&page - model.pages.data())] + g);
+        sourceSamples_ = drawSamples(source, random_);
+        finestNearest_ = nearestTo(sourceSamples_, TriangleTree(finest_.soup));
+    }
+
+    void compareAt(double limit) {
+        const UniformCut cut = uniformCut(model_, limit);
+        largest_.clear();
+        compareCut(cut, drawSamples(cut.soup, random_), limit);
+        compareSource(cut, limit);
+        compareCut(cut, denseSamples(cut), limit);
+        for (const std::uint32_t group : dense_)
+            if (const double sampled = largest_[group]; sampled > 0) ratios_.push_back(errorOf_[group] / sampled);
+    }
+
+    Check result() {
+        if (!ratios_.empty()) {
+            std::nth_element(
+                ratios_.begin(), ratios_.begin() + static_cast<std::ptrdiff_t>(ratios_.size() / 2), ratios_.end());
+            check_.tightness = ratios_[ratios_.size() / 2];
+        }
+        return std::move(check_);
+    }
+
+private:
+    /// What a cluster of a cut was simplified from, as a number across pages; none at level 0.
+    std::uint32_t refinedGroup(const UniformCut::Part& part) {
+        const Page& page = model_.pages[part.page];
+        const std::uint32_t refinement = page.clusters[part.cluster].refinement;
+        if (refinement == kNone) return kNone;
+        const std::uint32_t group = model_.groupNumber(page.refinements[refinement].group);
+        errorOf_[group] = page.refinements[refinement].error;
+        return group;
+    }
+
+    void judge(double sampled, double bound, double limit, const char* which, const glm::dvec3& point) {
+        const double share = bound > 0 ? sampled / bound : (sampled > 0 ? std::numeric_limits<double>::infinity() : 0);
+        check_.worst = std::max(check_.worst, share);
+        check_.test(sampled <= bound * (1 + kRounding) + model_.summary.grid.step() * kRounding, [&] {
+            const glm::dvec3 world = model_.summary.grid.origin + point;
+            return std::string(which) + " at " + std::to_string(world.x) + "," + std::to_string(world.y) + "," +
+                   std::to_string(world.z) + ", in the cut of error " + std::to_string(limit) + ", is " +
+                   std::to_string(sampled) + " away where the stored error is " + std::to_string(bound);
+        });
+    }
+
+    void compareCut(const UniformCut& cut, const std::vector<Sample>& samples, double limit) {
+        const auto nearest = nearestTo(samples, sourceTree_);
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            const UniformCut::Part& part = cut.partOf(samples[i].triangle);
+            const Page& page = model_.pages[part.page];
+            const double bound = storedError(page, page.clusters[part.cluster], model_.summary.grid.snapError());
+            judge(nearest[i].distance, bound, limit, "a point of the cut", samples[i].point);
+            note(refinedGroup(part), nearest[i].distance);
+        }
+    }
+
+    void compareSource(const UniformCut& cut, double limit) {
+        const auto nearest = nearestTo(sourceSamples_, TriangleTree(cut.soup));
+        const std::vector<double> bounds = boundsInCut(model_, limit);
+        for (std::size_t i = 0; i < nearest.size(); ++i) {
+            const UniformCut::Part& finest = finest_.partOf(finestNearest_[i].triangle);
+            const double coarse = bounds[groupOfCluster_[model_.firstCluster[finest.page] + finest.cluster]];
+            const double bound =
+                std::max(coarse, model_.summary.grid.snapError()) + (coarse > 0 ? finestNearest_[i].distance : 0);
+            judge(nearest[i].distance, bound, limit, "a point of the source", sourceSamples_[i].point);
+            note(refinedGroup(cut.partOf(nearest[i].triangle)), nearest[i].distance);
+        }
+    }
+
+    void note(std::uint32_t group, double distance) {
+        if (group == kNone) return;
+        double& largest = largest_[group];
+        largest = std::max(largest, distance);
+    }
+
+    /// Corners and several points of every triangle that stands for a few groups chosen at random.
+    std::vector<Sample> denseSamples(const UniformCut& cut) {
+        std::map<std::uint32_t, std::vector<const UniformCut::Part*>> byGroup;
+        for (const UniformCut::Part& part : cut.parts)
+            if (const std::uint32_t group = refinedGroup(part); group != kNone) byGroup[group].push_back(&part);
+        std::vector<std::uint32_t> groups;
+        for (const auto& entry : byGroup)
+            groups.push_back(entry.first);
+        dense_.clear();
+        std::vector<Sample> samples;
+        while (dense_.size() < kDenseGroups && !groups.empty()) {
+            const std::size_t chosen = random_.below(groups.size());
+            dense_.push_back(groups[chosen]);
+            for (const UniformCut::Part* part : byGroup[groups[chosen]])
+                addDense(cut, *part, samples);
+            groups[chosen] = groups.back();
+            groups.pop_back();
+        }
+        return samples;
+    }
+
+    void addDense(const UniformCut& cut, const UniformCut::Part& part, std::vector<Sample>& samples) {
+        const std::uint32_t count = model_.pages[part.page].clusters[part.cluster].triangleCount;
+        for (std::uint32_t t = part.firstTriangle; t < part.firstTriangle + count; ++t) {
+            for (std::size_t k = 0; k < 3; ++k)
+                samples.push_back({t, cut.soup.corner(t, k)});
+            for (std::uint32_t i = 0; i < kDensePoints; ++i)
+                samples.push_back(onTriangle(cut.soup, t, random_));
+        }
+    }
+
+    const LoadedModel& model_;
+    const TriangleSoup& source_;
+    TriangleTree sourceTree_;
+    UniformCut finest_;
+    Random random_;
+    std::vector<std::uint32_t> groupOfCluster_; // across pages
+    std::vector<Sample> sourceSamples_;
+    std::vector<TriangleTree::Nearest> finestNearest_; // of the source's samples
+    std::map<std::uint32_t, double> errorOf_;          // stored, by group
+    std::map<std::uint32_t, double> largest_;          // sampled in the cut under work, by group
+    std::vector<std::uint32_t> dense_;
+    std::vector<double> ratios_;
+    Check check_{"error_bound"};
+};
+
+} // namespace
+
+Check checkErrorBound(const LoadedModel& model, const TriangleSoup& source, std::uint64_t seed, Progress& progress) {
+    Check check{"error_bound"};
+    if (source.triangles.empty() || model.summary.levels.empty() || model.summary.levels[0].triangles == 0) {
+        check.test(false, [] { return std::string("the source or the model has no triangles to compare"); });
+        return check;
+    }
+    const std::vector<double> errors = cutErrors(model.summary);
+    progress.stage("compare with the source", "cuts", errors.size() + 1);
+    Comparison comparison(model, source, seed);
+    progress.advance(1);
+    for (const double error : errors) {
+        comparison.compareAt(error);
+        progress.advance(1);
+    }
+    return comparison.result();
+}
+
+} // namespace gnomon::preprocess

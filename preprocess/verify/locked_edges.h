@@ -1,0 +1,57 @@
+// The edges that groups of some level share, and which triangles of which clusters lie at them.
+#pragma once
+
+#include "preprocess/verify/loaded_model.h"
+
+#include <span>
+#include <vector>
+
+namespace gnomon::preprocess {
+
+/// A level at which an edge is shared by several groups, and the triangles that lie at it there.
+struct EdgeLock {
+    std::uint32_t level = 0;
+    std::uint32_t triangles = 0;
+};
+
+/// All locked edges of a model. Positions, not vertices, make an edge: its ends are numbers of distinct positions.
+class LockedEdges {
+public:
+    explicit LockedEdges(const LoadedModel& model);
+
+    std::size_t count() const { return edges_.size(); }
+
+    /// The locks of an edge, by level.
+    std::span<const EdgeLock> locks(std::uint32_t edge) const {
+        return std::span(locks_).subspan(firstLock_[edge], firstLock_[edge + 1] - firstLock_[edge]);
+    }
+
+    /// The edges at the triangles of a cluster (numbered across pages), one entry for each triangle at each edge.
+    std::span<const std::uint32_t> edgesOf(std::uint32_t cluster) const {
+        return std::span(incidences_)
+            .subspan(firstIncidence_[cluster], firstIncidence_[cluster + 1] - firstIncidence_[cluster]);
+    }
+
+    /// An end of an edge.
+    hierarchy::GridPoint end(std::uint32_t edge, bool second) const {
+        return positions_[second ? static_cast<std::uint32_t>(edges_[edge]) : edges_[edge] >> 32U];
+    }
+
+private:
+    void numberPositions(const LoadedModel& model);
+    void findLocks(const LoadedModel& model);
+    void findIncidences(const LoadedModel& model);
+    std::uint32_t find(std::uint64_t edge) const;
+
+    std::vector<std::uint32_t> firstVertex_; // by page
+    std::vector<std::uint32_t> positionOf_;  // by vertex across pages
+    std::vector<hierarchy::GridPoint> positions_;
+    std::vector<std::uint64_t> edges_;     // lower end << 32 | higher end, ascending
+    std::vector<std::uint32_t> firstEdge_; // by lower end
+    std::vector<std::uint32_t> firstLock_;
+    std::vector<EdgeLock> locks_;
+    std::vector<std::uint64_t> firstIncidence_;
+    std::vector<std::uint32_t> incidences_;
+};
+
+} // namespace gnomon::preprocess

@@ -1,0 +1,22 @@
+// The rules that hold between pages: structure, nested bounds, monotone errors.
+#pragma once
+
+#include "preprocess/verify/check.h"
+#include "preprocess/verify/loaded_model.h"
+
+namespace gnomon::preprocess {
+
+/// Whether every refinement names a group of a finer page that is there: without that nothing else can be checked.
+bool refinementsResolve(const LoadedModel& model);
+
+/// Pages by themselves, references between them, copies that agree, sums that agree with the summary.
+Check checkStructure(const LoadedModel& model);
+
+/// Bounds of a group enclose its box and the bounds of all that its clusters refine to. Worst: how far something
+/// sticks out, world units.
+Check checkNesting(const LoadedModel& model);
+
+/// Errors never decrease towards the root and none is below the grid's own. Worst: the largest decrease, world units.
+Check checkMonotoneError(const LoadedModel& model);
+
+} // namespace gnomon::preprocess

@@ -1,0 +1,47 @@
+#include "preprocess/verify/source_soup.h"
+
+#include "core/error.h"
+#include "preprocess/read/polygon.h"
+
+#include <cmath>
+
+namespace gnomon::preprocess {
+
+namespace {
+
+/// The grid point nearest to a local position, as numbers.
+glm::dvec3 snapped(const glm::dvec3& local, const hierarchy::Grid& grid) {
+    return glm::floor(local / grid.step() + 0.5);
+}
+
+} // namespace
+
+TriangleSoup readSoup(MeshSource& source, const hierarchy::Grid& grid) {
+    TriangleSoup soup;
+    source.readVertices([&](const VertexBlock& block) {
+        if (soup.positions.size() + block.positions.size() > 0xFFFFFFFFU)
+            throw Error(source.summary().path, "too many vertices to be compared with");
+        for (const glm::dvec3& position : block.positions)
+            soup.positions.push_back(position - grid.origin);
+    });
+    PolygonRefiner refiner;
+    std::vector<TriangleCorners> triangles;
+    source.readTriangles([&](const TriangleBlock& block) {
+        triangles.assign(block.triangles.begin(), block.triangles.end());
+        for (const PolygonRun& run : block.polygons)
+            refiner.refine(std::span(triangles).subspan(run.first, run.count), [&soup](std::uint64_t vertex) {
+                return soup.positions[vertex];
+            });
+        for (const TriangleCorners& t : triangles) {
+            const glm::dvec3 a = snapped(soup.positions[t[0]], grid);
+            const glm::dvec3 b = snapped(soup.positions[t[1]], grid);
+            const glm::dvec3 c = snapped(soup.positions[t[2]], grid);
+            if (a == b || b == c || c == a) continue;
+            soup.triangles.push_back(
+                {static_cast<std::uint32_t>(t[0]), static_cast<std::uint32_t>(t[1]), static_cast<std::uint32_t>(t[2])});
+        }
+    });
+    return soup;
+}
+
+} // namespace gnomon::preprocess

@@ -1,0 +1,14 @@
+// The source of a model as triangles in its local space: what stored errors are measured against.
+#pragma once
+
+#include "hierarchy/grid.h"
+#include "preprocess/read/mesh_source.h"
+#include "preprocess/verify/triangle_tree.h"
+
+namespace gnomon::preprocess {
+
+/// Reads all of `source`. Triangles that a build drops, because two of their corners are the same grid point, are left
+/// out.
+TriangleSoup readSoup(MeshSource& source, const hierarchy::Grid& grid);
+
+} // namespace gnomon::preprocess

@@ -1,0 +1,73 @@
+// The nearest triangle to a point, exactly: a tree of boxes over triangles of shared positions.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace gnomon::preprocess {
+
+/// Triangles over positions of their own; coordinates near the origin (local space) keep double precision.
+struct TriangleSoup {
+    std::vector<glm::dvec3> positions;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+
+    const glm::dvec3& corner(std::uint32_t triangle, std::size_t k) const { return positions[triangles[triangle][k]]; }
+
+    double area(std::uint32_t triangle) const {
+        const glm::dvec3& a = corner(triangle, 0);
+        return 0.5 * glm::length(glm::cross(corner(triangle, 1) - a, corner(triangle, 2) - a));
+    }
+
+    /// The point with barycentric coordinates 1 - u - v, u, v.
+    glm::dvec3 point(std::uint32_t triangle, double u, double v) const {
+        return corner(triangle, 0) * (1 - u - v) + corner(triangle, 1) * u + corner(triangle, 2) * v;
+    }
+};
+
+/// The squared distance of `p` from the triangle a, b, c, which may be a segment or a point. Ericson, "Real-Time
+/// Collision Detection", 2005, section 5.1.5.
+double squaredDistance(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
+
+/// A tree over a soup that outlives it.
+class TriangleTree {
+public:
+    explicit TriangleTree(const TriangleSoup& soup);
+
+    struct Nearest {
+        double distance = std::numeric_limits<double>::infinity();
+        std::uint32_t triangle = 0xFFFFFFFFU;
+    };
+
+    /// The nearest triangle; `hint`, if it is one, only saves time where it is near. Infinite for an empty soup.
+    Nearest nearest(const glm::dvec3& point, std::uint32_t hint = 0xFFFFFFFFU) const;
+
+private:
+    struct Bounds {
+        std::array<float, 3> min{}; // rounded outwards
+        std::array<float, 3> max{};
+
+        double squaredDistance(const glm::dvec3& point) const;
+    };
+
+    struct Node {
+        Bounds bounds;
+        std::uint32_t next = 0;  // of a leaf: the first of its triangles in order_; else its right child (the left one
+                                 // follows it)
+        std::uint32_t count = 0; // of a leaf's triangles; 0 for an inner node
+    };
+
+    struct Item;
+
+    Bounds build(std::vector<Item>& items, std::uint32_t node, std::uint32_t begin, std::uint32_t end);
+    Bounds buildLeaf(const std::vector<Item>& items, Node& node, std::uint32_t begin, std::uint32_t end);
+
+    const TriangleSoup& soup_;
+    std::vector<Node> nodes_;
+    std::vector<std::uint32_t> order_;
+};
+
+} // namespace gnomon::preprocess

@@ -1,0 +1,77 @@
+#include "preprocess/verify/verify.h"
+
+#include "core/error.h"
+#include "core/file.h"
+#include "preprocess/read/open_mesh_sources.h"
+#include "preprocess/verify/cracks.h"
+#include "preprocess/verify/error_bound.h"
+#include "preprocess/verify/rules.h"
+#include "preprocess/verify/source_soup.h"
+
+namespace gnomon::preprocess {
+
+namespace {
+
+constexpr std::size_t kMostLevels = 62; // a cut marks levels in the bits of one word
+
+Check checkChecksums(const hierarchy::ModelFile& file, const LoadedModel& model) {
+    Check check{"checksums"};
+    check.tested = model.pages.size();
+    check.failed = model.damage.size();
+    if (check.failed > 0) check.detail = model.damage[0];
+    const std::string hash = file.computedContentHash();
+    check.test(hash == file.contentHash(), [&] {
+        return file.path() + ": content hash: expected " + file.contentHash() + ", found " + hash;
+    });
+    return check;
+}
+
+Check leftOut(const std::string& name, const std::string& why) {
+    Check check{name};
+    check.detail = "not checked: " + why;
+    return check;
+}
+
+void leaveOut(Verification& verification, const std::vector<std::string>& names, const std::string& why) {
+    for (const std::string& name : names)
+        verification.checks.push_back(leftOut(name, why));
+}
+
+} // namespace
+
+Verification verifyModel(const VerifyOptions& options, Progress& progress) {
+    Verification verification;
+    const File readable(options.model, File::Mode::Read);
+    std::vector<std::string> rest = {"structure", "nesting", "monotone_error", "cracks"};
+    if (!options.source.empty()) rest.emplace_back("error_bound");
+    std::optional<hierarchy::ModelFile> file;
+    try {
+        file.emplace(options.model);
+    } catch (const Error& error) {
+        verification.checks.push_back({"checksums", 1, 1, 0, error.what()});
+        leaveOut(verification, rest, "the tables are damaged");
+        return verification;
+    }
+    const LoadedModel model = loadModel(*file, progress);
+    verification.checks.push_back(checkChecksums(*file, model));
+    if (!model.damage.empty()) {
+        leaveOut(verification, rest, "pages are damaged");
+        return verification;
+    }
+    verification.checks.push_back(checkStructure(model));
+    if (!refinementsResolve(model) || model.summary.levels.size() > kMostLevels) {
+        leaveOut(verification, {rest.begin() + 1, rest.end()}, "the structure is broken");
+        return verification;
+    }
+    verification.checks.push_back(checkNesting(model));
+    verification.checks.push_back(checkMonotoneError(model));
+    verification.checks.push_back(checkCracks(model, options.cuts, options.seed, progress));
+    if (options.source.empty()) return verification;
+    const auto source = openMeshSources(options.source, gibibytes(64));
+    progress.stage("read the source", "triangles", source->summary().faceCount);
+    const TriangleSoup soup = readSoup(*source, model.summary.grid);
+    verification.checks.push_back(checkErrorBound(model, soup, options.seed, progress));
+    return verification;
+}
+
+} // namespace gnomon::preprocess

@@ -1,0 +1,24 @@
+// `gnomon verify`: is a model file whole, and is what it promises true?
+#pragma once
+
+#include "core/progress.h"
+#include "preprocess/verify/check.h"
+
+#include <string>
+#include <vector>
+
+namespace gnomon::preprocess {
+
+struct VerifyOptions {
+    std::string model;
+    std::vector<std::string> source; // paths; empty: no comparison with the source
+    std::uint64_t cuts = 100;
+    std::uint64_t seed = 1;
+};
+
+/// Runs all checks: checksums, structure, nesting, monotone_error, cracks and, with a source, error_bound. Checks that
+/// need what a failed one found broken are left out and say so. Holds the whole model in memory, and the source.
+/// Throws Error only if a file cannot be opened at all or the source cannot be read.
+Verification verifyModel(const VerifyOptions& options, Progress& progress);
+
+} // namespace gnomon::preprocess

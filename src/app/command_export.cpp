@@ -1,0 +1,60 @@
+// `gnomon export`: one uniform cut of a model as a PLY.
+
+#include "app/commands.h"
+#include "core/units.h"
+#include "preprocess/export/export.h"
+
+#include <cstdio>
+#include <memory>
+
+namespace gnomon::app {
+
+namespace {
+
+struct ExportOptions {
+    std::string model;
+    std::string output;
+    std::string triangles;
+    std::optional<double> error;
+    CommonOptions common;
+};
+
+preprocess::ExportLimit limitOf(const ExportOptions& options) {
+    preprocess::ExportLimit limit;
+    if (options.triangles.empty() == !options.error.has_value())
+        throw UsageError{"export: say either --triangles or --error"};
+    if (!options.triangles.empty()) {
+        limit.triangles = parseCount(options.triangles);
+        if (!limit.triangles)
+            throw UsageError{"--triangles: not a count: " + options.triangles + " (write 250000, 13M or 1G)"};
+    }
+    if (options.error && !(*options.error >= 0)) throw UsageError{"--error: not a length"};
+    limit.error = options.error;
+    return limit;
+}
+
+} // namespace
+
+void addExportCommand(CLI::App& program) {
+    auto options = std::make_shared<ExportOptions>();
+    CLI::App* command = program.add_subcommand("export", "Write one uniform level of detail as a PLY");
+    command->add_option("MODEL", options->model, "A .gnm file")->required();
+    command->add_option("-o,--output", options->output, "The PLY to write")->required();
+    auto* triangles = command->add_option("--triangles", options->triangles, "At most so many; 13M is a count too");
+    command->add_option("--error", options->error, "Error of at most so many world units")->excludes(triangles);
+    addCommonOptions(*command, options->common);
+    command->callback([options] {
+        const preprocess::ExportLimit limit = limitOf(*options);
+        const auto progress = makeProgress(options->common);
+        const auto cut = preprocess::exportCut(options->model, limit, options->output, *progress);
+        std::fprintf(
+            stderr,
+            "%s: %llu triangles, %llu vertices, error at most %g\n",
+            options->output.c_str(),
+            static_cast<unsigned long long>(cut.triangles),
+            static_cast<unsigned long long>(cut.vertices),
+            cut.error);
+    });
+}
+
+} // namespace gnomon::app

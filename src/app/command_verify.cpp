@@ -1,0 +1,92 @@
+// `gnomon verify`: is a model file whole, and is what it promises true?
+
+#include "app/commands.h"
+#include "core/error.h"
+#include "preprocess/verify/verify.h"
+
+#include <tbb/global_control.h>
+
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <thread>
+
+#include <nlohmann/json.hpp>
+
+namespace gnomon::app {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json checkJson(const preprocess::Check& check) {
+    ordered_json json;
+    json["name"] = check.name;
+    json["tested"] = check.tested;
+    json["failed"] = check.failed;
+    // JSON has no infinity; a distance where none at all was promised is one.
+    json["worst"] = std::isfinite(check.worst) ? check.worst : 1e308;
+    json["detail"] = check.detail;
+    if (check.tightness) json["tightness"] = *check.tightness;
+    return json;
+}
+
+void print(const preprocess::Verification& verification, bool asJson) {
+    if (asJson) {
+        ordered_json json{{"ok", verification.ok()}, {"checks", ordered_json::array()}};
+        for (const preprocess::Check& check : verification.checks)
+            json["checks"].push_back(checkJson(check));
+        std::printf("%s\n", json.dump(1, ' ', false, ordered_json::error_handler_t::replace).c_str());
+        return;
+    }
+    for (const preprocess::Check& check : verification.checks) {
+        std::printf(
+            "%-14s %12llu tested %8llu failed  worst %-12g",
+            check.name.c_str(),
+            static_cast<unsigned long long>(check.tested),
+            static_cast<unsigned long long>(check.failed),
+            check.worst);
+        if (check.tightness) std::printf(" tightness %.2f", *check.tightness);
+        std::printf(" %s\n", check.detail.c_str());
+    }
+}
+
+/// Throws Error with the first check that failed.
+void expectOk(const preprocess::Verification& verification, const std::string& model) {
+    for (const preprocess::Check& check : verification.checks)
+        if (check.failed > 0)
+            throw Error(model + ": " + check.name + ": " + std::to_string(check.failed) + " failed: " + check.detail);
+}
+
+} // namespace
+
+void addVerifyCommand(CLI::App& program) {
+    struct Options {
+        preprocess::VerifyOptions verify;
+        CommonOptions common;
+        bool json = false;
+    };
+
+    auto options = std::make_shared<Options>();
+    CLI::App* command = program.add_subcommand("verify", "Check a model: checksums, structure, errors, cracks");
+    command->add_option("MODEL", options->verify.model, "A .gnm file")->required();
+    command->add_option(
+        "--source", options->verify.source, "What the model was built from: compare distances with stored errors");
+    command->add_option("--cuts", options->verify.cuts, "Random view-dependent cuts to look at for cracks")
+        ->capture_default_str();
+    command->add_option("--seed", options->verify.seed, "Other cuts, other samples")->capture_default_str();
+    command->add_flag("--json", options->json, "Print one JSON document");
+    addCommonOptions(*command, options->common);
+    command->callback([options] {
+        const auto progress = makeProgress(options->common);
+        const std::size_t threads = options->common.threads > 0
+                                        ? static_cast<std::size_t>(options->common.threads)
+                                        : std::max<std::size_t>(std::thread::hardware_concurrency(), 1);
+        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+        const preprocess::Verification verification = preprocess::verifyModel(options->verify, *progress);
+        print(verification, options->json);
+        expectOk(verification, options->verify.model);
+    });
+}
+
+} // namespace gnomon::app

@@ -1,0 +1,6 @@
+gnomon_tests(verify
+    SOURCES
+        ${CMAKE_CURRENT_LIST_DIR}/export_test.cpp
+        ${CMAKE_CURRENT_LIST_DIR}/triangle_tree_test.cpp
+        ${CMAKE_CURRENT_LIST_DIR}/verify_test.cpp
+    NEEDS gnomon::verify gnomon::export gnomon_tiny_model)

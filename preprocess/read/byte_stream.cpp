@@ -8,7 +8,10 @@
 namespace gnomon::preprocess {
 
 ByteStream::ByteStream(const File& file, std::uint64_t offset)
-    : file_(file), buffer_(kBufferBytes), fileBytes_(file.size()), bufferOffset_(offset) {
+    : file_(file),
+      fileBytes_(file.size()),
+      buffer_(std::min<std::uint64_t>(fileBytes_, kBufferBytes)),
+      bufferOffset_(offset) {
     GNOMON_CHECK_OP(offset, <=, fileBytes_);
 }
 

@@ -9,7 +9,7 @@
 
 namespace gnomon::preprocess {
 
-/// A forward window over a file. Holds one buffer of kBufferBytes, whatever the file's size.
+/// A forward window over a file. Holds one buffer of at most kBufferBytes, whatever the file's size.
 class ByteStream {
 public:
     static constexpr std::size_t kBufferBytes = std::size_t{2} << 20U;
@@ -30,6 +30,9 @@ public:
     /// Passes over `count` bytes without reading what is not yet in memory; `count` at most remaining().
     void skip(std::uint64_t count);
 
+    /// Goes back to the start of the file.
+    void rewind() { bufferOffset_ = begin_ = end_ = 0; }
+
     /// The current place in bytes from the start of the file.
     std::uint64_t offset() const { return bufferOffset_ + begin_; }
 
@@ -42,8 +45,8 @@ private:
     bool refill(std::size_t count);
 
     const File& file_;
-    std::vector<std::byte> buffer_;
     std::uint64_t fileBytes_;
+    std::vector<std::byte> buffer_;
     std::uint64_t bufferOffset_;
     std::size_t begin_ = 0;
     std::size_t end_ = 0;

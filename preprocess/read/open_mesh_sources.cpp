@@ -1,7 +1,12 @@
 #include "preprocess/read/open_mesh_sources.h"
 
 #include "core/check.h"
+#include "core/file.h"
 #include "preprocess/read/ply_source.h"
+#include "preprocess/read/whole_file_source.h"
+
+#include <array>
+#include <cstring>
 
 namespace gnomon::preprocess {
 
@@ -62,14 +67,20 @@ private:
     MeshSummary summary_;
 };
 
+bool isPly(const std::string& path) {
+    const File file(path, File::Mode::Read);
+    std::array<std::byte, 3> magic{};
+    return file.readSomeAt(0, magic) == magic.size() && std::memcmp(magic.data(), "ply", magic.size()) == 0;
+}
+
 } // namespace
 
-std::unique_ptr<MeshSource> openMeshSources(const std::vector<std::string>& paths, Bytes /*memoryLimit*/) {
+std::unique_ptr<MeshSource> openMeshSources(const std::vector<std::string>& paths, Bytes memoryLimit) {
     GNOMON_CHECK(!paths.empty());
     std::vector<std::unique_ptr<MeshSource>> parts;
     parts.reserve(paths.size());
     for (const std::string& path : paths)
-        parts.push_back(openPly(path));
+        parts.push_back(isWholeFileFormat(path) && !isPly(path) ? readWholeFile(path, memoryLimit) : openPly(path));
     if (parts.size() == 1) return std::move(parts.front());
     return std::make_unique<JoinedSource>(std::move(parts));
 }

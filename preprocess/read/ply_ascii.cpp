@@ -1,5 +1,6 @@
 #include "core/error.h"
 #include "preprocess/read/ply_values.h"
+#include "preprocess/read/words.h"
 
 #include <algorithm>
 #include <charconv>

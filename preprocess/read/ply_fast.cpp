@@ -206,8 +206,7 @@ void readVertexColumns(BinaryValues& values, const PlyElement& element, const Ve
     std::uint64_t done = 0;
     while (done < element.count) {
         if (!stream.fill(stride)) values.throwEndsEarly();
-        const std::uint64_t count =
-            std::min<std::uint64_t>({element.count - done, stream.available() / stride, out.room()});
+        const auto count = std::min<std::uint64_t>({element.count - done, stream.available() / stride, out.room()});
         const RawRows rows{stream.data(), stride, static_cast<std::size_t>(count), values.isSwapped()};
         const VertexBuffer::Rows place = out.append(rows.count);
         decodePositions(rows, columns, place.positions);

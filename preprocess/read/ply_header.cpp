@@ -1,6 +1,7 @@
 #include "preprocess/read/ply_header.h"
 
 #include "core/error.h"
+#include "preprocess/read/words.h"
 
 #include <algorithm>
 #include <array>
@@ -35,18 +36,6 @@ constexpr std::array<std::pair<std::string_view, PlyType>, 16> kTypeNames = {{
     {"float64", PlyType::Float64},
 }};
 
-std::vector<std::string_view> words(std::string_view line) {
-    constexpr std::string_view kBlanks = " \t\r\v\f";
-    std::vector<std::string_view> result;
-    std::size_t begin = line.find_first_not_of(kBlanks);
-    while (begin != std::string_view::npos) {
-        const std::size_t end = std::min(line.find_first_of(kBlanks, begin), line.size());
-        result.push_back(line.substr(begin, end - begin));
-        begin = line.find_first_not_of(kBlanks, end);
-    }
-    return result;
-}
-
 class HeaderParser {
 public:
     HeaderParser(const File& file, std::string_view text) : file_(file), text_(text) {}
@@ -54,7 +43,7 @@ public:
     PlyHeader parse() {
         findLineEnd();
         while (true) {
-            const std::vector<std::string_view> line = words(nextLine());
+            const std::vector<std::string_view> line = wordsOf(nextLine());
             if (!line.empty() && line[0] == "end_header") break;
             if (!line.empty()) statement(line);
         }
@@ -75,7 +64,7 @@ private:
         const std::size_t end = text_.find_first_of("\r\n");
         const bool isOldMac = end != std::string_view::npos && text_[end] == '\r' && text_.substr(end + 1, 1) != "\n";
         header_.lineEnd = isOldMac ? '\r' : '\n';
-        const std::vector<std::string_view> magic = words(nextLine());
+        const std::vector<std::string_view> magic = wordsOf(nextLine());
         if (magic.size() != 1 || magic[0] != "ply")
             throw Error(atByte(file_.path(), 0), "not a PLY file: the first line is not \"ply\"");
     }
@@ -86,7 +75,7 @@ private:
         if (end == std::string_view::npos) {
             // An ascii file may end here, without a body; the counts are judged later.
             const std::string_view rest = text_.substr(position_);
-            if (text_.size() < file_.size() || words(rest) != std::vector<std::string_view>{"end_header"})
+            if (text_.size() < file_.size() || wordsOf(rest) != std::vector<std::string_view>{"end_header"})
                 throw Error(atByte(file_.path(), text_.size()), "the header has no end_header");
             position_ = text_.size();
             return rest;
@@ -167,14 +156,6 @@ void checkCounts(const File& file, const PlyHeader& header) {
 }
 
 } // namespace
-
-std::string quotedForMessage(std::string_view text) {
-    constexpr std::size_t kShown = 40;
-    std::string result = "\"";
-    for (const char c : text.substr(0, kShown))
-        result += c >= ' ' && c <= '~' ? c : '?';
-    return result + (text.size() > kShown ? "...\"" : "\"");
-}
 
 int PlyElement::indexOf(const char* wanted, const char* alias) const {
     for (std::size_t i = 0; i < properties.size(); ++i)

@@ -5,7 +5,6 @@
 
 #include <cstdint>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace gnomon::preprocess {
@@ -73,8 +72,5 @@ struct PlyHeader {
 /// is an error. Throws Error with the line, also when the file is shorter than the declared counts allow.
 /// Source: Turk, "The PLY Polygon File Format", 1994.
 PlyHeader readPlyHeader(const File& file);
-
-/// The beginning of `text` in quotes with unprintable bytes as "?": a file can hold anything, an error is one line.
-std::string quotedForMessage(std::string_view text);
 
 } // namespace gnomon::preprocess

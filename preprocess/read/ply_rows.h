@@ -53,9 +53,14 @@ constexpr std::uint64_t kMostPolygonCorners = std::uint64_t{1} << 20U;
 template <class Values>
 std::uint64_t readListCount(Values& values, const PlyProperty& list) {
     const std::int64_t count = values.integer(list.countType);
+    if (count < 0) throw Error(values.where(), "absurd list count", "none below 0", std::to_string(count));
     const std::uint64_t most = values.mostValues(list.type);
-    if (count < 0 || static_cast<std::uint64_t>(count) > most)
-        throw Error(values.where(), "absurd list count", "at most " + std::to_string(most), std::to_string(count));
+    if (static_cast<std::uint64_t>(count) > most)
+        throw Error(
+            values.where(),
+            "the file ends too early",
+            "a list of " + std::to_string(count) + " values",
+            "room for at most " + std::to_string(most));
     return static_cast<std::uint64_t>(count);
 }
 

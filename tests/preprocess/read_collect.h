@@ -5,9 +5,19 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+#include <string>
 #include <vector>
 
 namespace gnomon::preprocess {
+
+/// Writes a file that lives briefly. Neither an AtomicFile nor an overwritten file, since both wait for the disk, and
+/// there are thousands of these.
+inline void writeScratch(const std::string& path, const std::string& text) {
+    std::filesystem::remove(path);
+    std::ofstream(path, std::ios::binary) << text;
+}
 
 struct CollectedMesh {
     std::vector<glm::dvec3> positions;

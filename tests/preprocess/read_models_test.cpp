@@ -8,7 +8,7 @@
 #include <fstream>
 #include <map>
 #include <optional>
-#include <regex>
+#include <sstream>
 
 namespace gnomon::preprocess {
 namespace {
@@ -25,13 +25,15 @@ std::string modelsFolder() {
 // File name -> triangles, nothing where the table says "error".
 std::map<std::string, std::optional<std::uint64_t>> nastyTable() {
     std::ifstream readme(modelsFolder() + "/README.md");
-    const std::regex row(R"(^\| (\S+\.ply) \|[^|]*\|[^|]*\|[^|]*\| (\S+) \|.*)");
     std::map<std::string, std::optional<std::uint64_t>> table;
     std::string line;
-    std::smatch match;
     while (std::getline(readme, line)) {
-        if (!std::regex_match(line, match, row)) continue;
-        table[match[1]] = match[2] == "error" ? std::nullopt : std::optional(std::stoull(match[2]));
+        std::vector<std::string> cells;
+        std::istringstream rest(line);
+        for (std::string cell; std::getline(rest, cell, '|');)
+            cells.push_back(cell.size() > 2 ? cell.substr(1, cell.size() - 2) : "");
+        if (cells.size() < 6 || !cells[1].ends_with(".ply")) continue;
+        table[cells[1]] = cells[5] == "error" ? std::nullopt : std::optional(std::stoull(cells[5]));
     }
     return table;
 }

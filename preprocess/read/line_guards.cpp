@@ -1,0 +1,200 @@
+#include "preprocess/read/line_guards.h"
+
+#include "core/error.h"
+#include "preprocess/read/words.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+namespace gnomon::preprocess {
+
+namespace {
+
+std::string_view withoutComment(std::string_view line) {
+    return line.substr(0, line.find('#'));
+}
+
+template <class Number>
+std::optional<Number> parsed(std::string_view word) {
+    Number value{};
+    const char* end = word.data() + word.size();
+    const auto [stop, error] = std::from_chars(word.data() + (word.starts_with('+') ? 1 : 0), end, value);
+    if (stop != end || error != std::errc()) return std::nullopt;
+    return value;
+}
+
+// `count` words from `first` on must be numbers that a float can hold.
+void expectNumbers(
+    const std::vector<std::string_view>& words, std::size_t first, std::size_t count, const std::string& where) {
+    if (words.size() < first + count)
+        throw Error(
+            where,
+            "too few numbers",
+            std::to_string(count),
+            std::to_string(words.size() - std::min(first, words.size())));
+    for (std::size_t i = first; i < first + count; ++i) {
+        const std::optional<float> number = parsed<float>(words[i]);
+        if (!number || !std::isfinite(*number))
+            throw Error(where, "bad number", "a finite one", quotedForMessage(words[i]));
+    }
+}
+
+std::string joined(const std::vector<std::string_view>& words, std::size_t first, std::size_t end) {
+    std::string line;
+    for (std::size_t i = first; i < end; ++i) {
+        if (i > first) line += ' ';
+        line += words[i];
+    }
+    return line;
+}
+
+// V, V/T, V//N or V/T/N; V is the one that must be there.
+bool isCorner(std::string_view word) {
+    for (int part = 0; part < 3; ++part) {
+        const std::size_t slash = word.find('/');
+        const std::string_view index = word.substr(0, slash);
+        const bool mayBeEmpty = part == 1 || (part == 2 && slash == std::string_view::npos);
+        if (!(index.empty() && mayBeEmpty) && parsed<std::int32_t>(index).value_or(0) == 0) return false;
+        if (slash == std::string_view::npos) return true;
+        word = word.substr(slash + 1);
+    }
+    return false;
+}
+
+void expectCorners(const std::vector<std::string_view>& line, const std::string& where) {
+    const auto bad = std::find_if(line.begin() + 1, line.end(), [](std::string_view word) { return !isCorner(word); });
+    if (bad != line.end())
+        throw Error(where, "bad corner of a face", "V, V/T, V//N or V/T/N with V not 0", quotedForMessage(*bad));
+}
+
+} // namespace
+
+void ObjGuard::begin() {
+    faceLines_ = 0;
+    continued_.clear();
+}
+
+std::optional<std::string> ObjGuard::pass(std::string_view line, const std::string& where) {
+    continued_ += withoutComment(line);
+    const std::size_t last = continued_.find_last_not_of(" \t\r");
+    if (last != std::string::npos && continued_[last] == '\\') {
+        continued_.resize(last);
+        continued_ += ' ';
+        return std::nullopt;
+    }
+    std::string whole = std::exchange(continued_, {});
+    const std::vector<std::string_view> words = wordsOf(whole);
+    if (words.empty()) return std::nullopt;
+    if (words[0] == "f") {
+        expectCorners(words, where);
+        ++faceLines_;
+        return whole;
+    }
+    if (words[0] != "v" && words[0] != "vn" && words[0] != "vc") return std::nullopt;
+    expectNumbers(words, 1, 3, where);
+    return whole;
+}
+
+void ObjGuard::end(const std::string& where) {
+    if (!continued_.empty()) throw Error(where, "the file ends inside a continued line");
+}
+
+std::optional<std::string> StlGuard::pass(std::string_view line, const std::string& where) {
+    constexpr std::array<std::string_view, 7> kLeftOut = {
+        "solid", "facet", "endloop", "endfacet", "endsolid", "color", "normal"};
+    std::string whole(line);
+    for (char& c : whole)
+        c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+    const std::vector<std::string_view> words = wordsOf(whole);
+    if (words.empty()) return std::nullopt;
+    if (words[0] == "vertex") {
+        expectNumbers(words, 1, 3, where);
+        if (verticesToCome_ == 0) throw Error(where, "a vertex outside of a loop, or the fourth of one");
+        --verticesToCome_;
+        return whole;
+    }
+    if (verticesToCome_ > 0) throw Error(where, "bad loop", "three vertices", quotedForMessage(words[0]));
+    if (words[0] == "outer") {
+        ++facets_;
+        verticesToCome_ = 3;
+        return "outer loop";
+    }
+    if (std::find(kLeftOut.begin(), kLeftOut.end(), words[0]) == kLeftOut.end())
+        throw Error(where, "not a line of an STL file: " + quotedForMessage(words[0]));
+    if (words[0] == "solid") isInSolid_ = true;
+    if (words[0] == "endsolid") isInSolid_ = false;
+    return std::nullopt;
+}
+
+void StlGuard::end(const std::string& where) {
+    if (verticesToCome_ > 0 || isInSolid_) throw Error(where, "the file ends too early: no endsolid");
+}
+
+std::optional<std::string> OffGuard::pass(std::string_view line, const std::string& where) {
+    const std::vector<std::string_view> words = wordsOf(withoutComment(line));
+    if (words.empty()) return std::nullopt;
+    if (!hasHeader_) {
+        hasHeader_ = true;
+        hasTexcoords_ = words[0].starts_with("ST");
+        hasColors_ = words[0].find('C') != std::string_view::npos;
+        hasNormals_ = words[0].find('N') != std::string_view::npos;
+        if (words.size() == 1) return std::string(words[0]);
+        readCounts({words.begin() + 1, words.end()}, where);
+        return std::string(words[0]) + "\n" + joined(words, 1, words.size());
+    }
+    if (!hasCounts_) {
+        readCounts(words, where);
+        return joined(words, 0, words.size());
+    }
+    if (verticesToCome_ > 0) return vertex(words, where);
+    if (facesToCome_ > 0) return face(words, where);
+    throw Error(where, "data after the last face: the counts are too small");
+}
+
+void OffGuard::readCounts(const std::vector<std::string_view>& words, const std::string& where) {
+    const bool areThree = words.size() == 3 && parsed<std::uint32_t>(words[2]);
+    const auto vertices = parsed<std::uint32_t>(words[0]);
+    const auto faces = parsed<std::uint32_t>(words.size() > 1 ? words[1] : "");
+    if (!areThree || !vertices || !faces)
+        throw Error(
+            where, "bad counts", "the numbers of vertices, faces and edges", quotedForMessage(words[0]) + "...");
+    hasCounts_ = true;
+    verticesToCome_ = *vertices;
+    facesToCome_ = *faces;
+}
+
+std::string OffGuard::vertex(const std::vector<std::string_view>& words, const std::string& where) {
+    --verticesToCome_;
+    const std::size_t numbers = hasNormals_ ? 6 : 3;
+    expectNumbers(words, 0, numbers, where);
+    const std::size_t rest = words.size() - numbers - (hasTexcoords_ ? 2 : 0);
+    if (words.size() < numbers + (hasTexcoords_ ? 2 : 0) || (rest != 0 && rest != 3 && rest != 4 && hasColors_))
+        throw Error(where, "bad vertex", "a colour of three or four channels", std::to_string(rest) + " values");
+    expectNumbers(words, numbers, hasColors_ ? rest : 0, where);
+    return joined(words, 0, words.size());
+}
+
+std::string OffGuard::face(const std::vector<std::string_view>& words, const std::string& where) {
+    --facesToCome_;
+    const auto size = parsed<std::uint32_t>(words[0]);
+    if (!size || *size >= words.size())
+        throw Error(
+            where, "bad face", "a number of corners and as many indices", std::to_string(words.size()) + " words");
+    for (std::size_t i = 1; i <= *size; ++i)
+        if (!parsed<std::int32_t>(words[i])) throw Error(where, "bad face", "an index", quotedForMessage(words[i]));
+    return joined(words, 0, *size + 1);
+}
+
+void OffGuard::end(const std::string& where) {
+    if (!hasCounts_ || verticesToCome_ > 0 || facesToCome_ > 0)
+        throw Error(
+            where,
+            "the file ends too early",
+            std::to_string(verticesToCome_) + " more vertices and " + std::to_string(facesToCome_) + " more faces",
+            "the end");
+}
+
+} // namespace gnomon::preprocess

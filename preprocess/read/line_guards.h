@@ -1,0 +1,62 @@
+// The lines that OBJ, STL and OFF files may have, one guard a format.
+#pragma once
+
+#include "preprocess/read/guarded_stream.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace gnomon::preprocess {
+
+/// Wavefront OBJ: passes `v`, `vn`, `vc` and `f`, joins continued lines, leaves the rest out (materials would make the
+/// reader open other files). Indices are checked for form only: their range is known when all vertices are.
+class ObjGuard final : public LineGuard {
+public:
+    void begin() override;
+    std::optional<std::string> pass(std::string_view line, const std::string& where) override;
+    void end(const std::string& where) override;
+
+    /// Lines that declare a face, in the pass that is running or over.
+    std::uint64_t faceLines() const { return faceLines_; }
+
+private:
+    std::string continued_;
+    std::uint64_t faceLines_ = 0;
+};
+
+/// Ascii STL: passes facets without their normals, in the order that the format demands.
+class StlGuard final : public LineGuard {
+public:
+    std::optional<std::string> pass(std::string_view line, const std::string& where) override;
+    void end(const std::string& where) override;
+
+    std::uint64_t facets() const { return facets_; }
+
+private:
+    std::uint64_t facets_ = 0;
+    int verticesToCome_ = 0;
+    bool isInSolid_ = false;
+};
+
+/// Ascii OFF: leaves out comments, empty lines and the colours of faces, puts the counts on a line of their own, and
+/// sees to it that each vertex and each face has a line of its own with the values that the header announces.
+class OffGuard final : public LineGuard {
+public:
+    std::optional<std::string> pass(std::string_view line, const std::string& where) override;
+    void end(const std::string& where) override;
+
+private:
+    void readCounts(const std::vector<std::string_view>& words, const std::string& where);
+    std::string vertex(const std::vector<std::string_view>& words, const std::string& where);
+    std::string face(const std::vector<std::string_view>& words, const std::string& where);
+
+    bool hasHeader_ = false;
+    bool hasCounts_ = false;
+    bool hasNormals_ = false;
+    bool hasColors_ = false;
+    bool hasTexcoords_ = false;
+    std::uint64_t verticesToCome_ = 0;
+    std::uint64_t facesToCome_ = 0;
+};
+
+} // namespace gnomon::preprocess

@@ -1,0 +1,67 @@
+#include "preprocess/read/memory_source.h"
+
+#include "core/check.h"
+#include "core/error.h"
+#include "preprocess/read/block_buffers.h"
+
+#include <algorithm>
+
+namespace gnomon::preprocess {
+
+namespace {
+
+class MemorySource final : public MeshSource {
+public:
+    MemorySource(const std::string& path, std::uint64_t fileBytes, MemoryMesh mesh) : mesh_(std::move(mesh)) {
+        summary_.path = path;
+        summary_.fileBytes = fileBytes;
+        summary_.vertexCount = mesh_.positions.size();
+        summary_.faceCount = mesh_.faceSizes.size();
+        summary_.hasNormals = !mesh_.normals.empty();
+        summary_.hasColors = !mesh_.colors.empty();
+        GNOMON_CHECK(mesh_.normals.empty() || mesh_.normals.size() == mesh_.positions.size());
+        GNOMON_CHECK(mesh_.colors.empty() || mesh_.colors.size() == mesh_.positions.size());
+        const auto needsDouble = [](const glm::dvec3& p) { return glm::dvec3(glm::vec3(p)) != p; };
+        summary_.isDouble = std::any_of(mesh_.positions.begin(), mesh_.positions.end(), needsDouble);
+        if (mesh_.faceSizes.empty()) throw Error(path, "no faces: this is a point cloud");
+    }
+
+    const MeshSummary& summary() const override { return summary_; }
+
+    void readVertices(const VertexSink& sink) override {
+        for (std::size_t first = 0; first < mesh_.positions.size(); first += kBlockRows) {
+            const std::size_t count = std::min(kBlockRows, mesh_.positions.size() - first);
+            VertexBlock block;
+            block.firstVertex = first;
+            block.positions = std::span(mesh_.positions).subspan(first, count);
+            if (summary_.hasNormals) block.normals = std::span(mesh_.normals).subspan(first, count);
+            if (summary_.hasColors) block.colors = std::span(mesh_.colors).subspan(first, count);
+            sink(block);
+        }
+    }
+
+    void readTriangles(const TriangleSink& sink) override {
+        TriangleBuffer out(sink);
+        for (std::uint64_t i = 0; i < mesh_.notAPolygon; ++i)
+            out.addPolygon({});
+        std::size_t first = 0;
+        for (const std::uint32_t size : mesh_.faceSizes) {
+            out.addPolygon(std::span(mesh_.corners).subspan(first, size));
+            first += size;
+        }
+        out.flush();
+        if (out.count() == 0) throw Error(summary_.path, "no triangles: no face has three corners");
+    }
+
+private:
+    MemoryMesh mesh_;
+    MeshSummary summary_;
+};
+
+} // namespace
+
+std::unique_ptr<MeshSource> memorySource(const std::string& path, std::uint64_t fileBytes, MemoryMesh mesh) {
+    return std::make_unique<MemorySource>(path, fileBytes, std::move(mesh));
+}
+
+} // namespace gnomon::preprocess

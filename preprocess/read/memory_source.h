@@ -1,0 +1,24 @@
+// A mesh that is held in memory, as a MeshSource.
+#pragma once
+
+#include "preprocess/read/mesh_source.h"
+
+#include <memory>
+#include <vector>
+
+namespace gnomon::preprocess {
+
+/// Vertices and polygons as plain arrays.
+struct MemoryMesh {
+    std::vector<glm::dvec3> positions;    ///< finite
+    std::vector<glm::vec3> normals;       ///< empty, or one a vertex
+    std::vector<std::uint32_t> colors;    ///< empty, or one a vertex; RGBA8, red in the lowest byte
+    std::vector<std::uint32_t> faceSizes; ///< corners of each face
+    std::vector<std::uint64_t> corners;   ///< of all faces one after the other, each below positions.size()
+    std::uint64_t notAPolygon = 0;        ///< faces that never came this far, besides those of faceSizes below 3
+};
+
+/// Takes the mesh over. `path` names it in errors, `fileBytes` is what it took on disk.
+std::unique_ptr<MeshSource> memorySource(const std::string& path, std::uint64_t fileBytes, MemoryMesh mesh);
+
+} // namespace gnomon::preprocess

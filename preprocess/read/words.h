@@ -1,0 +1,27 @@
+// Lines of text as words.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gnomon::preprocess {
+
+/// The words of `line` between blanks; they point into it.
+inline std::vector<std::string_view> wordsOf(std::string_view line) {
+    constexpr std::string_view kBlanks = " \t\r\v\f";
+    std::vector<std::string_view> result;
+    std::size_t begin = line.find_first_not_of(kBlanks);
+    while (begin != std::string_view::npos) {
+        const std::size_t end = std::min(line.find_first_of(kBlanks, begin), line.size());
+        result.push_back(line.substr(begin, end - begin));
+        begin = line.find_first_not_of(kBlanks, end);
+    }
+    return result;
+}
+
+/// The beginning of `text` in quotes with unprintable bytes as "?": a file can hold anything, an error is one line.
+std::string quotedForMessage(std::string_view text);
+
+} // namespace gnomon::preprocess

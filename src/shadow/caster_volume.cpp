@@ -1,0 +1,139 @@
+#include "shadow/caster_volume.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace gnomon::shadow {
+
+namespace {
+
+/// A point seen along the light.
+struct Seen {
+    double x = 0;
+    double z = 0;
+};
+
+double turn(const Seen& a, const Seen& b, const Seen& c) {
+    return (b.x - a.x) * (c.z - a.z) - (b.z - a.z) * (c.x - a.x);
+}
+
+/// The convex outline of `points`, counter-clockwise in (x, z), without collinear points (Andrew 1979).
+std::vector<Seen> convexOutline(std::vector<Seen> points) {
+    std::sort(points.begin(), points.end(), [](const Seen& a, const Seen& b) {
+        return a.x < b.x || (a.x == b.x && a.z < b.z);
+    });
+    std::vector<Seen> hull(2 * points.size());
+    std::size_t count = 0;
+    const auto add = [&](const Seen& point, std::size_t floor) {
+        while (count >= floor && turn(hull[count - 2], hull[count - 1], point) <= 0)
+            --count;
+        hull[count++] = point;
+    };
+    for (const Seen& point : points)
+        add(point, 2);
+    const std::size_t lower = count + 1;
+    for (std::size_t i = points.size() - 1; i-- > 0;)
+        add(points[i], lower);
+    hull.resize(count > 1 ? count - 1 : count);
+    return hull;
+}
+
+std::vector<Seen> seenVertices(const Region& region, const LightFrame& frame) {
+    std::vector<Seen> seen;
+    seen.reserve(region.vertices.size());
+    for (const FitVertex& vertex : region.vertices)
+        seen.push_back({glm::dot(frame.x, vertex.position), glm::dot(frame.z, vertex.position)});
+    return seen;
+}
+
+/// One side of the sweep: the half-plane normalX x + normalZ z + offset >= 0 in light space.
+struct SweepSide {
+    double normalX = 0;
+    double normalZ = 0;
+    double offset = 0;
+};
+
+/// The side over the outline's edge a-b, moved out until every vertex is inside: rounding in the outline must not cut.
+SweepSide sideOver(const Seen& a, const Seen& b, const std::vector<Seen>& all) {
+    const double length = std::hypot(b.x - a.x, b.z - a.z);
+    SweepSide side{-(b.z - a.z) / length, (b.x - a.x) / length, 0};
+    double least = std::numeric_limits<double>::infinity();
+    for (const Seen& point : all)
+        least = std::min(least, side.normalX * point.x + side.normalZ * point.z);
+    side.offset = -least;
+    return side;
+}
+
+std::vector<SweepSide> sweepSides(const Region& region, const LightFrame& frame) {
+    const std::vector<Seen> seen = seenVertices(region, frame);
+    double size = 0; // of the region as seen: a near square may be far smaller than its depth range
+    for (const Seen& point : seen)
+        size = std::max(size, std::hypot(point.x - seen.front().x, point.z - seen.front().z));
+    const std::vector<Seen> outline = convexOutline(seen);
+    std::vector<SweepSide> sides;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const Seen& a = outline[i];
+        const Seen& b = outline[(i + 1) % outline.size()];
+        // Between two vertices that differ by rounding there is no direction to take.
+        if (std::hypot(b.x - a.x, b.z - a.z) > 1e-10 * size) sides.push_back(sideOver(a, b, seen));
+    }
+    return sides;
+}
+
+Plane planeOf(const SweepSide& side, const LightFrame& frame) {
+    return {glm::normalize(frame.x * side.normalX + frame.z * side.normalZ), side.offset};
+}
+
+/// The light-space point of the map coordinates (s, t); nothing from the vanishing line on.
+std::optional<Seen> unmapped(const WarpedMap& map, double s, double t) {
+    const double warp = map.kappa * map.length;
+    const double divisor = 1 + warp * (1 - t);
+    if (!(divisor > 0)) return std::nullopt;
+    const double zeta = t * map.length / divisor;
+    const double w = 1 + map.kappa * zeta;
+    if (!(w > 0)) return std::nullopt;
+    return Seen{(map.uMin + s * map.width) * w, zeta + map.zMin};
+}
+
+} // namespace
+
+ConvexVolume casterVolume(const Region& region, const LightFrame& frame) {
+    ConvexVolume volume;
+    // What faces away from the light bounds the sweep from below; what faces it is swept away, and the sides of the
+    // outline stand for everything between.
+    for (const Plane& plane : region.volume.planes)
+        if (glm::dot(plane.normal, frame.y) > 1e-12) volume.planes.push_back(plane);
+    for (const SweepSide& side : sweepSides(region, frame))
+        volume.planes.push_back(planeOf(side, frame));
+    return volume;
+}
+
+ConvexVolume grownCasterVolume(const Region& region, const WarpedMap& map, double growS, double growT) {
+    ConvexVolume volume;
+    // Depth 1 is the plane -y = (rawMin + rawRange) w.
+    const double rawMax = map.rawMin + map.rawRange;
+    const glm::dvec3 floorNormal = map.frame.y + map.frame.z * (rawMax * map.kappa);
+    const double length = glm::length(floorNormal);
+    volume.planes.push_back({floorNormal / length, rawMax * (1 - map.kappa * map.zMin) / length});
+    for (SweepSide side : sweepSides(region, map.frame)) {
+        bool bounded = true;
+        // A linear function of light space is linear over linear in the map, so over each grown vertex its least value
+        // lies at a corner.
+        for (const FitVertex& vertex : region.vertices) {
+            const MapPoint at = mapPoint(map, vertex.position);
+            for (const int corner : {0, 1, 2, 3}) {
+                const double s = at.s + ((corner & 1) != 0 ? growS : -growS);
+                const double t = at.t + ((corner & 2) != 0 ? growT : -growT);
+                const std::optional<Seen> reached = unmapped(map, s, t);
+                bounded = bounded && reached.has_value();
+                if (!reached) continue;
+                side.offset = std::max(side.offset, -(side.normalX * reached->x + side.normalZ * reached->z));
+            }
+        }
+        if (bounded) volume.planes.push_back(planeOf(side, map.frame));
+    }
+    return volume;
+}
+
+} // namespace gnomon::shadow

@@ -1,0 +1,20 @@
+// Caster volumes: all that can throw a shadow into a region, as the planes of the region swept towards the light.
+#pragma once
+
+#include "core/convex_volume.h"
+#include "shadow/region.h"
+#include "shadow/warped_map.h"
+
+namespace gnomon::shadow {
+
+/// The exact sweep of `region` towards the light: a point outside shadows nothing in the region, a point inside does.
+/// Every plane touches a vertex of the region, so none can be moved in.
+ConvexVolume casterVolume(const Region& region, const LightFrame& frame);
+
+/// All that can change what a lookup in `region` reads: the sweep, with each side moved out by `texelsS` and `texelsT`
+/// (fractions of the map) through the map itself, and with the map's far end of depth as floor, so that depth that a
+/// lookup can read is the same with and without culling. A side that the growth carries past the warp's vanishing line
+/// bounds nothing and is left out.
+ConvexVolume grownCasterVolume(const Region& region, const WarpedMap& map, double growS, double growT);
+
+} // namespace gnomon::shadow

@@ -1,0 +1,101 @@
+#include "shadow/orientation.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace gnomon::shadow {
+
+namespace {
+
+constexpr double kPi = 3.141592653589793;
+constexpr double kQuarter = kPi / 2;
+constexpr int kCoarse = 24;            // samples over half a turn
+constexpr double kBetterValley = 0.95; // another valley has to be this much lower to be worth the way
+
+/// S in the orientation `radians` from the plain one, quick and slightly high: for `auto` the least over four warps.
+double roughStorage(const LightFit& plain, const Warp& warp, double radians) {
+    const LightFit fit = turned(plain, radians);
+    if (warp.rule != WarpRule::Auto) return storageFactor(fit, kappaOf(warp, fit));
+    const double most = kappaMinimax(fit);
+    double least = storageFactor(fit, 0);
+    for (const double fraction : {0.2, 0.5, 1.0})
+        if (most > 0) least = std::min(least, storageFactor(fit, most * fraction));
+    return least;
+}
+
+double exactStorage(const LightFit& plain, const Warp& warp, double radians) {
+    const LightFit fit = turned(plain, radians);
+    return storageFactor(fit, kappaOf(warp, fit));
+}
+
+/// The foot of the valley of S that contains `start`, within `reach` to both sides.
+double valleyFoot(const LightFit& plain, const Warp& warp, double start, double reach) {
+    double best = start;
+    double least = roughStorage(plain, warp, start);
+    for (double step = reach / 2; step > 1e-4; step /= 2) {
+        for (const double at : {best - step, best + step}) {
+            const double found = roughStorage(plain, warp, at);
+            if (found >= least) continue;
+            least = found;
+            best = at;
+            break;
+        }
+    }
+    return best;
+}
+
+/// The turn of least S over half a turn either way of the plain orientation.
+double bestTurn(const LightFit& plain, const Warp& warp) {
+    double best = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < kCoarse; ++i) {
+        const double at = kPi * (static_cast<double>(i) / kCoarse - 0.5);
+        const double found = roughStorage(plain, warp, at);
+        // Equal valleys, as without a warp, are told apart by the lesser turn and not by rounding.
+        if (found < least * (1 - 1e-9) || (found < least * (1 + 1e-9) && std::abs(at) < std::abs(best))) {
+            least = std::min(least, found);
+            best = at;
+        }
+    }
+    const double foot = valleyFoot(plain, warp, best, kPi / kCoarse);
+    return exactStorage(plain, warp, foot) <= exactStorage(plain, warp, 0) ? foot : 0.0;
+}
+
+/// `radians` less whole turns, in [-pi, pi).
+double wrapped(double radians) {
+    return radians - 2 * kPi * std::floor((radians + kPi) / (2 * kPi));
+}
+
+} // namespace
+
+glm::dvec3 carried(const OrientationState& state, const glm::dvec3& towardsLight) {
+    const glm::dvec3 axis = glm::cross(state.towardsLight, towardsLight);
+    const double cosine = glm::dot(state.towardsLight, towardsLight);
+    glm::dvec3 z = state.zAxis;
+    // Rodrigues' rotation with sine and cosine taken from the two lights; opposite lights share every axis across them.
+    if (cosine > -0.999999) z += glm::cross(axis, z) + glm::cross(axis, glm::cross(axis, z)) / (1 + cosine);
+    z -= towardsLight * glm::dot(z, towardsLight);
+    return glm::normalize(z);
+}
+
+LightFrame chosenFrame(
+    const ViewFrustum& slice,
+    const glm::dvec3& towardsLight,
+    const Warp& warp,
+    const std::optional<OrientationState>& previous) {
+    const LightFit plain = fitSlice(lightFrame(towardsLight), slice);
+    if (!previous) return turned(plain.frame, bestTurn(plain, warp));
+    const glm::dvec3 z = carried(*previous, towardsLight);
+    const double now = std::atan2(glm::dot(z, plain.frame.x), glm::dot(z, plain.frame.z));
+    const double turn = std::asin(std::min(1.0, glm::length(glm::cross(previous->towardsLight, towardsLight))));
+    const double reach = kOrientationRate * (glm::dot(previous->towardsLight, towardsLight) > 0 ? turn : kPi - turn);
+    if (reach >= kPi) return turned(plain.frame, bestTurn(plain, warp));
+    double target = valleyFoot(plain, warp, now, kQuarter / 6);
+    const double other = bestTurn(plain, warp);
+    if (exactStorage(plain, warp, other) < kBetterValley * exactStorage(plain, warp, target)) target = other;
+    return turned(plain.frame, now + std::clamp(wrapped(target - now), -reach, reach));
+}
+
+} // namespace gnomon::shadow

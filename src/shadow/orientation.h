@@ -1,0 +1,34 @@
+// The turn of a map about the light. The plain convention spins as the light turns parallel to the view; this one is
+// chosen for the least storage and follows the light no faster than the eye forgives.
+#pragma once
+
+#include "shadow/light_fit.h"
+#include "shadow/warp.h"
+
+#include <optional>
+
+namespace gnomon::shadow {
+
+/// What the choice remembers from frame to frame: the light and the map's t axis, both in camera space.
+struct OrientationState {
+    glm::dvec3 towardsLight{0, 1, 0};
+    glm::dvec3 zAxis{0, 0, 1};
+};
+
+/// How far the orientation may turn for each radian that the light turns in camera space, beyond what carrying it along
+/// takes. Light turns of more than about 5 degrees therefore choose afresh.
+constexpr double kOrientationRate = 40;
+
+/// The axis of `state` carried along by the least rotation that takes its light to `towardsLight`.
+glm::dvec3 carried(const OrientationState& state, const glm::dvec3& towardsLight);
+
+/// The frame for `slice` and `warp`: the turn about the light of the least S, never more than in the plain orientation.
+/// With a previous state it stays in the valley of S that it is in until another is 5% lower, and moves no faster than
+/// kOrientationRate. As the warp fades it is aligned with the camera, since that is where S then is least.
+LightFrame chosenFrame(
+    const ViewFrustum& slice,
+    const glm::dvec3& towardsLight,
+    const Warp& warp,
+    const std::optional<OrientationState>& previous);
+
+} // namespace gnomon::shadow

@@ -1,0 +1,228 @@
+#include "shadow/region.h"
+
+#include "core/check.h"
+#include "shadow/splits.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gnomon::shadow {
+
+namespace {
+
+constexpr double kGrazing = 1e-3; // sine of the angle below which a face is left to its neighbours
+
+/// The sides in cyclic order, each with the signs of the corner that it shares with the next one.
+struct Side {
+    Face face;
+    double cornerX;
+    double cornerY;
+};
+
+constexpr std::array<Side, 4> kCycle{
+    {{Face::Top, 1, 1}, {Face::Right, 1, -1}, {Face::Bottom, -1, -1}, {Face::Left, -1, 1}}};
+
+glm::dvec3 cornerRay(const ViewFrustum& frustum, const Side& side) {
+    return {side.cornerX * tanHalfX(frustum), side.cornerY * tanHalfY(frustum), 1};
+}
+
+/// The middle of a side face at depth 1, and its edge's direction.
+glm::dvec3 middleRay(const ViewFrustum& frustum, Face face) {
+    const glm::dvec3 normal = outwardNormal(frustum, face);
+    const double x = normal.x == 0 ? 0 : std::copysign(tanHalfX(frustum), normal.x);
+    const double y = normal.y == 0 ? 0 : std::copysign(tanHalfY(frustum), normal.y);
+    return {x, y, 1};
+}
+
+/// The plane through the eye, the corner ray and the light, oriented so that `inside` passes.
+glm::dvec3 separator(const glm::dvec3& ray, const glm::dvec3& towardsLight, const glm::dvec3& inside) {
+    const glm::dvec3 normal = glm::normalize(glm::cross(ray, towardsLight));
+    return glm::dot(normal, inside) >= 0 ? normal : -normal;
+}
+
+void addNearEdge(FaceSelector& selector, const ViewFrustum& frustum, const glm::dvec3& towardsLight) {
+    const bool horizontal = selector.face == Face::Top || selector.face == Face::Bottom;
+    const glm::dvec3 along = horizontal ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+    const glm::dvec3 middle = middleRay(frustum, selector.face);
+    glm::dvec3 normal = glm::normalize(glm::cross(along, towardsLight));
+    // The face lies beyond its near edge: further along its own middle ray.
+    if (glm::dot(normal, middle) < 0) normal = -normal;
+    selector.edge = normal;
+    selector.edgeOffset = glm::dot(normal, middle);
+}
+
+/// A convex polygon in the image plane (x/z, y/z, 1).
+using Outline = std::vector<glm::dvec3>;
+
+Outline imageOutline(const ViewFrustum& frustum) {
+    Outline outline;
+    for (const Side& side : kCycle)
+        outline.push_back(cornerRay(frustum, side));
+    return outline;
+}
+
+/// The part of `outline` with dot(normal, ray) >= 0; a zero normal keeps everything.
+Outline clipped(const Outline& outline, const glm::dvec3& normal) {
+    Outline result;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const glm::dvec3& a = outline[i];
+        const glm::dvec3& b = outline[(i + 1) % outline.size()];
+        const double atA = glm::dot(normal, a);
+        const double atB = glm::dot(normal, b);
+        if (atA >= 0) result.push_back(a);
+        if ((atA > 0 && atB < 0) || (atA < 0 && atB > 0)) {
+            const double fraction = atA / (atA - atB);
+            result.push_back(a + (b - a) * fraction);
+        }
+    }
+    return result;
+}
+
+/// The vertices of the slice's part over `outline` with side * (dot(edge, p) - offset) >= 0; an edge of 0 keeps all.
+std::vector<FitVertex> sliceVertices(
+    const ViewFrustum& part, const Outline& outline, const glm::dvec3& edge, double offset, double side) {
+    std::vector<FitVertex> result;
+    const auto value = [&](const glm::dvec3& p) { return side * (glm::dot(edge, p) - offset); };
+    // Rounding must not drop the corners that lie on the cutting plane by construction.
+    const double slack = 1e-12 * part.far;
+    const auto keep = [&](const glm::dvec3& p, DepthEnd end) {
+        if (value(p) >= -slack) result.push_back({p, end});
+    };
+    const auto cross = [&](const glm::dvec3& a, const glm::dvec3& b, DepthEnd end) {
+        const double atA = value(a);
+        const double atB = value(b);
+        const bool crosses = (atA > slack && atB < -slack) || (atA < -slack && atB > slack);
+        if (crosses) result.push_back({a + (b - a) * (atA / (atA - atB)), end});
+    };
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const glm::dvec3& ray = outline[i];
+        const glm::dvec3& next = outline[(i + 1) % outline.size()];
+        keep(ray * part.near, DepthEnd::Near);
+        keep(ray * part.far, DepthEnd::Far);
+        cross(ray * part.near, next * part.near, DepthEnd::Near);
+        cross(ray * part.far, next * part.far, DepthEnd::Far);
+        cross(ray * part.near, ray * part.far, DepthEnd::Between);
+    }
+    return result;
+}
+
+/// The outline that a face owns when faces before it have had their choice: exactly what ownerOf gives it.
+Outline faceOutline(const ViewFrustum& frustum, const FaceSelector& face) {
+    return clipped(clipped(imageOutline(frustum), face.first), face.second);
+}
+
+void addPlane(ConvexVolume& volume, const glm::dvec3& normal, double offset) {
+    if (normal != glm::dvec3(0)) volume.planes.push_back({normal, offset});
+}
+
+void addSlicePlanes(Region& region) {
+    addPlane(region.volume, {0, 0, 1}, -region.frustum.near);
+    addPlane(region.volume, {0, 0, -1}, region.frustum.far);
+    for (const Side& side : kCycle)
+        addPlane(region.volume, -outwardNormal(region.frustum, side.face), 0);
+}
+
+/// The vertices of the near square's own region: what every face leaves to it.
+std::vector<FitVertex> nearVertices(const ViewFrustum& frustum, const Region& region, const PartitionSelector& all) {
+    std::vector<FitVertex> result;
+    for (const FaceSelector& face : all.faces) {
+        const Outline outline = faceOutline(frustum, face);
+        const double offset = face.edgeOffset * region.frustum.near;
+        for (const FitVertex& vertex : sliceVertices(region.frustum, outline, face.edge, offset, -1)) {
+            const bool known = std::any_of(result.begin(), result.end(), [&](const FitVertex& other) {
+                return glm::length(other.position - vertex.position) <= 1e-13 * region.frustum.far;
+            });
+            if (!known) result.push_back(vertex);
+        }
+    }
+    return result;
+}
+
+/// Drops the planes that no vertex touches: they bound nothing.
+void dropIdlePlanes(Region& region) {
+    std::erase_if(region.volume.planes, [&](const Plane& plane) {
+        return std::none_of(region.vertices.begin(), region.vertices.end(), [&](const FitVertex& vertex) {
+            return plane.signedDistance(vertex.position) <= 1e-9 * region.frustum.far;
+        });
+    });
+}
+
+} // namespace
+
+PartitionSelector partitionSelector(
+    const ViewFrustum& frustum,
+    const glm::dvec3& towardsLight,
+    std::vector<double> splits,
+    bool useFaces,
+    bool ownNear) {
+    PartitionSelector selector;
+    selector.splits = std::move(splits);
+    if (!useFaces) return selector;
+    const std::vector<Face> counting = sideFaces(frustum, towardsLight, kGrazing);
+    const auto counts = [&](std::size_t i) {
+        return std::find(counting.begin(), counting.end(), kCycle[i % 4].face) != counting.end();
+    };
+    // Start the cycle after a face that does not count, so that neighbours in the list are neighbours in the image.
+    std::size_t start = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+        if (!counts(i)) start = i + 1;
+    selector.ownNear = ownNear && std::abs(towardsLight.z) > kGrazing && !counting.empty();
+    for (std::size_t i = start; i < start + 4; ++i) {
+        if (!counts(i)) continue;
+        FaceSelector face;
+        face.face = kCycle[i % 4].face;
+        const glm::dvec3 middle = middleRay(frustum, face.face);
+        if (counts(i + 3)) face.first = separator(cornerRay(frustum, kCycle[(i + 3) % 4]), towardsLight, middle);
+        if (counts(i + 1)) face.second = separator(cornerRay(frustum, kCycle[i % 4]), towardsLight, middle);
+        if (selector.ownNear) addNearEdge(face, frustum, towardsLight);
+        selector.faces.push_back(face);
+    }
+    return selector;
+}
+
+std::size_t ownerOf(const PartitionSelector& selector, const glm::dvec3& p) {
+    const std::size_t slice = sliceOf(selector.splits, p.z);
+    const std::size_t first = slice * selector.facesPerSlice();
+    if (selector.faces.empty()) return first;
+    std::size_t face = 0;
+    while (face + 1 < selector.faces.size()) {
+        const FaceSelector& candidate = selector.faces[face];
+        if (glm::dot(candidate.first, p) >= 0 && glm::dot(candidate.second, p) >= 0) break;
+        ++face;
+    }
+    const FaceSelector& owner = selector.faces[face];
+    const bool inNear = selector.ownNear && glm::dot(owner.edge, p) < owner.edgeOffset * selector.splits[slice];
+    return first + (inNear ? selector.faces.size() : face);
+}
+
+Region partitionRegion(const ViewFrustum& frustum, const PartitionSelector& selector, std::size_t index) {
+    GNOMON_CHECK_OP(index, <, selector.partitionCount());
+    Region region;
+    region.slice = index / selector.facesPerSlice();
+    region.frustum = slice(frustum, selector.splits[region.slice], selector.splits[region.slice + 1]);
+    addSlicePlanes(region);
+    const std::size_t ordinal = index % selector.facesPerSlice();
+    if (selector.faces.empty()) {
+        region.vertices = sliceVertices(region.frustum, imageOutline(frustum), glm::dvec3(0), 0, 1);
+        return region;
+    }
+    if (ordinal == selector.faces.size()) {
+        region.face = Face::Near;
+        region.vertices = nearVertices(frustum, region, selector);
+        for (const FaceSelector& face : selector.faces)
+            addPlane(region.volume, -face.edge, face.edgeOffset * region.frustum.near);
+        dropIdlePlanes(region);
+        return region;
+    }
+    const FaceSelector& face = selector.faces[ordinal];
+    const double offset = face.edgeOffset * region.frustum.near;
+    region.face = face.face;
+    region.vertices = sliceVertices(region.frustum, faceOutline(frustum, face), face.edge, offset, 1);
+    addPlane(region.volume, face.first, 0);
+    addPlane(region.volume, face.second, 0);
+    addPlane(region.volume, face.edge, -offset);
+    dropIdlePlanes(region);
+    return region;
+}
+
+} // namespace gnomon::shadow

@@ -1,0 +1,60 @@
+// The convex regions that partitions own, with their vertices and planes, and the rule that says which partition owns a
+// point: by selection, never by a mask product.
+#pragma once
+
+#include "core/convex_volume.h"
+#include "shadow/faces.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace gnomon::shadow {
+
+/// A side face as the selection sees it. All its planes contain the light's direction.
+struct FaceSelector {
+    Face face = Face::Top;
+    glm::dvec3 first{0};   // the face owns p only if dot(first, p) >= 0 and dot(second, p) >= 0: planes through the
+    glm::dvec3 second{0};  // eye that part it from its neighbours; 0 where there is none, which every p passes
+    glm::dvec3 edge{0};    // with an own near map: p belongs to the near face where dot(edge, p) < edgeOffset * n_i,
+    double edgeOffset = 0; // n_i the near depth of p's slice
+};
+
+/// Which partition a point in camera space belongs to. Shaders repeat `ownerOf` word for word.
+struct PartitionSelector {
+    std::vector<double> splits;      // slice i owns splits[i] <= z < splits[i + 1], the ends unbounded
+    std::vector<FaceSelector> faces; // in cyclic order; empty: a partition is a whole slice
+    bool ownNear = false;            // the near face has partitions of its own
+
+    std::size_t facesPerSlice() const { return faces.empty() ? 1 : faces.size() + (ownNear ? 1 : 0); }
+
+    std::size_t partitionCount() const { return (splits.size() - 1) * facesPerSlice(); }
+};
+
+/// The selector of `splits` and, if `useFaces`, of the faces that bear maps. Faces and near squares that the light
+/// grazes (the sine of their angle to it below 1e-3) are too thin for a map in single precision: their neighbours take
+/// them over, so nothing is left out. `ownNear` asks for a map of the near square; without it the sides reach it.
+PartitionSelector partitionSelector(
+    const ViewFrustum& frustum,
+    const glm::dvec3& towardsLight,
+    std::vector<double> splits,
+    bool useFaces,
+    bool ownNear);
+
+/// The partition that owns `p`: slice * facesPerSlice + face, the near face last. The slice by splits, then the first
+/// face whose two tests hold, the last face needing none, then the near face's test.
+std::size_t ownerOf(const PartitionSelector& selector, const glm::dvec3& p);
+
+/// The region of one partition, in camera space: closed, convex, bounded by the frustum of its slice.
+struct Region {
+    std::size_t slice = 0;
+    Face face = Face::Whole;
+    ViewFrustum frustum; // of the slice
+    std::vector<FitVertex> vertices;
+    ConvexVolume volume; // every plane touches a vertex
+};
+
+/// The region of partition `index`, in the numbering of ownerOf.
+Region partitionRegion(const ViewFrustum& frustum, const PartitionSelector& selector, std::size_t index);
+
+} // namespace gnomon::shadow

@@ -1,0 +1,244 @@
+#include "shadow/setup.h"
+
+#include "core/check.h"
+#include "core/error.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gnomon::shadow {
+
+namespace {
+
+/// One map before the budget is split.
+struct Draft {
+    Region region;
+    LightFit fit;
+    double kappa = 0;
+    Aliasing unit;      // at unit resolutions and a single lookup
+    double sheared = 0; // likewise
+};
+
+double filterWidth(const ShadowOptions& options) {
+    return std::max(1.0, options.filterTexels);
+}
+
+int gutterTexels(const ShadowOptions& options) {
+    return static_cast<int>(std::ceil(options.filterTexels / 2)) + 1;
+}
+
+TexelLimits limitsOf(const ShadowOptions& options) {
+    return {options.texels, gutterTexels(options), options.minSide, options.maxSide, options.stabilized ? 1 : 0};
+}
+
+/// A view so thin that float positions relative to the eye do not resolve its texels.
+bool isThin(const ViewFrustum& frustum) {
+    constexpr double kDegree = 0.017453292519943295;
+    return frustum.depthRatio() < 1.1 || frustum.halfFovYRadians < kDegree;
+}
+
+/// The slice whose orientation all slices share: that of the largest depth ratio, where the choice matters most. The
+/// others are similar to it, or less demanding.
+ViewFrustum leadingSlice(const ViewFrustum& frustum, const std::vector<double>& splits) {
+    std::size_t leading = 0;
+    for (std::size_t i = 0; i + 1 < splits.size(); ++i)
+        if (splits[i + 1] / splits[i] > splits[leading + 1] / splits[leading] * (1 + 1e-9)) leading = i;
+    return slice(frustum, splits[leading], splits[leading + 1]);
+}
+
+Warp warpOfSlice(const Warp& warp, const ViewFrustum& whole, const ViewFrustum& part) {
+    Warp result = warp;
+    result.tsmFocus *= part.near / whole.near; // the focus of a slice lies where it does in the whole, to scale
+    return result;
+}
+
+/// The frame of a near square's map: along the square's own edges.
+LightFrame nearFrame(const glm::dvec3& towardsLight) {
+    return lightFrameAlong(towardsLight, glm::dvec3(0, 1, 0));
+}
+
+Draft draftOf(const ShadowView& view, const ShadowOptions& options, Region region, const LightFrame& sliceFrame) {
+    Draft draft;
+    LightFrame frame = sliceFrame;
+    if (region.face == Face::Near)
+        frame = nearFrame(view.towardsLight);
+    else if (region.face != Face::Whole)
+        frame = faceFrame(region.frustum, view.towardsLight, region.face, options.scheme.bisector);
+    draft.fit = fitRegion(frame, region.frustum, region.vertices);
+    const Warp warp = warpOfSlice(options.scheme.warp, view.frustum, region.frustum);
+    draft.kappa = region.face == Face::Near ? 0 : kappaOf(warp, draft.fit);
+    draft.unit = worstAliasing(draft.fit, draft.kappa);
+    draft.sheared = worstShearedAliasing(draft.fit, draft.kappa);
+    draft.region = std::move(region);
+    return draft;
+}
+
+Draft stableDraftOf(Region region, const LightFrame& frame) {
+    Draft draft;
+    draft.fit = fitRegion(frame, region.frustum, region.vertices);
+    const double twoTan = 2 * tanHalfY(region.frustum);
+    const double unit = stableExtent(region.frustum) / (twoTan * region.frustum.near);
+    draft.unit = {unit, unit};
+    draft.sheared = unit;
+    draft.region = std::move(region);
+    return draft;
+}
+
+/// (s, t, depth, w) over the map without gutters -> x and y in [0, 1] over the whole rectangle, with them.
+glm::dmat4 rectangleFromMap(const TexelRectangle& rectangle, int gutter) {
+    const double scaleX = static_cast<double>(rectangle.width - 2 * gutter) / rectangle.width;
+    const double scaleY = static_cast<double>(rectangle.height - 2 * gutter) / rectangle.height;
+    glm::dmat4 m(1);
+    m[0] = rectangle.turned ? glm::dvec4(0, scaleY, 0, 0) : glm::dvec4(scaleX, 0, 0, 0);
+    m[1] = rectangle.turned ? glm::dvec4(scaleX, 0, 0, 0) : glm::dvec4(0, scaleY, 0, 0);
+    m[3] = {(1 - scaleX) / 2, (1 - scaleY) / 2, 0, 1};
+    return m;
+}
+
+/// x, y and depth in [0, 1] -> clip space in [-w, w].
+glm::dmat4 clipFromUnit() {
+    glm::dmat4 m(2);
+    m[3] = {-1, -1, -1, 1};
+    return m;
+}
+
+/// x and y in [0, 1] over the rectangle -> over the whole texture.
+glm::dmat4 textureFromRectangle(const TexelRectangle& rectangle, int width, int height) {
+    glm::dmat4 m(1);
+    m[0][0] = static_cast<double>(rectangle.width) / width;
+    m[1][1] = static_cast<double>(rectangle.height) / height;
+    m[3][0] = static_cast<double>(rectangle.x) / width;
+    m[3][1] = static_cast<double>(rectangle.y) / height;
+    return m;
+}
+
+WarpedMap finalMap(const ShadowView& view, const ShadowOptions& options, const Draft& draft, int texelsS, int texelsT) {
+    if (options.stabilized) {
+        const int texels = std::min(texelsS, texelsT);
+        const double texel = stableExtent(draft.region.frustum) / (texels - 1);
+        const double steepest = 10; // above the slope at N.L = 0.1, along both axes, whatever the orientation
+        const double bias = reachTexels(options.filterTexels) * 2 * steepest * texel;
+        return stableMap(view.anchor, draft.fit.frame, draft.region.frustum, texels, bias);
+    }
+    const Resolution texels{1, static_cast<double>(texelsS), static_cast<double>(texelsT)};
+    const double bias = largestRawBias(draft.fit, draft.kappa, texels, options.filterTexels);
+    return warpedMap(draft.fit, draft.kappa, bias);
+}
+
+PromisedAliasing promiseOf(
+    const ShadowView& view,
+    const ShadowOptions& options,
+    const Draft& draft,
+    const WarpedMap& map,
+    double s,
+    double t) {
+    const double pixels = view.imageHeight * filterWidth(options);
+    if (options.stabilized) {
+        const double twoTan = 2 * tanHalfY(draft.region.frustum);
+        const double m = map.width / s / (twoTan * draft.region.frustum.near) * pixels;
+        return {m, m, m};
+    }
+    return {draft.unit.x / s * pixels, draft.unit.z / t * pixels, draft.sheared / t * pixels};
+}
+
+/// The point inside a thin slice that positions are taken relative to: the middle of its vertices.
+glm::dvec3 originOf(const Region& region) {
+    glm::dvec3 sum(0);
+    for (const FitVertex& vertex : region.vertices)
+        sum += vertex.position;
+    return sum / static_cast<double>(region.vertices.size());
+}
+
+ShadowMapPartition finished(
+    const ShadowView& view, const ShadowOptions& options, Draft draft, const TexelLayout& layout, std::size_t index) {
+    ShadowMapPartition result;
+    const int texelsS = layout.texelsS(index);
+    const int texelsT = layout.texelsT(index);
+    const int width = layout.packing.width;
+    const int height = layout.packing.height;
+    result.rectangle = layout.packing.rectangles[index];
+    result.map = finalMap(view, options, draft, texelsS, texelsT);
+    const glm::dmat4 rectangleFromCamera =
+        rectangleFromMap(result.rectangle, layout.gutter) * textureFromCamera(result.map);
+    result.lightClipFromCamera = clipFromUnit() * rectangleFromCamera;
+    result.textureFromCamera = textureFromRectangle(result.rectangle, width, height) * rectangleFromCamera;
+    const double reach = layout.gutter;
+    result.casterVolume = grownCasterVolume(draft.region, result.map, reach / texelsS, reach / texelsT);
+    result.bias = depthBiasOf(result.textureFromCamera, width, height, options.filterTexels);
+    result.promised = promiseOf(view, options, draft, result.map, texelsS, texelsT);
+    if (isThin(view.frustum)) result.origin = originOf(draft.region);
+    result.region = std::move(draft.region);
+    return result;
+}
+
+void requireValid(const ShadowView& view, const ShadowOptions& options) {
+    requireValid(view.frustum);
+    const double length = glm::length(view.towardsLight);
+    if (!(std::abs(length - 1) < 1e-6)) throw Error("light", "direction", "unit length", std::to_string(length));
+    if (options.scheme.slices < 1 || options.scheme.slices > 64)
+        throw Error("z-partitions", "number", "1 to 64", std::to_string(options.scheme.slices));
+    if (view.imageHeight < 1) throw Error("image", "height in pixels", "at least 1", std::to_string(view.imageHeight));
+}
+
+} // namespace
+
+PromisedAliasing ShadowMapSetup::worst() const {
+    PromisedAliasing result;
+    for (const ShadowMapPartition& map : maps) {
+        result.x = std::max(result.x, map.promised.x);
+        result.z = std::max(result.z, map.promised.z);
+        result.sheared = std::max(result.sheared, map.promised.sheared);
+    }
+    return result;
+}
+
+ShadowMapSetup shadowMapSetup(
+    const ShadowView& view, const ShadowOptions& options, const std::optional<OrientationState>& previous) {
+    requireValid(view, options);
+    const Scheme& scheme = options.scheme;
+    const bool faces = scheme.faces && !options.stabilized;
+    ShadowMapSetup setup;
+    setup.selector = partitionSelector(
+        view.frustum,
+        view.towardsLight,
+        practicalSplits(view.frustum.near, view.frustum.far, scheme.slices, scheme.splitLambda),
+        faces,
+        scheme.nearFace == NearFace::OwnMap);
+    LightFrame frame = lightFrame(view.towardsLight);
+    if (options.stabilized)
+        frame = stableFrame(view.anchor, view.towardsLight);
+    else if (options.chosenOrientation && !faces) {
+        const ViewFrustum leading = leadingSlice(view.frustum, setup.selector.splits);
+        frame = chosenFrame(leading, view.towardsLight, warpOfSlice(scheme.warp, view.frustum, leading), previous);
+    }
+    setup.orientation = {view.towardsLight, frame.z};
+    std::vector<Draft> drafts;
+    setup.mapOfPartition.assign(setup.selector.partitionCount(), ShadowMapSetup::kNoMap);
+    for (std::size_t i = 0; i < setup.selector.partitionCount(); ++i) {
+        const std::size_t sliceIndex = i / setup.selector.facesPerSlice();
+        if ((options.emptySlices >> sliceIndex & 1U) != 0) continue;
+        setup.mapOfPartition[i] = drafts.size();
+        Region region = partitionRegion(view.frustum, setup.selector, i);
+        drafts.push_back(
+            options.stabilized ? stableDraftOf(std::move(region), frame)
+                               : draftOf(view, options, std::move(region), frame));
+    }
+    if (drafts.empty()) return setup;
+    const double pixels = view.imageHeight * filterWidth(options);
+    for (const Draft& draft : drafts)
+        setup.demands.push_back({draft.unit.x * pixels, draft.unit.z * pixels});
+    const TexelLayout layout = splitTexels(setup.demands, limitsOf(options));
+    setup.textureWidth = layout.packing.width;
+    setup.textureHeight = layout.packing.height;
+    setup.gutter = layout.gutter;
+    for (std::size_t i = 0; i < drafts.size(); ++i)
+        setup.maps.push_back(finished(view, options, std::move(drafts[i]), layout, i));
+    return setup;
+}
+
+std::uint64_t texelsThatWouldDo(const ShadowMapSetup& setup, const ShadowOptions& options, double aliasing) {
+    if (setup.demands.empty()) return 0;
+    return texelsThatWouldDo(setup.demands, aliasing, limitsOf(options));
+}
+
+} // namespace gnomon::shadow

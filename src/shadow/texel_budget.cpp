@@ -1,0 +1,143 @@
+#include "shadow/texel_budget.h"
+
+#include "core/check.h"
+#include "core/error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace gnomon::shadow {
+
+namespace {
+
+constexpr double kErrorStep = 1.0005; // how near to the least error the search goes
+
+/// The whole number of texels that keeps `demand` / texels at most `error`.
+int sideFor(double demand, double error, const TexelLimits& limits) {
+    const int largest = limits.maxSide - 2 * limits.gutter;
+    const double wanted = std::ceil(demand / error * (1 - 1e-12)) + limits.margin;
+    return wanted >= largest ? largest : std::max(static_cast<int>(wanted), limits.minSide);
+}
+
+std::vector<TexelRectangle> sizesFor(std::span<const TexelDemand> demands, double error, const TexelLimits& limits) {
+    std::vector<TexelRectangle> sizes;
+    sizes.reserve(demands.size());
+    for (const TexelDemand& demand : demands)
+        sizes.push_back(
+            {0,
+             0,
+             sideFor(demand.s, error, limits) + 2 * limits.gutter,
+             sideFor(demand.t, error, limits) + 2 * limits.gutter,
+             false});
+    return sizes;
+}
+
+/// The error at which the areas alone, gutters included but neither rounded nor packed, fill the budget: no split of
+/// rectangles can do better. The positive root of (sum st) x^2 + 2g (sum s + t) x + 4 g^2 k = texels, x = 1 / error.
+double errorOfAreas(std::span<const TexelDemand> demands, const TexelLimits& limits) {
+    double square = 0;
+    double linear = 0;
+    for (const TexelDemand& demand : demands) {
+        square += demand.s * demand.t;
+        linear += 2.0 * limits.gutter * (demand.s + demand.t);
+    }
+    const double gutters = 4.0 * limits.gutter * limits.gutter * static_cast<double>(demands.size());
+    const double rest = static_cast<double>(limits.texels) - gutters;
+    if (!(rest > 0)) return 0;
+    // The form without cancellation, which also holds where `square` is 0.
+    return (linear + std::sqrt(linear * linear + 4 * square * rest)) / (2 * rest);
+}
+
+TexelLayout equalSquares(std::size_t count, const TexelLimits& limits) {
+    TexelLayout layout;
+    layout.gutter = limits.gutter;
+    layout.margin = limits.margin;
+    layout.equalSquares = true;
+    auto side = static_cast<int>(std::sqrt(static_cast<double>(limits.texels) / static_cast<double>(count)));
+    side = std::min(side, limits.maxSide);
+    const int least = limits.minSide + 2 * limits.gutter;
+    // A row always holds the squares unless the texture's sides are bounded; then a few sizes have to be tried.
+    for (; side >= least; side -= std::max(1, side / 64)) {
+        const std::vector<TexelRectangle> squares(count, TexelRectangle{0, 0, side, side, false});
+        layout.packing = packed(squares, limits.maxSide);
+        if (layout.packing.width > 0 && layout.packing.area() <= limits.texels) return layout;
+    }
+    throw Error(
+        "shadow texels",
+        "the budget is too small",
+        "at least " + std::to_string(count * static_cast<std::size_t>(least) * static_cast<std::size_t>(least)) +
+            " texels for " + std::to_string(count) + " maps",
+        std::to_string(limits.texels));
+}
+
+double worstError(const TexelLayout& layout, std::span<const TexelDemand> demands) {
+    double worst = 0;
+    for (std::size_t i = 0; i < demands.size(); ++i)
+        worst = std::max(worst, mapError(layout, i, demands[i]));
+    return worst;
+}
+
+} // namespace
+
+double mapError(const TexelLayout& layout, std::size_t map, const TexelDemand& demand) {
+    return std::max(demand.s / (layout.texelsS(map) - layout.margin), demand.t / (layout.texelsT(map) - layout.margin));
+}
+
+TexelLayout splitTexels(std::span<const TexelDemand> demands, const TexelLimits& limits) {
+    GNOMON_CHECK_OP(demands.size(), >=, std::size_t{1});
+    TexelLayout best = equalSquares(demands.size(), limits);
+    double bestError = worstError(best, demands);
+    const double bound = errorOfAreas(demands, limits);
+    if (!(bound > 0)) return best;
+    PackingStrategy strategy = bestStrategy(sizesFor(demands, bound, limits), limits.maxSide);
+    // Up from the bound in steps that the excess area asks for, then halving what was jumped over.
+    double tooSmall = 0;
+    double enough = 0;
+    double error = bound;
+    for (int attempt = 0; attempt < 24 && (enough == 0 || enough > tooSmall * kErrorStep); ++attempt) {
+        TexelLayout layout;
+        layout.packing = packed(sizesFor(demands, error, limits), strategy, limits.maxSide);
+        layout.gutter = limits.gutter;
+        layout.margin = limits.margin;
+        const bool exists = layout.packing.width > 0;
+        if (exists && layout.packing.area() <= limits.texels) {
+            // Limits on the sides may have spoilt the strategy at the bound: choose again where everything fits.
+            if (enough == 0 && tooSmall > 0) {
+                strategy = bestStrategy(sizesFor(demands, error, limits), limits.maxSide);
+                tooSmall = bound;
+            }
+            enough = error;
+            const double reached = worstError(layout, demands);
+            if (reached < bestError) {
+                bestError = reached;
+                best = std::move(layout);
+            }
+        } else {
+            tooSmall = error;
+        }
+        const double excess =
+            exists ? static_cast<double>(layout.packing.area()) / static_cast<double>(limits.texels) : 1.1;
+        error = enough > 0 ? (tooSmall + enough) / 2 : error * std::max(std::sqrt(excess), kErrorStep);
+        if (tooSmall == 0) break; // the bound itself was reached
+    }
+    // Texels that no rectangle took refine one axis of a neighbour; its other axis keeps the common error.
+    if (!best.equalSquares) growIntoGaps(best.packing, limits.maxSide);
+    return best;
+}
+
+std::uint64_t texelsThatWouldDo(std::span<const TexelDemand> demands, double aliasing, const TexelLimits& limits) {
+    GNOMON_CHECK_OP(aliasing, >, 0.0);
+    Packing rectangles = packed(sizesFor(demands, aliasing, limits), limits.maxSide);
+    TexelLimits enough = limits;
+    enough.texels = rectangles.area();
+    // The search of splitTexels stops a step short of the least error and may settle on another strategy. Where the
+    // sides' limit and not the budget decides, no number of texels would do, and what it took to get here is returned.
+    for (int attempt = 0; attempt < 64; ++attempt) {
+        if (enough.texels > 0 && worstError(splitTexels(demands, enough), demands) <= aliasing) break;
+        enough.texels += enough.texels / 100 + 64;
+    }
+    return enough.texels;
+}
+
+} // namespace gnomon::shadow

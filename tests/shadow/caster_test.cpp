@@ -1,0 +1,143 @@
+// Caster volumes: nothing outside shadows the region, everything inside can, and no plane can be moved in.
+#include "random_views.h"
+
+#include <gtest/gtest.h>
+
+namespace gnomon::shadow {
+namespace {
+
+/// Where the ray from `p` away from the light meets `volume`: the parameters [low, high], empty where low > high.
+struct Chord {
+    double low = 0;
+    double high = std::numeric_limits<double>::infinity();
+};
+
+Chord shadowChord(const ConvexVolume& volume, const glm::dvec3& p, const glm::dvec3& towardsLight) {
+    Chord chord;
+    for (const Plane& plane : volume.planes) {
+        const double at = plane.signedDistance(p);
+        const double slope = -glm::dot(plane.normal, towardsLight);
+        if (std::abs(slope) < 1e-15) {
+            if (at < 0) chord.high = -1;
+        } else if (slope > 0) {
+            chord.low = std::max(chord.low, -at / slope);
+        } else {
+            chord.high = std::min(chord.high, at / -slope);
+        }
+    }
+    return chord;
+}
+
+/// The least signed distance of `p` to the planes of `volume`.
+double depthInside(const ConvexVolume& volume, const glm::dvec3& p) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Plane& plane : volume.planes)
+        least = std::min(least, plane.signedDistance(p));
+    return least;
+}
+
+struct Case {
+    ShadowMapSetup setup;
+    ShadowView view;
+};
+
+Case randomCase(Random& random) {
+    Case result;
+    result.view = randomView(random);
+    ShadowOptions options = randomOptions(random, result.view.frustum);
+    options.stabilized = false;
+    result.setup = shadowMapSetup(result.view, options);
+    return result;
+}
+
+/// A point of the region, moved up or down along the light and a little across it.
+glm::dvec3 randomCaster(Random& random, const Region& region, const glm::dvec3& towardsLight) {
+    const double size = region.frustum.far;
+    glm::dvec3 p = randomPointIn(random, region.frustum);
+    p += towardsLight * (size * random.uniform(-1, 3));
+    if (random.below(2) == 0) p += randomDirection(random) * (size * random.uniform(0, 0.5));
+    return p;
+}
+
+void checkCasters(std::uint64_t seed, int casters) {
+    Random random(seed);
+    const Case chosen = randomCase(random);
+    const ShadowMapPartition& map = chosen.setup.maps[random.below(chosen.setup.maps.size())];
+    const ConvexVolume sweep = casterVolume(map.region, map.map.frame);
+    const double tolerance = 1e-9 * map.region.frustum.far;
+    for (int i = 0; i < casters; ++i) {
+        const glm::dvec3 p = randomCaster(random, map.region, map.map.frame.y);
+        const Chord chord = shadowChord(map.region.volume, p, map.map.frame.y);
+        const double inside = depthInside(sweep, p);
+        // The middle of a chord through the region lies inside the region; one that only touches it does not.
+        const glm::dvec3 middle = p - map.map.frame.y * ((chord.low + chord.high) / 2);
+        const bool shadows = chord.low <= chord.high && depthInside(map.region.volume, middle) > tolerance;
+        ASSERT_FALSE(inside < -tolerance && shadows) << "a caster outside shadows the region, seed " << seed;
+        ASSERT_FALSE(inside > tolerance && chord.low > chord.high) << "one inside shadows nothing, seed " << seed;
+        const bool droppedByGrown = depthInside(map.casterVolume, p) < -tolerance;
+        ASSERT_FALSE(droppedByGrown && inside > tolerance) << "grown is smaller than ungrown, seed " << seed;
+    }
+}
+
+TEST(Casters, OutsideNeverShadowsAndInsideAlwaysCan) {
+    for (std::uint64_t seed = 0; seed < 500 && !HasFatalFailure(); ++seed)
+        checkCasters(seed, 100);
+}
+
+TEST(SlowCasters, OutsideNeverShadowsAndInsideAlwaysCan) {
+    for (std::uint64_t seed = 0; seed < 1000 && !HasFatalFailure(); ++seed)
+        checkCasters(seed, 1000);
+}
+
+TEST(Casters, NoPlaneCanBeMovedIn) {
+    for (std::uint64_t seed = 0; seed < 1000; ++seed) {
+        Random random(seed);
+        const Case chosen = randomCase(random);
+        for (const ShadowMapPartition& map : chosen.setup.maps) {
+            const ConvexVolume sweep = casterVolume(map.region, map.map.frame);
+            EXPECT_GE(sweep.planes.size(), 3U);
+            for (const Plane& plane : sweep.planes) {
+                EXPECT_NEAR(glm::length(plane.normal), 1, 1e-12);
+                double least = std::numeric_limits<double>::infinity();
+                for (const FitVertex& vertex : map.region.vertices)
+                    least = std::min(least, plane.signedDistance(vertex.position));
+                EXPECT_NEAR(least / map.region.frustum.far, 0, 1e-9) << "seed " << seed;
+            }
+        }
+    }
+}
+
+/// The grown volume must hold every caster whose texel a lookup can read: sampled through the map and back.
+TEST(Casters, GrownVolumeHoldsEveryTexelThatALookupReads) {
+    int tested = 0;
+    for (std::uint64_t seed = 0; seed < 500; ++seed) {
+        Random random(seed);
+        const Case chosen = randomCase(random);
+        const ShadowMapPartition& map = chosen.setup.maps[random.below(chosen.setup.maps.size())];
+        // Next to a warp's centre the inverse below has no digits left; the volume is made without one.
+        if (map.map.kappa * map.map.length > 1e4) continue;
+        const glm::dmat4 cameraFromTexture = glm::inverse(map.textureFromCamera);
+        for (int i = 0; i < 50; ++i) {
+            const FitVertex& a = map.region.vertices[random.below(map.region.vertices.size())];
+            const FitVertex& b = map.region.vertices[random.below(map.region.vertices.size())];
+            const glm::dvec3 p = a.position + (b.position - a.position) * random.unit();
+            glm::dvec4 at = map.textureFromCamera * glm::dvec4(p, 1);
+            at /= at.w;
+            const double reach = chosen.setup.gutter * 0.999;
+            at.x += random.uniform(-reach, reach) / chosen.setup.textureWidth;
+            at.y += random.uniform(-reach, reach) / chosen.setup.textureHeight;
+            at.z = random.uniform(-1, 0.999);
+            const glm::dvec4 caster = cameraFromTexture * at;
+            if (!(caster.w > 0)) continue; // past the vanishing line
+            ++tested;
+            EXPECT_GE(
+                depthInside(map.casterVolume, glm::dvec3(caster) / caster.w),
+                -1e-6 * map.region.frustum.far - 1e-6 * glm::length(glm::dvec3(caster) / caster.w))
+                << "seed " << seed << " kappa d " << map.map.kappa * map.map.length;
+        }
+    }
+    EXPECT_GT(tested, 15000);
+}
+
+} // namespace
+} // namespace gnomon::shadow

@@ -1,0 +1,105 @@
+// Seeded random frusta, lights and schemes for the tests of the shadow theory, with the awkward ones well represented.
+#pragma once
+
+#include "core/random.h"
+#include "shadow/setup.h"
+
+#include <array>
+#include <cmath>
+
+namespace gnomon::shadow {
+
+constexpr double kPi = 3.141592653589793;
+
+inline glm::dvec3 randomDirection(Random& random) {
+    const double z = random.uniform(-1, 1);
+    const double angle = random.uniform(0, 2 * kPi);
+    const double radius = std::sqrt(std::max(0.0, 1 - z * z));
+    return {radius * std::cos(angle), radius * std::sin(angle), z};
+}
+
+/// A direction `angle` radians from `axis`, in a random direction around it.
+inline glm::dvec3 directionNear(Random& random, const glm::dvec3& axis, double angle) {
+    const glm::dvec3 across = glm::normalize(glm::cross(axis, randomDirection(random)));
+    return glm::normalize(axis * std::cos(angle) + across * std::sin(angle));
+}
+
+/// Uniform two times in three; else exactly along or across an axis of the camera, or very near to one.
+inline glm::dvec3 randomLight(Random& random) {
+    if (random.below(3) != 0) return randomDirection(random);
+    const std::array<glm::dvec3, 6> axes{{{0, 0, 1}, {0, 0, -1}, {0, 1, 0}, {0, -1, 0}, {1, 0, 0}, {-1, 0, 0}}};
+    const glm::dvec3 axis = axes[random.below(axes.size())];
+    const std::array<double, 5> angles{0, 1e-12, 1e-9, 1e-6, 1e-3};
+    const double angle = angles[random.below(angles.size())];
+    return angle == 0 ? axis : directionNear(random, axis, angle);
+}
+
+/// Depth ratios from 1.2 to 1e6, half angles from 5 to 70 degrees, images from portrait to panorama.
+inline ViewFrustum randomFrustum(Random& random) {
+    ViewFrustum frustum;
+    frustum.near = std::pow(10.0, random.uniform(-2, 1));
+    frustum.far = frustum.near * std::pow(10.0, random.uniform(0.08, 6));
+    frustum.halfFovYRadians = random.uniform(5, 70) * kPi / 180;
+    frustum.aspect = std::array<double, 4>{1.0, 0.5, 1.5, 3.0}[random.below(4)];
+    return frustum;
+}
+
+/// A point of the frustum: uniform in depth or in its logarithm, now and then exactly on a side or in a corner.
+inline glm::dvec3 randomPointIn(Random& random, const ViewFrustum& frustum) {
+    const double part = random.unit();
+    const double depth = random.below(2) == 0 ? frustum.near + (frustum.far - frustum.near) * part
+                                              : frustum.near * std::pow(frustum.depthRatio(), part);
+    const auto across = [&] {
+        const std::uint64_t kind = random.below(20);
+        return kind == 0 ? 1.0 : kind == 1 ? -1.0 : kind == 2 ? 0.0 : random.uniform(-1, 1);
+    };
+    const double x = across() * tanHalfX(frustum);
+    const double y = across() * tanHalfY(frustum);
+    return {x * depth, y * depth, depth};
+}
+
+inline Warp randomWarp(Random& random, const ViewFrustum& frustum) {
+    Warp warp;
+    warp.rule = std::array<WarpRule, 8>{
+        WarpRule::None,
+        WarpRule::Psm,
+        WarpRule::Lspsm,
+        WarpRule::Tsm,
+        WarpRule::Minimax,
+        WarpRule::Auto,
+        WarpRule::Eta,
+        WarpRule::Given}[random.below(8)];
+    warp.eta = random.uniform(-1, 1);
+    warp.tsmFocus = (frustum.far - frustum.near) * random.uniform(0.001, 1);
+    warp.kappa = random.uniform(0, 2) / frustum.near;
+    return warp;
+}
+
+inline ShadowOptions randomOptions(Random& random, const ViewFrustum& frustum) {
+    ShadowOptions options;
+    options.scheme.warp = randomWarp(random, frustum);
+    options.scheme.slices = 1 + static_cast<int>(random.below(8));
+    options.scheme.splitLambda = random.below(2) == 0 ? 1 : random.unit();
+    options.scheme.faces = random.below(2) == 0;
+    options.scheme.nearFace = random.below(2) == 0 ? NearFace::OwnMap : NearFace::Stretch;
+    options.scheme.bisector = random.below(4) == 0 ? Bisector::Literal : Bisector::Normalized;
+    options.chosenOrientation = random.below(2) == 0;
+    options.stabilized = random.below(6) == 0;
+    options.filterTexels = static_cast<double>(random.below(4));
+    options.texels = std::uint64_t{1} << (16 + random.below(9));
+    return options;
+}
+
+inline ShadowView randomView(Random& random) {
+    ShadowView view;
+    view.frustum = randomFrustum(random);
+    view.towardsLight = randomLight(random);
+    view.imageHeight = 100 + static_cast<int>(random.below(2000));
+    Camera camera;
+    camera.eye = randomDirection(random) * std::pow(10.0, random.uniform(0, 7));
+    camera.target = camera.eye + randomDirection(random);
+    view.anchor = {cameraBasis(camera), camera.eye};
+    return view;
+}
+
+} // namespace gnomon::shadow

@@ -1,0 +1,143 @@
+#include "culling/receivers.h"
+
+#include "culling/triangle_clip.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace gnomon::culling {
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+/// A drawn cluster and the view depths that its box spans.
+struct Candidate {
+    double least = 0;
+    double greatest = 0;
+    std::uint32_t page = 0;
+    std::uint32_t cluster = 0;
+    double margin = 0; // the stored error of a refinement that is missing
+};
+
+/// Calls `visit(page id, page, cluster index)` for each cluster of `list`.
+template <class Visit>
+void forEachCluster(const selection::CutQuery& query, const selection::DrawList& list, const Visit& visit) {
+    for (const selection::ClusterRange& range : list.ranges) {
+        const hierarchy::Page& page = *query.resident[range.page];
+        for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c)
+            visit(range.page, page, c);
+    }
+}
+
+/// Calls `visit(corners)` with the local positions of each triangle of a cluster until it answers true.
+template <class Visit>
+bool anyTriangle(const hierarchy::Grid& grid, const hierarchy::Page& page, std::uint32_t cluster, const Visit& visit) {
+    const hierarchy::Cluster& c = page.clusters[cluster];
+    for (std::uint32_t t = c.firstTriangle; t < c.firstTriangle + c.triangleCount; ++t) {
+        std::array<glm::dvec3, 3> corners{};
+        for (std::size_t i = 0; i < 3; ++i)
+            corners[i] = grid.local(page.vertices[c.firstVertex + page.triangles[t][i]].position);
+        if (visit(corners)) return true;
+    }
+    return false;
+}
+
+/// What a cluster may be off by because a finer group is not resident.
+double missingError(const selection::CutQuery& query, const hierarchy::Page& page, std::uint32_t cluster) {
+    if (page.clusters[cluster].refinement == hierarchy::kNone) return 0;
+    const hierarchy::Refinement& finer = page.refinements[page.clusters[cluster].refinement];
+    return query.rule->pixels(finer.bounds, finer.error) > query.errorPixels ? finer.error : 0;
+}
+
+std::vector<Candidate> candidates(const selection::CutQuery& query, const selection::DrawList& image) {
+    const selection::DetailView& view = query.rule->view();
+    const hierarchy::Grid& grid = query.trees->grid();
+    const glm::dvec3 size = glm::abs(view.basis.view) * (0.5 * grid.step());
+    const glm::dvec3 along = view.basis.view * (0.5 * grid.step());
+    const double eyeDepth = glm::dot(view.basis.view, view.eye);
+    std::vector<Candidate> result;
+    result.reserve(image.clusters);
+    forEachCluster(query, image, [&](std::uint32_t id, const hierarchy::Page& page, std::uint32_t c) {
+        const hierarchy::GridBox& box = page.clusters[c].box;
+        const glm::dvec3 min(box.min.x, box.min.y, box.min.z);
+        const glm::dvec3 max(box.max.x, box.max.y, box.max.z);
+        const double middle = glm::dot(along, min + max) - eyeDepth;
+        const double reach = glm::dot(size, max - min);
+        const double margin = missingError(query, page, c);
+        result.push_back({middle - reach - margin, middle + reach + margin, id, c, margin});
+    });
+    return result;
+}
+
+/// Looks at triangles only where their box could still move `best`.
+class DepthSearch {
+public:
+    explicit DepthSearch(const selection::CutQuery& query)
+        : query_(&query), pyramid_(selection::viewPyramid(query.rule->view())), clipper_(pyramid_) {}
+
+    /// The extent of one cluster's visible part.
+    void measure(const Candidate& candidate, double& least, double& greatest) {
+        ++measured;
+        const selection::DetailView& view = query_->rule->view();
+        const hierarchy::Page& page = *query_->resident[candidate.page];
+        anyTriangle(query_->trees->grid(), page, candidate.cluster, [&](const std::array<glm::dvec3, 3>& corners) {
+            for (const glm::dvec3& point : clipper_.clipped(corners)) {
+                const double depth = std::max(0.0, glm::dot(view.basis.view, point - view.eye));
+                least = std::min(least, std::max(0.0, depth - candidate.margin));
+                greatest = std::max(greatest, depth + candidate.margin);
+            }
+            return false;
+        });
+    }
+
+    std::uint64_t measured = 0;
+
+private:
+    const selection::CutQuery* query_;
+    ConvexVolume pyramid_;
+    TriangleClipper clipper_;
+};
+
+} // namespace
+
+std::optional<DepthRange> visibleDepthRange(const selection::CutQuery& query, const selection::DrawList& image) {
+    std::vector<Candidate> heap = candidates(query, image);
+    DepthSearch search(query);
+    double least = kInfinite;
+    double greatest = -kInfinite;
+    const auto further = [](const Candidate& a, const Candidate& b) { return a.least > b.least; };
+    std::make_heap(heap.begin(), heap.end(), further);
+    auto end = heap.end();
+    for (; end != heap.begin() && heap.front().least < least; --end) {
+        search.measure(heap.front(), least, greatest);
+        std::pop_heap(heap.begin(), end, further);
+    }
+    if (least == kInfinite) return std::nullopt;
+    const auto nearer = [](const Candidate& a, const Candidate& b) { return a.greatest < b.greatest; };
+    std::make_heap(heap.begin(), end, nearer); // what is behind `end` is measured
+    for (; end != heap.begin() && heap.front().greatest > greatest; --end) {
+        search.measure(heap.front(), least, greatest);
+        std::pop_heap(heap.begin(), end, nearer);
+    }
+    return DepthRange{least, greatest, search.measured};
+}
+
+std::vector<bool> receivingVolumes(
+    const selection::CutQuery& query, const selection::DrawList& image, std::span<const ConvexVolume> volumes) {
+    const ConvexVolume pyramid = selection::viewPyramid(query.rule->view());
+    const hierarchy::Grid& grid = query.trees->grid();
+    std::vector<bool> result(volumes.size());
+    for (std::size_t v = 0; v < volumes.size(); ++v) {
+        ConvexVolume seen = volumes[v];
+        seen.planes.insert(seen.planes.end(), pyramid.planes.begin(), pyramid.planes.end());
+        TriangleClipper clipper(seen);
+        const auto isSeen = [&](const std::array<glm::dvec3, 3>& corners) { return !clipper.clipped(corners).empty(); };
+        forEachCluster(query, image, [&](std::uint32_t, const hierarchy::Page& page, std::uint32_t c) {
+            if (result[v] || classify(seen, grid.local(page.clusters[c].box)) == Containment::Outside) return;
+            result[v] = anyTriangle(grid, page, c, isSeen);
+        });
+    }
+    return result;
+}
+
+} // namespace gnomon::culling

@@ -1,0 +1,27 @@
+// The receivers: what of the image's draw list lies in a volume, to the triangle, and between which depths.
+#pragma once
+
+#include "selection/cut.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace gnomon::culling {
+
+/// The least and the greatest view depth of anything drawn inside the view's pyramid, world units.
+struct DepthRange {
+    double near = 0; // 0 if something drawn passes the eye's plane
+    double far = 0;
+    std::uint64_t clustersMeasured = 0; // how many had to be looked at triangle by triangle
+};
+
+/// The depth range of `image`, a draw list of `query`: from boxes, exact on the clusters whose box crosses the minimum
+/// or the maximum, and widened by the stored error where a refinement is missing. Nothing if nothing is seen.
+std::optional<DepthRange> visibleDepthRange(const selection::CutQuery& query, const selection::DrawList& image);
+
+/// For each of `volumes` (local space) whether any triangle of `image` has a point in both it and the view's pyramid.
+std::vector<bool> receivingVolumes(
+    const selection::CutQuery& query, const selection::DrawList& image, std::span<const ConvexVolume> volumes);
+
+} // namespace gnomon::culling

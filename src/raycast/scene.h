@@ -1,0 +1,69 @@
+// The geometry of given clusters as rays see it: exact hits and exact occlusion, relative to the eye.
+#pragma once
+
+#include "hierarchy/page.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace gnomon::raycast {
+
+/// Neighbouring clusters of one decoded page.
+struct ClusterSpan {
+    const hierarchy::Page* page = nullptr;
+    std::uint32_t firstCluster = 0;
+    std::uint32_t clusterCount = 0;
+};
+
+/// A ray; points are relative to the eye, in world orientation and units, so that floats lose nothing near it.
+struct Ray {
+    glm::vec3 origin{0};
+    glm::vec3 direction{0, 0, 1};
+    float least = 0; // of the parameter along `direction`
+    float greatest = std::numeric_limits<float>::infinity();
+};
+
+/// The first triangle on a ray.
+struct Hit {
+    float distance = 0;         // the parameter along the ray's direction
+    std::uint32_t span = 0;     // index of the ClusterSpan that the scene was made of
+    std::uint32_t cluster = 0;  // index in its page
+    std::uint32_t triangle = 0; // index in its page
+    float u = 0;                // barycentric: (1 - u - v) a + u b + v c
+    float v = 0;
+    glm::vec3 normal{0}; // geometric, unit length, towards the ray's origin
+};
+
+/// An Embree scene. Its queries may come from many threads at once.
+class Scene {
+public:
+    /// Copies the triangles of `spans`, each drawn two-sided, relative to `eye` (local space), and builds over them:
+    /// about 63 bytes and a quarter of a microsecond a triangle. Pages may go afterwards. Throws Error if Embree fails.
+    Scene(std::span<const ClusterSpan> spans, const hierarchy::Grid& grid, const glm::dvec3& eye);
+    ~Scene();
+    Scene(Scene&& other) noexcept;
+    Scene& operator=(Scene&& other) noexcept;
+    Scene(const Scene&) = delete;
+    Scene& operator=(const Scene&) = delete;
+
+    std::uint64_t triangleCount() const;
+
+    std::optional<Hit> firstHit(const Ray& ray) const;
+
+    bool isOccluded(const Ray& ray) const;
+
+    /// For each ray its first hit, on all cores.
+    std::vector<std::optional<Hit>> firstHits(std::span<const Ray> rays) const;
+
+    /// For each ray whether anything is on it, on all cores.
+    std::vector<std::uint8_t> occlusion(std::span<const Ray> rays) const;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+} // namespace gnomon::raycast

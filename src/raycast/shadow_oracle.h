@@ -1,0 +1,53 @@
+// The shadow oracle: which points the light reaches, by exact rays, and how far a picture's shadows are from that.
+#pragma once
+
+#include "raycast/scene.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace gnomon::raycast {
+
+/// What the image shows at one pixel, relative to the eye.
+struct SurfacePoint {
+    glm::vec3 position{0};
+    glm::vec3 normal{0}; // geometric, unit length, towards the eye; zero where the pixel shows nothing
+    float offset = 0;    // how far from the surface the ray may begin, world units: the stored error, say
+};
+
+/// A pixel of the reference.
+enum class Light : std::uint8_t {
+    Nothing, // the pixel shows no surface
+    Turned,  // the surface is turned from the light: dark without asking anyone
+    Dark,    // something is in the way
+    Lit
+};
+
+/// What the light reaches, point by point, on all cores. `towardsLight` has unit length.
+std::vector<Light> litByRays(const Scene& scene, std::span<const SurfacePoint> points, const glm::vec3& towardsLight);
+
+/// How far a picture's shadows are from the reference, over its lit-side pixels: those that show a surface turned
+/// towards the light.
+struct ShadowComparison {
+    std::uint64_t litSidePixels = 0;
+    std::uint64_t wrongPixels = 0;
+    double wrongFraction = 0;    // of the lit-side pixels; 0 if there are none
+    double edgeMedianPixels = 0; // from each shadow edge of either picture to the nearest of the other
+    double edgeP99Pixels = 0;
+    double edgeWorstPixels = 0;
+    double worstWrongPixels = 0;       // the furthest wrong pixel from an edge of the reference
+    std::vector<float> wrongDistances; // per pixel: 0 if right, else the distance from the reference's nearest edge
+};
+
+/// Compares two pictures of `width` columns. `isLit` is the picture's answer where the reference is Dark or Lit. An
+/// edge is a pixel that has a lit-side neighbour (of four) with another answer; distances are between pixel centres,
+/// and the picture's diagonal where the other has no edge at all.
+ShadowComparison compareShadows(
+    std::span<const Light> reference, std::span<const std::uint8_t> isLit, std::size_t width);
+
+/// The exact Euclidean distance of each pixel centre from the nearest marked one (Felzenszwalb and Huttenlocher 2012);
+/// the picture's diagonal if none is marked.
+std::vector<float> distanceTransform(std::span<const std::uint8_t> marked, std::size_t width);
+
+} // namespace gnomon::raycast

@@ -1,0 +1,92 @@
+// All cores make the cut that one makes, and camera space is turned into local space rightly.
+#include "culling/caster_detail.h"
+#include "culling/frame_cut.h"
+#include "model_views.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace gnomon::culling {
+namespace {
+
+using tests::sharedModel;
+
+bool sameDemand(const std::vector<hierarchy::PageDemand>& a, const std::vector<hierarchy::PageDemand>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
+        return x.page == y.page && x.pixels == y.pixels;
+    });
+}
+
+TEST(FrameCut, IsTheCutOfOneThread) {
+    Random random(51);
+    for (int trial = 0; trial < 60; ++trial) {
+        const selection::DetailView view = tests::randomView(random, sharedModel().bounds);
+        const std::vector<selection::CasterDetail> casters = tests::randomCasters(random, view);
+        const selection::ErrorRule rule(view, casters);
+        std::vector<ConvexVolume> volumes{selection::viewPyramid(view)};
+        for (const selection::CasterDetail& caster : casters)
+            volumes.push_back(caster.casters);
+        const std::vector<const hierarchy::Page*> resident = tests::randomResidency(random, sharedModel());
+        const selection::CutQuery query{
+            &sharedModel().trees, resident, &rule, std::exp(random.uniform(-5, 1)), volumes};
+        const selection::Cut one = selection::cut(query);
+        const selection::Cut all = cutFrame(query);
+        ASSERT_EQ(one.lists.size(), all.lists.size());
+        for (std::size_t v = 0; v < one.lists.size(); ++v) {
+            EXPECT_EQ(one.lists[v].ranges, all.lists[v].ranges);
+            EXPECT_EQ(one.lists[v].triangles, all.lists[v].triangles);
+        }
+        EXPECT_TRUE(sameDemand(one.used, all.used));
+        EXPECT_TRUE(sameDemand(one.wanted, all.wanted));
+        EXPECT_EQ(one.achievedErrorPixels, all.achievedErrorPixels);
+    }
+}
+
+TEST(FrameCut, CameraVolumesHoldTheSamePointsInLocalSpace) {
+    Random random(52);
+    for (int trial = 0; trial < 1000; ++trial) {
+        const selection::DetailView view = tests::randomView(random, sharedModel().bounds);
+        ConvexVolume inCamera;
+        for (int i = 0; i < 4; ++i) {
+            const glm::dvec3 normal(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+            inCamera.planes.push_back({glm::normalize(normal + glm::dvec3(1e-9)), random.uniform(-1, 5)});
+        }
+        const ConvexVolume local = localVolume(inCamera, view);
+        const glm::dvec3 point =
+            view.eye + glm::dvec3(random.uniform(-9, 9), random.uniform(-9, 9), random.uniform(-9, 9));
+        const glm::dvec3 seen = toCamera(view.basis, point - view.eye);
+        for (std::size_t i = 0; i < 4; ++i)
+            EXPECT_NEAR(local.planes[i].signedDistance(point), inCamera.planes[i].signedDistance(seen), 1e-9);
+    }
+}
+
+// The rule's texel is the one that the map's own light beam has.
+TEST(CasterDetail, TexelsAreThoseOfTheMap) {
+    Random random(53);
+    for (int trial = 0; trial < 1000; ++trial) {
+        const selection::DetailView view = tests::randomView(random, sharedModel().bounds);
+        PartitionMap partition;
+        const glm::dvec3 light(random.uniform(-1, 1), random.uniform(0.2, 1), random.uniform(-1, 1));
+        partition.map.frame = shadow::lightFrame(glm::normalize(light));
+        partition.map.kappa = random.uniform(0, 3);
+        partition.map.zMin = random.uniform(-2, 2);
+        partition.map.length = random.uniform(1, 50);
+        partition.map.width = random.uniform(1, 50);
+        partition.resolution = {1, random.uniform(64, 4096), random.uniform(64, 4096)};
+        const selection::CasterDetail detail = casterDetail(view, partition);
+        const double zeta = random.unit() * partition.map.length;
+        const glm::dvec3 inLight(random.uniform(-9, 9), random.uniform(-9, 9), partition.map.zMin + zeta);
+        const glm::dvec3 inCamera = shadow::toCamera(partition.map.frame, inLight);
+        const glm::dvec3 point = view.eye + toWorld(view.basis, inCamera);
+        const shadow::LightBeam beam = shadow::lightBeam(partition.map, inCamera, partition.resolution);
+        const double found = glm::dot(detail.texel.axis, point) - detail.texel.origin;
+        EXPECT_NEAR(found, zeta, 1e-9);
+        EXPECT_NEAR(detail.texel.smallerSide(found), std::min(beam.x, beam.z), 1e-9);
+        const glm::dvec3 up = toCamera(view.basis, detail.towardsLight);
+        EXPECT_NEAR(glm::distance(up, partition.map.frame.y), 0, 1e-12);
+    }
+}
+
+} // namespace
+} // namespace gnomon::culling

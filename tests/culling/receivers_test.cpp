@@ -1,0 +1,153 @@
+// Depth range and receivers against looking at every triangle of every drawn cluster.
+#include "culling/receivers.h"
+#include "culling/triangle_clip.h"
+#include "model_views.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace gnomon::culling {
+namespace {
+
+using tests::sharedModel;
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+/// Calls `visit` with the corners of every triangle of `list`, and what its cluster may be off by.
+template <class Visit>
+void forEveryTriangle(const selection::CutQuery& query, const selection::DrawList& list, const Visit& visit) {
+    const hierarchy::Grid& grid = query.trees->grid();
+    for (const selection::ClusterRange& range : list.ranges) {
+        const hierarchy::Page& page = *query.resident[range.page];
+        for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c) {
+            const hierarchy::Cluster& cluster = page.clusters[c];
+            double margin = 0;
+            if (cluster.refinement != hierarchy::kNone) {
+                const hierarchy::Refinement& finer = page.refinements[cluster.refinement];
+                if (query.rule->pixels(finer.bounds, finer.error) > query.errorPixels) margin = finer.error;
+            }
+            for (std::uint32_t t = 0; t < cluster.triangleCount; ++t) {
+                std::array<glm::dvec3, 3> corners{};
+                for (std::size_t i = 0; i < 3; ++i) {
+                    const std::uint32_t corner = page.triangles[cluster.firstTriangle + t][i];
+                    corners[i] = grid.local(page.vertices[cluster.firstVertex + corner].position);
+                }
+                visit(corners, margin);
+            }
+        }
+    }
+}
+
+/// A random view of the shared model and its cut.
+struct Seen {
+    explicit Seen(Random& random)
+        : view(tests::randomView(random, sharedModel().bounds)),
+          rule(view),
+          volumes{selection::viewPyramid(view)},
+          resident(tests::randomResidency(random, sharedModel())),
+          errorPixels(std::exp(random.uniform(-4, 2))),
+          cut(selection::cut(query())) {}
+
+    selection::CutQuery query() const { return {&sharedModel().trees, resident, &rule, errorPixels, volumes}; }
+
+    selection::DetailView view;
+    selection::ErrorRule rule;
+    std::vector<ConvexVolume> volumes;
+    std::vector<const hierarchy::Page*> resident;
+    double errorPixels;
+    selection::Cut cut;
+};
+
+TEST(Receivers, DepthRangeIsThatOfAllTriangles) {
+    Random random(61);
+    int seen = 0;
+    std::uint64_t measured = 0;
+    std::uint64_t drawn = 0;
+    for (int trial = 0; trial < 150; ++trial) {
+        const Seen scene(random);
+        TriangleClipper clipper(scene.volumes[0]);
+        double least = kInfinite;
+        double greatest = -kInfinite;
+        forEveryTriangle(scene.query(), scene.cut.lists[0], [&](const auto& corners, double margin) {
+            for (const glm::dvec3& point : clipper.clipped(corners)) {
+                const double depth = std::max(0.0, glm::dot(scene.view.basis.view, point - scene.view.eye));
+                least = std::min(least, std::max(0.0, depth - margin));
+                greatest = std::max(greatest, depth + margin);
+            }
+        });
+        const std::optional<DepthRange> range = visibleDepthRange(scene.query(), scene.cut.lists[0]);
+        ASSERT_EQ(range.has_value(), least != kInfinite);
+        if (!range) continue;
+        ++seen;
+        EXPECT_EQ(range->near, least);
+        EXPECT_EQ(range->far, greatest);
+        measured += range->clustersMeasured;
+        drawn += scene.cut.lists[0].clusters;
+    }
+    EXPECT_GT(seen, 50);
+    EXPECT_LT(measured * 4, drawn) << "few clusters are to be looked at triangle by triangle";
+}
+
+TEST(Receivers, AVolumeReceivesWhereATriangleIs) {
+    Random random(62);
+    int receiving = 0;
+    int empty = 0;
+    for (int trial = 0; trial < 60; ++trial) {
+        const Seen scene(random);
+        std::vector<ConvexVolume> slices;
+        for (const selection::CasterDetail& caster : tests::randomCasters(random, scene.view))
+            slices.push_back(caster.receivers);
+        const std::vector<bool> found = receivingVolumes(scene.query(), scene.cut.lists[0], slices);
+        for (std::size_t v = 0; v < slices.size(); ++v) {
+            ConvexVolume both = slices[v];
+            both.planes.insert(both.planes.end(), scene.volumes[0].planes.begin(), scene.volumes[0].planes.end());
+            TriangleClipper clipper(both);
+            bool expected = false;
+            forEveryTriangle(scene.query(), scene.cut.lists[0], [&](const auto& corners, double) {
+                expected = expected || !clipper.clipped(corners).empty();
+            });
+            EXPECT_EQ(found[v], expected);
+            ++(expected ? receiving : empty);
+        }
+    }
+    EXPECT_GT(receiving, 10);
+    EXPECT_GT(empty, 10);
+}
+
+// The truth beside the clipper: random points of the triangle.
+TEST(TriangleClipper, KeepsWhatTheVolumeHolds) {
+    Random random(63);
+    int cut = 0;
+    for (int trial = 0; trial < 3000; ++trial) {
+        const auto point = [&] {
+            return glm::dvec3(random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-2, 2));
+        };
+        ConvexVolume volume;
+        for (int i = 0; i < 5; ++i)
+            volume.planes.push_back({glm::normalize(point() + glm::dvec3(1e-9)), random.uniform(-0.3, 1.5)});
+        const std::array<glm::dvec3, 3> corners{point(), point(), point()};
+        TriangleClipper clipper(volume);
+        const std::vector<glm::dvec3> polygon = clipper.clipped(corners);
+        Box box;
+        for (const glm::dvec3& corner : polygon) {
+            box.add(corner);
+            for (const Plane& plane : volume.planes)
+                EXPECT_GE(plane.signedDistance(corner), -1e-12);
+        }
+        cut += !polygon.empty() && polygon.size() > 3 ? 1 : 0;
+        for (int sample = 0; sample < 20; ++sample) {
+            const double u = random.unit();
+            const double v = random.unit() * (1 - u);
+            const glm::dvec3 inside = corners[0] * (1 - u - v) + corners[1] * u + corners[2] * v;
+            if (!contains(volume, inside)) continue;
+            ASSERT_FALSE(polygon.empty());
+            EXPECT_LE(distance(box, inside), 1e-12);
+        }
+    }
+    EXPECT_GT(cut, 100);
+}
+
+} // namespace
+} // namespace gnomon::culling

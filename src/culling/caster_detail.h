@@ -2,7 +2,7 @@
 #pragma once
 
 #include "selection/error_rule.h"
-#include "shadow/warped_map.h"
+#include "shadow/setup.h"
 
 namespace gnomon::culling {
 
@@ -17,5 +17,9 @@ struct PartitionMap {
 
 /// The rule's view of `partition`; `view` must be the one whose camera space it is given in.
 selection::CasterDetail casterDetail(const selection::DetailView& view, const PartitionMap& partition);
+
+/// The same for one map of a frame's setup, whose rectangle has `gutter` texels around the map and may lie on its side.
+selection::CasterDetail casterDetail(
+    const selection::DetailView& view, const shadow::ShadowMapPartition& partition, int gutter);
 
 } // namespace gnomon::culling

@@ -1,0 +1,163 @@
+// What finding a frame's triangles costs: the cut with all caster lists, one and all cores, depth range, cap, demand.
+// cut_bench [MODEL.gnm] [benchmark options]; without a model, a height field of 524,288 triangles.
+#include "culling/caster_detail.h"
+#include "culling/frame_cut.h"
+#include "culling/receivers.h"
+#include "hierarchy/tiny_model.h"
+#include "shadow/setup.h"
+#include "streaming/page_store.h"
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+namespace gnomon {
+namespace {
+
+constexpr std::uint64_t kTriangles = 1000000;
+
+/// A model that frames the image, wholly resident as far as the view asks, with four partitions.
+class Scene {
+public:
+    explicit Scene(const std::string& path)
+        : model_(path),
+          source_(model_),
+          store_(source_, {.budget = gibibytes(4), .loaderThreads = 4, .onDamaged = {}}),
+          trees_(model_.pages(), model_.summary().grid) {
+        placeView();
+        placePartitions();
+        rule_ = std::make_unique<selection::ErrorRule>(view_, casters_);
+        findThreshold();
+    }
+
+    selection::CutQuery query() const { return {&trees_, store_.resident(), rule_.get(), errorPixels_, volumes_}; }
+
+    std::span<const hierarchy::PageInfo> table() const { return model_.pages(); }
+
+    const hierarchy::Grid& grid() const { return model_.summary().grid; }
+
+private:
+    void placeView() {
+        const Box& bounds = model_.summary().bounds;
+        const double size = glm::length(bounds.extent());
+        Camera camera;
+        camera.target = bounds.center() - model_.summary().grid.origin;
+        camera.eye = camera.target + glm::normalize(glm::dvec3(0.5, 0.35, 1)) * (0.55 * size);
+        view_.eye = camera.eye;
+        view_.basis = cameraBasis(camera);
+        view_.nearestDepth = 1e-3 * size;
+        far_ = 1.2 * size;
+    }
+
+    void placePartitions() {
+        shadow::ShadowView view;
+        view.frustum.near = far_ / 100;
+        view.frustum.far = far_;
+        view.towardsLight = toCamera(view_.basis, glm::normalize(glm::dvec3(0.4, 1, 0.3)));
+        shadow::ShadowOptions options;
+        options.scheme.slices = 4;
+        volumes_.push_back(selection::viewPyramid(view_));
+        const shadow::ShadowMapSetup setup = shadow::shadowMapSetup(view, options);
+        for (const shadow::ShadowMapPartition& map : setup.maps) {
+            casters_.push_back(culling::casterDetail(view_, map, setup.gutter));
+            volumes_.push_back(casters_.back().casters);
+        }
+    }
+
+    /// The error at which the image has about a million triangles, or all there are; loads what that takes.
+    void findThreshold() {
+        double tooFine = 1e-3;
+        double tooCoarse = 1e3;
+        for (int step = 0; step < 24; ++step) {
+            errorPixels_ = std::sqrt(tooFine * tooCoarse);
+            (load().lists[0].triangles > kTriangles ? tooFine : tooCoarse) = errorPixels_;
+        }
+        const selection::Cut cut = load();
+        std::printf("%.3f pixels of error, pages %zu of %zu, triangles", errorPixels_, cut.used.size(), table().size());
+        for (const selection::DrawList& list : cut.lists)
+            std::printf(" %llu", static_cast<unsigned long long>(list.triangles));
+        std::printf(", clusters in the image %llu\n", static_cast<unsigned long long>(cut.lists[0].clusters));
+    }
+
+    selection::Cut load() {
+        while (true) {
+            selection::Cut cut = selection::cut(query());
+            if (!store_.load({cut.used, cut.wanted, {}}).hasChanged) return cut;
+        }
+    }
+
+    hierarchy::ModelFile model_;
+    streaming::FilePageSource source_;
+    streaming::PageStore store_;
+    selection::PageTrees trees_;
+    selection::DetailView view_;
+    double far_ = 0;
+    std::vector<selection::CasterDetail> casters_;
+    std::vector<ConvexVolume> volumes_;
+    std::unique_ptr<selection::ErrorRule> rule_;
+    double errorPixels_ = 1;
+};
+
+template <class Body>
+void add(const char* name, const Body& body) {
+    benchmark::RegisterBenchmark(
+        name,
+        [body](benchmark::State& state) {
+            for (auto _ : state)
+                body();
+        })
+        ->Unit(benchmark::kMillisecond)
+        ->MeasureProcessCPUTime()
+        ->UseRealTime();
+}
+
+void addAll(const Scene& scene) {
+    add("cut_image_one_core", [&] {
+        selection::CutQuery query = scene.query();
+        query.volumes = query.volumes.first(1);
+        benchmark::DoNotOptimize(selection::cut(query));
+    });
+    add("cut_and_casters_one_core", [&] { benchmark::DoNotOptimize(selection::cut(scene.query())); });
+    add("cut_and_casters", [&] { benchmark::DoNotOptimize(culling::cutFrame(scene.query())); });
+    add("visited_pages", [&] {
+        std::vector<std::uint32_t> missing;
+        benchmark::DoNotOptimize(selection::visitedPages(scene.query(), missing));
+    });
+    add("demand", [&] { benchmark::DoNotOptimize(selection::demand(scene.query())); });
+    const auto cut = std::make_shared<selection::Cut>(selection::cut(scene.query()));
+    add("depth_range",
+        [&, cut] { benchmark::DoNotOptimize(culling::visibleDepthRange(scene.query(), cut->lists[0])); });
+    add("triangle_cap_half", [&, cut] {
+        benchmark::DoNotOptimize(selection::cappedErrorPixels(scene.query(), cut->lists[0].triangles / 2));
+    });
+    add("page_trees", [&] { benchmark::DoNotOptimize(selection::PageTrees(scene.table(), scene.grid())); });
+}
+
+int run(int argc, char** argv) {
+    std::string path = (std::filesystem::temp_directory_path() / "gnomon_cut_bench.gnm").string();
+    if (argc > 1 && argv[1][0] != '-') {
+        path = argv[1];
+    } else {
+        tests::TinyModelOptions options;
+        options.gridExponent = 9;
+        options.groupClusters = 8;
+        options.pageGroups = 8;
+        tests::writeModel(tests::makeTinyModel(options), path);
+    }
+    const Scene scene(path);
+    addAll(scene);
+    benchmark::Initialize(&argc, argv);
+    benchmark::RunSpecifiedBenchmarks();
+    benchmark::Shutdown();
+    return 0;
+}
+
+} // namespace
+} // namespace gnomon
+
+int main(int argc, char** argv) {
+    return gnomon::run(argc, argv);
+}

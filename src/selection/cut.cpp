@@ -50,7 +50,7 @@ std::vector<PageVisit> visitedPages(const CutQuery& query, std::vector<std::uint
     volumes.emplace_back(); // all of space: the rule alone says which pages are in demand
     std::vector<PageVisit> visits;
     const auto matters = [&](const Sphere& bounds, double error) {
-        return query.rule->pixels(bounds, error) > query.errorPixels;
+        return query.rule->exceeds(bounds, error, query.errorPixels);
     };
     for (const PageTrees::Level& level : query.trees->levels()) {
         bvh::traverse(level.tree, volumes, matters, [&](std::uint32_t item, bvh::VolumeMask mask) {
@@ -65,48 +65,90 @@ std::vector<PageVisit> visitedPages(const CutQuery& query, std::vector<std::uint
     return visits;
 }
 
-CutPart::CutPart(const CutQuery& query) : query_(&query), lists_(query.volumes.size()) {}
+CutPart::CutPart(const CutQuery& query)
+    : query_(&query), lists_(query.volumes.size()), step_(query.trees->grid().step()) {}
 
 void CutPart::add(const PageVisit& visit) {
     const hierarchy::Page& page = *query_->resident[visit.page];
     if (visit.holdsRoot) used_.push_back({visit.page, std::numeric_limits<double>::infinity()});
     test(page);
     if (visit.mask.touching == 0) return;
-    for (const hierarchy::Group& group : page.groups)
-        if (query_->rule->pixels(group.bounds, group.error) > query_->errorPixels) addGroup(page, group, visit);
+    collectPlanes(visit.mask);
+    for (const hierarchy::Group& group : page.groups) {
+        const std::uint64_t touching = narrowed(visit.mask.touching, pagePlanes_, group.box, &groupPlanes_);
+        if (touching != 0 && query_->rule->exceeds(group.bounds, group.error, query_->errorPixels))
+            addGroup(page, group, visit.page, touching);
+    }
     flush();
     groupsTested_ += page.groups.size();
+}
+
+/// The planes that a page's box may cross: those of the volumes that it is not known to lie in.
+void CutPart::collectPlanes(bvh::VolumeMask mask) {
+    pagePlanes_.clear();
+    for (std::uint64_t left = mask.undecided(); left != 0; left &= left - 1) {
+        const auto bit = static_cast<std::size_t>(std::countr_zero(left));
+        for (const Plane& plane : query_->volumes[bit].planes)
+            pagePlanes_.push_back({plane.normal, plane.offset, std::uint64_t{1} << bit});
+    }
+}
+
+/// The volumes of `touching` that `box` touches, as gnomon::classify has it, given the planes that what holds the box
+/// crosses; those that the box crosses go to `still`.
+std::uint64_t CutPart::narrowed(
+    std::uint64_t touching,
+    std::span<const CutPlane> planes,
+    const hierarchy::GridBox& box,
+    std::vector<CutPlane>* still) const {
+    if (still != nullptr) still->clear();
+    if (planes.empty()) return touching;
+    const glm::dvec3 min = glm::dvec3(box.min.x, box.min.y, box.min.z) * step_;
+    const glm::dvec3 max = glm::dvec3(box.max.x, box.max.y, box.max.z) * step_;
+    const glm::dvec3 center = (min + max) * 0.5;
+    const glm::dvec3 half = (max - min) * 0.5;
+    for (const CutPlane& plane : planes) {
+        const double reach = glm::dot(glm::abs(plane.normal), half);
+        const double middle = glm::dot(plane.normal, center) + plane.offset;
+        if (middle < -reach) {
+            touching &= ~plane.volume;
+            if (touching == 0) return 0;
+        } else if (still != nullptr && middle < reach) {
+            still->push_back(plane);
+        }
+    }
+    return touching;
+}
+
+void CutPart::addGroup(
+    const hierarchy::Page& page, const hierarchy::Group& group, std::uint32_t id, std::uint64_t touching) {
+    for (std::uint32_t c = group.firstCluster; c < group.firstCluster + group.clusterCount; ++c) {
+        const hierarchy::Cluster& cluster = page.clusters[c];
+        const RefinementState* finer = cluster.refinement == kNone ? nullptr : &refinements_[cluster.refinement];
+        if (finer != nullptr && finer->isRefined) continue;
+        const std::uint64_t touched = narrowed(touching, groupPlanes_, cluster.box, nullptr);
+        if (touched == 0) continue;
+        if (finer != nullptr && (touched & 1U) != 0) achieved_ = std::max(achieved_, finer->viewPixels);
+        draw(id, c, cluster.triangleCount, touched);
+    }
 }
 
 void CutPart::test(const hierarchy::Page& page) {
     refinements_.resize(page.refinements.size());
     for (std::size_t i = 0; i < page.refinements.size(); ++i) {
         const hierarchy::Refinement& refinement = page.refinements[i];
-        const double pixels = query_->rule->pixels(refinement.bounds, refinement.error);
-        const bool isAsked = pixels > query_->errorPixels;
+        const double threshold = query_->errorPixels;
+        const double view = query_->rule->viewPixels(refinement.bounds, refinement.error);
+        const double pixels =
+            view > threshold ? view : query_->rule->casterPixels(refinement.bounds, refinement.error, threshold);
         const bool isResident = query_->resident[refinement.group.page] != nullptr;
-        refinements_[i] = {pixels, isAsked && isResident};
-        if (isAsked) (isResident ? used_ : wanted_).push_back({refinement.group.page, pixels});
-    }
-}
-
-void CutPart::addGroup(const hierarchy::Page& page, const hierarchy::Group& group, const PageVisit& visit) {
-    const hierarchy::Grid& grid = query_->trees->grid();
-    const auto narrowed = [&](bvh::VolumeMask mask, const hierarchy::GridBox& box) {
-        return mask.undecided() == 0 ? mask : bvh::narrowed(mask, query_->volumes, grid.local(box));
-    };
-    const bvh::VolumeMask groupMask = narrowed(visit.mask, group.box);
-    if (groupMask.touching == 0) return;
-    for (std::uint32_t c = group.firstCluster; c < group.firstCluster + group.clusterCount; ++c) {
-        const hierarchy::Cluster& cluster = page.clusters[c];
-        const std::uint64_t touching = narrowed(groupMask, cluster.box).touching;
-        if (touching == 0) continue;
-        if (cluster.refinement != kNone) {
-            const RefinementState& state = refinements_[cluster.refinement];
-            if (state.isRefined) continue;
-            if ((touching & 1U) != 0) achieved_ = std::max(achieved_, state.pixels);
+        refinements_[i] = {view, pixels > threshold && isResident};
+        if (!(pixels > threshold)) continue;
+        std::vector<PageDemand>& demands = isResident ? used_ : wanted_;
+        if (!demands.empty() && demands.back().page == refinement.group.page) { // neighbours often share a page
+            demands.back().pixels = std::max(demands.back().pixels, pixels);
+        } else {
+            demands.push_back({refinement.group.page, pixels});
         }
-        draw(visit.page, c, cluster.triangleCount, touching);
     }
 }
 

@@ -70,7 +70,7 @@ struct Cut {
     std::vector<hierarchy::PageDemand> used;   // resident pages that the cut refines into, each once, by id
     std::vector<hierarchy::PageDemand> wanted; // pages that it would refine into were they resident, each once, by id
     double errorPixels = 0;                    // the threshold that it was made with
-    double achievedErrorPixels = 0;            // the most that the rule gives for anything in the first list
+    double achievedErrorPixels = 0;            // the most on the screen of anything in the first list (viewPixels)
     std::uint64_t groupsTested = 0;
 };
 
@@ -100,8 +100,15 @@ public:
 private:
     /// What is known of a refinement of the page at hand.
     struct RefinementState {
-        double pixels = 0;
+        double viewPixels = 0;
         bool isRefined = false;
+    };
+
+    /// A plane of a volume that a box has parts on both sides of.
+    struct CutPlane {
+        glm::dvec3 normal{0};
+        double offset = 0;
+        std::uint64_t volume = 0; // its bit
     };
 
     /// Neighbouring drawn clusters that touch the same volumes.
@@ -111,7 +118,13 @@ private:
         std::uint64_t triangles = 0;
     };
 
-    void addGroup(const hierarchy::Page& page, const hierarchy::Group& group, const PageVisit& visit);
+    void addGroup(const hierarchy::Page& page, const hierarchy::Group& group, std::uint32_t id, std::uint64_t touching);
+    std::uint64_t narrowed(
+        std::uint64_t touching,
+        std::span<const CutPlane> planes,
+        const hierarchy::GridBox& box,
+        std::vector<CutPlane>* still) const;
+    void collectPlanes(bvh::VolumeMask mask);
     void test(const hierarchy::Page& page);
     void draw(std::uint32_t page, std::uint32_t cluster, std::uint32_t triangles, std::uint64_t touching);
     void flush();
@@ -121,6 +134,9 @@ private:
     std::vector<hierarchy::PageDemand> used_;
     std::vector<hierarchy::PageDemand> wanted_;
     std::vector<RefinementState> refinements_;
+    std::vector<CutPlane> pagePlanes_;
+    std::vector<CutPlane> groupPlanes_;
+    double step_; // of the grid
     Run run_;
     double achieved_ = 0;
     std::uint64_t groupsTested_ = 0;

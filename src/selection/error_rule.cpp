@@ -92,11 +92,16 @@ double ErrorRule::viewPixels(const Sphere& bounds, double error) const {
     return error * pixelsPerUnit_ / (std::max(depth - bounds.radius, view_.nearestDepth) * cosine);
 }
 
-double ErrorRule::casterPixels(const Sphere& bounds, double error) const {
-    if (casters_.empty() || !(error > 0) || isWithin(pyramid_, bounds)) return 0;
-    double pixels = 0;
-    for (const CasterDetail& caster : casters_)
+double ErrorRule::casterPixels(const Sphere& bounds, double error, double floor) const {
+    if (casters_.empty() || !(error > 0)) return 0;
+    bool isOffScreen = false; // looked at only when it matters
+    double pixels = floor;
+    for (const CasterDetail& caster : casters_) {
+        if (error * pixelsPerUnit_ / caster.receiverNear <= pixels) continue; // the most that it can give
+        if (!isOffScreen && isWithin(pyramid_, bounds)) return 0;
+        isOffScreen = true;
         pixels = std::max(pixels, oneCasterPixels(caster, bounds, error));
+    }
     return pixels;
 }
 

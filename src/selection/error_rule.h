@@ -77,11 +77,17 @@ public:
         return std::max(viewPixels(bounds, error), casterPixels(bounds, error));
     }
 
+    /// Whether `pixels` is above `threshold`, found with less work.
+    bool exceeds(const Sphere& bounds, double error, double threshold) const {
+        return error == std::numeric_limits<double>::infinity() || viewPixels(bounds, error) > threshold ||
+               casterPixels(bounds, error, threshold) > threshold;
+    }
+
     /// The part that the screen shows.
     double viewPixels(const Sphere& bounds, double error) const;
 
-    /// The part that off-screen casters show at the edges of their shadows.
-    double casterPixels(const Sphere& bounds, double error) const;
+    /// The part that off-screen casters show at the edges of their shadows; any number up to `floor` if it is not more.
+    double casterPixels(const Sphere& bounds, double error, double floor = 0) const;
 
 private:
     double oneCasterPixels(const CasterDetail& caster, const Sphere& bounds, double error) const;

@@ -207,7 +207,7 @@ TEST(Cut, ReportsTheErrorOfWhatIsMissing) {
             for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c) {
                 if (page.clusters[c].refinement == kNone) continue;
                 const hierarchy::Refinement& finer = page.refinements[page.clusters[c].refinement];
-                worst = std::max(worst, scene.rule.pixels(finer.bounds, finer.error));
+                worst = std::max(worst, scene.rule.viewPixels(finer.bounds, finer.error));
             }
         }
         EXPECT_EQ(now.achievedErrorPixels, worst);

@@ -93,7 +93,7 @@ double BustShape::folds(const dvec3& p) const {
     const double side = p.z >= -0.02 ? 0 : 0.37; // the back falls by its own
     const double turns = diamondTurns(q.x, q.y) + side;
     const dvec3 at = p + dvec3(32.0 / 9.0);
-    const double wander = static_cast<double>(gradientNoise(
+    const auto wander = static_cast<double>(gradientNoise(
         static_cast<float>(at.x * 9), static_cast<float>(at.y * 9), static_cast<float>(at.z * 9), noiseSeed_ + 7));
     const double wave = 0.5 + 0.5 * sinTurns(turns * foldCount_ + foldTwist_ * fall * 2 + wander * 2.4);
     const double depth = 0.011 + 0.026 * std::abs(wander); // some folds are deep, others die away

@@ -7,6 +7,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 #include <limits>
@@ -139,7 +140,8 @@ MeshSize writeMadeModel(
         GNOMON_CHECK_OP(made.triangles, ==, promised.triangles);
         progress.advance(made.triangles);
     };
-    tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+    const int cores = tbb::this_task_arena::max_concurrency();
+    tbb::task_arena arena(threads > 0 ? std::min(threads, cores) : cores); // TBB warns of more than there are
     arena.execute([&] { tbb::parallel_for(std::size_t{0}, before.size(), writeBlock); });
     output.commit();
     return size;

@@ -2,6 +2,7 @@
 
 #include "core/check.h"
 #include "core/error.h"
+#include "preprocess/make/planes.h"
 #include "preprocess/make/plant.h"
 #include "preprocess/make/statue.h"
 
@@ -23,9 +24,10 @@ std::unique_ptr<MadeModel> make(std::uint64_t triangles, std::uint64_t seed) {
     return std::make_unique<Model>(triangles, seed);
 }
 
-constexpr std::array<Kind, 2> kKinds{{
+constexpr std::array<Kind, 3> kKinds{{
     {"statue", Statue::kFewestTriangles, 1'000'000, make<Statue>},
     {"plant", Plant::kFewestTriangles, 1'000'000, make<Plant>},
+    {"planes", Planes::kFewestTriangles, 275'500, make<Planes>}, // 18,000 each
 }};
 
 const Kind& kindOf(const std::string& name) {
@@ -38,6 +40,7 @@ const Kind& kindOf(const std::string& name) {
 
 std::vector<std::string> modelNames() {
     std::vector<std::string> names;
+    names.reserve(kKinds.size());
     for (const Kind& kind : kKinds)
         names.emplace_back(kind.name);
     return names;

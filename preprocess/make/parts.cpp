@@ -45,7 +45,7 @@ void addCircle(
 }
 
 std::array<dvec3, 8> boxCorners(const dvec3& min, const dvec3& max) {
-    std::array<dvec3, 8> corners;
+    std::array<dvec3, 8> corners{};
     for (std::size_t i = 0; i < 8; ++i)
         corners.at(i) = {(i & 1U) != 0 ? max.x : min.x, (i & 2U) != 0 ? max.y : min.y, (i & 4U) != 0 ? max.z : min.z};
     return corners;
@@ -55,26 +55,60 @@ std::array<dvec3, 8> boxCorners(const dvec3& min, const dvec3& max) {
 constexpr std::array<std::array<std::size_t, 4>, 6> kBoxFaces{
     {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
 
+/// One side of a panel; the back has the same triangles turned over.
+void addPanelSide(PartSink& sink, const Panel& panel, bool back) {
+    const std::uint64_t n = panel.cellsU;
+    const std::uint64_t m = panel.cellsV;
+    if (!sink.begin((n + 1) * (m + 1), 2 * n * m)) return;
+    const std::array<dvec3, 2> wave{dvec3(0), glm::normalize(glm::cross(panel.u, panel.v)) * panel.waveDepth};
+    for (std::uint64_t j = 0; j <= m; ++j)
+        for (std::uint64_t i = 0; i <= n; ++i) {
+            const double u = static_cast<double>(i) / static_cast<double>(n);
+            const double v = static_cast<double>(j) / static_cast<double>(m);
+            sink.vertex(panel.corner + u * panel.u + v * panel.v + wave.at(i % 2));
+        }
+    for (std::uint64_t j = 0; j < m; ++j)
+        for (std::uint64_t i = 0; i < n; ++i) {
+            const std::uint64_t a = j * (n + 1) + i;
+            const std::uint64_t c = a + n + 2;
+            if (back)
+                sink.triangle(a, c, a + 1);
+            else
+                sink.triangle(a, a + 1, c);
+            if (back)
+                sink.triangle(a, c - 1, c);
+            else
+                sink.triangle(a, c, c - 1);
+        }
+}
+
+/// The size of a turned body.
+MeshSize latheSize(std::span<const Station> profile, std::uint64_t sides) {
+    MeshSize size;
+    for (std::size_t i = 0; i < profile.size(); ++i) {
+        const bool tip = profile[i].radius == 0;
+        const bool tipBefore = i > 0 && profile[i - 1].radius == 0;
+        size += {tip ? 1 : sides, i == 0 ? 0 : (tip || tipBefore ? sides : 2 * sides)};
+    }
+    return size;
+}
+
 } // namespace
 
-void PartSink::place(const dvec3& origin, int quarterTurns) {
-    constexpr std::array<std::array<double, 2>, 4> kTurns{{{1, 0}, {0, -1}, {-1, 0}, {0, 1}}};
-    const auto [c, s] = kTurns.at(static_cast<std::size_t>(quarterTurns & 3));
+void PartSink::place(const dvec3& origin, const glm::dmat3& axes) {
     origin_ = origin;
-    xAxis_ = {c, 0, s};
-    zAxis_ = {-s, 0, c};
+    axes_ = axes;
 }
 
 bool PartSink::begin(std::uint64_t vertices, std::uint64_t triangles) {
     part_ = firstVertex_ + size_.vertices;
     size_ += {vertices, triangles};
-    if (sink_ == nullptr) return false;
-    return true;
+    return sink_ != nullptr;
 }
 
 void PartSink::vertex(const dvec3& position) {
     if (vertices_.size() >= kHeldBack) finish();
-    vertices_.emplace_back(origin_ + position.x * xAxis_ + dvec3(0, position.y, 0) + position.z * zAxis_);
+    vertices_.emplace_back(origin_ + axes_ * position);
 }
 
 void PartSink::finish() {
@@ -83,6 +117,12 @@ void PartSink::finish() {
     sink_->addTriangles(triangles_);
     vertices_.clear();
     triangles_.clear();
+}
+
+glm::dmat3 quarterTurned(int turns) {
+    constexpr std::array<std::array<double, 2>, 4> kTurns{{{1, 0}, {0, -1}, {-1, 0}, {0, 1}}};
+    const auto [c, s] = kTurns.at(static_cast<std::size_t>(turns) % 4);
+    return {c, 0, s, 0, 1, 0, -s, 0, c};
 }
 
 void addBox(PartSink& sink, const dvec3& min, const dvec3& max) {
@@ -102,7 +142,7 @@ void addUnweldedBox(PartSink& sink, const dvec3& min, const dvec3& max) {
 }
 
 void addSheet(PartSink& sink, const dvec3& corner, const dvec3& u, const dvec3& v, Sides sides) {
-    for (int side = 0; side < (sides == Sides::kBoth ? 2 : 1); ++side) {
+    for (int side = 0; side < (sides == Sides::Both ? 2 : 1); ++side) {
         if (!sink.begin(4, 2)) continue;
         sink.vertex(corner);
         sink.vertex(corner + u);
@@ -118,25 +158,8 @@ void addSheet(PartSink& sink, const dvec3& corner, const dvec3& u, const dvec3& 
 }
 
 void addPanel(PartSink& sink, const Panel& panel) {
-    const std::uint64_t n = panel.cellsU;
-    const std::uint64_t m = panel.cellsV;
-    const dvec3 out = glm::normalize(glm::cross(panel.u, panel.v)) * panel.waveDepth;
-    for (int side = 0; side < (panel.sides == Sides::kBoth ? 2 : 1); ++side) {
-        if (!sink.begin((n + 1) * (m + 1), 2 * n * m)) continue;
-        for (std::uint64_t j = 0; j <= m; ++j)
-            for (std::uint64_t i = 0; i <= n; ++i) {
-                const double u = static_cast<double>(i) / static_cast<double>(n);
-                const double v = static_cast<double>(j) / static_cast<double>(m);
-                sink.vertex(panel.corner + u * panel.u + v * panel.v + (i % 2 == 1 ? out : dvec3(0)));
-            }
-        for (std::uint64_t j = 0; j < m; ++j)
-            for (std::uint64_t i = 0; i < n; ++i) {
-                const std::uint64_t a = j * (n + 1) + i;
-                const std::uint64_t d = a + n + 1;
-                sink.triangle(a, side == 0 ? a + 1 : d + 1, side == 0 ? d + 1 : a + 1);
-                sink.triangle(a, side == 0 ? d + 1 : d, side == 0 ? d : d + 1);
-            }
-    }
+    addPanelSide(sink, panel, false);
+    if (panel.sides == Sides::Both) addPanelSide(sink, panel, true);
 }
 
 void addIBeam(PartSink& sink, const dvec3& a, const dvec3& b, const dvec3& up, double depth) {
@@ -177,7 +200,7 @@ void addAngle(PartSink& sink, const dvec3& a, const dvec3& b, const dvec3& up, d
 
 void addTube(PartSink& sink, std::span<const dvec3> path, double radius, std::uint64_t sides, Ends ends) {
     const std::uint64_t rings = path.size();
-    const bool closed = ends == Ends::kClosed;
+    const bool closed = ends == Ends::Closed;
     if (!sink.begin(rings * sides + (closed ? 2 : 0), 2 * sides * (rings - 1) + (closed ? 2 * sides : 0))) return;
     dvec3 u = sideways(glm::normalize(path[1] - path[0]));
     for (std::size_t i = 0; i < path.size(); ++i) {
@@ -224,14 +247,8 @@ void addLathe(
     std::span<const Station> profile,
     std::uint64_t sides,
     double turn) {
-    std::uint64_t vertices = 0;
-    std::uint64_t triangles = 0;
-    for (std::size_t i = 0; i < profile.size(); ++i) {
-        const bool tip = profile[i].radius == 0;
-        vertices += tip ? 1 : sides;
-        if (i > 0) triangles += tip || profile[i - 1].radius == 0 ? sides : 2 * sides;
-    }
-    if (!sink.begin(vertices, triangles)) return;
+    const MeshSize size = latheSize(profile, sides);
+    if (!sink.begin(size.vertices, size.triangles)) return;
     const dvec3 u = sideways(axis);
     const dvec3 v = glm::cross(axis, u);
     std::uint64_t next = 0;

@@ -17,8 +17,8 @@ public:
     /// Makes: parts go to `sink`, whose next vertex has the index `firstVertex` in the whole model.
     PartSink(MeshSink& sink, std::uint64_t firstVertex) : sink_(&sink), firstVertex_(firstVertex) {}
 
-    /// Parts from here on stand at `origin`, turned by `quarterTurns` about y (x to -z for one).
-    void place(const glm::dvec3& origin, int quarterTurns);
+    /// Parts from here on stand at `origin`, their axes along the columns of `axes` (a rotation).
+    void place(const glm::dvec3& origin, const glm::dmat3& axes);
 
     /// Begins a part of exactly that size. False if it is only counted: then the part ends here.
     bool begin(std::uint64_t vertices, std::uint64_t triangles);
@@ -50,18 +50,20 @@ private:
     std::uint64_t firstVertex_ = 0;
     std::uint64_t part_ = 0; // the part's first vertex
     glm::dvec3 origin_{0};
-    glm::dvec3 xAxis_{1, 0, 0};
-    glm::dvec3 zAxis_{0, 0, 1};
+    glm::dmat3 axes_{1};
     MeshSize size_;
     std::vector<glm::vec3> vertices_;
     std::vector<MadeTriangle> triangles_;
 };
 
+/// Axes turned by `turns` quarters about y: x goes to -z for one. Exact.
+glm::dmat3 quarterTurned(int turns);
+
 /// Whether a sheet is written once or, as exporters like to, once for each side.
-enum class Sides { kOne, kBoth };
+enum class Sides { One, Both };
 
 /// Whether the ends of something long are left open.
-enum class Ends { kOpen, kClosed };
+enum class Ends { Open, Closed };
 
 /// An axis-aligned box. 12 triangles.
 void addBox(PartSink& sink, const glm::dvec3& min, const glm::dvec3& max);
@@ -71,7 +73,7 @@ void addUnweldedBox(PartSink& sink, const glm::dvec3& min, const glm::dvec3& max
 
 /// A rectangle of 2 triangles with corner `corner` and edges `u` and `v`; faces u x v.
 void addSheet(
-    PartSink& sink, const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v, Sides sides = Sides::kOne);
+    PartSink& sink, const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v, Sides sides = Sides::One);
 
 /// A rectangle of n by m cells, its cells pushed along u x v by a wave of `depth` with one ridge every two cells of u.
 struct Panel {
@@ -81,7 +83,7 @@ struct Panel {
     std::uint64_t cellsU = 1;
     std::uint64_t cellsV = 1;
     double waveDepth = 0;
-    Sides sides = Sides::kOne;
+    Sides sides = Sides::One;
 };
 
 void addPanel(PartSink& sink, const Panel& panel);
@@ -122,6 +124,33 @@ void addLathe(
     std::span<const Station> profile,
     std::uint64_t sides,
     double turn = 0);
+
+/// A closed skin around rings: ring i of `rings` has `around` points shape(i / (rings - 1), j / around),
+/// counter-clockwise seen from the last ring, and both ends are closed around the middle of their ring.
+template <class Shape>
+void addSkin(PartSink& sink, std::uint64_t rings, std::uint64_t around, const Shape& shape) {
+    if (!sink.begin(rings * around + 2, 2 * around * rings)) return;
+    std::array<glm::dvec3, 2> middles{};
+    for (std::uint64_t i = 0; i < rings; ++i)
+        for (std::uint64_t j = 0; j < around; ++j) {
+            const glm::dvec3 point = shape(
+                static_cast<double>(i) / static_cast<double>(rings - 1),
+                static_cast<double>(j) / static_cast<double>(around));
+            sink.vertex(point);
+            if (i == 0) middles[0] += point / static_cast<double>(around);
+            if (i + 1 == rings) middles[1] += point / static_cast<double>(around);
+        }
+    for (const glm::dvec3& middle : middles)
+        sink.vertex(middle);
+    const std::uint64_t last = (rings - 1) * around;
+    for (std::uint64_t j = 0; j < around; ++j) {
+        const std::uint64_t k = (j + 1) % around;
+        sink.triangle(k, j, last + around);
+        sink.triangle(last + j, last + k, last + around + 1);
+        for (std::uint64_t ring = 0; ring < last; ring += around)
+            sink.quad(ring + j, ring + k, ring + around + k, ring + around + j);
+    }
+}
 
 /// The way through `corners` with each right angle rounded over `radius` in `steps` steps.
 std::vector<glm::dvec3> roundedPath(std::span<const glm::dvec3> corners, double radius, std::uint64_t steps);

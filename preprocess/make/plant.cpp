@@ -91,7 +91,9 @@ constexpr std::uint64_t kStonesPerCopy = 40; // every 40th stone is there twice
 void addStone(PartSink& parts, const Bed& bed, double radius, std::uint64_t seed) {
     if (!parts.begin(kStoneVertices, kStoneTriangles)) return;
     Random random(mix64(seed));
-    const dvec3 center = bed.center + dvec3(bed.halfX * random.uniform(-1, 1), 0, bed.halfZ * random.uniform(-1, 1));
+    // Braces: unlike parentheses they fix the order in which the random numbers are drawn.
+    const dvec3 place{bed.halfX * random.uniform(-1, 1), 0, bed.halfZ * random.uniform(-1, 1)};
+    const dvec3 center = bed.center + place;
     const double size = radius * random.uniform(0.5, 1.2);
     const double turn = random.unit();
     for (const double lift : {0.0, 0.55})
@@ -187,7 +189,7 @@ void Plant::layOut(std::uint64_t seed, std::size_t lotsBuilt) {
 }
 
 void Plant::makeJob(const Job& job, PartSink& parts, const Detail& detail) const {
-    parts.place(job.origin, job.quarterTurns);
+    parts.place(job.origin, quarterTurned(job.quarterTurns));
     if (job.make == nullptr) {
         addStones(parts, job.piece, stoneRadius_, job.seed);
         return;

@@ -10,12 +10,6 @@ using glm::dvec3;
 
 namespace {
 
-const dvec3 kUp(0, 1, 0);
-
-double share(std::uint64_t i, std::uint64_t n) {
-    return static_cast<double>(i) / static_cast<double>(n);
-}
-
 void addWindow(Site& site, const dvec3& corner, double width, double height) {
     addBox(site.parts, corner, corner + dvec3(width, 0.08, 0.12));
     addBox(site.parts, corner + kUp * (height - 0.08), corner + dvec3(width, height, 0.12));
@@ -24,7 +18,7 @@ void addWindow(Site& site, const dvec3& corner, double width, double height) {
         const dvec3 at = corner + dvec3((width - 0.06) * share(i, panes), 0.08, 0);
         addBox(site.parts, at, at + dvec3(0.06, height - 0.16, 0.12));
     }
-    addSheet(site.parts, corner + dvec3(0, 0.05, 0.06), {width, 0, 0}, kUp * (height - 0.1), Sides::kBoth);
+    addSheet(site.parts, corner + dvec3(0, 0.05, 0.06), {width, 0, 0}, kUp * (height - 0.1), Sides::Both);
 }
 
 } // namespace
@@ -77,8 +71,31 @@ void addTurbineHall(Site& site) {
         addIBeam(site.parts, {-kX, 13, z}, {kX, 13, z}, kUp, 0.6);
     addIBeam(site.parts, {3, 13.6, -kZ + 1}, {3, 13.6, kZ - 1}, kUp, 1.0);
     for (const double x : {-16.0, 16.0}) // rain pipes
-        addRod(site.parts, {x, 0.2, kZ + 0.5}, {x, kEaves, kZ + 0.5}, 0.09, site.detail.sides(0.09), Ends::kOpen);
+        addRod(site.parts, {x, 0.2, kZ + 0.5}, {x, kEaves, kZ + 0.5}, 0.09, site.detail.sides(0.09), Ends::Open);
 }
+
+namespace {
+
+/// One storey of the furnace: its walls are tubes side by side, held by beams.
+void addFurnace(Site& site, double bottom, double ceiling) {
+    const std::uint64_t tubes = site.detail.amount(16, 8, 120);
+    const double radius = 5.5 / static_cast<double>(tubes);
+    for (std::uint64_t i = 0; i < tubes; ++i) {
+        const double t = -5.5 + 11 * (share(i, tubes) + 0.5 / static_cast<double>(tubes));
+        const std::uint64_t sides = site.detail.sides(0.5 * radius) + 1;
+        for (const double wall : {-5.8, 5.8}) {
+            addRod(site.parts, {t, bottom, wall}, {t, ceiling, wall}, radius * 0.92, sides, Ends::Open);
+            addRod(site.parts, {wall, bottom, t}, {wall, ceiling, t}, radius * 0.92, sides, Ends::Open);
+        }
+    }
+    for (const double y : {bottom + 1, bottom + 3})
+        for (const double wall : {-6.2, 6.2}) {
+            addIBeam(site.parts, {-6.4, y, wall}, {6.4, y, wall}, kUp, 0.4);
+            addIBeam(site.parts, {wall, y, -6.4}, {wall, y, 6.4}, kUp, 0.4);
+        }
+}
+
+} // namespace
 
 void addBoilerStorey(Site& site, std::uint64_t storey) {
     constexpr double kHalf = 14;
@@ -106,25 +123,7 @@ void addBoilerStorey(Site& site, std::uint64_t storey) {
     const bool even = storey % 2 == 0;
     addStairs(site, {even ? 13.2 : 9.0, floor, even ? 8.0 : 13.0}, {even ? 13.2 : 9.0, ceiling, even ? 13.0 : 8.0});
     addLadder(site, {-13, floor, -12.5}, kHeight);
-    // The furnace's walls are tubes side by side.
-    if (storey > 0) {
-        const std::uint64_t tubes = site.detail.amount(16, 8, 120);
-        const double low = storey == 1 ? floor + 2 : floor;
-        const double radius = 5.5 / static_cast<double>(tubes);
-        for (std::uint64_t i = 0; i < tubes; ++i) {
-            const double t = -5.5 + 11 * (share(i, tubes) + 0.5 / static_cast<double>(tubes));
-            const std::uint64_t sides = site.detail.sides(0.5 * radius) + 1;
-            for (const double wall : {-5.8, 5.8}) {
-                addRod(site.parts, {t, low, wall}, {t, ceiling, wall}, radius * 0.92, sides, Ends::kOpen);
-                addRod(site.parts, {wall, low, t}, {wall, ceiling, t}, radius * 0.92, sides, Ends::kOpen);
-            }
-        }
-        for (const double y : {low + 1, low + 3})
-            for (const double wall : {-6.2, 6.2}) {
-                addIBeam(site.parts, {-6.4, y, wall}, {6.4, y, wall}, kUp, 0.4);
-                addIBeam(site.parts, {wall, y, -6.4}, {wall, y, 6.4}, kUp, 0.4);
-            }
-    }
+    if (storey > 0) addFurnace(site, storey == 1 ? floor + 2 : floor, ceiling);
     const std::uint64_t pipes = site.detail.amount(5, 3, 24);
     for (std::uint64_t i = 0; i < pipes; ++i) {
         const double x = -12 + 18 * share(i, pipes);
@@ -158,7 +157,7 @@ void addChimney(Site& site) {
         const std::uint64_t posts = 18;
         for (std::uint64_t i = 0; i < posts; ++i) {
             const dvec3 out = dvec3(cosTurns(share(i, posts)), 0, sinTurns(share(i, posts))) * (r + 1.25);
-            addRod(site.parts, out + kUp * y, out + kUp * (y + 1.1), 0.025, 4, Ends::kOpen);
+            addRod(site.parts, out + kUp * y, out + kUp * (y + 1.1), 0.025, 4, Ends::Open);
         }
     }
     addLadder(site, {0, 0, 4.9}, 36);
@@ -217,7 +216,7 @@ void addCoolingTower(Site& site) {
                 top,
                 0.3,
                 std::max<std::uint64_t>(5, site.detail.sides(0.3)),
-                Ends::kOpen);
+                Ends::Open);
         }
     }
     const std::array<Station, 4> basin{{{0, 14.9}, {1.1, 14.9}, {1.1, 14.6}, {0.2, 14.6}}};
@@ -226,7 +225,7 @@ void addCoolingTower(Site& site) {
     for (std::uint64_t i = 0; i < packs; ++i) {
         const double x = -10 + 20 * share(i, packs);
         const double z = std::sqrt(121 - x * x);
-        addSheet(site.parts, {x, 4.6, -z}, {0, 0, 2 * z}, kUp * 1.2, i % 6 == 0 ? Sides::kBoth : Sides::kOne);
+        addSheet(site.parts, {x, 4.6, -z}, {0, 0, 2 * z}, kUp * 1.2, i % 6 == 0 ? Sides::Both : Sides::One);
     }
     addLadder(site, {0, 0, 15.1}, 5);
 }
@@ -241,30 +240,29 @@ void addStore(Site& site) {
         addCladding(site, {x + 6.06, y + 0.12, z}, {-6.06, 0, 0}, kUp * 2.4, 3.0);
         addCladding(site, {x + 6.06, y + 0.12, z + 2.44}, {0, 0, -2.44}, kUp * 2.4, 2.44);
         addCladding(site, {x, y + 0.12, z}, {0, 0, 2.44}, kUp * 2.4, 2.44);
-        addSheet(site.parts, {x, y + 2.54, z + 2.44}, {6.06, 0, 0}, {0, 0, -2.44}, Sides::kBoth);
+        addSheet(site.parts, {x, y + 2.54, z + 2.44}, {6.06, 0, 0}, {0, 0, -2.44}, Sides::Both);
     }
     const std::uint64_t pipes = site.detail.amount(18, 10, 200);
     const auto inRow = static_cast<std::uint64_t>(std::sqrt(static_cast<double>(pipes))) + 2;
     const double radius = 2.4 / static_cast<double>(inRow);
     for (std::uint64_t i = 0; i < pipes; ++i) {
-        const dvec3 at(
-            -2 + 2 * radius * (static_cast<double>(i % inRow) + 0.5 * static_cast<double>(i / inRow % 2)),
-            radius + 1.75 * radius * static_cast<double>(i / inRow),
-            -13);
+        const std::uint64_t layer = i / inRow; // laid into the gaps of the one below
+        const double shift = static_cast<double>(i % inRow) + 0.5 * static_cast<double>(layer % 2);
+        const dvec3 at(-2 + 2 * radius * shift, radius * (1 + 1.75 * static_cast<double>(layer)), -13);
         addRod(
             site.parts,
             at,
             at + dvec3(0, 0, 11),
             radius * 0.98,
             std::max<std::uint64_t>(6, site.detail.sides(radius)),
-            Ends::kOpen);
+            Ends::Open);
         addRod(
             site.parts,
             at,
             at + dvec3(0, 0, 11),
             radius * 0.9,
             std::max<std::uint64_t>(6, site.detail.sides(radius)),
-            Ends::kOpen);
+            Ends::Open);
     }
     for (std::uint64_t i = 0; i < 5; ++i) { // cable drums
         const dvec3 at(-11 + 4.4 * static_cast<double>(i), 1.1, 5);
@@ -280,14 +278,10 @@ void addStore(Site& site) {
     const std::uint64_t stacks = site.detail.amount(4, 2, 24);
     for (std::uint64_t i = 0; i < stacks; ++i) { // pallets of boards
         const dvec3 at(-12 + 24 * share(i, stacks), 0, 10 + site.random.uniform(-0.4, 0.4));
-        for (std::uint64_t board = 0; board < 12; ++board)
-            addBox(
-                site.parts,
-                at + dvec3(0.12 * static_cast<double>(board % 6) * 1.4, 0.15 * static_cast<double>(board / 6), 0),
-                at + dvec3(
-                         0.12 * static_cast<double>(board % 6) * 1.4 + 0.13,
-                         0.15 * static_cast<double>(board / 6) + 0.05,
-                         1.1));
+        for (int board = 0; board < 12; ++board) {
+            const dvec3 corner = at + dvec3(0.168 * (board % 6), board < 6 ? 0 : 0.15, 0);
+            addBox(site.parts, corner, corner + dvec3(0.13, 0.05, 1.1));
+        }
     }
     addLamp(site, {13, 0, 0});
 }
@@ -308,7 +302,7 @@ void addGasTurbine(Site& site) {
                 {-12.8, 7.2 + 5.6 * share(i, louvres), z},
                 {6.6, 0, 0},
                 {0, 0.1, z > 0 ? 0.3 : -0.3},
-                i % 4 == 0 ? Sides::kBoth : Sides::kOne);
+                i % 4 == 0 ? Sides::Both : Sides::One);
     addUnweldedBox(site.parts, {-10.5, 5, -1.5}, {-7.5, 7, 1.5});
     const std::array<Station, 4> stack{{{5, 1.8}, {22, 1.8}, {22, 1.7}, {18, 1.7}}};
     addLathe(site.parts, {0, 0, 0}, kUp, stack, std::max<std::uint64_t>(12, site.detail.sides(1.8)));
@@ -326,12 +320,12 @@ void addGasTurbine(Site& site) {
         for (std::uint64_t blade = 0; blade < 6; ++blade) {
             const double t = share(blade, 6);
             const dvec3 out(cosTurns(t), 0, sinTurns(t));
-            addSheet(site.parts, at + kUp * 3.7 + out * 0.2, out * 1.5, dvec3(-out.z, 0.25, out.x) * 0.4, Sides::kBoth);
+            addSheet(site.parts, at + kUp * 3.7 + out * 0.2, out * 1.5, dvec3(-out.z, 0.25, out.x) * 0.4, Sides::Both);
         }
         const std::uint64_t tubes = site.detail.amount(10, 6, 80);
         for (std::uint64_t tube = 0; tube < tubes; ++tube) {
             const double x = at.x - 2.2 + 4.4 * share(tube, tubes);
-            addRod(site.parts, {x, 2.9, 7.2}, {x, 2.9, 12.8}, 0.03, site.detail.sides(0.03), Ends::kOpen);
+            addRod(site.parts, {x, 2.9, 7.2}, {x, 2.9, 12.8}, 0.03, site.detail.sides(0.03), Ends::Open);
         }
         for (const double z : {7.2, 12.8})
             addIBeam(site.parts, {at.x - 2.3, 0, z}, {at.x - 2.3, 3, z}, {1, 0, 0}, 0.2);

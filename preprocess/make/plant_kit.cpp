@@ -11,14 +11,8 @@ using glm::dvec3;
 
 namespace {
 
-const dvec3 kUp(0, 1, 0);
-
 std::uint64_t pieces(double length, double spacing) {
     return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::llround(length / spacing)));
-}
-
-double share(std::uint64_t i, std::uint64_t n) {
-    return static_cast<double>(i) / static_cast<double>(n);
 }
 
 } // namespace
@@ -58,7 +52,7 @@ void addGrating(Site& site, const dvec3& min, const dvec3& max) {
                     {x, min.y, z + l * (share(bar, bars) + 0.5 / static_cast<double>(bars))},
                     {w, 0, 0},
                     {0, height, 0},
-                    bar == 0 && i % 2 == 0 ? Sides::kBoth : Sides::kOne);
+                    bar == 0 && i % 2 == 0 ? Sides::Both : Sides::One);
             const std::uint64_t cross = site.detail.amount(0.8, 1, 60);
             for (std::uint64_t bar = 0; bar < cross; ++bar)
                 addSheet(site.parts, {x + w * share(bar, cross), min.y + height, z}, {0.012, 0, 0}, {0, 0, l - 0.01});
@@ -70,10 +64,10 @@ void addHandrail(Site& site, const dvec3& a, const dvec3& b) {
     const std::uint64_t sides = site.detail.sides(0.03);
     for (std::uint64_t i = 0; i <= posts; ++i) {
         const dvec3 foot = a + (b - a) * share(i, posts);
-        addRod(site.parts, foot, foot + kUp * 1.08, 0.022, sides, Ends::kOpen);
+        addRod(site.parts, foot, foot + kUp * 1.08, 0.022, sides, Ends::Open);
     }
     for (const double height : {0.55, 1.1})
-        addRod(site.parts, a + kUp * height, b + kUp * height, 0.024, sides, Ends::kOpen);
+        addRod(site.parts, a + kUp * height, b + kUp * height, 0.024, sides, Ends::Open);
     addSheet(site.parts, a + kUp * 0.01, b - a, kUp * 0.12); // the toe board
 }
 
@@ -87,11 +81,11 @@ void addHandrails(Site& site, const dvec3& min, const dvec3& max) {
 void addLadder(Site& site, const dvec3& foot, double height) {
     const std::uint64_t sides = site.detail.sides(0.02);
     for (const double x : {-0.22, 0.22})
-        addRod(site.parts, foot + dvec3(x, 0, 0), foot + dvec3(x, height + 1, 0), 0.025, sides, Ends::kOpen);
+        addRod(site.parts, foot + dvec3(x, 0, 0), foot + dvec3(x, height + 1, 0), 0.025, sides, Ends::Open);
     const std::uint64_t rungs = pieces(height, 0.3);
     for (std::uint64_t i = 0; i < rungs; ++i) {
         const dvec3 at = foot + kUp * (height * share(i + 1, rungs));
-        addRod(site.parts, at - dvec3(0.22, 0, 0), at + dvec3(0.22, 0, 0), 0.014, sides, Ends::kOpen);
+        addRod(site.parts, at - dvec3(0.22, 0, 0), at + dvec3(0.22, 0, 0), 0.014, sides, Ends::Open);
     }
     if (height < 4) return;
     const std::uint64_t hoops = pieces(height - 3, 1.0);
@@ -115,7 +109,7 @@ void addStairs(Site& site, const dvec3& foot, const dvec3& head) {
     const dvec3 across = glm::cross(along, kUp) * 0.45;
     for (std::uint64_t i = 1; i < steps; ++i) {
         const dvec3 at = foot + (head - foot) * share(i, steps);
-        addSheet(site.parts, at - across - along * 0.13, along * 0.26, across * 2.0, Sides::kBoth);
+        addSheet(site.parts, at - across - along * 0.13, along * 0.26, across * 2.0, Sides::Both);
         addSheet(site.parts, at - across - along * 0.13, across * 2.0, -kUp * 0.04);
     }
     for (const double side : {-1.0, 1.0}) {
@@ -136,14 +130,13 @@ void addFlange(Site& site, const dvec3& center, const dvec3& axis, double radius
     const dvec3 v = glm::cross(axis, u);
     for (std::uint64_t i = 0; i < bolts; ++i) {
         const dvec3 at = center + 1.35 * radius * (u * cosTurns(share(i, bolts)) + v * sinTurns(share(i, bolts)));
-        addRod(
-            site.parts, at - axis * (thick + 0.02), at + axis * (thick + 0.02), 0.1 * radius + 0.004, 4, Ends::kOpen);
+        addRod(site.parts, at - axis * (thick + 0.02), at + axis * (thick + 0.02), 0.1 * radius + 0.004, 4, Ends::Open);
     }
 }
 
 void addPipe(Site& site, std::span<const dvec3> corners, double radius) {
     const std::vector<dvec3> path = roundedPath(corners, 2.5 * radius, site.detail.bend());
-    addTube(site.parts, path, radius, std::max<std::uint64_t>(5, site.detail.sides(radius)), Ends::kOpen);
+    addTube(site.parts, path, radius, std::max<std::uint64_t>(5, site.detail.sides(radius)), Ends::Open);
     addFlange(site, corners.front(), glm::normalize(corners[1] - corners[0]), radius);
     addFlange(site, corners.back(), glm::normalize(corners.back() - corners[corners.size() - 2]), radius);
 }
@@ -160,14 +153,14 @@ void addValve(Site& site, const dvec3& center, const dvec3& axis, double radius)
     addLathe(site.parts, center, axis, body, std::max<std::uint64_t>(6, site.detail.sides(r)));
     for (const double side : {-2.2, 2.2})
         addFlange(site, center + axis * (side * r), axis, r);
-    addRod(site.parts, center + kUp * r, center + kUp * (5 * r), 0.25 * r, site.detail.sides(0.2 * r), Ends::kOpen);
+    addRod(site.parts, center + kUp * r, center + kUp * (5 * r), 0.25 * r, site.detail.sides(0.2 * r), Ends::Open);
     const std::array<Station, 4> bonnet{
         {{1.4 * r, 1.2 * r}, {2.6 * r, 0.9 * r}, {2.7 * r, 0.5 * r}, {3.2 * r, 0.4 * r}}};
     addLathe(site.parts, center, kUp, bonnet, std::max<std::uint64_t>(5, site.detail.sides(r)));
     addRing(site.parts, center + kUp * (5 * r), kUp, 1.8 * r, 0.15 * r, 3 + 2 * site.detail.sides(r));
     for (const double turn : {0.0, 0.25}) {
         const dvec3 spoke = dvec3(cosTurns(turn), 0, sinTurns(turn)) * (1.8 * r);
-        addRod(site.parts, center + kUp * (5 * r) - spoke, center + kUp * (5 * r) + spoke, 0.1 * r, 3, Ends::kOpen);
+        addRod(site.parts, center + kUp * (5 * r) - spoke, center + kUp * (5 * r) + spoke, 0.1 * r, 3, Ends::Open);
     }
 }
 
@@ -200,7 +193,7 @@ void addPump(Site& site, const dvec3& foot, double size) {
          {1.2 * s, 0.25 * s},
          {1.4 * s, 0.25 * s}}};
     addLathe(site.parts, center, axis, pump, sides);
-    addRod(site.parts, center - axis * (0.2 * s), center, 0.08 * s, sides, Ends::kOpen); // the shaft
+    addRod(site.parts, center - axis * (0.2 * s), center, 0.08 * s, sides, Ends::Open); // the shaft
     addBox(site.parts, foot + dvec3(-1.2 * s, 0.35 * s, -0.3 * s), foot + dvec3(-0.4 * s, 0.55 * s, 0.3 * s));
     addFlange(site, center + axis * (1.4 * s), axis, 0.25 * s);
 }
@@ -226,11 +219,11 @@ void addFence(Site& site, const dvec3& a, const dvec3& b) {
     const std::uint64_t posts = pieces(length, 3.0);
     for (std::uint64_t i = 0; i <= posts; ++i) {
         const dvec3 foot = a + (b - a) * share(i, posts);
-        addRod(site.parts, foot, foot + kUp * (kHeight + 0.2), 0.035, site.detail.sides(0.04), Ends::kOpen);
+        addRod(site.parts, foot, foot + kUp * (kHeight + 0.2), 0.035, site.detail.sides(0.04), Ends::Open);
     }
     for (std::uint64_t i = 0; i < 3; ++i) {
         const dvec3 lift = kUp * (0.1 + kHeight * 0.5 * static_cast<double>(i));
-        addRod(site.parts, a + lift, b + lift, 0.006, 3, Ends::kOpen);
+        addRod(site.parts, a + lift, b + lift, 0.006, 3, Ends::Open);
     }
     const std::uint64_t bars = posts * site.detail.amount(3, 1, 60);
     const dvec3 step = (b - a) / static_cast<double>(bars);
@@ -259,7 +252,7 @@ void addCladding(Site& site, const dvec3& corner, const dvec3& u, const dvec3& v
             panel.cellsU = 2 * waves;
             panel.cellsV = 1 + (i + j) % 2; // neighbours do not agree on where their vertices are
             panel.waveDepth = 0.04;
-            panel.sides = i % 4 == 0 ? Sides::kBoth : Sides::kOne;
+            panel.sides = i % 4 == 0 ? Sides::Both : Sides::One;
             addPanel(site.parts, panel);
         }
 }
@@ -269,9 +262,9 @@ void addLamp(Site& site, const dvec3& foot) {
     const std::uint64_t sides = std::max<std::uint64_t>(6, site.detail.sides(0.1));
     addLathe(site.parts, foot, kUp, pole, sides);
     const std::array<dvec3, 3> arm{foot + kUp * 7.4, foot + kUp * 8.0, foot + dvec3(1.6, 8.0, 0)};
-    addTube(site.parts, roundedPath(arm, 0.5, site.detail.bend()), 0.04, sides, Ends::kOpen);
+    addTube(site.parts, roundedPath(arm, 0.5, site.detail.bend()), 0.04, sides, Ends::Open);
     addBox(site.parts, foot + dvec3(1.3, 7.86, -0.14), foot + dvec3(2.1, 7.98, 0.14));
-    addSheet(site.parts, foot + dvec3(1.35, 7.855, -0.1), {0.7, 0, 0}, {0, 0, 0.2}, Sides::kBoth);
+    addSheet(site.parts, foot + dvec3(1.35, 7.855, -0.1), {0.7, 0, 0}, {0, 0, 0.2}, Sides::Both);
     addFlange(site, foot + kUp * 0.02, kUp, 0.12);
 }
 

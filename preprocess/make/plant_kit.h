@@ -6,6 +6,13 @@
 
 namespace gnomon::preprocess {
 
+inline const glm::dvec3 kUp(0, 1, 0);
+
+/// Where the i-th of n things stands between 0 and 1.
+inline double share(std::uint64_t i, std::uint64_t n) {
+    return static_cast<double>(i) / static_cast<double>(n);
+}
+
 /// How finely the plant is made: 1 is about a million triangles. Larger means more parts and rounder ones.
 class Detail {
 public:
@@ -31,7 +38,7 @@ private:
 struct Site {
     PartSink& parts;
     const Detail& detail;
-    Random random;
+    Random random{0};
 };
 
 /// A floor of flat bars over the rectangle [min.x, max.x] x [min.z, max.z] at height min.y.

@@ -11,12 +11,6 @@ using glm::dvec3;
 
 namespace {
 
-const dvec3 kUp(0, 1, 0);
-
-double share(std::uint64_t i, std::uint64_t n) {
-    return static_cast<double>(i) / static_cast<double>(n);
-}
-
 void addTank(Site& site, const dvec3& foot, double radius, double height) {
     // Courses of plate that overlap a little and start at other angles: no course shares a vertex with the next.
     const std::uint64_t courses = site.detail.amount(4, 2, 12);
@@ -37,7 +31,7 @@ void addTank(Site& site, const dvec3& foot, double radius, double height) {
     const std::uint64_t posts = std::max<std::uint64_t>(12, site.detail.amount(24, 12, 90));
     for (std::uint64_t i = 0; i < posts; ++i) {
         const dvec3 at = foot + radius * dvec3(cosTurns(share(i, posts)), 0, sinTurns(share(i, posts))) + kUp * height;
-        addRod(site.parts, at, at + kUp * 1.1, 0.025, 4, Ends::kOpen);
+        addRod(site.parts, at, at + kUp * 1.1, 0.025, 4, Ends::Open);
     }
     for (const double lift : {0.55, 1.1})
         addRing(site.parts, foot + kUp * (height + lift), kUp, radius, 0.03, 2 * sides);
@@ -48,13 +42,13 @@ void addTank(Site& site, const dvec3& foot, double radius, double height) {
         const dvec3 out(cosTurns(t), 0, sinTurns(t));
         const dvec3 along(-out.z, 0, out.x);
         const dvec3 at = foot + out * (radius + 0.05) + kUp * (height * share(i + 1, steps));
-        addSheet(site.parts, at, out * 0.8, along * 0.3, i % 3 == 0 ? Sides::kBoth : Sides::kOne);
-        if (i % 4 == 0) addRod(site.parts, at + out * 0.8, at + out * 0.8 + kUp * 1.05, 0.02, 4, Ends::kOpen);
+        addSheet(site.parts, at, out * 0.8, along * 0.3, i % 3 == 0 ? Sides::Both : Sides::One);
+        if (i % 4 == 0) addRod(site.parts, at + out * 0.8, at + out * 0.8 + kUp * 1.05, 0.02, 4, Ends::Open);
     }
     for (const double t : {0.1, 0.35, 0.62}) {
         const dvec3 out(cosTurns(t), 0, sinTurns(t));
         const dvec3 nozzle = foot + out * (radius - 0.05) + kUp * 0.9;
-        addRod(site.parts, nozzle, nozzle + out * 0.7, 0.22, site.detail.sides(0.22), Ends::kOpen);
+        addRod(site.parts, nozzle, nozzle + out * 0.7, 0.22, site.detail.sides(0.22), Ends::Open);
         addFlange(site, nozzle + out * 0.7, out, 0.22);
     }
 }
@@ -70,13 +64,12 @@ void addBund(Site& site, double half) {
 
 void addTankFarm(Site& site) {
     addBund(site, 14.5);
-    if (site.random.below(2) == 0) {
-        addTank(site, {0, 0, 0}, site.random.uniform(9, 10.5), site.random.uniform(10, 14));
-    } else {
-        for (const double x : {-7.0, 7.0})
-            for (const double z : {-7.0, 7.0})
-                addTank(site, {x, 0, z}, site.random.uniform(3.6, 4.8), site.random.uniform(7, 11));
-    }
+    const bool isOne = site.random.below(2) == 0;
+    const double scale = site.random.uniform(0.85, 1.0); // one random number a call: arguments have no order
+    if (isOne) addTank(site, {0, 0, 0}, 10.5 * scale, site.random.uniform(10, 14));
+    for (const double x : {-7.0, 7.0})
+        for (const double z : {-7.0, 7.0})
+            if (!isOne) addTank(site, {x, 0, z}, 4.8 * scale, site.random.uniform(7, 11));
     addValve(site, {-13, 0.8, 12.5}, {1, 0, 0}, 0.18);
     addStairs(site, {14.9 + 1.2, 0, 3}, {14.9, 1.0, 3});
     const std::array<dvec3, 5> line{
@@ -101,18 +94,47 @@ void addTray(Site& site, const dvec3& a, const dvec3& b) {
             a - across + (b - a) * share(i, rungs),
             across * 2.0,
             {0, 0, 0.03},
-            i % 16 == 0 ? Sides::kBoth : Sides::kOne);
+            i % 16 == 0 ? Sides::Both : Sides::One);
     const std::uint64_t cables = site.detail.amount(2, 1, 14);
     for (std::uint64_t i = 0; i < cables; ++i) {
         const dvec3 shift(-0.26 + 0.52 * share(i, cables), 0.03, 0);
-        addRod(site.parts, a + shift, b + shift, 0.016, site.detail.sides(0.016), Ends::kOpen);
+        addRod(site.parts, a + shift, b + shift, 0.016, site.detail.sides(0.016), Ends::Open);
+    }
+}
+
+constexpr double kRackHalf = kLotPitch / 2;
+
+/// The pipes that lie on one level of a rack, with a shoe under each on every bent.
+void addRackLevel(Site& site, double level, std::uint64_t bents) {
+    const std::uint64_t pipes = site.detail.amount(7, 4, 26);
+    for (std::uint64_t i = 0; i < pipes; ++i) {
+        const double x = -4.0 + 7.0 * (share(i, pipes) + 0.5 / static_cast<double>(pipes));
+        const double r = std::min(3.0 / static_cast<double>(pipes), site.random.uniform(0.05, 0.26));
+        const double y = level + r;
+        if (site.random.below(4) == 0) { // one that comes down here
+            const double z = site.random.uniform(-12, 12);
+            const std::array<dvec3, 5> down{
+                dvec3(x, y, -kRackHalf),
+                dvec3(x, y, z),
+                dvec3(x, y + 1.2, z),
+                dvec3(-6.2, y + 1.2, z),
+                dvec3(-6.2, 0, z)};
+            addPipe(site, down, std::min(r, 0.18));
+        } else {
+            const std::array<dvec3, 2> straight{dvec3(x, y, -kRackHalf), dvec3(x, y, kRackHalf)};
+            addPipe(site, straight, r);
+        }
+        for (std::uint64_t j = 0; j < bents; ++j) {
+            const double z = -kRackHalf + 2 * kRackHalf * (share(j, bents) + 0.5 / static_cast<double>(bents));
+            addBox(site.parts, {x - 0.06, y - r - 0.03, z - 0.15}, {x + 0.06, y - r + 0.02, z + 0.15});
+        }
     }
 }
 
 } // namespace
 
 void addPipeRack(Site& site) {
-    constexpr double kHalf = 20;
+    constexpr double kHalf = kRackHalf;
     constexpr std::array<double, 3> kLevels{4.2, 6.0, 7.8};
     const std::uint64_t bents = std::min<std::uint64_t>(8, 4 + site.detail.amount(1, 1, 4));
     for (std::uint64_t i = 0; i < bents; ++i) {
@@ -120,7 +142,8 @@ void addPipeRack(Site& site) {
         for (const double x : {-4.5, 4.5}) {
             addIBeam(site.parts, {x, 0, z}, {x, 9, z}, {1, 0, 0}, 0.32);
             addBox(site.parts, {x - 0.35, 0, z - 0.35}, {x + 0.35, 0.25, z + 0.35});
-            addAngle(site.parts, {x, 0.3, z}, {x, 4, z + 2.4}, kUp, 0.1);
+            if (i % 3 == 0)
+                addAngle(site.parts, {x, 0.3, z}, {x, 4, z + 2 * kHalf / static_cast<double>(bents)}, kUp, 0.1);
         }
         for (const double y : kLevels)
             addIBeam(site.parts, {-4.5, y - 0.2, z}, {4.5, y - 0.2, z}, kUp, 0.34);
@@ -128,32 +151,8 @@ void addPipeRack(Site& site) {
     for (const double x : {-4.5, 4.5})
         for (const double y : kLevels)
             addIBeam(site.parts, {x, y - 0.1, -kHalf}, {x, y - 0.1, kHalf}, kUp, 0.24);
-    for (std::size_t level = 0; level < kLevels.size(); ++level) {
-        const std::uint64_t pipes = site.detail.amount(7, 4, 26);
-        for (std::uint64_t i = 0; i < pipes; ++i) {
-            const double x = -4.0 + 7.0 * (share(i, pipes) + 0.5 / static_cast<double>(pipes));
-            const double r = std::min(3.0 / static_cast<double>(pipes), site.random.uniform(0.05, 0.26));
-            const double y = kLevels.at(level) + r;
-            if (site.random.below(4) == 0) { // one that comes down here
-                const double z = site.random.uniform(-12, 12);
-                const std::array<dvec3, 5> down{
-                    dvec3(x, y, -kHalf),
-                    dvec3(x, y, z),
-                    dvec3(x, y + 1.2, z),
-                    dvec3(-6.2, y + 1.2, z),
-                    dvec3(-6.2, 0, z)};
-                addPipe(site, down, std::min(r, 0.18));
-            } else {
-                const std::array<dvec3, 2> straight{dvec3(x, y, -kHalf), dvec3(x, y, kHalf)};
-                addPipe(site, straight, r);
-            }
-            const std::uint64_t shoes = bents;
-            for (std::uint64_t j = 0; j < shoes; ++j) {
-                const double z = -kHalf + 2 * kHalf * (share(j, shoes) + 0.5 / static_cast<double>(shoes));
-                addBox(site.parts, {x - 0.06, y - r - 0.03, z - 0.15}, {x + 0.06, y - r + 0.02, z + 0.15});
-            }
-        }
-    }
+    for (const double level : kLevels)
+        addRackLevel(site, level, bents);
     addGrating(site, {3.2, 7.9, -kHalf}, {4.4, 7.9, kHalf});
     addHandrail(site, {4.4, 7.95, -kHalf}, {4.4, 7.95, kHalf});
     for (const double y : {5.0, 6.9})
@@ -263,7 +262,7 @@ void addTransformer(Site& site, const dvec3& foot) {
                 foot + dvec3(x, 0.7, side * 1.3),
                 {0, 0, side * 0.9},
                 kUp * 2.4,
-                i % 5 == 0 ? Sides::kBoth : Sides::kOne);
+                i % 5 == 0 ? Sides::Both : Sides::One);
         }
         addRod(
             site.parts,
@@ -271,11 +270,10 @@ void addTransformer(Site& site, const dvec3& foot) {
             foot + dvec3(2.1, 3.2, side * 1.9),
             0.07,
             site.detail.sides(0.07),
-            Ends::kClosed);
+            Ends::Closed);
     }
     addVessel(site, foot + dvec3(-1.6, 4.4, 0.9), foot + dvec3(1.4, 4.4, 0.9), 0.42);
-    addRod(
-        site.parts, foot + dvec3(0, 3.5, 0.9), foot + dvec3(0, 4.1, 0.9), 0.06, site.detail.sides(0.06), Ends::kOpen);
+    addRod(site.parts, foot + dvec3(0, 3.5, 0.9), foot + dvec3(0, 4.1, 0.9), 0.06, site.detail.sides(0.06), Ends::Open);
     for (const double x : {-1.4, 0.0, 1.4}) {
         const dvec3 lean = glm::normalize(dvec3(0.15 * x, 1, -0.25));
         addInsulator(site, foot + dvec3(x, 3.6, -0.6), lean, 2.2, 0.2);
@@ -285,7 +283,7 @@ void addTransformer(Site& site, const dvec3& foot) {
             dvec3(foot.x + x, 9, foot.z - 4),
             0.015,
             3,
-            Ends::kOpen);
+            Ends::Open);
     }
     addBox(site.parts, foot + dvec3(-3.4, 0, -2.6), foot + dvec3(3.4, 0.4, 2.6));
 }
@@ -319,7 +317,7 @@ void addTransformers(Site& site) {
     for (std::uint64_t i = 0; i < strings; ++i) {
         const double x = -11.5 + 23 * (share(i, strings) + 0.5 / static_cast<double>(strings));
         addInsulator(site, {x, 10.7, -4.6}, {0, -1, 0}, 1.7, 0.14);
-        addRod(site.parts, {x, 9, -4.6}, {x, 9, -15}, 0.012, 3, Ends::kOpen);
+        addRod(site.parts, {x, 9, -4.6}, {x, 9, -15}, 0.012, 3, Ends::Open);
     }
     for (std::uint64_t i = 0; i < 6; ++i) {
         const double x = -12 + 4.8 * static_cast<double>(i);

@@ -73,10 +73,10 @@ Statue::Rows Statue::rowsOf(std::size_t block) const {
         return Rows{part, index * rowsPerBlock_, std::min(rows, (index + 1) * rowsPerBlock_)};
     };
     std::uint64_t index = block;
-    if (index < blocksOf(cells_)) return range(Part::kBase, index, cells_);
+    if (index < blocksOf(cells_)) return range(Part::Base, index, cells_);
     index -= blocksOf(cells_);
-    if (index < blocksOf(rows_ + 1)) return range(Part::kSide, index, rows_ + 1);
-    return range(Part::kCrown, index - blocksOf(rows_ + 1), cells_);
+    if (index < blocksOf(rows_ + 1)) return range(Part::Side, index, rows_ + 1);
+    return range(Part::Crown, index - blocksOf(rows_ + 1), cells_);
 }
 
 std::size_t Statue::blockCount() const {
@@ -87,7 +87,7 @@ std::size_t Statue::blockCount() const {
 MeshSize Statue::blockSize(std::size_t block) const {
     const Rows rows = rowsOf(block);
     const std::uint64_t count = rows.end - rows.begin;
-    if (rows.part == Part::kSide) {
+    if (rows.part == Part::Side) {
         const std::uint64_t cellRows = std::min(rows.end, rows_) - rows.begin;
         return {count * 4 * cells_, cellRows * 8 * cells_};
     }
@@ -100,12 +100,12 @@ std::uint64_t Statue::sideVertex(std::uint64_t row, std::uint64_t column) const 
 }
 
 std::uint64_t Statue::lidVertex(Part lid, std::uint64_t i, std::uint64_t k) const {
-    const std::uint64_t row = lid == Part::kBase ? 0 : rows_;
+    const std::uint64_t row = lid == Part::Base ? 0 : rows_;
     if (i == cells_) return sideVertex(row, cells_ - k);
     if (k == 0) return sideVertex(row, 2 * cells_ - i);
     if (i == 0) return sideVertex(row, 2 * cells_ + k);
     if (k == cells_) return sideVertex(row, 3 * cells_ + i);
-    const std::uint64_t first = lid == Part::kBase ? 0 : sideVertex(rows_ + 1, 0);
+    const std::uint64_t first = lid == Part::Base ? 0 : sideVertex(rows_ + 1, 0);
     return first + (k - 1) * (cells_ - 1) + (i - 1);
 }
 
@@ -118,8 +118,8 @@ Statue::GridPlace Statue::sidePlace(std::uint64_t row, std::uint64_t column) con
         x += jitter(bits >> 32U, kJitterCells);
     }
     if (x < 0) x += static_cast<double>(4 * cells_);
-    const double base = static_cast<double>(surface_->baseEnd());
-    const double crown = static_cast<double>(surface_->crownBegin());
+    const auto base = static_cast<double>(surface_->baseEnd());
+    const auto crown = static_cast<double>(surface_->crownBegin());
     return {
         static_cast<float>(base + (crown - base) * y / static_cast<double>(rows_)),
         static_cast<float>(x / static_cast<double>(cells_))};
@@ -141,9 +141,9 @@ Statue::GridPlace Statue::lidPlace(Part lid, std::uint64_t i, std::uint64_t k) c
         else
             around = 3 + (x + m) / (2 * m);
     }
-    const double base = static_cast<double>(surface_->baseEnd());
-    const double crown = static_cast<double>(surface_->crownBegin());
-    const double along = lid == Part::kBase ? m * base : 1 - m * (1 - crown);
+    const auto base = static_cast<double>(surface_->baseEnd());
+    const auto crown = static_cast<double>(surface_->crownBegin());
+    const double along = lid == Part::Base ? m * base : 1 - m * (1 - crown);
     return {static_cast<float>(along), static_cast<float>(around)};
 }
 
@@ -152,7 +152,7 @@ void Statue::carve(std::span<const GridPlace> places, std::span<glm::vec3> posit
     std::array<float, kBatch> y;      // NOLINT(cppcoreguidelines-pro-type-member-init)
     std::array<float, kBatch> z;      // NOLINT(cppcoreguidelines-pro-type-member-init)
     std::array<float, kBatch> height; // NOLINT(cppcoreguidelines-pro-type-member-init)
-    std::array<glm::vec3, kBatch> outward;
+    std::array<glm::vec3, kBatch> outward{};
     const std::size_t count = places.size();
     for (std::size_t i = 0; i < count; ++i) {
         const SurfacePoint point = surface_->at(places[i].along, places[i].around);
@@ -175,14 +175,14 @@ void Statue::carve(std::span<const GridPlace> places, std::span<glm::vec3> posit
 
 void Statue::makeVertices(const Rows& rows, MeshSink& sink) const {
     std::array<GridPlace, kBatch> places;
-    std::array<glm::vec3, kBatch> positions;
+    std::array<glm::vec3, kBatch> positions{};
     std::size_t count = 0;
     const auto flush = [&] {
         carve(std::span(places).first(count), positions);
         sink.addVertices(std::span(positions).first(count));
         count = 0;
     };
-    const bool side = rows.part == Part::kSide;
+    const bool side = rows.part == Part::Side;
     const std::uint64_t firstColumn = side ? 0 : 1; // a lid's border belongs to the side
     const std::uint64_t lastColumn = side ? 4 * cells_ : cells_;
     for (std::uint64_t row = std::max(rows.begin, firstColumn); row < rows.end; ++row)
@@ -203,7 +203,7 @@ void Statue::makeTriangles(const Rows& rows, MeshSink& sink) const {
         sink.addTriangles(triangles);
         triangles.clear();
     };
-    if (rows.part == Part::kSide) {
+    if (rows.part == Part::Side) {
         for (std::uint64_t row = rows.begin; row < std::min(rows.end, rows_); ++row)
             for (std::uint64_t column = 0; column < 4 * cells_; ++column)
                 addQuad(
@@ -219,7 +219,7 @@ void Statue::makeTriangles(const Rows& rows, MeshSink& sink) const {
                     lidVertex(rows.part, i, k + 1),
                     lidVertex(rows.part, i + 1, k + 1),
                     lidVertex(rows.part, i + 1, k)};
-                if (rows.part == Part::kCrown)
+                if (rows.part == Part::Crown)
                     addQuad(q[0], q[1], q[2], q[3]);
                 else
                     addQuad(q[3], q[2], q[1], q[0]);

@@ -42,10 +42,10 @@ public:
 
 private:
     /// What part of the grid a block covers: whole grid rows of one of the three parts.
-    enum class Part { kBase, kSide, kCrown };
+    enum class Part { Base, Side, Crown };
 
     struct Rows {
-        Part part = Part::kSide;
+        Part part = Part::Side;
         std::uint64_t begin = 0; // of rows of vertices and, but for the last, of cells
         std::uint64_t end = 0;
     };

@@ -57,8 +57,9 @@ TEST(MadeFile, HoldsExactlyWhatTheBlocksHold) {
 
 TEST(MadeFile, IsTheSameForAnyNumberOfThreads) {
     for (const std::string& kind : modelNames()) {
-        const std::string one = written(*makeNamedModel(kind, 300'000, 3), 1);
-        EXPECT_EQ(one, written(*makeNamedModel(kind, 300'000, 3), 2));
+        const auto model = makeNamedModel(kind, 300'000, 3);
+        const std::string one = written(*model, 1);
+        EXPECT_EQ(one, written(*model, 2));
         EXPECT_EQ(one, written(*makeNamedModel(kind, 300'000, 3), 7));
         EXPECT_NE(one, written(*makeNamedModel(kind, 300'000, 4), 2));
     }
@@ -67,7 +68,8 @@ TEST(MadeFile, IsTheSameForAnyNumberOfThreads) {
 TEST(MadeFile, IsTheSameFromEveryCompilerAndBuild) {
     const auto hash = [](const std::string& kind) { return hashOf(written(*makeNamedModel(kind, 25'000, 11), 0)); };
     EXPECT_EQ(hash("statue"), 11821793455897347392U);
-    EXPECT_EQ(hash("plant"), 11488998296735637289U);
+    EXPECT_EQ(hash("planes"), 5872727883722179405U);
+    EXPECT_EQ(hash("plant"), 9996657329025732250U);
 }
 
 TEST(MadeFile, TooFewTrianglesAreRefusedWithWhatWouldDo) {
@@ -118,6 +120,9 @@ TEST(MadeFile, AnInterruptedFileLeavesNothing) {
     std::filesystem::remove(folder);
 }
 
+/// Thrown when a block has shown enough of itself.
+struct Enough {};
+
 /// Keeps nothing but how much it was handed at once.
 class MeasuringSink final : public MeshSink {
 public:
@@ -128,9 +133,14 @@ public:
     std::size_t largest() const { return largest_; }
 
 private:
-    void note(std::size_t bytes) { largest_ = std::max(largest_, bytes); }
+    void note(std::size_t bytes) {
+        largest_ = std::max(largest_, bytes);
+        total_ += bytes;
+        if (total_ > mebibytes(64).count) throw Enough{};
+    }
 
     std::size_t largest_ = 0;
+    std::size_t total_ = 0;
 };
 
 TEST(MadeFile, AModelOfBillionsIsMadeInSmallPieces) {
@@ -139,7 +149,10 @@ TEST(MadeFile, AModelOfBillionsIsMadeInSmallPieces) {
         // The first, a middle and the last block; the others are their like.
         for (const std::size_t block : {std::size_t{0}, model->blockCount() / 2, model->blockCount() - 1}) {
             MeasuringSink sink;
-            model->makeBlock(block, 0, sink);
+            try {
+                model->makeBlock(block, 0, sink);
+            } catch (const Enough&) { // the rest of it is alike
+            }
             EXPECT_LE(sink.largest(), kWriteBuffer.count) << kind << " block " << block;
         }
     }

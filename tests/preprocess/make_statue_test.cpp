@@ -120,7 +120,9 @@ TEST(Noise, HasTheDeviationThatItPromises) {
     constexpr int kSamples = 200'000;
     for (int i = 0; i < kSamples; ++i) {
         const auto coordinate = [&] { return static_cast<float>(random.uniform(0, 500)); };
-        const double value = static_cast<double>(gradientNoise(coordinate(), coordinate(), coordinate(), 9));
+        const float x = coordinate();
+        const float y = coordinate();
+        const auto value = static_cast<double>(gradientNoise(x, y, coordinate(), 9));
         sum += value;
         squares += value * value;
     }

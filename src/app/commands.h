@@ -23,6 +23,7 @@ void addCommonOptions(CLI::App& command, CommonOptions& options);
 /// The progress display that `options` ask for, on stderr; also turns Ctrl-C into gnomon::Interrupted.
 std::unique_ptr<Progress> makeProgress(const CommonOptions& options);
 
+void addBuildCommand(CLI::App& program);
 void addExportCommand(CLI::App& program);
 void addInfoCommand(CLI::App& program);
 void addMakeCommand(CLI::App& program);

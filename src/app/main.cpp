@@ -16,6 +16,7 @@ using AddCommand = void (*)(CLI::App&);
 // In the order in which a user meets them, which is also the order of --help.
 constexpr std::array kCommands{
     AddCommand{gnomon::app::addMakeCommand},
+    AddCommand{gnomon::app::addBuildCommand},
     AddCommand{gnomon::app::addInfoCommand},
     AddCommand{gnomon::app::addVerifyCommand},
     AddCommand{gnomon::app::addExportCommand},

@@ -1,0 +1,40 @@
+// A hash table from keys that live elsewhere to 32-bit indices; what it answers depends on the order of calls alone.
+#pragma once
+
+#include "core/random.h"
+#include "hierarchy/page.h"
+
+#include <vector>
+
+namespace gnomon::preprocess {
+
+/// Open addressing with linear probing.
+class IndexTable {
+public:
+    /// Room for `count` keys.
+    explicit IndexTable(std::size_t count) {
+        std::size_t size = 16;
+        while (size < count * 2)
+            size *= 2;
+        slots_.assign(size, hierarchy::kNone);
+    }
+
+    /// The index stored under an equal key, or `index` after storing it.
+    template <class Equal>
+    std::uint32_t findOrInsert(std::uint64_t hash, std::uint32_t index, Equal equal) {
+        const std::size_t mask = slots_.size() - 1;
+        for (std::size_t i = hash & mask;; i = (i + 1) & mask) {
+            if (slots_[i] == hierarchy::kNone) return slots_[i] = index;
+            if (equal(slots_[i])) return slots_[i];
+        }
+    }
+
+private:
+    std::vector<std::uint32_t> slots_;
+};
+
+inline std::uint64_t hashOf(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    return mix64(mix64(static_cast<std::uint64_t>(a) << 32U | b) + c);
+}
+
+} // namespace gnomon::preprocess

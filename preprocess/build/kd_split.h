@@ -1,0 +1,24 @@
+// Cutting weighted points into compact parts of bounded weight by planes.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace gnomon::preprocess {
+
+/// A point that stands for `weight` triangles.
+struct KdItem {
+    glm::vec3 center{0};
+    std::uint32_t weight = 1;
+    std::uint32_t index = 0; // the caller's; breaks ties, so the parts are the same everywhere
+};
+
+/// Reorders `items` so that parts are contiguous, and returns where each part ends. A part weighs at most `maxWeight`
+/// unless it is a single item. Each cut is across the widest axis and leaves about `fraction` of the weight on its low
+/// side; parts come in the order of the cuts, so neighbours in that order are near each other. Within a part items are
+/// ordered by index. Bentley, "Multidimensional binary search trees", 1975.
+std::vector<std::uint32_t> kdSplit(std::vector<KdItem>& items, std::uint64_t maxWeight, double fraction);
+
+} // namespace gnomon::preprocess

@@ -1,0 +1,224 @@
+#include "preprocess/build/level.h"
+
+#include "preprocess/build/cluster.h"
+#include "preprocess/build/group_patch.h"
+#include "preprocess/build/kd_split.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+namespace gnomon::preprocess {
+
+namespace {
+
+using hierarchy::kNone;
+
+constexpr std::uint32_t kGroupClusters = 16;
+constexpr double kToleranceShare = 0.25; // of the error that the clusters of a group already have
+
+/// Where each level's cuts lie: never twice in a row in the same place.
+constexpr std::array<double, 3> kGroupCutFractions{0.5, 0.42, 0.58};
+
+glm::vec3 toVector(const GridPoint& p) {
+    return glm::vec3(glm::dvec3(p.x, p.y, p.z));
+}
+
+glm::vec3 centerOf(const GridBox& box) {
+    return (toVector(box.min) + toVector(box.max)) * 0.5F;
+}
+
+/// A ball around the middle of `box` that holds its corners and the `children`, a hair larger than computed so that
+/// rounding cannot undo it.
+Sphere enclosing(const Box& box, std::span<const Sphere> children) {
+    Sphere sphere{box.center(), glm::length(box.extent()) * 0.5};
+    for (const Sphere& child : children)
+        sphere.radius = std::max(sphere.radius, glm::length(child.center - sphere.center) + child.radius);
+    sphere.radius *= 1 + 0x1p-40;
+    return sphere;
+}
+
+std::uint32_t countVertices(std::span<const Triangle> triangles, std::vector<std::uint32_t>& scratch) {
+    scratch.clear();
+    for (const Triangle& t : triangles)
+        scratch.insert(scratch.end(), t.begin(), t.end());
+    std::sort(scratch.begin(), scratch.end());
+    return static_cast<std::uint32_t>(std::unique(scratch.begin(), scratch.end()) - scratch.begin());
+}
+
+/// Appends the clusters of `triangles[0, end of the last cluster)` to `level`.
+void appendClusters(
+    const Mesh& mesh, std::span<const Triangle> triangles, std::span<const std::uint32_t> ends, Level& level) {
+    std::vector<std::uint32_t> scratch;
+    std::uint32_t begin = 0;
+    for (const std::uint32_t end : ends) {
+        LevelCluster cluster;
+        cluster.firstTriangle = begin;
+        cluster.triangleCount = end - begin;
+        const auto own = triangles.subspan(begin, end - begin);
+        cluster.vertexCount = countVertices(own, scratch);
+        for (const Triangle& t : own)
+            for (const std::uint32_t v : t)
+                cluster.box.add(mesh.vertices[v].position);
+        level.clusters.push_back(cluster);
+        begin = end;
+    }
+}
+
+/// What a group becomes.
+struct GroupResult {
+    Level clusters; // firstTriangle counts from the group's own first triangle
+    double error = 0;
+};
+
+double worstRefinement(const Level& level, const LevelGroup& group, const Level* below) {
+    double worst = 0;
+    for (std::uint32_t c = group.firstCluster; c < group.firstCluster + group.clusterCount; ++c)
+        if (const std::uint32_t refinement = level.clusters[c].refinement; refinement != kNone)
+            worst = std::max(worst, below->groups[refinement].error);
+    return worst;
+}
+
+class GroupSimplifier {
+public:
+    GroupSimplifier(const Mesh& mesh, const Level& level, const Level* below, const LevelOptions& options)
+        : mesh_(mesh), level_(level), below_(below), options_(options), owners_(mesh, level) {}
+
+    GroupResult operator()(std::uint32_t groupIndex) const {
+        const LevelGroup& group = level_.groups[groupIndex];
+        const LevelCluster& first = level_.clusters[group.firstCluster];
+        const LevelCluster& last = level_.clusters[group.firstCluster + group.clusterCount - 1];
+        const std::size_t count = last.firstTriangle + last.triangleCount - first.firstTriangle;
+        const auto triangles = std::span(level_.triangles).subspan(first.firstTriangle, count);
+        const GroupPatch patch = makeGroupPatch(mesh_, triangles, owners_);
+        const SimplifiedPatch simplified = simplify(patch.patch, (count + 1) / 2, options_.simplifier);
+        const double before = std::max(worstRefinement(level_, group, below_), mesh_.grid.snapError());
+        GroupResult result;
+        std::vector<TriangleError> errors(simplified.triangles.size());
+        if (options_.isErrorMeasured) {
+            const auto fineErrors = std::span(level_.errors).subspan(first.firstTriangle, count);
+            const double tolerance = before / mesh_.grid.step() * kToleranceShare;
+            Deviation deviation = measureDeviation(patch.patch, simplified, fineErrors, tolerance);
+            errors = std::move(deviation.errors);
+            // A little more than computed: the distances themselves are rounded.
+            const double measured = deviation.worst * (1 + 1e-9) * mesh_.grid.step() + mesh_.grid.snapError();
+            result.error = std::max(before, measured);
+        } else {
+            result.error = before + simplified.claimedError * mesh_.grid.step();
+        }
+        cutIntoClusters(patch, simplified, errors, groupIndex, result.clusters);
+        return result;
+    }
+
+private:
+    void cutIntoClusters(
+        const GroupPatch& patch,
+        const SimplifiedPatch& simplified,
+        const std::vector<TriangleError>& errors,
+        std::uint32_t groupIndex,
+        Level& out) const {
+        std::vector<glm::vec3> positions;
+        positions.reserve(patch.patch.positions.size());
+        for (const glm::dvec3& p : patch.patch.positions)
+            positions.emplace_back(p);
+        const Clustering clustering =
+            clusterTriangles(simplified.triangles, patch.patch.positionOf, positions, options_.clusterTriangles);
+        for (const std::uint32_t t : clustering.order) {
+            const Triangle& local = simplified.triangles[t];
+            out.triangles.push_back(
+                {patch.globalVertex[local[0]], patch.globalVertex[local[1]], patch.globalVertex[local[2]]});
+            out.errors.push_back(errors[t]);
+        }
+        appendClusters(mesh_, out.triangles, clustering.ends, out);
+        for (LevelCluster& cluster : out.clusters)
+            cluster.refinement = groupIndex;
+    }
+
+    const Mesh& mesh_;
+    const Level& level_;
+    const Level* below_;
+    const LevelOptions& options_;
+    PositionOwners owners_;
+};
+
+} // namespace
+
+Level firstLevel(const Mesh& mesh, const LevelOptions& options) {
+    std::vector<glm::vec3> positions(mesh.positionCount);
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
+        positions[mesh.positionOf[v]] = toVector(mesh.vertices[v].position);
+    const Clustering clustering =
+        clusterTriangles(mesh.triangles, mesh.positionOf, positions, options.clusterTriangles);
+    Level level;
+    level.triangles.reserve(mesh.triangles.size());
+    for (const std::uint32_t t : clustering.order)
+        level.triangles.push_back(mesh.triangles[t]);
+    level.errors.assign(level.triangles.size(), {});
+    appendClusters(mesh, level.triangles, clustering.ends, level);
+    return level;
+}
+
+void formGroups(Level& level, const Level* below, const Grid& grid, const LevelOptions& options, std::uint32_t number) {
+    std::vector<KdItem> items;
+    items.reserve(level.clusters.size());
+    for (std::uint32_t c = 0; c < level.clusters.size(); ++c)
+        items.push_back({centerOf(level.clusters[c].box), level.clusters[c].triangleCount, c});
+    const std::uint64_t maxWeight = std::uint64_t{kGroupClusters} * options.clusterTriangles;
+    const auto ends = kdSplit(items, maxWeight, kGroupCutFractions.at(number % kGroupCutFractions.size()));
+    Level ordered;
+    ordered.triangles.reserve(level.triangles.size());
+    ordered.errors.reserve(level.errors.size());
+    std::uint32_t begin = 0;
+    std::vector<Sphere> children;
+    for (const std::uint32_t end : ends) {
+        LevelGroup group;
+        group.firstCluster = begin;
+        group.clusterCount = end - begin;
+        children.clear();
+        for (std::uint32_t i = begin; i < end; ++i) {
+            LevelCluster cluster = level.clusters[items[i].index];
+            const auto first = static_cast<std::ptrdiff_t>(cluster.firstTriangle);
+            const auto last = first + static_cast<std::ptrdiff_t>(cluster.triangleCount);
+            cluster.firstTriangle = static_cast<std::uint32_t>(ordered.triangles.size());
+            ordered.triangles.insert(
+                ordered.triangles.end(), level.triangles.begin() + first, level.triangles.begin() + last);
+            ordered.errors.insert(ordered.errors.end(), level.errors.begin() + first, level.errors.begin() + last);
+            group.box.add(cluster.box);
+            if (cluster.refinement != kNone) children.push_back(below->groups[cluster.refinement].bounds);
+            ordered.clusters.push_back(cluster);
+        }
+        group.bounds = enclosing(grid.local(group.box), children);
+        ordered.groups.push_back(group);
+        begin = end;
+    }
+    level = std::move(ordered);
+}
+
+Level simplifiedLevel(
+    const Mesh& mesh, Level& level, const Level* below, const LevelOptions& options, Progress& progress) {
+    const GroupSimplifier simplifier(mesh, level, below, options);
+    std::vector<GroupResult> results(level.groups.size());
+    tbb::parallel_for(std::size_t{0}, results.size(), [&](std::size_t g) {
+        results[g] = simplifier(static_cast<std::uint32_t>(g));
+        progress.advance(level.groups[g].clusterCount);
+    });
+    Level next;
+    for (std::size_t g = 0; g < results.size(); ++g) {
+        level.groups[g].error = results[g].error;
+        const auto first = static_cast<std::uint32_t>(next.triangles.size());
+        const Level& own = results[g].clusters;
+        next.triangles.insert(next.triangles.end(), own.triangles.begin(), own.triangles.end());
+        next.errors.insert(next.errors.end(), own.errors.begin(), own.errors.end());
+        for (LevelCluster cluster : own.clusters) {
+            cluster.firstTriangle += first;
+            next.clusters.push_back(cluster);
+        }
+    }
+    level.errors = {};
+    return next;
+}
+
+} // namespace gnomon::preprocess

@@ -1,0 +1,57 @@
+// One level of detail while it is built: clusters, groups of them, and the step to the next coarser level.
+#pragma once
+
+#include "core/progress.h"
+#include "preprocess/build/deviation.h"
+#include "preprocess/build/mesh.h"
+#include "preprocess/build/simplify.h"
+
+#include <limits>
+
+namespace gnomon::preprocess {
+
+/// What shapes the hierarchy; part of what a .gnm says about itself.
+struct LevelOptions {
+    std::uint32_t clusterTriangles = 128;
+    Simplifier simplifier = Simplifier::kOwn;
+    bool isErrorMeasured = true;
+};
+
+struct LevelCluster {
+    std::uint32_t firstTriangle = 0;
+    std::uint32_t triangleCount = 0;
+    std::uint32_t vertexCount = 0;
+    std::uint32_t refinement = hierarchy::kNone; // group of the level below from which it was simplified
+    GridBox box;
+};
+
+struct LevelGroup {
+    std::uint32_t firstCluster = 0;
+    std::uint32_t clusterCount = 0;
+    GridBox box;
+    Sphere bounds;                                          // local space
+    double error = std::numeric_limits<double>::infinity(); // world units; infinite for a root
+};
+
+/// Clusters of a group and triangles of a cluster are contiguous.
+struct Level {
+    std::vector<Triangle> triangles;   // vertices of the Mesh
+    std::vector<TriangleError> errors; // per triangle; only while the next level is not built
+    std::vector<LevelCluster> clusters;
+    std::vector<LevelGroup> groups;
+};
+
+/// Level 0: the mesh's triangles in clusters, without groups.
+Level firstLevel(const Mesh& mesh, const LevelOptions& options);
+
+/// Forms the groups of `level`, the `number`th from 0, and reorders clusters and triangles accordingly. `below` is the
+/// level that it was simplified from, or null. Cuts lie elsewhere than in the level before, so that the borders which
+/// were locked there become interiors here.
+void formGroups(Level& level, const Level* below, const Grid& grid, const LevelOptions& options, std::uint32_t number);
+
+/// Simplifies each group of `level` to half, sets the groups' errors, and returns the clusters that replace them, not
+/// yet in groups. Each group is a pure function of its own triangles and of which positions it shares with others.
+Level simplifiedLevel(
+    const Mesh& mesh, Level& level, const Level* below, const LevelOptions& options, Progress& progress);
+
+} // namespace gnomon::preprocess

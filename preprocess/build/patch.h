@@ -1,0 +1,30 @@
+// The piece of a mesh that is simplified at once: one group, with its own numbering.
+#pragma once
+
+#include "preprocess/build/mesh.h"
+
+#include <glm/glm.hpp>
+
+namespace gnomon::preprocess {
+
+/// A group's triangles. Lengths are in grid steps, positions relative to a point near the patch, all exact.
+struct Patch {
+    std::vector<Vertex> vertices;
+    std::vector<std::uint32_t> positionOf; // vertex -> position
+    std::vector<glm::dvec3> positions;
+    std::vector<std::uint8_t> isLocked; // per position: shared with another group, must stay where it is
+    std::vector<Triangle> triangles;    // vertex indices
+
+    Triangle corners(const Triangle& t) const { return {positionOf[t[0]], positionOf[t[1]], positionOf[t[2]]}; }
+};
+
+/// A patch after simplification, in the patch's own vertices: no position is new and locked ones are all where they
+/// were.
+struct SimplifiedPatch {
+    std::vector<Triangle> triangles;
+    std::vector<std::uint32_t> origin;  // per triangle the patch's triangle that it was, kNone where that is unknown
+    std::vector<std::uint32_t> movedTo; // per position the one that it was collapsed into; itself where it stayed
+    double claimedError = 0;            // what the simplifier believes, in grid steps; no bound
+};
+
+} // namespace gnomon::preprocess

@@ -1,0 +1,22 @@
+// The distance from a point to a triangle, and which part of the triangle is nearest.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstdint>
+
+namespace gnomon::preprocess {
+
+/// Where the nearest point of a triangle lies.
+enum class Nearest : std::uint8_t { kFace, kEdge0, kEdge1, kEdge2, kCorner0, kCorner1, kCorner2 }; // edge i: i to i + 1
+
+struct Footing {
+    double square = 0; // of the distance
+    Nearest nearest = Nearest::kFace;
+};
+
+/// The squared distance of `p` from the triangle `a`, `b`, `c`, which may be degenerate.
+Footing footing(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
+
+} // namespace gnomon::preprocess

@@ -1,0 +1,161 @@
+#include "app/commands.h"
+#include "core/error.h"
+#include "core/units.h"
+#include "preprocess/build/build.h"
+#include "preprocess/read/open_mesh_sources.h"
+
+#include <cstdio>
+#include <map>
+
+#include <nlohmann/json.hpp>
+#include <sys/resource.h>
+
+namespace gnomon::app {
+
+namespace {
+
+using preprocess::BuildReport;
+using preprocess::Simplifier;
+
+struct BuildCommand {
+    CommonOptions common;
+    std::vector<std::string> inputs;
+    std::string output;
+    std::string memory = "2G";
+    std::string temporary;
+    std::string simplifier = "own";
+    std::string error = "measured";
+    std::uint32_t clusterTriangles = 128;
+    std::string chunkTriangles;
+    double maxStuckPercent = 100;
+    bool isInMemory = false;
+    bool isJson = false;
+};
+
+/// The peak resident size of this process.
+std::uint64_t peakResidentBytes() {
+    rusage usage{};
+    ::getrusage(RUSAGE_SELF, &usage);
+    return static_cast<std::uint64_t>(usage.ru_maxrss) << 10U;
+}
+
+nlohmann::ordered_json asJson(const BuildReport& report) {
+    nlohmann::ordered_json phases = nlohmann::ordered_json::array();
+    for (const preprocess::BuildPhase& phase : report.phases)
+        phases.push_back(
+            {{"name", phase.name},
+             {"seconds", phase.seconds},
+             {"bytes_read", phase.bytesRead},
+             {"bytes_written", phase.bytesWritten}});
+    const auto triangles = static_cast<double>(report.sourceTriangles);
+    return {
+        {"source_triangles", report.sourceTriangles},
+        {"source_vertices", report.sourceVertices},
+        {"dropped", report.dropped},
+        {"clusters", report.clusters},
+        {"groups", report.groups},
+        {"level_count", report.levelCount},
+        {"pages", report.pages},
+        {"coarsest_triangles", report.coarsestTriangles},
+        {"stuck_triangles", report.stuckTriangles},
+        {"file_bytes", report.fileBytes},
+        {"bytes_per_source_triangle", static_cast<double>(report.fileBytes) / triangles},
+        {"peak_rss_bytes", peakResidentBytes()},
+        {"temporary_bytes", 0},
+        {"seconds", report.seconds},
+        {"phases", phases},
+        {"triangles_per_second", report.seconds > 0 ? triangles / report.seconds : 0},
+        {"content_hash", report.contentHash},
+    };
+}
+
+void printForPeople(const BuildReport& report, const std::string& output) {
+    const auto triangles = static_cast<double>(report.sourceTriangles);
+    std::printf(
+        "%s: %s triangles in %llu levels, %s, %.1f bytes a triangle, coarsest %llu\n",
+        output.c_str(),
+        readableCount(report.sourceTriangles).c_str(),
+        static_cast<unsigned long long>(report.levelCount),
+        readableBytes({report.fileBytes}).c_str(),
+        static_cast<double>(report.fileBytes) / triangles,
+        static_cast<unsigned long long>(report.coarsestTriangles));
+    for (const auto& [reason, count] : report.dropped)
+        if (count > 0) std::printf("dropped: %s %llu\n", reason.c_str(), static_cast<unsigned long long>(count));
+    std::printf(
+        "%.2f s, %s triangles/s, peak %s\n",
+        report.seconds,
+        readableCount(static_cast<std::uint64_t>(report.seconds > 0 ? triangles / report.seconds : 0)).c_str(),
+        readableBytes({peakResidentBytes()}).c_str());
+}
+
+void run(const BuildCommand& command) {
+    preprocess::BuildOptions options;
+    options.output = command.output;
+    options.memory = *parseBytes(command.memory);
+    options.threads = command.common.threads;
+    options.level.clusterTriangles = command.clusterTriangles;
+    options.level.isErrorMeasured = command.error == "measured";
+    const std::map<std::string, Simplifier> simplifiers{
+        {"own", Simplifier::kOwn}, {"meshopt", Simplifier::kMeshopt}, {"openmesh", Simplifier::kOpenMesh}};
+    options.level.simplifier = simplifiers.at(command.simplifier);
+    if (command.maxStuckPercent < 100) options.maxStuckPercent = command.maxStuckPercent;
+    const auto source = preprocess::openMeshSources(command.inputs, options.memory);
+    const BuildReport report = [&] {
+        const auto progress = makeProgress(command.common);
+        return buildModel(*source, options, *progress);
+    }();
+    if (command.isJson)
+        std::printf("%s\n", asJson(report).dump(1).c_str());
+    else
+        printForPeople(report, command.output);
+}
+
+CLI::Validator memorySize() {
+    return {
+        [](std::string& text) {
+            return parseBytes(text) ? std::string() : "not a memory size (like 512M or 2G): " + text;
+        },
+        "SIZE"};
+}
+
+CLI::Validator count() {
+    return {
+        [](std::string& text) { return parseCount(text) ? std::string() : "not a count (like 100k or 2M): " + text; },
+        "COUNT"};
+}
+
+} // namespace
+
+void addBuildCommand(CLI::App& program) {
+    auto options = std::make_shared<BuildCommand>();
+    CLI::App* command = program.add_subcommand("build", "Turn a mesh into a level-of-detail model (.gnm)");
+    command->add_option("INPUT", options->inputs, "PLY, OBJ, STL or OFF; several make one model")->required();
+    command->add_option("-o,--output", options->output, "The .gnm to write")->required();
+    command->add_option("--memory", options->memory, "Peak resident size of the process")
+        ->check(memorySize())
+        ->capture_default_str();
+    command->add_option("--tmp", options->temporary, "Folder for temporary files (default: beside the output)")
+        ->check(CLI::ExistingDirectory);
+    command->add_flag("--in-memory", options->isInMemory, "Build without temporary files");
+    command->add_option("--cluster-triangles", options->clusterTriangles, "Most triangles of a cluster")
+        ->check(CLI::Range(8, 256))
+        ->capture_default_str();
+    command->add_option("--chunk-triangles", options->chunkTriangles, "Most triangles worked on at once")
+        ->check(count());
+    command->add_option("--simplifier", options->simplifier, "Who makes triangles fewer")
+        ->check(CLI::IsMember({"own"}))
+        ->capture_default_str();
+    command
+        ->add_option("--error", options->error, "Whether stored errors are measured bounds or the simplifier's claims")
+        ->check(CLI::IsMember({"measured", "estimated"}))
+        ->capture_default_str();
+    command
+        ->add_option("--max-stuck", options->maxStuckPercent, "Fail if more percent of the triangles never get coarser")
+        ->check(CLI::Range(0.0, 100.0))
+        ->capture_default_str();
+    command->add_flag("--json", options->isJson, "Print a JSON report on stdout");
+    addCommonOptions(*command, options->common);
+    command->callback([options] { run(*options); });
+}
+
+} // namespace gnomon::app

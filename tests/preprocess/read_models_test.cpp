@@ -66,6 +66,11 @@ struct RealModel {
     std::uint64_t vertices;
 };
 
+// Else the name of the test would be the bytes of its parameter.
+std::ostream& operator<<(std::ostream& out, const RealModel& model) {
+    return out << model.name;
+}
+
 class ReadRealModel : public testing::TestWithParam<RealModel> {};
 
 TEST_P(ReadRealModel, HasTheRightCounts) {

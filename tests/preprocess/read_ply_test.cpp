@@ -115,6 +115,20 @@ TEST(ReadPly, MeshesOfMoreThanOneBlockAndOneBuffer) {
         }
 }
 
+TEST(ReadPly, APolygonLargerThanABlockComesInOnePiece) {
+    for (const std::string& format : kFormats) {
+        PlyLayout layout;
+        layout.format = format;
+        layout.count = "int";
+        KnownMesh mesh = randomMesh(10, 30'000, 20, layout);
+        std::vector<std::uint64_t> large(kBlockRows + 5000);
+        for (std::size_t i = 0; i < large.size(); ++i)
+            large[i] = i;
+        mesh.faces.insert(mesh.faces.begin() + 7, large);
+        EXPECT_EQ(readText("large", plyText(mesh, layout)), expected(mesh)) << format;
+    }
+}
+
 TEST(ReadPly, PassesCanBeRepeatedInAnyOrder) {
     PlyLayout layout;
     layout.hasExtras = true;

@@ -125,6 +125,39 @@ TEST(ReadPolygon, AHoleOnABridge) {
          {-0.5, -0.5}});
 }
 
+TEST(ReadPolygon, HolesOnBridgesFromEveryStart) {
+    // Two square holes; both bridges leave from the corner at the lower left.
+    Loop loop = {
+        {-1, -1},
+        {-0.9, 0.2},
+        {-0.9, 0.9},
+        {-0.2, 0.9},
+        {-0.2, 0.2},
+        {-0.9, 0.2},
+        {-1, -1},
+        {0.2, -0.9},
+        {0.2, -0.2},
+        {0.9, -0.2},
+        {0.9, -0.9},
+        {0.2, -0.9},
+        {-1, -1},
+        {1, -1},
+        {1, 1},
+        {-1, 1}};
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        expectCoversInEveryFrame(loop);
+        std::rotate(loop.begin(), loop.begin() + 1, loop.end());
+    }
+}
+
+TEST(ReadPolygon, ATipThatTouchesACornerFromInside) {
+    Loop loop = {{-1, -1}, {1, -1}, {1, 0.9}, {-1, -1}, {0.9, 1}, {-1, 1}};
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        expectCoversInEveryFrame(loop);
+        std::rotate(loop.begin(), loop.begin() + 1, loop.end());
+    }
+}
+
 TEST(ReadPolygon, RandomStarsAndSpirals) {
     for (std::uint64_t seed = 0; seed < 60; ++seed) {
         Random random(seed);
@@ -161,6 +194,29 @@ TEST(ReadPolygon, BadLoopsStillGiveAllTriangles) {
         for (const PolygonTriangle& t : triangles)
             EXPECT_EQ((std::set<std::uint32_t>{t[0], t[1], t[2]}).size(), 3U);
     }
+}
+
+// Quadratic search would take minutes here.
+TEST(ReadPolygon, HugeLoopsEnd) {
+    constexpr std::size_t kCorners = 200'000;
+    Random random(11);
+    Loop star;
+    Loop tangle;
+    for (std::size_t i = 0; i < kCorners; ++i) {
+        const double angle = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(kCorners);
+        star.push_back(random.uniform(0.9, 1.0) * glm::dvec2(std::cos(angle), std::sin(angle)));
+        if (i < kCorners / 40) tangle.emplace_back(random.unit(), random.unit());
+    }
+    const std::vector<PolygonTriangle> triangles = triangulate(star, kFrames[0], glm::dvec3(0));
+    ASSERT_EQ(triangles.size(), kCorners - 2);
+    double sum = 0;
+    for (const PolygonTriangle& t : triangles) {
+        const double twice = cross(star[t[0]], star[t[1]], star[t[2]]);
+        EXPECT_GE(twice, 0);
+        sum += twice / 2;
+    }
+    EXPECT_NEAR(sum, area(star), 1e-9);
+    EXPECT_EQ(triangulate(tangle, kFrames[0], glm::dvec3(0)).size(), tangle.size() - 2);
 }
 
 TEST(ReadPolygon, TheRefinerRewritesAFanInPlace) {

@@ -78,8 +78,10 @@ TEST(ReadWholeFile, ObjNormalsStayPerCornerWhereTheyDiffer) {
     const CollectedMesh mesh = readText(
         "c.obj",
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvn 0 0 1\nvn 1 0 0\n"
-        "f 1//1 2//1 3//1\nf 1//2 4//2 3//2\nf 1//1 2//1 4//2\n");
-    ASSERT_EQ(mesh.triangles.size(), 3U);
+        "f 1//1 2//1 3//1\nf 1//2 4//2 3//2\nf 1//1 2//1 4//2\nf 1//2 2//2 3//2\nf 1 2 3\n");
+    ASSERT_EQ(mesh.triangles.size(), 5U);
+    EXPECT_EQ(mesh.triangles[4], mesh.triangles[0]) << "no normals named: those that the vertices had first";
+    EXPECT_EQ(mesh.triangles[3][0], mesh.triangles[1][0]) << "the same corner is one vertex";
     const std::vector<std::array<glm::vec3, 3>> normals = {
         {glm::vec3(0, 0, 1), glm::vec3(0, 0, 1), glm::vec3(0, 0, 1)},
         {glm::vec3(1, 0, 0), glm::vec3(1, 0, 0), glm::vec3(1, 0, 0)},

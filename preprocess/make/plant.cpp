@@ -82,8 +82,8 @@ void addYardEdge(Site& site, std::uint64_t /*piece*/) {
     addFence(site, {-kYardHalf + 5, 0, kYardHalf - 5}, {kYardHalf - 5, 0, kYardHalf - 5});
 }
 
-constexpr std::uint64_t kStoneTriangles = 15;
-constexpr std::uint64_t kStoneVertices = 11;
+constexpr std::uint64_t kStoneTriangles = 24;
+constexpr std::uint64_t kStoneVertices = 17;
 constexpr std::uint64_t kStonesPerJob = 8192;
 constexpr std::uint64_t kStonesPerCopy = 40; // every 40th stone is there twice
 
@@ -97,16 +97,16 @@ void addStone(PartSink& parts, const Bed& bed, double radius, std::uint64_t seed
     const double size = radius * random.uniform(0.5, 1.2);
     const double turn = random.unit();
     for (const double lift : {0.0, 0.55})
-        for (int i = 0; i < 5; ++i) {
-            const double t = turn + 0.2 * i + 0.3 * lift;
+        for (int i = 0; i < 8; ++i) {
+            const double t = turn + 0.125 * i + 0.3 * lift;
             const double r = size * random.uniform(0.75, 1.15);
             parts.vertex(center + dvec3(r * cosTurns(t), size * lift * random.uniform(0.8, 1.2), -r * sinTurns(t)));
         }
     parts.vertex(center + dvec3(0.1 * size, size * random.uniform(0.8, 1.0), 0));
-    for (std::uint64_t i = 0; i < 5; ++i) {
-        const std::uint64_t j = (i + 1) % 5;
-        parts.quad(i, j, 5 + j, 5 + i);
-        parts.triangle(5 + i, 5 + j, 10);
+    for (std::uint64_t i = 0; i < 8; ++i) {
+        const std::uint64_t j = (i + 1) % 8;
+        parts.quad(i, j, 8 + j, 8 + i);
+        parts.triangle(8 + i, 8 + j, 16);
     }
 }
 

@@ -76,6 +76,20 @@ void addTurbineHall(Site& site) {
 
 namespace {
 
+/// The steam drum on its saddles and a roof over it, on the top floor.
+void addBoilerTop(Site& site, double half, double floor) {
+    addVessel(site, {-8, floor + 3, 0}, {8, floor + 3, 0}, 1.1);
+    for (const double x : {-6.0, 6.0})
+        addBox(site.parts, {x - 0.3, floor, -0.9}, {x + 0.3, floor + 2.3, 0.9});
+    for (const double x : {-half, half})
+        for (const double z : {-half, half}) {
+            const double top = floor + 6.5 - 0.5 * z / half; // the roof falls towards +z
+            addIBeam(site.parts, {x, floor, z}, {x, top, z}, {1, 0, 0}, 0.4);
+            if (z > 0) addIBeam(site.parts, {x, floor + 6, z}, {x, floor + 7, -z}, kUp, 0.4);
+        }
+    addCladding(site, {-half, floor + 6.2, half}, {2 * half, 0, 0}, {0, 1, -2 * half}, 1.2);
+}
+
 /// One storey of the furnace: its walls are tubes side by side, held by beams.
 void addFurnace(Site& site, double bottom, double ceiling) {
     const std::uint64_t tubes = site.detail.amount(16, 8, 120);
@@ -133,10 +147,7 @@ void addBoilerStorey(Site& site, std::uint64_t storey) {
         addPipe(site, path, site.random.uniform(0.06, 0.2));
         addValve(site, {x, floor + 1.2, -9}, kUp, 0.1);
     }
-    if (storey + 1 == kBoilerStoreys) {
-        addVessel(site, {-8, ceiling + 3, 0}, {8, ceiling + 3, 0}, 1.1);
-        addCladding(site, {-kHalf, ceiling + 6, kHalf}, {2 * kHalf, 0, 0}, {0, 1, -2 * kHalf}, 1.2);
-    }
+    if (storey + 1 == kBoilerStoreys) addBoilerTop(site, kHalf, ceiling);
 }
 
 void addChimney(Site& site) {
@@ -225,7 +236,7 @@ void addCoolingTower(Site& site) {
     for (std::uint64_t i = 0; i < packs; ++i) {
         const double x = -10 + 20 * share(i, packs);
         const double z = std::sqrt(121 - x * x);
-        addSheet(site.parts, {x, 4.6, -z}, {0, 0, 2 * z}, kUp * 1.2, i % 6 == 0 ? Sides::Both : Sides::One);
+        addRidgedSheet(site, {x, 4.6, -z}, {0, 0, 2 * z}, kUp * 1.2, i % 6 == 0 ? Sides::Both : Sides::One);
     }
     addLadder(site, {0, 0, 15.1}, 5);
 }
@@ -297,8 +308,8 @@ void addGasTurbine(Site& site) {
     const std::uint64_t louvres = site.detail.amount(16, 8, 160);
     for (std::uint64_t i = 0; i < louvres; ++i)
         for (const double z : {-4.6, 4.6})
-            addSheet(
-                site.parts,
+            addRidgedSheet(
+                site,
                 {-12.8, 7.2 + 5.6 * share(i, louvres), z},
                 {6.6, 0, 0},
                 {0, 0.1, z > 0 ? 0.3 : -0.3},

@@ -11,6 +11,8 @@ using glm::dvec3;
 
 namespace {
 
+constexpr double kPipeLength = 2;
+
 std::uint64_t pieces(double length, double spacing) {
     return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::llround(length / spacing)));
 }
@@ -24,7 +26,7 @@ std::uint64_t Detail::amount(double base, std::uint64_t least, std::uint64_t mos
 }
 
 std::uint64_t Detail::sides(double radius) const {
-    const double wanted = 3 + 9 * std::sqrt(radius * std::sqrt(level_));
+    const double wanted = 4 + 14 * std::sqrt(radius * std::sqrt(level_));
     return std::clamp<std::uint64_t>(static_cast<std::uint64_t>(wanted), 3, 256);
 }
 
@@ -38,7 +40,9 @@ void addGrating(Site& site, const dvec3& min, const dvec3& max) {
     // Panels of 1 m by about 3 m, each with its own bars, as they are laid.
     const std::uint64_t across = pieces(width, 3.0);
     const std::uint64_t along = pieces(length, 1.0);
-    const std::uint64_t bars = site.detail.amount(2.2, 1, 34);
+    const std::uint64_t bars = site.detail.amount(1.6, 1, 34);
+    const std::uint64_t cuts = site.detail.amount(3, 1, 30); // a bar has vertices where cross bars are welded to it
+    const std::uint64_t crossBars = site.detail.amount(1.2, 1, 30);
     const double height = 0.03;
     for (std::uint64_t i = 0; i < across; ++i)
         for (std::uint64_t j = 0; j < along; ++j) {
@@ -46,16 +50,22 @@ void addGrating(Site& site, const dvec3& min, const dvec3& max) {
             const double z = min.z + length * share(j, along);
             const double w = width / static_cast<double>(across) - 0.01;
             const double l = length / static_cast<double>(along);
-            for (std::uint64_t bar = 0; bar < bars; ++bar)
+            for (std::uint64_t bar = 0; bar < bars; ++bar) {
+                const double at = z + l * (share(bar, bars) + 0.5 / static_cast<double>(bars));
+                std::vector<dvec3> path;
+                for (std::uint64_t cut = 0; cut <= cuts; ++cut)
+                    path.emplace_back(x + w * share(cut, cuts), min.y + height, at);
+                addTube(site.parts, path, 0.012, 4, Ends::Open);
+            }
+            for (std::uint64_t bar = 0; bar < crossBars; ++bar) {
+                const double at = x + w * share(bar, crossBars);
                 addSheet(
                     site.parts,
-                    {x, min.y, z + l * (share(bar, bars) + 0.5 / static_cast<double>(bars))},
-                    {w, 0, 0},
-                    {0, height, 0},
-                    bar == 0 && i % 2 == 0 ? Sides::Both : Sides::One);
-            const std::uint64_t cross = site.detail.amount(0.8, 1, 60);
-            for (std::uint64_t bar = 0; bar < cross; ++bar)
-                addSheet(site.parts, {x + w * share(bar, cross), min.y + height, z}, {0.012, 0, 0}, {0, 0, l - 0.01});
+                    {at, min.y + 2 * height, z},
+                    {0.012, 0, 0},
+                    {0, 0, l - 0.01},
+                    bar == 0 ? Sides::Both : Sides::One);
+            }
         }
 }
 
@@ -68,7 +78,7 @@ void addHandrail(Site& site, const dvec3& a, const dvec3& b) {
     }
     for (const double height : {0.55, 1.1})
         addRod(site.parts, a + kUp * height, b + kUp * height, 0.024, sides, Ends::Open);
-    addSheet(site.parts, a + kUp * 0.01, b - a, kUp * 0.12); // the toe board
+    addSheet(site.parts, a + kUp * 0.01, b - a, kUp * 0.12, Sides::Both); // the toe board
 }
 
 void addHandrails(Site& site, const dvec3& min, const dvec3& max) {
@@ -110,7 +120,7 @@ void addStairs(Site& site, const dvec3& foot, const dvec3& head) {
     for (std::uint64_t i = 1; i < steps; ++i) {
         const dvec3 at = foot + (head - foot) * share(i, steps);
         addSheet(site.parts, at - across - along * 0.13, along * 0.26, across * 2.0, Sides::Both);
-        addSheet(site.parts, at - across - along * 0.13, across * 2.0, -kUp * 0.04);
+        addRod(site.parts, at - across - kUp * 0.02, at + across - kUp * 0.02, 0.02, 4, Ends::Closed);
     }
     for (const double side : {-1.0, 1.0}) {
         const dvec3 shift = across * side - kUp * 0.12;
@@ -130,12 +140,21 @@ void addFlange(Site& site, const dvec3& center, const dvec3& axis, double radius
     const dvec3 v = glm::cross(axis, u);
     for (std::uint64_t i = 0; i < bolts; ++i) {
         const dvec3 at = center + 1.35 * radius * (u * cosTurns(share(i, bolts)) + v * sinTurns(share(i, bolts)));
-        addRod(site.parts, at - axis * (thick + 0.02), at + axis * (thick + 0.02), 0.1 * radius + 0.004, 4, Ends::Open);
+        addRod(
+            site.parts, at - axis * (thick + 0.02), at + axis * (thick + 0.02), 0.1 * radius + 0.004, 6, Ends::Closed);
     }
 }
 
 void addPipe(Site& site, std::span<const dvec3> corners, double radius) {
-    const std::vector<dvec3> path = roundedPath(corners, 2.5 * radius, site.detail.bend());
+    std::vector<dvec3> path;
+    for (const dvec3& next : roundedPath(corners, 2.5 * radius, site.detail.bend())) {
+        // Long runs are welded from lengths; each weld is a ring of vertices.
+        const dvec3 last = path.empty() ? next : path.back();
+        const std::uint64_t lengths = pieces(glm::distance(last, next), kPipeLength);
+        for (std::uint64_t i = 1; i < lengths; ++i)
+            path.push_back(last + (next - last) * share(i, lengths));
+        path.push_back(next);
+    }
     addTube(site.parts, path, radius, std::max<std::uint64_t>(5, site.detail.sides(radius)), Ends::Open);
     addFlange(site, corners.front(), glm::normalize(corners[1] - corners[0]), radius);
     addFlange(site, corners.back(), glm::normalize(corners.back() - corners[corners.size() - 2]), radius);
@@ -182,7 +201,7 @@ void addPump(Site& site, const dvec3& foot, double size) {
     for (std::uint64_t i = 0; i < fins; ++i) {
         const double t = share(i, fins);
         const dvec3 out(0, cosTurns(t), sinTurns(t));
-        addSheet(site.parts, center + axis * (-1.25 * s) + out * (0.44 * s), axis * (0.9 * s), out * (0.07 * s));
+        addRidgedSheet(site, center + axis * (-1.25 * s) + out * (0.44 * s), axis * (0.9 * s), out * (0.07 * s));
     }
     const std::array<Station, 7> pump{
         {{0, 0},
@@ -213,10 +232,22 @@ void addVessel(Site& site, const dvec3& a, const dvec3& b, double radius) {
     addLathe(site.parts, a, axis, profile, std::max<std::uint64_t>(8, site.detail.sides(radius)));
 }
 
+void addRidgedSheet(Site& site, const dvec3& corner, const dvec3& u, const dvec3& v, Sides sides) {
+    Panel panel;
+    panel.corner = corner;
+    panel.u = u;
+    panel.v = v;
+    panel.cellsU = 2 * site.detail.amount(2, 1, 16);
+    panel.cellsV = site.detail.amount(3, 1, 16);
+    panel.waveDepth = 0.012;
+    panel.sides = sides;
+    addPanel(site.parts, panel);
+}
+
 void addFence(Site& site, const dvec3& a, const dvec3& b) {
     constexpr double kHeight = 2.2;
     const double length = glm::distance(a, b);
-    const std::uint64_t posts = pieces(length, 3.0);
+    const std::uint64_t posts = pieces(length, 5.0);
     for (std::uint64_t i = 0; i <= posts; ++i) {
         const dvec3 foot = a + (b - a) * share(i, posts);
         addRod(site.parts, foot, foot + kUp * (kHeight + 0.2), 0.035, site.detail.sides(0.04), Ends::Open);
@@ -225,7 +256,7 @@ void addFence(Site& site, const dvec3& a, const dvec3& b) {
         const dvec3 lift = kUp * (0.1 + kHeight * 0.5 * static_cast<double>(i));
         addRod(site.parts, a + lift, b + lift, 0.006, 3, Ends::Open);
     }
-    const std::uint64_t bars = posts * site.detail.amount(3, 1, 60);
+    const std::uint64_t bars = posts * site.detail.amount(1.5, 1, 100);
     const dvec3 step = (b - a) / static_cast<double>(bars);
     const dvec3 thick = glm::normalize(step) * 0.01;
     const double lean = std::min(0.45 * length, kHeight);

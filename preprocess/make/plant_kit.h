@@ -71,6 +71,10 @@ void addPump(Site& site, const glm::dvec3& foot, double size);
 /// A vessel from `a` to `b` with dished ends.
 void addVessel(Site& site, const glm::dvec3& a, const glm::dvec3& b, double radius);
 
+/// A rectangle of sheet metal with pressed ridges: a fin, a louvre, a packing.
+void addRidgedSheet(
+    Site& site, const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v, Sides sides = Sides::One);
+
 /// A fence from `a` to `b`, 2.2 m high: posts, wires and a mesh of flat bars.
 void addFence(Site& site, const glm::dvec3& a, const glm::dvec3& b);
 

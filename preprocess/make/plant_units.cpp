@@ -87,14 +87,11 @@ void addTray(Site& site, const dvec3& a, const dvec3& b) {
     const dvec3 across(0.3, 0, 0);
     for (const double side : {-1.0, 1.0})
         addSheet(site.parts, a + across * side, b - a, kUp * 0.08);
-    const std::uint64_t rungs = site.detail.amount(24, 6, 400);
-    for (std::uint64_t i = 0; i < rungs; ++i)
-        addSheet(
-            site.parts,
-            a - across + (b - a) * share(i, rungs),
-            across * 2.0,
-            {0, 0, 0.03},
-            i % 16 == 0 ? Sides::Both : Sides::One);
+    const std::uint64_t rungs = site.detail.amount(20, 6, 400);
+    for (std::uint64_t i = 0; i < rungs; ++i) {
+        const dvec3 at = a + (b - a) * share(i, rungs);
+        addRod(site.parts, at - across, at + across, 0.012, 4, Ends::Open);
+    }
     const std::uint64_t cables = site.detail.amount(2, 1, 14);
     for (std::uint64_t i = 0; i < cables; ++i) {
         const dvec3 shift(-0.26 + 0.52 * share(i, cables), 0.03, 0);
@@ -257,8 +254,8 @@ void addTransformer(Site& site, const dvec3& foot) {
         const std::uint64_t fins = site.detail.amount(14, 6, 120);
         for (std::uint64_t i = 0; i < fins; ++i) {
             const double x = -2.0 + 4.0 * share(i, fins);
-            addSheet(
-                site.parts,
+            addRidgedSheet(
+                site,
                 foot + dvec3(x, 0.7, side * 1.3),
                 {0, 0, side * 0.9},
                 kUp * 2.4,

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <limits>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 namespace gnomon::preprocess {
@@ -30,7 +31,10 @@ struct Mesh {
 struct Step {
     double error = 0;
     std::int64_t triangles = 0;
-    auto operator<=>(const Step&) const = default;
+
+    bool operator<(const Step& other) const {
+        return std::tie(error, triangles) < std::tie(other.error, other.triangles);
+    }
 };
 
 /// A cluster is in the cut from its stored error on, until the limit reaches its group's.

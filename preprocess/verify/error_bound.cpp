@@ -90,7 +90,7 @@ std::vector<double> cutErrors(const ModelSummary& summary) {
 class Comparison {
 public:
     Comparison(const LoadedModel& model, const TriangleSoup& source, std::uint64_t seed)
-        : model_(model), source_(source), sourceTree_(source), finest_(uniformCut(model, 0)), random_(mix64(seed)) {
+        : model_(model), sourceTree_(source), finest_(uniformCut(model, 0)), random_(mix64(seed)) {
         for (const Page& page : model.pages)
             for (std::uint32_t g = 0; g < page.groups.size(); ++g)
                 for (std::uint32_t c = 0; c < page.groups[g].clusterCount; ++c)
@@ -177,6 +177,7 @@ private:
         for (const UniformCut::Part& part : cut.parts)
             if (const std::uint32_t group = refinedGroup(part); group != kNone) byGroup[group].push_back(&part);
         std::vector<std::uint32_t> groups;
+        groups.reserve(byGroup.size());
         for (const auto& entry : byGroup)
             groups.push_back(entry.first);
         dense_.clear();
@@ -203,7 +204,6 @@ private:
     }
 
     const LoadedModel& model_;
-    const TriangleSoup& source_;
     TriangleTree sourceTree_;
     UniformCut finest_;
     Random random_;

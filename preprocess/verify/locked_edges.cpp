@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <tuple>
 
 namespace gnomon::preprocess {
 
@@ -18,12 +19,8 @@ namespace {
 struct Use {
     std::uint64_t what = 0;
     std::uint32_t group = 0;
-    auto operator<=>(const Use&) const = default;
-};
 
-struct Lock {
-    std::uint64_t edge = 0;
-    EdgeLock lock;
+    bool operator<(const Use& other) const { return std::tie(what, group) < std::tie(other.what, other.group); }
 };
 
 std::uint64_t edgeKey(std::uint32_t a, std::uint32_t b) {
@@ -42,6 +39,18 @@ void forEachEdge(const Page& page, const Cluster& cluster, const OfVertex& ofVer
             ofVertex(cluster.firstVertex + triangle[2])};
         for (std::size_t k = 0; k < 3; ++k)
             if (ends[k] != ends[(k + 1) % 3]) take(ends[k], ends[(k + 1) % 3]);
+    }
+}
+
+/// Calls `take(page, cluster, group)` for all clusters of a level; groups are numbered across pages.
+template <class Take>
+void forEachCluster(const LoadedModel& model, std::uint32_t level, const Take& take) {
+    for (std::size_t p = 0; p < model.pages.size(); ++p) {
+        const Page& page = model.pages[p];
+        if (page.level != level) continue;
+        for (std::uint32_t g = 0; g < page.groups.size(); ++g)
+            for (std::uint32_t c = 0; c < page.groups[g].clusterCount; ++c)
+                take(p, page.clusters[page.groups[g].firstCluster + c], model.firstGroup[p] + g);
     }
 }
 
@@ -68,7 +77,10 @@ void LockedEdges::numberPositions(const LoadedModel& model) {
     struct Place {
         GridPoint position;
         std::uint32_t vertex = 0;
-        auto operator<=>(const Place&) const = default;
+
+        bool operator<(const Place& other) const {
+            return std::tie(position, vertex) < std::tie(other.position, other.vertex);
+        }
     };
 
     std::vector<Place> places;
@@ -91,47 +103,17 @@ void LockedEdges::numberPositions(const LoadedModel& model) {
 }
 
 void LockedEdges::findLocks(const LoadedModel& model) {
-    std::vector<Lock> found;
-    std::vector<bool> isShared(positions_.size());
-    for (std::uint32_t level = 0; level < model.summary.levels.size(); ++level) {
-        std::vector<Use> uses;
-        const auto forEachCluster = [&](const auto& use) {
-            for (std::size_t p = 0; p < model.pages.size(); ++p) {
-                const Page& page = model.pages[p];
-                if (page.level != level) continue;
-                for (std::uint32_t g = 0; g < page.groups.size(); ++g)
-                    for (std::uint32_t c = 0; c < page.groups[g].clusterCount; ++c)
-                        use(p, page.clusters[page.groups[g].firstCluster + c], model.firstGroup[p] + g);
-            }
-        };
-        forEachCluster([&](std::size_t p, const Cluster& cluster, std::uint32_t group) {
-            for (std::uint32_t v = 0; v < cluster.vertexCount; ++v)
-                uses.push_back({positionOf_[firstVertex_[p] + cluster.firstVertex + v], group});
-        });
-        isShared.assign(isShared.size(), false);
-        forEachShared(uses, [&](std::span<const Use> vertex) { isShared[vertex[0].what] = true; });
-        uses.clear();
-        forEachCluster([&](std::size_t p, const Cluster& cluster, std::uint32_t group) {
-            forEachEdge(
-                model.pages[p],
-                cluster,
-                [&](std::uint32_t v) { return positionOf_[firstVertex_[p] + v]; },
-                [&](std::uint32_t a, std::uint32_t b) {
-                    if (isShared[a] && isShared[b]) uses.push_back({edgeKey(a, b), group});
-                });
-        });
-        forEachShared(uses, [&](std::span<const Use> edge) {
-            found.push_back({edge[0].what, {level, static_cast<std::uint32_t>(edge.size())}});
-        });
-    }
+    std::vector<FoundLock> found;
+    for (std::uint32_t level = 0; level < model.summary.levels.size(); ++level)
+        findLocksOfLevel(model, level, found);
     // Stable, so that the locks of an edge stay in the order of their levels.
-    std::stable_sort(found.begin(), found.end(), [](const Lock& a, const Lock& b) { return a.edge < b.edge; });
-    for (const Lock& lock : found) {
-        if (edges_.empty() || edges_.back() != lock.edge) {
-            edges_.push_back(lock.edge);
+    std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (const auto& [edge, lock] : found) {
+        if (edges_.empty() || edges_.back() != edge) {
+            edges_.push_back(edge);
             firstLock_.push_back(static_cast<std::uint32_t>(locks_.size()));
         }
-        locks_.push_back(lock.lock);
+        locks_.push_back(lock);
     }
     firstLock_.push_back(static_cast<std::uint32_t>(locks_.size()));
     firstEdge_.assign(positions_.size() + 1, 0);
@@ -139,6 +121,29 @@ void LockedEdges::findLocks(const LoadedModel& model) {
         ++firstEdge_[(edge >> 32U) + 1];
     for (std::size_t i = 1; i < firstEdge_.size(); ++i)
         firstEdge_[i] += firstEdge_[i - 1];
+}
+
+void LockedEdges::findLocksOfLevel(const LoadedModel& model, std::uint32_t level, std::vector<FoundLock>& found) const {
+    std::vector<Use> uses;
+    forEachCluster(model, level, [&](std::size_t p, const Cluster& cluster, std::uint32_t group) {
+        for (std::uint32_t v = 0; v < cluster.vertexCount; ++v)
+            uses.push_back({positionOf_[firstVertex_[p] + cluster.firstVertex + v], group});
+    });
+    std::vector<bool> isShared(positions_.size());
+    forEachShared(uses, [&](std::span<const Use> vertex) { isShared[vertex[0].what] = true; });
+    uses.clear();
+    forEachCluster(model, level, [&](std::size_t p, const Cluster& cluster, std::uint32_t group) {
+        forEachEdge(
+            model.pages[p],
+            cluster,
+            [&](std::uint32_t v) { return positionOf_[firstVertex_[p] + v]; },
+            [&](std::uint32_t a, std::uint32_t b) {
+                if (isShared[a] && isShared[b]) uses.push_back({edgeKey(a, b), group});
+            });
+    });
+    forEachShared(uses, [&](std::span<const Use> edge) {
+        found.emplace_back(edge[0].what, EdgeLock{level, static_cast<std::uint32_t>(edge.size())});
+    });
 }
 
 std::uint32_t LockedEdges::find(std::uint64_t edge) const {

@@ -4,6 +4,7 @@
 #include "preprocess/verify/loaded_model.h"
 
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace gnomon::preprocess {
@@ -39,7 +40,10 @@ public:
 
 private:
     void numberPositions(const LoadedModel& model);
+    using FoundLock = std::pair<std::uint64_t, EdgeLock>;
+
     void findLocks(const LoadedModel& model);
+    void findLocksOfLevel(const LoadedModel& model, std::uint32_t level, std::vector<FoundLock>& found) const;
     void findIncidences(const LoadedModel& model);
     std::uint32_t find(std::uint64_t edge) const;
 

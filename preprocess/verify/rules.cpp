@@ -15,6 +15,16 @@ std::string name(std::size_t page, std::size_t group) {
     return "page " + std::to_string(page) + " group " + std::to_string(group);
 }
 
+/// Calls `take(page, group, words)` for every group; `words(what)` makes the words for a failed test of it.
+template <class Take>
+void forEachGroup(const LoadedModel& model, const Take& take) {
+    for (std::size_t p = 0; p < model.pages.size(); ++p)
+        for (std::size_t g = 0; g < model.pages[p].groups.size(); ++g)
+            take(model.pages[p], model.pages[p].groups[g], [p, g](const char* what) {
+                return [p, g, what] { return name(p, g) + what; };
+            });
+}
+
 bool same(const Sphere& a, const Sphere& b) {
     return a.center == b.center && a.radius == b.radius;
 }
@@ -120,46 +130,32 @@ Check checkStructure(const LoadedModel& model) {
 
 Check checkNesting(const LoadedModel& model) {
     Check check{"nesting"};
-    for (std::size_t p = 0; p < model.pages.size(); ++p) {
-        const Page& page = model.pages[p];
-        for (std::size_t g = 0; g < page.groups.size(); ++g) {
-            const Group& group = page.groups[g];
-            check.test(encloses(group.bounds, model.summary.grid.local(group.box)), [&] {
-                return name(p, g) + " has vertices outside its bounds";
-            });
-            for (std::uint32_t c = 0; c < group.clusterCount; ++c) {
-                const std::uint32_t refinement = page.clusters[group.firstCluster + c].refinement;
-                if (refinement == kNone) continue;
-                const Sphere& inner = page.refinements[refinement].bounds;
-                const double reach = glm::length(inner.center - group.bounds.center) + inner.radius;
-                check.worst = std::max(check.worst, reach - group.bounds.radius);
-                check.test(encloses(group.bounds, inner), [&] {
-                    return name(p, g) + " has bounds that do not enclose those of what it refines to, by " +
-                           std::to_string(reach - group.bounds.radius);
-                });
-            }
+    forEachGroup(model, [&](const Page& page, const Group& group, const auto& words) {
+        check.test(
+            encloses(group.bounds, model.summary.grid.local(group.box)), words(" has vertices outside its bounds"));
+        for (std::uint32_t c = 0; c < group.clusterCount; ++c) {
+            const std::uint32_t refinement = page.clusters[group.firstCluster + c].refinement;
+            if (refinement == kNone) continue;
+            const Sphere& inner = page.refinements[refinement].bounds;
+            const double reach = glm::length(inner.center - group.bounds.center) + inner.radius;
+            check.worst = std::max(check.worst, reach - group.bounds.radius);
+            check.test(
+                encloses(group.bounds, inner), words(" has bounds that do not enclose those of what it refines to"));
         }
-    }
+    });
     return check;
 }
 
 Check checkMonotoneError(const LoadedModel& model) {
     Check check{"monotone_error"};
-    const double snapError = model.summary.grid.snapError();
-    for (std::size_t p = 0; p < model.pages.size(); ++p) {
-        const Page& page = model.pages[p];
-        for (std::size_t g = 0; g < page.groups.size(); ++g) {
-            const Group& group = page.groups[g];
-            for (std::uint32_t c = 0; c < group.clusterCount; ++c) {
-                const double finer = storedError(page, page.clusters[group.firstCluster + c], snapError);
-                check.worst = std::max(check.worst, finer - group.error);
-                check.test(group.error >= finer, [&] {
-                    return name(p, g) + " has error " + std::to_string(group.error) + ", a cluster of it " +
-                           std::to_string(finer);
-                });
-            }
+    forEachGroup(model, [&](const Page& page, const Group& group, const auto& words) {
+        for (std::uint32_t c = 0; c < group.clusterCount; ++c) {
+            const Cluster& cluster = page.clusters[group.firstCluster + c];
+            const double finer = storedError(page, cluster, model.summary.grid.snapError());
+            check.worst = std::max(check.worst, finer - group.error);
+            check.test(group.error >= finer, words(" has an error below that of one of its clusters"));
         }
-    }
+    });
     return check;
 }
 

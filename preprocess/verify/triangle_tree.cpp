@@ -152,7 +152,7 @@ TriangleTree::Nearest TriangleTree::nearest(const glm::dvec3& point, std::uint32
         double square;
     };
 
-    std::array<Entry, 64> stack; // deeper than any tree over 2^32 triangles that is halved at every node
+    std::array<Entry, 64> stack{}; // deeper than any tree over 2^32 triangles that is halved at every node
     std::size_t size = 0;
     stack[size++] = {0, nodes_[0].bounds.squaredDistance(point)};
     while (size > 0) {

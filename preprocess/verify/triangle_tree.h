@@ -62,7 +62,7 @@ private:
 
     struct Item;
 
-    Bounds build(std::vector<Item>& items, std::uint32_t node, std::uint32_t begin, std::uint32_t end);
+    Bounds build(std::vector<Item>& items, std::uint32_t index, std::uint32_t begin, std::uint32_t end);
     Bounds buildLeaf(const std::vector<Item>& items, Node& node, std::uint32_t begin, std::uint32_t end);
 
     const TriangleSoup& soup_;

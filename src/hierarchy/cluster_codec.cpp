@@ -1,37 +1,27 @@
-// One code byte a triangle. High nibble: the age of the open edge across which the triangle is entered (then its first
-// two corners are that edge), or 15 for none. Low nibble, entered: 0 if the third corner is the next new vertex, 1-14
-// if it is the vertex that many before the next new one, 15 if its index follows in the second stream. Not entered: bit
-// k says that corner k is the next new vertex, else its index follows.
-//
-// A vertex that is new across an edge is predicted as the parallelogram's fourth corner (Touma, Gotsman 1998), its
-// normal and colour as the mean of the edge's; any other from the vertex before it. Differences are zigzag-coded and
-// stored byte plane by byte plane, since the entropy coder that follows works on bytes.
+// Vertices come cluster by cluster. One that lies in an earlier cluster of the page too, with the same normal and
+// colour, is a reference to it: a quarter to a third of them, along the clusters' borders. Any other is what remains of
+// it after prediction: its position from the parallelogram over the edge across which it is new (Touma, Gotsman 1998),
+// its normal and colour from the mean of the edge's, else all from the vertex before it. Differences are zigzag-coded
+// and stored byte plane by byte plane, since the entropy coder that follows works on bytes.
 #include "hierarchy/cluster_codec.h"
 
-#include "hierarchy/edge_window.h"
+#include "core/random.h"
+#include "hierarchy/connectivity_codec.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <unordered_map>
 
 namespace gnomon::hierarchy {
 
 namespace {
 
-constexpr unsigned kNotEntered = 15;
-constexpr unsigned kExplicit = 15;
-constexpr std::size_t kAxes = 3;
-constexpr std::size_t kAttributes = 6; // two of the normal, four of the colour
-constexpr std::size_t kNormalAttributes = 2;
 constexpr std::uint32_t kWhite = 0xFFFFFFFFU;
+constexpr std::uint32_t kOffsetBinary = 0x80008000U; // turns two snorm16 into numbers that ascend
 
-/// What a vertex is predicted from; `before` alone unless it was new across an edge.
-struct Parents {
-    std::uint8_t from = 0;
-    std::uint8_t to = 0;
-    std::uint8_t opposite = 0;
-    bool acrossEdge = false;
-};
+/// Numbers of one kind for some vertices of a page, one after the other.
+using Channel = std::vector<std::uint32_t>;
 
 std::uint32_t zigzag(std::uint32_t difference) {
     return (difference << 1U) ^ (0U - (difference >> 31U));
@@ -41,135 +31,11 @@ std::uint32_t unzigzag(std::uint32_t code) {
     return (code >> 1U) ^ (0U - (code & 1U));
 }
 
-/// Reads the codes of one cluster's triangles and remembers what each vertex is predicted from.
-class ConnectivityDecoder {
-public:
-    ConnectivityDecoder(ByteReader& codes, ByteReader& indices, std::uint32_t vertexCount)
-        : codes_(codes), indices_(indices), vertexCount_(vertexCount) {}
-
-    void decode(std::span<Triangle> triangles) {
-        const auto codes = codes_.take(triangles.size());
-        for (std::size_t t = 0; t < triangles.size(); ++t) {
-            const auto code = static_cast<unsigned>(codes[t]);
-            triangles[t] = (code >> 4U) == kNotEntered ? unentered(code) : entered(code);
-        }
-    }
-
-    /// Parents by vertex; those at and past `next` were never new.
-    const std::array<Parents, 256>& parents() const { return parents_; }
-
-private:
-    Triangle entered(unsigned code) {
-        const unsigned age = code >> 4U;
-        if (age >= window_.count()) throw Damage{"a triangle is entered across an edge that is not there"};
-        const OpenEdge edge = window_.recent(age);
-        const unsigned low = code & 15U;
-        unsigned third = next_ - low;
-        if (low == 0) {
-            if (next_ >= vertexCount_) throw Damage{"a triangle has a corner past the last vertex"};
-            const bool known = std::max({edge.from, edge.to, edge.opposite}) < next_;
-            parents_[next_++] = {edge.from, edge.to, edge.opposite, known};
-        } else if (low == kExplicit) {
-            third = index();
-        } else if (low > next_) {
-            throw Damage{"a triangle has a corner before the first vertex"};
-        }
-        const auto corner = static_cast<std::uint8_t>(third);
-        window_.pushTriangle(edge.from, edge.to, corner, true);
-        return {edge.from, edge.to, corner};
-    }
-
-    Triangle unentered(unsigned code) {
-        Triangle triangle{};
-        for (unsigned k = 0; k < 3; ++k) {
-            if ((code >> k & 1U) == 0) {
-                triangle[k] = static_cast<std::uint8_t>(index());
-                continue;
-            }
-            if (next_ >= vertexCount_) throw Damage{"a triangle has a corner past the last vertex"};
-            triangle[k] = static_cast<std::uint8_t>(next_++);
-        }
-        window_.pushTriangle(triangle[0], triangle[1], triangle[2], false);
-        return triangle;
-    }
-
-    unsigned index() {
-        const auto value = indices_.take<std::uint8_t>();
-        if (value >= vertexCount_) throw Damage{"a triangle has a corner past the last vertex"};
-        return value;
-    }
-
-    ByteReader& codes_;
-    ByteReader& indices_;
-    std::uint32_t vertexCount_;
-    unsigned next_ = 0;
-    EdgeWindow window_;
-    std::array<Parents, 256> parents_{};
-};
-
-/// Writes the codes of one cluster's triangles.
-class ConnectivityEncoder {
-public:
-    ConnectivityEncoder(ByteWriter& codes, ByteWriter& indices) : codes_(codes), indices_(indices) {}
-
-    void encode(std::span<const Triangle> triangles) {
-        for (const Triangle& triangle : triangles)
-            encode(triangle);
-    }
-
-    const std::array<Parents, 256>& parents() const { return parents_; }
-
-private:
-    void encode(const Triangle& t) {
-        const unsigned ages = std::min(window_.count(), kNotEntered);
-        for (unsigned age = 0; age < ages; ++age) {
-            const OpenEdge edge = window_.recent(age);
-            if (edge.from != t[0] || edge.to != t[1]) continue;
-            codes_.put(static_cast<std::uint8_t>(age << 4U | third(t[2], edge)));
-            window_.pushTriangle(t[0], t[1], t[2], true);
-            return;
-        }
-        unsigned code = kNotEntered << 4U;
-        for (unsigned k = 0; k < 3; ++k) {
-            if (t[k] == next_) {
-                code |= 1U << k;
-                ++next_;
-            } else {
-                indices_.put(t[k]);
-            }
-        }
-        codes_.put(static_cast<std::uint8_t>(code));
-        window_.pushTriangle(t[0], t[1], t[2], false);
-    }
-
-    unsigned third(std::uint8_t corner, const OpenEdge& edge) {
-        if (corner == next_) {
-            const bool known = std::max({edge.from, edge.to, edge.opposite}) < next_;
-            parents_[next_++] = {edge.from, edge.to, edge.opposite, known};
-            return 0;
-        }
-        if (corner < next_ && next_ - corner < kExplicit) return next_ - corner;
-        indices_.put(corner);
-        return kExplicit;
-    }
-
-    ByteWriter& codes_;
-    ByteWriter& indices_;
-    unsigned next_ = 0;
-    EdgeWindow window_;
-    std::array<Parents, 256> parents_{};
-};
-
-GridPoint predictedPosition(std::span<const Vertex> vertices, std::size_t v, const Parents& parents) {
-    if (!parents.acrossEdge) return vertices[v - 1].position;
-    const GridPoint& a = vertices[parents.from].position;
-    const GridPoint& b = vertices[parents.to].position;
-    const GridPoint& c = vertices[parents.opposite].position;
-    return {a.x + b.x - c.x, a.y + b.y - c.y, a.z + b.z - c.z};
+/// The code of `value` after `prediction`, both of `width` bits.
+std::uint32_t wrapped(std::uint32_t value, std::uint32_t prediction, unsigned width) {
+    const auto difference = static_cast<std::int32_t>((value - prediction) << (32U - width)) >> (32U - width);
+    return zigzag(static_cast<std::uint32_t>(difference));
 }
-
-/// Values of one kind for all vertices of a page, as differences from their predictions.
-using Channel = std::vector<std::uint32_t>;
 
 void putPlanes(const Channel& channel, ByteWriter& out) {
     std::uint32_t any = 0;
@@ -182,206 +48,298 @@ void putPlanes(const Channel& channel, ByteWriter& out) {
             out.put(static_cast<std::uint8_t>(value >> (8U * plane)));
 }
 
-void takePlanes(ByteReader& in, Channel& channel) {
+/// `count` numbers; no more than the clusters of a page have vertices, so it is bounded by bytes that were there.
+Channel takePlanes(ByteReader& in, std::size_t count) {
     const auto planes = in.take<std::uint8_t>();
     if (planes > 4) throw Damage{"a value has more than four bytes"};
-    std::fill(channel.begin(), channel.end(), 0U);
+    Channel channel(count);
     for (unsigned plane = 0; plane < planes; ++plane) {
-        const auto bytes = in.take(channel.size());
-        for (std::size_t i = 0; i < bytes.size(); ++i)
+        const auto bytes = in.take(count);
+        for (std::size_t i = 0; i < count; ++i)
             channel[i] |= static_cast<std::uint32_t>(bytes[i]) << (8U * plane);
     }
+    return channel;
 }
 
-/// Which attributes a page has and how many low bits all its normals lack.
+/// As takePlanes, for differences.
+Channel takeDifferences(ByteReader& in, std::size_t count) {
+    Channel channel = takePlanes(in, count);
+    for (std::uint32_t& value : channel)
+        value = unzigzag(value);
+    return channel;
+}
+
+/// Normals without the low bits that all of a page lack, as offset binary, so that a mean of two lies between them.
+struct NormalCode {
+    unsigned shift = 0;
+
+    std::uint32_t x(std::uint32_t normal) const { return ((normal ^ kOffsetBinary) & 0xFFFFU) >> shift; }
+
+    std::uint32_t y(std::uint32_t normal) const { return (normal ^ kOffsetBinary) >> (16U + shift); }
+
+    std::uint32_t normal(std::uint32_t x, std::uint32_t y) const {
+        const std::uint32_t mask = (1U << width()) - 1U;
+        return ((x & mask) << shift | (y & mask) << (16U + shift)) ^ kOffsetBinary;
+    }
+
+    unsigned width() const { return 16U - shift; }
+};
+
+std::uint32_t channelOf(std::uint32_t color, unsigned k) {
+    return color >> (8U * k) & 0xFFU;
+}
+
+GridPoint predictedPosition(std::span<const Vertex> vertices, std::size_t v, const Parents& parents) {
+    if (parents.acrossEdge == 0) return vertices[v - 1].position;
+    const GridPoint& a = vertices[parents.from].position;
+    const GridPoint& b = vertices[parents.to].position;
+    const GridPoint& c = vertices[parents.opposite].position;
+    return {a.x + b.x - c.x, a.y + b.y - c.y, a.z + b.z - c.z};
+}
+
+/// Stands before the first vertex of a cluster.
+constexpr Vertex kNoVertex{};
+
+/// The two vertices whose mean predicts the attributes of vertex `v`.
+std::pair<const Vertex&, const Vertex&> attributeParents(
+    std::span<const Vertex> vertices, std::size_t v, const Parents& parents) {
+    if (v == 0) return {kNoVertex, kNoVertex};
+    if (parents.acrossEdge != 0) return {vertices[parents.from], vertices[parents.to]};
+    return {vertices[v - 1], vertices[v - 1]};
+}
+
+struct VertexHash {
+    std::size_t operator()(const Vertex& vertex) const {
+        const std::uint64_t a = static_cast<std::uint64_t>(vertex.position.x) << 32U | vertex.position.y;
+        const std::uint64_t b = static_cast<std::uint64_t>(vertex.position.z) << 32U | vertex.normal;
+        return mix64(a ^ mix64(b));
+    }
+};
+
+/// All numbers that the vertices of a page become.
+struct VertexChannels {
+    Channel references; // by vertex: 0, or 1 + the zigzag of how far from the one after the last reference
+    std::array<Channel, 3> positions; // these and the following by vertex that is no reference
+    std::array<Channel, 2> normals;
+    std::array<Channel, 4> colors;
+};
+
 struct AttributeLayout {
-    std::size_t begin = kNormalAttributes; // of the attributes that are stored
-    std::size_t end = kNormalAttributes;
-    unsigned normalShift = 0;
-
-    unsigned width(std::size_t attribute) const { return attribute < kNormalAttributes ? 16U - normalShift : 8U; }
-
-    /// Normals as offset binary, so that a mean of two lies between them.
-    std::uint32_t value(const Vertex& vertex, std::size_t attribute) const {
-        if (attribute < kNormalAttributes)
-            return ((vertex.normal >> (16U * attribute) & 0xFFFFU) ^ 0x8000U) >> normalShift;
-        return vertex.color >> (8U * (attribute - kNormalAttributes)) & 0xFFU;
-    }
-
-    void set(Vertex& vertex, std::size_t attribute, std::uint32_t value) const {
-        if (attribute < kNormalAttributes) {
-            const unsigned shift = 16U * static_cast<unsigned>(attribute);
-            vertex.normal = (vertex.normal & ~(0xFFFFU << shift)) | ((value << normalShift ^ 0x8000U) << shift);
-        } else {
-            const unsigned shift = 8U * static_cast<unsigned>(attribute - kNormalAttributes);
-            vertex.color = (vertex.color & ~(0xFFU << shift)) | value << shift;
-        }
-    }
-
-    /// From the vertices before `v` (an index in the page) in its cluster, which begins at `first`.
-    std::uint32_t predicted(
-        std::span<const Vertex> vertices,
-        std::size_t first,
-        std::size_t v,
-        const Parents& parents,
-        std::size_t k) const {
-        if (parents.acrossEdge)
-            return (value(vertices[first + parents.from], k) + value(vertices[first + parents.to], k)) / 2;
-        return v == 0 ? 0 : value(vertices[v - 1], k);
-    }
+    bool hasNormals = false;
+    bool hasColors = false;
+    NormalCode normals;
 };
 
 AttributeLayout layoutOf(std::span<const Vertex> vertices) {
     AttributeLayout layout;
     std::uint32_t normalBits = 0x8000U;
     for (const Vertex& vertex : vertices) {
-        if (vertex.normal != kNoNormal) layout.begin = 0;
-        if (vertex.color != kWhite) layout.end = kAttributes;
+        layout.hasNormals |= vertex.normal != kNoNormal;
+        layout.hasColors |= vertex.color != kWhite;
         normalBits |= vertex.normal | vertex.normal >> 16U;
     }
-    layout.normalShift = static_cast<unsigned>(std::countr_zero(normalBits));
+    layout.normals.shift = static_cast<unsigned>(std::countr_zero(normalBits));
     return layout;
 }
 
-std::uint32_t positionCode(std::uint32_t value, std::uint32_t prediction) {
-    return zigzag(value - prediction);
-}
-
-std::uint32_t attributeCode(std::uint32_t value, std::uint32_t prediction, unsigned width) {
-    const auto difference = static_cast<std::int32_t>((value - prediction) << (32U - width)) >> (32U - width);
-    return zigzag(static_cast<std::uint32_t>(difference));
-}
-
-} // namespace
-
-void encodeClusters(const Page& page, ByteWriter& out) {
-    const AttributeLayout layout = layoutOf(page.vertices);
-    std::array<Channel, kAxes + kAttributes> channels;
-    ByteWriter codes;
-    ByteWriter indices;
-    GridPoint anchor{};
-    for (const Cluster& cluster : page.clusters) {
-        ConnectivityEncoder connectivity(codes, indices);
-        connectivity.encode(std::span(page.triangles).subspan(cluster.firstTriangle, cluster.triangleCount));
-        const auto vertices = std::span(page.vertices).subspan(cluster.firstVertex, cluster.vertexCount);
-        out.putVarint(positionCode(vertices[0].position.x, anchor.x));
-        out.putVarint(positionCode(vertices[0].position.y, anchor.y));
-        out.putVarint(positionCode(vertices[0].position.z, anchor.z));
-        anchor = vertices[0].position;
-        for (std::size_t v = 0; v < vertices.size(); ++v) {
-            const Parents& parents = connectivity.parents()[v];
-            const GridPoint p = vertices[v].position;
-            const GridPoint q = v == 0 ? anchor : predictedPosition(vertices, v, parents);
-            channels[0].push_back(positionCode(p.x, q.x));
-            channels[1].push_back(positionCode(p.y, q.y));
-            channels[2].push_back(positionCode(p.z, q.z));
-            const std::size_t inPage = cluster.firstVertex + v;
-            for (std::size_t k = layout.begin; k < layout.end; ++k)
-                channels[kAxes + k].push_back(attributeCode(
-                    layout.value(vertices[v], k),
-                    layout.predicted(page.vertices, cluster.firstVertex, inPage, parents, k),
-                    layout.width(k)));
-        }
-    }
-    out.put(codes.bytes());
-    out.putVarint(indices.size());
-    out.put(indices.bytes());
-    out.put(static_cast<std::uint8_t>(layout.begin == 0));
-    out.put(static_cast<std::uint8_t>(layout.end == kAttributes));
-    out.put(static_cast<std::uint8_t>(layout.normalShift));
-    for (std::size_t k = 0; k < kAxes; ++k)
-        putPlanes(channels[k], out);
-    for (std::size_t k = layout.begin; k < layout.end; ++k)
-        putPlanes(channels[kAxes + k], out);
-}
-
-namespace {
-
-AttributeLayout takeLayout(ByteReader& in) {
-    AttributeLayout layout;
-    if (in.take<std::uint8_t>() != 0) layout.begin = 0;
-    if (in.take<std::uint8_t>() != 0) layout.end = kAttributes;
-    layout.normalShift = in.take<std::uint8_t>();
-    if (layout.normalShift > 15) throw Damage{"normals lack more bits than they have"};
-    return layout;
-}
-
-/// Decodes the vertices of one cluster, each from those before it.
-class VertexDecoder {
+/// Turns the vertices of a page, cluster by cluster, into numbers.
+class VertexEncoder {
 public:
-    VertexDecoder(ByteReader& in, Page& page) : page_(page), layout_(takeLayout(in)) {
-        for (std::size_t k = 0; k < kAxes; ++k)
-            take(in, channels_[k]);
-        for (std::size_t k = layout_.begin; k < layout_.end; ++k)
-            take(in, channels_[kAxes + k]);
+    explicit VertexEncoder(const Page& page) : page_(page), layout_(layoutOf(page.vertices)) {}
+
+    void encode(const Cluster& cluster, const ParentTable& parents) {
+        const auto vertices = std::span(page_.vertices).subspan(cluster.firstVertex, cluster.vertexCount);
+        std::uint32_t expected = cluster.firstVertex;
+        for (std::uint32_t v = 0; v < vertices.size(); ++v) {
+            if (const auto earlier = seen_.find(vertices[v]); earlier != seen_.end()) {
+                channels_.references.push_back(1 + zigzag(earlier->second - expected));
+                expected = earlier->second + 1;
+            } else {
+                channels_.references.push_back(0);
+                encodeFresh(vertices, v, parents[v]);
+            }
+        }
+        for (std::uint32_t v = 0; v < vertices.size(); ++v)
+            seen_[vertices[v]] = cluster.firstVertex + v;
     }
 
-    void decode(Cluster& cluster, const GridPoint& anchor, const std::array<Parents, 256>& parents) {
-        const auto vertices = std::span(page_.vertices).subspan(cluster.firstVertex, cluster.vertexCount);
-        cluster.box = {};
-        for (std::size_t v = 0; v < vertices.size(); ++v) {
-            const std::size_t i = cluster.firstVertex + v;
-            const GridPoint q = v == 0 ? anchor : predictedPosition(vertices, v, parents[v]);
-            vertices[v].position = {
-                q.x + unzigzag(channels_[0][i]), q.y + unzigzag(channels_[1][i]), q.z + unzigzag(channels_[2][i])};
-            cluster.box.add(vertices[v].position);
-        }
-        for (std::size_t k = layout_.begin; k < layout_.end; ++k)
-            decodeAttribute(cluster, parents, k);
-        if (std::max({cluster.box.max.x, cluster.box.max.y, cluster.box.max.z}) > kMaxGridCoordinate)
-            throw Damage{"a vertex leaves the grid"};
+    void write(ByteWriter& out) const {
+        out.putVarint(anchors_.size());
+        out.put(anchors_.bytes());
+        out.put(static_cast<std::uint8_t>(layout_.hasNormals));
+        out.put(static_cast<std::uint8_t>(layout_.hasColors));
+        out.put(static_cast<std::uint8_t>(layout_.normals.shift));
+        putPlanes(channels_.references, out);
+        for (const Channel& channel : channels_.positions)
+            putPlanes(channel, out);
+        if (layout_.hasNormals)
+            for (const Channel& channel : channels_.normals)
+                putPlanes(channel, out);
+        if (layout_.hasColors)
+            for (const Channel& channel : channels_.colors)
+                putPlanes(channel, out);
     }
 
 private:
-    void take(ByteReader& in, Channel& channel) {
-        channel.resize(page_.vertices.size());
-        takePlanes(in, channel);
+    void encodeFresh(std::span<const Vertex> vertices, std::uint32_t v, const Parents& parents) {
+        const Vertex& vertex = vertices[v];
+        const GridPoint p = vertex.position;
+        if (v == 0) putAnchor(p);
+        const GridPoint q = v == 0 ? p : predictedPosition(vertices, v, parents);
+        channels_.positions[0].push_back(zigzag(p.x - q.x));
+        channels_.positions[1].push_back(zigzag(p.y - q.y));
+        channels_.positions[2].push_back(zigzag(p.z - q.z));
+        const auto& [a, b] = attributeParents(vertices, v, parents);
+        const NormalCode& code = layout_.normals;
+        const auto mean = [](std::uint32_t x, std::uint32_t y) { return (x + y) / 2; };
+        channels_.normals[0].push_back(
+            wrapped(code.x(vertex.normal), mean(code.x(a.normal), code.x(b.normal)), code.width()));
+        channels_.normals[1].push_back(
+            wrapped(code.y(vertex.normal), mean(code.y(a.normal), code.y(b.normal)), code.width()));
+        for (unsigned k = 0; k < 4; ++k)
+            channels_.colors[k].push_back(
+                wrapped(channelOf(vertex.color, k), mean(channelOf(a.color, k), channelOf(b.color, k)), 8));
     }
 
-    void decodeAttribute(const Cluster& cluster, const std::array<Parents, 256>& parents, std::size_t k) {
-        const std::uint32_t mask = (1U << layout_.width(k)) - 1U;
-        for (std::size_t v = 0; v < cluster.vertexCount; ++v) {
-            const std::size_t i = cluster.firstVertex + v;
-            const std::uint32_t prediction = layout_.predicted(page_.vertices, cluster.firstVertex, i, parents[v], k);
-            layout_.set(page_.vertices[i], k, (prediction + unzigzag(channels_[kAxes + k][i])) & mask);
+    /// The first vertex of a cluster, far from all others, goes where it makes no other number longer.
+    void putAnchor(const GridPoint& p) {
+        anchors_.putVarint(zigzag(p.x - anchor_.x));
+        anchors_.putVarint(zigzag(p.y - anchor_.y));
+        anchors_.putVarint(zigzag(p.z - anchor_.z));
+        anchor_ = p;
+    }
+
+    const Page& page_;
+    AttributeLayout layout_;
+    VertexChannels channels_;
+    ByteWriter anchors_;
+    std::unordered_map<Vertex, std::uint32_t, VertexHash> seen_; // of earlier clusters, the last one each
+    GridPoint anchor_;
+};
+
+/// The reverse.
+class VertexDecoder {
+public:
+    VertexDecoder(ByteReader& in, Page& page) : page_(page), anchors_(in.take(in.takeVarint())) {
+        layout_.hasNormals = in.take<std::uint8_t>() != 0;
+        layout_.hasColors = in.take<std::uint8_t>() != 0;
+        layout_.normals.shift = in.take<std::uint8_t>();
+        if (layout_.normals.shift > 15) throw Damage{"normals lack more bits than they have"};
+        const std::size_t count = page.vertices.size();
+        channels_.references = takePlanes(in, count);
+        const auto fresh =
+            static_cast<std::size_t>(std::count(channels_.references.begin(), channels_.references.end(), 0U));
+        for (Channel& channel : channels_.positions)
+            channel = takeDifferences(in, fresh);
+        for (Channel& channel : channels_.normals)
+            if (layout_.hasNormals) channel = takeDifferences(in, fresh);
+        for (Channel& channel : channels_.colors)
+            if (layout_.hasColors) channel = takeDifferences(in, fresh);
+    }
+
+    void decode(Cluster& cluster, const ParentTable& parents) {
+        const auto vertices = std::span(page_.vertices).subspan(cluster.firstVertex, cluster.vertexCount);
+        std::uint32_t expected = cluster.firstVertex;
+        GridBox box;
+        for (std::uint32_t v = 0; v < vertices.size(); ++v) {
+            const std::uint32_t reference = channels_.references[cluster.firstVertex + v];
+            if (reference != 0) {
+                const std::uint32_t earlier = expected + unzigzag(reference - 1);
+                if (earlier >= cluster.firstVertex) throw Damage{"a vertex refers to one that is not earlier"};
+                vertices[v] = page_.vertices[earlier];
+                expected = earlier + 1;
+            } else {
+                decodeFresh(vertices, v, parents[v]);
+            }
+            box.add(vertices[v].position);
         }
+        if (std::max({box.max.x, box.max.y, box.max.z}) > kMaxGridCoordinate) throw Damage{"a vertex leaves the grid"};
+        cluster.box = box;
+    }
+
+    void expectEnd() const { anchors_.expectEnd(); }
+
+private:
+    void decodeFresh(std::span<Vertex> vertices, std::uint32_t v, const Parents& parents) {
+        Vertex& vertex = vertices[v];
+        const GridPoint q = v == 0 ? takeAnchor() : predictedPosition(vertices, v, parents);
+        const std::size_t i = fresh_++;
+        vertex.position = {
+            q.x + channels_.positions[0][i], q.y + channels_.positions[1][i], q.z + channels_.positions[2][i]};
+        if (layout_.hasNormals) {
+            const auto& [a, b] = attributeParents(vertices, v, parents);
+            const NormalCode& code = layout_.normals;
+            vertex.normal = code.normal(
+                (code.x(a.normal) + code.x(b.normal)) / 2 + channels_.normals[0][i],
+                (code.y(a.normal) + code.y(b.normal)) / 2 + channels_.normals[1][i]);
+        }
+        if (layout_.hasColors) decodeColor(vertices, v, parents, i);
+    }
+
+    void decodeColor(std::span<Vertex> vertices, std::uint32_t v, const Parents& parents, std::size_t i) {
+        const auto& [a, b] = attributeParents(vertices, v, parents);
+        std::uint32_t color = 0;
+        for (unsigned k = 0; k < 4; ++k) {
+            const std::uint32_t mean = (channelOf(a.color, k) + channelOf(b.color, k)) / 2;
+            color |= ((mean + channels_.colors[k][i]) & 0xFFU) << (8U * k);
+        }
+        vertices[v].color = color;
+    }
+
+    GridPoint takeAnchor() {
+        const auto next = [this] { return unzigzag(static_cast<std::uint32_t>(anchors_.takeVarint())); };
+        anchor_.x += next();
+        anchor_.y += next();
+        anchor_.z += next();
+        return anchor_;
     }
 
     Page& page_;
     AttributeLayout layout_;
-    std::array<Channel, kAxes + kAttributes> channels_;
+    VertexChannels channels_;
+    ByteReader anchors_;
+    GridPoint anchor_;
+    std::size_t fresh_ = 0;
 };
-
-std::vector<GridPoint> takeAnchors(ByteReader& in, std::size_t count) {
-    std::vector<GridPoint> anchors(count);
-    GridPoint before{};
-    for (GridPoint& anchor : anchors) {
-        const auto next = [&in] { return unzigzag(static_cast<std::uint32_t>(in.takeVarint())); };
-        anchor.x = before.x + next();
-        anchor.y = before.y + next();
-        anchor.z = before.z + next();
-        before = anchor;
-    }
-    return anchors;
-}
 
 } // namespace
 
+void encodeClusters(const Page& page, ByteWriter& out) {
+    ByteWriter codes;
+    ByteWriter indices;
+    VertexEncoder vertices(page);
+    for (const Cluster& cluster : page.clusters) {
+        ConnectivityEncoder connectivity(codes, indices);
+        connectivity.encode(std::span(page.triangles).subspan(cluster.firstTriangle, cluster.triangleCount));
+        vertices.encode(cluster, connectivity.parents());
+    }
+    out.put(codes.bytes());
+    out.putVarint(indices.size());
+    out.put(indices.bytes());
+    vertices.write(out);
+}
+
 void decodeClusters(ByteReader& in, Page& page) {
-    const std::vector<GridPoint> anchors = takeAnchors(in, page.clusters.size());
     const Cluster& last = page.clusters.back();
-    ByteReader codes(in.take(last.firstTriangle + last.triangleCount));
-    ByteReader indices(in.take(in.takeVarint()));
-    page.triangles.resize(codes.remaining());
+    const auto codes = in.take(last.firstTriangle + last.triangleCount);
+    const auto indexBytes = in.take(in.takeVarint());
+    if (in.remaining() == 0) throw Damage{"the bytes end too early"};
+    std::span<const std::uint8_t> indices(reinterpret_cast<const std::uint8_t*>(indexBytes.data()), indexBytes.size());
+    page.triangles.resize(codes.size());
     page.vertices.resize(last.firstVertex + last.vertexCount);
     VertexDecoder vertices(in, page);
-    for (std::size_t c = 0; c < page.clusters.size(); ++c) {
-        Cluster& cluster = page.clusters[c];
-        ConnectivityDecoder connectivity(codes, indices, cluster.vertexCount);
-        connectivity.decode(std::span(page.triangles).subspan(cluster.firstTriangle, cluster.triangleCount));
-        vertices.decode(cluster, anchors[c], connectivity.parents());
+    ParentTable parents{};
+    for (Cluster& cluster : page.clusters) {
+        decodeConnectivity(
+            codes.subspan(cluster.firstTriangle, cluster.triangleCount),
+            std::span(page.triangles).subspan(cluster.firstTriangle, cluster.triangleCount),
+            indices,
+            cluster.vertexCount,
+            parents);
+        vertices.decode(cluster, parents);
     }
-    indices.expectEnd();
+    if (!indices.empty()) throw Damage{"indices that no triangle takes"};
+    vertices.expectEnd();
 }
 
 } // namespace gnomon::hierarchy

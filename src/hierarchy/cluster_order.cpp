@@ -3,6 +3,7 @@
 #include "hierarchy/edge_window.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <span>
 
@@ -10,37 +11,48 @@ namespace gnomon::hierarchy {
 
 namespace {
 
-/// Which triangles have a directed edge, by edge.
+/// Which triangles have a directed edge, by edge: a table with open addressing, at most three quarters full.
 class EdgeTable {
 public:
     explicit EdgeTable(std::span<const Triangle> triangles) {
-        entries_.reserve(triangles.size() * 3);
-        for (std::size_t t = 0; t < triangles.size(); ++t)
+        entries_.fill(kEmpty);
+        for (std::uint32_t t = 0; t < triangles.size(); ++t)
             for (std::size_t k = 0; k < 3; ++k)
-                entries_.push_back(
-                    key(triangles[t][k], triangles[t][(k + 1) % 3]) << 16U | static_cast<std::uint32_t>(t));
-        std::sort(entries_.begin(), entries_.end());
+                insert(key(triangles[t][k], triangles[t][(k + 1) % 3]) << 16U | t);
     }
 
     /// The first triangle with edge (from, to) that is not `done`.
-    std::optional<std::uint32_t> find(std::uint8_t from, std::uint8_t to, std::span<const bool> done) const {
+    std::optional<std::uint32_t> find(std::uint32_t from, std::uint32_t to, std::span<const bool> done) const {
         const std::uint32_t edge = key(from, to);
-        auto it = std::lower_bound(entries_.begin(), entries_.end(), edge << 16U);
-        for (; it != entries_.end() && *it >> 16U == edge; ++it)
-            if (!done[*it & 0xFFFFU]) return *it & 0xFFFFU;
+        for (std::size_t i = home(edge); entries_[i] != kEmpty; i = (i + 1) % kSize)
+            if (entries_[i] >> 16U == edge && !done[entries_[i] & 0xFFFFU]) return entries_[i] & 0xFFFFU;
         return {};
     }
 
 private:
-    static std::uint32_t key(std::uint8_t from, std::uint8_t to) { return static_cast<std::uint32_t>(from) << 8U | to; }
+    static constexpr std::size_t kSize = 1024; // for three edges of each of at most 256 triangles
+    static constexpr std::uint32_t kEmpty = 0xFFFFFFFFU;
 
-    std::vector<std::uint32_t> entries_; // edge << 16 | triangle
+    static std::uint32_t key(std::uint32_t from, std::uint32_t to) { return from << 8U | to; }
+
+    static std::size_t home(std::uint32_t edge) { return (edge * 0x9E3779B1U) >> 22U; }
+
+    /// Entries of one edge are met in the order in which they came.
+    void insert(std::uint32_t entry) {
+        std::size_t i = home(entry >> 16U);
+        while (entries_[i] != kEmpty)
+            i = (i + 1) % kSize;
+        entries_[i] = entry;
+    }
+
+    std::array<std::uint32_t, kSize> entries_; // edge << 16 | triangle
 };
 
 /// `triangle` turned so that it begins with edge (from, to).
-Triangle turned(const Triangle& triangle, std::uint8_t from, std::uint8_t to) {
+Triangle turned(const Triangle& triangle, std::uint32_t from, std::uint32_t to) {
     for (std::size_t k = 0; k < 3; ++k)
-        if (triangle[k] == from && triangle[(k + 1) % 3] == to) return {from, to, triangle[(k + 2) % 3]};
+        if (triangle[k] == from && triangle[(k + 1) % 3] == to)
+            return {triangle[k], triangle[(k + 1) % 3], triangle[(k + 2) % 3]};
     return triangle;
 }
 

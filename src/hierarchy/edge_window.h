@@ -8,9 +8,9 @@ namespace gnomon::hierarchy {
 
 /// An edge as the triangle on its other side would have it, and the corner opposite on this side.
 struct OpenEdge {
-    std::uint8_t from = 0;
-    std::uint8_t to = 0;
-    std::uint8_t opposite = 0;
+    std::uint32_t from = 0;
+    std::uint32_t to = 0;
+    std::uint32_t opposite = 0;
 };
 
 /// A ring of the most recent open edges. `recent(0)` is the newest.
@@ -18,13 +18,8 @@ class EdgeWindow {
 public:
     static constexpr unsigned kSize = 16;
 
-    void push(OpenEdge edge) {
-        edges_[head_ & (kSize - 1)] = edge;
-        ++head_;
-    }
-
     /// The edges that triangle (a, b, c) offers to its neighbours; one that was entered across (a, b) offers two.
-    void pushTriangle(std::uint8_t a, std::uint8_t b, std::uint8_t c, bool entered) {
+    void pushTriangle(std::uint32_t a, std::uint32_t b, std::uint32_t c, bool entered) {
         if (!entered) push({b, a, c});
         push({a, c, b});
         push({c, b, a});
@@ -32,10 +27,19 @@ public:
 
     unsigned count() const { return head_ < kSize ? head_ : kSize; }
 
-    const OpenEdge& recent(unsigned age) const { return edges_[(head_ - 1 - age) & (kSize - 1)]; }
+    OpenEdge recent(unsigned age) const {
+        const std::uint32_t word = edges_[(head_ - 1 - age) & (kSize - 1)];
+        return {word & 0xFFU, word >> 8U & 0xFFU, word >> 16U};
+    }
 
 private:
-    std::array<OpenEdge, kSize> edges_{};
+    /// An edge is stored and loaded as one word: bytes stored one by one would stall the load that follows at once.
+    void push(const OpenEdge& edge) {
+        edges_[head_ & (kSize - 1)] = edge.from | edge.to << 8U | edge.opposite << 16U;
+        ++head_;
+    }
+
+    std::array<std::uint32_t, kSize> edges_{};
     unsigned head_ = 0;
 };
 

@@ -1,12 +1,40 @@
 // Unit normals as two snorm16 on the octahedron: what Vertex::normal holds.
 #pragma once
 
+#include "hierarchy/page.h"
+
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
 namespace gnomon::hierarchy {
+
+/// The bits of each of the two numbers that a packed normal has; lower ones are 0 and cost nothing in the file. Ten are
+/// within 0.26 degrees and save a sixth of a statue's bytes against sixteen.
+constexpr unsigned kNormalBits = 10;
+
+/// The packed form of a direction of any length, rounded to kNormalBits; kNoNormal for none (zero or not finite). Plain
+/// arithmetic only, so it is the same everywhere.
+inline std::uint32_t packNormal(const glm::dvec3& direction) {
+    const double sum = std::abs(direction.x) + std::abs(direction.y) + std::abs(direction.z);
+    if (!(sum > 0) || !std::isfinite(sum)) return kNoNormal;
+    double x = direction.x / sum;
+    double y = direction.y / sum;
+    if (direction.z < 0) {
+        const double foldedX = (1 - std::abs(y)) * (x < 0 ? -1.0 : 1.0);
+        y = (1 - std::abs(x)) * (y < 0 ? -1.0 : 1.0);
+        x = foldedX;
+    }
+    static constexpr int kStep = 1 << (16U - kNormalBits);
+    static constexpr int kMost = 32768 / kStep - 1;
+    const auto snorm = [](double v) {
+        const int steps = static_cast<int>(std::floor(v * 32767.0 / kStep + 0.5));
+        return static_cast<std::uint32_t>(std::clamp(steps, -kMost, kMost) * kStep) & 0xFFFFU;
+    };
+    return snorm(x) | snorm(y) << 16U;
+}
 
 /// The unit vector that a packed normal stands for; not for kNoNormal. Cigolle et al., "A Survey of Efficient
 /// Representations for Independent Unit Vectors", 2014.

@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <tuple>
 
 namespace gnomon::tests {
 
@@ -41,7 +42,10 @@ struct Collapse {
     double cost = std::numeric_limits<double>::infinity();
     std::uint32_t vertex = 0;
     std::uint32_t target = 0;
-    auto operator<=>(const Collapse&) const = default;
+
+    bool operator<(const Collapse& other) const {
+        return std::tie(cost, vertex, target) < std::tie(other.cost, other.vertex, other.target);
+    }
 };
 
 /// The cost of one collapse: the change of height over the vertex; infinite if a triangle would flip.
@@ -59,16 +63,10 @@ double collapseCost(std::span<const HeightTriangle> star, Positions positions, s
     return cost;
 }
 
-/// One pass over independent vertices; whether anything went.
-bool decimateOnce(
-    std::vector<HeightTriangle>& triangles,
-    Positions positions,
-    const std::function<bool(std::uint32_t)>& isLocked,
-    std::size_t target) {
-    std::map<std::uint32_t, std::vector<HeightTriangle>> stars;
-    for (const HeightTriangle& triangle : triangles)
-        for (const std::uint32_t v : triangle)
-            if (!isLocked(v)) stars[v].push_back(triangle);
+using Stars = std::map<std::uint32_t, std::vector<HeightTriangle>>;
+
+/// The cheapest collapse of each vertex that can go, cheapest first.
+std::vector<Collapse> possibleCollapses(const Stars& stars, Positions positions) {
     std::vector<Collapse> collapses;
     for (const auto& [v, star] : stars) {
         Collapse best;
@@ -78,21 +76,37 @@ bool decimateOnce(
         if (std::isfinite(best.cost)) collapses.push_back(best);
     }
     std::sort(collapses.begin(), collapses.end());
+    return collapses;
+}
+
+/// Chooses collapses whose triangles do not touch, until `count` triangles have gone: where each vertex moves.
+std::map<std::uint32_t, std::uint32_t> independentMoves(
+    const std::vector<Collapse>& collapses, const Stars& stars, std::size_t count) {
     std::set<std::uint32_t> touched;
     std::map<std::uint32_t, std::uint32_t> moves;
-    std::size_t left = triangles.size();
     for (const Collapse& collapse : collapses) {
-        if (left <= target) break;
-        const auto& star = stars[collapse.vertex];
-        const bool free = std::ranges::none_of(star, [&touched](const HeightTriangle& triangle) {
-            return std::ranges::any_of(triangle, [&touched](std::uint32_t v) { return touched.count(v) != 0; });
-        });
-        if (!free) continue;
-        for (const HeightTriangle& triangle : star)
-            touched.insert(triangle.begin(), triangle.end());
+        if (2 * moves.size() >= count) break;
+        std::set<std::uint32_t> around;
+        for (const HeightTriangle& triangle : stars.at(collapse.vertex))
+            around.insert(triangle.begin(), triangle.end());
+        if (std::ranges::any_of(around, [&touched](std::uint32_t v) { return touched.count(v) != 0; })) continue;
+        touched.insert(around.begin(), around.end());
         moves[collapse.vertex] = collapse.target;
-        left -= 2;
     }
+    return moves;
+}
+
+/// One pass over independent vertices; whether anything went.
+bool decimateOnce(
+    std::vector<HeightTriangle>& triangles,
+    Positions positions,
+    const std::function<bool(std::uint32_t)>& isLocked,
+    std::size_t target) {
+    Stars stars;
+    for (const HeightTriangle& triangle : triangles)
+        for (const std::uint32_t v : triangle)
+            if (!isLocked(v)) stars[v].push_back(triangle);
+    const auto moves = independentMoves(possibleCollapses(stars, positions), stars, triangles.size() - target);
     for (HeightTriangle& triangle : triangles)
         for (std::uint32_t& v : triangle)
             if (const auto move = moves.find(v); move != moves.end()) v = move->second;

@@ -4,6 +4,7 @@
 #include "hierarchy/cluster_order.h"
 #include "hierarchy/height_mesh.h"
 #include "hierarchy/model_writer.h"
+#include "hierarchy/octahedral.h"
 #include "hierarchy/validation.h"
 
 #include <algorithm>
@@ -61,18 +62,28 @@ double noise(std::uint64_t seed, std::uint32_t x, std::uint32_t z, unsigned k) {
     return low * (1 - fz) + high * fz;
 }
 
-/// Octahedral, two snorm16 (Cigolle et al. 2014).
-std::uint32_t packedNormal(const glm::dvec3& n) {
-    const double sum = std::abs(n.x) + std::abs(n.y) + std::abs(n.z);
-    double x = n.x / sum;
-    double y = n.y / sum;
-    if (n.z < 0) {
-        const double foldedX = (1 - std::abs(y)) * (x < 0 ? -1 : 1);
-        y = (1 - std::abs(x)) * (y < 0 ? -1 : 1);
-        x = foldedX;
+double heightOf(const TinyModelOptions& options, std::uint32_t x, std::uint32_t z) {
+    double height = 0;
+    for (unsigned k = 0; k <= options.gridExponent; ++k)
+        height += noise(options.seed, x, z, k) * std::ldexp(options.height, static_cast<int>(k)) /
+                  std::ldexp(2.0, static_cast<int>(options.gridExponent));
+    return height;
+}
+
+/// Vertices from the points and triangles of `ground`.
+void makeVertices(const TinyModelOptions& options, Ground& ground) {
+    const auto& p = ground.positions;
+    std::vector<glm::dvec3> normals(p.size(), glm::dvec3(0));
+    for (const auto& [a, b, c] : ground.triangles)
+        for (const std::uint32_t v : {a, b, c})
+            normals[v] += glm::cross(p[b] - p[a], p[c] - p[a]);
+    ground.vertices.resize(p.size());
+    for (std::uint32_t v = 0; v < p.size(); ++v) {
+        Vertex& vertex = ground.vertices[v];
+        vertex.position = ground.points[v];
+        if (options.normals) vertex.normal = packNormal(normals[v]);
+        if (options.colors) vertex.color = static_cast<std::uint32_t>(mix64(v / 7)) | 0xFF000000U;
     }
-    const auto snorm = [](double v) { return static_cast<std::uint32_t>(std::lround(v * 32767)) & 0xFFFFU; };
-    return snorm(x) | snorm(y) << 16U;
 }
 
 Ground makeGround(const TinyModelOptions& options) {
@@ -81,33 +92,18 @@ Ground makeGround(const TinyModelOptions& options) {
     const auto id = [cells](std::uint32_t x, std::uint32_t z) { return x * (cells + 1) + z; };
     for (std::uint32_t x = 0; x <= cells; ++x)
         for (std::uint32_t z = 0; z <= cells; ++z) {
-            double height = 0;
-            for (unsigned k = 0; k <= options.gridExponent; ++k)
-                height += noise(options.seed, x, z, k) * std::ldexp(options.height, static_cast<int>(k)) /
-                          std::ldexp(2.0, static_cast<int>(options.gridExponent));
-            const GridPoint p{
-                x * kCellSteps, static_cast<std::uint32_t>(std::lround(height * kCellSteps)), z * kCellSteps};
+            const auto y = static_cast<std::uint32_t>(std::lround(heightOf(options, x, z) * kCellSteps));
+            const GridPoint p{x * kCellSteps, y, z * kCellSteps};
             ground.points.push_back(p);
             ground.positions.push_back(Grid{glm::dvec3(0), kStepExponent}.local(p));
             if (x == 0 || z == 0 || x == cells || z == cells) ground.border.insert(id(x, z));
         }
-    std::vector<glm::dvec3> normals(ground.points.size(), glm::dvec3(0));
     for (std::uint32_t x = 0; x < cells; ++x)
         for (std::uint32_t z = 0; z < cells; ++z) {
             ground.triangles.push_back({id(x, z), id(x, z + 1), id(x + 1, z)});
             ground.triangles.push_back({id(x + 1, z), id(x, z + 1), id(x + 1, z + 1)});
         }
-    const auto& p = ground.positions;
-    for (const auto& [a, b, c] : ground.triangles)
-        for (const std::uint32_t v : {a, b, c})
-            normals[v] += glm::cross(p[b] - p[a], p[c] - p[a]);
-    for (std::uint32_t v = 0; v < ground.points.size(); ++v) {
-        Vertex vertex;
-        vertex.position = ground.points[v];
-        if (options.normals) vertex.normal = packedNormal(glm::normalize(normals[v]));
-        if (options.colors) vertex.color = static_cast<std::uint32_t>(mix64(v / 7)) | 0xFF000000U;
-        ground.vertices.push_back(vertex);
-    }
+    makeVertices(options, ground);
     return ground;
 }
 
@@ -146,6 +142,7 @@ std::vector<Piece> cutIntoPieces(
     split<HeightTriangle>(
         triangles, limit, 0.5, [&ground](const HeightTriangle& t) { return centre(ground, std::span(&t, 1)); }, parts);
     std::vector<Piece> pieces;
+    pieces.reserve(parts.size());
     for (auto& part : parts)
         pieces.push_back({std::move(part), refinement});
     return pieces;

@@ -1,5 +1,6 @@
 // Exported cuts are the cuts asked for, as meshes that the reader takes back.
 #include "core/error.h"
+#include "core/random.h"
 #include "hierarchy/octahedral.h"
 #include "hierarchy/tiny_model.h"
 #include "preprocess/export/export.h"
@@ -142,6 +143,22 @@ TEST(Octahedral, UnpacksTheAxesAndTheFold) {
     EXPECT_TRUE(near(unpackNormal(0x00008001U), {-1, 0, 0}));
     EXPECT_TRUE(near(unpackNormal(0x7FFF7FFFU), {0, 0, -1}));
     EXPECT_TRUE(near(unpackNormal(0x40004000U), glm::normalize(glm::vec3(1, 1, 0))));
+}
+
+TEST(Octahedral, PackedDirectionsComeBackWithinAFewTenthsOfADegree) {
+    Random random(1);
+    for (int i = 0; i < 20000; ++i) {
+        const glm::dvec3 v(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+        if (glm::length(v) < 1e-3) continue;
+        const std::uint32_t packed = hierarchy::packNormal(v);
+        ASSERT_NE(packed, hierarchy::kNoNormal);
+        const glm::dvec3 back(hierarchy::unpackNormal(packed));
+        EXPECT_LT(glm::length(glm::cross(glm::normalize(v), back)), 0.0045) << "0.26 degrees";
+        EXPECT_GT(glm::dot(v, back), 0);
+        EXPECT_EQ(packed & 0x003F003FU, 0U) << "low bits cost bytes";
+    }
+    EXPECT_EQ(hierarchy::packNormal({0, 0, 0}), hierarchy::kNoNormal);
+    EXPECT_EQ(hierarchy::packNormal({0, std::nan(""), 1}), hierarchy::kNoNormal);
 }
 
 } // namespace

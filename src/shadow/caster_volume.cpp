@@ -96,6 +96,22 @@ std::optional<Seen> unmapped(const WarpedMap& map, double s, double t) {
     return Seen{(map.uMin + s * map.width) * w, zeta + map.zMin};
 }
 
+/// `side` moved out until it holds every vertex moved by `growS` and `growT` in the map; nothing where that has no end.
+/// A linear function of light space is linear over linear in the map, so its least value lies at a corner.
+std::optional<SweepSide> grown(SweepSide side, const Region& region, const WarpedMap& map, double growS, double growT) {
+    for (const FitVertex& vertex : region.vertices) {
+        const MapPoint at = mapPoint(map, vertex.position);
+        for (const int corner : {0, 1, 2, 3}) {
+            const double s = at.s + ((corner & 1) != 0 ? growS : -growS);
+            const double t = at.t + ((corner & 2) != 0 ? growT : -growT);
+            const std::optional<Seen> reached = unmapped(map, s, t);
+            if (!reached) return std::nullopt;
+            side.offset = std::max(side.offset, -(side.normalX * reached->x + side.normalZ * reached->z));
+        }
+    }
+    return side;
+}
+
 } // namespace
 
 ConvexVolume casterVolume(const Region& region, const LightFrame& frame) {
@@ -116,22 +132,9 @@ ConvexVolume grownCasterVolume(const Region& region, const WarpedMap& map, doubl
     const glm::dvec3 floorNormal = map.frame.y + map.frame.z * (rawMax * map.kappa);
     const double length = glm::length(floorNormal);
     volume.planes.push_back({floorNormal / length, rawMax * (1 - map.kappa * map.zMin) / length});
-    for (SweepSide side : sweepSides(region, map.frame)) {
-        bool bounded = true;
-        // A linear function of light space is linear over linear in the map, so over each grown vertex its least value
-        // lies at a corner.
-        for (const FitVertex& vertex : region.vertices) {
-            const MapPoint at = mapPoint(map, vertex.position);
-            for (const int corner : {0, 1, 2, 3}) {
-                const double s = at.s + ((corner & 1) != 0 ? growS : -growS);
-                const double t = at.t + ((corner & 2) != 0 ? growT : -growT);
-                const std::optional<Seen> reached = unmapped(map, s, t);
-                bounded = bounded && reached.has_value();
-                if (!reached) continue;
-                side.offset = std::max(side.offset, -(side.normalX * reached->x + side.normalZ * reached->z));
-            }
-        }
-        if (bounded) volume.planes.push_back(planeOf(side, map.frame));
+    for (const SweepSide& side : sweepSides(region, map.frame)) {
+        const std::optional<SweepSide> moved = grown(side, region, map, growS, growT);
+        if (moved) volume.planes.push_back(planeOf(*moved, map.frame));
     }
     return volume;
 }

@@ -16,8 +16,8 @@ struct OrientationState {
 };
 
 /// How far the orientation may turn for each radian that the light turns in camera space, beyond what carrying it along
-/// takes. Light turns of more than about 5 degrees therefore choose afresh.
-constexpr double kOrientationRate = 40;
+/// takes. Light turns of more than about 6 degrees therefore choose afresh.
+constexpr double kOrientationRate = 30;
 
 /// The axis of `state` carried along by the least rotation that takes its light to `towardsLight`.
 glm::dvec3 carried(const OrientationState& state, const glm::dvec3& towardsLight);

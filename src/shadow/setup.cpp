@@ -162,6 +162,10 @@ ShadowMapPartition finished(
         rectangleFromMap(result.rectangle, layout.gutter) * textureFromCamera(result.map);
     result.lightClipFromCamera = clipFromUnit() * rectangleFromCamera;
     result.textureFromCamera = textureFromRectangle(result.rectangle, width, height) * rectangleFromCamera;
+    const glm::dvec2 corner(result.rectangle.x, result.rectangle.y);
+    const glm::dvec2 half = glm::dvec2(result.rectangle.width, result.rectangle.height) / 2.0;
+    result.textureScale = half / glm::dvec2(width, height);
+    result.textureOffset = (corner + half) / glm::dvec2(width, height);
     const double reach = layout.gutter;
     result.casterVolume = grownCasterVolume(draft.region, result.map, reach / texelsS, reach / texelsT);
     result.bias = depthBiasOf(result.textureFromCamera, width, height, options.filterTexels);

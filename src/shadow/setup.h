@@ -60,6 +60,10 @@ struct ShadowMapPartition {
     glm::dmat4 lightClipFromCamera{1};
     /// Texture coordinates in the packed texture (x, y in [0, 1] over all of it) and depth in [0, 1], times w.
     glm::dmat4 textureFromCamera{1};
+    /// The same from clip space after the division: x, y = clip.xy / clip.w * textureScale + textureOffset. In single
+    /// precision look up this way: centred on 0 the matrix is three times as exact.
+    glm::dvec2 textureScale{1};
+    glm::dvec2 textureOffset{0};
     /// For views so thin (depth ratio under 1.1 or half angle under a degree) that float positions must be relative to
     /// a point inside the slice: that point, in camera space; else 0. See relativeTo.
     glm::dvec3 origin{0};

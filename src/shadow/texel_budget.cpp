@@ -78,6 +78,23 @@ double worstError(const TexelLayout& layout, std::span<const TexelDemand> demand
     return worst;
 }
 
+/// A layout tried, and its area over the budget: at most 1 where it fits.
+struct Attempt {
+    TexelLayout layout;
+    double excess = 1.1; // where the sides' limit leaves no layout at all
+};
+
+Attempt attemptAt(
+    std::span<const TexelDemand> demands, double error, const PackingStrategy& strategy, const TexelLimits& limits) {
+    Attempt attempt;
+    attempt.layout.packing = packed(sizesFor(demands, error, limits), strategy, limits.maxSide);
+    attempt.layout.gutter = limits.gutter;
+    attempt.layout.margin = limits.margin;
+    const Packing& packing = attempt.layout.packing;
+    if (packing.width > 0) attempt.excess = static_cast<double>(packing.area()) / static_cast<double>(limits.texels);
+    return attempt;
+}
+
 } // namespace
 
 double mapError(const TexelLayout& layout, std::size_t map, const TexelDemand& demand) {
@@ -95,34 +112,25 @@ TexelLayout splitTexels(std::span<const TexelDemand> demands, const TexelLimits&
     double tooSmall = 0;
     double enough = 0;
     double error = bound;
-    for (int attempt = 0; attempt < 24 && (enough == 0 || enough > tooSmall * kErrorStep); ++attempt) {
-        TexelLayout layout;
-        layout.packing = packed(sizesFor(demands, error, limits), strategy, limits.maxSide);
-        layout.gutter = limits.gutter;
-        layout.margin = limits.margin;
-        const bool exists = layout.packing.width > 0;
-        if (exists && layout.packing.area() <= limits.texels) {
-            // Limits on the sides may have spoilt the strategy at the bound: choose again where everything fits.
-            if (enough == 0 && tooSmall > 0) {
-                strategy = bestStrategy(sizesFor(demands, error, limits), limits.maxSide);
-                tooSmall = bound;
-            }
-            enough = error;
-            const double reached = worstError(layout, demands);
-            if (reached < bestError) {
-                bestError = reached;
-                best = std::move(layout);
-            }
-        } else {
+    for (int i = 0; i < 24 && (enough == 0 || enough > tooSmall * kErrorStep); ++i) {
+        Attempt attempt = attemptAt(demands, error, strategy, limits);
+        if (attempt.excess > 1) {
             tooSmall = error;
+        } else {
+            // Limits on the sides may have spoilt the strategy at the bound: choose again where everything fits.
+            if (enough == 0) strategy = bestStrategy(sizesFor(demands, error, limits), limits.maxSide);
+            if (enough == 0) tooSmall = bound;
+            enough = error;
+            const double reached = worstError(attempt.layout, demands);
+            if (reached < bestError) best = std::move(attempt.layout);
+            bestError = std::min(bestError, reached);
         }
-        const double excess =
-            exists ? static_cast<double>(layout.packing.area()) / static_cast<double>(limits.texels) : 1.1;
-        error = enough > 0 ? (tooSmall + enough) / 2 : error * std::max(std::sqrt(excess), kErrorStep);
-        if (tooSmall == 0) break; // the bound itself was reached
+        const double next = error * std::max(std::sqrt(attempt.excess), kErrorStep);
+        error = enough > 0 ? (tooSmall + enough) / 2 : next;
     }
-    // Texels that no rectangle took refine one axis of a neighbour; its other axis keeps the common error.
-    if (!best.equalSquares) growIntoGaps(best.packing, limits.maxSide);
+    // Texels that no rectangle took refine one axis of a neighbour; its other axis keeps the common error. Snapped maps
+    // have to stay square.
+    if (!best.equalSquares && limits.margin == 0) growIntoGaps(best.packing, limits.maxSide);
     return best;
 }
 

@@ -28,7 +28,7 @@ LightRows lightRows(const WarpedMap& map) {
 } // namespace
 
 WarpedMap warpedMap(const LightFit& fit, double kappa, double bias) {
-    const double least = 1e-9 * fit.slice.far;
+    const double least = 1e-9 * fit.slice.near;
     WarpedMap map;
     map.frame = fit.frame;
     map.kappa = kappa;

@@ -21,7 +21,7 @@ struct WarpedMap {
 };
 
 /// The map with warp `kappa` of `fit`, whose depth is fitted to its vertices, grown by `bias` (in rawDepth) at both
-/// ends. Extents of zero are widened to 1e-9 of the slice's far depth, so that nothing divides by zero.
+/// ends. Extents of zero are widened to 1e-9 of the slice's near depth, so that nothing divides by zero.
 WarpedMap warpedMap(const LightFit& fit, double kappa, double bias = 0);
 
 /// Where `p`, in camera space, lies in the map. Only meaningful where w > 0.

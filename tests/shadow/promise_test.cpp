@@ -1,0 +1,137 @@
+// The promise: the largest aliasing lies at the vertices, and what a setup promises holds at every point of its maps.
+#include "random_views.h"
+
+#include <gtest/gtest.h>
+
+namespace gnomon::shadow {
+namespace {
+
+struct Measured {
+    double x = 0;
+    double z = 0;
+    double sheared = 0;
+};
+
+/// A random convex combination of the region's vertices, biased towards its corners and edges.
+glm::dvec3 randomPointOf(Random& random, const Region& region) {
+    glm::dvec3 sum(0);
+    double total = 0;
+    const double sharpness = random.below(2) == 0 ? 1 : 12;
+    for (const FitVertex& vertex : region.vertices) {
+        const double weight = std::pow(random.unit(), sharpness);
+        sum += vertex.position * weight;
+        total += weight;
+    }
+    return sum / total;
+}
+
+/// The aliasing at `p` by finite differences of the matrix that textures are looked up with, in real texels and pixels.
+Measured measuredAt(
+    const ShadowMapSetup& setup, const ShadowMapPartition& map, const ShadowView& view, const glm::dvec3& p) {
+    const MapPoint at = mapPoint(map.map, p);
+    const double h = 1e-4 * at.w / std::max(map.map.kappa, 1 / map.map.length);
+    const auto texel = [&](const glm::dvec3& q) {
+        const glm::dvec4 c = map.textureFromCamera * glm::dvec4(q, 1);
+        const glm::dvec2 uv(c.x / c.w * setup.textureWidth, c.y / c.w * setup.textureHeight);
+        return map.rectangle.turned ? glm::dvec2(uv.y, uv.x) : uv;
+    };
+    const glm::dvec2 alongX = (texel(p + map.map.frame.x * h) - texel(p - map.map.frame.x * h)) / (2 * h);
+    const glm::dvec2 alongZ = (texel(p + map.map.frame.z * h) - texel(p - map.map.frame.z * h)) / (2 * h);
+    const double pixel = imageBeamWidth(view.frustum, p.z, view.imageHeight);
+    // The world step that keeps s and moves t by a texel: z with as much x as undoes its shear.
+    const double shear = -alongZ.x / alongX.x;
+    return {1 / alongX.x / pixel, 1 / alongZ.y / pixel, std::sqrt(1 + shear * shear) / alongZ.y / pixel};
+}
+
+void checkSeed(std::uint64_t seed, int points) {
+    Random random(seed);
+    const ShadowView view = randomView(random);
+    ShadowOptions options = randomOptions(random, view.frustum);
+    options.filterTexels = 0;
+    const ShadowMapSetup setup = shadowMapSetup(view, options);
+    const ShadowMapPartition& map = setup.maps[random.below(setup.maps.size())];
+    if (map.map.kappa * map.map.length > 1e4) return; // differences next to the warp's centre have no digits left
+    Measured worst;
+    const auto include = [&](const glm::dvec3& p) {
+        const Measured m = measuredAt(setup, map, view, p);
+        worst = {std::max(worst.x, m.x), std::max(worst.z, m.z), std::max(worst.sheared, m.sheared)};
+    };
+    for (int i = 0; i < points; ++i)
+        include(randomPointOf(random, map.region));
+    const double slack = 1e-5; // of the differences
+    ASSERT_LE(worst.x, map.promised.x * (1 + slack)) << "seed " << seed;
+    ASSERT_LE(worst.z, map.promised.z * (1 + slack)) << "seed " << seed;
+    ASSERT_LE(worst.sheared, map.promised.sheared * (1 + slack)) << "seed " << seed;
+    // Near the vertices the samples come up to the promise; a stable slice also promises for other orientations.
+    if (options.stabilized) return;
+    for (const FitVertex& vertex : map.region.vertices)
+        include(vertex.position * (1 - 1e-9) + randomPointOf(random, map.region) * 1e-9);
+    ASSERT_GE(worst.x, map.promised.x * 0.99) << "seed " << seed << " " << name(map.region.face);
+    ASSERT_GE(worst.z, map.promised.z * 0.99) << "seed " << seed << " " << name(map.region.face);
+}
+
+TEST(Promise, NoSampleIsAboveItAndTheLargestComesUpToIt) {
+    for (std::uint64_t seed = 0; seed < 2000 && !HasFatalFailure(); ++seed)
+        checkSeed(seed, 100);
+}
+
+TEST(SlowPromise, NoSampleIsAboveItAndTheLargestComesUpToIt) {
+    for (std::uint64_t seed = 0; seed < 2000 && !HasFatalFailure(); ++seed)
+        checkSeed(seed, 1000);
+}
+
+TEST(Promise, AFacesRegionHasTheErrorOfItsFourCorners) {
+    for (std::uint64_t seed = 0; seed < 1000; ++seed) {
+        Random random(seed);
+        ShadowView view = randomView(random);
+        view.towardsLight = randomDirection(random);
+        ShadowOptions options = randomOptions(random, view.frustum);
+        options.stabilized = false;
+        options.scheme.faces = true;
+        options.scheme.nearFace = NearFace::OwnMap;
+        options.scheme.warp.rule = WarpRule::Minimax;
+        const PartitionSelector selector =
+            partitionSelector(view.frustum, view.towardsLight, {view.frustum.near, view.frustum.far}, true, true);
+        const std::size_t exact = sideFaces(view.frustum, view.towardsLight).size();
+        if (!selector.ownNear || selector.faces.size() != exact) continue; // a sliver was merged
+        for (std::size_t i = 0; i < selector.faces.size(); ++i) {
+            const Region region = partitionRegion(view.frustum, selector, i);
+            const LightFit corners = fitFace(view.frustum, view.towardsLight, region.face, options.scheme.bisector);
+            const LightFit whole = fitRegion(corners.frame, view.frustum, region.vertices);
+            const double kappa = kappaMinimax(corners);
+            EXPECT_NEAR(worstAliasing(whole, kappa).x / worstAliasing(corners, kappa).x, 1, 1e-6) << "seed " << seed;
+            EXPECT_NEAR(worstAliasing(whole, kappa).z / worstAliasing(corners, kappa).z, 1, 1e-6) << "seed " << seed;
+        }
+    }
+}
+
+TEST(Promise, AFilterWidensTheTexel) {
+    const ShadowView view;
+    ShadowOptions options;
+    const double plain = shadowMapSetup(view, options).worst().worst();
+    options.filterTexels = 3;
+    const double filtered = shadowMapSetup(view, options).worst().worst();
+    EXPECT_GT(filtered, 3 * plain);
+    EXPECT_LT(filtered, 3.1 * plain);
+}
+
+TEST(Promise, FiguresOfTheTheory) {
+    // theory: 800x800 pixels, 2048x2048 texels, alpha 1000, theta 20 degrees, k = 4; worst and median over all lights.
+    ShadowView view;
+    view.frustum = {1, 1000, 20 * kPi / 180, 1};
+    ShadowOptions options;
+    options.chosenOrientation = false;
+    options.scheme.warp.rule = WarpRule::Minimax;
+    std::vector<double> promises;
+    Random random(5);
+    for (int i = 0; i < 2000; ++i) {
+        view.towardsLight = randomDirection(random);
+        promises.push_back(shadowMapSetup(view, options).worst().worst());
+    }
+    std::sort(promises.begin(), promises.end());
+    EXPECT_NEAR(promises[1000], 2.8, 0.15);
+    EXPECT_NEAR(promises.back(), 6.2, 0.15);
+}
+
+} // namespace
+} // namespace gnomon::shadow

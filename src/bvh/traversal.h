@@ -62,7 +62,7 @@ void traverse(const Tree& tree, std::span<const ConvexVolume> volumes, const Mat
     const detail::PreparedVolumes prepared(volumes, tree.reach());
 
     struct Entry {
-        std::uint32_t node;
+        std::uint32_t node = 0;
         VolumeMask mask;
     };
 

@@ -46,7 +46,8 @@ bool anyTriangle(const hierarchy::Grid& grid, const hierarchy::Page& page, std::
 double missingError(const selection::CutQuery& query, const hierarchy::Page& page, std::uint32_t cluster) {
     if (page.clusters[cluster].refinement == hierarchy::kNone) return 0;
     const hierarchy::Refinement& finer = page.refinements[page.clusters[cluster].refinement];
-    return query.rule->pixels(finer.bounds, finer.error) > query.errorPixels ? finer.error : 0;
+    if (query.resident[finer.group.page] != nullptr) return 0; // it would have been drawn
+    return query.rule->exceeds(finer.bounds, finer.error, query.errorPixels) ? finer.error : 0;
 }
 
 std::vector<Candidate> candidates(const selection::CutQuery& query, const selection::DrawList& image) {

@@ -137,7 +137,7 @@ std::uint64_t Scene::triangleCount() const {
 }
 
 std::optional<Hit> Scene::firstHit(const Ray& ray) const {
-    RTCIntersectContext context;
+    RTCIntersectContext context{};
     rtcInitIntersectContext(&context);
     RTCRayHit found{};
     found.ray = embreeRay(ray);
@@ -163,7 +163,7 @@ std::optional<Hit> Scene::firstHit(const Ray& ray) const {
 }
 
 bool Scene::isOccluded(const Ray& ray) const {
-    RTCIntersectContext context;
+    RTCIntersectContext context{};
     rtcInitIntersectContext(&context);
     RTCRay found = embreeRay(ray);
     rtcOccluded1(state_->scene, &context, &found);

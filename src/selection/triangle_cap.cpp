@@ -21,43 +21,56 @@ std::uint64_t trianglesAt(std::span<const DrawnAt> clusters, double errorPixels)
     return result;
 }
 
-/// Of the clusters in the first volume that any threshold from the query's upwards draws.
-std::vector<DrawnAt> drawnClusters(const CutQuery& all) {
-    CutQuery query = all;
-    query.volumes = all.volumes.first(1);
-    const hierarchy::Grid& grid = query.trees->grid();
-    const auto isOutside = [&](bvh::VolumeMask mask, const hierarchy::GridBox& box) {
-        return mask.undecided() != 0 && classify(query.volumes[0], grid.local(box)) == Containment::Outside;
-    };
-    std::vector<DrawnAt> result;
-    std::vector<std::uint32_t> missingRoots;
-    for (const PageVisit& visit : visitedPages(query, missingRoots)) {
-        if (visit.mask.touching == 0) continue;
-        const hierarchy::Page& page = *query.resident[visit.page];
-        std::vector<double> refined;
-        for (const hierarchy::Refinement& refinement : page.refinements)
-            refined.push_back(
-                query.resident[refinement.group.page] == nullptr
-                    ? 0
-                    : query.rule->pixels(refinement.bounds, refinement.error));
+/// The clusters in the first volume that any threshold from the query's upwards draws.
+class DrawnClusters {
+public:
+    explicit DrawnClusters(const CutQuery& query) : query_(&query), volumes_(query.volumes.first(1)) {}
+
+    std::vector<DrawnAt> all() {
+        CutQuery query = *query_;
+        query.volumes = volumes_;
+        std::vector<std::uint32_t> missingRoots;
+        for (const PageVisit& visit : visitedPages(query, missingRoots))
+            if (visit.mask.touching != 0) add(*query.resident[visit.page], visit.mask);
+        return std::move(found_);
+    }
+
+private:
+    bool isOutside(bvh::VolumeMask mask, const hierarchy::GridBox& box) const {
+        const Box local = query_->trees->grid().local(box);
+        return mask.undecided() != 0 && classify(volumes_[0], local) == Containment::Outside;
+    }
+
+    void add(const hierarchy::Page& page, bvh::VolumeMask mask) {
+        refinedBelow_.clear();
+        for (const hierarchy::Refinement& finer : page.refinements) {
+            const bool isResident = query_->resident[finer.group.page] != nullptr;
+            refinedBelow_.push_back(isResident ? query_->rule->pixels(finer.bounds, finer.error) : 0);
+        }
         for (const hierarchy::Group& group : page.groups) {
-            const double end = query.rule->pixels(group.bounds, group.error);
-            if (!(end > query.errorPixels) || isOutside(visit.mask, group.box)) continue;
-            for (std::uint32_t c = group.firstCluster; c < group.firstCluster + group.clusterCount; ++c) {
-                const hierarchy::Cluster& cluster = page.clusters[c];
-                if (isOutside(visit.mask, cluster.box)) continue;
-                const double least = cluster.refinement == hierarchy::kNone ? 0 : refined[cluster.refinement];
-                result.push_back({least, end, cluster.triangleCount});
-            }
+            const double end = query_->rule->pixels(group.bounds, group.error);
+            if (end > query_->errorPixels && !isOutside(mask, group.box)) addGroup(page, group, mask, end);
         }
     }
-    return result;
-}
+
+    void addGroup(const hierarchy::Page& page, const hierarchy::Group& group, bvh::VolumeMask mask, double end) {
+        for (std::uint32_t c = group.firstCluster; c < group.firstCluster + group.clusterCount; ++c) {
+            const hierarchy::Cluster& cluster = page.clusters[c];
+            const double least = cluster.refinement == hierarchy::kNone ? 0 : refinedBelow_[cluster.refinement];
+            if (!isOutside(mask, cluster.box)) found_.push_back({least, end, cluster.triangleCount});
+        }
+    }
+
+    const CutQuery* query_;
+    std::span<const ConvexVolume> volumes_;
+    std::vector<double> refinedBelow_; // by refinement of the page at hand: the thresholds that refine it
+    std::vector<DrawnAt> found_;
+};
 
 } // namespace
 
 double cappedErrorPixels(const CutQuery& query, std::uint64_t maxTriangles) {
-    const std::vector<DrawnAt> clusters = drawnClusters(query);
+    const std::vector<DrawnAt> clusters = DrawnClusters(query).all();
     if (trianglesAt(clusters, query.errorPixels) <= maxTriangles) return query.errorPixels;
     double coarsest = query.errorPixels; // beyond it nothing is refined but the roots
     for (const DrawnAt& cluster : clusters)

@@ -15,6 +15,12 @@ using tests::sharedModel;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
+double missingError(const selection::CutQuery& query, const hierarchy::Page& page, const hierarchy::Cluster& cluster) {
+    if (cluster.refinement == hierarchy::kNone) return 0;
+    const hierarchy::Refinement& finer = page.refinements[cluster.refinement];
+    return query.rule->pixels(finer.bounds, finer.error) > query.errorPixels ? finer.error : 0;
+}
+
 /// Calls `visit` with the corners of every triangle of `list`, and what its cluster may be off by.
 template <class Visit>
 void forEveryTriangle(const selection::CutQuery& query, const selection::DrawList& list, const Visit& visit) {
@@ -23,18 +29,13 @@ void forEveryTriangle(const selection::CutQuery& query, const selection::DrawLis
         const hierarchy::Page& page = *query.resident[range.page];
         for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c) {
             const hierarchy::Cluster& cluster = page.clusters[c];
-            double margin = 0;
-            if (cluster.refinement != hierarchy::kNone) {
-                const hierarchy::Refinement& finer = page.refinements[cluster.refinement];
-                if (query.rule->pixels(finer.bounds, finer.error) > query.errorPixels) margin = finer.error;
-            }
+            const double margin = missingError(query, page, cluster);
             for (std::uint32_t t = 0; t < cluster.triangleCount; ++t) {
-                std::array<glm::dvec3, 3> corners{};
-                for (std::size_t i = 0; i < 3; ++i) {
-                    const std::uint32_t corner = page.triangles[cluster.firstTriangle + t][i];
-                    corners[i] = grid.local(page.vertices[cluster.firstVertex + corner].position);
-                }
-                visit(corners, margin);
+                const hierarchy::Triangle& triangle = page.triangles[cluster.firstTriangle + t];
+                const auto corner = [&](std::size_t i) {
+                    return grid.local(page.vertices[cluster.firstVertex + triangle[i]].position);
+                };
+                visit(std::array<glm::dvec3, 3>{corner(0), corner(1), corner(2)}, margin);
             }
         }
     }

@@ -73,8 +73,10 @@ TEST(ShadowOracle, DistancesAreThoseOfBruteForce) {
         for (std::size_t i = 0; i < marked.size(); ++i) {
             double best = std::hypot(static_cast<double>(width), static_cast<double>(height));
             for (std::size_t j = 0; j < marked.size(); ++j) {
+                const std::size_t rowI = i / width;
+                const std::size_t rowJ = j / width;
                 const double dx = static_cast<double>(i % width) - static_cast<double>(j % width);
-                const double dy = static_cast<double>(i / width) - static_cast<double>(j / width);
+                const double dy = static_cast<double>(rowI) - static_cast<double>(rowJ);
                 if (marked[j] != 0) best = std::min(best, std::hypot(dx, dy));
             }
             EXPECT_NEAR(static_cast<double>(found[i]), best, 1e-5);

@@ -35,32 +35,37 @@ struct SlowCut {
     std::set<std::uint32_t> wanted;
 };
 
+bool isAsked(const CutQuery& query, const Sphere& bounds, double error) {
+    return query.rule->pixels(bounds, error) > query.errorPixels;
+}
+
+/// The rule for one cluster of a refined group: drawn unless its refinement is refined too, which takes residency.
+void addSlowly(const CutQuery& query, const hierarchy::Page& page, const ClusterId& id, SlowCut& result) {
+    const hierarchy::Cluster& cluster = page.clusters[id.cluster];
+    if (cluster.refinement != kNone) {
+        const hierarchy::Refinement& finer = page.refinements[cluster.refinement];
+        const bool isResident = query.resident[finer.group.page] != nullptr;
+        const bool isFinerAsked = isAsked(query, finer.bounds, finer.error);
+        if (isFinerAsked && !isResident) result.wanted.insert(finer.group.page);
+        if (isFinerAsked && isResident) return;
+    }
+    for (std::size_t v = 0; v < query.volumes.size(); ++v)
+        if (classify(query.volumes[v], query.trees->grid().local(cluster.box)) != Containment::Outside)
+            result.lists[v].insert(id);
+}
+
 /// Every group of every resident page, no tree, no mask.
 SlowCut slowCut(const CutQuery& query) {
     SlowCut result;
     result.lists.resize(query.volumes.size());
-    const auto isAsked = [&](const Sphere& bounds, double error) {
-        return query.rule->pixels(bounds, error) > query.errorPixels;
-    };
     for (std::uint32_t p = 0; p < query.resident.size(); ++p) {
         if (query.resident[p] == nullptr) continue;
         const hierarchy::Page& page = *query.resident[p];
         for (const hierarchy::Group& group : page.groups) {
-            if (!isAsked(group.bounds, group.error)) continue;
+            if (!isAsked(query, group.bounds, group.error)) continue;
             result.used.insert(p);
-            for (std::uint32_t c = group.firstCluster; c < group.firstCluster + group.clusterCount; ++c) {
-                const hierarchy::Cluster& cluster = page.clusters[c];
-                if (cluster.refinement != kNone) {
-                    const hierarchy::Refinement& finer = page.refinements[cluster.refinement];
-                    const bool isResident = query.resident[finer.group.page] != nullptr;
-                    const bool isFinerAsked = isAsked(finer.bounds, finer.error);
-                    if (isFinerAsked && !isResident) result.wanted.insert(finer.group.page);
-                    if (isFinerAsked && isResident) continue;
-                }
-                for (std::size_t v = 0; v < query.volumes.size(); ++v)
-                    if (classify(query.volumes[v], query.trees->grid().local(cluster.box)) != Containment::Outside)
-                        result.lists[v].insert({p, c});
-            }
+            for (std::uint32_t c = group.firstCluster; c < group.firstCluster + group.clusterCount; ++c)
+                addSlowly(query, page, {p, c}, result);
         }
     }
     return result;

@@ -1,5 +1,5 @@
+#include "hierarchy/octahedral.h"
 #include "preprocess/build/collapse_queue.h"
-#include "preprocess/build/normals.h"
 #include "preprocess/build/partners.h"
 #include "preprocess/build/quadric.h"
 #include "preprocess/build/simplify.h"
@@ -181,7 +181,7 @@ void Collapser::loadAttributes() {
     for (std::size_t v = patch_.vertices.size(); v-- > 0;) { // the first vertex of a position has the last word
         const Vertex& vertex = patch_.vertices[v];
         const std::uint32_t p = patch_.positionOf[v];
-        if (hasNormals) normal_[p] = decodeNormal(vertex.normal);
+        if (hasNormals) normal_[p] = hierarchy::unpackNormal(vertex.normal);
         if (hasColors)
             color_[p] =
                 glm::dvec3(vertex.color & 0xFFU, vertex.color >> 8U & 0xFFU, vertex.color >> 16U & 0xFFU) / 255.0;
@@ -370,7 +370,7 @@ std::uint32_t Collapser::vertexAt(
         const std::uint32_t candidate = vertex_[corner / 3][corner % 3];
         if (candidate == best) return;
         const Vertex& v = patch_.vertices[candidate];
-        double difference = squared(decodeNormal(v.normal) - decodeNormal(wanted.normal));
+        double difference = squared(hierarchy::unpackNormal(v.normal) - hierarchy::unpackNormal(wanted.normal));
         for (const std::uint32_t shift : {0U, 8U, 16U, 24U}) {
             const double d = channel(v.color, shift) - channel(wanted.color, shift);
             difference += d * d;

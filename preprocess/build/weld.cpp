@@ -1,5 +1,6 @@
 #include "preprocess/build/weld.h"
 
+#include "hierarchy/octahedral.h"
 #include "preprocess/build/index_table.h"
 #include "preprocess/build/normals.h"
 
@@ -140,7 +141,8 @@ void makeVertices(
         const std::uint32_t position = welded.idOf[s];
         Vertex vertex;
         vertex.position = welded.points[position];
-        vertex.normal = source.normals.empty() ? normals[position] : encodeNormal(glm::dvec3(source.normals[s]));
+        vertex.normal =
+            source.normals.empty() ? normals[position] : hierarchy::packNormal(glm::dvec3(source.normals[s]));
         if (!source.colors.empty()) vertex.color = source.colors[s];
         const auto next = static_cast<std::uint32_t>(mesh.vertices.size());
         const std::uint32_t found =

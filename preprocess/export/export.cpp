@@ -198,7 +198,7 @@ void putVertex(PlyWriter& out, const Vertex& vertex, const ModelSummary& summary
             out.putValue(p[axis]);
     }
     if (summary.hasNormals) {
-        const glm::vec3 n = vertex.normal == kNoNormal ? glm::vec3(0) : unpackNormal(vertex.normal);
+        const glm::vec3 n(unpackNormal(vertex.normal));
         for (int axis = 0; axis < 3; ++axis)
             out.putValue(n[axis]);
     }

@@ -36,17 +36,18 @@ inline std::uint32_t packNormal(const glm::dvec3& direction) {
     return snorm(x) | snorm(y) << 16U;
 }
 
-/// The unit vector that a packed normal stands for; not for kNoNormal. Cigolle et al., "A Survey of Efficient
+/// The unit vector that a packed normal stands for; zero for kNoNormal. Cigolle et al., "A Survey of Efficient
 /// Representations for Independent Unit Vectors", 2014.
-inline glm::vec3 unpackNormal(std::uint32_t packed) {
+inline glm::dvec3 unpackNormal(std::uint32_t packed) {
+    if (packed == kNoNormal) return glm::dvec3(0);
     const auto component = [](std::uint32_t bits) {
-        return std::max(static_cast<float>(static_cast<std::int16_t>(bits & 0xFFFFU)) / 32767.0F, -1.0F);
+        return std::max(static_cast<double>(static_cast<std::int16_t>(bits & 0xFFFFU)) / 32767.0, -1.0);
     };
-    const float x = component(packed);
-    const float y = component(packed >> 16U);
-    const float z = 1.0F - std::abs(x) - std::abs(y);
-    const float fold = std::max(-z, 0.0F);
-    return glm::normalize(glm::vec3(x < 0 ? x + fold : x - fold, y < 0 ? y + fold : y - fold, z));
+    const double x = component(packed);
+    const double y = component(packed >> 16U);
+    const double z = 1.0 - std::abs(x) - std::abs(y);
+    const double fold = std::max(-z, 0.0);
+    return glm::normalize(glm::dvec3(x < 0 ? x + fold : x - fold, y < 0 ? y + fold : y - fold, z));
 }
 
 } // namespace gnomon::hierarchy

@@ -136,13 +136,13 @@ TEST(Export, FarFromTheOriginPositionsAreDoubles) {
 
 TEST(Octahedral, UnpacksTheAxesAndTheFold) {
     using hierarchy::unpackNormal;
-    const auto near = [](const glm::vec3& a, const glm::vec3& b) { return glm::length(a - b) < 1e-4F; };
+    const auto near = [](const glm::dvec3& a, const glm::dvec3& b) { return glm::length(a - b) < 1e-4; };
     EXPECT_TRUE(near(unpackNormal(0x00000000U), {0, 0, 1}));
     EXPECT_TRUE(near(unpackNormal(0x00007FFFU), {1, 0, 0}));
     EXPECT_TRUE(near(unpackNormal(0x7FFF0000U), {0, 1, 0}));
     EXPECT_TRUE(near(unpackNormal(0x00008001U), {-1, 0, 0}));
     EXPECT_TRUE(near(unpackNormal(0x7FFF7FFFU), {0, 0, -1}));
-    EXPECT_TRUE(near(unpackNormal(0x40004000U), glm::normalize(glm::vec3(1, 1, 0))));
+    EXPECT_TRUE(near(unpackNormal(0x40004000U), glm::normalize(glm::dvec3(1, 1, 0))));
 }
 
 TEST(Octahedral, PackedDirectionsComeBackWithinAFewTenthsOfADegree) {
@@ -152,7 +152,7 @@ TEST(Octahedral, PackedDirectionsComeBackWithinAFewTenthsOfADegree) {
         if (glm::length(v) < 1e-3) continue;
         const std::uint32_t packed = hierarchy::packNormal(v);
         ASSERT_NE(packed, hierarchy::kNoNormal);
-        const glm::dvec3 back(hierarchy::unpackNormal(packed));
+        const glm::dvec3 back = hierarchy::unpackNormal(packed);
         EXPECT_LT(glm::length(glm::cross(glm::normalize(v), back)), 0.0045) << "0.26 degrees";
         EXPECT_GT(glm::dot(v, back), 0);
         EXPECT_EQ(packed & 0x003F003FU, 0U) << "low bits cost bytes";

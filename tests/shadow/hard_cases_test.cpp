@@ -1,0 +1,292 @@
+// The hard cases of the shadow theory; docs/hard_cases.md shows this table.
+#include "core/error.h"
+#include "random_views.h"
+#include "shadow/near_ladder.h"
+#include "tests/hard_cases.h"
+
+namespace gnomon::shadow {
+namespace {
+
+bool isFinite(const glm::dmat4& m) {
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
+            if (!std::isfinite(m[column][row])) return false;
+    return true;
+}
+
+/// Every map of every kind of scheme is finite, and the corners and middle of the frustum lie in one.
+void expectSound(const ShadowView& view) {
+    for (int kind = 0; kind < 6; ++kind) {
+        ShadowOptions options;
+        options.scheme.faces = (kind & 1) != 0;
+        options.scheme.nearFace = (kind & 2) != 0 ? NearFace::Stretch : NearFace::OwnMap;
+        options.stabilized = kind == 4;
+        const ShadowMapSetup setup = shadowMapSetup(view, options);
+        for (const ShadowMapPartition& map : setup.maps)
+            EXPECT_TRUE(isFinite(map.lightClipFromCamera) && std::isfinite(map.promised.worst()));
+        for (const glm::dvec3& p : corners(view.frustum)) {
+            const glm::dvec4 clip = setup.maps.at(setup.mapOf(p)).lightClipFromCamera * glm::dvec4(p, 1);
+            EXPECT_GT(clip.w, 0);
+            EXPECT_LE(std::max(std::abs(clip.x), std::abs(clip.y)), clip.w);
+        }
+    }
+}
+
+ShadowView viewWithLight(const glm::dvec3& towardsLight) {
+    ShadowView view;
+    view.towardsLight = glm::normalize(towardsLight);
+    return view;
+}
+
+void lightParallel() {
+    expectSound(viewWithLight({0, 0, -1}));
+    expectSound(viewWithLight({0, 0, 1}));
+    for (const glm::dvec3& light : {glm::dvec3(0, 0, -1), glm::dvec3(0, 0, 1)})
+        EXPECT_EQ(kappaAuto(fitSlice(lightFrame(light), {})), 0);
+}
+
+void lightNearlyParallel() {
+    for (const double angle : {1e-15, 1e-12, 1e-9, 1e-6, 1e-3}) {
+        const glm::dvec3 light(std::sin(angle), 0, -std::cos(angle));
+        EXPECT_NEAR(sinLightAngle(light) / std::sin(angle), 1, 1e-9);
+        expectSound(viewWithLight(light));
+    }
+}
+
+void spinningOrientation() {
+    // A hundredth of a degree to one side of the view, then to the other: the plain frame turns by half a turn.
+    const double angle = 1e-4;
+    const glm::dvec3 before(0, std::sin(angle), -std::cos(angle));
+    const glm::dvec3 after(0, -std::sin(angle), -std::cos(angle));
+    EXPECT_LT(glm::dot(lightFrame(before).z, lightFrame(after).z), -0.9);
+    const ViewFrustum frustum;
+    const OrientationState state{before, chosenFrame(frustum, before, {}, std::nullopt).z};
+    EXPECT_GT(glm::dot(chosenFrame(frustum, after, {}, state).z, state.zAxis), 0.9999);
+}
+
+void lightOverhead() {
+    expectSound(viewWithLight({0, 1, 0}));
+    expectSound(viewWithLight({1, 0, 0}));
+    const PartitionSelector selector = partitionSelector({}, {0, 1, 0}, {0.1, 1000}, true, true);
+    EXPECT_EQ(selector.faces.size(), 1U);
+    EXPECT_FALSE(selector.ownNear);
+}
+
+void lightInAFace() {
+    const ViewFrustum frustum;
+    for (const double off : {0.0, 1e-13, 1e-9, 1e-5, 1e-2}) {
+        const double angle = frustum.halfFovYRadians + off;
+        expectSound(viewWithLight({0, std::sin(angle), std::cos(angle)}));
+        expectSound(viewWithLight({0, -std::sin(angle), -std::cos(angle)}));
+    }
+}
+
+void onASplitPlane() {
+    const ShadowMapSetup setup = shadowMapSetup({}, {});
+    for (std::size_t i = 1; i < 4; ++i) {
+        const double z = setup.selector.splits[i];
+        EXPECT_EQ(setup.mapOf({0, 0, z}), i);
+        EXPECT_EQ(setup.mapOf({0, 0, std::nextafter(z, 0.0)}), i - 1);
+    }
+}
+
+void behindTheWarp() {
+    const ShadowMapSetup setup = shadowMapSetup({}, {});
+    const ShadowMapPartition& first = setup.maps[0];
+    const double centre = first.map.zMin - 1 / first.map.kappa; // the light-space z where w = 0
+    const glm::dvec3 behind = toCamera(first.map.frame, {0, 1, centre - 0.1});
+    EXPECT_LT((first.lightClipFromCamera * glm::dvec4(behind, 1)).w, 0);
+    // Undivided, the clip planes of the sides reject it; divided, it would land inside the map, mirrored.
+    const glm::dvec4 clip = first.lightClipFromCamera * glm::dvec4(behind, 1);
+    EXPECT_FALSE(std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w);
+}
+
+void pastTheVanishingLine() {
+    const ViewFrustum frustum{1, 1e5, 0.5, 1};
+    const LightFit fit = fitSlice(lightFrame({0, 1, 0}), frustum);
+    const WarpedMap map = warpedMap(fit, 1 / frustum.near);
+    const Region region = partitionRegion(frustum, partitionSelector(frustum, {0, 1, 0}, {1, 1e5}, false, false), 0);
+    const ConvexVolume grown = grownCasterVolume(region, map, 0.01, 0.01);
+    // The lookup's gutter reads what lies at any distance beyond the far plane, so nothing may bound it there.
+    EXPECT_TRUE(contains(grown, {0, 1e6, 1e9}));
+}
+
+void hugeRatio() {
+    ShadowView view;
+    view.frustum = {1, 1e8, 0.5, 1};
+    expectSound(view);
+}
+
+void tinyRatio() {
+    ShadowView view;
+    view.frustum = {1, 1 + 1e-6, 0.5, 1};
+    expectSound(view);
+    EXPECT_NEAR(sliceRatioMinusOne(1, 1 + 1e-12, 4) / 0.25e-12, 1, 1e-3);
+}
+
+void tinyAngle() {
+    ShadowView view;
+    view.frustum = {1, 1000, 0.005 * kPi / 180, 1};
+    expectSound(view);
+}
+
+void otherShapes() {
+    for (const double aspect : {0.1, 10.0}) {
+        ShadowView view;
+        view.frustum.aspect = aspect;
+        expectSound(view);
+    }
+}
+
+void farFromTheOrigin() {
+    ShadowView view;
+    view.anchor.eye = {1e7, -1e7, 1e7};
+    expectSound(view);
+}
+
+void nearHole() {
+    // 17.8% of each slice's outline at k = 8 with the light behind: the near square over the far one, (1/q)^2.
+    const double q = 1 + sliceRatioMinusOne(1, 1000, 8);
+    EXPECT_NEAR(1 / (q * q), 0.178, 0.001);
+    ShadowOptions options;
+    options.scheme.faces = true;
+    options.scheme.nearFace = NearFace::Omit;
+    options.scheme.slices = 8;
+    const ShadowView view = viewWithLight({0, 0, -1});
+    const ShadowMapSetup setup = shadowMapSetup(view, options);
+    const glm::dvec3 p(0, 0, view.frustum.near * 1.01);
+    EXPECT_NE(setup.mapOf(p), ShadowMapSetup::kNoMap);
+}
+
+void literalBisector() {
+    Scheme scheme;
+    scheme.faces = true;
+    scheme.slices = 1;
+    scheme.nearFace = NearFace::Omit;
+    scheme.warp.rule = WarpRule::Minimax;
+    Random random(1);
+    const ViewFrustum frustum{1, 1000, 20 * kPi / 180, 1};
+    double worst = 0;
+    for (int i = 0; i < 3000; ++i) {
+        const glm::dvec3 light = randomDirection(random);
+        scheme.bisector = Bisector::Literal;
+        const double literal = storageFactor(schemeMaps(frustum, light, scheme));
+        scheme.bisector = Bisector::Normalized;
+        worst = std::max(worst, literal / storageFactor(schemeMaps(frustum, light, scheme)));
+    }
+    EXPECT_GT(worst, 10);
+}
+
+void wimmerTilted() {
+    const ViewFrustum frustum{1, 1000, 45 * kPi / 180, 1};
+    Random random(2);
+    double worstWimmer = 0;
+    double worstAuto = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const LightFit fit = fitSlice(lightFrame(randomDirection(random)), frustum);
+        const double unwarped = storageFactor(fit, 0);
+        worstWimmer = std::max(worstWimmer, storageFactor(fit, kappaLspsm(fit)) / unwarped);
+        worstAuto = std::max(worstAuto, storageFactor(fit, kappaAuto(fit)) / unwarped);
+    }
+    EXPECT_GT(worstWimmer, 25);
+    EXPECT_LE(worstAuto, 1 + 1e-12);
+}
+
+void smallNearSquare() {
+    // With far a million times near, an outline tolerance in units of far swallows the near square whole.
+    ViewFrustum frustum{1, 1e6, 0.5, 1};
+    const glm::dvec3 light = glm::normalize(glm::dvec3(0.3, 0.4, -0.8));
+    const PartitionSelector selector = partitionSelector(frustum, light, {1, 1e6}, true, true);
+    const Region near = partitionRegion(frustum, selector, selector.faces.size());
+    EXPECT_EQ(near.face, Face::Near);
+    const ConvexVolume sweep = casterVolume(near, lightFrame(light));
+    EXPECT_FALSE(contains(sweep, glm::dvec3(0, 5, 1) + light * 10.0));
+}
+
+void tooFewTexels() {
+    ShadowOptions options;
+    options.scheme.slices = 64;
+    options.texels = 1000;
+    EXPECT_THROW(shadowMapSetup({}, options), Error);
+}
+
+void clampedCaster() {
+    const ShadowMapSetup setup = shadowMapSetup({}, {});
+    for (const ShadowMapPartition& map : setup.maps)
+        for (const FitVertex& vertex : map.region.vertices) {
+            const glm::dvec3 steep = map.map.frame.x * std::sqrt(0.99) + map.map.frame.y * 0.1;
+            const double bias = depthBias(map.bias, map.map.frame, vertex.position, steep);
+            EXPECT_GE(mapPoint(map.map, vertex.position).depth, bias);
+        }
+}
+
+void grazingReceiver() {
+    const ShadowMapSetup setup = shadowMapSetup({}, {});
+    const ShadowMapPartition& map = setup.maps[0];
+    const glm::dvec3 p = map.region.vertices[0].position;
+    EXPECT_LT(depthBias(map.bias, map.map.frame, p, glm::normalize(map.map.frame.x + map.map.frame.y * 1e-12)), 1);
+    EXPECT_TRUE(std::isfinite(depthBias(map.bias, map.map.frame, p, map.map.frame.x)));
+}
+
+void nearOnARung() {
+    NearState state = nextNear({}, 1, 1e-4);
+    for (int i = 0; i < 100; ++i) {
+        state = nextNear(state, i % 2 == 0 ? 1 - 1e-12 : 1 + 1e-12, 1e-4);
+        EXPECT_NEAR(state.near, 1, 1e-9);
+    }
+}
+
+constexpr std::array<HardCase, 22> kCases{{
+    {"light exactly parallel to the view", "L x v is 0 and normalising it gives NaN", lightParallel},
+    {"light 1e-15 to 1e-3 radians from the view",
+     "sin gamma as sqrt(1 - dot^2) has no digits left; n' runs to infinity, kappa to 0",
+     lightNearlyParallel},
+    {"light passing through the view direction", "the plain orientation spins by half a turn", spinningOrientation},
+    {"light straight overhead or from the side",
+     "the near square is seen edge-on and its map has length 0",
+     lightOverhead},
+    {"light in the plane of a face",
+     "the face's two edges project onto opposite directions, its map is a sliver of no width",
+     lightInAFace},
+    {"a point on a split plane", "with strict comparisons on both sides it belongs to no slice", onASplitPlane},
+    {"a caster behind the warp's centre of projection", "w <= 0: divided, it lands in the map mirrored", behindTheWarp},
+    {"a gutter past the vanishing line",
+     "one texel beyond the far edge lies beyond infinity, and the grown caster volume turns inside out",
+     pastTheVanishingLine},
+    {"depth ratio 1e8", "a GL frustum matrix that fades into an orthogonal one loses whole texels in float", hugeRatio},
+    {"depth ratio 1 + 1e-6",
+     "q - 1 from pow cancels; float positions relative to the eye are off by 400 texels",
+     tinyRatio},
+    {"half angle 0.005 degrees", "float positions relative to the eye do not resolve a texel", tinyAngle},
+    {"images ten times as wide as high, or as high as wide",
+     "the square frustum's forms and bisectors do not hold",
+     otherShapes},
+    {"eye 1e7 units from the origin", "world-space floats put the frustum's corners off by metres", farFromTheOrigin},
+    {"near square left out", "a hole of up to a fifth of each slice's outline when the light is behind", nearHole},
+    {"bisector e0' + e1' taken literally",
+     "the longer edge pulls the axis to itself and the error explodes",
+     literalBisector},
+    {"Wimmer's rule for a tilted light", "up to 31 times worse than no warp at all", wimmerTilted},
+    {"near square a millionth of the far depth",
+     "an outline tolerance in units of the far depth swallows it, and its caster volume loses sides",
+     smallNearSquare},
+    {"more maps than texels", "sides of 0 or less", tooFewTexels},
+    {"a caster clamped to depth 0 over a biased receiver",
+     "the receiver's biased depth falls below 0 and the clamped caster lights it",
+     clampedCaster},
+    {"a receiver edge-on to the light", "its depth slope is infinite and so is its bias", grazingReceiver},
+    {"nearest surface exactly on a rung of the near ladder", "rounding flips near back and forth", nearOnARung},
+    {"a light 1e-12 off the plane between two kinds of faces",
+     "lit and unlit sides swap, faces flip from front to back",
+     [] {
+         expectSound(viewWithLight({0, 1, 1e-12}));
+         expectSound(viewWithLight({0, 1, -1e-12}));
+     }},
+}};
+
+TEST(HardCases, OfTheShadowsHoldAndAreOnThePage) {
+    runHardCases(GNOMON_SOURCE_DIR, "Shadows", kCases);
+}
+
+} // namespace
+} // namespace gnomon::shadow

@@ -1,0 +1,74 @@
+// How many triangles a second the rasteriser draws, by their size in pixels, on one thread and two; and llvmpipe.
+#include "raster/raster.h"
+#include "tests/raster/gl_depth.h"
+#include "tests/raster/scenes.h"
+
+#include <benchmark/benchmark.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace gnomon::raster {
+namespace {
+
+constexpr int kSide = 2048;
+
+/// A sheet whose triangles cover `pixelsPerTriangle` each.
+const Scene& sheetOf(double pixelsPerTriangle) {
+    static std::map<double, Scene> scenes;
+    const auto found = scenes.find(pixelsPerTriangle);
+    if (found != scenes.end()) return found->second;
+    const double spacing = std::sqrt(2 * pixelsPerTriangle);
+    // No more triangles than at one a pixel: smaller ones cover a part of the target.
+    const int quads = static_cast<int>(std::ceil(kSide / std::max(spacing, std::sqrt(2.0))));
+    return scenes.emplace(pixelsPerTriangle, sheet(quads, quads, spacing, 1)).first->second;
+}
+
+/// Arguments: thousandths of a pixel a triangle, threads.
+template <class Draw>
+void run(benchmark::State& state, const Draw& draw) {
+    const Scene& scene = sheetOf(static_cast<double>(state.range(0)) / 1000);
+    const std::vector<Cluster> clusters = scene.clusters();
+    tbb::task_arena arena(static_cast<int>(state.range(1)));
+    for (auto _ : state)
+        arena.execute([&] { draw(clusters); });
+    state.counters["triangles/s"] = benchmark::Counter(
+        static_cast<double>(scene.triangleCount()) * static_cast<double>(state.iterations()),
+        benchmark::Counter::kIsRate);
+}
+
+void depth(benchmark::State& state) {
+    Rasterizer rasterizer;
+    std::vector<float> depths(std::size_t{kSide} * kSide);
+    run(state, [&](std::span<const Cluster> clusters) {
+        rasterizer.drawDepth(clusters, flatView({0, 0, kSide, kSide}), {depths.data(), kSide, kSide});
+    });
+}
+
+void visibility(benchmark::State& state) {
+    Rasterizer rasterizer;
+    std::vector<std::uint64_t> words(std::size_t{kSide} * kSide);
+    run(state, [&](std::span<const Cluster> clusters) {
+        rasterizer.drawVisibility(clusters, flatView({0, 0, kSide, kSide}), {words.data(), kSide, kSide});
+    });
+}
+
+/// The same clusters on llvmpipe, which takes its threads from LP_NUM_THREADS.
+void llvmpipeDepth(benchmark::State& state) {
+    const gl::Context context(gl::Platform::kOsmesa);
+    const GlDepth gl(context, sheetOf(static_cast<double>(state.range(0)) / 1000).clusters(), kSide);
+    run(state, [&](std::span<const Cluster> /*clusters*/) { gl.draw(flatView({0, 0, kSide, kSide}), false); });
+}
+
+void sizesAndThreads(benchmark::internal::Benchmark* bench) {
+    bench->ArgsProduct({{100, 1000, 10000, 100000}, {1, 2}})->UseRealTime()->Unit(benchmark::kMillisecond);
+}
+
+BENCHMARK(llvmpipeDepth)->ArgsProduct({{1000, 10000, 100000}, {1}})->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(depth)->Apply(sizesAndThreads);
+BENCHMARK(visibility)->Apply(sizesAndThreads);
+
+} // namespace
+} // namespace gnomon::raster

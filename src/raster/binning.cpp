@@ -1,0 +1,118 @@
+#include "raster/binning.h"
+
+#include <algorithm>
+
+namespace gnomon::raster {
+namespace {
+
+/// A tile that holds more than this share of all cost is split.
+constexpr std::uint64_t kMostTilesWorth = 32;
+
+/// The tiles that a box touches, in units of tiles.
+PixelBox touchedTiles(const PixelBox& box, const PixelBox& viewport, int side) {
+    return {
+        (box.x0 - viewport.x0) / side,
+        (box.y0 - viewport.y0) / side,
+        (box.x1 - 1 - viewport.x0) / side + 1,
+        (box.y1 - 1 - viewport.y0) / side + 1};
+}
+
+template <class Visit>
+void forEachTouched(
+    std::span<const BinItem> items, const PixelBox& viewport, int side, std::size_t columns, const Visit& visit) {
+    for (std::uint32_t i = 0; i < items.size(); ++i) {
+        const PixelBox box = intersection(items[i].box, viewport);
+        if (box.empty()) continue;
+        const PixelBox touched = touchedTiles(box, viewport, side);
+        for (int y = touched.y0; y < touched.y1; ++y)
+            for (int x = touched.x0; x < touched.x1; ++x)
+                visit(i, static_cast<std::size_t>(y) * columns + static_cast<std::size_t>(x));
+    }
+}
+
+void fillTiles(std::span<const BinItem> items, const PixelBox& viewport, int side, Bins& bins) {
+    const int columns = (viewport.width() + side - 1) / side;
+    const int rows = (viewport.height() + side - 1) / side;
+    for (int y = 0; y < rows; ++y)
+        for (int x = 0; x < columns; ++x) {
+            const int x0 = viewport.x0 + x * side;
+            const int y0 = viewport.y0 + y * side;
+            bins.tiles.push_back({intersection({x0, y0, x0 + side, y0 + side}, viewport)});
+        }
+    const auto columnCount = static_cast<std::size_t>(columns);
+    forEachTouched(items, viewport, side, columnCount, [&](std::uint32_t i, std::size_t tile) {
+        ++bins.tiles[tile].count;
+        bins.tiles[tile].cost += items[i].cost;
+    });
+    std::uint32_t total = 0;
+    for (TileBin& tile : bins.tiles) {
+        tile.first = total;
+        total += tile.count;
+        tile.count = 0;
+    }
+    bins.indices.resize(total);
+    forEachTouched(items, viewport, side, columnCount, [&](std::uint32_t i, std::size_t tile) {
+        bins.indices[bins.tiles[tile].first + bins.tiles[tile].count++] = i;
+    });
+}
+
+TileBin quarterOf(std::span<const BinItem> items, const TileBin& tile, const PixelBox& box, Bins& bins) {
+    TileBin quarter{box, static_cast<std::uint32_t>(bins.indices.size())};
+    for (std::uint32_t k = 0; k < tile.count; ++k) {
+        const std::uint32_t i = bins.indices[tile.first + k];
+        if (intersection(items[i].box, box).empty()) continue;
+        bins.indices.push_back(i);
+        ++quarter.count;
+        quarter.cost += items[i].cost;
+    }
+    return quarter;
+}
+
+/// Replaces tile `t` by its quarters; those of a tile cut off by the viewport may be empty.
+void splitTile(std::span<const BinItem> items, std::size_t t, Bins& bins) {
+    const TileBin tile = bins.tiles[t];
+    const int middleX = tile.box.x0 + (tile.box.width() + 1) / 2;
+    const int middleY = tile.box.y0 + (tile.box.height() + 1) / 2;
+    bool isFirst = true;
+    for (const PixelBox& box :
+         {PixelBox{tile.box.x0, tile.box.y0, middleX, middleY},
+          PixelBox{middleX, tile.box.y0, tile.box.x1, middleY},
+          PixelBox{tile.box.x0, middleY, middleX, tile.box.y1},
+          PixelBox{middleX, middleY, tile.box.x1, tile.box.y1}}) {
+        if (box.empty()) continue;
+        const TileBin quarter = quarterOf(items, tile, box, bins);
+        if (isFirst)
+            bins.tiles[t] = quarter;
+        else
+            bins.tiles.push_back(quarter);
+        isFirst = false;
+    }
+}
+
+} // namespace
+
+PixelBox intersection(const PixelBox& a, const PixelBox& b) {
+    return {std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
+}
+
+void binItems(std::span<const BinItem> items, const PixelBox& viewport, int side, int leastSide, Bins& bins) {
+    bins.tiles.clear();
+    bins.indices.clear();
+    if (viewport.empty()) return;
+    fillTiles(items, viewport, side, bins);
+    std::uint64_t total = 0;
+    for (const TileBin& tile : bins.tiles)
+        total += tile.cost;
+    for (std::size_t t = 0; t < bins.tiles.size();) {
+        const TileBin& tile = bins.tiles[t];
+        const bool isLarge = std::min(tile.box.width(), tile.box.height()) >= 2 * leastSide;
+        if (isLarge && tile.cost * kMostTilesWorth > total)
+            splitTile(items, t, bins);
+        else
+            ++t;
+    }
+    std::stable_sort(
+        bins.tiles.begin(), bins.tiles.end(), [](const TileBin& a, const TileBin& b) { return a.cost > b.cost; });
+}
+
+} // namespace gnomon::raster

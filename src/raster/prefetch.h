@@ -1,0 +1,18 @@
+// Asking for memory before it is needed: clusters lie scattered, so the hardware does not guess the next.
+#pragma once
+
+#include <cstddef>
+
+#include <hwy/cache_control.h>
+
+namespace gnomon::raster {
+
+/// Starts loading a range of bytes into the cache.
+inline void prefetch(const void* memory, std::size_t bytes) {
+    constexpr std::size_t kLine = 64;
+    const auto* first = static_cast<const std::byte*>(memory);
+    for (std::size_t i = 0; i < bytes; i += kLine)
+        hwy::Prefetch(first + i);
+}
+
+} // namespace gnomon::raster

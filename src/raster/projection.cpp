@@ -1,0 +1,70 @@
+#include "raster/projection.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gnomon::raster {
+namespace {
+
+float guardFactor(int pixels) {
+    return std::exp2(std::floor(std::log2(kGuardPixels / (0.5F * static_cast<float>(std::max(pixels, 1))))));
+}
+
+float row(const Projection& projection, std::size_t i, const std::array<float, 3>& p) {
+    const auto& m = projection.clipFromCell;
+    return ((m[i] * p[0] + m[4 + i] * p[1]) + m[8 + i] * p[2]) + m[12 + i];
+}
+
+} // namespace
+
+Projection projection(const View& view, bool cutsDepth) {
+    Projection p;
+    for (int column = 0; column < 4; ++column)
+        for (int i = 0; i < 4; ++i)
+            p.clipFromCell[4 * static_cast<std::size_t>(column) + static_cast<std::size_t>(i)] =
+                view.clipFromCell[column][i];
+    for (int axis = 0; axis < 3; ++axis)
+        p.eyeCell[static_cast<std::size_t>(axis)] = static_cast<std::uint32_t>(view.eyeCell[axis]);
+    p.guardX = guardFactor(view.viewport.width());
+    p.guardY = guardFactor(view.viewport.height());
+    p.scaleX = 0.5F * static_cast<float>(view.viewport.width());
+    p.scaleY = 0.5F * static_cast<float>(view.viewport.height());
+    p.translateX = static_cast<float>(view.viewport.x0) + p.scaleX;
+    p.translateY = static_cast<float>(view.viewport.y0) + p.scaleY;
+    p.cutsDepth = cutsDepth;
+    return p;
+}
+
+ClipPosition clipPosition(const Projection& projection, const std::uint32_t* position) {
+    std::array<float, 3> p{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        p[axis] = static_cast<float>(static_cast<std::int32_t>(position[axis] - projection.eyeCell[axis]));
+    return {row(projection, 0, p), row(projection, 1, p), row(projection, 2, p), row(projection, 3, p)};
+}
+
+bool isInsideGuard(const Projection& projection, const ClipPosition& p) {
+    const bool inSides = std::abs(p.x) <= projection.guardX * p.w && std::abs(p.y) <= projection.guardY * p.w;
+    const bool inDepth = !projection.cutsDepth || (p.z >= 0 && p.z <= p.w);
+    return p.w >= kLeastW && inSides && inDepth;
+}
+
+SnappedVertex snapped(const Projection& projection, const ClipPosition& p) {
+    const float inverseW = 1.0F / p.w;
+    const float x = (p.x * inverseW) * projection.scaleX + projection.translateX;
+    const float y = (p.y * inverseW) * projection.scaleY + projection.translateY;
+    // Adding +0 turns a depth of -0 into +0, whose bits sort.
+    const float z = std::min(std::max(p.z * inverseW, -kDepthLimit), kDepthLimit) + 0.0F;
+    return {
+        static_cast<std::int32_t>(std::lrint((x - 0.5F) * static_cast<float>(kSubpixels))),
+        static_cast<std::int32_t>(std::lrint((y - 0.5F) * static_cast<float>(kSubpixels))),
+        z};
+}
+
+std::uint32_t outsideBits(const Projection& projection, const ClipPosition& p) {
+    std::uint32_t bits =
+        (p.x < -p.w ? 1U : 0U) | (p.x > p.w ? 2U : 0U) | (p.y < -p.w ? 4U : 0U) | (p.y > p.w ? 8U : 0U);
+    if (projection.cutsDepth) bits |= (p.z > p.w ? 16U : 0U) | (p.z < 0 ? 32U : 0U);
+    return bits;
+}
+
+} // namespace gnomon::raster

@@ -1,0 +1,63 @@
+// From a grid position to a pixel: the vertex stage, one vertex at a time. The vector kernels repeat these operations
+// in this order, to the bit.
+#pragma once
+
+#include "raster/raster.h"
+
+namespace gnomon::raster {
+
+/// Subpixels of a pixel. Snapped coordinates are multiples of 1/256 pixel, with pixel centres at whole pixels.
+constexpr int kSubpixelBits = 8;
+constexpr int kSubpixels = 1 << kSubpixelBits;
+
+/// A vertex is left whole up to about this many pixels from the middle of the viewport; triangles beyond are cut.
+constexpr float kGuardPixels = 32768;
+
+/// Below this w a vertex is not divided.
+constexpr float kLeastW = 0x1p-100F;
+
+/// Depths of vertices are held within this, so that differences stay finite; pixels are clamped much closer.
+constexpr float kDepthLimit = 0x1p30F;
+
+/// What a pass does to each vertex.
+struct Projection {
+    std::array<float, 16> clipFromCell{}; // columns
+    std::array<std::uint32_t, 3> eyeCell{};
+    float guardX = 1; // |x| <= guardX w; powers of two, so that the product is exact
+    float guardY = 1;
+    float scaleX = 0; // pixels = scale * ndc + translate
+    float scaleY = 0;
+    float translateX = 0;
+    float translateY = 0;
+    bool cutsDepth = false; // at 0 and at w
+};
+
+struct ClipPosition {
+    float x = 0;
+    float y = 0;
+    float z = 0;
+    float w = 0;
+};
+
+/// A vertex in the plane of the target: 1/256 pixels (pixel centres at multiples of 256), and depth.
+struct SnappedVertex {
+    std::int32_t x = 0;
+    std::int32_t y = 0;
+    float z = 0;
+};
+
+Projection projection(const View& view, bool cutsDepth);
+
+ClipPosition clipPosition(const Projection& projection, const std::uint32_t* position);
+
+/// Whether a vertex may be divided and used as it is.
+bool isInsideGuard(const Projection& projection, const ClipPosition& p);
+
+/// For vertices inside the guard.
+SnappedVertex snapped(const Projection& projection, const ClipPosition& p);
+
+/// Bits of the frustum's planes that a vertex is outside of: left, right, lower, upper, and where depth is cut near,
+/// far.
+std::uint32_t outsideBits(const Projection& projection, const ClipPosition& p);
+
+} // namespace gnomon::raster

@@ -1,0 +1,113 @@
+// Depth and visibility rasterising of clusters on the CPU: what a pass takes and what it leaves.
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+namespace gnomon::raster {
+
+/// Vertex indices within the cluster.
+using Triangle = std::array<std::uint8_t, 3>;
+
+/// The largest cluster that a pass takes: indices are bytes, and so is a triangle's place in its cluster.
+constexpr std::uint32_t kMaxClusterVertices = 256;
+constexpr std::uint32_t kMaxClusterTriangles = 256;
+
+/// A cluster to draw; it borrows its arrays.
+struct Cluster {
+    const std::uint32_t* positions = nullptr; // grid coordinates x, y, z of the first vertex
+    std::uint32_t positionStride = 12;        // bytes from a vertex to the next, a multiple of 4
+    std::uint32_t vertexCount = 0;
+    std::span<const Triangle> triangles;
+    std::uint32_t firstTriangleId = 0; // triangle i is drawn under the name firstTriangleId + i
+};
+
+/// A rectangle of whole pixels, half-open.
+struct PixelBox {
+    int x0 = 0;
+    int y0 = 0;
+    int x1 = 0;
+    int y1 = 0;
+
+    bool empty() const { return x0 >= x1 || y0 >= y1; }
+
+    int width() const { return x1 - x0; }
+
+    int height() const { return y1 - y0; }
+
+    bool operator==(const PixelBox&) const = default;
+};
+
+/// How a pass sees the grid. Clip space is GL's with a depth of 0 to w: x and y from -w to w, depth z / w.
+struct View {
+    glm::ivec3 eyeCell{0};     // subtracted from each position first; the differences must fit an int32
+    glm::mat4 clipFromCell{1}; // of the difference
+    PixelBox viewport;         // pixels of the target; its first row is GL's lowest, pixel centres are at halves
+};
+
+/// Shadow maps and other plain depth: one float a pixel.
+struct DepthTarget {
+    float* depths = nullptr; // row by row
+    int width = 0;
+    int height = 0;
+};
+
+/// The nearest triangle of each pixel: one word a pixel, 0 where there is none.
+struct VisibilityTarget {
+    std::uint64_t* words = nullptr; // row by row
+    int width = 0;
+    int height = 0;
+};
+
+/// A word of a visibility buffer: depth above, the complement of the name below, so that the largest word is the
+/// nearest triangle and the least name wins a tie.
+constexpr std::uint64_t visibilityWord(float depth, std::uint32_t triangleId) {
+    return (std::uint64_t{std::bit_cast<std::uint32_t>(depth)} << 32U) | static_cast<std::uint32_t>(~triangleId);
+}
+
+constexpr float visibleDepth(std::uint64_t word) {
+    return std::bit_cast<float>(static_cast<std::uint32_t>(word >> 32U));
+}
+
+constexpr std::uint32_t visibleTriangle(std::uint64_t word) {
+    return ~static_cast<std::uint32_t>(word);
+}
+
+/// Viewports and targets reach at most this far.
+constexpr int kMaxTargetSide = 16384;
+
+/// Draws passes; keeps its working memory from one to the next. Both sides of a triangle are drawn. Positions are
+/// snapped to 1/256 pixel, edges are exact, and a pixel centre on an edge belongs to one of its sides (left and lowest
+/// edges are inside), so a mesh has no hole and no pixel covered twice. The result does not depend on the number of
+/// threads, on the instruction set, or on the order of the clusters. Runs in the caller's TBB arena; one pass at a
+/// time.
+class Rasterizer {
+public:
+    Rasterizer();
+    ~Rasterizer();
+    Rasterizer(const Rasterizer&) = delete;
+    Rasterizer& operator=(const Rasterizer&) = delete;
+    Rasterizer(Rasterizer&&) noexcept;
+    Rasterizer& operator=(Rasterizer&&) noexcept;
+
+    /// The least depth of each pixel of the viewport, 1 where nothing is drawn. Nothing is cut at depth 0 or 1: depth
+    /// is clamped to that range at each pixel (GL_DEPTH_CLAMP), so casters before and behind the range still cast.
+    /// Pixels outside the viewport are left alone.
+    void drawDepth(std::span<const Cluster> clusters, const View& view, const DepthTarget& target);
+
+    /// The triangle of largest depth of each pixel of the viewport (depth reversed: 1 at the near plane, 0 at the far
+    /// end), cut at depths 0 and 1. Pixels outside the viewport are left alone.
+    void drawVisibility(std::span<const Cluster> clusters, const View& view, const VisibilityTarget& target);
+
+private:
+    struct Memory;
+    std::unique_ptr<Memory> memory_;
+};
+
+} // namespace gnomon::raster

@@ -1,0 +1,253 @@
+#include "raster/tile_kernel.h"
+
+#include "raster/prefetch.h"
+#include "raster/wide_triangle.h"
+
+#include <algorithm>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "raster/tile_kernel.cpp"
+
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+// The order matters: foreach_target.h includes this file again for each instruction set.
+// clang-format off
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "raster/tile_kernel.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+#include "raster/triangle_lanes-inl.h"
+// clang-format on
+
+HWY_BEFORE_NAMESPACE();
+
+namespace gnomon::raster::HWY_NAMESPACE {
+
+/// Triangles of a cluster sorted by how they are drawn: corner indices in three bytes, the triangle's place above.
+struct Sorted {
+    std::array<std::uint32_t, kMaxClusterTriangles + 3 * kMostLanes> packed;
+    std::uint32_t count = 0;
+
+    HWY_INLINE void add(Ints lanes, hn::Mask<IntTag> mask) {
+        hn::StoreU(hn::BitCast(kUints, hn::Compress(lanes, mask)), kUints, packed.data() + count);
+        count += static_cast<std::uint32_t>(hn::CountTrue(kInts, mask));
+    }
+
+    /// Fills up the last vector with triangles of no area.
+    HWY_INLINE void pad() { std::fill_n(packed.data() + count, kMostLanes, 0U); }
+};
+
+struct SortedCluster {
+    Sorted tiny;   // at most 2 x 2 pixel centres between its extremes
+    Sorted small;  // at most 4 x 4
+    Sorted narrow; // less than kNarrowExtent
+    Sorted wide;
+};
+
+/// Corner indices and place of each triangle, padded with triangles of no area.
+using PackedTriangles = std::array<std::uint32_t, kMaxClusterTriangles + kMostLanes>;
+
+HWY_INLINE void packTriangles(std::span<const Triangle> triangles, PackedTriangles& packed) {
+    const std::size_t count = triangles.size();
+    std::size_t i = 0;
+#if HWY_TARGET != HWY_SCALAR
+    // Four triangles are twelve bytes; a load of sixteen must end inside the array.
+    constexpr hn::FixedTag<std::uint8_t, 16> kBytes;
+    constexpr hn::FixedTag<std::uint32_t, 4> kFour;
+    constexpr std::uint8_t kZero = 0x80;
+    alignas(16) static constexpr std::array<std::uint8_t, 16> kSpread = {
+        0, 1, 2, kZero, 3, 4, 5, kZero, 6, 7, 8, kZero, 9, 10, 11, kZero};
+    const auto spread = hn::Load(kBytes, kSpread.data());
+    const std::uint8_t* bytes = triangles.empty() ? nullptr : triangles.front().data();
+    for (; 3 * i + 16 <= 3 * count; i += 4) {
+        const auto corners = hn::TableLookupBytesOr0(hn::LoadU(kBytes, bytes + 3 * i), spread);
+        const auto places = hn::ShiftLeft<24>(hn::Iota(kFour, static_cast<std::uint32_t>(i)));
+        hn::StoreU(hn::Or(hn::BitCast(kFour, corners), places), kFour, packed.data() + i);
+    }
+#endif
+    for (; i < count; ++i)
+        packed[i] = triangles[i][0] | std::uint32_t{triangles[i][1]} << 8U | std::uint32_t{triangles[i][2]} << 16U |
+                    static_cast<std::uint32_t>(i) << 24U;
+    std::fill_n(packed.data() + count, kMostLanes, 0U);
+}
+
+/// Leaves out the triangles that no pixel centre of the tile can be inside of, and sorts the rest by size.
+template <bool isCompact>
+HWY_INLINE void sortTriangles(const SnappedCluster& cluster, const PixelBox& tile, SortedCluster& sorted) {
+    PackedTriangles packed; // NOLINT(cppcoreguidelines-pro-type-member-init): packTriangles fills it
+    packTriangles(cluster.triangles, packed);
+    sorted.tiny.count = sorted.small.count = sorted.narrow.count = sorted.wide.count = 0;
+    const CornerSource<isCompact> cornerAt(cluster, tile);
+    const auto round = hn::Set(kInts, kSubpixels - 1);
+    const auto one = hn::Set(kInts, kSubpixels);
+    const auto lanes = static_cast<std::uint32_t>(hn::Lanes(kInts));
+    for (std::uint32_t first = 0; first < cluster.triangles.size(); first += lanes) {
+        const auto corners = hn::BitCast(kInts, hn::LoadU(kUints, packed.data() + first));
+        const PointLanes a = cornerAt(cornerIndex<0>(corners));
+        const PointLanes b = cornerAt(cornerIndex<1>(corners));
+        const PointLanes c = cornerAt(cornerIndex<2>(corners));
+        const auto minX = least(a.x, b.x, c.x);
+        const auto maxX = largest(a.x, b.x, c.x);
+        const auto minY = least(a.y, b.y, c.y);
+        const auto maxY = largest(a.y, b.y, c.y);
+        const auto firstX = hn::ShiftRight<kSubpixelBits>(hn::Add(minX, round));
+        const auto firstY = hn::ShiftRight<kSubpixelBits>(hn::Add(minY, round));
+        const auto endX = hn::ShiftRight<kSubpixelBits>(hn::Add(maxX, one));
+        const auto endY = hn::ShiftRight<kSubpixelBits>(hn::Add(maxY, one));
+        const auto overlaps = hn::And(
+            hn::Lt(hn::Max(firstX, hn::Zero(kInts)), hn::Min(endX, hn::Set(kInts, tile.width()))),
+            hn::Lt(hn::Max(firstY, hn::Zero(kInts)), hn::Min(endY, hn::Set(kInts, tile.height()))));
+        const auto extent = hn::Max(hn::Sub(maxX, minX), hn::Sub(maxY, minY));
+        const auto pixels = hn::Max(hn::Sub(endX, firstX), hn::Sub(endY, firstY));
+        const auto isTiny = hn::Lt(pixels, hn::Set(kInts, 3));
+        const auto isSmall = hn::Lt(pixels, hn::Set(kInts, 5));
+        const auto isNarrow = hn::Lt(extent, hn::Set(kInts, kNarrowExtent));
+        sorted.tiny.add(corners, hn::And(overlaps, isTiny));
+        sorted.small.add(corners, hn::And(overlaps, hn::AndNot(isTiny, isSmall)));
+        const auto larger = hn::AndNot(isSmall, overlaps);
+        if (hn::AllFalse(kInts, larger)) continue;
+        sorted.narrow.add(corners, hn::And(larger, isNarrow));
+        sorted.wide.add(corners, hn::AndNot(isNarrow, larger));
+    }
+    sorted.tiny.pad();
+    sorted.small.pad();
+    sorted.narrow.pad();
+}
+
+/// Tests `side` x `side` pixel centres of each lane's triangle.
+template <bool isCompact, int side, class Target>
+HWY_INLINE void drawSmall(const SnappedCluster& cluster, const Sorted& sorted, const PixelBox& tile, Target& target) {
+    const auto lanes = static_cast<std::uint32_t>(hn::Lanes(kInts));
+    Hits hits; // NOLINT(cppcoreguidelines-pro-type-member-init): filled up to its count
+    for (std::uint32_t first = 0; first < sorted.count; first += lanes) {
+        const auto corners = hn::BitCast(kInts, hn::LoadU(kUints, sorted.packed.data() + first));
+        TriangleLanes t = triangleLanes<isCompact>(cluster, corners, tile);
+        const auto ids = Target::kHasIds ? triangleIds(cluster, corners) : corners;
+        hits.count = 0;
+        auto rowAddress = hn::Add(hn::Mul(t.firstY, hn::Set(kInts, kTileStride)), t.firstX);
+        for (int y = 0; y < side; ++y) {
+            Edges e = t.edges;
+            for (int x = 0; x < side; ++x) {
+                const auto inside = hn::And(t.hasArea, isInside(e));
+                if (!hn::AllFalse(kInts, inside))
+                    hits.add<Target::kHasIds>(inside, hn::Add(rowAddress, hn::Set(kInts, x)), depthAt(t.depth, e), ids);
+                step(e, t.perX);
+            }
+            step(t.edges, t.perY);
+            rowAddress = hn::Add(rowAddress, hn::Set(kInts, kTileStride));
+        }
+        target.takeHits(hits);
+    }
+}
+
+/// Draws triangles one after another, a vector of pixels at a time; the set-up is shared by a vector of triangles.
+template <bool isCompact, class Target>
+HWY_INLINE void drawNarrow(const SnappedCluster& cluster, const Sorted& sorted, const PixelBox& tile, Target& target) {
+    const auto lanes = static_cast<std::uint32_t>(hn::Lanes(kInts));
+    for (std::uint32_t first = 0; first < sorted.count; first += lanes) {
+        const auto corners = hn::BitCast(kInts, hn::LoadU(kUints, sorted.packed.data() + first));
+        StoredLanes stored; // NOLINT(cppcoreguidelines-pro-type-member-init): `take` fills it
+        stored.take(triangleLanes<isCompact>(cluster, corners, tile));
+        hn::Store(hn::BitCast(kUints, triangleIds(cluster, corners)), kUints, stored.ids.data());
+        const std::uint32_t end = std::min(lanes, sorted.count - first);
+        for (std::uint32_t lane = 0; lane < end; ++lane)
+            if (stored.hasArea[lane] != 0) drawStored(stored, lane, target);
+    }
+}
+
+HWY_INLINE SnappedVertex vertexAt(const SnappedCluster& cluster, std::uint32_t index) {
+    const std::int32_t x = cluster.vertices.x[index];
+    if (!cluster.isCompact) return {x, cluster.vertices.y[index], cluster.vertices.z[index]};
+    const auto word = static_cast<std::uint32_t>(x);
+    return {
+        static_cast<std::int32_t>(word & 0xFFFFU) + (cluster.box.x0 - 1) * kSubpixels,
+        static_cast<std::int32_t>(word >> 16U) + (cluster.box.y0 - 1) * kSubpixels,
+        cluster.vertices.z[index]};
+}
+
+template <class Target>
+HWY_INLINE void drawWide(const SnappedCluster& cluster, std::uint32_t packed, const PixelBox& tile, Target& target) {
+    std::array<SnappedVertex, 3> corners;
+    for (std::uint32_t i = 0; i < 3; ++i)
+        corners[i] = vertexAt(cluster, packed >> (8 * i) & 0xFFU);
+    if (doubleArea(corners) == 0) return;
+    const std::uint32_t place = packed >> 24U;
+    const std::uint32_t id =
+        cluster.triangleIds == nullptr ? cluster.firstTriangleId + place : cluster.triangleIds[place];
+    const WideTriangle triangle = wideTriangle(corners);
+    const int yEnd = std::min(tile.y1, triangle.box.y1);
+    for (int y = std::max(tile.y0, triangle.box.y0); y < yEnd; ++y) {
+        const WideRow row = wideRow(triangle, y, tile.x0, tile.x1);
+        const auto perX = hn::Set(kFloats, row.depthPerX);
+        const auto reference = hn::Set(kFloats, row.depthAtReference);
+        const auto end = hn::Set(kInts, row.x1);
+        for (int x = row.x0; x < row.x1; x += static_cast<int>(hn::Lanes(kInts))) {
+            const auto pixels = hn::Iota(kInts, x);
+            const auto along = hn::ConvertTo(kFloats, hn::Sub(pixels, hn::Set(kInts, row.referenceX)));
+            const auto depth = hn::Min(
+                hn::Max(hn::Add(reference, hn::Mul(perX, along)), hn::Set(kFloats, triangle.leastDepth)),
+                hn::Set(kFloats, triangle.largestDepth));
+            target.takeRow((y - tile.y0) * kTileStride + x - tile.x0, hn::Lt(pixels, end), depth, id);
+        }
+    }
+}
+
+template <bool isCompact, class Target>
+HWY_INLINE void drawCluster(
+    const SnappedCluster& cluster, const PixelBox& tile, SortedCluster& sorted, Target& target) {
+    sortTriangles<isCompact>(cluster, tile, sorted);
+    drawSmall<isCompact, 2>(cluster, sorted.tiny, tile, target);
+    drawSmall<isCompact, 4>(cluster, sorted.small, tile, target);
+    drawNarrow<isCompact>(cluster, sorted.narrow, tile, target);
+    for (std::uint32_t i = 0; i < sorted.wide.count; ++i)
+        drawWide(cluster, sorted.wide.packed[i], tile, target);
+}
+
+HWY_INLINE void prefetchCluster(const SnappedCluster& cluster) {
+    prefetch(cluster.vertices.x, cluster.vertexCount * sizeof(std::int32_t));
+    prefetch(cluster.vertices.z, cluster.vertexCount * sizeof(float));
+    prefetch(cluster.triangles.data(), cluster.triangles.size_bytes());
+}
+
+template <class Target>
+HWY_INLINE void drawTile(const TileWork& work, Target target) {
+    SortedCluster sorted; // NOLINT(cppcoreguidelines-pro-type-member-init): sortTriangles fills it
+    for (std::size_t k = 0; k < work.indices.size(); ++k) {
+        if (k + 1 < work.indices.size()) prefetchCluster(work.clusters[work.indices[k + 1]]);
+        const SnappedCluster& cluster = work.clusters[work.indices[k]];
+        if (cluster.isCompact)
+            drawCluster<true>(cluster, work.box, sorted, target);
+        else
+            drawCluster<false>(cluster, work.box, sorted, target);
+    }
+}
+
+void drawDepthInLanes(const TileWork& work, float* depths) {
+    drawTile(work, DepthTile{depths});
+}
+
+void drawVisibilityInLanes(const TileWork& work, std::uint64_t* words) {
+    drawTile(work, VisibilityTile{words});
+}
+
+} // namespace gnomon::raster::HWY_NAMESPACE
+
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace gnomon::raster {
+
+HWY_EXPORT(drawDepthInLanes);
+HWY_EXPORT(drawVisibilityInLanes);
+
+void drawDepthTile(const TileWork& work, float* depths) {
+    HWY_DYNAMIC_DISPATCH(drawDepthInLanes)(work, depths);
+}
+
+void drawVisibilityTile(const TileWork& work, std::uint64_t* words) {
+    HWY_DYNAMIC_DISPATCH(drawVisibilityInLanes)(work, words);
+}
+
+} // namespace gnomon::raster
+#endif

@@ -1,0 +1,160 @@
+#include "raster/vertex_kernel.h"
+
+#include <algorithm>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "raster/vertex_kernel.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+
+namespace gnomon::raster::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using IntTag = hn::ScalableTag<std::int32_t>;
+using FloatTag = hn::ScalableTag<float>;
+using Ints = hn::Vec<IntTag>;
+using Floats = hn::Vec<FloatTag>;
+
+constexpr IntTag kInts;
+constexpr FloatTag kFloats;
+
+struct Positions {
+    Floats x, y, z, w;
+};
+
+HWY_INLINE Floats difference(const std::uint32_t* base, Ints byteOffset, std::uint32_t eyeCell) {
+    const auto position = hn::GatherOffset(kInts, reinterpret_cast<const std::int32_t*>(base), byteOffset);
+    return hn::ConvertTo(kFloats, hn::Sub(position, hn::Set(kInts, static_cast<std::int32_t>(eyeCell))));
+}
+
+HWY_INLINE Floats row(const Projection& projection, std::size_t i, Floats x, Floats y, Floats z) {
+    const auto& m = projection.clipFromCell;
+    const auto xy = hn::Add(hn::Mul(hn::Set(kFloats, m[i]), x), hn::Mul(hn::Set(kFloats, m[4 + i]), y));
+    return hn::Add(hn::Add(xy, hn::Mul(hn::Set(kFloats, m[8 + i]), z)), hn::Set(kFloats, m[12 + i]));
+}
+
+HWY_INLINE Positions clipPositions(const Projection& projection, const std::uint32_t* base, Ints byteOffset) {
+    const auto x = difference(base, byteOffset, projection.eyeCell[0]);
+    const auto y = difference(base + 1, byteOffset, projection.eyeCell[1]);
+    const auto z = difference(base + 2, byteOffset, projection.eyeCell[2]);
+    return {
+        row(projection, 0, x, y, z),
+        row(projection, 1, x, y, z),
+        row(projection, 2, x, y, z),
+        row(projection, 3, x, y, z)};
+}
+
+HWY_INLINE Ints insideGuard(const Projection& projection, const Positions& p) {
+    auto inside = hn::Ge(p.w, hn::Set(kFloats, kLeastW));
+    inside = hn::And(inside, hn::Le(hn::Abs(p.x), hn::Mul(hn::Set(kFloats, projection.guardX), p.w)));
+    inside = hn::And(inside, hn::Le(hn::Abs(p.y), hn::Mul(hn::Set(kFloats, projection.guardY), p.w)));
+    if (projection.cutsDepth) inside = hn::And(inside, hn::And(hn::Ge(p.z, hn::Zero(kFloats)), hn::Le(p.z, p.w)));
+    return hn::VecFromMask(kInts, hn::RebindMask(kInts, inside));
+}
+
+HWY_INLINE Ints bitWhere(hn::Mask<FloatTag> mask, std::int32_t bit) {
+    return hn::And(hn::VecFromMask(kInts, hn::RebindMask(kInts, mask)), hn::Set(kInts, bit));
+}
+
+HWY_INLINE Ints outside(const Projection& projection, const Positions& p) {
+    const auto minusW = hn::Neg(p.w);
+    auto bits = hn::Or(bitWhere(hn::Lt(p.x, minusW), 1), bitWhere(hn::Gt(p.x, p.w), 2));
+    bits = hn::Or(bits, hn::Or(bitWhere(hn::Lt(p.y, minusW), 4), bitWhere(hn::Gt(p.y, p.w), 8)));
+    if (projection.cutsDepth)
+        bits = hn::Or(bits, hn::Or(bitWhere(hn::Gt(p.z, p.w), 16), bitWhere(hn::Lt(p.z, hn::Zero(kFloats)), 32)));
+    return bits;
+}
+
+HWY_INLINE Ints snappedAxis(Floats coordinate, Floats inverseW, float scale, float translate) {
+    const auto pixels =
+        hn::Add(hn::Mul(hn::Mul(coordinate, inverseW), hn::Set(kFloats, scale)), hn::Set(kFloats, translate));
+    return hn::NearestInt(
+        hn::Mul(hn::Sub(pixels, hn::Set(kFloats, 0.5F)), hn::Set(kFloats, static_cast<float>(kSubpixels))));
+}
+
+HWY_INLINE Floats snappedDepth(Floats z, Floats inverseW) {
+    const auto limit = hn::Set(kFloats, kDepthLimit);
+    return hn::Add(hn::Min(hn::Max(hn::Mul(z, inverseW), hn::Neg(limit)), limit), hn::Zero(kFloats));
+}
+
+/// Joins x (in place) and y to words where the box allows it, else lays down y.
+HWY_INLINE bool join(const SnappedArrays& snapped, const std::int32_t* y, std::uint32_t count, const PixelBox& box) {
+    const bool isCompact = std::max(box.width(), box.height()) <= kMostCompactPixels;
+    const auto originX = hn::Set(kInts, (box.x0 - 1) * kSubpixels);
+    const auto originY = hn::Set(kInts, (box.y0 - 1) * kSubpixels);
+    for (std::uint32_t i = 0; i < count; i += static_cast<std::uint32_t>(hn::Lanes(kInts))) {
+        const auto high = hn::LoadU(kInts, y + i);
+        if (isCompact) {
+            const auto low = hn::Sub(hn::LoadU(kInts, snapped.x + i), originX);
+            hn::StoreU(hn::Or(low, hn::ShiftLeft<16>(hn::Sub(high, originY))), kInts, snapped.x + i);
+        } else {
+            hn::StoreU(high, kInts, snapped.y + i);
+        }
+    }
+    return isCompact;
+}
+
+VertexStage snapVerticesInLanes(const Projection& projection, const Cluster& cluster, const SnappedArrays& snapped) {
+    const auto lanes = static_cast<std::uint32_t>(hn::Lanes(kInts));
+    const auto last = hn::Set(kInts, static_cast<std::int32_t>(cluster.vertexCount) - 1);
+    const auto stride = hn::Set(kInts, static_cast<std::int32_t>(cluster.positionStride));
+    std::array<std::int32_t, kMaxClusterVertices> allY; // NOLINT(cppcoreguidelines-pro-type-member-init): filled below
+    auto allInside = hn::Set(kInts, -1);
+    auto allOutside = hn::Set(kInts, -1);
+    auto minX = hn::Set(kInts, hwy::HighestValue<std::int32_t>());
+    auto minY = minX;
+    auto maxX = hn::Set(kInts, hwy::LowestValue<std::int32_t>());
+    auto maxY = maxX;
+    for (std::uint32_t first = 0; first < cluster.vertexCount; first += lanes) {
+        // Lanes past the end repeat the last vertex.
+        const auto index = hn::Min(hn::Iota(kInts, static_cast<std::int32_t>(first)), last);
+        const Positions p = clipPositions(projection, cluster.positions, hn::Mul(index, stride));
+        allInside = hn::And(allInside, insideGuard(projection, p));
+        allOutside = hn::And(allOutside, outside(projection, p));
+        const auto inverseW = hn::Div(hn::Set(kFloats, 1.0F), p.w);
+        const auto x = snappedAxis(p.x, inverseW, projection.scaleX, projection.translateX);
+        const auto y = snappedAxis(p.y, inverseW, projection.scaleY, projection.translateY);
+        hn::StoreU(x, kInts, snapped.x + first);
+        hn::StoreU(y, kInts, allY.data() + first);
+        hn::StoreU(snappedDepth(p.z, inverseW), kFloats, snapped.z + first);
+        minX = hn::Min(minX, x);
+        minY = hn::Min(minY, y);
+        maxX = hn::Max(maxX, x);
+        maxY = hn::Max(maxY, y);
+    }
+    VertexStage stage;
+    std::int32_t outsideAny = 0; // a plane that every vertex is outside of
+    for (const std::int32_t bit : {1, 2, 4, 8, 16, 32})
+        if (hn::AllTrue(kInts, hn::TestBit(allOutside, hn::Set(kInts, bit)))) outsideAny |= bit;
+    if (outsideAny != 0) return stage;
+    if (!hn::AllTrue(kInts, hn::Lt(allInside, hn::Zero(kInts)))) {
+        stage.place = ClusterPlace::Cut;
+        return stage;
+    }
+    stage.place = ClusterPlace::Inside;
+    stage.box = {
+        (hn::GetLane(hn::MinOfLanes(kInts, minX)) + kSubpixels - 1) >> kSubpixelBits,
+        (hn::GetLane(hn::MinOfLanes(kInts, minY)) + kSubpixels - 1) >> kSubpixelBits,
+        (hn::GetLane(hn::MaxOfLanes(kInts, maxX)) >> kSubpixelBits) + 1,
+        (hn::GetLane(hn::MaxOfLanes(kInts, maxY)) >> kSubpixelBits) + 1};
+    stage.isCompact = join(snapped, allY.data(), cluster.vertexCount, stage.box);
+    return stage;
+}
+
+} // namespace gnomon::raster::HWY_NAMESPACE
+
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace gnomon::raster {
+
+HWY_EXPORT(snapVerticesInLanes);
+
+VertexStage snapVertices(const Projection& projection, const Cluster& cluster, const SnappedArrays& snapped) {
+    return HWY_DYNAMIC_DISPATCH(snapVerticesInLanes)(projection, cluster, snapped);
+}
+
+} // namespace gnomon::raster
+#endif

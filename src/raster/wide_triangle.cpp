@@ -1,0 +1,75 @@
+#include "raster/wide_triangle.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace gnomon::raster {
+namespace {
+
+std::int64_t floorOfQuotient(std::int64_t a, std::int64_t b) {
+    const std::int64_t quotient = a / b;
+    return a % b < 0 ? quotient - 1 : quotient;
+}
+
+} // namespace
+
+std::int64_t doubleArea(const std::array<SnappedVertex, 3>& corners) {
+    const auto& [a, b, c] = corners;
+    return std::int64_t{b.x - a.x} * (c.y - a.y) - std::int64_t{c.x - a.x} * (b.y - a.y);
+}
+
+WideTriangle wideTriangle(std::array<SnappedVertex, 3> corners) {
+    std::int64_t area = doubleArea(corners);
+    if (area < 0) {
+        std::swap(corners[1], corners[2]);
+        area = -area;
+    }
+    const auto& [a, b, c] = corners;
+    const auto [minX, maxX] = std::minmax({a.x, b.x, c.x});
+    const auto [minY, maxY] = std::minmax({a.y, b.y, c.y});
+    const auto [minZ, maxZ] = std::minmax({a.z, b.z, c.z});
+    const double dz1 = double{b.z} - a.z;
+    const double dz2 = double{c.z} - a.z;
+    const double scale = kSubpixels / static_cast<double>(area);
+    WideTriangle wide;
+    wide.corners = corners;
+    wide.box = {
+        (minX + kSubpixels - 1) >> kSubpixelBits,
+        (minY + kSubpixels - 1) >> kSubpixelBits,
+        (maxX >> kSubpixelBits) + 1,
+        (maxY >> kSubpixelBits) + 1};
+    wide.depthPerX = (dz1 * (c.y - a.y) - dz2 * (b.y - a.y)) * scale;
+    wide.depthPerY = (dz2 * (b.x - a.x) - dz1 * (c.x - a.x)) * scale;
+    wide.leastDepth = std::clamp(minZ, 0.0F, 1.0F);
+    wide.largestDepth = std::clamp(maxZ, 0.0F, 1.0F);
+    return wide;
+}
+
+WideRow wideRow(const WideTriangle& triangle, int y, int x0, int x1) {
+    std::int64_t first = std::max(x0, triangle.box.x0);
+    std::int64_t end = std::min(x1, triangle.box.x1);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const SnappedVertex& from = triangle.corners[i];
+        const SnappedVertex& to = triangle.corners[(i + 1) % 3];
+        const std::int64_t dx = to.x - from.x;
+        const std::int64_t dy = to.y - from.y;
+        // Inside is dx (Y - from.y) - dy (X - from.x) >= 0, or > 0 where the edge is neither left nor lowest.
+        const bool ownsEdge = dy < 0 || (dy == 0 && dx > 0);
+        const std::int64_t atZero = dx * (std::int64_t{y} * kSubpixels - from.y) + dy * from.x - (ownsEdge ? 0 : 1);
+        if (dy < 0) first = std::max(first, -floorOfQuotient(atZero, -dy * kSubpixels));
+        if (dy > 0) end = std::min(end, floorOfQuotient(atZero, dy * kSubpixels) + 1);
+        if (dy == 0 && atZero < 0) end = first;
+    }
+    WideRow row;
+    row.x0 = static_cast<int>(std::min<std::int64_t>(first, x1)); // in range of an int even where nothing is inside
+    row.x1 = static_cast<int>(std::max<std::int64_t>(end, x0));
+    const SnappedVertex& a = triangle.corners[0];
+    row.referenceX = a.x >> kSubpixelBits;
+    row.depthPerX = static_cast<float>(triangle.depthPerX);
+    row.depthAtReference = static_cast<float>(
+        a.z + triangle.depthPerX * (row.referenceX - static_cast<double>(a.x) / kSubpixels) +
+        triangle.depthPerY * (y - static_cast<double>(a.y) / kSubpixels));
+    return row;
+}
+
+} // namespace gnomon::raster

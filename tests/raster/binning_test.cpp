@@ -1,0 +1,77 @@
+#include "core/random.h"
+#include "raster/binning.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace gnomon::raster {
+namespace {
+
+std::vector<BinItem> randomItems(std::uint64_t seed, int count) {
+    Random random(seed);
+    std::vector<BinItem> items;
+    for (int i = 0; i < count; ++i) {
+        const int size = random.below(10) == 0 ? 900 : 20;
+        const int x = static_cast<int>(random.below(1400)) - 200;
+        const int y = static_cast<int>(random.below(400)) - 100;
+        items.push_back(
+            {{x, y, x + static_cast<int>(random.below(static_cast<std::uint64_t>(size))), y + size / 2},
+             static_cast<std::uint32_t>(random.below(128))});
+    }
+    // Many in one corner, so that tiles are split.
+    for (int i = 0; i < count; ++i)
+        items.push_back({{300 + i % 30, 80, 303 + i % 30, 83 + i % 50}, 128});
+    return items;
+}
+
+/// Pixels outside of the viewport that a tile owns, and pixels inside that not exactly one owns.
+int wronglyOwned(const Bins& bins, const PixelBox& viewport) {
+    constexpr int kWidth = 2000;
+    constexpr int kHeight = 300;
+    std::vector<int> owners(std::size_t{kWidth} * kHeight);
+    const auto add = [&owners](const PixelBox& box, int count) {
+        for (int y = box.y0; y < box.y1; ++y)
+            for (int x = box.x0; x < box.x1; ++x)
+                owners[static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x)] += count;
+    };
+    for (const TileBin& tile : bins.tiles)
+        add(tile.box, 1);
+    add(viewport, -1);
+    return static_cast<int>(std::count_if(owners.begin(), owners.end(), [](int count) { return count != 0; }));
+}
+
+TEST(Binning, TilesAreTheViewportAndHoldWhatTouchesThem) {
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        const PixelBox viewport = {13, 9, 13 + static_cast<int>(50 * seed + 1), 250};
+        const std::vector<BinItem> items = randomItems(seed, 300);
+        Bins bins;
+        binItems(items, viewport, 128, 32, bins);
+        EXPECT_EQ(wronglyOwned(bins, viewport), 0);
+        for (const TileBin& tile : bins.tiles) {
+            std::vector<std::uint32_t> expected;
+            for (std::uint32_t i = 0; i < items.size(); ++i)
+                if (!intersection(items[i].box, tile.box).empty()) expected.push_back(i);
+            const auto held = std::span(bins.indices).subspan(tile.first, tile.count);
+            ASSERT_TRUE(std::equal(held.begin(), held.end(), expected.begin(), expected.end()));
+        }
+    }
+}
+
+TEST(Binning, ACrowdedTileIsSplitAndTheDearestComesFirst) {
+    const std::vector<BinItem> items = randomItems(1, 500);
+    Bins bins;
+    binItems(items, {0, 0, 512, 256}, 256, 32, bins);
+    EXPECT_GT(bins.tiles.size(), 8U);
+    EXPECT_TRUE(std::is_sorted(
+        bins.tiles.begin(), bins.tiles.end(), [](const TileBin& a, const TileBin& b) { return a.cost > b.cost; }));
+}
+
+TEST(Binning, AnEmptyViewportHasNoTiles) {
+    Bins bins;
+    binItems(randomItems(1, 10), {5, 5, 5, 90}, 256, 32, bins);
+    EXPECT_TRUE(bins.tiles.empty());
+}
+
+} // namespace
+} // namespace gnomon::raster

@@ -1,0 +1,98 @@
+// The rasteriser against llvmpipe: the same coverage but for a few pixels in a million, and the same depth.
+#include "tests/raster/gl_depth.h"
+#include "tests/raster/scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gnomon::raster {
+namespace {
+
+constexpr int kSide = 512;
+constexpr PixelBox kViewport = {0, 0, kSide, kSide};
+
+struct Difference {
+    int covered = 0;         // by either
+    int coverage = 0;        // covered by one alone
+    double largestDepth = 0; // where both cover
+    int deeper = 0;          // where both cover: depths that differ by more than 1e-5
+};
+
+Difference difference(std::span<const float> ours, std::span<const float> theirs, float empty) {
+    Difference result;
+    for (std::size_t i = 0; i < ours.size(); ++i) {
+        const bool here = ours[i] != empty;
+        const bool there = theirs[i] != empty;
+        if (!here && !there) continue;
+        ++result.covered;
+        if (here != there) ++result.coverage;
+        if (here != there) continue;
+        const double depth = std::abs(double{ours[i]} - theirs[i]);
+        result.largestDepth = std::max(result.largestDepth, depth);
+        if (depth > 1e-5) ++result.deeper;
+    }
+    return result;
+}
+
+Difference depthDifference(const gl::Context& context, const Scene& scene) {
+    const std::vector<Cluster> clusters = scene.clusters();
+    const GlDepth gl(context, clusters, kSide);
+    gl.draw(flatView(kViewport), false);
+    std::vector<float> depths(std::size_t{kSide} * kSide);
+    Rasterizer().drawDepth(clusters, flatView(kViewport), {depths.data(), kSide, kSide});
+    return difference(depths, gl.depths(), 1);
+}
+
+TEST(GlParity, SheetsOfEverySizeOfTriangle) {
+    const gl::Context context(gl::Platform::kOsmesa);
+    for (const double spacing : {1.4, 4.0, 14.0, 100.0}) {
+        // Seven tenths of the target, so that there is an outline.
+        const int quads = static_cast<int>(0.7 * kSide / spacing);
+        const Difference found = depthDifference(context, sheet(quads, quads, spacing, 5));
+        EXPECT_GT(found.covered, 80000) << spacing;
+        EXPECT_LE(found.coverage, 2) << spacing;
+        EXPECT_LE(found.deeper, 2) << spacing << ", largest " << found.largestDepth;
+    }
+}
+
+TEST(GlParity, EdgesOnPixelCentresBelongToTheSameSide) {
+    const gl::Context context(gl::Platform::kOsmesa);
+    Random random(3);
+    Scene scene;
+    for (std::uint32_t i = 0; i < 400; ++i) {
+        std::vector<std::array<std::uint32_t, 3>> positions;
+        const auto onCentre = [&](std::uint32_t cell) {
+            const auto pixel = 16 * cell + static_cast<std::uint32_t>(random.below(12));
+            return kSceneCenter + pixel * kFlatPixel + kFlatPixel / 2;
+        };
+        for (int corner = 0; corner < 3; ++corner)
+            positions.push_back({onCentre(i % 20), onCentre(i / 20), kSceneCenter + (1U << 19U)});
+        scene.add(positions, {{0, 1, 2}});
+    }
+    const Difference found = depthDifference(context, scene);
+    EXPECT_GT(found.covered, 3000);
+    EXPECT_EQ(found.coverage, 0);
+}
+
+TEST(GlParity, PerspectiveThroughNear) {
+    const gl::Context context(gl::Platform::kOsmesa);
+    for (std::uint64_t seed = 0; seed < 8; ++seed) {
+        const Scene scene = soup(120, seed);
+        const std::vector<Cluster> clusters = scene.clusters();
+        const View view = insideView(kViewport, seed);
+        const GlDepth gl(context, clusters, kSide);
+        gl.draw(view, true);
+        std::vector<std::uint64_t> words(std::size_t{kSide} * kSide);
+        Rasterizer().drawVisibility(clusters, view, {words.data(), kSide, kSide});
+        std::vector<float> depths(words.size());
+        std::transform(words.begin(), words.end(), depths.begin(), visibleDepth);
+        const Difference found = difference(depths, gl.depths(), 0);
+        EXPECT_LE(found.coverage, 10 + found.covered / 10000) << seed << " of " << found.covered;
+        EXPECT_LE(found.deeper, 10 + found.covered / 10000) << seed << ", largest " << found.largestDepth;
+    }
+}
+
+} // namespace
+} // namespace gnomon::raster

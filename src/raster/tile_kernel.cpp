@@ -25,7 +25,7 @@ HWY_BEFORE_NAMESPACE();
 namespace gnomon::raster::HWY_NAMESPACE {
 
 /// Triangles of a cluster sorted by how they are drawn: corner indices in three bytes, the triangle's place above.
-struct Sorted {
+struct Sorted { // NOLINT(cppcoreguidelines-pro-type-member-init): filled up to its count
     std::array<std::uint32_t, kMaxClusterTriangles + 3 * kMostLanes> packed;
     std::uint32_t count = 0;
 

@@ -338,6 +338,7 @@ Collapser::Choice Collapser::cheapestAllowed(std::uint32_t p) {
         const double cost = rawCost(p, q);
         if (cost > best.cost) continue;
         const double allowed = cost * penalty(p, q);
+        if (!(allowed < std::numeric_limits<double>::infinity())) continue; // no last resort: it may not be at all
         if (allowed < best.cost || (allowed == best.cost && q < best.target)) best = {allowed, q};
     }
     return best;

@@ -1,19 +1,32 @@
 #include "app/commands.h"
+#include "app/theory_figures.h"
 #include "app/theory_rows.h"
+#include "app/theory_script.h"
+#include "app/theory_table.h"
 #include "core/error.h"
 #include "core/file.h"
 
+#include <array>
+#include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
+#include <optional>
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace gnomon::app {
 
 namespace {
 
-nlohmann::json parsedFile(const std::string& path) {
+using nlohmann::json;
+
+json parsedFile(const std::string& path) {
     try {
-        return nlohmann::json::parse(readTextFile(path));
-    } catch (const nlohmann::json::parse_error& error) {
+        return json::parse(readTextFile(path));
+    } catch (const json::parse_error& error) {
         throw Error(atByte(path, error.byte), "not JSON", "a JSON document", "a syntax error");
     }
 }
@@ -37,12 +50,154 @@ void addEval(CLI::App& theory) {
     });
 }
 
+/// Runs `python` with `arguments` and nothing on stdout; the exit status, 127 where there is no such program.
+int runQuietly(const std::string& python, std::vector<std::string> arguments, bool showErrors) {
+    std::vector<char*> argv;
+    arguments.insert(arguments.begin(), python);
+    argv.reserve(arguments.size() + 1);
+    for (std::string& argument : arguments)
+        argv.push_back(argument.data());
+    argv.push_back(nullptr);
+    const pid_t child = ::fork();
+    if (child < 0) throw Error(python, "cannot start a process");
+    if (child == 0) {
+        const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+        ::dup2(nowhere, STDOUT_FILENO);
+        if (!showErrors) ::dup2(nowhere, STDERR_FILENO);
+        ::execvp(python.c_str(), argv.data());
+        ::_exit(127);
+    }
+    int status = 0;
+    if (::waitpid(child, &status, 0) != child) return 127;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
+}
+
+/// A Python that has matplotlib: the first on the path, else the system's.
+std::optional<std::string> plottingPython() {
+    for (const char* python : {"python3", "/usr/bin/python3"})
+        if (runQuietly(python, {"-c", "import matplotlib"}, false) == 0) return python;
+    return std::nullopt;
+}
+
+json describe(const TheoryFigure& figure) {
+    constexpr std::array<const char*, 3> kKinds{"lines", "curves", "maps"};
+    return {
+        {"name", figure.name},
+        {"kind", kKinds[static_cast<std::size_t>(figure.kind)]},
+        {"title", figure.title},
+        {"caption", figure.caption},
+        {"x", figure.xLabel},
+        {"y", figure.yLabel},
+        {"log_x", figure.logX},
+        {"log_y", figure.logY},
+        {"panels", figure.panels},
+        {"columns", figure.columns}};
+}
+
+void writeFigures(const std::string& folder) {
+    std::error_code failure;
+    std::filesystem::create_directories(folder, failure);
+    if (failure) throw Error(folder, "cannot make the folder: " + failure.message());
+    std::vector<TheoryFigure> figures = paperFigures();
+    for (TheoryFigure& figure : ownFigures())
+        figures.push_back(std::move(figure));
+    json list = json::array();
+    for (const TheoryFigure& figure : figures) {
+        writeTextFile(folder + "/" + figure.name + ".csv", csvOf(figure));
+        list.push_back(describe(figure));
+        std::printf("%s/%s.csv\n", folder.c_str(), figure.name.c_str());
+    }
+    writeTextFile(folder + "/figures.json", list.dump(1) + "\n");
+    const std::string script = folder + "/theory_figures.py";
+    writeTextFile(script, std::string(kTheoryFiguresScript));
+    const std::optional<std::string> python = plottingPython();
+    if (!python) {
+        std::fprintf(
+            stderr,
+            "gnomon: the data is written, but no SVG and PNG: install python3-matplotlib, then python3 %s\n",
+            script.c_str());
+        return;
+    }
+    if (runQuietly(*python, {script, folder}, true) != 0) throw Error(script, "the plots could not be drawn");
+    for (const TheoryFigure& figure : figures)
+        std::printf("%s/%s.svg\n%s/%s.png\n", folder.c_str(), figure.name.c_str(), folder.c_str(), figure.name.c_str());
+}
+
+void addFigures(CLI::App& theory) {
+    auto folder = std::make_shared<std::string>();
+    CLI::App* command =
+        theory.add_subcommand("figures", "Data (CSV) and plots (SVG, PNG) of the paper's figures and of our own");
+    command->add_option("-o,--output", *folder, "The folder to write to")->required();
+    command->callback([folder] { writeFigures(*folder); });
+}
+
+struct TableOptions {
+    shadow::ViewFrustum frustum;
+    double fovYDegrees = 60;
+    std::vector<double> light{0, 1, 0};
+    bool asJson = false;
+};
+
+void printTable(const TableOptions& options) {
+    shadow::ViewFrustum frustum = options.frustum;
+    frustum.halfFovYRadians = options.fovYDegrees / 2 * 3.141592653589793 / 180;
+    shadow::requireValid(frustum);
+    const glm::dvec3 light(options.light[0], options.light[1], options.light[2]);
+    const double length = glm::length(light);
+    if (!(length > 0 && std::isfinite(length))) throw UsageError{"--light: expected a direction, found 0,0,0"};
+    const std::vector<TheoryTableRow> table = theoryTable(frustum, light / length);
+    if (!options.asJson)
+        std::printf("%-10s %-8s %2s %5s %14s %12s %12s\n", "scheme", "warp", "k", "maps", "S", "M_x", "M_z");
+    json rows = json::array();
+    for (const TheoryTableRow& row : table) {
+        if (!options.asJson)
+            std::printf(
+                "%-10s %-8s %2d %5zu %14.6g %12.6g %12.6g\n",
+                row.scheme.c_str(),
+                row.warp.c_str(),
+                row.slices,
+                row.maps,
+                row.storageFactor,
+                row.worstX,
+                row.worstZ);
+        rows.push_back(
+            {{"scheme", row.scheme},
+             {"warp", row.warp},
+             {"k", row.slices},
+             {"maps", row.maps},
+             {"storage_factor", row.storageFactor},
+             {"M_x", row.worstX},
+             {"M_z", row.worstZ}});
+    }
+    if (options.asJson) std::printf("%s\n", json({{"rows", rows}}).dump(1).c_str());
+}
+
+void addTable(CLI::App& theory) {
+    auto options = std::make_shared<TableOptions>();
+    CLI::App* command = theory.add_subcommand(
+        "table", "Storage factor, maps, M_x and M_z (one pixel, one texel) of every scheme for k = 1 to 8");
+    command->add_option("--near", options->frustum.near, "Near depth of the shadow range")->required();
+    command->add_option("--far", options->frustum.far, "Far depth of the shadow range")->required();
+    command->add_option("--fov-y", options->fovYDegrees, "Full vertical angle in degrees")->required();
+    command->add_option("--light", options->light, "Direction towards the light in camera space: right,up,view")
+        ->delimiter(',')
+        ->expected(3)
+        ->required();
+    command->add_option("--aspect", options->frustum.aspect, "Width over height of the image")->capture_default_str();
+    command->add_flag("--json", options->asJson, "One JSON document on stdout");
+    command->footer(
+        "auto* is auto in the orientation about the light that costs least; the others are in the plain one.");
+    command->callback([options] { printTable(*options); });
+}
+
 } // namespace
 
 void addTheoryCommand(CLI::App& program) {
     CLI::App* theory = program.add_subcommand("theory", "The shadow theory by itself: equations, figures, tables");
     theory->require_subcommand(1);
     addEval(*theory);
+    addFigures(*theory);
+    addTable(*theory);
 }
 
 } // namespace gnomon::app

@@ -1,0 +1,78 @@
+// The figures' data and the table: the figures that the theory is recognised by.
+#include "app/theory_figures.h"
+#include "app/theory_table.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace gnomon::app {
+namespace {
+
+const TheoryFigure& named(const std::vector<TheoryFigure>& figures, const std::string& start) {
+    const auto found = std::find_if(
+        figures.begin(), figures.end(), [&](const TheoryFigure& figure) { return figure.name.rfind(start, 0) == 0; });
+    EXPECT_NE(found, figures.end()) << start;
+    return *found;
+}
+
+TEST(TheoryFigures, AreCompleteAndFiniteWhereTheyShouldBe) {
+    std::set<std::string> names;
+    std::vector<TheoryFigure> all = paperFigures();
+    EXPECT_EQ(all.size(), 7U);
+    for (const TheoryFigure& figure : all) {
+        EXPECT_TRUE(names.insert(figure.name).second);
+        EXPECT_FALSE(figure.caption.empty());
+        EXPECT_GE(figure.rows.size(), 20U);
+        for (const std::vector<double>& row : figure.rows)
+            ASSERT_EQ(row.size(), figure.columns.size()) << figure.name;
+        for (const std::string& column : figure.columns)
+            EXPECT_EQ(column.find(','), std::string::npos);
+    }
+}
+
+TEST(TheoryFigures, HoldTheTheorysNumbers) {
+    const std::vector<TheoryFigure> figures = paperFigures();
+    const TheoryFigure& ten = named(figures, "figure10");
+    EXPECT_NEAR(ten.rows[0][2], 1372, 1);
+    EXPECT_NEAR(ten.rows[3][2], 25.4, 0.05);
+    EXPECT_NEAR(ten.rows[7][2], 15.1, 0.05);
+    EXPECT_NEAR(ten.rows[7][1], 35.7, 0.05);
+    EXPECT_NEAR(ten.rows[0][3], 9.49, 0.01);
+    const TheoryFigure& twelve = named(figures, "figure12");
+    EXPECT_NEAR(twelve.rows[13][4], 37.6, 0.05); // the exact Eq 20 is least at k = 14
+    EXPECT_LT(twelve.rows[13][4], twelve.rows[12][4]);
+    EXPECT_LT(twelve.rows[13][4], twelve.rows[14][4]);
+    EXPECT_EQ(csvOf(ten).substr(0, 21), "k,ZP,ZP+W,optimum\n1,1");
+}
+
+TEST(SlowTheoryFigures, OwnOnesHoldTheTheorysNumbers) {
+    const std::vector<TheoryFigure> figures = ownFigures();
+    EXPECT_EQ(figures.size(), 5U);
+    const TheoryFigure& slices = named(figures, "own3");
+    EXPECT_NEAR(slices.rows[3][3], 253, 2); // k = 4, minimax: worst and mean over all lights
+    EXPECT_NEAR(slices.rows[3][4], 62, 2);
+    EXPECT_NEAR(slices.rows[11][3], 75.9, 0.5); // more maps are not always better
+    EXPECT_NEAR(slices.rows[19][3], 79.8, 0.5);
+    const TheoryFigure& lambda = named(figures, "own4");
+    EXPECT_NEAR(lambda.rows[100][2], 126, 1);
+    EXPECT_NEAR(lambda.rows[95][2], 367, 1);
+    EXPECT_NEAR(lambda.rows[50][2], 16440, 20);
+}
+
+TEST(TheoryTable, HasEverySchemeForEveryK) {
+    const std::vector<TheoryTableRow> table = theoryTable({1, 1000, 0.3490658503988659, 1}, {0, 1, 0});
+    EXPECT_EQ(table.size(), 80U);
+    for (const TheoryTableRow& row : table) {
+        EXPECT_TRUE(std::isfinite(row.storageFactor) && row.storageFactor > 0);
+        EXPECT_GE(row.maps, static_cast<std::size_t>(row.slices));
+        const bool isFour = row.slices == 4;
+        EXPECT_TRUE(!(isFour && row.warp == "auto*") || std::abs(row.storageFactor - 25.4) < 0.1);
+        EXPECT_TRUE(!(isFour && row.scheme == "ZP stable") || std::abs(row.storageFactor - 253) < 1);
+    }
+}
+
+} // namespace
+} // namespace gnomon::app

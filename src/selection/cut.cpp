@@ -74,13 +74,19 @@ void CutPart::add(const PageVisit& visit) {
     test(page);
     if (visit.mask.touching == 0) return;
     collectPlanes(visit.mask);
-    for (const hierarchy::Group& group : page.groups) {
+    for (std::uint32_t g = 0; g < page.groups.size(); ++g) {
+        const hierarchy::Group& group = page.groups[g];
         const std::uint64_t touching = narrowed(visit.mask.touching, pagePlanes_, group.box, &groupPlanes_);
-        if (touching != 0 && query_->rule->exceeds(group.bounds, group.error, query_->errorPixels))
+        if (touching != 0 && query_->rule->exceeds(group.bounds, group.error, query_->errorPixels) &&
+            !isBlocked(visit.page, g))
             addGroup(page, group, visit.page, touching);
     }
     flush();
     groupsTested_ += page.groups.size();
+}
+
+bool CutPart::isBlocked(std::uint32_t page, std::uint32_t group) const {
+    return query_->blocked != nullptr && !query_->blocked->empty() && query_->blocked->contains({page, group});
 }
 
 /// The planes that a page's box may cross: those of the volumes that it is not known to lie in.
@@ -141,8 +147,9 @@ void CutPart::test(const hierarchy::Page& page) {
         const double pixels =
             view > threshold ? view : query_->rule->casterPixels(refinement.bounds, refinement.error, threshold);
         const bool isResident = query_->resident[refinement.group.page] != nullptr;
-        refinements_[i] = {view, pixels > threshold && isResident};
+        refinements_[i] = {view, false};
         if (!(pixels > threshold)) continue;
+        refinements_[i].isRefined = isResident && !isBlocked(refinement.group.page, refinement.group.group);
         std::vector<PageDemand>& demands = isResident ? used_ : wanted_;
         if (!demands.empty() && demands.back().page == refinement.group.page) { // neighbours often share a page
             demands.back().pixels = std::max(demands.back().pixels, pixels);

@@ -59,6 +59,7 @@ struct CutQuery {
     const ErrorRule* rule = nullptr;
     double errorPixels = 1;                // refined where the rule gives more
     std::span<const ConvexVolume> volumes; // local space; fewer than bvh::kMaxVolumes; the first is the image's
+    const hierarchy::BlockedGroups* blocked = nullptr; // groups that stay unrefined whatever the rule says, if any
 };
 
 /// The answer: one list per volume, and what it took. Along every chain of refinement that a volume reaches, exactly
@@ -124,6 +125,7 @@ private:
         std::span<const CutPlane> planes,
         const hierarchy::GridBox& box,
         std::vector<CutPlane>* still) const;
+    bool isBlocked(std::uint32_t page, std::uint32_t group) const;
     void collectPlanes(bvh::VolumeMask mask);
     void test(const hierarchy::Page& page);
     void draw(std::uint32_t page, std::uint32_t cluster, std::uint32_t triangles, std::uint64_t touching);

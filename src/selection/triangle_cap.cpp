@@ -31,7 +31,7 @@ public:
         query.volumes = volumes_;
         std::vector<std::uint32_t> missingRoots;
         for (const PageVisit& visit : visitedPages(query, missingRoots))
-            if (visit.mask.touching != 0) add(*query.resident[visit.page], visit.mask);
+            if (visit.mask.touching != 0) add(visit.page, visit.mask);
         return std::move(found_);
     }
 
@@ -41,13 +41,20 @@ private:
         return mask.undecided() != 0 && classify(volumes_[0], local) == Containment::Outside;
     }
 
-    void add(const hierarchy::Page& page, bvh::VolumeMask mask) {
+    bool isBlocked(const hierarchy::GroupRef& group) const {
+        return query_->blocked != nullptr && query_->blocked->contains(group);
+    }
+
+    void add(std::uint32_t id, bvh::VolumeMask mask) {
+        const hierarchy::Page& page = *query_->resident[id];
         refinedBelow_.clear();
         for (const hierarchy::Refinement& finer : page.refinements) {
-            const bool isResident = query_->resident[finer.group.page] != nullptr;
-            refinedBelow_.push_back(isResident ? query_->rule->pixels(finer.bounds, finer.error) : 0);
+            const bool canBeRefined = query_->resident[finer.group.page] != nullptr && !isBlocked(finer.group);
+            refinedBelow_.push_back(canBeRefined ? query_->rule->pixels(finer.bounds, finer.error) : 0);
         }
-        for (const hierarchy::Group& group : page.groups) {
+        for (std::uint32_t g = 0; g < page.groups.size(); ++g) {
+            if (isBlocked({id, g})) continue;
+            const hierarchy::Group& group = page.groups[g];
             const double end = query_->rule->pixels(group.bounds, group.error);
             if (end > query_->errorPixels && !isOutside(mask, group.box)) addGroup(page, group, mask, end);
         }

@@ -15,6 +15,11 @@ constexpr double kPrefetchScale = 1e-30;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
+/// Whether `outer` may hold all of `inner`; errs towards yes by a part in a million.
+bool mayEnclose(const Sphere& outer, const Sphere& inner) {
+    return glm::distance(outer.center, inner.center) + inner.radius <= outer.radius * (1 + 1e-6);
+}
+
 } // namespace
 
 Bytes decodedBytes(const hierarchy::PageInfo& info) {
@@ -147,10 +152,7 @@ void PageStore::chooseKept(DemandOutcome& outcome) {
     Bytes total = pinned_;
     for (const std::uint32_t page : asked_) {
         Entry& entry = entries_[page];
-        if (entry.isKept) continue;
-        const auto isBlocked = [this](std::uint32_t parent) { return entries_[parent].isBlocked; };
-        if (std::any_of(entry.parents.begin(), entry.parents.end(), isBlocked)) block(page);
-        if (entry.isBlocked) continue;
+        if (entry.isKept || entry.isDamaged) continue;
         if (total.count + entry.bytes.count > options_.budget.count) {
             if (entry.urgency == kInfinite)
                 throw Error(
@@ -229,14 +231,11 @@ bool PageStore::settleWaiting() {
     std::vector<LoadedPage> still;
     for (LoadedPage& loaded : waiting_) {
         const Entry& entry = entries_[loaded.page];
-        const auto isResident = [this](std::uint32_t parent) { return table_[parent] != nullptr; };
-        const auto isBlocked = [this](std::uint32_t parent) { return entries_[parent].isBlocked; };
-        if (std::all_of(entry.parents.begin(), entry.parents.end(), isResident)) {
+        const auto isSettled = [this](std::uint32_t parent) {
+            return table_[parent] != nullptr || entries_[parent].isDamaged;
+        };
+        if (std::all_of(entry.parents.begin(), entry.parents.end(), isSettled)) {
             admit(std::move(loaded));
-            hasMoved = true;
-        } else if (std::any_of(entry.parents.begin(), entry.parents.end(), isBlocked)) {
-            release(loaded.page);
-            block(loaded.page);
             hasMoved = true;
         } else {
             still.push_back(std::move(loaded));
@@ -250,15 +249,40 @@ void PageStore::reportDamage(const LoadedPage& loaded) {
     release(loaded.page);
     if (entries_[loaded.page].isRoot) throw Error(loaded.fault);
     ++statistics_.pagesDamaged;
-    block(loaded.page);
+    entries_[loaded.page].isDamaged = true;
     if (options_.onDamaged) options_.onDamaged({loaded.page, loaded.fault});
 }
 
-void PageStore::block(std::uint32_t page) {
-    if (entries_[page].isRoot)
-        throw Error(
-            source_->name(), "page " + std::to_string(page) + " of the coarsest level hangs from a damaged one");
-    entries_[page].isBlocked = true;
+/// A group may be refined only if every group that holds a part of what replaces it is. Which groups a damaged page
+/// refines nobody can tell, but its bounds enclose theirs; what its bounds do not enclose it has nothing to do with.
+void PageStore::blockGroups(std::uint32_t page) {
+    const hierarchy::Page& content = *entries_[page].content;
+    const auto block = [&](std::uint32_t group) {
+        if (content.groups[group].error < kInfinite) blocked_.insert({page, group}); // a root hangs from nothing
+    };
+    for (const std::uint32_t parent : entries_[page].parents) {
+        if (!entries_[parent].isDamaged) {
+            blockBelow(parent, page, block);
+            continue;
+        }
+        for (std::uint32_t group = 0; group < content.groups.size(); ++group)
+            if (mayEnclose(source_->pages()[parent].bounds, content.groups[group].bounds)) block(group);
+    }
+}
+
+/// Calls `block` for the groups of `page` that blocked groups of `parent` refine.
+template <class Block>
+void PageStore::blockBelow(std::uint32_t parent, std::uint32_t page, const Block& block) const {
+    const hierarchy::Page& above = *entries_[parent].content;
+    for (auto blocked = blocked_.lower_bound({parent, 0}); blocked != blocked_.end() && blocked->page == parent;
+         ++blocked) {
+        const hierarchy::Group& group = above.groups[blocked->group];
+        for (std::uint32_t c = group.firstCluster; c < group.firstCluster + group.clusterCount; ++c) {
+            if (above.clusters[c].refinement == hierarchy::kNone) continue;
+            const hierarchy::GroupRef& finer = above.refinements[above.clusters[c].refinement].group;
+            if (finer.page == page) block(finer.group);
+        }
+    }
 }
 
 void PageStore::admit(LoadedPage loaded) {
@@ -268,6 +292,7 @@ void PageStore::admit(LoadedPage loaded) {
     table_[loaded.page] = entry.content.get();
     ++statistics_.residentPages;
     statistics_.resident.count += entry.bytes.count;
+    if (statistics_.pagesDamaged > 0) blockGroups(loaded.page);
 }
 
 /// Lets go of what the demand at hand asked for but the budget has no room for; true if that was anything.
@@ -304,6 +329,7 @@ void PageStore::evict(std::uint32_t page) {
     GNOMON_CHECK_OP(entry.heldChildren, ==, 0U);
     entry.content.reset();
     table_[page] = nullptr;
+    blocked_.erase(blocked_.lower_bound({page, 0}), blocked_.lower_bound({page + 1, 0}));
     --statistics_.residentPages;
     ++statistics_.pagesEvicted;
     statistics_.resident.count -= entry.bytes.count;
@@ -314,7 +340,7 @@ void PageStore::countMissing(const Demand& demand, DemandOutcome& outcome) const
     for (const std::span<const hierarchy::PageDemand> demands : {demand.used, demand.wanted}) {
         for (const hierarchy::PageDemand& asked : demands) {
             if (table_[asked.page] != nullptr) continue;
-            ++(entries_[asked.page].isBlocked ? outcome.pagesBlocked : outcome.pagesMissing);
+            ++(entries_[asked.page].isDamaged ? outcome.pagesBlocked : outcome.pagesMissing);
         }
     }
 }

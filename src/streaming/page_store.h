@@ -34,8 +34,8 @@ struct Demand {
 
 /// How the last demand was met.
 struct DemandOutcome {
-    std::uint64_t pagesMissing = 0; // used or wanted, not resident, but neither damaged nor below a damaged page
-    std::uint64_t pagesBlocked = 0; // wanted, but damaged or below a damaged page
+    std::uint64_t pagesMissing = 0; // used or wanted, not resident and not damaged
+    std::uint64_t pagesBlocked = 0; // wanted, but damaged
     bool isBudgetBinding = false;   // the budget holds less than all that was asked for
     bool hasChanged = false;        // pages came or went
 };
@@ -69,6 +69,9 @@ public:
 
     hierarchy::ResidentPages resident() const { return table_; }
 
+    /// Groups of resident pages below a damaged one that a cut must leave unrefined; changes when `resident()` does.
+    const hierarchy::BlockedGroups& blocked() const { return blocked_; }
+
     /// Takes in what the loaders finished, makes room and asks them for what is most urgent; never waits for the disk.
     /// Throws Error if a page with a root group is damaged or all such pages in demand do not fit the budget.
     DemandOutcome update(const Demand& demand);
@@ -92,7 +95,7 @@ private:
         bool isPinned = false;
         bool isInFlight = false; // queued, in a loader's hands, or waiting for its parents
         bool isKept = false;     // in the update at hand
-        bool isBlocked = false;  // damaged or below a damaged page
+        bool isDamaged = false;
     };
 
     void link();
@@ -110,7 +113,9 @@ private:
     void release(std::uint32_t page);
     void hold(std::uint32_t page);
     void evict(std::uint32_t page);
-    void block(std::uint32_t page);
+    void blockGroups(std::uint32_t page);
+    template <class Block>
+    void blockBelow(std::uint32_t parent, std::uint32_t page, const Block& block) const;
     void reportDamage(const LoadedPage& loaded);
     void admit(LoadedPage loaded);
     void countMissing(const Demand& demand, DemandOutcome& outcome) const;
@@ -123,6 +128,7 @@ private:
     std::vector<std::uint32_t> victims_; // resident pages that may go, the next one last; the update at hand
     bool areVictimsKnown_ = false;
     std::vector<LoadedPage> waiting_; // decoded before one of their parents
+    hierarchy::BlockedGroups blocked_;
     Bytes pinned_;
     std::uint64_t clock_ = 0;
     StoreStatistics statistics_;

@@ -1,5 +1,5 @@
 // The cut that the trees find against the one that looking at every group finds, and what every cut must keep.
-#include "model_views.h"
+#include "cluster_chains.h"
 
 #include <gtest/gtest.h>
 
@@ -11,23 +11,11 @@ namespace gnomon::selection {
 namespace {
 
 using hierarchy::kNone;
+using tests::Chains;
+using tests::ClusterId;
+using tests::clustersOf;
 using tests::ModelInMemory;
 using tests::sharedModel;
-
-/// A cluster's address.
-struct ClusterId {
-    std::uint32_t page = 0;
-    std::uint32_t cluster = 0;
-    auto operator<=>(const ClusterId&) const = default;
-};
-
-std::set<ClusterId> clustersOf(const DrawList& list) {
-    std::set<ClusterId> result;
-    for (const ClusterRange& range : list.ranges)
-        for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c)
-            EXPECT_TRUE(result.insert({range.page, c}).second) << "drawn twice";
-    return result;
-}
 
 struct SlowCut {
     std::vector<std::set<ClusterId>> lists;
@@ -121,45 +109,6 @@ TEST(Cut, TreesFindWhatBruteForceFinds) {
     }
     EXPECT_GT(drawn, 10000U);
 }
-
-/// Walks from a finest cluster to a root, by a random one of the clusters that replace each group.
-class Chains {
-public:
-    explicit Chains(const ModelInMemory& model) : model_(&model) {
-        for (std::uint32_t p = 0; p < model.all.size(); ++p) {
-            const hierarchy::Page& page = *model.all[p];
-            for (std::uint32_t g = 0; g < page.groups.size(); ++g) {
-                const hierarchy::Group& group = page.groups[g];
-                for (std::uint32_t c = group.firstCluster; c < group.firstCluster + group.clusterCount; ++c) {
-                    groupOf_[{p, c}] = {p, g};
-                    const std::uint32_t refinement = page.clusters[c].refinement;
-                    if (refinement == kNone) {
-                        finest_.push_back({p, c});
-                    } else {
-                        replacements_[page.refinements[refinement].group].push_back({p, c});
-                    }
-                }
-            }
-        }
-    }
-
-    std::vector<ClusterId> randomChain(Random& random) const {
-        std::vector<ClusterId> chain{finest_[random.below(finest_.size())]};
-        while (true) {
-            const hierarchy::GroupRef group = groupOf_.at(chain.back());
-            if (model_->all[group.page]->groups[group.group].error == std::numeric_limits<double>::infinity())
-                return chain;
-            const std::vector<ClusterId>& above = replacements_.at(group);
-            chain.push_back(above[random.below(above.size())]);
-        }
-    }
-
-private:
-    const ModelInMemory* model_;
-    std::map<ClusterId, hierarchy::GroupRef> groupOf_;
-    std::map<hierarchy::GroupRef, std::vector<ClusterId>> replacements_;
-    std::vector<ClusterId> finest_;
-};
 
 TEST(Cut, CutsEveryChainExactlyOnceWhateverIsResident) {
     Random random(32);

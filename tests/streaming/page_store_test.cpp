@@ -1,7 +1,7 @@
 // The cache keeps its budget, stays closed upwards, survives damage and gives the same residency twice.
+#include "cluster_chains.h"
 #include "core/error.h"
 #include "hierarchy/validation.h"
-#include "model_views.h"
 #include "streaming/page_store.h"
 
 #include <gtest/gtest.h>
@@ -59,11 +59,14 @@ PageStoreOptions withBudget(Bytes budget, unsigned threads = 4) {
     return options;
 }
 
-void expectClosedUpwards(hierarchy::ResidentPages resident) {
+void expectClosedUpwards(hierarchy::ResidentPages resident, const std::set<std::uint32_t>& damaged = {}) {
     const std::vector<hierarchy::PageInfo>& table = sharedModel().table;
     for (std::size_t page = 0; page < resident.size(); ++page)
         for (const std::uint32_t child : table[page].children)
-            EXPECT_FALSE(resident[page] == nullptr && resident[child] != nullptr) << page << " lacks under " << child;
+            EXPECT_FALSE(
+                resident[page] == nullptr && resident[child] != nullptr &&
+                !damaged.contains(static_cast<std::uint32_t>(page)))
+                << page << " lacks under " << child;
 }
 
 void expectWithinBudget(const PageStore& store, Bytes budget) {
@@ -93,7 +96,15 @@ public:
     }
 
     selection::Cut cut(const PageStore& store) const {
-        return selection::cut({&sharedModel().trees, store.resident(), &rule_, errorPixels_, volumes_});
+        return selection::cut(
+            {&sharedModel().trees, store.resident(), &rule_, errorPixels_, volumes_, &store.blocked()});
+    }
+
+    /// The same cut over all of space, so that nothing is culled away.
+    selection::Cut cutEverywhere(const PageStore& store) const {
+        const std::vector<ConvexVolume> everywhere(1);
+        return selection::cut(
+            {&sharedModel().trees, store.resident(), &rule_, errorPixels_, everywhere, &store.blocked()});
     }
 
     DemandOutcome loadAll(PageStore& store) const {
@@ -236,13 +247,46 @@ TEST(PageStore, ADamagedPageIsNamedOnceAndNeverWantedAgain) {
         const DemandOutcome outcome = viewer.loadAll(store);
         EXPECT_EQ(outcome.pagesMissing, 0U) << "all that can be loaded is loaded";
         EXPECT_GT(viewer.cut(store).lists.size(), 0U);
-        expectClosedUpwards(store.resident());
+        expectClosedUpwards(store.resident(), source.damaged);
     }
     EXPECT_GT(named.size(), 3U);
     EXPECT_EQ(named.size(), store.statistics().pagesDamaged);
     EXPECT_EQ(std::set<std::uint32_t>(named.begin(), named.end()).size(), named.size());
     for (const std::uint32_t page : named)
         EXPECT_TRUE(source.damaged.contains(page));
+}
+
+TEST(PageStore, BelowADamagedPageTheCutStaysWholeAndElsewhereItIsRight) {
+    Random random(48);
+    const tests::Chains chains(sharedModel());
+    const std::vector<hierarchy::PageInfo>& table = sharedModel().table;
+    double kept = 0;
+    constexpr int kTrials = 20;
+    for (int trial = 0; trial < kTrials; ++trial) {
+        FakeSource source(sharedModel());
+        for (int i = 0; i < 3; ++i) {
+            const auto page = static_cast<std::uint32_t>(random.below(table.size()));
+            if (table[page].maxError < std::numeric_limits<double>::infinity()) source.damaged.insert(page);
+        }
+        PageStore store(source, withBudget(wholeModel()));
+        const Viewer viewer(random);
+        viewer.loadAll(store);
+        const std::set<tests::ClusterId> drawn = tests::clustersOf(viewer.cutEverywhere(store).lists[0]);
+        for (int i = 0; i < 500; ++i) {
+            const std::vector<tests::ClusterId> chain = chains.randomChain(random);
+            const auto count = std::count_if(
+                chain.begin(), chain.end(), [&](const tests::ClusterId& id) { return drawn.contains(id); });
+            EXPECT_EQ(count, 1) << "trial " << trial;
+        }
+        FakeSource soundSource(sharedModel());
+        PageStore sound(soundSource, withBudget(wholeModel()));
+        viewer.loadAll(sound);
+        const std::set<tests::ClusterId> right = tests::clustersOf(viewer.cutEverywhere(sound).lists[0]);
+        const auto same =
+            std::count_if(right.begin(), right.end(), [&](const tests::ClusterId& id) { return drawn.contains(id); });
+        kept += static_cast<double>(same) / static_cast<double>(right.size()) / kTrials;
+    }
+    EXPECT_GT(kept, 0.7) << "three damaged pages of a thousand may not spoil the rest";
 }
 
 TEST(PageStore, ADamagedRootIsAnError) {

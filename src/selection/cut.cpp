@@ -3,6 +3,7 @@
 #include "core/check.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 
@@ -38,7 +39,7 @@ PageTrees::PageTrees(std::span<const hierarchy::PageInfo> pages, const hierarchy
         for (const std::uint32_t page : ids) {
             const hierarchy::PageInfo& info = pages[page];
             items.push_back({grid.local(info.box), info.bounds, info.maxError});
-            result.items.push_back({page, info.maxError == std::numeric_limits<double>::infinity()});
+            result.items.push_back({page, info.bounds, info.maxError, std::isinf(info.maxError)});
         }
         result.tree = bvh::Tree(items);
     }
@@ -212,6 +213,22 @@ std::vector<PageDemand> demand(const CutQuery& query) {
     Cut result = cut(anywhere);
     append(result.used, result.wanted);
     return std::move(result.used);
+}
+
+std::vector<PageDemand> pagesAhead(const CutQuery& query) {
+    const std::vector<ConvexVolume> everywhere(1);
+    const auto matters = [&](const Sphere& bounds, double error) {
+        return query.rule->exceeds(bounds, error, query.errorPixels);
+    };
+    std::vector<PageDemand> result;
+    for (const PageTrees::Level& level : query.trees->levels()) {
+        bvh::traverse(level.tree, everywhere, matters, [&](std::uint32_t item, bvh::VolumeMask) {
+            const PageTrees::PageItem& found = level.items[item];
+            if (found.holdsRoot || query.resident[found.page] != nullptr) return;
+            result.push_back({found.page, query.rule->pixels(found.bounds, found.error)});
+        });
+    }
+    return result;
 }
 
 Cut cut(const CutQuery& query) {

@@ -34,6 +34,8 @@ public:
 
     struct PageItem {
         std::uint32_t page = 0;
+        Sphere bounds;
+        double error = 0; // the largest of its groups
         bool holdsRoot = false;
     };
 
@@ -146,6 +148,10 @@ private:
 
 /// The pages that a cut of `query` would use or want, without making it: for prefetching. Volumes do not matter.
 std::vector<hierarchy::PageDemand> demand(const CutQuery& query);
+
+/// The pages that are not resident and that, as far as the page table alone tells, the cut may come to want, the roots
+/// left out. All levels at once, so loading need not wait level by level; some of them the cut will not need after all.
+std::vector<hierarchy::PageDemand> pagesAhead(const CutQuery& query);
 
 /// The cut, on one thread. culling::cutFrame does the same on all.
 Cut cut(const CutQuery& query);

@@ -149,6 +149,20 @@ TEST(Cut, AsksForTheSamePagesWhateverIsResident) {
     }
 }
 
+TEST(Cut, TheTableAloneForeseesEveryPageThatIsNeeded) {
+    Random random(37);
+    for (int trial = 0; trial < 50; ++trial) {
+        Scene scene(random, sharedModel(), sharedModel().all);
+        const std::set<std::uint32_t> needed = pagesOf(cut(scene.query()).used);
+        scene.resident = tests::randomResidency(random, sharedModel());
+        const std::set<std::uint32_t> ahead = pagesOf(pagesAhead(scene.query()));
+        for (const std::uint32_t page : needed)
+            EXPECT_TRUE(scene.resident[page] != nullptr || ahead.contains(page)) << page;
+        for (const std::uint32_t page : ahead)
+            EXPECT_EQ(scene.resident[page], nullptr);
+    }
+}
+
 TEST(Cut, ReportsTheErrorOfWhatIsMissing) {
     Random random(34);
     int worse = 0;

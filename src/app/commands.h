@@ -27,6 +27,7 @@ void addBuildCommand(CLI::App& program);
 void addExportCommand(CLI::App& program);
 void addInfoCommand(CLI::App& program);
 void addMakeCommand(CLI::App& program);
+void addRenderCommand(CLI::App& program);
 void addTheoryCommand(CLI::App& program);
 void addVerifyCommand(CLI::App& program);
 

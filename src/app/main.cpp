@@ -20,6 +20,7 @@ constexpr std::array kCommands{
     AddCommand{gnomon::app::addInfoCommand},
     AddCommand{gnomon::app::addVerifyCommand},
     AddCommand{gnomon::app::addExportCommand},
+    AddCommand{gnomon::app::addRenderCommand},
     AddCommand{gnomon::app::addTheoryCommand},
 };
 

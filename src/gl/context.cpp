@@ -16,7 +16,7 @@ Api loadApi(FunctionSource source) {
 }
 
 Context::Context(Platform platform)
-    : native_(platform == Platform::kOsmesa ? makeOsmesaContext() : makeEglContext()),
+    : native_(platform == Platform::Osmesa ? makeOsmesaContext() : makeEglContext()),
       api_(std::make_unique<Api>(loadApi(native_->functionSource()))),
       renderer_(reinterpret_cast<const char*>(api_->getString(GL_RENDERER))) {
     api_->getIntegerv(GL_MAX_TEXTURE_SIZE, &maxTextureSize_);

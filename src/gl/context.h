@@ -9,8 +9,8 @@
 
 namespace gnomon::gl {
 
-/// Where a context comes from. `kEgl` takes a GPU if EGL knows one, else EGL's surfaceless platform.
-enum class Platform { kOsmesa, kEgl };
+/// Where a context comes from. `Egl` takes a GPU if EGL knows one, else EGL's surfaceless platform.
+enum class Platform { Osmesa, Egl };
 
 /// A context, current on the thread that made it until it is destroyed. Everything is drawn into framebuffer objects;
 /// clip space is z in [0, 1] with the origin at the lower left.

@@ -62,23 +62,23 @@ int coveredPixels(Platform platform) {
 
 TEST(Context, OsmesaDrawsATriangleOfAPool) {
     // Half of 64 pixels: the diagonal's centres belong to one side or the other by the fill rule.
-    const int covered = coveredPixels(Platform::kOsmesa);
+    const int covered = coveredPixels(Platform::Osmesa);
     EXPECT_GE(covered, 28);
     EXPECT_LE(covered, 36);
 }
 
 TEST(Context, EglDrawsTheSame) {
-    EXPECT_EQ(coveredPixels(Platform::kEgl), coveredPixels(Platform::kOsmesa));
+    EXPECT_EQ(coveredPixels(Platform::Egl), coveredPixels(Platform::Osmesa));
 }
 
 TEST(Context, OsmesaIsNoHardware) {
-    const Context context(Platform::kOsmesa);
+    const Context context(Platform::Osmesa);
     EXPECT_FALSE(context.isHardware());
     EXPECT_GE(context.maxTextureSize(), 8192);
 }
 
 TEST(Context, AnErrorIsThrownWithItsPlace) {
-    const Context context(Platform::kOsmesa);
+    const Context context(Platform::Osmesa);
     context.api().enable(0xFFFF);
     try {
         context.check("the test");
@@ -90,7 +90,7 @@ TEST(Context, AnErrorIsThrownWithItsPlace) {
 }
 
 TEST(Program, AShaderThatDoesNotCompileIsNamedWithTheLog) {
-    const Context context(Platform::kOsmesa);
+    const Context context(Platform::Osmesa);
     const ShaderLibrary library(shaderFolder("void main() { nonsense; }\n"));
     try {
         const Program program(context.api(), library, "a.vert", "a.frag");
@@ -102,7 +102,7 @@ TEST(Program, AShaderThatDoesNotCompileIsNamedWithTheLog) {
 }
 
 TEST(Object, MovesAndDeletesOnce) {
-    const Context context(Platform::kOsmesa);
+    const Context context(Platform::Osmesa);
     Buffer a(context.api(), 16);
     const GLuint name = a.id();
     Buffer b(std::move(a));

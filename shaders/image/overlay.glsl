@@ -1,0 +1,54 @@
+// What can be painted over the image to see the method at work. OVERLAY: 1 partitions, 2 texels, 3 aliasing, 4 lod,
+// 5 clusters.
+
+// Colours that are far apart for neighbouring indices: the golden angle on the hue circle.
+vec3 indexColor(int index) {
+    float hue = fract(float(index) * 0.61803399 + 0.07) * 6.0;
+    return clamp(abs(mod(hue + vec3(0.0, 4.0, 2.0), 6.0) - 3.0) - 1.0, 0.0, 1.0) * 0.75 + 0.25;
+}
+
+// Blue under 1/4, green at 1, red at 4 and white from 16: one step a factor of 4.
+vec3 heat(float value) {
+    float x = clamp(log2(max(value, 1e-6)) * 0.25 + 0.5, 0.0, 1.5);
+    vec3 cold = mix(vec3(0.1, 0.2, 0.8), vec3(0.1, 0.75, 0.3), clamp(2.0 * x, 0.0, 1.0));
+    vec3 warm = mix(cold, vec3(0.9, 0.1, 0.1), clamp(2.0 * x - 1.0, 0.0, 1.0));
+    return mix(warm, vec3(1.0), clamp(2.0 * x - 2.0, 0.0, 1.0));
+}
+
+// The larger of the perspective aliasing along the map's two axes: width of a texel's light beam over a pixel's.
+float aliasing(Partition part, vec3 position, float depth) {
+    vec4 q = part.texelFromDraw * vec4(position, 1.0);
+    vec4 dx = part.texelFromDraw * vec4(part.axisX.xyz, 0.0);
+    vec4 dz = part.texelFromDraw * vec4(part.axisZ.xyz, 0.0);
+    float columns = abs(dx.x * q.w - q.x * dx.w) / (q.w * q.w);
+    float rows = abs(dz.y * q.w - q.y * dz.w) / (q.w * q.w);
+    return 1.0 / (max(min(columns, rows), 1e-30) * image.w * depth);
+}
+
+// 1 on the lines of a grid five texels apart, antialiased where a texel is smaller than a pixel.
+float texelGrid(Partition part, vec3 position) {
+    vec4 q = part.texelFromDraw * vec4(position, 1.0);
+    vec2 at = (q.xy / q.w - part.rectangle.xy) / 5.0;
+    vec2 wide = max(fwidth(at), vec2(1e-6));
+    vec2 line = 1.0 - smoothstep(vec2(0.5), vec2(1.5), abs(fract(at - 0.5) - 0.5) / wide);
+    vec2 density = clamp(1.5 - 3.0 * wide, 0.0, 1.0); // a grid finer than pixels fades instead of crawling
+    return max(line.x * density.x, line.y * density.y);
+}
+
+vec3 overlay(vec3 shaded, vec3 position, float depth, int index, float error, uint cluster) {
+    float light = dot(shaded, vec3(0.3, 0.5, 0.2));
+#if OVERLAY == 1
+    return index < 0 ? vec3(light) * 0.6 : indexColor(index) * (0.35 + 0.65 * light);
+#elif OVERLAY == 2
+    if (index < 0) return shaded * 0.8;
+    return mix(mix(shaded, indexColor(index) * (0.3 + light), 0.25), vec3(0.0, 0.05, 0.1), 0.85 * texelGrid(partitions[index], position));
+#elif OVERLAY == 3
+    return index < 0 ? vec3(light) * 0.5 : heat(aliasing(partitions[index], position, depth)) * (0.5 + 0.5 * light);
+#elif OVERLAY == 4
+    return heat(error / (image.w * depth) / max(near.z, 1e-6)) * (0.4 + 0.6 * light);
+#elif OVERLAY == 5
+    return indexColor(int(cluster)) * (0.4 + 0.6 * light);
+#else
+    return shaded;
+#endif
+}

@@ -1,0 +1,55 @@
+// The lit image. A surface turned from the light is dark without asking a map; lighting is two-sided.
+// SHADOWS: 0 none, 1 maps, 2 a mask that was computed elsewhere. OVERLAY: 0 none, see overlay.glsl.
+#include "shared/frame_block.h"
+#include "image/shadow_lookup.glsl"
+#include "image/overlay.glsl"
+
+in Surface {
+    vec3 position;
+    vec3 normal;
+    vec3 color;
+    flat float error;
+    flat uint cluster;
+};
+
+layout(binding = 1) uniform sampler2D litMask;
+
+layout(location = 0) out vec4 pixel;
+#if AUXILIARY
+layout(location = 1) out vec4 auxiliary; // flat normal towards the viewer; w: partition + lit fraction / 2, or -1
+#endif
+
+void main() {
+    vec3 towardsEye = eye.xyz - position;
+    vec3 flatNormal = cross(dFdx(position), dFdy(position));
+    float size = length(flatNormal);
+    flatNormal = size > 0.0 ? flatNormal / size : normalize(towardsEye);
+    if (dot(flatNormal, towardsEye) < 0.0) flatNormal = -flatNormal;
+    vec3 smoothNormal = normal == vec3(0.0) ? flatNormal : normalize(normal);
+    if (dot(smoothNormal, flatNormal) < 0.0) smoothNormal = -smoothNormal;
+
+    float depth = dot(view.xyz, position) + view.w;
+    float cosine = dot(flatNormal, light.xyz);
+    float lit = 0.0;
+    int index = -1;
+    if (cosine > 0.0) {
+#if SHADOWS == 1
+        index = partitionOf(position - eye.xyz, depth);
+        lit = litFraction(index, position, flatNormal, cosine);
+#elif SHADOWS == 2
+        lit = texelFetch(litMask, ivec2(gl_FragCoord.xy), 0).r;
+#else
+        lit = 1.0;
+#endif
+    }
+    float direct = lit * max(dot(smoothNormal, light.xyz), 0.0);
+    float facing = abs(dot(smoothNormal, normalize(towardsEye)));
+    vec3 shaded = color * (0.22 + 0.14 * facing + 0.64 * direct);
+#if OVERLAY
+    shaded = overlay(shaded, position, depth, index, error, cluster);
+#endif
+    pixel = vec4(shaded, 1.0);
+#if AUXILIARY
+    auxiliary = vec4(flatNormal, cosine > 0.0 ? float(index + 1) + 0.5 * lit : -1.0);
+#endif
+}

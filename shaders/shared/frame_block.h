@@ -1,0 +1,46 @@
+// What the shaders are told of a frame: declared once, read by C++ and by GLSL, laid out by std140.
+// "draw" space: world axes and units, origin at a grid point near the eye, so that floats are precise where it matters.
+#ifdef __cplusplus
+#pragma once
+#include <glm/glm.hpp>
+namespace gnomon::render::block {
+using vec4 = glm::vec4;
+using ivec4 = glm::ivec4;
+using mat4 = glm::mat4;
+#define GNOMON_BLOCK(binding_, name_) struct name_
+#else
+#define GNOMON_BLOCK(binding_, name_) layout(std140, binding = binding_) uniform name_
+#endif
+
+#define GNOMON_MAX_PARTITIONS 96
+#define GNOMON_MAX_SLICES 64
+
+GNOMON_BLOCK(0, Frame) {
+    mat4 clipFromDraw;   // of the pass that is drawn
+    ivec4 originCell;    // xyz: the grid point that is draw space's origin
+    vec4 eye;            // xyz: the eye in draw space; w: the grid's step
+    vec4 view;           // xyz: the view direction; w: the view depth of draw space's origin
+    vec4 light;          // xyz: the direction towards the light; w: +1 if it is behind the viewer or across, else -1
+    vec4 image;          // width and height in pixels; z: the clip near plane; w: 2 tan(theta) / height
+    vec4 near;           // x: the shadow range's near; y: its far; z: error threshold in pixels
+    ivec4 counts;        // x: slices; y: filter width in texels; z: 1 where slices are split into faces; w: partitions
+};
+
+struct Partition {
+    mat4 texelFromDraw;  // (column w, row w, depth w, w) in texels of the whole depth texture
+    mat4 drawFromTexel;  // its inverse, for planes
+    vec4 axisX;          // xyz: the light frame's x in draw space
+    vec4 axisZ;          // and its z
+    vec4 rectangle;      // the partition's texels, gutters included: first column, first row, one past the last
+};
+
+GNOMON_BLOCK(1, Shadows) {
+    vec4 sideNormals[4];                      // outward, draw space: top, bottom, left, right
+    vec4 splits[GNOMON_MAX_SLICES];           // x: near of the slice; y: far
+    ivec4 faces[2 * GNOMON_MAX_SLICES];       // partition of (whole, top, bottom, left), (right, near); -1: none
+    Partition partitions[GNOMON_MAX_PARTITIONS];
+};
+
+#ifdef __cplusplus
+} // namespace gnomon::render::block
+#endif

@@ -1,0 +1,110 @@
+#include "app/session.h"
+#include "core/error.h"
+#include "core/file.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <memory>
+
+namespace gnomon::app {
+
+namespace {
+
+struct RenderOptions {
+    CommonOptions common;
+    ViewOptions view;
+    std::string model;
+    std::string output;
+    std::string overlay = "none";
+    std::string statistics;
+    std::string reference;
+    double referenceThreshold = 0.01;
+    std::string depth;
+    std::string shadowDepth;
+};
+
+const std::map<std::string, render::Overlay>& overlays() {
+    using render::Overlay;
+    static const std::map<std::string, Overlay> words = {
+        {"none", Overlay::None},
+        {"partitions", Overlay::Partitions},
+        {"texels", Overlay::Texels},
+        {"aliasing", Overlay::Aliasing},
+        {"lod", Overlay::Lod},
+        {"clusters", Overlay::Clusters}};
+    return words;
+}
+
+/// Each map as a PFM of its own, named by its slice and face.
+void writeShadowMaps(const std::string& folder, const render::Frame& frame, render::Executor& executor) {
+    std::filesystem::create_directories(folder);
+    const render::FloatPicture all = executor.shadowDepth();
+    for (const plan::ShadowPass& pass : frame.plan.passes) {
+        const plan::Rectangle& r = pass.rectangle;
+        render::FloatPicture map(r.width, r.height);
+        for (int y = 0; y < r.height; ++y)
+            for (int x = 0; x < r.width; ++x)
+                map.at(x, r.height - 1 - y) = all.at(r.x + x, r.y + y);
+        const std::string name = "slice" + std::to_string(pass.slice) + "_" + shadow::name(pass.face) + ".pfm";
+        render::writePfm((std::filesystem::path(folder) / name).string(), map);
+    }
+}
+
+void requireLike(const RenderOptions& options, const render::Picture& picture) {
+    const render::PictureDifference found = render::difference(render::readPng(options.reference), picture);
+    if (found.mean > options.referenceThreshold)
+        throw Error(
+            options.reference,
+            "the picture differs from its reference",
+            "a mean difference of at most " + std::to_string(options.referenceThreshold),
+            std::to_string(found.mean));
+}
+
+void runRender(const RenderOptions& options) {
+    const plan::Quality quality = qualityOf(options.view, options.view.swept);
+    Session session(options.model, options.view);
+    const plan::View view = viewOf(options.view, session.model().summary());
+    render::FrameOptions frameOptions;
+    frameOptions.overlay = overlays().at(options.overlay);
+    const render::Frame frame = session.renderer().render(view, quality, frameOptions);
+    const render::Picture picture = session.executor().picture();
+    render::writePng(options.output, picture);
+    if (!options.depth.empty()) render::writePfm(options.depth, session.executor().viewDepth());
+    if (!options.shadowDepth.empty()) writeShadowMaps(options.shadowDepth, frame, session.executor());
+    if (!options.statistics.empty()) {
+        telemetry::FrameRow row = frame.row;
+        row.run = "render";
+        writeTextFile(options.statistics, telemetry::jsonObject(row) + "\n");
+    }
+    if (!options.reference.empty()) requireLike(options, picture);
+}
+
+} // namespace
+
+void addRenderCommand(CLI::App& program) {
+    CLI::App* command = program.add_subcommand("render", "Draw one picture of a model with its shadows");
+    auto options = std::make_shared<RenderOptions>();
+    command->add_option("MODEL", options->model, "A .gnm file")->required();
+    command->add_option("-o,--output", options->output, "The picture, a PNG")->required();
+    std::vector<std::string> words;
+    for (const auto& [word, overlay] : overlays())
+        words.push_back(word);
+    command->add_option("--overlay", options->overlay, "What is painted over the picture")
+        ->check(CLI::IsMember(words))
+        ->capture_default_str();
+    command->add_option("--stats", options->statistics, "Write the frame's row of the log here, as JSON");
+    command->add_option("--reference", options->reference, "Compare with this PNG; exit 1 if it differs more");
+    command
+        ->add_option(
+            "--reference-threshold", options->referenceThreshold, "Largest mean difference, fraction of full scale")
+        ->check(CLI::Range(0.0, 1.0))
+        ->capture_default_str();
+    command->add_option("--depth", options->depth, "Write view depth here, a PFM; infinity where nothing is");
+    command->add_option("--shadow-depth", options->shadowDepth, "Write each shadow map into this folder, as PFM");
+    addViewOptions(*command, options->view);
+    addCommonOptions(*command, options->common);
+    command->callback([options] { runRender(*options); });
+}
+
+} // namespace gnomon::app

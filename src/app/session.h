@@ -1,0 +1,32 @@
+// An open model with an executor, as the view options ask for them.
+#pragma once
+
+#include "app/view_options.h"
+#include "hierarchy/model_file.h"
+#include "render/renderer.h"
+
+#include <memory>
+
+namespace gnomon::app {
+
+/// The executor that `options` name: `auto` is a GPU if there is one, else OSMesa. Throws UsageError for the window.
+std::unique_ptr<render::Executor> makeExecutor(const ViewOptions& options);
+
+/// A model, who draws it, and what renders its frames; warns of each damaged page once, on stderr.
+class Session {
+public:
+    Session(const std::string& modelPath, const ViewOptions& options);
+
+    const hierarchy::ModelFile& model() const { return model_; }
+
+    render::Executor& executor() { return *executor_; }
+
+    render::Renderer& renderer() { return renderer_; }
+
+private:
+    hierarchy::ModelFile model_;
+    std::unique_ptr<render::Executor> executor_;
+    render::Renderer renderer_;
+};
+
+} // namespace gnomon::app

@@ -1,0 +1,29 @@
+// The depth range that a frame's shadows are promised for: everything turns on its near end.
+#pragma once
+
+#include "plan/frame_plan.h"
+
+#include <string>
+
+namespace gnomon::plan {
+
+/// The range with a word on where each end comes from. near < far always; `isEmpty` if nothing is in view.
+struct DepthRange {
+    double near = 0;
+    double far = 0;
+    std::string nearFrom;
+    std::string farFrom;
+    bool isEmpty = false;
+};
+
+/// The least view depth of anything drawn, not under the floor, down to a step of a ladder of 2^(1/4): it falls at
+/// once, and rises only when `previous` has wanted that for kFramesBeforeNearRises frames.
+DepthRange depthRange(const View& view, const Quality& quality, const SceneFacts& scene, const FramePlan* previous);
+
+/// How long near must want to rise before it does.
+constexpr int kFramesBeforeNearRises = 12;
+
+/// The largest step of the ladder that is at most `depth`; 2^(i/4) for whole i.
+double ladderStep(double depth);
+
+} // namespace gnomon::plan

@@ -1,0 +1,135 @@
+// A frame as a value: what will be drawn, with which volumes, matrices and texels, what it promises, and why everything
+// else is left out. Made without GL, files or a clock; executors only carry it out.
+#pragma once
+
+#include "core/camera.h"
+#include "core/convex_volume.h"
+#include "shadow/faces.h"
+#include "shadow/splits.h"
+#include "shadow/warp.h"
+#include "shadow/warped_map.h"
+
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gnomon::plan {
+
+/// What is looked at, from where, towards which light.
+struct View {
+    Camera camera;
+    int width = 800; // pixels, at least 1
+    int height = 800;
+    glm::dvec3 towardsLight{0.4, 1, 0.3}; // world space, any length above 0
+
+    double aspect() const { return static_cast<double>(width) / height; }
+
+    double tanHalfY() const { return std::tan(camera.fovYRadians / 2); }
+
+    double tanHalfX() const { return aspect() * tanHalfY(); }
+};
+
+enum class ShadowMode : std::uint8_t { Off, Maps, Rays };
+enum class Choice : std::uint8_t { Off, On, Auto };
+
+/// What the user asked for; the names are those of the command line.
+struct Quality {
+    ShadowMode shadows = ShadowMode::Maps;
+    shadow::Warp warp;
+    std::optional<int> zPartitions = 4; // nothing: auto
+    double splitLambda = 1;
+    Choice facePartitions = Choice::Off;
+    int shadowTexelsWidth = 2048; // a count: all maps together, gutters included
+    int shadowTexelsHeight = 2048;
+    double maxAliasing = 4;
+    int filter = 0; // PCF kernel in texels
+    bool cullCasters = true;
+    bool stabilize = false;
+    std::optional<double> near; // nothing: auto
+    std::optional<double> far;
+    std::optional<double> nearFloor; // nothing: far / 10000
+    double errorPixels = 1;
+    std::optional<std::uint64_t> maxTriangles;
+};
+
+/// What is known of the scene in this view before its geometry was asked, and after.
+struct SceneFacts {
+    Box bounds; // world space
+
+    /// Least and largest view depth of anything drawn in the frustum; nothing before the hierarchy was asked.
+    struct Visible {
+        double nearest = 0;
+        double farthest = 0;
+        bool anything = false;
+    };
+
+    std::optional<Visible> visible;
+};
+
+/// Texels of the depth texture: first column, first row, width, height; origin at its lower left.
+struct Rectangle {
+    int x = 0;
+    int y = 0;
+    int width = 0;
+    int height = 0;
+    bool operator==(const Rectangle&) const = default;
+};
+
+/// One shadow map.
+struct ShadowPass {
+    int slice = 0;
+    shadow::Face face = shadow::Face::Whole;
+    double near = 0; // the slice's depths
+    double far = 0;
+    shadow::WarpedMap warp;          // in camera space, over `map`
+    glm::dmat4 textureFromCamera{1}; // (s w, t w, depth w, w) over `map`; depth 0 is nearest to the light
+    Rectangle rectangle;             // with the gutter
+    Rectangle map;                   // without
+    shadow::Aliasing promised;       // with these texels and this image
+    ConvexVolume casters;            // camera space: all that can throw a shadow into the partition
+    ConvexVolume receivers;          // camera space
+};
+
+/// Something that this view does not call for.
+struct Omission {
+    std::string effect;
+    std::string reason;
+};
+
+/// The plan of a frame.
+struct FramePlan {
+    View view;
+    Quality quality;
+    CameraBasis basis;
+    glm::dvec3 towardsLight{0, 1, 0}; // unit, camera space
+    double near = 0;                  // the range that shadows are promised for
+    double far = 0;
+    int framesNearIsHeld = 0; // how many frames near has been kept under what the view would allow
+    std::string nearFrom;     // how they were found
+    std::string farFrom;
+    double lightAngleRadians = 0;
+    std::vector<double> splits; // of the slices; empty without maps
+    bool hasFaces = false;
+    std::vector<ShadowPass> passes;
+    shadow::Aliasing promised; // the largest over all passes
+    double storageFactor = 0;
+    bool promiseKept = true;
+    std::vector<Omission> omitted;
+    int textureWidth = 0; // of the depth texture; 0 without maps
+    int textureHeight = 0;
+};
+
+/// The plan for `view` with `quality`; `previous` steadies what must not jump from frame to frame. Throws Error if the
+/// view is impossible.
+FramePlan planFrame(
+    const View& view, const Quality& quality, const SceneFacts& scene, const FramePlan* previous = nullptr);
+
+/// The word for the scheme in the log: "off", "rays", "map", "zp4", "fp", "fp+zp4", with "+w" where a map is warped.
+std::string schemeName(const FramePlan& plan);
+
+/// The name of a warp rule on the command line.
+std::string warpName(const shadow::Warp& warp);
+
+} // namespace gnomon::plan

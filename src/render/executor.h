@@ -1,0 +1,86 @@
+// Who carries a plan out: one interface for GL, rays and the software rasteriser.
+#pragma once
+
+#include "hierarchy/grid.h"
+#include "plan/frame_plan.h"
+#include "render/picture.h"
+#include "selection/cut.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gnomon::render {
+
+/// The decoded page of an id that a draw list names; valid until the frame is drawn.
+using PageLookup = std::function<const hierarchy::Page&(std::uint32_t page)>;
+
+/// What is painted over the image.
+enum class Overlay : std::uint8_t { None, Partitions, Texels, Aliasing, Lod, Clusters };
+
+/// World axes and units, origin at the grid point of the model that is nearest to the eye: there floats are precise
+/// where the picture needs it, however far from the world's origin or how far away the eye is.
+struct DrawSpace {
+    hierarchy::GridPoint originCell;
+    double step = 1;
+    glm::dvec3 eye{0};              // in draw space
+    glm::dmat4 cameraFromDraw{1.0}; // left-handed camera space
+};
+
+/// The draw space of `view` on `grid`; `bounds` are those of the model, world space.
+DrawSpace drawSpace(const plan::View& view, const hierarchy::Grid& grid, const Box& bounds);
+
+/// One frame, ready to be drawn.
+struct FrameDrawing {
+    const plan::FramePlan* plan = nullptr;
+    DrawSpace space;
+    hierarchy::Grid grid;
+    const selection::DrawList* image = nullptr;
+    std::vector<const selection::DrawList*> casters; // one a pass
+    PageLookup pages;
+    double clipNear = 1e-3; // view depth of the near clip plane: nothing that is drawn lies before it
+    Overlay overlay = Overlay::None;
+    bool wantsSurfaces = false;                    // keep what `surfaces` returns
+    const Raster<std::uint8_t>* litMask = nullptr; // 255 where the light reaches, instead of maps
+};
+
+/// What drawing took. Times are wall-clock around finished work.
+struct DrawStatistics {
+    double shadowMs = 0;
+    double imageMs = 0;
+    std::uint64_t drawCalls = 0;
+    std::uint64_t deviceBytes = 0; // geometry and textures held
+};
+
+/// What is known of a pixel's surface.
+struct SurfaceSample {
+    glm::vec3 normal{0};       // flat, towards the viewer; draw space
+    float partitionAndLit = 0; // partition + 1 + lit fraction / 2; -1 where the surface is turned from the light
+};
+
+/// Draws frames. The results are those of the last frame.
+class Executor {
+public:
+    Executor() = default;
+    virtual ~Executor() = default;
+    Executor(const Executor&) = delete;
+    Executor& operator=(const Executor&) = delete;
+    Executor(Executor&&) = delete;
+    Executor& operator=(Executor&&) = delete;
+
+    /// "osmesa", "egl", ...: the column `backend`.
+    virtual std::string name() const = 0;
+    virtual DrawStatistics draw(const FrameDrawing& frame) = 0;
+    virtual Picture picture() = 0;
+    /// View depth per pixel; infinity where nothing is.
+    virtual FloatPicture viewDepth() = 0;
+    /// The whole depth texture of the shadow maps, rows from top to bottom as they lie in memory (row 0 first).
+    virtual FloatPicture shadowDepth() = 0;
+    /// Only after a frame with `wantsSurfaces`.
+    virtual Raster<SurfaceSample> surfaces() = 0;
+};
+
+} // namespace gnomon::render

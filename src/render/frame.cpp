@@ -1,0 +1,239 @@
+#include "render/local_volume.h"
+#include "render/renderer.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+// The frame, told in the words of the README: plan -> cut -> cull per partition -> shadow passes -> image pass -> log.
+
+namespace gnomon::render {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double millisecondsBetween(Clock::time_point start, Clock::time_point end) {
+    return std::chrono::duration<double, std::milli>(end - start).count();
+}
+
+/// Adds the time of its life to a sum.
+class Stopwatch {
+public:
+    explicit Stopwatch(double& sum) : sum_(sum), start_(Clock::now()) {}
+
+    ~Stopwatch() { sum_ += millisecondsBetween(start_, Clock::now()); }
+
+    Stopwatch(const Stopwatch&) = delete;
+    Stopwatch& operator=(const Stopwatch&) = delete;
+    Stopwatch(Stopwatch&&) = delete;
+    Stopwatch& operator=(Stopwatch&&) = delete;
+
+private:
+    double& sum_;
+    Clock::time_point start_;
+};
+
+std::int64_t toCount(std::uint64_t value) {
+    return static_cast<std::int64_t>(value);
+}
+
+} // namespace
+
+struct Renderer::Prepared {
+    plan::FramePlan plan;
+    selection::Cut cut;
+    plan::SceneFacts facts;
+    streaming::DemandOutcome residency;
+    double planMs = 0;
+    double selectMs = 0;
+    double cullMs = 0;
+    double streamMs = 0;
+};
+
+Renderer::Renderer(const hierarchy::ModelFile& model, Executor& executor, RendererOptions options)
+    : model_(&model),
+      executor_(&executor),
+      source_(model),
+      store_(source_, {.budget = options.memory, .loaderThreads = 4, .onDamaged = std::move(options.onDamaged)}),
+      trees_(model.pages(), model.summary().grid) {}
+
+Frame Renderer::render(const plan::View& view, const plan::Quality& quality, const FrameOptions& options) {
+    const auto start = Clock::now();
+    Prepared prepared = prepare(view, quality, options.waiting);
+    const DrawStatistics drawn = executor_->draw(drawing(prepared, options));
+    Frame frame;
+    frame.space = drawSpace(view, model_->summary().grid, model_->summary().bounds);
+    frame.row = logged(prepared, drawn);
+    frame.row.totalMs = millisecondsBetween(start, Clock::now());
+    frame.plan = prepared.plan;
+    frame.cut = std::move(prepared.cut);
+    previous_ = std::move(prepared.plan);
+    return frame;
+}
+
+plan::FramePlan Renderer::plan(const plan::View& view, const plan::Quality& quality) {
+    return prepare(view, quality, Waiting::UntilComplete).plan;
+}
+
+Renderer::Prepared Renderer::prepare(const plan::View& view, const plan::Quality& quality, Waiting waiting) {
+    for (;;) {
+        Prepared prepared = planAndCut(view, quality);
+        {
+            const Stopwatch watch(prepared.streamMs);
+            const streaming::Demand demand{prepared.cut.used, prepared.cut.wanted, {}};
+            prepared.residency = waiting == Waiting::Never ? store_.update(demand) : store_.load(demand);
+        }
+        // What came may refine the cut further, and what went must not be drawn.
+        if (!prepared.residency.hasChanged) return prepared;
+        if (waiting == Waiting::Never) {
+            Prepared again = planAndCut(view, quality);
+            again.residency = prepared.residency;
+            again.streamMs = prepared.streamMs;
+            return again;
+        }
+    }
+}
+
+Renderer::Prepared Renderer::planAndCut(const plan::View& view, const plan::Quality& quality) {
+    Prepared prepared;
+    const plan::FramePlan* const previous = previous_ ? &*previous_ : nullptr;
+    const plan::SceneFacts before{.bounds = model_->summary().bounds, .visible = {}};
+    {
+        const Stopwatch watch(prepared.planMs);
+        prepared.plan = plan::planFrame(view, quality, before, previous);
+    }
+    {
+        const Stopwatch watch(prepared.selectMs);
+        prepared.cut = cutImage(prepared.plan);
+        prepared.facts = factsOf(view, prepared.cut);
+    }
+    {
+        const Stopwatch watch(prepared.planMs);
+        prepared.plan = plan::planFrame(view, quality, prepared.facts, previous);
+    }
+    if (prepared.plan.passes.empty()) return prepared;
+    const Stopwatch watch(prepared.cullMs);
+    prepared.cut = cutAll(prepared.plan);
+    return prepared;
+}
+
+selection::Cut Renderer::cutImage(const plan::FramePlan& plan) const {
+    const selection::DetailView view = detailView(plan, plan.view.camera.eye - model_->summary().grid.origin);
+    const selection::ErrorRule rule(view);
+    const std::array<ConvexVolume, 1> volumes = {selection::viewPyramid(view)};
+    return selection::cut({&trees_, store_.resident(), &rule, plan.quality.errorPixels, volumes});
+}
+
+selection::Cut Renderer::cutAll(const plan::FramePlan& plan) const {
+    const glm::dvec3 eye = plan.view.camera.eye - model_->summary().grid.origin;
+    const selection::DetailView view = detailView(plan, eye);
+    std::vector<ConvexVolume> volumes = {selection::viewPyramid(view)};
+    std::vector<selection::CasterDetail> casters;
+    for (const plan::ShadowPass& pass : plan.passes) {
+        casters.push_back(casterDetail(plan, pass, eye));
+        // Without culling every map draws all there is, at the detail that the maps call for.
+        volumes.push_back(plan.quality.cullCasters ? casters.back().casters : ConvexVolume{});
+    }
+    const selection::ErrorRule rule(view, std::move(casters));
+    return selection::cut({&trees_, store_.resident(), &rule, plan.quality.errorPixels, volumes});
+}
+
+plan::SceneFacts Renderer::factsOf(const plan::View& view, const selection::Cut& cut) const {
+    const hierarchy::Grid& grid = model_->summary().grid;
+    const CameraBasis basis = cameraBasis(view.camera);
+    const glm::dvec3 eye = view.camera.eye - grid.origin;
+    plan::SceneFacts::Visible visible;
+    visible.nearest = std::numeric_limits<double>::infinity();
+    for (const selection::ClusterRange& range : cut.lists[0].ranges) {
+        const hierarchy::Page& page = *store_.resident()[range.page];
+        for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c) {
+            const Box box = grid.local(page.clusters[c].box);
+            const double middle = glm::dot(basis.view, box.center() - eye);
+            const double reach = glm::dot(glm::abs(basis.view), box.extent() * 0.5);
+            if (middle + reach <= 0) continue;
+            visible.anything = true;
+            visible.nearest = std::min(visible.nearest, std::max(middle - reach, 0.0));
+            visible.farthest = std::max(visible.farthest, middle + reach);
+        }
+    }
+    return {.bounds = model_->summary().bounds, .visible = visible};
+}
+
+FrameDrawing Renderer::drawing(const Prepared& prepared, const FrameOptions& options) const {
+    const hierarchy::ModelSummary& summary = model_->summary();
+    FrameDrawing drawing;
+    drawing.plan = &prepared.plan;
+    drawing.space = drawSpace(prepared.plan.view, summary.grid, summary.bounds);
+    drawing.grid = summary.grid;
+    drawing.image = &prepared.cut.lists[0];
+    for (std::size_t p = 0; p < prepared.plan.passes.size(); ++p)
+        drawing.casters.push_back(&prepared.cut.lists[p + 1]);
+    drawing.pages = [resident = store_.resident()](std::uint32_t page) -> const hierarchy::Page& {
+        return *resident[page];
+    };
+    // Reversed float depth is as precise anywhere; only triangles that cross the near plane want it not too near.
+    const plan::SceneFacts::Visible visible = prepared.facts.visible.value_or(plan::SceneFacts::Visible{});
+    const double least = std::max(1e-7 * visible.farthest, 1e-3 * summary.grid.step());
+    drawing.clipNear = std::max(visible.anything ? visible.nearest * 0.99 : 0.0, least);
+    drawing.overlay = options.overlay;
+    drawing.wantsSurfaces = options.wantsSurfaces;
+    return drawing;
+}
+
+telemetry::FrameRow Renderer::logged(const Prepared& prepared, const DrawStatistics& drawn) const {
+    const plan::FramePlan& plan = prepared.plan;
+    const plan::Quality& quality = plan.quality;
+    telemetry::FrameRow row;
+    row.model = model_->path();
+    row.scheme = plan::schemeName(plan);
+    row.warp = plan::warpName(quality.warp);
+    row.zPartitions = plan.splits.empty() ? 0 : toCount(plan.splits.size() - 1);
+    row.facePartitions = plan.hasFaces ? "on" : "off";
+    row.stabilize = quality.stabilize;
+    row.filter = quality.filter;
+    row.shadowMaps = toCount(plan.passes.size());
+    row.shadowMapsDrawn = toCount(plan.passes.size());
+    row.cullCasters = quality.cullCasters;
+    row.shadowTexels = std::to_string(quality.shadowTexelsWidth) + "x" + std::to_string(quality.shadowTexelsHeight);
+    row.errorPixels = quality.errorPixels;
+    row.width = plan.view.width;
+    row.height = plan.view.height;
+    row.backend = executor_->name();
+    row.planMs = prepared.planMs;
+    row.selectMs = prepared.selectMs;
+    row.cullMs = prepared.cullMs;
+    row.streamMs = prepared.streamMs;
+    row.shadowMs = drawn.shadowMs;
+    row.imageMs = drawn.imageMs;
+    row.imageTriangles = toCount(prepared.cut.lists[0].triangles);
+    std::uint64_t shadowTriangles = 0;
+    std::uint64_t castersKept = 0;
+    for (std::size_t p = 0; p < plan.passes.size(); ++p) {
+        shadowTriangles += prepared.cut.lists[p + 1].triangles;
+        castersKept += prepared.cut.lists[p + 1].clusters;
+    }
+    row.shadowTriangles = toCount(shadowTriangles);
+    row.castersKept = toCount(castersKept);
+    row.castersTested = toCount(prepared.cut.groupsTested);
+    row.drawCalls = toCount(drawn.drawCalls);
+    row.residentBytes = toCount(store_.statistics().resident.count);
+    row.gpuBytes = toCount(drawn.deviceBytes);
+    row.bytesRead = toCount(store_.statistics().read.count);
+    row.pagesMissing = toCount(prepared.residency.pagesMissing);
+    row.pagesDamaged = toCount(store_.statistics().pagesDamaged);
+    row.achievedErrorPixels = prepared.cut.achievedErrorPixels;
+    row.near = plan.near;
+    row.far = plan.far;
+    row.depthRatio = plan.far / plan.near;
+    row.lightAngle = plan.lightAngleRadians * 180 / 3.14159265358979323846;
+    if (plan.passes.empty()) return row;
+    row.storageFactor = plan.storageFactor;
+    row.promisedAliasingX = plan.promised.x;
+    row.promisedAliasingZ = plan.promised.z;
+    row.promiseKept = plan.promiseKept;
+    return row;
+}
+
+} // namespace gnomon::render

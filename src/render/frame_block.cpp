@@ -1,0 +1,121 @@
+#include "render/frame_block.h"
+
+#include "core/check.h"
+
+#include <glm/gtc/matrix_access.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace gnomon::render {
+
+namespace {
+
+using shadow::Face;
+
+constexpr std::array<Face, 4> kSides = {Face::Top, Face::Bottom, Face::Left, Face::Right};
+
+glm::dmat4 fromRows(const glm::dvec4& x, const glm::dvec4& y, const glm::dvec4& z, const glm::dvec4& w) {
+    return glm::transpose(glm::dmat4(x, y, z, w));
+}
+
+/// A direction of camera space in draw space, whose axes are the world's.
+glm::vec4 toDraw(const CameraBasis& basis, const glm::dvec3& direction, double w = 0) {
+    return {glm::vec3(toWorld(basis, direction)), static_cast<float>(w)};
+}
+
+} // namespace
+
+DrawSpace drawSpace(const plan::View& view, const hierarchy::Grid& grid, const Box& bounds) {
+    DrawSpace space;
+    space.step = grid.step();
+    const glm::dvec3 nearest = glm::clamp(view.camera.eye, bounds.min, bounds.max) - grid.origin;
+    const glm::dvec3 cell =
+        glm::clamp(glm::round(nearest / space.step), glm::dvec3(0), glm::dvec3(hierarchy::kMaxGridCoordinate));
+    space.originCell = {
+        static_cast<std::uint32_t>(cell.x), static_cast<std::uint32_t>(cell.y), static_cast<std::uint32_t>(cell.z)};
+    space.eye = (view.camera.eye - grid.origin) - grid.local(space.originCell);
+    const CameraBasis basis = cameraBasis(view.camera);
+    const auto row = [&](const glm::dvec3& axis) { return glm::dvec4(axis, -glm::dot(axis, space.eye)); };
+    space.cameraFromDraw = fromRows(row(basis.right), row(basis.up), row(basis.view), {0, 0, 0, 1});
+    return space;
+}
+
+glm::dmat4 imageClipFromDraw(const FrameDrawing& frame) {
+    const plan::View& view = frame.plan->view;
+    const glm::dmat4 clipFromCamera = fromRows(
+        {1 / view.tanHalfX(), 0, 0, 0}, {0, 1 / view.tanHalfY(), 0, 0}, {0, 0, 0, frame.clipNear}, {0, 0, 1, 0});
+    return clipFromCamera * frame.space.cameraFromDraw;
+}
+
+glm::dmat4 texelFromDraw(const plan::ShadowPass& pass, const DrawSpace& space) {
+    const plan::Rectangle& map = pass.map;
+    const glm::dmat4 texelFromTexture =
+        fromRows({map.width, 0, 0, map.x}, {0, map.height, 0, map.y}, {0, 0, 1, 0}, {0, 0, 0, 1});
+    return texelFromTexture * pass.textureFromCamera * space.cameraFromDraw;
+}
+
+glm::dmat4 shadowClipFromDraw(const plan::ShadowPass& pass, const DrawSpace& space) {
+    const plan::Rectangle& r = pass.rectangle;
+    const glm::dmat4 clipFromTexel = fromRows(
+        {2.0 / r.width, 0, 0, -1 - 2.0 * r.x / r.width},
+        {0, 2.0 / r.height, 0, -1 - 2.0 * r.y / r.height},
+        {0, 0, 1, 0},
+        {0, 0, 0, 1});
+    return clipFromTexel * texelFromDraw(pass, space);
+}
+
+block::Frame frameBlock(const FrameDrawing& frame, const glm::dmat4& clipFromDraw) {
+    const plan::FramePlan& plan = *frame.plan;
+    const plan::View& view = plan.view;
+    const DrawSpace& space = frame.space;
+    const CameraBasis& basis = plan.basis;
+    block::Frame result{};
+    result.clipFromDraw = glm::mat4(clipFromDraw);
+    result.originCell = glm::ivec4(space.originCell.x, space.originCell.y, space.originCell.z, 0);
+    result.eye = glm::vec4(glm::vec3(space.eye), static_cast<float>(space.step));
+    result.view = glm::vec4(glm::vec3(basis.view), static_cast<float>(-glm::dot(basis.view, space.eye)));
+    result.light = toDraw(basis, plan.towardsLight, plan.towardsLight.z <= 0 ? 1 : -1);
+    result.image = glm::vec4(
+        view.width,
+        view.height,
+        static_cast<float>(frame.clipNear),
+        static_cast<float>(2 * view.tanHalfY() / view.height));
+    result.near = glm::vec4(
+        static_cast<float>(plan.near), static_cast<float>(plan.far), static_cast<float>(plan.quality.errorPixels), 0);
+    const int slices = static_cast<int>(std::max<std::size_t>(plan.splits.size(), 2)) - 1;
+    result.counts =
+        glm::ivec4(slices, plan.quality.filter, plan.hasFaces ? 1 : 0, static_cast<int>(plan.passes.size()));
+    return result;
+}
+
+block::Shadows shadowsBlock(const FrameDrawing& frame) {
+    const plan::FramePlan& plan = *frame.plan;
+    GNOMON_CHECK_OP(plan.passes.size(), <=, std::size_t{GNOMON_MAX_PARTITIONS});
+    GNOMON_CHECK_OP(plan.splits.size(), <=, std::size_t{GNOMON_MAX_SLICES});
+    block::Shadows result{};
+    const shadow::ViewFrustum frustum{plan.near, plan.far, plan.view.camera.fovYRadians / 2, plan.view.aspect()};
+    for (std::size_t i = 0; i < kSides.size(); ++i)
+        result.sideNormals[i] = toDraw(plan.basis, shadow::outwardNormal(frustum, kSides[i]));
+    for (std::size_t i = 0; i + 1 < plan.splits.size(); ++i)
+        result.splits[i] = glm::vec4(static_cast<float>(plan.splits[i]), static_cast<float>(plan.splits[i + 1]), 0, 0);
+    for (glm::ivec4& entry : result.faces)
+        entry = glm::ivec4(-1);
+    for (std::size_t p = 0; p < plan.passes.size(); ++p) {
+        const plan::ShadowPass& pass = plan.passes[p];
+        const auto face = static_cast<int>(pass.face);
+        result.faces[2 * pass.slice + face / 4][face % 4] = static_cast<int>(p);
+        block::Partition& out = result.partitions[p];
+        const glm::dmat4 texel = texelFromDraw(pass, frame.space);
+        out.texelFromDraw = glm::mat4(texel);
+        out.drawFromTexel = glm::mat4(glm::inverse(texel));
+        out.axisX = toDraw(plan.basis, pass.warp.frame.x);
+        out.axisZ = toDraw(plan.basis, pass.warp.frame.z);
+        const plan::Rectangle& r = pass.rectangle;
+        out.rectangle = glm::vec4(r.x, r.y, r.x + r.width, r.y + r.height);
+    }
+    return result;
+}
+
+} // namespace gnomon::render

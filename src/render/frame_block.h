@@ -1,0 +1,24 @@
+// Filling the blocks that the shaders read from a frame: the one place where doubles become floats.
+#pragma once
+
+#include "render/executor.h"
+#include "shaders/shared/frame_block.h"
+
+namespace gnomon::render {
+
+/// Clip space of the image: reversed z with an infinite far plane, so that clipping loses nothing behind the near one.
+glm::dmat4 imageClipFromDraw(const FrameDrawing& frame);
+
+/// Texels of the whole depth texture: (column w, row w, depth w, w).
+glm::dmat4 texelFromDraw(const plan::ShadowPass& pass, const DrawSpace& space);
+
+/// Clip space of a viewport over the pass's rectangle.
+glm::dmat4 shadowClipFromDraw(const plan::ShadowPass& pass, const DrawSpace& space);
+
+/// The frame's block for a pass with `clipFromDraw`.
+block::Frame frameBlock(const FrameDrawing& frame, const glm::dmat4& clipFromDraw);
+
+/// The partitions' block. At most GNOMON_MAX_PARTITIONS passes and GNOMON_MAX_SLICES slices.
+block::Shadows shadowsBlock(const FrameDrawing& frame);
+
+} // namespace gnomon::render

@@ -9,30 +9,20 @@ int sliceOf(float z) {
     return slice;
 }
 
-// The face through which the ray from `p` (relative to the eye) against the depth leaves the slice: 0 whole, 1 top,
-// 2 bottom, 3 left, 4 right, 5 near. The narrowest image beam on the ray lies there.
-int faceOf(vec3 p, float z, int slice) {
-    if (counts.z == 0) return 0;
-    vec3 direction = light.w * light.xyz;
-    float slope = -dot(direction, view.xyz);
-    float reach = slope > 0.0 ? (z - splits[slice].x) / slope : 3.4e38;
-    int face = 5;
-    if (faces[2 * slice + 1].y < 0) reach = 3.4e38; // without a map of its own the sides cover it
-    for (int i = 0; i < 4; ++i) {
-        float towards = dot(sideNormals[i].xyz, direction);
-        float inside = max(-dot(sideNormals[i].xyz, p), 0.0);
-        if (towards > 1e-12 && inside < reach * towards) {
-            reach = inside / towards;
-            face = i + 1;
-        }
-    }
-    return face;
+// The face that owns `p` (relative to the eye): the first whose two tests hold, the last needing none, then the near
+// face's test. Word for word shadow::ownerOf.
+int faceOf(vec3 p, int slice) {
+    int face = 0;
+    while (face + 1 < counts.z && !(dot(faceFirst[face].xyz, p) >= 0.0 && dot(faceSecond[face].xyz, p) >= 0.0)) ++face;
+    bool inNear = counts.w == 1 && dot(faceEdge[face].xyz, p) < faceEdge[face].w * splits[slice].x;
+    return inNear ? counts.z : face;
 }
 
 int partitionOf(vec3 p, float z) {
     int slice = sliceOf(z);
-    int face = faceOf(p, z, slice);
-    return faces[2 * slice + face / 4][face % 4];
+    int facesPerSlice = max(counts.z, 1) + counts.w;
+    int index = slice * facesPerSlice + (counts.z == 0 ? 0 : faceOf(p, slice));
+    return passOfPartition[index / 4][index % 4];
 }
 
 // How far the receiver's plane may change in depth over half a texel and the kernel, in both directions: the bias that

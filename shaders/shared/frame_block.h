@@ -23,7 +23,7 @@ GNOMON_BLOCK(0, Frame) {
     vec4 light;          // xyz: the direction towards the light; w: +1 if it is behind the viewer or across, else -1
     vec4 image;          // width and height in pixels; z: the clip near plane; w: 2 tan(theta) / height
     vec4 near;           // x: the shadow range's near; y: its far; z: error threshold in pixels
-    ivec4 counts;        // x: slices; y: filter width in texels; z: 1 where slices are split into faces; w: partitions
+    ivec4 counts;        // x: slices; y: filter width in texels; z: side faces of a slice; w: 1 if the near face has maps of its own
 };
 
 struct Partition {
@@ -35,9 +35,11 @@ struct Partition {
 };
 
 GNOMON_BLOCK(1, Shadows) {
-    vec4 sideNormals[4];                      // outward, draw space: top, bottom, left, right
+    vec4 faceFirst[4];                        // a face owns p where dot(first, p) >= 0 and dot(second, p) >= 0; p from the eye
+    vec4 faceSecond[4];
+    vec4 faceEdge[4];                         // xyz, w: p is the near face's where dot(xyz, p) < w * near of its slice
     vec4 splits[GNOMON_MAX_SLICES];           // x: near of the slice; y: far
-    ivec4 faces[2 * GNOMON_MAX_SLICES];       // partition of (whole, top, bottom, left), (right, near); -1: none
+    ivec4 passOfPartition[GNOMON_MAX_PARTITIONS / 4]; // partition: slice * faces a slice + face, near last; -1: no map
     Partition partitions[GNOMON_MAX_PARTITIONS];
 };
 

@@ -50,7 +50,8 @@ FramePlan planFrame(const View& view, const Quality& quality, const SceneFacts& 
     } else if (quality.shadows == ShadowMode::Rays) {
         plan.omitted.push_back({"shadow maps", "shadows are ray-traced"});
     } else {
-        planShadowPasses(plan);
+        planShadowPasses(plan, previous);
+        plan.promiseKept = std::max(plan.promised.x, plan.promised.z) <= quality.maxAliasing || quality.zPartitions;
     }
     return plan;
 }

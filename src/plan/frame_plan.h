@@ -5,6 +5,8 @@
 #include "core/camera.h"
 #include "core/convex_volume.h"
 #include "shadow/faces.h"
+#include "shadow/orientation.h"
+#include "shadow/region.h"
 #include "shadow/splits.h"
 #include "shadow/warp.h"
 #include "shadow/warped_map.h"
@@ -83,13 +85,14 @@ struct ShadowPass {
     shadow::Face face = shadow::Face::Whole;
     double near = 0; // the slice's depths
     double far = 0;
-    shadow::WarpedMap warp;          // in camera space, over `map`
-    glm::dmat4 textureFromCamera{1}; // (s w, t w, depth w, w) over `map`; depth 0 is nearest to the light
-    Rectangle rectangle;             // with the gutter
-    Rectangle map;                   // without
-    shadow::Aliasing promised;       // with these texels and this image
-    ConvexVolume casters;            // camera space: all that can throw a shadow into the partition
-    ConvexVolume receivers;          // camera space
+    shadow::WarpedMap warp; // in camera space, over `map`
+    glm::dmat4 texelFromCamera{
+        1};                    // (column w, row w, depth w, w) in the depth texture; depth 0 is nearest to the light
+    Rectangle rectangle;       // with the gutter
+    Rectangle map;             // without
+    shadow::Aliasing promised; // with these texels and this image
+    ConvexVolume casters;      // camera space: all that can throw a shadow into the partition
+    ConvexVolume receivers;    // camera space
 };
 
 /// Something that this view does not call for.
@@ -112,6 +115,9 @@ struct FramePlan {
     double lightAngleRadians = 0;
     std::vector<double> splits; // of the slices; empty without maps
     bool hasFaces = false;
+    shadow::PartitionSelector selector;                  // which partition owns a point
+    std::vector<int> passOfPartition;                    // by the selector's index; -1: no map
+    std::optional<shadow::OrientationState> orientation; // for the next frame
     std::vector<ShadowPass> passes;
     shadow::Aliasing promised; // the largest over all passes
     double storageFactor = 0;

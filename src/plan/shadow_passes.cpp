@@ -1,67 +1,78 @@
 #include "plan/shadow_passes.h"
 
-#include "shadow/light_fit.h"
-#include "shadow/warped_map.h"
+#include "shadow/setup.h"
 
-#include <array>
+#include <algorithm>
+#include <cmath>
 
 namespace gnomon::plan {
 
 namespace {
 
-/// The half-space of camera points where dot(row, (p, 1)) is not negative.
-Plane halfSpace(const glm::dvec4& row) {
-    const double length = glm::length(glm::dvec3(row));
-    return {glm::dvec3(row) / length, row.w / length};
+shadow::ShadowOptions optionsOf(const Quality& quality) {
+    shadow::ShadowOptions options;
+    options.scheme.warp = quality.warp;
+    options.scheme.slices = quality.zPartitions.value_or(4);
+    options.scheme.splitLambda = quality.splitLambda;
+    options.scheme.faces = quality.facePartitions == Choice::On;
+    options.stabilized = quality.stabilize;
+    options.filterTexels = quality.filter;
+    options.texels =
+        static_cast<std::uint64_t>(quality.shadowTexelsWidth) * static_cast<std::uint64_t>(quality.shadowTexelsHeight);
+    return options;
 }
 
-/// All that the map shows and all that lies between that and the light: no near plane.
-ConvexVolume mapVolume(const glm::dmat4& textureFromCamera, const glm::dvec2& gutter) {
-    const glm::dmat4 rows = glm::transpose(textureFromCamera);
-    const auto [s, t, depth, w] = std::array{rows[0], rows[1], rows[2], rows[3]};
-    return {
-        {halfSpace(s + w * gutter.x),
-         halfSpace(w * (1 + gutter.x) - s),
-         halfSpace(t + w * gutter.y),
-         halfSpace(w * (1 + gutter.y) - t),
-         halfSpace(w - depth)}};
+/// What a lookup reads of `partition`: its rectangle without the gutter on each side.
+Rectangle withoutGutter(const shadow::TexelRectangle& r, int gutter) {
+    return {r.x + gutter, r.y + gutter, r.width - 2 * gutter, r.height - 2 * gutter};
 }
 
-ConvexVolume frustumVolume(const shadow::ViewFrustum& frustum) {
-    using shadow::Face;
-    ConvexVolume volume{{{{0, 0, 1}, -frustum.near}, {{0, 0, -1}, frustum.far}}};
-    for (const Face side : {Face::Top, Face::Bottom, Face::Left, Face::Right})
-        volume.planes.push_back({-shadow::outwardNormal(frustum, side), 0});
-    return volume;
+ShadowPass passOf(const shadow::ShadowMapPartition& partition, const shadow::ShadowMapSetup& setup) {
+    ShadowPass pass;
+    pass.slice = static_cast<int>(partition.region.slice);
+    pass.face = partition.region.face;
+    pass.near = partition.region.frustum.near;
+    pass.far = partition.region.frustum.far;
+    pass.warp = partition.map;
+    const shadow::TexelRectangle& r = partition.rectangle;
+    pass.rectangle = {r.x, r.y, r.width, r.height};
+    pass.map = withoutGutter(r, setup.gutter);
+    const glm::dmat4 texelFromTexture =
+        glm::transpose(glm::dmat4(setup.textureWidth, 0, 0, 0, 0, setup.textureHeight, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1));
+    pass.texelFromCamera = texelFromTexture * partition.textureFromCamera;
+    pass.promised = {partition.promised.x, partition.promised.z};
+    pass.casters = partition.casterVolume;
+    pass.receivers = partition.region.volume;
+    return pass;
 }
 
 } // namespace
 
-void planShadowPasses(FramePlan& plan) {
-    const Quality& quality = plan.quality;
-    const shadow::ViewFrustum frustum{plan.near, plan.far, plan.view.camera.fovYRadians / 2, plan.view.aspect()};
-    const shadow::LightFit fit = shadow::fitSlice(shadow::lightFrame(plan.towardsLight), frustum);
-    ShadowPass pass;
-    pass.near = frustum.near;
-    pass.far = frustum.far;
-    const double kappa = shadow::kappaOf(quality.warp, fit);
-    pass.warp = shadow::warpedMap(fit, kappa, 1e-3 * frustum.far);
-    pass.textureFromCamera = shadow::textureFromCamera(pass.warp);
-    pass.receivers = frustumVolume(frustum);
-    const int gutter = (std::max(quality.filter, 1) + 1) / 2 + 1;
-    plan.textureWidth = quality.shadowTexelsWidth;
-    plan.textureHeight = quality.shadowTexelsHeight;
-    pass.rectangle = {0, 0, plan.textureWidth, plan.textureHeight};
-    pass.map = {gutter, gutter, plan.textureWidth - 2 * gutter, plan.textureHeight - 2 * gutter};
-    const shadow::Aliasing unit = shadow::worstAliasing(fit, kappa);
-    pass.promised = {unit.x * plan.view.height / pass.map.width, unit.z * plan.view.height / pass.map.height};
-    pass.casters = mapVolume(
-        pass.textureFromCamera,
-        {static_cast<double>(gutter) / pass.map.width, static_cast<double>(gutter) / pass.map.height});
-    plan.splits = {frustum.near, frustum.far};
-    plan.promised = pass.promised;
-    plan.storageFactor = unit.x * unit.z;
-    plan.passes = {pass};
+void planShadowPasses(FramePlan& plan, const FramePlan* previous) {
+    shadow::ShadowView view;
+    view.frustum = {plan.near, plan.far, plan.view.camera.fovYRadians / 2, plan.view.aspect()};
+    view.towardsLight = plan.towardsLight;
+    view.imageHeight = plan.view.height;
+    const shadow::ShadowOptions options = optionsOf(plan.quality);
+    const auto orientation = previous != nullptr ? previous->orientation : std::nullopt;
+    const shadow::ShadowMapSetup setup = shadow::shadowMapSetup(view, options, orientation);
+    plan.selector = setup.selector;
+    plan.splits = setup.selector.splits;
+    plan.hasFaces = !setup.selector.faces.empty();
+    plan.orientation = setup.orientation;
+    plan.textureWidth = setup.textureWidth;
+    plan.textureHeight = setup.textureHeight;
+    for (const std::size_t map : setup.mapOfPartition)
+        plan.passOfPartition.push_back(map == shadow::ShadowMapSetup::kNoMap ? -1 : static_cast<int>(map));
+    plan.storageFactor = 0;
+    for (const shadow::ShadowMapPartition& partition : setup.maps) {
+        plan.passes.push_back(passOf(partition, setup));
+        const ShadowPass& pass = plan.passes.back();
+        const double scaleX = static_cast<double>(pass.map.width) / view.imageHeight;
+        const double scaleZ = static_cast<double>(pass.map.height) / view.imageHeight;
+        plan.storageFactor += pass.promised.x * pass.promised.z * scaleX * scaleZ;
+    }
+    plan.promised = {setup.worst().x, setup.worst().z};
 }
 
 } // namespace gnomon::plan

@@ -5,16 +5,11 @@
 #include <glm/gtc/matrix_access.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace gnomon::render {
 
 namespace {
-
-using shadow::Face;
-
-constexpr std::array<Face, 4> kSides = {Face::Top, Face::Bottom, Face::Left, Face::Right};
 
 glm::dmat4 fromRows(const glm::dvec4& x, const glm::dvec4& y, const glm::dvec4& z, const glm::dvec4& w) {
     return glm::transpose(glm::dmat4(x, y, z, w));
@@ -50,10 +45,7 @@ glm::dmat4 imageClipFromDraw(const FrameDrawing& frame) {
 }
 
 glm::dmat4 texelFromDraw(const plan::ShadowPass& pass, const DrawSpace& space) {
-    const plan::Rectangle& map = pass.map;
-    const glm::dmat4 texelFromTexture =
-        fromRows({map.width, 0, 0, map.x}, {0, map.height, 0, map.y}, {0, 0, 1, 0}, {0, 0, 0, 1});
-    return texelFromTexture * pass.textureFromCamera * space.cameraFromDraw;
+    return pass.texelFromCamera * space.cameraFromDraw;
 }
 
 glm::dmat4 shadowClipFromDraw(const plan::ShadowPass& pass, const DrawSpace& space) {
@@ -85,8 +77,8 @@ block::Frame frameBlock(const FrameDrawing& frame, const glm::dmat4& clipFromDra
     result.near = glm::vec4(
         static_cast<float>(plan.near), static_cast<float>(plan.far), static_cast<float>(plan.quality.errorPixels), 0);
     const int slices = static_cast<int>(std::max<std::size_t>(plan.splits.size(), 2)) - 1;
-    result.counts =
-        glm::ivec4(slices, plan.quality.filter, plan.hasFaces ? 1 : 0, static_cast<int>(plan.passes.size()));
+    result.counts = glm::ivec4(
+        slices, plan.quality.filter, static_cast<int>(plan.selector.faces.size()), plan.selector.ownNear ? 1 : 0);
     return result;
 }
 
@@ -95,17 +87,19 @@ block::Shadows shadowsBlock(const FrameDrawing& frame) {
     GNOMON_CHECK_OP(plan.passes.size(), <=, std::size_t{GNOMON_MAX_PARTITIONS});
     GNOMON_CHECK_OP(plan.splits.size(), <=, std::size_t{GNOMON_MAX_SLICES});
     block::Shadows result{};
-    const shadow::ViewFrustum frustum{plan.near, plan.far, plan.view.camera.fovYRadians / 2, plan.view.aspect()};
-    for (std::size_t i = 0; i < kSides.size(); ++i)
-        result.sideNormals[i] = toDraw(plan.basis, shadow::outwardNormal(frustum, kSides[i]));
+    for (std::size_t i = 0; i < plan.selector.faces.size(); ++i) {
+        const shadow::FaceSelector& face = plan.selector.faces[i];
+        result.faceFirst[i] = toDraw(plan.basis, face.first);
+        result.faceSecond[i] = toDraw(plan.basis, face.second);
+        result.faceEdge[i] = toDraw(plan.basis, face.edge, face.edgeOffset);
+    }
+    GNOMON_CHECK_OP(plan.passOfPartition.size(), <=, std::size_t{GNOMON_MAX_PARTITIONS});
+    for (std::size_t i = 0; i < plan.passOfPartition.size(); ++i)
+        result.passOfPartition[i / 4][static_cast<int>(i % 4)] = plan.passOfPartition[i];
     for (std::size_t i = 0; i + 1 < plan.splits.size(); ++i)
         result.splits[i] = glm::vec4(static_cast<float>(plan.splits[i]), static_cast<float>(plan.splits[i + 1]), 0, 0);
-    for (glm::ivec4& entry : result.faces)
-        entry = glm::ivec4(-1);
     for (std::size_t p = 0; p < plan.passes.size(); ++p) {
         const plan::ShadowPass& pass = plan.passes[p];
-        const auto face = static_cast<int>(pass.face);
-        result.faces[2 * pass.slice + face / 4][face % 4] = static_cast<int>(p);
         block::Partition& out = result.partitions[p];
         const glm::dmat4 texel = texelFromDraw(pass, frame.space);
         out.texelFromDraw = glm::mat4(texel);

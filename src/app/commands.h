@@ -23,10 +23,12 @@ void addCommonOptions(CLI::App& command, CommonOptions& options);
 /// The progress display that `options` ask for, on stderr; also turns Ctrl-C into gnomon::Interrupted.
 std::unique_ptr<Progress> makeProgress(const CommonOptions& options);
 
+void addBenchCommand(CLI::App& program);
 void addBuildCommand(CLI::App& program);
 void addExportCommand(CLI::App& program);
 void addInfoCommand(CLI::App& program);
 void addMakeCommand(CLI::App& program);
+void addPathCommand(CLI::App& program);
 void addRenderCommand(CLI::App& program);
 void addTheoryCommand(CLI::App& program);
 void addVerifyCommand(CLI::App& program);

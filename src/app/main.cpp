@@ -20,7 +20,9 @@ constexpr std::array kCommands{
     AddCommand{gnomon::app::addInfoCommand},
     AddCommand{gnomon::app::addVerifyCommand},
     AddCommand{gnomon::app::addExportCommand},
+    AddCommand{gnomon::app::addPathCommand},
     AddCommand{gnomon::app::addRenderCommand},
+    AddCommand{gnomon::app::addBenchCommand},
     AddCommand{gnomon::app::addTheoryCommand},
 };
 

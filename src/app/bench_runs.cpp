@@ -1,0 +1,169 @@
+#include "app/bench_runs.h"
+
+#include "app/option_text.h"
+#include "core/file.h"
+#include "telemetry/benchmark_report.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+
+#include <unistd.h>
+
+namespace gnomon::app {
+
+namespace {
+
+/// `--z-partitions` as the name of its column.
+std::string columnName(const std::string& flag) {
+    std::string name = flag.substr(flag.find_first_not_of('-'));
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+}
+
+void addToName(BenchRun& run, const std::string& flag, const std::string& value) {
+    run.name += (run.name.empty() ? "" : "/") + columnName(flag) + ":" + value;
+    run.options += (run.options.empty() ? "" : " ") + flag + " " + value;
+}
+
+std::vector<std::uint8_t> pngOf(const render::Picture& picture) {
+    const std::string path =
+        (std::filesystem::temp_directory_path() / ("gnomon_bench_" + std::to_string(::getpid()) + ".png")).string();
+    render::writePng(path, picture);
+    const std::string bytes = readTextFile(path);
+    std::filesystem::remove(path);
+    return {bytes.begin(), bytes.end()};
+}
+
+double median(const std::vector<telemetry::FrameRow>& rows, std::optional<double> telemetry::FrameRow::*column) {
+    std::vector<double> values;
+    for (const telemetry::FrameRow& row : rows)
+        if (row.*column) values.push_back(*(row.*column));
+    return values.empty() ? 0 : telemetry::quantile(values, 0.5);
+}
+
+double mean(const std::vector<telemetry::FrameRow>& rows, std::optional<std::int64_t> telemetry::FrameRow::*column) {
+    double sum = 0;
+    for (const telemetry::FrameRow& row : rows)
+        sum += static_cast<double>((row.*column).value_or(0));
+    return rows.empty() ? 0 : sum / static_cast<double>(rows.size());
+}
+
+/// The median over repetitions of every frame's time, in the order of the path.
+std::vector<double> timesAlongPath(const std::vector<telemetry::FrameRow>& rows) {
+    std::map<std::int64_t, std::vector<double>> times;
+    for (const telemetry::FrameRow& row : rows)
+        times[row.frame].push_back(row.totalMs.value_or(0));
+    std::vector<double> result;
+    result.reserve(times.size());
+    for (const auto& [frame, values] : times)
+        result.push_back(telemetry::quantile(values, 0.5));
+    return result;
+}
+
+} // namespace
+
+std::vector<BenchRun> combinations(const SweptSettings& lists, const std::string& shadowMaps) {
+    std::vector<BenchRun> runs(1);
+    const auto sweep = [&](const char* flag, std::string SweptSettings::*value, const std::string& list) {
+        const std::vector<std::string> values = parseList(list);
+        std::vector<BenchRun> extended;
+        for (const BenchRun& run : runs)
+            for (const std::string& each : values) {
+                BenchRun next = run;
+                next.settings.*value = each;
+                if (values.size() > 1) addToName(next, flag, each);
+                extended.push_back(next);
+            }
+        runs = extended;
+    };
+    for (const SweptOption& option : sweptOptions()) {
+        const bool isMaps = !shadowMaps.empty() && option.value == &SweptSettings::zPartitions;
+        sweep(option.flag, option.value, isMaps ? shadowMaps : lists.*option.value);
+    }
+    for (BenchRun& run : runs)
+        if (run.name.empty()) run.name = "run";
+    return runs;
+}
+
+RunResult walk(
+    Session& session,
+    const ViewOptions& viewOptions,
+    const CameraPath& path,
+    const BenchRun& run,
+    const WalkOptions& options,
+    Progress& progress) {
+    const plan::Quality quality = qualityOf(viewOptions, run.settings);
+    plan::View view = viewOf(viewOptions, session.model().summary());
+    render::FrameOptions frameOptions;
+    frameOptions.waiting = options.isRealTime ? render::Waiting::Never : render::Waiting::UntilComplete;
+    const auto timeOf = [&](int frame) {
+        const double fraction = options.frames > 1 ? static_cast<double>(frame) / (options.frames - 1) : 0;
+        return path.keyframes.front().time + path.duration() * fraction;
+    };
+    const auto draw = [&](int frame) {
+        view.camera = cameraAt(path, timeOf(frame));
+        return session.renderer().render(view, quality, frameOptions);
+    };
+    RunResult result;
+    result.run = run;
+    for (int repetition = 0; repetition < options.repetitions; ++repetition) {
+        session.renderer().forget();
+        for (int i = 0; i < options.warmup; ++i)
+            draw(0);
+        session.renderer().forget();
+        for (int frame = 0; frame < options.frames; ++frame) {
+            telemetry::FrameRow row = draw(frame).row;
+            row.run = run.name;
+            row.repetition = repetition;
+            row.frame = frame;
+            row.timeS = timeOf(frame);
+            result.rows.push_back(row);
+            progress.advance(1);
+        }
+    }
+    if (options.keepsPictures) {
+        draw(options.frames / 2);
+        result.picture = pngOf(session.executor().picture());
+        frameOptions.overlay = render::Overlay::Partitions;
+        draw(options.frames / 2);
+        result.partitions = pngOf(session.executor().picture());
+    }
+    return result;
+}
+
+report::RunSummary summary(const RunResult& result) {
+    using telemetry::FrameRow;
+    const auto& rows = result.rows;
+    report::RunSummary s;
+    s.name = result.run.name;
+    s.options = result.run.options;
+    for (const SweptOption& option : sweptOptions())
+        s.settings[columnName(option.flag)] = result.run.settings.*option.value;
+    std::vector<double> totals;
+    double promised = 0;
+    for (const FrameRow& row : rows) {
+        totals.push_back(row.totalMs.value_or(0));
+        promised = std::max({promised, row.promisedAliasingX.value_or(0), row.promisedAliasingZ.value_or(0)});
+        s.shadowMaps = std::max(s.shadowMaps, static_cast<int>(row.shadowMaps));
+        s.storageFactor = std::max(s.storageFactor, row.storageFactor.value_or(0));
+        s.promiseKept = s.promiseKept && row.promiseKept.value_or(true);
+    }
+    s.p50Ms = telemetry::quantile(totals, 0.50);
+    s.p95Ms = telemetry::quantile(totals, 0.95);
+    s.p99Ms = telemetry::quantile(totals, 0.99);
+    s.stages = {
+        median(rows, &FrameRow::planMs),
+        median(rows, &FrameRow::selectMs),
+        median(rows, &FrameRow::cullMs),
+        median(rows, &FrameRow::streamMs),
+        median(rows, &FrameRow::shadowMs),
+        median(rows, &FrameRow::imageMs)};
+    s.imageTriangles = mean(rows, &FrameRow::imageTriangles);
+    s.shadowTriangles = mean(rows, &FrameRow::shadowTriangles);
+    if (promised > 0) s.errors[report::ErrorKind::PromisedAliasing] = promised;
+    s.frameMs = timesAlongPath(rows);
+    return s;
+}
+
+} // namespace gnomon::app

@@ -1,0 +1,55 @@
+// The runs of a bench: every combination of the swept settings, walked along one camera path.
+#pragma once
+
+#include "app/camera_path.h"
+#include "app/session.h"
+#include "core/progress.h"
+#include "report/run_summary.h"
+#include "telemetry/frame_row.h"
+
+#include <string>
+#include <vector>
+
+namespace gnomon::app {
+
+/// One combination of settings.
+struct BenchRun {
+    std::string name; // the settings that are swept, "error_pixels:1/z_partitions:4"; "run" where nothing is
+    SweptSettings settings;
+    std::string options; // to paste behind `gnomon render MODEL`
+};
+
+/// How each run is walked.
+struct WalkOptions {
+    int frames = 60;
+    int repetitions = 1;
+    int warmup = 2;
+    bool isRealTime = false;
+    bool keepsPictures = false; // of the middle frame, with the partitions beside it
+};
+
+/// What came of one run.
+struct RunResult {
+    BenchRun run;
+    std::vector<telemetry::FrameRow> rows;
+    std::vector<std::uint8_t> picture; // PNG; empty unless asked for
+    std::vector<std::uint8_t> partitions;
+};
+
+/// Every combination of the comma-separated lists in `lists`; a non-empty `shadowMaps` list is the number of slices
+/// with faces off. Throws UsageError.
+std::vector<BenchRun> combinations(const SweptSettings& lists, const std::string& shadowMaps);
+
+/// Walks `run` along `path`: warm-up frames, then `frames` frames evenly over the path, as often as asked.
+RunResult walk(
+    Session& session,
+    const ViewOptions& view,
+    const CameraPath& path,
+    const BenchRun& run,
+    const WalkOptions& options,
+    Progress& progress);
+
+/// Medians, percentiles and worst promises of a run.
+report::RunSummary summary(const RunResult& result);
+
+} // namespace gnomon::app

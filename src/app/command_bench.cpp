@@ -1,0 +1,237 @@
+#include "app/bench_runs.h"
+#include "core/error.h"
+#include "core/file.h"
+#include "report/accuracy_cost.h"
+#include "report/page.h"
+#include "shadow/scheme.h"
+#include "telemetry/benchmark_report.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include <nlohmann/json.hpp>
+
+namespace gnomon::app {
+
+namespace {
+
+struct BenchOptions {
+    CommonOptions common;
+    ViewOptions view;
+    WalkOptions walk;
+    std::string model;
+    std::string path;
+    std::string shadowMaps;
+    std::string csv;
+    std::string json;
+    std::string images;
+    std::string report;
+    bool isQuick = false;
+    double budgetMs = 0;
+    std::string baseline;
+    double failAbovePercent = 10;
+};
+
+std::map<std::string, std::string> contextOf(const BenchOptions& options, const Session& session) {
+    std::map<std::string, std::string> context = telemetry::machineContext();
+    context.erase("host_name"); // a report is handed around
+    const hierarchy::ModelFile& model = session.model();
+    context["model"] = std::filesystem::path(model.path()).filename().string();
+    context["model_triangles"] = std::to_string(model.summary().sourceTriangles);
+    context["model_content_hash"] = model.contentHash();
+    context["image_size"] = options.view.size;
+    context["light"] = options.view.light;
+    context["near_and_far"] = options.view.near + ", " + options.view.far;
+    context["frames"] = std::to_string(options.walk.frames);
+    context["repetitions"] = std::to_string(options.walk.repetitions);
+    context["real_time"] = options.walk.isRealTime ? "yes" : "no: frames wait until their cut is resident";
+    return context;
+}
+
+std::string csvText(const std::vector<RunResult>& results) {
+    std::string text = telemetry::csvHeader() + "\n";
+    for (const RunResult& result : results)
+        for (const telemetry::FrameRow& row : result.rows)
+            text += telemetry::csvRow(row) + "\n";
+    return text;
+}
+
+std::string benchmarkText(const std::map<std::string, std::string>& context, const std::vector<RunResult>& results) {
+    std::vector<telemetry::RunTimes> runs;
+    for (const RunResult& result : results) {
+        telemetry::RunTimes times{result.run.name, {}};
+        for (const telemetry::FrameRow& row : result.rows)
+            times.totalMs.push_back(row.totalMs.value_or(0));
+        runs.push_back(times);
+    }
+    return telemetry::benchmarkJson(context, runs) + "\n";
+}
+
+/// The storage factors of slices with and without warp and of faces, for the depth range of the first frame.
+std::vector<report::StoragePoint> storagePoints(const plan::FramePlan& plan) {
+    std::vector<report::StoragePoint> points;
+    if (!(plan.near > 0 && plan.far > plan.near)) return points;
+    const shadow::ViewFrustum frustum{plan.near, plan.far, plan.view.camera.fovYRadians / 2, plan.view.aspect()};
+    const auto add = [&](const char* name, shadow::WarpRule warp, bool faces) {
+        for (int k = 1; k <= 8; ++k) {
+            shadow::Scheme scheme;
+            scheme.warp.rule = warp;
+            scheme.slices = k;
+            scheme.faces = faces;
+            const auto maps = shadow::schemeMaps(frustum, plan.towardsLight, scheme);
+            points.push_back({name, static_cast<int>(maps.size()), shadow::storageFactor(maps)});
+        }
+    };
+    add("slices", shadow::WarpRule::None, false);
+    add("slices + warp", shadow::WarpRule::Auto, false);
+    add("faces + slices + warp", shadow::WarpRule::Auto, true);
+    return points;
+}
+
+void writePictures(const std::string& folder, const std::vector<RunResult>& results) {
+    std::filesystem::create_directories(folder);
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        const std::string stem = (std::filesystem::path(folder) / ("run" + std::to_string(i))).string();
+        writeTextFile(stem + ".png", {results[i].picture.begin(), results[i].picture.end()});
+        writeTextFile(stem + "_partitions.png", {results[i].partitions.begin(), results[i].partitions.end()});
+    }
+}
+
+void writeReport(
+    const BenchOptions& options,
+    const std::map<std::string, std::string>& context,
+    const std::vector<RunResult>& results,
+    const std::vector<report::RunSummary>& summaries,
+    const std::vector<report::StoragePoint>& storage) {
+    std::filesystem::create_directories(options.report);
+    const auto place = [&](const char* name) { return (std::filesystem::path(options.report) / name).string(); };
+    report::Report page;
+    page.model = context.at("model") + ", " + context.at("model_triangles") + " triangles";
+    page.context = context;
+    page.runs = summaries;
+    page.storage = storage;
+    page.csvFile = "bench.csv";
+    page.jsonFile = "bench.json";
+    for (const RunResult& result : results) {
+        page.pictures.push_back({result.run.name, "picture", result.picture});
+        page.pictures.push_back({result.run.name, "partitions", result.partitions});
+    }
+    writeTextFile(place("bench.csv"), csvText(results));
+    writeTextFile(place("bench.json"), benchmarkText(context, results));
+    writeTextFile(place("index.html"), report::page(page));
+}
+
+void print(const std::vector<report::RunSummary>& summaries) {
+    std::printf("%-52s %9s %9s %9s %6s %10s\n", "run", "p50 ms", "p95 ms", "p99 ms", "maps", "promise");
+    for (const report::RunSummary& s : summaries) {
+        const auto promise = s.errors.find(report::ErrorKind::PromisedAliasing);
+        const double value = promise == s.errors.end() ? 0 : promise->second;
+        std::printf(
+            "%-52s %9.2f %9.2f %9.2f %6d %10.3g\n", s.name.c_str(), s.p50Ms, s.p95Ms, s.p99Ms, s.shadowMaps, value);
+    }
+    for (const std::string& sentence : report::sentences(summaries))
+        std::printf("%s\n", sentence.c_str());
+}
+
+void printBudget(const BenchOptions& options, const std::vector<report::RunSummary>& summaries) {
+    if (options.budgetMs <= 0) return;
+    const auto best = report::bestUnderBudget(summaries, report::ErrorKind::PromisedAliasing, options.budgetMs);
+    if (best)
+        std::printf("under %g ms: %s\n", options.budgetMs, summaries[*best].options.c_str());
+    else
+        std::printf("under %g ms: no run is that fast\n", options.budgetMs);
+}
+
+/// Throws Error if a run of the same name in the baseline was faster by more than the percentage allowed.
+void compareWithBaseline(const BenchOptions& options, const std::vector<report::RunSummary>& summaries) {
+    const nlohmann::json baseline = nlohmann::json::parse(readTextFile(options.baseline), nullptr, false);
+    if (!baseline.is_object() || !baseline.contains("benchmarks"))
+        throw Error(options.baseline, "this is no bench result", "JSON with `benchmarks`", "something else");
+    for (const nlohmann::json& before : baseline["benchmarks"])
+        for (const report::RunSummary& now : summaries) {
+            if (before.value("name", "") != now.name) continue;
+            const double allowed = before.value("p50", 0.0) * (1 + options.failAbovePercent / 100);
+            if (now.p50Ms > allowed)
+                throw Error(
+                    options.baseline,
+                    now.name + " became slower",
+                    "a median of at most " + std::to_string(allowed) + " ms",
+                    std::to_string(now.p50Ms) + " ms");
+        }
+}
+
+void runBench(BenchOptions options) {
+    if (options.isQuick) {
+        options.walk.frames = std::min(options.walk.frames, 8);
+        options.walk.warmup = 1;
+    }
+    options.walk.keepsPictures = !options.report.empty() || !options.images.empty();
+    const std::vector<BenchRun> runs = combinations(options.view.swept, options.shadowMaps);
+    for (const BenchRun& run : runs)
+        qualityOf(options.view, run.settings); // a contradiction in the last run must not cost the first one's time
+    const CameraPath path = readCameraPath(options.path);
+    Session session(options.model, options.view);
+    const auto context = contextOf(options, session);
+    std::vector<RunResult> results;
+    std::vector<report::RunSummary> summaries;
+    {
+        const auto progress = makeProgress(options.common);
+        progress->stage(
+            "bench",
+            "frames",
+            runs.size() * static_cast<std::size_t>(options.walk.frames) *
+                static_cast<std::size_t>(options.walk.repetitions));
+        for (const BenchRun& run : runs) {
+            results.push_back(walk(session, options.view, path, run, options.walk, *progress));
+            summaries.push_back(summary(results.back()));
+        }
+    }
+    print(summaries);
+    printBudget(options, summaries);
+    if (!options.csv.empty()) writeTextFile(options.csv, csvText(results));
+    if (!options.json.empty()) writeTextFile(options.json, benchmarkText(context, results));
+    if (!options.images.empty()) writePictures(options.images, results);
+    if (!options.report.empty()) {
+        plan::View view = viewOf(options.view, session.model().summary());
+        view.camera = cameraAt(path, path.keyframes.front().time);
+        const plan::FramePlan plan = session.renderer().plan(view, qualityOf(options.view, runs.front().settings));
+        writeReport(options, context, results, summaries, storagePoints(plan));
+    }
+    if (!options.baseline.empty()) compareWithBaseline(options, summaries);
+}
+
+} // namespace
+
+void addBenchCommand(CLI::App& program) {
+    CLI::App* command = program.add_subcommand(
+        "bench",
+        "Walk a camera path for every combination of settings and log every frame.\n"
+        "A promise is perspective aliasing over [near, far]: texel width over pixel width, projection aside.");
+    auto options = std::make_shared<BenchOptions>();
+    command->add_option("MODEL", options->model, "A .gnm file")->required();
+    command->add_option("--path", options->path, "A camera path")->required();
+    const auto count = [&](const char* flag, int& value, const char* help, int least) {
+        command->add_option(flag, value, help)->check(CLI::Range(least, 1000000))->capture_default_str();
+    };
+    count("--frames", options->walk.frames, "Frames of a run, evenly over the path", 1);
+    count("--repetitions", options->walk.repetitions, "How often a run is walked", 1);
+    count("--warmup", options->walk.warmup, "Frames before each repetition that are not logged", 0);
+    command->add_flag("--real-time", options->walk.isRealTime, "Frames do not wait for pages");
+    command->add_flag("--quick", options->isQuick, "At most 8 frames a run: a look, not a measurement");
+    command->add_option("--shadow-maps", options->shadowMaps, "A list: --z-partitions of these counts, faces off");
+    command->add_option("--csv", options->csv, "Write a row per frame here");
+    command->add_option("--json-file", options->json, "Write the runs here, shaped like Google Benchmark's JSON");
+    command->add_option("--images", options->images, "Write each run's middle frame into this folder");
+    command->add_option("--report", options->report, "Write a page into this folder: what accuracy costs in time");
+    command->add_option("--budget-ms", options->budgetMs, "Print the setting of least promise under this median");
+    command->add_option("--baseline", options->baseline, "Compare with the --json-file of an earlier bench");
+    command->add_option("--fail-above", options->failAbovePercent, "Exit 1 if a median grew by more percent than this")
+        ->capture_default_str();
+    addViewOptions(*command, options->view);
+    addCommonOptions(*command, options->common);
+    command->callback([options] { runBench(*options); });
+}
+
+} // namespace gnomon::app

@@ -1,0 +1,16 @@
+// Camera paths that suit a model, found from its bounds and, for a walk, from where nothing stands in the way.
+#pragma once
+
+#include "app/camera_path.h"
+#include "hierarchy/model_file.h"
+
+#include <string>
+
+namespace gnomon::app {
+
+/// A path of kind "walk", "orbit", "flyby" or "approach"; y is up, twelve seconds.
+/// A walk goes straight, at eye height, along the longest way that is free of geometry between ankle and head and
+/// passes closest to things. Throws Error if the model has no free way.
+CameraPath suitedPath(const hierarchy::ModelFile& model, const std::string& kind);
+
+} // namespace gnomon::app

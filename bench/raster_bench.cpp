@@ -57,7 +57,7 @@ void visibility(benchmark::State& state) {
 
 /// The same clusters on llvmpipe, which takes its threads from LP_NUM_THREADS.
 void llvmpipeDepth(benchmark::State& state) {
-    const gl::Context context(gl::Platform::kOsmesa);
+    const gl::Context context(gl::Platform::Osmesa);
     const GlDepth gl(context, sheetOf(static_cast<double>(state.range(0)) / 1000).clusters(), kSide);
     run(state, [&](std::span<const Cluster> /*clusters*/) { gl.draw(flatView({0, 0, kSide, kSide}), false); });
 }

@@ -46,7 +46,7 @@ Difference depthDifference(const gl::Context& context, const Scene& scene) {
 }
 
 TEST(GlParity, SheetsOfEverySizeOfTriangle) {
-    const gl::Context context(gl::Platform::kOsmesa);
+    const gl::Context context(gl::Platform::Osmesa);
     for (const double spacing : {1.4, 4.0, 14.0, 100.0}) {
         // Seven tenths of the target, so that there is an outline.
         const int quads = static_cast<int>(0.7 * kSide / spacing);
@@ -58,7 +58,7 @@ TEST(GlParity, SheetsOfEverySizeOfTriangle) {
 }
 
 TEST(GlParity, EdgesOnPixelCentresBelongToTheSameSide) {
-    const gl::Context context(gl::Platform::kOsmesa);
+    const gl::Context context(gl::Platform::Osmesa);
     Random random(3);
     Scene scene;
     for (std::uint32_t i = 0; i < 400; ++i) {
@@ -77,7 +77,7 @@ TEST(GlParity, EdgesOnPixelCentresBelongToTheSameSide) {
 }
 
 TEST(GlParity, PerspectiveThroughNear) {
-    const gl::Context context(gl::Platform::kOsmesa);
+    const gl::Context context(gl::Platform::Osmesa);
     for (std::uint64_t seed = 0; seed < 8; ++seed) {
         const Scene scene = soup(120, seed);
         const std::vector<Cluster> clusters = scene.clusters();

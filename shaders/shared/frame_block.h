@@ -16,29 +16,30 @@ using mat4 = glm::mat4;
 #define GNOMON_MAX_SLICES 64
 
 GNOMON_BLOCK(0, Frame) {
-    mat4 clipFromDraw;   // of the pass that is drawn
-    ivec4 originCell;    // xyz: the grid point that is draw space's origin
-    vec4 eye;            // xyz: the eye in draw space; w: the grid's step
-    vec4 view;           // xyz: the view direction; w: the view depth of draw space's origin
-    vec4 light;          // xyz: the direction towards the light; w: +1 if it is behind the viewer or across, else -1
-    vec4 image;          // width and height in pixels; z: the clip near plane; w: 2 tan(theta) / height
-    vec4 near;           // x: the shadow range's near; y: its far; z: error threshold in pixels
-    ivec4 counts;        // x: slices; y: filter width in texels; z: side faces of a slice; w: 1 if the near face has maps of its own
+    mat4 clipFromDraw; // of the pass that is drawn
+    ivec4 originCell;  // xyz: the grid point that is draw space's origin
+    vec4 eye;          // xyz: the eye in draw space; w: the grid's step
+    vec4 view;         // xyz: the view direction; w: the view depth of draw space's origin
+    vec4 light;        // xyz: the direction towards the light; w: +1 if it is behind the viewer or across, else -1
+    vec4 image;        // width and height in pixels; z: the clip near plane; w: 2 tan(theta) / height
+    vec4 near;         // x: the shadow range's near; y: its far; z: error threshold in pixels
+    ivec4 counts; // x: slices; y: filter width in texels; z: side faces of a slice; w: 1 if the near face has maps of
+                  // its own
 };
 
 struct Partition {
-    mat4 texelFromDraw;  // (column w, row w, depth w, w) in texels of the whole depth texture
-    mat4 drawFromTexel;  // its inverse, for planes
-    vec4 axisX;          // xyz: the light frame's x in draw space
-    vec4 axisZ;          // and its z
-    vec4 rectangle;      // the partition's texels, gutters included: first column, first row, one past the last
+    mat4 texelFromDraw; // (column w, row w, depth w, w) in texels of the whole depth texture
+    mat4 drawFromTexel; // its inverse, for planes
+    vec4 axisX;         // xyz: the light frame's x in draw space
+    vec4 axisZ;         // and its z
+    vec4 rectangle;     // the partition's texels, gutters included: first column, first row, one past the last
 };
 
 GNOMON_BLOCK(1, Shadows) {
-    vec4 faceFirst[4];                        // a face owns p where dot(first, p) >= 0 and dot(second, p) >= 0; p from the eye
+    vec4 faceFirst[4]; // a face owns p where dot(first, p) >= 0 and dot(second, p) >= 0; p from the eye
     vec4 faceSecond[4];
-    vec4 faceEdge[4];                         // xyz, w: p is the near face's where dot(xyz, p) < w * near of its slice
-    vec4 splits[GNOMON_MAX_SLICES];           // x: near of the slice; y: far
+    vec4 faceEdge[4];               // xyz, w: p is the near face's where dot(xyz, p) < w * near of its slice
+    vec4 splits[GNOMON_MAX_SLICES]; // x: near of the slice; y: far
     ivec4 passOfPartition[GNOMON_MAX_PARTITIONS / 4]; // partition: slice * faces a slice + face, near last; -1: no map
     Partition partitions[GNOMON_MAX_PARTITIONS];
 };

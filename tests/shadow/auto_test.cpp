@@ -78,14 +78,17 @@ TEST(Auto, ALongTurnNeitherPopsNorFallsBehind) {
         Random random(4);
         for (int path = 0; path < 6; ++path) {
             const glm::dvec3 axis = randomDirection(random);
-            glm::dvec3 light = path == 0 ? glm::dvec3(0, std::sin(0.5), -std::cos(0.5)) : randomDirection(random);
-            const glm::dvec3 turnAxis = path == 0 ? glm::dvec3(1, 0, 0) : axis;
+            glm::dvec3 light = path < 2 ? glm::dvec3(0, std::sin(0.5), -std::cos(0.5)) : randomDirection(random);
+            // The first goes straight through the view direction, the second around it, across the diagonals.
+            const glm::dvec3 turnAxis = path == 0 ? glm::dvec3(1, 0, 0) : path == 1 ? glm::dvec3(0, 0, 1) : axis;
             const Warp warp;
             OrientationState state{light, chosenFrame(frustum, light, warp, std::nullopt).z};
             double growth = logGrowth(fitSlice(lightFrameAlong(light, state.zAxis), frustum));
             for (int step = 0; step < 1500; ++step) {
                 light = glm::normalize(light + glm::cross(turnAxis, light) * kTurn);
                 const LightFit fit = fitSlice(chosenFrame(frustum, light, warp, state), frustum);
+                const double cosine = std::clamp(glm::dot(carried(state, light), fit.frame.z), -1.0, 1.0);
+                ASSERT_LT(std::acos(cosine) * 180 / kPi, 3) << "path " << path << " step " << step;
                 state = {light, fit.frame.z};
                 const double now = logGrowth(fit);
                 ASSERT_LT(std::abs(now - growth), 0.2)

@@ -3,6 +3,7 @@
 #include "app/option_text.h"
 #include "gl/context.h"
 #include "render/gl_executor.h"
+#include "render/software_executor.h"
 
 #include <cstdio>
 
@@ -14,9 +15,8 @@ std::unique_ptr<render::Executor> makeExecutor(const ViewOptions& options) {
     const Bytes memory = parseMemory("--gpu-memory", options.gpuMemory);
     std::string backend = options.backend;
     if (backend == "window") throw UsageError{"--backend window is for gnomon view"};
-    if (backend == "software")
-        throw Error("--backend", "this build has no software rasteriser yet; osmesa draws without a GPU");
-    if (backend == "auto") backend = gl::hasGpu() ? "egl" : "osmesa";
+    if (backend == "auto") backend = gl::hasGpu() ? "egl" : "software";
+    if (backend == "software") return render::makeSoftwareExecutor();
     return render::makeGlExecutor(backend == "egl" ? gl::Platform::Egl : gl::Platform::Osmesa, shaders, memory);
 }
 

@@ -1,0 +1,190 @@
+// The software executor against GL on OSMesa: every scheme and overlay over seeded poses and lights.
+#include "core/random.h"
+#include "gl/shader_library.h"
+#include "hierarchy/tiny_model.h"
+#include "render/gl_executor.h"
+#include "render/software_executor.h"
+
+#include <gtest/gtest.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace gnomon::render {
+namespace {
+
+constexpr int kSide = 256;
+
+/// The finest clusters of a hilly field, drawn whole into the image and into every map.
+class Field {
+public:
+    Field() {
+        tests::TinyModelOptions options;
+        options.gridExponent = 6;
+        options.height = 12;
+        options.normals = true;
+        options.colors = true;
+        options.origin = {1e6, -300, 2e5};
+        model_ = tests::makeTinyModel(options);
+        for (std::uint32_t p = 0; p < model_.pages.size(); ++p)
+            if (model_.pages[p].level == 0)
+                all_.ranges.push_back({p, 0, static_cast<std::uint32_t>(model_.pages[p].clusters.size())});
+    }
+
+    /// A view from over or amid the hills.
+    plan::View view(std::uint64_t seed) const {
+        Random random(seed);
+        const Box& bounds = model_.summary.bounds;
+        const auto inside = [&](double lift) {
+            glm::dvec3 point(0);
+            for (int axis = 0; axis < 3; ++axis)
+                point[axis] = bounds.min[axis] + random.uniform(0.1, 0.9) * (bounds.max[axis] - bounds.min[axis]);
+            point.y = bounds.max.y + lift;
+            return point;
+        };
+        plan::View view;
+        view.width = view.height = kSide;
+        view.camera.eye = inside(random.uniform(0.5, 30));
+        view.camera.target = inside(random.uniform(-20, -5));
+        view.towardsLight = {random.uniform(-1, 1), random.uniform(0.15, 1), random.uniform(-1, 1)};
+        return view;
+    }
+
+    /// The drawing of a plan that must outlive it.
+    FrameDrawing drawing(const plan::FramePlan& plan) const {
+        FrameDrawing frame;
+        frame.plan = &plan;
+        frame.grid = model_.summary.grid;
+        frame.space = drawSpace(plan.view, frame.grid, model_.summary.bounds);
+        frame.image = &all_;
+        frame.casters.assign(plan.passes.size(), &all_);
+        frame.pages = [this](std::uint32_t page) -> const hierarchy::Page& { return model_.pages[page]; };
+        frame.clipNear = 0.05;
+        return frame;
+    }
+
+    plan::FramePlan plan(const plan::View& view, const plan::Quality& quality) const {
+        plan::SceneFacts facts;
+        facts.bounds = model_.summary.bounds;
+        facts.visible = {1, 120, true};
+        return plan::planFrame(view, quality, facts);
+    }
+
+private:
+    tests::TinyModel model_;
+    selection::DrawList all_;
+};
+
+/// The schemes in turn.
+plan::Quality quality(std::uint64_t seed) {
+    plan::Quality quality;
+    constexpr std::array kRules = {
+        shadow::WarpRule::Auto, shadow::WarpRule::None, shadow::WarpRule::Lspsm, shadow::WarpRule::Minimax};
+    quality.warp.rule = kRules[seed % kRules.size()];
+    quality.zPartitions = static_cast<int>(1 + seed % 5);
+    quality.facePartitions = seed % 3 == 0 ? plan::Choice::On : plan::Choice::Off;
+    quality.filter = static_cast<int>(seed % 4);
+    if (seed % 11 == 0) quality.shadows = plan::ShadowMode::Off;
+    quality.shadowTexelsWidth = quality.shadowTexelsHeight = 512;
+    return quality;
+}
+
+struct Found {
+    std::size_t pixels = 0;
+    std::size_t coverage = 0;   // covered by one alone
+    std::size_t color = 0;      // a channel differs by more than 2 levels
+    std::size_t texels = 0;     // covered by both
+    std::size_t texelCover = 0; // by one alone
+    std::size_t texelWrong = 0; // depths differ by more than `allowance`
+};
+
+/// How much depth may differ: the bar, and what 1/256 texel changes, to which positions are snapped.
+float allowance(const FloatPicture& map, int x, int y) {
+    float slope = 0;
+    for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+        const int column = std::clamp(x + dx, 0, map.width - 1);
+        const int row = std::clamp(y + dy, 0, map.height - 1);
+        slope = std::max(slope, std::abs(map.at(column, row) - map.at(x, y)));
+    }
+    return 1e-5F + slope / 256;
+}
+
+void compareMaps(const FloatPicture& ours, const FloatPicture& gl, Found& found) {
+    ASSERT_EQ(ours.pixels.size(), gl.pixels.size());
+    for (int y = 0; y < gl.height; ++y)
+        for (int x = 0; x < gl.width; ++x) {
+            const bool isOurs = ours.at(x, y) < 1;
+            const bool isGl = gl.at(x, y) < 1;
+            if (isOurs != isGl) ++found.texelCover;
+            if (!isOurs || !isGl) continue;
+            ++found.texels;
+            const float difference = std::abs(ours.at(x, y) - gl.at(x, y));
+            if (difference > allowance(gl, x, y)) ++found.texelWrong;
+        }
+}
+
+void compare(Executor& ours, Executor& gl, Found& found) {
+    const Picture a = ours.picture();
+    const Picture b = gl.picture();
+    const FloatPicture depthA = ours.viewDepth();
+    const FloatPicture depthB = gl.viewDepth();
+    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+        ++found.pixels;
+        if (std::isinf(depthA.pixels[i]) != std::isinf(depthB.pixels[i])) ++found.coverage;
+        int largest = 0;
+        for (std::size_t c = 0; c < 3; ++c)
+            largest = std::max(largest, std::abs(a.pixels[i][c] - b.pixels[i][c]));
+        if (largest > 2) ++found.color;
+    }
+    compareMaps(ours.shadowDepth(), gl.shadowDepth(), found);
+}
+
+Found compareSeeds(std::uint64_t first, std::uint64_t count, bool overlays) {
+    const Field field;
+    const std::unique_ptr<Executor> ours = makeSoftwareExecutor();
+    const std::unique_ptr<Executor> gl = makeGlExecutor(gl::Platform::Osmesa, gl::ShaderLibrary(), mebibytes(64));
+    Found found;
+    for (std::uint64_t seed = first; seed < first + count; ++seed) {
+        const plan::FramePlan plan = field.plan(field.view(seed), quality(seed));
+        FrameDrawing frame = field.drawing(plan);
+        if (overlays) frame.overlay = static_cast<Overlay>(1 + seed % 5);
+        ours->draw(frame);
+        gl->draw(frame);
+        compare(*ours, *gl, found);
+    }
+    return found;
+}
+
+void expectAlike(const Found& found) {
+    EXPECT_LE(found.coverage * 10000, found.pixels);
+    EXPECT_LE(found.color * 1000, found.pixels);
+    EXPECT_GT(found.texels, 1000U);
+    EXPECT_LE(found.texelCover * 10000, found.texels);
+    EXPECT_LE(found.texelWrong * 100000, found.texels);
+}
+
+TEST(SoftwareExecutor, DrawsWhatGlDraws) {
+    expectAlike(compareSeeds(1, 24, false));
+}
+
+TEST(SoftwareExecutor, PaintsTheOverlaysThatGlPaints) {
+    expectAlike(compareSeeds(100, 20, true));
+}
+
+TEST(SoftwareExecutor, OneThreadAndTwoDrawTheSamePicture) {
+    const Field field;
+    const plan::FramePlan plan = field.plan(field.view(5), quality(5));
+    FrameDrawing frame = field.drawing(plan);
+    frame.wantsSurfaces = true;
+    std::array<std::unique_ptr<Executor>, 2> executors = {makeSoftwareExecutor(), makeSoftwareExecutor()};
+    for (int threads : {1, 2})
+        tbb::task_arena(threads).execute([&] { executors[static_cast<std::size_t>(threads - 1)]->draw(frame); });
+    EXPECT_EQ(executors[0]->picture().pixels, executors[1]->picture().pixels);
+    EXPECT_EQ(executors[0]->shadowDepth().pixels, executors[1]->shadowDepth().pixels);
+    EXPECT_EQ(executors[0]->viewDepth().pixels, executors[1]->viewDepth().pixels);
+}
+
+} // namespace
+} // namespace gnomon::render

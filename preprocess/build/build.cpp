@@ -64,11 +64,11 @@ std::uint64_t rootTriangles(const Level& level) {
 
 const char* nameOf(Simplifier simplifier) {
     switch (simplifier) {
-    case Simplifier::kMeshopt:
+    case Simplifier::Meshopt:
         return "meshopt";
-    case Simplifier::kOpenMesh:
+    case Simplifier::OpenMesh:
         return "openmesh";
-    case Simplifier::kOwn:
+    case Simplifier::Own:
         break;
     }
     return "own";

@@ -97,6 +97,7 @@ void appendFitting(const Input& input, std::vector<std::uint32_t> cluster, Clust
         return;
     }
     std::vector<KdItem> items;
+    items.reserve(cluster.size());
     for (const std::uint32_t t : cluster)
         items.push_back({input.center(t), 1, t});
     std::uint32_t begin = 0;

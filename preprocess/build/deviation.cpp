@@ -19,7 +19,7 @@ constexpr std::uint32_t kMaxPieces = 256; // of one triangle
 
 /// A convex polygon.
 struct Piece {
-    std::array<glm::dvec3, kMaxCorners> corners;
+    std::array<glm::dvec3, kMaxCorners> corners{};
     std::uint32_t count = 0;
     std::uint32_t host = kNone;
     std::uint32_t walked = 0;
@@ -71,7 +71,7 @@ Halves cut(const Piece& piece, const glm::dvec3& point, const glm::dvec3& normal
 /// The corner of a piece that is farthest from its host.
 struct Farthest {
     double square = -1;
-    Nearest nearest = Nearest::kFace;
+    Nearest nearest = Nearest::Face;
     std::uint32_t corner = 0;
 };
 
@@ -110,11 +110,11 @@ public:
 private:
     /// Hands the part beyond the host's edge to the triangle there; false if that brings nothing nearer.
     bool walk(const Piece& piece, const Farthest& farthest) {
-        if (piece.walked >= kMaxWalk || piece.count + 2 > kMaxCorners || farthest.nearest == Nearest::kFace)
+        if (piece.walked >= kMaxWalk || piece.count + 2 > kMaxCorners || farthest.nearest == Nearest::Face)
             return false;
         const auto place = static_cast<std::uint32_t>(farthest.nearest);
         std::array<std::uint32_t, 2> edges{place - 1, place - 1};
-        if (farthest.nearest >= Nearest::kCorner0) edges = {place - 4, (place - 4 + 2) % 3};
+        if (farthest.nearest >= Nearest::Corner0) edges = {place - 4, (place - 4 + 2) % 3};
         double best = farthest.square;
         std::uint32_t bestEdge = kNone;
         for (const std::uint32_t edge : edges) {

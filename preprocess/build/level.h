@@ -13,7 +13,7 @@ namespace gnomon::preprocess {
 /// What shapes the hierarchy; part of what a .gnm says about itself.
 struct LevelOptions {
     std::uint32_t clusterTriangles = 128;
-    Simplifier simplifier = Simplifier::kOwn;
+    Simplifier simplifier = Simplifier::Own;
     bool isErrorMeasured = true;
 };
 

@@ -7,7 +7,7 @@
 
 namespace gnomon::preprocess {
 
-enum class Simplifier { kOwn, kMeshopt, kOpenMesh };
+enum class Simplifier { Own, Meshopt, OpenMesh };
 
 /// Reduces `patch` to about `targetTriangles` (at least 1) triangles by moving vertices onto others; locked positions
 /// stay. Pure: the same patch gives the same answer everywhere.

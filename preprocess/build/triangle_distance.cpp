@@ -33,7 +33,7 @@ Footing footing(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, c
         isInside = glm::dot(glm::cross(normal, corners[(i + 1) % 3] - corners[i]), p - corners[i]) >= 0;
     if (isInside) {
         const double height = glm::dot(normal, p - a);
-        return {height * height / area, Nearest::kFace};
+        return {height * height / area, Nearest::Face};
     }
     Footing best = edgeFooting(p, corners, 0);
     for (std::uint32_t i = 1; i < 3; ++i) {

@@ -9,11 +9,11 @@
 namespace gnomon::preprocess {
 
 /// Where the nearest point of a triangle lies.
-enum class Nearest : std::uint8_t { kFace, kEdge0, kEdge1, kEdge2, kCorner0, kCorner1, kCorner2 }; // edge i: i to i + 1
+enum class Nearest : std::uint8_t { Face, Edge0, Edge1, Edge2, Corner0, Corner1, Corner2 }; // edge i: i to i + 1
 
 struct Footing {
     double square = 0; // of the distance
-    Nearest nearest = Nearest::kFace;
+    Nearest nearest = Nearest::Face;
 };
 
 /// The squared distance of `p` from the triangle `a`, `b`, `c`, which may be degenerate.

@@ -96,7 +96,7 @@ void run(const BuildCommand& command) {
     options.level.clusterTriangles = command.clusterTriangles;
     options.level.isErrorMeasured = command.error == "measured";
     const std::map<std::string, Simplifier> simplifiers{
-        {"own", Simplifier::kOwn}, {"meshopt", Simplifier::kMeshopt}, {"openmesh", Simplifier::kOpenMesh}};
+        {"own", Simplifier::Own}, {"meshopt", Simplifier::Meshopt}, {"openmesh", Simplifier::OpenMesh}};
     options.level.simplifier = simplifiers.at(command.simplifier);
     if (command.maxStuckPercent < 100) options.maxStuckPercent = command.maxStuckPercent;
     const auto source = preprocess::openMeshSources(command.inputs, options.memory);

@@ -12,14 +12,14 @@ namespace {
 
 using hierarchy::kNone;
 
-constexpr std::size_t kMaxCorners = 16;
-constexpr std::uint32_t kMaxWalk = 24;    // cuts in a row from one triangle to the next
-constexpr std::uint32_t kMaxHalvings = 8; // of a piece that walking cannot place
-constexpr std::uint32_t kMaxPieces = 256; // of one triangle
+constexpr std::size_t kMaxCorners = 24;
+constexpr std::uint32_t kMaxWalk = 24;     // cuts in a row from one triangle to the next
+constexpr std::uint32_t kMaxHalvings = 12; // of a piece that walking cannot place
+constexpr std::uint32_t kMaxPieces = 1024; // of one triangle
 
 /// A convex polygon.
 struct Piece {
-    std::array<glm::dvec3, kMaxCorners> corners{};
+    std::array<glm::dvec3, 2 * kMaxCorners> corners{}; // rounding may let a plane cross more than two sides
     std::uint32_t count = 0;
     std::uint32_t host = kNone;
     std::uint32_t walked = 0;
@@ -41,7 +41,7 @@ Halves cut(const Piece& piece, const glm::dvec3& point, const glm::dvec3& normal
         half->walked = piece.walked + 1;
         half->halvings = piece.halvings;
     }
-    std::array<double, kMaxCorners> side{};
+    std::array<double, 2 * kMaxCorners> side{};
     double least = 0;
     double most = 0;
     for (std::uint32_t i = 0; i < piece.count; ++i) {
@@ -120,7 +120,10 @@ private:
         for (const std::uint32_t edge : edges) {
             const std::uint32_t other = surface_.across(piece.host, edge);
             if (other == kNone) continue;
-            const double square = surface_.footingOf(piece.corners[farthest.corner], other).square;
+            const glm::dvec3& corner = piece.corners[farthest.corner];
+            // A corner that the plane leaves on this side would come back, and back again.
+            if (glm::dot(corner - surface_.corner(piece.host, edge), bisector(piece.host, edge)) <= 0) continue;
+            const double square = surface_.footingOf(corner, other).square;
             if (square < best) {
                 best = square;
                 bestEdge = edge;
@@ -132,11 +135,7 @@ private:
     bool cross(const Piece& piece, std::uint32_t edge) {
         const std::uint32_t other = surface_.across(piece.host, edge);
         const glm::dvec3& from = surface_.corner(piece.host, edge);
-        const glm::dvec3 along = surface_.corner(piece.host, (edge + 1) % 3) - from;
-        const glm::dvec3 normal = unitNormal(piece.host);
-        const glm::dvec3 otherNormal = unitNormal(other);
-        const double turn = glm::dot(normal, otherNormal) < 0 ? -1.0 : 1.0; // neighbours need not agree on a side
-        Halves halves = cut(piece, from, glm::cross(along, normal + otherNormal * turn));
+        Halves halves = cut(piece, from, bisector(piece.host, edge));
         halves.outside.host = other;
         if (halves.outside.count < 3) { // all is on this side of the bisecting plane, yet nearer to the other
             if (piece.walked > 2) return false;
@@ -150,24 +149,23 @@ private:
 
     /// Where neighbours lead nowhere: asks the tree, and halves the piece if no one triangle will do.
     bool halve(const Piece& piece, const Farthest& farthest) {
-        if (piece.halvings >= kMaxHalvings) return false;
-        const std::uint32_t nearest = surface_.nearest(piece.corners[farthest.corner]);
-        const double least = surface_.footingOf(piece.corners[farthest.corner], nearest).square;
-        if (least > farthest.square * 0.8) return false;
+        const glm::dvec3& corner = piece.corners[farthest.corner];
+        const std::uint32_t nearest = surface_.nearest(corner);
+        if (surface_.footingOf(corner, nearest).square > farthest.square * 0.8) return false;
         Piece moved = piece;
         moved.host = nearest;
-        if (farthestFrom(surface_, moved, nearest).square < farthest.square * 0.8) {
+        // A few times more than it may be halved, and then no more, so that this ends.
+        if (piece.halvings < kMaxHalvings + 4 &&
+            farthestFrom(surface_, moved, nearest).square < farthest.square * 0.8) {
             moved.halvings += 1;
             moved.walked = 0;
             stack_.push_back(moved);
             return true;
         }
-        if (piece.count + 2 > kMaxCorners) return false;
-        glm::dvec3 middle(0);
-        for (std::uint32_t i = 0; i < piece.count; ++i)
-            middle += piece.corners[i];
-        middle /= static_cast<double>(piece.count);
-        Halves halves = cut(piece, middle, piece.corners[farthest.corner] - middle);
+        if (piece.halvings >= kMaxHalvings) return false;
+        if (piece.count + 2 > kMaxCorners) return splitAlongDiagonal(piece);
+        const glm::dvec3 across = corner - farthestCorner(piece, corner);
+        Halves halves = cut(piece, corner - across * 0.5, across);
         halves.outside.host = nearest;
         for (Piece* half : {&halves.inside, &halves.outside}) {
             if (half->count < 3) return false;
@@ -177,6 +175,41 @@ private:
         stack_.push_back(halves.inside);
         stack_.push_back(halves.outside);
         return true;
+    }
+
+    /// The corner of `piece` that is farthest from `p`.
+    static glm::dvec3 farthestCorner(const Piece& piece, const glm::dvec3& p) {
+        return *std::max_element(
+            piece.corners.begin(), piece.corners.begin() + piece.count, [&p](const glm::dvec3& a, const glm::dvec3& b) {
+                return glm::dot(a - p, a - p) < glm::dot(b - p, b - p);
+            });
+    }
+
+    /// Many cuts leave a piece more corners than a further cut has room for: two pieces have half as many each.
+    bool splitAlongDiagonal(const Piece& piece) {
+        Piece first = piece;
+        Piece second = piece;
+        first.count = second.count = 0;
+        const std::uint32_t middle = piece.count / 2;
+        for (std::uint32_t i = 0; i <= middle; ++i)
+            first.add(piece.corners[i]);
+        for (std::uint32_t i = middle; i <= piece.count; ++i)
+            second.add(piece.corners[i % piece.count]);
+        for (Piece* half : {&first, &second}) {
+            half->walked = 0;
+            half->halvings = piece.halvings + 1;
+            stack_.push_back(*half);
+        }
+        return true;
+    }
+
+    /// The normal, away from `triangle`, of the plane through its edge that halves the angle to its neighbour there.
+    glm::dvec3 bisector(std::uint32_t triangle, std::uint32_t edge) const {
+        const glm::dvec3 along = surface_.corner(triangle, (edge + 1) % 3) - surface_.corner(triangle, edge);
+        const glm::dvec3 normal = unitNormal(triangle);
+        const glm::dvec3 otherNormal = unitNormal(surface_.across(triangle, edge));
+        const double turn = glm::dot(normal, otherNormal) < 0 ? -1.0 : 1.0; // neighbours need not agree on a side
+        return glm::cross(along, normal + otherNormal * turn);
     }
 
     glm::dvec3 unitNormal(std::uint32_t t) const {

@@ -55,6 +55,7 @@
     X(PFNGLPROGRAMUNIFORM1IPROC, programUniform1i, "glProgramUniform1i")                                               \
     X(PFNGLPROGRAMUNIFORM4FPROC, programUniform4f, "glProgramUniform4f")                                               \
     X(PFNGLPROGRAMUNIFORMMATRIX4FVPROC, programUniformMatrix4fv, "glProgramUniformMatrix4fv")                          \
+    X(PFNGLREADPIXELSPROC, readPixels, "glReadPixels")                                                                 \
     X(PFNGLSCISSORPROC, scissor, "glScissor")                                                                          \
     X(PFNGLSHADERSOURCEPROC, shaderSource, "glShaderSource")                                                           \
     X(PFNGLTEXTUREPARAMETERIPROC, textureParameteri, "glTextureParameteri")                                            \

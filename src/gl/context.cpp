@@ -15,8 +15,10 @@ Api loadApi(FunctionSource source) {
     return api;
 }
 
-Context::Context(Platform platform)
-    : native_(platform == Platform::Osmesa ? makeOsmesaContext() : makeEglContext()),
+Context::Context(Platform platform) : Context(platform == Platform::Osmesa ? makeOsmesaContext() : makeEglContext()) {}
+
+Context::Context(std::unique_ptr<NativeContext> native)
+    : native_(std::move(native)),
       api_(std::make_unique<Api>(loadApi(native_->functionSource()))),
       renderer_(reinterpret_cast<const char*>(api_->getString(GL_RENDERER))) {
     api_->getIntegerv(GL_MAX_TEXTURE_SIZE, &maxTextureSize_);

@@ -1,4 +1,4 @@
-// A headless OpenGL 4.5 core context: OSMesa in memory, or EGL without a surface.
+// An OpenGL 4.5 core context: OSMesa in memory, EGL without a surface, or a window's.
 #pragma once
 
 #include "gl/api.h"
@@ -18,6 +18,9 @@ class Context {
 public:
     /// Throws gnomon::Error if the library, the context or a function is missing.
     explicit Context(Platform platform);
+
+    /// The context that `native` is, current on this thread. Throws gnomon::Error if a function is missing.
+    explicit Context(std::unique_ptr<NativeContext> native);
 
     const Api& api() const { return *api_; }
 

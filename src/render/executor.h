@@ -42,6 +42,8 @@ struct FrameDrawing {
     std::vector<const selection::DrawList*> casters; // one a pass
     PageLookup pages;
     double clipNear = 1e-3; // view depth of the near clip plane: nothing that is drawn lies before it
+    std::optional<Camera>
+        onlooker; // who sees the image in place of the plan's camera, which it then shows from outside
     Overlay overlay = Overlay::None;
     bool wantsSurfaces = false;                    // keep what `surfaces` returns
     const Raster<std::uint8_t>* litMask = nullptr; // 255 where the light reaches, instead of maps

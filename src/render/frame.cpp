@@ -177,6 +177,10 @@ FrameDrawing Renderer::drawing(const Prepared& prepared, const FrameOptions& opt
     const plan::SceneFacts::Visible visible = prepared.facts.visible.value_or(plan::SceneFacts::Visible{});
     const double least = std::max(1e-7 * visible.farthest, 1e-3 * summary.grid.step());
     drawing.clipNear = std::max(visible.anything ? visible.nearest * 0.99 : 0.0, least);
+    if (options.onlooker) {
+        drawing.onlooker = options.onlooker;
+        drawing.clipNear = std::max(distance(summary.bounds, options.onlooker->eye) * 0.99, least);
+    }
     drawing.overlay = options.overlay;
     drawing.wantsSurfaces = options.wantsSurfaces;
     return drawing;

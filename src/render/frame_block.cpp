@@ -20,6 +20,12 @@ glm::vec4 toDraw(const CameraBasis& basis, const glm::dvec3& direction, double w
     return {glm::vec3(toWorld(basis, direction)), static_cast<float>(w)};
 }
 
+/// Camera space of an eye at `eye` in draw space, whose axes are the world's.
+glm::dmat4 cameraFromDraw(const CameraBasis& basis, const glm::dvec3& eye) {
+    const auto row = [&](const glm::dvec3& axis) { return glm::dvec4(axis, -glm::dot(axis, eye)); };
+    return fromRows(row(basis.right), row(basis.up), row(basis.view), {0, 0, 0, 1});
+}
+
 } // namespace
 
 DrawSpace drawSpace(const plan::View& view, const hierarchy::Grid& grid, const Box& bounds) {
@@ -31,9 +37,7 @@ DrawSpace drawSpace(const plan::View& view, const hierarchy::Grid& grid, const B
     space.originCell = {
         static_cast<std::uint32_t>(cell.x), static_cast<std::uint32_t>(cell.y), static_cast<std::uint32_t>(cell.z)};
     space.eye = (view.camera.eye - grid.origin) - grid.local(space.originCell);
-    const CameraBasis basis = cameraBasis(view.camera);
-    const auto row = [&](const glm::dvec3& axis) { return glm::dvec4(axis, -glm::dot(axis, space.eye)); };
-    space.cameraFromDraw = fromRows(row(basis.right), row(basis.up), row(basis.view), {0, 0, 0, 1});
+    space.cameraFromDraw = cameraFromDraw(cameraBasis(view.camera), space.eye);
     return space;
 }
 
@@ -41,7 +45,9 @@ glm::dmat4 imageClipFromDraw(const FrameDrawing& frame) {
     const plan::View& view = frame.plan->view;
     const glm::dmat4 clipFromCamera = fromRows(
         {1 / view.tanHalfX(), 0, 0, 0}, {0, 1 / view.tanHalfY(), 0, 0}, {0, 0, 0, frame.clipNear}, {0, 0, 1, 0});
-    return clipFromCamera * frame.space.cameraFromDraw;
+    if (!frame.onlooker) return clipFromCamera * frame.space.cameraFromDraw;
+    const glm::dvec3 eye = frame.space.eye + (frame.onlooker->eye - view.camera.eye);
+    return clipFromCamera * cameraFromDraw(cameraBasis(*frame.onlooker), eye);
 }
 
 glm::dmat4 texelFromDraw(const plan::ShadowPass& pass, const DrawSpace& space) {

@@ -6,7 +6,8 @@
 
 namespace gnomon::render {
 
-/// Clip space of the image: reversed z with an infinite far plane, so that clipping loses nothing behind the near one.
+/// Clip space of the image, as the plan's camera or the onlooker sees it: reversed z with an infinite far plane, so
+/// that clipping loses nothing behind the near one.
 glm::dmat4 imageClipFromDraw(const FrameDrawing& frame);
 
 /// Texels of the whole depth texture: (column w, row w, depth w, w).

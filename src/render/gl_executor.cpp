@@ -95,17 +95,26 @@ struct ShadowTarget {
     gl::Framebuffer framebuffer;
 };
 
-class GlExecutor final : public Executor {
+class GlExecutor final : public TextureExecutor {
 public:
-    GlExecutor(gl::Platform platform, gl::ShaderLibrary shaders, Bytes gpuMemory)
-        : context_(platform),
-          platform_(platform),
+    /// `own` is the context to keep if `context` is this executor's alone.
+    GlExecutor(
+        std::unique_ptr<const gl::Context> own,
+        const gl::Context& context,
+        std::string name,
+        gl::ShaderLibrary shaders,
+        Bytes gpuMemory)
+        : own_(std::move(own)),
+          context_(&context),
+          name_(std::move(name)),
           shaders_(std::move(shaders)),
-          pool_(context_.api(), gpuMemory),
-          frameBlock_(context_.api(), sizeof(block::Frame)),
-          shadowsBlock_(context_.api(), sizeof(block::Shadows)) {}
+          pool_(context.api(), gpuMemory),
+          frameBlock_(context.api(), sizeof(block::Frame)),
+          shadowsBlock_(context.api(), sizeof(block::Shadows)) {}
 
-    std::string name() const override { return platform_ == gl::Platform::Egl ? "egl" : "osmesa"; }
+    std::string name() const override { return name_; }
+
+    const gl::Texture& texture() const override { return image_->color; }
 
     DrawStatistics draw(const FrameDrawing& frame) override;
     Picture picture() override;
@@ -114,7 +123,7 @@ public:
     Raster<SurfaceSample> surfaces() override;
 
 private:
-    const gl::Api& api() const { return context_.api(); }
+    const gl::Api& api() const { return context_->api(); }
 
     void prepareTargets(const FrameDrawing& frame);
     void drawShadowMaps(const FrameDrawing& frame);
@@ -124,8 +133,9 @@ private:
     const gl::Program& surfaceProgram(const FrameDrawing& frame);
     void bindBlocks(const FrameDrawing& frame, const glm::dmat4& clipFromDraw);
 
-    gl::Context context_;
-    gl::Platform platform_;
+    std::unique_ptr<const gl::Context> own_; // null in a window's
+    const gl::Context* context_;
+    std::string name_;
     gl::ShaderLibrary shaders_;
     GeometryPool pool_;
     gl::Buffer frameBlock_;
@@ -152,7 +162,7 @@ DrawStatistics GlExecutor::draw(const FrameDrawing& frame) {
     drawImage(frame);
     api().finish();
     statistics.imageMs = millisecondsSince(imageStart);
-    context_.check("frame");
+    context_->check("frame");
     statistics.drawCalls = drawCalls_;
     const auto texels = [](int width, int height) {
         return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
@@ -167,11 +177,11 @@ void GlExecutor::prepareTargets(const FrameDrawing& frame) {
     const int width = plan.view.width;
     const int height = plan.view.height;
     const int largest = std::max(std::max(width, height), std::max(plan.textureWidth, plan.textureHeight));
-    if (largest > context_.maxTextureSize())
+    if (largest > context_->maxTextureSize())
         throw Error(
             "--size or --shadow-texels",
             "larger than a texture of this OpenGL",
-            "at most " + std::to_string(context_.maxTextureSize()),
+            "at most " + std::to_string(context_->maxTextureSize()),
             std::to_string(largest));
     const bool hasSurfaces = image_ && image_->surfaces.id() != 0;
     if (!image_ || image_->color.width() != width || image_->color.height() != height ||
@@ -326,7 +336,15 @@ Raster<SurfaceSample> GlExecutor::surfaces() {
 } // namespace
 
 std::unique_ptr<Executor> makeGlExecutor(gl::Platform platform, const gl::ShaderLibrary& shaders, Bytes gpuMemory) {
-    return std::make_unique<GlExecutor>(platform, shaders, gpuMemory);
+    auto context = std::make_unique<const gl::Context>(platform);
+    const gl::Context& ours = *context;
+    const char* const name = platform == gl::Platform::Egl ? "egl" : "osmesa";
+    return std::make_unique<GlExecutor>(std::move(context), ours, name, shaders, gpuMemory);
+}
+
+std::unique_ptr<TextureExecutor> makeWindowExecutor(
+    const gl::Context& context, const gl::ShaderLibrary& shaders, Bytes gpuMemory) {
+    return std::make_unique<GlExecutor>(nullptr, context, "window", shaders, gpuMemory);
 }
 
 } // namespace gnomon::render

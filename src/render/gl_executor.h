@@ -3,6 +3,7 @@
 
 #include "core/units.h"
 #include "gl/context.h"
+#include "gl/objects.h"
 #include "gl/shader_library.h"
 #include "render/executor.h"
 
@@ -12,5 +13,16 @@ namespace gnomon::render {
 
 /// Draws with `platform`'s context; geometry stays under `gpuMemory`. Throws Error if there is no context.
 std::unique_ptr<Executor> makeGlExecutor(gl::Platform platform, const gl::ShaderLibrary& shaders, Bytes gpuMemory);
+
+/// An executor whose picture can be shown where it was drawn, without reading it back.
+class TextureExecutor : public Executor {
+public:
+    /// The colours of the last frame, bottom row first.
+    virtual const gl::Texture& texture() const = 0;
+};
+
+/// Draws in a window's context, which must outlive it and be current whenever it is called.
+std::unique_ptr<TextureExecutor> makeWindowExecutor(
+    const gl::Context& context, const gl::ShaderLibrary& shaders, Bytes gpuMemory);
 
 } // namespace gnomon::render

@@ -25,6 +25,7 @@ struct FrameOptions {
     Waiting waiting = Waiting::UntilComplete;
     Overlay overlay = Overlay::None;
     bool wantsSurfaces = false;
+    std::optional<Camera> onlooker; // sees the frame of the view from outside: its cut, its casters, its maps
 };
 
 /// What came of a frame besides its picture. The cut's pages stay resident until the next frame.

@@ -2,10 +2,12 @@
 #include "gl/context.h"
 #include "gl/objects.h"
 #include "gl/program.h"
+#include "gl/window.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <vector>
@@ -112,6 +114,16 @@ TEST(Object, MovesAndDeletesOnce) {
     b = std::move(a);
     EXPECT_EQ(b.size(), 32U);
     context.check("moves");
+}
+
+TEST(Window, WithoutADisplaySaysSo) {
+    ::unsetenv("DISPLAY");
+    try {
+        const Window window("test", 64, 64);
+        FAIL() << "a window opened";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("no display"), std::string::npos);
+    }
 }
 
 } // namespace

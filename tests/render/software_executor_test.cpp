@@ -186,5 +186,46 @@ TEST(SoftwareExecutor, OneThreadAndTwoDrawTheSamePicture) {
     EXPECT_EQ(executors[0]->viewDepth().pixels, executors[1]->viewDepth().pixels);
 }
 
+/// Pixels in which two depths differ by more than a thousandth.
+std::size_t unlike(const FloatPicture& a, const FloatPicture& b) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+        const bool isNothing = std::isinf(a.pixels[i]) && std::isinf(b.pixels[i]);
+        if (!isNothing && !(std::abs(a.pixels[i] - b.pixels[i]) <= 1e-3F * b.pixels[i])) ++count;
+    }
+    return count;
+}
+
+TEST(Onlooker, SeesTheFramesGeometryFromWhereItStands) {
+    const Field field;
+    const std::unique_ptr<Executor> ours = makeSoftwareExecutor();
+    const std::unique_ptr<Executor> gl = makeGlExecutor(gl::Platform::Osmesa, gl::ShaderLibrary(), mebibytes(64));
+    for (std::uint64_t seed = 0; seed < 4; ++seed) {
+        const plan::FramePlan watched = field.plan(field.view(seed), quality(seed));
+        const plan::FramePlan watching = field.plan(field.view(seed + 100), quality(seed));
+        FrameDrawing fromOutside = field.drawing(watched);
+        fromOutside.onlooker = watching.view.camera;
+        for (Executor* executor : {ours.get(), gl.get()}) {
+            executor->draw(field.drawing(watching));
+            const FloatPicture expected = executor->viewDepth();
+            executor->draw(fromOutside);
+            // Draw spaces differ, so vertices are rounded differently: a pixel of an edge here and there.
+            EXPECT_LE(unlike(executor->viewDepth(), expected), expected.pixels.size() / 200) << executor->name();
+        }
+    }
+}
+
+TEST(Onlooker, InTheCamerasPlaceChangesNothing) {
+    const Field field;
+    const plan::FramePlan plan = field.plan(field.view(7), quality(7));
+    const std::unique_ptr<Executor> executor = makeSoftwareExecutor();
+    executor->draw(field.drawing(plan));
+    const Picture expected = executor->picture();
+    FrameDrawing drawing = field.drawing(plan);
+    drawing.onlooker = plan.view.camera;
+    executor->draw(drawing);
+    EXPECT_EQ(executor->picture().pixels, expected.pixels);
+}
+
 } // namespace
 } // namespace gnomon::render

@@ -1,0 +1,32 @@
+// A window on the screen with an OpenGL 4.5 core context, through GLFW.
+#pragma once
+
+#include "gl/context.h"
+
+#include <memory>
+#include <string>
+
+struct GLFWwindow;
+
+namespace gnomon::gl {
+
+/// A window and its context, current on the thread that made it. One at a time in a process: GLFW's state is global.
+class Window {
+public:
+    /// `width` and `height` are those of the framebuffer where the screen has no scale of its own. Throws
+    /// gnomon::Error with GLFW's reason if there is no display or no OpenGL 4.5.
+    Window(const std::string& title, int width, int height);
+
+    /// For GLFW's own calls.
+    GLFWwindow* handle() const;
+
+    const Context& context() const { return *context_; }
+
+private:
+    class Glfw;
+
+    Glfw* glfw_; // owned by the context
+    std::unique_ptr<Context> context_;
+};
+
+} // namespace gnomon::gl

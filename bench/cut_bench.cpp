@@ -85,7 +85,7 @@ private:
     selection::Cut load() {
         while (true) {
             selection::Cut cut = selection::cut(query());
-            if (!store_.load({cut.used, cut.wanted, {}}).hasChanged) return cut;
+            if (!store_.load({cut.used, cut.wanted}).hasChanged) return cut;
         }
     }
 

@@ -43,6 +43,8 @@ std::int64_t toCount(std::uint64_t value) {
 
 struct Renderer::Prepared {
     plan::FramePlan plan;
+    std::unique_ptr<const selection::ErrorRule> rule; // of the cut, as are the volumes
+    std::vector<ConvexVolume> volumes;
     selection::Cut cut;
     plan::SceneFacts facts;
     streaming::DemandOutcome residency;
@@ -52,12 +54,8 @@ struct Renderer::Prepared {
     double streamMs = 0;
 };
 
-Renderer::Renderer(const hierarchy::ModelFile& model, Executor& executor, RendererOptions options)
-    : model_(&model),
-      executor_(&executor),
-      source_(model),
-      store_(source_, {.budget = options.memory, .loaderThreads = 4, .onDamaged = std::move(options.onDamaged)}),
-      trees_(model.pages(), model.summary().grid) {}
+Renderer::Renderer(const hierarchy::ModelFile& model, Executor& executor, ResidencyOptions options)
+    : model_(&model), executor_(&executor), residency_(model, std::move(options)) {}
 
 Frame Renderer::render(const plan::View& view, const plan::Quality& quality, const FrameOptions& options) {
     const auto start = Clock::now();
@@ -78,21 +76,20 @@ plan::FramePlan Renderer::plan(const plan::View& view, const plan::Quality& qual
 }
 
 Renderer::Prepared Renderer::prepare(const plan::View& view, const plan::Quality& quality, Waiting waiting) {
+    double streamMs = 0; // all that waiting costs: the rounds but the last are made for it
+    {
+        const Stopwatch watch(streamMs);
+        residency_.begin(waiting);
+    }
     for (;;) {
+        const auto start = Clock::now();
         Prepared prepared = planAndCut(view, quality);
-        {
-            const Stopwatch watch(prepared.streamMs);
-            const streaming::Demand demand{prepared.cut.used, prepared.cut.wanted, {}};
-            prepared.residency = waiting == Waiting::Never ? store_.update(demand) : store_.load(demand);
-        }
-        // What came may refine the cut further, and what went must not be drawn.
-        if (!prepared.residency.hasChanged) return prepared;
-        if (waiting == Waiting::Never) {
-            Prepared again = planAndCut(view, quality);
-            again.residency = prepared.residency;
-            again.streamMs = prepared.streamMs;
-            return again;
-        }
+        const auto cut = Clock::now();
+        prepared.residency = residency_.meet(query(prepared), prepared.cut, waiting);
+        const bool isLast = waiting == Waiting::Never || !prepared.residency.hasChanged;
+        streamMs += millisecondsBetween(isLast ? cut : start, Clock::now());
+        prepared.streamMs = streamMs;
+        if (isLast) return prepared;
     }
 }
 
@@ -106,7 +103,7 @@ Renderer::Prepared Renderer::planAndCut(const plan::View& view, const plan::Qual
     }
     {
         const Stopwatch watch(prepared.selectMs);
-        prepared.cut = cutImage(prepared.plan);
+        cutImage(prepared);
         prepared.facts = factsOf(view, prepared.cut);
     }
     {
@@ -115,29 +112,39 @@ Renderer::Prepared Renderer::planAndCut(const plan::View& view, const plan::Qual
     }
     if (prepared.plan.passes.empty()) return prepared;
     const Stopwatch watch(prepared.cullMs);
-    prepared.cut = cutAll(prepared.plan);
+    cutAll(prepared);
     return prepared;
 }
 
-selection::Cut Renderer::cutImage(const plan::FramePlan& plan) const {
-    const selection::DetailView view = detailView(plan, plan.view.camera.eye - model_->summary().grid.origin);
-    const selection::ErrorRule rule(view);
-    const std::array<ConvexVolume, 1> volumes = {selection::viewPyramid(view)};
-    return selection::cut({&trees_, store_.resident(), &rule, plan.quality.errorPixels, volumes});
+selection::CutQuery Renderer::query(const Prepared& prepared) const {
+    selection::CutQuery query = residency_.query();
+    query.rule = prepared.rule.get();
+    query.errorPixels = prepared.plan.quality.errorPixels;
+    query.volumes = prepared.volumes;
+    return query;
 }
 
-selection::Cut Renderer::cutAll(const plan::FramePlan& plan) const {
+void Renderer::cutImage(Prepared& prepared) const {
+    const glm::dvec3 eye = prepared.plan.view.camera.eye - model_->summary().grid.origin;
+    const selection::DetailView view = detailView(prepared.plan, eye);
+    prepared.rule = std::make_unique<selection::ErrorRule>(view);
+    prepared.volumes = {selection::viewPyramid(view)};
+    prepared.cut = selection::cut(query(prepared));
+}
+
+void Renderer::cutAll(Prepared& prepared) const {
+    const plan::FramePlan& plan = prepared.plan;
     const glm::dvec3 eye = plan.view.camera.eye - model_->summary().grid.origin;
     const selection::DetailView view = detailView(plan, eye);
-    std::vector<ConvexVolume> volumes = {selection::viewPyramid(view)};
+    prepared.volumes = {selection::viewPyramid(view)};
     std::vector<selection::CasterDetail> casters;
     for (const plan::ShadowPass& pass : plan.passes) {
         casters.push_back(casterDetail(plan, pass, eye));
         // Without culling every map draws all there is, at the detail that the maps call for.
-        volumes.push_back(plan.quality.cullCasters ? casters.back().casters : ConvexVolume{});
+        prepared.volumes.push_back(plan.quality.cullCasters ? casters.back().casters : ConvexVolume{});
     }
-    const selection::ErrorRule rule(view, std::move(casters));
-    return selection::cut({&trees_, store_.resident(), &rule, plan.quality.errorPixels, volumes});
+    prepared.rule = std::make_unique<selection::ErrorRule>(view, std::move(casters));
+    prepared.cut = selection::cut(query(prepared));
 }
 
 plan::SceneFacts Renderer::factsOf(const plan::View& view, const selection::Cut& cut) const {
@@ -147,7 +154,7 @@ plan::SceneFacts Renderer::factsOf(const plan::View& view, const selection::Cut&
     plan::SceneFacts::Visible visible;
     visible.nearest = std::numeric_limits<double>::infinity();
     for (const selection::ClusterRange& range : cut.lists[0].ranges) {
-        const hierarchy::Page& page = *store_.resident()[range.page];
+        const hierarchy::Page& page = *residency_.resident()[range.page];
         for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c) {
             const Box box = grid.local(page.clusters[c].box);
             const double middle = glm::dot(basis.view, box.center() - eye);
@@ -170,7 +177,7 @@ FrameDrawing Renderer::drawing(const Prepared& prepared, const FrameOptions& opt
     drawing.image = &prepared.cut.lists[0];
     for (std::size_t p = 0; p < prepared.plan.passes.size(); ++p)
         drawing.casters.push_back(&prepared.cut.lists[p + 1]);
-    drawing.pages = [resident = store_.resident()](std::uint32_t page) -> const hierarchy::Page& {
+    drawing.pages = [resident = residency_.resident()](std::uint32_t page) -> const hierarchy::Page& {
         return *resident[page];
     };
     // Reversed float depth is as precise anywhere; only triangles that cross the near plane want it not too near.
@@ -222,11 +229,11 @@ telemetry::FrameRow Renderer::logged(const Prepared& prepared, const DrawStatist
     row.castersKept = toCount(castersKept);
     row.castersTested = toCount(prepared.cut.groupsTested);
     row.drawCalls = toCount(drawn.drawCalls);
-    row.residentBytes = toCount(store_.statistics().resident.count);
+    row.residentBytes = toCount(residency_.statistics().resident.count);
     row.gpuBytes = toCount(drawn.deviceBytes);
-    row.bytesRead = toCount(store_.statistics().read.count);
+    row.bytesRead = toCount(residency_.statistics().read.count);
     row.pagesMissing = toCount(prepared.residency.pagesMissing);
-    row.pagesDamaged = toCount(store_.statistics().pagesDamaged);
+    row.pagesDamaged = toCount(residency_.statistics().pagesDamaged);
     row.achievedErrorPixels = prepared.cut.achievedErrorPixels;
     row.near = plan.near;
     row.far = plan.far;

@@ -4,8 +4,8 @@
 #include "hierarchy/model_file.h"
 #include "plan/frame_plan.h"
 #include "render/executor.h"
+#include "render/residency.h"
 #include "selection/cut.h"
-#include "streaming/page_store.h"
 #include "telemetry/frame_row.h"
 
 #include <memory>
@@ -13,12 +13,6 @@
 #include <vector>
 
 namespace gnomon::render {
-
-/// How frames treat what is not resident.
-enum class Waiting : std::uint8_t {
-    UntilComplete, // a frame waits until its cut is resident, and nothing is prefetched: everything but times repeats
-    Never,         // a frame draws what is there
-};
 
 /// What a frame is asked for besides view and quality.
 struct FrameOptions {
@@ -36,16 +30,12 @@ struct Frame {
     telemetry::FrameRow row;
 };
 
-struct RendererOptions {
-    Bytes memory = gibibytes(1); // of decoded pages
-    std::function<void(const streaming::DamagedPage&)> onDamaged;
-};
-
 /// Draws a model frame by frame.
 class Renderer {
 public:
-    /// `model` and `executor` must outlive it. Throws Error if the root is damaged.
-    Renderer(const hierarchy::ModelFile& model, Executor& executor, RendererOptions options);
+    /// `model` and `executor` must outlive it. Throws Error if the root is damaged or the memory is less than the
+    /// tables take.
+    Renderer(const hierarchy::ModelFile& model, Executor& executor, ResidencyOptions options);
 
     /// The frame of a view; the executor holds its picture.
     Frame render(const plan::View& view, const plan::Quality& quality, const FrameOptions& options);
@@ -61,17 +51,16 @@ private:
 
     Prepared prepare(const plan::View& view, const plan::Quality& quality, Waiting waiting);
     Prepared planAndCut(const plan::View& view, const plan::Quality& quality);
-    selection::Cut cutImage(const plan::FramePlan& plan) const;
-    selection::Cut cutAll(const plan::FramePlan& plan) const;
+    void cutImage(Prepared& prepared) const;
+    void cutAll(Prepared& prepared) const;
+    selection::CutQuery query(const Prepared& prepared) const;
     plan::SceneFacts factsOf(const plan::View& view, const selection::Cut& cut) const;
     FrameDrawing drawing(const Prepared& prepared, const FrameOptions& options) const;
     telemetry::FrameRow logged(const Prepared& prepared, const DrawStatistics& drawn) const;
 
     const hierarchy::ModelFile* model_;
     Executor* executor_;
-    streaming::FilePageSource source_;
-    streaming::PageStore store_;
-    selection::PageTrees trees_;
+    Residency residency_;
     std::optional<plan::FramePlan> previous_;
 };
 

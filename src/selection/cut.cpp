@@ -215,18 +215,28 @@ std::vector<PageDemand> demand(const CutQuery& query) {
     return std::move(result.used);
 }
 
-std::vector<PageDemand> pagesAhead(const CutQuery& query) {
-    const std::vector<ConvexVolume> everywhere(1);
-    const auto matters = [&](const Sphere& bounds, double error) {
-        return query.rule->exceeds(bounds, error, query.errorPixels);
-    };
+std::vector<PageDemand> foreseenPages(
+    const CutQuery& query, const Cut& cut, std::span<const hierarchy::PageInfo> pages) {
+    // Pages are refined by pages of higher ids, so this order comes to a page when all that lead to it are done.
+    std::map<std::uint32_t, double> pixelsOf;
+    for (const PageDemand& wanted : cut.wanted)
+        pixelsOf[wanted.page] = wanted.pixels;
     std::vector<PageDemand> result;
-    for (const PageTrees::Level& level : query.trees->levels()) {
-        bvh::traverse(level.tree, everywhere, matters, [&](std::uint32_t item, bvh::VolumeMask) {
-            const PageTrees::PageItem& found = level.items[item];
-            if (found.holdsRoot || query.resident[found.page] != nullptr) return;
-            result.push_back({found.page, query.rule->pixels(found.bounds, found.error)});
-        });
+    auto known = cut.wanted.begin(); // by id as well
+    for (; !pixelsOf.empty(); pixelsOf.erase(pixelsOf.begin())) {
+        const auto [page, pixels] = *pixelsOf.begin();
+        if (known != cut.wanted.end() && known->page == page) {
+            ++known;
+        } else {
+            result.push_back({page, pixels});
+        }
+        for (const std::uint32_t child : pages[page].children) {
+            if (query.resident[child] != nullptr) continue;
+            const hierarchy::PageInfo& info = pages[child];
+            // What refines a group never has more pixels than the group.
+            const double most = std::min(pixels, query.rule->pixels(info.bounds, info.maxError));
+            if (most > query.errorPixels) pixelsOf[child] = std::max(pixelsOf[child], most);
+        }
     }
     return result;
 }

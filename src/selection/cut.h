@@ -149,9 +149,11 @@ private:
 /// The pages that a cut of `query` would use or want, without making it: for prefetching. Volumes do not matter.
 std::vector<hierarchy::PageDemand> demand(const CutQuery& query);
 
-/// The pages that are not resident and that, as far as the page table alone tells, the cut may come to want, the roots
-/// left out. All levels at once, so loading need not wait level by level; some of them the cut will not need after all.
-std::vector<hierarchy::PageDemand> pagesAhead(const CutQuery& query);
+/// The pages below those that `cut` (of `query`) wants that it may come to want once they are there, as far as their
+/// rows in the page table tell; never fewer than it will, each once, by id. All levels at once, so loading need not
+/// wait level by level. Where nothing is wanted nothing is foreseen: what is resident says all.
+std::vector<hierarchy::PageDemand> foreseenPages(
+    const CutQuery& query, const Cut& cut, std::span<const hierarchy::PageInfo> pages);
 
 /// The cut, on one thread. culling::cutFrame does the same on all.
 Cut cut(const CutQuery& query);

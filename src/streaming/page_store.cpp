@@ -62,13 +62,13 @@ void PageStore::loadRoots() {
     std::vector<hierarchy::PageDemand> roots;
     for (std::uint32_t page = 0; page < entries_.size(); ++page)
         if (entries_[page].isRoot) roots.push_back({page, kInfinite});
-    rank({{}, roots, {}});
+    rank({{}, roots});
     Bytes total;
     for (const std::uint32_t page : asked_)
         total.count += entries_[page].bytes.count;
     if (total.count > options_.budget.count / 2) return;
     const std::vector<std::uint32_t> needed = asked_;
-    while (load({{}, roots, {}}).hasChanged) {
+    while (load({{}, roots}).hasChanged) {
     }
     for (const std::uint32_t page : needed) {
         Entry& entry = entries_[page];
@@ -79,11 +79,22 @@ void PageStore::loadRoots() {
     }
 }
 
-DemandOutcome PageStore::update(const Demand& demand) {
+bool PageStore::settle() {
+    const std::uint64_t evictedBefore = statistics_.pagesEvicted;
+    const bool hasCome = takeFinished();
+    for (const std::uint32_t page : asked_)
+        entries_[page].isInUse = false;
+    areVictimsKnown_ = false;
+    requestKept();
+    return hasCome || statistics_.pagesEvicted != evictedBefore;
+}
+
+DemandOutcome PageStore::ask(const Demand& demand) {
     DemandOutcome outcome;
     rank(demand);
+    for (const hierarchy::PageDemand& used : demand.used)
+        entries_[used.page].isInUse = true;
     withdrawQueued();
-    outcome.hasChanged = takeFinished();
     chooseKept(outcome);
     requestKept();
     countMissing(demand, outcome);
@@ -108,17 +119,22 @@ DemandOutcome PageStore::load(const Demand& demand) {
 void PageStore::rank(const Demand& demand) {
     ++clock_;
     for (const std::uint32_t page : asked_) {
-        entries_[page].urgency = 0;
-        entries_[page].isKept = entries_[page].isPinned;
+        Entry& entry = entries_[page];
+        entry.urgency = 0;
+        entry.isInUse = false;
+        entry.isCertain = false;
+        entry.isKept = entry.isPinned;
     }
     asked_.clear();
     areVictimsKnown_ = false;
     for (const hierarchy::PageDemand& used : demand.used)
-        raise(used.page, used.pixels);
+        raise(used.page, used.pixels, true);
     for (const hierarchy::PageDemand& wanted : demand.wanted)
-        raise(wanted.page, wanted.pixels);
+        raise(wanted.page, wanted.pixels, true);
+    for (const hierarchy::PageDemand& foreseen : demand.foreseen)
+        raise(foreseen.page, foreseen.pixels, false);
     for (const hierarchy::PageDemand& ahead : demand.prefetch)
-        raise(ahead.page, std::min(ahead.pixels, 1e20) * kPrefetchScale);
+        raise(ahead.page, std::min(ahead.pixels, 1e20) * kPrefetchScale, false);
     raiseParents();
     std::sort(asked_.begin(), asked_.end(), [this](std::uint32_t a, std::uint32_t b) {
         const double urgencyA = entries_[a].urgency;
@@ -129,11 +145,12 @@ void PageStore::rank(const Demand& demand) {
         entries_[page].lastUsed = clock_;
 }
 
-void PageStore::raise(std::uint32_t page, double urgency) {
+void PageStore::raise(std::uint32_t page, double urgency, bool isCertain) {
     if (!(urgency > 0)) return;
     Entry& entry = entries_[page];
     if (entry.urgency == 0) asked_.push_back(page);
     entry.urgency = std::max(entry.urgency, urgency);
+    entry.isCertain = entry.isCertain || isCertain;
 }
 
 void PageStore::raiseParents() {
@@ -143,29 +160,37 @@ void PageStore::raiseParents() {
         finestFirst.pop();
         for (const std::uint32_t parent : entries_[page].parents) {
             if (entries_[parent].urgency == 0) finestFirst.push(parent);
-            raise(parent, entries_[page].urgency);
+            raise(parent, entries_[page].urgency, entries_[page].isCertain);
         }
     }
 }
 
+/// Most urgent first, and everything that is certain before anything that is not; so parents before children.
 void PageStore::chooseKept(DemandOutcome& outcome) {
     Bytes total = pinned_;
     for (const std::uint32_t page : asked_) {
         Entry& entry = entries_[page];
-        if (entry.isKept || entry.isDamaged) continue;
-        if (total.count + entry.bytes.count > options_.budget.count) {
-            if (entry.urgency == kInfinite)
-                throw Error(
-                    source_->name(),
-                    "the page cache is too small for the coarsest level",
-                    "at least " + readableBytes({total.count + entry.bytes.count}),
-                    readableBytes(options_.budget));
-            outcome.isBudgetBinding = entry.urgency > 1e20 * kPrefetchScale;
-            return;
-        }
-        total.count += entry.bytes.count;
-        entry.isKept = true;
+        if (!entry.isCertain || keep(entry, total)) continue;
+        if (entry.urgency == kInfinite)
+            throw Error(
+                source_->name(),
+                "the page cache is too small for the coarsest level",
+                "at least " + readableBytes({total.count + entry.bytes.count}),
+                readableBytes(options_.budget));
+        outcome.isBudgetBinding = true;
+        return;
     }
+    for (const std::uint32_t page : asked_)
+        if (!keep(entries_[page], total)) return;
+}
+
+/// False if the budget has no room beside `total`, which otherwise grows.
+bool PageStore::keep(Entry& entry, Bytes& total) const {
+    if (entry.isKept || entry.isDamaged) return true;
+    if (total.count + entry.bytes.count > options_.budget.count) return false;
+    total.count += entry.bytes.count;
+    entry.isKept = true;
+    return true;
 }
 
 void PageStore::requestKept() {
@@ -187,7 +212,7 @@ bool PageStore::makeRoom(Bytes bytes) {
         areVictimsKnown_ = true;
         victims_.clear();
         for (std::uint32_t page = 0; page < table_.size(); ++page)
-            if (table_[page] != nullptr && !entries_[page].isKept) victims_.push_back(page);
+            if (table_[page] != nullptr && !entries_[page].isKept && !entries_[page].isInUse) victims_.push_back(page);
         // Longest unused first, and a child, which was used no later than its parents, before them.
         std::sort(victims_.begin(), victims_.end(), [this](std::uint32_t a, std::uint32_t b) {
             const std::uint64_t usedA = entries_[a].lastUsed;

@@ -22,14 +22,17 @@ struct DamagedPage {
 struct PageStoreOptions {
     Bytes budget = gibibytes(1); // of decoded pages, those in the loaders' hands included
     unsigned loaderThreads = 4;
-    std::function<void(const DamagedPage&)> onDamaged; // once for each, on the thread of `update` and `load`
+    std::function<void(const DamagedPage&)> onDamaged; // once for each, on the thread of `settle` and `load`
 };
 
 /// What a cut asks of the store. Pages of which nothing is asked may leave.
 struct Demand {
     std::span<const hierarchy::PageDemand> used;
     std::span<const hierarchy::PageDemand> wanted;
-    std::span<const hierarchy::PageDemand> prefetch; // after all others, if there is room
+    /// What may turn out to be wanted once the wanted pages are there: loaded in turn with those, but given room only
+    /// after them.
+    std::span<const hierarchy::PageDemand> foreseen = {};
+    std::span<const hierarchy::PageDemand> prefetch = {}; // after all others, if there is room
 };
 
 /// How the last demand was met.
@@ -54,8 +57,9 @@ struct StoreStatistics {
 /// The bytes that a page takes when decoded.
 Bytes decodedBytes(const hierarchy::PageInfo& info);
 
-/// The cache. One thread owns it; only that thread calls it. `resident()` changes in `update` and `load` alone, so what
-/// a frame draws stays where it is until the frame is over: that is how pages in use are pinned.
+/// The cache. One thread owns it; only that thread calls it. A frame that never waits calls `settle`, cuts, calls `ask`
+/// and draws: pages come in `settle` alone, and those that the last demand used leave nowhere else, so what a frame
+/// draws stays where it is until the frame is over. A frame that waits cuts and calls `load` in turns.
 class PageStore {
 public:
     /// Starts the loaders and reads the pages that hold root groups, with what they hang from, as long as they fit into
@@ -72,12 +76,16 @@ public:
     /// Groups of resident pages below a damaged one that a cut must leave unrefined; changes when `resident()` does.
     const hierarchy::BlockedGroups& blocked() const { return blocked_; }
 
-    /// Takes in what the loaders finished, makes room and asks them for what is most urgent; never waits for the disk.
-    /// Throws Error if a page with a root group is damaged or all such pages in demand do not fit the budget.
-    DemandOutcome update(const Demand& demand);
+    /// Takes in what the loaders finished, and lets go of pages in use that the last demand had better use for; never
+    /// waits for the disk. True if pages came or went. Throws Error if a page with a root group is damaged.
+    bool settle();
 
-    /// The same, but waits for all that fits, and lets go of what the budget has no room for, so that the residency of
-    /// what is in demand does not depend on the past. Cut and load in turns until nothing changes.
+    /// Asks the loaders for what is most urgent and makes room for it, but not of what `demand` uses; never waits.
+    /// Throws Error if all pages in demand that hold root groups do not fit the budget.
+    DemandOutcome ask(const Demand& demand);
+
+    /// Both at once, waiting for all that fits and letting go of what the budget has no room for, so that the residency
+    /// of what is in demand does not depend on the past. Cut and load in turns until nothing changes.
     DemandOutcome load(const Demand& demand);
 
     const StoreStatistics& statistics() const { return statistics_; }
@@ -88,22 +96,25 @@ private:
         std::unique_ptr<const hierarchy::Page> content;
         std::vector<std::uint32_t> parents;
         Bytes bytes;
-        std::uint64_t lastUsed = 0;     // the update that last asked for it
-        double urgency = 0;             // in the update at hand; above 0 only if it is in `asked_`
+        std::uint64_t lastUsed = 0;     // the demand that last asked for it
+        double urgency = 0;             // in the demand at hand; above 0 only if it is in `asked_`
         std::uint32_t heldChildren = 0; // resident, waiting or in flight
         bool isRoot = false;            // holds a root group
         bool isPinned = false;
         bool isInFlight = false; // queued, in a loader's hands, or waiting for its parents
-        bool isKept = false;     // in the update at hand
+        bool isInUse = false;    // by what is drawn until `settle`
+        bool isCertain = false;  // used or wanted, or a parent of such; in the demand at hand
+        bool isKept = false;     // in the demand at hand
         bool isDamaged = false;
     };
 
     void link();
     void loadRoots();
     void rank(const Demand& demand);
-    void raise(std::uint32_t page, double urgency);
+    void raise(std::uint32_t page, double urgency, bool isCertain);
     void raiseParents();
     void chooseKept(DemandOutcome& outcome);
+    bool keep(Entry& entry, Bytes& total) const;
     void requestKept();
     bool makeRoom(Bytes bytes);
     void withdrawQueued();
@@ -124,8 +135,8 @@ private:
     PageStoreOptions options_;
     std::vector<Entry> entries_;
     std::vector<const hierarchy::Page*> table_;
-    std::vector<std::uint32_t> asked_;   // by urgency, coarser first; the update at hand
-    std::vector<std::uint32_t> victims_; // resident pages that may go, the next one last; the update at hand
+    std::vector<std::uint32_t> asked_;   // by urgency, coarser first; the demand at hand
+    std::vector<std::uint32_t> victims_; // resident pages that may go, the next one last; the demand at hand
     bool areVictimsKnown_ = false;
     std::vector<LoadedPage> waiting_; // decoded before one of their parents
     hierarchy::BlockedGroups blocked_;

@@ -149,18 +149,30 @@ TEST(Cut, AsksForTheSamePagesWhateverIsResident) {
     }
 }
 
-TEST(Cut, TheTableAloneForeseesEveryPageThatIsNeeded) {
+TEST(Cut, TheTableForeseesEveryPageThatIsNeeded) {
     Random random(37);
+    std::size_t neededCount = 0;
+    std::size_t foreseenCount = 0;
     for (int trial = 0; trial < 50; ++trial) {
         Scene scene(random, sharedModel(), sharedModel().all);
         const std::set<std::uint32_t> needed = pagesOf(cut(scene.query()).used);
         scene.resident = tests::randomResidency(random, sharedModel());
-        const std::set<std::uint32_t> ahead = pagesOf(pagesAhead(scene.query()));
+        const Cut now = cut(scene.query());
+        const std::vector<hierarchy::PageDemand> demands = foreseenPages(scene.query(), now, sharedModel().table);
+        const std::set<std::uint32_t> foreseen = pagesOf(demands);
+        const std::set<std::uint32_t> wanted = pagesOf(now.wanted);
+        EXPECT_EQ(foreseen.size(), demands.size());
+        EXPECT_TRUE(!wanted.empty() || foreseen.empty());
         for (const std::uint32_t page : needed)
-            EXPECT_TRUE(scene.resident[page] != nullptr || ahead.contains(page)) << page;
-        for (const std::uint32_t page : ahead)
+            EXPECT_EQ((scene.resident[page] != nullptr) + wanted.contains(page) + foreseen.contains(page), 1) << page;
+        for (const std::uint32_t page : foreseen) {
             EXPECT_EQ(scene.resident[page], nullptr);
+            neededCount += needed.contains(page) ? 1 : 0;
+        }
+        foreseenCount += foreseen.size();
     }
+    EXPECT_GT(neededCount, 100U);
+    EXPECT_LT(foreseenCount, 3 * neededCount) << "loads much that is not needed";
 }
 
 TEST(Cut, ReportsTheErrorOfWhatIsMissing) {

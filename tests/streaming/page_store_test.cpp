@@ -110,7 +110,7 @@ public:
     DemandOutcome loadAll(PageStore& store) const {
         for (int round = 0; round < 100; ++round) {
             const selection::Cut now = cut(store);
-            const DemandOutcome outcome = store.load({now.used, now.wanted, {}});
+            const DemandOutcome outcome = store.load({now.used, now.wanted});
             if (!outcome.hasChanged) return outcome;
         }
         ADD_FAILURE() << "loading does not settle";
@@ -166,7 +166,7 @@ TEST(PageStore, KeepsATinyBudgetAndRepeatsItself) {
     EXPECT_GT(walked.statistics().pagesEvicted, 100U);
 }
 
-TEST(PageStore, UpdateNeverWaitsAndArrivesInTheEnd) {
+TEST(PageStore, AskNeverWaitsAndArrivesInTheEnd) {
     Random random(43);
     FakeSource source(sharedModel());
     const Bytes budget{wholeModel().count / 4};
@@ -176,8 +176,11 @@ TEST(PageStore, UpdateNeverWaitsAndArrivesInTheEnd) {
         const Viewer viewer(random);
         int frames = 0;
         while (true) {
+            store.settle();
             const selection::Cut now = viewer.cut(store);
-            const DemandOutcome outcome = store.update({now.used, now.wanted, {}});
+            const DemandOutcome outcome = store.ask({now.used, now.wanted});
+            for (const PageDemand& used : now.used)
+                ASSERT_NE(store.resident()[used.page], nullptr) << "a page in use has left";
             expectClosedUpwards(store.resident());
             expectWithinBudget(store, budget);
             if (now.wanted.empty() && outcome.pagesMissing == 0) break;
@@ -194,15 +197,20 @@ TEST(PageStore, AViewThatChangesEveryFrameNeverBreaksTheRules) {
     const Bytes budget{wholeModel().count / 8};
     PageStore store(source, withBudget(budget));
     source.delay = std::chrono::microseconds(50);
+    const std::vector<PageDemand> none;
     for (int frame = 0; frame < 150; ++frame) {
         const Viewer viewer(random);
         const Viewer ahead(random);
+        store.settle();
         const selection::Cut now = viewer.cut(store);
         const selection::Cut next = ahead.cut(store);
         if (random.below(10) == 0) {
-            store.load({now.used, now.wanted, {}});
+            store.load({now.used, now.wanted});
         } else {
-            store.update({now.used, now.wanted, next.wanted});
+            const bool isCertain = random.below(2) == 0;
+            store.ask({now.used, now.wanted, isCertain ? next.wanted : none, isCertain ? none : next.wanted});
+            for (const PageDemand& used : now.used)
+                ASSERT_NE(store.resident()[used.page], nullptr) << "a page in use has left";
         }
         expectClosedUpwards(store.resident());
         expectWithinBudget(store, budget);
@@ -221,7 +229,11 @@ TEST(PageStore, PrefetchOnlyFillsWhatIsLeft) {
         viewer.loadAll(store);
         const std::set<std::uint32_t> before = residentSet(store);
         const selection::Cut now = viewer.cut(store);
-        store.load({now.used, now.wanted, ahead.cut(store).wanted});
+        const std::vector<PageDemand> next = ahead.cut(store).wanted;
+        std::vector<PageDemand> foreseen = next;
+        for (PageDemand& page : foreseen)
+            page.pixels = 1e-9;
+        store.load({now.used, now.wanted, foreseen, next});
         const std::set<std::uint32_t> after = residentSet(store);
         for (const PageDemand& used : now.used)
             EXPECT_TRUE(after.contains(used.page)) << "prefetch took the place of a page in use";
@@ -301,7 +313,7 @@ TEST(PageStore, ABudgetBelowTheCoarsestLevelIsAnError) {
     PageStore store(source, withBudget({100}));
     EXPECT_EQ(store.statistics().committed.count, 0U);
     const std::vector<PageDemand> root{{0, std::numeric_limits<double>::infinity()}};
-    EXPECT_THROW(store.load({{}, root, {}}), Error);
+    EXPECT_THROW(store.load({{}, root}), Error);
 }
 
 TEST(PageStore, EndsCleanlyWithWorkInTheQueue) {
@@ -314,8 +326,8 @@ TEST(PageStore, EndsCleanlyWithWorkInTheQueue) {
         for (std::uint32_t page = 0; page < sharedModel().table.size(); ++page)
             everything.push_back({page, 1});
         const int before = source.reads;
-        store.update({{}, everything, {}});
-        store.update({}); // withdraws what no loader has begun
+        store.ask({{}, everything});
+        store.ask({}); // withdraws what no loader has begun
         EXPECT_LE(source.reads - before, 8);
     }
 }

@@ -10,7 +10,8 @@
 namespace gnomon::hierarchy {
 
 /// Raised whenever the bytes of a .gnm change their meaning; a reader takes exactly this one.
-constexpr std::uint32_t kFormatVersion = 1;
+/// 2: a vertex of several clusters is stored once a page, and normals take ten bits a number.
+constexpr std::uint32_t kFormatVersion = 2;
 
 /// The decoded size that a page aims at; a single group larger than this still makes one page.
 constexpr std::uint64_t kPageTargetBytes = 256U << 10U;

@@ -35,8 +35,8 @@ std::pair<std::uint32_t, ContentHash> readHeader(const File& file, std::uint64_t
     if (version != kFormatVersion)
         throw Error(
             atByte(file.path(), kMagic.size()),
-            "format version",
-            std::to_string(kFormatVersion),
+            "made by another version of gnomon; build it again from its source",
+            "format version " + std::to_string(kFormatVersion),
             std::to_string(version));
     const auto flags = in.take<std::uint32_t>();
     ContentHash hash{};

@@ -125,6 +125,29 @@ TEST(ModelFile, RefusesAChangeOfAnyHeaderTableOrFooterByte) {
         expectRefused(good, i, mask());
 }
 
+TEST(ModelFile, RefusesEveryOtherFormatVersionAndSaysWhatToDo) {
+    const std::string path = pathFor("version");
+    tests::writeModel(coloredModel(), path);
+    const std::string good = bytesOf(path);
+    for (const std::uint32_t version : {0U, kFormatVersion - 1, kFormatVersion + 1}) {
+        std::string other = good;
+        for (std::size_t i = 0; i < 4; ++i)
+            other[8 + i] = static_cast<char>(version >> (8 * i));
+        writeTextFile(path, other);
+        try {
+            readAll(path);
+            ADD_FAILURE() << "version " << version << " was read";
+        } catch (const Error& error) {
+            EXPECT_EQ(
+                std::string(error.what()),
+                path +
+                    ": byte 8: made by another version of gnomon; build it again from its source: expected format "
+                    "version " +
+                    std::to_string(kFormatVersion) + ", found " + std::to_string(version));
+        }
+    }
+}
+
 TEST(ModelFile, RefusesAChangeInAnyPage) {
     const std::string path = pathFor("pages");
     tests::writeModel(coloredModel(), path);

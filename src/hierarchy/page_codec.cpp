@@ -5,6 +5,7 @@
 #include "hierarchy/cluster_codec.h"
 #include "hierarchy/validation.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -45,13 +46,15 @@ std::uint32_t takeIndex(ByteReader& in) {
 }
 
 void putTables(const Page& page, ByteWriter& out) {
+    const std::vector<std::uint32_t> children = childPages(page);
     for (const Group& group : page.groups) {
         out.putVarint(group.clusterCount);
         putSphere(out, group.bounds);
         out.put(group.error);
     }
     for (const Refinement& refinement : page.refinements) {
-        out.putVarint(refinement.group.page);
+        const auto child = std::lower_bound(children.begin(), children.end(), refinement.group.page);
+        out.putVarint(static_cast<std::uint64_t>(child - children.begin()));
         out.putVarint(refinement.group.group);
         putSphere(out, refinement.bounds);
         out.put(refinement.error);
@@ -83,7 +86,9 @@ void takeGroups(ByteReader& in, const PageInfo& info, Page& page) {
 void takeRefinements(ByteReader& in, const PageInfo& info, Page& page) {
     for (std::uint32_t i = 0; i < info.refinementCount; ++i) {
         Refinement refinement;
-        refinement.group.page = takeIndex(in);
+        const std::uint32_t child = takeIndex(in);
+        if (child >= info.children.size()) throw Damage{"a refinement names a child page that is not there"};
+        refinement.group.page = info.children[child];
         refinement.group.group = takeIndex(in);
         refinement.bounds = takeSphere(in);
         refinement.error = in.take<double>();

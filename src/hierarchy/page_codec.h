@@ -11,7 +11,9 @@ namespace gnomon::hierarchy {
 /// The zstd level of every page, by measurement (bytes against build time; decoding is alike at all levels).
 constexpr int kCompressionLevel = 3;
 
-/// The stored form of `page`: a pure function of it.
+/// The stored form of `page`: a pure function of it. Other pages are named by their place among the page's children in
+/// the page table, never by their ids; so a page can be encoded before it is known where in the file it will lie, as
+/// long as its children's ids are in the right order.
 std::vector<std::byte> encodePageBytes(const Page& page);
 
 /// The page whose stored form is `bytes` and whose row in the page table is `info`. Every count, index and range is

@@ -132,6 +132,15 @@ std::optional<std::string> pageFault(const Page& page) {
     return {};
 }
 
+std::vector<std::uint32_t> childPages(const Page& page) {
+    std::vector<std::uint32_t> children;
+    for (const Refinement& refinement : page.refinements)
+        children.push_back(refinement.group.page);
+    std::sort(children.begin(), children.end());
+    children.erase(std::unique(children.begin(), children.end()), children.end());
+    return children;
+}
+
 PageInfo describePage(const Page& page) {
     PageInfo info;
     info.level = page.level;
@@ -150,10 +159,7 @@ PageInfo describePage(const Page& page) {
         info.maxError = std::max(info.maxError, group.error);
     }
     info.bounds = enclosingSphere(spheres);
-    for (const Refinement& refinement : page.refinements)
-        info.children.push_back(refinement.group.page);
-    std::sort(info.children.begin(), info.children.end());
-    info.children.erase(std::unique(info.children.begin(), info.children.end()), info.children.end());
+    info.children = childPages(page);
     return info;
 }
 

@@ -26,6 +26,9 @@ Sphere enclosingSphere(std::span<const Sphere> spheres);
 /// the vertices, bounds or errors that are not numbers; nothing if all is well. Nesting is judged elsewhere.
 std::optional<std::string> pageFault(const Page& page);
 
+/// The pages that the refinements of `page` name, each once, ascending.
+std::vector<std::uint32_t> childPages(const Page& page);
+
 /// The row of the page table that describes `page`; offset, stored bytes and checksum are left 0.
 PageInfo describePage(const Page& page);
 

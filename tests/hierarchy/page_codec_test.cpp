@@ -105,6 +105,17 @@ TEST(PageCodec, TheSamePageGivesTheSameBytes) {
     EXPECT_TRUE(encodePage(randomPage(7)).bytes == encodePage(randomPage(7)).bytes);
 }
 
+TEST(PageCodec, BytesDoNotDependOnWhereThePagesLie) {
+    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+        const Page page = randomPage(seed);
+        Page moved = page;
+        for (Refinement& refinement : moved.refinements)
+            refinement.group.page = refinement.group.page * 3 + 5;
+        EXPECT_TRUE(encodePage(page).bytes == encodePage(moved).bytes) << "seed " << seed;
+        EXPECT_TRUE(samePage(throughBytes(moved), moved)) << "seed " << seed;
+    }
+}
+
 /// All triangles of a cluster, sorted, each in the least of its three turns.
 std::vector<std::array<Vertex, 3>> surface(const Page& page, const Cluster& cluster) {
     std::vector<std::array<Vertex, 3>> triangles;

@@ -61,6 +61,83 @@ std::vector<double> timesAlongPath(const std::vector<telemetry::FrameRow>& rows)
     return result;
 }
 
+/// Half the range of the repetitions' medians over their middle; nothing if there is only one repetition.
+std::optional<double> noise(const std::vector<telemetry::FrameRow>& rows) {
+    std::map<std::int64_t, std::vector<double>> times;
+    for (const telemetry::FrameRow& row : rows)
+        times[row.repetition].push_back(row.totalMs.value_or(0));
+    if (times.size() < 2) return std::nullopt;
+    std::vector<double> medians;
+    medians.reserve(times.size());
+    for (const auto& [repetition, values] : times)
+        medians.push_back(telemetry::quantile(values, 0.5));
+    const auto [least, largest] = std::minmax_element(medians.begin(), medians.end());
+    return *least + *largest > 0 ? (*largest - *least) / (*largest + *least) : 0;
+}
+
+/// One run's walk along the path.
+class Walk {
+public:
+    Walk(
+        Session& session,
+        const ViewOptions& viewOptions,
+        const CameraPath& path,
+        const BenchRun& run,
+        const WalkOptions& options)
+        : session_(session),
+          path_(path),
+          run_(run),
+          options_(options),
+          view_(viewOf(viewOptions, session.model().summary())),
+          quality_(qualityOf(viewOptions, run.settings)) {
+        frameOptions_.waiting = options.isRealTime ? render::Waiting::Never : render::Waiting::UntilComplete;
+    }
+
+    /// Warm-up, then a row a frame.
+    void repeat(int repetition, std::vector<telemetry::FrameRow>& rows, Progress& progress) {
+        session_.renderer().forget();
+        for (int i = 0; i < options_.warmup; ++i)
+            draw(0);
+        session_.renderer().forget();
+        for (int frame = 0; frame < options_.frames; ++frame) {
+            telemetry::FrameRow row = draw(frame).row;
+            row.run = run_.name;
+            row.repetition = repetition;
+            row.frame = frame;
+            row.timeS = timeOf(frame);
+            rows.push_back(row);
+            progress.advance(1);
+        }
+    }
+
+    void keepPictures(RunResult& result) {
+        draw(options_.frames / 2);
+        result.picture = pngOf(session_.executor().picture());
+        frameOptions_.overlay = render::Overlay::Partitions;
+        draw(options_.frames / 2);
+        result.partitions = pngOf(session_.executor().picture());
+    }
+
+private:
+    double timeOf(int frame) const {
+        const double fraction = options_.frames > 1 ? static_cast<double>(frame) / (options_.frames - 1) : 0;
+        return path_.keyframes.front().time + path_.duration() * fraction;
+    }
+
+    render::Frame draw(int frame) {
+        view_.camera = cameraAt(path_, timeOf(frame));
+        return session_.renderer().render(view_, quality_, frameOptions_);
+    }
+
+    Session& session_;
+    const CameraPath& path_;
+    const BenchRun& run_;
+    const WalkOptions& options_;
+    plan::View view_;
+    plan::Quality quality_;
+    render::FrameOptions frameOptions_;
+};
+
 } // namespace
 
 std::vector<BenchRun> combinations(const SweptSettings& lists, const std::string& shadowMaps) {
@@ -86,50 +163,24 @@ std::vector<BenchRun> combinations(const SweptSettings& lists, const std::string
     return runs;
 }
 
-RunResult walk(
+std::vector<RunResult> walkAll(
     Session& session,
-    const ViewOptions& viewOptions,
+    const ViewOptions& view,
     const CameraPath& path,
-    const BenchRun& run,
+    const std::vector<BenchRun>& runs,
     const WalkOptions& options,
     Progress& progress) {
-    const plan::Quality quality = qualityOf(viewOptions, run.settings);
-    plan::View view = viewOf(viewOptions, session.model().summary());
-    render::FrameOptions frameOptions;
-    frameOptions.waiting = options.isRealTime ? render::Waiting::Never : render::Waiting::UntilComplete;
-    const auto timeOf = [&](int frame) {
-        const double fraction = options.frames > 1 ? static_cast<double>(frame) / (options.frames - 1) : 0;
-        return path.keyframes.front().time + path.duration() * fraction;
-    };
-    const auto draw = [&](int frame) {
-        view.camera = cameraAt(path, timeOf(frame));
-        return session.renderer().render(view, quality, frameOptions);
-    };
-    RunResult result;
-    result.run = run;
-    for (int repetition = 0; repetition < options.repetitions; ++repetition) {
-        session.renderer().forget();
-        for (int i = 0; i < options.warmup; ++i)
-            draw(0);
-        session.renderer().forget();
-        for (int frame = 0; frame < options.frames; ++frame) {
-            telemetry::FrameRow row = draw(frame).row;
-            row.run = run.name;
-            row.repetition = repetition;
-            row.frame = frame;
-            row.timeS = timeOf(frame);
-            result.rows.push_back(row);
-            progress.advance(1);
+    std::vector<RunResult> results;
+    results.reserve(runs.size());
+    for (const BenchRun& run : runs)
+        results.push_back({run, {}, {}, {}});
+    for (int repetition = 0; repetition < options.repetitions; ++repetition)
+        for (RunResult& result : results) {
+            Walk walk(session, view, path, result.run, options);
+            walk.repeat(repetition, result.rows, progress);
+            if (options.keepsPictures && repetition + 1 == options.repetitions) walk.keepPictures(result);
         }
-    }
-    if (options.keepsPictures) {
-        draw(options.frames / 2);
-        result.picture = pngOf(session.executor().picture());
-        frameOptions.overlay = render::Overlay::Partitions;
-        draw(options.frames / 2);
-        result.partitions = pngOf(session.executor().picture());
-    }
-    return result;
+    return results;
 }
 
 report::RunSummary summary(const RunResult& result) {
@@ -152,6 +203,7 @@ report::RunSummary summary(const RunResult& result) {
     s.p50Ms = telemetry::quantile(totals, 0.50);
     s.p95Ms = telemetry::quantile(totals, 0.95);
     s.p99Ms = telemetry::quantile(totals, 0.99);
+    s.noise = noise(rows);
     s.stages = {
         median(rows, &FrameRow::planMs),
         median(rows, &FrameRow::selectMs),

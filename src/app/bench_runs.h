@@ -31,8 +31,8 @@ struct WalkOptions {
 /// What came of one run.
 struct RunResult {
     BenchRun run;
-    std::vector<telemetry::FrameRow> rows;
-    std::vector<std::uint8_t> picture; // PNG; empty unless asked for
+    std::vector<telemetry::FrameRow> rows; // repetition by repetition, each in the order of the path
+    std::vector<std::uint8_t> picture;     // PNG; empty unless asked for
     std::vector<std::uint8_t> partitions;
 };
 
@@ -40,16 +40,17 @@ struct RunResult {
 /// with faces off. Throws UsageError.
 std::vector<BenchRun> combinations(const SweptSettings& lists, const std::string& shadowMaps);
 
-/// Walks `run` along `path`: warm-up frames, then `frames` frames evenly over the path, as often as asked.
-RunResult walk(
+/// Walks every run along `path`: warm-up frames, then `frames` frames evenly over the path, as often as asked. Each
+/// repetition walks all runs before the next one begins, so that a machine that slows down slows them all alike.
+std::vector<RunResult> walkAll(
     Session& session,
     const ViewOptions& view,
     const CameraPath& path,
-    const BenchRun& run,
+    const std::vector<BenchRun>& runs,
     const WalkOptions& options,
     Progress& progress);
 
-/// Medians, percentiles and worst promises of a run.
+/// Medians, percentiles, noise and worst promises of a run.
 report::RunSummary summary(const RunResult& result);
 
 } // namespace gnomon::app

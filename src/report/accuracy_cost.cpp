@@ -155,10 +155,18 @@ std::vector<std::size_t> paretoFront(std::span<const RunSummary> runs, ErrorKind
     return front;
 }
 
+double timeToExpectMs(const RunSummary& run) {
+    return run.p50Ms * (1 + run.noise.value_or(0));
+}
+
 std::optional<std::size_t> bestUnderBudget(std::span<const RunSummary> runs, ErrorKind kind, double budgetMs) {
     std::optional<std::size_t> best;
-    for (const std::size_t i : paretoFront(runs, kind))
-        if (runs[i].p50Ms <= budgetMs && (!best || *errorOf(runs[i], kind) < *errorOf(runs[*best], kind))) best = i;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        const auto error = errorOf(runs[i], kind);
+        if (!error || timeToExpectMs(runs[i]) > budgetMs) continue;
+        const auto rank = [&](std::size_t run) { return std::pair(*errorOf(runs[run], kind), runs[run].p50Ms); };
+        if (!best || rank(i) < rank(*best)) best = i;
+    }
     return best;
 }
 

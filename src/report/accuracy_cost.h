@@ -15,7 +15,11 @@ bool dominates(const RunSummary& a, const RunSummary& b, ErrorKind kind);
 /// The indices of the runs that know the error and that none dominates, fastest first.
 std::vector<std::size_t> paretoFront(std::span<const RunSummary> runs, ErrorKind kind);
 
-/// The run of least error whose median time is at most `budgetMs`; of equals the fastest; nothing if none is that fast.
+/// The median time that a run may be expected to keep when it is run again: its own, and the noise of it.
+double timeToExpectMs(const RunSummary& run);
+
+/// The run of least error whose time to expect is at most `budgetMs`; of equals the fastest; nothing if none is that
+/// fast.
 std::optional<std::size_t> bestUnderBudget(std::span<const RunSummary> runs, ErrorKind kind, double budgetMs);
 
 /// The fastest run whose error is at most `bound`; nothing if none is that good.

@@ -34,6 +34,7 @@ nlohmann::json runData(const RunSummary& run) {
         {"p50", run.p50Ms},
         {"p95", run.p95Ms},
         {"p99", run.p99Ms},
+        {"noise", run.noise ? nlohmann::json(*run.noise) : nlohmann::json()},
         {"stages",
          {{"plan", s.plan},
           {"select", s.select},

@@ -51,6 +51,7 @@ struct RunSummary {
     double p50Ms = 0; // of the whole frame
     double p95Ms = 0;
     double p99Ms = 0;
+    std::optional<double> noise; // half the range of the repetitions' medians over their middle; needs two of them
     StageTimes stages;
     double imageTriangles = 0;
     double shadowTriangles = 0;

@@ -58,8 +58,9 @@ class ReportPage(unittest.TestCase):
     def test_a_budget_names_the_most_accurate_setting_that_meets_it(self):
         kind = self.browser.run("return document.querySelector('#error-kind').value")
         runs = [r for r in self.data["runs"] if kind in r["errors"]]
-        budget = sorted(r["p50"] for r in runs)[len(runs) // 2]
-        best = min((r for r in runs if r["p50"] <= budget), key=lambda r: (r["errors"][kind], r["p50"]))
+        expected = lambda r: r["p50"] * (1 + (r["noise"] or 0))
+        budget = sorted(map(expected, runs))[len(runs) // 2]
+        best = min((r for r in runs if expected(r) <= budget), key=lambda r: (r["errors"][kind], r["p50"]))
         self.browser.run(SET, "#budget", str(budget), "input")
         self.assertTrue(self.text("#budget-answer").startswith(best["options"]))
         self.browser.run(SET, "#budget", "0", "input")

@@ -22,6 +22,7 @@ Report exampleReport() {
         run.p50Ms = 100 + 5 * maps;
         run.p95Ms = run.p50Ms * 1.1;
         run.p99Ms = run.p50Ms * 1.2;
+        if (maps > 1) run.noise = 0.01 * maps;
         run.stages = {0.1, 0.3, 0.2, 0, 20.0 + maps, 80};
         run.errors = {
             {ErrorKind::PromisedAliasing, 30.0 / maps},

@@ -13,12 +13,13 @@ Chart.defaults.animation = false;
 Chart.defaults.maintainAspectRatio = false;
 
 const figures = (value) => value === null || value === undefined ? "" : Number(value.toPrecision(4)).toString();
+const percent = (fraction) => `${figures(100 * fraction)}%`;
 const axis = (title, logarithmic) => ({ type: logarithmic ? "logarithmic" : "linear", title: { display: true, text: title } });
 const known = (key) => data.runs.map((run, i) => ({ run, i })).filter(({ run }) => run.errors[key] !== undefined);
 
 function describe(run) {
   const errors = data.errors.filter((e) => run.errors[e.key] !== undefined).map((e) => `${e.key} ${figures(run.errors[e.key])}`);
-  return [run.name, `${figures(run.p50)} ms (p95 ${figures(run.p95)}, p99 ${figures(run.p99)})`, ...errors];
+  return [run.name, `${figures(run.p50)} ms${run.noise === null ? "" : ` ± ${percent(run.noise)}`} (p95 ${figures(run.p95)}, p99 ${figures(run.p99)})`, ...errors];
 }
 
 function scatter(id, xTitle, yTitle, datasets, logarithmic = {}) {
@@ -56,8 +57,8 @@ function answerBudget() {
   const budget = element("budget").valueAsNumber;
   const kind = element("error-kind").value;
   if (Number.isNaN(budget)) return void (element("budget-answer").textContent = "");
-  const front = data.fronts[kind].map((i) => data.runs[i]).filter((run) => run.p50 <= budget);
-  answer("budget-answer", front.sort((a, b) => a.errors[kind] - b.errors[kind] || a.p50 - b.p50)[0]);
+  const runs = known(kind).map(({ run }) => run).filter((run) => run.p50 * (1 + (run.noise ?? 0)) <= budget);
+  answer("budget-answer", runs.sort((a, b) => a.errors[kind] - b.errors[kind] || a.p50 - b.p50)[0]);
 }
 
 function answerBound() {
@@ -174,7 +175,7 @@ function showTable() {
   const settings = [...new Set(data.runs.flatMap((run) => Object.keys(run.settings)))];
   const columns = [
     ["run", (r) => r.name], ...settings.map((key) => [key, (r) => r.settings[key] ?? ""]),
-    ["p50 ms", (r) => r.p50], ["p95 ms", (r) => r.p95], ["p99 ms", (r) => r.p99],
+    ["p50 ms", (r) => r.p50], ["p95 ms", (r) => r.p95], ["p99 ms", (r) => r.p99], ["noise", (r) => r.noise],
     ["image tri", (r) => r.image_triangles], ["shadow tri", (r) => r.shadow_triangles], ["S", (r) => r.storage_factor],
     ...data.errors.map((e) => [e.key, (r) => r.errors[e.key] ?? null]), ["crawl", (r) => r.crawl], ["promise kept", (r) => r.promise_kept ? "yes" : "no"],
   ];
@@ -211,6 +212,14 @@ function showTable() {
   render();
 }
 
+function showNoise() {
+  const noises = data.runs.map((run) => run.noise).filter((noise) => noise !== null);
+  element("noise").textContent = noises.length === 0 ? "One repetition: the noise of the times is not known." :
+    `Noise: the medians of a run's repetitions lie within ± ${percent(Math.max(...noises))} (worst run), ` +
+    `± ${percent(noises.sort((a, b) => a - b)[Math.floor(noises.length / 2)])} (middle run). ` +
+    "A setting meets a budget if its median and its noise do.";
+}
+
 function showContext() {
   element("model").textContent = data.model;
   element("sentences").replaceChildren(...data.sentences.map((sentence) => Object.assign(document.createElement("p"), { textContent: sentence })));
@@ -233,6 +242,7 @@ element("log-error").addEventListener("change", drawErrorTime);
 element("budget").addEventListener("input", answerBudget);
 element("bound").addEventListener("input", answerBound);
 showContext();
+showNoise();
 drawErrorTime();
 drawMaps();
 drawStorage();

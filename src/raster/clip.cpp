@@ -68,10 +68,10 @@ SnappedVertex snappedCut(const Projection& projection, const Corner& p) {
     const double z = std::clamp(p.z / p.w, -double{kDepthLimit}, double{kDepthLimit});
     // A cut corner may lie an ulp outside of the band.
     constexpr double kLimit = 2.0 * kGuardPixels;
-    return {
-        static_cast<std::int32_t>(std::lrint(std::clamp(x, -kLimit, kLimit) * kSubpixels)),
-        static_cast<std::int32_t>(std::lrint(std::clamp(y, -kLimit, kLimit) * kSubpixels)),
-        static_cast<float>(z) + 0.0F};
+    return snappedTo(
+        std::clamp(x, -kLimit, kLimit) * kSubpixels,
+        std::clamp(y, -kLimit, kLimit) * kSubpixels,
+        static_cast<float>(z) + 0.0F);
 }
 
 } // namespace

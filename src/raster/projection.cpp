@@ -54,10 +54,19 @@ SnappedVertex snapped(const Projection& projection, const ClipPosition& p) {
     const float y = (p.y * inverseW) * projection.scaleY + projection.translateY;
     // Adding +0 turns a depth of -0 into +0, whose bits sort.
     const float z = std::min(std::max(p.z * inverseW, -kDepthLimit), kDepthLimit) + 0.0F;
-    return {
-        static_cast<std::int32_t>(std::lrint((x - 0.5F) * static_cast<float>(kSubpixels))),
-        static_cast<std::int32_t>(std::lrint((y - 0.5F) * static_cast<float>(kSubpixels))),
-        z};
+    return snappedTo(
+        double{(x - 0.5F) * static_cast<float>(kSubpixels)}, double{(y - 0.5F) * static_cast<float>(kSubpixels)}, z);
+}
+
+SnappedVertex snappedTo(double x, double y, float z) {
+    SnappedVertex vertex{static_cast<std::int32_t>(std::lrint(x)), static_cast<std::int32_t>(std::lrint(y)), z, 0, 0};
+    const auto rest = [](double whole, std::int32_t snapped) {
+        constexpr double kMost = 32767; // half a subpixel upwards is 32768
+        return static_cast<std::int16_t>(std::lrint(std::min((whole - snapped) * (1 << kRestBits), kMost)));
+    };
+    vertex.restX = rest(x, vertex.x);
+    vertex.restY = rest(y, vertex.y);
+    return vertex;
 }
 
 std::uint32_t outsideBits(const Projection& projection, const ClipPosition& p) {

@@ -39,12 +39,25 @@ struct ClipPosition {
     float w = 0;
 };
 
+/// Snapping decides what is covered; depth keeps what it cut off, so that a slope does not move with the corners.
+constexpr int kRestBits = 16;
+
 /// A vertex in the plane of the target: 1/256 pixels (pixel centres at multiples of 256), and depth.
 struct SnappedVertex {
     std::int32_t x = 0;
     std::int32_t y = 0;
     float z = 0;
+    std::int16_t restX = 0; // unsnapped less snapped, in 2^-16 of 1/256 pixel
+    std::int16_t restY = 0;
 };
+
+/// Where snapping left less than this share of a triangle's area, its plane of depth is that of the snapped corners.
+constexpr float kLeastTrueArea = 0.25F;
+
+/// A rest in 1/256 pixel, exact.
+constexpr float restOf(std::int16_t rest) {
+    return static_cast<float>(rest) * (1.0F / (1 << kRestBits));
+}
 
 Projection projection(const View& view, bool cutsDepth);
 
@@ -55,6 +68,9 @@ bool isInsideGuard(const Projection& projection, const ClipPosition& p);
 
 /// For vertices inside the guard.
 SnappedVertex snapped(const Projection& projection, const ClipPosition& p);
+
+/// The vertex at (x, y) in 1/256 pixel.
+SnappedVertex snappedTo(double x, double y, float z);
 
 /// Bits of the frustum's planes that a vertex is outside of: left, right, lower, upper, and where depth is cut near,
 /// far.

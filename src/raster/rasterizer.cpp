@@ -23,6 +23,7 @@ struct CutCluster {
     std::array<std::int32_t, kMaxClusterVertices> x{};
     std::array<std::int32_t, kMaxClusterVertices> y{};
     std::array<float, kMaxClusterVertices> z{};
+    std::array<std::uint32_t, kMaxClusterVertices> rests{};
     std::array<std::uint32_t, kMostTriangles> ids{};
     std::size_t count = 0; // of triangles
     PixelBox box{kMaxTargetSide, kMaxTargetSide, 0, 0};
@@ -75,6 +76,7 @@ void addTriangle(CutCluster& cut, const std::array<SnappedVertex, 3>& corners, s
         cut.x[vertex] = corners[k].x;
         cut.y[vertex] = corners[k].y;
         cut.z[vertex] = corners[k].z;
+        cut.rests[vertex] = packedRests(corners[k]);
         cut.box.x0 = std::min(cut.box.x0, (corners[k].x + kSubpixels - 1) >> kSubpixelBits);
         cut.box.y0 = std::min(cut.box.y0, (corners[k].y + kSubpixels - 1) >> kSubpixelBits);
         cut.box.x1 = std::max(cut.box.x1, (corners[k].x >> kSubpixelBits) + 1);
@@ -155,6 +157,7 @@ struct Rasterizer::Memory {
     Buffer<std::int32_t> x;
     Buffer<std::int32_t> y;
     Buffer<float> z;
+    Buffer<std::uint32_t> rests;
     std::vector<std::size_t> firstVertices;
     std::vector<SnappedCluster> clusters; // one for each of the pass, then those of cut triangles
     std::vector<BinItem> items;
@@ -187,7 +190,7 @@ void Rasterizer::Memory::snapClusters(std::span<const Cluster> input, const Proj
         firstVertices[i] = total;
         total += paddedVertexCount(input[i].vertexCount);
     }
-    const SnappedArrays all = {x.reserve(total), y.reserve(total), z.reserve(total)};
+    const SnappedArrays all = {x.reserve(total), y.reserve(total), z.reserve(total), rests.reserve(total)};
     clusters.assign(input.size(), {});
     for (CutClusters& cut : cuts)
         cut.count = 0;
@@ -198,7 +201,7 @@ void Rasterizer::Memory::snapClusters(std::span<const Cluster> input, const Proj
                 prefetch(input[i + 1].positions, std::size_t{input[i + 1].vertexCount} * input[i + 1].positionStride);
             if (input[i].vertexCount == 0) continue;
             const std::size_t first = firstVertices[i];
-            const SnappedArrays snapped = {all.x + first, all.y + first, all.z + first};
+            const SnappedArrays snapped = {all.x + first, all.y + first, all.z + first, all.rests + first};
             const VertexStage stage = snapVertices(projection, input[i], snapped);
             if (stage.place == ClusterPlace::Cut) cutTriangles(projection, input[i], cuts.local());
             if (stage.place == ClusterPlace::Inside)
@@ -219,7 +222,7 @@ void Rasterizer::Memory::addCutClusters() {
         for (std::size_t i = 0; i < made.count; ++i) {
             CutCluster& cut = made.clusters[i];
             clusters.push_back(
-                {{cut.x.data(), cut.y.data(), cut.z.data()},
+                {{cut.x.data(), cut.y.data(), cut.z.data(), cut.rests.data()},
                  false,
                  std::span(kUnsharedTriangles).first(cut.count),
                  static_cast<std::uint32_t>(3 * cut.count),

@@ -128,10 +128,15 @@ HWY_INLINE void drawSmall(const SnappedCluster& cluster, const Sorted& sorted, c
         auto rowAddress = hn::Add(hn::Mul(t.firstY, hn::Set(kInts, kTileStride)), t.firstX);
         for (int y = 0; y < side; ++y) {
             Edges e = t.edges;
+            const auto rowDepth = depthOfRow(t.depth, hn::Add(t.depth.fromY, hn::Set(kFloats, static_cast<float>(y))));
             for (int x = 0; x < side; ++x) {
                 const auto inside = hn::And(t.hasArea, isInside(e));
                 if (!hn::AllFalse(kInts, inside))
-                    hits.add<Target::kHasIds>(inside, hn::Add(rowAddress, hn::Set(kInts, x)), depthAt(t.depth, e), ids);
+                    hits.add<Target::kHasIds>(
+                        inside,
+                        hn::Add(rowAddress, hn::Set(kInts, x)),
+                        depthAt(t.depth, rowDepth, hn::Add(t.depth.fromX, hn::Set(kFloats, static_cast<float>(x)))),
+                        ids);
                 step(e, t.perX);
             }
             step(t.edges, t.perY);
@@ -157,13 +162,20 @@ HWY_INLINE void drawNarrow(const SnappedCluster& cluster, const Sorted& sorted, 
 }
 
 HWY_INLINE SnappedVertex vertexAt(const SnappedCluster& cluster, std::uint32_t index) {
-    const std::int32_t x = cluster.vertices.x[index];
-    if (!cluster.isCompact) return {x, cluster.vertices.y[index], cluster.vertices.z[index]};
-    const auto word = static_cast<std::uint32_t>(x);
-    return {
-        static_cast<std::int32_t>(word & 0xFFFFU) + (cluster.box.x0 - 1) * kSubpixels,
-        static_cast<std::int32_t>(word >> 16U) + (cluster.box.y0 - 1) * kSubpixels,
-        cluster.vertices.z[index]};
+    const SnappedArrays& from = cluster.vertices;
+    SnappedVertex vertex;
+    vertex.z = from.z[index];
+    vertex.restX = static_cast<std::int16_t>(from.rests[index] & 0xFFFFU);
+    vertex.restY = static_cast<std::int16_t>(from.rests[index] >> 16U);
+    if (cluster.isCompact) {
+        const auto word = static_cast<std::uint32_t>(from.x[index]);
+        vertex.x = static_cast<std::int32_t>(word & 0xFFFFU) + (cluster.box.x0 - 1) * kSubpixels;
+        vertex.y = static_cast<std::int32_t>(word >> 16U) + (cluster.box.y0 - 1) * kSubpixels;
+    } else {
+        vertex.x = from.x[index];
+        vertex.y = from.y[index];
+    }
+    return vertex;
 }
 
 template <class Target>
@@ -207,6 +219,7 @@ HWY_INLINE void drawCluster(
 HWY_INLINE void prefetchCluster(const SnappedCluster& cluster) {
     prefetch(cluster.vertices.x, cluster.vertexCount * sizeof(std::int32_t));
     prefetch(cluster.vertices.z, cluster.vertexCount * sizeof(float));
+    prefetch(cluster.vertices.rests, cluster.vertexCount * sizeof(std::uint32_t));
     prefetch(cluster.triangles.data(), cluster.triangles.size_bytes());
 }
 

@@ -71,16 +71,21 @@ HWY_INLINE IntMask isInside(const Edges& e) {
     return hn::Gt(hn::Or(hn::Or(e.e0, e.e1), e.e2), hn::Set(kInts, -1));
 }
 
-/// Depth over the edge functions; a pixel inside never leaves the range of the corners, nor 0 to 1.
+/// The plane of depth, through the corners as they were before snapping; a pixel inside never leaves the range of the
+/// corners, nor 0 to 1. The reference is the pixel of corner 0, which depends on nothing but the triangle.
 struct DepthLanes {
-    Floats atCorner0, perE1, perE2, least, largest;
+    Floats atReference, perX, perY; // per pixel
+    Floats least, largest;
+    Floats fromX, fromY; // the first pixel, from the reference
 };
 
-HWY_INLINE Floats depthAt(const DepthLanes& d, const Edges& e) {
-    const auto z = hn::Add(
-        hn::Add(d.atCorner0, hn::Mul(hn::ConvertTo(kFloats, e.e1), d.perE1)),
-        hn::Mul(hn::ConvertTo(kFloats, e.e2), d.perE2));
-    return hn::Min(hn::Max(z, d.least), d.largest);
+/// Of a row `fromY` pixels above the reference, before `depthAt` adds what lies along it.
+HWY_INLINE Floats depthOfRow(const DepthLanes& d, Floats fromY) {
+    return hn::Add(d.atReference, hn::Mul(d.perY, fromY));
+}
+
+HWY_INLINE Floats depthAt(const DepthLanes& d, Floats rowDepth, Floats fromX) {
+    return hn::Min(hn::Max(hn::Add(rowDepth, hn::Mul(d.perX, fromX)), d.least), d.largest);
 }
 
 struct TriangleLanes {
@@ -109,6 +114,40 @@ HWY_INLINE void setEdge(
     perX = hn::Neg(hn::ShiftLeft<kSubpixelBits>(dy));
     perY = hn::ShiftLeft<kSubpixelBits>(dx);
 }
+
+/// What snapping cut off each corner, in 1/256 pixel.
+struct RestLanes {
+    Floats x, y;
+};
+
+HWY_INLINE RestLanes restLanes(const SnappedCluster& cluster, Ints index) {
+    const auto both = hn::GatherIndex(kInts, reinterpret_cast<const std::int32_t*>(cluster.vertices.rests), index);
+    const auto scale = hn::Set(kFloats, 1.0F / (1 << kRestBits));
+    return {
+        hn::Mul(hn::ConvertTo(kFloats, hn::ShiftRight<16>(hn::ShiftLeft<16>(both))), scale),
+        hn::Mul(hn::ConvertTo(kFloats, hn::ShiftRight<16>(both)), scale)};
+}
+
+/// An edge from corner 0, unsnapped where `isTrue`.
+struct SideLanes {
+    Floats snappedX, snappedY;
+    Floats restX, restY;
+
+    HWY_INLINE SideLanes(const PointLanes& from, const PointLanes& to, const RestLanes& fromRest, const RestLanes& rest)
+        : snappedX(hn::ConvertTo(kFloats, hn::Sub(to.x, from.x))),
+          snappedY(hn::ConvertTo(kFloats, hn::Sub(to.y, from.y))),
+          restX(hn::Sub(rest.x, fromRest.x)),
+          restY(hn::Sub(rest.y, fromRest.y)) {}
+
+    HWY_INLINE Floats x() const { return hn::Add(snappedX, restX); }
+
+    HWY_INLINE Floats y() const { return hn::Add(snappedY, restY); }
+
+    HWY_INLINE void keepRestWhere(hn::Mask<FloatTag> isTrue) {
+        restX = hn::IfThenElseZero(isTrue, restX);
+        restY = hn::IfThenElseZero(isTrue, restY);
+    }
+};
 
 HWY_INLINE Floats withinUnit(Floats z) {
     return hn::Min(hn::Max(z, hn::Zero(kFloats)), hn::Set(kFloats, 1.0F));
@@ -143,6 +182,51 @@ private:
     Ints originY_;
 };
 
+struct CornerDepths {
+    Floats z0, z1, z2;
+};
+
+/// Sets the plane of depth of `t`, whose first pixel is set, from corner 0 and the sides to the others.
+HWY_INLINE void setDepth(
+    const PointLanes& a,
+    RestLanes rest,
+    SideLanes& side1,
+    SideLanes& side2,
+    Floats area,
+    const CornerDepths& z,
+    TriangleLanes& t) {
+    const auto change = hn::Add(
+        hn::Sub(hn::Mul(side1.snappedX, side2.restY), hn::Mul(side2.snappedX, side1.restY)),
+        hn::Sub(hn::Mul(side1.restX, side2.y()), hn::Mul(side2.restX, side1.y())));
+    // A sliver that snapping made: without it there would be no plane.
+    const auto isTrue = hn::Gt(hn::Add(area, change), hn::Mul(area, hn::Set(kFloats, kLeastTrueArea)));
+    side1.keepRestWhere(isTrue);
+    side2.keepRestWhere(isTrue);
+    rest = {hn::IfThenElseZero(isTrue, rest.x), hn::IfThenElseZero(isTrue, rest.y)};
+    const auto inverseArea = hn::Div(hn::Set(kFloats, 1.0F), hn::Add(area, hn::IfThenElseZero(isTrue, change)));
+    const auto dz1 = hn::Sub(z.z1, z.z0);
+    const auto dz2 = hn::Sub(z.z2, z.z0);
+    const auto perX = hn::Mul(hn::Sub(hn::Mul(dz1, side2.y()), hn::Mul(dz2, side1.y())), inverseArea);
+    const auto perY = hn::Mul(hn::Sub(hn::Mul(dz2, side1.x()), hn::Mul(dz1, side2.x())), inverseArea);
+    const auto referenceX = hn::ShiftRight<kSubpixelBits>(a.x);
+    const auto referenceY = hn::ShiftRight<kSubpixelBits>(a.y);
+    const auto toReference = [](Ints reference, Ints corner, Floats cornerRest) HWY_ATTR {
+        const auto snapped = hn::ConvertTo(kFloats, hn::Sub(hn::ShiftLeft<kSubpixelBits>(reference), corner));
+        return hn::Sub(snapped, cornerRest);
+    };
+    DepthLanes& depth = t.depth;
+    depth.atReference = hn::Add(
+        hn::Add(z.z0, hn::Mul(perX, toReference(referenceX, a.x, rest.x))),
+        hn::Mul(perY, toReference(referenceY, a.y, rest.y)));
+    const auto subpixels = hn::Set(kFloats, static_cast<float>(kSubpixels));
+    depth.perX = hn::Mul(perX, subpixels);
+    depth.perY = hn::Mul(perY, subpixels);
+    depth.least = withinUnit(hn::Min(hn::Min(z.z0, z.z1), z.z2));
+    depth.largest = withinUnit(hn::Max(hn::Max(z.z0, z.z1), z.z2));
+    depth.fromX = hn::ConvertTo(kFloats, hn::Sub(t.firstX, referenceX));
+    depth.fromY = hn::ConvertTo(kFloats, hn::Sub(t.firstY, referenceY));
+}
+
 /// Sets up a narrow triangle in each lane, turned counter-clockwise. Every pixel between its extremes and a vector
 /// further fits an int32 edge function.
 template <bool isCompact>
@@ -176,15 +260,19 @@ HWY_INLINE TriangleLanes triangleLanes(const SnappedCluster& cluster, Ints packe
     setEdge(c, a, pixel, t.edges.e1, t.perX.e1, t.perY.e1);
     setEdge(a, b, pixel, t.edges.e2, t.perX.e2, t.perY.e2);
 
-    const auto z0 = hn::GatherIndex(kFloats, cluster.vertices.z, i0);
-    const auto z1 = hn::GatherIndex(kFloats, cluster.vertices.z, i1);
-    const auto z2 = hn::GatherIndex(kFloats, cluster.vertices.z, i2);
-    const auto inverseArea = hn::Div(hn::Set(kFloats, 1.0F), hn::ConvertTo(kFloats, area));
-    t.depth.atCorner0 = z0;
-    t.depth.perE1 = hn::Mul(hn::Sub(z1, z0), inverseArea);
-    t.depth.perE2 = hn::Mul(hn::Sub(z2, z0), inverseArea);
-    t.depth.least = withinUnit(hn::Min(hn::Min(z0, z1), z2));
-    t.depth.largest = withinUnit(hn::Max(hn::Max(z0, z1), z2));
+    RestLanes rest = restLanes(cluster, i0);
+    SideLanes side1(a, b, rest, restLanes(cluster, i1));
+    SideLanes side2(a, c, rest, restLanes(cluster, i2));
+    setDepth(
+        a,
+        rest,
+        side1,
+        side2,
+        hn::ConvertTo(kFloats, area),
+        {hn::GatherIndex(kFloats, cluster.vertices.z, i0),
+         hn::GatherIndex(kFloats, cluster.vertices.z, i1),
+         hn::GatherIndex(kFloats, cluster.vertices.z, i2)},
+        t);
     return t;
 }
 
@@ -214,7 +302,7 @@ struct StoredLanes {
     alignas(64) std::array<Lanes<std::int32_t>, 3> edges;
     alignas(64) std::array<Lanes<std::int32_t>, 3> perX;
     alignas(64) std::array<Lanes<std::int32_t>, 3> perY;
-    alignas(64) std::array<Lanes<float>, 5> depth;      // as in DepthLanes
+    alignas(64) std::array<Lanes<float>, 7> depth;      // as in DepthLanes
     alignas(64) std::array<Lanes<std::int32_t>, 4> box; // first x, first y, last x, last y
     alignas(64) Lanes<std::int32_t> hasArea;
     alignas(64) Lanes<std::uint32_t> ids;
@@ -229,11 +317,13 @@ struct StoredLanes {
         store(t.edges, edges);
         store(t.perX, perX);
         store(t.perY, perY);
-        hn::Store(t.depth.atCorner0, kFloats, depth[0].data());
-        hn::Store(t.depth.perE1, kFloats, depth[1].data());
-        hn::Store(t.depth.perE2, kFloats, depth[2].data());
+        hn::Store(t.depth.atReference, kFloats, depth[0].data());
+        hn::Store(t.depth.perX, kFloats, depth[1].data());
+        hn::Store(t.depth.perY, kFloats, depth[2].data());
         hn::Store(t.depth.least, kFloats, depth[3].data());
         hn::Store(t.depth.largest, kFloats, depth[4].data());
+        hn::Store(t.depth.fromX, kFloats, depth[5].data());
+        hn::Store(t.depth.fromY, kFloats, depth[6].data());
         hn::Store(t.firstX, kInts, box[0].data());
         hn::Store(t.firstY, kInts, box[1].data());
         hn::Store(t.lastX, kInts, box[2].data());
@@ -265,16 +355,25 @@ HWY_INLINE void drawStored(const StoredLanes& s, std::uint32_t lane, Target& tar
         hn::Set(kFloats, s.depth[1][lane]),
         hn::Set(kFloats, s.depth[2][lane]),
         hn::Set(kFloats, s.depth[3][lane]),
-        hn::Set(kFloats, s.depth[4][lane])};
+        hn::Set(kFloats, s.depth[4][lane]),
+        hn::Set(kFloats, s.depth[5][lane]),
+        hn::Set(kFloats, s.depth[6][lane])};
+    const auto one = hn::Set(kFloats, 1.0F);
+    const auto firstX = hn::Add(depth.fromX, hn::Iota(kFloats, 0));
+    auto fromY = depth.fromY;
     for (std::int32_t y = s.box[1][lane]; y <= s.box[3][lane]; ++y) {
         Edges e = row;
+        const auto rowDepth = depthOfRow(depth, fromY);
+        auto fromX = firstX;
         for (std::int32_t x = s.box[0][lane]; x <= s.box[2][lane]; x += lanes) {
             const auto inside = isInside(e);
             if (!hn::AllFalse(kInts, inside))
-                target.takeRow(y * kTileStride + x, inside, depthAt(depth, e), s.ids[lane]);
+                target.takeRow(y * kTileStride + x, inside, depthAt(depth, rowDepth, fromX), s.ids[lane]);
             step(e, perVector);
+            fromX = hn::Add(fromX, hn::Set(kFloats, static_cast<float>(lanes)));
         }
         step(row, perRow);
+        fromY = hn::Add(fromY, one);
     }
 }
 

@@ -19,6 +19,7 @@ using Floats = hn::Vec<FloatTag>;
 
 constexpr IntTag kInts;
 constexpr FloatTag kFloats;
+constexpr hn::RebindToUnsigned<IntTag> kUints;
 
 struct Positions {
     Floats x, y, z, w;
@@ -67,11 +68,20 @@ HWY_INLINE Ints outside(const Projection& projection, const Positions& p) {
     return bits;
 }
 
-HWY_INLINE Ints snappedAxis(Floats coordinate, Floats inverseW, float scale, float translate) {
+struct SnappedAxis {
+    Ints snapped;
+    Ints rest;
+};
+
+HWY_INLINE SnappedAxis snappedAxis(Floats coordinate, Floats inverseW, float scale, float translate) {
     const auto pixels =
         hn::Add(hn::Mul(hn::Mul(coordinate, inverseW), hn::Set(kFloats, scale)), hn::Set(kFloats, translate));
-    return hn::NearestInt(
-        hn::Mul(hn::Sub(pixels, hn::Set(kFloats, 0.5F)), hn::Set(kFloats, static_cast<float>(kSubpixels))));
+    const auto whole =
+        hn::Mul(hn::Sub(pixels, hn::Set(kFloats, 0.5F)), hn::Set(kFloats, static_cast<float>(kSubpixels)));
+    const auto snapped = hn::NearestInt(whole);
+    const auto rest =
+        hn::Mul(hn::Sub(whole, hn::ConvertTo(kFloats, snapped)), hn::Set(kFloats, static_cast<float>(1 << kRestBits)));
+    return {snapped, hn::NearestInt(hn::Min(rest, hn::Set(kFloats, 32767.0F)))};
 }
 
 HWY_INLINE Floats snappedDepth(Floats z, Floats inverseW) {
@@ -114,8 +124,10 @@ VertexStage snapVerticesInLanes(const Projection& projection, const Cluster& clu
         allInside = hn::And(allInside, insideGuard(projection, p));
         allOutside = hn::And(allOutside, outside(projection, p));
         const auto inverseW = hn::Div(hn::Set(kFloats, 1.0F), p.w);
-        const auto x = snappedAxis(p.x, inverseW, projection.scaleX, projection.translateX);
-        const auto y = snappedAxis(p.y, inverseW, projection.scaleY, projection.translateY);
+        const auto [x, restX] = snappedAxis(p.x, inverseW, projection.scaleX, projection.translateX);
+        const auto [y, restY] = snappedAxis(p.y, inverseW, projection.scaleY, projection.translateY);
+        const auto rests = hn::Or(hn::And(restX, hn::Set(kInts, 0xFFFF)), hn::ShiftLeft<16>(restY));
+        hn::StoreU(hn::BitCast(kUints, rests), kUints, snapped.rests + first);
         hn::StoreU(x, kInts, snapped.x + first);
         hn::StoreU(y, kInts, allY.data() + first);
         hn::StoreU(snappedDepth(p.z, inverseW), kFloats, snapped.z + first);

@@ -17,7 +17,12 @@ struct SnappedArrays {
     std::int32_t* x = nullptr; // 1/256 pixel in the target
     std::int32_t* y = nullptr;
     float* z = nullptr;
+    std::uint32_t* rests = nullptr; // what snapping cut off: x in the low half, y in the high half, as SnappedVertex
 };
+
+constexpr std::uint32_t packedRests(const SnappedVertex& vertex) {
+    return static_cast<std::uint16_t>(vertex.restX) | std::uint32_t{static_cast<std::uint16_t>(vertex.restY)} << 16U;
+}
 
 /// Clusters at most this many pixels wide and high are kept compact: x and y in the halves of one word, in 1/256 pixel
 /// from one pixel left of and below their box, so that a corner takes one load instead of two.

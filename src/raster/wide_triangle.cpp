@@ -11,6 +11,22 @@ std::int64_t floorOfQuotient(std::int64_t a, std::int64_t b) {
     return a % b < 0 ? quotient - 1 : quotient;
 }
 
+/// From one corner to another, unsnapped.
+struct Side {
+    double x;
+    double y;
+
+    Side(const SnappedVertex& from, const SnappedVertex& to)
+        : x(to.x - from.x + (double{restOf(to.restX)} - restOf(from.restX))),
+          y(to.y - from.y + (double{restOf(to.restY)} - restOf(from.restY))) {}
+};
+
+std::array<SnappedVertex, 3> withoutRests(std::array<SnappedVertex, 3> corners) {
+    for (SnappedVertex& corner : corners)
+        corner.restX = corner.restY = 0;
+    return corners;
+}
+
 } // namespace
 
 std::int64_t doubleArea(const std::array<SnappedVertex, 3>& corners) {
@@ -28,9 +44,14 @@ WideTriangle wideTriangle(std::array<SnappedVertex, 3> corners) {
     const auto [minX, maxX] = std::minmax({a.x, b.x, c.x});
     const auto [minY, maxY] = std::minmax({a.y, b.y, c.y});
     const auto [minZ, maxZ] = std::minmax({a.z, b.z, c.z});
+    const Side side1(a, b);
+    const Side side2(a, c);
+    const double unsnapped = side1.x * side2.y - side2.x * side1.y;
+    // A sliver that snapping made: without it there would be no plane.
+    if (!(unsnapped > kLeastTrueArea * static_cast<double>(area))) return wideTriangle(withoutRests(corners));
     const double dz1 = double{b.z} - a.z;
     const double dz2 = double{c.z} - a.z;
-    const double scale = kSubpixels / static_cast<double>(area);
+    const double scale = kSubpixels / unsnapped;
     WideTriangle wide;
     wide.corners = corners;
     wide.box = {
@@ -38,8 +59,8 @@ WideTriangle wideTriangle(std::array<SnappedVertex, 3> corners) {
         (minY + kSubpixels - 1) >> kSubpixelBits,
         (maxX >> kSubpixelBits) + 1,
         (maxY >> kSubpixelBits) + 1};
-    wide.depthPerX = (dz1 * (c.y - a.y) - dz2 * (b.y - a.y)) * scale;
-    wide.depthPerY = (dz2 * (b.x - a.x) - dz1 * (c.x - a.x)) * scale;
+    wide.depthPerX = (dz1 * side2.y - dz2 * side1.y) * scale;
+    wide.depthPerY = (dz2 * side1.x - dz1 * side2.x) * scale;
     wide.leastDepth = std::clamp(minZ, 0.0F, 1.0F);
     wide.largestDepth = std::clamp(maxZ, 0.0F, 1.0F);
     return wide;
@@ -67,8 +88,8 @@ WideRow wideRow(const WideTriangle& triangle, int y, int x0, int x1) {
     row.referenceX = a.x >> kSubpixelBits;
     row.depthPerX = static_cast<float>(triangle.depthPerX);
     row.depthAtReference = static_cast<float>(
-        a.z + triangle.depthPerX * (row.referenceX - static_cast<double>(a.x) / kSubpixels) +
-        triangle.depthPerY * (y - static_cast<double>(a.y) / kSubpixels));
+        a.z + triangle.depthPerX * (row.referenceX - (a.x + double{restOf(a.restX)}) / kSubpixels) +
+        triangle.depthPerY * (y - (a.y + double{restOf(a.restY)}) / kSubpixels));
     return row;
 }
 

@@ -23,24 +23,61 @@ std::int64_t edge(const SnappedVertex& a, const SnappedVertex& b, std::int64_t x
     return signedDoubleArea(a, b, x, y) - (ownsEdge ? 0 : 1);
 }
 
-/// Depth of triangles under 64 pixels: over the edge functions in floats.
-float narrowDepth(const Corners& c, std::int64_t area, std::int64_t e1, std::int64_t e2) {
-    const float inverse = 1.0F / static_cast<float>(area);
-    const float perE1 = (c[1].z - c[0].z) * inverse;
-    const float perE2 = (c[2].z - c[0].z) * inverse;
-    return (c[0].z + static_cast<float>(e1) * perE1) + static_cast<float>(e2) * perE2;
+/// A corner less corner 0: snapped, and what snapping cut off.
+template <class Real>
+struct Side {
+    Real x, y, restX, restY;
+
+    Side(const SnappedVertex& from, const SnappedVertex& to)
+        : x(static_cast<Real>(to.x - from.x)),
+          y(static_cast<Real>(to.y - from.y)),
+          restX(Real{restOf(to.restX)} - Real{restOf(from.restX)}),
+          restY(Real{restOf(to.restY)} - Real{restOf(from.restY)}) {}
+};
+
+/// Depth of triangles under 64 pixels: its plane in floats, from the pixel of corner 0.
+float narrowDepth(Corners c, std::int64_t area, int x, int y) {
+    const Side<float> u(c[0], c[1]);
+    const Side<float> v(c[0], c[2]);
+    const float change = (u.x * v.restY - v.x * u.restY) + (u.restX * (v.y + v.restY) - v.restX * (u.y + u.restY));
+    const auto snappedArea = static_cast<float>(area);
+    if (!(snappedArea + change > snappedArea * 0.25F)) {
+        for (SnappedVertex& corner : c)
+            corner.restX = corner.restY = 0;
+        return narrowDepth(c, area, x, y);
+    }
+    const float inverse = 1.0F / (snappedArea + change);
+    const float dz1 = c[1].z - c[0].z;
+    const float dz2 = c[2].z - c[0].z;
+    const float perX = (dz1 * (v.y + v.restY) - dz2 * (u.y + u.restY)) * inverse;
+    const float perY = (dz2 * (u.x + u.restX) - dz1 * (v.x + v.restX)) * inverse;
+    const int referenceX = c[0].x >> 8;
+    const int referenceY = c[0].y >> 8;
+    const float atReference = (c[0].z + perX * (static_cast<float>(referenceX * 256 - c[0].x) - restOf(c[0].restX))) +
+                              perY * (static_cast<float>(referenceY * 256 - c[0].y) - restOf(c[0].restY));
+    return (atReference + perY * 256 * static_cast<float>(y - referenceY)) +
+           perX * 256 * static_cast<float>(x - referenceX);
 }
 
 /// Depth of the others: its plane in doubles, along a row in floats.
-float wideDepth(const Corners& c, std::int64_t area, int x, int y) {
+float wideDepth(Corners c, std::int64_t area, int x, int y) {
+    const Side<double> u(c[0], c[1]);
+    const Side<double> v(c[0], c[2]);
+    const double unsnapped = (u.x + u.restX) * (v.y + v.restY) - (v.x + v.restX) * (u.y + u.restY);
+    if (!(unsnapped > 0.25 * static_cast<double>(area))) {
+        for (SnappedVertex& corner : c)
+            corner.restX = corner.restY = 0;
+        return wideDepth(c, area, x, y);
+    }
     const double dz1 = double{c[1].z} - c[0].z;
     const double dz2 = double{c[2].z} - c[0].z;
-    const double scale = 256 / static_cast<double>(area);
-    const double perX = (dz1 * (c[2].y - c[0].y) - dz2 * (c[1].y - c[0].y)) * scale;
-    const double perY = (dz2 * (c[1].x - c[0].x) - dz1 * (c[2].x - c[0].x)) * scale;
+    const double scale = 256 / unsnapped;
+    const double perX = (dz1 * (v.y + v.restY) - dz2 * (u.y + u.restY)) * scale;
+    const double perY = (dz2 * (u.x + u.restX) - dz1 * (v.x + v.restX)) * scale;
     const int reference = c[0].x >> 8;
-    const auto atReference =
-        static_cast<float>(c[0].z + perX * (reference - c[0].x / 256.0) + perY * (y - c[0].y / 256.0));
+    const auto atReference = static_cast<float>(
+        c[0].z + perX * (reference - (c[0].x + double{restOf(c[0].restX)}) / 256) +
+        perY * (y - (c[0].y + double{restOf(c[0].restY)}) / 256));
     return atReference + static_cast<float>(perX) * static_cast<float>(x - reference);
 }
 
@@ -62,7 +99,7 @@ void visitTriangle(Corners c, const PixelBox& viewport, std::uint32_t id, const 
             const std::int64_t e1 = edge(c[2], c[0], x * kPixel, y * kPixel);
             const std::int64_t e2 = edge(c[0], c[1], x * kPixel, y * kPixel);
             if (e0 < 0 || e1 < 0 || e2 < 0) continue;
-            const float depth = isNarrow ? narrowDepth(c, area, e1, e2) : wideDepth(c, area, x, y);
+            const float depth = isNarrow ? narrowDepth(c, area, x, y) : wideDepth(c, area, x, y);
             visit(x, y, std::clamp(std::clamp(depth, minZ, maxZ), 0.0F, 1.0F), id);
         }
 }

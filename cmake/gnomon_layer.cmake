@@ -10,7 +10,7 @@ endfunction()
 
 # gnomon_tests(<layer> SOURCES <file>... [NEEDS <target>...] [LABEL <label>])
 # One test program per layer; every TEST in it is a ctest entry that carries the label (unit unless said otherwise).
-# A suite whose name starts with "Slow" carries the label `slow` instead.
+# A suite whose name starts with "Slow" (behind the prefix of an instantiation) carries the label `slow` instead.
 function(gnomon_tests name)
     cmake_parse_arguments(PARSE_ARGV 1 arg "" "LABEL" "SOURCES;NEEDS")
     if(NOT arg_LABEL)
@@ -20,7 +20,7 @@ function(gnomon_tests name)
     target_include_directories(${name}_tests PRIVATE ${PROJECT_SOURCE_DIR})
     target_link_libraries(${name}_tests PRIVATE ${arg_NEEDS} gnomon_options GTest::gtest_main)
     target_compile_definitions(${name}_tests PRIVATE GNOMON_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-    gtest_discover_tests(${name}_tests TEST_FILTER "-Slow*" PROPERTIES LABELS ${arg_LABEL} DISCOVERY_TIMEOUT 60)
-    gtest_discover_tests(${name}_tests TEST_FILTER "Slow*" TEST_LIST ${name}_slow
+    gtest_discover_tests(${name}_tests TEST_FILTER "-Slow*:*/Slow*" PROPERTIES LABELS ${arg_LABEL} DISCOVERY_TIMEOUT 60)
+    gtest_discover_tests(${name}_tests TEST_FILTER "Slow*:*/Slow*" TEST_LIST ${name}_slow
         PROPERTIES LABELS slow DISCOVERY_TIMEOUT 60)
 endfunction()

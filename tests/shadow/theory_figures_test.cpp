@@ -1,6 +1,10 @@
 // The figures' data and the table: the figures that the theory is recognised by.
+#include "app/json_file.h"
 #include "app/theory_figures.h"
 #include "app/theory_table.h"
+#include "shadow/overhead.h"
+#include "shadow/scheme.h"
+#include "shadow/splits.h"
 
 #include <gtest/gtest.h>
 
@@ -46,6 +50,53 @@ TEST(TheoryFigures, HoldTheTheorysNumbers) {
     EXPECT_LT(twelve.rows[13][4], twelve.rows[12][4]);
     EXPECT_LT(twelve.rows[13][4], twelve.rows[14][4]);
     EXPECT_EQ(csvOf(ten).substr(0, 21), "k,ZP,ZP+W,optimum\n1,1");
+}
+
+/// One number of a figure that hangs on its frustum alone, in the figure and from the frustum.
+std::pair<double, double> tellingNumber(const TheoryFigure& figure, const shadow::ViewFrustum& frustum) {
+    const std::string number = figure.name.substr(6, 2);
+    const double lspsm = shadow::nPrimeLspsm(frustum);
+    const double unwarped = std::numeric_limits<double>::infinity();
+    const auto largest = [&](std::size_t column) {
+        double value = 0;
+        for (const std::vector<double>& row : figure.rows)
+            if (std::isfinite(row[column])) value = std::max(value, row[column]);
+        return value;
+    };
+    if (number == "02") return {largest(0), 1};           // two panels
+    if (number == "04") return {largest(3), frustum.far}; // the map's end
+    if (number == "05") return {figure.rows[0][3], shadow::aliasingOverhead(frustum, lspsm, frustum.near, {}).x};
+    if (number == "06")
+        return {
+            figure.rows[100][3],
+            shadow::storageFactorOverhead(frustum, lspsm) / shadow::storageFactorOverhead(frustum, unwarped)};
+    const auto at = static_cast<std::size_t>(number == "10" ? 2 : 1);
+    if (number == "10") return {figure.rows[4][at], shadow::closedForms(frustum, 5).zpWarpOverhead};
+    if (number == "12") return {figure.rows[4][at], shadow::closedForms(frustum, 5).zpOverhead};
+    shadow::Scheme scheme;
+    scheme.warp.rule = shadow::WarpRule::None;
+    scheme.slices = 1;
+    const std::vector<double>& row = figure.rows[figure.rows.size() / 6]; // of the first panel
+    const glm::dvec3 light(row[2], std::sqrt(std::max(0.0, 1 - row[1] * row[1] - row[2] * row[2])), row[1]);
+    return {row[3], std::log10(shadow::storageFactor(shadow::schemeMaps(frustum, light, scheme)))};
+}
+
+TEST(TheoryFigures, AreDrawnForTheFrustaOfThePaper) {
+    const std::vector<TheoryFigure> figures = paperFigures();
+    const auto document = readJsonFile(GNOMON_SOURCE_DIR "/data/figures/lloyd2006.json");
+    EXPECT_EQ(document["figures"].size(), figures.size());
+    for (const auto& entry : document["figures"]) {
+        const TheoryFigure& figure = named(figures, entry["figure"].get<std::string>());
+        shadow::ViewFrustum frustum;
+        frustum.near = entry["near"].get<double>();
+        frustum.far = entry["far"].get<double>();
+        frustum.halfFovYRadians = entry["theta"].get<double>() * 0.017453292519943295;
+        const auto [drawn, expected] = tellingNumber(figure, frustum);
+        EXPECT_NEAR(drawn, expected, 1e-9 * std::abs(expected)) << figure.name;
+        EXPECT_NE(
+            figure.caption.find("theta " + std::to_string(entry["theta"].get<int>()) + " degrees"), std::string::npos)
+            << figure.caption;
+    }
 }
 
 TEST(SlowTheoryFigures, OwnOnesHoldTheTheorysNumbers) {

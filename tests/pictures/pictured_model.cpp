@@ -1,0 +1,75 @@
+#include "tests/pictures/pictured_model.h"
+
+#include "app/suited_path.h"
+#include "gl/shader_library.h"
+#include "preprocess/build/build.h"
+#include "preprocess/make/model_file.h"
+#include "preprocess/make/named_model.h"
+#include "preprocess/read/open_mesh_sources.h"
+#include "render/gl_executor.h"
+#include "render/software_executor.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace gnomon::tests {
+
+namespace {
+
+std::unique_ptr<render::Executor> executorOf(Backend backend) {
+    if (backend == Backend::Software) return render::makeSoftwareExecutor();
+    return render::makeGlExecutor(gl::Platform::Osmesa, gl::ShaderLibrary(), gibibytes(1));
+}
+
+} // namespace
+
+ScratchFile::ScratchFile(const std::string& name) {
+    const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
+    std::string place = std::string(test->test_suite_name()) + "_" + test->name() + "_" + name;
+    for (char& c : place)
+        if (c == '/') c = '_';
+    path_ = testing::TempDir() + "gnomon_" + place;
+}
+
+ScratchFile::~ScratchFile() {
+    std::error_code ignored;
+    std::filesystem::remove(path_, ignored);
+}
+
+void writeMade(const std::string& kind, std::uint64_t triangles, const std::string& path) {
+    NoProgress progress;
+    preprocess::writeMadeModel(*preprocess::makeNamedModel(kind, triangles, 1), path, "made for a test", 0, progress);
+}
+
+void build(const std::string& mesh, const std::string& model) {
+    NoProgress progress;
+    preprocess::BuildOptions options;
+    options.output = model;
+    preprocess::buildModel(*preprocess::openMeshSources({mesh}, options.memory), options, progress);
+}
+
+PicturedModel::PicturedModel(const std::string& path, Backend backend)
+    : file_(path), executor_(executorOf(backend)), renderer_(file_, *executor_, {gibibytes(2), {}}) {}
+
+Drawn PicturedModel::draw(const plan::View& view, double errorPixels) {
+    plan::Quality quality;
+    quality.errorPixels = errorPixels;
+    renderer_.forget();
+    renderer_.render(view, quality, {});
+    return {executor_->picture(), executor_->viewDepth()};
+}
+
+std::vector<plan::View> threeViews(const hierarchy::ModelFile& model, int side) {
+    std::vector<plan::View> views;
+    for (const auto& [kind, fraction] : {std::pair{"orbit", 0.1}, {"flyby", 0.4}, {"approach", 0.9}}) {
+        const app::CameraPath path = app::suitedPath(model, kind);
+        plan::View view;
+        view.camera = app::cameraAt(path, path.keyframes.front().time + fraction * path.duration());
+        view.width = view.height = side;
+        views.push_back(view);
+    }
+    return views;
+}
+
+} // namespace gnomon::tests

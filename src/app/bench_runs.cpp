@@ -3,10 +3,13 @@
 #include "app/option_text.h"
 #include "core/file.h"
 #include "telemetry/benchmark_report.h"
+#include "telemetry/process_clock.h"
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <functional>
+#include <thread>
 
 #include <unistd.h>
 
@@ -82,40 +85,45 @@ public:
         Session& session,
         const ViewOptions& viewOptions,
         const CameraPath& path,
-        const BenchRun& run,
-        const WalkOptions& options)
+        const WalkOptions& options,
+        RunResult& result)
         : session_(session),
           path_(path),
-          run_(run),
           options_(options),
+          result_(result),
           view_(viewOf(viewOptions, session.model().summary())),
-          quality_(qualityOf(viewOptions, run.settings)) {
+          quality_(qualityOf(viewOptions, result.run.settings)) {
         frameOptions_.waiting = options.isRealTime ? render::Waiting::Never : render::Waiting::UntilComplete;
     }
 
     /// Warm-up, then a row a frame.
-    void repeat(int repetition, std::vector<telemetry::FrameRow>& rows, Progress& progress) {
+    void repeat(int repetition, Progress& progress) {
         session_.renderer().forget();
         for (int i = 0; i < options_.warmup; ++i)
             draw(0);
         session_.renderer().forget();
+        const auto start = std::chrono::steady_clock::now();
         for (int frame = 0; frame < options_.frames; ++frame) {
-            telemetry::FrameRow row = draw(frame).row;
-            row.run = run_.name;
+            if (options_.isRealTime)
+                std::this_thread::sleep_until(start + std::chrono::duration<double>(timeOf(frame) - timeOf(0)));
+            const double cpuBefore = telemetry::processorTime().count;
+            telemetry::FrameRow row = draw(frame);
+            result_.cpuMs += (telemetry::processorTime().count - cpuBefore) / (options_.frames * options_.repetitions);
+            row.run = result_.run.name;
             row.repetition = repetition;
             row.frame = frame;
             row.timeS = timeOf(frame);
-            rows.push_back(row);
+            result_.rows.push_back(row);
             progress.advance(1);
         }
     }
 
-    void keepPictures(RunResult& result) {
+    void keepPictures() {
         draw(options_.frames / 2);
-        result.picture = pngOf(session_.executor().picture());
+        result_.picture = pngOf(session_.executor().picture());
         frameOptions_.overlay = render::Overlay::Partitions;
         draw(options_.frames / 2);
-        result.partitions = pngOf(session_.executor().picture());
+        result_.partitions = pngOf(session_.executor().picture());
     }
 
 private:
@@ -124,15 +132,18 @@ private:
         return path_.keyframes.front().time + path_.duration() * fraction;
     }
 
-    render::Frame draw(int frame) {
+    telemetry::FrameRow draw(int frame) {
         view_.camera = cameraAt(path_, timeOf(frame));
-        return session_.renderer().render(view_, quality_, frameOptions_);
+        telemetry::FrameRow row = session_.renderer().render(view_, quality_, frameOptions_).row;
+        row.sinceStartMs = telemetry::sinceProcessStart().count;
+        if (result_.firstFrameMs == 0) result_.firstFrameMs = *row.sinceStartMs;
+        return row;
     }
 
     Session& session_;
     const CameraPath& path_;
-    const BenchRun& run_;
     const WalkOptions& options_;
+    RunResult& result_;
     plan::View view_;
     plan::Quality quality_;
     render::FrameOptions frameOptions_;
@@ -173,12 +184,12 @@ std::vector<RunResult> walkAll(
     std::vector<RunResult> results;
     results.reserve(runs.size());
     for (const BenchRun& run : runs)
-        results.push_back({run, {}, {}, {}});
+        results.push_back({.run = run});
     for (int repetition = 0; repetition < options.repetitions; ++repetition)
         for (RunResult& result : results) {
-            Walk walk(session, view, path, result.run, options);
-            walk.repeat(repetition, result.rows, progress);
-            if (options.keepsPictures && repetition + 1 == options.repetitions) walk.keepPictures(result);
+            Walk walk(session, view, path, options, result);
+            walk.repeat(repetition, progress);
+            if (options.keepsPictures && repetition + 1 == options.repetitions) walk.keepPictures();
         }
     return results;
 }

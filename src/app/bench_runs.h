@@ -32,7 +32,9 @@ struct WalkOptions {
 struct RunResult {
     BenchRun run;
     std::vector<telemetry::FrameRow> rows; // repetition by repetition, each in the order of the path
-    std::vector<std::uint8_t> picture;     // PNG; empty unless asked for
+    double cpuMs = 0;                      // of all threads, a logged frame on average
+    double firstFrameMs = 0; // from the start of the process to the end of the run's first frame, warm-up or not
+    std::vector<std::uint8_t> picture; // PNG; empty unless asked for
     std::vector<std::uint8_t> partitions;
 };
 
@@ -41,7 +43,8 @@ struct RunResult {
 std::vector<BenchRun> combinations(const SweptSettings& lists, const std::string& shadowMaps);
 
 /// Walks every run along `path`: warm-up frames, then `frames` frames evenly over the path, as often as asked. Each
-/// repetition walks all runs before the next one begins, so that a machine that slows down slows them all alike.
+/// repetition walks all runs before the next one begins, so that a machine that slows down slows them all alike. In
+/// real time no frame begins before its time on the path.
 std::vector<RunResult> walkAll(
     Session& session,
     const ViewOptions& view,

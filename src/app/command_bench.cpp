@@ -38,7 +38,8 @@ struct BenchOptions {
     double failAbovePercent = 10;
 };
 
-std::map<std::string, std::string> contextOf(const BenchOptions& options, const Session& session) {
+/// What a reader must know to judge or repeat the figures.
+std::map<std::string, std::string> contextOf(const BenchOptions& options, Session& session) {
     std::map<std::string, std::string> context = telemetry::machineContext();
     context.erase("host_name"); // a report is handed around
     const hierarchy::ModelFile& model = session.model();
@@ -48,6 +49,11 @@ std::map<std::string, std::string> contextOf(const BenchOptions& options, const 
     context["image_size"] = options.view.size;
     context["light"] = options.view.light;
     context["near_and_far"] = options.view.near + ", " + options.view.far;
+    context["version"] = GNOMON_VERSION;
+    context["backend"] = session.executor().name();
+    context["memory_cap"] = options.view.memory;
+    context["gpu_memory_cap"] = options.view.gpuMemory;
+    context["warmup_frames"] = std::to_string(options.walk.warmup);
     context["frames"] = std::to_string(options.walk.frames);
     context["repetitions"] = std::to_string(options.walk.repetitions);
     context["real_time"] = options.walk.isRealTime ? "yes" : "no: frames wait until their cut is resident";
@@ -65,7 +71,7 @@ std::string csvText(const std::vector<RunResult>& results) {
 std::string benchmarkText(const std::map<std::string, std::string>& context, const std::vector<RunResult>& results) {
     std::vector<telemetry::RunTimes> runs;
     for (const RunResult& result : results) {
-        telemetry::RunTimes times{result.run.name, {}};
+        telemetry::RunTimes times{result.run.name, {}, result.cpuMs};
         for (const telemetry::FrameRow& row : result.rows)
             times.totalMs.push_back(row.totalMs.value_or(0));
         runs.push_back(times);
@@ -173,14 +179,17 @@ void printChoices(const BenchOptions& options, const std::vector<report::RunSumm
                 parseNumber("--max-aliasing", options.view.maxAliasing)));
 }
 
-/// Throws Error if a run of the same name in the baseline was faster by more than the percentage allowed.
+/// Throws Error if a run of the same name in the baseline was faster by more than the percentage allowed, or if there
+/// is none of any name.
 void compareWithBaseline(const BenchOptions& options, const std::vector<report::RunSummary>& summaries) {
     const nlohmann::json baseline = nlohmann::json::parse(readTextFile(options.baseline), nullptr, false);
     if (!baseline.is_object() || !baseline.contains("benchmarks"))
         throw Error(options.baseline, "this is no bench result", "JSON with `benchmarks`", "something else");
+    bool hasCompared = false;
     for (const nlohmann::json& before : baseline["benchmarks"])
         for (const report::RunSummary& now : summaries) {
             if (before.value("name", "") != now.name) continue;
+            hasCompared = true;
             const double allowed = before.value("p50", 0.0) * (1 + options.failAbovePercent / 100);
             if (now.p50Ms > allowed)
                 throw Error(
@@ -189,6 +198,7 @@ void compareWithBaseline(const BenchOptions& options, const std::vector<report::
                     "a median of at most " + std::to_string(allowed) + " ms",
                     std::to_string(now.p50Ms) + " ms");
         }
+    if (!hasCompared) throw Error(options.baseline, "it has none of these runs", summaries.front().name, "other names");
 }
 
 void runBench(BenchOptions options) {
@@ -203,7 +213,7 @@ void runBench(BenchOptions options) {
         qualityOf(options.view, run.settings); // a contradiction in the last run must not cost the first one's time
     const CameraPath path = readCameraPath(options.path);
     Session session(options.model, options.view);
-    const auto context = contextOf(options, session);
+    auto context = contextOf(options, session);
     std::vector<RunResult> results;
     {
         const auto progress = makeProgress(options.common);
@@ -216,6 +226,7 @@ void runBench(BenchOptions options) {
     }
     std::vector<report::RunSummary> summaries;
     std::transform(results.begin(), results.end(), std::back_inserter(summaries), summary);
+    context["first_frame_ms"] = std::to_string(results.front().firstFrameMs);
     print(summaries);
     printChoices(options, summaries);
     if (!options.csv.empty()) writeTextFile(options.csv, csvText(results));

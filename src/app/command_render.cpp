@@ -1,6 +1,7 @@
 #include "app/session.h"
 #include "core/error.h"
 #include "core/file.h"
+#include "telemetry/process_clock.h"
 
 #include <cstdio>
 #include <filesystem>
@@ -75,6 +76,7 @@ void runRender(const RenderOptions& options) {
     if (!options.statistics.empty()) {
         telemetry::FrameRow row = frame.row;
         row.run = "render";
+        row.sinceStartMs = telemetry::sinceProcessStart().count;
         writeTextFile(options.statistics, telemetry::jsonObject(row) + "\n");
     }
     if (!options.reference.empty()) requireLike(options, picture);

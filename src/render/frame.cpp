@@ -45,6 +45,7 @@ struct Renderer::Prepared {
     plan::FramePlan plan;
     std::unique_ptr<const selection::ErrorRule> rule; // of the cut, as are the volumes
     std::vector<ConvexVolume> volumes;
+    double errorPixels = 1; // the quality's, or more where a cap forces it
     selection::Cut cut;
     plan::SceneFacts facts;
     streaming::DemandOutcome residency;
@@ -119,9 +120,17 @@ Renderer::Prepared Renderer::planAndCut(const plan::View& view, const plan::Qual
 selection::CutQuery Renderer::query(const Prepared& prepared) const {
     selection::CutQuery query = residency_.query();
     query.rule = prepared.rule.get();
-    query.errorPixels = prepared.plan.quality.errorPixels;
+    query.errorPixels = prepared.errorPixels;
     query.volumes = prepared.volumes;
     return query;
+}
+
+void Renderer::cut(Prepared& prepared) const {
+    const plan::Quality& quality = prepared.plan.quality;
+    prepared.errorPixels = quality.errorPixels;
+    if (quality.maxTriangles)
+        prepared.errorPixels = selection::cappedErrorPixels(query(prepared), *quality.maxTriangles);
+    prepared.cut = selection::cut(query(prepared));
 }
 
 void Renderer::cutImage(Prepared& prepared) const {
@@ -129,7 +138,7 @@ void Renderer::cutImage(Prepared& prepared) const {
     const selection::DetailView view = detailView(prepared.plan, eye);
     prepared.rule = std::make_unique<selection::ErrorRule>(view);
     prepared.volumes = {selection::viewPyramid(view)};
-    prepared.cut = selection::cut(query(prepared));
+    cut(prepared);
 }
 
 void Renderer::cutAll(Prepared& prepared) const {
@@ -144,7 +153,7 @@ void Renderer::cutAll(Prepared& prepared) const {
         prepared.volumes.push_back(plan.quality.cullCasters ? casters.back().casters : ConvexVolume{});
     }
     prepared.rule = std::make_unique<selection::ErrorRule>(view, std::move(casters));
-    prepared.cut = selection::cut(query(prepared));
+    cut(prepared);
 }
 
 plan::SceneFacts Renderer::factsOf(const plan::View& view, const selection::Cut& cut) const {

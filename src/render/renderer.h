@@ -53,6 +53,7 @@ private:
     Prepared planAndCut(const plan::View& view, const plan::Quality& quality);
     void cutImage(Prepared& prepared) const;
     void cutAll(Prepared& prepared) const;
+    void cut(Prepared& prepared) const;
     selection::CutQuery query(const Prepared& prepared) const;
     plan::SceneFacts factsOf(const plan::View& view, const selection::Cut& cut) const;
     FrameDrawing drawing(const Prepared& prepared, const FrameOptions& options) const;

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
+#include <fstream>
 #include <numeric>
 #include <thread>
 
@@ -38,7 +39,7 @@ std::string benchmarkJson(const std::map<std::string, std::string>& context, std
              {"run_type", "iteration"},
              {"iterations", run.totalMs.size()},
              {"real_time", mean},
-             {"cpu_time", mean},
+             {"cpu_time", run.cpuMs},
              {"time_unit", "ms"},
              {"p50", quantile(run.totalMs, 0.50)},
              {"p95", quantile(run.totalMs, 0.95)},
@@ -46,6 +47,20 @@ std::string benchmarkJson(const std::map<std::string, std::string>& context, std
     }
     return document.dump(2);
 }
+
+namespace {
+
+/// What /proc/cpuinfo calls the first processor; "unknown" where it does not say.
+std::string processorName() {
+    std::ifstream info("/proc/cpuinfo");
+    for (std::string line; std::getline(info, line);) {
+        const std::size_t colon = line.find(": ");
+        if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
+    }
+    return "unknown";
+}
+
+} // namespace
 
 std::map<std::string, std::string> machineContext() {
     std::array<char, 256> host{};
@@ -55,9 +70,18 @@ std::map<std::string, std::string> machineContext() {
     ::gmtime_r(&now, &utc);
     std::array<char, 32> date{};
     std::strftime(date.data(), date.size(), "%Y-%m-%dT%H:%M:%SZ", &utc);
+    const auto pageBytes = static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+#ifdef __clang__
+    const char* const compiler = __VERSION__; // "Clang ..." already
+#else
+    const std::string compiler = "GCC " __VERSION__;
+#endif
     return {
         {"date", date.data()},
         {"host_name", host.data()},
+        {"cpu", processorName()},
+        {"memory_bytes", std::to_string(static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) * pageBytes)},
+        {"compiler", compiler},
         {"num_cpus", std::to_string(std::thread::hardware_concurrency())},
 #ifdef NDEBUG
         {"library_build_type", "release"},

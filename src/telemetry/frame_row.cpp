@@ -124,6 +124,7 @@ const std::vector<Column>& columns() {
         {"shadow_edge_p99_px", read<&R::shadowEdgeP99Px>},
         {"image_difference", read<&R::imageDifference>},
         {"crawl", read<&R::crawl>},
+        {"since_start_ms", read<&R::sinceStartMs>},
     };
     return table;
 }

@@ -67,6 +67,8 @@ struct FrameRow {
     std::optional<double> shadowEdgeP99Px;
     std::optional<double> imageDifference;
     std::optional<double> crawl;
+
+    std::optional<double> sinceStartMs; // from the start of the process to the end of the frame
 };
 
 /// The value of a column; nothing if it was not measured.

@@ -1,5 +1,6 @@
 #include "telemetry/benchmark_report.h"
 #include "telemetry/frame_row.h"
+#include "telemetry/process_clock.h"
 
 #include <gtest/gtest.h>
 
@@ -20,7 +21,7 @@ TEST(FrameRow, ColumnsAreThoseOfTheContractInItsOrder) {
         "casters_kept,draw_calls,resident_bytes,gpu_bytes,bytes_read,pages_missing,pages_damaged,"
         "achieved_error_pixels,near,far,depth_ratio,light_angle,storage_factor,promised_aliasing_x,"
         "promised_aliasing_z,measured_aliasing,promise_kept,wrong_shadow_fraction,shadow_edge_p99_px,"
-        "image_difference,crawl");
+        "image_difference,crawl,since_start_ms");
 }
 
 TEST(FrameRow, EveryRowHasEveryCell) {
@@ -65,16 +66,28 @@ TEST(Quantile, InterpolatesBetweenRanks) {
 }
 
 TEST(BenchmarkJson, HasTheShapeOfGoogleBenchmark) {
-    const std::vector<RunTimes> runs = {{"one", {1, 2, 3}}, {"two", {5}}};
+    const std::vector<RunTimes> runs = {{"one", {1, 2, 3}, 3.5}, {"two", {5}, 1}};
     const auto document = nlohmann::json::parse(benchmarkJson(machineContext(), runs));
-    EXPECT_TRUE(document.at("context").contains("num_cpus"));
+    for (const char* fact : {"num_cpus", "cpu", "memory_bytes", "compiler", "library_build_type", "date"})
+        EXPECT_NE(document.at("context").value(fact, ""), "") << fact;
     ASSERT_EQ(document.at("benchmarks").size(), 2U);
     const auto& first = document.at("benchmarks")[0];
     EXPECT_EQ(first.at("name"), "one");
     EXPECT_EQ(first.at("time_unit"), "ms");
     EXPECT_DOUBLE_EQ(first.at("real_time").get<double>(), 2);
+    EXPECT_DOUBLE_EQ(first.at("cpu_time").get<double>(), 3.5);
     EXPECT_DOUBLE_EQ(first.at("p50").get<double>(), 2);
     EXPECT_DOUBLE_EQ(first.at("p95").get<double>(), 2.9);
+}
+
+TEST(ProcessClock, CountsFromTheStartOfTheProcess) {
+    const double before = sinceProcessStart().count;
+    EXPECT_GT(before, 0);
+    EXPECT_LT(before, 600e3) << "a test takes no ten minutes";
+    const double cpu = processorTime().count;
+    while (processorTime().count < cpu + 1) {
+    }
+    EXPECT_GE(sinceProcessStart().count, before);
 }
 
 } // namespace

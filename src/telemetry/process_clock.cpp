@@ -1,0 +1,48 @@
+#include "telemetry/process_clock.h"
+
+#include <ctime>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include <unistd.h>
+
+namespace gnomon::telemetry {
+
+namespace {
+
+Milliseconds now(clockid_t clock) {
+    std::timespec time{};
+    ::clock_gettime(clock, &time);
+    return {static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6};
+}
+
+/// On the clock that counts from boot (proc(5), /proc/self/stat, field 22); of the first call where there is no /proc.
+Milliseconds processStart() {
+    std::ifstream file("/proc/self/stat");
+    std::string text;
+    std::getline(file, text);
+    const std::size_t nameEnd = text.rfind(')'); // the second field may hold anything, spaces too
+    if (nameEnd == std::string::npos) return now(CLOCK_BOOTTIME);
+    std::istringstream fields(text.substr(nameEnd + 1));
+    constexpr int kFieldsBefore = 19; // those from the third to the one before
+    std::string skipped;
+    for (int i = 0; i < kFieldsBefore; ++i)
+        fields >> skipped;
+    double ticks = 0;
+    fields >> ticks;
+    return {ticks * 1e3 / static_cast<double>(::sysconf(_SC_CLK_TCK))};
+}
+
+} // namespace
+
+Milliseconds sinceProcessStart() {
+    static const Milliseconds start = processStart();
+    return {now(CLOCK_BOOTTIME).count - start.count};
+}
+
+Milliseconds processorTime() {
+    return now(CLOCK_PROCESS_CPUTIME_ID);
+}
+
+} // namespace gnomon::telemetry

@@ -184,7 +184,7 @@ std::vector<RunResult> walkAll(
     std::vector<RunResult> results;
     results.reserve(runs.size());
     for (const BenchRun& run : runs)
-        results.push_back({.run = run});
+        results.emplace_back().run = run;
     for (int repetition = 0; repetition < options.repetitions; ++repetition)
         for (RunResult& result : results) {
             Walk walk(session, view, path, options, result);

@@ -2,9 +2,12 @@
 
 #include "core/error.h"
 #include "core/random.h"
+#include "hierarchy/cut_rule.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace gnomon::app {
@@ -46,39 +49,82 @@ CameraPath flyby(const Box& bounds) {
     return {false, Interpolation::Linear, {keyframe(0, from, from + ahead), keyframe(kDuration, to, to + ahead)}};
 }
 
-/// From far away to very near, in equal ratios of the distance.
-CameraPath approach(const Box& bounds) {
-    CameraPath path;
-    const glm::dvec3 center = bounds.center();
+using TriangleCorners = std::array<glm::dvec3, 3>;
+
+/// Calls `visit` for each triangle of the uniform cut of `error`, world space: pages that it does not reach stay
+/// unread, so that it takes as long for a model of any size.
+template <class Visit>
+void forEachTriangle(const hierarchy::ModelFile& model, double error, const Visit& visit) {
+    const hierarchy::Grid& grid = model.summary().grid;
+    const auto isRefined = [&](double groupError, const Sphere&) { return groupError > error; };
+    for (std::uint32_t id = 0; id < model.pages().size(); ++id) {
+        if (!(model.pages()[id].maxError > error)) continue; // none of its groups is drawn
+        const hierarchy::Page page = model.readPage(id);
+        hierarchy::forEachDrawn(page, isRefined, [&](const hierarchy::Group&, const hierarchy::Cluster& cluster) {
+            for (std::uint32_t t = cluster.firstTriangle; t < cluster.firstTriangle + cluster.triangleCount; ++t) {
+                TriangleCorners corners;
+                for (std::size_t i = 0; i < corners.size(); ++i)
+                    corners[i] = grid.world(page.vertices[cluster.firstVertex + page.triangles[t][i]].position);
+                visit(corners);
+            }
+        });
+    }
+}
+
+/// How far from `origin` along `direction` the triangle is met; infinite if it is not (Moeller, Trumbore 1997).
+double hitDistance(const TriangleCorners& t, const glm::dvec3& origin, const glm::dvec3& direction) {
+    constexpr double kMissed = std::numeric_limits<double>::infinity();
+    const glm::dvec3 along = t[1] - t[0];
+    const glm::dvec3 across = t[2] - t[0];
+    const glm::dvec3 p = glm::cross(direction, across);
+    const double determinant = glm::dot(along, p);
+    if (determinant == 0) return kMissed;
+    const glm::dvec3 from = origin - t[0];
+    const double u = glm::dot(from, p) / determinant;
+    const glm::dvec3 q = glm::cross(from, along);
+    const double v = glm::dot(direction, q) / determinant;
+    const double distance = glm::dot(across, q) / determinant;
+    return u >= 0 && v >= 0 && u + v <= 1 && distance >= 0 ? distance : kMissed;
+}
+
+/// From far away to very near the surface, in equal ratios of the distance from it; towards what of the model lies
+/// before its middle, or the middle itself where nothing does.
+CameraPath approach(const hierarchy::ModelFile& model) {
+    const Box& bounds = model.summary().bounds;
     const glm::dvec3 direction = glm::normalize(glm::dvec3(0.35, 0.25, 1));
     const double radius = 0.5 * glm::length(bounds.extent());
+    const double farthest = 5 * radius;
+    const glm::dvec3 start = bounds.center() + farthest * direction;
+    double surface = farthest;
+    forEachTriangle(model, 5e-4 * radius, [&](const TriangleCorners& corners) {
+        surface = std::min(surface, hitDistance(corners, start, -direction));
+    });
+    const glm::dvec3 target = start - surface * direction;
+    constexpr double kNearest = 1e-3; // of the first distance
     constexpr int kKeys = 24;
+    CameraPath path;
     for (int i = 0; i <= kKeys; ++i) {
-        const double beyond = 4 * radius * std::pow(0.002, static_cast<double>(i) / kKeys);
-        path.keyframes.push_back(keyframe(kDuration * i / kKeys, center + direction * (radius + beyond), center));
+        const double distance = surface * std::pow(kNearest, static_cast<double>(i) / kKeys);
+        path.keyframes.push_back(keyframe(kDuration * i / kKeys, target + distance * direction, target));
     }
     return path;
 }
 
-/// Where something stands between ankle and head, seen from above.
+/// Where something stands between ankle and head, seen from above: the boxes of the triangles of a uniform cut, grown
+/// by its error.
 class WalkMap {
 public:
-    WalkMap(const hierarchy::ModelFile& model, double ankle, double head)
+    WalkMap(const hierarchy::ModelFile& model, double ankle, double head, double error)
         : min_(model.summary().bounds.min),
           cell_(model.summary().bounds.extent() / static_cast<double>(kCells)),
           occupied_(static_cast<std::size_t>(kCells) * kCells, 0) {
-        const hierarchy::Grid& grid = model.summary().grid;
-        for (std::uint32_t id = 0; id < model.pages().size(); ++id) {
-            if (model.pages()[id].level != 0) continue;
-            const hierarchy::Page page = model.readPage(id);
-            for (const hierarchy::Cluster& cluster : page.clusters)
-                for (std::uint32_t t = 0; t < cluster.triangleCount; ++t) {
-                    Box box;
-                    for (const std::uint8_t corner : page.triangles[cluster.firstTriangle + t])
-                        box.add(grid.world(page.vertices[cluster.firstVertex + corner].position));
-                    if (box.max.y > ankle && box.min.y < head) mark(box);
-                }
-        }
+        forEachTriangle(model, error, [&](const TriangleCorners& corners) {
+            Box box;
+            for (const glm::dvec3& corner : corners)
+                box.add(corner);
+            box = {box.min - error, box.max + error};
+            if (box.max.y > ankle && box.min.y < head) mark(box);
+        });
     }
 
     glm::dvec3 center(int x, int z) const { return {min_.x + (x + 0.5) * cell_.x, 0, min_.z + (z + 0.5) * cell_.z}; }
@@ -94,6 +140,29 @@ public:
             things += count(at, 6) > 0 ? 1 : 0;
         }
         return things;
+    }
+
+    /// How much there is to see from `at` towards `direction`, from 0 to 1: the fraction of rays, fanned over the view,
+    /// that meet something, times how far off the farthest of that is, of a third of the map.
+    double outlook(const glm::ivec2& at, const glm::dvec2& direction) const {
+        constexpr int kRays = 24;
+        constexpr int kReach = kCells / 3;
+        constexpr double kSpread = 0.5; // tan of the half angle
+        const glm::dvec2 across(-direction.y, direction.x);
+        int met = 0;
+        int farthest = 0;
+        for (int ray = 0; ray < kRays; ++ray) {
+            const double slope = kSpread * (2.0 * ray / (kRays - 1) - 1);
+            const glm::dvec2 step = glm::normalize(direction + slope * across);
+            for (int i = 1; i < kReach; ++i) {
+                const glm::ivec2 cell = glm::ivec2(glm::round(glm::dvec2(at) + static_cast<double>(i) * step));
+                if (count(cell, 0) == 0) continue;
+                ++met;
+                farthest = std::max(farthest, i);
+                break;
+            }
+        }
+        return static_cast<double>(met) / kRays * farthest / kReach;
     }
 
 private:
@@ -128,7 +197,7 @@ CameraPath walk(const hierarchy::ModelFile& model) {
     const double width = std::max(bounds.extent().x, bounds.extent().z);
     const double eyeHeight = width > 20 ? 1.7 : 0.02 * width; // metres where the model is large enough to be in metres
     const double ground = std::max(bounds.min.y, std::min(0.0, bounds.max.y));
-    const WalkMap map(model, ground + 0.2 * eyeHeight, ground + 1.2 * eyeHeight);
+    const WalkMap map(model, ground + 0.2 * eyeHeight, ground + 1.2 * eyeHeight, 0.05 * eyeHeight);
     Random random(1);
     const auto cell = [&] { return static_cast<int>(random.below(kCells)); };
     double best = 0;
@@ -139,8 +208,10 @@ CameraPath walk(const hierarchy::ModelFile& model) {
         const double length = glm::length(glm::dvec2(b - a));
         if (length < kCells / 16.0 || length > kCells / 3.0) continue;
         const auto things = map.thingsBeside(a, b);
-        if (things && *things + 0.1 * length > best) {
-            best = *things + 0.1 * length;
+        if (!things || *things + 0.1 * length <= best) continue; // the outlook takes longest and is at most 1
+        const double score = (*things + 0.1 * length) * map.outlook(b, glm::dvec2(b - a) / length);
+        if (score > best) {
+            best = score;
             way = {a, b};
         }
     }
@@ -158,7 +229,7 @@ CameraPath suitedPath(const hierarchy::ModelFile& model, const std::string& kind
     const Box& bounds = model.summary().bounds;
     if (kind == "orbit") return orbit(bounds);
     if (kind == "flyby") return flyby(bounds);
-    if (kind == "approach") return approach(bounds);
+    if (kind == "approach") return approach(model);
     return walk(model);
 }
 

@@ -9,8 +9,10 @@
 namespace gnomon::app {
 
 /// A path of kind "walk", "orbit", "flyby" or "approach"; y is up, twelve seconds.
-/// A walk goes straight, at eye height, along the longest way that is free of geometry between ankle and head and
-/// passes closest to things. Throws Error if the model has no free way.
+/// An approach ends a thousandth of the way before the surface. A walk goes straight, at eye height, along the longest
+/// way that is free of geometry between ankle and head and passes closest to things and has much to see to its
+/// end, near and far.
+/// Throws Error if the model has no free way.
 CameraPath suitedPath(const hierarchy::ModelFile& model, const std::string& kind);
 
 } // namespace gnomon::app

@@ -197,7 +197,7 @@ void PageStore::requestKept() {
     std::vector<std::uint32_t> requests;
     for (const std::uint32_t page : asked_) {
         Entry& entry = entries_[page];
-        if (!entry.isKept || entry.isInFlight || entry.content) continue;
+        if (!entry.isKept || entry.isInFlight || entry.isDamaged || entry.content) continue;
         if (!makeRoom(entry.bytes)) break;
         hold(page);
         requests.push_back(page);

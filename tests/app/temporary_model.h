@@ -1,0 +1,36 @@
+// A tiny model in a file of its own, as the subcommands open it.
+#pragma once
+
+#include "hierarchy/tiny_model.h"
+
+#include <filesystem>
+#include <string>
+
+#include <unistd.h>
+
+namespace gnomon::tests {
+
+/// A model file that lives as long as this.
+class TemporaryModel {
+public:
+    explicit TemporaryModel(const TinyModelOptions& options, const std::string& name = "model")
+        : path_((std::filesystem::temp_directory_path() /
+                 ("gnomon_app_test_" + std::to_string(::getpid()) + "_" + name + ".gnm"))
+                    .string()) {
+        writeModel(makeTinyModel(options), path_);
+    }
+
+    ~TemporaryModel() { std::filesystem::remove(path_); }
+
+    TemporaryModel(const TemporaryModel&) = delete;
+    TemporaryModel& operator=(const TemporaryModel&) = delete;
+    TemporaryModel(TemporaryModel&&) = delete;
+    TemporaryModel& operator=(TemporaryModel&&) = delete;
+
+    const std::string& path() const { return path_; }
+
+private:
+    std::string path_;
+};
+
+} // namespace gnomon::tests

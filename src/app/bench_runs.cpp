@@ -24,11 +24,6 @@ std::string columnName(const std::string& flag) {
     return name;
 }
 
-void addToName(BenchRun& run, const std::string& flag, const std::string& value) {
-    run.name += (run.name.empty() ? "" : "/") + columnName(flag) + ":" + value;
-    run.options += (run.options.empty() ? "" : " ") + flag + " " + value;
-}
-
 std::vector<std::uint8_t> pngOf(const render::Picture& picture) {
     const std::string path =
         (std::filesystem::temp_directory_path() / ("gnomon_bench_" + std::to_string(::getpid()) + ".png")).string();
@@ -151,27 +146,39 @@ private:
 
 } // namespace
 
+std::vector<BenchRun> named(const std::vector<SweptSettings>& settings) {
+    std::vector<BenchRun> runs;
+    runs.reserve(settings.size());
+    const SweptSettings defaults;
+    for (const SweptSettings& each : settings) {
+        BenchRun run{{}, each, {}};
+        for (const SweptOption& option : sweptOptions()) {
+            const std::string& value = each.*option.value;
+            const bool varies = std::any_of(
+                settings.begin(), settings.end(), [&](const auto& other) { return other.*option.value != value; });
+            if (varies) run.name += (run.name.empty() ? "" : "/") + columnName(option.flag) + ":" + value;
+            if (varies || value != defaults.*option.value)
+                run.options += (run.options.empty() ? "" : " ") + std::string(option.flag) + " " + value;
+        }
+        if (run.name.empty()) run.name = "run";
+        runs.push_back(run);
+    }
+    return runs;
+}
+
 std::vector<BenchRun> combinations(const SweptSettings& lists, const std::string& shadowMaps) {
-    std::vector<BenchRun> runs(1);
-    const auto sweep = [&](const char* flag, std::string SweptSettings::*value, const std::string& list) {
-        const std::vector<std::string> values = parseList(list);
-        std::vector<BenchRun> extended;
-        for (const BenchRun& run : runs)
-            for (const std::string& each : values) {
-                BenchRun next = run;
-                next.settings.*value = each;
-                if (values.size() > 1) addToName(next, flag, each);
-                extended.push_back(next);
-            }
-        runs = extended;
-    };
+    std::vector<SweptSettings> all(1);
     for (const SweptOption& option : sweptOptions()) {
         const bool isMaps = !shadowMaps.empty() && option.value == &SweptSettings::zPartitions;
-        sweep(option.flag, option.value, isMaps ? shadowMaps : lists.*option.value);
+        std::vector<SweptSettings> extended;
+        for (const SweptSettings& settings : all)
+            for (const std::string& value : parseList(isMaps ? shadowMaps : lists.*option.value)) {
+                extended.push_back(settings);
+                extended.back().*option.value = value;
+            }
+        all = extended;
     }
-    for (BenchRun& run : runs)
-        if (run.name.empty()) run.name = "run";
-    return runs;
+    return named(all);
 }
 
 std::vector<RunResult> walkAll(

@@ -14,9 +14,9 @@ namespace gnomon::app {
 
 /// One combination of settings.
 struct BenchRun {
-    std::string name; // the settings that are swept, "error_pixels:1/z_partitions:4"; "run" where nothing is
+    std::string name; // the settings that vary between runs, "error_pixels:1/z_partitions:4"; "run" where none does
     SweptSettings settings;
-    std::string options; // to paste behind `gnomon render MODEL`
+    std::string options; // to paste behind `gnomon render MODEL`: those that vary and those that are not the default
 };
 
 /// How each run is walked.
@@ -37,6 +37,9 @@ struct RunResult {
     std::vector<std::uint8_t> picture; // PNG; empty unless asked for
     std::vector<std::uint8_t> partitions;
 };
+
+/// One run for each of `settings`, in their order.
+std::vector<BenchRun> named(const std::vector<SweptSettings>& settings);
 
 /// Every combination of the comma-separated lists in `lists`; a non-empty `shadowMaps` list is the number of slices
 /// with faces off. Throws UsageError.

@@ -1,5 +1,6 @@
 #include "app/bench_runs.h"
 #include "app/option_text.h"
+#include "app/report_runs.h"
 #include "core/error.h"
 #include "core/file.h"
 #include "report/accuracy_cost.h"
@@ -208,7 +209,8 @@ void runBench(BenchOptions options) {
     }
     options.walk.repetitions = options.repetitions.value_or(options.report.empty() ? 1 : 3);
     options.walk.keepsPictures = !options.report.empty() || !options.images.empty();
-    const std::vector<BenchRun> runs = combinations(options.view.swept, options.shadowMaps);
+    std::vector<BenchRun> runs = combinations(options.view.swept, options.shadowMaps);
+    if (runs.size() == 1 && !options.report.empty()) runs = reportRuns(runs.front().settings, options.isQuick);
     for (const BenchRun& run : runs)
         qualityOf(options.view, run.settings); // a contradiction in the last run must not cost the first one's time
     const CameraPath path = readCameraPath(options.path);
@@ -268,7 +270,10 @@ void addBenchCommand(CLI::App& program) {
     command->add_option("--csv", options->csv, "Write a row per frame here");
     command->add_option("--json-file", options->json, "Write the runs here, shaped like Google Benchmark's JSON");
     command->add_option("--images", options->images, "Write each run's middle frame into this folder");
-    command->add_option("--report", options->report, "Write a page into this folder: what accuracy costs in time");
+    command->add_option(
+        "--report",
+        options->report,
+        "Write a page into this folder: what accuracy costs in time; where nothing is swept, a standard set of runs");
     command->add_option(
         "--budget-ms", options->budgetMs, "Print the most accurate setting whose median, and its noise, is under this");
     command->add_option("--baseline", options->baseline, "Compare with the --json-file of an earlier bench");

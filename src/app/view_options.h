@@ -22,6 +22,8 @@ struct SweptSettings {
     std::string shadowTexels = "2048x2048";
     std::string errorPixels = "1";
     std::string filter = "0";
+
+    bool operator==(const SweptSettings&) const = default;
 };
 
 /// One of them: its option, its help and its place.

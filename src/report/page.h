@@ -10,7 +10,7 @@
 
 namespace gnomon::report {
 
-/// A picture of one run: `kind` is one of picture, texels, aliasing, difference, reference.
+/// A picture of one run: `kind` is one of picture, reference, difference, texels, aliasing, partitions.
 struct Picture {
     std::string run; // RunSummary::name
     std::string kind;

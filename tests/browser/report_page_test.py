@@ -17,6 +17,17 @@ BLANK = """const c = document.querySelector(arguments[0]);
 const empty = Object.assign(document.createElement('canvas'), { width: c.width, height: c.height });
 return c.toDataURL() === empty.toDataURL();"""
 
+TABLE = """const table = document.querySelector('#table');
+const texts = (row) => [...row.cells].map((cell) => cell.textContent);
+return [texts(table.tHead.rows[0]), [...table.tBodies[0].rows].map((row) => ({ cells: texts(row), front: row.className === 'front' }))];"""
+CLICK_POINT = """const chart = Chart.getChart('error-time');
+const set = chart.data.datasets.length - 1;
+const index = chart.data.datasets[set].data.findIndex((point) => point.run.name === arguments[0]);
+const { x, y } = chart.getDatasetMeta(set).data[index].getProps(['x', 'y'], true);
+const box = chart.canvas.getBoundingClientRect();
+const at = { clientX: box.left + x, clientY: box.top + y, bubbles: true };
+chart.canvas.dispatchEvent(new MouseEvent('click', at));"""
+
 
 class ReportPage(unittest.TestCase):
     @classmethod
@@ -82,6 +93,31 @@ class ReportPage(unittest.TestCase):
             self.skipTest("this page has no pictures")
         self.browser.run(SET, "#slider", "20", "input")
         self.assertIn("80%", self.browser.run("return document.querySelector('#left-image').style.clipPath"))
+
+    def test_a_click_on_a_point_shows_its_pictures(self):
+        pictured = {(p["run"], p["kind"]) for p in self.data["pictures"]}
+        runs = [i for i, r in enumerate(self.data["runs"]) if {(r["name"], "picture"), (r["name"], "reference")} <= pictured]
+        if not runs:
+            self.skipTest("this page has no references")
+        name = self.data["runs"][runs[-1]]["name"]
+        self.browser.run(CLICK_POINT, name)
+        chosen = lambda side: self.browser.run("return document.querySelector(arguments[0]).selectedOptions[0].text", f"#{side}-picture")
+        self.assertEqual(f"{name}: picture", chosen("left"))
+        self.assertEqual(f"{name}: reference", chosen("right"))
+
+    def test_no_row_of_the_table_dominates_a_row_of_the_front(self):
+        head, rows = self.browser.run(TABLE)
+        kind = self.browser.run("return document.querySelector('#error-kind').value")
+        time, error = head.index("p50 ms"), head.index(kind)
+        points = [(float(r["cells"][time]), float(r["cells"][error]), r["front"]) for r in rows if r["cells"][error]]
+        for x, y, _ in filter(lambda p: p[2], points):
+            self.assertFalse([p for p in points if p[0] <= x and p[1] <= y and (p[0] < x or p[1] < y)], (x, y))
+
+    def test_no_run_measures_more_than_it_promises(self):
+        for run in self.data["runs"]:
+            errors = run["errors"]
+            if "measured_aliasing" in errors and run["promise_kept"]:
+                self.assertLessEqual(errors["measured_aliasing"], errors["promised_aliasing"] * 1.001, run["name"])
 
 
 if __name__ == "__main__":

@@ -34,6 +34,8 @@ Report exampleReport() {
         report.storage.push_back({"ZP + W", maps, 1000.0 / maps});
     }
     report.pictures.push_back({"maps 1", "picture", {0x89, 'P', 'N', 'G'}});
+    report.pictures.push_back({"maps 4", "picture", {0x89, 'P', 'N', 'G', 4}});
+    report.pictures.push_back({"maps 4", "reference", {0x89, 'P', 'N', 'G', 5}});
     return report;
 }
 

@@ -27,6 +27,7 @@ function scatter(id, xTitle, yTitle, datasets, logarithmic = {}) {
     type: "scatter",
     data: { datasets },
     options: {
+      onClick: (event, items, chart) => items.length && lookAt(chart.data.datasets[items[0].datasetIndex].data[items[0].index].run),
       scales: { x: axis(xTitle, logarithmic.x), y: axis(yTitle, logarithmic.y) },
       plugins: { tooltip: { callbacks: { label: (item) => item.raw.run ? describe(item.raw.run) : `${figures(item.raw.x)}, ${figures(item.raw.y)}` } } },
     },
@@ -150,6 +151,16 @@ function drawPath() {
       scales: { x: { title: { display: true, text: "frame" } }, y: { title: { display: true, text: "ms" }, beginAtZero: true } },
     },
   });
+}
+
+/// Shows the picture of a run on the left and what it should be on the right, where the page holds them.
+function lookAt(run) {
+  const place = (kind) => data.pictures.findIndex((picture) => run && picture.run === run.name && picture.kind === kind);
+  for (const [side, index] of [["left", place("picture")], ["right", place("reference")]]) {
+    if (index < 0) continue;
+    element(`${side}-picture`).value = index;
+    element(`${side}-picture`).dispatchEvent(new Event("change"));
+  }
 }
 
 function showPictures() {

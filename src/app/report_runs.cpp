@@ -1,0 +1,63 @@
+#include "app/report_runs.h"
+
+#include <algorithm>
+
+namespace gnomon::app {
+
+namespace {
+
+using Setting = std::string SweptSettings::*;
+
+/// Settings in the order in which they were first asked for.
+class DistinctSettings {
+public:
+    void add(const SweptSettings& settings) {
+        if (std::find(all_.begin(), all_.end(), settings) == all_.end()) all_.push_back(settings);
+    }
+
+    /// `base` with `setting` at each of `values`.
+    void vary(const SweptSettings& base, Setting setting, std::initializer_list<const char*> values) {
+        for (const char* value : values) {
+            SweptSettings settings = base;
+            settings.*setting = value;
+            add(settings);
+        }
+    }
+
+    const std::vector<SweptSettings>& all() const { return all_; }
+
+private:
+    std::vector<SweptSettings> all_;
+};
+
+} // namespace
+
+std::vector<BenchRun> reportRuns(const SweptSettings& base, bool isQuick) {
+    SweptSettings unculled = base;
+    unculled.cullCasters = "off";
+    SweptSettings unwarped = base;
+    unwarped.warp = "none";
+    SweptSettings oneMap = base;
+    oneMap.zPartitions = "1";
+    SweptSettings stable = base;
+    stable.stabilize = "on";
+    DistinctSettings runs;
+    if (isQuick) {
+        runs.vary(base, &SweptSettings::zPartitions, {"1", "2", "4", "8"});
+        runs.vary(base, &SweptSettings::errorPixels, {"2", "4"});
+        runs.add(unculled);
+        runs.add(unwarped);
+        return named(runs.all());
+    }
+    runs.vary(base, &SweptSettings::zPartitions, {"1", "2", "3", "4", "6", "8"});
+    runs.vary(unculled, &SweptSettings::zPartitions, {"1", "2", "4", "8"});
+    runs.vary(base, &SweptSettings::errorPixels, {"0.5", "1", "2", "4", "8"});
+    runs.vary(oneMap, &SweptSettings::warp, {"none", "lspsm", "psm", "tsm", "minimax"});
+    runs.add(unwarped);
+    runs.vary(base, &SweptSettings::shadowTexels, {"1024x1024", "4096x4096"});
+    runs.add(stable);
+    runs.vary(base, &SweptSettings::facePartitions, {"on"});
+    return named(runs.all());
+}
+
+} // namespace gnomon::app

@@ -1,0 +1,13 @@
+// The runs of a report whose command sweeps nothing itself: what a person would compare who chooses a shadow algorithm.
+#pragma once
+
+#include "app/bench_runs.h"
+
+namespace gnomon::app {
+
+/// Runs around `base`, one map first: numbers of maps with casters culled per partition and not, levels of detail,
+/// warps, texels, stabilisation and faces, each varied alone so that its own cost and gain are seen. A quick look takes
+/// a few of each. None repeats another.
+std::vector<BenchRun> reportRuns(const SweptSettings& base, bool isQuick);
+
+} // namespace gnomon::app

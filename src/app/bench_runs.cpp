@@ -123,8 +123,7 @@ public:
 
 private:
     double timeOf(int frame) const {
-        const double fraction = options_.frames > 1 ? static_cast<double>(frame) / (options_.frames - 1) : 0;
-        return path_.keyframes.front().time + path_.duration() * fraction;
+        return frameTime(path_, frame, options_.frames);
     }
 
     telemetry::FrameRow draw(int frame) {

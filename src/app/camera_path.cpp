@@ -92,6 +92,11 @@ Camera cameraAt(const CameraPath& path, double time) {
     return camera;
 }
 
+double frameTime(const CameraPath& path, int frame, int frames) {
+    const double fraction = frames > 1 ? static_cast<double>(frame) / (frames - 1) : 0;
+    return path.keyframes.front().time + path.duration() * fraction;
+}
+
 Camera readCamera(const std::string& path) {
     return cameraOf(readJsonFile(path), path);
 }

@@ -29,6 +29,9 @@ struct CameraPath {
 /// (Catmull and Rom 1974), with one-sided differences at the ends.
 Camera cameraAt(const CameraPath& path, double time);
 
+/// The time of frame `frame` of `frames` that are spread evenly over `path`, both ends included.
+double frameTime(const CameraPath& path, int frame, int frames);
+
 /// Reads one keyframe `{"eye", "target", "up", "fov_y"}`; up and fov_y may be missing. Throws Error with path and
 /// place.
 Camera readCamera(const std::string& path);

@@ -32,6 +32,7 @@ void addPathCommand(CLI::App& program);
 void addRenderCommand(CLI::App& program);
 void addTheoryCommand(CLI::App& program);
 void addVerifyCommand(CLI::App& program);
+void addViewCommand(CLI::App& program);
 
 /// A contradiction between options: exit code 2 with `message`.
 struct UsageError {

@@ -23,6 +23,7 @@ constexpr std::array kCommands{
     AddCommand{gnomon::app::addPathCommand},
     AddCommand{gnomon::app::addRenderCommand},
     AddCommand{gnomon::app::addBenchCommand},
+    AddCommand{gnomon::app::addViewCommand},
     AddCommand{gnomon::app::addTheoryCommand},
 };
 

@@ -14,7 +14,6 @@ namespace gnomon::app {
 namespace {
 
 constexpr double kRadiansPerDegree = std::numbers::pi / 180;
-constexpr int kMaxSlices = 12; // with five faces each, the tree is asked for at most 60 caster volumes at once
 
 constexpr std::array kSweptOptions{
     SweptOption{

@@ -20,7 +20,7 @@ std::string lastError() {
 class Window::Glfw final : public NativeContext {
 public:
     Glfw(const std::string& title, int width, int height) {
-        if (glfwInit() != GLFW_TRUE) throw Error("no display to open a window on (" + lastError() + ")");
+        if (glfwInit() != GLFW_TRUE) throw NoDisplay("no display to open a window on (" + lastError() + ")");
         glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
         glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
         glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);

@@ -1,0 +1,12 @@
+// The pad on which the light is dragged: the hemisphere of lights, coloured by the storage factor of each.
+#pragma once
+
+#include "app/view/storage_pad.h"
+#include "render/renderer.h"
+
+namespace gnomon::app::view {
+
+/// Describes the pad for Dear ImGui; true if `towardsLight` was dragged. `frame` says for which depth range and scheme.
+bool drawLightPad(const render::Frame* frame, const Camera& camera, StoragePad& pad, glm::dvec3& towardsLight);
+
+} // namespace gnomon::app::view

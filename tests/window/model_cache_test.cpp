@@ -1,0 +1,91 @@
+// Meshes that are looked at without a build.
+#include "app/view/model_cache.h"
+#include "core/file.h"
+#include "hierarchy/model_file.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+
+namespace gnomon::app::view {
+namespace {
+
+class ModelCache : public testing::Test {
+protected:
+    void SetUp() override {
+        folder_ = testing::TempDir() + "gnomon_cache_" + testing::UnitTest::GetInstance()->current_test_info()->name();
+        std::filesystem::remove_all(folder_);
+        std::filesystem::create_directories(folder_);
+    }
+
+    void TearDown() override { std::filesystem::remove_all(folder_); }
+
+    std::string file(const std::string& name) const { return folder_ + "/" + name; }
+
+    static void wait(const CacheBuild& build) {
+        for (int i = 0; i < 3000 && !build.isDone(); ++i)
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        ASSERT_TRUE(build.isDone());
+    }
+
+    std::string folder_;
+};
+
+/// A fan of `count` triangles.
+std::string fan(int count) {
+    std::string text = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(count + 2) +
+                       "\nproperty float x\nproperty float y\nproperty float z\nelement face " + std::to_string(count) +
+                       "\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n";
+    for (int i = 0; i <= count; ++i)
+        text += std::to_string(1000 - i) + " " + std::to_string(i) + " " + std::to_string(i * i % 7) + "\n";
+    for (int i = 1; i <= count; ++i)
+        text += "3 0 " + std::to_string(i) + " " + std::to_string(i + 1) + "\n";
+    return text;
+}
+
+TEST_F(ModelCache, IsBesideTheMeshUnderANameOfItsOwn) {
+    EXPECT_EQ(cachePath("a/scan.ply"), "a/scan.ply.gnm");
+    EXPECT_TRUE(isModelPath("a/scan.ply.gnm"));
+    EXPECT_FALSE(isModelPath("a/scan.ply"));
+}
+
+TEST_F(ModelCache, IsBuiltOnceAndAgainWhenTheMeshIsNewer) {
+    const std::string mesh = file("scan.ply");
+    writeTextFile(mesh, fan(400));
+    EXPECT_FALSE(isCacheFresh(mesh));
+    {
+        const CacheBuild build(mesh, gibibytes(1), 1);
+        wait(build);
+        EXPECT_FALSE(build.failure()) << *build.failure();
+        EXPECT_FALSE(build.status().stage.empty());
+    }
+    EXPECT_TRUE(isCacheFresh(mesh));
+    EXPECT_EQ(hierarchy::ModelFile(cachePath(mesh)).summary().sourceTriangles, 400U);
+    const auto built = std::filesystem::last_write_time(cachePath(mesh));
+    std::filesystem::last_write_time(mesh, built + std::chrono::seconds(1));
+    EXPECT_FALSE(isCacheFresh(mesh));
+}
+
+TEST_F(ModelCache, AMeshThatIsNoneFailsWithAReasonAndLeavesNothing) {
+    const std::string mesh = file("broken.ply");
+    writeTextFile(mesh, "ply\nformat ascii 1.0\nelement vertex 3\n");
+    const CacheBuild build(mesh, gibibytes(1), 1);
+    wait(build);
+    ASSERT_TRUE(build.failure());
+    EXPECT_NE(build.failure()->find("broken.ply"), std::string::npos) << *build.failure();
+    EXPECT_FALSE(std::filesystem::exists(cachePath(mesh)));
+}
+
+TEST_F(ModelCache, EndsWithItsOwnerAndLeavesNothingHalfWritten) {
+    const std::string mesh = file("large.ply");
+    writeTextFile(mesh, fan(100000));
+    { const CacheBuild build(mesh, gibibytes(1), 1); }
+    std::size_t files = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_))
+        files += entry.path() == mesh || entry.path() == cachePath(mesh) ? 0 : 1;
+    EXPECT_EQ(files, 0U);
+}
+
+} // namespace
+} // namespace gnomon::app::view

@@ -1,0 +1,111 @@
+// The steps of the keys, the graph's medians, the messages and the words.
+#include "app/view/frame_history.h"
+#include "app/view/messages.h"
+#include "app/view/plan_words.h"
+#include "app/view/view_settings.h"
+#include "app/view_options.h"
+
+#include <gtest/gtest.h>
+
+namespace gnomon::app::view {
+namespace {
+
+TEST(ViewSettings, SchemesStepAroundAndAreWhatTheyAreCalled) {
+    plan::Quality quality;
+    EXPECT_EQ(schemeOf(quality), Scheme::Slices);
+    for (std::size_t i = 0; i < kSchemes.size(); ++i) {
+        const Scheme before = schemeOf(quality);
+        stepScheme(quality, 1);
+        EXPECT_NE(schemeOf(quality), before);
+    }
+    EXPECT_EQ(schemeOf(quality), Scheme::Slices);
+    for (const Scheme scheme : kSchemes) {
+        choose(scheme, quality);
+        EXPECT_EQ(schemeOf(quality), scheme) << name(scheme);
+    }
+}
+
+TEST(ViewSettings, SlicesTexelsAndDetailStayWithinTheirBounds) {
+    plan::Quality quality;
+    for (int i = 0; i < 50; ++i) {
+        stepSlices(quality, 1);
+        stepTexels(quality, 1);
+        stepDetail(quality, 1);
+    }
+    EXPECT_EQ(quality.zPartitions, kMaxSlices);
+    EXPECT_EQ(quality.shadowTexelsWidth, kMostShadowTexels);
+    EXPECT_EQ(quality.shadowTexelsHeight, kMostShadowTexels);
+    EXPECT_EQ(quality.errorPixels, kMostErrorPixels);
+    for (int i = 0; i < 50; ++i) {
+        stepSlices(quality, -1);
+        stepTexels(quality, -1);
+        stepDetail(quality, -1);
+    }
+    EXPECT_EQ(quality.zPartitions, 1);
+    EXPECT_EQ(quality.shadowTexelsWidth, kLeastShadowTexels);
+    EXPECT_EQ(quality.shadowTexelsHeight, kLeastShadowTexels);
+    EXPECT_EQ(quality.errorPixels, kLeastErrorPixels);
+}
+
+TEST(ViewSettings, TexelsDoubleAndHalveAsACount) {
+    plan::Quality quality;
+    stepTexels(quality, 1);
+    EXPECT_EQ(quality.shadowTexelsWidth * quality.shadowTexelsHeight, 2 * 2048 * 2048);
+    stepTexels(quality, -1);
+    EXPECT_EQ(quality.shadowTexelsWidth * quality.shadowTexelsHeight, 2048 * 2048);
+}
+
+TEST(FrameHistory, KeepsTheLastAndTakesTheirMedians) {
+    FrameHistory history(10);
+    for (int i = 0; i < 25; ++i) {
+        StageTimes times{};
+        times[0] = i;
+        history.add(times);
+    }
+    EXPECT_EQ(history.frames().size(), 10U);
+    EXPECT_EQ(history.medians(3)[0], 23);
+    EXPECT_EQ(history.medians(100)[0], 19.5);
+    EXPECT_EQ(FrameHistory(4).medians(30)[0], 0);
+}
+
+TEST(Messages, AreShownForAWhileAndFailuresOnce) {
+    Messages messages;
+    messages.show("warp: none", 0);
+    messages.show("warp: auto", 0.5);
+    ASSERT_EQ(messages.all().size(), 1U);
+    EXPECT_EQ(messages.all()[0].text, "warp: auto");
+    testing::internal::CaptureStderr();
+    messages.fail("broken", 1);
+    messages.fail("broken", 2);
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "gnomon: broken\n");
+    EXPECT_EQ(messages.all().size(), 2U);
+    messages.show("next", 2);
+    EXPECT_EQ(messages.all().size(), 3U); // a failure is not replaced
+    EXPECT_TRUE(messages.expire(10));
+    EXPECT_EQ(messages.all().size(), 1U);
+    EXPECT_TRUE(messages.expire(30));
+    EXPECT_FALSE(messages.expire(31));
+}
+
+TEST(PlanWords, SayWhatIsPlannedAndWhatIsLeftOut) {
+    plan::View view;
+    view.camera = {{0, 2, 30}, {0, 0, 0}, {0, 1, 0}, 1};
+    plan::SceneFacts facts;
+    facts.bounds = {{-10, -2, -10}, {10, 2, 10}};
+    facts.visible = {18, 44, true};
+    const plan::FramePlan plan = plan::planFrame(view, {}, facts);
+    telemetry::FrameRow row;
+    row.promisedAliasingX = 1.25;
+    row.promisedAliasingZ = 2.5;
+    row.storageFactor = 3;
+    std::string all;
+    for (const std::string& line : planInWords(plan, row))
+        all += line + "\n";
+    EXPECT_NE(all.find("4 maps, 4 slices, warp auto"), std::string::npos) << all;
+    EXPECT_NE(all.find("promised aliasing 1.25 across, 2.5 along"), std::string::npos) << all;
+    for (const plan::Omission& omission : plan.omitted)
+        EXPECT_NE(all.find(omission.reason), std::string::npos) << all;
+}
+
+} // namespace
+} // namespace gnomon::app::view

@@ -109,6 +109,8 @@ public:
             row.frame = frame;
             row.timeS = timeOf(frame);
             result_.rows.push_back(row);
+            if (options_.onPicture && repetition == 0)
+                options_.onPicture(result_.run, frame, session_.executor().picture());
             progress.advance(1);
         }
     }
@@ -122,9 +124,7 @@ public:
     }
 
 private:
-    double timeOf(int frame) const {
-        return frameTime(path_, frame, options_.frames);
-    }
+    double timeOf(int frame) const { return frameTime(path_, frame, options_.frames); }
 
     telemetry::FrameRow draw(int frame) {
         view_.camera = cameraAt(path_, timeOf(frame));

@@ -7,6 +7,7 @@
 #include "report/run_summary.h"
 #include "telemetry/frame_row.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,8 @@ struct WalkOptions {
     int warmup = 2;
     bool isRealTime = false;
     bool keepsPictures = false; // of the middle frame, with the partitions beside it
+    /// Gets the picture of every frame of the first repetition, if given.
+    std::function<void(const BenchRun& run, int frame, const render::Picture& picture)> onPicture;
 };
 
 /// What came of one run.

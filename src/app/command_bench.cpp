@@ -31,6 +31,7 @@ struct BenchOptions {
     std::string csv;
     std::string json;
     std::string images;
+    bool hasAllImages = false;
     std::string report;
     std::optional<int> repetitions;
     bool isQuick = false;
@@ -202,6 +203,18 @@ void compareWithBaseline(const BenchOptions& options, const std::vector<report::
     if (!hasCompared) throw Error(options.baseline, "it has none of these runs", summaries.front().name, "other names");
 }
 
+/// Writes each picture under the number of its run.
+auto pictureWriter(const std::string& folder, const std::vector<BenchRun>& runs) {
+    std::filesystem::create_directories(folder);
+    return [&runs, folder](const BenchRun& run, int frame, const render::Picture& picture) {
+        const auto isThis = [&](const BenchRun& other) { return other.name == run.name; };
+        const auto index = std::find_if(runs.begin(), runs.end(), isThis) - runs.begin();
+        std::array<char, 48> name{};
+        std::snprintf(name.data(), name.size(), "run%d_frame%04d.png", static_cast<int>(index), frame);
+        render::writePng((std::filesystem::path(folder) / name.data()).string(), picture);
+    };
+}
+
 void runBench(BenchOptions options) {
     if (options.isQuick) {
         options.walk.frames = std::min(options.walk.frames, 8);
@@ -213,6 +226,7 @@ void runBench(BenchOptions options) {
     if (runs.size() == 1 && !options.report.empty()) runs = reportRuns(runs.front().settings, options.isQuick);
     for (const BenchRun& run : runs)
         qualityOf(options.view, run.settings); // a contradiction in the last run must not cost the first one's time
+    if (options.hasAllImages) options.walk.onPicture = pictureWriter(options.images, runs);
     const CameraPath path = readCameraPath(options.path);
     Session session(options.model, options.view);
     auto context = contextOf(options, session);
@@ -269,7 +283,9 @@ void addBenchCommand(CLI::App& program) {
     command->add_option("--shadow-maps", options->shadowMaps, "A list: --z-partitions of these counts, faces off");
     command->add_option("--csv", options->csv, "Write a row per frame here");
     command->add_option("--json-file", options->json, "Write the runs here, shaped like Google Benchmark's JSON");
-    command->add_option("--images", options->images, "Write each run's middle frame into this folder");
+    CLI::Option* images =
+        command->add_option("--images", options->images, "Write each run's middle frame into this folder");
+    command->add_flag("--all-images", options->hasAllImages, "With --images: every frame of each run")->needs(images);
     command->add_option(
         "--report",
         options->report,

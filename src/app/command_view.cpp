@@ -1,10 +1,30 @@
 #include "app/option_text.h"
+#include "app/view/key_table.h"
 #include "app/view/viewer.h"
 #include "core/error.h"
 
 #include <memory>
 
 namespace gnomon::app {
+
+namespace {
+
+/// The keys and what the mouse does, for the end of the help.
+std::string keysForPeople() {
+    std::string text = "Keys:\n";
+    const auto add = [&](std::string name, const char* help) {
+        name.resize(std::max<std::size_t>(name.size() + 2, 14), ' ');
+        text += "  " + name + help + "\n";
+    };
+    for (const view::Binding& binding : view::bindings())
+        add(binding.keyName, binding.help);
+    text += "Mouse:\n";
+    for (const view::MouseUse& use : view::mouseUses())
+        add(use.gesture, use.help);
+    return text;
+}
+
+} // namespace
 
 void addViewCommand(CLI::App& program) {
     struct Options {
@@ -30,6 +50,7 @@ void addViewCommand(CLI::App& program) {
     addViewOptions(*command, viewer.view);
     addCommonOptions(*command, options->common);
     frames->needs("--path");
+    command->footer(keysForPeople());
     command->callback([options] {
         view::ViewerOptions& chosen = options->viewer;
         if (!options->frames.empty()) chosen.frames = parseWhole("--frames", options->frames, 1, 1000000);

@@ -11,7 +11,8 @@
 
 namespace gnomon::app {
 
-/// The most slices that can be asked for: with five faces each, the tree is asked for at most 60 caster volumes at once.
+/// The most slices that can be asked for: with five faces each, the tree is asked for at most 60 caster volumes at
+/// once.
 constexpr int kMaxSlices = 12;
 
 /// The settings that a bench sweeps, as they are written. One value each here, lists in a bench.

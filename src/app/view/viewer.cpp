@@ -9,6 +9,7 @@
 #include "app/view/path_recorder.h"
 #include "app/view/saved_files.h"
 #include "gl/window.h"
+#include "telemetry/process_clock.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -69,7 +70,7 @@ private:
     void advance(double seconds);
     void waitForEvents();
     bool isIdle() const;
-    void drawFrame();
+    bool drawFrame(); // whether the scene was drawn
     void drawScene(const glm::ivec2& size);
     void afterScene(const Shot& shot);
     void drawWindow(const glm::ivec2& size);
@@ -160,8 +161,7 @@ void Viewer::run() {
         watchBuild();
         watchFile();
         if (messages_.expire(now())) uiFrames_ = kUiFrames;
-        drawFrame();
-        if (!isIdle()) advance(now() - lastFrame_);
+        if (drawFrame()) advance(now() - lastFrame_);
     }
     if (log_) log_->finish();
 }
@@ -476,11 +476,11 @@ Shot Viewer::shot(const glm::ivec2& size) const {
     return shot;
 }
 
-void Viewer::drawFrame() {
+bool Viewer::drawFrame() {
     const glm::ivec2 size = framebufferSize();
     if (size.x < 1 || size.y < 1) { // minimised
         glfwWaitEventsTimeout(kIdleSeconds);
-        return;
+        return false;
     }
     const render::Frame* frame = scene_ ? scene_->frame() : nullptr;
     if (frame != nullptr && (frame->plan.view.width != size.x || frame->plan.view.height != size.y)) touch();
@@ -488,6 +488,7 @@ void Viewer::drawFrame() {
     if (drawsScene) drawScene(size);
     if (drawsScene || uiFrames_ > 0) drawWindow(size);
     if (uiFrames_ > 0) --uiFrames_;
+    return drawsScene;
 }
 
 void Viewer::drawScene(const glm::ivec2& size) {
@@ -517,6 +518,7 @@ void Viewer::afterScene(const Shot& shot) {
     row.run = "view";
     row.frame = frameCount_++;
     row.timeS = now();
+    row.sinceStartMs = telemetry::sinceProcessStart().count;
     if (log_) log_->add(row);
     if (recorder_) recorder_->add(now(), shot.seenBy());
     if (player_ && !options_.images.empty())

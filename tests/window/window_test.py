@@ -1,0 +1,409 @@
+"""Drives `gnomon view` under Xvfb with xdotool: every key of its help, the mouse, sizes, recording, playing, messages.
+
+usage: window_test.py GNOMON [--keep FOLDER] [--minutes N MODEL]
+
+--keep leaves the pictures of the session in FOLDER, to be looked at. --minutes walks MODEL for so long instead, and
+checks that memory is flat after the first minute and that the caps hold.
+"""
+import argparse
+import csv
+import ctypes
+import filecmp
+import itertools
+import json
+import os
+import pathlib
+import random
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+
+PATIENCE = 240  # seconds for anything to happen: sanitizers on software OpenGL are slow
+SUPPRESSIONS = pathlib.Path(__file__).resolve().parent.parent / "sanitizers" / "lsan.supp"
+
+
+class Display:
+    """An X server of one's own, without a window manager."""
+
+    def __init__(self, dots_per_inch=None):
+        read, write = os.pipe()
+        self.server = subprocess.Popen(
+            ["Xvfb", "-displayfd", str(write), "-screen", "0", "4200x3200x24", "-nolisten", "tcp", "-noreset"],
+            pass_fds=[write], stderr=subprocess.DEVNULL)
+        os.close(write)
+        with os.fdopen(read) as answer:
+            self.name = ":" + answer.readline().strip()
+        self.environment = dict(os.environ, DISPLAY=self.name)
+        self.environment["LSAN_OPTIONS"] = f"suppressions={SUPPRESSIONS}:print_suppressions=0"
+        if dots_per_inch:
+            self._set_resources(f"Xft.dpi:\t{dots_per_inch}\n")
+
+    def _set_resources(self, text):
+        """What `xrdb` does: GLFW reads the scale of the screen there."""
+        x = ctypes.CDLL("libX11.so.6")
+        x.XOpenDisplay.restype = ctypes.c_void_p
+        x.XDefaultRootWindow.argtypes = [ctypes.c_void_p]
+        x.XDefaultRootWindow.restype = ctypes.c_ulong
+        x.XChangeProperty.argtypes = [ctypes.c_void_p, ctypes.c_ulong, ctypes.c_ulong, ctypes.c_ulong, ctypes.c_int,
+                                      ctypes.c_int, ctypes.c_char_p, ctypes.c_int]
+        x.XCloseDisplay.argtypes = [ctypes.c_void_p]
+        display = x.XOpenDisplay(self.name.encode())
+        resource_manager, string = 23, 31  # atoms that every server has
+        x.XChangeProperty(display, x.XDefaultRootWindow(display), resource_manager, string, 8, 0, text.encode(),
+                          len(text))
+        x.XCloseDisplay(display)
+
+    def do(self, *words):
+        return subprocess.run(["xdotool", *map(str, words)], env=self.environment, check=True, capture_output=True,
+                              text=True).stdout
+
+    def close(self):
+        self.server.terminate()
+        self.server.wait()
+
+
+class Session:
+    """One `gnomon view`. What it says on stderr is what it shows as messages."""
+
+    def __init__(self, display, program, folder, *arguments):
+        self.display = display
+        self.folder = pathlib.Path(folder)
+        self.lines = []
+        self.heard = threading.Condition()
+        self.started = time.monotonic()
+        self.process = subprocess.Popen([program, "view", *map(str, arguments)], cwd=folder, env=display.environment,
+                                        stderr=subprocess.PIPE, text=True)
+        threading.Thread(target=self._listen, daemon=True).start()
+        self.window = self._find_window()
+        display.do("mousemove", 400, 400)
+
+    def _listen(self):
+        for line in self.process.stderr:
+            with self.heard:
+                self.lines.append(line.rstrip())
+                self.heard.notify_all()
+
+    def _find_window(self):
+        end = time.monotonic() + PATIENCE
+        while time.monotonic() < end and self.process.poll() is None:
+            found = subprocess.run(["xdotool", "search", "--onlyvisible", "--pid", str(self.process.pid)],
+                                   env=self.display.environment, capture_output=True, text=True).stdout.split()
+            if found:
+                return found[0]
+            time.sleep(0.05)
+        raise AssertionError(f"no window: {self.lines}")
+
+    def expect(self, pattern, since=0):
+        """The match of the first line from number `since` on that holds `pattern`."""
+        end = time.monotonic() + PATIENCE
+        with self.heard:
+            while True:
+                for line in self.lines[since:]:
+                    found = re.search(pattern, line)
+                    if found:
+                        return found
+                if self.process.poll() is not None or time.monotonic() > end:
+                    raise AssertionError(f"no line with {pattern!r} in {self.lines}")
+                self.heard.wait(0.2)
+
+    def press(self, *keys):
+        self.display.do("key", "--delay", 20, *keys)
+
+    def shot(self, key="F12"):
+        """Presses `key`; its file tells that all that was pressed before has been seen, too."""
+        since = len(self.lines)
+        self.press(key)
+        return self.folder / self.expect(r"saved (\S+\.png)", since).group(1)
+
+    def drag(self, button, dx, dy, *held):
+        self.display.do("mousemove", 400, 500)
+        for key in held:
+            self.display.do("keydown", key)
+        self.display.do("mousedown", button)
+        for step in range(1, 6):
+            self.display.do("mousemove", 400 + dx * step // 5, 500 + dy * step // 5)
+        self.display.do("mouseup", button)
+        for key in held:
+            self.display.do("keyup", key)
+
+    def leave(self):
+        self.press("Escape")
+        try:
+            code = self.process.wait(PATIENCE)
+        except subprocess.TimeoutExpired:
+            self.process.kill()
+            raise
+        assert code == 0, f"exit {code}: {self.lines}"
+
+    def complaints(self):
+        return [line for line in self.lines if not re.match(r"gnomon: (saved|built|path:|\S+: the model is back)", line)]
+
+
+def keys_of_help(program):
+    """The keys that `gnomon view --help` lists, as xdotool calls them."""
+    text = subprocess.run([program, "view", "--help"], check=True, capture_output=True, text=True).stdout
+    names = re.findall(r"^  (\S+) {2,}", text[text.index("Keys:"):], re.MULTILINE)
+    translated = {"]": "bracketright", "[": "bracketleft", ".": "period", ",": "comma", "Space": "space",
+                  "Esc": "Escape"}
+    keys = []
+    for name in names:
+        modifier, _, key = name.rpartition("+")
+        key = translated.get(key, key.lower() if len(key) == 1 else key)
+        keys.append(f"shift+{key}" if modifier else key)
+    assert len(keys) > 40, keys
+    return keys
+
+
+def rows_of(path):
+    with open(path, newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def size_of(png):
+    header = png.read_bytes()[:24]
+    return int.from_bytes(header[16:20], "big"), int.from_bytes(header[20:24], "big")
+
+
+def make_model(program, folder, triangles="100k", kind="statue"):
+    mesh = pathlib.Path(folder) / f"{kind}.ply"
+    subprocess.run([program, "make", kind, "--triangles", triangles, "--seed", "1", "-o", mesh], check=True,
+                   capture_output=True)
+    model = mesh.with_suffix(".gnm")
+    subprocess.run([program, "build", mesh, "-o", model], check=True, capture_output=True)
+    return mesh, model
+
+
+def check_without_display(program, folder, model):
+    environment = {key: value for key, value in os.environ.items() if key not in ("DISPLAY", "WAYLAND_DISPLAY")}
+
+    def run(*arguments):
+        return subprocess.run([program, "view", *arguments], cwd=folder, env=environment, capture_output=True, text=True)
+
+    alone = run(model)
+    assert alone.returncode == 1, alone
+    assert len(alone.stderr.splitlines()) == 1 and "gnomon render" in alone.stderr, alone.stderr
+    for wrong in (["--z-partitions", "0"], ["--backend", "egl"], ["--frames", "3"], ["--target-ms", "-1"]):
+        assert run(model, *wrong).returncode == 2, wrong
+
+
+def check_every_key(display, program, folder, model):
+    session = Session(display, program, folder, model, "--csv", "keys.csv")
+    first = session.shot()
+    for key in keys_of_help(program):
+        if key in ("Escape", "r", "p"):
+            continue  # below
+        session.press(key)
+        session.shot()
+        assert session.process.poll() is None, f"{key}: {session.lines}"
+    session.press("F1", "Home")
+    session.shot("shift+F12")
+    session.leave()
+    assert session.complaints() == [], session.complaints()
+    rows = rows_of(session.folder / "keys.csv")
+    print(f"  first picture {float(rows[0]['since_start_ms']) / 1000:.2f} s after the start")
+    for column, least in {"scheme": 4, "warp": 2, "z_partitions": 2, "face_partitions": 2, "shadow_texels": 2,
+                          "error_pixels": 2, "cull_casters": 2, "stabilize": 2, "filter": 2}.items():
+        seen = {row[column] for row in rows}
+        assert len(seen) >= least, f"{column}: {seen}"
+    return first
+
+
+def changed(a, b):
+    return not filecmp.cmp(a, b, shallow=False)
+
+
+def check_mouse(display, program, folder, model):
+    session = Session(display, program, folder, model)
+    time.sleep(1)
+    pictures = [session.shot()]
+    for act in (lambda: session.drag(1, 150, 40), lambda: session.drag(1, 150, 40, "alt"),
+                lambda: session.drag(2, 80, 30), lambda: session.drag(3, 200, -60),
+                lambda: (display.do("click", 4), session.press("w", "w"))):
+        act()
+        pictures.append(session.shot())
+        assert changed(pictures[-2], pictures[-1]), len(pictures)
+    # The panel's light pad: what is dragged there is the light, not the camera.
+    session.press("Tab")
+    session.shot()
+    session.press("Tab")
+    # A key that is down when the window goes away does not stay down.
+    display.do("keydown", "w")
+    display.do("windowunmap", session.window)
+    display.do("keyup", "w")
+    time.sleep(0.5)
+    display.do("windowmap", "--sync", session.window)
+    session.shot()
+    session.leave()
+    assert session.complaints() == [], session.complaints()
+
+
+def check_sizes(display, program, folder, model):
+    session = Session(display, program, folder, model)
+    for width, height in ((1, 1), (4000, 3000), (1, 700), (300, 200), (800, 800)):
+        display.do("windowsize", "--sync", session.window, width, height)
+        display.do("mousemove", min(400, width // 2), min(400, height // 2))
+        end = time.monotonic() + PATIENCE
+        while size_of(session.shot()) != (width, height):
+            assert time.monotonic() < end, (width, height)
+        session.shot("shift+F12")
+    session.leave()
+    assert session.complaints() == [], session.complaints()
+
+
+def check_paths(display, program, folder, model):
+    """A path recorded by hand, played in the window at a fixed step and by the bench: the same pictures."""
+    session = Session(display, program, folder, model)
+    session.shot()
+    session.press("r")
+    for key in ("w", "d", "e"):
+        display.do("keydown", key)
+        time.sleep(0.6)
+        display.do("keyup", key)
+    since = len(session.lines)
+    session.press("r")
+    path = session.folder / session.expect(r"saved (\S+\.json)", since).group(1)
+    session.press("p")
+    session.expect("path: played to its end", since)
+    session.leave()
+    assert session.complaints() == [], session.complaints()
+    keyframes = json.loads(path.read_text())["keyframes"]
+    assert len(keyframes) > 3 and keyframes[0]["eye"] != keyframes[-1]["eye"]
+
+    for name, options in (("plain", []), ("faces", ["--face-partitions", "on", "--z-partitions", "2"])):
+        common = [model, "--path", path, "--frames", "7", "--size", "500x400", "--backend", "software", *options]
+        session = Session(display, program, folder, *common, "--images", f"window_{name}")
+        session.expect("path: played to its end")
+        session.leave()
+        subprocess.run([program, "bench", *common, "--images", f"bench_{name}", "--all-images"], cwd=folder, check=True,
+                       capture_output=True)
+        for frame in range(7):
+            ours = session.folder / f"window_{name}" / f"frame{frame:04}.png"
+            bench = session.folder / f"bench_{name}" / f"run0_frame{frame:04}.png"
+            assert not changed(ours, bench), ours
+
+
+def check_files(display, program, folder, mesh, model):
+    """A mesh is built into a cache and shown; what is damaged or vanishes is told in the window."""
+    session = Session(display, program, folder, mesh)
+    session.expect(r"built \S+\.ply\.gnm")
+    session.shot()
+    session.leave()
+    session = Session(display, program, folder, mesh)  # now from the cache
+    session.shot()
+    session.leave()
+    assert session.complaints() == [] and not any("built" in line for line in session.lines), session.lines
+
+    copy = session.folder / "copy.gnm"
+    shutil.copy(model, copy)
+    session = Session(display, program, folder, copy)
+    session.shot()
+    copy.unlink()
+    session.expect("has vanished")
+    session.press("w")
+    session.shot()
+    session.press("F9")
+    session.expect("copy.gnm: .*(cannot be opened|No such file)")
+    session.shot("shift+F12")
+    shutil.copy(model, copy)
+    session.expect("has changed on disk|is back")
+    session.press("F9")
+    session.shot()
+    session.leave()
+
+    broken = session.folder / "broken.ply"
+    broken.write_text("ply\nformat ascii 1.0\nelement vertex 5\n")
+    session = Session(display, program, folder, broken)
+    session.expect("broken.ply")
+    session.press("h", "Tab", "w", "space", "F12", "r", "p", "v")
+    time.sleep(0.5)
+    session.leave()
+
+
+def check_scaled_screen(program, folder, model):
+    display = Display(dots_per_inch=192)
+    try:
+        session = Session(display, program, folder, model)
+        session.press("Tab")
+        session.shot()
+        picture = session.shot("shift+F12")
+        session.leave()
+        assert session.complaints() == [], session.complaints()
+        shutil.copy(picture, session.folder / "scaled_screen.png")
+    finally:
+        display.close()
+
+
+def resident_kib(process):
+    status = pathlib.Path(f"/proc/{process.pid}/status").read_text()
+    return int(re.search(r"VmRSS:\s+(\d+)", status).group(1))
+
+
+def check_long_walk(display, program, folder, model, minutes):
+    """Walks about by seeded keys; memory must be flat after the first minute."""
+    generator = random.Random(1)
+    memory = 256 << 20
+    session = Session(display, program, folder, model, "--csv", "walk.csv", "--memory", str(memory))
+    sizes = []
+    start = time.monotonic()
+    for step in itertools.count():
+        if time.monotonic() - start > 60 * minutes:
+            break
+        key = generator.choice(["w", "w", "w", "a", "d", "q", "e", "s"])
+        display.do("keydown", key)
+        session.drag(1, generator.randint(-80, 80), generator.randint(-30, 30))
+        time.sleep(generator.uniform(0.2, 1))
+        display.do("keyup", key)
+        if step % 15 == 14:
+            session.press(generator.choice(["1", "3", "Home", "space", "n", "x", "bracketright", "bracketleft"]))
+        sizes.append((time.monotonic() - start, resident_kib(session.process)))
+    session.leave()
+    rows = rows_of(session.folder / "walk.csv")
+    most = max(int(row["resident_bytes"]) for row in rows)
+    early = max(kib for at, kib in sizes if at <= 60)
+    late = max(kib for at, kib in sizes if at > 60)
+    print(f"  {len(rows)} frames, resident size at most {early / 1024:.0f} MiB in the first minute and "
+          f"{late / 1024:.0f} MiB after it, pages at most {most / 2**20:.0f} MiB of {memory / 2**20:.0f}")
+    assert most <= memory
+    assert late <= early * 1.15 + 20 * 1024, (early, late)
+    assert session.complaints() == [], session.complaints()
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("program")
+    parser.add_argument("--keep", type=pathlib.Path)
+    parser.add_argument("--minutes", nargs=2, metavar=("N", "MODEL"))
+    options = parser.parse_args()
+    program = str(pathlib.Path(options.program).resolve())
+    folder = tempfile.mkdtemp(prefix="gnomon_window_")
+    display = Display()
+    try:
+        if options.minutes:
+            model = pathlib.Path(options.minutes[1]).resolve()
+            return check_long_walk(display, program, folder, model, float(options.minutes[0]))
+        mesh, model = make_model(program, folder)
+        for name, check in {
+            "without a display": lambda: check_without_display(program, folder, model),
+            "every key of the help": lambda: check_every_key(display, program, folder, model),
+            "the mouse": lambda: check_mouse(display, program, folder, model),
+            "sizes from 1x1 to 4000x3000": lambda: check_sizes(display, program, folder, model),
+            "paths": lambda: check_paths(display, program, folder, model),
+            "files": lambda: check_files(display, program, folder, mesh, model),
+            "a screen of twice the dots": lambda: check_scaled_screen(program, folder, model),
+        }.items():
+            print(f"window: {name}", flush=True)
+            check()
+    finally:
+        display.close()
+        if options.keep:
+            shutil.copytree(folder, options.keep, dirs_exist_ok=True)
+        shutil.rmtree(folder)
+    print("window: all passed")
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -7,6 +7,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 
@@ -82,6 +83,8 @@ constexpr std::uint32_t visibleTriangle(std::uint64_t word) {
 /// Viewports and targets reach at most this far.
 constexpr int kMaxTargetSide = 16384;
 
+using TileVisitor = std::function<void(const PixelBox&)>;
+
 /// Draws passes; keeps its working memory from one to the next. Both sides of a triangle are drawn. Positions are
 /// snapped to 1/256 pixel, edges are exact, and a pixel centre on an edge belongs to one of its sides (left and lowest
 /// edges are inside), so a mesh has no hole and no pixel covered twice. The result does not depend on the number of
@@ -102,8 +105,13 @@ public:
     void drawDepth(std::span<const Cluster> clusters, const View& view, const DepthTarget& target);
 
     /// The triangle of largest depth of each pixel of the viewport (depth reversed: 1 at the near plane, 0 at the far
-    /// end), cut at depths 0 and 1. Pixels outside the viewport are left alone.
-    void drawVisibility(std::span<const Cluster> clusters, const View& view, const VisibilityTarget& target);
+    /// end), cut at depths 0 and 1. Pixels outside the viewport are left alone. `onTile` is told of each part of the
+    /// viewport once its words are in the target, from the thread that drew it, while others still draw.
+    void drawVisibility(
+        std::span<const Cluster> clusters,
+        const View& view,
+        const VisibilityTarget& target,
+        const TileVisitor& onTile = {});
 
 private:
     struct Memory;

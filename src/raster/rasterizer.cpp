@@ -170,7 +170,7 @@ struct Rasterizer::Memory {
     void binClusters(const PixelBox& viewport, int side);
 
     template <class Kind>
-    void drawTiles(typename Kind::Pixel* target, int width);
+    void drawTiles(typename Kind::Pixel* target, int width, const TileVisitor& onTile);
 
     template <class Kind>
     void draw(
@@ -178,7 +178,8 @@ struct Rasterizer::Memory {
         const Projection& projection,
         const PixelBox& viewport,
         typename Kind::Pixel* target,
-        int width);
+        int width,
+        const TileVisitor& onTile);
 };
 
 /// First step: every vertex once.
@@ -241,7 +242,7 @@ void Rasterizer::Memory::binClusters(const PixelBox& viewport, int side) {
 
 /// Last step: each tile in a thread's own memory, then once over the target.
 template <class Kind>
-void Rasterizer::Memory::drawTiles(typename Kind::Pixel* target, int width) {
+void Rasterizer::Memory::drawTiles(typename Kind::Pixel* target, int width, const TileVisitor& onTile) {
     std::atomic<std::size_t> next = 0;
     const auto drawRemaining = [&](int /*worker*/) {
         typename Kind::Pixel* pixels = tiles.local().pixels(typename Kind::Pixel{});
@@ -257,6 +258,7 @@ void Rasterizer::Memory::drawTiles(typename Kind::Pixel* target, int width) {
                     tile.box.width(),
                     target + static_cast<std::size_t>(tile.box.y0 + row) * static_cast<std::size_t>(width) +
                         tile.box.x0);
+            if (onTile) onTile(tile.box);
         }
     };
     tbb::parallel_for(0, tbb::this_task_arena::max_concurrency(), drawRemaining);
@@ -268,11 +270,12 @@ void Rasterizer::Memory::draw(
     const Projection& projection,
     const PixelBox& viewport,
     typename Kind::Pixel* target,
-    int width) {
+    int width,
+    const TileVisitor& onTile) {
     snapClusters(input, projection);
     addCutClusters();
     binClusters(viewport, Kind::kSide);
-    drawTiles<Kind>(target, width);
+    drawTiles<Kind>(target, width, onTile);
 }
 
 Rasterizer::Rasterizer() : memory_(std::make_unique<Memory>()) {}
@@ -283,12 +286,13 @@ Rasterizer& Rasterizer::operator=(Rasterizer&&) noexcept = default;
 
 void Rasterizer::drawDepth(std::span<const Cluster> clusters, const View& view, const DepthTarget& target) {
     checkViewport(view.viewport, target.width, target.height);
-    memory_->draw<DepthKind>(clusters, projection(view, false), view.viewport, target.depths, target.width);
+    memory_->draw<DepthKind>(clusters, projection(view, false), view.viewport, target.depths, target.width, {});
 }
 
-void Rasterizer::drawVisibility(std::span<const Cluster> clusters, const View& view, const VisibilityTarget& target) {
+void Rasterizer::drawVisibility(
+    std::span<const Cluster> clusters, const View& view, const VisibilityTarget& target, const TileVisitor& onTile) {
     checkViewport(view.viewport, target.width, target.height);
-    memory_->draw<VisibilityKind>(clusters, projection(view, true), view.viewport, target.words, target.width);
+    memory_->draw<VisibilityKind>(clusters, projection(view, true), view.viewport, target.words, target.width, onTile);
 }
 
 } // namespace gnomon::raster

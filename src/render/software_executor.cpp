@@ -1,10 +1,7 @@
 #include "render/software_executor.h"
 
-#include "raster/raster.h"
 #include "render/frame_block.h"
 #include "render/software_shading.h"
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <chrono>
@@ -17,19 +14,6 @@ using Clock = std::chrono::steady_clock;
 
 double millisecondsSince(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
-static_assert(raster::kMaxClusterTriangles == 1U << kTriangleBits);
-
-/// A pass as the rasteriser takes it: the same matrix as the shaders', with the grid's step inside.
-raster::View rasterView(const DrawSpace& space, const glm::dmat4& clipFromDraw, const raster::PixelBox& viewport) {
-    raster::View view;
-    view.eyeCell = glm::ivec3(space.originCell.x, space.originCell.y, space.originCell.z);
-    view.clipFromCell = glm::mat4(clipFromDraw);
-    for (int axis = 0; axis < 3; ++axis)
-        view.clipFromCell[axis] *= static_cast<float>(space.step); // a power of two: exact
-    view.viewport = viewport;
-    return view;
 }
 
 class SoftwareExecutor final : public Executor {
@@ -47,14 +31,13 @@ public:
     Raster<SurfaceSample> surfaces() override { return surfaces_; }
 
 private:
-    void gather(const FrameDrawing& frame, const selection::DrawList& list);
+    void clearBetweenMaps(const plan::FramePlan& plan);
     void drawShadowMaps(const FrameDrawing& frame);
     void drawImage(const FrameDrawing& frame);
 
     raster::Rasterizer rasterizer_;
-    std::vector<raster::Cluster> clusters_; // of the pass that is drawn
-    std::vector<VisibleCluster> visible_;   // the same, as shading wants them
-    std::vector<std::uint64_t> words_;      // the visibility buffer, rows from bottom to top
+    SoftwarePass pass_;                // the one that is drawn
+    std::vector<std::uint64_t> words_; // the visibility buffer, rows from bottom to top
     FloatPicture shadowDepth_;
     Picture picture_;
     Raster<SurfaceSample> surfaces_;
@@ -77,21 +60,19 @@ DrawStatistics SoftwareExecutor::draw(const FrameDrawing& frame) {
     return statistics;
 }
 
-void SoftwareExecutor::gather(const FrameDrawing& frame, const selection::DrawList& list) {
-    clusters_.clear();
-    visible_.clear();
-    for (const selection::ClusterRange& range : list.ranges) {
-        const hierarchy::Page& page = frame.pages(range.page);
-        ++drawCalls_;
-        for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c) {
-            const hierarchy::Cluster& cluster = page.clusters[c];
-            clusters_.push_back(
-                {&page.vertices[cluster.firstVertex].position.x,
-                 sizeof(hierarchy::Vertex),
-                 cluster.vertexCount,
-                 std::span(page.triangles).subspan(cluster.firstTriangle, cluster.triangleCount),
-                 static_cast<std::uint32_t>(visible_.size()) << kTriangleBits});
-            visible_.push_back({&page, range.page, c});
+/// What no map covers is 1; each map clears its own texels as it is drawn.
+void SoftwareExecutor::clearBetweenMaps(const plan::FramePlan& plan) {
+    std::vector<plan::Rectangle> row;
+    for (int y = 0; y < shadowDepth_.height; ++y) {
+        row.clear();
+        for (const plan::ShadowPass& pass : plan.passes)
+            if (pass.rectangle.y <= y && y < pass.rectangle.y + pass.rectangle.height) row.push_back(pass.rectangle);
+        std::sort(row.begin(), row.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
+        row.push_back({shadowDepth_.width, 0, 0, 0});
+        int end = 0;
+        for (const plan::Rectangle& r : row) {
+            std::fill(&shadowDepth_.at(0, y) + end, &shadowDepth_.at(0, y) + std::max(end, r.x), 1.0F);
+            end = std::max(end, r.x + r.width);
         }
     }
 }
@@ -104,12 +85,13 @@ void SoftwareExecutor::drawShadowMaps(const FrameDrawing& frame) {
     }
     if (shadowDepth_.width != plan.textureWidth || shadowDepth_.height != plan.textureHeight)
         shadowDepth_ = FloatPicture(plan.textureWidth, plan.textureHeight);
-    std::fill(shadowDepth_.pixels.begin(), shadowDepth_.pixels.end(), 1.0F); // what no map covers
+    clearBetweenMaps(plan);
     for (std::size_t p = 0; p < plan.passes.size(); ++p) {
         const plan::Rectangle& r = plan.passes[p].rectangle;
-        gather(frame, *frame.casters[p]);
+        pass_.gather(frame, *frame.casters[p]);
+        drawCalls_ += frame.casters[p]->ranges.size();
         rasterizer_.drawDepth(
-            clusters_,
+            pass_.clusters(),
             rasterView(
                 frame.space,
                 shadowClipFromDraw(plan.passes[p], frame.space),
@@ -120,25 +102,22 @@ void SoftwareExecutor::drawShadowMaps(const FrameDrawing& frame) {
 
 void SoftwareExecutor::drawImage(const FrameDrawing& frame) {
     const plan::View& view = frame.plan->view;
-    picture_ = Picture(view.width, view.height, kBackground);
-    surfaces_ = frame.wantsSurfaces ? Raster<SurfaceSample>(view.width, view.height) : Raster<SurfaceSample>();
+    if (picture_.width != view.width || picture_.height != view.height) picture_ = Picture(view.width, view.height);
+    if (!frame.wantsSurfaces)
+        surfaces_ = {};
+    else if (surfaces_.width != view.width || surfaces_.height != view.height)
+        surfaces_ = Raster<SurfaceSample>(view.width, view.height);
     words_.resize(picture_.pixels.size());
-    gather(frame, *frame.image);
+    pass_.gather(frame, *frame.image);
+    drawCalls_ += frame.image->ranges.size();
     const glm::dmat4 clipFromDraw = imageClipFromDraw(frame);
+    const Shading shading(frame, clipFromDraw, shadowDepth_, pass_.drawn());
+    const ShadingTarget target{&picture_, frame.wantsSurfaces ? &surfaces_ : nullptr};
     rasterizer_.drawVisibility(
-        clusters_,
+        pass_.clusters(),
         rasterView(frame.space, clipFromDraw, {0, 0, view.width, view.height}),
-        {words_.data(), view.width, view.height});
-    const Shading shading(frame, clipFromDraw, shadowDepth_, visible_);
-    tbb::parallel_for(0, view.height, [&](int row) {
-        const int bottomUp = view.height - 1 - row;
-        const auto width = static_cast<std::size_t>(view.width);
-        shading.shadeRow(
-            bottomUp,
-            std::span(words_).subspan(picture_.index(0, bottomUp), width),
-            &picture_.at(0, row),
-            frame.wantsSurfaces ? &surfaces_.at(0, row) : nullptr);
-    });
+        {words_.data(), view.width, view.height},
+        [&](const raster::PixelBox& box) { shading.shade(box, words_, target); });
 }
 
 FloatPicture SoftwareExecutor::viewDepth() {

@@ -1,9 +1,8 @@
 // The software executor against GL on OSMesa: every scheme and overlay over seeded poses and lights.
-#include "core/random.h"
 #include "gl/shader_library.h"
-#include "hierarchy/tiny_model.h"
 #include "render/gl_executor.h"
 #include "render/software_executor.h"
+#include "tests/render/field.h"
 
 #include <gtest/gtest.h>
 #include <tbb/task_arena.h>
@@ -14,82 +13,6 @@
 
 namespace gnomon::render {
 namespace {
-
-constexpr int kSide = 256;
-
-/// The finest clusters of a hilly field, drawn whole into the image and into every map.
-class Field {
-public:
-    Field() {
-        tests::TinyModelOptions options;
-        options.gridExponent = 6;
-        options.height = 12;
-        options.normals = true;
-        options.colors = true;
-        options.origin = {1e6, -300, 2e5};
-        model_ = tests::makeTinyModel(options);
-        for (std::uint32_t p = 0; p < model_.pages.size(); ++p)
-            if (model_.pages[p].level == 0)
-                all_.ranges.push_back({p, 0, static_cast<std::uint32_t>(model_.pages[p].clusters.size())});
-    }
-
-    /// A view from over or amid the hills.
-    plan::View view(std::uint64_t seed) const {
-        Random random(seed);
-        const Box& bounds = model_.summary.bounds;
-        const auto inside = [&](double lift) {
-            glm::dvec3 point(0);
-            for (int axis = 0; axis < 3; ++axis)
-                point[axis] = bounds.min[axis] + random.uniform(0.1, 0.9) * (bounds.max[axis] - bounds.min[axis]);
-            point.y = bounds.max.y + lift;
-            return point;
-        };
-        plan::View view;
-        view.width = view.height = kSide;
-        view.camera.eye = inside(random.uniform(0.5, 30));
-        view.camera.target = inside(random.uniform(-20, -5));
-        view.towardsLight = {random.uniform(-1, 1), random.uniform(0.15, 1), random.uniform(-1, 1)};
-        return view;
-    }
-
-    /// The drawing of a plan that must outlive it.
-    FrameDrawing drawing(const plan::FramePlan& plan) const {
-        FrameDrawing frame;
-        frame.plan = &plan;
-        frame.grid = model_.summary.grid;
-        frame.space = drawSpace(plan.view, frame.grid, model_.summary.bounds);
-        frame.image = &all_;
-        frame.casters.assign(plan.passes.size(), &all_);
-        frame.pages = [this](std::uint32_t page) -> const hierarchy::Page& { return model_.pages[page]; };
-        frame.clipNear = 0.05;
-        return frame;
-    }
-
-    plan::FramePlan plan(const plan::View& view, const plan::Quality& quality) const {
-        plan::SceneFacts facts;
-        facts.bounds = model_.summary.bounds;
-        facts.visible = {1, 120, true};
-        return plan::planFrame(view, quality, facts);
-    }
-
-private:
-    tests::TinyModel model_;
-    selection::DrawList all_;
-};
-
-/// The schemes in turn.
-plan::Quality quality(std::uint64_t seed) {
-    plan::Quality quality;
-    constexpr std::array kRules = {
-        shadow::WarpRule::Auto, shadow::WarpRule::None, shadow::WarpRule::Lspsm, shadow::WarpRule::Minimax};
-    quality.warp.rule = kRules[seed % kRules.size()];
-    quality.zPartitions = static_cast<int>(1 + seed % 5);
-    quality.facePartitions = seed % 3 == 0 ? plan::Choice::On : plan::Choice::Off;
-    quality.filter = static_cast<int>(seed % 4);
-    if (seed % 11 == 0) quality.shadows = plan::ShadowMode::Off;
-    quality.shadowTexelsWidth = quality.shadowTexelsHeight = 512;
-    return quality;
-}
 
 struct Found {
     std::size_t pixels = 0;
@@ -136,7 +59,7 @@ Found compareSeeds(std::uint64_t first, std::uint64_t count, bool overlays) {
     const std::unique_ptr<Executor> gl = makeGlExecutor(gl::Platform::Osmesa, gl::ShaderLibrary(), mebibytes(64));
     Found found;
     for (std::uint64_t seed = first; seed < first + count; ++seed) {
-        const plan::FramePlan plan = field.plan(field.view(seed), quality(seed));
+        const plan::FramePlan plan = field.plan(field.view(seed), fieldQuality(seed));
         FrameDrawing frame = field.drawing(plan);
         if (overlays) frame.overlay = static_cast<Overlay>(1 + seed % 5);
         ours->draw(frame);
@@ -164,7 +87,7 @@ TEST(SoftwareExecutor, PaintsTheOverlaysThatGlPaints) {
 
 TEST(SoftwareExecutor, OneThreadAndTwoDrawTheSamePicture) {
     const Field field;
-    const plan::FramePlan plan = field.plan(field.view(5), quality(5));
+    const plan::FramePlan plan = field.plan(field.view(5), fieldQuality(5));
     FrameDrawing frame = field.drawing(plan);
     frame.wantsSurfaces = true;
     std::array<std::unique_ptr<Executor>, 2> executors = {makeSoftwareExecutor(), makeSoftwareExecutor()};
@@ -190,8 +113,8 @@ TEST(Onlooker, SeesTheFramesGeometryFromWhereItStands) {
     const std::unique_ptr<Executor> ours = makeSoftwareExecutor();
     const std::unique_ptr<Executor> gl = makeGlExecutor(gl::Platform::Osmesa, gl::ShaderLibrary(), mebibytes(64));
     for (std::uint64_t seed = 0; seed < 4; ++seed) {
-        const plan::FramePlan watched = field.plan(field.view(seed), quality(seed));
-        const plan::FramePlan watching = field.plan(field.view(seed + 100), quality(seed));
+        const plan::FramePlan watched = field.plan(field.view(seed), fieldQuality(seed));
+        const plan::FramePlan watching = field.plan(field.view(seed + 100), fieldQuality(seed));
         FrameDrawing fromOutside = field.drawing(watched);
         fromOutside.onlooker = watching.view.camera;
         for (Executor* executor : {ours.get(), gl.get()}) {
@@ -206,7 +129,7 @@ TEST(Onlooker, SeesTheFramesGeometryFromWhereItStands) {
 
 TEST(Onlooker, InTheCamerasPlaceChangesNothing) {
     const Field field;
-    const plan::FramePlan plan = field.plan(field.view(7), quality(7));
+    const plan::FramePlan plan = field.plan(field.view(7), fieldQuality(7));
     const std::unique_ptr<Executor> executor = makeSoftwareExecutor();
     executor->draw(field.drawing(plan));
     const Picture expected = executor->picture();

@@ -88,22 +88,26 @@ void addRenderCommand(CLI::App& program) {
     CLI::App* command = program.add_subcommand("render", "Draw one picture of a model with its shadows");
     auto options = std::make_shared<RenderOptions>();
     command->add_option("MODEL", options->model, "A .gnm file")->required();
-    command->add_option("-o,--output", options->output, "The picture, a PNG")->required();
+    command->add_option("-o,--output", options->output, "The picture, a PNG")->required()->type_name("FILE.png");
     std::vector<std::string> words;
     for (const auto& [word, overlay] : overlays())
         words.push_back(word);
     command->add_option("--overlay", options->overlay, "What is painted over the picture")
         ->check(CLI::IsMember(words))
         ->capture_default_str();
-    command->add_option("--stats", options->statistics, "Write the frame's row of the log here, as JSON");
-    command->add_option("--reference", options->reference, "Compare with this PNG; exit 1 if it differs more");
+    command->add_option("--stats", options->statistics, "Write the frame's row of the log here, as JSON")
+        ->type_name("FILE.json");
+    command->add_option("--reference", options->reference, "Compare with this PNG; exit 1 if it differs more")
+        ->type_name("FILE.png");
     command
         ->add_option(
             "--reference-threshold", options->referenceThreshold, "Largest mean difference, fraction of full scale")
         ->check(CLI::Range(0.0, 1.0))
         ->capture_default_str();
-    command->add_option("--depth", options->depth, "Write view depth here, a PFM; infinity where nothing is");
-    command->add_option("--shadow-depth", options->shadowDepth, "Write each shadow map into this folder, as PFM");
+    command->add_option("--depth", options->depth, "Write view depth here, a PFM; infinity where nothing is")
+        ->type_name("FILE.pfm");
+    command->add_option("--shadow-depth", options->shadowDepth, "Write each shadow map into this folder, as PFM")
+        ->type_name("DIR");
     addViewOptions(*command, options->view);
     addCommonOptions(*command, options->common);
     command->callback([options] { runRender(*options); });

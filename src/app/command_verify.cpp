@@ -73,6 +73,7 @@ void addVerifyCommand(CLI::App& program) {
     command->add_option(
         "--source", options->verify.source, "What the model was built from: compare distances with stored errors");
     command->add_option("--cuts", options->verify.cuts, "Random view-dependent cuts to look at for cracks")
+        ->check(CLI::Range(0, 1'000'000))
         ->capture_default_str();
     command->add_option("--seed", options->verify.seed, "Other cuts, other samples")->capture_default_str();
     command->add_flag("--json", options->json, "Print one JSON document");

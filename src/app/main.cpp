@@ -3,9 +3,11 @@
 #include "app/commands.h"
 #include "core/error.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <exception>
+#include <string>
 
 namespace {
 
@@ -27,6 +29,16 @@ constexpr std::array kCommands{
     AddCommand{gnomon::app::addTheoryCommand},
 };
 
+/// What is wrong with the command line and whose help says what is right, in one line.
+std::string usage(const CLI::App& program, const CLI::ParseError& error, const std::string& first) {
+    const auto chosen = program.get_subcommands();
+    if (chosen.empty() && !first.empty() && first.front() != '-')
+        return "there is no command '" + first + "'; gnomon --help lists them";
+    std::string text = error.what();
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    return text + "; see gnomon " + (chosen.empty() ? "" : chosen.front()->get_name() + " ") + "--help";
+}
+
 int run(int argc, char** argv) {
     CLI::App program("Low-error shadow maps for meshes of a million to a billion triangles.", "gnomon");
     program.set_version_flag("--version", "gnomon " GNOMON_VERSION);
@@ -37,7 +49,8 @@ int run(int argc, char** argv) {
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return program.exit(error) == 0 ? 0 : 2;
+        if (error.get_exit_code() == 0) return program.exit(error); // --help, --version
+        throw UsageError{usage(program, error, argc > 1 ? argv[1] : "")};
     }
     return 0;
 }

@@ -14,18 +14,20 @@ namespace gnomon::app {
 namespace {
 
 constexpr double kRadiansPerDegree = std::numbers::pi / 180;
+constexpr int kMaxSide = 16384; // of an image: what every executor can draw
 
 constexpr std::array kSweptOptions{
     SweptOption{
-        "--error-pixels", "Level of detail: largest geometric error on the screen", &SweptSettings::errorPixels},
-    SweptOption{"--shadows", "off, maps, or rays: the ray-traced reference", &SweptSettings::shadows},
-    SweptOption{"--warp", "none|lspsm|psm|tsm|minimax|auto: how a map is warped", &SweptSettings::warp},
-    SweptOption{"--z-partitions", "Slices along the view, or auto", &SweptSettings::zPartitions},
-    SweptOption{"--face-partitions", "on|off|auto: split along the frustum's faces", &SweptSettings::facePartitions},
-    SweptOption{"--shadow-texels", "WxH, a count: all maps together, gutters included", &SweptSettings::shadowTexels},
-    SweptOption{"--filter", "PCF kernel in texels; 0 is none", &SweptSettings::filter},
-    SweptOption{"--cull-casters", "on|off: partition culling", &SweptSettings::cullCasters},
-    SweptOption{"--stabilize", "on|off: texel-snapped, unwarped slices", &SweptSettings::stabilize},
+        "--error-pixels", "T", "Level of detail: largest geometric error on the screen", &SweptSettings::errorPixels},
+    SweptOption{
+        "--shadows", "off|maps|rays", "None, shadow maps, or the ray-traced reference", &SweptSettings::shadows},
+    SweptOption{"--warp", "none|lspsm|psm|tsm|minimax|auto", "How a map is warped", &SweptSettings::warp},
+    SweptOption{"--z-partitions", "K|auto", "Slices along the view", &SweptSettings::zPartitions},
+    SweptOption{"--face-partitions", "on|off|auto", "Split along the frustum's faces", &SweptSettings::facePartitions},
+    SweptOption{"--shadow-texels", "WxH", "A count: all maps together, gutters included", &SweptSettings::shadowTexels},
+    SweptOption{"--filter", "TEXELS", "PCF kernel; 0 is none", &SweptSettings::filter},
+    SweptOption{"--cull-casters", "on|off", "Partition culling", &SweptSettings::cullCasters},
+    SweptOption{"--stabilize", "on|off", "Texel-snapped, unwarped slices", &SweptSettings::stabilize},
 };
 
 plan::ShadowMode shadowMode(const std::string& text) {
@@ -40,6 +42,15 @@ plan::Choice choice(const std::string& option, const std::string& text) {
     if (text == "auto") return plan::Choice::Auto;
     if (text != "on" && text != "off") refuse(option, text, "on, off or auto");
     return text == "on" ? plan::Choice::On : plan::Choice::Off;
+}
+
+/// Nothing for "auto", else a distance whose ratios and products a float can still hold.
+std::optional<double> distance(const std::string& option, const std::string& text) {
+    constexpr double kLeast = 1e-15;
+    constexpr double kMost = 1e15;
+    const std::optional<double> value = parseNumberOrAuto(option, text);
+    if (value && !(*value >= kLeast && *value <= kMost)) refuse(option, text, "auto or a distance from 1e-15 to 1e15");
+    return value;
 }
 
 shadow::Warp warp(const ViewOptions& options, const std::string& text) {
@@ -63,7 +74,7 @@ shadow::Warp warp(const ViewOptions& options, const std::string& text) {
     }
     if (!options.tsmFocus.empty()) {
         if (result.rule != WarpRule::Tsm) throw UsageError{"--tsm-focus is for --warp tsm alone"};
-        result.tsmFocus = parseNumberOrAuto("--tsm-focus", options.tsmFocus).value_or(0);
+        result.tsmFocus = distance("--tsm-focus", options.tsmFocus).value_or(0);
     }
     return result;
 }
@@ -76,36 +87,44 @@ std::span<const SweptOption> sweptOptions() {
 
 void addViewOptions(CLI::App& command, ViewOptions& options) {
     const std::string group = "View and quality";
-    const auto add = [&](const std::string& flag, std::string& value, const std::string& help) {
-        return command.add_option(flag, value, help)->group(group)->capture_default_str();
+    const auto add = [&](const char* flag, std::string& value, const char* form, const char* help) {
+        return command.add_option(flag, value, help)->group(group)->type_name(form)->capture_default_str();
     };
-    add("--size", options.size, "Image in pixels, WxH");
-    add("--camera", options.cameraFile, "A camera file: one keyframe as JSON");
-    add("--eye", options.eye, "Where the eye is, x,y,z; frames the model if not given");
-    add("--target", options.target, "What it looks at, x,y,z");
-    add("--up", options.up, "What is up; 0,1,0 if not given");
-    add("--fov-y", options.fovY, "Full vertical angle in degrees; 60 if not given");
-    add("--near", options.near, "Where the depth range of the shadows' promise begins, or auto; clips nothing");
-    add("--far", options.far, "Where it ends, or auto");
-    add("--near-floor", options.nearFloor, "The least automatic near; far/10000 if not given");
-    add("--light", options.light, "Direction towards the light, x,y,z");
-    add("--max-triangles", options.maxTriangles, "A cap that raises the error evenly");
-    add("--eta", options.eta, "The warp as eta in [-1, 1] of Lloyd et al. 2006: 0 is LSPSM, -1 none, 1 PSM");
-    add("--tsm-focus", options.tsmFocus, "With --warp tsm: distance of the focus from near");
-    add("--split-lambda", options.splitLambda, "Slice depths: 1 self-similar, 0 evenly spaced");
+    add("--size", options.size, "WxH", "Image in pixels, WxH");
+    add("--camera", options.cameraFile, "FILE", "A camera file: one keyframe as JSON");
+    add("--eye", options.eye, "x,y,z", "Where the eye is, x,y,z; frames the model if not given");
+    add("--target", options.target, "x,y,z", "What it looks at, x,y,z");
+    add("--up", options.up, "x,y,z", "What is up; 0,1,0 if not given");
+    add("--fov-y", options.fovY, "DEGREES", "Full vertical angle in degrees; 60 if not given");
+    add("--near",
+        options.near,
+        "D|auto",
+        "Where the depth range of the shadows' promise begins, or auto; clips nothing");
+    add("--far", options.far, "D|auto", "Where it ends, or auto");
+    add("--near-floor", options.nearFloor, "D", "The least automatic near; far/10000 if not given");
+    add("--light", options.light, "x,y,z", "Direction towards the light, x,y,z");
+    add("--max-triangles", options.maxTriangles, "N", "A cap that raises the error evenly");
+    add("--eta", options.eta, "H", "The warp as eta in [-1, 1] of Lloyd et al. 2006: 0 is LSPSM, -1 none, 1 PSM");
+    add("--tsm-focus", options.tsmFocus, "D|auto", "With --warp tsm: distance of the focus from near");
+    add("--split-lambda", options.splitLambda, "L", "Slice depths: 1 self-similar, 0 evenly spaced");
     add("--max-aliasing",
         options.maxAliasing,
+        "M",
         "With auto: the promise to stay under (perspective aliasing over [near, far])");
     for (const SweptOption& swept : kSweptOptions) {
         const bool isWarp = swept.value == &SweptSettings::warp;
-        CLI::Option* option = add(swept.flag, options.swept.*swept.value, swept.help);
+        CLI::Option* option = add(swept.flag, options.swept.*swept.value, swept.form, swept.help);
         if (isWarp) option->each([&options](const std::string& /*text*/) { options.isWarpGiven = true; });
     }
-    add("--backend", options.backend, "auto|software|osmesa|egl|window: who executes the plan")
+    add("--backend",
+        options.backend,
+        "WHO",
+        "Who executes the plan: the software rasteriser, or GL from one of three places")
         ->check(CLI::IsMember({"auto", "software", "osmesa", "egl", "window"}));
-    add("--memory", options.memory, "Tables and page cache");
-    add("--gpu-memory", options.gpuMemory, "What the GPU holds");
-    add("--shaders", options.shaders, "Read shaders from this folder instead of the built-in ones");
+    add("--memory", options.memory, "SIZE", "Tables and page cache");
+    add("--gpu-memory", options.gpuMemory, "SIZE", "What the GPU holds");
+    add("--shaders", options.shaders, "PATH", "Read shaders from this folder instead of the built-in ones")
+        ->check(CLI::ExistingDirectory);
 }
 
 Camera framingCamera(const Box& bounds, double aspect, const glm::dvec3& up, double fovYRadians) {
@@ -122,6 +141,8 @@ Camera framingCamera(const Box& bounds, double aspect, const glm::dvec3& up, dou
 plan::View viewOf(const ViewOptions& options, const hierarchy::ModelSummary& summary) {
     plan::View view;
     const auto [width, height] = parseSize("--size", options.size);
+    if (std::max(width, height) > kMaxSide)
+        refuse("--size", options.size, "sides of at most " + std::to_string(kMaxSide) + " pixels");
     view.width = width;
     view.height = height;
     view.towardsLight = parseVector("--light", options.light);
@@ -164,9 +185,9 @@ plan::Quality qualityOf(const ViewOptions& options, const SweptSettings& swept) 
     quality.filter = parseWhole("--filter", swept.filter, 0, 16);
     quality.cullCasters = parseSwitch("--cull-casters", swept.cullCasters);
     quality.stabilize = parseSwitch("--stabilize", swept.stabilize);
-    quality.near = parseNumberOrAuto("--near", options.near);
-    quality.far = parseNumberOrAuto("--far", options.far);
-    if (!options.nearFloor.empty()) quality.nearFloor = parseNumberOrAuto("--near-floor", options.nearFloor);
+    quality.near = distance("--near", options.near);
+    quality.far = distance("--far", options.far);
+    if (!options.nearFloor.empty()) quality.nearFloor = distance("--near-floor", options.nearFloor);
     if (quality.near && quality.far && !(*quality.near < *quality.far))
         throw UsageError{"--near and --far contradict each other: near must be below far"};
     quality.errorPixels = parseNumber("--error-pixels", swept.errorPixels);

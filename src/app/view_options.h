@@ -30,9 +30,10 @@ struct SweptSettings {
     bool operator==(const SweptSettings&) const = default;
 };
 
-/// One of them: its option, its help and its place.
+/// One of them: its option, the form of its value, its help and its place.
 struct SweptOption {
     const char* flag;
+    const char* form;
     const char* help;
     std::string SweptSettings::*value;
 };

@@ -1,0 +1,115 @@
+"""Help, exit codes, one-line errors, and files that are there whole or not at all."""
+import csv
+import json
+import unittest
+
+from program import DATA, Workplace, run
+
+COMMANDS = ("make", "build", "info", "verify", "export", "path", "render", "bench", "theory")
+
+
+class CommandLine(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.place = Workplace()
+        cls.sundial = cls.place / "sundial.gnm"
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.place.close()
+
+    def expect(self, code, said, *words):
+        result = run(*words)
+        self.assertEqual(result.returncode, code, f"{words}: {result.stderr}")
+        self.assertIn(said, result.stderr)
+        if code:
+            self.assertEqual(result.stderr.count("\n"), 1, f"{words}: {result.stderr}")
+            self.assertTrue(result.stderr.startswith("gnomon: "), result.stderr)
+        return result
+
+    def test_help_lists_every_command_and_each_has_its_own(self):
+        overview = run("--help")
+        self.assertEqual(overview.returncode, 0)
+        for command in COMMANDS:
+            self.assertIn(f"\n  {command} ", overview.stdout)
+            own = run(command, "--help")
+            self.assertEqual(own.returncode, 0)
+            self.assertIn(f"Usage: gnomon {command}", own.stdout)
+        self.assertRegex(run("--version").stdout, r"^gnomon \d+\.\d+\.\d+\n$")
+
+    def test_wrong_usage_is_exit_2(self):
+        picture = self.place / "wrong.png"
+        for words in (
+            (),
+            ("paint",),
+            ("render",),
+            ("render", self.sundial),
+            ("render", self.sundial, "-o", picture, "--no-such-option"),
+            ("render", self.sundial, "-o", picture, "--size", "0x4"),
+            ("render", self.sundial, "-o", picture, "--size", "20000x20"),
+            ("render", self.sundial, "-o", picture, "--light", "0,0,0"),
+            ("render", self.sundial, "-o", picture, "--light", "1,nan,0"),
+            ("render", self.sundial, "-o", picture, "--warp", "wavy"),
+            ("render", self.sundial, "-o", picture, "--warp", "lspsm", "--eta", "0.5"),
+            ("render", self.sundial, "-o", picture, "--warp", "lspsm", "--stabilize", "on"),
+            ("render", self.sundial, "-o", picture, "--near", "5", "--far", "1"),
+            ("render", self.sundial, "-o", picture, "--camera", "c.json", "--eye", "1,2,3"),
+            ("render", self.sundial, "-o", picture, "--shaders", self.place / "nowhere"),
+            ("export", self.sundial, "-o", self.place / "wrong.ply"),
+            ("export", self.sundial, "-o", self.place / "wrong.ply", "--triangles", "5", "--error", "1"),
+            ("make", "cube", "-o", self.place / "wrong.ply"),
+            ("path", self.sundial, "--kind", "stroll", "-o", self.place / "wrong.json"),
+            ("verify", self.sundial, "--cuts", "-1"),
+            ("theory",),
+        ):
+            self.expect(2, "", *words)
+        self.assertEqual(list(self.place.path.glob("wrong*")), [])
+
+    def test_what_cannot_be_done_is_exit_1_and_leaves_no_file(self):
+        missing = self.place / "missing"
+        self.expect(1, "missing", "info", missing)
+        self.expect(1, "missing", "build", missing, "-o", self.place / "undone.gnm")
+        self.expect(1, "missing", "render", missing, "-o", self.place / "undone.png")
+        self.expect(1, "missing", "bench", self.sundial, "--path", missing)
+        self.expect(1, "not a PLY", "build", self.sundial, "-o", self.place / "undone.gnm")
+        self.expect(1, "--memory", "render", self.sundial, "-o", self.place / "undone.png", "--memory", "1")
+        self.expect(1, "no cut", "export", self.sundial, "-o", self.place / "undone.ply", "--triangles", "1")
+        self.expect(1, "cannot create", "render", self.sundial, "-o", missing / "undone.png")
+        self.assertEqual(list(self.place.path.glob("*undone*")), [])
+
+    def test_shaders_are_read_from_the_folder_given(self):
+        shaders = self.place / "shaders"
+        picture = self.place / "shaders.png"
+        drawing = ("render", self.sundial, "-o", picture, "--backend", "osmesa", "--size", "64x64", "--shaders", shaders)
+        shaders.mkdir()
+        self.expect(1, str(shaders), *drawing)
+        for source in (DATA.parent / "shaders").rglob("*.*"):
+            copy = shaders / source.relative_to(DATA.parent / "shaders")
+            copy.parent.mkdir(parents=True, exist_ok=True)
+            copy.write_bytes(source.read_bytes())
+        self.expect(0, "", *drawing)
+
+    def test_a_bench_walks_the_paths_of_the_data_folder(self):
+        for path, model in (("sundial_orbit", "sundial"), ("colonnade_walk", "colonnade")):
+            log = self.place / f"{path}.csv"
+            report = self.place / f"{path}.json"
+            # fmt: off
+            self.expect(0, "", "bench", self.place / f"{model}.gnm", "--path", DATA / "paths" / f"{path}.json",
+                        "--size", "64x64", "--shadow-texels", "256x256", "--frames", "5", "--warmup", "0",
+                        "--shadow-maps", "1,2", "--csv", log, "--json-file", report)
+            # fmt: on
+            with open(log, newline="") as file:
+                rows = list(csv.DictReader(file))
+            self.assertEqual(len(rows), 10)
+            self.assertEqual({row["shadow_maps"] for row in rows} - {"1", "2"}, set())
+            self.assertEqual([row["frame"] for row in rows[:5]], list("01234"))
+            self.assertEqual(len(json.loads(report.read_text())["benchmarks"]), 2)
+
+    def test_every_camera_of_the_data_folder_is_one(self):
+        for camera in sorted((DATA / "cameras").glob("*.json")):
+            picture = self.place / "camera.png"
+            self.expect(0, "", "render", self.sundial, "-o", picture, "--size", "32x32", "--camera", camera)
+
+
+if __name__ == "__main__":
+    unittest.main()

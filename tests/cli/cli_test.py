@@ -5,7 +5,7 @@ import unittest
 
 from program import DATA, Workplace, run
 
-COMMANDS = ("make", "build", "info", "verify", "export", "path", "render", "bench", "theory")
+COMMANDS = ("make", "build", "info", "verify", "export", "path", "render", "bench", "view", "theory")
 
 
 class CommandLine(unittest.TestCase):

@@ -47,7 +47,7 @@ void drawLine(const std::string& text, ImU32 color = IM_COL32_WHITE) {
 
 /// The last frames as stacked bars, and under them what each stage takes.
 void drawGraph(const FrameHistory& history, double targetMs) {
-    const ImVec2 size(26 * unit(), 5 * unit());
+    const ImVec2 size(29 * unit(), 5 * unit());
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::Dummy(size);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -77,7 +77,7 @@ void drawGraph(const FrameHistory& history, double targetMs) {
     std::snprintf(text.data(), text.size(), "%.1f ms a frame, %.0f a second", ms, ms > 0 ? 1000 / ms : 0.0);
     drawLine(text.data());
     for (std::size_t stage = 0; stage < kStages; ++stage) {
-        if (stage % 4 != 0) ImGui::SameLine(static_cast<float>(stage % 4) * 6.6F * unit());
+        if (stage % 4 != 0) ImGui::SameLine(static_cast<float>(stage % 4) * 7.4F * unit());
         std::snprintf(text.data(), text.size(), "%s %.1f", kStageNames[stage], medians[stage]);
         drawLine(text.data(), kStageColors[stage]);
     }
@@ -93,7 +93,7 @@ void drawFacts(const OverlayContent& content, const ViewSettings& settings) {
              loadInWords(frame->row, frame->plan.quality, content.caps, frame->cut.used.size()))
             drawLine(line);
         ImGui::Separator();
-        ImGui::PushTextWrapPos(26 * unit());
+        ImGui::PushTextWrapPos(29 * unit());
         for (const std::string& line : planInWords(frame->plan, frame->row))
             drawLine(line);
         ImGui::PopTextWrapPos();
@@ -128,13 +128,13 @@ void drawHelp() {
             if (row % perColumn == 0) {
                 if (row > 0) {
                     ImGui::EndGroup();
-                    ImGui::SameLine(0, 2 * unit());
+                    ImGui::SameLine(0, unit());
                 }
                 ImGui::BeginGroup();
             }
             ++row;
             drawLine(key, kWarning);
-            ImGui::SameLine(7 * unit());
+            ImGui::SameLine(6.6F * unit());
             drawLine(help);
         };
         for (const MouseUse& use : mouseUses())
@@ -151,8 +151,10 @@ void drawMessages(const OverlayContent& content) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     if (beginNote("messages", {screen.x * 0.5F, screen.y - 0.5F * unit()}, {0.5F, 1})) {
         ImGui::PushTextWrapPos(std::max(screen.x - 2 * unit(), 10 * unit()));
-        for (const Message& message : *content.messages)
-            drawLine(message.text, message.isError ? kFailure : IM_COL32_WHITE);
+        constexpr std::size_t kShown = 6; // the last of them
+        const std::vector<Message>& all = *content.messages;
+        for (std::size_t i = all.size() - std::min(all.size(), kShown); i < all.size(); ++i)
+            drawLine(all[i].text, all[i].isError ? kFailure : IM_COL32_WHITE);
         ImGui::PopTextWrapPos();
     }
     ImGui::End();

@@ -125,6 +125,7 @@ private:
     int unanswered_ = 0;
     std::int64_t bytesRead_ = 0;
     std::int64_t frameCount_ = 0;
+    bool savesPicture_ = false;
     bool savesWindow_ = false;
 };
 
@@ -153,7 +154,12 @@ void Viewer::run() {
     silent.progress = "none";
     const auto interrupt = makeProgress(silent); // throws on Ctrl-C
     while (glfwWindowShouldClose(window_.handle()) == GLFW_FALSE) {
-        interrupt->advance(0);
+        try {
+            interrupt->advance(0);
+        } catch (const Interrupted&) {
+            if (log_) log_->finish();
+            throw;
+        }
         waitForEvents();
         const double seconds = now() - lastFrame_;
         lastFrame_ = now();
@@ -441,10 +447,11 @@ void Viewer::act(Action action, int value) {
 }
 
 void Viewer::saveShot(bool withOverlay) {
+    // Once what the hand has done until now is drawn.
     if (withOverlay)
-        savesWindow_ = true; // once it is drawn
-    else if (scene_->frame() != nullptr)
-        attempt([&] { messages_.note("saved " + saved_.savePicture(scene_->picture()), now()); });
+        savesWindow_ = true;
+    else
+        savesPicture_ = true;
 }
 
 // --- frames ---
@@ -521,6 +528,10 @@ void Viewer::afterScene(const Shot& shot) {
     row.sinceStartMs = telemetry::sinceProcessStart().count;
     if (log_) log_->add(row);
     if (recorder_) recorder_->add(now(), shot.seenBy());
+    if (savesPicture_) {
+        savesPicture_ = false;
+        attempt([&] { messages_.note("saved " + saved_.savePicture(scene_->picture()), now()); });
+    }
     if (player_ && !options_.images.empty())
         attempt([&] { saved_.savePlayed(options_.images, player_->frame(), scene_->picture()); });
 }

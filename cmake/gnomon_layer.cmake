@@ -9,7 +9,8 @@ function(gnomon_layer name)
 endfunction()
 
 # gnomon_tests(<layer> SOURCES <file>... [NEEDS <target>...] [LABEL <label>])
-# One test program per layer; every TEST in it is a ctest entry that carries the label (unit unless said otherwise).
+# One test program per layer; every TEST in it is a ctest entry that carries the label (unit unless said otherwise;
+# `threads` is what `scripts/test --all` also runs under the thread sanitizer).
 # A suite whose name starts with "Slow" (behind the prefix of an instantiation) carries the label `slow` instead.
 function(gnomon_tests name)
     cmake_parse_arguments(PARSE_ARGV 1 arg "" "LABEL" "SOURCES;NEEDS")

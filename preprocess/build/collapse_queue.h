@@ -20,7 +20,7 @@ public:
         std::uint32_t place = place_[vertex];
         if (place == hierarchy::kNone) {
             place = static_cast<std::uint32_t>(heap_.size());
-            heap_.push_back({cost, vertex});
+            heap_.emplace_back(cost, vertex);
             place_[vertex] = place;
         } else {
             heap_[place].first = cost;

@@ -24,7 +24,7 @@ constexpr double kToleranceShare = 0.25; // of the error that the clusters of a 
 constexpr std::array<double, 3> kGroupCutFractions{0.5, 0.42, 0.58};
 
 glm::vec3 toVector(const GridPoint& p) {
-    return glm::vec3(glm::dvec3(p.x, p.y, p.z));
+    return glm::dvec3(p.x, p.y, p.z);
 }
 
 glm::vec3 centerOf(const GridBox& box) {

@@ -89,10 +89,9 @@ std::uint32_t Surface::nearest(const glm::dvec3& p) {
         if (node.right == 0) {
             for (std::uint32_t i = node.begin; i < node.end; ++i) {
                 const double s = footingOf(p, treeOrder_[i]).square;
-                if (s < bestSquare) {
-                    bestSquare = s;
-                    best = treeOrder_[i];
-                }
+                if (s >= bestSquare) continue;
+                bestSquare = s;
+                best = treeOrder_[i];
             }
             continue;
         }

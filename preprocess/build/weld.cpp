@@ -193,6 +193,7 @@ Grid chooseGrid(const SourceMesh& source) {
     return grid;
 }
 
+// NOLINTNEXTLINE(performance-unnecessary-value-param): takes the mesh over, so that its memory ends with the call.
 Mesh weld(SourceMesh source) {
     Mesh mesh;
     mesh.sourceTriangles = source.triangles.size();

@@ -55,7 +55,7 @@ private:
     GLFWwindow* window_ = nullptr;
 };
 
-Window::Window(const std::string& title, int width, int height) : glfw_(nullptr) {
+Window::Window(const std::string& title, int width, int height) {
     auto glfw = std::make_unique<Glfw>(title, width, height);
     glfw_ = glfw.get();
     context_ = std::make_unique<Context>(std::move(glfw));

@@ -32,7 +32,7 @@ public:
 private:
     class Glfw;
 
-    Glfw* glfw_; // owned by the context
+    Glfw* glfw_ = nullptr; // owned by the context
     std::unique_ptr<Context> context_;
 };
 

@@ -45,7 +45,7 @@ private:
         entries_[i] = entry;
     }
 
-    std::array<std::uint32_t, kSize> entries_; // edge << 16 | triangle
+    std::array<std::uint32_t, kSize> entries_{}; // edge << 16 | triangle
 };
 
 /// `triangle` turned so that it begins with edge (from, to).

@@ -35,6 +35,23 @@ double ladderStep(double depth) {
     return candidate <= depth ? candidate : std::exp2((step - 1) / kStepsPerOctave);
 }
 
+namespace {
+
+/// Near on the ladder at or below the nearest thing, its floor, or the frame before; says which unless it is the first.
+void setAutomaticNear(
+    DepthRange& range, const Quality& quality, const SceneFacts::Visible& visible, const FramePlan* previous) {
+    const double floor = quality.nearFloor.value_or(range.far / kDefaultFloorRatio);
+    range.near = ladderStep(std::max(visible.nearest, floor));
+    if (visible.nearest < floor) range.nearFrom = "the floor";
+    const bool wantsToRise = previous != nullptr && previous->near > 0 && range.near > previous->near &&
+                             previous->framesNearIsHeld + 1 < kFramesBeforeNearRises;
+    if (!wantsToRise) return;
+    range.near = previous->near;
+    range.nearFrom = "held from the frame before";
+}
+
+} // namespace
+
 DepthRange depthRange(const View& view, const Quality& quality, const SceneFacts& scene, const FramePlan* previous) {
     const SceneFacts::Visible visible = scene.visible ? *scene.visible : depthsOfBounds(view, scene.bounds);
     DepthRange range;
@@ -50,17 +67,9 @@ DepthRange depthRange(const View& view, const Quality& quality, const SceneFacts
         range.near = *quality.near;
         range.nearFrom = "given";
     } else {
-        const double floor = quality.nearFloor.value_or(range.far / kDefaultFloorRatio);
-        const bool isUnderFloor = visible.nearest < floor;
-        range.near = ladderStep(std::max(visible.nearest, floor));
-        range.nearFrom =
-            isUnderFloor ? "the floor" : (scene.visible ? "the nearest surface in view" : "the model's bounds");
-        const bool wantsToRise = previous != nullptr && previous->near > 0 && range.near > previous->near &&
-                                 previous->framesNearIsHeld + 1 < kFramesBeforeNearRises;
-        if (wantsToRise) {
-            range.near = previous->near;
-            range.nearFrom = "held from the frame before";
-        }
+        setAutomaticNear(range, quality, visible, previous);
+        if (range.nearFrom.empty())
+            range.nearFrom = scene.visible ? "the nearest surface in view" : "the model's bounds";
     }
     if (!(range.near > 0) || !std::isfinite(range.far))
         throw Error("--near and --far", "they must be above 0 and finite");

@@ -187,6 +187,7 @@ struct CornerDepths {
 };
 
 /// Sets the plane of depth of `t`, whose first pixel is set, from corner 0 and the sides to the others.
+// NOLINTNEXTLINE(readability-function-size): a struct of these would be put together once and taken apart at once.
 HWY_INLINE void setDepth(
     const PointLanes& a,
     RestLanes rest,

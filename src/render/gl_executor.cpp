@@ -129,7 +129,7 @@ private:
     void drawShadowMaps(const FrameDrawing& frame);
     void drawImage(const FrameDrawing& frame);
     void drawGeometry(const FrameDrawing& frame, const selection::DrawList& list);
-    PagePlace placed(const FrameDrawing& frame, std::uint32_t page, Batch& batch);
+    PagePlace placed(const FrameDrawing& frame, std::uint32_t id, Batch& batch);
     const gl::Program& surfaceProgram(const FrameDrawing& frame);
     void bindBlocks(const FrameDrawing& frame, const glm::dmat4& clipFromDraw);
 

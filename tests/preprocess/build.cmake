@@ -1,3 +1,4 @@
 gnomon_tests(build
     SOURCES build_model_test.cpp build_simplify_test.cpp build_meshes.cpp
-    NEEDS gnomon::build)
+    NEEDS gnomon::build
+    LABEL threads)

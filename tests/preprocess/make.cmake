@@ -5,4 +5,5 @@ gnomon_tests(make
         ${CMAKE_CURRENT_LIST_DIR}/make_planes_test.cpp
         ${CMAKE_CURRENT_LIST_DIR}/make_plant_test.cpp
         ${CMAKE_CURRENT_LIST_DIR}/make_statue_test.cpp
-    NEEDS gnomon::make)
+    NEEDS gnomon::make
+    LABEL threads)

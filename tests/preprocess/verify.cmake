@@ -3,4 +3,5 @@ gnomon_tests(verify
         ${CMAKE_CURRENT_LIST_DIR}/export_test.cpp
         ${CMAKE_CURRENT_LIST_DIR}/triangle_tree_test.cpp
         ${CMAKE_CURRENT_LIST_DIR}/verify_test.cpp
-    NEEDS gnomon::verify gnomon::export gnomon_tiny_model)
+    NEEDS gnomon::verify gnomon::export gnomon_tiny_model
+    LABEL threads)

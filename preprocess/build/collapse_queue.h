@@ -15,6 +15,14 @@ public:
 
     bool isEmpty() const { return heap_.empty(); }
 
+    bool holds(std::uint32_t vertex) const { return place_[vertex] != hierarchy::kNone; }
+
+    /// The cost of a vertex that it holds.
+    double costOf(std::uint32_t vertex) const { return heap_[place_[vertex]].first; }
+
+    /// The cost of the cheapest.
+    double least() const { return heap_.front().first; }
+
     /// Inserts `vertex` or changes its cost.
     void put(std::uint32_t vertex, double cost) {
         std::uint32_t place = place_[vertex];

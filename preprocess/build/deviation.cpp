@@ -238,21 +238,15 @@ glm::dvec3 centerOf(const Surface& surface, std::uint32_t t) {
     return (surface.corner(t, 0) + surface.corner(t, 1) + surface.corner(t, 2)) * (1.0 / 3);
 }
 
-float roundedUp(double value) {
-    const auto rounded = static_cast<float>(value);
-    return static_cast<double>(rounded) < value ? std::nextafter(rounded, std::numeric_limits<float>::infinity())
-                                                : rounded;
-}
-
 void raise(float& bound, double value) {
     bound = std::max(bound, roundedUp(value));
 }
 
 class Measurement {
 public:
-    Measurement(const Patch& patch, const SimplifiedPatch& simplified, std::span<const TriangleError> fineErrors)
-        : simplified_(simplified),
-          fineErrors_(fineErrors),
+    Measurement(const Patch& patch, const SimplifiedPatch& simplified)
+        : patch_(patch),
+          simplified_(simplified),
           fine_(patch.positions, cornersOf(patch, patch.triangles)),
           coarse_(patch.positions, cornersOf(patch, simplified.triangles)),
           heir_(patch.triangles.size(), kNone),
@@ -268,7 +262,7 @@ public:
             heir_[origin] = t;
             if (fine_.triangles()[origin] != coarse_.triangles()[t]) continue;
             isSame_[origin] = isDone[t] = 1;
-            result_.errors[t] = fineErrors_[origin];
+            result_.errors[t] = patch_.error(origin);
         }
         Cover onFine(fine_, tolerance);
         for (std::uint32_t t = 0; t < result_.errors.size(); ++t) {
@@ -276,13 +270,13 @@ public:
             const std::uint32_t origin = simplified_.origin[t];
             const std::uint32_t host = origin != kNone ? origin : fine_.nearest(centerOf(coarse_, t));
             onFine.run(wholeTriangle(coarse_, t, host), [&](std::uint32_t on, double distance) {
-                raise(result_.errors[t].toSource, distance + static_cast<double>(fineErrors_[on].toSource));
+                raise(result_.errors[t].toSource, distance + static_cast<double>(patch_.error(on).toSource));
             });
         }
         Cover onCoarse(coarse_, tolerance);
         for (std::uint32_t t = 0; t < heir_.size(); ++t) {
             if (isSame_[t] != 0) continue;
-            const double before = fineErrors_[t].fromSource;
+            const double before = patch_.error(t).fromSource;
             onCoarse.run(wholeTriangle(fine_, t, firstHost(t)), [&](std::uint32_t on, double distance) {
                 raise(result_.errors[on].fromSource, distance + before);
             });
@@ -318,8 +312,8 @@ private:
         return host != kNone ? host : coarse_.nearest(center);
     }
 
+    const Patch& patch_;
     const SimplifiedPatch& simplified_;
-    std::span<const TriangleError> fineErrors_;
     Surface fine_;
     Surface coarse_;
     std::vector<std::uint32_t> heir_; // per triangle of the patch the simplified one that it became
@@ -329,12 +323,8 @@ private:
 
 } // namespace
 
-Deviation measureDeviation(
-    const Patch& patch,
-    const SimplifiedPatch& simplified,
-    std::span<const TriangleError> fineErrors,
-    double tolerance) {
-    return Measurement(patch, simplified, fineErrors).run(tolerance);
+Deviation measureDeviation(const Patch& patch, const SimplifiedPatch& simplified, double tolerance) {
+    return Measurement(patch, simplified).run(tolerance);
 }
 
 } // namespace gnomon::preprocess

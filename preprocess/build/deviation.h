@@ -3,27 +3,19 @@
 
 #include "preprocess/build/patch.h"
 
-#include <span>
-
 namespace gnomon::preprocess {
-
-/// What is known of one triangle of a level, in grid steps.
-struct TriangleError {
-    float fromSource = 0; // every source point that this triangle answers for is within this distance of it
-    float toSource = 0;   // every point of this triangle is within this distance of the source
-};
 
 struct Deviation {
     std::vector<TriangleError> errors; // of the simplified triangles
     double worst = 0;                  // the largest of them
 };
 
-/// Bounds the two-sided distance between the source and `simplified`, given the bounds `fineErrors` of the patch's own
-/// triangles. Each triangle of one side is cut into convex pieces, each piece is assigned to one triangle of the other
-/// side, and since the distance to a convex set is a convex function, the piece's corners bound all of it: no samples,
-/// no covering radius. Pieces within `tolerance` (grid steps) are not cut further. A source point answers to exactly
-/// one chain of triangles through the levels, so the bound holds for every cut, not only for uniform ones.
-Deviation measureDeviation(
-    const Patch& patch, const SimplifiedPatch& simplified, std::span<const TriangleError> fineErrors, double tolerance);
+/// Bounds the two-sided distance between the source and `simplified`, given the bounds `patch.errors` of the patch's
+/// own triangles, for simplifiers that do not bound it themselves. Each triangle of one side is cut into convex pieces,
+/// each piece is assigned to one triangle of the other side, and since the distance to a convex set is a convex
+/// function, the piece's corners bound all of it: no samples, no covering radius. Pieces within `tolerance` (grid
+/// steps) are not cut further. A source point answers to exactly one chain of triangles through the levels, so the
+/// bound holds for every cut, not only for uniform ones.
+Deviation measureDeviation(const Patch& patch, const SimplifiedPatch& simplified, double tolerance);
 
 } // namespace gnomon::preprocess

@@ -93,18 +93,24 @@ public:
         const LevelCluster& last = level_.clusters[group.firstCluster + group.clusterCount - 1];
         const std::size_t count = last.firstTriangle + last.triangleCount - first.firstTriangle;
         const auto triangles = std::span(level_.triangles).subspan(first.firstTriangle, count);
-        const GroupPatch patch = makeGroupPatch(mesh_, triangles, owners_);
+        GroupPatch patch = makeGroupPatch(mesh_, triangles, owners_);
+        patch.patch.errors = std::span(level_.errors).subspan(first.firstTriangle, count);
         const SimplifiedPatch simplified = simplify(patch.patch, (count + 1) / 2, options_.simplifier);
         const double before = std::max(worstRefinement(level_, group, below_), mesh_.grid.snapError());
         GroupResult result;
         std::vector<TriangleError> errors(simplified.triangles.size());
         if (options_.isErrorMeasured) {
-            const auto fineErrors = std::span(level_.errors).subspan(first.firstTriangle, count);
-            const double tolerance = before / mesh_.grid.step() * kToleranceShare;
-            Deviation deviation = measureDeviation(patch.patch, simplified, fineErrors, tolerance);
-            errors = std::move(deviation.errors);
+            if (simplified.errors.empty()) {
+                const double tolerance = before / mesh_.grid.step() * kToleranceShare;
+                errors = measureDeviation(patch.patch, simplified, tolerance).errors;
+            } else {
+                errors = simplified.errors;
+            }
+            double worst = 0;
+            for (const TriangleError& error : errors)
+                worst = std::max({worst, double{error.fromSource}, double{error.toSource}});
             // A little more than computed: the distances themselves are rounded.
-            const double measured = deviation.worst * (1 + 1e-9) * mesh_.grid.step() + mesh_.grid.snapError();
+            const double measured = worst * (1 + 1e-9) * mesh_.grid.step() + mesh_.grid.snapError();
             result.error = std::max(before, measured);
         } else {
             result.error = before + simplified.claimedError * mesh_.grid.step();

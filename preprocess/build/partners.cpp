@@ -9,7 +9,7 @@ namespace gnomon::preprocess {
 
 namespace {
 
-constexpr std::uint32_t kSmallPiece = 128; // positions
+constexpr std::uint32_t kSmallPiece = 24; // positions
 
 /// A balanced tree of points in one array: the middle of each range is its node.
 class PointTree {

@@ -1,8 +1,10 @@
 #include "hierarchy/octahedral.h"
 #include "preprocess/build/collapse_queue.h"
+#include "preprocess/build/fan_map.h"
 #include "preprocess/build/partners.h"
 #include "preprocess/build/quadric.h"
 #include "preprocess/build/simplify.h"
+#include "preprocess/build/triangle_distance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,14 +16,17 @@ namespace {
 
 using hierarchy::kNone;
 
-// Costs are squared distances in grid steps.
-constexpr double kTopologyPenalty = 4;    // a change of topology must be half as far
+// Costs are distances in grid steps, weights belong to their squares.
+constexpr double kTopologyPenalty = 2;    // a change of topology must be half as far
 constexpr double kLengthWeight = 1e-5;    // of the squared edge length: in flat places short edges go first
 constexpr double kNormalWeight = 0.01;    // of the squared edge length times the squared change of the normal
 constexpr double kColorWeight = 0.02;     // the same for colours, whose channels are in 0..1
 constexpr double kBorderWeight = 2;       // of the squared length of an open edge, against the areas of faces
 constexpr double kCreaseWeight = 0.5;     // the same where normals or colours part
 constexpr double kLeastTurnCosine = 0.25; // faces turn by no more than 75 degrees in one collapse
+constexpr double kSlack = 1.1;            // a collapse may cost so much more than its turn in the queue says
+constexpr double kEnoughShare = 0.67;     // of the triangles: with so few left, a patch need not get fewer at any price
+constexpr double kMostRise = 1.6;         // by how much the cost may rise from there
 
 double squared(const glm::dvec3& v) {
     return glm::dot(v, v);
@@ -39,6 +44,28 @@ private:
         std::uint32_t target = kNone;
     };
 
+    struct StarFace {
+        std::uint32_t triangle;
+        std::uint32_t b; // the two corners besides the star's centre, in order
+        std::uint32_t c;
+    };
+
+    struct BothErrors {
+        double fromSource = 0;
+        double toSource = 0;
+    };
+
+    struct Outcome {
+        std::uint32_t triangle;
+        double fromSource;
+        double toSource;
+    };
+
+    struct Heir {
+        double square = std::numeric_limits<double>::infinity();
+        std::uint32_t triangle = kNone;
+    };
+
     void linkCorners();
     void addFaceQuadrics();
     void addEdgeQuadrics();
@@ -53,15 +80,24 @@ private:
 
     double rawCost(std::uint32_t from, std::uint32_t to) const;
     double attributeCost(std::uint32_t from, std::uint32_t to) const;
-    double penalty(std::uint32_t from, std::uint32_t to);
-    bool turnsFace(std::uint32_t from, std::uint32_t to);
+    void gatherStar(std::uint32_t from, std::uint32_t to);
+    bool turnsFace(std::uint32_t from, std::uint32_t to) const;
     bool changesTopology(std::uint32_t from, std::uint32_t to);
-    bool breaksLockedEdge(std::uint32_t from, std::uint32_t to);
+    bool breaksLockedEdge(std::uint32_t to);
+    bool orderFan(std::uint32_t from, std::uint32_t to);
+    double triangleSquare(const glm::dvec3& p, const std::array<std::uint32_t, 3>& t) const;
+    void addOutcome(std::uint32_t triangle, double fromSource, double toSource);
+    Heir heirOf(const std::array<std::uint32_t, 3>& t, std::uint32_t from, std::uint32_t to);
+    bool foreseeErrors(std::uint32_t from, std::uint32_t to);
+    double trueCost(std::uint32_t from, std::uint32_t to);
     Choice cheapest(std::uint32_t p);
-    Choice cheapestAllowed(std::uint32_t p);
+    Choice cheapestAllowed(std::uint32_t p, Choice best);
+    double errorAround(std::uint32_t p);
     void refresh(std::uint32_t p);
     void collapse(std::uint32_t from, std::uint32_t to);
     void removeDoubled(std::uint32_t p);
+    void leave(std::uint32_t p);
+    void refreshAround(std::uint32_t from, std::uint32_t to);
     std::uint32_t vertexAt(
         std::uint32_t vertex, std::uint32_t to, const std::vector<std::array<std::uint32_t, 2>>& joined);
 
@@ -86,6 +122,18 @@ private:
     std::uint32_t stampNow_ = 0;
     CollapseQueue queue_;
     double claimed_ = 0;
+    std::vector<BothErrors> error_; // per triangle
+    // Of the collapse under consideration:
+    std::vector<StarFace> star_;
+    std::uint32_t vanishing_ = 0;
+    std::vector<std::array<std::uint32_t, 2>> ends_;
+    std::vector<std::pair<double, std::uint32_t>> candidates_;
+    Fan fan_;
+    std::vector<std::uint32_t> around_;
+    std::vector<std::array<std::uint32_t, 3>> sides_;
+    std::vector<Outcome> outcomes_;
+    std::vector<std::array<std::uint32_t, 2>> standIns_; // a vertex of the apex, and what replaces it
+    double worst_ = 0;
 };
 
 Collapser::Collapser(const Patch& patch) : patch_(patch), queue_(patch.positions.size()) {
@@ -104,6 +152,9 @@ Collapser::Collapser(const Patch& patch) : patch_(patch), queue_(patch.positions
     movedTo_.resize(positions);
     for (std::uint32_t p = 0; p < positions; ++p)
         movedTo_[p] = p;
+    error_.reserve(vertex_.size());
+    for (std::size_t t = 0; t < vertex_.size(); ++t)
+        error_.push_back({patch.error(t).fromSource, patch.error(t).toSource});
     linkCorners();
     addFaceQuadrics();
     addEdgeQuadrics();
@@ -246,74 +297,193 @@ double Collapser::rawCost(std::uint32_t from, std::uint32_t to) const {
     return quadric.meanSquare(patch_.positions[to]) + square * (kLengthWeight + attributeCost(from, to));
 }
 
-bool Collapser::turnsFace(std::uint32_t from, std::uint32_t to) {
-    bool turns = false;
-    const glm::dvec3& target = patch_.positions[to];
+/// Lists the living triangles around `from` and counts those that vanish where it collapses onto `to`.
+void Collapser::gatherStar(std::uint32_t from, std::uint32_t to) {
+    star_.clear();
+    vanishing_ = 0;
     forCorners(from, [&](std::uint32_t corner) {
         const std::uint32_t t = corner / 3;
-        const std::uint32_t b = position_[t][(corner + 1 - 3 * t) % 3];
-        const std::uint32_t c = position_[t][(corner + 2 - 3 * t) % 3];
-        if (turns || b == to || c == to) return;
-        const glm::dvec3& pb = patch_.positions[b];
-        const glm::dvec3 side = patch_.positions[c] - pb;
-        const glm::dvec3 before = glm::cross(side, patch_.positions[from] - pb);
-        const glm::dvec3 after = glm::cross(side, target - pb);
-        const double lengths = squared(before) * squared(after);
-        const double turned = glm::dot(before, after);
-        const bool hadArea = squared(before) > 0;
-        if (hadArea && (turned <= 0 || turned * turned < kLeastTurnCosine * kLeastTurnCosine * lengths)) turns = true;
-        if (squared(firstNormal_[t]) > 0 && glm::dot(firstNormal_[t], after) <= 0) turns = true;
+        const std::uint32_t i = corner % 3;
+        const StarFace face{t, position_[t][(i + 1) % 3], position_[t][(i + 2) % 3]};
+        if (face.b == to || face.c == to) ++vanishing_;
+        star_.push_back(face);
     });
-    return turns;
+}
+
+bool Collapser::turnsFace(std::uint32_t from, std::uint32_t to) const {
+    const glm::dvec3& origin = patch_.positions[from];
+    const glm::dvec3& target = patch_.positions[to];
+    for (const StarFace& face : star_) {
+        if (face.b == to || face.c == to) continue;
+        const glm::dvec3& b = patch_.positions[face.b];
+        const glm::dvec3 side = patch_.positions[face.c] - b;
+        const glm::dvec3 before = glm::cross(side, origin - b);
+        const glm::dvec3 after = glm::cross(side, target - b);
+        const double square = squared(before);
+        const double turned = glm::dot(before, after);
+        if (square > 0 &&
+            (turned <= 0 || turned * turned < kLeastTurnCosine * kLeastTurnCosine * square * squared(after)))
+            return true;
+        const glm::dvec3& first = firstNormal_[face.triangle];
+        if (glm::dot(first, after) <= 0 && squared(first) > 0) return true;
+    }
+    return false;
 }
 
 /// Whether the two ends have neighbours in common besides those of the triangles that vanish, or are both on a border
 /// across which the edge leads, or have no edge.
 bool Collapser::changesTopology(std::uint32_t from, std::uint32_t to) {
-    std::size_t shared = 0;
-    forCorners(from, [&](std::uint32_t corner) {
-        const auto& t = position_[corner / 3];
-        if (t[0] == to || t[1] == to || t[2] == to) ++shared;
-    });
-    if (shared == 0) return true;
-    if (shared > 1 && isBorder_[from] != 0 && isBorder_[to] != 0) return true;
-    forNeighbours(from, [](std::uint32_t /*q*/) {});
+    if (vanishing_ == 0) return true;
+    if (vanishing_ > 1 && isBorder_[from] != 0 && isBorder_[to] != 0) return true;
+    stampNow_ += 2;
     const std::uint32_t stamp = stampNow_;
+    for (const StarFace& face : star_)
+        stamp_[face.b] = stamp_[face.c] = stamp;
+    stamp_[to] = stamp_[from] = stamp - 1;
     std::size_t common = 0;
     forCorners(to, [&](std::uint32_t corner) {
         for (const std::uint32_t q : position_[corner / 3])
-            if (q != to && q != from && stamp_[q] == stamp) {
+            if (stamp_[q] == stamp) {
                 stamp_[q] = stamp - 1; // counted
                 ++common;
             }
     });
-    return common > shared;
+    return common > vanishing_;
 }
 
 /// Whether an edge between two locked positions would gain or lose a face: groups on its other side count on it.
-bool Collapser::breaksLockedEdge(std::uint32_t from, std::uint32_t to) {
+bool Collapser::breaksLockedEdge(std::uint32_t to) {
     if (patch_.isLocked[to] == 0) return false;
-    std::vector<std::array<std::uint32_t, 2>> ends; // locked neighbour, 1 if its face with `from` vanishes
-    forCorners(from, [&](std::uint32_t corner) {
-        const auto& t = position_[corner / 3];
-        const std::uint32_t vanishes = t[0] == to || t[1] == to || t[2] == to ? 1 : 0;
-        for (const std::uint32_t q : t)
-            if (q != from && q != to && patch_.isLocked[q] != 0) ends.push_back({q, vanishes});
-    });
-    std::sort(ends.begin(), ends.end());
+    ends_.clear(); // locked neighbour, 1 if its face vanishes
+    for (const StarFace& face : star_) {
+        const std::uint32_t vanishes = face.b == to || face.c == to ? 1 : 0;
+        if (face.b != to && patch_.isLocked[face.b] != 0) ends_.push_back({face.b, vanishes});
+        if (face.c != to && patch_.isLocked[face.c] != 0) ends_.push_back({face.c, vanishes});
+    }
+    if (ends_.empty()) return false;
+    std::sort(ends_.begin(), ends_.end());
     std::int64_t balance = 0;
-    for (std::size_t i = 0; i < ends.size(); ++i) {
-        balance += ends[i][1] != 0 ? 1 : -1;
-        if (i + 1 < ends.size() && ends[i + 1][0] == ends[i][0]) continue;
+    for (std::size_t i = 0; i < ends_.size(); ++i) {
+        balance += ends_[i][1] != 0 ? 1 : -1;
+        if (i + 1 < ends_.size() && ends_[i + 1][0] == ends_[i][0]) continue;
         if (balance != 0) return true;
     }
     return false;
 }
 
-/// What to multiply the cost with; infinite if the collapse may not be.
-double Collapser::penalty(std::uint32_t from, std::uint32_t to) {
-    if (turnsFace(from, to) || breaksLockedEdge(from, to)) return std::numeric_limits<double>::infinity();
-    return changesTopology(from, to) ? kTopologyPenalty : 1;
+/// Orders the star as a fan from `to` onwards, edge to edge; false if it is none.
+bool Collapser::orderFan(std::uint32_t from, std::uint32_t to) {
+    const std::size_t count = star_.size();
+    if (vanishing_ == 0 || vanishing_ > 2 || count < 2 || count >= Fan::kMaxRim) return false;
+    fan_.count = 0;
+    std::uint32_t at = to;
+    for (std::size_t done = 0; done < count; ++done) {
+        std::size_t next = done; // the star's faces before `done` are in order
+        while (next < count && star_[next].b != at && star_[next].c != at)
+            ++next;
+        if (next == count) return false;
+        std::swap(star_[done], star_[next]);
+        const StarFace& face = star_[done];
+        fan_.rim[fan_.count] = patch_.positions[at];
+        fan_.fromSource[fan_.count] = error_[face.triangle].fromSource;
+        fan_.toSource[fan_.count] = error_[face.triangle].toSource;
+        ++fan_.count;
+        at = face.b == at ? face.c : face.b;
+        if (at == to && done + 1 < count) return false;
+    }
+    fan_.isClosed = at == to;
+    if (fan_.isClosed != (vanishing_ == 2)) return false;
+    if (!fan_.isClosed) fan_.rim[fan_.count++] = patch_.positions[at];
+    if (fan_.count < 3) return false;
+    fan_.apex = patch_.positions[from];
+    return true;
+}
+
+double Collapser::triangleSquare(const glm::dvec3& p, const std::array<std::uint32_t, 3>& t) const {
+    return nearestSquare(p, patch_.positions[t[0]], patch_.positions[t[1]], patch_.positions[t[2]]);
+}
+
+/// What a triangle answers for besides its own source points, once it has taken those of another.
+void Collapser::addOutcome(std::uint32_t triangle, double fromSource, double toSource) {
+    outcomes_.push_back({triangle, fromSource, toSource});
+    worst_ = std::max({worst_, fromSource, toSource});
+}
+
+/// The triangle among `t`'s new neighbours, or failing them near its piece, that has the source points of `t` nearest.
+/// A convex set's distance is convex: where the corners of `t` are within it, so is all of `t`.
+Collapser::Heir Collapser::heirOf(const std::array<std::uint32_t, 3>& t, std::uint32_t from, std::uint32_t to) {
+    Heir heir;
+    const auto consider = [&](std::uint32_t candidate) {
+        auto corners = position_[candidate];
+        std::replace(corners.begin(), corners.end(), from, to);
+        if ((corners[0] == corners[1]) || (corners[1] == corners[2]) || (corners[2] == corners[0])) return;
+        double square = 0;
+        for (const std::uint32_t p : t)
+            square = std::max(square, triangleSquare(patch_.positions[p], corners));
+        if (square < heir.square || (square == heir.square && candidate < heir.triangle)) heir = {square, candidate};
+    };
+    const auto considerAround = [&](std::uint32_t p) {
+        forCorners(p, [&](std::uint32_t corner) { consider(corner / 3); });
+    };
+    for (const std::uint32_t p : t)
+        considerAround(p);
+    if (heir.triangle != kNone || partner_.empty()) return heir;
+    for (const std::uint32_t p : t)
+        if (partner_[p] != kNone) considerAround(whereNow(partner_[p]));
+    return heir;
+}
+
+/// Bounds what the collapse does to each triangle that stays, or takes what another leaves; false if nobody can.
+bool Collapser::foreseeErrors(std::uint32_t from, std::uint32_t to) {
+    outcomes_.clear();
+    worst_ = 0;
+    if (orderFan(from, to)) {
+        const FanAfter after = mapFan(fan_);
+        for (std::uint32_t j = 1; j + 1 < fan_.count; ++j)
+            addOutcome(star_[j].triangle, after.fromSource[j], after.toSource[j]);
+        return true;
+    }
+    const glm::dvec3& origin = patch_.positions[from];
+    const glm::dvec3& target = patch_.positions[to];
+    for (const StarFace& face : star_) {
+        const BothErrors& before = error_[face.triangle];
+        if (face.b != to && face.c != to) {
+            const glm::dvec3& b = patch_.positions[face.b];
+            const glm::dvec3& c = patch_.positions[face.c];
+            addOutcome(
+                face.triangle,
+                before.fromSource + std::sqrt(nearestSquare(origin, target, b, c)),
+                before.toSource + std::sqrt(nearestSquare(target, origin, b, c)));
+            continue;
+        }
+        const Heir heir = heirOf({from, face.b, face.c}, from, to);
+        if (heir.triangle == kNone) return false;
+        addOutcome(heir.triangle, before.fromSource + std::sqrt(heir.square), 0);
+    }
+    return true;
+}
+
+/// The cost of moving `from` onto `to` with all that is known of it; infinite if the collapse may not be.
+double Collapser::trueCost(std::uint32_t from, std::uint32_t to) {
+    constexpr double kNever = std::numeric_limits<double>::infinity();
+    gatherStar(from, to);
+    if (vanishing_ >= aliveCount_) return kNever; // something must remain
+    if (turnsFace(from, to) || breaksLockedEdge(to)) return kNever;
+    const double penalty = changesTopology(from, to) ? kTopologyPenalty : 1;
+    if (!foreseeErrors(from, to)) return kNever;
+    double before = 0;
+    for (const StarFace& face : star_)
+        before = std::max({before, error_[face.triangle].fromSource, error_[face.triangle].toSource});
+    return std::max(worst_, before + std::sqrt(rawCost(from, to))) + (penalty - 1) * (worst_ - before);
+}
+
+/// The largest error of the triangles around `p`.
+double Collapser::errorAround(std::uint32_t p) {
+    double before = 0;
+    forCorners(p, [&](std::uint32_t corner) {
+        before = std::max({before, error_[corner / 3].fromSource, error_[corner / 3].toSource});
+    });
+    return before;
 }
 
 Collapser::Choice Collapser::cheapest(std::uint32_t p) {
@@ -324,22 +494,27 @@ Collapser::Choice Collapser::cheapest(std::uint32_t p) {
     };
     forNeighbours(p, [&](std::uint32_t q) { consider(q, 1); });
     if (!partner_.empty() && partner_[p] != kNone)
-        if (const std::uint32_t q = whereNow(partner_[p]); q != p && hasFaces(q)) consider(q, kTopologyPenalty);
+        if (const std::uint32_t q = whereNow(partner_[p]); q != p && hasFaces(q))
+            consider(q, kTopologyPenalty * kTopologyPenalty);
+    if (best.target != kNone) best.cost = errorAround(p) + std::sqrt(best.cost);
     return best;
 }
 
-Collapser::Choice Collapser::cheapestAllowed(std::uint32_t p) {
-    std::vector<std::uint32_t> candidates;
-    forNeighbours(p, [&](std::uint32_t q) { candidates.push_back(q); });
+Collapser::Choice Collapser::cheapestAllowed(std::uint32_t p, Choice best) {
+    candidates_.clear();
+    forNeighbours(p, [&](std::uint32_t q) { candidates_.push_back({rawCost(p, q), q}); });
     if (!partner_.empty() && partner_[p] != kNone)
-        if (const std::uint32_t q = whereNow(partner_[p]); q != p && hasFaces(q)) candidates.push_back(q);
-    Choice best;
-    for (const std::uint32_t q : candidates) {
-        const double cost = rawCost(p, q);
-        if (cost > best.cost) continue;
-        const double allowed = cost * penalty(p, q);
-        if (!(allowed < std::numeric_limits<double>::infinity())) continue; // no last resort: it may not be at all
-        if (allowed < best.cost || (allowed == best.cost && q < best.target)) best = {allowed, q};
+        if (const std::uint32_t q = whereNow(partner_[p]); q != p && hasFaces(q))
+            candidates_.push_back({rawCost(p, q) * kTopologyPenalty * kTopologyPenalty, q});
+    std::sort(candidates_.begin(), candidates_.end());
+    const double before = errorAround(p);
+    const std::uint32_t first = best.target;
+    if (best.cost == std::numeric_limits<double>::infinity()) best.target = kNone;
+    for (const auto& [cost, q] : candidates_) {
+        if (before + std::sqrt(cost) >= best.cost) break;
+        if (q == first) continue;
+        const double allowed = trueCost(p, q);
+        if (allowed < best.cost) best = {allowed, q};
     }
     return best;
 }
@@ -384,30 +559,35 @@ std::uint32_t Collapser::vertexAt(
     return best;
 }
 
+/// Carries out the collapse that `trueCost` looked at last.
 void Collapser::collapse(std::uint32_t from, std::uint32_t to) {
-    std::vector<std::array<std::uint32_t, 2>> joined;
-    std::vector<std::uint32_t> moved;
-    forCorners(from, [&](std::uint32_t corner) {
-        const std::uint32_t t = corner / 3;
-        for (std::uint32_t k = 0; k < 3; ++k)
-            if (position_[t][k] == to) joined.push_back({vertex_[t][corner % 3], vertex_[t][k]});
-        moved.push_back(corner);
-    });
-    std::vector<std::array<std::uint32_t, 2>> standIns = joined;
-    for (const std::uint32_t corner : moved) {
-        const std::uint32_t vertex = vertex_[corner / 3][corner % 3];
-        const std::uint32_t standIn = vertexAt(vertex, to, standIns);
-        standIns.push_back({vertex, standIn});
+    for (const StarFace& face : star_)
+        if (face.b != to && face.c != to) error_[face.triangle] = {};
+    for (const Outcome& outcome : outcomes_) {
+        BothErrors& error = error_[outcome.triangle];
+        error.fromSource = std::max(error.fromSource, outcome.fromSource);
+        error.toSource = std::max(error.toSource, outcome.toSource);
     }
-    for (const std::uint32_t corner : moved) {
-        const std::uint32_t t = corner / 3;
-        if (position_[t][0] == to || position_[t][1] == to || position_[t][2] == to) {
-            isAlive_[t] = 0;
+    standIns_.clear();
+    for (const StarFace& face : star_) {
+        const auto& t = position_[face.triangle];
+        const auto& v = vertex_[face.triangle];
+        const auto placeOf = [&t](std::uint32_t p) { return t[0] == p ? 0U : (t[1] == p ? 1U : 2U); };
+        if (face.b == to || face.c == to) standIns_.push_back({v[placeOf(from)], v[placeOf(to)]});
+    }
+    for (const StarFace& face : star_) {
+        if (face.b == to || face.c == to) {
+            isAlive_[face.triangle] = 0;
             --aliveCount_;
             continue;
         }
-        vertex_[t][corner % 3] = vertexAt(vertex_[t][corner % 3], to, standIns);
-        position_[t][corner % 3] = to;
+        auto& t = position_[face.triangle];
+        const std::size_t i = t[0] == from ? 0 : (t[1] == from ? 1 : 2);
+        std::uint32_t& vertex = vertex_[face.triangle][i];
+        const std::uint32_t standIn = vertexAt(vertex, to, standIns_);
+        standIns_.push_back({vertex, standIn});
+        vertex = standIn;
+        t[i] = to;
     }
     if (head_[to] == kNone)
         head_[to] = head_[from];
@@ -420,23 +600,49 @@ void Collapser::collapse(std::uint32_t from, std::uint32_t to) {
     movedTo_[from] = to;
     if (!partner_.empty() && partner_[to] == kNone && patch_.isLocked[to] == 0) partner_[to] = partner_[from];
     removeDoubled(to);
+    for (const StarFace& face : star_)
+        if (face.b == to || face.c == to) leave(face.b == to ? face.c : face.b);
+    leave(to);
+}
+
+/// Where the last triangle at `p` vanished: whoever looks for `p` finds the triangle that took what was left.
+void Collapser::leave(std::uint32_t p) {
+    if (hasFaces(p)) return;
+    queue_.remove(p);
+    double best = std::numeric_limits<double>::infinity();
+    for (const Outcome& outcome : outcomes_) {
+        if (isAlive_[outcome.triangle] == 0) continue;
+        for (const std::uint32_t q : position_[outcome.triangle]) {
+            const double square = squared(patch_.positions[q] - patch_.positions[p]);
+            if (square >= best) continue;
+            best = square;
+            movedTo_[p] = q;
+        }
+    }
 }
 
 /// Of triangles at `p` with the same three positions only the first stays.
 void Collapser::removeDoubled(std::uint32_t p) {
-    std::vector<std::array<std::uint32_t, 3>> sides; // lesser position, greater position, triangle
+    sides_.clear(); // lesser position, greater position, triangle
     forCorners(p, [&](std::uint32_t corner) {
         const auto& t = position_[corner / 3];
         const std::uint32_t a = t[(corner % 3 + 1) % 3];
         const std::uint32_t b = t[(corner % 3 + 2) % 3];
-        sides.push_back({std::min(a, b), std::max(a, b), corner / 3});
+        sides_.push_back({std::min(a, b), std::max(a, b), corner / 3});
     });
-    std::sort(sides.begin(), sides.end());
+    std::sort(sides_.begin(), sides_.end());
     const auto locked = [&](std::uint32_t q) { return patch_.isLocked[q] != 0 ? 1 : 0; };
-    for (std::size_t i = 1; i < sides.size(); ++i) {
-        if (sides[i][0] != sides[i - 1][0] || sides[i][1] != sides[i - 1][1] || aliveCount_ == 1) continue;
-        if (locked(p) + locked(sides[i][0]) + locked(sides[i][1]) > 1) continue; // a locked edge keeps its faces
-        isAlive_[sides[i][2]] = 0;
+    std::size_t first = 0;
+    for (std::size_t i = 1; i < sides_.size(); ++i) {
+        if (sides_[i][0] != sides_[first][0] || sides_[i][1] != sides_[first][1]) {
+            first = i;
+            continue;
+        }
+        if (locked(p) + locked(sides_[i][0]) + locked(sides_[i][1]) > 1) continue; // a locked edge keeps its faces
+        BothErrors& kept = error_[sides_[first][2]];
+        const BothErrors& gone = error_[sides_[i][2]];
+        kept = {std::max(kept.fromSource, gone.fromSource), std::min(kept.toSource, gone.toSource)};
+        isAlive_[sides_[i][2]] = 0;
         --aliveCount_;
     }
 }
@@ -444,53 +650,70 @@ void Collapser::removeDoubled(std::uint32_t p) {
 SimplifiedPatch Collapser::run(std::size_t targetTriangles) {
     for (std::uint32_t p = 0; p < patch_.positions.size(); ++p)
         refresh(p);
-    std::vector<std::uint32_t> around;
+    const double enough = kEnoughShare * static_cast<double>(aliveCount_);
+    double dearest = 0;
     while (aliveCount_ > targetTriangles && !queue_.isEmpty()) {
+        const double cost = queue_.least();
+        if (static_cast<double>(aliveCount_) < enough && cost > kMostRise * dearest) break;
         const std::uint32_t p = queue_.take();
         if (!hasFaces(p)) continue;
-        if (!hasFaces(target_[p])) { // vanished since
+        const std::uint32_t to = target_[p];
+        if (!hasFaces(to)) { // vanished since
             refresh(p);
             continue;
         }
-        if (isChecked_[p] == 0) {
-            if (penalty(p, target_[p]) != 1) {
-                const Choice choice = cheapestAllowed(p);
-                if (choice.target == kNone) continue;
-                target_[p] = choice.target;
-                isChecked_[p] = 1;
-                queue_.put(p, choice.cost);
-                continue;
-            }
+        const double found = trueCost(p, to);
+        if (!(found <= kSlack * cost)) {
+            const Choice choice = cheapestAllowed(p, {found, to});
+            if (choice.target == kNone) continue;
+            target_[p] = choice.target;
+            isChecked_[p] = 1;
+            queue_.put(p, choice.cost);
+            continue;
         }
-        const std::uint32_t to = target_[p];
-        std::size_t dying = 0;
-        forCorners(p, [&](std::uint32_t corner) {
-            const auto& t = position_[corner / 3];
-            if (t[0] == to || t[1] == to || t[2] == to) ++dying;
-        });
-        if (dying >= aliveCount_) continue; // something must remain
+        if (static_cast<double>(aliveCount_) >= enough) dearest = std::max(dearest, found);
         claimed_ = std::max(claimed_, quadric_[p].meanSquare(patch_.positions[to]));
-        around.clear();
-        forNeighbours(p, [&](std::uint32_t q) { around.push_back(q); });
+        around_.clear();
+        forNeighbours(p, [&](std::uint32_t q) {
+            if (q != to) around_.push_back(q);
+        });
         collapse(p, to);
-        forNeighbours(to, [&](std::uint32_t q) { around.push_back(q); });
-        around.push_back(to);
-        std::sort(around.begin(), around.end());
-        around.erase(std::unique(around.begin(), around.end()), around.end());
-        for (const std::uint32_t q : around)
-            if (movedTo_[q] == q) refresh(q);
+        refreshAround(p, to);
     }
     SimplifiedPatch result;
     for (std::uint32_t t = 0; t < vertex_.size(); ++t) {
         if (isAlive_[t] == 0) continue;
         result.triangles.push_back(vertex_[t]);
         result.origin.push_back(t);
+        result.errors.push_back({roundedUp(error_[t].fromSource), roundedUp(error_[t].toSource)});
     }
     result.movedTo = movedTo_;
     for (std::uint32_t& p : result.movedTo)
         p = whereNow(p);
     result.claimedError = std::sqrt(claimed_);
     return result;
+}
+
+/// Brings the queue up to date after `from` went into `to`.
+void Collapser::refreshAround(std::uint32_t from, std::uint32_t to) {
+    for (const std::uint32_t q : around_) {
+        if (movedTo_[q] != q || patch_.isLocked[q] != 0) continue;
+        if (target_[q] == from || isChecked_[q] != 0 || !queue_.holds(q)) {
+            refresh(q);
+            continue;
+        }
+        const double cost = errorAround(q) + std::sqrt(rawCost(q, to));
+        if (cost >= queue_.costOf(q)) continue;
+        target_[q] = to;
+        queue_.put(q, cost);
+    }
+    around_.clear();
+    forNeighbours(to, [&](std::uint32_t q) {
+        if (!queue_.holds(q)) around_.push_back(q); // nothing was allowed there; now something may be
+    });
+    for (const std::uint32_t q : around_)
+        refresh(q);
+    if (movedTo_[to] == to) refresh(to);
 }
 
 } // namespace

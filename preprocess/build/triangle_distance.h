@@ -19,4 +19,12 @@ struct Footing {
 /// The squared distance of `p` from the triangle `a`, `b`, `c`, which may be degenerate.
 Footing footing(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
 
+/// An upper bound of the squared distance of `p` from the triangle that is its exact value but for rounding: the
+/// distance from a point of the triangle that is computed explicitly. Ericson, "Real-Time Collision Detection", 2005,
+/// 5.1.5.
+double nearestSquare(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
+
+/// The same for the segment from `a` to `b`.
+double nearestSquare(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b);
+
 } // namespace gnomon::preprocess

@@ -576,11 +576,7 @@ void Collapser::collapse(std::uint32_t from, std::uint32_t to) {
         if (face.b == to || face.c == to) standIns_.push_back({v[placeOf(from)], v[placeOf(to)]});
     }
     for (const StarFace& face : star_) {
-        if (face.b == to || face.c == to) {
-            isAlive_[face.triangle] = 0;
-            --aliveCount_;
-            continue;
-        }
+        if (face.b == to || face.c == to) continue;
         auto& t = position_[face.triangle];
         const std::size_t i = t[0] == from ? 0 : (t[1] == from ? 1 : 2);
         std::uint32_t& vertex = vertex_[face.triangle][i];
@@ -589,6 +585,9 @@ void Collapser::collapse(std::uint32_t from, std::uint32_t to) {
         vertex = standIn;
         t[i] = to;
     }
+    for (const StarFace& face : star_)
+        if (face.b == to || face.c == to) isAlive_[face.triangle] = 0;
+    aliveCount_ -= vanishing_;
     if (head_[to] == kNone)
         head_[to] = head_[from];
     else

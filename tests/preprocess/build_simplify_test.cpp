@@ -145,6 +145,26 @@ TEST(Simplify, ALongThinStripDoesNotShrinkBeforeWhatIsRoughAsLongAsItIsWide) {
         EXPECT_LT(error.fromSource, 100);
 }
 
+TEST(Simplify, TrianglesThatShareNothingButAnEdgeCollapseOntoAVertexThatLosesItsLastFace) {
+    // Each part is two faces on one edge, with corners of their own: both vanish, and nothing is left around the
+    // target.
+    CodeMesh pairs({}, {});
+    Random random(37);
+    for (int pair = 0; pair < 40; ++pair) {
+        const auto first = static_cast<std::uint32_t>(pairs.positions.size());
+        const double x = random.unit();
+        for (const glm::dvec3& corner :
+             {glm::dvec3(0), glm::dvec3(0.004, 0, 0), glm::dvec3(0.002, 0.3, 0), glm::dvec3(0.002, -0.3, 0.1)})
+            pairs.positions.push_back(corner + glm::dvec3(x, 0.5, pair * 0.02));
+        pairs.triangles.push_back({first, first + 1, first + 2});
+        pairs.triangles.push_back({first, first + 1, first + 3});
+    }
+    Patch patch = patchOf(pairs);
+    const SimplifiedPatch simplified = simplifyOwn(patch, 8);
+    EXPECT_GE(simplified.triangles.size(), 1U);
+    expectHonest(patch, simplified.triangles, simplified.errors);
+}
+
 TEST(Simplify, AnEarOnALockedEdgeStaysHoweverFewTrianglesAreWanted) {
     // Two triangles, each hanging with one free corner on an edge that the group on its other side counts on.
     Patch patch;

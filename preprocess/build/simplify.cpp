@@ -2,7 +2,15 @@
 
 namespace gnomon::preprocess {
 
-SimplifiedPatch simplify(const Patch& patch, std::size_t targetTriangles, Simplifier /*simplifier*/) {
+SimplifiedPatch simplify(const Patch& patch, std::size_t targetTriangles, Simplifier simplifier) {
+    switch (simplifier) {
+    case Simplifier::Meshopt:
+        return simplifyMeshopt(patch, targetTriangles);
+    case Simplifier::OpenMesh:
+        return simplifyOpenMesh(patch, targetTriangles);
+    case Simplifier::Own:
+        break;
+    }
     return simplifyOwn(patch, targetTriangles);
 }
 

@@ -418,8 +418,11 @@ Collapser::Heir Collapser::heirOf(const std::array<std::uint32_t, 3>& t, std::ui
         std::replace(corners.begin(), corners.end(), from, to);
         if ((corners[0] == corners[1]) || (corners[1] == corners[2]) || (corners[2] == corners[0])) return;
         double square = 0;
-        for (const std::uint32_t p : t)
+        for (const std::uint32_t p : t) {
+            if (p == corners[0] || p == corners[1] || p == corners[2]) continue;
             square = std::max(square, triangleSquare(patch_.positions[p], corners));
+            if (square > heir.square) return;
+        }
         if (square < heir.square || (square == heir.square && candidate < heir.triangle)) heir = {square, candidate};
     };
     const auto considerAround = [&](std::uint32_t p) {

@@ -1,6 +1,7 @@
 // The simplifier by itself: what it may never do.
 #include "core/random.h"
 #include "preprocess/build/deviation.h"
+#include "preprocess/build/locked_edge_check.h"
 #include "preprocess/build/simplify.h"
 #include "preprocess/build/triangle_distance.h"
 #include "tests/preprocess/build_meshes.h"
@@ -127,6 +128,22 @@ TEST(Simplify, WhatTheSimplifierBoundsIsNearToWhatIsMeasuredAfterwards) {
     for (const TriangleError& error : simplified.errors)
         bounded = std::max({bounded, double{error.fromSource}, double{error.toSource}});
     EXPECT_LE(bounded, 3 * measured.worst);
+}
+
+TEST(Simplify, TheOthersToBeComparedWithKeepWhatOtherGroupsCountOnAndAreMeasuredHonestly) {
+    for (const Simplifier simplifier : {Simplifier::Meshopt, Simplifier::OpenMesh}) {
+        std::vector<Patch> patches{patchOf(bumpySheet(20)), patchOf(strewnBoxes(60)), patchOf(mixedMesh())};
+        for (Patch& patch : patches) {
+            const std::vector<TriangleError> errors = someErrors(patch.triangles.size());
+            patch.errors = errors;
+            const SimplifiedPatch simplified = simplify(patch, patch.triangles.size() / 2, simplifier);
+            EXPECT_TRUE(keepsLockedEdges(patch, simplified.triangles));
+            EXPECT_TRUE(simplified.errors.empty());
+            expectHonest(patch, simplified.triangles, measureDeviation(patch, simplified, 1).errors);
+        }
+        const Patch sheet = patchOf(bumpySheet(20));
+        EXPECT_LT(simplify(sheet, 400, simplifier).triangles.size(), 480U);
+    }
 }
 
 TEST(Simplify, ALongThinStripDoesNotShrinkBeforeWhatIsRoughAsLongAsItIsWide) {

@@ -97,7 +97,8 @@ bool drawLightPad(const render::Frame* frame, const Camera& camera, StoragePad& 
     if (question && pad.range()) {
         const auto range = *pad.range();
         const double here = storageFactor(*question, towardsLight);
-        ImGui::Text("storage factor\n%.3g here\n%.3g dark\n%.3g white", here, range.least, range.largest);
+        ImGui::Text(
+            "storage factor,\nmaps not turned\n%.3g here\n%.3g dark\n%.3g white", here, range.least, range.largest);
     }
     ImGui::Checkbox("from below", &isBelow);
     ImGui::EndGroup();

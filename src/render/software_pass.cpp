@@ -9,8 +9,8 @@ void SoftwarePass::gather(const FrameDrawing& frame, const selection::DrawList& 
         const hierarchy::Page& page = frame.pages(range.page);
         for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c) {
             const hierarchy::Cluster& cluster = page.clusters[c];
-            const hierarchy::Vertex* vertices = &page.vertices[cluster.firstVertex];
-            const hierarchy::Triangle* triangles = &page.triangles[cluster.firstTriangle];
+            const hierarchy::Vertex* vertices = page.vertices.data() + cluster.firstVertex;
+            const hierarchy::Triangle* triangles = page.triangles.data() + cluster.firstTriangle;
             clusters_.push_back(
                 {&vertices->position.x,
                  sizeof(hierarchy::Vertex),

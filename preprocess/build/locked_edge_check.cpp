@@ -24,10 +24,18 @@ std::vector<std::array<std::uint32_t, 2>> lockedEdges(const Patch& patch, const 
 } // namespace
 
 bool keepsLockedEdges(const Patch& patch, const std::vector<Triangle>& triangles) {
-    const auto before = lockedEdges(patch, patch.triangles);
-    auto after = lockedEdges(patch, triangles);
-    std::erase_if(after, [&](const auto& edge) { return !std::binary_search(before.begin(), before.end(), edge); });
-    return before == after;
+    return lockedEdges(patch, patch.triangles) == lockedEdges(patch, triangles);
+}
+
+std::vector<std::uint8_t> lockedWithRing(const Patch& patch) {
+    std::vector<std::uint8_t> isLocked = patch.isLocked;
+    for (const Triangle& triangle : patch.triangles) {
+        const Triangle t = patch.corners(triangle);
+        if ((patch.isLocked[t[0]] | patch.isLocked[t[1]] | patch.isLocked[t[2]]) == 0) continue;
+        for (const std::uint32_t p : t)
+            isLocked[p] = 1;
+    }
+    return isLocked;
 }
 
 } // namespace gnomon::preprocess

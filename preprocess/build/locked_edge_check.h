@@ -5,8 +5,11 @@
 
 namespace gnomon::preprocess {
 
-/// True if each edge of the patch between two locked positions has as many of `triangles` as of the patch's own. Edges
-/// that are new between locked positions are nobody else's.
+/// True if each edge between two locked positions has as many of `triangles` as of the patch's own. An edge that is new
+/// between locked positions counts too: the group on its other side may make the same one, and lose it later.
 bool keepsLockedEdges(const Patch& patch, const std::vector<Triangle>& triangles);
+
+/// The patch's locks with all neighbours of locked positions locked as well: whoever respects these keeps locked edges.
+std::vector<std::uint8_t> lockedWithRing(const Patch& patch);
 
 } // namespace gnomon::preprocess

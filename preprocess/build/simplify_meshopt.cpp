@@ -16,7 +16,7 @@ struct Input {
     std::vector<float> positions;
     std::size_t dummyIndices = 0;
 
-    explicit Input(const Patch& patch) {
+    Input(const Patch& patch, const std::vector<std::uint8_t>& isLocked) {
         const auto vertexCount = static_cast<unsigned>(patch.vertices.size());
         for (const std::uint32_t p : patch.positionOf)
             for (int axis = 0; axis < 3; ++axis)
@@ -29,7 +29,7 @@ struct Input {
         for (const Triangle& t : patch.triangles)
             indices.insert(indices.end(), t.begin(), t.end());
         for (unsigned v = 0; v < vertexCount; ++v) {
-            if (patch.isLocked[patch.positionOf[v]] == 0) continue;
+            if (isLocked[patch.positionOf[v]] == 0) continue;
             for (int twice = 0; twice < 2; ++twice)
                 indices.insert(indices.end(), {v, vertexCount, vertexCount + 1});
             dummyIndices += 6;
@@ -37,8 +37,7 @@ struct Input {
     }
 };
 
-std::vector<Triangle> simplified(
-    const Patch& patch, const Input& input, std::size_t targetTriangles, unsigned options, float& claimed) {
+std::vector<Triangle> simplified(const Patch& patch, const Input& input, std::size_t targetTriangles, float& claimed) {
     std::vector<unsigned> indices(input.indices.size());
     indices.resize(meshopt_simplify(
         indices.data(),
@@ -49,7 +48,7 @@ std::vector<Triangle> simplified(
         3 * sizeof(float),
         targetTriangles * 3 + input.dummyIndices,
         1e6F, // of the extent: no limit
-        options,
+        0,
         &claimed));
     std::vector<Triangle> triangles;
     for (std::size_t i = 0; i < indices.size(); i += 3) {
@@ -64,12 +63,12 @@ std::vector<Triangle> simplified(
 } // namespace
 
 SimplifiedPatch simplifyMeshopt(const Patch& patch, std::size_t targetTriangles) {
-    const Input input(patch);
     SimplifiedPatch result;
     float claimed = 0;
-    result.triangles = simplified(patch, input, targetTriangles, 0, claimed);
+    const Input input(patch, patch.isLocked);
+    result.triangles = simplified(patch, input, targetTriangles, claimed);
     if (result.triangles.empty() || !keepsLockedEdges(patch, result.triangles))
-        result.triangles = simplified(patch, input, targetTriangles, meshopt_SimplifyLockBorder, claimed);
+        result.triangles = simplified(patch, Input(patch, lockedWithRing(patch)), targetTriangles, claimed);
     if (result.triangles.empty() || !keepsLockedEdges(patch, result.triangles)) {
         result.triangles = patch.triangles;
         claimed = 0;

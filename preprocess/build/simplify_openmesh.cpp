@@ -30,21 +30,20 @@ struct Halfedges {
     std::vector<std::uint32_t> faceTriangle; // face -> triangle of the patch
     std::vector<std::uint32_t> aside;        // triangles
 
-    explicit Halfedges(const Patch& patch) {
+    Halfedges(const Patch& patch, const std::vector<std::uint8_t>& isLocked) {
         for (const glm::dvec3& p : patch.positions)
             mesh.add_vertex(OpenMesh::Vec3d(p.x, p.y, p.z));
         const auto vertex = [](std::uint32_t p) { return OpenMesh::VertexHandle(static_cast<int>(p)); };
         for (std::uint32_t p = 0; p < patch.positions.size(); ++p)
-            mesh.status(vertex(p)).set_locked(patch.isLocked[p] != 0);
+            mesh.status(vertex(p)).set_locked(isLocked[p] != 0);
         for (std::uint32_t t = 0; t < patch.triangles.size(); ++t) {
             const Triangle p = patch.corners(patch.triangles[t]);
-            if (isTaken(p, vertex)) {
+            if (isTaken(p, vertex) || !mesh.add_face(vertex(p[0]), vertex(p[1]), vertex(p[2])).is_valid()) {
                 aside.push_back(t);
                 for (const std::uint32_t corner : p)
                     mesh.status(vertex(corner)).set_locked(true);
                 continue;
             }
-            mesh.add_face(vertex(p[0]), vertex(p[1]), vertex(p[2]));
             faceTriangle.push_back(t);
         }
         mesh.update_face_normals();
@@ -77,10 +76,9 @@ std::uint32_t vertexAt(const Patch& patch, std::uint32_t p, std::uint32_t wanted
     return best;
 }
 
-} // namespace
-
-SimplifiedPatch simplifyOpenMesh(const Patch& patch, std::size_t targetTriangles) {
-    Halfedges halfedges(patch);
+SimplifiedPatch simplifiedWith(
+    const Patch& patch, const std::vector<std::uint8_t>& isLocked, std::size_t targetTriangles) {
+    Halfedges halfedges(patch, isLocked);
     HalfedgeMesh& mesh = halfedges.mesh;
     OpenMesh::Decimater::DecimaterT<HalfedgeMesh> decimater(mesh);
     OpenMesh::Decimater::ModQuadricT<HalfedgeMesh>::Handle quadric;
@@ -116,6 +114,16 @@ SimplifiedPatch simplifyOpenMesh(const Patch& patch, std::size_t targetTriangles
     }
     for (std::uint32_t p = 0; p < patch.positions.size(); ++p)
         result.movedTo.push_back(p);
+    return result;
+}
+
+} // namespace
+
+SimplifiedPatch simplifyOpenMesh(const Patch& patch, std::size_t targetTriangles) {
+    omerr().disable(); // faces that it refuses are kept aside, so there is nothing to tell
+    SimplifiedPatch result = simplifiedWith(patch, patch.isLocked, targetTriangles);
+    if (result.triangles.empty() || !keepsLockedEdges(patch, result.triangles))
+        result = simplifiedWith(patch, lockedWithRing(patch), targetTriangles);
     if (result.triangles.empty() || !keepsLockedEdges(patch, result.triangles)) {
         result.triangles = patch.triangles;
         result.origin.clear();

@@ -25,14 +25,15 @@ int partitionOf(vec3 p, float z) {
     return passOfPartition[index / 4][index % 4];
 }
 
-// How far the receiver's plane may change in depth over half a texel and the kernel, in both directions: the bias that
-// a flat receiver needs, and no more. `plane` holds the points x with dot(plane, (x, 1)) = 0.
-float receiverBias(Partition part, vec4 plane, float cosine) {
+// How far the receiver's plane, and a neighbour somewhat steeper, may change in depth over half a texel and the kernel,
+// in both directions (shadow::DepthBias). `plane` holds the points x with dot(plane, (x, 1)) = 0; `w` is the point's.
+float receiverBias(Partition part, vec4 plane, float cosine, float w) {
     vec4 inTexels = plane * part.drawFromTexel;
     float reach = 0.5 + 0.5 * float(max(counts.y, 1) - 1) + 1.0 / 256.0;
     float slope = (abs(inTexels.x) + abs(inTexels.y)) / max(abs(inTexels.z), 1e-30);
     slope *= min(1.0, cosine / 0.1); // grazing receivers would ask for any bias
-    return slope * reach + 6e-7;
+    float uneven = length(vec2(part.axisX.w, part.axisZ.w * w));
+    return (slope + uneven) * reach + 6e-7;
 }
 
 // The lit fraction of `p` (draw space) on a receiver with flat normal `normal` and cosine `cosine` to the light.
@@ -41,7 +42,7 @@ float litFraction(int index, vec3 p, vec3 normal, float cosine) {
     Partition part = partitions[index];
     vec4 q = part.texelFromDraw * vec4(p, 1.0);
     vec3 texel = q.xyz / q.w;
-    float depth = texel.z - receiverBias(part, vec4(normal, -dot(normal, p)), cosine);
+    float depth = texel.z - receiverBias(part, vec4(normal, -dot(normal, p)), cosine, q.w);
     int width = max(counts.y, 1);
     ivec2 lowest = ivec2(part.rectangle.xy);
     ivec2 highest = ivec2(part.rectangle.zw) - 1;

@@ -30,8 +30,9 @@ GNOMON_BLOCK(0, Frame) {
 struct Partition {
     mat4 texelFromDraw; // (column w, row w, depth w, w) in texels of the whole depth texture
     mat4 drawFromTexel; // its inverse, for planes
-    vec4 axisX;         // xyz: the light frame's x in draw space
-    vec4 axisZ;         // and its z
+    vec4 axisX;         // xyz: the light frame's x in draw space; w: what unevenness changes in depth over a
+                        // texel along x
+    vec4 axisZ;         // and its z; w: the same along z, where the map's w is 1
     vec4 rectangle;     // the partition's texels, gutters included: first column, first row, one past the last
 };
 

@@ -1,6 +1,7 @@
 #include "render/frame_block.h"
 
 #include "core/check.h"
+#include "shadow/depth_bias.h"
 
 #include <glm/gtc/matrix_access.hpp>
 
@@ -64,6 +65,14 @@ glm::dmat4 shadowClipFromDraw(const plan::ShadowPass& pass, const DrawSpace& spa
     return clipFromTexel * texelFromDraw(pass, space);
 }
 
+shadow::Resolution texelsOf(const plan::ShadowPass& pass) {
+    const glm::dvec4 alongS = pass.texelFromCamera * glm::dvec4(pass.warp.frame.x, 0);
+    const bool isTurned = std::abs(alongS.y) > std::abs(alongS.x);
+    const double columns = pass.map.width;
+    const double rows = pass.map.height;
+    return {1, isTurned ? rows : columns, isTurned ? columns : rows};
+}
+
 block::Frame frameBlock(const FrameDrawing& frame, const glm::dmat4& clipFromDraw) {
     const plan::FramePlan& plan = *frame.plan;
     const plan::View& view = plan.view;
@@ -110,8 +119,9 @@ block::Shadows shadowsBlock(const FrameDrawing& frame) {
         const glm::dmat4 texel = texelFromDraw(pass, frame.space);
         out.texelFromDraw = glm::mat4(texel);
         out.drawFromTexel = glm::mat4(glm::inverse(texel));
-        out.axisX = toDraw(plan.basis, pass.warp.frame.x);
-        out.axisZ = toDraw(plan.basis, pass.warp.frame.z);
+        const shadow::TexelDepth depth = shadow::texelDepth(pass.warp, texelsOf(pass));
+        out.axisX = toDraw(plan.basis, pass.warp.frame.x, shadow::kUnevenSlope * depth.x);
+        out.axisZ = toDraw(plan.basis, pass.warp.frame.z, shadow::kUnevenSlope * depth.z);
         const plan::Rectangle& r = pass.rectangle;
         out.rectangle = glm::vec4(r.x, r.y, r.x + r.width, r.y + r.height);
     }

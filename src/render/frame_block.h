@@ -16,6 +16,9 @@ glm::dmat4 texelFromDraw(const plan::ShadowPass& pass, const DrawSpace& space);
 /// Clip space of a viewport over the pass's rectangle.
 glm::dmat4 shadowClipFromDraw(const plan::ShadowPass& pass, const DrawSpace& space);
 
+/// The texels of `pass` along its warp's s and t, whichever way it lies in the depth texture.
+shadow::Resolution texelsOf(const plan::ShadowPass& pass);
+
 /// The frame's block for a pass with `clipFromDraw`.
 block::Frame frameBlock(const FrameDrawing& frame, const glm::dmat4& clipFromDraw);
 

@@ -1,5 +1,7 @@
 #include "render/local_volume.h"
 
+#include "render/frame_block.h"
+
 #include <algorithm>
 
 namespace gnomon::render {
@@ -33,8 +35,9 @@ selection::CasterDetail casterDetail(const plan::FramePlan& plan, const plan::Sh
     detail.texel.origin = pass.warp.zMin + glm::dot(detail.texel.axis, eye);
     detail.texel.depth = pass.warp.length;
     detail.texel.kappa = pass.warp.kappa;
-    detail.texel.width = pass.warp.width / pass.map.width;
-    detail.texel.length = pass.warp.length / pass.map.height;
+    const shadow::Resolution texels = texelsOf(pass);
+    detail.texel.width = pass.warp.width / texels.s;
+    detail.texel.length = pass.warp.length / texels.t;
     return detail;
 }
 

@@ -218,6 +218,8 @@ HWY_INLINE Ints passOf(const ShadingFrame& f, const Vec3& p, Floats z) {
 
 constexpr int kPartitionFloats = sizeof(block::Partition) / sizeof(float);
 constexpr int kInverse = offsetof(block::Partition, drawFromTexel) / sizeof(float);
+constexpr int kUnevenX = offsetof(block::Partition, axisX) / sizeof(float) + 3;
+constexpr int kUnevenZ = offsetof(block::Partition, axisZ) / sizeof(float) + 3;
 constexpr int kRectangle = offsetof(block::Partition, rectangle) / sizeof(float);
 static_assert(offsetof(block::Partition, texelFromDraw) == 0);
 
@@ -248,10 +250,11 @@ HWY_INLINE Floats texelCoordinate(const Partition& part, int row, const Vec3& p)
         hn::Add(hn::Mul(part(8 + row), p.z), part(12 + row)));
 }
 
-/// The bias that a flat receiver needs over half a texel and the kernel.
+/// The bias that a flat receiver, and a neighbour somewhat steeper, needs over half a texel and the kernel; `w` is the
+/// map's at `p`.
 template <class Partition>
 HWY_INLINE Floats
-receiverBias(const ShadingFrame& f, const Partition& part, const Vec3& p, const Vec3& normal, Floats cosine) {
+receiverBias(const ShadingFrame& f, const Partition& part, const Vec3& p, const Vec3& normal, Floats cosine, Floats w) {
     const auto offset = hn::Neg(dot(normal, p));
     const auto inTexels = [&](int column) HWY_ATTR {
         const int k = kInverse + 4 * column;
@@ -261,7 +264,10 @@ receiverBias(const ShadingFrame& f, const Partition& part, const Vec3& p, const 
     const auto across = hn::Max(hn::Abs(inTexels(2)), constant(1e-30F));
     const auto slope = hn::Div(hn::Add(hn::Abs(inTexels(0)), hn::Abs(inTexels(1))), across);
     const auto grazing = hn::Min(constant(1), hn::Mul(cosine, constant(10)));
-    return hn::Add(hn::Mul(hn::Mul(slope, grazing), constant(reach)), constant(6e-7F));
+    const auto unevenX = part(kUnevenX);
+    const auto unevenZ = hn::Mul(part(kUnevenZ), w);
+    const auto uneven = hn::Sqrt(hn::Add(hn::Mul(unevenX, unevenX), hn::Mul(unevenZ, unevenZ)));
+    return hn::Add(hn::Mul(hn::Add(hn::Mul(slope, grazing), uneven), constant(reach)), constant(6e-7F));
 }
 
 template <bool isUniform>
@@ -272,7 +278,7 @@ HWY_INLINE Floats litFraction(const ShadingFrame& f, Ints pass, const Vec3& p, c
     const auto isFinite = hn::Gt(hn::Abs(w), constant(1e-30F));
     const auto inverseW = inverse(hn::IfThenElse(isFinite, w, constant(1e-30F)));
     const auto depth =
-        hn::Sub(hn::Mul(texelCoordinate(part, 2, p), inverseW), receiverBias(f, part, p, normal, cosine));
+        hn::Sub(hn::Mul(texelCoordinate(part, 2, p), inverseW), receiverBias(f, part, p, normal, cosine, w));
     const int width = std::max(f.frame->counts.y, 1);
     const auto half = constant(0.5F * static_cast<float>(width - 1));
     const auto far = constant(1e6F);

@@ -37,17 +37,30 @@ double largestRawBias(const LightFit& fit, double kappa, const Resolution& texel
     const double stepS = extent.width() / texels.s;
     const double stepT = fit.length / texels.t;
     const double perTexel = steepest * (stepS + (1 + kappa * u) * stepT) + kappa * raw * stepT;
-    return reachTexels(filterTexels) * perTexel;
+    return reachTexels(filterTexels) * (perTexel + kUnevenSlope * std::hypot(stepS, stepT));
+}
+
+TexelDepth texelDepth(const WarpedMap& map, const Resolution& texels) {
+    // A texel is W w / res_s wide and d w^2 / ((1 + kappa d) res_t) long; depth changes by 1 / (w range) a unit of
+    // length along the light.
+    const double stepT = map.length / (1 + map.kappa * map.length) / texels.t;
+    return {map.width / texels.s / map.rawRange, stepT / map.rawRange};
 }
 
 double depthBias(const DepthBias& bias, const LightFrame& frame, const glm::dvec3& p, const glm::dvec3& normal) {
     const glm::dvec3 receiver = cappedNormal(normal, frame.y, bias.leastCosine);
     const glm::dvec4 plane = bias.textureFromCameraPlane * glm::dvec4(receiver, -glm::dot(receiver, p));
-    return std::abs(plane.x / plane.z) * bias.reachS + std::abs(plane.y / plane.z) * bias.reachT + bias.rounding;
+    const double uneven = std::hypot(bias.unevenX, bias.unevenZ * glm::dot(bias.wPlane, glm::dvec4(p, 1)));
+    return std::abs(plane.x / plane.z) * bias.reachS + std::abs(plane.y / plane.z) * bias.reachT + uneven +
+           bias.rounding;
 }
 
-DepthBias depthBiasOf(const glm::dmat4& textureFromCamera, int width, int height, double filterTexels) {
+DepthBias depthBiasOf(
+    const glm::dmat4& textureFromCamera, int width, int height, const TexelDepth& texel, double filterTexels) {
     DepthBias bias;
+    bias.unevenX = kUnevenSlope * texel.x * reachTexels(filterTexels);
+    bias.unevenZ = kUnevenSlope * texel.z * reachTexels(filterTexels);
+    bias.wPlane = glm::transpose(textureFromCamera)[3];
     bias.textureFromCameraPlane = glm::transpose(glm::inverse(textureFromCamera));
     bias.reachS = reachTexels(filterTexels) / width;
     bias.reachT = reachTexels(filterTexels) / height;

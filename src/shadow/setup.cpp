@@ -116,7 +116,8 @@ WarpedMap finalMap(const ShadowView& view, const ShadowOptions& options, const D
     if (options.stabilized) {
         const int texels = std::min(texelsS, texelsT);
         const double texel = stableExtent(draft.region.frustum) / (texels - 1);
-        const double steepest = 10; // above the slope at N.L = 0.1, along both axes, whatever the orientation
+        // Above the slope at N.L = 0.1, along both axes, whatever the orientation.
+        const double steepest = 10 + kUnevenSlope;
         const double bias = reachTexels(options.filterTexels) * 2 * steepest * texel;
         return stableMap(view.anchor, draft.fit.frame, draft.region.frustum, texels, bias);
     }
@@ -168,7 +169,8 @@ ShadowMapPartition finished(
     result.textureOffset = (corner + half) / glm::dvec2(width, height);
     const double reach = layout.gutter;
     result.casterVolume = grownCasterVolume(draft.region, result.map, reach / texelsS, reach / texelsT);
-    result.bias = depthBiasOf(result.textureFromCamera, width, height, options.filterTexels);
+    const TexelDepth texel = texelDepth(result.map, {1, static_cast<double>(texelsS), static_cast<double>(texelsT)});
+    result.bias = depthBiasOf(result.textureFromCamera, width, height, texel, options.filterTexels);
     result.promised = promiseOf(view, options, draft, result.map, texelsS, texelsT);
     if (isThin(view.frustum)) result.origin = originOf(draft.region);
     result.region = std::move(draft.region);

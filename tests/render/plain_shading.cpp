@@ -108,7 +108,9 @@ float litFraction(const ShadingFrame& f, int pass, const vec3& p, const vec3& no
     const int width = std::max(f.frame->counts.y, 1);
     const float reach = 0.5F + 0.5F * static_cast<float>(width - 1) + 1.0F / 256.0F;
     const float slope = (std::abs(inTexels(0)) + std::abs(inTexels(1))) / std::max(std::abs(inTexels(2)), 1e-30F);
-    const float bias = slope * std::min(1.0F, cosine * 10) * reach + 6e-7F;
+    const float unevenZ = part.axisZ.w * w;
+    const float uneven = std::sqrt(part.axisX.w * part.axisX.w + unevenZ * unevenZ);
+    const float bias = (slope * std::min(1.0F, cosine * 10) + uneven) * reach + 6e-7F;
     const float depth = coordinate(2) * inverseW - bias;
     const auto first = [&](int row) {
         const float texel = std::floor(coordinate(row) * inverseW - 0.5F * static_cast<float>(width - 1));

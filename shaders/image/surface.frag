@@ -17,6 +17,7 @@ layout(binding = 1) uniform sampler2D litMask;
 layout(location = 0) out vec4 pixel;
 #if AUXILIARY
 layout(location = 1) out vec4 auxiliary; // flat normal towards the viewer; w: partition + lit fraction / 2, or -1
+layout(location = 2) out vec4 auxiliaryPosition; // w: 1
 #endif
 
 void main() {
@@ -51,5 +52,6 @@ void main() {
     pixel = vec4(shaded, 1.0);
 #if AUXILIARY
     auxiliary = vec4(flatNormal, cosine > 0.0 ? float(index + 1) + 0.5 * lit : -1.0);
+    auxiliaryPosition = vec4(position, 1.0);
 #endif
 }

@@ -26,7 +26,8 @@ struct WalkOptions {
     int repetitions = 1;
     int warmup = 2;
     bool isRealTime = false;
-    bool keepsPictures = false; // of the middle frame, with the partitions beside it
+    render::Oracle oracle = render::Oracle::None; // once the times are taken, the frames are walked again and proved
+    bool keepsPictures = false;                   // of the middle frame, with the partitions beside it
     /// Gets the picture of every frame of the first repetition, if given.
     std::function<void(const BenchRun& run, int frame, const render::Picture& picture)> onPicture;
 };

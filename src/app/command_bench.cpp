@@ -1,5 +1,6 @@
 #include "app/bench_runs.h"
 #include "app/option_text.h"
+#include "app/oracle_option.h"
 #include "app/report_runs.h"
 #include "core/error.h"
 #include "core/file.h"
@@ -25,6 +26,7 @@ struct BenchOptions {
     CommonOptions common;
     ViewOptions view;
     WalkOptions walk;
+    OracleOption oracle;
     std::string model;
     std::string path;
     std::string shadowMaps;
@@ -221,6 +223,10 @@ void runBench(BenchOptions options) {
         options.walk.warmup = 1;
     }
     options.walk.repetitions = options.repetitions.value_or(options.report.empty() ? 1 : 3);
+    options.walk.oracle = options.oracle.mode();
+    if (options.walk.isRealTime && options.walk.oracle != render::Oracle::None)
+        throw UsageError{
+            "--oracle and --real-time contradict each other: a frame held against rays waits for its pages"};
     options.walk.keepsPictures = !options.report.empty() || !options.images.empty();
     std::vector<BenchRun> runs = combinations(options.view.swept, options.shadowMaps);
     if (runs.size() == 1 && !options.report.empty()) runs = reportRuns(runs.front().settings, options.isQuick);
@@ -279,6 +285,7 @@ void addBenchCommand(CLI::App& program) {
         ->check(CLI::Range(1, 1000000));
     count("--warmup", options->walk.warmup, "Frames before each repetition that are not logged", 0);
     command->add_flag("--real-time", options->walk.isRealTime, "Frames do not wait for pages");
+    options->oracle.addTo(*command);
     command->add_flag("--quick", options->isQuick, "At most 8 frames a run: a look, not a measurement");
     command->add_option("--shadow-maps", options->shadowMaps, "A list: --z-partitions of these counts, faces off");
     command->add_option("--csv", options->csv, "Write a row per frame here");

@@ -1,3 +1,4 @@
+#include "app/oracle_option.h"
 #include "app/session.h"
 #include "core/error.h"
 #include "core/file.h"
@@ -23,6 +24,7 @@ struct RenderOptions {
     double referenceThreshold = 0.01;
     std::string depth;
     std::string shadowDepth;
+    OracleOption oracle;
 };
 
 const std::map<std::string, render::Overlay>& overlays() {
@@ -68,6 +70,9 @@ void runRender(const RenderOptions& options) {
     const plan::View view = viewOf(options.view, session.model().summary());
     render::FrameOptions frameOptions;
     frameOptions.overlay = overlays().at(options.overlay);
+    frameOptions.measuresAliasing = !options.statistics.empty();
+    frameOptions.oracle = options.oracle.mode();
+    frameOptions.comparesWithFinest = frameOptions.oracle != render::Oracle::None;
     const render::Frame frame = session.renderer().render(view, quality, frameOptions);
     const render::Picture picture = session.executor().picture();
     render::writePng(options.output, picture);
@@ -108,6 +113,7 @@ void addRenderCommand(CLI::App& program) {
         ->type_name("FILE.pfm");
     command->add_option("--shadow-depth", options->shadowDepth, "Write each shadow map into this folder, as PFM")
         ->type_name("DIR");
+    options->oracle.addTo(*command);
     addViewOptions(*command, options->view);
     addCommonOptions(*command, options->common);
     command->callback([options] { runRender(*options); });

@@ -80,21 +80,20 @@ double percentile(std::vector<float>& sorted, double fraction) {
 
 } // namespace
 
+Light litByRay(const Scene& scene, const SurfacePoint& point, const glm::vec3& towardsLight) {
+    if (point.normal == glm::vec3(0)) return Light::Nothing;
+    if (glm::dot(point.normal, towardsLight) <= 0) return Light::Turned;
+    const float off = point.offset + kRelativeOffset * glm::length(point.position);
+    const Ray ray{point.position + off * point.normal, towardsLight};
+    return scene.isOccluded(ray) ? Light::Dark : Light::Lit;
+}
+
 std::vector<Light> litByRays(const Scene& scene, std::span<const SurfacePoint> points, const glm::vec3& towardsLight) {
-    std::vector<Light> result(points.size(), Light::Nothing);
+    std::vector<Light> result(points.size());
     constexpr std::size_t kPerTask = 1024;
     tbb::parallel_for(std::size_t{0}, (points.size() + kPerTask - 1) / kPerTask, [&](std::size_t task) {
-        for (std::size_t i = task * kPerTask; i < std::min(points.size(), (task + 1) * kPerTask); ++i) {
-            const SurfacePoint& point = points[i];
-            if (point.normal == glm::vec3(0)) continue;
-            if (glm::dot(point.normal, towardsLight) <= 0) {
-                result[i] = Light::Turned;
-                continue;
-            }
-            const float off = point.offset + kRelativeOffset * glm::length(point.position);
-            const Ray ray{point.position + off * point.normal, towardsLight};
-            result[i] = scene.isOccluded(ray) ? Light::Dark : Light::Lit;
-        }
+        for (std::size_t i = task * kPerTask; i < std::min(points.size(), (task + 1) * kPerTask); ++i)
+            result[i] = litByRay(scene, points[i], towardsLight);
     });
     return result;
 }

@@ -24,6 +24,9 @@ enum class Light : std::uint8_t {
     Lit
 };
 
+/// Whether the light reaches one point. `towardsLight` has unit length.
+Light litByRay(const Scene& scene, const SurfacePoint& point, const glm::vec3& towardsLight);
+
 /// What the light reaches, point by point, on all cores. `towardsLight` has unit length.
 std::vector<Light> litByRays(const Scene& scene, std::span<const SurfacePoint> points, const glm::vec3& towardsLight);
 

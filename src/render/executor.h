@@ -6,6 +6,7 @@
 #include "render/picture.h"
 #include "selection/cut.h"
 
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -61,6 +62,16 @@ struct DrawStatistics {
 struct SurfaceSample {
     glm::vec3 normal{0};       // flat, towards the viewer; draw space
     float partitionAndLit = 0; // partition + 1 + lit fraction / 2; -1 where the surface is turned from the light
+    glm::vec3 position{0};     // the very point whose shadow was looked up; draw space
+    float isSurface = 0;       // 1 where anything is, else 0
+
+    bool isLitSide() const { return isSurface > 0 && partitionAndLit >= 0; }
+
+    /// The map that was asked, by the plan's passes; -1 if none was.
+    int partition() const { return static_cast<int>(partitionAndLit) - 1; }
+
+    /// From 0 to 1.
+    float litFraction() const { return 2 * (partitionAndLit - std::floor(partitionAndLit)); }
 };
 
 /// Draws frames. The results are those of the last frame.

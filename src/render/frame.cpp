@@ -1,5 +1,5 @@
 #include "render/local_volume.h"
-#include "render/renderer.h"
+#include "render/prepared_frame.h"
 
 #include <algorithm>
 #include <chrono>
@@ -41,31 +41,18 @@ std::int64_t toCount(std::uint64_t value) {
 
 } // namespace
 
-struct Renderer::Prepared {
-    plan::FramePlan plan;
-    std::unique_ptr<const selection::ErrorRule> rule; // of the cut, as are the volumes
-    std::vector<ConvexVolume> volumes;
-    double errorPixels = 1; // the quality's, or more where a cap forces it
-    selection::Cut cut;
-    plan::SceneFacts facts;
-    streaming::DemandOutcome residency;
-    double planMs = 0;
-    double selectMs = 0;
-    double cullMs = 0;
-    double streamMs = 0;
-};
-
 Renderer::Renderer(const hierarchy::ModelFile& model, Executor& executor, ResidencyOptions options)
     : model_(&model), executor_(&executor), residency_(model, std::move(options)) {}
 
 Frame Renderer::render(const plan::View& view, const plan::Quality& quality, const FrameOptions& options) {
     const auto start = Clock::now();
     Prepared prepared = prepare(view, quality, options.waiting);
-    const DrawStatistics drawn = executor_->draw(drawing(prepared, options));
+    const DrawStatistics drawn = draw(prepared, drawing(prepared, options));
     Frame frame;
     frame.space = drawSpace(view, model_->summary().grid, model_->summary().bounds);
     frame.row = logged(prepared, drawn);
     frame.row.totalMs = millisecondsBetween(start, Clock::now());
+    prove(prepared, options, frame);
     frame.plan = prepared.plan;
     frame.cut = std::move(prepared.cut);
     previous_ = std::move(prepared.plan);
@@ -111,7 +98,7 @@ Renderer::Prepared Renderer::planAndCut(const plan::View& view, const plan::Qual
         const Stopwatch watch(prepared.planMs);
         prepared.plan = plan::planFrame(view, quality, prepared.facts, previous);
     }
-    if (prepared.plan.passes.empty()) return prepared;
+    if (prepared.plan.passes.empty() && !prepared.isRayTraced()) return prepared;
     const Stopwatch watch(prepared.cullMs);
     cutAll(prepared);
     return prepared;
@@ -151,6 +138,10 @@ void Renderer::cutAll(Prepared& prepared) const {
         casters.push_back(casterDetail(plan, pass, eye));
         // Without culling every map draws all there is, at the detail that the maps call for.
         prepared.volumes.push_back(plan.quality.cullCasters ? casters.back().casters : ConvexVolume{});
+    }
+    if (prepared.isRayTraced()) {
+        casters.push_back(rayCasterDetail(prepared));
+        prepared.volumes.push_back(casters.back().casters);
     }
     prepared.rule = std::make_unique<selection::ErrorRule>(view, std::move(casters));
     cut(prepared);

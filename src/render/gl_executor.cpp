@@ -84,7 +84,8 @@ private:
 /// Colour, depth and, when asked for, surfaces of the image.
 struct ImageTarget {
     gl::Texture color;
-    gl::Texture surfaces; // empty unless asked for
+    gl::Texture normals; // these two are empty unless surfaces are asked for
+    gl::Texture positions;
     gl::Texture depth;
     gl::Framebuffer framebuffer;
 };
@@ -183,7 +184,7 @@ void GlExecutor::prepareTargets(const FrameDrawing& frame) {
             "larger than a texture of this OpenGL",
             "at most " + std::to_string(context_->maxTextureSize()),
             std::to_string(largest));
-    const bool hasSurfaces = image_ && image_->surfaces.id() != 0;
+    const bool hasSurfaces = image_ && image_->normals.id() != 0;
     if (!image_ || image_->color.width() != width || image_->color.height() != height ||
         hasSurfaces != frame.wantsSurfaces) {
         ImageTarget target;
@@ -191,8 +192,10 @@ void GlExecutor::prepareTargets(const FrameDrawing& frame) {
         target.depth = gl::Texture(api(), GL_DEPTH_COMPONENT32F, width, height);
         std::vector<const gl::Texture*> colors = {&target.color};
         if (frame.wantsSurfaces) {
-            target.surfaces = gl::Texture(api(), GL_RGBA32F, width, height);
-            colors.push_back(&target.surfaces);
+            target.normals = gl::Texture(api(), GL_RGBA32F, width, height);
+            target.positions = gl::Texture(api(), GL_RGBA32F, width, height);
+            colors.push_back(&target.normals);
+            colors.push_back(&target.positions);
         }
         target.framebuffer = gl::Framebuffer(api(), colors, target.depth);
         image_ = std::move(target);
@@ -263,7 +266,9 @@ void GlExecutor::drawImage(const FrameDrawing& frame) {
     const std::array<float, 4> nothing{};
     const float farthest = 0; // depth is reversed
     gl.clearNamedFramebufferfv(image_->framebuffer.id(), GL_COLOR, 0, background.data());
-    if (frame.wantsSurfaces) gl.clearNamedFramebufferfv(image_->framebuffer.id(), GL_COLOR, 1, nothing.data());
+    if (frame.wantsSurfaces)
+        for (const GLint target : {1, 2})
+            gl.clearNamedFramebufferfv(image_->framebuffer.id(), GL_COLOR, target, nothing.data());
     gl.clearNamedFramebufferfv(image_->framebuffer.id(), GL_DEPTH, 0, &farthest);
     gl.enable(GL_DEPTH_TEST);
     gl.depthFunc(GL_GREATER);
@@ -326,9 +331,16 @@ FloatPicture GlExecutor::shadowDepth() {
 }
 
 Raster<SurfaceSample> GlExecutor::surfaces() {
-    static_assert(sizeof(SurfaceSample) == 4 * sizeof(float));
-    Raster<SurfaceSample> result(image_->surfaces.width(), image_->surfaces.height());
-    image_->surfaces.read(GL_RGBA, GL_FLOAT, std::as_writable_bytes(std::span(result.pixels)));
+    Raster<glm::vec4> normals(image_->normals.width(), image_->normals.height());
+    Raster<glm::vec4> positions = normals;
+    image_->normals.read(GL_RGBA, GL_FLOAT, std::as_writable_bytes(std::span(normals.pixels)));
+    image_->positions.read(GL_RGBA, GL_FLOAT, std::as_writable_bytes(std::span(positions.pixels)));
+    Raster<SurfaceSample> result(normals.width, normals.height);
+    for (std::size_t i = 0; i < result.pixels.size(); ++i) {
+        const glm::vec4& normal = normals.pixels[i];
+        const glm::vec4& position = positions.pixels[i];
+        result.pixels[i] = {glm::vec3(normal), normal.w, glm::vec3(position), position.w};
+    }
     flipRows(result);
     return result;
 }

@@ -4,7 +4,9 @@
 #include "hierarchy/model_file.h"
 #include "plan/frame_plan.h"
 #include "render/executor.h"
+#include "render/measured_aliasing.h"
 #include "render/residency.h"
+#include "render/shadow_truth.h"
 #include "selection/cut.h"
 #include "telemetry/frame_row.h"
 
@@ -14,12 +16,22 @@
 
 namespace gnomon::render {
 
+/// What the shadows of a frame are held against, once its time is taken.
+enum class Oracle : std::uint8_t {
+    None,
+    SameDetail, // rays against what the maps' cut draws in the whole frustum's caster volume
+    FullDetail, // rays against the finest level there
+};
+
 /// What a frame is asked for besides view and quality.
 struct FrameOptions {
     Waiting waiting = Waiting::UntilComplete;
     Overlay overlay = Overlay::None;
     bool wantsSurfaces = false;
-    std::optional<Camera> onlooker; // sees the frame of the view from outside: its cut, its casters, its maps
+    bool measuresAliasing = false;
+    Oracle oracle = Oracle::None;
+    bool comparesWithFinest = false; // the picture with that of the finest level in ray-traced shadows
+    std::optional<Camera> onlooker;  // sees the frame of the view from outside: its cut, its casters, its maps
 };
 
 /// What came of a frame besides its picture. The cut's pages stay resident until the next frame.
@@ -28,6 +40,8 @@ struct Frame {
     DrawSpace space;
     selection::Cut cut; // lists: the image's, then one a shadow pass
     telemetry::FrameRow row;
+    std::optional<MeasuredAliasing> aliasing; // of a frame with maps that was asked for it
+    std::optional<ShadowTruth> truth;         // of a frame with maps and an oracle
 };
 
 /// Draws a model frame by frame.
@@ -57,6 +71,12 @@ private:
     selection::CutQuery query(const Prepared& prepared) const;
     plan::SceneFacts factsOf(const plan::View& view, const selection::Cut& cut) const;
     FrameDrawing drawing(const Prepared& prepared, const FrameOptions& options) const;
+    DrawStatistics draw(const Prepared& prepared, const FrameDrawing& drawing);
+    ConvexVolume rayCasterVolume(const Prepared& prepared) const;
+    selection::CasterDetail rayCasterDetail(const Prepared& prepared) const;
+    void prove(const Prepared& prepared, const FrameOptions& options, Frame& frame);
+    ShadowTruth truth(const Prepared& prepared, const FrameDrawing& drawing, Oracle oracle);
+    Prepared finest(const Prepared& prepared);
     telemetry::FrameRow logged(const Prepared& prepared, const DrawStatistics& drawn) const;
 
     const hierarchy::ModelFile* model_;

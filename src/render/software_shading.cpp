@@ -149,7 +149,11 @@ void Shading::flush(Work& work, const ShadingTarget& target) const {
                                              static_cast<std::uint8_t>(color >> 16U)};
         if (target.surfaces == nullptr) continue;
         const float partitionAndLit = static_cast<float>(batch.pass[i] + 1) + 0.5F * batch.lit[i];
-        target.surfaces->pixels[at] = {toVector(batch.flatNormal, i), batch.faces[i] != 0 ? partitionAndLit : -1.0F};
+        target.surfaces->pixels[at] = {
+            toVector(batch.flatNormal, i),
+            batch.faces[i] != 0 ? partitionAndLit : -1.0F,
+            toVector(batch.position, i),
+            1};
     }
     batch.count = 0;
 }

@@ -22,9 +22,9 @@ struct DepthBias {
         0.1; // below this N.L the normal is taken as tilted back to it; at or below 0 it is dark unasked
 };
 
-/// How much steeper than the receiver its neighbour within a texel may rise towards the light, as a tangent. As large as
-/// lets the light in under a caster that touches the receiver by at most 1.5 of the texel's footprints: at theta from
-/// the normal the gap is sin^2 theta / 2 + (slope / sqrt 2) sin theta cos theta.
+/// How much steeper than the receiver its neighbour within a texel may rise towards the light, as a tangent. As large
+/// as lets the light in under a caster that touches the receiver by at most 1.5 of the texel's footprints: at theta
+/// from the normal the gap is sin^2 theta / 2 + (slope / sqrt 2) sin theta cos theta.
 inline constexpr double kUnevenSlope = 3.4;
 
 /// The reach of a lookup with a kernel of `filterTexels` (0: a single texel) in texels.

@@ -125,6 +125,8 @@ const std::vector<Column>& columns() {
         {"image_difference", read<&R::imageDifference>},
         {"crawl", read<&R::crawl>},
         {"since_start_ms", read<&R::sinceStartMs>},
+        {"missed_shadow_fraction", read<&R::missedShadowFraction>},
+        {"unexplained_shadow_fraction", read<&R::unexplainedShadowFraction>},
     };
     return table;
 }

@@ -68,7 +68,9 @@ struct FrameRow {
     std::optional<double> imageDifference;
     std::optional<double> crawl;
 
-    std::optional<double> sinceStartMs; // from the start of the process to the end of the frame
+    std::optional<double> sinceStartMs;              // from the start of the process to the end of the frame
+    std::optional<double> missedShadowFraction;      // casters under a texel, counted apart from what is wrong
+    std::optional<double> unexplainedShadowFraction; // wrong further than a texel's footprint from a true edge
 };
 
 /// The value of a column; nothing if it was not measured.

@@ -1,0 +1,171 @@
+// Shadow maps against ray-traced shadows and against their promise, over seeded triples of pose, light and scheme.
+#include "core/error.h"
+#include "render/renderer.h"
+#include "render/shadow_triples.h"
+#include "render/software_executor.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+namespace gnomon {
+namespace {
+
+constexpr double kFloatTolerance = 1e-3;
+
+/// What came of the triples of one model.
+struct Tally {
+    std::uint64_t triples = 0;
+    std::uint64_t pixels = 0;
+    double overPromise = 0; // the largest, all schemes
+    std::uint64_t promisesBroken = 0;
+    std::uint64_t judged = 0; // the rest with the default settings
+    std::uint64_t unexplained = 0;
+    double worstUnexplained = 0; // of one picture
+    std::uint64_t contactGaps = 0;
+    std::uint64_t falseShadows = 0; // at any N.L, as are the leaks
+    std::uint64_t leaks = 0;
+    std::uint64_t missed = 0;
+    std::uint64_t wrong = 0;
+};
+
+/// Pixels by verdict: grey where right, and a colour for each way of being wrong.
+render::Picture verdictPicture(const render::ShadowTruth& truth, const render::Picture& picture) {
+    render::Picture result = picture;
+    for (std::size_t i = 0; i < truth.verdicts.size(); ++i) {
+        switch (truth.verdicts[i]) {
+        case render::ShadowVerdict::NearEdge:
+            result.pixels[i] = {90, 140, 255};
+            break;
+        case render::ShadowVerdict::ContactGap:
+            result.pixels[i] = {255, 190, 0};
+            break;
+        case render::ShadowVerdict::Missed:
+            result.pixels[i] = {0, 190, 90};
+            break;
+        case render::ShadowVerdict::FalseShadow:
+            result.pixels[i] = {255, 0, 0};
+            break;
+        case render::ShadowVerdict::Leak:
+            result.pixels[i] = {255, 0, 255};
+            break;
+        default:
+            break;
+        }
+    }
+    return result;
+}
+
+class Proof {
+public:
+    Proof(const std::string& model, int side, int texels)
+        : model_(model), side_(side), texels_(texels), renderer_(model_, *executor_, {}) {}
+
+    void add(std::uint64_t index, const std::string& pictures) {
+        const tests::ShadowTriple triple = tests::shadowTriple(model_.summary().bounds, index, side_, texels_);
+        addPromise(index, triple);
+        const render::Frame frame = rendered(withDefaults(triple), render::Oracle::SameDetail);
+        ++tally_.triples;
+        if (!frame.truth) return;
+        const render::ShadowTruth& truth = *frame.truth;
+        tally_.judged += truth.judgedPixels;
+        tally_.unexplained += truth.unexplainedPixels;
+        tally_.worstUnexplained = std::max(tally_.worstUnexplained, truth.unexplainedFraction());
+        tally_.pixels += truth.shadows.litSidePixels;
+        tally_.missed += truth.missedPixels;
+        tally_.wrong += truth.shadows.wrongPixels;
+        const auto count = [&](render::ShadowVerdict verdict) {
+            return static_cast<std::uint64_t>(std::count(truth.verdicts.begin(), truth.verdicts.end(), verdict));
+        };
+        tally_.contactGaps += count(render::ShadowVerdict::ContactGap);
+        tally_.falseShadows += count(render::ShadowVerdict::FalseShadow);
+        tally_.leaks += count(render::ShadowVerdict::Leak);
+        if (pictures.empty()) return;
+        std::printf(
+            "%3llu: %llu of %llu unexplained\n",
+            static_cast<unsigned long long>(index),
+            static_cast<unsigned long long>(truth.unexplainedPixels),
+            static_cast<unsigned long long>(truth.judgedPixels));
+        render::writePng(
+            pictures + "/verdict" + std::to_string(index) + ".png", verdictPicture(truth, executor_->picture()));
+    }
+
+    const Tally& tally() const { return tally_; }
+
+private:
+    render::Frame rendered(const tests::ShadowTriple& triple, render::Oracle oracle) {
+        render::FrameOptions options;
+        options.oracle = oracle;
+        options.measuresAliasing = true;
+        renderer_.forget();
+        return renderer_.render(triple.view, triple.quality, options);
+    }
+
+    void addPromise(std::uint64_t index, const tests::ShadowTriple& triple) {
+        const render::Frame frame = rendered(triple, render::Oracle::None);
+        if (!frame.aliasing) return;
+        tally_.overPromise = std::max(tally_.overPromise, frame.aliasing->overPromise);
+        if (frame.aliasing->overPromise <= 1 + kFloatTolerance) return;
+        ++tally_.promisesBroken;
+        std::printf(
+            "triple %llu breaks its promise: %.4f of it, %s\n",
+            static_cast<unsigned long long>(index),
+            frame.aliasing->overPromise,
+            tests::describe(triple).c_str());
+    }
+
+    hierarchy::ModelFile model_;
+    int side_;
+    int texels_;
+    std::unique_ptr<render::Executor> executor_ = render::makeSoftwareExecutor();
+    render::Renderer renderer_;
+    Tally tally_;
+};
+
+double percent(std::uint64_t part, std::uint64_t whole) {
+    return whole == 0 ? 0 : 100 * static_cast<double>(part) / static_cast<double>(whole);
+}
+
+int run(int count, char** arguments) {
+    if (count < 5) {
+        std::fprintf(
+            stderr, "usage: %s MODEL.gnm TRIPLES IMAGE_SIDE TEXEL_SIDE [VERDICT_PICTURES_DIR]\n", arguments[0]);
+        return 2;
+    }
+    Proof proof(arguments[1], std::atoi(arguments[3]), std::atoi(arguments[4]));
+    const auto triples = static_cast<std::uint64_t>(std::atoi(arguments[2]));
+    for (std::uint64_t i = 0; i < triples; ++i)
+        proof.add(i, count > 5 ? arguments[5] : "");
+    const Tally& t = proof.tally();
+    std::printf(
+        "%s: %llu triples; measured over promised at most %.4f (%llu broken)\n"
+        "  default settings, lit-side pixels: %.3f%% wrong, of which missed thin casters %.3f%%, contact gaps %.4f%%,\n"
+        "  false shadows %.4f%%, leaks %.4f%%\n"
+        "  beyond a footprint where N.L > 0.1: %.4f%% of %llu (worst picture %.3f%%)\n",
+        arguments[1],
+        static_cast<unsigned long long>(t.triples),
+        t.overPromise,
+        static_cast<unsigned long long>(t.promisesBroken),
+        percent(t.wrong, t.pixels),
+        percent(t.missed, t.pixels),
+        percent(t.contactGaps, t.pixels),
+        percent(t.falseShadows, t.pixels),
+        percent(t.leaks, t.pixels),
+        percent(t.unexplained, t.judged),
+        static_cast<unsigned long long>(t.judged),
+        100 * t.worstUnexplained);
+    return t.promisesBroken == 0 && percent(t.unexplained, t.judged) <= 0.05 ? 0 : 1;
+}
+
+} // namespace
+} // namespace gnomon
+
+int main(int count, char** arguments) {
+    try {
+        return gnomon::run(count, arguments);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "shadow_proof: %s\n", error.what());
+        return 1;
+    }
+}

@@ -1,0 +1,123 @@
+#include "render/local_volume.h"
+#include "render/prepared_frame.h"
+#include "render/ray_shadows.h"
+#include "shadow/caster_volume.h"
+
+#include <algorithm>
+#include <array>
+
+// What a frame's shadows are held against: rays, and the promise of the plan.
+
+namespace gnomon::render {
+
+namespace {
+
+/// The frustum of all that is drawn, whatever range the shadows are promised for.
+shadow::ViewFrustum visibleFrustum(const plan::FramePlan& plan, const plan::SceneFacts& facts) {
+    double near = plan.near;
+    double far = plan.far;
+    if (facts.visible && facts.visible->anything) {
+        near = std::min(near, facts.visible->nearest);
+        far = std::max(far, facts.visible->farthest);
+    }
+    constexpr double kLeastRatio = 1e-9; // a frustum wants a near plane
+    return {std::max(near, kLeastRatio * far), far, plan.view.camera.fovYRadians / 2, plan.view.aspect()};
+}
+
+shadow::Region wholeRegion(const plan::FramePlan& plan, const plan::SceneFacts& facts) {
+    const shadow::ViewFrustum frustum = visibleFrustum(plan, facts);
+    const auto selector =
+        shadow::partitionSelector(frustum, plan.towardsLight, {frustum.near, frustum.far}, false, false);
+    return shadow::partitionRegion(frustum, selector, 0);
+}
+
+} // namespace
+
+ConvexVolume Renderer::rayCasterVolume(const Prepared& prepared) const {
+    const plan::FramePlan& plan = prepared.plan;
+    const glm::dvec3 eye = plan.view.camera.eye - model_->summary().grid.origin;
+    return toLocal(
+        plan.basis,
+        eye,
+        shadow::casterVolume(wholeRegion(plan, prepared.facts), shadow::lightFrame(plan.towardsLight)));
+}
+
+selection::CasterDetail Renderer::rayCasterDetail(const Prepared& prepared) const {
+    const plan::FramePlan& plan = prepared.plan;
+    const glm::dvec3 eye = plan.view.camera.eye - model_->summary().grid.origin;
+    const shadow::Region region = wholeRegion(plan, prepared.facts);
+    selection::CasterDetail detail; // without texels
+    detail.casters = rayCasterVolume(prepared);
+    detail.receivers = toLocal(plan.basis, eye, region.volume);
+    detail.receiverNear = region.frustum.near;
+    detail.towardsLight = toWorld(plan.basis, plan.towardsLight);
+    return detail;
+}
+
+DrawStatistics Renderer::draw(const Prepared& prepared, const FrameDrawing& drawing) {
+    if (!prepared.isRayTraced()) return executor_->draw(drawing);
+    return drawWithRays(*executor_, drawing, prepared.cut.lists[1]);
+}
+
+void Renderer::prove(const Prepared& prepared, const FrameOptions& options, Frame& frame) {
+    const bool hasOracle = options.oracle != Oracle::None && !prepared.plan.passes.empty();
+    const bool isMeasured = options.measuresAliasing && !prepared.plan.passes.empty();
+    if (options.onlooker || !(hasOracle || isMeasured || options.comparesWithFinest)) return;
+    FrameOptions plain = options;
+    plain.overlay = Overlay::None;
+    plain.wantsSurfaces = hasOracle || isMeasured;
+    const FrameDrawing again = drawing(prepared, plain);
+    draw(prepared, again);
+    const Picture picture = executor_->picture();
+    if (isMeasured) {
+        frame.aliasing = measuredAliasing(prepared.plan, again.space, executor_->surfaces());
+        frame.row.measuredAliasing = frame.aliasing->worst();
+    }
+    if (hasOracle) {
+        frame.truth = truth(prepared, again, options.oracle);
+        frame.row.wrongShadowFraction = frame.truth->answerable.wrongFraction;
+        frame.row.shadowEdgeP99Px = frame.truth->answerable.edgeP99Pixels;
+        frame.row.missedShadowFraction = frame.truth->missedFraction();
+        frame.row.unexplainedShadowFraction = frame.truth->unexplainedFraction();
+    }
+    if (options.comparesWithFinest) {
+        const Prepared fine = finest(prepared);
+        draw(fine, drawing(fine, plain));
+        frame.row.imageDifference = difference(executor_->picture(), picture).mean;
+    }
+    // What the executor shows is the frame that was asked for, and its pages are there.
+    const Prepared asked = prepare(prepared.plan.view, prepared.plan.quality, options.waiting);
+    draw(asked, drawing(asked, options));
+}
+
+ShadowTruth Renderer::truth(const Prepared& prepared, const FrameDrawing& drawing, Oracle oracle) {
+    const Raster<SurfaceSample> surfaces = executor_->surfaces();
+    if (oracle == Oracle::FullDetail) {
+        const Prepared fine = finest(prepared);
+        const std::array lists = {&fine.cut.lists[0], &fine.cut.lists[1]};
+        const raycast::Scene scene = rayScene(drawing, lists);
+        // The true surface may lie as far from the drawn one as the cut allows.
+        const auto light =
+            lightByRays(scene, prepared.plan, drawing.space, surfaces, std::max(kTouchingPixels, prepared.errorPixels));
+        return shadowTruth(scene, prepared.plan, drawing.space, surfaces, light);
+    }
+    // The same rule decides as for the maps, so every cluster is the one that they drew; the volume alone is wider.
+    const std::array volumes = {prepared.volumes[0], rayCasterVolume(prepared)};
+    selection::CutQuery wider = query(prepared);
+    wider.volumes = volumes;
+    const selection::Cut cut = selection::cut(wider);
+    const std::array lists = {drawing.image, &cut.lists[1]};
+    const raycast::Scene scene = rayScene(drawing, lists);
+    const auto light = lightByRays(scene, prepared.plan, drawing.space, surfaces, kTouchingPixels);
+    return shadowTruth(scene, prepared.plan, drawing.space, surfaces, light);
+}
+
+Renderer::Prepared Renderer::finest(const Prepared& prepared) {
+    plan::Quality quality = prepared.plan.quality;
+    quality.shadows = plan::ShadowMode::Rays;
+    quality.errorPixels = 0;
+    quality.maxTriangles.reset();
+    return prepare(prepared.plan.view, quality, Waiting::UntilComplete);
+}
+
+} // namespace gnomon::render

@@ -1,0 +1,43 @@
+// How true the shadows of a picture are: held against rays, pixel by pixel, and in texels where they differ.
+#pragma once
+
+#include "raycast/shadow_oracle.h"
+#include "render/executor.h"
+
+namespace gnomon::render {
+
+/// What is to be said of a pixel's shadow.
+enum class ShadowVerdict : std::uint8_t {
+    Unasked,     // no surface, or one turned from the light
+    Right,       // as rays have it
+    NearEdge,    // wrong, within a texel's footprint of an edge of the true shadow
+    ContactGap,  // lit where rays see dark, within 1.5 footprints of the caster or of where the light reaches
+    Missed,      // lit where rays see dark: the caster is thinner than a texel
+    FalseShadow, // dark where rays see light, further from an edge
+    Leak         // lit where rays see dark, and none of these
+};
+
+/// A picture's shadows against those that rays find.
+struct ShadowTruth {
+    raycast::ShadowComparison shadows; // all pixels
+    /// The same with the shadows of missed casters taken out of the reference: what the maps have to answer for.
+    raycast::ShadowComparison answerable;
+    std::vector<ShadowVerdict> verdicts; // rows from top to bottom
+    std::uint64_t missedPixels = 0;
+    /// Lit-side pixels with N.L above 0.1, where bias is not capped, and those of them that are false shadows or leaks.
+    std::uint64_t judgedPixels = 0;
+    std::uint64_t unexplainedPixels = 0;
+
+    double missedFraction() const;      // of the lit-side pixels
+    double unexplainedFraction() const; // of the judged ones
+};
+
+/// Compares the shadows of the picture that shows `surfaces` with `light`, which rays found against `scene`.
+ShadowTruth shadowTruth(
+    const raycast::Scene& scene,
+    const plan::FramePlan& plan,
+    const DrawSpace& space,
+    const Raster<SurfaceSample>& surfaces,
+    std::span<const raycast::Light> light);
+
+} // namespace gnomon::render

@@ -1,5 +1,5 @@
 // What can be painted over the image to see the method at work. OVERLAY: 1 partitions, 2 texels, 3 aliasing, 4 lod,
-// 5 clusters.
+// 5 clusters, 6 projection.
 
 // Colours that are far apart for neighbouring indices: the golden angle on the hue circle.
 vec3 indexColor(int index) {
@@ -20,9 +20,16 @@ float aliasing(Partition part, vec3 position, float depth) {
     vec4 q = part.texelFromDraw * vec4(position, 1.0);
     vec4 dx = part.texelFromDraw * vec4(part.axisX.xyz, 0.0);
     vec4 dz = part.texelFromDraw * vec4(part.axisZ.xyz, 0.0);
-    float columns = abs(dx.x * q.w - q.x * dx.w) / (q.w * q.w);
-    float rows = abs(dz.y * q.w - q.y * dz.w) / (q.w * q.w);
-    return 1.0 / (max(min(columns, rows), 1e-30) * image.w * depth);
+    vec2 perX = abs(dx.xy * q.w - q.xy * dx.w);
+    vec2 perZ = abs(dz.xy * q.w - q.xy * dz.w);
+    // A map may lie on its side: x moves along s alone, and z is measured along the other axis.
+    float texels = min(max(perX.x, perX.y), perX.y > perX.x ? perZ.x : perZ.y) / (q.w * q.w);
+    return 1.0 / (max(texels, 1e-30) * image.w * depth);
+}
+
+// The projection part of the aliasing: cosine to the eye over cosine to the light (Lloyd et al. 2006, Eq 1).
+float projection(vec3 position, vec3 normal) {
+    return max(dot(normal, normalize(eye.xyz - position)), 0.0) / max(dot(normal, light.xyz), 1e-6);
 }
 
 // 1 on the lines of a grid five texels apart, antialiased where a texel is smaller than a pixel.
@@ -35,19 +42,21 @@ float texelGrid(Partition part, vec3 position) {
     return max(line.x * density.x, line.y * density.y);
 }
 
-vec3 overlay(vec3 shaded, vec3 position, float depth, int index, float error, uint cluster) {
-    float light = dot(shaded, vec3(0.3, 0.5, 0.2));
+vec3 overlay(vec3 shaded, vec3 position, vec3 normal, float depth, int index, float error, uint cluster) {
+    float lightness = dot(shaded, vec3(0.3, 0.5, 0.2));
 #if OVERLAY == 1
-    return index < 0 ? vec3(light) * 0.6 : indexColor(index) * (0.35 + 0.65 * light);
+    return index < 0 ? vec3(lightness) * 0.6 : indexColor(index) * (0.35 + 0.65 * lightness);
 #elif OVERLAY == 2
     if (index < 0) return shaded * 0.8;
-    return mix(mix(shaded, indexColor(index) * (0.3 + light), 0.25), vec3(0.0, 0.05, 0.1), 0.85 * texelGrid(partitions[index], position));
+    return mix(mix(shaded, indexColor(index) * (0.3 + lightness), 0.25), vec3(0.0, 0.05, 0.1), 0.85 * texelGrid(partitions[index], position));
 #elif OVERLAY == 3
-    return index < 0 ? vec3(light) * 0.5 : heat(aliasing(partitions[index], position, depth)) * (0.5 + 0.5 * light);
+    return index < 0 ? vec3(lightness) * 0.5 : heat(aliasing(partitions[index], position, depth)) * (0.5 + 0.5 * lightness);
 #elif OVERLAY == 4
-    return heat(error / (image.w * depth) / max(near.z, 1e-6)) * (0.4 + 0.6 * light);
+    return heat(error / (image.w * depth) / max(near.z, 1e-6)) * (0.4 + 0.6 * lightness);
 #elif OVERLAY == 5
-    return indexColor(int(cluster)) * (0.4 + 0.6 * light);
+    return indexColor(int(cluster)) * (0.4 + 0.6 * lightness);
+#elif OVERLAY == 6
+    return index < 0 ? vec3(lightness) * 0.5 : heat(projection(position, normal)) * (0.5 + 0.5 * lightness);
 #else
     return shaded;
 #endif

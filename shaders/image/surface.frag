@@ -47,7 +47,7 @@ void main() {
     float facing = abs(dot(smoothNormal, normalize(towardsEye)));
     vec3 shaded = color * (0.22 + 0.14 * facing + 0.64 * direct);
 #if OVERLAY
-    shaded = overlay(shaded, position, depth, index, error, cluster);
+    shaded = overlay(shaded, position, flatNormal, depth, index, error, cluster);
 #endif
     pixel = vec4(shaded, 1.0);
 #if AUXILIARY

@@ -2,6 +2,7 @@
 #include "app/session.h"
 #include "core/error.h"
 #include "core/file.h"
+#include "render/heat_scale.h"
 #include "telemetry/process_clock.h"
 
 #include <cstdio>
@@ -35,7 +36,8 @@ const std::map<std::string, render::Overlay>& overlays() {
         {"texels", Overlay::Texels},
         {"aliasing", Overlay::Aliasing},
         {"lod", Overlay::Lod},
-        {"clusters", Overlay::Clusters}};
+        {"clusters", Overlay::Clusters},
+        {"projection", Overlay::Projection}};
     return words;
 }
 
@@ -75,7 +77,10 @@ void runRender(const RenderOptions& options) {
     frameOptions.comparesWithFinest = frameOptions.oracle != render::Oracle::None;
     const render::Frame frame = session.renderer().render(view, quality, frameOptions);
     const render::Picture picture = session.executor().picture();
-    render::writePng(options.output, picture);
+    render::Picture shown = picture;
+    if (frameOptions.overlay == render::Overlay::Aliasing || frameOptions.overlay == render::Overlay::Projection)
+        render::drawHeatScale(shown);
+    render::writePng(options.output, shown);
     if (!options.depth.empty()) render::writePfm(options.depth, session.executor().viewDepth());
     if (!options.shadowDepth.empty()) writeShadowMaps(options.shadowDepth, frame, session.executor());
     if (!options.statistics.empty()) {

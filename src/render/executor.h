@@ -20,7 +20,9 @@ namespace gnomon::render {
 using PageLookup = std::function<const hierarchy::Page&(std::uint32_t page)>;
 
 /// What is painted over the image.
-enum class Overlay : std::uint8_t { None, Partitions, Texels, Aliasing, Lod, Clusters };
+/// Aliasing is its perspective part, which a plan promises; Projection the other factor, which depends on how the
+/// surface lies to light and eye, and which nobody can promise.
+enum class Overlay : std::uint8_t { None, Partitions, Texels, Aliasing, Lod, Clusters, Projection };
 
 /// World axes and units, origin at the grid point of the model that is nearest to the eye: there floats are precise
 /// where the picture needs it, however far from the world's origin or how far away the eye is.

@@ -16,16 +16,15 @@ glm::vec3 indexColor(int index) {
     return glm::clamp(wheel, 0.0F, 1.0F) * 0.75F + 0.25F;
 }
 
-/// Blue under 1/4, green at 1, red at 4 and white from 16.
-glm::vec3 heat(float value) {
+} // namespace
+
+glm::vec3 heatColor(float value) {
     const float x = glm::clamp(std::log2(std::max(value, 1e-6F)) * 0.25F + 0.5F, 0.0F, 1.5F);
     const glm::vec3 cold =
         glm::mix(glm::vec3(0.1F, 0.2F, 0.8F), glm::vec3(0.1F, 0.75F, 0.3F), glm::clamp(2 * x, 0.0F, 1.0F));
     const glm::vec3 warm = glm::mix(cold, glm::vec3(0.9F, 0.1F, 0.1F), glm::clamp(2 * x - 1, 0.0F, 1.0F));
     return glm::mix(warm, glm::vec3(1), glm::clamp(2 * x - 2, 0.0F, 1.0F));
 }
-
-} // namespace
 
 SoftwareOverlay::SoftwareOverlay(
     const FrameDrawing& frame,
@@ -52,9 +51,10 @@ float SoftwareOverlay::aliasing(const block::Partition& part, const glm::vec3& p
     const glm::vec4 q = part.texelFromDraw * glm::vec4(position, 1);
     const glm::vec4 dx = part.texelFromDraw * glm::vec4(glm::vec3(part.axisX), 0);
     const glm::vec4 dz = part.texelFromDraw * glm::vec4(glm::vec3(part.axisZ), 0);
-    const float columns = std::abs(dx.x * q.w - q.x * dx.w) / (q.w * q.w);
-    const float rows = std::abs(dz.y * q.w - q.y * dz.w) / (q.w * q.w);
-    return 1 / (std::max(std::min(columns, rows), 1e-30F) * block_->image.w * depth);
+    const glm::vec2 perX = glm::abs(glm::vec2(dx) * q.w - glm::vec2(q) * dx.w);
+    const glm::vec2 perZ = glm::abs(glm::vec2(dz) * q.w - glm::vec2(q) * dz.w);
+    const float texels = std::min(std::max(perX.x, perX.y), perX.y > perX.x ? perZ.x : perZ.y) / (q.w * q.w);
+    return 1 / (std::max(texels, 1e-30F) * block_->image.w * depth);
 }
 
 float SoftwareOverlay::texelGrid(const block::Partition& part, const PaintedPixel& pixel) const {
@@ -96,12 +96,19 @@ glm::vec3 SoftwareOverlay::painted(const PaintedPixel& pixel) const {
             0.85F * texelGrid(*part, pixel));
     case Overlay::Aliasing:
         if (part == nullptr) return glm::vec3(light) * 0.5F;
-        return heat(aliasing(*part, pixel.position, pixel.depth)) * (0.5F + 0.5F * light);
+        return heatColor(aliasing(*part, pixel.position, pixel.depth)) * (0.5F + 0.5F * light);
     case Overlay::Lod:
-        return heat(mark(pixel).error / (block_->image.w * pixel.depth) / std::max(block_->near.z, 1e-6F)) *
+        return heatColor(mark(pixel).error / (block_->image.w * pixel.depth) / std::max(block_->near.z, 1e-6F)) *
                (0.4F + 0.6F * light);
     case Overlay::Clusters:
         return indexColor(mark(pixel).tint) * (0.4F + 0.6F * light);
+    case Overlay::Projection: {
+        if (part == nullptr) return glm::vec3(light) * 0.5F;
+        const glm::vec3 towardsEye = glm::normalize(glm::vec3(block_->eye) - pixel.position);
+        const float toLight = glm::dot(pixel.normal, glm::vec3(block_->light));
+        const float projection = std::max(glm::dot(pixel.normal, towardsEye), 0.0F) / std::max(toLight, 1e-6F);
+        return heatColor(projection) * (0.5F + 0.5F * light);
+    }
     case Overlay::None:
         break;
     }

@@ -34,6 +34,17 @@ std::vector<std::uint8_t> pngOf(const render::Picture& picture) {
     return {bytes.begin(), bytes.end()};
 }
 
+/// Four times the absolute difference of each channel.
+render::Picture magnifiedDifference(const render::Picture& a, const render::Picture& b) {
+    render::Picture result = a;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i)
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            const int difference = std::abs(a.pixels[i][channel] - b.pixels[i][channel]);
+            result.pixels[i][channel] = static_cast<std::uint8_t>(std::min(255, 4 * difference));
+        }
+    return result;
+}
+
 double median(const std::vector<telemetry::FrameRow>& rows, std::optional<double> telemetry::FrameRow::*column) {
     std::vector<double> values;
     for (const telemetry::FrameRow& row : rows)
@@ -46,6 +57,26 @@ double mean(const std::vector<telemetry::FrameRow>& rows, std::optional<std::int
     for (const telemetry::FrameRow& row : rows)
         sum += static_cast<double>((row.*column).value_or(0));
     return rows.empty() ? 0 : sum / static_cast<double>(rows.size());
+}
+
+std::optional<double> mean(
+    const std::vector<telemetry::FrameRow>& rows, std::optional<double> telemetry::FrameRow::*column) {
+    double sum = 0;
+    int count = 0;
+    for (const telemetry::FrameRow& row : rows) {
+        if (!(row.*column)) continue;
+        sum += *(row.*column);
+        ++count;
+    }
+    return count > 0 ? std::optional(sum / count) : std::nullopt;
+}
+
+std::optional<double> largest(
+    const std::vector<telemetry::FrameRow>& rows, std::optional<double> telemetry::FrameRow::*column) {
+    std::optional<double> result;
+    for (const telemetry::FrameRow& row : rows)
+        if (row.*column) result = std::max(result.value_or(*(row.*column)), *(row.*column));
+    return result;
 }
 
 /// The median over repetitions of every frame's time, in the order of the path.
@@ -116,34 +147,46 @@ public:
         }
     }
 
-    /// Fills in what the oracle says of the frames of the first repetition; nothing of it is timed.
-    void prove() {
-        render::FrameOptions plain = std::exchange(frameOptions_, {});
-        frameOptions_.oracle = options_.oracle;
-        frameOptions_.measuresAliasing = frameOptions_.comparesWithFinest = true;
+    /// Walks the first repetition once more, untimed and with the same plans, and holds some of its frames against
+    /// the oracle.
+    void prove(Progress& progress) {
+        session_.renderer().forget();
+        for (int i = 0; i < options_.warmup; ++i)
+            draw(0);
         session_.renderer().forget();
         for (int frame = 0; frame < options_.frames; ++frame) {
-            const telemetry::FrameRow proved = draw(frame);
+            const bool isProven = isProvenFrame(frame);
+            frameOptions_.measuresAliasing = frameOptions_.comparesWithFinest = isProven;
+            frameOptions_.oracle = isProven ? options_.oracle : render::Oracle::None;
+            const telemetry::FrameRow proof = draw(frame);
             telemetry::FrameRow& row = result_.rows[static_cast<std::size_t>(frame)];
-            row.measuredAliasing = proved.measuredAliasing;
-            row.wrongShadowFraction = proved.wrongShadowFraction;
-            row.shadowEdgeP99Px = proved.shadowEdgeP99Px;
-            row.imageDifference = proved.imageDifference;
-            row.missedShadowFraction = proved.missedShadowFraction;
-            row.unexplainedShadowFraction = proved.unexplainedShadowFraction;
+            row.measuredAliasing = proof.measuredAliasing;
+            row.wrongShadowFraction = proof.wrongShadowFraction;
+            row.shadowEdgeP99Px = proof.shadowEdgeP99Px;
+            row.missedShadowFraction = proof.missedShadowFraction;
+            row.unexplainedShadowFraction = proof.unexplainedShadowFraction;
+            row.imageDifference = proof.imageDifference;
+            progress.advance(1);
         }
-        frameOptions_ = plain;
     }
 
-    void keepPictures() {
+    /// The middle frame.
+    render::Picture picture(render::Overlay overlay) {
+        frameOptions_.overlay = overlay;
+        session_.renderer().forget();
         draw(options_.frames / 2);
-        result_.picture = pngOf(session_.executor().picture());
-        frameOptions_.overlay = render::Overlay::Partitions;
-        draw(options_.frames / 2);
-        result_.partitions = pngOf(session_.executor().picture());
+        return session_.executor().picture();
     }
 
 private:
+    /// Frames evenly over the path, first and last among them.
+    bool isProvenFrame(int frame) const {
+        const int last = std::min(options_.provenFrames, options_.frames) - 1;
+        for (int i = 0; i <= last; ++i)
+            if (frame == (last == 0 ? options_.frames / 2 : i * (options_.frames - 1) / last)) return true;
+        return false;
+    }
+
     double timeOf(int frame) const { return frameTime(path_, frame, options_.frames); }
 
     telemetry::FrameRow draw(int frame) {
@@ -215,11 +258,38 @@ std::vector<RunResult> walkAll(
         for (RunResult& result : results) {
             Walk walk(session, view, path, options, result);
             walk.repeat(repetition, progress);
-            if (repetition + 1 < options.repetitions) continue;
-            if (options.oracle != render::Oracle::None) walk.prove();
-            if (options.keepsPictures) walk.keepPictures();
         }
+    if (options.oracle != render::Oracle::None)
+        for (RunResult& result : results)
+            Walk(session, view, path, options, result).prove(progress);
     return results;
+}
+
+std::size_t frameCount(const std::vector<BenchRun>& runs, const WalkOptions& options) {
+    const int walks = options.repetitions + (options.oracle == render::Oracle::None ? 0 : 1);
+    return runs.size() * static_cast<std::size_t>(options.frames) * static_cast<std::size_t>(walks);
+}
+
+std::vector<report::Picture> middlePictures(
+    Session& session,
+    const ViewOptions& view,
+    const CameraPath& path,
+    const BenchRun& run,
+    const WalkOptions& options) {
+    RunResult asked;
+    asked.run = run;
+    Walk walk(session, view, path, options, asked);
+    RunResult traced = asked;
+    traced.run.settings.shadows = "rays";
+    const render::Picture picture = walk.picture(render::Overlay::None);
+    const render::Picture reference = Walk(session, view, path, options, traced).picture(render::Overlay::None);
+    return {
+        {run.name, "picture", pngOf(picture)},
+        {run.name, "reference", pngOf(reference)},
+        {run.name, "difference", pngOf(magnifiedDifference(picture, reference))},
+        {run.name, "texels", pngOf(walk.picture(render::Overlay::Texels))},
+        {run.name, "aliasing", pngOf(walk.picture(render::Overlay::Aliasing))},
+        {run.name, "partitions", pngOf(walk.picture(render::Overlay::Partitions))}};
 }
 
 report::RunSummary summary(const RunResult& result) {
@@ -253,6 +323,14 @@ report::RunSummary summary(const RunResult& result) {
     s.imageTriangles = mean(rows, &FrameRow::imageTriangles);
     s.shadowTriangles = mean(rows, &FrameRow::shadowTriangles);
     if (promised > 0) s.errors[report::ErrorKind::PromisedAliasing] = promised;
+    const auto addError = [&](report::ErrorKind kind, std::optional<double> value) {
+        if (value) s.errors[kind] = *value;
+    };
+    addError(report::ErrorKind::MeasuredAliasing, largest(rows, &FrameRow::measuredAliasing));
+    addError(report::ErrorKind::WrongShadow, mean(rows, &FrameRow::wrongShadowFraction));
+    addError(report::ErrorKind::ShadowEdge, mean(rows, &FrameRow::shadowEdgeP99Px));
+    addError(report::ErrorKind::ImageDifference, mean(rows, &FrameRow::imageDifference));
+    s.crawl = mean(rows, &FrameRow::crawl).value_or(-1);
     s.frameMs = timesAlongPath(rows);
     return s;
 }

@@ -4,6 +4,7 @@
 #include "app/camera_path.h"
 #include "app/session.h"
 #include "core/progress.h"
+#include "report/page.h"
 #include "report/run_summary.h"
 #include "telemetry/frame_row.h"
 
@@ -26,8 +27,8 @@ struct WalkOptions {
     int repetitions = 1;
     int warmup = 2;
     bool isRealTime = false;
-    render::Oracle oracle = render::Oracle::None; // once the times are taken, the frames are walked again and proved
-    bool keepsPictures = false;                   // of the middle frame, with the partitions beside it
+    render::Oracle oracle = render::Oracle::None;
+    int provenFrames = 0; // with an oracle: so many frames, evenly over the path, are held against it
     /// Gets the picture of every frame of the first repetition, if given.
     std::function<void(const BenchRun& run, int frame, const render::Picture& picture)> onPicture;
 };
@@ -38,8 +39,6 @@ struct RunResult {
     std::vector<telemetry::FrameRow> rows; // repetition by repetition, each in the order of the path
     double cpuMs = 0;                      // of all threads, a logged frame on average
     double firstFrameMs = 0; // from the start of the process to the end of the run's first frame, warm-up or not
-    std::vector<std::uint8_t> picture; // PNG; empty unless asked for
-    std::vector<std::uint8_t> partitions;
 };
 
 /// One run for each of `settings`, in their order.
@@ -51,7 +50,8 @@ std::vector<BenchRun> combinations(const SweptSettings& lists, const std::string
 
 /// Walks every run along `path`: warm-up frames, then `frames` frames evenly over the path, as often as asked. Each
 /// repetition walks all runs before the next one begins, so that a machine that slows down slows them all alike. In
-/// real time no frame begins before its time on the path.
+/// real time no frame begins before its time on the path. Once all times are taken, each run is walked once more and
+/// what its pictures are held against fills its first repetition's columns of accuracy.
 std::vector<RunResult> walkAll(
     Session& session,
     const ViewOptions& view,
@@ -59,6 +59,14 @@ std::vector<RunResult> walkAll(
     const std::vector<BenchRun>& runs,
     const WalkOptions& options,
     Progress& progress);
+
+/// What the progress of `walkAll` counts up to.
+std::size_t frameCount(const std::vector<BenchRun>& runs, const WalkOptions& options);
+
+/// The frame in the middle of the path as a report shows it: picture, reference (the same with ray-traced shadows),
+/// difference (four times the absolute difference of the two), texels, aliasing, partitions.
+std::vector<report::Picture> middlePictures(
+    Session& session, const ViewOptions& view, const CameraPath& path, const BenchRun& run, const WalkOptions& options);
 
 /// Medians, percentiles, noise and worst promises of a run.
 report::RunSummary summary(const RunResult& result);

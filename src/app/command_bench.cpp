@@ -104,36 +104,39 @@ std::vector<report::StoragePoint> storagePoints(const plan::FramePlan& plan) {
     return points;
 }
 
-void writePictures(const std::string& folder, const std::vector<RunResult>& results) {
+void writePictures(const std::string& folder, int run, const std::vector<report::Picture>& pictures) {
     std::filesystem::create_directories(folder);
-    for (std::size_t i = 0; i < results.size(); ++i) {
-        const std::string stem = (std::filesystem::path(folder) / ("run" + std::to_string(i))).string();
-        writeTextFile(stem + ".png", {results[i].picture.begin(), results[i].picture.end()});
-        writeTextFile(stem + "_partitions.png", {results[i].partitions.begin(), results[i].partitions.end()});
-    }
+    const std::string stem = (std::filesystem::path(folder) / ("run" + std::to_string(run))).string();
+    for (const report::Picture& picture : pictures)
+        writeTextFile(
+            stem + (picture.kind == "picture" ? "" : "_" + picture.kind) + ".png",
+            {picture.png.begin(), picture.png.end()});
 }
 
-void writeReport(
-    const BenchOptions& options,
-    const std::map<std::string, std::string>& context,
-    const std::vector<RunResult>& results,
-    const std::vector<report::RunSummary>& summaries,
-    const std::vector<report::StoragePoint>& storage) {
-    std::filesystem::create_directories(options.report);
-    const auto place = [&](const char* name) { return (std::filesystem::path(options.report) / name).string(); };
-    report::Report page;
-    page.model = context.at("model") + ", " + context.at("model_triangles") + " triangles";
-    page.context = context;
-    page.runs = summaries;
-    page.storage = storage;
+/// The error that the runs are chosen by: the one that says most of what is seen, of those that all runs know.
+report::ErrorKind choosingError(const std::vector<report::RunSummary>& summaries) {
+    for (const auto kind : {report::ErrorKind::ShadowEdge, report::ErrorKind::WrongShadow})
+        if (std::all_of(summaries.begin(), summaries.end(), [&](const auto& s) { return s.errors.contains(kind); }))
+            return kind;
+    return report::ErrorKind::PromisedAliasing;
+}
+
+/// The runs whose pictures a report holds: those that no other beats in time and error, and the first.
+std::vector<std::size_t> picturedRuns(const std::vector<report::RunSummary>& summaries) {
+    std::vector<std::size_t> runs = report::paretoFront(summaries, choosingError(summaries));
+    runs.push_back(0);
+    std::sort(runs.begin(), runs.end());
+    runs.erase(std::unique(runs.begin(), runs.end()), runs.end());
+    return runs;
+}
+
+void writeReport(const std::string& folder, report::Report page, const std::vector<RunResult>& results) {
+    std::filesystem::create_directories(folder);
+    const auto place = [&](const std::string& name) { return (std::filesystem::path(folder) / name).string(); };
     page.csvFile = "bench.csv";
     page.jsonFile = "bench.json";
-    for (const RunResult& result : results) {
-        page.pictures.push_back({result.run.name, "picture", result.picture});
-        page.pictures.push_back({result.run.name, "partitions", result.partitions});
-    }
-    writeTextFile(place("bench.csv"), csvText(results));
-    writeTextFile(place("bench.json"), benchmarkText(context, results));
+    writeTextFile(place(page.csvFile), csvText(results));
+    writeTextFile(place(page.jsonFile), benchmarkText(page.context, results));
     writeTextFile(place("index.html"), report::page(page));
 }
 
@@ -147,14 +150,6 @@ void print(const std::vector<report::RunSummary>& summaries) {
     }
     for (const std::string& sentence : report::sentences(summaries))
         std::printf("%s\n", sentence.c_str());
-}
-
-/// The error that the runs are chosen by: the one that says most of what is seen, of those that all runs know.
-report::ErrorKind choosingError(const std::vector<report::RunSummary>& summaries) {
-    for (const auto kind : {report::ErrorKind::ShadowEdge, report::ErrorKind::WrongShadow})
-        if (std::all_of(summaries.begin(), summaries.end(), [&](const auto& s) { return s.errors.contains(kind); }))
-            return kind;
-    return report::ErrorKind::PromisedAliasing;
 }
 
 /// The setting that the budget calls for and the one that --max-aliasing does, as options to paste.
@@ -224,10 +219,15 @@ void runBench(BenchOptions options) {
     }
     options.walk.repetitions = options.repetitions.value_or(options.report.empty() ? 1 : 3);
     options.walk.oracle = options.oracle.mode();
-    if (options.walk.isRealTime && options.walk.oracle != render::Oracle::None)
+    const bool isProven = options.walk.oracle != render::Oracle::None;
+    if (options.walk.isRealTime && isProven)
         throw UsageError{
             "--oracle and --real-time contradict each other: a frame held against rays waits for its pages"};
-    options.walk.keepsPictures = !options.report.empty() || !options.images.empty();
+    options.walk.provenFrames = options.walk.frames;
+    if (!options.report.empty() && !isProven && !options.walk.isRealTime) {
+        options.walk.oracle = render::Oracle::SameDetail;
+        options.walk.provenFrames = options.isQuick ? 3 : 8;
+    }
     std::vector<BenchRun> runs = combinations(options.view.swept, options.shadowMaps);
     if (runs.size() == 1 && !options.report.empty()) runs = reportRuns(runs.front().settings, options.isQuick);
     for (const BenchRun& run : runs)
@@ -239,11 +239,7 @@ void runBench(BenchOptions options) {
     std::vector<RunResult> results;
     {
         const auto progress = makeProgress(options.common);
-        progress->stage(
-            "bench",
-            "frames",
-            runs.size() * static_cast<std::size_t>(options.walk.frames) *
-                static_cast<std::size_t>(options.walk.repetitions));
+        progress->stage("bench", "frames", frameCount(runs, options.walk));
         results = walkAll(session, options.view, path, runs, options.walk, *progress);
     }
     std::vector<report::RunSummary> summaries;
@@ -253,12 +249,24 @@ void runBench(BenchOptions options) {
     printChoices(options, summaries);
     if (!options.csv.empty()) writeTextFile(options.csv, csvText(results));
     if (!options.json.empty()) writeTextFile(options.json, benchmarkText(context, results));
-    if (!options.images.empty()) writePictures(options.images, results);
+    const auto picturesOf = [&](std::size_t run) {
+        return middlePictures(session, options.view, path, runs[run], options.walk);
+    };
+    if (!options.images.empty())
+        for (std::size_t run = 0; run < runs.size(); ++run)
+            writePictures(options.images, static_cast<int>(run), picturesOf(run));
     if (!options.report.empty()) {
+        report::Report page;
+        page.model = context.at("model") + ", " + context.at("model_triangles") + " triangles";
+        page.context = context;
+        page.runs = summaries;
+        for (const std::size_t run : picturedRuns(summaries))
+            for (report::Picture& picture : picturesOf(run))
+                page.pictures.push_back(std::move(picture));
         plan::View view = viewOf(options.view, session.model().summary());
         view.camera = cameraAt(path, path.keyframes.front().time);
-        const plan::FramePlan plan = session.renderer().plan(view, qualityOf(options.view, runs.front().settings));
-        writeReport(options, context, results, summaries, storagePoints(plan));
+        page.storage = storagePoints(session.renderer().plan(view, qualityOf(options.view, runs.front().settings)));
+        writeReport(options.report, std::move(page), results);
     }
     if (!options.baseline.empty()) compareWithBaseline(options, summaries);
 }

@@ -328,7 +328,9 @@ report::RunSummary summary(const RunResult& result) {
     };
     addError(report::ErrorKind::MeasuredAliasing, largest(rows, &FrameRow::measuredAliasing));
     addError(report::ErrorKind::WrongShadow, mean(rows, &FrameRow::wrongShadowFraction));
-    addError(report::ErrorKind::ShadowEdge, mean(rows, &FrameRow::shadowEdgeP99Px));
+    // A frame with hardly an edge in it puts a lone one as far away as the picture is wide.
+    if (mean(rows, &FrameRow::shadowEdgeP99Px))
+        s.errors[report::ErrorKind::ShadowEdge] = median(rows, &FrameRow::shadowEdgeP99Px);
     addError(report::ErrorKind::ImageDifference, mean(rows, &FrameRow::imageDifference));
     s.crawl = mean(rows, &FrameRow::crawl).value_or(-1);
     s.frameMs = timesAlongPath(rows);

@@ -55,7 +55,7 @@ struct RunSummary {
     StageTimes stages;
     double imageTriangles = 0;
     double shadowTriangles = 0;
-    std::map<ErrorKind, double> errors; // the largest over the frames for an aliasing, else the mean
+    std::map<ErrorKind, double> errors; // over the frames the largest aliasing, the median edge distance, else the mean
     double crawl = -1;                  // share of fixed points whose shadow test changed; below 0: not measured
     double storageFactor = 0;
     bool promiseKept = true;

@@ -17,6 +17,17 @@ const percent = (fraction) => `${figures(100 * fraction)}%`;
 const axis = (title, logarithmic) => ({ type: logarithmic ? "logarithmic" : "linear", title: { display: true, text: title } });
 const known = (key) => data.runs.map((run, i) => ({ run, i })).filter(({ run }) => run.errors[key] !== undefined);
 
+/// The settings of `run` in which it differs from most of the runs: a name that fits under a bar.
+function shortName(run) {
+  const usual = (key) => {
+    const counts = new Map();
+    for (const each of data.runs) counts.set(each.settings[key], (counts.get(each.settings[key]) ?? 0) + 1);
+    return [...counts].sort((a, b) => b[1] - a[1])[0][0];
+  };
+  const own = Object.keys(run.settings).filter((key) => run.settings[key] !== usual(key));
+  return own.map((key) => `${key} ${run.settings[key]}`).join(", ") || "the usual settings";
+}
+
 function describe(run) {
   const errors = data.errors.filter((e) => run.errors[e.key] !== undefined).map((e) => `${e.key} ${figures(run.errors[e.key])}`);
   return [run.name, `${figures(run.p50)} ms${run.noise === null ? "" : ` ± ${percent(run.noise)}`} (p95 ${figures(run.p95)}, p99 ${figures(run.p99)})`, ...errors];
@@ -129,7 +140,7 @@ function drawStages() {
   new Chart(element("stages"), {
     type: "bar",
     data: {
-      labels: data.runs.map((run) => run.name),
+      labels: data.runs.map(shortName),
       datasets: stages.map((stage, i) => ({ label: stage, data: data.runs.map((run) => run.stages[stage]), backgroundColor: palette[i] })),
     },
     options: { scales: { x: { stacked: true }, y: { stacked: true, title: { display: true, text: "ms" } } } },
@@ -143,7 +154,7 @@ function drawPath() {
     data: {
       labels: Array.from({ length: longest }, (_, i) => i),
       datasets: data.runs.map((run, i) => ({
-        label: run.name, data: run.frames, borderColor: palette[i % palette.length], borderWidth: 1.5, pointRadius: 0, hidden: i >= palette.length,
+        label: shortName(run), data: run.frames, borderColor: palette[i % palette.length], borderWidth: 1.5, pointRadius: 0, hidden: i >= palette.length,
       })),
     },
     options: {

@@ -1,6 +1,7 @@
 #include "plan/depth_range.h"
 
 #include "core/error.h"
+#include "shadow/near_ladder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +11,6 @@ namespace gnomon::plan {
 namespace {
 
 constexpr double kDefaultFloorRatio = 1e4; // far / near-floor
-constexpr double kStepsPerOctave = 4;
 
 /// View depths of the part of `bounds` that lies before the eye; empty facts if none does.
 SceneFacts::Visible depthsOfBounds(const View& view, const Box& bounds) {
@@ -26,28 +26,29 @@ SceneFacts::Visible depthsOfBounds(const View& view, const Box& bounds) {
     return result;
 }
 
-} // namespace
-
-double ladderStep(double depth) {
-    const double step = std::floor(std::log2(depth) * kStepsPerOctave);
-    const double candidate = std::exp2(step / kStepsPerOctave);
-    // log2 may round up to a whole step.
-    return candidate <= depth ? candidate : std::exp2((step - 1) / kStepsPerOctave);
+/// Far is the ladder's near seen from the other side: it rises at once and falls after some frames.
+void setFar(DepthRange& range, const Quality& quality, double farthest, const FramePlan* previous) {
+    range.far = quality.far.value_or(farthest);
+    range.farFrom = "given";
+    if (quality.far || !quality.stabilize || !(farthest > 0)) return;
+    const bool hasPrevious = previous != nullptr && previous->quality.stabilize && previous->far > 0;
+    const shadow::NearState before =
+        hasPrevious ? shadow::NearState{1 / previous->far, previous->framesFarIsHeld} : shadow::NearState{};
+    const shadow::NearState now = shadow::nextNear(before, 1 / farthest, 0, kFramesBeforeNearRises);
+    range.far = 1 / now.near;
+    range.framesFarIsHeld = now.framesAbove;
 }
 
-namespace {
-
 /// Near on the ladder at or below the nearest thing, its floor, or the frame before; says which unless it is the first.
-void setAutomaticNear(
-    DepthRange& range, const Quality& quality, const SceneFacts::Visible& visible, const FramePlan* previous) {
+void setNear(DepthRange& range, const Quality& quality, const SceneFacts::Visible& visible, const FramePlan* previous) {
     const double floor = quality.nearFloor.value_or(range.far / kDefaultFloorRatio);
-    range.near = ladderStep(std::max(visible.nearest, floor));
+    const shadow::NearState before =
+        previous != nullptr ? shadow::NearState{previous->near, previous->framesNearIsHeld} : shadow::NearState{};
+    const shadow::NearState now = shadow::nextNear(before, visible.nearest, floor, kFramesBeforeNearRises);
+    range.near = now.near;
+    range.framesNearIsHeld = now.framesAbove;
     if (visible.nearest < floor) range.nearFrom = "the floor";
-    const bool wantsToRise = previous != nullptr && previous->near > 0 && range.near > previous->near &&
-                             previous->framesNearIsHeld + 1 < kFramesBeforeNearRises;
-    if (!wantsToRise) return;
-    range.near = previous->near;
-    range.nearFrom = "held from the frame before";
+    if (now.framesAbove > 0) range.nearFrom = "held from the frame before";
 }
 
 } // namespace
@@ -58,16 +59,16 @@ DepthRange depthRange(const View& view, const Quality& quality, const SceneFacts
     range.isEmpty = !visible.anything;
     const bool isGiven = quality.near && quality.far;
     if (range.isEmpty && !isGiven) {
-        range = {1, 2, "nothing is in view", "nothing is in view", true};
+        range = {1, 2, "nothing is in view", "nothing is in view", 0, 0, true};
         return range;
     }
-    range.far = quality.far.value_or(visible.farthest * (1 + 1e-6));
-    range.farFrom = quality.far ? "given" : (scene.visible ? "the farthest surface in view" : "the model's bounds");
+    setFar(range, quality, visible.farthest * (1 + 1e-6), previous);
+    if (!quality.far) range.farFrom = scene.visible ? "the farthest surface in view" : "the model's bounds";
     if (quality.near) {
         range.near = *quality.near;
         range.nearFrom = "given";
     } else {
-        setAutomaticNear(range, quality, visible, previous);
+        setNear(range, quality, visible, previous);
         if (range.nearFrom.empty())
             range.nearFrom = scene.visible ? "the nearest surface in view" : "the model's bounds";
     }

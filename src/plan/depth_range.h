@@ -13,17 +13,17 @@ struct DepthRange {
     double far = 0;
     std::string nearFrom;
     std::string farFrom;
+    int framesNearIsHeld = 0; // by the ladder
+    int framesFarIsHeld = 0;
     bool isEmpty = false;
 };
 
 /// The least view depth of anything drawn, not under the floor, down to a step of a ladder of 2^(1/4): it falls at
-/// once, and rises only when `previous` has wanted that for kFramesBeforeNearRises frames.
+/// once, and rises only when `previous` has wanted that for kFramesBeforeNearRises frames. Far is the greatest;
+/// stabilised slices, whose texels must keep their size, have it on the ladder too.
 DepthRange depthRange(const View& view, const Quality& quality, const SceneFacts& scene, const FramePlan* previous);
 
-/// How long near must want to rise before it does.
+/// How long near must want to rise, or far to fall, before it does.
 constexpr int kFramesBeforeNearRises = 12;
-
-/// The largest step of the ladder that is at most `depth`; 2^(i/4) for whole i.
-double ladderStep(double depth);
 
 } // namespace gnomon::plan

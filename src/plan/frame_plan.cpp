@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "plan/depth_range.h"
 #include "plan/shadow_passes.h"
+#include "shadow/caster_volume.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +27,42 @@ void requireValid(const View& view) {
         throw Error("--light", "this is no direction");
 }
 
+/// Why this view calls for no map at all; empty if it does.
+std::string reasonForNoMaps(const Quality& quality, const SceneFacts& scene, const DepthRange& range) {
+    if (quality.shadows == ShadowMode::Off) return "switched off";
+    if (quality.shadows == ShadowMode::Rays) return "shadows are ray-traced";
+    if (range.isEmpty) return "nothing is in view";
+    if (scene.light && scene.light->lit.empty()) return "no visible surface faces the light";
+    if (scene.light && !scene.light->canBeShadowed) return "no caster can reach a visible surface";
+    return "";
+}
+
+shadow::ViewFrustum frustumOf(const View& view, const DepthSpan& range) {
+    return {range.near, range.far, view.camera.fovYRadians / 2, view.aspect()};
+}
+
+glm::dvec3 cameraLight(const View& view, const CameraBasis& basis) {
+    return glm::normalize(toCamera(basis, glm::normalize(view.towardsLight)));
+}
+
 } // namespace
+
+ConvexVolume sweptView(const View& view, const DepthSpan& range) {
+    const shadow::ViewFrustum frustum = frustumOf(view, range);
+    const glm::dvec3 towardsLight = cameraLight(view, cameraBasis(view.camera));
+    const shadow::PartitionSelector selector =
+        shadow::partitionSelector(frustum, towardsLight, {range.near, range.far}, false, false);
+    const shadow::Region region = shadow::partitionRegion(frustum, selector, 0);
+    return shadow::casterVolume(region, shadow::lightFrame(towardsLight));
+}
+
+std::optional<DepthSpan> widestRange(const View& view, const Quality& quality, const Box& bounds) {
+    requireValid(view);
+    if (quality.shadows != ShadowMode::Maps) return std::nullopt;
+    const DepthRange range = depthRange(view, quality, {.bounds = bounds, .visible = {}, .light = {}}, nullptr);
+    if (range.isEmpty) return std::nullopt;
+    return DepthSpan{range.near, range.far};
+}
 
 FramePlan planFrame(const View& view, const Quality& quality, const SceneFacts& scene, const FramePlan* previous) {
     requireValid(view);
@@ -34,24 +70,22 @@ FramePlan planFrame(const View& view, const Quality& quality, const SceneFacts& 
     plan.view = view;
     plan.quality = quality;
     plan.basis = cameraBasis(view.camera);
-    plan.towardsLight = glm::normalize(toCamera(plan.basis, glm::normalize(view.towardsLight)));
+    plan.towardsLight = cameraLight(view, plan.basis);
     plan.lightAngleRadians = std::atan2(std::hypot(plan.towardsLight.x, plan.towardsLight.y), plan.towardsLight.z);
-    const DepthRange range = depthRange(view, quality, scene, previous);
+    const DepthRange range =
+        depthRange(view, quality, scene, previous != nullptr && previous->seesNothing ? nullptr : previous);
     plan.near = range.near;
     plan.far = range.far;
     plan.nearFrom = range.nearFrom;
     plan.farFrom = range.farFrom;
-    const bool isHeld = previous != nullptr && !quality.near && plan.nearFrom.starts_with("held");
-    plan.framesNearIsHeld = isHeld ? previous->framesNearIsHeld + 1 : 0;
-    if (quality.shadows == ShadowMode::Off) {
-        plan.omitted.push_back({"shadows", "switched off"});
-    } else if (range.isEmpty) {
-        plan.omitted.push_back({"shadow maps", "nothing is in view"});
-    } else if (quality.shadows == ShadowMode::Rays) {
-        plan.omitted.push_back({"shadow maps", "shadows are ray-traced"});
+    plan.seesNothing = range.isEmpty;
+    plan.framesNearIsHeld = range.framesNearIsHeld;
+    plan.framesFarIsHeld = range.framesFarIsHeld;
+    const std::string reason = reasonForNoMaps(quality, scene, range);
+    if (reason.empty()) {
+        planShadowPasses(plan, scene, previous);
     } else {
-        planShadowPasses(plan, previous);
-        plan.promiseKept = std::max(plan.promised.x, plan.promised.z) <= quality.maxAliasing || quality.zPartitions;
+        plan.omitted.push_back({"shadow maps", reason});
     }
     return plan;
 }

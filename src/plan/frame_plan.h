@@ -4,6 +4,7 @@
 
 #include "core/camera.h"
 #include "core/convex_volume.h"
+#include "core/depth_span.h"
 #include "shadow/faces.h"
 #include "shadow/orientation.h"
 #include "shadow/region.h"
@@ -68,6 +69,21 @@ struct SceneFacts {
     };
 
     std::optional<Visible> visible;
+
+    /// Some clusters that could cast shadows into the view, together.
+    struct CasterBlock {
+        Box box; // world axes, relative to the eye
+        std::uint64_t triangles = 0;
+    };
+
+    /// What the light finds in the view.
+    struct Light {
+        std::vector<DepthSpan> lit;       // depths of visible surfaces that face it, apart and in order
+        bool canBeShadowed = true;        // something may stand between it and one of them
+        std::vector<CasterBlock> casters; // all that can throw a shadow into the view
+    };
+
+    std::optional<Light> light;
 };
 
 /// Texels of the depth texture: first column, first row, width, height; origin at its lower left.
@@ -91,8 +107,18 @@ struct ShadowPass {
     Rectangle rectangle;       // with the gutter
     Rectangle map;             // without
     shadow::Aliasing promised; // with these texels and this image
-    ConvexVolume casters;      // camera space: all that can throw a shadow into the partition
-    ConvexVolume receivers;    // camera space
+    bool clampsDepth = true;   // a caster may be nearer to the light than the map begins
+    std::uint64_t estimatedTriangles = 0; // of its casters
+    ConvexVolume casters;                 // camera space: all that can throw a shadow into the partition
+    ConvexVolume receivers;               // camera space
+};
+
+/// Which scheme a plan came to, for the next frame to hold on to.
+struct SchemeChoice {
+    int slices = 1;
+    bool faces = false;
+    bool turned = true; // about the light, for the least storage
+    bool operator==(const SchemeChoice&) const = default;
 };
 
 /// Something that this view does not call for.
@@ -109,7 +135,9 @@ struct FramePlan {
     glm::dvec3 towardsLight{0, 1, 0}; // unit, camera space
     double near = 0;                  // the range that shadows are promised for
     double far = 0;
+    bool seesNothing = false; // and the range is any
     int framesNearIsHeld = 0; // how many frames near has been kept under what the view would allow
+    int framesFarIsHeld = 0;  // likewise far over it, where slices are stabilised
     std::string nearFrom;     // how they were found
     std::string farFrom;
     double lightAngleRadians = 0;
@@ -118,14 +146,24 @@ struct FramePlan {
     shadow::PartitionSelector selector;                  // which partition owns a point
     std::vector<int> passOfPartition;                    // by the selector's index; -1: no map
     std::optional<shadow::OrientationState> orientation; // for the next frame
+    std::optional<SchemeChoice> scheme;                  // likewise
+    std::vector<int> framesEmpty;                        // by slice, how long it has had no visible receiver
     std::vector<ShadowPass> passes;
     shadow::Aliasing promised; // the largest over all passes
     double storageFactor = 0;
-    bool promiseKept = true;
+    bool promiseKept = true;             // only `auto` promises anything: at most quality.maxAliasing
+    std::uint64_t texelsThatWouldDo = 0; // for that; with several schemes to choose from the least of them
+    std::uint64_t cost = 0;              // counted: estimated caster triangles + texels / 16
     std::vector<Omission> omitted;
     int textureWidth = 0; // of the depth texture; 0 without maps
     int textureHeight = 0;
 };
+
+/// All of space (camera space) that can throw a shadow onto something seen between the depths of `range`.
+ConvexVolume sweptView(const View& view, const DepthSpan& range);
+
+/// The depths that the plan of `view` will lie within, before the hierarchy was asked; nothing if it draws no maps.
+std::optional<DepthSpan> widestRange(const View& view, const Quality& quality, const Box& bounds);
 
 /// The plan for `view` with `quality`; `previous` steadies what must not jump from frame to frame. Throws Error if the
 /// view is impossible.

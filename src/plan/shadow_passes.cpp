@@ -1,6 +1,6 @@
 #include "plan/shadow_passes.h"
 
-#include "shadow/setup.h"
+#include "plan/scheme_choice.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,22 +9,20 @@ namespace gnomon::plan {
 
 namespace {
 
-shadow::ShadowOptions optionsOf(const Quality& quality) {
-    shadow::ShadowOptions options;
-    options.scheme.warp = quality.warp;
-    options.scheme.slices = quality.zPartitions.value_or(4);
-    options.scheme.splitLambda = quality.splitLambda;
-    options.scheme.faces = quality.facePartitions == Choice::On;
-    options.stabilized = quality.stabilize;
-    options.filterTexels = quality.filter;
-    options.texels =
-        static_cast<std::uint64_t>(quality.shadowTexelsWidth) * static_cast<std::uint64_t>(quality.shadowTexelsHeight);
-    return options;
-}
-
 /// What a lookup reads of `partition`: its rectangle without the gutter on each side.
 Rectangle withoutGutter(const shadow::TexelRectangle& r, int gutter) {
     return {r.x + gutter, r.y + gutter, r.width - 2 * gutter, r.height - 2 * gutter};
+}
+
+/// Whether something that can throw a shadow into the map of `pass` is nearer to the light than its depth begins.
+bool reachesBefore(const ShadowPass& pass, const CameraBasis& basis, const SceneFacts& scene) {
+    if (!scene.light) return true;
+    const glm::dmat4 rows = glm::transpose(pass.texelFromCamera);
+    const glm::dvec3 normal(rows[2]); // depth w; w is above 0 in front of whatever can cast
+    const double length = glm::length(normal);
+    ConvexVolume before = pass.casters;
+    before.planes.push_back({-normal / length, -rows[2].w / length});
+    return trianglesIn(before, basis, scene.light->casters) > 0;
 }
 
 ShadowPass passOf(const shadow::ShadowMapPartition& partition, const shadow::ShadowMapSetup& setup) {
@@ -46,18 +44,61 @@ ShadowPass passOf(const shadow::ShadowMapPartition& partition, const shadow::Sha
     return pass;
 }
 
+std::string warpReason(const FramePlan& plan) {
+    if (plan.quality.stabilize) return "stabilised slices are unwarped";
+    if (plan.quality.warp.rule == shadow::WarpRule::None) return "switched off";
+    return "it would not lower the promise under this light";
+}
+
+/// A line for each effect that the maps go without and that no choice has spoken of.
+void explainOmissions(FramePlan& plan) {
+    std::vector<Omission>& omitted = plan.omitted;
+    for (std::size_t i = 0; i < plan.framesEmpty.size(); ++i)
+        if (plan.framesEmpty[i] >= kFramesBeforeMapGoes)
+            omitted.push_back({"map of slice " + std::to_string(i), "nothing that is seen in it faces the light"});
+    const bool isFaceLeft = plan.quality.facePartitions == Choice::On && !plan.hasFaces;
+    if (plan.quality.facePartitions != Choice::Off && plan.quality.stabilize) {
+        omitted.push_back({"face partitions", "stabilised slices are whole"});
+    } else if (plan.quality.facePartitions == Choice::Off) {
+        omitted.push_back({"face partitions", "switched off"});
+    } else if (isFaceLeft) {
+        omitted.push_back({"face partitions", "the light grazes every face of the view"});
+    }
+    if (plan.splits.size() == 2)
+        omitted.push_back(
+            {"z-partitions", plan.quality.zPartitions ? "switched off" : "a single slice is best at this promise"});
+    const auto isWarped = [](const ShadowPass& pass) { return pass.warp.kappa > 0; };
+    if (std::none_of(plan.passes.begin(), plan.passes.end(), isWarped)) omitted.push_back({"warp", warpReason(plan)});
+    if (!plan.quality.stabilize) omitted.push_back({"stabilisation", "switched off"});
+    if (plan.quality.filter == 0)
+        omitted.push_back({"filter", "switched off; its kernel would widen the texels, and so raise the promise"});
+    const auto clamps = [](const ShadowPass& pass) { return pass.clampsDepth; };
+    if (std::none_of(plan.passes.begin(), plan.passes.end(), clamps))
+        omitted.push_back({"depth clamp", "no caster is nearer to the light than its map begins"});
+    if (!plan.quality.cullCasters) omitted.push_back({"partition culling", "switched off"});
+}
+
 } // namespace
 
-void planShadowPasses(FramePlan& plan, const FramePlan* previous) {
-    shadow::ShadowView view;
-    view.frustum = {plan.near, plan.far, plan.view.camera.fovYRadians / 2, plan.view.aspect()};
-    view.towardsLight = plan.towardsLight;
-    view.imageHeight = plan.view.height;
-    const shadow::ShadowOptions options = optionsOf(plan.quality);
-    const auto orientation = previous != nullptr ? previous->orientation : std::nullopt;
-    const shadow::ShadowMapSetup setup = shadow::shadowMapSetup(view, options, orientation);
+void planShadowPasses(FramePlan& plan, const SceneFacts& scene, const FramePlan* previous) {
+    SchemeQuestion question;
+    question.view.frustum = {plan.near, plan.far, plan.view.camera.fovYRadians / 2, plan.view.aspect()};
+    question.view.towardsLight = plan.towardsLight;
+    question.view.imageHeight = plan.view.height;
+    question.view.anchor = {plan.basis, plan.view.camera.eye};
+    question.basis = plan.basis;
+    question.quality = plan.quality;
+    question.scene = &scene;
+    question.previous = previous;
+    const SchemeAnswer chosen = chosenScheme(question, plan.omitted);
+    const shadow::ShadowMapSetup& setup = chosen.setup;
+    plan.scheme = chosen.choice;
+    plan.cost = chosen.cost;
+    plan.texelsThatWouldDo = chosen.texelsThatWouldDo;
+    plan.promiseKept = chosen.keepsPromise || plan.quality.zPartitions;
     plan.selector = setup.selector;
     plan.splits = setup.selector.splits;
+    plan.framesEmpty = framesEmpty(question, plan.splits);
     plan.hasFaces = !setup.selector.faces.empty();
     plan.orientation = setup.orientation;
     plan.textureWidth = setup.textureWidth;
@@ -65,14 +106,17 @@ void planShadowPasses(FramePlan& plan, const FramePlan* previous) {
     for (const std::size_t map : setup.mapOfPartition)
         plan.passOfPartition.push_back(map == shadow::ShadowMapSetup::kNoMap ? -1 : static_cast<int>(map));
     plan.storageFactor = 0;
-    for (const shadow::ShadowMapPartition& partition : setup.maps) {
-        plan.passes.push_back(passOf(partition, setup));
-        const ShadowPass& pass = plan.passes.back();
-        const double scaleX = static_cast<double>(pass.map.width) / view.imageHeight;
-        const double scaleZ = static_cast<double>(pass.map.height) / view.imageHeight;
+    for (std::size_t i = 0; i < setup.maps.size(); ++i) {
+        plan.passes.push_back(passOf(setup.maps[i], setup));
+        ShadowPass& pass = plan.passes.back();
+        pass.estimatedTriangles = chosen.casterTriangles[i];
+        pass.clampsDepth = reachesBefore(pass, plan.basis, scene);
+        const double scaleX = static_cast<double>(pass.map.width) / plan.view.height;
+        const double scaleZ = static_cast<double>(pass.map.height) / plan.view.height;
         plan.storageFactor += pass.promised.x * pass.promised.z * scaleX * scaleZ;
     }
     plan.promised = {setup.worst().x, setup.worst().z};
+    explainOmissions(plan);
 }
 
 } // namespace gnomon::plan

@@ -6,6 +6,6 @@
 namespace gnomon::plan {
 
 /// Fills the splits, passes, promise and texture of `plan`, whose view, quality, light and depth range are set.
-void planShadowPasses(FramePlan& plan, const FramePlan* previous);
+void planShadowPasses(FramePlan& plan, const SceneFacts& scene, const FramePlan* previous);
 
 } // namespace gnomon::plan

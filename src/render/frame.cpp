@@ -1,10 +1,10 @@
-#include "render/local_volume.h"
+#include "culling/frame_cut.h"
 #include "render/prepared_frame.h"
+#include "render/scene_facts.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 
 // The frame, told in the words of the README: plan -> cut -> cull per partition -> shadow passes -> image pass -> log.
 
@@ -83,22 +83,25 @@ Renderer::Prepared Renderer::prepare(const plan::View& view, const plan::Quality
 
 Renderer::Prepared Renderer::planAndCut(const plan::View& view, const plan::Quality& quality) {
     Prepared prepared;
-    const plan::FramePlan* const previous = previous_ ? &*previous_ : nullptr;
-    const plan::SceneFacts before{.bounds = model_->summary().bounds, .visible = {}};
-    {
-        const Stopwatch watch(prepared.planMs);
-        prepared.plan = plan::planFrame(view, quality, before, previous);
-    }
+    const Box& bounds = model_->summary().bounds;
+    const std::optional<DepthSpan> range = plan::widestRange(view, quality, bounds);
     {
         const Stopwatch watch(prepared.selectMs);
-        cutImage(prepared);
-        prepared.facts = factsOf(view, prepared.cut);
+        cutView(prepared, view, quality, range);
+    }
+    {
+        const Stopwatch watch(prepared.cullMs);
+        prepared.facts = sceneFacts(view, bounds, query(prepared), prepared.cut, range);
     }
     {
         const Stopwatch watch(prepared.planMs);
-        prepared.plan = plan::planFrame(view, quality, prepared.facts, previous);
+        prepared.plan = plan::planFrame(view, quality, prepared.facts, previous_ ? &*previous_ : nullptr);
     }
-    if (prepared.plan.passes.empty() && !prepared.isRayTraced()) return prepared;
+    if (prepared.plan.passes.empty() && !prepared.isRayTraced()) {
+        prepared.volumes.resize(1);
+        prepared.cut.lists.resize(1);
+        return prepared;
+    }
     const Stopwatch watch(prepared.cullMs);
     cutAll(prepared);
     return prepared;
@@ -112,60 +115,40 @@ selection::CutQuery Renderer::query(const Prepared& prepared) const {
     return query;
 }
 
-void Renderer::cut(Prepared& prepared) const {
-    const plan::Quality& quality = prepared.plan.quality;
+void Renderer::cut(Prepared& prepared, const plan::Quality& quality) const {
     prepared.errorPixels = quality.errorPixels;
     if (quality.maxTriangles)
         prepared.errorPixels = selection::cappedErrorPixels(query(prepared), *quality.maxTriangles);
-    prepared.cut = selection::cut(query(prepared));
+    prepared.cut = culling::cutFrame(query(prepared));
 }
 
-void Renderer::cutImage(Prepared& prepared) const {
-    const glm::dvec3 eye = prepared.plan.view.camera.eye - model_->summary().grid.origin;
-    const selection::DetailView view = detailView(prepared.plan, eye);
-    prepared.rule = std::make_unique<selection::ErrorRule>(view);
-    prepared.volumes = {selection::viewPyramid(view)};
-    cut(prepared);
+void Renderer::cutView(
+    Prepared& prepared,
+    const plan::View& view,
+    const plan::Quality& quality,
+    const std::optional<DepthSpan>& range) const {
+    const selection::DetailView detail = detailView(view, view.camera.eye - model_->summary().grid.origin);
+    prepared.rule = std::make_unique<selection::ErrorRule>(detail);
+    prepared.volumes = {selection::viewPyramid(detail)};
+    if (range) prepared.volumes.push_back(culling::localVolume(plan::sweptView(view, *range), detail));
+    cut(prepared, quality);
 }
 
 void Renderer::cutAll(Prepared& prepared) const {
-    const plan::FramePlan& plan = prepared.plan;
-    const glm::dvec3 eye = plan.view.camera.eye - model_->summary().grid.origin;
-    const selection::DetailView view = detailView(plan, eye);
-    prepared.volumes = {selection::viewPyramid(view)};
+    const selection::DetailView view = prepared.rule->view();
+    prepared.volumes.resize(1);
     std::vector<selection::CasterDetail> casters;
-    for (const plan::ShadowPass& pass : plan.passes) {
-        casters.push_back(casterDetail(plan, pass, eye));
+    for (const plan::ShadowPass& pass : prepared.plan.passes) {
+        casters.push_back(casterDetail(view, pass));
         // Without culling every map draws all there is, at the detail that the maps call for.
-        prepared.volumes.push_back(plan.quality.cullCasters ? casters.back().casters : ConvexVolume{});
+        prepared.volumes.push_back(prepared.plan.quality.cullCasters ? casters.back().casters : ConvexVolume{});
     }
     if (prepared.isRayTraced()) {
         casters.push_back(rayCasterDetail(prepared));
         prepared.volumes.push_back(casters.back().casters);
     }
     prepared.rule = std::make_unique<selection::ErrorRule>(view, std::move(casters));
-    cut(prepared);
-}
-
-plan::SceneFacts Renderer::factsOf(const plan::View& view, const selection::Cut& cut) const {
-    const hierarchy::Grid& grid = model_->summary().grid;
-    const CameraBasis basis = cameraBasis(view.camera);
-    const glm::dvec3 eye = view.camera.eye - grid.origin;
-    plan::SceneFacts::Visible visible;
-    visible.nearest = std::numeric_limits<double>::infinity();
-    for (const selection::ClusterRange& range : cut.lists[0].ranges) {
-        const hierarchy::Page& page = *residency_.resident()[range.page];
-        for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c) {
-            const Box box = grid.local(page.clusters[c].box);
-            const double middle = glm::dot(basis.view, box.center() - eye);
-            const double reach = glm::dot(glm::abs(basis.view), box.extent() * 0.5);
-            if (middle + reach <= 0) continue;
-            visible.anything = true;
-            visible.nearest = std::min(visible.nearest, std::max(middle - reach, 0.0));
-            visible.farthest = std::max(visible.farthest, middle + reach);
-        }
-    }
-    return {.bounds = model_->summary().bounds, .visible = visible};
+    cut(prepared, prepared.plan.quality);
 }
 
 FrameDrawing Renderer::drawing(const Prepared& prepared, const FrameOptions& options) const {
@@ -227,7 +210,7 @@ telemetry::FrameRow Renderer::logged(const Prepared& prepared, const DrawStatist
     }
     row.shadowTriangles = toCount(shadowTriangles);
     row.castersKept = toCount(castersKept);
-    row.castersTested = toCount(prepared.cut.groupsTested);
+    row.castersTested = toCount(plan.passes.empty() ? 0 : prepared.cut.clustersTested);
     row.drawCalls = toCount(drawn.drawCalls);
     row.residentBytes = toCount(residency_.statistics().resident.count);
     row.gpuBytes = toCount(drawn.deviceBytes);

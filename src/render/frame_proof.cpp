@@ -1,4 +1,4 @@
-#include "render/local_volume.h"
+#include "culling/frame_cut.h"
 #include "render/prepared_frame.h"
 #include "render/ray_shadows.h"
 #include "shadow/caster_volume.h"
@@ -35,20 +35,17 @@ shadow::Region wholeRegion(const plan::FramePlan& plan, const plan::SceneFacts& 
 
 ConvexVolume Renderer::rayCasterVolume(const Prepared& prepared) const {
     const plan::FramePlan& plan = prepared.plan;
-    const glm::dvec3 eye = plan.view.camera.eye - model_->summary().grid.origin;
-    return toLocal(
-        plan.basis,
-        eye,
-        shadow::casterVolume(wholeRegion(plan, prepared.facts), shadow::lightFrame(plan.towardsLight)));
+    const shadow::Region region = wholeRegion(plan, prepared.facts);
+    return culling::localVolume(
+        shadow::casterVolume(region, shadow::lightFrame(plan.towardsLight)), prepared.rule->view());
 }
 
 selection::CasterDetail Renderer::rayCasterDetail(const Prepared& prepared) const {
     const plan::FramePlan& plan = prepared.plan;
-    const glm::dvec3 eye = plan.view.camera.eye - model_->summary().grid.origin;
     const shadow::Region region = wholeRegion(plan, prepared.facts);
     selection::CasterDetail detail; // without texels
     detail.casters = rayCasterVolume(prepared);
-    detail.receivers = toLocal(plan.basis, eye, region.volume);
+    detail.receivers = culling::localVolume(region.volume, prepared.rule->view());
     detail.receiverNear = region.frustum.near;
     detail.towardsLight = toWorld(plan.basis, plan.towardsLight);
     return detail;

@@ -229,14 +229,14 @@ void GlExecutor::drawShadowMaps(const FrameDrawing& frame) {
     gl.clearNamedFramebufferfv(shadow_->framebuffer.id(), GL_DEPTH, 0, &farthest);
     gl.enable(GL_DEPTH_TEST);
     gl.depthFunc(GL_LESS);
-    // Casters nearer to the light than the frustum count: they are clamped per fragment.
-    gl.enable(GL_DEPTH_CLAMP);
     // Clipping keeps within the viewport but for rounding; the scissor makes it exact.
     gl.enable(GL_SCISSOR_TEST);
     for (std::size_t p = 0; p < plan.passes.size(); ++p) {
         const plan::Rectangle& r = plan.passes[p].rectangle;
         gl.viewport(r.x, r.y, r.width, r.height);
         gl.scissor(r.x, r.y, r.width, r.height);
+        // Casters nearer to the light than the frustum count: they are clamped per fragment.
+        (plan.passes[p].clampsDepth ? gl.enable : gl.disable)(GL_DEPTH_CLAMP);
         bindBlocks(frame, shadowClipFromDraw(plan.passes[p], frame.space));
         drawGeometry(frame, *frame.casters[p]);
     }

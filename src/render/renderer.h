@@ -65,11 +65,14 @@ private:
 
     Prepared prepare(const plan::View& view, const plan::Quality& quality, Waiting waiting);
     Prepared planAndCut(const plan::View& view, const plan::Quality& quality);
-    void cutImage(Prepared& prepared) const;
+    void cutView(
+        Prepared& prepared,
+        const plan::View& view,
+        const plan::Quality& quality,
+        const std::optional<DepthSpan>& range) const;
     void cutAll(Prepared& prepared) const;
-    void cut(Prepared& prepared) const;
+    void cut(Prepared& prepared, const plan::Quality& quality) const;
     selection::CutQuery query(const Prepared& prepared) const;
-    plan::SceneFacts factsOf(const plan::View& view, const selection::Cut& cut) const;
     FrameDrawing drawing(const Prepared& prepared, const FrameOptions& options) const;
     DrawStatistics draw(const Prepared& prepared, const FrameDrawing& drawing);
     ConvexVolume rayCasterVolume(const Prepared& prepared) const;

@@ -3,6 +3,7 @@
 #include "core/check.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -132,6 +133,7 @@ void CutPart::addGroup(
         const hierarchy::Cluster& cluster = page.clusters[c];
         const RefinementState* finer = cluster.refinement == kNone ? nullptr : &refinements_[cluster.refinement];
         if (finer != nullptr && finer->isRefined) continue;
+        clustersTested_ += static_cast<std::uint64_t>(std::popcount(touching & ~std::uint64_t{1}));
         const std::uint64_t touched = narrowed(touching, groupPlanes_, cluster.box, nullptr);
         if (touched == 0) continue;
         if (finer != nullptr && (touched & 1U) != 0) achieved_ = std::max(achieved_, finer->viewPixels);
@@ -197,6 +199,7 @@ Cut CutPart::joined(
         append(result.wanted, part.wanted_);
         result.achievedErrorPixels = std::max(result.achievedErrorPixels, part.achieved_);
         result.groupsTested += part.groupsTested_;
+        result.clustersTested += part.clustersTested_;
     }
     for (const std::uint32_t page : missingRoots) {
         result.wanted.push_back({page, std::numeric_limits<double>::infinity()});

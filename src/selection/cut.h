@@ -75,6 +75,7 @@ struct Cut {
     double errorPixels = 0;                    // the threshold that it was made with
     double achievedErrorPixels = 0;            // the most on the screen of anything in the first list (viewPixels)
     std::uint64_t groupsTested = 0;
+    std::uint64_t clustersTested = 0; // drawn clusters that the walk came to, once for each volume but the first
 };
 
 /// A resident page that the walk reached, and how it lies to the query's volumes: it may touch none, and is visited for
@@ -144,6 +145,7 @@ private:
     Run run_;
     double achieved_ = 0;
     std::uint64_t groupsTested_ = 0;
+    std::uint64_t clustersTested_ = 0;
 };
 
 /// The pages that a cut of `query` would use or want, without making it: for prefetching. Volumes do not matter.

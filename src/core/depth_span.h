@@ -1,0 +1,13 @@
+// An interval of view depth.
+#pragma once
+
+namespace gnomon {
+
+/// View depths in world units; near <= far.
+struct DepthSpan {
+    double near = 0;
+    double far = 0;
+    bool operator==(const DepthSpan&) const = default;
+};
+
+} // namespace gnomon

@@ -1,0 +1,184 @@
+#include "culling/survey.h"
+
+#include "core/check.h"
+#include "culling/triangle_clip.h"
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+namespace gnomon::culling {
+namespace {
+
+/// Steps of depth, each found to hold something lit or not. Marks only ever come, from any thread, so the result does
+/// not depend on the order.
+class DepthSteps {
+public:
+    explicit DepthSteps(const DepthSpan& depths)
+        : depths_(depths),
+          marks_(static_cast<std::size_t>(std::floor(std::log2(depths.far / depths.near) * kSpansPerOctave)) + 1) {}
+
+    std::size_t step(double depth) const {
+        if (!(depth > depths_.near)) return 0;
+        const double step = std::floor(std::log2(depth / depths_.near) * kSpansPerOctave);
+        return static_cast<std::size_t>(std::min(step, static_cast<double>(marks_.size() - 1)));
+    }
+
+    bool isMarked(double least, double greatest) const {
+        for (std::size_t i = step(least); i <= step(greatest); ++i)
+            if (!marks_[i].load(std::memory_order_relaxed)) return false;
+        return true;
+    }
+
+    void mark(double least, double greatest) {
+        for (std::size_t i = step(least); i <= step(greatest); ++i)
+            marks_[i].store(true, std::memory_order_relaxed);
+    }
+
+    std::vector<DepthSpan> spans() const {
+        std::vector<DepthSpan> result;
+        for (std::size_t i = 0; i < marks_.size(); ++i) {
+            if (!marks_[i].load(std::memory_order_relaxed)) continue;
+            if (i > 0 && marks_[i - 1].load(std::memory_order_relaxed)) {
+                result.back().far = edge(i + 1);
+            } else {
+                result.push_back({edge(i), edge(i + 1)});
+            }
+        }
+        return result;
+    }
+
+private:
+    double edge(std::size_t i) const {
+        if (i == marks_.size()) return depths_.far;
+        return depths_.near * std::exp2(static_cast<double>(i) / kSpansPerOctave);
+    }
+
+    DepthSpan depths_;
+    std::vector<std::atomic<bool>> marks_;
+};
+
+class LitSearch {
+public:
+    LitSearch(
+        const selection::CutQuery& query, const glm::dvec3& towardsLight, const Box& casters, const DepthSpan& depths)
+        : query_(&query),
+          towardsLight_(towardsLight),
+          casters_(casters),
+          pyramid_(selection::viewPyramid(query.rule->view())),
+          steps_(depths) {}
+
+    void look(const selection::ClusterRange& range, TriangleClipper& clipper) {
+        const hierarchy::Page& page = *query_->resident[range.page];
+        for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c)
+            look(page, page.clusters[c], clipper);
+    }
+
+    const ConvexVolume& pyramid() const { return pyramid_; }
+
+    LitSurfaces found() const { return {steps_.spans(), canBeShadowed_.load()}; }
+
+private:
+    /// The depths of a box, and of points.
+    DepthSpan depthsOf(const Box& box) const {
+        const double middle = depthOf(box.center());
+        const double reach = glm::dot(glm::abs(query_->rule->view().basis.view), box.extent() * 0.5);
+        return {middle - reach, middle + reach};
+    }
+
+    double depthOf(const glm::dvec3& point) const {
+        const selection::DetailView& view = query_->rule->view();
+        return glm::dot(view.basis.view, point - view.eye);
+    }
+
+    bool isSettled(const DepthSpan& span) const {
+        return canBeShadowed_.load(std::memory_order_relaxed) && steps_.isMarked(span.near, span.far);
+    }
+
+    void look(const hierarchy::Page& page, const hierarchy::Cluster& cluster, TriangleClipper& clipper) {
+        const hierarchy::Grid& grid = query_->trees->grid();
+        if (isSettled(depthsOf(grid.local(cluster.box)))) return;
+        for (std::uint32_t t = cluster.firstTriangle; t < cluster.firstTriangle + cluster.triangleCount; ++t) {
+            std::array<glm::dvec3, 3> corners{};
+            for (std::size_t i = 0; i < 3; ++i)
+                corners[i] = grid.local(page.vertices[cluster.firstVertex + page.triangles[t][i]].position);
+            look(corners, clipper);
+        }
+    }
+
+    void look(const std::array<glm::dvec3, 3>& corners, TriangleClipper& clipper) {
+        glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+        if (glm::dot(normal, towardsLight_) < 0) normal = -normal;
+        const bool isLit =
+            glm::dot(normal, towardsLight_) > 0 && glm::dot(normal, query_->rule->view().eye - corners[0]) > 0;
+        if (!isLit) return; // its seen side is dark by itself, or it is seen and lit edge on
+        const auto [nearest, farthest] = std::minmax({depthOf(corners[0]), depthOf(corners[1]), depthOf(corners[2])});
+        if (isSettled({nearest, farthest})) return;
+        DepthSpan span{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+        for (const glm::dvec3& point : clipper.clipped(corners)) {
+            span.near = std::min(span.near, depthOf(point));
+            span.far = std::max(span.far, depthOf(point));
+        }
+        if (span.near > span.far) return;
+        steps_.mark(span.near, span.far);
+        if (isBefore(corners[0], normal)) canBeShadowed_.store(true, std::memory_order_relaxed);
+    }
+
+    /// Whether the casters reach above the plane through `point` by more than what snapping moves a vertex.
+    bool isBefore(const glm::dvec3& point, const glm::dvec3& normal) const {
+        if (casters_.isEmpty()) return false;
+        const double highest =
+            glm::dot(normal, casters_.center() - point) + glm::dot(glm::abs(normal), casters_.extent() * 0.5);
+        return highest > glm::length(normal) * query_->trees->grid().step();
+    }
+
+    const selection::CutQuery* query_;
+    glm::dvec3 towardsLight_;
+    Box casters_;
+    ConvexVolume pyramid_;
+    DepthSteps steps_;
+    std::atomic<bool> canBeShadowed_ = false;
+};
+
+/// What a drawn cluster may be moved by if it is refined.
+double refinementError(const hierarchy::Page& page, const hierarchy::Cluster& cluster) {
+    return cluster.refinement == hierarchy::kNone ? 0 : page.refinements[cluster.refinement].error;
+}
+
+} // namespace
+
+LitSurfaces litSurfaces(
+    const selection::CutQuery& query,
+    const selection::DrawList& image,
+    const glm::dvec3& towardsLight,
+    const Box& casters,
+    const DepthSpan& depths) {
+    GNOMON_CHECK(depths.near > 0 && depths.far >= depths.near);
+    LitSearch search(query, towardsLight, casters, depths);
+    tbb::enumerable_thread_specific<TriangleClipper> clippers([&] { return TriangleClipper(search.pyramid()); });
+    tbb::parallel_for(
+        std::size_t{0}, image.ranges.size(), [&](std::size_t i) { search.look(image.ranges[i], clippers.local()); });
+    return search.found();
+}
+
+std::vector<CasterBlock> casterBlocks(const selection::CutQuery& query, const selection::DrawList& list) {
+    const hierarchy::Grid& grid = query.trees->grid();
+    std::vector<CasterBlock> blocks;
+    for (const selection::ClusterRange& range : list.ranges) {
+        const hierarchy::Page& page = *query.resident[range.page];
+        for (std::uint32_t i = 0; i < range.clusterCount; ++i) {
+            const hierarchy::Cluster& cluster = page.clusters[range.firstCluster + i];
+            if (i % kClustersPerBlock == 0) blocks.emplace_back();
+            Box box = grid.local(cluster.box);
+            const glm::dvec3 margin(refinementError(page, cluster));
+            blocks.back().box.add({box.min - margin, box.max + margin});
+            blocks.back().triangles += cluster.triangleCount;
+        }
+    }
+    return blocks;
+}
+
+} // namespace gnomon::culling

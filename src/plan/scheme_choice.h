@@ -1,0 +1,72 @@
+// Which of the schemes that the user leaves open a view calls for: counted costs, kept promises, and a little loyalty
+// to the frame before.
+#pragma once
+
+#include "plan/frame_plan.h"
+#include "shadow/setup.h"
+
+#include <span>
+
+namespace gnomon::plan {
+
+/// All that decides between schemes.
+struct SchemeQuestion {
+    shadow::ShadowView view;
+    CameraBasis basis;
+    Quality quality;
+    const SceneFacts* scene = nullptr;
+    const FramePlan* previous = nullptr;
+};
+
+/// A scheme worked out.
+struct SchemeAnswer {
+    SchemeChoice choice;
+    shadow::ShadowOptions options;
+    shadow::ShadowMapSetup setup;
+    std::vector<std::uint64_t> casterTriangles; // by map, estimated
+    std::uint64_t cost = 0;                     // see kTexelsPerTriangle
+    std::uint64_t texelsThatWouldDo = 0;        // to keep quality.maxAliasing
+    bool keepsPromise = false;
+
+    double promise() const { return setup.worst().worst(); }
+};
+
+/// Texels that are cleared and kept for the cost of a caster triangle.
+constexpr std::uint64_t kTexelsPerTriangle = 16;
+
+/// The most slices that `auto` considers.
+constexpr int kMostSlices = 12;
+
+/// An effect has to lower the promise to this share of what it is without it.
+constexpr double kWorthwhile = 0.95;
+/// And is kept from frame to frame while it lowers it to this share.
+constexpr double kStillWorthwhile = 0.99;
+
+/// How much cheaper than the frame before's a scheme must be to take its place.
+constexpr double kCheaper = 0.85;
+
+/// How long a slice must have had no visible receiver before its map goes.
+constexpr int kFramesBeforeMapGoes = 12;
+
+/// `choice` worked out. Where the number of slices is left open it takes no more texels than the promise asks for, on a
+/// ladder of 2^(1/4); else all of the budget.
+SchemeAnswer answer(const SchemeQuestion& question, const SchemeChoice& choice);
+
+/// The schemes that the quality leaves open, fewest maps first.
+std::vector<SchemeChoice> openChoices(const SchemeQuestion& question);
+
+/// Whether `a` is to be preferred to `b`: a kept promise, then, where both keep it, the lower cost, else the lower
+/// promise.
+bool isBetter(const SchemeAnswer& a, const SchemeAnswer& b);
+
+/// The scheme for the view, with a line in `omitted` for each effect that it goes without.
+SchemeAnswer chosenScheme(const SchemeQuestion& question, std::vector<Omission>& omitted);
+
+/// The triangles of the blocks that touch `volume` (camera space).
+std::uint64_t trianglesIn(
+    const ConvexVolume& volume, const CameraBasis& basis, std::span<const SceneFacts::CasterBlock> blocks);
+
+/// By slice, for how many frames, this one included, nothing in it has been in need of a map.
+std::vector<int> framesEmpty(const SchemeQuestion& question, const std::vector<double>& splits);
+
+} // namespace gnomon::plan

@@ -25,6 +25,7 @@ std::unique_ptr<Progress> makeProgress(const CommonOptions& options);
 
 void addBenchCommand(CLI::App& program);
 void addBuildCommand(CLI::App& program);
+void addExplainCommand(CLI::App& program);
 void addExportCommand(CLI::App& program);
 void addInfoCommand(CLI::App& program);
 void addMakeCommand(CLI::App& program);

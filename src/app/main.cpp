@@ -24,6 +24,7 @@ constexpr std::array kCommands{
     AddCommand{gnomon::app::addExportCommand},
     AddCommand{gnomon::app::addPathCommand},
     AddCommand{gnomon::app::addRenderCommand},
+    AddCommand{gnomon::app::addExplainCommand},
     AddCommand{gnomon::app::addBenchCommand},
     AddCommand{gnomon::app::addViewCommand},
     AddCommand{gnomon::app::addTheoryCommand},

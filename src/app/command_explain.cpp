@@ -1,0 +1,45 @@
+// `gnomon explain`: the plan of one frame, with a reason for each effect that it leaves out.
+
+#include "app/plan_json.h"
+#include "app/session.h"
+
+#include <cstdio>
+#include <memory>
+
+namespace gnomon::app {
+
+namespace {
+
+struct ExplainOptions {
+    CommonOptions common;
+    ViewOptions view;
+    std::string model;
+    bool json = false;
+};
+
+void runExplain(const ExplainOptions& options) {
+    const plan::Quality quality = qualityOf(options.view, options.view.swept);
+    ViewOptions undrawn = options.view;
+    undrawn.backend = "software"; // nothing is drawn, so no context is made
+    Session session(options.model, undrawn);
+    const plan::FramePlan plan = session.renderer().plan(viewOf(options.view, session.model().summary()), quality);
+    const std::string text = options.json ? planJson(plan).dump(1) + "\n" : planText(plan);
+    std::fputs(text.c_str(), stdout);
+}
+
+} // namespace
+
+void addExplainCommand(CLI::App& program) {
+    CLI::App* command =
+        program.add_subcommand("explain", "Show the plan of one frame, and why it leaves out what it leaves out");
+    auto options = std::make_shared<ExplainOptions>();
+    command->add_option("MODEL", options->model, "A .gnm file")->required();
+    command->add_flag("--json", options->json, "Print one JSON document");
+    addViewOptions(*command, options->view);
+    addCommonOptions(*command, options->common);
+    command->footer("A promise is the perspective aliasing over [near, far]: the largest width of a texel over that of "
+                    "a pixel, projection aside.");
+    command->callback([options] { runExplain(*options); });
+}
+
+} // namespace gnomon::app

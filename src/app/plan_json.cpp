@@ -1,0 +1,157 @@
+#include "app/plan_json.h"
+
+#include <array>
+#include <cstdarg>
+#include <cstdio>
+#include <numbers>
+
+namespace gnomon::app {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
+
+/// World space -> the camera space of `plan`.
+glm::dmat4 cameraFromWorld(const plan::FramePlan& plan) {
+    const CameraBasis& basis = plan.basis;
+    const glm::dvec3 eye = plan.view.camera.eye;
+    return glm::transpose(glm::dmat4(
+        glm::dvec4(basis.right, -glm::dot(basis.right, eye)),
+        glm::dvec4(basis.up, -glm::dot(basis.up, eye)),
+        glm::dvec4(basis.view, -glm::dot(basis.view, eye)),
+        glm::dvec4(0, 0, 0, 1)));
+}
+
+/// Texels of the whole texture and depth in [0, 1] -> clip space with the pass's rectangle as viewport.
+glm::dmat4 clipFromTexel(const plan::Rectangle& r) {
+    return glm::transpose(glm::dmat4(
+        glm::dvec4(2.0 / r.width, 0, 0, -1 - 2.0 * r.x / r.width),
+        glm::dvec4(0, 2.0 / r.height, 0, -1 - 2.0 * r.y / r.height),
+        glm::dvec4(0, 0, 2, -1),
+        glm::dvec4(0, 0, 0, 1)));
+}
+
+ordered_json matrixJson(const glm::dmat4& matrix) {
+    ordered_json numbers = ordered_json::array();
+    for (int row = 0; row < 4; ++row)
+        for (int column = 0; column < 4; ++column)
+            numbers.push_back(matrix[column][row]);
+    return numbers;
+}
+
+ordered_json planesJson(const plan::FramePlan& plan, const ConvexVolume& volume) {
+    ordered_json planes = ordered_json::array();
+    for (const Plane& plane : volume.planes) {
+        const glm::dvec3 normal = toWorld(plan.basis, plane.normal);
+        const double offset = plane.offset - glm::dot(normal, plan.view.camera.eye);
+        planes.push_back({normal.x, normal.y, normal.z, offset});
+    }
+    return planes;
+}
+
+ordered_json passJson(const plan::FramePlan& plan, const plan::ShadowPass& pass) {
+    const plan::Rectangle& r = pass.rectangle;
+    ordered_json json;
+    json["kind"] = "shadow_map";
+    json["slice"] = pass.slice;
+    json["face"] = shadow::name(pass.face);
+    json["near"] = pass.near;
+    json["far"] = pass.far;
+    json["light_clip_from_world"] = matrixJson(clipFromTexel(r) * pass.texelFromCamera * cameraFromWorld(plan));
+    json["rectangle"] = {r.x, r.y, r.width, r.height};
+    json["kappa"] = pass.warp.kappa;
+    json["promised_aliasing_x"] = pass.promised.x;
+    json["promised_aliasing_z"] = pass.promised.z;
+    json["caster_planes"] = planesJson(plan, pass.casters);
+    json["clamps_depth"] = pass.clampsDepth;
+    json["estimated_triangles"] = pass.estimatedTriangles;
+    return json;
+}
+
+std::string line(const char* format, ...) __attribute__((format(printf, 1, 2)));
+
+std::string line(const char* format, ...) {
+    std::array<char, 512> text{};
+    va_list arguments;
+    va_start(arguments, format);
+    std::vsnprintf(text.data(), text.size(), format, arguments);
+    va_end(arguments);
+    return text.data();
+}
+
+} // namespace
+
+ordered_json planJson(const plan::FramePlan& plan) {
+    ordered_json json;
+    json["near"] = plan.near;
+    json["far"] = plan.far;
+    json["near_from"] = plan.nearFrom;
+    json["far_from"] = plan.farFrom;
+    json["light_angle"] = plan.lightAngleRadians * kDegreesPerRadian;
+    json["promise_kept"] = plan.promiseKept;
+    json["scheme"] = plan::schemeName(plan);
+    json["cost"] = plan.cost;
+    json["passes"] = ordered_json::array();
+    for (const plan::ShadowPass& pass : plan.passes)
+        json["passes"].push_back(passJson(plan, pass));
+    json["omitted"] = ordered_json::array();
+    for (const plan::Omission& omission : plan.omitted)
+        json["omitted"].push_back({{"effect", omission.effect}, {"reason", omission.reason}});
+    json["texels_that_would_do"] = plan.texelsThatWouldDo;
+    return json;
+}
+
+std::string planText(const plan::FramePlan& plan) {
+    std::string text = line("near   %-12g %s\n", plan.near, plan.nearFrom.c_str());
+    text += line("far    %-12g %s\n", plan.far, plan.farFrom.c_str());
+    text += line("light  %.2f degrees from the view\n", plan.lightAngleRadians * kDegreesPerRadian);
+    text += line(
+        "plan   %s: %zu maps in %dx%d texels, cost %llu\n",
+        plan::schemeName(plan).c_str(),
+        plan.passes.size(),
+        plan.textureWidth,
+        plan.textureHeight,
+        static_cast<unsigned long long>(plan.cost));
+    if (!plan.passes.empty()) {
+        text += line(
+            "promise x %.3g, z %.3g over [near, far]%s; %llu texels would do for %g\n",
+            plan.promised.x,
+            plan.promised.z,
+            plan.promiseKept ? "" : ", which is NOT what was asked for",
+            static_cast<unsigned long long>(plan.texelsThatWouldDo),
+            plan.quality.maxAliasing);
+        text += line(
+            "\n%-5s %-6s %10s %10s %22s %10s %9s %9s %12s\n",
+            "slice",
+            "face",
+            "near",
+            "far",
+            "texels",
+            "kappa",
+            "promise x",
+            "z",
+            "triangles");
+    }
+    for (const plan::ShadowPass& pass : plan.passes) {
+        const plan::Rectangle& r = pass.rectangle;
+        text += line(
+            "%-5d %-6s %10.4g %10.4g %22s %10.4g %9.3g %9.3g %12llu\n",
+            pass.slice,
+            shadow::name(pass.face),
+            pass.near,
+            pass.far,
+            line("%dx%d at %d,%d", r.width, r.height, r.x, r.y).c_str(),
+            pass.warp.kappa,
+            pass.promised.x,
+            pass.promised.z,
+            static_cast<unsigned long long>(pass.estimatedTriangles));
+    }
+    if (!plan.omitted.empty()) text += "\nleft out\n";
+    for (const plan::Omission& omission : plan.omitted)
+        text += line("  %-18s %s\n", omission.effect.c_str(), omission.reason.c_str());
+    return text;
+}
+
+} // namespace gnomon::app

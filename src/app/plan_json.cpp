@@ -99,7 +99,8 @@ ordered_json planJson(const plan::FramePlan& plan) {
     json["omitted"] = ordered_json::array();
     for (const plan::Omission& omission : plan.omitted)
         json["omitted"].push_back({{"effect", omission.effect}, {"reason", omission.reason}});
-    json["texels_that_would_do"] = plan.texelsThatWouldDo;
+    json["texels_that_would_do"] = nullptr; // no maps, or no number of texels would
+    if (plan.texelsThatWouldDo > 0) json["texels_that_would_do"] = plan.texelsThatWouldDo;
     return json;
 }
 
@@ -116,11 +117,11 @@ std::string planText(const plan::FramePlan& plan) {
         static_cast<unsigned long long>(plan.cost));
     if (!plan.passes.empty()) {
         text += line(
-            "promise x %.3g, z %.3g over [near, far]%s; %llu texels would do for %g\n",
+            "promise x %.3g, z %.3g over [near, far]%s; %s texels would do for %g\n",
             plan.promised.x,
             plan.promised.z,
             plan.promiseKept ? "" : ", which is NOT what was asked for",
-            static_cast<unsigned long long>(plan.texelsThatWouldDo),
+            plan.texelsThatWouldDo > 0 ? std::to_string(plan.texelsThatWouldDo).c_str() : "no number of",
             plan.quality.maxAliasing);
         text += line(
             "\n%-5s %-6s %10s %10s %22s %10s %9s %9s %12s\n",

@@ -152,7 +152,7 @@ struct FramePlan {
     shadow::Aliasing promised; // the largest over all passes
     double storageFactor = 0;
     bool promiseKept = true;             // only `auto` promises anything: at most quality.maxAliasing
-    std::uint64_t texelsThatWouldDo = 0; // for that; with several schemes to choose from the least of them
+    std::uint64_t texelsThatWouldDo = 0; // for that; with several schemes to choose from the least of them; 0: none
     std::uint64_t cost = 0;              // counted: estimated caster triangles + texels / 16
     std::vector<Omission> omitted;
     int textureWidth = 0; // of the depth texture; 0 without maps

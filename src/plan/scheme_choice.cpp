@@ -111,6 +111,11 @@ SchemeAnswer chosenFaces(
     return whole;
 }
 
+/// The lesser of two numbers of texels that would do; 0 is none.
+std::uint64_t lesserTexels(std::uint64_t a, std::uint64_t b) {
+    return a == 0 || b == 0 ? std::max(a, b) : std::min(a, b);
+}
+
 /// Whether the scheme of the frame before stays although `best` is better.
 bool isHeld(const SchemeAnswer& before, const SchemeAnswer& best) {
     if (before.keepsPromise != best.keepsPromise) return false;
@@ -124,10 +129,9 @@ SchemeAnswer bestOf(const SchemeQuestion& question, const std::vector<SchemeChoi
     for (const SchemeChoice& choice : choices)
         answers.push_back(answer(question, choice));
     const auto best = std::min_element(answers.begin(), answers.end(), isBetter);
-    const auto frugal = std::min_element(answers.begin(), answers.end(), [](const auto& a, const auto& b) {
-        return a.texelsThatWouldDo < b.texelsThatWouldDo;
-    });
-    const std::uint64_t leastTexels = frugal->texelsThatWouldDo;
+    std::uint64_t leastTexels = 0;
+    for (const SchemeAnswer& tried : answers)
+        leastTexels = lesserTexels(leastTexels, tried.texelsThatWouldDo);
     SchemeAnswer chosen = *best;
     if (question.previous != nullptr && question.previous->scheme) {
         const SchemeChoice& before = *question.previous->scheme;
@@ -159,7 +163,7 @@ SchemeAnswer inWorthwhileOrientation(
         {"orientation",
          "a turn about the light would lower the promise by " +
              percent(std::max(0.0, 1 - turned.promise() / plain.promise())) + ", less than 5%"});
-    plain.texelsThatWouldDo = std::min(plain.texelsThatWouldDo, chosen.texelsThatWouldDo);
+    plain.texelsThatWouldDo = lesserTexels(plain.texelsThatWouldDo, chosen.texelsThatWouldDo);
     return plain;
 }
 
@@ -200,7 +204,8 @@ SchemeAnswer answer(const SchemeQuestion& question, const SchemeChoice& choice) 
     const double aliasing = question.quality.maxAliasing;
     result.texelsThatWouldDo = shadow::texelsThatWouldDo(result.setup, result.options, aliasing);
     const std::uint64_t budget = budgetOf(question.quality);
-    if (!question.quality.zPartitions && result.texelsThatWouldDo <= budget)
+    const bool isEnough = result.texelsThatWouldDo > 0 && result.texelsThatWouldDo <= budget;
+    if (!question.quality.zPartitions && isEnough)
         result.options.texels = std::min(budget, texelRung(result.texelsThatWouldDo));
     workOut(question, result);
     result.keepsPromise = result.promise() <= aliasing;

@@ -25,7 +25,7 @@ struct SchemeAnswer {
     shadow::ShadowMapSetup setup;
     std::vector<std::uint64_t> casterTriangles; // by map, estimated
     std::uint64_t cost = 0;                     // see kTexelsPerTriangle
-    std::uint64_t texelsThatWouldDo = 0;        // to keep quality.maxAliasing
+    std::uint64_t texelsThatWouldDo = 0;        // to keep quality.maxAliasing; 0: none
     bool keepsPromise = false;
 
     double promise() const { return setup.worst().worst(); }
@@ -43,7 +43,7 @@ constexpr double kWorthwhile = 0.95;
 constexpr double kStillWorthwhile = 0.99;
 
 /// How much cheaper than the frame before's a scheme must be to take its place.
-constexpr double kCheaper = 0.85;
+constexpr double kCheaper = 0.75;
 
 /// How long a slice must have had no visible receiver before its map goes.
 constexpr int kFramesBeforeMapGoes = 12;

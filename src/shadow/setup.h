@@ -97,7 +97,7 @@ ShadowMapSetup shadowMapSetup(
     const ShadowOptions& options,
     const std::optional<OrientationState>& previous = std::nullopt);
 
-/// The texels that would let `setup` promise `aliasing`.
+/// The texels that would let `setup` promise `aliasing`; 0 if no number would, or if it has no maps.
 std::uint64_t texelsThatWouldDo(const ShadowMapSetup& setup, const ShadowOptions& options, double aliasing);
 
 } // namespace gnomon::shadow

@@ -136,16 +136,17 @@ TexelLayout splitTexels(std::span<const TexelDemand> demands, const TexelLimits&
 
 std::uint64_t texelsThatWouldDo(std::span<const TexelDemand> demands, double aliasing, const TexelLimits& limits) {
     GNOMON_CHECK_OP(aliasing, >, 0.0);
-    Packing rectangles = packed(sizesFor(demands, aliasing, limits), limits.maxSide);
+    const Packing rectangles = packed(sizesFor(demands, aliasing, limits), limits.maxSide);
+    if (rectangles.width == 0) return 0;
+    const auto leastSide = static_cast<std::uint64_t>(limits.minSide + 2 * limits.gutter);
     TexelLimits enough = limits;
-    enough.texels = rectangles.area();
-    // The search of splitTexels stops a step short of the least error and may settle on another strategy. Where the
-    // sides' limit and not the budget decides, no number of texels would do, and what it took to get here is returned.
+    enough.texels = std::max(rectangles.area(), leastSide * leastSide * demands.size());
+    // The search of splitTexels stops a step short of the least error and may settle on another strategy.
     for (int attempt = 0; attempt < 64; ++attempt) {
-        if (enough.texels > 0 && worstError(splitTexels(demands, enough), demands) <= aliasing) break;
+        if (worstError(splitTexels(demands, enough), demands) <= aliasing) return enough.texels;
         enough.texels += enough.texels / 100 + 64;
     }
-    return enough.texels;
+    return 0;
 }
 
 } // namespace gnomon::shadow

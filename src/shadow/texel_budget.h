@@ -52,8 +52,8 @@ double mapError(const TexelLayout& layout, std::size_t map, const TexelDemand& d
 /// the least size.
 TexelLayout splitTexels(std::span<const TexelDemand> demands, const TexelLimits& limits);
 
-/// The texels, gutters and packing included, with which splitTexels keeps the error at most `aliasing` (> 0);
-/// limits.texels is ignored.
+/// The texels, gutters and packing included, with which splitTexels keeps the error at most `aliasing` (> 0); 0 where
+/// the limit on the sides lets no number of them do. limits.texels is ignored.
 std::uint64_t texelsThatWouldDo(std::span<const TexelDemand> demands, double aliasing, const TexelLimits& limits);
 
 } // namespace gnomon::shadow

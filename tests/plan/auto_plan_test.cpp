@@ -1,0 +1,246 @@
+// The plan that `--z-partitions auto` comes to, against working out every plan and taking the best; and how steady it
+// is from frame to frame.
+#include "made_scene.h"
+
+#include <gtest/gtest.h>
+
+namespace gnomon::plan {
+namespace {
+
+/// One scheme as the slow way sees it.
+struct Tried {
+    SchemeChoice choice;
+    double promise = 0;
+    std::uint64_t cost = 0;
+    std::uint64_t wouldDo = 0;
+    std::uint64_t texels = 0;
+    std::size_t maps = 0;
+};
+
+bool touches(const ConvexVolume& volume, const CameraBasis& basis, const Box& box) {
+    for (const Plane& plane : volume.planes) {
+        bool isOut = true;
+        for (int corner = 0; corner < 8; ++corner) {
+            const glm::dvec3 point(
+                (corner & 1) != 0 ? box.max.x : box.min.x,
+                (corner & 2) != 0 ? box.max.y : box.min.y,
+                (corner & 4) != 0 ? box.max.z : box.min.z);
+            isOut = isOut && plane.signedDistance(toCamera(basis, point)) < -1e-9;
+        }
+        if (isOut) return false;
+    }
+    return true;
+}
+
+SchemeQuestion questionOf(const FramePlan& plan, const SceneFacts& facts) {
+    SchemeQuestion question;
+    question.view.frustum = {plan.near, plan.far, plan.view.camera.fovYRadians / 2, plan.view.aspect()};
+    question.view.towardsLight = plan.towardsLight;
+    question.view.imageHeight = plan.view.height;
+    question.view.anchor = {plan.basis, plan.view.camera.eye};
+    question.basis = plan.basis;
+    question.quality = plan.quality;
+    question.scene = &facts;
+    return question;
+}
+
+/// `slices` and `faces` worked out with the least rung of texels that keeps the promise, found by trying the rungs; the
+/// whole budget if none does.
+Tried tried(const SchemeQuestion& question, int slices, bool faces) {
+    SchemeQuestion given = question;
+    given.quality.zPartitions = slices;
+    const std::uint64_t budget = static_cast<std::uint64_t>(question.quality.shadowTexelsWidth) *
+                                 static_cast<std::uint64_t>(question.quality.shadowTexelsHeight);
+    const SchemeAnswer whole = answer(given, {slices, faces, true});
+    Tried result{{slices, faces, true}, whole.promise(), 0, whole.texelsThatWouldDo, budget, whole.setup.maps.size()};
+    shadow::ShadowMapSetup setup = whole.setup;
+    if (whole.texelsThatWouldDo > 0 && whole.texelsThatWouldDo <= budget) {
+        std::uint64_t rung = budget;
+        for (int step = 0; step < 200; ++step) {
+            const auto next = static_cast<std::uint64_t>(std::ceil(std::exp2(step / 4.0)));
+            if (next >= whole.texelsThatWouldDo && next < rung) rung = next;
+        }
+        shadow::ShadowOptions options = whole.options;
+        options.texels = rung;
+        setup = shadow::shadowMapSetup(question.view, options);
+        result.texels = rung;
+        result.promise = setup.worst().worst();
+    }
+    result.cost = static_cast<std::uint64_t>(setup.textureWidth) * static_cast<std::uint64_t>(setup.textureHeight) / 16;
+    for (const shadow::ShadowMapPartition& map : setup.maps)
+        for (const SceneFacts::CasterBlock& block : question.scene->light->casters)
+            if (touches(map.casterVolume, question.basis, block.box)) result.cost += block.triangles;
+    return result;
+}
+
+/// What the words of the promise ask for, tried one after the other.
+Tried bestOfAll(const SchemeQuestion& question) {
+    std::optional<Tried> cheapest;
+    std::optional<Tried> lowest;
+    const double most = question.quality.maxAliasing;
+    for (int slices = 1; slices <= kMostSlices; ++slices) {
+        for (const bool faces : {false, true}) {
+            if (faces && question.quality.facePartitions != Choice::Auto) continue;
+            const Tried candidate = tried(question, slices, faces);
+            const double asked = candidate.promise / (faces ? 0.95 : 1);
+            if (candidate.promise <= most && (!cheapest || candidate.cost < cheapest->cost)) cheapest = candidate;
+            if (!lowest || asked < lowest->promise / (lowest->choice.faces ? 0.95 : 1)) lowest = candidate;
+        }
+    }
+    return cheapest ? *cheapest : *lowest;
+}
+
+Quality autoQuality(std::uint64_t seed) {
+    Random random(seed * 7 + 1);
+    Quality quality;
+    quality.zPartitions.reset();
+    quality.maxAliasing = std::exp(random.uniform(-0.5, 2.5));
+    quality.shadowTexelsWidth = quality.shadowTexelsHeight = 512 << random.below(3);
+    quality.facePartitions = random.below(4) == 0 ? Choice::Auto : Choice::Off;
+    return quality;
+}
+
+struct Outcome {
+    int planned = 0;
+    int kept = 0;
+    int several = 0;
+};
+
+void expectTheBest(std::uint64_t first, std::uint64_t count, Outcome& outcome) {
+    for (std::uint64_t seed = first; seed < first + count; ++seed) {
+        SCOPED_TRACE(seed);
+        const MadeScene scene(seed % 20);
+        const View view = madeView(seed);
+        const SceneFacts facts = scene.facts(view);
+        const FramePlan plan = planFrame(view, autoQuality(seed), facts);
+        if (plan.passes.empty()) continue;
+        const Tried best = bestOfAll(questionOf(plan, facts));
+        ASSERT_TRUE(plan.scheme);
+        EXPECT_EQ(plan.scheme->slices, best.choice.slices);
+        EXPECT_EQ(plan.scheme->faces, best.choice.faces);
+        EXPECT_EQ(plan.promiseKept, best.promise <= plan.quality.maxAliasing);
+        const std::uint64_t budget = static_cast<std::uint64_t>(plan.quality.shadowTexelsWidth) *
+                                     static_cast<std::uint64_t>(plan.quality.shadowTexelsHeight);
+        EXPECT_EQ(plan.promiseKept, std::max(plan.promised.x, plan.promised.z) <= plan.quality.maxAliasing);
+        EXPECT_EQ(plan.promiseKept, plan.texelsThatWouldDo > 0 && plan.texelsThatWouldDo <= budget);
+        ++outcome.planned;
+        outcome.kept += plan.promiseKept ? 1 : 0;
+        outcome.several += plan.passes.size() > 1 ? 1 : 0;
+    }
+}
+
+TEST(AutoPlan, IsTheBestOfAllPlans) {
+    Outcome outcome;
+    expectTheBest(0, 40, outcome);
+    EXPECT_GT(outcome.planned, 30);
+    EXPECT_GT(outcome.kept, 5);
+    EXPECT_LT(outcome.kept, outcome.planned - 2);
+    EXPECT_GT(outcome.several, 5);
+}
+
+TEST(SlowAutoPlan, IsTheBestOfAllPlansOnAThousandViews) {
+    Outcome outcome;
+    expectTheBest(1000, 1000, outcome);
+    EXPECT_GT(outcome.planned, 900);
+}
+
+TEST(AutoPlan, TexelsThatWouldDoDo) {
+    int tried = 0;
+    for (std::uint64_t seed = 0; seed < 40; ++seed) {
+        const MadeScene scene(seed % 20);
+        const View view = madeView(seed);
+        const SceneFacts facts = scene.facts(view);
+        Quality quality = autoQuality(seed);
+        quality.facePartitions = Choice::Off;
+        quality.maxAliasing /= 4;
+        const FramePlan without = planFrame(view, quality, facts);
+        if (without.promiseKept || without.texelsThatWouldDo == 0) continue;
+        if (without.texelsThatWouldDo > (std::uint64_t{1} << 26U)) continue;
+        quality.shadowTexelsWidth = static_cast<int>(without.texelsThatWouldDo);
+        quality.shadowTexelsHeight = 1;
+        EXPECT_TRUE(planFrame(view, quality, facts).promiseKept) << seed;
+        ++tried;
+    }
+    EXPECT_GT(tried, 5);
+}
+
+/// How often the number of maps changes while the camera turns by ten degrees in 200 frames.
+int changesInASlowTurn(std::uint64_t seed) {
+    const MadeScene scene(seed);
+    View view = madeView(seed);
+    const glm::dvec3 ahead = view.camera.target - view.camera.eye;
+    Quality quality = autoQuality(seed);
+    quality.facePartitions = Choice::Off;
+    std::optional<FramePlan> previous;
+    int changes = 0;
+    for (int frame = 0; frame < 200; ++frame) {
+        const double yaw = frame / 200.0 * 10 * 0.017453292519943295;
+        const double across = std::cos(yaw) * ahead.x + std::sin(yaw) * ahead.z;
+        const double along = std::cos(yaw) * ahead.z - std::sin(yaw) * ahead.x;
+        view.camera.target = view.camera.eye + glm::dvec3(across, ahead.y, along);
+        FramePlan plan = planFrame(view, quality, scene.facts(view), previous ? &*previous : nullptr);
+        if (previous && previous->passes.size() != plan.passes.size()) ++changes;
+        previous = std::move(plan);
+    }
+    return changes;
+}
+
+TEST(AutoPlan, HoldsTheNumberOfMapsInASlowTurn) {
+    EXPECT_LE(changesInASlowTurn(3), 2);
+}
+
+TEST(SlowAutoPlan, HoldsTheNumberOfMapsInSlowTurns) {
+    for (std::uint64_t seed = 0; seed < 24; ++seed)
+        EXPECT_LE(changesInASlowTurn(seed), 2) << seed;
+}
+
+TEST(FramePlan, IsTheSameForTheSameArguments) {
+    const MadeScene scene(1);
+    for (std::uint64_t seed = 0; seed < 10; ++seed) {
+        const View view = madeView(seed);
+        const FramePlan a = planFrame(view, autoQuality(seed), scene.facts(view));
+        const FramePlan b = planFrame(view, autoQuality(seed), scene.facts(view));
+        ASSERT_EQ(a.passes.size(), b.passes.size());
+        for (std::size_t i = 0; i < a.passes.size(); ++i)
+            EXPECT_EQ(a.passes[i].texelFromCamera, b.passes[i].texelFromCamera);
+    }
+}
+
+TEST(FramePlan, NearFallsAtOnceAndRisesAfterSomeFrames) {
+    const View view = madeView(2);
+    SceneFacts facts;
+    facts.visible = {8, 100, true};
+    const FramePlan first = planFrame(view, {}, facts);
+    EXPECT_EQ(first.near, 8);
+    facts.visible->nearest = 2;
+    FramePlan plan = planFrame(view, {}, facts, &first);
+    EXPECT_EQ(plan.near, 2);
+    facts.visible->nearest = 8;
+    int frames = 0;
+    for (; plan.near < 8 && frames < 100; ++frames)
+        plan = planFrame(view, {}, facts, &plan);
+    EXPECT_GT(frames, 5);
+    EXPECT_LT(frames, 30);
+}
+
+TEST(FramePlan, AMapOutlivesItsReceiversByAFewFrames) {
+    const View view = madeView(2);
+    SceneFacts facts;
+    facts.visible = {1, 100, true};
+    facts.light.emplace();
+    facts.light->lit = {{1, 100}};
+    FramePlan plan = planFrame(view, {}, facts);
+    EXPECT_EQ(plan.passes.size(), 4U);
+    facts.light->lit = {{1, 3}, {12, 100}}; // nothing in the second slice, from 3.2 to 10
+    EXPECT_EQ(planFrame(view, {}, facts).passes.size(), 3U);
+    int frames = 0;
+    for (; plan.passes.size() == 4 && frames < 100; ++frames)
+        plan = planFrame(view, {}, facts, &plan);
+    EXPECT_EQ(plan.passes.size(), 3U);
+    EXPECT_GT(frames, 5);
+    facts.light->lit = {{1, 100}};
+    EXPECT_EQ(planFrame(view, {}, facts, &plan).passes.size(), 4U) << "a receiver is not to wait for its map";
+}
+
+} // namespace
+} // namespace gnomon::plan

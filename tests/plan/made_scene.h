@@ -1,0 +1,75 @@
+// A yard of boxes as a plan is told of it, without geometry: for tests of the plan alone.
+#pragma once
+
+#include "core/random.h"
+#include "plan/scheme_choice.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gnomon::plan {
+
+/// Boxes strewn over a square, with the triangles in each.
+struct MadeScene {
+    explicit MadeScene(std::uint64_t seed) {
+        Random random(seed);
+        const std::uint64_t count = 40 + random.below(160);
+        for (std::uint64_t i = 0; i < count; ++i) {
+            const double x = random.uniform(-200, 200);
+            const double z = random.uniform(-200, 200);
+            const double width = random.uniform(1, 12);
+            const double height = random.uniform(0.2, 20);
+            const std::uint64_t triangles = 100 + random.below(8000);
+            blocks.push_back({{{x, 0, z}, {x + width, height, z + width}}, triangles});
+            bounds.add(blocks.back().box);
+        }
+    }
+
+    /// What a survey of `view` would answer, box by box.
+    SceneFacts facts(const View& view) const {
+        SceneFacts facts;
+        facts.bounds = bounds;
+        facts.visible.emplace();
+        facts.light.emplace();
+        const CameraBasis basis = cameraBasis(view.camera);
+        std::vector<DepthSpan>& lit = facts.light->lit;
+        for (const SceneFacts::CasterBlock& block : blocks) {
+            const Box box{block.box.min - view.camera.eye, block.box.max - view.camera.eye};
+            facts.light->casters.push_back({box, block.triangles});
+            const glm::dvec3 middle = toCamera(basis, box.center());
+            const double reach = glm::dot(glm::abs(basis.view), box.extent() * 0.5);
+            if (middle.z + reach <= 0 || std::abs(middle.x) > view.tanHalfX() * middle.z) continue;
+            lit.push_back({std::max(0.01, middle.z - reach), middle.z + reach});
+        }
+        std::sort(lit.begin(), lit.end(), [](const DepthSpan& a, const DepthSpan& b) { return a.near < b.near; });
+        for (const DepthSpan& span : lit) {
+            if (!facts.visible->anything) facts.visible = {span.near, span.far, true};
+            facts.visible->farthest = std::max(facts.visible->farthest, span.far);
+        }
+        return facts;
+    }
+
+    std::vector<SceneFacts::CasterBlock> blocks; // world space
+    Box bounds;
+};
+
+/// A view at eye height or from a crane, and a light from anywhere, the awkward directions included.
+inline View madeView(std::uint64_t seed) {
+    Random random(seed);
+    View view;
+    view.camera.eye.x = random.uniform(-150, 150);
+    view.camera.eye.y = random.below(3) == 0 ? random.uniform(10, 60) : 1.7;
+    view.camera.eye.z = random.uniform(-150, 150);
+    const double yaw = random.uniform(0, 6.283);
+    const double pitch = random.uniform(-0.5, 0.1);
+    view.camera.target = view.camera.eye + glm::dvec3(std::sin(yaw), pitch, std::cos(yaw));
+    view.camera.fovYRadians = random.uniform(0.5, 1.6);
+    view.width = 400 + static_cast<int>(random.below(1200));
+    view.height = 400 + static_cast<int>(random.below(800));
+    view.towardsLight.x = random.uniform(-1, 1);
+    view.towardsLight.y = random.uniform(0.02, 1);
+    view.towardsLight.z = random.uniform(-1, 1);
+    return view;
+}
+
+} // namespace gnomon::plan

@@ -120,7 +120,7 @@ std::uint64_t lesserTexels(std::uint64_t a, std::uint64_t b) {
 bool isHeld(const SchemeAnswer& before, const SchemeAnswer& best) {
     if (before.keepsPromise != best.keepsPromise) return false;
     if (best.keepsPromise) return static_cast<double>(before.cost) * kCheaper <= static_cast<double>(best.cost);
-    return before.promise() * kWorthwhile <= best.promise();
+    return before.promise() * kLower <= best.promise();
 }
 
 /// The best of all slices and faces; what the frame before had unless another is better by far.

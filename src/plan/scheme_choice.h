@@ -45,6 +45,9 @@ constexpr double kStillWorthwhile = 0.99;
 /// How much cheaper than the frame before's a scheme must be to take its place.
 constexpr double kCheaper = 0.75;
 
+/// How much lower another's promise must be to take its place where none keeps what was asked.
+constexpr double kLower = 0.85;
+
 /// How long a slice must have had no visible receiver before its map goes.
 constexpr int kFramesBeforeMapGoes = 12;
 

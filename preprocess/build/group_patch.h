@@ -8,7 +8,7 @@
 
 namespace gnomon::preprocess {
 
-/// Which group uses each position of the mesh, or that several do.
+/// Which group uses each position of the mesh, or that several do, or triangles outside the mesh.
 class PositionOwners {
 public:
     PositionOwners(const Mesh& mesh, const Level& level);

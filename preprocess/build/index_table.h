@@ -29,6 +29,14 @@ public:
         }
     }
 
+    /// The index stored under an equal key, or kNone.
+    template <class Equal>
+    std::uint32_t find(std::uint64_t hash, Equal equal) const {
+        const std::size_t mask = slots_.size() - 1;
+        for (std::size_t i = hash & mask;; i = (i + 1) & mask)
+            if (slots_[i] == hierarchy::kNone || equal(slots_[i])) return slots_[i];
+    }
+
 private:
     std::vector<std::uint32_t> slots_;
 };

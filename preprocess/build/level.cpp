@@ -68,35 +68,40 @@ void appendClusters(
     }
 }
 
+std::uint64_t triangleCount(const Level& level, const LevelGroup& group) {
+    const LevelCluster& first = level.clusters[group.firstCluster];
+    const LevelCluster& last = level.clusters[group.firstCluster + group.clusterCount - 1];
+    return last.firstTriangle + last.triangleCount - first.firstTriangle;
+}
+
 /// What a group becomes.
 struct GroupResult {
     Level clusters; // firstTriangle counts from the group's own first triangle
     double error = 0;
 };
 
-double worstRefinement(const Level& level, const LevelGroup& group, const Level* below) {
+double worstRefinement(const Level& level, const LevelGroup& group) {
     double worst = 0;
     for (std::uint32_t c = group.firstCluster; c < group.firstCluster + group.clusterCount; ++c)
         if (const std::uint32_t refinement = level.clusters[c].refinement; refinement != kNone)
-            worst = std::max(worst, below->groups[refinement].error);
+            worst = std::max(worst, level.refinements[refinement].error);
     return worst;
 }
 
 class GroupSimplifier {
 public:
-    GroupSimplifier(const Mesh& mesh, const Level& level, const Level* below, const LevelOptions& options)
-        : mesh_(mesh), level_(level), below_(below), options_(options), owners_(mesh, level) {}
+    GroupSimplifier(const Mesh& mesh, const Level& level, const LevelOptions& options)
+        : mesh_(mesh), level_(level), options_(options), owners_(mesh, level) {}
 
     GroupResult operator()(std::uint32_t groupIndex) const {
         const LevelGroup& group = level_.groups[groupIndex];
         const LevelCluster& first = level_.clusters[group.firstCluster];
-        const LevelCluster& last = level_.clusters[group.firstCluster + group.clusterCount - 1];
-        const std::size_t count = last.firstTriangle + last.triangleCount - first.firstTriangle;
+        const std::size_t count = triangleCount(level_, group);
         const auto triangles = std::span(level_.triangles).subspan(first.firstTriangle, count);
         GroupPatch patch = makeGroupPatch(mesh_, triangles, owners_);
         patch.patch.errors = std::span(level_.errors).subspan(first.firstTriangle, count);
         const SimplifiedPatch simplified = simplify(patch.patch, (count + 1) / 2, options_.simplifier);
-        const double before = std::max(worstRefinement(level_, group, below_), mesh_.grid.snapError());
+        const double before = std::max(worstRefinement(level_, group), mesh_.grid.snapError());
         GroupResult result;
         std::vector<TriangleError> errors(simplified.triangles.size());
         if (options_.isErrorMeasured) {
@@ -145,7 +150,6 @@ private:
 
     const Mesh& mesh_;
     const Level& level_;
-    const Level* below_;
     const LevelOptions& options_;
     PositionOwners owners_;
 };
@@ -167,7 +171,7 @@ Level firstLevel(const Mesh& mesh, const LevelOptions& options) {
     return level;
 }
 
-void formGroups(Level& level, const Level* below, const Grid& grid, const LevelOptions& options, std::uint32_t number) {
+void formGroups(Level& level, const Grid& grid, const LevelOptions& options, std::uint32_t number) {
     std::vector<KdItem> items;
     items.reserve(level.clusters.size());
     for (std::uint32_t c = 0; c < level.clusters.size(); ++c)
@@ -193,27 +197,29 @@ void formGroups(Level& level, const Level* below, const Grid& grid, const LevelO
                 ordered.triangles.end(), level.triangles.begin() + first, level.triangles.begin() + last);
             ordered.errors.insert(ordered.errors.end(), level.errors.begin() + first, level.errors.begin() + last);
             group.box.add(cluster.box);
-            if (cluster.refinement != kNone) children.push_back(below->groups[cluster.refinement].bounds);
+            if (cluster.refinement != kNone) children.push_back(level.refinements[cluster.refinement].bounds);
             ordered.clusters.push_back(cluster);
         }
         group.bounds = enclosing(grid.local(group.box), children);
         ordered.groups.push_back(group);
         begin = end;
     }
+    ordered.refinements = std::move(level.refinements);
     level = std::move(ordered);
 }
 
-Level simplifiedLevel(
-    const Mesh& mesh, Level& level, const Level* below, const LevelOptions& options, Progress& progress) {
-    const GroupSimplifier simplifier(mesh, level, below, options);
+Level simplifiedLevel(const Mesh& mesh, Level& level, const LevelOptions& options, Progress& progress) {
+    const GroupSimplifier simplifier(mesh, level, options);
     std::vector<GroupResult> results(level.groups.size());
     tbb::parallel_for(std::size_t{0}, results.size(), [&](std::size_t g) {
         results[g] = simplifier(static_cast<std::uint32_t>(g));
-        progress.advance(level.groups[g].clusterCount);
+        progress.advance(triangleCount(level, level.groups[g]));
     });
     Level next;
     for (std::size_t g = 0; g < results.size(); ++g) {
-        level.groups[g].error = results[g].error;
+        LevelGroup& group = level.groups[g];
+        group.error = results[g].error;
+        next.refinements.push_back({group.place, group.bounds, group.error});
         const auto first = static_cast<std::uint32_t>(next.triangles.size());
         const Level& own = results[g].clusters;
         next.triangles.insert(next.triangles.end(), own.triangles.begin(), own.triangles.end());
@@ -223,7 +229,6 @@ Level simplifiedLevel(
             next.clusters.push_back(cluster);
         }
     }
-    level.errors = {};
     return next;
 }
 

@@ -17,11 +17,25 @@ struct LevelOptions {
     bool isErrorMeasured = true;
 };
 
+/// Where a group lies: its level, its page within that level's pages, its place in the page.
+struct GroupPlace {
+    std::uint32_t level = 0;
+    std::uint32_t page = 0;
+    std::uint32_t group = 0;
+};
+
+/// A group of a finer level that clusters were simplified from.
+struct LevelRefinement {
+    GroupPlace place;
+    Sphere bounds;    // local space
+    double error = 0; // world units
+};
+
 struct LevelCluster {
     std::uint32_t firstTriangle = 0;
     std::uint32_t triangleCount = 0;
     std::uint32_t vertexCount = 0;
-    std::uint32_t refinement = hierarchy::kNone; // group of the level below from which it was simplified
+    std::uint32_t refinement = hierarchy::kNone; // of the level's refinements: the group that it was simplified from
     GridBox box;
 };
 
@@ -31,27 +45,28 @@ struct LevelGroup {
     GridBox box;
     Sphere bounds;                                          // local space
     double error = std::numeric_limits<double>::infinity(); // world units; infinite for a root
+    GroupPlace place;
 };
 
 /// Clusters of a group and triangles of a cluster are contiguous.
 struct Level {
     std::vector<Triangle> triangles;   // vertices of the Mesh
-    std::vector<TriangleError> errors; // per triangle; only while the next level is not built
+    std::vector<TriangleError> errors; // per triangle
     std::vector<LevelCluster> clusters;
     std::vector<LevelGroup> groups;
+    std::vector<LevelRefinement> refinements;
 };
 
 /// Level 0: the mesh's triangles in clusters, without groups.
 Level firstLevel(const Mesh& mesh, const LevelOptions& options);
 
-/// Forms the groups of `level`, the `number`th from 0, and reorders clusters and triangles accordingly. `below` is the
-/// level that it was simplified from, or null. Cuts lie elsewhere than in the level before, so that the borders which
-/// were locked there become interiors here.
-void formGroups(Level& level, const Level* below, const Grid& grid, const LevelOptions& options, std::uint32_t number);
+/// Forms the groups of `level`, the `number`th from 0, and reorders clusters and triangles accordingly. Cuts lie
+/// elsewhere than in the level before, so that the borders which were locked there become interiors here.
+void formGroups(Level& level, const Grid& grid, const LevelOptions& options, std::uint32_t number);
 
 /// Simplifies each group of `level` to half, sets the groups' errors, and returns the clusters that replace them, not
 /// yet in groups. Each group is a pure function of its own triangles and of which positions it shares with others.
-Level simplifiedLevel(
-    const Mesh& mesh, Level& level, const Level* below, const LevelOptions& options, Progress& progress);
+/// Advances `progress` by the level's triangles.
+Level simplifiedLevel(const Mesh& mesh, Level& level, const LevelOptions& options, Progress& progress);
 
 } // namespace gnomon::preprocess

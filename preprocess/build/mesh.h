@@ -1,12 +1,11 @@
-// The welded source on the grid: what all phases after reading work on.
+// A welded mesh on the grid: what all phases after the binning work on.
 #pragma once
 
 #include "hierarchy/model.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
-#include <map>
-#include <string>
 #include <vector>
 
 namespace gnomon::preprocess {
@@ -19,19 +18,34 @@ using hierarchy::Vertex;
 /// Three indices of vertices or positions.
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// A mesh whose topology is welded by position; vertices (corners) of one position differ in normal or colour.
+/// Chunks as a closed range of ids.
+struct ChunkSpan {
+    std::uint16_t first = 0;
+    std::uint16_t last = 0;
+
+    void add(const ChunkSpan& other) {
+        first = std::min(first, other.first);
+        last = std::max(last, other.last);
+    }
+
+    bool operator==(const ChunkSpan&) const = default;
+};
+
+/// A mesh whose topology is welded by position; vertices (corners) of one position differ in normal or colour. It may
+/// be a part of a model: one chunk, or several that were merged.
 struct Mesh {
     Grid grid;
-    Box bounds;                            // of the snapped positions, world space
     std::vector<Vertex> vertices;          // all different
     std::vector<std::uint32_t> positionOf; // vertex -> position id, dense from 0
     std::uint32_t positionCount = 0;
+    std::vector<ChunkSpan> sharers;  // per position: all chunks with triangles there are among these
+    ChunkSpan chunks;                // of which this is made
     std::vector<Triangle> triangles; // vertex indices; the three positions of a triangle differ
-    std::uint64_t sourceTriangles = 0;
-    std::uint64_t sourceVertices = 0;
-    std::map<std::string, std::uint64_t> dropped; // reason -> source triangles; all four reasons are there
-    bool hasNormals = false;                      // from the source or smoothed
-    bool hasColors = false;
+
+    /// Whether triangles outside this mesh may share the position: it must stay where it is.
+    bool isBorder(std::uint32_t position) const {
+        return sharers[position].first < chunks.first || sharers[position].last > chunks.last;
+    }
 };
 
 } // namespace gnomon::preprocess

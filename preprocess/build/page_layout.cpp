@@ -14,8 +14,6 @@ namespace {
 using hierarchy::kNone;
 using hierarchy::Page;
 
-constexpr std::uint32_t kPagesAtOnce = 64;
-
 std::uint64_t decodedBytes(const Level& level, const LevelGroup& group) {
     std::uint64_t bytes = sizeof(hierarchy::Group);
     for (std::uint32_t c = group.firstCluster; c < group.firstCluster + group.clusterCount; ++c)
@@ -59,32 +57,12 @@ void addGeometry(const Mesh& mesh, const Level& level, const LevelCluster& clust
     }
 }
 
-} // namespace
-
-PageLayout::PageLayout(const std::vector<Level>& levels) : places_(levels.size()) {
-    for (std::size_t number = levels.size(); number-- > 0;) {
-        const Level& level = levels[number];
-        places_[number].resize(level.groups.size());
-        std::uint64_t bytes = hierarchy::kPageTargetBytes; // full, so that the level begins a page
-        for (std::uint32_t g = 0; g < level.groups.size(); ++g) {
-            const std::uint64_t own = decodedBytes(level, level.groups[g]);
-            if (bytes + own > hierarchy::kPageTargetBytes) {
-                pages_.push_back({static_cast<std::uint32_t>(number), g, 0});
-                bytes = 0;
-            }
-            bytes += own;
-            places_[number][g] = {pageCount() - 1, pages_.back().groupCount++};
-        }
-    }
-}
-
-Page PageLayout::makePage(const Mesh& mesh, const std::vector<Level>& levels, std::uint32_t id) const {
-    const PageSpan& span = pages_[id];
-    const Level& level = levels[span.level];
+/// The page of the groups [first, end).
+Page makePage(const Mesh& mesh, const Level& level, std::uint32_t number, std::size_t first, std::size_t end) {
     Page page;
-    page.level = span.level;
-    std::vector<std::uint32_t> refinements; // groups of the level below, in the order of the page
-    for (std::uint32_t g = span.firstGroup; g < span.firstGroup + span.groupCount; ++g) {
+    page.level = number;
+    std::vector<std::uint32_t> refinements; // of the level, in the order of the page
+    for (std::size_t g = first; g < end; ++g) {
         const LevelGroup& source = level.groups[g];
         page.groups.push_back(
             {static_cast<std::uint32_t>(page.clusters.size()),
@@ -104,9 +82,12 @@ Page PageLayout::makePage(const Mesh& mesh, const std::vector<Level>& levels, st
                 const auto known = std::find(refinements.begin(), refinements.end(), from.refinement);
                 cluster.refinement = static_cast<std::uint32_t>(known - refinements.begin());
                 if (known == refinements.end()) {
-                    const LevelGroup& finer = levels[span.level - 1].groups[from.refinement];
+                    const LevelRefinement& finer = level.refinements[from.refinement];
                     refinements.push_back(from.refinement);
-                    page.refinements.push_back({place(span.level - 1, from.refinement), finer.bounds, finer.error});
+                    page.refinements.push_back(
+                        {{provisionalId(finer.place.level, finer.place.page), finer.place.group},
+                         finer.bounds,
+                         finer.error});
                 }
             }
             page.clusters.push_back(cluster);
@@ -116,23 +97,47 @@ Page PageLayout::makePage(const Mesh& mesh, const std::vector<Level>& levels, st
     return page;
 }
 
-std::uint32_t writePages(
-    const Mesh& mesh, const std::vector<Level>& levels, hierarchy::ModelWriter& writer, Progress& progress) {
-    const PageLayout layout(levels);
-    progress.stage("write", "pages", layout.pageCount());
-    std::vector<hierarchy::EncodedPage> encoded(kPagesAtOnce);
-    for (std::uint32_t begin = 0; begin < layout.pageCount(); begin += kPagesAtOnce) {
-        const std::uint32_t end = std::min(begin + kPagesAtOnce, layout.pageCount());
-        tbb::parallel_for(begin, end, [&](std::uint32_t id) {
-            Page page = layout.makePage(mesh, levels, id);
-            hierarchy::orderForCoding(page);
-            encoded[id - begin] = hierarchy::encodePage(page);
-        });
-        for (std::uint32_t id = begin; id < end; ++id)
-            writer.append(encoded[id - begin]);
-        progress.advance(end - begin);
+} // namespace
+
+std::uint32_t provisionalId(std::uint32_t level, std::uint32_t page) {
+    GNOMON_CHECK_OP(level, <, kMaxLevels);
+    GNOMON_CHECK_OP(page, <, kMaxLevelPages);
+    return (kMaxLevels - 1 - level) * kMaxLevelPages + page;
+}
+
+PageOfLevel placeOfProvisional(std::uint32_t id) {
+    return {kMaxLevels - 1 - id / kMaxLevelPages, id % kMaxLevelPages};
+}
+
+std::uint32_t placeGroups(Level& level, std::uint32_t number) {
+    GroupPlace place{number, 0, 0};
+    std::uint64_t bytes = 0;
+    for (LevelGroup& group : level.groups) {
+        const std::uint64_t own = decodedBytes(level, group);
+        if (bytes > 0 && bytes + own > hierarchy::kPageTargetBytes) {
+            ++place.page;
+            place.group = 0;
+            bytes = 0;
+        }
+        bytes += own;
+        group.place = place;
+        ++place.group;
     }
-    return layout.pageCount();
+    return place.page + 1;
+}
+
+std::vector<hierarchy::EncodedPage> encodePages(
+    const Mesh& mesh, const Level& level, std::uint32_t number, std::uint32_t pageCount) {
+    std::vector<std::size_t> ends(pageCount, 0); // of each page's groups
+    for (std::size_t g = 0; g < level.groups.size(); ++g)
+        ends[level.groups[g].place.page] = g + 1;
+    std::vector<hierarchy::EncodedPage> encoded(pageCount);
+    tbb::parallel_for(std::uint32_t{0}, pageCount, [&](std::uint32_t id) {
+        Page page = makePage(mesh, level, number, id > 0 ? ends[id - 1] : 0, ends[id]);
+        hierarchy::orderForCoding(page);
+        encoded[id] = hierarchy::encodePage(page);
+    });
+    return encoded;
 }
 
 } // namespace gnomon::preprocess

@@ -1,37 +1,32 @@
-// From levels to the pages of a .gnm: which group lies where, and the pages themselves.
+// From one level of a mesh to pages of a .gnm: which group lies where, and the pages themselves.
 #pragma once
 
-#include "core/progress.h"
 #include "hierarchy/model_writer.h"
 #include "preprocess/build/level.h"
 
 namespace gnomon::preprocess {
 
-/// Where the groups of all levels lie in the file: coarsest level first, groups in the order of their level.
-class PageLayout {
-public:
-    explicit PageLayout(const std::vector<Level>& levels);
+/// The most levels of a model and the most pages of a level.
+constexpr std::uint32_t kMaxLevels = 64;
+constexpr std::uint32_t kMaxLevelPages = 1U << 26U;
 
-    std::uint32_t pageCount() const { return static_cast<std::uint32_t>(pages_.size()); }
+/// A stand-in for the id that page `page` of level `level` will have in the file: in the same order, but known at once.
+std::uint32_t provisionalId(std::uint32_t level, std::uint32_t page);
 
-    hierarchy::GroupRef place(std::uint32_t level, std::uint32_t group) const { return places_[level][group]; }
-
-    /// The page `id`, decoded.
-    hierarchy::Page makePage(const Mesh& mesh, const std::vector<Level>& levels, std::uint32_t id) const;
-
-private:
-    struct PageSpan {
-        std::uint32_t level = 0;
-        std::uint32_t firstGroup = 0;
-        std::uint32_t groupCount = 0;
-    };
-
-    std::vector<PageSpan> pages_;
-    std::vector<std::vector<hierarchy::GroupRef>> places_; // level, group
+struct PageOfLevel {
+    std::uint32_t level = 0;
+    std::uint32_t page = 0;
 };
 
-/// Encodes and appends all pages, many at a time. Returns how many.
-std::uint32_t writePages(
-    const Mesh& mesh, const std::vector<Level>& levels, hierarchy::ModelWriter& writer, Progress& progress);
+/// What `provisionalId` was made of.
+PageOfLevel placeOfProvisional(std::uint32_t id);
+
+/// Gives every group of `level`, the `number`th from 0, its place: pages of about kPageTargetBytes, counted from 0, in
+/// the order of the groups. Returns how many pages.
+std::uint32_t placeGroups(Level& level, std::uint32_t number);
+
+/// The `pageCount` pages of `level`, encoded; other pages are named by their provisional ids.
+std::vector<hierarchy::EncodedPage> encodePages(
+    const Mesh& mesh, const Level& level, std::uint32_t number, std::uint32_t pageCount);
 
 } // namespace gnomon::preprocess

@@ -10,6 +10,11 @@ namespace gnomon::preprocess {
 
 namespace {
 
+template <class T>
+std::uint64_t bytesOf(const std::vector<T>& values) {
+    return values.capacity() * sizeof(T);
+}
+
 class MemorySource final : public MeshSource {
 public:
     MemorySource(const std::string& path, std::uint64_t fileBytes, MemoryMesh mesh) : mesh_(std::move(mesh)) {
@@ -19,6 +24,8 @@ public:
         summary_.faceCount = mesh_.faceSizes.size();
         summary_.hasNormals = !mesh_.normals.empty();
         summary_.hasColors = !mesh_.colors.empty();
+        summary_.heldBytes = bytesOf(mesh_.positions) + bytesOf(mesh_.normals) + bytesOf(mesh_.colors) +
+                             bytesOf(mesh_.faceSizes) + bytesOf(mesh_.corners);
         GNOMON_CHECK(mesh_.normals.empty() || mesh_.normals.size() == mesh_.positions.size());
         GNOMON_CHECK(mesh_.colors.empty() || mesh_.colors.size() == mesh_.positions.size());
         const auto needsDouble = [](const glm::dvec3& p) { return glm::dvec3(glm::vec3(p)) != p; };

@@ -21,7 +21,8 @@ struct MeshSummary {
     std::uint64_t stripCount = 0; ///< lists of triangle strips
     bool hasNormals = false;
     bool hasColors = false;
-    bool isDouble = false; ///< positions need more than a float
+    bool isDouble = false;       ///< positions need more than a float
+    std::uint64_t heldBytes = 0; ///< of memory that the source keeps as long as it lives
 };
 
 /// Consecutive vertices. Valid only during the call of the sink.

@@ -25,6 +25,7 @@ public:
             summary_.hasNormals |= more.hasNormals;
             summary_.hasColors |= more.hasColors;
             summary_.isDouble |= more.isDouble;
+            summary_.heldBytes += more.heldBytes;
         }
     }
 

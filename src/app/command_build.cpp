@@ -1,7 +1,8 @@
 #include "app/commands.h"
 #include "core/error.h"
 #include "core/units.h"
-#include "preprocess/build/build.h"
+#include "preprocess/pipeline/build_model.h"
+#include "preprocess/pipeline/fingerprint.h"
 #include "preprocess/read/open_mesh_sources.h"
 
 #include <cstdio>
@@ -26,9 +27,10 @@ struct BuildCommand {
     std::string simplifier = "own";
     std::string error = "measured";
     std::uint32_t clusterTriangles = 128;
-    std::string chunkTriangles;
+    std::string chunkTriangles = std::to_string(preprocess::kChunkTriangles);
     double maxStuckPercent = 100;
     bool isInMemory = false;
+    bool isResumed = false;
     bool isJson = false;
 };
 
@@ -61,7 +63,7 @@ nlohmann::ordered_json asJson(const BuildReport& report) {
         {"file_bytes", report.fileBytes},
         {"bytes_per_source_triangle", static_cast<double>(report.fileBytes) / triangles},
         {"peak_rss_bytes", peakResidentBytes()},
-        {"temporary_bytes", 0},
+        {"temporary_bytes", report.temporaryBytes},
         {"seconds", report.seconds},
         {"phases", phases},
         {"triangles_per_second", report.seconds > 0 ? triangles / report.seconds : 0},
@@ -95,10 +97,15 @@ void run(const BuildCommand& command) {
     options.threads = command.common.threads;
     options.level.clusterTriangles = command.clusterTriangles;
     options.level.isErrorMeasured = command.error == "measured";
+    options.chunkTriangles = static_cast<std::uint32_t>(*parseCount(command.chunkTriangles));
+    options.temporaryFolder = command.temporary;
+    options.isInMemory = command.isInMemory;
+    options.isResumed = command.isResumed;
     const std::map<std::string, Simplifier> simplifiers{
         {"own", Simplifier::Own}, {"meshopt", Simplifier::Meshopt}, {"openmesh", Simplifier::OpenMesh}};
     options.level.simplifier = simplifiers.at(command.simplifier);
     if (command.maxStuckPercent < 100) options.maxStuckPercent = command.maxStuckPercent;
+    options.inputKey = preprocess::fingerprintOf(command.inputs);
     const auto source = preprocess::openMeshSources(command.inputs, options.memory);
     const BuildReport report = [&] {
         const auto progress = makeProgress(command.common);
@@ -118,9 +125,13 @@ CLI::Validator memorySize() {
         "SIZE"};
 }
 
-CLI::Validator count() {
+CLI::Validator chunkSize() {
     return {
-        [](std::string& text) { return parseCount(text) ? std::string() : "not a count (like 100k or 2M): " + text; },
+        [](std::string& text) {
+            const auto triangles = parseCount(text);
+            const bool isGood = triangles && *triangles >= 64 && *triangles <= (1U << 26U);
+            return isGood ? std::string() : "not a count from 64 to 64M (like 200k): " + text;
+        },
         "COUNT"};
 }
 
@@ -134,14 +145,21 @@ void addBuildCommand(CLI::App& program) {
     command->add_option("--memory", options->memory, "Peak resident size of the process")
         ->check(memorySize())
         ->capture_default_str();
-    command->add_option("--tmp", options->temporary, "Folder for temporary files (default: beside the output)")
-        ->check(CLI::ExistingDirectory);
-    command->add_flag("--in-memory", options->isInMemory, "Build without temporary files");
+    CLI::Option* folder =
+        command->add_option("--tmp", options->temporary, "Folder for temporary files (default: beside the output)")
+            ->check(CLI::ExistingDirectory);
+    CLI::Option* resume =
+        command->add_flag("--resume", options->isResumed, "Go on with what a killed build of the same model left");
+    command->add_flag("--in-memory", options->isInMemory, "Build without temporary files")
+        ->excludes(folder)
+        ->excludes(resume);
     command->add_option("--cluster-triangles", options->clusterTriangles, "Most triangles of a cluster")
         ->check(CLI::Range(8, 256))
         ->capture_default_str();
-    command->add_option("--chunk-triangles", options->chunkTriangles, "Most triangles worked on at once")
-        ->check(count());
+    command
+        ->add_option("--chunk-triangles", options->chunkTriangles, "Most triangles of a part that is built by itself")
+        ->check(chunkSize())
+        ->capture_default_str();
     command->add_option("--simplifier", options->simplifier, "Who makes triangles fewer")
         ->check(CLI::IsMember({"own"}))
         ->capture_default_str();

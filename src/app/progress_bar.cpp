@@ -70,6 +70,11 @@ public:
         show();
     }
 
+    void temporarySpace(std::uint64_t bytes) override {
+        const std::scoped_lock lock(mutex_);
+        temporaryBytes_ = bytes;
+    }
+
 private:
     void finishStage() {
         if (name_.empty() || style_ == Style::None) return;
@@ -86,13 +91,14 @@ private:
             std::fprintf(
                 stderr,
                 "{\"stage\": \"%s\", \"unit\": \"%s\", \"done\": %llu, \"total\": %llu, \"per_second\": %.0f, "
-                "\"memory_bytes\": %llu, \"seconds_left\": %.1f}\n",
+                "\"memory_bytes\": %llu, \"temporary_bytes\": %llu, \"seconds_left\": %.1f}\n",
                 name_.c_str(),
                 unit_.c_str(),
                 static_cast<unsigned long long>(done_),
                 static_cast<unsigned long long>(total_),
                 rate,
                 static_cast<unsigned long long>(residentBytes()),
+                static_cast<unsigned long long>(temporaryBytes_),
                 left);
         } else if (style_ == Style::Bar) {
             constexpr int kWidth = 24;
@@ -102,7 +108,7 @@ private:
             bar.resize(kWidth, '.');
             std::fprintf(
                 stderr,
-                "\r\033[K%-10s [%s] %s/%s %s  %s/s  %s  %.0f s left",
+                "\r\033[K%-10s [%s] %s/%s %s  %s/s  %s%s  %.0f s left",
                 name_.c_str(),
                 bar.c_str(),
                 readableCount(done_).c_str(),
@@ -110,6 +116,7 @@ private:
                 unit_.c_str(),
                 readableCount(static_cast<std::uint64_t>(rate)).c_str(),
                 readableBytes({residentBytes()}).c_str(),
+                temporaryBytes_ > 0 ? (" + " + readableBytes({temporaryBytes_}) + " temporary").c_str() : "",
                 left);
         }
     }
@@ -120,6 +127,7 @@ private:
     std::string unit_;
     std::uint64_t total_ = 0;
     std::uint64_t done_ = 0;
+    std::uint64_t temporaryBytes_ = 0;
     Clock::time_point start_;
     Clock::time_point shown_;
 };

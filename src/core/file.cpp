@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -22,9 +23,9 @@ namespace {
 } // namespace
 
 File::File(const std::string& path, Mode mode) : path_(path) {
-    const int flags = mode == Mode::Read ? O_RDONLY : (O_RDWR | O_CREAT | O_TRUNC);
+    const int flags = mode == Mode::Read ? O_RDONLY : mode == Mode::Update ? O_RDWR : (O_RDWR | O_CREAT | O_TRUNC);
     descriptor_ = ::open(path.c_str(), flags | O_CLOEXEC, 0666);
-    if (descriptor_ < 0) throwSystemError(path, mode == Mode::Read ? "cannot open" : "cannot create");
+    if (descriptor_ < 0) throwSystemError(path, mode == Mode::Create ? "cannot create" : "cannot open");
 
     struct stat info {};
 
@@ -88,6 +89,23 @@ void File::writeAt(std::uint64_t offset, std::span<const std::byte> bytes) {
         if (put <= 0) throwSystemError(atByte(path_, offset + done), "cannot write");
         done += static_cast<std::size_t>(put);
     }
+}
+
+void File::resize(std::uint64_t bytes) {
+    if (::ftruncate(descriptor_, static_cast<off_t>(bytes)) != 0) throwSystemError(path_, "cannot resize");
+}
+
+void File::release(std::uint64_t offset, std::uint64_t bytes) {
+    // A file system without holes keeps the bytes, which costs space and nothing else.
+    static_cast<void>(::fallocate(
+        descriptor_,
+        FALLOC_FL_PUNCH_HOLE | FALLOC_FL_KEEP_SIZE,
+        static_cast<off_t>(offset),
+        static_cast<off_t>(bytes)));
+}
+
+bool File::tryLock() {
+    return ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0;
 }
 
 void File::sync() {

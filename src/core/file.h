@@ -13,9 +13,10 @@ namespace gnomon {
 /// An open file, move-only. Positional calls are safe from many threads at once.
 class File {
 public:
-    enum class Mode { Read, Create };
+    enum class Mode { Read, Create, Update };
 
-    /// Opens `path`; Create truncates and allows reading back. Throws Error with the system's reason.
+    /// Opens `path`; Create truncates and allows reading back, Update keeps what is there and allows both. Throws Error
+    /// with the system's reason.
     File(const std::string& path, Mode mode);
     ~File();
     File(File&& other) noexcept;
@@ -35,6 +36,15 @@ public:
 
     /// Writes all of `bytes` at `offset`.
     void writeAt(std::uint64_t offset, std::span<const std::byte> bytes);
+
+    /// Cuts the file off at `bytes`, or lengthens it by zeros.
+    void resize(std::uint64_t bytes);
+
+    /// Gives the space of a range back where the file system can; the range then reads as zeros or as it was.
+    void release(std::uint64_t offset, std::uint64_t bytes);
+
+    /// Whether this open file now has the file's one lock, which ends with it or with the process.
+    bool tryLock();
 
     /// Flushes to the device, so that a rename after it is safe.
     void sync();

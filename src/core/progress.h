@@ -21,6 +21,9 @@ public:
 
     /// `count` more units of the stage are done. Throws gnomon::Interrupted if the user asked to stop.
     virtual void advance(std::uint64_t count) = 0;
+
+    /// So many bytes of temporary files are in use now.
+    virtual void temporarySpace(std::uint64_t /*bytes*/) {}
 };
 
 /// Thrown out of `Progress::advance` after Ctrl-C, so that work unwinds and leaves nothing half-written.

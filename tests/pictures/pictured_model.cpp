@@ -2,9 +2,9 @@
 
 #include "app/suited_path.h"
 #include "gl/shader_library.h"
-#include "preprocess/build/build.h"
 #include "preprocess/make/model_file.h"
 #include "preprocess/make/named_model.h"
+#include "preprocess/pipeline/build_model.h"
 #include "preprocess/read/open_mesh_sources.h"
 #include "render/gl_executor.h"
 #include "render/software_executor.h"

@@ -1,4 +1,8 @@
 gnomon_tests(build
     SOURCES build_model_test.cpp build_fan_map_test.cpp build_simplify_test.cpp build_meshes.cpp
-    NEEDS gnomon::build
+    NEEDS gnomon::pipeline
+    LABEL threads)
+gnomon_tests(pipeline
+    SOURCES chunk_test.cpp pipeline_test.cpp build_meshes.cpp
+    NEEDS gnomon::pipeline
     LABEL threads)

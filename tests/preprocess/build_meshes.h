@@ -2,8 +2,8 @@
 #pragma once
 
 #include "hierarchy/model_file.h"
-#include "preprocess/build/build.h"
 #include "preprocess/build/mesh.h"
+#include "preprocess/pipeline/build_model.h"
 
 #include <filesystem>
 #include <string>
@@ -15,6 +15,13 @@ namespace gnomon::preprocess {
 class CodeMesh final : public MeshSource {
 public:
     CodeMesh(std::vector<glm::dvec3> positions, std::vector<Triangle> triangles);
+
+    CodeMesh(const CodeMesh& other) : CodeMesh(other.positions, other.triangles) {}
+
+    ~CodeMesh() override = default;
+    CodeMesh& operator=(const CodeMesh&) = delete;
+    CodeMesh(CodeMesh&&) = delete;
+    CodeMesh& operator=(CodeMesh&&) = delete;
 
     const MeshSummary& summary() const override { return summary_; }
 

@@ -1,6 +1,6 @@
 #include "app/view/model_cache.h"
 
-#include "preprocess/build/build.h"
+#include "preprocess/pipeline/build_model.h"
 #include "preprocess/read/open_mesh_sources.h"
 
 #include <chrono>

@@ -13,12 +13,20 @@
 
 namespace gnomon::preprocess {
 
+/// The most triangles of a chunk, unless told otherwise: a constant of the format, since it shapes the model's bytes.
+constexpr std::uint32_t kChunkTriangles = 1U << 18U;
+
 struct BuildOptions {
     std::string output;
     Bytes memory = gibibytes(2); // the peak resident size of the process
     LevelOptions level;
+    std::uint32_t chunkTriangles = kChunkTriangles;
     std::optional<double> maxStuckPercent;
-    int threads = 0; // 0: all
+    int threads = 0;             // 0: all
+    std::string temporaryFolder; // for temporary files; empty: beside the output
+    bool isInMemory = false;     // temporary files in memory
+    bool isResumed = false;      // go on with what a killed build left, if anything
+    std::string inputKey;        // what tells this input from others, for a build that resumes (fingerprint.h)
 };
 
 struct BuildPhase {
@@ -39,16 +47,16 @@ struct BuildReport {
     std::uint64_t stuckTriangles = 0;
     std::uint64_t coarsestTriangles = 0;
     std::uint64_t fileBytes = 0;
+    std::uint64_t temporaryBytes = 0; // at their peak
     double seconds = 0;
     std::vector<BuildPhase> phases;
     std::string contentHash;
 };
 
-/// The memory that building `source` takes at its peak, from the counts of its header.
-Bytes memoryToBuild(const MeshSummary& source);
-
-/// Builds `options.output` from `source`. Throws Error for what the source or the output refuses, for a model without
-/// triangles, for a `memory` that is too small (naming the one that would do), and where more than `maxStuckPercent` of
+/// Builds `options.output` from `source`, out of core: whatever the source's size, memory stays below `memory`. The
+/// bytes are the same for any memory, threads and place of the temporary files, resumed or not. Throws Error for what
+/// the source or the output refuses, for a model without triangles, for a `memory` that is too small (naming the one
+/// that would do), for a resumed build of another input or with other options, and where more than `maxStuckPercent` of
 /// the triangles stay stuck at full detail; then nothing is left under the output's name.
 BuildReport buildModel(MeshSource& source, const BuildOptions& options, Progress& progress);
 

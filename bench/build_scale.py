@@ -1,0 +1,159 @@
+#!/usr/bin/env python3
+"""Builds made models of 10M to 372M triangles and prints what it took, or kills builds at random and resumes them.
+
+usage: bench/build_scale.py GNOMON CASE... [--work DIR] [--repetitions R] [--kills N] [--keep]
+
+Cases: KIND:TRIANGLES:MEMORY[:ERROR], like statue:50M:1G or statue:10M:1G:estimated; FILE.ply:MEMORY[:ERROR] builds a
+file that is there; shuffled:10M:1G is the statue with its vertices in random order, beside the same one in file order.
+With --kills N each case is built once, then N times more: killed with SIGKILL at a random moment and resumed, until the
+file is there; all must come out with the same content_hash. A model and its PLY take up to 19 + 12 bytes a triangle of
+disk, a build up to 40 more; --keep keeps the PLY for the next run.
+
+Peak memory is the kernel's for the process (ru_maxrss). Times are medians of the repetitions, with their spread.
+"""
+import argparse
+import array
+import json
+import os
+import random
+import signal
+import statistics
+import subprocess
+import sys
+import time
+
+
+
+def shuffle_vertices(source, target, seed=1):
+    """The PLY `source` (as `gnomon make` writes it) with its vertices in random order."""
+    with open(source, "rb") as file:
+        header = b""
+        while not header.endswith(b"end_header\n"):
+            header += file.readline()
+        counts = {}
+        for line in header.decode().splitlines():
+            words = line.split()
+            if words[0] == "element":
+                counts[words[1]] = int(words[2])
+        vertices = file.read(12 * counts["vertex"])
+        faces = bytearray(file.read())
+    order = array.array("I", range(counts["vertex"]))
+    generator = random.Random(seed)
+    generator.shuffle(order)
+    moved = bytearray(len(vertices))
+    for old, new in enumerate(order):
+        moved[12 * new:12 * new + 12] = vertices[12 * old:12 * old + 12]
+    for row in range(0, len(faces), 13):
+        corners = array.array("I", faces[row + 1:row + 13])
+        faces[row + 1:row + 13] = array.array("I", (order[corner] for corner in corners)).tobytes()
+    with open(target, "wb") as file:
+        file.write(header)
+        file.write(moved)
+        file.write(faces)
+
+
+def build(gnomon, source, target, memory, error, extra=()):
+    """Runs one build; its report, its wall-clock seconds, its peak memory and its processor seconds."""
+    command = [gnomon, "build", source, "-o", target, "--memory", memory, "--error", error, "--json",
+               "--progress", "none", *extra]
+    start = time.monotonic()
+    process = subprocess.Popen(command, stdout=subprocess.PIPE)
+    output = process.stdout.read()
+    _, status, usage = os.wait4(process.pid, 0)
+    seconds = time.monotonic() - start
+    process.returncode = os.waitstatus_to_exitcode(status)
+    if process.returncode != 0:
+        sys.exit(f"build_scale: {' '.join(command)} ended with {process.returncode}")
+    return json.loads(output), seconds, usage.ru_maxrss * 1024, usage.ru_utime + usage.ru_stime
+
+
+def kill_and_resume(gnomon, source, target, memory, error, seconds, kills, expected):
+    """Kills `kills` builds, each at a random moment of a build that takes `seconds`, and resumes them to the end."""
+    generator = random.Random(7)
+    different = 0
+    resumed = 0
+    for _ in range(kills):
+        if os.path.exists(target):
+            os.remove(target)
+        command = [gnomon, "build", source, "-o", target, "--memory", memory, "--error", error, "--progress", "none",
+                   "--resume"]
+        process = subprocess.Popen(command, stdout=subprocess.DEVNULL)
+        time.sleep(generator.uniform(0, seconds))
+        if process.poll() is None:
+            process.send_signal(signal.SIGKILL)
+            resumed += 1
+        process.wait()
+        report, _, _, _ = build(gnomon, source, target, memory, error, ["--resume"])
+        different += report["content_hash"] != expected
+        left = [name for name in os.listdir(os.path.dirname(target)) if name.startswith(os.path.basename(target) + ".")]
+        if left:
+            sys.exit(f"build_scale: left behind: {left}")
+    print(f"{kills} builds, {resumed} killed and resumed: {different} with another content_hash", flush=True)
+    return different == 0
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("gnomon")
+    parser.add_argument("cases", nargs="+")
+    parser.add_argument("--work", default="build_scale_work", help="a folder with room for the models")
+    parser.add_argument("--repetitions", type=int, default=1)
+    parser.add_argument("--kills", type=int, default=0)
+    parser.add_argument("--keep", action="store_true")
+    options = parser.parse_args()
+    os.makedirs(options.work, exist_ok=True)
+    print("| case | memory | seconds (spread) | M triangles/s | cores busy | peak MiB | temporary B/tri | B/tri | "
+          "coarsest | stuck | content_hash |\n|---|---|---|---|---|---|---|---|---|---|---|", flush=True)
+    good = True
+    for case in options.cases:
+        words = case.split(":")
+        if words[0].endswith(".ply"):
+            sources = [(words[0], False)]
+            rest = words[1:]
+        else:
+            kind = "statue" if words[0] == "shuffled" else words[0]
+            plain = os.path.join(options.work, f"{kind}_{words[1]}.ply")
+            if not os.path.exists(plain):
+                subprocess.run([options.gnomon, "make", kind, "--triangles", words[1], "-o", plain, "--progress",
+                                "none"], check=True, stdout=subprocess.DEVNULL)
+            sources = [(plain, not options.keep)]
+            if words[0] == "shuffled":
+                mixed = os.path.join(options.work, f"shuffled_{words[1]}.ply")
+                if not os.path.exists(mixed):
+                    shuffle_vertices(plain, mixed)
+                sources.append((mixed, not options.keep))
+            rest = words[2:]
+        memory = rest[0]
+        error = rest[1] if len(rest) > 1 else "measured"
+        for source, isMade in sources:
+            target = os.path.join(options.work, "model.gnm")
+            runs = [build(options.gnomon, source, target, memory, error) for _ in range(options.repetitions)]
+            report = runs[0][0]
+            seconds = statistics.median(run[1] for run in runs)
+            spread = max(run[1] for run in runs) - min(run[1] for run in runs)
+            triangles = report["source_triangles"]
+            peak = max(run[2] for run in runs)
+            good = good and peak <= parse_memory(memory) and len({run[0]["content_hash"] for run in runs}) == 1
+            print(f"| {os.path.basename(source)} {error} | {memory} | {seconds:.1f} ({spread:.1f}) "
+                  f"| {triangles / seconds / 1e6:.3f} | {runs[0][3] / runs[0][1]:.2f} | {peak / 2**20:.0f} "
+                  f"| {report['temporary_bytes'] / triangles:.1f} | {report['bytes_per_source_triangle']:.2f} "
+                  f"| {report['coarsest_triangles']} | {100 * report['stuck_triangles'] / triangles:.2f}% "
+                  f"| {report['content_hash']} |", flush=True)
+            for phase in report["phases"]:
+                print(f"    {phase['name']}: {phase['seconds']:.1f} s, read {phase['bytes_read'] / 2**20:.0f} MiB, "
+                      f"wrote {phase['bytes_written'] / 2**20:.0f} MiB", file=sys.stderr)
+            if options.kills > 0:
+                good = kill_and_resume(options.gnomon, source, target, memory, error, seconds, options.kills,
+                                       report["content_hash"]) and good
+            os.remove(target)
+            if isMade:
+                os.remove(source)
+    sys.exit(0 if good else 1)
+
+
+def parse_memory(text):
+    return int(float(text[:-1]) * {"K": 2**10, "M": 2**20, "G": 2**30}[text[-1].upper()])
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,61 @@
+#include "preprocess/build/node.h"
+
+namespace gnomon::preprocess {
+
+namespace {
+
+using hierarchy::kNone;
+
+constexpr double kLeastProgress = 0.95; // a level of more than this share of the one below is not worth having
+
+hierarchy::LevelInfo infoOf(const Level& level, const Grid& grid) {
+    hierarchy::LevelInfo info;
+    info.triangles = level.triangles.size();
+    info.clusters = level.clusters.size();
+    info.groups = level.groups.size();
+    info.maxError = grid.snapError();
+    for (const LevelCluster& cluster : level.clusters)
+        if (cluster.refinement != kNone)
+            info.maxError = std::max(info.maxError, level.refinements[cluster.refinement].error);
+    return info;
+}
+
+bool isWorthwhile(const Level& next, std::uint64_t triangles) {
+    return static_cast<double>(next.triangles.size()) <= kLeastProgress * static_cast<double>(triangles);
+}
+
+} // namespace
+
+BuiltNode buildNode(
+    const Mesh& mesh, Level level, const NodePlan& plan, const LevelOptions& options, Progress& progress) {
+    BuiltNode node;
+    if (level.triangles.empty()) return node;
+    const bool isToRoot = plan.levelCount == kNone;
+    const auto keep = [&](std::uint32_t number, std::uint32_t pageCount) {
+        node.levels.push_back({infoOf(level, mesh.grid), encodePages(mesh, level, number, pageCount)});
+    };
+    for (std::uint32_t number = plan.firstLevel; isToRoot || number - plan.firstLevel < plan.levelCount; ++number) {
+        const bool isSingle = level.clusters.size() == 1;
+        if (isSingle && !isToRoot && number > 0) break;
+        formGroups(level, mesh.grid, options, number);
+        const std::uint32_t pageCount = placeGroups(level, number);
+        Level next;
+        if (!isSingle || !isToRoot) next = simplifiedLevel(mesh, level, options, progress);
+        const bool isCoarser = !next.triangles.empty() && isWorthwhile(next, level.triangles.size());
+        if (!isCoarser && isToRoot) {
+            for (LevelGroup& group : level.groups)
+                group.error = std::numeric_limits<double>::infinity();
+            keep(number, pageCount);
+            node.rootTriangles = level.triangles.size();
+            if (number == 0 && !isSingle) node.stuckTriangles = level.triangles.size();
+            return node;
+        }
+        if (!isCoarser && number > 0) break;
+        keep(number, pageCount);
+        level = std::move(next);
+    }
+    node.remains = encodeRemains(mesh, level);
+    return node;
+}
+
+} // namespace gnomon::preprocess

@@ -1,0 +1,218 @@
+#include "preprocess/chunk/binning.h"
+
+#include "core/check.h"
+#include "core/error.h"
+#include "hierarchy/octahedral.h"
+#include "preprocess/chunk/vertex_lookup.h"
+#include "preprocess/read/polygon.h"
+
+#include <algorithm>
+
+namespace gnomon::preprocess {
+
+namespace {
+
+using Corners = std::array<std::uint32_t, 3>;
+
+Corners narrow(const TriangleCorners& t) {
+    return {static_cast<std::uint32_t>(t[0]), static_cast<std::uint32_t>(t[1]), static_cast<std::uint32_t>(t[2])};
+}
+
+class Binner {
+public:
+    Binner(MeshSource& source, StreamStore& bins, std::uint32_t chunks, std::size_t polygonCorners, Progress& progress)
+        : source_(source),
+          bins_(bins),
+          format_(formatOf(source.summary())),
+          polygonCorners_(polygonCorners),
+          progress_(progress),
+          chunkOf_(source.summary().vertexCount),
+          polygons_(streamOf(SourceStream::Polygons, chunks)),
+          triangles_(streamOf(SourceStream::Triangles, chunks)) {}
+
+    void binVertices(const SourceSurvey& survey, const ChunkTree& tree) {
+        progress_.stage("bin", "vertices", source_.summary().vertexCount);
+        VertexBytes storage{};
+        source_.readVertices([&](const VertexBlock& block) {
+            for (std::size_t i = 0; i < block.positions.size(); ++i) {
+                ChunkVertex vertex;
+                vertex.index = static_cast<std::uint32_t>(block.firstVertex + i);
+                if (survey.valence[vertex.index] == 0) continue;
+                vertex.position = block.positions[i];
+                if (!block.normals.empty()) vertex.normal = hierarchy::packNormal(glm::dvec3(block.normals[i]));
+                if (!block.colors.empty()) vertex.color = block.colors[i];
+                const std::uint32_t chunk = tree.chunkOf(snapped(survey.grid, vertex.position));
+                chunkOf_[vertex.index] = static_cast<std::uint16_t>(chunk);
+                bins_.append(streamOf(BinStream::Vertices, chunk), encodeVertex(vertex, format_, storage));
+            }
+            progress_.advance(block.positions.size());
+        });
+        bins_.flush();
+    }
+
+    /// Triangulates the polygons that lie in several chunks, so that `binTriangles` finds them ready.
+    void refinePolygons() {
+        progress_.stage("polygons", "faces", source_.summary().faceCount);
+        source_.readTriangles([&](const TriangleBlock& block) {
+            for (const PolygonRun& run : block.polygons) {
+                const auto fan = block.triangles.subspan(run.first, run.count);
+                if (isInOneChunk(fan)) continue;
+                bins_.put(polygons_, run.count);
+                for (const TriangleCorners& t : fan)
+                    bins_.put(polygons_, t);
+            }
+            progress_.advance(block.triangles.size());
+        });
+        bins_.flush();
+        StreamStore::Reader reader(bins_, polygons_);
+        while (!reader.isAtEnd())
+            refineSome(reader);
+        bins_.flush();
+        bins_.release(polygons_);
+    }
+
+    void binTriangles() {
+        progress_.stage("bin", "faces", source_.summary().faceCount);
+        StreamStore::Reader refined(bins_, triangles_);
+        source_.readTriangles([&](const TriangleBlock& block) {
+            auto run = block.polygons.begin();
+            for (std::size_t i = 0; i < block.triangles.size();) {
+                if (run == block.polygons.end() || run->first > i) {
+                    add(narrow(block.triangles[i++]));
+                    continue;
+                }
+                const auto fan = block.triangles.subspan(run->first, run->count);
+                if (isInOneChunk(fan)) {
+                    addFan(fan);
+                } else {
+                    for (std::size_t k = 0; k < fan.size(); ++k)
+                        add(refined.take<Corners>());
+                }
+                i += run->count;
+                ++run;
+            }
+            progress_.advance(block.triangles.size());
+        });
+        GNOMON_CHECK(refined.isAtEnd());
+        bins_.flush();
+        bins_.release(triangles_);
+    }
+
+private:
+    /// As many polygons as fit at once: one pass over the vertices.
+    void refineSome(StreamStore::Reader& reader) {
+        std::vector<TriangleCorners> fans;
+        std::vector<std::uint32_t> sizes;
+        std::vector<std::uint32_t> corners;
+        while (!reader.isAtEnd() && corners.size() < polygonCorners_) {
+            sizes.push_back(reader.take<std::uint32_t>());
+            for (std::uint32_t i = 0; i < sizes.back(); ++i) {
+                fans.push_back(reader.take<TriangleCorners>());
+                for (const std::uint32_t corner : narrow(fans.back()))
+                    corners.push_back(corner);
+            }
+        }
+        const VertexLookup positions(source_, std::move(corners));
+        PolygonRefiner refiner;
+        std::size_t begin = 0;
+        for (const std::uint32_t size : sizes) {
+            refiner.refine(std::span(fans).subspan(begin, size), [&](std::uint64_t vertex) {
+                return positions[static_cast<std::uint32_t>(vertex)];
+            });
+            begin += size;
+        }
+        for (const TriangleCorners& t : fans)
+            bins_.put(triangles_, narrow(t));
+    }
+
+    bool isInOneChunk(std::span<const TriangleCorners> fan) const {
+        const std::uint16_t chunk = chunkOf_[fan.front()[0]];
+        return std::all_of(fan.begin(), fan.end(), [&](const TriangleCorners& t) {
+            return chunkOf_[t[0]] == chunk && chunkOf_[t[1]] == chunk && chunkOf_[t[2]] == chunk;
+        });
+    }
+
+    void addFan(std::span<const TriangleCorners> fan) {
+        const std::uint32_t stream = streamOf(BinStream::Triangles, chunkOf_[fan.front()[0]]);
+        bins_.put(stream, Corners{kPolygonMark, static_cast<std::uint32_t>(fan.size()), 0});
+        for (const TriangleCorners& t : fan)
+            bins_.put(stream, narrow(t));
+    }
+
+    void add(const Corners& corners) {
+        const std::array<std::uint16_t, 3> lies{chunkOf_[corners[0]], chunkOf_[corners[1]], chunkOf_[corners[2]]};
+        const std::uint16_t owner =
+            std::max(std::min(lies[0], lies[1]), std::min(std::max(lies[0], lies[1]), lies[2])); // the median
+        bins_.put(streamOf(BinStream::Triangles, owner), corners);
+        if (lies[0] == lies[1] && lies[1] == lies[2]) return;
+        request(corners, lies, owner, true);
+        if (format_.hasNormals) return;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const bool isFirst = std::find(lies.begin(), lies.begin() + static_cast<std::ptrdiff_t>(i), lies[i]) ==
+                                 lies.begin() + static_cast<std::ptrdiff_t>(i);
+            if (lies[i] == owner || !isFirst) continue;
+            bins_.put(streamOf(BinStream::Ghosts, lies[i]), corners);
+            request(corners, lies, lies[i], false);
+        }
+    }
+
+    /// Asks for the corners that do not lie in `chunk`.
+    void request(const Corners& corners, const std::array<std::uint16_t, 3>& lies, std::uint16_t chunk, bool isOwner) {
+        for (std::size_t i = 0; i < 3; ++i)
+            if (lies[i] != chunk)
+                bins_.put(streamOf(BinStream::Requests, lies[i]), VertexRequest{chunk, corners[i], isOwner ? 1U : 0U});
+    }
+
+    MeshSource& source_;
+    StreamStore& bins_;
+    VertexFormat format_;
+    std::size_t polygonCorners_;
+    Progress& progress_;
+    std::vector<std::uint16_t> chunkOf_;
+    std::uint32_t polygons_; // streams of the whole source
+    std::uint32_t triangles_;
+};
+
+} // namespace
+
+VertexFormat formatOf(const MeshSummary& source) {
+    return {source.isDouble, source.hasNormals, source.hasColors};
+}
+
+ChunkTree planChunks(MeshSource& source, const SourceSurvey& survey, std::uint32_t chunkTriangles, Progress& progress) {
+    const std::uint64_t limit = std::uint64_t{3} * chunkTriangles;
+    CellCounts counts(survey.furthest);
+    do {
+        progress.stage("octree", "vertices", survey.vertices);
+        source.readVertices([&](const VertexBlock& block) {
+            for (std::size_t i = 0; i < block.positions.size(); ++i)
+                if (const std::uint8_t valence = survey.valence[block.firstVertex + i]; valence > 0)
+                    counts.add(snapped(survey.grid, block.positions[i]), valence);
+            progress.advance(block.positions.size());
+        });
+    } while (counts.refine(limit / 8));
+    ChunkTree tree(counts, limit);
+    if (tree.chunkCount() > kMaxChunks)
+        throw Error(
+            "--chunk-triangles",
+            "too few for this model",
+            "at most " + std::to_string(kMaxChunks) + " chunks",
+            std::to_string(tree.chunkCount()));
+    return tree;
+}
+
+void binSource(
+    MeshSource& source,
+    SourceSurvey& survey,
+    const ChunkTree& tree,
+    StreamStore& bins,
+    std::size_t polygonCorners,
+    Progress& progress) {
+    Binner binner(source, bins, tree.chunkCount(), polygonCorners, progress);
+    binner.binVertices(survey, tree);
+    survey.valence = {};
+    if (survey.hasPolygons) binner.refinePolygons();
+    binner.binTriangles();
+}
+
+} // namespace gnomon::preprocess

@@ -1,0 +1,32 @@
+// Sorting a source into chunks without random access to it: passes over its vertices and triangles in file order.
+#pragma once
+
+#include "core/progress.h"
+#include "preprocess/chunk/chunk_streams.h"
+#include "preprocess/chunk/chunk_tree.h"
+#include "preprocess/chunk/survey.h"
+#include "preprocess/read/mesh_source.h"
+
+namespace gnomon::preprocess {
+
+VertexFormat formatOf(const MeshSummary& source);
+
+/// Cuts the grid into chunks of about `chunkTriangles` triangles each: passes over the vertices until the cells are
+/// small enough. Throws Error where that would take more than kMaxChunks chunks.
+ChunkTree planChunks(MeshSource& source, const SourceSurvey& survey, std::uint32_t chunkTriangles, Progress& progress);
+
+/// Writes all streams of BinStream. A vertex lies in the chunk of its snapped position; a triangle belongs to the chunk
+/// in which most of its corners lie, or to the middle one of three: so triangles of the same three positions always
+/// meet. The vertices' chunks are held in memory (two bytes a vertex); nothing else grows with the source. Polygons
+/// that lie in several chunks are triangulated first, as many at a time as `polygonCorners` allows, in one pass over
+/// the vertices each.
+/// `survey.valence` is given up.
+void binSource(
+    MeshSource& source,
+    SourceSurvey& survey,
+    const ChunkTree& tree,
+    StreamStore& bins,
+    std::size_t polygonCorners,
+    Progress& progress);
+
+} // namespace gnomon::preprocess

@@ -1,0 +1,170 @@
+#include "preprocess/chunk/chunk_mesh.h"
+
+#include "core/check.h"
+#include "preprocess/build/normals.h"
+#include "preprocess/read/polygon.h"
+
+namespace gnomon::preprocess {
+
+namespace {
+
+using hierarchy::kNone;
+
+/// Replaces a polygon's fan by a right triangulation.
+void refine(const ChunkVertices& vertices, PolygonRefiner& refiner, std::span<Triangle> fan) {
+    std::vector<TriangleCorners> wide;
+    wide.reserve(fan.size());
+    for (const Triangle& t : fan)
+        wide.push_back({t[0], t[1], t[2]});
+    refiner.refine(wide, [&](std::uint64_t vertex) { return vertices[static_cast<std::uint32_t>(vertex)].position; });
+    for (std::size_t i = 0; i < fan.size(); ++i)
+        for (std::size_t k = 0; k < 3; ++k)
+            fan[i][k] = static_cast<std::uint32_t>(wide[i][k]);
+}
+
+/// What the mesh needs to know of each place.
+struct Places {
+    std::vector<std::uint32_t> normals; // empty if vertices bring their own
+    std::vector<ChunkSpan> sharers;
+};
+
+Places placesOf(
+    const BinnedSource& source,
+    const StreamStore& borders,
+    std::uint32_t chunk,
+    const ChunkVertices& vertices,
+    const std::vector<Triangle>& faces) {
+    Places places;
+    if (!source.format.hasNormals) places.normals = smoothNormals(vertices.places(), faces);
+    places.sharers =
+        sharersOfOwnPlaces(vertices, chunk, source.bins.readAs<VertexRequest>(streamOf(BinStream::Requests, chunk)));
+    places.sharers.resize(vertices.places().size());
+    for (const SharedVertex& shared : borders.readAs<SharedVertex>(streamOf(BorderStream::Shared, chunk))) {
+        const std::uint32_t place = vertices.placeOf(vertices.find(shared.vertex));
+        if (!places.normals.empty()) places.normals[place] = shared.normal;
+        places.sharers[place] = shared.sharers;
+    }
+    return places;
+}
+
+/// Unites source vertices that agree in position, normal and colour, and leaves out those that no triangle uses.
+class MeshMaker {
+public:
+    MeshMaker(const ChunkVertices& vertices, const Places& places)
+        : vertices_(vertices),
+          places_(places),
+          table_(vertices.size()),
+          vertexOf_(vertices.size(), kNone),
+          positionOf_(vertices.places().size(), kNone) {}
+
+    void add(std::vector<Triangle> triangles) {
+        for (Triangle& t : triangles)
+            for (std::uint32_t& corner : t) {
+                if (vertexOf_[corner] == kNone) vertexOf_[corner] = vertexFor(corner);
+                corner = vertexOf_[corner];
+            }
+        mesh_.triangles = std::move(triangles);
+    }
+
+    Mesh take() { return std::move(mesh_); }
+
+private:
+    std::uint32_t vertexFor(std::uint32_t source) {
+        const std::uint32_t place = vertices_.placeOf(source);
+        Vertex vertex;
+        vertex.position = vertices_.places()[place];
+        vertex.normal = places_.normals.empty() ? vertices_[source].normal : places_.normals[place];
+        vertex.color = vertices_[source].color;
+        const auto next = static_cast<std::uint32_t>(mesh_.vertices.size());
+        const std::uint32_t found =
+            table_.findOrInsert(hashOf(place, vertex.normal, vertex.color), next, [&](std::uint32_t other) {
+                return mesh_.vertices[other] == vertex;
+            });
+        if (found != next) return found;
+        if (positionOf_[place] == kNone) {
+            positionOf_[place] = mesh_.positionCount++;
+            mesh_.sharers.push_back(places_.sharers[place]);
+        }
+        mesh_.vertices.push_back(vertex);
+        mesh_.positionOf.push_back(positionOf_[place]);
+        return found;
+    }
+
+    const ChunkVertices& vertices_;
+    const Places& places_;
+    IndexTable table_;
+    std::vector<std::uint32_t> vertexOf_;
+    std::vector<std::uint32_t> positionOf_;
+    Mesh mesh_;
+};
+
+} // namespace
+
+ChunkVertices readVertices(const BinnedSource& source, const StreamStore& borders, std::uint32_t chunk) {
+    return {
+        decodeVertices(source.bins.read(streamOf(BinStream::Vertices, chunk)), source.format),
+        decodeVertices(borders.read(streamOf(BorderStream::Vertices, chunk)), source.format),
+        source.grid};
+}
+
+ChunkTriangles readTriangles(const BinnedSource& source, std::uint32_t chunk, const ChunkVertices& vertices) {
+    ChunkTriangles triangles;
+    const auto records = source.bins.readAs<Triangle>(streamOf(BinStream::Triangles, chunk));
+    triangles.own.reserve(records.size());
+    PolygonRefiner refiner;
+    for (std::size_t i = 0; i < records.size();) {
+        if (records[i][0] != kPolygonMark) {
+            triangles.own.push_back(vertices.find(records[i++]));
+            continue;
+        }
+        const std::size_t count = records[i][1];
+        GNOMON_CHECK_OP(count, <, records.size() - i);
+        for (std::size_t k = 1; k <= count; ++k)
+            triangles.own.push_back(vertices.find(records[i + k]));
+        refine(vertices, refiner, std::span(triangles.own).last(count));
+        i += count + 1;
+    }
+    for (const Triangle& t : source.bins.readAs<Triangle>(streamOf(BinStream::Ghosts, chunk)))
+        triangles.ghosts.push_back(vertices.find(t));
+    return triangles;
+}
+
+std::vector<Triangle> facesForNormals(
+    const ChunkVertices& vertices, const std::vector<Triangle>& own, const std::vector<Triangle>& ghosts) {
+    std::vector<Triangle> faces;
+    faces.reserve(own.size() + ghosts.size());
+    for (const Triangle& t : own)
+        faces.push_back(vertices.placesOf(t));
+    for (const Triangle& t : ghosts)
+        faces.push_back(vertices.placesOf(t));
+    return faces;
+}
+
+ChunkMesh loadChunk(const BinnedSource& source, const StreamStore& borders, std::uint32_t chunk) {
+    ChunkMesh result;
+    const ChunkVertices vertices = readVertices(source, borders, chunk);
+    std::vector<Triangle> kept;
+    Places places;
+    {
+        const ChunkTriangles triangles = readTriangles(source, chunk, vertices);
+        kept = keptTriangles(vertices, triangles.own, result.dropped);
+        std::vector<Triangle> faces;
+        DroppedTriangles ignored;
+        if (!source.format.hasNormals)
+            faces = facesForNormals(vertices, kept, keptTriangles(vertices, triangles.ghosts, ignored));
+        places = placesOf(source, borders, chunk, vertices, faces);
+    }
+    MeshMaker maker(vertices, places);
+    maker.add(std::move(kept));
+    result.mesh = maker.take();
+    result.mesh.grid = source.grid;
+    const auto own = static_cast<std::uint16_t>(chunk);
+    result.mesh.chunks = {own, own};
+    for (const Vertex& vertex : result.mesh.vertices) {
+        result.bounds.add(source.grid.world(vertex.position));
+        result.hasNormals = result.hasNormals || vertex.normal != hierarchy::kNoNormal;
+    }
+    return result;
+}
+
+} // namespace gnomon::preprocess

@@ -1,0 +1,53 @@
+#include "preprocess/chunk/chunk_streams.h"
+
+#include "core/check.h"
+
+namespace gnomon::preprocess {
+
+namespace {
+
+template <class T>
+std::byte* put(std::byte* place, const T& value) {
+    std::memcpy(place, &value, sizeof(T));
+    return place + sizeof(T);
+}
+
+template <class T>
+const std::byte* take(const std::byte* place, T& value) {
+    std::memcpy(&value, place, sizeof(T));
+    return place + sizeof(T);
+}
+
+} // namespace
+
+std::span<const std::byte> encodeVertex(const ChunkVertex& vertex, const VertexFormat& format, VertexBytes& storage) {
+    std::byte* place = put(storage.data(), vertex.index);
+    if (format.isDouble)
+        place = put(place, vertex.position);
+    else
+        place = put(place, glm::vec3(vertex.position));
+    if (format.hasNormals) place = put(place, vertex.normal);
+    if (format.hasColors) place = put(place, vertex.color);
+    return std::span(storage).first(static_cast<std::size_t>(place - storage.data()));
+}
+
+std::vector<ChunkVertex> decodeVertices(std::span<const std::byte> records, const VertexFormat& format) {
+    GNOMON_CHECK_OP(records.size() % format.bytes(), ==, 0U);
+    std::vector<ChunkVertex> vertices(records.size() / format.bytes());
+    const std::byte* place = records.data();
+    for (ChunkVertex& vertex : vertices) {
+        place = take(place, vertex.index);
+        if (format.isDouble) {
+            place = take(place, vertex.position);
+        } else {
+            glm::vec3 position;
+            place = take(place, position);
+            vertex.position = glm::dvec3(position);
+        }
+        if (format.hasNormals) place = take(place, vertex.normal);
+        if (format.hasColors) place = take(place, vertex.color);
+    }
+    return vertices;
+}
+
+} // namespace gnomon::preprocess

@@ -1,0 +1,97 @@
+// What the binning writes and the chunks read: records by chunk, in streams of a store.
+#pragma once
+
+#include "preprocess/build/mesh.h"
+#include "preprocess/scratch/stream_store.h"
+
+#include <array>
+
+namespace gnomon::preprocess {
+
+/// What of each vertex travels.
+struct VertexFormat {
+    bool isDouble = false; // positions need more than a float
+    bool hasNormals = false;
+    bool hasColors = false;
+
+    std::size_t bytes() const {
+        return 4 + 3 * (isDouble ? sizeof(double) : sizeof(float)) + (hasNormals ? 4U : 0U) + (hasColors ? 4U : 0U);
+    }
+};
+
+/// A source vertex on its way to a chunk.
+struct ChunkVertex {
+    std::uint32_t index = 0; // in the source
+    glm::dvec3 position{0};  // as in the source
+    std::uint32_t normal = hierarchy::kNoNormal;
+    std::uint32_t color = 0xFFFFFFFFU;
+};
+
+/// Most bytes of a VertexFormat.
+using VertexBytes = std::array<std::byte, 4 + 3 * sizeof(double) + 8>;
+
+/// The record of `vertex`, within `storage`.
+std::span<const std::byte> encodeVertex(const ChunkVertex& vertex, const VertexFormat& format, VertexBytes& storage);
+
+/// The records of a stream.
+std::vector<ChunkVertex> decodeVertices(std::span<const std::byte> records, const VertexFormat& format);
+
+/// In a stream of triangles: the next `count` triangles are the fan of one polygon.
+constexpr std::uint32_t kPolygonMark = 0xFFFFFFFFU; // then count, then 0
+
+/// That `chunk` needs the vertex `vertex`, which lies in another.
+struct VertexRequest {
+    std::uint32_t chunk = 0;
+    std::uint32_t vertex = 0;
+    std::uint32_t isOwner = 0; // 1: a triangle of `chunk` has the vertex; 0: it is needed for normals only
+    auto operator<=>(const VertexRequest&) const = default;
+};
+
+/// What the chunk in which a vertex lies tells one that uses it.
+struct SharedVertex {
+    std::uint32_t vertex = 0;
+    std::uint32_t normal = hierarchy::kNoNormal; // where the source has none
+    ChunkSpan sharers;                           // all chunks with triangles there are among these
+};
+
+/// The streams of a chunk. What a pass over the source writes:
+enum class BinStream : std::uint32_t {
+    Vertices,  // that lie in the chunk and are used, by source index
+    Triangles, // most of whose corners lie in the chunk, in source order
+    Ghosts,    // triangles of other chunks with a corner in this one, in source order; only for sources without normals
+    Requests,  // for vertices of this chunk
+    Count
+};
+
+/// Streams of the whole source behind those of the chunks, in use only while it is binned.
+enum class SourceStream : std::uint32_t {
+    Polygons,  // that lie in several chunks: the number of their triangles, then the triangles of the fan
+    Triangles, // what the polygons are cut into
+    Count
+};
+
+/// And what chunks then write to each other:
+enum class BorderStream : std::uint32_t {
+    Vertices, // of other chunks that this one asked for
+    Shared,   // SharedVertex of those with triangles of this chunk
+    Count
+};
+
+template <class Kind>
+std::uint32_t streamOf(Kind kind, std::uint32_t chunk) {
+    return chunk * static_cast<std::uint32_t>(Kind::Count) + static_cast<std::uint32_t>(kind);
+}
+
+inline std::uint32_t streamOf(SourceStream kind, std::uint32_t chunks) {
+    return chunks * static_cast<std::uint32_t>(BinStream::Count) + static_cast<std::uint32_t>(kind);
+}
+
+constexpr std::uint32_t binStreams(std::uint32_t chunks) {
+    return chunks * static_cast<std::uint32_t>(BinStream::Count) + static_cast<std::uint32_t>(SourceStream::Count);
+}
+
+constexpr std::uint32_t borderStreams(std::uint32_t chunks) {
+    return chunks * static_cast<std::uint32_t>(BorderStream::Count);
+}
+
+} // namespace gnomon::preprocess

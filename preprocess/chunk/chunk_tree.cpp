@@ -1,0 +1,131 @@
+#include "preprocess/chunk/chunk_tree.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace gnomon::preprocess {
+
+namespace {
+
+constexpr int kRootBits = 7;
+constexpr int kFinerBits = 3;
+
+/// The low bits of `value` three places apart.
+constexpr std::uint32_t spread(std::uint32_t value) {
+    std::uint32_t result = 0;
+    for (std::uint32_t bit = 0; bit < kRootBits; ++bit)
+        result |= (value >> bit & 1U) << (3 * bit);
+    return result;
+}
+
+constexpr auto kSpread = [] {
+    std::array<std::uint32_t, 1U << kRootBits> table{};
+    for (std::uint32_t i = 0; i < table.size(); ++i)
+        table[i] = spread(i);
+    return table;
+}();
+
+std::uint32_t mortonCell(const GridPoint& point, int bits, int shift) {
+    const std::uint32_t mask = (1U << bits) - 1;
+    return kSpread[point.x >> shift & mask] | kSpread[point.y >> shift & mask] << 1U |
+           kSpread[point.z >> shift & mask] << 2U;
+}
+
+} // namespace
+
+CellCounts::CellCounts(const GridPoint& furthest) {
+    const int width = static_cast<int>(std::bit_width(std::max({furthest.x, furthest.y, furthest.z, 1U})));
+    const int bits = std::min(kRootBits, width);
+    tables_.push_back(makeTable(bits, width - bits));
+}
+
+CellCounts::Table CellCounts::makeTable(int bits, int shift) {
+    const std::size_t cells = std::size_t{1} << static_cast<unsigned>(3 * bits);
+    return {bits, shift, std::vector<std::uint64_t>(cells), std::vector<std::int32_t>(cells, -1)};
+}
+
+std::uint32_t CellCounts::cellOf(const Table& table, const GridPoint& point) {
+    return mortonCell(point, table.bits, table.shift);
+}
+
+void CellCounts::add(const GridPoint& point, std::uint32_t weight) {
+    std::size_t table = 0;
+    for (;;) {
+        const std::uint32_t cell = cellOf(tables_[table], point);
+        const std::int32_t finer = tables_[table].finer[cell];
+        if (finer < 0) {
+            if (table >= firstOpen_) tables_[table].weights[cell] += weight;
+            return;
+        }
+        table = static_cast<std::size_t>(finer);
+    }
+}
+
+bool CellCounts::refine(std::uint64_t limit) {
+    const std::size_t known = tables_.size();
+    for (std::size_t t = firstOpen_; t < known; ++t) {
+        if (tables_[t].shift == 0) continue;
+        const int bits = std::min(kFinerBits, tables_[t].shift);
+        const int shift = tables_[t].shift - bits;
+        for (std::size_t cell = 0; cell < tables_[t].weights.size(); ++cell) {
+            if (tables_[t].weights[cell] <= limit) continue;
+            tables_[t].finer[cell] = static_cast<std::int32_t>(tables_.size());
+            tables_.push_back(makeTable(bits, shift));
+        }
+    }
+    firstOpen_ = known;
+    return tables_.size() > known;
+}
+
+ChunkTree::ChunkTree(const CellCounts& counts, std::uint64_t limit) {
+    tables_.reserve(counts.tables_.size());
+    for (const CellCounts::Table& table : counts.tables_)
+        tables_.push_back({table.bits, table.shift, std::vector<std::uint32_t>(table.weights.size())});
+    cut(counts, 0, 0, counts.tables_.front().weights.size(), limit);
+}
+
+void ChunkTree::cut(
+    const CellCounts& counts, std::size_t table, std::size_t begin, std::size_t end, std::uint64_t limit) {
+    const CellCounts::Table& cells = counts.tables_[table];
+    std::uint64_t weight = 0;
+    for (std::size_t cell = begin; cell < end; ++cell)
+        weight += cells.weights[cell];
+    if (weight == 0) return;
+    if (!weights_.empty() && weights_.back() + weight <= limit) {
+        weights_.back() += weight;
+        return assign(table, begin, end);
+    }
+    if (weight > limit / 8 && end - begin > 1) {
+        const std::size_t eighth = (end - begin) / 8;
+        for (std::size_t i = 0; i < 8; ++i)
+            cut(counts, table, begin + i * eighth, begin + (i + 1) * eighth, limit);
+        return;
+    }
+    if (weight > limit / 8 && cells.finer[begin] >= 0) {
+        const auto finer = static_cast<std::size_t>(cells.finer[begin]);
+        tables_[table].chunks[begin] = kFiner + static_cast<std::uint32_t>(finer);
+        return cut(counts, finer, 0, counts.tables_[finer].weights.size(), limit);
+    }
+    weights_.push_back(weight);
+    assign(table, begin, end);
+}
+
+void ChunkTree::assign(std::size_t table, std::size_t begin, std::size_t end) {
+    for (std::size_t cell = begin; cell < end; ++cell)
+        tables_[table].chunks[cell] = chunkCount() - 1;
+}
+
+std::uint64_t ChunkTree::heaviest() const {
+    return weights_.empty() ? 0 : *std::max_element(weights_.begin(), weights_.end());
+}
+
+std::uint32_t ChunkTree::chunkOf(const GridPoint& point) const {
+    std::uint32_t found = kFiner;
+    while (found >= kFiner) {
+        const Table& table = tables_[found - kFiner];
+        found = table.chunks[mortonCell(point, table.bits, table.shift)];
+    }
+    return found;
+}
+
+} // namespace gnomon::preprocess

@@ -1,0 +1,84 @@
+#include "preprocess/chunk/chunk_vertices.h"
+
+#include "core/check.h"
+#include "preprocess/chunk/survey.h"
+
+#include <algorithm>
+
+namespace gnomon::preprocess {
+
+namespace {
+
+Triangle sorted(Triangle t) {
+    std::sort(t.begin(), t.end());
+    return t;
+}
+
+bool isDegenerate(const ChunkVertices& vertices, const Triangle& t) {
+    const auto same = [&](std::uint32_t a, std::uint32_t b) {
+        return a == b || vertices[a].position == vertices[b].position;
+    };
+    return same(t[0], t[1]) || same(t[1], t[2]) || same(t[2], t[0]);
+}
+
+} // namespace
+
+ChunkVertices::ChunkVertices(std::vector<ChunkVertex> own, const std::vector<ChunkVertex>& foreign, const Grid& grid)
+    : vertices_(std::move(own)), byIndex_(vertices_.size() + foreign.size()) {
+    const std::size_t ownCount = vertices_.size();
+    vertices_.insert(vertices_.end(), foreign.begin(), foreign.end());
+    placeOf_.resize(vertices_.size());
+    IndexTable byPlace(vertices_.size());
+    for (std::uint32_t v = 0; v < vertices_.size(); ++v) {
+        byIndex_.findOrInsert(mix64(vertices_[v].index), v, [](std::uint32_t) { return false; });
+        const GridPoint p = snapped(grid, vertices_[v].position);
+        const auto next = static_cast<std::uint32_t>(places_.size());
+        placeOf_[v] =
+            byPlace.findOrInsert(hashOf(p.x, p.y, p.z), next, [&](std::uint32_t other) { return places_[other] == p; });
+        if (placeOf_[v] == next) places_.push_back(p);
+        if (v < ownCount) ownPlaces_ = static_cast<std::uint32_t>(places_.size());
+    }
+}
+
+std::uint32_t ChunkVertices::find(std::uint32_t sourceIndex) const {
+    const std::uint32_t found =
+        byIndex_.find(mix64(sourceIndex), [&](std::uint32_t v) { return vertices_[v].index == sourceIndex; });
+    GNOMON_CHECK_OP(found, !=, hierarchy::kNone);
+    return found;
+}
+
+std::vector<Triangle> keptTriangles(
+    const ChunkVertices& vertices, const std::vector<Triangle>& triangles, DroppedTriangles& dropped) {
+    std::vector<Triangle> kept;
+    kept.reserve(triangles.size());
+    IndexTable table(triangles.size());
+    for (const Triangle& t : triangles) {
+        const Triangle p = sorted(vertices.placesOf(t));
+        if (p[0] == p[1] || p[1] == p[2]) {
+            ++(isDegenerate(vertices, t) ? dropped.degenerate : dropped.collapsedByGrid);
+            continue;
+        }
+        const auto next = static_cast<std::uint32_t>(kept.size());
+        const std::uint32_t found = table.findOrInsert(hashOf(p[0], p[1], p[2]), next, [&](std::uint32_t other) {
+            return sorted(vertices.placesOf(kept[other])) == p;
+        });
+        if (found == next)
+            kept.push_back(t);
+        else
+            ++dropped.doubled;
+    }
+    return kept;
+}
+
+std::vector<ChunkSpan> sharersOfOwnPlaces(
+    const ChunkVertices& vertices, std::uint32_t chunk, std::span<const VertexRequest> requests) {
+    const auto own = static_cast<std::uint16_t>(chunk);
+    std::vector<ChunkSpan> sharers(vertices.ownPlaces(), ChunkSpan{own, own});
+    for (const VertexRequest& request : requests) {
+        const auto other = static_cast<std::uint16_t>(request.chunk);
+        if (request.isOwner != 0) sharers[vertices.placeOf(vertices.find(request.vertex))].add(ChunkSpan{other, other});
+    }
+    return sharers;
+}
+
+} // namespace gnomon::preprocess

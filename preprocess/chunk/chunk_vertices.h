@@ -1,0 +1,56 @@
+// The vertices that a chunk has and uses, found by source index and joined by snapped position.
+#pragma once
+
+#include "preprocess/build/index_table.h"
+#include "preprocess/chunk/borders.h"
+
+namespace gnomon::preprocess {
+
+/// Those that lie in the chunk come first, then those of other chunks. Places are welded positions, numbered from 0 in
+/// the order of the vertices, so those that lie in the chunk come first, too.
+class ChunkVertices {
+public:
+    ChunkVertices(std::vector<ChunkVertex> own, const std::vector<ChunkVertex>& foreign, const Grid& grid);
+
+    std::size_t size() const { return vertices_.size(); }
+
+    const ChunkVertex& operator[](std::uint32_t vertex) const { return vertices_[vertex]; }
+
+    /// Its number here; a check fails for a vertex that the chunk has not.
+    std::uint32_t find(std::uint32_t sourceIndex) const;
+
+    Triangle find(const Triangle& corners) const { return {find(corners[0]), find(corners[1]), find(corners[2])}; }
+
+    std::uint32_t placeOf(std::uint32_t vertex) const { return placeOf_[vertex]; }
+
+    Triangle placesOf(const Triangle& t) const { return {placeOf_[t[0]], placeOf_[t[1]], placeOf_[t[2]]}; }
+
+    const std::vector<GridPoint>& places() const { return places_; }
+
+    /// How many of the places lie in the chunk.
+    std::uint32_t ownPlaces() const { return ownPlaces_; }
+
+private:
+    std::vector<ChunkVertex> vertices_;
+    IndexTable byIndex_;
+    std::vector<std::uint32_t> placeOf_;
+    std::vector<GridPoint> places_;
+    std::uint32_t ownPlaces_ = 0;
+};
+
+/// Why triangles are left out.
+struct DroppedTriangles {
+    std::uint64_t degenerate = 0;      // two corners at one position of the source
+    std::uint64_t collapsedByGrid = 0; // two corners at one position of the grid only
+    std::uint64_t doubled = 0;         // the same three positions as an earlier one
+};
+
+/// The triangles of three different places, each once, in order; `dropped` counts the others. All of vertices here.
+std::vector<Triangle> keptTriangles(
+    const ChunkVertices& vertices, const std::vector<Triangle>& triangles, DroppedTriangles& dropped);
+
+/// Which chunks share each own place: `chunk` and those whose requests say that they have triangles there.
+std::vector<ChunkSpan> sharersOfOwnPlaces(
+    const ChunkVertices& vertices, std::uint32_t chunk, std::span<const VertexRequest> requests);
+
+} // namespace gnomon::preprocess

@@ -1,0 +1,44 @@
+// Many pieces of work at once, their results taken one after the other in order.
+#pragma once
+
+#include <tbb/parallel_pipeline.h>
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+
+namespace gnomon::preprocess {
+
+/// Calls `make(i)` for i in [first, end) on as many threads as there are, never holding more than `atOnce` results, and
+/// `take(i, result)` in order, one at a time.
+template <class Make, class Take>
+void makeInOrder(std::size_t first, std::size_t end, std::size_t atOnce, const Make& make, const Take& take) {
+    using Result = decltype(make(first));
+
+    struct Work {
+        std::size_t index;
+        std::optional<Result> result;
+    };
+
+    std::size_t next = first;
+    tbb::parallel_pipeline(
+        atOnce,
+        tbb::make_filter<void, std::shared_ptr<Work>>(
+            tbb::filter_mode::serial_in_order,
+            [&](tbb::flow_control& flow) -> std::shared_ptr<Work> {
+                if (next < end) return std::make_shared<Work>(Work{next++, {}});
+                flow.stop();
+                return nullptr;
+            }) &
+            tbb::make_filter<std::shared_ptr<Work>, std::shared_ptr<Work>>(
+                tbb::filter_mode::parallel,
+                [&](std::shared_ptr<Work> work) {
+                    work->result.emplace(make(work->index));
+                    return work;
+                }) &
+            tbb::make_filter<std::shared_ptr<Work>, void>(
+                tbb::filter_mode::serial_in_order,
+                [&](const std::shared_ptr<Work>& work) { take(work->index, std::move(*work->result)); }));
+}
+
+} // namespace gnomon::preprocess

@@ -1,0 +1,146 @@
+#include "preprocess/chunk/survey.h"
+
+#include "core/error.h"
+#include "core/random.h"
+#include "preprocess/chunk/vertex_lookup.h"
+
+#include <cmath>
+
+namespace gnomon::preprocess {
+
+namespace {
+
+constexpr std::size_t kMostSampled = std::size_t{1} << 19U;
+constexpr int kExponentBias = 1200;
+
+/// The largest exponent e with 2^e <= value.
+int floorExponent(double value) {
+    int exponent = 0;
+    std::frexp(value, &exponent);
+    return exponent - 1;
+}
+
+void countTriangles(MeshSource& source, SourceSurvey& survey, EdgeSample& sample, Progress& progress) {
+    const MeshSummary& summary = source.summary();
+    progress.stage("count", "faces", summary.faceCount);
+    survey.valence.assign(summary.vertexCount, 0);
+    source.readTriangles([&](const TriangleBlock& block) {
+        std::uint64_t index = block.firstTriangle;
+        for (const TriangleCorners& triangle : block.triangles) {
+            for (const std::uint64_t corner : triangle)
+                if (std::uint8_t& valence = survey.valence[corner]; valence < 255) ++valence;
+            sample.offer(index++, triangle);
+        }
+        survey.triangles += block.triangles.size();
+        survey.notAPolygon += block.notAPolygon;
+        survey.hasPolygons = survey.hasPolygons || !block.polygons.empty();
+        progress.advance(block.triangles.size());
+    });
+    if (survey.triangles >= 0xFFFFFFFFU)
+        throw Error(summary.path, "too many triangles", "fewer than 2^32", std::to_string(survey.triangles));
+}
+
+Box boundsOf(MeshSource& source, Progress& progress) {
+    progress.stage("measure", "vertices", source.summary().vertexCount);
+    Box box;
+    source.readVertices([&](const VertexBlock& block) {
+        for (const glm::dvec3& position : block.positions)
+            box.add(position);
+        progress.advance(block.positions.size());
+    });
+    return box;
+}
+
+} // namespace
+
+void EdgeSample::offer(std::uint64_t index, const TriangleCorners& corners) {
+    const std::uint64_t hash = mix64(index);
+    if (hash > threshold_) return;
+    entries_.push_back(
+        {hash,
+         {static_cast<std::uint32_t>(corners[0]),
+          static_cast<std::uint32_t>(corners[1]),
+          static_cast<std::uint32_t>(corners[2])}});
+    if (entries_.size() <= kMostSampled) return;
+    threshold_ /= 2;
+    std::erase_if(entries_, [&](const Entry& entry) { return entry.hash > threshold_; });
+}
+
+void EdgeSample::Lengths::add(double length) {
+    if (!(length > 0)) return;
+    if (counts_.empty()) counts_.resize(2 * kExponentBias + 1);
+    ++counts_[static_cast<std::size_t>(std::clamp(floorExponent(length) + kExponentBias, 0, 2 * kExponentBias))];
+    ++total_;
+}
+
+double EdgeSample::Lengths::quantile(double fraction) const {
+    const double rank = static_cast<double>(total_) * fraction;
+    std::uint64_t below = 0;
+    for (std::size_t i = 0; i < counts_.size(); ++i) {
+        below += counts_[i];
+        if (counts_[i] > 0 && static_cast<double>(below) > rank)
+            return std::ldexp(1.0, static_cast<int>(i) - kExponentBias);
+    }
+    return 0;
+}
+
+EdgeSample::Lengths EdgeSample::measure(MeshSource& source) const {
+    std::vector<std::uint32_t> vertices;
+    vertices.reserve(entries_.size() * 3);
+    for (const Entry& entry : entries_)
+        vertices.insert(vertices.end(), entry.corners.begin(), entry.corners.end());
+    const VertexLookup positions(source, std::move(vertices));
+    Lengths lengths;
+    for (const Entry& entry : entries_)
+        for (std::size_t i = 0; i < 3; ++i)
+            lengths.add(glm::length(positions[entry.corners[i]] - positions[entry.corners[(i + 1) % 3]]));
+    return lengths;
+}
+
+Grid chooseGrid(const Box& box, const EdgeSample::Lengths& lengths) {
+    const glm::dvec3 size = box.extent();
+    const double extent = std::max({size.x, size.y, size.z});
+    Grid grid;
+    if (!(extent > 0)) {
+        grid.origin = box.isEmpty() ? glm::dvec3(0) : box.min;
+        grid.stepExponent = -20;
+        return grid;
+    }
+    int exponent = floorExponent(extent * 0x1p-20);
+    if (const double median = lengths.quantile(0.5); median > 0)
+        exponent = std::min(exponent, floorExponent(median / 64));
+    if (const double shortest = lengths.quantile(2e-5); shortest > 0)
+        exponent = std::min(exponent, floorExponent(shortest / 2));
+    exponent = std::max(exponent, floorExponent(extent) - 29);
+    // A step below the spacing of doubles at these coordinates would only store noise.
+    const double largest = std::max(glm::length(box.min), glm::length(box.max));
+    exponent = std::max(exponent, floorExponent(largest) - 52);
+    grid.stepExponent = exponent;
+    grid.origin = glm::floor(box.min / grid.step()) * grid.step();
+    return grid;
+}
+
+GridPoint snapped(const Grid& grid, const glm::dvec3& position) {
+    const auto coordinate = [](double value) {
+        return static_cast<std::uint32_t>(
+            std::clamp(std::floor(value + 0.5), 0.0, static_cast<double>(hierarchy::kMaxGridCoordinate)));
+    };
+    const glm::dvec3 p = (position - grid.origin) * (1 / grid.step());
+    return {coordinate(p.x), coordinate(p.y), coordinate(p.z)};
+}
+
+SourceSurvey surveySource(MeshSource& source, Progress& progress) {
+    const MeshSummary& summary = source.summary();
+    if (summary.vertexCount >= 0xFFFFFFFFU)
+        throw Error(summary.path, "too many vertices", "fewer than 2^32", std::to_string(summary.vertexCount));
+    SourceSurvey survey;
+    survey.vertices = summary.vertexCount;
+    EdgeSample sample;
+    countTriangles(source, survey, sample, progress);
+    const Box box = boundsOf(source, progress);
+    survey.grid = chooseGrid(box, sample.measure(source));
+    survey.furthest = snapped(survey.grid, box.isEmpty() ? glm::dvec3(0) : box.max);
+    return survey;
+}
+
+} // namespace gnomon::preprocess

@@ -1,0 +1,25 @@
+// The last phase: pages in their final order, then the tables.
+#pragma once
+
+#include "core/progress.h"
+#include "hierarchy/model_writer.h"
+#include "preprocess/build/level.h"
+#include "preprocess/pipeline/ledger.h"
+#include "preprocess/scratch/scratch_file.h"
+
+namespace gnomon::preprocess {
+
+/// What the records of all nodes add up to.
+struct Totals {
+    hierarchy::ModelSummary summary;
+    std::uint64_t pages = 0;
+    std::uint64_t stuckTriangles = 0;
+};
+
+/// `options` are those of the build that change bytes.
+Totals totalsOf(const Ledger& ledger, std::map<std::string, std::string> options);
+
+/// Appends all pages to `writer`, coarsest level first, each level in the order of the nodes.
+void writePages(const Ledger& ledger, const ScratchFile& pages, hierarchy::ModelWriter& writer, Progress& progress);
+
+} // namespace gnomon::preprocess

@@ -1,0 +1,394 @@
+#include "preprocess/pipeline/build_model.h"
+
+#include "core/error.h"
+#include "preprocess/build/node.h"
+#include "preprocess/chunk/binning.h"
+#include "preprocess/chunk/chunk_mesh.h"
+#include "preprocess/chunk/in_order.h"
+#include "preprocess/pipeline/assemble.h"
+#include "preprocess/pipeline/memory_plan.h"
+#include "preprocess/pipeline/rounds.h"
+#include "preprocess/pipeline/workplace.h"
+
+#include <tbb/global_control.h>
+
+#include <chrono>
+#include <cstdio>
+#include <utility>
+
+namespace gnomon::preprocess {
+
+namespace {
+
+using hierarchy::kNone;
+
+class Stopwatch {
+public:
+    /// Seconds since the last call, or since construction.
+    double lap() {
+        const auto now = Clock::now();
+        return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point last_ = Clock::now();
+};
+
+const char* nameOf(Simplifier simplifier) {
+    switch (simplifier) {
+    case Simplifier::Meshopt:
+        return "meshopt";
+    case Simplifier::OpenMesh:
+        return "openmesh";
+    case Simplifier::Own:
+        break;
+    }
+    return "own";
+}
+
+/// The options that change bytes.
+std::map<std::string, std::string> optionsOf(const BuildOptions& options) {
+    return {
+        {"chunk_triangles", std::to_string(options.chunkTriangles)},
+        {"cluster_triangles", std::to_string(options.level.clusterTriangles)},
+        {"error", options.level.isErrorMeasured ? "measured" : "estimated"},
+        {"simplifier", nameOf(options.level.simplifier)},
+    };
+}
+
+/// What is built from what, in one line.
+std::string keyOf(const BuildOptions& options) {
+    std::string key = "format " + std::to_string(hierarchy::kFormatVersion);
+    for (const auto& [name, value] : optionsOf(options))
+        key += ", " + name + " " + value;
+    return key + ", " + options.inputKey;
+}
+
+void requireFewStuck(std::uint64_t stuck, std::uint64_t triangles, double maxPercent) {
+    const double percent = 100.0 * static_cast<double>(stuck) / static_cast<double>(triangles);
+    if (percent <= maxPercent) return;
+    const auto text = [](double value) {
+        std::array<char, 32> digits{};
+        std::snprintf(digits.data(), digits.size(), "%.2f%%", value);
+        return std::string(digits.data());
+    };
+    throw Error("--max-stuck", "too many triangles stay at full detail", "at most " + text(maxPercent), text(percent));
+}
+
+/// One build, phase after phase. A phase that the ledger has as finished is skipped.
+class Build {
+public:
+    Build(MeshSource& source, const BuildOptions& options, Progress& progress)
+        : source_(source),
+          options_(options),
+          progress_(progress),
+          needs_(affordableNeeds()),
+          threads_(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism)),
+          workplace_({options.output, options.temporaryFolder, keyOf(options), options.isInMemory, options.isResumed}) {
+    }
+
+    BuildReport run() {
+        bin();
+        shareBorders();
+        buildRounds();
+        assemble();
+        report_.temporaryBytes = workplace_.space().peakBytes();
+        return std::move(report_);
+    }
+
+private:
+    /// Before anything is touched.
+    MemoryNeeds affordableNeeds() const {
+        const MemoryNeeds needs{source_.summary(), options_.chunkTriangles, options_.isInMemory};
+        requireMemory(needs.least());
+        return needs;
+    }
+
+    void requireMemory(const Bytes& needed) const {
+        if (needed > options_.memory)
+            throw Error(
+                source_.summary().path,
+                "too little memory for this model",
+                "--memory " + std::to_string((needed.count >> 20U) + 1) + "M or more",
+                readableBytes(options_.memory));
+    }
+
+    Bytes roomBeside(const Bytes& taken) const {
+        return {options_.memory.count > taken.count ? options_.memory.count - taken.count : 0};
+    }
+
+    void endPhase(const std::string& name, std::uint64_t sourceBytes) {
+        TemporarySpace& space = workplace_.space();
+        report_.phases.push_back(
+            {name,
+             watch_.lap(),
+             sourceBytes + space.bytesRead() - std::exchange(bytesRead_, space.bytesRead()),
+             space.bytesWritten() - std::exchange(bytesWritten_, space.bytesWritten())});
+        report_.seconds += report_.phases.back().seconds;
+    }
+
+    /// Sorts the source into chunks.
+    void bin() {
+        if (ledger().binned()) {
+            binsFile_ = workplace_.scratch("bins", ledger().binned()->scratchEnd);
+            bins_.emplace(*binsFile_, ledger().binned()->directory);
+        } else {
+            SourceSurvey survey = surveySource(source_, progress_);
+            endPhase("count", source_.summary().fileBytes);
+            const ChunkTree tree = planChunks(source_, survey, options_.chunkTriangles, progress_);
+            endPhase("octree", 0);
+            BinnedRecord record;
+            record.grid = survey.grid;
+            record.format = formatOf(source_.summary());
+            record.triangles = survey.triangles;
+            record.vertices = survey.vertices;
+            record.notAPolygon = survey.notAPolygon;
+            record.chunkCount = tree.chunkCount();
+            binsFile_ = workplace_.scratch("bins");
+            const Bytes room = roomBeside(needs_.binning());
+            bins_.emplace(
+                *binsFile_,
+                binStreams(tree.chunkCount()),
+                blockBytes({room.count / 2}, std::uint64_t{3} * tree.chunkCount()));
+            binSource(source_, survey, tree, *bins_, room.count / 2 / kBytesPerPolygonCorner, progress_);
+            record.scratchEnd = binsFile_->end();
+            record.directory = bins_->directory();
+            workplace_.finish(std::move(record));
+            endPhase("bin", source_.summary().fileBytes);
+        }
+        std::uint64_t most = 0;
+        for (std::uint32_t chunk = 0; chunk < ledger().binned()->chunkCount; ++chunk)
+            most = std::max(most, bins_->bytes(streamOf(BinStream::Triangles, chunk)) / sizeof(Triangle));
+        mostInChunk_ = most;
+        requireMemory({needs_.base().count + MemoryNeeds::node(most).count});
+    }
+
+    /// Lets the chunks exchange what they share.
+    void shareBorders() {
+        const std::uint32_t chunks = ledger().binned()->chunkCount;
+        if (ledger().bordered()) {
+            bordersFile_ = workplace_.scratch("borders", ledger().bordered()->scratchEnd);
+            borders_.emplace(*bordersFile_, ledger().bordered()->directory);
+            return;
+        }
+        bordersFile_ = workplace_.scratch("borders");
+        const Bytes room = roomBeside(needs_.base());
+        borders_.emplace(*bordersFile_, borderStreams(chunks), blockBytes({room.count / 4}, borderStreams(chunks)));
+        preprocess::shareBorders(
+            binnedSource(), *borders_, nodesAtOnce({room.count - room.count / 4}, mostInChunk_, threads_), progress_);
+        workplace_.finish(BorderedRecord{bordersFile_->end(), borders_->directory()});
+        endPhase("borders", 0);
+    }
+
+    void buildRounds() {
+        reopenResults();
+        progress_.stage("build", "triangles", 2 * ledger().binned()->triangles);
+        Round round = firstRound(ledger().binned()->chunkCount);
+        for (;;) {
+            buildRound(round);
+            endPhase("round " + std::to_string(round.number), 0);
+            if (round.number == 0) requireTriangles();
+            if (round.isLast) break;
+            round = nextRound(round, ledger().nodes(round.number), options_.chunkTriangles);
+        }
+    }
+
+    /// The scratch files of pages and remains, as far as the ledger tells of them.
+    void reopenResults() {
+        std::uint64_t pagesEnd = 0;
+        std::uint64_t remainsEnd = 0;
+        for (std::uint32_t round = 0; round < ledger().roundCount(); ++round)
+            for (const NodeRecord& node : ledger().nodes(round)) {
+                remainsEnd = std::max(remainsEnd, node.remainsOffset + node.remainsBytes);
+                for (const NodeRecord::LevelOfNode& level : node.levels)
+                    for (const hierarchy::PageInfo& page : level.pages)
+                        pagesEnd = std::max(pagesEnd, page.offset + page.storedBytes);
+            }
+        if (ledger().roundCount() > 0) {
+            pagesFile_ = workplace_.scratch("pages", pagesEnd);
+            remainsFile_ = workplace_.scratch("remains", remainsEnd);
+        } else {
+            pagesFile_ = workplace_.scratch("pages");
+            remainsFile_ = workplace_.scratch("remains");
+        }
+    }
+
+    void buildRound(const Round& round) {
+        workplace_.beginRound(round.number);
+        const std::size_t finished = ledger().nodes(round.number).size();
+        for (std::size_t node = 0; node < finished; ++node) {
+            releaseInputs(round, node);
+            for (const NodeRecord::LevelOfNode& level : ledger().nodes(round.number)[node].levels)
+                progress_.advance(level.info.triangles);
+        }
+        const std::uint64_t triangles = round.number == 0 ? mostInChunk_ : round.mostTriangles;
+        const std::size_t atOnce = nodesAtOnce(roomBeside(needs_.base()), triangles, threads_);
+        makeInOrder(
+            finished,
+            round.nodeCount(),
+            std::max<std::size_t>(atOnce, 1),
+            [&](std::size_t node) { return make(round, node); },
+            [&](std::size_t node, Made made) {
+                finish(round, std::move(made));
+                releaseInputs(round, node);
+            });
+    }
+
+    struct Made {
+        BuiltNode node;
+        NodeRecord record; // what is known before the node has its place
+    };
+
+    Made make(const Round& round, std::size_t node) const {
+        Made made;
+        made.record.round = round.number;
+        made.record.firstLevel = round.firstLevel;
+        const NodePlan plan{round.firstLevel, round.isLast ? kNone : kLevelsPerRound};
+        if (round.number == 0) {
+            const ChunkMesh chunk = loadChunk(binnedSource(), *borders_, static_cast<std::uint32_t>(node));
+            made.record.dropped = {chunk.dropped.degenerate, chunk.dropped.doubled, chunk.dropped.collapsedByGrid};
+            made.record.bounds = chunk.bounds;
+            made.record.hasNormals = chunk.hasNormals;
+            made.node = buildNode(chunk.mesh, firstLevel(chunk.mesh, options_.level), plan, options_.level, progress_);
+        } else {
+            Remains remains = joined(round, node);
+            made.node = buildNode(remains.mesh, std::move(remains.level), plan, options_.level, progress_);
+        }
+        return made;
+    }
+
+    /// The remains of the node's children as one.
+    Remains joined(const Round& round, std::size_t node) const {
+        const std::uint32_t before = round.number - 1;
+        const std::vector<NodeRecord>& children = ledger().nodes(before);
+        std::uint64_t vertices = 0;
+        for (std::uint32_t child = round.firstChild(node); child < round.ends[node]; ++child)
+            vertices += children[child].remainingVertices;
+        RemainsMerger merger(ledger().binned()->grid, vertices);
+        std::vector<std::byte> bytes;
+        for (std::uint32_t child = round.firstChild(node); child < round.ends[node]; ++child) {
+            const NodeRecord& record = children[child];
+            if (record.remainingTriangles == 0) continue;
+            bytes.resize(record.remainsBytes);
+            remainsFile_->read(record.remainsOffset, bytes);
+            merger.add(bytes, record.firstLevel, ledger().firstPages(before, child));
+        }
+        return merger.take();
+    }
+
+    /// Stores what was made and enters it into the ledger.
+    void finish(const Round& round, Made made) {
+        NodeRecord& record = made.record;
+        const std::vector<std::uint32_t>& pageCounts = ledger().pageCounts();
+        for (NodeLevel& level : made.node.levels) {
+            NodeRecord::LevelOfNode& own = record.levels.emplace_back();
+            own.info = level.info;
+            for (hierarchy::EncodedPage& page : level.pages) {
+                page.info.offset = pagesFile_->append(page.bytes);
+                for (std::uint32_t& child : page.info.children) {
+                    // Pages of this node's levels were counted from its own first.
+                    const PageOfLevel place = placeOfProvisional(child);
+                    if (place.level >= round.firstLevel && place.level < pageCounts.size())
+                        child = provisionalId(place.level, place.page + pageCounts[place.level]);
+                }
+                own.pages.push_back(std::move(page.info));
+            }
+        }
+        record.remainsBytes = made.node.remains.bytes.size();
+        record.remainsOffset = remainsFile_->append(made.node.remains.bytes);
+        record.remainingVertices = made.node.remains.vertices;
+        record.remainingTriangles = made.node.remains.triangles;
+        record.rootTriangles = made.node.rootTriangles;
+        record.stuckTriangles = made.node.stuckTriangles;
+        workplace_.finish(std::move(record));
+    }
+
+    /// Gives the space of what a finished node was made from back.
+    void releaseInputs(const Round& round, std::size_t node) {
+        if (round.number == 0) {
+            const auto chunk = static_cast<std::uint32_t>(node);
+            for (const BinStream kind :
+                 {BinStream::Vertices, BinStream::Triangles, BinStream::Ghosts, BinStream::Requests})
+                bins_->release(streamOf(kind, chunk));
+            for (const BorderStream kind : {BorderStream::Vertices, BorderStream::Shared})
+                borders_->release(streamOf(kind, chunk));
+            return;
+        }
+        for (std::uint32_t child = round.firstChild(node); child < round.ends[node]; ++child) {
+            const NodeRecord& record = ledger().nodes(round.number - 1)[child];
+            remainsFile_->release(record.remainsOffset, record.remainsBytes);
+        }
+    }
+
+    void requireTriangles() const {
+        std::uint64_t triangles = 0;
+        for (const NodeRecord& node : ledger().nodes(0))
+            if (!node.levels.empty()) triangles += node.levels.front().info.triangles;
+        if (triangles == 0) throw Error(source_.summary().path, "no triangles", "at least 1", "0");
+    }
+
+    /// Writes the model.
+    void assemble() {
+        const Totals totals = totalsOf(ledger(), optionsOf(options_));
+        const hierarchy::ModelSummary& summary = totals.summary;
+        if (options_.maxStuckPercent)
+            requireFewStuck(totals.stuckTriangles, summary.levels.front().triangles, *options_.maxStuckPercent);
+        hierarchy::ModelWriter writer(options_.output);
+        writePages(ledger(), *pagesFile_, writer, progress_);
+        report_.contentHash = writer.finish(summary);
+        report_.fileBytes = writer.bytesWritten();
+        report_.pages = totals.pages;
+        report_.stuckTriangles = totals.stuckTriangles;
+        report_.sourceTriangles = summary.sourceTriangles;
+        report_.sourceVertices = summary.sourceVertices;
+        report_.dropped = summary.dropped;
+        report_.levelCount = summary.levels.size();
+        report_.coarsestTriangles = summary.coarsestTriangles;
+        for (const hierarchy::LevelInfo& level : summary.levels) {
+            report_.clusters += level.clusters;
+            report_.groups += level.groups;
+        }
+        bytesWritten_ -= report_.fileBytes;
+        endPhase("write", 0);
+    }
+
+    const Ledger& ledger() const { return workplace_.ledger(); }
+
+    BinnedSource binnedSource() const {
+        const BinnedRecord& binned = *ledger().binned();
+        return {*bins_, binned.grid, binned.format, binned.chunkCount};
+    }
+
+    static constexpr std::uint64_t kBytesPerPolygonCorner = 96;
+
+    MeshSource& source_;
+    const BuildOptions& options_;
+    Progress& progress_;
+    MemoryNeeds needs_;
+    std::size_t threads_;
+    Workplace workplace_;
+    BuildReport report_;
+    Stopwatch watch_;
+    std::uint64_t bytesRead_ = 0;
+    std::uint64_t bytesWritten_ = 0;
+    std::uint64_t mostInChunk_ = 0;
+    std::unique_ptr<ScratchFile> binsFile_;
+    std::unique_ptr<ScratchFile> bordersFile_;
+    std::unique_ptr<ScratchFile> pagesFile_;
+    std::unique_ptr<ScratchFile> remainsFile_;
+    std::optional<StreamStore> bins_;
+    std::optional<StreamStore> borders_;
+};
+
+} // namespace
+
+BuildReport buildModel(MeshSource& source, const BuildOptions& options, Progress& progress) {
+    const tbb::global_control threads(
+        tbb::global_control::max_allowed_parallelism,
+        options.threads > 0 ? static_cast<std::size_t>(options.threads)
+                            : tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+    return Build(source, options, progress).run();
+}
+
+} // namespace gnomon::preprocess

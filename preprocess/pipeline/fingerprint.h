@@ -1,0 +1,13 @@
+// What tells one input from another without reading it all: for builds that resume.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace gnomon::preprocess {
+
+/// For each file its size, the time of its last change, and a hash of samples taken evenly over all of it. Throws Error
+/// for what cannot be read.
+std::string fingerprintOf(const std::vector<std::string>& paths);
+
+} // namespace gnomon::preprocess

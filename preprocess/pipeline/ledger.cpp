@@ -1,0 +1,230 @@
+#include "preprocess/pipeline/ledger.h"
+
+#include "core/check.h"
+#include "hierarchy/bytes.h"
+
+#include <bit>
+
+namespace gnomon::preprocess {
+
+namespace {
+
+using hierarchy::ByteReader;
+using hierarchy::ByteWriter;
+using hierarchy::LevelInfo;
+using hierarchy::PageInfo;
+
+enum class Kind : std::uint8_t { Binned, Bordered, Node };
+
+/// Puts or takes the same fields in the same order.
+struct Putter {
+    ByteWriter& out;
+
+    template <class T>
+    void field(const T& value) {
+        if constexpr (std::is_integral_v<T>)
+            out.putVarint(static_cast<std::uint64_t>(value));
+        else
+            out.putVarint(std::bit_cast<std::uint64_t>(value));
+    }
+
+    template <class T>
+    void count(const std::vector<T>& values) {
+        out.putVarint(values.size());
+    }
+
+    void bytes(const std::vector<std::byte>& values) {
+        count(values);
+        out.put(values);
+    }
+};
+
+struct Taker {
+    ByteReader& in;
+
+    template <class T>
+    void field(T& value) {
+        if constexpr (std::is_integral_v<T>)
+            value = static_cast<T>(in.takeVarint());
+        else
+            value = std::bit_cast<T>(in.takeVarint());
+    }
+
+    template <class T>
+    void count(std::vector<T>& values) {
+        values.resize(in.takeVarint());
+    }
+
+    void bytes(std::vector<std::byte>& values) {
+        const std::uint64_t size = in.takeVarint();
+        const auto taken = in.take(size);
+        values.assign(taken.begin(), taken.end());
+    }
+};
+
+template <class Fields, class Vector>
+void vectorFields(Fields& fields, Vector& v) {
+    for (int axis = 0; axis < 3; ++axis)
+        fields.field(v[axis]);
+}
+
+template <class Fields, class Point>
+void pointFields(Fields& fields, Point& p) {
+    fields.field(p.x);
+    fields.field(p.y);
+    fields.field(p.z);
+}
+
+template <class Fields, class Info>
+void pageFields(Fields& fields, Info& info) {
+    fields.field(info.offset);
+    fields.field(info.storedBytes);
+    fields.field(info.checksum);
+    fields.field(info.level);
+    fields.field(info.groupCount);
+    fields.field(info.clusterCount);
+    fields.field(info.refinementCount);
+    fields.field(info.vertexCount);
+    fields.field(info.triangleCount);
+    pointFields(fields, info.box.min);
+    pointFields(fields, info.box.max);
+    vectorFields(fields, info.bounds.center);
+    fields.field(info.bounds.radius);
+    fields.field(info.minError);
+    fields.field(info.maxError);
+    fields.count(info.children);
+    for (auto& child : info.children)
+        fields.field(child);
+}
+
+template <class Fields, class Record>
+void binnedFields(Fields& fields, Record& record) {
+    vectorFields(fields, record.grid.origin);
+    fields.field(record.grid.stepExponent);
+    fields.field(record.format.isDouble);
+    fields.field(record.format.hasNormals);
+    fields.field(record.format.hasColors);
+    fields.field(record.triangles);
+    fields.field(record.vertices);
+    fields.field(record.notAPolygon);
+    fields.field(record.chunkCount);
+    fields.field(record.scratchEnd);
+    fields.bytes(record.directory);
+}
+
+template <class Fields, class Record>
+void borderedFields(Fields& fields, Record& record) {
+    fields.field(record.scratchEnd);
+    fields.bytes(record.directory);
+}
+
+template <class Fields, class Record>
+void nodeFields(Fields& fields, Record& record) {
+    fields.field(record.round);
+    fields.field(record.firstLevel);
+    fields.count(record.levels);
+    for (auto& level : record.levels) {
+        fields.field(level.info.triangles);
+        fields.field(level.info.clusters);
+        fields.field(level.info.groups);
+        fields.field(level.info.maxError);
+        fields.count(level.pages);
+        for (auto& page : level.pages)
+            pageFields(fields, page);
+    }
+    fields.field(record.remainsOffset);
+    fields.field(record.remainsBytes);
+    fields.field(record.remainingVertices);
+    fields.field(record.remainingTriangles);
+    fields.field(record.rootTriangles);
+    fields.field(record.stuckTriangles);
+    for (auto& count : record.dropped)
+        fields.field(count);
+    vectorFields(fields, record.bounds.min);
+    vectorFields(fields, record.bounds.max);
+    fields.field(record.hasNormals);
+}
+
+/// A record ends with its kind.
+std::vector<std::byte> ended(ByteWriter& out, Kind kind) {
+    out.put(static_cast<std::uint8_t>(kind));
+    return out.take();
+}
+
+} // namespace
+
+const std::vector<NodeRecord>& Ledger::nodes(std::uint32_t round) const {
+    static const std::vector<NodeRecord> none;
+    return round < rounds_.size() ? rounds_[round] : none;
+}
+
+void Ledger::beginRound(std::uint32_t round) {
+    GNOMON_CHECK_OP(round, <=, rounds_.size());
+    if (round < rounds_.size()) return;
+    rounds_.emplace_back();
+    firstPages_.emplace_back();
+}
+
+void Ledger::add(NodeRecord record) {
+    beginRound(record.round);
+    const std::size_t end = record.firstLevel + record.levels.size();
+    if (pageCounts_.size() < end) pageCounts_.resize(end, 0);
+    std::vector<std::uint32_t> first(
+        pageCounts_.begin() + record.firstLevel, pageCounts_.begin() + static_cast<std::ptrdiff_t>(end));
+    for (std::size_t i = 0; i < record.levels.size(); ++i)
+        pageCounts_[record.firstLevel + i] += static_cast<std::uint32_t>(record.levels[i].pages.size());
+    firstPages_[record.round].push_back(std::move(first));
+    rounds_[record.round].push_back(std::move(record));
+}
+
+void Ledger::addEncoded(std::span<const std::byte> record) {
+    if (record.empty()) throw hierarchy::Damage{"an empty record"};
+    ByteReader in(record.first(record.size() - 1));
+    Taker fields{in};
+    switch (static_cast<Kind>(record.back())) {
+    case Kind::Binned: {
+        BinnedRecord binned;
+        binnedFields(fields, binned);
+        add(std::move(binned));
+        break;
+    }
+    case Kind::Bordered: {
+        BorderedRecord bordered;
+        borderedFields(fields, bordered);
+        add(std::move(bordered));
+        break;
+    }
+    case Kind::Node: {
+        NodeRecord node;
+        nodeFields(fields, node);
+        add(std::move(node));
+        break;
+    }
+    default:
+        throw hierarchy::Damage{"a record of unknown kind"};
+    }
+    in.expectEnd();
+}
+
+std::vector<std::byte> encoded(const BinnedRecord& record) {
+    ByteWriter out;
+    Putter fields{out};
+    binnedFields(fields, record);
+    return ended(out, Kind::Binned);
+}
+
+std::vector<std::byte> encoded(const BorderedRecord& record) {
+    ByteWriter out;
+    Putter fields{out};
+    borderedFields(fields, record);
+    return ended(out, Kind::Bordered);
+}
+
+std::vector<std::byte> encoded(const NodeRecord& record) {
+    ByteWriter out;
+    Putter fields{out};
+    nodeFields(fields, record);
+    return ended(out, Kind::Node);
+}
+
+} // namespace gnomon::preprocess

@@ -1,0 +1,98 @@
+// What a build has finished so far, and the records from which another process can take it up.
+#pragma once
+
+#include "hierarchy/model.h"
+#include "preprocess/chunk/chunk_streams.h"
+
+#include <array>
+#include <optional>
+#include <span>
+#include <variant>
+#include <vector>
+
+namespace gnomon::preprocess {
+
+/// The source is in chunks.
+struct BinnedRecord {
+    Grid grid;
+    VertexFormat format;
+    std::uint64_t triangles = 0;
+    std::uint64_t vertices = 0;
+    std::uint64_t notAPolygon = 0;
+    std::uint32_t chunkCount = 0;
+    std::uint64_t scratchEnd = 0;
+    std::vector<std::byte> directory; // of the store
+};
+
+/// The chunks know their borders.
+struct BorderedRecord {
+    std::uint64_t scratchEnd = 0;
+    std::vector<std::byte> directory;
+};
+
+/// One node of a round is built.
+struct NodeRecord {
+    struct LevelOfNode {
+        hierarchy::LevelInfo info;
+        std::vector<hierarchy::PageInfo> pages; // offsets in the scratch file of pages, children as provisional ids
+    };
+
+    std::uint32_t round = 0;
+    std::uint32_t firstLevel = 0;
+    std::vector<LevelOfNode> levels;
+    std::uint64_t remainsOffset = 0;
+    std::uint64_t remainsBytes = 0;
+    std::uint64_t remainingVertices = 0;
+    std::uint64_t remainingTriangles = 0;
+    std::uint64_t rootTriangles = 0;
+    std::uint64_t stuckTriangles = 0;
+    std::array<std::uint64_t, 3> dropped{}; // degenerate, doubled, collapsed by the grid
+    Box bounds;                             // of the chunk, in round 0
+    bool hasNormals = false;                // of the chunk, in round 0
+};
+
+/// All of a build's records. The first is a text that says what is built from what.
+class Ledger {
+public:
+    const std::optional<BinnedRecord>& binned() const { return binned_; }
+
+    const std::optional<BorderedRecord>& bordered() const { return bordered_; }
+
+    /// The nodes that are built of `round`, in order.
+    const std::vector<NodeRecord>& nodes(std::uint32_t round) const;
+
+    std::uint32_t roundCount() const { return static_cast<std::uint32_t>(rounds_.size()); }
+
+    /// Pages so far of each level, finest first.
+    const std::vector<std::uint32_t>& pageCounts() const { return pageCounts_; }
+
+    /// How many pages of the node's levels precede its own: of levels firstLevel, firstLevel + 1, ...
+    const std::vector<std::uint32_t>& firstPages(std::uint32_t round, std::size_t node) const {
+        return firstPages_[round][node];
+    }
+
+    /// Makes room for a round, after which `nodes` of the others may be read while nodes are added to this one.
+    void beginRound(std::uint32_t round);
+
+    void add(BinnedRecord record) { binned_ = std::move(record); }
+
+    void add(BorderedRecord record) { bordered_ = std::move(record); }
+
+    void add(NodeRecord record);
+
+    /// Adds what `encoded` returned. Throws Damage.
+    void addEncoded(std::span<const std::byte> record);
+
+private:
+    std::optional<BinnedRecord> binned_;
+    std::optional<BorderedRecord> bordered_;
+    std::vector<std::vector<NodeRecord>> rounds_;
+    std::vector<std::vector<std::vector<std::uint32_t>>> firstPages_;
+    std::vector<std::uint32_t> pageCounts_;
+};
+
+std::vector<std::byte> encoded(const BinnedRecord& record);
+std::vector<std::byte> encoded(const BorderedRecord& record);
+std::vector<std::byte> encoded(const NodeRecord& record);
+
+} // namespace gnomon::preprocess

@@ -1,0 +1,39 @@
+// How a build divides the memory that it was promised.
+#pragma once
+
+#include "core/units.h"
+#include "preprocess/read/mesh_source.h"
+
+#include <cstddef>
+
+namespace gnomon::preprocess {
+
+/// What the parts of a build take at their peak; measured, and held to by tests.
+struct MemoryNeeds {
+    const MeshSummary& source;
+    std::uint32_t chunkTriangles = 0;
+    bool isInMemory = false; // temporary files in memory, too
+
+    /// What the process is anyway, and what the source itself holds.
+    Bytes base() const;
+
+    /// What working on a node of so many triangles takes.
+    static Bytes node(std::uint64_t triangles);
+
+    /// The first look at the source.
+    Bytes survey() const;
+
+    /// Sorting the source into chunks, without the streams' blocks.
+    Bytes binning() const;
+
+    /// The least memory that builds the source, as far as its header tells.
+    Bytes least() const;
+};
+
+/// The size of the streams' blocks when `streams` are written side by side in `room`.
+std::size_t blockBytes(Bytes room, std::uint64_t streams);
+
+/// How many nodes of `triangles` triangles fit into `room` at once; 0 if none does. At most one more than `threads`.
+std::size_t nodesAtOnce(Bytes room, std::uint64_t triangles, std::size_t threads);
+
+} // namespace gnomon::preprocess

@@ -1,0 +1,45 @@
+#include "preprocess/pipeline/rounds.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace gnomon::preprocess {
+
+namespace {
+
+constexpr std::uint64_t kAlwaysAffordable = 8192;
+
+} // namespace
+
+Round firstRound(std::uint32_t chunkCount) {
+    Round round;
+    round.isLast = chunkCount == 1;
+    round.ends.resize(chunkCount);
+    std::iota(round.ends.begin(), round.ends.end(), 1U);
+    return round;
+}
+
+Round nextRound(const Round& round, const std::vector<NodeRecord>& finished, std::uint64_t nodeTriangles) {
+    Round next;
+    next.number = round.number + 1;
+    next.firstLevel = round.firstLevel;
+    for (const NodeRecord& node : finished)
+        next.firstLevel = std::max(next.firstLevel, round.firstLevel + static_cast<std::uint32_t>(node.levels.size()));
+    const std::uint64_t most = std::max(nodeTriangles, kAlwaysAffordable);
+    std::uint64_t sum = 0;
+    for (std::uint32_t child = 0; child < finished.size(); ++child) {
+        const std::uint64_t own = finished[child].remainingTriangles;
+        if (child > 0 && sum + own <= most) {
+            next.ends.back() = child + 1;
+            sum += own;
+        } else {
+            next.ends.push_back(child + 1);
+            sum = own;
+        }
+        next.mostTriangles = std::max(next.mostTriangles, sum);
+    }
+    next.isLast = next.nodeCount() == 1 || next.nodeCount() == finished.size();
+    return next;
+}
+
+} // namespace gnomon::preprocess

@@ -1,0 +1,94 @@
+#include "preprocess/pipeline/workplace.h"
+
+#include "core/error.h"
+#include "hierarchy/bytes.h"
+#include "hierarchy/file_layout.h"
+
+#include <filesystem>
+
+namespace gnomon::preprocess {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::span<const std::byte> bytesOf(const std::string& text) {
+    return std::as_bytes(std::span(text));
+}
+
+/// The same for the same output, so that a resumed build finds it.
+std::string folderFor(const WorkplaceOptions& options) {
+    if (options.folder.empty()) return options.output + ".building";
+    const fs::path output = fs::absolute(options.output).lexically_normal();
+    const std::uint64_t place = hierarchy::checksum64(bytesOf(output.string()));
+    return (fs::path(options.folder) / (output.filename().string() + "." + std::to_string(place) + ".building"))
+        .string();
+}
+
+/// Half-written outputs of processes that were killed: named as AtomicFile names them.
+void removeLeftovers(const std::string& output) {
+    const fs::path path = fs::absolute(output);
+    const std::string start = path.filename().string() + ".";
+    const std::string end = ".partial";
+    std::error_code ignored;
+    for (const fs::directory_entry& entry : fs::directory_iterator(path.parent_path(), ignored)) {
+        const std::string name = entry.path().filename().string();
+        if (name.size() <= start.size() + end.size() || !name.starts_with(start) || !name.ends_with(end)) continue;
+        const std::string process = name.substr(start.size(), name.size() - start.size() - end.size());
+        if (process.find_first_not_of("0123456789") == std::string::npos) fs::remove(entry.path(), ignored);
+    }
+}
+
+} // namespace
+
+Workplace::Workplace(const WorkplaceOptions& options) {
+    if (options.isInMemory) return;
+    const std::string folder = folderFor(options);
+    std::error_code failed;
+    fs::create_directories(folder, failed);
+    if (failed) throw Error(folder, "cannot create the folder for temporary files: " + failed.message());
+    lock_.emplace(folder + "/lock", File::Mode::Create);
+    if (!lock_->tryLock()) throw Error(folder, "another build is at work there");
+    removeLeftovers(options.output);
+    std::optional<Journal> found;
+    if (options.isResumed) found = Journal::reopen(folder + "/journal");
+    if (found && !found->records().empty()) {
+        const std::vector<std::byte>& first = found->records().front();
+        const std::string key(reinterpret_cast<const char*>(first.data()), first.size());
+        if (key != options.key) throw Error(folder, "cannot resume: input or options changed", options.key, key);
+        journal_ = std::move(found);
+        try {
+            for (std::size_t i = 1; i < journal_->records().size(); ++i)
+                ledger_.addEncoded(journal_->records()[i]);
+        } catch (const hierarchy::Damage& damage) {
+            throw Error(folder + "/journal", damage.what);
+        }
+        folder_ = folder;
+        return;
+    }
+    folder_ = folder;
+    for (const char* name : {"bins", "borders", "pages", "remains"})
+        remove(name);
+    journal_ = Journal::create(folder + "/journal");
+    journal_->append(bytesOf(options.key));
+}
+
+Workplace::~Workplace() {
+    if (folder_.empty()) return;
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+}
+
+std::unique_ptr<ScratchFile> Workplace::scratch(const std::string& name, std::optional<std::uint64_t> keep) {
+    if (folder_.empty()) return scratchInMemory(space_);
+    const std::string path = folder_ + "/" + name;
+    return keep ? reopenedScratch(path, *keep, space_) : scratchOnDisk(path, space_);
+}
+
+void Workplace::remove(const std::string& name) {
+    if (folder_.empty()) return;
+    std::error_code ignored;
+    fs::remove(folder_ + "/" + name, ignored);
+}
+
+} // namespace gnomon::preprocess

@@ -1,0 +1,61 @@
+// Where a build keeps what it has half done: a folder of scratch files and a journal, or memory alone.
+#pragma once
+
+#include "preprocess/pipeline/ledger.h"
+#include "preprocess/scratch/journal.h"
+#include "preprocess/scratch/scratch_file.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace gnomon::preprocess {
+
+struct WorkplaceOptions {
+    std::string output;      // whose model is built
+    std::string folder;      // for temporary files; empty: beside the output
+    std::string key;         // what is built from what: a resumed build must have the same
+    bool isInMemory = false; // no files at all
+    bool isResumed = false;  // go on with what is there, if anything
+};
+
+/// Everything is removed with the object, unless the process is killed. Only one process at a time can work for one
+/// output.
+class Workplace {
+public:
+    /// Throws Error where another process is at work, or if a resumed build has another key; then nothing is touched.
+    explicit Workplace(const WorkplaceOptions& options);
+    ~Workplace();
+    Workplace(const Workplace&) = delete;
+    Workplace& operator=(const Workplace&) = delete;
+    Workplace(Workplace&&) = delete;
+    Workplace& operator=(Workplace&&) = delete;
+
+    const Ledger& ledger() const { return ledger_; }
+
+    void beginRound(std::uint32_t round) { ledger_.beginRound(round); }
+
+    TemporarySpace& space() { return space_; }
+
+    /// A scratch file of the name: new, or cut after its first `keep` bytes.
+    std::unique_ptr<ScratchFile> scratch(const std::string& name, std::optional<std::uint64_t> keep = {});
+
+    /// Gives all the space of a scratch file back, which must be closed.
+    void remove(const std::string& name);
+
+    /// Enters `record` into the ledger; what it tells of must have been written.
+    template <class Record>
+    void finish(Record record) {
+        if (journal_) journal_->append(encoded(record));
+        ledger_.add(std::move(record));
+    }
+
+private:
+    TemporarySpace space_;
+    std::string folder_; // empty: in memory
+    std::optional<File> lock_;
+    std::optional<Journal> journal_;
+    Ledger ledger_;
+};
+
+} // namespace gnomon::preprocess

@@ -1,0 +1,37 @@
+// What long work has finished, record after record, in a file that may end anywhere when the process is killed.
+#pragma once
+
+#include "core/file.h"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace gnomon::preprocess {
+
+/// An append-only file of records, each with its length and checksum. A record counts once it is whole.
+class Journal {
+public:
+    /// An empty journal at `path`.
+    static Journal create(const std::string& path);
+
+    /// The journal that an earlier process left at `path`, cut after its last whole record; nothing if there is none.
+    static std::optional<Journal> reopen(const std::string& path);
+
+    /// The records that `reopen` found, in order.
+    const std::vector<std::vector<std::byte>>& records() const { return records_; }
+
+    void append(std::span<const std::byte> record);
+
+    std::uint64_t bytes() const { return end_; }
+
+private:
+    explicit Journal(File file) : file_(std::move(file)) {}
+
+    File file_;
+    std::uint64_t end_ = 0;
+    std::vector<std::vector<std::byte>> records_;
+};
+
+} // namespace gnomon::preprocess

@@ -1,0 +1,115 @@
+#include "preprocess/scratch/scratch_file.h"
+
+#include "core/check.h"
+#include "core/error.h"
+
+#include <cstring>
+#include <map>
+#include <mutex>
+#include <shared_mutex>
+#include <vector>
+
+namespace gnomon::preprocess {
+
+namespace {
+
+class DiskScratch final : public ScratchFile {
+public:
+    DiskScratch(const std::string& path, TemporarySpace& space) : ScratchFile(space), file_(path, File::Mode::Create) {}
+
+    DiskScratch(const std::string& path, std::uint64_t end, TemporarySpace& space)
+        : ScratchFile(space), file_(path, File::Mode::Update) {
+        if (file_.size() < end)
+            throw Error(
+                path, "the temporary file was cut off", std::to_string(end) + " bytes", std::to_string(file_.size()));
+        file_.resize(end);
+        resumeAt(end);
+    }
+
+private:
+    void load(std::uint64_t offset, std::span<std::byte> out) const override { file_.readAt(offset, out); }
+
+    void store(std::uint64_t offset, std::span<const std::byte> bytes) override { file_.writeAt(offset, bytes); }
+
+    void forget(std::uint64_t offset, std::uint64_t bytes) override { file_.release(offset, bytes); }
+
+    File file_;
+};
+
+class MemoryScratch final : public ScratchFile {
+public:
+    explicit MemoryScratch(TemporarySpace& space) : ScratchFile(space) {}
+
+private:
+    void load(std::uint64_t offset, std::span<std::byte> out) const override {
+        const std::shared_lock lock(mutex_);
+        const auto after = pieces_.upper_bound(offset);
+        GNOMON_CHECK(after != pieces_.begin());
+        const auto& [begin, bytes] = *std::prev(after);
+        GNOMON_CHECK_OP(offset - begin + out.size(), <=, bytes.size());
+        std::memcpy(out.data(), bytes.data() + (offset - begin), out.size());
+    }
+
+    void store(std::uint64_t offset, std::span<const std::byte> bytes) override {
+        std::vector<std::byte> copy(bytes.begin(), bytes.end());
+        const std::scoped_lock lock(mutex_);
+        pieces_.emplace(offset, std::move(copy));
+    }
+
+    void forget(std::uint64_t offset, std::uint64_t /*bytes*/) override {
+        const std::scoped_lock lock(mutex_);
+        pieces_.erase(offset);
+    }
+
+    mutable std::shared_mutex mutex_;
+    std::map<std::uint64_t, std::vector<std::byte>> pieces_;
+};
+
+} // namespace
+
+void TemporarySpace::take(std::uint64_t bytes) {
+    written_ += bytes;
+    const std::uint64_t now = bytes_ += bytes;
+    std::uint64_t peak = peak_;
+    while (peak < now && !peak_.compare_exchange_weak(peak, now)) {
+    }
+}
+
+std::uint64_t ScratchFile::append(std::span<const std::byte> bytes) {
+    if (bytes.empty()) return end_;
+    space_.take(bytes.size());
+    const std::uint64_t offset = end_;
+    store(offset, bytes);
+    end_ += bytes.size();
+    return offset;
+}
+
+void ScratchFile::read(std::uint64_t offset, std::span<std::byte> out) const {
+    space_.countRead(out.size());
+    load(offset, out);
+}
+
+void ScratchFile::release(std::uint64_t offset, std::uint64_t bytes) {
+    if (bytes == 0) return;
+    forget(offset, bytes);
+    space_.giveBack(bytes);
+}
+
+void ScratchFile::resumeAt(std::uint64_t end) {
+    space_.take(end - end_);
+    end_ = end;
+}
+
+std::unique_ptr<ScratchFile> scratchOnDisk(const std::string& path, TemporarySpace& space) {
+    return std::make_unique<DiskScratch>(path, space);
+}
+
+std::unique_ptr<ScratchFile> reopenedScratch(const std::string& path, std::uint64_t end, TemporarySpace& space) {
+    return std::make_unique<DiskScratch>(path, end, space);
+}
+
+std::unique_ptr<ScratchFile> scratchInMemory(TemporarySpace& space) {
+    return std::make_unique<MemoryScratch>(space);
+}
+
+} // namespace gnomon::preprocess

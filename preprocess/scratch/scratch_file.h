@@ -1,0 +1,85 @@
+// Temporary bytes: a file that grows at its end and gives space back piece by piece, or the same in memory.
+#pragma once
+
+#include "core/file.h"
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+
+namespace gnomon::preprocess {
+
+/// How much temporary space is in use, over all scratch files of a build.
+class TemporarySpace {
+public:
+    void take(std::uint64_t bytes);
+
+    void giveBack(std::uint64_t bytes) { bytes_ -= bytes; }
+
+    std::uint64_t bytes() const { return bytes_; }
+
+    std::uint64_t peakBytes() const { return peak_; }
+
+    void countRead(std::uint64_t bytes) { read_ += bytes; }
+
+    std::uint64_t bytesRead() const { return read_; }
+
+    /// All that was ever taken.
+    std::uint64_t bytesWritten() const { return written_; }
+
+private:
+    std::atomic<std::uint64_t> bytes_{0};
+    std::atomic<std::uint64_t> peak_{0};
+    std::atomic<std::uint64_t> read_{0};
+    std::atomic<std::uint64_t> written_{0};
+};
+
+/// Appended to by one thread at a time; read from many, also meanwhile.
+class ScratchFile {
+public:
+    explicit ScratchFile(TemporarySpace& space) : space_(space) {}
+
+    virtual ~ScratchFile() = default;
+    ScratchFile(const ScratchFile&) = delete;
+    ScratchFile& operator=(const ScratchFile&) = delete;
+    ScratchFile(ScratchFile&&) = delete;
+    ScratchFile& operator=(ScratchFile&&) = delete;
+
+    /// Appends `bytes` and returns where they begin. Throws Error where the disk is full.
+    std::uint64_t append(std::span<const std::byte> bytes);
+
+    /// Fills `out` with what was appended at `offset`; in memory never across two calls of `append`.
+    void read(std::uint64_t offset, std::span<std::byte> out) const;
+
+    /// Gives the space of one `append` back; its bytes are lost.
+    void release(std::uint64_t offset, std::uint64_t bytes);
+
+    /// The bytes that were ever appended: where the next ones go.
+    std::uint64_t end() const { return end_; }
+
+protected:
+    virtual void load(std::uint64_t offset, std::span<std::byte> out) const = 0;
+    virtual void store(std::uint64_t offset, std::span<const std::byte> bytes) = 0;
+    virtual void forget(std::uint64_t offset, std::uint64_t bytes) = 0;
+
+    /// Takes over `end` bytes that an earlier process appended.
+    void resumeAt(std::uint64_t end);
+
+private:
+    TemporarySpace& space_;
+    std::uint64_t end_ = 0;
+};
+
+/// A new file at `path`.
+std::unique_ptr<ScratchFile> scratchOnDisk(const std::string& path, TemporarySpace& space);
+
+/// The first `end` bytes of the file that an earlier process left at `path`; what it wrote after them is cut off.
+/// Throws Error if the file is shorter.
+std::unique_ptr<ScratchFile> reopenedScratch(const std::string& path, std::uint64_t end, TemporarySpace& space);
+
+std::unique_ptr<ScratchFile> scratchInMemory(TemporarySpace& space);
+
+} // namespace gnomon::preprocess

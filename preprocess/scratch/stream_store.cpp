@@ -1,0 +1,105 @@
+#include "preprocess/scratch/stream_store.h"
+
+#include "core/check.h"
+#include "hierarchy/bytes.h"
+
+#include <algorithm>
+
+namespace gnomon::preprocess {
+
+StreamStore::StreamStore(ScratchFile& file, std::uint32_t streamCount, std::size_t blockBytes)
+    : file_(file), blockBytes_(blockBytes), streams_(streamCount) {}
+
+StreamStore::StreamStore(ScratchFile& file, std::span<const std::byte> directory) : file_(file), blockBytes_(1) {
+    hierarchy::ByteReader in(directory);
+    streams_.resize(in.takeVarint());
+    for (Stream& stream : streams_) {
+        stream.blocks.resize(in.takeVarint());
+        for (Block& block : stream.blocks) {
+            block.offset = in.takeVarint();
+            block.bytes = in.takeVarint();
+        }
+    }
+    in.expectEnd();
+}
+
+void StreamStore::append(std::uint32_t stream, std::span<const std::byte> bytes) {
+    std::vector<std::byte>& open = streams_[stream].open;
+    if (open.size() + bytes.size() > blockBytes_) writeOpen(streams_[stream]);
+    // Streams that stay short must not hold a whole block.
+    if (open.capacity() < open.size() + bytes.size())
+        open.reserve(std::max(open.size() + bytes.size(), std::min(blockBytes_, 2 * open.capacity() + 256)));
+    open.insert(open.end(), bytes.begin(), bytes.end());
+}
+
+void StreamStore::writeOpen(Stream& stream) {
+    if (stream.open.empty()) return;
+    stream.blocks.push_back({file_.append(stream.open), stream.open.size()});
+    stream.open.clear();
+}
+
+void StreamStore::flush() {
+    for (Stream& stream : streams_) {
+        writeOpen(stream);
+        stream.open = {};
+    }
+}
+
+std::uint64_t StreamStore::bytes(std::uint32_t stream) const {
+    std::uint64_t sum = streams_[stream].open.size();
+    for (const Block& block : streams_[stream].blocks)
+        sum += block.bytes;
+    return sum;
+}
+
+std::vector<std::byte> StreamStore::read(std::uint32_t stream) const {
+    std::vector<std::byte> all(bytes(stream));
+    std::size_t done = 0;
+    for (const Block& block : streams_[stream].blocks) {
+        file_.read(block.offset, std::span(all).subspan(done, block.bytes));
+        done += block.bytes;
+    }
+    return all;
+}
+
+bool StreamStore::Reader::isAtEnd() {
+    const std::vector<Block>& blocks = store_.streams_[stream_].blocks;
+    while (place_ == block_.size() && nextBlock_ < blocks.size()) {
+        block_.resize(blocks[nextBlock_].bytes);
+        store_.file_.read(blocks[nextBlock_].offset, block_);
+        ++nextBlock_;
+        place_ = 0;
+    }
+    return place_ == block_.size();
+}
+
+void StreamStore::Reader::takeBytes(std::span<std::byte> out) {
+    while (!out.empty()) {
+        GNOMON_CHECK(!isAtEnd());
+        const std::size_t count = std::min(out.size(), block_.size() - place_);
+        std::memcpy(out.data(), block_.data() + place_, count);
+        out = out.subspan(count);
+        place_ += count;
+    }
+}
+
+void StreamStore::release(std::uint32_t stream) {
+    for (const Block& block : streams_[stream].blocks)
+        file_.release(block.offset, block.bytes);
+    streams_[stream].blocks.clear();
+}
+
+std::vector<std::byte> StreamStore::directory() const {
+    hierarchy::ByteWriter out;
+    out.putVarint(streams_.size());
+    for (const Stream& stream : streams_) {
+        out.putVarint(stream.blocks.size());
+        for (const Block& block : stream.blocks) {
+            out.putVarint(block.offset);
+            out.putVarint(block.bytes);
+        }
+    }
+    return out.take();
+}
+
+} // namespace gnomon::preprocess

@@ -1,0 +1,96 @@
+// Many streams of bytes that grow side by side and are read one by one, kept in blocks of one scratch file.
+#pragma once
+
+#include "preprocess/scratch/scratch_file.h"
+
+#include <cstring>
+#include <type_traits>
+#include <vector>
+
+namespace gnomon::preprocess {
+
+/// Streams count from 0. What comes out of a stream is what went in, in order, whatever the size of the blocks.
+class StreamStore {
+public:
+    /// Each stream that is in use holds up to `blockBytes` in memory until the next `flush`.
+    StreamStore(ScratchFile& file, std::uint32_t streamCount, std::size_t blockBytes);
+
+    /// As left by an earlier process, from its `directory`.
+    StreamStore(ScratchFile& file, std::span<const std::byte> directory);
+
+    void append(std::uint32_t stream, std::span<const std::byte> bytes);
+
+    template <class T>
+    void put(std::uint32_t stream, const T& value) {
+        static_assert(std::is_trivially_copyable_v<T>);
+        append(stream, std::as_bytes(std::span(&value, 1)));
+    }
+
+    /// Writes what is in memory and frees it.
+    void flush();
+
+    std::uint64_t bytes(std::uint32_t stream) const;
+
+    /// All of a stream; safe from many threads once flushed.
+    std::vector<std::byte> read(std::uint32_t stream) const;
+
+    /// All of a stream as values of one type.
+    template <class T>
+    std::vector<T> readAs(std::uint32_t stream) const {
+        static_assert(std::is_trivially_copyable_v<T>);
+        const std::vector<std::byte> raw = read(stream);
+        std::vector<T> values(raw.size() / sizeof(T));
+        if (!values.empty()) std::memcpy(values.data(), raw.data(), values.size() * sizeof(T));
+        return values;
+    }
+
+    /// Reads a stream from its start in the memory of a block, while others may be appended to.
+    class Reader {
+    public:
+        Reader(const StreamStore& store, std::uint32_t stream) : store_(store), stream_(stream) {}
+
+        bool isAtEnd();
+
+        /// The next value; a check fails at the end.
+        template <class T>
+        T take() {
+            T value;
+            takeBytes(std::as_writable_bytes(std::span(&value, 1)));
+            return value;
+        }
+
+    private:
+        void takeBytes(std::span<std::byte> out);
+
+        const StreamStore& store_;
+        std::uint32_t stream_;
+        std::size_t nextBlock_ = 0;
+        std::vector<std::byte> block_;
+        std::size_t place_ = 0;
+    };
+
+    /// Gives a stream's space back.
+    void release(std::uint32_t stream);
+
+    /// Where everything lies, for another process; after `flush`.
+    std::vector<std::byte> directory() const;
+
+private:
+    struct Block {
+        std::uint64_t offset = 0;
+        std::uint64_t bytes = 0;
+    };
+
+    struct Stream {
+        std::vector<std::byte> open;
+        std::vector<Block> blocks;
+    };
+
+    void writeOpen(Stream& stream);
+
+    ScratchFile& file_;
+    std::size_t blockBytes_;
+    std::vector<Stream> streams_;
+};
+
+} // namespace gnomon::preprocess

@@ -1,0 +1,240 @@
+// The build as a whole: the same bytes by every way to them, and nothing left behind when it fails.
+#include "core/error.h"
+#include "core/file.h"
+#include "core/random.h"
+#include "tests/preprocess/build_meshes.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <csignal>
+#include <filesystem>
+#include <numeric>
+#include <set>
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace gnomon::preprocess {
+namespace {
+
+namespace fs = std::filesystem;
+
+BuildOptions smallChunks(std::uint32_t triangles) {
+    BuildOptions options;
+    options.chunkTriangles = triangles;
+    return options;
+}
+
+/// The mesh with its vertices in another order, its triangles as they were.
+CodeMesh shuffled(const CodeMesh& mesh, std::uint64_t seed) {
+    std::vector<std::uint32_t> order(mesh.positions.size());
+    std::iota(order.begin(), order.end(), 0U);
+    Random random(seed);
+    for (std::size_t i = order.size(); i-- > 1;)
+        std::swap(order[i], order[random.below(i + 1)]);
+    std::vector<glm::dvec3> positions(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i)
+        positions[order[i]] = mesh.positions[i];
+    std::vector<Triangle> triangles = mesh.triangles;
+    for (Triangle& t : triangles)
+        for (std::uint32_t& corner : t)
+            corner = order[corner];
+    return {std::move(positions), std::move(triangles)};
+}
+
+/// A folder of its own, gone with the object.
+class TestFolder {
+public:
+    TestFolder() {
+        static int number = 0;
+        path_ = fs::temp_directory_path() /
+                ("gnomon_pipeline_" + std::to_string(::getpid()) + "_" + std::to_string(number++));
+        fs::create_directories(path_);
+    }
+
+    ~TestFolder() {
+        std::error_code ignored;
+        fs::remove_all(path_, ignored);
+    }
+
+    TestFolder(const TestFolder&) = delete;
+    TestFolder& operator=(const TestFolder&) = delete;
+    TestFolder(TestFolder&&) = delete;
+    TestFolder& operator=(TestFolder&&) = delete;
+
+    std::string file(const std::string& name) const { return (path_ / name).string(); }
+
+    std::set<std::string> names() const {
+        std::set<std::string> names;
+        for (const fs::directory_entry& entry : fs::directory_iterator(path_))
+            names.insert(entry.path().filename().string());
+        return names;
+    }
+
+private:
+    fs::path path_;
+};
+
+/// Kills the process, as `kill -9` would, when it has heard `steps` times of progress.
+class DeadlyProgress final : public Progress {
+public:
+    explicit DeadlyProgress(int steps) : left_(steps) {}
+
+    void stage(std::string_view /*name*/, std::string_view /*unit*/, std::uint64_t /*total*/) override { step(); }
+
+    void advance(std::uint64_t /*count*/) override { step(); }
+
+private:
+    void step() {
+        if (--left_ < 0) ::raise(SIGKILL);
+    }
+
+    std::atomic<int> left_;
+};
+
+std::string build(CodeMesh mesh, const BuildOptions& options) {
+    NoProgress progress;
+    return buildModel(mesh, options, progress).contentHash;
+}
+
+constexpr int kToTheEnd = 1 << 30;
+
+/// Whether a build in another process was killed by its progress; else it ended well.
+bool isKilled(const CodeMesh& mesh, const BuildOptions& options, int steps) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+        CodeMesh own = mesh;
+        DeadlyProgress progress(steps);
+        try {
+            buildModel(own, options, progress);
+        } catch (...) {
+            ::_exit(3);
+        }
+        ::_exit(0);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    EXPECT_TRUE(WIFSIGNALED(status) || WEXITSTATUS(status) == 0) << status;
+    return WIFSIGNALED(status);
+}
+
+TEST(Pipeline, ChunksAreJoinedUntilOneRootIsLeft) {
+    const BuiltModel model(bumpySheet(90), smallChunks(1500));
+    EXPECT_LE(model.report().coarsestTriangles, 1000U);
+    EXPECT_EQ(model.report().stuckTriangles, 0U);
+    EXPECT_EQ(model.summary().levels.front().triangles, 90U * 90 * 2);
+    EXPECT_GT(model.report().temporaryBytes, 0U);
+}
+
+TEST(Pipeline, SameBytesOnDiskAndInMemoryForAnyThreadsAndMemory) {
+    for (const CodeMesh& mesh : {bumpySheet(50), strewnBoxes(400)}) {
+        std::set<std::string> hashes;
+        for (const bool isInMemory : {false, true})
+            for (const int threads : {1, 3})
+                for (const Bytes memory : {mebibytes(200), gibibytes(4)}) {
+                    BuildOptions options = smallChunks(600);
+                    options.isInMemory = isInMemory;
+                    options.threads = threads;
+                    options.memory = memory;
+                    hashes.insert(BuiltModel(mesh, options).report().contentHash);
+                }
+        EXPECT_EQ(hashes.size(), 1U);
+    }
+}
+
+TEST(Pipeline, SameBytesForVerticesInAnyOrder) {
+    const CodeMesh mesh = bumpySheet(60);
+    const std::string expected = BuiltModel(mesh, smallChunks(900)).report().contentHash;
+    for (const std::uint64_t seed : {1U, 2U, 3U})
+        EXPECT_EQ(BuiltModel(shuffled(mesh, seed), smallChunks(900)).report().contentHash, expected);
+}
+
+TEST(Pipeline, GoesOnAfterBeingKilledAnywhere) {
+    const CodeMesh mesh = bumpySheet(40);
+    const TestFolder folder;
+    BuildOptions options = smallChunks(500);
+    options.output = folder.file("m.gnm");
+    options.inputKey = "the sheet";
+    // All builds are in processes of their own: one that has had threads must not be copied.
+    ASSERT_FALSE(isKilled(mesh, options, kToTheEnd));
+    const std::string expected = hierarchy::ModelFile(options.output).contentHash();
+    options.isResumed = true;
+    Random random(5);
+    int killed = 0;
+    for (int round = 0; round < 8; ++round) {
+        fs::remove(options.output);
+        // Killed again and again, each time a little later.
+        int steps = 1 + static_cast<int>(random.below(12));
+        while (isKilled(mesh, options, steps)) {
+            ++killed;
+            EXPECT_FALSE(fs::exists(options.output));
+            steps += static_cast<int>(random.below(30));
+        }
+        EXPECT_EQ(hierarchy::ModelFile(options.output).contentHash(), expected);
+        EXPECT_EQ(folder.names(), std::set<std::string>{"m.gnm"});
+    }
+    EXPECT_GT(killed, 8);
+}
+
+TEST(Pipeline, AResumedBuildOfSomethingElseIsRefusedAndTouchesNothing) {
+    const CodeMesh mesh = bumpySheet(60);
+    const TestFolder folder;
+    BuildOptions options = smallChunks(1000);
+    options.output = folder.file("m.gnm");
+    options.inputKey = "the sheet";
+    ASSERT_TRUE(isKilled(mesh, options, 20));
+    options.isResumed = true;
+    BuildOptions otherInput = options;
+    otherInput.inputKey = "another sheet";
+    EXPECT_THROW(build(mesh, otherInput), Error);
+    BuildOptions otherOptions = options;
+    otherOptions.level.clusterTriangles = 64;
+    EXPECT_THROW(build(mesh, otherOptions), Error);
+    EXPECT_EQ(folder.names(), std::set<std::string>{"m.gnm.building"});
+    build(mesh, options);
+    EXPECT_EQ(folder.names(), std::set<std::string>{"m.gnm"});
+}
+
+TEST(Pipeline, AFailingWriteIsOneErrorAndTheOldOutputStays) {
+    const CodeMesh mesh = bumpySheet(40);
+    const TestFolder folder;
+    BuildOptions options = smallChunks(1000);
+    options.output = folder.file("m.gnm");
+    writeTextFile(options.output, "the old one");
+    std::signal(SIGXFSZ, SIG_IGN);
+    rlimit whole{};
+    ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &whole), 0);
+    int failed = 0;
+    for (const bool isInMemory : {false, true}) // the temporary files, and the output alone
+        for (const rlim_t limit : {1000U, 10'000U}) {
+            options.isInMemory = isInMemory;
+            const rlimit small{limit, whole.rlim_max};
+            ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+            try {
+                build(mesh, options);
+            } catch (const Error& error) {
+                ++failed;
+                EXPECT_NE(std::string(error.what()).find("cannot write"), std::string::npos) << error.what();
+            }
+            ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &whole), 0);
+            EXPECT_EQ(folder.names(), std::set<std::string>{"m.gnm"}) << limit;
+            EXPECT_EQ(readTextFile(options.output), "the old one") << limit;
+        }
+    EXPECT_EQ(failed, 4);
+}
+
+TEST(Pipeline, TwoBuildsOfOneOutputDoNotMix) {
+    const TestFolder folder;
+    BuildOptions options = smallChunks(1000);
+    options.output = folder.file("m.gnm");
+    fs::create_directories(options.output + ".building");
+    File lock(options.output + ".building/lock", File::Mode::Create);
+    ASSERT_TRUE(lock.tryLock());
+    EXPECT_THROW(build(bumpySheet(20), options), Error);
+    EXPECT_TRUE(fs::exists(options.output + ".building/lock"));
+}
+
+} // namespace
+} // namespace gnomon::preprocess

@@ -5,11 +5,13 @@
 
 #include <filesystem>
 
+#include <unistd.h>
+
 namespace gnomon {
 namespace {
 
 std::string scratch(const std::string& name) {
-    return testing::TempDir() + "gnomon_file_" + name;
+    return testing::TempDir() + "gnomon_file_" + std::to_string(::getpid()) + "_" + name;
 }
 
 TEST(File, AnAtomicFileAppearsOnlyWhenCommitted) {

@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include <unistd.h>
+
 namespace gnomon::gl {
 namespace {
 
@@ -19,7 +21,7 @@ TEST(ShaderLibrary, EmbeddedTextIsTheFilesText) {
 }
 
 TEST(ShaderLibrary, IncludesOnceAndPutsVersionAndDefinesFirst) {
-    const std::string folder = testing::TempDir() + "gnomon_shader_library";
+    const std::string folder = testing::TempDir() + "gnomon_shader_library_" + std::to_string(::getpid());
     std::filesystem::create_directories(folder + "/sub");
     std::ofstream(folder + "/a.glsl") << "#include \"sub/b.glsl\"\n#include \"sub/b.glsl\"\na\n";
     std::ofstream(folder + "/sub/b.glsl") << "#include \"a.glsl\"\nb\n";

@@ -9,11 +9,13 @@
 #include <cstring>
 #include <filesystem>
 
+#include <unistd.h>
+
 namespace gnomon::preprocess {
 namespace {
 
 std::string scratch(const std::string& name) {
-    return testing::TempDir() + "gnomon_make_" + name;
+    return testing::TempDir() + "gnomon_make_" + std::to_string(::getpid()) + "_" + name;
 }
 
 /// FNV-1a, enough to tell two files apart.

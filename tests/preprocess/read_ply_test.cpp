@@ -6,11 +6,13 @@
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 namespace gnomon::preprocess {
 namespace {
 
 std::string scratch(const std::string& name) {
-    return testing::TempDir() + "gnomon_read_ply_" + name + ".ply";
+    return testing::TempDir() + "gnomon_read_ply_" + std::to_string(::getpid()) + "_" + name + ".ply";
 }
 
 CollectedMesh readText(const std::string& name, const std::string& text) {

@@ -8,11 +8,13 @@
 #include <filesystem>
 #include <fstream>
 
+#include <unistd.h>
+
 namespace gnomon::preprocess {
 namespace {
 
 std::string scratch(const std::string& name) {
-    return testing::TempDir() + "gnomon_read_whole_" + name;
+    return testing::TempDir() + "gnomon_read_whole_" + std::to_string(::getpid()) + "_" + name;
 }
 
 CollectedMesh readText(const std::string& name, const std::string& text) {

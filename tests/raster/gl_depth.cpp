@@ -5,12 +5,15 @@
 #include <filesystem>
 #include <fstream>
 
+#include <unistd.h>
+
 namespace gnomon::raster {
 namespace {
 
 /// A folder with the two shaders, beside other temporary files.
 std::string shaderFolder() {
-    std::string folder = (std::filesystem::temp_directory_path() / "gnomon_raster_shaders").string();
+    std::string folder =
+        (std::filesystem::temp_directory_path() / ("gnomon_raster_shaders_" + std::to_string(::getpid()))).string();
     std::filesystem::create_directories(folder);
     std::ofstream(folder + "/depth.vert") << "layout(location = 0) in uvec3 position;\n"
                                              "uniform mat4 clipFromCell;\n"

@@ -1,9 +1,9 @@
 #include "render/made_model.h"
 
 #include "core/error.h"
-#include "preprocess/build/build.h"
 #include "preprocess/make/model_file.h"
 #include "preprocess/make/named_model.h"
+#include "preprocess/pipeline/build_model.h"
 #include "preprocess/read/open_mesh_sources.h"
 
 #include <cstdlib>

@@ -53,12 +53,10 @@ constexpr Likeness kBar{0.01, 0.1, 0.995};
 /// plant has more parts than the picture has pixels: moving an edge by a pixel turns a lit pixel into a dark one.
 Likeness barOf(const std::string& name) {
     static const std::map<std::string, Likeness> missing = {
-        {"statue", {0.037, 0.38, 0.995}},
-        {"plant", {0.022, 0.56, 0.995}},
-        {"bunny_10scans", {0.022, 0.45, 0.995}},
-        {"dragon_100k", {0.018, 0.19, 0.995}},
-        {"igea_tristrips", {0.012, 0.1, 0.995}},
-        {"lego_isd10030", {0.014, 0.36, 0.995}}};
+        {"statue", {0.03, 0.24, 0.995}},
+        {"plant", {0.019, 0.44, 0.995}},
+        {"dragon_100k", {0.014, 0.1, 0.995}},
+        {"lego_isd10030", {0.01, 0.28, 0.995}}};
     const auto found = missing.find(name);
     return found == missing.end() ? kBar : found->second;
 }

@@ -8,7 +8,7 @@
 
 namespace gnomon::preprocess {
 
-/// What the parts of a build take at their peak; measured, and held to by tests.
+/// What the parts of a build take at their peak: estimates from above, not yet measured on models beyond 10M triangles.
 struct MemoryNeeds {
     const MeshSummary& source;
     std::uint32_t chunkTriangles = 0;

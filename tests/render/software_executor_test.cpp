@@ -37,7 +37,7 @@ void expectAlike(const ExecutorDifference& found) {
     EXPECT_GT(found.texels, 1000U);
     EXPECT_LE(found.texelCover * 10000, found.texels);
     // Where one alone covers a texel with the nearest triangle, another behind it shows: a matter of coverage.
-    // On steep triangles OpenGL's single-precision planes are off by up to 7e-5, ours by 5e-6 (planes in doubles tell).
+    // On steep triangles OpenGL's single-precision planes were seen to be off by up to 7e-5, ours by 5e-6.
     EXPECT_LE(found.texelWrong * 50000, found.texels);
 }
 

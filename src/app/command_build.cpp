@@ -161,7 +161,7 @@ void addBuildCommand(CLI::App& program) {
         ->check(chunkSize())
         ->capture_default_str();
     command->add_option("--simplifier", options->simplifier, "Who makes triangles fewer")
-        ->check(CLI::IsMember({"own"}))
+        ->check(CLI::IsMember({"own", "meshopt", "openmesh"}))
         ->capture_default_str();
     command
         ->add_option("--error", options->error, "Whether stored errors are measured bounds or the simplifier's claims")

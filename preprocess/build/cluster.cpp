@@ -1,5 +1,6 @@
 #include "preprocess/build/cluster.h"
 
+#include "core/index_table.h"
 #include "preprocess/build/kd_split.h"
 #include "preprocess/build/union_find.h"
 
@@ -80,20 +81,24 @@ Items itemsOf(const Input& input, std::uint32_t maxTriangles) {
     return result;
 }
 
-std::size_t vertexCount(const Input& input, std::span<const std::uint32_t> cluster) {
-    std::vector<std::uint32_t> vertices;
-    vertices.reserve(cluster.size() * 3);
+std::uint32_t vertexCount(const Input& input, std::span<const std::uint32_t> cluster) {
+    std::vector<std::uint32_t> used;
+    IndexTable table(cluster.size() * 3);
     for (const std::uint32_t t : cluster)
-        vertices.insert(vertices.end(), input.triangles[t].begin(), input.triangles[t].end());
-    std::sort(vertices.begin(), vertices.end());
-    return static_cast<std::size_t>(std::unique(vertices.begin(), vertices.end()) - vertices.begin());
+        for (const std::uint32_t v : input.triangles[t]) {
+            const auto next = static_cast<std::uint32_t>(used.size());
+            if (table.findOrInsert(mix64(v), next, [&](std::uint32_t other) { return used[other] == v; }) == next)
+                used.push_back(v);
+        }
+    return static_cast<std::uint32_t>(used.size());
 }
 
 /// Appends `cluster`, halved until its vertices fit.
 void appendFitting(const Input& input, std::vector<std::uint32_t> cluster, Clustering& out) {
-    if (cluster.size() * 3 <= kMaxClusterVertices || vertexCount(input, cluster) <= kMaxClusterVertices) {
+    if (const std::uint32_t vertices = vertexCount(input, cluster); vertices <= kMaxClusterVertices) {
         out.order.insert(out.order.end(), cluster.begin(), cluster.end());
         out.ends.push_back(static_cast<std::uint32_t>(out.order.size()));
+        out.vertexCounts.push_back(vertices);
         return;
     }
     std::vector<KdItem> items;

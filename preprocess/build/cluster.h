@@ -11,8 +11,9 @@ namespace gnomon::preprocess {
 
 /// An order of triangles in which clusters are contiguous.
 struct Clustering {
-    std::vector<std::uint32_t> order; // triangle indices
-    std::vector<std::uint32_t> ends;  // where each cluster ends in `order`
+    std::vector<std::uint32_t> order;        // triangle indices
+    std::vector<std::uint32_t> ends;         // where each cluster ends in `order`
+    std::vector<std::uint32_t> vertexCounts; // how many vertices each cluster has
 };
 
 constexpr std::uint32_t kMaxClusterVertices = 256;

@@ -1,6 +1,6 @@
 #include "preprocess/build/group_patch.h"
 
-#include "preprocess/build/index_table.h"
+#include "core/index_table.h"
 
 #include <tbb/parallel_for.h>
 

@@ -41,30 +41,19 @@ Sphere enclosing(const Box& box, std::span<const Sphere> children) {
     return sphere;
 }
 
-std::uint32_t countVertices(std::span<const Triangle> triangles, std::vector<std::uint32_t>& scratch) {
-    scratch.clear();
-    for (const Triangle& t : triangles)
-        scratch.insert(scratch.end(), t.begin(), t.end());
-    std::sort(scratch.begin(), scratch.end());
-    return static_cast<std::uint32_t>(std::unique(scratch.begin(), scratch.end()) - scratch.begin());
-}
-
-/// Appends the clusters of `triangles[0, end of the last cluster)` to `level`.
-void appendClusters(
-    const Mesh& mesh, std::span<const Triangle> triangles, std::span<const std::uint32_t> ends, Level& level) {
-    std::vector<std::uint32_t> scratch;
+/// Appends the clusters of `triangles`, which lie there in the order of `clustering`, to `level`.
+void appendClusters(const Mesh& mesh, std::span<const Triangle> triangles, const Clustering& clustering, Level& level) {
     std::uint32_t begin = 0;
-    for (const std::uint32_t end : ends) {
+    for (std::size_t c = 0; c < clustering.ends.size(); ++c) {
         LevelCluster cluster;
         cluster.firstTriangle = begin;
-        cluster.triangleCount = end - begin;
-        const auto own = triangles.subspan(begin, end - begin);
-        cluster.vertexCount = countVertices(own, scratch);
-        for (const Triangle& t : own)
+        cluster.triangleCount = clustering.ends[c] - begin;
+        cluster.vertexCount = clustering.vertexCounts[c];
+        for (const Triangle& t : triangles.subspan(begin, cluster.triangleCount))
             for (const std::uint32_t v : t)
                 cluster.box.add(mesh.vertices[v].position);
         level.clusters.push_back(cluster);
-        begin = end;
+        begin = clustering.ends[c];
     }
 }
 
@@ -143,7 +132,7 @@ private:
                 {patch.globalVertex[local[0]], patch.globalVertex[local[1]], patch.globalVertex[local[2]]});
             out.errors.push_back(errors[t]);
         }
-        appendClusters(mesh_, out.triangles, clustering.ends, out);
+        appendClusters(mesh_, out.triangles, clustering, out);
         for (LevelCluster& cluster : out.clusters)
             cluster.refinement = groupIndex;
     }
@@ -167,7 +156,7 @@ Level firstLevel(const Mesh& mesh, const LevelOptions& options) {
     for (const std::uint32_t t : clustering.order)
         level.triangles.push_back(mesh.triangles[t]);
     level.errors.assign(level.triangles.size(), {});
-    appendClusters(mesh, level.triangles, clustering.ends, level);
+    appendClusters(mesh, level.triangles, clustering, level);
     return level;
 }
 

@@ -1,11 +1,13 @@
 #include "preprocess/build/page_layout.h"
 
 #include "core/check.h"
+#include "core/index_table.h"
 #include "hierarchy/cluster_order.h"
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <span>
 
 namespace gnomon::preprocess {
 
@@ -24,37 +26,25 @@ std::uint64_t decodedBytes(const Level& level, const LevelGroup& group) {
 
 /// Appends the cluster's triangles, its vertices numbered in the order of their first use.
 void addGeometry(const Mesh& mesh, const Level& level, const LevelCluster& cluster, Page& page) {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> numbers; // vertex, first corner; then vertex, number
-    const std::uint32_t end = cluster.firstTriangle + cluster.triangleCount;
-    for (std::uint32_t t = cluster.firstTriangle; t < end; ++t)
-        for (const std::uint32_t v : level.triangles[t])
-            numbers.emplace_back(v, static_cast<std::uint32_t>(numbers.size()));
-    std::sort(numbers.begin(), numbers.end());
-    numbers.erase(
-        std::unique(numbers.begin(), numbers.end(), [](const auto& a, const auto& b) { return a.first == b.first; }),
-        numbers.end());
-    GNOMON_CHECK_OP(numbers.size(), ==, cluster.vertexCount);
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> byUse; // first corner, place in numbers
-    for (std::uint32_t i = 0; i < numbers.size(); ++i)
-        byUse.emplace_back(numbers[i].second, i);
-    std::sort(byUse.begin(), byUse.end());
-    for (std::uint32_t number = 0; number < byUse.size(); ++number) {
-        auto& entry = numbers[byUse[number].second];
-        page.vertices.push_back(mesh.vertices[entry.first]);
-        entry.second = number;
-    }
-    for (std::uint32_t t = cluster.firstTriangle; t < end; ++t) {
+    const auto triangles = std::span(level.triangles).subspan(cluster.firstTriangle, cluster.triangleCount);
+    std::vector<std::uint32_t> used;
+    IndexTable numbers(triangles.size() * 3);
+    for (const Triangle& corners : triangles) {
         hierarchy::Triangle triangle{};
         for (std::size_t i = 0; i < 3; ++i) {
-            const auto found = std::lower_bound(
-                numbers.begin(),
-                numbers.end(),
-                std::pair(level.triangles[t][i], std::uint32_t{0}),
-                [](const auto& a, const auto& b) { return a.first < b.first; });
-            triangle[i] = static_cast<std::uint8_t>(found->second);
+            const std::uint32_t v = corners[i];
+            const auto next = static_cast<std::uint32_t>(used.size());
+            const std::uint32_t number =
+                numbers.findOrInsert(mix64(v), next, [&](std::uint32_t other) { return used[other] == v; });
+            if (number == next) {
+                used.push_back(v);
+                page.vertices.push_back(mesh.vertices[v]);
+            }
+            triangle[i] = static_cast<std::uint8_t>(number);
         }
         page.triangles.push_back(triangle);
     }
+    GNOMON_CHECK_OP(used.size(), ==, cluster.vertexCount);
 }
 
 /// The page of the groups [first, end).

@@ -1,7 +1,7 @@
 #include "preprocess/build/remains.h"
 
 #include "hierarchy/bytes.h"
-#include "preprocess/build/index_table.h"
+#include "core/index_table.h"
 
 #include <cstring>
 

@@ -1,7 +1,7 @@
 // The vertices that a chunk has and uses, found by source index and joined by snapped position.
 #pragma once
 
-#include "preprocess/build/index_table.h"
+#include "core/index_table.h"
 #include "preprocess/chunk/borders.h"
 
 namespace gnomon::preprocess {

@@ -5,13 +5,13 @@
 // and stored byte plane by byte plane, since the entropy coder that follows works on bytes.
 #include "hierarchy/cluster_codec.h"
 
+#include "core/index_table.h"
 #include "core/random.h"
 #include "hierarchy/connectivity_codec.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <unordered_map>
 
 namespace gnomon::hierarchy {
 
@@ -108,13 +108,11 @@ std::pair<const Vertex&, const Vertex&> attributeParents(
     return {vertices[v - 1], vertices[v - 1]};
 }
 
-struct VertexHash {
-    std::size_t operator()(const Vertex& vertex) const {
-        const std::uint64_t a = static_cast<std::uint64_t>(vertex.position.x) << 32U | vertex.position.y;
-        const std::uint64_t b = static_cast<std::uint64_t>(vertex.position.z) << 32U | vertex.normal;
-        return mix64(a ^ mix64(b));
-    }
-};
+std::uint64_t hashOf(const Vertex& vertex) {
+    const std::uint64_t a = static_cast<std::uint64_t>(vertex.position.x) << 32U | vertex.position.y;
+    const std::uint64_t b = static_cast<std::uint64_t>(vertex.position.z) << 32U | vertex.normal;
+    return mix64(a ^ mix64(b));
+}
 
 /// All numbers that the vertices of a page become.
 struct VertexChannels {
@@ -145,22 +143,23 @@ AttributeLayout layoutOf(std::span<const Vertex> vertices) {
 /// Turns the vertices of a page, cluster by cluster, into numbers.
 class VertexEncoder {
 public:
-    explicit VertexEncoder(const Page& page) : page_(page), layout_(layoutOf(page.vertices)) {}
+    explicit VertexEncoder(const Page& page)
+        : page_(page), layout_(layoutOf(page.vertices)), table_(page.vertices.size()) {}
 
     void encode(const Cluster& cluster, const ParentTable& parents) {
         const auto vertices = std::span(page_.vertices).subspan(cluster.firstVertex, cluster.vertexCount);
         std::uint32_t expected = cluster.firstVertex;
         for (std::uint32_t v = 0; v < vertices.size(); ++v) {
-            if (const auto earlier = seen_.find(vertices[v]); earlier != seen_.end()) {
-                channels_.references.push_back(1 + zigzag(earlier->second - expected));
-                expected = earlier->second + 1;
+            if (const std::uint32_t earlier = seen(vertices[v]); earlier != kNone) {
+                channels_.references.push_back(1 + zigzag(earlier - expected));
+                expected = earlier + 1;
             } else {
                 channels_.references.push_back(0);
                 encodeFresh(vertices, v, parents[v]);
             }
         }
         for (std::uint32_t v = 0; v < vertices.size(); ++v)
-            seen_[vertices[v]] = cluster.firstVertex + v;
+            see(cluster.firstVertex + v);
     }
 
     void write(ByteWriter& out) const {
@@ -181,6 +180,22 @@ public:
     }
 
 private:
+    /// The last vertex of the clusters so far that is equal to `vertex`, or kNone.
+    std::uint32_t seen(const Vertex& vertex) const {
+        const auto isEqual = [&](std::uint32_t entry) { return page_.vertices[last_[entry]] == vertex; };
+        const std::uint32_t entry = table_.find(hashOf(vertex), isEqual);
+        return entry == IndexTable::kAbsent ? kNone : last_[entry];
+    }
+
+    void see(std::uint32_t v) {
+        const auto next = static_cast<std::uint32_t>(last_.size());
+        const Vertex& vertex = page_.vertices[v];
+        const auto isEqual = [&](std::uint32_t entry) { return page_.vertices[last_[entry]] == vertex; };
+        const std::uint32_t entry = table_.findOrInsert(hashOf(vertex), next, isEqual);
+        if (entry == next) last_.emplace_back();
+        last_[entry] = v;
+    }
+
     void encodeFresh(std::span<const Vertex> vertices, std::uint32_t v, const Parents& parents) {
         const Vertex& vertex = vertices[v];
         const GridPoint p = vertex.position;
@@ -213,7 +228,8 @@ private:
     AttributeLayout layout_;
     VertexChannels channels_;
     ByteWriter anchors_;
-    std::unordered_map<Vertex, std::uint32_t, VertexHash> seen_; // of earlier clusters, the last one each
+    IndexTable table_;                // of the different vertices so far
+    std::vector<std::uint32_t> last_; // which vertex was the last of each
     GridPoint anchor_;
 };
 

@@ -2,21 +2,22 @@
 #pragma once
 
 #include "core/random.h"
-#include "hierarchy/page.h"
 
 #include <vector>
 
-namespace gnomon::preprocess {
+namespace gnomon {
 
 /// Open addressing with linear probing.
 class IndexTable {
 public:
+    static constexpr std::uint32_t kAbsent = 0xFFFFFFFFU;
+
     /// Room for `count` keys.
     explicit IndexTable(std::size_t count) {
         std::size_t size = 16;
         while (size < count * 2)
             size *= 2;
-        slots_.assign(size, hierarchy::kNone);
+        slots_.assign(size, kAbsent);
     }
 
     /// The index stored under an equal key, or `index` after storing it.
@@ -24,17 +25,17 @@ public:
     std::uint32_t findOrInsert(std::uint64_t hash, std::uint32_t index, Equal equal) {
         const std::size_t mask = slots_.size() - 1;
         for (std::size_t i = hash & mask;; i = (i + 1) & mask) {
-            if (slots_[i] == hierarchy::kNone) return slots_[i] = index;
+            if (slots_[i] == kAbsent) return slots_[i] = index;
             if (equal(slots_[i])) return slots_[i];
         }
     }
 
-    /// The index stored under an equal key, or kNone.
+    /// The index stored under an equal key, or kAbsent.
     template <class Equal>
     std::uint32_t find(std::uint64_t hash, Equal equal) const {
         const std::size_t mask = slots_.size() - 1;
         for (std::size_t i = hash & mask;; i = (i + 1) & mask)
-            if (slots_[i] == hierarchy::kNone || equal(slots_[i])) return slots_[i];
+            if (slots_[i] == kAbsent || equal(slots_[i])) return slots_[i];
     }
 
 private:
@@ -45,4 +46,4 @@ inline std::uint64_t hashOf(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     return mix64(mix64(static_cast<std::uint64_t>(a) << 32U | b) + c);
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon

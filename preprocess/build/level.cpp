@@ -88,6 +88,7 @@ public:
         const std::size_t count = triangleCount(level_, group);
         const auto triangles = std::span(level_.triangles).subspan(first.firstTriangle, count);
         GroupPatch patch = makeGroupPatch(mesh_, triangles, owners_);
+        patch.patch.isBounded = options_.isErrorMeasured;
         patch.patch.errors = std::span(level_.errors).subspan(first.firstTriangle, count);
         const SimplifiedPatch simplified = simplify(patch.patch, (count + 1) / 2, options_.simplifier);
         const double before = std::max(worstRefinement(level_, group), mesh_.grid.snapError());

@@ -473,6 +473,7 @@ double Collapser::trueCost(std::uint32_t from, std::uint32_t to) {
     if (vanishing_ >= aliveCount_) return kNever; // something must remain
     if (turnsFace(from, to) || breaksLockedEdge(to)) return kNever;
     const double penalty = changesTopology(from, to) ? kTopologyPenalty : 1;
+    if (!patch_.isBounded) return penalty * std::sqrt(rawCost(from, to));
     if (!foreseeErrors(from, to)) return kNever;
     double before = 0;
     for (const StarFace& face : star_)
@@ -687,7 +688,7 @@ SimplifiedPatch Collapser::run(std::size_t targetTriangles) {
         if (isAlive_[t] == 0) continue;
         result.triangles.push_back(vertex_[t]);
         result.origin.push_back(t);
-        result.errors.push_back({roundedUp(error_[t].fromSource), roundedUp(error_[t].toSource)});
+        if (patch_.isBounded) result.errors.push_back({roundedUp(error_[t].fromSource), roundedUp(error_[t].toSource)});
     }
     result.movedTo = movedTo_;
     for (std::uint32_t& p : result.movedTo)

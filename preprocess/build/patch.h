@@ -45,8 +45,9 @@ struct SimplifiedPatch {
     std::vector<Triangle> triangles;
     std::vector<std::uint32_t> origin;  // per triangle the patch's triangle that it was, kNone where that is unknown
     std::vector<std::uint32_t> movedTo; // per position the one that it was collapsed into; itself where it stayed
-    std::vector<TriangleError> errors;  // of the triangles, bounds; empty if the simplifier knows none or none are asked for
-    double claimedError = 0;            // what the simplifier believes, in grid steps; no bound
+    std::vector<TriangleError>
+        errors;              // of the triangles, bounds; empty if the simplifier knows none or none are asked for
+    double claimedError = 0; // what the simplifier believes, in grid steps; no bound
 };
 
 } // namespace gnomon::preprocess

@@ -1,7 +1,7 @@
 #include "preprocess/build/remains.h"
 
-#include "hierarchy/bytes.h"
 #include "core/index_table.h"
+#include "hierarchy/bytes.h"
 
 #include <cstring>
 

@@ -481,8 +481,9 @@ double Collapser::trueCost(std::uint32_t from, std::uint32_t to) {
     return std::max(worst_, before + std::sqrt(rawCost(from, to))) + (penalty - 1) * (worst_ - before);
 }
 
-/// The largest error of the triangles around `p`.
+/// The largest error of the triangles around `p`; 0 where errors are not asked for.
 double Collapser::errorAround(std::uint32_t p) {
+    if (!patch_.isBounded) return 0;
     double before = 0;
     forCorners(p, [&](std::uint32_t corner) {
         before = std::max({before, error_[corner / 3].fromSource, error_[corner / 3].toSource});

@@ -4,7 +4,9 @@
 usage: bench/build_scale.py GNOMON CASE... [--work DIR] [--repetitions R] [--kills N] [--keep]
 
 Cases: KIND:TRIANGLES:MEMORY[:ERROR], like statue:50M:1G or statue:10M:1G:estimated; FILE.ply:MEMORY[:ERROR] builds a
-file that is there; shuffled:10M:1G is the statue with its vertices in random order, beside the same one in file order.
+file that is there; shuffled:10M:1G is the statue with its vertices in random order, beside the same one in file order;
+tiled:4:FILE.ply:1G builds four copies of the file, side by side, as one model (x, y, z must be its first properties,
+little-endian floats).
 With --kills N each case is built once, then N times more: killed with SIGKILL at a random moment and resumed, until the
 file is there; all must come out with the same content_hash. A model and its PLY take up to 19 + 12 bytes a triangle of
 disk, a build up to 40 more; --keep keeps the PLY for the next run.
@@ -14,30 +16,64 @@ Peak memory is the kernel's for the process (ru_maxrss). Times are medians of th
 import argparse
 import array
 import json
+import multiprocessing
 import os
 import random
 import signal
 import statistics
+import struct
 import subprocess
 import sys
 import time
 
 
 
+def read_ply_header(file):
+    """The header's bytes, how many vertices follow it, and the bytes of each."""
+    header = b""
+    while not header.endswith(b"end_header\n"):
+        header += file.readline()
+    sizes = {"char": 1, "uchar": 1, "short": 2, "ushort": 2, "int": 4, "uint": 4, "float": 4, "double": 8}
+    vertices = header.decode().split("element vertex ")[1].split("element ")[0].splitlines()
+    return header, int(vertices[0]), sum(sizes[line.split()[1]] for line in vertices[1:] if line.startswith("property"))
+
+
+def apart(function, *arguments):
+    """Runs `function` in a process of its own: what a fork holds counts as the peak memory of the build it becomes."""
+    process = multiprocessing.Process(target=function, args=arguments)
+    process.start()
+    process.join()
+    if process.exitcode != 0:
+        sys.exit(process.exitcode)
+
+
+def tile_path(source, folder, copy):
+    return os.path.join(folder, f"tile_{copy}_{os.path.basename(source)}")
+
+
+def tile(source, folder, count):
+    """Writes `count` copies of the PLY `source`, side by side along x."""
+    with open(source, "rb") as file:
+        header, vertices, size = read_ply_header(file)
+        block = file.read(vertices * size)
+        faces = file.read()
+    xs = [struct.unpack_from("<f", block, at)[0] for at in range(0, len(block), size)]
+    width = 1.01 * (max(xs) - min(xs))
+    for copy in range(count):
+        moved = bytearray(block)
+        for i, x in enumerate(xs):
+            struct.pack_into("<f", moved, i * size, x + copy * width)
+        with open(tile_path(source, folder, copy), "wb") as file:
+            file.write(header + moved + faces)
+
+
 def shuffle_vertices(source, target, seed=1):
     """The PLY `source` (as `gnomon make` writes it) with its vertices in random order."""
     with open(source, "rb") as file:
-        header = b""
-        while not header.endswith(b"end_header\n"):
-            header += file.readline()
-        counts = {}
-        for line in header.decode().splitlines():
-            words = line.split()
-            if words[0] == "element":
-                counts[words[1]] = int(words[2])
-        vertices = file.read(12 * counts["vertex"])
+        header, count, _ = read_ply_header(file)
+        vertices = file.read(12 * count)
         faces = bytearray(file.read())
-    order = array.array("I", range(counts["vertex"]))
+    order = array.array("I", range(count))
     generator = random.Random(seed)
     generator.shuffle(order)
     moved = bytearray(len(vertices))
@@ -52,9 +88,9 @@ def shuffle_vertices(source, target, seed=1):
         file.write(faces)
 
 
-def build(gnomon, source, target, memory, error, extra=()):
+def build(gnomon, sources, target, memory, error, extra=()):
     """Runs one build; its report, its wall-clock seconds, its peak memory and its processor seconds."""
-    command = [gnomon, "build", source, "-o", target, "--memory", memory, "--error", error, "--json",
+    command = [gnomon, "build", *sources, "-o", target, "--memory", memory, "--error", error, "--json",
                "--progress", "none", *extra]
     start = time.monotonic()
     process = subprocess.Popen(command, stdout=subprocess.PIPE)
@@ -67,7 +103,7 @@ def build(gnomon, source, target, memory, error, extra=()):
     return json.loads(output), seconds, usage.ru_maxrss * 1024, usage.ru_utime + usage.ru_stime
 
 
-def kill_and_resume(gnomon, source, target, memory, error, seconds, kills, expected):
+def kill_and_resume(gnomon, sources, target, memory, error, seconds, kills, expected):
     """Kills `kills` builds, each at a random moment of a build that takes `seconds`, and resumes them to the end."""
     generator = random.Random(7)
     different = 0
@@ -75,7 +111,7 @@ def kill_and_resume(gnomon, source, target, memory, error, seconds, kills, expec
     for _ in range(kills):
         if os.path.exists(target):
             os.remove(target)
-        command = [gnomon, "build", source, "-o", target, "--memory", memory, "--error", error, "--progress", "none",
+        command = [gnomon, "build", *sources, "-o", target, "--memory", memory, "--error", error, "--progress", "none",
                    "--resume"]
         process = subprocess.Popen(command, stdout=subprocess.DEVNULL)
         time.sleep(generator.uniform(0, seconds))
@@ -83,7 +119,7 @@ def kill_and_resume(gnomon, source, target, memory, error, seconds, kills, expec
             process.send_signal(signal.SIGKILL)
             resumed += 1
         process.wait()
-        report, _, _, _ = build(gnomon, source, target, memory, error, ["--resume"])
+        report, _, _, _ = build(gnomon, sources, target, memory, error, ["--resume"])
         different += report["content_hash"] != expected
         left = [name for name in os.listdir(os.path.dirname(target)) if name.startswith(os.path.basename(target) + ".")]
         if left:
@@ -108,33 +144,37 @@ def main():
     for case in options.cases:
         words = case.split(":")
         if words[0].endswith(".ply"):
-            sources = [(words[0], False)]
+            models = [([words[0]], False)]
             rest = words[1:]
+        elif words[0] == "tiled":
+            apart(tile, words[2], options.work, int(words[1]))
+            models = [([tile_path(words[2], options.work, copy) for copy in range(int(words[1]))], True)]
+            rest = words[3:]
         else:
             kind = "statue" if words[0] == "shuffled" else words[0]
             plain = os.path.join(options.work, f"{kind}_{words[1]}.ply")
             if not os.path.exists(plain):
                 subprocess.run([options.gnomon, "make", kind, "--triangles", words[1], "-o", plain, "--progress",
                                 "none"], check=True, stdout=subprocess.DEVNULL)
-            sources = [(plain, not options.keep)]
+            models = [([plain], not options.keep)]
             if words[0] == "shuffled":
                 mixed = os.path.join(options.work, f"shuffled_{words[1]}.ply")
                 if not os.path.exists(mixed):
-                    shuffle_vertices(plain, mixed)
-                sources.append((mixed, not options.keep))
+                    apart(shuffle_vertices, plain, mixed)
+                models.append(([mixed], not options.keep))
             rest = words[2:]
         memory = rest[0]
         error = rest[1] if len(rest) > 1 else "measured"
-        for source, isMade in sources:
+        for sources, is_made in models:
             target = os.path.join(options.work, "model.gnm")
-            runs = [build(options.gnomon, source, target, memory, error) for _ in range(options.repetitions)]
+            runs = [build(options.gnomon, sources, target, memory, error) for _ in range(options.repetitions)]
             report = runs[0][0]
             seconds = statistics.median(run[1] for run in runs)
             spread = max(run[1] for run in runs) - min(run[1] for run in runs)
             triangles = report["source_triangles"]
             peak = max(run[2] for run in runs)
             good = good and peak <= parse_memory(memory) and len({run[0]["content_hash"] for run in runs}) == 1
-            print(f"| {os.path.basename(source)} {error} | {memory} | {seconds:.1f} ({spread:.1f}) "
+            print(f"| {os.path.basename(sources[0])} {error} | {memory} | {seconds:.1f} ({spread:.1f}) "
                   f"| {triangles / seconds / 1e6:.3f} | {runs[0][3] / runs[0][1]:.2f} | {peak / 2**20:.0f} "
                   f"| {report['temporary_bytes'] / triangles:.1f} | {report['bytes_per_source_triangle']:.2f} "
                   f"| {report['coarsest_triangles']} | {100 * report['stuck_triangles'] / triangles:.2f}% "
@@ -143,10 +183,10 @@ def main():
                 print(f"    {phase['name']}: {phase['seconds']:.1f} s, read {phase['bytes_read'] / 2**20:.0f} MiB, "
                       f"wrote {phase['bytes_written'] / 2**20:.0f} MiB", file=sys.stderr)
             if options.kills > 0:
-                good = kill_and_resume(options.gnomon, source, target, memory, error, seconds, options.kills,
+                good = kill_and_resume(options.gnomon, sources, target, memory, error, seconds, options.kills,
                                        report["content_hash"]) and good
             os.remove(target)
-            if isMade:
+            for source in sources if is_made else []:
                 os.remove(source)
     sys.exit(0 if good else 1)
 

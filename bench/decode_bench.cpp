@@ -1,5 +1,6 @@
 // How fast pages decode on one core: read from the page cache, checked, unfolded and turned into triangles.
-// decode_bench MODEL.gnm [benchmark options]; at most kPages pages, evenly over the file, those of the finest level too.
+// decode_bench MODEL.gnm [benchmark options]; at most kPages pages, evenly over the file, those of the finest level
+// too.
 #include "core/error.h"
 #include "hierarchy/model_file.h"
 

@@ -49,24 +49,22 @@ void putPlanes(const Channel& channel, ByteWriter& out) {
 }
 
 /// `count` numbers; no more than the clusters of a page have vertices, so it is bounded by bytes that were there.
-Channel takePlanes(ByteReader& in, std::size_t count) {
+void takePlanes(ByteReader& in, std::size_t count, Channel& channel) {
     const auto planes = in.take<std::uint8_t>();
     if (planes > 4) throw Damage{"a value has more than four bytes"};
-    Channel channel(count);
+    channel.assign(count, 0);
     for (unsigned plane = 0; plane < planes; ++plane) {
         const auto bytes = in.take(count);
         for (std::size_t i = 0; i < count; ++i)
             channel[i] |= static_cast<std::uint32_t>(bytes[i]) << (8U * plane);
     }
-    return channel;
 }
 
 /// As takePlanes, for differences.
-Channel takeDifferences(ByteReader& in, std::size_t count) {
-    Channel channel = takePlanes(in, count);
+void takeDifferences(ByteReader& in, std::size_t count, Channel& channel) {
+    takePlanes(in, count, channel);
     for (std::uint32_t& value : channel)
         value = unzigzag(value);
-    return channel;
 }
 
 /// Normals without the low bits that all of a page lack, as offset binary, so that a mean of two lies between them.
@@ -236,21 +234,23 @@ private:
 /// The reverse.
 class VertexDecoder {
 public:
-    VertexDecoder(ByteReader& in, Page& page) : page_(page), anchors_(in.take(in.takeVarint())) {
+    /// `channels` is where it keeps the numbers it reads.
+    VertexDecoder(ByteReader& in, Page& page, VertexChannels& channels)
+        : page_(page), channels_(channels), anchors_(in.take(in.takeVarint())) {
         layout_.hasNormals = in.take<std::uint8_t>() != 0;
         layout_.hasColors = in.take<std::uint8_t>() != 0;
         layout_.normals.shift = in.take<std::uint8_t>();
         if (layout_.normals.shift > 15) throw Damage{"normals lack more bits than they have"};
         const std::size_t count = page.vertices.size();
-        channels_.references = takePlanes(in, count);
+        takePlanes(in, count, channels_.references);
         const auto fresh =
             static_cast<std::size_t>(std::count(channels_.references.begin(), channels_.references.end(), 0U));
         for (Channel& channel : channels_.positions)
-            channel = takeDifferences(in, fresh);
+            takeDifferences(in, fresh, channel);
         for (Channel& channel : channels_.normals)
-            if (layout_.hasNormals) channel = takeDifferences(in, fresh);
+            if (layout_.hasNormals) takeDifferences(in, fresh, channel);
         for (Channel& channel : channels_.colors)
-            if (layout_.hasColors) channel = takeDifferences(in, fresh);
+            if (layout_.hasColors) takeDifferences(in, fresh, channel);
     }
 
     void decode(Cluster& cluster, const ParentTable& parents) {
@@ -312,7 +312,7 @@ private:
 
     Page& page_;
     AttributeLayout layout_;
-    VertexChannels channels_;
+    VertexChannels& channels_;
     ByteReader anchors_;
     GridPoint anchor_;
     std::size_t fresh_ = 0;
@@ -343,7 +343,9 @@ void decodeClusters(ByteReader& in, Page& page) {
     std::span<const std::uint8_t> indices(reinterpret_cast<const std::uint8_t*>(indexBytes.data()), indexBytes.size());
     page.triangles.resize(codes.size());
     page.vertices.resize(last.firstVertex + last.vertexCount);
-    VertexDecoder vertices(in, page);
+    // Kept from page to page: memory given back to the system is paid for again, a page fault every four KiB.
+    thread_local VertexChannels channels;
+    VertexDecoder vertices(in, page, channels);
     ParentTable parents{};
     for (Cluster& cluster : page.clusters) {
         decodeConnectivity(

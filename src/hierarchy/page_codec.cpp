@@ -169,7 +169,7 @@ std::vector<std::byte> encodePageBytes(const Page& page) {
 }
 
 Page decodePageBytes(std::span<const std::byte> bytes, const PageInfo& info) {
-    std::vector<std::byte> storage;
+    thread_local std::vector<std::byte> storage; // kept from page to page, as zstd's context is
     ByteReader in(unpack(bytes, storage));
     Page page;
     page.level = info.level;

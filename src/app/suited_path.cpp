@@ -51,14 +51,16 @@ CameraPath flyby(const Box& bounds) {
 
 using TriangleCorners = std::array<glm::dvec3, 3>;
 
-/// Calls `visit` for each triangle of the uniform cut of `error`, world space: pages that it does not reach stay
-/// unread, so that it takes as long for a model of any size.
-template <class Visit>
-void forEachTriangle(const hierarchy::ModelFile& model, double error, const Visit& visit) {
+/// Calls `visit` for each triangle of the cut that refines what `isRefined(error, bounds)` says (bounds in local space;
+/// monotone along refinements), in world space: pages that it does not reach stay unread, so that it takes as long for
+/// a model of any size.
+template <class IsRefined, class Visit>
+void forEachTriangle(const hierarchy::ModelFile& model, const IsRefined& isRefined, const Visit& visit) {
     const hierarchy::Grid& grid = model.summary().grid;
-    const auto isRefined = [&](double groupError, const Sphere&) { return groupError > error; };
     for (std::uint32_t id = 0; id < model.pages().size(); ++id) {
-        if (!(model.pages()[id].maxError > error)) continue; // none of its groups is drawn
+        const hierarchy::PageInfo& info = model.pages()[id];
+        const bool holdsRoot = info.maxError == std::numeric_limits<double>::infinity();
+        if (!holdsRoot && !isRefined(info.maxError, info.bounds)) continue; // none of its groups is drawn
         const hierarchy::Page page = model.readPage(id);
         hierarchy::forEachDrawn(page, isRefined, [&](const hierarchy::Group&, const hierarchy::Cluster& cluster) {
             for (std::uint32_t t = cluster.firstTriangle; t < cluster.firstTriangle + cluster.triangleCount; ++t) {
@@ -87,25 +89,62 @@ double hitDistance(const TriangleCorners& t, const glm::dvec3& origin, const glm
     return u >= 0 && v >= 0 && u + v <= 1 && distance >= 0 ? distance : kMissed;
 }
 
+/// How far from `start` along `direction` (unit length) the model at full detail is first met; infinite if it is not.
+double surfaceDistance(const hierarchy::ModelFile& model, const glm::dvec3& start, const glm::dvec3& direction) {
+    const glm::dvec3 origin = start - model.summary().grid.origin;
+    const auto meets = [&](double, const Sphere& sphere) {
+        const glm::dvec3 towards = sphere.center - origin;
+        const double along = std::max(glm::dot(towards, direction), 0.0);
+        return glm::length(towards - along * direction) <= sphere.radius;
+    };
+    double surface = std::numeric_limits<double>::infinity();
+    forEachTriangle(model, meets, [&](const TriangleCorners& corners) {
+        surface = std::min(surface, hitDistance(corners, start, direction));
+    });
+    return surface;
+}
+
+/// The point of the model that is nearest in direction to `direction` as seen from `start`, among the vertices of the
+/// coarsest cut: every one of them is a vertex at full detail.
+glm::dvec3 coarseVertexTowards(
+    const hierarchy::ModelFile& model, const glm::dvec3& start, const glm::dvec3& direction) {
+    glm::dvec3 nearest(0);
+    double best = -2; // a cosine
+    forEachTriangle(
+        model,
+        [](double, const Sphere&) { return false; },
+        [&](const TriangleCorners& corners) {
+            for (const glm::dvec3& corner : corners) {
+                const double cosine = glm::dot(glm::normalize(corner - start), direction);
+                if (cosine > best) {
+                    best = cosine;
+                    nearest = corner;
+                }
+            }
+        });
+    return nearest;
+}
+
 /// From far away to very near the surface, in equal ratios of the distance from it; towards what of the model lies
-/// before its middle, or the middle itself where nothing does.
+/// before its middle or, where nothing does, towards what of it is nearest to that line.
 CameraPath approach(const hierarchy::ModelFile& model) {
     const Box& bounds = model.summary().bounds;
-    const glm::dvec3 direction = glm::normalize(glm::dvec3(0.35, 0.25, 1));
-    const double radius = 0.5 * glm::length(bounds.extent());
-    const double farthest = 5 * radius;
-    const glm::dvec3 start = bounds.center() + farthest * direction;
-    double surface = farthest;
-    forEachTriangle(model, 5e-4 * radius, [&](const TriangleCorners& corners) {
-        surface = std::min(surface, hitDistance(corners, start, -direction));
-    });
-    const glm::dvec3 target = start - surface * direction;
+    const glm::dvec3 from = glm::normalize(glm::dvec3(0.35, 0.25, 1));
+    const glm::dvec3 start = bounds.center() + 2.5 * glm::length(bounds.extent()) * from;
+    glm::dvec3 direction = -from;
+    double surface = surfaceDistance(model, start, direction);
+    if (surface == std::numeric_limits<double>::infinity()) {
+        const glm::dvec3 way = coarseVertexTowards(model, start, direction) - start;
+        direction = glm::normalize(way);
+        surface = std::min(glm::length(way), surfaceDistance(model, start, direction));
+    }
+    const glm::dvec3 target = start + surface * direction;
     constexpr double kNearest = 1e-3; // of the first distance
     constexpr int kKeys = 24;
     CameraPath path;
     for (int i = 0; i <= kKeys; ++i) {
         const double distance = surface * std::pow(kNearest, static_cast<double>(i) / kKeys);
-        path.keyframes.push_back(keyframe(kDuration * i / kKeys, target + distance * direction, target));
+        path.keyframes.push_back(keyframe(kDuration * i / kKeys, target - distance * direction, target));
     }
     return path;
 }
@@ -118,7 +157,8 @@ public:
         : min_(model.summary().bounds.min),
           cell_(model.summary().bounds.extent() / static_cast<double>(kCells)),
           occupied_(static_cast<std::size_t>(kCells) * kCells, 0) {
-        forEachTriangle(model, error, [&](const TriangleCorners& corners) {
+        const auto isRefined = [error](double groupError, const Sphere&) { return groupError > error; };
+        forEachTriangle(model, isRefined, [&](const TriangleCorners& corners) {
             Box box;
             for (const glm::dvec3& corner : corners)
                 box.add(corner);

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <limits>
 
 namespace gnomon::app {
@@ -21,14 +22,23 @@ namespace {
 
 constexpr int kSamples = 400; // along a path
 
-/// A made model, built; and its finest triangles, in world space.
+/// Writes what `gnomon make` does.
+auto made(const std::string& kind, std::uint64_t triangles) {
+    return [=](const std::string& path) {
+        NoProgress progress;
+        preprocess::writeMadeModel(*preprocess::makeNamedModel(kind, triangles, 1), path, "made", 0, progress);
+    };
+}
+
+/// A model written by `write(path)`, built; and its finest triangles, in world space.
 class MadeModel {
 public:
-    MadeModel(const std::string& kind, std::uint64_t triangles) {
+    template <class Write>
+    explicit MadeModel(const Write& write) {
         const std::string stem =
             (std::filesystem::temp_directory_path() / ("gnomon_path_test_" + std::to_string(::getpid()))).string();
+        write(stem + ".ply");
         NoProgress progress;
-        preprocess::writeMadeModel(*preprocess::makeNamedModel(kind, triangles, 1), stem + ".ply", "made", 0, progress);
         preprocess::BuildOptions options;
         options.output = stem + ".gnm";
         const auto source = preprocess::openMeshSources({stem + ".ply"}, gibibytes(1));
@@ -51,6 +61,21 @@ public:
             square = std::min(square, preprocess::footing(point, t[0], t[1], t[2]).square);
         }
         return std::sqrt(square);
+    }
+
+    /// The distances from `origin` along `direction` (unit length) to all that is there, nearest first.
+    std::vector<double> met(const glm::dvec3& origin, const glm::dvec3& direction) const {
+        std::vector<double> distances;
+        for (const std::array<glm::dvec3, 3>& t : triangles_) {
+            const glm::dvec3 normal = glm::cross(t[1] - t[0], t[2] - t[0]);
+            const double distance = glm::dot(t[0] - origin, normal) / glm::dot(direction, normal);
+            if (!(distance >= 0)) continue;
+            const glm::dvec3 at = origin + distance * direction;
+            if (preprocess::footing(at, t[0], t[1], t[2]).square <= 1e-20 * distance * distance)
+                distances.push_back(distance);
+        }
+        std::sort(distances.begin(), distances.end());
+        return distances;
     }
 
     /// The least and the largest view depth of anything within the view of `camera`, whose image is square.
@@ -96,7 +121,7 @@ double timeAt(const CameraPath& path, int sample) {
 }
 
 TEST(SuitedPath, AWalkPassesThroughNothingAndSeesNearAndFar) {
-    const MadeModel plant("plant", 60000);
+    const MadeModel plant(made("plant", 60000));
     const CameraPath path = suitedPath(plant.file(), "walk");
     constexpr double kClear = 0.3; // metres
     double longestStep = 0;
@@ -117,7 +142,7 @@ TEST(SuitedPath, AWalkPassesThroughNothingAndSeesNearAndFar) {
 }
 
 TEST(SuitedPath, AnApproachComesFromFarToVeryNear) {
-    const MadeModel statue("statue", 20000);
+    const MadeModel statue(made("statue", 20000));
     const Box& bounds = statue.file().summary().bounds;
     const double size = glm::length(bounds.extent());
     const CameraPath path = suitedPath(statue.file(), "approach");
@@ -131,6 +156,72 @@ TEST(SuitedPath, AnApproachComesFromFarToVeryNear) {
     }
     EXPECT_GT(statue.clearance(cameraAt(path, timeAt(path, 0)).eye, 4 * size), 1.5 * size);
     EXPECT_LT(statue.clearance(end, size), 0.005 * size);
+}
+
+/// Many small boxes in a flat grid, with gaps between them as wide as they are; far away on two sides one more each, so
+/// that the grid is fine for the size of the model and coarse levels close its gaps.
+struct Grating {
+    int side = 60;          // boxes
+    bool hasFloor = true;   // below, as wide as the grid
+    double emptyRadius = 0; // where no boxes are, around the middle
+    double reach = 100'000; // of the boxes far away
+
+    void operator()(const std::string& path) const {
+        std::vector<glm::dvec3> corners;
+        std::vector<std::array<std::size_t, 4>> quads;
+        const auto box = [&](const glm::dvec3& min, const glm::dvec3& max) {
+            const std::size_t first = corners.size();
+            for (unsigned i = 0; i < 8; ++i)
+                corners.emplace_back(
+                    (i & 1U) != 0 ? max.x : min.x, (i & 2U) != 0 ? max.y : min.y, (i & 4U) != 0 ? max.z : min.z);
+            constexpr std::array<std::array<std::size_t, 4>, 6> kSides{
+                {{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}}};
+            for (const auto& q : kSides)
+                quads.push_back({first + q[0], first + q[1], first + q[2], first + q[3]});
+        };
+        for (int x = 0; x < side; ++x)
+            for (int z = 0; z < side; ++z) {
+                const glm::dvec3 middle(2 * x + 1.3 - side, 0, 2 * z + 1 - side);
+                if (glm::length(middle) >= emptyRadius) box(middle - 0.5, middle + 0.5);
+            }
+        if (hasFloor) box({-side, -9, -side}, {side, -8, side});
+        box({-reach, -1, -1}, {1 - reach, 0, 0});
+        box({reach - 1, 0, 0}, {reach, 1, 1});
+        std::ofstream file(path);
+        file << "ply\nformat ascii 1.0\nelement vertex " << corners.size()
+             << "\nproperty float x\nproperty float y\nproperty float z\nelement face " << quads.size()
+             << "\nproperty list uchar int vertex_indices\nend_header\n";
+        for (const glm::dvec3& corner : corners)
+            file << corner.x << ' ' << corner.y << ' ' << corner.z << '\n';
+        for (const auto& q : quads)
+            file << "4 " << q[0] << ' ' << q[1] << ' ' << q[2] << ' ' << q[3] << '\n';
+    }
+};
+
+/// An approach to `model` leads straight to a surface of its full detail, with nothing before it.
+void expectApproachEndsBeforeASurface(const MadeModel& model, const char* name) {
+    const CameraPath path = suitedPath(model.file(), "approach");
+    const glm::dvec3 start = path.keyframes.front().camera.eye;
+    for (const Keyframe& key : path.keyframes) {
+        const glm::dvec3 way = key.camera.target - key.camera.eye;
+        const std::vector<double> met = model.met(key.camera.eye, glm::normalize(way));
+        ASSERT_FALSE(met.empty()) << name << ", at " << key.time << " s";
+        EXPECT_NEAR(met.front(), glm::length(way), 1e-9 * glm::distance(start, key.camera.target))
+            << name << ", at " << key.time << " s";
+    }
+}
+
+TEST(SuitedPath, AnApproachEndsBeforeASurfaceOfFullDetail) {
+    expectApproachEndsBeforeASurface(MadeModel(made("statue", 20000)), "statue");
+    expectApproachEndsBeforeASurface(MadeModel(made("plant", 60000)), "plant");
+    expectApproachEndsBeforeASurface(MadeModel(made("planes", 20000)), "planes");
+    for (int side = 40; side < 44; ++side) // the line meets a box or goes between two
+        expectApproachEndsBeforeASurface(MadeModel(Grating{side, true, 0}), "grating");
+}
+
+TEST(SuitedPath, AnApproachFindsWhatThereIsAroundAnEmptyMiddle) {
+    for (const double emptyRadius : {0.0, 10.0, 40.0})
+        expectApproachEndsBeforeASurface(MadeModel(Grating{40, false, emptyRadius}), "grating without a floor");
 }
 
 TEST(SuitedPath, OrbitAndFlybyStayOutsideAndLookAtTheModel) {

@@ -111,6 +111,9 @@ public:
             result.error = before + simplified.claimedError * mesh_.grid.step();
         }
         cutIntoClusters(patch, simplified, errors, groupIndex, result.clusters);
+        result.clusters.normals = carriedNormals(patch.patch, simplified);
+        for (CarriedNormal& carried : result.clusters.normals)
+            carried.vertex = patch.globalVertex[carried.vertex];
         return result;
     }
 
@@ -214,6 +217,7 @@ Level simplifiedLevel(const Mesh& mesh, Level& level, const LevelOptions& option
         const Level& own = results[g].clusters;
         next.triangles.insert(next.triangles.end(), own.triangles.begin(), own.triangles.end());
         next.errors.insert(next.errors.end(), own.errors.begin(), own.errors.end());
+        next.normals.insert(next.normals.end(), own.normals.begin(), own.normals.end());
         for (LevelCluster cluster : own.clusters) {
             cluster.firstTriangle += first;
             next.clusters.push_back(cluster);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/progress.h"
+#include "preprocess/build/carried_normals.h"
 #include "preprocess/build/deviation.h"
 #include "preprocess/build/mesh.h"
 #include "preprocess/build/simplify.h"
@@ -55,6 +56,7 @@ struct Level {
     std::vector<LevelCluster> clusters;
     std::vector<LevelGroup> groups;
     std::vector<LevelRefinement> refinements;
+    std::vector<CarriedNormal> normals; // that vertices of the mesh take from this level on
 };
 
 /// Level 0: the mesh's triangles in clusters, without groups.

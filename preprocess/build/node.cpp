@@ -26,8 +26,7 @@ bool isWorthwhile(const Level& next, std::uint64_t triangles) {
 
 } // namespace
 
-BuiltNode buildNode(
-    const Mesh& mesh, Level level, const NodePlan& plan, const LevelOptions& options, Progress& progress) {
+BuiltNode buildNode(Mesh& mesh, Level level, const NodePlan& plan, const LevelOptions& options, Progress& progress) {
     BuiltNode node;
     if (level.triangles.empty()) return node;
     const bool isToRoot = plan.levelCount == kNone;
@@ -53,6 +52,8 @@ BuiltNode buildNode(
         if (!isCoarser && number > 0) break;
         keep(number, pageCount);
         level = std::move(next);
+        for (const CarriedNormal& carried : level.normals)
+            mesh.vertices[carried.vertex].normal = carried.normal;
     }
     node.remains = encodeRemains(mesh, level);
     return node;

@@ -28,7 +28,6 @@ struct BuiltNode {
 /// Builds the levels of `plan` from `level`, whose clusters are in no groups yet. Up to the root: until one cluster is
 /// left or nothing gets coarser any more. Else what is left goes on: after the plan's last level, or before the one
 /// that would not get coarser, since its neighbours may change that; but triangles of level 0 always get into groups.
-BuiltNode buildNode(
-    const Mesh& mesh, Level level, const NodePlan& plan, const LevelOptions& options, Progress& progress);
+BuiltNode buildNode(Mesh& mesh, Level level, const NodePlan& plan, const LevelOptions& options, Progress& progress);
 
 } // namespace gnomon::preprocess

@@ -19,7 +19,7 @@ using hierarchy::kNone;
 // Costs are distances in grid steps, weights belong to their squares.
 constexpr double kTopologyPenalty = 2;    // a change of topology must be half as far
 constexpr double kLengthWeight = 1e-5;    // of the squared edge length: in flat places short edges go first
-constexpr double kNormalWeight = 0.01;    // of the squared edge length times the squared change of the normal
+constexpr double kNormalWeight = 0.1;     // of the squared edge length times the squared change of the normal
 constexpr double kColorWeight = 0.02;     // the same for colours, whose channels are in 0..1
 constexpr double kBorderWeight = 2;       // of the squared length of an open edge, against the areas of faces
 constexpr double kCreaseWeight = 0.5;     // the same where normals or colours part

@@ -19,18 +19,8 @@ double boxSquare(const glm::dvec3& low, const glm::dvec3& high, const glm::dvec3
 Surface::Surface(std::span<const glm::dvec3> positions, std::vector<Triangle> triangles)
     : positions_(positions),
       triangles_(std::move(triangles)),
-      first_(positions.size() + 1, 0),
+      fans_(positions.size(), triangles_),
       across_(triangles_.size(), Triangle{hierarchy::kNone, hierarchy::kNone, hierarchy::kNone}) {
-    for (const Triangle& t : triangles_)
-        for (const std::uint32_t p : t)
-            ++first_[p + 1];
-    for (std::size_t p = 0; p < positions_.size(); ++p)
-        first_[p + 1] += first_[p];
-    members_.resize(triangles_.size() * 3);
-    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-    for (std::uint32_t t = 0; t < triangles_.size(); ++t)
-        for (const std::uint32_t p : triangles_[t])
-            members_[next[p]++] = t;
     constexpr std::size_t kMostLookedAt = 32; // keeps a position with a million triangles from costing their square
     for (std::uint32_t t = 0; t < triangles_.size(); ++t)
         for (std::size_t i = 0; i < 3; ++i) {

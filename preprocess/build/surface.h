@@ -1,7 +1,7 @@
 // A triangle surface prepared for questions of distance: neighbours across edges, and a tree for the nearest triangle.
 #pragma once
 
-#include "preprocess/build/mesh.h"
+#include "preprocess/build/fans.h"
 #include "preprocess/build/triangle_distance.h"
 
 #include <glm/glm.hpp>
@@ -29,9 +29,7 @@ public:
     std::uint32_t across(std::uint32_t triangle, std::uint32_t i) const { return across_[triangle][i]; }
 
     /// The triangles around a position.
-    std::span<const std::uint32_t> around(std::uint32_t position) const {
-        return std::span(members_).subspan(first_[position], first_[position + 1] - first_[position]);
-    }
+    std::span<const std::uint32_t> around(std::uint32_t position) const { return fans_.around(position); }
 
     /// The triangle nearest to `p`; the first call builds a tree.
     std::uint32_t nearest(const glm::dvec3& p);
@@ -49,8 +47,7 @@ private:
 
     std::span<const glm::dvec3> positions_;
     std::vector<Triangle> triangles_;
-    std::vector<std::uint32_t> first_;
-    std::vector<std::uint32_t> members_;
+    Fans fans_;
     std::vector<Triangle> across_;
     std::vector<Node> nodes_;
     std::vector<std::uint32_t> treeOrder_;

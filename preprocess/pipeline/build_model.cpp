@@ -246,7 +246,7 @@ private:
         made.record.firstLevel = round.firstLevel;
         const NodePlan plan{round.firstLevel, round.isLast ? kNone : kLevelsPerRound};
         if (round.number == 0) {
-            const ChunkMesh chunk = loadChunk(binnedSource(), *borders_, static_cast<std::uint32_t>(node));
+            ChunkMesh chunk = loadChunk(binnedSource(), *borders_, static_cast<std::uint32_t>(node));
             made.record.dropped = {chunk.dropped.degenerate, chunk.dropped.doubled, chunk.dropped.collapsedByGrid};
             made.record.bounds = chunk.bounds;
             made.record.hasNormals = chunk.hasNormals;

@@ -11,6 +11,7 @@ namespace gnomon::hierarchy {
 
 /// Raised whenever the bytes of a .gnm change their meaning; a reader takes exactly this one.
 /// 2: a vertex of several clusters is stored once a page, and normals take ten bits a number.
+/// 3: refinements name their pages by their place among the page's children.
 constexpr std::uint32_t kFormatVersion = 3;
 
 /// The decoded size that a page aims at; a single group larger than this still makes one page.

@@ -62,7 +62,7 @@ Drawn PicturedModel::draw(const plan::View& view, double errorPixels) {
 
 std::vector<plan::View> threeViews(const hierarchy::ModelFile& model, int side) {
     std::vector<plan::View> views;
-    for (const auto& [kind, fraction] : {std::pair{"orbit", 0.1}, {"flyby", 0.4}, {"approach", 0.6}}) {
+    for (const auto& [kind, fraction] : {std::pair{"orbit", 0.1}, {"flyby", 0.4}, {"approach", 0.9}}) {
         const app::CameraPath path = app::suitedPath(model, kind);
         plan::View view;
         view.camera = app::cameraAt(path, path.keyframes.front().time + fraction * path.duration());

@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <utility>
 
 #include <fcntl.h>
@@ -15,6 +16,20 @@
 namespace gnomon {
 
 namespace {
+
+/// Where writing to `path` must end up: beyond symbolic links that lead to files.
+std::string beyondLinks(const std::string& path) {
+    std::error_code error;
+    if (!std::filesystem::is_symlink(path, error)) return path;
+    const std::filesystem::path target = std::filesystem::weakly_canonical(path, error);
+    return error ? path : target.string();
+}
+
+bool isOtherThanFile(const std::string& path) {
+    std::error_code error;
+    const auto status = std::filesystem::status(path, error);
+    return std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
+}
 
 [[noreturn]] void throwSystemError(const std::string& where, const std::string& what) {
     throw Error(where, what + ": " + std::strerror(errno));
@@ -113,17 +128,18 @@ void File::sync() {
 }
 
 AtomicFile::AtomicFile(const std::string& finalPath)
-    : finalPath_(finalPath),
-      temporaryPath_(finalPath + "." + std::to_string(::getpid()) + ".partial"),
+    : finalPath_(isOtherThanFile(finalPath) ? finalPath : beyondLinks(finalPath)),
+      temporaryPath_(
+          isOtherThanFile(finalPath_) ? finalPath_ : finalPath_ + "." + std::to_string(::getpid()) + ".partial"),
       file_(temporaryPath_, File::Mode::Create) {}
 
 AtomicFile::~AtomicFile() {
-    if (!committed_) ::unlink(temporaryPath_.c_str());
+    if (!committed_ && temporaryPath_ != finalPath_) ::unlink(temporaryPath_.c_str());
 }
 
 void AtomicFile::commit() {
     file_.sync();
-    if (std::rename(temporaryPath_.c_str(), finalPath_.c_str()) != 0)
+    if (temporaryPath_ != finalPath_ && std::rename(temporaryPath_.c_str(), finalPath_.c_str()) != 0)
         throwSystemError(finalPath_, "cannot rename the finished file");
     committed_ = true;
 }

@@ -55,7 +55,7 @@ private:
 };
 
 /// A file that appears under its final name only when it is complete: written beside it under a temporary name,
-/// renamed by `commit`, removed by the destructor otherwise.
+/// renamed by `commit`, removed by the destructor otherwise. Links are followed; a device or a pipe is never replaced.
 class AtomicFile {
 public:
     explicit AtomicFile(const std::string& finalPath);

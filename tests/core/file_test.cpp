@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace gnomon {
@@ -32,6 +33,34 @@ TEST(File, AnAbandonedWriteLeavesTheOldFile) {
     writeTextFile(path, "old");
     { AtomicFile abandoned(path); }
     EXPECT_EQ(readTextFile(path), "old");
+}
+
+TEST(File, WhatIsNoFileIsWrittenToAndNeverReplaced) {
+    const std::string pipe = scratch("pipe");
+    std::filesystem::remove(pipe);
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    { AtomicFile abandoned(pipe); }
+    EXPECT_TRUE(std::filesystem::is_fifo(pipe));
+    AtomicFile(pipe).commit();
+    EXPECT_TRUE(std::filesystem::is_fifo(pipe));
+    EXPECT_THROW(AtomicFile(testing::TempDir()), Error); // before any work is done for it
+    std::filesystem::remove(pipe);
+}
+
+TEST(File, ALinkStaysOneAndItsFileIsReplaced) {
+    const std::string target = scratch("target");
+    const std::string link = scratch("link");
+    std::filesystem::remove(link);
+    std::filesystem::remove(target);
+    std::filesystem::create_symlink(target, link);
+    for (const char* text : {"made", "replaced"}) {
+        writeTextFile(link, text);
+        EXPECT_TRUE(std::filesystem::is_symlink(link));
+        EXPECT_FALSE(std::filesystem::is_symlink(target));
+        EXPECT_EQ(readTextFile(target), text);
+    }
+    std::filesystem::remove(link);
+    std::filesystem::remove(target);
 }
 
 TEST(File, AShortReadSaysWhereAndHowMuch) {

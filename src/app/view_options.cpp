@@ -14,7 +14,8 @@ namespace gnomon::app {
 namespace {
 
 constexpr double kRadiansPerDegree = std::numbers::pi / 180;
-constexpr int kMaxSide = 16384; // of an image: what every executor can draw
+constexpr int kMaxSide = 16384; // of an image and of the texture of all maps: what every executor can draw
+constexpr std::int64_t kMaxShadowTexels = std::int64_t{kMaxSide} * kMaxSide;
 
 constexpr std::array kSweptOptions{
     SweptOption{
@@ -138,14 +139,20 @@ Camera framingCamera(const Box& bounds, double aspect, const glm::dvec3& up, dou
     return {bounds.center() + from * distanceToCenter, bounds.center(), up, fovYRadians};
 }
 
+std::array<int, 2> imageSize(const ViewOptions& options) {
+    const std::array<int, 2> size = parseSize("--size", options.size);
+    if (std::max(size[0], size[1]) > kMaxSide)
+        refuse("--size", options.size, "sides of at most " + std::to_string(kMaxSide) + " pixels");
+    return size;
+}
+
 plan::View viewOf(const ViewOptions& options, const hierarchy::ModelSummary& summary) {
     plan::View view;
-    const auto [width, height] = parseSize("--size", options.size);
-    if (std::max(width, height) > kMaxSide)
-        refuse("--size", options.size, "sides of at most " + std::to_string(kMaxSide) + " pixels");
+    const auto [width, height] = imageSize(options);
     view.width = width;
     view.height = height;
     view.towardsLight = parseVector("--light", options.light);
+    if (!(glm::length(view.towardsLight) > 0)) refuse("--light", options.light, "a direction");
     const bool isPosed =
         !options.eye.empty() || !options.target.empty() || !options.up.empty() || !options.fovY.empty();
     if (!options.cameraFile.empty()) {
@@ -161,7 +168,6 @@ plan::View viewOf(const ViewOptions& options, const hierarchy::ModelSummary& sum
     if (!options.eye.empty()) view.camera.eye = parseVector("--eye", options.eye);
     if (!options.target.empty()) view.camera.target = parseVector("--target", options.target);
     if (view.camera.eye == view.camera.target) throw UsageError{"--eye and --target are the same point"};
-    if (!(glm::length(view.towardsLight) > 0)) refuse("--light", options.light, "a direction");
     return view;
 }
 
@@ -178,6 +184,8 @@ plan::Quality qualityOf(const ViewOptions& options, const SweptSettings& swept) 
         refuse("--split-lambda", options.splitLambda, "a number from 0 to 1");
     quality.facePartitions = choice("--face-partitions", swept.facePartitions);
     const auto [width, height] = parseSize("--shadow-texels", swept.shadowTexels);
+    if (std::int64_t{width} * height > kMaxShadowTexels)
+        refuse("--shadow-texels", swept.shadowTexels, "at most 16384x16384 texels, the largest texture");
     quality.shadowTexelsWidth = width;
     quality.shadowTexelsHeight = height;
     quality.maxAliasing = parseNumber("--max-aliasing", options.maxAliasing);

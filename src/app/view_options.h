@@ -6,6 +6,7 @@
 #include "hierarchy/model.h"
 #include "plan/frame_plan.h"
 
+#include <array>
 #include <optional>
 #include <string>
 
@@ -68,6 +69,9 @@ struct ViewOptions {
 
 /// Adds all of them to `command`.
 void addViewOptions(CLI::App& command, ViewOptions& options);
+
+/// Width and height of the image, in pixels. Throws UsageError where no executor can draw as much.
+std::array<int, 2> imageSize(const ViewOptions& options);
 
 /// The view that the options ask for; a model of `summary` is framed where no camera is given. Throws UsageError.
 plan::View viewOf(const ViewOptions& options, const hierarchy::ModelSummary& summary);

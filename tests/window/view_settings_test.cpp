@@ -19,10 +19,16 @@ TEST(ViewSettings, SchemesStepAroundAndAreWhatTheyAreCalled) {
         EXPECT_NE(schemeOf(quality), before);
     }
     EXPECT_EQ(schemeOf(quality), Scheme::Slices);
-    for (const Scheme scheme : kSchemes) {
-        choose(scheme, quality);
-        EXPECT_EQ(schemeOf(quality), scheme) << name(scheme);
-    }
+    for (const Scheme from : kSchemes)
+        for (const Scheme to : kSchemes) {
+            choose(from, quality);
+            choose(to, quality);
+            EXPECT_EQ(schemeOf(quality), to) << name(from) << " to " << name(to);
+        }
+    choose(Scheme::Off, quality);
+    EXPECT_EQ(quality.shadows, plan::ShadowMode::Off);
+    choose(Scheme::Rays, quality);
+    EXPECT_EQ(quality.shadows, plan::ShadowMode::Rays);
 }
 
 TEST(ViewSettings, SlicesTexelsAndDetailStayWithinTheirBounds) {
@@ -103,8 +109,11 @@ TEST(PlanWords, SayWhatIsPlannedAndWhatIsLeftOut) {
         all += line + "\n";
     EXPECT_NE(all.find("4 maps, 4 slices, warp auto"), std::string::npos) << all;
     EXPECT_NE(all.find("promised aliasing 1.25 across, 2.5 along"), std::string::npos) << all;
+    EXPECT_NE(all.find("measured aliasing: not yet"), std::string::npos) << all;
     for (const plan::Omission& omission : plan.omitted)
         EXPECT_NE(all.find(omission.reason), std::string::npos) << all;
+    row.measuredAliasing = 2.25;
+    EXPECT_NE(testing::PrintToString(planInWords(plan, row)).find("measured aliasing 2.25"), std::string::npos);
 }
 
 } // namespace

@@ -34,7 +34,7 @@ constexpr std::array kBindings{
     Binding{GLFW_KEY_5, false, Action::LookFrom, of(Side::Top), "5", "from above"},
     Binding{GLFW_KEY_6, false, Action::LookFrom, of(Side::Bottom), "6", "from below"},
     Binding{GLFW_KEY_HOME, false, Action::GoHome, 0, "Home", "back to the start"},
-    Binding{GLFW_KEY_N, false, Action::StepScheme, 1, "N", "next scheme: none, one map, slices, faces"},
+    Binding{GLFW_KEY_N, false, Action::StepScheme, 1, "N", "next scheme: none, one map, slices, faces, rays"},
     Binding{GLFW_KEY_N, true, Action::StepScheme, -1, "Shift+N", "previous scheme"},
     Binding{GLFW_KEY_X, false, Action::StepWarp, 1, "X", "next warp"},
     Binding{GLFW_KEY_X, true, Action::StepWarp, -1, "Shift+X", "previous warp"},

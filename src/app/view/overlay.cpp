@@ -114,34 +114,47 @@ void drawFacts(const OverlayContent& content, const ViewSettings& settings) {
     ImGui::End();
 }
 
+/// Lines of the help in as many columns as it takes to fit the window's height.
+class HelpColumns {
+public:
+    explicit HelpColumns(std::size_t lines) {
+        const auto rows = static_cast<float>(lines);
+        const float high = ImGui::GetIO().DisplaySize.y;
+        const float fit = std::max(1.0F, high / ImGui::GetTextLineHeightWithSpacing() - 4);
+        const int columns = std::clamp(static_cast<int>(std::ceil(rows / fit)), 1, 3);
+        perColumn_ = static_cast<int>(std::ceil(rows / static_cast<float>(columns)));
+        ImGui::BeginGroup();
+    }
+
+    void add(const char* key, const char* help) {
+        if (row_ > 0 && row_ % perColumn_ == 0) {
+            ImGui::EndGroup();
+            ImGui::SameLine(0, unit());
+            ImGui::BeginGroup();
+        }
+        ++row_;
+        drawLine(key, kWarning);
+        ImGui::SameLine(6.6F * unit());
+        drawLine(help);
+    }
+
+    void end() { ImGui::EndGroup(); }
+
+private:
+    int perColumn_ = 1;
+    int row_ = 0;
+};
+
 void drawHelp() {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowBgAlpha(0.95F);
     if (beginNote("help", {screen.x * 0.5F, screen.y * 0.5F}, {0.5F, 0.5F})) {
-        // As many columns as it takes to fit the window's height.
-        const auto rows = static_cast<float>(bindings().size() + mouseUses().size());
-        const float fit = std::max(1.0F, screen.y / (ImGui::GetTextLineHeightWithSpacing()) - 4);
-        const int columns = std::clamp(static_cast<int>(std::ceil(rows / fit)), 1, 3);
-        const int perColumn = static_cast<int>(std::ceil(rows / static_cast<float>(columns)));
-        int row = 0;
-        const auto entry = [&](const char* key, const char* help) {
-            if (row % perColumn == 0) {
-                if (row > 0) {
-                    ImGui::EndGroup();
-                    ImGui::SameLine(0, unit());
-                }
-                ImGui::BeginGroup();
-            }
-            ++row;
-            drawLine(key, kWarning);
-            ImGui::SameLine(6.6F * unit());
-            drawLine(help);
-        };
+        HelpColumns columns(bindings().size() + mouseUses().size());
         for (const MouseUse& use : mouseUses())
-            entry(use.gesture, use.help);
+            columns.add(use.gesture, use.help);
         for (const Binding& binding : bindings())
-            entry(binding.keyName, binding.help);
-        ImGui::EndGroup();
+            columns.add(binding.keyName, binding.help);
+        columns.end();
     }
     ImGui::End();
 }

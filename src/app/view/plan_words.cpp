@@ -48,7 +48,10 @@ std::vector<std::string> planInWords(const plan::FramePlan& plan, const telemetr
         if (isAuto)
             lines.back() += text(": %s %.3g", plan.promiseKept ? "kept under" : "NOT under", plan.quality.maxAliasing);
     }
-    if (row.measuredAliasing) lines.push_back(text("measured aliasing %.3g", *row.measuredAliasing));
+    if (row.measuredAliasing)
+        lines.push_back(text("measured aliasing %.3g", *row.measuredAliasing));
+    else if (row.promisedAliasingX)
+        lines.emplace_back("measured aliasing: not yet");
     if (row.wrongShadowFraction) lines.push_back(text("measured %.3g%% wrong", 100 * *row.wrongShadowFraction));
     for (const plan::Omission& omission : plan.omitted)
         lines.push_back("without " + omission.effect + ": " + omission.reason);

@@ -58,6 +58,8 @@ const char* name(Scheme scheme) {
         return "faces";
     case Scheme::FacesAndSlices:
         return "faces and slices";
+    case Scheme::Rays:
+        return "rays";
     }
     return "";
 }
@@ -78,14 +80,16 @@ std::span<const shadow::WarpRule> warpRules() {
 
 Scheme schemeOf(const plan::Quality& quality) {
     if (quality.shadows == ShadowMode::Off) return Scheme::Off;
+    if (quality.shadows == ShadowMode::Rays) return Scheme::Rays;
     const bool hasSlices = quality.zPartitions.value_or(2) > 1;
     if (quality.facePartitions != Choice::Off) return hasSlices ? Scheme::FacesAndSlices : Scheme::Faces;
     return hasSlices ? Scheme::Slices : Scheme::OneMap;
 }
 
 void choose(Scheme scheme, plan::Quality& quality) {
-    quality.shadows = scheme == Scheme::Off ? ShadowMode::Off : ShadowMode::Maps;
-    if (scheme == Scheme::Off) return;
+    const bool hasMaps = scheme != Scheme::Off && scheme != Scheme::Rays;
+    quality.shadows = hasMaps ? ShadowMode::Maps : scheme == Scheme::Off ? ShadowMode::Off : ShadowMode::Rays;
+    if (!hasMaps) return;
     const bool hasSlices = scheme == Scheme::Slices || scheme == Scheme::FacesAndSlices;
     const bool hasFaces = scheme == Scheme::Faces || scheme == Scheme::FacesAndSlices;
     if (!hasSlices)

@@ -11,10 +11,10 @@
 namespace gnomon::app::view {
 
 /// The ways of casting shadows that a key steps through; slices, faces and warp make all others.
-enum class Scheme : std::uint8_t { Off, OneMap, Slices, Faces, FacesAndSlices };
+enum class Scheme : std::uint8_t { Off, OneMap, Slices, Faces, FacesAndSlices, Rays };
 
 inline constexpr std::array kSchemes = {
-    Scheme::Off, Scheme::OneMap, Scheme::Slices, Scheme::Faces, Scheme::FacesAndSlices};
+    Scheme::Off, Scheme::OneMap, Scheme::Slices, Scheme::Faces, Scheme::FacesAndSlices, Scheme::Rays};
 
 /// "no shadows", "one map", ...
 const char* name(Scheme scheme);

@@ -8,6 +8,7 @@
 #include "app/view/overlay.h"
 #include "app/view/path_recorder.h"
 #include "app/view/saved_files.h"
+#include "app/view/steering.h"
 #include "gl/window.h"
 #include "telemetry/process_clock.h"
 
@@ -15,15 +16,11 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace gnomon::app::view {
 
 namespace {
 
-constexpr double kRadiansPerPixel = 0.004;
-constexpr double kLightPerPixel = 1.0 / 300; // of the pad's radius
-constexpr double kHaste = 5;                 // with Shift; its inverse with Ctrl
 constexpr double kDefaultTargetMs = 33;
 constexpr double kIdleSeconds = 0.25;
 constexpr double kWatchSeconds = 1; // between looks at the model's file
@@ -64,8 +61,6 @@ private:
     void togglePlaying();
     void toggleTarget();
     void focus();
-    void turnLight(const glm::dvec2& moved);
-    Flight flight() const;
 
     void advance(double seconds);
     void waitForEvents();
@@ -78,6 +73,7 @@ private:
 
     Shot shot(const glm::ivec2& size) const;
     Effort wantedEffort() const;
+    bool comesToRest() const;
 
     bool playsFixed() const { return player_ && player_->hasFixedStep(); }
 
@@ -116,8 +112,8 @@ private:
     SavedFiles saved_;
     Caps caps_;
     FileFate fate_ = FileFate::Same;
-    std::optional<glm::dvec3> pivot_; // of the orbit at hand
-    double lastFrame_ = 0;            // seconds on GLFW's clock
+    Steering steering_;
+    double lastFrame_ = 0; // seconds on GLFW's clock
     double lastWatch_ = 0;
     double lastWindowMs_ = 0;
     int settling_ = kSettlingFrames;
@@ -132,7 +128,7 @@ private:
 Viewer::Viewer(const ViewerOptions& options)
     : options_(options),
       window_([&] {
-          const auto [width, height] = parseSize("--size", options.view.size);
+          const auto [width, height] = imageSize(options.view);
           return gl::Window("Gnomon", width, height);
       }()),
       input_(window_.handle()),
@@ -243,36 +239,6 @@ void Viewer::waitForEvents() {
     if (input_.hasHappened()) uiFrames_ = kUiFrames;
 }
 
-Flight Viewer::flight() const {
-    Flight flight;
-    for (const Binding& binding : bindings()) {
-        if (binding.action != Action::Fly || !input_.isHeld(binding.key)) continue;
-        switch (static_cast<Way>(binding.value)) {
-        case Way::Forward:
-            flight.direction.z += 1;
-            break;
-        case Way::Back:
-            flight.direction.z -= 1;
-            break;
-        case Way::Left:
-            flight.direction.x -= 1;
-            break;
-        case Way::Right:
-            flight.direction.x += 1;
-            break;
-        case Way::Down:
-            flight.direction.y -= 1;
-            break;
-        case Way::Up:
-            flight.direction.y += 1;
-            break;
-        }
-    }
-    if (input_.isHeld(GLFW_KEY_LEFT_SHIFT) || input_.isHeld(GLFW_KEY_RIGHT_SHIFT)) flight.haste *= kHaste;
-    if (input_.isHeld(GLFW_KEY_LEFT_CONTROL) || input_.isHeld(GLFW_KEY_RIGHT_CONTROL)) flight.haste /= kHaste;
-    return flight;
-}
-
 void Viewer::takeInput(double seconds) {
     for (const std::string& file : input_.dropped())
         open(file);
@@ -290,7 +256,7 @@ void Viewer::takeInput(double seconds) {
         messages_.show(text.data(), now());
     }
     if (player_) return; // the path has the camera
-    const Flight flight = imgui_.wantsKeys() ? Flight{} : this->flight();
+    const Flight flight = imgui_.wantsKeys() ? Flight{} : heldFlight([this](int key) { return input_.isHeld(key); });
     if (flight.direction != glm::dvec3(0) || control_->isMoving()) {
         control_->advance(flight, seconds);
         touch();
@@ -300,29 +266,13 @@ void Viewer::takeInput(double seconds) {
 void Viewer::takeDrag(const Drag& drag) {
     if (player_ && drag.button != GLFW_MOUSE_BUTTON_RIGHT) return;
     touch();
-    const glm::dvec2 angle = drag.moved * kRadiansPerPixel;
-    if (drag.button == GLFW_MOUSE_BUTTON_RIGHT) return turnLight(drag.moved);
-    if (drag.button == GLFW_MOUSE_BUTTON_MIDDLE) {
-        // What is as far as the last focus stays under the cursor.
-        const double high = 2 * std::tan(control_->camera().fovYRadians / 2) * control_->distance();
-        const double perPixel = high / std::max(framebufferSize().y, 1);
-        return control_->shift(-drag.moved.x * perPixel, drag.moved.y * perPixel);
-    }
-    if (!drag.withAlt) return control_->look(angle.x, -angle.y);
-    if (drag.hasBegun || !pivot_) {
-        const Camera camera = control_->camera();
-        pivot_ = scene_->pick(glm::ivec2(input_.cursor())).value_or(camera.target);
-    }
-    control_->orbit(*pivot_, angle.x, -angle.y);
-}
-
-void Viewer::turnLight(const glm::dvec2& moved) {
-    const bool isBelow = glm::dot(settings_.towardsLight, control_->camera().up) < 0;
-    const LightDisc disc = lightDisc(control_->camera(), isBelow);
-    glm::dvec2 point = disc.point(settings_.towardsLight) + glm::dvec2(moved.x, -moved.y) * kLightPerPixel;
-    constexpr double kMostRadius = 0.985; // a light on the horizon has no side
-    if (glm::length(point) > kMostRadius) point *= kMostRadius / glm::length(point);
-    settings_.towardsLight = disc.direction(point);
+    if (drag.button == GLFW_MOUSE_BUTTON_RIGHT)
+        settings_.towardsLight = turnedLight(control_->camera(), settings_.towardsLight, drag.moved);
+    else
+        steering_.drag(
+            drag,
+            {input_.cursor(), framebufferSize().y, [this](const glm::ivec2& pixel) { return scene_->pick(pixel); }},
+            *control_);
 }
 
 void Viewer::focus() {
@@ -460,6 +410,12 @@ bool Viewer::isIdle() const {
     return settling_ == 0 && !player_ && !recorder_ && (!control_ || !control_->isMoving());
 }
 
+/// Whether the next frame is the last before the window waits for the hand: that one may take its time.
+bool Viewer::comesToRest() const {
+    const bool isMissing = scene_->frame() == nullptr || scene_->frame()->row.pagesMissing.value_or(0) > 0;
+    return settling_ == 1 && !isMissing && !player_ && !recorder_ && !control_->isMoving();
+}
+
 Effort Viewer::wantedEffort() const {
     return {settings_.quality.errorPixels, settings_.quality.zPartitions};
 }
@@ -478,6 +434,7 @@ Shot Viewer::shot(const glm::ivec2& size) const {
         shot.quality.zPartitions = effort.slices;
     }
     shot.options.overlay = settings_.overlay;
+    shot.options.measuresAliasing = comesToRest();
     shot.options.waiting = playsFixed() ? render::Waiting::UntilComplete : render::Waiting::Never;
     if (frozen_) shot.options.onlooker = camera;
     return shot;
@@ -592,6 +549,7 @@ void Viewer::advance(double seconds) {
 
 void runViewer(const ViewerOptions& options) {
     qualityOf(options.view, options.view.swept); // contradictions are told before a window opens
+    imageSize(options.view);
     if (options.view.backend == "osmesa" || options.view.backend == "egl")
         throw UsageError{"--backend " + options.view.backend + " draws into no window; take auto, software or window"};
     if (!std::filesystem::exists(options.file))

@@ -2,6 +2,7 @@
 #include "app/option_text.h"
 #include "app/oracle_option.h"
 #include "app/report_runs.h"
+#include "app/thread_limit.h"
 #include "core/error.h"
 #include "core/file.h"
 #include "report/accuracy_cost.h"
@@ -60,6 +61,7 @@ std::map<std::string, std::string> contextOf(const BenchOptions& options, Sessio
     context["warmup_frames"] = std::to_string(options.walk.warmup);
     context["frames"] = std::to_string(options.walk.frames);
     context["repetitions"] = std::to_string(options.walk.repetitions);
+    context["threads"] = std::to_string(ThreadLimit::current());
     context["real_time"] = options.walk.isRealTime ? "yes" : "no: frames wait until their cut is resident";
     return context;
 }
@@ -212,22 +214,30 @@ auto pictureWriter(const std::string& folder, const std::vector<BenchRun>& runs)
     };
 }
 
-void runBench(BenchOptions options) {
+/// What the options ask of each walk: --quick shortens it, a report wants repetitions and proofs.
+WalkOptions walkOf(const BenchOptions& options) {
+    WalkOptions walk = options.walk;
     if (options.isQuick) {
-        options.walk.frames = std::min(options.walk.frames, 8);
-        options.walk.warmup = 1;
+        walk.frames = std::min(walk.frames, 8);
+        walk.warmup = 1;
     }
-    options.walk.repetitions = options.repetitions.value_or(options.report.empty() ? 1 : 3);
-    options.walk.oracle = options.oracle.mode();
-    const bool isProven = options.walk.oracle != render::Oracle::None;
-    if (options.walk.isRealTime && isProven)
+    walk.repetitions = options.repetitions.value_or(options.report.empty() ? 1 : 3);
+    walk.oracle = options.oracle.mode();
+    const bool isProven = walk.oracle != render::Oracle::None;
+    if (walk.isRealTime && isProven)
         throw UsageError{
             "--oracle and --real-time contradict each other: a frame held against rays waits for its pages"};
-    options.walk.provenFrames = options.walk.frames;
-    if (!options.report.empty() && !isProven && !options.walk.isRealTime) {
-        options.walk.oracle = render::Oracle::SameDetail;
-        options.walk.provenFrames = options.isQuick ? 3 : 8;
+    walk.provenFrames = walk.frames;
+    if (!options.report.empty() && !isProven && !walk.isRealTime) {
+        walk.oracle = render::Oracle::SameDetail;
+        walk.provenFrames = options.isQuick ? 3 : 8;
     }
+    return walk;
+}
+
+void runBench(BenchOptions options) {
+    const ThreadLimit limit(options.common);
+    options.walk = walkOf(options);
     std::vector<BenchRun> runs = combinations(options.view.swept, options.shadowMaps);
     if (runs.size() == 1 && !options.report.empty()) runs = reportRuns(runs.front().settings, options.isQuick);
     for (const BenchRun& run : runs)

@@ -2,6 +2,7 @@
 
 #include "app/plan_json.h"
 #include "app/session.h"
+#include "app/thread_limit.h"
 
 #include <cstdio>
 #include <memory>
@@ -39,7 +40,10 @@ void addExplainCommand(CLI::App& program) {
     addCommonOptions(*command, options->common);
     command->footer("A promise is the perspective aliasing over [near, far]: the largest width of a texel over that of "
                     "a pixel, projection aside.");
-    command->callback([options] { runExplain(*options); });
+    command->callback([options] {
+        const ThreadLimit limit(options->common);
+        runExplain(*options);
+    });
 }
 
 } // namespace gnomon::app

@@ -1,6 +1,7 @@
 // `gnomon export`: one uniform cut of a model as a PLY.
 
 #include "app/commands.h"
+#include "app/thread_limit.h"
 #include "core/units.h"
 #include "preprocess/export/export.h"
 
@@ -44,6 +45,7 @@ void addExportCommand(CLI::App& program) {
     command->add_option("--error", options->error, "Error of at most so many world units")->excludes(triangles);
     addCommonOptions(*command, options->common);
     command->callback([options] {
+        const ThreadLimit threads(options->common);
         const preprocess::ExportLimit limit = limitOf(*options);
         const auto progress = makeProgress(options->common);
         const auto cut = preprocess::exportCut(options->model, limit, options->output, *progress);

@@ -87,12 +87,14 @@ void addInfoCommand(CLI::App& program) {
     struct Options {
         std::string model;
         bool json = false;
+        CommonOptions common;
     };
 
     auto options = std::make_shared<Options>();
     CLI::App* command = program.add_subcommand("info", "Show what a model holds: levels, errors, bounds, size, hash");
     command->add_option("MODEL", options->model, "A .gnm file")->required();
     command->add_flag("--json", options->json, "Print one JSON document");
+    addCommonOptions(*command, options->common);
     command->callback([options] {
         const hierarchy::ModelFile file(options->model);
         if (options->json)

@@ -1,5 +1,6 @@
 #include "app/commands.h"
 #include "app/suited_path.h"
+#include "app/thread_limit.h"
 #include "core/file.h"
 
 #include <memory>
@@ -11,6 +12,7 @@ void addPathCommand(CLI::App& program) {
         std::string model;
         std::string kind = "orbit";
         std::string output;
+        CommonOptions common;
     };
 
     CLI::App* command = program.add_subcommand("path", "Find a camera path that suits a model");
@@ -20,7 +22,9 @@ void addPathCommand(CLI::App& program) {
         ->check(CLI::IsMember({"walk", "orbit", "flyby", "approach"}))
         ->required();
     command->add_option("-o,--output", options->output, "The path, JSON")->required();
+    addCommonOptions(*command, options->common);
     command->callback([options] {
+        const ThreadLimit limit(options->common);
         const hierarchy::ModelFile model(options->model);
         writeTextFile(options->output, toJson(suitedPath(model, options->kind)));
     });

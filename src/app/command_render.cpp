@@ -1,5 +1,6 @@
 #include "app/oracle_option.h"
 #include "app/session.h"
+#include "app/thread_limit.h"
 #include "core/error.h"
 #include "core/file.h"
 #include "render/heat_scale.h"
@@ -67,6 +68,7 @@ void requireLike(const RenderOptions& options, const render::Picture& picture) {
 }
 
 void runRender(const RenderOptions& options) {
+    const ThreadLimit limit(options.common);
     const plan::Quality quality = qualityOf(options.view, options.view.swept);
     Session session(options.model, options.view);
     const plan::View view = viewOf(options.view, session.model().summary());

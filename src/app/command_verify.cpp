@@ -1,15 +1,13 @@
 // `gnomon verify`: is a model file whole, and is what it promises true?
 
 #include "app/commands.h"
+#include "app/thread_limit.h"
 #include "core/error.h"
 #include "preprocess/verify/verify.h"
-
-#include <tbb/global_control.h>
 
 #include <cmath>
 #include <cstdio>
 #include <memory>
-#include <thread>
 
 #include <nlohmann/json.hpp>
 
@@ -80,10 +78,7 @@ void addVerifyCommand(CLI::App& program) {
     addCommonOptions(*command, options->common);
     command->callback([options] {
         const auto progress = makeProgress(options->common);
-        const std::size_t threads = options->common.threads > 0
-                                        ? static_cast<std::size_t>(options->common.threads)
-                                        : std::max<std::size_t>(std::thread::hardware_concurrency(), 1);
-        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+        const ThreadLimit limit(options->common);
         const preprocess::Verification verification = preprocess::verifyModel(options->verify, *progress);
         print(verification, options->json);
         expectOk(verification, options->verify.model);

@@ -1,4 +1,5 @@
 #include "app/option_text.h"
+#include "app/thread_limit.h"
 #include "app/view/key_table.h"
 #include "app/view/viewer.h"
 #include "core/error.h"
@@ -56,6 +57,7 @@ void addViewCommand(CLI::App& program) {
         if (!options->frames.empty()) chosen.frames = parseWhole("--frames", options->frames, 1, 1000000);
         parseMemory("--build-memory", chosen.buildMemory);
         chosen.threads = options->common.threads;
+        const ThreadLimit limit(options->common);
         view::runViewer(chosen);
     });
 }

@@ -1,6 +1,8 @@
 """Help, exit codes, one-line errors, and files that are there whole or not at all."""
 import csv
 import json
+import os
+import stat
 import unittest
 
 from program import DATA, Workplace, run
@@ -47,7 +49,11 @@ class CommandLine(unittest.TestCase):
             ("render", self.sundial, "-o", picture, "--no-such-option"),
             ("render", self.sundial, "-o", picture, "--size", "0x4"),
             ("render", self.sundial, "-o", picture, "--size", "20000x20"),
+            ("render", self.sundial, "-o", picture, "--shadow-texels", "1000000x1000000"),
+            ("render", self.sundial, "-o", picture, "--shadow-texels", "16384x16385"),
+            ("explain", self.sundial, "--shadow-texels", "2147483647x2147483647"),
             ("render", self.sundial, "-o", picture, "--light", "0,0,0"),
+            ("render", self.sundial, "-o", picture, "--light", "0,0,0", "--camera", DATA / "cameras/sundial_low.json"),
             ("render", self.sundial, "-o", picture, "--light", "1,nan,0"),
             ("render", self.sundial, "-o", picture, "--warp", "wavy"),
             ("render", self.sundial, "-o", picture, "--warp", "lspsm", "--eta", "0.5"),
@@ -77,6 +83,18 @@ class CommandLine(unittest.TestCase):
         self.expect(1, "cannot create", "render", self.sundial, "-o", missing / "undone.png")
         self.assertEqual(list(self.place.path.glob("*undone*")), [])
 
+    def test_a_device_is_written_to_and_not_replaced(self):
+        # A full one, so that writing to it is seen; a copy of it, so that a failure costs nobody his.
+        full = self.place / "full"
+        try:
+            os.mknod(full, 0o600 | stat.S_IFCHR, os.makedev(1, 7))
+            full.open("rb").close()
+        except PermissionError:
+            self.skipTest("only root makes devices")
+        self.expect(1, "No space left", "render", self.sundial, "-o", full, "--size", "64x64")
+        self.expect(1, "No space left", "make", "statue", "--triangles", "2k", "-o", full)
+        self.assertTrue(full.is_char_device())
+
     def test_shaders_are_read_from_the_folder_given(self):
         shaders = self.place / "shaders"
         picture = self.place / "shaders.png"
@@ -104,6 +122,14 @@ class CommandLine(unittest.TestCase):
             self.assertEqual({row["shadow_maps"] for row in rows} - {"1", "2"}, set())
             self.assertEqual([row["frame"] for row in rows[:5]], list("01234"))
             self.assertEqual(len(json.loads(report.read_text())["benchmarks"]), 2)
+
+    def test_threads_are_no_more_than_asked_for(self):
+        report = self.place / "threads.json"
+        for threads in (1, 3):
+            self.expect(0, "", "bench", self.sundial, "--path", DATA / "paths/sundial_orbit.json", "--size", "32x32",
+                        "--frames", "1", "--threads", threads, "--json-file", report)  # fmt: skip
+            self.assertEqual(json.loads(report.read_text())["context"]["threads"], str(threads))
+        self.expect(0, "", "info", self.sundial, "--threads", "1")
 
     def test_every_camera_of_the_data_folder_is_one(self):
         for camera in sorted((DATA / "cameras").glob("*.json")):

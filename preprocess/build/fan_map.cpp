@@ -16,8 +16,8 @@ using Row = std::array<double, Fan::kMaxRim>;
 class FanMap {
 public:
     explicit FanMap(const Fan& fan) : fan_(fan) {
-        placeApex();
         most_.fill(1);
+        placeApex();
         for (std::uint32_t i = host_ + 2; i < fan.count; ++i) {
             double least = 0;
             for (std::uint32_t j = host_ + 1; j < i; ++j)
@@ -40,7 +40,6 @@ public:
 private:
     /// The new triangle that takes the apex, and how far the apex moves.
     void placeApex() {
-        square_.fill(0);
         const std::uint32_t end = fan_.count - 1;
         if (!fan_.isClosed) { // the open end stays an open end
             host_ = end - 1;
@@ -100,8 +99,8 @@ private:
 
     const Fan& fan_;
     std::uint32_t host_ = 1;
-    Row square_; // per new triangle
-    Row most_;   // per new edge: the share of it from rim 0 within which the next crossing lies
+    Row square_{}; // per new triangle
+    Row most_{};   // per new edge: the share of it from rim 0 within which the next crossing lies
 };
 
 } // namespace

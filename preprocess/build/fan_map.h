@@ -15,7 +15,7 @@ struct Fan {
     static constexpr std::uint32_t kMaxRim = 24;
 
     glm::dvec3 apex{0};
-    std::array<glm::dvec3, kMaxRim> rim;
+    std::array<glm::dvec3, kMaxRim> rim{};
     std::uint32_t count = 0; // corners of the rim; at least 3
     bool isClosed = false;
     std::array<double, kMaxRim> fromSource{}; // of the old triangles, as in TriangleError
@@ -24,8 +24,8 @@ struct Fan {
 
 /// What is known of the new triangles, [1, count - 1) of each array.
 struct FanAfter {
-    std::array<double, Fan::kMaxRim> fromSource;
-    std::array<double, Fan::kMaxRim> toSource;
+    std::array<double, Fan::kMaxRim> fromSource{};
+    std::array<double, Fan::kMaxRim> toSource{};
 };
 
 /// Bounds the errors of the new triangles of `fan`. Where old edges from the apex and new edges from rim 0 cross, both

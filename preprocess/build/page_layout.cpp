@@ -47,6 +47,20 @@ void addGeometry(const Mesh& mesh, const Level& level, const LevelCluster& clust
     GNOMON_CHECK_OP(used.size(), ==, cluster.vertexCount);
 }
 
+/// The number that the level's refinement `refinement` has in `page`, where it is added if it is new; `known` are those
+/// of the page so far.
+std::uint32_t refinementInPage(
+    const Level& level, std::uint32_t refinement, std::vector<std::uint32_t>& known, Page& page) {
+    const auto found = std::find(known.begin(), known.end(), refinement);
+    const auto number = static_cast<std::uint32_t>(found - known.begin());
+    if (found != known.end()) return number;
+    const LevelRefinement& finer = level.refinements[refinement];
+    known.push_back(refinement);
+    page.refinements.push_back(
+        {{provisionalId(finer.place.level, finer.place.page), finer.place.group}, finer.bounds, finer.error});
+    return number;
+}
+
 /// The page of the groups [first, end).
 Page makePage(const Mesh& mesh, const Level& level, std::uint32_t number, std::size_t first, std::size_t end) {
     Page page;
@@ -68,18 +82,8 @@ Page makePage(const Mesh& mesh, const Level& level, std::uint32_t number, std::s
             cluster.vertexCount = from.vertexCount;
             cluster.triangleCount = from.triangleCount;
             cluster.box = from.box;
-            if (from.refinement != kNone) {
-                const auto known = std::find(refinements.begin(), refinements.end(), from.refinement);
-                cluster.refinement = static_cast<std::uint32_t>(known - refinements.begin());
-                if (known == refinements.end()) {
-                    const LevelRefinement& finer = level.refinements[from.refinement];
-                    refinements.push_back(from.refinement);
-                    page.refinements.push_back(
-                        {{provisionalId(finer.place.level, finer.place.page), finer.place.group},
-                         finer.bounds,
-                         finer.error});
-                }
-            }
+            if (from.refinement != kNone)
+                cluster.refinement = refinementInPage(level, from.refinement, refinements, page);
             page.clusters.push_back(cluster);
             addGeometry(mesh, level, from, page);
         }

@@ -37,7 +37,7 @@ public:
     RemainsMerger& operator=(RemainsMerger&&) = delete;
 
     /// Adds the next part; its refinements of level `firstLevel` + i count their pages from `firstPages[i]`.
-    void add(std::span<const std::byte> remains, std::uint32_t firstLevel, std::span<const std::uint32_t> firstPages);
+    void add(std::span<const std::byte> bytes, std::uint32_t firstLevel, std::span<const std::uint32_t> firstPages);
 
     Remains take();
 

@@ -55,7 +55,7 @@ private:
     bool isTaken(const Triangle& p, VertexOf vertex) const {
         for (std::size_t i = 0; i < 3; ++i) {
             if (!mesh.is_boundary(vertex(p[i]))) return true;
-            const auto edge = mesh.find_halfedge(vertex(p[i]), vertex(p[(i + 1) % 3]));
+            const OpenMesh::HalfedgeHandle edge = mesh.find_halfedge(vertex(p[i]), vertex(p[(i + 1) % 3]));
             if (edge.is_valid() && !mesh.is_boundary(edge)) return true;
         }
         return false;

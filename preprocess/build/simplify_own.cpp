@@ -61,6 +61,11 @@ private:
         double toSource;
     };
 
+    struct EdgeKind {
+        bool isOpen = true;
+        bool isCrease = false;
+    };
+
     struct Heir {
         double square = std::numeric_limits<double>::infinity();
         std::uint32_t triangle = kNone;
@@ -68,6 +73,7 @@ private:
 
     void linkCorners();
     void addFaceQuadrics();
+    EdgeKind kindOfEdge(std::uint32_t corner) const;
     void addEdgeQuadrics();
     void loadAttributes();
 
@@ -95,9 +101,13 @@ private:
     double errorAround(std::uint32_t p);
     void refresh(std::uint32_t p);
     void collapse(std::uint32_t from, std::uint32_t to);
+    void takeOutcomes(std::uint32_t to);
+    void moveStar(std::uint32_t from, std::uint32_t to);
+    void joinCorners(std::uint32_t from, std::uint32_t to);
     void removeDoubled(std::uint32_t p);
     void leave(std::uint32_t p);
     void refreshAround(std::uint32_t from, std::uint32_t to);
+    SimplifiedPatch result() const;
     std::uint32_t vertexAt(
         std::uint32_t vertex, std::uint32_t to, const std::vector<std::array<std::uint32_t, 2>>& joined);
 
@@ -189,6 +199,26 @@ void Collapser::addFaceQuadrics() {
     }
 }
 
+/// The edge from `corner` to the next corner of its triangle: open where no other triangle has it, a crease where one
+/// has it with other vertices.
+Collapser::EdgeKind Collapser::kindOfEdge(std::uint32_t corner) const {
+    const std::uint32_t t = corner / 3;
+    const std::uint32_t i = corner % 3;
+    const std::uint32_t b = position_[t][(i + 1) % 3];
+    EdgeKind kind;
+    for (std::uint32_t other = head_[position_[t][i]]; other != kNone; other = next_[other]) {
+        const std::uint32_t u = other / 3;
+        if (u == t) continue;
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            if (position_[u][k] != b) continue;
+            kind.isOpen = false;
+            if (vertex_[u][k] != vertex_[t][(i + 1) % 3] || vertex_[u][other % 3] != vertex_[t][i])
+                kind.isCrease = true;
+        }
+    }
+    return kind;
+}
+
 /// Open edges, and edges along which normals or colours part, get planes upright on their faces.
 void Collapser::addEdgeQuadrics() {
     for (std::uint32_t corner = 0; corner < next_.size(); ++corner) {
@@ -196,18 +226,7 @@ void Collapser::addEdgeQuadrics() {
         const std::uint32_t i = corner % 3;
         const std::uint32_t a = position_[t][i];
         const std::uint32_t b = position_[t][(i + 1) % 3];
-        bool isOpen = true;
-        bool isCrease = false;
-        for (std::uint32_t other = head_[a]; other != kNone; other = next_[other]) {
-            const std::uint32_t u = other / 3;
-            if (u == t) continue;
-            for (std::uint32_t k = 0; k < 3; ++k) {
-                if (position_[u][k] != b) continue;
-                isOpen = false;
-                isCrease =
-                    isCrease || vertex_[u][k] != vertex_[t][(i + 1) % 3] || vertex_[u][other % 3] != vertex_[t][i];
-            }
-        }
+        const auto [isOpen, isCrease] = kindOfEdge(corner);
         if (!isOpen && !isCrease) continue;
         if (isOpen && (patch_.isLocked[a] == 0 || patch_.isLocked[b] == 0)) isBorder_[a] = isBorder_[b] = 1;
         const glm::dvec3 edge = patch_.positions[b] - patch_.positions[a];
@@ -507,10 +526,10 @@ Collapser::Choice Collapser::cheapest(std::uint32_t p) {
 
 Collapser::Choice Collapser::cheapestAllowed(std::uint32_t p, Choice best) {
     candidates_.clear();
-    forNeighbours(p, [&](std::uint32_t q) { candidates_.push_back({rawCost(p, q), q}); });
+    forNeighbours(p, [&](std::uint32_t q) { candidates_.emplace_back(rawCost(p, q), q); });
     if (!partner_.empty() && partner_[p] != kNone)
         if (const std::uint32_t q = whereNow(partner_[p]); q != p && hasFaces(q))
-            candidates_.push_back({rawCost(p, q) * kTopologyPenalty * kTopologyPenalty, q});
+            candidates_.emplace_back(rawCost(p, q) * kTopologyPenalty * kTopologyPenalty, q);
     std::sort(candidates_.begin(), candidates_.end());
     const double before = errorAround(p);
     const std::uint32_t first = best.target;
@@ -564,8 +583,8 @@ std::uint32_t Collapser::vertexAt(
     return best;
 }
 
-/// Carries out the collapse that `trueCost` looked at last.
-void Collapser::collapse(std::uint32_t from, std::uint32_t to) {
+/// The errors of the triangles that stay are those that were foreseen.
+void Collapser::takeOutcomes(std::uint32_t to) {
     for (const StarFace& face : star_)
         if (face.b != to && face.c != to) error_[face.triangle] = {};
     for (const Outcome& outcome : outcomes_) {
@@ -573,6 +592,10 @@ void Collapser::collapse(std::uint32_t from, std::uint32_t to) {
         error.fromSource = std::max(error.fromSource, outcome.fromSource);
         error.toSource = std::max(error.toSource, outcome.toSource);
     }
+}
+
+/// Puts `to` in the place of `from` into the triangles that stay, and takes the others out.
+void Collapser::moveStar(std::uint32_t from, std::uint32_t to) {
     standIns_.clear();
     for (const StarFace& face : star_) {
         const auto& t = position_[face.triangle];
@@ -593,12 +616,23 @@ void Collapser::collapse(std::uint32_t from, std::uint32_t to) {
     for (const StarFace& face : star_)
         if (face.b == to || face.c == to) isAlive_[face.triangle] = 0;
     aliveCount_ -= vanishing_;
+}
+
+/// Hands the corners of `from` on to `to`.
+void Collapser::joinCorners(std::uint32_t from, std::uint32_t to) {
     if (head_[to] == kNone)
         head_[to] = head_[from];
     else
         next_[tail_[to]] = head_[from];
     if (tail_[from] != kNone) tail_[to] = tail_[from];
     head_[from] = tail_[from] = kNone;
+}
+
+/// Carries out the collapse that `trueCost` looked at last.
+void Collapser::collapse(std::uint32_t from, std::uint32_t to) {
+    takeOutcomes(to);
+    moveStar(from, to);
+    joinCorners(from, to);
     quadric_[to].add(quadric_[from]);
     isBorder_[to] |= isBorder_[from];
     movedTo_[from] = to;
@@ -684,6 +718,10 @@ SimplifiedPatch Collapser::run(std::size_t targetTriangles) {
         collapse(p, to);
         refreshAround(p, to);
     }
+    return result();
+}
+
+SimplifiedPatch Collapser::result() const {
     SimplifiedPatch result;
     for (std::uint32_t t = 0; t < vertex_.size(); ++t) {
         if (isAlive_[t] == 0) continue;

@@ -61,7 +61,7 @@ std::map<std::string, std::string> optionsOf(const BuildOptions& options) {
 std::string keyOf(const BuildOptions& options) {
     std::string key = "format " + std::to_string(hierarchy::kFormatVersion);
     for (const auto& [name, value] : optionsOf(options))
-        key += ", " + name + " " + value;
+        key.append(", ").append(name).append(" ").append(value);
     return key + ", " + options.inputKey;
 }
 

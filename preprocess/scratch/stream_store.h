@@ -54,7 +54,7 @@ public:
         /// The next value; a check fails at the end.
         template <class T>
         T take() {
-            T value;
+            T value{};
             takeBytes(std::as_writable_bytes(std::span(&value, 1)));
             return value;
         }

@@ -13,13 +13,14 @@ SavedFiles::SavedFiles(const std::string& modelPath) : stem_(std::filesystem::pa
 
 std::string SavedFiles::freeName(const std::string& kind, const std::string& suffix) const {
     for (int number = 1;; ++number) {
-        const std::string name = stem_ + "_" + kind + std::to_string(number) + suffix;
+        std::string name = stem_ + "_" + kind;
+        name += std::to_string(number) + suffix;
         if (!std::filesystem::exists(name)) return name;
     }
 }
 
 std::string SavedFiles::savePicture(const render::Picture& picture) const {
-    const std::string name = freeName("view", ".png");
+    std::string name = freeName("view", ".png");
     render::writePng(name, picture);
     return name;
 }
@@ -29,13 +30,13 @@ std::string SavedFiles::saveWindow(const gl::Api& gl, const glm::ivec2& size) co
     gl.readPixels(0, 0, size.x, size.y, GL_RGB, GL_UNSIGNED_BYTE, picture.pixels.data());
     for (int top = 0, bottom = size.y - 1; top < bottom; ++top, --bottom)
         std::swap_ranges(&picture.at(0, top), &picture.at(0, top) + size.x, &picture.at(0, bottom));
-    const std::string name = freeName("window", ".png");
+    std::string name = freeName("window", ".png");
     render::writePng(name, picture);
     return name;
 }
 
 std::string SavedFiles::savePath(const CameraPath& path) const {
-    const std::string name = freeName("path", ".json");
+    std::string name = freeName("path", ".json");
     writeTextFile(name, toJson(path));
     return name;
 }

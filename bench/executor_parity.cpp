@@ -1,5 +1,6 @@
 // The software executor against GL on OSMesa over seeded views, lights and settings of a model: what differs, by
-// scheme. usage: executor_parity MODEL.gnm TRIPLES [FIRST_SEED]
+// scheme, and who is off where map depths do. usage: executor_parity MODEL.gnm TRIPLES [SIDE] [TEXELS] [FIRST_SEED]
+#include "bench/exact_depth.h"
 #include "core/random.h"
 #include "gl/shader_library.h"
 #include "render/gl_executor.h"
@@ -8,6 +9,8 @@
 #include "tests/render/executor_comparison.h"
 #include "tests/render/field.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <map>
@@ -16,10 +19,10 @@ namespace gnomon::render {
 namespace {
 
 /// From outside or amid the model, towards it; the light from anywhere above.
-plan::View viewOf(const Box& bounds, std::uint64_t seed) {
+plan::View viewOf(const Box& bounds, int side, std::uint64_t seed) {
     Random random(seed);
     plan::View view;
-    view.width = view.height = 400;
+    view.width = view.height = side;
     const double reach = 0.5 * glm::length(bounds.extent());
     for (int axis = 0; axis < 3; ++axis) {
         view.camera.target[axis] = bounds.center()[axis] + random.uniform(-0.3, 0.3) * bounds.extent()[axis];
@@ -29,50 +32,136 @@ plan::View viewOf(const Box& bounds, std::uint64_t seed) {
     return view;
 }
 
+constexpr double kDepthBar = 1e-5;
+
+/// Texels whose depths differ by more than the bar, by whose is further than that from every caster's exact plane.
+struct Verdicts {
+    std::size_t oursOff = 0;
+    std::size_t theirsOff = 0;
+    double oursMost = 0;
+    double theirsMost = 0;
+
+    void operator+=(const Verdicts& other) {
+        oursOff += other.oursOff;
+        theirsOff += other.theirsOff;
+        oursMost = std::max(oursMost, other.oursMost);
+        theirsMost = std::max(theirsMost, other.theirsMost);
+    }
+};
+
+/// Sums of one scheme.
+struct Findings {
+    int triples = 0;
+    ExecutorDifference difference;
+    Verdicts verdicts;
+
+    void operator+=(const Findings& other) {
+        triples += other.triples;
+        difference += other.difference;
+        verdicts += other.verdicts;
+    }
+};
+
+/// The texels of `pass` on which the maps disagree.
+std::vector<DisputedTexel> disputed(
+    const plan::ShadowPass& pass, const FloatPicture& ours, const FloatPicture& theirs) {
+    std::vector<DisputedTexel> result;
+    const plan::Rectangle& r = pass.rectangle;
+    for (int y = r.y; y < r.y + r.height; ++y)
+        for (int x = r.x; x < r.x + r.width; ++x) {
+            const float a = ours.at(x, y);
+            const float b = theirs.at(x, y);
+            if (a < 1 && b < 1 && std::abs(double{a} - double{b}) > kDepthBar) result.push_back({x, y, a, b});
+        }
+    return result;
+}
+
+Verdicts verdicts(
+    const Frame& frame,
+    const hierarchy::ModelFile& model,
+    std::map<std::uint32_t, hierarchy::Page>& pages,
+    Executor& ours,
+    Executor& theirs) {
+    Verdicts result;
+    FrameDrawing drawing;
+    drawing.plan = &frame.plan;
+    drawing.space = frame.space;
+    drawing.grid = model.summary().grid;
+    drawing.pages = [&](std::uint32_t page) -> const hierarchy::Page& {
+        const auto found = pages.find(page);
+        return found != pages.end() ? found->second : pages.emplace(page, model.readPage(page)).first->second;
+    };
+    for (std::size_t pass = 0; pass < frame.plan.passes.size(); ++pass) {
+        drawing.casters.push_back(&frame.cut.lists[pass + 1]);
+        std::vector<DisputedTexel> texels = disputed(frame.plan.passes[pass], ours.shadowDepth(), theirs.shadowDepth());
+        if (texels.empty()) continue;
+        judge(drawing, pass, texels);
+        for (const DisputedTexel& texel : texels) {
+            result.oursOff += texel.oursOff > kDepthBar ? 1 : 0;
+            result.theirsOff += texel.theirsOff > kDepthBar ? 1 : 0;
+            result.oursMost = std::max(result.oursMost, texel.oursOff);
+            result.theirsMost = std::max(result.theirsMost, texel.theirsOff);
+        }
+    }
+    return result;
+}
+
 /// Percentages of the image's pixels and of the texels that both cover.
-void printRow(const std::string& name, int triples, const ExecutorDifference& found) {
+void printRow(const std::string& name, const Findings& findings) {
+    const ExecutorDifference& found = findings.difference;
     const auto percent = [](std::size_t part, std::size_t whole) {
         return whole == 0 ? 0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
     };
     std::printf(
-        "| %s | %d | %.5f | %.4f | %.5f | %.5f | %.1e |\n",
+        "| %s | %d | %.5f | %.4f | %.5f | %.5f | %.1e | %.5f, %.1e | %.5f, %.1e |\n",
         name.c_str(),
-        triples,
+        findings.triples,
         percent(found.coverage, found.pixels),
         percent(found.color, found.pixels),
         percent(found.texelCover, found.texels),
         percent(found.texelWrong, found.texels),
-        found.largestTexelDepth);
+        found.largestTexelDepth,
+        percent(findings.verdicts.oursOff, found.texels),
+        findings.verdicts.oursMost,
+        percent(findings.verdicts.theirsOff, found.texels),
+        findings.verdicts.theirsMost);
 }
 
-void compareModel(const std::string& path, int triples, std::uint64_t firstSeed) {
-    const hierarchy::ModelFile model(path);
+struct Options {
+    std::string model;
+    int triples = 0;
+    int side = 400;    // pixels
+    int texels = 1024; // a side
+    std::uint64_t firstSeed = 1;
+};
+
+void compareModel(const Options& options) {
+    const hierarchy::ModelFile model(options.model);
     const std::unique_ptr<Executor> ours = makeSoftwareExecutor();
     const std::unique_ptr<Executor> gl = makeGlExecutor(gl::Platform::Osmesa, gl::ShaderLibrary(), gibibytes(1));
     Renderer ourRenderer(model, *ours, {});
     Renderer glRenderer(model, *gl, {});
-    ExecutorDifference all;
-    std::map<std::string, std::pair<int, ExecutorDifference>> byScheme;
-    for (int i = 0; i < triples; ++i) {
-        const std::uint64_t seed = firstSeed + static_cast<std::uint64_t>(i);
-        const plan::View view = viewOf(model.summary().bounds, seed);
+    Findings all;
+    std::map<std::string, Findings> byScheme;
+    std::map<std::uint32_t, hierarchy::Page> pages;
+    for (int i = 0; i < options.triples; ++i) {
+        const std::uint64_t seed = options.firstSeed + static_cast<std::uint64_t>(i);
+        const plan::View view = viewOf(model.summary().bounds, options.side, seed);
         plan::Quality quality = fieldQuality(seed);
-        quality.shadowTexelsWidth = quality.shadowTexelsHeight = 1024;
-        FrameOptions options;
-        options.overlay = static_cast<Overlay>(seed / 2 % 6);
+        quality.shadowTexelsWidth = quality.shadowTexelsHeight = options.texels;
+        FrameOptions frameOptions;
+        frameOptions.overlay = static_cast<Overlay>(seed / 2 % 8);
         ourRenderer.forget();
         glRenderer.forget();
-        const Frame frame = ourRenderer.render(view, quality, options);
-        glRenderer.render(view, quality, options);
-        const ExecutorDifference found = difference(*ours, *gl);
+        const Frame frame = ourRenderer.render(view, quality, frameOptions);
+        glRenderer.render(view, quality, frameOptions);
+        const Findings found{1, difference(*ours, *gl), verdicts(frame, model, pages, *ours, *gl)};
         all += found;
-        auto& [count, sum] = byScheme[frame.row.scheme + " " + frame.row.warp];
-        ++count;
-        sum += found;
+        byScheme[frame.row.scheme + " " + frame.row.warp] += found;
     }
-    printRow("all", triples, all);
+    printRow("all", all);
     for (const auto& [scheme, row] : byScheme)
-        printRow(scheme, row.first, row.second);
+        printRow(scheme, row);
 }
 
 } // namespace
@@ -80,13 +169,19 @@ void compareModel(const std::string& path, int triples, std::uint64_t firstSeed)
 
 int main(int argc, char** argv) {
     if (argc < 3) {
-        std::fprintf(stderr, "usage: executor_parity MODEL.gnm TRIPLES [FIRST_SEED]\n");
+        std::fprintf(stderr, "usage: executor_parity MODEL.gnm TRIPLES [SIDE] [TEXELS] [FIRST_SEED]\n");
         return 2;
     }
     std::printf(
-        "| scheme | triples | coverage %% | colour %% | texel coverage %% | texels off by over 1e-5 %% | most |\n");
-    std::printf("|---|---|---|---|---|---|---|\n");
-    const std::uint64_t firstSeed = argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1;
-    gnomon::render::compareModel(argv[1], std::atoi(argv[2]), firstSeed);
+        "| scheme | triples | coverage %% | colour %% | texel coverage %% | texels apart by over 1e-5 %% | most | "
+        "software off %%, most | OpenGL off %%, most |\n");
+    std::printf("|---|---|---|---|---|---|---|---|---|\n");
+    gnomon::render::Options options;
+    options.model = argv[1];
+    options.triples = std::atoi(argv[2]);
+    if (argc > 3) options.side = std::atoi(argv[3]);
+    if (argc > 4) options.texels = std::atoi(argv[4]);
+    if (argc > 5) options.firstSeed = std::strtoull(argv[5], nullptr, 10);
+    gnomon::render::compareModel(options);
     return 0;
 }

@@ -1,5 +1,5 @@
 // What can be painted over the image to see the method at work. OVERLAY: 1 partitions, 2 texels, 3 aliasing, 4 lod,
-// 5 clusters, 6 projection.
+// 5 clusters, 6 projection, 7 residency.
 
 // Colours that are far apart for neighbouring indices: the golden angle on the hue circle.
 vec3 indexColor(int index) {
@@ -42,6 +42,11 @@ float texelGrid(Partition part, vec3 position) {
     return max(line.x * density.x, line.y * density.y);
 }
 
+// Green where nothing finer is asked for, orange where it is awaited, red where it cannot be read.
+vec3 residence(float reason) {
+    return reason < 0.5 ? vec3(0.35, 0.75, 0.4) : reason < 1.5 ? vec3(0.95, 0.6, 0.15) : vec3(0.85, 0.15, 0.2);
+}
+
 vec3 overlay(vec3 shaded, vec3 position, vec3 normal, float depth, int index, float error, uint cluster) {
     float lightness = dot(shaded, vec3(0.3, 0.5, 0.2));
 #if OVERLAY == 1
@@ -57,6 +62,8 @@ vec3 overlay(vec3 shaded, vec3 position, vec3 normal, float depth, int index, fl
     return indexColor(int(cluster)) * (0.4 + 0.6 * lightness);
 #elif OVERLAY == 6
     return index < 0 ? vec3(lightness) * 0.5 : heat(projection(position, normal)) * (0.5 + 0.5 * lightness);
+#elif OVERLAY == 7
+    return residence(near.w) * (0.4 + 0.6 * lightness);
 #else
     return shaded;
 #endif

@@ -22,7 +22,8 @@ GNOMON_BLOCK(0, Frame) {
     vec4 view;         // xyz: the view direction; w: the view depth of draw space's origin
     vec4 light;        // xyz: the direction towards the light; w: +1 if it is behind the viewer or across, else -1
     vec4 image;        // width and height in pixels; z: the clip near plane; w: 2 tan(theta) / height
-    vec4 near;         // x: the shadow range's near; y: its far; z: error threshold in pixels
+    vec4 near;         // x: the shadow range's near; y: its far; z: error threshold in pixels; w: for the overlay of
+                       // residency, why what is drawn now is drawn (render::Residence)
     ivec4 counts; // x: slices; y: filter width in texels; z: side faces of a slice; w: 1 if the near face has maps of
                   // its own
 };

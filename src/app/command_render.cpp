@@ -38,7 +38,8 @@ const std::map<std::string, render::Overlay>& overlays() {
         {"aliasing", Overlay::Aliasing},
         {"lod", Overlay::Lod},
         {"clusters", Overlay::Clusters},
-        {"projection", Overlay::Projection}};
+        {"projection", Overlay::Projection},
+        {"residency", Overlay::Residency}};
     return words;
 }
 

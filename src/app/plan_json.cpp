@@ -67,6 +67,7 @@ ordered_json passJson(const plan::FramePlan& plan, const plan::ShadowPass& pass)
     json["caster_planes"] = planesJson(plan, pass.casters);
     json["clamps_depth"] = pass.clampsDepth;
     json["estimated_triangles"] = pass.estimatedTriangles;
+    json["reused"] = pass.isReused;
     return json;
 }
 

@@ -123,7 +123,7 @@ void addViewOptions(CLI::App& command, ViewOptions& options) {
         "Who executes the plan: the software rasteriser, or GL from one of three places")
         ->check(CLI::IsMember({"auto", "software", "osmesa", "egl", "window"}));
     add("--memory", options.memory, "SIZE", "Tables and page cache");
-    add("--gpu-memory", options.gpuMemory, "SIZE", "What the GPU holds");
+    add("--gpu-memory", options.gpuMemory, "SIZE", "What the GPU holds: image, maps and geometry");
     add("--shaders", options.shaders, "PATH", "Read shaders from this folder instead of the built-in ones")
         ->check(CLI::ExistingDirectory);
 }

@@ -9,6 +9,7 @@
 #include "shadow/orientation.h"
 #include "shadow/region.h"
 #include "shadow/splits.h"
+#include "shadow/stable_slice.h"
 #include "shadow/warp.h"
 #include "shadow/warped_map.h"
 
@@ -108,9 +109,12 @@ struct ShadowPass {
     Rectangle map;             // without
     shadow::Aliasing promised; // with these texels and this image
     bool clampsDepth = true;   // a caster may be nearer to the light than the map begins
-    std::uint64_t estimatedTriangles = 0; // of its casters
-    ConvexVolume casters;                 // camera space: all that can throw a shadow into the partition
-    ConvexVolume receivers;               // camera space
+    std::uint64_t estimatedTriangles = 0;      // of its casters
+    ConvexVolume casters;                      // camera space: all that can throw a shadow into the partition
+    ConvexVolume receivers;                    // camera space
+    glm::dmat4 texelFromMap{1};                // (s, t, depth) over `warp` -> texels of the depth texture and depth
+    std::optional<shadow::StablePlace> stable; // of a stabilised map: then it is drawn as it lies in the world
+    bool isReused = false;                     // the frame before left just these texels: they are not drawn again
 };
 
 /// Which scheme a plan came to, for the next frame to hold on to.

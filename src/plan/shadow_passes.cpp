@@ -38,6 +38,8 @@ ShadowPass passOf(const shadow::ShadowMapPartition& partition, const shadow::Sha
     const glm::dmat4 texelFromTexture =
         glm::transpose(glm::dmat4(setup.textureWidth, 0, 0, 0, 0, setup.textureHeight, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1));
     pass.texelFromCamera = texelFromTexture * partition.textureFromCamera;
+    pass.texelFromMap = texelFromTexture * partition.textureFromMap;
+    pass.stable = partition.stable;
     pass.promised = {partition.promised.x, partition.promised.z};
     pass.casters = partition.casterVolume;
     pass.receivers = partition.region.volume;
@@ -69,7 +71,10 @@ void explainOmissions(FramePlan& plan) {
             {"z-partitions", plan.quality.zPartitions ? "switched off" : "a single slice is best at this promise"});
     const auto isWarped = [](const ShadowPass& pass) { return pass.warp.kappa > 0; };
     if (std::none_of(plan.passes.begin(), plan.passes.end(), isWarped)) omitted.push_back({"warp", warpReason(plan)});
-    if (!plan.quality.stabilize) omitted.push_back({"stabilisation", "switched off"});
+    if (!plan.quality.stabilize) {
+        omitted.push_back({"stabilisation", "switched off"});
+        omitted.push_back({"reuse of maps", "only stabilised ones stay where they are while the camera moves"});
+    }
     if (plan.quality.filter == 0)
         omitted.push_back({"filter", "switched off; its kernel would widen the texels, and so raise the promise"});
     const auto clamps = [](const ShadowPass& pass) { return pass.clampsDepth; };

@@ -101,8 +101,9 @@ public:
 
     /// The least depth of each pixel of the viewport, 1 where nothing is drawn. Nothing is cut at depth 0 or 1: depth
     /// is clamped to that range at each pixel (GL_DEPTH_CLAMP), so casters before and behind the range still cast.
-    /// Pixels outside the viewport are left alone.
-    void drawDepth(std::span<const Cluster> clusters, const View& view, const DepthTarget& target);
+    /// Pixels outside the viewport are left alone. Answers how many fragments that took: the pixels of the viewport
+    /// that each triangle covers, summed.
+    std::uint64_t drawDepth(std::span<const Cluster> clusters, const View& view, const DepthTarget& target);
 
     /// The triangle of largest depth of each pixel of the viewport (depth reversed: 1 at the near plane, 0 at the far
     /// end), cut at depths 0 and 1. Pixels outside the viewport are left alone. `onTile` is told of each part of the

@@ -131,7 +131,7 @@ struct DepthKind {
     static constexpr float kEmpty = 1.0F;
     static constexpr int kSide = kTileSide;
 
-    static void draw(const TileWork& work, float* tile) { drawDepthTile(work, tile); }
+    static std::uint64_t draw(const TileWork& work, float* tile) { return drawDepthTile(work, tile); }
 };
 
 struct VisibilityKind {
@@ -139,7 +139,10 @@ struct VisibilityKind {
     static constexpr std::uint64_t kEmpty = 0;
     static constexpr int kSide = kTileSide / 2; // words are twice as large
 
-    static void draw(const TileWork& work, std::uint64_t* tile) { drawVisibilityTile(work, tile); }
+    static std::uint64_t draw(const TileWork& work, std::uint64_t* tile) {
+        drawVisibilityTile(work, tile);
+        return 0; // not counted
+    }
 };
 
 struct TileMemory {
@@ -164,6 +167,7 @@ struct Rasterizer::Memory {
     Bins bins;
     tbb::enumerable_thread_specific<CutClusters> cuts;
     tbb::enumerable_thread_specific<TileMemory> tiles;
+    std::atomic<std::uint64_t> fragments = 0; // of the last pass
 
     void snapClusters(std::span<const Cluster> input, const Projection& projection);
     void addCutClusters();
@@ -244,6 +248,7 @@ void Rasterizer::Memory::binClusters(const PixelBox& viewport, int side) {
 template <class Kind>
 void Rasterizer::Memory::drawTiles(typename Kind::Pixel* target, int width, const TileVisitor& onTile) {
     std::atomic<std::size_t> next = 0;
+    fragments = 0;
     const auto drawRemaining = [&](int /*worker*/) {
         typename Kind::Pixel* pixels = tiles.local().pixels(typename Kind::Pixel{});
         for (std::size_t t = next++; t < bins.tiles.size(); t = next++) {
@@ -251,7 +256,8 @@ void Rasterizer::Memory::drawTiles(typename Kind::Pixel* target, int width, cons
             for (int row = 0; row < tile.box.height(); ++row)
                 std::fill_n(
                     pixels + std::size_t{kTileStride} * static_cast<std::size_t>(row), tile.box.width(), Kind::kEmpty);
-            Kind::draw({tile.box, clusters, std::span(bins.indices).subspan(tile.first, tile.count)}, pixels);
+            fragments +=
+                Kind::draw({tile.box, clusters, std::span(bins.indices).subspan(tile.first, tile.count)}, pixels);
             for (int row = 0; row < tile.box.height(); ++row)
                 std::copy_n(
                     pixels + std::size_t{kTileStride} * static_cast<std::size_t>(row),
@@ -284,9 +290,10 @@ Rasterizer::~Rasterizer() = default;
 Rasterizer::Rasterizer(Rasterizer&&) noexcept = default;
 Rasterizer& Rasterizer::operator=(Rasterizer&&) noexcept = default;
 
-void Rasterizer::drawDepth(std::span<const Cluster> clusters, const View& view, const DepthTarget& target) {
+std::uint64_t Rasterizer::drawDepth(std::span<const Cluster> clusters, const View& view, const DepthTarget& target) {
     checkViewport(view.viewport, target.width, target.height);
     memory_->draw<DepthKind>(clusters, projection(view, false), view.viewport, target.depths, target.width, {});
+    return memory_->fragments;
 }
 
 void Rasterizer::drawVisibility(

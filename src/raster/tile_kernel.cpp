@@ -1,5 +1,6 @@
 #include "raster/tile_kernel.h"
 
+#include "raster/binning.h"
 #include "raster/prefetch.h"
 #include "raster/wide_triangle.h"
 
@@ -119,6 +120,7 @@ HWY_INLINE void sortTriangles(const SnappedCluster& cluster, const PixelBox& til
 template <bool isCompact, int side, class Target>
 HWY_INLINE void drawSmall(const SnappedCluster& cluster, const Sorted& sorted, const PixelBox& tile, Target& target) {
     const auto lanes = static_cast<std::uint32_t>(hn::Lanes(kInts));
+    [[maybe_unused]] const bool isWhole = intersection(cluster.box, tile) == cluster.box;
     Hits hits; // NOLINT(cppcoreguidelines-pro-type-member-init): filled up to its count
     for (std::uint32_t first = 0; first < sorted.count; first += lanes) {
         const auto corners = hn::BitCast(kInts, hn::LoadU(kUints, sorted.packed.data() + first));
@@ -143,6 +145,12 @@ HWY_INLINE void drawSmall(const SnappedCluster& cluster, const Sorted& sorted, c
             rowAddress = hn::Add(rowAddress, hn::Set(kInts, kTileStride));
         }
         target.takeHits(hits);
+        if constexpr (Target::kCounts) {
+            if (isWhole)
+                target.count(hits.count);
+            else
+                target.countWithin(hits, tile);
+        }
     }
 }
 
@@ -194,6 +202,7 @@ HWY_INLINE void drawWide(const SnappedCluster& cluster, std::uint32_t packed, co
         const auto perX = hn::Set(kFloats, row.depthPerX);
         const auto reference = hn::Set(kFloats, row.depthAtReference);
         const auto end = hn::Set(kInts, row.x1);
+        if constexpr (Target::kCounts) target.count(static_cast<std::size_t>(std::max(row.x1 - row.x0, 0)));
         for (int x = row.x0; x < row.x1; x += static_cast<int>(hn::Lanes(kInts))) {
             const auto pixels = hn::Iota(kInts, x);
             const auto along = hn::ConvertTo(kFloats, hn::Sub(pixels, hn::Set(kInts, row.referenceX)));
@@ -224,7 +233,7 @@ HWY_INLINE void prefetchCluster(const SnappedCluster& cluster) {
 }
 
 template <class Target>
-HWY_INLINE void drawTile(const TileWork& work, Target target) {
+HWY_INLINE void drawTile(const TileWork& work, Target& target) {
     SortedCluster sorted; // NOLINT(cppcoreguidelines-pro-type-member-init): sortTriangles fills it
     for (std::size_t k = 0; k < work.indices.size(); ++k) {
         if (k + 1 < work.indices.size()) prefetchCluster(work.clusters[work.indices[k + 1]]);
@@ -236,12 +245,15 @@ HWY_INLINE void drawTile(const TileWork& work, Target target) {
     }
 }
 
-void drawDepthInLanes(const TileWork& work, float* depths) {
-    drawTile(work, DepthTile{depths});
+std::uint64_t drawDepthInLanes(const TileWork& work, float* depths) {
+    DepthTile tile{depths};
+    drawTile(work, tile);
+    return tile.covered;
 }
 
 void drawVisibilityInLanes(const TileWork& work, std::uint64_t* words) {
-    drawTile(work, VisibilityTile{words});
+    VisibilityTile tile{words};
+    drawTile(work, tile);
 }
 
 } // namespace gnomon::raster::HWY_NAMESPACE
@@ -254,8 +266,8 @@ namespace gnomon::raster {
 HWY_EXPORT(drawDepthInLanes);
 HWY_EXPORT(drawVisibilityInLanes);
 
-void drawDepthTile(const TileWork& work, float* depths) {
-    HWY_DYNAMIC_DISPATCH(drawDepthInLanes)(work, depths);
+std::uint64_t drawDepthTile(const TileWork& work, float* depths) {
+    return HWY_DYNAMIC_DISPATCH(drawDepthInLanes)(work, depths);
 }
 
 void drawVisibilityTile(const TileWork& work, std::uint64_t* words) {

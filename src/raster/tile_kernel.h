@@ -31,8 +31,9 @@ struct TileWork {
     std::span<const std::uint32_t> indices;   // those of this tile
 };
 
-/// Lowers `depths` (kTilePixels, row r of the tile at r * kTileStride) where a triangle is nearer to the light.
-void drawDepthTile(const TileWork& work, float* depths);
+/// Lowers `depths` (kTilePixels, row r of the tile at r * kTileStride) where a triangle is nearer to the light; how
+/// many pixels of the tile the triangles cover, each one's counted.
+std::uint64_t drawDepthTile(const TileWork& work, float* depths);
 
 /// Raises `words` likewise where a triangle is nearer to the eye.
 void drawVisibilityTile(const TileWork& work, std::uint64_t* words);

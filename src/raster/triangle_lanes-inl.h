@@ -340,6 +340,7 @@ HWY_INLINE Ints along(std::int32_t first, std::int32_t perX) {
 /// Draws the triangle of one lane, a vector of pixels at a time.
 template <class Target>
 HWY_INLINE void drawStored(const StoredLanes& s, std::uint32_t lane, Target& target) {
+    const auto end = hn::Set(kInts, s.box[2][lane] + 1);
     const auto lanes = static_cast<std::int32_t>(hn::Lanes(kInts));
     Edges row = {
         along(s.edges[0][lane], s.perX[0][lane]),
@@ -368,8 +369,11 @@ HWY_INLINE void drawStored(const StoredLanes& s, std::uint32_t lane, Target& tar
         auto fromX = firstX;
         for (std::int32_t x = s.box[0][lane]; x <= s.box[2][lane]; x += lanes) {
             const auto inside = isInside(e);
-            if (!hn::AllFalse(kInts, inside))
+            if (!hn::AllFalse(kInts, inside)) {
                 target.takeRow(y * kTileStride + x, inside, depthAt(depth, rowDepth, fromX), s.ids[lane]);
+                if constexpr (Target::kCounts)
+                    target.count(hn::CountTrue(kInts, hn::And(inside, hn::Lt(hn::Iota(kInts, x), end))));
+            }
             step(e, perVector);
             fromX = hn::Add(fromX, hn::Set(kFloats, static_cast<float>(lanes)));
         }
@@ -381,7 +385,20 @@ HWY_INLINE void drawStored(const StoredLanes& s, std::uint32_t lane, Target& tar
 /// The memory of a tile of a depth map: the least depth stays.
 struct DepthTile {
     static constexpr bool kHasIds = false;
+    static constexpr bool kCounts = true; // pixels covered within the tile, each triangle's
     float* depths;
+    std::uint64_t covered = 0;
+
+    HWY_INLINE void count(std::size_t pixels) { covered += pixels; }
+
+    /// Those of `hits`, some of which may lie beyond the tile.
+    HWY_INLINE void countWithin(const Hits& hits, const PixelBox& tile) {
+        for (std::size_t i = 0; i < hits.count; ++i) {
+            const bool isWithin =
+                hits.addresses[i] % kTileStride < tile.width() && hits.addresses[i] < tile.height() * kTileStride;
+            covered += isWithin ? 1 : 0;
+        }
+    }
 
     HWY_INLINE void takeHits(const Hits& hits) const {
         for (std::size_t i = 0; i < hits.count; ++i) {
@@ -400,6 +417,7 @@ struct DepthTile {
 /// The memory of a tile of a visibility buffer: the largest word stays.
 struct VisibilityTile {
     static constexpr bool kHasIds = true;
+    static constexpr bool kCounts = false;
     std::uint64_t* words;
 
     HWY_INLINE void takeHits(const Hits& hits) const {

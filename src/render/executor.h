@@ -22,7 +22,8 @@ using PageLookup = std::function<const hierarchy::Page&(std::uint32_t page)>;
 /// What is painted over the image.
 /// Aliasing is its perspective part, which a plan promises; Projection the other factor, which depends on how the
 /// surface lies to light and eye, and which nobody can promise.
-enum class Overlay : std::uint8_t { None, Partitions, Texels, Aliasing, Lod, Clusters, Projection };
+/// Residency is what stands in for pages that are not in memory.
+enum class Overlay : std::uint8_t { None, Partitions, Texels, Aliasing, Lod, Clusters, Projection, Residency };
 
 /// World axes and units, origin at the grid point of the model that is nearest to the eye: there floats are precise
 /// where the picture needs it, however far from the world's origin or how far away the eye is.
@@ -36,6 +37,20 @@ struct DrawSpace {
 /// The draw space of `view` on `grid`; `bounds` are those of the model, world space.
 DrawSpace drawSpace(const plan::View& view, const hierarchy::Grid& grid, const Box& bounds);
 
+/// Why a cluster is drawn.
+enum class Residence : std::uint8_t {
+    AsAsked, // the error asks for nothing finer
+    Awaited, // what refines it is not in memory
+    Damaged, // what refines it cannot be read
+};
+
+/// A drawn cluster that stands in for finer ones.
+struct StandIn {
+    std::uint32_t page = 0;
+    std::uint32_t cluster = 0;
+    Residence residence = Residence::Awaited;
+};
+
 /// One frame, ready to be drawn.
 struct FrameDrawing {
     const plan::FramePlan* plan = nullptr;
@@ -48,6 +63,7 @@ struct FrameDrawing {
     std::optional<Camera>
         onlooker; // who sees the image in place of the plan's camera, which it then shows from outside
     Overlay overlay = Overlay::None;
+    std::vector<StandIn> standIns;                 // of the image, by page and cluster; for Overlay::Residency alone
     bool wantsSurfaces = false;                    // keep what `surfaces` returns
     const Raster<std::uint8_t>* litMask = nullptr; // 255 where the light reaches, instead of maps
 };
@@ -57,7 +73,8 @@ struct DrawStatistics {
     double shadowMs = 0;
     double imageMs = 0;
     std::uint64_t drawCalls = 0;
-    std::uint64_t deviceBytes = 0; // geometry and textures held
+    std::optional<std::uint64_t> shadowFragments; // pixels that the casters' triangles cover, summed; if counted
+    std::uint64_t deviceBytes = 0;                // geometry and textures held
 };
 
 /// What is known of a pixel's surface.
@@ -88,6 +105,7 @@ public:
 
     /// "osmesa", "egl", ...: the column `backend`.
     virtual std::string name() const = 0;
+    /// Maps that the plan reuses stay as the last frame left them.
     virtual DrawStatistics draw(const FrameDrawing& frame) = 0;
     virtual Picture picture() = 0;
     /// View depth per pixel; infinity where nothing is.

@@ -1,6 +1,8 @@
 #include "culling/frame_cut.h"
+#include "plan/map_reuse.h"
 #include "render/prepared_frame.h"
 #include "render/scene_facts.h"
+#include "render/stand_ins.h"
 
 #include <algorithm>
 #include <chrono>
@@ -47,6 +49,7 @@ Renderer::Renderer(const hierarchy::ModelFile& model, Executor& executor, Reside
 Frame Renderer::render(const plan::View& view, const plan::Quality& quality, const FrameOptions& options) {
     const auto start = Clock::now();
     Prepared prepared = prepare(view, quality, options.waiting);
+    if (options.reusesMaps) reuseMaps(prepared);
     const DrawStatistics drawn = draw(prepared, drawing(prepared, options));
     Frame frame;
     frame.space = drawSpace(view, model_->summary().grid, model_->summary().bounds);
@@ -57,6 +60,13 @@ Frame Renderer::render(const plan::View& view, const plan::Quality& quality, con
     frame.cut = std::move(prepared.cut);
     previous_ = std::move(prepared.plan);
     return frame;
+}
+
+void Renderer::reuseMaps(Prepared& prepared) const {
+    if (!drawnMaps_) return;
+    for (std::size_t p = 0; p < prepared.plan.passes.size(); ++p)
+        prepared.plan.passes[p].isReused = plan::isSameMap(prepared.plan, drawnMaps_->plan, p) &&
+                                           prepared.cut.lists[p + 1].ranges == drawnMaps_->casters[p];
 }
 
 plan::FramePlan Renderer::plan(const plan::View& view, const plan::Quality& quality) {
@@ -172,6 +182,9 @@ FrameDrawing Renderer::drawing(const Prepared& prepared, const FrameOptions& opt
         drawing.clipNear = std::max(distance(summary.bounds, options.onlooker->eye) * 0.99, least);
     }
     drawing.overlay = options.overlay;
+    if (options.overlay == Overlay::Residency)
+        drawing.standIns = standIns(
+            query(prepared), *drawing.image, [this](std::uint32_t page) { return residency_.isDamaged(page); });
     drawing.wantsSurfaces = options.wantsSurfaces;
     return drawing;
 }
@@ -188,7 +201,7 @@ telemetry::FrameRow Renderer::logged(const Prepared& prepared, const DrawStatist
     row.stabilize = quality.stabilize;
     row.filter = quality.filter;
     row.shadowMaps = toCount(plan.passes.size());
-    row.shadowMapsDrawn = toCount(plan.passes.size());
+    row.shadowMapsDrawn = 0;
     row.cullCasters = quality.cullCasters;
     row.shadowTexels = std::to_string(quality.shadowTexelsWidth) + "x" + std::to_string(quality.shadowTexelsHeight);
     row.errorPixels = quality.errorPixels;
@@ -205,10 +218,14 @@ telemetry::FrameRow Renderer::logged(const Prepared& prepared, const DrawStatist
     std::uint64_t shadowTriangles = 0;
     std::uint64_t castersKept = 0;
     for (std::size_t p = 0; p < plan.passes.size(); ++p) {
-        shadowTriangles += prepared.cut.lists[p + 1].triangles;
+        if (!plan.passes[p].isReused) {
+            ++row.shadowMapsDrawn;
+            shadowTriangles += prepared.cut.lists[p + 1].triangles;
+        }
         castersKept += prepared.cut.lists[p + 1].clusters;
     }
     row.shadowTriangles = toCount(shadowTriangles);
+    if (drawn.shadowFragments) row.shadowFragments = toCount(*drawn.shadowFragments);
     row.castersKept = toCount(castersKept);
     row.castersTested = toCount(plan.passes.empty() ? 0 : prepared.cut.clustersTested);
     row.drawCalls = toCount(drawn.drawCalls);

@@ -27,19 +27,32 @@ glm::dmat4 cameraFromDraw(const CameraBasis& basis, const glm::dvec3& eye) {
     return fromRows(row(basis.right), row(basis.up), row(basis.view), {0, 0, 0, 1});
 }
 
-} // namespace
-
-DrawSpace drawSpace(const plan::View& view, const hierarchy::Grid& grid, const Box& bounds) {
+/// The draw space of `view` whose origin is the grid point nearest to `local`, in the model's local space.
+DrawSpace drawSpaceAt(const plan::View& view, const hierarchy::Grid& grid, const glm::dvec3& local) {
     DrawSpace space;
     space.step = grid.step();
-    const glm::dvec3 nearest = glm::clamp(view.camera.eye, bounds.min, bounds.max) - grid.origin;
     const glm::dvec3 cell =
-        glm::clamp(glm::round(nearest / space.step), glm::dvec3(0), glm::dvec3(hierarchy::kMaxGridCoordinate));
+        glm::clamp(glm::round(local / space.step), glm::dvec3(0), glm::dvec3(hierarchy::kMaxGridCoordinate));
     space.originCell = {
         static_cast<std::uint32_t>(cell.x), static_cast<std::uint32_t>(cell.y), static_cast<std::uint32_t>(cell.z)};
     space.eye = (view.camera.eye - grid.origin) - grid.local(space.originCell);
     space.cameraFromDraw = cameraFromDraw(cameraBasis(view.camera), space.eye);
     return space;
+}
+
+/// Clip space of a viewport over `r`, from texels.
+glm::dmat4 clipFromTexel(const plan::Rectangle& r) {
+    return fromRows(
+        {2.0 / r.width, 0, 0, -1 - 2.0 * r.x / r.width},
+        {0, 2.0 / r.height, 0, -1 - 2.0 * r.y / r.height},
+        {0, 0, 1, 0},
+        {0, 0, 0, 1});
+}
+
+} // namespace
+
+DrawSpace drawSpace(const plan::View& view, const hierarchy::Grid& grid, const Box& bounds) {
+    return drawSpaceAt(view, grid, glm::clamp(view.camera.eye, bounds.min, bounds.max) - grid.origin);
 }
 
 glm::dmat4 imageClipFromDraw(const FrameDrawing& frame) {
@@ -56,13 +69,24 @@ glm::dmat4 texelFromDraw(const plan::ShadowPass& pass, const DrawSpace& space) {
 }
 
 glm::dmat4 shadowClipFromDraw(const plan::ShadowPass& pass, const DrawSpace& space) {
-    const plan::Rectangle& r = pass.rectangle;
-    const glm::dmat4 clipFromTexel = fromRows(
-        {2.0 / r.width, 0, 0, -1 - 2.0 * r.x / r.width},
-        {0, 2.0 / r.height, 0, -1 - 2.0 * r.y / r.height},
-        {0, 0, 1, 0},
-        {0, 0, 0, 1});
-    return clipFromTexel * texelFromDraw(pass, space);
+    return clipFromTexel(pass.rectangle) * texelFromDraw(pass, space);
+}
+
+MapDrawing mapDrawing(const FrameDrawing& frame, const plan::ShadowPass& pass) {
+    if (!pass.stable) return {frame.space, shadowClipFromDraw(pass, frame.space)};
+    const plan::View& view = frame.plan->view;
+    const shadow::LightFrame axes = shadow::stableWorldFrame(glm::normalize(view.towardsLight));
+    const shadow::StablePlace& place = *pass.stable;
+    const auto middle = [&](std::size_t axis) {
+        return (static_cast<double>(place.corner[axis]) + place.texels / 2.0) * place.texel;
+    };
+    const glm::dvec3 center = axes.x * middle(0) - axes.y * middle(1) + axes.z * middle(2);
+    MapDrawing result;
+    result.space = drawSpaceAt(view, frame.grid, center - frame.grid.origin);
+    const glm::dvec3 origin = frame.grid.origin + frame.grid.local(result.space.originCell);
+    const shadow::WarpedMap map = shadow::stableMap(place, axes, shadow::toLight(axes, origin));
+    result.clipFromDraw = clipFromTexel(pass.rectangle) * pass.texelFromMap * shadow::textureFromCamera(map);
+    return result;
 }
 
 shadow::Resolution texelsOf(const plan::ShadowPass& pass) {
@@ -73,10 +97,9 @@ shadow::Resolution texelsOf(const plan::ShadowPass& pass) {
     return {1, isTurned ? rows : columns, isTurned ? columns : rows};
 }
 
-block::Frame frameBlock(const FrameDrawing& frame, const glm::dmat4& clipFromDraw) {
+block::Frame frameBlock(const FrameDrawing& frame, const DrawSpace& space, const glm::dmat4& clipFromDraw) {
     const plan::FramePlan& plan = *frame.plan;
     const plan::View& view = plan.view;
-    const DrawSpace& space = frame.space;
     const CameraBasis& basis = plan.basis;
     block::Frame result{};
     result.clipFromDraw = glm::mat4(clipFromDraw);

@@ -16,11 +16,20 @@ glm::dmat4 texelFromDraw(const plan::ShadowPass& pass, const DrawSpace& space);
 /// Clip space of a viewport over the pass's rectangle.
 glm::dmat4 shadowClipFromDraw(const plan::ShadowPass& pass, const DrawSpace& space);
 
+/// How a map is drawn: a draw space, and the clip space of a viewport over the pass's rectangle. That of the frame; but
+/// a stabilised map is drawn from its own middle, so that equal places give equal maps to the last bit.
+struct MapDrawing {
+    DrawSpace space;
+    glm::dmat4 clipFromDraw{1};
+};
+
+MapDrawing mapDrawing(const FrameDrawing& frame, const plan::ShadowPass& pass);
+
 /// The texels of `pass` along its warp's s and t, whichever way it lies in the depth texture.
 shadow::Resolution texelsOf(const plan::ShadowPass& pass);
 
-/// The frame's block for a pass with `clipFromDraw`.
-block::Frame frameBlock(const FrameDrawing& frame, const glm::dmat4& clipFromDraw);
+/// The frame's block for a pass with `clipFromDraw`, drawn in `space`.
+block::Frame frameBlock(const FrameDrawing& frame, const DrawSpace& space, const glm::dmat4& clipFromDraw);
 
 /// The partitions' block. At most GNOMON_MAX_PARTITIONS passes and GNOMON_MAX_SLICES slices.
 block::Shadows shadowsBlock(const FrameDrawing& frame);

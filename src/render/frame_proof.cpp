@@ -52,8 +52,13 @@ selection::CasterDetail Renderer::rayCasterDetail(const Prepared& prepared) cons
 }
 
 DrawStatistics Renderer::draw(const Prepared& prepared, const FrameDrawing& drawing) {
-    if (!prepared.isRayTraced()) return executor_->draw(drawing);
-    return drawWithRays(*executor_, drawing, prepared.cut.lists[1]);
+    drawnMaps_.reset();
+    if (prepared.isRayTraced()) return drawWithRays(*executor_, drawing, prepared.cut.lists[1]);
+    const DrawStatistics statistics = executor_->draw(drawing);
+    drawnMaps_.emplace().plan = prepared.plan;
+    for (const selection::DrawList* casters : drawing.casters)
+        drawnMaps_->casters.push_back(casters->ranges);
+    return statistics;
 }
 
 void Renderer::prove(const Prepared& prepared, const FrameOptions& options, Frame& frame) {

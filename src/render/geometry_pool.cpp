@@ -72,6 +72,22 @@ Bytes GeometryPool::size() const {
     return sum;
 }
 
+void GeometryPool::keepUnder(Bytes cap) {
+    cap_ = cap;
+    while (size() > cap_) {
+        const std::size_t last = chunks_.size() - 1;
+        for (auto entry = byUse_.begin(); entry != byUse_.end();) {
+            if (entry->place.chunk == last) {
+                entries_.erase(entry->id);
+                entry = byUse_.erase(entry);
+            } else {
+                ++entry;
+            }
+        }
+        chunks_.pop_back();
+    }
+}
+
 std::optional<PagePlace> GeometryPool::find(std::uint32_t page) {
     const auto found = entries_.find(page);
     if (found == entries_.end()) return std::nullopt;

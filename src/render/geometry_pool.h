@@ -25,8 +25,11 @@ struct PagePlace {
 /// A cache of pages in GL buffers. Pages leave it oldest use first.
 class GeometryPool {
 public:
-    /// Never holds more than `cap` in buffers; buffers are made as they are needed.
+    /// Never holds more than its cap in buffers; buffers are made as they are needed.
     GeometryPool(const gl::Api& api, Bytes cap);
+
+    /// Changes the cap; what no longer fits goes at once. Draws of it must have been issued.
+    void keepUnder(Bytes cap);
 
     /// The place of `page` if it is there; counts as a use.
     std::optional<PagePlace> find(std::uint32_t page);

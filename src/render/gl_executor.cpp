@@ -4,6 +4,7 @@
 #include "gl/program.h"
 #include "render/frame_block.h"
 #include "render/geometry_pool.h"
+#include "render/stand_ins.h"
 
 #include <algorithm>
 #include <array>
@@ -96,6 +97,21 @@ struct ShadowTarget {
     gl::Framebuffer framebuffer;
 };
 
+/// What the textures that a frame is drawn into take.
+Bytes targetBytes(const FrameDrawing& frame) {
+    const auto texels = [](int width, int height) {
+        return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
+    };
+    constexpr std::uint64_t kColorAndDepth = 4 + 4;
+    constexpr std::uint64_t kSurfaces = 16 + 16;
+    const plan::FramePlan& plan = *frame.plan;
+    const std::uint64_t perPixel =
+        kColorAndDepth + (frame.wantsSurfaces ? kSurfaces : 0) + (frame.litMask != nullptr ? 1 : 0);
+    const std::uint64_t shadows =
+        plan.passes.empty() ? 0 : sizeof(float) * texels(plan.textureWidth, plan.textureHeight);
+    return {perPixel * texels(plan.view.width, plan.view.height) + shadows};
+}
+
 class GlExecutor final : public TextureExecutor {
 public:
     /// `own` is the context to keep if `context` is this executor's alone.
@@ -109,6 +125,7 @@ public:
           context_(&context),
           name_(std::move(name)),
           shaders_(std::move(shaders)),
+          memory_(gpuMemory),
           pool_(context.api(), gpuMemory),
           frameBlock_(context.api(), sizeof(block::Frame)),
           shadowsBlock_(context.api(), sizeof(block::Shadows)) {}
@@ -127,17 +144,19 @@ private:
     const gl::Api& api() const { return context_->api(); }
 
     void prepareTargets(const FrameDrawing& frame);
+    void shareMemory(const FrameDrawing& frame);
     void drawShadowMaps(const FrameDrawing& frame);
     void drawImage(const FrameDrawing& frame);
     void drawGeometry(const FrameDrawing& frame, const selection::DrawList& list);
     PagePlace placed(const FrameDrawing& frame, std::uint32_t id, Batch& batch);
     const gl::Program& surfaceProgram(const FrameDrawing& frame);
-    void bindBlocks(const FrameDrawing& frame, const glm::dmat4& clipFromDraw);
+    void bindBlocks(const block::Frame& values);
 
     std::unique_ptr<const gl::Context> own_; // null in a window's
     const gl::Context* context_;
     std::string name_;
     gl::ShaderLibrary shaders_;
+    Bytes memory_; // the cap on targets and geometry together
     GeometryPool pool_;
     gl::Buffer frameBlock_;
     gl::Buffer shadowsBlock_;
@@ -154,6 +173,7 @@ DrawStatistics GlExecutor::draw(const FrameDrawing& frame) {
     DrawStatistics statistics;
     drawCalls_ = 0;
     clipNear_ = frame.clipNear;
+    shareMemory(frame);
     prepareTargets(frame);
     const auto start = Clock::now();
     if (shadow_) drawShadowMaps(frame);
@@ -165,12 +185,20 @@ DrawStatistics GlExecutor::draw(const FrameDrawing& frame) {
     statistics.imageMs = millisecondsSince(imageStart);
     context_->check("frame");
     statistics.drawCalls = drawCalls_;
-    const auto texels = [](int width, int height) {
-        return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
-    };
-    statistics.deviceBytes = pool_.size().count + 8 * texels(frame.plan->view.width, frame.plan->view.height);
-    if (shadow_) statistics.deviceBytes += 4 * texels(frame.plan->textureWidth, frame.plan->textureHeight);
+    statistics.deviceBytes = pool_.size().count + targetBytes(frame).count;
     return statistics;
+}
+
+/// What the targets leave of the memory is the geometry's.
+void GlExecutor::shareMemory(const FrameDrawing& frame) {
+    const Bytes targets = targetBytes(frame);
+    if (targets >= memory_)
+        throw Error(
+            "--gpu-memory",
+            "the image and its shadow maps alone take more",
+            "above " + readableBytes(targets),
+            readableBytes(memory_));
+    pool_.keepUnder({memory_.count - targets.count});
 }
 
 void GlExecutor::prepareTargets(const FrameDrawing& frame) {
@@ -211,8 +239,7 @@ void GlExecutor::prepareTargets(const FrameDrawing& frame) {
     }
 }
 
-void GlExecutor::bindBlocks(const FrameDrawing& frame, const glm::dmat4& clipFromDraw) {
-    const block::Frame values = frameBlock(frame, clipFromDraw);
+void GlExecutor::bindBlocks(const block::Frame& values) {
     frameBlock_.write(0, std::as_bytes(std::span(&values, 1)));
     api().bindBufferBase(GL_UNIFORM_BUFFER, 0, frameBlock_.id());
     api().bindBufferBase(GL_UNIFORM_BUFFER, 1, shadowsBlock_.id());
@@ -224,20 +251,26 @@ void GlExecutor::drawShadowMaps(const FrameDrawing& frame) {
     if (!depthProgram_) depthProgram_.emplace(gl, shaders_, "shadow/depth.vert", "shadow/depth.frag");
     gl.useProgram(depthProgram_->id());
     gl.bindFramebuffer(GL_FRAMEBUFFER, shadow_->framebuffer.id());
-    gl.disable(GL_SCISSOR_TEST);
     const float farthest = 1;
-    gl.clearNamedFramebufferfv(shadow_->framebuffer.id(), GL_DEPTH, 0, &farthest);
+    const auto clear = [&] { gl.clearNamedFramebufferfv(shadow_->framebuffer.id(), GL_DEPTH, 0, &farthest); };
+    const auto isReused = [](const plan::ShadowPass& pass) { return pass.isReused; };
+    const bool keepsSome = std::any_of(plan.passes.begin(), plan.passes.end(), isReused);
+    gl.disable(GL_SCISSOR_TEST);
+    if (!keepsSome) clear();
     gl.enable(GL_DEPTH_TEST);
     gl.depthFunc(GL_LESS);
     // Clipping keeps within the viewport but for rounding; the scissor makes it exact.
     gl.enable(GL_SCISSOR_TEST);
     for (std::size_t p = 0; p < plan.passes.size(); ++p) {
+        if (plan.passes[p].isReused) continue;
         const plan::Rectangle& r = plan.passes[p].rectangle;
         gl.viewport(r.x, r.y, r.width, r.height);
         gl.scissor(r.x, r.y, r.width, r.height);
+        if (keepsSome) clear();
         // Casters nearer to the light than the frustum count: they are clamped per fragment.
         (plan.passes[p].clampsDepth ? gl.enable : gl.disable)(GL_DEPTH_CLAMP);
-        bindBlocks(frame, shadowClipFromDraw(plan.passes[p], frame.space));
+        const MapDrawing map = mapDrawing(frame, plan.passes[p]);
+        bindBlocks(frameBlock(frame, map.space, map.clipFromDraw));
         drawGeometry(frame, *frame.casters[p]);
     }
     gl.disable(GL_SCISSOR_TEST);
@@ -285,7 +318,16 @@ void GlExecutor::drawImage(const FrameDrawing& frame) {
         litMask_.write(GL_RED, GL_UNSIGNED_BYTE, std::as_bytes(std::span(mask.pixels)));
         gl.bindTextureUnit(kLitMaskUnit, litMask_.id());
     }
-    bindBlocks(frame, imageClipFromDraw(frame));
+    block::Frame values = frameBlock(frame, frame.space, imageClipFromDraw(frame));
+    if (frame.overlay == Overlay::Residency) {
+        for (const Residence residence : {Residence::AsAsked, Residence::Awaited, Residence::Damaged}) {
+            values.near.w = static_cast<float>(residence);
+            bindBlocks(values);
+            drawGeometry(frame, drawnAs(*frame.image, frame.standIns, residence, frame.pages));
+        }
+        return;
+    }
+    bindBlocks(values);
     drawGeometry(frame, *frame.image);
 }
 

@@ -11,7 +11,8 @@
 
 namespace gnomon::render {
 
-/// Draws with `platform`'s context; geometry stays under `gpuMemory`. Throws Error if there is no context.
+/// Draws with `platform`'s context; image, maps and geometry stay under `gpuMemory`. Throws Error if there is no
+/// context.
 std::unique_ptr<Executor> makeGlExecutor(gl::Platform platform, const gl::ShaderLibrary& shaders, Bytes gpuMemory);
 
 /// An executor whose picture can be shown where it was drawn, without reading it back.

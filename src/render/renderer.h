@@ -28,6 +28,7 @@ struct FrameOptions {
     Waiting waiting = Waiting::UntilComplete;
     Overlay overlay = Overlay::None;
     bool wantsSurfaces = false;
+    bool reusesMaps = true; // where the frame before left the very same ones
     bool measuresAliasing = false;
     Oracle oracle = Oracle::None;
     bool comparesWithFinest = false; // the picture with that of the finest level in ray-traced shadows
@@ -58,7 +59,10 @@ public:
     plan::FramePlan plan(const plan::View& view, const plan::Quality& quality);
 
     /// Forgets the frames before, so that the next plan depends on its view alone.
-    void forget() { previous_.reset(); }
+    void forget() {
+        previous_.reset();
+        drawnMaps_.reset();
+    }
 
 private:
     struct Prepared;
@@ -75,6 +79,7 @@ private:
     selection::CutQuery query(const Prepared& prepared) const;
     FrameDrawing drawing(const Prepared& prepared, const FrameOptions& options) const;
     DrawStatistics draw(const Prepared& prepared, const FrameDrawing& drawing);
+    void reuseMaps(Prepared& prepared) const;
     ConvexVolume rayCasterVolume(const Prepared& prepared) const;
     selection::CasterDetail rayCasterDetail(const Prepared& prepared) const;
     void prove(const Prepared& prepared, const FrameOptions& options, Frame& frame);
@@ -86,6 +91,14 @@ private:
     Executor* executor_;
     Residency residency_;
     std::optional<plan::FramePlan> previous_;
+
+    /// What the executor's depth texture holds.
+    struct DrawnMaps {
+        plan::FramePlan plan;
+        std::vector<std::vector<selection::ClusterRange>> casters; // by pass
+    };
+
+    std::optional<DrawnMaps> drawnMaps_;
 };
 
 } // namespace gnomon::render

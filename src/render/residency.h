@@ -36,6 +36,9 @@ public:
 
     hierarchy::ResidentPages resident() const { return store_.resident(); }
 
+    /// Whether reading `page` has failed.
+    bool isDamaged(std::uint32_t page) const { return store_.isDamaged(page); }
+
     /// Takes in what came since the last frame, if frames never wait.
     void begin(Waiting waiting);
 

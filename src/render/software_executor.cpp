@@ -43,11 +43,13 @@ private:
     Raster<SurfaceSample> surfaces_;
     double clipNear_ = 1;
     std::uint64_t drawCalls_ = 0;
+    std::uint64_t shadowFragments_ = 0;
 };
 
 DrawStatistics SoftwareExecutor::draw(const FrameDrawing& frame) {
     DrawStatistics statistics;
     drawCalls_ = 0;
+    shadowFragments_ = 0;
     clipNear_ = frame.clipNear;
     const auto start = Clock::now();
     drawShadowMaps(frame);
@@ -56,6 +58,7 @@ DrawStatistics SoftwareExecutor::draw(const FrameDrawing& frame) {
     drawImage(frame);
     statistics.imageMs = millisecondsSince(imageStart);
     statistics.drawCalls = drawCalls_;
+    statistics.shadowFragments = shadowFragments_;
     statistics.deviceBytes = shadowDepth_.pixels.size() * sizeof(float) + words_.size() * sizeof(std::uint64_t);
     return statistics;
 }
@@ -87,15 +90,14 @@ void SoftwareExecutor::drawShadowMaps(const FrameDrawing& frame) {
         shadowDepth_ = FloatPicture(plan.textureWidth, plan.textureHeight);
     clearBetweenMaps(plan);
     for (std::size_t p = 0; p < plan.passes.size(); ++p) {
+        if (plan.passes[p].isReused) continue;
         const plan::Rectangle& r = plan.passes[p].rectangle;
+        const MapDrawing map = mapDrawing(frame, plan.passes[p]);
         pass_.gather(frame, *frame.casters[p]);
         drawCalls_ += frame.casters[p]->ranges.size();
-        rasterizer_.drawDepth(
+        shadowFragments_ += rasterizer_.drawDepth(
             pass_.clusters(),
-            rasterView(
-                frame.space,
-                shadowClipFromDraw(plan.passes[p], frame.space),
-                {r.x, r.y, r.x + r.width, r.y + r.height}),
+            rasterView(map.space, map.clipFromDraw, {r.x, r.y, r.x + r.width, r.y + r.height}),
             {shadowDepth_.pixels.data(), shadowDepth_.width, shadowDepth_.height});
     }
 }

@@ -1,6 +1,7 @@
 #include "render/software_overlay.h"
 
 #include "render/geometry_pool.h"
+#include "render/stand_ins.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,6 +58,18 @@ float SoftwareOverlay::aliasing(const block::Partition& part, const glm::vec3& p
     return 1 / (std::max(texels, 1e-30F) * block_->image.w * depth);
 }
 
+glm::vec3 SoftwareOverlay::residence(const DrawnCluster& cluster) const {
+    switch (residenceOf(frame_->standIns, cluster.pageId, cluster.cluster)) {
+    case Residence::AsAsked:
+        break;
+    case Residence::Awaited:
+        return {0.95F, 0.6F, 0.15F};
+    case Residence::Damaged:
+        return {0.85F, 0.15F, 0.2F};
+    }
+    return {0.35F, 0.75F, 0.4F};
+}
+
 float SoftwareOverlay::texelGrid(const block::Partition& part, const PaintedPixel& pixel) const {
     const glm::dvec3 fromOrigin = glm::dvec3(pixel.position) - pixel.rayOrigin;
     const double distance = glm::dot(glm::dvec3(pixel.normal), fromOrigin);
@@ -109,6 +122,8 @@ glm::vec3 SoftwareOverlay::painted(const PaintedPixel& pixel) const {
         const float projection = std::max(glm::dot(pixel.normal, towardsEye), 0.0F) / std::max(toLight, 1e-6F);
         return heatColor(projection) * (0.5F + 0.5F * light);
     }
+    case Overlay::Residency:
+        return residence(*pixel.cluster) * (0.4F + 0.6F * light);
     case Overlay::None:
         break;
     }

@@ -42,6 +42,7 @@ public:
 
 private:
     float aliasing(const block::Partition& part, const glm::vec3& position, float depth) const;
+    glm::vec3 residence(const DrawnCluster& cluster) const;
     float texelGrid(const block::Partition& part, const PaintedPixel& pixel) const;
 
     /// A cluster's error (world units) and colour as the shaders are told them.

@@ -46,7 +46,7 @@ Shading::Shading(
     std::span<const DrawnCluster> clusters)
     : frame_(&frame),
       clusters_(clusters),
-      block_(frameBlock(frame, clipFromDraw)),
+      block_(frameBlock(frame, frame.space, clipFromDraw)),
       shadows_(shadowsBlock(frame)),
       overlay_(frame, block_, shadows_, clusters) {
     shared_.frame = &block_;

@@ -112,15 +112,17 @@ glm::dmat4 textureFromRectangle(const TexelRectangle& rectangle, int width, int 
     return m;
 }
 
-WarpedMap finalMap(const ShadowView& view, const ShadowOptions& options, const Draft& draft, int texelsS, int texelsT) {
-    if (options.stabilized) {
-        const int texels = std::min(texelsS, texelsT);
-        const double texel = stableExtent(draft.region.frustum) / (texels - 1);
-        // Above the slope at N.L = 0.1, along both axes, whatever the orientation.
-        const double steepest = 10 + kUnevenSlope;
-        const double bias = reachTexels(options.filterTexels) * 2 * steepest * texel;
-        return stableMap(view.anchor, draft.fit.frame, draft.region.frustum, texels, bias);
-    }
+StablePlace placeOf(
+    const ShadowView& view, const ShadowOptions& options, const Draft& draft, int texelsS, int texelsT) {
+    const int texels = std::min(texelsS, texelsT);
+    const double texel = stableExtent(draft.region.frustum) / (texels - 1);
+    // Above the slope at N.L = 0.1, along both axes, whatever the orientation.
+    const double steepest = 10 + kUnevenSlope;
+    const double bias = reachTexels(options.filterTexels) * 2 * steepest * texel;
+    return stablePlace(view.anchor, draft.fit.frame, draft.region.frustum, texels, bias);
+}
+
+WarpedMap fittedMap(const ShadowOptions& options, const Draft& draft, int texelsS, int texelsT) {
     const Resolution texels{1, static_cast<double>(texelsS), static_cast<double>(texelsT)};
     const double bias = largestRawBias(draft.fit, draft.kappa, texels, options.filterTexels);
     return warpedMap(draft.fit, draft.kappa, bias);
@@ -158,11 +160,20 @@ ShadowMapPartition finished(
     const int width = layout.packing.width;
     const int height = layout.packing.height;
     result.rectangle = layout.packing.rectangles[index];
-    result.map = finalMap(view, options, draft, texelsS, texelsT);
-    const glm::dmat4 rectangleFromCamera =
-        rectangleFromMap(result.rectangle, layout.gutter) * textureFromCamera(result.map);
+    if (options.stabilized) {
+        result.stable = placeOf(view, options, draft, texelsS, texelsT);
+        const LightFrame& frame = draft.fit.frame;
+        result.map =
+            stableMap(*result.stable, frame, toLight(frame, gnomon::toCamera(view.anchor.basis, view.anchor.eye)));
+    } else {
+        result.map = fittedMap(options, draft, texelsS, texelsT);
+    }
+    const glm::dmat4 rectangleOfMap = rectangleFromMap(result.rectangle, layout.gutter);
+    const glm::dmat4 rectangleFromCamera = rectangleOfMap * textureFromCamera(result.map);
+    const glm::dmat4 fromRectangle = textureFromRectangle(result.rectangle, width, height);
     result.lightClipFromCamera = clipFromUnit() * rectangleFromCamera;
-    result.textureFromCamera = textureFromRectangle(result.rectangle, width, height) * rectangleFromCamera;
+    result.textureFromMap = fromRectangle * rectangleOfMap;
+    result.textureFromCamera = fromRectangle * rectangleFromCamera;
     const glm::dvec2 corner(result.rectangle.x, result.rectangle.y);
     const glm::dvec2 half = glm::dvec2(result.rectangle.width, result.rectangle.height) / 2.0;
     result.textureScale = half / glm::dvec2(width, height);

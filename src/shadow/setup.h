@@ -53,7 +53,10 @@ struct ShadowMapPartition {
     ConvexVolume casterVolume; // camera space, grown by the lookup's reach
     DepthBias bias;
     PromisedAliasing promised;
+    std::optional<StablePlace> stable; // of a stabilised slice's map
 
+    /// (s, t, depth) over the map -> texture coordinates in the packed texture and depth.
+    glm::dmat4 textureFromMap{1};
     /// Clip space to draw the casters with, viewport = `rectangle`: x and y fill it gutters included, z in [-w, w] with
     /// the smallest nearest to the light. w may be 0 or negative behind the warp's centre: clip homogeneously, and
     /// clamp depth per fragment.

@@ -17,32 +17,49 @@ double stableExtent(const ViewFrustum& slice) {
 }
 
 LightFrame stableFrame(const WorldAnchor& anchor, const glm::dvec3& towardsLight) {
+    // The camera's axes round: of two world axes that are as far, it is not for them to choose.
+    constexpr double kAsFar = 1e-9;
     const glm::dvec3 a = glm::abs(toWorld(anchor.basis, towardsLight));
-    const bool zLeast = a.z <= a.x && a.z <= a.y;
-    const glm::dvec3 axis = zLeast ? glm::dvec3(0, 0, 1) : a.x <= a.y ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+    const bool zLeast = a.z <= a.x + kAsFar && a.z <= a.y + kAsFar;
+    const bool xLeast = a.x <= a.y + kAsFar;
+    const glm::dvec3 axis = zLeast ? glm::dvec3(0, 0, 1) : xLeast ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
     return lightFrameAlong(towardsLight, gnomon::toCamera(anchor.basis, axis));
 }
 
-WarpedMap stableMap(
+LightFrame stableWorldFrame(const glm::dvec3& towardsLight) {
+    const CameraBasis basis; // any would do
+    const LightFrame seen = stableFrame({basis, {}}, gnomon::toCamera(basis, towardsLight));
+    return {toWorld(basis, seen.x), toWorld(basis, seen.y), toWorld(basis, seen.z)};
+}
+
+StablePlace stablePlace(
     const WorldAnchor& anchor, const LightFrame& frame, const ViewFrustum& slice, int texels, double bias) {
     GNOMON_CHECK_OP(texels, >=, 2);
-    const double extent = stableExtent(slice);
-    const double texel = extent / (texels - 1);
+    StablePlace place;
+    place.texel = stableExtent(slice) / (texels - 1);
+    place.texels = texels;
+    place.bias = bias;
     const LightFit fit = fitSlice(frame, slice);
     const glm::dvec3 eye = toLight(frame, gnomon::toCamera(anchor.basis, anchor.eye));
-    const auto snapped = [&](double low, double origin) { return std::floor((low + origin) / texel) * texel - origin; };
-    WarpedMap map;
-    map.frame = frame;
-    map.kappa = 0;
-    map.width = texel * texels;
-    map.length = texel * texels;
-    map.uMin = snapped(warpedExtent(fit, 0).min, eye.x);
-    map.zMin = snapped(fit.zMin, eye.z);
     double high = fit.points().front().y;
     for (const FitPoint& point : fit.points())
         high = std::max(high, point.y);
-    map.rawMin = snapped(-high, -eye.y) - bias;
-    map.rawRange = texel * texels + 2 * bias;
+    const auto snapped = [&](double low) { return static_cast<std::int64_t>(std::floor(low / place.texel)); };
+    place.corner = {snapped(warpedExtent(fit, 0).min + eye.x), snapped(-high - eye.y), snapped(fit.zMin + eye.z)};
+    return place;
+}
+
+WarpedMap stableMap(const StablePlace& place, const LightFrame& frame, const glm::dvec3& origin) {
+    const auto along = [&](std::size_t axis) { return static_cast<double>(place.corner[axis]) * place.texel; };
+    WarpedMap map;
+    map.frame = frame;
+    map.kappa = 0;
+    map.width = place.texel * place.texels;
+    map.length = place.texel * place.texels;
+    map.uMin = along(0) - origin.x;
+    map.zMin = along(2) - origin.z;
+    map.rawMin = along(1) + origin.y - place.bias;
+    map.rawRange = place.texel * place.texels + 2 * place.bias;
     return map;
 }
 

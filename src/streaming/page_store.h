@@ -76,6 +76,9 @@ public:
     /// Groups of resident pages below a damaged one that a cut must leave unrefined; changes when `resident()` does.
     const hierarchy::BlockedGroups& blocked() const { return blocked_; }
 
+    /// Whether reading `page` has failed.
+    bool isDamaged(std::uint32_t page) const { return entries_[page].isDamaged; }
+
     /// Takes in what the loaders finished, and lets go of pages in use that the last demand had better use for; never
     /// waits for the disk. True if pages came or went. Throws Error if a page with a root group is damaged.
     bool settle();

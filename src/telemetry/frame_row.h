@@ -43,7 +43,7 @@ struct FrameRow {
 
     std::optional<std::int64_t> imageTriangles;
     std::optional<std::int64_t> shadowTriangles;
-    std::optional<std::int64_t> shadowFragments;
+    std::optional<std::int64_t> shadowFragments; // pixels that casters' triangles cover, summed; GL does not count them
     std::optional<std::int64_t> castersTested;
     std::optional<std::int64_t> castersKept;
     std::optional<std::int64_t> drawCalls;

@@ -175,12 +175,14 @@ TEST(HardTriangles, BehindTheEyeAndThroughNearAsInHomogeneousSpace) {
 }
 
 TEST(HardTriangles, BehindAWarpsCentreOfProjectionAsInHomogeneousSpace) {
-    // A light looking along z whose warp shrinks along y: w = 1 + kappa (y - near), negative for what lies far behind.
+    // A light looking along z whose warp shrinks along x or y: w = 1 + kappa (y - near), negative for what lies far
+    // behind. Every warp is of this form, from next to none to a centre of projection amid the map.
     int checked = 0;
     for (std::uint64_t seed = 0; seed < 12; ++seed) {
         View view = flatView(kViewport);
-        const float kappa = 1.0F / static_cast<float>(40U * kFlatPixel);
-        view.clipFromCell[1][3] = kappa;
+        constexpr std::array<unsigned, 4> kCentres = {400U, 120U, 40U, 12U}; // pixels behind the map
+        const float kappa = 1.0F / static_cast<float>(kCentres[seed % 4] * kFlatPixel);
+        view.clipFromCell[seed / 4 % 2 == 0 ? 1 : 0][3] = seed < 8 ? kappa : -kappa;
         view.clipFromCell[3][3] = 1;
         view.clipFromCell[3][1] = -0.5F;
         EXPECT_EQ(wrongPixels(soup(24, seed), view, false, checked), 0) << seed;

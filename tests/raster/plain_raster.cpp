@@ -124,7 +124,7 @@ void visitPixels(std::span<const Cluster> clusters, const View& view, bool cutsD
         }
 }
 
-void plainDepth(std::span<const Cluster> clusters, const View& view, const DepthTarget& target) {
+std::uint64_t plainDepth(std::span<const Cluster> clusters, const View& view, const DepthTarget& target) {
     const auto at = [&](int x, int y) -> float& {
         return target
             .depths[static_cast<std::size_t>(y) * static_cast<std::size_t>(target.width) + static_cast<std::size_t>(x)];
@@ -132,9 +132,12 @@ void plainDepth(std::span<const Cluster> clusters, const View& view, const Depth
     for (int y = view.viewport.y0; y < view.viewport.y1; ++y)
         for (int x = view.viewport.x0; x < view.viewport.x1; ++x)
             at(x, y) = 1;
+    std::uint64_t fragments = 0;
     visitPixels(clusters, view, false, [&](int x, int y, float depth, std::uint32_t /*id*/) {
         at(x, y) = std::min(at(x, y), depth);
+        ++fragments;
     });
+    return fragments;
 }
 
 void plainVisibility(std::span<const Cluster> clusters, const View& view, const VisibilityTarget& target) {

@@ -14,8 +14,8 @@ void visitPixels(
     bool cutsDepth,
     const std::function<void(int, int, float, std::uint32_t)>& visit);
 
-/// What Rasterizer::drawDepth leaves, in plain code.
-void plainDepth(std::span<const Cluster> clusters, const View& view, const DepthTarget& target);
+/// What Rasterizer::drawDepth leaves and answers, in plain code.
+std::uint64_t plainDepth(std::span<const Cluster> clusters, const View& view, const DepthTarget& target);
 
 /// What Rasterizer::drawVisibility leaves, in plain code.
 void plainVisibility(std::span<const Cluster> clusters, const View& view, const VisibilityTarget& target);

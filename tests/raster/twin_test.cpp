@@ -47,7 +47,7 @@ void expectSameAsPlain(const std::vector<Cluster>& clusters, const View& view) {
     const std::size_t pixels = std::size_t{kWidth} * kHeight;
     std::vector<float> plainDepths(pixels, -7);
     std::vector<std::uint64_t> plainWords(pixels, 7);
-    plainDepth(clusters, view, {plainDepths.data(), kWidth, kHeight});
+    const std::uint64_t fragments = plainDepth(clusters, view, {plainDepths.data(), kWidth, kHeight});
     plainVisibility(clusters, view, {plainWords.data(), kWidth, kHeight});
     EXPECT_TRUE(std::any_of(plainDepths.begin(), plainDepths.end(), [](float d) { return d >= 0 && d < 1; }));
 
@@ -56,7 +56,7 @@ void expectSameAsPlain(const std::vector<Cluster>& clusters, const View& view) {
     onEveryTarget([&] {
         std::vector<float> depths(pixels, -7);
         std::vector<std::uint64_t> words(pixels, 7);
-        rasterizer.drawDepth(shuffled, view, {depths.data(), kWidth, kHeight});
+        EXPECT_EQ(rasterizer.drawDepth(shuffled, view, {depths.data(), kWidth, kHeight}), fragments);
         rasterizer.drawVisibility(clusters, view, {words.data(), kWidth, kHeight});
         EXPECT_EQ(differences(depths, plainDepths), 0U);
         EXPECT_EQ(differences(words, plainWords), 0U);

@@ -2,6 +2,7 @@
 
 #include "core/random.h"
 
+#include <algorithm>
 #include <array>
 
 namespace gnomon::render {
@@ -50,6 +51,17 @@ FrameDrawing Field::drawing(const plan::FramePlan& plan) const {
     frame.pages = [this](std::uint32_t page) -> const hierarchy::Page& { return model_.pages[page]; };
     frame.clipNear = 0.05;
     return frame;
+}
+
+std::vector<StandIn> Field::someStandIns() const {
+    std::vector<StandIn> result;
+    for (const selection::ClusterRange& range : all_.ranges)
+        for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; c += 3)
+            result.push_back({range.page, c, result.size() % 2 == 0 ? Residence::Awaited : Residence::Damaged});
+    std::sort(result.begin(), result.end(), [](const StandIn& a, const StandIn& b) {
+        return std::pair(a.page, a.cluster) < std::pair(b.page, b.cluster);
+    });
+    return result;
 }
 
 plan::FramePlan Field::plan(const plan::View& view, const plan::Quality& quality) const {

@@ -21,6 +21,9 @@ public:
     /// The drawing of a plan that must outlive it.
     FrameDrawing drawing(const plan::FramePlan& plan) const;
 
+    /// Every third cluster, awaited and damaged in turn.
+    std::vector<StandIn> someStandIns() const;
+
     const tests::TinyModel& model() const { return model_; }
 
 private:

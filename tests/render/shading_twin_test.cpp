@@ -125,7 +125,7 @@ TEST(ShadingTwin, FramesAreTheSameEverywhere) {
         const plan::FramePlan plan = field.plan(field.view(seed), fieldQuality(seed));
         FrameDrawing frame = field.drawing(plan);
         frame.wantsSurfaces = true;
-        frame.overlay = static_cast<Overlay>(seed % 6);
+        frame.overlay = static_cast<Overlay>(seed % 8);
         const std::unique_ptr<Executor> expected = makeSoftwareExecutor();
         expected->draw(frame);
         onEveryTarget([&] {

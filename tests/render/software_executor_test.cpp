@@ -23,7 +23,8 @@ ExecutorDifference compareSeeds(std::uint64_t first, std::uint64_t count, bool o
     for (std::uint64_t seed = first; seed < first + count; ++seed) {
         const plan::FramePlan plan = field.plan(field.view(seed), fieldQuality(seed));
         FrameDrawing frame = field.drawing(plan);
-        if (overlays) frame.overlay = static_cast<Overlay>(1 + seed % 6);
+        if (overlays) frame.overlay = static_cast<Overlay>(1 + seed % 7);
+        if (frame.overlay == Overlay::Residency) frame.standIns = field.someStandIns();
         ours->draw(frame);
         gl->draw(frame);
         found += difference(*ours, *gl);

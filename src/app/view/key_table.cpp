@@ -57,6 +57,7 @@ constexpr std::array kBindings{
     Binding{GLFW_KEY_F4, false, Action::SetOverlay, 3, "F4", "overlay: aliasing"},
     Binding{GLFW_KEY_F5, false, Action::SetOverlay, 4, "F5", "overlay: level of detail"},
     Binding{GLFW_KEY_F6, false, Action::SetOverlay, 5, "F6", "overlay: clusters"},
+    Binding{GLFW_KEY_F7, false, Action::SetOverlay, 6, "F7", "overlay: what waits for pages"},
     Binding{GLFW_KEY_TAB, false, Action::TogglePanel, 0, "Tab", "panel of settings"},
     Binding{GLFW_KEY_G, false, Action::ToggleFacts, 0, "G", "graph and figures"},
     Binding{GLFW_KEY_H, false, Action::ToggleHelp, 0, "H", "this help"},

@@ -20,6 +20,7 @@ constexpr std::array kOverlays = {
     OverlayName{render::Overlay::Aliasing, "aliasing"},
     OverlayName{render::Overlay::Lod, "level of detail"},
     OverlayName{render::Overlay::Clusters, "clusters"},
+    OverlayName{render::Overlay::Residency, "residency"},
 };
 
 constexpr std::array kWarps = {

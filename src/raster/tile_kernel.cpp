@@ -1,6 +1,5 @@
 #include "raster/tile_kernel.h"
 
-#include "raster/binning.h"
 #include "raster/prefetch.h"
 #include "raster/wide_triangle.h"
 
@@ -116,11 +115,22 @@ HWY_INLINE void sortTriangles(const SnappedCluster& cluster, const PixelBox& til
     sorted.narrow.pad();
 }
 
+/// Whether a cluster reaches over the right or the upper edge of the tile, into its memory's margin.
+HWY_INLINE bool reachesOverEdge(const SnappedCluster& cluster, const PixelBox& tile) {
+    return cluster.box.x1 > tile.x1 || cluster.box.y1 > tile.y1;
+}
+
+/// Whether pixel (x, y) from the first of each lane is past the last that the tile has.
+HWY_INLINE IntMask isBeyond(const TriangleLanes& t, int x, int y) {
+    return hn::Or(
+        hn::Gt(hn::Add(t.firstX, hn::Set(kInts, x)), t.lastX), hn::Gt(hn::Add(t.firstY, hn::Set(kInts, y)), t.lastY));
+}
+
 /// Tests `side` x `side` pixel centres of each lane's triangle.
 template <bool isCompact, int side, class Target>
 HWY_INLINE void drawSmall(const SnappedCluster& cluster, const Sorted& sorted, const PixelBox& tile, Target& target) {
     const auto lanes = static_cast<std::uint32_t>(hn::Lanes(kInts));
-    [[maybe_unused]] const bool isWhole = intersection(cluster.box, tile) == cluster.box;
+    [[maybe_unused]] const bool reachesOver = reachesOverEdge(cluster, tile);
     Hits hits; // NOLINT(cppcoreguidelines-pro-type-member-init): filled up to its count
     for (std::uint32_t first = 0; first < sorted.count; first += lanes) {
         const auto corners = hn::BitCast(kInts, hn::LoadU(kUints, sorted.packed.data() + first));
@@ -133,24 +143,22 @@ HWY_INLINE void drawSmall(const SnappedCluster& cluster, const Sorted& sorted, c
             const auto rowDepth = depthOfRow(t.depth, hn::Add(t.depth.fromY, hn::Set(kFloats, static_cast<float>(y))));
             for (int x = 0; x < side; ++x) {
                 const auto inside = hn::And(t.hasArea, isInside(e));
-                if (!hn::AllFalse(kInts, inside))
+                if (!hn::AllFalse(kInts, inside)) {
                     hits.add<Target::kHasIds>(
                         inside,
                         hn::Add(rowAddress, hn::Set(kInts, x)),
                         depthAt(t.depth, rowDepth, hn::Add(t.depth.fromX, hn::Set(kFloats, static_cast<float>(x)))),
                         ids);
+                    if constexpr (Target::kCounts)
+                        if (reachesOver) target.discount(hn::CountTrue(kInts, hn::And(inside, isBeyond(t, x, y))));
+                }
                 step(e, t.perX);
             }
             step(t.edges, t.perY);
             rowAddress = hn::Add(rowAddress, hn::Set(kInts, kTileStride));
         }
         target.takeHits(hits);
-        if constexpr (Target::kCounts) {
-            if (isWhole)
-                target.count(hits.count);
-            else
-                target.countWithin(hits, tile);
-        }
+        if constexpr (Target::kCounts) target.count(hits.count);
     }
 }
 
@@ -165,7 +173,7 @@ HWY_INLINE void drawNarrow(const SnappedCluster& cluster, const Sorted& sorted, 
         hn::Store(hn::BitCast(kUints, triangleIds(cluster, corners)), kUints, stored.ids.data());
         const std::uint32_t end = std::min(lanes, sorted.count - first);
         for (std::uint32_t lane = 0; lane < end; ++lane)
-            if (stored.hasArea[lane] != 0) drawStored(stored, lane, target);
+            if (stored.hasArea[lane] != 0) drawStored(stored, lane, reachesOverEdge(cluster, tile), target);
     }
 }
 

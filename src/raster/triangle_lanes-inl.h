@@ -337,10 +337,9 @@ HWY_INLINE Ints along(std::int32_t first, std::int32_t perX) {
     return hn::Add(hn::Set(kInts, first), hn::Mul(hn::Iota(kInts, 0), hn::Set(kInts, perX)));
 }
 
-/// Draws the triangle of one lane, a vector of pixels at a time.
+/// Draws the triangle of one lane, a vector of pixels at a time; `reachesOver` says if it may into the tile's margin.
 template <class Target>
-HWY_INLINE void drawStored(const StoredLanes& s, std::uint32_t lane, Target& target) {
-    const auto end = hn::Set(kInts, s.box[2][lane] + 1);
+HWY_INLINE void drawStored(const StoredLanes& s, std::uint32_t lane, bool reachesOver, Target& target) {
     const auto lanes = static_cast<std::int32_t>(hn::Lanes(kInts));
     Edges row = {
         along(s.edges[0][lane], s.perX[0][lane]),
@@ -371,8 +370,10 @@ HWY_INLINE void drawStored(const StoredLanes& s, std::uint32_t lane, Target& tar
             const auto inside = isInside(e);
             if (!hn::AllFalse(kInts, inside)) {
                 target.takeRow(y * kTileStride + x, inside, depthAt(depth, rowDepth, fromX), s.ids[lane]);
-                if constexpr (Target::kCounts)
-                    target.count(hn::CountTrue(kInts, hn::And(inside, hn::Lt(hn::Iota(kInts, x), end))));
+                if constexpr (Target::kCounts) {
+                    const auto beforeEnd = hn::Lt(hn::Iota(kInts, x), hn::Set(kInts, s.box[2][lane] + 1));
+                    target.count(hn::CountTrue(kInts, reachesOver ? hn::And(inside, beforeEnd) : inside));
+                }
             }
             step(e, perVector);
             fromX = hn::Add(fromX, hn::Set(kFloats, static_cast<float>(lanes)));
@@ -391,14 +392,7 @@ struct DepthTile {
 
     HWY_INLINE void count(std::size_t pixels) { covered += pixels; }
 
-    /// Those of `hits`, some of which may lie beyond the tile.
-    HWY_INLINE void countWithin(const Hits& hits, const PixelBox& tile) {
-        for (std::size_t i = 0; i < hits.count; ++i) {
-            const bool isWithin =
-                hits.addresses[i] % kTileStride < tile.width() && hits.addresses[i] < tile.height() * kTileStride;
-            covered += isWithin ? 1 : 0;
-        }
-    }
+    HWY_INLINE void discount(std::size_t pixels) { covered -= pixels; }
 
     HWY_INLINE void takeHits(const Hits& hits) const {
         for (std::size_t i = 0; i < hits.count; ++i) {

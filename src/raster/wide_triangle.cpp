@@ -1,14 +1,32 @@
 #include "raster/wide_triangle.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 
 namespace gnomon::raster {
 namespace {
 
-std::int64_t floorOfQuotient(std::int64_t a, std::int64_t b) {
-    const std::int64_t quotient = a / b;
-    return a % b < 0 ? quotient - 1 : quotient;
+/// The floor of a / b, b above 0, exact: an estimate that is off by one at most, and its correction. Divisions of
+/// integers took a third of the time of a picture with large triangles.
+std::int64_t floorOfQuotient(std::int64_t a, std::int64_t b, double inverseOfB) {
+    const auto estimate = static_cast<std::int64_t>(static_cast<double>(a) * inverseOfB);
+    const std::int64_t rest = a - estimate * b;
+    if (rest < 0) return estimate - 1;
+    return rest >= b ? estimate + 1 : estimate;
+}
+
+/// Inside is dx (Y - from.y) - dy (X - from.x) >= 0, or > 0 where the edge is neither left nor lowest.
+WideEdge wideEdge(const SnappedVertex& from, const SnappedVertex& to) {
+    const std::int64_t dx = to.x - from.x;
+    const std::int64_t dy = to.y - from.y;
+    const bool ownsEdge = dy < 0 || (dy == 0 && dx > 0);
+    WideEdge edge;
+    edge.atZero = dy * from.x - dx * from.y - (ownsEdge ? 0 : 1);
+    edge.perRow = dx * kSubpixels;
+    edge.perPixel = -dy * kSubpixels;
+    if (dy != 0) edge.inverse = 1 / static_cast<double>(std::abs(edge.perPixel));
+    return edge;
 }
 
 /// From one corner to another, unsnapped.
@@ -54,6 +72,7 @@ WideTriangle wideTriangle(std::array<SnappedVertex, 3> corners) {
     const double scale = kSubpixels / unsnapped;
     WideTriangle wide;
     wide.corners = corners;
+    wide.edges = {wideEdge(a, b), wideEdge(b, c), wideEdge(c, a)};
     wide.box = {
         (minX + kSubpixels - 1) >> kSubpixelBits,
         (minY + kSubpixels - 1) >> kSubpixelBits,
@@ -69,17 +88,15 @@ WideTriangle wideTriangle(std::array<SnappedVertex, 3> corners) {
 WideRow wideRow(const WideTriangle& triangle, int y, int x0, int x1) {
     std::int64_t first = std::max(x0, triangle.box.x0);
     std::int64_t end = std::min(x1, triangle.box.x1);
-    for (std::size_t i = 0; i < 3; ++i) {
-        const SnappedVertex& from = triangle.corners[i];
-        const SnappedVertex& to = triangle.corners[(i + 1) % 3];
-        const std::int64_t dx = to.x - from.x;
-        const std::int64_t dy = to.y - from.y;
-        // Inside is dx (Y - from.y) - dy (X - from.x) >= 0, or > 0 where the edge is neither left nor lowest.
-        const bool ownsEdge = dy < 0 || (dy == 0 && dx > 0);
-        const std::int64_t atZero = dx * (std::int64_t{y} * kSubpixels - from.y) + dy * from.x - (ownsEdge ? 0 : 1);
-        if (dy < 0) first = std::max(first, -floorOfQuotient(atZero, -dy * kSubpixels));
-        if (dy > 0) end = std::min(end, floorOfQuotient(atZero, dy * kSubpixels) + 1);
-        if (dy == 0 && atZero < 0) end = first;
+    for (const WideEdge& edge : triangle.edges) {
+        const std::int64_t at = edge.atZero + edge.perRow * y;
+        if (edge.perPixel > 0) {
+            first = std::max(first, -floorOfQuotient(at, edge.perPixel, edge.inverse));
+        } else if (edge.perPixel < 0) {
+            end = std::min(end, floorOfQuotient(at, -edge.perPixel, edge.inverse) + 1);
+        } else if (at < 0) {
+            end = first;
+        }
     }
     WideRow row;
     row.x0 = static_cast<int>(std::min<std::int64_t>(first, x1)); // in range of an int even where nothing is inside

@@ -8,9 +8,18 @@ namespace gnomon::raster {
 /// Triangles less wide and high than this many subpixels have edge functions that fit an int32.
 constexpr std::int32_t kNarrowExtent = 64 * kSubpixels;
 
+/// An edge's side of the plane: inside where atZero + perRow * y + perPixel * x >= 0, for pixels (x, y).
+struct WideEdge {
+    std::int64_t atZero = 0;
+    std::int64_t perRow = 0;
+    std::int64_t perPixel = 0;
+    double inverse = 0; // 1 / |perPixel|, where that is not 0
+};
+
 /// A triangle turned counter-clockwise (y up), with its plane of depth.
 struct WideTriangle {
     std::array<SnappedVertex, 3> corners;
+    std::array<WideEdge, 3> edges;
     PixelBox box;         // pixel centres between the corners' extremes
     double depthPerX = 0; // per pixel
     double depthPerY = 0;

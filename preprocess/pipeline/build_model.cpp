@@ -125,7 +125,6 @@ private:
              watch_.lap(),
              sourceBytes + space.bytesRead() - std::exchange(bytesRead_, space.bytesRead()),
              space.bytesWritten() - std::exchange(bytesWritten_, space.bytesWritten())});
-        report_.seconds += report_.phases.back().seconds;
     }
 
     /// Sorts the source into chunks.
@@ -388,7 +387,10 @@ BuildReport buildModel(MeshSource& source, const BuildOptions& options, Progress
         tbb::global_control::max_allowed_parallelism,
         options.threads > 0 ? static_cast<std::size_t>(options.threads)
                             : tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
-    return Build(source, options, progress).run();
+    Stopwatch watch;
+    BuildReport report = Build(source, options, progress).run();
+    report.seconds = watch.lap(); // with the temporary files gone
+    return report;
 }
 
 } // namespace gnomon::preprocess

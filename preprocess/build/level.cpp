@@ -79,8 +79,8 @@ double worstRefinement(const Level& level, const LevelGroup& group) {
 
 class GroupSimplifier {
 public:
-    GroupSimplifier(const Mesh& mesh, const Level& level, const LevelOptions& options)
-        : mesh_(mesh), level_(level), options_(options), owners_(mesh, level) {}
+    GroupSimplifier(const Mesh& mesh, const Level& level, const LevelOptions& options, Price price)
+        : mesh_(mesh), level_(level), options_(options), price_(price), owners_(mesh, level) {}
 
     GroupResult operator()(std::uint32_t groupIndex) const {
         const LevelGroup& group = level_.groups[groupIndex];
@@ -88,6 +88,7 @@ public:
         const std::size_t count = triangleCount(level_, group);
         const auto triangles = std::span(level_.triangles).subspan(first.firstTriangle, count);
         GroupPatch patch = makeGroupPatch(mesh_, triangles, owners_);
+        patch.patch.isAnyPrice = price_ == Price::Any;
         patch.patch.isBounded = options_.isErrorMeasured;
         patch.patch.errors = std::span(level_.errors).subspan(first.firstTriangle, count);
         const SimplifiedPatch simplified = simplify(patch.patch, (count + 1) / 2, options_.simplifier);
@@ -144,6 +145,7 @@ private:
     const Mesh& mesh_;
     const Level& level_;
     const LevelOptions& options_;
+    Price price_;
     PositionOwners owners_;
 };
 
@@ -201,8 +203,8 @@ void formGroups(Level& level, const Grid& grid, const LevelOptions& options, std
     level = std::move(ordered);
 }
 
-Level simplifiedLevel(const Mesh& mesh, Level& level, const LevelOptions& options, Progress& progress) {
-    const GroupSimplifier simplifier(mesh, level, options);
+Level simplifiedLevel(const Mesh& mesh, Level& level, const LevelOptions& options, Price price, Progress& progress) {
+    const GroupSimplifier simplifier(mesh, level, options, price);
     std::vector<GroupResult> results(level.groups.size());
     tbb::parallel_for(std::size_t{0}, results.size(), [&](std::size_t g) {
         results[g] = simplifier(static_cast<std::uint32_t>(g));

@@ -66,9 +66,13 @@ Level firstLevel(const Mesh& mesh, const LevelOptions& options);
 /// elsewhere than in the level before, so that the borders which were locked there become interiors here.
 void formGroups(Level& level, const Grid& grid, const LevelOptions& options, std::uint32_t number);
 
-/// Simplifies each group of `level` to half, sets the groups' errors, and returns the clusters that replace them, not
-/// yet in groups. Each group is a pure function of its own triangles and of which positions it shares with others.
-/// Advances `progress` by the level's triangles.
-Level simplifiedLevel(const Mesh& mesh, Level& level, const LevelOptions& options, Progress& progress);
+/// What a collapse may cost: no more than what it removes is long, or anything. Where only borders that other groups
+/// count on are left to collapse, a fair price means to wait for the next level, whose borders lie elsewhere.
+enum class Price { Fair, Any };
+
+/// Simplifies each group of `level` to half, as far as `price` allows, sets the groups' errors, and returns the
+/// clusters that replace them, not yet in groups. Each group is a pure function of its own triangles and of which
+/// positions it shares with others. Advances `progress` by the level's triangles.
+Level simplifiedLevel(const Mesh& mesh, Level& level, const LevelOptions& options, Price price, Progress& progress);
 
 } // namespace gnomon::preprocess

@@ -39,8 +39,12 @@ BuiltNode buildNode(Mesh& mesh, Level level, const NodePlan& plan, const LevelOp
         formGroups(level, mesh.grid, options, number);
         const std::uint32_t pageCount = placeGroups(level, number);
         Level next;
-        if (!isSingle || !isToRoot) next = simplifiedLevel(mesh, level, options, progress);
-        const bool isCoarser = !next.triangles.empty() && isWorthwhile(next, level.triangles.size());
+        const auto isCoarserAt = [&](Price price) {
+            next = simplifiedLevel(mesh, level, options, price, progress);
+            return !next.triangles.empty() && isWorthwhile(next, level.triangles.size());
+        };
+        const bool isCoarser =
+            (!isSingle || !isToRoot) && (isCoarserAt(Price::Fair) || (isToRoot && isCoarserAt(Price::Any)));
         if (!isCoarser && isToRoot) {
             for (LevelGroup& group : level.groups)
                 group.error = std::numeric_limits<double>::infinity();

@@ -32,6 +32,7 @@ struct Patch {
     std::vector<std::uint8_t> isLocked;    // per position: shared with another group, must stay where it is
     std::vector<Triangle> triangles;       // vertex indices
     std::span<const TriangleError> errors; // of the triangles; empty for the source itself
+    bool isAnyPrice = true;                // whether a collapse may cost more than the edges are long
     bool isBounded = true;                 // whether errors of what it becomes are asked for
 
     TriangleError error(std::size_t triangle) const { return errors.empty() ? TriangleError{} : errors[triangle]; }
@@ -45,9 +46,8 @@ struct SimplifiedPatch {
     std::vector<Triangle> triangles;
     std::vector<std::uint32_t> origin;  // per triangle the patch's triangle that it was, kNone where that is unknown
     std::vector<std::uint32_t> movedTo; // per position the one that it was collapsed into; itself where it stayed
-    std::vector<TriangleError>
-        errors;              // of the triangles, bounds; empty if the simplifier knows none or none are asked for
-    double claimedError = 0; // what the simplifier believes, in grid steps; no bound
+    std::vector<TriangleError> errors;  // of the triangles, bounds; empty if unknown or not asked for
+    double claimedError = 0;            // what the simplifier believes, in grid steps; no bound
 };
 
 } // namespace gnomon::preprocess

@@ -27,6 +27,7 @@ constexpr double kLeastTurnCosine = 0.25; // faces turn by no more than 75 degre
 constexpr double kSlack = 1.1;            // a collapse may cost so much more than its turn in the queue says
 constexpr double kEnoughShare = 0.67;     // of the triangles: with so few left, a patch need not get fewer at any price
 constexpr double kMostRise = 1.6;         // by how much the cost may rise from there
+constexpr double kFairEdges = 2;          // mean edges of a patch: what a collapse may cost at a fair price
 
 double squared(const glm::dvec3& v) {
     return glm::dot(v, v);
@@ -71,6 +72,7 @@ private:
         std::uint32_t triangle = kNone;
     };
 
+    double meanEdge() const;
     void linkCorners();
     void addFaceQuadrics();
     EdgeKind kindOfEdge(std::uint32_t corner) const;
@@ -94,8 +96,8 @@ private:
     double triangleSquare(const glm::dvec3& p, const std::array<std::uint32_t, 3>& t) const;
     void addOutcome(std::uint32_t triangle, double fromSource, double toSource);
     Heir heirOf(const std::array<std::uint32_t, 3>& t, std::uint32_t from, std::uint32_t to);
-    bool foreseeErrors(std::uint32_t from, std::uint32_t to);
-    double trueCost(std::uint32_t from, std::uint32_t to);
+    bool foreseeErrors(std::uint32_t from, std::uint32_t to, double limit);
+    double trueCost(std::uint32_t from, std::uint32_t to, double limit = std::numeric_limits<double>::infinity());
     Choice cheapest(std::uint32_t p);
     Choice cheapestAllowed(std::uint32_t p, Choice best);
     double errorAround(std::uint32_t p);
@@ -130,6 +132,8 @@ private:
     std::vector<std::uint8_t> isChecked_;
     std::vector<std::uint32_t> stamp_;
     std::uint32_t stampNow_ = 0;
+    std::vector<std::uint32_t> triangleStamp_;
+    std::uint32_t triangleStampNow_ = 0;
     CollapseQueue queue_;
     double claimed_ = 0;
     std::vector<BothErrors> error_; // per triangle
@@ -154,6 +158,7 @@ Collapser::Collapser(const Patch& patch) : patch_(patch), queue_(patch.positions
         position_.push_back(patch.corners(t));
     aliveCount_ = vertex_.size();
     isAlive_.assign(vertex_.size(), 1);
+    triangleStamp_.assign(vertex_.size(), 0);
     quadric_.resize(positions);
     isBorder_.assign(positions, 0);
     stamp_.assign(positions, 0);
@@ -432,7 +437,10 @@ void Collapser::addOutcome(std::uint32_t triangle, double fromSource, double toS
 /// A convex set's distance is convex: where the corners of `t` are within it, so is all of `t`.
 Collapser::Heir Collapser::heirOf(const std::array<std::uint32_t, 3>& t, std::uint32_t from, std::uint32_t to) {
     Heir heir;
+    const std::uint32_t stamp = ++triangleStampNow_;
     const auto consider = [&](std::uint32_t candidate) {
+        if (triangleStamp_[candidate] == stamp) return;
+        triangleStamp_[candidate] = stamp;
         auto corners = position_[candidate];
         std::replace(corners.begin(), corners.end(), from, to);
         if ((corners[0] == corners[1]) || (corners[1] == corners[2]) || (corners[2] == corners[0])) return;
@@ -455,8 +463,9 @@ Collapser::Heir Collapser::heirOf(const std::array<std::uint32_t, 3>& t, std::ui
     return heir;
 }
 
-/// Bounds what the collapse does to each triangle that stays, or takes what another leaves; false if nobody can.
-bool Collapser::foreseeErrors(std::uint32_t from, std::uint32_t to) {
+/// Bounds what the collapse does to each triangle that stays, or takes what another leaves; false if nobody can, or if
+/// one of the bounds reaches `limit`.
+bool Collapser::foreseeErrors(std::uint32_t from, std::uint32_t to, double limit) {
     outcomes_.clear();
     worst_ = 0;
     if (orderFan(from, to)) {
@@ -468,6 +477,7 @@ bool Collapser::foreseeErrors(std::uint32_t from, std::uint32_t to) {
     const glm::dvec3& origin = patch_.positions[from];
     const glm::dvec3& target = patch_.positions[to];
     for (const StarFace& face : star_) {
+        if (worst_ >= limit) return false;
         const BothErrors& before = error_[face.triangle];
         if (face.b != to && face.c != to) {
             const glm::dvec3& b = patch_.positions[face.b];
@@ -485,15 +495,16 @@ bool Collapser::foreseeErrors(std::uint32_t from, std::uint32_t to) {
     return true;
 }
 
-/// The cost of moving `from` onto `to` with all that is known of it; infinite if the collapse may not be.
-double Collapser::trueCost(std::uint32_t from, std::uint32_t to) {
+/// The cost of moving `from` onto `to` with all that is known of it; infinite if the collapse may not be, or where it
+/// was found to cost `limit` or more.
+double Collapser::trueCost(std::uint32_t from, std::uint32_t to, double limit) {
     constexpr double kNever = std::numeric_limits<double>::infinity();
     gatherStar(from, to);
     if (vanishing_ >= aliveCount_) return kNever; // something must remain
     if (turnsFace(from, to) || breaksLockedEdge(to)) return kNever;
     const double penalty = changesTopology(from, to) ? kTopologyPenalty : 1;
     if (!patch_.isBounded) return penalty * std::sqrt(rawCost(from, to));
-    if (!foreseeErrors(from, to)) return kNever;
+    if (!foreseeErrors(from, to, limit)) return kNever;
     double before = 0;
     for (const StarFace& face : star_)
         before = std::max({before, error_[face.triangle].fromSource, error_[face.triangle].toSource});
@@ -537,7 +548,7 @@ Collapser::Choice Collapser::cheapestAllowed(std::uint32_t p, Choice best) {
     for (const auto& [cost, q] : candidates_) {
         if (before + std::sqrt(cost) >= best.cost) break;
         if (q == first) continue;
-        const double allowed = trueCost(p, q);
+        const double allowed = trueCost(p, q, best.cost);
         if (allowed < best.cost) best = {allowed, q};
     }
     return best;
@@ -685,13 +696,26 @@ void Collapser::removeDoubled(std::uint32_t p) {
     }
 }
 
+/// The mean length of the edges as they came.
+double Collapser::meanEdge() const {
+    double length = 0;
+    for (const Triangle& t : patch_.triangles) {
+        const Triangle p = patch_.corners(t);
+        for (std::size_t i = 0; i < 3; ++i)
+            length += glm::distance(patch_.positions[p[i]], patch_.positions[p[(i + 1) % 3]]);
+    }
+    return length / (3.0 * static_cast<double>(patch_.triangles.size()));
+}
+
 SimplifiedPatch Collapser::run(std::size_t targetTriangles) {
     for (std::uint32_t p = 0; p < patch_.positions.size(); ++p)
         refresh(p);
     const double enough = kEnoughShare * static_cast<double>(aliveCount_);
     double dearest = 0;
+    const double most = patch_.isAnyPrice ? std::numeric_limits<double>::infinity() : kFairEdges * meanEdge();
     while (aliveCount_ > targetTriangles && !queue_.isEmpty()) {
         const double cost = queue_.least();
+        if (cost > most) break;
         if (static_cast<double>(aliveCount_) < enough && cost > kMostRise * dearest) break;
         const std::uint32_t p = queue_.take();
         if (!hasFaces(p)) continue;
@@ -707,6 +731,11 @@ SimplifiedPatch Collapser::run(std::size_t targetTriangles) {
             target_[p] = choice.target;
             isChecked_[p] = 1;
             queue_.put(p, choice.cost);
+            continue;
+        }
+        if (found > most) {
+            isChecked_[p] = 1;
+            queue_.put(p, found);
             continue;
         }
         if (static_cast<double>(aliveCount_) >= enough) dearest = std::max(dearest, found);

@@ -85,8 +85,9 @@ public:
           progress_(progress),
           needs_(affordableNeeds()),
           threads_(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism)),
-          workplace_({options.output, options.temporaryFolder, keyOf(options), options.isInMemory, options.isResumed}) {
-    }
+          workplace_(
+              {options.output, options.temporaryFolder, keyOf(options), options.isInMemory, options.isResumed},
+              progress) {}
 
     BuildReport run() {
         bin();

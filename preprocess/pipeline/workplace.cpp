@@ -41,7 +41,7 @@ void removeLeftovers(const std::string& output) {
 
 } // namespace
 
-Workplace::Workplace(const WorkplaceOptions& options) {
+Workplace::Workplace(const WorkplaceOptions& options, Progress& progress) : space_(progress) {
     if (options.isInMemory) return;
     const std::string folder = folderFor(options);
     std::error_code failed;

@@ -24,7 +24,7 @@ struct WorkplaceOptions {
 class Workplace {
 public:
     /// Throws Error where another process is at work, or if a resumed build has another key; then nothing is touched.
-    explicit Workplace(const WorkplaceOptions& options);
+    Workplace(const WorkplaceOptions& options, Progress& progress);
     ~Workplace();
     Workplace(const Workplace&) = delete;
     Workplace& operator=(const Workplace&) = delete;

@@ -73,6 +73,11 @@ void TemporarySpace::take(std::uint64_t bytes) {
     std::uint64_t peak = peak_;
     while (peak < now && !peak_.compare_exchange_weak(peak, now)) {
     }
+    progress_.temporarySpace(now);
+}
+
+void TemporarySpace::giveBack(std::uint64_t bytes) {
+    progress_.temporarySpace(bytes_ -= bytes);
 }
 
 std::uint64_t ScratchFile::append(std::span<const std::byte> bytes) {

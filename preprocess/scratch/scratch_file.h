@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/file.h"
+#include "core/progress.h"
 
 #include <atomic>
 #include <cstddef>
@@ -12,12 +13,13 @@
 
 namespace gnomon::preprocess {
 
-/// How much temporary space is in use, over all scratch files of a build.
+/// How much temporary space is in use, over all scratch files of a build; every change is told to `progress`.
 class TemporarySpace {
 public:
-    void take(std::uint64_t bytes);
+    explicit TemporarySpace(Progress& progress) : progress_(progress) {}
 
-    void giveBack(std::uint64_t bytes) { bytes_ -= bytes; }
+    void take(std::uint64_t bytes);
+    void giveBack(std::uint64_t bytes);
 
     std::uint64_t bytes() const { return bytes_; }
 
@@ -31,6 +33,7 @@ public:
     std::uint64_t bytesWritten() const { return written_; }
 
 private:
+    Progress& progress_;
     std::atomic<std::uint64_t> bytes_{0};
     std::atomic<std::uint64_t> peak_{0};
     std::atomic<std::uint64_t> read_{0};

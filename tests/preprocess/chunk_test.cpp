@@ -71,7 +71,7 @@ Chunked chunked(CodeMesh mesh, std::uint32_t chunkTriangles, std::size_t block) 
     result.survey = surveySource(mesh, progress);
     const ChunkTree tree = planChunks(mesh, result.survey, chunkTriangles, progress);
     result.chunkCount = tree.chunkCount();
-    TemporarySpace space;
+    TemporarySpace space(progress);
     const auto binsFile = scratchInMemory(space);
     StreamStore bins(*binsFile, binStreams(tree.chunkCount()), block);
     binSource(mesh, result.survey, tree, bins, 10, progress);
@@ -215,7 +215,7 @@ TEST(Chunks, PolygonsAcrossChunksAreCutLikeThoseWithin) {
         NoProgress progress;
         SourceSurvey survey = surveySource(source, progress);
         const ChunkTree tree = planChunks(source, survey, chunkTriangles, progress);
-        TemporarySpace space;
+        TemporarySpace space(progress);
         const auto file = scratchInMemory(space);
         StreamStore bins(*file, binStreams(tree.chunkCount()), 100);
         binSource(source, survey, tree, bins, 40, progress);

@@ -94,6 +94,25 @@ private:
     std::atomic<int> left_;
 };
 
+/// What a build told of its temporary space.
+class SpaceWatch final : public Progress {
+public:
+    void stage(std::string_view /*name*/, std::string_view /*unit*/, std::uint64_t /*total*/) override {}
+
+    void advance(std::uint64_t /*count*/) override {}
+
+    void temporarySpace(std::uint64_t bytes) override {
+        std::uint64_t most = most_;
+        while (most < bytes && !most_.compare_exchange_weak(most, bytes)) {
+        }
+    }
+
+    std::uint64_t most() const { return most_; }
+
+private:
+    std::atomic<std::uint64_t> most_{0};
+};
+
 std::string build(CodeMesh mesh, const BuildOptions& options) {
     NoProgress progress;
     return buildModel(mesh, options, progress).contentHash;
@@ -126,6 +145,17 @@ TEST(Pipeline, ChunksAreJoinedUntilOneRootIsLeft) {
     EXPECT_EQ(model.report().stuckTriangles, 0U);
     EXPECT_EQ(model.summary().levels.front().triangles, 90U * 90 * 2);
     EXPECT_GT(model.report().temporaryBytes, 0U);
+}
+
+TEST(Pipeline, TellsWhileItRunsHowMuchTemporarySpaceIsInUse) {
+    const TestFolder folder;
+    CodeMesh mesh = bumpySheet(50);
+    BuildOptions options = smallChunks(600);
+    options.output = folder.file("m.gnm");
+    SpaceWatch watch;
+    const BuildReport report = buildModel(mesh, options, watch);
+    EXPECT_EQ(report.temporaryBytes, watch.most());
+    EXPECT_GT(watch.most(), mesh.triangles.size() * 12);
 }
 
 TEST(Pipeline, SameBytesOnDiskAndInMemoryForAnyThreadsAndMemory) {

@@ -17,12 +17,14 @@ namespace gnomon {
 
 namespace {
 
-/// Where writing to `path` must end up: beyond symbolic links that lead to files.
+/// Where writing to `path` must end up: beyond symbolic links, whether or not what they lead to is there yet.
 std::string beyondLinks(const std::string& path) {
+    constexpr int kMaxLinks = 40; // as the kernel: links that lead in a circle end, too
+    std::filesystem::path end = path;
     std::error_code error;
-    if (!std::filesystem::is_symlink(path, error)) return path;
-    const std::filesystem::path target = std::filesystem::weakly_canonical(path, error);
-    return error ? path : target.string();
+    for (int i = 0; i < kMaxLinks && std::filesystem::is_symlink(end, error); ++i)
+        end = end.parent_path() / std::filesystem::read_symlink(end, error);
+    return end.string();
 }
 
 bool isOtherThanFile(const std::string& path) {

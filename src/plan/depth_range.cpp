@@ -51,6 +51,20 @@ void setNear(DepthRange& range, const Quality& quality, const SceneFacts::Visibl
     if (now.framesAbove > 0) range.nearFrom = "held from the frame before";
 }
 
+/// Gives a depth to what has none, such as a surface that faces the eye squarely. Throws Error for ends that are no
+/// range.
+void keepApart(DepthRange& range, const Quality& quality) {
+    constexpr double kLeastRatio = 1 + 1e-3;
+    if (!(range.near > 0) || !std::isfinite(range.far))
+        throw Error("--near and --far", "they must be above 0 and finite");
+    if (range.far > range.near * (1 + 1e-6)) return;
+    if (quality.near && quality.far) throw Error("--far", "it must be above --near");
+    if (quality.far)
+        range.near = range.far / kLeastRatio;
+    else
+        range.far = range.near * kLeastRatio;
+}
+
 } // namespace
 
 DepthRange depthRange(const View& view, const Quality& quality, const SceneFacts& scene, const FramePlan* previous) {
@@ -72,17 +86,7 @@ DepthRange depthRange(const View& view, const Quality& quality, const SceneFacts
         if (range.nearFrom.empty())
             range.nearFrom = scene.visible ? "the nearest surface in view" : "the model's bounds";
     }
-    if (!(range.near > 0) || !std::isfinite(range.far))
-        throw Error("--near and --far", "they must be above 0 and finite");
-    if (!(range.far > range.near * (1 + 1e-6))) {
-        if (quality.near && quality.far) throw Error("--far", "it must be above --near");
-        // A surface that faces the eye squarely has no depth of its own.
-        if (quality.far) {
-            range.near = range.far / (1 + 1e-3);
-        } else {
-            range.far = range.near * (1 + 1e-3);
-        }
-    }
+    keepApart(range, quality);
     return range;
 }
 

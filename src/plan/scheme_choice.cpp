@@ -126,6 +126,7 @@ bool isHeld(const SchemeAnswer& before, const SchemeAnswer& best) {
 /// The best of all slices and faces; what the frame before had unless another is better by far.
 SchemeAnswer bestOf(const SchemeQuestion& question, const std::vector<SchemeChoice>& choices) {
     std::vector<SchemeAnswer> answers;
+    answers.reserve(choices.size());
     for (const SchemeChoice& choice : choices)
         answers.push_back(answer(question, choice));
     const auto best = std::min_element(answers.begin(), answers.end(), isBetter);

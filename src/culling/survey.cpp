@@ -13,28 +13,47 @@
 namespace gnomon::culling {
 namespace {
 
-/// Steps of depth, each found to hold something lit or not. Marks only ever come, from any thread, so the result does
-/// not depend on the order.
-class DepthSteps {
+/// A range of depth in steps.
+class DepthLadder {
 public:
-    explicit DepthSteps(const DepthSpan& depths)
+    explicit DepthLadder(const DepthSpan& depths)
         : depths_(depths),
-          marks_(static_cast<std::size_t>(std::floor(std::log2(depths.far / depths.near) * kSpansPerOctave)) + 1) {}
+          count_(static_cast<std::size_t>(std::floor(std::log2(depths.far / depths.near) * kSpansPerOctave)) + 1) {}
+
+    std::size_t count() const { return count_; }
 
     std::size_t step(double depth) const {
         if (!(depth > depths_.near)) return 0;
         const double step = std::floor(std::log2(depth / depths_.near) * kSpansPerOctave);
-        return static_cast<std::size_t>(std::min(step, static_cast<double>(marks_.size() - 1)));
+        return static_cast<std::size_t>(std::min(step, static_cast<double>(count_ - 1)));
     }
 
+    DepthSpan span(std::size_t i) const { return {edge(i), edge(i + 1)}; }
+
+private:
+    double edge(std::size_t i) const {
+        if (i == count_) return depths_.far;
+        return depths_.near * std::exp2(static_cast<double>(i) / kSpansPerOctave);
+    }
+
+    DepthSpan depths_;
+    std::size_t count_;
+};
+
+/// Steps of depth, each found to hold something lit or not. Marks only ever come, from any thread, so the result does
+/// not depend on the order.
+class DepthSteps {
+public:
+    explicit DepthSteps(const DepthSpan& depths) : ladder_(depths), marks_(ladder_.count()) {}
+
     bool isMarked(double least, double greatest) const {
-        for (std::size_t i = step(least); i <= step(greatest); ++i)
+        for (std::size_t i = ladder_.step(least); i <= ladder_.step(greatest); ++i)
             if (!marks_[i].load(std::memory_order_relaxed)) return false;
         return true;
     }
 
     void mark(double least, double greatest) {
-        for (std::size_t i = step(least); i <= step(greatest); ++i)
+        for (std::size_t i = ladder_.step(least); i <= ladder_.step(greatest); ++i)
             marks_[i].store(true, std::memory_order_relaxed);
     }
 
@@ -43,23 +62,25 @@ public:
         for (std::size_t i = 0; i < marks_.size(); ++i) {
             if (!marks_[i].load(std::memory_order_relaxed)) continue;
             if (i > 0 && marks_[i - 1].load(std::memory_order_relaxed)) {
-                result.back().far = edge(i + 1);
+                result.back().far = ladder_.span(i).far;
             } else {
-                result.push_back({edge(i), edge(i + 1)});
+                result.push_back(ladder_.span(i));
             }
         }
         return result;
     }
 
 private:
-    double edge(std::size_t i) const {
-        if (i == marks_.size()) return depths_.far;
-        return depths_.near * std::exp2(static_cast<double>(i) / kSpansPerOctave);
-    }
-
-    DepthSpan depths_;
+    DepthLadder ladder_;
     std::vector<std::atomic<bool>> marks_;
 };
+
+/// The depths of a box in the model's local space.
+DepthSpan depthsOf(const selection::DetailView& view, const Box& box) {
+    const double middle = glm::dot(view.basis.view, box.center() - view.eye);
+    const double reach = glm::dot(glm::abs(view.basis.view), box.extent() * 0.5);
+    return {middle - reach, middle + reach};
+}
 
 class LitSearch {
 public:
@@ -82,13 +103,6 @@ public:
     LitSurfaces found() const { return {steps_.spans(), canBeShadowed_.load()}; }
 
 private:
-    /// The depths of a box, and of points.
-    DepthSpan depthsOf(const Box& box) const {
-        const double middle = depthOf(box.center());
-        const double reach = glm::dot(glm::abs(query_->rule->view().basis.view), box.extent() * 0.5);
-        return {middle - reach, middle + reach};
-    }
-
     double depthOf(const glm::dvec3& point) const {
         const selection::DetailView& view = query_->rule->view();
         return glm::dot(view.basis.view, point - view.eye);
@@ -100,7 +114,7 @@ private:
 
     void look(const hierarchy::Page& page, const hierarchy::Cluster& cluster, TriangleClipper& clipper) {
         const hierarchy::Grid& grid = query_->trees->grid();
-        if (isSettled(depthsOf(grid.local(cluster.box)))) return;
+        if (isSettled(depthsOf(query_->rule->view(), grid.local(cluster.box)))) return;
         for (std::uint32_t t = cluster.firstTriangle; t < cluster.firstTriangle + cluster.triangleCount; ++t) {
             std::array<glm::dvec3, 3> corners{};
             for (std::size_t i = 0; i < 3; ++i)
@@ -143,9 +157,12 @@ private:
     std::atomic<bool> canBeShadowed_ = false;
 };
 
-/// What a drawn cluster may be moved by if it is refined.
-double refinementError(const hierarchy::Page& page, const hierarchy::Cluster& cluster) {
-    return cluster.refinement == hierarchy::kNone ? 0 : page.refinements[cluster.refinement].error;
+/// The box of a drawn cluster with what it may be moved by if it is refined.
+Box boxWithMargin(const hierarchy::Grid& grid, const hierarchy::Page& page, const hierarchy::Cluster& cluster) {
+    const Box box = grid.local(cluster.box);
+    const bool isLeaf = cluster.refinement == hierarchy::kNone;
+    const glm::dvec3 margin(isLeaf ? 0 : page.refinements[cluster.refinement].error);
+    return {box.min - margin, box.max + margin};
 }
 
 } // namespace
@@ -164,6 +181,29 @@ LitSurfaces litSurfaces(
     return search.found();
 }
 
+std::vector<shadow::SeenPart> seenParts(
+    const selection::CutQuery& query, const selection::DrawList& image, const DepthSpan& depths) {
+    GNOMON_CHECK(depths.near > 0 && depths.far >= depths.near);
+    const selection::DetailView& view = query.rule->view();
+    const ConvexVolume pyramid = selection::viewPyramid(view);
+    const DepthLadder ladder(depths);
+    std::vector<Box> boxes(ladder.count());
+    for (const selection::ClusterRange& range : image.ranges) {
+        const hierarchy::Page& page = *query.resident[range.page];
+        for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c) {
+            const Box box = boxWithMargin(query.trees->grid(), page, page.clusters[c]);
+            if (classify(pyramid, box) == Containment::Outside) continue;
+            const DepthSpan span = depthsOf(view, box);
+            for (std::size_t i = ladder.step(span.near); i <= ladder.step(span.far); ++i)
+                boxes[i].add(box);
+        }
+    }
+    std::vector<shadow::SeenPart> parts;
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+        if (!boxes[i].isEmpty()) parts.push_back({ladder.span(i), {boxes[i].min - view.eye, boxes[i].max - view.eye}});
+    return parts;
+}
+
 std::vector<CasterBlock> casterBlocks(const selection::CutQuery& query, const selection::DrawList& list) {
     const hierarchy::Grid& grid = query.trees->grid();
     std::vector<CasterBlock> blocks;
@@ -172,9 +212,7 @@ std::vector<CasterBlock> casterBlocks(const selection::CutQuery& query, const se
         for (std::uint32_t i = 0; i < range.clusterCount; ++i) {
             const hierarchy::Cluster& cluster = page.clusters[range.firstCluster + i];
             if (i % kClustersPerBlock == 0) blocks.emplace_back();
-            Box box = grid.local(cluster.box);
-            const glm::dvec3 margin(refinementError(page, cluster));
-            blocks.back().box.add({box.min - margin, box.max + margin});
+            blocks.back().box.add(boxWithMargin(grid, page, cluster));
             blocks.back().triangles += cluster.triangleCount;
         }
     }

@@ -4,6 +4,7 @@
 
 #include "core/depth_span.h"
 #include "selection/cut.h"
+#include "shadow/region.h"
 
 #include <vector>
 
@@ -29,6 +30,11 @@ LitSurfaces litSurfaces(
     const glm::dvec3& towardsLight,
     const Box& casters,
     const DepthSpan& depths);
+
+/// All that `image` shows, step by step of depth, the steps as for spans: whole clusters that reach into the view's
+/// pyramid, with what any refinement may move them by. Boxes are in the model's axes, relative to the eye.
+std::vector<shadow::SeenPart> seenParts(
+    const selection::CutQuery& query, const selection::DrawList& image, const DepthSpan& depths);
 
 /// Neighbouring clusters of a draw list.
 struct CasterBlock {

@@ -79,9 +79,10 @@ struct SceneFacts {
 
     /// What the light finds in the view.
     struct Light {
-        std::vector<DepthSpan> lit;       // depths of visible surfaces that face it, apart and in order
-        bool canBeShadowed = true;        // something may stand between it and one of them
-        std::vector<CasterBlock> casters; // all that can throw a shadow into the view
+        std::vector<DepthSpan> lit;         // depths of visible surfaces that face it, apart and in order
+        bool canBeShadowed = true;          // something may stand between it and one of them
+        std::vector<CasterBlock> casters;   // all that can throw a shadow into the view
+        std::vector<shadow::SeenPart> seen; // all that is in view, by depth
     };
 
     std::optional<Light> light;

@@ -91,6 +91,7 @@ void planShadowPasses(FramePlan& plan, const SceneFacts& scene, const FramePlan*
     question.view.towardsLight = plan.towardsLight;
     question.view.imageHeight = plan.view.height;
     question.view.anchor = {plan.basis, plan.view.camera.eye};
+    if (scene.light) question.view.seen = scene.light->seen;
     question.basis = plan.basis;
     question.quality = plan.quality;
     question.scene = &scene;

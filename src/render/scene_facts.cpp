@@ -28,6 +28,7 @@ plan::SceneFacts::Light lightFacts(
         culling::litSurfaces(query, cut.lists[0], glm::normalize(view.towardsLight), casters, seen);
     light.lit = surfaces.spans;
     light.canBeShadowed = surfaces.canBeShadowed;
+    light.seen = culling::seenParts(query, cut.lists[0], seen);
     return light;
 }
 

@@ -39,11 +39,19 @@ std::vector<Seen> convexOutline(std::vector<Seen> points) {
     return hull;
 }
 
-std::vector<Seen> seenVertices(const Region& region, const LightFrame& frame) {
-    std::vector<Seen> seen;
-    seen.reserve(region.vertices.size());
+std::vector<glm::dvec3> positionsOf(const Region& region) {
+    std::vector<glm::dvec3> points;
+    points.reserve(region.vertices.size());
     for (const FitVertex& vertex : region.vertices)
-        seen.push_back({glm::dot(frame.x, vertex.position), glm::dot(frame.z, vertex.position)});
+        points.push_back(vertex.position);
+    return points;
+}
+
+std::vector<Seen> seenAlong(const LightFrame& frame, std::span<const glm::dvec3> points) {
+    std::vector<Seen> seen;
+    seen.reserve(points.size());
+    for (const glm::dvec3& point : points)
+        seen.push_back({glm::dot(frame.x, point), glm::dot(frame.z, point)});
     return seen;
 }
 
@@ -65,20 +73,25 @@ SweepSide sideOver(const Seen& a, const Seen& b, const std::vector<Seen>& all) {
     return side;
 }
 
-std::vector<SweepSide> sweepSides(const Region& region, const LightFrame& frame) {
-    const std::vector<Seen> seen = seenVertices(region, frame);
-    double size = 0; // of the region as seen: a near square may be far smaller than its depth range
+/// The convex hull of points seen along the light, and the sides of its sweep.
+struct Sweep {
+    std::vector<Seen> outline;
+    std::vector<SweepSide> sides;
+};
+
+Sweep sweepOf(std::span<const glm::dvec3> points, const LightFrame& frame) {
+    const std::vector<Seen> seen = seenAlong(frame, points);
+    double size = 0; // of the points as seen: a near square may be far smaller than its depth range
     for (const Seen& point : seen)
         size = std::max(size, std::hypot(point.x - seen.front().x, point.z - seen.front().z));
-    const std::vector<Seen> outline = convexOutline(seen);
-    std::vector<SweepSide> sides;
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-        const Seen& a = outline[i];
-        const Seen& b = outline[(i + 1) % outline.size()];
+    Sweep sweep{convexOutline(seen), {}};
+    for (std::size_t i = 0; i < sweep.outline.size(); ++i) {
+        const Seen& a = sweep.outline[i];
+        const Seen& b = sweep.outline[(i + 1) % sweep.outline.size()];
         // Between two vertices that differ by rounding there is no direction to take.
-        if (std::hypot(b.x - a.x, b.z - a.z) > 1e-10 * size) sides.push_back(sideOver(a, b, seen));
+        if (std::hypot(b.x - a.x, b.z - a.z) > 1e-10 * size) sweep.sides.push_back(sideOver(a, b, seen));
     }
-    return sides;
+    return sweep;
 }
 
 Plane planeOf(const SweepSide& side, const LightFrame& frame) {
@@ -96,11 +109,12 @@ std::optional<Seen> unmapped(const WarpedMap& map, double s, double t) {
     return Seen{(map.uMin + s * map.width) * w, zeta + map.zMin};
 }
 
-/// `side` moved out until it holds every vertex moved by `growS` and `growT` in the map; nothing where that has no end.
-/// A linear function of light space is linear over linear in the map, so its least value lies at a corner.
-std::optional<SweepSide> grown(SweepSide side, const Region& region, const WarpedMap& map, double growS, double growT) {
-    for (const FitVertex& vertex : region.vertices) {
-        const MapPoint at = mapPoint(map, vertex.position);
+/// `side` moved out until it holds all within `outline`, moved by `growS` and `growT` in the map; nothing where that
+/// has no end. A linear function of light space is linear over linear in the map, so its least value lies at a corner.
+std::optional<SweepSide> grown(
+    SweepSide side, std::span<const Seen> outline, const WarpedMap& map, double growS, double growT) {
+    for (const Seen& point : outline) {
+        const MapPoint at = mapPoint(map, map.frame.x * point.x + map.frame.z * point.z);
         for (const int corner : {0, 1, 2, 3}) {
             const double s = at.s + ((corner & 1) != 0 ? growS : -growS);
             const double t = at.t + ((corner & 2) != 0 ? growT : -growT);
@@ -120,20 +134,22 @@ ConvexVolume casterVolume(const Region& region, const LightFrame& frame) {
     // outline stand for everything between.
     for (const Plane& plane : region.volume.planes)
         if (glm::dot(plane.normal, frame.y) > 1e-12) volume.planes.push_back(plane);
-    for (const SweepSide& side : sweepSides(region, frame))
+    for (const SweepSide& side : sweepOf(positionsOf(region), frame).sides)
         volume.planes.push_back(planeOf(side, frame));
     return volume;
 }
 
-ConvexVolume grownCasterVolume(const Region& region, const WarpedMap& map, double growS, double growT) {
+ConvexVolume grownCasterVolume(
+    std::span<const glm::dvec3> receivers, const WarpedMap& map, double growS, double growT) {
     ConvexVolume volume;
     // Depth 1 is the plane -y = (rawMin + rawRange) w.
     const double rawMax = map.rawMin + map.rawRange;
     const glm::dvec3 floorNormal = map.frame.y + map.frame.z * (rawMax * map.kappa);
     const double length = glm::length(floorNormal);
     volume.planes.push_back({floorNormal / length, rawMax * (1 - map.kappa * map.zMin) / length});
-    for (const SweepSide& side : sweepSides(region, map.frame)) {
-        const std::optional<SweepSide> moved = grown(side, region, map, growS, growT);
+    const Sweep sweep = sweepOf(receivers, map.frame);
+    for (const SweepSide& side : sweep.sides) {
+        const std::optional<SweepSide> moved = grown(side, sweep.outline, map, growS, growT);
         if (moved) volume.planes.push_back(planeOf(*moved, map.frame));
     }
     return volume;

@@ -11,10 +11,10 @@ namespace gnomon::shadow {
 /// Every plane touches a vertex of the region, so none can be moved in.
 ConvexVolume casterVolume(const Region& region, const LightFrame& frame);
 
-/// All that can change what a lookup in `region` reads: the sweep, with each side moved out by `texelsS` and `texelsT`
-/// (fractions of the map) through the map itself, and with the map's far end of depth as floor, so that depth that a
-/// lookup can read is the same with and without culling. A side that the growth carries past the warp's vanishing line
-/// bounds nothing and is left out.
-ConvexVolume grownCasterVolume(const Region& region, const WarpedMap& map, double growS, double growT);
+/// All that can change what a lookup within the convex hull of `receivers` (camera space) reads: its sweep, with each
+/// side moved out by `growS` and `growT` (fractions of the map) through the map itself, and with the map's far end of
+/// depth as floor, so that depth that a lookup can read is the same with and without culling. A side that the growth
+/// carries past the warp's vanishing line bounds nothing and is left out.
+ConvexVolume grownCasterVolume(std::span<const glm::dvec3> receivers, const WarpedMap& map, double growS, double growT);
 
 } // namespace gnomon::shadow

@@ -11,6 +11,7 @@ namespace gnomon::shadow {
 namespace {
 
 constexpr double kGrazing = 1e-3; // sine of the angle below which a face is left to its neighbours
+constexpr double kRounding = 1e-9;
 
 /// The sides in cyclic order, each with the signs of the corner that it shares with the next one.
 struct Side {
@@ -147,6 +148,52 @@ void dropIdlePlanes(Region& region) {
     });
 }
 
+/// In camera space; bit i of the index says at which end of axis i.
+std::array<glm::dvec3, 8> cornersOf(const Box& box, const CameraBasis& basis) {
+    std::array<glm::dvec3, 8> corners{};
+    for (unsigned i = 0; i < 8; ++i) {
+        const glm::dvec3 corner(
+            (i & 1U) != 0 ? box.max.x : box.min.x,
+            (i & 2U) != 0 ? box.max.y : box.min.y,
+            (i & 4U) != 0 ? box.max.z : box.min.z);
+        corners[i] = toCamera(basis, corner);
+    }
+    return corners;
+}
+
+ConvexVolume volumeOf(const Box& box, const CameraBasis& basis) {
+    ConvexVolume volume;
+    for (int axis = 0; axis < 3; ++axis) {
+        glm::dvec3 normal(0);
+        normal[axis] = 1;
+        const glm::dvec3 inCamera = toCamera(basis, normal);
+        volume.planes.push_back({inCamera, -box.min[axis]});
+        volume.planes.push_back({-inCamera, box.max[axis]});
+    }
+    return volume;
+}
+
+/// Adds the ends of the part of a-b that is inside `volume`, which may be `slack` wider.
+void addClipped(
+    const glm::dvec3& a,
+    const glm::dvec3& b,
+    const ConvexVolume& volume,
+    double slack,
+    std::vector<glm::dvec3>& points) {
+    double first = 0;
+    double last = 1;
+    for (const Plane& plane : volume.planes) {
+        const double atA = plane.signedDistance(a) + slack;
+        const double atB = plane.signedDistance(b) + slack;
+        if (atA < 0 && atB < 0) return;
+        if (atA < 0) first = std::max(first, atA / (atA - atB));
+        if (atB < 0) last = std::min(last, atA / (atA - atB));
+    }
+    if (first > last) return;
+    points.push_back(a + (b - a) * first);
+    points.push_back(a + (b - a) * last);
+}
+
 } // namespace
 
 PartitionSelector partitionSelector(
@@ -223,6 +270,27 @@ Region partitionRegion(const ViewFrustum& frustum, const PartitionSelector& sele
     addPlane(region.volume, face.edge, -offset);
     dropIdlePlanes(region);
     return region;
+}
+
+std::vector<glm::dvec3> seenCorners(const Region& region, std::span<const SeenPart> seen, const CameraBasis& basis) {
+    Box box;
+    for (const SeenPart& part : seen)
+        if (part.depths.near <= region.frustum.far && part.depths.far >= region.frustum.near) box.add(part.box);
+    if (box.isEmpty()) return {};
+    // A ground may have no height, and rounding must not lose it.
+    const double slack = kRounding * (region.frustum.far + glm::length(box.extent()));
+    const std::array<glm::dvec3, 8> corners = cornersOf(box, basis);
+    std::vector<glm::dvec3> result;
+    // The corners of what two convex bodies share lie on edges of one, within the other; what more the segments between
+    // any two vertices of the region bring lies within both.
+    const ConvexVolume boxVolume = volumeOf(box, basis);
+    for (std::size_t i = 0; i < region.vertices.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            addClipped(region.vertices[i].position, region.vertices[j].position, boxVolume, slack, result);
+    for (unsigned i = 0; i < 8; ++i)
+        for (const unsigned axis : {1U, 2U, 4U})
+            if ((i & axis) == 0) addClipped(corners[i], corners[i | axis], region.volume, slack, result);
+    return result;
 }
 
 } // namespace gnomon::shadow

@@ -2,7 +2,9 @@
 // point: by selection, never by a mask product.
 #pragma once
 
+#include "core/camera.h"
 #include "core/convex_volume.h"
+#include "core/depth_span.h"
 #include "shadow/faces.h"
 
 #include <optional>
@@ -45,6 +47,12 @@ PartitionSelector partitionSelector(
 /// face whose two tests hold, the last face needing none, then the near face's test.
 std::size_t ownerOf(const PartitionSelector& selector, const glm::dvec3& p);
 
+/// What an image shows between two depths.
+struct SeenPart {
+    DepthSpan depths;
+    Box box; // world axes, relative to the eye
+};
+
 /// The region of one partition, in camera space: closed, convex, bounded by the frustum of its slice.
 struct Region {
     std::size_t slice = 0;
@@ -56,5 +64,9 @@ struct Region {
 
 /// The region of partition `index`, in the numbering of ownerOf.
 Region partitionRegion(const ViewFrustum& frustum, const PartitionSelector& selector, std::size_t index);
+
+/// Points whose convex hull holds all of `seen` that lies in `region`; `basis` is that of camera space. None if nothing
+/// does.
+std::vector<glm::dvec3> seenCorners(const Region& region, std::span<const SeenPart> seen, const CameraBasis& basis);
 
 } // namespace gnomon::shadow

@@ -21,7 +21,8 @@ struct ShadowView {
     ViewFrustum frustum;              // near and far are the range that shadows are promised for, not the clip range
     glm::dvec3 towardsLight{0, 1, 0}; // unit length
     int imageHeight = 800;            // pixels of the real viewport
-    WorldAnchor anchor;               // only stabilised slices look at it
+    WorldAnchor anchor;               // stabilised slices look at it, and `seen` lies in its axes
+    std::vector<SeenPart> seen;       // all that the image shows, by depth; nothing: anything may be anywhere
 };
 
 /// How the frame's shadows are mapped.

@@ -139,5 +139,75 @@ TEST(Casters, GrownVolumeHoldsEveryTexelThatALookupReads) {
     EXPECT_GT(tested, 15000);
 }
 
+/// Boxes at random in the frustum, each with the depths that it spans.
+std::vector<SeenPart> randomSeen(Random& random, const ShadowView& view) {
+    std::vector<SeenPart> seen;
+    const std::uint64_t count = 1 + random.below(4);
+    for (std::uint64_t i = 0; i < count; ++i) {
+        const glm::dvec3 middle = randomPointIn(random, view.frustum);
+        const double size = middle.z * random.uniform(0.01, 1);
+        glm::dvec3 half;
+        for (int axis = 0; axis < 3; ++axis)
+            half[axis] = random.below(4) == 0 ? 0 : size * random.unit(); // a ground is flat
+        const glm::dvec3 inWorld = toWorld(view.anchor.basis, middle);
+        const double reach = glm::dot(glm::abs(view.anchor.basis.view), half);
+        seen.push_back({{middle.z - reach, middle.z + reach}, {inWorld - half, inWorld + half}});
+    }
+    return seen;
+}
+
+/// The volume of what is seen holds every caster whose texel the lookup of a seen point can read, and nothing that the
+/// volume of the whole region does not hold, but for the rare side that its growth carries past the vanishing line.
+TEST(Casters, VolumeOfWhatIsSeenHoldsEveryTexelThatItReads) {
+    int tested = 0;
+    int narrower = 0;
+    int wider = 0;
+    for (std::uint64_t seed = 0; seed < 500; ++seed) {
+        Random random(seed);
+        Case chosen = randomCase(random);
+        ShadowOptions options = randomOptions(random, chosen.view.frustum);
+        options.stabilized = false;
+        const ShadowMapSetup whole = shadowMapSetup(chosen.view, options);
+        chosen.view.seen = randomSeen(random, chosen.view);
+        const ShadowMapSetup setup = shadowMapSetup(chosen.view, options);
+        const std::size_t index = random.below(setup.maps.size());
+        const ShadowMapPartition& map = setup.maps[index];
+        if (map.map.kappa * map.map.length > 1e4) continue;
+        const glm::dmat4 cameraFromTexture = glm::inverse(map.textureFromCamera);
+        for (int i = 0; i < 50; ++i) {
+            const SeenPart& part = chosen.view.seen[random.below(chosen.view.seen.size())];
+            const glm::dvec3 extent = part.box.extent();
+            glm::dvec3 inWorld = part.box.min;
+            for (int axis = 0; axis < 3; ++axis)
+                inWorld[axis] += extent[axis] * random.unit();
+            const glm::dvec3 p = toCamera(chosen.view.anchor.basis, inWorld);
+            if (!contains(map.region.volume, p)) continue;
+            glm::dvec4 at = map.textureFromCamera * glm::dvec4(p, 1);
+            at /= at.w;
+            const double reach = setup.gutter * 0.999;
+            at.x += random.uniform(-reach, reach) / setup.textureWidth;
+            at.y += random.uniform(-reach, reach) / setup.textureHeight;
+            at.z = random.uniform(-1, 0.999);
+            const glm::dvec4 caster = cameraFromTexture * at;
+            if (!(caster.w > 0)) continue; // past the vanishing line
+            ++tested;
+            const glm::dvec3 point = glm::dvec3(caster) / caster.w;
+            const double tolerance = 1e-6 * map.region.frustum.far + 1e-6 * glm::length(point);
+            EXPECT_GE(depthInside(map.casterVolume, point), -tolerance) << "seed " << seed;
+        }
+        for (int i = 0; i < 50; ++i) {
+            const glm::dvec3 p = randomCaster(random, map.region, map.map.frame.y);
+            const double tolerance = 1e-6 * map.region.frustum.far;
+            const double inSeen = depthInside(map.casterVolume, p);
+            const double inWhole = depthInside(whole.maps[index].casterVolume, p);
+            wider += inSeen > tolerance && inWhole < -tolerance ? 1 : 0;
+            narrower += inSeen < -tolerance && inWhole > tolerance ? 1 : 0;
+        }
+    }
+    EXPECT_GT(tested, 3000);
+    EXPECT_GT(narrower, 1000);
+    EXPECT_LT(wider * 100, narrower);
+}
+
 } // namespace
 } // namespace gnomon::shadow

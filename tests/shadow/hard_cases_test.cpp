@@ -106,7 +106,10 @@ void pastTheVanishingLine() {
     const LightFit fit = fitSlice(lightFrame({0, 1, 0}), frustum);
     const WarpedMap map = warpedMap(fit, 1 / frustum.near);
     const Region region = partitionRegion(frustum, partitionSelector(frustum, {0, 1, 0}, {1, 1e5}, false, false), 0);
-    const ConvexVolume grown = grownCasterVolume(region, map, 0.01, 0.01);
+    std::vector<glm::dvec3> corners;
+    for (const FitVertex& vertex : region.vertices)
+        corners.push_back(vertex.position);
+    const ConvexVolume grown = grownCasterVolume(corners, map, 0.01, 0.01);
     // The lookup's gutter reads what lies at any distance beyond the far plane, so nothing may bound it there.
     EXPECT_TRUE(contains(grown, {0, 1e6, 1e9}));
 }

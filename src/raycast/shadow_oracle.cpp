@@ -17,11 +17,13 @@ bool isLitSide(Light light) {
     return light == Light::Dark || light == Light::Lit;
 }
 
-/// Marks the lit-side pixels with a lit-side neighbour whose answer differs.
+/// Marks the lit-side pixels with a lit-side neighbour whose answer differs, but where one of the two is `apart`.
 template <class IsLit>
-std::vector<std::uint8_t> edges(std::span<const Light> reference, std::size_t width, const IsLit& isLit) {
+std::vector<std::uint8_t> edges(
+    std::span<const Light> reference, std::size_t width, const IsLit& isLit, std::span<const std::uint8_t> apart = {}) {
     std::vector<std::uint8_t> result(reference.size(), 0);
     const auto join = [&](std::size_t a, std::size_t b) {
+        if (!apart.empty() && (apart[a] != 0 || apart[b] != 0)) return;
         if (isLitSide(reference[a]) && isLitSide(reference[b]) && isLit(a) != isLit(b)) result[a] = result[b] = 1;
     };
     for (std::size_t i = 0; i < reference.size(); ++i) {
@@ -117,11 +119,20 @@ std::vector<float> distanceTransform(std::span<const std::uint8_t> marked, std::
     return result;
 }
 
+std::vector<std::uint8_t> shadowEdges(std::span<const Light> reference, std::size_t width) {
+    return edges(reference, width, [&](std::size_t i) { return reference[i] == Light::Lit; });
+}
+
 ShadowComparison compareShadows(
-    std::span<const Light> reference, std::span<const std::uint8_t> isLit, std::size_t width) {
+    std::span<const Light> reference,
+    std::span<const std::uint8_t> isLit,
+    std::size_t width,
+    std::span<const std::uint8_t> apart) {
     GNOMON_CHECK_OP(reference.size(), ==, isLit.size());
-    const std::vector<std::uint8_t> trueEdges =
-        edges(reference, width, [&](std::size_t i) { return reference[i] == Light::Lit; });
+    GNOMON_CHECK(apart.empty() || apart.size() == reference.size());
+    const std::vector<std::uint8_t> trueEdges = shadowEdges(reference, width);
+    const std::vector<std::uint8_t> askedEdges = edges(
+        reference, width, [&](std::size_t i) { return reference[i] == Light::Lit; }, apart);
     const std::vector<std::uint8_t> drawnEdges = edges(reference, width, [&](std::size_t i) { return isLit[i] != 0; });
     const std::vector<float> fromTrue = distanceTransform(trueEdges, width);
     const std::vector<float> fromDrawn = distanceTransform(drawnEdges, width);
@@ -132,14 +143,17 @@ ShadowComparison compareShadows(
         if (!isLitSide(reference[i])) continue;
         ++result.litSidePixels;
         if (drawnEdges[i] != 0) distances.push_back(fromTrue[i]);
-        if (trueEdges[i] != 0) distances.push_back(fromDrawn[i]);
+        if (askedEdges[i] != 0) distances.push_back(fromDrawn[i]);
+        if (trueEdges[i] != 0 && askedEdges[i] == 0) ++result.edgePixelsApart;
         if ((reference[i] == Light::Lit) == (isLit[i] != 0)) continue;
+        if (!apart.empty() && apart[i] != 0 && reference[i] == Light::Dark) continue;
         ++result.wrongPixels;
         result.wrongDistances[i] = std::max(1.0F, fromTrue[i]);
         result.worstWrongPixels = std::max(result.worstWrongPixels, static_cast<double>(fromTrue[i]));
     }
     if (result.litSidePixels > 0)
         result.wrongFraction = static_cast<double>(result.wrongPixels) / static_cast<double>(result.litSidePixels);
+    result.edgePixels = distances.size();
     std::sort(distances.begin(), distances.end());
     result.edgeMedianPixels = percentile(distances, 0.5);
     result.edgeP99Pixels = percentile(distances, 0.99);

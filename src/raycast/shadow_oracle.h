@@ -35,19 +35,29 @@ std::vector<Light> litByRays(const Scene& scene, std::span<const SurfacePoint> p
 struct ShadowComparison {
     std::uint64_t litSidePixels = 0;
     std::uint64_t wrongPixels = 0;
-    double wrongFraction = 0;    // of the lit-side pixels; 0 if there are none
-    double edgeMedianPixels = 0; // from each shadow edge of either picture to the nearest of the other
+    std::uint64_t edgePixels = 0;      // of both pictures, whose distances are in the figures below
+    std::uint64_t edgePixelsApart = 0; // of the reference alone, which are not
+    double wrongFraction = 0;          // of the lit-side pixels; 0 if there are none
+    double edgeMedianPixels = 0;       // from each shadow edge of either picture to the nearest of the other
     double edgeP99Pixels = 0;
     double edgeWorstPixels = 0;
     double worstWrongPixels = 0;       // the furthest wrong pixel from an edge of the reference
     std::vector<float> wrongDistances; // per pixel: 0 if right, else the distance from the reference's nearest edge
 };
 
+/// The pixels of a picture of `width` columns that have a lit-side neighbour (of four) with another answer: 1, else 0.
+std::vector<std::uint8_t> shadowEdges(std::span<const Light> reference, std::size_t width);
+
 /// Compares two pictures of `width` columns. `isLit` is the picture's answer where the reference is Dark or Lit. An
 /// edge is a pixel that has a lit-side neighbour (of four) with another answer; distances are between pixel centres,
-/// and the picture's diagonal where the other has no edge at all.
+/// and the picture's diagonal where the other has no edge at all. `apart` (a mark a pixel, or nothing) names what the
+/// picture need not show: between a pixel of it and another the reference's edge is not held against the picture, and a
+/// dark one of it that the picture has lit is not wrong. An edge that the picture shows is still near to it.
 ShadowComparison compareShadows(
-    std::span<const Light> reference, std::span<const std::uint8_t> isLit, std::size_t width);
+    std::span<const Light> reference,
+    std::span<const std::uint8_t> isLit,
+    std::size_t width,
+    std::span<const std::uint8_t> apart = {});
 
 /// The exact Euclidean distance of each pixel centre from the nearest marked one (Felzenszwalb and Huttenlocher 2012);
 /// the picture's diagonal if none is marked.

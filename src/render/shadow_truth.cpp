@@ -62,7 +62,7 @@ public:
         const ShadowVerdict unexplained = truth == Light::Lit ? ShadowVerdict::FalseShadow : ShadowVerdict::Leak;
         if (surface.partition() < 0) return unexplained;
         const Receiver receiver = receiverOf(surface);
-        if (truth == Light::Dark && isThin(receiver)) return ShadowVerdict::Missed;
+        if (truth == Light::Dark && isThin(receiver, truth)) return ShadowVerdict::Missed;
         for (const Offset& offset : offsets_) {
             if (offset.reach > 1 && truth == Light::Lit) break;
             if (truthAt(receiver, offset) == (truth == Light::Lit ? Light::Dark : Light::Lit))
@@ -70,6 +70,15 @@ public:
         }
         if (truth == Light::Dark && isTouched(receiver)) return ShadowVerdict::ContactGap;
         return unexplained;
+    }
+
+    /// Whether a map of these texels need not hold the shadow, or the gap in one, that a pixel at its edge lies in: it
+    /// is narrower than a texel, or so near to its caster that it is one of contact.
+    bool isTooFine(std::size_t pixel, Light truth) const {
+        const SurfaceSample& surface = surfaces_->pixels[pixel];
+        if (surface.partition() < 0) return false;
+        const Receiver receiver = receiverOf(surface);
+        return isThin(receiver, truth) || (truth == Light::Dark && isTouched(receiver));
     }
 
 private:
@@ -118,19 +127,20 @@ private:
         return scene_->isOccluded({from, light_, 0, static_cast<float>(kContactFootprints) * footprint});
     }
 
-    /// Whether the caster of a shadow is narrower than a texel along columns or along rows: the light reaches both
-    /// sides, less than a texel apart.
-    bool isThin(const Receiver& receiver) const {
+    /// Whether a shadow is narrower than a texel along columns or along rows: the light reaches both sides, less than a
+    /// texel apart. Likewise a lit gap, with darkness on both sides.
+    bool isThin(const Receiver& receiver, Light truth) const {
+        const Light other = truth == Light::Dark ? Light::Lit : Light::Dark;
         constexpr int kSteps = 8;
         for (const bool alongRows : {false, true}) {
             const glm::vec3& side = alongRows ? receiver.row : receiver.column;
-            std::array<int, 2> nearest = {kSteps + 1, kSteps + 1}; // step at which the light is reached, on each side
+            std::array<int, 2> nearest = {kSteps + 1, kSteps + 1}; // step at which the other is reached, on each side
             for (const int sign : {0, 1})
                 for (int step = 1; step < kSteps; ++step) {
                     const float along = static_cast<float>(sign == 0 ? -step : step) / kSteps;
                     const raycast::SurfacePoint point{
                         receiver.position + along * side, receiver.normal, receiver.offset};
-                    if (raycast::litByRay(*scene_, point, light_) != Light::Lit) continue;
+                    if (raycast::litByRay(*scene_, point, light_) != other) continue;
                     nearest[static_cast<std::size_t>(sign)] = step;
                     break;
                 }
@@ -176,27 +186,27 @@ ShadowTruth shadowTruth(
     const Judge judge(scene, plan, space, surfaces);
     ShadowTruth truth;
     truth.verdicts.assign(count, ShadowVerdict::Unasked);
+    const std::vector<std::uint8_t> isEdge = raycast::shadowEdges(light, width);
+    std::vector<std::uint8_t> apart(count, 0);
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
         if (light[i] != Light::Lit && light[i] != Light::Dark) return;
         const bool isRight = (light[i] == Light::Lit) == (isLit[i] != 0);
         truth.verdicts[i] = isRight ? ShadowVerdict::Right : judge.verdict(i, light[i]);
+        if (truth.verdicts[i] == ShadowVerdict::Missed || (isEdge[i] != 0 && judge.isTooFine(i, light[i])))
+            apart[i] = 1;
     });
-    std::vector<Light> answerable(light.begin(), light.end());
     const glm::vec3 towards = towardsLight(plan);
     for (std::size_t i = 0; i < count; ++i) {
         const ShadowVerdict verdict = truth.verdicts[i];
         if (verdict == ShadowVerdict::Unasked) continue;
-        if (verdict == ShadowVerdict::Missed) {
-            ++truth.missedPixels;
-            answerable[i] = Light::Lit;
-        }
+        if (verdict == ShadowVerdict::Missed) ++truth.missedPixels;
         if (!(glm::dot(surfaces.pixels[i].normal, towards) > static_cast<float>(kLeastCosine))) continue;
         ++truth.judgedPixels;
         const bool isUnexplained = verdict == ShadowVerdict::FalseShadow || verdict == ShadowVerdict::Leak;
         truth.unexplainedPixels += isUnexplained ? 1U : 0U;
     }
     truth.shadows = raycast::compareShadows(light, isLit, width);
-    truth.answerable = raycast::compareShadows(answerable, isLit, width);
+    truth.answerable = raycast::compareShadows(light, isLit, width, apart);
     return truth;
 }
 

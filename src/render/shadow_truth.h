@@ -12,7 +12,7 @@ enum class ShadowVerdict : std::uint8_t {
     Right,       // as rays have it
     NearEdge,    // wrong, within a texel's footprint of an edge of the true shadow
     ContactGap,  // lit where rays see dark, within 1.5 footprints of the caster or of where the light reaches
-    Missed,      // lit where rays see dark: the caster is thinner than a texel
+    Missed,      // lit where rays see dark: the caster is thinner than a texel, along its columns or its rows
     FalseShadow, // dark where rays see light, further from an edge
     Leak         // lit where rays see dark, and none of these
 };
@@ -20,7 +20,11 @@ enum class ShadowVerdict : std::uint8_t {
 /// A picture's shadows against those that rays find.
 struct ShadowTruth {
     raycast::ShadowComparison shadows; // all pixels
-    /// The same with the shadows of missed casters taken out of the reference: what the maps have to answer for.
+    /// The same with what is finer than a texel counted apart, for which a map that samples once a texel may hold
+    /// anything: the pixels of missed casters are not wrong; edges of casters, and of gaps between them, that are
+    /// thinner than a texel, and of shadows of contact, whose caster is within 1.5 footprints, need not be drawn. Where
+    /// they are drawn they have to be where they are, as all edges. The log's wrong shadows and edge distances are
+    /// these.
     raycast::ShadowComparison answerable;
     std::vector<ShadowVerdict> verdicts; // rows from top to bottom
     std::uint64_t missedPixels = 0;

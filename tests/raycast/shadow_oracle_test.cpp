@@ -110,5 +110,30 @@ TEST(ShadowOracle, MeasuresAShiftedShadow) {
     EXPECT_GT(compareShadows(reference, noShadow, kWidth).edgeP99Pixels, 100);
 }
 
+// A shadow's edge that is 5 pixels off, and beside it a bar of one pixel that half of the picture misses.
+TEST(ShadowOracle, CountsEdgesOfWhatIsTooFineApart) {
+    constexpr std::size_t kWidth = 100;
+    constexpr std::size_t kHeight = 50;
+    std::vector<Light> reference(kWidth * kHeight);
+    std::vector<std::uint8_t> isLit(reference.size());
+    std::vector<std::uint8_t> bar(reference.size());
+    for (std::size_t i = 0; i < reference.size(); ++i) {
+        const std::size_t x = i % kWidth;
+        bar[i] = x == 70 ? 1 : 0;
+        reference[i] = x < 50 || x == 70 ? Light::Dark : Light::Lit;
+        isLit[i] = x < 55 || (x == 70 && i / kWidth >= 25) ? 0 : 1;
+    }
+    const ShadowComparison all = compareShadows(reference, isLit, kWidth);
+    EXPECT_EQ(all.wrongPixels, 5U * kHeight + 25);
+    EXPECT_EQ(all.edgePixelsApart, 0U);
+    EXPECT_GT(all.edgeP99Pixels, 10) << "to the next edge of another shadow";
+    const ShadowComparison found = compareShadows(reference, isLit, kWidth, bar);
+    EXPECT_EQ(found.wrongPixels, 5U * kHeight);
+    EXPECT_EQ(found.edgePixelsApart, 3U * kHeight) << "the bar and its neighbours";
+    EXPECT_EQ(found.edgePixels + found.edgePixelsApart, all.edgePixels);
+    EXPECT_EQ(found.edgeP99Pixels, 5);
+    EXPECT_EQ(found.edgeWorstPixels, 5) << "what is drawn of the bar is where it is";
+}
+
 } // namespace
 } // namespace gnomon::raycast

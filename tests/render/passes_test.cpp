@@ -1,0 +1,371 @@
+// The shadow passes: casters culled per partition against all casters, lights and cameras that break what is naive,
+// and shadows that are known by hand, from maps and from rays.
+#include "core/random.h"
+#include "hierarchy/scene_mesh.h"
+#include "render/drawn_model.h"
+#include "render/made_model.h"
+#include "render/shadow_triples.h"
+#include "render/texel_footprint.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <functional>
+
+namespace gnomon::render {
+namespace {
+
+/// What a frame came to.
+struct Shot {
+    Frame frame;
+    Picture picture;
+    FloatPicture shadowDepth;
+    Raster<SurfaceSample> surfaces;
+};
+
+Shot shoot(Renderer& renderer, Executor& executor, const plan::View& view, const plan::Quality& quality) {
+    FrameOptions options;
+    options.wantsSurfaces = true;
+    renderer.forget();
+    Shot shot;
+    shot.frame = renderer.render(view, quality, options);
+    shot.picture = executor.picture();
+    shot.shadowDepth = executor.shadowDepth();
+    shot.surfaces = executor.surfaces();
+    return shot;
+}
+
+struct Compared {
+    std::uint64_t texels = 0;
+    std::uint64_t unlike = 0;
+    std::string first; // of the unlike ones
+};
+
+/// Compares the depths that the lookup of one pixel reads.
+void compareLookup(const Shot& a, const Shot& b, const SurfaceSample& surface, Compared& found) {
+    const plan::FramePlan& plan = a.frame.plan;
+    const plan::ShadowPass& pass = plan.passes[static_cast<std::size_t>(surface.partition())];
+    const glm::dvec4 inCamera = a.frame.space.cameraFromDraw * glm::dvec4(glm::dvec3(surface.position), 1);
+    const glm::dvec4 q = pass.texelFromCamera * inCamera;
+    const int width = std::max(plan.quality.filter, 1);
+    const glm::dvec2 corner = glm::floor(glm::dvec2(q) / q.w - 0.5 * (width - 1));
+    const plan::Rectangle& r = pass.rectangle;
+    for (int dy = 0; dy < width; ++dy)
+        for (int dx = 0; dx < width; ++dx) {
+            const int column = static_cast<int>(corner.x) + dx;
+            const int row = static_cast<int>(corner.y) + dy;
+            if (column < r.x || column >= r.x + r.width || row < r.y || row >= r.y + r.height) continue;
+            ++found.texels;
+            const float inA = a.shadowDepth.at(column, row);
+            const float inB = b.shadowDepth.at(column, row);
+            if (inA == inB) continue;
+            if (found.unlike++ == 0)
+                found.first = "texel " + std::to_string(column) + ", " + std::to_string(row) + " of slice " +
+                              std::to_string(pass.slice) + ": " + std::to_string(inA) + " and " + std::to_string(inB) +
+                              ", looked up at " + std::to_string(q.z / q.w);
+        }
+}
+
+std::uint64_t castersIn(const Frame& frame) {
+    std::uint64_t clusters = 0;
+    for (std::size_t list = 1; list < frame.cut.lists.size(); ++list)
+        clusters += frame.cut.lists[list].clusters;
+    return clusters;
+}
+
+/// No depth is none, and no lookup went astray.
+void expectSane(const Shot& shot) {
+    for (const float depth : shot.shadowDepth.pixels)
+        ASSERT_TRUE(depth >= 0 && depth <= 1) << depth;
+    for (const SurfaceSample& surface : shot.surfaces.pixels) {
+        if (!(surface.isSurface > 0)) continue;
+        ASSERT_TRUE(std::isfinite(surface.partitionAndLit) && std::isfinite(surface.position.x));
+    }
+    for (const plan::ShadowPass& pass : shot.frame.plan.passes)
+        ASSERT_TRUE(std::isfinite(pass.promised.x) && std::isfinite(pass.promised.z));
+}
+
+/// Whether there was something to cull, and it was.
+enum class Culled : std::uint8_t { NoMaps, Nothing, Something };
+
+/// Draws with and without culling: pictures, and every depth that a lookup reads, are the same to the bit.
+Culled expectCullingUnseen(Renderer& renderer, Executor& executor, const plan::View& view, plan::Quality quality) {
+    const Shot culled = shoot(renderer, executor, view, quality);
+    quality.cullCasters = false;
+    const Shot whole = shoot(renderer, executor, view, quality);
+    expectSane(culled);
+    EXPECT_EQ(culled.frame.plan.passes.size(), whole.frame.plan.passes.size());
+    EXPECT_TRUE(culled.picture.pixels == whole.picture.pixels);
+    if (culled.frame.plan.passes.empty()) return Culled::NoMaps;
+    Compared found;
+    for (const SurfaceSample& surface : culled.surfaces.pixels)
+        if (surface.isLitSide() && surface.partition() >= 0) compareLookup(culled, whole, surface, found);
+    EXPECT_EQ(found.unlike, 0U) << "of " << found.texels << ": " << found.first;
+    EXPECT_LE(culled.frame.row.castersKept, culled.frame.row.castersTested);
+    return castersIn(culled.frame) < castersIn(whole.frame) ? Culled::Something : Culled::Nothing;
+}
+
+/// A small plant, built once.
+class Plant {
+public:
+    Culled expectCullingUnseen(const tests::ShadowTriple& triple) {
+        return render::expectCullingUnseen(renderer_, *executor_, triple.view, triple.quality);
+    }
+
+    const Box& bounds() const { return model_.file().summary().bounds; }
+
+private:
+    tests::BuiltFile model_{"plant", 20000};
+    std::unique_ptr<Executor> executor_ = makeSoftwareExecutor();
+    Renderer renderer_{model_.file(), *executor_, {}};
+};
+
+void expectCullingUnseenOver(std::uint64_t first, std::uint64_t count) {
+    Plant plant;
+    std::uint64_t withMaps = 0;
+    std::uint64_t somethingCulled = 0;
+    for (std::uint64_t i = first; i < first + count; ++i) {
+        SCOPED_TRACE(i);
+        const tests::ShadowTriple triple = tests::shadowTriple(plant.bounds(), i, 160, 512);
+        const Culled culled = plant.expectCullingUnseen(triple);
+        withMaps += culled != Culled::NoMaps ? 1 : 0;
+        somethingCulled += culled == Culled::Something ? 1 : 0;
+    }
+    EXPECT_GE(withMaps * 10, count * 8);
+    EXPECT_GE(somethingCulled * 10, withMaps * 8) << "of " << withMaps;
+}
+
+TEST(PartitionCulling, IsNotSeenInAPlant) {
+    expectCullingUnseenOver(0, 30);
+}
+
+TEST(SlowPartitionCulling, IsNotSeenInAPlantOverManyTriples) {
+    expectCullingUnseenOver(30, 300);
+}
+
+/// Directions that break what divides by the sine of their angle to the view.
+TEST(PartitionCulling, IsNotSeenUnderLightsAlongTheAxesAndBesideThem) {
+    Plant plant;
+    tests::ShadowTriple triple = tests::withDefaults(tests::shadowTriple(plant.bounds(), 1, 96, 256));
+    const CameraBasis basis = cameraBasis(triple.view.camera);
+    const glm::dvec3 level = glm::normalize(glm::dvec3(basis.view.x, 0, basis.view.z));
+    const glm::dvec3 aside = glm::normalize(glm::cross(level, {0, 1, 0}));
+    const std::array<glm::dvec3, 6> axes{basis.view, -basis.view, glm::dvec3(0, 1, 0), level, -level, aside};
+    const std::array<glm::dvec3, 5> steps{
+        glm::dvec3(0), basis.up * 1e-9, basis.up * -1e-9, basis.right * 1e-9, basis.right * -1e-9};
+    for (const glm::dvec3& axis : axes)
+        for (std::size_t around = 0; around < steps.size(); ++around) {
+            triple.view.towardsLight = axis + steps[around];
+            triple.quality.zPartitions = 2 + static_cast<int>(around) % 3;
+            plant.expectCullingUnseen(triple);
+        }
+}
+
+/// What a point (x, z) of the ground is told by hand.
+using ByHand = std::function<bool(double x, double z)>;
+
+/// Checks the shadows on the ground y = 0 against `isShaded`, from maps of one slice and of four, and from rays. Points
+/// nearer than `margin` to where the answer changes are not asked.
+void expectByHand(
+    DrawnModel& model, const plan::View& view, const glm::dvec3& origin, double margin, const ByHand& isShaded) {
+    for (const int slices : {1, 4, 0}) {
+        SCOPED_TRACE(slices);
+        plan::Quality quality;
+        quality.shadowTexelsWidth = quality.shadowTexelsHeight = 1024;
+        quality.zPartitions = std::max(1, slices);
+        if (slices == 0) quality.shadows = plan::ShadowMode::Rays;
+        FrameOptions options;
+        options.wantsSurfaces = true;
+        const Frame frame = model.draw(view, quality, options);
+        const Raster<SurfaceSample> surfaces = model.executor().surfaces();
+        const glm::dmat4 drawFromCamera = glm::inverse(frame.space.cameraFromDraw);
+        const glm::dvec3 eyeInDraw(drawFromCamera[3]);
+        std::uint64_t dark = 0;
+        std::uint64_t wrong = 0;
+        for (const SurfaceSample& surface : surfaces.pixels) {
+            if (!surface.isLitSide() || surface.normal.y < 0.99F) continue;
+            const glm::dvec3 p = glm::dvec3(surface.position) - eyeInDraw + (view.camera.eye - origin);
+            if (std::abs(p.y) > 0.05) continue;
+            const bool expected = isShaded(p.x, p.z);
+            bool isSure = true;
+            for (const double dx : {-margin, 0.0, margin})
+                for (const double dz : {-margin, 0.0, margin})
+                    isSure = isSure && isShaded(p.x + dx, p.z + dz) == expected;
+            if (!isSure) continue;
+            const bool isDark = surface.litFraction() < 0.5F;
+            dark += isDark ? 1 : 0;
+            wrong += isDark != expected ? 1 : 0;
+        }
+        EXPECT_EQ(wrong, 0U);
+        EXPECT_GT(dark, 50U);
+    }
+}
+
+tests::SceneMesh crateOnGround(const glm::dvec3& origin = glm::dvec3(0)) {
+    tests::SceneMesh scene(origin);
+    scene.addGround(64, 16);
+    scene.addBox({-1, 0, -1}, {1, 2, 1});
+    return scene;
+}
+
+plan::View overGround(const glm::dvec3& origin = glm::dvec3(0)) {
+    plan::View view;
+    view.width = view.height = 160;
+    view.camera.eye = origin + glm::dvec3(0, 6, 12);
+    view.camera.target = origin;
+    view.towardsLight = {1, 1, 0};
+    return view;
+}
+
+/// The shadow on the ground of the box [-1, 1] x [0, 2] x [-1, 1] under the light (1, 1, 0): a height h throws it h to
+/// -x. The box's own foot counts as shaded.
+bool crateShadow(double x, double z) {
+    return std::abs(z) < 1 && x > -3 && x < 1;
+}
+
+constexpr double kMargin = 0.2; // several texels of the coarser of the two maps
+
+TEST(ShadowsByHand, OfABoxOnAPlane) {
+    DrawnModel model(crateOnGround().model());
+    expectByHand(model, overGround(), glm::dvec3(0), kMargin, crateShadow);
+}
+
+TEST(ShadowsByHand, OfABoxFarFromTheOrigin) {
+    const glm::dvec3 origin(1e7, 2e6, -1e7);
+    DrawnModel model(crateOnGround(origin).model());
+    expectByHand(model, overGround(origin), origin, kMargin, crateShadow);
+}
+
+TEST(ShadowsByHand, OfABoxBehindTheViewer) {
+    // The light comes from behind the viewer at 45 degrees: what is 30 up and 30 back lands where the view looks.
+    tests::SceneMesh scene;
+    scene.addGround(128, 16);
+    scene.addBox({-1, 30, 29}, {1, 32, 31});
+    DrawnModel model(scene.model());
+    plan::View view = overGround();
+    view.towardsLight = {0, 1, 1};
+    expectByHand(model, view, glm::dvec3(0), kMargin, [](double x, double z) {
+        return std::abs(x) < 1 && z > 29 - 32 && z < 31 - 30;
+    });
+}
+
+TEST(ShadowsByHand, OfABoxAHundredFrustaUpTheLight) {
+    tests::SceneMesh scene;
+    scene.addGround(64, 8);
+    const double up = 6400;
+    scene.addBox({up - 1, up, -1}, {up + 1, up + 2, 1});
+    DrawnModel model(scene.model());
+    expectByHand(model, overGround(), glm::dvec3(0), kMargin, crateShadow);
+}
+
+/// `slices` warped maps of 512 x 512 texels together.
+plan::Quality inSlices(int slices) {
+    plan::Quality quality;
+    quality.zPartitions = slices;
+    quality.shadowTexelsWidth = quality.shadowTexelsHeight = 512;
+    return quality;
+}
+
+/// Shows that maps are no further from rays than a texel's footprint, and that nothing in them is not a number.
+void expectTrueShadows(DrawnModel& model, const plan::View& view, const plan::Quality& quality) {
+    FrameOptions options;
+    options.oracle = Oracle::SameDetail;
+    const Frame frame = model.draw(view, quality, options);
+    if (frame.truth) {
+        const auto bar = 5e-4 * static_cast<double>(frame.truth->judgedPixels);
+        EXPECT_LE(static_cast<double>(frame.truth->unexplainedPixels), bar);
+    }
+    Renderer renderer(model.file(), model.executor(), {});
+    expectSane(shoot(renderer, model.executor(), view, quality));
+}
+
+/// The same, and that culling is not seen. Returns what was culled.
+Culled expectTrue(DrawnModel& model, const plan::View& view, const plan::Quality& quality) {
+    expectTrueShadows(model, view, quality);
+    Renderer renderer(model.file(), model.executor(), {});
+    return expectCullingUnseen(renderer, model.executor(), view, quality);
+}
+
+TEST(HardLight, AlongTheAxesAndANanoradianBeside) {
+    DrawnModel model(crateOnGround().model());
+    plan::View view = overGround();
+    const CameraBasis basis = cameraBasis(view.camera);
+    const std::array<glm::dvec3, 6> axes{
+        basis.view, -basis.view, glm::dvec3(0, 1, 0), glm::dvec3(0, 0, -1), glm::dvec3(0, 0, 1), glm::dvec3(1, 0, 0)};
+    for (const glm::dvec3& axis : axes)
+        for (const glm::dvec3& step :
+             {glm::dvec3(0), basis.up * 1e-9, basis.up * -1e-9, basis.right * 1e-9, basis.right * -1e-9}) {
+            view.towardsLight = axis + step;
+            SCOPED_TRACE(std::to_string(axis.x) + " " + std::to_string(axis.y) + " " + std::to_string(axis.z));
+            expectTrue(model, view, inSlices(4));
+        }
+}
+
+TEST(HardLight, ACasterBehindTheEyeInsideTheFirstSlicesWarp) {
+    // Low over the ground, so that near is small and the warp's centre of projection close behind the eye; the box
+    // stands beside and behind it.
+    tests::SceneMesh scene = crateOnGround();
+    scene.addBox({2, 0, 12}, {4, 3, 16});
+    DrawnModel model(scene.model());
+    plan::View view = overGround();
+    view.camera.eye = {0, 0.4, 12};
+    view.camera.target = {0, 0, 0};
+    view.towardsLight = {1, 1, -0.2};
+    for (const auto rule : {shadow::WarpRule::Auto, shadow::WarpRule::Lspsm, shadow::WarpRule::Psm}) {
+        plan::Quality quality = inSlices(4);
+        quality.warp.rule = rule;
+        EXPECT_EQ(expectTrue(model, view, quality), Culled::Something);
+    }
+}
+
+TEST(HardLight, ADepthRatioOfAMillion) {
+    tests::SceneMesh scene;
+    scene.addGround(100000, 64);
+    for (int i = 0; i < 18; ++i) {
+        const double size = 0.05 * std::exp2(i);
+        scene.addBox({size * 0.2, 0, -size * 2}, {size * 0.5, size * 0.3, -size * 1.8});
+    }
+    DrawnModel model(scene.model());
+    plan::View view = overGround();
+    view.camera.eye = {0, 0.04, 0};
+    view.camera.target = {0, 0.03, -1};
+    for (const int slices : {1, 4, 8}) {
+        plan::Quality quality = inSlices(slices);
+        quality.near = 0.05;
+        quality.far = 0.05e6;
+        expectTrue(model, view, quality);
+    }
+}
+
+TEST(HardLight, ACameraTenMillionUnitsAway) {
+    DrawnModel model(crateOnGround().model());
+    plan::View view = overGround();
+    view.camera.eye = {0, 6e6, 8e6};
+    view.camera.fovYRadians = 4e-7; // positions are known to more than a texel: culling is another question
+    expectTrueShadows(model, view, inSlices(4));
+}
+
+TEST(ShadowTruth, CountsABarThinnerThanATexelApart) {
+    tests::SceneMesh scene = crateOnGround();
+    scene.addBox({-20, 3, 4}, {20, 3.03, 4.03});
+    DrawnModel model(scene.model());
+    plan::View view = overGround();
+    view.towardsLight = {0.3, 1, 0.2};
+    plan::Quality quality = inSlices(1);
+    quality.shadowTexelsWidth = quality.shadowTexelsHeight = 128;
+    FrameOptions options;
+    options.oracle = Oracle::SameDetail;
+    const Frame frame = model.draw(view, quality, options);
+    ASSERT_TRUE(frame.truth);
+    const ShadowTruth& truth = *frame.truth;
+    EXPECT_GT(truth.missedPixels, 20U);
+    EXPECT_EQ(truth.answerable.wrongPixels + truth.missedPixels, truth.shadows.wrongPixels);
+    EXPECT_GT(truth.answerable.edgePixelsApart, 50U);
+    EXPECT_GT(truth.answerable.edgePixels, 50U) << "the crate's edges are not apart";
+    EXPECT_LT(truth.answerable.edgeWorstPixels, truth.shadows.edgeWorstPixels);
+    EXPECT_EQ(*frame.row.shadowEdgeP99Px, truth.answerable.edgeP99Pixels);
+}
+
+} // namespace
+} // namespace gnomon::render

@@ -74,7 +74,53 @@ T mix(const vec3& w, const T& a, const T& b, const T& c) {
     return (w.x * a + w.y * b) + w.z * c;
 }
 
-int passOf(const ShadingFrame& f, const vec3& p, float z) {
+std::uint32_t level(float value) {
+    return (static_cast<std::uint32_t>(510 * std::min(std::max(value, 0.0F), 1.0F)) + 1) / 2;
+}
+
+vec3 colorOf(std::uint32_t bits) {
+    return {bits & 0xFFU, bits >> 8U & 0xFFU, bits >> 16U & 0xFFU};
+}
+
+void shadeOne(const ShadingFrame& f, PixelBatch& batch, std::size_t i) {
+    const vec3 ray = (at(f.rayFirst) + at(f.rayPerX) * batch.x[i]) + at(f.rayPerY) * batch.y[i];
+    const vec3 corner = at(batch.corner, i);
+    const vec3 e1 = at(batch.edge1, i);
+    const vec3 e2 = at(batch.edge2, i);
+    const vec3 w = weights(ray, at(f.rayOriginCells) - corner, e1, e2);
+    const vec3 position = ((corner + e1 * w.y) + e2 * w.z) * f.frame->eye.w;
+    const vec3 towardsEye = vec3(f.frame->eye) - position;
+    const vec3 eyeDirection = normalizedOr(towardsEye, vec3(0));
+    const vec3 flat = turned(normalizedOr(cross(e1, e2), eyeDirection), towardsEye);
+    vec3 smooth =
+        mix(w, octahedral(batch.normals[0][i]), octahedral(batch.normals[1][i]), octahedral(batch.normals[2][i]));
+    smooth = turned(normalizedOr(smooth, flat), flat);
+    const vec3 light(f.frame->light);
+    const float cosine = dot(flat, light);
+    const float depth = dot(vec3(f.frame->view), position) + f.frame->view.w;
+
+    batch.lit[i] = cosine > 0 ? 1.0F : 0.0F;
+    batch.pass[i] = -1;
+    if (cosine > 0 && f.litSource == LitSource::Mask) batch.lit[i] = batch.litMask[i];
+    if (cosine > 0 && f.litSource == LitSource::Maps) {
+        batch.pass[i] = plainPassOf(f, position - vec3(f.frame->eye), depth);
+        if (batch.pass[i] >= 0) batch.lit[i] = plainLitFraction(f, batch.pass[i], position, flat, cosine);
+    }
+    const float direct = batch.lit[i] * std::max(dot(smooth, light), 0.0F);
+    const float facing = std::abs(dot(smooth, eyeDirection));
+    const vec3 color = mix(w, colorOf(batch.colors[0][i]), colorOf(batch.colors[1][i]), colorOf(batch.colors[2][i]));
+    const vec3 shaded = color * (1 / 255.0F) * ((0.22F + 0.14F * facing) + 0.64F * direct);
+    put(position, batch.position, i);
+    put(flat, batch.flatNormal, i);
+    put(shaded, batch.shaded, i);
+    batch.depth[i] = depth;
+    batch.faces[i] = cosine > 0 ? -1 : 0;
+    batch.color[i] = level(shaded.x) | level(shaded.y) << 8U | level(shaded.z) << 16U;
+}
+
+} // namespace
+
+int plainPassOf(const ShadingFrame& f, const vec3& p, float z) {
     const glm::ivec4& counts = f.frame->counts;
     int slice = 0;
     while (slice + 1 < counts.x && z >= f.shadows->splits[slice].y)
@@ -93,7 +139,7 @@ int passOf(const ShadingFrame& f, const vec3& p, float z) {
     return f.shadows->passOfPartition[index / 4][index % 4];
 }
 
-float litFraction(const ShadingFrame& f, int pass, const vec3& p, const vec3& normal, float cosine) {
+float plainLitFraction(const ShadingFrame& f, int pass, const vec3& p, const vec3& normal, float cosine) {
     const block::Partition& part = f.shadows->partitions[pass];
     const auto coordinate = [&](int row) {
         const glm::mat4& m = part.texelFromDraw;
@@ -127,52 +173,6 @@ float litFraction(const ShadingFrame& f, int pass, const vec3& p, const vec3& no
         }
     return lit / static_cast<float>(width * width);
 }
-
-std::uint32_t level(float value) {
-    return (static_cast<std::uint32_t>(510 * std::min(std::max(value, 0.0F), 1.0F)) + 1) / 2;
-}
-
-vec3 colorOf(std::uint32_t bits) {
-    return {bits & 0xFFU, bits >> 8U & 0xFFU, bits >> 16U & 0xFFU};
-}
-
-void shadeOne(const ShadingFrame& f, PixelBatch& batch, std::size_t i) {
-    const vec3 ray = (at(f.rayFirst) + at(f.rayPerX) * batch.x[i]) + at(f.rayPerY) * batch.y[i];
-    const vec3 corner = at(batch.corner, i);
-    const vec3 e1 = at(batch.edge1, i);
-    const vec3 e2 = at(batch.edge2, i);
-    const vec3 w = weights(ray, at(f.rayOriginCells) - corner, e1, e2);
-    const vec3 position = ((corner + e1 * w.y) + e2 * w.z) * f.frame->eye.w;
-    const vec3 towardsEye = vec3(f.frame->eye) - position;
-    const vec3 eyeDirection = normalizedOr(towardsEye, vec3(0));
-    const vec3 flat = turned(normalizedOr(cross(e1, e2), eyeDirection), towardsEye);
-    vec3 smooth =
-        mix(w, octahedral(batch.normals[0][i]), octahedral(batch.normals[1][i]), octahedral(batch.normals[2][i]));
-    smooth = turned(normalizedOr(smooth, flat), flat);
-    const vec3 light(f.frame->light);
-    const float cosine = dot(flat, light);
-    const float depth = dot(vec3(f.frame->view), position) + f.frame->view.w;
-
-    batch.lit[i] = cosine > 0 ? 1.0F : 0.0F;
-    batch.pass[i] = -1;
-    if (cosine > 0 && f.litSource == LitSource::Mask) batch.lit[i] = batch.litMask[i];
-    if (cosine > 0 && f.litSource == LitSource::Maps) {
-        batch.pass[i] = passOf(f, position - vec3(f.frame->eye), depth);
-        if (batch.pass[i] >= 0) batch.lit[i] = litFraction(f, batch.pass[i], position, flat, cosine);
-    }
-    const float direct = batch.lit[i] * std::max(dot(smooth, light), 0.0F);
-    const float facing = std::abs(dot(smooth, eyeDirection));
-    const vec3 color = mix(w, colorOf(batch.colors[0][i]), colorOf(batch.colors[1][i]), colorOf(batch.colors[2][i]));
-    const vec3 shaded = color * (1 / 255.0F) * ((0.22F + 0.14F * facing) + 0.64F * direct);
-    put(position, batch.position, i);
-    put(flat, batch.flatNormal, i);
-    put(shaded, batch.shaded, i);
-    batch.depth[i] = depth;
-    batch.faces[i] = cosine > 0 ? -1 : 0;
-    batch.color[i] = level(shaded.x) | level(shaded.y) << 8U | level(shaded.z) << 16U;
-}
-
-} // namespace
 
 void plainShade(const ShadingFrame& frame, PixelBatch& batch) {
     for (std::size_t i = 0; i < batch.count; ++i)

@@ -1,0 +1,151 @@
+// The shadow test on its own: OpenGL's against plain code over the same maps, and stabilised maps asked at fixed points
+// of the world while the camera moves.
+#include "gl/shader_library.h"
+#include "hierarchy/scene_mesh.h"
+#include "render/frame_block.h"
+#include "render/gl_executor.h"
+#include "render/software_shading.h"
+#include "tests/render/drawn_model.h"
+#include "tests/render/field.h"
+#include "tests/render/plain_shading.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace gnomon::render {
+namespace {
+
+struct Asked {
+    std::uint64_t pixels = 0;
+    std::uint64_t dark = 0;
+    std::uint64_t unlike = 0;
+};
+
+void compareLookups(Executor& gl, const Field& field, std::uint64_t seed, Asked& asked) {
+    plan::View view = field.view(seed);
+    view.towardsLight.y *= 0.2; // so low that hills shade one another
+    const plan::FramePlan plan = field.plan(view, fieldQuality(seed));
+    FrameDrawing frame = field.drawing(plan);
+    frame.wantsSurfaces = true;
+    gl.draw(frame);
+    if (plan.passes.empty()) return;
+    const FloatPicture maps = gl.shadowDepth();
+    const Shading shading(frame, imageClipFromDraw(frame), maps, {});
+    const glm::vec3 light(shading.frame().frame->light);
+    const Raster<SurfaceSample> surfaces = gl.surfaces();
+    for (const SurfaceSample& surface : surfaces.pixels) {
+        if (!surface.isLitSide() || surface.partition() < 0) continue;
+        const float cosine = glm::dot(surface.normal, light);
+        const float lit =
+            plainLitFraction(shading.frame(), surface.partition(), surface.position, surface.normal, cosine);
+        ++asked.pixels;
+        asked.dark += lit < 0.5F ? 1 : 0;
+        asked.unlike += std::abs(lit - surface.litFraction()) > 0.01F ? 1 : 0;
+    }
+}
+
+TEST(ShadowLookup, OfOpenGlIsThatOfPlainCodeOverTheSameMaps) {
+    const Field field;
+    const std::unique_ptr<Executor> gl = makeGlExecutor(gl::Platform::Osmesa, gl::ShaderLibrary(), mebibytes(64));
+    Asked asked;
+    for (std::uint64_t seed = 1; seed <= 12; ++seed)
+        compareLookups(*gl, field, seed, asked);
+    EXPECT_GT(asked.dark, 5000U) << "of " << asked.pixels;
+    EXPECT_LE(asked.unlike * 10000, asked.pixels) << asked.unlike << " of " << asked.pixels;
+}
+
+/// A frame with its maps, ready to be asked anywhere.
+class AskedFrame {
+public:
+    AskedFrame(Renderer& renderer, Executor& executor, const plan::View& view, const plan::Quality& quality) {
+        FrameOptions options;
+        options.wantsSurfaces = true;
+        frame_ = renderer.render(view, quality, options);
+        surfaces_ = executor.surfaces();
+        maps_ = executor.shadowDepth();
+        drawing_.plan = &frame_.plan;
+        drawing_.space = frame_.space;
+        drawing_.image = &frame_.cut.lists[0];
+        shading_ = std::make_unique<Shading>(drawing_, imageClipFromDraw(drawing_), maps_, std::span<DrawnCluster>());
+    }
+
+    const Raster<SurfaceSample>& surfaces() const { return surfaces_; }
+
+    const DrawSpace& space() const { return frame_.space; }
+
+    /// The map that a point of draw space asks, and what it answers.
+    std::pair<int, float> lit(const glm::vec3& position, const glm::vec3& normal) const {
+        const ShadingFrame& f = shading_->frame();
+        const float depth = glm::dot(glm::vec3(f.frame->view), position) + f.frame->view.w;
+        const int pass = plainPassOf(f, position - glm::vec3(f.frame->eye), depth);
+        if (pass < 0) return {pass, 1.0F};
+        return {pass, plainLitFraction(f, pass, position, normal, glm::dot(normal, glm::vec3(f.frame->light)))};
+    }
+
+private:
+    Frame frame_;
+    Raster<SurfaceSample> surfaces_{0, 0};
+    FloatPicture maps_{0, 0};
+    FrameDrawing drawing_;
+    std::unique_ptr<Shading> shading_;
+};
+
+/// Of points of the world that two frames after one another show, those that ask the same slice, and what changed.
+struct Crawl {
+    std::uint64_t points = 0;
+    std::uint64_t dark = 0;
+    std::uint64_t changed = 0;
+};
+
+Crawl crawlOfASlowWalk(bool stabilize) {
+    tests::SceneMesh scene;
+    scene.addGround(128, 16);
+    for (int i = 0; i < 24; ++i)
+        scene.addBox({i % 6 * 5 - 13, 0, i / 6 * 5 - 13}, {i % 6 * 5 - 11.3, 1.5 + i % 5, i / 6 * 5 - 11.2});
+    DrawnModel model(scene.model()); // of one level of detail: the cut is frozen
+    Renderer renderer(model.file(), model.executor(), {});
+    plan::View view;
+    view.width = view.height = 128;
+    view.towardsLight = {0.5, 1, 0.3};
+    plan::Quality quality;
+    quality.stabilize = stabilize;
+    quality.near = 1;
+    quality.far = 64;
+    quality.shadowTexelsWidth = quality.shadowTexelsHeight = 512;
+    Crawl crawl;
+    std::unique_ptr<AskedFrame> before;
+    for (int frame = 0; frame < 12; ++frame) {
+        view.camera.eye = {0.31 + 0.0173 * frame, 3 + 0.004 * frame, 17 - 0.0291 * frame};
+        view.camera.target = view.camera.eye + glm::dvec3(0.02 * frame, -2, -10);
+        auto now = std::make_unique<AskedFrame>(renderer, model.executor(), view, quality);
+        if (before) {
+            const glm::dvec3 cells =
+                glm::dvec3(before->space().originCell.x, before->space().originCell.y, before->space().originCell.z) -
+                glm::dvec3(now->space().originCell.x, now->space().originCell.y, now->space().originCell.z);
+            const glm::vec3 offset(cells * before->space().step);
+            for (const SurfaceSample& surface : before->surfaces().pixels) {
+                if (!surface.isLitSide()) continue;
+                const auto then = before->lit(surface.position, surface.normal);
+                const auto later = now->lit(surface.position + offset, surface.normal);
+                if (then.first < 0 || then.first != later.first) continue;
+                ++crawl.points;
+                crawl.dark += then.second < 0.5F ? 1 : 0;
+                crawl.changed += then.second != later.second ? 1 : 0;
+            }
+        }
+        before = std::move(now);
+    }
+    return crawl;
+}
+
+TEST(StabilisedSlices, AnswerTheSameForFixedPointsWhileTheCameraMoves) {
+    const Crawl stable = crawlOfASlowWalk(true);
+    EXPECT_GT(stable.points, 50000U);
+    EXPECT_GT(stable.dark, 1000U);
+    EXPECT_EQ(stable.changed, 0U);
+    EXPECT_GT(crawlOfASlowWalk(false).changed, 100U) << "without stabilisation edges crawl";
+}
+
+} // namespace
+} // namespace gnomon::render

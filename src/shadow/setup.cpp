@@ -152,13 +152,17 @@ glm::dvec3 originOf(const Region& region) {
     return sum / static_cast<double>(region.vertices.size());
 }
 
-/// Corners of all that can ask the map of `region`. Where nothing that is seen does, those of the region.
-std::vector<glm::dvec3> receiversOf(const ShadowView& view, const Region& region) {
-    std::vector<glm::dvec3> corners = seenCorners(region, view.seen, view.anchor.basis);
-    if (!corners.empty()) return corners;
+std::vector<glm::dvec3> cornersOf(const Region& region) {
+    std::vector<glm::dvec3> corners;
     for (const FitVertex& vertex : region.vertices)
         corners.push_back(vertex.position);
     return corners;
+}
+
+/// Corners of all that can ask the map of `region`. Where nothing that is seen does, those of the region.
+std::vector<glm::dvec3> receiversOf(const ShadowView& view, const Region& region) {
+    std::vector<glm::dvec3> corners = seenCorners(region, view.seen, view.anchor.basis);
+    return corners.empty() ? cornersOf(region) : corners;
 }
 
 ShadowMapPartition finished(
@@ -188,8 +192,10 @@ ShadowMapPartition finished(
     result.textureScale = half / glm::dvec2(width, height);
     result.textureOffset = (corner + half) / glm::dvec2(width, height);
     const double reach = layout.gutter;
-    result.casterVolume =
-        grownCasterVolume(receiversOf(view, draft.region), result.map, reach / texelsS, reach / texelsT);
+    // A stabilised map stays from frame to frame while its casters do, so what is seen must not choose among them.
+    const std::vector<glm::dvec3> receivers =
+        options.stabilized ? cornersOf(draft.region) : receiversOf(view, draft.region);
+    result.casterVolume = grownCasterVolume(receivers, result.map, reach / texelsS, reach / texelsT);
     const TexelDepth texel = texelDepth(result.map, {1, static_cast<double>(texelsS), static_cast<double>(texelsT)});
     result.bias = depthBiasOf(result.textureFromCamera, width, height, texel, options.filterTexels);
     result.promised = promiseOf(view, options, draft, result.map, texelsS, texelsT);

@@ -91,23 +91,23 @@ protected:
         options.waiting = waiting;
         options.overlay = Overlay::Residency;
         for (int i = 0; i < frames; ++i)
-            frame_ = renderer.render(view(file.model()), quality, options);
+            lastFrame = renderer.render(view(file.model()), quality, options);
         return colors(executor->picture());
     }
 
-    Frame frame_;
+    Frame lastFrame;
 };
 
 TEST_P(ResidencyOverlay, IsGreenWhereEverythingIsThere) {
     const Colors found = drawn(HillsFile(0), Waiting::UntilComplete, 0.1);
-    EXPECT_EQ(frame_.row.pagesMissing, 0);
+    EXPECT_EQ(lastFrame.row.pagesMissing, 0);
     EXPECT_GT(found.green, 1000);
     EXPECT_EQ(found.orange + found.red, 0);
 }
 
 TEST_P(ResidencyOverlay, IsOrangeWhereFinerPagesAreAwaited) {
     const Colors found = drawn(HillsFile(0), Waiting::Never, 0.1);
-    EXPECT_GT(frame_.row.pagesMissing, 0);
+    EXPECT_GT(lastFrame.row.pagesMissing, 0);
     EXPECT_GT(found.orange, 1000);
     EXPECT_EQ(found.red, 0);
     const Colors content = drawn(HillsFile(0), Waiting::Never, 1e6);
@@ -117,7 +117,7 @@ TEST_P(ResidencyOverlay, IsOrangeWhereFinerPagesAreAwaited) {
 TEST_P(ResidencyOverlay, IsRedWherePagesAreDamaged) {
     const HillsFile damaged(3);
     const Colors found = drawn(damaged, Waiting::UntilComplete, 0.1);
-    EXPECT_GT(frame_.row.pagesDamaged, 0);
+    EXPECT_GT(lastFrame.row.pagesDamaged, 0);
     EXPECT_GT(found.red, 50);
     EXPECT_GT(found.green, 500);
     EXPECT_EQ(found.orange, 0);

@@ -24,6 +24,17 @@ bool isWorthwhile(const Level& next, std::uint64_t triangles) {
     return static_cast<double>(next.triangles.size()) <= kLeastProgress * static_cast<double>(triangles);
 }
 
+/// The groups of a root: nothing coarser stands in for them, whatever the error.
+void endAtRoot(Level& level) {
+    for (LevelGroup& group : level.groups)
+        group.error = std::numeric_limits<double>::infinity();
+}
+
+void takeNormals(const Level& level, Mesh& mesh) {
+    for (const CarriedNormal& carried : level.normals)
+        mesh.vertices[carried.vertex].normal = carried.normal;
+}
+
 } // namespace
 
 BuiltNode buildNode(Mesh& mesh, Level level, const NodePlan& plan, const LevelOptions& options, Progress& progress) {
@@ -46,8 +57,7 @@ BuiltNode buildNode(Mesh& mesh, Level level, const NodePlan& plan, const LevelOp
         const bool isCoarser =
             (!isSingle || !isToRoot) && (isCoarserAt(Price::Fair) || (isToRoot && isCoarserAt(Price::Any)));
         if (!isCoarser && isToRoot) {
-            for (LevelGroup& group : level.groups)
-                group.error = std::numeric_limits<double>::infinity();
+            endAtRoot(level);
             keep(number, pageCount);
             node.rootTriangles = level.triangles.size();
             if (number == 0 && !isSingle) node.stuckTriangles = level.triangles.size();
@@ -56,8 +66,7 @@ BuiltNode buildNode(Mesh& mesh, Level level, const NodePlan& plan, const LevelOp
         if (!isCoarser && number > 0) break;
         keep(number, pageCount);
         level = std::move(next);
-        for (const CarriedNormal& carried : level.normals)
-            mesh.vertices[carried.vertex].normal = carried.normal;
+        takeNormals(level, mesh);
     }
     node.remains = encodeRemains(mesh, level);
     return node;

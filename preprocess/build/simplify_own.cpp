@@ -95,6 +95,8 @@ private:
     bool orderFan(std::uint32_t from, std::uint32_t to);
     double triangleSquare(const glm::dvec3& p, const std::array<std::uint32_t, 3>& t) const;
     void addOutcome(std::uint32_t triangle, double fromSource, double toSource);
+    double farthestSquare(
+        const std::array<std::uint32_t, 3>& t, const std::array<std::uint32_t, 3>& corners, double limit) const;
     Heir heirOf(const std::array<std::uint32_t, 3>& t, std::uint32_t from, std::uint32_t to);
     bool foreseeErrors(std::uint32_t from, std::uint32_t to, double limit);
     double trueCost(std::uint32_t from, std::uint32_t to, double limit = std::numeric_limits<double>::infinity());
@@ -433,6 +435,18 @@ void Collapser::addOutcome(std::uint32_t triangle, double fromSource, double toS
     worst_ = std::max({worst_, fromSource, toSource});
 }
 
+/// The largest squared distance of a corner of `t` from the triangle `corners`, or the first one above `limit`.
+double Collapser::farthestSquare(
+    const std::array<std::uint32_t, 3>& t, const std::array<std::uint32_t, 3>& corners, double limit) const {
+    double square = 0;
+    for (const std::uint32_t p : t) {
+        if (p == corners[0] || p == corners[1] || p == corners[2]) continue;
+        square = std::max(square, triangleSquare(patch_.positions[p], corners));
+        if (square > limit) break;
+    }
+    return square;
+}
+
 /// The triangle among `t`'s new neighbours, or failing them near its piece, that has the source points of `t` nearest.
 /// A convex set's distance is convex: where the corners of `t` are within it, so is all of `t`.
 Collapser::Heir Collapser::heirOf(const std::array<std::uint32_t, 3>& t, std::uint32_t from, std::uint32_t to) {
@@ -444,12 +458,7 @@ Collapser::Heir Collapser::heirOf(const std::array<std::uint32_t, 3>& t, std::ui
         auto corners = position_[candidate];
         std::replace(corners.begin(), corners.end(), from, to);
         if ((corners[0] == corners[1]) || (corners[1] == corners[2]) || (corners[2] == corners[0])) return;
-        double square = 0;
-        for (const std::uint32_t p : t) {
-            if (p == corners[0] || p == corners[1] || p == corners[2]) continue;
-            square = std::max(square, triangleSquare(patch_.positions[p], corners));
-            if (square > heir.square) return;
-        }
+        const double square = farthestSquare(t, corners, heir.square);
         if (square < heir.square || (square == heir.square && candidate < heir.triangle)) heir = {square, candidate};
     };
     const auto considerAround = [&](std::uint32_t p) {

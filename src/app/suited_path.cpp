@@ -86,7 +86,8 @@ double hitDistance(const TriangleCorners& t, const glm::dvec3& origin, const glm
     const glm::dvec3 q = glm::cross(from, along);
     const double v = glm::dot(direction, q) / determinant;
     const double distance = glm::dot(across, q) / determinant;
-    return u >= 0 && v >= 0 && u + v <= 1 && distance >= 0 ? distance : kMissed;
+    if (u >= 0 && v >= 0 && u + v <= 1 && distance >= 0) return distance;
+    return kMissed;
 }
 
 /// How far from `start` along `direction` (unit length) the model at full detail is first met; infinite if it is not.

@@ -9,6 +9,14 @@
 
 namespace gnomon::preprocess {
 
+/// A uniform cut as far as it was sampled against the source; errors in world units.
+struct SampledCut {
+    std::uint64_t triangles = 0;
+    double stored = 0;         // the largest stored error that it allows
+    double sampledRms = 0;     // of the distances from points of the source to the cut
+    double sampledLargest = 0; // of the distances both ways
+};
+
 /// One check: how much was tested, how much of it failed, the worst value met and the first failure in words.
 struct Check {
     std::string name;
@@ -17,6 +25,7 @@ struct Check {
     double worst = 0;
     std::string detail = {};
     std::optional<double> tightness = {}; // of error_bound: the median of stored / sampled error
+    std::vector<SampledCut> cuts = {};    // of error_bound: those that it compared, finest first
 
     /// Counts one test; `words` is called for the first failure only.
     template <class Words>

@@ -102,6 +102,7 @@ public:
 
     void compareAt(double limit) {
         const UniformCut cut = uniformCut(model_, limit);
+        check_.cuts.push_back({cut.soup.triangles.size(), limit});
         largest_.clear();
         compareCut(cut, drawSamples(cut.soup, random_), limit);
         compareSource(cut, limit);
@@ -131,6 +132,8 @@ private:
     }
 
     void judge(double sampled, double bound, double limit, const char* which, const glm::dvec3& point) {
+        double& largest = check_.cuts.back().sampledLargest;
+        largest = std::max(largest, sampled);
         const double share = bound > 0 ? sampled / bound : (sampled > 0 ? std::numeric_limits<double>::infinity() : 0);
         check_.worst = std::max(check_.worst, share);
         check_.test(sampled <= bound * (1 + kRounding) + model_.summary.grid.step() * kRounding, [&] {
@@ -155,7 +158,9 @@ private:
     void compareSource(const UniformCut& cut, double limit) {
         const auto nearest = nearestTo(sourceSamples_, TriangleTree(cut.soup));
         const std::vector<double> bounds = boundsInCut(model_, limit);
+        double squares = 0;
         for (std::size_t i = 0; i < nearest.size(); ++i) {
+            squares += nearest[i].distance * nearest[i].distance;
             const UniformCut::Part& finest = finest_.partOf(finestNearest_[i].triangle);
             const double coarse = bounds[groupOfCluster_[model_.firstCluster[finest.page] + finest.cluster]];
             const double bound =
@@ -163,6 +168,7 @@ private:
             judge(nearest[i].distance, bound, limit, "a point of the source", sourceSamples_[i].point);
             note(refinedGroup(cut.partOf(nearest[i].triangle)), nearest[i].distance);
         }
+        if (!nearest.empty()) check_.cuts.back().sampledRms = std::sqrt(squares / static_cast<double>(nearest.size()));
     }
 
     void note(std::uint32_t group, double distance) {

@@ -13,7 +13,8 @@ namespace gnomon::preprocess {
 ///  - A point of the source must not be further from the cut than the stored errors of the coarser groups that stand
 ///    for the level-0 group it belongs to (that of the nearest level-0 triangle, whose distance is added).
 /// Worst: the largest sampled distance as a share of its bound; at most 1 if all holds. Tightness: the median, over
-/// groups of each cut sampled densely, of stored error / largest sampled distance.
+/// groups of each cut sampled densely, of stored error / largest sampled distance. The points of the source are the
+/// same for the same seed whatever the model, so that `cuts` of models of one source can be compared.
 Check checkErrorBound(const LoadedModel& model, const TriangleSoup& source, std::uint64_t seed, Progress& progress);
 
 } // namespace gnomon::preprocess

@@ -26,6 +26,12 @@ ordered_json checkJson(const preprocess::Check& check) {
     json["worst"] = std::isfinite(check.worst) ? check.worst : 1e308;
     json["detail"] = check.detail;
     if (check.tightness) json["tightness"] = *check.tightness;
+    for (const preprocess::SampledCut& cut : check.cuts)
+        json["cuts"].push_back(
+            {{"triangles", cut.triangles},
+             {"stored", cut.stored},
+             {"sampled_rms", cut.sampledRms},
+             {"sampled_largest", cut.sampledLargest}});
     return json;
 }
 

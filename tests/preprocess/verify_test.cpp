@@ -111,6 +111,15 @@ TEST(Verify, ASoundModelPasses) {
     ASSERT_TRUE(bound.tightness.has_value());
     EXPECT_GE(*bound.tightness, 1);
     EXPECT_LE(*bound.tightness, 4);
+    ASSERT_GT(bound.cuts.size(), 1U);
+    for (std::size_t i = 0; i < bound.cuts.size(); ++i) {
+        const SampledCut& cut = bound.cuts[i];
+        EXPECT_LE(cut.sampledRms, cut.sampledLargest);
+        EXPECT_LE(cut.sampledLargest, cut.stored + model.summary.grid.snapError());
+        if (i == 0) continue;
+        EXPECT_LT(cut.triangles, bound.cuts[i - 1].triangles);
+        EXPECT_GT(cut.sampledRms, bound.cuts[i - 1].sampledRms);
+    }
     EXPECT_GT(named(verification, "cracks").tested, 10'000U);
 }
 

@@ -27,7 +27,7 @@ constexpr double kLeastTurnCosine = 0.25; // faces turn by no more than 75 degre
 constexpr double kSlack = 1.1;            // a collapse may cost so much more than its turn in the queue says
 constexpr double kEnoughShare = 0.67;     // of the triangles: with so few left, a patch need not get fewer at any price
 constexpr double kMostRise = 1.6;         // by how much the cost may rise from there
-constexpr double kFairEdges = 2;          // mean edges of a patch: what a collapse may cost at a fair price
+constexpr double kFairEdges = 2.5;        // mean edges of a patch: what a collapse may cost at a fair price
 
 double squared(const glm::dvec3& v) {
     return glm::dot(v, v);

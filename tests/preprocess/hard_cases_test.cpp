@@ -64,7 +64,7 @@ public:
         options.output = folder_ + "/model.gnm";
         options.chunkTriangles = 1000;
         report = buildModel(*openMeshSources({source}, options.memory), options, progress);
-        const VerifyOptions checks{options.output, {source}, 20, 1};
+        const VerifyOptions checks{options.output, {source}, 5, 1};
         for (const Check& check : verifyModel(checks, progress).checks)
             EXPECT_EQ(check.failed, 0U) << check.name << ": " << check.detail;
         std::uint64_t dropped = 0;
@@ -111,7 +111,7 @@ void needles() {
     // Strips a thousand times longer than wide, fanned around a point.
     Soup soup;
     soup.positions.emplace_back(0, 0, 0);
-    constexpr std::uint32_t kNeedles = 3000;
+    constexpr std::uint32_t kNeedles = 1000;
     for (std::uint32_t i = 0; i <= kNeedles; ++i) {
         const double angle = 6.0 * i / kNeedles;
         soup.positions.emplace_back(std::cos(angle), 0.1 * std::sin(5 * angle), std::sin(angle));
@@ -158,10 +158,13 @@ void manyCopies() {
 }
 
 void extents() {
+    const double plain = Verified(bumpyField(1, glm::dvec3(0))).maxError;
     for (const double scale : {1e-6, 1e9}) {
         const Verified model(bumpyField(scale, glm::dvec3(0)));
         EXPECT_NEAR(glm::length(model.bounds.extent()) / scale, std::sqrt(2.0 + 0.01), 0.01) << scale;
-        EXPECT_LT(model.maxError, 0.1 * scale);
+        // Grids differ by up to a factor of two, and so do the collapses that are chosen on them.
+        EXPECT_GT(model.maxError / scale, plain / 2);
+        EXPECT_LT(model.maxError / scale, plain * 2);
         EXPECT_LE(model.report.coarsestTriangles, 128U);
     }
 }

@@ -56,7 +56,7 @@ plan::SceneFacts sceneFacts(
     const std::optional<DepthSpan>& range) {
     plan::SceneFacts facts;
     facts.bounds = bounds;
-    facts.visible.emplace();
+    facts.visible = plan::SceneFacts::Visible();
     const std::optional<culling::DepthRange> seen = culling::visibleDepthRange(query, cut.lists[0]);
     if (!seen || !(seen->far > 0)) return facts;
     facts.visible = {seen->near, seen->far, true};

@@ -115,17 +115,9 @@ void writePictures(const std::string& folder, int run, const std::vector<report:
             {picture.png.begin(), picture.png.end()});
 }
 
-/// The error that the runs are chosen by: the one that says most of what is seen, of those that all runs know.
-report::ErrorKind choosingError(const std::vector<report::RunSummary>& summaries) {
-    for (const auto kind : {report::ErrorKind::ShadowEdge, report::ErrorKind::WrongShadow})
-        if (std::all_of(summaries.begin(), summaries.end(), [&](const auto& s) { return s.errors.contains(kind); }))
-            return kind;
-    return report::ErrorKind::PromisedAliasing;
-}
-
 /// The runs whose pictures a report holds: those that no other beats in time and error, and the first.
 std::vector<std::size_t> picturedRuns(const std::vector<report::RunSummary>& summaries) {
-    std::vector<std::size_t> runs = report::paretoFront(summaries, choosingError(summaries));
+    std::vector<std::size_t> runs = report::paretoFront(summaries, report::comparedError(summaries));
     runs.push_back(0);
     std::sort(runs.begin(), runs.end());
     runs.erase(std::unique(runs.begin(), runs.end()), runs.end());
@@ -164,7 +156,7 @@ void printChoices(const BenchOptions& options, const std::vector<report::RunSumm
             std::printf("%s: no run does\n", demand.c_str());
     };
     if (options.budgetMs > 0) {
-        const report::ErrorKind kind = choosingError(summaries);
+        const report::ErrorKind kind = report::comparedError(summaries);
         std::array<char, 32> budget{};
         std::snprintf(budget.data(), budget.size(), "%g", options.budgetMs);
         print(

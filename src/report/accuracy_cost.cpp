@@ -54,13 +54,6 @@ std::string text(const char* format, double value) {
     return buffer.data();
 }
 
-/// The error that says most about what is seen, of those that both runs know.
-std::optional<ErrorKind> telling(const RunSummary& a, const RunSummary& b) {
-    for (const ErrorKind kind : {ErrorKind::ShadowEdge, ErrorKind::WrongShadow, ErrorKind::PromisedAliasing})
-        if (errorOf(a, kind).value_or(0) > 0 && errorOf(b, kind)) return kind;
-    return std::nullopt;
-}
-
 std::string mapCount(int maps) {
     return maps == 1 ? "One map" : std::to_string(maps) + " maps";
 }
@@ -132,6 +125,13 @@ std::string_view label(ErrorKind kind) {
         return "image difference (fraction of full scale)";
     }
     return {};
+}
+
+ErrorKind comparedError(std::span<const RunSummary> runs) {
+    for (const ErrorKind kind : {ErrorKind::WrongShadow, ErrorKind::ShadowEdge})
+        if (std::all_of(runs.begin(), runs.end(), [&](const auto& run) { return errorOf(run, kind).has_value(); }))
+            return kind;
+    return ErrorKind::PromisedAliasing;
 }
 
 bool dominates(const RunSummary& a, const RunSummary& b, ErrorKind kind) {
@@ -208,22 +208,19 @@ std::vector<std::string> sentences(std::span<const RunSummary> runs) {
     const RunSummary& one = *sweep.front();
     const auto four = std::find_if(sweep.begin(), sweep.end(), [](auto* run) { return run->shadowMaps >= 4; });
     const RunSummary& more = four == sweep.end() ? *sweep.back() : **four;
-    const auto kind = telling(one, more);
+    const ErrorKind kind = comparedError(runs);
+    const double before = errorOf(one, kind).value_or(0);
     std::string first = mapCount(more.shadowMaps) + " cost " + text("%.2g", more.p50Ms / one.p50Ms) +
                         " times the frame of " + (one.shadowMaps == 1 ? "one" : std::to_string(one.shadowMaps));
-    if (kind) {
-        const double share = *errorOf(more, *kind) / *errorOf(one, *kind);
-        const std::string what = *kind == ErrorKind::ShadowEdge    ? "shadow-edge distance"
-                                 : *kind == ErrorKind::WrongShadow ? "wrong shadow pixels"
-                                                                   : "promised aliasing";
-        first += " and leave " + text("%.2g", share) + " of its " + what;
+    if (before > 0 && errorOf(more, kind)) {
+        const std::string what = kind == ErrorKind::WrongShadow  ? "wrong shadow pixels"
+                                 : kind == ErrorKind::ShadowEdge ? "shadow-edge distance"
+                                                                 : "promised aliasing";
+        first += " and leave " + text("%.2g", *errorOf(more, kind) / before) + " of its " + what;
     }
     result.push_back(first + ".");
-    if (kind) {
-        const auto enough = enoughMaps(sweep, *kind);
-        if (enough)
-            result.push_back("More than " + std::to_string(*enough) + " buys nothing here (less than a tenth).");
-    }
+    if (const auto enough = enoughMaps(sweep, kind); enough && before > 0)
+        result.push_back("More than " + std::to_string(*enough) + " buys nothing here (less than a tenth).");
     return result;
 }
 

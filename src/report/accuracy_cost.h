@@ -8,6 +8,11 @@
 
 namespace gnomon::report {
 
+/// The error that runs are compared by: the first of wrong shadow pixels, edge distance and promise that all of them
+/// know. The edge distance comes second because it does not compare from scheme to scheme: a map is held only to the
+/// edges that its texels can show, so a coarse map is held to fewer of them; what it misses is among its wrong pixels.
+ErrorKind comparedError(std::span<const RunSummary> runs);
+
 /// `a` dominates `b` if it is nowhere worse in median time and error and somewhere better.
 /// Runs that do not know the error neither dominate nor are dominated.
 bool dominates(const RunSummary& a, const RunSummary& b, ErrorKind kind);

@@ -82,6 +82,7 @@ nlohmann::json pageData(const Report& report) {
         {"sentences", sentences(report.runs)},
         {"runs", nlohmann::json::array()},
         {"errors", nlohmann::json::array()},
+        {"compared_error", key(comparedError(report.runs))},
         {"fronts", nlohmann::json::object()},
         {"pictures", nlohmann::json::array()},
         {"storage", nlohmann::json::array()}};

@@ -102,6 +102,14 @@ TEST(AccuracyCost, TheSentencesSayWhatTheRunsSay) {
         (std::vector<std::string>{
             "4 maps cost 1.3 times the frame of one and leave 0.2 of its wrong shadow pixels.",
             "More than 4 buys nothing here (less than a tenth)."}));
+    // Edge distances do not compare between maps of another resolution: they never speak while wrong pixels are known.
+    std::vector<RunSummary> misleading = runs;
+    for (RunSummary& run : misleading)
+        run.errors[ErrorKind::ShadowEdge] = run.shadowMaps;
+    EXPECT_EQ(sentences(misleading), sentences(runs));
+    EXPECT_EQ(comparedError(misleading), ErrorKind::WrongShadow);
+    misleading.back().errors.erase(ErrorKind::WrongShadow);
+    EXPECT_EQ(comparedError(misleading), ErrorKind::ShadowEdge);
     EXPECT_TRUE(sentences(std::vector<RunSummary>{}).empty());
     EXPECT_TRUE(sentences(std::vector<RunSummary>{run(1, 1.0)}).empty());
 }

@@ -257,8 +257,7 @@ function showContext() {
 
 const measured = data.errors.filter((e) => known(e.key).length > 0);
 for (const kind of measured.length ? measured : data.errors) element("error-kind").add(new Option(kind.label, kind.key));
-const preferred = ["shadow_edge_p99_px", "wrong_shadow_fraction"].find((key) => measured.some((e) => e.key === key));
-if (preferred) element("error-kind").value = preferred;
+element("error-kind").value = data.compared_error;
 element("error-kind").addEventListener("change", drawErrorTime);
 element("log-error").addEventListener("change", drawErrorTime);
 element("budget").addEventListener("input", answerBudget);

@@ -152,7 +152,8 @@ struct FramePlan {
     std::vector<int> passOfPartition;                    // by the selector's index; -1: no map
     std::optional<shadow::OrientationState> orientation; // for the next frame
     std::optional<SchemeChoice> scheme;                  // likewise
-    std::vector<int> framesEmpty;                        // by slice, how long it has had no visible receiver
+    int framesOutdone = 0;        // for how many frames, this one included, another has been better than it by far
+    std::vector<int> framesEmpty; // by slice, how long it has had no visible receiver
     std::vector<ShadowPass> passes;
     shadow::Aliasing promised; // the largest over all passes
     double storageFactor = 0;

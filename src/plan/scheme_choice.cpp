@@ -116,11 +116,25 @@ std::uint64_t lesserTexels(std::uint64_t a, std::uint64_t b) {
     return a == 0 || b == 0 ? std::max(a, b) : std::min(a, b);
 }
 
-/// Whether the scheme of the frame before stays although `best` is better.
-bool isHeld(const SchemeAnswer& before, const SchemeAnswer& best) {
-    if (before.keepsPromise != best.keepsPromise) return false;
-    if (best.keepsPromise) return static_cast<double>(before.cost) * kCheaper <= static_cast<double>(best.cost);
-    return before.promise() * kLower <= best.promise();
+/// Whether `best` is better by far than the scheme of the frame before; neither or both keep the promise.
+bool outdoes(const SchemeAnswer& best, const SchemeAnswer& before) {
+    if (best.keepsPromise) return static_cast<double>(before.cost) * kCheaper > static_cast<double>(best.cost);
+    return before.promise() * kLower > best.promise();
+}
+
+/// The scheme of the frame before, worked out for this one, if it stays although `best` is better.
+std::optional<SchemeAnswer> held(
+    const SchemeQuestion& question, const std::vector<SchemeAnswer>& answers, const SchemeAnswer& best) {
+    if (question.previous == nullptr || !question.previous->scheme) return std::nullopt;
+    const SchemeChoice& before = *question.previous->scheme;
+    const auto same = std::find_if(answers.begin(), answers.end(), [&](const SchemeAnswer& a) {
+        return a.choice.slices == before.slices && a.choice.faces == before.faces;
+    });
+    if (same == answers.end() || same->keepsPromise != best.keepsPromise) return std::nullopt;
+    SchemeAnswer result = *same;
+    result.framesOutdone = outdoes(best, *same) ? question.previous->framesOutdone + 1 : 0;
+    if (result.framesOutdone >= kFramesBeforeSchemeGoes) return std::nullopt;
+    return result;
 }
 
 /// The best of all slices and faces; what the frame before had unless another is better by far.
@@ -133,14 +147,7 @@ SchemeAnswer bestOf(const SchemeQuestion& question, const std::vector<SchemeChoi
     std::uint64_t leastTexels = 0;
     for (const SchemeAnswer& tried : answers)
         leastTexels = lesserTexels(leastTexels, tried.texelsThatWouldDo);
-    SchemeAnswer chosen = *best;
-    if (question.previous != nullptr && question.previous->scheme) {
-        const SchemeChoice& before = *question.previous->scheme;
-        const auto same = std::find_if(answers.begin(), answers.end(), [&](const SchemeAnswer& a) {
-            return a.choice.slices == before.slices && a.choice.faces == before.faces;
-        });
-        if (same != answers.end() && isHeld(*same, *best)) chosen = *same;
-    }
+    SchemeAnswer chosen = held(question, answers, *best).value_or(*best);
     if (!chosen.keepsPromise) chosen.texelsThatWouldDo = leastTexels;
     return chosen;
 }
@@ -164,6 +171,7 @@ SchemeAnswer inWorthwhileOrientation(
         {"orientation",
          "a turn about the light would lower the promise by " +
              percent(std::max(0.0, 1 - turned.promise() / plain.promise())) + ", less than 5%"});
+    plain.framesOutdone = chosen.framesOutdone;
     plain.texelsThatWouldDo = lesserTexels(plain.texelsThatWouldDo, chosen.texelsThatWouldDo);
     return plain;
 }

@@ -27,6 +27,7 @@ struct SchemeAnswer {
     std::uint64_t cost = 0;                     // see kTexelsPerTriangle
     std::uint64_t texelsThatWouldDo = 0;        // to keep quality.maxAliasing; 0: none
     bool keepsPromise = false;
+    int framesOutdone = 0; // see FramePlan
 
     double promise() const { return setup.worst().worst(); }
 };
@@ -48,8 +49,12 @@ constexpr double kCheaper = 0.75;
 /// How much lower another's promise must be to take its place where none keeps what was asked.
 constexpr double kLower = 0.85;
 
+/// How many frames in a row another must be better by so much before it takes that place; a promise that would be
+/// broken waits for nothing.
+constexpr int kFramesBeforeSchemeGoes = 96;
+
 /// How long a slice must have had no visible receiver before its map goes.
-constexpr int kFramesBeforeMapGoes = 12;
+constexpr int kFramesBeforeMapGoes = 96;
 
 /// `choice` worked out. Where the number of slices is left open it takes no more texels than the promise asks for, on a
 /// ladder of 2^(1/4); else all of the budget.

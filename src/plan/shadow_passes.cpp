@@ -99,6 +99,7 @@ void planShadowPasses(FramePlan& plan, const SceneFacts& scene, const FramePlan*
     const SchemeAnswer chosen = chosenScheme(question, plan.omitted);
     const shadow::ShadowMapSetup& setup = chosen.setup;
     plan.scheme = chosen.choice;
+    plan.framesOutdone = chosen.framesOutdone;
     plan.cost = chosen.cost;
     plan.texelsThatWouldDo = chosen.texelsThatWouldDo;
     plan.promiseKept = chosen.keepsPromise || plan.quality.zPartitions;

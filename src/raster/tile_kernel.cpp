@@ -5,12 +5,6 @@
 
 #include <algorithm>
 
-#undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "raster/tile_kernel.cpp"
-
-#include <hwy/foreach_target.h>
-#include <hwy/highway.h>
-
 // The order matters: foreach_target.h includes this file again for each instruction set.
 // clang-format off
 #undef HWY_TARGET_INCLUDE

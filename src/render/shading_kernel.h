@@ -39,6 +39,15 @@ struct PixelBatch {
     Values<std::uint32_t> color{}; // shaded as 8-bit RGB, red in the low byte
 };
 
+/// Points that ask the maps together. What lies past `count` is computed too, and means nothing.
+struct PointBatch {
+    std::size_t count = 0;                   // at most PixelBatch::kMost
+    PixelBatch::Vectors<float> position{};   // draw space
+    PixelBatch::Vectors<float> normal{};     // of the surface, of length 1, on the viewer's side
+    PixelBatch::Values<float> lit{};         // fraction; 0 where the surface is turned from the light
+    PixelBatch::Values<std::int32_t> pass{}; // the map that was asked; -1: none
+};
+
 /// Where the lit fraction of a pixel comes from.
 enum class LitSource : std::uint8_t { Everywhere, Maps, Mask };
 
@@ -59,5 +68,8 @@ struct ShadingFrame {
 
 /// Shades the batch; the result does not depend on the instruction set.
 void shadePixels(const ShadingFrame& frame, PixelBatch& batch);
+
+/// Finds the lit fraction of the points as `shadePixels` does with LitSource::Maps.
+void lookUpShadows(const ShadingFrame& frame, PointBatch& batch);
 
 } // namespace gnomon::render

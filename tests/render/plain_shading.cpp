@@ -55,18 +55,37 @@ vec3 octahedral(std::uint32_t bits) {
     return n * (1 / std::sqrt(dot(n, n)));
 }
 
-/// Of corner 0, 1 and 2.
+/// How far along an edge lies its point that is seen nearest to the ray, and how far beside the ray.
+std::pair<float, float> nearestOnEdge(const vec3& ray, const vec3& end, const vec3& edge) {
+    const vec3 u = cross(end, ray);
+    const vec3 v = cross(edge, ray);
+    const float along = std::min(std::max(-dot(u, v) / std::max(dot(v, v), 1e-30F), 0.0F), 1.0F);
+    const vec3 point = end + edge * along;
+    const vec3 beside = u + v * along;
+    return {along, dot(beside, beside) / std::max(dot(point, point), 1e-30F)};
+}
+
+/// Of corner 0, 1 and 2: where the ray meets the triangle, or the outline's nearest point.
 vec3 weights(const vec3& ray, const vec3& fromCorner, const vec3& e1, const vec3& e2) {
     const vec3 across = cross(fromCorner, ray);
-    const float determinant = dot(ray, cross(e1, e2));
-    const float scaling = std::abs(determinant) > 1e-20F ? 1 / determinant : 0;
-    const auto held = [](float w) { return std::min(std::max(w, 0.0F), 1e6F); };
-    float second = held(-(dot(e2, across) * scaling));
-    float third = held(dot(e1, across) * scaling);
-    const float excess = 1 / std::max(second + third, 1.0F);
-    second *= excess;
-    third *= excess;
-    return {(1 - second) - third, second, third};
+    const vec3 normal = cross(e1, e2);
+    const float determinant = dot(ray, normal);
+    const float largest = std::max(std::max(std::abs(normal.x), std::abs(normal.y)), std::abs(normal.z));
+    if (std::abs(determinant) > std::max(1e-4F * largest, 1e-20F)) {
+        const float scaling = 1 / determinant;
+        const float second = -(dot(e2, across) * scaling);
+        const float third = dot(e1, across) * scaling;
+        if (second >= 0 && third >= 0 && second + third <= 1) return {(1 - second) - third, second, third};
+    }
+    const auto [first, besideFirst] = nearestOnEdge(ray, -fromCorner, e1);
+    const auto [second, besideSecond] = nearestOnEdge(ray, -fromCorner, e2);
+    const auto [opposite, besideOpposite] = nearestOnEdge(ray, -fromCorner + e1, e2 - e1);
+    if (besideOpposite < std::min(besideFirst, besideSecond)) {
+        const float w = 1 - opposite;
+        return {(1 - w) - opposite, w, opposite};
+    }
+    if (besideSecond < besideFirst) return {(1 - 0.0F) - second, 0, second};
+    return {(1 - first) - 0.0F, first, 0};
 }
 
 template <class T>

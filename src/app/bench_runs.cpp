@@ -156,7 +156,7 @@ public:
         session_.renderer().forget();
         for (int frame = 0; frame < options_.frames; ++frame) {
             const bool isProven = isProvenFrame(frame);
-            frameOptions_.measuresAliasing = frameOptions_.comparesWithFinest = isProven;
+            frameOptions_.measuresAliasing = frameOptions_.measuresCrawl = frameOptions_.comparesWithFinest = isProven;
             frameOptions_.oracle = isProven ? options_.oracle : render::Oracle::None;
             const telemetry::FrameRow proof = draw(frame);
             telemetry::FrameRow& row = result_.rows[static_cast<std::size_t>(frame)];
@@ -166,6 +166,7 @@ public:
             row.missedShadowFraction = proof.missedShadowFraction;
             row.unexplainedShadowFraction = proof.unexplainedShadowFraction;
             row.imageDifference = proof.imageDifference;
+            row.crawl = proof.crawl;
             progress.advance(1);
         }
     }

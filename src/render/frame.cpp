@@ -63,10 +63,10 @@ Frame Renderer::render(const plan::View& view, const plan::Quality& quality, con
 }
 
 void Renderer::reuseMaps(Prepared& prepared) const {
-    if (!drawnMaps_) return;
+    if (!heldMaps_) return;
     for (std::size_t p = 0; p < prepared.plan.passes.size(); ++p)
-        prepared.plan.passes[p].isReused = plan::isSameMap(prepared.plan, drawnMaps_->plan, p) &&
-                                           prepared.cut.lists[p + 1].ranges == drawnMaps_->casters[p];
+        prepared.plan.passes[p].isReused = plan::isSameMap(prepared.plan, heldMaps_->plan, p) &&
+                                           prepared.cut.lists[p + 1].ranges == heldMaps_->casters[p];
 }
 
 plan::FramePlan Renderer::plan(const plan::View& view, const plan::Quality& quality) {

@@ -52,25 +52,28 @@ selection::CasterDetail Renderer::rayCasterDetail(const Prepared& prepared) cons
 }
 
 DrawStatistics Renderer::draw(const Prepared& prepared, const FrameDrawing& drawing) {
-    drawnMaps_.reset();
+    heldMaps_.reset();
     if (prepared.isRayTraced()) return drawWithRays(*executor_, drawing, prepared.cut.lists[1]);
     const DrawStatistics statistics = executor_->draw(drawing);
-    drawnMaps_.emplace().plan = prepared.plan;
+    heldMaps_.emplace().plan = prepared.plan;
     for (const selection::DrawList* casters : drawing.casters)
-        drawnMaps_->casters.push_back(casters->ranges);
+        heldMaps_->casters.push_back(casters->ranges);
     return statistics;
 }
 
 void Renderer::prove(const Prepared& prepared, const FrameOptions& options, Frame& frame) {
     const bool hasOracle = options.oracle != Oracle::None && !prepared.plan.passes.empty();
     const bool isMeasured = options.measuresAliasing && !prepared.plan.passes.empty();
-    if (options.onlooker || !(hasOracle || isMeasured || options.comparesWithFinest)) return;
+    const bool hasCrawl =
+        options.measuresCrawl && !prepared.plan.passes.empty() && previous_ && !previous_->passes.empty();
+    if (options.onlooker || !(hasOracle || isMeasured || hasCrawl || options.comparesWithFinest)) return;
     FrameOptions plain = options;
     plain.overlay = Overlay::None;
-    plain.wantsSurfaces = hasOracle || isMeasured;
+    plain.wantsSurfaces = hasOracle || isMeasured || hasCrawl;
     const FrameDrawing again = drawing(prepared, plain);
     draw(prepared, again);
     const Picture picture = executor_->picture();
+    const FloatPicture maps = hasCrawl ? executor_->shadowDepth() : FloatPicture();
     if (isMeasured) {
         frame.aliasing = measuredAliasing(prepared.plan, again.space, executor_->surfaces());
         frame.row.measuredAliasing = frame.aliasing->worst();
@@ -86,6 +89,10 @@ void Renderer::prove(const Prepared& prepared, const FrameOptions& options, Fram
         const Prepared fine = finest(prepared);
         draw(fine, drawing(fine, plain));
         frame.row.imageDifference = difference(executor_->picture(), picture).mean;
+    }
+    if (hasCrawl) {
+        frame.crawl = crawlSince(*previous_, again, maps);
+        frame.row.crawl = frame.crawl->share();
     }
     // What the executor shows is the frame that was asked for, and its pages are there.
     const Prepared asked = prepare(prepared.plan.view, prepared.plan.quality, options.waiting);
@@ -112,6 +119,17 @@ ShadowTruth Renderer::truth(const Prepared& prepared, const FrameDrawing& drawin
     const raycast::Scene scene = rayScene(drawing, lists);
     const auto light = lightByRays(scene, prepared.plan, drawing.space, surfaces, kTouchingPixels);
     return shadowTruth(scene, prepared.plan, drawing.space, surfaces, light);
+}
+
+/// Draws the frame before once more: a plan is steady when its own view comes again.
+Crawl Renderer::crawlSince(const plan::FramePlan& before, const FrameDrawing& now, const FloatPicture& maps) {
+    const Prepared prepared = prepare(before.view, before.quality, Waiting::UntilComplete);
+    FrameOptions options;
+    options.wantsSurfaces = true;
+    const FrameDrawing then = drawing(prepared, options);
+    draw(prepared, then);
+    const FloatPicture thenMaps = executor_->shadowDepth();
+    return crawl({&then, &thenMaps}, executor_->surfaces(), {&now, &maps});
 }
 
 Renderer::Prepared Renderer::finest(const Prepared& prepared) {

@@ -3,6 +3,7 @@
 
 #include "hierarchy/model_file.h"
 #include "plan/frame_plan.h"
+#include "render/crawl.h"
 #include "render/executor.h"
 #include "render/measured_aliasing.h"
 #include "render/residency.h"
@@ -30,6 +31,7 @@ struct FrameOptions {
     bool wantsSurfaces = false;
     bool reusesMaps = true; // where the frame before left the very same ones
     bool measuresAliasing = false;
+    bool measuresCrawl = false; // against the frame before, if that had maps too
     Oracle oracle = Oracle::None;
     bool comparesWithFinest = false; // the picture with that of the finest level in ray-traced shadows
     std::optional<Camera> onlooker;  // sees the frame of the view from outside: its cut, its casters, its maps
@@ -43,6 +45,7 @@ struct Frame {
     telemetry::FrameRow row;
     std::optional<MeasuredAliasing> aliasing; // of a frame with maps that was asked for it
     std::optional<ShadowTruth> truth;         // of a frame with maps and an oracle
+    std::optional<Crawl> crawl;               // of a frame with maps after one with maps
 };
 
 /// Draws a model frame by frame.
@@ -61,7 +64,7 @@ public:
     /// Forgets the frames before, so that the next plan depends on its view alone.
     void forget() {
         previous_.reset();
-        drawnMaps_.reset();
+        heldMaps_.reset();
     }
 
 private:
@@ -85,6 +88,7 @@ private:
     void prove(const Prepared& prepared, const FrameOptions& options, Frame& frame);
     ShadowTruth truth(const Prepared& prepared, const FrameDrawing& drawing, Oracle oracle);
     Prepared finest(const Prepared& prepared);
+    Crawl crawlSince(const plan::FramePlan& before, const FrameDrawing& now, const FloatPicture& maps);
     telemetry::FrameRow logged(const Prepared& prepared, const DrawStatistics& drawn) const;
 
     const hierarchy::ModelFile* model_;
@@ -93,12 +97,12 @@ private:
     std::optional<plan::FramePlan> previous_;
 
     /// What the executor's depth texture holds.
-    struct DrawnMaps {
+    struct HeldMaps {
         plan::FramePlan plan;
         std::vector<std::vector<selection::ClusterRange>> casters; // by pass
     };
 
-    std::optional<DrawnMaps> drawnMaps_;
+    std::optional<HeldMaps> heldMaps_;
 };
 
 } // namespace gnomon::render

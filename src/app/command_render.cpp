@@ -1,3 +1,4 @@
+#include "app/option_text.h"
 #include "app/oracle_option.h"
 #include "app/session.h"
 #include "app/thread_limit.h"
@@ -68,8 +69,16 @@ void requireLike(const RenderOptions& options, const render::Picture& picture) {
             std::to_string(found.mean));
 }
 
+/// A name that promises another format would lie; one without an extension, like a device, promises nothing.
+void requirePngName(const std::string& path) {
+    const std::string extension = std::filesystem::path(path).extension().string();
+    if (!extension.empty() && extension != ".png" && extension != ".PNG")
+        refuse("--output", path, "a name ending in .png");
+}
+
 void runRender(const RenderOptions& options) {
     const ThreadLimit limit(options.common);
+    requirePngName(options.output);
     const plan::Quality quality = qualityOf(options.view, options.view.swept);
     Session session(options.model, options.view);
     const plan::View view = viewOf(options.view, session.model().summary());

@@ -47,6 +47,7 @@ class CommandLine(unittest.TestCase):
             ("render",),
             ("render", self.sundial),
             ("render", self.sundial, "-o", picture, "--no-such-option"),
+            ("render", self.sundial, "-o", self.place / "picture.jpg"),
             ("render", self.sundial, "-o", picture, "--size", "0x4"),
             ("render", self.sundial, "-o", picture, "--size", "20000x20"),
             ("render", self.sundial, "-o", picture, "--shadow-texels", "1000000x1000000"),

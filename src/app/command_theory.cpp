@@ -3,6 +3,7 @@
 #include "app/theory_rows.h"
 #include "app/theory_script.h"
 #include "app/theory_table.h"
+#include "app/thread_limit.h"
 #include "core/error.h"
 #include "core/file.h"
 
@@ -33,6 +34,7 @@ json parsedFile(const std::string& path) {
 
 void addEval(CLI::App& theory) {
     struct Options {
+        CommonOptions common;
         std::string rows;
         std::string output;
     };
@@ -41,7 +43,9 @@ void addEval(CLI::App& theory) {
     CLI::App* command = theory.add_subcommand("eval", "Answer rows of theory inputs, as the golden rows are made");
     command->add_option("ROWS.json", options->rows, R"({"rows": [{"id", "family", "inputs"}, ...]})")->required();
     command->add_option("-o,--output", options->output, "Write the answers here instead of stdout");
+    addCommonOptions(*command, options->common);
     command->callback([options] {
+        const ThreadLimit limit(options->common);
         const std::string text = evaluateTheoryRows(parsedFile(options->rows), options->rows).dump(1) + "\n";
         if (options->output.empty())
             std::fputs(text.c_str(), stdout);
@@ -124,14 +128,24 @@ void writeFigures(const std::string& folder) {
 }
 
 void addFigures(CLI::App& theory) {
-    auto folder = std::make_shared<std::string>();
+    struct Options {
+        CommonOptions common;
+        std::string folder;
+    };
+
+    auto options = std::make_shared<Options>();
     CLI::App* command =
         theory.add_subcommand("figures", "Data (CSV) and plots (SVG, PNG) of the paper's figures and of our own");
-    command->add_option("-o,--output", *folder, "The folder to write to")->required();
-    command->callback([folder] { writeFigures(*folder); });
+    command->add_option("-o,--output", options->folder, "The folder to write to")->required();
+    addCommonOptions(*command, options->common);
+    command->callback([options] {
+        const ThreadLimit limit(options->common);
+        writeFigures(options->folder);
+    });
 }
 
 struct TableOptions {
+    CommonOptions common;
     shadow::ViewFrustum frustum;
     double fovYDegrees = 60;
     std::vector<double> light{0, 1, 0};
@@ -187,7 +201,11 @@ void addTable(CLI::App& theory) {
     command->add_flag("--json", options->asJson, "One JSON document on stdout");
     command->footer(
         "auto* is auto in the orientation about the light that costs least; the others are in the plain one.");
-    command->callback([options] { printTable(*options); });
+    addCommonOptions(*command, options->common);
+    command->callback([options] {
+        const ThreadLimit limit(options->common);
+        printTable(*options);
+    });
 }
 
 } // namespace

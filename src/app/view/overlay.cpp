@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
+#include <vector>
 
 #include <imgui/imgui.h>
 
@@ -114,47 +116,42 @@ void drawFacts(const OverlayContent& content, const ViewSettings& settings) {
     ImGui::End();
 }
 
-/// Lines of the help in as many columns as it takes to fit the window's height.
-class HelpColumns {
-public:
-    explicit HelpColumns(std::size_t lines) {
-        const auto rows = static_cast<float>(lines);
-        const float high = ImGui::GetIO().DisplaySize.y;
-        const float fit = std::max(1.0F, high / ImGui::GetTextLineHeightWithSpacing() - 4);
-        const int columns = std::clamp(static_cast<int>(std::ceil(rows / fit)), 1, 3);
-        perColumn_ = static_cast<int>(std::ceil(rows / static_cast<float>(columns)));
-        ImGui::BeginGroup();
-    }
+/// What the help says, line by line.
+std::vector<std::pair<const char*, const char*>> helpLines() {
+    std::vector<std::pair<const char*, const char*>> lines;
+    for (const MouseUse& use : mouseUses())
+        lines.emplace_back(use.gesture, use.help);
+    for (const Binding& binding : bindings())
+        lines.emplace_back(binding.keyName, binding.help);
+    return lines;
+}
 
-    void add(const char* key, const char* help) {
-        if (row_ > 0 && row_ % perColumn_ == 0) {
-            ImGui::EndGroup();
-            ImGui::SameLine(0, unit());
-            ImGui::BeginGroup();
-        }
-        ++row_;
-        drawLine(key, kWarning);
-        ImGui::SameLine(6.6F * unit());
-        drawLine(help);
-    }
-
-    void end() { ImGui::EndGroup(); }
-
-private:
-    int perColumn_ = 1;
-    int row_ = 0;
-};
-
+/// In as many columns as it takes to fit the window's height, and in letters small enough to fit its width.
 void drawHelp() {
+    constexpr float kKeyUnits = 6.6F;
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const auto lines = helpLines();
+    const float fit = std::max(1.0F, screen.y / ImGui::GetTextLineHeightWithSpacing() - 4);
+    const int columns = std::clamp(static_cast<int>(std::ceil(static_cast<float>(lines.size()) / fit)), 1, 3);
+    const std::size_t perColumn =
+        (lines.size() + static_cast<std::size_t>(columns) - 1) / static_cast<std::size_t>(columns);
+    float widest = 0;
+    for (const auto& [key, help] : lines)
+        widest = std::max(widest, ImGui::CalcTextSize(help).x);
+    const float wide = static_cast<float>(columns) * ((kKeyUnits + 1) * unit() + widest) + unit();
     ImGui::SetNextWindowBgAlpha(0.95F);
     if (beginNote("help", {screen.x * 0.5F, screen.y * 0.5F}, {0.5F, 0.5F})) {
-        HelpColumns columns(bindings().size() + mouseUses().size());
-        for (const MouseUse& use : mouseUses())
-            columns.add(use.gesture, use.help);
-        for (const Binding& binding : bindings())
-            columns.add(binding.keyName, binding.help);
-        columns.end();
+        ImGui::SetWindowFontScale(std::min(1.0F, screen.x / wide));
+        for (std::size_t first = 0; first < lines.size(); first += perColumn) {
+            if (first > 0) ImGui::SameLine(0, unit());
+            ImGui::BeginGroup();
+            for (std::size_t i = first; i < std::min(first + perColumn, lines.size()); ++i) {
+                drawLine(lines[i].first, kWarning);
+                ImGui::SameLine(kKeyUnits * unit());
+                drawLine(lines[i].second);
+            }
+            ImGui::EndGroup();
+        }
     }
     ImGui::End();
 }

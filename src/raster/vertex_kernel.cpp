@@ -25,9 +25,67 @@ struct Positions {
     Floats x, y, z, w;
 };
 
-HWY_INLINE Floats difference(const std::uint32_t* base, Ints byteOffset, std::uint32_t eyeCell) {
-    const auto position = hn::GatherOffset(kInts, reinterpret_cast<const std::int32_t*>(base), byteOffset);
-    return hn::ConvertTo(kFloats, hn::Sub(position, hn::Set(kInts, static_cast<std::int32_t>(eyeCell))));
+struct Cells {
+    Ints x, y, z;
+};
+
+/// Lanes past the end repeat the last vertex.
+HWY_INLINE Cells gatheredCells(const Cluster& cluster, std::uint32_t first) {
+    const auto last = hn::Set(kInts, static_cast<std::int32_t>(cluster.vertexCount) - 1);
+    const auto index = hn::Min(hn::Iota(kInts, static_cast<std::int32_t>(first)), last);
+    const auto offset = hn::Mul(index, hn::Set(kInts, static_cast<std::int32_t>(cluster.positionStride)));
+    const auto* base = reinterpret_cast<const std::int32_t*>(cluster.positions);
+    return {
+        hn::GatherOffset(kInts, base, offset),
+        hn::GatherOffset(kInts, base + 1, offset),
+        hn::GatherOffset(kInts, base + 2, offset)};
+}
+
+#if HWY_TARGET == HWY_SCALAR || HWY_HAVE_SCALABLE
+
+HWY_INLINE Cells cellsOf(const Cluster& cluster, std::uint32_t first) {
+    return gatheredCells(cluster, first);
+}
+
+#else
+
+/// Four words of the vertices first, first + 4, ..., one in each block of four lanes.
+template <class Tag>
+HWY_INLINE hn::Vec<Tag> everyFourth(Tag tag, const Cluster& cluster, std::uint32_t first) {
+    if constexpr (hn::MaxLanes(tag) == 4) {
+        const std::size_t vertex = std::min(first, cluster.vertexCount - 1);
+        const std::uint32_t* words = cluster.positions + vertex * (cluster.positionStride / sizeof(std::uint32_t));
+        return hn::LoadU(tag, reinterpret_cast<const std::int32_t*>(words));
+    } else {
+        constexpr hn::Half<Tag> kHalf;
+        const auto upper = everyFourth(kHalf, cluster, first + static_cast<std::uint32_t>(hn::MaxLanes(kHalf)));
+        return hn::Combine(tag, upper, everyFourth(kHalf, cluster, first));
+    }
+}
+
+/// Vertices are loaded whole and transposed in blocks of four, since gathers take several times as long; but those of
+/// twelve bytes are gathered: a fourth word may lie past the end.
+HWY_INLINE Cells cellsOf(const Cluster& cluster, std::uint32_t first) {
+    if (cluster.positionStride < 4 * sizeof(std::uint32_t)) return gatheredCells(cluster, first);
+    constexpr hn::Repartition<std::int64_t, IntTag> kPairs;
+    const auto a = everyFourth(kInts, cluster, first);
+    const auto b = everyFourth(kInts, cluster, first + 1);
+    const auto c = everyFourth(kInts, cluster, first + 2);
+    const auto d = everyFourth(kInts, cluster, first + 3);
+    const auto xyOfAb = hn::BitCast(kPairs, hn::InterleaveLower(kInts, a, b));
+    const auto xyOfCd = hn::BitCast(kPairs, hn::InterleaveLower(kInts, c, d));
+    const auto zOfAb = hn::BitCast(kPairs, hn::InterleaveUpper(kInts, a, b));
+    const auto zOfCd = hn::BitCast(kPairs, hn::InterleaveUpper(kInts, c, d));
+    return {
+        hn::BitCast(kInts, hn::InterleaveLower(kPairs, xyOfAb, xyOfCd)),
+        hn::BitCast(kInts, hn::InterleaveUpper(kPairs, xyOfAb, xyOfCd)),
+        hn::BitCast(kInts, hn::InterleaveLower(kPairs, zOfAb, zOfCd))};
+}
+
+#endif
+
+HWY_INLINE Floats difference(Ints cell, std::int32_t eyeCell) {
+    return hn::ConvertTo(kFloats, hn::Sub(cell, hn::Set(kInts, eyeCell)));
 }
 
 HWY_INLINE Floats row(const Projection& projection, std::size_t i, Floats x, Floats y, Floats z) {
@@ -36,10 +94,10 @@ HWY_INLINE Floats row(const Projection& projection, std::size_t i, Floats x, Flo
     return hn::Add(hn::Add(xy, hn::Mul(hn::Set(kFloats, m[8 + i]), z)), hn::Set(kFloats, m[12 + i]));
 }
 
-HWY_INLINE Positions clipPositions(const Projection& projection, const std::uint32_t* base, Ints byteOffset) {
-    const auto x = difference(base, byteOffset, projection.eyeCell[0]);
-    const auto y = difference(base + 1, byteOffset, projection.eyeCell[1]);
-    const auto z = difference(base + 2, byteOffset, projection.eyeCell[2]);
+HWY_INLINE Positions clipPositions(const Projection& projection, const Cells& cells) {
+    const auto x = difference(cells.x, static_cast<std::int32_t>(projection.eyeCell[0]));
+    const auto y = difference(cells.y, static_cast<std::int32_t>(projection.eyeCell[1]));
+    const auto z = difference(cells.z, static_cast<std::int32_t>(projection.eyeCell[2]));
     return {
         row(projection, 0, x, y, z),
         row(projection, 1, x, y, z),
@@ -108,8 +166,6 @@ HWY_INLINE bool join(const SnappedArrays& snapped, const std::int32_t* y, std::u
 
 VertexStage snapVerticesInLanes(const Projection& projection, const Cluster& cluster, const SnappedArrays& snapped) {
     const auto lanes = static_cast<std::uint32_t>(hn::Lanes(kInts));
-    const auto last = hn::Set(kInts, static_cast<std::int32_t>(cluster.vertexCount) - 1);
-    const auto stride = hn::Set(kInts, static_cast<std::int32_t>(cluster.positionStride));
     std::array<std::int32_t, kMaxClusterVertices> allY; // NOLINT(cppcoreguidelines-pro-type-member-init): filled below
     auto allInside = hn::Set(kInts, -1);
     auto allOutside = hn::Set(kInts, -1);
@@ -118,9 +174,7 @@ VertexStage snapVerticesInLanes(const Projection& projection, const Cluster& clu
     auto maxX = hn::Set(kInts, hwy::LowestValue<std::int32_t>());
     auto maxY = maxX;
     for (std::uint32_t first = 0; first < cluster.vertexCount; first += lanes) {
-        // Lanes past the end repeat the last vertex.
-        const auto index = hn::Min(hn::Iota(kInts, static_cast<std::int32_t>(first)), last);
-        const Positions p = clipPositions(projection, cluster.positions, hn::Mul(index, stride));
+        const Positions p = clipPositions(projection, cellsOf(cluster, first));
         allInside = hn::And(allInside, insideGuard(projection, p));
         allOutside = hn::And(allOutside, outside(projection, p));
         const auto inverseW = hn::Div(hn::Set(kFloats, 1.0F), p.w);

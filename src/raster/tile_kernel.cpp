@@ -198,20 +198,21 @@ HWY_INLINE void drawWide(const SnappedCluster& cluster, std::uint32_t packed, co
     const std::uint32_t id =
         cluster.triangleIds == nullptr ? cluster.firstTriangleId + place : cluster.triangleIds[place];
     const WideTriangle triangle = wideTriangle(corners);
-    const int yEnd = std::min(tile.y1, triangle.box.y1);
-    for (int y = std::max(tile.y0, triangle.box.y0); y < yEnd; ++y) {
-        const WideRow row = wideRow(triangle, y, tile.x0, tile.x1);
-        const auto perX = hn::Set(kFloats, row.depthPerX);
+    const auto leastDepth = hn::Set(kFloats, triangle.leastDepth);
+    const auto largestDepth = hn::Set(kFloats, triangle.largestDepth);
+    WideRows rows(triangle, tile);
+    const auto perX = hn::Set(kFloats, rows.depthPerX());
+    const auto referenceX = hn::Set(kInts, rows.referenceX());
+    while (!rows.atEnd()) {
+        const WideRow row = rows.next();
         const auto reference = hn::Set(kFloats, row.depthAtReference);
         const auto end = hn::Set(kInts, row.x1);
         if constexpr (Target::kCounts) target.count(static_cast<std::size_t>(std::max(row.x1 - row.x0, 0)));
         for (int x = row.x0; x < row.x1; x += static_cast<int>(hn::Lanes(kInts))) {
             const auto pixels = hn::Iota(kInts, x);
-            const auto along = hn::ConvertTo(kFloats, hn::Sub(pixels, hn::Set(kInts, row.referenceX)));
-            const auto depth = hn::Min(
-                hn::Max(hn::Add(reference, hn::Mul(perX, along)), hn::Set(kFloats, triangle.leastDepth)),
-                hn::Set(kFloats, triangle.largestDepth));
-            target.takeRow((y - tile.y0) * kTileStride + x - tile.x0, hn::Lt(pixels, end), depth, id);
+            const auto along = hn::ConvertTo(kFloats, hn::Sub(pixels, referenceX));
+            const auto depth = hn::Min(hn::Max(hn::Add(reference, hn::Mul(perX, along)), leastDepth), largestDepth);
+            target.takeRow((row.y - tile.y0) * kTileStride + x - tile.x0, hn::Lt(pixels, end), depth, id);
         }
     }
 }

@@ -85,29 +85,53 @@ WideTriangle wideTriangle(std::array<SnappedVertex, 3> corners) {
     return wide;
 }
 
-WideRow wideRow(const WideTriangle& triangle, int y, int x0, int x1) {
-    std::int64_t first = std::max(x0, triangle.box.x0);
-    std::int64_t end = std::min(x1, triangle.box.x1);
+WideRows::WideRows(const WideTriangle& triangle, const PixelBox& tile)
+    : y_(std::max(tile.y0, triangle.box.y0)),
+      yEnd_(std::min(tile.y1, triangle.box.y1)),
+      x0_(std::max(tile.x0, triangle.box.x0)),
+      x1_(std::min(tile.x1, triangle.box.x1)) {
+    for (const WideEdge& edge : triangle.edges)
+        limitRows(edge);
     for (const WideEdge& edge : triangle.edges) {
-        const std::int64_t at = edge.atZero + edge.perRow * y;
-        if (edge.perPixel > 0) {
-            first = std::max(first, -floorOfQuotient(at, edge.perPixel, edge.inverse));
-        } else if (edge.perPixel < 0) {
-            end = std::min(end, floorOfQuotient(at, -edge.perPixel, edge.inverse) + 1);
-        } else if (at < 0) {
-            end = first;
-        }
+        if (edge.perPixel == 0) continue;
+        QuotientWalk walk;
+        const std::int64_t at = edge.atZero + edge.perRow * y_;
+        walk.divisor = std::abs(edge.perPixel);
+        walk.quotient = floorOfQuotient(at, walk.divisor, edge.inverse);
+        walk.rest = at - walk.quotient * walk.divisor;
+        walk.quotientPerRow = floorOfQuotient(edge.perRow, walk.divisor, edge.inverse);
+        walk.restPerRow = edge.perRow - walk.quotientPerRow * walk.divisor;
+        if (edge.perPixel > 0)
+            left_[leftCount_++] = walk;
+        else
+            right_[rightCount_++] = walk;
     }
-    WideRow row;
-    row.x0 = static_cast<int>(std::min<std::int64_t>(first, x1)); // in range of an int even where nothing is inside
-    row.x1 = static_cast<int>(std::max<std::int64_t>(end, x0));
     const SnappedVertex& a = triangle.corners[0];
-    row.referenceX = a.x >> kSubpixelBits;
-    row.depthPerX = static_cast<float>(triangle.depthPerX);
-    row.depthAtReference = static_cast<float>(
-        a.z + triangle.depthPerX * (row.referenceX - (a.x + double{restOf(a.restX)}) / kSubpixels) +
-        triangle.depthPerY * (y - (a.y + double{restOf(a.restY)}) / kSubpixels));
-    return row;
+    referenceX_ = a.x >> kSubpixelBits;
+    depthPerX_ = static_cast<float>(triangle.depthPerX);
+    depthAtReference_ = a.z + triangle.depthPerX * (referenceX_ - (a.x + double{restOf(a.restX)}) / kSubpixels);
+    depthRow_ = (a.y + double{restOf(a.restY)}) / kSubpixels;
+    depthPerY_ = triangle.depthPerY;
+}
+
+/// Leaves out rows below and above of which no pixel is inside the edge; all of them if the tile is outside.
+void WideRows::limitRows(const WideEdge& edge) {
+    const auto best = [&](int y) { // the row's largest value
+        return edge.atZero + edge.perRow * y + edge.perPixel * (edge.perPixel > 0 ? x1_ - 1 : x0_);
+    };
+    if (edge.perRow == 0) {
+        if (best(y_) < 0) yEnd_ = y_;
+        return;
+    }
+    const std::int64_t perRow = std::abs(edge.perRow);
+    const double inverse = 1 / static_cast<double>(perRow);
+    if (edge.perRow > 0 && best(y_) < 0) {
+        const std::int64_t missing = -floorOfQuotient(best(y_), perRow, inverse);
+        y_ = static_cast<int>(std::min<std::int64_t>(y_ + missing, yEnd_));
+    } else if (edge.perRow < 0 && best(yEnd_ - 1) < 0) {
+        const std::int64_t missing = -floorOfQuotient(best(yEnd_ - 1), perRow, inverse);
+        yEnd_ = static_cast<int>(std::max<std::int64_t>(yEnd_ - missing, y_));
+    }
 }
 
 } // namespace gnomon::raster

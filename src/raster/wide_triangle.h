@@ -3,6 +3,10 @@
 
 #include "raster/projection.h"
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
 namespace gnomon::raster {
 
 /// Triangles less wide and high than this many subpixels have edge functions that fit an int32.
@@ -27,20 +31,84 @@ struct WideTriangle {
     float largestDepth = 0;
 };
 
-/// A span of a row, and its depth: firstDepth + depthPerX * (x - referenceX), held between the triangle's extremes.
+/// Where a row leaves an edge, row by row: floor(value / divisor) for a value that grows by the same from row to row.
+struct QuotientWalk {
+    std::int64_t quotient = 0;
+    std::int64_t rest = 0; // from 0 to divisor - 1
+    std::int64_t quotientPerRow = 0;
+    std::int64_t restPerRow = 0;
+    std::int64_t divisor = 1;
+
+    void step() {
+        quotient += quotientPerRow;
+        rest += restPerRow;
+        const bool carries = rest >= divisor;
+        quotient += carries ? 1 : 0;
+        rest -= carries ? divisor : 0;
+    }
+};
+
+/// The pixels of a row whose centres are inside, and depth: depthAtReference + depthPerX * (x - referenceX), held
+/// between the triangle's extremes.
 struct WideRow {
+    int y = 0;
     int x0 = 0;
     int x1 = 0;
-    int referenceX = 0;
     float depthAtReference = 0;
-    float depthPerX = 0;
+};
+
+/// The rows of a triangle in a tile, from the lowest up; some may be empty.
+class WideRows {
+public:
+    WideRows(const WideTriangle& triangle, const PixelBox& tile);
+
+    bool atEnd() const { return y_ >= yEnd_; }
+
+    /// The row here; then goes on.
+    WideRow next() {
+        std::int64_t first = x0_;
+        std::int64_t end = x1_;
+        for (std::size_t i = 0; i < leftCount_; ++i) {
+            first = std::max(first, -left_[i].quotient);
+            left_[i].step();
+        }
+        for (std::size_t i = 0; i < rightCount_; ++i) {
+            end = std::min(end, right_[i].quotient + 1);
+            right_[i].step();
+        }
+        WideRow row;
+        row.y = y_;
+        row.x0 = static_cast<int>(std::min<std::int64_t>(first, x1_)); // an int even where nothing is inside
+        row.x1 = static_cast<int>(std::max<std::int64_t>(end, x0_));
+        row.depthAtReference = static_cast<float>(depthAtReference_ + depthPerY_ * (y_ - depthRow_));
+        ++y_;
+        return row;
+    }
+
+    int referenceX() const { return referenceX_; }
+
+    float depthPerX() const { return depthPerX_; }
+
+private:
+    void limitRows(const WideEdge& edge);
+
+    int y_ = 0;
+    int yEnd_ = 0;
+    int x0_ = 0;
+    int x1_ = 0;
+    std::array<QuotientWalk, 3> left_;
+    std::array<QuotientWalk, 3> right_;
+    std::size_t leftCount_ = 0;
+    std::size_t rightCount_ = 0;
+    int referenceX_ = 0;
+    float depthPerX_ = 0;
+    double depthAtReference_ = 0; // at the reference and depthRow_
+    double depthRow_ = 0;
+    double depthPerY_ = 0;
 };
 
 /// Twice the area is not zero. Corners may be in either order.
 WideTriangle wideTriangle(std::array<SnappedVertex, 3> corners);
-
-/// The pixels of row `y` between `x0` and `x1` whose centres are inside.
-WideRow wideRow(const WideTriangle& triangle, int y, int x0, int x1);
 
 /// Twice the signed area in squared subpixels; positive is counter-clockwise with y up.
 std::int64_t doubleArea(const std::array<SnappedVertex, 3>& corners);

@@ -3,6 +3,7 @@
 #include "render/prepared_frame.h"
 #include "render/scene_facts.h"
 #include "render/stand_ins.h"
+#include "selection/nearest_depth.h"
 
 #include <algorithm>
 #include <chrono>
@@ -137,7 +138,9 @@ void Renderer::cutView(
     const plan::View& view,
     const plan::Quality& quality,
     const std::optional<DepthSpan>& range) const {
-    const selection::DetailView detail = detailView(view, view.camera.eye - model_->summary().grid.origin);
+    selection::DetailView detail = detailView(view, view.camera.eye - model_->summary().grid.origin);
+    const double nearest = selection::nearestDepth(*residency_.query().trees, detail);
+    if (std::isfinite(nearest)) detail.nearestDepth = std::max(detail.nearestDepth, nearest);
     prepared.rule = std::make_unique<selection::ErrorRule>(detail);
     prepared.volumes = {selection::viewPyramid(detail)};
     if (range) prepared.volumes.push_back(culling::localVolume(plan::sweptView(view, *range), detail));

@@ -8,6 +8,10 @@
 
 namespace gnomon::preprocess {
 
+inline double squaredLength(const glm::dvec3& v) {
+    return glm::dot(v, v);
+}
+
 /// Where the nearest point of a triangle lies.
 enum class Nearest : std::uint8_t { Face, Edge0, Edge1, Edge2, Corner0, Corner1, Corner2 }; // edge i: i to i + 1
 

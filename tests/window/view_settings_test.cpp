@@ -75,22 +75,30 @@ TEST(FrameHistory, KeepsTheLastAndTakesTheirMedians) {
 }
 
 TEST(Messages, AreShownForAWhileAndFailuresOnce) {
-    Messages messages;
-    messages.show("warp: none", 0);
-    messages.show("warp: auto", 0.5);
+    double now = 0;
+    Messages messages([&] { return now; });
+    messages.show("warp: none");
+    now = 0.5;
+    messages.show("warp: auto");
     ASSERT_EQ(messages.all().size(), 1U);
     EXPECT_EQ(messages.all()[0].text, "warp: auto");
     testing::internal::CaptureStderr();
-    messages.fail("broken", 1);
-    messages.fail("broken", 2);
+    now = 1;
+    messages.fail("broken");
+    now = 2;
+    EXPECT_FALSE(messages.attempt([] { throw std::runtime_error("broken"); }));
+    EXPECT_TRUE(messages.attempt([] {}));
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "gnomon: broken\n");
     EXPECT_EQ(messages.all().size(), 2U);
-    messages.show("next", 2);
+    messages.show("next");
     EXPECT_EQ(messages.all().size(), 3U); // a failure is not replaced
-    EXPECT_TRUE(messages.expire(10));
+    now = 10;
+    EXPECT_TRUE(messages.expire());
     EXPECT_EQ(messages.all().size(), 1U);
-    EXPECT_TRUE(messages.expire(30));
-    EXPECT_FALSE(messages.expire(31));
+    now = 30;
+    EXPECT_TRUE(messages.expire());
+    now = 31;
+    EXPECT_FALSE(messages.expire());
 }
 
 TEST(PlanWords, SayWhatIsPlannedAndWhatIsLeftOut) {

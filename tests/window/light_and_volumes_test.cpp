@@ -73,6 +73,9 @@ TEST(StoragePad, HoldsTheStorageFactorOfEveryLightOnceItIsComplete) {
     question.scheme.slices = 3;
     pad.ask(question);
     EXPECT_FALSE(pad.isComplete());
+    pad.ask(std::nullopt); // nobody waits for an answer any more
+    EXPECT_TRUE(pad.isComplete());
+    EXPECT_TRUE(pad.at(4, 4).has_value());
 }
 
 /// A convex volume around the origin.

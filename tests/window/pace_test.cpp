@@ -61,6 +61,10 @@ TEST(Pace, WhatLiesOverTheSceneIsDrawnSeveralTimesAfterAChangeAndStopsWithoutOne
     EXPECT_LT(frames, 10);
     pace.countWindow();
     EXPECT_FALSE(pace.isWindowAwake());
+    pace.keepWindow();
+    EXPECT_TRUE(pace.isWindowAwake());
+    pace.countWindow();
+    EXPECT_FALSE(pace.isWindowAwake());
 }
 
 TEST(Pace, ASceneThatCannotBeDrawnSleepsUntilSomethingChanges) {

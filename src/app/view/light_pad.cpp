@@ -65,10 +65,8 @@ bool drawLightPad(const render::Frame* frame, const Camera& camera, StoragePad& 
     const bool wasBelow = isBelow;
     LightDisc disc = lightDisc(camera, isBelow);
     const auto question = questionOf(frame, disc);
-    if (question) {
-        pad.ask(*question);
-        pad.improve(kAnswersAFrame);
-    }
+    pad.ask(question);
+    pad.improve(kAnswersAFrame);
     const float side = 11 * ImGui::GetFontSize();
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::InvisibleButton("light", {side, side});

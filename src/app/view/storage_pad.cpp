@@ -59,8 +59,8 @@ double storageFactor(const StorageQuestion& question, const glm::dvec3& towardsL
     return shadow::storageFactor(shadow::schemeMaps(question.frustum, inCamera, question.scheme));
 }
 
-void StoragePad::ask(const StorageQuestion& question) {
-    if (question_ && isSame(*question_, question)) return;
+void StoragePad::ask(const std::optional<StorageQuestion>& question) {
+    if (question_ && question && isSame(*question_, *question)) return;
     question_ = question;
     next_ = 0;
 }

@@ -48,8 +48,9 @@ public:
 
     int side() const { return side_; }
 
-    /// Asks anew if `question` is not the one at hand; old values stay until new ones replace them.
-    void ask(const StorageQuestion& question);
+    /// Asks anew if `question` is not the one at hand; old values stay until new ones replace them. Nothing: asks no
+    /// more.
+    void ask(const std::optional<StorageQuestion>& question);
 
     /// Finds up to `count` more.
     void improve(int count);

@@ -306,8 +306,9 @@ bool Viewer::drawFrame() {
     if (frame != nullptr && (frame->plan.view.width != size.x || frame->plan.view.height != size.y)) pace_.wakeScene();
     const bool drawsScene = scene != nullptr && !isIdle();
     if (drawsScene) drawScene(size);
-    if (drawsScene || pace_.isWindowAwake()) drawWindow(size);
-    pace_.countWindow();
+    const bool drawsWindow = drawsScene || pace_.isWindowAwake();
+    pace_.countWindow(); // first, since drawing it may ask for one more
+    if (drawsWindow) drawWindow(size);
     return drawsScene;
 }
 

@@ -11,6 +11,8 @@
 #define HWY_TARGET_INCLUDE "raster/tile_kernel.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
+#include "raster/stored_lanes-inl.h"
+#include "raster/tile_target-inl.h"
 #include "raster/triangle_lanes-inl.h"
 // clang-format on
 

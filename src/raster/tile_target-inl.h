@@ -1,0 +1,113 @@
+// The pixels that triangles cover, and the memory of a tile that takes them: of a depth map or of a visibility buffer.
+// Included once for each instruction set.
+#if defined(GNOMON_RASTER_TILE_TARGET_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef GNOMON_RASTER_TILE_TARGET_INL_H
+#undef GNOMON_RASTER_TILE_TARGET_INL_H
+#else
+#define GNOMON_RASTER_TILE_TARGET_INL_H
+#endif
+
+#include "raster/triangle_lanes-inl.h"
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+
+namespace gnomon::raster::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+#if HWY_TARGET == HWY_SCALAR
+using WordTag = hn::ScalableTag<std::uint64_t>;
+#else
+using WordTag = hn::Repartition<std::uint64_t, UintTag>;
+#endif
+
+/// Pixels that triangles of a vector cover: place in the tile, depth, and name.
+struct Hits { // NOLINT(cppcoreguidelines-pro-type-member-init): filled up to its count
+    static constexpr std::size_t kMost =
+        std::size_t{17} * kMostLanes; // 4 x 4 pixels of every lane, and a vector's overrun
+    std::array<std::int32_t, kMost> addresses;
+    std::array<float, kMost> depths;
+    std::array<std::uint32_t, kMost> ids;
+    std::size_t count = 0;
+
+    template <bool hasIds>
+    HWY_INLINE void add(IntMask inside, Ints address, Floats depth, Ints id) {
+        hn::StoreU(hn::Compress(address, inside), kInts, addresses.data() + count);
+        hn::StoreU(hn::Compress(depth, hn::RebindMask(kFloats, inside)), kFloats, depths.data() + count);
+        if constexpr (hasIds) hn::StoreU(hn::BitCast(kUints, hn::Compress(id, inside)), kUints, ids.data() + count);
+        count += hn::CountTrue(kInts, inside);
+    }
+};
+
+/// The memory of a tile of a depth map: the least depth stays.
+struct DepthTile {
+    static constexpr bool kHasIds = false;
+    static constexpr bool kCounts = true; // pixels covered within the tile, each triangle's
+    float* depths;
+    std::uint64_t covered = 0;
+
+    HWY_INLINE void count(std::size_t pixels) { covered += pixels; }
+
+    HWY_INLINE void discount(std::size_t pixels) { covered -= pixels; }
+
+    HWY_INLINE void takeHits(const Hits& hits) const {
+        for (std::size_t i = 0; i < hits.count; ++i) {
+            float& depth = depths[hits.addresses[i]];
+            depth = std::min(depth, hits.depths[i]);
+        }
+    }
+
+    HWY_INLINE void takeRow(int address, IntMask inside, Floats depth, std::uint32_t /*id*/) const {
+        const auto old = hn::LoadU(kFloats, depths + address);
+        const auto nearer = hn::Min(old, depth);
+        hn::StoreU(hn::IfThenElse(hn::RebindMask(kFloats, inside), nearer, old), kFloats, depths + address);
+    }
+};
+
+/// The memory of a tile of a visibility buffer: the largest word stays.
+struct VisibilityTile {
+    static constexpr bool kHasIds = true;
+    static constexpr bool kCounts = false;
+    std::uint64_t* words;
+
+    HWY_INLINE void takeHits(const Hits& hits) const {
+        for (std::size_t i = 0; i < hits.count; ++i) {
+            std::uint64_t& word = words[hits.addresses[i]];
+            word = std::max(word, visibilityWord(hits.depths[i], hits.ids[i]));
+        }
+    }
+
+    HWY_INLINE void takeRow(int address, IntMask inside, Floats depth, std::uint32_t id) const {
+        // A word of 0 is less than any, so it stands for the pixels outside.
+        const auto mask = hn::RebindMask(kUints, inside);
+        const auto high = hn::IfThenElseZero(mask, hn::BitCast(kUints, depth));
+        const auto low = hn::IfThenElseZero(mask, hn::Set(kUints, ~id));
+        constexpr WordTag kWords;
+#if HWY_TARGET == HWY_SCALAR // one lane has no halves
+        takeWords(address, hn::PromoteTo(kWords, high), hn::PromoteTo(kWords, low));
+#else
+        const hn::Half<UintTag> half;
+        takeWords(
+            address, hn::PromoteTo(kWords, hn::LowerHalf(half, high)), hn::PromoteTo(kWords, hn::LowerHalf(half, low)));
+        takeWords(
+            address + static_cast<int>(hn::Lanes(kWords)),
+            hn::PromoteTo(kWords, hn::UpperHalf(half, high)),
+            hn::PromoteTo(kWords, hn::UpperHalf(half, low)));
+#endif
+    }
+
+private:
+    template <class Words>
+    HWY_INLINE void takeWords(int address, Words high, Words low) const {
+        constexpr WordTag kWords;
+        const auto word = hn::Or(hn::ShiftLeft<32>(high), low);
+        hn::StoreU(hn::Max(hn::LoadU(kWords, words + address), word), kWords, words + address);
+    }
+};
+
+} // namespace gnomon::raster::HWY_NAMESPACE
+
+HWY_AFTER_NAMESPACE();
+
+#endif // include guard

@@ -14,7 +14,7 @@ void GlBatch::add(const PagePlace& place, const hierarchy::Page& page, const sel
     draws.bases.push_back(place.baseVertex);
 }
 
-std::uint64_t GlBatch::flush(const GeometryPool& pool) {
+std::uint64_t GlBatch::flush(const GeometryPool& pool, bool waits) {
     std::uint64_t calls = 0;
     for (std::size_t chunk = 0; chunk < draws_.size(); ++chunk) {
         Draws& draws = draws_[chunk];
@@ -27,6 +27,7 @@ std::uint64_t GlBatch::flush(const GeometryPool& pool) {
             draws.offsets.data(),
             static_cast<GLsizei>(draws.counts.size()),
             draws.bases.data());
+        if (waits) api_->finish();
         calls += draws.counts.size();
         draws = {};
     }

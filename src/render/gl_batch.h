@@ -16,8 +16,8 @@ public:
     /// Adds a range of the clusters of `page`, which lies at `place` in the pool.
     void add(const PagePlace& place, const hierarchy::Page& page, const selection::ClusterRange& range);
 
-    /// Issues what was added; returns how many draw calls that took.
-    std::uint64_t flush(const GeometryPool& pool);
+    /// Issues what was added; returns how many draw calls that took. `waits` for each chunk before the next is queued.
+    std::uint64_t flush(const GeometryPool& pool, bool waits);
 
 private:
     struct Draws {

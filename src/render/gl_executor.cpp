@@ -66,6 +66,7 @@ private:
     void drawImage(const FrameDrawing& frame);
     void drawGeometry(const FrameDrawing& frame, const selection::DrawList& list);
     PagePlace placed(const FrameDrawing& frame, std::uint32_t id, GlBatch& batch);
+    bool waitsForDraws() const;
     const gl::Program& surfaceProgram(const FrameDrawing& frame);
     void bindBlocks(const block::Frame& values);
 
@@ -215,7 +216,7 @@ PagePlace GlExecutor::placed(const FrameDrawing& frame, std::uint32_t id, GlBatc
     for (;;) {
         if (const auto place = pool_.insert(id, page, frame.grid)) return *place;
         // The pool is smaller than the pass: what was gathered is drawn first, so that its pages may go.
-        drawCalls_ += batch.flush(pool_);
+        drawCalls_ += batch.flush(pool_, waitsForDraws());
         pool_.evictOldest();
     }
 }
@@ -224,7 +225,13 @@ void GlExecutor::drawGeometry(const FrameDrawing& frame, const selection::DrawLi
     GlBatch batch(api());
     for (const selection::ClusterRange& range : list.ranges)
         batch.add(placed(frame, range.page, batch), frame.pages(range.page), range);
-    drawCalls_ += batch.flush(pool_);
+    drawCalls_ += batch.flush(pool_, waitsForDraws());
+}
+
+/// Mesa's software renderer keeps the binned triangles of all draws that it has not finished, some 200 MiB that count
+/// towards no cap: waiting holds them down, for a sixth more time.
+bool GlExecutor::waitsForDraws() const {
+    return !context_->isHardware();
 }
 
 } // namespace

@@ -5,10 +5,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace gnomon::shadow {
 
 namespace {
+
+/// The steepest warp whose matrix still keeps its promise to a thousandth as floats: its derivatives are differences of
+/// numbers kappa d times as large. Only a TSM with its focus on the near side, and a PSM of a depth ratio above this,
+/// ask for more.
+double mostKappa(const LightFit& fit) {
+    constexpr double kMostWarp = 1e4; // of kappa d
+    return fit.length > 0 ? kMostWarp / fit.length : std::numeric_limits<double>::infinity();
+}
 
 /// One map before the budget is split.
 struct Draft {
@@ -66,7 +75,7 @@ Draft draftOf(const ShadowView& view, const ShadowOptions& options, Region regio
         frame = faceFrame(region.frustum, view.towardsLight, region.face, options.scheme.bisector);
     draft.fit = fitRegion(frame, region.frustum, region.vertices);
     const Warp warp = warpOfSlice(options.scheme.warp, view.frustum, region.frustum);
-    draft.kappa = region.face == Face::Near ? 0 : kappaOf(warp, draft.fit);
+    draft.kappa = region.face == Face::Near ? 0 : std::min(kappaOf(warp, draft.fit), mostKappa(draft.fit));
     draft.unit = worstAliasing(draft.fit, draft.kappa);
     draft.sheared = worstShearedAliasing(draft.fit, draft.kappa);
     draft.region = std::move(region);

@@ -73,11 +73,11 @@ Judged judge(Stage& stage) {
     return sum;
 }
 
-void expectPromiseKept(Stage& stage) {
+void expectPromiseKept(Stage& stage, std::uint64_t triples = kTriples) {
     FrameOptions options;
     options.measuresAliasing = true;
     int measured = 0;
-    for (std::uint64_t i = 0; i < kTriples; ++i) {
+    for (std::uint64_t i = 0; i < triples; ++i) {
         const ShadowTriple triple = tests::shadowTriple(stage.bounds(), i, kSide, kTexels);
         const Frame frame = stage.render(triple, options);
         if (!frame.aliasing || frame.aliasing->pixelsMeasured == 0) continue;
@@ -86,7 +86,7 @@ void expectPromiseKept(Stage& stage) {
         EXPECT_LE(frame.aliasing->x, frame.plan.promised.x * (1 + kFloatTolerance)) << i;
         EXPECT_LE(frame.aliasing->z, frame.plan.promised.z * (1 + kFloatTolerance)) << i;
     }
-    EXPECT_GE(measured, 20);
+    EXPECT_GE(measured * 3, static_cast<int>(triples) * 2);
 }
 
 TEST(MeasuredAliasing, IsNeverAboveThePromiseOnAPlant) {
@@ -97,6 +97,14 @@ TEST(MeasuredAliasing, IsNeverAboveThePromiseOnAPlant) {
 TEST(MeasuredAliasing, IsNeverAboveThePromiseOnAStatue) {
     Stage stage = softwareStage("statue", 10000);
     expectPromiseKept(stage);
+}
+
+// Triples 83 and 155 broke it on the plant: a TSM so steep that floats could not hold its derivatives.
+TEST(SlowMeasuredAliasing, IsNeverAboveThePromiseOverManyTriples) {
+    Stage plant = softwareStage("plant", 300000);
+    expectPromiseKept(plant, 300);
+    Stage statue = softwareStage("statue", 10000);
+    expectPromiseKept(statue, 300);
 }
 
 /// A ground in a file of its own, all but flat: without any hill no caster could reach it and no map would be drawn.

@@ -21,7 +21,26 @@ hierarchy::LevelInfo infoOf(const Level& level, const Grid& grid) {
 }
 
 bool isWorthwhile(const Level& next, std::uint64_t triangles) {
-    return static_cast<double>(next.triangles.size()) <= kLeastProgress * static_cast<double>(triangles);
+    return !next.triangles.empty() &&
+           static_cast<double>(next.triangles.size()) <= kLeastProgress * static_cast<double>(triangles);
+}
+
+/// What simplification makes of a level, and whether that is worth having.
+struct Coarser {
+    Level level;
+    bool isWorthwhile = false;
+};
+
+/// On the way to the root, what cannot be had at a fair price is had at any.
+Coarser coarserLevel(const Mesh& mesh, Level& level, bool isToRoot, const LevelOptions& options, Progress& progress) {
+    const auto at = [&](Price price) {
+        Coarser coarser = {simplifiedLevel(mesh, level, options, price, progress)};
+        coarser.isWorthwhile = isWorthwhile(coarser.level, level.triangles.size());
+        return coarser;
+    };
+    Coarser fair = at(Price::Fair);
+    if (fair.isWorthwhile || !isToRoot) return fair;
+    return at(Price::Any);
 }
 
 /// The groups of a root: nothing coarser stands in for them, whatever the error.
@@ -49,23 +68,18 @@ BuiltNode buildNode(Mesh& mesh, Level level, const NodePlan& plan, const LevelOp
         if (isSingle && !isToRoot && number > 0) break;
         formGroups(level, mesh.grid, options, number);
         const std::uint32_t pageCount = placeGroups(level, number);
-        Level next;
-        const auto isCoarserAt = [&](Price price) {
-            next = simplifiedLevel(mesh, level, options, price, progress);
-            return !next.triangles.empty() && isWorthwhile(next, level.triangles.size());
-        };
-        const bool isCoarser =
-            (!isSingle || !isToRoot) && (isCoarserAt(Price::Fair) || (isToRoot && isCoarserAt(Price::Any)));
-        if (!isCoarser && isToRoot) {
+        Coarser coarser;
+        if (!isSingle || !isToRoot) coarser = coarserLevel(mesh, level, isToRoot, options, progress);
+        if (!coarser.isWorthwhile && isToRoot) {
             endAtRoot(level);
             keep(number, pageCount);
             node.rootTriangles = level.triangles.size();
             if (number == 0 && !isSingle) node.stuckTriangles = level.triangles.size();
             return node;
         }
-        if (!isCoarser && number > 0) break;
+        if (!coarser.isWorthwhile && number > 0) break;
         keep(number, pageCount);
-        level = std::move(next);
+        level = std::move(coarser.level);
         takeNormals(level, mesh);
     }
     node.remains = encodeRemains(mesh, level);

@@ -55,8 +55,8 @@ private:
     bool isTaken(const Triangle& p, VertexOf vertex) const {
         for (std::size_t i = 0; i < 3; ++i) {
             if (!mesh.is_boundary(vertex(p[i]))) return true;
-            const OpenMesh::HalfedgeHandle edge = mesh.find_halfedge(vertex(p[i]), vertex(p[(i + 1) % 3]));
-            if (edge.is_valid() && !mesh.is_boundary(edge)) return true;
+            const OpenMesh::SmartHalfedgeHandle edge = mesh.find_halfedge(vertex(p[i]), vertex(p[(i + 1) % 3]));
+            if (edge.is_valid() && !edge.is_boundary()) return true;
         }
         return false;
     }

@@ -122,11 +122,18 @@ HWY_INLINE IntMask isBeyond(const TriangleLanes& t, int x, int y) {
         hn::Gt(hn::Add(t.firstX, hn::Set(kInts, x)), t.lastX), hn::Gt(hn::Add(t.firstY, hn::Set(kInts, y)), t.lastY));
 }
 
+/// Takes back from the count what lies past the tile, in its memory's margin.
+template <class Target>
+HWY_INLINE void discountBeyond(const TriangleLanes& t, IntMask inside, int x, int y, bool reachesOver, Target& target) {
+    if constexpr (Target::kCounts)
+        if (reachesOver) target.discount(hn::CountTrue(kInts, hn::And(inside, isBeyond(t, x, y))));
+}
+
 /// Tests `side` x `side` pixel centres of each lane's triangle.
 template <bool isCompact, int side, class Target>
 HWY_INLINE void drawSmall(const SnappedCluster& cluster, const Sorted& sorted, const PixelBox& tile, Target& target) {
     const auto lanes = static_cast<std::uint32_t>(hn::Lanes(kInts));
-    [[maybe_unused]] const bool reachesOver = reachesOverEdge(cluster, tile);
+    const bool reachesOver = reachesOverEdge(cluster, tile);
     Hits hits; // NOLINT(cppcoreguidelines-pro-type-member-init): filled up to its count
     for (std::uint32_t first = 0; first < sorted.count; first += lanes) {
         const auto corners = hn::BitCast(kInts, hn::LoadU(kUints, sorted.packed.data() + first));
@@ -137,18 +144,15 @@ HWY_INLINE void drawSmall(const SnappedCluster& cluster, const Sorted& sorted, c
         for (int y = 0; y < side; ++y) {
             Edges e = t.edges;
             const auto rowDepth = depthOfRow(t.depth, hn::Add(t.depth.fromY, hn::Set(kFloats, static_cast<float>(y))));
-            for (int x = 0; x < side; ++x) {
+            for (int x = 0; x < side; ++x, step(e, t.perX)) {
                 const auto inside = hn::And(t.hasArea, isInside(e));
-                if (!hn::AllFalse(kInts, inside)) {
-                    hits.add<Target::kHasIds>(
-                        inside,
-                        hn::Add(rowAddress, hn::Set(kInts, x)),
-                        depthAt(t.depth, rowDepth, hn::Add(t.depth.fromX, hn::Set(kFloats, static_cast<float>(x)))),
-                        ids);
-                    if constexpr (Target::kCounts)
-                        if (reachesOver) target.discount(hn::CountTrue(kInts, hn::And(inside, isBeyond(t, x, y))));
-                }
-                step(e, t.perX);
+                if (hn::AllFalse(kInts, inside)) continue;
+                hits.add<Target::kHasIds>(
+                    inside,
+                    hn::Add(rowAddress, hn::Set(kInts, x)),
+                    depthAt(t.depth, rowDepth, hn::Add(t.depth.fromX, hn::Set(kFloats, static_cast<float>(x)))),
+                    ids);
+                discountBeyond(t, inside, x, y, reachesOver, target);
             }
             step(t.edges, t.perY);
             rowAddress = hn::Add(rowAddress, hn::Set(kInts, kTileStride));

@@ -158,6 +158,19 @@ private:
     std::vector<TexelProbe> probes_;
 };
 
+/// Counts `truth.verdicts`; a surface that the light only grazes is not judged.
+void countVerdicts(const Raster<SurfaceSample>& surfaces, const glm::vec3& towards, ShadowTruth& truth) {
+    for (std::size_t i = 0; i < truth.verdicts.size(); ++i) {
+        const ShadowVerdict verdict = truth.verdicts[i];
+        if (verdict == ShadowVerdict::Unasked) continue;
+        if (verdict == ShadowVerdict::Missed) ++truth.missedPixels;
+        if (!(glm::dot(surfaces.pixels[i].normal, towards) > static_cast<float>(kLeastCosine))) continue;
+        ++truth.judgedPixels;
+        const bool isUnexplained = verdict == ShadowVerdict::FalseShadow || verdict == ShadowVerdict::Leak;
+        truth.unexplainedPixels += isUnexplained ? 1U : 0U;
+    }
+}
+
 double share(std::uint64_t part, std::uint64_t whole) {
     return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
 }
@@ -195,16 +208,7 @@ ShadowTruth shadowTruth(
         if (truth.verdicts[i] == ShadowVerdict::Missed || (isEdge[i] != 0 && judge.isTooFine(i, light[i])))
             apart[i] = 1;
     });
-    const glm::vec3 towards = towardsLight(plan);
-    for (std::size_t i = 0; i < count; ++i) {
-        const ShadowVerdict verdict = truth.verdicts[i];
-        if (verdict == ShadowVerdict::Unasked) continue;
-        if (verdict == ShadowVerdict::Missed) ++truth.missedPixels;
-        if (!(glm::dot(surfaces.pixels[i].normal, towards) > static_cast<float>(kLeastCosine))) continue;
-        ++truth.judgedPixels;
-        const bool isUnexplained = verdict == ShadowVerdict::FalseShadow || verdict == ShadowVerdict::Leak;
-        truth.unexplainedPixels += isUnexplained ? 1U : 0U;
-    }
+    countVerdicts(surfaces, towardsLight(plan), truth);
     truth.shadows = raycast::compareShadows(light, isLit, width);
     truth.answerable = raycast::compareShadows(light, isLit, width, apart);
     return truth;

@@ -138,7 +138,7 @@ std::uint64_t texelsThatWouldDo(std::span<const TexelDemand> demands, double ali
     GNOMON_CHECK_OP(aliasing, >, 0.0);
     const Packing rectangles = packed(sizesFor(demands, aliasing, limits), limits.maxSide);
     if (rectangles.width == 0) return 0;
-    const auto leastSide = static_cast<std::uint64_t>(limits.minSide + 2 * limits.gutter);
+    const std::uint64_t leastSide = static_cast<std::uint32_t>(limits.minSide + 2 * limits.gutter);
     TexelLimits enough = limits;
     enough.texels = std::max(rectangles.area(), leastSide * leastSide * demands.size());
     // The search of splitTexels stops a step short of the least error and may settle on another strategy.

@@ -158,6 +158,23 @@ TEST(SuitedPath, AnApproachComesFromFarToVeryNear) {
     EXPECT_LT(statue.clearance(end, size), 0.005 * size);
 }
 
+/// A mesh of boxes.
+struct Boxes {
+    std::vector<glm::dvec3> corners;
+    std::vector<std::array<std::size_t, 4>> quads;
+
+    void add(const glm::dvec3& min, const glm::dvec3& max) {
+        const std::size_t first = corners.size();
+        for (unsigned i = 0; i < 8; ++i)
+            corners.emplace_back(
+                (i & 1U) != 0 ? max.x : min.x, (i & 2U) != 0 ? max.y : min.y, (i & 4U) != 0 ? max.z : min.z);
+        constexpr std::array<std::array<std::size_t, 4>, 6> kSides{
+            {{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}}};
+        for (const auto& q : kSides)
+            quads.push_back({first + q[0], first + q[1], first + q[2], first + q[3]});
+    }
+};
+
 /// Many small boxes in a flat grid, with gaps between them as wide as they are; far away on two sides one more each, so
 /// that the grid is fine for the size of the model and coarse levels close its gaps.
 struct Grating {
@@ -167,33 +184,22 @@ struct Grating {
     double reach = 100'000; // of the boxes far away
 
     void operator()(const std::string& path) const {
-        std::vector<glm::dvec3> corners;
-        std::vector<std::array<std::size_t, 4>> quads;
-        const auto box = [&](const glm::dvec3& min, const glm::dvec3& max) {
-            const std::size_t first = corners.size();
-            for (unsigned i = 0; i < 8; ++i)
-                corners.emplace_back(
-                    (i & 1U) != 0 ? max.x : min.x, (i & 2U) != 0 ? max.y : min.y, (i & 4U) != 0 ? max.z : min.z);
-            constexpr std::array<std::array<std::size_t, 4>, 6> kSides{
-                {{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}}};
-            for (const auto& q : kSides)
-                quads.push_back({first + q[0], first + q[1], first + q[2], first + q[3]});
-        };
+        Boxes boxes;
         for (int x = 0; x < side; ++x)
             for (int z = 0; z < side; ++z) {
                 const glm::dvec3 middle(2 * x + 1.3 - side, 0, 2 * z + 1 - side);
-                if (glm::length(middle) >= emptyRadius) box(middle - 0.5, middle + 0.5);
+                if (glm::length(middle) >= emptyRadius) boxes.add(middle - 0.5, middle + 0.5);
             }
-        if (hasFloor) box({-side, -9, -side}, {side, -8, side});
-        box({-reach, -1, -1}, {1 - reach, 0, 0});
-        box({reach - 1, 0, 0}, {reach, 1, 1});
+        if (hasFloor) boxes.add({-side, -9, -side}, {side, -8, side});
+        boxes.add({-reach, -1, -1}, {1 - reach, 0, 0});
+        boxes.add({reach - 1, 0, 0}, {reach, 1, 1});
         std::ofstream file(path);
-        file << "ply\nformat ascii 1.0\nelement vertex " << corners.size()
-             << "\nproperty float x\nproperty float y\nproperty float z\nelement face " << quads.size()
+        file << "ply\nformat ascii 1.0\nelement vertex " << boxes.corners.size()
+             << "\nproperty float x\nproperty float y\nproperty float z\nelement face " << boxes.quads.size()
              << "\nproperty list uchar int vertex_indices\nend_header\n";
-        for (const glm::dvec3& corner : corners)
+        for (const glm::dvec3& corner : boxes.corners)
             file << corner.x << ' ' << corner.y << ' ' << corner.z << '\n';
-        for (const auto& q : quads)
+        for (const auto& q : boxes.quads)
             file << "4 " << q[0] << ' ' << q[1] << ' ' << q[2] << ' ' << q[3] << '\n';
     }
 };

@@ -43,7 +43,7 @@ TEST(File, WhatIsNoFileIsWrittenToAndNeverReplaced) {
     EXPECT_TRUE(std::filesystem::is_fifo(pipe));
     AtomicFile(pipe).commit();
     EXPECT_TRUE(std::filesystem::is_fifo(pipe));
-    EXPECT_THROW(AtomicFile(testing::TempDir()), Error); // before any work is done for it
+    EXPECT_THROW(AtomicFile{testing::TempDir()}, Error); // before any work is done for it
     std::filesystem::remove(pipe);
 }
 

@@ -21,6 +21,17 @@ double missingError(const selection::CutQuery& query, const hierarchy::Page& pag
     return query.rule->pixels(finer.bounds, finer.error) > query.errorPixels ? finer.error : 0;
 }
 
+std::array<glm::dvec3, 3> cornersOf(
+    const hierarchy::Grid& grid,
+    const hierarchy::Page& page,
+    const hierarchy::Cluster& cluster,
+    const hierarchy::Triangle& triangle) {
+    const auto corner = [&](std::size_t i) {
+        return grid.local(page.vertices[cluster.firstVertex + triangle[i]].position);
+    };
+    return {corner(0), corner(1), corner(2)};
+}
+
 /// Calls `visit` with the corners of every triangle of `list`, and what its cluster may be off by.
 template <class Visit>
 void forEveryTriangle(const selection::CutQuery& query, const selection::DrawList& list, const Visit& visit) {
@@ -30,13 +41,8 @@ void forEveryTriangle(const selection::CutQuery& query, const selection::DrawLis
         for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c) {
             const hierarchy::Cluster& cluster = page.clusters[c];
             const double margin = missingError(query, page, cluster);
-            for (std::uint32_t t = 0; t < cluster.triangleCount; ++t) {
-                const hierarchy::Triangle& triangle = page.triangles[cluster.firstTriangle + t];
-                const auto corner = [&](std::size_t i) {
-                    return grid.local(page.vertices[cluster.firstVertex + triangle[i]].position);
-                };
-                visit(std::array<glm::dvec3, 3>{corner(0), corner(1), corner(2)}, margin);
-            }
+            for (std::uint32_t t = 0; t < cluster.triangleCount; ++t)
+                visit(cornersOf(grid, page, cluster, page.triangles[cluster.firstTriangle + t]), margin);
         }
     }
 }

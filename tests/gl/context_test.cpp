@@ -17,7 +17,7 @@ namespace {
 
 /// Writes two shaders that fill the lower left triangle of the viewport with one colour.
 std::string shaderFolder(const std::string& fragment) {
-    const std::string folder =
+    std::string folder =
         testing::TempDir() + "gnomon_gl_" + testing::UnitTest::GetInstance()->current_test_info()->name();
     std::filesystem::create_directories(folder);
     std::ofstream(folder + "/a.vert") << "layout(location = 0) in uvec2 position;\n"

@@ -244,10 +244,11 @@ std::vector<Level> makeLevels(const Ground& ground, const TinyModelOptions& opti
 /// Gives every group its page, coarsest level first.
 void placeGroups(std::vector<Level>& levels, std::uint32_t pageGroups) {
     std::uint32_t page = 0;
-    for (auto level = levels.rbegin(); level != levels.rend(); ++level) {
-        for (std::uint32_t g = 0; g < level->groups.size(); ++g)
-            level->groups[g].place = {page + g / pageGroups, g % pageGroups};
-        page += (static_cast<std::uint32_t>(level->groups.size()) + pageGroups - 1) / pageGroups;
+    for (std::size_t level = levels.size(); level-- > 0;) {
+        std::vector<PieceGroup>& groups = levels[level].groups;
+        for (std::uint32_t g = 0; g < groups.size(); ++g)
+            groups[g].place = {page + g / pageGroups, g % pageGroups};
+        page += (static_cast<std::uint32_t>(groups.size()) + pageGroups - 1) / pageGroups;
     }
 }
 

@@ -78,13 +78,13 @@ Tried bestOfAll(const SchemeQuestion& question) {
     std::optional<Tried> cheapest;
     std::optional<Tried> lowest;
     const double most = question.quality.maxAliasing;
+    const auto asked = [](const Tried& one) { return one.promise / (one.choice.faces ? 0.95 : 1); };
     for (int slices = 1; slices <= kMostSlices; ++slices) {
         for (const bool faces : {false, true}) {
             if (faces && question.quality.facePartitions != Choice::Auto) continue;
             const Tried candidate = tried(question, slices, faces);
-            const double asked = candidate.promise / (faces ? 0.95 : 1);
             if (candidate.promise <= most && (!cheapest || candidate.cost < cheapest->cost)) cheapest = candidate;
-            if (!lowest || asked < lowest->promise / (lowest->choice.faces ? 0.95 : 1)) lowest = candidate;
+            if (!lowest || asked(candidate) < asked(*lowest)) lowest = candidate;
         }
     }
     return cheapest ? *cheapest : *lowest;
@@ -227,7 +227,7 @@ TEST(FramePlan, AMapOutlivesItsReceiversByAFewFrames) {
     const View view = madeView(2);
     SceneFacts facts;
     facts.visible = {1, 100, true};
-    facts.light.emplace();
+    facts.light = SceneFacts::Light();
     facts.light->lit = {{1, 100}};
     FramePlan plan = planFrame(view, {}, facts);
     EXPECT_EQ(plan.passes.size(), 4U);

@@ -29,8 +29,8 @@ struct MadeScene {
     SceneFacts facts(const View& view) const {
         SceneFacts facts;
         facts.bounds = bounds;
-        facts.visible.emplace();
-        facts.light.emplace();
+        facts.visible = SceneFacts::Visible();
+        facts.light = SceneFacts::Light();
         const CameraBasis basis = cameraBasis(view.camera);
         std::vector<DepthSpan>& lit = facts.light->lit;
         for (const SceneFacts::CasterBlock& block : blocks) {

@@ -110,7 +110,7 @@ CodeMesh mixedMesh() {
 TEST(Simplify, TheErrorsOfItsTrianglesHoldForEveryPointOfBothSurfaces) {
     std::vector<Patch> patches{patchOf(bumpySheet(20)), patchOf(strewnBoxes(60)), patchOf(mixedMesh())};
     for (Patch& patch : patches)
-        for (const std::size_t share : {2, 5, 40}) {
+        for (const std::size_t share : {2U, 5U, 40U}) {
             const std::vector<TriangleError> errors = someErrors(patch.triangles.size());
             patch.errors = errors;
             const SimplifiedPatch simplified = simplifyOwn(patch, patch.triangles.size() / share);

@@ -10,9 +10,11 @@
 
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <iomanip>
 #include <sstream>
+#include <stdexcept>
 
 namespace gnomon::preprocess {
 namespace {
@@ -55,8 +57,8 @@ Soup bumpyField(double scale, const glm::dvec3& origin) {
 /// A model built from a soup and verified against it; both files are gone with the object.
 class Verified {
 public:
-    explicit Verified(const Soup& soup) : folder_(testing::TempDir() + "gnomon_hard_" + std::to_string(counter_++)) {
-        std::filesystem::create_directories(folder_);
+    explicit Verified(const Soup& soup) : folder_(testing::TempDir() + "gnomon_hard_XXXXXX") {
+        if (!::mkdtemp(folder_.data())) throw std::runtime_error("no folder " + folder_);
         const std::string source = folder_ + "/source.ply";
         write(soup, source);
         NoProgress progress;
@@ -103,7 +105,6 @@ private:
         writeTextFile(path, text.str());
     }
 
-    static inline int counter_ = 0;
     std::string folder_;
 };
 

@@ -10,7 +10,7 @@ endfunction()
 
 # gnomon_tests(<layer> SOURCES <file>... [NEEDS <target>...] [LABEL <label>])
 # One test program per layer; every TEST in it is a ctest entry that carries the label (unit unless said otherwise;
-# `threads` is what `scripts/test --all` also runs under the thread sanitizer).
+# `threads` is what `scripts/test --all` also runs under the thread sanitizer; the target threaded_tests builds it).
 # A suite whose name starts with "Slow" (behind the prefix of an instantiation) carries the label `slow` instead.
 function(gnomon_tests name)
     cmake_parse_arguments(PARSE_ARGV 1 arg "" "LABEL" "SOURCES;NEEDS")
@@ -21,6 +21,9 @@ function(gnomon_tests name)
     target_include_directories(${name}_tests PRIVATE ${PROJECT_SOURCE_DIR})
     target_link_libraries(${name}_tests PRIVATE ${arg_NEEDS} gnomon_options GTest::gtest_main)
     target_compile_definitions(${name}_tests PRIVATE GNOMON_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+    if(arg_LABEL STREQUAL threads)
+        add_dependencies(threaded_tests ${name}_tests)
+    endif()
     gtest_discover_tests(${name}_tests TEST_FILTER "-Slow*:*/Slow*" PROPERTIES LABELS ${arg_LABEL} DISCOVERY_TIMEOUT 60)
     gtest_discover_tests(${name}_tests TEST_FILTER "Slow*:*/Slow*" TEST_LIST ${name}_slow
         PROPERTIES LABELS slow DISCOVERY_TIMEOUT 60)

@@ -110,11 +110,15 @@ void acquire(d1::wait_context& waited) {
     __tsan_acquire(reinterpret_cast<std::uint64_t*>(&waited) + 1);
 }
 
+/// Memory that is given back after it was taken, whatever thread of TBB does that.
 void* fresh(std::size_t bytes) {
-    return ::operator new (bytes, std::align_val_t{64});
+    void* const memory = ::operator new (bytes, std::align_val_t{64});
+    __tsan_release(memory);
+    return memory;
 }
 
 void discard(void* memory) {
+    __tsan_acquire(memory);
     ::operator delete (memory, std::align_val_t{64});
 }
 

@@ -58,6 +58,16 @@ HWY_INLINE Ints along(std::int32_t first, std::int32_t perX) {
     return hn::Add(hn::Set(kInts, first), hn::Mul(hn::Iota(kInts, 0), hn::Set(kInts, perX)));
 }
 
+/// Counts the pixels `inside` of a vector that begins at column `x`, those of the tile's margin left out.
+template <class Target>
+HWY_INLINE void countInside(
+    const StoredLanes& s, std::uint32_t lane, IntMask inside, std::int32_t x, bool reachesOver, Target& target) {
+    if constexpr (Target::kCounts) {
+        const auto beforeEnd = hn::Lt(hn::Iota(kInts, x), hn::Set(kInts, s.box[2][lane] + 1));
+        target.count(hn::CountTrue(kInts, reachesOver ? hn::And(inside, beforeEnd) : inside));
+    }
+}
+
 /// Draws the triangle of one lane, a vector of pixels at a time; `reachesOver` says if it may into the tile's margin.
 template <class Target>
 HWY_INLINE void drawStored(const StoredLanes& s, std::uint32_t lane, bool reachesOver, Target& target) {
@@ -91,10 +101,7 @@ HWY_INLINE void drawStored(const StoredLanes& s, std::uint32_t lane, bool reache
             const auto inside = isInside(e);
             if (!hn::AllFalse(kInts, inside)) {
                 target.takeRow(y * kTileStride + x, inside, depthAt(depth, rowDepth, fromX), s.ids[lane]);
-                if constexpr (Target::kCounts) {
-                    const auto beforeEnd = hn::Lt(hn::Iota(kInts, x), hn::Set(kInts, s.box[2][lane] + 1));
-                    target.count(hn::CountTrue(kInts, reachesOver ? hn::And(inside, beforeEnd) : inside));
-                }
+                countInside(s, lane, inside, x, reachesOver, target);
             }
             step(e, perVector);
             fromX = hn::Add(fromX, hn::Set(kFloats, static_cast<float>(lanes)));

@@ -44,7 +44,7 @@ struct Hits { // NOLINT(cppcoreguidelines-pro-type-member-init): filled up to it
 struct DepthTile {
     static constexpr bool kHasIds = false;
     static constexpr bool kCounts = true; // pixels covered within the tile, each triangle's
-    float* depths;
+    float* depths = nullptr;
     std::uint64_t covered = 0;
 
     HWY_INLINE void count(std::size_t pixels) { covered += pixels; }

@@ -177,7 +177,7 @@ HWY_INLINE void shadeLanes(const ShadingFrame& f, PixelBatch& batch, std::size_t
     const auto faces = hn::Gt(cosine, zero);
     auto pass = hn::Set(kInts, -1);
     Floats lit = hn::IfThenElseZero(faces, f.litSource == LitSource::Mask ? load(batch.litMask, i) : constant(1));
-    if (f.litSource == LitSource::Maps) lit = litByMaps(f, position, flat, depth, cosine, faces, pass);
+    if (f.litSource == LitSource::Maps) lit = litByMaps(f, {position, flat, depth, cosine, faces}, pass);
 
     const auto direct = hn::Mul(lit, hn::Max(dot(smooth, light), zero));
     const auto facing = hn::Abs(dot(smooth, eyeDirection));
@@ -210,7 +210,7 @@ void lookUpShadowsInLanes(const ShadingFrame& f, PointBatch& batch) {
         const auto depth = hn::Add(dot(constant(&f.frame->view.x), position), constant(f.frame->view.w));
         const auto cosine = dot(normal, constant(&f.frame->light.x));
         auto pass = hn::Set(kInts, -1);
-        const auto lit = litByMaps(f, position, normal, depth, cosine, hn::Gt(cosine, hn::Zero(kFloats)), pass);
+        const auto lit = litByMaps(f, {position, normal, depth, cosine, hn::Gt(cosine, hn::Zero(kFloats))}, pass);
         hn::StoreU(lit, kFloats, batch.lit.data() + i);
         hn::StoreU(pass, kInts, batch.pass.data() + i);
     }

@@ -147,26 +147,33 @@ HWY_INLINE Floats litFraction(const ShadingFrame& f, Ints pass, const Vec3& p, c
     return hn::Div(lit, constant(static_cast<float>(width * width)));
 }
 
+/// A point of a surface in each lane.
+struct SurfaceLanes {
+    Vec3 position, normal;
+    Floats depth;  // along the view
+    Floats cosine; // to the light
+    Mask faces;    // whether that is above 0
+};
+
 /// Asks the maps where the surface faces the light; `pass` becomes -1 elsewhere.
-HWY_INLINE Floats
-litByMaps(const ShadingFrame& f, const Vec3& p, const Vec3& normal, Floats z, Floats cosine, Mask faces, Ints& pass) {
+HWY_INLINE Floats litByMaps(const ShadingFrame& f, const SurfaceLanes& surface, Ints& pass) {
     const auto none = hn::Set(kInts, -1);
-    const auto isFacing = hn::RebindMask(kInts, faces);
+    const auto isFacing = hn::RebindMask(kInts, surface.faces);
     pass = none;
-    if (hn::AllFalse(kFloats, faces)) return hn::Zero(kFloats);
-    const auto relative = subtract(p, constant(&f.frame->eye.x));
-    pass = hn::IfThenElse(isFacing, passOf(f, relative, z), none);
+    if (hn::AllFalse(kFloats, surface.faces)) return hn::Zero(kFloats);
+    const auto relative = subtract(surface.position, constant(&f.frame->eye.x));
+    pass = hn::IfThenElse(isFacing, passOf(f, relative, surface.depth), none);
     const auto isAsked = hn::Gt(pass, none);
     auto lit = constant(1);
     if (!hn::AllFalse(kInts, isAsked)) {
         const auto largest = hn::MaxOfLanes(kInts, pass);
         const auto filled = hn::IfThenElse(isAsked, pass, largest);
         const auto asked = hn::AllTrue(kInts, hn::Eq(filled, largest))
-                               ? litFraction<true>(f, filled, p, normal, cosine)
-                               : litFraction<false>(f, filled, p, normal, cosine);
+                               ? litFraction<true>(f, filled, surface.position, surface.normal, surface.cosine)
+                               : litFraction<false>(f, filled, surface.position, surface.normal, surface.cosine);
         lit = hn::IfThenElse(hn::RebindMask(kFloats, isAsked), asked, lit);
     }
-    return hn::IfThenElseZero(faces, lit);
+    return hn::IfThenElseZero(surface.faces, lit);
 }
 
 } // namespace gnomon::render::HWY_NAMESPACE

@@ -67,6 +67,7 @@ TEST(GlParity, EdgesOnPixelCentresBelongToTheSameSide) {
             const auto pixel = 16 * cell + static_cast<std::uint32_t>(random.below(12));
             return kSceneCenter + pixel * kFlatPixel + kFlatPixel / 2;
         };
+        positions.reserve(3);
         for (int corner = 0; corner < 3; ++corner)
             positions.push_back({onCentre(i % 20), onCentre(i / 20), kSceneCenter + (1U << 19U)});
         scene.add(positions, {{0, 1, 2}});

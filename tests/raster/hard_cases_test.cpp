@@ -68,6 +68,18 @@ Scene wideFan(const Position& hub, int triangles) {
     return scene;
 }
 
+/// How many of nine points at and around (x, y), a 64th of a pixel apart, some triangle covers.
+int hitsAround(const std::vector<HomogeneousTriangle>& triangles, double x, double y) {
+    int hits = 0;
+    for (const double dx : {-1.0, 0.0, 1.0})
+        for (const double dy : {-1.0, 0.0, 1.0})
+            hits += std::any_of(triangles.begin(), triangles.end(), [&](const HomogeneousTriangle& triangle) {
+                const auto depth = triangle.depth((x + dx / 64) * 2 / kSide - 1, (y + dy / 64) * 2 / kSide - 1);
+                return depth && *depth < 1;
+            });
+    return hits;
+}
+
 /// Pixels that differ from the triangles' coverage in homogeneous space, away from their edges; not a number counts.
 std::size_t wrongPixels(const Scene& scene, const View& view) {
     const std::vector<float> depths = depthsOf(scene, view);
@@ -79,14 +91,7 @@ std::size_t wrongPixels(const Scene& scene, const View& view) {
     std::size_t wrong = 0;
     for (int y = 0; y < kSide; ++y)
         for (int x = 0; x < kSide; ++x) {
-            int hits = 0;
-            for (const double dx : {-1.0, 0.0, 1.0})
-                for (const double dy : {-1.0, 0.0, 1.0})
-                    hits += std::any_of(exact.begin(), exact.end(), [&](const HomogeneousTriangle& triangle) {
-                        const auto depth =
-                            triangle.depth((x + 0.5 + dx / 64) * 2 / kSide - 1, (y + 0.5 + dy / 64) * 2 / kSide - 1);
-                        return depth && *depth < 1;
-                    });
+            const int hits = hitsAround(exact, x + 0.5, y + 0.5);
             const float depth = depths[static_cast<std::size_t>(y) * kSide + static_cast<std::size_t>(x)];
             const bool isWrong = (hits == 9 && depth == 1) || (hits == 0 && depth < 1);
             wrong += isWrong || !(depth >= 0 && depth <= 1) ? 1U : 0U;
@@ -151,11 +156,12 @@ void manyShareACorner() {
 }
 
 void clampedDepth() {
+    constexpr std::size_t kMiddle = std::size_t{32} * kSide;
     // From depth -1 on the left to 2 on the right: the middle third keeps its slope.
     const auto depths = depthsOf(at(0, -64, -1), at(0, 128, -1), at(192, 32, 8));
-    EXPECT_EQ(depths[32 * kSide], 0.0F);
-    EXPECT_NEAR(depths[32 * kSide + 31], -1 + 3 * 31.5 / 64, 1e-5);
-    EXPECT_EQ(depths[32 * kSide + 63], 1.0F);
+    EXPECT_EQ(depths[kMiddle], 0.0F);
+    EXPECT_NEAR(depths[kMiddle + 31], -1 + 3 * 31.5 / 64, 1e-5);
+    EXPECT_EQ(depths[kMiddle + 63], 1.0F);
 }
 
 void steepSlope() {

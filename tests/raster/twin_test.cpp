@@ -7,8 +7,8 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <cstring>
 
 #include <hwy/highway.h>
 
@@ -34,11 +34,18 @@ void onEveryTarget(const Draw& draw) {
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
 }
 
-template <class T>
-std::size_t differences(const std::vector<T>& a, const std::vector<T>& b) {
+/// By their bits: 0 and -0 differ.
+std::size_t differences(const std::vector<float>& a, const std::vector<float>& b) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < a.size(); ++i)
-        count += std::memcmp(&a[i], &b[i], sizeof(T)) == 0 ? 0U : 1U;
+        count += std::bit_cast<std::uint32_t>(a[i]) == std::bit_cast<std::uint32_t>(b[i]) ? 0U : 1U;
+    return count;
+}
+
+std::size_t differences(const std::vector<std::uint64_t>& a, const std::vector<std::uint64_t>& b) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        count += a[i] == b[i] ? 0U : 1U;
     return count;
 }
 
@@ -124,7 +131,7 @@ TEST(Twin, TheLeastNameWinsATie) {
             {{0, 1, 2}});
     std::vector<Cluster> clusters = scene.clusters();
     std::rotate(clusters.begin(), clusters.begin() + 1, clusters.end());
-    std::vector<std::uint64_t> words(64 * 64);
+    std::vector<std::uint64_t> words(std::size_t{64} * 64);
     Rasterizer().drawVisibility(clusters, flatView({0, 0, 64, 64}), {words.data(), 64, 64});
     const auto drawn = std::count_if(words.begin(), words.end(), [](std::uint64_t w) { return w != 0; });
     const auto first =

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -18,38 +19,61 @@ struct Nearest {
     std::uint32_t triangle = 0;
 };
 
-/// Moeller and Trumbore (1997), every triangle of every given span.
+/// A ray in doubles.
+struct Line {
+    glm::dvec3 origin, direction;
+};
+
+/// Moeller and Trumbore (1997).
+void meet(
+    const Line& ray,
+    const std::array<glm::dvec3, 3>& corners,
+    std::uint32_t page,
+    std::uint32_t triangle,
+    Nearest& best) {
+    const glm::dvec3& a = corners[0];
+    const glm::dvec3 e1 = corners[1] - a;
+    const glm::dvec3 e2 = corners[2] - a;
+    const glm::dvec3 p = glm::cross(ray.direction, e2);
+    const double det = glm::dot(e1, p);
+    if (det == 0) return;
+    const glm::dvec3 q = glm::cross(ray.origin - a, e1);
+    const double u = glm::dot(ray.origin - a, p) / det;
+    const double v = glm::dot(ray.direction, q) / det;
+    const double distance = glm::dot(e2, q) / det;
+    if (distance < 0) return;
+    const double inside = std::min({u, v, 1 - u - v});
+    best.clearance = std::min(best.clearance, std::abs(inside));
+    if (inside >= 0 && distance < best.distance) {
+        best.distance = distance;
+        best.page = page;
+        best.triangle = triangle;
+    }
+}
+
+void meetCluster(
+    const Line& ray,
+    const hierarchy::Page& page,
+    std::uint32_t c,
+    const hierarchy::Grid& grid,
+    std::uint32_t s,
+    Nearest& best) {
+    const hierarchy::Cluster& cluster = page.clusters[c];
+    for (std::uint32_t t = cluster.firstTriangle; t < cluster.firstTriangle + cluster.triangleCount; ++t) {
+        const auto corner = [&](std::size_t i) {
+            return grid.local(page.vertices[cluster.firstVertex + page.triangles[t][i]].position);
+        };
+        meet(ray, {corner(0), corner(1), corner(2)}, s, t, best);
+    }
+}
+
+/// Every triangle of every given span.
 Nearest bruteForce(
     std::span<const ClusterSpan> spans, const hierarchy::Grid& grid, const glm::dvec3& from, const glm::dvec3& along) {
     Nearest best;
     for (std::uint32_t s = 0; s < spans.size(); ++s) {
-        const hierarchy::Page& page = *spans[s].page;
-        for (std::uint32_t c = spans[s].firstCluster; c < spans[s].firstCluster + spans[s].clusterCount; ++c) {
-            const hierarchy::Cluster& cluster = page.clusters[c];
-            for (std::uint32_t t = cluster.firstTriangle; t < cluster.firstTriangle + cluster.triangleCount; ++t) {
-                const auto corner = [&](std::size_t i) {
-                    return grid.local(page.vertices[cluster.firstVertex + page.triangles[t][i]].position);
-                };
-                const glm::dvec3 a = corner(0);
-                const glm::dvec3 e1 = corner(1) - a;
-                const glm::dvec3 e2 = corner(2) - a;
-                const glm::dvec3 p = glm::cross(along, e2);
-                const double det = glm::dot(e1, p);
-                if (det == 0) continue;
-                const glm::dvec3 q = glm::cross(from - a, e1);
-                const double u = glm::dot(from - a, p) / det;
-                const double v = glm::dot(along, q) / det;
-                const double distance = glm::dot(e2, q) / det;
-                if (distance < 0) continue;
-                const double inside = std::min({u, v, 1 - u - v});
-                best.clearance = std::min(best.clearance, std::abs(inside));
-                if (inside >= 0 && distance < best.distance) {
-                    best.distance = distance;
-                    best.page = s;
-                    best.triangle = t;
-                }
-            }
-        }
+        for (std::uint32_t c = spans[s].firstCluster; c < spans[s].firstCluster + spans[s].clusterCount; ++c)
+            meetCluster({from, along}, *spans[s].page, c, grid, s, best);
     }
     return best;
 }

@@ -39,7 +39,7 @@ public:
     const hierarchy::ModelFile& file() const { return *file_; }
 
 private:
-    static inline int count_ = 0; // several may live at once
+    static inline int count_ = 0; // NOLINT: several may live at once, and each wants a name
     std::string path_ = (std::filesystem::temp_directory_path() /
                          ("gnomon_drawn_" + std::to_string(::getpid()) + "_" + std::to_string(count_++) + ".gnm"))
                             .string();

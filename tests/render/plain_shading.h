@@ -8,8 +8,9 @@ namespace gnomon::render {
 /// Does what shadePixels does.
 void plainShade(const ShadingFrame& frame, PixelBatch& batch);
 
-/// The map that the lookup of a point asks, by its position from the eye (world axes) and its view depth; -1 for none.
-int plainPassOf(const ShadingFrame& frame, const glm::vec3& fromEye, float depth);
+/// The map that the lookup of a point asks, by its position `p` from the eye (world axes) and its view depth `z`; -1
+/// for none.
+int plainPassOf(const ShadingFrame& f, const glm::vec3& p, float z);
 
 /// What the maps answer at `position` (draw space) of a surface with `normal`, at `cosine` to the light: from 0 to 1.
 float plainLitFraction(

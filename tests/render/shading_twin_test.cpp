@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <tbb/task_arena.h>
 
+#include <bit>
 #include <cmath>
 #include <cstring>
 
@@ -34,7 +35,7 @@ template <class T>
 std::size_t differences(const PixelBatch::Values<T>& a, const PixelBatch::Values<T>& b, std::size_t count) {
     std::size_t result = 0;
     for (std::size_t i = 0; i < count; ++i)
-        result += std::memcmp(&a[i], &b[i], sizeof(T)) == 0 ? 0U : 1U;
+        result += std::bit_cast<std::uint32_t>(a[i]) == std::bit_cast<std::uint32_t>(b[i]) ? 0U : 1U;
     return result;
 }
 
@@ -117,6 +118,23 @@ TEST(ShadingTwin, RandomTrianglesUnderEveryScheme) {
     EXPECT_GT(partitions, 0xFFU) << "a map was never asked";
 }
 
+void expectSameFrame(Executor& found, Executor& expected) {
+    EXPECT_EQ(found.picture().pixels, expected.picture().pixels);
+    EXPECT_EQ(found.shadowDepth().pixels, expected.shadowDepth().pixels);
+    EXPECT_EQ(found.viewDepth().pixels, expected.viewDepth().pixels);
+    const auto a = found.surfaces().pixels;
+    const auto b = expected.surfaces().pixels;
+    EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size() * sizeof(SurfaceSample)), 0);
+}
+
+void expectSameOnAnyThreads(const FrameDrawing& frame, Executor& expected) {
+    for (const int threads : {1, 2}) {
+        const std::unique_ptr<Executor> executor = makeSoftwareExecutor();
+        tbb::task_arena(threads).execute([&] { executor->draw(frame); });
+        expectSameFrame(*executor, expected);
+    }
+}
+
 /// Pictures of the same frame on every instruction set and with one thread and two.
 TEST(ShadingTwin, FramesAreTheSameEverywhere) {
     const Field field;
@@ -128,18 +146,7 @@ TEST(ShadingTwin, FramesAreTheSameEverywhere) {
         frame.overlay = static_cast<Overlay>(seed % 8);
         const std::unique_ptr<Executor> expected = makeSoftwareExecutor();
         expected->draw(frame);
-        onEveryTarget([&] {
-            for (const int threads : {1, 2}) {
-                const std::unique_ptr<Executor> executor = makeSoftwareExecutor();
-                tbb::task_arena(threads).execute([&] { executor->draw(frame); });
-                EXPECT_EQ(executor->picture().pixels, expected->picture().pixels);
-                EXPECT_EQ(executor->shadowDepth().pixels, expected->shadowDepth().pixels);
-                EXPECT_EQ(executor->viewDepth().pixels, expected->viewDepth().pixels);
-                const auto a = executor->surfaces().pixels;
-                const auto b = expected->surfaces().pixels;
-                EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size() * sizeof(SurfaceSample)), 0);
-            }
-        });
+        onEveryTarget([&] { expectSameOnAnyThreads(frame, *expected); });
     }
 }
 

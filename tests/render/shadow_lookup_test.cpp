@@ -108,12 +108,35 @@ struct SlowCrawl {
     std::uint64_t changed = 0;
 };
 
-SlowCrawl crawlOfASlowWalk(bool stabilize) {
+SlowCrawl crawlBetween(const AskedFrame& before, const AskedFrame& now) {
+    SlowCrawl crawl;
+    const auto cells = [](const hierarchy::GridPoint& p) { return glm::dvec3(p.x, p.y, p.z); };
+    const glm::vec3 offset((cells(before.space().originCell) - cells(now.space().originCell)) * before.space().step);
+    for (const SurfaceSample& surface : before.surfaces().pixels) {
+        if (!surface.isLitSide()) continue;
+        const auto then = before.lit(surface.position, surface.normal);
+        const auto later = now.lit(surface.position + offset, surface.normal);
+        if (then.first < 0 || then.first != later.first || !now.isInView(surface.position + offset)) continue;
+        ++crawl.points;
+        crawl.dark += then.second < 0.5F ? 1 : 0;
+        crawl.changed += then.second != later.second ? 1 : 0;
+    }
+    return crawl;
+}
+
+tests::SceneMesh boxesInRows() {
     tests::SceneMesh scene;
     scene.addGround(128, 16);
-    for (int i = 0; i < 24; ++i)
-        scene.addBox({i % 6 * 5 - 13, 0, i / 6 * 5 - 13}, {i % 6 * 5 - 11.3, 1.5 + i % 5, i / 6 * 5 - 11.2});
-    DrawnModel model(scene.model()); // of one level of detail: the cut is frozen
+    for (int row = 0; row < 4; ++row)
+        for (int column = 0; column < 6; ++column) {
+            const glm::dvec3 corner(5 * column - 13, 0, 5 * row - 13);
+            scene.addBox(corner, corner + glm::dvec3(1.7, 1.5 + (6 * row + column) % 5, 1.8));
+        }
+    return scene;
+}
+
+SlowCrawl crawlOfASlowWalk(bool stabilize) {
+    DrawnModel model(boxesInRows().model()); // of one level of detail: the cut is frozen
     Renderer renderer(model.file(), model.executor(), {});
     plan::View view;
     view.width = view.height = 128;
@@ -130,23 +153,12 @@ SlowCrawl crawlOfASlowWalk(bool stabilize) {
         view.camera.target = view.camera.eye + glm::dvec3(0.02 * frame, -2, -10);
         auto now = std::make_unique<AskedFrame>(renderer, model.executor(), view, quality);
         if (before) {
-            const glm::dvec3 cells =
-                glm::dvec3(before->space().originCell.x, before->space().originCell.y, before->space().originCell.z) -
-                glm::dvec3(now->space().originCell.x, now->space().originCell.y, now->space().originCell.z);
-            const glm::vec3 offset(cells * before->space().step);
-            const SlowCrawl soFar = crawl;
-            for (const SurfaceSample& surface : before->surfaces().pixels) {
-                if (!surface.isLitSide()) continue;
-                const auto then = before->lit(surface.position, surface.normal);
-                const auto later = now->lit(surface.position + offset, surface.normal);
-                if (then.first < 0 || then.first != later.first) continue;
-                if (!now->isInView(surface.position + offset)) continue;
-                ++crawl.points;
-                crawl.dark += then.second < 0.5F ? 1 : 0;
-                crawl.changed += then.second != later.second ? 1 : 0;
-            }
-            EXPECT_EQ(now->crawl()->points, crawl.points - soFar.points);
-            EXPECT_EQ(now->crawl()->changed, crawl.changed - soFar.changed);
+            const SlowCrawl step = crawlBetween(*before, *now);
+            EXPECT_EQ(now->crawl()->points, step.points);
+            EXPECT_EQ(now->crawl()->changed, step.changed);
+            crawl.points += step.points;
+            crawl.dark += step.dark;
+            crawl.changed += step.changed;
         }
         before = std::move(now);
     }

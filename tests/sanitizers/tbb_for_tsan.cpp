@@ -44,7 +44,7 @@ private:
 };
 
 /// What stands in for the filter that this thread runs.
-thread_local d1::base_filter* standIn = nullptr;
+thread_local d1::base_filter* standIn = nullptr; // NOLINT: TBB asks for it by a free function
 
 /// A filter that takes place after what made its item, and after itself if it is serial; the pipeline ends after it.
 class OrderedFilter final : public d1::base_filter {

@@ -32,21 +32,9 @@ inline std::set<ClusterId> clustersOf(const selection::DrawList& list) {
 class Chains {
 public:
     explicit Chains(const ModelInMemory& model) : model_(&model) {
-        for (std::uint32_t p = 0; p < model.all.size(); ++p) {
-            const hierarchy::Page& page = *model.all[p];
-            for (std::uint32_t g = 0; g < page.groups.size(); ++g) {
-                const hierarchy::Group& group = page.groups[g];
-                for (std::uint32_t c = group.firstCluster; c < group.firstCluster + group.clusterCount; ++c) {
-                    groupOf_[{p, c}] = {p, g};
-                    const std::uint32_t refinement = page.clusters[c].refinement;
-                    if (refinement == hierarchy::kNone) {
-                        finest_.push_back({p, c});
-                    } else {
-                        replacements_[page.refinements[refinement].group].push_back({p, c});
-                    }
-                }
-            }
-        }
+        for (std::uint32_t p = 0; p < model.all.size(); ++p)
+            for (std::uint32_t g = 0; g < model.all[p]->groups.size(); ++g)
+                addGroup(p, g);
     }
 
     std::vector<ClusterId> randomChain(Random& random) const {
@@ -61,6 +49,19 @@ public:
     }
 
 private:
+    void addGroup(std::uint32_t p, std::uint32_t g) {
+        const hierarchy::Page& page = *model_->all[p];
+        const hierarchy::Group& group = page.groups[g];
+        for (std::uint32_t c = group.firstCluster; c < group.firstCluster + group.clusterCount; ++c) {
+            groupOf_[{p, c}] = {p, g};
+            const std::uint32_t refinement = page.clusters[c].refinement;
+            if (refinement == hierarchy::kNone)
+                finest_.push_back({p, c});
+            else
+                replacements_[page.refinements[refinement].group].push_back({p, c});
+        }
+    }
+
     const ModelInMemory* model_;
     std::map<ClusterId, hierarchy::GroupRef> groupOf_;
     std::map<hierarchy::GroupRef, std::vector<ClusterId>> replacements_;

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
+
 namespace gnomon::shadow {
 namespace {
 
@@ -156,6 +158,32 @@ std::vector<SeenPart> randomSeen(Random& random, const ShadowView& view) {
     return seen;
 }
 
+glm::dvec3 randomPointIn(Random& random, const Box& box) {
+    glm::dvec3 point = box.min;
+    const glm::dvec3 extent = box.extent();
+    for (int axis = 0; axis < 3; ++axis)
+        point[axis] += extent[axis] * random.unit();
+    return point;
+}
+
+/// What in `map` lies beside, or before, where a seen point is looked up, as far as a lookup reaches; nothing if that
+/// is past the vanishing line, or no point was found in the map's region.
+std::optional<glm::dvec3> randomRead(
+    Random& random, const Case& chosen, const ShadowMapSetup& setup, const ShadowMapPartition& map) {
+    const SeenPart& part = chosen.view.seen[random.below(chosen.view.seen.size())];
+    const glm::dvec3 p = toCamera(chosen.view.anchor.basis, randomPointIn(random, part.box));
+    if (!contains(map.region.volume, p)) return std::nullopt;
+    glm::dvec4 at = map.textureFromCamera * glm::dvec4(p, 1);
+    at /= at.w;
+    const double reach = setup.gutter * 0.999;
+    at.x += random.uniform(-reach, reach) / setup.textureWidth;
+    at.y += random.uniform(-reach, reach) / setup.textureHeight;
+    at.z = random.uniform(-1, 0.999);
+    const glm::dvec4 caster = glm::inverse(map.textureFromCamera) * at;
+    if (!(caster.w > 0)) return std::nullopt;
+    return glm::dvec3(caster) / caster.w;
+}
+
 /// The volume of what is seen holds every caster whose texel the lookup of a seen point can read, and nothing that the
 /// volume of the whole region does not hold, but for the rare side that its growth carries past the vanishing line.
 TEST(Casters, VolumeOfWhatIsSeenHoldsEveryTexelThatItReads) {
@@ -173,27 +201,12 @@ TEST(Casters, VolumeOfWhatIsSeenHoldsEveryTexelThatItReads) {
         const std::size_t index = random.below(setup.maps.size());
         const ShadowMapPartition& map = setup.maps[index];
         if (map.map.kappa * map.map.length > 1e4) continue;
-        const glm::dmat4 cameraFromTexture = glm::inverse(map.textureFromCamera);
         for (int i = 0; i < 50; ++i) {
-            const SeenPart& part = chosen.view.seen[random.below(chosen.view.seen.size())];
-            const glm::dvec3 extent = part.box.extent();
-            glm::dvec3 inWorld = part.box.min;
-            for (int axis = 0; axis < 3; ++axis)
-                inWorld[axis] += extent[axis] * random.unit();
-            const glm::dvec3 p = toCamera(chosen.view.anchor.basis, inWorld);
-            if (!contains(map.region.volume, p)) continue;
-            glm::dvec4 at = map.textureFromCamera * glm::dvec4(p, 1);
-            at /= at.w;
-            const double reach = setup.gutter * 0.999;
-            at.x += random.uniform(-reach, reach) / setup.textureWidth;
-            at.y += random.uniform(-reach, reach) / setup.textureHeight;
-            at.z = random.uniform(-1, 0.999);
-            const glm::dvec4 caster = cameraFromTexture * at;
-            if (!(caster.w > 0)) continue; // past the vanishing line
+            const std::optional<glm::dvec3> point = randomRead(random, chosen, setup, map);
+            if (!point) continue;
             ++tested;
-            const glm::dvec3 point = glm::dvec3(caster) / caster.w;
-            const double tolerance = 1e-6 * map.region.frustum.far + 1e-6 * glm::length(point);
-            EXPECT_GE(depthInside(map.casterVolume, point), -tolerance) << "seed " << seed;
+            const double tolerance = 1e-6 * map.region.frustum.far + 1e-6 * glm::length(*point);
+            EXPECT_GE(depthInside(map.casterVolume, *point), -tolerance) << "seed " << seed;
         }
         for (int i = 0; i < 50; ++i) {
             const glm::dvec3 p = randomCaster(random, map.region, map.map.frame.y);

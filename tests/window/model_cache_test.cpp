@@ -14,14 +14,14 @@ namespace {
 class ModelCache : public testing::Test {
 protected:
     void SetUp() override {
-        folder_ = testing::TempDir() + "gnomon_cache_" + testing::UnitTest::GetInstance()->current_test_info()->name();
-        std::filesystem::remove_all(folder_);
-        std::filesystem::create_directories(folder_);
+        folder = testing::TempDir() + "gnomon_cache_" + testing::UnitTest::GetInstance()->current_test_info()->name();
+        std::filesystem::remove_all(folder);
+        std::filesystem::create_directories(folder);
     }
 
-    void TearDown() override { std::filesystem::remove_all(folder_); }
+    void TearDown() override { std::filesystem::remove_all(folder); }
 
-    std::string file(const std::string& name) const { return folder_ + "/" + name; }
+    std::string file(const std::string& name) const { return folder + "/" + name; }
 
     static void wait(const CacheBuild& build) {
         for (int i = 0; i < 3000 && !build.isDone(); ++i)
@@ -29,7 +29,7 @@ protected:
         ASSERT_TRUE(build.isDone());
     }
 
-    std::string folder_;
+    std::string folder;
 };
 
 /// A fan of `count` triangles.
@@ -38,7 +38,8 @@ std::string fan(int count) {
                        "\nproperty float x\nproperty float y\nproperty float z\nelement face " + std::to_string(count) +
                        "\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n";
     for (int i = 0; i <= count; ++i)
-        text += std::to_string(1000 - i) + " " + std::to_string(i) + " " + std::to_string(i * i % 7) + "\n";
+        text +=
+            std::to_string(1000 - i) + " " + std::to_string(i) + " " + std::to_string(std::int64_t{i} * i % 7) + "\n";
     for (int i = 1; i <= count; ++i)
         text += "3 0 " + std::to_string(i) + " " + std::to_string(i + 1) + "\n";
     return text;
@@ -82,7 +83,7 @@ TEST_F(ModelCache, EndsWithItsOwnerAndLeavesNothingHalfWritten) {
     writeTextFile(mesh, fan(100000));
     { const CacheBuild build(mesh, gibibytes(1), 1); }
     std::size_t files = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(folder_))
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
         files += entry.path() == mesh || entry.path() == cachePath(mesh) ? 0 : 1;
     EXPECT_EQ(files, 0U);
 }

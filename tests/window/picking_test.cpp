@@ -15,6 +15,22 @@
 namespace gnomon::app::view {
 namespace {
 
+/// How far along `direction` from `eye` a triangle lies (Moeller and Trumbore 1997); infinite where it is not met.
+double distanceTo(const std::array<glm::dvec3, 3>& p, const glm::dvec3& eye, const glm::dvec3& direction) {
+    const double never = std::numeric_limits<double>::infinity();
+    const glm::dvec3 a = p[1] - p[0];
+    const glm::dvec3 b = p[2] - p[0];
+    const glm::dvec3 h = glm::cross(direction, b);
+    const double determinant = glm::dot(a, h);
+    if (std::abs(determinant) < 1e-12) return never;
+    const glm::dvec3 s = eye - p[0];
+    const double u = glm::dot(s, h) / determinant;
+    const glm::dvec3 q = glm::cross(s, a);
+    const double v = glm::dot(direction, q) / determinant;
+    const double distance = glm::dot(b, q) / determinant;
+    return u >= 0 && v >= 0 && u + v <= 1 && distance > 0 ? distance : never;
+}
+
 /// The nearest point in which the ray from `eye` along `direction` meets a triangle of the finest level.
 std::optional<glm::dvec3> firstHit(const tests::TinyModel& model, const glm::dvec3& eye, const glm::dvec3& direction) {
     double nearest = std::numeric_limits<double>::infinity();
@@ -22,21 +38,11 @@ std::optional<glm::dvec3> firstHit(const tests::TinyModel& model, const glm::dve
         if (page.level != 0) continue;
         for (const hierarchy::Cluster& cluster : page.clusters)
             for (std::uint32_t t = 0; t < cluster.triangleCount; ++t) {
-                std::array<glm::dvec3, 3> p;
-                for (std::size_t i = 0; i < 3; ++i)
-                    p[i] = model.summary.grid.world(
-                        page.vertices[cluster.firstVertex + page.triangles[cluster.firstTriangle + t][i]].position);
-                const glm::dvec3 a = p[1] - p[0];
-                const glm::dvec3 b = p[2] - p[0];
-                const glm::dvec3 h = glm::cross(direction, b);
-                const double determinant = glm::dot(a, h);
-                if (std::abs(determinant) < 1e-12) continue;
-                const glm::dvec3 s = eye - p[0];
-                const double u = glm::dot(s, h) / determinant;
-                const glm::dvec3 q = glm::cross(s, a);
-                const double v = glm::dot(direction, q) / determinant;
-                const double distance = glm::dot(b, q) / determinant;
-                if (u >= 0 && v >= 0 && u + v <= 1 && distance > 0) nearest = std::min(nearest, distance);
+                const hierarchy::Triangle& triangle = page.triangles[cluster.firstTriangle + t];
+                const auto corner = [&](std::size_t i) {
+                    return model.summary.grid.world(page.vertices[cluster.firstVertex + triangle[i]].position);
+                };
+                nearest = std::min(nearest, distanceTo({corner(0), corner(1), corner(2)}, eye, direction));
             }
     }
     if (std::isinf(nearest)) return std::nullopt;

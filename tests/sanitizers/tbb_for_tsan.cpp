@@ -53,6 +53,7 @@ public:
         : base_filter(modeOf(inner)), inner_(&inner), pipeline_(&pipeline) {}
 
     ~OrderedFilter() override {
+        __tsan_acquire(pipeline_); // whatever thread ran it last
         inner_->~base_filter();
         deallocate_memory(inner_);
     }

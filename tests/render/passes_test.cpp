@@ -1,7 +1,6 @@
-// The shadow passes: casters culled per partition against all casters, lights and cameras that break what is naive,
-// and shadows that are known by hand, from maps and from rays.
+// The shadow passes: casters culled per partition against all casters, and lights and cameras that break what is naive.
 #include "core/random.h"
-#include "hierarchy/scene_mesh.h"
+#include "render/crate_scene.h"
 #include "render/drawn_model.h"
 #include "render/made_model.h"
 #include "render/shadow_triples.h"
@@ -11,7 +10,6 @@
 
 #include <array>
 #include <cmath>
-#include <functional>
 
 namespace gnomon::render {
 namespace {
@@ -194,114 +192,6 @@ TEST(PartitionCulling, IsNotSeenUnderLightsAlongTheAxesAndBesideThem) {
         }
 }
 
-/// What a point (x, z) of the ground is told by hand.
-using ByHand = std::function<bool(double x, double z)>;
-
-/// Whether `isShaded` says the same within `margin` of (x, z).
-bool isSure(const ByHand& isShaded, double x, double z, double margin) {
-    for (const double dx : {-margin, 0.0, margin})
-        for (const double dz : {-margin, 0.0, margin})
-            if (isShaded(x + dx, z + dz) != isShaded(x, z)) return false;
-    return true;
-}
-
-/// Checks the shadows on the ground y = 0 against `isShaded`, from maps of one slice and of four, and from rays. Points
-/// nearer than `margin` to where the answer changes are not asked.
-void expectByHand(
-    DrawnModel& model, const plan::View& view, const glm::dvec3& origin, double margin, const ByHand& isShaded) {
-    for (const int slices : {1, 4, 0}) {
-        SCOPED_TRACE(slices);
-        plan::Quality quality;
-        quality.shadowTexelsWidth = quality.shadowTexelsHeight = 1024;
-        quality.zPartitions = std::max(1, slices);
-        if (slices == 0) quality.shadows = plan::ShadowMode::Rays;
-        FrameOptions options;
-        options.wantsSurfaces = true;
-        const Frame frame = model.draw(view, quality, options);
-        const Raster<SurfaceSample> surfaces = model.executor().surfaces();
-        const glm::dmat4 drawFromCamera = glm::inverse(frame.space.cameraFromDraw);
-        const glm::dvec3 eyeInDraw(drawFromCamera[3]);
-        std::uint64_t dark = 0;
-        std::uint64_t wrong = 0;
-        for (const SurfaceSample& surface : surfaces.pixels) {
-            if (!surface.isLitSide() || surface.normal.y < 0.99F) continue;
-            const glm::dvec3 p = glm::dvec3(surface.position) - eyeInDraw + (view.camera.eye - origin);
-            if (std::abs(p.y) > 0.05 || !isSure(isShaded, p.x, p.z, margin)) continue;
-            const bool expected = isShaded(p.x, p.z);
-            const bool isDark = surface.litFraction() < 0.5F;
-            dark += isDark ? 1 : 0;
-            wrong += isDark != expected ? 1 : 0;
-        }
-        EXPECT_EQ(wrong, 0U);
-        EXPECT_GT(dark, 50U);
-    }
-}
-
-tests::SceneMesh crateOnGround(const glm::dvec3& origin = glm::dvec3(0)) {
-    tests::SceneMesh scene(origin);
-    scene.addGround(64, 16);
-    scene.addBox({-1, 0, -1}, {1, 2, 1});
-    return scene;
-}
-
-plan::View overGround(const glm::dvec3& origin = glm::dvec3(0)) {
-    plan::View view;
-    view.width = view.height = 160;
-    view.camera.eye = origin + glm::dvec3(0, 6, 12);
-    view.camera.target = origin;
-    view.towardsLight = {1, 1, 0};
-    return view;
-}
-
-/// The shadow on the ground of the box [-1, 1] x [0, 2] x [-1, 1] under the light (1, 1, 0): a height h throws it h to
-/// -x. The box's own foot counts as shaded.
-bool crateShadow(double x, double z) {
-    return std::abs(z) < 1 && x > -3 && x < 1;
-}
-
-constexpr double kMargin = 0.2; // several texels of the coarser of the two maps
-
-TEST(ShadowsByHand, OfABoxOnAPlane) {
-    DrawnModel model(crateOnGround().model());
-    expectByHand(model, overGround(), glm::dvec3(0), kMargin, crateShadow);
-}
-
-TEST(ShadowsByHand, OfABoxFarFromTheOrigin) {
-    const glm::dvec3 origin(1e7, 2e6, -1e7);
-    DrawnModel model(crateOnGround(origin).model());
-    expectByHand(model, overGround(origin), origin, kMargin, crateShadow);
-}
-
-TEST(ShadowsByHand, OfABoxBehindTheViewer) {
-    // The light comes from behind the viewer at 45 degrees: what is 30 up and 30 back lands where the view looks.
-    tests::SceneMesh scene;
-    scene.addGround(128, 16);
-    scene.addBox({-1, 30, 29}, {1, 32, 31});
-    DrawnModel model(scene.model());
-    plan::View view = overGround();
-    view.towardsLight = {0, 1, 1};
-    expectByHand(model, view, glm::dvec3(0), kMargin, [](double x, double z) {
-        return std::abs(x) < 1 && z > 29 - 32 && z < 31 - 30;
-    });
-}
-
-TEST(ShadowsByHand, OfABoxAHundredFrustaUpTheLight) {
-    tests::SceneMesh scene;
-    scene.addGround(64, 8);
-    const double up = 6400;
-    scene.addBox({up - 1, up, -1}, {up + 1, up + 2, 1});
-    DrawnModel model(scene.model());
-    expectByHand(model, overGround(), glm::dvec3(0), kMargin, crateShadow);
-}
-
-/// `slices` warped maps of 512 x 512 texels together.
-plan::Quality inSlices(int slices) {
-    plan::Quality quality;
-    quality.zPartitions = slices;
-    quality.shadowTexelsWidth = quality.shadowTexelsHeight = 512;
-    return quality;
-}
-
 /// Shows that maps are no further from rays than a texel's footprint, and that nothing in them is not a number.
 void expectTrueShadows(DrawnModel& model, const plan::View& view, const plan::Quality& quality) {
     FrameOptions options;
@@ -379,27 +269,6 @@ TEST(HardLight, ACameraTenMillionUnitsAway) {
     view.camera.eye = {0, 6e6, 8e6};
     view.camera.fovYRadians = 4e-7; // positions are known to more than a texel: culling is another question
     expectTrueShadows(model, view, inSlices(4));
-}
-
-TEST(ShadowTruth, CountsABarThinnerThanATexelApart) {
-    tests::SceneMesh scene = crateOnGround();
-    scene.addBox({-20, 3, 4}, {20, 3.03, 4.03});
-    DrawnModel model(scene.model());
-    plan::View view = overGround();
-    view.towardsLight = {0.3, 1, 0.2};
-    plan::Quality quality = inSlices(1);
-    quality.shadowTexelsWidth = quality.shadowTexelsHeight = 128;
-    FrameOptions options;
-    options.oracle = Oracle::SameDetail;
-    const Frame frame = model.draw(view, quality, options);
-    ASSERT_TRUE(frame.truth);
-    const ShadowTruth& truth = *frame.truth;
-    EXPECT_GT(truth.missedPixels, 20U);
-    EXPECT_EQ(truth.answerable.wrongPixels + truth.missedPixels, truth.shadows.wrongPixels);
-    EXPECT_GT(truth.answerable.edgePixelsApart, 50U);
-    EXPECT_GT(truth.answerable.edgePixels, 50U) << "the crate's edges are not apart";
-    EXPECT_LT(truth.answerable.edgeWorstPixels, truth.shadows.edgeWorstPixels);
-    EXPECT_EQ(*frame.row.shadowEdgeP99Px, truth.answerable.edgeP99Pixels);
 }
 
 } // namespace

@@ -223,6 +223,21 @@ TEST(FramePlan, NearFallsAtOnceAndRisesAfterSomeFrames) {
     EXPECT_LT(frames, 30);
 }
 
+TEST(FramePlan, DrawsNoMapFromTheFrameOnInWhichNothingFacesTheLight) {
+    const View view = madeView(2);
+    SceneFacts facts;
+    facts.visible = {1, 100, true};
+    facts.light.emplace();
+    facts.light->lit = {{1, 100}};
+    const FramePlan lit = planFrame(view, {}, facts);
+    ASSERT_FALSE(lit.passes.empty());
+    facts.light->lit.clear();
+    const FramePlan dark = planFrame(view, {}, facts, &lit);
+    EXPECT_TRUE(dark.passes.empty()) << "no map outlives all of them";
+    ASSERT_FALSE(dark.omitted.empty());
+    EXPECT_EQ(dark.omitted.front().reason, "no visible surface faces the light");
+}
+
 TEST(FramePlan, AMapOutlivesItsReceiversByAFewFrames) {
     const View view = madeView(2);
     SceneFacts facts;
@@ -234,7 +249,7 @@ TEST(FramePlan, AMapOutlivesItsReceiversByAFewFrames) {
     facts.light->lit = {{1, 3}, {12, 100}}; // nothing in the second slice, from 3.2 to 10
     EXPECT_EQ(planFrame(view, {}, facts).passes.size(), 3U);
     int frames = 0;
-    for (; plan.passes.size() == 4 && frames < 100; ++frames)
+    for (; plan.passes.size() == 4 && frames < 200; ++frames)
         plan = planFrame(view, {}, facts, &plan);
     EXPECT_EQ(plan.passes.size(), 3U);
     EXPECT_GT(frames, 5);

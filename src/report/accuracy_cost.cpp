@@ -170,6 +170,20 @@ std::optional<std::size_t> bestUnderBudget(std::span<const RunSummary> runs, Err
     return best;
 }
 
+std::optional<ConfirmedRun> confirmedUnderBudget(
+    std::span<const RunSummary> runs,
+    ErrorKind kind,
+    double budgetMs,
+    const std::function<RunSummary(std::size_t run)>& walkAgain) {
+    std::vector<RunSummary> candidates(runs.begin(), runs.end());
+    while (const auto best = bestUnderBudget(candidates, kind, budgetMs)) {
+        const RunSummary again = walkAgain(*best);
+        if (timeToExpectMs(again) <= budgetMs) return ConfirmedRun{*best, again.p50Ms};
+        candidates[*best].errors.erase(kind);
+    }
+    return std::nullopt;
+}
+
 std::optional<std::size_t> cheapestUnderError(std::span<const RunSummary> runs, ErrorKind kind, double bound) {
     for (const std::size_t i : paretoFront(runs, kind))
         if (*errorOf(runs[i], kind) <= bound) return i;

@@ -4,6 +4,7 @@
 #include "report/run_summary.h"
 
 #include <cstddef>
+#include <functional>
 #include <span>
 
 namespace gnomon::report {
@@ -26,6 +27,20 @@ double timeToExpectMs(const RunSummary& run);
 /// The run of least error whose time to expect is at most `budgetMs`; of equals the fastest; nothing if none is that
 /// fast.
 std::optional<std::size_t> bestUnderBudget(std::span<const RunSummary> runs, ErrorKind kind, double budgetMs);
+
+/// A run that kept a budget when it was walked again, and its median then.
+struct ConfirmedRun {
+    std::size_t run = 0;
+    double p50MsAgain = 0;
+};
+
+/// What `bestUnderBudget` names, if it keeps the budget once more in the summary that `walkAgain(run)` gives, else the
+/// next best that does: of many runs the one that looks best owes some of that to luck.
+std::optional<ConfirmedRun> confirmedUnderBudget(
+    std::span<const RunSummary> runs,
+    ErrorKind kind,
+    double budgetMs,
+    const std::function<RunSummary(std::size_t run)>& walkAgain);
 
 /// The fastest run whose error is at most `bound`; nothing if none is that good.
 std::optional<std::size_t> cheapestUnderError(std::span<const RunSummary> runs, ErrorKind kind, double bound);

@@ -14,9 +14,9 @@ namespace gnomon::report {
 enum class ErrorKind {
     PromisedAliasing, // the larger of the promised perspective aliasing in x and z over [near, far]
     MeasuredAliasing, // the perspective aliasing found at the pixels
-    WrongShadow,      // the fraction of lit-side pixels whose shadow differs from the ray-traced one
+    WrongShadow,      // the fraction of lit-side pixels whose shadow differs from rays', missed thin casters too
     ShadowEdge,       // 99th percentile of the distance of shadow edges from ray-traced ones, pixels
-    ImageDifference,  // mean absolute difference from full detail, fraction of full scale
+    ImageDifference,  // mean absolute difference from full detail in ray-traced shadows, fraction of full scale
 };
 
 inline constexpr std::array kErrorKinds{
@@ -26,7 +26,7 @@ inline constexpr std::array kErrorKinds{
     ErrorKind::ShadowEdge,
     ErrorKind::ImageDifference};
 
-/// The column of the bench log, or the pair of columns' short name, that holds `kind`.
+/// The column of the bench log that holds `kind`, or a short name of the two that do.
 std::string_view key(ErrorKind kind);
 
 /// What a person calls `kind`, with its unit.

@@ -141,11 +141,23 @@ TEST(AccuracyCost, TheSentencesSayWhatTheRunsSay) {
     for (RunSummary& run : misleading)
         run.errors[ErrorKind::ShadowEdge] = run.shadowMaps;
     EXPECT_EQ(sentences(misleading), sentences(runs));
-    EXPECT_EQ(comparedError(misleading), ErrorKind::WrongShadow);
+    EXPECT_EQ(shadowError(misleading), ErrorKind::WrongShadow);
     misleading.back().errors.erase(ErrorKind::WrongShadow);
-    EXPECT_EQ(comparedError(misleading), ErrorKind::ShadowEdge);
+    EXPECT_EQ(shadowError(misleading), ErrorKind::ShadowEdge);
     EXPECT_TRUE(sentences(std::vector<RunSummary>{}).empty());
     EXPECT_TRUE(sentences(std::vector<RunSummary>{run(1, 1.0)}).empty());
+}
+
+// A coarse model has shadows of its own, which are no more wrong for it: only its picture tells.
+TEST(AccuracyCost, ACoarseModelIsNoBargainBecauseItsOwnShadowsAreRight) {
+    std::vector<RunSummary> runs{run(100, 0.02), run(40, 0.02)};
+    runs[0].errors[ErrorKind::ImageDifference] = 0.001;
+    runs[1].errors[ErrorKind::ImageDifference] = 0.03;
+    EXPECT_EQ(comparedError(runs), ErrorKind::ImageDifference);
+    EXPECT_EQ(bestUnderBudget(runs, comparedError(runs), 120), std::optional<std::size_t>(0));
+    EXPECT_EQ(bestUnderBudget(runs, shadowError(runs), 120), std::optional<std::size_t>(1));
+    runs[1].errors.erase(ErrorKind::ImageDifference);
+    EXPECT_EQ(comparedError(runs), ErrorKind::WrongShadow) << "an error compares what knows it";
 }
 
 } // namespace

@@ -122,11 +122,11 @@ function drawPromises() {
     { label: "runs", data: both.map(({ run }) => ({ x: run.errors.promised_aliasing, y: run.errors.measured_aliasing, run })), backgroundColor: palette[0] },
     { label: "measured = promised", data: [{ x: 0, y: 0 }, { x: largest, y: largest }], showLine: true, pointRadius: 0, borderColor: accent },
   ]);
-  const wrong = known("promised_aliasing").filter(({ run }) => run.errors.wrong_shadow_fraction !== undefined);
+  const wrong = known("promised_aliasing").filter(({ run }) => run.errors.wrong_or_missed_fraction !== undefined);
   const disobedient = new Set(data.correlation.disobedient);
   const points = (wanted) => wrong.filter(({ i }) => disobedient.has(i) === wanted)
-    .map(({ run }) => ({ x: run.errors.promised_aliasing, y: run.errors.wrong_shadow_fraction, run }));
-  scatter("wrong", "promised aliasing", "wrong shadow pixels, fraction", [
+    .map(({ run }) => ({ x: run.errors.promised_aliasing, y: run.errors.wrong_or_missed_fraction, run }));
+  scatter("wrong", "promised aliasing", "wrong or missed shadow pixels, fraction", [
     { label: "runs", data: points(false), backgroundColor: palette[0] },
     { label: "disobedient", data: points(true), backgroundColor: palette[1] },
   ]);

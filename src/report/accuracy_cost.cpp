@@ -122,11 +122,11 @@ std::string_view label(ErrorKind kind) {
     case ErrorKind::MeasuredAliasing:
         return "measured aliasing (texel widths per pixel width)";
     case ErrorKind::WrongShadow:
-        return "wrong shadow pixels (fraction of the lit side, missed thin casters among them)";
+        return "wrong or missed shadow pixels (fraction of the lit side)";
     case ErrorKind::ShadowEdge:
         return "shadow edge distance (pixels, 99th percentile)";
     case ErrorKind::ImageDifference:
-        return "image difference from full detail in ray-traced shadows (fraction of full scale)";
+        return "image difference (mean, fraction of full scale)";
     }
     return {};
 }

@@ -15,6 +15,8 @@ Chart.defaults.maintainAspectRatio = false;
 const figures = (value) => value === null || value === undefined ? "" : Number(value.toPrecision(4)).toString();
 const percent = (fraction) => `${figures(100 * fraction)}%`;
 const axis = (title, logarithmic) => ({ type: logarithmic ? "logarithmic" : "linear", title: { display: true, text: title } });
+/// A logarithmic axis of its own would reach down to a power of ten, and label little but those.
+const around = (values) => ({ min: Math.min(...values) / 1.2, max: Math.max(...values) * 1.2, ticks: { callback: figures } });
 const known = (key) => data.runs.map((run, i) => ({ run, i })).filter(({ run }) => run.errors[key] !== undefined);
 
 /// The settings of `run` in which it differs from most of the runs: a name that fits under a bar.
@@ -39,7 +41,10 @@ function scatter(id, xTitle, yTitle, datasets, logarithmic = {}) {
     data: { datasets },
     options: {
       onClick: (event, items, chart) => items.length && lookAt(chart.data.datasets[items[0].datasetIndex].data[items[0].index].run),
-      scales: { x: axis(xTitle, logarithmic.x), y: axis(yTitle, logarithmic.y) },
+      scales: {
+        x: axis(xTitle, logarithmic.x),
+        y: { ...axis(yTitle, logarithmic.y), ...(logarithmic.y ? around(datasets.flatMap((set) => set.data.map((point) => point.y))) : {}) },
+      },
       plugins: { tooltip: { callbacks: { label: (item) => item.raw.run ? describe(item.raw.run) : `${figures(item.raw.x)}, ${figures(item.raw.y)}` } } },
     },
   });

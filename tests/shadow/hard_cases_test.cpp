@@ -231,6 +231,33 @@ void grazingReceiver() {
     EXPECT_TRUE(std::isfinite(depthBias(map.bias, map.map.frame, p, map.map.frame.x)));
 }
 
+/// How much of (x, y) of the divided clip position changes a step `along` at p, by the quotient rule.
+glm::dvec2 derivative(const glm::dmat4& clipFromCamera, const glm::dvec3& p, const glm::dvec3& along) {
+    const glm::dvec4 clip = clipFromCamera * glm::dvec4(p, 1);
+    const glm::dvec4 change = clipFromCamera * glm::dvec4(along, 0);
+    return (glm::dvec2(change) * clip.w - glm::dvec2(clip) * change.w) / (clip.w * clip.w);
+}
+
+void steepWarp() {
+    ShadowView view;
+    ShadowOptions options;
+    options.scheme.slices = 1;
+    options.scheme.warp.rule = WarpRule::Given;
+    for (const double kappa : {1e2, 1e5, 1e8})
+        for (const glm::dvec3& light : {glm::dvec3(0, 1, 0), glm::dvec3(0.3, 1, 0.2), glm::dvec3(0.9, 0.1, -0.6)}) {
+            view.towardsLight = glm::normalize(light);
+            options.scheme.warp.kappa = kappa;
+            const ShadowMapPartition& map = shadowMapSetup(view, options).maps.at(0);
+            const glm::dmat4 uploaded(glm::mat4(map.lightClipFromCamera));
+            for (const FitVertex& vertex : map.region.vertices)
+                for (const glm::dvec3& along : {glm::dvec3(1, 0, 0), glm::dvec3(0, 0, 1)}) {
+                    const glm::dvec2 exact = derivative(map.lightClipFromCamera, vertex.position, along);
+                    const glm::dvec2 found = derivative(uploaded, vertex.position, along);
+                    EXPECT_LE(glm::length(found - exact), 1e-3 * glm::length(exact));
+                }
+        }
+}
+
 void nearOnARung() {
     NearState state = nextNear({}, 1, 1e-4);
     for (int i = 0; i < 100; ++i) {
@@ -239,7 +266,7 @@ void nearOnARung() {
     }
 }
 
-constexpr std::array<HardCase, 22> kCases{{
+constexpr std::array<HardCase, 23> kCases{{
     {"light exactly parallel to the view", "L x v is 0 and normalising it gives NaN", lightParallel},
     {"light 1e-15 to 1e-3 radians from the view",
      "sin gamma as sqrt(1 - dot^2) has no digits left; n' runs to infinity, kappa to 0",
@@ -273,6 +300,9 @@ constexpr std::array<HardCase, 22> kCases{{
     {"near square a millionth of the far depth",
      "an outline tolerance in units of the far depth swallows it, and its caster volume loses sides",
      smallNearSquare},
+    {"a warp with kappa d above 10,000",
+     "a matrix of floats does not hold its derivatives: what is measured breaks the promise",
+     steepWarp},
     {"more maps than texels", "sides of 0 or less", tooFewTexels},
     {"a caster clamped to depth 0 over a biased receiver",
      "the receiver's biased depth falls below 0 and the clamped caster lights it",

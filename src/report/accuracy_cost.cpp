@@ -241,7 +241,9 @@ std::vector<std::string> sentences(std::span<const RunSummary> runs) {
     }
     result.push_back(first + ".");
     if (const auto enough = enoughMaps(sweep, kind); enough && before > 0)
-        result.push_back("More than " + std::to_string(*enough) + " buys nothing here (less than a tenth).");
+        result.push_back(
+            "More than " + (*enough == 1 ? "one map buys" : std::to_string(*enough) + " maps buy") +
+            " nothing here (less than a tenth).");
     return result;
 }
 

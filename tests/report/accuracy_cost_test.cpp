@@ -135,7 +135,7 @@ TEST(AccuracyCost, TheSentencesSayWhatTheRunsSay) {
         sentences(runs),
         (std::vector<std::string>{
             "4 maps cost 1.3 times the frame of one and leave 0.2 of its wrong shadow pixels.",
-            "More than 4 buys nothing here (less than a tenth)."}));
+            "More than 4 maps buy nothing here (less than a tenth)."}));
     // Edge distances do not compare between maps of another resolution: they never speak while wrong pixels are known.
     std::vector<RunSummary> misleading = runs;
     for (RunSummary& run : misleading)

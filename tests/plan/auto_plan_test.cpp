@@ -227,7 +227,7 @@ TEST(FramePlan, DrawsNoMapFromTheFrameOnInWhichNothingFacesTheLight) {
     const View view = madeView(2);
     SceneFacts facts;
     facts.visible = {1, 100, true};
-    facts.light.emplace();
+    facts.light = SceneFacts::Light();
     facts.light->lit = {{1, 100}};
     const FramePlan lit = planFrame(view, {}, facts);
     ASSERT_FALSE(lit.passes.empty());

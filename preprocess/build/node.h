@@ -1,4 +1,4 @@
-// A few levels of one part of the model at once: the work of one thread, and a pure function of the part.
+// A few levels of one part of the model at once: a pure function of the part, whatever threads share its groups.
 #pragma once
 
 #include "preprocess/build/page_layout.h"

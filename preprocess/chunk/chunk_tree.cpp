@@ -115,10 +115,6 @@ void ChunkTree::assign(std::size_t table, std::size_t begin, std::size_t end) {
         tables_[table].chunks[cell] = chunkCount() - 1;
 }
 
-std::uint64_t ChunkTree::heaviest() const {
-    return weights_.empty() ? 0 : *std::max_element(weights_.begin(), weights_.end());
-}
-
 std::uint32_t ChunkTree::chunkOf(const GridPoint& point) const {
     std::uint32_t found = kFiner;
     while (found >= kFiner) {

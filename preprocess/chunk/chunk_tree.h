@@ -53,9 +53,6 @@ public:
 
     std::uint32_t chunkCount() const { return static_cast<std::uint32_t>(weights_.size()); }
 
-    /// The largest of the chunks' weights.
-    std::uint64_t heaviest() const;
-
     /// The chunk of a point that was counted.
     std::uint32_t chunkOf(const GridPoint& point) const;
 

@@ -4,7 +4,9 @@
 #include "core/random.h"
 #include "preprocess/chunk/vertex_lookup.h"
 
+#include <array>
 #include <cmath>
+#include <cstdio>
 
 namespace gnomon::preprocess {
 
@@ -12,6 +14,10 @@ namespace {
 
 constexpr std::size_t kMostSampled = std::size_t{1} << 19U;
 constexpr int kExponentBias = 1200;
+
+double maxAbs(const glm::dvec3& p) {
+    return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+}
 
 /// The largest exponent e with 2^e <= value.
 int floorExponent(double value) {
@@ -40,14 +46,22 @@ void countTriangles(MeshSource& source, SourceSurvey& survey, EdgeSample& sample
         throw Error(summary.path, "too many triangles", "fewer than 2^32", std::to_string(survey.triangles));
 }
 
-Box boundsOf(MeshSource& source, Progress& progress) {
+/// Of the vertices that triangles use: a stray one would set the grid's step.
+Box boundsOf(MeshSource& source, const std::vector<std::uint8_t>& valence, Progress& progress) {
+    constexpr double kMostCoordinate = 1e100; // beyond, squares of distances leave the range of doubles
     progress.stage("measure", "vertices", source.summary().vertexCount);
     Box box;
     source.readVertices([&](const VertexBlock& block) {
-        for (const glm::dvec3& position : block.positions)
-            box.add(position);
+        for (std::size_t i = 0; i < block.positions.size(); ++i)
+            if (valence[block.firstVertex + i] > 0) box.add(block.positions[i]);
         progress.advance(block.positions.size());
     });
+    const double largest = box.isEmpty() ? 0 : std::max(maxAbs(box.min), maxAbs(box.max));
+    if (largest > kMostCoordinate) {
+        std::array<char, 32> found{};
+        std::snprintf(found.data(), found.size(), "%g", largest);
+        throw Error(source.summary().path, "a coordinate is too large", "at most 1e100", found.data());
+    }
     return box;
 }
 
@@ -137,7 +151,7 @@ SourceSurvey surveySource(MeshSource& source, Progress& progress) {
     survey.vertices = summary.vertexCount;
     EdgeSample sample;
     countTriangles(source, survey, sample, progress);
-    const Box box = boundsOf(source, progress);
+    const Box box = boundsOf(source, survey.valence, progress);
     survey.grid = chooseGrid(box, sample.measure(source));
     survey.furthest = snapped(survey.grid, box.isEmpty() ? glm::dvec3(0) : box.max);
     return survey;

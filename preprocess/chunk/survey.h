@@ -11,7 +11,7 @@ namespace gnomon::preprocess {
 
 struct SourceSurvey {
     Grid grid;
-    GridPoint furthest; // no snapped vertex lies beyond it on any axis
+    GridPoint furthest; // no snapped vertex of a triangle lies beyond it on any axis
     std::uint64_t triangles = 0;
     std::uint64_t vertices = 0;
     std::uint64_t notAPolygon = 0;

@@ -41,8 +41,6 @@ public:
 
     const MeshSize& size() const { return size_; }
 
-    bool countsOnly() const { return sink_ == nullptr; }
-
 private:
     static constexpr std::size_t kHeldBack = 4096; // vertices, triangles
 

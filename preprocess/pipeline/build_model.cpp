@@ -173,10 +173,9 @@ private:
             return;
         }
         bordersFile_ = workplace_.scratch("borders");
-        const Bytes room = roomBeside(needs_.base());
-        borders_.emplace(*bordersFile_, borderStreams(chunks), blockBytes({room.count / 4}, borderStreams(chunks)));
-        preprocess::shareBorders(
-            binnedSource(), *borders_, nodesAtOnce({room.count - room.count / 4}, mostInChunk_, threads_), progress_);
+        const BorderShare share = borderShare(roomBeside(needs_.base()), mostInChunk_, threads_);
+        borders_.emplace(*bordersFile_, borderStreams(chunks), blockBytes(share.blocks, borderStreams(chunks)));
+        preprocess::shareBorders(binnedSource(), *borders_, share.chunksAtOnce, progress_);
         workplace_.finish(BorderedRecord{bordersFile_->end(), borders_->directory()});
         endPhase("borders", 0);
     }

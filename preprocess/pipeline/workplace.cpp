@@ -4,6 +4,8 @@
 #include "hierarchy/bytes.h"
 #include "hierarchy/file_layout.h"
 
+#include <cerrno>
+#include <csignal>
 #include <filesystem>
 
 namespace gnomon::preprocess {
@@ -25,6 +27,10 @@ std::string folderFor(const WorkplaceOptions& options) {
         .string();
 }
 
+bool isAlive(const std::string& process) {
+    return ::kill(static_cast<pid_t>(std::strtol(process.c_str(), nullptr, 10)), 0) == 0 || errno == EPERM;
+}
+
 /// Half-written outputs of processes that were killed: named as AtomicFile names them.
 void removeLeftovers(const std::string& output) {
     const fs::path path = fs::absolute(output);
@@ -35,7 +41,8 @@ void removeLeftovers(const std::string& output) {
         const std::string name = entry.path().filename().string();
         if (name.size() <= start.size() + end.size() || !name.starts_with(start) || !name.ends_with(end)) continue;
         const std::string process = name.substr(start.size(), name.size() - start.size() - end.size());
-        if (process.find_first_not_of("0123456789") == std::string::npos) fs::remove(entry.path(), ignored);
+        if (process.find_first_not_of("0123456789") != std::string::npos) continue;
+        if (!isAlive(process)) fs::remove(entry.path(), ignored);
     }
 }
 

@@ -20,7 +20,7 @@ struct WorkplaceOptions {
 };
 
 /// Everything is removed with the object, unless the process is killed. Only one process at a time can work for one
-/// output.
+/// output in one folder; of several with folders of their own, each puts a whole model in the output's place.
 class Workplace {
 public:
     /// Throws Error where another process is at work, or if a resumed build has another key; then nothing is touched.

@@ -5,6 +5,7 @@
 #include "preprocess/read/ply_source.h"
 #include "preprocess/read/whole_file_source.h"
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 
@@ -15,6 +16,7 @@ namespace {
 class JoinedSource final : public MeshSource {
 public:
     explicit JoinedSource(std::vector<std::unique_ptr<MeshSource>> parts) : parts_(std::move(parts)) {
+        summary_.hasNormals = true;
         for (const auto& part : parts_) {
             const MeshSummary& more = part->summary();
             summary_.path += (summary_.path.empty() ? "" : ", ") + more.path;
@@ -22,7 +24,7 @@ public:
             summary_.vertexCount += more.vertexCount;
             summary_.faceCount += more.faceCount;
             summary_.stripCount += more.stripCount;
-            summary_.hasNormals |= more.hasNormals;
+            summary_.hasNormals &= more.hasNormals;
             summary_.hasColors |= more.hasColors;
             summary_.isDouble |= more.isDouble;
             summary_.heldBytes += more.heldBytes;
@@ -36,6 +38,7 @@ public:
         for (const auto& part : parts_) {
             part->readVertices([&](VertexBlock block) {
                 block.firstVertex += first;
+                if (!summary_.hasNormals) block.normals = {};
                 sink(block);
             });
             first += part->summary().vertexCount;
@@ -80,8 +83,11 @@ std::unique_ptr<MeshSource> openMeshSources(const std::vector<std::string>& path
     GNOMON_CHECK(!paths.empty());
     std::vector<std::unique_ptr<MeshSource>> parts;
     parts.reserve(paths.size());
-    for (const std::string& path : paths)
-        parts.push_back(isWholeFileFormat(path) && !isPly(path) ? readWholeFile(path, memoryLimit) : openPly(path));
+    Bytes room = memoryLimit;
+    for (const std::string& path : paths) {
+        parts.push_back(isWholeFileFormat(path) && !isPly(path) ? readWholeFile(path, room) : openPly(path));
+        room.count -= std::min(room.count, parts.back()->summary().heldBytes);
+    }
     if (parts.size() == 1) return std::move(parts.front());
     return std::make_unique<JoinedSource>(std::move(parts));
 }

@@ -59,6 +59,10 @@ Verification verifyModel(const VerifyOptions& options, Progress& progress) {
         return verification;
     }
     verification.checks.push_back(checkStructure(model));
+    verification.checks.back().test(model.summary.levels.size() <= kMostLevels, [&] {
+        return options.model + ": levels: expected at most " + std::to_string(kMostLevels) + ", found " +
+               std::to_string(model.summary.levels.size());
+    });
     if (!refinementsResolve(model) || model.summary.levels.size() > kMostLevels) {
         leaveOut(verification, {rest.begin() + 1, rest.end()}, "the structure is broken");
         return verification;

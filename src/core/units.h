@@ -20,10 +20,6 @@ struct Milliseconds {
     auto operator<=>(const Milliseconds&) const = default;
 };
 
-constexpr Bytes kibibytes(std::uint64_t n) {
-    return {n << 10U};
-}
-
 constexpr Bytes mebibytes(std::uint64_t n) {
     return {n << 20U};
 }

@@ -42,12 +42,6 @@ ClipPosition clipPosition(const Projection& projection, const std::uint32_t* pos
     return {row(projection, 0, p), row(projection, 1, p), row(projection, 2, p), row(projection, 3, p)};
 }
 
-bool isInsideGuard(const Projection& projection, const ClipPosition& p) {
-    const bool inSides = std::abs(p.x) <= projection.guardX * p.w && std::abs(p.y) <= projection.guardY * p.w;
-    const bool inDepth = !projection.cutsDepth || (p.z >= 0 && p.z <= p.w);
-    return p.w >= kLeastW && inSides && inDepth;
-}
-
 SnappedVertex snapped(const Projection& projection, const ClipPosition& p) {
     const float inverseW = 1.0F / p.w;
     const float x = (p.x * inverseW) * projection.scaleX + projection.translateX;

@@ -63,9 +63,6 @@ Projection projection(const View& view, bool cutsDepth);
 
 ClipPosition clipPosition(const Projection& projection, const std::uint32_t* position);
 
-/// Whether a vertex may be divided and used as it is.
-bool isInsideGuard(const Projection& projection, const ClipPosition& p);
-
 /// For vertices inside the guard.
 SnappedVertex snapped(const Projection& projection, const ClipPosition& p);
 

@@ -2,6 +2,7 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "core/random.h"
+#include "preprocess/pipeline/memory_plan.h"
 #include "tests/preprocess/build_meshes.h"
 
 #include <gtest/gtest.h>
@@ -264,6 +265,60 @@ TEST(Pipeline, TwoBuildsOfOneOutputDoNotMix) {
     ASSERT_TRUE(lock.tryLock());
     EXPECT_THROW(build(bumpySheet(20), options), Error);
     EXPECT_TRUE(fs::exists(options.output + ".building/lock"));
+}
+
+TEST(Pipeline, ClearsAwayWhatKilledBuildsHadHalfWrittenButNotWhatLivingOnesHave) {
+    const TestFolder folder;
+    BuildOptions options = smallChunks(1000);
+    options.output = folder.file("m.gnm");
+    options.temporaryFolder = folder.file("elsewhere");
+    const std::string killed = options.output + ".2147483647.partial"; // more than any process is called
+    const std::string living = options.output + "." + std::to_string(::getppid()) + ".partial";
+    for (const std::string& half : {killed, living})
+        writeTextFile(half, "half");
+    build(bumpySheet(20), options);
+    EXPECT_FALSE(fs::exists(killed));
+    EXPECT_TRUE(fs::exists(living));
+}
+
+TEST(Pipeline, AVertexThatNoTriangleUsesDoesNotSetTheGrid) {
+    const CodeMesh sheet = bumpySheet(30);
+    std::vector<glm::dvec3> positions = sheet.positions;
+    positions.emplace_back(1e9, -1e300, 0);
+    const BuiltModel expected(sheet, smallChunks(1000));
+    const BuiltModel found(CodeMesh(positions, sheet.triangles), smallChunks(1000));
+    EXPECT_EQ(found.summary().grid.stepExponent, expected.summary().grid.stepExponent);
+    EXPECT_EQ(found.summary().grid.origin, expected.summary().grid.origin);
+    EXPECT_EQ(found.report().dropped, expected.report().dropped);
+}
+
+TEST(Pipeline, CoordinatesWhoseSquaresNoDoubleHoldsAreRefused) {
+    const TestFolder folder;
+    BuildOptions options = smallChunks(1000);
+    options.output = folder.file("m.gnm");
+    EXPECT_NO_THROW(build(bumpySheet(5, 1e90), options));
+    try {
+        build(bumpySheet(5, 1e300), options);
+        FAIL() << "they passed";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("expected at most 1e100, found 1e+300"), std::string::npos)
+            << error.what();
+    }
+}
+
+// Of all sizes of chunks and all that is left over beside one: a chunk is always under way, and the share is kept.
+TEST(MemoryPlan, BordersAreSharedInAnyRoomThatHoldsAChunk) {
+    Random random(5);
+    for (int i = 0; i < 2000; ++i) {
+        const std::uint64_t triangles = 1 + random.below(2'000'000);
+        const std::uint64_t chunk = MemoryNeeds::node(triangles).count;
+        const Bytes room = {chunk + (random.below(4) == 0 ? 0 : random.below(3 * chunk))};
+        const std::size_t threads = 1 + random.below(16);
+        const BorderShare share = borderShare(room, triangles, threads);
+        ASSERT_GE(share.chunksAtOnce, 1U);
+        ASSERT_LE(share.chunksAtOnce, threads + 1);
+        ASSERT_LE(share.blocks.count + share.chunksAtOnce * chunk, room.count);
+    }
 }
 
 } // namespace

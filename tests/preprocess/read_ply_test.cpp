@@ -341,6 +341,18 @@ TEST(ReadPly, SeveralInputsMakeOneModel) {
             ASSERT_EQ(both.triangles[a.triangles.size() + i][k], b.triangles[i][k] + 40);
 }
 
+TEST(ReadPly, OfSeveralInputsTheNormalsCountOnlyIfAllHaveSome) {
+    PlyLayout plain;
+    PlyLayout smooth;
+    smooth.normal = "float";
+    writeScratch(scratch("bare"), plyText(randomMesh(8, 40, 30, plain), plain));
+    writeScratch(scratch("smooth"), plyText(randomMesh(9, 40, 30, smooth), smooth));
+    EXPECT_TRUE(openMeshSources({scratch("smooth"), scratch("smooth")}, mebibytes(1))->summary().hasNormals);
+    const auto mixed = openMeshSources({scratch("smooth"), scratch("bare")}, mebibytes(1));
+    EXPECT_FALSE(mixed->summary().hasNormals);
+    mixed->readVertices([](const VertexBlock& block) { EXPECT_TRUE(block.normals.empty()); });
+}
+
 TEST(ReadPly, AnErrorInOneOfSeveralInputsNamesIt) {
     writeScratch(scratch("good"), ascii(kVertices + kFaces, kFour + "3 0 1 2\n"));
     writeScratch(scratch("bad"), ascii(kVertices + kFaces, kFour + "3 0 1 7\n"));

@@ -9,7 +9,8 @@
 
 namespace gnomon::app {
 
-/// The executor that `options` name: `auto` is a GPU if there is one, else OSMesa. Throws UsageError for the window.
+/// The executor that `options` name: `auto` is a GPU if there is one, else `software`. Throws UsageError for the
+/// window.
 std::unique_ptr<render::Executor> makeExecutor(const ViewOptions& options);
 
 /// A model, who draws it, and what renders its frames; warns of each damaged page once, on stderr.

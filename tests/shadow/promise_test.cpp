@@ -133,5 +133,18 @@ TEST(Promise, FiguresOfTheTheory) {
     EXPECT_NEAR(promises.back(), 6.2, 0.15);
 }
 
+// What Eqs 22 and 23 say of large ratios is the growth of the closed forms: squaring the ratio multiplies both alike.
+TEST(Storage, GrowsWithLargeDepthRatiosAsTheClosedFormsDo) {
+    const ViewFrustum large{1, 1e24, 0.5, 1};
+    const ViewFrustum larger{1, 1e48, 0.5, 1};
+    for (const int maps : {4, 8, 12}) {
+        const double slices = closedForms(larger, maps).zpOverhead / closedForms(large, maps).zpOverhead;
+        EXPECT_NEAR(slices / largeRatioForms(1e24, maps).zpOverhead, 1, 0.02);
+        const double faces =
+            closedForms(larger, maps / 4).facesBehindPaper / closedForms(large, maps / 4).facesBehindPaper;
+        EXPECT_NEAR(faces / largeRatioForms(1e24, maps).facesBehind, 1, 0.02);
+    }
+}
+
 } // namespace
 } // namespace gnomon::shadow

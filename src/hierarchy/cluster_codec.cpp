@@ -1,13 +1,11 @@
-// Vertices come cluster by cluster. One that lies in an earlier cluster of the page too, with the same normal and
-// colour, is a reference to it: a quarter to a third of them, along the clusters' borders. Any other is what remains of
-// it after prediction: its position from the parallelogram over the edge across which it is new (Touma, Gotsman 1998),
-// its normal and colour from the mean of the edge's, else all from the vertex before it. Differences are zigzag-coded
-// and stored byte plane by byte plane, since the entropy coder that follows works on bytes.
 #include "hierarchy/cluster_codec.h"
 
 #include "core/index_table.h"
 #include "core/random.h"
-#include "hierarchy/connectivity_codec.h"
+#include "hierarchy/connectivity_decoder.h"
+#include "hierarchy/connectivity_encoder.h"
+#include "hierarchy/vertex_code.h"
+#include "hierarchy/vertex_decoder.h"
 
 #include <algorithm>
 #include <array>
@@ -17,19 +15,8 @@ namespace gnomon::hierarchy {
 
 namespace {
 
-constexpr std::uint32_t kWhite = 0xFFFFFFFFU;
-constexpr std::uint32_t kOffsetBinary = 0x80008000U; // turns two snorm16 into numbers that ascend
-
 /// Numbers of one kind for some vertices of a page, one after the other.
 using Channel = std::vector<std::uint32_t>;
-
-std::uint32_t zigzag(std::uint32_t difference) {
-    return (difference << 1U) ^ (0U - (difference >> 31U));
-}
-
-std::uint32_t unzigzag(std::uint32_t code) {
-    return (code >> 1U) ^ (0U - (code & 1U));
-}
 
 /// The code of `value` after `prediction`, both of `width` bits.
 std::uint32_t wrapped(std::uint32_t value, std::uint32_t prediction, unsigned width) {
@@ -47,41 +34,6 @@ void putPlanes(const Channel& channel, ByteWriter& out) {
         for (const std::uint32_t value : channel)
             out.put(static_cast<std::uint8_t>(value >> (8U * plane)));
 }
-
-/// `count` numbers; no more than the clusters of a page have vertices, so it is bounded by bytes that were there.
-void takePlanes(ByteReader& in, std::size_t count, Channel& channel) {
-    const auto planes = in.take<std::uint8_t>();
-    if (planes > 4) throw Damage{"a value has more than four bytes"};
-    channel.assign(count, 0);
-    for (unsigned plane = 0; plane < planes; ++plane) {
-        const auto bytes = in.take(count);
-        for (std::size_t i = 0; i < count; ++i)
-            channel[i] |= static_cast<std::uint32_t>(bytes[i]) << (8U * plane);
-    }
-}
-
-/// As takePlanes, for differences.
-void takeDifferences(ByteReader& in, std::size_t count, Channel& channel) {
-    takePlanes(in, count, channel);
-    for (std::uint32_t& value : channel)
-        value = unzigzag(value);
-}
-
-/// Normals without the low bits that all of a page lack, as offset binary, so that a mean of two lies between them.
-struct NormalCode {
-    unsigned shift = 0;
-
-    std::uint32_t x(std::uint32_t normal) const { return ((normal ^ kOffsetBinary) & 0xFFFFU) >> shift; }
-
-    std::uint32_t y(std::uint32_t normal) const { return (normal ^ kOffsetBinary) >> (16U + shift); }
-
-    std::uint32_t normal(std::uint32_t x, std::uint32_t y) const {
-        const std::uint32_t mask = (1U << width()) - 1U;
-        return ((x & mask) << shift | (y & mask) << (16U + shift)) ^ kOffsetBinary;
-    }
-
-    unsigned width() const { return 16U - shift; }
-};
 
 std::uint32_t channelOf(std::uint32_t color, unsigned k) {
     return color >> (8U * k) & 0xFFU;
@@ -118,12 +70,6 @@ struct VertexChannels {
     std::array<Channel, 3> positions; // these and the following by vertex that is no reference
     std::array<Channel, 2> normals;
     std::array<Channel, 4> colors;
-};
-
-struct AttributeLayout {
-    bool hasNormals = false;
-    bool hasColors = false;
-    NormalCode normals;
 };
 
 AttributeLayout layoutOf(std::span<const Vertex> vertices) {
@@ -231,93 +177,6 @@ private:
     GridPoint anchor_;
 };
 
-/// The reverse.
-class VertexDecoder {
-public:
-    /// `channels` is where it keeps the numbers it reads.
-    VertexDecoder(ByteReader& in, Page& page, VertexChannels& channels)
-        : page_(page), channels_(channels), anchors_(in.take(in.takeVarint())) {
-        layout_.hasNormals = in.take<std::uint8_t>() != 0;
-        layout_.hasColors = in.take<std::uint8_t>() != 0;
-        layout_.normals.shift = in.take<std::uint8_t>();
-        if (layout_.normals.shift > 15) throw Damage{"normals lack more bits than they have"};
-        const std::size_t count = page.vertices.size();
-        takePlanes(in, count, channels_.references);
-        const auto fresh =
-            static_cast<std::size_t>(std::count(channels_.references.begin(), channels_.references.end(), 0U));
-        for (Channel& channel : channels_.positions)
-            takeDifferences(in, fresh, channel);
-        for (Channel& channel : channels_.normals)
-            if (layout_.hasNormals) takeDifferences(in, fresh, channel);
-        for (Channel& channel : channels_.colors)
-            if (layout_.hasColors) takeDifferences(in, fresh, channel);
-    }
-
-    void decode(Cluster& cluster, const ParentTable& parents) {
-        const auto vertices = std::span(page_.vertices).subspan(cluster.firstVertex, cluster.vertexCount);
-        std::uint32_t expected = cluster.firstVertex;
-        GridBox box;
-        for (std::uint32_t v = 0; v < vertices.size(); ++v) {
-            const std::uint32_t reference = channels_.references[cluster.firstVertex + v];
-            if (reference != 0) {
-                const std::uint32_t earlier = expected + unzigzag(reference - 1);
-                if (earlier >= cluster.firstVertex) throw Damage{"a vertex refers to one that is not earlier"};
-                vertices[v] = page_.vertices[earlier];
-                expected = earlier + 1;
-            } else {
-                decodeFresh(vertices, v, parents[v]);
-            }
-            box.add(vertices[v].position);
-        }
-        if (std::max({box.max.x, box.max.y, box.max.z}) > kMaxGridCoordinate) throw Damage{"a vertex leaves the grid"};
-        cluster.box = box;
-    }
-
-    void expectEnd() const { anchors_.expectEnd(); }
-
-private:
-    void decodeFresh(std::span<Vertex> vertices, std::uint32_t v, const Parents& parents) {
-        Vertex& vertex = vertices[v];
-        const GridPoint q = v == 0 ? takeAnchor() : predictedPosition(vertices, v, parents);
-        const std::size_t i = fresh_++;
-        vertex.position = {
-            q.x + channels_.positions[0][i], q.y + channels_.positions[1][i], q.z + channels_.positions[2][i]};
-        if (layout_.hasNormals) {
-            const auto& [a, b] = attributeParents(vertices, v, parents);
-            const NormalCode& code = layout_.normals;
-            vertex.normal = code.normal(
-                (code.x(a.normal) + code.x(b.normal)) / 2 + channels_.normals[0][i],
-                (code.y(a.normal) + code.y(b.normal)) / 2 + channels_.normals[1][i]);
-        }
-        if (layout_.hasColors) decodeColor(vertices, v, parents, i);
-    }
-
-    void decodeColor(std::span<Vertex> vertices, std::uint32_t v, const Parents& parents, std::size_t i) {
-        const auto& [a, b] = attributeParents(vertices, v, parents);
-        std::uint32_t color = 0;
-        for (unsigned k = 0; k < 4; ++k) {
-            const std::uint32_t mean = (channelOf(a.color, k) + channelOf(b.color, k)) / 2;
-            color |= ((mean + channels_.colors[k][i]) & 0xFFU) << (8U * k);
-        }
-        vertices[v].color = color;
-    }
-
-    GridPoint takeAnchor() {
-        const auto next = [this] { return unzigzag(static_cast<std::uint32_t>(anchors_.takeVarint())); };
-        anchor_.x += next();
-        anchor_.y += next();
-        anchor_.z += next();
-        return anchor_;
-    }
-
-    Page& page_;
-    AttributeLayout layout_;
-    VertexChannels& channels_;
-    ByteReader anchors_;
-    GridPoint anchor_;
-    std::size_t fresh_ = 0;
-};
-
 } // namespace
 
 void encodeClusters(const Page& page, ByteWriter& out) {
@@ -338,26 +197,11 @@ void encodeClusters(const Page& page, ByteWriter& out) {
 void decodeClusters(ByteReader& in, Page& page) {
     const Cluster& last = page.clusters.back();
     const auto codes = in.take(last.firstTriangle + last.triangleCount);
-    const auto indexBytes = in.take(in.takeVarint());
+    const auto indices = in.take(in.takeVarint());
     if (in.remaining() == 0) throw Damage{"the bytes end too early"};
-    std::span<const std::uint8_t> indices(reinterpret_cast<const std::uint8_t*>(indexBytes.data()), indexBytes.size());
-    page.triangles.resize(codes.size());
-    page.vertices.resize(last.firstVertex + last.vertexCount);
-    // Kept from page to page: memory given back to the system is paid for again, a page fault every four KiB.
-    thread_local VertexChannels channels;
-    VertexDecoder vertices(in, page, channels);
-    ParentTable parents{};
-    for (Cluster& cluster : page.clusters) {
-        decodeConnectivity(
-            codes.subspan(cluster.firstTriangle, cluster.triangleCount),
-            std::span(page.triangles).subspan(cluster.firstTriangle, cluster.triangleCount),
-            indices,
-            cluster.vertexCount,
-            parents);
-        vertices.decode(cluster, parents);
-    }
-    if (!indices.empty()) throw Damage{"indices that no triangle takes"};
-    vertices.expectEnd();
+    thread_local EdgeWords edges;
+    decodeConnectivity(codes, indices, page, edges);
+    decodeVertices(in, edges, page);
 }
 
 } // namespace gnomon::hierarchy

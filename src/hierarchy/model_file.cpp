@@ -109,7 +109,9 @@ std::string ModelFile::computedContentHash() const {
 
 Page ModelFile::readPage(std::uint32_t page) const {
     const PageInfo& info = pages_.at(page);
-    const std::vector<std::byte> bytes = readBytes(file_, info.offset, info.storedBytes);
+    thread_local std::vector<std::byte> bytes; // kept from page to page, as what decoding needs is
+    bytes.resize(info.storedBytes);
+    file_.readAt(info.offset, bytes);
     try {
         if (checksum64(bytes) != info.checksum) throw Damage{"wrong checksum"};
         return decodePageBytes(bytes, info);

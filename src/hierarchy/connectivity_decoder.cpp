@@ -1,0 +1,156 @@
+#include "hierarchy/connectivity_decoder.h"
+
+#include "hierarchy/connectivity_code.h"
+#include "hierarchy/validation.h"
+#include "hierarchy/vertex_numbers.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+namespace gnomon::hierarchy {
+
+namespace {
+
+/// What a triangle takes and means, by its code.
+struct CodeMeaning {
+    std::uint32_t age = 0;          // 1 + that of the edge
+    std::uint32_t distance = 0;     // of the third corner from the next new vertex
+    std::uint32_t explicitMask = 0; // all ones if the third corner is explicit
+    std::uint32_t newVertices = 0;
+    std::uint32_t indices = 0; // bytes of the second stream
+};
+
+constexpr std::array<CodeMeaning, 256> kMeanings = [] {
+    std::array<CodeMeaning, 256> meanings{};
+    for (unsigned code = 0; code < 256; ++code) {
+        const unsigned third = code & 15U;
+        const unsigned newCorners = (code & 1U) + (code >> 1U & 1U) + (code >> 2U & 1U);
+        const bool isExplicit = third == kExplicit;
+        if (code >> 4U == kNotEntered)
+            meanings[code] = {0, 0, 0, newCorners, 3 - newCorners};
+        else
+            meanings[code] = {
+                (code >> 4U) + 1, third, isExplicit ? ~0U : 0U, third == 0 ? 1U : 0U, isExplicit ? 1U : 0U};
+    }
+    return meanings;
+}();
+
+constexpr std::uint32_t kFirstUnentered = kNotEntered << 4U;
+
+/// Set in what is no edge and in what is no vertex.
+constexpr std::uint32_t kBad = 0x80000000U;
+
+/// One cluster on its way. Kept in locals of one function, since stores through byte pointers may alias every member
+/// of an object that is known elsewhere: members would be reloaded all the time.
+// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): filling the arrays first would cost more than what is read
+struct ClusterRun {
+    const std::uint8_t* indices = nullptr; // the next; one past the last may be looked at
+    std::size_t next = 0;                  // the next new vertex
+    std::size_t openCount = kNotEntered;
+    std::uint32_t bad = 0; // kBad if something was bad
+    std::array<Triangle, kMaxClusterTriangles> triangles;
+    std::array<std::uint32_t, kMaxClusterVertices + 1> edges; // by vertex; one more, for what turns out to be none
+    // Every edge that the triangles leave open, oldest first: from, to and the opposite corner, a byte each.
+    std::array<std::uint32_t, kNotEntered + 3 * kMaxClusterTriangles> open;
+};
+
+inline void takeUnentered(ClusterRun& run, std::size_t t, std::uint32_t code) {
+    std::array<std::uint32_t, 3> corner{};
+    for (unsigned k = 0; k < 3; ++k) {
+        const std::uint32_t isNew = code >> k & 1U;
+        corner[k] = isNew != 0 ? static_cast<std::uint32_t>(run.next) : *run.indices;
+        run.edges[run.next] = kNoEdge;
+        run.next += isNew;
+        run.indices += 1 - isNew;
+        run.triangles[t][k] = static_cast<std::uint8_t>(corner[k]);
+    }
+    const auto [a, b, c] = corner;
+    run.open[run.openCount] = b | a << 8U | c << 16U;
+    run.open[run.openCount + 1] = a | c << 8U | b << 16U;
+    run.open[run.openCount + 2] = c | b << 8U | a << 16U;
+    run.openCount += 3;
+}
+
+/// Nothing here is a branch: whether a vertex is new is as good as random.
+inline void takeEntered(ClusterRun& run, std::size_t t, const CodeMeaning& code) {
+    const std::uint32_t edge = run.open[run.openCount - code.age];
+    const std::uint32_t near = static_cast<std::uint32_t>(run.next) - code.distance; // with kBad where there is none
+    const std::uint32_t third = near ^ ((near ^ *run.indices) & code.explicitMask);
+    run.bad |= edge | third;
+    run.edges[run.next] = edge;
+    run.next += code.newVertices;
+    run.indices += code.indices;
+    const auto firstTwo = static_cast<std::uint16_t>(edge);
+    std::memcpy(run.triangles[t].data(), &firstTwo, sizeof firstTwo);
+    run.triangles[t][2] = static_cast<std::uint8_t>(third);
+    const std::uint32_t from = edge & 0xFFU;
+    const std::uint32_t toAndThird = (edge & 0xFF00U) + third;
+    run.open[run.openCount] = from + (toAndThird << 8U);
+    run.open[run.openCount + 1] = toAndThird + (from << 16U);
+    run.openCount += 2;
+}
+
+/// How many indices the triangles of `cluster` take. Throws Damage where they take more than there are or name vertices
+/// that are not there, so that decoding need not look.
+std::size_t checkedIndexCount(
+    std::span<const std::uint8_t> codes, std::span<const std::uint8_t> indices, const Cluster& cluster) {
+    std::uint32_t newVertices = 0;
+    std::size_t count = 0;
+    for (const std::uint8_t code : codes) {
+        newVertices += kMeanings[code].newVertices;
+        count += kMeanings[code].indices;
+    }
+    if (count > indices.size() || newVertices > cluster.vertexCount)
+        throw Damage{"a triangle has a corner that is not there"};
+    std::uint8_t highest = 0;
+    for (const std::uint8_t index : indices.first(count))
+        highest = std::max(highest, index);
+    if (highest >= cluster.vertexCount) throw Damage{"a triangle has a corner that is not there"};
+    return count;
+}
+
+/// Appends the triangles to the page and fills the `edges` of the cluster's vertices.
+void decodeCluster(
+    std::span<const std::uint8_t> codes,
+    const std::uint8_t* indices,
+    const Cluster& cluster,
+    Page& page,
+    std::uint32_t* edges) {
+    ClusterRun run;
+    run.indices = indices;
+    std::fill_n(run.open.begin(), kNotEntered, kBad);
+    for (std::size_t t = 0; t < codes.size(); ++t) {
+        if (codes[t] >= kFirstUnentered)
+            takeUnentered(run, t, codes[t]);
+        else
+            takeEntered(run, t, kMeanings[codes[t]]);
+    }
+    if ((run.bad & kBad) != 0) throw Damage{"a triangle has a corner or an edge that is not there"};
+    page.triangles.insert(page.triangles.end(), run.triangles.begin(), run.triangles.begin() + cluster.triangleCount);
+    std::fill(run.edges.begin() + static_cast<std::ptrdiff_t>(run.next), run.edges.end(), kNoEdge);
+    std::copy_n(run.edges.begin(), cluster.vertexCount, edges);
+}
+
+std::span<const std::uint8_t> numbers(std::span<const std::byte> bytes) {
+    return {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()};
+}
+
+} // namespace
+
+void decodeConnectivity(
+    std::span<const std::byte> codes, std::span<const std::byte> indices, Page& page, EdgeWords& edges) {
+    const Cluster& last = page.clusters.back();
+    page.triangles.reserve(codes.size());
+    edges.resize(last.firstVertex + last.vertexCount + kMostLanes);
+    std::span<const std::uint8_t> rest = numbers(indices);
+    for (const Cluster& cluster : page.clusters) {
+        const auto own = numbers(codes.subspan(cluster.firstTriangle, cluster.triangleCount));
+        const std::size_t count = checkedIndexCount(own, rest, cluster);
+        decodeCluster(own, rest.data(), cluster, page, edges.data() + cluster.firstVertex);
+        rest = rest.subspan(count);
+    }
+    if (!rest.empty()) throw Damage{"indices that no triangle takes"};
+}
+
+} // namespace gnomon::hierarchy

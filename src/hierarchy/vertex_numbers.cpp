@@ -1,0 +1,60 @@
+#include "hierarchy/vertex_numbers.h"
+
+#include "hierarchy/plane_kernel.h"
+
+namespace gnomon::hierarchy {
+
+namespace {
+
+Planes takePlanes(ByteReader& in, std::size_t numbers) {
+    const auto count = in.take<std::uint8_t>();
+    if (count > 4) throw Damage{"a value has more than four bytes"};
+    const auto bytes = in.take(numbers * count);
+    return {reinterpret_cast<const std::uint8_t*>(bytes.data()), count, numbers};
+}
+
+/// Lists the vertices that are references and those that are not.
+void splitVertices(std::size_t vertices, VertexNumbers& numbers) {
+    numbers.referring.resize(vertices);
+    numbers.fresh.resize(vertices);
+    std::size_t referring = 0;
+    std::size_t fresh = 0;
+    for (std::size_t v = 0; v < vertices; ++v) { // written to both, kept in one: which one is as good as random
+        numbers.referring[referring] = static_cast<std::uint32_t>(v);
+        numbers.fresh[fresh] = static_cast<std::uint32_t>(v);
+        const auto isFresh = static_cast<std::size_t>(numbers.references[v] == 0);
+        referring += 1 - isFresh;
+        fresh += isFresh;
+    }
+    numbers.referring.resize(referring);
+    numbers.fresh.resize(fresh);
+}
+
+} // namespace
+
+void takeVertexNumbers(ByteReader& in, std::size_t vertices, const AttributeLayout& layout, VertexNumbers& numbers) {
+    const Planes references = takePlanes(in, vertices);
+    numbers.references.resize(vertices + kMostLanes);
+    unfoldNumbers(references, numbers.references.data());
+    splitVertices(vertices, numbers);
+    const std::size_t fresh = numbers.fresh.size();
+    std::array<Planes, 4> planes;
+    for (std::size_t k = 0; k < 3; ++k)
+        planes[k] = takePlanes(in, fresh);
+    numbers.positions.resize(fresh + kMostLanes);
+    unfoldPositions(std::span(planes).first<3>(), numbers.positions.data());
+    if (layout.hasNormals) {
+        for (std::size_t k = 0; k < 2; ++k)
+            planes[k] = takePlanes(in, fresh);
+        numbers.normals.resize(fresh + kMostLanes);
+        unfoldNormals(std::span(planes).first<2>(), layout.normals.mask(), numbers.normals.data());
+    }
+    if (layout.hasColors) {
+        for (Planes& each : planes)
+            each = takePlanes(in, fresh);
+        numbers.colors.resize(fresh + kMostLanes);
+        unfoldColors(planes, numbers.colors.data());
+    }
+}
+
+} // namespace gnomon::hierarchy

@@ -1,0 +1,40 @@
+// What a file stores of the vertices of a page, as numbers.
+#pragma once
+
+#include "hierarchy/bytes.h"
+#include "hierarchy/vertex_code.h"
+
+#include <array>
+#include <vector>
+
+namespace gnomon::hierarchy {
+
+/// Arrays of words by vertex are read and written in whole vectors: they have room for this many more words.
+constexpr std::size_t kMostLanes = 16;
+
+/// Three differences of a position and a word that is none, so that all are loaded and added at once.
+struct alignas(16) PositionWords {
+    std::array<std::uint32_t, 4> word;
+};
+
+/// Both numbers of a normal in one word, so that both are predicted at once.
+constexpr std::uint64_t joinedNormal(std::uint32_t x, std::uint32_t y) {
+    return std::uint64_t{y} << 32U | x;
+}
+
+/// What is stored of the vertices of a page, and which vertices it is of. To be kept from page to page: memory given
+/// back to the system is paid for again, a page fault every four KiB. All but `referring` have kMostLanes too many.
+struct VertexNumbers {
+    std::vector<std::uint32_t> references; // by vertex: 0, or 1 + the zigzag of how far from the one after the last
+    std::vector<std::uint32_t> referring;  // the vertices that are references, ascending
+    std::vector<std::uint32_t> fresh;      // the others, ascending; the following are of these
+    std::vector<PositionWords> positions;  // differences
+    std::vector<std::uint64_t> normals;    // differences, joinedNormal modulo their width; nothing if there are none
+    std::vector<std::uint32_t> colors;     // differences, a byte each; nothing if there are none
+};
+
+/// Takes what is stored of `vertices` vertices, but for what stands before the references. Nothing is allocated that
+/// the bytes cannot fill. Throws Damage.
+void takeVertexNumbers(ByteReader& in, std::size_t vertices, const AttributeLayout& layout, VertexNumbers& numbers);
+
+} // namespace gnomon::hierarchy

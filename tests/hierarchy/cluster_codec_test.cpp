@@ -1,0 +1,105 @@
+// What decodes clusters fast beside what decodes them plainly: the same page, or both refuse, on every instruction set.
+#include "hierarchy/cluster_codec.h"
+#include "hierarchy/cluster_order.h"
+#include "hierarchy/tiny_model.h"
+#include "page_equality.h"
+#include "plain_codec.h"
+#include "random_page.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <optional>
+
+#include <hwy/targets.h>
+
+namespace gnomon::hierarchy {
+namespace {
+
+using Decode = void (*)(ByteReader& in, Page& page);
+
+/// What `decode` makes of `bytes` if `like` tells the clusters' ranges; nothing if it refuses them.
+std::optional<Page> decoded(Decode decode, const Page& like, std::span<const std::byte> bytes) {
+    Page page = like;
+    page.vertices.clear();
+    page.triangles.clear();
+    for (Cluster& cluster : page.clusters)
+        cluster.box = {};
+    try {
+        ByteReader in(bytes);
+        decode(in, page);
+        in.expectEnd();
+    } catch (const Damage&) {
+        return std::nullopt;
+    }
+    return page;
+}
+
+/// What `decodeClusters` makes of `bytes` if it is the same on every instruction set that this machine has and plainly.
+std::optional<Page> decodedAlike(const Page& like, std::span<const std::byte> bytes) {
+    std::optional<Page> plain = decoded(plainlyDecodeClusters, like, bytes);
+    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+        hwy::SetSupportedTargetsForTest(target);
+        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+        const std::optional<Page> fast = decoded(decodeClusters, like, bytes);
+        EXPECT_EQ(fast.has_value(), plain.has_value()) << hwy::TargetName(target);
+        if (fast && plain) {
+            EXPECT_TRUE(samePage(*fast, *plain)) << hwy::TargetName(target);
+        }
+    }
+    hwy::SetSupportedTargetsForTest(0);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    return plain;
+}
+
+std::vector<std::byte> encoded(const Page& page) {
+    ByteWriter out;
+    encodeClusters(page, out);
+    return out.take();
+}
+
+TEST(ClusterCodec, DecodesAsPlainlyOnEveryInstructionSet) {
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Page page = randomPage(seed);
+        if (seed % 2 == 0) orderForCoding(page);
+        const std::optional<Page> back = decodedAlike(page, encoded(page));
+        ASSERT_TRUE(back.has_value());
+        EXPECT_TRUE(samePage(*back, page));
+    }
+    for (const Page& page : gnomon::tests::makeTinyModel({}).pages) {
+        const std::optional<Page> back = decodedAlike(page, encoded(page));
+        ASSERT_TRUE(back.has_value());
+        EXPECT_TRUE(samePage(*back, page));
+    }
+}
+
+/// Anywhere, or among the first triangles of a cluster, which can name edges and vertices that are not there yet.
+std::size_t placeToDamage(const Page& page, std::size_t size, Random& random) {
+    if (random.below(2) == 0) return random.below(size);
+    const Cluster& cluster = page.clusters[random.below(page.clusters.size())];
+    return cluster.firstTriangle + random.below(std::min<std::size_t>(8, cluster.triangleCount));
+}
+
+TEST(ClusterCodec, RefusesWhatIsPlainlyRefused) {
+    const gnomon::tests::TinyModel model = gnomon::tests::makeTinyModel({});
+    std::size_t refused = 0;
+    std::size_t taken = 0;
+    for (std::uint64_t seed = 0; seed < 3000; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        Page page = seed % 2 == 0 ? randomPage(seed / 50) : model.pages[random.below(model.pages.size())];
+        if (seed % 4 == 0) orderForCoding(page);
+        std::vector<std::byte> bytes = encoded(page);
+        const std::uint64_t flips = 1 + random.below(3);
+        for (std::uint64_t i = 0; i < flips; ++i)
+            bytes[placeToDamage(page, bytes.size(), random)] ^= static_cast<std::byte>(1 + random.below(255));
+        if (random.below(9) == 0) bytes.resize(random.below(bytes.size()));
+        ++(decodedAlike(page, bytes) ? taken : refused);
+    }
+    EXPECT_GT(refused, 500U);
+    EXPECT_GT(taken, 100U);
+}
+
+} // namespace
+} // namespace gnomon::hierarchy

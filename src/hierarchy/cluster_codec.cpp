@@ -24,15 +24,18 @@ std::uint32_t wrapped(std::uint32_t value, std::uint32_t prediction, unsigned wi
     return zigzag(static_cast<std::uint32_t>(difference));
 }
 
-void putPlanes(const Channel& channel, ByteWriter& out) {
+/// Notes the end of each plane in `streamEnds`.
+void putPlanes(const Channel& channel, ByteWriter& out, std::vector<std::size_t>& streamEnds) {
     std::uint32_t any = 0;
     for (const std::uint32_t value : channel)
         any |= value;
     const auto planes = static_cast<std::uint8_t>((std::bit_width(any) + 7) / 8);
     out.put(planes);
-    for (unsigned plane = 0; plane < planes; ++plane)
+    for (unsigned plane = 0; plane < planes; ++plane) {
         for (const std::uint32_t value : channel)
             out.put(static_cast<std::uint8_t>(value >> (8U * plane)));
+        streamEnds.push_back(out.size());
+    }
 }
 
 std::uint32_t channelOf(std::uint32_t color, unsigned k) {
@@ -106,21 +109,21 @@ public:
             see(cluster.firstVertex + v);
     }
 
-    void write(ByteWriter& out) const {
+    void write(ByteWriter& out, std::vector<std::size_t>& streamEnds) const {
         out.putVarint(anchors_.size());
         out.put(anchors_.bytes());
         out.put(static_cast<std::uint8_t>(layout_.hasNormals));
         out.put(static_cast<std::uint8_t>(layout_.hasColors));
         out.put(static_cast<std::uint8_t>(layout_.normals.shift));
-        putPlanes(channels_.references, out);
+        putPlanes(channels_.references, out, streamEnds);
         for (const Channel& channel : channels_.positions)
-            putPlanes(channel, out);
+            putPlanes(channel, out, streamEnds);
         if (layout_.hasNormals)
             for (const Channel& channel : channels_.normals)
-                putPlanes(channel, out);
+                putPlanes(channel, out, streamEnds);
         if (layout_.hasColors)
             for (const Channel& channel : channels_.colors)
-                putPlanes(channel, out);
+                putPlanes(channel, out, streamEnds);
     }
 
 private:
@@ -179,7 +182,8 @@ private:
 
 } // namespace
 
-void encodeClusters(const Page& page, ByteWriter& out) {
+std::vector<std::size_t> encodeClusters(const Page& page, ByteWriter& out) {
+    std::vector<std::size_t> streamEnds;
     ByteWriter codes;
     ByteWriter indices;
     VertexEncoder vertices(page);
@@ -189,9 +193,12 @@ void encodeClusters(const Page& page, ByteWriter& out) {
         vertices.encode(cluster, connectivity.parents());
     }
     out.put(codes.bytes());
+    streamEnds.push_back(out.size());
     out.putVarint(indices.size());
     out.put(indices.bytes());
-    vertices.write(out);
+    streamEnds.push_back(out.size());
+    vertices.write(out, streamEnds);
+    return streamEnds;
 }
 
 void decodeClusters(ByteReader& in, Page& page) {

@@ -8,8 +8,9 @@
 namespace gnomon::hierarchy {
 
 /// Appends vertices and triangles of all clusters of `page`. Exact for any valid page; short for one that went through
-/// orderForCoding.
-void encodeClusters(const Page& page, ByteWriter& out);
+/// orderForCoding. Returns the places in `out` where bytes of one kind end: whoever compresses them does better by
+/// treating each kind by itself. The last is the end.
+std::vector<std::size_t> encodeClusters(const Page& page, ByteWriter& out);
 
 /// The reverse: fills `page.vertices`, `page.triangles` and the boxes of `page.clusters`, whose ranges are already
 /// there and tile. Throws Damage.

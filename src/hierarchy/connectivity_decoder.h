@@ -13,8 +13,8 @@ namespace gnomon::hierarchy {
 constexpr std::uint32_t kNoEdge = 0xFFFFFFU;
 using EdgeWords = std::vector<std::uint32_t>;
 
-/// Fills `page.triangles`, which has its size, from a code byte each and the stream of `indices`; `edges` gets one word
-/// more than there are vertices. Throws Damage.
+/// Fills `page.triangles` from a code byte each and the stream of `indices`, behind which one byte may be looked at.
+/// `edges` gets one word a vertex, and kMostLanes more. Throws Damage.
 void decodeConnectivity(
     std::span<const std::byte> codes, std::span<const std::byte> indices, Page& page, EdgeWords& edges);
 

@@ -20,6 +20,9 @@ enum class Packing : std::uint8_t { Plain = 0, Zstd = 1 };
 /// No page may unfold to more than this times its stored bytes, so that a small file cannot ask for a large buffer.
 constexpr std::uint64_t kMaxExpansion = 256;
 
+/// Below this a block's own code costs more bytes and more time than it saves.
+constexpr std::size_t kLeastBlockBytes = 5000;
+
 void putSphere(ByteWriter& out, const Sphere& sphere) {
     out.put(sphere.center.x);
     out.put(sphere.center.y);
@@ -118,15 +121,42 @@ void takeClusters(ByteReader& in, const PageInfo& info, Page& page) {
         throw Damage{"the clusters' counts do not sum up to those of the page table"};
 }
 
-std::vector<std::byte> pack(std::span<const std::byte> plain) {
-    std::vector<std::byte> packed(ZSTD_compressBound(plain.size()));
-    const std::size_t size = ZSTD_compress(packed.data(), packed.size(), plain.data(), plain.size(), kCompressionLevel);
-    GNOMON_CHECK(ZSTD_isError(size) == 0);
+/// Appends `bytes` to what `context` packs, as a block of its own. There must be room.
+void packBlock(ZSTD_CCtx* context, std::span<const std::byte> bytes, ZSTD_EndDirective then, ZSTD_outBuffer& packed) {
+    ZSTD_inBuffer in{bytes.data(), bytes.size(), 0};
+    GNOMON_CHECK(ZSTD_compressStream2(context, &packed, &in, then) == 0);
+}
+
+/// One frame of zstd, with a block for every run of `streamEnds` that is long enough: bytes of different kinds in one
+/// block share one code, which fits none of them.
+std::vector<std::byte> packedFrame(std::span<const std::byte> plain, std::span<const std::size_t> streamEnds) {
+    thread_local const std::unique_ptr<ZSTD_CCtx, std::size_t (*)(ZSTD_CCtx*)> context(
+        ZSTD_createCCtx(), ZSTD_freeCCtx);
+    if (!context) throw std::bad_alloc();
+    ZSTD_CCtx_reset(context.get(), ZSTD_reset_session_and_parameters);
+    ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, kCompressionLevel);
+    ZSTD_CCtx_setPledgedSrcSize(context.get(), plain.size());
+    constexpr std::size_t kBlockHeader = 3;
+    std::vector<std::byte> packed(ZSTD_compressBound(plain.size()) + streamEnds.size() * kBlockHeader);
+    ZSTD_outBuffer out{packed.data(), packed.size(), 0};
+    std::size_t begin = 0;
+    for (const std::size_t end : streamEnds) {
+        if (end - begin < kLeastBlockBytes || plain.size() - end < kLeastBlockBytes) continue;
+        packBlock(context.get(), plain.subspan(begin, end - begin), ZSTD_e_flush, out);
+        begin = end;
+    }
+    packBlock(context.get(), plain.subspan(begin), ZSTD_e_end, out);
+    packed.resize(out.pos);
+    return packed;
+}
+
+std::vector<std::byte> pack(std::span<const std::byte> plain, std::span<const std::size_t> streamEnds) {
+    const std::vector<std::byte> packed = packedFrame(plain, streamEnds);
     ByteWriter out;
-    const bool worthIt = size < plain.size() && plain.size() <= size * kMaxExpansion;
+    const bool worthIt = packed.size() < plain.size() && plain.size() <= packed.size() * kMaxExpansion;
     out.put(static_cast<std::uint8_t>(worthIt ? Packing::Zstd : Packing::Plain));
     out.putVarint(plain.size());
-    out.put(worthIt ? std::span<const std::byte>(packed).first(size) : plain);
+    out.put(worthIt ? std::span<const std::byte>(packed) : plain);
     return out.take();
 }
 
@@ -164,8 +194,8 @@ bool sameRow(const PageInfo& a, const PageInfo& b) {
 std::vector<std::byte> encodePageBytes(const Page& page) {
     ByteWriter plain;
     putTables(page, plain);
-    encodeClusters(page, plain);
-    return pack(plain.bytes());
+    const std::vector<std::size_t> streamEnds = encodeClusters(page, plain);
+    return pack(plain.bytes(), streamEnds);
 }
 
 Page decodePageBytes(std::span<const std::byte> bytes, const PageInfo& info) {

@@ -9,7 +9,7 @@
 namespace gnomon::hierarchy {
 
 /// The zstd level of every page, by measurement (bytes against build time; decoding is alike at all levels).
-constexpr int kCompressionLevel = 3;
+constexpr int kCompressionLevel = 1;
 
 /// The stored form of `page`: a pure function of it. Other pages are named by their place among the page's children in
 /// the page table, never by their ids; so a page can be encoded before it is known where in the file it will lie, as

@@ -34,9 +34,9 @@ int widestAxis(Items items) {
     return size.y >= size.z ? 1 : 2;
 }
 
-/// Partitions `items` along `axis` and returns how many lie on the low side: their weight is at most `target`, as near
-/// to it as the items allow, and neither side is empty.
-std::size_t cutAtWeight(Items items, int axis, std::uint64_t target) {
+/// Partitions `items`, which weigh `rest`, along `axis` and returns how many lie on the low side: their weight is at
+/// most `target`, as near to it as the items allow, and neither side is empty.
+std::size_t cutAtWeight(Items items, int axis, std::uint64_t rest, std::uint64_t target) {
     const auto before = [axis](const KdItem& a, const KdItem& b) {
         return a.center[axis] < b.center[axis] || (a.center[axis] == b.center[axis] && a.index < b.index);
     };
@@ -45,7 +45,6 @@ std::size_t cutAtWeight(Items items, int axis, std::uint64_t target) {
     std::uint64_t weight = 0;
     while (high - low > 1) {
         const std::size_t room = high - low;
-        const std::uint64_t rest = weightOf(items.subspan(low, room));
         // With equal weights the first guess is right and only its neighbour is looked at besides.
         const double share = static_cast<double>(target - weight) / static_cast<double>(rest);
         const auto guess = static_cast<std::size_t>(share * static_cast<double>(room));
@@ -60,8 +59,10 @@ std::size_t cutAtWeight(Items items, int axis, std::uint64_t target) {
         if (weight + left == target) return middle;
         if (weight + left < target) {
             weight += left;
+            rest -= left;
             low = middle;
         } else {
+            rest = left;
             high = middle;
         }
     }
@@ -85,7 +86,7 @@ struct Splitter {
         const std::uint64_t parts = (weight + maxWeight - 1) / maxWeight;
         const auto lowParts = std::clamp<std::uint64_t>(
             static_cast<std::uint64_t>(std::floor(static_cast<double>(parts) * fraction + 0.5)), 1, parts - 1);
-        const std::size_t low = cutAtWeight(items, widestAxis(items), weight * lowParts / parts);
+        const std::size_t low = cutAtWeight(items, widestAxis(items), weight, weight * lowParts / parts);
         if (count < kParallelItems) {
             split(first, low);
             split(first + low, count - low);

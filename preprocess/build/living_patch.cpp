@@ -41,35 +41,32 @@ void LivingPatch::linkCorners() {
     }
 }
 
-EdgeKind LivingPatch::kindOfEdge(std::uint32_t corner) const {
-    const std::uint32_t t = corner / 3;
-    const std::uint32_t i = corner % 3;
-    const std::uint32_t b = position_[t][(i + 1) % 3];
-    EdgeKind kind = EdgeKind::Open;
-    for (std::uint32_t other = head_[position_[t][i]]; other != kNone; other = next_[other]) {
-        const std::uint32_t u = other / 3;
-        if (u == t) continue;
-        for (std::uint32_t k = 0; k < 3; ++k) {
-            if (position_[u][k] != b) continue;
-            if (vertex_[u][k] != vertex_[t][(i + 1) % 3] || vertex_[u][other % 3] != vertex_[t][i])
-                return EdgeKind::Crease;
-            kind = EdgeKind::Smooth;
+/// Notes what the triangles around `a` have at the edges from there.
+void LivingPatch::gatherSpokes(std::uint32_t a, std::vector<Spoke>& spokes) const {
+    for (std::uint32_t corner = head_[a]; corner != kNone; corner = next_[corner])
+        for (const std::uint32_t place : kOthers[corner % 3]) {
+            Spoke& spoke = spokes[position_[corner / 3][place]];
+            const std::uint32_t here = vertex_[corner / 3][corner % 3];
+            const std::uint32_t there = vertex_[corner / 3][place];
+            if (spoke.seenFrom != a) spoke = {a, 0, here, there, false};
+            ++spoke.triangles;
+            spoke.isCrease = spoke.isCrease || spoke.vertexHere != here || spoke.vertexThere != there;
         }
-    }
-    return kind;
 }
 
 void LivingPatch::findEdges() {
     isBorder_.assign(patch_.positions.size(), 0);
-    firstEdge_.reserve(next_.size());
-    for (std::uint32_t corner = 0; corner < next_.size(); ++corner) {
-        const EdgeKind kind = kindOfEdge(corner);
-        firstEdge_.push_back(kind);
-        if (kind != EdgeKind::Open) continue;
-        const Triangle& t = position_[corner / 3];
-        const std::uint32_t a = t[corner % 3];
-        const std::uint32_t b = t[(corner % 3 + 1) % 3];
-        if (patch_.isLocked[a] == 0 || patch_.isLocked[b] == 0) isBorder_[a] = isBorder_[b] = 1;
+    firstEdge_.resize(next_.size());
+    std::vector<Spoke> spokes(patch_.positions.size());
+    for (std::uint32_t a = 0; a < head_.size(); ++a) {
+        gatherSpokes(a, spokes);
+        for (std::uint32_t corner = head_[a]; corner != kNone; corner = next_[corner]) {
+            const std::uint32_t b = position_[corner / 3][kOthers[corner % 3][0]];
+            const Spoke& spoke = spokes[b];
+            const bool isOpen = spoke.triangles == 1;
+            firstEdge_[corner] = isOpen ? EdgeKind::Open : spoke.isCrease ? EdgeKind::Crease : EdgeKind::Smooth;
+            if (isOpen && (patch_.isLocked[a] == 0 || patch_.isLocked[b] == 0)) isBorder_[a] = isBorder_[b] = 1;
+        }
     }
 }
 
@@ -104,6 +101,13 @@ void LivingPatch::join(std::uint32_t from, std::uint32_t to) {
     if (!partner_.empty() && partner_[to] == kNone && patch_.isLocked[to] == 0) partner_[to] = partner_[from];
 }
 
+bool LivingPatch::hasEqualSides() const {
+    for (std::size_t i = 1; i < sides_.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k)
+            if (sides_[i][0] == sides_[k][0] && sides_[i][1] == sides_[k][1]) return true;
+    return false;
+}
+
 std::span<const LivingPatch::Doubled> LivingPatch::doubled(std::uint32_t p) {
     sides_.clear();
     doubled_.clear();
@@ -113,6 +117,8 @@ std::span<const LivingPatch::Doubled> LivingPatch::doubled(std::uint32_t p) {
         const std::uint32_t b = t[(corner % 3 + 2) % 3];
         sides_.push_back({std::min(a, b), std::max(a, b), corner / 3});
     });
+    constexpr std::size_t kMostCompared = 16; // few are compared sooner than sorted, and hardly ever are two equal
+    if (sides_.size() <= kMostCompared && !hasEqualSides()) return doubled_;
     std::sort(sides_.begin(), sides_.end());
     const auto locked = [&](std::uint32_t q) { return patch_.isLocked[q] != 0 ? 1 : 0; };
     std::size_t first = 0;

@@ -90,9 +90,22 @@ public:
     std::span<const Doubled> doubled(std::uint32_t p);
 
 private:
+    /// The places of a triangle that follow one of them.
+    static constexpr std::array<std::array<std::uint32_t, 2>, 3> kOthers = {{{1, 2}, {2, 0}, {0, 1}}};
+
+    /// What the triangles around one position have at an edge from there; kept by the position at its other end.
+    struct Spoke {
+        std::uint32_t seenFrom = hierarchy::kNone; // that one position: the rest is of it alone
+        std::uint32_t triangles = 0;
+        std::uint32_t vertexHere = hierarchy::kNone; // of the first triangle
+        std::uint32_t vertexThere = hierarchy::kNone;
+        bool isCrease = false; // whether another one has other vertices
+    };
+
     void linkCorners();
-    EdgeKind kindOfEdge(std::uint32_t corner) const;
+    void gatherSpokes(std::uint32_t a, std::vector<Spoke>& spokes) const;
     void findEdges();
+    bool hasEqualSides() const;
 
     const Patch& patch_;
     std::vector<Triangle> position_;
@@ -133,8 +146,8 @@ void LivingPatch::forNeighbours(std::uint32_t p, Visit visit) {
     stamp_[p] = stamp;
     forCorners(p, [&](std::uint32_t corner) {
         const Triangle& t = position_[corner / 3];
-        for (std::uint32_t k = 1; k < 3; ++k) {
-            const std::uint32_t q = t[(corner % 3 + k) % 3];
+        for (const std::uint32_t place : kOthers[corner % 3]) {
+            const std::uint32_t q = t[place];
             if (stamp_[q] == stamp) continue;
             stamp_[q] = stamp;
             visit(q);

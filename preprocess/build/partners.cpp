@@ -106,14 +106,18 @@ std::vector<std::uint32_t> nearestInOtherPieces(const Patch& patch) {
     }
     std::vector<std::uint32_t> partners;
     if (isOnePiece) return partners;
-    const PointTree tree(patch.positions, pieces);
-    partners.assign(count, hierarchy::kNone);
     std::vector<std::uint32_t> size(count, 0);
     for (const std::uint32_t piece : pieces)
         ++size[piece];
     // A large piece need not look for others, they come to it; its queries would visit all of itself first.
+    std::vector<std::uint32_t> looking;
     for (std::uint32_t p = 0; p < count; ++p)
-        if (patch.isLocked[p] == 0 && size[pieces[p]] <= kSmallPiece) partners[p] = tree.nearest(p);
+        if (patch.isLocked[p] == 0 && size[pieces[p]] <= kSmallPiece) looking.push_back(p);
+    if (looking.empty()) return partners;
+    const PointTree tree(patch.positions, pieces);
+    partners.assign(count, hierarchy::kNone);
+    for (const std::uint32_t p : looking)
+        partners[p] = tree.nearest(p);
     return partners;
 }
 

@@ -4,6 +4,8 @@
 #include "preprocess/build/normals.h"
 #include "preprocess/read/polygon.h"
 
+#include <array>
+
 namespace gnomon::preprocess {
 
 namespace {
@@ -21,6 +23,30 @@ void refine(const ChunkVertices& vertices, PolygonRefiner& refiner, std::span<Tr
         for (std::size_t k = 0; k < 3; ++k)
             fan[i][k] = static_cast<std::uint32_t>(wide[i][k]);
 }
+
+/// Finds vertices as ChunkVertices does, and those found lately at once: neighbours in a file share vertices, and the
+/// table of a whole chunk is larger than the caches.
+class RecentVertices {
+public:
+    explicit RecentVertices(const ChunkVertices& vertices) : vertices_(vertices) {}
+
+    Triangle find(const Triangle& corners) { return {find(corners[0]), find(corners[1]), find(corners[2])}; }
+
+private:
+    struct Found {
+        std::uint32_t sourceIndex = kNone;
+        std::uint32_t vertex = kNone;
+    };
+
+    std::uint32_t find(std::uint32_t sourceIndex) {
+        Found& found = found_[sourceIndex % found_.size()];
+        if (found.sourceIndex != sourceIndex) found = {sourceIndex, vertices_.find(sourceIndex)};
+        return found.vertex;
+    }
+
+    const ChunkVertices& vertices_;
+    std::array<Found, 2048> found_;
+};
 
 /// What the mesh needs to know of each place.
 struct Places {
@@ -109,23 +135,24 @@ ChunkVertices readVertices(const BinnedSource& source, const StreamStore& border
 
 ChunkTriangles readTriangles(const BinnedSource& source, std::uint32_t chunk, const ChunkVertices& vertices) {
     ChunkTriangles triangles;
+    RecentVertices recent(vertices);
     const auto records = source.bins.readAs<Triangle>(streamOf(BinStream::Triangles, chunk));
     triangles.own.reserve(records.size());
     PolygonRefiner refiner;
     for (std::size_t i = 0; i < records.size();) {
         if (records[i][0] != kPolygonMark) {
-            triangles.own.push_back(vertices.find(records[i++]));
+            triangles.own.push_back(recent.find(records[i++]));
             continue;
         }
         const std::size_t count = records[i][1];
         GNOMON_CHECK_OP(count, <, records.size() - i);
         for (std::size_t k = 1; k <= count; ++k)
-            triangles.own.push_back(vertices.find(records[i + k]));
+            triangles.own.push_back(recent.find(records[i + k]));
         refine(vertices, refiner, std::span(triangles.own).last(count));
         i += count + 1;
     }
     for (const Triangle& t : source.bins.readAs<Triangle>(streamOf(BinStream::Ghosts, chunk)))
-        triangles.ghosts.push_back(vertices.find(t));
+        triangles.ghosts.push_back(recent.find(t));
     return triangles;
 }
 

@@ -4,10 +4,13 @@
 #include "preprocess/chunk/survey.h"
 
 #include <algorithm>
+#include <array>
 
 namespace gnomon::preprocess {
 
 namespace {
+
+constexpr std::size_t kBatch = 16; // keys whose places in a table are fetched at once: it is larger than the caches
 
 Triangle sorted(Triangle t) {
     std::sort(t.begin(), t.end());
@@ -29,14 +32,25 @@ ChunkVertices::ChunkVertices(std::vector<ChunkVertex> own, const std::vector<Chu
     vertices_.insert(vertices_.end(), foreign.begin(), foreign.end());
     placeOf_.resize(vertices_.size());
     IndexTable byPlace(vertices_.size());
-    for (std::uint32_t v = 0; v < vertices_.size(); ++v) {
-        byIndex_.findOrInsert(mix64(vertices_[v].index), v, [](std::uint32_t) { return false; });
-        const GridPoint p = snapped(grid, vertices_[v].position);
-        const auto next = static_cast<std::uint32_t>(places_.size());
-        placeOf_[v] =
-            byPlace.findOrInsert(hashOf(p.x, p.y, p.z), next, [&](std::uint32_t other) { return places_[other] == p; });
-        if (placeOf_[v] == next) places_.push_back(p);
-        if (v < ownCount) ownPlaces_ = static_cast<std::uint32_t>(places_.size());
+    std::array<GridPoint, kBatch> points;
+    std::array<std::uint64_t, kBatch> hashes{};
+    for (std::size_t first = 0; first < vertices_.size(); first += kBatch) {
+        const std::size_t count = std::min(kBatch, vertices_.size() - first);
+        for (std::size_t i = 0; i < count; ++i) {
+            const GridPoint& p = points[i] = snapped(grid, vertices_[first + i].position);
+            hashes[i] = hashOf(p.x, p.y, p.z);
+            byPlace.prefetch(hashes[i]);
+            byIndex_.prefetch(mix64(vertices_[first + i].index));
+        }
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto v = static_cast<std::uint32_t>(first + i);
+            byIndex_.findOrInsert(mix64(vertices_[v].index), v, [](std::uint32_t) { return false; });
+            const auto next = static_cast<std::uint32_t>(places_.size());
+            placeOf_[v] =
+                byPlace.findOrInsert(hashes[i], next, [&](std::uint32_t other) { return places_[other] == points[i]; });
+            if (placeOf_[v] == next) places_.push_back(points[i]);
+            if (v < ownCount) ownPlaces_ = static_cast<std::uint32_t>(places_.size());
+        }
     }
 }
 
@@ -52,20 +66,30 @@ std::vector<Triangle> keptTriangles(
     std::vector<Triangle> kept;
     kept.reserve(triangles.size());
     IndexTable table(triangles.size());
-    for (const Triangle& t : triangles) {
-        const Triangle p = sorted(vertices.placesOf(t));
-        if (p[0] == p[1] || p[1] == p[2]) {
-            ++(isDegenerate(vertices, t) ? dropped.degenerate : dropped.collapsedByGrid);
-            continue;
+    std::array<Triangle, kBatch> places{};
+    std::array<std::uint64_t, kBatch> hashes{};
+    for (std::size_t first = 0; first < triangles.size(); first += kBatch) {
+        const std::size_t count = std::min(kBatch, triangles.size() - first);
+        for (std::size_t i = 0; i < count; ++i) {
+            const Triangle& p = places[i] = sorted(vertices.placesOf(triangles[first + i]));
+            hashes[i] = hashOf(p[0], p[1], p[2]);
+            table.prefetch(hashes[i]);
         }
-        const auto next = static_cast<std::uint32_t>(kept.size());
-        const std::uint32_t found = table.findOrInsert(hashOf(p[0], p[1], p[2]), next, [&](std::uint32_t other) {
-            return sorted(vertices.placesOf(kept[other])) == p;
-        });
-        if (found == next)
-            kept.push_back(t);
-        else
-            ++dropped.doubled;
+        for (std::size_t i = 0; i < count; ++i) {
+            const Triangle& t = triangles[first + i];
+            const Triangle& p = places[i];
+            if (p[0] == p[1] || p[1] == p[2]) {
+                ++(isDegenerate(vertices, t) ? dropped.degenerate : dropped.collapsedByGrid);
+                continue;
+            }
+            const auto next = static_cast<std::uint32_t>(kept.size());
+            const std::uint32_t found = table.findOrInsert(
+                hashes[i], next, [&](std::uint32_t other) { return sorted(vertices.placesOf(kept[other])) == p; });
+            if (found == next)
+                kept.push_back(t);
+            else
+                ++dropped.doubled;
+        }
     }
     return kept;
 }

@@ -38,6 +38,9 @@ public:
             if (slots_[i] == kAbsent || equal(slots_[i])) return slots_[i];
     }
 
+    /// Has the memory fetched where a key with this hash is looked for first.
+    void prefetch(std::uint64_t hash) const { __builtin_prefetch(&slots_[hash & (slots_.size() - 1)]); }
+
 private:
     std::vector<std::uint32_t> slots_;
 };

@@ -29,8 +29,12 @@ public:
     requires std::is_arithmetic_v<T>
 
     void put(const T& value) {
-        const auto* raw = reinterpret_cast<const std::byte*>(&value);
-        bytes_.insert(bytes_.end(), raw, raw + sizeof(T));
+        if constexpr (sizeof(T) == 1) {
+            bytes_.push_back(static_cast<std::byte>(value));
+        } else {
+            const auto* raw = reinterpret_cast<const std::byte*>(&value);
+            bytes_.insert(bytes_.end(), raw, raw + sizeof(T));
+        }
     }
 
     /// Seven bits a byte, low ones first; 1 to 10 bytes.
@@ -47,6 +51,12 @@ public:
     void putText(const std::string& text) {
         putVarint(text.size());
         put(std::as_bytes(std::span(text)));
+    }
+
+    /// Appends `count` bytes for the caller to fill before the next call.
+    std::span<std::byte> room(std::size_t count) {
+        bytes_.resize(bytes_.size() + count);
+        return std::span(bytes_).last(count);
     }
 
     std::size_t size() const { return bytes_.size(); }

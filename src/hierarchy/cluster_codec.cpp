@@ -32,8 +32,9 @@ void putPlanes(const Channel& channel, ByteWriter& out, std::vector<std::size_t>
     const auto planes = static_cast<std::uint8_t>((std::bit_width(any) + 7) / 8);
     out.put(planes);
     for (unsigned plane = 0; plane < planes; ++plane) {
-        for (const std::uint32_t value : channel)
-            out.put(static_cast<std::uint8_t>(value >> (8U * plane)));
+        const std::span<std::byte> bytes = out.room(channel.size());
+        for (std::size_t i = 0; i < channel.size(); ++i)
+            bytes[i] = static_cast<std::byte>(channel[i] >> (8U * plane));
         streamEnds.push_back(out.size());
     }
 }

@@ -118,6 +118,14 @@ struct ShadowPass {
     bool isReused = false;                     // the frame before left just these texels: they are not drawn again
 };
 
+/// At which depths visible surfaces have faced the light of late, for the next frame: maps do not go while receivers
+/// come and go.
+struct LitMemory {
+    std::optional<std::vector<DepthSpan>> before; // over the last whole stretch of frames; nothing: it is not over yet
+    std::vector<DepthSpan> since;                 // over the stretch that goes on; apart and in order, both
+    int frames = 0;                               // that it has gone on for
+};
+
 /// Which scheme a plan came to, for the next frame to hold on to.
 struct SchemeChoice {
     int slices = 1;
@@ -152,8 +160,9 @@ struct FramePlan {
     std::vector<int> passOfPartition;                    // by the selector's index; -1: no map
     std::optional<shadow::OrientationState> orientation; // for the next frame
     std::optional<SchemeChoice> scheme;                  // likewise
-    int framesOutdone = 0;        // for how many frames, this one included, another has been better than it by far
-    std::vector<int> framesEmpty; // by slice, how long it has had no visible receiver
+    int framesOutdone = 0;         // for how many frames, this one included, another has been better than it by far
+    LitMemory litMemory;           // likewise
+    std::uint64_t emptySlices = 0; // bit i: slice i goes without a map
     std::vector<ShadowPass> passes;
     shadow::Aliasing promised; // the largest over all passes
     double storageFactor = 0;

@@ -22,10 +22,17 @@ std::uint64_t texelRung(std::uint64_t texels) {
     return static_cast<std::uint64_t>(std::ceil(std::exp2(std::ceil(std::log2(static_cast<double>(texels)) * 4) / 4)));
 }
 
-bool holdsLit(const SceneFacts::Light& light, double near, double far) {
-    return std::any_of(light.lit.begin(), light.lit.end(), [&](const DepthSpan& span) {
-        return span.near <= far && span.far >= near;
-    });
+std::vector<double> splitsOf(const SchemeQuestion& question, int slices) {
+    const shadow::ViewFrustum& frustum = question.view.frustum;
+    return shadow::practicalSplits(frustum.near, frustum.far, slices, question.quality.splitLambda);
+}
+
+std::uint64_t emptySlicesOf(const SchemeQuestion& question, int slices) {
+    if (!question.scene->light) return 0;
+    const std::vector<double> splits = splitsOf(question, slices);
+    if (question.previous == nullptr || question.forgets) return slicesWithout(question.scene->light->lit, splits);
+    const bool isSame = question.previous->scheme->slices == slices;
+    return slicesWithoutMap(question.receivers, splits, *question.previous, isSame);
 }
 
 shadow::ShadowOptions optionsOf(const SchemeQuestion& question, const SchemeChoice& choice) {
@@ -39,11 +46,7 @@ shadow::ShadowOptions optionsOf(const SchemeQuestion& question, const SchemeChoi
     options.stabilized = quality.stabilize;
     options.filterTexels = quality.filter;
     options.texels = budgetOf(quality);
-    const shadow::ViewFrustum& frustum = question.view.frustum;
-    const std::vector<int> empty =
-        framesEmpty(question, shadow::practicalSplits(frustum.near, frustum.far, choice.slices, quality.splitLambda));
-    for (std::size_t i = 0; i < empty.size(); ++i)
-        if (empty[i] >= kFramesBeforeMapGoes) options.emptySlices |= std::uint64_t{1} << i;
+    options.emptySlices = emptySlicesOf(question, choice.slices);
     return options;
 }
 
@@ -93,7 +96,7 @@ bool areFacesWorthIt(
     paid.options.texels = budget - extra * kTexelsPerTriangle;
     workOut(question, paid);
     gain = 1 - paid.promise() / whole.promise();
-    const bool isHeld = question.previous != nullptr && question.previous->scheme && question.previous->scheme->faces;
+    const bool isHeld = question.previous != nullptr && question.previous->scheme->faces;
     return paid.promise() <= whole.promise() * (isHeld ? kStillWorthwhile : kWorthwhile);
 }
 
@@ -125,7 +128,8 @@ bool outdoes(const SchemeAnswer& best, const SchemeAnswer& before) {
 /// The scheme of the frame before, worked out for this one, if it stays although `best` is better.
 std::optional<SchemeAnswer> held(
     const SchemeQuestion& question, const std::vector<SchemeAnswer>& answers, const SchemeAnswer& best) {
-    if (question.previous == nullptr || !question.previous->scheme) return std::nullopt;
+    // Where maps have to come, they may come with another scheme as well.
+    if (question.previous == nullptr || question.receivers.haveArrived) return std::nullopt;
     const SchemeChoice& before = *question.previous->scheme;
     const auto same = std::find_if(answers.begin(), answers.end(), [&](const SchemeAnswer& a) {
         return a.choice.slices == before.slices && a.choice.faces == before.faces;
@@ -137,17 +141,57 @@ std::optional<SchemeAnswer> held(
     return result;
 }
 
-/// The best of all slices and faces; what the frame before had unless another is better by far.
-SchemeAnswer bestOf(const SchemeQuestion& question, const std::vector<SchemeChoice>& choices) {
+/// Of those that `best` does not outdo the one with as many maps as the frame before, or nearest to that: what has to
+/// change changes the number of maps the least.
+SchemeAnswer nearestInMaps(
+    const SchemeQuestion& question, const std::vector<SchemeAnswer>& answers, const SchemeAnswer& best) {
+    if (question.previous == nullptr) return best;
+    const auto maps = static_cast<std::ptrdiff_t>(question.previous->passes.size());
+    const auto change = [&](const SchemeAnswer& a) {
+        return std::abs(static_cast<std::ptrdiff_t>(a.setup.maps.size()) - maps);
+    };
+    const SchemeAnswer* nearest = &best;
+    for (const SchemeAnswer& a : answers) {
+        if (a.keepsPromise != best.keepsPromise || outdoes(best, a)) continue;
+        const bool isNearer = change(a) < change(*nearest);
+        if (isNearer || (change(a) == change(*nearest) && isBetter(a, *nearest))) nearest = &a;
+    }
+    return *nearest;
+}
+
+std::vector<SchemeAnswer> answersOf(const SchemeQuestion& question, const std::vector<SchemeChoice>& choices) {
     std::vector<SchemeAnswer> answers;
     answers.reserve(choices.size());
     for (const SchemeChoice& choice : choices)
         answers.push_back(answer(question, choice));
+    return answers;
+}
+
+/// All choices worked out. Where none keeps the promise, with no map that this very frame does not need if one does
+/// then.
+std::vector<SchemeAnswer> bestAnswers(const SchemeQuestion& question, const std::vector<SchemeChoice>& choices) {
+    const auto keepsPromise = [](const SchemeAnswer& answer) { return answer.keepsPromise; };
+    std::vector<SchemeAnswer> answers = answersOf(question, choices);
+    if (question.previous == nullptr || std::any_of(answers.begin(), answers.end(), keepsPromise)) return answers;
+    SchemeQuestion now = question;
+    now.forgets = true;
+    std::vector<SchemeAnswer> bare;
+    bare.reserve(answers.size());
+    for (const SchemeAnswer& with : answers)
+        bare.push_back(
+            with.options.emptySlices == emptySlicesOf(now, with.choice.slices) ? with : answer(now, with.choice));
+    return std::any_of(bare.begin(), bare.end(), keepsPromise) ? bare : answers;
+}
+
+/// The best of all slices and faces; what the frame before had unless another is better by far.
+SchemeAnswer bestOf(const SchemeQuestion& question, const std::vector<SchemeChoice>& choices) {
+    const std::vector<SchemeAnswer> answers = bestAnswers(question, choices);
     const auto best = std::min_element(answers.begin(), answers.end(), isBetter);
     std::uint64_t leastTexels = 0;
     for (const SchemeAnswer& tried : answers)
         leastTexels = lesserTexels(leastTexels, tried.texelsThatWouldDo);
-    SchemeAnswer chosen = held(question, answers, *best).value_or(*best);
+    std::optional<SchemeAnswer> stays = held(question, answers, *best);
+    SchemeAnswer chosen = stays ? std::move(*stays) : nearestInMaps(question, answers, *best);
     if (!chosen.keepsPromise) chosen.texelsThatWouldDo = leastTexels;
     return chosen;
 }
@@ -164,7 +208,7 @@ SchemeAnswer inWorthwhileOrientation(
     SchemeAnswer turned = plain;
     turned.options.chosenOrientation = true;
     workOut(afresh, turned);
-    const bool isHeld = question.previous != nullptr && question.previous->scheme && question.previous->scheme->turned;
+    const bool isHeld = question.previous != nullptr && question.previous->scheme->turned;
     const bool isWorthIt = turned.promise() <= plain.promise() * (isHeld ? kStillWorthwhile : kWorthwhile);
     if (isWorthIt || plain.keepsPromise != chosen.keepsPromise) return chosen;
     omitted.push_back(
@@ -189,20 +233,11 @@ std::uint64_t trianglesIn(
     return triangles;
 }
 
-std::vector<int> framesEmpty(const SchemeQuestion& question, const std::vector<double>& splits) {
-    const std::size_t slices = splits.size() - 1;
-    std::vector<int> result(slices, 0);
-    if (!question.scene->light) return result;
-    const bool hasPrevious = question.previous != nullptr && question.previous->framesEmpty.size() == slices;
-    for (std::size_t i = 0; i < slices; ++i) {
-        // The end slices own what lies beyond them.
-        const double near = i == 0 ? 0 : splits[i];
-        const double far = i + 1 == slices ? std::numeric_limits<double>::infinity() : splits[i + 1];
-        if (holdsLit(*question.scene->light, near, far)) continue;
-        result[i] =
-            hasPrevious ? std::min(question.previous->framesEmpty[i] + 1, kFramesBeforeMapGoes) : kFramesBeforeMapGoes;
-    }
-    return result;
+Receivers receiversOf(const SchemeQuestion& question) {
+    if (!question.scene->light) return {};
+    if (question.previous == nullptr) return receiversNow(question.scene->light->lit, nullptr, {});
+    const std::vector<double> splits = splitsOf(question, question.previous->scheme->slices);
+    return receiversNow(question.scene->light->lit, question.previous, splits);
 }
 
 SchemeAnswer answer(const SchemeQuestion& question, const SchemeChoice& choice) {

@@ -2,6 +2,7 @@
 // to the frame before.
 #pragma once
 
+#include "plan/empty_slices.h"
 #include "plan/frame_plan.h"
 #include "shadow/setup.h"
 
@@ -15,7 +16,9 @@ struct SchemeQuestion {
     CameraBasis basis;
     Quality quality;
     const SceneFacts* scene = nullptr;
-    const FramePlan* previous = nullptr;
+    const FramePlan* previous = nullptr; // with maps
+    Receivers receivers;                 // after it
+    bool forgets = false;                // slices are empty where nothing in this very frame needs them
 };
 
 /// A scheme worked out.
@@ -53,9 +56,6 @@ constexpr double kLower = 0.85;
 /// broken waits for nothing.
 constexpr int kFramesBeforeSchemeGoes = 96;
 
-/// How long a slice must have had no visible receiver before its map goes.
-constexpr int kFramesBeforeMapGoes = 96;
-
 /// `choice` worked out. Where the number of slices is left open it takes no more texels than the promise asks for, on a
 /// ladder of 2^(1/4); else all of the budget.
 SchemeAnswer answer(const SchemeQuestion& question, const SchemeChoice& choice);
@@ -67,14 +67,14 @@ std::vector<SchemeChoice> openChoices(const SchemeQuestion& question);
 /// promise.
 bool isBetter(const SchemeAnswer& a, const SchemeAnswer& b);
 
+/// The receivers of the frame that is asked about.
+Receivers receiversOf(const SchemeQuestion& question);
+
 /// The scheme for the view, with a line in `omitted` for each effect that it goes without.
 SchemeAnswer chosenScheme(const SchemeQuestion& question, std::vector<Omission>& omitted);
 
 /// The triangles of the blocks that touch `volume` (camera space).
 std::uint64_t trianglesIn(
     const ConvexVolume& volume, const CameraBasis& basis, std::span<const SceneFacts::CasterBlock> blocks);
-
-/// By slice, for how many frames, this one included, nothing in it has been in need of a map.
-std::vector<int> framesEmpty(const SchemeQuestion& question, const std::vector<double>& splits);
 
 } // namespace gnomon::plan

@@ -55,8 +55,8 @@ std::string warpReason(const FramePlan& plan) {
 /// A line for each effect that the maps go without and that no choice has spoken of.
 void explainOmissions(FramePlan& plan) {
     std::vector<Omission>& omitted = plan.omitted;
-    for (std::size_t i = 0; i < plan.framesEmpty.size(); ++i)
-        if (plan.framesEmpty[i] >= kFramesBeforeMapGoes)
+    for (std::size_t i = 0; i + 1 < plan.splits.size(); ++i)
+        if ((plan.emptySlices >> i & 1U) != 0)
             omitted.push_back({"map of slice " + std::to_string(i), "nothing that is seen in it faces the light"});
     const bool isFaceLeft = plan.quality.facePartitions == Choice::On && !plan.hasFaces;
     if (plan.quality.facePartitions != Choice::Off && plan.quality.stabilize) {
@@ -95,7 +95,8 @@ void planShadowPasses(FramePlan& plan, const SceneFacts& scene, const FramePlan*
     question.basis = plan.basis;
     question.quality = plan.quality;
     question.scene = &scene;
-    question.previous = previous;
+    if (previous != nullptr && previous->scheme) question.previous = previous;
+    question.receivers = receiversOf(question);
     const SchemeAnswer chosen = chosenScheme(question, plan.omitted);
     const shadow::ShadowMapSetup& setup = chosen.setup;
     plan.scheme = chosen.choice;
@@ -105,7 +106,8 @@ void planShadowPasses(FramePlan& plan, const SceneFacts& scene, const FramePlan*
     plan.promiseKept = chosen.keepsPromise || plan.quality.zPartitions;
     plan.selector = setup.selector;
     plan.splits = setup.selector.splits;
-    plan.framesEmpty = framesEmpty(question, plan.splits);
+    plan.emptySlices = chosen.options.emptySlices;
+    plan.litMemory = question.receivers.memory;
     plan.hasFaces = !setup.selector.faces.empty();
     plan.orientation = setup.orientation;
     plan.textureWidth = setup.textureWidth;

@@ -21,13 +21,21 @@ void ErrorForecast::add(std::uint32_t triangle, double fromSource, double toSour
     worst_ = std::max({worst_, fromSource, toSource});
 }
 
-/// The largest squared distance of a corner of `t` from the triangle `corners`, or the first one above `limit`.
+/// The largest squared distance of a corner of `t` from the triangle `corners`, or something above `limit` if it is.
 double ErrorForecast::farthestSquare(const Triangle& t, const Triangle& corners, double limit) const {
-    const std::vector<glm::dvec3>& at = patch_.positions;
+    const glm::dvec3& a = patch_.positions[corners[0]];
+    const glm::dvec3& b = patch_.positions[corners[1]];
+    const glm::dvec3& c = patch_.positions[corners[2]];
+    const glm::dvec3 low = glm::min(a, glm::min(b, c));
+    const glm::dvec3 high = glm::max(a, glm::max(b, c));
     double square = 0;
     for (const std::uint32_t p : t) {
         if (p == corners[0] || p == corners[1] || p == corners[2]) continue;
-        square = std::max(square, nearestSquare(at[p], at[corners[0]], at[corners[1]], at[corners[2]]));
+        const glm::dvec3& point = patch_.positions[p];
+        // Most candidates are too far away even by their boxes.
+        const double least = squaredLength(glm::max(glm::max(low - point, point - high), 0.0));
+        if (least > limit) return least;
+        square = std::max(square, nearestSquare(point, a, b, c));
         if (square > limit) break;
     }
     return square;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint32_t kSmallPiece = 24; // positions
 
-/// A balanced tree of points in one array: the middle of each range is its node.
+/// A balanced tree of points in one array: the middle of each range is its node, down to ranges that are searched.
 class PointTree {
 public:
     PointTree(const std::vector<glm::dvec3>& positions, const std::vector<std::uint32_t>& pieces)
@@ -28,6 +28,8 @@ public:
     }
 
 private:
+    static constexpr std::size_t kSearched = 8; // of so few points each is looked at
+
     struct Query {
         glm::dvec3 point;
         std::uint32_t piece;
@@ -36,7 +38,7 @@ private:
     };
 
     void build(std::size_t begin, std::size_t end) {
-        if (end - begin <= 1) return;
+        if (end - begin <= kSearched) return;
         glm::dvec3 low = positions_[order_[begin]];
         glm::dvec3 high = low;
         for (std::size_t i = begin; i < end; ++i) {
@@ -59,18 +61,24 @@ private:
         build(middle + 1, end);
     }
 
+    void consider(std::uint32_t here, Query& query) const {
+        if (pieces_[here] == query.piece) return;
+        const glm::dvec3 d = positions_[here] - query.point;
+        const double square = glm::dot(d, d);
+        if (square > query.bestSquare || (square == query.bestSquare && here > query.best)) return;
+        query.bestSquare = square;
+        query.best = here;
+    }
+
     void visit(std::size_t begin, std::size_t end, Query& query) const {
-        if (begin >= end) return;
+        if (end - begin <= kSearched) {
+            for (std::size_t i = begin; i < end; ++i)
+                consider(order_[i], query);
+            return;
+        }
         const std::size_t middle = begin + (end - begin) / 2;
         const std::uint32_t here = order_[middle];
-        if (pieces_[here] != query.piece) {
-            const glm::dvec3 d = positions_[here] - query.point;
-            const double square = glm::dot(d, d);
-            if (square < query.bestSquare || (square == query.bestSquare && here < query.best)) {
-                query.bestSquare = square;
-                query.best = here;
-            }
-        }
+        consider(here, query);
         const int axis = axis_[middle];
         const double side = query.point[axis] - positions_[here][axis];
         if (side < 0) {

@@ -152,16 +152,26 @@ private:
         channels_.positions[0].push_back(zigzag(p.x - q.x));
         channels_.positions[1].push_back(zigzag(p.y - q.y));
         channels_.positions[2].push_back(zigzag(p.z - q.z));
+        if (layout_.hasNormals) encodeNormal(vertices, v, parents);
+        if (layout_.hasColors) encodeColor(vertices, v, parents);
+    }
+
+    void encodeNormal(std::span<const Vertex> vertices, std::uint32_t v, const Parents& parents) {
         const auto& [a, b] = attributeParents(vertices, v, parents);
         const NormalCode& code = layout_.normals;
-        const auto mean = [](std::uint32_t x, std::uint32_t y) { return (x + y) / 2; };
-        channels_.normals[0].push_back(
-            wrapped(code.x(vertex.normal), mean(code.x(a.normal), code.x(b.normal)), code.width()));
-        channels_.normals[1].push_back(
-            wrapped(code.y(vertex.normal), mean(code.y(a.normal), code.y(b.normal)), code.width()));
-        for (unsigned k = 0; k < 4; ++k)
-            channels_.colors[k].push_back(
-                wrapped(channelOf(vertex.color, k), mean(channelOf(a.color, k), channelOf(b.color, k)), 8));
+        const std::uint32_t normal = vertices[v].normal;
+        const std::uint32_t meanX = (code.x(a.normal) + code.x(b.normal)) / 2;
+        const std::uint32_t meanY = (code.y(a.normal) + code.y(b.normal)) / 2;
+        channels_.normals[0].push_back(wrapped(code.x(normal), meanX, code.width()));
+        channels_.normals[1].push_back(wrapped(code.y(normal), meanY, code.width()));
+    }
+
+    void encodeColor(std::span<const Vertex> vertices, std::uint32_t v, const Parents& parents) {
+        const auto& [a, b] = attributeParents(vertices, v, parents);
+        for (unsigned k = 0; k < 4; ++k) {
+            const std::uint32_t mean = (channelOf(a.color, k) + channelOf(b.color, k)) / 2;
+            channels_.colors[k].push_back(wrapped(channelOf(vertices[v].color, k), mean, 8));
+        }
     }
 
     /// The first vertex of a cluster, far from all others, goes where it makes no other number longer.

@@ -157,6 +157,27 @@ private:
     std::atomic<bool> canBeShadowed_ = false;
 };
 
+/// The box of what `box` holds between the depths of `span`, or a little more.
+Box boxBetween(const selection::DetailView& view, const Box& box, const DepthSpan& span) {
+    const glm::dvec3& along = view.basis.view;
+    const double eye = glm::dot(along, view.eye);
+    Box result = box;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (std::abs(along[axis]) < 1e-3) continue; // as good as no bound
+        double least = eye + span.near;             // of along[axis] * x, whatever the other axes add
+        double most = eye + span.far;
+        for (int other = 0; other < 3; ++other) {
+            if (other == axis) continue;
+            least -= std::max(along[other] * box.min[other], along[other] * box.max[other]);
+            most -= std::min(along[other] * box.min[other], along[other] * box.max[other]);
+        }
+        if (along[axis] < 0) std::swap(least, most);
+        result.min[axis] = std::clamp(least / along[axis], box.min[axis], box.max[axis]);
+        result.max[axis] = std::clamp(most / along[axis], result.min[axis], box.max[axis]);
+    }
+    return result;
+}
+
 /// The box of a drawn cluster with what it may be moved by if it is refined.
 Box boxWithMargin(const hierarchy::Grid& grid, const hierarchy::Page& page, const hierarchy::Cluster& cluster) {
     const Box box = grid.local(cluster.box);
@@ -194,8 +215,14 @@ std::vector<shadow::SeenPart> seenParts(
             const Box box = boxWithMargin(query.trees->grid(), page, page.clusters[c]);
             if (classify(pyramid, box) == Containment::Outside) continue;
             const DepthSpan span = depthsOf(view, box);
-            for (std::size_t i = ladder.step(span.near); i <= ladder.step(span.far); ++i)
-                boxes[i].add(box);
+            const std::size_t first = ladder.step(span.near);
+            const std::size_t last = ladder.step(span.far);
+            for (std::size_t i = first; i <= last; ++i) {
+                // What is nearer than the first step, or further than the last, counts as in it.
+                const DepthSpan step = ladder.span(i);
+                boxes[i].add(
+                    boxBetween(view, box, {i == first ? span.near : step.near, i == last ? span.far : step.far}));
+            }
         }
     }
     std::vector<shadow::SeenPart> parts;

@@ -109,10 +109,12 @@ std::optional<Seen> unmapped(const WarpedMap& map, double s, double t) {
     return Seen{(map.uMin + s * map.width) * w, zeta + map.zMin};
 }
 
-/// `side` moved out until it holds all within `outline`, moved by `growS` and `growT` in the map; nothing where that
-/// has no end. A linear function of light space is linear over linear in the map, so its least value lies at a corner.
-std::optional<SweepSide> grown(
-    SweepSide side, std::span<const Seen> outline, const WarpedMap& map, double growS, double growT) {
+/// Corners of all within `outline`, moved by `growS` and `growT` in the map; nothing where that has no end. A linear
+/// function of light space is linear over linear in the map, so its least value lies at one of them.
+std::optional<std::vector<Seen>> grown(
+    std::span<const Seen> outline, const WarpedMap& map, double growS, double growT) {
+    std::vector<Seen> corners;
+    corners.reserve(outline.size() * 4);
     for (const Seen& point : outline) {
         const MapPoint at = mapPoint(map, map.frame.x * point.x + map.frame.z * point.z);
         for (const int corner : {0, 1, 2, 3}) {
@@ -120,10 +122,10 @@ std::optional<SweepSide> grown(
             const double t = at.t + ((corner & 2) != 0 ? growT : -growT);
             const std::optional<Seen> reached = unmapped(map, s, t);
             if (!reached) return std::nullopt;
-            side.offset = std::max(side.offset, -(side.normalX * reached->x + side.normalZ * reached->z));
+            corners.push_back(*reached);
         }
     }
-    return side;
+    return corners;
 }
 
 } // namespace
@@ -148,9 +150,12 @@ ConvexVolume grownCasterVolume(
     const double length = glm::length(floorNormal);
     volume.planes.push_back({floorNormal / length, rawMax * (1 - map.kappa * map.zMin) / length});
     const Sweep sweep = sweepOf(receivers, map.frame);
-    for (const SweepSide& side : sweep.sides) {
-        const std::optional<SweepSide> moved = grown(side, sweep.outline, map, growS, growT);
-        if (moved) volume.planes.push_back(planeOf(*moved, map.frame));
+    const std::optional<std::vector<Seen>> corners = grown(sweep.outline, map, growS, growT);
+    if (!corners) return volume;
+    for (SweepSide side : sweep.sides) {
+        for (const Seen& corner : *corners)
+            side.offset = std::max(side.offset, -(side.normalX * corner.x + side.normalZ * corner.z));
+        volume.planes.push_back(planeOf(side, map.frame));
     }
     return volume;
 }

@@ -194,6 +194,72 @@ void addClipped(
     points.push_back(a + (b - a) * last);
 }
 
+/// A part of a region: its planes, and segments within it, all of its edges among them.
+struct Part {
+    ConvexVolume volume;
+    std::vector<std::array<glm::dvec3, 2>> segments;
+};
+
+/// All of `region`, with the segments between any two of its vertices: of a face they are not told apart.
+Part wholePart(const Region& region) {
+    Part part{region.volume, {}};
+    for (std::size_t i = 0; i < region.vertices.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            part.segments.push_back({region.vertices[i].position, region.vertices[j].position});
+    return part;
+}
+
+/// The part of `region` at `depths`; of a face all of it.
+Part partAt(const Region& region, const DepthSpan& depths) {
+    if (region.face != Face::Whole) return wholePart(region);
+    const double near = std::max(depths.near * (1 - kRounding), region.frustum.near);
+    const double far = std::min(depths.far * (1 + kRounding), region.frustum.far);
+    Part part{region.volume, {}};
+    addPlane(part.volume, {0, 0, 1}, -near);
+    addPlane(part.volume, {0, 0, -1}, far);
+    for (std::size_t i = 0; i < kCycle.size(); ++i) {
+        const glm::dvec3 ray = cornerRay(region.frustum, kCycle[i]);
+        const glm::dvec3 next = cornerRay(region.frustum, kCycle[(i + 1) % kCycle.size()]);
+        part.segments.push_back({ray * near, ray * far});
+        part.segments.push_back({ray * near, next * near});
+        part.segments.push_back({ray * far, next * far});
+    }
+    return part;
+}
+
+/// What is seen at the depths of `region`, neighbours taken together where there are many: the outline of a long region
+/// gains little from more.
+std::vector<SeenPart> fewParts(const Region& region, std::span<const SeenPart> seen) {
+    constexpr std::size_t kMostParts = 4;
+    std::vector<SeenPart> inRegion;
+    for (const SeenPart& part : seen)
+        if (part.depths.near <= region.frustum.far && part.depths.far >= region.frustum.near) inRegion.push_back(part);
+    if (inRegion.size() <= kMostParts) return inRegion;
+    std::vector<SeenPart> result(kMostParts);
+    for (std::size_t i = 0; i < inRegion.size(); ++i) {
+        SeenPart& all = result[i * kMostParts / inRegion.size()];
+        const DepthSpan& depths = inRegion[i].depths;
+        if (all.box.isEmpty()) all.depths = depths;
+        all.depths = {std::min(all.depths.near, depths.near), std::max(all.depths.far, depths.far)};
+        all.box.add(inRegion[i].box);
+    }
+    return result;
+}
+
+/// Adds points whose convex hull holds all of `box` that lies in `part`.
+void addShared(
+    const Part& part, const Box& box, const CameraBasis& basis, double slack, std::vector<glm::dvec3>& points) {
+    const std::array<glm::dvec3, 8> corners = cornersOf(box, basis);
+    // The corners of what two convex bodies share lie on edges of one, within the other; what more the segments bring
+    // lies within both.
+    const ConvexVolume boxVolume = volumeOf(box, basis);
+    for (const auto& [first, last] : part.segments)
+        addClipped(first, last, boxVolume, slack, points);
+    for (unsigned i = 0; i < 8; ++i)
+        for (const unsigned axis : {1U, 2U, 4U})
+            if ((i & axis) == 0) addClipped(corners[i], corners[i | axis], part.volume, slack, points);
+}
+
 } // namespace
 
 PartitionSelector partitionSelector(
@@ -273,23 +339,12 @@ Region partitionRegion(const ViewFrustum& frustum, const PartitionSelector& sele
 }
 
 std::vector<glm::dvec3> seenCorners(const Region& region, std::span<const SeenPart> seen, const CameraBasis& basis) {
-    Box box;
-    for (const SeenPart& part : seen)
-        if (part.depths.near <= region.frustum.far && part.depths.far >= region.frustum.near) box.add(part.box);
-    if (box.isEmpty()) return {};
-    // A ground may have no height, and rounding must not lose it.
-    const double slack = kRounding * (region.frustum.far + glm::length(box.extent()));
-    const std::array<glm::dvec3, 8> corners = cornersOf(box, basis);
     std::vector<glm::dvec3> result;
-    // The corners of what two convex bodies share lie on edges of one, within the other; what more the segments between
-    // any two vertices of the region bring lies within both.
-    const ConvexVolume boxVolume = volumeOf(box, basis);
-    for (std::size_t i = 0; i < region.vertices.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j)
-            addClipped(region.vertices[i].position, region.vertices[j].position, boxVolume, slack, result);
-    for (unsigned i = 0; i < 8; ++i)
-        for (const unsigned axis : {1U, 2U, 4U})
-            if ((i & axis) == 0) addClipped(corners[i], corners[i | axis], region.volume, slack, result);
+    for (const SeenPart& part : fewParts(region, seen)) {
+        // A ground may have no height, and rounding must not lose it.
+        const double slack = kRounding * (region.frustum.far + glm::length(part.box.extent()));
+        addShared(partAt(region, part.depths), part.box, basis, slack, result);
+    }
     return result;
 }
 

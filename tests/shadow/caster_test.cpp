@@ -141,7 +141,7 @@ TEST(Casters, GrownVolumeHoldsEveryTexelThatALookupReads) {
     EXPECT_GT(tested, 15000);
 }
 
-/// Boxes at random in the frustum, each with the depths that it spans.
+/// Boxes at random in the frustum, each seen at all the depths that it spans, or at some of them.
 std::vector<SeenPart> randomSeen(Random& random, const ShadowView& view) {
     std::vector<SeenPart> seen;
     const std::uint64_t count = 1 + random.below(4);
@@ -153,7 +153,8 @@ std::vector<SeenPart> randomSeen(Random& random, const ShadowView& view) {
             half[axis] = random.below(4) == 0 ? 0 : size * random.unit(); // a ground is flat
         const glm::dvec3 inWorld = toWorld(view.anchor.basis, middle);
         const double reach = glm::dot(glm::abs(view.anchor.basis.view), half);
-        seen.push_back({{middle.z - reach, middle.z + reach}, {inWorld - half, inWorld + half}});
+        const double seenReach = random.below(2) == 0 ? reach : reach * random.unit();
+        seen.push_back({{middle.z - seenReach, middle.z + seenReach}, {inWorld - half, inWorld + half}});
     }
     return seen;
 }
@@ -172,7 +173,7 @@ std::optional<glm::dvec3> randomRead(
     Random& random, const Case& chosen, const ShadowMapSetup& setup, const ShadowMapPartition& map) {
     const SeenPart& part = chosen.view.seen[random.below(chosen.view.seen.size())];
     const glm::dvec3 p = toCamera(chosen.view.anchor.basis, randomPointIn(random, part.box));
-    if (!contains(map.region.volume, p)) return std::nullopt;
+    if (!contains(map.region.volume, p) || p.z < part.depths.near || p.z > part.depths.far) return std::nullopt;
     glm::dvec4 at = map.textureFromCamera * glm::dvec4(p, 1);
     at /= at.w;
     const double reach = setup.gutter * 0.999;

@@ -229,13 +229,15 @@ std::vector<BenchRun> named(const std::vector<SweptSettings>& settings) {
     return runs;
 }
 
-std::vector<BenchRun> combinations(const SweptSettings& lists, const std::string& shadowMaps) {
+std::vector<BenchRun> combinations(const SweptSettings& lists, const std::optional<std::string>& shadowMaps) {
     std::vector<SweptSettings> all(1);
     for (const SweptOption& option : sweptOptions()) {
-        const bool isMaps = !shadowMaps.empty() && option.value == &SweptSettings::zPartitions;
+        const bool isMaps = shadowMaps && option.value == &SweptSettings::zPartitions;
+        const std::vector<std::string> values =
+            isMaps ? parseList("--shadow-maps", *shadowMaps) : parseList(option.flag, lists.*option.value);
         std::vector<SweptSettings> extended;
         for (const SweptSettings& settings : all)
-            for (const std::string& value : parseList(isMaps ? shadowMaps : lists.*option.value)) {
+            for (const std::string& value : values) {
                 extended.push_back(settings);
                 extended.back().*option.value = value;
             }

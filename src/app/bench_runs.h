@@ -9,6 +9,7 @@
 #include "telemetry/frame_row.h"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,9 +45,9 @@ struct RunResult {
 /// One run for each of `settings`, in their order.
 std::vector<BenchRun> named(const std::vector<SweptSettings>& settings);
 
-/// Every combination of the comma-separated lists in `lists`; a non-empty `shadowMaps` list is the number of slices
+/// Every combination of the comma-separated lists in `lists`; a list of `shadowMaps`, if given, is the number of slices
 /// with faces off. Throws UsageError.
-std::vector<BenchRun> combinations(const SweptSettings& lists, const std::string& shadowMaps);
+std::vector<BenchRun> combinations(const SweptSettings& lists, const std::optional<std::string>& shadowMaps = {});
 
 /// Walks every run along `path`: warm-up frames, then `frames` frames evenly over the path, as often as asked. Each
 /// repetition walks all runs before the next one begins, so that a machine that slows down slows them all alike. In

@@ -31,7 +31,7 @@ struct BenchOptions {
     OracleOption oracle;
     std::string model;
     std::string path;
-    std::string shadowMaps;
+    std::optional<std::string> shadowMaps;
     std::string csv;
     std::string json;
     std::string images;
@@ -314,7 +314,10 @@ void addBenchCommand(CLI::App& program) {
     command->add_flag("--real-time", options->walk.isRealTime, "Frames do not wait for pages");
     options->oracle.addTo(*command);
     command->add_flag("--quick", options->isQuick, "At most 8 frames a run: a look, not a measurement");
-    command->add_option("--shadow-maps", options->shadowMaps, "A list: --z-partitions of these counts, faces off");
+    command->add_option_function<std::string>(
+        "--shadow-maps",
+        [options](const std::string& text) { options->shadowMaps = text; }, // CLI11 takes empty text for no text
+        "A list: --z-partitions of these counts, faces off");
     command->add_option("--csv", options->csv, "Write a row per frame here");
     command->add_option("--json-file", options->json, "Write the runs here, shaped like Google Benchmark's JSON");
     CLI::Option* images =

@@ -40,8 +40,11 @@ void refuse(const std::string& option, const std::string& text, const std::strin
     throw UsageError{option + ": expected " + expected + ", found '" + text + "'"};
 }
 
-std::vector<std::string> parseList(const std::string& text) {
-    return text.empty() ? std::vector<std::string>{} : split(text, ',');
+std::vector<std::string> parseList(const std::string& option, const std::string& text) {
+    std::vector<std::string> parts = split(text, ',');
+    for (const std::string& part : parts)
+        if (part.empty()) refuse(option, text, "values with commas between them, none of them empty");
+    return parts;
 }
 
 glm::dvec3 parseVector(const std::string& option, const std::string& text) {

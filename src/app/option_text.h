@@ -34,8 +34,8 @@ bool parseSwitch(const std::string& option, const std::string& text);
 /// A memory size. Throws UsageError.
 Bytes parseMemory(const std::string& option, const std::string& text);
 
-/// The parts between commas; empty text has none.
-std::vector<std::string> parseList(const std::string& text);
+/// The parts between commas: at least one, and none of them empty. Throws UsageError.
+std::vector<std::string> parseList(const std::string& option, const std::string& text);
 
 /// Throws UsageError: `option` was given as `text`, but `expected` was.
 [[noreturn]] void refuse(const std::string& option, const std::string& text, const std::string& expected);

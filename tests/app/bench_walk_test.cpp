@@ -65,7 +65,7 @@ WalkOptions frames(int count, bool isRealTime = false) {
 
 RunResult walked(Session& session, const ViewOptions& view, const CameraPath& path, const WalkOptions& options) {
     NoProgress progress;
-    return walkAll(session, view, path, combinations(view.swept, ""), options, progress).front();
+    return walkAll(session, view, path, combinations(view.swept), options, progress).front();
 }
 
 /// The cells that must repeat.

@@ -1,4 +1,5 @@
 #include "app/bench_runs.h"
+#include "app/named_files.h"
 #include "app/option_text.h"
 #include "app/oracle_option.h"
 #include "app/report_runs.h"
@@ -237,6 +238,9 @@ WalkOptions walkOf(const BenchOptions& options) {
 
 void runBench(BenchOptions options) {
     const ThreadLimit limit(options.common);
+    requireApart(
+        {{"MODEL", options.model}, {"--path", options.path}, {"--baseline", options.baseline}},
+        {{"--csv", options.csv}, {"--json-file", options.json}});
     options.walk = walkOf(options);
     std::vector<BenchRun> runs = combinations(options.view.swept, options.shadowMaps);
     if (runs.size() == 1 && !options.report.empty()) runs = reportRuns(runs.front().settings, options.isQuick);

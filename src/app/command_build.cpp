@@ -1,4 +1,5 @@
 #include "app/commands.h"
+#include "app/named_files.h"
 #include "core/error.h"
 #include "core/units.h"
 #include "preprocess/pipeline/build_model.h"
@@ -91,6 +92,10 @@ void printForPeople(const BuildReport& report, const std::string& output) {
 }
 
 void run(const BuildCommand& command) {
+    std::vector<NamedFile> inputs;
+    for (const std::string& input : command.inputs)
+        inputs.push_back({"INPUT", input});
+    requireApart(inputs, {{"--output", command.output}});
     preprocess::BuildOptions options;
     options.output = command.output;
     options.memory = *parseBytes(command.memory);

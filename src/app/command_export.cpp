@@ -1,6 +1,7 @@
 // `gnomon export`: one uniform cut of a model as a PLY.
 
 #include "app/commands.h"
+#include "app/named_files.h"
 #include "app/thread_limit.h"
 #include "core/units.h"
 #include "preprocess/export/export.h"
@@ -47,6 +48,7 @@ void addExportCommand(CLI::App& program) {
     command->callback([options] {
         const ThreadLimit threads(options->common);
         const preprocess::ExportLimit limit = limitOf(*options);
+        requireApart({{"MODEL", options->model}}, {{"--output", options->output}});
         const auto progress = makeProgress(options->common);
         const auto cut = preprocess::exportCut(options->model, limit, options->output, *progress);
         std::fprintf(

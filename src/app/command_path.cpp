@@ -1,4 +1,5 @@
 #include "app/commands.h"
+#include "app/named_files.h"
 #include "app/suited_path.h"
 #include "app/thread_limit.h"
 #include "core/file.h"
@@ -25,6 +26,7 @@ void addPathCommand(CLI::App& program) {
     addCommonOptions(*command, options->common);
     command->callback([options] {
         const ThreadLimit limit(options->common);
+        requireApart({{"MODEL", options->model}}, {{"--output", options->output}});
         const hierarchy::ModelFile model(options->model);
         writeTextFile(options->output, toJson(suitedPath(model, options->kind)));
     });

@@ -1,3 +1,4 @@
+#include "app/named_files.h"
 #include "app/option_text.h"
 #include "app/oracle_option.h"
 #include "app/session.h"
@@ -79,6 +80,9 @@ void requirePngName(const std::string& path) {
 void runRender(const RenderOptions& options) {
     const ThreadLimit limit(options.common);
     requirePngName(options.output);
+    requireApart(
+        {{"MODEL", options.model}, {"--camera", options.view.cameraFile}, {"--reference", options.reference}},
+        {{"--output", options.output}, {"--stats", options.statistics}, {"--depth", options.depth}});
     const plan::Quality quality = qualityOf(options.view, options.view.swept);
     Session session(options.model, options.view);
     const plan::View view = viewOf(options.view, session.model().summary());

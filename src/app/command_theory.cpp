@@ -1,4 +1,5 @@
 #include "app/commands.h"
+#include "app/named_files.h"
 #include "app/theory_figures.h"
 #include "app/theory_rows.h"
 #include "app/theory_script.h"
@@ -46,6 +47,7 @@ void addEval(CLI::App& theory) {
     addCommonOptions(*command, options->common);
     command->callback([options] {
         const ThreadLimit limit(options->common);
+        requireApart({{"ROWS.json", options->rows}}, {{"--output", options->output}});
         const std::string text = evaluateTheoryRows(parsedFile(options->rows), options->rows).dump(1) + "\n";
         if (options->output.empty())
             std::fputs(text.c_str(), stdout);

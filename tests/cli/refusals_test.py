@@ -1,4 +1,5 @@
 """What contradicts itself or cannot be right is refused before any work: exit 2 and one line."""
+import os
 import unittest
 
 from program import DATA, Workplace, run
@@ -33,6 +34,37 @@ class Refusals(unittest.TestCase):
         for option in ("--warp", "--error-pixels", "--shadow-maps", "--z-partitions", "--shadow-texels"):
             for empty in ("", ",", "1,", ",1", "1,,2"):
                 self.bench(2, option, option, empty)
+
+    def test_an_output_that_is_an_input_is_refused_and_nothing_is_lost(self):
+        model, mesh, path = self.place / "own.gnm", self.place / "own.ply", self.place / "own.json"
+        model.write_bytes(self.sundial.read_bytes())
+        mesh.write_bytes((DATA / "models/sundial.ply").read_bytes())
+        path.write_bytes(PATH.read_bytes())
+        (self.place / "link.ply").symlink_to(mesh)
+        os.link(model, self.place / "other_name.png")
+        camera = self.place / "camera.json"
+        camera.write_bytes((DATA / "cameras/sundial_low.json").read_bytes())
+        files = (model, mesh, path, camera)
+        before = [file.read_bytes() for file in files]
+        for words in (
+            ("build", mesh, "-o", mesh),
+            ("build", DATA / "models/colonnade.obj", mesh, "-o", self.place / "." / "own.ply"),
+            ("build", mesh, "-o", self.place / "link.ply"),
+            ("export", model, "-o", model, "--error", "1"),
+            ("path", model, "--kind", "orbit", "-o", model),
+            ("render", model, "-o", self.place / "other_name.png", "--size", "8x8"),
+            ("render", model, "-o", self.place / "new.png", "--size", "8x8", "--stats", model),
+            ("render", model, "-o", self.place / "new.png", "--size", "8x8", "--camera", camera, "--depth", camera),
+            ("bench", model, "--path", path, *SMALL, "--csv", path),
+            ("bench", model, "--path", path, *SMALL, "--json-file", model),
+            ("bench", model, "--path", path, *SMALL, "--json-file", path, "--baseline", path),
+            ("theory", "eval", path, "-o", path),
+            ("view", model, "--csv", model),
+        ):
+            self.expect(2, "would replace", *words)
+            self.assertEqual([file.read_bytes() for file in files], before, words)
+        self.bench(2, "the same file", "--csv", self.place / "new", "--json-file", self.place / "." / "new")
+        self.expect(0, "", "render", model, "-o", "/dev/null", "--depth", "/dev/null", "--size", "8x8")
 
 
 if __name__ == "__main__":

@@ -1,5 +1,6 @@
 #include "app/view/viewer.h"
 
+#include "app/named_files.h"
 #include "app/option_text.h"
 #include "app/view/frame_log.h"
 #include "app/view/imgui_layer.h"
@@ -395,6 +396,9 @@ void Viewer::drawWindow(const glm::ivec2& size) {
 void runViewer(const ViewerOptions& options) {
     qualityOf(options.view, options.view.swept); // contradictions are told before a window opens
     imageSize(options.view);
+    requireApart(
+        {{"MODEL", options.file}, {"--path", options.path}, {"--camera", options.view.cameraFile}},
+        {{"--csv", options.csv}});
     if (options.view.backend == "osmesa" || options.view.backend == "egl")
         throw UsageError{"--backend " + options.view.backend + " draws into no window; take auto, software or window"};
     if (!std::filesystem::exists(options.file))

@@ -1,0 +1,35 @@
+#include "app/named_files.h"
+
+#include "app/commands.h"
+
+#include <filesystem>
+
+namespace gnomon::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool isSameFile(const std::string& a, const std::string& b) {
+    if (a.empty() || b.empty()) return false;
+    std::error_code error;
+    if (fs::exists(a, error) && fs::exists(b, error))
+        return fs::is_regular_file(a, error) && fs::equivalent(a, b, error);
+    return fs::weakly_canonical(fs::absolute(a, error), error) == fs::weakly_canonical(fs::absolute(b, error), error);
+}
+
+} // namespace
+
+void requireApart(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs) {
+    for (auto output = outputs.begin(); output != outputs.end(); ++output) {
+        for (const NamedFile& input : inputs)
+            if (isSameFile(input.path, output->path))
+                throw UsageError{
+                    output->option + " would replace " + input.option + ", which is read: " + output->path};
+        for (auto other = outputs.begin(); other != output; ++other)
+            if (isSameFile(other->path, output->path))
+                throw UsageError{other->option + " and " + output->option + " name the same file: " + output->path};
+    }
+}
+
+} // namespace gnomon::app

@@ -16,13 +16,14 @@ glm::dvec3 snapped(const glm::dvec3& local, const hierarchy::Grid& grid) {
 
 } // namespace
 
-TriangleSoup readSoup(MeshSource& source, const hierarchy::Grid& grid) {
+TriangleSoup readSoup(MeshSource& source, const hierarchy::Grid& grid, Progress& progress) {
     TriangleSoup soup;
     source.readVertices([&](const VertexBlock& block) {
         if (soup.positions.size() + block.positions.size() > 0xFFFFFFFFU)
             throw Error(source.summary().path, "too many vertices to be compared with");
         for (const glm::dvec3& position : block.positions)
             soup.positions.push_back(position - grid.origin);
+        progress.advance(0); // vertices are not counted, but a place to stop
     });
     PolygonRefiner refiner;
     std::vector<TriangleCorners> triangles;
@@ -40,6 +41,7 @@ TriangleSoup readSoup(MeshSource& source, const hierarchy::Grid& grid) {
             soup.triangles.push_back(
                 {static_cast<std::uint32_t>(t[0]), static_cast<std::uint32_t>(t[1]), static_cast<std::uint32_t>(t[2])});
         }
+        progress.advance(block.triangles.size());
     });
     return soup;
 }

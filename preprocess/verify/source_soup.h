@@ -1,6 +1,7 @@
 // The source of a model as triangles in its local space: what stored errors are measured against.
 #pragma once
 
+#include "core/progress.h"
 #include "hierarchy/grid.h"
 #include "preprocess/read/mesh_source.h"
 #include "preprocess/verify/triangle_tree.h"
@@ -8,7 +9,7 @@
 namespace gnomon::preprocess {
 
 /// Reads all of `source`. Triangles that a build drops, because two of their corners are the same grid point, are left
-/// out.
-TriangleSoup readSoup(MeshSource& source, const hierarchy::Grid& grid);
+/// out. Progress advances by the triangles read, those left out included.
+TriangleSoup readSoup(MeshSource& source, const hierarchy::Grid& grid, Progress& progress);
 
 } // namespace gnomon::preprocess

@@ -73,7 +73,7 @@ Verification verifyModel(const VerifyOptions& options, Progress& progress) {
     if (options.source.empty()) return verification;
     const auto source = openMeshSources(options.source, gibibytes(64));
     progress.stage("read the source", "triangles", source->summary().faceCount);
-    const TriangleSoup soup = readSoup(*source, model.summary.grid);
+    const TriangleSoup soup = readSoup(*source, model.summary.grid, progress);
     verification.checks.push_back(checkErrorBound(model, soup, options.seed, progress));
     return verification;
 }

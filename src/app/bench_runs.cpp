@@ -125,10 +125,7 @@ public:
 
     /// Warm-up, then a row a frame.
     void repeat(int repetition, Progress& progress) {
-        session_.renderer().forget();
-        for (int i = 0; i < options_.warmup; ++i)
-            draw(0);
-        session_.renderer().forget();
+        warmUp(progress);
         const auto start = std::chrono::steady_clock::now();
         for (int frame = 0; frame < options_.frames; ++frame) {
             if (options_.isRealTime)
@@ -150,10 +147,7 @@ public:
     /// Walks the first repetition once more, untimed and with the same plans, and holds some of its frames against
     /// the oracle.
     void prove(Progress& progress) {
-        session_.renderer().forget();
-        for (int i = 0; i < options_.warmup; ++i)
-            draw(0);
-        session_.renderer().forget();
+        warmUp(progress);
         for (int frame = 0; frame < options_.frames; ++frame) {
             const bool isProven = isProvenFrame(frame);
             frameOptions_.measuresAliasing = frameOptions_.measuresCrawl = frameOptions_.comparesWithFinest = isProven;
@@ -172,14 +166,24 @@ public:
     }
 
     /// The middle frame.
-    render::Picture picture(render::Overlay overlay) {
+    render::Picture picture(render::Overlay overlay, Progress& progress) {
         frameOptions_.overlay = overlay;
         session_.renderer().forget();
         draw(options_.frames / 2);
+        progress.advance(1);
         return session_.executor().picture();
     }
 
 private:
+    void warmUp(Progress& progress) {
+        session_.renderer().forget();
+        for (int i = 0; i < options_.warmup; ++i) {
+            draw(0);
+            progress.advance(0); // not counted, but a place to stop
+        }
+        session_.renderer().forget();
+    }
+
     /// Frames evenly over the path, first and last among them.
     bool isProvenFrame(int frame) const {
         const int last = std::min(options_.provenFrames, options_.frames) - 1;
@@ -278,21 +282,26 @@ std::vector<report::Picture> middlePictures(
     const ViewOptions& view,
     const CameraPath& path,
     const BenchRun& run,
-    const WalkOptions& options) {
+    const WalkOptions& options,
+    Progress& progress) {
     RunResult asked;
     asked.run = run;
     Walk walk(session, view, path, options, asked);
     RunResult traced = asked;
     traced.run.settings.shadows = "rays";
-    const render::Picture picture = walk.picture(render::Overlay::None);
-    const render::Picture reference = Walk(session, view, path, options, traced).picture(render::Overlay::None);
+    const auto draw = [&](Walk& walk, render::Overlay overlay = render::Overlay::None) {
+        return walk.picture(overlay, progress);
+    };
+    Walk tracing(session, view, path, options, traced);
+    const render::Picture picture = draw(walk);
+    const render::Picture reference = draw(tracing);
     return {
         {run.name, "picture", pngOf(picture)},
         {run.name, "reference", pngOf(reference)},
         {run.name, "difference", pngOf(magnifiedDifference(picture, reference))},
-        {run.name, "texels", pngOf(walk.picture(render::Overlay::Texels))},
-        {run.name, "aliasing", pngOf(walk.picture(render::Overlay::Aliasing))},
-        {run.name, "partitions", pngOf(walk.picture(render::Overlay::Partitions))}};
+        {run.name, "texels", pngOf(draw(walk, render::Overlay::Texels))},
+        {run.name, "aliasing", pngOf(draw(walk, render::Overlay::Aliasing))},
+        {run.name, "partitions", pngOf(draw(walk, render::Overlay::Partitions))}};
 }
 
 report::RunSummary summary(const RunResult& result) {

@@ -65,9 +65,18 @@ std::vector<RunResult> walkAll(
 std::size_t frameCount(const std::vector<BenchRun>& runs, const WalkOptions& options);
 
 /// The frame in the middle of the path as a report shows it: picture, reference (the same with ray-traced shadows),
-/// difference (four times the absolute difference of the two), texels, aliasing, partitions.
+/// difference (four times the absolute difference of the two), texels, aliasing, partitions. Progress advances by
+/// kFramesOfPictures.
 std::vector<report::Picture> middlePictures(
-    Session& session, const ViewOptions& view, const CameraPath& path, const BenchRun& run, const WalkOptions& options);
+    Session& session,
+    const ViewOptions& view,
+    const CameraPath& path,
+    const BenchRun& run,
+    const WalkOptions& options,
+    Progress& progress);
+
+/// The frames that `middlePictures` draws.
+constexpr std::size_t kFramesOfPictures = 5;
 
 /// Medians, percentiles, noise and worst promises of a run.
 report::RunSummary summary(const RunResult& result);

@@ -18,6 +18,7 @@
 #include <functional>
 #include <iterator>
 #include <memory>
+#include <numeric>
 
 #include <nlohmann/json.hpp>
 
@@ -272,20 +273,27 @@ void runBench(BenchOptions options) {
     if (summaries.size() > 1) printUnderBound(options.view.maxAliasing, summaries);
     if (!options.csv.empty()) writeTextFile(options.csv, csvText(results));
     if (!options.json.empty()) writeTextFile(options.json, benchmarkText(context, results));
-    const auto picturesOf = [&](std::size_t run) {
-        return middlePictures(session, options.view, path, runs[run], options.walk);
+    const auto eachPictured = [&](const std::vector<std::size_t>& pictured, const auto& take) {
+        const auto progress = makeProgress(options.common);
+        progress->stage("pictures", "frames", kFramesOfPictures * pictured.size());
+        for (const std::size_t run : pictured)
+            take(run, middlePictures(session, options.view, path, runs[run], options.walk, *progress));
     };
-    if (!options.images.empty())
-        for (std::size_t run = 0; run < runs.size(); ++run)
-            writePictures(options.images, static_cast<int>(run), picturesOf(run));
+    if (!options.images.empty()) {
+        std::vector<std::size_t> all(runs.size());
+        std::iota(all.begin(), all.end(), 0U);
+        eachPictured(all, [&](std::size_t run, const std::vector<report::Picture>& pictures) {
+            writePictures(options.images, static_cast<int>(run), pictures);
+        });
+    }
     if (!options.report.empty()) {
         report::Report page;
         page.model = context.at("model") + ", " + context.at("model_triangles") + " triangles";
         page.context = context;
         page.runs = summaries;
-        for (const std::size_t run : picturedRuns(summaries))
-            for (report::Picture& picture : picturesOf(run))
-                page.pictures.push_back(std::move(picture));
+        eachPictured(picturedRuns(summaries), [&](std::size_t /*run*/, std::vector<report::Picture> pictures) {
+            std::move(pictures.begin(), pictures.end(), std::back_inserter(page.pictures));
+        });
         plan::View view = viewOf(options.view, session.model().summary());
         view.camera = cameraAt(path, path.keyframes.front().time);
         page.storage = storagePoints(session.renderer().plan(view, qualityOf(options.view, runs.front().settings)));

@@ -104,6 +104,44 @@ TEST(BenchWalk, TwiceTheSameButForTimes) {
     }
 }
 
+/// Stops after so many steps, as Ctrl-C does.
+class StopAfter final : public Progress {
+public:
+    explicit StopAfter(std::uint64_t steps) : left_(steps) {}
+
+    void stage(std::string_view /*name*/, std::string_view /*unit*/, std::uint64_t /*total*/) override {}
+
+    void advance(std::uint64_t count) override {
+        done_ += count;
+        if (left_ == 0) throw Interrupted{};
+        --left_;
+    }
+
+    std::uint64_t done() const { return done_; }
+
+private:
+    std::uint64_t left_;
+    std::uint64_t done_ = 0;
+};
+
+TEST(BenchWalk, CanBeStoppedWhileItWarmsUpAndBetweenPictures) {
+    const ViewOptions view = viewOptions();
+    Session session(model(), view);
+    const std::vector<BenchRun> runs = combinations(view.swept);
+    WalkOptions options = frames(2);
+    options.warmup = 3;
+    StopAfter third(2);
+    EXPECT_THROW(walkAll(session, view, flight(), runs, options, third), Interrupted);
+    EXPECT_EQ(third.done(), 0U) << "no frame but those before the walk";
+    StopAfter never(1000);
+    EXPECT_EQ(middlePictures(session, view, flight(), runs[0], options, never).size(), 6U);
+    EXPECT_EQ(never.done(), kFramesOfPictures);
+    for (std::uint64_t steps = 0; steps < kFramesOfPictures; ++steps) {
+        StopAfter stop(steps);
+        EXPECT_THROW(middlePictures(session, view, flight(), runs[0], options, stop), Interrupted) << steps;
+    }
+}
+
 TEST(BenchWalk, WaitsUntilTheCutIsThere) {
     const ViewOptions view = viewOptions();
     Session session(model(), view);

@@ -44,6 +44,24 @@ Verification verified(const TinyModel& model, const std::string& source = {}) {
     return verifyModel(options, progress);
 }
 
+/// Stops at the first block of the stage of that name, as Ctrl-C does.
+class StopInStage final : public Progress {
+public:
+    explicit StopInStage(std::string name) : name_(std::move(name)) {}
+
+    void stage(std::string_view name, std::string_view /*unit*/, std::uint64_t /*total*/) override {
+        isThere_ = name == name_;
+    }
+
+    void advance(std::uint64_t /*count*/) override {
+        if (isThere_) throw Interrupted{};
+    }
+
+private:
+    std::string name_;
+    bool isThere_ = false;
+};
+
 const Check& named(const Verification& verification, const std::string& name) {
     for (const Check& check : verification.checks)
         if (check.name == name) return check;
@@ -96,6 +114,14 @@ void mend(TinyModel& model) {
             double& error = model.summary.levels[page.level].maxError;
             error = std::max(error, storedError(page, cluster, model.summary.grid.snapError()));
         }
+}
+
+TEST(Verify, CanBeStoppedWhileItReadsTheSource) {
+    const TinyModel model = soundModel();
+    const std::string source = sourceOf(model);
+    tests::writeModel(model, pathFor("m.gnm"));
+    StopInStage stop("read the source");
+    EXPECT_THROW(verifyModel({pathFor("m.gnm"), {source}, 1, 1}, stop), Interrupted);
 }
 
 TEST(Verify, ASoundModelPasses) {

@@ -2,6 +2,7 @@
 
 #include "app/json_file.h"
 #include "core/error.h"
+#include "telemetry/json_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,7 +39,8 @@ Camera cameraOf(const ordered_json& object, const std::string& where) {
     if (object.contains("up")) camera.up = vectorOf(object, "up", where);
     if (object.contains("fov_y")) camera.fovYRadians = numberOf(object, "fov_y", where) * kRadiansPerDegree;
     if (!(camera.fovYRadians > 0 && camera.fovYRadians < std::numbers::pi))
-        throw Error(where, "\"fov_y\" is impossible", "above 0 and below 180 degrees", object["fov_y"].dump());
+        throw Error(
+            where, "\"fov_y\" is impossible", "above 0 and below 180 degrees", telemetry::jsonText(object["fov_y"]));
     cameraBasis(camera); // throws where eye and target coincide
     return camera;
 }
@@ -138,7 +140,7 @@ std::string toJson(const CameraPath& path) {
         entry["fov_y"] = key.camera.fovYRadians / kRadiansPerDegree;
         document["keyframes"].push_back(entry);
     }
-    return document.dump(1) + "\n";
+    return telemetry::jsonText(document, 1) + "\n";
 }
 
 } // namespace gnomon::app

@@ -1,7 +1,9 @@
+#include "app/baseline.h"
 #include "app/bench_runs.h"
 #include "app/named_files.h"
 #include "app/option_text.h"
 #include "app/oracle_option.h"
+#include "app/prepared_output.h"
 #include "app/report_runs.h"
 #include "app/thread_limit.h"
 #include "core/error.h"
@@ -19,8 +21,6 @@
 #include <iterator>
 #include <memory>
 #include <numeric>
-
-#include <nlohmann/json.hpp>
 
 namespace gnomon::app {
 
@@ -110,7 +110,6 @@ std::vector<report::StoragePoint> storagePoints(const plan::FramePlan& plan) {
 }
 
 void writePictures(const std::string& folder, int run, const std::vector<report::Picture>& pictures) {
-    std::filesystem::create_directories(folder);
     const std::string stem = (std::filesystem::path(folder) / ("run" + std::to_string(run))).string();
     for (const report::Picture& picture : pictures)
         writeTextFile(
@@ -128,7 +127,6 @@ std::vector<std::size_t> picturedRuns(const std::vector<report::RunSummary>& sum
 }
 
 void writeReport(const std::string& folder, report::Report page, const std::vector<RunResult>& results) {
-    std::filesystem::create_directories(folder);
     const auto place = [&](const std::string& name) { return (std::filesystem::path(folder) / name).string(); };
     page.csvFile = "bench.csv";
     page.jsonFile = "bench.json";
@@ -182,31 +180,8 @@ void printUnderBound(const std::string& maxAliasing, const std::vector<report::R
         std::printf("no run does\n");
 }
 
-/// Throws Error if a run of the same name in the baseline was faster by more than the percentage allowed, or if there
-/// is none of any name.
-void compareWithBaseline(const BenchOptions& options, const std::vector<report::RunSummary>& summaries) {
-    const nlohmann::json baseline = nlohmann::json::parse(readTextFile(options.baseline), nullptr, false);
-    if (!baseline.is_object() || !baseline.contains("benchmarks"))
-        throw Error(options.baseline, "this is no bench result", "JSON with `benchmarks`", "something else");
-    bool hasCompared = false;
-    for (const nlohmann::json& before : baseline["benchmarks"])
-        for (const report::RunSummary& now : summaries) {
-            if (before.value("name", "") != now.name) continue;
-            hasCompared = true;
-            const double allowed = before.value("p50", 0.0) * (1 + options.failAbovePercent / 100);
-            if (now.p50Ms > allowed)
-                throw Error(
-                    options.baseline,
-                    now.name + " became slower",
-                    "a median of at most " + std::to_string(allowed) + " ms",
-                    std::to_string(now.p50Ms) + " ms");
-        }
-    if (!hasCompared) throw Error(options.baseline, "it has none of these runs", summaries.front().name, "other names");
-}
-
 /// Writes each picture under the number of its run.
 auto pictureWriter(const std::string& folder, const std::vector<BenchRun>& runs) {
-    std::filesystem::create_directories(folder);
     return [&runs, folder](const BenchRun& run, int frame, const render::Picture& picture) {
         const auto isThis = [&](const BenchRun& other) { return other.name == run.name; };
         const auto index = std::find_if(runs.begin(), runs.end(), isThis) - runs.begin();
@@ -249,7 +224,14 @@ void runBench(BenchOptions options) {
         qualityOf(options.view, run.settings); // a contradiction in the last run must not cost the first one's time
     if (options.hasAllImages) options.walk.onPicture = pictureWriter(options.images, runs);
     const CameraPath path = readCameraPath(options.path);
+    std::optional<Baseline> baseline;
+    if (!options.baseline.empty()) baseline = readBaseline(options.baseline);
     Session session(options.model, options.view);
+    // What is known to fail must not cost the time of a walk.
+    PreparedFile csv(options.csv);
+    PreparedFile json(options.json);
+    prepareFolder(options.images);
+    prepareFolder(options.report);
     auto context = contextOf(options, session);
     std::vector<RunResult> results;
     {
@@ -271,8 +253,8 @@ void runBench(BenchOptions options) {
     };
     if (options.budgetMs > 0) printUnderBudget(options.budgetMs, summaries, walkAgain);
     if (summaries.size() > 1) printUnderBound(options.view.maxAliasing, summaries);
-    if (!options.csv.empty()) writeTextFile(options.csv, csvText(results));
-    if (!options.json.empty()) writeTextFile(options.json, benchmarkText(context, results));
+    if (csv.isAskedFor()) csv.write(csvText(results));
+    if (json.isAskedFor()) json.write(benchmarkText(context, results));
     const auto eachPictured = [&](const std::vector<std::size_t>& pictured, const auto& take) {
         const auto progress = makeProgress(options.common);
         progress->stage("pictures", "frames", kFramesOfPictures * pictured.size());
@@ -299,7 +281,7 @@ void runBench(BenchOptions options) {
         page.storage = storagePoints(session.renderer().plan(view, qualityOf(options.view, runs.front().settings)));
         writeReport(options.report, std::move(page), results);
     }
-    if (!options.baseline.empty()) compareWithBaseline(options, summaries);
+    if (baseline) requireNotSlower(*baseline, summaries, options.failAbovePercent);
 }
 
 } // namespace

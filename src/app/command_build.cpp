@@ -5,6 +5,7 @@
 #include "preprocess/pipeline/build_model.h"
 #include "preprocess/pipeline/fingerprint.h"
 #include "preprocess/read/open_mesh_sources.h"
+#include "telemetry/json_text.h"
 
 #include <cstdio>
 #include <map>
@@ -117,7 +118,7 @@ void run(const BuildCommand& command) {
         return buildModel(*source, options, *progress);
     }();
     if (command.isJson)
-        std::printf("%s\n", asJson(report).dump(1).c_str());
+        std::printf("%s\n", telemetry::jsonText(asJson(report), 1).c_str());
     else
         printForPeople(report, command.output);
 }

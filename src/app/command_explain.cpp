@@ -3,6 +3,7 @@
 #include "app/plan_json.h"
 #include "app/session.h"
 #include "app/thread_limit.h"
+#include "telemetry/json_text.h"
 
 #include <cstdio>
 #include <memory>
@@ -24,7 +25,7 @@ void runExplain(const ExplainOptions& options) {
     undrawn.backend = "software"; // nothing is drawn, so no context is made
     Session session(options.model, undrawn);
     const plan::FramePlan plan = session.renderer().plan(viewOf(options.view, session.model().summary()), quality);
-    const std::string text = options.json ? planJson(plan).dump(1) + "\n" : planText(plan);
+    const std::string text = options.json ? telemetry::jsonText(planJson(plan), 1) + "\n" : planText(plan);
     std::fputs(text.c_str(), stdout);
 }
 

@@ -3,6 +3,7 @@
 #include "app/commands.h"
 #include "core/units.h"
 #include "hierarchy/model_file.h"
+#include "telemetry/json_text.h"
 
 #include <cstdio>
 #include <memory>
@@ -98,7 +99,7 @@ void addInfoCommand(CLI::App& program) {
     command->callback([options] {
         const hierarchy::ModelFile file(options->model);
         if (options->json)
-            std::printf("%s\n", infoJson(file).dump(1).c_str());
+            std::printf("%s\n", telemetry::jsonText(infoJson(file), 1).c_str());
         else
             printInfo(file);
     });

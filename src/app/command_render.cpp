@@ -1,6 +1,7 @@
 #include "app/named_files.h"
 #include "app/option_text.h"
 #include "app/oracle_option.h"
+#include "app/prepared_output.h"
 #include "app/session.h"
 #include "app/thread_limit.h"
 #include "core/error.h"
@@ -47,7 +48,7 @@ const std::map<std::string, render::Overlay>& overlays() {
 
 /// Each map as a PFM of its own, named by its slice and face.
 void writeShadowMaps(const std::string& folder, const render::Frame& frame, render::Executor& executor) {
-    std::filesystem::create_directories(folder);
+    prepareFolder(folder);
     const render::FloatPicture all = executor.shadowDepth();
     for (const plan::ShadowPass& pass : frame.plan.passes) {
         const plan::Rectangle& r = pass.rectangle;

@@ -1,5 +1,6 @@
 #include "app/commands.h"
 #include "app/named_files.h"
+#include "app/prepared_output.h"
 #include "app/theory_figures.h"
 #include "app/theory_rows.h"
 #include "app/theory_script.h"
@@ -7,6 +8,7 @@
 #include "app/thread_limit.h"
 #include "core/error.h"
 #include "core/file.h"
+#include "telemetry/json_text.h"
 
 #include <array>
 #include <cmath>
@@ -48,7 +50,8 @@ void addEval(CLI::App& theory) {
     command->callback([options] {
         const ThreadLimit limit(options->common);
         requireApart({{"ROWS.json", options->rows}}, {{"--output", options->output}});
-        const std::string text = evaluateTheoryRows(parsedFile(options->rows), options->rows).dump(1) + "\n";
+        const std::string text =
+            telemetry::jsonText(evaluateTheoryRows(parsedFile(options->rows), options->rows), 1) + "\n";
         if (options->output.empty())
             std::fputs(text.c_str(), stdout);
         else
@@ -101,9 +104,7 @@ json describe(const TheoryFigure& figure) {
 }
 
 void writeFigures(const std::string& folder) {
-    std::error_code failure;
-    std::filesystem::create_directories(folder, failure);
-    if (failure) throw Error(folder, "cannot make the folder: " + failure.message());
+    prepareFolder(folder);
     std::vector<TheoryFigure> figures = paperFigures();
     for (TheoryFigure& figure : ownFigures())
         figures.push_back(std::move(figure));
@@ -113,7 +114,7 @@ void writeFigures(const std::string& folder) {
         list.push_back(describe(figure));
         std::printf("%s/%s.csv\n", folder.c_str(), figure.name.c_str());
     }
-    writeTextFile(folder + "/figures.json", list.dump(1) + "\n");
+    writeTextFile(folder + "/figures.json", telemetry::jsonText(list, 1) + "\n");
     const std::string script = folder + "/theory_figures.py";
     writeTextFile(script, std::string(kTheoryFiguresScript));
     const std::optional<std::string> python = plottingPython();
@@ -185,7 +186,7 @@ void printTable(const TableOptions& options) {
              {"M_x", row.worstX},
              {"M_z", row.worstZ}});
     }
-    if (options.asJson) std::printf("%s\n", json({{"rows", rows}}).dump(1).c_str());
+    if (options.asJson) std::printf("%s\n", telemetry::jsonText(json({{"rows", rows}}), 1).c_str());
 }
 
 void addTable(CLI::App& theory) {

@@ -4,6 +4,7 @@
 #include "app/thread_limit.h"
 #include "core/error.h"
 #include "preprocess/verify/verify.h"
+#include "telemetry/json_text.h"
 
 #include <cmath>
 #include <cstdio>
@@ -40,7 +41,7 @@ void print(const preprocess::Verification& verification, bool asJson) {
         ordered_json json{{"ok", verification.ok()}, {"checks", ordered_json::array()}};
         for (const preprocess::Check& check : verification.checks)
             json["checks"].push_back(checkJson(check));
-        std::printf("%s\n", json.dump(1, ' ', false, ordered_json::error_handler_t::replace).c_str());
+        std::printf("%s\n", telemetry::jsonText(json, 1).c_str());
         return;
     }
     for (const preprocess::Check& check : verification.checks) {

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "shadow/scheme.h"
 #include "shadow/warped_map.h"
+#include "telemetry/json_text.h"
 
 #include <array>
 #include <cmath>
@@ -32,20 +33,24 @@ struct Row {
     double number(const char* key) const {
         const json& value = at(key);
         if (value == "inf") return std::numeric_limits<double>::infinity();
-        if (!value.is_number()) throw Error(where, std::string("input ") + key, "a number", value.dump());
+        if (!value.is_number()) throw Error(where, std::string("input ") + key, "a number", telemetry::jsonText(value));
         return value.get<double>();
     }
 
     std::string text(const char* key) const {
         const json& value = at(key);
-        if (!value.is_string()) throw Error(where, std::string("input ") + key, "a string", value.dump());
+        if (!value.is_string()) throw Error(where, std::string("input ") + key, "a string", telemetry::jsonText(value));
         return value.get<std::string>();
     }
 
     int count(const char* key) const {
         const double value = number(key);
         if (!(value >= 1 && value <= 4096 && value == std::floor(value)))
-            throw Error(where, std::string("input ") + key, "a whole number from 1 to 4096", inputs.at(key).dump());
+            throw Error(
+                where,
+                std::string("input ") + key,
+                "a whole number from 1 to 4096",
+                telemetry::jsonText(inputs.at(key)));
         return static_cast<int>(value);
     }
 
@@ -56,7 +61,7 @@ struct Row {
         for (int i = 0; i < 3; ++i) {
             const auto index = static_cast<std::size_t>(i);
             if (!isVector || !value[index].is_number())
-                throw Error(where, std::string("input ") + key, "three numbers", value.dump());
+                throw Error(where, std::string("input ") + key, "three numbers", telemetry::jsonText(value));
             result[i] = value[index].get<double>();
         }
         return result;
@@ -65,7 +70,8 @@ struct Row {
     glm::dvec3 light() const {
         const glm::dvec3 towardsLight = vector("L");
         const double length = glm::length(towardsLight);
-        if (!(length > 0 && std::isfinite(length))) throw Error(where, "input L", "a direction", inputs.at("L").dump());
+        if (!(length > 0 && std::isfinite(length)))
+            throw Error(where, "input L", "a direction", telemetry::jsonText(inputs.at("L")));
         return towardsLight / length;
     }
 
@@ -295,7 +301,7 @@ json evaluateTheoryRows(const json& document, const std::string& where) {
         const std::string place = where + ": row " + std::to_string(rows.size());
         const bool complete = row.is_object() && row.contains("family") && row["family"].is_string() &&
                               row.contains("inputs") && row["inputs"].is_object();
-        if (!complete) throw Error(place, "a row", "family and inputs", row.dump().substr(0, 80));
+        if (!complete) throw Error(place, "a row", "family and inputs", telemetry::jsonText(row).substr(0, 80));
         json answer = {{"got", evaluate(row["family"].get<std::string>(), Row{row["inputs"], place})}};
         if (row.contains("id")) answer["id"] = row["id"];
         rows.push_back(std::move(answer));

@@ -2,6 +2,7 @@
 
 #include "report/accuracy_cost.h"
 #include "report/page_assets.h"
+#include "telemetry/json_text.h"
 
 namespace gnomon::report {
 
@@ -59,7 +60,7 @@ void substitute(std::string& text, std::string_view mark, std::string_view value
 
 /// JSON that may stand inside a script element: no "</" and no "<!--".
 std::string scriptSafe(const nlohmann::json& data) {
-    std::string text = data.dump();
+    std::string text = telemetry::jsonText(data);
     std::string safe;
     safe.reserve(text.size());
     for (const char c : text) {

@@ -1,6 +1,7 @@
 #include "telemetry/benchmark_report.h"
 
 #include "core/check.h"
+#include "telemetry/json_text.h"
 
 #include <algorithm>
 #include <array>
@@ -45,7 +46,7 @@ std::string benchmarkJson(const std::map<std::string, std::string>& context, std
              {"p95", quantile(run.totalMs, 0.95)},
              {"p99", quantile(run.totalMs, 0.99)}});
     }
-    return document.dump(2);
+    return jsonText(document, 2);
 }
 
 namespace {

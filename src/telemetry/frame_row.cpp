@@ -1,5 +1,7 @@
 #include "telemetry/frame_row.h"
 
+#include "telemetry/json_text.h"
+
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -155,7 +157,7 @@ std::string jsonObject(const FrameRow& row) {
     nlohmann::ordered_json object;
     for (const Column& column : columns())
         object[std::string(column.name)] = std::visit(JsonCell{}, column.value(row));
-    return object.dump(2);
+    return jsonText(object, 2);
 }
 
 } // namespace gnomon::telemetry

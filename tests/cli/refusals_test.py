@@ -1,4 +1,5 @@
 """What contradicts itself or cannot be right is refused before any work: exit 2 and one line."""
+import json
 import os
 import unittest
 
@@ -65,6 +66,27 @@ class Refusals(unittest.TestCase):
             self.assertEqual([file.read_bytes() for file in files], before, words)
         self.bench(2, "the same file", "--csv", self.place / "new", "--json-file", self.place / "." / "new")
         self.expect(0, "", "render", model, "-o", "/dev/null", "--depth", "/dev/null", "--size", "8x8")
+
+    def test_a_bench_says_at_once_what_it_cannot_write_or_read(self):
+        file, bad = self.place / "file", self.place / "bad.json"
+        file.write_text("in the way of a folder")
+        for text in ("", "[]", "{}", '{"benchmarks": 3}', '{"context": {}, "benchmarks": [{"name": 3, "p50": 1}]}',
+                     '{"context": {}, "benchmarks": [{"name": "run"}]}'):  # fmt: skip
+            bad.write_text(text)
+            self.assertEqual(self.bench(1, "bad.json", "--baseline", bad).stdout, "", text)
+        for option in ("--csv", "--json-file", "--images", "--report", "--baseline"):
+            told = self.bench(1, "file/below", option, self.place / "file/below")
+            self.assertEqual(told.stdout, "", "it has walked first")
+
+    def test_a_name_that_is_no_utf8_is_a_name(self):
+        model = self.place / os.fsdecode(b"\xff\xfe.gnm")
+        model.write_bytes(self.sundial.read_bytes())
+        log, stats = self.place / "log.json", self.place / "stats.json"
+        self.expect(0, "", "bench", model, "--path", PATH, *SMALL, "--json-file", log, "--report", self.place / "page",
+                    "--quick", "--repetitions", "1", "--warp", "none,auto")  # fmt: skip
+        self.assertEqual(json.loads(log.read_text())["context"]["model"], "\ufffd\ufffd.gnm")
+        self.expect(0, "", "render", model, "-o", self.place / "name.png", "--size", "8x8", "--stats", stats)
+        self.assertEqual(json.loads(stats.read_text())["model"], "\ufffd\ufffd.gnm")
 
 
 if __name__ == "__main__":

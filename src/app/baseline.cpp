@@ -1,0 +1,52 @@
+#include "app/baseline.h"
+
+#include "app/json_file.h"
+#include "core/error.h"
+
+namespace gnomon::app {
+
+Baseline readBaseline(const std::string& path) {
+    const nlohmann::ordered_json document = readJsonFile(path);
+    const auto part = [&](const char* key) {
+        return document.is_object() && document.contains(key) ? document[key] : nlohmann::ordered_json();
+    };
+    Baseline baseline{path, {}, {}};
+    const auto context = part("context");
+    const auto benchmarks = part("benchmarks");
+    if (!context.is_object() || !benchmarks.is_array())
+        throw Error(path, "this is no bench result", "{\"context\": {...}, \"benchmarks\": [...]}", "something else");
+    for (const auto& [key, value] : context.items())
+        if (value.is_string()) baseline.context[key] = value.get<std::string>();
+    for (const auto& run : benchmarks) {
+        const bool isRun = run.is_object() && run.contains("name") && run["name"].is_string() && run.contains("p50") &&
+                           run["p50"].is_number();
+        if (!isRun)
+            throw Error(
+                path + ": benchmark " + std::to_string(baseline.p50Ms.size()),
+                "this is no run",
+                "{\"name\": text, \"p50\": number, ...}",
+                "something else");
+        baseline.p50Ms[run["name"].get<std::string>()] = run["p50"].get<double>();
+    }
+    return baseline;
+}
+
+void requireNotSlower(
+    const Baseline& baseline, std::span<const report::RunSummary> summaries, double failAbovePercent) {
+    bool hasCompared = false;
+    for (const report::RunSummary& now : summaries) {
+        const auto before = baseline.p50Ms.find(now.name);
+        if (before == baseline.p50Ms.end()) continue;
+        hasCompared = true;
+        const double allowed = before->second * (1 + failAbovePercent / 100);
+        if (now.p50Ms > allowed)
+            throw Error(
+                baseline.path,
+                now.name + " became slower",
+                "a median of at most " + std::to_string(allowed) + " ms",
+                std::to_string(now.p50Ms) + " ms");
+    }
+    if (!hasCompared) throw Error(baseline.path, "it has none of these runs", summaries.front().name, "other names");
+}
+
+} // namespace gnomon::app

@@ -1,0 +1,26 @@
+// The results of an earlier bench, to hold those of a later one against.
+#pragma once
+
+#include "report/run_summary.h"
+
+#include <map>
+#include <span>
+#include <string>
+
+namespace gnomon::app {
+
+/// What `--json-file` wrote.
+struct Baseline {
+    std::string path;
+    std::map<std::string, std::string> context;
+    std::map<std::string, double> p50Ms; // by the names of the runs
+};
+
+/// Reads a baseline. Throws Error with path and place.
+Baseline readBaseline(const std::string& path);
+
+/// Throws Error if a run of the same name in the baseline was faster by more than `failAbovePercent`, or if there is
+/// none of any name.
+void requireNotSlower(const Baseline& baseline, std::span<const report::RunSummary> summaries, double failAbovePercent);
+
+} // namespace gnomon::app

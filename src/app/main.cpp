@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <exception>
+#include <iostream>
 #include <string>
 
 namespace {
@@ -40,6 +43,14 @@ std::string usage(const CLI::App& program, const CLI::ParseError& error, const s
     return text + "; see gnomon " + (chosen.empty() ? "" : chosen.front()->get_name() + " ") + "--help";
 }
 
+/// Throws Error if something that was printed has not reached stdout.
+void requirePrinted() {
+    std::cout.flush(); // --help and --version
+    if (std::fflush(stdout) != 0) throw gnomon::Error("stdout", std::string("cannot write: ") + std::strerror(errno));
+    if (!std::cout.good() || std::ferror(stdout) != 0)
+        throw gnomon::Error("stdout", "cannot write: some of the output is lost");
+}
+
 int run(int argc, char** argv) {
     CLI::App program("Low-error shadow maps for meshes of a million to a billion triangles.", "gnomon");
     program.set_version_flag("--version", "gnomon " GNOMON_VERSION);
@@ -50,9 +61,10 @@ int run(int argc, char** argv) {
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() == 0) return program.exit(error); // --help, --version
-        throw UsageError{usage(program, error, argc > 1 ? argv[1] : "")};
+        if (error.get_exit_code() != 0) throw UsageError{usage(program, error, argc > 1 ? argv[1] : "")};
+        program.exit(error); // prints what --help and --version ask for
     }
+    requirePrinted();
     return 0;
 }
 

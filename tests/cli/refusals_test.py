@@ -1,9 +1,10 @@
 """What contradicts itself or cannot be right is refused before any work: exit 2 and one line."""
 import json
 import os
+import subprocess
 import unittest
 
-from program import DATA, Workplace, run
+from program import DATA, GNOMON, Workplace, run
 
 PATH = DATA / "paths/sundial_orbit.json"
 SMALL = ("--size", "32x32", "--shadow-texels", "128x128", "--frames", "1", "--warmup", "0")
@@ -87,6 +88,24 @@ class Refusals(unittest.TestCase):
         self.assertEqual(json.loads(log.read_text())["context"]["model"], "\ufffd\ufffd.gnm")
         self.expect(0, "", "render", model, "-o", self.place / "name.png", "--size", "8x8", "--stats", stats)
         self.assertEqual(json.loads(stats.read_text())["model"], "\ufffd\ufffd.gnm")
+
+    def test_output_that_does_not_arrive_is_exit_1(self):
+        light = ("--near", "1", "--far", "10", "--fov-y", "60", "--light", "0,1,0")
+        for words in (
+            ("--help",),
+            ("render", "--help"),
+            ("--version",),
+            ("info", self.sundial),
+            ("info", self.sundial, "--json"),
+            ("verify", self.sundial, "--cuts", "1", "--json"),
+            ("explain", self.sundial, "--json"),
+            ("build", DATA / "models/sundial.ply", "-o", self.place / "full.gnm", "--json"),
+            ("theory", "table", *light),
+        ):
+            with open("/dev/full", "w") as full:
+                told = subprocess.run([GNOMON, *map(str, words)], stdout=full, stderr=subprocess.PIPE, text=True)
+            self.assertEqual((told.returncode, told.stderr.count("\n")), (1, 1), f"{words}: {told.stderr}")
+            self.assertIn("gnomon: stdout: cannot write", told.stderr)
 
 
 if __name__ == "__main__":

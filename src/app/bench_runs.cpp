@@ -234,6 +234,9 @@ std::vector<BenchRun> named(const std::vector<SweptSettings>& settings) {
 }
 
 std::vector<BenchRun> combinations(const SweptSettings& lists, const std::optional<std::string>& shadowMaps) {
+    if (shadowMaps && lists.facePartitions != "off")
+        throw UsageError{
+            "--shadow-maps turns faces off, so --face-partitions " + lists.facePartitions + " contradicts it"};
     std::vector<SweptSettings> all(1);
     for (const SweptOption& option : sweptOptions()) {
         const bool isMaps = shadowMaps && option.value == &SweptSettings::zPartitions;

@@ -308,7 +308,7 @@ void addBenchCommand(CLI::App& program) {
     command->add_flag("--real-time", options->walk.isRealTime, "Frames do not wait for pages");
     options->oracle.addTo(*command);
     command->add_flag("--quick", options->isQuick, "At most 8 frames a run: a look, not a measurement");
-    command->add_option_function<std::string>(
+    CLI::Option* shadowMaps = command->add_option_function<std::string>(
         "--shadow-maps",
         [options](const std::string& text) { options->shadowMaps = text; }, // CLI11 takes empty text for no text
         "A list: --z-partitions of these counts, faces off");
@@ -329,6 +329,7 @@ void addBenchCommand(CLI::App& program) {
     command->add_option("--fail-above", options->failAbovePercent, "Exit 1 if a median grew by more percent than this")
         ->capture_default_str();
     addViewOptions(*command, options->view);
+    shadowMaps->excludes("--z-partitions");
     addCommonOptions(*command, options->common);
     command->callback([options] { runBench(*options); });
 }

@@ -2,6 +2,7 @@
 
 #include "app/commands.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -42,8 +43,10 @@ void refuse(const std::string& option, const std::string& text, const std::strin
 
 std::vector<std::string> parseList(const std::string& option, const std::string& text) {
     std::vector<std::string> parts = split(text, ',');
-    for (const std::string& part : parts)
-        if (part.empty()) refuse(option, text, "values with commas between them, none of them empty");
+    for (auto part = parts.begin(); part != parts.end(); ++part) {
+        if (part->empty()) refuse(option, text, "values with commas between them, none of them empty");
+        if (std::find(parts.begin(), part, *part) != part) refuse(option, text, "each value once");
+    }
     return parts;
 }
 

@@ -34,7 +34,7 @@ bool parseSwitch(const std::string& option, const std::string& text);
 /// A memory size. Throws UsageError.
 Bytes parseMemory(const std::string& option, const std::string& text);
 
-/// The parts between commas: at least one, and none of them empty. Throws UsageError.
+/// The parts between commas: at least one, none of them empty and no two alike. Throws UsageError.
 std::vector<std::string> parseList(const std::string& option, const std::string& text);
 
 /// Throws UsageError: `option` was given as `text`, but `expected` was.

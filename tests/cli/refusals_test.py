@@ -1,4 +1,5 @@
 """What contradicts itself or cannot be right is refused before any work: exit 2 and one line."""
+import csv
 import json
 import os
 import subprocess
@@ -106,6 +107,21 @@ class Refusals(unittest.TestCase):
                 told = subprocess.run([GNOMON, *map(str, words)], stdout=full, stderr=subprocess.PIPE, text=True)
             self.assertEqual((told.returncode, told.stderr.count("\n")), (1, 1), f"{words}: {told.stderr}")
             self.assertIn("gnomon: stdout: cannot write", told.stderr)
+
+    def test_shadow_maps_are_slices_without_faces(self):
+        for faces in ("on", "auto", "off,on"):
+            self.bench(2, "--face-partitions", "--shadow-maps", "1,4", "--face-partitions", faces)
+        self.bench(2, "--z-partitions", "--shadow-maps", "1,4", "--z-partitions", "2")
+        log = self.place / "maps.csv"
+        self.bench(0, "", "--shadow-maps", "1,3", "--face-partitions", "off", "--csv", log)
+        with open(log, newline="") as file:
+            rows = [(row["shadow_maps"], row["face_partitions"]) for row in csv.DictReader(file)]
+        self.assertEqual(rows, [("1", "off"), ("3", "off")])
+
+    def test_no_value_of_a_list_is_there_twice(self):
+        for option, values in (("--shadow-maps", "1,1"), ("--z-partitions", "4,2,4"), ("--warp", "auto,auto"),
+                               ("--error-pixels", "1,2,1"), ("--shadows", "maps,maps"), ("--filter", "0,0")):  # fmt: skip
+            self.bench(2, option, option, values)
 
 
 if __name__ == "__main__":

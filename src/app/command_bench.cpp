@@ -219,7 +219,9 @@ void runBench(BenchOptions options) {
         {{"--csv", options.csv}, {"--json-file", options.json}});
     options.walk = walkOf(options);
     std::vector<BenchRun> runs = combinations(options.view.swept, options.shadowMaps);
-    if (runs.size() == 1 && !options.report.empty()) runs = reportRuns(runs.front().settings, options.isQuick);
+    const bool isWarpOpen = options.view.eta.empty() && options.view.tsmFocus.empty();
+    if (runs.size() == 1 && !options.report.empty())
+        runs = reportRuns(runs.front().settings, options.isQuick, isWarpOpen);
     for (const BenchRun& run : runs)
         qualityOf(options.view, run.settings); // a contradiction in the last run must not cost the first one's time
     if (options.hasAllImages) options.walk.onPicture = pictureWriter(options.images, runs);

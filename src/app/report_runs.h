@@ -7,7 +7,8 @@ namespace gnomon::app {
 
 /// Runs around `base`, one map first: numbers of maps with casters culled per partition and not, levels of detail,
 /// warps, texels, stabilisation and faces, each varied alone so that its own cost and gain are seen. A quick look takes
-/// a few of each. None repeats another.
-std::vector<BenchRun> reportRuns(const SweptSettings& base, bool isQuick);
+/// a few of each. None repeats another. Where the warp is not open, because --eta or --tsm-focus settles it, no run has
+/// another one or is stabilised.
+std::vector<BenchRun> reportRuns(const SweptSettings& base, bool isQuick, bool isWarpOpen);
 
 } // namespace gnomon::app

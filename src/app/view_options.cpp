@@ -205,9 +205,12 @@ plan::Quality qualityOf(const ViewOptions& options, const SweptSettings& swept) 
         if (!quality.maxTriangles || *quality.maxTriangles == 0)
             refuse("--max-triangles", options.maxTriangles, "a count such as 500k or 2M");
     }
-    if (quality.stabilize && options.isWarpGiven && swept.warp != "none")
+    const bool isWarpGiven = options.isWarpGiven && quality.warp.rule != shadow::WarpRule::None;
+    const bool isEtaGiven = !options.eta.empty() && quality.warp.eta != -1;
+    if (quality.stabilize && (isWarpGiven || isEtaGiven))
         throw UsageError{
-            "--stabilize on and --warp " + swept.warp + " contradict each other: stabilised slices are unwarped"};
+            "--stabilize on and " + (isEtaGiven ? "--eta " + options.eta : "--warp " + swept.warp) +
+            " contradict each other: stabilised slices are unwarped"};
     return quality;
 }
 

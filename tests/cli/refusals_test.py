@@ -123,6 +123,14 @@ class Refusals(unittest.TestCase):
                                ("--error-pixels", "1,2,1"), ("--shadows", "maps,maps"), ("--filter", "0,0")):  # fmt: skip
             self.bench(2, option, option, values)
 
+    def test_stabilised_slices_have_no_warp(self):
+        for eta in ("0.5", "0", "1"):
+            self.expect(2, "--stabilize", "explain", self.sundial, "--stabilize", "on", "--eta", eta)
+        self.expect(2, "--stabilize", "explain", self.sundial, "--stabilize", "on", "--warp", "auto")
+        self.expect(0, "", "explain", self.sundial, "--stabilize", "on", "--eta", "-1")
+        self.expect(0, "", "explain", self.sundial, "--stabilize", "off", "--eta", "0.5")
+        self.bench(2, "--stabilize", "--stabilize", "off,on", "--eta", "0.5")
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -31,6 +31,16 @@ Baseline readBaseline(const std::string& path) {
     return baseline;
 }
 
+void requireComparable(const Baseline& baseline, const std::map<std::string, std::string>& context) {
+    for (const char* key : {"model_content_hash", "image_size", "backend"}) {
+        const auto before = baseline.context.find(key);
+        const std::string found = before == baseline.context.end() ? "none" : before->second;
+        if (found != context.at(key))
+            throw Error(
+                baseline.path, std::string("another bench than this one: \"") + key + '"', context.at(key), found);
+    }
+}
+
 void requireNotSlower(
     const Baseline& baseline, std::span<const report::RunSummary> summaries, double failAbovePercent) {
     bool hasCompared = false;

@@ -19,6 +19,10 @@ struct Baseline {
 /// Reads a baseline. Throws Error with path and place.
 Baseline readBaseline(const std::string& path);
 
+/// Throws Error where `context` differs from the baseline's in what makes frame times comparable: the model's content,
+/// the size of the image and who drew it.
+void requireComparable(const Baseline& baseline, const std::map<std::string, std::string>& context);
+
 /// Throws Error if a run of the same name in the baseline was faster by more than `failAbovePercent`, or if there is
 /// none of any name.
 void requireNotSlower(const Baseline& baseline, std::span<const report::RunSummary> summaries, double failAbovePercent);

@@ -41,9 +41,9 @@ struct BenchOptions {
     std::string report;
     std::optional<int> repetitions;
     bool isQuick = false;
-    double budgetMs = 0;
+    std::string budgetMs;
     std::string baseline;
-    double failAbovePercent = 10;
+    std::string failAbovePercent = "10";
 };
 
 /// What a reader must know to judge or repeat the figures.
@@ -218,6 +218,11 @@ void runBench(BenchOptions options) {
         {{"MODEL", options.model}, {"--path", options.path}, {"--baseline", options.baseline}},
         {{"--csv", options.csv}, {"--json-file", options.json}});
     options.walk = walkOf(options);
+    const double failAbovePercent = parseNumber("--fail-above", options.failAbovePercent);
+    if (failAbovePercent < 0) refuse("--fail-above", options.failAbovePercent, "a number of at least 0");
+    std::optional<double> budgetMs;
+    if (!options.budgetMs.empty()) budgetMs = parseNumber("--budget-ms", options.budgetMs);
+    if (budgetMs && !(*budgetMs > 0)) refuse("--budget-ms", options.budgetMs, "a number above 0");
     std::vector<BenchRun> runs = combinations(options.view.swept, options.shadowMaps);
     const bool isWarpOpen = options.view.eta.empty() && options.view.tsmFocus.empty();
     if (runs.size() == 1 && !options.report.empty())
@@ -235,6 +240,7 @@ void runBench(BenchOptions options) {
     prepareFolder(options.images);
     prepareFolder(options.report);
     auto context = contextOf(options, session);
+    if (baseline) requireComparable(*baseline, context);
     std::vector<RunResult> results;
     {
         const auto progress = makeProgress(options.common);
@@ -253,7 +259,7 @@ void runBench(BenchOptions options) {
         progress->stage("once more", "frames", frameCount({runs[run]}, walk));
         return summary(walkAll(session, options.view, path, {runs[run]}, walk, *progress).front());
     };
-    if (options.budgetMs > 0) printUnderBudget(options.budgetMs, summaries, walkAgain);
+    if (budgetMs) printUnderBudget(*budgetMs, summaries, walkAgain);
     if (summaries.size() > 1) printUnderBound(options.view.maxAliasing, summaries);
     if (csv.isAskedFor()) csv.write(csvText(results));
     if (json.isAskedFor()) json.write(benchmarkText(context, results));
@@ -283,7 +289,7 @@ void runBench(BenchOptions options) {
         page.storage = storagePoints(session.renderer().plan(view, qualityOf(options.view, runs.front().settings)));
         writeReport(options.report, std::move(page), results);
     }
-    if (baseline) requireNotSlower(*baseline, summaries, options.failAbovePercent);
+    if (baseline) requireNotSlower(*baseline, summaries, failAbovePercent);
 }
 
 } // namespace

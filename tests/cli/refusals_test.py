@@ -131,6 +131,24 @@ class Refusals(unittest.TestCase):
         self.expect(0, "", "explain", self.sundial, "--stabilize", "off", "--eta", "0.5")
         self.bench(2, "--stabilize", "--stabilize", "off,on", "--eta", "0.5")
 
+    def test_a_baseline_is_of_the_same_model_size_and_backend(self):
+        before, changed = self.place / "before.json", self.place / "changed.json"
+        self.bench(0, "", "--json-file", before)
+        self.bench(0, "", "--baseline", before, "--fail-above", "1e9")
+        for key in ("model_content_hash", "image_size", "backend"):
+            document = json.loads(before.read_text())
+            document["context"][key] = "another"
+            changed.write_text(json.dumps(document))
+            told = self.bench(1, key, "--baseline", changed, "--fail-above", "1e9")
+            self.assertEqual(told.stdout, "", "it has walked first")
+            del document["context"][key]
+            changed.write_text(json.dumps(document))
+            self.bench(1, key, "--baseline", changed, "--fail-above", "1e9")
+        for option in ("--fail-above", "--budget-ms"):
+            for value in ("-1", "-50", "nan", "inf", "x"):
+                self.bench(2, option, option, value)
+        self.bench(2, "--budget-ms", "--budget-ms", "0")
+
 
 if __name__ == "__main__":
     unittest.main()

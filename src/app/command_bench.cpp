@@ -217,6 +217,8 @@ void runBench(BenchOptions options) {
     requireApart(
         {{"MODEL", options.model}, {"--path", options.path}, {"--baseline", options.baseline}},
         {{"--csv", options.csv}, {"--json-file", options.json}});
+    if (isPosed(options.view))
+        throw UsageError{"--path and --camera, --eye, --target, --up, --fov-y contradict each other"};
     options.walk = walkOf(options);
     const double failAbovePercent = parseNumber("--fail-above", options.failAbovePercent);
     if (failAbovePercent < 0) refuse("--fail-above", options.failAbovePercent, "a number of at least 0");

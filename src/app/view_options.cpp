@@ -80,10 +80,19 @@ shadow::Warp warp(const ViewOptions& options, const std::string& text) {
     return result;
 }
 
+/// Whether there is more or less of a camera beside a camera file.
+bool hasPose(const ViewOptions& options) {
+    return !options.eye.empty() || !options.target.empty() || !options.up.empty() || !options.fovY.empty();
+}
+
 } // namespace
 
 std::span<const SweptOption> sweptOptions() {
     return kSweptOptions;
+}
+
+bool isPosed(const ViewOptions& options) {
+    return !options.cameraFile.empty() || hasPose(options);
 }
 
 void addViewOptions(CLI::App& command, ViewOptions& options) {
@@ -153,10 +162,8 @@ plan::View viewOf(const ViewOptions& options, const hierarchy::ModelSummary& sum
     view.height = height;
     view.towardsLight = parseVector("--light", options.light);
     if (!(glm::length(view.towardsLight) > 0)) refuse("--light", options.light, "a direction");
-    const bool isPosed =
-        !options.eye.empty() || !options.target.empty() || !options.up.empty() || !options.fovY.empty();
     if (!options.cameraFile.empty()) {
-        if (isPosed) throw UsageError{"--camera and --eye, --target, --up, --fov-y contradict each other"};
+        if (hasPose(options)) throw UsageError{"--camera and --eye, --target, --up, --fov-y contradict each other"};
         view.camera = readCamera(options.cameraFile);
         return view;
     }

@@ -73,6 +73,9 @@ void addViewOptions(CLI::App& command, ViewOptions& options);
 /// Width and height of the image, in pixels. Throws UsageError where no executor can draw as much.
 std::array<int, 2> imageSize(const ViewOptions& options);
 
+/// Whether the options say where the camera is or what it is like.
+bool isPosed(const ViewOptions& options);
+
 /// The view that the options ask for; a model of `summary` is framed where no camera is given. Throws UsageError.
 plan::View viewOf(const ViewOptions& options, const hierarchy::ModelSummary& summary);
 

@@ -149,6 +149,11 @@ class Refusals(unittest.TestCase):
                 self.bench(2, option, option, value)
         self.bench(2, "--budget-ms", "--budget-ms", "0")
 
+    def test_a_path_is_the_only_camera_of_a_bench(self):
+        for option in (("--eye", "1,2,3"), ("--target", "1,2,3"), ("--up", "0,1,0"), ("--fov-y", "40"),
+                       ("--camera", DATA / "cameras/sundial_low.json")):  # fmt: skip
+            self.bench(2, option[0], *option)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -1,5 +1,6 @@
 #include "app/commands.h"
 #include "app/named_files.h"
+#include "app/option_text.h"
 #include "app/prepared_output.h"
 #include "app/theory_figures.h"
 #include "app/theory_rows.h"
@@ -151,17 +152,21 @@ struct TableOptions {
     CommonOptions common;
     shadow::ViewFrustum frustum;
     double fovYDegrees = 60;
-    std::vector<double> light{0, 1, 0};
+    std::string light;
     bool asJson = false;
 };
 
 void printTable(const TableOptions& options) {
     shadow::ViewFrustum frustum = options.frustum;
     frustum.halfFovYRadians = options.fovYDegrees / 2 * 3.141592653589793 / 180;
-    shadow::requireValid(frustum);
-    const glm::dvec3 light(options.light[0], options.light[1], options.light[2]);
+    try {
+        shadow::requireValid(frustum);
+    } catch (const Error& error) {
+        throw UsageError{error.what()}; // the options are all that it is made of
+    }
+    const glm::dvec3 light = parseVector("--light", options.light);
     const double length = glm::length(light);
-    if (!(length > 0 && std::isfinite(length))) throw UsageError{"--light: expected a direction, found 0,0,0"};
+    if (!(length > 0 && std::isfinite(length))) refuse("--light", options.light, "a direction");
     const std::vector<TheoryTableRow> table = theoryTable(frustum, light / length);
     if (!options.asJson)
         std::printf("%-10s %-8s %2s %5s %14s %12s %12s\n", "scheme", "warp", "k", "maps", "S", "M_x", "M_z");
@@ -197,8 +202,7 @@ void addTable(CLI::App& theory) {
     command->add_option("--far", options->frustum.far, "Far depth of the shadow range")->required();
     command->add_option("--fov-y", options->fovYDegrees, "Full vertical angle in degrees")->required();
     command->add_option("--light", options->light, "Direction towards the light in camera space: right,up,view")
-        ->delimiter(',')
-        ->expected(3)
+        ->type_name("x,y,z")
         ->required();
     command->add_option("--aspect", options->frustum.aspect, "Width over height of the image")->capture_default_str();
     command->add_flag("--json", options->asJson, "One JSON document on stdout");

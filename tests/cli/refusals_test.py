@@ -154,6 +154,17 @@ class Refusals(unittest.TestCase):
                        ("--camera", DATA / "cameras/sundial_low.json")):  # fmt: skip
             self.bench(2, option[0], *option)
 
+    def test_a_theory_table_of_no_view_is_wrong_usage(self):
+        view = {"--near": "1", "--far": "10", "--fov-y": "60", "--light": "0,1,0"}
+        for option, value, said in (("--far", "0.5", "far 0.5"), ("--near", "nan", "near nan"), ("--near", "-1", "near"),
+                                    ("--far", "inf", "far inf"), ("--fov-y", "200", "angle"), ("--fov-y", "0", "angle"),
+                                    ("--aspect", "0", "aspect"), ("--aspect", "nan", "aspect"),
+                                    ("--light", "inf,1,0", "inf,1,0"), ("--light", "0,0,0", "0,0,0"),
+                                    ("--light", "0,1", "0,1"), ("--light", "1e308,1e308,0", "1e308")):  # fmt: skip
+            words = [word for pair in {**view, option: value}.items() for word in pair]
+            self.expect(2, said, "theory", "table", *words)
+        self.expect(0, "", "theory", "table", *[word for pair in view.items() for word in pair])
+
 
 if __name__ == "__main__":
     unittest.main()

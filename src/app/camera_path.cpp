@@ -91,6 +91,10 @@ Camera cameraAt(const CameraPath& path, double time) {
     camera.target = blend(&Camera::target);
     camera.up = blend(&Camera::up);
     camera.fovYRadians = blend(&Camera::fovYRadians);
+    if (path.interpolation == Interpolation::CatmullRom) { // a cubic overshoots, and an angle soon is none any more
+        const auto [least, most] = std::minmax(b.camera.fovYRadians, c.camera.fovYRadians);
+        camera.fovYRadians = std::clamp(camera.fovYRadians, least, most);
+    }
     return camera;
 }
 
@@ -109,10 +113,12 @@ CameraPath readCameraPath(const std::string& path) {
     if (!document.is_object() || !document.contains("keyframes") || !document["keyframes"].is_array() ||
         document["keyframes"].empty())
         throw Error(path, "a camera path has keyframes", "{\"keyframes\": [...]}", "none");
-    result.loop = document.value("loop", false);
-    const std::string interpolation = document.value("interpolation", "linear");
+    const ordered_json loop = document.value("loop", ordered_json(false));
+    if (!loop.is_boolean()) throw Error(path, "\"loop\"", "true or false", telemetry::jsonText(loop));
+    result.loop = loop.get<bool>();
+    const ordered_json interpolation = document.value("interpolation", ordered_json("linear"));
     if (interpolation != "linear" && interpolation != "catmull-rom")
-        throw Error(path, "unknown \"interpolation\"", "linear or catmull-rom", interpolation);
+        throw Error(path, "unknown \"interpolation\"", "linear or catmull-rom", telemetry::jsonText(interpolation));
     result.interpolation = interpolation == "linear" ? Interpolation::Linear : Interpolation::CatmullRom;
     for (const ordered_json& key : document["keyframes"]) {
         const std::string where = path + ": keyframe " + std::to_string(result.keyframes.size());

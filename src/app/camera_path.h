@@ -26,7 +26,7 @@ struct CameraPath {
 };
 
 /// The camera of `path` at `time`, held at both ends. Catmull-Rom is the centripetal-free cubic over uneven times
-/// (Catmull and Rom 1974), with one-sided differences at the ends.
+/// (Catmull and Rom 1974), with one-sided differences at the ends; the angle stays between those of its two keyframes.
 Camera cameraAt(const CameraPath& path, double time);
 
 /// The time of frame `frame` of `frames` that are spread evenly over `path`, both ends included.

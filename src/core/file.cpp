@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -87,6 +88,14 @@ std::size_t File::readSomeAt(std::uint64_t offset, std::span<std::byte> out) con
     return done;
 }
 
+std::size_t File::readSome(std::span<std::byte> out) {
+    for (;;) {
+        const ssize_t got = ::read(descriptor_, out.data(), out.size());
+        if (got >= 0) return static_cast<std::size_t>(got);
+        if (errno != EINTR) throwSystemError(path_, "cannot read");
+    }
+}
+
 void File::readAt(std::uint64_t offset, std::span<std::byte> out) const {
     const std::size_t got = readSomeAt(offset, out);
     if (got < out.size())
@@ -147,9 +156,20 @@ void AtomicFile::commit() {
 }
 
 std::string readTextFile(const std::string& path) {
-    const File file(path, File::Mode::Read);
-    std::string text(file.size(), '\0');
-    file.readAt(0, std::as_writable_bytes(std::span(text)));
+    constexpr std::size_t kMost = std::size_t{1} << 30U;
+    File file(path, File::Mode::Read);
+    // What a pipe or a device holds is known at its end only.
+    std::string text;
+    std::size_t length = 0;
+    for (;;) {
+        if (std::max<std::uint64_t>(length, file.size()) > kMost)
+            throw Error(path, "too large for a text", "at most 1 GiB", "more");
+        if (length == text.size()) text.resize(std::max<std::size_t>({file.size() + 1, 2 * length, 4096}));
+        const std::size_t got = file.readSome(std::as_writable_bytes(std::span(text)).subspan(length));
+        if (got == 0) break;
+        length += got;
+    }
+    text.resize(length);
     return text;
 }
 

@@ -34,6 +34,9 @@ public:
     /// Up to `out.size()` bytes from `offset`; fewer only at the end of the file.
     std::size_t readSomeAt(std::uint64_t offset, std::span<std::byte> out) const;
 
+    /// Some of what follows what was read by this before, which needs no file that can be read elsewhere; 0 at its end.
+    std::size_t readSome(std::span<std::byte> out);
+
     /// Writes all of `bytes` at `offset`.
     void writeAt(std::uint64_t offset, std::span<const std::byte> bytes);
 
@@ -77,7 +80,7 @@ private:
     bool committed_ = false;
 };
 
-/// The whole of a small file as text.
+/// The whole of a small file, pipe or device as text; throws Error beyond 1 GiB.
 std::string readTextFile(const std::string& path);
 
 /// Writes `text` to `path` through an AtomicFile.

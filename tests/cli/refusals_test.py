@@ -165,6 +165,15 @@ class Refusals(unittest.TestCase):
             self.expect(2, said, "theory", "table", *words)
         self.expect(0, "", "theory", "table", *[word for pair in view.items() for word in pair])
 
+    def test_json_may_come_through_a_pipe(self):
+        camera = (DATA / "cameras/sundial_low.json").read_text()
+        for words, text in (
+            (("explain", self.sundial, "--camera", "/dev/stdin"), camera),
+            (("theory", "eval", "/dev/stdin"), '{"rows": []}' + " " * 100000),
+        ):
+            self.expect(0, "", *words, input=text)
+            self.expect(1, "not JSON", *words, input=text[:-1] + "x" if "eval" in words else "x")
+
 
 if __name__ == "__main__":
     unittest.main()

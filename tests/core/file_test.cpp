@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
+#include <thread>
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -45,6 +47,26 @@ TEST(File, WhatIsNoFileIsWrittenToAndNeverReplaced) {
     EXPECT_TRUE(std::filesystem::is_fifo(pipe));
     EXPECT_THROW(AtomicFile{testing::TempDir()}, Error); // before any work is done for it
     std::filesystem::remove(pipe);
+}
+
+TEST(File, ATextIsReadToTheEndOfAPipe) {
+    const std::string pipe = scratch("text_pipe");
+    std::filesystem::remove(pipe);
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    for (const std::size_t length : {0U, 1U, 4095U, 4096U, 4097U, 300000U}) {
+        std::string text(length, 'x');
+        for (std::size_t i = 0; i < length; ++i)
+            text[i] = static_cast<char>('a' + i % 23);
+        std::thread writer([&] { std::ofstream(pipe) << text; });
+        EXPECT_EQ(readTextFile(pipe), text) << length;
+        writer.join();
+        writeTextFile(scratch("text"), text);
+        EXPECT_EQ(readTextFile(scratch("text")), text) << length;
+    }
+    EXPECT_EQ(readTextFile("/dev/null"), "");
+    EXPECT_FALSE(readTextFile("/proc/self/status").empty()) << "its size is 0 for all that it says";
+    std::filesystem::remove(pipe);
+    std::filesystem::remove(scratch("text"));
 }
 
 TEST(File, ALinkStaysOneAndItsFileIsReplaced) {

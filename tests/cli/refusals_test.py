@@ -174,6 +174,29 @@ class Refusals(unittest.TestCase):
             self.expect(0, "", *words, input=text)
             self.expect(1, "not JSON", *words, input=text[:-1] + "x" if "eval" in words else "x")
 
+    def test_the_window_refuses_wrong_usage_before_it_opens_or_builds(self):
+        mesh = self.place / "seen.ply"
+        mesh.write_bytes((DATA / "models/sundial.ply").read_bytes())
+        camera = DATA / "cameras/sundial_low.json"
+        for words in (
+            ("--light", "foo"),
+            ("--light", "0,0,0"),
+            ("--camera", camera, "--eye", "1,2,3"),
+            ("--memory", "plenty"),
+            ("--memory", "0"),
+            ("--gpu-memory", "x"),
+            ("--build-memory", "x"),
+            ("--fov-y", "200"),
+            ("--up", "0,0,0"),
+            ("--eye", "1,2,3", "--target", "1,2,3"),
+            ("--size", "0x4"),
+            ("--warp", "wavy"),
+            ("--frames", "3"),
+            ("--stabilize", "on", "--eta", "0.5"),
+        ):
+            self.expect(2, "", "view", mesh, *words, env={**os.environ, "DISPLAY": ":none"})
+        self.assertEqual(list(self.place.path.glob("seen.ply.gnm*")), [])
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -68,6 +68,52 @@ TEST_F(ModelCache, IsBuiltOnceAndAgainWhenTheMeshIsNewer) {
     EXPECT_FALSE(isCacheFresh(mesh));
 }
 
+TEST_F(ModelCache, IsBuiltAgainWhereItCannotBeReadOrIsOfAnotherMesh) {
+    const std::string mesh = file("scan.ply");
+    const auto build = [&] {
+        const CacheBuild build(mesh, gibibytes(1), 1);
+        wait(build);
+        EXPECT_FALSE(build.failure()) << *build.failure();
+        EXPECT_TRUE(isCacheFresh(mesh));
+    };
+    writeTextFile(mesh, fan(400));
+    build();
+    std::string bytes = readTextFile(cachePath(mesh));
+    std::string other = bytes;
+    for (const std::size_t at : {8U, 9U, 10U, 11U}) // the version follows the magic, whatever its width
+        other[at] = static_cast<char>(other[at] ^ 0x55);
+    writeTextFile(cachePath(mesh), other);
+    EXPECT_FALSE(isCacheFresh(mesh)) << "of another version";
+    build();
+    EXPECT_EQ(readTextFile(cachePath(mesh)), bytes);
+    writeTextFile(cachePath(mesh), bytes.substr(0, bytes.size() / 2));
+    EXPECT_FALSE(isCacheFresh(mesh)) << "cut off";
+    build();
+    const auto built = std::filesystem::last_write_time(cachePath(mesh));
+    writeTextFile(mesh, fan(401));
+    std::filesystem::last_write_time(mesh, built - std::chrono::hours(1));
+    EXPECT_FALSE(isCacheFresh(mesh)) << "of another mesh that is older, such as one that was moved here";
+    build();
+    EXPECT_EQ(hierarchy::ModelFile(cachePath(mesh)).summary().sourceTriangles, 401U);
+}
+
+TEST_F(ModelCache, IsFreshForPolygonsAndFormatsThatTellNothing) {
+    const std::string quads = file("quads.ply");
+    writeTextFile(
+        quads,
+        "ply\nformat ascii 1.0\nelement vertex 7\nproperty float x\nproperty float y\nproperty float z\n"
+        "element face 3\nproperty list uchar int vertex_indices\nend_header\n"
+        "0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 0 0\n2 1 0\n9 9 9\n4 0 1 2 3\n4 1 4 5 2\n2 0 1\n");
+    const std::string object = file("scan.obj");
+    writeTextFile(object, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    for (const std::string& mesh : {quads, object}) {
+        const CacheBuild build(mesh, gibibytes(1), 1);
+        wait(build);
+        ASSERT_FALSE(build.failure()) << *build.failure();
+        EXPECT_TRUE(isCacheFresh(mesh)) << mesh;
+    }
+}
+
 TEST_F(ModelCache, AMeshThatIsNoneFailsWithAReasonAndLeavesNothing) {
     const std::string mesh = file("broken.ply");
     writeTextFile(mesh, "ply\nformat ascii 1.0\nelement vertex 3\n");

@@ -1,8 +1,13 @@
 #include "app/view/model_cache.h"
 
+#include "core/error.h"
+#include "core/file.h"
+#include "hierarchy/model_file.h"
 #include "preprocess/pipeline/build_model.h"
 #include "preprocess/read/open_mesh_sources.h"
+#include "preprocess/read/ply_source.h"
 
+#include <array>
 #include <chrono>
 #include <filesystem>
 
@@ -40,12 +45,36 @@ std::string cachePath(const std::string& meshPath) {
     return meshPath + ".gnm";
 }
 
+namespace {
+
+/// Whether `model` can have been built from the mesh: a PLY says without being read whole how many vertices and faces
+/// it has.
+bool canBeOf(const hierarchy::ModelSummary& model, const std::string& meshPath) {
+    std::array<char, 4> start{};
+    File(meshPath, File::Mode::Read).readSomeAt(0, std::as_writable_bytes(std::span(start)));
+    const std::string_view line(start.data(), start.size());
+    if (line != "ply\n" && line != "ply\r") return true;
+    const preprocess::MeshSummary mesh = preprocess::openPly(meshPath)->summary();
+    if (mesh.vertexCount != model.sourceVertices) return false;
+    // A polygon is one triangle or more, and a strip any number.
+    const auto none = model.dropped.find("not_a_polygon");
+    const std::uint64_t most = model.sourceTriangles + (none == model.dropped.end() ? 0 : none->second);
+    return mesh.faceCount <= most && (mesh.faceCount > 0 || mesh.stripCount > 0);
+}
+
+} // namespace
+
 bool isCacheFresh(const std::string& meshPath) {
     std::error_code error;
     const auto built = std::filesystem::last_write_time(cachePath(meshPath), error);
     if (error) return false;
     const auto made = std::filesystem::last_write_time(meshPath, error);
-    return !error && built >= made;
+    if (error || built < made) return false;
+    try {
+        return canBeOf(hierarchy::ModelFile(cachePath(meshPath)).summary(), meshPath);
+    } catch (const Error&) {
+        return false; // another version's, or damaged: a build makes it whole, or says what is wrong with the mesh
+    }
 }
 
 CacheBuild::CacheBuild(std::string meshPath, Bytes memory, int threads)

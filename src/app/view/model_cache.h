@@ -18,7 +18,8 @@ bool isModelPath(const std::string& path);
 /// The cache of a mesh: "scan.ply.gnm" beside "scan.ply", which is nobody's own name for a model.
 std::string cachePath(const std::string& meshPath);
 
-/// Whether the cache of `meshPath` is there and not older than the mesh.
+/// Whether the cache of `meshPath` is there and not older than the mesh, this version can read its tables, and they
+/// have as many vertices and no fewer triangles than the mesh, if that is a PLY, has vertices and faces.
 bool isCacheFresh(const std::string& meshPath);
 
 /// How far a build is.

@@ -29,7 +29,7 @@ public:
           now_(std::move(now)),
           onOpen_(std::move(onOpen)) {}
 
-    /// Opens a model, or the cache of a mesh; begins a build where that is missing or older than the mesh.
+    /// Opens a model, or the cache of a mesh; begins a build where that is not fresh.
     void open(const std::string& file);
 
     /// Opens the model of a build that has ended; to be called each frame.

@@ -394,8 +394,11 @@ void Viewer::drawWindow(const glm::ivec2& size) {
 } // namespace
 
 void runViewer(const ViewerOptions& options) {
-    qualityOf(options.view, options.view.swept); // contradictions are told before a window opens
-    imageSize(options.view);
+    // What is wrong with the options is told before a window opens or a mesh is built.
+    qualityOf(options.view, options.view.swept);
+    viewOf(options.view, {});
+    parseMemory("--memory", options.view.memory);
+    parseMemory("--gpu-memory", options.view.gpuMemory);
     requireApart(
         {{"MODEL", options.file}, {"--path", options.path}, {"--camera", options.view.cameraFile}},
         {{"--csv", options.csv}});

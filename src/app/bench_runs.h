@@ -19,7 +19,8 @@ namespace gnomon::app {
 struct BenchRun {
     std::string name; // the settings that vary between runs, "error_pixels:1/z_partitions:4"; "run" where none does
     SweptSettings settings;
-    std::string options; // to paste behind `gnomon render MODEL`: those that vary and those that are not the default
+    std::string options; // to paste behind `gnomon render MODEL`: those that vary and those that are not the default,
+                         // of the swept settings
 };
 
 /// How each run is walked.

@@ -229,8 +229,11 @@ void runBench(BenchOptions options) {
     const bool isWarpOpen = options.view.eta.empty() && options.view.tsmFocus.empty();
     if (runs.size() == 1 && !options.report.empty())
         runs = reportRuns(runs.front().settings, options.isQuick, isWarpOpen);
-    for (const BenchRun& run : runs)
+    const std::string plain = plainOptionsToPaste(options.view);
+    for (BenchRun& run : runs) {
         qualityOf(options.view, run.settings); // a contradiction in the last run must not cost the first one's time
+        run.options += (run.options.empty() || plain.empty() ? "" : " ") + plain;
+    }
     if (options.hasAllImages) options.walk.onPicture = pictureWriter(options.images, runs);
     const CameraPath path = readCameraPath(options.path);
     std::optional<Baseline> baseline;
@@ -324,8 +327,12 @@ void addBenchCommand(CLI::App& program) {
         "A list: --z-partitions of these counts, faces off");
     command->add_option("--csv", options->csv, "Write a row per frame here");
     command->add_option("--json-file", options->json, "Write the runs here, shaped like Google Benchmark's JSON");
-    CLI::Option* images =
-        command->add_option("--images", options->images, "Write each run's middle frame into this folder");
+    CLI::Option* images = command->add_option(
+        "--images",
+        options->images,
+        "Write six pictures of each run's middle frame into this folder: as drawn, with traced shadows, their "
+        "difference, "
+        "texels, aliasing, partitions");
     command->add_flag("--all-images", options->hasAllImages, "With --images: every frame of each run")->needs(images);
     command->add_option(
         "--report",

@@ -31,6 +31,60 @@ constexpr std::array kSweptOptions{
     SweptOption{"--stabilize", "on|off", "Texel-snapped, unwarped slices", &SweptSettings::stabilize},
 };
 
+/// An option that no bench sweeps.
+struct PlainOption {
+    const char* flag;
+    const char* form;
+    const char* help;
+    std::string ViewOptions::*value;
+};
+
+constexpr std::array kPlainOptions{
+    PlainOption{"--size", "WxH", "Image in pixels, WxH", &ViewOptions::size},
+    PlainOption{"--camera", "FILE", "A camera file: one keyframe as JSON", &ViewOptions::cameraFile},
+    PlainOption{"--eye", "x,y,z", "Where the eye is, x,y,z; frames the model if not given", &ViewOptions::eye},
+    PlainOption{"--target", "x,y,z", "What it looks at, x,y,z", &ViewOptions::target},
+    PlainOption{"--up", "x,y,z", "What is up; 0,1,0 if not given", &ViewOptions::up},
+    PlainOption{"--fov-y", "DEGREES", "Full vertical angle in degrees; 60 if not given", &ViewOptions::fovY},
+    PlainOption{
+        "--near",
+        "D|auto",
+        "Where the depth range of the shadows' promise begins, or auto; clips nothing",
+        &ViewOptions::near},
+    PlainOption{"--far", "D|auto", "Where it ends, or auto", &ViewOptions::far},
+    PlainOption{"--near-floor", "D", "The least automatic near; far/10000 if not given", &ViewOptions::nearFloor},
+    PlainOption{"--light", "x,y,z", "Direction towards the light, x,y,z", &ViewOptions::light},
+    PlainOption{"--max-triangles", "N", "A cap that raises the error evenly", &ViewOptions::maxTriangles},
+    PlainOption{
+        "--eta", "H", "The warp as eta in [-1, 1] of Lloyd et al. 2006: 0 is LSPSM, -1 none, 1 PSM", &ViewOptions::eta},
+    PlainOption{"--tsm-focus", "D|auto", "With --warp tsm: distance of the focus from near", &ViewOptions::tsmFocus},
+    PlainOption{"--split-lambda", "L", "Slice depths: 1 self-similar, 0 evenly spaced", &ViewOptions::splitLambda},
+    PlainOption{
+        "--max-aliasing",
+        "M",
+        "With auto: the promise to stay under (perspective aliasing over [near, far])",
+        &ViewOptions::maxAliasing},
+    PlainOption{
+        "--backend",
+        "WHO",
+        "Who executes the plan: the software rasteriser, or GL from one of three places",
+        &ViewOptions::backend},
+    PlainOption{"--memory", "SIZE", "Tables and page cache", &ViewOptions::memory},
+    PlainOption{"--gpu-memory", "SIZE", "What the GPU holds: image, maps and geometry", &ViewOptions::gpuMemory},
+    PlainOption{
+        "--shaders", "PATH", "Read shaders from this folder instead of the built-in ones", &ViewOptions::shaders},
+};
+
+/// `text` as a POSIX shell takes it for one word.
+std::string forShell(const std::string& text) {
+    constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+.,/:@%";
+    if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
+    std::string quoted = "'";
+    for (const char c : text)
+        quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + "'";
+}
+
 plan::ShadowMode shadowMode(const std::string& text) {
     static const std::map<std::string, plan::ShadowMode> words = {
         {"off", plan::ShadowMode::Off}, {"maps", plan::ShadowMode::Maps}, {"rays", plan::ShadowMode::Rays}};
@@ -96,45 +150,29 @@ bool isPosed(const ViewOptions& options) {
 }
 
 void addViewOptions(CLI::App& command, ViewOptions& options) {
-    const std::string group = "View and quality";
     const auto add = [&](const char* flag, std::string& value, const char* form, const char* help) {
-        return command.add_option(flag, value, help)->group(group)->type_name(form)->capture_default_str();
+        return command.add_option(flag, value, help)->group("View and quality")->type_name(form)->capture_default_str();
     };
-    add("--size", options.size, "WxH", "Image in pixels, WxH");
-    add("--camera", options.cameraFile, "FILE", "A camera file: one keyframe as JSON");
-    add("--eye", options.eye, "x,y,z", "Where the eye is, x,y,z; frames the model if not given");
-    add("--target", options.target, "x,y,z", "What it looks at, x,y,z");
-    add("--up", options.up, "x,y,z", "What is up; 0,1,0 if not given");
-    add("--fov-y", options.fovY, "DEGREES", "Full vertical angle in degrees; 60 if not given");
-    add("--near",
-        options.near,
-        "D|auto",
-        "Where the depth range of the shadows' promise begins, or auto; clips nothing");
-    add("--far", options.far, "D|auto", "Where it ends, or auto");
-    add("--near-floor", options.nearFloor, "D", "The least automatic near; far/10000 if not given");
-    add("--light", options.light, "x,y,z", "Direction towards the light, x,y,z");
-    add("--max-triangles", options.maxTriangles, "N", "A cap that raises the error evenly");
-    add("--eta", options.eta, "H", "The warp as eta in [-1, 1] of Lloyd et al. 2006: 0 is LSPSM, -1 none, 1 PSM");
-    add("--tsm-focus", options.tsmFocus, "D|auto", "With --warp tsm: distance of the focus from near");
-    add("--split-lambda", options.splitLambda, "L", "Slice depths: 1 self-similar, 0 evenly spaced");
-    add("--max-aliasing",
-        options.maxAliasing,
-        "M",
-        "With auto: the promise to stay under (perspective aliasing over [near, far])");
+    for (const PlainOption& plain : kPlainOptions)
+        add(plain.flag, options.*plain.value, plain.form, plain.help);
     for (const SweptOption& swept : kSweptOptions) {
         const bool isWarp = swept.value == &SweptSettings::warp;
         CLI::Option* option = add(swept.flag, options.swept.*swept.value, swept.form, swept.help);
         if (isWarp) option->each([&options](const std::string& /*text*/) { options.isWarpGiven = true; });
     }
-    add("--backend",
-        options.backend,
-        "WHO",
-        "Who executes the plan: the software rasteriser, or GL from one of three places")
-        ->check(CLI::IsMember({"auto", "software", "osmesa", "egl", "window"}));
-    add("--memory", options.memory, "SIZE", "Tables and page cache");
-    add("--gpu-memory", options.gpuMemory, "SIZE", "What the GPU holds: image, maps and geometry");
-    add("--shaders", options.shaders, "PATH", "Read shaders from this folder instead of the built-in ones")
-        ->check(CLI::ExistingDirectory);
+    command.get_option("--backend")->check(CLI::IsMember({"auto", "software", "osmesa", "egl", "window"}));
+    command.get_option("--shaders")->check(CLI::ExistingDirectory);
+}
+
+std::string plainOptionsToPaste(const ViewOptions& options) {
+    const ViewOptions defaults;
+    std::string text;
+    for (const PlainOption& plain : kPlainOptions) {
+        const std::string& value = options.*plain.value;
+        if (value != defaults.*plain.value)
+            text += (text.empty() ? "" : " ") + std::string(plain.flag) + " " + forShell(value);
+    }
+    return text;
 }
 
 Camera framingCamera(const Box& bounds, double aspect, const glm::dvec3& up, double fovYRadians) {

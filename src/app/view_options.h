@@ -70,6 +70,9 @@ struct ViewOptions {
 /// Adds all of them to `command`.
 void addViewOptions(CLI::App& command, ViewOptions& options);
 
+/// Those that no bench sweeps and that are not the default, as a shell takes them.
+std::string plainOptionsToPaste(const ViewOptions& options);
+
 /// Width and height of the image, in pixels. Throws UsageError where no executor can draw as much.
 std::array<int, 2> imageSize(const ViewOptions& options);
 

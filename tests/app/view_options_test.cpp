@@ -4,7 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
 #include <set>
+#include <sstream>
 
 namespace gnomon::app {
 namespace {
@@ -31,6 +35,44 @@ TEST(ViewOptions, TheRunsOfAReportContradictNoWarpThatIsAskedFor) {
             }
             EXPECT_GT(runs.size(), 5U);
         }
+}
+
+/// The words that a shell makes of `text`.
+std::vector<std::string> shellWords(const std::string& text) {
+    std::FILE* shell = ::popen(("printf '%s\\n' " + text).c_str(), "r");
+    std::string printed;
+    for (int c = std::fgetc(shell); c != EOF; c = std::fgetc(shell))
+        printed += static_cast<char>(c);
+    ::pclose(shell);
+    std::vector<std::string> words;
+    std::istringstream lines(printed);
+    for (std::string line; std::getline(lines, line);)
+        words.push_back(line);
+    return words;
+}
+
+TEST(ViewOptions, WhatIsPastedIsWhatWasGiven) {
+    EXPECT_EQ(plainOptionsToPaste(ViewOptions()), "");
+    const std::string folder = testing::TempDir() + "it's a folder";
+    std::filesystem::create_directories(folder);
+    // clang-format off
+    const std::vector<std::string> given = {
+        "--size", "64x48", "--near", "0.5", "--far", "90", "--near-floor", "0.01", "--light", "-1,2,0.5",
+        "--max-triangles", "10k", "--eta", "-0.25", "--split-lambda", "0.5", "--max-aliasing", "2", "--backend",
+        "software", "--memory", "512M", "--gpu-memory", "2G", "--shaders", folder};
+    // clang-format on
+    const auto parsed = [](std::vector<std::string> words) {
+        ViewOptions options;
+        CLI::App command;
+        addViewOptions(command, options);
+        std::reverse(words.begin(), words.end()); // as CLI11 takes a vector
+        command.parse(words);
+        return options;
+    };
+    const ViewOptions options = parsed(given);
+    EXPECT_EQ(shellWords(plainOptionsToPaste(options)), given);
+    EXPECT_EQ(plainOptionsToPaste(parsed(shellWords(plainOptionsToPaste(options)))), plainOptionsToPaste(options));
+    std::filesystem::remove(folder);
 }
 
 } // namespace

@@ -197,6 +197,15 @@ class Refusals(unittest.TestCase):
             self.expect(2, "", "view", mesh, *words, env={**os.environ, "DISPLAY": ":none"})
         self.assertEqual(list(self.place.path.glob("seen.ply.gnm*")), [])
 
+    def test_the_options_that_a_bench_prints_draw_the_same(self):
+        given = ("--eta", "0.25", "--split-lambda", "0.5", "--light", "1,2,0.5")
+        told = self.bench(0, "", "--error-pixels", "1,2", "--budget-ms", "1e9", *given)
+        for line in ("fastest with a promise", "least "):
+            printed = next(text for text in told.stdout.splitlines() if text.startswith(line))
+            for option, value in zip(given[::2], given[1::2]):
+                self.assertIn(f"{option} {value}", printed)
+            self.assertIn("--size 32x32", printed)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -16,6 +16,13 @@ using nlohmann::ordered_json;
 
 constexpr double kRadiansPerDegree = std::numbers::pi / 180;
 
+/// The shortest number of degrees up to a billionth that reads back as `radians`, else the nearest: 60 for what was 60.
+double degreesOf(double radians) {
+    const double degrees = radians / kRadiansPerDegree;
+    const double shorter = std::round(degrees * 1e9) / 1e9;
+    return shorter * kRadiansPerDegree == radians ? shorter : degrees;
+}
+
 glm::dvec3 vectorOf(const ordered_json& object, const char* key, const std::string& where) {
     const auto found = object.find(key);
     const bool isVector = found != object.end() && found->is_array() && found->size() == 3 &&
@@ -143,7 +150,7 @@ std::string toJson(const CameraPath& path) {
         entry["eye"] = list(key.camera.eye);
         entry["target"] = list(key.camera.target);
         entry["up"] = list(key.camera.up);
-        entry["fov_y"] = key.camera.fovYRadians / kRadiansPerDegree;
+        entry["fov_y"] = degreesOf(key.camera.fovYRadians);
         document["keyframes"].push_back(entry);
     }
     return telemetry::jsonText(document, 1) + "\n";

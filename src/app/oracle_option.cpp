@@ -1,7 +1,5 @@
 #include "app/oracle_option.h"
 
-#include "app/option_text.h"
-
 namespace gnomon::app {
 
 namespace {
@@ -18,15 +16,19 @@ void OracleOption::addTo(CLI::App& command) {
             "Hold the shadows against ray-traced ones, and the picture against the finest level in those; `full` "
             "traces the finest level")
         ->expected(0, 1)
+        ->check(
+            [](const std::string& text) {
+                const bool isWord = text == kFlagAlone || text == "full";
+                return isWord ? "" : "it takes nothing or `full`, not '" + text + "'; put MODEL before it";
+            },
+            "")
         ->default_str(kFlagAlone)
         ->type_name("[full]");
 }
 
 render::Oracle OracleOption::mode() const {
     if (text_.empty()) return render::Oracle::None;
-    if (text_ == kFlagAlone) return render::Oracle::SameDetail;
-    if (text_ != "full") refuse("--oracle", text_, "nothing or `full`");
-    return render::Oracle::FullDetail;
+    return text_ == kFlagAlone ? render::Oracle::SameDetail : render::Oracle::FullDetail;
 }
 
 } // namespace gnomon::app

@@ -14,7 +14,6 @@ public:
     /// Adds the option to `command`; this must outlive the parsing.
     void addTo(CLI::App& command);
 
-    /// Throws UsageError for a word that is none.
     render::Oracle mode() const;
 
 private:

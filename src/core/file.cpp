@@ -40,16 +40,18 @@ bool isOtherThanFile(const std::string& path) {
 
 } // namespace
 
-File::File(const std::string& path, Mode mode) : path_(path) {
+File::File(const std::string& path, Mode mode) : File(path, mode, path) {}
+
+File::File(const std::string& path, Mode mode, const std::string& toldPath) : path_(toldPath) {
     const int flags = mode == Mode::Read ? O_RDONLY : mode == Mode::Update ? O_RDWR : (O_RDWR | O_CREAT | O_TRUNC);
     descriptor_ = ::open(path.c_str(), flags | O_CLOEXEC, 0666);
-    if (descriptor_ < 0) throwSystemError(path, mode == Mode::Create ? "cannot create" : "cannot open");
+    if (descriptor_ < 0) throwSystemError(path_, mode == Mode::Create ? "cannot create" : "cannot open");
 
     struct stat info {};
 
     if (::fstat(descriptor_, &info) == 0 && S_ISDIR(info.st_mode)) {
         ::close(descriptor_);
-        throw Error(path, "cannot open: is a directory");
+        throw Error(path_, "cannot open: is a directory");
     }
 }
 
@@ -142,7 +144,7 @@ AtomicFile::AtomicFile(const std::string& finalPath)
     : finalPath_(isOtherThanFile(finalPath) ? finalPath : beyondLinks(finalPath)),
       temporaryPath_(
           isOtherThanFile(finalPath_) ? finalPath_ : finalPath_ + "." + std::to_string(::getpid()) + ".partial"),
-      file_(temporaryPath_, File::Mode::Create) {}
+      file_(temporaryPath_, File::Mode::Create, finalPath) {}
 
 AtomicFile::~AtomicFile() {
     if (!committed_ && temporaryPath_ != finalPath_) ::unlink(temporaryPath_.c_str());

@@ -18,6 +18,9 @@ public:
     /// Opens `path`; Create truncates and allows reading back, Update keeps what is there and allows both. Throws Error
     /// with the system's reason.
     File(const std::string& path, Mode mode);
+
+    /// The same; errors and `path()` name the file as `toldPath`.
+    File(const std::string& path, Mode mode, const std::string& toldPath);
     ~File();
     File(File&& other) noexcept;
     File& operator=(File&& other) noexcept;

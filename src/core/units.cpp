@@ -1,6 +1,7 @@
 #include "core/units.h"
 
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -42,6 +43,12 @@ std::string scaled(double value, double base, const std::array<const char*, 5>& 
 } // namespace
 
 std::optional<Bytes> parseBytes(std::string_view text) {
+    if (text.ends_with("iB")) { // says what is meant without it, too
+        text.remove_suffix(2);
+        if (text.empty() || std::isalpha(static_cast<unsigned char>(text.back())) == 0) return std::nullopt;
+    } else if (text.ends_with('B')) {
+        text.remove_suffix(1);
+    }
     const auto count = parseScaled(text, 1024.0);
     if (!count) return std::nullopt;
     return Bytes{*count};

@@ -77,5 +77,19 @@ TEST(CameraPath, TheAngleStaysBetweenItsKeyframes) {
     }
 }
 
+TEST(CameraPath, AnAngleIsWrittenAsItWasGiven) {
+    for (int tenths = 1; tenths < 1800; ++tenths) {
+        const double degrees = tenths / 10.0;
+        CameraPath path;
+        path.keyframes = {{0, {{0, 0, 1}, {0, 0, 0}, {0, 1, 0}, degrees * (std::numbers::pi / 180)}}};
+        const std::string text = toJson(path);
+        const TemporaryText file(text);
+        EXPECT_EQ(toJson(readCameraPath(file.path())), text);
+        const std::size_t at = text.find("\"fov_y\": ") + 9;
+        EXPECT_EQ(std::stod(text.substr(at)), degrees) << text.substr(at, 24);
+        EXPECT_LE(text.find_first_of(",\n}", at) - at, 5U) << text.substr(at, 24);
+    }
+}
+
 } // namespace
 } // namespace gnomon::app

@@ -7,7 +7,7 @@ import unittest
 
 from program import DATA, Workplace, run
 
-COMMANDS = ("make", "build", "info", "verify", "export", "path", "render", "bench", "view", "theory")
+COMMANDS = ("make", "build", "info", "verify", "export", "path", "render", "explain", "bench", "view", "theory")
 
 
 class CommandLine(unittest.TestCase):

@@ -206,6 +206,30 @@ class Refusals(unittest.TestCase):
                 self.assertIn(f"{option} {value}", printed)
             self.assertIn("--size 32x32", printed)
 
+    def test_what_stands_behind_the_oracle_is_told(self):
+        picture = self.place / "oracle.png"
+        small = ("-o", picture, "--size", "32x32")
+        self.expect(2, "put MODEL before it", "render", "--oracle", self.sundial, *small)
+        self.expect(2, "put MODEL before it", "bench", "--oracle", self.sundial, "--path", PATH)
+        for oracle in (("--oracle",), ("--oracle", "full"), ("--oracle=full",)):
+            self.expect(0, "", "render", self.sundial, *small, *oracle)
+        self.expect(0, "", "render", *small, "--oracle", "full", self.sundial)
+
+    def test_a_file_that_cannot_be_made_is_called_by_its_name(self):
+        picture = self.place / "missing/p.png"
+        told = self.expect(1, f"{picture}: cannot create", "render", self.sundial, "-o", picture, "--size", "8x8")
+        self.assertNotIn("partial", told.stderr)
+
+    def test_memory_is_written_as_people_write_it(self):
+        for size in ("1G", "1GB", "1GiB", "1024MiB"):
+            self.expect(0, "", "explain", self.sundial, "--memory", size)
+            self.expect(0, "", "build", DATA / "models/sundial.ply", "-o", self.place / "size.gnm", "--memory", size)
+
+    def test_a_path_is_written_in_round_degrees(self):
+        path = self.place / "round.json"
+        self.expect(0, "", "path", self.sundial, "--kind", "orbit", "-o", path)
+        self.assertEqual({key["fov_y"] for key in json.loads(path.read_text())["keyframes"]}, {60})
+
 
 if __name__ == "__main__":
     unittest.main()

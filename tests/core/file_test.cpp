@@ -69,6 +69,16 @@ TEST(File, ATextIsReadToTheEndOfAPipe) {
     std::filesystem::remove(scratch("text"));
 }
 
+TEST(File, WhatCannotBeCreatedIsNamedAsItWasAskedFor) {
+    const std::string path = scratch("no_folder") + "/p.png";
+    try {
+        AtomicFile file(path);
+        ADD_FAILURE() << "there is no such folder";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find(path + ": cannot create"), std::string::npos) << error.what();
+    }
+}
+
 TEST(File, ALinkStaysOneAndItsFileIsReplaced) {
     const std::string target = scratch("target");
     const std::string link = scratch("link");

@@ -1,18 +1,14 @@
 #include "app/bench_runs.h"
 
 #include "app/option_text.h"
-#include "core/file.h"
 #include "telemetry/benchmark_report.h"
 #include "telemetry/process_clock.h"
 
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
 #include <functional>
 #include <thread>
 #include <utility>
-
-#include <unistd.h>
 
 namespace gnomon::app {
 
@@ -23,15 +19,6 @@ std::string columnName(const std::string& flag) {
     std::string name = flag.substr(flag.find_first_not_of('-'));
     std::replace(name.begin(), name.end(), '-', '_');
     return name;
-}
-
-std::vector<std::uint8_t> pngOf(const render::Picture& picture) {
-    const std::string path =
-        (std::filesystem::temp_directory_path() / ("gnomon_bench_" + std::to_string(::getpid()) + ".png")).string();
-    render::writePng(path, picture);
-    const std::string bytes = readTextFile(path);
-    std::filesystem::remove(path);
-    return {bytes.begin(), bytes.end()};
 }
 
 /// Four times the absolute difference of each channel.
@@ -299,12 +286,12 @@ std::vector<report::Picture> middlePictures(
     const render::Picture picture = draw(walk);
     const render::Picture reference = draw(tracing);
     return {
-        {run.name, "picture", pngOf(picture)},
-        {run.name, "reference", pngOf(reference)},
-        {run.name, "difference", pngOf(magnifiedDifference(picture, reference))},
-        {run.name, "texels", pngOf(draw(walk, render::Overlay::Texels))},
-        {run.name, "aliasing", pngOf(draw(walk, render::Overlay::Aliasing))},
-        {run.name, "partitions", pngOf(draw(walk, render::Overlay::Partitions))}};
+        {run.name, "picture", render::pngBytes(picture)},
+        {run.name, "reference", render::pngBytes(reference)},
+        {run.name, "difference", render::pngBytes(magnifiedDifference(picture, reference))},
+        {run.name, "texels", render::pngBytes(draw(walk, render::Overlay::Texels))},
+        {run.name, "aliasing", render::pngBytes(draw(walk, render::Overlay::Aliasing))},
+        {run.name, "partitions", render::pngBytes(draw(walk, render::Overlay::Partitions))}};
 }
 
 report::RunSummary summary(const RunResult& result) {

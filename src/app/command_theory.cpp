@@ -1,4 +1,5 @@
 #include "app/commands.h"
+#include "app/json_file.h"
 #include "app/named_files.h"
 #include "app/option_text.h"
 #include "app/prepared_output.h"
@@ -28,14 +29,6 @@ namespace {
 
 using nlohmann::json;
 
-json parsedFile(const std::string& path) {
-    try {
-        return json::parse(readTextFile(path));
-    } catch (const json::parse_error& error) {
-        throw Error(atByte(path, error.byte), "not JSON", "a JSON document", "a syntax error");
-    }
-}
-
 void addEval(CLI::App& theory) {
     struct Options {
         CommonOptions common;
@@ -52,7 +45,7 @@ void addEval(CLI::App& theory) {
         const ThreadLimit limit(options->common);
         requireApart({{"ROWS.json", options->rows}}, {{"--output", options->output}});
         const std::string text =
-            telemetry::jsonText(evaluateTheoryRows(parsedFile(options->rows), options->rows), 1) + "\n";
+            telemetry::jsonText(evaluateTheoryRows(readJsonFile(options->rows), options->rows), 1) + "\n";
         if (options->output.empty())
             std::fputs(text.c_str(), stdout);
         else

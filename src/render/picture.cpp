@@ -20,7 +20,7 @@ std::string sizeText(const Picture& picture) {
 
 } // namespace
 
-void writePng(const std::string& path, const Picture& picture) {
+std::vector<std::uint8_t> pngBytes(const Picture& picture) {
     png_image image{};
     image.version = PNG_IMAGE_VERSION;
     image.width = static_cast<png_uint_32>(picture.width);
@@ -28,13 +28,17 @@ void writePng(const std::string& path, const Picture& picture) {
     image.format = PNG_FORMAT_RGB;
     png_alloc_size_t size = 0;
     if (png_image_write_to_memory(&image, nullptr, &size, 0, picture.pixels.data(), 0, nullptr) == 0)
-        throw Error(path, std::string("cannot be written as PNG: ") + image.message);
-    std::vector<std::byte> bytes(size);
+        throw Error(std::string("a picture cannot be written as PNG: ") + image.message);
+    std::vector<std::uint8_t> bytes(size);
     if (png_image_write_to_memory(&image, bytes.data(), &size, 0, picture.pixels.data(), 0, nullptr) == 0)
-        throw Error(path, std::string("cannot be written as PNG: ") + image.message);
+        throw Error(std::string("a picture cannot be written as PNG: ") + image.message);
     bytes.resize(size);
+    return bytes;
+}
+
+void writePng(const std::string& path, const Picture& picture) {
     AtomicFile file(path);
-    file.file().writeAt(0, bytes);
+    file.file().writeAt(0, std::as_bytes(std::span<const std::uint8_t>(pngBytes(picture))));
     file.commit();
 }
 

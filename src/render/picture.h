@@ -35,6 +35,9 @@ struct Raster {
 using Picture = Raster<Rgb>;
 using FloatPicture = Raster<float>;
 
+/// `picture` as the bytes of a PNG file. Throws Error.
+std::vector<std::uint8_t> pngBytes(const Picture& picture);
+
 /// Writes an 8-bit RGB PNG; it appears under `path` only when it is complete. Throws Error.
 void writePng(const std::string& path, const Picture& picture);
 

@@ -279,8 +279,8 @@ std::vector<report::Picture> middlePictures(
     Walk walk(session, view, path, options, asked);
     RunResult traced = asked;
     traced.run.settings.shadows = "rays";
-    const auto draw = [&](Walk& walk, render::Overlay overlay = render::Overlay::None) {
-        return walk.picture(overlay, progress);
+    const auto draw = [&](Walk& drawn, render::Overlay overlay = render::Overlay::None) {
+        return drawn.picture(overlay, progress);
     };
     Walk tracing(session, view, path, options, traced);
     const render::Picture picture = draw(walk);

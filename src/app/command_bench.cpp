@@ -20,7 +20,6 @@
 #include <functional>
 #include <iterator>
 #include <memory>
-#include <numeric>
 
 namespace gnomon::app {
 
@@ -212,19 +211,26 @@ WalkOptions walkOf(const BenchOptions& options) {
     return walk;
 }
 
-void runBench(BenchOptions options) {
-    const ThreadLimit limit(options.common);
-    requireApart(
-        {{"MODEL", options.model}, {"--path", options.path}, {"--baseline", options.baseline}},
-        {{"--csv", options.csv}, {"--json-file", options.json}});
+/// The figures among the options.
+struct Bounds {
+    double failAbovePercent = 0;
+    std::optional<double> budgetMs;
+};
+
+/// Throws UsageError for figures that bound nothing.
+Bounds boundsOf(const BenchOptions& options) {
+    Bounds bounds{parseNumber("--fail-above", options.failAbovePercent), std::nullopt};
+    if (bounds.failAbovePercent < 0) refuse("--fail-above", options.failAbovePercent, "a number of at least 0");
+    if (options.budgetMs.empty()) return bounds;
+    bounds.budgetMs = parseNumber("--budget-ms", options.budgetMs);
+    if (!(*bounds.budgetMs > 0)) refuse("--budget-ms", options.budgetMs, "a number above 0");
+    return bounds;
+}
+
+/// The runs that the options ask for, each sound. Throws UsageError.
+std::vector<BenchRun> runsOf(const BenchOptions& options) {
     if (isPosed(options.view))
         throw UsageError{"--path and --camera, --eye, --target, --up, --fov-y contradict each other"};
-    options.walk = walkOf(options);
-    const double failAbovePercent = parseNumber("--fail-above", options.failAbovePercent);
-    if (failAbovePercent < 0) refuse("--fail-above", options.failAbovePercent, "a number of at least 0");
-    std::optional<double> budgetMs;
-    if (!options.budgetMs.empty()) budgetMs = parseNumber("--budget-ms", options.budgetMs);
-    if (budgetMs && !(*budgetMs > 0)) refuse("--budget-ms", options.budgetMs, "a number above 0");
     std::vector<BenchRun> runs = combinations(options.view.swept, options.shadowMaps);
     const bool isWarpOpen = options.view.eta.empty() && options.view.tsmFocus.empty();
     if (runs.size() == 1 && !options.report.empty())
@@ -234,67 +240,104 @@ void runBench(BenchOptions options) {
         qualityOf(options.view, run.settings); // a contradiction in the last run must not cost the first one's time
         run.options += (run.options.empty() || plain.empty() ? "" : " ") + plain;
     }
-    if (options.hasAllImages) options.walk.onPicture = pictureWriter(options.images, runs);
-    const CameraPath path = readCameraPath(options.path);
-    std::optional<Baseline> baseline;
-    if (!options.baseline.empty()) baseline = readBaseline(options.baseline);
-    Session session(options.model, options.view);
-    // What is known to fail must not cost the time of a walk.
-    PreparedFile csv(options.csv);
-    PreparedFile json(options.json);
-    prepareFolder(options.images);
-    prepareFolder(options.report);
-    auto context = contextOf(options, session);
-    if (baseline) requireComparable(*baseline, context);
-    std::vector<RunResult> results;
-    {
-        const auto progress = makeProgress(options.common);
-        progress->stage("bench", "frames", frameCount(runs, options.walk));
-        results = walkAll(session, options.view, path, runs, options.walk, *progress);
+    return runs;
+}
+
+/// A bench that can be walked: once it is made, all that is known to fail without a walk has failed.
+class Bench {
+public:
+    explicit Bench(const BenchOptions& options)
+        : options_(options),
+          bounds_(boundsOf(options)),
+          runs_(runsOf(options)),
+          path_(readCameraPath(options.path)),
+          baseline_(options.baseline.empty() ? std::nullopt : std::optional(readBaseline(options.baseline))),
+          session_(options.model, options.view),
+          csv_(options.csv),
+          json_(options.json),
+          context_(contextOf(options, session_)) {
+        if (baseline_) requireComparable(*baseline_, context_);
+        prepareFolder(options.images);
+        prepareFolder(options.report);
+        if (options.hasAllImages) options_.walk.onPicture = pictureWriter(options.images, runs_);
     }
-    std::vector<report::RunSummary> summaries;
-    std::transform(results.begin(), results.end(), std::back_inserter(summaries), summary);
-    context["first_frame_ms"] = std::to_string(results.front().firstFrameMs);
-    print(summaries);
-    const auto walkAgain = [&](std::size_t run) {
-        WalkOptions walk = options.walk;
+
+    void run() {
+        const std::vector<RunResult> results = walked("bench", runs_, options_.walk);
+        std::vector<report::RunSummary> summaries;
+        std::transform(results.begin(), results.end(), std::back_inserter(summaries), summary);
+        context_["first_frame_ms"] = std::to_string(results.front().firstFrameMs);
+        print(summaries);
+        if (bounds_.budgetMs)
+            printUnderBudget(*bounds_.budgetMs, summaries, [this](std::size_t run) { return walkedAgain(run); });
+        if (summaries.size() > 1) printUnderBound(options_.view.maxAliasing, summaries);
+        csv_.write(csvText(results));
+        json_.write(benchmarkText(context_, results));
+        if (!options_.images.empty()) writeImages();
+        if (!options_.report.empty()) writeReport(options_.report, pageOf(summaries), results);
+        if (baseline_) requireNotSlower(*baseline_, summaries, bounds_.failAbovePercent);
+    }
+
+private:
+    std::vector<RunResult> walked(const char* stage, const std::vector<BenchRun>& runs, const WalkOptions& walk) {
+        const auto progress = makeProgress(options_.common);
+        progress->stage(stage, "frames", frameCount(runs, walk));
+        return walkAll(session_, options_.view, path_, runs, walk, *progress);
+    }
+
+    report::RunSummary walkedAgain(std::size_t run) {
+        WalkOptions walk = options_.walk;
         walk.oracle = render::Oracle::None;
         walk.onPicture = nullptr;
-        const auto progress = makeProgress(options.common);
-        progress->stage("once more", "frames", frameCount({runs[run]}, walk));
-        return summary(walkAll(session, options.view, path, {runs[run]}, walk, *progress).front());
-    };
-    if (budgetMs) printUnderBudget(*budgetMs, summaries, walkAgain);
-    if (summaries.size() > 1) printUnderBound(options.view.maxAliasing, summaries);
-    if (csv.isAskedFor()) csv.write(csvText(results));
-    if (json.isAskedFor()) json.write(benchmarkText(context, results));
-    const auto eachPictured = [&](const std::vector<std::size_t>& pictured, const auto& take) {
-        const auto progress = makeProgress(options.common);
+        return summary(walked("once more", {runs_[run]}, walk).front());
+    }
+
+    std::vector<report::Picture> picturesOf(std::size_t run, Progress& progress) {
+        return middlePictures(session_, options_.view, path_, runs_[run], options_.walk, progress);
+    }
+
+    void writeImages() {
+        const auto progress = makeProgress(options_.common);
+        progress->stage("pictures", "frames", kFramesOfPictures * runs_.size());
+        for (std::size_t run = 0; run < runs_.size(); ++run)
+            writePictures(options_.images, static_cast<int>(run), picturesOf(run, *progress));
+    }
+
+    report::Report pageOf(const std::vector<report::RunSummary>& summaries) {
+        report::Report page;
+        page.model = context_.at("model") + ", " + context_.at("model_triangles") + " triangles";
+        page.context = context_;
+        page.runs = summaries;
+        const std::vector<std::size_t> pictured = picturedRuns(summaries);
+        const auto progress = makeProgress(options_.common);
         progress->stage("pictures", "frames", kFramesOfPictures * pictured.size());
         for (const std::size_t run : pictured)
-            take(run, middlePictures(session, options.view, path, runs[run], options.walk, *progress));
-    };
-    if (!options.images.empty()) {
-        std::vector<std::size_t> all(runs.size());
-        std::iota(all.begin(), all.end(), 0U);
-        eachPictured(all, [&](std::size_t run, const std::vector<report::Picture>& pictures) {
-            writePictures(options.images, static_cast<int>(run), pictures);
-        });
+            for (report::Picture& picture : picturesOf(run, *progress))
+                page.pictures.push_back(std::move(picture));
+        plan::View view = viewOf(options_.view, session_.model().summary());
+        view.camera = cameraAt(path_, path_.keyframes.front().time);
+        page.storage = storagePoints(session_.renderer().plan(view, qualityOf(options_.view, runs_.front().settings)));
+        return page;
     }
-    if (!options.report.empty()) {
-        report::Report page;
-        page.model = context.at("model") + ", " + context.at("model_triangles") + " triangles";
-        page.context = context;
-        page.runs = summaries;
-        eachPictured(picturedRuns(summaries), [&](std::size_t /*run*/, std::vector<report::Picture> pictures) {
-            std::move(pictures.begin(), pictures.end(), std::back_inserter(page.pictures));
-        });
-        plan::View view = viewOf(options.view, session.model().summary());
-        view.camera = cameraAt(path, path.keyframes.front().time);
-        page.storage = storagePoints(session.renderer().plan(view, qualityOf(options.view, runs.front().settings)));
-        writeReport(options.report, std::move(page), results);
-    }
-    if (baseline) requireNotSlower(*baseline, summaries, failAbovePercent);
+
+    BenchOptions options_;
+    Bounds bounds_;
+    std::vector<BenchRun> runs_;
+    CameraPath path_;
+    std::optional<Baseline> baseline_;
+    Session session_;
+    PreparedFile csv_;
+    PreparedFile json_;
+    std::map<std::string, std::string> context_;
+};
+
+void runBench(BenchOptions options) {
+    const ThreadLimit limit(options.common);
+    requireApart(
+        {{"MODEL", options.model}, {"--path", options.path}, {"--baseline", options.baseline}},
+        {{"--csv", options.csv}, {"--json-file", options.json}});
+    options.walk = walkOf(options);
+    Bench(options).run();
 }
 
 } // namespace

@@ -16,10 +16,8 @@ public:
         if (!path.empty()) file_.emplace(path);
     }
 
-    /// Writes all of the file, if it was asked for.
+    /// Writes all of the file, if it was asked for; to be called once.
     void write(const std::string& text);
-
-    bool isAskedFor() const { return file_.has_value(); }
 
 private:
     std::optional<AtomicFile> file_;

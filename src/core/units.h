@@ -28,8 +28,7 @@ constexpr Bytes gibibytes(std::uint64_t n) {
     return {n << 30U};
 }
 
-/// A memory size with a binary suffix (`2G`, `512M`, `64k`, `1.5G`, `1000`), whether or not B or iB follows (`2GB` and
-/// `2GiB` are `2G`); nothing if it is not one.
+/// A memory size with a binary suffix (`2G`, `1.5M`, `64k`, `1000`; `2GB`, `2GiB` are `2G`); nothing if it is not one.
 std::optional<Bytes> parseBytes(std::string_view text);
 
 /// A count with a decimal suffix (`13M`, `1G`, `2.5k`, `42`); nothing if it is not one.

@@ -44,7 +44,7 @@ TEST(CameraPath, WhatIsNoneIsToldWithThePath) {
           R"("interpolation": 3)",
           R"("interpolation": "cubic")",
           R"("interpolation": null)"}) {
-        const TemporaryText file("{" + std::string(part) + ", " + kKeyframes + "}");
+        const TemporaryText file(std::string("{") + part + ", " + kKeyframes + "}");
         try {
             readCameraPath(file.path());
             ADD_FAILURE() << part << " was taken";
@@ -53,7 +53,7 @@ TEST(CameraPath, WhatIsNoneIsToldWithThePath) {
             EXPECT_NE(std::string(error.what()).find("expected"), std::string::npos) << error.what();
         }
     }
-    const TemporaryText plain("{" + kKeyframes + "}");
+    const TemporaryText plain(std::string("{") + kKeyframes + "}");
     EXPECT_FALSE(readCameraPath(plain.path()).loop);
     const TemporaryText both(R"({"loop": true, "interpolation": "catmull-rom", )" + kKeyframes + "}");
     EXPECT_TRUE(readCameraPath(both.path()).loop);

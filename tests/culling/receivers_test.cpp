@@ -1,10 +1,12 @@
 // Depth range and receivers against looking at every triangle of every drawn cluster.
 #include "culling/receivers.h"
+#include "culling/survey.h"
 #include "culling/triangle_clip.h"
 #include "model_views.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -95,6 +97,47 @@ TEST(Receivers, DepthRangeIsThatOfAllTriangles) {
     }
     EXPECT_GT(seen, 50);
     EXPECT_LT(measured * 4, drawn) << "few clusters are to be looked at triangle by triangle";
+}
+
+/// Whether one of `parts` says that `point` (relative to the eye, at `depth`) may be seen.
+bool isWithin(const std::vector<shadow::SeenPart>& parts, const glm::dvec3& point, double depth, double slack) {
+    return std::any_of(parts.begin(), parts.end(), [&](const shadow::SeenPart& part) {
+        if (depth < part.depths.near - slack || depth > part.depths.far + slack) return false;
+        const glm::dvec3 beyond = glm::max(part.box.min - point, point - part.box.max);
+        return std::max({beyond.x, beyond.y, beyond.z}) <= slack;
+    });
+}
+
+TEST(Receivers, SeenPartsHoldAllThatIsSeenAtItsDepth) {
+    Random random(67);
+    int points = 0;
+    double held = 0;  // volumes of the parts' boxes
+    double whole = 0; // and of one box for all
+    for (int trial = 0; trial < 40; ++trial) {
+        const Seen scene(random);
+        const std::optional<DepthRange> range = visibleDepthRange(scene.query(), scene.cut.lists[0]);
+        if (!range || !(range->far > 0)) continue;
+        const DepthSpan depths{std::max(range->near, range->far * 1e-4), range->far};
+        const std::vector<shadow::SeenPart> parts = seenParts(scene.query(), scene.cut.lists[0], depths);
+        Box all;
+        for (const shadow::SeenPart& part : parts) {
+            all.add(part.box);
+            held += part.box.extent().x * part.box.extent().y * part.box.extent().z / static_cast<double>(parts.size());
+        }
+        whole += all.extent().x * all.extent().y * all.extent().z;
+        TriangleClipper clipper(scene.volumes[0]);
+        forEveryTriangle(scene.query(), scene.cut.lists[0], [&](const auto& corners, double /*margin*/) {
+            for (const glm::dvec3& corner : clipper.clipped(corners)) {
+                const glm::dvec3 point = corner - scene.view.eye;
+                const double depth = glm::dot(scene.view.basis.view, point);
+                const double counted = std::clamp(depth, depths.near, depths.far);
+                EXPECT_TRUE(isWithin(parts, point, counted, 1e-9 * range->far)) << trial << " at " << depth;
+                ++points;
+            }
+        });
+    }
+    EXPECT_GT(points, 10000);
+    EXPECT_LT(held * 3, whole) << "a part is less than all of it";
 }
 
 TEST(Receivers, AVolumeReceivesWhereATriangleIs) {

@@ -204,7 +204,7 @@ Changes changesInASlowTurn(std::uint64_t seed) {
 }
 
 TEST(AutoPlan, HoldsTheNumberOfMapsInASlowTurn) {
-    for (const std::uint64_t seed : {3, 33, 101, 206})
+    for (const std::uint64_t seed : {3U, 33U, 101U, 206U})
         EXPECT_LE(changesInASlowTurn(seed).all, 2) << seed;
 }
 

@@ -10,12 +10,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Where a file is or would be, whether or not that can be.
+fs::path placeOf(const std::string& path) {
+    std::error_code error;
+    const fs::path place = fs::weakly_canonical(fs::absolute(path), error);
+    return error ? fs::absolute(path).lexically_normal() : place;
+}
+
 bool isSameFile(const std::string& a, const std::string& b) {
     if (a.empty() || b.empty()) return false;
     std::error_code error;
-    if (fs::exists(a, error) && fs::exists(b, error))
-        return fs::is_regular_file(a, error) && fs::equivalent(a, b, error);
-    return fs::weakly_canonical(fs::absolute(a, error), error) == fs::weakly_canonical(fs::absolute(b, error), error);
+    if (!fs::exists(a, error) || !fs::exists(b, error)) return placeOf(a) == placeOf(b);
+    return fs::is_regular_file(a, error) && fs::equivalent(a, b, error);
 }
 
 } // namespace

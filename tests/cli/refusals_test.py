@@ -88,7 +88,7 @@ class Refusals(unittest.TestCase):
                     "--quick", "--repetitions", "1", "--warp", "none,auto")  # fmt: skip
         self.assertEqual(json.loads(log.read_text())["context"]["model"], "\ufffd\ufffd.gnm")
         self.expect(0, "", "render", model, "-o", self.place / "name.png", "--size", "8x8", "--stats", stats)
-        self.assertEqual(json.loads(stats.read_text())["model"], "\ufffd\ufffd.gnm")
+        self.assertTrue(json.loads(stats.read_text())["model"].endswith("/\ufffd\ufffd.gnm"))
 
     def test_output_that_does_not_arrive_is_exit_1(self):
         light = ("--near", "1", "--far", "10", "--fov-y", "60", "--light", "0,1,0")

@@ -14,7 +14,7 @@ Baseline readBaseline(const std::string& path) {
     const auto context = part("context");
     const auto benchmarks = part("benchmarks");
     if (!context.is_object() || !benchmarks.is_array())
-        throw Error(path, "this is no bench result", "{\"context\": {...}, \"benchmarks\": [...]}", "something else");
+        throw Error(path, "this is no bench result", R"({"context": {...}, "benchmarks": [...]})", "something else");
     for (const auto& [key, value] : context.items())
         if (value.is_string()) baseline.context[key] = value.get<std::string>();
     for (const auto& run : benchmarks) {
@@ -24,7 +24,7 @@ Baseline readBaseline(const std::string& path) {
             throw Error(
                 path + ": benchmark " + std::to_string(baseline.p50Ms.size()),
                 "this is no run",
-                "{\"name\": text, \"p50\": number, ...}",
+                R"({"name": text, "p50": number, ...})",
                 "something else");
         baseline.p50Ms[run["name"].get<std::string>()] = run["p50"].get<double>();
     }
@@ -36,8 +36,7 @@ void requireComparable(const Baseline& baseline, const std::map<std::string, std
         const auto before = baseline.context.find(key);
         const std::string found = before == baseline.context.end() ? "none" : before->second;
         if (found != context.at(key))
-            throw Error(
-                baseline.path, std::string("another bench than this one: \"") + key + '"', context.at(key), found);
+            throw Error(baseline.path, std::string("another bench than this one: ") + key, context.at(key), found);
     }
 }
 

@@ -121,7 +121,7 @@ CameraPath readCameraPath(const std::string& path) {
         document["keyframes"].empty())
         throw Error(path, "a camera path has keyframes", "{\"keyframes\": [...]}", "none");
     const ordered_json loop = document.value("loop", ordered_json(false));
-    if (!loop.is_boolean()) throw Error(path, "\"loop\"", "true or false", telemetry::jsonText(loop));
+    if (!loop.is_boolean()) throw Error(path, R"("loop")", "true or false", telemetry::jsonText(loop));
     result.loop = loop.get<bool>();
     const ordered_json interpolation = document.value("interpolation", ordered_json("linear"));
     if (interpolation != "linear" && interpolation != "catmull-rom")

@@ -81,7 +81,7 @@ std::string forShell(const std::string& text) {
     if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
     std::string quoted = "'";
     for (const char c : text)
-        quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+        quoted += c == '\'' ? std::string(R"('\'')") : std::string(1, c);
     return quoted + "'";
 }
 

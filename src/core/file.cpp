@@ -42,7 +42,7 @@ bool isOtherThanFile(const std::string& path) {
 
 File::File(const std::string& path, Mode mode) : File(path, mode, path) {}
 
-File::File(const std::string& path, Mode mode, const std::string& toldPath) : path_(toldPath) {
+File::File(const std::string& path, Mode mode, std::string toldPath) : path_(std::move(toldPath)) {
     const int flags = mode == Mode::Read ? O_RDONLY : mode == Mode::Update ? O_RDWR : (O_RDWR | O_CREAT | O_TRUNC);
     descriptor_ = ::open(path.c_str(), flags | O_CLOEXEC, 0666);
     if (descriptor_ < 0) throwSystemError(path_, mode == Mode::Create ? "cannot create" : "cannot open");

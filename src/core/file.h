@@ -20,7 +20,7 @@ public:
     File(const std::string& path, Mode mode);
 
     /// The same; errors and `path()` name the file as `toldPath`.
-    File(const std::string& path, Mode mode, const std::string& toldPath);
+    File(const std::string& path, Mode mode, std::string toldPath);
     ~File();
     File(File&& other) noexcept;
     File& operator=(File&& other) noexcept;

@@ -34,7 +34,13 @@ private:
     std::string path_;
 };
 
-const std::string kKeyframes = R"("keyframes": [{"time": 0, "eye": [0, 0, 1], "target": [0, 0, 0]}])";
+/// A path of one keyframe behind `members`.
+std::string pathWith(const std::string& members) {
+    std::string text = "{";
+    text += members;
+    text += R"("keyframes": [{"time": 0, "eye": [0, 0, 1], "target": [0, 0, 0]}]})";
+    return text;
+}
 
 TEST(CameraPath, WhatIsNoneIsToldWithThePath) {
     for (const char* part :
@@ -44,7 +50,7 @@ TEST(CameraPath, WhatIsNoneIsToldWithThePath) {
           R"("interpolation": 3)",
           R"("interpolation": "cubic")",
           R"("interpolation": null)"}) {
-        const TemporaryText file(std::string("{") + part + ", " + kKeyframes + "}");
+        const TemporaryText file(pathWith(std::string(part) + ", "));
         try {
             readCameraPath(file.path());
             ADD_FAILURE() << part << " was taken";
@@ -53,9 +59,9 @@ TEST(CameraPath, WhatIsNoneIsToldWithThePath) {
             EXPECT_NE(std::string(error.what()).find("expected"), std::string::npos) << error.what();
         }
     }
-    const TemporaryText plain(std::string("{") + kKeyframes + "}");
+    const TemporaryText plain(pathWith(""));
     EXPECT_FALSE(readCameraPath(plain.path()).loop);
-    const TemporaryText both(R"({"loop": true, "interpolation": "catmull-rom", )" + kKeyframes + "}");
+    const TemporaryText both(pathWith(R"("loop": true, "interpolation": "catmull-rom", )"));
     EXPECT_TRUE(readCameraPath(both.path()).loop);
     EXPECT_EQ(readCameraPath(both.path()).interpolation, Interpolation::CatmullRom);
 }

@@ -70,30 +70,30 @@ TEST_F(ModelCache, IsBuiltOnceAndAgainWhenTheMeshIsNewer) {
 
 TEST_F(ModelCache, IsBuiltAgainWhereItCannotBeReadOrIsOfAnotherMesh) {
     const std::string mesh = file("scan.ply");
-    const auto buildCache = [&] {
+    const auto rebuild = [&] {
         const CacheBuild build(mesh, gibibytes(1), 1);
         wait(build);
         EXPECT_FALSE(build.failure()) << *build.failure();
         EXPECT_TRUE(isCacheFresh(mesh));
     };
     writeTextFile(mesh, fan(400));
-    buildCache();
+    rebuild();
     std::string bytes = readTextFile(cachePath(mesh));
     std::string other = bytes;
     for (const std::size_t at : {8U, 9U, 10U, 11U}) // the version follows the magic, whatever its width
         other[at] = static_cast<char>(other[at] ^ 0x55);
     writeTextFile(cachePath(mesh), other);
     EXPECT_FALSE(isCacheFresh(mesh)) << "of another version";
-    buildCache();
+    rebuild();
     EXPECT_EQ(readTextFile(cachePath(mesh)), bytes);
     writeTextFile(cachePath(mesh), bytes.substr(0, bytes.size() / 2));
     EXPECT_FALSE(isCacheFresh(mesh)) << "cut off";
-    buildCache();
+    rebuild();
     const auto built = std::filesystem::last_write_time(cachePath(mesh));
     writeTextFile(mesh, fan(401));
     std::filesystem::last_write_time(mesh, built - std::chrono::hours(1));
     EXPECT_FALSE(isCacheFresh(mesh)) << "of another mesh that is older, such as one that was moved here";
-    buildCache();
+    rebuild();
     EXPECT_EQ(hierarchy::ModelFile(cachePath(mesh)).summary().sourceTriangles, 401U);
 }
 

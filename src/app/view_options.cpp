@@ -216,6 +216,19 @@ plan::View viewOf(const ViewOptions& options, const hierarchy::ModelSummary& sum
     return view;
 }
 
+namespace {
+
+void requireNoWarpIfStable(const ViewOptions& options, const SweptSettings& swept, const plan::Quality& quality) {
+    const bool isWarpGiven = options.isWarpGiven && quality.warp.rule != shadow::WarpRule::None;
+    const bool isEtaGiven = !options.eta.empty() && quality.warp.eta != -1;
+    if (quality.stabilize && (isWarpGiven || isEtaGiven))
+        throw UsageError{
+            "--stabilize on and " + (isEtaGiven ? "--eta " + options.eta : "--warp " + swept.warp) +
+            " contradict each other: stabilised slices are unwarped"};
+}
+
+} // namespace
+
 plan::Quality qualityOf(const ViewOptions& options, const SweptSettings& swept) {
     plan::Quality quality;
     quality.shadows = shadowMode(swept.shadows);
@@ -250,12 +263,7 @@ plan::Quality qualityOf(const ViewOptions& options, const SweptSettings& swept) 
         if (!quality.maxTriangles || *quality.maxTriangles == 0)
             refuse("--max-triangles", options.maxTriangles, "a count such as 500k or 2M");
     }
-    const bool isWarpGiven = options.isWarpGiven && quality.warp.rule != shadow::WarpRule::None;
-    const bool isEtaGiven = !options.eta.empty() && quality.warp.eta != -1;
-    if (quality.stabilize && (isWarpGiven || isEtaGiven))
-        throw UsageError{
-            "--stabilize on and " + (isEtaGiven ? "--eta " + options.eta : "--warp " + swept.warp) +
-            " contradict each other: stabilised slices are unwarped"};
+    requireNoWarpIfStable(options, swept, quality);
     return quality;
 }
 

@@ -267,12 +267,12 @@ public:
         std::vector<report::RunSummary> summaries;
         std::transform(results.begin(), results.end(), std::back_inserter(summaries), summary);
         context_["first_frame_ms"] = std::to_string(results.front().firstFrameMs);
+        csv_.write(csvText(results)); // before what may be stopped: it has taken the longest
+        json_.write(benchmarkText(context_, results));
         print(summaries);
         if (bounds_.budgetMs)
             printUnderBudget(*bounds_.budgetMs, summaries, [this](std::size_t run) { return walkedAgain(run); });
         if (summaries.size() > 1) printUnderBound(options_.view.maxAliasing, summaries);
-        csv_.write(csvText(results));
-        json_.write(benchmarkText(context_, results));
         if (!options_.images.empty()) writeImages();
         if (!options_.report.empty()) writeReport(options_.report, pageOf(summaries), results);
         if (baseline_) requireNotSlower(*baseline_, summaries, bounds_.failAbovePercent);
@@ -374,8 +374,7 @@ void addBenchCommand(CLI::App& program) {
         "--images",
         options->images,
         "Write six pictures of each run's middle frame into this folder: as drawn, with traced shadows, their "
-        "difference, "
-        "texels, aliasing, partitions");
+        "difference, texels, aliasing, partitions");
     command->add_flag("--all-images", options->hasAllImages, "With --images: every frame of each run")->needs(images);
     command->add_option(
         "--report",

@@ -5,30 +5,12 @@ import os
 import stat
 import unittest
 
-from program import DATA, Workplace, run
+from program import DATA, ProgramTest, run
 
 COMMANDS = ("make", "build", "info", "verify", "export", "path", "render", "explain", "bench", "view", "theory")
 
 
-class CommandLine(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.place = Workplace()
-        cls.sundial = cls.place / "sundial.gnm"
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.place.close()
-
-    def expect(self, code, said, *words):
-        result = run(*words)
-        self.assertEqual(result.returncode, code, f"{words}: {result.stderr}")
-        self.assertIn(said, result.stderr)
-        if code:
-            self.assertEqual(result.stderr.count("\n"), 1, f"{words}: {result.stderr}")
-            self.assertTrue(result.stderr.startswith("gnomon: "), result.stderr)
-        return result
-
+class CommandLine(ProgramTest):
     def test_help_lists_every_command_and_each_has_its_own(self):
         overview = run("--help")
         self.assertEqual(overview.returncode, 0)

@@ -3,6 +3,7 @@ import os
 import pathlib
 import subprocess
 import tempfile
+import unittest
 
 GNOMON = os.environ["GNOMON"]
 DATA = pathlib.Path(__file__).resolve().parents[2] / "data"
@@ -29,3 +30,25 @@ class Workplace:
 
     def close(self):
         self.folder.cleanup()
+
+
+class ProgramTest(unittest.TestCase):
+    """Runs the program in a workplace of the test's own, `place`, whose `sundial` is a model."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.place = Workplace()
+        cls.sundial = cls.place / "sundial.gnm"
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.place.close()
+
+    def expect(self, code, said, *words, **options):
+        result = run(*words, **options)
+        self.assertEqual(result.returncode, code, f"{words}: {result.stderr}")
+        self.assertIn(said, result.stderr)
+        if code:
+            self.assertEqual(result.stderr.count("\n"), 1, f"{words}: {result.stderr}")
+            self.assertTrue(result.stderr.startswith("gnomon: "), result.stderr)
+        return result

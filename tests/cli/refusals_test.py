@@ -5,31 +5,13 @@ import os
 import subprocess
 import unittest
 
-from program import DATA, GNOMON, Workplace, run
+from program import DATA, GNOMON, ProgramTest, run
 
 PATH = DATA / "paths/sundial_orbit.json"
 SMALL = ("--size", "32x32", "--shadow-texels", "128x128", "--frames", "1", "--warmup", "0")
 
 
-class Refusals(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.place = Workplace()
-        cls.sundial = cls.place / "sundial.gnm"
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.place.close()
-
-    def expect(self, code, said, *words, **options):
-        result = run(*words, **options)
-        self.assertEqual(result.returncode, code, f"{words}: {result.stderr}")
-        self.assertIn(said, result.stderr)
-        if code:
-            self.assertEqual(result.stderr.count("\n"), 1, f"{words}: {result.stderr}")
-            self.assertTrue(result.stderr.startswith("gnomon: "), result.stderr)
-        return result
-
+class Refusals(ProgramTest):
     def bench(self, code, said, *words):
         return self.expect(code, said, "bench", self.sundial, "--path", PATH, *SMALL, *words)
 

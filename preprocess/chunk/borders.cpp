@@ -1,9 +1,11 @@
 #include "preprocess/chunk/borders.h"
 
 #include "core/check.h"
+#include "core/index_table.h"
 #include "preprocess/build/normals.h"
 #include "preprocess/chunk/chunk_mesh.h"
 #include "preprocess/chunk/in_order.h"
+#include "preprocess/chunk/survey.h"
 
 #include <algorithm>
 
@@ -47,26 +49,81 @@ Messages answerVertices(const BinnedSource& source, std::uint32_t chunk) {
     return messages;
 }
 
-/// The normals of places, right for the `wanted` ones alone.
-std::vector<std::uint32_t> normalsOf(
-    const BinnedSource& source,
-    std::uint32_t chunk,
-    const ChunkVertices& vertices,
-    const std::vector<std::uint8_t>& wanted) {
-    ChunkTriangles triangles = readTriangles(source, chunk, vertices);
-    const auto isElsewhere = [&](const Triangle& t) {
-        const Triangle p = vertices.placesOf(t);
-        return wanted[p[0]] == 0 && wanted[p[1]] == 0 && wanted[p[2]] == 0;
-    };
-    std::erase_if(triangles.own, isElsewhere);
-    std::erase_if(triangles.ghosts, isElsewhere);
+/// What the answers of a chunk depend on.
+struct Surroundings {
+    ChunkVertices vertices;   // those asked for, and the corners of the triangles
+    ChunkTriangles triangles; // at the places of those asked for; none if the source has normals
+};
+
+/// Which of `vertices` lie where one of `asked` does.
+std::vector<std::uint8_t> atPlacesOf(
+    std::span<const VertexRequest> asked, const IndexedVertices& vertices, const Grid& grid) {
+    std::vector<GridPoint> points;
+    points.reserve(asked.size());
+    IndexTable table(asked.size());
+    const auto sameAs = [&](const GridPoint& p) { return [&](std::uint32_t other) { return points[other] == p; }; };
+    for (const VertexRequest& request : asked) {
+        const GridPoint p = snapped(grid, vertices[vertices.find(request.vertex)].position);
+        const auto next = static_cast<std::uint32_t>(points.size());
+        if (table.findOrInsert(hashOf(p.x, p.y, p.z), next, sameAs(p)) == next) points.push_back(p);
+    }
+    std::vector<std::uint8_t> isThere(vertices.size());
+    for (std::uint32_t v = 0; v < vertices.size(); ++v) {
+        const GridPoint p = snapped(grid, vertices[v].position);
+        isThere[v] = table.find(hashOf(p.x, p.y, p.z), sameAs(p)) != IndexTable::kAbsent ? 1 : 0;
+    }
+    return isThere;
+}
+
+/// The chosen ones of `vertices`; renumbers `triangles`, whose corners are among these.
+IndexedVertices chosen(
+    const IndexedVertices& vertices, const std::vector<std::uint8_t>& isChosen, ChunkTriangles& triangles) {
+    std::vector<ChunkVertex> own;
+    std::vector<ChunkVertex> foreign;
+    std::vector<std::uint32_t> number(vertices.size(), hierarchy::kNone);
+    for (std::uint32_t v = 0; v < vertices.size(); ++v) {
+        if (isChosen[v] == 0) continue;
+        number[v] = static_cast<std::uint32_t>(own.size() + foreign.size());
+        (v < vertices.ownCount() ? own : foreign).push_back(vertices[v]);
+    }
+    for (std::vector<Triangle>* some : {&triangles.own, &triangles.ghosts})
+        for (Triangle& t : *some)
+            for (std::uint32_t& corner : t)
+                corner = number[corner];
+    return {std::move(own), foreign};
+}
+
+Surroundings surroundingsOf(
+    const BinnedSource& source, const StreamStore& borders, std::uint32_t chunk, std::span<const VertexRequest> asked) {
+    const IndexedVertices all = readVertices(source, borders, chunk);
+    std::vector<std::uint8_t> isNeeded(all.size(), 0);
+    for (const VertexRequest& request : asked)
+        isNeeded[all.find(request.vertex)] = 1;
+    ChunkTriangles triangles;
+    if (!source.format.hasNormals) {
+        triangles = readTriangles(source, chunk, all);
+        const std::vector<std::uint8_t> isThere = atPlacesOf(asked, all, source.grid);
+        for (std::vector<Triangle>* some : {&triangles.own, &triangles.ghosts}) {
+            std::erase_if(
+                *some, [&](const Triangle& t) { return (isThere[t[0]] | isThere[t[1]] | isThere[t[2]]) == 0; });
+            for (const Triangle& t : *some)
+                for (const std::uint32_t corner : t)
+                    isNeeded[corner] = 1;
+        }
+    }
+    IndexedVertices needed = chosen(all, isNeeded, triangles);
+    return {ChunkVertices(std::move(needed), source.grid), std::move(triangles)};
+}
+
+/// The normals of places, right for those asked for alone.
+std::vector<std::uint32_t> normalsOf(const Surroundings& around) {
     DroppedTriangles ignored;
     return smoothNormals(
-        vertices.places(),
+        around.vertices.places(),
         facesForNormals(
-            vertices,
-            keptTriangles(vertices, triangles.own, ignored),
-            keptTriangles(vertices, triangles.ghosts, ignored)));
+            around.vertices,
+            keptTriangles(around.vertices, around.triangles.own, ignored),
+            keptTriangles(around.vertices, around.triangles.ghosts, ignored)));
 }
 
 Messages answerShared(const BinnedSource& source, const StreamStore& borders, std::uint32_t chunk) {
@@ -76,17 +133,12 @@ Messages answerShared(const BinnedSource& source, const StreamStore& borders, st
     requests.erase(std::unique(requests.begin(), requests.end()), requests.end());
     Messages messages;
     if (requests.empty()) return messages;
-    const ChunkVertices vertices = readVertices(source, borders, chunk);
-    const std::vector<ChunkSpan> sharers = sharersOfOwnPlaces(vertices, chunk, requests);
+    const Surroundings around = surroundingsOf(source, borders, chunk, requests);
+    const std::vector<ChunkSpan> sharers = sharersOfOwnPlaces(around.vertices, chunk, requests);
     std::vector<std::uint32_t> normals;
-    if (!source.format.hasNormals) {
-        std::vector<std::uint8_t> wanted(vertices.places().size(), 0);
-        for (const VertexRequest& request : requests)
-            wanted[vertices.placeOf(vertices.find(request.vertex))] = 1;
-        normals = normalsOf(source, chunk, vertices, wanted);
-    }
+    if (!source.format.hasNormals) normals = normalsOf(around);
     for (const VertexRequest& request : requests) {
-        const std::uint32_t place = vertices.placeOf(vertices.find(request.vertex));
+        const std::uint32_t place = around.vertices.placeOfSource(request.vertex);
         SharedVertex answer{request.vertex, hierarchy::kNoNormal, sharers[place]};
         if (!normals.empty()) answer.normal = normals[place];
         const auto record = std::as_bytes(std::span(&answer, 1));

@@ -1,10 +1,9 @@
 #include "preprocess/chunk/chunk_mesh.h"
 
 #include "core/check.h"
+#include "core/index_table.h"
 #include "preprocess/build/normals.h"
 #include "preprocess/read/polygon.h"
-
-#include <array>
 
 namespace gnomon::preprocess {
 
@@ -13,7 +12,7 @@ namespace {
 using hierarchy::kNone;
 
 /// Replaces a polygon's fan by a right triangulation.
-void refine(const ChunkVertices& vertices, PolygonRefiner& refiner, std::span<Triangle> fan) {
+void refine(const IndexedVertices& vertices, PolygonRefiner& refiner, std::span<Triangle> fan) {
     std::vector<TriangleCorners> wide;
     wide.reserve(fan.size());
     for (const Triangle& t : fan)
@@ -23,30 +22,6 @@ void refine(const ChunkVertices& vertices, PolygonRefiner& refiner, std::span<Tr
         for (std::size_t k = 0; k < 3; ++k)
             fan[i][k] = static_cast<std::uint32_t>(wide[i][k]);
 }
-
-/// Finds vertices as ChunkVertices does, and those found lately at once: neighbours in a file share vertices, and the
-/// table of a whole chunk is larger than the caches.
-class RecentVertices {
-public:
-    explicit RecentVertices(const ChunkVertices& vertices) : vertices_(vertices) {}
-
-    Triangle find(const Triangle& corners) { return {find(corners[0]), find(corners[1]), find(corners[2])}; }
-
-private:
-    struct Found {
-        std::uint32_t sourceIndex = kNone;
-        std::uint32_t vertex = kNone;
-    };
-
-    std::uint32_t find(std::uint32_t sourceIndex) {
-        Found& found = found_[sourceIndex % found_.size()];
-        if (found.sourceIndex != sourceIndex) found = {sourceIndex, vertices_.find(sourceIndex)};
-        return found.vertex;
-    }
-
-    const ChunkVertices& vertices_;
-    std::array<Found, 2048> found_;
-};
 
 /// What the mesh needs to know of each place.
 struct Places {
@@ -66,7 +41,7 @@ Places placesOf(
         sharersOfOwnPlaces(vertices, chunk, source.bins.readAs<VertexRequest>(streamOf(BinStream::Requests, chunk)));
     places.sharers.resize(vertices.places().size());
     for (const SharedVertex& shared : borders.readAs<SharedVertex>(streamOf(BorderStream::Shared, chunk))) {
-        const std::uint32_t place = vertices.placeOf(vertices.find(shared.vertex));
+        const std::uint32_t place = vertices.placeOfSource(shared.vertex);
         if (!places.normals.empty()) places.normals[place] = shared.normal;
         places.sharers[place] = shared.sharers;
     }
@@ -126,33 +101,31 @@ private:
 
 } // namespace
 
-ChunkVertices readVertices(const BinnedSource& source, const StreamStore& borders, std::uint32_t chunk) {
+IndexedVertices readVertices(const BinnedSource& source, const StreamStore& borders, std::uint32_t chunk) {
     return {
         decodeVertices(source.bins.read(streamOf(BinStream::Vertices, chunk)), source.format),
-        decodeVertices(borders.read(streamOf(BorderStream::Vertices, chunk)), source.format),
-        source.grid};
+        decodeVertices(borders.read(streamOf(BorderStream::Vertices, chunk)), source.format)};
 }
 
-ChunkTriangles readTriangles(const BinnedSource& source, std::uint32_t chunk, const ChunkVertices& vertices) {
+ChunkTriangles readTriangles(const BinnedSource& source, std::uint32_t chunk, const IndexedVertices& vertices) {
     ChunkTriangles triangles;
-    RecentVertices recent(vertices);
     const auto records = source.bins.readAs<Triangle>(streamOf(BinStream::Triangles, chunk));
     triangles.own.reserve(records.size());
     PolygonRefiner refiner;
     for (std::size_t i = 0; i < records.size();) {
         if (records[i][0] != kPolygonMark) {
-            triangles.own.push_back(recent.find(records[i++]));
+            triangles.own.push_back(vertices.find(records[i++]));
             continue;
         }
         const std::size_t count = records[i][1];
         GNOMON_CHECK_OP(count, <, records.size() - i);
         for (std::size_t k = 1; k <= count; ++k)
-            triangles.own.push_back(recent.find(records[i + k]));
+            triangles.own.push_back(vertices.find(records[i + k]));
         refine(vertices, refiner, std::span(triangles.own).last(count));
         i += count + 1;
     }
     for (const Triangle& t : source.bins.readAs<Triangle>(streamOf(BinStream::Ghosts, chunk)))
-        triangles.ghosts.push_back(recent.find(t));
+        triangles.ghosts.push_back(vertices.find(t));
     return triangles;
 }
 
@@ -169,11 +142,11 @@ std::vector<Triangle> facesForNormals(
 
 ChunkMesh loadChunk(const BinnedSource& source, const StreamStore& borders, std::uint32_t chunk) {
     ChunkMesh result;
-    const ChunkVertices vertices = readVertices(source, borders, chunk);
+    const ChunkVertices vertices(readVertices(source, borders, chunk), source.grid);
     std::vector<Triangle> kept;
     Places places;
     {
-        const ChunkTriangles triangles = readTriangles(source, chunk, vertices);
+        const ChunkTriangles triangles = readTriangles(source, chunk, vertices.indexed());
         kept = keptTriangles(vertices, triangles.own, result.dropped);
         std::vector<Triangle> faces;
         DroppedTriangles ignored;

@@ -11,9 +11,9 @@ struct ChunkTriangles {
     std::vector<Triangle> ghosts; // of other chunks, that touch places of this one
 };
 
-ChunkVertices readVertices(const BinnedSource& source, const StreamStore& borders, std::uint32_t chunk);
+IndexedVertices readVertices(const BinnedSource& source, const StreamStore& borders, std::uint32_t chunk);
 
-ChunkTriangles readTriangles(const BinnedSource& source, std::uint32_t chunk, const ChunkVertices& vertices);
+ChunkTriangles readTriangles(const BinnedSource& source, std::uint32_t chunk, const IndexedVertices& vertices);
 
 /// The faces whose normals count, on places: own ones, then ghosts.
 std::vector<Triangle> facesForNormals(

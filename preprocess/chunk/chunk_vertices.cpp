@@ -1,6 +1,6 @@
 #include "preprocess/chunk/chunk_vertices.h"
 
-#include "core/check.h"
+#include "core/index_table.h"
 #include "preprocess/chunk/survey.h"
 
 #include <algorithm>
@@ -26,39 +26,27 @@ bool isDegenerate(const ChunkVertices& vertices, const Triangle& t) {
 
 } // namespace
 
-ChunkVertices::ChunkVertices(std::vector<ChunkVertex> own, const std::vector<ChunkVertex>& foreign, const Grid& grid)
-    : vertices_(std::move(own)), byIndex_(vertices_.size() + foreign.size()) {
-    const std::size_t ownCount = vertices_.size();
-    vertices_.insert(vertices_.end(), foreign.begin(), foreign.end());
-    placeOf_.resize(vertices_.size());
+ChunkVertices::ChunkVertices(IndexedVertices vertices, const Grid& grid)
+    : vertices_(std::move(vertices)), placeOf_(vertices_.size()) {
     IndexTable byPlace(vertices_.size());
     std::array<GridPoint, kBatch> points;
     std::array<std::uint64_t, kBatch> hashes{};
     for (std::size_t first = 0; first < vertices_.size(); first += kBatch) {
         const std::size_t count = std::min(kBatch, vertices_.size() - first);
         for (std::size_t i = 0; i < count; ++i) {
-            const GridPoint& p = points[i] = snapped(grid, vertices_[first + i].position);
+            const GridPoint& p = points[i] = snapped(grid, vertices_[static_cast<std::uint32_t>(first + i)].position);
             hashes[i] = hashOf(p.x, p.y, p.z);
             byPlace.prefetch(hashes[i]);
-            byIndex_.prefetch(mix64(vertices_[first + i].index));
         }
         for (std::size_t i = 0; i < count; ++i) {
-            const auto v = static_cast<std::uint32_t>(first + i);
-            byIndex_.findOrInsert(mix64(vertices_[v].index), v, [](std::uint32_t) { return false; });
+            const std::size_t v = first + i;
             const auto next = static_cast<std::uint32_t>(places_.size());
             placeOf_[v] =
                 byPlace.findOrInsert(hashes[i], next, [&](std::uint32_t other) { return places_[other] == points[i]; });
             if (placeOf_[v] == next) places_.push_back(points[i]);
-            if (v < ownCount) ownPlaces_ = static_cast<std::uint32_t>(places_.size());
+            if (v < vertices_.ownCount()) ownPlaces_ = static_cast<std::uint32_t>(places_.size());
         }
     }
-}
-
-std::uint32_t ChunkVertices::find(std::uint32_t sourceIndex) const {
-    const std::uint32_t found =
-        byIndex_.find(mix64(sourceIndex), [&](std::uint32_t v) { return vertices_[v].index == sourceIndex; });
-    GNOMON_CHECK_OP(found, !=, hierarchy::kNone);
-    return found;
 }
 
 std::vector<Triangle> keptTriangles(
@@ -100,7 +88,7 @@ std::vector<ChunkSpan> sharersOfOwnPlaces(
     std::vector<ChunkSpan> sharers(vertices.ownPlaces(), ChunkSpan{own, own});
     for (const VertexRequest& request : requests) {
         const auto other = static_cast<std::uint16_t>(request.chunk);
-        if (request.isOwner != 0) sharers[vertices.placeOf(vertices.find(request.vertex))].add(ChunkSpan{other, other});
+        if (request.isOwner != 0) sharers[vertices.placeOfSource(request.vertex)].add(ChunkSpan{other, other});
     }
     return sharers;
 }

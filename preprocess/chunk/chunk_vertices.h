@@ -1,25 +1,25 @@
-// The vertices that a chunk has and uses, found by source index and joined by snapped position.
+// The vertices that a chunk has and uses, joined by snapped position.
 #pragma once
 
-#include "core/index_table.h"
 #include "preprocess/chunk/borders.h"
+#include "preprocess/chunk/indexed_vertices.h"
 
 namespace gnomon::preprocess {
 
-/// Those that lie in the chunk come first, then those of other chunks. Places are welded positions, numbered from 0 in
-/// the order of the vertices, so those that lie in the chunk come first, too.
+/// Places are welded positions, numbered from 0 in the order of the vertices, so those that lie in the chunk come
+/// first.
 class ChunkVertices {
 public:
-    ChunkVertices(std::vector<ChunkVertex> own, const std::vector<ChunkVertex>& foreign, const Grid& grid);
+    ChunkVertices(IndexedVertices vertices, const Grid& grid);
 
     std::size_t size() const { return vertices_.size(); }
 
     const ChunkVertex& operator[](std::uint32_t vertex) const { return vertices_[vertex]; }
 
-    /// Its number here; a check fails for a vertex that the chunk has not.
-    std::uint32_t find(std::uint32_t sourceIndex) const;
+    const IndexedVertices& indexed() const { return vertices_; }
 
-    Triangle find(const Triangle& corners) const { return {find(corners[0]), find(corners[1]), find(corners[2])}; }
+    /// The place of the vertex with this index in the source; a check fails for a vertex that the chunk has not.
+    std::uint32_t placeOfSource(std::uint32_t sourceIndex) const { return placeOf_[vertices_.find(sourceIndex)]; }
 
     std::uint32_t placeOf(std::uint32_t vertex) const { return placeOf_[vertex]; }
 
@@ -31,8 +31,7 @@ public:
     std::uint32_t ownPlaces() const { return ownPlaces_; }
 
 private:
-    std::vector<ChunkVertex> vertices_;
-    IndexTable byIndex_;
+    IndexedVertices vertices_;
     std::vector<std::uint32_t> placeOf_;
     std::vector<GridPoint> places_;
     std::uint32_t ownPlaces_ = 0;

@@ -157,11 +157,16 @@ private:
             workplace_.finish(std::move(record));
             endPhase("bin", source_.summary().fileBytes);
         }
+        mostInChunk_ = mostOf(BinStream::Triangles, sizeof(Triangle));
+        requireMemory({needs_.base().count + MemoryNeeds::node(mostInChunk_).count});
+    }
+
+    /// The most values of so many bytes that a stream of this kind has.
+    std::uint64_t mostOf(BinStream kind, std::size_t bytes) const {
         std::uint64_t most = 0;
         for (std::uint32_t chunk = 0; chunk < ledger().binned()->chunkCount; ++chunk)
-            most = std::max(most, bins_->bytes(streamOf(BinStream::Triangles, chunk)) / sizeof(Triangle));
-        mostInChunk_ = most;
-        requireMemory({needs_.base().count + MemoryNeeds::node(most).count});
+            most = std::max(most, bins_->bytes(streamOf(kind, chunk)) / bytes);
+        return most;
     }
 
     /// Lets the chunks exchange what they share.
@@ -173,7 +178,10 @@ private:
             return;
         }
         bordersFile_ = workplace_.scratch("borders");
-        const BorderShare share = borderShare(roomBeside(needs_.base()), mostInChunk_, threads_);
+        const Bytes room = roomBeside(needs_.base());
+        const Bytes chunk =
+            MemoryNeeds::borders(mostOf(BinStream::Vertices, ledger().binned()->format.bytes()), mostInChunk_);
+        const BorderShare share = borderShare(room, std::min(chunk, room), threads_);
         borders_.emplace(*bordersFile_, borderStreams(chunks), blockBytes(share.blocks, borderStreams(chunks)));
         preprocess::shareBorders(binnedSource(), *borders_, share.chunksAtOnce, progress_);
         workplace_.finish(BorderedRecord{bordersFile_->end(), borders_->directory()});
@@ -222,7 +230,7 @@ private:
                 progress_.advance(level.info.triangles);
         }
         const std::uint64_t triangles = round.number == 0 ? mostInChunk_ : round.mostTriangles;
-        const std::size_t atOnce = nodesAtOnce(roomBeside(needs_.base()), triangles, threads_);
+        const std::size_t atOnce = countAtOnce(roomBeside(needs_.base()), MemoryNeeds::node(triangles), threads_);
         makeInOrder(
             finished,
             round.nodeCount(),

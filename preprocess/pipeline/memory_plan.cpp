@@ -11,6 +11,8 @@ namespace {
 constexpr Bytes kProcess = mebibytes(64);
 constexpr Bytes kSample = mebibytes(72);
 constexpr std::uint64_t kNodeBytesPerTriangle = 360;
+constexpr std::uint64_t kBorderBytesPerVertex = 90;
+constexpr std::uint64_t kBorderBytesPerTriangle = 32;
 constexpr std::uint64_t kScratchBytesPerTriangle = 44; // where temporary files are in memory
 constexpr std::uint64_t kPageRowBytesPerTriangle = 1;  // rows of the page table, blocks of the streams
 constexpr std::size_t kLeastBlock = 512;
@@ -29,6 +31,10 @@ Bytes MemoryNeeds::base() const {
 
 Bytes MemoryNeeds::node(std::uint64_t triangles) {
     return {triangles * kNodeBytesPerTriangle};
+}
+
+Bytes MemoryNeeds::borders(std::uint64_t vertices, std::uint64_t triangles) {
+    return {vertices * kBorderBytesPerVertex + triangles * kBorderBytesPerTriangle};
 }
 
 Bytes MemoryNeeds::survey() const {
@@ -50,16 +56,15 @@ std::size_t blockBytes(Bytes room, std::uint64_t streams) {
     return static_cast<std::size_t>(std::clamp<std::uint64_t>(room.count / streams, kLeastBlock, kLargestBlock));
 }
 
-std::size_t nodesAtOnce(Bytes room, std::uint64_t triangles, std::size_t threads) {
-    const std::uint64_t each = std::max<std::uint64_t>(MemoryNeeds::node(triangles).count, 1);
-    return static_cast<std::size_t>(std::min<std::uint64_t>(room.count / each, threads + 1));
+std::size_t countAtOnce(Bytes room, Bytes each, std::size_t threads) {
+    return static_cast<std::size_t>(
+        std::min<std::uint64_t>(room.count / std::max<std::uint64_t>(each.count, 1), threads + 1));
 }
 
-BorderShare borderShare(Bytes room, std::uint64_t triangles, std::size_t threads) {
-    const std::uint64_t chunk = MemoryNeeds::node(triangles).count;
-    GNOMON_CHECK_OP(chunk, <=, room.count);
-    const Bytes blocks = {std::min(room.count / 4, room.count - chunk)};
-    return {blocks, nodesAtOnce({room.count - blocks.count}, triangles, threads)};
+BorderShare borderShare(Bytes room, Bytes chunk, std::size_t threads) {
+    GNOMON_CHECK_OP(chunk.count, <=, room.count);
+    const Bytes blocks = {std::min(room.count / 4, room.count - chunk.count)};
+    return {blocks, countAtOnce({room.count - blocks.count}, chunk, threads)};
 }
 
 } // namespace gnomon::preprocess

@@ -20,6 +20,9 @@ struct MemoryNeeds {
     /// What working on a node of so many triangles takes.
     static Bytes node(std::uint64_t triangles);
 
+    /// What finding the answers of a chunk of so many vertices and triangles for others takes.
+    static Bytes borders(std::uint64_t vertices, std::uint64_t triangles);
+
     /// The first look at the source.
     Bytes survey() const;
 
@@ -39,10 +42,10 @@ struct BorderShare {
     std::size_t chunksAtOnce = 1;
 };
 
-/// A quarter of `room` for blocks, or what one chunk of `triangles` triangles leaves of it; that one must fit.
-BorderShare borderShare(Bytes room, std::uint64_t triangles, std::size_t threads);
+/// A quarter of `room` for blocks, or what one chunk leaves of it, which takes `chunk`; that one must fit.
+BorderShare borderShare(Bytes room, Bytes chunk, std::size_t threads);
 
-/// How many nodes of `triangles` triangles fit into `room` at once; 0 if none does. At most one more than `threads`.
-std::size_t nodesAtOnce(Bytes room, std::uint64_t triangles, std::size_t threads);
+/// How many pieces of work that take `each` fit into `room` at once; 0 if none does. At most one more than `threads`.
+std::size_t countAtOnce(Bytes room, Bytes each, std::size_t threads);
 
 } // namespace gnomon::preprocess

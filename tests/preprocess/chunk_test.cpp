@@ -143,6 +143,64 @@ TEST(Chunks, TogetherAreTheWholeWeldedMesh) {
         expectSameFacts(soup(seed, 1500), 64 + 50 * static_cast<std::uint32_t>(seed), 256);
 }
 
+/// Seeded vertices of a chunk: runs of consecutive indices with gaps between, some of them foreign.
+struct MadeVertices {
+    std::vector<ChunkVertex> own;
+    std::vector<ChunkVertex> foreign; // in no order
+};
+
+MadeVertices madeVertices(Random& random) {
+    MadeVertices made;
+    const std::uint64_t longestRun = 1 + random.below(40);
+    const std::uint64_t widestGap = 1 + random.below(std::uint64_t{1} << random.below(20));
+    std::uint64_t index = random.below(1000);
+    for (std::uint64_t run = random.below(200); run > 0; --run) {
+        std::vector<ChunkVertex>& some = random.below(4) == 0 ? made.foreign : made.own;
+        for (std::uint64_t left = 1 + random.below(longestRun); left > 0; --left) {
+            some.emplace_back();
+            some.back().index = static_cast<std::uint32_t>(index++);
+        }
+        index += random.below(widestGap);
+    }
+    if (random.below(8) == 0) {
+        made.own.emplace_back();
+        made.own.back().index = 0xFFFFFFFE;
+    }
+    for (std::size_t i = made.foreign.size(); i > 1; --i)
+        std::swap(made.foreign[i - 1], made.foreign[random.below(i)]);
+    return made;
+}
+
+TEST(IndexedVertices, AreFoundAsInAMap) {
+    Random random(11);
+    for (int i = 0; i < 300; ++i) {
+        const MadeVertices made = madeVertices(random);
+        std::map<std::uint32_t, std::uint32_t> plain;
+        for (const std::vector<ChunkVertex>* some : {&made.own, &made.foreign})
+            for (const ChunkVertex& vertex : *some)
+                plain.emplace(vertex.index, static_cast<std::uint32_t>(plain.size()));
+        const IndexedVertices vertices(made.own, made.foreign);
+        ASSERT_EQ(vertices.size(), plain.size());
+        ASSERT_EQ(vertices.ownCount(), made.own.size());
+        for (const auto& [index, vertex] : plain) {
+            ASSERT_EQ(vertices.find(index), vertex);
+            ASSERT_EQ(vertices[vertex].index, index);
+        }
+    }
+}
+
+TEST(IndexedVerticesDeathTest, OneThatIsNotThereIsNotFound) {
+    const auto at = [](std::uint32_t index) {
+        ChunkVertex vertex;
+        vertex.index = index;
+        return vertex;
+    };
+    const IndexedVertices vertices({at(5), at(6), at(9)}, {at(2)});
+    for (const std::uint32_t absent : {0U, 1U, 3U, 4U, 7U, 8U, 10U, 0xFFFFFFFFU})
+        EXPECT_DEATH(vertices.find(absent), "internal check failed") << absent;
+    EXPECT_DEATH(IndexedVertices({}, {}).find(0), "internal check failed");
+}
+
 TEST(Chunks, MostBordersAreInteriorElsewhere) {
     const Chunked chunked = preprocess::chunked(bumpySheet(60), 1000, 4096);
     EXPECT_GE(chunked.chunkCount, 7U);

@@ -310,14 +310,13 @@ TEST(Pipeline, CoordinatesWhoseSquaresNoDoubleHoldsAreRefused) {
 TEST(MemoryPlan, BordersAreSharedInAnyRoomThatHoldsAChunk) {
     Random random(5);
     for (int i = 0; i < 2000; ++i) {
-        const std::uint64_t triangles = 1 + random.below(2'000'000);
-        const std::uint64_t chunk = MemoryNeeds::node(triangles).count;
-        const Bytes room = {chunk + (random.below(4) == 0 ? 0 : random.below(3 * chunk))};
+        const Bytes chunk = MemoryNeeds::borders(1 + random.below(3'000'000), random.below(2'000'000));
+        const Bytes room = {chunk.count + (random.below(4) == 0 ? 0 : random.below(3 * chunk.count))};
         const std::size_t threads = 1 + random.below(16);
-        const BorderShare share = borderShare(room, triangles, threads);
+        const BorderShare share = borderShare(room, chunk, threads);
         ASSERT_GE(share.chunksAtOnce, 1U);
         ASSERT_LE(share.chunksAtOnce, threads + 1);
-        ASSERT_LE(share.blocks.count + share.chunksAtOnce * chunk, room.count);
+        ASSERT_LE(share.blocks.count + share.chunksAtOnce * chunk.count, room.count);
     }
 }
 

@@ -1,0 +1,44 @@
+// The vertices that a chunk has and uses, found by the index that they have in the source.
+#pragma once
+
+#include "preprocess/chunk/chunk_streams.h"
+
+namespace gnomon::preprocess {
+
+/// Those that lie in the chunk come first, then those of other chunks.
+class IndexedVertices {
+public:
+    /// `own` by ascending index, `foreign` in any order; no index twice.
+    IndexedVertices(std::vector<ChunkVertex> own, const std::vector<ChunkVertex>& foreign);
+
+    std::size_t size() const { return vertices_.size(); }
+
+    /// How many lie in the chunk.
+    std::size_t ownCount() const { return ownCount_; }
+
+    const ChunkVertex& operator[](std::uint32_t vertex) const { return vertices_[vertex]; }
+
+    /// Its number here; a check fails for a vertex that the chunk has not.
+    std::uint32_t find(std::uint32_t sourceIndex) const;
+
+    Triangle find(const Triangle& corners) const { return {find(corners[0]), find(corners[1]), find(corners[2])}; }
+
+private:
+    /// Vertices that follow each other both in the source and here. Scans have few runs, and long ones.
+    struct Run {
+        std::uint32_t index = 0;
+        std::uint32_t vertex = 0;
+        std::uint32_t count = 0;
+    };
+
+    void findRuns();
+    void bucketRuns();
+
+    std::vector<ChunkVertex> vertices_;
+    std::size_t ownCount_;
+    std::vector<Run> runs_; // by ascending index
+    std::uint32_t bucketShift_ = 0;
+    std::vector<std::uint32_t> firstRun_; // that begins in each bucket of 2^bucketShift_ indices, or after it
+};
+
+} // namespace gnomon::preprocess

@@ -32,6 +32,7 @@ public:
 
     void binVertices(const SourceSurvey& survey, const ChunkTree& tree) {
         progress_.stage("bin", "vertices", source_.summary().vertexCount);
+        const GridSnap snap(survey.grid);
         VertexBytes storage{};
         source_.readVertices([&](const VertexBlock& block) {
             for (std::size_t i = 0; i < block.positions.size(); ++i) {
@@ -41,7 +42,7 @@ public:
                 vertex.position = block.positions[i];
                 if (!block.normals.empty()) vertex.normal = hierarchy::packNormal(glm::dvec3(block.normals[i]));
                 if (!block.colors.empty()) vertex.color = block.colors[i];
-                const std::uint32_t chunk = tree.chunkOf(snapped(survey.grid, vertex.position));
+                const std::uint32_t chunk = tree.chunkOf(snap(vertex.position));
                 chunkOf_[vertex.index] = static_cast<std::uint16_t>(chunk);
                 bins_.append(streamOf(BinStream::Vertices, chunk), encodeVertex(vertex, format_, storage));
             }
@@ -181,13 +182,14 @@ VertexFormat formatOf(const MeshSummary& source) {
 
 ChunkTree planChunks(MeshSource& source, const SourceSurvey& survey, std::uint32_t chunkTriangles, Progress& progress) {
     const std::uint64_t limit = std::uint64_t{3} * chunkTriangles;
+    const GridSnap snap(survey.grid);
     CellCounts counts(survey.furthest);
     do {
         progress.stage("octree", "vertices", survey.vertices);
         source.readVertices([&](const VertexBlock& block) {
             for (std::size_t i = 0; i < block.positions.size(); ++i)
                 if (const std::uint8_t valence = survey.valence[block.firstVertex + i]; valence > 0)
-                    counts.add(snapped(survey.grid, block.positions[i]), valence);
+                    counts.add(snap(block.positions[i]), valence);
             progress.advance(block.positions.size());
         });
     } while (counts.refine(limit / 8));

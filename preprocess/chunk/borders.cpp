@@ -58,18 +58,19 @@ struct Surroundings {
 /// Which of `vertices` lie where one of `asked` does.
 std::vector<std::uint8_t> atPlacesOf(
     std::span<const VertexRequest> asked, const IndexedVertices& vertices, const Grid& grid) {
+    const GridSnap snap(grid);
     std::vector<GridPoint> points;
     points.reserve(asked.size());
     IndexTable table(asked.size());
     const auto sameAs = [&](const GridPoint& p) { return [&](std::uint32_t other) { return points[other] == p; }; };
     for (const VertexRequest& request : asked) {
-        const GridPoint p = snapped(grid, vertices[vertices.find(request.vertex)].position);
+        const GridPoint p = snap(vertices[vertices.find(request.vertex)].position);
         const auto next = static_cast<std::uint32_t>(points.size());
         if (table.findOrInsert(hashOf(p.x, p.y, p.z), next, sameAs(p)) == next) points.push_back(p);
     }
     std::vector<std::uint8_t> isThere(vertices.size());
     for (std::uint32_t v = 0; v < vertices.size(); ++v) {
-        const GridPoint p = snapped(grid, vertices[v].position);
+        const GridPoint p = snap(vertices[v].position);
         isThere[v] = table.find(hashOf(p.x, p.y, p.z), sameAs(p)) != IndexTable::kAbsent ? 1 : 0;
     }
     return isThere;

@@ -28,13 +28,14 @@ bool isDegenerate(const ChunkVertices& vertices, const Triangle& t) {
 
 ChunkVertices::ChunkVertices(IndexedVertices vertices, const Grid& grid)
     : vertices_(std::move(vertices)), placeOf_(vertices_.size()) {
+    const GridSnap snap(grid);
     IndexTable byPlace(vertices_.size());
     std::array<GridPoint, kBatch> points;
     std::array<std::uint64_t, kBatch> hashes{};
     for (std::size_t first = 0; first < vertices_.size(); first += kBatch) {
         const std::size_t count = std::min(kBatch, vertices_.size() - first);
         for (std::size_t i = 0; i < count; ++i) {
-            const GridPoint& p = points[i] = snapped(grid, vertices_[static_cast<std::uint32_t>(first + i)].position);
+            const GridPoint& p = points[i] = snap(vertices_[static_cast<std::uint32_t>(first + i)].position);
             hashes[i] = hashOf(p.x, p.y, p.z);
             byPlace.prefetch(hashes[i]);
         }

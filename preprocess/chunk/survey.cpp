@@ -105,9 +105,13 @@ EdgeSample::Lengths EdgeSample::measure(MeshSource& source) const {
         vertices.insert(vertices.end(), entry.corners.begin(), entry.corners.end());
     const VertexLookup positions(source, std::move(vertices));
     Lengths lengths;
-    for (const Entry& entry : entries_)
-        for (std::size_t i = 0; i < 3; ++i)
-            lengths.add(glm::length(positions[entry.corners[i]] - positions[entry.corners[(i + 1) % 3]]));
+    for (const Entry& entry : entries_) {
+        const glm::dvec3& a = positions[entry.corners[0]];
+        const glm::dvec3& b = positions[entry.corners[1]];
+        const glm::dvec3& c = positions[entry.corners[2]];
+        for (const glm::dvec3& edge : {a - b, b - c, c - a})
+            lengths.add(glm::length(edge));
+    }
     return lengths;
 }
 
@@ -134,15 +138,6 @@ Grid chooseGrid(const Box& box, const EdgeSample::Lengths& lengths) {
     return grid;
 }
 
-GridPoint snapped(const Grid& grid, const glm::dvec3& position) {
-    const auto coordinate = [](double value) {
-        return static_cast<std::uint32_t>(
-            std::clamp(std::floor(value + 0.5), 0.0, static_cast<double>(hierarchy::kMaxGridCoordinate)));
-    };
-    const glm::dvec3 p = (position - grid.origin) * (1 / grid.step());
-    return {coordinate(p.x), coordinate(p.y), coordinate(p.z)};
-}
-
 SourceSurvey surveySource(MeshSource& source, Progress& progress) {
     const MeshSummary& summary = source.summary();
     if (summary.vertexCount >= 0xFFFFFFFFU)
@@ -153,7 +148,7 @@ SourceSurvey surveySource(MeshSource& source, Progress& progress) {
     countTriangles(source, survey, sample, progress);
     const Box box = boundsOf(source, survey.valence, progress);
     survey.grid = chooseGrid(box, sample.measure(source));
-    survey.furthest = snapped(survey.grid, box.isEmpty() ? glm::dvec3(0) : box.max);
+    survey.furthest = GridSnap(survey.grid)(box.isEmpty() ? glm::dvec3(0) : box.max);
     return survey;
 }
 

@@ -5,6 +5,7 @@
 #include "preprocess/build/mesh.h"
 #include "preprocess/read/mesh_source.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace gnomon::preprocess {
@@ -61,7 +62,24 @@ private:
 /// the median edge and half of nearly the shortest; coarser only where 30 bits or the spacing of doubles end.
 Grid chooseGrid(const Box& box, const EdgeSample::Lengths& lengths);
 
-/// The point of the grid nearest to `position`.
-GridPoint snapped(const Grid& grid, const glm::dvec3& position);
+/// Finds the points of a grid that are nearest to positions.
+class GridSnap {
+public:
+    explicit GridSnap(const Grid& grid) : origin_(grid.origin), stepsPerUnit_(1 / grid.step()) {}
+
+    GridPoint operator()(const glm::dvec3& position) const {
+        const glm::dvec3 p = (position - origin_) * stepsPerUnit_;
+        return {coordinate(p.x), coordinate(p.y), coordinate(p.z)};
+    }
+
+private:
+    static std::uint32_t coordinate(double value) {
+        constexpr auto kMost = static_cast<double>(hierarchy::kMaxGridCoordinate);
+        return static_cast<std::uint32_t>(std::clamp(value + 0.5, 0.0, kMost));
+    }
+
+    glm::dvec3 origin_;
+    double stepsPerUnit_;
+};
 
 } // namespace gnomon::preprocess

@@ -22,6 +22,18 @@ Corners turned(Corners corners) {
     return corners;
 }
 
+GridPoint plainlySnapped(const Grid& grid, const glm::dvec3& position) {
+    std::array<std::uint32_t, 3> p{};
+    for (int axis = 0; axis < 3; ++axis) {
+        const double nearest = std::floor((position[axis] - grid.origin[axis]) / grid.step() + 0.5);
+        if (nearest > hierarchy::kMaxGridCoordinate)
+            p[static_cast<std::size_t>(axis)] = hierarchy::kMaxGridCoordinate;
+        else if (nearest > 0)
+            p[static_cast<std::size_t>(axis)] = static_cast<std::uint32_t>(nearest);
+    }
+    return {p[0], p[1], p[2]};
+}
+
 struct Facts {
     std::multiset<Corners> triangles;
     std::uint64_t dropped = 0;
@@ -33,7 +45,7 @@ Facts plainFacts(const CodeMesh& mesh, const Grid& grid) {
     std::map<GridPoint, std::uint32_t> ids;
     std::vector<GridPoint> points;
     const auto idOf = [&](std::uint32_t vertex) {
-        const GridPoint p = snapped(grid, mesh.positions[vertex]);
+        const GridPoint p = plainlySnapped(grid, mesh.positions[vertex]);
         const auto [place, isNew] = ids.emplace(p, static_cast<std::uint32_t>(points.size()));
         if (isNew) points.push_back(p);
         return place->second;
@@ -141,6 +153,23 @@ TEST(Chunks, TogetherAreTheWholeWeldedMesh) {
     expectSameFacts(strewnBoxes(200), 150, 512);
     for (std::uint64_t seed = 0; seed < 12; ++seed)
         expectSameFacts(soup(seed, 1500), 64 + 50 * static_cast<std::uint32_t>(seed), 256);
+}
+
+TEST(GridSnap, FindsTheNearestPointOfTheGrid) {
+    Random random(3);
+    for (int i = 0; i < 20'000; ++i) {
+        Grid grid;
+        grid.stepExponent = static_cast<int>(random.below(60)) - 40;
+        const auto coordinate = [&](double spread) { return random.uniform(-spread, spread); };
+        grid.origin = glm::dvec3(coordinate(50), coordinate(50), coordinate(50));
+        const double spread = std::ldexp(grid.step(), static_cast<int>(random.below(36))); // some lie beyond the grid
+        glm::dvec3 position;
+        for (int axis = 0; axis < 3; ++axis)
+            position[axis] = grid.origin[axis] + coordinate(spread);
+        if (random.below(4) == 0) // just between two points
+            position = grid.origin + (glm::floor((position - grid.origin) / grid.step()) + 0.5) * grid.step();
+        ASSERT_EQ(GridSnap(grid)(position), plainlySnapped(grid, position));
+    }
 }
 
 /// Seeded vertices of a chunk: runs of consecutive indices with gaps between, some of them foreign.

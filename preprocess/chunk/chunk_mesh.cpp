@@ -54,9 +54,9 @@ public:
     MeshMaker(const ChunkVertices& vertices, const Places& places)
         : vertices_(vertices),
           places_(places),
-          table_(vertices.size()),
           vertexOf_(vertices.size(), kNone),
-          positionOf_(vertices.places().size(), kNone) {}
+          firstAt_(vertices.places().size(), kNone),
+          furtherAt_(vertices.size() - vertices.places().size()) {}
 
     void add(std::vector<Triangle> triangles) {
         for (Triangle& t : triangles)
@@ -76,26 +76,29 @@ private:
         vertex.position = vertices_.places()[place];
         vertex.normal = places_.normals.empty() ? vertices_[source].normal : places_.normals[place];
         vertex.color = vertices_[source].color;
+        const std::uint32_t first = firstAt_[place];
         const auto next = static_cast<std::uint32_t>(mesh_.vertices.size());
-        const std::uint32_t found =
-            table_.findOrInsert(hashOf(place, vertex.normal, vertex.color), next, [&](std::uint32_t other) {
-                return mesh_.vertices[other] == vertex;
-            });
-        if (found != next) return found;
-        if (positionOf_[place] == kNone) {
-            positionOf_[place] = mesh_.positionCount++;
+        if (first == kNone) {
+            firstAt_[place] = next;
+            mesh_.positionOf.push_back(mesh_.positionCount++);
             mesh_.sharers.push_back(places_.sharers[place]);
+        } else {
+            if (mesh_.vertices[first] == vertex) return first;
+            const auto isEqual = [&](std::uint32_t other) { return mesh_.vertices[other] == vertex; };
+            const std::uint32_t found =
+                furtherAt_.findOrInsert(hashOf(place, vertex.normal, vertex.color), next, isEqual);
+            if (found != next) return found;
+            mesh_.positionOf.push_back(mesh_.positionOf[first]);
         }
         mesh_.vertices.push_back(vertex);
-        mesh_.positionOf.push_back(positionOf_[place]);
-        return found;
+        return next;
     }
 
     const ChunkVertices& vertices_;
     const Places& places_;
-    IndexTable table_;
     std::vector<std::uint32_t> vertexOf_;
-    std::vector<std::uint32_t> positionOf_;
+    std::vector<std::uint32_t> firstAt_; // the first vertex of the mesh at each place, nearly always the only one
+    IndexTable furtherAt_;               // the others
     Mesh mesh_;
 };
 

@@ -74,6 +74,15 @@ struct VertexChannels {
     std::array<Channel, 3> positions; // these and the following by vertex that is no reference
     std::array<Channel, 2> normals;
     std::array<Channel, 4> colors;
+
+    /// Room for what most sources have of so many vertices.
+    void reserve(std::size_t vertices) {
+        references.reserve(vertices);
+        for (Channel& channel : positions)
+            channel.reserve(vertices);
+        for (Channel& channel : normals)
+            channel.reserve(vertices);
+    }
 };
 
 AttributeLayout layoutOf(std::span<const Vertex> vertices) {
@@ -92,13 +101,21 @@ AttributeLayout layoutOf(std::span<const Vertex> vertices) {
 class VertexEncoder {
 public:
     explicit VertexEncoder(const Page& page)
-        : page_(page), layout_(layoutOf(page.vertices)), table_(page.vertices.size()) {}
+        : page_(page), layout_(layoutOf(page.vertices)), table_(page.vertices.size()) {
+        channels_.reserve(page.vertices.size());
+        last_.reserve(page.vertices.size());
+    }
 
     void encode(const Cluster& cluster, const ParentTable& parents) {
         const auto vertices = std::span(page_.vertices).subspan(cluster.firstVertex, cluster.vertexCount);
+        hashes_.resize(vertices.size());
+        for (std::uint32_t v = 0; v < vertices.size(); ++v) {
+            hashes_[v] = hashOf(vertices[v]);
+            table_.prefetch(hashes_[v]);
+        }
         std::uint32_t expected = cluster.firstVertex;
         for (std::uint32_t v = 0; v < vertices.size(); ++v) {
-            if (const std::uint32_t earlier = seen(vertices[v]); earlier != kNone) {
+            if (const std::uint32_t earlier = seen(vertices[v], hashes_[v]); earlier != kNone) {
                 channels_.references.push_back(1 + zigzag(earlier - expected));
                 expected = earlier + 1;
             } else {
@@ -107,7 +124,7 @@ public:
             }
         }
         for (std::uint32_t v = 0; v < vertices.size(); ++v)
-            see(cluster.firstVertex + v);
+            see(cluster.firstVertex + v, hashes_[v]);
     }
 
     void write(ByteWriter& out, std::vector<std::size_t>& streamEnds) const {
@@ -129,17 +146,17 @@ public:
 
 private:
     /// The last vertex of the clusters so far that is equal to `vertex`, or kNone.
-    std::uint32_t seen(const Vertex& vertex) const {
+    std::uint32_t seen(const Vertex& vertex, std::uint64_t hash) const {
         const auto isEqual = [&](std::uint32_t entry) { return page_.vertices[last_[entry]] == vertex; };
-        const std::uint32_t entry = table_.find(hashOf(vertex), isEqual);
+        const std::uint32_t entry = table_.find(hash, isEqual);
         return entry == IndexTable::kAbsent ? kNone : last_[entry];
     }
 
-    void see(std::uint32_t v) {
+    void see(std::uint32_t v, std::uint64_t hash) {
         const auto next = static_cast<std::uint32_t>(last_.size());
         const Vertex& vertex = page_.vertices[v];
         const auto isEqual = [&](std::uint32_t entry) { return page_.vertices[last_[entry]] == vertex; };
-        const std::uint32_t entry = table_.findOrInsert(hashOf(vertex), next, isEqual);
+        const std::uint32_t entry = table_.findOrInsert(hash, next, isEqual);
         if (entry == next) last_.emplace_back();
         last_[entry] = v;
     }
@@ -186,8 +203,9 @@ private:
     AttributeLayout layout_;
     VertexChannels channels_;
     ByteWriter anchors_;
-    IndexTable table_;                // of the different vertices so far
-    std::vector<std::uint32_t> last_; // which vertex was the last of each
+    IndexTable table_;                  // of the different vertices so far
+    std::vector<std::uint32_t> last_;   // which vertex was the last of each
+    std::vector<std::uint64_t> hashes_; // of the vertices of the cluster
     GridPoint anchor_;
 };
 

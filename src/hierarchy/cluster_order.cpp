@@ -1,9 +1,11 @@
 #include "hierarchy/cluster_order.h"
 
+#include "hierarchy/connectivity_code.h"
 #include "hierarchy/edge_window.h"
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <optional>
 #include <span>
 
@@ -11,41 +13,40 @@ namespace gnomon::hierarchy {
 
 namespace {
 
-/// Which triangles have a directed edge, by edge: a table with open addressing, at most three quarters full.
+/// Which triangles have a directed edge, listed by the vertex that it comes from.
 class EdgeTable {
 public:
     explicit EdgeTable(std::span<const Triangle> triangles) {
-        entries_.fill(kEmpty);
-        for (std::uint32_t t = 0; t < triangles.size(); ++t)
-            for (std::size_t k = 0; k < 3; ++k)
-                insert(key(triangles[t][k], triangles[t][(k + 1) % 3]) << 16U | t);
+        for (const Triangle& triangle : triangles)
+            for (const std::uint8_t from : triangle)
+                ++end_[from];
+        std::uint16_t sum = 0;
+        for (std::uint16_t& end : end_)
+            end = sum = static_cast<std::uint16_t>(sum + end);
+        begin_ = end_;
+        for (std::size_t t = triangles.size(); t-- > 0;) // each list is filled from its end
+            for (std::size_t k = 3; k-- > 0;)
+                edges_[--begin_[triangles[t][k]]] = {triangles[t][(k + 1) % 3], static_cast<std::uint8_t>(t)};
     }
 
     /// The first triangle with edge (from, to) that is not `done`.
     std::optional<std::uint32_t> find(std::uint32_t from, std::uint32_t to, std::span<const bool> done) const {
-        const std::uint32_t edge = key(from, to);
-        for (std::size_t i = home(edge); entries_[i] != kEmpty; i = (i + 1) % kSize)
-            if (entries_[i] >> 16U == edge && !done[entries_[i] & 0xFFFFU]) return entries_[i] & 0xFFFFU;
+        for (std::size_t i = begin_[from]; i < end_[from]; ++i)
+            if (edges_[i].to == to && !done[edges_[i].triangle]) return edges_[i].triangle;
         return {};
     }
 
 private:
-    static constexpr std::size_t kSize = 1024; // for three edges of each of at most 256 triangles
-    static constexpr std::uint32_t kEmpty = 0xFFFFFFFFU;
+    static constexpr std::size_t kMostTriangles = 256; // and as many vertices
 
-    static std::uint32_t key(std::uint32_t from, std::uint32_t to) { return from << 8U | to; }
+    struct Edge {
+        std::uint8_t to = 0;
+        std::uint8_t triangle = 0;
+    };
 
-    static std::size_t home(std::uint32_t edge) { return (edge * 0x9E3779B1U) >> 22U; }
-
-    /// Entries of one edge are met in the order in which they came.
-    void insert(std::uint32_t entry) {
-        std::size_t i = home(entry >> 16U);
-        while (entries_[i] != kEmpty)
-            i = (i + 1) % kSize;
-        entries_[i] = entry;
-    }
-
-    std::array<std::uint32_t, kSize> entries_{}; // edge << 16 | triangle
+    std::array<std::uint16_t, kMostTriangles> begin_{};
+    std::array<std::uint16_t, kMostTriangles> end_{};
+    std::array<Edge, 3 * kMostTriangles> edges_{};
 };
 
 /// `triangle` turned so that it begins with edge (from, to).
@@ -63,22 +64,27 @@ std::vector<Triangle> walk(std::span<const Triangle> triangles) {
     std::vector<Triangle> order;
     order.reserve(triangles.size());
     EdgeWindow window;
+    std::uint32_t hopeful = 0; // bit k: the open edge of age k may lead to a triangle; one that does not never will
     std::uint32_t firstLeft = 0;
     const auto take = [&](std::uint32_t index, const Triangle& triangle, bool entered) {
         done[index] = true;
         order.push_back(triangle);
         window.pushTriangle(triangle[0], triangle[1], triangle[2], entered);
+        hopeful = (entered ? hopeful << 2U | 3U : hopeful << 3U | 7U) & ((1U << kNotEntered) - 1);
+    };
+    const auto enterNext = [&] {
+        while (hopeful != 0) {
+            const OpenEdge edge = window.recent(static_cast<unsigned>(std::countr_zero(hopeful)));
+            if (const auto next = edges.find(edge.from, edge.to, done)) {
+                take(*next, turned(triangles[*next], edge.from, edge.to), true);
+                return true;
+            }
+            hopeful &= hopeful - 1;
+        }
+        return false;
     };
     while (order.size() < triangles.size()) {
-        bool found = false;
-        for (unsigned age = 0; age < std::min(window.count(), 15U) && !found; ++age) {
-            const OpenEdge edge = window.recent(age);
-            const auto next = edges.find(edge.from, edge.to, done);
-            if (!next) continue;
-            take(*next, turned(triangles[*next], edge.from, edge.to), true);
-            found = true;
-        }
-        if (found) continue;
+        if (enterNext()) continue;
         while (done[firstLeft])
             ++firstLeft;
         take(firstLeft, triangles[firstLeft], false);

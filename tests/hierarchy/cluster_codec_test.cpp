@@ -58,6 +58,68 @@ std::vector<std::byte> encoded(const Page& page) {
     return out.take();
 }
 
+/// The triangles of a cluster as `orderForCoding` has them: across the newest of the last 15 open edges that leads to a
+/// triangle, to the first one there; if none does, the first that is left.
+std::vector<Triangle> plainlyOrdered(std::vector<Triangle> left) {
+    std::vector<Triangle> order;
+    std::vector<std::array<std::uint8_t, 2>> open; // the newest last
+    const auto enter = [&] {
+        for (std::size_t age = 0; age < std::min<std::size_t>(open.size(), 15); ++age) {
+            const auto [from, to] = open[open.size() - 1 - age];
+            for (auto t = left.begin(); t != left.end(); ++t)
+                for (std::size_t k = 0; k < 3; ++k) {
+                    const Triangle turned{(*t)[k], (*t)[(k + 1) % 3], (*t)[(k + 2) % 3]};
+                    if (turned[0] != from || turned[1] != to) continue;
+                    left.erase(t);
+                    order.push_back(turned);
+                    return true;
+                }
+        }
+        return false;
+    };
+    while (!left.empty()) {
+        const bool isEntered = enter();
+        if (!isEntered) {
+            order.push_back(left.front());
+            left.erase(left.begin());
+        }
+        const auto [a, b, c] = order.back();
+        if (!isEntered) open.push_back({b, a});
+        open.push_back({a, c});
+        open.push_back({c, b});
+    }
+    return order;
+}
+
+/// With vertices numbered by first use.
+std::vector<Triangle> renumbered(std::vector<Triangle> triangles) {
+    std::vector<int> number(256, -1);
+    int next = 0;
+    for (Triangle& t : triangles)
+        for (std::uint8_t& corner : t) {
+            if (number[corner] < 0) number[corner] = next++;
+            corner = static_cast<std::uint8_t>(number[corner]);
+        }
+    return triangles;
+}
+
+TEST(ClusterOrder, IsAsPlainly) {
+    std::vector<Page> pages = gnomon::tests::makeTinyModel({}).pages;
+    for (std::uint64_t seed = 0; seed < 200; ++seed)
+        pages.push_back(randomPage(seed));
+    for (const Page& page : pages) {
+        Page ordered = page;
+        orderForCoding(ordered);
+        for (const Cluster& cluster : page.clusters) {
+            const auto first = static_cast<std::ptrdiff_t>(cluster.firstTriangle);
+            const auto last = first + static_cast<std::ptrdiff_t>(cluster.triangleCount);
+            const std::vector<Triangle> before(page.triangles.begin() + first, page.triangles.begin() + last);
+            const std::vector<Triangle> after(ordered.triangles.begin() + first, ordered.triangles.begin() + last);
+            ASSERT_EQ(after, renumbered(plainlyOrdered(before)));
+        }
+    }
+}
+
 TEST(ClusterCodec, DecodesAsPlainlyOnEveryInstructionSet) {
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));

@@ -23,6 +23,10 @@ constexpr std::uint64_t kMaxExpansion = 256;
 /// Below this a block's own code costs more bytes and more time than it saves.
 constexpr std::size_t kLeastBlockBytes = 5000;
 
+/// A page that packs to less than this share repeats itself, as plants do: one block for all of it unfolds a seventh
+/// sooner there, and is hardly longer.
+constexpr double kRepetitiveShare = 0.4;
+
 void putSphere(ByteWriter& out, const Sphere& sphere) {
     out.put(sphere.center.x);
     out.put(sphere.center.y);
@@ -151,7 +155,9 @@ std::vector<std::byte> packedFrame(std::span<const std::byte> plain, std::span<c
 }
 
 std::vector<std::byte> pack(std::span<const std::byte> plain, std::span<const std::size_t> streamEnds) {
-    const std::vector<std::byte> packed = packedFrame(plain, streamEnds);
+    std::vector<std::byte> packed = packedFrame(plain, streamEnds);
+    if (static_cast<double>(packed.size()) < kRepetitiveShare * static_cast<double>(plain.size()))
+        packed = packedFrame(plain, {});
     ByteWriter out;
     const bool worthIt = packed.size() < plain.size() && plain.size() <= packed.size() * kMaxExpansion;
     out.put(static_cast<std::uint8_t>(worthIt ? Packing::Zstd : Packing::Plain));

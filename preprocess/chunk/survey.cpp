@@ -52,8 +52,11 @@ Box boundsOf(MeshSource& source, const std::vector<std::uint8_t>& valence, Progr
     progress.stage("measure", "vertices", source.summary().vertexCount);
     Box box;
     source.readVertices([&](const VertexBlock& block) {
-        for (std::size_t i = 0; i < block.positions.size(); ++i)
-            if (valence[block.firstVertex + i] > 0) box.add(block.positions[i]);
+        for (std::size_t i = 0; i < block.positions.size(); ++i) {
+            if (valence[block.firstVertex + i] == 0) continue;
+            requireFinite(source, block.firstVertex + i, block.positions[i]);
+            box.add(block.positions[i]);
+        }
         progress.advance(block.positions.size());
     });
     const double largest = box.isEmpty() ? 0 : std::max(maxAbs(box.min), maxAbs(box.max));

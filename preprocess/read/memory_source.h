@@ -10,7 +10,7 @@ namespace gnomon::preprocess {
 
 /// Vertices and polygons as plain arrays.
 struct MemoryMesh {
-    std::vector<glm::dvec3> positions;    ///< finite
+    std::vector<glm::dvec3> positions;
     std::vector<glm::vec3> normals;       ///< empty, or one a vertex
     std::vector<std::uint32_t> colors;    ///< empty, or one a vertex; RGBA8, red in the lowest byte
     std::vector<std::uint32_t> faceSizes; ///< corners of each face

@@ -1,6 +1,8 @@
 // What every input looks like to the builder: a mesh that is read in streams, as often as wanted, in bounded memory.
 #pragma once
 
+#include "core/error.h"
+
 #include <glm/glm.hpp>
 
 #include <array>
@@ -28,7 +30,7 @@ struct MeshSummary {
 /// Consecutive vertices. Valid only during the call of the sink.
 struct VertexBlock {
     std::uint64_t firstVertex = 0;
-    std::span<const glm::dvec3> positions; ///< finite
+    std::span<const glm::dvec3> positions; ///< finite where a triangle uses them, else the source is bad
     std::span<const glm::vec3> normals;    ///< as stored, zero where not finite; empty if the input has none
     std::span<const std::uint32_t> colors; ///< RGBA8, red in the lowest byte; empty if the input has none
 };
@@ -78,6 +80,19 @@ public:
 
     /// Delivers all triangles in file order; source indices count from 0 without gaps.
     virtual void readTriangles(const TriangleSink& sink) = 0;
+
+    /// Where vertex `vertex` is in the input, for messages.
+    virtual std::string whereIs(std::uint64_t /*vertex*/) { return summary().path; }
 };
+
+inline bool isFinite(const glm::dvec3& position) {
+    return position.x * 0 + position.y * 0 + position.z * 0 == 0; // a number times zero is zero, anything else is not
+}
+
+/// Of a vertex that triangles use, throws Error. Others may lie anywhere: scanners write NaN where they saw nothing.
+inline void requireFinite(MeshSource& source, std::uint64_t vertex, const glm::dvec3& position) {
+    if (!isFinite(position))
+        throw Error(source.whereIs(vertex), "a coordinate of vertex " + std::to_string(vertex) + " is not finite");
+}
 
 } // namespace gnomon::preprocess

@@ -66,6 +66,13 @@ public:
         }
     }
 
+    std::string whereIs(std::uint64_t vertex) override {
+        auto part = parts_.begin();
+        for (; vertex >= (*part)->summary().vertexCount; ++part)
+            vertex -= (*part)->summary().vertexCount;
+        return (*part)->whereIs(vertex);
+    }
+
 private:
     std::vector<std::unique_ptr<MeshSource>> parts_;
     MeshSummary summary_;

@@ -100,29 +100,6 @@ void decodeColors(const RawRows& rows, const Columns& columns, std::span<std::ui
     }
 }
 
-// Finds the coordinate that made the sum of the block not finite.
-void throwIfNotFinite(
-    const ByteStream& stream,
-    std::uint64_t firstVertex,
-    const RawRows& rows,
-    const Columns& columns,
-    std::span<const glm::dvec3> positions) {
-    for (std::size_t i = 0; i < positions.size(); ++i)
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            if (!std::isfinite(positions[i][static_cast<int>(axis)]))
-                throw Error(
-                    atByte(stream.path(), stream.offset() + i * rows.stride + columns[kPosition + axis].offset),
-                    "a coordinate of vertex " + std::to_string(firstVertex + i) + " is not finite");
-}
-
-bool allFinite(std::span<const glm::dvec3> positions) {
-    // A number times zero is zero, anything else is not.
-    double sum = 0;
-    for (const glm::dvec3& p : positions)
-        sum += (p.x * 0.0 + p.y * 0.0) + p.z * 0.0;
-    return sum == 0;
-}
-
 struct FaceLayout {
     std::size_t before = 0; ///< bytes of the values before the list
     std::size_t after = 0;  ///< and after it
@@ -210,7 +187,6 @@ void readVertexColumns(BinaryValues& values, const PlyElement& element, const Ve
         const RawRows rows{stream.data(), stride, static_cast<std::size_t>(count), values.isSwapped()};
         const VertexBuffer::Rows place = out.append(rows.count);
         decodePositions(rows, columns, place.positions);
-        if (!allFinite(place.positions)) throwIfNotFinite(stream, done, rows, columns, place.positions);
         if (layout.hasNormals) decodeNormals(rows, columns, place.normals);
         if (layout.hasColors) decodeColors(rows, columns, place.colors);
         stream.consume(rows.count * stride);

@@ -200,8 +200,6 @@ void readVertexRows(Values& values, const PlyElement& element, const VertexLayou
             const auto slot = static_cast<std::size_t>(slotOf[i]);
             type[slot] = property.type;
             row[slot] = values.real(property.type);
-            if (slot < kNormal && !std::isfinite(row[slot]))
-                throw Error(values.where(), "a coordinate of vertex " + std::to_string(n) + " is not finite");
         }
         values.endRow();
         const VertexBuffer::Rows place = out.append(1);

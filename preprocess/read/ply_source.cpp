@@ -73,6 +73,21 @@ public:
         pass([&](auto values) { trianglePass(values, sink); }, firstFaces_);
     }
 
+    std::string whereIs(std::uint64_t vertex) override {
+        PlyElement before = header_.elements[vertices_];
+        before.count = vertex;
+        std::string where;
+        pass(
+            [&](auto values) {
+                skipElement(values, before, header_.format);
+                const PlyProperty& first = before.properties.front();
+                values.real(first.isList ? first.countType : first.type);
+                where = values.where();
+            },
+            vertices_);
+        return where;
+    }
+
 private:
     void addToSummary(std::size_t i) {
         const PlyElement& element = header_.elements[i];

@@ -13,8 +13,8 @@ namespace gnomon::preprocess {
 /// Everything else is passed over. Elements may come in any order. Memory: a few MiB, whatever the file's size.
 ///
 /// Throws Error with line or byte: no PLY, a bad header, counts that the file is too short for, no x y z, no faces.
-/// The passes throw for truncated bodies, list counts that are negative or absurd, indices out of range, coordinates
-/// that are not finite, and data after the last element.
+/// The passes throw for truncated bodies, list counts that are negative or absurd, indices out of range, and data after
+/// the last element.
 std::unique_ptr<MeshSource> openPly(const std::string& path);
 
 } // namespace gnomon::preprocess

@@ -34,6 +34,8 @@ TriangleSoup readSoup(MeshSource& source, const hierarchy::Grid& grid, Progress&
                 return soup.positions[vertex];
             });
         for (const TriangleCorners& t : triangles) {
+            for (const std::uint64_t corner : t)
+                requireFinite(source, corner, soup.positions[corner]);
             const glm::dvec3 a = snapped(soup.positions[t[0]], grid);
             const glm::dvec3 b = snapped(soup.positions[t[1]], grid);
             const glm::dvec3 c = snapped(soup.positions[t[2]], grid);

@@ -292,6 +292,28 @@ TEST(Pipeline, AVertexThatNoTriangleUsesDoesNotSetTheGrid) {
     EXPECT_EQ(found.report().dropped, expected.report().dropped);
 }
 
+// Scanners write vertices at NaN where they saw nothing.
+TEST(Pipeline, AVertexThatIsNotFiniteIsIgnoredWhereNoTriangleUsesIt) {
+    const CodeMesh sheet = bumpySheet(30);
+    const BuiltModel expected(sheet, smallChunks(1000));
+    std::vector<glm::dvec3> positions = sheet.positions;
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    positions.emplace_back(nan, 0, nan);
+    positions.emplace_back(0, std::numeric_limits<double>::infinity(), 0);
+    const BuiltModel found(CodeMesh(positions, sheet.triangles), smallChunks(1000));
+    EXPECT_EQ(found.summary().grid.origin, expected.summary().grid.origin);
+    EXPECT_EQ(found.report().fileBytes, expected.report().fileBytes);
+    std::vector<Triangle> triangles = sheet.triangles;
+    triangles.push_back({0, 1, static_cast<std::uint32_t>(positions.size() - 1)});
+    try {
+        const BuiltModel bad(CodeMesh(positions, triangles), smallChunks(1000));
+        FAIL() << "it passed";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("a coordinate of vertex 962 is not finite"), std::string::npos)
+            << error.what();
+    }
+}
+
 TEST(Pipeline, CoordinatesWhoseSquaresNoDoubleHoldsAreRefused) {
     const TestFolder folder;
     BuildOptions options = smallChunks(1000);

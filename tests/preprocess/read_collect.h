@@ -58,8 +58,10 @@ inline CollectedMesh collect(MeshSource& source) {
         mesh.notAPolygon += block.notAPolygon;
     });
     for (const TriangleCorners& triangle : mesh.triangles)
-        for (const std::uint64_t corner : triangle)
+        for (const std::uint64_t corner : triangle) {
             EXPECT_LT(corner, mesh.positions.size());
+            requireFinite(source, corner, mesh.positions.at(corner));
+        }
     return mesh;
 }
 

@@ -105,13 +105,12 @@ void appendFitting(const Input& input, std::vector<std::uint32_t> cluster, Clust
     items.reserve(cluster.size());
     for (const std::uint32_t t : cluster)
         items.push_back({input.center(t), 1, t});
-    std::uint32_t begin = 0;
-    for (const std::uint32_t end : kdSplit(items, (cluster.size() + 1) / 2, 0.5)) {
-        std::vector<std::uint32_t> half;
-        for (std::uint32_t i = begin; i < end; ++i)
-            half.push_back(items[i].index);
-        appendFitting(input, std::move(half), out);
-        begin = end;
+    const KdParts halves = kdSplit(items, (cluster.size() + 1) / 2, 0.5);
+    auto begin = halves.order.begin();
+    for (const std::uint32_t end : halves.ends) {
+        const auto after = halves.order.begin() + end;
+        appendFitting(input, {begin, after}, out);
+        begin = after;
     }
 }
 
@@ -123,15 +122,16 @@ Clustering clusterTriangles(
     std::span<const glm::vec3> positions,
     std::uint32_t maxTriangles) {
     const Input input{triangles, positionOf, positions};
-    Items items = itemsOf(input, maxTriangles);
+    const Items items = itemsOf(input, maxTriangles);
+    const KdParts parts = kdSplit(items.items, maxTriangles, 0.5);
     Clustering result;
     result.order.reserve(triangles.size());
     std::uint32_t begin = 0;
     std::vector<std::uint32_t> cluster;
-    for (const std::uint32_t end : kdSplit(items.items, maxTriangles, 0.5)) {
+    for (const std::uint32_t end : parts.ends) {
         cluster.clear();
         for (std::uint32_t i = begin; i < end; ++i) {
-            const std::uint32_t item = items.items[i].index;
+            const std::uint32_t item = parts.order[i];
             cluster.insert(
                 cluster.end(),
                 items.members.begin() + items.first[item],

@@ -172,19 +172,19 @@ void formGroups(Level& level, const Grid& grid, const LevelOptions& options, std
     for (std::uint32_t c = 0; c < level.clusters.size(); ++c)
         items.push_back({centerOf(level.clusters[c].box), level.clusters[c].triangleCount, c});
     const std::uint64_t maxWeight = std::uint64_t{kGroupClusters} * options.clusterTriangles;
-    const auto ends = kdSplit(items, maxWeight, kGroupCutFractions.at(number % kGroupCutFractions.size()));
+    const KdParts parts = kdSplit(items, maxWeight, kGroupCutFractions.at(number % kGroupCutFractions.size()));
     Level ordered;
     ordered.triangles.reserve(level.triangles.size());
     ordered.errors.reserve(level.errors.size());
     std::uint32_t begin = 0;
     std::vector<Sphere> children;
-    for (const std::uint32_t end : ends) {
+    for (const std::uint32_t end : parts.ends) {
         LevelGroup group;
         group.firstCluster = begin;
         group.clusterCount = end - begin;
         children.clear();
         for (std::uint32_t i = begin; i < end; ++i) {
-            LevelCluster cluster = level.clusters[items[i].index];
+            LevelCluster cluster = level.clusters[parts.order[i]];
             const auto first = static_cast<std::ptrdiff_t>(cluster.firstTriangle);
             const auto last = first + static_cast<std::ptrdiff_t>(cluster.triangleCount);
             cluster.firstTriangle = static_cast<std::uint32_t>(ordered.triangles.size());

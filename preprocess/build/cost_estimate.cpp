@@ -24,8 +24,10 @@ void CostEstimate::addFacePlanes(const LivingPatch& living) {
         const double length = glm::length(normal);
         if (!(length > 0)) continue;
         const glm::dvec3& a = patch_.positions[living.positions(t)[0]];
+        Quadric plane;
+        plane.addPlane(normal / length, a, length * 0.5);
         for (const std::uint32_t p : living.positions(t))
-            quadric_[p].addPlane(normal / length, a, length * 0.5);
+            quadric_[p].add(plane);
     }
 }
 
@@ -41,8 +43,10 @@ void CostEstimate::addEdgePlanes(const LivingPatch& living) {
         const double length = glm::length(upright);
         if (!(length > 0)) continue;
         const double weight = squaredLength(edge) * (kind == EdgeKind::Open ? kBorderWeight : kCreaseWeight);
-        quadric_[a].addPlane(upright / length, patch_.positions[a], weight);
-        quadric_[b].addPlane(upright / length, patch_.positions[a], weight);
+        Quadric plane;
+        plane.addPlane(upright / length, patch_.positions[a], weight);
+        quadric_[a].add(plane);
+        quadric_[b].add(plane);
     }
 }
 

@@ -106,14 +106,11 @@ std::vector<std::uint32_t> nearestInOtherPieces(const Patch& patch) {
         sets.unite(p[0], p[1]);
         sets.unite(p[1], p[2]);
     }
-    std::vector<std::uint32_t> pieces(count);
-    bool isOnePiece = true;
-    for (std::uint32_t p = 0; p < count; ++p) {
-        pieces[p] = sets.root(p);
-        isOnePiece = isOnePiece && pieces[p] == pieces[0];
-    }
     std::vector<std::uint32_t> partners;
-    if (isOnePiece) return partners;
+    if (sets.count() <= 1) return partners;
+    std::vector<std::uint32_t> pieces(count);
+    for (std::uint32_t p = 0; p < count; ++p)
+        pieces[p] = sets.root(p);
     std::vector<std::uint32_t> size(count, 0);
     for (const std::uint32_t piece : pieces)
         ++size[piece];

@@ -10,7 +10,9 @@ namespace gnomon::preprocess {
 
 class UnionFind {
 public:
-    explicit UnionFind(std::uint32_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }
+    explicit UnionFind(std::uint32_t count) : parent_(count), count_(count) {
+        std::iota(parent_.begin(), parent_.end(), 0U);
+    }
 
     std::uint32_t root(std::uint32_t id) {
         while (parent_[id] != id) {
@@ -23,12 +25,18 @@ public:
     void unite(std::uint32_t a, std::uint32_t b) {
         a = root(a);
         b = root(b);
+        if (a == b) return;
         if (a > b) std::swap(a, b);
         parent_[b] = a;
+        --count_;
     }
+
+    /// How many sets there are.
+    std::uint32_t count() const { return count_; }
 
 private:
     std::vector<std::uint32_t> parent_;
+    std::uint32_t count_;
 };
 
 } // namespace gnomon::preprocess

@@ -1,7 +1,7 @@
 #include "preprocess/build/cluster.h"
 
-#include "core/index_table.h"
 #include "preprocess/build/kd_split.h"
+#include "preprocess/build/local_numbers.h"
 #include "preprocess/build/union_find.h"
 
 #include <algorithm>
@@ -81,21 +81,17 @@ Items itemsOf(const Input& input, std::uint32_t maxTriangles) {
     return result;
 }
 
-std::uint32_t vertexCount(const Input& input, std::span<const std::uint32_t> cluster) {
-    std::vector<std::uint32_t> used;
-    IndexTable table(cluster.size() * 3);
+std::uint32_t vertexCount(const Input& input, std::span<const std::uint32_t> cluster, LocalNumbers& numbers) {
+    numbers.begin();
     for (const std::uint32_t t : cluster)
-        for (const std::uint32_t v : input.triangles[t]) {
-            const auto next = static_cast<std::uint32_t>(used.size());
-            if (table.findOrInsert(mix64(v), next, [&](std::uint32_t other) { return used[other] == v; }) == next)
-                used.push_back(v);
-        }
-    return static_cast<std::uint32_t>(used.size());
+        for (const std::uint32_t v : input.triangles[t])
+            numbers.of(v);
+    return static_cast<std::uint32_t>(numbers.ids().size());
 }
 
 /// Appends `cluster`, halved until its vertices fit.
-void appendFitting(const Input& input, std::vector<std::uint32_t> cluster, Clustering& out) {
-    if (const std::uint32_t vertices = vertexCount(input, cluster); vertices <= kMaxClusterVertices) {
+void appendFitting(const Input& input, std::span<const std::uint32_t> cluster, LocalNumbers& numbers, Clustering& out) {
+    if (const std::uint32_t vertices = vertexCount(input, cluster, numbers); vertices <= kMaxClusterVertices) {
         out.order.insert(out.order.end(), cluster.begin(), cluster.end());
         out.ends.push_back(static_cast<std::uint32_t>(out.order.size()));
         out.vertexCounts.push_back(vertices);
@@ -106,11 +102,10 @@ void appendFitting(const Input& input, std::vector<std::uint32_t> cluster, Clust
     for (const std::uint32_t t : cluster)
         items.push_back({input.center(t), 1, t});
     const KdParts halves = kdSplit(items, (cluster.size() + 1) / 2, 0.5);
-    auto begin = halves.order.begin();
+    std::uint32_t begin = 0;
     for (const std::uint32_t end : halves.ends) {
-        const auto after = halves.order.begin() + end;
-        appendFitting(input, {begin, after}, out);
-        begin = after;
+        appendFitting(input, std::span(halves.order).subspan(begin, end - begin), numbers, out);
+        begin = end;
     }
 }
 
@@ -128,6 +123,7 @@ Clustering clusterTriangles(
     result.order.reserve(triangles.size());
     std::uint32_t begin = 0;
     std::vector<std::uint32_t> cluster;
+    LocalNumbers numbers(positionOf.size());
     for (const std::uint32_t end : parts.ends) {
         cluster.clear();
         for (std::uint32_t i = begin; i < end; ++i) {
@@ -137,7 +133,7 @@ Clustering clusterTriangles(
                 items.members.begin() + items.first[item],
                 items.members.begin() + items.first[item + 1]);
         }
-        appendFitting(input, cluster, result);
+        appendFitting(input, cluster, numbers, result);
         begin = end;
     }
     return result;

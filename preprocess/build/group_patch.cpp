@@ -1,7 +1,5 @@
 #include "preprocess/build/group_patch.h"
 
-#include "core/index_table.h"
-
 #include <tbb/parallel_for.h>
 
 #include <atomic>
@@ -31,40 +29,31 @@ PositionOwners::PositionOwners(const Mesh& mesh, const Level& level) : owners_(m
     });
 }
 
-GroupPatch makeGroupPatch(const Mesh& mesh, std::span<const Triangle> triangles, const PositionOwners& owners) {
+GroupPatch makeGroupPatch(
+    const Mesh& mesh, std::span<const Triangle> triangles, const PositionOwners& owners, PatchNumbers& numbers) {
     GroupPatch result;
     Patch& patch = result.patch;
-    std::vector<std::uint32_t> globalPosition;
-    IndexTable vertexTable(triangles.size() * 3);
-    IndexTable positionTable(triangles.size() * 3);
-    glm::dvec3 origin(0);
-    const auto localPosition = [&](std::uint32_t position, const GridPoint& point) {
-        const auto next = static_cast<std::uint32_t>(globalPosition.size());
-        const std::uint32_t local = positionTable.findOrInsert(
-            mix64(position), next, [&](std::uint32_t other) { return globalPosition[other] == position; });
-        if (local == next) {
-            const glm::dvec3 place(point.x, point.y, point.z);
-            if (next == 0) origin = place;
-            globalPosition.push_back(position);
-            patch.positions.push_back(place - origin);
-            patch.isLocked.push_back(owners.isShared(position) ? 1 : 0);
-        }
-        return local;
-    };
+    numbers.vertices.begin();
     patch.triangles.reserve(triangles.size());
-    for (const Triangle& t : triangles) {
-        Triangle corners{};
-        for (std::size_t i = 0; i < 3; ++i) {
-            const auto next = static_cast<std::uint32_t>(result.globalVertex.size());
-            corners[i] = vertexTable.findOrInsert(
-                mix64(t[i]), next, [&](std::uint32_t other) { return result.globalVertex[other] == t[i]; });
-            if (corners[i] != next) continue;
-            const Vertex& vertex = mesh.vertices[t[i]];
-            result.globalVertex.push_back(t[i]);
-            patch.vertices.push_back(vertex);
-            patch.positionOf.push_back(localPosition(mesh.positionOf[t[i]], vertex.position));
-        }
-        patch.triangles.push_back(corners);
+    for (const Triangle& t : triangles)
+        patch.triangles.push_back({numbers.vertices.of(t[0]), numbers.vertices.of(t[1]), numbers.vertices.of(t[2])});
+    const std::span<const std::uint32_t> vertices = numbers.vertices.ids();
+    result.globalVertex.assign(vertices.begin(), vertices.end());
+    patch.vertices.reserve(vertices.size());
+    patch.positionOf.reserve(vertices.size());
+    patch.positions.reserve(vertices.size());
+    patch.isLocked.reserve(vertices.size());
+    numbers.positions.begin();
+    glm::dvec3 origin(0);
+    for (const std::uint32_t v : vertices) {
+        const Vertex& vertex = patch.vertices.emplace_back(mesh.vertices[v]);
+        const std::uint32_t position = mesh.positionOf[v];
+        const std::uint32_t local = patch.positionOf.emplace_back(numbers.positions.of(position));
+        if (local < patch.positions.size()) continue;
+        const glm::dvec3 place(vertex.position.x, vertex.position.y, vertex.position.z);
+        if (patch.positions.empty()) origin = place;
+        patch.positions.push_back(place - origin);
+        patch.isLocked.push_back(owners.isShared(position) ? 1 : 0);
     }
     return result;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "preprocess/build/level.h"
+#include "preprocess/build/local_numbers.h"
 #include "preprocess/build/patch.h"
 
 #include <span>
@@ -26,7 +27,16 @@ struct GroupPatch {
     std::vector<std::uint32_t> globalVertex; // of each vertex of the patch
 };
 
-/// The patch of `triangles` (vertices of `mesh`).
-GroupPatch makeGroupPatch(const Mesh& mesh, std::span<const Triangle> triangles, const PositionOwners& owners);
+/// The numbers that vertices and positions of a mesh have in one patch after the other.
+struct PatchNumbers {
+    explicit PatchNumbers(const Mesh& mesh) : vertices(mesh.vertices.size()), positions(mesh.positionCount) {}
+
+    LocalNumbers vertices;
+    LocalNumbers positions;
+};
+
+/// The patch of `triangles` (vertices of `mesh`). `numbers` are of that mesh, and this patch's afterwards.
+GroupPatch makeGroupPatch(
+    const Mesh& mesh, std::span<const Triangle> triangles, const PositionOwners& owners, PatchNumbers& numbers);
 
 } // namespace gnomon::preprocess

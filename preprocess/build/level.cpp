@@ -4,6 +4,7 @@
 #include "preprocess/build/group_patch.h"
 #include "preprocess/build/kd_split.h"
 
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -82,12 +83,12 @@ public:
     GroupSimplifier(const Mesh& mesh, const Level& level, const LevelOptions& options, Price price)
         : mesh_(mesh), level_(level), options_(options), price_(price), owners_(mesh, level) {}
 
-    GroupResult operator()(std::uint32_t groupIndex) const {
+    GroupResult operator()(std::uint32_t groupIndex, PatchNumbers& numbers) const {
         const LevelGroup& group = level_.groups[groupIndex];
         const LevelCluster& first = level_.clusters[group.firstCluster];
         const std::size_t count = triangleCount(level_, group);
         const auto triangles = std::span(level_.triangles).subspan(first.firstTriangle, count);
-        GroupPatch patch = makeGroupPatch(mesh_, triangles, owners_);
+        GroupPatch patch = makeGroupPatch(mesh_, triangles, owners_, numbers);
         patch.patch.isAnyPrice = price_ == Price::Any;
         patch.patch.isBounded = options_.isErrorMeasured;
         patch.patch.errors = std::span(level_.errors).subspan(first.firstTriangle, count);
@@ -206,8 +207,9 @@ void formGroups(Level& level, const Grid& grid, const LevelOptions& options, std
 Level simplifiedLevel(const Mesh& mesh, Level& level, const LevelOptions& options, Price price, Progress& progress) {
     const GroupSimplifier simplifier(mesh, level, options, price);
     std::vector<GroupResult> results(level.groups.size());
+    tbb::enumerable_thread_specific<PatchNumbers> numbers([&] { return PatchNumbers(mesh); });
     tbb::parallel_for(std::size_t{0}, results.size(), [&](std::size_t g) {
-        results[g] = simplifier(static_cast<std::uint32_t>(g));
+        results[g] = simplifier(static_cast<std::uint32_t>(g), numbers.local());
         progress.advance(triangleCount(level, level.groups[g]));
     });
     Level next;

@@ -1,9 +1,10 @@
 #include "preprocess/build/page_layout.h"
 
 #include "core/check.h"
-#include "core/index_table.h"
 #include "hierarchy/cluster_order.h"
+#include "preprocess/build/local_numbers.h"
 
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -25,26 +26,17 @@ std::uint64_t decodedBytes(const Level& level, const LevelGroup& group) {
 }
 
 /// Appends the cluster's triangles, its vertices numbered in the order of their first use.
-void addGeometry(const Mesh& mesh, const Level& level, const LevelCluster& cluster, Page& page) {
-    const auto triangles = std::span(level.triangles).subspan(cluster.firstTriangle, cluster.triangleCount);
-    std::vector<std::uint32_t> used;
-    IndexTable numbers(triangles.size() * 3);
-    for (const Triangle& corners : triangles) {
+void addGeometry(const Mesh& mesh, const Level& level, const LevelCluster& cluster, LocalNumbers& numbers, Page& page) {
+    numbers.begin();
+    for (const Triangle& corners : std::span(level.triangles).subspan(cluster.firstTriangle, cluster.triangleCount)) {
         hierarchy::Triangle triangle{};
-        for (std::size_t i = 0; i < 3; ++i) {
-            const std::uint32_t v = corners[i];
-            const auto next = static_cast<std::uint32_t>(used.size());
-            const std::uint32_t number =
-                numbers.findOrInsert(mix64(v), next, [&](std::uint32_t other) { return used[other] == v; });
-            if (number == next) {
-                used.push_back(v);
-                page.vertices.push_back(mesh.vertices[v]);
-            }
-            triangle[i] = static_cast<std::uint8_t>(number);
-        }
+        for (std::size_t i = 0; i < 3; ++i)
+            triangle[i] = static_cast<std::uint8_t>(numbers.of(corners[i]));
         page.triangles.push_back(triangle);
     }
-    GNOMON_CHECK_OP(used.size(), ==, cluster.vertexCount);
+    GNOMON_CHECK_OP(numbers.ids().size(), ==, cluster.vertexCount);
+    for (const std::uint32_t v : numbers.ids())
+        page.vertices.push_back(mesh.vertices[v]);
 }
 
 /// The number that the level's refinement `refinement` has in `page`, where it is added if it is new; `known` are those
@@ -62,7 +54,13 @@ std::uint32_t refinementInPage(
 }
 
 /// The page of the groups [first, end).
-Page makePage(const Mesh& mesh, const Level& level, std::uint32_t number, std::size_t first, std::size_t end) {
+Page makePage(
+    const Mesh& mesh,
+    const Level& level,
+    std::uint32_t number,
+    std::size_t first,
+    std::size_t end,
+    LocalNumbers& numbers) {
     Page page;
     page.level = number;
     std::vector<std::uint32_t> refinements; // of the level, in the order of the page
@@ -85,7 +83,7 @@ Page makePage(const Mesh& mesh, const Level& level, std::uint32_t number, std::s
             if (from.refinement != kNone)
                 cluster.refinement = refinementInPage(level, from.refinement, refinements, page);
             page.clusters.push_back(cluster);
-            addGeometry(mesh, level, from, page);
+            addGeometry(mesh, level, from, numbers, page);
         }
     }
     return page;
@@ -126,8 +124,9 @@ std::vector<hierarchy::EncodedPage> encodePages(
     for (std::size_t g = 0; g < level.groups.size(); ++g)
         ends[level.groups[g].place.page] = g + 1;
     std::vector<hierarchy::EncodedPage> encoded(pageCount);
+    tbb::enumerable_thread_specific<LocalNumbers> numbers(mesh.vertices.size());
     tbb::parallel_for(std::uint32_t{0}, pageCount, [&](std::uint32_t id) {
-        Page page = makePage(mesh, level, number, id > 0 ? ends[id - 1] : 0, ends[id]);
+        Page page = makePage(mesh, level, number, id > 0 ? ends[id - 1] : 0, ends[id], numbers.local());
         hierarchy::orderForCoding(page);
         encoded[id] = hierarchy::encodePage(page);
     });

@@ -46,11 +46,14 @@ void LivingPatch::gatherSpokes(std::uint32_t a, std::vector<Spoke>& spokes) cons
     for (std::uint32_t corner = head_[a]; corner != kNone; corner = next_[corner])
         for (const std::uint32_t place : kOthers[corner % 3]) {
             Spoke& spoke = spokes[position_[corner / 3][place]];
-            const std::uint32_t here = vertex_[corner / 3][corner % 3];
-            const std::uint32_t there = vertex_[corner / 3][place];
-            if (spoke.seenFrom != a) spoke = {a, 0, here, there, false};
-            ++spoke.triangles;
-            spoke.isCrease = spoke.isCrease || spoke.vertexHere != here || spoke.vertexThere != there;
+            const std::uint64_t here = vertex_[corner / 3][corner % 3];
+            const std::uint64_t vertices = here << 32U | vertex_[corner / 3][place];
+            // No branches: whether this is the first triangle or the second is a toss.
+            const std::uint64_t kept = spoke.seenFrom == a ? ~std::uint64_t{0} : 0;
+            spoke.seenFrom = a;
+            spoke.triangles = (spoke.triangles & static_cast<std::uint32_t>(kept)) + 1;
+            spoke.first = (spoke.first & kept) | (vertices & ~kept);
+            spoke.differs = (spoke.differs & kept) | (vertices ^ spoke.first);
         }
 }
 
@@ -64,7 +67,7 @@ void LivingPatch::findEdges() {
             const std::uint32_t b = position_[corner / 3][kOthers[corner % 3][0]];
             const Spoke& spoke = spokes[b];
             const bool isOpen = spoke.triangles == 1;
-            firstEdge_[corner] = isOpen ? EdgeKind::Open : spoke.isCrease ? EdgeKind::Crease : EdgeKind::Smooth;
+            firstEdge_[corner] = isOpen ? EdgeKind::Open : spoke.differs != 0 ? EdgeKind::Crease : EdgeKind::Smooth;
             if (isOpen && (patch_.isLocked[a] == 0 || patch_.isLocked[b] == 0)) isBorder_[a] = isBorder_[b] = 1;
         }
     }

@@ -97,9 +97,8 @@ private:
     struct Spoke {
         std::uint32_t seenFrom = hierarchy::kNone; // that one position: the rest is of it alone
         std::uint32_t triangles = 0;
-        std::uint32_t vertexHere = hierarchy::kNone; // of the first triangle
-        std::uint32_t vertexThere = hierarchy::kNone;
-        bool isCrease = false; // whether another one has other vertices
+        std::uint64_t first = 0;   // the two vertices of the first triangle
+        std::uint64_t differs = 0; // bits in which those of another one differ from them
     };
 
     void linkCorners();

@@ -105,10 +105,11 @@ void LivingPatch::join(std::uint32_t from, std::uint32_t to) {
 }
 
 bool LivingPatch::hasEqualSides() const {
+    unsigned found = 0;
     for (std::size_t i = 1; i < sides_.size(); ++i)
-        for (std::size_t k = 0; k < i; ++k)
-            if (sides_[i][0] == sides_[k][0] && sides_[i][1] == sides_[k][1]) return true;
-    return false;
+        for (std::size_t k = 0; k < i; ++k) // no branches: hardly ever are two equal
+            found |= ((sides_[i][0] ^ sides_[k][0]) | (sides_[i][1] ^ sides_[k][1])) == 0 ? 1U : 0U;
+    return found != 0;
 }
 
 std::span<const LivingPatch::Doubled> LivingPatch::doubled(std::uint32_t p) {

@@ -45,7 +45,13 @@ GroupPatch makeGroupPatch(
     patch.isLocked.reserve(vertices.size());
     numbers.positions.begin();
     glm::dvec3 origin(0);
-    for (const std::uint32_t v : vertices) {
+    constexpr std::size_t kAhead = 16; // the vertices of a group lie all over the mesh
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const std::uint32_t v = vertices[i];
+        if (i + kAhead < vertices.size()) {
+            __builtin_prefetch(&mesh.vertices[vertices[i + kAhead]]);
+            __builtin_prefetch(&mesh.positionOf[vertices[i + kAhead]]);
+        }
         const Vertex& vertex = patch.vertices.emplace_back(mesh.vertices[v]);
         const std::uint32_t position = mesh.positionOf[v];
         const std::uint32_t local = patch.positionOf.emplace_back(numbers.positions.of(position));

@@ -1,95 +1,68 @@
-// The order in which vertices collapse: a binary heap of (cost, vertex) in which costs may change.
+// The order in which vertices collapse: a tournament of their costs, which may change.
 #pragma once
 
-#include "hierarchy/page.h"
-
-#include <utility>
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace gnomon::preprocess {
 
-/// Each vertex is in the queue at most once; equal costs leave in the order of the vertices.
+/// Each vertex is in the queue at most once; equal costs leave in the order of the vertices. A binary tree stands over
+/// all vertices, in the queue or not, whose nodes know the cheapest vertex below them: what changes at one vertex
+/// changes nothing beyond the first node that it neither won nor wins.
 class CollapseQueue {
 public:
-    explicit CollapseQueue(std::size_t vertexCount) : place_(vertexCount, hierarchy::kNone) {}
+    explicit CollapseQueue(std::size_t vertexCount) : firstLeaf_(1) {
+        while (firstLeaf_ < vertexCount)
+            firstLeaf_ *= 2;
+        cost_.assign(firstLeaf_, kAbsent);
+        winner_.resize(firstLeaf_ * 2);
+        for (std::uint32_t v = 0; v < firstLeaf_; ++v)
+            winner_[firstLeaf_ + v] = v;
+        for (std::uint32_t node = firstLeaf_; node-- > 1;)
+            winner_[node] = winner_[node * 2];
+    }
 
-    bool isEmpty() const { return heap_.empty(); }
+    bool isEmpty() const { return least() == kAbsent; }
 
-    bool holds(std::uint32_t vertex) const { return place_[vertex] != hierarchy::kNone; }
+    bool holds(std::uint32_t vertex) const { return cost_[vertex] != kAbsent; }
 
-    /// The cost of a vertex that it holds.
-    double costOf(std::uint32_t vertex) const { return heap_[place_[vertex]].first; }
+    /// The cost of a vertex; infinite if it is not here.
+    double costOf(std::uint32_t vertex) const { return cost_[vertex]; }
 
     /// The cost of the cheapest.
-    double least() const { return heap_.front().first; }
+    double least() const { return cost_[winner_[1]]; }
 
-    /// Inserts `vertex` or changes its cost.
+    /// Inserts `vertex` or changes its cost, which is finite.
     void put(std::uint32_t vertex, double cost) {
-        std::uint32_t place = place_[vertex];
-        if (place == hierarchy::kNone) {
-            place = static_cast<std::uint32_t>(heap_.size());
-            heap_.emplace_back(cost, vertex);
-            place_[vertex] = place;
-        } else {
-            heap_[place].first = cost;
+        cost_[vertex] = cost;
+        for (std::uint32_t node = (firstLeaf_ + vertex) / 2; node > 0; node /= 2) {
+            const std::uint32_t left = winner_[node * 2];
+            const std::uint32_t right = winner_[node * 2 + 1];
+            const std::uint32_t before = winner_[node];
+            const std::uint32_t now = cost_[right] < cost_[left] ? right : left;
+            winner_[node] = now;
+            if (now != vertex && before != vertex) break;
         }
-        sink(rise(place));
     }
 
     void remove(std::uint32_t vertex) {
-        const std::uint32_t place = place_[vertex];
-        if (place == hierarchy::kNone) return;
-        place_[vertex] = hierarchy::kNone;
-        const Entry last = heap_.back();
-        heap_.pop_back();
-        if (place == heap_.size()) return;
-        heap_[place] = last;
-        place_[last.second] = place;
-        sink(rise(place));
+        if (holds(vertex)) put(vertex, kAbsent);
     }
 
     /// Removes and returns the cheapest vertex.
     std::uint32_t take() {
-        const std::uint32_t vertex = heap_.front().second;
-        remove(vertex);
+        const std::uint32_t vertex = winner_[1];
+        put(vertex, kAbsent);
         return vertex;
     }
 
 private:
-    using Entry = std::pair<double, std::uint32_t>;
+    static constexpr double kAbsent = std::numeric_limits<double>::infinity();
 
-    std::uint32_t rise(std::uint32_t place) {
-        const Entry entry = heap_[place];
-        while (place > 0) {
-            const std::uint32_t parent = (place - 1) / 2;
-            if (!(entry < heap_[parent])) break;
-            set(place, heap_[parent]);
-            place = parent;
-        }
-        set(place, entry);
-        return place;
-    }
-
-    void sink(std::uint32_t place) {
-        const Entry entry = heap_[place];
-        for (;;) {
-            std::size_t child = 2 * static_cast<std::size_t>(place) + 1;
-            if (child >= heap_.size()) break;
-            if (child + 1 < heap_.size() && heap_[child + 1] < heap_[child]) ++child;
-            if (!(heap_[child] < entry)) break;
-            set(place, heap_[child]);
-            place = static_cast<std::uint32_t>(child);
-        }
-        set(place, entry);
-    }
-
-    void set(std::uint32_t place, const Entry& entry) {
-        heap_[place] = entry;
-        place_[entry.second] = place;
-    }
-
-    std::vector<Entry> heap_;
-    std::vector<std::uint32_t> place_;
+    std::uint32_t firstLeaf_;           // a power of two; node n is over nodes 2n and 2n + 1
+    std::vector<double> cost_;          // per vertex
+    std::vector<std::uint32_t> winner_; // per node
 };
 
 } // namespace gnomon::preprocess

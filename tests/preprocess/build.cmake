@@ -1,7 +1,7 @@
 gnomon_tests(build
-    SOURCES build_model_test.cpp build_fan_map_test.cpp build_kd_split_test.cpp build_living_patch_test.cpp
-            build_local_numbers_test.cpp build_normals_test.cpp build_point_tree_test.cpp
-            build_simplify_test.cpp build_meshes.cpp
+    SOURCES build_fan_map_test.cpp build_kd_split_test.cpp build_living_patch_test.cpp
+            build_local_numbers_test.cpp build_meshes.cpp build_model_test.cpp build_normals_test.cpp
+            build_point_tree_test.cpp build_queue_test.cpp build_simplify_test.cpp
     NEEDS gnomon::pipeline
     LABEL threads)
 gnomon_tests(pipeline

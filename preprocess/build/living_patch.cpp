@@ -20,6 +20,7 @@ LivingPatch::LivingPatch(const Patch& patch)
     }
     isAlive_.assign(vertex_.size(), 1);
     stamp_.assign(positions, 0);
+    neighbours_.resize(positions + 1);
     movedTo_.resize(positions);
     for (std::uint32_t p = 0; p < positions; ++p)
         movedTo_[p] = p;

@@ -40,9 +40,8 @@ public:
     template <class Visit>
     void forCorners(std::uint32_t p, Visit visit);
 
-    /// Calls `visit(q)` once for each position that shares a living triangle with `p`.
-    template <class Visit>
-    void forNeighbours(std::uint32_t p, Visit visit);
+    /// Each position that shares a living triangle with `p`, once, in the order of the walk. Valid until the next call.
+    std::span<const std::uint32_t> neighbours(std::uint32_t p);
 
     bool hasFaces(std::uint32_t p);
 
@@ -123,6 +122,7 @@ private:
     std::uint32_t stampNow_ = 0;
     std::vector<std::array<std::uint32_t, 3>> sides_; // of the triangles at a position: lesser, greater, triangle
     std::vector<Doubled> doubled_;
+    std::vector<std::uint32_t> neighbours_; // room for all positions and one more
 };
 
 template <class Visit>
@@ -139,19 +139,22 @@ void LivingPatch::forCorners(std::uint32_t p, Visit visit) {
     tail_[p] = last;
 }
 
-template <class Visit>
-void LivingPatch::forNeighbours(std::uint32_t p, Visit visit) {
+inline std::span<const std::uint32_t> LivingPatch::neighbours(std::uint32_t p) {
     const std::uint32_t stamp = ++stampNow_;
     stamp_[p] = stamp;
+    std::size_t count = 0;
+    std::uint32_t* const list = neighbours_.data();
+    std::uint32_t* const stamps = stamp_.data();
     forCorners(p, [&](std::uint32_t corner) {
         const Triangle& t = position_[corner / 3];
         for (const std::uint32_t place : kOthers[corner % 3]) {
             const std::uint32_t q = t[place];
-            if (stamp_[q] == stamp) continue;
-            stamp_[q] = stamp;
-            visit(q);
+            list[count] = q; // without a branch: nothing tells beforehand who was seen
+            count += stamps[q] != stamp ? 1 : 0;
+            stamps[q] = stamp;
         }
     });
+    return std::span(neighbours_).first(count);
 }
 
 inline bool LivingPatch::hasFaces(std::uint32_t p) {

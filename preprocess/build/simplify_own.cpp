@@ -46,11 +46,14 @@ private:
     };
 
     template <class Visit>
-    void forTargets(std::uint32_t p, Visit visit);
+    void forTargets(std::uint32_t p, std::span<const std::uint32_t> neighbours, Visit visit);
     double trueCost(std::uint32_t from, std::uint32_t to, double limit = kNever);
-    Choice cheapest(std::uint32_t p);
+    Choice cheapest(std::uint32_t p, std::span<const std::uint32_t> neighbours);
     Choice cheapestAllowed(std::uint32_t p, Choice best);
-    void refresh(std::uint32_t p);
+
+    void refresh(std::uint32_t p) { refresh(p, living_.neighbours(p)); }
+
+    void refresh(std::uint32_t p, std::span<const std::uint32_t> neighbours);
     void refreshAround(std::uint32_t from, std::uint32_t to);
     void putBack(std::uint32_t p, const Choice& choice);
     std::optional<Choice> inItsTurn(std::uint32_t p, double cost);
@@ -84,11 +87,12 @@ Collapser::Collapser(const Patch& patch)
       target_(patch.positions.size(), kNone),
       isChecked_(patch.positions.size(), 0) {}
 
-/// Calls `visit(q, square)` for each position that `p` may go into, with the estimate for it: its neighbours, and the
+/// Calls `visit(q, square)` for each position that `p` may go into, with the estimate for it: its `neighbours`, and the
 /// partner in another piece.
 template <class Visit>
-void Collapser::forTargets(std::uint32_t p, Visit visit) {
-    living_.forNeighbours(p, [&](std::uint32_t q) { visit(q, estimate_.square(p, q)); });
+void Collapser::forTargets(std::uint32_t p, std::span<const std::uint32_t> neighbours, Visit visit) {
+    for (const std::uint32_t q : neighbours)
+        visit(q, estimate_.square(p, q));
     const std::uint32_t q = living_.partner(p);
     if (q != kNone && q != p && living_.hasFaces(q))
         visit(q, estimate_.square(p, q) * kTopologyPenalty * kTopologyPenalty);
@@ -109,9 +113,9 @@ double Collapser::trueCost(std::uint32_t from, std::uint32_t to, double limit) {
 }
 
 /// What `p` would best go into by the estimates.
-Collapser::Choice Collapser::cheapest(std::uint32_t p) {
+Collapser::Choice Collapser::cheapest(std::uint32_t p, std::span<const std::uint32_t> neighbours) {
     Choice best;
-    forTargets(p, [&](std::uint32_t q, double cost) {
+    forTargets(p, neighbours, [&](std::uint32_t q, double cost) {
         if (cost < best.cost || (cost == best.cost && q < best.target)) best = {cost, q};
     });
     if (best.target != kNone) best.cost = errors_.around(p) + std::sqrt(best.cost);
@@ -121,7 +125,7 @@ Collapser::Choice Collapser::cheapest(std::uint32_t p) {
 /// What `p` would best go into by the true costs, of which that of `best` is known.
 Collapser::Choice Collapser::cheapestAllowed(std::uint32_t p, Choice best) {
     candidates_.clear();
-    forTargets(p, [&](std::uint32_t q, double cost) { candidates_.emplace_back(cost, q); });
+    forTargets(p, living_.neighbours(p), [&](std::uint32_t q, double cost) { candidates_.emplace_back(cost, q); });
     std::sort(candidates_.begin(), candidates_.end());
     const double before = errors_.around(p);
     const std::uint32_t first = best.target;
@@ -135,10 +139,10 @@ Collapser::Choice Collapser::cheapestAllowed(std::uint32_t p, Choice best) {
     return best;
 }
 
-/// Puts `p` into the queue with the cost that is estimated now.
-void Collapser::refresh(std::uint32_t p) {
+/// Puts `p`, whose neighbours are given, into the queue with the cost that is estimated now.
+void Collapser::refresh(std::uint32_t p, std::span<const std::uint32_t> neighbours) {
     if (patch_.isLocked[p] != 0) return;
-    const Choice choice = cheapest(p);
+    const Choice choice = cheapest(p, neighbours);
     isChecked_[p] = 0;
     target_[p] = choice.target;
     if (choice.target == kNone)
@@ -155,18 +159,21 @@ void Collapser::refreshAround(std::uint32_t from, std::uint32_t to) {
             refresh(q);
             continue;
         }
-        const double cost = errors_.around(q) + std::sqrt(estimate_.square(q, to));
+        const double estimate = std::sqrt(estimate_.square(q, to));
+        if (estimate >= queue_.costOf(q)) continue; // most are, whatever the errors there
+        const double cost = errors_.around(q) + estimate;
         if (cost >= queue_.costOf(q)) continue;
         target_[q] = to;
         queue_.put(q, cost);
     }
+    const std::span<const std::uint32_t> neighbours = living_.neighbours(to);
     around_.clear();
-    living_.forNeighbours(to, [&](std::uint32_t q) {
-        if (!queue_.holds(q)) around_.push_back(q); // nothing was allowed there; now something may be
-    });
+    for (const std::uint32_t q : neighbours)
+        if (!queue_.holds(q) && patch_.isLocked[q] == 0)
+            around_.push_back(q); // nothing was allowed there; now something may be
+    if (living_.isInPlace(to)) refresh(to, neighbours);
     for (const std::uint32_t q : around_)
         refresh(q);
-    if (living_.isInPlace(to)) refresh(to);
 }
 
 /// Puts `p` into the queue with a true cost, if there is one.
@@ -202,9 +209,8 @@ std::optional<Collapser::Choice> Collapser::inItsTurn(std::uint32_t p, double co
 void Collapser::collapse(std::uint32_t from, std::uint32_t to) {
     claimed_ = std::max(claimed_, estimate_.planes(from, to));
     around_.clear();
-    living_.forNeighbours(from, [&](std::uint32_t q) {
+    for (const std::uint32_t q : living_.neighbours(from))
         if (q != to) around_.push_back(q);
-    });
     errors_.take(star_);
     star_.carryOut();
     living_.join(from, to);
@@ -242,7 +248,7 @@ void Collapser::leave(std::uint32_t p) {
 
 SimplifiedPatch Collapser::run(std::size_t targetTriangles) {
     for (std::uint32_t p = 0; p < patch_.positions.size(); ++p)
-        refresh(p);
+        if (patch_.isLocked[p] == 0) refresh(p);
     const double enough = kEnoughShare * static_cast<double>(living_.triangleCount());
     double dearest = 0; // of the collapses until there is enough
     while (living_.triangleCount() > targetTriangles && !queue_.isEmpty()) {

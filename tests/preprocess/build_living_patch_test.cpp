@@ -96,7 +96,8 @@ void expectSame(LivingPatch& living, const Plain& plain, const Patch& patch) {
     for (std::uint32_t p = 0; p < kPositions; ++p) {
         const Positions wanted = neighboursIn(plain, p);
         std::vector<std::uint32_t> found;
-        living.forNeighbours(p, [&](std::uint32_t q) { found.push_back(q); });
+        for (const std::uint32_t q : living.neighbours(p))
+            found.push_back(q);
         EXPECT_EQ(found.size(), wanted.size());
         EXPECT_EQ(Positions(found.begin(), found.end()), wanted);
         EXPECT_EQ(living.hasFaces(p), !wanted.empty());

@@ -2,7 +2,7 @@
 
 #include "hierarchy/octahedral.h"
 #include "preprocess/build/fans.h"
-#include "preprocess/build/triangle_distance.h"
+#include "preprocess/build/nearest_kernel.h"
 
 #include <algorithm>
 #include <array>
@@ -83,15 +83,23 @@ private:
     }
 
     /// The triangle nearest to where the vertices at `position` were, among those around what they collapsed into.
-    std::uint32_t successorOf(std::uint32_t position) const {
+    std::uint32_t successorOf(std::uint32_t position) {
         std::uint32_t nearest = kNone;
         double best = std::numeric_limits<double>::infinity();
-        for (const std::uint32_t t : fans_.around(simplified_.movedTo[position])) {
-            const auto [a, b, c] = corners(simplified_.triangles[t]);
-            const double square = nearestSquare(patch_.positions[position], a, b, c);
-            if (square >= best) continue;
-            best = square;
-            nearest = t;
+        const std::span<const std::uint32_t> around = fans_.around(simplified_.movedTo[position]);
+        for (std::size_t first = 0; first < around.size(); first += TriangleRows::kMost) {
+            const auto some = around.subspan(first, std::min(TriangleRows::kMost, around.size() - first));
+            rows_.clear();
+            for (const std::uint32_t t : some) {
+                const auto [a, b, c] = corners(simplified_.triangles[t]);
+                rows_.add(a, b, c);
+            }
+            rows_.nearestSquares(patch_.positions[position], squares_);
+            for (std::size_t i = 0; i < some.size(); ++i) {
+                if (squares_[i] >= best) continue;
+                best = squares_[i];
+                nearest = some[i];
+            }
         }
         return nearest;
     }
@@ -123,6 +131,8 @@ private:
     const Patch& patch_;
     const SimplifiedPatch& simplified_;
     Fans fans_;
+    TriangleRows rows_;
+    TriangleRows::Row squares_{};
     std::vector<std::uint8_t> isKept_;
     std::vector<double> area_;       // six times what a vertex has of its faces
     std::vector<glm::dvec3> normal_; // zero for none

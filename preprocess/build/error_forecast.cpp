@@ -21,24 +21,26 @@ void ErrorForecast::add(std::uint32_t triangle, double fromSource, double toSour
     worst_ = std::max({worst_, fromSource, toSource});
 }
 
-/// The largest squared distance of a corner of `t` from the triangle `corners`, or something above `limit` if it is.
-double ErrorForecast::farthestSquare(const Triangle& t, const Triangle& corners, double limit) const {
-    const glm::dvec3& a = patch_.positions[corners[0]];
-    const glm::dvec3& b = patch_.positions[corners[1]];
-    const glm::dvec3& c = patch_.positions[corners[2]];
-    const glm::dvec3 low = glm::min(a, glm::min(b, c));
-    const glm::dvec3 high = glm::max(a, glm::max(b, c));
-    double square = 0;
+/// Weighs the candidates that were gathered against `heir`: each has the largest squared distance of a corner of `t`
+/// from it.
+void ErrorForecast::weigh(const Triangle& t, Heir& heir) {
+    TriangleRows::Row farthest{};
+    TriangleRows::Row squares{};
+    const std::span<const Candidate> candidates = std::span(candidates_).first(rows_.count());
     for (const std::uint32_t p : t) {
-        if (p == corners[0] || p == corners[1] || p == corners[2]) continue;
-        const glm::dvec3& point = patch_.positions[p];
-        // Most candidates are too far away even by their boxes.
-        const double least = squaredLength(glm::max(glm::max(low - point, point - high), 0.0));
-        if (least > limit) return least;
-        square = std::max(square, nearestSquare(point, a, b, c));
-        if (square > limit) break;
+        const auto has = [&](const Candidate& candidate) {
+            return candidate.corners[0] == p || candidate.corners[1] == p || candidate.corners[2] == p;
+        };
+        if (std::all_of(candidates.begin(), candidates.end(), has)) continue;
+        rows_.nearestSquares(patch_.positions[p], squares);
+        for (std::size_t i = 0; i < candidates.size(); ++i)
+            if (!has(candidates[i])) farthest[i] = std::max(farthest[i], squares[i]);
     }
-    return square;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        const Heir other{farthest[i], candidates[i].triangle};
+        if (other.square < heir.square || (other.square == heir.square && other.triangle < heir.triangle)) heir = other;
+    }
+    rows_.clear();
 }
 
 /// The triangle among `t`'s new neighbours, or failing them near its piece, that has the source points of `t` nearest.
@@ -52,17 +54,20 @@ ErrorForecast::Heir ErrorForecast::heirOf(const Triangle& t, std::uint32_t from,
         Triangle corners = living_.positions(candidate);
         std::replace(corners.begin(), corners.end(), from, to);
         if ((corners[0] == corners[1]) || (corners[1] == corners[2]) || (corners[2] == corners[0])) return;
-        const double square = farthestSquare(t, corners, heir.square);
-        if (square < heir.square || (square == heir.square && candidate < heir.triangle)) heir = {square, candidate};
+        candidates_[rows_.count()] = {candidate, corners};
+        rows_.add(patch_.positions[corners[0]], patch_.positions[corners[1]], patch_.positions[corners[2]]);
+        if (rows_.isFull()) weigh(t, heir);
     };
     const auto considerAround = [&](std::uint32_t p) {
         living_.forCorners(p, [&](std::uint32_t corner) { consider(corner / 3); });
     };
     for (const std::uint32_t p : t)
         considerAround(p);
+    weigh(t, heir);
     if (heir.triangle != kNone) return heir;
     for (const std::uint32_t p : t)
         if (const std::uint32_t q = living_.partner(p); q != kNone) considerAround(q);
+    weigh(t, heir);
     return heir;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "preprocess/build/collapse_star.h"
+#include "preprocess/build/nearest_kernel.h"
 
 namespace gnomon::preprocess {
 
@@ -52,8 +53,13 @@ private:
         std::uint32_t triangle = hierarchy::kNone;
     };
 
+    struct Candidate {
+        std::uint32_t triangle = hierarchy::kNone;
+        Triangle corners{}; // as they are after the collapse
+    };
+
     void add(std::uint32_t triangle, double fromSource, double toSource);
-    double farthestSquare(const Triangle& t, const Triangle& corners, double limit) const;
+    void weigh(const Triangle& t, Heir& heir);
     Heir heirOf(const Triangle& t, std::uint32_t from, std::uint32_t to);
     bool foreseeFan(CollapseStar& star);
 
@@ -62,6 +68,8 @@ private:
     std::vector<BothErrors> error_; // per triangle
     std::vector<std::uint32_t> stamp_;
     std::uint32_t stampNow_ = 0;
+    std::array<Candidate, TriangleRows::kMost> candidates_; // for an heir
+    TriangleRows rows_;                                     // of them
     Fan fan_;
     std::vector<Outcome> outcomes_;
     double worst_ = 0;

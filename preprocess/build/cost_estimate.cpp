@@ -2,12 +2,17 @@
 
 #include "hierarchy/octahedral.h"
 
+#include <algorithm>
+
 namespace gnomon::preprocess {
 
 namespace {
 
-constexpr double kBorderWeight = 2;   // of the squared length of an open edge, against the areas of faces
-constexpr double kCreaseWeight = 0.5; // the same where normals or colours part
+constexpr double kBorderWeight = 2;    // of the squared length of an open edge, against the areas of faces
+constexpr double kCreaseWeight = 0.5;  // the same where normals or colours part
+constexpr double kLengthWeight = 1e-5; // of the squared length: in flat places short edges go first
+constexpr double kNormalWeight = 0.1;  // of the squared length times the squared change of the normal
+constexpr double kColorWeight = 0.02;  // the same for colours, whose channels are in 0..1
 
 } // namespace
 
@@ -15,7 +20,7 @@ CostEstimate::CostEstimate(const Patch& patch, const LivingPatch& living)
     : patch_(patch), quadric_(patch.positions.size()) {
     addFacePlanes(living);
     addEdgePlanes(living);
-    loadAttributes();
+    loadSites();
 }
 
 void CostEstimate::addFacePlanes(const LivingPatch& living) {
@@ -50,23 +55,33 @@ void CostEstimate::addEdgePlanes(const LivingPatch& living) {
     }
 }
 
-void CostEstimate::loadAttributes() {
-    bool hasNormals = false;
-    bool hasColors = false;
+void CostEstimate::loadSites() {
+    weights_.length = kLengthWeight;
     for (const Vertex& vertex : patch_.vertices) {
-        hasNormals = hasNormals || vertex.normal != hierarchy::kNoNormal;
-        hasColors = hasColors || vertex.color != patch_.vertices.front().color;
+        if (vertex.normal != hierarchy::kNoNormal) weights_.normal = kNormalWeight;
+        if (vertex.color != patch_.vertices.front().color) weights_.color = kColorWeight;
     }
-    if (hasNormals) normal_.assign(patch_.positions.size(), glm::dvec3(0));
-    if (hasColors) color_.assign(patch_.positions.size(), glm::dvec3(0));
+    const auto rowOf = [](const glm::dvec3& v) { return CostSite::Row{v.x, v.y, v.z, 0}; };
+    sites_.resize(patch_.positions.size());
+    for (std::size_t p = 0; p < sites_.size(); ++p)
+        sites_[p].position = rowOf(patch_.positions[p]);
     for (std::size_t v = patch_.vertices.size(); v-- > 0;) { // the first vertex of a position has the last word
         const Vertex& vertex = patch_.vertices[v];
-        const std::uint32_t p = patch_.positionOf[v];
-        if (hasNormals) normal_[p] = hierarchy::unpackNormal(vertex.normal);
-        if (hasColors)
-            color_[p] =
-                glm::dvec3(vertex.color & 0xFFU, vertex.color >> 8U & 0xFFU, vertex.color >> 16U & 0xFFU) / 255.0;
+        CostSite& site = sites_[patch_.positionOf[v]];
+        if (weights_.normal > 0) site.normal = rowOf(hierarchy::unpackNormal(vertex.normal));
+        if (weights_.color > 0)
+            site.color = rowOf(
+                glm::dvec3(vertex.color & 0xFFU, vertex.color >> 8U & 0xFFU, vertex.color >> 16U & 0xFFU) / 255.0);
     }
+}
+
+std::span<const double> CostEstimate::squares(std::uint32_t from, std::span<const std::uint32_t> to) {
+    if (squares_.size() < to.size() + kMostCostLanes) squares_.resize(to.size() + kMostCostLanes);
+    if (quadric_[from].weight > 0)
+        edgeSquares({sites_[from], quadric_[from], sites_, to}, weights_, squares_.data());
+    else
+        std::transform(to.begin(), to.end(), squares_.begin(), [&](std::uint32_t q) { return square(from, q); });
+    return std::span(squares_).first(to.size());
 }
 
 } // namespace gnomon::preprocess

@@ -2,8 +2,8 @@
 // and the attributes of the edge.
 #pragma once
 
+#include "preprocess/build/cost_kernel.h"
 #include "preprocess/build/living_patch.h"
-#include "preprocess/build/quadric.h"
 #include "preprocess/build/triangle_distance.h"
 
 namespace gnomon::preprocess {
@@ -20,8 +20,11 @@ public:
         const double length = squaredLength(patch_.positions[from] - patch_.positions[to]);
         // Without any area there are no planes to tell how far is far.
         if (!(quadric_[from].weight > 0)) return length * 0.01;
-        return planes(from, to) + length * (kLengthWeight + attributes(from, to));
+        return planes(from, to) + length * (weights_.length + attributes(from, to));
     }
+
+    /// `square` onto each of `to`. Valid until the next call.
+    std::span<const double> squares(std::uint32_t from, std::span<const std::uint32_t> to);
 
     /// The part of it that is a distance: the mean square of those of `to` from the planes of `from`.
     double planes(std::uint32_t from, std::uint32_t to) const {
@@ -32,26 +35,25 @@ public:
     void join(std::uint32_t from, std::uint32_t to) { quadric_[to].add(quadric_[from]); }
 
 private:
-    static constexpr double kLengthWeight = 1e-5; // of the squared length: in flat places short edges go first
-    static constexpr double kNormalWeight = 0.1;  // of the squared length times the squared change of the normal
-    static constexpr double kColorWeight = 0.02;  // the same for colours, whose channels are in 0..1
-
     double attributes(std::uint32_t from, std::uint32_t to) const {
         double cost = 0;
-        if (!normal_.empty() && squaredLength(normal_[from]) > 0 && squaredLength(normal_[to]) > 0)
-            cost += kNormalWeight * squaredLength(normal_[from] - normal_[to]);
-        if (!color_.empty()) cost += kColorWeight * squaredLength(color_[from] - color_[to]);
+        const CostSite& a = sites_[from];
+        const CostSite& b = sites_[to];
+        if (weights_.normal > 0 && a.hasNormal() && b.hasNormal())
+            cost += weights_.normal * squaredLength(vectorOf(a.normal) - vectorOf(b.normal));
+        if (weights_.color > 0) cost += weights_.color * squaredLength(vectorOf(a.color) - vectorOf(b.color));
         return cost;
     }
 
     void addFacePlanes(const LivingPatch& living);
     void addEdgePlanes(const LivingPatch& living);
-    void loadAttributes();
+    void loadSites();
 
     const Patch& patch_;
     std::vector<Quadric> quadric_;
-    std::vector<glm::dvec3> normal_; // per position, zero for none; empty if the patch has none
-    std::vector<glm::dvec3> color_;  // per position; empty if all are alike
+    std::vector<CostSite> sites_; // per position
+    EdgeWeights weights_;
+    std::vector<double> squares_;
 };
 
 } // namespace gnomon::preprocess

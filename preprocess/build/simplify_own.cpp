@@ -91,8 +91,9 @@ Collapser::Collapser(const Patch& patch)
 /// partner in another piece.
 template <class Visit>
 void Collapser::forTargets(std::uint32_t p, std::span<const std::uint32_t> neighbours, Visit visit) {
-    for (const std::uint32_t q : neighbours)
-        visit(q, estimate_.square(p, q));
+    const std::span<const double> squares = estimate_.squares(p, neighbours);
+    for (std::size_t i = 0; i < neighbours.size(); ++i)
+        visit(neighbours[i], squares[i]);
     const std::uint32_t q = living_.partner(p);
     if (q != kNone && q != p && living_.hasFaces(q))
         visit(q, estimate_.square(p, q) * kTopologyPenalty * kTopologyPenalty);

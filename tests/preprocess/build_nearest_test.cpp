@@ -3,10 +3,9 @@
 #include "core/random.h"
 #include "preprocess/build/nearest_kernel.h"
 #include "preprocess/build/triangle_distance.h"
+#include "tests/preprocess/each_processor.h"
 
 #include <gtest/gtest.h>
-
-#include <hwy/targets.h>
 
 namespace gnomon::preprocess {
 namespace {
@@ -47,15 +46,10 @@ void expectSame(std::uint64_t seed) {
 }
 
 TEST(NearestKernel, GivesToTheBitWhatOneTriangleAfterTheOtherGives) {
-    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-        SCOPED_TRACE(hwy::TargetName(target));
-        hwy::SetSupportedTargetsForTest(target);
-        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    onEachProcessor([] {
         for (std::uint64_t seed = 0; seed < 4000; ++seed)
             expectSame(seed);
-    }
-    hwy::SetSupportedTargetsForTest(0);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    });
 }
 
 } // namespace

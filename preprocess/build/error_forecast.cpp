@@ -9,8 +9,9 @@ namespace gnomon::preprocess {
 
 using hierarchy::kNone;
 
-ErrorForecast::ErrorForecast(const Patch& patch, LivingPatch& living)
-    : patch_(patch), living_(living), stamp_(patch.triangles.size(), 0) {
+ErrorForecast::ErrorForecast(const Patch& patch, LivingPatch& living) : patch_(patch), living_(living) {
+    if (!patch.isBounded) return;
+    stamp_.assign(patch.triangles.size(), 0);
     error_.reserve(patch.triangles.size());
     for (std::size_t t = 0; t < patch.triangles.size(); ++t)
         error_.push_back({patch.error(t).fromSource, patch.error(t).toSource});
@@ -111,6 +112,7 @@ bool ErrorForecast::foresee(CollapseStar& star, double limit) {
 }
 
 void ErrorForecast::take(const CollapseStar& star) {
+    if (!patch_.isBounded) return;
     for (const StarFace& face : star.faces())
         if (!star.vanishes(face)) error_[face.triangle] = {};
     for (const Outcome& outcome : outcomes_) {
@@ -121,6 +123,7 @@ void ErrorForecast::take(const CollapseStar& star) {
 }
 
 void ErrorForecast::join(const LivingPatch::Doubled& pair) {
+    if (!patch_.isBounded) return;
     BothErrors& kept = error_[pair.kept];
     const BothErrors& gone = error_[pair.gone];
     kept = {std::max(kept.fromSource, gone.fromSource), std::min(kept.toSource, gone.toSource)};

@@ -6,7 +6,7 @@
 
 namespace gnomon::preprocess {
 
-/// Keeps the errors of a patch's triangles while it is simplified, in grid steps.
+/// Keeps the errors of a patch's triangles while it is simplified, in grid steps; nothing where they are not asked for.
 class ErrorForecast {
 public:
     /// What a triangle answers for besides its own source points, once it has taken those of another.

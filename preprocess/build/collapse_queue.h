@@ -1,6 +1,7 @@
 // The order in which vertices collapse: a tournament of their costs, which may change.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -37,13 +38,18 @@ public:
     void put(std::uint32_t vertex, double cost) {
         cost_[vertex] = cost;
         for (std::uint32_t node = (firstLeaf_ + vertex) / 2; node > 0; node /= 2) {
-            const std::uint32_t left = winner_[node * 2];
-            const std::uint32_t right = winner_[node * 2 + 1];
             const std::uint32_t before = winner_[node];
-            const std::uint32_t now = cost_[right] < cost_[left] ? right : left;
+            const std::uint32_t now = winnerOf(node);
             winner_[node] = now;
             if (now != vertex && before != vertex) break;
         }
+    }
+
+    /// Gives each vertex its cost; infinite ones are not in the queue.
+    void putAll(const std::vector<double>& costs) {
+        std::copy(costs.begin(), costs.end(), cost_.begin());
+        for (std::uint32_t node = firstLeaf_; node-- > 1;)
+            winner_[node] = winnerOf(node);
     }
 
     void remove(std::uint32_t vertex) {
@@ -59,6 +65,12 @@ public:
 
 private:
     static constexpr double kAbsent = std::numeric_limits<double>::infinity();
+
+    std::uint32_t winnerOf(std::uint32_t node) const {
+        const std::uint32_t left = winner_[node * 2];
+        const std::uint32_t right = winner_[node * 2 + 1];
+        return cost_[right] < cost_[left] ? right : left;
+    }
 
     std::uint32_t firstLeaf_;           // a power of two; node n is over nodes 2n and 2n + 1
     std::vector<double> cost_;          // per vertex

@@ -248,8 +248,14 @@ void Collapser::leave(std::uint32_t p) {
 }
 
 SimplifiedPatch Collapser::run(std::size_t targetTriangles) {
-    for (std::uint32_t p = 0; p < patch_.positions.size(); ++p)
-        if (patch_.isLocked[p] == 0) refresh(p);
+    std::vector<double> costs(patch_.positions.size(), kNever);
+    for (std::uint32_t p = 0; p < patch_.positions.size(); ++p) {
+        if (patch_.isLocked[p] != 0) continue;
+        const Choice choice = cheapest(p, living_.neighbours(p));
+        target_[p] = choice.target;
+        costs[p] = choice.cost;
+    }
+    queue_.putAll(costs);
     const double enough = kEnoughShare * static_cast<double>(living_.triangleCount());
     double dearest = 0; // of the collapses until there is enough
     while (living_.triangleCount() > targetTriangles && !queue_.isEmpty()) {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <map>
 #include <set>
 
@@ -33,6 +34,19 @@ public:
             order_.emplace(cost, vertex);
             costs_[vertex] = cost;
         }
+    }
+
+    /// Every other vertex at once, in place of all that there was.
+    void putAll(Random& random) {
+        std::vector<double> costs(vertices_, std::numeric_limits<double>::infinity());
+        order_.clear();
+        costs_.clear();
+        for (std::uint32_t vertex = 0; vertex < vertices_; ++vertex) {
+            if (random.below(2) == 0) continue;
+            costs[vertex] = costs_[vertex] = static_cast<double>(random.below(8));
+            order_.emplace(costs[vertex], vertex);
+        }
+        queue_.putAll(costs);
     }
 
     void expectSame() const {
@@ -81,6 +95,7 @@ TEST(CollapseQueue, GivesTheCheapestAndOfEqualOnesTheFirstWhateverChanges) {
         Random random(vertices);
         BothQueues both(vertices);
         for (int step = 0; step < 1000; ++step) {
+            if (step % 100 == 50) both.putAll(random);
             both.change(random);
             both.expectSame();
         }

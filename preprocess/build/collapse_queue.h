@@ -13,14 +13,14 @@ namespace gnomon::preprocess {
 /// changes nothing beyond the first node that it neither won nor wins.
 class CollapseQueue {
 public:
-    explicit CollapseQueue(std::size_t vertexCount) : firstLeaf_(1) {
+    explicit CollapseQueue(std::size_t vertexCount) {
         while (firstLeaf_ < vertexCount)
             firstLeaf_ *= 2;
         cost_.assign(firstLeaf_, kAbsent);
         winner_.resize(firstLeaf_ * 2);
         for (std::uint32_t v = 0; v < firstLeaf_; ++v)
             winner_[firstLeaf_ + v] = v;
-        for (std::uint32_t node = firstLeaf_; node-- > 1;)
+        for (std::size_t node = firstLeaf_; node-- > 1;)
             winner_[node] = winner_[node * 2];
     }
 
@@ -37,7 +37,7 @@ public:
     /// Inserts `vertex` or changes its cost, which is finite.
     void put(std::uint32_t vertex, double cost) {
         cost_[vertex] = cost;
-        for (std::uint32_t node = (firstLeaf_ + vertex) / 2; node > 0; node /= 2) {
+        for (std::size_t node = (firstLeaf_ + vertex) / 2; node > 0; node /= 2) {
             const std::uint32_t before = winner_[node];
             const std::uint32_t now = winnerOf(node);
             winner_[node] = now;
@@ -48,7 +48,7 @@ public:
     /// Gives each vertex its cost; infinite ones are not in the queue.
     void putAll(const std::vector<double>& costs) {
         std::copy(costs.begin(), costs.end(), cost_.begin());
-        for (std::uint32_t node = firstLeaf_; node-- > 1;)
+        for (std::size_t node = firstLeaf_; node-- > 1;)
             winner_[node] = winnerOf(node);
     }
 
@@ -66,13 +66,13 @@ public:
 private:
     static constexpr double kAbsent = std::numeric_limits<double>::infinity();
 
-    std::uint32_t winnerOf(std::uint32_t node) const {
+    std::uint32_t winnerOf(std::size_t node) const {
         const std::uint32_t left = winner_[node * 2];
         const std::uint32_t right = winner_[node * 2 + 1];
         return cost_[right] < cost_[left] ? right : left;
     }
 
-    std::uint32_t firstLeaf_;           // a power of two; node n is over nodes 2n and 2n + 1
+    std::size_t firstLeaf_ = 1;         // a power of two; node n is over nodes 2n and 2n + 1
     std::vector<double> cost_;          // per vertex
     std::vector<std::uint32_t> winner_; // per node
 };

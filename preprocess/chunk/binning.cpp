@@ -27,6 +27,7 @@ public:
           polygonCorners_(polygonCorners),
           progress_(progress),
           chunkOf_(source.summary().vertexCount),
+          sizes_(chunks),
           polygons_(streamOf(SourceStream::Polygons, chunks)),
           triangles_(streamOf(SourceStream::Triangles, chunks)) {}
 
@@ -44,6 +45,7 @@ public:
                 if (!block.colors.empty()) vertex.color = block.colors[i];
                 const std::uint32_t chunk = tree.chunkOf(snap(vertex.position));
                 chunkOf_[vertex.index] = static_cast<std::uint16_t>(chunk);
+                ++sizes_[chunk].vertices;
                 bins_.append(streamOf(BinStream::Vertices, chunk), encodeVertex(vertex, format_, storage));
             }
             progress_.advance(block.positions.size());
@@ -62,7 +64,7 @@ public:
                 for (const TriangleCorners& t : fan)
                     bins_.put(polygons_, t);
             }
-            progress_.advance(block.triangles.size());
+            progress_.advance(block.faceCount());
         });
         bins_.flush();
         StreamStore::Reader reader(bins_, polygons_);
@@ -92,11 +94,18 @@ public:
                 i += run->count;
                 ++run;
             }
-            progress_.advance(block.triangles.size());
+            progress_.advance(block.faceCount());
         });
         GNOMON_CHECK(refined.isAtEnd());
         bins_.flush();
         bins_.release(triangles_);
+    }
+
+    PartSize mostOfAChunk() const {
+        PartSize most;
+        for (const PartSize& size : sizes_)
+            most.growTo(size);
+        return most;
     }
 
 private:
@@ -134,7 +143,9 @@ private:
     }
 
     void addFan(std::span<const TriangleCorners> fan) {
-        const std::uint32_t stream = streamOf(BinStream::Triangles, chunkOf_[fan.front()[0]]);
+        const std::uint16_t chunk = chunkOf_[fan.front()[0]];
+        const std::uint32_t stream = streamOf(BinStream::Triangles, chunk);
+        sizes_[chunk].triangles += fan.size();
         bins_.put(stream, Corners{kPolygonMark, static_cast<std::uint32_t>(fan.size()), 0});
         for (const TriangleCorners& t : fan)
             bins_.put(stream, narrow(t));
@@ -145,6 +156,7 @@ private:
         const std::uint16_t owner =
             std::max(std::min(lies[0], lies[1]), std::min(std::max(lies[0], lies[1]), lies[2])); // the median
         bins_.put(streamOf(BinStream::Triangles, owner), corners);
+        ++sizes_[owner].triangles;
         if (lies[0] == lies[1] && lies[1] == lies[2]) return;
         request(corners, lies, owner, true);
         if (format_.hasNormals) return;
@@ -153,15 +165,18 @@ private:
                                  lies.begin() + static_cast<std::ptrdiff_t>(i);
             if (lies[i] == owner || !isFirst) continue;
             bins_.put(streamOf(BinStream::Ghosts, lies[i]), corners);
+            ++sizes_[lies[i]].triangles;
             request(corners, lies, lies[i], false);
         }
     }
 
     /// Asks for the corners that do not lie in `chunk`.
     void request(const Corners& corners, const std::array<std::uint16_t, 3>& lies, std::uint16_t chunk, bool isOwner) {
-        for (std::size_t i = 0; i < 3; ++i)
-            if (lies[i] != chunk)
-                bins_.put(streamOf(BinStream::Requests, lies[i]), VertexRequest{chunk, corners[i], isOwner ? 1U : 0U});
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (lies[i] == chunk) continue;
+            bins_.put(streamOf(BinStream::Requests, lies[i]), VertexRequest{chunk, corners[i], isOwner ? 1U : 0U});
+            ++sizes_[chunk].vertices; // once for each of its triangles there: more than they are
+        }
     }
 
     MeshSource& source_;
@@ -170,7 +185,8 @@ private:
     std::size_t polygonCorners_;
     Progress& progress_;
     std::vector<std::uint16_t> chunkOf_;
-    std::uint32_t polygons_; // streams of the whole source
+    std::vector<PartSize> sizes_; // of the chunks
+    std::uint32_t polygons_;      // streams of the whole source
     std::uint32_t triangles_;
 };
 
@@ -203,7 +219,7 @@ ChunkTree planChunks(MeshSource& source, const SourceSurvey& survey, std::uint32
     return tree;
 }
 
-void binSource(
+PartSize binSource(
     MeshSource& source,
     SourceSurvey& survey,
     const ChunkTree& tree,
@@ -215,6 +231,7 @@ void binSource(
     survey.valence = {};
     if (survey.hasPolygons) binner.refinePolygons();
     binner.binTriangles();
+    return binner.mostOfAChunk();
 }
 
 } // namespace gnomon::preprocess

@@ -20,8 +20,8 @@ ChunkTree planChunks(MeshSource& source, const SourceSurvey& survey, std::uint32
 /// meet. The vertices' chunks are held in memory (two bytes a vertex); nothing else grows with the source. Polygons
 /// that lie in several chunks are triangulated first, as many at a time as `polygonCorners` allows, in one pass over
 /// the vertices each.
-/// `survey.valence` is given up.
-void binSource(
+/// `survey.valence` is given up. Returns the most triangles and the most vertices that a chunk has to deal with.
+PartSize binSource(
     MeshSource& source,
     SourceSurvey& survey,
     const ChunkTree& tree,

@@ -4,6 +4,7 @@
 #include "preprocess/build/mesh.h"
 #include "preprocess/scratch/stream_store.h"
 
+#include <algorithm>
 #include <array>
 
 namespace gnomon::preprocess {
@@ -52,6 +53,17 @@ struct SharedVertex {
     std::uint32_t vertex = 0;
     std::uint32_t normal = hierarchy::kNoNormal; // where the source has none
     ChunkSpan sharers;                           // all chunks with triangles there are among these
+};
+
+/// How large a part of the model is, with what of others it takes along.
+struct PartSize {
+    std::uint64_t triangles = 0;
+    std::uint64_t vertices = 0;
+
+    void growTo(const PartSize& other) {
+        triangles = std::max(triangles, other.triangles);
+        vertices = std::max(vertices, other.vertices);
+    }
 };
 
 /// The streams of a chunk. What a pass over the source writes:

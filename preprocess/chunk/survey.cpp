@@ -40,7 +40,7 @@ void countTriangles(MeshSource& source, SourceSurvey& survey, EdgeSample& sample
         survey.triangles += block.triangles.size();
         survey.notAPolygon += block.notAPolygon;
         survey.hasPolygons = survey.hasPolygons || !block.polygons.empty();
-        progress.advance(block.triangles.size());
+        progress.advance(block.faceCount());
     });
     if (survey.triangles >= 0xFFFFFFFFU)
         throw Error(summary.path, "too many triangles", "fewer than 2^32", std::to_string(survey.triangles));

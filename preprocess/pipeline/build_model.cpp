@@ -16,6 +16,8 @@
 #include <cstdio>
 #include <utility>
 
+#include <malloc.h>
+
 namespace gnomon::preprocess {
 
 namespace {
@@ -59,7 +61,8 @@ std::map<std::string, std::string> optionsOf(const BuildOptions& options) {
 
 /// What is built from what, in one line.
 std::string keyOf(const BuildOptions& options) {
-    std::string key = "format " + std::to_string(hierarchy::kFormatVersion);
+    std::string key =
+        "format " + std::to_string(hierarchy::kFormatVersion) + ", journal " + std::to_string(kJournalVersion);
     for (const auto& [name, value] : optionsOf(options))
         key.append(", ").append(name).append(" ").append(value);
     return key + ", " + options.inputKey;
@@ -74,6 +77,12 @@ void requireFewStuck(std::uint64_t stuck, std::uint64_t triangles, double maxPer
         return std::string(digits.data());
     };
     throw Error("--max-stuck", "too many triangles stay at full detail", "at most " + text(maxPercent), text(percent));
+}
+
+/// The heap keeps what is freed, in pieces, a third on top of what is in use. Here large pieces bypass it: a tenth
+/// slower, so only where memory is tight.
+void returnFreedMemoryAtOnce() {
+    ::mallopt(M_MMAP_THRESHOLD, 1 << 20);
 }
 
 /// One build, phase after phase. A phase that the ledger has as finished is skipped.
@@ -130,7 +139,8 @@ private:
 
     /// Sorts the source into chunks.
     void bin() {
-        if (ledger().binned()) {
+        const bool isTakenUp = ledger().binned().has_value();
+        if (isTakenUp) {
             binsFile_ = workplace_.scratch("bins", ledger().binned()->scratchEnd);
             bins_.emplace(*binsFile_, ledger().binned()->directory);
         } else {
@@ -151,22 +161,19 @@ private:
                 *binsFile_,
                 binStreams(tree.chunkCount()),
                 blockBytes({room.count / 2}, std::uint64_t{3} * tree.chunkCount()));
-            binSource(source_, survey, tree, *bins_, room.count / 2 / kBytesPerPolygonCorner, progress_);
+            record.mostOfAChunk =
+                binSource(source_, survey, tree, *bins_, room.count / 2 / kBytesPerPolygonCorner, progress_);
             record.scratchEnd = binsFile_->end();
             record.directory = bins_->directory();
             workplace_.finish(std::move(record));
             endPhase("bin", source_.summary().fileBytes);
         }
-        mostInChunk_ = mostOf(BinStream::Triangles, sizeof(Triangle));
-        requireMemory({needs_.base().count + MemoryNeeds::node(mostInChunk_).count});
-    }
-
-    /// The most values of so many bytes that a stream of this kind has.
-    std::uint64_t mostOf(BinStream kind, std::size_t bytes) const {
-        std::uint64_t most = 0;
-        for (std::uint32_t chunk = 0; chunk < ledger().binned()->chunkCount; ++chunk)
-            most = std::max(most, bins_->bytes(streamOf(kind, chunk)) / bytes);
-        return most;
+        const Bytes needed = {needs_.base().count + MemoryNeeds::node(ledger().binned()->mostOfAChunk).count};
+        if (isTakenUp && needed > options_.memory) workplace_.leave(); // what is finished waits for more memory
+        requireMemory(needed);
+        if (const PartSize& most = ledger().binned()->mostOfAChunk;
+            countAtOnce(roomBeside(needs_.base()), MemoryNeeds::node(most), threads_) < 2)
+            returnFreedMemoryAtOnce();
     }
 
     /// Lets the chunks exchange what they share.
@@ -179,9 +186,7 @@ private:
         }
         bordersFile_ = workplace_.scratch("borders");
         const Bytes room = roomBeside(needs_.base());
-        const Bytes chunk =
-            MemoryNeeds::borders(mostOf(BinStream::Vertices, ledger().binned()->format.bytes()), mostInChunk_);
-        const BorderShare share = borderShare(room, std::min(chunk, room), threads_);
+        const BorderShare share = borderShare(room, MemoryNeeds::borders(ledger().binned()->mostOfAChunk), threads_);
         borders_.emplace(*bordersFile_, borderStreams(chunks), blockBytes(share.blocks, borderStreams(chunks)));
         preprocess::shareBorders(binnedSource(), *borders_, share.chunksAtOnce, progress_);
         workplace_.finish(BorderedRecord{bordersFile_->end(), borders_->directory()});
@@ -229,8 +234,8 @@ private:
             for (const NodeRecord::LevelOfNode& level : ledger().nodes(round.number)[node].levels)
                 progress_.advance(level.info.triangles);
         }
-        const std::uint64_t triangles = round.number == 0 ? mostInChunk_ : round.mostTriangles;
-        const std::size_t atOnce = countAtOnce(roomBeside(needs_.base()), MemoryNeeds::node(triangles), threads_);
+        const PartSize& most = round.number == 0 ? ledger().binned()->mostOfAChunk : round.mostOfANode;
+        const std::size_t atOnce = countAtOnce(roomBeside(needs_.base()), MemoryNeeds::node(most), threads_);
         makeInOrder(
             finished,
             round.nodeCount(),
@@ -379,7 +384,6 @@ private:
     Stopwatch watch_;
     std::uint64_t bytesRead_ = 0;
     std::uint64_t bytesWritten_ = 0;
-    std::uint64_t mostInChunk_ = 0;
     std::unique_ptr<ScratchFile> binsFile_;
     std::unique_ptr<ScratchFile> bordersFile_;
     std::unique_ptr<ScratchFile> pagesFile_;

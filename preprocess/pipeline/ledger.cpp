@@ -108,6 +108,8 @@ void binnedFields(Fields& fields, Record& record) {
     fields.field(record.vertices);
     fields.field(record.notAPolygon);
     fields.field(record.chunkCount);
+    fields.field(record.mostOfAChunk.triangles);
+    fields.field(record.mostOfAChunk.vertices);
     fields.field(record.scratchEnd);
     fields.bytes(record.directory);
 }

@@ -12,6 +12,9 @@
 
 namespace gnomon::preprocess {
 
+/// Counts up when the records change: a build can go on only with those of its own kind.
+constexpr int kJournalVersion = 2;
+
 /// The source is in chunks.
 struct BinnedRecord {
     Grid grid;
@@ -20,6 +23,7 @@ struct BinnedRecord {
     std::uint64_t vertices = 0;
     std::uint64_t notAPolygon = 0;
     std::uint32_t chunkCount = 0;
+    PartSize mostOfAChunk;
     std::uint64_t scratchEnd = 0;
     std::vector<std::byte> directory; // of the store
 };

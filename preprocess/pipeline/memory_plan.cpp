@@ -10,7 +10,8 @@ namespace {
 
 constexpr Bytes kProcess = mebibytes(64);
 constexpr Bytes kSample = mebibytes(72);
-constexpr std::uint64_t kNodeBytesPerTriangle = 360;
+constexpr std::uint64_t kNodeBytesPerTriangle = 130;
+constexpr std::uint64_t kNodeBytesPerVertex = 110;
 constexpr std::uint64_t kBorderBytesPerVertex = 90;
 constexpr std::uint64_t kBorderBytesPerTriangle = 32;
 constexpr std::uint64_t kScratchBytesPerTriangle = 44; // where temporary files are in memory
@@ -19,7 +20,7 @@ constexpr std::size_t kLeastBlock = 512;
 constexpr std::size_t kLargestBlock = std::size_t{64} << 10U;
 
 std::uint64_t trianglesOf(const MeshSummary& source) {
-    return std::max(source.faceCount, source.stripCount > 0 ? 2 * source.vertexCount : 0);
+    return std::max(source.faceCount, source.likelyTriangles);
 }
 
 } // namespace
@@ -29,12 +30,12 @@ Bytes MemoryNeeds::base() const {
     return {kProcess.count + source.heldBytes + trianglesOf(source) * kPageRowBytesPerTriangle + scratch};
 }
 
-Bytes MemoryNeeds::node(std::uint64_t triangles) {
-    return {triangles * kNodeBytesPerTriangle};
+Bytes MemoryNeeds::node(const PartSize& size) {
+    return {size.triangles * kNodeBytesPerTriangle + size.vertices * kNodeBytesPerVertex};
 }
 
-Bytes MemoryNeeds::borders(std::uint64_t vertices, std::uint64_t triangles) {
-    return {vertices * kBorderBytesPerVertex + triangles * kBorderBytesPerTriangle};
+Bytes MemoryNeeds::borders(const PartSize& size) {
+    return {size.triangles * kBorderBytesPerTriangle + size.vertices * kBorderBytesPerVertex};
 }
 
 Bytes MemoryNeeds::survey() const {
@@ -47,9 +48,15 @@ Bytes MemoryNeeds::binning() const {
 
 Bytes MemoryNeeds::least() const {
     const std::uint64_t chunks = trianglesOf(source) / chunkTriangles + 1;
-    const std::uint64_t nodeTriangles = std::min<std::uint64_t>(chunkTriangles, trianglesOf(source));
-    return {std::max(
-        {survey().count, binning().count + 3 * chunks * 2 * kLeastBlock, base().count + node(nodeTriangles).count})};
+    PartSize most;
+    most.triangles = std::min<std::uint64_t>(chunkTriangles, trianglesOf(source));
+    // A chunk may have more of them than the whole has on the average.
+    most.vertices = std::min(
+        {3 * most.triangles,
+         source.vertexCount,
+         2 * most.triangles * source.vertexCount / std::max<std::uint64_t>(trianglesOf(source), 1)});
+    return {
+        std::max({survey().count, binning().count + 3 * chunks * 2 * kLeastBlock, base().count + node(most).count})};
 }
 
 std::size_t blockBytes(Bytes room, std::uint64_t streams) {

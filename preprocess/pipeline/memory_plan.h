@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/units.h"
+#include "preprocess/chunk/chunk_streams.h"
 #include "preprocess/read/mesh_source.h"
 
 #include <cstddef>
@@ -17,11 +18,11 @@ struct MemoryNeeds {
     /// What the process is anyway, and what the source itself holds.
     Bytes base() const;
 
-    /// What working on a node of so many triangles takes.
-    static Bytes node(std::uint64_t triangles);
+    /// What working on a node takes.
+    static Bytes node(const PartSize& size);
 
-    /// What finding the answers of a chunk of so many vertices and triangles for others takes.
-    static Bytes borders(std::uint64_t vertices, std::uint64_t triangles);
+    /// What finding the answers of a chunk for others takes; less than a node of its size.
+    static Bytes borders(const PartSize& size);
 
     /// The first look at the source.
     Bytes survey() const;

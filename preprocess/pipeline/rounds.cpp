@@ -26,17 +26,18 @@ Round nextRound(const Round& round, const std::vector<NodeRecord>& finished, std
     for (const NodeRecord& node : finished)
         next.firstLevel = std::max(next.firstLevel, round.firstLevel + static_cast<std::uint32_t>(node.levels.size()));
     const std::uint64_t most = std::max(nodeTriangles, kAlwaysAffordable);
-    std::uint64_t sum = 0;
+    PartSize sum;
     for (std::uint32_t child = 0; child < finished.size(); ++child) {
-        const std::uint64_t own = finished[child].remainingTriangles;
-        if (child > 0 && sum + own <= most) {
+        const NodeRecord& own = finished[child];
+        if (child > 0 && sum.triangles + own.remainingTriangles <= most) {
             next.ends.back() = child + 1;
-            sum += own;
         } else {
             next.ends.push_back(child + 1);
-            sum = own;
+            sum = {};
         }
-        next.mostTriangles = std::max(next.mostTriangles, sum);
+        sum.triangles += own.remainingTriangles;
+        sum.vertices += own.remainingVertices;
+        next.mostOfANode.growTo(sum);
     }
     next.isLast = next.nodeCount() == 1 || next.nodeCount() == finished.size();
     return next;

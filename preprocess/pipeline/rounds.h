@@ -15,7 +15,7 @@ struct Round {
     std::uint32_t firstLevel = 0;
     bool isLast = false;             // nodes are built up to their roots
     std::vector<std::uint32_t> ends; // node -> behind its last child; of chunks, in round 0
-    std::uint64_t mostTriangles = 0; // of a node, where the round is not the first
+    PartSize mostOfANode;            // where the round is not the first
 
     std::size_t nodeCount() const { return ends.size(); }
 

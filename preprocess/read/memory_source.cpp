@@ -22,6 +22,8 @@ public:
         summary_.fileBytes = fileBytes;
         summary_.vertexCount = mesh_.positions.size();
         summary_.faceCount = mesh_.faceSizes.size();
+        for (const std::uint32_t size : mesh_.faceSizes)
+            summary_.likelyTriangles += size > 2 ? size - 2 : 0;
         summary_.hasNormals = !mesh_.normals.empty();
         summary_.hasColors = !mesh_.colors.empty();
         summary_.heldBytes = bytesOf(mesh_.positions) + bytesOf(mesh_.normals) + bytesOf(mesh_.colors) +

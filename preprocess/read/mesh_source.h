@@ -19,8 +19,9 @@ struct MeshSummary {
     std::string path;            ///< of the input; several inputs are joined by ", "
     std::uint64_t fileBytes = 0; ///< of all inputs
     std::uint64_t vertexCount = 0;
-    std::uint64_t faceCount = 0;  ///< polygons of any number of corners
-    std::uint64_t stripCount = 0; ///< lists of triangle strips
+    std::uint64_t faceCount = 0;       ///< polygons of any number of corners
+    std::uint64_t stripCount = 0;      ///< lists of triangle strips
+    std::uint64_t likelyTriangles = 0; ///< what the faces and strips come to if their bytes are what they seem
     bool hasNormals = false;
     bool hasColors = false;
     bool isDouble = false;       ///< positions need more than a float
@@ -57,6 +58,14 @@ struct TriangleBlock {
     std::span<const TriangleCorners> triangles;
     std::span<const PolygonRun> polygons; ///< in ascending order of `first`
     std::uint64_t notAPolygon = 0; ///< faces of fewer than three corners met in this block, which have no triangles
+
+    /// How many faces it came from, where it came from no strips.
+    std::uint64_t faceCount() const {
+        std::uint64_t count = triangles.size() + notAPolygon;
+        for (const PolygonRun& run : polygons)
+            count -= run.count - 1;
+        return count;
+    }
 };
 
 using VertexSink = std::function<void(const VertexBlock&)>;

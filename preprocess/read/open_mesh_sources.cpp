@@ -24,6 +24,7 @@ public:
             summary_.vertexCount += more.vertexCount;
             summary_.faceCount += more.faceCount;
             summary_.stripCount += more.stripCount;
+            summary_.likelyTriangles += more.likelyTriangles;
             summary_.hasNormals &= more.hasNormals;
             summary_.hasColors |= more.hasColors;
             summary_.isDouble |= more.isDouble;

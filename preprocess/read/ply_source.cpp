@@ -61,6 +61,7 @@ public:
         if (vertices_ == header_.elements.size()) throw Error(path, "the header declares no vertices");
         if (!layout_.has(kPosition, 3)) throw Error(path, "the vertices have no x, y and z");
         if (summary_.faceCount + summary_.stripCount == 0) throw Error(path, "no faces: this is a point cloud");
+        summary_.likelyTriangles = likelyTriangles();
     }
 
     const MeshSummary& summary() const override { return summary_; }
@@ -104,6 +105,20 @@ private:
         if (role == Role::Faces) summary_.faceCount += element.count;
         if (role == Role::Strips) summary_.stripCount += element.count;
         if (role == Role::Faces || role == Role::Strips) firstFaces_ = std::min(firstFaces_, i);
+    }
+
+    // In a binary file the bytes that no row must have are corners; text does not tell how many it has.
+    std::uint64_t likelyTriangles() const {
+        if (header_.format == PlyFormat::Ascii) return std::max(summary_.faceCount, 2 * summary_.vertexCount);
+        std::uint64_t left = summary_.fileBytes - header_.bodyOffset;
+        std::uint64_t cornerBytes = 0;
+        for (const PlyElement& element : header_.elements) {
+            left -= element.count * element.leastRowBytes(header_.format);
+            if (const int list = indexListOf(element); list >= 0)
+                cornerBytes = byteSize(element.properties[static_cast<std::size_t>(list)].type);
+        }
+        const std::uint64_t corners = left / cornerBytes;
+        return std::max(summary_.faceCount, corners - std::min(corners, 2 * summary_.faceCount));
     }
 
     // Calls `body` with values that stand at element `begin`; where that is, is found once by reading up to it.

@@ -3,6 +3,7 @@
 #include "core/file.h"
 #include "core/random.h"
 #include "preprocess/pipeline/memory_plan.h"
+#include "preprocess/pipeline/workplace.h"
 #include "tests/preprocess/build_meshes.h"
 
 #include <gtest/gtest.h>
@@ -228,6 +229,31 @@ TEST(Pipeline, AResumedBuildOfSomethingElseIsRefusedAndTouchesNothing) {
     EXPECT_EQ(folder.names(), std::set<std::string>{"m.gnm"});
 }
 
+// A resumed build that is refused for lack of memory must not cost what was built before it was killed.
+TEST(Pipeline, AWorkplaceThatIsLeftCanBeTakenUpAgain) {
+    const TestFolder folder;
+    NoProgress progress;
+    WorkplaceOptions options{folder.file("m.gnm"), "", "the key", false, true};
+    {
+        Workplace place(options, progress);
+        place.scratch("bins")->append(std::vector<std::byte>(1000));
+        BinnedRecord record;
+        record.mostOfAChunk = {5, 7};
+        record.scratchEnd = 1000;
+        place.finish(record);
+        place.leave();
+    }
+    EXPECT_EQ(folder.names(), std::set<std::string>{"m.gnm.building"});
+    {
+        Workplace place(options, progress);
+        ASSERT_TRUE(place.ledger().binned());
+        EXPECT_EQ(place.ledger().binned()->mostOfAChunk.triangles, 5U);
+        EXPECT_EQ(place.ledger().binned()->mostOfAChunk.vertices, 7U);
+        EXPECT_EQ(place.scratch("bins", 1000)->end(), 1000U);
+    }
+    EXPECT_EQ(folder.names(), std::set<std::string>{});
+}
+
 TEST(Pipeline, AFailingWriteIsOneErrorAndTheOldOutputStays) {
     const CodeMesh mesh = bumpySheet(40);
     const TestFolder folder;
@@ -332,7 +358,7 @@ TEST(Pipeline, CoordinatesWhoseSquaresNoDoubleHoldsAreRefused) {
 TEST(MemoryPlan, BordersAreSharedInAnyRoomThatHoldsAChunk) {
     Random random(5);
     for (int i = 0; i < 2000; ++i) {
-        const Bytes chunk = MemoryNeeds::borders(1 + random.below(3'000'000), random.below(2'000'000));
+        const Bytes chunk = MemoryNeeds::borders({random.below(2'000'000), 1 + random.below(3'000'000)});
         const Bytes room = {chunk.count + (random.below(4) == 0 ? 0 : random.below(3 * chunk.count))};
         const std::size_t threads = 1 + random.below(16);
         const BorderShare share = borderShare(room, chunk, threads);

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/random.h"
 #include "hierarchy/model_file.h"
+#include "hierarchy/octahedral.h"
 #include "preprocess/pipeline/build_model.h"
 #include "preprocess/read/open_mesh_sources.h"
 #include "preprocess/verify/verify.h"
@@ -54,6 +55,37 @@ Soup bumpyField(double scale, const glm::dvec3& origin) {
     return soup;
 }
 
+/// A triangle of a built model.
+struct Face {
+    std::uint32_t level = 0;
+    std::array<glm::dvec3, 3> corners{}; // world space
+    std::array<glm::dvec3, 3> normals{}; // of the corners, as stored; zero where there is none
+
+    glm::dvec3 centre() const { return (corners[0] + corners[1] + corners[2]) / 3.0; }
+
+    /// The way that its winding faces; of no length where it has no area.
+    glm::dvec3 facing() const { return glm::cross(corners[1] - corners[0], corners[2] - corners[0]); }
+};
+
+std::vector<Face> facesOf(const hierarchy::ModelFile& file) {
+    std::vector<Face> faces;
+    for (std::uint32_t p = 0; p < file.pages().size(); ++p) {
+        const hierarchy::Page page = file.readPage(p);
+        for (const hierarchy::Cluster& cluster : page.clusters)
+            for (std::uint32_t t = 0; t < cluster.triangleCount; ++t) {
+                Face face{page.level, {}, {}};
+                for (std::size_t i = 0; i < 3; ++i) {
+                    const std::uint8_t corner = page.triangles[cluster.firstTriangle + t][i];
+                    const hierarchy::Vertex& vertex = page.vertices[cluster.firstVertex + corner];
+                    face.corners[i] = file.summary().grid.world(vertex.position);
+                    face.normals[i] = hierarchy::unpackNormal(vertex.normal);
+                }
+                faces.push_back(face);
+            }
+    }
+    return faces;
+}
+
 /// A model built from a soup and verified against it; both files are gone with the object.
 class Verified {
 public:
@@ -78,6 +110,7 @@ public:
             EXPECT_TRUE(std::isfinite(level.maxError));
         bounds = file.summary().bounds;
         maxError = file.summary().levels.back().maxError;
+        faces = facesOf(file);
     }
 
     ~Verified() { std::filesystem::remove_all(folder_); }
@@ -90,6 +123,7 @@ public:
     BuildReport report;
     Box bounds;
     double maxError = 0; // world units
+    std::vector<Face> faces;
 
 private:
     static void write(const Soup& soup, const std::string& path) {
@@ -108,18 +142,37 @@ private:
     std::string folder_;
 };
 
+/// On the rim of a fan of needles about the origin.
+glm::dvec3 rimOfNeedles(double radians) {
+    return {std::cos(radians), 0.1 * std::sin(5 * radians), std::sin(radians)};
+}
+
+/// Of the angle between `direction` and the way that the needle at `place` faces.
+double cosineToNeedles(const glm::dvec3& direction, const glm::dvec3& place) {
+    const double radians = std::atan2(place.z, place.x);
+    const glm::dvec3 facing = glm::cross(rimOfNeedles(radians - 5e-4), rimOfNeedles(radians + 5e-4));
+    return glm::dot(glm::normalize(direction), glm::normalize(facing));
+}
+
 void needles() {
-    // Strips a thousand times longer than wide, fanned around a point.
+    // A thousand, each a thousandth of a radian wide at length 1, fanned about a point.
     Soup soup;
     soup.positions.emplace_back(0, 0, 0);
     constexpr std::uint32_t kNeedles = 1000;
-    for (std::uint32_t i = 0; i <= kNeedles; ++i) {
-        const double angle = 6.0 * i / kNeedles;
-        soup.positions.emplace_back(std::cos(angle), 0.1 * std::sin(5 * angle), std::sin(angle));
-    }
+    for (std::uint32_t i = 0; i <= kNeedles; ++i)
+        soup.positions.push_back(rimOfNeedles(1e-3 * i));
     for (std::uint32_t i = 1; i <= kNeedles; ++i)
         soup.triangles.push_back({0, i, i + 1});
-    EXPECT_LT(Verified(soup).report.coarsestTriangles, 200U);
+    const Verified model(soup);
+    EXPECT_LT(model.report.coarsestTriangles, 200U);
+    for (const Face& face : model.faces) {
+        // As the needles face where it lies, on every level; a fan is straight towards its hub, so no error excuses it.
+        EXPECT_GT(cosineToNeedles(face.facing(), face.centre()), 0.9999) << face.level;
+        for (std::size_t i = 0; i < 3; ++i) // the hub's normal is of all needles
+            EXPECT_GT(
+                cosineToNeedles(face.normals[i], face.corners[i]), glm::length(face.corners[i]) < 0.5 ? 0.8 : 0.999)
+                << face.level;
+    }
 }
 
 void flatModel() {

@@ -182,15 +182,35 @@ void flatModel() {
     EXPECT_LT(model.maxError, 1e-5);
 }
 
-void coincidentSheets() {
-    Soup soup = field(40, bumps);
-    const Soup other = soup;
+/// `soup` and, turned over, `other` on it.
+Soup withTurned(Soup soup, const Soup& other) {
     const auto offset = static_cast<std::uint32_t>(soup.positions.size());
     soup.positions.insert(soup.positions.end(), other.positions.begin(), other.positions.end());
-    for (const auto& t : other.triangles) // turned over
+    for (const auto& t : other.triangles)
         soup.triangles.push_back({t[0] + offset, t[2] + offset, t[1] + offset});
-    const Verified model(soup);
-    EXPECT_EQ(model.report.dropped.at("doubled"), other.triangles.size());
+    return soup;
+}
+
+void coincidentSheets() {
+    // Its squares are flat, so both ways to cut them give the same surface.
+    const Soup sheet = field(40, [](double x, double y) { return 0.05 * (std::sin(13 * x) + std::cos(11 * y)); });
+    const Verified doubled(withTurned(sheet, sheet));
+    EXPECT_EQ(doubled.report.dropped.at("doubled"), sheet.triangles.size());
+
+    // No triangle is doubled where the squares are cut along their other diagonal, but four faces meet at their sides.
+    Soup other = sheet;
+    for (std::size_t i = 0; i < other.triangles.size(); i += 2) {
+        const auto [a, c, b] = other.triangles[i];
+        const std::uint32_t d = other.triangles[i + 1][2];
+        other.triangles[i] = {a, c, d};
+        other.triangles[i + 1] = {a, d, b};
+    }
+    const Verified crossed(withTurned(sheet, other));
+    EXPECT_EQ(crossed.report.dropped.at("doubled"), 0U);
+    EXPECT_LE(crossed.report.coarsestTriangles, 256U);
+    EXPECT_EQ(crossed.report.stuckTriangles, 0U);
+    // The sheets may merge, but not for a worse error than one alone would have.
+    EXPECT_LT(crossed.maxError, 2 * doubled.maxError);
 }
 
 void oneTriangle() {

@@ -32,6 +32,41 @@ void expectSound(const ShadowView& view) {
     }
 }
 
+/// By how many texels of 4096 `p` lands elsewhere in a map than its (s, t) in double say, where the clip matrix and the
+/// positions, relative to `origin`, are floats.
+double texelsOff(const ShadowMapPartition& map, const glm::dvec3& origin, const glm::dvec3& p) {
+    const glm::mat4 uploaded(relativeTo(map.lightClipFromCamera, origin));
+    const glm::vec4 found = uploaded * glm::vec4(glm::vec3(p - origin), 1);
+    const MapPoint point = mapPoint(map.map, p);
+    const glm::dvec2 inTexture(map.textureFromMap * glm::dvec4(point.s, point.t, point.depth, 1));
+    const glm::dvec2 exact = (inTexture - map.textureOffset) / map.textureScale;
+    return glm::length(glm::dvec2(glm::vec2(found) / found.w) - exact) * 2048;
+}
+
+struct FloatError {
+    double fromTheOrigin = 0; // texels of 4096, positions relative to the maps' origins
+    double fromTheEye = 0;    // and relative to the eye
+};
+
+/// The worst of points in `frustum` under random lights.
+FloatError floatError(const ViewFrustum& frustum) {
+    Random random(1);
+    FloatError worst;
+    for (int round = 0; round < 200; ++round) {
+        ShadowView view;
+        view.frustum = frustum;
+        view.towardsLight = randomLight(random);
+        const ShadowMapSetup setup = shadowMapSetup(view, {});
+        for (int i = 0; i < 50; ++i) {
+            const glm::dvec3 p = randomPointIn(random, frustum);
+            const ShadowMapPartition& map = setup.maps.at(setup.mapOf(p));
+            worst.fromTheOrigin = std::max(worst.fromTheOrigin, texelsOff(map, map.origin, p));
+            worst.fromTheEye = std::max(worst.fromTheEye, texelsOff(map, glm::dvec3(0), p));
+        }
+    }
+    return worst;
+}
+
 ShadowView viewWithLight(const glm::dvec3& towardsLight) {
     ShadowView view;
     view.towardsLight = glm::normalize(towardsLight);
@@ -118,12 +153,16 @@ void hugeRatio() {
     ShadowView view;
     view.frustum = {1, 1e8, 0.5, 1};
     expectSound(view);
+    EXPECT_LT(floatError(view.frustum).fromTheOrigin, 0.01);
 }
 
 void tinyRatio() {
     ShadowView view;
     view.frustum = {1, 1 + 1e-6, 0.5, 1};
     expectSound(view);
+    const FloatError error = floatError(view.frustum);
+    EXPECT_LT(error.fromTheOrigin, 0.01);
+    EXPECT_GT(error.fromTheEye, 100); // or the case is none
     EXPECT_NEAR(sliceRatioMinusOne(1, 1 + 1e-12, 4) / 0.25e-12, 1, 1e-3);
 }
 
@@ -131,6 +170,13 @@ void tinyAngle() {
     ShadowView view;
     view.frustum = {1, 1000, 0.005 * kPi / 180, 1};
     expectSound(view);
+    EXPECT_LT(floatError(view.frustum).fromTheOrigin, 0.01);
+    // Where near and far lie a thousandth apart, depths from the eye are rounded to whole texels.
+    view.frustum.near = 999;
+    expectSound(view);
+    const FloatError error = floatError(view.frustum);
+    EXPECT_LT(error.fromTheOrigin, 0.01);
+    EXPECT_GT(error.fromTheEye, 1); // or the case is none
 }
 
 void otherShapes() {

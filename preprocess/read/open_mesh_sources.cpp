@@ -1,6 +1,7 @@
 #include "preprocess/read/open_mesh_sources.h"
 
 #include "core/check.h"
+#include "core/error.h"
 #include "core/file.h"
 #include "preprocess/read/ply_source.h"
 #include "preprocess/read/whole_file_source.h"
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <filesystem>
 
 namespace gnomon::preprocess {
 
@@ -85,7 +87,28 @@ bool isPly(const std::string& path) {
     return file.readSomeAt(0, magic) == magic.size() && std::memcmp(magic.data(), "ply", magic.size()) == 0;
 }
 
+const char* nameOf(std::filesystem::file_type type) {
+    switch (type) {
+    case std::filesystem::file_type::fifo:
+        return "a pipe";
+    case std::filesystem::file_type::socket:
+        return "a socket";
+    default:
+        return "a device";
+    }
+}
+
 } // namespace
+
+void requireRereadable(const std::string& path) {
+    using Type = std::filesystem::file_type;
+    std::error_code ignored;
+    const Type type = std::filesystem::status(path, ignored).type();
+    // A file that cannot be opened says so itself, and so does a folder.
+    const bool isSomethingElse =
+        type == Type::fifo || type == Type::socket || type == Type::character || type == Type::block;
+    if (isSomethingElse) throw Error(path, "a source is read several times", "a file", nameOf(type));
+}
 
 std::unique_ptr<MeshSource> openMeshSources(const std::vector<std::string>& paths, Bytes memoryLimit) {
     GNOMON_CHECK(!paths.empty());
@@ -93,6 +116,7 @@ std::unique_ptr<MeshSource> openMeshSources(const std::vector<std::string>& path
     parts.reserve(paths.size());
     Bytes room = memoryLimit;
     for (const std::string& path : paths) {
+        requireRereadable(path);
         parts.push_back(isWholeFileFormat(path) && !isPly(path) ? readWholeFile(path, room) : openPly(path));
         room.count -= std::min(room.count, parts.back()->summary().heldBytes);
     }

@@ -10,6 +10,10 @@
 
 namespace gnomon::preprocess {
 
+/// Throws Error where `path` leads to something that cannot be read several times: a pipe, a socket or a device. What
+/// is not there at all is left to the one who opens it.
+void requireRereadable(const std::string& path);
+
 /// Opens every path and joins them into one model: vertices and triangles follow one another in the order of `paths`,
 /// indices are shifted accordingly. A block of a joined model holds vertices of one input only, so it lacks normals or
 /// colours where that input has none, even if the summary has them because another does.

@@ -6,6 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <map>
+
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace gnomon::preprocess {
@@ -230,6 +234,29 @@ TEST(ReadPly, HeaderErrorsNameTheLine) {
     EXPECT_EQ(
         errorOf("h12", ascii(kVertices + kVertices + kFaces, kFour + kFour + "3 0 1 2\n")),
         ": the header declares vertices twice");
+}
+
+TEST(ReadPly, WhatCannotBeReadTwiceIsRefused) {
+    std::array<int, 2> pipe{};
+    ASSERT_EQ(::pipe(pipe.data()), 0);
+    const std::string open = "/dev/fd/" + std::to_string(pipe[0]);
+    const std::string named = testing::TempDir() + "gnomon_named_pipe.obj";
+    ::unlink(named.c_str());
+    ASSERT_EQ(::mkfifo(named.c_str(), 0600), 0);
+    const std::map<std::string, std::string> sources{{open, "a pipe"}, {named, "a pipe"}, {"/dev/null", "a device"}};
+    for (const auto& [path, kind] : sources) {
+        try {
+            openMeshSources({path}, gibibytes(1));
+            ADD_FAILURE() << path;
+        } catch (const Error& error) {
+            std::string expected = path;
+            expected.append(": a source is read several times: expected a file, found ").append(kind);
+            EXPECT_EQ(error.what(), expected);
+        }
+    }
+    ::unlink(named.c_str());
+    ::close(pipe[0]);
+    ::close(pipe[1]);
 }
 
 TEST(ReadPly, CountsBeyondTheFileAreRefusedAtOnce) {

@@ -4,9 +4,12 @@
 #include "hierarchy/bytes.h"
 #include "hierarchy/file_layout.h"
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <filesystem>
+#include <map>
 
 namespace gnomon::preprocess {
 
@@ -46,6 +49,35 @@ void removeLeftovers(const std::string& output) {
     }
 }
 
+/// The entries of a key: name (all but the last word) and value.
+std::vector<std::array<std::string, 2>> entriesOf(const std::string& key) {
+    std::vector<std::array<std::string, 2>> entries;
+    for (std::size_t begin = 0; begin < key.size();) {
+        const std::size_t end = std::min(key.find(", ", begin), key.size());
+        const std::string entry = key.substr(begin, end - begin);
+        const std::size_t space = std::min(entry.rfind(' '), entry.size());
+        entries.push_back({entry.substr(0, space), entry.substr(std::min(space + 1, entry.size()))});
+        begin = end + 2;
+    }
+    return entries;
+}
+
+/// What differs between two keys: "name: expected value, found value" for each entry.
+std::string differenceOf(const std::string& expected, const std::string& found) {
+    std::map<std::string, std::array<std::string, 2>> values;
+    const std::array keys{&expected, &found};
+    for (std::size_t i = 0; i < keys.size(); ++i)
+        for (const auto& [name, value] : entriesOf(*keys[i]))
+            values[name][i] = value;
+    std::string text;
+    for (const auto& [name, both] : values) {
+        if (both[0] == both[1]) continue;
+        const auto told = [](const std::string& value) { return value.empty() ? "nothing" : value; };
+        text += (text.empty() ? "" : "; ") + name + ": expected " + told(both[0]) + ", found " + told(both[1]);
+    }
+    return text;
+}
+
 } // namespace
 
 Workplace::Workplace(const WorkplaceOptions& options, Progress& progress) : space_(progress) {
@@ -62,7 +94,8 @@ Workplace::Workplace(const WorkplaceOptions& options, Progress& progress) : spac
     if (found && !found->records().empty()) {
         const std::vector<std::byte>& first = found->records().front();
         const std::string key(reinterpret_cast<const char*>(first.data()), first.size());
-        if (key != options.key) throw Error(folder, "cannot resume: input or options changed", options.key, key);
+        if (key != options.key)
+            throw Error(folder, "cannot resume, input or options changed: " + differenceOf(options.key, key));
         journal_ = std::move(found);
         try {
             for (std::size_t i = 1; i < journal_->records().size(); ++i)

@@ -14,7 +14,7 @@ namespace gnomon::preprocess {
 struct WorkplaceOptions {
     std::string output;      // whose model is built
     std::string folder;      // for temporary files; empty: beside the output
-    std::string key;         // what is built from what: a resumed build must have the same
+    std::string key;         // what is built from what, as "name value, name value": a resumed build must have the same
     bool isInMemory = false; // no files at all
     bool isResumed = false;  // go on with what is there, if anything
 };
@@ -23,7 +23,8 @@ struct WorkplaceOptions {
 /// output in one folder; of several with folders of their own, each puts a whole model in the output's place.
 class Workplace {
 public:
-    /// Throws Error where another process is at work, or if a resumed build has another key; then nothing is touched.
+    /// Throws Error where another process is at work, or if a resumed build has another key, naming the entries that
+    /// differ; then nothing is touched.
     Workplace(const WorkplaceOptions& options, Progress& progress);
     ~Workplace();
     Workplace(const Workplace&) = delete;

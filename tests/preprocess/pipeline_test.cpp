@@ -2,6 +2,7 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "core/random.h"
+#include "preprocess/pipeline/fingerprint.h"
 #include "preprocess/pipeline/memory_plan.h"
 #include "preprocess/pipeline/workplace.h"
 #include "tests/preprocess/build_meshes.h"
@@ -9,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <numeric>
@@ -210,20 +212,47 @@ TEST(Pipeline, GoesOnAfterBeingKilledAnywhere) {
     EXPECT_GT(killed, 8);
 }
 
+TEST(Pipeline, AFingerprintTellsPeopleWhatAnInputIs) {
+    const TestFolder folder;
+    const std::vector<std::string> inputs{folder.file("a"), folder.file("b")};
+    for (const std::string& input : inputs) {
+        writeTextFile(input, "a mesh");
+        const auto when = std::chrono::sys_days(std::chrono::year(2001) / 9 / 9) + std::chrono::milliseconds(6'400'025);
+        fs::last_write_time(input, std::chrono::file_clock::from_sys(when));
+    }
+    const std::string text = fingerprintOf(inputs);
+    EXPECT_EQ(text.find("input 1 bytes 6, input 1 changed 2001-09-09T01:46:40.025000000Z, input 1 samples "), 0U);
+    EXPECT_NE(text.find(", input 2 bytes 6, input 2 changed 2001-09-09T01:46:40.025"), std::string::npos) << text;
+    EXPECT_THROW(fingerprintOf({"/dev/null"}), Error);
+}
+
 TEST(Pipeline, AResumedBuildOfSomethingElseIsRefusedAndTouchesNothing) {
     const CodeMesh mesh = bumpySheet(60);
     const TestFolder folder;
     BuildOptions options = smallChunks(1000);
     options.output = folder.file("m.gnm");
-    options.inputKey = "the sheet";
+    options.inputKey = "input 1 bytes 17, input 1 changed yesterday";
     ASSERT_TRUE(isKilled(mesh, options, 20));
     options.isResumed = true;
+    const std::string start = options.output + ".building: cannot resume, input or options changed: ";
+    const auto refusal = [&](const BuildOptions& other) -> std::string {
+        try {
+            build(mesh, other);
+        } catch (const Error& error) {
+            return error.what();
+        }
+        return "no error";
+    };
     BuildOptions otherInput = options;
-    otherInput.inputKey = "another sheet";
-    EXPECT_THROW(build(mesh, otherInput), Error);
+    otherInput.inputKey = "input 1 bytes 17, input 1 changed today";
+    EXPECT_EQ(refusal(otherInput), start + "input 1 changed: expected today, found yesterday");
+    otherInput.inputKey += ", input 2 bytes 4";
+    EXPECT_EQ(
+        refusal(otherInput),
+        start + "input 1 changed: expected today, found yesterday; input 2 bytes: expected 4, found nothing");
     BuildOptions otherOptions = options;
     otherOptions.level.clusterTriangles = 64;
-    EXPECT_THROW(build(mesh, otherOptions), Error);
+    EXPECT_EQ(refusal(otherOptions), start + "cluster_triangles: expected 64, found 128");
     EXPECT_EQ(folder.names(), std::set<std::string>{"m.gnm.building"});
     build(mesh, options);
     EXPECT_EQ(folder.names(), std::set<std::string>{"m.gnm"});

@@ -48,7 +48,7 @@ bool AsciiValues::skipBlanks(bool acrossLines) {
 }
 
 std::string_view AsciiValues::word() {
-    if (!skipBlanks(true)) throw Error(where(), "the file ends too early");
+    if (!skipBlanks(true)) progress_.throwEndsEarly(where());
     // Near the end of the file there is less; a word that ends the file needs no separator.
     stream_.fill(kLongestWord + 1);
     const auto* text = reinterpret_cast<const char*>(stream_.data());
@@ -105,6 +105,7 @@ void AsciiValues::skipRows(std::uint64_t valuesPerRow, std::uint64_t count) {
 void AsciiValues::endRow() {
     if (skipBlanks(false) && *reinterpret_cast<const char*>(stream_.data()) != lineEnd_)
         throw Error(where(), "more values in a row than the header declares");
+    ++progress_.done;
 }
 
 std::uint64_t AsciiValues::mostValues(PlyType /*type*/) const {

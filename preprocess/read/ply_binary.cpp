@@ -1,6 +1,7 @@
 #include "core/error.h"
 #include "preprocess/read/ply_values.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -13,16 +14,31 @@ constexpr PlyFormat kNativeFormat =
 
 } // namespace
 
+std::string PlyProgress::row() const {
+    return "row " + std::to_string(done + 1) + " of " + std::to_string(rows) + " of element \"" + element + "\"";
+}
+
+void PlyProgress::throwEndsEarly(const std::string& where) const {
+    throw Error(
+        where,
+        "the file ends too early",
+        std::to_string(rows) + " rows of element \"" + element + "\"",
+        std::to_string(done));
+}
+
 BinaryValues::BinaryValues(const File& file, PlyFormat format, PlyPlace start)
     : stream_(file, start.offset), isSwapped_(format != kNativeFormat) {}
 
 void BinaryValues::skip(PlyType type, std::uint64_t count) {
-    skipRows(byteSize(type), count);
+    if (count > mostValues(type)) throwEndsEarly();
+    stream_.skip(byteSize(type) * count);
 }
 
 void BinaryValues::skipRows(std::uint64_t rowBytes, std::uint64_t count) {
     if (rowBytes == 0) return;
-    if (count > stream_.remaining() / rowBytes) throwEndsEarly();
+    const std::uint64_t whole = std::min(count, stream_.remaining() / rowBytes);
+    endRows(whole);
+    if (whole < count) throwEndsEarly();
     stream_.skip(rowBytes * count);
 }
 
@@ -40,7 +56,7 @@ void BinaryValues::expectEnd() {
 }
 
 void BinaryValues::throwEndsEarly() const {
-    throw Error(atByte(stream_.path(), stream_.offset() + stream_.remaining()), "the file ends too early");
+    progress_.throwEndsEarly(atByte(stream_.path(), stream_.offset() + stream_.remaining()));
 }
 
 std::int64_t BinaryValues::wholeNumber(double value) const {

@@ -191,6 +191,7 @@ void readVertexColumns(BinaryValues& values, const PlyElement& element, const Ve
         if (layout.hasColors) decodeColors(rows, columns, place.colors);
         stream.consume(rows.count * stride);
         done += count;
+        values.endRows(count);
         out.flushIfFull();
     }
 }
@@ -212,6 +213,7 @@ void readFaceRows(
                 copy(std::span(stream.data(), stream.available()), layout, vertexCount, room.first(most));
             stream.consume(copied * layout.triangleBytes());
             done += copied;
+            values.endRows(copied);
             out.commit(copied);
             if (copied > 0) continue;
         }

@@ -59,7 +59,7 @@ std::uint64_t readListCount(Values& values, const PlyProperty& list) {
         throw Error(
             values.where(),
             "the file ends too early",
-            "a list of " + std::to_string(count) + " values",
+            "a list of " + std::to_string(count) + " values in " + values.row(),
             "room for at most " + std::to_string(most));
     return static_cast<std::uint64_t>(count);
 }
@@ -72,6 +72,7 @@ void skipProperty(Values& values, const PlyProperty& property) {
 /// Passes over all rows of an element.
 template <class Values>
 void skipElement(Values& values, const PlyElement& element, PlyFormat format) {
+    values.beginElement(element);
     if (element.properties.empty()) return;
     if (!element.hasLists()) {
         const bool isAscii = format == PlyFormat::Ascii;

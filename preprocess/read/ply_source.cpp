@@ -147,6 +147,7 @@ private:
     template <class Values>
     void vertexPass(Values& values, const VertexSink& sink) {
         const PlyElement& element = header_.elements[vertices_];
+        values.beginElement(element);
         VertexBuffer out(sink, layout_.hasNormals, layout_.hasColors);
         if constexpr (std::is_same_v<Values, BinaryValues>) {
             if (element.hasLists())
@@ -167,6 +168,7 @@ private:
         for (std::size_t i = firstFaces_; i < header_.elements.size(); ++i) {
             const PlyElement& element = header_.elements[i];
             const Role role = roleOf(element);
+            values.beginElement(element);
             if (role == Role::Faces) readFaces(values, element, out);
             if (role == Role::Strips) {
                 for (std::uint64_t row = 0; row < element.count; ++row)

@@ -16,6 +16,19 @@ struct PlyPlace {
     std::uint64_t line = 1;   ///< ascii only
 };
 
+/// How far a pass is in the element that it reads, for errors.
+struct PlyProgress {
+    std::string element;
+    std::uint64_t rows = 0; ///< that the header promises
+    std::uint64_t done = 0; ///< that were whole
+
+    /// The row that is being read.
+    std::string row() const;
+
+    /// Of a file that ends inside the element.
+    [[noreturn]] void throwEndsEarly(const std::string& where) const;
+};
+
 /// A value of type T from unaligned bytes, its bytes reversed if `isSwapped`.
 template <class T>
 T loadValue(const std::byte* bytes, bool isSwapped) {
@@ -76,13 +89,20 @@ public:
     /// Passes over `count` rows of `rowBytes` bytes, which the file must still have.
     void skipRows(std::uint64_t rowBytes, std::uint64_t count);
 
-    void endRow() {}
+    /// What is read from here on is the rows of `element`.
+    void beginElement(const PlyElement& element) { progress_ = {element.name, element.count, 0}; }
+
+    void endRow() { ++progress_.done; }
+
+    void endRows(std::uint64_t count) { progress_.done += count; }
 
     /// The most values of `type` that the rest of the file can hold.
     std::uint64_t mostValues(PlyType type) const { return stream_.remaining() / byteSize(type); }
 
     /// The value read last, for errors.
     std::string where() const;
+
+    std::string row() const { return progress_.row(); }
 
     PlyPlace place() const { return {stream_.offset(), 0}; }
 
@@ -109,6 +129,7 @@ private:
     ByteStream stream_;
     bool isSwapped_;
     std::uint64_t lastOffset_ = 0;
+    PlyProgress progress_;
 };
 
 /// The values of an ascii body: words between blanks and line ends. A row may wrap, but the next begins on a new line.
@@ -121,9 +142,14 @@ public:
     std::int64_t integer(PlyType type);
     void skip(PlyType type, std::uint64_t count = 1);
     void skipRows(std::uint64_t valuesPerRow, std::uint64_t count);
+
+    void beginElement(const PlyElement& element) { progress_ = {element.name, element.count, 0}; }
+
     void endRow();
     std::uint64_t mostValues(PlyType type) const;
     std::string where() const;
+
+    std::string row() const { return progress_.row(); }
 
     PlyPlace place() const { return {stream_.offset(), line_}; }
 
@@ -136,6 +162,7 @@ private:
     ByteStream stream_;
     char lineEnd_;
     std::uint64_t line_;
+    PlyProgress progress_;
 };
 
 } // namespace gnomon::preprocess

@@ -282,11 +282,14 @@ TEST(ReadPly, BodyErrorsNameTheLine) {
         ":13: a coordinate of vertex 3 is not finite");
     EXPECT_EQ(
         errorOf("b5", ascii(kVertices + kFaces, kFour + "99999 0 1 2\n")),
-        ":14: the file ends too early: expected a list of 99999 values, found room for at most 4");
+        ":14: the file ends too early: expected a list of 99999 values in row 1 of 1 of element \"face\", found room "
+        "for at most 4");
     EXPECT_EQ(
         errorOf("b6", ascii(kVertices + kFaces, kFour + "-3 0 1 2\n")),
         ":14: absurd list count: expected none below 0, found -3");
-    EXPECT_EQ(errorOf("b7", ascii(kVertices + kFaces, kFour + "3 0 1")), ":14: the file ends too early");
+    EXPECT_EQ(
+        errorOf("b7", ascii(kVertices + kFaces, kFour + "3 0 1")),
+        ":14: the file ends too early: expected 1 rows of element \"face\", found 0");
     EXPECT_EQ(
         errorOf("b8", ascii(kVertices + kFaces, kFour + "3 0 1 x\n")),
         ":14: not a whole number: expected an index or a count, found \"x\"");
@@ -316,13 +319,18 @@ TEST(ReadPly, BinaryBodyErrorsNameTheByte) {
     mesh.positions[1].y = 0;
     for (std::size_t cut = 1; cut <= 62; ++cut) {
         const std::string message = errorOf("B3", good.substr(0, good.size() - cut));
-        EXPECT_NE(message.find("the file ends too early"), std::string::npos) << cut << message;
+        EXPECT_NE(message.find("the file ends too early: expected "), std::string::npos) << cut << message;
+        EXPECT_NE(message.find(" of element \""), std::string::npos) << cut << message;
     }
+    EXPECT_EQ(
+        errorOf("B7", good.substr(0, good.size() - 13)),
+        at(49) + "the file ends too early: expected 2 rows of element \"face\", found 1");
     std::string absurd = good;
     absurd[body + 36] = '\x09';
     EXPECT_EQ(
         errorOf("B4", absurd),
-        at(36) + "the file ends too early: expected a list of 9 values, found room for at most 6");
+        at(36) + "the file ends too early: expected a list of 9 values in row 1 of 2 of element \"face\", found room "
+                 "for at most 6");
     EXPECT_EQ(errorOf("B5", good + "x"), at(62) + "data after the last element: the header's counts are too small");
     EXPECT_EQ(errorOf("B6", good + "\n\n"), "no error");
 }

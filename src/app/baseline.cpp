@@ -1,9 +1,37 @@
 #include "app/baseline.h"
 
 #include "app/json_file.h"
+#include "app/view_options.h"
 #include "core/error.h"
 
+#include <array>
+#include <set>
+
 namespace gnomon::app {
+
+namespace {
+
+/// What of the context frame times hang on, those that can be swept aside.
+constexpr std::array kAlike{
+    "model_content_hash",
+    "path_content_hash",
+    "frames",
+    "real_time",
+    "image_size",
+    "light",
+    "near_and_far",
+    "near_floor",
+    "max_triangles",
+    "eta",
+    "tsm_focus",
+    "split_lambda",
+    "max_aliasing",
+    "memory_cap",
+    "gpu_memory_cap",
+    "backend",
+    "threads"};
+
+} // namespace
 
 Baseline readBaseline(const std::string& path) {
     const nlohmann::ordered_json document = readJsonFile(path);
@@ -32,12 +60,31 @@ Baseline readBaseline(const std::string& path) {
 }
 
 void requireComparable(const Baseline& baseline, const std::map<std::string, std::string>& context) {
-    for (const char* key : {"model_content_hash", "image_size", "backend"}) {
+    const auto requireAlike = [&](const std::string& key, const std::string& now, const std::string& before) {
+        if (now != before) throw Error(baseline.path, "another bench than this one: " + key, now, before);
+    };
+    for (const char* key : kAlike) {
         const auto before = baseline.context.find(key);
-        const std::string found = before == baseline.context.end() ? "none" : before->second;
-        if (found != context.at(key))
-            throw Error(baseline.path, std::string("another bench than this one: ") + key, context.at(key), found);
+        requireAlike(key, context.at(key), before == baseline.context.end() ? "none" : before->second);
     }
+    for (const SweptOption& option : sweptOptions()) {
+        const std::string key = columnName(option.flag);
+        const auto before = baseline.context.find(key);
+        const auto now = context.find(key);
+        if (before != baseline.context.end() && now != context.end()) requireAlike(key, now->second, before->second);
+    }
+}
+
+std::vector<std::string> notCompared(const Baseline& baseline, std::span<const report::RunSummary> summaries) {
+    std::vector<std::string> names;
+    std::set<std::string> known;
+    for (const report::RunSummary& now : summaries) {
+        known.insert(now.name);
+        if (!baseline.p50Ms.contains(now.name)) names.push_back(now.name);
+    }
+    for (const auto& [name, p50Ms] : baseline.p50Ms)
+        if (!known.contains(name)) names.push_back(name);
+    return names;
 }
 
 void requireNotSlower(

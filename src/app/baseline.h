@@ -6,6 +6,7 @@
 #include <map>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace gnomon::app {
 
@@ -19,9 +20,13 @@ struct Baseline {
 /// Reads a baseline. Throws Error with path and place.
 Baseline readBaseline(const std::string& path);
 
-/// Throws Error where `context` differs from the baseline's in what makes frame times comparable: the model's content,
-/// the size of the image and who drew it.
+/// Throws Error where `context` differs from the baseline's in what makes frame times comparable: the model, the path
+/// and how it is walked, the view and its quality, the memory, and who drew it with how many threads. A setting that is
+/// swept on either side is part of the names of the runs instead.
 void requireComparable(const Baseline& baseline, const std::map<std::string, std::string>& context);
+
+/// The names of runs that only one of the baseline and `summaries` has: nothing is compared with them.
+std::vector<std::string> notCompared(const Baseline& baseline, std::span<const report::RunSummary> summaries);
 
 /// Throws Error if a run of the same name in the baseline was faster by more than `failAbovePercent`, or if there is
 /// none of any name.

@@ -14,13 +14,6 @@ namespace gnomon::app {
 
 namespace {
 
-/// `--z-partitions` as the name of its column.
-std::string columnName(const std::string& flag) {
-    std::string name = flag.substr(flag.find_first_not_of('-'));
-    std::replace(name.begin(), name.end(), '-', '_');
-    return name;
-}
-
 /// Four times the absolute difference of each channel.
 render::Picture magnifiedDifference(const render::Picture& a, const render::Picture& b) {
     render::Picture result = a;

@@ -2,11 +2,15 @@
 
 #include "app/json_file.h"
 #include "core/error.h"
+#include "hierarchy/file_layout.h"
 #include "telemetry/json_text.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
+#include <span>
 
 namespace gnomon::app {
 
@@ -154,6 +158,17 @@ std::string toJson(const CameraPath& path) {
         document["keyframes"].push_back(entry);
     }
     return telemetry::jsonText(document, 1) + "\n";
+}
+
+std::string contentHash(const CameraPath& path) {
+    const std::string text = toJson(path);
+    std::array<char, 17> hex{};
+    std::snprintf(
+        hex.data(),
+        hex.size(),
+        "%016llx",
+        static_cast<unsigned long long>(hierarchy::checksum64(std::as_bytes(std::span(text)))));
+    return hex.data();
 }
 
 } // namespace gnomon::app

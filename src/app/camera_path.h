@@ -42,4 +42,7 @@ CameraPath readCameraPath(const std::string& path);
 /// The text of a path file.
 std::string toJson(const CameraPath& path);
 
+/// xxh3-64 of what `path` says, in lower hex; how its file writes it makes no difference.
+std::string contentHash(const CameraPath& path);
+
 } // namespace gnomon::app

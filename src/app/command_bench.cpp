@@ -45,8 +45,28 @@ struct BenchOptions {
     std::string failAbovePercent = "10";
 };
 
+/// Adds the settings that are the same in all of `runs`; the others are in the runs' names.
+void addSettings(
+    std::map<std::string, std::string>& context, const ViewOptions& view, const std::vector<BenchRun>& runs) {
+    const auto orNone = [](const std::string& text) { return text.empty() ? "not given" : text; };
+    context["light"] = view.light;
+    context["near_and_far"] = view.near + ", " + view.far;
+    context["near_floor"] = orNone(view.nearFloor);
+    context["max_triangles"] = orNone(view.maxTriangles);
+    context["eta"] = orNone(view.eta);
+    context["tsm_focus"] = orNone(view.tsmFocus);
+    context["split_lambda"] = view.splitLambda;
+    context["max_aliasing"] = view.maxAliasing;
+    for (const SweptOption& option : sweptOptions()) {
+        const std::string& value = runs.front().settings.*option.value;
+        const auto isThis = [&](const BenchRun& run) { return run.settings.*option.value == value; };
+        if (std::all_of(runs.begin(), runs.end(), isThis)) context[columnName(option.flag)] = value;
+    }
+}
+
 /// What a reader must know to judge or repeat the figures.
-std::map<std::string, std::string> contextOf(const BenchOptions& options, Session& session) {
+std::map<std::string, std::string> contextOf(
+    const BenchOptions& options, const std::vector<BenchRun>& runs, const CameraPath& path, Session& session) {
     std::map<std::string, std::string> context = telemetry::machineContext();
     context.erase("host_name"); // a report is handed around
     const hierarchy::ModelFile& model = session.model();
@@ -54,8 +74,9 @@ std::map<std::string, std::string> contextOf(const BenchOptions& options, Sessio
     context["model_triangles"] = std::to_string(model.summary().sourceTriangles);
     context["model_content_hash"] = model.contentHash();
     context["image_size"] = options.view.size;
-    context["light"] = options.view.light;
-    context["near_and_far"] = options.view.near + ", " + options.view.far;
+    context["path"] = std::filesystem::path(options.path).filename().string();
+    context["path_content_hash"] = contentHash(path);
+    addSettings(context, options.view, runs);
     context["version"] = GNOMON_VERSION;
     context["backend"] = session.executor().name();
     context["memory_cap"] = options.view.memory;
@@ -255,7 +276,7 @@ public:
           session_(options.model, options.view),
           csv_(options.csv),
           json_(options.json),
-          context_(contextOf(options, session_)) {
+          context_(contextOf(options, runs_, path_, session_)) {
         if (baseline_) requireComparable(*baseline_, context_);
         prepareFolder(options.images);
         prepareFolder(options.report);
@@ -275,7 +296,12 @@ public:
         if (summaries.size() > 1) printUnderBound(options_.view.maxAliasing, summaries);
         if (!options_.images.empty()) writeImages();
         if (!options_.report.empty()) writeReport(options_.report, pageOf(summaries), results);
-        if (baseline_) requireNotSlower(*baseline_, summaries, bounds_.failAbovePercent);
+        if (baseline_) {
+            for (const std::string& name : notCompared(*baseline_, summaries))
+                std::fprintf(
+                    stderr, "gnomon: %s: not compared, on one side only: %s\n", baseline_->path.c_str(), name.c_str());
+            requireNotSlower(*baseline_, summaries, bounds_.failAbovePercent);
+        }
     }
 
 private:

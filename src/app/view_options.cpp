@@ -145,6 +145,12 @@ std::span<const SweptOption> sweptOptions() {
     return kSweptOptions;
 }
 
+std::string columnName(const std::string& flag) {
+    std::string name = flag.substr(flag.find_first_not_of('-'));
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+}
+
 bool isPosed(const ViewOptions& options) {
     return !options.cameraFile.empty() || hasPose(options);
 }

@@ -42,6 +42,9 @@ struct SweptOption {
 /// All of them, in the order of CONTRACT.md.
 std::span<const SweptOption> sweptOptions();
 
+/// An option as the name of a column: "z_partitions" for "--z-partitions".
+std::string columnName(const std::string& flag);
+
 /// The options as they are written. Empty text is an option that was not given.
 struct ViewOptions {
     std::string size = "800x800";

@@ -113,6 +113,44 @@ class Refusals(ProgramTest):
         self.expect(0, "", "explain", self.sundial, "--stabilize", "off", "--eta", "0.5")
         self.bench(2, "--stabilize", "--stabilize", "off,on", "--eta", "0.5")
 
+    def test_a_baseline_is_of_the_same_walk_view_and_settings(self):
+        before, other_path = self.place / "walked.json", self.place / "lifted.json"
+        path = json.loads(PATH.read_text())
+        path["keyframes"][0]["eye"][1] += 0.5
+        other_path.write_text(json.dumps(path))
+        usual = {"--path": PATH, "--size": "32x32", "--shadow-texels": "128x128", "--frames": "2", "--warmup": "0",
+                 "--z-partitions": "1,2", "--memory": "512M", "--threads": "1"}  # fmt: skip
+
+        def walked(code, said, *flags, **changes):
+            asked = {**usual, **{"--" + name.replace("_", "-"): value for name, value in changes.items()}}
+            return self.expect(code, said, "bench", self.sundial, *[w for pair in asked.items() for w in pair], *flags)
+
+        walked(0, "", json_file=before)
+        context = json.loads(before.read_text())["context"]
+        self.assertEqual((context["path"], context["shadow_texels"]), (PATH.name, "128x128"))
+        self.assertNotIn("z_partitions", context)
+        held = {"baseline": before, "fail_above": "1e9"}
+        self.assertEqual(walked(0, "", **held).stderr, "")
+        told = walked(0, "not compared", z_partitions="2,3", **held)
+        self.assertEqual([said.split(": ")[-1] for said in told.stderr.splitlines()], ["z_partitions:3", "z_partitions:1"])
+        for key, option, value in (
+            ("path_content_hash", "path", other_path),
+            ("frames", "frames", "3"),
+            ("light", "light", "0,1,0"),
+            ("near_and_far", "near", "1"),
+            ("memory_cap", "memory", "64M"),
+            ("gpu_memory_cap", "gpu_memory", "64M"),
+            ("threads", "threads", "2"),
+            ("max_triangles", "max_triangles", "1000"),
+            ("split_lambda", "split_lambda", "0.5"),
+            ("eta", "eta", "0.25"),
+            ("shadow_texels", "shadow_texels", "64x64"),
+            ("error_pixels", "error_pixels", "2"),
+        ):
+            told = walked(1, f"another bench than this one: {key}", **held, **{option: value})
+            self.assertEqual(told.stdout, "", "it has walked first")
+        walked(1, "another bench than this one: real_time", "--real-time", **held)
+
     def test_a_baseline_is_of_the_same_model_size_and_backend(self):
         before, changed = self.place / "before.json", self.place / "changed.json"
         self.bench(0, "", "--json-file", before)

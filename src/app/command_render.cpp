@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 
 namespace gnomon::app {
 
@@ -48,7 +49,6 @@ const std::map<std::string, render::Overlay>& overlays() {
 
 /// Each map as a PFM of its own, named by its slice and face.
 void writeShadowMaps(const std::string& folder, const render::Frame& frame, render::Executor& executor) {
-    prepareFolder(folder);
     const render::FloatPicture all = executor.shadowDepth();
     for (const plan::ShadowPass& pass : frame.plan.passes) {
         const plan::Rectangle& r = pass.rectangle;
@@ -61,8 +61,8 @@ void writeShadowMaps(const std::string& folder, const render::Frame& frame, rend
     }
 }
 
-void requireLike(const RenderOptions& options, const render::Picture& picture) {
-    const render::PictureDifference found = render::difference(render::readPng(options.reference), picture);
+void requireLike(const RenderOptions& options, const render::Picture& reference, const render::Picture& picture) {
+    const render::PictureDifference found = render::difference(reference, picture);
     if (found.mean > options.referenceThreshold)
         throw Error(
             options.reference,
@@ -78,6 +78,13 @@ void requirePngName(const std::string& path) {
         refuse("--output", path, "a name ending in .png");
 }
 
+/// Throws Error where an output cannot be made: drawing may take long.
+void prepareOutputs(const RenderOptions& options) {
+    for (const std::string& path : {options.output, options.statistics, options.depth})
+        requireWritable(path);
+    prepareFolder(options.shadowDepth);
+}
+
 void runRender(const RenderOptions& options) {
     const ThreadLimit limit(options.common);
     requirePngName(options.output);
@@ -87,6 +94,9 @@ void runRender(const RenderOptions& options) {
     const plan::Quality quality = qualityOf(options.view, options.view.swept);
     Session session(options.model, options.view);
     const plan::View view = viewOf(options.view, session.model().summary());
+    std::optional<render::Picture> reference;
+    if (!options.reference.empty()) reference = render::readPng(options.reference);
+    prepareOutputs(options);
     render::FrameOptions frameOptions;
     frameOptions.overlay = overlays().at(options.overlay);
     frameOptions.measuresAliasing = !options.statistics.empty();
@@ -106,7 +116,7 @@ void runRender(const RenderOptions& options) {
         row.sinceStartMs = telemetry::sinceProcessStart().count;
         writeTextFile(options.statistics, telemetry::jsonObject(row) + "\n");
     }
-    if (!options.reference.empty()) requireLike(options, picture);
+    if (reference) requireLike(options, *reference, picture);
 }
 
 } // namespace

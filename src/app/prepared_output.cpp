@@ -16,6 +16,14 @@ void PreparedFile::write(const std::string& text) {
     file_->commit();
 }
 
+void requireWritable(const std::string& path) {
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(path, error);
+    const bool isOther = std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
+                         !std::filesystem::is_directory(status);
+    if (!path.empty() && !isOther) const AtomicFile trial(path);
+}
+
 void prepareFolder(const std::string& path) {
     if (path.empty()) return;
     std::error_code failure;

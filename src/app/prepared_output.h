@@ -23,6 +23,10 @@ private:
     std::optional<AtomicFile> file_;
 };
 
+/// Throws Error where a file cannot be made under `path`, and leaves nothing there; an empty path is none. A device or
+/// a pipe, which keeps nothing and can be opened only once, is not tried.
+void requireWritable(const std::string& path);
+
 /// Makes a folder that files can be written into, those above it too; an empty path is none. Throws Error.
 void prepareFolder(const std::string& path);
 

@@ -62,6 +62,21 @@ class Refusals(ProgramTest):
             told = self.bench(1, "file/below", option, self.place / "file/below")
             self.assertEqual(told.stdout, "", "it has walked first")
 
+    def test_a_picture_is_not_drawn_where_an_output_or_the_reference_fails(self):
+        file, picture = self.place / "no_folder", self.place / "undrawn.png"
+        file.write_text("in the way of a folder")
+        for option in ("--stats", "--depth", "--shadow-depth", "--reference"):
+            self.expect(1, "no_folder/below", "render", self.sundial, "-o", picture, "--size", "8x8", option, file / "below")
+            self.assertEqual(list(self.place.path.glob("undrawn*")), [], option)
+        picture.write_bytes(b"in place already")
+        self.expect(1, "undrawn.png", "render", self.sundial, "-o", self.place / "drawn.png", "--size", "8x8",
+                    "--reference", picture)  # fmt: skip
+        self.assertEqual(list(self.place.path.glob("drawn*")), [])
+        depth = self.place / "depth.pfm"
+        self.expect(0, "", "render", self.sundial, "-o", picture, "--size", "8x8", "--depth", depth)
+        self.assertEqual(picture.read_bytes()[1:4], b"PNG")
+        self.assertEqual(depth.read_bytes()[:2], b"Pf")
+
     def test_a_name_that_is_no_utf8_is_a_name(self):
         model = self.place / os.fsdecode(b"\xff\xfe.gnm")
         model.write_bytes(self.sundial.read_bytes())

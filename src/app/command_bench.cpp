@@ -155,22 +155,28 @@ void writeReport(const std::string& folder, report::Report page, const std::vect
     writeTextFile(place("index.html"), report::page(page));
 }
 
-void print(const std::vector<report::RunSummary>& summaries) {
-    std::printf("%-52s %9s %9s %9s %6s %10s\n", "run", "p50 ms", "p95 ms", "p99 ms", "maps", "promise");
-    for (const report::RunSummary& s : summaries) {
-        const auto promise = s.errors.find(report::ErrorKind::PromisedAliasing);
-        const double value = promise == s.errors.end() ? 0 : promise->second;
-        std::printf(
-            "%-52s %9.2f %9.2f %9.2f %6d %10.3g\n", s.name.c_str(), s.p50Ms, s.p95Ms, s.p99Ms, s.shadowMaps, value);
-    }
-    for (const std::string& sentence : report::sentences(summaries))
-        std::printf("%s\n", sentence.c_str());
-}
-
 std::string textOf(const char* format, double value) {
     std::array<char, 32> text{};
     std::snprintf(text.data(), text.size(), format, value);
     return text.data();
+}
+
+void print(const std::vector<report::RunSummary>& summaries) {
+    std::printf("%-52s %9s %9s %9s %6s %10s\n", "run", "p50 ms", "p95 ms", "p99 ms", "maps", "promise");
+    for (const report::RunSummary& s : summaries) {
+        const auto promise = s.errors.find(report::ErrorKind::PromisedAliasing);
+        const std::string promised = promise == s.errors.end() ? "-" : textOf("%.3g", promise->second);
+        std::printf(
+            "%-52s %9.2f %9.2f %9.2f %6d %10s\n",
+            s.name.c_str(),
+            s.p50Ms,
+            s.p95Ms,
+            s.p99Ms,
+            s.shadowMaps,
+            promised.c_str());
+    }
+    for (const std::string& sentence : report::sentences(summaries))
+        std::printf("%s\n", sentence.c_str());
 }
 
 /// The setting that the budget calls for, as options to paste; `walkAgain` says whether it keeps it.

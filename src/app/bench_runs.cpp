@@ -222,6 +222,9 @@ std::vector<BenchRun> combinations(const SweptSettings& lists, const std::option
         const bool isMaps = shadowMaps && option.value == &SweptSettings::zPartitions;
         const std::vector<std::string> values =
             isMaps ? parseList("--shadow-maps", *shadowMaps) : parseList(option.flag, lists.*option.value);
+        if (isMaps)
+            for (const std::string& value : values)
+                if (value != "auto") parseWhole("--shadow-maps", value, 1, kMaxSlices);
         std::vector<SweptSettings> extended;
         for (const SweptSettings& settings : all)
             for (const std::string& value : values) {

@@ -2,6 +2,7 @@
 
 #include "app/commands.h"
 #include "app/named_files.h"
+#include "app/option_text.h"
 #include "app/thread_limit.h"
 #include "core/units.h"
 #include "preprocess/export/export.h"
@@ -17,21 +18,23 @@ struct ExportOptions {
     std::string model;
     std::string output;
     std::string triangles;
-    std::optional<double> error;
+    std::string error;
     CommonOptions common;
 };
 
 preprocess::ExportLimit limitOf(const ExportOptions& options) {
     preprocess::ExportLimit limit;
-    if (options.triangles.empty() == !options.error.has_value())
+    if (options.triangles.empty() == options.error.empty())
         throw UsageError{"export: say either --triangles or --error"};
     if (!options.triangles.empty()) {
         limit.triangles = parseCount(options.triangles);
         if (!limit.triangles)
             throw UsageError{"--triangles: not a count: " + options.triangles + " (write 250000, 13M or 1G)"};
     }
-    if (options.error && !(*options.error >= 0)) throw UsageError{"--error: not a length"};
-    limit.error = options.error;
+    if (!options.error.empty()) {
+        limit.error = parseNumber("--error", options.error);
+        if (*limit.error < 0) refuse("--error", options.error, "a length of at least 0");
+    }
     return limit;
 }
 

@@ -1,6 +1,8 @@
 // `gnomon make`: seeded test models of any size, written as a stream.
 
 #include "app/commands.h"
+#include "app/option_text.h"
+#include "core/error.h"
 #include "core/units.h"
 #include "preprocess/make/model_file.h"
 #include "preprocess/make/named_model.h"
@@ -21,6 +23,14 @@ struct MakeOptions {
     CommonOptions common;
 };
 
+std::unique_ptr<preprocess::MadeModel> modelOf(const MakeOptions& options, std::uint64_t triangles) {
+    try {
+        return preprocess::makeNamedModel(options.kind, triangles, options.seed);
+    } catch (const Error& error) {
+        throw UsageError{error.what()}; // the options are all that it is made of
+    }
+}
+
 void runMake(const MakeOptions& options) {
     std::uint64_t triangles = preprocess::defaultTriangles(options.kind);
     if (!options.triangles.empty()) {
@@ -29,7 +39,7 @@ void runMake(const MakeOptions& options) {
         triangles = *count;
     }
     const auto progress = makeProgress(options.common);
-    const auto model = preprocess::makeNamedModel(options.kind, triangles, options.seed);
+    const auto model = modelOf(options, triangles);
     const std::string comment = "gnomon make " + options.kind + " --triangles " + std::to_string(triangles) +
                                 " --seed " + std::to_string(options.seed);
     const auto size = preprocess::writeMadeModel(*model, options.output, comment, options.common.threads, *progress);
@@ -57,7 +67,9 @@ void addMakeCommand(CLI::App& program) {
     command->add_option("-o,--output", options->output, "The PLY to write")->required();
     command->add_option(
         "--triangles", options->triangles, "How many, within 2%; 13M and 1G are counts too [1M; planes 275k]");
-    command->add_option("--seed", options->seed, "Another seed, another model of the kind")->capture_default_str();
+    command->add_option("--seed", options->seed, "Another seed, another model of the kind")
+        ->check(seedText())
+        ->capture_default_str();
     addCommonOptions(*command, options->common);
     command->callback([options] { runMake(*options); });
 }

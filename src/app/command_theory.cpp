@@ -157,10 +157,8 @@ void printTable(const TableOptions& options) {
     } catch (const Error& error) {
         throw UsageError{error.what()}; // the options are all that it is made of
     }
-    const glm::dvec3 light = parseVector("--light", options.light);
-    const double length = glm::length(light);
-    if (!(length > 0 && std::isfinite(length))) refuse("--light", options.light, "a direction");
-    const std::vector<TheoryTableRow> table = theoryTable(frustum, light / length);
+    const glm::dvec3 light = glm::normalize(parseDirection("--light", options.light));
+    const std::vector<TheoryTableRow> table = theoryTable(frustum, light);
     if (!options.asJson)
         std::printf("%-10s %-8s %2s %5s %14s %12s %12s\n", "scheme", "warp", "k", "maps", "S", "M_x", "M_z");
     json rows = json::array();

@@ -1,6 +1,7 @@
 // `gnomon verify`: is a model file whole, and is what it promises true?
 
 #include "app/commands.h"
+#include "app/option_text.h"
 #include "app/thread_limit.h"
 #include "core/error.h"
 #include "preprocess/verify/verify.h"
@@ -80,7 +81,9 @@ void addVerifyCommand(CLI::App& program) {
     command->add_option("--cuts", options->verify.cuts, "Random view-dependent cuts to look at for cracks")
         ->check(CLI::Range(0, 1'000'000))
         ->capture_default_str();
-    command->add_option("--seed", options->verify.seed, "Other cuts, other samples")->capture_default_str();
+    command->add_option("--seed", options->verify.seed, "Other cuts, other samples")
+        ->check(seedText())
+        ->capture_default_str();
     command->add_flag("--json", options->json, "Print one JSON document");
     addCommonOptions(*command, options->common);
     command->callback([options] {

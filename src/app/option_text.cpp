@@ -62,6 +62,13 @@ glm::dvec3 parseVector(const std::string& option, const std::string& text) {
     return vector;
 }
 
+glm::dvec3 parseDirection(const std::string& option, const std::string& text) {
+    const glm::dvec3 vector = parseVector(option, text);
+    const double length = glm::length(vector);
+    if (!(length > 0 && std::isfinite(length))) refuse(option, text, "a direction, of a finite length above 0");
+    return vector;
+}
+
 std::array<int, 2> parseSize(const std::string& option, const std::string& text) {
     const std::vector<std::string> parts = split(text, 'x');
     if (parts.size() != 2) refuse(option, text, "WxH");
@@ -95,6 +102,15 @@ bool parseSwitch(const std::string& option, const std::string& text) {
     if (text == "on") return true;
     if (text != "off") refuse(option, text, "on or off");
     return false;
+}
+
+CLI::Validator seedText() {
+    return {
+        [](std::string& text) {
+            return number<std::uint64_t>(text) ? std::string()
+                                               : "expected a whole number from 0 to 2^64 - 1, found '" + text + "'";
+        },
+        "SEED"};
 }
 
 Bytes parseMemory(const std::string& option, const std::string& text) {

@@ -11,10 +11,15 @@
 #include <string_view>
 #include <vector>
 
+#include <CLI/CLI.hpp>
+
 namespace gnomon::app {
 
 /// "x,y,z". Throws UsageError.
 glm::dvec3 parseVector(const std::string& option, const std::string& text);
+
+/// "x,y,z" of a length that is finite and above 0. Throws UsageError.
+glm::dvec3 parseDirection(const std::string& option, const std::string& text);
 
 /// "WxH", both at least 1. Throws UsageError.
 std::array<int, 2> parseSize(const std::string& option, const std::string& text);
@@ -36,6 +41,9 @@ Bytes parseMemory(const std::string& option, const std::string& text);
 
 /// The parts between commas: at least one, none of them empty and no two alike. Throws UsageError.
 std::vector<std::string> parseList(const std::string& option, const std::string& text);
+
+/// What a seed may be for CLI11, which takes -1 for the largest of unsigned numbers.
+CLI::Validator seedText();
 
 /// Throws UsageError: `option` was given as `text`, but `expected` was.
 [[noreturn]] void refuse(const std::string& option, const std::string& text, const std::string& expected);

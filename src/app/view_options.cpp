@@ -204,17 +204,15 @@ plan::View viewOf(const ViewOptions& options, const hierarchy::ModelSummary& sum
     const auto [width, height] = imageSize(options);
     view.width = width;
     view.height = height;
-    view.towardsLight = parseVector("--light", options.light);
-    if (!(glm::length(view.towardsLight) > 0)) refuse("--light", options.light, "a direction");
+    view.towardsLight = parseDirection("--light", options.light);
     if (!options.cameraFile.empty()) {
         if (hasPose(options)) throw UsageError{"--camera and --eye, --target, --up, --fov-y contradict each other"};
         view.camera = readCamera(options.cameraFile);
         return view;
     }
-    const glm::dvec3 up = options.up.empty() ? glm::dvec3(0, 1, 0) : parseVector("--up", options.up);
+    const glm::dvec3 up = options.up.empty() ? glm::dvec3(0, 1, 0) : parseDirection("--up", options.up);
     const double degrees = options.fovY.empty() ? 60 : parseNumber("--fov-y", options.fovY);
     if (!(degrees > 0 && degrees < 180)) refuse("--fov-y", options.fovY, "an angle above 0 and below 180 degrees");
-    if (!(glm::length(up) > 0)) refuse("--up", options.up, "a direction");
     view.camera = framingCamera(summary.bounds, view.aspect(), up, degrees * kRadiansPerDegree);
     if (!options.eye.empty()) view.camera.eye = parseVector("--eye", options.eye);
     if (!options.target.empty()) view.camera.target = parseVector("--target", options.target);

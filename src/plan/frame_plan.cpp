@@ -23,8 +23,9 @@ void requireValid(const View& view) {
     if (!(degrees > 0 && degrees < 180))
         throw Error(
             "--fov-y", "the vertical angle is impossible", "above 0 and below 180 degrees", std::to_string(degrees));
-    if (!(glm::length(view.towardsLight) > 0) || !std::isfinite(glm::length(view.towardsLight)))
-        throw Error("--light", "this is no direction");
+    const double lightLength = glm::length(view.towardsLight);
+    if (!(lightLength > 0) || !std::isfinite(lightLength))
+        throw Error("--light", "this is no direction", "a finite length above 0", std::to_string(lightLength));
 }
 
 /// Why this view calls for no map at all; empty if it does.

@@ -200,6 +200,24 @@ class Refusals(ProgramTest):
             self.expect(2, said, "theory", "table", *words)
         self.expect(0, "", "theory", "table", *[word for pair in view.items() for word in pair])
 
+    def test_what_is_refused_is_named_with_what_was_found(self):
+        picture, mesh = self.place / "refused.png", self.place / "refused.ply"
+        for words, said in (
+            (("render", self.sundial, "-o", picture, "--light", "1e300,1e300,1"), "found '1e300,1e300,1'"),
+            (("render", self.sundial, "-o", picture, "--up", "1e300,1e300,1"), "found '1e300,1e300,1'"),
+            (("explain", self.sundial, "--light", "0,0,0"), "found '0,0,0'"),
+            (("bench", self.sundial, "--path", PATH, *SMALL, "--shadow-maps", "0"), "--shadow-maps: expected"),
+            (("bench", self.sundial, "--path", PATH, *SMALL, "--shadow-maps", "1,13"), "found '13'"),
+            (("make", "statue", "--triangles", "3", "-o", mesh), "found 3"),
+            (("make", "statue", "--seed", "-1", "-o", mesh), "found '-1'"),
+            (("verify", self.sundial, "--seed", "-1"), "found '-1'"),
+            (("export", self.sundial, "-o", mesh, "--error", "nan"), "found 'nan'"),
+            (("export", self.sundial, "-o", mesh, "--error", "-1"), "found '-1'"),
+        ):
+            self.expect(2, said, *words)
+        self.assertEqual(list(self.place.path.glob("refused*")), [])
+        self.expect(0, "", "make", "statue", "--triangles", "2k", "--seed", str(2**64 - 1), "-o", mesh)
+
     def test_json_may_come_through_a_pipe(self):
         camera = (DATA / "cameras/sundial_low.json").read_text()
         for words, text in (

@@ -97,6 +97,7 @@ void run(const BuildCommand& command) {
     for (const std::string& input : command.inputs)
         inputs.push_back({"INPUT", input});
     requireApart(inputs, {{"--output", command.output}});
+    requireExtension("--output", command.output, ".gnm");
     preprocess::BuildOptions options;
     options.output = command.output;
     options.memory = *parseBytes(command.memory);

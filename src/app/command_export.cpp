@@ -52,6 +52,7 @@ void addExportCommand(CLI::App& program) {
         const ThreadLimit threads(options->common);
         const preprocess::ExportLimit limit = limitOf(*options);
         requireApart({{"MODEL", options->model}}, {{"--output", options->output}});
+        requireExtension("--output", options->output, ".ply");
         const auto progress = makeProgress(options->common);
         const auto cut = preprocess::exportCut(options->model, limit, options->output, *progress);
         std::fprintf(

@@ -1,6 +1,7 @@
 // `gnomon make`: seeded test models of any size, written as a stream.
 
 #include "app/commands.h"
+#include "app/named_files.h"
 #include "app/option_text.h"
 #include "core/error.h"
 #include "core/units.h"
@@ -32,6 +33,7 @@ std::unique_ptr<preprocess::MadeModel> modelOf(const MakeOptions& options, std::
 }
 
 void runMake(const MakeOptions& options) {
+    requireExtension("--output", options.output, ".ply");
     std::uint64_t triangles = preprocess::defaultTriangles(options.kind);
     if (!options.triangles.empty()) {
         const auto count = parseCount(options.triangles);

@@ -71,13 +71,6 @@ void requireLike(const RenderOptions& options, const render::Picture& reference,
             std::to_string(found.mean));
 }
 
-/// A name that promises another format would lie; one without an extension, like a device, promises nothing.
-void requirePngName(const std::string& path) {
-    const std::string extension = std::filesystem::path(path).extension().string();
-    if (!extension.empty() && extension != ".png" && extension != ".PNG")
-        refuse("--output", path, "a name ending in .png");
-}
-
 /// Throws Error where an output cannot be made: drawing may take long.
 void prepareOutputs(const RenderOptions& options) {
     for (const std::string& path : {options.output, options.statistics, options.depth})
@@ -87,7 +80,7 @@ void prepareOutputs(const RenderOptions& options) {
 
 void runRender(const RenderOptions& options) {
     const ThreadLimit limit(options.common);
-    requirePngName(options.output);
+    requireExtension("--output", options.output, ".png");
     requireApart(
         {{"MODEL", options.model}, {"--camera", options.view.cameraFile}, {"--reference", options.reference}},
         {{"--output", options.output}, {"--stats", options.statistics}, {"--depth", options.depth}});

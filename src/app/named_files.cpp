@@ -1,7 +1,10 @@
 #include "app/named_files.h"
 
 #include "app/commands.h"
+#include "app/option_text.h"
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 
 namespace gnomon::app {
@@ -36,6 +39,12 @@ void requireApart(const std::vector<NamedFile>& inputs, const std::vector<NamedF
             if (isSameFile(other->path, output->path))
                 throw UsageError{other->option + " and " + output->option + " name the same file: " + output->path};
     }
+}
+
+void requireExtension(const std::string& option, const std::string& path, const std::string& extension) {
+    std::string found = fs::path(path).extension().string();
+    std::transform(found.begin(), found.end(), found.begin(), [](unsigned char c) { return std::tolower(c); });
+    if (!found.empty() && found != extension) refuse(option, path, "a name ending in " + extension);
 }
 
 } // namespace gnomon::app

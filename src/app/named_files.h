@@ -16,4 +16,8 @@ struct NamedFile {
 /// and pipes, which keep nothing, may be named twice.
 void requireApart(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs);
 
+/// Throws UsageError where `path` ends in another extension than `extension` (".png"), which would promise another
+/// format; a name without one, like a device's, promises nothing.
+void requireExtension(const std::string& option, const std::string& path, const std::string& extension);
+
 } // namespace gnomon::app

@@ -69,7 +69,7 @@ class Fuzz(unittest.TestCase):
         self.assertGreaterEqual(codes.count(0), ROUNDS / 10)  # else it is only the parser that is tested
 
     def test_other_options(self):
-        out = self.place / "fuzz.out"
+        out = self.place / "fuzz_out"
         tables = {
             ("build", DATA / "models/sundial.ply", "-o", out): {
                 "--memory": MEMORY, "--cluster-triangles": NUMBERS, "--chunk-triangles": NUMBERS, "--error": WORDS,

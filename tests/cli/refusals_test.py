@@ -218,6 +218,19 @@ class Refusals(ProgramTest):
         self.assertEqual(list(self.place.path.glob("refused*")), [])
         self.expect(0, "", "make", "statue", "--triangles", "2k", "--seed", str(2**64 - 1), "-o", mesh)
 
+    def test_no_file_has_the_name_of_another_format(self):
+        mesh = DATA / "models/sundial.ply"
+        for said, words, names in (
+            (".ply", ("export", self.sundial, "--error", "1"), ("named.obj", "named.gnm", "named.plyx")),
+            (".ply", ("make", "statue", "--triangles", "2k"), ("named.stl", "named.gnm")),
+            (".gnm", ("build", mesh), ("named.PLY", "named.gn")),
+        ):
+            for name in names:
+                self.expect(2, f"a name ending in {said}", *words, "-o", self.place / name)
+            self.assertEqual(list(self.place.path.glob("named*")), [])
+        self.expect(0, "", "export", self.sundial, "--error", "1", "-o", self.place / "named.PLY")
+        self.expect(0, "", "build", mesh, "-o", self.place / "named")
+
     def test_json_may_come_through_a_pipe(self):
         camera = (DATA / "cameras/sundial_low.json").read_text()
         for words, text in (

@@ -92,6 +92,25 @@ void printForPeople(const BuildReport& report, const std::string& output) {
         readableBytes({peakResidentBytes()}).c_str());
 }
 
+/// Says so where a model does not get coarse enough to be drawn from far away.
+void warnOfCoarsest(const BuildReport& report, const std::string& output) {
+    constexpr std::uint64_t kManyTriangles = 1000; // a well-behaved mesh ends in less, whatever its size
+    constexpr double kManyStuckPercent = 1;
+    const double stuckPercent =
+        100 * static_cast<double>(report.stuckTriangles) / static_cast<double>(report.sourceTriangles);
+    if (report.coarsestTriangles <= kManyTriangles && stuckPercent <= kManyStuckPercent) return;
+    std::fprintf(
+        stderr,
+        "gnomon: warning: %s: the coarsest level has %llu of %llu triangles, expected at most %llu; stuck are %.3g "
+        "percent, expected at most %g\n",
+        output.c_str(),
+        static_cast<unsigned long long>(report.coarsestTriangles),
+        static_cast<unsigned long long>(report.sourceTriangles),
+        static_cast<unsigned long long>(kManyTriangles),
+        stuckPercent,
+        kManyStuckPercent);
+}
+
 void run(const BuildCommand& command) {
     std::vector<NamedFile> inputs;
     for (const std::string& input : command.inputs)
@@ -118,6 +137,7 @@ void run(const BuildCommand& command) {
         const auto progress = makeProgress(command.common);
         return buildModel(*source, options, *progress);
     }();
+    warnOfCoarsest(report, command.output);
     if (command.isJson)
         std::printf("%s\n", telemetry::jsonText(asJson(report), 1).c_str());
     else

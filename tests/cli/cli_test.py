@@ -1,6 +1,7 @@
 """Help, exit codes, one-line errors, and files that are there whole or not at all."""
 import csv
 import json
+import random
 import os
 import stat
 import unittest
@@ -105,6 +106,23 @@ class CommandLine(ProgramTest):
             self.assertEqual({row["shadow_maps"] for row in rows} - {"1", "2"}, set())
             self.assertEqual([row["frame"] for row in rows[:5]], list("01234"))
             self.assertEqual(len(json.loads(report.read_text())["benchmarks"]), 2)
+
+    def test_a_model_that_does_not_get_coarse_is_told_of(self):
+        number = random.Random(1)
+        soup, model = self.place / "soup.ply", self.place / "soup.gnm"
+        count = 20000
+        corners = [" ".join(f"{number.random():.6f}" for _ in range(3)) for _ in range(3 * count)]
+        faces = [f"3 {3 * i} {3 * i + 1} {3 * i + 2}" for i in range(count)]
+        header = ["ply", "format ascii 1.0", f"element vertex {3 * count}", *(f"property float {c}" for c in "xyz"),
+                  f"element face {count}", "property list uchar int vertex_indices", "end_header"]  # fmt: skip
+        soup.write_text("\n".join([*header, *corners, *faces]) + "\n")
+        told = self.expect(0, f"{model}: the coarsest level has", "build", soup, "-o", model, "--json")
+        self.assertEqual(told.stderr.count("\n"), 1)
+        coarsest = json.loads(told.stdout)["coarsest_triangles"]
+        self.assertGreater(coarsest, 1000)
+        self.assertIn(f" {coarsest} of {count} triangles", told.stderr)
+        told = self.expect(0, "", "build", DATA / "models/sundial.ply", "-o", model)
+        self.assertEqual(told.stderr, "")
 
     def test_a_run_without_maps_promises_nothing(self):
         told = self.expect(0, "", "bench", self.sundial, "--path", DATA / "paths/sundial_orbit.json", "--size", "32x32",

@@ -282,10 +282,10 @@ public:
           session_(options.model, options.view),
           csv_(options.csv),
           json_(options.json),
-          context_(contextOf(options, runs_, path_, session_)) {
+          context_(contextOf(options, runs_, path_, session_)),
+          images_(options.images),
+          report_(options.report) {
         if (baseline_) requireComparable(*baseline_, context_);
-        prepareFolder(options.images);
-        prepareFolder(options.report);
         if (options.hasAllImages) options_.walk.onPicture = pictureWriter(options.images, runs_);
     }
 
@@ -361,6 +361,8 @@ private:
     PreparedFile csv_;
     PreparedFile json_;
     std::map<std::string, std::string> context_;
+    PreparedFolder images_;
+    PreparedFolder report_;
 };
 
 void runBench(BenchOptions options) {

@@ -72,10 +72,9 @@ void requireLike(const RenderOptions& options, const render::Picture& reference,
 }
 
 /// Throws Error where an output cannot be made: drawing may take long.
-void prepareOutputs(const RenderOptions& options) {
+void requireWritableOutputs(const RenderOptions& options) {
     for (const std::string& path : {options.output, options.statistics, options.depth})
         requireWritable(path);
-    prepareFolder(options.shadowDepth);
 }
 
 void runRender(const RenderOptions& options) {
@@ -89,7 +88,8 @@ void runRender(const RenderOptions& options) {
     const plan::View view = viewOf(options.view, session.model().summary());
     std::optional<render::Picture> reference;
     if (!options.reference.empty()) reference = render::readPng(options.reference);
-    prepareOutputs(options);
+    requireWritableOutputs(options);
+    const PreparedFolder shadowDepth(options.shadowDepth);
     render::FrameOptions frameOptions;
     frameOptions.overlay = overlays().at(options.overlay);
     frameOptions.measuresAliasing = !options.statistics.empty();

@@ -98,7 +98,7 @@ json describe(const TheoryFigure& figure) {
 }
 
 void writeFigures(const std::string& folder) {
-    prepareFolder(folder);
+    const PreparedFolder prepared(folder);
     std::vector<TheoryFigure> figures = paperFigures();
     for (TheoryFigure& figure : ownFigures())
         figures.push_back(std::move(figure));

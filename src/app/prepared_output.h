@@ -3,8 +3,10 @@
 
 #include "core/file.h"
 
+#include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace gnomon::app {
 
@@ -27,7 +29,20 @@ private:
 /// a pipe, which keeps nothing and can be opened only once, is not tried.
 void requireWritable(const std::string& path);
 
-/// Makes a folder that files can be written into, those above it too; an empty path is none. Throws Error.
-void prepareFolder(const std::string& path);
+/// A folder that files can be written into, made where it is missing, as are those above it; of what was made, that is
+/// removed in the end which holds nothing.
+class PreparedFolder {
+public:
+    /// Throws Error. An empty path is a folder that was not asked for.
+    explicit PreparedFolder(const std::string& path);
+    ~PreparedFolder();
+    PreparedFolder(const PreparedFolder&) = delete;
+    PreparedFolder& operator=(const PreparedFolder&) = delete;
+    PreparedFolder(PreparedFolder&&) = delete;
+    PreparedFolder& operator=(PreparedFolder&&) = delete;
+
+private:
+    std::vector<std::filesystem::path> made_; // innermost first
+};
 
 } // namespace gnomon::app

@@ -2,7 +2,9 @@
 import csv
 import json
 import os
+import signal
 import subprocess
+import time
 import unittest
 
 from program import DATA, GNOMON, ProgramTest, run
@@ -76,6 +78,20 @@ class Refusals(ProgramTest):
         self.expect(0, "", "render", self.sundial, "-o", picture, "--size", "8x8", "--depth", depth)
         self.assertEqual(picture.read_bytes()[1:4], b"PNG")
         self.assertEqual(depth.read_bytes()[:2], b"Pf")
+
+    def test_an_interrupted_bench_leaves_no_empty_folder(self):
+        made, there = self.place / "made/deep", self.place / "there"
+        there.mkdir()
+        words = ("bench", self.sundial, "--path", PATH, "--size", "32x32", "--frames", "1000000", "--shadow-maps", "1")
+        bench = subprocess.Popen([GNOMON, *words, "--report", made, "--images", there], stderr=subprocess.PIPE, text=True)
+        late = time.monotonic() + 60
+        while not made.exists() and time.monotonic() < late:
+            time.sleep(0.01)
+        self.assertTrue(made.exists())
+        time.sleep(0.2)  # until it walks
+        bench.send_signal(signal.SIGINT)
+        self.assertIn("interrupted", bench.communicate(timeout=60)[1])
+        self.assertEqual((bench.returncode, made.parent.exists(), there.exists()), (1, False, True))
 
     def test_a_name_that_is_no_utf8_is_a_name(self):
         model = self.place / os.fsdecode(b"\xff\xfe.gnm")

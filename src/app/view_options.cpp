@@ -2,10 +2,12 @@
 
 #include "app/camera_path.h"
 #include "app/option_text.h"
+#include "gl/shader_library.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <numbers>
 
@@ -83,6 +85,19 @@ std::string forShell(const std::string& text) {
     for (const char c : text)
         quoted += c == '\'' ? std::string(R"('\'')") : std::string(1, c);
     return quoted + "'";
+}
+
+/// A folder with all the shaders that are built in: whoever draws, and however, finds his.
+CLI::Validator shaderFolder() {
+    return {
+        [](std::string& folder) {
+            std::error_code failure;
+            for (const auto& [path, text] : gl::kEmbeddedShaders)
+                if (!std::filesystem::is_regular_file(std::filesystem::path(folder) / path, failure))
+                    return "expected a folder with " + std::string(path) + ", found none in '" + folder + "'";
+            return std::string();
+        },
+        ""};
 }
 
 plan::ShadowMode shadowMode(const std::string& text) {
@@ -167,7 +182,7 @@ void addViewOptions(CLI::App& command, ViewOptions& options) {
         if (isWarp) option->each([&options](const std::string& /*text*/) { options.isWarpGiven = true; });
     }
     command.get_option("--backend")->check(CLI::IsMember({"auto", "software", "osmesa", "egl", "window"}));
-    command.get_option("--shaders")->check(CLI::ExistingDirectory);
+    command.get_option("--shaders")->check(shaderFolder());
 }
 
 std::string plainOptionsToPaste(const ViewOptions& options) {

@@ -1,6 +1,8 @@
 // What the view and quality options make of each other.
 #include "app/report_runs.h"
 #include "app/view_options.h"
+#include "core/file.h"
+#include "gl/shader_library.h"
 
 #include <gtest/gtest.h>
 
@@ -54,7 +56,11 @@ std::vector<std::string> shellWords(const std::string& text) {
 TEST(ViewOptions, WhatIsPastedIsWhatWasGiven) {
     EXPECT_EQ(plainOptionsToPaste(ViewOptions()), "");
     const std::string folder = testing::TempDir() + "it's a folder";
-    std::filesystem::create_directories(folder);
+    for (const auto& [path, text] : gl::kEmbeddedShaders) {
+        const std::filesystem::path shader = std::filesystem::path(folder) / path;
+        std::filesystem::create_directories(shader.parent_path());
+        writeTextFile(shader.string(), std::string(text));
+    }
     // clang-format off
     const std::vector<std::string> given = {
         "--size", "64x48", "--near", "0.5", "--far", "90", "--near-floor", "0.01", "--light", "-1,2,0.5",
@@ -72,7 +78,7 @@ TEST(ViewOptions, WhatIsPastedIsWhatWasGiven) {
     const ViewOptions options = parsed(given);
     EXPECT_EQ(shellWords(plainOptionsToPaste(options)), given);
     EXPECT_EQ(plainOptionsToPaste(parsed(shellWords(plainOptionsToPaste(options)))), plainOptionsToPaste(options));
-    std::filesystem::remove(folder);
+    std::filesystem::remove_all(folder);
 }
 
 } // namespace

@@ -84,7 +84,8 @@ class CommandLine(ProgramTest):
         picture = self.place / "shaders.png"
         drawing = ("render", self.sundial, "-o", picture, "--backend", "osmesa", "--size", "64x64", "--shaders", shaders)
         shaders.mkdir()
-        self.expect(1, str(shaders), *drawing)
+        for backend in ("osmesa", "software"):
+            self.expect(2, str(shaders), *drawing[:5], backend, *drawing[6:])
         for source in (DATA.parent / "shaders").rglob("*.*"):
             copy = shaders / source.relative_to(DATA.parent / "shaders")
             copy.parent.mkdir(parents=True, exist_ok=True)

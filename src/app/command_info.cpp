@@ -5,6 +5,8 @@
 #include "hierarchy/model_file.h"
 #include "telemetry/json_text.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 
@@ -46,6 +48,15 @@ ordered_json infoJson(const hierarchy::ModelFile& file) {
     return json;
 }
 
+/// The digits that tell apart two coordinates of `summary` that are a step of its grid from each other; six at least.
+int coordinateDigits(const hierarchy::ModelSummary& summary) {
+    double largest = 0;
+    for (int i = 0; i < 3; ++i)
+        largest = std::max({largest, std::abs(summary.bounds.min[i]), std::abs(summary.bounds.max[i])});
+    const double digits = std::ceil(std::log10(std::max(1.0, largest / summary.grid.step()))) + 1;
+    return static_cast<int>(std::clamp(digits, 6.0, 17.0)); // 17 tell any two doubles apart
+}
+
 void printInfo(const hierarchy::ModelFile& file) {
     const hierarchy::ModelSummary& summary = file.summary();
     const auto number = [](std::uint64_t value) { return static_cast<unsigned long long>(value); };
@@ -56,7 +67,9 @@ void printInfo(const hierarchy::ModelFile& file) {
         if (count > 0) std::printf(", %llu %s", number(count), reason.c_str());
     const glm::dvec3& min = summary.bounds.min;
     const glm::dvec3& max = summary.bounds.max;
-    std::printf("\nbounds     %g,%g,%g to %g,%g,%g", min.x, min.y, min.z, max.x, max.y, max.z);
+    const int digits = coordinateDigits(summary);
+    std::printf("\nbounds     %.*g,%.*g,%.*g", digits, min.x, digits, min.y, digits, min.z);
+    std::printf(" to %.*g,%.*g,%.*g", digits, max.x, digits, max.y, digits, max.z);
     std::printf("\ngrid step  %g", summary.grid.step());
     std::printf(
         "\nfile       %s in %zu pages, %.2f bytes a source triangle%s%s\n",

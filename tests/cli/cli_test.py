@@ -125,6 +125,17 @@ class CommandLine(ProgramTest):
         told = self.expect(0, "", "build", DATA / "models/sundial.ply", "-o", model)
         self.assertEqual(told.stderr, "")
 
+    def test_info_tells_far_coordinates_apart(self):
+        survey, model = self.place / "survey.ply", self.place / "survey.gnm"
+        survey.write_text("ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double y\nproperty double z\n"
+                          "element face 2\nproperty list uchar int vertex_indices\nend_header\n"
+                          "10000000 0 0\n10000001 0 0\n10000001 1 0\n10000000 1 0\n3 0 1 2\n3 0 2 3\n")  # fmt: skip
+        self.expect(0, "", "build", survey, "-o", model)
+        bounds = run("info", model).stdout.splitlines()[2].split()
+        (low, high) = ([float(x) for x in bounds[i].split(",")] for i in (1, 3))
+        for got, expected in zip(low + high, [1e7, 0, 0, 1e7 + 1, 1, 0]):
+            self.assertAlmostEqual(got, expected, delta=0.01, msg=bounds)
+
     def test_a_run_without_maps_promises_nothing(self):
         told = self.expect(0, "", "bench", self.sundial, "--path", DATA / "paths/sundial_orbit.json", "--size", "32x32",
                            "--shadow-texels", "128x128", "--frames", "1", "--warmup", "0", "--shadows", "off,maps,rays")  # fmt: skip

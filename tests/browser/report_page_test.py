@@ -82,6 +82,15 @@ class ReportPage(unittest.TestCase):
         self.browser.run(SET, "#bound", str(bound), "input")
         self.assertTrue(self.text("#bound-answer").startswith(cheapest["options"]))
 
+    def test_the_caption_of_the_maps_says_which_casters_are_drawn(self):
+        drawn = set(self.browser.run("return Chart.getChart('time-maps').data.datasets.flatMap((s) => s.data.map((p) => "
+                                     "p.run.settings.cull_casters ?? ''))")) - {""}  # fmt: skip
+        caption = self.text("#maps-caption")
+        self.assertTrue(caption)
+        self.assertEqual(drawn == {"on", "off"}, "culled per partition and not" in caption, caption)
+        self.assertEqual(bool(drawn), "culled" in caption, caption)
+        self.assertEqual(drawn == {"off"}, "not culled" in caption, caption)
+
     def test_the_table_sorts(self):
         first = lambda: self.browser.run("return document.querySelector('#table tbody td').textContent")
         self.browser.click("#table th")

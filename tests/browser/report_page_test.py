@@ -98,6 +98,13 @@ class ReportPage(unittest.TestCase):
         self.browser.click("#table th")
         self.assertNotEqual(ascending, first())
 
+    def test_a_mean_is_called_a_mean(self):
+        head, rows = self.browser.run(TABLE)
+        for title, key in (("mean image tri", "image_triangles"), ("mean shadow tri", "shadow_triangles")):
+            shown = {row["cells"][0]: float(row["cells"][head.index(title)]) for row in rows}
+            for run in self.data["runs"]:
+                self.assertAlmostEqual(shown[run["name"]] / max(run[key], 1), min(run[key], 1), delta=1e-3)
+
     def test_pictures_slide(self):
         if not self.data["pictures"]:
             self.skipTest("this page has no pictures")

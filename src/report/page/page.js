@@ -208,7 +208,7 @@ function showTable() {
   const columns = [
     ["run", (r) => r.name], ...settings.map((key) => [key, (r) => r.settings[key] ?? ""]),
     ["p50 ms", (r) => r.p50], ["p95 ms", (r) => r.p95], ["p99 ms", (r) => r.p99], ["noise", (r) => r.noise],
-    ["image tri", (r) => r.image_triangles], ["shadow tri", (r) => r.shadow_triangles], ["S", (r) => r.storage_factor],
+    ["mean image tri", (r) => r.image_triangles], ["mean shadow tri", (r) => r.shadow_triangles], ["S", (r) => r.storage_factor],
     ...data.errors.map((e) => [e.key, (r) => r.errors[e.key] ?? null]), ["crawl", (r) => r.crawl], ["promise kept", (r) => r.promise_kept ? "yes" : "no"],
   ];
   const table = element("table");

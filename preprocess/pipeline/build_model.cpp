@@ -1,6 +1,7 @@
 #include "preprocess/pipeline/build_model.h"
 
 #include "core/error.h"
+#include "core/heap.h"
 #include "preprocess/build/node.h"
 #include "preprocess/chunk/binning.h"
 #include "preprocess/chunk/chunk_mesh.h"
@@ -15,8 +16,6 @@
 #include <chrono>
 #include <cstdio>
 #include <utility>
-
-#include <malloc.h>
 
 namespace gnomon::preprocess {
 
@@ -77,12 +76,6 @@ void requireFewStuck(std::uint64_t stuck, std::uint64_t triangles, double maxPer
         return std::string(digits.data());
     };
     throw Error("--max-stuck", "too many triangles stay at full detail", "at most " + text(maxPercent), text(percent));
-}
-
-/// The heap keeps what is freed, in pieces, a third on top of what is in use. Here large pieces bypass it: a tenth
-/// slower, so only where memory is tight.
-void returnFreedMemoryAtOnce() {
-    ::mallopt(M_MMAP_THRESHOLD, 1 << 20);
 }
 
 /// One build, phase after phase. A phase that the ledger has as finished is skipped.
@@ -173,7 +166,7 @@ private:
         requireMemory(needed);
         if (const PartSize& most = ledger().binned()->mostOfAChunk;
             countAtOnce(roomBeside(needs_.base()), MemoryNeeds::node(most), threads_) < 2)
-            returnFreedMemoryAtOnce();
+            returnFreedMemoryAtOnce(); // memory is tight
     }
 
     /// Lets the chunks exchange what they share.
@@ -335,9 +328,18 @@ private:
 
     void requireTriangles() const {
         std::uint64_t triangles = 0;
-        for (const NodeRecord& node : ledger().nodes(0))
+        std::array<std::uint64_t, 3> dropped{};
+        for (const NodeRecord& node : ledger().nodes(0)) {
             if (!node.levels.empty()) triangles += node.levels.front().info.triangles;
-        if (triangles == 0) throw Error(source_.summary().path, "no triangles", "at least 1", "0");
+            for (std::size_t i = 0; i < dropped.size(); ++i)
+                dropped[i] += node.dropped[i];
+        }
+        if (triangles > 0) return;
+        throw Error(
+            source_.summary().path,
+            "no triangles are left",
+            "at least 1",
+            std::to_string(dropped[0]) + " without area, " + std::to_string(dropped[2]) + " smaller than the grid");
     }
 
     /// Writes the model.

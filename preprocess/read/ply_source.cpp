@@ -107,16 +107,21 @@ private:
         if (role == Role::Faces || role == Role::Strips) firstFaces_ = std::min(firstFaces_, i);
     }
 
-    // In a binary file the bytes that no row must have are corners; text does not tell how many it has.
+    // The bytes of a binary file that no row must have are corners, where there is but one list.
     std::uint64_t likelyTriangles() const {
-        if (header_.format == PlyFormat::Ascii) return std::max(summary_.faceCount, 2 * summary_.vertexCount);
+        const std::uint64_t ofStrips = summary_.stripCount > 0 ? 2 * summary_.vertexCount : 0;
         std::uint64_t left = summary_.fileBytes - header_.bodyOffset;
         std::uint64_t cornerBytes = 0;
+        int lists = 0;
         for (const PlyElement& element : header_.elements) {
-            left -= element.count * element.leastRowBytes(header_.format);
-            if (const int list = indexListOf(element); list >= 0)
-                cornerBytes = byteSize(element.properties[static_cast<std::size_t>(list)].type);
+            left -= std::min(left, element.count * element.leastRowBytes(header_.format));
+            for (const PlyProperty& property : element.properties) {
+                if (!property.isList) continue;
+                cornerBytes = byteSize(property.type);
+                ++lists;
+            }
         }
+        if (lists != 1 || header_.format == PlyFormat::Ascii) return std::max(summary_.faceCount, ofStrips);
         const std::uint64_t corners = left / cornerBytes;
         return std::max(summary_.faceCount, corners - std::min(corners, 2 * summary_.faceCount));
     }

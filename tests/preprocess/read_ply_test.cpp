@@ -164,6 +164,23 @@ TEST(ReadPly, TheSummarySaysWhatTheHeaderSays) {
     EXPECT_TRUE(source->summary().isDouble);
 }
 
+// A build asks for memory by it before it has read anything.
+TEST(ReadPly, TheSummaryKnowsTheTrianglesOfPolygonsWhereTheBytesTell) {
+    PlyLayout layout;
+    KnownMesh mesh = randomMesh(7, 33, 10, layout);
+    mesh.faces.assign(20, {0, 1, 2, 3, 4});
+    const auto likely = [&] {
+        writeScratch(scratch("likely"), plyText(mesh, layout));
+        return openPly(scratch("likely"))->summary().likelyTriangles;
+    };
+    EXPECT_EQ(likely(), 60U);
+    layout.hasExtras = true; // other lists, like texture coordinates: their bytes are no corners
+    EXPECT_EQ(likely(), 20U);
+    layout.hasExtras = false;
+    layout.format = "ascii";
+    EXPECT_EQ(likely(), 20U);
+}
+
 const std::string kVertices = "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n";
 const std::string kFaces = "element face 1\nproperty list uchar int vertex_indices\n";
 const std::string kFour = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";

@@ -7,6 +7,7 @@
 #include "preprocess/chunk/chunk_mesh.h"
 #include "preprocess/chunk/in_order.h"
 #include "preprocess/pipeline/assemble.h"
+#include "preprocess/pipeline/build_key.h"
 #include "preprocess/pipeline/memory_plan.h"
 #include "preprocess/pipeline/rounds.h"
 #include "preprocess/pipeline/workplace.h"
@@ -35,37 +36,6 @@ private:
     using Clock = std::chrono::steady_clock;
     Clock::time_point last_ = Clock::now();
 };
-
-const char* nameOf(Simplifier simplifier) {
-    switch (simplifier) {
-    case Simplifier::Meshopt:
-        return "meshopt";
-    case Simplifier::OpenMesh:
-        return "openmesh";
-    case Simplifier::Own:
-        break;
-    }
-    return "own";
-}
-
-/// The options that change bytes.
-std::map<std::string, std::string> optionsOf(const BuildOptions& options) {
-    return {
-        {"chunk_triangles", std::to_string(options.chunkTriangles)},
-        {"cluster_triangles", std::to_string(options.level.clusterTriangles)},
-        {"error", options.level.isErrorMeasured ? "measured" : "estimated"},
-        {"simplifier", nameOf(options.level.simplifier)},
-    };
-}
-
-/// What is built from what, in one line.
-std::string keyOf(const BuildOptions& options) {
-    std::string key =
-        "format " + std::to_string(hierarchy::kFormatVersion) + ", journal " + std::to_string(kJournalVersion);
-    for (const auto& [name, value] : optionsOf(options))
-        key.append(", ").append(name).append(" ").append(value);
-    return key + ", " + options.inputKey;
-}
 
 void requireFewStuck(std::uint64_t stuck, std::uint64_t triangles, double maxPercent) {
     const double percent = 100.0 * static_cast<double>(stuck) / static_cast<double>(triangles);

@@ -1,0 +1,41 @@
+#include "preprocess/pipeline/build_key.h"
+
+#include "hierarchy/model.h"
+#include "preprocess/pipeline/ledger.h"
+
+namespace gnomon::preprocess {
+
+namespace {
+
+const char* nameOf(Simplifier simplifier) {
+    switch (simplifier) {
+    case Simplifier::Meshopt:
+        return "meshopt";
+    case Simplifier::OpenMesh:
+        return "openmesh";
+    case Simplifier::Own:
+        break;
+    }
+    return "own";
+}
+
+} // namespace
+
+std::map<std::string, std::string> optionsOf(const BuildOptions& options) {
+    return {
+        {"chunk_triangles", std::to_string(options.chunkTriangles)},
+        {"cluster_triangles", std::to_string(options.level.clusterTriangles)},
+        {"error", options.level.isErrorMeasured ? "measured" : "estimated"},
+        {"simplifier", nameOf(options.level.simplifier)},
+    };
+}
+
+std::string keyOf(const BuildOptions& options) {
+    std::string key =
+        "format " + std::to_string(hierarchy::kFormatVersion) + ", journal " + std::to_string(kJournalVersion);
+    for (const auto& [name, value] : optionsOf(options))
+        key.append(", ").append(name).append(" ").append(value);
+    return key + ", " + options.inputKey;
+}
+
+} // namespace gnomon::preprocess

@@ -1,8 +1,8 @@
 #include "app/theory_figures.h"
 #include "app/theory_sampling.h"
-#include "shadow/orientation.h"
 #include "shadow/scheme.h"
 #include "shadow/stable_slice.h"
+#include "shadow/warp/orientation.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #include "app/theory_figures.h"
 #include "app/theory_sampling.h"
 #include "shadow/scheme.h"
-#include "shadow/warped_map.h"
+#include "shadow/warp/warped_map.h"
 
 #include <array>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "core/error.h"
 #include "shadow/scheme.h"
-#include "shadow/warped_map.h"
+#include "shadow/warp/warped_map.h"
 #include "telemetry/json_text.h"
 
 #include <array>

@@ -1,8 +1,8 @@
 #include "app/theory_table.h"
 
-#include "shadow/orientation.h"
 #include "shadow/scheme.h"
 #include "shadow/stable_slice.h"
+#include "shadow/warp/orientation.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // `gnomon theory table`: what every scheme costs for one view and light, k = 1 to 8.
 #pragma once
 
-#include "shadow/view_frustum.h"
+#include "shadow/fit/view_frustum.h"
 
 #include <string>
 #include <vector>

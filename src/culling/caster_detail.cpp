@@ -26,7 +26,7 @@ selection::CasterDetail casterDetail(
     const shadow::TexelRectangle& rectangle = partition.rectangle;
     const double along = rectangle.width - 2 * gutter;
     const double up = rectangle.height - 2 * gutter;
-    const shadow::Resolution texels{1, rectangle.turned ? up : along, rectangle.turned ? along : up};
+    const shadow::Resolution texels{1, rectangle.transposed ? up : along, rectangle.transposed ? along : up};
     const shadow::Region& region = partition.region;
     return casterDetail(view, {partition.map, texels, partition.casterVolume, region.volume, region.frustum.near});
 }

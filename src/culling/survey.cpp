@@ -14,9 +14,9 @@ namespace gnomon::culling {
 namespace {
 
 /// A range of depth in steps.
-class DepthLadder {
+class DepthQuantization {
 public:
-    explicit DepthLadder(const DepthSpan& depths)
+    explicit DepthQuantization(const DepthSpan& depths)
         : depths_(depths),
           count_(static_cast<std::size_t>(std::floor(std::log2(depths.far / depths.near) * kSpansPerOctave)) + 1) {}
 
@@ -44,16 +44,16 @@ private:
 /// not depend on the order.
 class DepthSteps {
 public:
-    explicit DepthSteps(const DepthSpan& depths) : ladder_(depths), marks_(ladder_.count()) {}
+    explicit DepthSteps(const DepthSpan& depths) : steps_(depths), marks_(steps_.count()) {}
 
     bool isMarked(double least, double greatest) const {
-        for (std::size_t i = ladder_.step(least); i <= ladder_.step(greatest); ++i)
+        for (std::size_t i = steps_.step(least); i <= steps_.step(greatest); ++i)
             if (!marks_[i].load(std::memory_order_relaxed)) return false;
         return true;
     }
 
     void mark(double least, double greatest) {
-        for (std::size_t i = ladder_.step(least); i <= ladder_.step(greatest); ++i)
+        for (std::size_t i = steps_.step(least); i <= steps_.step(greatest); ++i)
             marks_[i].store(true, std::memory_order_relaxed);
     }
 
@@ -62,16 +62,16 @@ public:
         for (std::size_t i = 0; i < marks_.size(); ++i) {
             if (!marks_[i].load(std::memory_order_relaxed)) continue;
             if (i > 0 && marks_[i - 1].load(std::memory_order_relaxed)) {
-                result.back().far = ladder_.span(i).far;
+                result.back().far = steps_.span(i).far;
             } else {
-                result.push_back(ladder_.span(i));
+                result.push_back(steps_.span(i));
             }
         }
         return result;
     }
 
 private:
-    DepthLadder ladder_;
+    DepthQuantization steps_;
     std::vector<std::atomic<bool>> marks_;
 };
 
@@ -207,19 +207,19 @@ std::vector<shadow::SeenPart> seenParts(
     GNOMON_CHECK(depths.near > 0 && depths.far >= depths.near);
     const selection::DetailView& view = query.rule->view();
     const ConvexVolume pyramid = selection::viewPyramid(view);
-    const DepthLadder ladder(depths);
-    std::vector<Box> boxes(ladder.count());
+    const DepthQuantization steps(depths);
+    std::vector<Box> boxes(steps.count());
     for (const selection::ClusterRange& range : image.ranges) {
         const hierarchy::Page& page = *query.resident[range.page];
         for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c) {
             const Box box = boxWithMargin(query.trees->grid(), page, page.clusters[c]);
             if (classify(pyramid, box) == Containment::Outside) continue;
             const DepthSpan span = depthsOf(view, box);
-            const std::size_t first = ladder.step(span.near);
-            const std::size_t last = ladder.step(span.far);
+            const std::size_t first = steps.step(span.near);
+            const std::size_t last = steps.step(span.far);
             for (std::size_t i = first; i <= last; ++i) {
                 // What is nearer than the first step, or further than the last, counts as in it.
-                const DepthSpan step = ladder.span(i);
+                const DepthSpan step = steps.span(i);
                 boxes[i].add(
                     boxBetween(view, box, {i == first ? span.near : step.near, i == last ? span.far : step.far}));
             }
@@ -227,7 +227,7 @@ std::vector<shadow::SeenPart> seenParts(
     }
     std::vector<shadow::SeenPart> parts;
     for (std::size_t i = 0; i < boxes.size(); ++i)
-        if (!boxes[i].isEmpty()) parts.push_back({ladder.span(i), {boxes[i].min - view.eye, boxes[i].max - view.eye}});
+        if (!boxes[i].isEmpty()) parts.push_back({steps.span(i), {boxes[i].min - view.eye, boxes[i].max - view.eye}});
     return parts;
 }
 

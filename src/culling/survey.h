@@ -4,7 +4,7 @@
 
 #include "core/depth_span.h"
 #include "selection/cut.h"
-#include "shadow/region.h"
+#include "shadow/partition/region.h"
 
 #include <vector>
 

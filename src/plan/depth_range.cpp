@@ -1,7 +1,7 @@
 #include "plan/depth_range.h"
 
 #include "core/error.h"
-#include "shadow/near_ladder.h"
+#include "shadow/quantized_near.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,7 @@ SceneFacts::Visible depthsOfBounds(const View& view, const Box& bounds) {
     return result;
 }
 
-/// Far is the ladder's near seen from the other side: it rises at once and falls after some frames.
+/// Far is quantised as near is, from the other side: it rises at once and falls after some frames.
 void setFar(DepthRange& range, const Quality& quality, double farthest, const FramePlan* previous) {
     range.far = quality.far.value_or(farthest);
     range.farFrom = "given";
@@ -39,7 +39,8 @@ void setFar(DepthRange& range, const Quality& quality, double farthest, const Fr
     range.framesFarIsHeld = now.framesAbove;
 }
 
-/// Near on the ladder at or below the nearest thing, its floor, or the frame before; says which unless it is the first.
+/// Near at the quantised step at or below the nearest thing, its floor, or the frame before; says which unless it is
+/// the first.
 void setNear(DepthRange& range, const Quality& quality, const SceneFacts::Visible& visible, const FramePlan* previous) {
     const double floor = quality.nearFloor.value_or(range.far / kDefaultFloorRatio);
     const shadow::NearState before =

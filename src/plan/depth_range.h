@@ -1,4 +1,4 @@
-// The depth range that a frame's shadows are promised for: everything turns on its near end.
+// The depth range that a frame's shadows are promised for: everything depends on its near end.
 #pragma once
 
 #include "plan/frame_plan.h"
@@ -13,14 +13,14 @@ struct DepthRange {
     double far = 0;
     std::string nearFrom;
     std::string farFrom;
-    int framesNearIsHeld = 0; // by the ladder
+    int framesNearIsHeld = 0; // at its quantised step
     int framesFarIsHeld = 0;
     bool isEmpty = false;
 };
 
-/// The least view depth of anything drawn, not under the floor, down to a step of a ladder of 2^(1/4): it falls at
+/// The least view depth of anything drawn, not under the floor, down to a quantised step of 2^(1/4): it falls at
 /// once, and rises only when `previous` has wanted that for kFramesBeforeNearRises frames. Far is the greatest;
-/// stabilised slices, whose texels must keep their size, have it on the ladder too.
+/// stabilised slices, whose texels must keep their size, have it quantised too.
 DepthRange depthRange(const View& view, const Quality& quality, const SceneFacts& scene, const FramePlan* previous);
 
 /// How long near must want to rise, or far to fall, before it does.

@@ -5,13 +5,13 @@
 #include "core/camera.h"
 #include "core/convex_volume.h"
 #include "core/depth_span.h"
-#include "shadow/faces.h"
-#include "shadow/orientation.h"
-#include "shadow/region.h"
-#include "shadow/splits.h"
+#include "shadow/partition/faces.h"
+#include "shadow/partition/region.h"
+#include "shadow/partition/splits.h"
 #include "shadow/stable_slice.h"
-#include "shadow/warp.h"
-#include "shadow/warped_map.h"
+#include "shadow/warp/orientation.h"
+#include "shadow/warp/warp.h"
+#include "shadow/warp/warped_map.h"
 
 #include <cmath>
 #include <cstdint>
@@ -130,7 +130,7 @@ struct LitMemory {
 struct SchemeChoice {
     int slices = 1;
     bool faces = false;
-    bool turned = true; // about the light, for the least storage
+    bool lightRoll = true; // about the light, for the least storage
     bool operator==(const SchemeChoice&) const = default;
 };
 
@@ -160,7 +160,7 @@ struct FramePlan {
     std::vector<int> passOfPartition;                    // by the selector's index; -1: no map
     std::optional<shadow::OrientationState> orientation; // for the next frame
     std::optional<SchemeChoice> scheme;                  // likewise
-    int framesOutdone = 0;         // for how many frames, this one included, another has been better than it by far
+    int framesDominated = 0;       // for how many frames, this one included, another has been better than it by far
     LitMemory litMemory;           // likewise
     std::uint64_t emptySlices = 0; // bit i: slice i goes without a map
     std::vector<ShadowPass> passes;

@@ -17,62 +17,62 @@ std::uint64_t budgetOf(const Quality& quality) {
            static_cast<std::uint64_t>(quality.shadowTexelsHeight);
 }
 
-/// The next step of a ladder of 2^(1/4) from `texels` up, so that the texture does not change its size all the time.
-std::uint64_t texelRung(std::uint64_t texels) {
+/// The next quantised step of 2^(1/4) from `texels` up, so that the texture does not change its size all the time.
+std::uint64_t quantizeTexels(std::uint64_t texels) {
     return static_cast<std::uint64_t>(std::ceil(std::exp2(std::ceil(std::log2(static_cast<double>(texels)) * 4) / 4)));
 }
 
-std::vector<double> splitsOf(const SchemeQuestion& question, int slices) {
-    const shadow::ViewFrustum& frustum = question.view.frustum;
-    return shadow::practicalSplits(frustum.near, frustum.far, slices, question.quality.splitLambda);
+std::vector<double> splitsOf(const SchemeContext& context, int slices) {
+    const shadow::ViewFrustum& frustum = context.view.frustum;
+    return shadow::practicalSplits(frustum.near, frustum.far, slices, context.quality.splitLambda);
 }
 
-std::uint64_t emptySlicesOf(const SchemeQuestion& question, int slices) {
-    if (!question.scene->light) return 0;
-    const std::vector<double> splits = splitsOf(question, slices);
-    if (question.previous == nullptr || question.forgets) return slicesWithout(question.scene->light->lit, splits);
-    const bool isSame = question.previous->scheme->slices == slices;
-    return slicesWithoutMap(question.receivers, splits, *question.previous, isSame);
+std::uint64_t emptySlicesOf(const SchemeContext& context, int slices) {
+    if (!context.scene->light) return 0;
+    const std::vector<double> splits = splitsOf(context, slices);
+    if (context.previous == nullptr || context.ignoreHistory) return slicesWithout(context.scene->light->lit, splits);
+    const bool isSame = context.previous->scheme->slices == slices;
+    return slicesWithoutMap(context.receivers, splits, *context.previous, isSame);
 }
 
-shadow::ShadowOptions optionsOf(const SchemeQuestion& question, const SchemeChoice& choice) {
-    const Quality& quality = question.quality;
+shadow::ShadowOptions optionsOf(const SchemeContext& context, const SchemeChoice& choice) {
+    const Quality& quality = context.quality;
     shadow::ShadowOptions options;
     options.scheme.warp = quality.warp;
     options.scheme.slices = choice.slices;
     options.scheme.splitLambda = quality.splitLambda;
     options.scheme.faces = choice.faces;
-    options.chosenOrientation = choice.turned;
+    options.chosenOrientation = choice.lightRoll;
     options.stabilized = quality.stabilize;
     options.filterTexels = quality.filter;
     options.texels = budgetOf(quality);
-    options.emptySlices = emptySlicesOf(question, choice.slices);
+    options.emptySlices = emptySlicesOf(context, choice.slices);
     return options;
 }
 
-shadow::ShadowMapSetup setupOf(const SchemeQuestion& question, const shadow::ShadowOptions& options) {
-    const auto orientation = question.previous != nullptr ? question.previous->orientation : std::nullopt;
-    return shadow::shadowMapSetup(question.view, options, orientation);
+shadow::ShadowMapSetup setupOf(const SchemeContext& context, const shadow::ShadowOptions& options) {
+    const auto orientation = context.previous != nullptr ? context.previous->orientation : std::nullopt;
+    return shadow::shadowMapSetup(context.view, options, orientation);
 }
 
-/// Completes `answer` from its options.
-void workOut(const SchemeQuestion& question, SchemeAnswer& answer) {
-    answer.setup = setupOf(question, answer.options);
-    answer.casterTriangles.clear();
-    answer.cost = static_cast<std::uint64_t>(answer.setup.textureWidth) *
-                  static_cast<std::uint64_t>(answer.setup.textureHeight) / kTexelsPerTriangle;
-    for (const shadow::ShadowMapPartition& map : answer.setup.maps) {
-        const ConvexVolume volume = question.quality.cullCasters ? map.casterVolume : ConvexVolume{};
+/// Completes `candidate` from its options.
+void completeCandidate(const SchemeContext& context, SchemeCandidate& candidate) {
+    candidate.setup = setupOf(context, candidate.options);
+    candidate.casterTriangles.clear();
+    candidate.cost = static_cast<std::uint64_t>(candidate.setup.textureWidth) *
+                     static_cast<std::uint64_t>(candidate.setup.textureHeight) / kTexelsPerTriangle;
+    for (const shadow::ShadowMapPartition& map : candidate.setup.maps) {
+        const ConvexVolume volume = context.quality.cullCasters ? map.casterVolume : ConvexVolume{};
         const std::uint64_t triangles =
-            question.scene->light ? trianglesIn(volume, question.basis, question.scene->light->casters) : 0;
-        answer.casterTriangles.push_back(triangles);
-        answer.cost += triangles;
+            context.scene->light ? trianglesIn(volume, context.basis, context.scene->light->casters) : 0;
+        candidate.casterTriangles.push_back(triangles);
+        candidate.cost += triangles;
     }
 }
 
-std::uint64_t casterSum(const SchemeAnswer& answer) {
+std::uint64_t casterSum(const SchemeCandidate& candidate) {
     std::uint64_t sum = 0;
-    for (const std::uint64_t triangles : answer.casterTriangles)
+    for (const std::uint64_t triangles : candidate.casterTriangles)
         sum += triangles;
     return sum;
 }
@@ -84,29 +84,29 @@ std::string percent(double share) {
 }
 
 /// Whether faces are worth it where the slices are given: by what they promise with the texels that are left when
-/// their further caster triangles are paid for. `gain` is by what share they lower the promise.
+/// their further caster triangles are bought. `gain` is by what share they lower the promise.
 bool areFacesWorthIt(
-    const SchemeQuestion& question, const SchemeAnswer& whole, const SchemeAnswer& faces, double& gain) {
+    const SchemeContext& context, const SchemeCandidate& whole, const SchemeCandidate& faces, double& gain) {
     const std::uint64_t extra = casterSum(faces) - std::min(casterSum(faces), casterSum(whole));
-    const std::uint64_t budget = budgetOf(question.quality);
+    const std::uint64_t budget = budgetOf(context.quality);
     gain = 0;
     if (extra * kTexelsPerTriangle * 2 > budget) return false; // half the texels less: 1.4 times the error
-    SchemeAnswer paid;
-    paid.options = faces.options;
-    paid.options.texels = budget - extra * kTexelsPerTriangle;
-    workOut(question, paid);
-    gain = 1 - paid.promise() / whole.promise();
-    const bool isHeld = question.previous != nullptr && question.previous->scheme->faces;
-    return paid.promise() <= whole.promise() * (isHeld ? kStillWorthwhile : kWorthwhile);
+    SchemeCandidate atSameCost;
+    atSameCost.options = faces.options;
+    atSameCost.options.texels = budget - extra * kTexelsPerTriangle;
+    completeCandidate(context, atSameCost);
+    gain = 1 - atSameCost.promise() / whole.promise();
+    const bool isHeld = context.previous != nullptr && context.previous->scheme->faces;
+    return atSameCost.promise() <= whole.promise() * (isHeld ? kStillWorthwhile : kWorthwhile);
 }
 
-SchemeAnswer chosenFaces(
-    const SchemeQuestion& question, const std::vector<SchemeChoice>& choices, std::vector<Omission>& omitted) {
-    SchemeAnswer whole = answer(question, choices[0]);
+SchemeCandidate chosenFaces(
+    const SchemeContext& context, const std::vector<SchemeChoice>& choices, std::vector<Omission>& omitted) {
+    SchemeCandidate whole = evaluate(context, choices[0]);
     if (choices.size() == 1) return whole;
-    SchemeAnswer faces = answer(question, choices[1]);
+    SchemeCandidate faces = evaluate(context, choices[1]);
     double gain = 0;
-    if (!faces.setup.maps.empty() && areFacesWorthIt(question, whole, faces, gain)) return faces;
+    if (!faces.setup.maps.empty() && areFacesWorthIt(context, whole, faces, gain)) return faces;
     omitted.push_back(
         {"face partitions",
          gain > 0 ? "at the same cost they would lower the promise by " + percent(gain) + ", less than 5%"
@@ -120,102 +120,103 @@ std::uint64_t lesserTexels(std::uint64_t a, std::uint64_t b) {
 }
 
 /// Whether `best` is better by far than the scheme of the frame before; neither or both keep the promise.
-bool outdoes(const SchemeAnswer& best, const SchemeAnswer& before) {
+bool dominates(const SchemeCandidate& best, const SchemeCandidate& before) {
     if (best.keepsPromise) return static_cast<double>(before.cost) * kCheaper > static_cast<double>(best.cost);
     return before.promise() * kLower > best.promise();
 }
 
 /// The scheme of the frame before, worked out for this one, if it stays although `best` is better.
-std::optional<SchemeAnswer> held(
-    const SchemeQuestion& question, const std::vector<SchemeAnswer>& answers, const SchemeAnswer& best) {
+std::optional<SchemeCandidate> held(
+    const SchemeContext& context, const std::vector<SchemeCandidate>& candidates, const SchemeCandidate& best) {
     // Where maps have to come, they may come with another scheme as well.
-    if (question.previous == nullptr || question.receivers.haveArrived) return std::nullopt;
-    const SchemeChoice& before = *question.previous->scheme;
-    const auto same = std::find_if(answers.begin(), answers.end(), [&](const SchemeAnswer& a) {
+    if (context.previous == nullptr || context.receivers.haveArrived) return std::nullopt;
+    const SchemeChoice& before = *context.previous->scheme;
+    const auto same = std::find_if(candidates.begin(), candidates.end(), [&](const SchemeCandidate& a) {
         return a.choice.slices == before.slices && a.choice.faces == before.faces;
     });
-    if (same == answers.end() || same->keepsPromise != best.keepsPromise) return std::nullopt;
-    SchemeAnswer result = *same;
-    result.framesOutdone = outdoes(best, *same) ? question.previous->framesOutdone + 1 : 0;
-    if (result.framesOutdone >= kFramesBeforeSchemeGoes) return std::nullopt;
+    if (same == candidates.end() || same->keepsPromise != best.keepsPromise) return std::nullopt;
+    SchemeCandidate result = *same;
+    result.framesDominated = dominates(best, *same) ? context.previous->framesDominated + 1 : 0;
+    if (result.framesDominated >= kFramesBeforeSchemeGoes) return std::nullopt;
     return result;
 }
 
-/// Of those that `best` does not outdo the one with as many maps as the frame before, or nearest to that: what has to
-/// change changes the number of maps the least.
-SchemeAnswer nearestInMaps(
-    const SchemeQuestion& question, const std::vector<SchemeAnswer>& answers, const SchemeAnswer& best) {
-    if (question.previous == nullptr) return best;
-    const auto maps = static_cast<std::ptrdiff_t>(question.previous->passes.size());
-    const auto change = [&](const SchemeAnswer& a) {
+/// Of those that `best` does not dominate the one with as many maps as the frame before, or nearest to that: what has
+/// to change changes the number of maps the least.
+SchemeCandidate nearestInMaps(
+    const SchemeContext& context, const std::vector<SchemeCandidate>& candidates, const SchemeCandidate& best) {
+    if (context.previous == nullptr) return best;
+    const auto maps = static_cast<std::ptrdiff_t>(context.previous->passes.size());
+    const auto change = [&](const SchemeCandidate& a) {
         return std::abs(static_cast<std::ptrdiff_t>(a.setup.maps.size()) - maps);
     };
-    const SchemeAnswer* nearest = &best;
-    for (const SchemeAnswer& a : answers) {
-        if (a.keepsPromise != best.keepsPromise || outdoes(best, a)) continue;
+    const SchemeCandidate* nearest = &best;
+    for (const SchemeCandidate& a : candidates) {
+        if (a.keepsPromise != best.keepsPromise || dominates(best, a)) continue;
         const bool isNearer = change(a) < change(*nearest);
         if (isNearer || (change(a) == change(*nearest) && isBetter(a, *nearest))) nearest = &a;
     }
     return *nearest;
 }
 
-std::vector<SchemeAnswer> answersOf(const SchemeQuestion& question, const std::vector<SchemeChoice>& choices) {
-    std::vector<SchemeAnswer> answers;
-    answers.reserve(choices.size());
+std::vector<SchemeCandidate> candidatesOf(const SchemeContext& context, const std::vector<SchemeChoice>& choices) {
+    std::vector<SchemeCandidate> candidates;
+    candidates.reserve(choices.size());
     for (const SchemeChoice& choice : choices)
-        answers.push_back(answer(question, choice));
-    return answers;
+        candidates.push_back(evaluate(context, choice));
+    return candidates;
 }
 
 /// All choices worked out. Where none keeps the promise, with no map that this very frame does not need if one does
 /// then.
-std::vector<SchemeAnswer> bestAnswers(const SchemeQuestion& question, const std::vector<SchemeChoice>& choices) {
-    const auto keepsPromise = [](const SchemeAnswer& answer) { return answer.keepsPromise; };
-    std::vector<SchemeAnswer> answers = answersOf(question, choices);
-    if (question.previous == nullptr || std::any_of(answers.begin(), answers.end(), keepsPromise)) return answers;
-    SchemeQuestion now = question;
-    now.forgets = true;
-    std::vector<SchemeAnswer> bare;
-    bare.reserve(answers.size());
-    for (const SchemeAnswer& with : answers)
+std::vector<SchemeCandidate> bestCandidates(const SchemeContext& context, const std::vector<SchemeChoice>& choices) {
+    const auto keepsPromise = [](const SchemeCandidate& candidate) { return candidate.keepsPromise; };
+    std::vector<SchemeCandidate> candidates = candidatesOf(context, choices);
+    if (context.previous == nullptr || std::any_of(candidates.begin(), candidates.end(), keepsPromise))
+        return candidates;
+    SchemeContext now = context;
+    now.ignoreHistory = true;
+    std::vector<SchemeCandidate> bare;
+    bare.reserve(candidates.size());
+    for (const SchemeCandidate& with : candidates)
         bare.push_back(
-            with.options.emptySlices == emptySlicesOf(now, with.choice.slices) ? with : answer(now, with.choice));
-    return std::any_of(bare.begin(), bare.end(), keepsPromise) ? bare : answers;
+            with.options.emptySlices == emptySlicesOf(now, with.choice.slices) ? with : evaluate(now, with.choice));
+    return std::any_of(bare.begin(), bare.end(), keepsPromise) ? bare : candidates;
 }
 
 /// The best of all slices and faces; what the frame before had unless another is better by far.
-SchemeAnswer bestOf(const SchemeQuestion& question, const std::vector<SchemeChoice>& choices) {
-    const std::vector<SchemeAnswer> answers = bestAnswers(question, choices);
-    const auto best = std::min_element(answers.begin(), answers.end(), isBetter);
+SchemeCandidate bestOf(const SchemeContext& context, const std::vector<SchemeChoice>& choices) {
+    const std::vector<SchemeCandidate> candidates = bestCandidates(context, choices);
+    const auto best = std::min_element(candidates.begin(), candidates.end(), isBetter);
     std::uint64_t leastTexels = 0;
-    for (const SchemeAnswer& tried : answers)
-        leastTexels = lesserTexels(leastTexels, tried.texelsThatWouldDo);
-    std::optional<SchemeAnswer> stays = held(question, answers, *best);
-    SchemeAnswer chosen = stays ? std::move(*stays) : nearestInMaps(question, answers, *best);
+    for (const SchemeCandidate& candidate : candidates)
+        leastTexels = lesserTexels(leastTexels, candidate.texelsThatWouldDo);
+    std::optional<SchemeCandidate> stays = held(context, candidates, *best);
+    SchemeCandidate chosen = stays ? std::move(*stays) : nearestInMaps(context, candidates, *best);
     if (!chosen.keepsPromise) chosen.texelsThatWouldDo = leastTexels;
     return chosen;
 }
 
-/// `chosen`, or the same in the plain orientation where turning it about the light is not worth it.
-SchemeAnswer inWorthwhileOrientation(
-    const SchemeQuestion& question, SchemeAnswer chosen, std::vector<Omission>& omitted) {
+/// `chosen`, or the same in the plain orientation where a roll about the light is not worth it.
+SchemeCandidate inWorthwhileOrientation(
+    const SchemeContext& context, SchemeCandidate chosen, std::vector<Omission>& omitted) {
     SchemeChoice plainChoice = chosen.choice;
-    plainChoice.turned = false;
-    SchemeAnswer plain = answer(question, plainChoice);
-    // What the turn is worth once it is reached: from frame to frame it is only approached.
-    SchemeQuestion afresh = question;
+    plainChoice.lightRoll = false;
+    SchemeCandidate plain = evaluate(context, plainChoice);
+    // What the roll is worth once it is reached: from frame to frame it is only approached.
+    SchemeContext afresh = context;
     afresh.previous = nullptr;
-    SchemeAnswer turned = plain;
-    turned.options.chosenOrientation = true;
-    workOut(afresh, turned);
-    const bool isHeld = question.previous != nullptr && question.previous->scheme->turned;
-    const bool isWorthIt = turned.promise() <= plain.promise() * (isHeld ? kStillWorthwhile : kWorthwhile);
+    SchemeCandidate rolled = plain;
+    rolled.options.chosenOrientation = true;
+    completeCandidate(afresh, rolled);
+    const bool isHeld = context.previous != nullptr && context.previous->scheme->lightRoll;
+    const bool isWorthIt = rolled.promise() <= plain.promise() * (isHeld ? kStillWorthwhile : kWorthwhile);
     if (isWorthIt || plain.keepsPromise != chosen.keepsPromise) return chosen;
     omitted.push_back(
         {"orientation",
-         "a turn about the light would lower the promise by " +
-             percent(std::max(0.0, 1 - turned.promise() / plain.promise())) + ", less than 5%"});
-    plain.framesOutdone = chosen.framesOutdone;
+         "a roll about the light would lower the promise by " +
+             percent(std::max(0.0, 1 - rolled.promise() / plain.promise())) + ", less than 5%"});
+    plain.framesDominated = chosen.framesDominated;
     plain.texelsThatWouldDo = lesserTexels(plain.texelsThatWouldDo, chosen.texelsThatWouldDo);
     return plain;
 }
@@ -233,31 +234,31 @@ std::uint64_t trianglesIn(
     return triangles;
 }
 
-Receivers receiversOf(const SchemeQuestion& question) {
-    if (!question.scene->light) return {};
-    if (question.previous == nullptr) return receiversNow(question.scene->light->lit, nullptr, {});
-    const std::vector<double> splits = splitsOf(question, question.previous->scheme->slices);
-    return receiversNow(question.scene->light->lit, question.previous, splits);
+Receivers receiversOf(const SchemeContext& context) {
+    if (!context.scene->light) return {};
+    if (context.previous == nullptr) return receiversNow(context.scene->light->lit, nullptr, {});
+    const std::vector<double> splits = splitsOf(context, context.previous->scheme->slices);
+    return receiversNow(context.scene->light->lit, context.previous, splits);
 }
 
-SchemeAnswer answer(const SchemeQuestion& question, const SchemeChoice& choice) {
-    SchemeAnswer result;
+SchemeCandidate evaluate(const SchemeContext& context, const SchemeChoice& choice) {
+    SchemeCandidate result;
     result.choice = choice;
-    result.options = optionsOf(question, choice);
-    result.setup = setupOf(question, result.options);
-    const double aliasing = question.quality.maxAliasing;
+    result.options = optionsOf(context, choice);
+    result.setup = setupOf(context, result.options);
+    const double aliasing = context.quality.maxAliasing;
     result.texelsThatWouldDo = shadow::texelsThatWouldDo(result.setup, result.options, aliasing);
-    const std::uint64_t budget = budgetOf(question.quality);
+    const std::uint64_t budget = budgetOf(context.quality);
     const bool isEnough = result.texelsThatWouldDo > 0 && result.texelsThatWouldDo <= budget;
-    if (!question.quality.zPartitions && isEnough)
-        result.options.texels = std::min(budget, texelRung(result.texelsThatWouldDo));
-    workOut(question, result);
+    if (!context.quality.zPartitions && isEnough)
+        result.options.texels = std::min(budget, quantizeTexels(result.texelsThatWouldDo));
+    completeCandidate(context, result);
     result.keepsPromise = result.promise() <= aliasing;
     return result;
 }
 
-std::vector<SchemeChoice> openChoices(const SchemeQuestion& question) {
-    const Quality& quality = question.quality;
+std::vector<SchemeChoice> openChoices(const SchemeContext& context) {
+    const Quality& quality = context.quality;
     const int first = quality.zPartitions.value_or(1);
     const int last = quality.zPartitions.value_or(kMostSlices);
     const Choice faces = quality.stabilize ? Choice::Off : quality.facePartitions;
@@ -269,19 +270,19 @@ std::vector<SchemeChoice> openChoices(const SchemeQuestion& question) {
     return choices;
 }
 
-bool isBetter(const SchemeAnswer& a, const SchemeAnswer& b) {
+bool isBetter(const SchemeCandidate& a, const SchemeCandidate& b) {
     if (a.keepsPromise != b.keepsPromise) return a.keepsPromise;
     if (a.keepsPromise) return a.cost < b.cost;
-    const auto asked = [](const SchemeAnswer& answer) {
-        return answer.promise() / (answer.choice.faces ? kWorthwhile : 1);
+    const auto asked = [](const SchemeCandidate& candidate) {
+        return candidate.promise() / (candidate.choice.faces ? kWorthwhile : 1);
     };
     return asked(a) < asked(b);
 }
 
-SchemeAnswer chosenScheme(const SchemeQuestion& question, std::vector<Omission>& omitted) {
-    const Quality& quality = question.quality;
-    const std::vector<SchemeChoice> choices = openChoices(question);
-    SchemeAnswer chosen = quality.zPartitions ? chosenFaces(question, choices, omitted) : bestOf(question, choices);
+SchemeCandidate chosenScheme(const SchemeContext& context, std::vector<Omission>& omitted) {
+    const Quality& quality = context.quality;
+    const std::vector<SchemeChoice> choices = openChoices(context);
+    SchemeCandidate chosen = quality.zPartitions ? chosenFaces(context, choices, omitted) : bestOf(context, choices);
     if (!quality.zPartitions && quality.facePartitions == Choice::Auto && !chosen.choice.faces && !quality.stabilize)
         omitted.push_back({"face partitions", "without them the promise costs less, or is lower by 5% at least"});
     if (quality.stabilize) {
@@ -289,7 +290,7 @@ SchemeAnswer chosenScheme(const SchemeQuestion& question, std::vector<Omission>&
     } else if (chosen.choice.faces && !chosen.setup.selector.faces.empty()) {
         omitted.push_back({"orientation", "the maps of faces follow their edges"});
     } else {
-        chosen = inWorthwhileOrientation(question, std::move(chosen), omitted);
+        chosen = inWorthwhileOrientation(context, std::move(chosen), omitted);
     }
     return chosen;
 }

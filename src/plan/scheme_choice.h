@@ -1,5 +1,5 @@
-// Which of the schemes that the user leaves open a view calls for: counted costs, kept promises, and a little loyalty
-// to the frame before.
+// Which of the schemes that the user leaves open a view calls for: counted costs, kept promises, and hysteresis towards
+// the scheme of the frame before.
 #pragma once
 
 #include "plan/empty_slices.h"
@@ -11,18 +11,18 @@
 namespace gnomon::plan {
 
 /// All that decides between schemes.
-struct SchemeQuestion {
+struct SchemeContext {
     shadow::ShadowView view;
     CameraBasis basis;
     Quality quality;
     const SceneFacts* scene = nullptr;
     const FramePlan* previous = nullptr; // with maps
     Receivers receivers;                 // after it
-    bool forgets = false;                // slices are empty where nothing in this very frame needs them
+    bool ignoreHistory = false;          // slices are empty where nothing in this very frame needs them
 };
 
 /// A scheme worked out.
-struct SchemeAnswer {
+struct SchemeCandidate {
     SchemeChoice choice;
     shadow::ShadowOptions options;
     shadow::ShadowMapSetup setup;
@@ -30,7 +30,7 @@ struct SchemeAnswer {
     std::uint64_t cost = 0;                     // see kTexelsPerTriangle
     std::uint64_t texelsThatWouldDo = 0;        // to keep quality.maxAliasing; 0: none
     bool keepsPromise = false;
-    int framesOutdone = 0; // see FramePlan
+    int framesDominated = 0; // see FramePlan
 
     double promise() const { return setup.worst().worst(); }
 };
@@ -56,22 +56,22 @@ constexpr double kLower = 0.85;
 /// broken waits for nothing.
 constexpr int kFramesBeforeSchemeGoes = 96;
 
-/// `choice` worked out. Where the number of slices is left open it takes no more texels than the promise asks for, on a
-/// ladder of 2^(1/4); else all of the budget.
-SchemeAnswer answer(const SchemeQuestion& question, const SchemeChoice& choice);
+/// `choice` worked out. Where the number of slices is left open it takes no more texels than the promise asks for, in
+/// quantised steps of 2^(1/4); else all of the budget.
+SchemeCandidate evaluate(const SchemeContext& context, const SchemeChoice& choice);
 
 /// The schemes that the quality leaves open, fewest maps first.
-std::vector<SchemeChoice> openChoices(const SchemeQuestion& question);
+std::vector<SchemeChoice> openChoices(const SchemeContext& context);
 
 /// Whether `a` is to be preferred to `b`: a kept promise, then, where both keep it, the lower cost, else the lower
 /// promise.
-bool isBetter(const SchemeAnswer& a, const SchemeAnswer& b);
+bool isBetter(const SchemeCandidate& a, const SchemeCandidate& b);
 
 /// The receivers of the frame that is asked about.
-Receivers receiversOf(const SchemeQuestion& question);
+Receivers receiversOf(const SchemeContext& context);
 
 /// The scheme for the view, with a line in `omitted` for each effect that it goes without.
-SchemeAnswer chosenScheme(const SchemeQuestion& question, std::vector<Omission>& omitted);
+SchemeCandidate chosenScheme(const SchemeContext& context, std::vector<Omission>& omitted);
 
 /// The triangles of the blocks that touch `volume` (camera space).
 std::uint64_t trianglesIn(

@@ -86,28 +86,28 @@ void explainOmissions(FramePlan& plan) {
 } // namespace
 
 void planShadowPasses(FramePlan& plan, const SceneFacts& scene, const FramePlan* previous) {
-    SchemeQuestion question;
-    question.view.frustum = {plan.near, plan.far, plan.view.camera.fovYRadians / 2, plan.view.aspect()};
-    question.view.towardsLight = plan.towardsLight;
-    question.view.imageHeight = plan.view.height;
-    question.view.anchor = {plan.basis, plan.view.camera.eye};
-    if (scene.light) question.view.seen = scene.light->seen;
-    question.basis = plan.basis;
-    question.quality = plan.quality;
-    question.scene = &scene;
-    if (previous != nullptr && previous->scheme) question.previous = previous;
-    question.receivers = receiversOf(question);
-    const SchemeAnswer chosen = chosenScheme(question, plan.omitted);
+    SchemeContext context;
+    context.view.frustum = {plan.near, plan.far, plan.view.camera.fovYRadians / 2, plan.view.aspect()};
+    context.view.towardsLight = plan.towardsLight;
+    context.view.imageHeight = plan.view.height;
+    context.view.anchor = {plan.basis, plan.view.camera.eye};
+    if (scene.light) context.view.seen = scene.light->seen;
+    context.basis = plan.basis;
+    context.quality = plan.quality;
+    context.scene = &scene;
+    if (previous != nullptr && previous->scheme) context.previous = previous;
+    context.receivers = receiversOf(context);
+    const SchemeCandidate chosen = chosenScheme(context, plan.omitted);
     const shadow::ShadowMapSetup& setup = chosen.setup;
     plan.scheme = chosen.choice;
-    plan.framesOutdone = chosen.framesOutdone;
+    plan.framesDominated = chosen.framesDominated;
     plan.cost = chosen.cost;
     plan.texelsThatWouldDo = chosen.texelsThatWouldDo;
     plan.promiseKept = chosen.keepsPromise || plan.quality.zPartitions;
     plan.selector = setup.selector;
     plan.splits = setup.selector.splits;
     plan.emptySlices = chosen.options.emptySlices;
-    plan.litMemory = question.receivers.memory;
+    plan.litMemory = context.receivers.memory;
     plan.hasFaces = !setup.selector.faces.empty();
     plan.orientation = setup.orientation;
     plan.textureWidth = setup.textureWidth;

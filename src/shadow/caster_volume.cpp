@@ -14,7 +14,7 @@ struct Seen {
     double z = 0;
 };
 
-double turn(const Seen& a, const Seen& b, const Seen& c) {
+double cross(const Seen& a, const Seen& b, const Seen& c) {
     return (b.x - a.x) * (c.z - a.z) - (b.z - a.z) * (c.x - a.x);
 }
 
@@ -26,7 +26,7 @@ std::vector<Seen> convexOutline(std::vector<Seen> points) {
     std::vector<Seen> hull(2 * points.size());
     std::size_t count = 0;
     const auto add = [&](const Seen& point, std::size_t floor) {
-        while (count >= floor && turn(hull[count - 2], hull[count - 1], point) <= 0)
+        while (count >= floor && cross(hull[count - 2], hull[count - 1], point) <= 0)
             --count;
         hull[count++] = point;
     };

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/convex_volume.h"
-#include "shadow/region.h"
-#include "shadow/warped_map.h"
+#include "shadow/partition/region.h"
+#include "shadow/warp/warped_map.h"
 
 namespace gnomon::shadow {
 

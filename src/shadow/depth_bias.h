@@ -1,7 +1,7 @@
 // The depth bias of a lookup, without a knob: what the receiver's own plane changes by over the texels that are read.
 #pragma once
 
-#include "shadow/warped_map.h"
+#include "shadow/warp/warped_map.h"
 
 namespace gnomon::shadow {
 

@@ -1,9 +1,9 @@
 // The storage factor of a whole scheme: slices, faces and warp together, summed map by map.
 #pragma once
 
-#include "shadow/faces.h"
-#include "shadow/splits.h"
-#include "shadow/warp.h"
+#include "shadow/partition/faces.h"
+#include "shadow/partition/splits.h"
+#include "shadow/warp/warp.h"
 
 #include <vector>
 

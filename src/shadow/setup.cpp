@@ -98,8 +98,8 @@ glm::dmat4 rectangleFromMap(const TexelRectangle& rectangle, int gutter) {
     const double scaleX = static_cast<double>(rectangle.width - 2 * gutter) / rectangle.width;
     const double scaleY = static_cast<double>(rectangle.height - 2 * gutter) / rectangle.height;
     glm::dmat4 m(1);
-    m[0] = rectangle.turned ? glm::dvec4(0, scaleY, 0, 0) : glm::dvec4(scaleX, 0, 0, 0);
-    m[1] = rectangle.turned ? glm::dvec4(scaleX, 0, 0, 0) : glm::dvec4(0, scaleY, 0, 0);
+    m[0] = rectangle.transposed ? glm::dvec4(0, scaleY, 0, 0) : glm::dvec4(scaleX, 0, 0, 0);
+    m[1] = rectangle.transposed ? glm::dvec4(scaleX, 0, 0, 0) : glm::dvec4(0, scaleY, 0, 0);
     m[3] = {(1 - scaleX) / 2, (1 - scaleY) / 2, 0, 1};
     return m;
 }

@@ -4,11 +4,11 @@
 
 #include "shadow/caster_volume.h"
 #include "shadow/depth_bias.h"
-#include "shadow/orientation.h"
-#include "shadow/region.h"
+#include "shadow/partition/region.h"
 #include "shadow/scheme.h"
 #include "shadow/stable_slice.h"
-#include "shadow/texel_budget.h"
+#include "shadow/texels/texel_budget.h"
+#include "shadow/warp/orientation.h"
 
 #include <cstdint>
 #include <optional>

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/camera.h"
-#include "shadow/view_frustum.h"
-#include "shadow/warped_map.h"
+#include "shadow/fit/view_frustum.h"
+#include "shadow/warp/warped_map.h"
 
 #include <array>
 #include <cstdint>

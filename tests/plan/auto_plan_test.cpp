@@ -8,7 +8,7 @@ namespace gnomon::plan {
 namespace {
 
 /// One scheme as the slow way sees it.
-struct Tried {
+struct Tally {
     SchemeChoice choice;
     double promise = 0;
     std::uint64_t cost = 0;
@@ -32,57 +32,57 @@ bool touches(const ConvexVolume& volume, const CameraBasis& basis, const Box& bo
     return true;
 }
 
-SchemeQuestion questionOf(const FramePlan& plan, const SceneFacts& facts) {
-    SchemeQuestion question;
-    question.view.frustum = {plan.near, plan.far, plan.view.camera.fovYRadians / 2, plan.view.aspect()};
-    question.view.towardsLight = plan.towardsLight;
-    question.view.imageHeight = plan.view.height;
-    question.view.anchor = {plan.basis, plan.view.camera.eye};
-    question.basis = plan.basis;
-    question.quality = plan.quality;
-    question.scene = &facts;
-    return question;
+SchemeContext contextOf(const FramePlan& plan, const SceneFacts& facts) {
+    SchemeContext context;
+    context.view.frustum = {plan.near, plan.far, plan.view.camera.fovYRadians / 2, plan.view.aspect()};
+    context.view.towardsLight = plan.towardsLight;
+    context.view.imageHeight = plan.view.height;
+    context.view.anchor = {plan.basis, plan.view.camera.eye};
+    context.basis = plan.basis;
+    context.quality = plan.quality;
+    context.scene = &facts;
+    return context;
 }
 
-/// `slices` and `faces` worked out with the least rung of texels that keeps the promise, found by trying the rungs; the
-/// whole budget if none does.
-Tried tried(const SchemeQuestion& question, int slices, bool faces) {
-    SchemeQuestion given = question;
+/// `slices` and `faces` worked out with the least quantised step of texels that keeps the promise, found by trying them
+/// all; the whole budget if none does.
+Tally tallied(const SchemeContext& context, int slices, bool faces) {
+    SchemeContext given = context;
     given.quality.zPartitions = slices;
-    const std::uint64_t budget = static_cast<std::uint64_t>(question.quality.shadowTexelsWidth) *
-                                 static_cast<std::uint64_t>(question.quality.shadowTexelsHeight);
-    const SchemeAnswer whole = answer(given, {slices, faces, true});
-    Tried result{{slices, faces, true}, whole.promise(), 0, whole.texelsThatWouldDo, budget, whole.setup.maps.size()};
+    const std::uint64_t budget = static_cast<std::uint64_t>(context.quality.shadowTexelsWidth) *
+                                 static_cast<std::uint64_t>(context.quality.shadowTexelsHeight);
+    const SchemeCandidate whole = evaluate(given, {slices, faces, true});
+    Tally result{{slices, faces, true}, whole.promise(), 0, whole.texelsThatWouldDo, budget, whole.setup.maps.size()};
     shadow::ShadowMapSetup setup = whole.setup;
     if (whole.texelsThatWouldDo > 0 && whole.texelsThatWouldDo <= budget) {
-        std::uint64_t rung = budget;
-        for (int step = 0; step < 200; ++step) {
-            const auto next = static_cast<std::uint64_t>(std::ceil(std::exp2(step / 4.0)));
-            if (next >= whole.texelsThatWouldDo && next < rung) rung = next;
+        std::uint64_t step = budget;
+        for (int i = 0; i < 200; ++i) {
+            const auto next = static_cast<std::uint64_t>(std::ceil(std::exp2(i / 4.0)));
+            if (next >= whole.texelsThatWouldDo && next < step) step = next;
         }
         shadow::ShadowOptions options = whole.options;
-        options.texels = rung;
-        setup = shadow::shadowMapSetup(question.view, options);
-        result.texels = rung;
+        options.texels = step;
+        setup = shadow::shadowMapSetup(context.view, options);
+        result.texels = step;
         result.promise = setup.worst().worst();
     }
     result.cost = static_cast<std::uint64_t>(setup.textureWidth) * static_cast<std::uint64_t>(setup.textureHeight) / 16;
     for (const shadow::ShadowMapPartition& map : setup.maps)
-        for (const SceneFacts::CasterBlock& block : question.scene->light->casters)
-            if (touches(map.casterVolume, question.basis, block.box)) result.cost += block.triangles;
+        for (const SceneFacts::CasterBlock& block : context.scene->light->casters)
+            if (touches(map.casterVolume, context.basis, block.box)) result.cost += block.triangles;
     return result;
 }
 
 /// What the words of the promise ask for, tried one after the other.
-Tried bestOfAll(const SchemeQuestion& question) {
-    std::optional<Tried> cheapest;
-    std::optional<Tried> lowest;
-    const double most = question.quality.maxAliasing;
-    const auto asked = [](const Tried& one) { return one.promise / (one.choice.faces ? 0.95 : 1); };
+Tally bestOfAll(const SchemeContext& context) {
+    std::optional<Tally> cheapest;
+    std::optional<Tally> lowest;
+    const double most = context.quality.maxAliasing;
+    const auto asked = [](const Tally& one) { return one.promise / (one.choice.faces ? 0.95 : 1); };
     for (int slices = 1; slices <= kMostSlices; ++slices) {
         for (const bool faces : {false, true}) {
-            if (faces && question.quality.facePartitions != Choice::Auto) continue;
-            const Tried candidate = tried(question, slices, faces);
+            if (faces && context.quality.facePartitions != Choice::Auto) continue;
+            const Tally candidate = tallied(context, slices, faces);
             if (candidate.promise <= most && (!cheapest || candidate.cost < cheapest->cost)) cheapest = candidate;
             if (!lowest || asked(candidate) < asked(*lowest)) lowest = candidate;
         }
@@ -114,7 +114,7 @@ void expectTheBest(std::uint64_t first, std::uint64_t count, Outcome& outcome) {
         const SceneFacts facts = scene.facts(view);
         const FramePlan plan = planFrame(view, autoQuality(seed), facts);
         if (plan.passes.empty()) continue;
-        const Tried best = bestOfAll(questionOf(plan, facts));
+        const Tally best = bestOfAll(contextOf(plan, facts));
         ASSERT_TRUE(plan.scheme);
         EXPECT_EQ(plan.scheme->slices, best.choice.slices);
         EXPECT_EQ(plan.scheme->faces, best.choice.faces);
@@ -171,10 +171,10 @@ struct Changes {
 };
 
 bool wouldBreakItsPromise(const FramePlan& previous, const FramePlan& plan, const SceneFacts& facts) {
-    SchemeQuestion question = questionOf(plan, facts);
-    question.previous = &previous;
-    question.receivers = receiversOf(question);
-    return plan.promiseKept && !answer(question, *previous.scheme).keepsPromise;
+    SchemeContext context = contextOf(plan, facts);
+    context.previous = &previous;
+    context.receivers = receiversOf(context);
+    return plan.promiseKept && !evaluate(context, *previous.scheme).keepsPromise;
 }
 
 /// While the camera turns by ten degrees in 200 frames.

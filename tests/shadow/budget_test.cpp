@@ -44,8 +44,8 @@ TEST(Packing, RectanglesAreDisjointAndInside) {
         ASSERT_EQ(packing.rectangles.size(), sizes.size());
         for (std::size_t i = 0; i < sizes.size(); ++i) {
             const TexelRectangle& r = packing.rectangles[i];
-            EXPECT_EQ(r.turned ? r.height : r.width, sizes[i].width);
-            EXPECT_EQ(r.turned ? r.width : r.height, sizes[i].height);
+            EXPECT_EQ(r.transposed ? r.height : r.width, sizes[i].width);
+            EXPECT_EQ(r.transposed ? r.width : r.height, sizes[i].height);
         }
         expectSoundPacking(packing);
     }

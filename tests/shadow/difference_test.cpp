@@ -31,7 +31,7 @@ Difference differenceAlong(const glm::dmat4& m, const glm::dvec3& p, const glm::
 void checkSeed(std::uint64_t seed) {
     Random random(seed);
     const ViewFrustum frustum = randomFrustum(random);
-    const LightFrame frame = turned(lightFrame(randomLight(random)), random.below(2) == 0 ? 0 : random.uniform(-3, 3));
+    const LightFrame frame = rolled(lightFrame(randomLight(random)), random.below(2) == 0 ? 0 : random.uniform(-3, 3));
     const LightFit fit = fitSlice(frame, frustum);
     const double kappa = kappaOf(randomWarp(random, frustum), fit);
     const WarpedMap map = warpedMap(fit, kappa);

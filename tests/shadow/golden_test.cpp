@@ -1,4 +1,4 @@
-// The golden rows: 269 answers of an independent double-precision reference, each within its own tolerance.
+// The golden rows: 269 candidates of an independent double-precision reference, each within its own tolerance.
 #include "app/theory_rows.h"
 #include "core/error.h"
 #include "core/file.h"
@@ -56,14 +56,14 @@ double deviationOfRow(const json& row, const json& got) {
 TEST(Golden, EveryRowIsWithinItsTolerance) {
     const json document = json::parse(readTextFile(kRows));
     ASSERT_EQ(document["rows"].size(), 269U);
-    const json answers = evaluateTheoryRows(document, kRows)["rows"];
-    ASSERT_EQ(answers.size(), 269U);
+    const json candidates = evaluateTheoryRows(document, kRows)["rows"];
+    ASSERT_EQ(candidates.size(), 269U);
     double worst = 0;
-    for (std::size_t i = 0; i < answers.size(); ++i) {
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
         const json& row = document["rows"][i];
-        ASSERT_EQ(answers[i]["id"], row["id"]);
-        const double found = deviationOfRow(row, answers[i]["got"]);
-        EXPECT_LE(found, 1.0) << row.dump() << "\n" << answers[i].dump();
+        ASSERT_EQ(candidates[i]["id"], row["id"]);
+        const double found = deviationOfRow(row, candidates[i]["got"]);
+        EXPECT_LE(found, 1.0) << row.dump() << "\n" << candidates[i].dump();
         worst = std::max(worst, found);
     }
     RecordProperty("worst_in_tolerances", std::to_string(worst));
@@ -71,8 +71,8 @@ TEST(Golden, EveryRowIsWithinItsTolerance) {
 
 TEST(Golden, RowsNeedNeitherExpectationNorId) {
     const json document = {{"rows", {{{"family", "eq15_eq16_planes"}, {"inputs", {{"n", 1}, {"f", 100}, {"k", 2}}}}}}};
-    const json answers = evaluateTheoryRows(document, "rows.json");
-    EXPECT_NEAR(answers["rows"][0]["got"]["planes"][1].get<double>(), 10.0, 1e-12);
+    const json candidates = evaluateTheoryRows(document, "rows.json");
+    EXPECT_NEAR(candidates["rows"][0]["got"]["planes"][1].get<double>(), 10.0, 1e-12);
 }
 
 TEST(Golden, BadRowsAreNamed) {

@@ -1,7 +1,7 @@
 // The hard cases of the shadow theory; docs/hard_cases.md shows this table.
 #include "core/error.h"
 #include "random_views.h"
-#include "shadow/near_ladder.h"
+#include "shadow/quantized_near.h"
 #include "tests/hard_cases.h"
 
 namespace gnomon::shadow {
@@ -304,7 +304,7 @@ void steepWarp() {
         }
 }
 
-void nearOnARung() {
+void nearOnAStep() {
     NearState state = nextNear({}, 1, 1e-4);
     for (int i = 0; i < 100; ++i) {
         state = nextNear(state, i % 2 == 0 ? 1 - 1e-12 : 1 + 1e-12, 1e-4);
@@ -354,7 +354,7 @@ constexpr std::array<HardCase, 23> kCases{{
      "the receiver's biased depth falls below 0 and the clamped caster lights it",
      clampedCaster},
     {"a receiver edge-on to the light", "its depth slope is infinite and so is its bias", grazingReceiver},
-    {"nearest surface exactly on a rung of the near ladder", "rounding flips near back and forth", nearOnARung},
+    {"nearest surface exactly on a quantised step of near", "rounding flips near back and forth", nearOnAStep},
     {"a light 1e-12 off the plane between two kinds of faces",
      "lit and unlit sides swap, faces flip from front to back",
      [] {

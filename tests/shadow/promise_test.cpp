@@ -33,7 +33,7 @@ Measured measuredAt(
     const auto texel = [&](const glm::dvec3& q) {
         const glm::dvec4 c = map.textureFromCamera * glm::dvec4(q, 1);
         const glm::dvec2 uv(c.x / c.w * setup.textureWidth, c.y / c.w * setup.textureHeight);
-        return map.rectangle.turned ? glm::dvec2(uv.y, uv.x) : uv;
+        return map.rectangle.transposed ? glm::dvec2(uv.y, uv.x) : uv;
     };
     const glm::dvec2 alongX = (texel(p + map.map.frame.x * h) - texel(p - map.map.frame.x * h)) / (2 * h);
     const glm::dvec2 alongZ = (texel(p + map.map.frame.z * h) - texel(p - map.map.frame.z * h)) / (2 * h);

@@ -1,6 +1,6 @@
-// Stable slices, the near ladder and the bias rule.
+// Stable slices, the quantised near and the bias rule.
 #include "random_views.h"
-#include "shadow/near_ladder.h"
+#include "shadow/quantized_near.h"
 
 #include <gtest/gtest.h>
 
@@ -63,7 +63,7 @@ TEST(Stable, ItsStorageFactorIsTheTheorys) {
     EXPECT_NEAR(sum, 253, 1);
 }
 
-TEST(Ladder, FallsAtOnceAndRisesAfterSomeFrames) {
+TEST(QuantizedNear, FallsAtOnceAndRisesAfterSomeFrames) {
     NearState state = nextNear({}, 1.0, 0.001);
     EXPECT_EQ(state.near, 1);
     state = nextNear(state, 0.3, 0.001);
@@ -82,12 +82,12 @@ TEST(Ladder, FallsAtOnceAndRisesAfterSomeFrames) {
     EXPECT_EQ(nextNear({}, 1e-9, 0.5).near, 0.5);
 }
 
-TEST(Ladder, RungsArePowersOfTheFourthRootOfTwo) {
+TEST(QuantizedNear, StepsArePowersOfTheFourthRootOfTwo) {
     for (int i = -80; i < 80; ++i) {
-        const double rung = std::exp2(i / 4.0);
-        EXPECT_NEAR(nearRung(rung) / rung, 1, 1e-11);
-        EXPECT_NEAR(nearRung(rung * 1.1) / rung, 1, 1e-11);
-        EXPECT_LE(nearRung(rung), rung);
+        const double step = std::exp2(i / 4.0);
+        EXPECT_NEAR(quantizeNear(step) / step, 1, 1e-11);
+        EXPECT_NEAR(quantizeNear(step * 1.1) / step, 1, 1e-11);
+        EXPECT_LE(quantizeNear(step), step);
     }
 }
 

@@ -2,9 +2,9 @@
 #include "app/json_file.h"
 #include "app/theory_figures.h"
 #include "app/theory_table.h"
-#include "shadow/overhead.h"
+#include "shadow/fit/overhead.h"
+#include "shadow/partition/splits.h"
 #include "shadow/scheme.h"
-#include "shadow/splits.h"
 
 #include <gtest/gtest.h>
 

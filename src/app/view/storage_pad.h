@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/camera.h"
+#include "shadow/fit/view_frustum.h"
 #include "shadow/scheme.h"
-#include "shadow/view_frustum.h"
 
 #include <optional>
 #include <vector>

@@ -1,7 +1,7 @@
 // The split of a texel budget over the maps of a frame that makes the largest error the same everywhere.
 #pragma once
 
-#include "shadow/packing.h"
+#include "shadow/texels/packing.h"
 
 #include <cstdint>
 #include <span>
@@ -34,12 +34,12 @@ struct TexelLayout {
     /// Texels of map `i` along s and along t, without gutters.
     int texelsS(std::size_t i) const {
         const TexelRectangle& r = packing.rectangles[i];
-        return (r.turned ? r.height : r.width) - 2 * gutter;
+        return (r.transposed ? r.height : r.width) - 2 * gutter;
     }
 
     int texelsT(std::size_t i) const {
         const TexelRectangle& r = packing.rectangles[i];
-        return (r.turned ? r.width : r.height) - 2 * gutter;
+        return (r.transposed ? r.width : r.height) - 2 * gutter;
     }
 };
 

@@ -1,4 +1,4 @@
-#include "shadow/light_frame.h"
+#include "shadow/fit/light_frame.h"
 
 #include <cmath>
 
@@ -28,7 +28,7 @@ LightFrame lightFrame(const glm::dvec3& towardsLight) {
     return lightFrameAlong(towardsLight, sinLightAngle(towardsLight) < kParallel ? kUp : kView);
 }
 
-LightFrame turned(const LightFrame& frame, double radians) {
+LightFrame rolled(const LightFrame& frame, double radians) {
     const double c = std::cos(radians);
     const double s = std::sin(radians);
     return {frame.x * c - frame.z * s, frame.y, frame.z * c + frame.x * s};

@@ -1,4 +1,4 @@
-#include "shadow/warped_map.h"
+#include "shadow/warp/warped_map.h"
 
 #include <algorithm>
 #include <cmath>

@@ -24,8 +24,8 @@ LightFrame lightFrameAlong(const glm::dvec3& towardsLight, const glm::dvec3& gui
 /// `towardsLight` has unit length, in camera space.
 LightFrame lightFrame(const glm::dvec3& towardsLight);
 
-/// `frame` turned about the light by `radians`, from z towards x.
-LightFrame turned(const LightFrame& frame, double radians);
+/// `frame` rolled about the light by `radians`, from z towards x.
+LightFrame rolled(const LightFrame& frame, double radians);
 
 /// A position or direction of camera space in light space.
 glm::dvec3 toLight(const LightFrame& frame, const glm::dvec3& p);

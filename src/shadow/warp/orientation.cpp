@@ -1,4 +1,4 @@
-#include "shadow/orientation.h"
+#include "shadow/warp/orientation.h"
 
 #include <algorithm>
 #include <array>
@@ -11,12 +11,12 @@ namespace {
 
 constexpr double kPi = 3.141592653589793;
 constexpr double kQuarter = kPi / 2;
-constexpr int kCoarse = 24;            // samples over half a turn
-constexpr double kBetterValley = 0.95; // another valley has to be this much lower to be worth the way
+constexpr int kCoarse = 24;            // samples over half a revolution
+constexpr double kLowerMinimum = 0.95; // another minimum of S has to be this much lower to be taken instead
 
 /// S in the orientation `radians` from the plain one, quick and slightly high: for `auto` the least over four warps.
 double roughStorage(const LightFit& plain, const Warp& warp, double radians) {
-    const LightFit fit = turned(plain, radians);
+    const LightFit fit = rolled(plain, radians);
     if (warp.rule != WarpRule::Auto) return storageFactor(fit, kappaOf(warp, fit));
     const double most = kappaMinimax(fit);
     double least = storageFactor(fit, 0);
@@ -26,12 +26,12 @@ double roughStorage(const LightFit& plain, const Warp& warp, double radians) {
 }
 
 double exactStorage(const LightFit& plain, const Warp& warp, double radians) {
-    const LightFit fit = turned(plain, radians);
+    const LightFit fit = rolled(plain, radians);
     return storageFactor(fit, kappaOf(warp, fit));
 }
 
-/// The foot of the valley of S that contains `start`, within `reach` to both sides.
-double valleyFoot(const LightFit& plain, const Warp& warp, double start, double reach) {
+/// The local minimum of S that is nearest to `start`, within `reach` to both sides.
+double localMinimum(const LightFit& plain, const Warp& warp, double start, double reach) {
     double best = start;
     double least = roughStorage(plain, warp, start);
     for (double step = reach / 2; step > 1e-4; step /= 2) {
@@ -46,24 +46,24 @@ double valleyFoot(const LightFit& plain, const Warp& warp, double start, double 
     return best;
 }
 
-/// The turn of least S over half a turn either way of the plain orientation.
-double bestTurn(const LightFit& plain, const Warp& warp) {
+/// The light roll of least S over a quarter of a revolution either way of the plain orientation.
+double bestLightRoll(const LightFit& plain, const Warp& warp) {
     double best = 0;
     double least = std::numeric_limits<double>::infinity();
     for (int i = 0; i < kCoarse; ++i) {
         const double at = kPi * (static_cast<double>(i) / kCoarse - 0.5);
         const double found = roughStorage(plain, warp, at);
-        // Equal valleys, as without a warp, are told apart by the lesser turn and not by rounding.
+        // Equal minima, as without a warp, are told apart by the lesser roll and not by rounding.
         if (found < least * (1 - 1e-9) || (found < least * (1 + 1e-9) && std::abs(at) < std::abs(best))) {
             least = std::min(least, found);
             best = at;
         }
     }
-    const double foot = valleyFoot(plain, warp, best, kPi / kCoarse);
-    return exactStorage(plain, warp, foot) <= exactStorage(plain, warp, 0) ? foot : 0.0;
+    const double refined = localMinimum(plain, warp, best, kPi / kCoarse);
+    return exactStorage(plain, warp, refined) <= exactStorage(plain, warp, 0) ? refined : 0.0;
 }
 
-/// `radians` less whole turns, in [-pi, pi).
+/// `radians` less whole revolutions, in [-pi, pi).
 double wrapped(double radians) {
     return radians - 2 * kPi * std::floor((radians + kPi) / (2 * kPi));
 }
@@ -86,16 +86,17 @@ LightFrame chosenFrame(
     const Warp& warp,
     const std::optional<OrientationState>& previous) {
     const LightFit plain = fitSlice(lightFrame(towardsLight), slice);
-    if (!previous) return turned(plain.frame, bestTurn(plain, warp));
+    if (!previous) return rolled(plain.frame, bestLightRoll(plain, warp));
     const glm::dvec3 z = carried(*previous, towardsLight);
     const double now = std::atan2(glm::dot(z, plain.frame.x), glm::dot(z, plain.frame.z));
-    const double turn = std::asin(std::min(1.0, glm::length(glm::cross(previous->towardsLight, towardsLight))));
-    const double reach = kOrientationRate * (glm::dot(previous->towardsLight, towardsLight) > 0 ? turn : kPi - turn);
-    if (reach >= kPi) return turned(plain.frame, bestTurn(plain, warp));
-    double target = valleyFoot(plain, warp, now, kQuarter / 6);
-    const double other = bestTurn(plain, warp);
-    if (exactStorage(plain, warp, other) < kBetterValley * exactStorage(plain, warp, target)) target = other;
-    return turned(plain.frame, now + std::clamp(wrapped(target - now), -reach, reach));
+    const double lightAngle = std::asin(std::min(1.0, glm::length(glm::cross(previous->towardsLight, towardsLight))));
+    const double reach =
+        kOrientationRate * (glm::dot(previous->towardsLight, towardsLight) > 0 ? lightAngle : kPi - lightAngle);
+    if (reach >= kPi) return rolled(plain.frame, bestLightRoll(plain, warp));
+    double target = localMinimum(plain, warp, now, kQuarter / 6);
+    const double other = bestLightRoll(plain, warp);
+    if (exactStorage(plain, warp, other) < kLowerMinimum * exactStorage(plain, warp, target)) target = other;
+    return rolled(plain.frame, now + std::clamp(wrapped(target - now), -reach, reach));
 }
 
 } // namespace gnomon::shadow

@@ -1,7 +1,7 @@
 // The closed forms of Lloyd et al. 2006, sections 4.1 to 4.3, for one map and a light straight overhead.
 #pragma once
 
-#include "shadow/view_frustum.h"
+#include "shadow/fit/view_frustum.h"
 
 namespace gnomon::shadow {
 

@@ -1,4 +1,4 @@
-#include "shadow/view_frustum.h"
+#include "shadow/fit/view_frustum.h"
 
 #include "core/error.h"
 

@@ -1,7 +1,7 @@
-#include "shadow/region.h"
+#include "shadow/partition/region.h"
 
 #include "core/check.h"
-#include "shadow/splits.h"
+#include "shadow/partition/splits.h"
 
 #include <algorithm>
 #include <cmath>

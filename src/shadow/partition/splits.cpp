@@ -1,4 +1,4 @@
-#include "shadow/splits.h"
+#include "shadow/partition/splits.h"
 
 #include "core/check.h"
 

@@ -1,4 +1,4 @@
-#include "shadow/light_fit.h"
+#include "shadow/fit/light_fit.h"
 
 #include "core/check.h"
 
@@ -50,11 +50,11 @@ LightFit fitSlice(const LightFrame& frame, const ViewFrustum& slice) {
     return fitRegion(frame, slice, vertices);
 }
 
-LightFit turned(const LightFit& fit, double radians) {
+LightFit rolled(const LightFit& fit, double radians) {
     const double c = std::cos(radians);
     const double s = std::sin(radians);
     LightFit result = fit;
-    result.frame = turned(fit.frame, radians);
+    result.frame = rolled(fit.frame, radians);
     result.zMin = 0;
     for (std::size_t i = 0; i < fit.count; ++i) {
         const FitPoint& from = fit.storage[i];

@@ -1,4 +1,4 @@
-#include "shadow/faces.h"
+#include "shadow/partition/faces.h"
 
 #include "core/check.h"
 

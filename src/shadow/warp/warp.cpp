@@ -1,4 +1,4 @@
-#include "shadow/warp.h"
+#include "shadow/warp/warp.h"
 
 #include "core/check.h"
 

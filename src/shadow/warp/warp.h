@@ -2,7 +2,7 @@
 // finite and continuous as the light turns parallel to the view, where n' does neither.
 #pragma once
 
-#include "shadow/light_fit.h"
+#include "shadow/fit/light_fit.h"
 
 #include <cstdint>
 

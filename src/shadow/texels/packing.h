@@ -13,7 +13,7 @@ struct TexelRectangle {
     int y = 0;
     int width = 0;
     int height = 0;
-    bool turned = false; // lies on its side: the map's s axis runs along y, its t axis along x
+    bool transposed = false; // lies on its side: the map's s axis runs along y, its t axis along x
 
     std::uint64_t area() const { return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height); }
 
@@ -31,18 +31,18 @@ struct Packing {
 
 /// How a set of rectangles is laid out: enough to lay out the same set at another scale in the same way.
 struct PackingStrategy {
-    enum class Turn : std::uint8_t { AsGiven, AllTall, AllWide };
+    enum class Transposition : std::uint8_t { AsGiven, AllTall, AllWide };
     enum class Order : std::uint8_t { Height, Area };
 
-    Turn turn = Turn::AsGiven;
+    Transposition transposition = Transposition::AsGiven;
     Order order = Order::Height;
     int row = 0; // the strip is as wide as the first `row` rectangles in order; 0: a grid of `columns`
     int columns = 1;
 };
 
-/// The strategy of the least area for `rectangles` (their x, y and turn are ignored) with sides of at most `maxSide`: a
-/// grid where all are alike, else a skyline (bottom-left) over the strips in which a whole number of them stand side by
-/// side. At most a few hundred rectangles.
+/// The strategy of the least area for `rectangles` (their x, y and transposition are ignored) with sides of at most
+/// `maxSide`: a grid where all are alike, else a skyline (bottom-left) over the strips in which a whole number of them
+/// stand side by side. At most a few hundred rectangles.
 PackingStrategy bestStrategy(std::span<const TexelRectangle> rectangles, int maxSide);
 
 /// `rectangles` laid out by `strategy`; nothing (width 0) if a side would exceed `maxSide`.

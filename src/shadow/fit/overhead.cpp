@@ -1,4 +1,4 @@
-#include "shadow/overhead.h"
+#include "shadow/fit/overhead.h"
 
 #include <cmath>
 #include <limits>

@@ -1,7 +1,7 @@
 // The map from a point to (s, t, depth), with its Jacobian, and the 4x4 matrix that does the same.
 #pragma once
 
-#include "shadow/light_fit.h"
+#include "shadow/fit/light_fit.h"
 
 namespace gnomon::shadow {
 

@@ -2,9 +2,9 @@
 // aliasing that a warp kappa gives over them.
 #pragma once
 
-#include "shadow/light_frame.h"
-#include "shadow/overhead.h"
-#include "shadow/view_frustum.h"
+#include "shadow/fit/light_frame.h"
+#include "shadow/fit/overhead.h"
+#include "shadow/fit/view_frustum.h"
 
 #include <array>
 #include <cstdint>
@@ -51,8 +51,8 @@ LightFit fitRegion(const LightFrame& frame, const ViewFrustum& slice, std::span<
 /// A whole slice of the frustum, seen in `frame`: its eight corners.
 LightFit fitSlice(const LightFrame& frame, const ViewFrustum& slice);
 
-/// The same region in a frame turned about the light by `radians`, as shadow::turned does.
-LightFit turned(const LightFit& fit, double radians);
+/// The same region in a frame rolled about the light by `radians`, as shadow::rolled does.
+LightFit rolled(const LightFit& fit, double radians);
 
 /// The extent of u = x / (1 + kappa zeta) over the region; W = max - min. Tight, not symmetric.
 struct WarpedExtent {

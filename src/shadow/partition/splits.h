@@ -1,7 +1,7 @@
 // z-partitioning: where the view frustum is cut into slices, and what the paper's schemes cost in closed form.
 #pragma once
 
-#include "shadow/view_frustum.h"
+#include "shadow/fit/view_frustum.h"
 
 #include <cstddef>
 #include <span>

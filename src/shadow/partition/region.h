@@ -5,7 +5,7 @@
 #include "core/camera.h"
 #include "core/convex_volume.h"
 #include "core/depth_span.h"
-#include "shadow/faces.h"
+#include "shadow/partition/faces.h"
 
 #include <optional>
 #include <span>

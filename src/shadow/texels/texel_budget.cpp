@@ -1,4 +1,4 @@
-#include "shadow/texel_budget.h"
+#include "shadow/texels/texel_budget.h"
 
 #include "core/check.h"
 #include "core/error.h"

@@ -1,4 +1,4 @@
-#include "shadow/packing.h"
+#include "shadow/texels/packing.h"
 
 #include <algorithm>
 #include <limits>
@@ -100,13 +100,14 @@ Packing grid(std::span<const TexelRectangle> rectangles, int columns, int maxSid
     return packing;
 }
 
-std::vector<TexelRectangle> turnedAs(std::span<const TexelRectangle> rectangles, PackingStrategy::Turn turn) {
+std::vector<TexelRectangle> transposedAs(
+    std::span<const TexelRectangle> rectangles, PackingStrategy::Transposition transposition) {
     std::vector<TexelRectangle> result(rectangles.begin(), rectangles.end());
     for (TexelRectangle& rectangle : result) {
         const bool isTall = rectangle.height >= rectangle.width;
-        rectangle.turned =
-            (turn == PackingStrategy::Turn::AllTall && !isTall) || (turn == PackingStrategy::Turn::AllWide && isTall);
-        if (rectangle.turned) std::swap(rectangle.width, rectangle.height);
+        rectangle.transposed = (transposition == PackingStrategy::Transposition::AllTall && !isTall) ||
+                               (transposition == PackingStrategy::Transposition::AllWide && isTall);
+        if (rectangle.transposed) std::swap(rectangle.width, rectangle.height);
     }
     return result;
 }
@@ -149,30 +150,30 @@ PackingStrategy bestGrid(std::span<const TexelRectangle> rectangles, int maxSide
 Packing packed(std::span<const TexelRectangle> rectangles, const PackingStrategy& strategy, int maxSide) {
     if (rectangles.empty()) return {};
     if (strategy.row == 0) return grid(rectangles, strategy.columns, maxSide);
-    const std::vector<TexelRectangle> turned = turnedAs(rectangles, strategy.turn);
-    const std::vector<std::size_t> order = orderOf(turned, strategy.order);
-    const int width = stripWidth(turned, order, strategy.row);
-    return width > maxSide ? Packing{} : skyline(turned, order, width, maxSide);
+    const std::vector<TexelRectangle> transposed = transposedAs(rectangles, strategy.transposition);
+    const std::vector<std::size_t> order = orderOf(transposed, strategy.order);
+    const int width = stripWidth(transposed, order, strategy.row);
+    return width > maxSide ? Packing{} : skyline(transposed, order, width, maxSide);
 }
 
 PackingStrategy bestStrategy(std::span<const TexelRectangle> rectangles, int maxSide) {
     if (rectangles.empty()) return {};
     if (allAlike(rectangles)) return bestGrid(rectangles, maxSide);
-    using Turn = PackingStrategy::Turn;
+    using Transposition = PackingStrategy::Transposition;
     using Order = PackingStrategy::Order;
     PackingStrategy best;
     Packing least;
-    for (const Turn turn : {Turn::AsGiven, Turn::AllTall, Turn::AllWide}) {
-        const std::vector<TexelRectangle> turned = turnedAs(rectangles, turn);
+    for (const Transposition transposition : {Transposition::AsGiven, Transposition::AllTall, Transposition::AllWide}) {
+        const std::vector<TexelRectangle> transposed = transposedAs(rectangles, transposition);
         for (const Order order : {Order::Height, Order::Area}) {
-            const std::vector<std::size_t> sorted = orderOf(turned, order);
+            const std::vector<std::size_t> sorted = orderOf(transposed, order);
             for (int row = 1; row <= static_cast<int>(rectangles.size()); ++row) {
-                const int width = stripWidth(turned, sorted, row);
+                const int width = stripWidth(transposed, sorted, row);
                 if (width > maxSide) break;
-                Packing candidate = skyline(turned, sorted, width, maxSide);
+                Packing candidate = skyline(transposed, sorted, width, maxSide);
                 if (!better(candidate, least)) continue;
                 least = std::move(candidate);
-                best = {turn, order, row, 1};
+                best = {transposition, order, row, 1};
             }
         }
     }

@@ -1,7 +1,7 @@
 // Face partitioning: the frustum cut along the edges of its faces as the light sees them, so that each face gets a map.
 #pragma once
 
-#include "shadow/light_fit.h"
+#include "shadow/fit/light_fit.h"
 
 #include <array>
 #include <cstdint>

@@ -1,12 +1,12 @@
 #include "bench/exact_depth.h"
 
-#include "render/frame_block.h"
+#include "executor/frame_block.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-namespace gnomon::render {
+namespace gnomon::executor {
 
 namespace {
 
@@ -124,4 +124,4 @@ void judge(const FrameDrawing& frame, std::size_t pass, std::vector<DisputedTexe
     }
 }
 
-} // namespace gnomon::render
+} // namespace gnomon::executor

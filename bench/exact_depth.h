@@ -1,11 +1,11 @@
 // The depths that a shadow map should hold: every caster's plane in doubles, to tell which of two executors is off.
 #pragma once
 
-#include "render/executor.h"
+#include "executor/executor.h"
 
 #include <vector>
 
-namespace gnomon::render {
+namespace gnomon::executor {
 
 /// A texel of the depth texture with the depths that two executors left there.
 struct DisputedTexel {
@@ -22,4 +22,4 @@ struct DisputedTexel {
 /// both snap corners to 1/256.
 void judge(const FrameDrawing& frame, std::size_t pass, std::vector<DisputedTexel>& texels);
 
-} // namespace gnomon::render
+} // namespace gnomon::executor

@@ -2,12 +2,12 @@
 // scheme, and who is off where map depths do. usage: executor_parity MODEL.gnm TRIPLES [SIDE] [TEXELS] [FIRST_SEED]
 #include "bench/exact_depth.h"
 #include "core/random.h"
+#include "executor/gl_executor.h"
+#include "executor/software_executor.h"
+#include "frame/renderer.h"
 #include "gl/shader_library.h"
-#include "render/gl_executor.h"
-#include "render/renderer.h"
-#include "render/software_executor.h"
-#include "tests/render/executor_comparison.h"
-#include "tests/render/field.h"
+#include "tests/executor/executor_comparison.h"
+#include "tests/executor/field.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@
 #include <cstdlib>
 #include <map>
 
-namespace gnomon::render {
+namespace gnomon::executor {
 namespace {
 
 /// From outside or amid the model, towards it; the light from anywhere above.
@@ -77,7 +77,7 @@ std::vector<DisputedTexel> disputed(
 }
 
 Verdicts verdicts(
-    const Frame& frame,
+    const frame::Frame& frame,
     const hierarchy::ModelFile& model,
     std::map<std::uint32_t, hierarchy::Page>& pages,
     Executor& ours,
@@ -139,8 +139,8 @@ void compareModel(const Options& options) {
     const hierarchy::ModelFile model(options.model);
     const std::unique_ptr<Executor> ours = makeSoftwareExecutor();
     const std::unique_ptr<Executor> gl = makeGlExecutor(gl::Platform::Osmesa, gl::ShaderLibrary(), gibibytes(1));
-    Renderer ourRenderer(model, *ours, {});
-    Renderer glRenderer(model, *gl, {});
+    frame::Renderer ourRenderer(model, *ours, {});
+    frame::Renderer glRenderer(model, *gl, {});
     Findings all;
     std::map<std::string, Findings> byScheme;
     std::map<std::uint32_t, hierarchy::Page> pages;
@@ -149,11 +149,11 @@ void compareModel(const Options& options) {
         const plan::View view = viewOf(model.summary().bounds, options.side, seed);
         plan::Quality quality = fieldQuality(seed);
         quality.shadowTexelsWidth = quality.shadowTexelsHeight = options.texels;
-        FrameOptions frameOptions;
+        frame::FrameOptions frameOptions;
         frameOptions.overlay = static_cast<Overlay>(seed / 2 % 8);
         ourRenderer.forget();
         glRenderer.forget();
-        const Frame frame = ourRenderer.render(view, quality, frameOptions);
+        const frame::Frame frame = ourRenderer.render(view, quality, frameOptions);
         glRenderer.render(view, quality, frameOptions);
         const Findings found{1, difference(*ours, *gl), verdicts(frame, model, pages, *ours, *gl)};
         all += found;
@@ -165,7 +165,7 @@ void compareModel(const Options& options) {
 }
 
 } // namespace
-} // namespace gnomon::render
+} // namespace gnomon::executor
 
 int main(int argc, char** argv) {
     if (argc < 3) {
@@ -176,12 +176,12 @@ int main(int argc, char** argv) {
         "| scheme | triples | coverage %% | colour %% | texel coverage %% | texels apart by over 1e-5 %% | most | "
         "software off %%, most | OpenGL off %%, most |\n");
     std::printf("|---|---|---|---|---|---|---|---|---|\n");
-    gnomon::render::Options options;
+    gnomon::executor::Options options;
     options.model = argv[1];
     options.triples = std::atoi(argv[2]);
     if (argc > 3) options.side = std::atoi(argv[3]);
     if (argc > 4) options.texels = std::atoi(argv[4]);
     if (argc > 5) options.firstSeed = std::strtoull(argv[5], nullptr, 10);
-    gnomon::render::compareModel(options);
+    gnomon::executor::compareModel(options);
     return 0;
 }

@@ -1,8 +1,8 @@
 // Shadow maps against ray-traced shadows and against their promise, over seeded triples of pose, light and scheme.
 #include "core/error.h"
-#include "render/renderer.h"
-#include "render/shadow_triples.h"
-#include "render/software_executor.h"
+#include "executor/software_executor.h"
+#include "frame/renderer.h"
+#include "frame/shadow_triples.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -31,23 +31,23 @@ struct Tally {
 };
 
 /// Pixels by verdict: grey where right, and a colour for each way of being wrong.
-render::Picture verdictPicture(const render::ShadowTruth& truth, const render::Picture& picture) {
-    render::Picture result = picture;
+executor::Picture verdictPicture(const proof::ShadowTruth& truth, const executor::Picture& picture) {
+    executor::Picture result = picture;
     for (std::size_t i = 0; i < truth.verdicts.size(); ++i) {
         switch (truth.verdicts[i]) {
-        case render::ShadowVerdict::NearEdge:
+        case proof::ShadowVerdict::NearEdge:
             result.pixels[i] = {90, 140, 255};
             break;
-        case render::ShadowVerdict::ContactGap:
+        case proof::ShadowVerdict::ContactGap:
             result.pixels[i] = {255, 190, 0};
             break;
-        case render::ShadowVerdict::Missed:
+        case proof::ShadowVerdict::Missed:
             result.pixels[i] = {0, 190, 90};
             break;
-        case render::ShadowVerdict::FalseShadow:
+        case proof::ShadowVerdict::FalseShadow:
             result.pixels[i] = {255, 0, 0};
             break;
-        case render::ShadowVerdict::Leak:
+        case proof::ShadowVerdict::Leak:
             result.pixels[i] = {255, 0, 255};
             break;
         default:
@@ -65,37 +65,37 @@ public:
     void add(std::uint64_t index, const std::string& pictures) {
         const tests::ShadowTriple triple = tests::shadowTriple(model_.summary().bounds, index, side_, texels_);
         addPromise(index, triple);
-        const render::Frame frame = rendered(withDefaults(triple), render::Oracle::SameDetail);
+        const frame::Frame frame = rendered(withDefaults(triple), frame::Oracle::SameDetail);
         ++tally_.triples;
         if (!frame.truth) return;
-        const render::ShadowTruth& truth = *frame.truth;
+        const proof::ShadowTruth& truth = *frame.truth;
         tally_.judged += truth.judgedPixels;
         tally_.unexplained += truth.unexplainedPixels;
         tally_.worstUnexplained = std::max(tally_.worstUnexplained, truth.unexplainedFraction());
         tally_.pixels += truth.shadows.litSidePixels;
         tally_.missed += truth.missedPixels;
         tally_.wrong += truth.shadows.wrongPixels;
-        const auto count = [&](render::ShadowVerdict verdict) {
+        const auto count = [&](proof::ShadowVerdict verdict) {
             return static_cast<std::uint64_t>(std::count(truth.verdicts.begin(), truth.verdicts.end(), verdict));
         };
-        tally_.contactGaps += count(render::ShadowVerdict::ContactGap);
-        tally_.falseShadows += count(render::ShadowVerdict::FalseShadow);
-        tally_.leaks += count(render::ShadowVerdict::Leak);
+        tally_.contactGaps += count(proof::ShadowVerdict::ContactGap);
+        tally_.falseShadows += count(proof::ShadowVerdict::FalseShadow);
+        tally_.leaks += count(proof::ShadowVerdict::Leak);
         if (pictures.empty()) return;
         std::printf(
             "%3llu: %llu of %llu unexplained\n",
             static_cast<unsigned long long>(index),
             static_cast<unsigned long long>(truth.unexplainedPixels),
             static_cast<unsigned long long>(truth.judgedPixels));
-        render::writePng(
+        executor::writePng(
             pictures + "/verdict" + std::to_string(index) + ".png", verdictPicture(truth, executor_->picture()));
     }
 
     const Tally& tally() const { return tally_; }
 
 private:
-    render::Frame rendered(const tests::ShadowTriple& triple, render::Oracle oracle) {
-        render::FrameOptions options;
+    frame::Frame rendered(const tests::ShadowTriple& triple, frame::Oracle oracle) {
+        frame::FrameOptions options;
         options.oracle = oracle;
         options.measuresAliasing = true;
         renderer_.forget();
@@ -103,7 +103,7 @@ private:
     }
 
     void addPromise(std::uint64_t index, const tests::ShadowTriple& triple) {
-        const render::Frame frame = rendered(triple, render::Oracle::None);
+        const frame::Frame frame = rendered(triple, frame::Oracle::None);
         if (!frame.aliasing) return;
         tally_.overPromise = std::max(tally_.overPromise, frame.aliasing->overPromise);
         if (frame.aliasing->overPromise <= 1 + kFloatTolerance) return;
@@ -118,8 +118,8 @@ private:
     hierarchy::ModelFile model_;
     int side_;
     int texels_;
-    std::unique_ptr<render::Executor> executor_ = render::makeSoftwareExecutor();
-    render::Renderer renderer_;
+    std::unique_ptr<executor::Executor> executor_ = executor::makeSoftwareExecutor();
+    frame::Renderer renderer_;
     Tally tally_;
 };
 

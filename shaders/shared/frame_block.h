@@ -3,7 +3,7 @@
 #ifdef __cplusplus
 #pragma once
 #include <glm/glm.hpp>
-namespace gnomon::render::block {
+namespace gnomon::executor::block {
 using vec4 = glm::vec4;
 using ivec4 = glm::ivec4;
 using mat4 = glm::mat4;
@@ -23,7 +23,7 @@ GNOMON_BLOCK(0, Frame) {
     vec4 light;        // xyz: the direction towards the light; w: +1 if it is behind the viewer or across, else -1
     vec4 image;        // width and height in pixels; z: the clip near plane; w: 2 tan(theta) / height
     vec4 near;         // x: the shadow range's near; y: its far; z: error threshold in pixels; w: for the overlay of
-                       // residency, why what is drawn now is drawn (render::Residence)
+                       // residency, why what is drawn now is drawn (executor::Residence)
     ivec4 counts; // x: slices; y: filter width in texels; z: side faces of a slice; w: 1 if the near face has maps of
                   // its own
 };
@@ -47,5 +47,5 @@ GNOMON_BLOCK(1, Shadows) {
 };
 
 #ifdef __cplusplus
-} // namespace gnomon::render::block
+} // namespace gnomon::executor::block
 #endif

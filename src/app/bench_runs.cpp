@@ -15,8 +15,8 @@ namespace gnomon::app {
 namespace {
 
 /// Four times the absolute difference of each channel.
-render::Picture magnifiedDifference(const render::Picture& a, const render::Picture& b) {
-    render::Picture result = a;
+executor::Picture magnifiedDifference(const executor::Picture& a, const executor::Picture& b) {
+    executor::Picture result = a;
     for (std::size_t i = 0; i < a.pixels.size(); ++i)
         for (std::size_t channel = 0; channel < 3; ++channel) {
             const int difference = std::abs(a.pixels[i][channel] - b.pixels[i][channel]);
@@ -100,7 +100,7 @@ public:
           result_(result),
           view_(viewOf(viewOptions, session.model().summary())),
           quality_(qualityOf(viewOptions, result.run.settings)) {
-        frameOptions_.waiting = options.isRealTime ? render::Waiting::Never : render::Waiting::UntilComplete;
+        frameOptions_.waiting = options.isRealTime ? frame::Waiting::Never : frame::Waiting::UntilComplete;
     }
 
     /// Warm-up, then a row a frame.
@@ -131,7 +131,7 @@ public:
         for (int frame = 0; frame < options_.frames; ++frame) {
             const bool isProven = isProvenFrame(frame);
             frameOptions_.measuresAliasing = frameOptions_.measuresCrawl = frameOptions_.comparesWithFinest = isProven;
-            frameOptions_.oracle = isProven ? options_.oracle : render::Oracle::None;
+            frameOptions_.oracle = isProven ? options_.oracle : frame::Oracle::None;
             const telemetry::FrameRow proof = draw(frame);
             telemetry::FrameRow& row = result_.rows[static_cast<std::size_t>(frame)];
             row.measuredAliasing = proof.measuredAliasing;
@@ -146,7 +146,7 @@ public:
     }
 
     /// The middle frame.
-    render::Picture picture(render::Overlay overlay, Progress& progress) {
+    executor::Picture picture(executor::Overlay overlay, Progress& progress) {
         frameOptions_.overlay = overlay;
         session_.renderer().forget();
         draw(options_.frames / 2);
@@ -188,7 +188,7 @@ private:
     RunResult& result_;
     plan::View view_;
     plan::Quality quality_;
-    render::FrameOptions frameOptions_;
+    frame::FrameOptions frameOptions_;
 };
 
 } // namespace
@@ -252,14 +252,14 @@ std::vector<RunResult> walkAll(
             Walk walk(session, view, path, options, result);
             walk.repeat(repetition, progress);
         }
-    if (options.oracle != render::Oracle::None)
+    if (options.oracle != frame::Oracle::None)
         for (RunResult& result : results)
             Walk(session, view, path, options, result).prove(progress);
     return results;
 }
 
 std::size_t frameCount(const std::vector<BenchRun>& runs, const WalkOptions& options) {
-    const int walks = options.repetitions + (options.oracle == render::Oracle::None ? 0 : 1);
+    const int walks = options.repetitions + (options.oracle == frame::Oracle::None ? 0 : 1);
     return runs.size() * static_cast<std::size_t>(options.frames) * static_cast<std::size_t>(walks);
 }
 
@@ -275,19 +275,19 @@ std::vector<report::Picture> middlePictures(
     Walk walk(session, view, path, options, asked);
     RunResult traced = asked;
     traced.run.settings.shadows = "rays";
-    const auto draw = [&](Walk& drawn, render::Overlay overlay = render::Overlay::None) {
+    const auto draw = [&](Walk& drawn, executor::Overlay overlay = executor::Overlay::None) {
         return drawn.picture(overlay, progress);
     };
     Walk tracing(session, view, path, options, traced);
-    const render::Picture picture = draw(walk);
-    const render::Picture reference = draw(tracing);
+    const executor::Picture picture = draw(walk);
+    const executor::Picture reference = draw(tracing);
     return {
-        {run.name, "picture", render::pngBytes(picture)},
-        {run.name, "reference", render::pngBytes(reference)},
-        {run.name, "difference", render::pngBytes(magnifiedDifference(picture, reference))},
-        {run.name, "texels", render::pngBytes(draw(walk, render::Overlay::Texels))},
-        {run.name, "aliasing", render::pngBytes(draw(walk, render::Overlay::Aliasing))},
-        {run.name, "partitions", render::pngBytes(draw(walk, render::Overlay::Partitions))}};
+        {run.name, "picture", executor::pngBytes(picture)},
+        {run.name, "reference", executor::pngBytes(reference)},
+        {run.name, "difference", executor::pngBytes(magnifiedDifference(picture, reference))},
+        {run.name, "texels", executor::pngBytes(draw(walk, executor::Overlay::Texels))},
+        {run.name, "aliasing", executor::pngBytes(draw(walk, executor::Overlay::Aliasing))},
+        {run.name, "partitions", executor::pngBytes(draw(walk, executor::Overlay::Partitions))}};
 }
 
 report::RunSummary summary(const RunResult& result) {

@@ -29,10 +29,10 @@ struct WalkOptions {
     int repetitions = 1;
     int warmup = 2;
     bool isRealTime = false;
-    render::Oracle oracle = render::Oracle::None;
+    frame::Oracle oracle = frame::Oracle::None;
     int provenFrames = 0; // with an oracle: so many frames, evenly over the path, are held against it
     /// Gets the picture of every frame of the first repetition, if given.
-    std::function<void(const BenchRun& run, int frame, const render::Picture& picture)> onPicture;
+    std::function<void(const BenchRun& run, int frame, const executor::Picture& picture)> onPicture;
 };
 
 /// What came of one run.

@@ -208,12 +208,12 @@ void printUnderBound(const std::string& maxAliasing, const std::vector<report::R
 
 /// Writes each picture under the number of its run.
 auto pictureWriter(const std::string& folder, const std::vector<BenchRun>& runs) {
-    return [&runs, folder](const BenchRun& run, int frame, const render::Picture& picture) {
+    return [&runs, folder](const BenchRun& run, int frame, const executor::Picture& picture) {
         const auto isThis = [&](const BenchRun& other) { return other.name == run.name; };
         const auto index = std::find_if(runs.begin(), runs.end(), isThis) - runs.begin();
         std::array<char, 48> name{};
         std::snprintf(name.data(), name.size(), "run%d_frame%04d.png", static_cast<int>(index), frame);
-        render::writePng((std::filesystem::path(folder) / name.data()).string(), picture);
+        executor::writePng((std::filesystem::path(folder) / name.data()).string(), picture);
     };
 }
 
@@ -226,13 +226,13 @@ WalkOptions walkOf(const BenchOptions& options) {
     }
     walk.repetitions = options.repetitions.value_or(options.report.empty() ? 1 : 3);
     walk.oracle = options.oracle.mode();
-    const bool isProven = walk.oracle != render::Oracle::None;
+    const bool isProven = walk.oracle != frame::Oracle::None;
     if (walk.isRealTime && isProven)
         throw UsageError{
             "--oracle and --real-time contradict each other: a frame held against rays waits for its pages"};
     walk.provenFrames = walk.frames;
     if (!options.report.empty() && !isProven && !walk.isRealTime) {
-        walk.oracle = render::Oracle::SameDetail;
+        walk.oracle = frame::Oracle::SameDetail;
         walk.provenFrames = options.isQuick ? 3 : 8;
     }
     return walk;
@@ -319,7 +319,7 @@ private:
 
     report::RunSummary walkedAgain(std::size_t run) {
         WalkOptions walk = options_.walk;
-        walk.oracle = render::Oracle::None;
+        walk.oracle = frame::Oracle::None;
         walk.onPicture = nullptr;
         return summary(walked("once more", {runs_[run]}, walk).front());
     }

@@ -6,7 +6,7 @@
 #include "app/thread_limit.h"
 #include "core/error.h"
 #include "core/file.h"
-#include "render/heat_scale.h"
+#include "executor/heat_scale.h"
 #include "telemetry/process_clock.h"
 
 #include <cstdio>
@@ -33,8 +33,8 @@ struct RenderOptions {
     OracleOption oracle;
 };
 
-const std::map<std::string, render::Overlay>& overlays() {
-    using render::Overlay;
+const std::map<std::string, executor::Overlay>& overlays() {
+    using executor::Overlay;
     static const std::map<std::string, Overlay> words = {
         {"none", Overlay::None},
         {"partitions", Overlay::Partitions},
@@ -48,21 +48,21 @@ const std::map<std::string, render::Overlay>& overlays() {
 }
 
 /// Each map as a PFM of its own, named by its slice and face.
-void writeShadowMaps(const std::string& folder, const render::Frame& frame, render::Executor& executor) {
-    const render::FloatPicture all = executor.shadowDepth();
+void writeShadowMaps(const std::string& folder, const frame::Frame& frame, executor::Executor& executor) {
+    const executor::FloatPicture all = executor.shadowDepth();
     for (const plan::ShadowPass& pass : frame.plan.passes) {
         const plan::Rectangle& r = pass.rectangle;
-        render::FloatPicture map(r.width, r.height);
+        executor::FloatPicture map(r.width, r.height);
         for (int y = 0; y < r.height; ++y)
             for (int x = 0; x < r.width; ++x)
                 map.at(x, r.height - 1 - y) = all.at(r.x + x, r.y + y);
         const std::string name = "slice" + std::to_string(pass.slice) + "_" + shadow::name(pass.face) + ".pfm";
-        render::writePfm((std::filesystem::path(folder) / name).string(), map);
+        executor::writePfm((std::filesystem::path(folder) / name).string(), map);
     }
 }
 
-void requireLike(const RenderOptions& options, const render::Picture& reference, const render::Picture& picture) {
-    const render::PictureDifference found = render::difference(reference, picture);
+void requireLike(const RenderOptions& options, const executor::Picture& reference, const executor::Picture& picture) {
+    const executor::PictureDifference found = executor::difference(reference, picture);
     if (found.mean > options.referenceThreshold)
         throw Error(
             options.reference,
@@ -86,22 +86,22 @@ void runRender(const RenderOptions& options) {
     const plan::Quality quality = qualityOf(options.view, options.view.swept);
     Session session(options.model, options.view);
     const plan::View view = viewOf(options.view, session.model().summary());
-    std::optional<render::Picture> reference;
-    if (!options.reference.empty()) reference = render::readPng(options.reference);
+    std::optional<executor::Picture> reference;
+    if (!options.reference.empty()) reference = executor::readPng(options.reference);
     requireWritableOutputs(options);
     const PreparedFolder shadowDepth(options.shadowDepth);
-    render::FrameOptions frameOptions;
+    frame::FrameOptions frameOptions;
     frameOptions.overlay = overlays().at(options.overlay);
     frameOptions.measuresAliasing = !options.statistics.empty();
     frameOptions.oracle = options.oracle.mode();
-    frameOptions.comparesWithFinest = frameOptions.oracle != render::Oracle::None;
-    const render::Frame frame = session.renderer().render(view, quality, frameOptions);
-    const render::Picture picture = session.executor().picture();
-    render::Picture shown = picture;
-    if (frameOptions.overlay == render::Overlay::Aliasing || frameOptions.overlay == render::Overlay::Projection)
-        render::drawHeatScale(shown);
-    render::writePng(options.output, shown);
-    if (!options.depth.empty()) render::writePfm(options.depth, session.executor().viewDepth());
+    frameOptions.comparesWithFinest = frameOptions.oracle != frame::Oracle::None;
+    const frame::Frame frame = session.renderer().render(view, quality, frameOptions);
+    const executor::Picture picture = session.executor().picture();
+    executor::Picture shown = picture;
+    if (frameOptions.overlay == executor::Overlay::Aliasing || frameOptions.overlay == executor::Overlay::Projection)
+        executor::drawHeatScale(shown);
+    executor::writePng(options.output, shown);
+    if (!options.depth.empty()) executor::writePfm(options.depth, session.executor().viewDepth());
     if (!options.shadowDepth.empty()) writeShadowMaps(options.shadowDepth, frame, session.executor());
     if (!options.statistics.empty()) {
         telemetry::FrameRow row = frame.row;

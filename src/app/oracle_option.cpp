@@ -26,9 +26,9 @@ void OracleOption::addTo(CLI::App& command) {
         ->type_name("[full]");
 }
 
-render::Oracle OracleOption::mode() const {
-    if (text_.empty()) return render::Oracle::None;
-    return text_ == kFlagAlone ? render::Oracle::SameDetail : render::Oracle::FullDetail;
+frame::Oracle OracleOption::mode() const {
+    if (text_.empty()) return frame::Oracle::None;
+    return text_ == kFlagAlone ? frame::Oracle::SameDetail : frame::Oracle::FullDetail;
 }
 
 } // namespace gnomon::app

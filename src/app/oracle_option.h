@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/commands.h"
-#include "render/renderer.h"
+#include "frame/renderer.h"
 
 #include <string>
 
@@ -14,7 +14,7 @@ public:
     /// Adds the option to `command`; this must outlive the parsing.
     void addTo(CLI::App& command);
 
-    render::Oracle mode() const;
+    frame::Oracle mode() const;
 
 private:
     std::string text_;

@@ -1,23 +1,23 @@
 #include "app/session.h"
 
 #include "app/option_text.h"
+#include "executor/gl_executor.h"
+#include "executor/software_executor.h"
 #include "gl/context.h"
-#include "render/gl_executor.h"
-#include "render/software_executor.h"
 
 #include <cstdio>
 
 namespace gnomon::app {
 
-std::unique_ptr<render::Executor> makeExecutor(const ViewOptions& options) {
+std::unique_ptr<executor::Executor> makeExecutor(const ViewOptions& options) {
     const gl::ShaderLibrary shaders(
         options.shaders.empty() ? std::nullopt : std::optional<std::string>(options.shaders));
     const Bytes memory = parseMemory("--gpu-memory", options.gpuMemory);
     std::string backend = options.backend;
     if (backend == "window") throw UsageError{"--backend window is for gnomon view"};
     if (backend == "auto") backend = gl::hasGpu() ? "egl" : "software";
-    if (backend == "software") return render::makeSoftwareExecutor();
-    return render::makeGlExecutor(backend == "egl" ? gl::Platform::Egl : gl::Platform::Osmesa, shaders, memory);
+    if (backend == "software") return executor::makeSoftwareExecutor();
+    return executor::makeGlExecutor(backend == "egl" ? gl::Platform::Egl : gl::Platform::Osmesa, shaders, memory);
 }
 
 Session::Session(const std::string& modelPath, const ViewOptions& options)

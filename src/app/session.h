@@ -2,8 +2,8 @@
 #pragma once
 
 #include "app/view_options.h"
+#include "frame/renderer.h"
 #include "hierarchy/model_file.h"
-#include "render/renderer.h"
 
 #include <memory>
 
@@ -11,7 +11,7 @@ namespace gnomon::app {
 
 /// The executor that `options` name: `auto` is a GPU if there is one, else `software`. Throws UsageError for the
 /// window.
-std::unique_ptr<render::Executor> makeExecutor(const ViewOptions& options);
+std::unique_ptr<executor::Executor> makeExecutor(const ViewOptions& options);
 
 /// A model, who draws it, and what renders its frames; warns of each damaged page once, on stderr.
 class Session {
@@ -20,14 +20,14 @@ public:
 
     const hierarchy::ModelFile& model() const { return model_; }
 
-    render::Executor& executor() { return *executor_; }
+    executor::Executor& executor() { return *executor_; }
 
-    render::Renderer& renderer() { return renderer_; }
+    frame::Renderer& renderer() { return renderer_; }
 
 private:
     hierarchy::ModelFile model_;
-    std::unique_ptr<render::Executor> executor_;
-    render::Renderer renderer_;
+    std::unique_ptr<executor::Executor> executor_;
+    frame::Renderer renderer_;
 };
 
 } // namespace gnomon::app

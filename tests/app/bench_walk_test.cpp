@@ -85,7 +85,7 @@ std::string memoryFor(double fraction) {
     double bytes = 0;
     for (const hierarchy::PageInfo& page : file.pages())
         bytes += static_cast<double>(streaming::decodedBytes(page).count) * fraction;
-    return std::to_string(static_cast<std::uint64_t>(bytes) + render::tableBytes(file).count);
+    return std::to_string(static_cast<std::uint64_t>(bytes) + frame::tableBytes(file).count);
 }
 
 TEST(BenchWalk, TwiceTheSameButForTimes) {
@@ -158,7 +158,7 @@ TEST(BenchWalk, KeepsTheCapOfMemory) {
             ViewOptions view = viewOptions();
             view.memory = memoryFor(fraction);
             Session session(model(), view);
-            const std::int64_t tables = static_cast<std::int64_t>(render::tableBytes(session.model()).count);
+            const std::int64_t tables = static_cast<std::int64_t>(frame::tableBytes(session.model()).count);
             const RunResult result = walked(session, view, flight(), frames(40, isRealTime));
             std::int64_t missing = 0;
             for (const telemetry::FrameRow& row : result.rows) {
@@ -273,8 +273,8 @@ TEST(BenchWalk, DrawsAroundDamageAndNamesItOnce) {
             EXPECT_GT(result.rows[i].imageTriangles, 0);
             EXPECT_LE(result.rows[i].imageTriangles, *right[i].imageTriangles + 500);
         }
-        const render::PictureDifference difference =
-            render::difference(session.executor().picture(), sound.executor().picture());
+        const executor::PictureDifference difference =
+            executor::difference(session.executor().picture(), sound.executor().picture());
         EXPECT_LT(difference.changedFraction, 0.5) << "right elsewhere";
     }
 }

@@ -25,11 +25,11 @@ public:
         plan::View view = pose(random);
         const plan::Quality quality = anyQuality(random);
         if (random.below(4) != 0) session_->renderer().forget();
-        render::FrameOptions options;
-        options.waiting = random.below(2) == 0 ? render::Waiting::Never : render::Waiting::UntilComplete;
+        frame::FrameOptions options;
+        options.waiting = random.below(2) == 0 ? frame::Waiting::Never : frame::Waiting::UntilComplete;
         options.wantsSurfaces = random.below(8) == 0;
         try {
-            const render::Frame frame = session_->renderer().render(view, quality, options);
+            const frame::Frame frame = session_->renderer().render(view, quality, options);
             expectSound(frame, view);
             return true;
         } catch (const Error& error) {
@@ -107,14 +107,14 @@ private:
         return qualityOf(options, swept);
     }
 
-    void expectSound(const render::Frame& frame, const plan::View& view) const {
+    void expectSound(const frame::Frame& frame, const plan::View& view) const {
         for (const telemetry::Column& column : telemetry::columns()) {
             const telemetry::Value value = column.value(frame.row);
             const double* number = std::get_if<double>(&value);
             EXPECT_FALSE(number != nullptr && std::isnan(*number)) << column.name;
         }
         EXPECT_LT(frame.row.near, frame.row.far);
-        const render::Picture picture = session_->executor().picture();
+        const executor::Picture picture = session_->executor().picture();
         EXPECT_EQ(picture.width, view.width);
         EXPECT_EQ(picture.height, view.height);
         std::size_t nans = 0;

@@ -66,7 +66,7 @@ TEST_P(FarAway, ShowsTheSamePicture) {
             view.camera.eye += kFar;
             view.camera.target += kFar;
             const Drawn away = there.draw(view, 1);
-            EXPECT_LE(render::difference(nearby.picture, away.picture).changedFraction, 0.001)
+            EXPECT_LE(executor::difference(nearby.picture, away.picture).changedFraction, 0.001)
                 << (backend == Backend::Software ? "software" : "osmesa") << ", view " << ++number;
         }
     }

@@ -96,8 +96,8 @@ void expectLikeFullDetail(const std::string& model, const std::string& name, int
         EXPECT_LT(found.percentile99, bar.percentile99) << place;
         EXPECT_GE(found.overlap, bar.overlap) << place;
         if (!testing::Test::HasFailure()) continue;
-        render::writePng(place + "_full.png", full.picture);
-        render::writePng(place + "_coarse.png", coarse.picture);
+        executor::writePng(place + "_full.png", full.picture);
+        executor::writePng(place + "_coarse.png", coarse.picture);
     }
 }
 

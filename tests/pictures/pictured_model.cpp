@@ -1,13 +1,13 @@
 #include "tests/pictures/pictured_model.h"
 
 #include "app/suited_path.h"
+#include "executor/gl_executor.h"
+#include "executor/software_executor.h"
 #include "gl/shader_library.h"
 #include "preprocess/make/model_file.h"
 #include "preprocess/make/named_model.h"
 #include "preprocess/pipeline/build_model.h"
 #include "preprocess/read/open_mesh_sources.h"
-#include "render/gl_executor.h"
-#include "render/software_executor.h"
 
 #include <gtest/gtest.h>
 
@@ -17,9 +17,9 @@ namespace gnomon::tests {
 
 namespace {
 
-std::unique_ptr<render::Executor> executorOf(Backend backend) {
-    if (backend == Backend::Software) return render::makeSoftwareExecutor();
-    return render::makeGlExecutor(gl::Platform::Osmesa, gl::ShaderLibrary(), gibibytes(1));
+std::unique_ptr<executor::Executor> executorOf(Backend backend) {
+    if (backend == Backend::Software) return executor::makeSoftwareExecutor();
+    return executor::makeGlExecutor(gl::Platform::Osmesa, gl::ShaderLibrary(), gibibytes(1));
 }
 
 } // namespace

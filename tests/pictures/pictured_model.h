@@ -2,8 +2,8 @@
 #pragma once
 
 #include "app/camera_path.h"
+#include "frame/renderer.h"
 #include "hierarchy/model_file.h"
-#include "render/renderer.h"
 
 #include <memory>
 #include <string>
@@ -36,8 +36,8 @@ enum class Backend { Software, Osmesa };
 
 /// A picture, and how deep each pixel is; infinity where nothing is.
 struct Drawn {
-    render::Picture picture;
-    render::FloatPicture depth;
+    executor::Picture picture;
+    executor::FloatPicture depth;
 };
 
 /// An open model and who draws it.
@@ -52,8 +52,8 @@ public:
 
 private:
     hierarchy::ModelFile file_;
-    std::unique_ptr<render::Executor> executor_;
-    render::Renderer renderer_;
+    std::unique_ptr<executor::Executor> executor_;
+    frame::Renderer renderer_;
 };
 
 /// Three views of a model: the whole of it, on the way past it, and close to it.

@@ -1,10 +1,10 @@
 // What is under the cursor, against rays that meet every triangle of the model.
 #include "app/view/picking.h"
 #include "core/random.h"
+#include "executor/software_executor.h"
+#include "frame/renderer.h"
 #include "hierarchy/model_file.h"
 #include "hierarchy/tiny_model.h"
-#include "render/renderer.h"
-#include "render/software_executor.h"
 
 #include <gtest/gtest.h>
 
@@ -57,8 +57,8 @@ TEST(Picking, FindsThePointThatARayThroughThePixelMeets) {
     const std::string path = testing::TempDir() + "gnomon_picking.gnm";
     tests::writeModel(tiny, path);
     const hierarchy::ModelFile model(path);
-    const auto executor = render::makeSoftwareExecutor();
-    render::Renderer renderer(model, *executor, {});
+    const auto executor = executor::makeSoftwareExecutor();
+    frame::Renderer renderer(model, *executor, {});
     plan::Quality quality;
     quality.shadows = plan::ShadowMode::Off;
     quality.errorPixels = 1e-6; // the finest level
@@ -75,7 +75,7 @@ TEST(Picking, FindsThePointThatARayThroughThePixelMeets) {
             {0, 1, 0},
             0.9};
         renderer.render(view, quality, {});
-        const render::FloatPicture depth = executor->viewDepth();
+        const executor::FloatPicture depth = executor->viewDepth();
         const CameraBasis basis = cameraBasis(view.camera);
         // The rasteriser snaps corners to 1/256 pixel, which on grazing triangles moves depths along.
         constexpr double kAllowance = 0.02; // of edges one unit long
@@ -99,7 +99,7 @@ TEST(Picking, FindsThePointThatARayThroughThePixelMeets) {
 }
 
 TEST(Picking, ReachesForTheNearestDrawnPixel) {
-    render::FloatPicture depth(20, 20, std::numeric_limits<float>::infinity());
+    executor::FloatPicture depth(20, 20, std::numeric_limits<float>::infinity());
     depth.at(12, 10) = 3;
     depth.at(10, 15) = 4;
     const Camera camera;

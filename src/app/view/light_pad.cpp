@@ -25,7 +25,7 @@ ImU32 heat(double part) {
 }
 
 /// What the pad shows for a frame; nothing where there are no maps to ask for.
-std::optional<StorageQuestion> questionOf(const render::Frame* frame, const LightDisc& disc) {
+std::optional<StorageQuestion> questionOf(const frame::Frame* frame, const LightDisc& disc) {
     if (frame == nullptr || frame->plan.passes.empty()) return std::nullopt;
     const plan::FramePlan& plan = frame->plan;
     StorageQuestion question;
@@ -60,7 +60,7 @@ void drawCells(const StoragePad& pad, const ImVec2& at, float side) {
 
 } // namespace
 
-bool drawLightPad(const render::Frame* frame, const Camera& camera, StoragePad& pad, glm::dvec3& towardsLight) {
+bool drawLightPad(const frame::Frame* frame, const Camera& camera, StoragePad& pad, glm::dvec3& towardsLight) {
     bool isBelow = glm::dot(towardsLight, camera.up) < 0;
     const bool wasBelow = isBelow;
     LightDisc disc = lightDisc(camera, isBelow);

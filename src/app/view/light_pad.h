@@ -2,11 +2,11 @@
 #pragma once
 
 #include "app/view/storage_pad.h"
-#include "render/renderer.h"
+#include "frame/renderer.h"
 
 namespace gnomon::app::view {
 
 /// Describes the pad for Dear ImGui; true if `towardsLight` was dragged. `frame` says for which depth range and scheme.
-bool drawLightPad(const render::Frame* frame, const Camera& camera, StoragePad& pad, glm::dvec3& towardsLight);
+bool drawLightPad(const frame::Frame* frame, const Camera& camera, StoragePad& pad, glm::dvec3& towardsLight);
 
 } // namespace gnomon::app::view

@@ -88,7 +88,7 @@ void drawFacts(const OverlayContent& content, const ViewSettings& settings) {
     const ImVec2 corner(0.5F * unit(), 0.5F * unit());
     if (beginNote("facts", corner, {0, 0})) {
         drawGraph(*content.history, settings.targetMs);
-        const render::Frame* frame = content.scene->frame();
+        const frame::Frame* frame = content.scene->frame();
         ImGui::Separator();
         for (const std::string& line :
              loadInWords(frame->row, frame->plan.quality, content.caps, frame->cut.used.size()))
@@ -109,7 +109,7 @@ void drawFacts(const OverlayContent& content, const ViewSettings& settings) {
         }
         std::snprintf(text.data(), text.size(), "speed %.3g a second   H help, Tab panel", content.flyingSpeed);
         drawLine(text.data(), kFaint);
-        if (settings.overlay != render::Overlay::None)
+        if (settings.overlay != executor::Overlay::None)
             drawLine(std::string("overlay: ") + name(settings.overlay), kFaint);
     }
     ImGui::End();

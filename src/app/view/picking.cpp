@@ -5,7 +5,7 @@
 namespace gnomon::app::view {
 
 std::optional<glm::dvec3> pointUnder(
-    const render::FloatPicture& viewDepth, const Camera& camera, const glm::ivec2& pixel, int reach) {
+    const executor::FloatPicture& viewDepth, const Camera& camera, const glm::ivec2& pixel, int reach) {
     std::optional<glm::ivec2> best;
     int bestDistance2 = reach * reach + 1;
     for (int y = std::max(pixel.y - reach, 0); y <= std::min(pixel.y + reach, viewDepth.height - 1); ++y)

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/camera.h"
-#include "render/picture.h"
+#include "executor/picture.h"
 
 #include <optional>
 
@@ -12,6 +12,6 @@ namespace gnomon::app::view {
 /// `camera`, are given. Where nothing is, the drawn pixel nearest to it counts, within `reach` pixels, so that wires
 /// and railings can be hit; nothing beyond.
 std::optional<glm::dvec3> pointUnder(
-    const render::FloatPicture& viewDepth, const Camera& camera, const glm::ivec2& pixel, int reach);
+    const executor::FloatPicture& viewDepth, const Camera& camera, const glm::ivec2& pixel, int reach);
 
 } // namespace gnomon::app::view

@@ -19,19 +19,19 @@ std::string SavedFiles::freeName(const std::string& kind, const std::string& suf
     }
 }
 
-std::string SavedFiles::savePicture(const render::Picture& picture) const {
+std::string SavedFiles::savePicture(const executor::Picture& picture) const {
     std::string name = freeName("view", ".png");
-    render::writePng(name, picture);
+    executor::writePng(name, picture);
     return name;
 }
 
 std::string SavedFiles::saveWindow(const gl::Api& gl, const glm::ivec2& size) const {
-    render::Picture picture(size.x, size.y);
+    executor::Picture picture(size.x, size.y);
     gl.readPixels(0, 0, size.x, size.y, GL_RGB, GL_UNSIGNED_BYTE, picture.pixels.data());
     for (int top = 0, bottom = size.y - 1; top < bottom; ++top, --bottom)
         std::swap_ranges(&picture.at(0, top), &picture.at(0, top) + size.x, &picture.at(0, bottom));
     std::string name = freeName("window", ".png");
-    render::writePng(name, picture);
+    executor::writePng(name, picture);
     return name;
 }
 
@@ -41,11 +41,11 @@ std::string SavedFiles::savePath(const CameraPath& path) const {
     return name;
 }
 
-void SavedFiles::savePlayed(const std::string& folder, int frame, const render::Picture& picture) const {
+void SavedFiles::savePlayed(const std::string& folder, int frame, const executor::Picture& picture) const {
     std::filesystem::create_directories(folder);
     std::array<char, 32> name{};
     std::snprintf(name.data(), name.size(), "frame%04d.png", frame);
-    render::writePng((std::filesystem::path(folder) / name.data()).string(), picture);
+    executor::writePng((std::filesystem::path(folder) / name.data()).string(), picture);
 }
 
 } // namespace gnomon::app::view

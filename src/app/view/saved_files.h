@@ -2,8 +2,8 @@
 #pragma once
 
 #include "app/camera_path.h"
+#include "executor/picture.h"
 #include "gl/api.h"
-#include "render/picture.h"
 
 #include <glm/glm.hpp>
 
@@ -18,7 +18,7 @@ public:
     SavedFiles() = default;
     explicit SavedFiles(const std::string& modelPath);
 
-    std::string savePicture(const render::Picture& picture) const;
+    std::string savePicture(const executor::Picture& picture) const;
 
     /// The window's own framebuffer, which must be complete and bound.
     std::string saveWindow(const gl::Api& gl, const glm::ivec2& size) const;
@@ -26,7 +26,7 @@ public:
     std::string savePath(const CameraPath& path) const;
 
     /// Frame `frame` of a played path into `folder`, which is made if need be: "frame0000.png".
-    void savePlayed(const std::string& folder, int frame, const render::Picture& picture) const;
+    void savePlayed(const std::string& folder, int frame, const executor::Picture& picture) const;
 
 private:
     std::string freeName(const std::string& kind, const std::string& suffix) const;

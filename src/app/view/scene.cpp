@@ -2,7 +2,7 @@
 
 #include "app/option_text.h"
 #include "app/view/picking.h"
-#include "render/software_executor.h"
+#include "executor/software_executor.h"
 
 namespace gnomon::app::view {
 
@@ -11,11 +11,11 @@ namespace {
 constexpr int kPickReach = 6; // pixels around the cursor
 
 /// The window's executor where its OpenGL is worth it; null for the software one.
-std::unique_ptr<render::TextureExecutor> windowExecutor(const ViewOptions& options, const gl::Context& context) {
+std::unique_ptr<executor::TextureExecutor> windowExecutor(const ViewOptions& options, const gl::Context& context) {
     if (options.backend == "software" || (options.backend == "auto" && !context.isHardware())) return nullptr;
     const gl::ShaderLibrary shaders(
         options.shaders.empty() ? std::nullopt : std::optional<std::string>(options.shaders));
-    return render::makeWindowExecutor(context, shaders, parseMemory("--gpu-memory", options.gpuMemory));
+    return executor::makeWindowExecutor(context, shaders, parseMemory("--gpu-memory", options.gpuMemory));
 }
 
 } // namespace
@@ -28,11 +28,11 @@ Scene::Scene(
     : model_(path),
       written_(std::filesystem::last_write_time(path)),
       context_(&context),
-      executor_([&]() -> std::unique_ptr<render::Executor> {
-          std::unique_ptr<render::TextureExecutor> ours = windowExecutor(options, context);
+      executor_([&]() -> std::unique_ptr<executor::Executor> {
+          std::unique_ptr<executor::TextureExecutor> ours = windowExecutor(options, context);
           textures_ = ours.get();
           if (ours) return ours;
-          return render::makeSoftwareExecutor();
+          return executor::makeSoftwareExecutor();
       }()),
       renderer_(
           model_,
@@ -42,7 +42,7 @@ Scene::Scene(
                onDamaged("a page is damaged, its parents are drawn: " + page.reason);
            }}) {}
 
-const render::Frame& Scene::draw(const Shot& shot) {
+const frame::Frame& Scene::draw(const Shot& shot) {
     frame_ = renderer_.render(shot.view, shot.quality, shot.options);
     seenBy_ = shot.seenBy();
     isUploaded_ = false;
@@ -53,7 +53,7 @@ ShownPicture Scene::shown() {
     if (!frame_) return {};
     if (textures_ != nullptr) return {textures_->texture().id(), true};
     if (!isUploaded_) {
-        const render::Picture picture = executor_->picture();
+        const executor::Picture picture = executor_->picture();
         if (uploaded_.width() != picture.width || uploaded_.height() != picture.height)
             uploaded_ = gl::Texture(context_->api(), GL_RGBA8, picture.width, picture.height);
         uploaded_.write(GL_RGB, GL_UNSIGNED_BYTE, std::as_bytes(std::span(picture.pixels)));

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "app/view_options.h"
+#include "executor/gl_executor.h"
+#include "frame/renderer.h"
 #include "gl/context.h"
 #include "gl/objects.h"
 #include "hierarchy/model_file.h"
-#include "render/gl_executor.h"
-#include "render/renderer.h"
 
 #include <filesystem>
 #include <functional>
@@ -19,7 +19,7 @@ namespace gnomon::app::view {
 struct Shot {
     plan::View view;
     plan::Quality quality;
-    render::FrameOptions options;
+    frame::FrameOptions options;
 
     /// Who sees the picture.
     const Camera& seenBy() const { return options.onlooker ? *options.onlooker : view.camera; }
@@ -48,16 +48,16 @@ public:
     const hierarchy::ModelFile& model() const { return model_; }
 
     /// Draws; the result stays until the next call. Throws Error; then the last picture stays.
-    const render::Frame& draw(const Shot& shot);
+    const frame::Frame& draw(const Shot& shot);
 
     /// Frames to come depend on no frame before.
     void forget() { renderer_.forget(); }
 
     /// Nothing before the first frame.
-    const render::Frame* frame() const { return frame_ ? &*frame_ : nullptr; }
+    const frame::Frame* frame() const { return frame_ ? &*frame_ : nullptr; }
 
     /// The last frame's, as `gnomon render` would write it.
-    render::Picture picture() { return executor_->picture(); }
+    executor::Picture picture() { return executor_->picture(); }
 
     /// The last frame's picture as a texture.
     ShownPicture shown();
@@ -71,10 +71,10 @@ private:
     hierarchy::ModelFile model_;
     std::filesystem::file_time_type written_;
     const gl::Context* context_;
-    render::TextureExecutor* textures_ = nullptr; // the executor, if it draws into textures
-    std::unique_ptr<render::Executor> executor_;
-    render::Renderer renderer_;
-    std::optional<render::Frame> frame_;
+    executor::TextureExecutor* textures_ = nullptr; // the executor, if it draws into textures
+    std::unique_ptr<executor::Executor> executor_;
+    frame::Renderer renderer_;
+    std::optional<frame::Frame> frame_;
     Camera seenBy_;
     gl::Texture uploaded_; // the picture of an executor without textures
     bool isUploaded_ = false;

@@ -14,13 +14,13 @@ using plan::Choice;
 using plan::ShadowMode;
 
 constexpr std::array kOverlays = {
-    OverlayName{render::Overlay::None, "none"},
-    OverlayName{render::Overlay::Partitions, "partitions"},
-    OverlayName{render::Overlay::Texels, "texels"},
-    OverlayName{render::Overlay::Aliasing, "aliasing"},
-    OverlayName{render::Overlay::Lod, "level of detail"},
-    OverlayName{render::Overlay::Clusters, "clusters"},
-    OverlayName{render::Overlay::Residency, "residency"},
+    OverlayName{executor::Overlay::None, "none"},
+    OverlayName{executor::Overlay::Partitions, "partitions"},
+    OverlayName{executor::Overlay::Texels, "texels"},
+    OverlayName{executor::Overlay::Aliasing, "aliasing"},
+    OverlayName{executor::Overlay::Lod, "level of detail"},
+    OverlayName{executor::Overlay::Clusters, "clusters"},
+    OverlayName{executor::Overlay::Residency, "residency"},
 };
 
 constexpr std::array kWarps = {
@@ -69,7 +69,7 @@ std::span<const OverlayName> overlayNames() {
     return kOverlays;
 }
 
-const char* name(render::Overlay overlay) {
+const char* name(executor::Overlay overlay) {
     for (const OverlayName& entry : kOverlays)
         if (entry.overlay == overlay) return entry.name;
     return "";

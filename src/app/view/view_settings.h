@@ -1,8 +1,8 @@
 // What the keys and the panel change: quality, overlay, light, and what is shown beside the picture.
 #pragma once
 
+#include "executor/executor.h"
 #include "plan/frame_plan.h"
-#include "render/executor.h"
 
 #include <array>
 #include <span>
@@ -21,7 +21,7 @@ const char* name(Scheme scheme);
 
 /// An overlay with its name.
 struct OverlayName {
-    render::Overlay overlay;
+    executor::Overlay overlay;
     const char* name;
 };
 
@@ -29,7 +29,7 @@ struct OverlayName {
 std::span<const OverlayName> overlayNames();
 
 /// The name of an overlay.
-const char* name(render::Overlay overlay);
+const char* name(executor::Overlay overlay);
 
 /// The warp rules that can be chosen, in the order of their key.
 std::span<const shadow::WarpRule> warpRules();
@@ -38,7 +38,7 @@ std::span<const shadow::WarpRule> warpRules();
 struct ViewSettings {
     plan::Quality quality;
     glm::dvec3 towardsLight{0.4, 1, 0.3};
-    render::Overlay overlay = render::Overlay::None;
+    executor::Overlay overlay = executor::Overlay::None;
     double targetMs = 0; // 0: none
     bool showsFacts = true;
     bool showsPanel = false;

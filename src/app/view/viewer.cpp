@@ -268,7 +268,7 @@ void Viewer::actOnModel(Action action, int value) {
 
 /// Whether the next frame is the last before the window waits for the hand: that one may take its time.
 bool Viewer::comesToRest() const {
-    const render::Frame* frame = file_.scene()->frame();
+    const frame::Frame* frame = file_.scene()->frame();
     const bool isMissing = frame == nullptr || frame->row.pagesMissing.value_or(0) > 0;
     return pace_.isLastOfScene() && !isMissing && !walk_.isUnderWay();
 }
@@ -291,7 +291,7 @@ Shot Viewer::shot(const glm::ivec2& size) const {
     }
     shot.options.overlay = settings_.overlay;
     shot.options.measuresAliasing = comesToRest();
-    shot.options.waiting = walk_.playsFixed() ? render::Waiting::UntilComplete : render::Waiting::Never;
+    shot.options.waiting = walk_.playsFixed() ? frame::Waiting::UntilComplete : frame::Waiting::Never;
     if (walk_.isFrozen()) shot.options.onlooker = walk_.camera();
     return shot;
 }
@@ -303,7 +303,7 @@ bool Viewer::drawFrame() {
         return false;
     }
     const Scene* scene = file_.scene();
-    const render::Frame* frame = scene != nullptr ? scene->frame() : nullptr;
+    const frame::Frame* frame = scene != nullptr ? scene->frame() : nullptr;
     if (frame != nullptr && (frame->plan.view.width != size.x || frame->plan.view.height != size.y)) pace_.wakeScene();
     const bool drawsScene = scene != nullptr && !isIdle();
     if (drawsScene) drawScene(size);

@@ -1,0 +1,122 @@
+// Who carries a plan out: one interface for GL, rays and the software rasteriser.
+#pragma once
+
+#include "executor/picture.h"
+#include "hierarchy/grid.h"
+#include "plan/frame_plan.h"
+#include "selection/cut.h"
+
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gnomon::executor {
+
+/// The decoded page of an id that a draw list names; valid until the frame is drawn.
+using PageLookup = std::function<const hierarchy::Page&(std::uint32_t page)>;
+
+/// What is painted over the image.
+/// Aliasing is its perspective part, which a plan promises; Projection the other factor, which depends on how the
+/// surface lies to light and eye, and which nobody can promise.
+/// Residency is what stands in for pages that are not in memory.
+enum class Overlay : std::uint8_t { None, Partitions, Texels, Aliasing, Lod, Clusters, Projection, Residency };
+
+/// World axes and units, origin at the grid point of the model that is nearest to the eye: there floats are precise
+/// where the picture needs it, however far from the world's origin or how far away the eye is.
+struct DrawSpace {
+    hierarchy::GridPoint originCell;
+    double step = 1;
+    glm::dvec3 eye{0};              // in draw space
+    glm::dmat4 cameraFromDraw{1.0}; // left-handed camera space
+};
+
+/// The draw space of `view` on `grid`; `bounds` are those of the model, world space.
+DrawSpace drawSpace(const plan::View& view, const hierarchy::Grid& grid, const Box& bounds);
+
+/// The width of a pixel's image beam at `p` (draw space), world units: 2 tan(theta) (p.v) / height.
+double pixelWidth(const plan::FramePlan& plan, const DrawSpace& space, const glm::dvec3& p);
+
+/// Why a cluster is drawn.
+enum class Residence : std::uint8_t {
+    AsAsked, // the error asks for nothing finer
+    Awaited, // what refines it is not in memory
+    Damaged, // what refines it cannot be read
+};
+
+/// A drawn cluster that stands in for finer ones.
+struct StandIn {
+    std::uint32_t page = 0;
+    std::uint32_t cluster = 0;
+    Residence residence = Residence::Awaited;
+};
+
+/// One frame, ready to be drawn.
+struct FrameDrawing {
+    const plan::FramePlan* plan = nullptr;
+    DrawSpace space;
+    hierarchy::Grid grid;
+    const selection::DrawList* image = nullptr;
+    std::vector<const selection::DrawList*> casters; // one a pass
+    PageLookup pages;
+    double clipNear = 1e-3; // view depth of the near clip plane: nothing that is drawn lies before it
+    std::optional<Camera>
+        onlooker; // who sees the image in place of the plan's camera, which it then shows from outside
+    Overlay overlay = Overlay::None;
+    std::vector<StandIn> standIns;                 // of the image, by page and cluster; for Overlay::Residency alone
+    bool wantsSurfaces = false;                    // keep what `surfaces` returns
+    const Raster<std::uint8_t>* litMask = nullptr; // 255 where the light reaches, instead of maps
+};
+
+/// What drawing took. Times are wall-clock around finished work.
+struct DrawStatistics {
+    double shadowMs = 0;
+    double imageMs = 0;
+    std::uint64_t drawCalls = 0;
+    std::optional<std::uint64_t> shadowFragments; // pixels that the casters' triangles cover, summed; if counted
+    std::uint64_t deviceBytes = 0;                // geometry and textures held
+};
+
+/// What is known of a pixel's surface.
+struct SurfaceSample {
+    glm::vec3 normal{0};       // flat, towards the viewer; draw space
+    float partitionAndLit = 0; // partition + 1 + lit fraction / 2; -1 where the surface is turned from the light
+    glm::vec3 position{0};     // the very point whose shadow was looked up; draw space
+    float isSurface = 0;       // 1 where anything is, else 0
+
+    bool isLitSide() const { return isSurface > 0 && partitionAndLit >= 0; }
+
+    /// The map that was asked, by the plan's passes; -1 if none was.
+    int partition() const { return static_cast<int>(partitionAndLit) - 1; }
+
+    /// From 0 to 1.
+    float litFraction() const { return 2 * (partitionAndLit - std::floor(partitionAndLit)); }
+};
+
+/// Draws frames. The results are those of the last frame.
+class Executor {
+public:
+    Executor() = default;
+    virtual ~Executor() = default;
+    Executor(const Executor&) = delete;
+    Executor& operator=(const Executor&) = delete;
+    Executor(Executor&&) = delete;
+    Executor& operator=(Executor&&) = delete;
+
+    /// "osmesa", "egl", ...: the column `backend`.
+    virtual std::string name() const = 0;
+    /// Maps that the plan reuses stay as the last frame left them.
+    virtual DrawStatistics draw(const FrameDrawing& frame) = 0;
+    virtual Picture picture() = 0;
+    /// View depth per pixel; infinity where nothing is.
+    virtual FloatPicture viewDepth() = 0;
+    /// The whole depth texture of the shadow maps, rows from top to bottom as they lie in memory (row 0 first).
+    virtual FloatPicture shadowDepth() = 0;
+    /// Only after a frame with `wantsSurfaces`.
+    virtual Raster<SurfaceSample> surfaces() = 0;
+};
+
+} // namespace gnomon::executor

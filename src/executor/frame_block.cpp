@@ -1,0 +1,158 @@
+#include "executor/frame_block.h"
+
+#include "core/check.h"
+#include "shadow/depth_bias.h"
+
+#include <glm/gtc/matrix_access.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gnomon::executor {
+
+namespace {
+
+glm::dmat4 fromRows(const glm::dvec4& x, const glm::dvec4& y, const glm::dvec4& z, const glm::dvec4& w) {
+    return glm::transpose(glm::dmat4(x, y, z, w));
+}
+
+/// A direction of camera space in draw space, whose axes are the world's.
+glm::vec4 toDraw(const CameraBasis& basis, const glm::dvec3& direction, double w = 0) {
+    return {glm::vec3(toWorld(basis, direction)), static_cast<float>(w)};
+}
+
+/// Camera space of an eye at `eye` in draw space, whose axes are the world's.
+glm::dmat4 cameraFromDraw(const CameraBasis& basis, const glm::dvec3& eye) {
+    const auto row = [&](const glm::dvec3& axis) { return glm::dvec4(axis, -glm::dot(axis, eye)); };
+    return fromRows(row(basis.right), row(basis.up), row(basis.view), {0, 0, 0, 1});
+}
+
+/// The draw space of `view` whose origin is the grid point nearest to `local`, in the model's local space.
+DrawSpace drawSpaceAt(const plan::View& view, const hierarchy::Grid& grid, const glm::dvec3& local) {
+    DrawSpace space;
+    space.step = grid.step();
+    const glm::dvec3 cell =
+        glm::clamp(glm::round(local / space.step), glm::dvec3(0), glm::dvec3(hierarchy::kMaxGridCoordinate));
+    space.originCell = {
+        static_cast<std::uint32_t>(cell.x), static_cast<std::uint32_t>(cell.y), static_cast<std::uint32_t>(cell.z)};
+    space.eye = (view.camera.eye - grid.origin) - grid.local(space.originCell);
+    space.cameraFromDraw = cameraFromDraw(cameraBasis(view.camera), space.eye);
+    return space;
+}
+
+/// Clip space of a viewport over `r`, from texels.
+glm::dmat4 clipFromTexel(const plan::Rectangle& r) {
+    return fromRows(
+        {2.0 / r.width, 0, 0, -1 - 2.0 * r.x / r.width},
+        {0, 2.0 / r.height, 0, -1 - 2.0 * r.y / r.height},
+        {0, 0, 1, 0},
+        {0, 0, 0, 1});
+}
+
+} // namespace
+
+DrawSpace drawSpace(const plan::View& view, const hierarchy::Grid& grid, const Box& bounds) {
+    return drawSpaceAt(view, grid, glm::clamp(view.camera.eye, bounds.min, bounds.max) - grid.origin);
+}
+
+double pixelWidth(const plan::FramePlan& plan, const DrawSpace& space, const glm::dvec3& p) {
+    return 2 * plan.view.tanHalfY() * glm::dot(plan.basis.view, p - space.eye) / plan.view.height;
+}
+
+glm::dmat4 imageClipFromDraw(const FrameDrawing& frame) {
+    const plan::View& view = frame.plan->view;
+    const glm::dmat4 clipFromCamera = fromRows(
+        {1 / view.tanHalfX(), 0, 0, 0}, {0, 1 / view.tanHalfY(), 0, 0}, {0, 0, 0, frame.clipNear}, {0, 0, 1, 0});
+    if (!frame.onlooker) return clipFromCamera * frame.space.cameraFromDraw;
+    const glm::dvec3 eye = frame.space.eye + (frame.onlooker->eye - view.camera.eye);
+    return clipFromCamera * cameraFromDraw(cameraBasis(*frame.onlooker), eye);
+}
+
+glm::dmat4 texelFromDraw(const plan::ShadowPass& pass, const DrawSpace& space) {
+    return pass.texelFromCamera * space.cameraFromDraw;
+}
+
+glm::dmat4 shadowClipFromDraw(const plan::ShadowPass& pass, const DrawSpace& space) {
+    return clipFromTexel(pass.rectangle) * texelFromDraw(pass, space);
+}
+
+MapDrawing mapDrawing(const FrameDrawing& frame, const plan::ShadowPass& pass) {
+    if (!pass.stable) return {frame.space, shadowClipFromDraw(pass, frame.space)};
+    const plan::View& view = frame.plan->view;
+    const shadow::LightFrame axes = shadow::stableWorldFrame(glm::normalize(view.towardsLight));
+    const shadow::StablePlace& place = *pass.stable;
+    const auto middle = [&](std::size_t axis) {
+        return (static_cast<double>(place.corner[axis]) + place.texels / 2.0) * place.texel;
+    };
+    const glm::dvec3 center = axes.x * middle(0) - axes.y * middle(1) + axes.z * middle(2);
+    MapDrawing result;
+    result.space = drawSpaceAt(view, frame.grid, center - frame.grid.origin);
+    const glm::dvec3 origin = frame.grid.origin + frame.grid.local(result.space.originCell);
+    const shadow::WarpedMap map = shadow::stableMap(place, axes, shadow::toLight(axes, origin));
+    result.clipFromDraw = clipFromTexel(pass.rectangle) * pass.texelFromMap * shadow::textureFromCamera(map);
+    return result;
+}
+
+shadow::Resolution texelsOf(const plan::ShadowPass& pass) {
+    const glm::dvec4 alongS = pass.texelFromCamera * glm::dvec4(pass.warp.frame.x, 0);
+    const bool isTurned = std::abs(alongS.y) > std::abs(alongS.x);
+    const double columns = pass.map.width;
+    const double rows = pass.map.height;
+    return {1, isTurned ? rows : columns, isTurned ? columns : rows};
+}
+
+block::Frame frameBlock(const FrameDrawing& frame, const DrawSpace& space, const glm::dmat4& clipFromDraw) {
+    const plan::FramePlan& plan = *frame.plan;
+    const plan::View& view = plan.view;
+    const CameraBasis& basis = plan.basis;
+    block::Frame result{};
+    result.clipFromDraw = glm::mat4(clipFromDraw);
+    result.originCell = glm::ivec4(space.originCell.x, space.originCell.y, space.originCell.z, 0);
+    result.eye = glm::vec4(glm::vec3(space.eye), static_cast<float>(space.step));
+    result.view = glm::vec4(glm::vec3(basis.view), static_cast<float>(-glm::dot(basis.view, space.eye)));
+    result.light = toDraw(basis, plan.towardsLight, plan.towardsLight.z <= 0 ? 1 : -1);
+    result.image = glm::vec4(
+        view.width,
+        view.height,
+        static_cast<float>(frame.clipNear),
+        static_cast<float>(2 * view.tanHalfY() / view.height));
+    result.near = glm::vec4(
+        static_cast<float>(plan.near), static_cast<float>(plan.far), static_cast<float>(plan.quality.errorPixels), 0);
+    const int slices = static_cast<int>(std::max<std::size_t>(plan.splits.size(), 2)) - 1;
+    result.counts = glm::ivec4(
+        slices, plan.quality.filter, static_cast<int>(plan.selector.faces.size()), plan.selector.ownNear ? 1 : 0);
+    return result;
+}
+
+block::Shadows shadowsBlock(const FrameDrawing& frame) {
+    const plan::FramePlan& plan = *frame.plan;
+    GNOMON_CHECK_OP(plan.passes.size(), <=, std::size_t{GNOMON_MAX_PARTITIONS});
+    GNOMON_CHECK_OP(plan.splits.size(), <=, std::size_t{GNOMON_MAX_SLICES});
+    block::Shadows result{};
+    for (std::size_t i = 0; i < plan.selector.faces.size(); ++i) {
+        const shadow::FaceSelector& face = plan.selector.faces[i];
+        result.faceFirst[i] = toDraw(plan.basis, face.first);
+        result.faceSecond[i] = toDraw(plan.basis, face.second);
+        result.faceEdge[i] = toDraw(plan.basis, face.edge, face.edgeOffset);
+    }
+    GNOMON_CHECK_OP(plan.passOfPartition.size(), <=, std::size_t{GNOMON_MAX_PARTITIONS});
+    for (std::size_t i = 0; i < plan.passOfPartition.size(); ++i)
+        result.passOfPartition[i / 4][static_cast<int>(i % 4)] = plan.passOfPartition[i];
+    for (std::size_t i = 0; i + 1 < plan.splits.size(); ++i)
+        result.splits[i] = glm::vec4(static_cast<float>(plan.splits[i]), static_cast<float>(plan.splits[i + 1]), 0, 0);
+    for (std::size_t p = 0; p < plan.passes.size(); ++p) {
+        const plan::ShadowPass& pass = plan.passes[p];
+        block::Partition& out = result.partitions[p];
+        const glm::dmat4 texel = texelFromDraw(pass, frame.space);
+        out.texelFromDraw = glm::mat4(texel);
+        out.drawFromTexel = glm::mat4(glm::inverse(texel));
+        const shadow::TexelDepth depth = shadow::texelDepth(pass.warp, texelsOf(pass));
+        out.axisX = toDraw(plan.basis, pass.warp.frame.x, shadow::kUnevenSlope * depth.x);
+        out.axisZ = toDraw(plan.basis, pass.warp.frame.z, shadow::kUnevenSlope * depth.z);
+        const plan::Rectangle& r = pass.rectangle;
+        out.rectangle = glm::vec4(r.x, r.y, r.x + r.width, r.y + r.height);
+    }
+    return result;
+}
+
+} // namespace gnomon::executor

@@ -1,0 +1,251 @@
+#include "executor/gl_executor.h"
+
+#include "core/error.h"
+#include "executor/frame_block.h"
+#include "executor/geometry_pool.h"
+#include "executor/gl_batch.h"
+#include "executor/gl_targets.h"
+#include "executor/stand_ins.h"
+#include "gl/program.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <map>
+
+namespace gnomon::executor {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double millisecondsSince(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+constexpr GLuint kShadowDepthUnit = 0;
+constexpr GLuint kLitMaskUnit = 1;
+
+class GlExecutor final : public TextureExecutor {
+public:
+    /// `own` is the context to keep if `context` is this executor's alone.
+    GlExecutor(
+        std::unique_ptr<const gl::Context> own,
+        const gl::Context& context,
+        std::string name,
+        gl::ShaderLibrary shaders,
+        Bytes gpuMemory)
+        : own_(std::move(own)),
+          context_(&context),
+          name_(std::move(name)),
+          shaders_(std::move(shaders)),
+          memory_(gpuMemory),
+          pool_(context.api(), gpuMemory),
+          frameBlock_(context.api(), sizeof(block::Frame)),
+          shadowsBlock_(context.api(), sizeof(block::Shadows)) {}
+
+    std::string name() const override { return name_; }
+
+    const gl::Texture& texture() const override { return targets_.color(); }
+
+    DrawStatistics draw(const FrameDrawing& frame) override;
+
+    Picture picture() override { return targets_.picture(); }
+
+    FloatPicture viewDepth() override { return targets_.viewDepth(clipNear_); }
+
+    FloatPicture shadowDepth() override { return targets_.shadowDepth(); }
+
+    Raster<SurfaceSample> surfaces() override { return targets_.surfaces(); }
+
+private:
+    const gl::Api& api() const { return context_->api(); }
+
+    void shareMemory(const FrameDrawing& frame);
+    void drawShadowMaps(const FrameDrawing& frame);
+    void drawImage(const FrameDrawing& frame);
+    void drawGeometry(const FrameDrawing& frame, const selection::DrawList& list);
+    PagePlace placed(const FrameDrawing& frame, std::uint32_t id, GlBatch& batch);
+    bool waitsForDraws() const;
+    const gl::Program& surfaceProgram(const FrameDrawing& frame);
+    void bindBlocks(const block::Frame& values);
+
+    std::unique_ptr<const gl::Context> own_; // null in a window's
+    const gl::Context* context_;
+    std::string name_;
+    gl::ShaderLibrary shaders_;
+    Bytes memory_; // the cap on targets and geometry together
+    GeometryPool pool_;
+    gl::Buffer frameBlock_;
+    gl::Buffer shadowsBlock_;
+    std::optional<gl::Program> depthProgram_;
+    std::map<std::string, gl::Program> surfacePrograms_; // by their defines
+    GlTargets targets_;
+    gl::Texture litMask_;
+    double clipNear_ = 1;
+    std::uint64_t drawCalls_ = 0;
+};
+
+DrawStatistics GlExecutor::draw(const FrameDrawing& frame) {
+    DrawStatistics statistics;
+    drawCalls_ = 0;
+    clipNear_ = frame.clipNear;
+    shareMemory(frame);
+    targets_.prepare(*context_, frame);
+    const auto start = Clock::now();
+    if (targets_.hasShadowMaps()) drawShadowMaps(frame);
+    api().finish();
+    statistics.shadowMs = targets_.hasShadowMaps() ? millisecondsSince(start) : 0;
+    const auto imageStart = Clock::now();
+    drawImage(frame);
+    api().finish();
+    statistics.imageMs = millisecondsSince(imageStart);
+    context_->check("frame");
+    statistics.drawCalls = drawCalls_;
+    statistics.deviceBytes = pool_.size().count + GlTargets::bytes(frame).count;
+    return statistics;
+}
+
+/// What the targets leave of the memory is the geometry's.
+void GlExecutor::shareMemory(const FrameDrawing& frame) {
+    const Bytes targets = GlTargets::bytes(frame);
+    if (targets >= memory_)
+        throw Error(
+            "--gpu-memory",
+            "the image and its shadow maps alone take more",
+            "above " + readableBytes(targets),
+            readableBytes(memory_));
+    pool_.keepUnder({memory_.count - targets.count});
+}
+
+void GlExecutor::bindBlocks(const block::Frame& values) {
+    frameBlock_.write(0, std::as_bytes(std::span(&values, 1)));
+    api().bindBufferBase(GL_UNIFORM_BUFFER, 0, frameBlock_.id());
+    api().bindBufferBase(GL_UNIFORM_BUFFER, 1, shadowsBlock_.id());
+}
+
+void GlExecutor::drawShadowMaps(const FrameDrawing& frame) {
+    const plan::FramePlan& plan = *frame.plan;
+    const gl::Api& gl = api();
+    if (!depthProgram_) depthProgram_.emplace(gl, shaders_, "shadow/depth.vert", "shadow/depth.frag");
+    gl.useProgram(depthProgram_->id());
+    gl.bindFramebuffer(GL_FRAMEBUFFER, targets_.shadowFramebuffer());
+    const float farthest = 1;
+    const auto clear = [&] { gl.clearNamedFramebufferfv(targets_.shadowFramebuffer(), GL_DEPTH, 0, &farthest); };
+    const auto isReused = [](const plan::ShadowPass& pass) { return pass.isReused; };
+    const bool keepsSome = std::any_of(plan.passes.begin(), plan.passes.end(), isReused);
+    gl.disable(GL_SCISSOR_TEST);
+    if (!keepsSome) clear();
+    gl.enable(GL_DEPTH_TEST);
+    gl.depthFunc(GL_LESS);
+    // Clipping keeps within the viewport but for rounding; the scissor makes it exact.
+    gl.enable(GL_SCISSOR_TEST);
+    for (std::size_t p = 0; p < plan.passes.size(); ++p) {
+        if (plan.passes[p].isReused) continue;
+        const plan::Rectangle& r = plan.passes[p].rectangle;
+        gl.viewport(r.x, r.y, r.width, r.height);
+        gl.scissor(r.x, r.y, r.width, r.height);
+        if (keepsSome) clear();
+        // Casters nearer to the light than the frustum count: they are clamped per fragment.
+        (plan.passes[p].clampsDepth ? gl.enable : gl.disable)(GL_DEPTH_CLAMP);
+        const MapDrawing map = mapDrawing(frame, plan.passes[p]);
+        bindBlocks(frameBlock(frame, map.space, map.clipFromDraw));
+        drawGeometry(frame, *frame.casters[p]);
+    }
+    gl.disable(GL_SCISSOR_TEST);
+    gl.disable(GL_DEPTH_CLAMP);
+}
+
+const gl::Program& GlExecutor::surfaceProgram(const FrameDrawing& frame) {
+    const int shadows = frame.litMask != nullptr ? 2 : (targets_.hasShadowMaps() ? 1 : 0);
+    const std::string defines = "#define SHADOWS " + std::to_string(shadows) + "\n#define OVERLAY " +
+                                std::to_string(static_cast<int>(frame.overlay)) + "\n#define AUXILIARY " +
+                                (frame.wantsSurfaces ? "1\n" : "0\n");
+    const auto found = surfacePrograms_.find(defines);
+    if (found != surfacePrograms_.end()) return found->second;
+    return surfacePrograms_
+        .emplace(defines, gl::Program(api(), shaders_, "image/surface.vert", "image/surface.frag", defines))
+        .first->second;
+}
+
+void GlExecutor::drawImage(const FrameDrawing& frame) {
+    const gl::Api& gl = api();
+    const plan::View& view = frame.plan->view;
+    gl.useProgram(surfaceProgram(frame).id());
+    gl.bindFramebuffer(GL_FRAMEBUFFER, targets_.imageFramebuffer());
+    gl.viewport(0, 0, view.width, view.height);
+    const std::array<float, 4> background = {0.86F, 0.89F, 0.93F, 1};
+    const std::array<float, 4> nothing{};
+    const float farthest = 0; // depth is reversed
+    gl.clearNamedFramebufferfv(targets_.imageFramebuffer(), GL_COLOR, 0, background.data());
+    if (frame.wantsSurfaces)
+        for (const GLint target : {1, 2})
+            gl.clearNamedFramebufferfv(targets_.imageFramebuffer(), GL_COLOR, target, nothing.data());
+    gl.clearNamedFramebufferfv(targets_.imageFramebuffer(), GL_DEPTH, 0, &farthest);
+    gl.enable(GL_DEPTH_TEST);
+    gl.depthFunc(GL_GREATER);
+    if (targets_.hasShadowMaps()) {
+        const block::Shadows values = shadowsBlock(frame);
+        shadowsBlock_.write(0, std::as_bytes(std::span(&values, 1)));
+        gl.bindTextureUnit(kShadowDepthUnit, targets_.shadowMaps().id());
+    }
+    if (frame.litMask != nullptr) {
+        Raster<std::uint8_t> mask = *frame.litMask;
+        flipRows(mask);
+        if (litMask_.width() != mask.width || litMask_.height() != mask.height)
+            litMask_ = gl::Texture(gl, GL_R8, mask.width, mask.height);
+        litMask_.write(GL_RED, GL_UNSIGNED_BYTE, std::as_bytes(std::span(mask.pixels)));
+        gl.bindTextureUnit(kLitMaskUnit, litMask_.id());
+    }
+    block::Frame values = frameBlock(frame, frame.space, imageClipFromDraw(frame));
+    if (frame.overlay == Overlay::Residency) {
+        for (const Residence residence : {Residence::AsAsked, Residence::Awaited, Residence::Damaged}) {
+            values.near.w = static_cast<float>(residence);
+            bindBlocks(values);
+            drawGeometry(frame, drawnAs(*frame.image, frame.standIns, residence, frame.pages));
+        }
+        return;
+    }
+    bindBlocks(values);
+    drawGeometry(frame, *frame.image);
+}
+
+PagePlace GlExecutor::placed(const FrameDrawing& frame, std::uint32_t id, GlBatch& batch) {
+    if (const auto place = pool_.find(id)) return *place;
+    const hierarchy::Page& page = frame.pages(id);
+    for (;;) {
+        if (const auto place = pool_.insert(id, page, frame.grid)) return *place;
+        // The pool is smaller than the pass: what was gathered is drawn first, so that its pages may go.
+        drawCalls_ += batch.flush(pool_, waitsForDraws());
+        pool_.evictOldest();
+    }
+}
+
+void GlExecutor::drawGeometry(const FrameDrawing& frame, const selection::DrawList& list) {
+    GlBatch batch(api());
+    for (const selection::ClusterRange& range : list.ranges)
+        batch.add(placed(frame, range.page, batch), frame.pages(range.page), range);
+    drawCalls_ += batch.flush(pool_, waitsForDraws());
+}
+
+/// Mesa's software renderer keeps the binned triangles of all draws that it has not finished, some 200 MiB that count
+/// towards no cap: waiting holds them down, for a sixth more time.
+bool GlExecutor::waitsForDraws() const {
+    return !context_->isHardware();
+}
+
+} // namespace
+
+std::unique_ptr<Executor> makeGlExecutor(gl::Platform platform, const gl::ShaderLibrary& shaders, Bytes gpuMemory) {
+    auto context = std::make_unique<const gl::Context>(platform);
+    const gl::Context& ours = *context;
+    const char* const name = platform == gl::Platform::Egl ? "egl" : "osmesa";
+    return std::make_unique<GlExecutor>(std::move(context), ours, name, shaders, gpuMemory);
+}
+
+std::unique_ptr<TextureExecutor> makeWindowExecutor(
+    const gl::Context& context, const gl::ShaderLibrary& shaders, Bytes gpuMemory) {
+    return std::make_unique<GlExecutor>(nullptr, context, "window", shaders, gpuMemory);
+}
+
+} // namespace gnomon::executor

@@ -1,0 +1,102 @@
+#include "executor/gl_targets.h"
+
+#include "core/error.h"
+
+namespace gnomon::executor {
+
+Bytes GlTargets::bytes(const FrameDrawing& frame) {
+    const auto texels = [](int width, int height) {
+        return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
+    };
+    constexpr std::uint64_t kColorAndDepth = 4 + 4;
+    constexpr std::uint64_t kSurfaces = 16 + 16;
+    const plan::FramePlan& plan = *frame.plan;
+    const std::uint64_t perPixel =
+        kColorAndDepth + (frame.wantsSurfaces ? kSurfaces : 0) + (frame.litMask != nullptr ? 1 : 0);
+    const std::uint64_t shadows =
+        plan.passes.empty() ? 0 : sizeof(float) * texels(plan.textureWidth, plan.textureHeight);
+    return {perPixel * texels(plan.view.width, plan.view.height) + shadows};
+}
+
+void GlTargets::prepare(const gl::Context& context, const FrameDrawing& frame) {
+    const plan::FramePlan& plan = *frame.plan;
+    const int largest = std::max({plan.view.width, plan.view.height, plan.textureWidth, plan.textureHeight});
+    if (largest > context.maxTextureSize())
+        throw Error(
+            "--size or --shadow-texels",
+            "larger than a texture of this OpenGL",
+            "at most " + std::to_string(context.maxTextureSize()),
+            std::to_string(largest));
+    prepareImage(context.api(), frame);
+    prepareShadow(context.api(), plan);
+}
+
+void GlTargets::prepareImage(const gl::Api& api, const FrameDrawing& frame) {
+    const int width = frame.plan->view.width;
+    const int height = frame.plan->view.height;
+    const bool hasSurfaces = image_ && image_->normals.id() != 0;
+    if (image_ && image_->color.width() == width && image_->color.height() == height &&
+        hasSurfaces == frame.wantsSurfaces)
+        return;
+    Image image;
+    image.color = gl::Texture(api, GL_RGBA8, width, height);
+    image.depth = gl::Texture(api, GL_DEPTH_COMPONENT32F, width, height);
+    std::vector<const gl::Texture*> colors = {&image.color};
+    if (frame.wantsSurfaces) {
+        image.normals = gl::Texture(api, GL_RGBA32F, width, height);
+        image.positions = gl::Texture(api, GL_RGBA32F, width, height);
+        colors.push_back(&image.normals);
+        colors.push_back(&image.positions);
+    }
+    image.framebuffer = gl::Framebuffer(api, colors, image.depth);
+    image_ = std::move(image);
+}
+
+void GlTargets::prepareShadow(const gl::Api& api, const plan::FramePlan& plan) {
+    if (plan.passes.empty()) return shadow_.reset();
+    if (shadow_ && shadow_->depth.width() == plan.textureWidth && shadow_->depth.height() == plan.textureHeight) return;
+    Shadow shadow;
+    shadow.depth = gl::Texture(api, GL_DEPTH_COMPONENT32F, plan.textureWidth, plan.textureHeight);
+    shadow.framebuffer = gl::Framebuffer(api, {}, shadow.depth);
+    shadow_ = std::move(shadow);
+}
+
+Picture GlTargets::picture() const {
+    Picture result(image_->color.width(), image_->color.height());
+    image_->color.read(GL_RGB, GL_UNSIGNED_BYTE, std::as_writable_bytes(std::span(result.pixels)));
+    flipRows(result);
+    return result;
+}
+
+FloatPicture GlTargets::viewDepth(double clipNear) const {
+    FloatPicture result(image_->depth.width(), image_->depth.height());
+    image_->depth.read(GL_DEPTH_COMPONENT, GL_FLOAT, std::as_writable_bytes(std::span(result.pixels)));
+    for (float& depth : result.pixels)
+        depth = static_cast<float>(clipNear / static_cast<double>(depth));
+    flipRows(result);
+    return result;
+}
+
+FloatPicture GlTargets::shadowDepth() const {
+    if (!shadow_) return {};
+    FloatPicture result(shadow_->depth.width(), shadow_->depth.height());
+    shadow_->depth.read(GL_DEPTH_COMPONENT, GL_FLOAT, std::as_writable_bytes(std::span(result.pixels)));
+    return result;
+}
+
+Raster<SurfaceSample> GlTargets::surfaces() const {
+    Raster<glm::vec4> normals(image_->normals.width(), image_->normals.height());
+    Raster<glm::vec4> positions = normals;
+    image_->normals.read(GL_RGBA, GL_FLOAT, std::as_writable_bytes(std::span(normals.pixels)));
+    image_->positions.read(GL_RGBA, GL_FLOAT, std::as_writable_bytes(std::span(positions.pixels)));
+    Raster<SurfaceSample> result(normals.width, normals.height);
+    for (std::size_t i = 0; i < result.pixels.size(); ++i) {
+        const glm::vec4& normal = normals.pixels[i];
+        const glm::vec4& position = positions.pixels[i];
+        result.pixels[i] = {glm::vec3(normal), normal.w, glm::vec3(position), position.w};
+    }
+    flipRows(result);
+    return result;
+}
+
+} // namespace gnomon::executor

@@ -1,0 +1,73 @@
+#include "executor/ray_shadows.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace gnomon::executor {
+
+raycast::Scene rayScene(const FrameDrawing& frame, std::span<const selection::DrawList* const> lists) {
+    std::vector<selection::ClusterRange> clusters; // one a range, so that lists that overlap can be told apart
+    for (const selection::DrawList* list : lists)
+        for (const selection::ClusterRange& range : list->ranges)
+            for (std::uint32_t c = 0; c < range.clusterCount; ++c)
+                clusters.push_back({range.page, range.firstCluster + c, 1});
+    std::sort(clusters.begin(), clusters.end());
+    clusters.erase(std::unique(clusters.begin(), clusters.end()), clusters.end());
+    std::vector<raycast::ClusterSpan> spans;
+    spans.reserve(clusters.size());
+    for (const selection::ClusterRange& cluster : clusters)
+        spans.push_back({&frame.pages(cluster.page), cluster.firstCluster, 1});
+    return {spans, frame.grid, frame.grid.local(frame.space.originCell)};
+}
+
+glm::vec3 towardsLight(const plan::FramePlan& plan) {
+    return glm::normalize(toWorld(plan.basis, plan.towardsLight));
+}
+
+std::vector<raycast::Light> lightByRays(
+    const raycast::Scene& scene,
+    const plan::FramePlan& plan,
+    const DrawSpace& space,
+    const Raster<SurfaceSample>& surfaces,
+    double offsetPixels) {
+    std::vector<raycast::SurfacePoint> points(surfaces.pixels.size());
+    tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t i) {
+        const SurfaceSample& surface = surfaces.pixels[i];
+        if (surface.isSurface == 0) return;
+        const double pixel = pixelWidth(plan, space, glm::dvec3(surface.position));
+        points[i] = {surface.position, surface.normal, static_cast<float>(offsetPixels * pixel)};
+    });
+    std::vector<raycast::Light> light = raycast::litByRays(scene, points, towardsLight(plan));
+    // Where the two disagree about which side a surface shows, by the last bit of a cosine, the picture is right.
+    for (std::size_t i = 0; i < light.size(); ++i)
+        if (surfaces.pixels[i].isSurface != 0 && !surfaces.pixels[i].isLitSide()) light[i] = raycast::Light::Turned;
+    return light;
+}
+
+DrawStatistics drawWithRays(Executor& executor, FrameDrawing frame, const selection::DrawList& casters) {
+    const auto start = std::chrono::steady_clock::now();
+    const bool wantsSurfaces = frame.wantsSurfaces;
+    const Overlay overlay = frame.overlay;
+    frame.wantsSurfaces = true;
+    frame.overlay = Overlay::None;
+    const DrawStatistics first = executor.draw(frame);
+    const Raster<SurfaceSample> surfaces = executor.surfaces();
+    const std::array lists = {frame.image, &casters};
+    const std::vector<raycast::Light> light =
+        lightByRays(rayScene(frame, lists), *frame.plan, frame.space, surfaces, kTouchingPixels);
+    Raster<std::uint8_t> mask(surfaces.width, surfaces.height);
+    for (std::size_t i = 0; i < light.size(); ++i)
+        mask.pixels[i] = light[i] == raycast::Light::Lit ? 255 : 0;
+    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
+    frame.wantsSurfaces = wantsSurfaces;
+    frame.overlay = overlay;
+    frame.litMask = &mask;
+    DrawStatistics result = executor.draw(frame);
+    result.shadowMs = took.count();
+    result.drawCalls += first.drawCalls;
+    return result;
+}
+
+} // namespace gnomon::executor

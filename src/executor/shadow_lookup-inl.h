@@ -1,0 +1,183 @@
+// The shadow test of a point in each lane: which map it asks, and how much light that lets through. Included once for
+// each instruction set.
+#if defined(GNOMON_RENDER_SHADOW_LOOKUP_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef GNOMON_RENDER_SHADOW_LOOKUP_INL_H
+#undef GNOMON_RENDER_SHADOW_LOOKUP_INL_H
+#else
+#define GNOMON_RENDER_SHADOW_LOOKUP_INL_H
+#endif
+
+#include "executor/shading_kernel.h"
+#include "executor/vector_lanes-inl.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+
+namespace gnomon::executor::HWY_NAMESPACE {
+
+HWY_INLINE Ints sliceOf(const ShadingFrame& f, Floats z) {
+    auto slice = hn::Zero(kInts);
+    for (int s = 0; s + 1 < f.frame->counts.x; ++s) {
+        const auto isBehind = hn::RebindMask(kInts, hn::Ge(z, constant(f.shadows->splits[s].y)));
+        slice = hn::IfThenElse(isBehind, hn::Set(kInts, s + 1), slice);
+    }
+    return slice;
+}
+
+/// `p` from the eye.
+HWY_INLINE Ints faceOf(const ShadingFrame& f, const Vec3& p, Ints slice) {
+    const block::Shadows& shadows = *f.shadows;
+    const auto zero = hn::Zero(kFloats);
+    const int faces = f.frame->counts.z;
+    auto face = hn::Set(kInts, faces - 1);
+    for (int i = faces - 2; i >= 0; --i) {
+        const auto first = hn::Ge(dot(constant(&shadows.faceFirst[i].x), p), zero);
+        const auto second = hn::Ge(dot(constant(&shadows.faceSecond[i].x), p), zero);
+        face = hn::IfThenElse(hn::RebindMask(kInts, hn::And(first, second)), hn::Set(kInts, i), face);
+    }
+    if (f.frame->counts.w != 1) return face;
+    const auto edge = [&](int k) HWY_ATTR {
+        return hn::GatherIndex(kFloats, &shadows.faceEdge[0].x + k, hn::ShiftLeft<2>(face));
+    };
+    const auto sliceNear = hn::GatherIndex(kFloats, &shadows.splits[0].x, hn::ShiftLeft<2>(slice));
+    const auto inNear = hn::Lt(dot({edge(0), edge(1), edge(2)}, p), hn::Mul(edge(3), sliceNear));
+    return hn::IfThenElse(hn::RebindMask(kInts, inNear), hn::Set(kInts, faces), face);
+}
+
+HWY_INLINE Ints passOf(const ShadingFrame& f, const Vec3& p, Floats z) {
+    const auto slice = sliceOf(f, z);
+    const int facesPerSlice = std::max(f.frame->counts.z, 1) + f.frame->counts.w;
+    auto index = hn::Mul(slice, hn::Set(kInts, facesPerSlice));
+    if (f.frame->counts.z != 0) index = hn::Add(index, faceOf(f, p, slice));
+    return hn::GatherIndex(kInts, &f.shadows->passOfPartition[0].x, index);
+}
+
+constexpr int kPartitionFloats = sizeof(block::Partition) / sizeof(float);
+constexpr int kInverse = offsetof(block::Partition, drawFromTexel) / sizeof(float);
+constexpr int kUnevenX = offsetof(block::Partition, axisX) / sizeof(float) + 3;
+constexpr int kUnevenZ = offsetof(block::Partition, axisZ) / sizeof(float) + 3;
+constexpr int kRectangle = offsetof(block::Partition, rectangle) / sizeof(float);
+static_assert(offsetof(block::Partition, texelFromDraw) == 0);
+
+/// The values of each lane's partition; one for all where they agree.
+template <bool isUniform>
+class PartitionLanes {
+public:
+    HWY_INLINE PartitionLanes(const ShadingFrame& f, Ints pass)
+        : base_(&f.shadows->partitions[isUniform ? hn::GetLane(pass) : 0].texelFromDraw[0].x),
+          offsets_(hn::Mul(pass, hn::Set(kInts, kPartitionFloats))) {}
+
+    HWY_INLINE Floats operator()(int k) const {
+        if constexpr (isUniform)
+            return constant(base_[k]);
+        else
+            return hn::GatherIndex(kFloats, base_ + k, offsets_);
+    }
+
+private:
+    const float* base_;
+    Ints offsets_;
+};
+
+template <class Partition>
+HWY_INLINE Floats texelCoordinate(const Partition& part, int row, const Vec3& p) {
+    return hn::Add(
+        hn::Add(hn::Mul(part(row), p.x), hn::Mul(part(4 + row), p.y)),
+        hn::Add(hn::Mul(part(8 + row), p.z), part(12 + row)));
+}
+
+/// The bias that a flat receiver, and a neighbour somewhat steeper, needs over half a texel and the kernel; `w` is the
+/// map's at `p`.
+template <class Partition>
+HWY_INLINE Floats
+receiverBias(const ShadingFrame& f, const Partition& part, const Vec3& p, const Vec3& normal, Floats cosine, Floats w) {
+    const auto offset = hn::Neg(dot(normal, p));
+    const auto inTexels = [&](int column) HWY_ATTR {
+        const int k = kInverse + 4 * column;
+        return hn::Add(dot(normal, {part(k), part(k + 1), part(k + 2)}), hn::Mul(offset, part(k + 3)));
+    };
+    const float reach = 0.5F + 0.5F * static_cast<float>(std::max(f.frame->counts.y, 1) - 1) + 1.0F / 256.0F;
+    const auto across = hn::Max(hn::Abs(inTexels(2)), constant(1e-30F));
+    const auto slope = hn::Div(hn::Add(hn::Abs(inTexels(0)), hn::Abs(inTexels(1))), across);
+    const auto grazing = hn::Min(constant(1), hn::Mul(cosine, constant(10)));
+    const auto unevenX = part(kUnevenX);
+    const auto unevenZ = hn::Mul(part(kUnevenZ), w);
+    const auto uneven = hn::Sqrt(hn::Add(hn::Mul(unevenX, unevenX), hn::Mul(unevenZ, unevenZ)));
+    return hn::Add(hn::Mul(hn::Add(hn::Mul(slope, grazing), uneven), constant(reach)), constant(6e-7F));
+}
+
+template <bool isUniform>
+HWY_INLINE Floats litFraction(const ShadingFrame& f, Ints pass, const Vec3& p, const Vec3& normal, Floats cosine) {
+    const PartitionLanes<isUniform> part(f, pass);
+    const auto w = texelCoordinate(part, 3, p);
+    // No receiver lies in the plane of w = 0; should one, it must not become a NaN.
+    const auto isFinite = hn::Gt(hn::Abs(w), constant(1e-30F));
+    const auto inverseW = inverse(hn::IfThenElse(isFinite, w, constant(1e-30F)));
+    const auto depth =
+        hn::Sub(hn::Mul(texelCoordinate(part, 2, p), inverseW), receiverBias(f, part, p, normal, cosine, w));
+    const int width = std::max(f.frame->counts.y, 1);
+    const auto half = constant(0.5F * static_cast<float>(width - 1));
+    const auto far = constant(1e6F);
+    const auto firstOf = [&](int row) HWY_ATTR {
+        const auto first = hn::Floor(hn::Sub(hn::Mul(texelCoordinate(part, row, p), inverseW), half));
+        return hn::ConvertTo(kInts, hn::Min(hn::Max(first, hn::Neg(far)), far));
+    };
+    const auto firstX = firstOf(0);
+    const auto firstY = firstOf(1);
+    const auto side = [&](int k) HWY_ATTR { return hn::ConvertTo(kInts, part(kRectangle + k)); };
+    const auto one = hn::Set(kInts, 1);
+    const auto lowX = side(0);
+    const auto lowY = side(1);
+    const auto highX = hn::Sub(side(2), one);
+    const auto highY = hn::Sub(side(3), one);
+    auto lit = hn::Zero(kFloats);
+    for (int y = 0; y < width; ++y) {
+        const auto row = hn::Min(hn::Max(hn::Add(firstY, hn::Set(kInts, y)), lowY), highY);
+        const auto start = hn::Mul(row, hn::Set(kInts, f.shadowWidth));
+        for (int x = 0; x < width; ++x) {
+            const auto column = hn::Min(hn::Max(hn::Add(firstX, hn::Set(kInts, x)), lowX), highX);
+            const auto stored = hn::GatherIndex(kFloats, f.shadowDepth, hn::Add(start, column));
+            lit = hn::Add(lit, hn::IfThenElseZero(hn::Le(depth, stored), constant(1)));
+        }
+    }
+    return hn::Div(lit, constant(static_cast<float>(width * width)));
+}
+
+/// A point of a surface in each lane.
+struct SurfaceLanes {
+    Vec3 position, normal;
+    Floats depth;  // along the view
+    Floats cosine; // to the light
+    Mask faces;    // whether that is above 0
+};
+
+/// Asks the maps where the surface faces the light; `pass` becomes -1 elsewhere.
+HWY_INLINE Floats litByMaps(const ShadingFrame& f, const SurfaceLanes& surface, Ints& pass) {
+    const auto none = hn::Set(kInts, -1);
+    const auto isFacing = hn::RebindMask(kInts, surface.faces);
+    pass = none;
+    if (hn::AllFalse(kFloats, surface.faces)) return hn::Zero(kFloats);
+    const auto relative = subtract(surface.position, constant(&f.frame->eye.x));
+    pass = hn::IfThenElse(isFacing, passOf(f, relative, surface.depth), none);
+    const auto isAsked = hn::Gt(pass, none);
+    auto lit = constant(1);
+    if (!hn::AllFalse(kInts, isAsked)) {
+        const auto largest = hn::MaxOfLanes(kInts, pass);
+        const auto filled = hn::IfThenElse(isAsked, pass, largest);
+        const auto asked = hn::AllTrue(kInts, hn::Eq(filled, largest))
+                               ? litFraction<true>(f, filled, surface.position, surface.normal, surface.cosine)
+                               : litFraction<false>(f, filled, surface.position, surface.normal, surface.cosine);
+        lit = hn::IfThenElse(hn::RebindMask(kFloats, isAsked), asked, lit);
+    }
+    return hn::IfThenElseZero(surface.faces, lit);
+}
+
+} // namespace gnomon::executor::HWY_NAMESPACE
+
+HWY_AFTER_NAMESPACE();
+
+#endif // include guard

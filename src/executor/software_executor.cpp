@@ -1,0 +1,142 @@
+#include "executor/software_executor.h"
+
+#include "executor/frame_block.h"
+#include "executor/software_shading.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace gnomon::executor {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double millisecondsSince(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+class SoftwareExecutor final : public Executor {
+public:
+    std::string name() const override { return "software"; }
+
+    DrawStatistics draw(const FrameDrawing& frame) override;
+
+    Picture picture() override { return picture_; }
+
+    FloatPicture viewDepth() override;
+
+    FloatPicture shadowDepth() override { return shadowDepth_; }
+
+    Raster<SurfaceSample> surfaces() override { return surfaces_; }
+
+private:
+    void clearBetweenMaps(const plan::FramePlan& plan);
+    void drawShadowMaps(const FrameDrawing& frame);
+    void drawImage(const FrameDrawing& frame);
+
+    raster::Rasterizer rasterizer_;
+    SoftwarePass pass_;                // the one that is drawn
+    std::vector<std::uint64_t> words_; // the visibility buffer, rows from bottom to top
+    FloatPicture shadowDepth_;
+    Picture picture_;
+    Raster<SurfaceSample> surfaces_;
+    double clipNear_ = 1;
+    std::uint64_t drawCalls_ = 0;
+    std::uint64_t shadowFragments_ = 0;
+};
+
+DrawStatistics SoftwareExecutor::draw(const FrameDrawing& frame) {
+    DrawStatistics statistics;
+    drawCalls_ = 0;
+    shadowFragments_ = 0;
+    clipNear_ = frame.clipNear;
+    const auto start = Clock::now();
+    drawShadowMaps(frame);
+    statistics.shadowMs = frame.plan->passes.empty() ? 0 : millisecondsSince(start);
+    const auto imageStart = Clock::now();
+    drawImage(frame);
+    statistics.imageMs = millisecondsSince(imageStart);
+    statistics.drawCalls = drawCalls_;
+    statistics.shadowFragments = shadowFragments_;
+    statistics.deviceBytes = shadowDepth_.pixels.size() * sizeof(float) + words_.size() * sizeof(std::uint64_t);
+    return statistics;
+}
+
+/// What no map covers is 1; each map clears its own texels as it is drawn.
+void SoftwareExecutor::clearBetweenMaps(const plan::FramePlan& plan) {
+    std::vector<plan::Rectangle> row;
+    for (int y = 0; y < shadowDepth_.height; ++y) {
+        row.clear();
+        for (const plan::ShadowPass& pass : plan.passes)
+            if (pass.rectangle.y <= y && y < pass.rectangle.y + pass.rectangle.height) row.push_back(pass.rectangle);
+        std::sort(row.begin(), row.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
+        row.push_back({shadowDepth_.width, 0, 0, 0});
+        int end = 0;
+        for (const plan::Rectangle& r : row) {
+            std::fill(&shadowDepth_.at(0, y) + end, &shadowDepth_.at(0, y) + std::max(end, r.x), 1.0F);
+            end = std::max(end, r.x + r.width);
+        }
+    }
+}
+
+void SoftwareExecutor::drawShadowMaps(const FrameDrawing& frame) {
+    const plan::FramePlan& plan = *frame.plan;
+    if (plan.passes.empty()) {
+        shadowDepth_ = {};
+        return;
+    }
+    if (shadowDepth_.width != plan.textureWidth || shadowDepth_.height != plan.textureHeight)
+        shadowDepth_ = FloatPicture(plan.textureWidth, plan.textureHeight);
+    clearBetweenMaps(plan);
+    for (std::size_t p = 0; p < plan.passes.size(); ++p) {
+        if (plan.passes[p].isReused) continue;
+        const plan::Rectangle& r = plan.passes[p].rectangle;
+        const MapDrawing map = mapDrawing(frame, plan.passes[p]);
+        pass_.gather(frame, *frame.casters[p]);
+        drawCalls_ += frame.casters[p]->ranges.size();
+        shadowFragments_ += rasterizer_.drawDepth(
+            pass_.clusters(),
+            rasterView(map.space, map.clipFromDraw, {r.x, r.y, r.x + r.width, r.y + r.height}),
+            {shadowDepth_.pixels.data(), shadowDepth_.width, shadowDepth_.height});
+    }
+}
+
+void SoftwareExecutor::drawImage(const FrameDrawing& frame) {
+    const plan::View& view = frame.plan->view;
+    if (picture_.width != view.width || picture_.height != view.height) picture_ = Picture(view.width, view.height);
+    if (!frame.wantsSurfaces)
+        surfaces_ = {};
+    else if (surfaces_.width != view.width || surfaces_.height != view.height)
+        surfaces_ = Raster<SurfaceSample>(view.width, view.height);
+    words_.resize(picture_.pixels.size());
+    pass_.gather(frame, *frame.image);
+    drawCalls_ += frame.image->ranges.size();
+    const glm::dmat4 clipFromDraw = imageClipFromDraw(frame);
+    const Shading shading(frame, clipFromDraw, shadowDepth_, pass_.drawn());
+    const ShadingTarget target{&picture_, frame.wantsSurfaces ? &surfaces_ : nullptr};
+    rasterizer_.drawVisibility(
+        pass_.clusters(),
+        rasterView(frame.space, clipFromDraw, {0, 0, view.width, view.height}),
+        {words_.data(), view.width, view.height},
+        [&](const raster::PixelBox& box) { shading.shade(box, words_, target); });
+}
+
+FloatPicture SoftwareExecutor::viewDepth() {
+    FloatPicture result(picture_.width, picture_.height);
+    for (int row = 0; row < result.height; ++row)
+        for (int column = 0; column < result.width; ++column) {
+            const std::uint64_t word = words_[result.index(column, result.height - 1 - row)];
+            // Infinite where nothing was drawn.
+            result.at(column, row) = static_cast<float>(clipNear_ / static_cast<double>(raster::visibleDepth(word)));
+        }
+    return result;
+}
+
+} // namespace
+
+std::unique_ptr<Executor> makeSoftwareExecutor() {
+    return std::make_unique<SoftwareExecutor>();
+}
+
+} // namespace gnomon::executor

@@ -1,0 +1,133 @@
+#include "executor/software_overlay.h"
+
+#include "executor/geometry_pool.h"
+#include "executor/stand_ins.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gnomon::executor {
+
+namespace {
+
+/// Colours that are far apart for neighbouring indices: the golden angle on the hue circle.
+glm::vec3 indexColor(int index) {
+    const float hue = glm::fract(static_cast<float>(index) * 0.61803399F + 0.07F) * 6.0F;
+    const glm::vec3 wheel = glm::abs(glm::mod(hue + glm::vec3(0, 4, 2), 6.0F) - 3.0F) - 1.0F;
+    return glm::clamp(wheel, 0.0F, 1.0F) * 0.75F + 0.25F;
+}
+
+} // namespace
+
+glm::vec3 heatColor(float value) {
+    const float x = glm::clamp(std::log2(std::max(value, 1e-6F)) * 0.25F + 0.5F, 0.0F, 1.5F);
+    const glm::vec3 cold =
+        glm::mix(glm::vec3(0.1F, 0.2F, 0.8F), glm::vec3(0.1F, 0.75F, 0.3F), glm::clamp(2 * x, 0.0F, 1.0F));
+    const glm::vec3 warm = glm::mix(cold, glm::vec3(0.9F, 0.1F, 0.1F), glm::clamp(2 * x - 1, 0.0F, 1.0F));
+    return glm::mix(warm, glm::vec3(1), glm::clamp(2 * x - 2, 0.0F, 1.0F));
+}
+
+SoftwareOverlay::SoftwareOverlay(
+    const FrameDrawing& frame,
+    const block::Frame& block,
+    const block::Shadows& shadows,
+    std::span<const DrawnCluster> clusters)
+    : frame_(&frame), block_(&block), shadows_(&shadows) {
+    if (frame.overlay != Overlay::Lod && frame.overlay != Overlay::Clusters) return;
+    for (const DrawnCluster& cluster : clusters) {
+        std::vector<ClusterMark>& marks = marks_[cluster.pageId];
+        if (!marks.empty()) continue;
+        const std::vector<PackedVertex> packed = packedVertices(cluster.pageId, *cluster.page, frame.grid);
+        for (const hierarchy::Cluster& stored : cluster.page->clusters) {
+            const PackedVertex& vertex = packed[stored.firstVertex];
+            const auto code = static_cast<float>(vertex.color >> 24U);
+            const std::uint32_t tint =
+                vertex.position.x >> 31U | vertex.position.y >> 31U << 1U | vertex.position.z >> 31U << 2U;
+            marks.push_back({code == 0 ? 0 : block.eye.w * std::exp2((code - 9) / 8), static_cast<int>(tint)});
+        }
+    }
+}
+
+float SoftwareOverlay::aliasing(const block::Partition& part, const glm::vec3& position, float depth) const {
+    const glm::vec4 q = part.texelFromDraw * glm::vec4(position, 1);
+    const glm::vec4 dx = part.texelFromDraw * glm::vec4(glm::vec3(part.axisX), 0);
+    const glm::vec4 dz = part.texelFromDraw * glm::vec4(glm::vec3(part.axisZ), 0);
+    const glm::vec2 perX = glm::abs(glm::vec2(dx) * q.w - glm::vec2(q) * dx.w);
+    const glm::vec2 perZ = glm::abs(glm::vec2(dz) * q.w - glm::vec2(q) * dz.w);
+    const float texels = std::min(std::max(perX.x, perX.y), perX.y > perX.x ? perZ.x : perZ.y) / (q.w * q.w);
+    return 1 / (std::max(texels, 1e-30F) * block_->image.w * depth);
+}
+
+glm::vec3 SoftwareOverlay::residence(const DrawnCluster& cluster) const {
+    switch (residenceOf(frame_->standIns, cluster.pageId, cluster.cluster)) {
+    case Residence::AsAsked:
+        break;
+    case Residence::Awaited:
+        return {0.95F, 0.6F, 0.15F};
+    case Residence::Damaged:
+        return {0.85F, 0.15F, 0.2F};
+    }
+    return {0.35F, 0.75F, 0.4F};
+}
+
+float SoftwareOverlay::texelGrid(const block::Partition& part, const PaintedPixel& pixel) const {
+    const glm::dvec3 fromOrigin = glm::dvec3(pixel.position) - pixel.rayOrigin;
+    const double distance = glm::dot(glm::dvec3(pixel.normal), fromOrigin);
+    const auto at = [&](int column, int row) {
+        // Where the pixel's ray meets the face's plane.
+        const glm::dvec3 ray = glm::dvec3(pixel.ray) + double(column - pixel.x) * glm::dvec3(pixel.rayPerX) +
+                               double(row - pixel.y) * glm::dvec3(pixel.rayPerY);
+        const double across = glm::dot(glm::dvec3(pixel.normal), ray);
+        const glm::dvec3 met = across == 0 ? fromOrigin : ray * (distance / across);
+        const glm::vec4 q = part.texelFromDraw * glm::vec4(glm::vec3(met + pixel.rayOrigin), 1);
+        return (glm::vec2(q) / q.w - glm::vec2(part.rectangle)) / 5.0F;
+    };
+    // Differences within squares of two by two pixels, as GL takes them.
+    const int left = pixel.x & ~1;
+    const int low = pixel.y & ~1;
+    const glm::vec2 perX = glm::abs(at(left + 1, pixel.y) - at(left, pixel.y));
+    const glm::vec2 perY = glm::abs(at(pixel.x, low + 1) - at(pixel.x, low));
+    const glm::vec2 wide = glm::max(perX + perY, glm::vec2(1e-6F));
+    const glm::vec2 fromLine = glm::abs(glm::fract(at(pixel.x, pixel.y) - 0.5F) - 0.5F);
+    const glm::vec2 line = 1.0F - glm::smoothstep(glm::vec2(0.5F), glm::vec2(1.5F), fromLine / wide);
+    const glm::vec2 density = glm::clamp(1.5F - 3.0F * wide, 0.0F, 1.0F);
+    return std::max(line.x * density.x, line.y * density.y);
+}
+
+glm::vec3 SoftwareOverlay::painted(const PaintedPixel& pixel) const {
+    const glm::vec3& shaded = pixel.shaded;
+    const float light = glm::dot(shaded, glm::vec3(0.3F, 0.5F, 0.2F));
+    const block::Partition* part = pixel.pass < 0 ? nullptr : &shadows_->partitions[pixel.pass];
+    switch (frame_->overlay) {
+    case Overlay::Partitions:
+        return part == nullptr ? glm::vec3(light) * 0.6F : indexColor(pixel.pass) * (0.35F + 0.65F * light);
+    case Overlay::Texels:
+        if (part == nullptr) return shaded * 0.8F;
+        return glm::mix(
+            glm::mix(shaded, indexColor(pixel.pass) * (0.3F + light), 0.25F),
+            glm::vec3(0, 0.05F, 0.1F),
+            0.85F * texelGrid(*part, pixel));
+    case Overlay::Aliasing:
+        if (part == nullptr) return glm::vec3(light) * 0.5F;
+        return heatColor(aliasing(*part, pixel.position, pixel.depth)) * (0.5F + 0.5F * light);
+    case Overlay::Lod:
+        return heatColor(mark(pixel).error / (block_->image.w * pixel.depth) / std::max(block_->near.z, 1e-6F)) *
+               (0.4F + 0.6F * light);
+    case Overlay::Clusters:
+        return indexColor(mark(pixel).tint) * (0.4F + 0.6F * light);
+    case Overlay::Projection: {
+        if (part == nullptr) return glm::vec3(light) * 0.5F;
+        const glm::vec3 towardsEye = glm::normalize(glm::vec3(block_->eye) - pixel.position);
+        const float toLight = glm::dot(pixel.normal, glm::vec3(block_->light));
+        const float projection = std::max(glm::dot(pixel.normal, towardsEye), 0.0F) / std::max(toLight, 1e-6F);
+        return heatColor(projection) * (0.5F + 0.5F * light);
+    }
+    case Overlay::Residency:
+        return residence(*pixel.cluster) * (0.4F + 0.6F * light);
+    case Overlay::None:
+        break;
+    }
+    return shaded;
+}
+
+} // namespace gnomon::executor

@@ -1,0 +1,181 @@
+#include "executor/software_shading.h"
+
+#include "core/camera.h"
+#include "executor/frame_block.h"
+
+#include <algorithm>
+
+#include <hwy/cache_control.h>
+
+namespace gnomon::executor {
+
+namespace {
+
+std::array<float, 3> toArray(const glm::dvec3& v) {
+    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+glm::vec3 toVector(const PixelBatch::Vectors<float>& values, std::size_t i) {
+    return {values[0][i], values[1][i], values[2][i]};
+}
+
+glm::vec3 toVector(const std::array<float, 3>& v) {
+    return {v[0], v[1], v[2]};
+}
+
+/// The nearest of 255 levels.
+std::uint8_t level(float channel) {
+    return static_cast<std::uint8_t>((static_cast<int>(510 * std::clamp(channel, 0.0F, 1.0F)) + 1) / 2);
+}
+
+} // namespace
+
+/// A batch, and where its pixels belong.
+struct Shading::Work {
+    PixelBatch batch;
+    std::array<std::uint32_t, PixelBatch::kMost> triangles{}; // their names
+    std::array<std::array<const hierarchy::Vertex*, 3>, PixelBatch::kMost> corners{};
+    std::array<int, PixelBatch::kMost> columns{};
+    std::array<int, PixelBatch::kMost> rows{}; // from the bottom
+};
+
+Shading::Shading(
+    const FrameDrawing& frame,
+    const glm::dmat4& clipFromDraw,
+    const FloatPicture& shadowDepth,
+    std::span<const DrawnCluster> clusters)
+    : frame_(&frame),
+      clusters_(clusters),
+      block_(frameBlock(frame, frame.space, clipFromDraw)),
+      shadows_(shadowsBlock(frame)),
+      overlay_(frame, block_, shadows_, clusters) {
+    shared_.frame = &block_;
+    shared_.shadows = &shadows_;
+    shared_.shadowDepth = shadowDepth.pixels.data();
+    shared_.shadowWidth = shadowDepth.width;
+    if (frame.litMask != nullptr)
+        shared_.litSource = LitSource::Mask;
+    else if (!frame.plan->passes.empty())
+        shared_.litSource = LitSource::Maps;
+    const plan::View& view = frame.plan->view;
+    const Camera camera = frame.onlooker.value_or(view.camera);
+    const CameraBasis basis = cameraBasis(camera);
+    rayOrigin_ = frame.space.eye + (camera.eye - view.camera.eye);
+    shared_.rayOriginCells = toArray(rayOrigin_ / frame.space.step);
+    const glm::dvec3 right = basis.right * view.tanHalfX();
+    const glm::dvec3 up = basis.up * view.tanHalfY();
+    shared_.rayFirst = toArray(basis.view - right - up);
+    shared_.rayPerX = toArray(right * (2.0 / view.width));
+    shared_.rayPerY = toArray(up * (2.0 / view.height));
+}
+
+void Shading::shade(
+    const raster::PixelBox& box, std::span<const std::uint64_t> words, const ShadingTarget& target) const {
+    Work work;
+    const Picture& picture = *target.picture;
+    for (int y = box.y0; y < box.y1; ++y) {
+        const std::uint64_t* row = &words[picture.index(0, y)];
+        Rgb* colors = &target.picture->at(0, picture.height - 1 - y);
+        for (int x = box.x0; x < box.x1; ++x) {
+            if (row[x] == 0) {
+                colors[x] = kBackground;
+                if (target.surfaces != nullptr) target.surfaces->at(x, picture.height - 1 - y) = {};
+                continue;
+            }
+            const std::size_t i = work.batch.count++;
+            work.triangles[i] = raster::visibleTriangle(row[x]);
+            work.columns[i] = x;
+            work.rows[i] = y;
+            const DrawnCluster& cluster = clusters_[work.triangles[i] >> kTriangleBits];
+            hwy::Prefetch(&cluster.triangles[work.triangles[i] & (raster::kMaxClusterTriangles - 1)]);
+            if (work.batch.count == PixelBatch::kMost) flush(work, target);
+        }
+    }
+    flush(work, target);
+}
+
+/// Corners lie scattered over pages, so they are asked for before they are needed.
+void Shading::gatherTriangles(Work& work) const {
+    PixelBatch& batch = work.batch;
+    for (std::size_t i = 0; i < batch.count; ++i) {
+        const DrawnCluster& cluster = clusters_[work.triangles[i] >> kTriangleBits];
+        const hierarchy::Triangle& triangle = cluster.triangles[work.triangles[i] & (raster::kMaxClusterTriangles - 1)];
+        for (std::size_t k = 0; k < 3; ++k) {
+            work.corners[i][k] = cluster.vertices + triangle[k];
+            hwy::Prefetch(work.corners[i][k]);
+        }
+    }
+    const hierarchy::GridPoint origin = frame_->space.originCell;
+    const auto difference = [](std::uint32_t a, std::uint32_t b) { return static_cast<std::int32_t>(a - b); };
+    const auto take = [&](PixelBatch::Vectors<std::int32_t>& to,
+                          std::size_t i,
+                          const hierarchy::GridPoint& point,
+                          const hierarchy::GridPoint& from) {
+        to[0][i] = difference(point.x, from.x);
+        to[1][i] = difference(point.y, from.y);
+        to[2][i] = difference(point.z, from.z);
+    };
+    for (std::size_t i = 0; i < batch.count; ++i) {
+        const auto& [a, b, c] = work.corners[i];
+        batch.x[i] = static_cast<float>(work.columns[i]) + 0.5F;
+        batch.y[i] = static_cast<float>(work.rows[i]) + 0.5F;
+        take(batch.corner, i, a->position, origin);
+        take(batch.edge1, i, b->position, a->position);
+        take(batch.edge2, i, c->position, a->position);
+        for (std::size_t k = 0; k < 3; ++k) {
+            batch.normals[k][i] = work.corners[i][k]->normal;
+            batch.colors[k][i] = work.corners[i][k]->color;
+        }
+    }
+    if (shared_.litSource != LitSource::Mask) return;
+    const Raster<std::uint8_t>& mask = *frame_->litMask;
+    for (std::size_t i = 0; i < batch.count; ++i)
+        batch.litMask[i] = static_cast<float>(mask.at(work.columns[i], mask.height - 1 - work.rows[i])) / 255.0F;
+}
+
+void Shading::flush(Work& work, const ShadingTarget& target) const {
+    PixelBatch& batch = work.batch;
+    if (batch.count == 0) return;
+    gatherTriangles(work);
+    shadePixels(shared_, batch);
+    Picture& picture = *target.picture;
+    const bool isPainted = frame_->overlay != Overlay::None;
+    for (std::size_t i = 0; i < batch.count; ++i) {
+        const std::size_t at = picture.index(work.columns[i], picture.height - 1 - work.rows[i]);
+        const std::uint32_t color = batch.color[i];
+        picture.pixels[at] = isPainted ? painted(work, i)
+                                       : Rgb{static_cast<std::uint8_t>(color),
+                                             static_cast<std::uint8_t>(color >> 8U),
+                                             static_cast<std::uint8_t>(color >> 16U)};
+        if (target.surfaces == nullptr) continue;
+        const float partitionAndLit = static_cast<float>(batch.pass[i] + 1) + 0.5F * batch.lit[i];
+        target.surfaces->pixels[at] = {
+            toVector(batch.flatNormal, i),
+            batch.faces[i] != 0 ? partitionAndLit : -1.0F,
+            toVector(batch.position, i),
+            1};
+    }
+    batch.count = 0;
+}
+
+Rgb Shading::painted(const Work& work, std::size_t i) const {
+    const PixelBatch& batch = work.batch;
+    const glm::vec3 rayPerX = toVector(shared_.rayPerX);
+    const glm::vec3 rayPerY = toVector(shared_.rayPerY);
+    const glm::vec3 color = overlay_.painted(
+        {toVector(batch.shaded, i),
+         toVector(batch.position, i),
+         batch.depth[i],
+         batch.pass[i],
+         rayOrigin_,
+         toVector(shared_.rayFirst) + batch.x[i] * rayPerX + batch.y[i] * rayPerY,
+         rayPerX,
+         rayPerY,
+         toVector(batch.flatNormal, i),
+         work.columns[i],
+         work.rows[i],
+         &clusters_[work.triangles[i] >> kTriangleBits]});
+    return {level(color.r), level(color.g), level(color.b)};
+}
+
+} // namespace gnomon::executor

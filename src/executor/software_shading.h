@@ -1,0 +1,56 @@
+// From the visibility buffer to the image: what is seen at each pixel, gathered for the vector kernel, and its colours.
+#pragma once
+
+#include "executor/shading_kernel.h"
+#include "executor/software_overlay.h"
+
+namespace gnomon::executor {
+
+/// Where nothing is.
+constexpr Rgb kBackground = {219, 227, 237};
+
+/// Rows of the image from top to bottom; `surfaces` may be null.
+struct ShadingTarget {
+    Picture* picture = nullptr;
+    Raster<SurfaceSample>* surfaces = nullptr;
+};
+
+/// The image of one frame, ready to be asked box by box from any thread.
+class Shading {
+public:
+    /// All arguments must outlive it; `shadowDepth` is empty without maps, `clusters` are those of the image's pass.
+    Shading(
+        const FrameDrawing& frame,
+        const glm::dmat4& clipFromDraw,
+        const FloatPicture& shadowDepth,
+        std::span<const DrawnCluster> clusters);
+
+    Shading(const Shading&) = delete;
+    Shading& operator=(const Shading&) = delete;
+    Shading(Shading&&) = delete;
+    Shading& operator=(Shading&&) = delete;
+    ~Shading() = default;
+
+    /// Writes every pixel of `box` (rows from the bottom) from the words of the visibility buffer of the whole image.
+    void shade(const raster::PixelBox& box, std::span<const std::uint64_t> words, const ShadingTarget& target) const;
+
+    /// What the kernel is told of the frame.
+    const ShadingFrame& frame() const { return shared_; }
+
+private:
+    struct Work;
+
+    void gatherTriangles(Work& work) const;
+    void flush(Work& work, const ShadingTarget& target) const;
+    Rgb painted(const Work& work, std::size_t i) const;
+
+    const FrameDrawing* frame_;
+    std::span<const DrawnCluster> clusters_;
+    block::Frame block_;
+    block::Shadows shadows_;
+    ShadingFrame shared_;
+    glm::dvec3 rayOrigin_{0}; // draw space
+    SoftwareOverlay overlay_;
+};
+
+} // namespace gnomon::executor

@@ -1,0 +1,98 @@
+// Numbers and vectors of three, one in each lane. Included once for each instruction set.
+#if defined(GNOMON_RENDER_VECTOR_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef GNOMON_RENDER_VECTOR_LANES_INL_H
+#undef GNOMON_RENDER_VECTOR_LANES_INL_H
+#else
+#define GNOMON_RENDER_VECTOR_LANES_INL_H
+#endif
+
+#include <cstddef>
+#include <cstdint>
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+
+namespace gnomon::executor::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+constexpr std::size_t kMostLanes = 16;
+
+using IntTag = hn::CappedTag<std::int32_t, kMostLanes>;
+using UintTag = hn::RebindToUnsigned<IntTag>;
+using FloatTag = hn::RebindToFloat<IntTag>;
+using Ints = hn::Vec<IntTag>;
+using Uints = hn::Vec<UintTag>;
+using Floats = hn::Vec<FloatTag>;
+using Mask = hn::Mask<FloatTag>;
+
+constexpr IntTag kInts;
+constexpr UintTag kUints;
+constexpr FloatTag kFloats;
+
+HWY_INLINE Floats constant(float value) {
+    return hn::Set(kFloats, value);
+}
+
+HWY_INLINE Floats toFloats(Ints value) {
+    return hn::ConvertTo(kFloats, value);
+}
+
+HWY_INLINE Floats inverse(Floats value) {
+    return hn::Div(constant(1), value);
+}
+
+struct Vec3 {
+    Floats x, y, z;
+};
+
+HWY_INLINE Vec3 constant(const float* v) {
+    return {constant(v[0]), constant(v[1]), constant(v[2])};
+}
+
+HWY_INLINE Vec3 add(const Vec3& a, const Vec3& b) {
+    return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
+}
+
+HWY_INLINE Vec3 subtract(const Vec3& a, const Vec3& b) {
+    return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
+
+HWY_INLINE Vec3 scale(const Vec3& a, Floats by) {
+    return {hn::Mul(a.x, by), hn::Mul(a.y, by), hn::Mul(a.z, by)};
+}
+
+HWY_INLINE Vec3 choose(Mask mask, const Vec3& yes, const Vec3& no) {
+    return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y), hn::IfThenElse(mask, yes.z, no.z)};
+}
+
+HWY_INLINE Floats dot(const Vec3& a, const Vec3& b) {
+    return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
+}
+
+HWY_INLINE Vec3 cross(const Vec3& a, const Vec3& b) {
+    return {
+        hn::Sub(hn::Mul(a.y, b.z), hn::Mul(a.z, b.y)),
+        hn::Sub(hn::Mul(a.z, b.x), hn::Mul(a.x, b.z)),
+        hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
+}
+
+/// `a` where it points to the same side as `towards`, else its opposite.
+HWY_INLINE Vec3 turned(const Vec3& a, const Vec3& towards) {
+    const auto isAway = hn::Lt(dot(a, towards), hn::Zero(kFloats));
+    return choose(isAway, {hn::Neg(a.x), hn::Neg(a.y), hn::Neg(a.z)}, a);
+}
+
+/// `a` of length 1 where it has one that is not 0, else `otherwise`.
+HWY_INLINE Vec3 normalizedOr(const Vec3& a, const Vec3& otherwise) {
+    const auto square = dot(a, a);
+    const auto hasLength = hn::Gt(square, hn::Zero(kFloats));
+    const auto length = hn::Sqrt(hn::IfThenElse(hasLength, square, constant(1)));
+    return choose(hasLength, scale(a, inverse(length)), otherwise);
+}
+
+} // namespace gnomon::executor::HWY_NAMESPACE
+
+HWY_AFTER_NAMESPACE();
+
+#endif // include guard

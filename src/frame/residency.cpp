@@ -1,0 +1,102 @@
+#include "frame/residency.h"
+
+#include "core/error.h"
+#include "culling/frame_cut.h"
+
+#include <utility>
+
+namespace gnomon::frame {
+
+namespace {
+
+constexpr unsigned kLoaderThreads = 4; // measured: enough to keep a disk busy while two of them decode
+
+/// How far ahead pages are prefetched. At 30 frames a second a third of a second: longer than it takes to load a page
+/// with all that it hangs from.
+constexpr double kFramesAhead = 10;
+
+/// The budget of the page cache.
+Bytes pageMemory(const hierarchy::ModelFile& model, Bytes memory) {
+    const Bytes tables = tableBytes(model);
+    if (memory <= tables)
+        throw Error(
+            "--memory", "the page table alone takes more", "above " + readableBytes(tables), readableBytes(memory));
+    return {memory.count - tables.count};
+}
+
+bool hasMoved(const selection::DetailView& a, const selection::DetailView& b) {
+    return a.eye != b.eye || a.basis.view != b.basis.view || a.basis.up != b.basis.up;
+}
+
+} // namespace
+
+Bytes tableBytes(const hierarchy::ModelFile& model) {
+    // A row of the table, its links to children and parents, the store's entry and the tree's item and node.
+    constexpr std::uint64_t kBytesPerPage = sizeof(hierarchy::PageInfo) + 320;
+    constexpr std::uint64_t kBytesPerLink = 8;
+    std::uint64_t links = 0;
+    for (const hierarchy::PageInfo& page : model.pages())
+        links += page.children.size();
+    return {model.pages().size() * kBytesPerPage + links * kBytesPerLink};
+}
+
+Residency::Residency(const hierarchy::ModelFile& model, ResidencyOptions options)
+    : model_(&model),
+      source_(model),
+      store_(
+          source_,
+          {.budget = pageMemory(model, options.memory),
+           .loaderThreads = kLoaderThreads,
+           .onDamaged = std::move(options.onDamaged)}),
+      trees_(model.pages(), model.summary().grid) {}
+
+selection::CutQuery Residency::query() const {
+    selection::CutQuery query;
+    query.trees = &trees_;
+    query.resident = store_.resident();
+    query.blocked = &store_.blocked();
+    return query;
+}
+
+void Residency::begin(Waiting waiting) {
+    if (waiting == Waiting::Never) store_.settle();
+}
+
+streaming::DemandOutcome Residency::meet(const selection::CutQuery& query, const selection::Cut& cut, Waiting waiting) {
+    const std::vector<hierarchy::PageDemand> foreseen = selection::foreseenPages(query, cut, model_->pages());
+    if (waiting == Waiting::UntilComplete) return store_.load({cut.used, cut.wanted, foreseen});
+    return store_.ask({cut.used, cut.wanted, foreseen, alongTheMotion(query)});
+}
+
+std::vector<hierarchy::PageDemand> Residency::alongTheMotion(const selection::CutQuery& query) {
+    const selection::DetailView& now = query.rule->view();
+    const std::optional<selection::DetailView> before = std::exchange(before_, now);
+    if (!before || !hasMoved(*before, now)) return {};
+    const selection::ErrorRule rule(continued(*before, now, kFramesAhead));
+    selection::CutQuery ahead = query;
+    ahead.rule = &rule;
+    ahead.volumes = {};
+    selection::Cut cut = culling::cutFrame(ahead);
+    const std::vector<hierarchy::PageDemand> foreseen = selection::foreseenPages(ahead, cut, model_->pages());
+    std::vector<hierarchy::PageDemand> result = std::move(cut.used);
+    result.insert(result.end(), cut.wanted.begin(), cut.wanted.end());
+    result.insert(result.end(), foreseen.begin(), foreseen.end());
+    return result;
+}
+
+selection::DetailView continued(const selection::DetailView& before, const selection::DetailView& now, double frames) {
+    Camera camera;
+    camera.eye = now.eye + frames * (now.eye - before.eye);
+    const glm::dvec3 view = now.basis.view + frames * (now.basis.view - before.basis.view);
+    const glm::dvec3 up = now.basis.up + frames * (now.basis.up - before.basis.up);
+    // A camera that jumps or spins leads nowhere that could be foreseen.
+    const bool isSteady = glm::dot(view, now.basis.view) > 0.5 && glm::dot(up, now.basis.up) > 0.5;
+    camera.target = camera.eye + (isSteady ? view : now.basis.view);
+    camera.up = isSteady ? up : now.basis.up;
+    selection::DetailView result = now;
+    result.eye = camera.eye;
+    result.basis = cameraBasis(camera);
+    return result;
+}
+
+} // namespace gnomon::frame

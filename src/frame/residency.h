@@ -1,0 +1,63 @@
+// What of a model is in memory, and what a frame does about it: takes in what came and asks for what its cut wants.
+#pragma once
+
+#include "hierarchy/model_file.h"
+#include "selection/cut.h"
+#include "streaming/page_store.h"
+
+#include <functional>
+#include <optional>
+
+namespace gnomon::frame {
+
+/// How frames treat what is not resident.
+enum class Waiting : std::uint8_t {
+    UntilComplete, // a frame waits until its cut is resident, and nothing is prefetched: everything but times repeats
+    Never,         // a frame draws what is there; pages are prefetched along the motion
+};
+
+struct ResidencyOptions {
+    Bytes memory = gibibytes(1); // tables and decoded pages
+    std::function<void(const streaming::DamagedPage&)> onDamaged;
+};
+
+/// What the tables of `model` and all that is made of them at run time take, about.
+Bytes tableBytes(const hierarchy::ModelFile& model);
+
+/// The pages of one model. A frame calls `begin`, makes its cut of `query`, and calls `meet` with it until that answers
+/// that nothing changed, once if it never waits; then what it draws stays until the next `begin`.
+class Residency {
+public:
+    /// `model` must outlive it. Throws Error if the root is damaged or the tables alone take more than the memory.
+    Residency(const hierarchy::ModelFile& model, ResidencyOptions options);
+
+    /// What of a cut's query is the model's and not the view's.
+    selection::CutQuery query() const;
+
+    hierarchy::ResidentPages resident() const { return store_.resident(); }
+
+    /// Whether reading `page` has failed.
+    bool isDamaged(std::uint32_t page) const { return store_.isDamaged(page); }
+
+    /// Takes in what came since the last frame, if frames never wait.
+    void begin(Waiting waiting);
+
+    /// Asks for what `cut` of `query` wants, and waits for it if frames do. The first volume is the image's.
+    streaming::DemandOutcome meet(const selection::CutQuery& query, const selection::Cut& cut, Waiting waiting);
+
+    const streaming::StoreStatistics& statistics() const { return store_.statistics(); }
+
+private:
+    std::vector<hierarchy::PageDemand> alongTheMotion(const selection::CutQuery& query);
+
+    const hierarchy::ModelFile* model_;
+    streaming::FilePageSource source_;
+    streaming::PageStore store_;
+    selection::PageTrees trees_;
+    std::optional<selection::DetailView> before_; // the view of the frame before
+};
+
+/// The view that the motion from `before` to `now` leads to in `frames` frames.
+selection::DetailView continued(const selection::DetailView& before, const selection::DetailView& now, double frames);
+
+} // namespace gnomon::frame

@@ -1,0 +1,70 @@
+#include "frame/scene_facts.h"
+
+#include "culling/caster_detail.h"
+#include "culling/frame_cut.h"
+#include "culling/receivers.h"
+#include "culling/survey.h"
+#include "executor/frame_block.h"
+
+#include <algorithm>
+
+namespace gnomon::frame {
+
+namespace {
+
+/// What the light finds of the image between the depths of `seen`.
+plan::SceneFacts::Light lightFacts(
+    const plan::View& view, const selection::CutQuery& query, const selection::Cut& cut, const DepthSpan& seen) {
+    const selection::DetailView& detail = query.rule->view();
+    const ConvexVolume swept = culling::localVolume(plan::sweptView(view, seen), detail);
+    plan::SceneFacts::Light light;
+    Box casters;
+    for (const culling::CasterBlock& block : culling::casterBlocks(query, cut.lists[1])) {
+        if (classify(swept, block.box) == Containment::Outside) continue;
+        casters.add(block.box);
+        light.casters.push_back({{block.box.min - detail.eye, block.box.max - detail.eye}, block.triangles});
+    }
+    const culling::LitSurfaces surfaces =
+        culling::litSurfaces(query, cut.lists[0], glm::normalize(view.towardsLight), casters, seen);
+    light.lit = surfaces.spans;
+    light.canBeShadowed = surfaces.canBeShadowed;
+    light.seen = culling::seenParts(query, cut.lists[0], seen);
+    return light;
+}
+
+} // namespace
+
+selection::DetailView detailView(const plan::View& view, const glm::dvec3& eye) {
+    selection::DetailView detail;
+    detail.eye = eye;
+    detail.basis = cameraBasis(view.camera);
+    detail.tanHalfX = view.tanHalfX();
+    detail.tanHalfY = view.tanHalfY();
+    detail.heightPixels = view.height;
+    return detail;
+}
+
+selection::CasterDetail casterDetail(const selection::DetailView& view, const plan::ShadowPass& pass) {
+    return culling::casterDetail(view, {pass.warp, executor::texelsOf(pass), pass.casters, pass.receivers, pass.near});
+}
+
+plan::SceneFacts sceneFacts(
+    const plan::View& view,
+    const Box& bounds,
+    const selection::CutQuery& query,
+    const selection::Cut& cut,
+    const std::optional<DepthSpan>& range) {
+    plan::SceneFacts facts;
+    facts.bounds = bounds;
+    facts.visible = plan::SceneFacts::Visible();
+    const std::optional<culling::DepthRange> seen = culling::visibleDepthRange(query, cut.lists[0]);
+    if (!seen || !(seen->far > 0)) return facts;
+    facts.visible = {seen->near, seen->far, true};
+    // What is nearer than the widest range, which ends at a floor, is as good as at its near end.
+    if (range)
+        facts.light =
+            lightFacts(view, query, cut, {std::max(seen->near, range->near), std::max(seen->far, range->near)});
+    return facts;
+}
+
+} // namespace gnomon::frame

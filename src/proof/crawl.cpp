@@ -1,0 +1,95 @@
+#include "proof/crawl.h"
+
+#include "executor/frame_block.h"
+#include "executor/software_shading.h"
+
+#include <tbb/parallel_for.h>
+
+#include <cmath>
+
+namespace gnomon::proof {
+
+namespace {
+
+bool isInView(const executor::FrameDrawing& frame, const glm::dvec3& position) {
+    const plan::View& view = frame.plan->view;
+    const glm::dvec3 p(frame.space.cameraFromDraw * glm::dvec4(position, 1));
+    return p.z > 0 && std::abs(p.x) <= p.z * view.tanHalfX() && std::abs(p.y) <= p.z * view.tanHalfY();
+}
+
+bool isSameSlice(const plan::ShadowPass& a, const plan::ShadowPass& b) {
+    return a.slice == b.slice && a.face == b.face;
+}
+
+/// Two frames, asked at the same points.
+class Comparison {
+public:
+    Comparison(const DrawnMaps& before, const DrawnMaps& now)
+        : before_(before.frame),
+          now_(now.frame),
+          then_(*before.frame, executor::imageClipFromDraw(*before.frame), *before.depth, {}),
+          later_(*now.frame, executor::imageClipFromDraw(*now.frame), *now.depth, {}) {
+        const auto cells = [](const hierarchy::GridPoint& p) { return glm::dvec3(p.x, p.y, p.z); };
+        nowFromBefore_ = (cells(before_->space.originCell) - cells(now_->space.originCell)) * now_->space.step;
+    }
+
+    void compareRow(const executor::Raster<executor::SurfaceSample>& surfaces, int row, Crawl& found) const {
+        executor::PointBatch points;
+        for (int column = 0; column < surfaces.width; ++column) {
+            const executor::SurfaceSample& surface = surfaces.at(column, row);
+            if (!surface.isLitSide()) continue;
+            for (int axis = 0; axis < 3; ++axis) {
+                points.position[static_cast<std::size_t>(axis)][points.count] = surface.position[axis];
+                points.normal[static_cast<std::size_t>(axis)][points.count] = surface.normal[axis];
+            }
+            if (++points.count == executor::PixelBatch::kMost) compare(points, found);
+        }
+        compare(points, found);
+    }
+
+private:
+    /// Empties the batch.
+    void compare(executor::PointBatch& points, Crawl& found) const {
+        executor::PointBatch moved = points;
+        const glm::vec3 offset(nowFromBefore_);
+        for (std::size_t i = 0; i < moved.count; ++i)
+            for (int axis = 0; axis < 3; ++axis)
+                moved.position[static_cast<std::size_t>(axis)][i] += offset[axis];
+        executor::lookUpShadows(then_.frame(), points);
+        executor::lookUpShadows(later_.frame(), moved);
+        for (std::size_t i = 0; i < points.count; ++i) {
+            if (points.pass[i] < 0 || moved.pass[i] < 0) continue;
+            const auto& a = before_->plan->passes[static_cast<std::size_t>(points.pass[i])];
+            const auto& b = now_->plan->passes[static_cast<std::size_t>(moved.pass[i])];
+            const glm::dvec3 position(moved.position[0][i], moved.position[1][i], moved.position[2][i]);
+            if (!isSameSlice(a, b) || !isInView(*now_, position)) continue;
+            ++found.points;
+            found.changed += points.lit[i] != moved.lit[i] ? 1 : 0;
+        }
+        points.count = 0;
+    }
+
+    const executor::FrameDrawing* before_;
+    const executor::FrameDrawing* now_;
+    executor::Shading then_;
+    executor::Shading later_;
+    glm::dvec3 nowFromBefore_{0}; // to add to a position
+};
+
+} // namespace
+
+Crawl crawl(const DrawnMaps& before, const executor::Raster<executor::SurfaceSample>& surfaces, const DrawnMaps& now) {
+    const Comparison comparison(before, now);
+    std::vector<Crawl> rows(static_cast<std::size_t>(surfaces.height));
+    tbb::parallel_for(0, surfaces.height, [&](int row) {
+        comparison.compareRow(surfaces, row, rows[static_cast<std::size_t>(row)]);
+    });
+    Crawl result;
+    for (const Crawl& row : rows) {
+        result.points += row.points;
+        result.changed += row.changed;
+    }
+    return result;
+}
+
+} // namespace gnomon::proof

@@ -1,0 +1,218 @@
+#include "proof/shadow_truth.h"
+
+#include "executor/ray_shadows.h"
+#include "proof/texel_footprint.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+
+namespace gnomon::proof {
+
+namespace {
+
+using raycast::Light;
+
+constexpr double kStepOverPixel = 1e-3;
+constexpr double kLeastCosine = 0.1; // where the bias of a lookup stops growing
+constexpr double kContactFootprints = 1.5;
+
+/// A point's place in its neighbourhood, in texels along columns and rows.
+struct Offset {
+    double column = 0;
+    double row = 0;
+    double reach = 0; // the larger of the two
+};
+
+/// A grid over the footprint, the nearest first.
+std::vector<Offset> neighbourhood() {
+    constexpr int kSteps = 6;
+    std::vector<Offset> result;
+    for (int row = -kSteps; row <= kSteps; ++row)
+        for (int column = -kSteps; column <= kSteps; ++column) {
+            const double reach = std::max(std::abs(row), std::abs(column)) * kContactFootprints / kSteps;
+            if (reach > 0)
+                result.push_back({column * kContactFootprints / kSteps, row * kContactFootprints / kSteps, reach});
+        }
+    std::stable_sort(result.begin(), result.end(), [](const Offset& a, const Offset& b) { return a.reach < b.reach; });
+    return result;
+}
+
+/// Judges one wrong pixel at a time by more rays around it.
+class Judge {
+public:
+    Judge(
+        const raycast::Scene& scene,
+        const plan::FramePlan& plan,
+        const executor::DrawSpace& space,
+        const executor::Raster<executor::SurfaceSample>& surfaces)
+        : scene_(&scene),
+          plan_(&plan),
+          space_(&space),
+          surfaces_(&surfaces),
+          light_(executor::towardsLight(plan)),
+          offsets_(neighbourhood()) {
+        for (const plan::ShadowPass& pass : plan.passes)
+            probes_.emplace_back(plan, pass, space);
+    }
+
+    ShadowVerdict verdict(std::size_t pixel, Light truth) const {
+        const executor::SurfaceSample& surface = surfaces_->pixels[pixel];
+        const ShadowVerdict unexplained = truth == Light::Lit ? ShadowVerdict::FalseShadow : ShadowVerdict::Leak;
+        if (surface.partition() < 0) return unexplained;
+        const Receiver receiver = receiverOf(surface);
+        if (truth == Light::Dark && isThin(receiver, truth)) return ShadowVerdict::Missed;
+        for (const Offset& offset : offsets_) {
+            if (offset.reach > 1 && truth == Light::Lit) break;
+            if (truthAt(receiver, offset) == (truth == Light::Lit ? Light::Dark : Light::Lit))
+                return offset.reach > 1 ? ShadowVerdict::ContactGap : ShadowVerdict::NearEdge;
+        }
+        if (truth == Light::Dark && isTouched(receiver)) return ShadowVerdict::ContactGap;
+        return unexplained;
+    }
+
+    /// Whether a map of these texels need not hold the shadow, or the gap in one, that a pixel at its edge lies in: it
+    /// is narrower than a texel, or so near to its caster that it is one of contact.
+    bool isTooFine(std::size_t pixel, Light truth) const {
+        const executor::SurfaceSample& surface = surfaces_->pixels[pixel];
+        if (surface.partition() < 0) return false;
+        const Receiver receiver = receiverOf(surface);
+        return isThin(receiver, truth) || (truth == Light::Dark && isTouched(receiver));
+    }
+
+private:
+    struct Receiver {
+        glm::vec3 position{0};
+        glm::vec3 normal{0};
+        glm::vec3 column{0}; // a texel's footprint on the receiver's plane
+        glm::vec3 row{0};
+        float offset = 0; // of rays from the surface
+    };
+
+    Receiver receiverOf(const executor::SurfaceSample& surface) const {
+        const glm::dvec3 p(surface.position);
+        const auto partition = static_cast<std::size_t>(surface.partition());
+        const double kernel = std::max(1, plan_->quality.filter);
+        const double pixel = executor::pixelWidth(*plan_, *space_, p);
+        const TexelFootprint texel = probes_[partition].footprint(p, kStepOverPixel * pixel);
+        const float cosine = std::max(glm::dot(surface.normal, light_), static_cast<float>(kLeastCosine));
+        const auto onPlane = [&](const glm::dvec3& across) {
+            const glm::vec3 a(kernel * across);
+            return a - light_ * (glm::dot(surface.normal, a) / cosine);
+        };
+        return {
+            surface.position,
+            surface.normal,
+            onPlane(texel.column),
+            onPlane(texel.row),
+            static_cast<float>(executor::kTouchingPixels * pixel)};
+    }
+
+    /// What rays say of the surface that lies where the receiver's plane has `offset`; Nothing where none does.
+    Light truthAt(const Receiver& receiver, const Offset& offset) const {
+        const glm::vec3 moved = receiver.position + static_cast<float>(offset.column) * receiver.column +
+                                static_cast<float>(offset.row) * receiver.row;
+        const float reach = 0.5F * (glm::length(receiver.column) + glm::length(receiver.row));
+        const auto hit = scene_->firstHit({moved + reach * light_, -light_, 0, 2 * reach});
+        if (!hit) return Light::Nothing;
+        const raycast::SurfacePoint point{moved + (reach - hit->distance) * light_, hit->normal, receiver.offset};
+        return raycast::litByRay(*scene_, point, light_);
+    }
+
+    /// Whether the caster is nearer to the receiver than one and a half footprints, along the light.
+    bool isTouched(const Receiver& receiver) const {
+        const float footprint = std::max(glm::length(receiver.column), glm::length(receiver.row));
+        const glm::vec3 from = receiver.position + receiver.offset * receiver.normal;
+        return scene_->isOccluded({from, light_, 0, static_cast<float>(kContactFootprints) * footprint});
+    }
+
+    /// Whether a shadow is narrower than a texel along columns or along rows: the light reaches both sides, less than a
+    /// texel apart. Likewise a lit gap, with darkness on both sides.
+    bool isThin(const Receiver& receiver, Light truth) const {
+        const Light other = truth == Light::Dark ? Light::Lit : Light::Dark;
+        constexpr int kSteps = 8;
+        for (const bool alongRows : {false, true}) {
+            const glm::vec3& side = alongRows ? receiver.row : receiver.column;
+            std::array<int, 2> nearest = {kSteps + 1, kSteps + 1}; // step at which the other is reached, on each side
+            for (const int sign : {0, 1})
+                for (int step = 1; step < kSteps; ++step) {
+                    const float along = static_cast<float>(sign == 0 ? -step : step) / kSteps;
+                    const raycast::SurfacePoint point{
+                        receiver.position + along * side, receiver.normal, receiver.offset};
+                    if (raycast::litByRay(*scene_, point, light_) != other) continue;
+                    nearest[static_cast<std::size_t>(sign)] = step;
+                    break;
+                }
+            if (nearest[0] + nearest[1] <= kSteps) return true;
+        }
+        return false;
+    }
+
+    const raycast::Scene* scene_;
+    const plan::FramePlan* plan_;
+    const executor::DrawSpace* space_;
+    const executor::Raster<executor::SurfaceSample>* surfaces_;
+    glm::vec3 light_;
+    std::vector<Offset> offsets_;
+    std::vector<TexelProbe> probes_;
+};
+
+/// Counts `truth.verdicts`; a surface that the light only grazes is not judged.
+void countVerdicts(
+    const executor::Raster<executor::SurfaceSample>& surfaces, const glm::vec3& towards, ShadowTruth& truth) {
+    for (std::size_t i = 0; i < truth.verdicts.size(); ++i) {
+        const ShadowVerdict verdict = truth.verdicts[i];
+        if (verdict == ShadowVerdict::Unasked) continue;
+        if (verdict == ShadowVerdict::Missed) ++truth.missedPixels;
+        if (!(glm::dot(surfaces.pixels[i].normal, towards) > static_cast<float>(kLeastCosine))) continue;
+        ++truth.judgedPixels;
+        const bool isUnexplained = verdict == ShadowVerdict::FalseShadow || verdict == ShadowVerdict::Leak;
+        truth.unexplainedPixels += isUnexplained ? 1U : 0U;
+    }
+}
+
+double share(std::uint64_t part, std::uint64_t whole) {
+    return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
+}
+
+} // namespace
+
+double ShadowTruth::missedFraction() const {
+    return share(missedPixels, shadows.litSidePixels);
+}
+
+double ShadowTruth::unexplainedFraction() const {
+    return share(unexplainedPixels, judgedPixels);
+}
+
+ShadowTruth shadowTruth(
+    const raycast::Scene& scene,
+    const plan::FramePlan& plan,
+    const executor::DrawSpace& space,
+    const executor::Raster<executor::SurfaceSample>& surfaces,
+    std::span<const Light> light) {
+    const auto width = static_cast<std::size_t>(surfaces.width);
+    const std::size_t count = surfaces.pixels.size();
+    std::vector<std::uint8_t> isLit(count);
+    for (std::size_t i = 0; i < count; ++i)
+        isLit[i] = surfaces.pixels[i].isLitSide() && surfaces.pixels[i].litFraction() >= 0.5F ? 1 : 0;
+    const Judge judge(scene, plan, space, surfaces);
+    ShadowTruth truth;
+    truth.verdicts.assign(count, ShadowVerdict::Unasked);
+    const std::vector<std::uint8_t> isEdge = raycast::shadowEdges(light, width);
+    std::vector<std::uint8_t> apart(count, 0);
+    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+        if (light[i] != Light::Lit && light[i] != Light::Dark) return;
+        const bool isRight = (light[i] == Light::Lit) == (isLit[i] != 0);
+        truth.verdicts[i] = isRight ? ShadowVerdict::Right : judge.verdict(i, light[i]);
+        if (truth.verdicts[i] == ShadowVerdict::Missed || (isEdge[i] != 0 && judge.isTooFine(i, light[i])))
+            apart[i] = 1;
+    });
+    countVerdicts(surfaces, executor::towardsLight(plan), truth);
+    truth.shadows = raycast::compareShadows(light, isLit, width);
+    truth.answerable = raycast::compareShadows(light, isLit, width, apart);
+    return truth;
+}
+
+} // namespace gnomon::proof

@@ -1,0 +1,97 @@
+#include "tests/executor/field.h"
+
+#include "core/random.h"
+
+#include <algorithm>
+#include <array>
+
+namespace gnomon::executor {
+
+Field::Field() {
+    tests::TinyModelOptions options;
+    options.gridExponent = 6;
+    options.height = 12;
+    options.normals = true;
+    options.colors = true;
+    options.origin = {1e6, -300, 2e5};
+    model_ = tests::makeTinyModel(options);
+    for (std::uint32_t p = 0; p < model_.pages.size(); ++p)
+        if (model_.pages[p].level == 0)
+            all_.ranges.push_back({p, 0, static_cast<std::uint32_t>(model_.pages[p].clusters.size())});
+}
+
+plan::View Field::view(std::uint64_t seed) const {
+    Random random(seed);
+    const Box& bounds = model_.summary.bounds;
+    const auto inside = [&](double lift) {
+        glm::dvec3 point(0);
+        for (int axis = 0; axis < 3; ++axis)
+            point[axis] = bounds.min[axis] + random.uniform(0.1, 0.9) * (bounds.max[axis] - bounds.min[axis]);
+        point.y = bounds.max.y + lift;
+        return point;
+    };
+    plan::View view;
+    view.width = view.height = kFieldSide;
+    const double above = random.uniform(0.5, 30);
+    view.camera.eye = inside(above);
+    const double below = random.uniform(-20, -5);
+    view.camera.target = inside(below);
+    for (int axis = 0; axis < 3; ++axis)
+        view.towardsLight[axis] = axis == 1 ? random.uniform(0.15, 1) : random.uniform(-1, 1);
+    return view;
+}
+
+FrameDrawing Field::drawing(const plan::FramePlan& plan) const {
+    FrameDrawing frame;
+    frame.plan = &plan;
+    frame.grid = model_.summary.grid;
+    frame.space = drawSpace(plan.view, frame.grid, model_.summary.bounds);
+    frame.image = &all_;
+    frame.casters.assign(plan.passes.size(), &all_);
+    frame.pages = [this](std::uint32_t page) -> const hierarchy::Page& { return model_.pages[page]; };
+    frame.clipNear = 0.05;
+    return frame;
+}
+
+std::vector<StandIn> Field::someStandIns() const {
+    std::vector<StandIn> result;
+    for (const selection::ClusterRange& range : all_.ranges)
+        for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; c += 3)
+            result.push_back({range.page, c, result.size() % 2 == 0 ? Residence::Awaited : Residence::Damaged});
+    std::sort(result.begin(), result.end(), [](const StandIn& a, const StandIn& b) {
+        return std::pair(a.page, a.cluster) < std::pair(b.page, b.cluster);
+    });
+    return result;
+}
+
+plan::FramePlan Field::plan(const plan::View& view, const plan::Quality& quality) const {
+    plan::SceneFacts facts;
+    facts.bounds = model_.summary.bounds;
+    facts.visible = {1, 120, true};
+    return plan::planFrame(view, quality, facts);
+}
+
+plan::Quality fieldQuality(std::uint64_t seed) {
+    plan::Quality quality;
+    constexpr std::array kRules = {
+        shadow::WarpRule::Auto,
+        shadow::WarpRule::None,
+        shadow::WarpRule::Lspsm,
+        shadow::WarpRule::Psm,
+        shadow::WarpRule::Tsm,
+        shadow::WarpRule::Minimax};
+    quality.warp.rule = kRules[seed % kRules.size()];
+    quality.zPartitions = static_cast<int>(1 + seed % 5);
+    quality.facePartitions = seed % 3 == 0 ? plan::Choice::On : plan::Choice::Off;
+    quality.filter = static_cast<int>(seed % 4);
+    if (seed % 7 == 0) {
+        quality.warp.rule = shadow::WarpRule::None;
+        quality.facePartitions = plan::Choice::Off;
+        quality.stabilize = true;
+    }
+    if (seed % 11 == 0) quality.shadows = plan::ShadowMode::Off;
+    quality.shadowTexelsWidth = quality.shadowTexelsHeight = 512;
+    return quality;
+}
+
+} // namespace gnomon::executor

@@ -1,0 +1,201 @@
+#include "tests/executor/plain_shading.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gnomon::executor {
+namespace {
+
+using glm::vec3;
+using glm::vec4;
+
+vec3 at(const std::array<float, 3>& v) {
+    return {v[0], v[1], v[2]};
+}
+
+template <class T>
+vec3 at(const PixelBatch::Vectors<T>& values, std::size_t i) {
+    return {static_cast<float>(values[0][i]), static_cast<float>(values[1][i]), static_cast<float>(values[2][i])};
+}
+
+void put(const vec3& v, PixelBatch::Vectors<float>& values, std::size_t i) {
+    for (int axis = 0; axis < 3; ++axis)
+        values[static_cast<std::size_t>(axis)][i] = v[axis];
+}
+
+vec3 cross(const vec3& a, const vec3& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+float dot(const vec3& a, const vec3& b) {
+    return (a.x * b.x + a.y * b.y) + a.z * b.z;
+}
+
+vec3 normalizedOr(const vec3& a, const vec3& otherwise) {
+    const float square = dot(a, a);
+    return square > 0 ? a * (1 / std::sqrt(square)) : otherwise;
+}
+
+vec3 turned(const vec3& a, const vec3& towards) {
+    return dot(a, towards) < 0 ? -a : a;
+}
+
+vec3 octahedral(std::uint32_t bits) {
+    if (bits == 0x80008000U) return vec3(0);
+    const auto half = [](std::uint32_t b) {
+        return std::max(static_cast<float>(static_cast<std::int16_t>(b)) * (1 / 32767.0F), -1.0F);
+    };
+    const float ex = half(bits & 0xFFFFU);
+    const float ey = half(bits >> 16U);
+    vec3 n(ex, ey, (1 - std::abs(ex)) - std::abs(ey));
+    if (n.z < 0) {
+        n.x = std::copysign(1 - std::abs(ey), ex);
+        n.y = std::copysign(1 - std::abs(ex), ey);
+    }
+    return n * (1 / std::sqrt(dot(n, n)));
+}
+
+/// How far along an edge lies its point that is seen nearest to the ray, and how far beside the ray.
+std::pair<float, float> nearestOnEdge(const vec3& ray, const vec3& end, const vec3& edge) {
+    const vec3 u = cross(end, ray);
+    const vec3 v = cross(edge, ray);
+    const float along = std::min(std::max(-dot(u, v) / std::max(dot(v, v), 1e-30F), 0.0F), 1.0F);
+    const vec3 point = end + edge * along;
+    const vec3 beside = u + v * along;
+    return {along, dot(beside, beside) / std::max(dot(point, point), 1e-30F)};
+}
+
+/// Of corner 0, 1 and 2: where the ray meets the triangle, or the outline's nearest point.
+vec3 weights(const vec3& ray, const vec3& fromCorner, const vec3& e1, const vec3& e2) {
+    const vec3 across = cross(fromCorner, ray);
+    const vec3 normal = cross(e1, e2);
+    const float determinant = dot(ray, normal);
+    const float largest = std::max(std::max(std::abs(normal.x), std::abs(normal.y)), std::abs(normal.z));
+    if (std::abs(determinant) > std::max(1e-4F * largest, 1e-20F)) {
+        const float scaling = 1 / determinant;
+        const float second = -(dot(e2, across) * scaling);
+        const float third = dot(e1, across) * scaling;
+        if (second >= 0 && third >= 0 && second + third <= 1) return {(1 - second) - third, second, third};
+    }
+    const auto [first, besideFirst] = nearestOnEdge(ray, -fromCorner, e1);
+    const auto [second, besideSecond] = nearestOnEdge(ray, -fromCorner, e2);
+    const auto [opposite, besideOpposite] = nearestOnEdge(ray, -fromCorner + e1, e2 - e1);
+    if (besideOpposite < std::min(besideFirst, besideSecond)) {
+        const float w = 1 - opposite;
+        return {(1 - w) - opposite, w, opposite};
+    }
+    if (besideSecond < besideFirst) return {(1 - 0.0F) - second, 0, second};
+    return {(1 - first) - 0.0F, first, 0};
+}
+
+template <class T>
+T mix(const vec3& w, const T& a, const T& b, const T& c) {
+    return (w.x * a + w.y * b) + w.z * c;
+}
+
+std::uint32_t level(float value) {
+    return (static_cast<std::uint32_t>(510 * std::min(std::max(value, 0.0F), 1.0F)) + 1) / 2;
+}
+
+vec3 colorOf(std::uint32_t bits) {
+    return {bits & 0xFFU, bits >> 8U & 0xFFU, bits >> 16U & 0xFFU};
+}
+
+void shadeOne(const ShadingFrame& f, PixelBatch& batch, std::size_t i) {
+    const vec3 ray = (at(f.rayFirst) + at(f.rayPerX) * batch.x[i]) + at(f.rayPerY) * batch.y[i];
+    const vec3 corner = at(batch.corner, i);
+    const vec3 e1 = at(batch.edge1, i);
+    const vec3 e2 = at(batch.edge2, i);
+    const vec3 w = weights(ray, at(f.rayOriginCells) - corner, e1, e2);
+    const vec3 position = ((corner + e1 * w.y) + e2 * w.z) * f.frame->eye.w;
+    const vec3 towardsEye = vec3(f.frame->eye) - position;
+    const vec3 eyeDirection = normalizedOr(towardsEye, vec3(0));
+    const vec3 flat = turned(normalizedOr(cross(e1, e2), eyeDirection), towardsEye);
+    vec3 smooth =
+        mix(w, octahedral(batch.normals[0][i]), octahedral(batch.normals[1][i]), octahedral(batch.normals[2][i]));
+    smooth = turned(normalizedOr(smooth, flat), flat);
+    const vec3 light(f.frame->light);
+    const float cosine = dot(flat, light);
+    const float depth = dot(vec3(f.frame->view), position) + f.frame->view.w;
+
+    batch.lit[i] = cosine > 0 ? 1.0F : 0.0F;
+    batch.pass[i] = -1;
+    if (cosine > 0 && f.litSource == LitSource::Mask) batch.lit[i] = batch.litMask[i];
+    if (cosine > 0 && f.litSource == LitSource::Maps) {
+        batch.pass[i] = plainPassOf(f, position - vec3(f.frame->eye), depth);
+        if (batch.pass[i] >= 0) batch.lit[i] = plainLitFraction(f, batch.pass[i], position, flat, cosine);
+    }
+    const float direct = batch.lit[i] * std::max(dot(smooth, light), 0.0F);
+    const float facing = std::abs(dot(smooth, eyeDirection));
+    const vec3 color = mix(w, colorOf(batch.colors[0][i]), colorOf(batch.colors[1][i]), colorOf(batch.colors[2][i]));
+    const vec3 shaded = color * (1 / 255.0F) * ((0.22F + 0.14F * facing) + 0.64F * direct);
+    put(position, batch.position, i);
+    put(flat, batch.flatNormal, i);
+    put(shaded, batch.shaded, i);
+    batch.depth[i] = depth;
+    batch.faces[i] = cosine > 0 ? -1 : 0;
+    batch.color[i] = level(shaded.x) | level(shaded.y) << 8U | level(shaded.z) << 16U;
+}
+
+} // namespace
+
+int plainPassOf(const ShadingFrame& f, const vec3& p, float z) {
+    const glm::ivec4& counts = f.frame->counts;
+    int slice = 0;
+    while (slice + 1 < counts.x && z >= f.shadows->splits[slice].y)
+        ++slice;
+    int face = 0;
+    if (counts.z > 0) {
+        const auto owns = [&](int i) {
+            return dot(vec3(f.shadows->faceFirst[i]), p) >= 0 && dot(vec3(f.shadows->faceSecond[i]), p) >= 0;
+        };
+        while (face + 1 < counts.z && !owns(face))
+            ++face;
+        const vec4& edge = f.shadows->faceEdge[face];
+        if (counts.w == 1 && dot(vec3(edge), p) < edge.w * f.shadows->splits[slice].x) face = counts.z;
+    }
+    const int index = slice * (std::max(counts.z, 1) + counts.w) + face;
+    return f.shadows->passOfPartition[index / 4][index % 4];
+}
+
+float plainLitFraction(const ShadingFrame& f, int pass, const vec3& p, const vec3& normal, float cosine) {
+    const block::Partition& part = f.shadows->partitions[pass];
+    const auto coordinate = [&](int row) {
+        const glm::mat4& m = part.texelFromDraw;
+        return (m[0][row] * p.x + m[1][row] * p.y) + (m[2][row] * p.z + m[3][row]);
+    };
+    const float w = coordinate(3);
+    const float inverseW = 1 / (std::abs(w) > 1e-30F ? w : 1e-30F);
+    const auto inTexels = [&](int column) {
+        const vec4& m = part.drawFromTexel[column];
+        return dot(normal, vec3(m)) + -dot(normal, p) * m.w;
+    };
+    const int width = std::max(f.frame->counts.y, 1);
+    const float reach = 0.5F + 0.5F * static_cast<float>(width - 1) + 1.0F / 256.0F;
+    const float slope = (std::abs(inTexels(0)) + std::abs(inTexels(1))) / std::max(std::abs(inTexels(2)), 1e-30F);
+    const float unevenZ = part.axisZ.w * w;
+    const float uneven = std::sqrt(part.axisX.w * part.axisX.w + unevenZ * unevenZ);
+    const float bias = (slope * std::min(1.0F, cosine * 10) + uneven) * reach + 6e-7F;
+    const float depth = coordinate(2) * inverseW - bias;
+    const auto first = [&](int row) {
+        const float texel = std::floor(coordinate(row) * inverseW - 0.5F * static_cast<float>(width - 1));
+        return static_cast<int>(std::min(std::max(texel, -1e6F), 1e6F));
+    };
+    float lit = 0;
+    for (int y = first(1); y < first(1) + width; ++y)
+        for (int x = first(0); x < first(0) + width; ++x) {
+            const int column =
+                std::min(std::max(x, static_cast<int>(part.rectangle.x)), static_cast<int>(part.rectangle.z) - 1);
+            const int row =
+                std::min(std::max(y, static_cast<int>(part.rectangle.y)), static_cast<int>(part.rectangle.w) - 1);
+            lit += depth <= f.shadowDepth[row * f.shadowWidth + column] ? 1.0F : 0.0F;
+        }
+    return lit / static_cast<float>(width * width);
+}
+
+void plainShade(const ShadingFrame& frame, PixelBatch& batch) {
+    for (std::size_t i = 0; i < batch.count; ++i)
+        shadeOne(frame, batch, i);
+}
+
+} // namespace gnomon::executor

@@ -1,0 +1,300 @@
+// Scenes in words, and the effects that a frame's plan keeps and drops in each.
+#include "frame/drawn_model.h"
+#include "hierarchy/scene_mesh.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+
+namespace gnomon::frame {
+namespace {
+
+using tests::SceneMesh;
+
+/// A scene, who looks at it how, and what the plan must make of it.
+struct Row {
+    const char* words;
+    std::function<void(SceneMesh&)> build;
+    std::function<void(plan::View&, plan::Quality&)> look;
+    std::vector<std::string> kept;
+    std::vector<std::string> dropped;
+};
+
+void plain(SceneMesh& scene) {
+    scene.addGround(64, 8);
+}
+
+void crateOnPlain(SceneMesh& scene) {
+    plain(scene);
+    scene.addBox({-1, 0, -1}, {1, 2, 1});
+}
+
+void wall(SceneMesh& scene) {
+    scene.addQuad({-50, -50, 0}, {100, 0, 0}, {0, 100, 0});
+}
+
+void cratesNearAndFar(SceneMesh& scene) {
+    scene.addBox({-1, 0, 7}, {1, 2, 8});
+    scene.addBox({-8, 0, -95}, {8, 12, -90});
+}
+
+void rowOfCrates(SceneMesh& scene) {
+    scene.addGround(512, 32);
+    for (int i = 0; i < 60; ++i)
+        scene.addBox({-1, 0, 6.0 - 4 * i}, {1, 2, 7.0 - 4 * i});
+}
+
+using plan::Quality;
+using plan::View;
+
+void noon(View& view, Quality&) {
+    view.towardsLight = {0, 1, 0};
+}
+
+const std::vector<Row>& rows() { // NOLINT(readability-function-size): a table
+    static const std::vector<Row> table = {
+        {"a bare plain at noon: nothing stands between it and the sun", plain, noon, {}, {"shadow maps"}},
+        {"a crate on the plain at noon",
+         crateOnPlain,
+         noon,
+         {"shadow maps", "warp", "z-partitions", "partition culling"},
+         {"face partitions", "stabilisation", "filter"}},
+        {"a bare plain, the sun below the horizon",
+         plain,
+         [](View& view, Quality&) {
+             view.towardsLight = {0.3, -1, 0.2};
+         },
+         {},
+         {"shadow maps"}},
+        {"a crate on the plain from above, the sun straight below: no side that is seen faces it",
+         crateOnPlain,
+         [](View& view, Quality&) {
+             view.camera.eye.y = 4;
+             view.towardsLight = {0, -1, 0};
+         },
+         {},
+         {"shadow maps"}},
+        {"a wall filling the view, the sun behind the viewer",
+         wall,
+         [](View& view, Quality&) {
+             view.camera.target = {0, 2, 0};
+             view.towardsLight = {0.1, 0.3, 1};
+         },
+         {},
+         {"shadow maps"}},
+        {"a wall filling the view, the sun behind the wall",
+         wall,
+         [](View& view, Quality&) {
+             view.camera.target = {0, 2, 0};
+             view.towardsLight = {0.1, 0.3, -1};
+         },
+         {},
+         {"shadow maps"}},
+        {"a wall filling the view, a crate behind the viewer between it and the sun",
+         [](SceneMesh& scene) {
+             wall(scene);
+             scene.addBox({-1, 6, 20}, {1, 8, 22});
+         },
+         [](View& view, Quality&) {
+             view.camera.target = {0, 2, 0};
+             view.towardsLight = {0, 0.3, 1};
+         },
+         {"shadow maps", "depth clamp"},
+         {}},
+        {"the sky alone",
+         crateOnPlain,
+         [](View& view, Quality&) { view.camera.target = view.camera.eye + glm::dvec3(0, 1, 0.1); },
+         {},
+         {"shadow maps"}},
+        {"shadows switched off",
+         crateOnPlain,
+         [](View&, Quality& quality) { quality.shadows = plan::ShadowMode::Off; },
+         {},
+         {"shadow maps"}},
+        {"ray-traced shadows",
+         crateOnPlain,
+         [](View&, Quality& quality) { quality.shadows = plan::ShadowMode::Rays; },
+         {},
+         {"shadow maps"}},
+        {"a crate near, one far, nothing between",
+         cratesNearAndFar,
+         [](View& view, Quality&) {
+             view.towardsLight = {0.3, 1, 0.5};
+         },
+         {"shadow maps", "map of slice 0", "map of slice 3"},
+         {"map of slice 1", "map of slice 2"}},
+        {"one slice asked for",
+         crateOnPlain,
+         [](View&, Quality& quality) { quality.zPartitions = 1; },
+         {"shadow maps"},
+         {"z-partitions"}},
+        {"the sun exactly behind the viewer: there is no depth to warp",
+         cratesNearAndFar,
+         [](View& view, Quality&) {
+             view.camera.target = view.camera.eye - glm::dvec3(0, 0, 1);
+             view.towardsLight = {0, 0, 1};
+         },
+         {"shadow maps"},
+         {"warp"}},
+        {"no warp asked for",
+         crateOnPlain,
+         [](View&, Quality& quality) { quality.warp.rule = shadow::WarpRule::None; },
+         {"shadow maps", "z-partitions"},
+         {"warp"}},
+        {"stabilised slices",
+         crateOnPlain,
+         [](View&, Quality& quality) { quality.stabilize = true; },
+         {"shadow maps", "stabilisation"},
+         {"warp", "orientation", "face partitions"}},
+        {"faces asked for, the sun overhead",
+         crateOnPlain,
+         [](View& view, Quality& quality) {
+             view.towardsLight = {0, 1, 0};
+             quality.facePartitions = plan::Choice::On;
+         },
+         {"shadow maps", "face partitions"},
+         {"orientation"}},
+        {"faces left open, stabilised slices",
+         crateOnPlain,
+         [](View&, Quality& quality) {
+             quality.stabilize = true;
+             quality.facePartitions = plan::Choice::Auto;
+         },
+         {"shadow maps"},
+         {"face partitions"}},
+        {"culling switched off",
+         crateOnPlain,
+         [](View&, Quality& quality) { quality.cullCasters = false; },
+         {"shadow maps"},
+         {"partition culling"}},
+        {"a filter asked for",
+         crateOnPlain,
+         [](View&, Quality& quality) { quality.filter = 3; },
+         {"shadow maps", "filter"},
+         {}},
+        {"a crate in the middle of the view, seen from a crane: all casters lie within the view",
+         crateOnPlain,
+         [](View& view, Quality&) {
+             view.camera.eye = {0, 20, 20};
+             view.camera.target = {0, 0, 0};
+             view.camera.fovYRadians = 0.6;
+             view.towardsLight = {0.2, 1, 0.1};
+         },
+         {"shadow maps"},
+         {"depth clamp"}},
+        {"a beam high over the viewer whose shadow falls into the view",
+         [](SceneMesh& scene) {
+             plain(scene);
+             scene.addBox({-20, 300, -1}, {20, 301, 1});
+         },
+         noon,
+         {"shadow maps", "depth clamp"},
+         {}},
+        {"a promise that one map keeps",
+         crateOnPlain,
+         [](View&, Quality& quality) {
+             quality.zPartitions.reset();
+             quality.maxAliasing = 50;
+         },
+         {"shadow maps"},
+         {"z-partitions", "face partitions"}},
+        {"a long row of crates, and a promise that one map cannot keep",
+         rowOfCrates,
+         [](View& view, Quality& quality) {
+             view.towardsLight = {0.3, 1, 0.2};
+             quality.zPartitions.reset();
+             quality.maxAliasing = 4;
+         },
+         {"shadow maps", "z-partitions", "warp"},
+         {}}};
+    return table;
+}
+
+bool isDropped(const plan::FramePlan& plan, const std::string& effect) {
+    return std::any_of(plan.omitted.begin(), plan.omitted.end(), [&](const plan::Omission& omission) {
+        return omission.effect == effect;
+    });
+}
+
+std::string told(const plan::FramePlan& plan) {
+    std::string text;
+    for (const plan::Omission& omission : plan.omitted)
+        text += omission.effect + ": " + omission.reason + "\n";
+    return text;
+}
+
+/// Nothing of a shadow pass is paid for: no map, no texel, no query, no draw, no memory.
+void expectNoCost(const Frame& frame, const Frame& withoutShadows, executor::Executor& executor) {
+    EXPECT_TRUE(frame.plan.passes.empty());
+    EXPECT_EQ(frame.plan.textureWidth * frame.plan.textureHeight, 0);
+    EXPECT_EQ(frame.plan.cost, 0U);
+    EXPECT_EQ(frame.cut.lists.size(), 1U) << "a list of casters was made";
+    EXPECT_EQ(frame.row.shadowMaps, 0);
+    EXPECT_EQ(frame.row.shadowMapsDrawn, 0);
+    EXPECT_EQ(frame.row.shadowTriangles, 0);
+    EXPECT_EQ(frame.row.castersTested, 0);
+    EXPECT_EQ(frame.row.castersKept, 0);
+    EXPECT_TRUE(executor.shadowDepth().pixels.empty());
+    EXPECT_EQ(frame.row.drawCalls, withoutShadows.row.drawCalls);
+    EXPECT_EQ(frame.row.gpuBytes, withoutShadows.row.gpuBytes);
+}
+
+View viewOf(const Row& row, Quality& quality) {
+    View view;
+    view.width = view.height = 96;
+    view.camera.eye = {0, 1.7, 10};
+    view.camera.target = {0, 1, 0};
+    view.towardsLight = {0.5, 1, 0.4};
+    quality.shadowTexelsWidth = quality.shadowTexelsHeight = 512;
+    row.look(view, quality);
+    return view;
+}
+
+TEST(SceneTable, KeepsAndDropsWhatItSays) {
+    EXPECT_GE(rows().size(), 20U);
+    for (const Row& row : rows()) {
+        SCOPED_TRACE(row.words);
+        SceneMesh scene;
+        row.build(scene);
+        DrawnModel model(scene.model());
+        Quality quality;
+        const View view = viewOf(row, quality);
+        const Frame frame = model.draw(view, quality);
+        for (const std::string& effect : row.kept)
+            EXPECT_FALSE(isDropped(frame.plan, effect)) << effect << "\n" << told(frame.plan);
+        for (const std::string& effect : row.dropped)
+            EXPECT_TRUE(isDropped(frame.plan, effect)) << effect << "\n" << told(frame.plan);
+    }
+}
+
+// What a plan leaves out is paid for by nobody and missed by nobody: rays find no shadow either.
+TEST(SceneTable, WhatIsDroppedCostsNothingAndIsNotMissed) {
+    int dropped = 0;
+    for (const Row& row : rows()) {
+        SCOPED_TRACE(row.words);
+        SceneMesh scene;
+        row.build(scene);
+        DrawnModel model(scene.model());
+        Quality quality;
+        const View view = viewOf(row, quality);
+        const Frame frame = model.draw(view, quality);
+        if (!isDropped(frame.plan, "shadow maps") || quality.shadows == plan::ShadowMode::Rays) continue;
+        ++dropped;
+        const executor::Picture picture = model.executor().picture();
+        EXPECT_TRUE(model.executor().shadowDepth().pixels.empty());
+        const bool isOff = quality.shadows == plan::ShadowMode::Off;
+        quality.shadows = plan::ShadowMode::Off;
+        DrawnModel fresh(scene.model());
+        const Frame off = fresh.draw(view, quality);
+        expectNoCost(frame, off, fresh.executor());
+        quality.shadows = plan::ShadowMode::Rays;
+        if (isOff) continue;
+        model.draw(view, quality);
+        EXPECT_TRUE(model.executor().picture().pixels == picture.pixels) << "a shadow is missing";
+    }
+    EXPECT_GE(dropped, 5);
+}
+
+} // namespace
+} // namespace gnomon::frame

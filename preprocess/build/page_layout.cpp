@@ -1,7 +1,7 @@
 #include "preprocess/build/page_layout.h"
 
 #include "core/check.h"
-#include "hierarchy/cluster_order.h"
+#include "hierarchy/codec/cluster_order.h"
 #include "preprocess/build/local_numbers.h"
 
 #include <tbb/enumerable_thread_specific.h>

@@ -2,7 +2,7 @@
 
 #include "core/check.h"
 #include "hierarchy/bytes.h"
-#include "hierarchy/cluster_codec.h"
+#include "hierarchy/codec/cluster_codec.h"
 #include "hierarchy/validation.h"
 
 #include <algorithm>

@@ -1,35 +1,9 @@
 // Rasterising the triangles of one tile into the tile's own memory.
 #pragma once
 
-#include "raster/vertex_kernel.h"
+#include "raster/tile_work.h"
 
 namespace gnomon::raster {
-
-/// Tiles are squares of at most this many pixels.
-constexpr int kTileSide = 256;
-
-/// A row of a tile's memory. What vectors write past the tile's right and upper edge lands in the margin.
-constexpr int kTileStride = kTileSide + 16;
-constexpr int kTileRows = kTileSide + 4;
-constexpr std::size_t kTilePixels = std::size_t{kTileStride} * kTileRows;
-
-/// A cluster whose vertices are snapped and that needs no cutting any more.
-struct SnappedCluster {
-    SnappedArrays vertices;
-    bool isCompact = false; // vertices.x holds both coordinates, see `compacted`
-    std::span<const Triangle> triangles;
-    std::uint32_t vertexCount = 0;
-    std::uint32_t firstTriangleId = 0;
-    const std::uint32_t* triangleIds = nullptr; // instead of firstTriangleId + i where given
-    PixelBox box;                               // holds every pixel that it can cover
-};
-
-/// A tile and the clusters that touch it.
-struct TileWork {
-    PixelBox box;
-    std::span<const SnappedCluster> clusters; // of the whole pass
-    std::span<const std::uint32_t> indices;   // those of this tile
-};
 
 /// Lowers `depths` (kTilePixels, row r of the tile at r * kTileStride) where a triangle is nearer to the light; how
 /// many pixels of the tile the triangles cover, each one's counted.

@@ -6,7 +6,7 @@
 #define GNOMON_RASTER_TRIANGLE_LANES_INL_H
 #endif
 
-#include "raster/tile_kernel.h"
+#include "raster/tile_work.h"
 #include "raster/vertex_kernel.h"
 
 #include <hwy/highway.h>

@@ -1,6 +1,6 @@
 // What decodes clusters fast beside what decodes them plainly: the same page, or both refuse, on every instruction set.
-#include "hierarchy/cluster_codec.h"
-#include "hierarchy/cluster_order.h"
+#include "hierarchy/codec/cluster_codec.h"
+#include "hierarchy/codec/cluster_order.h"
 #include "hierarchy/tiny_model.h"
 #include "page_equality.h"
 #include "plain_codec.h"

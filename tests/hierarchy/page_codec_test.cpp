@@ -1,7 +1,7 @@
 // Pages go through their stored form unchanged, and damaged ones are refused even where the checksum was made to fit.
 #include "core/random.h"
 #include "hierarchy/bytes.h"
-#include "hierarchy/cluster_order.h"
+#include "hierarchy/codec/cluster_order.h"
 #include "hierarchy/model_writer.h"
 #include "hierarchy/page_codec.h"
 #include "hierarchy/tiny_model.h"

@@ -1,7 +1,7 @@
 #include "plain_codec.h"
 
-#include "hierarchy/connectivity_code.h"
-#include "hierarchy/vertex_code.h"
+#include "hierarchy/codec/connectivity_code.h"
+#include "hierarchy/codec/vertex_code.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "hierarchy/scene_mesh.h"
 
-#include "hierarchy/cluster_order.h"
+#include "hierarchy/codec/cluster_order.h"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 #include "hierarchy/tiny_model.h"
 
 #include "core/random.h"
-#include "hierarchy/cluster_order.h"
+#include "hierarchy/codec/cluster_order.h"
 #include "hierarchy/height_mesh.h"
 #include "hierarchy/model_writer.h"
 #include "hierarchy/octahedral.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "hierarchy/bytes.h"
-#include "hierarchy/connectivity_decoder.h"
+#include "hierarchy/codec/connectivity_decoder.h"
 #include "hierarchy/page.h"
 
 namespace gnomon::hierarchy {

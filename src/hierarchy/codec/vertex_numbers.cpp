@@ -1,6 +1,4 @@
-#include "hierarchy/vertex_numbers.h"
-
-#include "hierarchy/plane_kernel.h"
+#include "hierarchy/codec/vertex_numbers.h"
 
 namespace gnomon::hierarchy {
 

@@ -1,6 +1,6 @@
-#include "hierarchy/vertex_decoder.h"
+#include "hierarchy/codec/vertex_decoder.h"
 
-#include "hierarchy/vertex_kernel.h"
+#include "hierarchy/codec/vertex_kernel.h"
 
 #include <algorithm>
 

@@ -1,11 +1,11 @@
-#include "hierarchy/cluster_codec.h"
+#include "hierarchy/codec/cluster_codec.h"
 
 #include "core/index_table.h"
 #include "core/random.h"
-#include "hierarchy/connectivity_decoder.h"
-#include "hierarchy/connectivity_encoder.h"
-#include "hierarchy/vertex_code.h"
-#include "hierarchy/vertex_decoder.h"
+#include "hierarchy/codec/connectivity_decoder.h"
+#include "hierarchy/codec/connectivity_encoder.h"
+#include "hierarchy/codec/vertex_code.h"
+#include "hierarchy/codec/vertex_decoder.h"
 
 #include <algorithm>
 #include <array>

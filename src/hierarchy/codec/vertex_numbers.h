@@ -2,25 +2,12 @@
 #pragma once
 
 #include "hierarchy/bytes.h"
-#include "hierarchy/vertex_code.h"
+#include "hierarchy/codec/plane_kernel.h"
+#include "hierarchy/codec/vertex_code.h"
 
-#include <array>
 #include <vector>
 
 namespace gnomon::hierarchy {
-
-/// Arrays of words by vertex are read and written in whole vectors: they have room for this many more words.
-constexpr std::size_t kMostLanes = 16;
-
-/// Three differences of a position and a word that is none, so that all are loaded and added at once.
-struct alignas(16) PositionWords {
-    std::array<std::uint32_t, 4> word;
-};
-
-/// Both numbers of a normal in one word, so that both are predicted at once.
-constexpr std::uint64_t joinedNormal(std::uint32_t x, std::uint32_t y) {
-    return std::uint64_t{y} << 32U | x;
-}
 
 /// What is stored of the vertices of a page, and which vertices it is of. To be kept from page to page: memory given
 /// back to the system is paid for again, a page fault every four KiB. All but `referring` have kMostLanes too many.

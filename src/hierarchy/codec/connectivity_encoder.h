@@ -2,8 +2,8 @@
 #pragma once
 
 #include "hierarchy/bytes.h"
-#include "hierarchy/connectivity_code.h"
-#include "hierarchy/edge_window.h"
+#include "hierarchy/codec/connectivity_code.h"
+#include "hierarchy/codec/edge_window.h"
 #include "hierarchy/page.h"
 
 #include <algorithm>

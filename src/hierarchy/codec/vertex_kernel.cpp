@@ -1,10 +1,10 @@
-#include "hierarchy/vertex_kernel.h"
+#include "hierarchy/codec/vertex_kernel.h"
 
 #include <algorithm>
 #include <cstddef>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "hierarchy/vertex_kernel.cpp"
+#define HWY_TARGET_INCLUDE "hierarchy/codec/vertex_kernel.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 

@@ -1,8 +1,8 @@
 // The vertices of one cluster from what is stored of them, in vector lanes.
 #pragma once
 
+#include "hierarchy/codec/vertex_numbers.h"
 #include "hierarchy/validation.h"
-#include "hierarchy/vertex_numbers.h"
 
 namespace gnomon::hierarchy {
 

@@ -1,8 +1,8 @@
-#include "hierarchy/connectivity_decoder.h"
+#include "hierarchy/codec/connectivity_decoder.h"
 
-#include "hierarchy/connectivity_code.h"
+#include "hierarchy/codec/connectivity_code.h"
+#include "hierarchy/codec/vertex_numbers.h"
 #include "hierarchy/validation.h"
-#include "hierarchy/vertex_numbers.h"
 
 #include <algorithm>
 #include <array>

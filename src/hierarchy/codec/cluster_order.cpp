@@ -1,7 +1,7 @@
-#include "hierarchy/cluster_order.h"
+#include "hierarchy/codec/cluster_order.h"
 
-#include "hierarchy/connectivity_code.h"
-#include "hierarchy/edge_window.h"
+#include "hierarchy/codec/connectivity_code.h"
+#include "hierarchy/codec/edge_window.h"
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
-#include "hierarchy/plane_kernel.h"
+#include "hierarchy/codec/plane_kernel.h"
 
 #include <algorithm>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "hierarchy/plane_kernel.cpp"
+#define HWY_TARGET_INCLUDE "hierarchy/codec/plane_kernel.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 

@@ -1,11 +1,25 @@
 // Numbers that lie byte plane by byte plane, unfolded in vector lanes.
 #pragma once
 
-#include "hierarchy/vertex_numbers.h"
-
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <span>
 
 namespace gnomon::hierarchy {
+
+/// Arrays of words by vertex are read and written in whole vectors: they have room for this many more words.
+constexpr std::size_t kMostLanes = 16;
+
+/// Three differences of a position and a word that is none, so that all are loaded and added at once.
+struct alignas(16) PositionWords {
+    std::array<std::uint32_t, 4> word;
+};
+
+/// Both numbers of a normal in one word, so that both are predicted at once.
+constexpr std::uint64_t joinedNormal(std::uint32_t x, std::uint32_t y) {
+    return std::uint64_t{y} << 32U | x;
+}
 
 /// Numbers of one kind.
 struct Planes {

@@ -128,6 +128,32 @@ def kill_and_resume(gnomon, sources, target, memory, error, seconds, kills, expe
     return different == 0
 
 
+def models_of(case, options):
+    """The sources of a case, each with whether it is to be removed afterwards, and the words that follow them."""
+    words = case.split(":")
+    if words[0].endswith(".ply"):
+        models = [([words[0]], False)]
+        rest = words[1:]
+    elif words[0] == "tiled":
+        apart(tile, words[2], options.work, int(words[1]))
+        models = [([tile_path(words[2], options.work, copy) for copy in range(int(words[1]))], True)]
+        rest = words[3:]
+    else:
+        kind = "statue" if words[0] == "shuffled" else words[0]
+        plain = os.path.join(options.work, f"{kind}_{words[1]}.ply")
+        if not os.path.exists(plain):
+            subprocess.run([options.gnomon, "make", kind, "--triangles", words[1], "-o", plain, "--progress",
+                            "none"], check=True, stdout=subprocess.DEVNULL)
+        models = [([plain], not options.keep)]
+        if words[0] == "shuffled":
+            mixed = os.path.join(options.work, f"shuffled_{words[1]}.ply")
+            if not os.path.exists(mixed):
+                apart(shuffle_vertices, plain, mixed)
+            models.append(([mixed], not options.keep))
+        rest = words[2:]
+    return models, rest
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("gnomon")
@@ -142,27 +168,7 @@ def main():
           "coarsest | stuck | content_hash |\n|---|---|---|---|---|---|---|---|---|---|---|", flush=True)
     good = True
     for case in options.cases:
-        words = case.split(":")
-        if words[0].endswith(".ply"):
-            models = [([words[0]], False)]
-            rest = words[1:]
-        elif words[0] == "tiled":
-            apart(tile, words[2], options.work, int(words[1]))
-            models = [([tile_path(words[2], options.work, copy) for copy in range(int(words[1]))], True)]
-            rest = words[3:]
-        else:
-            kind = "statue" if words[0] == "shuffled" else words[0]
-            plain = os.path.join(options.work, f"{kind}_{words[1]}.ply")
-            if not os.path.exists(plain):
-                subprocess.run([options.gnomon, "make", kind, "--triangles", words[1], "-o", plain, "--progress",
-                                "none"], check=True, stdout=subprocess.DEVNULL)
-            models = [([plain], not options.keep)]
-            if words[0] == "shuffled":
-                mixed = os.path.join(options.work, f"shuffled_{words[1]}.ply")
-                if not os.path.exists(mixed):
-                    apart(shuffle_vertices, plain, mixed)
-                models.append(([mixed], not options.keep))
-            rest = words[2:]
+        models, rest = models_of(case, options)
         memory = rest[0]
         error = rest[1] if len(rest) > 1 else "measured"
         for sources, is_made in models:

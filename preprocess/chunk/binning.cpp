@@ -8,19 +8,24 @@
 
 #include <algorithm>
 
-namespace gnomon::preprocess {
+namespace gnomon::chunk {
 
 namespace {
 
 using Corners = std::array<std::uint32_t, 3>;
 
-Corners narrow(const TriangleCorners& t) {
+Corners narrow(const read::TriangleCorners& t) {
     return {static_cast<std::uint32_t>(t[0]), static_cast<std::uint32_t>(t[1]), static_cast<std::uint32_t>(t[2])};
 }
 
 class Binner {
 public:
-    Binner(MeshSource& source, StreamStore& bins, std::uint32_t chunks, std::size_t polygonCorners, Progress& progress)
+    Binner(
+        read::MeshSource& source,
+        scratch::StreamStore& bins,
+        std::uint32_t chunks,
+        std::size_t polygonCorners,
+        Progress& progress)
         : source_(source),
           bins_(bins),
           format_(formatOf(source.summary())),
@@ -35,7 +40,7 @@ public:
         progress_.stage("bin", "vertices", source_.summary().vertexCount);
         const GridSnap snap(survey.grid);
         VertexBytes storage{};
-        source_.readVertices([&](const VertexBlock& block) {
+        source_.readVertices([&](const read::VertexBlock& block) {
             for (std::size_t i = 0; i < block.positions.size(); ++i) {
                 ChunkVertex vertex;
                 vertex.index = static_cast<std::uint32_t>(block.firstVertex + i);
@@ -56,18 +61,18 @@ public:
     /// Triangulates the polygons that lie in several chunks, so that `binTriangles` finds them ready.
     void refinePolygons() {
         progress_.stage("polygons", "faces", source_.summary().faceCount);
-        source_.readTriangles([&](const TriangleBlock& block) {
-            for (const PolygonRun& run : block.polygons) {
+        source_.readTriangles([&](const read::TriangleBlock& block) {
+            for (const read::PolygonRun& run : block.polygons) {
                 const auto fan = block.triangles.subspan(run.first, run.count);
                 if (isInOneChunk(fan)) continue;
                 bins_.put(polygons_, run.count);
-                for (const TriangleCorners& t : fan)
+                for (const read::TriangleCorners& t : fan)
                     bins_.put(polygons_, t);
             }
             progress_.advance(block.faceCount());
         });
         bins_.flush();
-        StreamStore::Reader reader(bins_, polygons_);
+        scratch::StreamStore::Reader reader(bins_, polygons_);
         while (!reader.isAtEnd())
             refineSome(reader);
         bins_.flush();
@@ -76,8 +81,8 @@ public:
 
     void binTriangles() {
         progress_.stage("bin", "faces", source_.summary().faceCount);
-        StreamStore::Reader refined(bins_, triangles_);
-        source_.readTriangles([&](const TriangleBlock& block) {
+        scratch::StreamStore::Reader refined(bins_, triangles_);
+        source_.readTriangles([&](const read::TriangleBlock& block) {
             auto run = block.polygons.begin();
             for (std::size_t i = 0; i < block.triangles.size();) {
                 if (run == block.polygons.end() || run->first > i) {
@@ -110,20 +115,20 @@ public:
 
 private:
     /// As many polygons as fit at once: one pass over the vertices.
-    void refineSome(StreamStore::Reader& reader) {
-        std::vector<TriangleCorners> fans;
+    void refineSome(scratch::StreamStore::Reader& reader) {
+        std::vector<read::TriangleCorners> fans;
         std::vector<std::uint32_t> sizes;
         std::vector<std::uint32_t> corners;
         while (!reader.isAtEnd() && corners.size() < polygonCorners_) {
             sizes.push_back(reader.take<std::uint32_t>());
             for (std::uint32_t i = 0; i < sizes.back(); ++i) {
-                fans.push_back(reader.take<TriangleCorners>());
+                fans.push_back(reader.take<read::TriangleCorners>());
                 for (const std::uint32_t corner : narrow(fans.back()))
                     corners.push_back(corner);
             }
         }
         const VertexLookup positions(source_, std::move(corners));
-        PolygonRefiner refiner;
+        read::PolygonRefiner refiner;
         std::size_t begin = 0;
         for (const std::uint32_t size : sizes) {
             refiner.refine(std::span(fans).subspan(begin, size), [&](std::uint64_t vertex) {
@@ -131,23 +136,23 @@ private:
             });
             begin += size;
         }
-        for (const TriangleCorners& t : fans)
+        for (const read::TriangleCorners& t : fans)
             bins_.put(triangles_, narrow(t));
     }
 
-    bool isInOneChunk(std::span<const TriangleCorners> fan) const {
+    bool isInOneChunk(std::span<const read::TriangleCorners> fan) const {
         const std::uint16_t chunk = chunkOf_[fan.front()[0]];
-        return std::all_of(fan.begin(), fan.end(), [&](const TriangleCorners& t) {
+        return std::all_of(fan.begin(), fan.end(), [&](const read::TriangleCorners& t) {
             return chunkOf_[t[0]] == chunk && chunkOf_[t[1]] == chunk && chunkOf_[t[2]] == chunk;
         });
     }
 
-    void addFan(std::span<const TriangleCorners> fan) {
+    void addFan(std::span<const read::TriangleCorners> fan) {
         const std::uint16_t chunk = chunkOf_[fan.front()[0]];
         const std::uint32_t stream = streamOf(BinStream::Triangles, chunk);
         sizes_[chunk].triangles += fan.size();
         bins_.put(stream, Corners{kPolygonMark, static_cast<std::uint32_t>(fan.size()), 0});
-        for (const TriangleCorners& t : fan)
+        for (const read::TriangleCorners& t : fan)
             bins_.put(stream, narrow(t));
     }
 
@@ -179,8 +184,8 @@ private:
         }
     }
 
-    MeshSource& source_;
-    StreamStore& bins_;
+    read::MeshSource& source_;
+    scratch::StreamStore& bins_;
     VertexFormat format_;
     std::size_t polygonCorners_;
     Progress& progress_;
@@ -192,17 +197,18 @@ private:
 
 } // namespace
 
-VertexFormat formatOf(const MeshSummary& source) {
+VertexFormat formatOf(const read::MeshSummary& source) {
     return {source.isDouble, source.hasNormals, source.hasColors};
 }
 
-ChunkTree planChunks(MeshSource& source, const SourceSurvey& survey, std::uint32_t chunkTriangles, Progress& progress) {
+ChunkTree planChunks(
+    read::MeshSource& source, const SourceSurvey& survey, std::uint32_t chunkTriangles, Progress& progress) {
     const std::uint64_t limit = std::uint64_t{3} * chunkTriangles;
     const GridSnap snap(survey.grid);
     CellCounts counts(survey.furthest);
     do {
         progress.stage("octree", "vertices", survey.vertices);
-        source.readVertices([&](const VertexBlock& block) {
+        source.readVertices([&](const read::VertexBlock& block) {
             for (std::size_t i = 0; i < block.positions.size(); ++i)
                 if (const std::uint8_t valence = survey.valence[block.firstVertex + i]; valence > 0)
                     counts.add(snap(block.positions[i]), valence);
@@ -220,10 +226,10 @@ ChunkTree planChunks(MeshSource& source, const SourceSurvey& survey, std::uint32
 }
 
 PartSize binSource(
-    MeshSource& source,
+    read::MeshSource& source,
     SourceSurvey& survey,
     const ChunkTree& tree,
-    StreamStore& bins,
+    scratch::StreamStore& bins,
     std::size_t polygonCorners,
     Progress& progress) {
     Binner binner(source, bins, tree.chunkCount(), polygonCorners, progress);
@@ -234,4 +240,4 @@ PartSize binSource(
     return binner.mostOfAChunk();
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::chunk

@@ -7,13 +7,14 @@
 #include "preprocess/chunk/survey.h"
 #include "preprocess/read/mesh_source.h"
 
-namespace gnomon::preprocess {
+namespace gnomon::chunk {
 
-VertexFormat formatOf(const MeshSummary& source);
+VertexFormat formatOf(const read::MeshSummary& source);
 
 /// Cuts the grid into chunks of about `chunkTriangles` triangles each: passes over the vertices until the cells are
 /// small enough. Throws Error where that would take more than kMaxChunks chunks.
-ChunkTree planChunks(MeshSource& source, const SourceSurvey& survey, std::uint32_t chunkTriangles, Progress& progress);
+ChunkTree planChunks(
+    read::MeshSource& source, const SourceSurvey& survey, std::uint32_t chunkTriangles, Progress& progress);
 
 /// Writes all streams of BinStream. A vertex lies in the chunk of its snapped position; a triangle belongs to the chunk
 /// in which most of its corners lie, or to the middle one of three: so triangles of the same three positions always
@@ -22,11 +23,11 @@ ChunkTree planChunks(MeshSource& source, const SourceSurvey& survey, std::uint32
 /// the vertices each.
 /// `survey.valence` is given up. Returns the most triangles and the most vertices that a chunk has to deal with.
 PartSize binSource(
-    MeshSource& source,
+    read::MeshSource& source,
     SourceSurvey& survey,
     const ChunkTree& tree,
-    StreamStore& bins,
+    scratch::StreamStore& bins,
     std::size_t polygonCorners,
     Progress& progress);
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::chunk

@@ -2,14 +2,14 @@
 
 #include "core/check.h"
 #include "core/index_table.h"
-#include "preprocess/build/normals.h"
 #include "preprocess/chunk/chunk_mesh.h"
 #include "preprocess/chunk/in_order.h"
 #include "preprocess/chunk/survey.h"
+#include "preprocess/levels/normals.h"
 
 #include <algorithm>
 
-namespace gnomon::preprocess {
+namespace gnomon::chunk {
 
 namespace {
 
@@ -57,20 +57,22 @@ struct Surroundings {
 
 /// Which of `vertices` lie where one of `asked` does.
 std::vector<std::uint8_t> atPlacesOf(
-    std::span<const VertexRequest> asked, const IndexedVertices& vertices, const Grid& grid) {
+    std::span<const VertexRequest> asked, const IndexedVertices& vertices, const hierarchy::Grid& grid) {
     const GridSnap snap(grid);
-    std::vector<GridPoint> points;
+    std::vector<hierarchy::GridPoint> points;
     points.reserve(asked.size());
     IndexTable table(asked.size());
-    const auto sameAs = [&](const GridPoint& p) { return [&](std::uint32_t other) { return points[other] == p; }; };
+    const auto sameAs = [&](const hierarchy::GridPoint& p) {
+        return [&](std::uint32_t other) { return points[other] == p; };
+    };
     for (const VertexRequest& request : asked) {
-        const GridPoint p = snap(vertices[vertices.find(request.vertex)].position);
+        const hierarchy::GridPoint p = snap(vertices[vertices.find(request.vertex)].position);
         const auto next = static_cast<std::uint32_t>(points.size());
         if (table.findOrInsert(hashOf(p.x, p.y, p.z), next, sameAs(p)) == next) points.push_back(p);
     }
     std::vector<std::uint8_t> isThere(vertices.size());
     for (std::uint32_t v = 0; v < vertices.size(); ++v) {
-        const GridPoint p = snap(vertices[v].position);
+        const hierarchy::GridPoint p = snap(vertices[v].position);
         isThere[v] = table.find(hashOf(p.x, p.y, p.z), sameAs(p)) != IndexTable::kAbsent ? 1 : 0;
     }
     return isThere;
@@ -87,15 +89,18 @@ IndexedVertices chosen(
         number[v] = static_cast<std::uint32_t>(own.size() + foreign.size());
         (v < vertices.ownCount() ? own : foreign).push_back(vertices[v]);
     }
-    for (std::vector<Triangle>* some : {&triangles.own, &triangles.ghosts})
-        for (Triangle& t : *some)
+    for (std::vector<simplify::Triangle>* some : {&triangles.own, &triangles.ghosts})
+        for (simplify::Triangle& t : *some)
             for (std::uint32_t& corner : t)
                 corner = number[corner];
     return {std::move(own), foreign};
 }
 
 Surroundings surroundingsOf(
-    const BinnedSource& source, const StreamStore& borders, std::uint32_t chunk, std::span<const VertexRequest> asked) {
+    const BinnedSource& source,
+    const scratch::StreamStore& borders,
+    std::uint32_t chunk,
+    std::span<const VertexRequest> asked) {
     const IndexedVertices all = readVertices(source, borders, chunk);
     std::vector<std::uint8_t> isNeeded(all.size(), 0);
     for (const VertexRequest& request : asked)
@@ -104,10 +109,11 @@ Surroundings surroundingsOf(
     if (!source.format.hasNormals) {
         triangles = readTriangles(source, chunk, all);
         const std::vector<std::uint8_t> isThere = atPlacesOf(asked, all, source.grid);
-        for (std::vector<Triangle>* some : {&triangles.own, &triangles.ghosts}) {
-            std::erase_if(
-                *some, [&](const Triangle& t) { return (isThere[t[0]] | isThere[t[1]] | isThere[t[2]]) == 0; });
-            for (const Triangle& t : *some)
+        for (std::vector<simplify::Triangle>* some : {&triangles.own, &triangles.ghosts}) {
+            std::erase_if(*some, [&](const simplify::Triangle& t) {
+                return (isThere[t[0]] | isThere[t[1]] | isThere[t[2]]) == 0;
+            });
+            for (const simplify::Triangle& t : *some)
                 for (const std::uint32_t corner : t)
                     isNeeded[corner] = 1;
         }
@@ -119,7 +125,7 @@ Surroundings surroundingsOf(
 /// The normals of places, right for those asked for alone.
 std::vector<std::uint32_t> normalsOf(const Surroundings& around) {
     DroppedTriangles ignored;
-    return smoothNormals(
+    return levels::smoothNormals(
         around.vertices.places(),
         facesForNormals(
             around.vertices,
@@ -127,7 +133,7 @@ std::vector<std::uint32_t> normalsOf(const Surroundings& around) {
             keptTriangles(around.vertices, around.triangles.ghosts, ignored)));
 }
 
-Messages answerShared(const BinnedSource& source, const StreamStore& borders, std::uint32_t chunk) {
+Messages answerShared(const BinnedSource& source, const scratch::StreamStore& borders, std::uint32_t chunk) {
     auto requests = source.bins.readAs<VertexRequest>(streamOf(BinStream::Requests, chunk));
     std::erase_if(requests, [](const VertexRequest& request) { return request.isOwner == 0; });
     std::sort(requests.begin(), requests.end());
@@ -135,7 +141,7 @@ Messages answerShared(const BinnedSource& source, const StreamStore& borders, st
     Messages messages;
     if (requests.empty()) return messages;
     const Surroundings around = surroundingsOf(source, borders, chunk, requests);
-    const std::vector<ChunkSpan> sharers = sharersOfOwnPlaces(around.vertices, chunk, requests);
+    const std::vector<simplify::ChunkSpan> sharers = sharersOfOwnPlaces(around.vertices, chunk, requests);
     std::vector<std::uint32_t> normals;
     if (!source.format.hasNormals) normals = normalsOf(around);
     for (const VertexRequest& request : requests) {
@@ -151,7 +157,7 @@ Messages answerShared(const BinnedSource& source, const StreamStore& borders, st
 
 } // namespace
 
-void shareBorders(const BinnedSource& source, StreamStore& borders, std::size_t atOnce, Progress& progress) {
+void shareBorders(const BinnedSource& source, scratch::StreamStore& borders, std::size_t atOnce, Progress& progress) {
     progress.stage("borders", "chunks", std::uint64_t{2} * source.chunkCount);
     const auto deliver = [&](BorderStream kind) {
         return [&, kind](std::size_t, const Messages& messages) {
@@ -176,4 +182,4 @@ void shareBorders(const BinnedSource& source, StreamStore& borders, std::size_t 
     borders.flush();
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::chunk

@@ -4,12 +4,12 @@
 #include "core/progress.h"
 #include "preprocess/chunk/chunk_streams.h"
 
-namespace gnomon::preprocess {
+namespace gnomon::chunk {
 
 /// Where a source's chunks are.
 struct BinnedSource {
-    const StreamStore& bins;
-    const Grid& grid;
+    const scratch::StreamStore& bins;
+    const hierarchy::Grid& grid;
     VertexFormat format;
     std::uint32_t chunkCount = 0;
 };
@@ -17,6 +17,6 @@ struct BinnedSource {
 /// Writes all streams of BorderStream: first the vertices that chunks asked each other for; then, for those at which a
 /// chunk has triangles, the normal (of all faces there, in whichever chunks; only for sources without normals) and
 /// which chunks share the place. `atOnce` chunks are worked on at the same time.
-void shareBorders(const BinnedSource& source, StreamStore& borders, std::size_t atOnce, Progress& progress);
+void shareBorders(const BinnedSource& source, scratch::StreamStore& borders, std::size_t atOnce, Progress& progress);
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::chunk

@@ -2,20 +2,20 @@
 
 #include "core/check.h"
 #include "core/index_table.h"
-#include "preprocess/build/normals.h"
+#include "preprocess/levels/normals.h"
 #include "preprocess/read/polygon.h"
 
-namespace gnomon::preprocess {
+namespace gnomon::chunk {
 
 namespace {
 
 using hierarchy::kNone;
 
 /// Replaces a polygon's fan by a right triangulation.
-void refine(const IndexedVertices& vertices, PolygonRefiner& refiner, std::span<Triangle> fan) {
-    std::vector<TriangleCorners> wide;
+void refine(const IndexedVertices& vertices, read::PolygonRefiner& refiner, std::span<simplify::Triangle> fan) {
+    std::vector<read::TriangleCorners> wide;
     wide.reserve(fan.size());
-    for (const Triangle& t : fan)
+    for (const simplify::Triangle& t : fan)
         wide.push_back({t[0], t[1], t[2]});
     refiner.refine(wide, [&](std::uint64_t vertex) { return vertices[static_cast<std::uint32_t>(vertex)].position; });
     for (std::size_t i = 0; i < fan.size(); ++i)
@@ -26,17 +26,17 @@ void refine(const IndexedVertices& vertices, PolygonRefiner& refiner, std::span<
 /// What the mesh needs to know of each place.
 struct Places {
     std::vector<std::uint32_t> normals; // empty if vertices bring their own
-    std::vector<ChunkSpan> sharers;
+    std::vector<simplify::ChunkSpan> sharers;
 };
 
 Places placesOf(
     const BinnedSource& source,
-    const StreamStore& borders,
+    const scratch::StreamStore& borders,
     std::uint32_t chunk,
     const ChunkVertices& vertices,
-    const std::vector<Triangle>& faces) {
+    const std::vector<simplify::Triangle>& faces) {
     Places places;
-    if (!source.format.hasNormals) places.normals = smoothNormals(vertices.places(), faces);
+    if (!source.format.hasNormals) places.normals = levels::smoothNormals(vertices.places(), faces);
     places.sharers =
         sharersOfOwnPlaces(vertices, chunk, source.bins.readAs<VertexRequest>(streamOf(BinStream::Requests, chunk)));
     places.sharers.resize(vertices.places().size());
@@ -58,8 +58,8 @@ public:
           firstAt_(vertices.places().size(), kNone),
           furtherAt_(vertices.size() - vertices.places().size()) {}
 
-    void add(std::vector<Triangle> triangles) {
-        for (Triangle& t : triangles)
+    void add(std::vector<simplify::Triangle> triangles) {
+        for (simplify::Triangle& t : triangles)
             for (std::uint32_t& corner : t) {
                 if (vertexOf_[corner] == kNone) vertexOf_[corner] = vertexFor(corner);
                 corner = vertexOf_[corner];
@@ -67,12 +67,12 @@ public:
         mesh_.triangles = std::move(triangles);
     }
 
-    Mesh take() { return std::move(mesh_); }
+    simplify::Mesh take() { return std::move(mesh_); }
 
 private:
     std::uint32_t vertexFor(std::uint32_t source) {
         const std::uint32_t place = vertices_.placeOf(source);
-        Vertex vertex;
+        hierarchy::Vertex vertex;
         vertex.position = vertices_.places()[place];
         vertex.normal = places_.normals.empty() ? vertices_[source].normal : places_.normals[place];
         vertex.color = vertices_[source].color;
@@ -99,12 +99,12 @@ private:
     std::vector<std::uint32_t> vertexOf_;
     std::vector<std::uint32_t> firstAt_; // the first vertex of the mesh at each place, nearly always the only one
     IndexTable furtherAt_;               // the others
-    Mesh mesh_;
+    simplify::Mesh mesh_;
 };
 
 } // namespace
 
-IndexedVertices readVertices(const BinnedSource& source, const StreamStore& borders, std::uint32_t chunk) {
+IndexedVertices readVertices(const BinnedSource& source, const scratch::StreamStore& borders, std::uint32_t chunk) {
     return {
         decodeVertices(source.bins.read(streamOf(BinStream::Vertices, chunk)), source.format),
         decodeVertices(borders.read(streamOf(BorderStream::Vertices, chunk)), source.format)};
@@ -112,9 +112,9 @@ IndexedVertices readVertices(const BinnedSource& source, const StreamStore& bord
 
 ChunkTriangles readTriangles(const BinnedSource& source, std::uint32_t chunk, const IndexedVertices& vertices) {
     ChunkTriangles triangles;
-    const auto records = source.bins.readAs<Triangle>(streamOf(BinStream::Triangles, chunk));
+    const auto records = source.bins.readAs<simplify::Triangle>(streamOf(BinStream::Triangles, chunk));
     triangles.own.reserve(records.size());
-    PolygonRefiner refiner;
+    read::PolygonRefiner refiner;
     for (std::size_t i = 0; i < records.size();) {
         if (records[i][0] != kPolygonMark) {
             triangles.own.push_back(vertices.find(records[i++]));
@@ -127,31 +127,33 @@ ChunkTriangles readTriangles(const BinnedSource& source, std::uint32_t chunk, co
         refine(vertices, refiner, std::span(triangles.own).last(count));
         i += count + 1;
     }
-    for (const Triangle& t : source.bins.readAs<Triangle>(streamOf(BinStream::Ghosts, chunk)))
+    for (const simplify::Triangle& t : source.bins.readAs<simplify::Triangle>(streamOf(BinStream::Ghosts, chunk)))
         triangles.ghosts.push_back(vertices.find(t));
     return triangles;
 }
 
-std::vector<Triangle> facesForNormals(
-    const ChunkVertices& vertices, const std::vector<Triangle>& own, const std::vector<Triangle>& ghosts) {
-    std::vector<Triangle> faces;
+std::vector<simplify::Triangle> facesForNormals(
+    const ChunkVertices& vertices,
+    const std::vector<simplify::Triangle>& own,
+    const std::vector<simplify::Triangle>& ghosts) {
+    std::vector<simplify::Triangle> faces;
     faces.reserve(own.size() + ghosts.size());
-    for (const Triangle& t : own)
+    for (const simplify::Triangle& t : own)
         faces.push_back(vertices.placesOf(t));
-    for (const Triangle& t : ghosts)
+    for (const simplify::Triangle& t : ghosts)
         faces.push_back(vertices.placesOf(t));
     return faces;
 }
 
-ChunkMesh loadChunk(const BinnedSource& source, const StreamStore& borders, std::uint32_t chunk) {
+ChunkMesh loadChunk(const BinnedSource& source, const scratch::StreamStore& borders, std::uint32_t chunk) {
     ChunkMesh result;
     const ChunkVertices vertices(readVertices(source, borders, chunk), source.grid);
-    std::vector<Triangle> kept;
+    std::vector<simplify::Triangle> kept;
     Places places;
     {
         const ChunkTriangles triangles = readTriangles(source, chunk, vertices.indexed());
         kept = keptTriangles(vertices, triangles.own, result.dropped);
-        std::vector<Triangle> faces;
+        std::vector<simplify::Triangle> faces;
         DroppedTriangles ignored;
         if (!source.format.hasNormals)
             faces = facesForNormals(vertices, kept, keptTriangles(vertices, triangles.ghosts, ignored));
@@ -163,11 +165,11 @@ ChunkMesh loadChunk(const BinnedSource& source, const StreamStore& borders, std:
     result.mesh.grid = source.grid;
     const auto own = static_cast<std::uint16_t>(chunk);
     result.mesh.chunks = {own, own};
-    for (const Vertex& vertex : result.mesh.vertices) {
+    for (const hierarchy::Vertex& vertex : result.mesh.vertices) {
         result.bounds.add(source.grid.world(vertex.position));
         result.hasNormals = result.hasNormals || vertex.normal != hierarchy::kNoNormal;
     }
     return result;
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::chunk

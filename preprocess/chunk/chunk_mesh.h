@@ -3,30 +3,32 @@
 
 #include "preprocess/chunk/chunk_vertices.h"
 
-namespace gnomon::preprocess {
+namespace gnomon::chunk {
 
 /// Triangles of vertices of a chunk, in source order, polygons triangulated.
 struct ChunkTriangles {
-    std::vector<Triangle> own;
-    std::vector<Triangle> ghosts; // of other chunks, that touch places of this one
+    std::vector<simplify::Triangle> own;
+    std::vector<simplify::Triangle> ghosts; // of other chunks, that touch places of this one
 };
 
-IndexedVertices readVertices(const BinnedSource& source, const StreamStore& borders, std::uint32_t chunk);
+IndexedVertices readVertices(const BinnedSource& source, const scratch::StreamStore& borders, std::uint32_t chunk);
 
 ChunkTriangles readTriangles(const BinnedSource& source, std::uint32_t chunk, const IndexedVertices& vertices);
 
 /// The faces whose normals count, on places: own ones, then ghosts.
-std::vector<Triangle> facesForNormals(
-    const ChunkVertices& vertices, const std::vector<Triangle>& own, const std::vector<Triangle>& ghosts);
+std::vector<simplify::Triangle> facesForNormals(
+    const ChunkVertices& vertices,
+    const std::vector<simplify::Triangle>& own,
+    const std::vector<simplify::Triangle>& ghosts);
 
 struct ChunkMesh {
-    Mesh mesh;
+    simplify::Mesh mesh;
     DroppedTriangles dropped;
     Box bounds;              // of the mesh's positions, world space
     bool hasNormals = false; // some vertex has one, from the source or smoothed
 };
 
 /// The chunk's triangles, welded by snapped position, with what its neighbours told of its border.
-ChunkMesh loadChunk(const BinnedSource& source, const StreamStore& borders, std::uint32_t chunk);
+ChunkMesh loadChunk(const BinnedSource& source, const scratch::StreamStore& borders, std::uint32_t chunk);
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::chunk

@@ -2,7 +2,7 @@
 
 #include "core/check.h"
 
-namespace gnomon::preprocess {
+namespace gnomon::chunk {
 
 namespace {
 
@@ -50,4 +50,4 @@ std::vector<ChunkVertex> decodeVertices(std::span<const std::byte> records, cons
     return vertices;
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::chunk

@@ -1,13 +1,13 @@
 // What the binning writes and the chunks read: records by chunk, in streams of a store.
 #pragma once
 
-#include "preprocess/build/mesh.h"
 #include "preprocess/scratch/stream_store.h"
+#include "preprocess/simplify/mesh.h"
 
 #include <algorithm>
 #include <array>
 
-namespace gnomon::preprocess {
+namespace gnomon::chunk {
 
 /// What of each vertex travels.
 struct VertexFormat {
@@ -52,7 +52,7 @@ struct VertexRequest {
 struct SharedVertex {
     std::uint32_t vertex = 0;
     std::uint32_t normal = hierarchy::kNoNormal; // where the source has none
-    ChunkSpan sharers;                           // all chunks with triangles there are among these
+    simplify::ChunkSpan sharers;                 // all chunks with triangles there are among these
 };
 
 /// How large a part of the model is, with what of others it takes along.
@@ -106,4 +106,4 @@ constexpr std::uint32_t borderStreams(std::uint32_t chunks) {
     return chunks * static_cast<std::uint32_t>(BorderStream::Count);
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::chunk

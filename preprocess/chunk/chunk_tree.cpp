@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-namespace gnomon::preprocess {
+namespace gnomon::chunk {
 
 namespace {
 
@@ -25,7 +25,7 @@ constexpr auto kSpread = [] {
     return table;
 }();
 
-std::uint32_t mortonCell(const GridPoint& point, int bits, int shift) {
+std::uint32_t mortonCell(const hierarchy::GridPoint& point, int bits, int shift) {
     const std::uint32_t mask = (1U << bits) - 1;
     return kSpread[point.x >> shift & mask] | kSpread[point.y >> shift & mask] << 1U |
            kSpread[point.z >> shift & mask] << 2U;
@@ -33,7 +33,7 @@ std::uint32_t mortonCell(const GridPoint& point, int bits, int shift) {
 
 } // namespace
 
-CellCounts::CellCounts(const GridPoint& furthest) {
+CellCounts::CellCounts(const hierarchy::GridPoint& furthest) {
     const int width = static_cast<int>(std::bit_width(std::max({furthest.x, furthest.y, furthest.z, 1U})));
     const int bits = std::min(kRootBits, width);
     tables_.push_back(makeTable(bits, width - bits));
@@ -44,11 +44,11 @@ CellCounts::Table CellCounts::makeTable(int bits, int shift) {
     return {bits, shift, std::vector<std::uint64_t>(cells), std::vector<std::int32_t>(cells, -1)};
 }
 
-std::uint32_t CellCounts::cellOf(const Table& table, const GridPoint& point) {
+std::uint32_t CellCounts::cellOf(const Table& table, const hierarchy::GridPoint& point) {
     return mortonCell(point, table.bits, table.shift);
 }
 
-void CellCounts::add(const GridPoint& point, std::uint32_t weight) {
+void CellCounts::add(const hierarchy::GridPoint& point, std::uint32_t weight) {
     std::size_t table = 0;
     for (;;) {
         const std::uint32_t cell = cellOf(tables_[table], point);
@@ -115,7 +115,7 @@ void ChunkTree::assign(std::size_t table, std::size_t begin, std::size_t end) {
         tables_[table].chunks[cell] = chunkCount() - 1;
 }
 
-std::uint32_t ChunkTree::chunkOf(const GridPoint& point) const {
+std::uint32_t ChunkTree::chunkOf(const hierarchy::GridPoint& point) const {
     std::uint32_t found = kFiner;
     while (found >= kFiner) {
         const Table& table = tables_[found - kFiner];
@@ -124,4 +124,4 @@ std::uint32_t ChunkTree::chunkOf(const GridPoint& point) const {
     return found;
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::chunk

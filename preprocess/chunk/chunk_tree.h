@@ -1,11 +1,11 @@
 // Which chunk each place of the grid belongs to: an adaptive octree of counts, cut along its space-filling order.
 #pragma once
 
-#include "preprocess/build/mesh.h"
+#include "preprocess/simplify/mesh.h"
 
 #include <vector>
 
-namespace gnomon::preprocess {
+namespace gnomon::chunk {
 
 /// The most chunks of a model: their ids have 16 bits.
 constexpr std::uint32_t kMaxChunks = 0xFFFF;
@@ -17,10 +17,10 @@ constexpr std::uint32_t kMaxChunks = 0xFFFF;
 class CellCounts {
 public:
     /// For points up to `furthest` on each axis.
-    explicit CellCounts(const GridPoint& furthest);
+    explicit CellCounts(const hierarchy::GridPoint& furthest);
 
     /// Counts `weight` where it is still unknown: in the cells made by the last `refine`.
-    void add(const GridPoint& point, std::uint32_t weight);
+    void add(const hierarchy::GridPoint& point, std::uint32_t weight);
 
     /// Cuts cells above `limit` that are larger than a point into smaller ones. Whether there are any: then everything
     /// must be added again.
@@ -38,7 +38,7 @@ private:
     };
 
     static Table makeTable(int bits, int shift);
-    static std::uint32_t cellOf(const Table& table, const GridPoint& point);
+    static std::uint32_t cellOf(const Table& table, const hierarchy::GridPoint& point);
 
     std::vector<Table> tables_;
     std::size_t firstOpen_ = 0;
@@ -54,7 +54,7 @@ public:
     std::uint32_t chunkCount() const { return static_cast<std::uint32_t>(weights_.size()); }
 
     /// The chunk of a point that was counted.
-    std::uint32_t chunkOf(const GridPoint& point) const;
+    std::uint32_t chunkOf(const hierarchy::GridPoint& point) const;
 
 private:
     struct Table {
@@ -72,4 +72,4 @@ private:
     std::vector<std::uint64_t> weights_; // of each chunk
 };
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::chunk

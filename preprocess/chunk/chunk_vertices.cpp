@@ -6,18 +6,18 @@
 #include <algorithm>
 #include <array>
 
-namespace gnomon::preprocess {
+namespace gnomon::chunk {
 
 namespace {
 
 constexpr std::size_t kBatch = 16; // keys whose places in a table are fetched at once: it is larger than the caches
 
-Triangle sorted(Triangle t) {
+simplify::Triangle sorted(simplify::Triangle t) {
     std::sort(t.begin(), t.end());
     return t;
 }
 
-bool isDegenerate(const ChunkVertices& vertices, const Triangle& t) {
+bool isDegenerate(const ChunkVertices& vertices, const simplify::Triangle& t) {
     const auto same = [&](std::uint32_t a, std::uint32_t b) {
         return a == b || vertices[a].position == vertices[b].position;
     };
@@ -26,16 +26,16 @@ bool isDegenerate(const ChunkVertices& vertices, const Triangle& t) {
 
 } // namespace
 
-ChunkVertices::ChunkVertices(IndexedVertices vertices, const Grid& grid)
+ChunkVertices::ChunkVertices(IndexedVertices vertices, const hierarchy::Grid& grid)
     : vertices_(std::move(vertices)), placeOf_(vertices_.size()) {
     const GridSnap snap(grid);
     IndexTable byPlace(vertices_.size());
-    std::array<GridPoint, kBatch> points;
+    std::array<hierarchy::GridPoint, kBatch> points;
     std::array<std::uint64_t, kBatch> hashes{};
     for (std::size_t first = 0; first < vertices_.size(); first += kBatch) {
         const std::size_t count = std::min(kBatch, vertices_.size() - first);
         for (std::size_t i = 0; i < count; ++i) {
-            const GridPoint& p = points[i] = snap(vertices_[static_cast<std::uint32_t>(first + i)].position);
+            const hierarchy::GridPoint& p = points[i] = snap(vertices_[static_cast<std::uint32_t>(first + i)].position);
             hashes[i] = hashOf(p.x, p.y, p.z);
             byPlace.prefetch(hashes[i]);
         }
@@ -50,23 +50,23 @@ ChunkVertices::ChunkVertices(IndexedVertices vertices, const Grid& grid)
     }
 }
 
-std::vector<Triangle> keptTriangles(
-    const ChunkVertices& vertices, const std::vector<Triangle>& triangles, DroppedTriangles& dropped) {
-    std::vector<Triangle> kept;
+std::vector<simplify::Triangle> keptTriangles(
+    const ChunkVertices& vertices, const std::vector<simplify::Triangle>& triangles, DroppedTriangles& dropped) {
+    std::vector<simplify::Triangle> kept;
     kept.reserve(triangles.size());
     IndexTable table(triangles.size());
-    std::array<Triangle, kBatch> places{};
+    std::array<simplify::Triangle, kBatch> places{};
     std::array<std::uint64_t, kBatch> hashes{};
     for (std::size_t first = 0; first < triangles.size(); first += kBatch) {
         const std::size_t count = std::min(kBatch, triangles.size() - first);
         for (std::size_t i = 0; i < count; ++i) {
-            const Triangle& p = places[i] = sorted(vertices.placesOf(triangles[first + i]));
+            const simplify::Triangle& p = places[i] = sorted(vertices.placesOf(triangles[first + i]));
             hashes[i] = hashOf(p[0], p[1], p[2]);
             table.prefetch(hashes[i]);
         }
         for (std::size_t i = 0; i < count; ++i) {
-            const Triangle& t = triangles[first + i];
-            const Triangle& p = places[i];
+            const simplify::Triangle& t = triangles[first + i];
+            const simplify::Triangle& p = places[i];
             if (p[0] == p[1] || p[1] == p[2]) {
                 ++(isDegenerate(vertices, t) ? dropped.degenerate : dropped.collapsedByGrid);
                 continue;
@@ -83,15 +83,16 @@ std::vector<Triangle> keptTriangles(
     return kept;
 }
 
-std::vector<ChunkSpan> sharersOfOwnPlaces(
+std::vector<simplify::ChunkSpan> sharersOfOwnPlaces(
     const ChunkVertices& vertices, std::uint32_t chunk, std::span<const VertexRequest> requests) {
     const auto own = static_cast<std::uint16_t>(chunk);
-    std::vector<ChunkSpan> sharers(vertices.ownPlaces(), ChunkSpan{own, own});
+    std::vector<simplify::ChunkSpan> sharers(vertices.ownPlaces(), simplify::ChunkSpan{own, own});
     for (const VertexRequest& request : requests) {
         const auto other = static_cast<std::uint16_t>(request.chunk);
-        if (request.isOwner != 0) sharers[vertices.placeOfSource(request.vertex)].add(ChunkSpan{other, other});
+        if (request.isOwner != 0)
+            sharers[vertices.placeOfSource(request.vertex)].add(simplify::ChunkSpan{other, other});
     }
     return sharers;
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::chunk

@@ -4,13 +4,13 @@
 #include "preprocess/chunk/borders.h"
 #include "preprocess/chunk/indexed_vertices.h"
 
-namespace gnomon::preprocess {
+namespace gnomon::chunk {
 
 /// Places are welded positions, numbered from 0 in the order of the vertices, so those that lie in the chunk come
 /// first.
 class ChunkVertices {
 public:
-    ChunkVertices(IndexedVertices vertices, const Grid& grid);
+    ChunkVertices(IndexedVertices vertices, const hierarchy::Grid& grid);
 
     std::size_t size() const { return vertices_.size(); }
 
@@ -23,9 +23,11 @@ public:
 
     std::uint32_t placeOf(std::uint32_t vertex) const { return placeOf_[vertex]; }
 
-    Triangle placesOf(const Triangle& t) const { return {placeOf_[t[0]], placeOf_[t[1]], placeOf_[t[2]]}; }
+    simplify::Triangle placesOf(const simplify::Triangle& t) const {
+        return {placeOf_[t[0]], placeOf_[t[1]], placeOf_[t[2]]};
+    }
 
-    const std::vector<GridPoint>& places() const { return places_; }
+    const std::vector<hierarchy::GridPoint>& places() const { return places_; }
 
     /// How many of the places lie in the chunk.
     std::uint32_t ownPlaces() const { return ownPlaces_; }
@@ -33,7 +35,7 @@ public:
 private:
     IndexedVertices vertices_;
     std::vector<std::uint32_t> placeOf_;
-    std::vector<GridPoint> places_;
+    std::vector<hierarchy::GridPoint> places_;
     std::uint32_t ownPlaces_ = 0;
 };
 
@@ -45,11 +47,11 @@ struct DroppedTriangles {
 };
 
 /// The triangles of three different places, each once, in order; `dropped` counts the others. All of vertices here.
-std::vector<Triangle> keptTriangles(
-    const ChunkVertices& vertices, const std::vector<Triangle>& triangles, DroppedTriangles& dropped);
+std::vector<simplify::Triangle> keptTriangles(
+    const ChunkVertices& vertices, const std::vector<simplify::Triangle>& triangles, DroppedTriangles& dropped);
 
 /// Which chunks share each own place: `chunk` and those whose requests say that they have triangles there.
-std::vector<ChunkSpan> sharersOfOwnPlaces(
+std::vector<simplify::ChunkSpan> sharersOfOwnPlaces(
     const ChunkVertices& vertices, std::uint32_t chunk, std::span<const VertexRequest> requests);
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::chunk

@@ -7,7 +7,7 @@
 #include <memory>
 #include <optional>
 
-namespace gnomon::preprocess {
+namespace gnomon::chunk {
 
 /// Calls `make(i)` for i in [first, end) on as many threads as there are, never holding more than `atOnce` results, and
 /// `take(i, result)` in order, one at a time.
@@ -41,4 +41,4 @@ void makeInOrder(std::size_t first, std::size_t end, std::size_t atOnce, const M
                 [&](const std::shared_ptr<Work>& work) { take(work->index, std::move(*work->result)); }));
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::chunk

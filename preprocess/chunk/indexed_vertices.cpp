@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace gnomon::preprocess {
+namespace gnomon::chunk {
 
 IndexedVertices::IndexedVertices(std::vector<ChunkVertex> own, const std::vector<ChunkVertex>& foreign)
     : vertices_(std::move(own)), ownCount_(vertices_.size()) {
@@ -68,4 +68,4 @@ std::uint32_t IndexedVertices::find(std::uint32_t sourceIndex) const {
     return run.vertex + (sourceIndex - run.index);
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::chunk

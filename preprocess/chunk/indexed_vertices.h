@@ -3,7 +3,7 @@
 
 #include "preprocess/chunk/chunk_streams.h"
 
-namespace gnomon::preprocess {
+namespace gnomon::chunk {
 
 /// Those that lie in the chunk come first, then those of other chunks.
 class IndexedVertices {
@@ -21,7 +21,9 @@ public:
     /// Its number here; a check fails for a vertex that the chunk has not.
     std::uint32_t find(std::uint32_t sourceIndex) const;
 
-    Triangle find(const Triangle& corners) const { return {find(corners[0]), find(corners[1]), find(corners[2])}; }
+    simplify::Triangle find(const simplify::Triangle& corners) const {
+        return {find(corners[0]), find(corners[1]), find(corners[2])};
+    }
 
 private:
     /// Vertices that follow each other both in the source and here. Scans have few runs, and long ones.
@@ -41,4 +43,4 @@ private:
     std::vector<std::uint32_t> firstRun_; // that begins in each bucket of 2^bucketShift_ indices, or after it
 };
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::chunk

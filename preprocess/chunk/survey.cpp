@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace gnomon::preprocess {
+namespace gnomon::chunk {
 
 namespace {
 
@@ -26,13 +26,13 @@ int floorExponent(double value) {
     return exponent - 1;
 }
 
-void countTriangles(MeshSource& source, SourceSurvey& survey, EdgeSample& sample, Progress& progress) {
-    const MeshSummary& summary = source.summary();
+void countTriangles(read::MeshSource& source, SourceSurvey& survey, EdgeSample& sample, Progress& progress) {
+    const read::MeshSummary& summary = source.summary();
     progress.stage("count", "faces", summary.faceCount);
     survey.valence.assign(summary.vertexCount, 0);
-    source.readTriangles([&](const TriangleBlock& block) {
+    source.readTriangles([&](const read::TriangleBlock& block) {
         std::uint64_t index = block.firstTriangle;
-        for (const TriangleCorners& triangle : block.triangles) {
+        for (const read::TriangleCorners& triangle : block.triangles) {
             for (const std::uint64_t corner : triangle)
                 if (std::uint8_t& valence = survey.valence[corner]; valence < 255) ++valence;
             sample.offer(index++, triangle);
@@ -47,14 +47,14 @@ void countTriangles(MeshSource& source, SourceSurvey& survey, EdgeSample& sample
 }
 
 /// Of the vertices that triangles use: a stray one would set the grid's step.
-Box boundsOf(MeshSource& source, const std::vector<std::uint8_t>& valence, Progress& progress) {
+Box boundsOf(read::MeshSource& source, const std::vector<std::uint8_t>& valence, Progress& progress) {
     constexpr double kMostCoordinate = 1e100; // beyond, squares of distances leave the range of doubles
     progress.stage("measure", "vertices", source.summary().vertexCount);
     Box box;
-    source.readVertices([&](const VertexBlock& block) {
+    source.readVertices([&](const read::VertexBlock& block) {
         for (std::size_t i = 0; i < block.positions.size(); ++i) {
             if (valence[block.firstVertex + i] == 0) continue;
-            requireFinite(source, block.firstVertex + i, block.positions[i]);
+            read::requireFinite(source, block.firstVertex + i, block.positions[i]);
             box.add(block.positions[i]);
         }
         progress.advance(block.positions.size());
@@ -70,7 +70,7 @@ Box boundsOf(MeshSource& source, const std::vector<std::uint8_t>& valence, Progr
 
 } // namespace
 
-void EdgeSample::offer(std::uint64_t index, const TriangleCorners& corners) {
+void EdgeSample::offer(std::uint64_t index, const read::TriangleCorners& corners) {
     const std::uint64_t hash = mix64(index);
     if (hash > threshold_) return;
     entries_.push_back(
@@ -101,7 +101,7 @@ double EdgeSample::Lengths::quantile(double fraction) const {
     return 0;
 }
 
-EdgeSample::Lengths EdgeSample::measure(MeshSource& source) const {
+EdgeSample::Lengths EdgeSample::measure(read::MeshSource& source) const {
     std::vector<std::uint32_t> vertices;
     vertices.reserve(entries_.size() * 3);
     for (const Entry& entry : entries_)
@@ -118,10 +118,10 @@ EdgeSample::Lengths EdgeSample::measure(MeshSource& source) const {
     return lengths;
 }
 
-Grid chooseGrid(const Box& box, const EdgeSample::Lengths& lengths) {
+hierarchy::Grid chooseGrid(const Box& box, const EdgeSample::Lengths& lengths) {
     const glm::dvec3 size = box.extent();
     const double extent = std::max({size.x, size.y, size.z});
-    Grid grid;
+    hierarchy::Grid grid;
     if (!(extent > 0)) {
         grid.origin = box.isEmpty() ? glm::dvec3(0) : box.min;
         grid.stepExponent = -20;
@@ -141,8 +141,8 @@ Grid chooseGrid(const Box& box, const EdgeSample::Lengths& lengths) {
     return grid;
 }
 
-SourceSurvey surveySource(MeshSource& source, Progress& progress) {
-    const MeshSummary& summary = source.summary();
+SourceSurvey surveySource(read::MeshSource& source, Progress& progress) {
+    const read::MeshSummary& summary = source.summary();
     if (summary.vertexCount >= 0xFFFFFFFFU)
         throw Error(summary.path, "too many vertices", "fewer than 2^32", std::to_string(summary.vertexCount));
     SourceSurvey survey;
@@ -155,4 +155,4 @@ SourceSurvey surveySource(MeshSource& source, Progress& progress) {
     return survey;
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::chunk

@@ -2,17 +2,17 @@
 #pragma once
 
 #include "core/progress.h"
-#include "preprocess/build/mesh.h"
 #include "preprocess/read/mesh_source.h"
+#include "preprocess/simplify/mesh.h"
 
 #include <algorithm>
 #include <vector>
 
-namespace gnomon::preprocess {
+namespace gnomon::chunk {
 
 struct SourceSurvey {
-    Grid grid;
-    GridPoint furthest; // no snapped vertex of a triangle lies beyond it on any axis
+    hierarchy::Grid grid;
+    hierarchy::GridPoint furthest; // no snapped vertex of a triangle lies beyond it on any axis
     std::uint64_t triangles = 0;
     std::uint64_t vertices = 0;
     std::uint64_t notAPolygon = 0;
@@ -22,14 +22,14 @@ struct SourceSurvey {
 
 /// One pass over the triangles and two over the vertices, in one byte a vertex and some 60 MiB. Throws Error where the
 /// source does, for more vertices or triangles than 32 bits count, and for a source without triangles.
-SourceSurvey surveySource(MeshSource& source, Progress& progress);
+SourceSurvey surveySource(read::MeshSource& source, Progress& progress);
 
 /// The triangles whose edges the grid is chosen by: all of a source of up to 512 Ki triangles, else at least 256 Ki
 /// drawn by a hash of their index, so the same ones for the same source.
 class EdgeSample {
 public:
     /// Takes or leaves the triangle `index`.
-    void offer(std::uint64_t index, const TriangleCorners& corners);
+    void offer(std::uint64_t index, const read::TriangleCorners& corners);
 
     /// Edge lengths by powers of two: enough for a median and a low quantile, and free of order.
     class Lengths {
@@ -46,7 +46,7 @@ public:
     };
 
     /// The lengths of the sampled edges: one pass over the vertices.
-    Lengths measure(MeshSource& source) const;
+    Lengths measure(read::MeshSource& source) const;
 
 private:
     struct Entry {
@@ -60,14 +60,14 @@ private:
 
 /// The grid for positions within `box` whose edges have these `lengths`: a step of at most 2^-20 of the extent, 1/64 of
 /// the median edge and half of nearly the shortest; coarser only where 30 bits or the spacing of doubles end.
-Grid chooseGrid(const Box& box, const EdgeSample::Lengths& lengths);
+hierarchy::Grid chooseGrid(const Box& box, const EdgeSample::Lengths& lengths);
 
 /// Finds the points of a grid that are nearest to positions.
 class GridSnap {
 public:
-    explicit GridSnap(const Grid& grid) : origin_(grid.origin), stepsPerUnit_(1 / grid.step()) {}
+    explicit GridSnap(const hierarchy::Grid& grid) : origin_(grid.origin), stepsPerUnit_(1 / grid.step()) {}
 
-    GridPoint operator()(const glm::dvec3& position) const {
+    hierarchy::GridPoint operator()(const glm::dvec3& position) const {
         const glm::dvec3 p = (position - origin_) * stepsPerUnit_;
         return {coordinate(p.x), coordinate(p.y), coordinate(p.z)};
     }
@@ -82,4 +82,4 @@ private:
     double stepsPerUnit_;
 };
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::chunk

@@ -7,17 +7,17 @@
 #include <algorithm>
 #include <vector>
 
-namespace gnomon::preprocess {
+namespace gnomon::chunk {
 
 /// The positions of chosen vertices.
 class VertexLookup {
 public:
     /// Reads the positions of `vertices` (any order, repeats welcome) in one pass over the source.
-    VertexLookup(MeshSource& source, std::vector<std::uint32_t> vertices) : vertices_(std::move(vertices)) {
+    VertexLookup(read::MeshSource& source, std::vector<std::uint32_t> vertices) : vertices_(std::move(vertices)) {
         std::sort(vertices_.begin(), vertices_.end());
         vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
         positions_.reserve(vertices_.size());
-        source.readVertices([&](const VertexBlock& block) {
+        source.readVertices([&](const read::VertexBlock& block) {
             const std::uint64_t end = block.firstVertex + block.positions.size();
             while (positions_.size() < vertices_.size() && vertices_[positions_.size()] < end)
                 positions_.push_back(block.positions[vertices_[positions_.size()] - block.firstVertex]);
@@ -35,4 +35,4 @@ private:
     std::vector<glm::dvec3> positions_;
 };
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::chunk

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace gnomon::preprocess {
+namespace gnomon::make {
 
 namespace {
 
@@ -178,4 +178,4 @@ double BustShape::distance(const dvec3& p) const {
     return blend(trunk, headDistance(p), 0.022);
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::make

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace gnomon::preprocess {
+namespace gnomon::make {
 
 /// A bust of 0.8 m, y up from a flat base at 0, facing +z. Seeds vary its proportions, hair and folds.
 class BustShape {
@@ -32,4 +32,4 @@ private:
     double foldTwist_;
 };
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::make

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <span>
 
-namespace gnomon::preprocess {
+namespace gnomon::make {
 
 /// The corners of a triangle as indices of vertices of the whole model, counter-clockwise seen from outside.
 using MadeTriangle = std::array<std::uint64_t, 3>;
@@ -63,4 +63,4 @@ public:
 /// The sum over all blocks.
 MeshSize modelSize(const MadeModel& model);
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::make

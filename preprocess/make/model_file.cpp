@@ -13,7 +13,7 @@
 #include <limits>
 #include <vector>
 
-namespace gnomon::preprocess {
+namespace gnomon::make {
 
 namespace {
 
@@ -147,4 +147,4 @@ MeshSize writeMadeModel(
     return size;
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::make

@@ -7,7 +7,7 @@
 
 #include <string>
 
-namespace gnomon::preprocess {
+namespace gnomon::make {
 
 /// What a thread holds at most of a model's encoded bytes while it writes: one buffer of vertices, one of triangles.
 inline constexpr Bytes kWriteBuffer = mebibytes(1);
@@ -18,4 +18,4 @@ inline constexpr Bytes kWriteBuffer = mebibytes(1);
 MeshSize writeMadeModel(
     const MadeModel& model, const std::string& path, const std::string& comment, int threads, Progress& progress);
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::make

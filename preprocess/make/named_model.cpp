@@ -8,7 +8,7 @@
 
 #include <array>
 
-namespace gnomon::preprocess {
+namespace gnomon::make {
 
 namespace {
 
@@ -61,4 +61,4 @@ std::unique_ptr<MadeModel> makeNamedModel(const std::string& kind, std::uint64_t
     return found.make(triangles, seed);
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::make

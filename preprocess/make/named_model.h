@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace gnomon::preprocess {
+namespace gnomon::make {
 
 /// In the order of the help.
 std::vector<std::string> modelNames();
@@ -18,4 +18,4 @@ std::uint64_t defaultTriangles(const std::string& kind);
 /// A model of `triangles` within 2%. Throws Error if that is fewer than the kind can be made of.
 std::unique_ptr<MadeModel> makeNamedModel(const std::string& kind, std::uint64_t triangles, std::uint64_t seed);
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::make

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace gnomon::preprocess {
+namespace gnomon::make {
 
 /// The sine of `turns` full turns, within 1e-9. Unlike libm's, the same on every CPU.
 inline double sinTurns(double turns) {
@@ -60,4 +60,4 @@ inline float gradientNoise(float x, float y, float z, std::uint32_t seed) {
 /// The standard deviation of gradientNoise over space.
 inline constexpr double kNoiseDeviation = 0.1915;
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::make

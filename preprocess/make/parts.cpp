@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace gnomon::preprocess {
+namespace gnomon::make {
 
 namespace {
 
@@ -288,4 +288,4 @@ std::vector<dvec3> roundedPath(std::span<const dvec3> corners, double radius, st
     return path;
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::make

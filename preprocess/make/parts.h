@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace gnomon::preprocess {
+namespace gnomon::make {
 
 /// Takes parts one after another and either only counts them or makes them, so that the two never disagree. A part is
 /// a run of vertices and the triangles between them.
@@ -153,4 +153,4 @@ void addSkin(PartSink& sink, std::uint64_t rings, std::uint64_t around, const Sh
 /// The way through `corners` with each right angle rounded over `radius` in `steps` steps.
 std::vector<glm::dvec3> roundedPath(std::span<const glm::dvec3> corners, double radius, std::uint64_t steps);
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::make

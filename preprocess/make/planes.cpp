@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace gnomon::preprocess {
+namespace gnomon::make {
 
 using glm::dvec3;
 
@@ -261,4 +261,4 @@ void Planes::makeBlock(std::size_t block, std::uint64_t firstVertex, MeshSink& s
     parts.finish();
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::make

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace gnomon::preprocess {
+namespace gnomon::make {
 
 /// Single-engined fighters of 11 m span in a loose formation, 4 to 14 m over rolling ground of 500 m; y up, metres.
 /// The aeroplanes take 98% of the triangles, the ground the rest.
@@ -38,4 +38,4 @@ private:
     std::uint32_t groundSeed_ = 0;
 };
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::make

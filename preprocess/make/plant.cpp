@@ -10,7 +10,7 @@
 #include <cmath>
 #include <string_view>
 
-namespace gnomon::preprocess {
+namespace gnomon::make {
 
 using glm::dvec3;
 
@@ -236,4 +236,4 @@ void Plant::makeBlock(std::size_t block, std::uint64_t firstVertex, MeshSink& si
     parts.finish();
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::make

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace gnomon::preprocess {
+namespace gnomon::make {
 
 /// A plant of 320 m in a yard of 400 m, y up, ground at 0, metres. More triangles make more parts first (bars, bolts,
 /// tubes, fins, gravel) and rounder ones second; fewer than about 300,000 leave lots empty.
@@ -46,4 +46,4 @@ private:
     double stoneRadius_ = 0.05;
 };
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::make

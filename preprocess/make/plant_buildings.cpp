@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace gnomon::preprocess {
+namespace gnomon::make {
 
 using glm::dvec3;
 
@@ -346,4 +346,4 @@ void addGasTurbine(Site& site) {
     addPipe(site, fuel, 0.12);
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::make

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace gnomon::preprocess {
+namespace gnomon::make {
 
 using glm::dvec3;
 
@@ -299,4 +299,4 @@ void addLamp(Site& site, const dvec3& foot) {
     addFlange(site, foot + kUp * 0.02, kUp, 0.12);
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::make

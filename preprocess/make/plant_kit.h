@@ -4,7 +4,7 @@
 #include "core/random.h"
 #include "preprocess/make/parts.h"
 
-namespace gnomon::preprocess {
+namespace gnomon::make {
 
 inline const glm::dvec3 kUp(0, 1, 0);
 
@@ -84,4 +84,4 @@ void addCladding(Site& site, const glm::dvec3& corner, const glm::dvec3& u, cons
 /// A street lamp at `foot` whose arm points along x.
 void addLamp(Site& site, const glm::dvec3& foot);
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::make

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace gnomon::preprocess {
+namespace gnomon::make {
 
 using glm::dvec3;
 
@@ -327,4 +327,4 @@ void addTransformers(Site& site) {
         addFence(site, corners.at(i), corners.at((i + 1) % 4));
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::make

@@ -3,7 +3,7 @@
 
 #include "preprocess/make/plant_kit.h"
 
-namespace gnomon::preprocess {
+namespace gnomon::make {
 
 /// Half of what a unit may cover in x and z; the rest of its lot is road.
 inline constexpr double kUnitHalf = 15;
@@ -24,4 +24,4 @@ void addGasTurbine(Site& site);
 inline constexpr std::uint64_t kBoilerStoreys = 8;
 void addBoilerStorey(Site& site, std::uint64_t storey);
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::make

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace gnomon::preprocess {
+namespace gnomon::make {
 
 namespace {
 
@@ -234,4 +234,4 @@ void Statue::makeBlock(std::size_t block, std::uint64_t /*firstVertex*/, MeshSin
     makeTriangles(rows, sink);
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::make

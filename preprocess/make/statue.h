@@ -6,7 +6,7 @@
 
 #include <memory>
 
-namespace gnomon::preprocess {
+namespace gnomon::make {
 
 /// One band of the stone's grain: gradient noise of lattice spacing `spacing`, `deviation` metres (standard) high.
 struct GrainOctave {
@@ -73,4 +73,4 @@ private:
     std::vector<GrainOctave> octaves_;
 };
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::make

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace gnomon::preprocess {
+namespace gnomon::make {
 
 namespace {
 
@@ -198,4 +198,4 @@ SurfacePoint StatueSurface::at(float along, float around) const {
     return {glm::vec3(position), glm::normalize(glm::vec3(outward))};
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::make

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace gnomon::preprocess {
+namespace gnomon::make {
 
 /// A point of the surface and the unit direction in which its stone is displaced.
 struct SurfacePoint {
@@ -54,4 +54,4 @@ private:
     double meridian_ = 0;
 };
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::make

@@ -1,8 +1,8 @@
 #include "preprocess/pipeline/assemble.h"
 
-#include "preprocess/build/page_layout.h"
+#include "preprocess/levels/page_layout.h"
 
-namespace gnomon::preprocess {
+namespace gnomon::pipeline {
 
 namespace {
 
@@ -61,7 +61,8 @@ Totals totalsOf(const Ledger& ledger, std::map<std::string, std::string> options
     return totals;
 }
 
-void writePages(const Ledger& ledger, const ScratchFile& pages, hierarchy::ModelWriter& writer, Progress& progress) {
+void writePages(
+    const Ledger& ledger, const scratch::ScratchFile& pages, hierarchy::ModelWriter& writer, Progress& progress) {
     std::vector<std::vector<const NodeRecord::LevelOfNode*>> levels(ledger.pageCounts().size());
     forEachLevel(
         ledger, [&](const NodeRecord::LevelOfNode& level, std::size_t number) { levels[number].push_back(&level); });
@@ -73,7 +74,7 @@ void writePages(const Ledger& ledger, const ScratchFile& pages, hierarchy::Model
             for (const PageInfo& info : level->pages) {
                 page.info = info;
                 for (std::uint32_t& child : page.info.children) {
-                    const PageOfLevel place = placeOfProvisional(child);
+                    const levels::PageOfLevel place = levels::placeOfProvisional(child);
                     child = first[place.level] + place.page;
                 }
                 page.bytes.resize(info.storedBytes);
@@ -83,4 +84,4 @@ void writePages(const Ledger& ledger, const ScratchFile& pages, hierarchy::Model
             }
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::pipeline

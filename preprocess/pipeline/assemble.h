@@ -3,11 +3,11 @@
 
 #include "core/progress.h"
 #include "hierarchy/model_writer.h"
-#include "preprocess/build/level.h"
+#include "preprocess/levels/level.h"
 #include "preprocess/pipeline/ledger.h"
 #include "preprocess/scratch/scratch_file.h"
 
-namespace gnomon::preprocess {
+namespace gnomon::pipeline {
 
 /// What the records of all nodes add up to.
 struct Totals {
@@ -20,6 +20,7 @@ struct Totals {
 Totals totalsOf(const Ledger& ledger, std::map<std::string, std::string> options);
 
 /// Appends all pages to `writer`, coarsest level first, each level in the order of the nodes.
-void writePages(const Ledger& ledger, const ScratchFile& pages, hierarchy::ModelWriter& writer, Progress& progress);
+void writePages(
+    const Ledger& ledger, const scratch::ScratchFile& pages, hierarchy::ModelWriter& writer, Progress& progress);
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::pipeline

@@ -3,17 +3,17 @@
 #include "hierarchy/model.h"
 #include "preprocess/pipeline/ledger.h"
 
-namespace gnomon::preprocess {
+namespace gnomon::pipeline {
 
 namespace {
 
-const char* nameOf(Simplifier simplifier) {
+const char* nameOf(simplify::Simplifier simplifier) {
     switch (simplifier) {
-    case Simplifier::Meshopt:
+    case simplify::Simplifier::Meshopt:
         return "meshopt";
-    case Simplifier::OpenMesh:
+    case simplify::Simplifier::OpenMesh:
         return "openmesh";
-    case Simplifier::Own:
+    case simplify::Simplifier::Own:
         break;
     }
     return "own";
@@ -38,4 +38,4 @@ std::string keyOf(const BuildOptions& options) {
     return key + ", " + options.inputKey;
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::pipeline

@@ -6,7 +6,7 @@
 #include <map>
 #include <string>
 
-namespace gnomon::preprocess {
+namespace gnomon::pipeline {
 
 /// The options that change bytes.
 std::map<std::string, std::string> optionsOf(const BuildOptions& options);
@@ -14,4 +14,4 @@ std::map<std::string, std::string> optionsOf(const BuildOptions& options);
 /// What is built from what, in one line of entries "name value" that commas part: a resumed build must have the same.
 std::string keyOf(const BuildOptions& options);
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::pipeline

@@ -2,10 +2,10 @@
 
 #include "core/error.h"
 #include "core/heap.h"
-#include "preprocess/build/node.h"
 #include "preprocess/chunk/binning.h"
 #include "preprocess/chunk/chunk_mesh.h"
 #include "preprocess/chunk/in_order.h"
+#include "preprocess/levels/node.h"
 #include "preprocess/pipeline/assemble.h"
 #include "preprocess/pipeline/build_key.h"
 #include "preprocess/pipeline/memory_plan.h"
@@ -18,7 +18,7 @@
 #include <cstdio>
 #include <utility>
 
-namespace gnomon::preprocess {
+namespace gnomon::pipeline {
 
 namespace {
 
@@ -51,7 +51,7 @@ void requireFewStuck(std::uint64_t stuck, std::uint64_t triangles, double maxPer
 /// One build, phase after phase. A phase that the ledger has as finished is skipped.
 class Build {
 public:
-    Build(MeshSource& source, const BuildOptions& options, Progress& progress)
+    Build(read::MeshSource& source, const BuildOptions& options, Progress& progress)
         : source_(source),
           options_(options),
           progress_(progress),
@@ -92,7 +92,7 @@ private:
     }
 
     void endPhase(const std::string& name, std::uint64_t sourceBytes) {
-        TemporarySpace& space = workplace_.space();
+        scratch::TemporarySpace& space = workplace_.space();
         report_.phases.push_back(
             {name,
              watch_.lap(),
@@ -107,13 +107,13 @@ private:
             binsFile_ = workplace_.scratch("bins", ledger().binned()->scratchEnd);
             bins_.emplace(*binsFile_, ledger().binned()->directory);
         } else {
-            SourceSurvey survey = surveySource(source_, progress_);
+            chunk::SourceSurvey survey = chunk::surveySource(source_, progress_);
             endPhase("count", source_.summary().fileBytes);
-            const ChunkTree tree = planChunks(source_, survey, options_.chunkTriangles, progress_);
+            const chunk::ChunkTree tree = chunk::planChunks(source_, survey, options_.chunkTriangles, progress_);
             endPhase("octree", 0);
             BinnedRecord record;
             record.grid = survey.grid;
-            record.format = formatOf(source_.summary());
+            record.format = chunk::formatOf(source_.summary());
             record.triangles = survey.triangles;
             record.vertices = survey.vertices;
             record.notAPolygon = survey.notAPolygon;
@@ -122,10 +122,10 @@ private:
             const Bytes room = roomBeside(needs_.binning());
             bins_.emplace(
                 *binsFile_,
-                binStreams(tree.chunkCount()),
+                chunk::binStreams(tree.chunkCount()),
                 blockBytes({room.count / 2}, std::uint64_t{3} * tree.chunkCount()));
             record.mostOfAChunk =
-                binSource(source_, survey, tree, *bins_, room.count / 2 / kBytesPerPolygonCorner, progress_);
+                chunk::binSource(source_, survey, tree, *bins_, room.count / 2 / kBytesPerPolygonCorner, progress_);
             record.scratchEnd = binsFile_->end();
             record.directory = bins_->directory();
             workplace_.finish(std::move(record));
@@ -134,7 +134,7 @@ private:
         const Bytes needed = {needs_.base().count + MemoryNeeds::node(ledger().binned()->mostOfAChunk).count};
         if (isTakenUp && needed > options_.memory) workplace_.leave(); // what is finished waits for more memory
         requireMemory(needed);
-        if (const PartSize& most = ledger().binned()->mostOfAChunk;
+        if (const chunk::PartSize& most = ledger().binned()->mostOfAChunk;
             countAtOnce(roomBeside(needs_.base()), MemoryNeeds::node(most), threads_) < 2)
             returnFreedMemoryAtOnce(); // memory is tight
     }
@@ -150,8 +150,9 @@ private:
         bordersFile_ = workplace_.scratch("borders");
         const Bytes room = roomBeside(needs_.base());
         const BorderShare share = borderShare(room, MemoryNeeds::borders(ledger().binned()->mostOfAChunk), threads_);
-        borders_.emplace(*bordersFile_, borderStreams(chunks), blockBytes(share.blocks, borderStreams(chunks)));
-        preprocess::shareBorders(binnedSource(), *borders_, share.chunksAtOnce, progress_);
+        borders_.emplace(
+            *bordersFile_, chunk::borderStreams(chunks), blockBytes(share.blocks, chunk::borderStreams(chunks)));
+        chunk::shareBorders(binnedSource(), *borders_, share.chunksAtOnce, progress_);
         workplace_.finish(BorderedRecord{bordersFile_->end(), borders_->directory()});
         endPhase("borders", 0);
     }
@@ -197,9 +198,9 @@ private:
             for (const NodeRecord::LevelOfNode& level : ledger().nodes(round.number)[node].levels)
                 progress_.advance(level.info.triangles);
         }
-        const PartSize& most = round.number == 0 ? ledger().binned()->mostOfAChunk : round.mostOfANode;
+        const chunk::PartSize& most = round.number == 0 ? ledger().binned()->mostOfAChunk : round.mostOfANode;
         const std::size_t atOnce = countAtOnce(roomBeside(needs_.base()), MemoryNeeds::node(most), threads_);
-        makeInOrder(
+        chunk::makeInOrder(
             finished,
             round.nodeCount(),
             std::max<std::size_t>(atOnce, 1),
@@ -211,7 +212,7 @@ private:
     }
 
     struct Made {
-        BuiltNode node;
+        levels::BuiltNode node;
         NodeRecord record; // what is known before the node has its place
     };
 
@@ -219,28 +220,29 @@ private:
         Made made;
         made.record.round = round.number;
         made.record.firstLevel = round.firstLevel;
-        const NodePlan plan{round.firstLevel, round.isLast ? kNone : kLevelsPerRound};
+        const levels::NodePlan plan{round.firstLevel, round.isLast ? kNone : kLevelsPerRound};
         if (round.number == 0) {
-            ChunkMesh chunk = loadChunk(binnedSource(), *borders_, static_cast<std::uint32_t>(node));
+            chunk::ChunkMesh chunk = chunk::loadChunk(binnedSource(), *borders_, static_cast<std::uint32_t>(node));
             made.record.dropped = {chunk.dropped.degenerate, chunk.dropped.doubled, chunk.dropped.collapsedByGrid};
             made.record.bounds = chunk.bounds;
             made.record.hasNormals = chunk.hasNormals;
-            made.node = buildNode(chunk.mesh, firstLevel(chunk.mesh, options_.level), plan, options_.level, progress_);
+            made.node = levels::buildNode(
+                chunk.mesh, levels::firstLevel(chunk.mesh, options_.level), plan, options_.level, progress_);
         } else {
-            Remains remains = joined(round, node);
-            made.node = buildNode(remains.mesh, std::move(remains.level), plan, options_.level, progress_);
+            levels::Remains remains = joined(round, node);
+            made.node = levels::buildNode(remains.mesh, std::move(remains.level), plan, options_.level, progress_);
         }
         return made;
     }
 
     /// The remains of the node's children as one.
-    Remains joined(const Round& round, std::size_t node) const {
+    levels::Remains joined(const Round& round, std::size_t node) const {
         const std::uint32_t before = round.number - 1;
         const std::vector<NodeRecord>& children = ledger().nodes(before);
         std::uint64_t vertices = 0;
         for (std::uint32_t child = round.firstChild(node); child < round.ends[node]; ++child)
             vertices += children[child].remainingVertices;
-        RemainsMerger merger(ledger().binned()->grid, vertices);
+        levels::RemainsMerger merger(ledger().binned()->grid, vertices);
         std::vector<std::byte> bytes;
         for (std::uint32_t child = round.firstChild(node); child < round.ends[node]; ++child) {
             const NodeRecord& record = children[child];
@@ -256,16 +258,16 @@ private:
     void finish(const Round& round, Made made) {
         NodeRecord& record = made.record;
         const std::vector<std::uint32_t>& pageCounts = ledger().pageCounts();
-        for (NodeLevel& level : made.node.levels) {
+        for (levels::NodeLevel& level : made.node.levels) {
             NodeRecord::LevelOfNode& own = record.levels.emplace_back();
             own.info = level.info;
             for (hierarchy::EncodedPage& page : level.pages) {
                 page.info.offset = pagesFile_->append(page.bytes);
                 for (std::uint32_t& child : page.info.children) {
                     // Pages of this node's levels were counted from its own first.
-                    const PageOfLevel place = placeOfProvisional(child);
+                    const levels::PageOfLevel place = levels::placeOfProvisional(child);
                     if (place.level >= round.firstLevel && place.level < pageCounts.size())
-                        child = provisionalId(place.level, place.page + pageCounts[place.level]);
+                        child = levels::provisionalId(place.level, place.page + pageCounts[place.level]);
                 }
                 own.pages.push_back(std::move(page.info));
             }
@@ -283,11 +285,14 @@ private:
     void releaseInputs(const Round& round, std::size_t node) {
         if (round.number == 0) {
             const auto chunk = static_cast<std::uint32_t>(node);
-            for (const BinStream kind :
-                 {BinStream::Vertices, BinStream::Triangles, BinStream::Ghosts, BinStream::Requests})
-                bins_->release(streamOf(kind, chunk));
-            for (const BorderStream kind : {BorderStream::Vertices, BorderStream::Shared})
-                borders_->release(streamOf(kind, chunk));
+            for (const chunk::BinStream kind :
+                 {chunk::BinStream::Vertices,
+                  chunk::BinStream::Triangles,
+                  chunk::BinStream::Ghosts,
+                  chunk::BinStream::Requests})
+                bins_->release(chunk::streamOf(kind, chunk));
+            for (const chunk::BorderStream kind : {chunk::BorderStream::Vertices, chunk::BorderStream::Shared})
+                borders_->release(chunk::streamOf(kind, chunk));
             return;
         }
         for (std::uint32_t child = round.firstChild(node); child < round.ends[node]; ++child) {
@@ -339,14 +344,14 @@ private:
 
     const Ledger& ledger() const { return workplace_.ledger(); }
 
-    BinnedSource binnedSource() const {
+    chunk::BinnedSource binnedSource() const {
         const BinnedRecord& binned = *ledger().binned();
         return {*bins_, binned.grid, binned.format, binned.chunkCount};
     }
 
     static constexpr std::uint64_t kBytesPerPolygonCorner = 96;
 
-    MeshSource& source_;
+    read::MeshSource& source_;
     const BuildOptions& options_;
     Progress& progress_;
     MemoryNeeds needs_;
@@ -356,17 +361,17 @@ private:
     Stopwatch watch_;
     std::uint64_t bytesRead_ = 0;
     std::uint64_t bytesWritten_ = 0;
-    std::unique_ptr<ScratchFile> binsFile_;
-    std::unique_ptr<ScratchFile> bordersFile_;
-    std::unique_ptr<ScratchFile> pagesFile_;
-    std::unique_ptr<ScratchFile> remainsFile_;
-    std::optional<StreamStore> bins_;
-    std::optional<StreamStore> borders_;
+    std::unique_ptr<scratch::ScratchFile> binsFile_;
+    std::unique_ptr<scratch::ScratchFile> bordersFile_;
+    std::unique_ptr<scratch::ScratchFile> pagesFile_;
+    std::unique_ptr<scratch::ScratchFile> remainsFile_;
+    std::optional<scratch::StreamStore> bins_;
+    std::optional<scratch::StreamStore> borders_;
 };
 
 } // namespace
 
-BuildReport buildModel(MeshSource& source, const BuildOptions& options, Progress& progress) {
+BuildReport buildModel(read::MeshSource& source, const BuildOptions& options, Progress& progress) {
     const tbb::global_control threads(
         tbb::global_control::max_allowed_parallelism,
         options.threads > 0 ? static_cast<std::size_t>(options.threads)
@@ -377,4 +382,4 @@ BuildReport buildModel(MeshSource& source, const BuildOptions& options, Progress
     return report;
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::pipeline

@@ -3,7 +3,7 @@
 
 #include "core/progress.h"
 #include "core/units.h"
-#include "preprocess/build/level.h"
+#include "preprocess/levels/level.h"
 #include "preprocess/read/mesh_source.h"
 
 #include <map>
@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace gnomon::preprocess {
+namespace gnomon::pipeline {
 
 /// The most triangles of a chunk, unless told otherwise: a constant of the format, since it shapes the model's bytes.
 /// Borders between chunks stay fine until the chunks meet, so the larger the fewer triangles a view has; two at a time
@@ -21,7 +21,7 @@ constexpr std::uint32_t kChunkTriangles = 1U << 20U;
 struct BuildOptions {
     std::string output;
     Bytes memory = gibibytes(2); // the peak resident size of the process
-    LevelOptions level;
+    levels::LevelOptions level;
     std::uint32_t chunkTriangles = kChunkTriangles;
     std::optional<double> maxStuckPercent;
     int threads = 0;             // 0: all
@@ -60,6 +60,6 @@ struct BuildReport {
 /// the source or the output refuses, for a model without triangles, for a `memory` that is too small (naming the one
 /// that would do), for a resumed build of another input or with other options, and where more than `maxStuckPercent` of
 /// the triangles stay stuck at full detail; then nothing is left under the output's name.
-BuildReport buildModel(MeshSource& source, const BuildOptions& options, Progress& progress);
+BuildReport buildModel(read::MeshSource& source, const BuildOptions& options, Progress& progress);
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::pipeline

@@ -12,7 +12,7 @@
 #include <ctime>
 #include <filesystem>
 
-namespace gnomon::preprocess {
+namespace gnomon::pipeline {
 
 namespace {
 
@@ -40,7 +40,7 @@ std::string fingerprintOf(const std::vector<std::string>& paths) {
     std::string text;
     std::uint64_t number = 0;
     for (const std::string& path : paths) {
-        requireRereadable(path);
+        read::requireRereadable(path);
         const File file(path, File::Mode::Read);
         const std::uint64_t size = file.size();
         std::uint64_t hash = 0;
@@ -59,4 +59,4 @@ std::string fingerprintOf(const std::vector<std::string>& paths) {
     return text;
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::pipeline

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-namespace gnomon::preprocess {
+namespace gnomon::pipeline {
 
 /// For each file its size, the time of its last change, and a hash of samples taken evenly over all of it, as entries
 /// "input 1 bytes 123" that commas part. Throws Error for what cannot be read, or not several times.
 std::string fingerprintOf(const std::vector<std::string>& paths);
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::pipeline

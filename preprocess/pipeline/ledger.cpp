@@ -5,7 +5,7 @@
 
 #include <bit>
 
-namespace gnomon::preprocess {
+namespace gnomon::pipeline {
 
 namespace {
 
@@ -229,4 +229,4 @@ std::vector<std::byte> encoded(const NodeRecord& record) {
     return ended(out, Kind::Node);
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::pipeline

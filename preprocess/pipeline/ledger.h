@@ -10,20 +10,20 @@
 #include <variant>
 #include <vector>
 
-namespace gnomon::preprocess {
+namespace gnomon::pipeline {
 
 /// Counts up when the records change: a build can go on only with those of its own kind.
 constexpr int kJournalVersion = 2;
 
 /// The source is in chunks.
 struct BinnedRecord {
-    Grid grid;
-    VertexFormat format;
+    hierarchy::Grid grid;
+    chunk::VertexFormat format;
     std::uint64_t triangles = 0;
     std::uint64_t vertices = 0;
     std::uint64_t notAPolygon = 0;
     std::uint32_t chunkCount = 0;
-    PartSize mostOfAChunk;
+    chunk::PartSize mostOfAChunk;
     std::uint64_t scratchEnd = 0;
     std::vector<std::byte> directory; // of the store
 };
@@ -99,4 +99,4 @@ std::vector<std::byte> encoded(const BinnedRecord& record);
 std::vector<std::byte> encoded(const BorderedRecord& record);
 std::vector<std::byte> encoded(const NodeRecord& record);
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::pipeline

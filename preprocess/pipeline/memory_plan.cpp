@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace gnomon::preprocess {
+namespace gnomon::pipeline {
 
 namespace {
 
@@ -19,7 +19,7 @@ constexpr std::uint64_t kPageRowBytesPerTriangle = 1;  // rows of the page table
 constexpr std::size_t kLeastBlock = 512;
 constexpr std::size_t kLargestBlock = std::size_t{64} << 10U;
 
-std::uint64_t trianglesOf(const MeshSummary& source) {
+std::uint64_t trianglesOf(const read::MeshSummary& source) {
     return std::max(source.faceCount, source.likelyTriangles);
 }
 
@@ -30,11 +30,11 @@ Bytes MemoryNeeds::base() const {
     return {kProcess.count + source.heldBytes + trianglesOf(source) * kPageRowBytesPerTriangle + scratch};
 }
 
-Bytes MemoryNeeds::node(const PartSize& size) {
+Bytes MemoryNeeds::node(const chunk::PartSize& size) {
     return {size.triangles * kNodeBytesPerTriangle + size.vertices * kNodeBytesPerVertex};
 }
 
-Bytes MemoryNeeds::borders(const PartSize& size) {
+Bytes MemoryNeeds::borders(const chunk::PartSize& size) {
     return {size.triangles * kBorderBytesPerTriangle + size.vertices * kBorderBytesPerVertex};
 }
 
@@ -48,7 +48,7 @@ Bytes MemoryNeeds::binning() const {
 
 Bytes MemoryNeeds::least() const {
     const std::uint64_t chunks = trianglesOf(source) / chunkTriangles + 1;
-    PartSize most;
+    chunk::PartSize most;
     most.triangles = std::min<std::uint64_t>(chunkTriangles, trianglesOf(source));
     // A chunk may have more of them than the whole has on the average.
     most.vertices = std::min(
@@ -74,4 +74,4 @@ BorderShare borderShare(Bytes room, Bytes chunk, std::size_t threads) {
     return {blocks, countAtOnce({room.count - blocks.count}, chunk, threads)};
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::pipeline

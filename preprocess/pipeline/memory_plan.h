@@ -7,11 +7,11 @@
 
 #include <cstddef>
 
-namespace gnomon::preprocess {
+namespace gnomon::pipeline {
 
 /// What the parts of a build take at their peak: estimates from above, held against models of up to 372M triangles.
 struct MemoryNeeds {
-    const MeshSummary& source;
+    const read::MeshSummary& source;
     std::uint32_t chunkTriangles = 0;
     bool isInMemory = false; // temporary files in memory, too
 
@@ -19,10 +19,10 @@ struct MemoryNeeds {
     Bytes base() const;
 
     /// What working on a node takes.
-    static Bytes node(const PartSize& size);
+    static Bytes node(const chunk::PartSize& size);
 
     /// What finding the answers of a chunk for others takes; less than a node of its size.
-    static Bytes borders(const PartSize& size);
+    static Bytes borders(const chunk::PartSize& size);
 
     /// The first look at the source.
     Bytes survey() const;
@@ -49,4 +49,4 @@ BorderShare borderShare(Bytes room, Bytes chunk, std::size_t threads);
 /// How many pieces of work that take `each` fit into `room` at once; 0 if none does. At most one more than `threads`.
 std::size_t countAtOnce(Bytes room, Bytes each, std::size_t threads);
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::pipeline

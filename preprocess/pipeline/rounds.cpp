@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace gnomon::preprocess {
+namespace gnomon::pipeline {
 
 namespace {
 
@@ -26,7 +26,7 @@ Round nextRound(const Round& round, const std::vector<NodeRecord>& finished, std
     for (const NodeRecord& node : finished)
         next.firstLevel = std::max(next.firstLevel, round.firstLevel + static_cast<std::uint32_t>(node.levels.size()));
     const std::uint64_t most = std::max(nodeTriangles, kAlwaysAffordable);
-    PartSize sum;
+    chunk::PartSize sum;
     for (std::uint32_t child = 0; child < finished.size(); ++child) {
         const NodeRecord& own = finished[child];
         if (child > 0 && sum.triangles + own.remainingTriangles <= most) {
@@ -43,4 +43,4 @@ Round nextRound(const Round& round, const std::vector<NodeRecord>& finished, std
     return next;
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::pipeline

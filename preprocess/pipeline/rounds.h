@@ -3,7 +3,7 @@
 
 #include "preprocess/pipeline/ledger.h"
 
-namespace gnomon::preprocess {
+namespace gnomon::pipeline {
 
 /// How many levels a part gets before its neighbours are joined to it.
 constexpr std::uint32_t kLevelsPerRound = 3;
@@ -15,7 +15,7 @@ struct Round {
     std::uint32_t firstLevel = 0;
     bool isLast = false;             // nodes are built up to their roots
     std::vector<std::uint32_t> ends; // node -> behind its last child; of chunks, in round 0
-    PartSize mostOfANode;            // where the round is not the first
+    chunk::PartSize mostOfANode;     // where the round is not the first
 
     std::size_t nodeCount() const { return ends.size(); }
 
@@ -30,4 +30,4 @@ Round firstRound(std::uint32_t chunkCount);
 /// could join another.
 Round nextRound(const Round& round, const std::vector<NodeRecord>& finished, std::uint64_t nodeTriangles);
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::pipeline

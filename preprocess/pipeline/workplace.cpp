@@ -11,7 +11,7 @@
 #include <filesystem>
 #include <map>
 
-namespace gnomon::preprocess {
+namespace gnomon::pipeline {
 
 namespace {
 
@@ -89,8 +89,8 @@ Workplace::Workplace(const WorkplaceOptions& options, Progress& progress) : spac
     lock_.emplace(folder + "/lock", File::Mode::Create);
     if (!lock_->tryLock()) throw Error(folder, "another build is at work there");
     removeLeftovers(options.output);
-    std::optional<Journal> found;
-    if (options.isResumed) found = Journal::reopen(folder + "/journal");
+    std::optional<scratch::Journal> found;
+    if (options.isResumed) found = scratch::Journal::reopen(folder + "/journal");
     if (found && !found->records().empty()) {
         const std::vector<std::byte>& first = found->records().front();
         const std::string key(reinterpret_cast<const char*>(first.data()), first.size());
@@ -109,7 +109,7 @@ Workplace::Workplace(const WorkplaceOptions& options, Progress& progress) : spac
     folder_ = folder;
     for (const char* name : {"bins", "borders", "pages", "remains"})
         remove(name);
-    journal_ = Journal::create(folder + "/journal");
+    journal_ = scratch::Journal::create(folder + "/journal");
     journal_->append(bytesOf(options.key));
 }
 
@@ -119,10 +119,10 @@ Workplace::~Workplace() {
     fs::remove_all(folder_, ignored);
 }
 
-std::unique_ptr<ScratchFile> Workplace::scratch(const std::string& name, std::optional<std::uint64_t> keep) {
-    if (folder_.empty()) return scratchInMemory(space_);
+std::unique_ptr<scratch::ScratchFile> Workplace::scratch(const std::string& name, std::optional<std::uint64_t> keep) {
+    if (folder_.empty()) return scratch::scratchInMemory(space_);
     const std::string path = folder_ + "/" + name;
-    return keep ? reopenedScratch(path, *keep, space_) : scratchOnDisk(path, space_);
+    return keep ? scratch::reopenedScratch(path, *keep, space_) : scratch::scratchOnDisk(path, space_);
 }
 
 void Workplace::remove(const std::string& name) {
@@ -131,4 +131,4 @@ void Workplace::remove(const std::string& name) {
     fs::remove(folder_ + "/" + name, ignored);
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::pipeline

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-namespace gnomon::preprocess {
+namespace gnomon::pipeline {
 
 struct WorkplaceOptions {
     std::string output;      // whose model is built
@@ -36,10 +36,10 @@ public:
 
     void beginRound(std::uint32_t round) { ledger_.beginRound(round); }
 
-    TemporarySpace& space() { return space_; }
+    scratch::TemporarySpace& space() { return space_; }
 
     /// A scratch file of the name: new, or cut after its first `keep` bytes.
-    std::unique_ptr<ScratchFile> scratch(const std::string& name, std::optional<std::uint64_t> keep = {});
+    std::unique_ptr<scratch::ScratchFile> scratch(const std::string& name, std::optional<std::uint64_t> keep = {});
 
     /// Lets everything stay where it is when the object goes, for another process to go on with.
     void leave() { folder_.clear(); }
@@ -55,11 +55,11 @@ public:
     }
 
 private:
-    TemporarySpace space_;
+    scratch::TemporarySpace space_;
     std::string folder_; // empty: in memory
     std::optional<File> lock_;
-    std::optional<Journal> journal_;
+    std::optional<scratch::Journal> journal_;
     Ledger ledger_;
 };
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::pipeline

@@ -2,7 +2,7 @@
 
 #include "core/check.h"
 
-namespace gnomon::preprocess {
+namespace gnomon::read {
 
 VertexBuffer::VertexBuffer(const VertexSink& sink, bool hasNormals, bool hasColors)
     : sink_(sink), positions_(kBlockRows), normals_(hasNormals ? kBlockRows : 0), colors_(hasColors ? kBlockRows : 0) {}
@@ -61,4 +61,4 @@ void TriangleBuffer::flush() {
     triangles_.resize(kBlockRows);
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::read

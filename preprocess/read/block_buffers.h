@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace gnomon::preprocess {
+namespace gnomon::read {
 
 /// Rows or triangles of a full block: small enough for the second-level cache.
 constexpr std::size_t kBlockRows = 16384;
@@ -83,4 +83,4 @@ private:
     std::size_t size_ = 0;
 };
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::read

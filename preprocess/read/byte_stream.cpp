@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstring>
 
-namespace gnomon::preprocess {
+namespace gnomon::read {
 
 ByteStream::ByteStream(const File& file, std::uint64_t offset)
     : file_(file),
@@ -35,4 +35,4 @@ bool ByteStream::refill(std::size_t count) {
     return end_ >= count;
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::read

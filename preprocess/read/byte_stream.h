@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace gnomon::preprocess {
+namespace gnomon::read {
 
 /// A forward window over a file. Holds one buffer of at most kBufferBytes, whatever the file's size.
 class ByteStream {
@@ -52,4 +52,4 @@ private:
     std::size_t end_ = 0;
 };
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::read

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-namespace gnomon::preprocess {
+namespace gnomon::read {
 
 namespace {
 
@@ -126,4 +126,4 @@ void FaceImporter::setColor(OpenMesh::VertexHandle vertex, const glm::vec4& rgba
     mesh_.colors[index] = channel(rgba.r) | channel(rgba.g) << 8U | channel(rgba.b) << 16U | channel(rgba.a) << 24U;
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::read

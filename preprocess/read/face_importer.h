@@ -10,7 +10,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace gnomon::preprocess {
+namespace gnomon::read {
 
 /// Collects what an OpenMesh reader finds. A normal or colour that is set again to another value for the next face is
 /// kept per corner: the vertex gets a twin. Throws Error, placed by `where()`, for indices out of range and
@@ -122,4 +122,4 @@ private:
     std::unordered_map<std::uint64_t, std::vector<std::uint64_t>> twinsOf_; ///< places in twins_ by vertex of the file
 };
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::read

@@ -2,7 +2,7 @@
 
 #include "core/error.h"
 
-namespace gnomon::preprocess {
+namespace gnomon::read {
 
 namespace {
 
@@ -82,4 +82,4 @@ GuardedBytes::int_type GuardedBytes::underflow() {
     return traits_type::to_int_type(*begin);
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::read

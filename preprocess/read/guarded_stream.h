@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-namespace gnomon::preprocess {
+namespace gnomon::read {
 
 /// Judges the lines of one format. OpenMesh's readers skip what they cannot parse, or index past the end of an empty
 /// face; so whatever they would trip over must be refused here, and what they need not see is left out.
@@ -78,4 +78,4 @@ private:
     std::size_t given_ = 0;
 };
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::read

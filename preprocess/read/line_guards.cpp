@@ -9,7 +9,7 @@
 #include <cmath>
 #include <utility>
 
-namespace gnomon::preprocess {
+namespace gnomon::read {
 
 namespace {
 
@@ -197,4 +197,4 @@ void OffGuard::end(const std::string& where) {
             "the end");
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::read

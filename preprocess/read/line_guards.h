@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace gnomon::preprocess {
+namespace gnomon::read {
 
 /// Wavefront OBJ: passes `v`, `vn`, `vc` and `f`, joins continued lines, leaves the rest out (materials would make the
 /// reader open other files). Indices are checked for form only: their range is known when all vertices are.
@@ -59,4 +59,4 @@ private:
     std::uint64_t facesToCome_ = 0;
 };
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::read

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace gnomon::preprocess {
+namespace gnomon::read {
 
 namespace {
 
@@ -73,4 +73,4 @@ std::unique_ptr<MeshSource> memorySource(const std::string& path, std::uint64_t 
     return std::make_unique<MemorySource>(path, fileBytes, std::move(mesh));
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::read

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-namespace gnomon::preprocess {
+namespace gnomon::read {
 
 /// Vertices and polygons as plain arrays.
 struct MemoryMesh {
@@ -21,4 +21,4 @@ struct MemoryMesh {
 /// Takes the mesh over. `path` names it in errors, `fileBytes` is what it took on disk.
 std::unique_ptr<MeshSource> memorySource(const std::string& path, std::uint64_t fileBytes, MemoryMesh mesh);
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::read

@@ -11,7 +11,7 @@
 #include <span>
 #include <string>
 
-namespace gnomon::preprocess {
+namespace gnomon::read {
 
 /// What is known before the body is read. Counts are the header's: checked against the file's size, so they may size
 /// an estimate, but still unproved until a pass has ended.
@@ -104,4 +104,4 @@ inline void requireFinite(MeshSource& source, std::uint64_t vertex, const glm::d
         throw Error(source.whereIs(vertex), "a coordinate of vertex " + std::to_string(vertex) + " is not finite");
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::read

@@ -11,7 +11,7 @@
 #include <cstring>
 #include <filesystem>
 
-namespace gnomon::preprocess {
+namespace gnomon::read {
 
 namespace {
 
@@ -124,4 +124,4 @@ std::unique_ptr<MeshSource> openMeshSources(const std::vector<std::string>& path
     return std::make_unique<JoinedSource>(std::move(parts));
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::read

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace gnomon::preprocess {
+namespace gnomon::read {
 
 /// Throws Error where `path` leads to something that cannot be read several times: a pipe, a socket or a device. What
 /// is not there at all is left to the one who opens it.
@@ -22,4 +22,4 @@ void requireRereadable(const std::string& path);
 /// and OFF are read whole and throw Error if that could take more than `memoryLimit`. All errors name the file.
 std::unique_ptr<MeshSource> openMeshSources(const std::vector<std::string>& paths, Bytes memoryLimit);
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::read

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace gnomon::preprocess {
+namespace gnomon::read {
 
 namespace {
 
@@ -116,4 +116,4 @@ void AsciiValues::expectEnd() {
     if (skipBlanks(true)) throw Error(where(), "data after the last element: the header's counts are too small");
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::read

@@ -5,7 +5,7 @@
 #include <bit>
 #include <cmath>
 
-namespace gnomon::preprocess {
+namespace gnomon::read {
 
 namespace {
 
@@ -69,4 +69,4 @@ std::string BinaryValues::where() const {
     return atByte(stream_.path(), lastOffset_);
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::read

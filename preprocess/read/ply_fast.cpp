@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace gnomon::preprocess {
+namespace gnomon::read {
 
 namespace {
 
@@ -222,4 +222,4 @@ void readFaceRows(
     }
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::read

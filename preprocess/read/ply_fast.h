@@ -3,7 +3,7 @@
 
 #include "preprocess/read/ply_rows.h"
 
-namespace gnomon::preprocess {
+namespace gnomon::read {
 
 /// As readVertexRows, for an element without lists in a binary body.
 void readVertexColumns(BinaryValues& values, const PlyElement& element, const VertexLayout& layout, VertexBuffer& out);
@@ -13,4 +13,4 @@ void readVertexColumns(BinaryValues& values, const PlyElement& element, const Ve
 void readFaceRows(
     BinaryValues& values, const PlyElement& element, int list, std::uint64_t vertexCount, TriangleBuffer& out);
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::read

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <utility>
 
-namespace gnomon::preprocess {
+namespace gnomon::read {
 
 namespace {
 
@@ -183,4 +183,4 @@ PlyHeader readPlyHeader(const File& file) {
     return header;
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::read

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace gnomon::preprocess {
+namespace gnomon::read {
 
 enum class PlyFormat { Ascii, BinaryLittleEndian, BinaryBigEndian };
 
@@ -73,4 +73,4 @@ struct PlyHeader {
 /// Source: Turk, "The PLY Polygon File Format", 1994.
 PlyHeader readPlyHeader(const File& file);
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::read

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <vector>
 
-namespace gnomon::preprocess {
+namespace gnomon::read {
 
 // What is kept of a vertex, as places in a row of doubles: three coordinates, three of the normal, four channels.
 constexpr std::size_t kPosition = 0;
@@ -216,4 +216,4 @@ void readVertexRows(Values& values, const PlyElement& element, const VertexLayou
     }
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::read

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <optional>
 
-namespace gnomon::preprocess {
+namespace gnomon::read {
 
 namespace {
 
@@ -215,4 +215,4 @@ std::unique_ptr<MeshSource> openPly(const std::string& path) {
     return std::make_unique<PlySource>(path);
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::read

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-namespace gnomon::preprocess {
+namespace gnomon::read {
 
 /// Opens a PLY file and reads its header. Any element named `face` or `tristrips` with a list `vertex_indices` (or
 /// `vertex_index`) gives triangles, in file order; `vertex` gives x y z, nx ny nz, red green blue alpha (or diffuse_*).
@@ -17,4 +17,4 @@ namespace gnomon::preprocess {
 /// the last element.
 std::unique_ptr<MeshSource> openPly(const std::string& path);
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::read

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace gnomon::preprocess {
+namespace gnomon::read {
 
 /// Where a pass may begin again.
 struct PlyPlace {
@@ -165,4 +165,4 @@ private:
     PlyProgress progress_;
 };
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::read

@@ -8,7 +8,7 @@
 #include <limits>
 #include <optional>
 
-namespace gnomon::preprocess {
+namespace gnomon::read {
 
 namespace {
 
@@ -246,4 +246,4 @@ void triangulatePolygon(std::span<const glm::dvec3> corners, std::vector<Polygon
         out.push_back({0, i - 1, i});
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::read

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace gnomon::preprocess {
+namespace gnomon::read {
 
 /// The three corners of a triangle as positions in the polygon's list of corners.
 using PolygonTriangle = std::array<std::uint32_t, 3>;
@@ -44,4 +44,4 @@ private:
     std::vector<PolygonTriangle> triangles_;
 };
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::read

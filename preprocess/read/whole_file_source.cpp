@@ -14,7 +14,7 @@
 #include <cstring>
 #include <istream>
 
-namespace gnomon::preprocess {
+namespace gnomon::read {
 
 namespace {
 
@@ -165,4 +165,4 @@ std::unique_ptr<MeshSource> readWholeFile(const std::string& path, Bytes memoryL
     return memorySource(path, file.size(), std::move(mesh));
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::read

@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 
-namespace gnomon::preprocess {
+namespace gnomon::read {
 
 /// Whether the suffix of `path` (in any case) is one of .obj, .stl and .off.
 bool isWholeFileFormat(const std::string& path);
@@ -20,4 +20,4 @@ bool isWholeFileFormat(const std::string& path);
 /// polygon; vertices of an STL are joined where their positions are equal.
 std::unique_ptr<MeshSource> readWholeFile(const std::string& path, Bytes memoryLimit);
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::read

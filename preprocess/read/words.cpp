@@ -1,6 +1,6 @@
 #include "preprocess/read/words.h"
 
-namespace gnomon::preprocess {
+namespace gnomon::read {
 
 std::string quotedForMessage(std::string_view text) {
     constexpr std::size_t kShown = 40;
@@ -10,4 +10,4 @@ std::string quotedForMessage(std::string_view text) {
     return result + (text.size() > kShown ? "...\"" : "\"");
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::read

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace gnomon::preprocess {
+namespace gnomon::read {
 
 /// The words of `line` between blanks; they point into it.
 inline std::vector<std::string_view> wordsOf(std::string_view line) {
@@ -24,4 +24,4 @@ inline std::vector<std::string_view> wordsOf(std::string_view line) {
 /// The beginning of `text` in quotes with unprintable bytes as "?": a file can hold anything, an error is one line.
 std::string quotedForMessage(std::string_view text);
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::read

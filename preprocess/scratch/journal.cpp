@@ -6,7 +6,7 @@
 #include <cstring>
 #include <filesystem>
 
-namespace gnomon::preprocess {
+namespace gnomon::scratch {
 
 namespace {
 
@@ -49,4 +49,4 @@ void Journal::append(std::span<const std::byte> record) {
     end_ += framed.size();
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::scratch

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace gnomon::preprocess {
+namespace gnomon::scratch {
 
 /// An append-only file of records, each with its length and checksum. A record counts once it is whole.
 class Journal {
@@ -34,4 +34,4 @@ private:
     std::vector<std::vector<std::byte>> records_;
 };
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::scratch

@@ -9,7 +9,7 @@
 #include <shared_mutex>
 #include <vector>
 
-namespace gnomon::preprocess {
+namespace gnomon::scratch {
 
 namespace {
 
@@ -117,4 +117,4 @@ std::unique_ptr<ScratchFile> scratchInMemory(TemporarySpace& space) {
     return std::make_unique<MemoryScratch>(space);
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::scratch

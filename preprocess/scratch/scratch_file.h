@@ -11,7 +11,7 @@
 #include <span>
 #include <string>
 
-namespace gnomon::preprocess {
+namespace gnomon::scratch {
 
 /// How much temporary space is in use, over all scratch files of a build; every change is told to `progress`.
 class TemporarySpace {
@@ -85,4 +85,4 @@ std::unique_ptr<ScratchFile> reopenedScratch(const std::string& path, std::uint6
 
 std::unique_ptr<ScratchFile> scratchInMemory(TemporarySpace& space);
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::scratch

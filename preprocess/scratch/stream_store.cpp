@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace gnomon::preprocess {
+namespace gnomon::scratch {
 
 StreamStore::StreamStore(ScratchFile& file, std::uint32_t streamCount, std::size_t blockBytes)
     : file_(file), blockBytes_(blockBytes), streams_(streamCount) {}
@@ -102,4 +102,4 @@ std::vector<std::byte> StreamStore::directory() const {
     return out.take();
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::scratch

@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace gnomon::preprocess {
+namespace gnomon::scratch {
 
 /// Streams count from 0. What comes out of a stream is what went in, in order, whatever the size of the blocks.
 class StreamStore {
@@ -93,4 +93,4 @@ private:
     std::vector<Stream> streams_;
 };
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::scratch

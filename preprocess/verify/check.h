@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace gnomon::preprocess {
+namespace gnomon::verify {
 
 /// A uniform cut as far as it was sampled against the source; errors in world units.
 struct SampledCut {
@@ -44,4 +44,4 @@ struct Verification {
     }
 };
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::verify

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <sstream>
 
-namespace gnomon::preprocess {
+namespace gnomon::verify {
 
 using namespace hierarchy;
 
@@ -159,4 +159,4 @@ Check checkCracks(const LoadedModel& model, std::uint64_t cuts, std::uint64_t se
     return check;
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::verify

@@ -4,7 +4,7 @@
 #include "preprocess/verify/check.h"
 #include "preprocess/verify/loaded_model.h"
 
-namespace gnomon::preprocess {
+namespace gnomon::verify {
 
 /// Draws `cuts` random view-dependent cuts (a group is refined if its error exceeds threshold times distance to the
 /// eye) and looks at every edge that was locked between groups of a level, in each cut that draws a triangle of that
@@ -12,4 +12,4 @@ namespace gnomon::preprocess {
 /// level. Worst: the most cracks in one cut.
 Check checkCracks(const LoadedModel& model, std::uint64_t cuts, std::uint64_t seed, Progress& progress);
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::verify

@@ -10,7 +10,7 @@
 #include <map>
 #include <set>
 
-namespace gnomon::preprocess {
+namespace gnomon::verify {
 
 using namespace hierarchy;
 
@@ -242,4 +242,4 @@ Check checkErrorBound(const LoadedModel& model, const TriangleSoup& source, std:
     return comparison.result();
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::verify

@@ -5,7 +5,7 @@
 #include "preprocess/verify/loaded_model.h"
 #include "preprocess/verify/triangle_tree.h"
 
-namespace gnomon::preprocess {
+namespace gnomon::verify {
 
 /// For uniform cuts at errors from the finest to the coarsest, samples points of the cut and of `source` (corners, and
 /// points at random by area) and measures their distance to the other surface.
@@ -17,4 +17,4 @@ namespace gnomon::preprocess {
 /// same for the same seed whatever the model, so that `cuts` of models of one source can be compared.
 Check checkErrorBound(const LoadedModel& model, const TriangleSoup& source, std::uint64_t seed, Progress& progress);
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::verify

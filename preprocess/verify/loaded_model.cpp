@@ -4,7 +4,7 @@
 
 #include <tbb/parallel_for.h>
 
-namespace gnomon::preprocess {
+namespace gnomon::verify {
 
 LoadedModel loadModel(const hierarchy::ModelFile& file, Progress& progress) {
     LoadedModel model;
@@ -32,4 +32,4 @@ LoadedModel loadModel(const hierarchy::ModelFile& file, Progress& progress) {
     return model;
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::verify

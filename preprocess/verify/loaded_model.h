@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace gnomon::preprocess {
+namespace gnomon::verify {
 
 struct LoadedModel {
     hierarchy::ModelSummary summary;
@@ -24,4 +24,4 @@ struct LoadedModel {
 /// Reads all pages of `file` on all threads.
 LoadedModel loadModel(const hierarchy::ModelFile& file, Progress& progress);
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::verify

@@ -9,7 +9,7 @@
 #include <array>
 #include <tuple>
 
-namespace gnomon::preprocess {
+namespace gnomon::verify {
 
 using namespace hierarchy;
 
@@ -179,4 +179,4 @@ void LockedEdges::findIncidences(const LoadedModel& model) {
         incidences_.insert(incidences_.end(), edges.begin(), edges.end());
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::verify

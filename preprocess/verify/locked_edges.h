@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace gnomon::preprocess {
+namespace gnomon::verify {
 
 /// A level at which an edge is shared by several groups, and the triangles that lie at it there.
 struct EdgeLock {
@@ -58,4 +58,4 @@ private:
     std::vector<std::uint32_t> incidences_;
 };
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::verify

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace gnomon::preprocess {
+namespace gnomon::verify {
 
 using namespace hierarchy;
 
@@ -159,4 +159,4 @@ Check checkMonotoneError(const LoadedModel& model) {
     return check;
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::verify

@@ -4,7 +4,7 @@
 #include "preprocess/verify/check.h"
 #include "preprocess/verify/loaded_model.h"
 
-namespace gnomon::preprocess {
+namespace gnomon::verify {
 
 /// Whether every refinement names a group of a finer page that is there: without that nothing else can be checked.
 bool refinementsResolve(const LoadedModel& model);
@@ -19,4 +19,4 @@ Check checkNesting(const LoadedModel& model);
 /// Errors never decrease towards the root and none is below the grid's own. Worst: the largest decrease, world units.
 Check checkMonotoneError(const LoadedModel& model);
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::verify

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace gnomon::preprocess {
+namespace gnomon::verify {
 
 namespace {
 
@@ -16,26 +16,26 @@ glm::dvec3 snapped(const glm::dvec3& local, const hierarchy::Grid& grid) {
 
 } // namespace
 
-TriangleSoup readSoup(MeshSource& source, const hierarchy::Grid& grid, Progress& progress) {
+TriangleSoup readSoup(read::MeshSource& source, const hierarchy::Grid& grid, Progress& progress) {
     TriangleSoup soup;
-    source.readVertices([&](const VertexBlock& block) {
+    source.readVertices([&](const read::VertexBlock& block) {
         if (soup.positions.size() + block.positions.size() > 0xFFFFFFFFU)
             throw Error(source.summary().path, "too many vertices to be compared with");
         for (const glm::dvec3& position : block.positions)
             soup.positions.push_back(position - grid.origin);
         progress.advance(0); // vertices are not counted, but a place to stop
     });
-    PolygonRefiner refiner;
-    std::vector<TriangleCorners> triangles;
-    source.readTriangles([&](const TriangleBlock& block) {
+    read::PolygonRefiner refiner;
+    std::vector<read::TriangleCorners> triangles;
+    source.readTriangles([&](const read::TriangleBlock& block) {
         triangles.assign(block.triangles.begin(), block.triangles.end());
-        for (const PolygonRun& run : block.polygons)
+        for (const read::PolygonRun& run : block.polygons)
             refiner.refine(std::span(triangles).subspan(run.first, run.count), [&soup](std::uint64_t vertex) {
                 return soup.positions[vertex];
             });
-        for (const TriangleCorners& t : triangles) {
+        for (const read::TriangleCorners& t : triangles) {
             for (const std::uint64_t corner : t)
-                requireFinite(source, corner, soup.positions[corner]);
+                read::requireFinite(source, corner, soup.positions[corner]);
             const glm::dvec3 a = snapped(soup.positions[t[0]], grid);
             const glm::dvec3 b = snapped(soup.positions[t[1]], grid);
             const glm::dvec3 c = snapped(soup.positions[t[2]], grid);
@@ -48,4 +48,4 @@ TriangleSoup readSoup(MeshSource& source, const hierarchy::Grid& grid, Progress&
     return soup;
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::verify

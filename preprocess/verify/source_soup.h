@@ -6,10 +6,10 @@
 #include "preprocess/read/mesh_source.h"
 #include "preprocess/verify/triangle_tree.h"
 
-namespace gnomon::preprocess {
+namespace gnomon::verify {
 
 /// Reads all of `source`. Triangles that a build drops, because two of their corners are the same grid point, are left
 /// out. Progress advances by the triangles read, those left out included.
-TriangleSoup readSoup(MeshSource& source, const hierarchy::Grid& grid, Progress& progress);
+TriangleSoup readSoup(read::MeshSource& source, const hierarchy::Grid& grid, Progress& progress);
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::verify

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace gnomon::preprocess {
+namespace gnomon::verify {
 
 namespace {
 
@@ -172,4 +172,4 @@ TriangleTree::Nearest TriangleTree::nearest(const glm::dvec3& point, std::uint32
     return best;
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::verify

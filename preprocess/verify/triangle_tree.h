@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-namespace gnomon::preprocess {
+namespace gnomon::verify {
 
 /// Triangles over positions of their own; coordinates near the origin (local space) keep double precision.
 struct TriangleSoup {
@@ -70,4 +70,4 @@ private:
     std::vector<std::uint32_t> order_;
 };
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::verify

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace gnomon::preprocess {
+namespace gnomon::verify {
 
 using namespace hierarchy;
 
@@ -56,4 +56,4 @@ std::vector<double> boundsInCut(const LoadedModel& model, double limit) {
     return bounds;
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::verify

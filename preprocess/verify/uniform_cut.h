@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace gnomon::preprocess {
+namespace gnomon::verify {
 
 /// All clusters that are drawn where every group with an error above some limit is refined.
 struct UniformCut {
@@ -29,4 +29,4 @@ UniformCut uniformCut(const LoadedModel& model, double limit);
 /// included; 0 if it is refined.
 std::vector<double> boundsInCut(const LoadedModel& model, double limit);
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::verify

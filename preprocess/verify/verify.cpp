@@ -8,7 +8,7 @@
 #include "preprocess/verify/rules.h"
 #include "preprocess/verify/source_soup.h"
 
-namespace gnomon::preprocess {
+namespace gnomon::verify {
 
 namespace {
 
@@ -71,11 +71,11 @@ Verification verifyModel(const VerifyOptions& options, Progress& progress) {
     verification.checks.push_back(checkMonotoneError(model));
     verification.checks.push_back(checkCracks(model, options.cuts, options.seed, progress));
     if (options.source.empty()) return verification;
-    const auto source = openMeshSources(options.source, gibibytes(64));
+    const auto source = read::openMeshSources(options.source, gibibytes(64));
     progress.stage("read the source", "triangles", source->summary().faceCount);
     const TriangleSoup soup = readSoup(*source, model.summary.grid, progress);
     verification.checks.push_back(checkErrorBound(model, soup, options.seed, progress));
     return verification;
 }
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::verify

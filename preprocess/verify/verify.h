@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace gnomon::preprocess {
+namespace gnomon::verify {
 
 struct VerifyOptions {
     std::string model;
@@ -21,4 +21,4 @@ struct VerifyOptions {
 /// Throws Error only if a file cannot be opened at all or the source cannot be read.
 Verification verifyModel(const VerifyOptions& options, Progress& progress);
 
-} // namespace gnomon::preprocess
+} // namespace gnomon::verify

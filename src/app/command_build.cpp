@@ -17,8 +17,8 @@ namespace gnomon::app {
 
 namespace {
 
-using preprocess::BuildReport;
-using preprocess::Simplifier;
+using pipeline::BuildReport;
+using simplify::Simplifier;
 
 struct BuildCommand {
     CommonOptions common;
@@ -29,7 +29,7 @@ struct BuildCommand {
     std::string simplifier = "own";
     std::string error = "measured";
     std::uint32_t clusterTriangles = 128;
-    std::string chunkTriangles = std::to_string(preprocess::kChunkTriangles);
+    std::string chunkTriangles = std::to_string(pipeline::kChunkTriangles);
     double maxStuckPercent = 100;
     bool isInMemory = false;
     bool isResumed = false;
@@ -45,7 +45,7 @@ std::uint64_t peakResidentBytes() {
 
 nlohmann::ordered_json asJson(const BuildReport& report) {
     nlohmann::ordered_json phases = nlohmann::ordered_json::array();
-    for (const preprocess::BuildPhase& phase : report.phases)
+    for (const pipeline::BuildPhase& phase : report.phases)
         phases.push_back(
             {{"name", phase.name},
              {"seconds", phase.seconds},
@@ -117,7 +117,7 @@ void run(const BuildCommand& command) {
         inputs.push_back({"INPUT", input});
     requireApart(inputs, {{"--output", command.output}});
     requireExtension("--output", command.output, ".gnm");
-    preprocess::BuildOptions options;
+    pipeline::BuildOptions options;
     options.output = command.output;
     options.memory = *parseBytes(command.memory);
     options.threads = command.common.threads;
@@ -131,8 +131,8 @@ void run(const BuildCommand& command) {
         {"own", Simplifier::Own}, {"meshopt", Simplifier::Meshopt}, {"openmesh", Simplifier::OpenMesh}};
     options.level.simplifier = simplifiers.at(command.simplifier);
     if (command.maxStuckPercent < 100) options.maxStuckPercent = command.maxStuckPercent;
-    options.inputKey = preprocess::fingerprintOf(command.inputs);
-    const auto source = preprocess::openMeshSources(command.inputs, options.memory);
+    options.inputKey = pipeline::fingerprintOf(command.inputs);
+    const auto source = read::openMeshSources(command.inputs, options.memory);
     const BuildReport report = [&] {
         const auto progress = makeProgress(command.common);
         return buildModel(*source, options, *progress);

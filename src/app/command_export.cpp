@@ -5,7 +5,7 @@
 #include "app/option_text.h"
 #include "app/thread_limit.h"
 #include "core/units.h"
-#include "preprocess/export/export.h"
+#include "preprocess/exporter/export.h"
 
 #include <cstdio>
 #include <memory>
@@ -22,8 +22,8 @@ struct ExportOptions {
     CommonOptions common;
 };
 
-preprocess::ExportLimit limitOf(const ExportOptions& options) {
-    preprocess::ExportLimit limit;
+exporter::ExportLimit limitOf(const ExportOptions& options) {
+    exporter::ExportLimit limit;
     if (options.triangles.empty() == options.error.empty())
         throw UsageError{"export: say either --triangles or --error"};
     if (!options.triangles.empty()) {
@@ -50,11 +50,11 @@ void addExportCommand(CLI::App& program) {
     addCommonOptions(*command, options->common);
     command->callback([options] {
         const ThreadLimit threads(options->common);
-        const preprocess::ExportLimit limit = limitOf(*options);
+        const exporter::ExportLimit limit = limitOf(*options);
         requireApart({{"MODEL", options->model}}, {{"--output", options->output}});
         requireExtension("--output", options->output, ".ply");
         const auto progress = makeProgress(options->common);
-        const auto cut = preprocess::exportCut(options->model, limit, options->output, *progress);
+        const auto cut = exporter::exportCut(options->model, limit, options->output, *progress);
         std::fprintf(
             stderr,
             "%s: %llu triangles, %llu vertices, error at most %g\n",

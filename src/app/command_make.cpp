@@ -24,9 +24,9 @@ struct MakeOptions {
     CommonOptions common;
 };
 
-std::unique_ptr<preprocess::MadeModel> modelOf(const MakeOptions& options, std::uint64_t triangles) {
+std::unique_ptr<make::MadeModel> modelOf(const MakeOptions& options, std::uint64_t triangles) {
     try {
-        return preprocess::makeNamedModel(options.kind, triangles, options.seed);
+        return make::makeNamedModel(options.kind, triangles, options.seed);
     } catch (const Error& error) {
         throw UsageError{error.what()}; // the options are all that it is made of
     }
@@ -34,7 +34,7 @@ std::unique_ptr<preprocess::MadeModel> modelOf(const MakeOptions& options, std::
 
 void runMake(const MakeOptions& options) {
     requireExtension("--output", options.output, ".ply");
-    std::uint64_t triangles = preprocess::defaultTriangles(options.kind);
+    std::uint64_t triangles = make::defaultTriangles(options.kind);
     if (!options.triangles.empty()) {
         const auto count = parseCount(options.triangles);
         if (!count) throw UsageError{"--triangles: not a count: " + options.triangles + " (write 250000, 13M or 1G)"};
@@ -44,7 +44,7 @@ void runMake(const MakeOptions& options) {
     const auto model = modelOf(options, triangles);
     const std::string comment = "gnomon make " + options.kind + " --triangles " + std::to_string(triangles) +
                                 " --seed " + std::to_string(options.seed);
-    const auto size = preprocess::writeMadeModel(*model, options.output, comment, options.common.threads, *progress);
+    const auto size = make::writeMadeModel(*model, options.output, comment, options.common.threads, *progress);
     std::fprintf(
         stderr,
         "%s: %llu triangles, %llu vertices\n",
@@ -65,7 +65,7 @@ void addMakeCommand(CLI::App& program) {
             "statue: a closed bust of weathered stone. plant: a power plant in a "
             "yard, many small open parts. planes: 15 aeroplanes over a ground")
         ->required()
-        ->check(CLI::IsMember(preprocess::modelNames()));
+        ->check(CLI::IsMember(make::modelNames()));
     command->add_option("-o,--output", options->output, "The PLY to write")->required();
     command->add_option(
         "--triangles", options->triangles, "How many, within 2%; 13M and 1G are counts too [1M; planes 275k]");

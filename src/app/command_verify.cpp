@@ -19,7 +19,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json checkJson(const preprocess::Check& check) {
+ordered_json checkJson(const verify::Check& check) {
     ordered_json json;
     json["name"] = check.name;
     json["tested"] = check.tested;
@@ -28,7 +28,7 @@ ordered_json checkJson(const preprocess::Check& check) {
     json["worst"] = std::isfinite(check.worst) ? check.worst : 1e308;
     json["detail"] = check.detail;
     if (check.tightness) json["tightness"] = *check.tightness;
-    for (const preprocess::SampledCut& cut : check.cuts)
+    for (const verify::SampledCut& cut : check.cuts)
         json["cuts"].push_back(
             {{"triangles", cut.triangles},
              {"stored", cut.stored},
@@ -37,15 +37,15 @@ ordered_json checkJson(const preprocess::Check& check) {
     return json;
 }
 
-void print(const preprocess::Verification& verification, bool asJson) {
+void print(const verify::Verification& verification, bool asJson) {
     if (asJson) {
         ordered_json json{{"ok", verification.ok()}, {"checks", ordered_json::array()}};
-        for (const preprocess::Check& check : verification.checks)
+        for (const verify::Check& check : verification.checks)
             json["checks"].push_back(checkJson(check));
         std::printf("%s\n", telemetry::jsonText(json, 1).c_str());
         return;
     }
-    for (const preprocess::Check& check : verification.checks) {
+    for (const verify::Check& check : verification.checks) {
         std::printf(
             "%-14s %12llu tested %8llu failed  worst %-12g",
             check.name.c_str(),
@@ -58,8 +58,8 @@ void print(const preprocess::Verification& verification, bool asJson) {
 }
 
 /// Throws Error with the first check that failed.
-void expectOk(const preprocess::Verification& verification, const std::string& model) {
-    for (const preprocess::Check& check : verification.checks)
+void expectOk(const verify::Verification& verification, const std::string& model) {
+    for (const verify::Check& check : verification.checks)
         if (check.failed > 0)
             throw Error(model + ": " + check.name + ": " + std::to_string(check.failed) + " failed: " + check.detail);
 }
@@ -68,7 +68,7 @@ void expectOk(const preprocess::Verification& verification, const std::string& m
 
 void addVerifyCommand(CLI::App& program) {
     struct Options {
-        preprocess::VerifyOptions verify;
+        verify::VerifyOptions verify;
         CommonOptions common;
         bool json = false;
     };
@@ -89,7 +89,7 @@ void addVerifyCommand(CLI::App& program) {
     command->callback([options] {
         const auto progress = makeProgress(options->common);
         const ThreadLimit limit(options->common);
-        const preprocess::Verification verification = preprocess::verifyModel(options->verify, *progress);
+        const verify::Verification verification = verify::verifyModel(options->verify, *progress);
         print(verification, options->json);
         expectOk(verification, options->verify.model);
     });

@@ -2,10 +2,10 @@
 #include "app/suited_path.h"
 #include "core/error.h"
 #include "culling/triangle_clip.h"
-#include "preprocess/build/triangle_distance.h"
 #include "preprocess/make/model_file.h"
 #include "preprocess/make/named_model.h"
 #include "preprocess/pipeline/build_model.h"
+#include "preprocess/proximity/triangle_distance.h"
 #include "preprocess/read/open_mesh_sources.h"
 #include "selection/error_rule.h"
 #include "temporary_model.h"
@@ -26,7 +26,7 @@ constexpr int kSamples = 400; // along a path
 auto made(const std::string& kind, std::uint64_t triangles) {
     return [=](const std::string& path) {
         NoProgress progress;
-        preprocess::writeMadeModel(*preprocess::makeNamedModel(kind, triangles, 1), path, "made", 0, progress);
+        make::writeMadeModel(*make::makeNamedModel(kind, triangles, 1), path, "made", 0, progress);
     };
 }
 
@@ -39,10 +39,10 @@ public:
             (std::filesystem::temp_directory_path() / ("gnomon_path_test_" + std::to_string(::getpid()))).string();
         write(stem + ".ply");
         NoProgress progress;
-        preprocess::BuildOptions options;
+        pipeline::BuildOptions options;
         options.output = stem + ".gnm";
-        const auto source = preprocess::openMeshSources({stem + ".ply"}, gibibytes(1));
-        preprocess::buildModel(*source, options, progress);
+        const auto source = read::openMeshSources({stem + ".ply"}, gibibytes(1));
+        pipeline::buildModel(*source, options, progress);
         file_ = std::make_unique<hierarchy::ModelFile>(stem + ".gnm");
         std::filesystem::remove(stem + ".ply");
         std::filesystem::remove(stem + ".gnm"); // the open file stays readable
@@ -58,7 +58,7 @@ public:
             const glm::dvec3 below = glm::min(glm::min(t[0], t[1]), t[2]) - most;
             const glm::dvec3 above = glm::max(glm::max(t[0], t[1]), t[2]) + most;
             if (glm::any(glm::lessThan(point, below)) || glm::any(glm::greaterThan(point, above))) continue;
-            square = std::min(square, preprocess::footing(point, t[0], t[1], t[2]).square);
+            square = std::min(square, proximity::footing(point, t[0], t[1], t[2]).square);
         }
         return std::sqrt(square);
     }
@@ -71,7 +71,7 @@ public:
             const double distance = glm::dot(t[0] - origin, normal) / glm::dot(direction, normal);
             if (!(distance >= 0)) continue;
             const glm::dvec3 at = origin + distance * direction;
-            if (preprocess::footing(at, t[0], t[1], t[2]).square <= 1e-20 * distance * distance)
+            if (proximity::footing(at, t[0], t[1], t[2]).square <= 1e-20 * distance * distance)
                 distances.push_back(distance);
         }
         std::sort(distances.begin(), distances.end());

@@ -24,7 +24,7 @@ std::string newFolder() {
 BuiltFile::BuiltFile(const std::string& kind, std::uint64_t triangles) : folder_(newFolder()) {
     NoProgress progress;
     const std::string source = folder_ + "/" + kind + ".ply";
-    preprocess::writeMadeModel(*preprocess::makeNamedModel(kind, triangles, 1), source, kind, 0, progress);
+    make::writeMadeModel(*make::makeNamedModel(kind, triangles, 1), source, kind, 0, progress);
     build(source);
 }
 
@@ -34,9 +34,9 @@ BuiltFile::BuiltFile(const std::string& source) : folder_(newFolder()) {
 
 void BuiltFile::build(const std::string& source) {
     NoProgress progress;
-    preprocess::BuildOptions options;
+    pipeline::BuildOptions options;
     options.output = folder_ + "/model.gnm";
-    preprocess::buildModel(*preprocess::openMeshSources({source}, options.memory), options, progress);
+    pipeline::buildModel(*read::openMeshSources({source}, options.memory), options, progress);
     file_ = std::make_unique<hierarchy::ModelFile>(options.output);
 }
 

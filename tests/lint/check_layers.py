@@ -23,10 +23,25 @@ def read_layers(text):
 
 
 def folders(root):
-    """layer -> its folder; `preprocess` lies beside src/"""
+    """layer -> its folder; `preprocess/x` lies beside src/"""
     found = {p.name: p for p in (root / "src").iterdir() if p.is_dir()}
-    found["preprocess"] = root / "preprocess"
+    found.update((f"preprocess/{p.name}", p) for p in (root / "preprocess").iterdir() if p.is_dir())
     return found
+
+
+def layer_of(header):
+    """The layer that an include names: `preprocess/x` where the path says so, else the path's first part."""
+    parts = header.split("/")
+    return "/".join(parts[: 2 if parts[0] == "preprocess" else 1])
+
+
+def misplaced(layers):
+    """A row names only rows above it, so no two layers can need each other."""
+    above = {"shaders"}
+    for layer, (ours, _) in layers.items():
+        for other in sorted(ours - above):
+            yield f"src/layers.txt: {layer} names {other}, which is no row above it"
+        above.add(layer)
 
 
 def is_standard(header):
@@ -36,6 +51,9 @@ def is_standard(header):
 def breaches(root):
     layers = read_layers((root / "src" / "layers.txt").read_text())
     places = folders(root)
+    yield from misplaced(layers)
+    for path in sorted(p for p in (root / "preprocess").iterdir() if not p.is_dir()):
+        yield f"{path.relative_to(root)}: in no layer"
     for name in sorted(set(places) - set(layers)):
         yield f"{places[name].relative_to(root)}: not in src/layers.txt"
     for layer, (ours, theirs) in layers.items():
@@ -45,10 +63,10 @@ def breaches(root):
             if path.suffix not in {".h", ".cpp", ".inc"}:
                 continue
             for bracket, header in INCLUDE.findall(path.read_text()):
-                head = header.split("/")[0]
                 if bracket == '"':
-                    fine = "/" in header and head in ours | {layer}
+                    fine = "/" in header and layer_of(header) in ours | {layer}
                 else:
+                    head = header.split("/")[0]
                     fine = is_standard(header) or head in SYSTEM or head in theirs
                 if not fine:
                     yield f"{path.relative_to(root)}: {layer} may not include {header}"

@@ -5,14 +5,18 @@ import unittest
 
 import check_layers
 
-TABLE = "core: | glm\nshadow: core | glm\npreprocess: core | zstd.h\n"
+TABLE = """core: | glm
+shadow: core | glm
+preprocess/read: core | zstd.h
+preprocess/chunk: core preprocess/read
+"""
 
 
 class CheckLayers(unittest.TestCase):
     def breaches(self, files):
         with tempfile.TemporaryDirectory() as folder:
             root = pathlib.Path(folder)
-            for name, text in {"src/layers.txt": TABLE, "src/core/a.h": "", "preprocess/p.cpp": "", **files}.items():
+            for name, text in {"src/layers.txt": TABLE, "src/core/a.h": "", "preprocess/read/p.cpp": "", **files}.items():
                 path = root / name
                 path.parent.mkdir(parents=True, exist_ok=True)
                 path.write_text(text)
@@ -21,7 +25,8 @@ class CheckLayers(unittest.TestCase):
     def test_allowed_includes_are_clean(self):
         self.assertEqual([], self.breaches({
             "src/shadow/a.cpp": '#include "shadow/a.h"\n#include "core/a.h"\n#include <glm/glm.hpp>\n#include <vector>\n',
-            "preprocess/b.cpp": '#include "preprocess/c/d.h"\n#include <zstd.h>\n#include <sys/stat.h>\n'}))
+            "preprocess/read/b.cpp": '#include "preprocess/read/c.h"\n#include <zstd.h>\n#include <sys/stat.h>\n',
+            "preprocess/chunk/e.cpp": '#include "preprocess/read/c.h"\n#include "preprocess/chunk/f.h"\n'}))
 
     def test_each_breach_is_found(self):
         for name, text in {
@@ -30,10 +35,23 @@ class CheckLayers(unittest.TestCase):
             "src/shadow/d.cpp": "#include <zstd.h>\n",
             "src/shadow/e.cpp": '#include "neighbour.h"\n',
             "src/attic/f.cpp": "",
-            "preprocess/g.cpp": '#include "shadow/a.h"\n',
+            "preprocess/read/g.cpp": '#include "shadow/a.h"\n',
+            "preprocess/read/h.cpp": '#include "preprocess/chunk/i.h"\n',
+            "preprocess/chunk/j.cpp": "#include <zstd.h>\n",
+            "preprocess/attic/k.cpp": "",
+            "preprocess/l.cpp": "",
         }.items():
             with self.subTest(name):
                 self.assertEqual(1, len(self.breaches({name: text})))
+
+    def test_rows_name_only_rows_above_them(self):
+        for table in (
+            "core: shadow\nshadow: core\npreprocess/read:\n",  # a cycle
+            "core:\nshadow: preprocess/read\npreprocess/read: core\n",  # below itself
+            "core:\nshadow: cores\npreprocess/read: core\n",  # unknown
+        ):
+            with self.subTest(table):
+                self.assertEqual(1, len(self.breaches({"src/layers.txt": table})))
 
 
 if __name__ == "__main__":

@@ -17,17 +17,17 @@ void append(std::string& bytes, Value value) {
 
 /// The mesh of `from`, moved by `offset`, as a PLY of doubles.
 void writeMoved(const std::string& from, const glm::dvec3& offset, const std::string& to) {
-    const auto source = preprocess::openMeshSources({from}, gibibytes(1));
+    const auto source = read::openMeshSources({from}, gibibytes(1));
     std::string vertices;
     std::string faces;
     std::uint64_t faceCount = 0;
-    source->readVertices([&](const preprocess::VertexBlock& block) {
+    source->readVertices([&](const read::VertexBlock& block) {
         for (const glm::dvec3& position : block.positions)
             for (int axis = 0; axis < 3; ++axis)
                 append(vertices, position[axis] + offset[axis]);
     });
-    source->readTriangles([&](const preprocess::TriangleBlock& block) {
-        for (const preprocess::TriangleCorners& triangle : block.triangles) {
+    source->readTriangles([&](const read::TriangleBlock& block) {
+        for (const read::TriangleCorners& triangle : block.triangles) {
             append(faces, std::uint8_t{3});
             for (const std::uint64_t corner : triangle)
                 append(faces, static_cast<std::uint32_t>(corner));

@@ -39,14 +39,14 @@ ScratchFile::~ScratchFile() {
 
 void writeMade(const std::string& kind, std::uint64_t triangles, const std::string& path) {
     NoProgress progress;
-    preprocess::writeMadeModel(*preprocess::makeNamedModel(kind, triangles, 1), path, "made for a test", 0, progress);
+    make::writeMadeModel(*make::makeNamedModel(kind, triangles, 1), path, "made for a test", 0, progress);
 }
 
 void build(const std::string& mesh, const std::string& model) {
     NoProgress progress;
-    preprocess::BuildOptions options;
+    pipeline::BuildOptions options;
     options.output = model;
-    preprocess::buildModel(*preprocess::openMeshSources({mesh}, options.memory), options, progress);
+    pipeline::buildModel(*read::openMeshSources({mesh}, options.memory), options, progress);
 }
 
 PicturedModel::PicturedModel(const std::string& path, Backend backend)

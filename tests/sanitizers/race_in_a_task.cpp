@@ -20,7 +20,7 @@ int main(int argumentCount, char** arguments) {
         from.swap(to);
     }
     std::size_t sum = 0;
-    gnomon::preprocess::makeInOrder(
+    gnomon::chunk::makeInOrder(
         0,
         to.size(),
         4,

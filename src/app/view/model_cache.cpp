@@ -54,7 +54,7 @@ bool canBeOf(const hierarchy::ModelSummary& model, const std::string& meshPath) 
     File(meshPath, File::Mode::Read).readSomeAt(0, std::as_writable_bytes(std::span(start)));
     const std::string_view line(start.data(), start.size());
     if (line != "ply\n" && line != "ply\r") return true;
-    const preprocess::MeshSummary mesh = preprocess::openPly(meshPath)->summary();
+    const read::MeshSummary mesh = read::openPly(meshPath)->summary();
     if (mesh.vertexCount != model.sourceVertices) return false;
     // A polygon is one triangle or more, and a strip any number.
     const auto none = model.dropped.find("not_a_polygon");
@@ -93,12 +93,12 @@ BuildStatus CacheBuild::status() const {
 void CacheBuild::run(Bytes memory, int threads) {
     try {
         Watch watch(*this);
-        preprocess::BuildOptions options;
+        pipeline::BuildOptions options;
         options.output = cachePath(meshPath_);
         options.memory = memory;
         options.threads = threads;
-        const auto source = preprocess::openMeshSources({meshPath_}, memory);
-        preprocess::buildModel(*source, options, watch);
+        const auto source = read::openMeshSources({meshPath_}, memory);
+        pipeline::buildModel(*source, options, watch);
     } catch (const Interrupted&) {
         failure_ = "stopped";
     } catch (const std::exception& error) {

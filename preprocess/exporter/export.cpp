@@ -1,0 +1,238 @@
+#include "preprocess/exporter/export.h"
+
+#include "core/error.h"
+#include "hierarchy/cut_rule.h"
+#include "hierarchy/model_file.h"
+#include "hierarchy/octahedral.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <limits>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+namespace gnomon::exporter {
+
+using namespace hierarchy;
+
+namespace {
+
+using Corners = std::array<std::uint32_t, 3>;
+
+/// A uniform cut as one mesh without doubled vertices.
+struct Mesh {
+    std::vector<Vertex> vertices;
+    std::vector<Corners> triangles;
+};
+
+/// How the number of triangles changes where the limit of a uniform cut passes `error`.
+struct Step {
+    double error = 0;
+    std::int64_t triangles = 0;
+
+    bool operator<(const Step& other) const {
+        return std::tie(error, triangles) < std::tie(other.error, other.triangles);
+    }
+};
+
+/// A cluster is in the cut from its stored error on, until the limit reaches its group's.
+std::vector<Step> stepsOf(const ModelFile& file, Progress& progress) {
+    std::vector<Step> steps;
+    progress.stage("count", "pages", file.pages().size());
+    for (std::uint32_t p = 0; p < file.pages().size(); ++p) {
+        const Page page = file.readPage(p);
+        for (const Group& group : page.groups)
+            for (std::uint32_t c = group.firstCluster; c < group.firstCluster + group.clusterCount; ++c) {
+                const Cluster& cluster = page.clusters[c];
+                steps.push_back({storedError(page, cluster, 0), cluster.triangleCount});
+                steps.push_back({group.error, -static_cast<std::int64_t>(cluster.triangleCount)});
+            }
+        progress.advance(1);
+    }
+    std::sort(steps.begin(), steps.end());
+    return steps;
+}
+
+/// The least limit at which a uniform cut has at most `most` triangles.
+double limitFor(const ModelFile& file, std::uint64_t most, Progress& progress) {
+    const std::vector<Step> steps = stepsOf(file, progress);
+    std::int64_t triangles = 0;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        triangles += steps[i].triangles;
+        if (i + 1 < steps.size() && steps[i + 1].error == steps[i].error) continue;
+        if (steps[i].error == std::numeric_limits<double>::infinity()) break;
+        if (static_cast<std::uint64_t>(triangles) <= most) return steps[i].error;
+    }
+    throw Error(
+        file.path(),
+        "no cut is that small",
+        "at least " + std::to_string(file.summary().coarsestTriangles) + " triangles, those of the coarsest cut",
+        std::to_string(most));
+}
+
+/// The largest limit that promises at most `error`.
+double limitOf(const ModelFile& file, double error) {
+    const double least = file.summary().grid.snapError();
+    if (error >= least) return error;
+    throw Error(
+        file.path(),
+        "no cut is that exact",
+        "an error of at least " + std::to_string(least) + ", half a cell of the grid",
+        std::to_string(error));
+}
+
+struct Collected {
+    Mesh mesh;
+    double error = 0;
+};
+
+Collected collect(const ModelFile& file, double limit, Progress& progress) {
+    Collected cut;
+    const auto isRefined = [limit](double error, const Sphere&) { return error > limit; };
+    progress.stage("cut", "pages", file.pages().size());
+    for (std::uint32_t p = 0; p < file.pages().size(); ++p) {
+        progress.advance(1);
+        const PageInfo& info = file.pages()[p];
+        if (info.maxError <= limit) continue; // none of its groups is refined
+        const Page page = file.readPage(p);
+        forEachDrawn(page, isRefined, [&](const Group&, const Cluster& cluster) {
+            cut.error = std::max(cut.error, storedError(page, cluster, file.summary().grid.snapError()));
+            const auto first = static_cast<std::uint32_t>(cut.mesh.vertices.size());
+            const auto begin = page.vertices.begin() + cluster.firstVertex;
+            cut.mesh.vertices.insert(cut.mesh.vertices.end(), begin, begin + cluster.vertexCount);
+            for (std::uint32_t t = 0; t < cluster.triangleCount; ++t) {
+                const Triangle& triangle = page.triangles[cluster.firstTriangle + t];
+                cut.mesh.triangles.push_back({first + triangle[0], first + triangle[1], first + triangle[2]});
+            }
+        });
+        if (cut.mesh.vertices.size() > std::numeric_limits<std::int32_t>::max())
+            throw Error(file.path(), "the cut has more vertices than a PLY can number");
+    }
+    return cut;
+}
+
+/// Makes equal vertices one, in the order of their first use.
+void weld(Mesh& mesh) {
+    std::vector<std::uint32_t> order(mesh.vertices.size());
+    for (std::uint32_t i = 0; i < order.size(); ++i)
+        order[i] = i;
+    std::sort(order.begin(), order.end(), [&mesh](std::uint32_t a, std::uint32_t b) {
+        return mesh.vertices[a] != mesh.vertices[b] ? mesh.vertices[a] < mesh.vertices[b] : a < b;
+    });
+    std::vector<std::uint32_t> first(order.size()); // the first vertex equal to each
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const bool isNew = i == 0 || mesh.vertices[order[i]] != mesh.vertices[order[i - 1]];
+        first[order[i]] = isNew ? order[i] : first[order[i - 1]];
+    }
+    std::uint32_t next = 0;
+    std::vector<std::uint32_t> place(order.size());
+    for (std::uint32_t v = 0; v < first.size(); ++v) {
+        if (first[v] == v) mesh.vertices[next] = mesh.vertices[v];
+        place[v] = first[v] == v ? next++ : place[first[v]];
+    }
+    mesh.vertices.resize(next);
+    for (Corners& triangle : mesh.triangles)
+        for (std::uint32_t& corner : triangle)
+            corner = place[corner];
+}
+
+/// Writes a PLY body or header in runs.
+class PlyWriter {
+public:
+    explicit PlyWriter(File& file) : file_(file) {}
+
+    void put(std::string_view text) { append(text.data(), text.size()); }
+
+    template <class T>
+    void putValue(T value) {
+        append(&value, sizeof(T));
+    }
+
+    void flush() {
+        file_.writeAt(offset_, buffer_);
+        offset_ += buffer_.size();
+        buffer_.clear();
+    }
+
+private:
+    void append(const void* data, std::size_t size) {
+        const auto* bytes = static_cast<const std::byte*>(data);
+        buffer_.insert(buffer_.end(), bytes, bytes + size);
+        constexpr std::size_t kRunBytes = std::size_t{1} << 20U;
+        if (buffer_.size() >= kRunBytes) flush();
+    }
+
+    File& file_;
+    std::uint64_t offset_ = 0;
+    std::vector<std::byte> buffer_;
+};
+
+bool fitsFloats(const Mesh& mesh, const Grid& grid) {
+    return std::all_of(mesh.vertices.begin(), mesh.vertices.end(), [&grid](const Vertex& vertex) {
+        const glm::dvec3 p = grid.world(vertex.position);
+        return glm::dvec3(glm::vec3(p)) == p;
+    });
+}
+
+std::string headerOf(const Mesh& mesh, const ModelSummary& summary, bool asFloats) {
+    const std::string real = asFloats ? "float" : "double";
+    std::string text = "ply\nformat binary_little_endian 1.0\ncomment gnomon export\nelement vertex " +
+                       std::to_string(mesh.vertices.size()) + "\n";
+    for (const char* axis : {"x", "y", "z"})
+        text += "property " + real + " " + axis + "\n";
+    if (summary.hasNormals) text += "property float nx\nproperty float ny\nproperty float nz\n";
+    if (summary.hasColors)
+        text += "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty uchar alpha\n";
+    return text + "element face " + std::to_string(mesh.triangles.size()) +
+           "\nproperty list uchar int vertex_indices\nend_header\n";
+}
+
+void putVertex(PlyWriter& out, const Vertex& vertex, const ModelSummary& summary, bool asFloats) {
+    const glm::dvec3 p = summary.grid.world(vertex.position);
+    for (int axis = 0; axis < 3; ++axis) {
+        if (asFloats)
+            out.putValue(static_cast<float>(p[axis]));
+        else
+            out.putValue(p[axis]);
+    }
+    if (summary.hasNormals) {
+        const glm::vec3 n(unpackNormal(vertex.normal));
+        for (int axis = 0; axis < 3; ++axis)
+            out.putValue(n[axis]);
+    }
+    if (summary.hasColors) out.putValue(vertex.color);
+}
+
+void writePly(const Mesh& mesh, const ModelSummary& summary, const std::string& path, Progress& progress) {
+    AtomicFile output(path);
+    PlyWriter out(output.file());
+    const bool asFloats = fitsFloats(mesh, summary.grid);
+    progress.stage("write", "triangles", mesh.triangles.size());
+    out.put(headerOf(mesh, summary, asFloats));
+    for (const Vertex& vertex : mesh.vertices)
+        putVertex(out, vertex, summary, asFloats);
+    for (const Corners& triangle : mesh.triangles) {
+        out.putValue(std::uint8_t{3});
+        for (const std::uint32_t corner : triangle)
+            out.putValue(static_cast<std::int32_t>(corner));
+    }
+    out.flush();
+    progress.advance(mesh.triangles.size());
+    output.commit();
+}
+
+} // namespace
+
+ExportedCut exportCut(
+    const std::string& model, const ExportLimit& limit, const std::string& output, Progress& progress) {
+    const ModelFile file(model);
+    const double error = limit.triangles ? limitFor(file, *limit.triangles, progress) : limitOf(file, *limit.error);
+    Collected cut = collect(file, error, progress);
+    weld(cut.mesh);
+    writePly(cut.mesh, file.summary(), output, progress);
+    return {cut.error, cut.mesh.triangles.size(), cut.mesh.vertices.size()};
+}
+
+} // namespace gnomon::exporter

@@ -1,0 +1,171 @@
+#include "preprocess/levels/kd_cut.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace gnomon::levels {
+
+namespace {
+
+struct Bounds {
+    glm::vec3 low;
+    glm::vec3 high;
+};
+
+Bounds boundsOf(std::span<const KdPoint> points) {
+    Bounds bounds{glm::vec3(std::numeric_limits<float>::max()), glm::vec3(std::numeric_limits<float>::lowest())};
+    for (const KdPoint& point : points) {
+        bounds.low = glm::min(bounds.low, point.center);
+        bounds.high = glm::max(bounds.high, point.center);
+    }
+    return bounds;
+}
+
+int widestAxis(const Bounds& bounds) {
+    const glm::vec3 size = bounds.high - bounds.low;
+    if (size.x >= size.y && size.x >= size.z) return 0;
+    return size.y >= size.z ? 1 : 2;
+}
+
+/// A place between points in their order: before `item`, whose center is at `value`.
+struct Place {
+    float value;
+    std::uint64_t item;
+    std::uint64_t weightBefore;
+
+    /// Which side a point is on is a toss, so there are no branches.
+    bool isAfter(float pointValue, std::uint32_t pointItem) const {
+        const unsigned isLess = pointValue < value ? 1 : 0;
+        const unsigned isNoMore = pointValue <= value ? 1 : 0;
+        const unsigned isEarlier = pointItem < item ? 1 : 0;
+        return (isLess | (isNoMore & isEarlier)) != 0;
+    }
+};
+
+/// Buckets of one width. Which one a value falls into never decreases with the value, however that is rounded.
+class Buckets {
+public:
+    static constexpr std::size_t kMost = 256;
+
+    /// For `points` values from `low` to `high`; one bucket alone where these are too near each other to divide by.
+    Buckets(float low, float high, std::size_t points)
+        : low_(low), count_(std::clamp<std::size_t>(points / 2, 16, kMost)) {
+        const float scale = static_cast<float>(count_ - 1) / (high - low);
+        scale_ = std::isfinite(scale) ? scale : 0;
+    }
+
+    std::size_t count() const { return count_; }
+
+    std::size_t of(float value) const { return static_cast<std::size_t>(static_cast<int>((value - low_) * scale_)); }
+
+private:
+    float low_;
+    float scale_ = 0;
+    std::size_t count_;
+};
+
+struct Input {
+    std::span<KdPoint> points;
+    std::span<KdPoint> spare;
+    std::span<const std::uint32_t> weights;
+    std::uint64_t target;
+};
+
+/// Copies those of `candidates` in whose bucket `before`, the weight of all points before them, exceeds the target to
+/// the front of the spare points, where `candidates` may lie as well, brings `before` up to that bucket and returns how
+/// many they are.
+template <int kAxis>
+std::size_t narrow(
+    const Input& input, std::span<const KdPoint> candidates, const Bounds& bounds, std::uint64_t& before) {
+    const Buckets buckets(bounds.low[kAxis], bounds.high[kAxis], candidates.size());
+    std::array<std::uint64_t, Buckets::kMost> weight{};
+    for (const KdPoint& point : candidates)
+        weight[buckets.of(point.center[kAxis])] += input.weights[point.item];
+    std::size_t bucket = 0;
+    while (before + weight[bucket] <= input.target)
+        before += weight[bucket++];
+    std::size_t count = 0;
+    for (const KdPoint& point : candidates) {
+        input.spare[count] = point;
+        count += buckets.of(point.center[kAxis]) == bucket ? 1 : 0;
+    }
+    return count;
+}
+
+/// A copy of `candidates`, in the spare points, in the order in which points are cut.
+template <int kAxis>
+std::span<const KdPoint> sorted(const Input& input, std::span<const KdPoint> candidates) {
+    const std::span<KdPoint> copies = input.spare.first(candidates.size());
+    if (candidates.data() != copies.data()) std::copy(candidates.begin(), candidates.end(), copies.begin());
+    std::sort(copies.begin(), copies.end(), [](const KdPoint& a, const KdPoint& b) {
+        return a.center[kAxis] < b.center[kAxis] || (a.center[kAxis] == b.center[kAxis] && a.item < b.item);
+    });
+    return copies;
+}
+
+/// Narrows the points down to those of the bucket in which the target is reached, these to those of a narrower one,
+/// until they are so few that they can be looked at in their order.
+template <int kAxis>
+Place findPlace(const Input& input, Bounds bounds) {
+    constexpr std::size_t kFew = 16;
+    std::span<const KdPoint> candidates = input.points;
+    std::uint64_t before = 0;
+    while (candidates.size() > kFew && bounds.low[kAxis] < bounds.high[kAxis]) {
+        const std::size_t count = narrow<kAxis>(input, candidates, bounds, before);
+        if (count == candidates.size()) break;
+        candidates = input.spare.first(count);
+        bounds = boundsOf(candidates);
+    }
+    if (bounds.low[kAxis] < bounds.high[kAxis]) candidates = sorted<kAxis>(input, candidates);
+    std::size_t i = 0;
+    while (before + input.weights[candidates[i].item] <= input.target)
+        before += input.weights[candidates[i++].item];
+    const KdPoint& point = candidates[i];
+    if (before > 0) return {point.center[kAxis], point.item, before};
+    return {point.center[kAxis], std::uint64_t{point.item} + 1, input.weights[point.item]};
+}
+
+/// Brings the points before `place` to the front and returns how many they are. Every point is written to both sides,
+/// and stays on the one that grows by it.
+template <int kAxis>
+std::size_t part(const Input& input, const Place place) {
+    KdPoint* const low = input.points.data();
+    KdPoint* const high = input.spare.data();
+    const std::size_t count = input.points.size();
+    std::size_t lows = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const KdPoint point = low[i];
+        low[lows] = point;
+        high[i - lows] = point;
+        lows += place.isAfter(point.center[kAxis], point.item) ? 1 : 0;
+    }
+    std::copy_n(high, count - lows, low + lows);
+    return lows;
+}
+
+/// The axis is known to the compiler, since the inner loops are short.
+template <int kAxis>
+KdSide cutAcross(const Input& input, const Bounds& bounds) {
+    const Place place = findPlace<kAxis>(input, bounds);
+    return {part<kAxis>(input, place), place.weightBefore};
+}
+
+} // namespace
+
+KdSide cutPoints(
+    std::span<KdPoint> points, std::span<KdPoint> spare, std::span<const std::uint32_t> weights, std::uint64_t target) {
+    const Input input{points, spare, weights, target};
+    const Bounds bounds = boundsOf(points);
+    switch (widestAxis(bounds)) {
+    case 0:
+        return cutAcross<0>(input, bounds);
+    case 1:
+        return cutAcross<1>(input, bounds);
+    default:
+        return cutAcross<2>(input, bounds);
+    }
+}
+
+} // namespace gnomon::levels

@@ -1,0 +1,34 @@
+// The distance from a point to a triangle, and which part of the triangle is nearest.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstdint>
+
+namespace gnomon::proximity {
+
+inline double squaredLength(const glm::dvec3& v) {
+    return glm::dot(v, v);
+}
+
+/// Where the nearest point of a triangle lies.
+enum class Nearest : std::uint8_t { Face, Edge0, Edge1, Edge2, Corner0, Corner1, Corner2 }; // edge i: i to i + 1
+
+struct Footing {
+    double square = 0; // of the distance
+    Nearest nearest = Nearest::Face;
+};
+
+/// The squared distance of `p` from the triangle `a`, `b`, `c`, which may be degenerate.
+Footing footing(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
+
+/// An upper bound of the squared distance of `p` from the triangle that is its exact value but for rounding: the
+/// distance from a point of the triangle that is computed explicitly. Ericson, "Real-Time Collision Detection", 2005,
+/// 5.1.5.
+double nearestSquare(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
+
+/// The same for the segment from `a` to `b`.
+double nearestSquare(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b);
+
+} // namespace gnomon::proximity

@@ -1,0 +1,157 @@
+#include "preprocess/simplify/collapse_star.h"
+
+#include "hierarchy/octahedral.h"
+#include "preprocess/proximity/triangle_distance.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace gnomon::simplify {
+
+namespace {
+
+using hierarchy::kNone;
+
+constexpr double kLeastTurnCosine = 0.25; // faces turn by no more than 75 degrees in one collapse
+
+/// The place of the corner of `t` at position `p`, which it has.
+std::uint32_t placeOf(std::uint32_t p, const Triangle& t) {
+    return t[0] == p ? 0 : (t[1] == p ? 1 : 2);
+}
+
+double difference(const Vertex& a, const Vertex& b) {
+    const auto channel = [](std::uint32_t color, std::uint32_t shift) {
+        return static_cast<double>(color >> shift & 0xFFU) / 255.0;
+    };
+    double sum = proximity::squaredLength(hierarchy::unpackNormal(a.normal) - hierarchy::unpackNormal(b.normal));
+    for (const std::uint32_t shift : {0U, 8U, 16U, 24U}) {
+        const double d = channel(a.color, shift) - channel(b.color, shift);
+        sum += d * d;
+    }
+    return sum;
+}
+
+} // namespace
+
+void CollapseStar::gather(std::uint32_t from, std::uint32_t to) {
+    from_ = from;
+    to_ = to;
+    faces_.clear();
+    vanishing_ = 0;
+    living_.forCorners(from, [&](std::uint32_t corner) {
+        const Triangle& t = living_.positions(corner / 3);
+        const std::uint32_t i = corner % 3;
+        const StarFace face{corner / 3, t[(i + 1) % 3], t[(i + 2) % 3]};
+        if (vanishes(face)) ++vanishing_;
+        faces_.push_back(face);
+    });
+}
+
+bool CollapseStar::turnsFace() const {
+    const glm::dvec3& origin = patch_.positions[from_];
+    const glm::dvec3& target = patch_.positions[to_];
+    for (const StarFace& face : faces_) {
+        if (vanishes(face)) continue;
+        const glm::dvec3& b = patch_.positions[face.b];
+        const glm::dvec3 side = patch_.positions[face.c] - b;
+        const glm::dvec3 before = glm::cross(side, origin - b);
+        const glm::dvec3 after = glm::cross(side, target - b);
+        const double square = proximity::squaredLength(before);
+        const double turned = glm::dot(before, after);
+        if (square > 0 && (turned <= 0 || turned * turned < kLeastTurnCosine * kLeastTurnCosine * square *
+                                                                proximity::squaredLength(after)))
+            return true;
+        const glm::dvec3& first = living_.firstNormal(face.triangle);
+        if (glm::dot(first, after) <= 0 && proximity::squaredLength(first) > 0) return true;
+    }
+    return false;
+}
+
+bool CollapseStar::changesTopology() {
+    if (vanishing_ == 0) return true;
+    if (vanishing_ > 1 && living_.isBorder(from_) && living_.isBorder(to_)) return true;
+    return living_.commonNeighbours(from_, to_) > vanishing_;
+}
+
+bool CollapseStar::breaksLockedEdge() {
+    if (patch_.isLocked[to_] == 0) return false;
+    ends_.clear();
+    for (const StarFace& face : faces_) {
+        const std::uint32_t isGoing = vanishes(face) ? 1 : 0;
+        if (face.b != to_ && patch_.isLocked[face.b] != 0) ends_.push_back({face.b, isGoing});
+        if (face.c != to_ && patch_.isLocked[face.c] != 0) ends_.push_back({face.c, isGoing});
+    }
+    if (ends_.empty()) return false;
+    std::sort(ends_.begin(), ends_.end());
+    std::int64_t balance = 0;
+    for (std::size_t i = 0; i < ends_.size(); ++i) {
+        balance += ends_[i][1] != 0 ? 1 : -1;
+        if (i + 1 < ends_.size() && ends_[i + 1][0] == ends_[i][0]) continue;
+        if (balance != 0) return true;
+    }
+    return false;
+}
+
+bool CollapseStar::orderAsFan(Fan& fan) {
+    const std::size_t count = faces_.size();
+    if (vanishing_ == 0 || vanishing_ > 2 || count < 2 || count >= Fan::kMaxRim) return false;
+    fan.count = 0;
+    std::uint32_t at = to_;
+    for (std::size_t done = 0; done < count; ++done) {
+        std::size_t next = done; // the faces before `done` are in order
+        while (next < count && faces_[next].b != at && faces_[next].c != at)
+            ++next;
+        if (next == count) return false;
+        std::swap(faces_[done], faces_[next]);
+        const StarFace& face = faces_[done];
+        fan.rim[fan.count++] = patch_.positions[at];
+        at = face.b == at ? face.c : face.b;
+        if (at == to_ && done + 1 < count) return false;
+    }
+    fan.isClosed = at == to_;
+    if (fan.isClosed != (vanishing_ == 2)) return false;
+    if (!fan.isClosed) fan.rim[fan.count++] = patch_.positions[at];
+    if (fan.count < 3) return false;
+    fan.apex = patch_.positions[from_];
+    return true;
+}
+
+/// The vertex at `to` that stands in for `vertex`: the one joined to it by a vanishing triangle, else the most alike.
+std::uint32_t CollapseStar::standIn(std::uint32_t vertex) {
+    for (const auto& [gone, kept] : standIns_)
+        if (gone == vertex) return kept;
+    std::uint32_t best = kNone;
+    double least = std::numeric_limits<double>::infinity();
+    living_.forCorners(to_, [&](std::uint32_t corner) {
+        const std::uint32_t candidate = living_.vertices(corner / 3)[corner % 3];
+        if (candidate == best) return;
+        const double unlike = difference(patch_.vertices[candidate], patch_.vertices[vertex]);
+        if (unlike < least || (unlike == least && candidate < best)) {
+            least = unlike;
+            best = candidate;
+        }
+    });
+    return best;
+}
+
+void CollapseStar::carryOut() {
+    standIns_.clear();
+    for (const StarFace& face : faces_) {
+        if (!vanishes(face)) continue;
+        const Triangle& t = living_.positions(face.triangle);
+        const Triangle& v = living_.vertices(face.triangle);
+        standIns_.push_back({v[placeOf(from_, t)], v[placeOf(to_, t)]});
+    }
+    for (const StarFace& face : faces_) {
+        if (vanishes(face)) continue;
+        const std::uint32_t place = placeOf(from_, living_.positions(face.triangle));
+        const std::uint32_t gone = living_.vertices(face.triangle)[place];
+        const std::uint32_t kept = standIn(gone);
+        standIns_.push_back({gone, kept});
+        living_.change(3 * face.triangle + place, kept, to_);
+    }
+    for (const StarFace& face : faces_)
+        if (vanishes(face)) living_.remove(face.triangle);
+}
+
+} // namespace gnomon::simplify

@@ -1,0 +1,60 @@
+// What moving one position onto another costs before the errors are known: the quadric of its planes, and the length
+// and the attributes of the edge.
+#pragma once
+
+#include "preprocess/proximity/triangle_distance.h"
+#include "preprocess/simplify/cost_kernel.h"
+#include "preprocess/simplify/living_patch.h"
+
+namespace gnomon::simplify {
+
+/// Costs are squared distances in grid steps. Open edges, and edges along which normals or colours part, have planes of
+/// their own, upright on their faces.
+class CostEstimate {
+public:
+    /// Of `patch`, with nothing collapsed yet in `living`.
+    CostEstimate(const Patch& patch, const LivingPatch& living);
+
+    /// The estimate for moving `from` onto `to`.
+    double square(std::uint32_t from, std::uint32_t to) const {
+        const double length = proximity::squaredLength(patch_.positions[from] - patch_.positions[to]);
+        // Without any area there are no planes to tell how far is far.
+        if (!(quadric_[from].weight > 0)) return length * 0.01;
+        return planes(from, to) + length * (weights_.length + attributes(from, to));
+    }
+
+    /// `square` onto each of `to`. Valid until the next call.
+    std::span<const double> squares(std::uint32_t from, std::span<const std::uint32_t> to);
+
+    /// The part of it that is a distance: the mean square of those of `to` from the planes of `from`.
+    double planes(std::uint32_t from, std::uint32_t to) const {
+        return quadric_[from].meanSquare(patch_.positions[to]);
+    }
+
+    /// Gives the planes of `from` to `to`.
+    void join(std::uint32_t from, std::uint32_t to) { quadric_[to].add(quadric_[from]); }
+
+private:
+    double attributes(std::uint32_t from, std::uint32_t to) const {
+        double cost = 0;
+        const CostSite& a = sites_[from];
+        const CostSite& b = sites_[to];
+        if (weights_.normal > 0 && a.hasNormal() && b.hasNormal())
+            cost += weights_.normal * proximity::squaredLength(vectorOf(a.normal) - vectorOf(b.normal));
+        if (weights_.color > 0)
+            cost += weights_.color * proximity::squaredLength(vectorOf(a.color) - vectorOf(b.color));
+        return cost;
+    }
+
+    void addFacePlanes(const LivingPatch& living);
+    void addEdgePlanes(const LivingPatch& living);
+    void loadSites();
+
+    const Patch& patch_;
+    std::vector<Quadric> quadric_;
+    std::vector<CostSite> sites_; // per position
+    EdgeWeights weights_;
+    std::vector<double> squares_;
+};
+
+} // namespace gnomon::simplify

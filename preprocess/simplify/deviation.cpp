@@ -1,0 +1,330 @@
+#include "preprocess/simplify/deviation.h"
+
+#include "preprocess/simplify/surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gnomon::simplify {
+
+namespace {
+
+using hierarchy::kNone;
+
+constexpr std::size_t kMaxCorners = 24;
+constexpr std::uint32_t kMaxWalk = 24;     // cuts in a row from one triangle to the next
+constexpr std::uint32_t kMaxHalvings = 12; // of a piece that walking cannot place
+constexpr std::uint32_t kMaxPieces = 1024; // of one triangle
+
+/// A convex polygon.
+struct Piece {
+    std::array<glm::dvec3, 2 * kMaxCorners> corners{}; // rounding may let a plane cross more than two sides
+    std::uint32_t count = 0;
+    std::uint32_t host = kNone;
+    std::uint32_t walked = 0;
+    std::uint32_t halvings = 0;
+
+    void add(const glm::dvec3& p) { corners[count++] = p; }
+};
+
+/// The parts of `piece` where dot(p - point, normal) is at most and at least 0.
+struct Halves {
+    Piece inside;
+    Piece outside;
+};
+
+Halves cut(const Piece& piece, const glm::dvec3& point, const glm::dvec3& normal) {
+    Halves halves;
+    for (Piece* half : {&halves.inside, &halves.outside}) {
+        half->host = piece.host;
+        half->walked = piece.walked + 1;
+        half->halvings = piece.halvings;
+    }
+    std::array<double, 2 * kMaxCorners> side{};
+    double least = 0;
+    double most = 0;
+    for (std::uint32_t i = 0; i < piece.count; ++i) {
+        side[i] = glm::dot(piece.corners[i] - point, normal);
+        least = std::min(least, side[i]);
+        most = std::max(most, side[i]);
+    }
+    for (std::uint32_t i = 0; i < piece.count; ++i) {
+        const std::uint32_t next = (i + 1) % piece.count;
+        if (side[i] <= 0) halves.inside.add(piece.corners[i]);
+        if (side[i] >= 0) halves.outside.add(piece.corners[i]);
+        if ((side[i] < 0 && side[next] > 0) || (side[i] > 0 && side[next] < 0)) {
+            const double share = side[i] / (side[i] - side[next]);
+            const glm::dvec3 crossing = piece.corners[i] + (piece.corners[next] - piece.corners[i]) * share;
+            halves.inside.add(crossing);
+            halves.outside.add(crossing);
+        }
+    }
+    // What lies in the plane belongs to one half only.
+    if (most <= 0)
+        halves.outside.count = 0;
+    else if (least >= 0)
+        halves.inside.count = 0;
+    return halves;
+}
+
+/// The corner of a piece that is farthest from its host.
+struct Farthest {
+    double square = -1;
+    proximity::Nearest nearest = proximity::Nearest::Face;
+    std::uint32_t corner = 0;
+};
+
+Farthest farthestFrom(const Surface& surface, const Piece& piece, std::uint32_t triangle) {
+    Farthest farthest;
+    for (std::uint32_t i = 0; i < piece.count; ++i) {
+        const proximity::Footing f = surface.footingOf(piece.corners[i], triangle);
+        if (f.square > farthest.square) farthest = {f.square, f.nearest, i};
+    }
+    return farthest;
+}
+
+/// Cuts triangles into pieces and finds each a host on a surface.
+class Cover {
+public:
+    Cover(Surface& surface, double tolerance) : surface_(surface), toleranceSquare_(tolerance * tolerance) {}
+
+    /// Calls `assign(host, distance)` for pieces that together make up `whole`, which names a host to begin with.
+    template <class Assign>
+    void run(const Piece& whole, Assign assign) {
+        pieces_ = 0;
+        stack_.assign(1, whole);
+        while (!stack_.empty()) {
+            const Piece piece = stack_.back();
+            stack_.pop_back();
+            const Farthest farthest = farthestFrom(surface_, piece, piece.host);
+            if (farthest.square <= std::max(toleranceSquare_, enoughSquare_) || pieces_ >= kMaxPieces ||
+                !(walk(piece, farthest) || halve(piece, farthest))) {
+                enoughSquare_ = std::max(enoughSquare_, farthest.square);
+                assign(piece.host, std::sqrt(farthest.square));
+                ++pieces_;
+            }
+        }
+    }
+
+private:
+    /// Hands the part beyond the host's edge to the triangle there; false if that brings nothing nearer.
+    bool walk(const Piece& piece, const Farthest& farthest) {
+        if (piece.walked >= kMaxWalk || piece.count + 2 > kMaxCorners || farthest.nearest == proximity::Nearest::Face)
+            return false;
+        const auto place = static_cast<std::uint32_t>(farthest.nearest);
+        std::array<std::uint32_t, 2> edges{place - 1, place - 1};
+        if (farthest.nearest >= proximity::Nearest::Corner0) edges = {place - 4, (place - 4 + 2) % 3};
+        double best = farthest.square;
+        std::uint32_t bestEdge = kNone;
+        for (const std::uint32_t edge : edges) {
+            const std::uint32_t other = surface_.across(piece.host, edge);
+            if (other == kNone) continue;
+            const glm::dvec3& corner = piece.corners[farthest.corner];
+            // A corner that the plane leaves on this side would come back, and back again.
+            if (glm::dot(corner - surface_.corner(piece.host, edge), bisector(piece.host, edge)) <= 0) continue;
+            const double square = surface_.footingOf(corner, other).square;
+            if (square < best) {
+                best = square;
+                bestEdge = edge;
+            }
+        }
+        return bestEdge != kNone && cross(piece, bestEdge);
+    }
+
+    bool cross(const Piece& piece, std::uint32_t edge) {
+        const std::uint32_t other = surface_.across(piece.host, edge);
+        const glm::dvec3& from = surface_.corner(piece.host, edge);
+        Halves halves = cut(piece, from, bisector(piece.host, edge));
+        halves.outside.host = other;
+        if (halves.outside.count < 3) { // all is on this side of the bisecting plane, yet nearer to the other
+            if (piece.walked > 2) return false;
+            halves.inside.host = other;
+            halves.inside.walked = piece.walked + 1;
+        }
+        if (halves.inside.count >= 3) stack_.push_back(halves.inside);
+        if (halves.outside.count >= 3) stack_.push_back(halves.outside);
+        return true;
+    }
+
+    /// Where neighbours lead nowhere: asks the tree, and halves the piece if no one triangle will do.
+    bool halve(const Piece& piece, const Farthest& farthest) {
+        const glm::dvec3& corner = piece.corners[farthest.corner];
+        const std::uint32_t nearest = surface_.nearest(corner);
+        if (surface_.footingOf(corner, nearest).square > farthest.square * 0.8) return false;
+        Piece moved = piece;
+        moved.host = nearest;
+        // A few times more than it may be halved, and then no more, so that this ends.
+        if (piece.halvings < kMaxHalvings + 4 &&
+            farthestFrom(surface_, moved, nearest).square < farthest.square * 0.8) {
+            moved.halvings += 1;
+            moved.walked = 0;
+            stack_.push_back(moved);
+            return true;
+        }
+        if (piece.halvings >= kMaxHalvings) return false;
+        if (piece.count + 2 > kMaxCorners) return splitAlongDiagonal(piece);
+        const glm::dvec3 across = corner - farthestCorner(piece, corner);
+        Halves halves = cut(piece, corner - across * 0.5, across);
+        halves.outside.host = nearest;
+        for (Piece* half : {&halves.inside, &halves.outside}) {
+            if (half->count < 3) return false;
+            half->walked = 0;
+            half->halvings = piece.halvings + 1;
+        }
+        stack_.push_back(halves.inside);
+        stack_.push_back(halves.outside);
+        return true;
+    }
+
+    /// The corner of `piece` that is farthest from `p`.
+    static glm::dvec3 farthestCorner(const Piece& piece, const glm::dvec3& p) {
+        return *std::max_element(
+            piece.corners.begin(), piece.corners.begin() + piece.count, [&p](const glm::dvec3& a, const glm::dvec3& b) {
+                return glm::dot(a - p, a - p) < glm::dot(b - p, b - p);
+            });
+    }
+
+    /// Many cuts leave a piece more corners than a further cut has room for: two pieces have half as many each.
+    bool splitAlongDiagonal(const Piece& piece) {
+        Piece first = piece;
+        Piece second = piece;
+        first.count = second.count = 0;
+        const std::uint32_t middle = piece.count / 2;
+        for (std::uint32_t i = 0; i <= middle; ++i)
+            first.add(piece.corners[i]);
+        for (std::uint32_t i = middle; i <= piece.count; ++i)
+            second.add(piece.corners[i % piece.count]);
+        for (Piece* half : {&first, &second}) {
+            half->walked = 0;
+            half->halvings = piece.halvings + 1;
+            stack_.push_back(*half);
+        }
+        return true;
+    }
+
+    /// The normal, away from `triangle`, of the plane through its edge that halves the angle to its neighbour there.
+    glm::dvec3 bisector(std::uint32_t triangle, std::uint32_t edge) const {
+        const glm::dvec3 along = surface_.corner(triangle, (edge + 1) % 3) - surface_.corner(triangle, edge);
+        const glm::dvec3 normal = unitNormal(triangle);
+        const glm::dvec3 otherNormal = unitNormal(surface_.across(triangle, edge));
+        const double turn = glm::dot(normal, otherNormal) < 0 ? -1.0 : 1.0; // neighbours need not agree on a side
+        return glm::cross(along, normal + otherNormal * turn);
+    }
+
+    glm::dvec3 unitNormal(std::uint32_t t) const {
+        const glm::dvec3 normal =
+            glm::cross(surface_.corner(t, 1) - surface_.corner(t, 0), surface_.corner(t, 2) - surface_.corner(t, 0));
+        const double length = glm::length(normal);
+        return length > 0 ? normal / length : glm::dvec3(0);
+    }
+
+    Surface& surface_;
+    double toleranceSquare_;
+    double enoughSquare_ = 0; // the largest distance that had to be accepted: no other piece need do better
+    std::uint32_t pieces_ = 0;
+    std::vector<Piece> stack_;
+};
+
+Piece wholeTriangle(const Surface& surface, std::uint32_t t, std::uint32_t host) {
+    Piece piece;
+    for (std::size_t i = 0; i < 3; ++i)
+        piece.add(surface.corner(t, i));
+    piece.host = host;
+    return piece;
+}
+
+glm::dvec3 centerOf(const Surface& surface, std::uint32_t t) {
+    return (surface.corner(t, 0) + surface.corner(t, 1) + surface.corner(t, 2)) * (1.0 / 3);
+}
+
+void raise(float& bound, double value) {
+    bound = std::max(bound, roundedUp(value));
+}
+
+class Measurement {
+public:
+    Measurement(const Patch& patch, const SimplifiedPatch& simplified)
+        : patch_(patch),
+          simplified_(simplified),
+          fine_(patch.positions, cornersOf(patch, patch.triangles)),
+          coarse_(patch.positions, cornersOf(patch, simplified.triangles)),
+          heir_(patch.triangles.size(), kNone),
+          isSame_(patch.triangles.size(), 0) {
+        result_.errors.resize(simplified.triangles.size());
+    }
+
+    Deviation run(double tolerance) {
+        std::vector<std::uint8_t> isDone(result_.errors.size(), 0);
+        for (std::uint32_t t = 0; t < result_.errors.size(); ++t) {
+            const std::uint32_t origin = simplified_.origin[t];
+            if (origin == kNone) continue;
+            heir_[origin] = t;
+            if (fine_.triangles()[origin] != coarse_.triangles()[t]) continue;
+            isSame_[origin] = isDone[t] = 1;
+            result_.errors[t] = patch_.error(origin);
+        }
+        Cover onFine(fine_, tolerance);
+        for (std::uint32_t t = 0; t < result_.errors.size(); ++t) {
+            if (isDone[t] != 0) continue;
+            const std::uint32_t origin = simplified_.origin[t];
+            const std::uint32_t host = origin != kNone ? origin : fine_.nearest(centerOf(coarse_, t));
+            onFine.run(wholeTriangle(coarse_, t, host), [&](std::uint32_t on, double distance) {
+                raise(result_.errors[t].toSource, distance + static_cast<double>(patch_.error(on).toSource));
+            });
+        }
+        Cover onCoarse(coarse_, tolerance);
+        for (std::uint32_t t = 0; t < heir_.size(); ++t) {
+            if (isSame_[t] != 0) continue;
+            const double before = patch_.error(t).fromSource;
+            onCoarse.run(wholeTriangle(fine_, t, firstHost(t)), [&](std::uint32_t on, double distance) {
+                raise(result_.errors[on].fromSource, distance + before);
+            });
+        }
+        for (const TriangleError& error : result_.errors)
+            result_.worst = std::max({result_.worst, double{error.fromSource}, double{error.toSource}});
+        return std::move(result_);
+    }
+
+private:
+    static std::vector<Triangle> cornersOf(const Patch& patch, const std::vector<Triangle>& triangles) {
+        std::vector<Triangle> corners;
+        corners.reserve(triangles.size());
+        for (const Triangle& t : triangles)
+            corners.push_back(patch.corners(t));
+        return corners;
+    }
+
+    /// A simplified triangle near the patch's triangle `t`.
+    std::uint32_t firstHost(std::uint32_t t) {
+        if (heir_[t] != kNone) return heir_[t];
+        const glm::dvec3 center = centerOf(fine_, t);
+        double best = std::numeric_limits<double>::infinity();
+        std::uint32_t host = kNone;
+        for (const std::uint32_t p : fine_.triangles()[t])
+            for (const std::uint32_t candidate : coarse_.around(simplified_.movedTo[p])) {
+                const double square = coarse_.footingOf(center, candidate).square;
+                if (square < best) {
+                    best = square;
+                    host = candidate;
+                }
+            }
+        return host != kNone ? host : coarse_.nearest(center);
+    }
+
+    const Patch& patch_;
+    const SimplifiedPatch& simplified_;
+    Surface fine_;
+    Surface coarse_;
+    std::vector<std::uint32_t> heir_; // per triangle of the patch the simplified one that it became
+    std::vector<std::uint8_t> isSame_;
+    Deviation result_;
+};
+
+} // namespace
+
+Deviation measureDeviation(const Patch& patch, const SimplifiedPatch& simplified, double tolerance) {
+    return Measurement(patch, simplified).run(tolerance);
+}
+
+} // namespace gnomon::simplify

@@ -1,0 +1,21 @@
+// How far a simplified patch and the source that it stands for are apart: a bound, not an estimate.
+#pragma once
+
+#include "preprocess/simplify/patch.h"
+
+namespace gnomon::simplify {
+
+struct Deviation {
+    std::vector<TriangleError> errors; // of the simplified triangles
+    double worst = 0;                  // the largest of them
+};
+
+/// Bounds the two-sided distance between the source and `simplified`, given the bounds `patch.errors` of the patch's
+/// own triangles, for simplifiers that do not bound it themselves. Each triangle of one side is cut into convex pieces,
+/// each piece is assigned to one triangle of the other side, and since the distance to a convex set is a convex
+/// function, the piece's corners bound all of it: no samples, no covering radius. Pieces within `tolerance` (grid
+/// steps) are not cut further. A source point answers to exactly one chain of triangles through the levels, so the
+/// bound holds for every cut, not only for uniform ones.
+Deviation measureDeviation(const Patch& patch, const SimplifiedPatch& simplified, double tolerance);
+
+} // namespace gnomon::simplify

@@ -1,0 +1,36 @@
+// Which triangles lie around each position.
+#pragma once
+
+#include "preprocess/simplify/mesh.h"
+
+#include <span>
+
+namespace gnomon::simplify {
+
+class Fans {
+public:
+    /// Of `triangles` over positions 0 up to `positionCount`, exclusive.
+    Fans(std::size_t positionCount, std::span<const Triangle> triangles)
+        : first_(positionCount + 1, 0), members_(triangles.size() * 3) {
+        for (const Triangle& t : triangles)
+            for (const std::uint32_t p : t)
+                ++first_[p + 1];
+        for (std::size_t p = 0; p < positionCount; ++p)
+            first_[p + 1] += first_[p];
+        std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+        for (std::uint32_t t = 0; t < triangles.size(); ++t)
+            for (const std::uint32_t p : triangles[t])
+                members_[next[p]++] = t;
+    }
+
+    /// The triangles around `position`, ascending.
+    std::span<const std::uint32_t> around(std::uint32_t position) const {
+        return std::span(members_).subspan(first_[position], first_[position + 1] - first_[position]);
+    }
+
+private:
+    std::vector<std::uint32_t> first_;
+    std::vector<std::uint32_t> members_;
+};
+
+} // namespace gnomon::simplify

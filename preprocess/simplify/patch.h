@@ -1,0 +1,53 @@
+// The piece of a mesh that is simplified at once: one group, with its own numbering.
+#pragma once
+
+#include "preprocess/simplify/mesh.h"
+
+#include <glm/glm.hpp>
+
+#include <cmath>
+#include <limits>
+#include <span>
+
+namespace gnomon::simplify {
+
+/// What is known of one triangle of a level, in grid steps.
+struct TriangleError {
+    float fromSource = 0; // every source point that this triangle answers for is within this distance of it
+    float toSource = 0;   // every point of this triangle is within this distance of the source
+};
+
+/// The least float that is not below `value`.
+inline float roundedUp(double value) {
+    const auto rounded = static_cast<float>(value);
+    return static_cast<double>(rounded) < value ? std::nextafter(rounded, std::numeric_limits<float>::infinity())
+                                                : rounded;
+}
+
+/// A group's triangles. Lengths are in grid steps, positions relative to a point near the patch, all exact.
+struct Patch {
+    std::vector<Vertex> vertices;
+    std::vector<std::uint32_t> positionOf; // vertex -> position
+    std::vector<glm::dvec3> positions;
+    std::vector<std::uint8_t> isLocked;    // per position: shared with another group, must stay where it is
+    std::vector<Triangle> triangles;       // vertex indices
+    std::span<const TriangleError> errors; // of the triangles; empty for the source itself
+    bool isAnyPrice = true;                // whether a collapse may cost more than the edges are long
+    bool isBounded = true;                 // whether errors of what it becomes are asked for
+
+    TriangleError error(std::size_t triangle) const { return errors.empty() ? TriangleError{} : errors[triangle]; }
+
+    Triangle corners(const Triangle& t) const { return {positionOf[t[0]], positionOf[t[1]], positionOf[t[2]]}; }
+};
+
+/// A patch after simplification, in the patch's own vertices: no position is new and locked ones are all where they
+/// were.
+struct SimplifiedPatch {
+    std::vector<Triangle> triangles;
+    std::vector<std::uint32_t> origin;  // per triangle the patch's triangle that it was, kNone where that is unknown
+    std::vector<std::uint32_t> movedTo; // per position the one that it was collapsed into; itself where it stayed
+    std::vector<TriangleError> errors;  // of the triangles, bounds; empty if unknown or not asked for
+    double claimedError = 0;            // what the simplifier believes, in grid steps; no bound
+};
+
+} // namespace gnomon::simplify

@@ -1,0 +1,17 @@
+#include "preprocess/simplify/simplify.h"
+
+namespace gnomon::simplify {
+
+SimplifiedPatch simplify(const Patch& patch, std::size_t targetTriangles, Simplifier simplifier) {
+    switch (simplifier) {
+    case Simplifier::Meshopt:
+        return simplifyMeshopt(patch, targetTriangles);
+    case Simplifier::OpenMesh:
+        return simplifyOpenMesh(patch, targetTriangles);
+    case Simplifier::Own:
+        break;
+    }
+    return simplifyOwn(patch, targetTriangles);
+}
+
+} // namespace gnomon::simplify

@@ -1,0 +1,56 @@
+// A triangle surface prepared for questions of distance: neighbours across edges, and a tree for the nearest triangle.
+#pragma once
+
+#include "preprocess/proximity/triangle_distance.h"
+#include "preprocess/simplify/fans.h"
+
+#include <glm/glm.hpp>
+
+#include <span>
+
+namespace gnomon::simplify {
+
+/// Triangles over given positions. The positions must outlive it.
+class Surface {
+public:
+    Surface(std::span<const glm::dvec3> positions, std::vector<Triangle> triangles);
+
+    const std::vector<Triangle>& triangles() const { return triangles_; }
+
+    const glm::dvec3& corner(std::uint32_t triangle, std::size_t i) const {
+        return positions_[triangles_[triangle][i]];
+    }
+
+    proximity::Footing footingOf(const glm::dvec3& p, std::uint32_t triangle) const {
+        return proximity::footing(p, corner(triangle, 0), corner(triangle, 1), corner(triangle, 2));
+    }
+
+    /// A triangle across edge `i` (from corner i to the next), or kNone.
+    std::uint32_t across(std::uint32_t triangle, std::uint32_t i) const { return across_[triangle][i]; }
+
+    /// The triangles around a position.
+    std::span<const std::uint32_t> around(std::uint32_t position) const { return fans_.around(position); }
+
+    /// The triangle nearest to `p`; the first call builds a tree.
+    std::uint32_t nearest(const glm::dvec3& p);
+
+private:
+    struct Node {
+        glm::dvec3 low;
+        glm::dvec3 high;
+        std::uint32_t begin; // of its triangles in treeOrder_
+        std::uint32_t end;
+        std::uint32_t right; // index of the second child, the first follows its parent; 0 for a leaf
+    };
+
+    void buildTree(std::uint32_t begin, std::uint32_t end);
+
+    std::span<const glm::dvec3> positions_;
+    std::vector<Triangle> triangles_;
+    Fans fans_;
+    std::vector<Triangle> across_;
+    std::vector<Node> nodes_;
+    std::vector<std::uint32_t> treeOrder_;
+};
+
+} // namespace gnomon::simplify

@@ -1,0 +1,42 @@
+// Disjoint sets of dense ids; the smallest id represents its set, so the answer does not depend on the order of unions.
+#pragma once
+
+#include <cstdint>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace gnomon::simplify {
+
+class UnionFind {
+public:
+    explicit UnionFind(std::uint32_t count) : parent_(count), count_(count) {
+        std::iota(parent_.begin(), parent_.end(), 0U);
+    }
+
+    std::uint32_t root(std::uint32_t id) {
+        while (parent_[id] != id) {
+            parent_[id] = parent_[parent_[id]];
+            id = parent_[id];
+        }
+        return id;
+    }
+
+    void unite(std::uint32_t a, std::uint32_t b) {
+        a = root(a);
+        b = root(b);
+        if (a == b) return;
+        if (a > b) std::swap(a, b);
+        parent_[b] = a;
+        --count_;
+    }
+
+    /// How many sets there are.
+    std::uint32_t count() const { return count_; }
+
+private:
+    std::vector<std::uint32_t> parent_;
+    std::uint32_t count_;
+};
+
+} // namespace gnomon::simplify

@@ -1,0 +1,401 @@
+// The build as a whole: the same bytes by every way to them, and nothing left behind when it fails.
+#include "core/error.h"
+#include "core/file.h"
+#include "core/random.h"
+#include "preprocess/pipeline/fingerprint.h"
+#include "preprocess/pipeline/memory_plan.h"
+#include "preprocess/pipeline/workplace.h"
+#include "tests/pipeline/built_model.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <numeric>
+#include <set>
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace gnomon::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+
+BuildOptions smallChunks(std::uint32_t triangles) {
+    BuildOptions options;
+    options.chunkTriangles = triangles;
+    return options;
+}
+
+/// The mesh with its vertices in another order, its triangles as they were.
+read::CodeMesh shuffled(const read::CodeMesh& mesh, std::uint64_t seed) {
+    std::vector<std::uint32_t> order(mesh.positions.size());
+    std::iota(order.begin(), order.end(), 0U);
+    Random random(seed);
+    for (std::size_t i = order.size(); i-- > 1;)
+        std::swap(order[i], order[random.below(i + 1)]);
+    std::vector<glm::dvec3> positions(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i)
+        positions[order[i]] = mesh.positions[i];
+    std::vector<simplify::Triangle> triangles = mesh.triangles;
+    for (simplify::Triangle& t : triangles)
+        for (std::uint32_t& corner : t)
+            corner = order[corner];
+    return {std::move(positions), std::move(triangles)};
+}
+
+/// A folder of its own, gone with the object.
+class TestFolder {
+public:
+    TestFolder() {
+        static int number = 0;
+        path_ = fs::temp_directory_path() /
+                ("gnomon_pipeline_" + std::to_string(::getpid()) + "_" + std::to_string(number++));
+        fs::create_directories(path_);
+    }
+
+    ~TestFolder() {
+        std::error_code ignored;
+        fs::remove_all(path_, ignored);
+    }
+
+    TestFolder(const TestFolder&) = delete;
+    TestFolder& operator=(const TestFolder&) = delete;
+    TestFolder(TestFolder&&) = delete;
+    TestFolder& operator=(TestFolder&&) = delete;
+
+    std::string file(const std::string& name) const { return (path_ / name).string(); }
+
+    std::set<std::string> names() const {
+        std::set<std::string> names;
+        for (const fs::directory_entry& entry : fs::directory_iterator(path_))
+            names.insert(entry.path().filename().string());
+        return names;
+    }
+
+private:
+    fs::path path_;
+};
+
+/// Kills the process, as `kill -9` would, when it has heard `steps` times of progress.
+class DeadlyProgress final : public Progress {
+public:
+    explicit DeadlyProgress(int steps) : left_(steps) {}
+
+    void stage(std::string_view /*name*/, std::string_view /*unit*/, std::uint64_t /*total*/) override { step(); }
+
+    void advance(std::uint64_t /*count*/) override { step(); }
+
+private:
+    void step() {
+        if (--left_ < 0) ::raise(SIGKILL);
+    }
+
+    std::atomic<int> left_;
+};
+
+/// What a build told of its temporary space.
+class SpaceWatch final : public Progress {
+public:
+    void stage(std::string_view /*name*/, std::string_view /*unit*/, std::uint64_t /*total*/) override {}
+
+    void advance(std::uint64_t /*count*/) override {}
+
+    void temporarySpace(std::uint64_t bytes) override {
+        std::uint64_t most = most_;
+        while (most < bytes && !most_.compare_exchange_weak(most, bytes)) {
+        }
+    }
+
+    std::uint64_t most() const { return most_; }
+
+private:
+    std::atomic<std::uint64_t> most_{0};
+};
+
+std::string build(read::CodeMesh mesh, const BuildOptions& options) {
+    NoProgress progress;
+    return buildModel(mesh, options, progress).contentHash;
+}
+
+constexpr int kToTheEnd = 1 << 30;
+
+/// Whether a build in another process was killed by its progress; else it ended well.
+bool isKilled(const read::CodeMesh& mesh, const BuildOptions& options, int steps) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+        read::CodeMesh own = mesh;
+        DeadlyProgress progress(steps);
+        try {
+            buildModel(own, options, progress);
+        } catch (...) {
+            ::_exit(3);
+        }
+        ::_exit(0);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    EXPECT_TRUE(WIFSIGNALED(status) || WEXITSTATUS(status) == 0) << status;
+    return WIFSIGNALED(status);
+}
+
+TEST(Pipeline, ChunksAreJoinedUntilOneRootIsLeft) {
+    const BuiltModel model(read::bumpySheet(90), smallChunks(1500));
+    EXPECT_LE(model.report().coarsestTriangles, 1000U);
+    EXPECT_EQ(model.report().stuckTriangles, 0U);
+    EXPECT_EQ(model.summary().levels.front().triangles, 90U * 90 * 2);
+    EXPECT_GT(model.report().temporaryBytes, 0U);
+}
+
+TEST(Pipeline, TellsWhileItRunsHowMuchTemporarySpaceIsInUse) {
+    const TestFolder folder;
+    read::CodeMesh mesh = read::bumpySheet(50);
+    BuildOptions options = smallChunks(600);
+    options.output = folder.file("m.gnm");
+    SpaceWatch watch;
+    const BuildReport report = buildModel(mesh, options, watch);
+    EXPECT_EQ(report.temporaryBytes, watch.most());
+    EXPECT_GT(watch.most(), mesh.triangles.size() * 12);
+}
+
+TEST(Pipeline, SameBytesOnDiskAndInMemoryForAnyThreadsAndMemory) {
+    for (const read::CodeMesh& mesh : {read::bumpySheet(50), read::strewnBoxes(400)}) {
+        std::set<std::string> hashes;
+        for (const bool isInMemory : {false, true})
+            for (const int threads : {1, 3})
+                for (const Bytes memory : {mebibytes(200), gibibytes(4)}) {
+                    BuildOptions options = smallChunks(600);
+                    options.isInMemory = isInMemory;
+                    options.threads = threads;
+                    options.memory = memory;
+                    hashes.insert(BuiltModel(mesh, options).report().contentHash);
+                }
+        EXPECT_EQ(hashes.size(), 1U);
+    }
+}
+
+TEST(Pipeline, SameBytesForVerticesInAnyOrder) {
+    const read::CodeMesh mesh = read::bumpySheet(60);
+    const std::string expected = BuiltModel(mesh, smallChunks(900)).report().contentHash;
+    for (const std::uint64_t seed : {1U, 2U, 3U})
+        EXPECT_EQ(BuiltModel(shuffled(mesh, seed), smallChunks(900)).report().contentHash, expected);
+}
+
+TEST(Pipeline, GoesOnAfterBeingKilledAnywhere) {
+    const read::CodeMesh mesh = read::bumpySheet(40);
+    const TestFolder folder;
+    BuildOptions options = smallChunks(500);
+    options.output = folder.file("m.gnm");
+    options.inputKey = "the sheet";
+    // All builds are in processes of their own: one that has had threads must not be copied.
+    ASSERT_FALSE(isKilled(mesh, options, kToTheEnd));
+    const std::string expected = hierarchy::ModelFile(options.output).contentHash();
+    options.isResumed = true;
+    Random random(5);
+    int killed = 0;
+    for (int round = 0; round < 8; ++round) {
+        fs::remove(options.output);
+        // Killed again and again, each time a little later.
+        int steps = 1 + static_cast<int>(random.below(12));
+        while (isKilled(mesh, options, steps)) {
+            ++killed;
+            EXPECT_FALSE(fs::exists(options.output));
+            steps += static_cast<int>(random.below(30));
+        }
+        EXPECT_EQ(hierarchy::ModelFile(options.output).contentHash(), expected);
+        EXPECT_EQ(folder.names(), std::set<std::string>{"m.gnm"});
+    }
+    EXPECT_GT(killed, 8);
+}
+
+TEST(Pipeline, AFingerprintTellsPeopleWhatAnInputIs) {
+    const TestFolder folder;
+    const std::vector<std::string> inputs{folder.file("a"), folder.file("b")};
+    for (const std::string& input : inputs) {
+        writeTextFile(input, "a mesh");
+        const auto when = std::chrono::sys_days(std::chrono::year(2001) / 9 / 9) + std::chrono::milliseconds(6'400'025);
+        fs::last_write_time(input, std::chrono::file_clock::from_sys(when));
+    }
+    const std::string text = fingerprintOf(inputs);
+    EXPECT_EQ(text.find("input 1 bytes 6, input 1 changed 2001-09-09T01:46:40.025000000Z, input 1 samples "), 0U);
+    EXPECT_NE(text.find(", input 2 bytes 6, input 2 changed 2001-09-09T01:46:40.025"), std::string::npos) << text;
+    EXPECT_THROW(fingerprintOf({"/dev/null"}), Error);
+}
+
+TEST(Pipeline, AResumedBuildOfSomethingElseIsRefusedAndTouchesNothing) {
+    const read::CodeMesh mesh = read::bumpySheet(60);
+    const TestFolder folder;
+    BuildOptions options = smallChunks(1000);
+    options.output = folder.file("m.gnm");
+    options.inputKey = "input 1 bytes 17, input 1 changed yesterday";
+    ASSERT_TRUE(isKilled(mesh, options, 20));
+    options.isResumed = true;
+    const std::string start = options.output + ".building: cannot resume, input or options changed: ";
+    const auto refusal = [&](const BuildOptions& other) -> std::string {
+        try {
+            build(mesh, other);
+        } catch (const Error& error) {
+            return error.what();
+        }
+        return "no error";
+    };
+    BuildOptions otherInput = options;
+    otherInput.inputKey = "input 1 bytes 17, input 1 changed today";
+    EXPECT_EQ(refusal(otherInput), start + "input 1 changed: expected today, found yesterday");
+    otherInput.inputKey += ", input 2 bytes 4";
+    EXPECT_EQ(
+        refusal(otherInput),
+        start + "input 1 changed: expected today, found yesterday; input 2 bytes: expected 4, found nothing");
+    BuildOptions otherOptions = options;
+    otherOptions.level.clusterTriangles = 64;
+    EXPECT_EQ(refusal(otherOptions), start + "cluster_triangles: expected 64, found 128");
+    EXPECT_EQ(folder.names(), std::set<std::string>{"m.gnm.building"});
+    build(mesh, options);
+    EXPECT_EQ(folder.names(), std::set<std::string>{"m.gnm"});
+}
+
+// A resumed build that is refused for lack of memory must not cost what was built before it was killed.
+TEST(Pipeline, AWorkplaceThatIsLeftCanBeTakenUpAgain) {
+    const TestFolder folder;
+    NoProgress progress;
+    WorkplaceOptions options{folder.file("m.gnm"), "", "the key", false, true};
+    {
+        Workplace place(options, progress);
+        place.scratch("bins")->append(std::vector<std::byte>(1000));
+        BinnedRecord record;
+        record.mostOfAChunk = {5, 7};
+        record.scratchEnd = 1000;
+        place.finish(record);
+        place.leave();
+    }
+    EXPECT_EQ(folder.names(), std::set<std::string>{"m.gnm.building"});
+    {
+        Workplace place(options, progress);
+        ASSERT_TRUE(place.ledger().binned());
+        EXPECT_EQ(place.ledger().binned()->mostOfAChunk.triangles, 5U);
+        EXPECT_EQ(place.ledger().binned()->mostOfAChunk.vertices, 7U);
+        EXPECT_EQ(place.scratch("bins", 1000)->end(), 1000U);
+    }
+    EXPECT_EQ(folder.names(), std::set<std::string>{});
+}
+
+TEST(Pipeline, AFailingWriteIsOneErrorAndTheOldOutputStays) {
+    const read::CodeMesh mesh = read::bumpySheet(40);
+    const TestFolder folder;
+    BuildOptions options = smallChunks(1000);
+    options.output = folder.file("m.gnm");
+    writeTextFile(options.output, "the old one");
+    std::signal(SIGXFSZ, SIG_IGN);
+    rlimit whole{};
+    ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &whole), 0);
+    int failed = 0;
+    for (const bool isInMemory : {false, true}) // the temporary files, and the output alone
+        for (const rlim_t limit : {1000U, 10'000U}) {
+            options.isInMemory = isInMemory;
+            const rlimit small{limit, whole.rlim_max};
+            ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+            try {
+                build(mesh, options);
+            } catch (const Error& error) {
+                ++failed;
+                EXPECT_NE(std::string(error.what()).find("cannot write"), std::string::npos) << error.what();
+            }
+            ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &whole), 0);
+            EXPECT_EQ(folder.names(), std::set<std::string>{"m.gnm"}) << limit;
+            EXPECT_EQ(readTextFile(options.output), "the old one") << limit;
+        }
+    EXPECT_EQ(failed, 4);
+}
+
+TEST(Pipeline, TwoBuildsOfOneOutputDoNotMix) {
+    const TestFolder folder;
+    BuildOptions options = smallChunks(1000);
+    options.output = folder.file("m.gnm");
+    fs::create_directories(options.output + ".building");
+    File lock(options.output + ".building/lock", File::Mode::Create);
+    ASSERT_TRUE(lock.tryLock());
+    EXPECT_THROW(build(read::bumpySheet(20), options), Error);
+    EXPECT_TRUE(fs::exists(options.output + ".building/lock"));
+}
+
+TEST(Pipeline, ClearsAwayWhatKilledBuildsHadHalfWrittenButNotWhatLivingOnesHave) {
+    const TestFolder folder;
+    BuildOptions options = smallChunks(1000);
+    options.output = folder.file("m.gnm");
+    options.temporaryFolder = folder.file("elsewhere");
+    const std::string killed = options.output + ".2147483647.partial"; // more than any process is called
+    const std::string living = options.output + "." + std::to_string(::getppid()) + ".partial";
+    for (const std::string& half : {killed, living})
+        writeTextFile(half, "half");
+    build(read::bumpySheet(20), options);
+    EXPECT_FALSE(fs::exists(killed));
+    EXPECT_TRUE(fs::exists(living));
+}
+
+TEST(Pipeline, AVertexThatNoTriangleUsesDoesNotSetTheGrid) {
+    const read::CodeMesh sheet = read::bumpySheet(30);
+    std::vector<glm::dvec3> positions = sheet.positions;
+    positions.emplace_back(1e9, -1e300, 0);
+    const BuiltModel expected(sheet, smallChunks(1000));
+    const BuiltModel found(read::CodeMesh(positions, sheet.triangles), smallChunks(1000));
+    EXPECT_EQ(found.summary().grid.stepExponent, expected.summary().grid.stepExponent);
+    EXPECT_EQ(found.summary().grid.origin, expected.summary().grid.origin);
+    EXPECT_EQ(found.report().dropped, expected.report().dropped);
+}
+
+// Scanners write vertices at NaN where they saw nothing.
+TEST(Pipeline, AVertexThatIsNotFiniteIsIgnoredWhereNoTriangleUsesIt) {
+    const read::CodeMesh sheet = read::bumpySheet(30);
+    const BuiltModel expected(sheet, smallChunks(1000));
+    std::vector<glm::dvec3> positions = sheet.positions;
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    positions.emplace_back(nan, 0, nan);
+    positions.emplace_back(0, std::numeric_limits<double>::infinity(), 0);
+    const BuiltModel found(read::CodeMesh(positions, sheet.triangles), smallChunks(1000));
+    EXPECT_EQ(found.summary().grid.origin, expected.summary().grid.origin);
+    EXPECT_EQ(found.report().fileBytes, expected.report().fileBytes);
+    std::vector<simplify::Triangle> triangles = sheet.triangles;
+    triangles.push_back({0, 1, static_cast<std::uint32_t>(positions.size() - 1)});
+    try {
+        const BuiltModel bad(read::CodeMesh(positions, triangles), smallChunks(1000));
+        FAIL() << "it passed";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("a coordinate of vertex 962 is not finite"), std::string::npos)
+            << error.what();
+    }
+}
+
+TEST(Pipeline, CoordinatesWhoseSquaresNoDoubleHoldsAreRefused) {
+    const TestFolder folder;
+    BuildOptions options = smallChunks(1000);
+    options.output = folder.file("m.gnm");
+    EXPECT_NO_THROW(build(read::bumpySheet(5, 1e90), options));
+    try {
+        build(read::bumpySheet(5, 1e300), options);
+        FAIL() << "they passed";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("expected at most 1e100, found 1e+300"), std::string::npos)
+            << error.what();
+    }
+}
+
+// Of all sizes of chunks and all that is left over beside one: a chunk is always under way, and the share is kept.
+TEST(MemoryPlan, BordersAreSharedInAnyRoomThatHoldsAChunk) {
+    Random random(5);
+    for (int i = 0; i < 2000; ++i) {
+        const Bytes chunk = MemoryNeeds::borders({random.below(2'000'000), 1 + random.below(3'000'000)});
+        const Bytes room = {chunk.count + (random.below(4) == 0 ? 0 : random.below(3 * chunk.count))};
+        const std::size_t threads = 1 + random.below(16);
+        const BorderShare share = borderShare(room, chunk, threads);
+        ASSERT_GE(share.chunksAtOnce, 1U);
+        ASSERT_LE(share.chunksAtOnce, threads + 1);
+        ASSERT_LE(share.blocks.count + share.chunksAtOnce * chunk.count, room.count);
+    }
+}
+
+} // namespace
+} // namespace gnomon::pipeline

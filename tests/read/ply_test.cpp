@@ -1,0 +1,420 @@
+// The PLY reader against meshes that are known before they are written, in every layout; and its errors.
+#include "preprocess/read/block_buffers.h"
+#include "preprocess/read/open_mesh_sources.h"
+#include "preprocess/read/ply_source.h"
+#include "tests/read/ply_writer.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <map>
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace gnomon::read {
+namespace {
+
+std::string scratch(const std::string& name) {
+    return testing::TempDir() + "gnomon_read_ply_" + std::to_string(::getpid()) + "_" + name + ".ply";
+}
+
+CollectedMesh readText(const std::string& name, const std::string& text) {
+    writeScratch(scratch(name), text);
+    return collect(*openPly(scratch(name)));
+}
+
+std::string errorOf(const std::string& name, const std::string& text) {
+    try {
+        readText(name, text);
+    } catch (const Error& error) {
+        const std::string message = error.what();
+        EXPECT_TRUE(message.starts_with(scratch(name))) << message;
+        return message.substr(std::min(message.size(), scratch(name).size()));
+    }
+    return "no error";
+}
+
+void expectSame(const PlyLayout& layout, std::uint64_t seed, std::size_t vertices, std::size_t faces) {
+    const KnownMesh mesh = randomMesh(seed, vertices, faces, layout);
+    EXPECT_EQ(readText("same", plyText(mesh, layout)), expected(mesh))
+        << layout.format << " " << layout.position << " " << layout.normal << " " << layout.color << " " << layout.count
+        << " " << layout.index << " " << layout.hasExtras << layout.facesFirst;
+}
+
+const std::vector<std::string> kFormats = {"ascii", "binary_little_endian", "binary_big_endian"};
+
+TEST(ReadPly, EveryFormatAndTypeOfPositions) {
+    for (const std::string& format : kFormats)
+        for (const char* type :
+             {"char",
+              "int8",
+              "uchar",
+              "uint8",
+              "short",
+              "int16",
+              "ushort",
+              "uint16",
+              "int",
+              "int32",
+              "uint",
+              "uint32",
+              "float",
+              "float32",
+              "double",
+              "float64"}) {
+            PlyLayout layout;
+            layout.format = format;
+            layout.position = type;
+            expectSame(layout, 1, 100, 50);
+        }
+}
+
+TEST(ReadPly, EveryFormatAndTypeOfCountsAndIndices) {
+    for (const std::string& format : kFormats)
+        for (const char* count : {"char", "uchar", "short", "ushort", "int", "uint", "float", "double"})
+            for (const char* index : {"char", "uchar", "short", "ushort", "int", "uint", "float", "double"}) {
+                PlyLayout layout;
+                layout.format = format;
+                layout.count = count;
+                layout.index = index;
+                expectSame(layout, 2, 100, 60);
+            }
+}
+
+TEST(ReadPly, NormalsAndColorsOfEveryUsualType) {
+    for (const std::string& format : kFormats)
+        for (const char* normal : {"", "float", "double"})
+            for (const char* color : {"", "uchar", "float"}) {
+                PlyLayout layout;
+                layout.format = format;
+                layout.normal = normal;
+                layout.color = color;
+                expectSame(layout, 3, 50, 20);
+            }
+}
+
+TEST(ReadPly, ElementsInAnyOrderAmongUnknownOnes) {
+    for (const std::string& format : kFormats)
+        for (const bool hasExtras : {false, true})
+            for (const bool facesFirst : {false, true})
+                for (const char* lineEnd : {"\n", "\r\n", "\r"}) {
+                    PlyLayout layout;
+                    layout.format = format;
+                    layout.hasExtras = hasExtras;
+                    layout.facesFirst = facesFirst;
+                    layout.lineEnd = lineEnd;
+                    layout.normal = "float";
+                    layout.color = "uchar";
+                    expectSame(layout, 4, 70, 40);
+                }
+}
+
+TEST(ReadPly, MeshesOfMoreThanOneBlockAndOneBuffer) {
+    for (const std::string& format : kFormats)
+        for (const bool hasExtras : {false, true}) {
+            PlyLayout layout;
+            layout.format = format;
+            layout.hasExtras = hasExtras;
+            layout.position = "double";
+            expectSame(layout, 5, 3 * kBlockRows + 17, 150'000);
+        }
+}
+
+TEST(ReadPly, APolygonLargerThanABlockComesInOnePiece) {
+    for (const std::string& format : kFormats) {
+        PlyLayout layout;
+        layout.format = format;
+        layout.count = "int";
+        KnownMesh mesh = randomMesh(10, 30'000, 20, layout);
+        std::vector<std::uint64_t> large(kBlockRows + 5000);
+        for (std::size_t i = 0; i < large.size(); ++i)
+            large[i] = i;
+        mesh.faces.insert(mesh.faces.begin() + 7, large);
+        EXPECT_EQ(readText("large", plyText(mesh, layout)), expected(mesh)) << format;
+    }
+}
+
+TEST(ReadPly, PassesCanBeRepeatedInAnyOrder) {
+    PlyLayout layout;
+    layout.hasExtras = true;
+    layout.facesFirst = true;
+    const KnownMesh mesh = randomMesh(6, 90, 90, layout);
+    writeScratch(scratch("repeat"), plyText(mesh, layout));
+    const auto source = openPly(scratch("repeat"));
+    std::uint64_t triangles = 0;
+    source->readTriangles([&](const TriangleBlock& block) { triangles += block.triangles.size(); });
+    EXPECT_EQ(triangles, expected(mesh).triangles.size());
+    EXPECT_EQ(collect(*source), expected(mesh));
+    EXPECT_EQ(collect(*source), expected(mesh));
+}
+
+TEST(ReadPly, TheSummarySaysWhatTheHeaderSays) {
+    PlyLayout layout;
+    layout.normal = "float";
+    layout.position = "double";
+    const KnownMesh mesh = randomMesh(7, 33, 10, layout);
+    writeScratch(scratch("summary"), plyText(mesh, layout));
+    const auto source = openPly(scratch("summary"));
+    EXPECT_EQ(source->summary().vertexCount, 33U);
+    EXPECT_EQ(source->summary().faceCount, 11U);
+    EXPECT_EQ(source->summary().stripCount, 0U);
+    EXPECT_TRUE(source->summary().hasNormals);
+    EXPECT_FALSE(source->summary().hasColors);
+    EXPECT_TRUE(source->summary().isDouble);
+}
+
+// A build asks for memory by it before it has read anything.
+TEST(ReadPly, TheSummaryKnowsTheTrianglesOfPolygonsWhereTheBytesTell) {
+    PlyLayout layout;
+    KnownMesh mesh = randomMesh(7, 33, 10, layout);
+    mesh.faces.assign(20, {0, 1, 2, 3, 4});
+    const auto likely = [&] {
+        writeScratch(scratch("likely"), plyText(mesh, layout));
+        return openPly(scratch("likely"))->summary().likelyTriangles;
+    };
+    EXPECT_EQ(likely(), 60U);
+    layout.hasExtras = true; // other lists, like texture coordinates: their bytes are no corners
+    EXPECT_EQ(likely(), 20U);
+    layout.hasExtras = false;
+    layout.format = "ascii";
+    EXPECT_EQ(likely(), 20U);
+}
+
+const std::string kVertices = "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n";
+const std::string kFaces = "element face 1\nproperty list uchar int vertex_indices\n";
+const std::string kFour = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+
+std::string ascii(const std::string& header, const std::string& body) {
+    return "ply\nformat ascii 1.0\n" + header + "end_header\n" + body;
+}
+
+TEST(ReadPly, StripsAlternateAndRestart) {
+    const std::string strips = "element tristrips 2\nproperty list int int vertex_indices\n";
+    const CollectedMesh mesh =
+        readText("strips", ascii(kVertices + strips, kFour + "9 0 1 2 3 -1 3 2 1 0\n7 0 1 2 2 3 1 -1\n"));
+    const std::vector<TriangleCorners> expectedTriangles = {
+        {0, 1, 2}, {2, 1, 3}, {3, 2, 1}, {1, 2, 0}, {0, 1, 2}, {3, 2, 1}};
+    EXPECT_EQ(mesh.triangles, expectedTriangles);
+}
+
+TEST(ReadPly, DiffuseNamesAndMissingAlpha) {
+    const std::string colors =
+        "property uchar diffuse_red\nproperty uchar diffuse_green\nproperty uchar diffuse_blue\n";
+    const CollectedMesh mesh = readText(
+        "diffuse",
+        ascii(kVertices + colors + kFaces, "0 0 0 1 2 3\n1 0 0 255 0 0\n1 1 0 0 0 0\n0 1 0 9 9 9\n3 0 1 2\n"));
+    EXPECT_EQ(mesh.colors, (std::vector<std::uint32_t>{0xFF030201, 0xFF0000FF, 0xFF000000, 0xFF090909}));
+}
+
+TEST(ReadPly, NormalsThatAreNoNumbersAreNone) {
+    const std::string normals = "property float nx\nproperty float ny\nproperty float nz\n";
+    const CollectedMesh mesh = readText(
+        "nannormal",
+        ascii(kVertices + normals + kFaces, "0 0 0 0 0 1\n1 0 0 nan 0 0\n1 1 0 0 inf 0\n0 1 0 1 0 0\n3 0 1 2\n"));
+    EXPECT_EQ(mesh.normals, (std::vector<glm::vec3>{{0, 0, 1}, {0, 0, 0}, {0, 0, 0}, {1, 0, 0}}));
+}
+
+TEST(ReadPly, DoublesStayDoubles) {
+    const std::string vertices = "element vertex 3\nproperty double x\nproperty double y\nproperty double z\n";
+    const CollectedMesh mesh =
+        readText("doubles", ascii(vertices + kFaces, "10000000.123456789 0 0\n1 0 0\n1 1 0\n3 0 1 2\n"));
+    EXPECT_EQ(mesh.positions[0].x, 10000000.123456789);
+}
+
+TEST(ReadPly, RowsMayWrapButNotShareALine) {
+    EXPECT_EQ(
+        readText("wrap", ascii(kVertices + kFaces, "0 0\n0\n1 0 0\n\n1 1 0\n0 1 0\n3 0\n1 2")).triangles.size(), 1U);
+    EXPECT_EQ(
+        errorOf("share", ascii(kVertices + kFaces, "0 0 0 1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n")),
+        ":10: more values in a row than the header declares");
+}
+
+TEST(ReadPly, HeaderErrorsNameTheLine) {
+    EXPECT_EQ(errorOf("h0", ""), ": byte 0: not a PLY file: the first line is not \"ply\"");
+    EXPECT_EQ(errorOf("h1", "plyx\n"), ": byte 0: not a PLY file: the first line is not \"ply\"");
+    EXPECT_EQ(errorOf("h2", "ply\nformat ascii 1.0\n"), ": byte 21: the header has no end_header");
+    EXPECT_EQ(
+        errorOf("h3", "ply\nformat ascii 2.0\nend_header\n"),
+        ":2: bad format: expected ascii, binary_little_endian or binary_big_endian, version 1.0");
+    EXPECT_EQ(errorOf("h4", ascii("element vertex -3\n", "")), R"(:3: bad element count "-3")");
+    EXPECT_EQ(errorOf("h5", ascii("element vertex 3\nproperty half x\n", "")), R"(:4: unknown type "half")");
+    EXPECT_EQ(
+        errorOf("h6", ascii("element vertex 3\nproprety float x\n", "")), R"(:4: unknown header keyword "proprety")");
+    EXPECT_EQ(errorOf("h7", ascii("property float x\n", "")), ":3: a property before any element");
+    EXPECT_EQ(errorOf("h8", "ply\n" + kVertices + kFaces + "end_header\n"), ":8: the header names no format");
+    EXPECT_EQ(errorOf("h9", ascii(kVertices, kFour)), ": no faces: this is a point cloud");
+    EXPECT_EQ(errorOf("h10", ascii(kFaces, "3 0 0 0\n")), ": the header declares no vertices");
+    EXPECT_EQ(
+        errorOf("h11", ascii("element vertex 1\nproperty float x\nproperty float y\n" + kFaces, "0 0\n3 0 0 0\n")),
+        ": the vertices have no x, y and z");
+    EXPECT_EQ(
+        errorOf("h12", ascii(kVertices + kVertices + kFaces, kFour + kFour + "3 0 1 2\n")),
+        ": the header declares vertices twice");
+}
+
+TEST(ReadPly, WhatCannotBeReadTwiceIsRefused) {
+    std::array<int, 2> pipe{};
+    ASSERT_EQ(::pipe(pipe.data()), 0);
+    const std::string open = "/dev/fd/" + std::to_string(pipe[0]);
+    const std::string named = testing::TempDir() + "gnomon_named_pipe.obj";
+    ::unlink(named.c_str());
+    ASSERT_EQ(::mkfifo(named.c_str(), 0600), 0);
+    const std::map<std::string, std::string> sources{{open, "a pipe"}, {named, "a pipe"}, {"/dev/null", "a device"}};
+    for (const auto& [path, kind] : sources) {
+        try {
+            openMeshSources({path}, gibibytes(1));
+            ADD_FAILURE() << path;
+        } catch (const Error& error) {
+            std::string expected = path;
+            expected.append(": a source is read several times: expected a file, found ").append(kind);
+            EXPECT_EQ(error.what(), expected);
+        }
+    }
+    ::unlink(named.c_str());
+    ::close(pipe[0]);
+    ::close(pipe[1]);
+}
+
+TEST(ReadPly, CountsBeyondTheFileAreRefusedAtOnce) {
+    EXPECT_EQ(
+        errorOf("c1", ascii("element vertex 18446744073709551615\nproperty float x\n" + kFaces, kFour)),
+        ": byte 163: the file ends too early: expected 18446744073709551615 rows of element \"vertex\", found room for "
+        "at most 12");
+    EXPECT_NE(errorOf("c2", ascii("element vertex 18446744073709551616\n", "")), "no error");
+}
+
+TEST(ReadPly, BodyErrorsNameTheLine) {
+    EXPECT_EQ(
+        errorOf("b1", ascii(kVertices + kFaces, kFour + "3 0 1 4\n")),
+        ":14: vertex index out of range: expected 0 to less than 4, found 4");
+    EXPECT_EQ(
+        errorOf("b2", ascii(kVertices + kFaces, kFour + "3 0 1 -1\n")),
+        ":14: vertex index out of range: expected 0 to less than 4, found -1");
+    EXPECT_EQ(
+        errorOf("b3", ascii(kVertices + kFaces, "0 0 0\n1 nan 0\n1 1 0\n0 1 0\n3 0 1 2\n")),
+        ":11: a coordinate of vertex 1 is not finite");
+    EXPECT_EQ(
+        errorOf("b4", ascii(kVertices + kFaces, "0 0 0\n1 0 0\n1 1 0\n0 -1e999 0\n3 3 1 2\n")),
+        ":13: a coordinate of vertex 3 is not finite");
+    EXPECT_EQ(
+        errorOf("b5", ascii(kVertices + kFaces, kFour + "99999 0 1 2\n")),
+        ":14: the file ends too early: expected a list of 99999 values in row 1 of 1 of element \"face\", found room "
+        "for at most 4");
+    EXPECT_EQ(
+        errorOf("b6", ascii(kVertices + kFaces, kFour + "-3 0 1 2\n")),
+        ":14: absurd list count: expected none below 0, found -3");
+    EXPECT_EQ(
+        errorOf("b7", ascii(kVertices + kFaces, kFour + "3 0 1")),
+        ":14: the file ends too early: expected 1 rows of element \"face\", found 0");
+    EXPECT_EQ(
+        errorOf("b8", ascii(kVertices + kFaces, kFour + "3 0 1 x\n")),
+        ":14: not a whole number: expected an index or a count, found \"x\"");
+    EXPECT_EQ(
+        errorOf("b9", ascii(kVertices + kFaces, kFour + "3 0 1 2\n3 0 1 2\n")),
+        ":15: data after the last element: the header's counts are too small");
+    EXPECT_EQ(
+        errorOf("b10", ascii(kVertices + kFaces, kFour + "2 0 1\n")), ": no triangles: no face has three corners");
+}
+
+TEST(ReadPly, BinaryBodyErrorsNameTheByte) {
+    const PlyLayout layout;
+    KnownMesh mesh;
+    mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    mesh.faces = {{0, 1, 2}, {0, 1, 2}};
+    const std::string good = plyText(mesh, layout);
+    const std::size_t body = good.size() - 62;
+    const auto at = [&](std::size_t offset) { return ": byte " + std::to_string(body + offset) + ": "; };
+
+    mesh.faces[1][2] = 3;
+    EXPECT_EQ(
+        errorOf("B1", plyText(mesh, layout)),
+        at(36 + 13 + 9) + "vertex index out of range: expected 0 to less than 3, found 3");
+    mesh.faces[1][2] = 2;
+    mesh.positions[1].y = std::numeric_limits<double>::infinity();
+    EXPECT_EQ(errorOf("B2", plyText(mesh, layout)), at(12) + "a coordinate of vertex 1 is not finite");
+    mesh.positions[1].y = 0;
+    for (std::size_t cut = 1; cut <= 62; ++cut) {
+        const std::string message = errorOf("B3", good.substr(0, good.size() - cut));
+        EXPECT_NE(message.find("the file ends too early: expected "), std::string::npos) << cut << message;
+        EXPECT_NE(message.find(" of element \""), std::string::npos) << cut << message;
+    }
+    EXPECT_EQ(
+        errorOf("B7", good.substr(0, good.size() - 13)),
+        at(49) + "the file ends too early: expected 2 rows of element \"face\", found 1");
+    std::string absurd = good;
+    absurd[body + 36] = '\x09';
+    EXPECT_EQ(
+        errorOf("B4", absurd),
+        at(36) + "the file ends too early: expected a list of 9 values in row 1 of 2 of element \"face\", found room "
+                 "for at most 6");
+    EXPECT_EQ(errorOf("B5", good + "x"), at(62) + "data after the last element: the header's counts are too small");
+    EXPECT_EQ(errorOf("B6", good + "\n\n"), "no error");
+}
+
+TEST(ReadPly, MutatedFilesGiveAMeshOrAnError) {
+    std::size_t refused = 0;
+    for (std::uint64_t seed = 0; seed < 3000; ++seed) {
+        Random random(seed);
+        PlyLayout layout;
+        layout.format = kFormats[seed % 3];
+        layout.hasExtras = random.below(2) == 0;
+        layout.facesFirst = random.below(2) == 0;
+        layout.color = random.below(2) == 0 ? "" : "uchar";
+        std::string text = plyText(randomMesh(seed, 12, 8, layout), layout);
+        if (random.below(4) == 0) text.resize(random.below(text.size()));
+        for (std::uint64_t n = random.below(4); n > 0 && !text.empty(); --n)
+            text[random.below(text.size())] = static_cast<char>(random.bits());
+        refused += errorOf("fuzz", text) != "no error" ? 1 : 0;
+    }
+    EXPECT_GT(refused, 1000U);
+    EXPECT_LT(refused, 2900U);
+}
+
+TEST(ReadPly, SeveralInputsMakeOneModel) {
+    const PlyLayout plain;
+    PlyLayout colored;
+    colored.color = "uchar";
+    const KnownMesh first = randomMesh(8, 40, 30, plain);
+    const KnownMesh second = randomMesh(9, 20'000, 30'000, colored);
+    writeScratch(scratch("join1"), plyText(first, plain));
+    writeScratch(scratch("join2"), plyText(second, colored));
+    const auto source = openMeshSources({scratch("join1"), scratch("join2")}, mebibytes(1));
+    EXPECT_TRUE(source->summary().hasColors);
+    const CollectedMesh both = collect(*source);
+    const CollectedMesh a = expected(first);
+    const CollectedMesh b = expected(second);
+    ASSERT_EQ(both.positions.size(), 20'040U);
+    EXPECT_EQ(both.positions[40], b.positions[0]);
+    EXPECT_EQ(both.notAPolygon, a.notAPolygon + b.notAPolygon);
+    ASSERT_EQ(both.triangles.size(), a.triangles.size() + b.triangles.size());
+    for (std::size_t i = 0; i < b.triangles.size(); ++i)
+        for (std::size_t k = 0; k < 3; ++k)
+            ASSERT_EQ(both.triangles[a.triangles.size() + i][k], b.triangles[i][k] + 40);
+}
+
+TEST(ReadPly, OfSeveralInputsTheNormalsCountOnlyIfAllHaveSome) {
+    PlyLayout plain;
+    PlyLayout smooth;
+    smooth.normal = "float";
+    writeScratch(scratch("bare"), plyText(randomMesh(8, 40, 30, plain), plain));
+    writeScratch(scratch("smooth"), plyText(randomMesh(9, 40, 30, smooth), smooth));
+    EXPECT_TRUE(openMeshSources({scratch("smooth"), scratch("smooth")}, mebibytes(1))->summary().hasNormals);
+    const auto mixed = openMeshSources({scratch("smooth"), scratch("bare")}, mebibytes(1));
+    EXPECT_FALSE(mixed->summary().hasNormals);
+    mixed->readVertices([](const VertexBlock& block) { EXPECT_TRUE(block.normals.empty()); });
+}
+
+TEST(ReadPly, AnErrorInOneOfSeveralInputsNamesIt) {
+    writeScratch(scratch("good"), ascii(kVertices + kFaces, kFour + "3 0 1 2\n"));
+    writeScratch(scratch("bad"), ascii(kVertices + kFaces, kFour + "3 0 1 7\n"));
+    try {
+        collect(*openMeshSources({scratch("good"), scratch("bad")}, mebibytes(1)));
+        FAIL() << "a bad index passed";
+    } catch (const Error& error) {
+        EXPECT_TRUE(std::string(error.what()).starts_with(scratch("bad") + ":14: ")) << error.what();
+    }
+}
+
+} // namespace
+} // namespace gnomon::read

@@ -1,0 +1,189 @@
+// A patch under collapses against a list of triangles in which everything is looked up one by one.
+#include "core/random.h"
+#include "preprocess/simplify/collapse_star.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <set>
+
+namespace gnomon::simplify {
+namespace {
+
+constexpr std::uint32_t kPositions = 30;
+
+/// Triangles between random positions, each of which has two vertices: borders, creases, edges of many faces and
+/// doubled triangles are all there. Every seventh position is locked. Odd seeds use few positions, so that many of them
+/// are on no border.
+Patch randomSoup(std::uint64_t seed) {
+    Random random(seed);
+    Patch patch;
+    for (std::uint32_t p = 0; p < kPositions; ++p) {
+        const double x = random.unit();
+        const double y = random.unit();
+        patch.positions.emplace_back(x, y, random.unit());
+        patch.isLocked.push_back(p % 7 == 0 ? 1 : 0);
+    }
+    patch.vertices.resize(std::size_t{kPositions} * 2);
+    for (std::uint32_t v = 0; v < patch.vertices.size(); ++v) {
+        patch.vertices[v].color = v;
+        patch.positionOf.push_back(v / 2);
+    }
+    const std::uint64_t used = seed % 2 == 1 ? 10 : kPositions;
+    while (patch.triangles.size() < 60) {
+        Triangle t{};
+        for (std::uint32_t& v : t)
+            v = static_cast<std::uint32_t>(random.below(used * 2));
+        const Triangle p = patch.corners(t);
+        if (p[0] != p[1] && p[1] != p[2] && p[2] != p[0]) patch.triangles.push_back(t);
+    }
+    return patch;
+}
+
+using Positions = std::set<std::uint32_t>;
+
+/// The living triangles as sets of positions.
+using Plain = std::map<std::uint32_t, Positions>;
+
+Plain plainOf(const Patch& patch) {
+    Plain plain;
+    for (std::uint32_t t = 0; t < patch.triangles.size(); ++t) {
+        const Triangle p = patch.corners(patch.triangles[t]);
+        plain[t] = {p[0], p[1], p[2]};
+    }
+    return plain;
+}
+
+void collapsePlainly(Plain& plain, std::uint32_t from, std::uint32_t to) {
+    std::erase_if(plain, [&](const auto& face) { return face.second.contains(from) && face.second.contains(to); });
+    for (auto& [t, positions] : plain)
+        if (positions.erase(from) > 0) positions.insert(to);
+}
+
+Positions neighboursIn(const Plain& plain, std::uint32_t p) {
+    Positions neighbours;
+    for (const auto& [t, positions] : plain)
+        if (positions.contains(p)) neighbours.insert(positions.begin(), positions.end());
+    neighbours.erase(p);
+    return neighbours;
+}
+
+/// Triangle and the least one with the same positions, if that is another and no locked edge of both is at `p`.
+std::set<std::pair<std::uint32_t, std::uint32_t>> doubledIn(const Plain& plain, const Patch& patch, std::uint32_t p) {
+    std::set<std::pair<std::uint32_t, std::uint32_t>> doubled;
+    for (const auto& [t, positions] : plain) {
+        if (!positions.contains(p)) continue;
+        const auto isLocked = [&](std::uint32_t q) { return patch.isLocked[q] != 0; };
+        if (std::count_if(positions.begin(), positions.end(), isLocked) > 1) continue;
+        const auto first = std::find_if(
+            plain.begin(), plain.end(), [&same = positions](const auto& face) { return face.second == same; });
+        if (first->first != t) doubled.emplace(first->first, t);
+    }
+    return doubled;
+}
+
+void expectSame(LivingPatch& living, const Plain& plain, const Patch& patch) {
+    ASSERT_EQ(living.triangleCount(), plain.size());
+    for (std::uint32_t t = 0; t < patch.triangles.size(); ++t) {
+        ASSERT_EQ(living.isAlive(t), plain.contains(t));
+        if (!plain.contains(t)) continue;
+        const Triangle& p = living.positions(t);
+        EXPECT_EQ(Positions(p.begin(), p.end()), plain.at(t));
+        EXPECT_EQ(patch.corners(living.vertices(t)), p);
+    }
+    for (std::uint32_t p = 0; p < kPositions; ++p) {
+        const Positions wanted = neighboursIn(plain, p);
+        std::vector<std::uint32_t> found;
+        for (const std::uint32_t q : living.neighbours(p))
+            found.push_back(q);
+        EXPECT_EQ(found.size(), wanted.size());
+        EXPECT_EQ(Positions(found.begin(), found.end()), wanted);
+        EXPECT_EQ(living.hasFaces(p), !wanted.empty());
+        std::set<std::pair<std::uint32_t, std::uint32_t>> doubled;
+        for (const LivingPatch::Doubled& pair : living.doubled(p))
+            doubled.emplace(pair.kept, pair.gone);
+        EXPECT_EQ(doubled, doubledIn(plain, patch, p));
+    }
+}
+
+bool has(const Triangle& t, std::uint32_t corner) {
+    return std::find(t.begin(), t.end(), corner) != t.end();
+}
+
+EdgeKind edgeIn(const Patch& patch, std::uint32_t triangle, std::uint32_t a, std::uint32_t b) {
+    EdgeKind kind = EdgeKind::Open;
+    for (std::uint32_t u = 0; u < patch.triangles.size(); ++u) {
+        const Triangle& other = patch.triangles[u];
+        const Triangle corners = patch.corners(other);
+        if (u == triangle || !has(corners, patch.positionOf[a]) || !has(corners, patch.positionOf[b])) continue;
+        if (!has(other, a) || !has(other, b)) return EdgeKind::Crease;
+        kind = EdgeKind::Smooth;
+    }
+    return kind;
+}
+
+void expectSameEdges(const LivingPatch& living, const Patch& patch) {
+    std::vector<bool> isBorder(kPositions, false);
+    for (std::uint32_t corner = 0; corner < patch.triangles.size() * 3; ++corner) {
+        const Triangle& t = patch.triangles[corner / 3];
+        const std::uint32_t a = t[corner % 3];
+        const std::uint32_t b = t[(corner % 3 + 1) % 3];
+        const EdgeKind wanted = edgeIn(patch, corner / 3, a, b);
+        EXPECT_EQ(living.firstEdge(corner), wanted);
+        const std::uint32_t p = patch.positionOf[a];
+        const std::uint32_t q = patch.positionOf[b];
+        const bool isLocked = patch.isLocked[p] != 0 && patch.isLocked[q] != 0;
+        if (wanted == EdgeKind::Open && !isLocked) isBorder[p] = isBorder[q] = true;
+    }
+    for (std::uint32_t p = 0; p < kPositions; ++p)
+        EXPECT_EQ(living.isBorder(p), isBorder[p]);
+}
+
+/// A collapse in both, and what is asked before and after it.
+void collapseBoth(LivingPatch& living, CollapseStar& star, Plain& plain, std::uint32_t from, std::uint32_t to) {
+    const Positions a = neighboursIn(plain, from);
+    const Positions b = neighboursIn(plain, to);
+    const auto isCommon = [&](std::uint32_t q) { return q != from && q != to && b.contains(q); };
+    const auto common = std::count_if(a.begin(), a.end(), isCommon);
+    EXPECT_EQ(living.commonNeighbours(from, to), static_cast<std::size_t>(common));
+    const bool isBorder = living.isBorder(from) || living.isBorder(to);
+    star.gather(from, to);
+    star.carryOut();
+    living.join(from, to);
+    collapsePlainly(plain, from, to);
+    EXPECT_EQ(living.isBorder(to), isBorder);
+}
+
+TEST(LivingPatch, EdgesAreOpenOrCreasesWhereNoOtherTriangleHasThemOrOneHasThemWithOtherVertices) {
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        const Patch patch = randomSoup(seed);
+        expectSameEdges(LivingPatch(patch), patch);
+    }
+}
+
+TEST(LivingPatch, CollapsesInAnyOrderLeaveTheTrianglesThatAListOfThemLeaves) {
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        const Patch patch = randomSoup(seed);
+        LivingPatch living(patch);
+        CollapseStar star(patch, living);
+        Plain plain = plainOf(patch);
+        std::vector<std::uint32_t> whereNow(kPositions);
+        std::iota(whereNow.begin(), whereNow.end(), 0U);
+        Random random(seed + 100);
+        for (int attempt = 0; attempt < 200; ++attempt) {
+            const auto from = static_cast<std::uint32_t>(random.below(kPositions));
+            const auto to = static_cast<std::uint32_t>(random.below(kPositions));
+            if (from == to || !living.isInPlace(from) || !living.hasFaces(to)) continue;
+            collapseBoth(living, star, plain, from, to);
+            expectSame(living, plain, patch);
+            std::replace(whereNow.begin(), whereNow.end(), from, to);
+            for (std::uint32_t p = 0; p < kPositions; ++p)
+                EXPECT_EQ(living.whereNow(p), whereNow[p]);
+        }
+    }
+}
+
+} // namespace
+} // namespace gnomon::simplify

@@ -1,0 +1,205 @@
+// The simplifier by itself: what it may never do.
+#include "core/random.h"
+#include "preprocess/proximity/triangle_distance.h"
+#include "preprocess/simplify/deviation.h"
+#include "preprocess/simplify/locked_edge_check.h"
+#include "preprocess/simplify/simplify.h"
+#include "tests/read/code_mesh.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace gnomon::simplify {
+namespace {
+
+/// The mesh as one patch in steps of a thousandth, with a fifth of it locked: what has x < 0.2.
+Patch patchOf(const read::CodeMesh& mesh) {
+    Patch patch;
+    for (const glm::dvec3& p : mesh.positions) {
+        const glm::dvec3 steps = glm::floor((p + 1.0) * 1000.0);
+        hierarchy::Vertex vertex;
+        vertex.position = {
+            static_cast<std::uint32_t>(steps.x),
+            static_cast<std::uint32_t>(steps.y),
+            static_cast<std::uint32_t>(steps.z)};
+        patch.vertices.push_back(vertex);
+        patch.positionOf.push_back(static_cast<std::uint32_t>(patch.positions.size()));
+        patch.positions.push_back(steps);
+        patch.isLocked.push_back(p.x < 0.2 ? 1 : 0);
+    }
+    patch.triangles = mesh.triangles;
+    return patch;
+}
+
+glm::dvec3 randomPoint(const Patch& patch, const Triangle& triangle, Random& random) {
+    const Triangle t = patch.corners(triangle);
+    double u = random.unit();
+    double v = random.unit();
+    if (u + v > 1) {
+        u = 1 - u;
+        v = 1 - v;
+    }
+    const glm::dvec3& a = patch.positions[t[0]];
+    return a + (patch.positions[t[1]] - a) * u + (patch.positions[t[2]] - a) * v;
+}
+
+double distanceTo(const Patch& patch, const glm::dvec3& p, const Triangle& triangle) {
+    const Triangle t = patch.corners(triangle);
+    return std::sqrt(proximity::footing(p, patch.positions[t[0]], patch.positions[t[1]], patch.positions[t[2]]).square);
+}
+
+/// Every point strewn on the patch has a triangle of the simplified patch that answers for it, and the other way round.
+void expectHonest(const Patch& patch, const std::vector<Triangle>& simplified, std::span<const TriangleError> errors) {
+    ASSERT_EQ(simplified.size(), errors.size());
+    Random random(23);
+    for (std::size_t t = 0; t < patch.triangles.size(); ++t)
+        for (int sample = 0; sample < 3; ++sample) {
+            const glm::dvec3 p = randomPoint(patch, patch.triangles[t], random);
+            const double before = patch.error(t).fromSource;
+            bool isHeld = false;
+            for (std::size_t s = 0; s < simplified.size() && !isHeld; ++s)
+                isHeld =
+                    distanceTo(patch, p, simplified[s]) + before <= double{errors[s].fromSource} * (1 + 1e-9) + 1e-9;
+            ASSERT_TRUE(isHeld) << "triangle " << t << " of the patch";
+        }
+    for (std::size_t s = 0; s < simplified.size(); ++s)
+        for (int sample = 0; sample < 6; ++sample) {
+            const glm::dvec3 p = randomPoint(patch, simplified[s], random);
+            bool isHeld = false;
+            for (std::size_t t = 0; t < patch.triangles.size() && !isHeld; ++t)
+                isHeld = distanceTo(patch, p, patch.triangles[t]) + double{patch.error(t).toSource} <=
+                         double{errors[s].toSource} * (1 + 1e-9) + 1e-9;
+            ASSERT_TRUE(isHeld) << "simplified triangle " << s;
+        }
+}
+
+std::vector<TriangleError> someErrors(std::size_t count) {
+    Random random(29);
+    std::vector<TriangleError> errors(count);
+    for (TriangleError& error : errors) {
+        error.fromSource = static_cast<float>(random.below(3) == 0 ? random.uniform(0, 20) : 0);
+        error.toSource = static_cast<float>(random.below(3) == 0 ? random.uniform(0, 20) : 0);
+    }
+    return errors;
+}
+
+/// Boxes, a sheet across them, and lone triangles.
+read::CodeMesh mixedMesh() {
+    const read::CodeMesh boxes = read::strewnBoxes(40);
+    const read::CodeMesh sheet = read::bumpySheet(12);
+    std::vector<glm::dvec3> positions = boxes.positions;
+    std::vector<Triangle> triangles = boxes.triangles;
+    const auto first = static_cast<std::uint32_t>(positions.size());
+    positions.insert(positions.end(), sheet.positions.begin(), sheet.positions.end());
+    for (const Triangle& t : sheet.triangles)
+        triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+    Random random(31);
+    for (int lone = 0; lone < 60; ++lone) {
+        const auto next = static_cast<std::uint32_t>(positions.size());
+        const double x = random.unit();
+        const double y = random.unit();
+        const double z = random.unit();
+        for (const glm::dvec3 side : {glm::dvec3(0), glm::dvec3(0.03, 0, 0.001), glm::dvec3(0, 0.02, 0.01)})
+            positions.push_back(glm::dvec3(x, y, z) + side);
+        triangles.push_back({next, next + 1, next + 2});
+    }
+    return {std::move(positions), std::move(triangles)};
+}
+
+TEST(Simplify, TheErrorsOfItsTrianglesHoldForEveryPointOfBothSurfaces) {
+    std::vector<Patch> patches{patchOf(read::bumpySheet(20)), patchOf(read::strewnBoxes(60)), patchOf(mixedMesh())};
+    for (Patch& patch : patches)
+        for (const std::size_t share : {2U, 5U, 40U}) {
+            const std::vector<TriangleError> errors = someErrors(patch.triangles.size());
+            patch.errors = errors;
+            const SimplifiedPatch simplified = simplifyOwn(patch, patch.triangles.size() / share);
+            EXPECT_LT(simplified.triangles.size(), patch.triangles.size() * 3 / 4);
+            expectHonest(patch, simplified.triangles, simplified.errors);
+        }
+}
+
+TEST(Simplify, WhatTheSimplifierBoundsIsNearToWhatIsMeasuredAfterwards) {
+    const Patch patch = patchOf(read::bumpySheet(30));
+    const SimplifiedPatch simplified = simplifyOwn(patch, patch.triangles.size() / 2);
+    const Deviation measured = measureDeviation(patch, simplified, 0);
+    expectHonest(patch, simplified.triangles, measured.errors);
+    double bounded = 0;
+    for (const TriangleError& error : simplified.errors)
+        bounded = std::max({bounded, double{error.fromSource}, double{error.toSource}});
+    EXPECT_LE(bounded, 3 * measured.worst);
+}
+
+TEST(Simplify, TheOthersToBeComparedWithKeepWhatOtherGroupsCountOnAndAreMeasuredHonestly) {
+    for (const Simplifier simplifier : {Simplifier::Meshopt, Simplifier::OpenMesh}) {
+        std::vector<Patch> patches{patchOf(read::bumpySheet(20)), patchOf(read::strewnBoxes(60)), patchOf(mixedMesh())};
+        for (Patch& patch : patches) {
+            const std::vector<TriangleError> errors = someErrors(patch.triangles.size());
+            patch.errors = errors;
+            const SimplifiedPatch simplified = simplify(patch, patch.triangles.size() / 2, simplifier);
+            EXPECT_TRUE(keepsLockedEdges(patch, simplified.triangles));
+            EXPECT_TRUE(simplified.errors.empty());
+            expectHonest(patch, simplified.triangles, measureDeviation(patch, simplified, 1).errors);
+        }
+        const Patch sheet = patchOf(read::bumpySheet(20));
+        EXPECT_LT(simplify(sheet, 400, simplifier).triangles.size(), 480U);
+    }
+}
+
+TEST(Simplify, ALongThinStripDoesNotShrinkBeforeWhatIsRoughAsLongAsItIsWide) {
+    // Quadrics average: for them the end of a strip is as near as the strip is wide.
+    read::CodeMesh mesh = read::bumpySheet(10, 0.1);
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    for (const glm::dvec3& p :
+         {glm::dvec3(-0.9, 0, 0.5), glm::dvec3(0.9, 0, 0.5), glm::dvec3(0.9, 0, 0.51), glm::dvec3(-0.9, 0, 0.51)})
+        mesh.positions.push_back(p);
+    mesh.triangles.push_back({first, first + 1, first + 2});
+    mesh.triangles.push_back({first, first + 2, first + 3});
+    Patch patch = patchOf(mesh);
+    patch.isLocked.assign(patch.isLocked.size(), 0);
+    const SimplifiedPatch simplified = simplifyOwn(patch, patch.triangles.size() / 2);
+    for (const TriangleError& error : simplified.errors)
+        EXPECT_LT(error.fromSource, 100);
+}
+
+TEST(Simplify, TrianglesThatShareNothingButAnEdgeCollapseOntoAVertexThatLosesItsLastFace) {
+    // Each part is two faces on one edge, with corners of their own: both vanish, and nothing is left around the
+    // target.
+    read::CodeMesh pairs({}, {});
+    Random random(37);
+    for (int pair = 0; pair < 40; ++pair) {
+        const auto first = static_cast<std::uint32_t>(pairs.positions.size());
+        const double x = random.unit();
+        for (const glm::dvec3& corner :
+             {glm::dvec3(0), glm::dvec3(0.004, 0, 0), glm::dvec3(0.002, 0.3, 0), glm::dvec3(0.002, -0.3, 0.1)})
+            pairs.positions.push_back(corner + glm::dvec3(x, 0.5, pair * 0.02));
+        pairs.triangles.push_back({first, first + 1, first + 2});
+        pairs.triangles.push_back({first, first + 1, first + 3});
+    }
+    Patch patch = patchOf(pairs);
+    const SimplifiedPatch simplified = simplifyOwn(patch, 8);
+    EXPECT_GE(simplified.triangles.size(), 1U);
+    expectHonest(patch, simplified.triangles, simplified.errors);
+}
+
+TEST(Simplify, AnEarOnALockedEdgeStaysHoweverFewTrianglesAreWanted) {
+    // Two triangles, each hanging with one free corner on an edge that the group on its other side counts on.
+    Patch patch;
+    for (const double x : {0.0, 10.0}) {
+        const auto first = static_cast<std::uint32_t>(patch.positions.size());
+        for (const glm::dvec3 p : {glm::dvec3(x, 0, 0), glm::dvec3(x + 4, 0, 0), glm::dvec3(x + 2, 3, 0)}) {
+            hierarchy::Vertex vertex;
+            vertex.position = {
+                static_cast<std::uint32_t>(p.x), static_cast<std::uint32_t>(p.y), static_cast<std::uint32_t>(p.z)};
+            patch.vertices.push_back(vertex);
+            patch.positionOf.push_back(static_cast<std::uint32_t>(patch.positions.size()));
+            patch.positions.push_back(p);
+            patch.isLocked.push_back(p.y == 0 ? 1 : 0);
+        }
+        patch.triangles.push_back({first, first + 1, first + 2});
+    }
+    EXPECT_EQ(simplifyOwn(patch, 1).triangles.size(), 2U);
+}
+
+} // namespace
+} // namespace gnomon::simplify

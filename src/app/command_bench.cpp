@@ -1,15 +1,17 @@
-#include "app/baseline.h"
-#include "app/bench_runs.h"
+#include "app/command_line.h"
+#include "app/commands.h"
 #include "app/named_files.h"
-#include "app/option_text.h"
 #include "app/oracle_option.h"
 #include "app/prepared_output.h"
-#include "app/report_runs.h"
 #include "app/thread_limit.h"
 #include "core/error.h"
 #include "core/file.h"
+#include "measure/baseline.h"
+#include "measure/bench_runs.h"
+#include "measure/report_runs.h"
 #include "report/accuracy_cost.h"
 #include "report/page.h"
+#include "settings/option_text.h"
 #include "shadow/scheme.h"
 #include "telemetry/benchmark_report.h"
 
@@ -27,8 +29,8 @@ namespace {
 
 struct BenchOptions {
     CommonOptions common;
-    ViewOptions view;
-    WalkOptions walk;
+    settings::ViewOptions view;
+    measure::WalkOptions walk;
     OracleOption oracle;
     std::string model;
     std::string path;
@@ -47,7 +49,9 @@ struct BenchOptions {
 
 /// Adds the settings that are the same in all of `runs`; the others are in the runs' names.
 void addSettings(
-    std::map<std::string, std::string>& context, const ViewOptions& view, const std::vector<BenchRun>& runs) {
+    std::map<std::string, std::string>& context,
+    const settings::ViewOptions& view,
+    const std::vector<measure::BenchRun>& runs) {
     const auto orNone = [](const std::string& text) { return text.empty() ? "not given" : text; };
     context["light"] = view.light;
     context["near_and_far"] = view.near + ", " + view.far;
@@ -57,16 +61,19 @@ void addSettings(
     context["tsm_focus"] = orNone(view.tsmFocus);
     context["split_lambda"] = view.splitLambda;
     context["max_aliasing"] = view.maxAliasing;
-    for (const SweptOption& option : sweptOptions()) {
+    for (const settings::SweptOption& option : settings::sweptOptions()) {
         const std::string& value = runs.front().settings.*option.value;
-        const auto isThis = [&](const BenchRun& run) { return run.settings.*option.value == value; };
-        if (std::all_of(runs.begin(), runs.end(), isThis)) context[columnName(option.flag)] = value;
+        const auto isThis = [&](const measure::BenchRun& run) { return run.settings.*option.value == value; };
+        if (std::all_of(runs.begin(), runs.end(), isThis)) context[settings::columnName(option.flag)] = value;
     }
 }
 
 /// What a reader must know to judge or repeat the figures.
 std::map<std::string, std::string> contextOf(
-    const BenchOptions& options, const std::vector<BenchRun>& runs, const CameraPath& path, Session& session) {
+    const BenchOptions& options,
+    const std::vector<measure::BenchRun>& runs,
+    const path::CameraPath& path,
+    measure::Session& session) {
     std::map<std::string, std::string> context = telemetry::machineContext();
     context.erase("host_name"); // a report is handed around
     const hierarchy::ModelFile& model = session.model();
@@ -75,7 +82,7 @@ std::map<std::string, std::string> contextOf(
     context["model_content_hash"] = model.contentHash();
     context["image_size"] = options.view.size;
     context["path"] = std::filesystem::path(options.path).filename().string();
-    context["path_content_hash"] = contentHash(path);
+    context["path_content_hash"] = path::contentHash(path);
     addSettings(context, options.view, runs);
     context["version"] = GNOMON_VERSION;
     context["backend"] = session.executor().name();
@@ -89,17 +96,18 @@ std::map<std::string, std::string> contextOf(
     return context;
 }
 
-std::string csvText(const std::vector<RunResult>& results) {
+std::string csvText(const std::vector<measure::RunResult>& results) {
     std::string text = telemetry::csvHeader() + "\n";
-    for (const RunResult& result : results)
+    for (const measure::RunResult& result : results)
         for (const telemetry::FrameRow& row : result.rows)
             text += telemetry::csvRow(row) + "\n";
     return text;
 }
 
-std::string benchmarkText(const std::map<std::string, std::string>& context, const std::vector<RunResult>& results) {
+std::string benchmarkText(
+    const std::map<std::string, std::string>& context, const std::vector<measure::RunResult>& results) {
     std::vector<telemetry::RunTimes> runs;
-    for (const RunResult& result : results) {
+    for (const measure::RunResult& result : results) {
         telemetry::RunTimes times{result.run.name, {}, result.cpuMs};
         for (const telemetry::FrameRow& row : result.rows)
             times.totalMs.push_back(row.totalMs.value_or(0));
@@ -146,7 +154,7 @@ std::vector<std::size_t> picturedRuns(const std::vector<report::RunSummary>& sum
     return runs;
 }
 
-void writeReport(const std::string& folder, report::Report page, const std::vector<RunResult>& results) {
+void writeReport(const std::string& folder, report::Report page, const std::vector<measure::RunResult>& results) {
     const auto place = [&](const std::string& name) { return (std::filesystem::path(folder) / name).string(); };
     page.csvFile = "bench.csv";
     page.jsonFile = "bench.json";
@@ -199,7 +207,7 @@ void printUnderBudget(
 /// The setting that --max-aliasing calls for, as options to paste.
 void printUnderBound(const std::string& maxAliasing, const std::vector<report::RunSummary>& summaries) {
     std::printf("fastest with a promise of at most %s: ", maxAliasing.c_str());
-    const double bound = parseNumber("--max-aliasing", maxAliasing);
+    const double bound = settings::parseNumber("--max-aliasing", maxAliasing);
     if (const auto choice = report::cheapestUnderError(summaries, report::ErrorKind::PromisedAliasing, bound))
         std::printf("%s (%.4g ms)\n", summaries[*choice].options.c_str(), summaries[*choice].p50Ms);
     else
@@ -207,9 +215,9 @@ void printUnderBound(const std::string& maxAliasing, const std::vector<report::R
 }
 
 /// Writes each picture under the number of its run.
-auto pictureWriter(const std::string& folder, const std::vector<BenchRun>& runs) {
-    return [&runs, folder](const BenchRun& run, int frame, const executor::Picture& picture) {
-        const auto isThis = [&](const BenchRun& other) { return other.name == run.name; };
+auto pictureWriter(const std::string& folder, const std::vector<measure::BenchRun>& runs) {
+    return [&runs, folder](const measure::BenchRun& run, int frame, const executor::Picture& picture) {
+        const auto isThis = [&](const measure::BenchRun& other) { return other.name == run.name; };
         const auto index = std::find_if(runs.begin(), runs.end(), isThis) - runs.begin();
         std::array<char, 48> name{};
         std::snprintf(name.data(), name.size(), "run%d_frame%04d.png", static_cast<int>(index), frame);
@@ -218,8 +226,8 @@ auto pictureWriter(const std::string& folder, const std::vector<BenchRun>& runs)
 }
 
 /// What the options ask of each walk: --quick shortens it, a report wants repetitions and proofs.
-WalkOptions walkOf(const BenchOptions& options) {
-    WalkOptions walk = options.walk;
+measure::WalkOptions walkOf(const BenchOptions& options) {
+    measure::WalkOptions walk = options.walk;
     if (options.isQuick) {
         walk.frames = std::min(walk.frames, 8);
         walk.warmup = 1;
@@ -228,7 +236,7 @@ WalkOptions walkOf(const BenchOptions& options) {
     walk.oracle = options.oracle.mode();
     const bool isProven = walk.oracle != frame::Oracle::None;
     if (walk.isRealTime && isProven)
-        throw UsageError{
+        throw settings::UsageError{
             "--oracle and --real-time contradict each other: a frame held against rays waits for its pages"};
     walk.provenFrames = walk.frames;
     if (!options.report.empty() && !isProven && !walk.isRealTime) {
@@ -246,25 +254,27 @@ struct Bounds {
 
 /// Throws UsageError for figures that bound nothing.
 Bounds boundsOf(const BenchOptions& options) {
-    Bounds bounds{parseNumber("--fail-above", options.failAbovePercent), std::nullopt};
-    if (bounds.failAbovePercent < 0) refuse("--fail-above", options.failAbovePercent, "a number of at least 0");
+    Bounds bounds{settings::parseNumber("--fail-above", options.failAbovePercent), std::nullopt};
+    if (bounds.failAbovePercent < 0)
+        settings::refuse("--fail-above", options.failAbovePercent, "a number of at least 0");
     if (options.budgetMs.empty()) return bounds;
-    bounds.budgetMs = parseNumber("--budget-ms", options.budgetMs);
-    if (!(*bounds.budgetMs > 0)) refuse("--budget-ms", options.budgetMs, "a number above 0");
+    bounds.budgetMs = settings::parseNumber("--budget-ms", options.budgetMs);
+    if (!(*bounds.budgetMs > 0)) settings::refuse("--budget-ms", options.budgetMs, "a number above 0");
     return bounds;
 }
 
 /// The runs that the options ask for, each sound. Throws UsageError.
-std::vector<BenchRun> runsOf(const BenchOptions& options) {
-    if (isPosed(options.view))
-        throw UsageError{"--path and --camera, --eye, --target, --up, --fov-y contradict each other"};
-    std::vector<BenchRun> runs = combinations(options.view.swept, options.shadowMaps);
+std::vector<measure::BenchRun> runsOf(const BenchOptions& options) {
+    if (settings::isPosed(options.view))
+        throw settings::UsageError{"--path and --camera, --eye, --target, --up, --fov-y contradict each other"};
+    std::vector<measure::BenchRun> runs = measure::combinations(options.view.swept, options.shadowMaps);
     const bool isWarpOpen = options.view.eta.empty() && options.view.tsmFocus.empty();
     if (runs.size() == 1 && !options.report.empty())
-        runs = reportRuns(runs.front().settings, options.isQuick, isWarpOpen);
-    const std::string plain = plainOptionsToPaste(options.view);
-    for (BenchRun& run : runs) {
-        qualityOf(options.view, run.settings); // a contradiction in the last run must not cost the first one's time
+        runs = measure::reportRuns(runs.front().settings, options.isQuick, isWarpOpen);
+    const std::string plain = settings::plainOptionsToPaste(options.view);
+    for (measure::BenchRun& run : runs) {
+        settings::qualityOf(
+            options.view, run.settings); // a contradiction in the last run must not cost the first one's time
         run.options += (run.options.empty() || plain.empty() ? "" : " ") + plain;
     }
     return runs;
@@ -277,22 +287,22 @@ public:
         : options_(options),
           bounds_(boundsOf(options)),
           runs_(runsOf(options)),
-          path_(readCameraPath(options.path)),
-          baseline_(options.baseline.empty() ? std::nullopt : std::optional(readBaseline(options.baseline))),
+          path_(path::readCameraPath(options.path)),
+          baseline_(options.baseline.empty() ? std::nullopt : std::optional(measure::readBaseline(options.baseline))),
           session_(options.model, options.view),
           csv_(options.csv),
           json_(options.json),
           context_(contextOf(options, runs_, path_, session_)),
           images_(options.images),
           report_(options.report) {
-        if (baseline_) requireComparable(*baseline_, context_);
+        if (baseline_) measure::requireComparable(*baseline_, context_);
         if (options.hasAllImages) options_.walk.onPicture = pictureWriter(options.images, runs_);
     }
 
     void run() {
-        const std::vector<RunResult> results = walked("bench", runs_, options_.walk);
+        const std::vector<measure::RunResult> results = walked("bench", runs_, options_.walk);
         std::vector<report::RunSummary> summaries;
-        std::transform(results.begin(), results.end(), std::back_inserter(summaries), summary);
+        std::transform(results.begin(), results.end(), std::back_inserter(summaries), measure::summary);
         context_["first_frame_ms"] = std::to_string(results.front().firstFrameMs);
         csv_.write(csvText(results)); // before what may be stopped: it has taken the longest
         json_.write(benchmarkText(context_, results));
@@ -303,34 +313,35 @@ public:
         if (!options_.images.empty()) writeImages();
         if (!options_.report.empty()) writeReport(options_.report, pageOf(summaries), results);
         if (baseline_) {
-            for (const std::string& name : notCompared(*baseline_, summaries))
+            for (const std::string& name : measure::notCompared(*baseline_, summaries))
                 std::fprintf(
                     stderr, "gnomon: %s: not compared, on one side only: %s\n", baseline_->path.c_str(), name.c_str());
-            requireNotSlower(*baseline_, summaries, bounds_.failAbovePercent);
+            measure::requireNotSlower(*baseline_, summaries, bounds_.failAbovePercent);
         }
     }
 
 private:
-    std::vector<RunResult> walked(const char* stage, const std::vector<BenchRun>& runs, const WalkOptions& walk) {
+    std::vector<measure::RunResult> walked(
+        const char* stage, const std::vector<measure::BenchRun>& runs, const measure::WalkOptions& walk) {
         const auto progress = makeProgress(options_.common);
-        progress->stage(stage, "frames", frameCount(runs, walk));
-        return walkAll(session_, options_.view, path_, runs, walk, *progress);
+        progress->stage(stage, "frames", measure::frameCount(runs, walk));
+        return measure::walkAll(session_, options_.view, path_, runs, walk, *progress);
     }
 
     report::RunSummary walkedAgain(std::size_t run) {
-        WalkOptions walk = options_.walk;
+        measure::WalkOptions walk = options_.walk;
         walk.oracle = frame::Oracle::None;
         walk.onPicture = nullptr;
-        return summary(walked("once more", {runs_[run]}, walk).front());
+        return measure::summary(walked("once more", {runs_[run]}, walk).front());
     }
 
     std::vector<report::Picture> picturesOf(std::size_t run, Progress& progress) {
-        return middlePictures(session_, options_.view, path_, runs_[run], options_.walk, progress);
+        return measure::middlePictures(session_, options_.view, path_, runs_[run], options_.walk, progress);
     }
 
     void writeImages() {
         const auto progress = makeProgress(options_.common);
-        progress->stage("pictures", "frames", kFramesOfPictures * runs_.size());
+        progress->stage("pictures", "frames", measure::kFramesOfPictures * runs_.size());
         for (std::size_t run = 0; run < runs_.size(); ++run)
             writePictures(options_.images, static_cast<int>(run), picturesOf(run, *progress));
     }
@@ -342,22 +353,23 @@ private:
         page.runs = summaries;
         const std::vector<std::size_t> pictured = picturedRuns(summaries);
         const auto progress = makeProgress(options_.common);
-        progress->stage("pictures", "frames", kFramesOfPictures * pictured.size());
+        progress->stage("pictures", "frames", measure::kFramesOfPictures * pictured.size());
         for (const std::size_t run : pictured)
             for (report::Picture& picture : picturesOf(run, *progress))
                 page.pictures.push_back(std::move(picture));
-        plan::View view = viewOf(options_.view, session_.model().summary());
-        view.camera = cameraAt(path_, path_.keyframes.front().time);
-        page.storage = storagePoints(session_.renderer().plan(view, qualityOf(options_.view, runs_.front().settings)));
+        plan::View view = settings::viewOf(options_.view, session_.model().summary());
+        view.camera = path::cameraAt(path_, path_.keyframes.front().time);
+        page.storage =
+            storagePoints(session_.renderer().plan(view, settings::qualityOf(options_.view, runs_.front().settings)));
         return page;
     }
 
     BenchOptions options_;
     Bounds bounds_;
-    std::vector<BenchRun> runs_;
-    CameraPath path_;
-    std::optional<Baseline> baseline_;
-    Session session_;
+    std::vector<measure::BenchRun> runs_;
+    path::CameraPath path_;
+    std::optional<measure::Baseline> baseline_;
+    measure::Session session_;
     PreparedFile csv_;
     PreparedFile json_;
     std::map<std::string, std::string> context_;

@@ -1,8 +1,10 @@
 // `gnomon explain`: the plan of one frame, with a reason for each effect that it leaves out.
 
+#include "app/command_line.h"
+#include "app/commands.h"
 #include "app/plan_json.h"
-#include "app/session.h"
 #include "app/thread_limit.h"
+#include "measure/session.h"
 #include "telemetry/json_text.h"
 
 #include <cstdio>
@@ -14,17 +16,18 @@ namespace {
 
 struct ExplainOptions {
     CommonOptions common;
-    ViewOptions view;
+    settings::ViewOptions view;
     std::string model;
     bool json = false;
 };
 
 void runExplain(const ExplainOptions& options) {
-    const plan::Quality quality = qualityOf(options.view, options.view.swept);
-    ViewOptions undrawn = options.view;
+    const plan::Quality quality = settings::qualityOf(options.view, options.view.swept);
+    settings::ViewOptions undrawn = options.view;
     undrawn.backend = "software"; // nothing is drawn, so no context is made
-    Session session(options.model, undrawn);
-    const plan::FramePlan plan = session.renderer().plan(viewOf(options.view, session.model().summary()), quality);
+    measure::Session session(options.model, undrawn);
+    const plan::FramePlan plan =
+        session.renderer().plan(settings::viewOf(options.view, session.model().summary()), quality);
     const std::string text = options.json ? telemetry::jsonText(planJson(plan), 1) + "\n" : planText(plan);
     std::fputs(text.c_str(), stdout);
 }

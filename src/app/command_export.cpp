@@ -2,10 +2,10 @@
 
 #include "app/commands.h"
 #include "app/named_files.h"
-#include "app/option_text.h"
 #include "app/thread_limit.h"
 #include "core/units.h"
 #include "preprocess/exporter/export.h"
+#include "settings/option_text.h"
 
 #include <cstdio>
 #include <memory>
@@ -25,15 +25,15 @@ struct ExportOptions {
 exporter::ExportLimit limitOf(const ExportOptions& options) {
     exporter::ExportLimit limit;
     if (options.triangles.empty() == options.error.empty())
-        throw UsageError{"export: say either --triangles or --error"};
+        throw settings::UsageError{"export: say either --triangles or --error"};
     if (!options.triangles.empty()) {
         limit.triangles = parseCount(options.triangles);
         if (!limit.triangles)
-            throw UsageError{"--triangles: not a count: " + options.triangles + " (write 250000, 13M or 1G)"};
+            throw settings::UsageError{"--triangles: not a count: " + options.triangles + " (write 250000, 13M or 1G)"};
     }
     if (!options.error.empty()) {
-        limit.error = parseNumber("--error", options.error);
-        if (*limit.error < 0) refuse("--error", options.error, "a length of at least 0");
+        limit.error = settings::parseNumber("--error", options.error);
+        if (*limit.error < 0) settings::refuse("--error", options.error, "a length of at least 0");
     }
     return limit;
 }

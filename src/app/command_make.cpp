@@ -1,12 +1,13 @@
 // `gnomon make`: seeded test models of any size, written as a stream.
 
+#include "app/command_line.h"
 #include "app/commands.h"
 #include "app/named_files.h"
-#include "app/option_text.h"
 #include "core/error.h"
 #include "core/units.h"
 #include "preprocess/make/model_file.h"
 #include "preprocess/make/named_model.h"
+#include "settings/option_text.h"
 
 #include <cstdio>
 #include <memory>
@@ -28,7 +29,7 @@ std::unique_ptr<make::MadeModel> modelOf(const MakeOptions& options, std::uint64
     try {
         return make::makeNamedModel(options.kind, triangles, options.seed);
     } catch (const Error& error) {
-        throw UsageError{error.what()}; // the options are all that it is made of
+        throw settings::UsageError{error.what()}; // the options are all that it is made of
     }
 }
 
@@ -37,7 +38,8 @@ void runMake(const MakeOptions& options) {
     std::uint64_t triangles = make::defaultTriangles(options.kind);
     if (!options.triangles.empty()) {
         const auto count = parseCount(options.triangles);
-        if (!count) throw UsageError{"--triangles: not a count: " + options.triangles + " (write 250000, 13M or 1G)"};
+        if (!count)
+            throw settings::UsageError{"--triangles: not a count: " + options.triangles + " (write 250000, 13M or 1G)"};
         triangles = *count;
     }
     const auto progress = makeProgress(options.common);

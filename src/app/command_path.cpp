@@ -1,8 +1,8 @@
 #include "app/commands.h"
 #include "app/named_files.h"
-#include "app/suited_path.h"
 #include "app/thread_limit.h"
 #include "core/file.h"
+#include "path/suited_path.h"
 
 #include <memory>
 
@@ -28,7 +28,7 @@ void addPathCommand(CLI::App& program) {
         const ThreadLimit limit(options->common);
         requireApart({{"MODEL", options->model}}, {{"--output", options->output}});
         const hierarchy::ModelFile model(options->model);
-        writeTextFile(options->output, toJson(suitedPath(model, options->kind)));
+        writeTextFile(options->output, path::toJson(path::suitedPath(model, options->kind)));
     });
 }
 

@@ -1,12 +1,14 @@
+#include "app/command_line.h"
+#include "app/commands.h"
 #include "app/named_files.h"
-#include "app/option_text.h"
 #include "app/oracle_option.h"
 #include "app/prepared_output.h"
-#include "app/session.h"
 #include "app/thread_limit.h"
 #include "core/error.h"
 #include "core/file.h"
 #include "executor/heat_scale.h"
+#include "measure/session.h"
+#include "settings/option_text.h"
 #include "telemetry/process_clock.h"
 
 #include <cstdio>
@@ -21,7 +23,7 @@ namespace {
 
 struct RenderOptions {
     CommonOptions common;
-    ViewOptions view;
+    settings::ViewOptions view;
     std::string model;
     std::string output;
     std::string overlay = "none";
@@ -83,9 +85,9 @@ void runRender(const RenderOptions& options) {
     requireApart(
         {{"MODEL", options.model}, {"--camera", options.view.cameraFile}, {"--reference", options.reference}},
         {{"--output", options.output}, {"--stats", options.statistics}, {"--depth", options.depth}});
-    const plan::Quality quality = qualityOf(options.view, options.view.swept);
-    Session session(options.model, options.view);
-    const plan::View view = viewOf(options.view, session.model().summary());
+    const plan::Quality quality = settings::qualityOf(options.view, options.view.swept);
+    measure::Session session(options.model, options.view);
+    const plan::View view = settings::viewOf(options.view, session.model().summary());
     std::optional<executor::Picture> reference;
     if (!options.reference.empty()) reference = executor::readPng(options.reference);
     requireWritableOutputs(options);

@@ -1,16 +1,16 @@
 #include "app/commands.h"
-#include "app/json_file.h"
 #include "app/named_files.h"
-#include "app/option_text.h"
 #include "app/prepared_output.h"
-#include "app/theory_figures.h"
-#include "app/theory_rows.h"
-#include "app/theory_script.h"
-#include "app/theory_table.h"
 #include "app/thread_limit.h"
 #include "core/error.h"
 #include "core/file.h"
+#include "core/json_file.h"
+#include "settings/option_text.h"
 #include "telemetry/json_text.h"
+#include "theory/figures.h"
+#include "theory/figures_script.h"
+#include "theory/rows.h"
+#include "theory/scheme_table.h"
 
 #include <array>
 #include <cmath>
@@ -45,7 +45,7 @@ void addEval(CLI::App& theory) {
         const ThreadLimit limit(options->common);
         requireApart({{"ROWS.json", options->rows}}, {{"--output", options->output}});
         const std::string text =
-            telemetry::jsonText(evaluateTheoryRows(readJsonFile(options->rows), options->rows), 1) + "\n";
+            telemetry::jsonText(theory::evaluateRows(readJsonFile(options->rows), options->rows), 1) + "\n";
         if (options->output.empty())
             std::fputs(text.c_str(), stdout);
         else
@@ -82,7 +82,7 @@ std::optional<std::string> plottingPython() {
     return std::nullopt;
 }
 
-json describe(const TheoryFigure& figure) {
+json describe(const theory::Figure& figure) {
     constexpr std::array<const char*, 3> kKinds{"lines", "curves", "maps"};
     return {
         {"name", figure.name},
@@ -99,18 +99,18 @@ json describe(const TheoryFigure& figure) {
 
 void writeFigures(const std::string& folder) {
     const PreparedFolder prepared(folder);
-    std::vector<TheoryFigure> figures = paperFigures();
-    for (TheoryFigure& figure : ownFigures())
+    std::vector<theory::Figure> figures = theory::paperFigures();
+    for (theory::Figure& figure : theory::ownFigures())
         figures.push_back(std::move(figure));
     json list = json::array();
-    for (const TheoryFigure& figure : figures) {
-        writeTextFile(folder + "/" + figure.name + ".csv", csvOf(figure));
+    for (const theory::Figure& figure : figures) {
+        writeTextFile(folder + "/" + figure.name + ".csv", theory::csvOf(figure));
         list.push_back(describe(figure));
         std::printf("%s/%s.csv\n", folder.c_str(), figure.name.c_str());
     }
     writeTextFile(folder + "/figures.json", telemetry::jsonText(list, 1) + "\n");
     const std::string script = folder + "/theory_figures.py";
-    writeTextFile(script, std::string(kTheoryFiguresScript));
+    writeTextFile(script, std::string(theory::kFiguresScript));
     const std::optional<std::string> python = plottingPython();
     if (!python) {
         std::fprintf(
@@ -120,7 +120,7 @@ void writeFigures(const std::string& folder) {
         return;
     }
     if (runQuietly(*python, {script, folder}, true) != 0) throw Error(script, "the plots could not be drawn");
-    for (const TheoryFigure& figure : figures)
+    for (const theory::Figure& figure : figures)
         std::printf("%s/%s.svg\n%s/%s.png\n", folder.c_str(), figure.name.c_str(), folder.c_str(), figure.name.c_str());
 }
 
@@ -155,14 +155,14 @@ void printTable(const TableOptions& options) {
     try {
         shadow::requireValid(frustum);
     } catch (const Error& error) {
-        throw UsageError{error.what()}; // the options are all that it is made of
+        throw settings::UsageError{error.what()}; // the options are all that it is made of
     }
-    const glm::dvec3 light = glm::normalize(parseDirection("--light", options.light));
-    const std::vector<TheoryTableRow> table = theoryTable(frustum, light);
+    const glm::dvec3 light = glm::normalize(settings::parseDirection("--light", options.light));
+    const std::vector<theory::SchemeRow> table = theory::schemeTable(frustum, light);
     if (!options.asJson)
         std::printf("%-10s %-8s %2s %5s %14s %12s %12s\n", "scheme", "warp", "k", "maps", "S", "M_x", "M_z");
     json rows = json::array();
-    for (const TheoryTableRow& row : table) {
+    for (const theory::SchemeRow& row : table) {
         if (!options.asJson)
             std::printf(
                 "%-10s %-8s %2d %5zu %14.6g %12.6g %12.6g\n",

@@ -1,7 +1,7 @@
 // `gnomon verify`: is a model file whole, and is what it promises true?
 
+#include "app/command_line.h"
 #include "app/commands.h"
-#include "app/option_text.h"
 #include "app/thread_limit.h"
 #include "core/error.h"
 #include "preprocess/verify/verify.h"

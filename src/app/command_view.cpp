@@ -1,9 +1,13 @@
-#include "app/option_text.h"
+#include "app/command_line.h"
+#include "app/commands.h"
+#include "app/named_files.h"
 #include "app/thread_limit.h"
-#include "app/view/key_table.h"
-#include "app/view/viewer.h"
 #include "core/error.h"
+#include "settings/option_text.h"
+#include "viewer/input/key_table.h"
+#include "viewer/viewer.h"
 
+#include <filesystem>
 #include <memory>
 
 namespace gnomon::app {
@@ -17,12 +21,28 @@ std::string keysForPeople() {
         name.resize(std::max<std::size_t>(name.size() + 2, 14), ' ');
         text += "  " + name + help + "\n";
     };
-    for (const view::Binding& binding : view::bindings())
+    for (const viewer::Binding& binding : viewer::bindings())
         add(binding.keyName, binding.help);
     text += "Mouse:\n";
-    for (const view::MouseUse& use : view::mouseUses())
+    for (const viewer::MouseUse& use : viewer::mouseUses())
         add(use.gesture, use.help);
     return text;
+}
+
+/// Throws what is wrong with the options, before a window opens or a mesh is built.
+void requireSound(const viewer::ViewerOptions& options) {
+    settings::qualityOf(options.view, options.view.swept);
+    settings::viewOf(options.view, {});
+    settings::parseMemory("--memory", options.view.memory);
+    settings::parseMemory("--gpu-memory", options.view.gpuMemory);
+    requireApart(
+        {{"MODEL", options.file}, {"--path", options.path}, {"--camera", options.view.cameraFile}},
+        {{"--csv", options.csv}});
+    if (options.view.backend == "osmesa" || options.view.backend == "egl")
+        throw settings::UsageError{
+            "--backend " + options.view.backend + " draws into no window; take auto, software or window"};
+    if (!std::filesystem::exists(options.file))
+        throw Error(options.file, "this model cannot be opened", "a file", "none");
 }
 
 } // namespace
@@ -30,13 +50,13 @@ std::string keysForPeople() {
 void addViewCommand(CLI::App& program) {
     struct Options {
         CommonOptions common;
-        view::ViewerOptions viewer;
+        viewer::ViewerOptions viewer;
         std::string frames;
     };
 
     CLI::App* command = program.add_subcommand("view", "Walk through a model in a window; H there lists the keys");
     auto options = std::make_shared<Options>();
-    view::ViewerOptions& viewer = options->viewer;
+    viewer::ViewerOptions& viewer = options->viewer;
     command->add_option("MODEL", viewer.file, "A .gnm, or a mesh: it is built into MESH.gnm beside it")->required();
     command->add_option("--target-ms", viewer.targetMs, "Give up detail and maps to hold this frame time; 0 is none")
         ->check(CLI::Range(0.0, 10000.0))
@@ -53,12 +73,15 @@ void addViewCommand(CLI::App& program) {
     frames->needs("--path");
     command->footer(keysForPeople());
     command->callback([options] {
-        view::ViewerOptions& chosen = options->viewer;
-        if (!options->frames.empty()) chosen.frames = parseWhole("--frames", options->frames, 1, 1000000);
-        parseMemory("--build-memory", chosen.buildMemory);
+        viewer::ViewerOptions& chosen = options->viewer;
+        if (!options->frames.empty()) chosen.frames = settings::parseWhole("--frames", options->frames, 1, 1000000);
+        settings::parseMemory("--build-memory", chosen.buildMemory);
         chosen.threads = options->common.threads;
         const ThreadLimit limit(options->common);
-        view::runViewer(chosen);
+        requireSound(chosen);
+        CommonOptions silent;
+        silent.progress = "none";
+        viewer::runViewer(chosen, *makeProgress(silent)); // which throws on Ctrl-C
     });
 }
 

@@ -35,9 +35,4 @@ void addTheoryCommand(CLI::App& program);
 void addVerifyCommand(CLI::App& program);
 void addViewCommand(CLI::App& program);
 
-/// A contradiction between options: exit code 2 with `message`.
-struct UsageError {
-    std::string message;
-};
-
 } // namespace gnomon::app

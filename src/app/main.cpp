@@ -2,6 +2,7 @@
 
 #include "app/commands.h"
 #include "core/error.h"
+#include "settings/option_text.h"
 
 #include <algorithm>
 #include <array>
@@ -14,7 +15,7 @@
 
 namespace {
 
-using gnomon::app::UsageError;
+using gnomon::settings::UsageError;
 
 using AddCommand = void (*)(CLI::App&);
 

@@ -1,7 +1,7 @@
 #include "app/named_files.h"
 
 #include "app/commands.h"
-#include "app/option_text.h"
+#include "settings/option_text.h"
 
 #include <algorithm>
 #include <cctype>
@@ -33,18 +33,19 @@ void requireApart(const std::vector<NamedFile>& inputs, const std::vector<NamedF
     for (auto output = outputs.begin(); output != outputs.end(); ++output) {
         for (const NamedFile& input : inputs)
             if (isSameFile(input.path, output->path))
-                throw UsageError{
+                throw settings::UsageError{
                     output->option + " would replace " + input.option + ", which is read: " + output->path};
         for (auto other = outputs.begin(); other != output; ++other)
             if (isSameFile(other->path, output->path))
-                throw UsageError{other->option + " and " + output->option + " name the same file: " + output->path};
+                throw settings::UsageError{
+                    other->option + " and " + output->option + " name the same file: " + output->path};
     }
 }
 
 void requireExtension(const std::string& option, const std::string& path, const std::string& extension) {
     std::string found = fs::path(path).extension().string();
     std::transform(found.begin(), found.end(), found.begin(), [](unsigned char c) { return std::tolower(c); });
-    if (!found.empty() && found != extension) refuse(option, path, "a name ending in " + extension);
+    if (!found.empty() && found != extension) settings::refuse(option, path, "a name ending in " + extension);
 }
 
 } // namespace gnomon::app

@@ -1,9 +1,9 @@
 #include "tests/pictures/pictured_model.h"
 
-#include "app/suited_path.h"
 #include "executor/gl_executor.h"
 #include "executor/software_executor.h"
 #include "gl/shader_library.h"
+#include "path/suited_path.h"
 #include "preprocess/make/model_file.h"
 #include "preprocess/make/named_model.h"
 #include "preprocess/pipeline/build_model.h"
@@ -63,9 +63,9 @@ Drawn PicturedModel::draw(const plan::View& view, double errorPixels) {
 std::vector<plan::View> threeViews(const hierarchy::ModelFile& model, int side) {
     std::vector<plan::View> views;
     for (const auto& [kind, fraction] : {std::pair{"orbit", 0.1}, {"flyby", 0.4}, {"approach", 0.9}}) {
-        const app::CameraPath path = app::suitedPath(model, kind);
+        const path::CameraPath path = path::suitedPath(model, kind);
         plan::View view;
-        view.camera = app::cameraAt(path, path.keyframes.front().time + fraction * path.duration());
+        view.camera = path::cameraAt(path, path.keyframes.front().time + fraction * path.duration());
         view.width = view.height = side;
         views.push_back(view);
     }

@@ -1,9 +1,9 @@
 // A model built from a mesh file, and pictures of it by an executor of one's choice: for tests that compare pictures.
 #pragma once
 
-#include "app/camera_path.h"
 #include "frame/renderer.h"
 #include "hierarchy/model_file.h"
+#include "path/camera_path.h"
 
 #include <memory>
 #include <string>

@@ -1,6 +1,6 @@
 // A sundial under every light of data/lights: its shadow falls where a pencil and a ruler put it.
-#include "app/camera_path.h"
-#include "app/json_file.h"
+#include "core/json_file.h"
+#include "path/camera_path.h"
 #include "tests/pictures/pictured_model.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ constexpr double kDialHeight = 0.05; // of the dial above the ground
 std::vector<std::pair<std::string, glm::dvec3>> allLights() {
     std::vector<std::pair<std::string, glm::dvec3>> lights;
     for (const auto& entry : std::filesystem::directory_iterator(kData + "lights")) {
-        const auto document = app::readJsonFile(entry.path());
+        const auto document = readJsonFile(entry.path());
         for (const auto& light : document["lights"])
             lights.emplace_back(
                 entry.path().stem(),
@@ -40,7 +40,7 @@ TEST(Sundial, CastsItsShadowWhereGeometrySaysUnderEveryLight) {
     const ScratchFile model("sundial.gnm");
     build(kData + "models/sundial.ply", model.path());
     plan::View view;
-    view.camera = app::readCamera(kData + "cameras/sundial_above.json");
+    view.camera = path::readCamera(kData + "cameras/sundial_above.json");
     view.width = view.height = 512;
     const auto lights = allLights();
     ASSERT_GE(lights.size(), 15U);

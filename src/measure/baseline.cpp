@@ -1,0 +1,108 @@
+#include "measure/baseline.h"
+
+#include "core/error.h"
+#include "core/json_file.h"
+#include "settings/view_options.h"
+
+#include <array>
+#include <set>
+
+namespace gnomon::measure {
+
+namespace {
+
+/// What of the context frame times hang on, those that can be swept aside.
+constexpr std::array kAlike{
+    "model_content_hash",
+    "path_content_hash",
+    "frames",
+    "real_time",
+    "image_size",
+    "light",
+    "near_and_far",
+    "near_floor",
+    "max_triangles",
+    "eta",
+    "tsm_focus",
+    "split_lambda",
+    "max_aliasing",
+    "memory_cap",
+    "gpu_memory_cap",
+    "backend",
+    "threads"};
+
+} // namespace
+
+Baseline readBaseline(const std::string& path) {
+    const nlohmann::ordered_json document = readJsonFile(path);
+    const auto part = [&](const char* key) {
+        return document.is_object() && document.contains(key) ? document[key] : nlohmann::ordered_json();
+    };
+    Baseline baseline{path, {}, {}};
+    const auto context = part("context");
+    const auto benchmarks = part("benchmarks");
+    if (!context.is_object() || !benchmarks.is_array())
+        throw Error(path, "this is no bench result", R"({"context": {...}, "benchmarks": [...]})", "something else");
+    for (const auto& [key, value] : context.items())
+        if (value.is_string()) baseline.context[key] = value.get<std::string>();
+    for (const auto& run : benchmarks) {
+        const bool isRun = run.is_object() && run.contains("name") && run["name"].is_string() && run.contains("p50") &&
+                           run["p50"].is_number();
+        if (!isRun)
+            throw Error(
+                path + ": benchmark " + std::to_string(baseline.p50Ms.size()),
+                "this is no run",
+                R"({"name": text, "p50": number, ...})",
+                "something else");
+        baseline.p50Ms[run["name"].get<std::string>()] = run["p50"].get<double>();
+    }
+    return baseline;
+}
+
+void requireComparable(const Baseline& baseline, const std::map<std::string, std::string>& context) {
+    const auto requireAlike = [&](const std::string& key, const std::string& now, const std::string& before) {
+        if (now != before) throw Error(baseline.path, "another bench than this one: " + key, now, before);
+    };
+    for (const char* key : kAlike) {
+        const auto before = baseline.context.find(key);
+        requireAlike(key, context.at(key), before == baseline.context.end() ? "none" : before->second);
+    }
+    for (const settings::SweptOption& option : settings::sweptOptions()) {
+        const std::string key = settings::columnName(option.flag);
+        const auto before = baseline.context.find(key);
+        const auto now = context.find(key);
+        if (before != baseline.context.end() && now != context.end()) requireAlike(key, now->second, before->second);
+    }
+}
+
+std::vector<std::string> notCompared(const Baseline& baseline, std::span<const report::RunSummary> summaries) {
+    std::vector<std::string> names;
+    std::set<std::string> known;
+    for (const report::RunSummary& now : summaries) {
+        known.insert(now.name);
+        if (!baseline.p50Ms.contains(now.name)) names.push_back(now.name);
+    }
+    for (const auto& [name, p50Ms] : baseline.p50Ms)
+        if (!known.contains(name)) names.push_back(name);
+    return names;
+}
+
+void requireNotSlower(
+    const Baseline& baseline, std::span<const report::RunSummary> summaries, double failAbovePercent) {
+    bool hasCompared = false;
+    for (const report::RunSummary& now : summaries) {
+        const auto before = baseline.p50Ms.find(now.name);
+        if (before == baseline.p50Ms.end()) continue;
+        hasCompared = true;
+        const double allowed = before->second * (1 + failAbovePercent / 100);
+        if (now.p50Ms > allowed)
+            throw Error(
+                baseline.path,
+                now.name + " became slower",
+                "a median of at most " + std::to_string(allowed) + " ms",
+                std::to_string(now.p50Ms) + " ms");
+    }
+    if (!hasCompared) throw Error(baseline.path, "it has none of these runs", summaries.front().name, "other names");
+}
+
+} // namespace gnomon::measure

@@ -1,0 +1,86 @@
+// The runs of a bench: every combination of the swept settings, walked along one camera path.
+#pragma once
+
+#include "core/progress.h"
+#include "measure/session.h"
+#include "path/camera_path.h"
+#include "report/page.h"
+#include "report/run_summary.h"
+#include "telemetry/frame_row.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gnomon::measure {
+
+/// One combination of settings.
+struct BenchRun {
+    std::string name; // the settings that vary between runs, "error_pixels:1/z_partitions:4"; "run" where none does
+    settings::SweptSettings settings;
+    std::string options; // to paste behind `gnomon render MODEL`: those that vary and those that are not the default,
+                         // of the swept settings
+};
+
+/// How each run is walked.
+struct WalkOptions {
+    int frames = 60;
+    int repetitions = 1;
+    int warmup = 2;
+    bool isRealTime = false;
+    frame::Oracle oracle = frame::Oracle::None;
+    int provenFrames = 0; // with an oracle: so many frames, evenly over the path, are held against it
+    /// Gets the picture of every frame of the first repetition, if given.
+    std::function<void(const BenchRun& run, int frame, const executor::Picture& picture)> onPicture;
+};
+
+/// What came of one run.
+struct RunResult {
+    BenchRun run;
+    std::vector<telemetry::FrameRow> rows; // repetition by repetition, each in the order of the path
+    double cpuMs = 0;                      // of all threads, a logged frame on average
+    double firstFrameMs = 0; // from the start of the process to the end of the run's first frame, warm-up or not
+};
+
+/// One run for each of `settings`, in their order.
+std::vector<BenchRun> named(const std::vector<settings::SweptSettings>& settings);
+
+/// Every combination of the comma-separated lists in `lists`; a list of `shadowMaps`, if given, is the number of slices
+/// with faces off. Throws UsageError.
+std::vector<BenchRun> combinations(
+    const settings::SweptSettings& lists, const std::optional<std::string>& shadowMaps = {});
+
+/// Walks every run along `path`: warm-up frames, then `frames` frames evenly over the path, as often as asked. Each
+/// repetition walks all runs before the next one begins, so that a machine that slows down slows them all alike. In
+/// real time no frame begins before its time on the path. Once all times are taken, each run is walked once more and
+/// what its pictures are held against fills its first repetition's columns of accuracy.
+std::vector<RunResult> walkAll(
+    Session& session,
+    const settings::ViewOptions& view,
+    const path::CameraPath& path,
+    const std::vector<BenchRun>& runs,
+    const WalkOptions& options,
+    Progress& progress);
+
+/// What the progress of `walkAll` counts up to.
+std::size_t frameCount(const std::vector<BenchRun>& runs, const WalkOptions& options);
+
+/// The frame in the middle of the path as a report shows it: picture, reference (the same with ray-traced shadows),
+/// difference (four times the absolute difference of the two), texels, aliasing, partitions. Progress advances by
+/// kFramesOfPictures.
+std::vector<report::Picture> middlePictures(
+    Session& session,
+    const settings::ViewOptions& view,
+    const path::CameraPath& path,
+    const BenchRun& run,
+    const WalkOptions& options,
+    Progress& progress);
+
+/// The frames that `middlePictures` draws.
+constexpr std::size_t kFramesOfPictures = 5;
+
+/// Medians, percentiles, noise and worst promises of a run.
+report::RunSummary summary(const RunResult& result);
+
+} // namespace gnomon::measure

@@ -1,0 +1,14 @@
+// The runs of a report whose command sweeps nothing itself: what a person would compare who chooses a shadow algorithm.
+#pragma once
+
+#include "measure/bench_runs.h"
+
+namespace gnomon::measure {
+
+/// Runs around `base`, one map first: numbers of maps with casters culled per partition and not, levels of detail,
+/// warps, texels, stabilisation and faces, each varied alone so that its own cost and gain are seen. A quick look takes
+/// a few of each. None repeats another. Where the warp is not open, because --eta or --tsm-focus settles it, no run has
+/// another one or is stabilised.
+std::vector<BenchRun> reportRuns(const settings::SweptSettings& base, bool isQuick, bool isWarpOpen);
+
+} // namespace gnomon::measure

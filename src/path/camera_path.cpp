@@ -1,0 +1,174 @@
+#include "path/camera_path.h"
+
+#include "core/error.h"
+#include "core/json_file.h"
+#include "hierarchy/file_layout.h"
+#include "telemetry/json_text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <span>
+
+namespace gnomon::path {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr double kRadiansPerDegree = std::numbers::pi / 180;
+
+/// The shortest number of degrees up to a billionth that reads back as `radians`, else the nearest: 60 for what was 60.
+double degreesOf(double radians) {
+    const double degrees = radians / kRadiansPerDegree;
+    const double shorter = std::round(degrees * 1e9) / 1e9;
+    return shorter * kRadiansPerDegree == radians ? shorter : degrees;
+}
+
+glm::dvec3 vectorOf(const ordered_json& object, const char* key, const std::string& where) {
+    const auto found = object.find(key);
+    const bool isVector = found != object.end() && found->is_array() && found->size() == 3 &&
+                          std::all_of(found->begin(), found->end(), [](const auto& v) { return v.is_number(); });
+    if (!isVector) throw Error(where, std::string("\"") + key + "\" is missing or no vector", "[x, y, z]", "none");
+    return {(*found)[0].get<double>(), (*found)[1].get<double>(), (*found)[2].get<double>()};
+}
+
+double numberOf(const ordered_json& object, const char* key, const std::string& where) {
+    const auto found = object.find(key);
+    if (found == object.end() || !found->is_number())
+        throw Error(where, std::string("\"") + key + "\" is missing or no number");
+    return found->get<double>();
+}
+
+Camera cameraOf(const ordered_json& object, const std::string& where) {
+    if (!object.is_object()) throw Error(where, "a camera is an object", "{\"eye\": ...}", object.type_name());
+    Camera camera;
+    camera.eye = vectorOf(object, "eye", where);
+    camera.target = vectorOf(object, "target", where);
+    if (object.contains("up")) camera.up = vectorOf(object, "up", where);
+    if (object.contains("fov_y")) camera.fovYRadians = numberOf(object, "fov_y", where) * kRadiansPerDegree;
+    if (!(camera.fovYRadians > 0 && camera.fovYRadians < std::numbers::pi))
+        throw Error(
+            where, "\"fov_y\" is impossible", "above 0 and below 180 degrees", telemetry::jsonText(object["fov_y"]));
+    cameraBasis(camera); // throws where eye and target coincide
+    return camera;
+}
+
+/// The cubic through b and c with the slopes of a, b, c, d over their times (Catmull and Rom 1974).
+struct Segment {
+    double t0 = 0;
+    double t1 = 0;
+    double t2 = 0;
+    double t3 = 0;
+    double u = 0; // 0 at t1, 1 at t2
+
+    template <class T>
+    T operator()(const T& a, const T& b, const T& c, const T& d) const {
+        const double span = t2 - t1;
+        const T slopeB = t2 > t0 ? (c - a) * (span / (t2 - t0)) : (c - b);
+        const T slopeC = t3 > t1 ? (d - b) * (span / (t3 - t1)) : (c - b);
+        const double u2 = u * u;
+        const double u3 = u2 * u;
+        return b * (2 * u3 - 3 * u2 + 1) + slopeB * (u3 - 2 * u2 + u) + c * (3 * u2 - 2 * u3) + slopeC * (u3 - u2);
+    }
+};
+
+} // namespace
+
+Camera cameraAt(const CameraPath& path, double time) {
+    const std::vector<Keyframe>& keys = path.keyframes;
+    if (path.loop && path.duration() > 0)
+        time = keys.front().time +
+               std::fmod(std::fmod(time - keys.front().time, path.duration()) + path.duration(), path.duration());
+    if (time <= keys.front().time) return keys.front().camera;
+    if (time >= keys.back().time) return keys.back().camera;
+    const auto next =
+        std::upper_bound(keys.begin(), keys.end(), time, [](double t, const Keyframe& key) { return t < key.time; });
+    const auto at = static_cast<std::size_t>(next - keys.begin());
+    const Keyframe& b = keys[at - 1];
+    const Keyframe& c = keys[at];
+    const Keyframe& a = at >= 2 ? keys[at - 2] : b;
+    const Keyframe& d = at + 1 < keys.size() ? keys[at + 1] : c;
+    const double u = c.time > b.time ? (time - b.time) / (c.time - b.time) : 0;
+    const auto blend = [&](const auto& member) {
+        if (path.interpolation == Interpolation::Linear) return b.camera.*member * (1 - u) + c.camera.*member * u;
+        return Segment{a.time, b.time, c.time, d.time, u}(
+            a.camera.*member, b.camera.*member, c.camera.*member, d.camera.*member);
+    };
+    Camera camera;
+    camera.eye = blend(&Camera::eye);
+    camera.target = blend(&Camera::target);
+    camera.up = blend(&Camera::up);
+    camera.fovYRadians = blend(&Camera::fovYRadians);
+    if (path.interpolation == Interpolation::CatmullRom) { // a cubic overshoots, and an angle soon is none any more
+        const auto [least, most] = std::minmax(b.camera.fovYRadians, c.camera.fovYRadians);
+        camera.fovYRadians = std::clamp(camera.fovYRadians, least, most);
+    }
+    return camera;
+}
+
+double frameTime(const CameraPath& path, int frame, int frames) {
+    const double fraction = frames > 1 ? static_cast<double>(frame) / (frames - 1) : 0;
+    return path.keyframes.front().time + path.duration() * fraction;
+}
+
+Camera readCamera(const std::string& path) {
+    return cameraOf(readJsonFile(path), path);
+}
+
+CameraPath readCameraPath(const std::string& path) {
+    const ordered_json document = readJsonFile(path);
+    CameraPath result;
+    if (!document.is_object() || !document.contains("keyframes") || !document["keyframes"].is_array() ||
+        document["keyframes"].empty())
+        throw Error(path, "a camera path has keyframes", "{\"keyframes\": [...]}", "none");
+    const ordered_json loop = document.value("loop", ordered_json(false));
+    if (!loop.is_boolean()) throw Error(path, R"("loop")", "true or false", telemetry::jsonText(loop));
+    result.loop = loop.get<bool>();
+    const ordered_json interpolation = document.value("interpolation", ordered_json("linear"));
+    if (interpolation != "linear" && interpolation != "catmull-rom")
+        throw Error(path, "unknown \"interpolation\"", "linear or catmull-rom", telemetry::jsonText(interpolation));
+    result.interpolation = interpolation == "linear" ? Interpolation::Linear : Interpolation::CatmullRom;
+    for (const ordered_json& key : document["keyframes"]) {
+        const std::string where = path + ": keyframe " + std::to_string(result.keyframes.size());
+        const Camera camera = cameraOf(key, where);
+        const double time = numberOf(key, "time", where);
+        if (!result.keyframes.empty() && time < result.keyframes.back().time)
+            throw Error(where, "keyframes must be in the order of their times");
+        result.keyframes.push_back({time, camera});
+    }
+    return result;
+}
+
+std::string toJson(const CameraPath& path) {
+    ordered_json document;
+    document["loop"] = path.loop;
+    document["interpolation"] = path.interpolation == Interpolation::Linear ? "linear" : "catmull-rom";
+    document["keyframes"] = ordered_json::array();
+    const auto list = [](const glm::dvec3& v) { return ordered_json{v.x, v.y, v.z}; };
+    for (const Keyframe& key : path.keyframes) {
+        ordered_json entry;
+        entry["time"] = key.time;
+        entry["eye"] = list(key.camera.eye);
+        entry["target"] = list(key.camera.target);
+        entry["up"] = list(key.camera.up);
+        entry["fov_y"] = degreesOf(key.camera.fovYRadians);
+        document["keyframes"].push_back(entry);
+    }
+    return telemetry::jsonText(document, 1) + "\n";
+}
+
+std::string contentHash(const CameraPath& path) {
+    const std::string text = toJson(path);
+    std::array<char, 17> hex{};
+    std::snprintf(
+        hex.data(),
+        hex.size(),
+        "%016llx",
+        static_cast<unsigned long long>(hierarchy::checksum64(std::as_bytes(std::span(text)))));
+    return hex.data();
+}
+
+} // namespace gnomon::path

@@ -1,0 +1,48 @@
+// Camera files and camera paths: keyframes as JSON, and the camera in between.
+#pragma once
+
+#include "core/camera.h"
+
+#include <string>
+#include <vector>
+
+namespace gnomon::path {
+
+/// A camera at a time, seconds.
+struct Keyframe {
+    double time = 0;
+    Camera camera;
+};
+
+enum class Interpolation { Linear, CatmullRom };
+
+/// Keyframes in the order of their times.
+struct CameraPath {
+    bool loop = false;
+    Interpolation interpolation = Interpolation::Linear;
+    std::vector<Keyframe> keyframes; // at least one
+
+    double duration() const { return keyframes.back().time - keyframes.front().time; }
+};
+
+/// The camera of `path` at `time`, held at both ends. Catmull-Rom is the centripetal-free cubic over uneven times
+/// (Catmull and Rom 1974), with one-sided differences at the ends; the angle stays between those of its two keyframes.
+Camera cameraAt(const CameraPath& path, double time);
+
+/// The time of frame `frame` of `frames` that are spread evenly over `path`, both ends included.
+double frameTime(const CameraPath& path, int frame, int frames);
+
+/// Reads one keyframe `{"eye", "target", "up", "fov_y"}`; up and fov_y may be missing. Throws Error with path and
+/// place.
+Camera readCamera(const std::string& path);
+
+/// Reads a path. Throws Error with path and place.
+CameraPath readCameraPath(const std::string& path);
+
+/// The text of a path file.
+std::string toJson(const CameraPath& path);
+
+/// xxh3-64 of what `path` says, in lower hex; how its file writes it makes no difference.
+std::string contentHash(const CameraPath& path);
+
+} // namespace gnomon::path

@@ -1,0 +1,191 @@
+#include "viewer/input/camera_control.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace gnomon::viewer {
+
+namespace {
+
+constexpr double kMostPitch = std::numbers::pi / 2 - 1e-3; // looking along up has no yaw
+constexpr double kLongestStep = 0.1;                       // seconds
+constexpr double kGlideSeconds = 0.4;
+constexpr double kInertiaSeconds = 0.06;
+constexpr double kSpeedSeconds = 0.3;    // in which the speed follows what is in view
+constexpr double kSpeedOfDistance = 0.5; // distances a second
+constexpr double kNotchesPerOctave = 4;
+constexpr double kStill = 1e-3; // of the speed
+
+/// `angle` plus the whole turns that bring it nearest to `reference`.
+double nearestTurn(double angle, double reference) {
+    const double turn = 2 * std::numbers::pi;
+    return angle + turn * std::round((reference - angle) / turn);
+}
+
+} // namespace
+
+CameraControl::CameraControl(const Camera& home, const Box& bounds) : bounds_(bounds), fovYRadians_(home.fovYRadians) {
+    const CameraBasis basis = cameraBasis(home);
+    const bool hasUp = glm::length(glm::cross(basis.view, home.up)) > 1e-9 * glm::length(home.up);
+    up_ = hasUp ? glm::normalize(home.up) : basis.up;
+    // Front is the world axis across `up` that is nearest to where home looks.
+    double best = -1;
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double sign : {1.0, -1.0}) {
+            glm::dvec3 candidate(0);
+            candidate[axis] = sign;
+            candidate -= up_ * glm::dot(candidate, up_);
+            const double length = glm::length(candidate);
+            if (!(length > 0.5)) continue;
+            const double cosine = glm::dot(candidate / length, basis.view);
+            if (cosine > best + 1e-9) {
+                best = cosine;
+                front_ = candidate / length;
+            }
+        }
+    right_ = glm::cross(front_, up_);
+    home_ = poseOf(home);
+    pose_ = home_;
+    sceneDistance_ = home_.distance;
+}
+
+CameraControl::Pose CameraControl::poseOf(const Camera& camera) const {
+    const glm::dvec3 ahead = camera.target - camera.eye;
+    const double distance = glm::length(ahead);
+    const glm::dvec3 to = ahead / distance;
+    Pose pose;
+    pose.eye = camera.eye;
+    pose.yaw = std::atan2(glm::dot(to, right_), glm::dot(to, front_));
+    pose.pitch = std::clamp(std::asin(std::clamp(glm::dot(to, up_), -1.0, 1.0)), -kMostPitch, kMostPitch);
+    pose.distance = distance;
+    return pose;
+}
+
+glm::dvec3 CameraControl::direction(const Pose& pose) const {
+    return (front_ * std::cos(pose.yaw) + right_ * std::sin(pose.yaw)) * std::cos(pose.pitch) +
+           up_ * std::sin(pose.pitch);
+}
+
+Camera CameraControl::camera() const {
+    return {pose_.eye, pose_.eye + direction(pose_) * pose_.distance, up_, fovYRadians_};
+}
+
+void CameraControl::advance(const Flight& flight, double seconds) {
+    const double step = std::clamp(seconds, 0.0, kLongestStep);
+    const bool flies = flight.direction != glm::dvec3(0);
+    if (flies) glide_.reset();
+    if (glide_) {
+        glide_->seconds += step;
+        const double part = std::min(glide_->seconds / kGlideSeconds, 1.0);
+        const double ease = part * part * (3 - 2 * part);
+        pose_.eye = glm::mix(glide_->from.eye, glide_->to.eye, ease);
+        pose_.yaw = glide_->from.yaw + (nearestTurn(glide_->to.yaw, glide_->from.yaw) - glide_->from.yaw) * ease;
+        pose_.pitch = glide_->from.pitch + (glide_->to.pitch - glide_->from.pitch) * ease;
+        pose_.distance = glide_->from.distance + (glide_->to.distance - glide_->from.distance) * ease;
+        if (part >= 1) glide_.reset();
+        return;
+    }
+    glm::dvec3 wanted = flight.direction * flight.haste;
+    const double length = glm::length(flight.direction);
+    if (length > 1) wanted /= length;
+    // The velocity's exact exponential, so that the way does not depend on how the time is cut into frames.
+    const double decay = std::exp(-step / kInertiaSeconds);
+    const glm::dvec3 way = wanted * step + (velocity_ - wanted) * (kInertiaSeconds * (1 - decay));
+    velocity_ = wanted + (velocity_ - wanted) * decay;
+    if (!flies && glm::length(velocity_) < kStill) velocity_ = glm::dvec3(0);
+    const CameraBasis basis = cameraBasis(camera());
+    pose_.eye += toWorld(basis, way) * speed();
+}
+
+bool CameraControl::isMoving() const {
+    return glide_.has_value() || velocity_ != glm::dvec3(0);
+}
+
+void CameraControl::look(double yawRadians, double pitchRadians) {
+    glide_.reset();
+    pose_.yaw += yawRadians;
+    pose_.pitch = std::clamp(pose_.pitch + pitchRadians, -kMostPitch, kMostPitch);
+}
+
+void CameraControl::orbit(const glm::dvec3& pivot, double yawRadians, double pitchRadians) {
+    const CameraBasis before = cameraBasis(camera());
+    const glm::dvec3 toPivot = toCamera(before, pivot - pose_.eye);
+    look(yawRadians, pitchRadians);
+    pose_.eye = pivot - toWorld(cameraBasis(camera()), toPivot);
+    pose_.distance = std::max(glm::length(pivot - pose_.eye), 1e-12);
+}
+
+void CameraControl::shift(double right, double up) {
+    glide_.reset();
+    const CameraBasis basis = cameraBasis(camera());
+    pose_.eye += basis.right * right + basis.up * up;
+}
+
+void CameraControl::focusOn(const glm::dvec3& point) {
+    const glm::dvec3 ahead = point - pose_.eye;
+    if (!(glm::length(ahead) > 0)) return;
+    const Pose turned = poseOf({pose_.eye, point, up_, fovYRadians_});
+    glideTo({pose_.eye + ahead * 0.5, turned.yaw, turned.pitch, turned.distance * 0.5});
+}
+
+CameraControl::Pose CameraControl::framing(double yaw, double pitch) const {
+    const double radius = std::max(glm::length(bounds_.extent()) * 0.5, 1e-12);
+    Pose pose;
+    pose.yaw = yaw;
+    pose.pitch = pitch;
+    pose.distance = radius / std::sin(fovYRadians_ / 2);
+    pose.eye = bounds_.center() - direction(pose) * pose.distance;
+    return pose;
+}
+
+void CameraControl::goTo(Side side) {
+    constexpr double kQuarter = std::numbers::pi / 2;
+    switch (side) {
+    case Side::Front:
+        return glideTo(framing(0, 0));
+    case Side::Back:
+        return glideTo(framing(2 * kQuarter, 0));
+    case Side::Left:
+        return glideTo(framing(kQuarter, 0));
+    case Side::Right:
+        return glideTo(framing(-kQuarter, 0));
+    case Side::Top:
+        return glideTo(framing(0, -kMostPitch));
+    case Side::Bottom:
+        return glideTo(framing(0, kMostPitch));
+    }
+}
+
+void CameraControl::goHome() {
+    glideTo(home_);
+}
+
+void CameraControl::jumpTo(const Camera& camera) {
+    glide_.reset();
+    velocity_ = glm::dvec3(0);
+    fovYRadians_ = camera.fovYRadians;
+    pose_ = poseOf(camera);
+}
+
+void CameraControl::glideTo(const Pose& pose) {
+    velocity_ = glm::dvec3(0);
+    glide_ = Glide{pose_, pose, 0};
+}
+
+void CameraControl::see(const SceneDepths& depths, double seconds) {
+    if (!(depths.near > 0 && depths.far >= depths.near)) return;
+    const double follow = 1 - std::exp(-std::clamp(seconds, 0.0, kLongestStep) / kSpeedSeconds);
+    const double seen = std::sqrt(depths.near * depths.far);
+    sceneDistance_ *= std::pow(seen / sceneDistance_, follow); // in ratios: distances span orders of magnitude
+}
+
+void CameraControl::changeSpeed(double notches) {
+    notches_ = std::clamp(notches_ + notches, -40.0, 40.0);
+}
+
+double CameraControl::speed() const {
+    return kSpeedOfDistance * sceneDistance_ * std::exp2(notches_ / kNotchesPerOctave);
+}
+
+} // namespace gnomon::viewer

@@ -1,0 +1,111 @@
+#include "viewer/input/input.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+namespace gnomon::viewer {
+
+Input& Input::of(GLFWwindow* window) {
+    return *static_cast<Input*>(glfwGetWindowUserPointer(window));
+}
+
+Input::Input(GLFWwindow* window) : window_(window) {
+    glfwSetWindowUserPointer(window, this);
+    glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int /*scancode*/, int action, int modifiers) {
+        of(w).onKey(key, action, modifiers);
+    });
+    glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int modifiers) {
+        of(w).onButton(button, action, modifiers);
+    });
+    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) { of(w).onCursor(x, y); });
+    glfwSetScrollCallback(window, [](GLFWwindow* w, double /*x*/, double y) {
+        Input& input = of(w);
+        input.hasHappened_ = true;
+        if (!input.isMouseTaken_) input.wheel_ += y;
+    });
+    glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
+        Input& input = of(w);
+        input.hasHappened_ = true;
+        input.dropped_.insert(input.dropped_.end(), paths, paths + count);
+    });
+    glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int hasFocus) { of(w).onFocus(hasFocus == GLFW_TRUE); });
+    glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { of(w).hasHappened_ = true; });
+    glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { of(w).hasHappened_ = true; });
+    glfwSetWindowIconifyCallback(window, [](GLFWwindow* w, int) { of(w).hasHappened_ = true; });
+    glfwSetWindowContentScaleCallback(window, [](GLFWwindow* w, float, float) {
+        of(w).hasHappened_ = true;
+        of(w).hasNewScale_ = true;
+    });
+}
+
+Input::~Input() {
+    glfwSetWindowUserPointer(window_, nullptr);
+}
+
+void Input::beginFrame() {
+    hasHappened_ = false;
+    hasNewScale_ = false;
+    presses_.clear();
+    tapped_.clear();
+    drags_.clear();
+    dropped_.clear();
+    wheel_ = 0;
+}
+
+bool Input::isHeld(int key) const {
+    return held_.count(key) > 0 || tapped_.count(key) > 0;
+}
+
+void Input::onKey(int key, int action, int modifiers) {
+    hasHappened_ = true;
+    if (action == GLFW_RELEASE) {
+        held_.erase(key);
+        return;
+    }
+    held_.insert(key);
+    tapped_.insert(key);
+    if (action == GLFW_PRESS) presses_.push_back({key, (modifiers & GLFW_MOD_SHIFT) != 0});
+}
+
+void Input::onButton(int button, int action, int modifiers) {
+    hasHappened_ = true;
+    if (action == GLFW_RELEASE) {
+        if (button == dragButton_) dragButton_ = -1;
+        return;
+    }
+    if (isMouseTaken_ || dragButton_ != -1) return;
+    dragButton_ = button;
+    dragWithAlt_ = (modifiers & GLFW_MOD_ALT) != 0;
+    drags_.push_back({button, dragWithAlt_, glm::dvec2(0), true});
+}
+
+void Input::onCursor(double x, double y) {
+    hasHappened_ = true;
+    // Window coordinates are not pixels where the screen is scaled by the window system.
+    int width = 0;
+    int height = 0;
+    int pixelsWide = 0;
+    int pixelsHigh = 0;
+    glfwGetWindowSize(window_, &width, &height);
+    glfwGetFramebufferSize(window_, &pixelsWide, &pixelsHigh);
+    const glm::dvec2 scale(
+        width > 0 ? static_cast<double>(pixelsWide) / width : 1.0,
+        height > 0 ? static_cast<double>(pixelsHigh) / height : 1.0);
+    const glm::dvec2 now = glm::dvec2(x, y) * scale;
+    const glm::dvec2 moved = now - cursor_;
+    cursor_ = now;
+    if (dragButton_ == -1) return;
+    if (drags_.empty() || drags_.back().button != dragButton_)
+        drags_.push_back({dragButton_, dragWithAlt_, glm::dvec2(0), false});
+    drags_.back().moved += moved;
+}
+
+void Input::onFocus(bool hasFocus) {
+    hasHappened_ = true;
+    if (hasFocus) return;
+    // Releases go to whoever has the focus now.
+    held_.clear();
+    dragButton_ = -1;
+}
+
+} // namespace gnomon::viewer

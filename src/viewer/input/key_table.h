@@ -1,0 +1,65 @@
+// Every key of the window, declared once: the table that dispatches also makes the help.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+namespace gnomon::viewer {
+
+/// What a key does; `value` of its binding says which or how much.
+enum class Action : std::uint8_t {
+    Fly, // while it is held: value is a Way
+    Focus,
+    LookFrom, // value is a Side
+    GoHome,
+    StepScheme,
+    StepWarp,
+    StepSlices,
+    StepFaces,
+    StepTexels,
+    StepFilter,
+    StepDetail,
+    ToggleCulling,
+    ToggleStabilising,
+    ToggleTarget,
+    SetOverlay, // value is an index of overlayNames()
+    Freeze,
+    TogglePanel,
+    ToggleFacts,
+    ToggleHelp,
+    Record,
+    Play,
+    Screenshot, // value 1: with what is drawn over it
+    Reload,
+    Leave,
+};
+
+/// The ways of flying.
+enum class Way : std::uint8_t { Forward, Back, Left, Right, Down, Up };
+
+/// A key, or a key with Shift, and what it does.
+struct Binding {
+    int key = 0; // GLFW's
+    bool withShift = false;
+    Action action = Action::Leave;
+    int value = 0;
+    const char* keyName = "";
+    const char* help = ""; // empty: told by the entry before
+};
+
+/// All of them, in the order of the help.
+std::span<const Binding> bindings();
+
+/// What the mouse does, for the help.
+struct MouseUse {
+    const char* gesture;
+    const char* help;
+};
+
+std::span<const MouseUse> mouseUses();
+
+/// The binding of `key`. Where a key has none with Shift, the one without counts: Shift also hastens flights.
+const Binding* bindingOf(int key, bool withShift);
+
+} // namespace gnomon::viewer

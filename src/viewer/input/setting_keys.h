@@ -1,0 +1,19 @@
+// What the keys change of the settings.
+#pragma once
+
+#include "viewer/input/key_table.h"
+#include "viewer/view_settings.h"
+
+#include <optional>
+#include <string>
+
+namespace gnomon::viewer {
+
+/// Shows or hides what `action` is about; false if it is about something else.
+bool changeShown(Action action, int value, ViewSettings& settings);
+
+/// Takes the step in quality that `action` is, and returns what is now set, for people; nothing if it is about
+/// something else.
+std::optional<std::string> changeQuality(Action action, int value, plan::Quality& quality);
+
+} // namespace gnomon::viewer

@@ -1,0 +1,71 @@
+#include "viewer/input/steering.h"
+
+#include "viewer/input/key_table.h"
+#include "viewer/panel/storage_pad.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gnomon::viewer {
+
+namespace {
+
+constexpr double kRadiansPerPixel = 0.004;
+constexpr double kLightPerPixel = 1.0 / 300; // of the pad's radius
+constexpr double kMostRadius = 0.985;        // of the pad: a light on the horizon has no side
+constexpr double kHaste = 5;                 // with Shift; its inverse with Ctrl
+
+glm::dvec3 directionOf(Way way) {
+    switch (way) {
+    case Way::Forward:
+        return {0, 0, 1};
+    case Way::Back:
+        return {0, 0, -1};
+    case Way::Left:
+        return {-1, 0, 0};
+    case Way::Right:
+        return {1, 0, 0};
+    case Way::Down:
+        return {0, -1, 0};
+    case Way::Up:
+        return {0, 1, 0};
+    }
+    return glm::dvec3(0);
+}
+
+} // namespace
+
+Flight heldFlight(const std::function<bool(int key)>& isHeld) {
+    Flight flight;
+    for (const Binding& binding : bindings())
+        if (binding.action == Action::Fly && isHeld(binding.key))
+            flight.direction += directionOf(static_cast<Way>(binding.value));
+    if (isHeld(GLFW_KEY_LEFT_SHIFT) || isHeld(GLFW_KEY_RIGHT_SHIFT)) flight.haste *= kHaste;
+    if (isHeld(GLFW_KEY_LEFT_CONTROL) || isHeld(GLFW_KEY_RIGHT_CONTROL)) flight.haste /= kHaste;
+    return flight;
+}
+
+glm::dvec3 turnedLight(const Camera& camera, const glm::dvec3& towardsLight, const glm::dvec2& moved) {
+    const LightDisc disc = lightDisc(camera, glm::dot(towardsLight, camera.up) < 0);
+    glm::dvec2 point = disc.point(towardsLight) + glm::dvec2(moved.x, -moved.y) * kLightPerPixel;
+    if (glm::length(point) > kMostRadius) point *= kMostRadius / glm::length(point);
+    return disc.direction(point);
+}
+
+void Steering::drag(const Drag& drag, const DragScene& scene, CameraControl& control) {
+    const glm::dvec2 angle = drag.moved * kRadiansPerPixel;
+    if (drag.button == GLFW_MOUSE_BUTTON_MIDDLE) {
+        // What is as far as the last focus stays under the cursor.
+        const double high = 2 * std::tan(control.camera().fovYRadians / 2) * control.distance();
+        const double perPixel = high / std::max(scene.pictureHeight, 1);
+        return control.shift(-drag.moved.x * perPixel, drag.moved.y * perPixel);
+    }
+    if (!drag.withAlt) return control.look(angle.x, -angle.y);
+    if (drag.hasBegun || !pivot_) pivot_ = scene.pick(glm::ivec2(scene.cursor)).value_or(control.camera().target);
+    control.orbit(*pivot_, angle.x, -angle.y);
+}
+
+} // namespace gnomon::viewer

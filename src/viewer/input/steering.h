@@ -1,0 +1,35 @@
+// From keys and mouse to the camera and the light: which keys fly where, and what each drag turns.
+#pragma once
+
+#include "viewer/input/camera_control.h"
+#include "viewer/input/input.h"
+
+#include <functional>
+#include <optional>
+
+namespace gnomon::viewer {
+
+/// Where the keys fly for which `isHeld` (of a key of GLFW's) is true: Shift hastens, Ctrl slows down.
+Flight heldFlight(const std::function<bool(int key)>& isHeld);
+
+/// The direction towards the light after a drag by `moved` pixels: the light moves over the pad of the window's panel,
+/// on the side of the horizon that it is on.
+glm::dvec3 turnedLight(const Camera& camera, const glm::dvec3& towardsLight, const glm::dvec2& moved);
+
+/// What is under the hand while it drags.
+struct DragScene {
+    glm::dvec2 cursor{0};                                                   // pixels of the picture
+    int pictureHeight = 1;                                                  // pixels
+    std::function<std::optional<glm::dvec3>(const glm::ivec2& pixel)> pick; // the world point under a pixel
+};
+
+/// The drags that move a camera: around (left), about what was under the cursor (left with Alt), sideways (middle).
+class Steering {
+public:
+    void drag(const Drag& drag, const DragScene& scene, CameraControl& control);
+
+private:
+    std::optional<glm::dvec3> pivot_; // of the orbit at hand
+};
+
+} // namespace gnomon::viewer

@@ -1,0 +1,54 @@
+#include "viewer/open_file.h"
+
+#include "settings/option_text.h"
+
+namespace gnomon::viewer {
+
+namespace {
+
+constexpr double kWatchSeconds = 1; // between looks at the model's file
+
+} // namespace
+
+void OpenFile::open(const std::string& file) {
+    messages_->attempt([&] {
+        if (isModelPath(file)) return openModel(file);
+        if (isCacheFresh(file)) return openModel(cachePath(file));
+        build_.reset();
+        build_ = std::make_unique<CacheBuild>(
+            file, settings::parseMemory("--build-memory", options_->buildMemory), options_->threads);
+    });
+}
+
+void OpenFile::openModel(const std::string& path) {
+    auto scene = std::make_unique<Scene>(
+        path, options_->view, *context_, [messages = messages_](const std::string& reason) { messages->fail(reason); });
+    onOpen_(*scene);
+    scene_ = std::move(scene);
+    fate_ = FileFate::Same;
+}
+
+void OpenFile::watchBuild() {
+    if (!build_ || !build_->isDone()) return;
+    const std::string model = cachePath(build_->meshPath());
+    const std::optional<std::string> failure = build_->failure();
+    build_.reset();
+    if (failure)
+        messages_->fail(*failure);
+    else if (messages_->attempt([&] { openModel(model); }))
+        messages_->note("built " + model);
+}
+
+void OpenFile::watchFile() {
+    if (!scene_ || now_() - lastWatch_ < kWatchSeconds) return;
+    lastWatch_ = now_();
+    const FileFate fate = scene_->fate();
+    if (fate == fate_) return;
+    fate_ = fate;
+    const std::string& path = scene_->model().path();
+    if (fate == FileFate::Gone) messages_->fail(path + ": the model has vanished from disk; what is open stays open");
+    if (fate == FileFate::Changed) messages_->fail(path + ": the model has changed on disk; F9 opens it again");
+    if (fate == FileFate::Same) messages_->note(path + ": the model is back");
+}
+
+} // namespace gnomon::viewer

@@ -1,0 +1,12 @@
+#include "viewer/pace.h"
+
+namespace gnomon::viewer {
+
+void Pace::see(const telemetry::FrameRow& row) {
+    const std::int64_t bytesRead = row.bytesRead.value_or(0);
+    unanswered_ = bytesRead != bytesRead_ ? 0 : unanswered_ + 1;
+    bytesRead_ = bytesRead;
+    if (row.pagesMissing.value_or(0) > 0 && unanswered_ < kUnansweredFrames) sceneFrames_ = std::max(sceneFrames_, 2);
+}
+
+} // namespace gnomon::viewer

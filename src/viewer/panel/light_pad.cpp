@@ -1,0 +1,111 @@
+#include "viewer/panel/light_pad.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <imgui/imgui.h>
+
+namespace gnomon::viewer {
+
+namespace {
+
+constexpr int kAnswersAFrame = 24; // of the storage factor: well under a millisecond each
+
+/// Dark blue for the least, over green and yellow, to white for the largest.
+ImU32 heat(double part) {
+    const std::array<ImVec4, 4> kStops = {
+        ImVec4{0.10F, 0.16F, 0.45F, 1}, {0.10F, 0.60F, 0.45F, 1}, {0.95F, 0.80F, 0.25F, 1}, {1, 0.97F, 0.90F, 1}};
+    const double at = std::clamp(part, 0.0, 1.0) * static_cast<double>(kStops.size() - 1);
+    const auto first = std::min(static_cast<std::size_t>(at), kStops.size() - 2);
+    const auto mix = static_cast<float>(at - static_cast<double>(first));
+    const ImVec4& a = kStops[first];
+    const ImVec4& b = kStops[first + 1];
+    return ImGui::ColorConvertFloat4ToU32(
+        {a.x + (b.x - a.x) * mix, a.y + (b.y - a.y) * mix, a.z + (b.z - a.z) * mix, 1});
+}
+
+/// What the pad shows for a frame; nothing where there are no maps to ask for.
+std::optional<StorageQuestion> questionOf(const frame::Frame* frame, const LightDisc& disc) {
+    if (frame == nullptr || frame->plan.passes.empty()) return std::nullopt;
+    const plan::FramePlan& plan = frame->plan;
+    StorageQuestion question;
+    question.disc = disc;
+    question.basis = plan.basis;
+    question.frustum = {plan.near, plan.far, plan.view.camera.fovYRadians / 2, plan.view.aspect()};
+    question.scheme.warp = plan.quality.warp;
+    if (plan.quality.stabilize) question.scheme.warp.rule = shadow::WarpRule::None;
+    question.scheme.slices = static_cast<int>(std::max<std::size_t>(plan.splits.size(), 2)) - 1;
+    question.scheme.splitLambda = plan.quality.splitLambda;
+    question.scheme.faces = plan.hasFaces;
+    question.scheme.nearFace = shadow::NearFace::Stretch;
+    return question;
+}
+
+void drawCells(const StoragePad& pad, const ImVec2& at, float side) {
+    const auto range = pad.range();
+    if (!range) return;
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const float cell = side / static_cast<float>(pad.side());
+    const double octaves = std::max(std::log2(range->largest / range->least), 1e-9);
+    for (int row = 0; row < pad.side(); ++row)
+        for (int column = 0; column < pad.side(); ++column) {
+            const auto value = pad.at(column, row);
+            if (!value) continue;
+            const float left = at.x + cell * static_cast<float>(column);
+            const float top = at.y + cell * static_cast<float>(pad.side() - 1 - row);
+            draw.AddRectFilled(
+                {left, top}, {left + cell + 1, top + cell + 1}, heat(std::log2(*value / range->least) / octaves));
+        }
+}
+
+} // namespace
+
+bool drawLightPad(const frame::Frame* frame, const Camera& camera, StoragePad& pad, glm::dvec3& towardsLight) {
+    bool isBelow = glm::dot(towardsLight, camera.up) < 0;
+    const bool wasBelow = isBelow;
+    LightDisc disc = lightDisc(camera, isBelow);
+    const auto question = questionOf(frame, disc);
+    pad.ask(question);
+    pad.improve(kAnswersAFrame);
+    const float side = 11 * ImGui::GetFontSize();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImGui::InvisibleButton("light", {side, side});
+    bool hasChanged = false;
+    if (ImGui::IsItemActive()) {
+        const ImVec2 mouse = ImGui::GetIO().MousePos;
+        glm::dvec2 point(2 * (mouse.x - at.x) / side - 1, 1 - 2 * (mouse.y - at.y) / side);
+        constexpr double kMostRadius = 0.985; // a light on the horizon has no side
+        if (glm::length(point) > kMostRadius) point *= kMostRadius / glm::length(point);
+        towardsLight = disc.direction(point);
+        hasChanged = true;
+    }
+    drawCells(pad, at, side);
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const ImVec2 middle(at.x + side / 2, at.y + side / 2);
+    draw.AddCircle(middle, side / 2, IM_COL32(255, 255, 255, 200), 64);
+    draw.AddCircle(middle, side / 4, IM_COL32(255, 255, 255, 60), 64);
+    const glm::dvec2 light = disc.point(towardsLight);
+    const ImVec2 dot(
+        middle.x + static_cast<float>(light.x) * side / 2, middle.y - static_cast<float>(light.y) * side / 2);
+    draw.AddCircleFilled(dot, side / 24, IM_COL32(20, 20, 20, 255));
+    draw.AddCircleFilled(dot, side / 34, IM_COL32(255, 240, 160, 255));
+    ImGui::SameLine();
+    ImGui::BeginGroup();
+    ImGui::TextUnformatted("light: drag\nup: ahead\nmiddle: overhead");
+    if (question && pad.range()) {
+        const auto range = *pad.range();
+        const double here = storageFactor(*question, towardsLight);
+        ImGui::Text(
+            "storage factor,\nmaps not turned\n%.3g here\n%.3g dark\n%.3g white", here, range.least, range.largest);
+    }
+    ImGui::Checkbox("from below", &isBelow);
+    ImGui::EndGroup();
+    if (isBelow != wasBelow) {
+        disc.fromBelow = isBelow;
+        towardsLight -= 2 * glm::dot(towardsLight, disc.up) * disc.up;
+        hasChanged = true;
+    }
+    return hasChanged;
+}
+
+} // namespace gnomon::viewer

@@ -1,0 +1,267 @@
+#include "viewer/panel/overlay.h"
+
+#include "viewer/panel/settings_panel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+#include <vector>
+
+#include <imgui/imgui.h>
+
+namespace gnomon::viewer {
+
+namespace {
+
+constexpr ImU32 kFaint = IM_COL32(190, 195, 205, 255);
+constexpr ImU32 kWarning = IM_COL32(255, 190, 90, 255);
+constexpr ImU32 kFailure = IM_COL32(255, 120, 110, 255);
+
+constexpr std::array<ImU32, kStages> kStageColors = {
+    IM_COL32(160, 130, 240, 255),
+    IM_COL32(90, 160, 255, 255),
+    IM_COL32(80, 210, 210, 255),
+    IM_COL32(120, 210, 100, 255),
+    IM_COL32(240, 200, 70, 255),
+    IM_COL32(245, 130, 70, 255),
+    IM_COL32(180, 180, 180, 255)};
+
+float unit() {
+    return ImGui::GetFontSize();
+}
+
+/// A window that takes nothing from the mouse, at a corner.
+bool beginNote(const char* name, const ImVec2& at, const ImVec2& pivot) {
+    ImGui::SetNextWindowPos(at, ImGuiCond_Always, pivot);
+    constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
+                                        ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing |
+                                        ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav;
+    return ImGui::Begin(name, nullptr, kFlags);
+}
+
+void drawLine(const std::string& text, ImU32 color = IM_COL32_WHITE) {
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopStyleColor();
+}
+
+/// The last frames as stacked bars, and under them what each stage takes.
+void drawGraph(const FrameHistory& history, double targetMs) {
+    const ImVec2 size(29 * unit(), 5 * unit());
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImGui::Dummy(size);
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const StageTimes medians = history.medians(30);
+    const double top = std::max({2 * total(medians), 1.3 * targetMs, 1.0});
+    const auto frames = history.frames();
+    constexpr std::size_t kBars = 120;
+    const std::size_t shown = std::min(frames.size(), kBars);
+    const float wide = size.x / static_cast<float>(kBars);
+    for (std::size_t i = 0; i < shown; ++i) {
+        const StageTimes& times = frames[frames.size() - shown + i];
+        const float left = at.x + wide * static_cast<float>(kBars - shown + i);
+        float bottom = at.y + size.y;
+        for (std::size_t stage = 0; stage < kStages; ++stage) {
+            const float high = static_cast<float>(times[stage] / top) * size.y;
+            const float upper = std::max(bottom - high, at.y);
+            draw.AddRectFilled({left, upper}, {left + std::max(wide - 1, 1.0F), bottom}, kStageColors[stage]);
+            bottom = upper;
+        }
+    }
+    if (targetMs > 0) {
+        const float y = at.y + size.y * static_cast<float>(1 - targetMs / top);
+        draw.AddLine({at.x, y}, {at.x + size.x, y}, kWarning);
+    }
+    std::array<char, 64> text{};
+    const double ms = total(medians);
+    std::snprintf(text.data(), text.size(), "%.1f ms a frame, %.0f a second", ms, ms > 0 ? 1000 / ms : 0.0);
+    drawLine(text.data());
+    for (std::size_t stage = 0; stage < kStages; ++stage) {
+        if (stage % 4 != 0) ImGui::SameLine(static_cast<float>(stage % 4) * 7.4F * unit());
+        std::snprintf(text.data(), text.size(), "%s %.1f", kStageNames[stage], medians[stage]);
+        drawLine(text.data(), kStageColors[stage]);
+    }
+}
+
+void drawFacts(const OverlayContent& content, const ViewSettings& settings) {
+    const ImVec2 corner(0.5F * unit(), 0.5F * unit());
+    if (beginNote("facts", corner, {0, 0})) {
+        drawGraph(*content.history, settings.targetMs);
+        const frame::Frame* frame = content.scene->frame();
+        ImGui::Separator();
+        for (const std::string& line :
+             loadInWords(frame->row, frame->plan.quality, content.caps, frame->cut.used.size()))
+            drawLine(line);
+        ImGui::Separator();
+        ImGui::PushTextWrapPos(29 * unit());
+        for (const std::string& line : planInWords(frame->plan, frame->row))
+            drawLine(line);
+        ImGui::PopTextWrapPos();
+        std::array<char, 96> text{};
+        if (settings.targetMs > 0) {
+            const std::string given = content.budget->givenUp(content.wanted);
+            std::snprintf(text.data(), text.size(), "target %.3g ms: ", settings.targetMs);
+            drawLine(
+                text.data() + (given.empty() ? std::string("nothing given up") : "given up " + given) +
+                    (content.budget->isExhausted() ? "; no more can be" : ""),
+                kWarning);
+        }
+        std::snprintf(text.data(), text.size(), "speed %.3g a second   H help, Tab panel", content.flyingSpeed);
+        drawLine(text.data(), kFaint);
+        if (settings.overlay != executor::Overlay::None)
+            drawLine(std::string("overlay: ") + name(settings.overlay), kFaint);
+    }
+    ImGui::End();
+}
+
+/// What the help says, line by line.
+std::vector<std::pair<const char*, const char*>> helpLines() {
+    std::vector<std::pair<const char*, const char*>> lines;
+    for (const MouseUse& use : mouseUses())
+        lines.emplace_back(use.gesture, use.help);
+    for (const Binding& binding : bindings())
+        lines.emplace_back(binding.keyName, binding.help);
+    return lines;
+}
+
+/// In as many columns as it takes to fit the window's height, and in letters small enough to fit its width.
+void drawHelp() {
+    constexpr float kKeyUnits = 6.6F;
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const auto lines = helpLines();
+    const float fit = std::max(1.0F, screen.y / ImGui::GetTextLineHeightWithSpacing() - 4);
+    const int columns = std::clamp(static_cast<int>(std::ceil(static_cast<float>(lines.size()) / fit)), 1, 3);
+    const std::size_t perColumn =
+        (lines.size() + static_cast<std::size_t>(columns) - 1) / static_cast<std::size_t>(columns);
+    float widest = 0;
+    for (const auto& [key, help] : lines)
+        widest = std::max(widest, ImGui::CalcTextSize(help).x);
+    const float wide = static_cast<float>(columns) * ((kKeyUnits + 1) * unit() + widest) + unit();
+    ImGui::SetNextWindowBgAlpha(0.95F);
+    if (beginNote("help", {screen.x * 0.5F, screen.y * 0.5F}, {0.5F, 0.5F})) {
+        ImGui::SetWindowFontScale(std::min(1.0F, screen.x / wide));
+        for (std::size_t first = 0; first < lines.size(); first += perColumn) {
+            if (first > 0) ImGui::SameLine(0, unit());
+            ImGui::BeginGroup();
+            for (std::size_t i = first; i < std::min(first + perColumn, lines.size()); ++i) {
+                drawLine(lines[i].first, kWarning);
+                ImGui::SameLine(kKeyUnits * unit());
+                drawLine(lines[i].second);
+            }
+            ImGui::EndGroup();
+        }
+    }
+    ImGui::End();
+}
+
+void drawMessages(const OverlayContent& content) {
+    if (content.messages->empty()) return;
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    if (beginNote("messages", {screen.x * 0.5F, screen.y - 0.5F * unit()}, {0.5F, 1})) {
+        ImGui::PushTextWrapPos(std::max(screen.x - 2 * unit(), 10 * unit()));
+        constexpr std::size_t kShown = 6; // the last of them
+        const std::vector<Message>& all = *content.messages;
+        for (std::size_t i = all.size() - std::min(all.size(), kShown); i < all.size(); ++i)
+            drawLine(all[i].text, all[i].isError ? kFailure : IM_COL32_WHITE);
+        ImGui::PopTextWrapPos();
+    }
+    ImGui::End();
+}
+
+void drawBuild(const BuildStatus& status, const std::string& mesh) {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    if (beginNote("build", {screen.x * 0.5F, screen.y * 0.5F}, {0.5F, 0.5F})) {
+        drawLine("building a model of " + mesh);
+        const double part =
+            status.total > 0 ? static_cast<double>(status.done) / static_cast<double>(status.total) : 0.0;
+        const std::string text = status.stage + ": " + readableCount(status.done) +
+                                 (status.total > 0 ? " of " + readableCount(status.total) : "") + " " + status.unit;
+        ImGui::ProgressBar(static_cast<float>(std::min(part, 1.0)), {24 * unit(), 0}, "");
+        drawLine(text);
+        std::array<char, 32> seconds{};
+        std::snprintf(seconds.data(), seconds.size(), "%.0f s", status.seconds);
+        drawLine(seconds.data(), kFaint);
+    }
+    ImGui::End();
+}
+
+/// Colours that are far apart for neighbouring indices: those of the partitions overlay.
+ImU32 indexColor(std::size_t index, float alpha) {
+    const float hue = std::fmod(static_cast<float>(index) * 0.61803399F + 0.07F, 1.0F) * 6;
+    const auto channel = [&](float offset) {
+        const float shifted = std::fmod(hue + offset, 6.0F);
+        return std::clamp(std::abs(shifted - 3) - 1, 0.0F, 1.0F) * 0.75F + 0.25F;
+    };
+    return ImGui::ColorConvertFloat4ToU32({channel(0), channel(4), channel(2), alpha});
+}
+
+void drawSegments(std::span<const PixelSegment> segments, ImU32 color, float thickness) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const double x = io.DisplayFramebufferScale.x;
+    const double y = io.DisplayFramebufferScale.y;
+    // A line from just before the eye may end anywhere; what is far outside is beyond floats.
+    constexpr double kFar = 1e5;
+    ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+    for (const PixelSegment& segment : segments) {
+        glm::dvec2 a = segment[0];
+        glm::dvec2 b = segment[1];
+        if (std::max(std::abs(a.x), std::abs(a.y)) > kFar) a = glm::mix(b, a, kFar / glm::length(a - b));
+        if (std::max(std::abs(b.x), std::abs(b.y)) > kFar) b = glm::mix(a, b, kFar / glm::length(a - b));
+        draw.AddLine(
+            {static_cast<float>(a.x / x), static_cast<float>(a.y / y)},
+            {static_cast<float>(b.x / x), static_cast<float>(b.y / y)},
+            color,
+            thickness);
+    }
+}
+
+/// The volumes of a frozen frame: each partition in its colour, its casters fainter, and the depth range in white.
+void drawVolumes(const OverlayContent& content) {
+    const plan::FramePlan& plan = content.scene->frame()->plan;
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+    const PictureFrame frame{
+        content.camera, static_cast<int>(screen.x * scale.x), static_cast<int>(screen.y * scale.y)};
+    if (frame.width < 1 || frame.height < 1) return;
+    const float thick = unit() / 8;
+    for (const PlanVolume& volume : planVolumes(plan, content.scene->model().summary().bounds)) {
+        const auto lines = onPicture(volume.edges, frame);
+        switch (volume.kind) {
+        case PlanVolume::Kind::View:
+            drawSegments(lines, IM_COL32_WHITE, thick);
+            break;
+        case PlanVolume::Kind::Partition:
+            drawSegments(lines, indexColor(volume.index, 1), thick);
+            break;
+        case PlanVolume::Kind::Casters:
+            drawSegments(lines, indexColor(volume.index, 0.45F), thick * 0.6F);
+            break;
+        }
+    }
+}
+
+} // namespace
+
+void drawPicture(const ShownPicture& picture) {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const auto id = reinterpret_cast<ImTextureID>( // NOLINT(performance-no-int-to-ptr): Dear ImGui's way
+        static_cast<std::uintptr_t>(picture.texture));
+    const ImVec2 first(0, picture.isBottomUp ? 1.0F : 0.0F);
+    const ImVec2 last(1, picture.isBottomUp ? 0.0F : 1.0F);
+    ImGui::GetBackgroundDrawList()->AddImage(id, {0, 0}, screen, first, last);
+}
+
+OverlayAnswer drawOverlay(const OverlayContent& content, ViewSettings& settings, StoragePad& pad) {
+    OverlayAnswer answer;
+    const bool hasFrame = content.scene != nullptr && content.scene->frame() != nullptr;
+    if (hasFrame && content.isFrozen) drawVolumes(content);
+    if (hasFrame && settings.showsFacts) drawFacts(content, settings);
+    if (hasFrame && settings.showsPanel) answer = drawPanel(content, settings, pad);
+    if (settings.showsHelp) drawHelp();
+    if (content.build) drawBuild(*content.build, content.buildOf);
+    drawMessages(content);
+    return answer;
+}
+
+} // namespace gnomon::viewer

@@ -1,0 +1,95 @@
+#include "viewer/panel/plan_words.h"
+
+#include "core/units.h"
+
+#include <array>
+#include <cstdarg>
+#include <cstdio>
+
+namespace gnomon::viewer {
+
+namespace {
+
+/// printf into a string.
+[[gnu::format(printf, 1, 2)]] std::string text(const char* format, ...) {
+    std::array<char, 256> buffer{};
+    std::va_list arguments;
+    va_start(arguments, format);
+    std::vsnprintf(buffer.data(), buffer.size(), format, arguments);
+    va_end(arguments);
+    return buffer.data();
+}
+
+std::string mapsInWords(const plan::FramePlan& plan) {
+    const plan::Quality& quality = plan.quality;
+    if (quality.shadows == plan::ShadowMode::Off) return "no shadows";
+    if (quality.shadows == plan::ShadowMode::Rays) return "shadows by rays";
+    if (plan.passes.empty()) return "no shadow map is called for";
+    const std::size_t slices = plan.splits.empty() ? 1 : plan.splits.size() - 1;
+    std::string words = text("%zu map%s", plan.passes.size(), plan.passes.size() == 1 ? "" : "s");
+    if (slices > 1) words += text(", %zu slices", slices);
+    if (plan.hasFaces) words += ", by faces";
+    words += quality.stabilize ? ", stabilised" : ", warp " + plan::warpName(quality.warp);
+    return words + text(" (%s), %d x %d texels", plan::schemeName(plan).c_str(), plan.textureWidth, plan.textureHeight);
+}
+
+} // namespace
+
+std::vector<std::string> planInWords(const plan::FramePlan& plan, const telemetry::FrameRow& row) {
+    std::vector<std::string> lines = {mapsInWords(plan)};
+    if (plan.far > plan.near && plan.near > 0)
+        lines.push_back(text("depths %.4g to %.4g, ratio %.3g", plan.near, plan.far, plan.far / plan.near));
+    lines.push_back(text("light %.0f\xC2\xB0 from the view", row.lightAngle.value_or(0)));
+    if (row.promisedAliasingX) {
+        lines.back() += text(", storage factor %.3g", row.storageFactor.value_or(0));
+        lines.push_back(
+            text("promised aliasing %.3g across, %.3g along", *row.promisedAliasingX, *row.promisedAliasingZ));
+        const bool isAuto = !plan.quality.zPartitions || plan.quality.facePartitions == plan::Choice::Auto;
+        if (isAuto)
+            lines.back() += text(": %s %.3g", plan.promiseKept ? "kept under" : "NOT under", plan.quality.maxAliasing);
+    }
+    if (row.measuredAliasing)
+        lines.push_back(text("measured aliasing %.3g", *row.measuredAliasing));
+    else if (row.promisedAliasingX)
+        lines.emplace_back("measured aliasing: not yet");
+    if (row.wrongShadowFraction) lines.push_back(text("measured %.3g%% wrong", 100 * *row.wrongShadowFraction));
+    for (const plan::Omission& omission : plan.omitted)
+        lines.push_back("without " + omission.effect + ": " + omission.reason);
+    return lines;
+}
+
+std::vector<std::string> loadInWords(
+    const telemetry::FrameRow& row, const plan::Quality& quality, const Caps& caps, std::uint64_t pagesInCut) {
+    const auto count = [](const std::optional<std::int64_t>& value) {
+        return static_cast<std::uint64_t>(value.value_or(0));
+    };
+    std::vector<std::string> lines;
+    lines.push_back(text(
+        "triangles %s in view, %s into maps",
+        readableCount(count(row.imageTriangles)).c_str(),
+        readableCount(count(row.shadowTriangles)).c_str()));
+    if (quality.maxTriangles) lines.back() += text(" (cap %s)", readableCount(*quality.maxTriangles).c_str());
+    lines.push_back(
+        text("detail %.3g px, achieved %.3g px", row.errorPixels, row.achievedErrorPixels.value_or(row.errorPixels)));
+    lines.push_back(text(
+        "pages %llu of %llu in the cut",
+        static_cast<unsigned long long>(pagesInCut),
+        static_cast<unsigned long long>(caps.pages)));
+    if (count(row.pagesMissing) > 0)
+        lines.back() += text(", %llu on their way", static_cast<unsigned long long>(count(row.pagesMissing)));
+    if (count(row.pagesDamaged) > 0)
+        lines.back() += text(", %llu DAMAGED", static_cast<unsigned long long>(count(row.pagesDamaged)));
+    lines.push_back(text(
+        "memory %s of %s",
+        readableBytes({count(row.residentBytes)}).c_str(),
+        readableBytes({caps.memoryBytes}).c_str()));
+    if (row.gpuBytes)
+        lines.push_back(text(
+            "drawing %s of %s (%s)",
+            readableBytes({count(row.gpuBytes)}).c_str(),
+            readableBytes({caps.gpuMemoryBytes}).c_str(),
+            row.backend.c_str()));
+    return lines;
+}
+
+} // namespace gnomon::viewer

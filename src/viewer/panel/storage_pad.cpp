@@ -1,0 +1,101 @@
+#include "viewer/panel/storage_pad.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace gnomon::viewer {
+
+namespace {
+
+constexpr double kQuarter = std::numbers::pi / 2;
+constexpr double kSame = 1e-3; // radians, and ratio of depths: less is not seen in the pad
+
+bool isSame(const StorageQuestion& a, const StorageQuestion& b) {
+    const auto near = [](const glm::dvec3& u, const glm::dvec3& v) { return glm::length(u - v) < kSame; };
+    const auto alike = [](double u, double v) { return std::abs(u - v) <= kSame * std::abs(v); };
+    const shadow::Scheme& s = a.scheme;
+    const shadow::Scheme& t = b.scheme;
+    return near(a.basis.view, b.basis.view) && near(a.basis.up, b.basis.up) && near(a.disc.heading, b.disc.heading) &&
+           a.disc.fromBelow == b.disc.fromBelow && alike(a.frustum.near, b.frustum.near) &&
+           alike(a.frustum.far, b.frustum.far) && alike(a.frustum.halfFovYRadians, b.frustum.halfFovYRadians) &&
+           alike(a.frustum.aspect, b.frustum.aspect) && s.warp.rule == t.warp.rule && s.warp.eta == t.warp.eta &&
+           s.warp.tsmFocus == t.warp.tsmFocus && s.slices == t.slices && s.splitLambda == t.splitLambda &&
+           s.faces == t.faces;
+}
+
+} // namespace
+
+glm::dvec3 LightDisc::direction(const glm::dvec2& point) const {
+    const glm::dvec3 right = glm::cross(heading, up);
+    const glm::dvec3 pole = fromBelow ? -up : up;
+    const double radius = glm::length(point);
+    if (!(radius > 0)) return pole;
+    const double angle = std::min(radius, 1.0) * kQuarter;
+    return pole * std::cos(angle) + (right * point.x + heading * point.y) * (std::sin(angle) / radius);
+}
+
+glm::dvec2 LightDisc::point(const glm::dvec3& towardsLight) const {
+    const glm::dvec3 light = glm::normalize(towardsLight);
+    const glm::dvec3 right = glm::cross(heading, up);
+    const glm::dvec2 across(glm::dot(light, right), glm::dot(light, heading));
+    const double length = glm::length(across);
+    const double angle = std::atan2(length, glm::dot(light, fromBelow ? -up : up));
+    return length > 0 ? across * (angle / kQuarter / length) : glm::dvec2(0);
+}
+
+LightDisc lightDisc(const Camera& camera, bool fromBelow) {
+    LightDisc disc;
+    disc.up = glm::normalize(camera.up);
+    const CameraBasis basis = cameraBasis(camera);
+    disc.heading = glm::normalize(glm::cross(disc.up, basis.right));
+    disc.fromBelow = fromBelow;
+    return disc;
+}
+
+double storageFactor(const StorageQuestion& question, const glm::dvec3& towardsLight) {
+    const glm::dvec3 inCamera = glm::normalize(toCamera(question.basis, towardsLight));
+    return shadow::storageFactor(shadow::schemeMaps(question.frustum, inCamera, question.scheme));
+}
+
+void StoragePad::ask(const std::optional<StorageQuestion>& question) {
+    if (question_ && question && isSame(*question_, *question)) return;
+    question_ = question;
+    next_ = 0;
+}
+
+void StoragePad::improve(int count) {
+    if (!question_) return;
+    // A stride that is coprime to the number of cells spreads the first answers over all of the disc.
+    const std::size_t cells = values_.size();
+    std::size_t stride = cells * 5 / 8 + 1;
+    while (std::gcd(stride, cells) != 1)
+        ++stride;
+    for (int found = 0; found < count && next_ < cells; ++next_) {
+        const std::size_t cell = next_ * stride % cells;
+        const auto column = static_cast<int>(cell % static_cast<std::size_t>(side_));
+        const auto row = static_cast<int>(cell / static_cast<std::size_t>(side_));
+        const glm::dvec2 at = middle(column, row);
+        if (glm::length(at) > 1) continue;
+        values_[cell] = storageFactor(*question_, question_->disc.direction(at));
+        ++found;
+    }
+}
+
+glm::dvec2 StoragePad::middle(int column, int row) const {
+    return {(2 * column + 1.0) / side_ - 1, (2 * row + 1.0) / side_ - 1};
+}
+
+std::optional<StoragePad::Range> StoragePad::range() const {
+    std::optional<Range> range;
+    for (const std::optional<double>& value : values_) {
+        if (!value) continue;
+        if (!range) range = Range{*value, *value};
+        range->least = std::min(range->least, *value);
+        range->largest = std::max(range->largest, *value);
+    }
+    return range;
+}
+
+} // namespace gnomon::viewer

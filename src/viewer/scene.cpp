@@ -1,0 +1,78 @@
+#include "viewer/scene.h"
+
+#include "executor/software_executor.h"
+#include "settings/option_text.h"
+#include "viewer/input/picking.h"
+
+namespace gnomon::viewer {
+
+namespace {
+
+constexpr int kPickReach = 6; // pixels around the cursor
+
+/// The window's executor where its OpenGL is worth it; null for the software one.
+std::unique_ptr<executor::TextureExecutor> windowExecutor(
+    const settings::ViewOptions& options, const gl::Context& context) {
+    if (options.backend == "software" || (options.backend == "auto" && !context.isHardware())) return nullptr;
+    const gl::ShaderLibrary shaders(
+        options.shaders.empty() ? std::nullopt : std::optional<std::string>(options.shaders));
+    return executor::makeWindowExecutor(context, shaders, settings::parseMemory("--gpu-memory", options.gpuMemory));
+}
+
+} // namespace
+
+Scene::Scene(
+    const std::string& path,
+    const settings::ViewOptions& options,
+    const gl::Context& context,
+    std::function<void(const std::string&)> onDamaged)
+    : model_(path),
+      written_(std::filesystem::last_write_time(path)),
+      context_(&context),
+      executor_([&]() -> std::unique_ptr<executor::Executor> {
+          std::unique_ptr<executor::TextureExecutor> ours = windowExecutor(options, context);
+          textures_ = ours.get();
+          if (ours) return ours;
+          return executor::makeSoftwareExecutor();
+      }()),
+      renderer_(
+          model_,
+          *executor_,
+          {.memory = settings::parseMemory("--memory", options.memory),
+           .onDamaged = [onDamaged = std::move(onDamaged)](const streaming::DamagedPage& page) {
+               onDamaged("a page is damaged, its parents are drawn: " + page.reason);
+           }}) {}
+
+const frame::Frame& Scene::draw(const Shot& shot) {
+    frame_ = renderer_.render(shot.view, shot.quality, shot.options);
+    seenBy_ = shot.seenBy();
+    isUploaded_ = false;
+    return *frame_;
+}
+
+ShownPicture Scene::shown() {
+    if (!frame_) return {};
+    if (textures_ != nullptr) return {textures_->texture().id(), true};
+    if (!isUploaded_) {
+        const executor::Picture picture = executor_->picture();
+        if (uploaded_.width() != picture.width || uploaded_.height() != picture.height)
+            uploaded_ = gl::Texture(context_->api(), GL_RGBA8, picture.width, picture.height);
+        uploaded_.write(GL_RGB, GL_UNSIGNED_BYTE, std::as_bytes(std::span(picture.pixels)));
+        isUploaded_ = true;
+    }
+    return {uploaded_.id(), false};
+}
+
+std::optional<glm::dvec3> Scene::pick(const glm::ivec2& pixel) {
+    if (!frame_) return std::nullopt;
+    return pointUnder(executor_->viewDepth(), seenBy_, pixel, kPickReach);
+}
+
+FileFate Scene::fate() const {
+    std::error_code error;
+    const auto now = std::filesystem::last_write_time(model_.path(), error);
+    if (error) return FileFate::Gone;
+    return now == written_ ? FileFate::Same : FileFate::Changed;
+}
+
+} // namespace gnomon::viewer

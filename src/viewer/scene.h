@@ -1,0 +1,83 @@
+// An open model with who draws it into the window: frames, pictures, and what became of its file.
+#pragma once
+
+#include "executor/gl_executor.h"
+#include "frame/renderer.h"
+#include "gl/context.h"
+#include "gl/objects.h"
+#include "hierarchy/model_file.h"
+#include "settings/view_options.h"
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace gnomon::viewer {
+
+/// Everything that a frame is drawn from.
+struct Shot {
+    plan::View view;
+    plan::Quality quality;
+    frame::FrameOptions options;
+
+    /// Who sees the picture.
+    const Camera& seenBy() const { return options.onlooker ? *options.onlooker : view.camera; }
+};
+
+/// A texture with the last frame's picture.
+struct ShownPicture {
+    GLuint texture = 0;
+    bool isBottomUp = false; // its first row is the lowest
+};
+
+/// What became of the file since it was opened.
+enum class FileFate : std::uint8_t { Same, Changed, Gone };
+
+/// A model in a window's context, which must outlive it.
+class Scene {
+public:
+    /// Opens `path`. `--backend auto` draws with the window's OpenGL where that is a GPU's, else with the software
+    /// executor. `onDamaged` hears of each damaged page once. Throws Error.
+    Scene(
+        const std::string& path,
+        const settings::ViewOptions& options,
+        const gl::Context& context,
+        std::function<void(const std::string&)> onDamaged);
+
+    const hierarchy::ModelFile& model() const { return model_; }
+
+    /// Draws; the result stays until the next call. Throws Error; then the last picture stays.
+    const frame::Frame& draw(const Shot& shot);
+
+    /// Frames to come depend on no frame before.
+    void forget() { renderer_.forget(); }
+
+    /// Nothing before the first frame.
+    const frame::Frame* frame() const { return frame_ ? &*frame_ : nullptr; }
+
+    /// The last frame's, as `gnomon render` would write it.
+    executor::Picture picture() { return executor_->picture(); }
+
+    /// The last frame's picture as a texture.
+    ShownPicture shown();
+
+    /// The world point under a pixel of the last frame.
+    std::optional<glm::dvec3> pick(const glm::ivec2& pixel);
+
+    FileFate fate() const;
+
+private:
+    hierarchy::ModelFile model_;
+    std::filesystem::file_time_type written_;
+    const gl::Context* context_;
+    executor::TextureExecutor* textures_ = nullptr; // the executor, if it draws into textures
+    std::unique_ptr<executor::Executor> executor_;
+    frame::Renderer renderer_;
+    std::optional<frame::Frame> frame_;
+    Camera seenBy_;
+    gl::Texture uploaded_; // the picture of an executor without textures
+    bool isUploaded_ = false;
+};
+
+} // namespace gnomon::viewer

@@ -1,0 +1,284 @@
+// Walks of a bench: what repeats, which caps hold, what real time ends in and what damage does.
+#include "core/random.h"
+#include "core/units.h"
+#include "hierarchy/temporary_model.h"
+#include "measure/bench_runs.h"
+#include "streaming/page_store.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <limits>
+#include <set>
+#include <sstream>
+
+namespace gnomon::measure {
+namespace {
+
+tests::TinyModelOptions hills() {
+    tests::TinyModelOptions options;
+    options.gridExponent = 6;
+    options.height = 8;
+    options.clusterTriangles = 32;
+    return options;
+}
+
+const std::string& model() {
+    static const tests::TemporaryModel file(hills());
+    return file.path();
+}
+
+settings::ViewOptions viewOptions() {
+    settings::ViewOptions options;
+    options.size = "96x96";
+    options.backend = "software";
+    options.swept.shadowTexels = "256x256";
+    options.swept.errorPixels = "0.2";
+    return options;
+}
+
+/// Low over the hills from one side to the other, in half a second.
+path::CameraPath flight() {
+    const auto key = [](double time, const glm::dvec3& eye, const glm::dvec3& target) {
+        return path::Keyframe{time, {eye, target, {0, 1, 0}, 1}};
+    };
+    path::CameraPath path;
+    path.keyframes = {
+        key(0, {3, 12, 3}, {30, 3, 30}), key(0.2, {30, 10, 20}, {50, 3, 30}), key(0.5, {45, 20, 50}, {10, 0, 30})};
+    return path;
+}
+
+path::CameraPath stillness() {
+    path::CameraPath path = flight();
+    path.keyframes = {path.keyframes[0], path.keyframes[0]};
+    path.keyframes[1].time = 0.1;
+    return path;
+}
+
+WalkOptions frames(int count, bool isRealTime = false) {
+    WalkOptions options;
+    options.frames = count;
+    options.warmup = 0;
+    options.isRealTime = isRealTime;
+    return options;
+}
+
+RunResult walked(
+    Session& session, const settings::ViewOptions& view, const path::CameraPath& path, const WalkOptions& options) {
+    NoProgress progress;
+    return walkAll(session, view, path, combinations(view.swept), options, progress).front();
+}
+
+/// The cells that must repeat.
+std::vector<std::string> timeless(const RunResult& result) {
+    std::vector<std::string> cells;
+    for (telemetry::FrameRow row : result.rows) {
+        row.planMs = row.selectMs = row.cullMs = row.streamMs = row.shadowMs = row.imageMs = row.totalMs = 0;
+        row.sinceStartMs = 0;
+        cells.push_back(telemetry::csvRow(row));
+    }
+    return cells;
+}
+
+/// `--memory` that leaves room for `fraction` of the model's pages.
+std::string memoryFor(double fraction) {
+    const hierarchy::ModelFile file(model());
+    double bytes = 0;
+    for (const hierarchy::PageInfo& page : file.pages())
+        bytes += static_cast<double>(streaming::decodedBytes(page).count) * fraction;
+    return std::to_string(static_cast<std::uint64_t>(bytes) + frame::tableBytes(file).count);
+}
+
+TEST(BenchWalk, TwiceTheSameButForTimes) {
+    for (const std::string& memory : {std::string("1G"), memoryFor(0.3)}) {
+        settings::ViewOptions view = viewOptions();
+        view.memory = memory;
+        std::vector<std::vector<std::string>> seen;
+        for (int i = 0; i < 2; ++i) {
+            Session session(model(), view);
+            WalkOptions options = frames(12);
+            options.repetitions = 2;
+            options.warmup = 1;
+            seen.push_back(timeless(walked(session, view, flight(), options)));
+        }
+        EXPECT_EQ(seen[0], seen[1]) << "with --memory " << memory;
+    }
+}
+
+/// Stops after so many steps, as Ctrl-C does.
+class StopAfter final : public Progress {
+public:
+    explicit StopAfter(std::uint64_t steps) : left_(steps) {}
+
+    void stage(std::string_view /*name*/, std::string_view /*unit*/, std::uint64_t /*total*/) override {}
+
+    void advance(std::uint64_t count) override {
+        done_ += count;
+        if (left_ == 0) throw Interrupted{};
+        --left_;
+    }
+
+    std::uint64_t done() const { return done_; }
+
+private:
+    std::uint64_t left_;
+    std::uint64_t done_ = 0;
+};
+
+TEST(BenchWalk, CanBeStoppedWhileItWarmsUpAndBetweenPictures) {
+    const settings::ViewOptions view = viewOptions();
+    Session session(model(), view);
+    const std::vector<BenchRun> runs = combinations(view.swept);
+    WalkOptions options = frames(2);
+    options.warmup = 3;
+    StopAfter third(2);
+    EXPECT_THROW(walkAll(session, view, flight(), runs, options, third), Interrupted);
+    EXPECT_EQ(third.done(), 0U) << "no frame but those before the walk";
+    StopAfter never(1000);
+    EXPECT_EQ(middlePictures(session, view, flight(), runs[0], options, never).size(), 6U);
+    EXPECT_EQ(never.done(), kFramesOfPictures);
+    for (std::uint64_t steps = 0; steps < kFramesOfPictures; ++steps) {
+        StopAfter stop(steps);
+        EXPECT_THROW(middlePictures(session, view, flight(), runs[0], options, stop), Interrupted) << steps;
+    }
+}
+
+TEST(BenchWalk, WaitsUntilTheCutIsThere) {
+    const settings::ViewOptions view = viewOptions();
+    Session session(model(), view);
+    for (const telemetry::FrameRow& row : walked(session, view, flight(), frames(12)).rows) {
+        EXPECT_EQ(row.pagesMissing, 0);
+        EXPECT_LE(row.achievedErrorPixels, 0.2);
+        EXPECT_GT(row.imageTriangles, 0);
+    }
+}
+
+TEST(BenchWalk, KeepsTheCapOfMemory) {
+    for (const bool isRealTime : {false, true}) {
+        for (const double fraction : {0.15, 0.4}) {
+            settings::ViewOptions view = viewOptions();
+            view.memory = memoryFor(fraction);
+            Session session(model(), view);
+            const std::int64_t tables = static_cast<std::int64_t>(frame::tableBytes(session.model()).count);
+            const RunResult result = walked(session, view, flight(), frames(40, isRealTime));
+            std::int64_t missing = 0;
+            for (const telemetry::FrameRow& row : result.rows) {
+                EXPECT_LE(*row.residentBytes + tables, std::stoll(view.memory));
+                EXPECT_GT(row.imageTriangles, 0) << "a frame was not drawn";
+                EXPECT_EQ(row.achievedErrorPixels > 0.2 && row.pagesMissing == 0, false) << "coarse without saying so";
+                missing += *row.pagesMissing;
+            }
+            EXPECT_FALSE(fraction < 0.2 && missing == 0) << "the cap does not bind: this tests nothing";
+        }
+    }
+}
+
+TEST(BenchWalk, KeepsTheCapOfTriangles) {
+    settings::ViewOptions view = viewOptions();
+    std::vector<std::int64_t> without;
+    {
+        Session session(model(), view);
+        for (const telemetry::FrameRow& row : walked(session, view, flight(), frames(8)).rows)
+            without.push_back(*row.imageTriangles);
+    }
+    view.maxTriangles = "300";
+    int bound = 0;
+    Session session(model(), view);
+    const RunResult result = walked(session, view, flight(), frames(8));
+    for (std::size_t i = 0; i < result.rows.size(); ++i) {
+        const telemetry::FrameRow& row = result.rows[i];
+        EXPECT_LE(row.imageTriangles, 300);
+        EXPECT_GT(row.imageTriangles, 50) << "much less than allowed";
+        if (without[i] <= 300) continue;
+        ++bound;
+        EXPECT_GT(row.achievedErrorPixels, 0.2);
+    }
+    EXPECT_GT(bound, 4) << "the cap does not bind: this tests nothing";
+}
+
+TEST(BenchWalk, StandingStillInRealTimeEndsInWhatWaitingGives) {
+    const settings::ViewOptions view = viewOptions();
+    Session waiting(model(), view);
+    const telemetry::FrameRow right = walked(waiting, view, stillness(), frames(40)).rows.back();
+    Session session(model(), view);
+    telemetry::FrameRow last;
+    for (int attempt = 0; attempt < 50; ++attempt) { // no clock: a slow disk takes more rounds
+        last = walked(session, view, stillness(), frames(40, true)).rows.back();
+        if (last.imageTriangles == right.imageTriangles) break;
+    }
+    EXPECT_EQ(last.imageTriangles, right.imageTriangles);
+    EXPECT_EQ(last.shadowTriangles, right.shadowTriangles);
+    EXPECT_EQ(last.achievedErrorPixels, right.achievedErrorPixels);
+    EXPECT_EQ(last.pagesMissing, 0);
+    EXPECT_EQ(waiting.executor().picture().pixels, session.executor().picture().pixels);
+}
+
+/// A copy of the model with some pages damaged that hold no root.
+class DamagedModel {
+public:
+    DamagedModel(std::uint64_t seed, std::size_t count) : path_(model() + ".damaged") {
+        std::filesystem::copy_file(model(), path_, std::filesystem::copy_options::overwrite_existing);
+        const hierarchy::ModelFile sound(model());
+        std::fstream bytes(path_, std::ios::in | std::ios::out | std::ios::binary);
+        Random random(seed);
+        std::set<std::size_t> damaged;
+        while (damaged.size() < count) {
+            const std::size_t id = random.below(sound.pages().size());
+            const hierarchy::PageInfo& page = sound.pages()[id];
+            const bool isRoot = page.maxError == std::numeric_limits<double>::infinity();
+            if (isRoot || !damaged.insert(id).second) continue;
+            const auto place = static_cast<std::streamoff>(page.offset + random.below(page.storedBytes));
+            bytes.seekg(place);
+            const int was = bytes.get();
+            bytes.seekp(place);
+            bytes.put(static_cast<char>(was ^ 0x10));
+        }
+    }
+
+    ~DamagedModel() { std::filesystem::remove(path_); }
+
+    DamagedModel(const DamagedModel&) = delete;
+    DamagedModel& operator=(const DamagedModel&) = delete;
+    DamagedModel(DamagedModel&&) = delete;
+    DamagedModel& operator=(DamagedModel&&) = delete;
+
+    const std::string& path() const { return path_; }
+
+private:
+    std::string path_;
+};
+
+TEST(BenchWalk, DrawsAroundDamageAndNamesItOnce) {
+    constexpr std::size_t kDamaged = 50;
+    const settings::ViewOptions view = viewOptions();
+    Session sound(model(), view);
+    const std::vector<telemetry::FrameRow> right = walked(sound, view, flight(), frames(20)).rows;
+    for (const bool isRealTime : {false, true}) {
+        const DamagedModel damaged(7, kDamaged);
+        testing::internal::CaptureStderr();
+        Session session(damaged.path(), view);
+        const RunResult result = walked(session, view, flight(), frames(20, isRealTime));
+        std::istringstream said(testing::internal::GetCapturedStderr());
+        std::set<std::string> lines;
+        std::size_t lineCount = 0;
+        for (std::string line; std::getline(said, line); ++lineCount) {
+            EXPECT_NE(line.find("a page is damaged"), std::string::npos) << line;
+            EXPECT_NE(line.find(damaged.path()), std::string::npos) << line;
+            lines.insert(line);
+        }
+        EXPECT_EQ(lines.size(), lineCount) << "named twice";
+        EXPECT_EQ(static_cast<std::int64_t>(lineCount), result.rows.back().pagesDamaged);
+        EXPECT_GT(lineCount, 3U);
+        EXPECT_LE(lineCount, kDamaged);
+        for (std::size_t i = 0; i < result.rows.size(); ++i) {
+            EXPECT_GT(result.rows[i].imageTriangles, 0);
+            EXPECT_LE(result.rows[i].imageTriangles, *right[i].imageTriangles + 500);
+        }
+        const executor::PictureDifference difference =
+            executor::difference(session.executor().picture(), sound.executor().picture());
+        EXPECT_LT(difference.changedFraction, 0.5) << "right elsewhere";
+    }
+}
+
+} // namespace
+} // namespace gnomon::measure

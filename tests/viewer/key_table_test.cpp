@@ -1,0 +1,55 @@
+// The table of keys is whole: no key twice, nothing without help, nothing out of reach.
+#include "viewer/input/camera_control.h"
+#include "viewer/input/key_table.h"
+#include "viewer/view_settings.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+namespace gnomon::viewer {
+namespace {
+
+TEST(KeyTable, NoKeyIsThereTwiceAndEachHasHelp) {
+    std::set<std::pair<int, bool>> keys;
+    std::set<std::string> names;
+    for (const Binding& binding : bindings()) {
+        EXPECT_TRUE(keys.insert({binding.key, binding.withShift}).second) << binding.keyName;
+        EXPECT_TRUE(names.insert(binding.keyName).second) << binding.keyName;
+        EXPECT_NE(std::string(binding.help), "") << binding.keyName;
+    }
+}
+
+TEST(KeyTable, EveryActionHasAKey) {
+    std::set<Action> found;
+    for (const Binding& binding : bindings())
+        found.insert(binding.action);
+    EXPECT_EQ(found.size(), static_cast<std::size_t>(Action::Leave) + 1);
+}
+
+TEST(KeyTable, EveryOverlaySideAndWayHasAKey) {
+    std::set<int> overlays;
+    std::set<int> sides;
+    std::set<int> ways;
+    for (const Binding& binding : bindings()) {
+        if (binding.action == Action::SetOverlay) overlays.insert(binding.value);
+        if (binding.action == Action::LookFrom) sides.insert(binding.value);
+        if (binding.action == Action::Fly) ways.insert(binding.value);
+    }
+    EXPECT_EQ(overlays.size(), overlayNames().size());
+    EXPECT_EQ(*overlays.rbegin(), static_cast<int>(overlayNames().size()) - 1);
+    EXPECT_EQ(sides.size(), static_cast<std::size_t>(Side::Bottom) + 1);
+    EXPECT_EQ(ways.size(), static_cast<std::size_t>(Way::Up) + 1);
+}
+
+TEST(KeyTable, ShiftCountsOnlyWhereItIsNamed) {
+    EXPECT_EQ(bindingOf(GLFW_KEY_W, true), bindingOf(GLFW_KEY_W, false)); // Shift hastens
+    EXPECT_NE(bindingOf(GLFW_KEY_T, true), bindingOf(GLFW_KEY_T, false));
+    EXPECT_EQ(bindingOf(GLFW_KEY_PAUSE, false), nullptr);
+}
+
+} // namespace
+} // namespace gnomon::viewer

@@ -1,0 +1,128 @@
+// The steps of the keys, the graph's medians, the messages and the words.
+#include "settings/view_options.h"
+#include "viewer/messages.h"
+#include "viewer/panel/frame_history.h"
+#include "viewer/panel/plan_words.h"
+#include "viewer/view_settings.h"
+
+#include <gtest/gtest.h>
+
+namespace gnomon::viewer {
+namespace {
+
+TEST(ViewSettings, SchemesStepAroundAndAreWhatTheyAreCalled) {
+    plan::Quality quality;
+    EXPECT_EQ(schemeOf(quality), Scheme::Slices);
+    for (std::size_t i = 0; i < kSchemes.size(); ++i) {
+        const Scheme before = schemeOf(quality);
+        stepScheme(quality, 1);
+        EXPECT_NE(schemeOf(quality), before);
+    }
+    EXPECT_EQ(schemeOf(quality), Scheme::Slices);
+    for (const Scheme from : kSchemes)
+        for (const Scheme to : kSchemes) {
+            choose(from, quality);
+            choose(to, quality);
+            EXPECT_EQ(schemeOf(quality), to) << name(from) << " to " << name(to);
+        }
+    choose(Scheme::Off, quality);
+    EXPECT_EQ(quality.shadows, plan::ShadowMode::Off);
+    choose(Scheme::Rays, quality);
+    EXPECT_EQ(quality.shadows, plan::ShadowMode::Rays);
+}
+
+TEST(ViewSettings, SlicesTexelsAndDetailStayWithinTheirBounds) {
+    plan::Quality quality;
+    for (int i = 0; i < 50; ++i) {
+        stepSlices(quality, 1);
+        stepTexels(quality, 1);
+        stepDetail(quality, 1);
+    }
+    EXPECT_EQ(quality.zPartitions, settings::kMaxSlices);
+    EXPECT_EQ(quality.shadowTexelsWidth, kMostShadowTexels);
+    EXPECT_EQ(quality.shadowTexelsHeight, kMostShadowTexels);
+    EXPECT_EQ(quality.errorPixels, kMostErrorPixels);
+    for (int i = 0; i < 50; ++i) {
+        stepSlices(quality, -1);
+        stepTexels(quality, -1);
+        stepDetail(quality, -1);
+    }
+    EXPECT_EQ(quality.zPartitions, 1);
+    EXPECT_EQ(quality.shadowTexelsWidth, kLeastShadowTexels);
+    EXPECT_EQ(quality.shadowTexelsHeight, kLeastShadowTexels);
+    EXPECT_EQ(quality.errorPixels, kLeastErrorPixels);
+}
+
+TEST(ViewSettings, TexelsDoubleAndHalveAsACount) {
+    plan::Quality quality;
+    stepTexels(quality, 1);
+    EXPECT_EQ(quality.shadowTexelsWidth * quality.shadowTexelsHeight, 2 * 2048 * 2048);
+    stepTexels(quality, -1);
+    EXPECT_EQ(quality.shadowTexelsWidth * quality.shadowTexelsHeight, 2048 * 2048);
+}
+
+TEST(FrameHistory, KeepsTheLastAndTakesTheirMedians) {
+    FrameHistory history(10);
+    for (int i = 0; i < 25; ++i) {
+        StageTimes times{};
+        times[0] = i;
+        history.add(times);
+    }
+    EXPECT_EQ(history.frames().size(), 10U);
+    EXPECT_EQ(history.medians(3)[0], 23);
+    EXPECT_EQ(history.medians(100)[0], 19.5);
+    EXPECT_EQ(FrameHistory(4).medians(30)[0], 0);
+}
+
+TEST(Messages, AreShownForAWhileAndFailuresOnce) {
+    double now = 0;
+    Messages messages([&] { return now; });
+    messages.show("warp: none");
+    now = 0.5;
+    messages.show("warp: auto");
+    ASSERT_EQ(messages.all().size(), 1U);
+    EXPECT_EQ(messages.all()[0].text, "warp: auto");
+    testing::internal::CaptureStderr();
+    now = 1;
+    messages.fail("broken");
+    now = 2;
+    EXPECT_FALSE(messages.attempt([] { throw std::runtime_error("broken"); }));
+    EXPECT_TRUE(messages.attempt([] {}));
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "gnomon: broken\n");
+    EXPECT_EQ(messages.all().size(), 2U);
+    messages.show("next");
+    EXPECT_EQ(messages.all().size(), 3U); // a failure is not replaced
+    now = 10;
+    EXPECT_TRUE(messages.expire());
+    EXPECT_EQ(messages.all().size(), 1U);
+    now = 30;
+    EXPECT_TRUE(messages.expire());
+    now = 31;
+    EXPECT_FALSE(messages.expire());
+}
+
+TEST(PlanWords, SayWhatIsPlannedAndWhatIsLeftOut) {
+    plan::View view;
+    view.camera = {{0, 2, 30}, {0, 0, 0}, {0, 1, 0}, 1};
+    plan::SceneFacts facts;
+    facts.bounds = {{-10, -2, -10}, {10, 2, 10}};
+    facts.visible = {18, 44, true};
+    const plan::FramePlan plan = plan::planFrame(view, {}, facts);
+    telemetry::FrameRow row;
+    row.promisedAliasingX = 1.25;
+    row.promisedAliasingZ = 2.5;
+    row.storageFactor = 3;
+    std::string all;
+    for (const std::string& line : planInWords(plan, row))
+        all += line + "\n";
+    EXPECT_NE(all.find("4 maps, 4 slices, warp auto"), std::string::npos) << all;
+    EXPECT_NE(all.find("promised aliasing 1.25 across, 2.5 along"), std::string::npos) << all;
+    EXPECT_NE(all.find("measured aliasing: not yet"), std::string::npos) << all;
+    for (const plan::Omission& omission : plan.omitted)
+        EXPECT_NE(all.find(omission.reason), std::string::npos) << all;
+    row.measuredAliasing = 2.25;
+    EXPECT_NE(testing::PrintToString(planInWords(plan, row)).find("measured aliasing 2.25"), std::string::npos);
+}
+
+} // namespace
+} // namespace gnomon::viewer

@@ -1,0 +1,148 @@
+// Who has the camera after each key of a walk: hand, path or recorder.
+#include "core/error.h"
+#include "viewer/walk.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include <unistd.h>
+
+namespace gnomon::viewer {
+namespace {
+
+const Camera kHome{{0, 1, 8}, {0, 0, 0}, {0, 1, 0}, 1};
+const Box kBounds{{-2, -2, -2}, {2, 2, 2}};
+
+path::CameraPath pathAlongX() {
+    path::CameraPath path;
+    for (int i = 0; i <= 4; ++i) {
+        Camera camera = kHome;
+        camera.eye.x += i;
+        camera.target.x += i;
+        path.keyframes.push_back({0.5 * i, camera});
+    }
+    return path;
+}
+
+/// A walk with a clock that the test sets, in a folder of its own.
+class WalkTest : public testing::Test {
+protected:
+    void SetUp() override {
+        std::filesystem::create_directories(folder_);
+        std::filesystem::current_path(folder_);
+    }
+
+    void TearDown() override {
+        std::filesystem::current_path(before_);
+        std::filesystem::remove_all(folder_);
+    }
+
+    Walk walkWith(std::optional<path::CameraPath> path, std::optional<int> frames = std::nullopt) {
+        Walk walk(
+            messages, [this] { return now; }, std::move(path), frames);
+        walk.enter(kHome, kBounds);
+        return walk;
+    }
+
+    std::string lastMessage() const { return messages.all().empty() ? "" : messages.all().back().text; }
+
+    double now = 0;
+    Messages messages{[this] { return now; }};
+    SavedFiles saved{"model.gnm"};
+
+private:
+    std::filesystem::path before_ = std::filesystem::current_path();
+    std::filesystem::path folder_ =
+        std::filesystem::temp_directory_path() / ("gnomon_walk_" + std::to_string(::getpid()));
+};
+
+TEST_F(WalkTest, AFrozenEyeStaysWhileTheHandMovesOn) {
+    Walk walk = walkWith(std::nullopt);
+    EXPECT_EQ(walk.culledBy().eye, walk.camera().eye);
+    const glm::dvec3 eye = walk.camera().eye;
+    walk.toggleFreeze();
+    walk.hand().shift(3, 0);
+    EXPECT_NE(walk.camera().eye, eye);
+    EXPECT_EQ(walk.culledBy().eye, eye);
+    EXPECT_TRUE(walk.isFrozen());
+    walk.toggleFreeze();
+    EXPECT_EQ(walk.culledBy().eye, walk.camera().eye);
+}
+
+TEST_F(WalkTest, WithoutAPathThereIsNothingToPlay) {
+    Walk walk = walkWith(std::nullopt);
+    EXPECT_FALSE(walk.togglePlaying(saved));
+    EXPECT_FALSE(walk.isPlaying());
+    EXPECT_EQ(lastMessage(), "no path yet: R records one");
+    EXPECT_EQ(walk.playedPart(), -1);
+}
+
+TEST_F(WalkTest, APathHasTheCameraUntilItsEndAndTheHandGoesOnFromThere) {
+    Walk walk = walkWith(pathAlongX(), 9);
+    EXPECT_FALSE(walk.isUnderWay());
+    ASSERT_TRUE(walk.togglePlaying(saved));
+    EXPECT_TRUE(walk.isUnderWay());
+    EXPECT_TRUE(walk.playsFixed());
+    int frames = 1;
+    for (double x = walk.camera().eye.x; walk.advance(123); ++frames, x = walk.camera().eye.x)
+        EXPECT_LE(x, walk.camera().eye.x);
+    EXPECT_EQ(frames, 9);
+    EXPECT_FALSE(walk.isPlaying());
+    EXPECT_NEAR(walk.camera().eye.x, 4, 1e-9);
+    EXPECT_TRUE(walk.advance(123)); // nothing is played any more
+}
+
+TEST_F(WalkTest, APathThatIsStoppedLeavesTheHandWhereItWas) {
+    Walk walk = walkWith(pathAlongX());
+    ASSERT_TRUE(walk.togglePlaying(saved));
+    EXPECT_FALSE(walk.playsFixed());
+    ASSERT_TRUE(walk.advance(0.75));
+    const glm::dvec3 eye = walk.camera().eye;
+    EXPECT_GT(eye.x, 1);
+    EXPECT_FALSE(walk.togglePlaying(saved));
+    EXPECT_NEAR(glm::length(walk.camera().eye - eye), 0, 1e-9);
+}
+
+TEST_F(WalkTest, WhatIsRecordedIsSavedAndPlayedNext) {
+    Walk walk = walkWith(std::nullopt);
+    walk.toggleRecording(saved);
+    EXPECT_TRUE(walk.isUnderWay());
+    for (int i = 0; i < 20; ++i) {
+        now += 0.1;
+        walk.hand().shift(0.5, 0);
+        walk.record(walk.camera());
+    }
+    const glm::dvec3 last = walk.camera().eye;
+    walk.hand().goHome();
+    testing::internal::CaptureStderr();
+    walk.toggleRecording(saved);
+    ASSERT_TRUE(walk.togglePlaying(saved));
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "gnomon: saved model_path1.json\n");
+    EXPECT_TRUE(std::filesystem::exists("model_path1.json"));
+    EXPECT_NEAR(glm::length(walk.camera().eye - kHome.eye), 0, 1e-6);
+    ASSERT_TRUE(walk.advance(1.999));
+    EXPECT_NEAR(glm::length(walk.camera().eye - last), 0, 0.05);
+    walk.togglePlaying(saved);
+    walk.toggleRecording(saved);
+    testing::internal::CaptureStderr();
+    EXPECT_TRUE(walk.togglePlaying(saved)); // which ends the recording
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "gnomon: saved model_path2.json\n");
+    EXPECT_FALSE(walk.isRecording());
+}
+
+TEST_F(WalkTest, AnotherModelEndsAllButThePath) {
+    Walk walk = walkWith(pathAlongX());
+    walk.toggleFreeze();
+    walk.togglePlaying(saved);
+    walk.enter(kHome, kBounds);
+    EXPECT_FALSE(walk.isFrozen() || walk.isPlaying() || walk.isRecording());
+    EXPECT_TRUE(walk.togglePlaying(saved));
+    Camera impossible = kHome;
+    impossible.target = impossible.eye;
+    EXPECT_THROW(walk.enter(impossible, kBounds), Error);
+    EXPECT_TRUE(walk.isPlaying());
+}
+
+} // namespace
+} // namespace gnomon::viewer

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 namespace gnomon {
 namespace {
 
@@ -30,6 +32,43 @@ TEST(ConvexVolume, ClassificationIsConservative) {
             EXPECT_FALSE(!inside && answer == Containment::Inside);
         }
     }
+}
+
+// For one plane the box's farthest and nearest corners decide, so that the answer is exact and not conservative only.
+TEST(ConvexVolume, OnePlaneIsClassifiedExactly) {
+    Random random(8);
+    std::array<int, 3> seen{};
+    for (int trial = 0; trial < 3000; ++trial) {
+        const ConvexVolume volume{{{glm::normalize(randomPoint(random) + glm::dvec3(1e-9)), random.uniform(-2, 2)}}};
+        const glm::dvec3 a = randomPoint(random);
+        const glm::dvec3 b = randomPoint(random);
+        const Box box{glm::min(a, b), glm::max(a, b)};
+        int inside = 0;
+        for (int corner = 0; corner < 8; ++corner)
+            inside +=
+                contains(
+                    volume, {corner % 2 == 0 ? a.x : b.x, corner / 2 % 2 == 0 ? a.y : b.y, corner / 4 == 0 ? a.z : b.z})
+                    ? 1
+                    : 0;
+        const Containment expected = inside == 0   ? Containment::Outside
+                                     : inside == 8 ? Containment::Inside
+                                                   : Containment::Intersecting;
+        EXPECT_EQ(classify(volume, box), expected);
+        ++seen.at(static_cast<std::size_t>(expected));
+    }
+    for (const int count : seen)
+        EXPECT_GT(count, 500);
+}
+
+TEST(ConvexVolume, NoPlanesAreAllOfSpaceAndATouchIsNotOutside) {
+    EXPECT_TRUE(contains({}, {1e300, 0, 0}));
+    EXPECT_EQ(classify({}, {{-1, -1, -1}, {1, 1, 1}}), Containment::Inside);
+    const ConvexVolume above{{{{0, 0, 1}, -1}}}; // z >= 1
+    EXPECT_TRUE(contains(above, {0, 0, 1}));
+    EXPECT_FALSE(contains(above, {0, 0, 0.999}));
+    EXPECT_EQ(classify(above, {{0, 0, 0}, {1, 1, 1}}), Containment::Intersecting) << "its upper face lies in the plane";
+    EXPECT_EQ(classify(above, {{0, 0, 1}, {1, 1, 2}}), Containment::Inside) << "its lower face does";
+    EXPECT_EQ(above.planes[0].signedDistance({5, 5, 3}), 2);
 }
 
 } // namespace

@@ -1,0 +1,37 @@
+// What an error says, and how a programmer's check ends.
+#include "core/check.h"
+#include "core/error.h"
+#include "core/progress.h"
+
+#include <gtest/gtest.h>
+
+namespace gnomon {
+namespace {
+
+TEST(Error, SaysWhatWhereExpectedAndFound) {
+    EXPECT_STREQ(Error("no light").what(), "no light");
+    EXPECT_STREQ(Error("a.ply", "no faces").what(), "a.ply: no faces");
+    EXPECT_STREQ(Error("a.ply", "wrong count", "3", "4").what(), "a.ply: wrong count: expected 3, found 4");
+    EXPECT_EQ(atByte("a.gnm", 18446744073709551615ULL), "a.gnm: byte 18446744073709551615");
+    EXPECT_EQ(atLine("a.obj", 1), "a.obj:1");
+}
+
+TEST(CheckDeathTest, PrintsTheExpressionAndBothValues) {
+    const int three = 3;
+    const int four = 4;
+    GNOMON_CHECK(three < four);
+    GNOMON_CHECK_OP(three, <, four);
+    EXPECT_DEATH(GNOMON_CHECK(three > four), "internal check failed at .*error_test.cpp:[0-9]+: three > four");
+    EXPECT_DEATH(GNOMON_CHECK_OP(three, ==, four), "three == four \\(3 against 4\\)");
+}
+
+TEST(Progress, ThatNobodyWatchesTakesEverything) {
+    NoProgress nobody;
+    Progress& progress = nobody;
+    progress.stage("read", "bytes", 0);
+    progress.advance(18446744073709551615ULL);
+    progress.temporarySpace(1);
+}
+
+} // namespace
+} // namespace gnomon

@@ -196,32 +196,6 @@ TEST(Cut, ReportsTheErrorOfWhatIsMissing) {
     EXPECT_GT(worse, 5);
 }
 
-TEST(Cut, ATriangleCapIsKeptAndNotUndercutByMuch) {
-    Random random(35);
-    int capped = 0;
-    for (int trial = 0; trial < 100; ++trial) {
-        Scene scene(random, sharedModel(), sharedModel().all);
-        scene.errorPixels = 0.1;
-        const std::uint64_t free = cut(scene.query()).lists[0].triangles;
-        const std::uint64_t cap = 1 + random.below(free + 1);
-        const double errorPixels = cappedErrorPixels(scene.query(), cap);
-        if (free <= cap) {
-            EXPECT_EQ(errorPixels, 0.1);
-            continue;
-        }
-        ++capped;
-        scene.errorPixels = errorPixels;
-        const std::uint64_t kept = cut(scene.query()).lists[0].triangles;
-        scene.errorPixels = 1e30;
-        const std::uint64_t least = cut(scene.query()).lists[0].triangles;
-        EXPECT_LE(kept, std::max(cap, least));
-        scene.errorPixels = errorPixels / 1.002;
-        const bool couldBeFiner = cut(scene.query()).lists[0].triangles <= cap;
-        EXPECT_FALSE(kept > least && couldBeFiner) << "a lower error would have done";
-    }
-    EXPECT_GT(capped, 30);
-}
-
 TEST(Cut, NamesRootsThatAreNotResident) {
     Random random(36);
     Scene scene(random, sharedModel(), std::vector<const hierarchy::Page*>(sharedModel().all.size(), nullptr));

@@ -116,11 +116,14 @@ bool decimateOnce(
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
-std::set<Edge> edgesOf(std::span<const HeightTriangle> triangles) {
-    std::set<Edge> edges;
+/// Each edge once.
+std::vector<Edge> edgesOf(std::span<const HeightTriangle> triangles) {
+    std::vector<Edge> edges;
     for (const HeightTriangle& t : triangles)
         for (std::size_t k = 0; k < 3; ++k)
-            edges.insert(std::minmax(t[k], t[(k + 1) % 3]));
+            edges.emplace_back(std::minmax(t[k], t[(k + 1) % 3]));
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     return edges;
 }
 
@@ -156,9 +159,11 @@ double verticalDeviation(
     std::span<const HeightTriangle> coarse,
     std::span<const glm::dvec3> positions) {
     double deviation = 0;
-    std::set<std::uint32_t> vertices;
+    std::vector<std::uint32_t> vertices;
     for (const HeightTriangle& t : fine)
-        vertices.insert(t.begin(), t.end());
+        vertices.insert(vertices.end(), t.begin(), t.end());
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     for (const std::uint32_t v : vertices)
         for (const HeightTriangle& t : coarse)
             if (covers(positions[v], positions[t[0]], positions[t[1]], positions[t[2]]))
@@ -166,8 +171,9 @@ double verticalDeviation(
                     deviation,
                     std::abs(
                         heightAt(positions[v], positions[t[0]], positions[t[1]], positions[t[2]]) - positions[v].y));
+    const std::vector<Edge> coarseEdges = edgesOf(coarse);
     for (const auto& [a, b] : edgesOf(fine))
-        for (const auto& [c, d] : edgesOf(coarse))
+        for (const auto& [c, d] : coarseEdges)
             deviation = std::max(deviation, crossingDeviation(positions[a], positions[b], positions[c], positions[d]));
     return deviation;
 }

@@ -128,7 +128,7 @@ private:
             }
         }
         const VertexLookup positions(source_, std::move(corners));
-        read::PolygonRefiner refiner;
+        read::PolygonRefiner refiner(progress_);
         std::size_t begin = 0;
         for (const std::uint32_t size : sizes) {
             refiner.refine(std::span(fans).subspan(begin, size), [&](std::uint64_t vertex) {

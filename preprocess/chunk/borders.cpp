@@ -100,14 +100,15 @@ Surroundings surroundingsOf(
     const BinnedSource& source,
     const scratch::StreamStore& borders,
     std::uint32_t chunk,
-    std::span<const VertexRequest> asked) {
+    std::span<const VertexRequest> asked,
+    Progress& progress) {
     const IndexedVertices all = readVertices(source, borders, chunk);
     std::vector<std::uint8_t> isNeeded(all.size(), 0);
     for (const VertexRequest& request : asked)
         isNeeded[all.find(request.vertex)] = 1;
     ChunkTriangles triangles;
     if (!source.format.hasNormals) {
-        triangles = readTriangles(source, chunk, all);
+        triangles = readTriangles(source, chunk, all, progress);
         const std::vector<std::uint8_t> isThere = atPlacesOf(asked, all, source.grid);
         for (std::vector<simplify::Triangle>* some : {&triangles.own, &triangles.ghosts}) {
             std::erase_if(*some, [&](const simplify::Triangle& t) {
@@ -133,14 +134,15 @@ std::vector<std::uint32_t> normalsOf(const Surroundings& around) {
             keptTriangles(around.vertices, around.triangles.ghosts, ignored)));
 }
 
-Messages answerShared(const BinnedSource& source, const scratch::StreamStore& borders, std::uint32_t chunk) {
+Messages answerShared(
+    const BinnedSource& source, const scratch::StreamStore& borders, std::uint32_t chunk, Progress& progress) {
     auto requests = source.bins.readAs<VertexRequest>(streamOf(BinStream::Requests, chunk));
     std::erase_if(requests, [](const VertexRequest& request) { return request.isOwner == 0; });
     std::sort(requests.begin(), requests.end());
     requests.erase(std::unique(requests.begin(), requests.end()), requests.end());
     Messages messages;
     if (requests.empty()) return messages;
-    const Surroundings around = surroundingsOf(source, borders, chunk, requests);
+    const Surroundings around = surroundingsOf(source, borders, chunk, requests, progress);
     const std::vector<simplify::ChunkSpan> sharers = sharersOfOwnPlaces(around.vertices, chunk, requests);
     std::vector<std::uint32_t> normals;
     if (!source.format.hasNormals) normals = normalsOf(around);
@@ -177,7 +179,7 @@ void shareBorders(const BinnedSource& source, scratch::StreamStore& borders, std
         0,
         source.chunkCount,
         atOnce,
-        [&](std::size_t chunk) { return answerShared(source, borders, static_cast<std::uint32_t>(chunk)); },
+        [&](std::size_t chunk) { return answerShared(source, borders, static_cast<std::uint32_t>(chunk), progress); },
         deliver(BorderStream::Shared));
     borders.flush();
 }

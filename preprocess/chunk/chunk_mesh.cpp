@@ -110,11 +110,12 @@ IndexedVertices readVertices(const BinnedSource& source, const scratch::StreamSt
         decodeVertices(borders.read(streamOf(BorderStream::Vertices, chunk)), source.format)};
 }
 
-ChunkTriangles readTriangles(const BinnedSource& source, std::uint32_t chunk, const IndexedVertices& vertices) {
+ChunkTriangles readTriangles(
+    const BinnedSource& source, std::uint32_t chunk, const IndexedVertices& vertices, Progress& progress) {
     ChunkTriangles triangles;
     const auto records = source.bins.readAs<simplify::Triangle>(streamOf(BinStream::Triangles, chunk));
     triangles.own.reserve(records.size());
-    read::PolygonRefiner refiner;
+    read::PolygonRefiner refiner(progress);
     for (std::size_t i = 0; i < records.size();) {
         if (records[i][0] != kPolygonMark) {
             triangles.own.push_back(vertices.find(records[i++]));
@@ -145,13 +146,14 @@ std::vector<simplify::Triangle> facesForNormals(
     return faces;
 }
 
-ChunkMesh loadChunk(const BinnedSource& source, const scratch::StreamStore& borders, std::uint32_t chunk) {
+ChunkMesh loadChunk(
+    const BinnedSource& source, const scratch::StreamStore& borders, std::uint32_t chunk, Progress& progress) {
     ChunkMesh result;
     const ChunkVertices vertices(readVertices(source, borders, chunk), source.grid);
     std::vector<simplify::Triangle> kept;
     Places places;
     {
-        const ChunkTriangles triangles = readTriangles(source, chunk, vertices.indexed());
+        const ChunkTriangles triangles = readTriangles(source, chunk, vertices.indexed(), progress);
         kept = keptTriangles(vertices, triangles.own, result.dropped);
         std::vector<simplify::Triangle> faces;
         DroppedTriangles ignored;

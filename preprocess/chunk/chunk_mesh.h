@@ -13,7 +13,9 @@ struct ChunkTriangles {
 
 IndexedVertices readVertices(const BinnedSource& source, const scratch::StreamStore& borders, std::uint32_t chunk);
 
-ChunkTriangles readTriangles(const BinnedSource& source, std::uint32_t chunk, const IndexedVertices& vertices);
+/// Polls `progress` while it triangulates polygons.
+ChunkTriangles readTriangles(
+    const BinnedSource& source, std::uint32_t chunk, const IndexedVertices& vertices, Progress& progress);
 
 /// The faces whose normals count, on places: own ones, then ghosts.
 std::vector<simplify::Triangle> facesForNormals(
@@ -28,7 +30,8 @@ struct ChunkMesh {
     bool hasNormals = false; // some vertex has one, from the source or smoothed
 };
 
-/// The chunk's triangles, welded by snapped position, with what its neighbours told of its border.
-ChunkMesh loadChunk(const BinnedSource& source, const scratch::StreamStore& borders, std::uint32_t chunk);
+/// The chunk's triangles, welded by snapped position, with what its neighbours told of its border. Polls `progress`.
+ChunkMesh loadChunk(
+    const BinnedSource& source, const scratch::StreamStore& borders, std::uint32_t chunk, Progress& progress);
 
 } // namespace gnomon::chunk

@@ -222,7 +222,8 @@ private:
         made.record.firstLevel = round.firstLevel;
         const levels::NodePlan plan{round.firstLevel, round.isLast ? kNone : kLevelsPerRound};
         if (round.number == 0) {
-            chunk::ChunkMesh chunk = chunk::loadChunk(binnedSource(), *borders_, static_cast<std::uint32_t>(node));
+            chunk::ChunkMesh chunk =
+                chunk::loadChunk(binnedSource(), *borders_, static_cast<std::uint32_t>(node), progress_);
             made.record.dropped = {chunk.dropped.degenerate, chunk.dropped.doubled, chunk.dropped.collapsedByGrid};
             made.record.bounds = chunk.bounds;
             made.record.hasNormals = chunk.hasNormals;

@@ -3,10 +3,12 @@
 #include "core/check.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <deque>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace gnomon::read {
 
@@ -76,19 +78,52 @@ public:
             sorted_[begins_[cellOf(points[i]) + 1]++] = i;
     }
 
-    /// Calls `test(index)` for every point that may lie between `low` and `high`, until one call is true; whether one
-    /// was.
+    /// Calls `test(index)` for every point that may lie in the triangle, until one call is true; whether one was.
+    /// Adds the points and rows that it looked at to `work`.
     template <class Test>
-    bool any(const glm::dvec2& low, const glm::dvec2& high, Test test) const {
+    bool any(const std::array<glm::dvec2, 3>& triangle, std::uint64_t& work, Test test) const {
+        const glm::dvec2 low = glm::min(triangle[0], glm::min(triangle[1], triangle[2]));
+        const glm::dvec2 high = glm::max(triangle[0], glm::max(triangle[1], triangle[2]));
         for (std::size_t y = along(low, 1); y <= along(high, 1); ++y) {
             const std::size_t row = y * side_;
-            for (std::uint32_t i = begins_[row + along(low, 0)]; i < begins_[row + along(high, 0) + 1]; ++i)
+            const auto [first, last] = columnsOf(triangle, y, along(low, 0), along(high, 0));
+            work += kWorkPerRow;
+            for (std::uint32_t i = begins_[row + first]; i < begins_[row + last + 1]; ++i) {
+                ++work;
                 if (test(sorted_[i])) return true;
+            }
         }
         return false;
     }
 
 private:
+    // The cells of row `y`, of those from `first` to `last`, that the triangle meets: what it needs of a long and
+    // narrow box is little. Half a cell on all sides makes up for rounding.
+    std::pair<std::size_t, std::size_t> columnsOf(
+        const std::array<glm::dvec2, 3>& triangle, std::size_t y, std::size_t first, std::size_t last) const {
+        if (last - first < kFewCells) return {first, last};
+        const double bottom = static_cast<double>(y) - 0.5;
+        const double top = static_cast<double>(y) + 1.5;
+        double left = std::numeric_limits<double>::infinity();
+        double right = -left;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const glm::dvec2 a = (triangle[i] - min_) * scale_;
+            const glm::dvec2 b = (triangle[(i + 1) % 3] - min_) * scale_;
+            const glm::dvec2 way = b - a;
+            if (!(std::abs(way.x) + std::abs(way.y) < kMostCells)) return {first, last}; // no numbers to reckon with
+            const double toBottom = way.y != 0 ? std::clamp((bottom - a.y) / way.y, 0.0, 1.0) : 0;
+            const double toTop = way.y != 0 ? std::clamp((top - a.y) / way.y, 0.0, 1.0) : 1;
+            if (std::max(a.y, b.y) < bottom || std::min(a.y, b.y) > top) continue;
+            left = std::min({left, a.x + toBottom * way.x, a.x + toTop * way.x});
+            right = std::max({right, a.x + toBottom * way.x, a.x + toTop * way.x});
+        }
+        if (!(left <= right)) return {first, last};
+        const auto cellAt = [&](double x) {
+            return std::clamp(static_cast<std::size_t>(std::max(x, 0.0)), first, last);
+        };
+        return {cellAt(left - 0.5), cellAt(right + 0.5)};
+    }
+
     // Never decreases with the coordinate; what is no number is in cell 0.
     std::size_t along(const glm::dvec2& point, int axis) const {
         const double cell = (point[axis] - min_[axis]) * scale_[axis];
@@ -97,6 +132,10 @@ private:
     }
 
     std::size_t cellOf(const glm::dvec2& point) const { return along(point, 1) * side_ + along(point, 0); }
+
+    static constexpr std::size_t kFewCells = 4;
+    static constexpr double kMostCells = 0x1p20;
+    static constexpr std::uint64_t kWorkPerRow = 8; // as long as so many points take
 
     glm::dvec2 min_{std::numeric_limits<double>::infinity()};
     glm::dvec2 scale_{0};
@@ -107,8 +146,13 @@ private:
 
 class EarClipper {
 public:
-    EarClipper(std::vector<glm::dvec2> loop, std::vector<PolygonTriangle>& out)
-        : points_(std::move(loop)), links_(points_.size()), left_(points_.size()), out_(out) {
+    EarClipper(std::vector<glm::dvec2> loop, std::vector<PolygonTriangle>& out, Progress& progress)
+        : points_(std::move(loop)),
+          links_(points_.size()),
+          left_(points_.size()),
+          mostWork_(kMostWorkPerCorner * points_.size()),
+          out_(out),
+          progress_(progress) {
         const auto n = static_cast<std::uint32_t>(points_.size());
         for (std::uint32_t i = 0; i < n; ++i)
             links_[i] = {(i + n - 1) % n, (i + 1) % n, false, false};
@@ -123,11 +167,11 @@ public:
     void run() {
         std::deque<std::uint32_t> candidates;
         bool foundSinceScan = true;
-        const std::uint64_t mostWork = kMostWorkPerCorner * points_.size();
-        while (left_ > 3 && work_ < mostWork) {
+        while (left_ > 3 && work_ < mostWork_) {
+            pollNowAndThen();
             if (candidates.empty()) {
                 // Clipping can free corners far away, so all are asked again before the loop is taken for a bad one.
-                if (!foundSinceScan) clip(leastBadCorner());
+                if (!foundSinceScan) clipOfBadLoop();
                 candidates = remaining();
                 work_ += candidates.size();
                 foundSinceScan = false;
@@ -148,8 +192,15 @@ public:
     }
 
 private:
-    // Simple loops stay far below this; it ends the search in huge loops that cross themselves everywhere.
+    // Simple loops stay far below this.
     static constexpr std::uint64_t kMostWorkPerCorner = 10'000;
+
+    // And this is what is left to a loop from where it turns out to have corners without area in its way, or to cross
+    // itself: one that does so everywhere asks for a scan of all of it before each triangle, and none is right for it.
+    static constexpr std::uint64_t kMostWorkPerFlatCorner = 1'000;
+    static constexpr std::uint64_t kMostWorkPerCrossingCorner = 100;
+
+    static constexpr std::uint64_t kWorkBetweenPolls = std::uint64_t{1} << 22U; // some milliseconds
 
     struct Link {
         std::uint32_t previous;
@@ -176,10 +227,8 @@ private:
         const glm::dvec2& a = points_[links_[i].previous];
         const glm::dvec2& b = points_[i];
         const glm::dvec2& c = points_[links_[i].next];
-        return !cells_->any(glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c)), [&](std::uint32_t blocker) {
-            ++work_;
-            return links_[blocker].isBlocker && blocks(blocker, i);
-        });
+        return !cells_->any(
+            {a, b, c}, work_, [&](std::uint32_t blocker) { return links_[blocker].isBlocker && blocks(blocker, i); });
     }
 
     bool blocks(std::uint32_t blocker, std::uint32_t corner) const {
@@ -202,16 +251,32 @@ private:
         return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
     }
 
+    void pollNowAndThen() {
+        if (work_ < nextPoll_) return;
+        nextPoll_ = work_ + kWorkBetweenPolls;
+        progress_.advance(0);
+    }
+
     // Where no ear is left, the loop is degenerate or crosses itself: a corner without area costs least, then a convex
     // one.
-    std::uint32_t leastBadCorner() const {
+    void clipOfBadLoop() {
         const std::deque<std::uint32_t> corners = remaining();
+        work_ += corners.size();
         const auto flat = std::find_if(corners.begin(), corners.end(), [&](std::uint32_t i) {
             return turn(points_[links_[i].previous], points_[i], points_[links_[i].next]) == 0;
         });
-        if (flat != corners.end()) return *flat;
+        const bool isFlat = flat != corners.end();
+        allowOnly(isFlat ? kMostWorkPerFlatCorner : kMostWorkPerCrossingCorner);
+        if (isFlat) return clip(*flat);
         const auto convex = std::find_if(corners.begin(), corners.end(), [&](std::uint32_t i) { return isConvex(i); });
-        return convex != corners.end() ? *convex : corners.front();
+        clip(convex != corners.end() ? *convex : corners.front());
+    }
+
+    /// From where a loop turns out to be bad; a bound that holds already stays.
+    void allowOnly(std::uint64_t workPerCorner) {
+        if (workPerCorner >= workPerCorner_) return;
+        workPerCorner_ = workPerCorner;
+        mostWork_ = std::min(mostWork_, work_ + workPerCorner * points_.size());
     }
 
     void clip(std::uint32_t corner) {
@@ -232,16 +297,20 @@ private:
     std::optional<PointCells> cells_; ///< over the corners that were not convex at first: clipping makes none of them
     std::size_t left_;
     std::uint64_t work_ = 0; ///< corners that were looked at
+    std::uint64_t mostWork_;
+    std::uint64_t nextPoll_ = 0;
+    std::uint64_t workPerCorner_ = kMostWorkPerCorner;
     std::vector<PolygonTriangle>& out_;
+    Progress& progress_;
 };
 
 } // namespace
 
-void triangulatePolygon(std::span<const glm::dvec3> corners, std::vector<PolygonTriangle>& out) {
+void triangulatePolygon(std::span<const glm::dvec3> corners, std::vector<PolygonTriangle>& out, Progress& progress) {
     GNOMON_CHECK_OP(corners.size(), >=, 3U);
     const auto n = static_cast<std::uint32_t>(corners.size());
     std::vector<glm::dvec2> loop = flatten(corners, newellNormal(corners));
-    if (n > 3 && !isStrictlyConvex(loop)) return EarClipper(std::move(loop), out).run();
+    if (n > 3 && !isStrictlyConvex(loop)) return EarClipper(std::move(loop), out, progress).run();
     for (std::uint32_t i = 2; i < n; ++i)
         out.push_back({0, i - 1, i});
 }

@@ -25,7 +25,7 @@ TriangleSoup readSoup(read::MeshSource& source, const hierarchy::Grid& grid, Pro
             soup.positions.push_back(position - grid.origin);
         progress.advance(0); // vertices are not counted, but a place to stop
     });
-    read::PolygonRefiner refiner;
+    read::PolygonRefiner refiner(progress);
     std::vector<read::TriangleCorners> triangles;
     source.readTriangles([&](const read::TriangleBlock& block) {
         triangles.assign(block.triangles.begin(), block.triangles.end());

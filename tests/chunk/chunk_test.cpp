@@ -92,7 +92,7 @@ Chunked chunked(read::CodeMesh mesh, std::uint32_t chunkTriangles, std::size_t b
     const BinnedSource source{bins, result.survey.grid, formatOf(mesh.summary()), tree.chunkCount()};
     shareBorders(source, borders, 2, progress);
     for (std::uint32_t chunk = 0; chunk < tree.chunkCount(); ++chunk)
-        result.chunks.push_back(loadChunk(source, borders, chunk));
+        result.chunks.push_back(loadChunk(source, borders, chunk, progress));
     return result;
 }
 
@@ -312,7 +312,7 @@ TEST(Chunks, PolygonsAcrossChunksAreCutLikeThoseWithin) {
         shareBorders(binned, borders, 3, progress);
         std::vector<std::uint64_t> triangles; // as hashes of their points
         for (std::uint32_t c = 0; c < tree.chunkCount(); ++c) {
-            const simplify::Mesh mesh = loadChunk(binned, borders, c).mesh;
+            const simplify::Mesh mesh = loadChunk(binned, borders, c, progress).mesh;
             for (const simplify::Triangle& t : mesh.triangles) {
                 const Corners corners = turned({mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]});
                 std::uint64_t hash = 0;

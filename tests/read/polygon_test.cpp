@@ -40,7 +40,8 @@ std::vector<PolygonTriangle> triangulate(const Loop& loop, const glm::dmat3& fra
     for (const glm::dvec2& p : loop)
         corners.push_back(origin + frame * glm::dvec3(p, 0));
     std::vector<PolygonTriangle> triangles;
-    triangulatePolygon(corners, triangles);
+    NoProgress unwatched;
+    triangulatePolygon(corners, triangles, unwatched);
     return triangles;
 }
 
@@ -189,7 +190,8 @@ TEST(ReadPolygon, BadLoopsStillGiveAllTriangles) {
         if (seed % 5 == 0) corners.assign(n, corners[0]);
         if (seed % 7 == 0) corners[0] = glm::dvec3(1e308, -1e308, 1e308);
         std::vector<PolygonTriangle> triangles;
-        triangulatePolygon(corners, triangles);
+        NoProgress unwatched;
+        triangulatePolygon(corners, triangles, unwatched);
         EXPECT_EQ(triangles.size(), n - 2);
         for (const PolygonTriangle& t : triangles)
             EXPECT_EQ((std::set<std::uint32_t>{t[0], t[1], t[2]}).size(), 3U);
@@ -219,10 +221,46 @@ TEST(ReadPolygon, HugeLoopsEnd) {
     EXPECT_EQ(triangulate(tangle, kFrames[0], glm::dvec3(0)).size(), tangle.size() - 2);
 }
 
+/// Counts how often it is asked, and stops the work at the first time if told so.
+class Poll final : public Progress {
+public:
+    explicit Poll(bool stops) : stops_(stops) {}
+
+    void stage(std::string_view /*name*/, std::string_view /*unit*/, std::uint64_t /*total*/) override {}
+
+    void advance(std::uint64_t /*count*/) override {
+        ++asked;
+        if (stops_) throw Interrupted{};
+    }
+
+    int asked = 0;
+
+private:
+    bool stops_;
+};
+
+TEST(ReadPolygon, ALoopThatCrossesItselfEverywhereIsGivenUpSoonAndCanBeStopped) {
+    constexpr std::size_t kCorners = 50'000;
+    Random random(5);
+    std::vector<glm::dvec3> corners;
+    for (std::size_t i = 0; i < kCorners; ++i)
+        corners.emplace_back(random.unit(), random.unit(), 0);
+    std::vector<PolygonTriangle> triangles;
+    Poll counting(false);
+    triangulatePolygon(corners, triangles, counting);
+    EXPECT_EQ(triangles.size(), kCorners - 2);
+    EXPECT_GE(counting.asked, 2);
+    EXPECT_LE(counting.asked, 8); // once in four million steps; the search for real loops would go on for 120 of them
+    Poll stopping(true);
+    triangles.clear();
+    EXPECT_THROW(triangulatePolygon(corners, triangles, stopping), Interrupted);
+}
+
 TEST(ReadPolygon, TheRefinerRewritesAFanInPlace) {
     const std::vector<glm::dvec3> positions = {{9, 9, 9}, {-1, -1, 0}, {0, -0.2, 0}, {1, -1, 0}, {0, 1, 0}};
     std::vector<TriangleCorners> fan = {{4, 1, 2}, {4, 2, 3}};
-    PolygonRefiner refiner;
+    NoProgress unwatched;
+    PolygonRefiner refiner(unwatched);
     refiner.refine(fan, [&](std::uint64_t vertex) { return positions[vertex]; });
     double sum = 0;
     for (const TriangleCorners& t : fan) {

@@ -45,8 +45,7 @@ class ReaderTest(unittest.TestCase):
         cls.folder = tempfile.TemporaryDirectory(prefix="gnomon_format_")
         cls.path = pathlib.Path(cls.folder.name)
         gnomon("make", "statue", "--triangles", "6000", "--seed", "1", "-o", cls.path / "statue.ply")
-        gnomon("make", "plant", "--triangles", "8000", "--seed", "1", "-o", cls.path / "plant.ply")
-        cls.models = {"statue": cls.path / "statue.ply", "plant": cls.path / "plant.ply",
+        cls.models = {"statue": cls.path / "statue.ply", "colonnade": DATA / "models" / "colonnade.obj",
                       "sundial": DATA / "models" / "sundial.ply"}
         for name, mesh in cls.models.items():
             gnomon("build", mesh, "-o", cls.path / f"{name}.gnm")

@@ -1,7 +1,7 @@
 // The golden rows: 269 candidates of an independent double-precision reference, each within its own tolerance.
-#include "app/theory_rows.h"
 #include "core/error.h"
 #include "core/file.h"
+#include "theory/rows.h"
 
 #include <gtest/gtest.h>
 
@@ -11,12 +11,12 @@
 
 #include <nlohmann/json.hpp>
 
-namespace gnomon::app {
+namespace gnomon::theory {
 namespace {
 
 using nlohmann::json;
 
-const std::string kRows = GNOMON_SOURCE_DIR "/tests/shadow/golden_public.json";
+const std::string kRows = GNOMON_SOURCE_DIR "/tests/theory/golden_public.json";
 
 /// The largest deviation of `got` from `expected` in units of `rtol`, over everything that `expected` names.
 double deviation(const json& expected, const json& got, double rtol) {
@@ -56,7 +56,7 @@ double deviationOfRow(const json& row, const json& got) {
 TEST(Golden, EveryRowIsWithinItsTolerance) {
     const json document = json::parse(readTextFile(kRows));
     ASSERT_EQ(document["rows"].size(), 269U);
-    const json candidates = evaluateTheoryRows(document, kRows)["rows"];
+    const json candidates = evaluateRows(document, kRows)["rows"];
     ASSERT_EQ(candidates.size(), 269U);
     double worst = 0;
     for (std::size_t i = 0; i < candidates.size(); ++i) {
@@ -71,14 +71,14 @@ TEST(Golden, EveryRowIsWithinItsTolerance) {
 
 TEST(Golden, RowsNeedNeitherExpectationNorId) {
     const json document = {{"rows", {{{"family", "eq15_eq16_planes"}, {"inputs", {{"n", 1}, {"f", 100}, {"k", 2}}}}}}};
-    const json candidates = evaluateTheoryRows(document, "rows.json");
+    const json candidates = evaluateRows(document, "rows.json");
     EXPECT_NEAR(candidates["rows"][0]["got"]["planes"][1].get<double>(), 10.0, 1e-12);
 }
 
 TEST(Golden, BadRowsAreNamed) {
     const auto refused = [](const json& row) {
         try {
-            evaluateTheoryRows({{"rows", {row}}}, "rows.json");
+            evaluateRows({{"rows", {row}}}, "rows.json");
         } catch (const Error& error) {
             return std::string(error.what());
         }
@@ -94,4 +94,4 @@ TEST(Golden, BadRowsAreNamed) {
 }
 
 } // namespace
-} // namespace gnomon::app
+} // namespace gnomon::theory

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -27,10 +28,15 @@ void requireWritable(const std::string& path) {
 PreparedFolder::PreparedFolder(const std::string& path) {
     if (path.empty()) return;
     std::error_code failure;
+    std::vector<std::filesystem::path> missing;
     for (std::filesystem::path folder = std::filesystem::absolute(path).lexically_normal();
          !std::filesystem::exists(folder, failure) && folder.has_relative_path();
          folder = folder.parent_path())
-        made_.push_back(folder);
+        missing.push_back(folder);
+    std::reverse(missing.begin(), missing.end());
+    for (const std::filesystem::path& folder : missing)
+        made_.push_back(std::make_unique<TemporaryName>(
+            folder.string(), [&] { return std::filesystem::create_directory(folder, failure); }));
     std::filesystem::create_directories(path, failure);
     if (failure) throw Error(path, "cannot make the folder: " + failure.message());
     if (::access(path.c_str(), W_OK | X_OK) != 0)
@@ -38,9 +44,8 @@ PreparedFolder::PreparedFolder(const std::string& path) {
 }
 
 PreparedFolder::~PreparedFolder() {
-    std::error_code failure; // of one that holds something, which stays
-    for (const std::filesystem::path& folder : made_)
-        std::filesystem::remove(folder, failure);
+    while (!made_.empty())
+        made_.pop_back();
 }
 
 } // namespace gnomon::app

@@ -3,7 +3,7 @@
 
 #include "core/file.h"
 
-#include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,7 +42,7 @@ public:
     PreparedFolder& operator=(PreparedFolder&&) = delete;
 
 private:
-    std::vector<std::filesystem::path> made_; // innermost first
+    std::vector<std::unique_ptr<TemporaryName>> made_; // outermost first
 };
 
 } // namespace gnomon::app

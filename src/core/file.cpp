@@ -3,7 +3,9 @@
 #include "core/error.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -11,6 +13,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/random.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -38,14 +41,70 @@ bool isOtherThanFile(const std::string& path) {
     throw Error(where, what + ": " + std::strerror(errno));
 }
 
+constexpr unsigned kNewPermissions = 0666; // less what the user's mask forbids
+
+/// What `call` returns once no signal has interrupted it.
+template <class Call>
+auto uninterrupted(const Call& call) {
+    for (;;) {
+        const auto result = call();
+        if (result != -1 || errno != EINTR) return result;
+    }
+}
+
+int openedDescriptor(const std::string& path, int flags, unsigned permissions) {
+    return uninterrupted([&] { return ::open(path.c_str(), flags | O_CLOEXEC, permissions); });
+}
+
+int flagsOf(File::Mode mode) {
+    switch (mode) {
+    case File::Mode::Read:
+        return O_RDONLY;
+    case File::Mode::Device:
+        return O_RDWR | O_CREAT | O_TRUNC;
+    case File::Mode::Lock:
+        return O_RDWR | O_CREAT | O_NOFOLLOW;
+    default:
+        return O_RDWR | O_NOFOLLOW;
+    }
+}
+
+/// Names that another process has no way to foresee.
+std::uint64_t randomNumber() {
+    std::uint64_t number = 0;
+    if (uninterrupted([&] { return ::getrandom(&number, sizeof(number), 0); }) == sizeof(number)) return number;
+    return static_cast<std::uint64_t>(std::chrono::steady_clock::now().time_since_epoch().count());
+}
+
+std::string temporaryPathFor(const std::string& finalPath) {
+    std::array<char, 48> text{};
+    std::snprintf(
+        text.data(),
+        text.size(),
+        ".%ld.%016llx.partial",
+        static_cast<long>(::getpid()),
+        static_cast<unsigned long long>(randomNumber()));
+    return finalPath + text.data();
+}
+
 } // namespace
 
 File::File(const std::string& path, Mode mode) : File(path, mode, path) {}
 
 File::File(const std::string& path, Mode mode, std::string toldPath) : path_(std::move(toldPath)) {
-    const int flags = mode == Mode::Read ? O_RDONLY : mode == Mode::Update ? O_RDWR : (O_RDWR | O_CREAT | O_TRUNC);
-    descriptor_ = ::open(path.c_str(), flags | O_CLOEXEC, 0666);
-    if (descriptor_ < 0) throwSystemError(path_, mode == Mode::Create ? "cannot create" : "cannot open");
+    if (mode == Mode::Create) {
+        constexpr int kAttempts = 8; // somebody else may be as quick
+        std::optional<File> made;
+        for (int i = 0; i < kAttempts && !made; ++i) {
+            ::unlink(path.c_str());
+            made = createdNew(path, kNewPermissions, path_);
+        }
+        if (!made) throwSystemError(path_, "cannot create");
+        descriptor_ = std::exchange(made->descriptor_, -1);
+        return;
+    }
+    descriptor_ = openedDescriptor(path, flagsOf(mode), kNewPermissions);
+    if (descriptor_ < 0) throwSystemError(path_, mode == Mode::Device ? "cannot create" : "cannot open");
 
     struct stat info {};
 
@@ -53,6 +112,15 @@ File::File(const std::string& path, Mode mode, std::string toldPath) : path_(std
         ::close(descriptor_);
         throw Error(path_, "cannot open: is a directory");
     }
+}
+
+File::File(int descriptor, std::string toldPath) : path_(std::move(toldPath)), descriptor_(descriptor) {}
+
+std::optional<File> File::createdNew(const std::string& path, unsigned permissions, std::string toldPath) {
+    const int descriptor = openedDescriptor(path, O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW, permissions);
+    if (descriptor >= 0) return File(descriptor, std::move(toldPath));
+    if (errno != EEXIST) throwSystemError(toldPath, "cannot create");
+    return {};
 }
 
 File::~File() {
@@ -114,13 +182,15 @@ void File::writeAt(std::uint64_t offset, std::span<const std::byte> bytes) {
         const ssize_t put =
             ::pwrite(descriptor_, bytes.data() + done, bytes.size() - done, static_cast<off_t>(offset + done));
         if (put < 0 && errno == EINTR) continue;
+        if (put == 0) errno = ENOSPC; // nothing is said of why
         if (put <= 0) throwSystemError(atByte(path_, offset + done), "cannot write");
         done += static_cast<std::size_t>(put);
     }
 }
 
 void File::resize(std::uint64_t bytes) {
-    if (::ftruncate(descriptor_, static_cast<off_t>(bytes)) != 0) throwSystemError(path_, "cannot resize");
+    if (uninterrupted([&] { return ::ftruncate(descriptor_, static_cast<off_t>(bytes)); }) != 0)
+        throwSystemError(path_, "cannot resize");
 }
 
 void File::release(std::uint64_t offset, std::uint64_t bytes) {
@@ -133,39 +203,61 @@ void File::release(std::uint64_t offset, std::uint64_t bytes) {
 }
 
 bool File::tryLock() {
-    return ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0;
+    return uninterrupted([&] { return ::flock(descriptor_, LOCK_EX | LOCK_NB); }) == 0;
 }
 
 void File::sync() {
-    if (::fsync(descriptor_) != 0 && errno != EINVAL && errno != EROFS) throwSystemError(path_, "cannot flush");
+    if (uninterrupted([&] { return ::fsync(descriptor_); }) != 0 && errno != EINVAL && errno != EROFS)
+        throwSystemError(path_, "cannot flush");
+}
+
+void File::resemble(const std::string& path) {
+    struct stat other {};
+
+    if (::stat(path.c_str(), &other) != 0) return;
+    const bool isOwned = ::fchown(descriptor_, other.st_uid, other.st_gid) == 0;
+    // A group alone may be handed on to anybody who is in it.
+    if (!isOwned) static_cast<void>(::fchown(descriptor_, static_cast<uid_t>(-1), other.st_gid));
+    static_cast<void>(::fchmod(descriptor_, other.st_mode & (isOwned ? 07777U : 0777U)));
 }
 
 AtomicFile::AtomicFile(const std::string& finalPath)
-    : finalPath_(isOtherThanFile(finalPath) ? finalPath : beyondLinks(finalPath)),
-      temporaryPath_(
-          isOtherThanFile(finalPath_) ? finalPath_ : finalPath_ + "." + std::to_string(::getpid()) + ".partial"),
-      file_(temporaryPath_, File::Mode::Create, finalPath) {}
-
-AtomicFile::~AtomicFile() {
-    if (!committed_ && temporaryPath_ != finalPath_) ::unlink(temporaryPath_.c_str());
+    : finalPath_(isOtherThanFile(finalPath) ? finalPath : beyondLinks(finalPath)) {
+    if (isOtherThanFile(finalPath_)) {
+        file_.emplace(finalPath_, File::Mode::Device, finalPath);
+        return;
+    }
+    constexpr unsigned kOwnersOnly = 0600; // until it is known who may read what is replaced
+    constexpr int kAttempts = 100;
+    const bool isReplacing = std::filesystem::exists(finalPath_);
+    for (int i = 0; i < kAttempts && !file_; ++i) {
+        const std::string path = temporaryPathFor(finalPath_);
+        temporary_.emplace(path, [&] {
+            file_ = File::createdNew(path, isReplacing ? kOwnersOnly : kNewPermissions, finalPath);
+            return file_.has_value();
+        });
+    }
+    if (!file_) throwSystemError(finalPath, "cannot create");
+    if (isReplacing) file_->resemble(finalPath_);
 }
 
 void AtomicFile::commit() {
-    file_.sync();
-    if (temporaryPath_ != finalPath_ && std::rename(temporaryPath_.c_str(), finalPath_.c_str()) != 0)
-        throwSystemError(finalPath_, "cannot rename the finished file");
-    committed_ = true;
+    file_->sync();
+    if (!temporary_) return;
+    const auto rename = [&] {
+        return uninterrupted([&] { return std::rename(temporary_->path().c_str(), finalPath_.c_str()); }) == 0;
+    };
+    if (!temporary_->keep(rename)) throwSystemError(finalPath_, "cannot rename the finished file");
 }
 
-std::string readTextFile(const std::string& path) {
-    constexpr std::size_t kMost = std::size_t{1} << 30U;
+std::string readTextFile(const std::string& path, Bytes most) {
     File file(path, File::Mode::Read);
     // What a pipe or a device holds is known at its end only.
     std::string text;
     std::size_t length = 0;
     for (;;) {
-        if (std::max<std::uint64_t>(length, file.size()) > kMost)
-            throw Error(path, "too large for a text", "at most 1 GiB", "more");
+        if (std::max<std::uint64_t>(length, file.size()) > most.count)
+            throw Error(path, "too large for a text", "at most " + readableBytes(most), "more");
         if (length == text.size()) text.resize(std::max<std::size_t>({file.size() + 1, 2 * length, 4096}));
         const std::size_t got = file.readSome(std::as_writable_bytes(std::span(text)).subspan(length));
         if (got == 0) break;

@@ -1,9 +1,11 @@
 // Checked file I/O: every short read, failed write and full disk becomes one Error with path and offset.
 #pragma once
 
+#include "core/temporary_name.h"
 #include "core/units.h"
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,14 +15,21 @@ namespace gnomon {
 /// An open file, move-only. Positional calls are safe from many threads at once.
 class File {
 public:
-    enum class Mode { Read, Create, Update };
+    /// Read follows links, as does Device, which writes to what is no file or overwrites what is there. The others
+    /// write to no file of a link's choice: Create makes a new file in the place of any, Update opens one for both
+    /// reading and writing, Lock does so and makes it where it is missing.
+    enum class Mode { Read, Create, Update, Lock, Device };
 
-    /// Opens `path`; Create truncates and allows reading back, Update keeps what is there and allows both. Throws Error
-    /// with the system's reason.
+    /// Opens `path`. Throws Error with the system's reason.
     File(const std::string& path, Mode mode);
 
     /// The same; errors and `path()` name the file as `toldPath`.
     File(const std::string& path, Mode mode, std::string toldPath);
+
+    /// A new file that may be read, too; nothing if there is something of this name, a link included. Its permissions
+    /// are those of `permissions` that the user's mask leaves.
+    static std::optional<File> createdNew(const std::string& path, unsigned permissions, std::string toldPath);
+
     ~File();
     File(File&& other) noexcept;
     File& operator=(File&& other) noexcept;
@@ -52,39 +61,40 @@ public:
     /// Whether this open file now has the file's one lock, which ends with it or with the process.
     bool tryLock();
 
+    /// Takes over the permissions of the file at `path`, and its owner as far as that is allowed; nothing if there is
+    /// none.
+    void resemble(const std::string& path);
+
     /// Flushes to the device, so that a rename after it is safe.
     void sync();
 
 private:
+    File(int descriptor, std::string toldPath);
+
     std::string path_;
     int descriptor_ = -1;
 };
 
 /// A file that appears under its final name only when it is complete: written beside it under a temporary name,
-/// renamed by `commit`, removed by the destructor otherwise. Links are followed; a device or a pipe is never replaced.
+/// FINAL.PROCESS.RANDOM.partial, renamed by `commit`, removed by the destructor otherwise. Links are followed; a device
+/// or a pipe is never replaced. A file that is replaced hands on its permissions and, where allowed, its owner.
 class AtomicFile {
 public:
     explicit AtomicFile(const std::string& finalPath);
-    ~AtomicFile();
-    AtomicFile(const AtomicFile&) = delete;
-    AtomicFile& operator=(const AtomicFile&) = delete;
-    AtomicFile(AtomicFile&&) = delete;
-    AtomicFile& operator=(AtomicFile&&) = delete;
 
-    File& file() { return file_; }
+    File& file() { return *file_; }
 
     /// Flushes and renames onto the final name.
     void commit();
 
 private:
     std::string finalPath_;
-    std::string temporaryPath_;
-    File file_;
-    bool committed_ = false;
+    std::optional<TemporaryName> temporary_; // none where the final name is written to
+    std::optional<File> file_;
 };
 
-/// The whole of a small file, pipe or device as text; throws Error beyond 1 GiB.
-std::string readTextFile(const std::string& path);
+/// The whole of a small file, pipe or device as text; throws Error beyond `most` bytes.
+std::string readTextFile(const std::string& path, Bytes most = {std::uint64_t{1} << 30U});
 
 /// Writes `text` to `path` through an AtomicFile.
 void writeTextFile(const std::string& path, const std::string& text);

@@ -3,11 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <thread>
 
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 namespace gnomon {
@@ -93,6 +96,139 @@ TEST(File, ALinkStaysOneAndItsFileIsReplaced) {
     }
     std::filesystem::remove(link);
     std::filesystem::remove(target);
+}
+
+/// The name of the one half-written file of `path`.
+std::string temporaryOf(const std::string& path) {
+    const std::filesystem::path file(path);
+    for (const auto& entry : std::filesystem::directory_iterator(file.parent_path()))
+        if (entry.path().string().starts_with(path + ".") && entry.path().extension() == ".partial")
+            return entry.path().string();
+    return "";
+}
+
+TEST(File, ALinkThatWaitsUnderTheTemporaryNameIsNotWrittenThrough) {
+    const std::string path = scratch("planted");
+    const std::string victim = scratch("victim");
+    const std::string link = path + "." + std::to_string(::getpid()) + ".partial"; // what could be foreseen once
+    writeTextFile(victim, "precious");
+    std::filesystem::create_symlink(victim, link);
+    writeTextFile(path, "own");
+    EXPECT_EQ(readTextFile(victim), "precious");
+    EXPECT_EQ(readTextFile(path), "own");
+    EXPECT_TRUE(std::filesystem::is_symlink(link)) << "it was somebody else's";
+    {
+        AtomicFile first(path);
+        const std::string name = temporaryOf(path);
+        const AtomicFile second(path);
+        EXPECT_NE(name, "");
+    }
+    for (const std::string& name : {path, victim, link})
+        std::filesystem::remove(name);
+    EXPECT_EQ(temporaryOf(path), "");
+}
+
+TEST(File, OnlyReadingFollowsALink) {
+    const std::string victim = scratch("followed");
+    const std::string link = scratch("following");
+    writeTextFile(victim, "precious");
+    std::filesystem::create_symlink(victim, link);
+    EXPECT_THROW(File(link, File::Mode::Update), Error);
+    EXPECT_THROW(File(link, File::Mode::Lock), Error);
+    File(link, File::Mode::Create).writeAt(0, std::as_bytes(std::span("new")));
+    EXPECT_FALSE(std::filesystem::is_symlink(link));
+    EXPECT_EQ(readTextFile(victim), "precious");
+    std::filesystem::remove(link);
+    std::filesystem::remove(victim);
+}
+
+TEST(File, AFileThatIsReplacedHandsOnItsPermissions) {
+    const std::string path = scratch("private");
+    const auto permissions = [](const std::string& name) {
+        struct stat info {};
+
+        EXPECT_EQ(::stat(name.c_str(), &info), 0);
+        return info.st_mode & 07777U;
+    };
+    for (const mode_t mode : {0600U, 0640U, 0664U, 0444U}) {
+        writeTextFile(path, "before");
+        ASSERT_EQ(::chmod(path.c_str(), mode), 0);
+        AtomicFile file(path);
+        EXPECT_EQ(permissions(temporaryOf(path)), mode) << "it is as private while it is written";
+        file.commit();
+        EXPECT_EQ(permissions(path), mode);
+        std::filesystem::remove(path);
+    }
+    const mode_t mask = ::umask(0027);
+    writeTextFile(path, "new");
+    ::umask(mask);
+    EXPECT_EQ(permissions(path), 0640U);
+    if (::geteuid() == 0) { // who else could tell
+        ASSERT_EQ(::chown(path.c_str(), 12345, 23456), 0);
+        writeTextFile(path, "again");
+
+        struct stat info {};
+
+        ASSERT_EQ(::stat(path.c_str(), &info), 0);
+        EXPECT_EQ(info.st_uid, 12345U);
+        EXPECT_EQ(info.st_gid, 23456U);
+    }
+    std::filesystem::remove(path);
+}
+
+TEST(File, ASignalWhileAFileIsOpenedIsNotSeen) {
+    const std::string pipe = scratch("interrupted");
+    std::filesystem::remove(pipe);
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+
+    struct sigaction action {};
+
+    action.sa_handler = [](int) {}; // no SA_RESTART: the call ends with EINTR
+    ASSERT_EQ(::sigaction(SIGUSR1, &action, nullptr), 0);
+    std::string text;
+    std::string failure;
+    std::thread reader([&] {
+        try {
+            text = readTextFile(pipe); // waits for a writer
+        } catch (const Error& error) {
+            failure = error.what();
+        }
+    });
+    for (int i = 0; i < 5; ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        ::pthread_kill(reader.native_handle(), SIGUSR1);
+    }
+    // Opened for both, so that this ends even where the reader has given up.
+    std::fstream writer(pipe, std::ios::in | std::ios::out);
+    writer << "arrived" << std::flush;
+    if (failure.empty()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    writer.close();
+    reader.join();
+    EXPECT_EQ(failure, "");
+    EXPECT_EQ(text, "arrived");
+    std::filesystem::remove(pipe);
+}
+
+TEST(File, AProcessThatIsEndedTakesItsHalfWrittenFilesWithIt) {
+    const std::string path = scratch("ended");
+    const std::string folder = scratch("ended_folder");
+    const pid_t child = ::fork();
+    if (child == 0) {
+        const TemporaryName made(folder, [&] { return ::mkdir(folder.c_str(), 0700) == 0; });
+        const AtomicFile first(path);
+        const AtomicFile second(path);
+        AtomicFile(path + "_whole").commit();
+        std::signal(SIGUSR1, [](int) { TemporaryName::removeAllAndExit(7); });
+        ::raise(SIGUSR1);
+        ::_exit(8);
+    }
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    EXPECT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), 7);
+    EXPECT_EQ(temporaryOf(path), "");
+    EXPECT_FALSE(std::filesystem::exists(folder));
+    EXPECT_TRUE(std::filesystem::remove(path + "_whole"));
 }
 
 TEST(File, AShortReadSaysWhereAndHowMuch) {

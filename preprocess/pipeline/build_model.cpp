@@ -58,7 +58,12 @@ public:
           needs_(affordableNeeds()),
           threads_(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism)),
           workplace_(
-              {options.output, options.temporaryFolder, keyOf(options), options.isInMemory, options.isResumed},
+              {options.output,
+               options.temporaryFolder,
+               keyOf(options),
+               options.isInMemory,
+               options.isResumed,
+               options.onKeptFolder},
               progress) {}
 
     BuildReport run() {

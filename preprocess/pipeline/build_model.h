@@ -6,6 +6,7 @@
 #include "preprocess/levels/level.h"
 #include "preprocess/read/mesh_source.h"
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -29,6 +30,9 @@ struct BuildOptions {
     bool isInMemory = false;     // temporary files in memory
     bool isResumed = false;      // go on with what a killed build left, if anything
     std::string inputKey;        // what tells this input from others, for a build that resumes (fingerprint.h)
+
+    /// Told the folder of temporary files if it stays, for what no build has written into it.
+    std::function<void(const std::string&)> onKeptFolder = {};
 };
 
 struct BuildPhase {

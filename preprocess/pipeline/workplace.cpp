@@ -8,8 +8,12 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstring>
 #include <filesystem>
 #include <map>
+
+#include <sys/stat.h>
+#include <unistd.h>
 
 namespace gnomon::pipeline {
 
@@ -30,6 +34,8 @@ std::string folderFor(const WorkplaceOptions& options) {
         .string();
 }
 
+constexpr std::array kScratchNames{"bins", "borders", "pages", "remains"};
+
 bool isAlive(const std::string& process) {
     return ::kill(static_cast<pid_t>(std::strtol(process.c_str(), nullptr, 10)), 0) == 0 || errno == EPERM;
 }
@@ -43,8 +49,11 @@ void removeLeftovers(const std::string& output) {
     for (const fs::directory_entry& entry : fs::directory_iterator(path.parent_path(), ignored)) {
         const std::string name = entry.path().filename().string();
         if (name.size() <= start.size() + end.size() || !name.starts_with(start) || !name.ends_with(end)) continue;
-        const std::string process = name.substr(start.size(), name.size() - start.size() - end.size());
+        const std::string middle = name.substr(start.size(), name.size() - start.size() - end.size());
+        const std::string process = middle.substr(0, middle.find('.'));
+        const std::string random = middle.substr(std::min(process.size() + 1, middle.size()));
         if (process.find_first_not_of("0123456789") != std::string::npos) continue;
+        if (random.find_first_not_of("0123456789abcdef") != std::string::npos) continue;
         if (!isAlive(process)) fs::remove(entry.path(), ignored);
     }
 }
@@ -80,43 +89,94 @@ std::string differenceOf(const std::string& expected, const std::string& found) 
 
 } // namespace
 
-Workplace::Workplace(const WorkplaceOptions& options, Progress& progress) : space_(progress) {
-    if (options.isInMemory) return;
-    const std::string folder = folderFor(options);
-    std::error_code failed;
-    fs::create_directories(folder, failed);
-    if (failed) throw Error(folder, "cannot create the folder for temporary files: " + failed.message());
-    lock_.emplace(folder + "/lock", File::Mode::Create);
-    if (!lock_->tryLock()) throw Error(folder, "another build is at work there");
-    removeLeftovers(options.output);
-    std::optional<scratch::Journal> found;
-    if (options.isResumed) found = scratch::Journal::reopen(folder + "/journal");
-    if (found && !found->records().empty()) {
-        const std::vector<std::byte>& first = found->records().front();
-        const std::string key(reinterpret_cast<const char*>(first.data()), first.size());
-        if (key != options.key)
-            throw Error(folder, "cannot resume, input or options changed: " + differenceOf(options.key, key));
-        journal_ = std::move(found);
-        try {
-            for (std::size_t i = 1; i < journal_->records().size(); ++i)
-                ledger_.addEncoded(journal_->records()[i]);
-        } catch (const hierarchy::Damage& damage) {
-            throw Error(folder + "/journal", damage.what);
-        }
-        folder_ = folder;
+Workplace::Names::~Names() {
+    if (held_.empty()) return;
+    const std::string folder = held_.front()->path();
+    while (!held_.empty())
+        held_.pop_back();
+    std::error_code ignored;
+    if (onKept_ && fs::exists(folder, ignored)) onKept_(folder);
+}
+
+void Workplace::Names::make(const std::string& folder) {
+    std::error_code ignored; // what is missing then is told of below
+    if (const fs::path above = fs::path(folder).parent_path(); !above.empty()) fs::create_directories(above, ignored);
+    constexpr unsigned kOwnersOnly = 0700;
+    int error = 0;
+    auto name = std::make_unique<TemporaryName>(folder, [&] {
+        error = ::mkdir(folder.c_str(), kOwnersOnly) == 0 ? 0 : errno;
+        return error == 0;
+    });
+    if (error == 0) {
+        held_.push_back(std::move(name));
+        takeOver(folder);
         return;
     }
-    folder_ = folder;
-    for (const char* name : {"bins", "borders", "pages", "remains"})
+    if (error != EEXIST)
+        throw Error(folder, std::string("cannot create the folder for temporary files: ") + std::strerror(error));
+
+    struct stat info {};
+
+    // Whose folder it is can put links in the place of what a build writes there.
+    if (::lstat(folder.c_str(), &info) != 0 || !S_ISDIR(info.st_mode) || info.st_uid != ::geteuid())
+        throw Error(
+            folder,
+            "this is no place for temporary files",
+            "a folder of the user's own",
+            S_ISDIR(info.st_mode) ? "another user's" : "a file or a link");
+}
+
+void Workplace::Names::takeOver(const std::string& folder) {
+    if (held_.size() > 1) return;
+    const auto take = [this](const std::string& path) {
+        held_.push_back(std::make_unique<TemporaryName>(path, [] { return true; }));
+    };
+    if (held_.empty()) take(folder);
+    for (const char* name : kScratchNames)
+        take(folder + "/" + name);
+    for (const char* name : {"journal", "lock"})
+        take(folder + "/" + name);
+}
+
+void Workplace::Names::leave() {
+    for (const auto& name : held_)
+        name->keep([] { return true; });
+    held_.clear();
+}
+
+Workplace::Workplace(const WorkplaceOptions& options, Progress& progress) : space_(progress), names_(options.onKept) {
+    if (options.isInMemory) return;
+    folder_ = folderFor(options);
+    names_.make(folder_);
+    lock_.emplace(folder_ + "/lock", File::Mode::Lock);
+    if (!lock_->tryLock()) {
+        names_.leave();
+        throw Error(folder_, "another build is at work there");
+    }
+    removeLeftovers(options.output);
+    if (options.isResumed && hasResumed(options.key)) return;
+    names_.takeOver(folder_);
+    for (const char* name : kScratchNames)
         remove(name);
-    journal_ = scratch::Journal::create(folder + "/journal");
+    journal_ = scratch::Journal::create(folder_ + "/journal");
     journal_->append(bytesOf(options.key));
 }
 
-Workplace::~Workplace() {
-    if (folder_.empty()) return;
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
+bool Workplace::hasResumed(const std::string& key) {
+    std::optional<scratch::Journal> found = scratch::Journal::reopen(folder_ + "/journal");
+    if (!found || found->records().empty()) return false;
+    const std::vector<std::byte>& first = found->records().front();
+    const std::string before(reinterpret_cast<const char*>(first.data()), first.size());
+    if (before != key) throw Error(folder_, "cannot resume, input or options changed: " + differenceOf(key, before));
+    journal_ = std::move(found);
+    try {
+        for (std::size_t i = 1; i < journal_->records().size(); ++i)
+            ledger_.addEncoded(journal_->records()[i]);
+    } catch (const hierarchy::Damage& damage) {
+        throw Error(folder_ + "/journal", damage.what);
+    }
+    names_.takeOver(folder_);
+    return true;
 }
 
 std::unique_ptr<scratch::ScratchFile> Workplace::scratch(const std::string& name, std::optional<std::uint64_t> keep) {

@@ -1,13 +1,16 @@
 // Where a build keeps what it has half done: a folder of scratch files and a journal, or memory alone.
 #pragma once
 
+#include "core/temporary_name.h"
 #include "preprocess/pipeline/ledger.h"
 #include "preprocess/scratch/journal.h"
 #include "preprocess/scratch/scratch_file.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace gnomon::pipeline {
 
@@ -17,16 +20,18 @@ struct WorkplaceOptions {
     std::string key;         // what is built from what, as "name value, name value": a resumed build must have the same
     bool isInMemory = false; // no files at all
     bool isResumed = false;  // go on with what is there, if anything
+    std::function<void(const std::string&)> onKept = {}; // told the folder if it stays for what no build has put there
 };
 
-/// Everything is removed with the object, unless the process is killed. Only one process at a time can work for one
-/// output in one folder; of several with folders of their own, each puts a whole model in the output's place.
+/// What builds write is removed with the object, unless the process is killed, and nothing else. Only one process at a
+/// time can work for one output in one folder; of several with folders of their own, each puts a whole model in the
+/// output's place.
 class Workplace {
 public:
-    /// Throws Error where another process is at work, or if a resumed build has another key, naming the entries that
-    /// differ; then nothing is touched.
+    /// Throws Error where another process is at work, where the folder is another user's or a link, or if a resumed
+    /// build has another key, naming the entries that differ; then nothing is touched.
     Workplace(const WorkplaceOptions& options, Progress& progress);
-    ~Workplace();
+    ~Workplace() = default;
     Workplace(const Workplace&) = delete;
     Workplace& operator=(const Workplace&) = delete;
     Workplace(Workplace&&) = delete;
@@ -38,11 +43,11 @@ public:
 
     scratch::TemporarySpace& space() { return space_; }
 
-    /// A scratch file of the name: new, or cut after its first `keep` bytes.
+    /// A scratch file, "bins", "borders", "pages" or "remains": new, or cut after its first `keep` bytes.
     std::unique_ptr<scratch::ScratchFile> scratch(const std::string& name, std::optional<std::uint64_t> keep = {});
 
     /// Lets everything stay where it is when the object goes, for another process to go on with.
-    void leave() { folder_.clear(); }
+    void leave() { names_.leave(); }
 
     /// Gives all the space of a scratch file back, which must be closed.
     void remove(const std::string& name);
@@ -55,11 +60,39 @@ public:
     }
 
 private:
+    /// The folder and the files that builds write into it; they go with it unless it leaves them.
+    class Names {
+    public:
+        explicit Names(std::function<void(const std::string&)> onKept) : onKept_(std::move(onKept)) {}
+
+        ~Names();
+        Names(const Names&) = delete;
+        Names& operator=(const Names&) = delete;
+        Names(Names&&) = delete;
+        Names& operator=(Names&&) = delete;
+
+        /// Makes the folder and takes it over; one that is there already is left to `takeOver`.
+        void make(const std::string& folder);
+
+        /// From now on what builds write into the folder goes with this.
+        void takeOver(const std::string& folder);
+
+        void leave();
+
+    private:
+        std::function<void(const std::string&)> onKept_;
+        std::vector<std::unique_ptr<TemporaryName>> held_; // the folder first
+    };
+
+    /// Goes on with the journal that is there; whether there is one. Throws Error if it is of another build.
+    bool hasResumed(const std::string& key);
+
     scratch::TemporarySpace space_;
     std::string folder_; // empty: in memory
     std::optional<File> lock_;
     std::optional<scratch::Journal> journal_;
     Ledger ledger_;
+    Names names_; // last, so that all is removed before the lock is free
 };
 
 } // namespace gnomon::pipeline

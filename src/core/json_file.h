@@ -1,4 +1,4 @@
-// A file of JSON, read whole.
+// A file of JSON, read whole: the one way in which JSON from outside gets in.
 #pragma once
 
 #include <string>
@@ -7,7 +7,12 @@
 
 namespace gnomon {
 
-/// The document in `path`. Throws Error with the byte where it stops being JSON.
+constexpr std::size_t kJsonDepth = 64;                         // what is nested deeper is made to overflow a stack
+constexpr std::size_t kJsonEntries = 4096;                     // of one object; each is looked for among the others
+constexpr std::uint64_t kJsonBytes = std::uint64_t{64} << 20U; // memory takes up to some 20 times as much
+
+/// The document in `path`, at most kJsonBytes of it, kJsonDepth deep, objects of at most kJsonEntries. Throws Error
+/// with the byte where it stops being that, stops being JSON or has a number that no double holds.
 nlohmann::ordered_json readJsonFile(const std::string& path);
 
 } // namespace gnomon

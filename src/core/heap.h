@@ -1,10 +1,15 @@
 // How the heap of the process behaves.
 #pragma once
 
+#include "core/units.h"
+
 namespace gnomon {
 
 /// From now on, large pieces of memory go back to the system as soon as they are freed. The heap would keep them, in
 /// pieces: up to a third on top of what is in use. Slower by a tenth where much is allocated.
 void returnFreedMemoryAtOnce();
+
+/// Whether so much could be had now in one piece, as far as a limit of the process's address space decides that.
+bool isAddressSpaceLeft(Bytes size);
 
 } // namespace gnomon

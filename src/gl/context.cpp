@@ -1,5 +1,8 @@
 #include "gl/context.h"
 
+#include "core/heap.h"
+#include "core/units.h"
+
 #include <array>
 #include <cstdio>
 
@@ -13,6 +16,12 @@ Api loadApi(FunctionSource source) {
     GNOMON_GL_FUNCTIONS(GNOMON_GL_LOAD)
 #undef GNOMON_GL_LOAD
     return api;
+}
+
+void requireAddressSpace(const char* platform) {
+    constexpr Bytes kNeeded = mebibytes(512);
+    if (!isAddressSpaceLeft(kNeeded))
+        throw Error(platform, "too little address space (ulimit -v)", readableBytes(kNeeded) + " more", "less");
 }
 
 Context::Context(Platform platform) : Context(platform == Platform::Osmesa ? makeOsmesaContext() : makeEglContext()) {}

@@ -61,6 +61,7 @@ constexpr std::array<EGLint, 7> kContextAttributes = {
 class EglContext final : public NativeContext {
 public:
     EglContext() {
+        requireAddressSpace("EGL");
         const auto platformDisplay = egl_.function<PFNEGLGETPLATFORMDISPLAYPROC>("eglGetPlatformDisplay");
         const EGLDeviceEXT device = egl_.gpu();
         display_ = device != EGL_NO_DEVICE_EXT

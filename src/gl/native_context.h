@@ -24,6 +24,10 @@ public:
     virtual FunctionSource functionSource() const = 0;
 };
 
+/// Throws Error where a driver in software would not find the address space for its compiler and threads: it crashes
+/// then.
+void requireAddressSpace(const char* platform);
+
 /// A core 4.5 context of OSMesa. Throws Error if there is none.
 std::unique_ptr<NativeContext> makeOsmesaContext();
 

@@ -29,6 +29,7 @@ using DestroyContext = void (*)(void*);
 class OsmesaContext final : public NativeContext {
 public:
     OsmesaContext() {
+        requireAddressSpace("OSMesa");
         context_ = library_.function<CreateContext>("OSMesaCreateContextAttribs")(kAttributes.data(), nullptr);
         if (context_ == nullptr) throw Error("OSMesa", "no context", "core 4.5", "nothing");
         const auto makeCurrent = library_.function<MakeCurrent>("OSMesaMakeCurrent");

@@ -3,6 +3,7 @@
 #include "core/error.h"
 
 #include <array>
+#include <sstream>
 #include <utility>
 
 namespace gnomon::gl {
@@ -10,6 +11,15 @@ namespace gnomon::gl {
 namespace {
 
 constexpr GLsizei kLogBytes = 2048;
+
+/// What a driver says over several lines, as one.
+std::string oneLine(const char* log) {
+    std::string line;
+    std::istringstream lines{std::string(log)};
+    for (std::string next; std::getline(lines, next);)
+        if (!next.empty()) line += (line.empty() ? "" : "; ") + next;
+    return line;
+}
 
 /// A compiled shader that is deleted at the end of its scope: the program keeps what it needs.
 class Shader {
@@ -25,7 +35,7 @@ public:
         std::array<char, kLogBytes> log{};
         api.getShaderInfoLog(id_, kLogBytes, nullptr, log.data());
         api.deleteShader(id_);
-        throw Error(path, std::string("this shader does not compile: ") + log.data());
+        throw Error(path, "this shader does not compile: " + oneLine(log.data()));
     }
 
     ~Shader() { api_.deleteShader(id_); }
@@ -63,7 +73,7 @@ Program::Program(
     std::array<char, kLogBytes> log{};
     api.getProgramInfoLog(id_, kLogBytes, nullptr, log.data());
     api.deleteProgram(std::exchange(id_, 0));
-    throw Error(std::string(fragmentPath), std::string("this program does not link: ") + log.data());
+    throw Error(std::string(fragmentPath), "this program does not link: " + oneLine(log.data()));
 }
 
 Program::~Program() {

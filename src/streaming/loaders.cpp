@@ -1,9 +1,12 @@
 #include "streaming/loaders.h"
 
 #include "core/check.h"
+#include "core/error.h"
 
 #include <algorithm>
 #include <exception>
+#include <string>
+#include <system_error>
 #include <utility>
 
 namespace gnomon::streaming {
@@ -24,8 +27,14 @@ LoadedPage load(const PageSource& source, std::uint32_t page) {
 
 Loaders::Loaders(const PageSource& source, unsigned threadCount) : source_(&source) {
     GNOMON_CHECK_OP(threadCount, >=, 1U);
-    for (unsigned i = 0; i < threadCount; ++i)
-        threads_.emplace_back([this] { run(); });
+    for (unsigned i = 0; i < threadCount; ++i) {
+        try {
+            threads_.emplace_back([this] { run(); });
+        } catch (const std::system_error& error) {
+            if (threads_.empty()) throw Error("a loader of pages", std::string("no thread for it: ") + error.what());
+            break; // fewer do as well
+        }
+    }
 }
 
 Loaders::~Loaders() {

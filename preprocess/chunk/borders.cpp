@@ -5,7 +5,7 @@
 #include "preprocess/chunk/chunk_mesh.h"
 #include "preprocess/chunk/in_order.h"
 #include "preprocess/chunk/survey.h"
-#include "preprocess/levels/normals.h"
+#include "preprocess/levels/smooth_normals.h"
 
 #include <algorithm>
 

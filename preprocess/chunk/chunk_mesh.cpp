@@ -2,7 +2,7 @@
 
 #include "core/check.h"
 #include "core/index_table.h"
-#include "preprocess/levels/normals.h"
+#include "preprocess/levels/smooth_normals.h"
 #include "preprocess/read/polygon.h"
 
 namespace gnomon::chunk {

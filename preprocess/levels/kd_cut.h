@@ -14,7 +14,7 @@ struct alignas(16) KdPoint {
     std::uint32_t item; // its place among the items; breaks ties
 };
 
-/// The low side of a cut: how many points it has and what they weigh.
+/// The low side of a cut: how many points it has and what they compareCandidates.
 struct KdSide {
     std::size_t count;
     std::uint64_t weight;

@@ -1,9 +1,7 @@
-// One level of detail while it is built: clusters, groups of them, and the step to the next coarser level.
+// One level of detail while it is built: triangles, clusters of them, groups of clusters.
 #pragma once
 
-#include "core/progress.h"
-#include "preprocess/levels/carried_normals.h"
-#include "preprocess/simplify/deviation.h"
+#include "preprocess/levels/normal_transfer.h"
 #include "preprocess/simplify/mesh.h"
 #include "preprocess/simplify/simplify.h"
 
@@ -14,7 +12,7 @@ namespace gnomon::levels {
 /// What shapes the hierarchy; part of what a .gnm says about itself.
 struct LevelOptions {
     std::uint32_t clusterTriangles = 128;
-    simplify::Simplifier simplifier = simplify::Simplifier::Own;
+    simplify::Simplifier simplifier = simplify::Simplifier::Quadric;
     bool isErrorMeasured = true;
 };
 
@@ -56,24 +54,7 @@ struct Level {
     std::vector<LevelCluster> clusters;
     std::vector<LevelGroup> groups;
     std::vector<LevelRefinement> refinements;
-    std::vector<CarriedNormal> normals; // that vertices of the mesh take from this level on
+    std::vector<TransferredNormal> normals; // that vertices of the mesh take from this level on
 };
-
-/// Level 0: the mesh's triangles in clusters, without groups.
-Level firstLevel(const simplify::Mesh& mesh, const LevelOptions& options);
-
-/// Forms the groups of `level`, the `number`th from 0, and reorders clusters and triangles accordingly. Cuts lie
-/// elsewhere than in the level before, so that the borders which were locked there become interiors here.
-void formGroups(Level& level, const hierarchy::Grid& grid, const LevelOptions& options, std::uint32_t number);
-
-/// What a collapse may cost: no more than what it removes is long, or anything. Where only borders that other groups
-/// count on are left to collapse, a fair price means to wait for the next level, whose borders lie elsewhere.
-enum class Price { Fair, Any };
-
-/// Simplifies each group of `level` to half, as far as `price` allows, sets the groups' errors, and returns the
-/// clusters that replace them, not yet in groups. Each group is a pure function of its own triangles and of which
-/// positions it shares with others. Advances `progress` by the level's triangles.
-Level simplifiedLevel(
-    const simplify::Mesh& mesh, Level& level, const LevelOptions& options, Price price, Progress& progress);
 
 } // namespace gnomon::levels

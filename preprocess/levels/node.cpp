@@ -1,5 +1,8 @@
 #include "preprocess/levels/node.h"
 
+#include "preprocess/levels/grouping.h"
+#include "preprocess/levels/level_simplification.h"
+
 namespace gnomon::levels {
 
 namespace {
@@ -31,17 +34,17 @@ struct Coarser {
     bool isWorthwhile = false;
 };
 
-/// On the way to the root, what cannot be had at a fair price is had at any.
+/// The next level under a cost limit; towards the root without one, where the limit would end it.
 Coarser coarserLevel(
     const simplify::Mesh& mesh, Level& level, bool isToRoot, const LevelOptions& options, Progress& progress) {
-    const auto at = [&](Price price) {
-        Coarser coarser = {simplifiedLevel(mesh, level, options, price, progress)};
+    const auto at = [&](simplify::CostLimit limit) {
+        Coarser coarser = {simplifiedLevel(mesh, level, options, limit, progress)};
         coarser.isWorthwhile = isWorthwhile(coarser.level, level.triangles.size());
         return coarser;
     };
-    Coarser fair = at(Price::Fair);
-    if (fair.isWorthwhile || !isToRoot) return fair;
-    return at(Price::Any);
+    Coarser limited = at(simplify::CostLimit::MeanEdge);
+    if (limited.isWorthwhile || !isToRoot) return limited;
+    return at(simplify::CostLimit::None);
 }
 
 /// The groups of a root: nothing coarser stands in for them, whatever the error.
@@ -51,7 +54,7 @@ void endAtRoot(Level& level) {
 }
 
 void takeNormals(const Level& level, simplify::Mesh& mesh) {
-    for (const CarriedNormal& carried : level.normals)
+    for (const TransferredNormal& carried : level.normals)
         mesh.vertices[carried.vertex].normal = carried.normal;
 }
 
@@ -84,7 +87,7 @@ BuiltNode buildNode(
         level = std::move(coarser.level);
         takeNormals(level, mesh);
     }
-    node.remains = encodeRemains(mesh, level);
+    node.pending = encodePendingLevel(mesh, level);
     return node;
 }
 

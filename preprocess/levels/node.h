@@ -1,8 +1,9 @@
 // A few levels of one part of the model at once: a pure function of the part, whatever threads share its groups.
 #pragma once
 
+#include "core/progress.h"
 #include "preprocess/levels/page_layout.h"
-#include "preprocess/levels/remains.h"
+#include "preprocess/levels/pending_level.h"
 
 namespace gnomon::levels {
 
@@ -20,7 +21,7 @@ struct NodeLevel {
 
 struct BuiltNode {
     std::vector<NodeLevel> levels; // from the plan's first one on
-    EncodedRemains remains;        // empty after the root
+    EncodedPendingLevel pending;   // empty after the root
     std::uint64_t rootTriangles = 0;
     std::uint64_t stuckTriangles = 0; // of level 0, never replaced
 };

@@ -13,7 +13,7 @@ const char* nameOf(simplify::Simplifier simplifier) {
         return "meshopt";
     case simplify::Simplifier::OpenMesh:
         return "openmesh";
-    case simplify::Simplifier::Own:
+    case simplify::Simplifier::Quadric:
         break;
     }
     return "own";

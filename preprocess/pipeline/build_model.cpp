@@ -5,6 +5,7 @@
 #include "preprocess/chunk/binning.h"
 #include "preprocess/chunk/chunk_mesh.h"
 #include "preprocess/chunk/in_order.h"
+#include "preprocess/levels/level_clusters.h"
 #include "preprocess/levels/node.h"
 #include "preprocess/pipeline/assemble.h"
 #include "preprocess/pipeline/build_key.h"
@@ -235,20 +236,20 @@ private:
             made.node = levels::buildNode(
                 chunk.mesh, levels::firstLevel(chunk.mesh, options_.level), plan, options_.level, progress_);
         } else {
-            levels::Remains remains = joined(round, node);
-            made.node = levels::buildNode(remains.mesh, std::move(remains.level), plan, options_.level, progress_);
+            levels::PendingLevel pending = joined(round, node);
+            made.node = levels::buildNode(pending.mesh, std::move(pending.level), plan, options_.level, progress_);
         }
         return made;
     }
 
     /// The remains of the node's children as one.
-    levels::Remains joined(const Round& round, std::size_t node) const {
+    levels::PendingLevel joined(const Round& round, std::size_t node) const {
         const std::uint32_t before = round.number - 1;
         const std::vector<NodeRecord>& children = ledger().nodes(before);
         std::uint64_t vertices = 0;
         for (std::uint32_t child = round.firstChild(node); child < round.ends[node]; ++child)
             vertices += children[child].remainingVertices;
-        levels::RemainsMerger merger(ledger().binned()->grid, vertices);
+        levels::PendingLevelMerger merger(ledger().binned()->grid, vertices);
         std::vector<std::byte> bytes;
         for (std::uint32_t child = round.firstChild(node); child < round.ends[node]; ++child) {
             const NodeRecord& record = children[child];
@@ -278,10 +279,10 @@ private:
                 own.pages.push_back(std::move(page.info));
             }
         }
-        record.remainsBytes = made.node.remains.bytes.size();
-        record.remainsOffset = remainsFile_->append(made.node.remains.bytes);
-        record.remainingVertices = made.node.remains.vertices;
-        record.remainingTriangles = made.node.remains.triangles;
+        record.remainsBytes = made.node.pending.bytes.size();
+        record.remainsOffset = remainsFile_->append(made.node.pending.bytes);
+        record.remainingVertices = made.node.pending.vertices;
+        record.remainingTriangles = made.node.pending.triangles;
         record.rootTriangles = made.node.rootTriangles;
         record.stuckTriangles = made.node.stuckTriangles;
         workplace_.finish(std::move(record));

@@ -13,10 +13,10 @@ constexpr std::uint32_t kSearched = 12; // of so few points each is looked at
 
 } // namespace
 
-PointTree::PointTree(std::span<const glm::dvec3> points, std::span<const std::uint32_t> pieces) {
+PointTree::PointTree(std::span<const glm::dvec3> points, std::span<const std::uint32_t> components) {
     points_.reserve(points.size());
     for (std::uint32_t i = 0; i < points.size(); ++i)
-        points_.push_back({{points[i].x, points[i].y, points[i].z}, i, pieces[i]});
+        points_.push_back({{points[i].x, points[i].y, points[i].z}, i, components[i]});
     nodes_.reserve(points.size() / 3 + 1);
     build(0, static_cast<std::uint32_t>(points_.size()));
 }
@@ -51,8 +51,8 @@ void PointTree::build(std::uint32_t begin, std::uint32_t end) {
     build(middle, end);
 }
 
-std::uint32_t PointTree::nearest(const glm::dvec3& place, std::uint32_t piece) const {
-    Query query{{place.x, place.y, place.z}, piece, std::numeric_limits<double>::infinity(), hierarchy::kNone};
+std::uint32_t PointTree::nearest(const glm::dvec3& place, std::uint32_t component) const {
+    Query query{{place.x, place.y, place.z}, component, std::numeric_limits<double>::infinity(), hierarchy::kNone};
     if (!points_.empty()) visit(0, query);
     return query.best;
 }
@@ -62,7 +62,7 @@ void PointTree::visit(std::uint32_t index, Query& query) const {
     if (node.right == 0) {
         for (std::uint32_t i = node.begin; i < node.end; ++i) {
             const Point& point = points_[i];
-            if (point.piece == query.piece) continue;
+            if (point.component == query.component) continue;
             const double x = point.place[0] - query.place[0];
             const double y = point.place[1] - query.place[1];
             const double z = point.place[2] - query.place[2];

@@ -1,4 +1,4 @@
-// A tree of points in pieces, for the nearest one of another piece.
+// A kd-tree of points in components, for the nearest one of another component.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -14,12 +14,12 @@ namespace gnomon::proximity {
 /// 1975, with the planes in the middle of the space instead of the points, which is quicker to build.
 class PointTree {
 public:
-    /// Of `points`, finite, each in the piece of that place in `pieces`.
-    PointTree(std::span<const glm::dvec3> points, std::span<const std::uint32_t> pieces);
+    /// Of `points`, finite, each in the component of that place in `components`.
+    PointTree(std::span<const glm::dvec3> points, std::span<const std::uint32_t> components);
 
-    /// The index of the point nearest to `place` that is not in `piece`, the least of those equally near; kNone if all
-    /// are.
-    std::uint32_t nearest(const glm::dvec3& place, std::uint32_t piece) const;
+    /// The index of the point nearest to `place` that is not in `component`, the least of those equally near; kNone if
+    /// all are.
+    std::uint32_t nearest(const glm::dvec3& place, std::uint32_t component) const;
 
 private:
     using Place = std::array<double, 3>;
@@ -27,7 +27,7 @@ private:
     struct Point {
         Place place;
         std::uint32_t index;
-        std::uint32_t piece;
+        std::uint32_t component;
     };
 
     struct Node {
@@ -40,7 +40,7 @@ private:
 
     struct Query {
         Place place;
-        std::uint32_t piece;
+        std::uint32_t component;
         double bestSquare;
         std::uint32_t best;
     };

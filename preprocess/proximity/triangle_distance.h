@@ -12,23 +12,31 @@ inline double squaredLength(const glm::dvec3& v) {
     return glm::dot(v, v);
 }
 
-/// Where the nearest point of a triangle lies.
-enum class Nearest : std::uint8_t { Face, Edge0, Edge1, Edge2, Corner0, Corner1, Corner2 }; // edge i: i to i + 1
+/// The feature of a triangle on which its point nearest to another one lies.
+enum class TriangleFeature : std::uint8_t {
+    Face,
+    Edge0,
+    Edge1,
+    Edge2,
+    Corner0,
+    Corner1,
+    Corner2
+}; // edge i: i to i + 1
 
-struct Footing {
+struct TriangleDistance {
     double square = 0; // of the distance
-    Nearest nearest = Nearest::Face;
+    TriangleFeature feature = TriangleFeature::Face;
 };
 
 /// The squared distance of `p` from the triangle `a`, `b`, `c`, which may be degenerate.
-Footing footing(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
+TriangleDistance distanceToTriangle(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
 
 /// An upper bound of the squared distance of `p` from the triangle that is its exact value but for rounding: the
 /// distance from a point of the triangle that is computed explicitly. Ericson, "Real-Time Collision Detection", 2005,
 /// 5.1.5.
-double nearestSquare(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
+double squaredDistance(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
 
 /// The same for the segment from `a` to `b`.
-double nearestSquare(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b);
+double squaredDistance(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b);
 
 } // namespace gnomon::proximity

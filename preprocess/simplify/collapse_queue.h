@@ -1,4 +1,4 @@
-// The order in which vertices collapse: a tournament of their costs, which may change.
+// The priority queue of collapses: a tournament tree over the vertices, whose costs may change.
 #pragma once
 
 #include <algorithm>
@@ -24,15 +24,15 @@ public:
             winner_[node] = winner_[node * 2];
     }
 
-    bool isEmpty() const { return least() == kAbsent; }
+    bool isEmpty() const { return leastCost() == kAbsent; }
 
-    bool holds(std::uint32_t vertex) const { return cost_[vertex] != kAbsent; }
+    bool contains(std::uint32_t vertex) const { return cost_[vertex] != kAbsent; }
 
     /// The cost of a vertex; infinite if it is not here.
     double costOf(std::uint32_t vertex) const { return cost_[vertex]; }
 
     /// The cost of the cheapest.
-    double least() const { return cost_[winner_[1]]; }
+    double leastCost() const { return cost_[winner_[1]]; }
 
     /// Inserts `vertex` or changes its cost, which is finite.
     void put(std::uint32_t vertex, double cost) {
@@ -53,11 +53,11 @@ public:
     }
 
     void remove(std::uint32_t vertex) {
-        if (holds(vertex)) put(vertex, kAbsent);
+        if (contains(vertex)) put(vertex, kAbsent);
     }
 
     /// Removes and returns the cheapest vertex.
-    std::uint32_t take() {
+    std::uint32_t pop() {
         const std::uint32_t vertex = winner_[1];
         put(vertex, kAbsent);
         return vertex;

@@ -19,7 +19,7 @@ std::uint32_t placeOf(std::uint32_t p, const Triangle& t) {
     return t[0] == p ? 0 : (t[1] == p ? 1 : 2);
 }
 
-double difference(const Vertex& a, const Vertex& b) {
+double attributeDistance(const Vertex& a, const Vertex& b) {
     const auto channel = [](std::uint32_t color, std::uint32_t shift) {
         return static_cast<double>(color >> shift & 0xFFU) / 255.0;
     };
@@ -38,8 +38,8 @@ void CollapseStar::gather(std::uint32_t from, std::uint32_t to) {
     to_ = to;
     faces_.clear();
     vanishing_ = 0;
-    living_.forCorners(from, [&](std::uint32_t corner) {
-        const Triangle& t = living_.positions(corner / 3);
+    mesh_.forEachCorner(from, [&](std::uint32_t corner) {
+        const Triangle& t = mesh_.positions(corner / 3);
         const std::uint32_t i = corner % 3;
         const StarFace face{corner / 3, t[(i + 1) % 3], t[(i + 2) % 3]};
         if (vanishes(face)) ++vanishing_;
@@ -61,25 +61,25 @@ bool CollapseStar::turnsFace() const {
         if (square > 0 && (turned <= 0 || turned * turned < kLeastTurnCosine * kLeastTurnCosine * square *
                                                                 proximity::squaredLength(after)))
             return true;
-        const glm::dvec3& first = living_.firstNormal(face.triangle);
+        const glm::dvec3& first = mesh_.originalNormal(face.triangle);
         if (glm::dot(first, after) <= 0 && proximity::squaredLength(first) > 0) return true;
     }
     return false;
 }
 
-bool CollapseStar::changesTopology() {
+bool CollapseStar::violatesLinkCondition() {
     if (vanishing_ == 0) return true;
-    if (vanishing_ > 1 && living_.isBorder(from_) && living_.isBorder(to_)) return true;
-    return living_.commonNeighbours(from_, to_) > vanishing_;
+    if (vanishing_ > 1 && mesh_.isBorder(from_) && mesh_.isBorder(to_)) return true;
+    return mesh_.commonNeighbours(from_, to_) > vanishing_;
 }
 
 bool CollapseStar::breaksLockedEdge() {
     if (patch_.isLocked[to_] == 0) return false;
     ends_.clear();
     for (const StarFace& face : faces_) {
-        const std::uint32_t isGoing = vanishes(face) ? 1 : 0;
-        if (face.b != to_ && patch_.isLocked[face.b] != 0) ends_.push_back({face.b, isGoing});
-        if (face.c != to_ && patch_.isLocked[face.c] != 0) ends_.push_back({face.c, isGoing});
+        const std::uint32_t isVanishing = vanishes(face) ? 1 : 0;
+        if (face.b != to_ && patch_.isLocked[face.b] != 0) ends_.push_back({face.b, isVanishing});
+        if (face.c != to_ && patch_.isLocked[face.c] != 0) ends_.push_back({face.c, isVanishing});
     }
     if (ends_.empty()) return false;
     std::sort(ends_.begin(), ends_.end());
@@ -116,42 +116,43 @@ bool CollapseStar::orderAsFan(Fan& fan) {
     return true;
 }
 
-/// The vertex at `to` that stands in for `vertex`: the one joined to it by a vanishing triangle, else the most alike.
-std::uint32_t CollapseStar::standIn(std::uint32_t vertex) {
-    for (const auto& [gone, kept] : standIns_)
-        if (gone == vertex) return kept;
+/// The vertex at `to` that replaces `vertex`: the one at the other end of an edge of a vanishing triangle, which keeps
+/// attribute seams, else the one with the nearest attributes.
+std::uint32_t CollapseStar::replacementOf(std::uint32_t vertex) {
+    for (const auto& [removed, kept] : replacements_)
+        if (removed == vertex) return kept;
     std::uint32_t best = kNone;
-    double least = std::numeric_limits<double>::infinity();
-    living_.forCorners(to_, [&](std::uint32_t corner) {
-        const std::uint32_t candidate = living_.vertices(corner / 3)[corner % 3];
+    double nearest = std::numeric_limits<double>::infinity();
+    mesh_.forEachCorner(to_, [&](std::uint32_t corner) {
+        const std::uint32_t candidate = mesh_.vertices(corner / 3)[corner % 3];
         if (candidate == best) return;
-        const double unlike = difference(patch_.vertices[candidate], patch_.vertices[vertex]);
-        if (unlike < least || (unlike == least && candidate < best)) {
-            least = unlike;
+        const double distance = attributeDistance(patch_.vertices[candidate], patch_.vertices[vertex]);
+        if (distance < nearest || (distance == nearest && candidate < best)) {
+            nearest = distance;
             best = candidate;
         }
     });
     return best;
 }
 
-void CollapseStar::carryOut() {
-    standIns_.clear();
+void CollapseStar::apply() {
+    replacements_.clear();
     for (const StarFace& face : faces_) {
         if (!vanishes(face)) continue;
-        const Triangle& t = living_.positions(face.triangle);
-        const Triangle& v = living_.vertices(face.triangle);
-        standIns_.push_back({v[placeOf(from_, t)], v[placeOf(to_, t)]});
+        const Triangle& t = mesh_.positions(face.triangle);
+        const Triangle& v = mesh_.vertices(face.triangle);
+        replacements_.push_back({v[placeOf(from_, t)], v[placeOf(to_, t)]});
     }
     for (const StarFace& face : faces_) {
         if (vanishes(face)) continue;
-        const std::uint32_t place = placeOf(from_, living_.positions(face.triangle));
-        const std::uint32_t gone = living_.vertices(face.triangle)[place];
-        const std::uint32_t kept = standIn(gone);
-        standIns_.push_back({gone, kept});
-        living_.change(3 * face.triangle + place, kept, to_);
+        const std::uint32_t place = placeOf(from_, mesh_.positions(face.triangle));
+        const std::uint32_t removed = mesh_.vertices(face.triangle)[place];
+        const std::uint32_t kept = replacementOf(removed);
+        replacements_.push_back({removed, kept});
+        mesh_.setCorner(3 * face.triangle + place, kept, to_);
     }
     for (const StarFace& face : faces_)
-        if (vanishes(face)) living_.remove(face.triangle);
+        if (vanishes(face)) mesh_.remove(face.triangle);
 }
 
 } // namespace gnomon::simplify

@@ -16,35 +16,35 @@ constexpr double kColorWeight = 0.02;  // the same for colours, whose channels a
 
 } // namespace
 
-CostEstimate::CostEstimate(const Patch& patch, const LivingPatch& living)
+CostEstimate::CostEstimate(const Patch& patch, const SimplificationMesh& mesh)
     : patch_(patch), quadric_(patch.positions.size()) {
-    addFacePlanes(living);
-    addEdgePlanes(living);
+    addFacePlanes(mesh);
+    addEdgePlanes(mesh);
     loadSites();
 }
 
-void CostEstimate::addFacePlanes(const LivingPatch& living) {
+void CostEstimate::addFacePlanes(const SimplificationMesh& mesh) {
     for (std::uint32_t t = 0; t < patch_.triangles.size(); ++t) {
-        const glm::dvec3& normal = living.firstNormal(t);
+        const glm::dvec3& normal = mesh.originalNormal(t);
         const double length = glm::length(normal);
         if (!(length > 0)) continue;
-        const glm::dvec3& a = patch_.positions[living.positions(t)[0]];
+        const glm::dvec3& a = patch_.positions[mesh.positions(t)[0]];
         Quadric plane;
         plane.addPlane(normal / length, a, length * 0.5);
-        for (const std::uint32_t p : living.positions(t))
+        for (const std::uint32_t p : mesh.positions(t))
             quadric_[p].add(plane);
     }
 }
 
-void CostEstimate::addEdgePlanes(const LivingPatch& living) {
+void CostEstimate::addEdgePlanes(const SimplificationMesh& mesh) {
     for (std::uint32_t corner = 0; corner < patch_.triangles.size() * 3; ++corner) {
-        const EdgeKind kind = living.firstEdge(corner);
+        const EdgeKind kind = mesh.originalEdge(corner);
         if (kind == EdgeKind::Smooth) continue;
-        const Triangle& t = living.positions(corner / 3);
+        const Triangle& t = mesh.positions(corner / 3);
         const std::uint32_t a = t[corner % 3];
         const std::uint32_t b = t[(corner % 3 + 1) % 3];
         const glm::dvec3 edge = patch_.positions[b] - patch_.positions[a];
-        const glm::dvec3 upright = glm::cross(edge, living.firstNormal(corner / 3));
+        const glm::dvec3 upright = glm::cross(edge, mesh.originalNormal(corner / 3));
         const double length = glm::length(upright);
         if (!(length > 0)) continue;
         const double weight = proximity::squaredLength(edge) * (kind == EdgeKind::Open ? kBorderWeight : kCreaseWeight);

@@ -1,19 +1,19 @@
-// What moving one position onto another costs before the errors are known: the quadric of its planes, and the length
-// and the attributes of the edge.
+// The estimated cost of a half-edge collapse, before its error is bounded: the quadric error of the target, and the
+// length and the change of attributes along the edge.
 #pragma once
 
 #include "preprocess/proximity/triangle_distance.h"
 #include "preprocess/simplify/cost_kernel.h"
-#include "preprocess/simplify/living_patch.h"
+#include "preprocess/simplify/simplification_mesh.h"
 
 namespace gnomon::simplify {
 
-/// Costs are squared distances in grid steps. Open edges, and edges along which normals or colours part, have planes of
-/// their own, upright on their faces.
+/// Costs are squared distances in grid steps. Open edges and seams (where normals or colours differ) add planes
+/// perpendicular to their faces, as Garland and Heckbert 1997 do for boundaries.
 class CostEstimate {
 public:
-    /// Of `patch`, with nothing collapsed yet in `living`.
-    CostEstimate(const Patch& patch, const LivingPatch& living);
+    /// Of `patch`, with nothing collapsed yet in `mesh`.
+    CostEstimate(const Patch& patch, const SimplificationMesh& mesh);
 
     /// The estimate for moving `from` onto `to`.
     double square(std::uint32_t from, std::uint32_t to) const {
@@ -31,8 +31,8 @@ public:
         return quadric_[from].meanSquare(patch_.positions[to]);
     }
 
-    /// Gives the planes of `from` to `to`.
-    void join(std::uint32_t from, std::uint32_t to) { quadric_[to].add(quadric_[from]); }
+    /// Adds the quadric of `from` to that of `to`.
+    void merge(std::uint32_t from, std::uint32_t to) { quadric_[to].add(quadric_[from]); }
 
 private:
     double attributes(std::uint32_t from, std::uint32_t to) const {
@@ -46,8 +46,8 @@ private:
         return cost;
     }
 
-    void addFacePlanes(const LivingPatch& living);
-    void addEdgePlanes(const LivingPatch& living);
+    void addFacePlanes(const SimplificationMesh& mesh);
+    void addEdgePlanes(const SimplificationMesh& mesh);
     void loadSites();
 
     const Patch& patch_;

@@ -14,7 +14,7 @@ using hierarchy::kNone;
 
 constexpr std::size_t kMaxCorners = 24;
 constexpr std::uint32_t kMaxWalk = 24;     // cuts in a row from one triangle to the next
-constexpr std::uint32_t kMaxHalvings = 12; // of a piece that walking cannot place
+constexpr std::uint32_t kMaxHalvings = 12; // of a piece that walking cannot assign
 constexpr std::uint32_t kMaxPieces = 1024; // of one triangle
 
 /// A convex polygon.
@@ -71,20 +71,20 @@ Halves cut(const Piece& piece, const glm::dvec3& point, const glm::dvec3& normal
 /// The corner of a piece that is farthest from its host.
 struct Farthest {
     double square = -1;
-    proximity::Nearest nearest = proximity::Nearest::Face;
+    proximity::TriangleFeature feature = proximity::TriangleFeature::Face;
     std::uint32_t corner = 0;
 };
 
 Farthest farthestFrom(const Surface& surface, const Piece& piece, std::uint32_t triangle) {
     Farthest farthest;
     for (std::uint32_t i = 0; i < piece.count; ++i) {
-        const proximity::Footing f = surface.footingOf(piece.corners[i], triangle);
-        if (f.square > farthest.square) farthest = {f.square, f.nearest, i};
+        const proximity::TriangleDistance f = surface.distanceTo(piece.corners[i], triangle);
+        if (f.square > farthest.square) farthest = {f.square, f.feature, i};
     }
     return farthest;
 }
 
-/// Cuts triangles into pieces and finds each a host on a surface.
+/// Cuts triangles into pieces and assigns each to a nearby triangle of a surface, its host.
 class Cover {
 public:
     Cover(Surface& surface, double tolerance) : surface_(surface), toleranceSquare_(tolerance * tolerance) {}
@@ -110,11 +110,12 @@ public:
 private:
     /// Hands the part beyond the host's edge to the triangle there; false if that brings nothing nearer.
     bool walk(const Piece& piece, const Farthest& farthest) {
-        if (piece.walked >= kMaxWalk || piece.count + 2 > kMaxCorners || farthest.nearest == proximity::Nearest::Face)
+        if (piece.walked >= kMaxWalk || piece.count + 2 > kMaxCorners ||
+            farthest.feature == proximity::TriangleFeature::Face)
             return false;
-        const auto place = static_cast<std::uint32_t>(farthest.nearest);
+        const auto place = static_cast<std::uint32_t>(farthest.feature);
         std::array<std::uint32_t, 2> edges{place - 1, place - 1};
-        if (farthest.nearest >= proximity::Nearest::Corner0) edges = {place - 4, (place - 4 + 2) % 3};
+        if (farthest.feature >= proximity::TriangleFeature::Corner0) edges = {place - 4, (place - 4 + 2) % 3};
         double best = farthest.square;
         std::uint32_t bestEdge = kNone;
         for (const std::uint32_t edge : edges) {
@@ -123,7 +124,7 @@ private:
             const glm::dvec3& corner = piece.corners[farthest.corner];
             // A corner that the plane leaves on this side would come back, and back again.
             if (glm::dot(corner - surface_.corner(piece.host, edge), bisector(piece.host, edge)) <= 0) continue;
-            const double square = surface_.footingOf(corner, other).square;
+            const double square = surface_.distanceTo(corner, other).square;
             if (square < best) {
                 best = square;
                 bestEdge = edge;
@@ -151,7 +152,7 @@ private:
     bool halve(const Piece& piece, const Farthest& farthest) {
         const glm::dvec3& corner = piece.corners[farthest.corner];
         const std::uint32_t nearest = surface_.nearest(corner);
-        if (surface_.footingOf(corner, nearest).square > farthest.square * 0.8) return false;
+        if (surface_.distanceTo(corner, nearest).square > farthest.square * 0.8) return false;
         Piece moved = piece;
         moved.host = nearest;
         // A few times more than it may be halved, and then no more, so that this ends.
@@ -238,7 +239,7 @@ glm::dvec3 centerOf(const Surface& surface, std::uint32_t t) {
     return (surface.corner(t, 0) + surface.corner(t, 1) + surface.corner(t, 2)) * (1.0 / 3);
 }
 
-void raise(float& bound, double value) {
+void growTo(float& bound, double value) {
     bound = std::max(bound, roundedUp(value));
 }
 
@@ -249,7 +250,7 @@ public:
           simplified_(simplified),
           fine_(patch.positions, cornersOf(patch, patch.triangles)),
           coarse_(patch.positions, cornersOf(patch, simplified.triangles)),
-          heir_(patch.triangles.size(), kNone),
+          successor_(patch.triangles.size(), kNone),
           isSame_(patch.triangles.size(), 0) {
         result_.errors.resize(simplified.triangles.size());
     }
@@ -259,7 +260,7 @@ public:
         for (std::uint32_t t = 0; t < result_.errors.size(); ++t) {
             const std::uint32_t origin = simplified_.origin[t];
             if (origin == kNone) continue;
-            heir_[origin] = t;
+            successor_[origin] = t;
             if (fine_.triangles()[origin] != coarse_.triangles()[t]) continue;
             isSame_[origin] = isDone[t] = 1;
             result_.errors[t] = patch_.error(origin);
@@ -270,15 +271,15 @@ public:
             const std::uint32_t origin = simplified_.origin[t];
             const std::uint32_t host = origin != kNone ? origin : fine_.nearest(centerOf(coarse_, t));
             onFine.run(wholeTriangle(coarse_, t, host), [&](std::uint32_t on, double distance) {
-                raise(result_.errors[t].toSource, distance + static_cast<double>(patch_.error(on).toSource));
+                growTo(result_.errors[t].toSource, distance + static_cast<double>(patch_.error(on).toSource));
             });
         }
         Cover onCoarse(coarse_, tolerance);
-        for (std::uint32_t t = 0; t < heir_.size(); ++t) {
+        for (std::uint32_t t = 0; t < successor_.size(); ++t) {
             if (isSame_[t] != 0) continue;
             const double before = patch_.error(t).fromSource;
             onCoarse.run(wholeTriangle(fine_, t, firstHost(t)), [&](std::uint32_t on, double distance) {
-                raise(result_.errors[on].fromSource, distance + before);
+                growTo(result_.errors[on].fromSource, distance + before);
             });
         }
         for (const TriangleError& error : result_.errors)
@@ -297,13 +298,13 @@ private:
 
     /// A simplified triangle near the patch's triangle `t`.
     std::uint32_t firstHost(std::uint32_t t) {
-        if (heir_[t] != kNone) return heir_[t];
+        if (successor_[t] != kNone) return successor_[t];
         const glm::dvec3 center = centerOf(fine_, t);
         double best = std::numeric_limits<double>::infinity();
         std::uint32_t host = kNone;
         for (const std::uint32_t p : fine_.triangles()[t])
             for (const std::uint32_t candidate : coarse_.around(simplified_.movedTo[p])) {
-                const double square = coarse_.footingOf(center, candidate).square;
+                const double square = coarse_.distanceTo(center, candidate).square;
                 if (square < best) {
                     best = square;
                     host = candidate;
@@ -316,7 +317,7 @@ private:
     const SimplifiedPatch& simplified_;
     Surface fine_;
     Surface coarse_;
-    std::vector<std::uint32_t> heir_; // per triangle of the patch the simplified one that it became
+    std::vector<std::uint32_t> successor_; // per triangle of the patch the simplified one that it became
     std::vector<std::uint8_t> isSame_;
     Deviation result_;
 };

@@ -43,12 +43,12 @@ private:
         const std::uint32_t end = fan_.count - 1;
         if (!fan_.isClosed) { // the open end stays an open end
             host_ = end - 1;
-            square_[host_] = proximity::nearestSquare(fan_.apex, fan_.rim[0], fan_.rim[end]);
+            square_[host_] = proximity::squaredDistance(fan_.apex, fan_.rim[0], fan_.rim[end]);
             return;
         }
         double best = std::numeric_limits<double>::infinity();
         for (std::uint32_t j = 1; j < end; ++j) {
-            const double square = proximity::nearestSquare(fan_.apex, fan_.rim[0], fan_.rim[j], fan_.rim[j + 1]);
+            const double square = proximity::squaredDistance(fan_.apex, fan_.rim[0], fan_.rim[j], fan_.rim[j + 1]);
             if (square >= best) continue;
             best = square;
             host_ = j;
@@ -80,7 +80,7 @@ private:
         square_[j - 1] = std::max(square_[j - 1], square);
     }
 
-    /// A new triangle answers for the old ones that it overlaps.
+    /// A new triangle carries the error of the old ones that it overlaps.
     void spread(const Row& before, Row& after) const {
         const std::uint32_t oldCount = fan_.isClosed ? fan_.count : fan_.count - 1;
         double sum = 0;

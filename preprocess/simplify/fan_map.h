@@ -1,5 +1,5 @@
-// How far a fan of triangles moves when its apex collapses onto a corner of its rim: a bound from a map between the
-// two.
+// The successive mapping of one collapse: bounds how far a fan of triangles moves when its apex collapses onto a corner
+// of its rim, by a piecewise linear map between the two.
 #pragma once
 
 #include "preprocess/simplify/patch.h"

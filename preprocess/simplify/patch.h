@@ -1,4 +1,4 @@
-// The piece of a mesh that is simplified at once: one group, with its own numbering.
+// What is simplified at once, one group of a mesh with its own numbering, and what comes out.
 #pragma once
 
 #include "preprocess/simplify/mesh.h"
@@ -11,9 +11,10 @@
 
 namespace gnomon::simplify {
 
-/// What is known of one triangle of a level, in grid steps.
+/// Error bounds of one triangle of a level, in grid steps. Every source point is mapped to one triangle of the level,
+/// which carries the error of it.
 struct TriangleError {
-    float fromSource = 0; // every source point that this triangle answers for is within this distance of it
+    float fromSource = 0; // every source point that is mapped to this triangle is within this distance of it
     float toSource = 0;   // every point of this triangle is within this distance of the source
 };
 
@@ -24,6 +25,9 @@ inline float roundedUp(double value) {
                                                 : rounded;
 }
 
+/// The largest cost of a collapse: a few mean edge lengths of the patch, or no limit.
+enum class CostLimit { MeanEdge, None };
+
 /// A group's triangles. Lengths are in grid steps, positions relative to a point near the patch, all exact.
 struct Patch {
     std::vector<Vertex> vertices;
@@ -32,8 +36,8 @@ struct Patch {
     std::vector<std::uint8_t> isLocked;    // per position: shared with another group, must stay where it is
     std::vector<Triangle> triangles;       // vertex indices
     std::span<const TriangleError> errors; // of the triangles; empty for the source itself
-    bool isAnyPrice = true;                // whether a collapse may cost more than the edges are long
-    bool isBounded = true;                 // whether errors of what it becomes are asked for
+    CostLimit costLimit = CostLimit::None;
+    bool isErrorBounded = true; // whether the errors of the simplified triangles are asked for
 
     TriangleError error(std::size_t triangle) const { return errors.empty() ? TriangleError{} : errors[triangle]; }
 

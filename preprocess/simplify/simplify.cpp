@@ -8,10 +8,10 @@ SimplifiedPatch simplify(const Patch& patch, std::size_t targetTriangles, Simpli
         return simplifyMeshopt(patch, targetTriangles);
     case Simplifier::OpenMesh:
         return simplifyOpenMesh(patch, targetTriangles);
-    case Simplifier::Own:
+    case Simplifier::Quadric:
         break;
     }
-    return simplifyOwn(patch, targetTriangles);
+    return simplifyQuadric(patch, targetTriangles);
 }
 
 } // namespace gnomon::simplify

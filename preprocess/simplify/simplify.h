@@ -1,4 +1,4 @@
-// Simplifying one patch: the simplifiers to choose from, behind one call.
+// Simplifying one patch: the quadric simplifier and the two that it is compared with, behind one call.
 #pragma once
 
 #include "preprocess/simplify/patch.h"
@@ -7,16 +7,16 @@
 
 namespace gnomon::simplify {
 
-enum class Simplifier { Own, Meshopt, OpenMesh };
+enum class Simplifier { Quadric, Meshopt, OpenMesh };
 
 /// Reduces `patch` to about `targetTriangles` (at least 1) triangles by moving vertices onto others; locked positions
 /// stay. Pure: the same patch gives the same answer everywhere.
 SimplifiedPatch simplify(const Patch& patch, std::size_t targetTriangles, Simplifier simplifier);
 
-/// Edge collapses in the order of their quadric error (Garland and Heckbert 1997), each onto one of its ends. Open
-/// edges and creases resist by planes of their own. Faces never turn over. Where the topology has to change (small
-/// pieces merge or vanish, thin ones flatten), a collapse must be twice as cheap in distance to be chosen.
-SimplifiedPatch simplifyOwn(const Patch& patch, std::size_t targetTriangles);
+/// Half-edge collapses by quadric error and bounded error, in the order of their cost; see simplify_quadric.cpp for the
+/// method and its sources. Where the topology has to change (small components merge or vanish, thin ones flatten), a
+/// collapse costs twice its distance.
+SimplifiedPatch simplifyQuadric(const Patch& patch, std::size_t targetTriangles);
 
 /// meshoptimizer's, with vertices locked by doubled dummy triangles on them.
 SimplifiedPatch simplifyMeshopt(const Patch& patch, std::size_t targetTriangles);

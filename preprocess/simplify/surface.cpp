@@ -19,7 +19,7 @@ double boxSquare(const glm::dvec3& low, const glm::dvec3& high, const glm::dvec3
 Surface::Surface(std::span<const glm::dvec3> positions, std::vector<Triangle> triangles)
     : positions_(positions),
       triangles_(std::move(triangles)),
-      fans_(positions.size(), triangles_),
+      adjacency_(positions.size(), triangles_),
       across_(triangles_.size(), Triangle{hierarchy::kNone, hierarchy::kNone, hierarchy::kNone}) {
     constexpr std::size_t kMostLookedAt = 32; // keeps a position with a million triangles from costing their square
     for (std::uint32_t t = 0; t < triangles_.size(); ++t)
@@ -78,7 +78,7 @@ std::uint32_t Surface::nearest(const glm::dvec3& p) {
         const Node& node = nodes_[index];
         if (node.right == 0) {
             for (std::uint32_t i = node.begin; i < node.end; ++i) {
-                const double s = footingOf(p, treeOrder_[i]).square;
+                const double s = distanceTo(p, treeOrder_[i]).square;
                 if (s >= bestSquare) continue;
                 bestSquare = s;
                 best = treeOrder_[i];

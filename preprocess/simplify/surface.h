@@ -2,7 +2,7 @@
 #pragma once
 
 #include "preprocess/proximity/triangle_distance.h"
-#include "preprocess/simplify/fans.h"
+#include "preprocess/simplify/triangle_adjacency.h"
 
 #include <glm/glm.hpp>
 
@@ -21,15 +21,15 @@ public:
         return positions_[triangles_[triangle][i]];
     }
 
-    proximity::Footing footingOf(const glm::dvec3& p, std::uint32_t triangle) const {
-        return proximity::footing(p, corner(triangle, 0), corner(triangle, 1), corner(triangle, 2));
+    proximity::TriangleDistance distanceTo(const glm::dvec3& p, std::uint32_t triangle) const {
+        return proximity::distanceToTriangle(p, corner(triangle, 0), corner(triangle, 1), corner(triangle, 2));
     }
 
     /// A triangle across edge `i` (from corner i to the next), or kNone.
     std::uint32_t across(std::uint32_t triangle, std::uint32_t i) const { return across_[triangle][i]; }
 
     /// The triangles around a position.
-    std::span<const std::uint32_t> around(std::uint32_t position) const { return fans_.around(position); }
+    std::span<const std::uint32_t> around(std::uint32_t position) const { return adjacency_.around(position); }
 
     /// The triangle nearest to `p`; the first call builds a tree.
     std::uint32_t nearest(const glm::dvec3& p);
@@ -47,7 +47,7 @@ private:
 
     std::span<const glm::dvec3> positions_;
     std::vector<Triangle> triangles_;
-    Fans fans_;
+    TriangleAdjacency adjacency_;
     std::vector<Triangle> across_;
     std::vector<Node> nodes_;
     std::vector<std::uint32_t> treeOrder_;

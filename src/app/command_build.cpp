@@ -26,7 +26,7 @@ struct BuildCommand {
     std::string output;
     std::string memory = "2G";
     std::string temporary;
-    std::string simplifier = "own";
+    std::string simplifier = "quadric";
     std::string error = "measured";
     std::uint32_t clusterTriangles = 128;
     std::string chunkTriangles = std::to_string(pipeline::kChunkTriangles);
@@ -128,7 +128,10 @@ void run(const BuildCommand& command) {
     options.isInMemory = command.isInMemory;
     options.isResumed = command.isResumed;
     const std::map<std::string, Simplifier> simplifiers{
-        {"own", Simplifier::Own}, {"meshopt", Simplifier::Meshopt}, {"openmesh", Simplifier::OpenMesh}};
+        {"quadric", Simplifier::Quadric},
+        {"own", Simplifier::Quadric}, // its name before; stored in models still
+        {"meshopt", Simplifier::Meshopt},
+        {"openmesh", Simplifier::OpenMesh}};
     options.level.simplifier = simplifiers.at(command.simplifier);
     if (command.maxStuckPercent < 100) options.maxStuckPercent = command.maxStuckPercent;
     options.inputKey = pipeline::fingerprintOf(command.inputs);
@@ -187,8 +190,12 @@ void addBuildCommand(CLI::App& program) {
         ->add_option("--chunk-triangles", options->chunkTriangles, "Most triangles of a part that is built by itself")
         ->check(chunkSize())
         ->capture_default_str();
-    command->add_option("--simplifier", options->simplifier, "Who makes triangles fewer")
-        ->check(CLI::IsMember({"own", "meshopt", "openmesh"}))
+    command
+        ->add_option(
+            "--simplifier",
+            options->simplifier,
+            "Edge collapse by quadric error (own is its old name), or one of the two that it is compared with")
+        ->check(CLI::IsMember({"quadric", "meshopt", "openmesh", "own"}))
         ->capture_default_str();
     command
         ->add_option("--error", options->error, "Whether stored errors are measured bounds or the simplifier's claims")

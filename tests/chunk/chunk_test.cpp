@@ -3,7 +3,7 @@
 #include "hierarchy/octahedral.h"
 #include "preprocess/chunk/binning.h"
 #include "preprocess/chunk/chunk_mesh.h"
-#include "preprocess/levels/normals.h"
+#include "preprocess/levels/smooth_normals.h"
 #include "tests/read/code_mesh.h"
 
 #include <gtest/gtest.h>

@@ -17,11 +17,11 @@ def read_rows(root):
 
 
 def folder_of(root, layer):
-    """The folder of a layer: in src/ or in preprocess/."""
-    for place in (root / "src" / layer, root / "preprocess" / layer):
+    """The folder of a layer: a row `preprocess/x` is one below the root, any other one of src/."""
+    for place in (root / "src" / layer, root / layer):
         if place.is_dir():
             return place
-    raise SystemExit(f"mutate.py: no folder src/{layer} or preprocess/{layer}")
+    raise SystemExit(f"mutate.py: no folder src/{layer} or {layer}")
 
 
 def directly_above(rows, layer):
@@ -36,7 +36,8 @@ def sources(root, layer):
 
 def test_programs(root, layer):
     """The test programs that the folder of a layer's tests declares."""
-    lists = [root / "tests" / layer / "CMakeLists.txt", *sorted((root / "tests" / layer).glob("*.cmake"))]
+    folder = root / "tests" / layer.removeprefix("preprocess/")
+    lists = [folder / "CMakeLists.txt", *sorted(folder.glob("*.cmake"))]
     return [f"{name}_tests" for path in lists if path.exists() for name in TEST_PROGRAM.findall(path.read_text())]
 
 

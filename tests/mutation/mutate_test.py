@@ -88,15 +88,15 @@ class Layers(unittest.TestCase):
     def test_programs_and_libraries_are_those_of_the_folders(self):
         with tempfile.TemporaryDirectory() as folder:
             root = pathlib.Path(folder)
-            for name, text in {"src/layers.txt": "# table\ncore: | glm\nread: core |\n", "src/core/CMakeLists.txt": "gnomon_layer(core\n  SOURCES a.cpp)",
+            for name, text in {"src/layers.txt": "# table\ncore: | glm\npreprocess/read: core |\n", "src/core/CMakeLists.txt": "gnomon_layer(core\n  SOURCES a.cpp)",
                                "preprocess/read/CMakeLists.txt": "gnomon_layer(read_it SOURCES a.cpp)", "preprocess/read/a.cpp": "",
                                "tests/read/CMakeLists.txt": "gnomon_tests(read\n SOURCES a.cpp)\ngnomon_tests(words SOURCES b.cpp)"}.items():
                 (root / name).parent.mkdir(parents=True, exist_ok=True)
                 (root / name).write_text(text)
-            self.assertEqual({"core": set(), "read": {"core"}}, layers.read_rows(root))
-            self.assertEqual(["read_tests", "words_tests"], layers.test_programs(root, "read"))
-            self.assertEqual("gnomon_read_it", layers.library(root, "read"))
-            self.assertEqual([root / "preprocess/read/a.cpp"], layers.sources(root, "read"))
+            self.assertEqual({"core": set(), "preprocess/read": {"core"}}, layers.read_rows(root))
+            self.assertEqual(["read_tests", "words_tests"], layers.test_programs(root, "preprocess/read"))
+            self.assertEqual("gnomon_read_it", layers.library(root, "preprocess/read"))
+            self.assertEqual([root / "preprocess/read/a.cpp"], layers.sources(root, "preprocess/read"))
 
 
 class Draw(unittest.TestCase):

@@ -58,7 +58,7 @@ public:
             const glm::dvec3 below = glm::min(glm::min(t[0], t[1]), t[2]) - most;
             const glm::dvec3 above = glm::max(glm::max(t[0], t[1]), t[2]) + most;
             if (glm::any(glm::lessThan(point, below)) || glm::any(glm::greaterThan(point, above))) continue;
-            square = std::min(square, proximity::footing(point, t[0], t[1], t[2]).square);
+            square = std::min(square, proximity::distanceToTriangle(point, t[0], t[1], t[2]).square);
         }
         return std::sqrt(square);
     }
@@ -71,7 +71,7 @@ public:
             const double distance = glm::dot(t[0] - origin, normal) / glm::dot(direction, normal);
             if (!(distance >= 0)) continue;
             const glm::dvec3 at = origin + distance * direction;
-            if (proximity::footing(at, t[0], t[1], t[2]).square <= 1e-20 * distance * distance)
+            if (proximity::distanceToTriangle(at, t[0], t[1], t[2]).square <= 1e-20 * distance * distance)
                 distances.push_back(distance);
         }
         std::sort(distances.begin(), distances.end());

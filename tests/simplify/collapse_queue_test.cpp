@@ -52,11 +52,11 @@ public:
     void expectSame() const {
         ASSERT_EQ(queue_.isEmpty(), order_.empty());
         if (!order_.empty()) {
-            EXPECT_EQ(queue_.least(), order_.begin()->first);
+            EXPECT_EQ(queue_.leastCost(), order_.begin()->first);
         }
         for (std::uint32_t vertex = 0; vertex < vertices_; ++vertex) {
             const auto found = costs_.find(vertex);
-            ASSERT_EQ(queue_.holds(vertex), found != costs_.end());
+            ASSERT_EQ(queue_.contains(vertex), found != costs_.end());
             if (found != costs_.end()) {
                 EXPECT_EQ(queue_.costOf(vertex), found->second);
             }
@@ -73,7 +73,7 @@ private:
     void take() {
         if (order_.empty()) return;
         const std::uint32_t first = order_.begin()->second;
-        EXPECT_EQ(queue_.take(), first);
+        EXPECT_EQ(queue_.pop(), first);
         forget(first);
     }
 

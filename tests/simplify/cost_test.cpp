@@ -48,7 +48,7 @@ Patch randomPatch(Random& random, const Kind& kind) {
 void expectSame(std::uint64_t seed, const Kind& kind) {
     Random random(seed);
     const Patch patch = randomPatch(random, kind);
-    CostEstimate estimate(patch, LivingPatch(patch));
+    CostEstimate estimate(patch, SimplificationMesh(patch));
     for (std::uint32_t from = 0; from < kPositions; ++from) {
         std::vector<std::uint32_t> to(random.below(20));
         for (std::uint32_t& q : to)

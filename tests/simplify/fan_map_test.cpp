@@ -13,7 +13,7 @@ namespace {
 using Corners = std::array<glm::dvec3, 3>;
 
 double distanceTo(const glm::dvec3& p, const Corners& t) {
-    return std::sqrt(proximity::footing(p, t[0], t[1], t[2]).square);
+    return std::sqrt(proximity::distanceToTriangle(p, t[0], t[1], t[2]).square);
 }
 
 glm::dvec3 randomVector(Random& random, double size) {
@@ -134,11 +134,11 @@ TEST(TriangleDistance, TheFastAnswerIsTheSlowOneEvenForSlivers) {
         if (run % 4 == 2) t[2] = t[1];
         if (run % 40 == 3) t[1] = t[2] = t[0];
         const glm::dvec3 p = randomVector(random, 2);
-        const double slow = proximity::footing(p, t[0], t[1], t[2]).square;
-        EXPECT_NEAR(proximity::nearestSquare(p, t[0], t[1], t[2]), slow, 1e-12) << run;
+        const double slow = proximity::distanceToTriangle(p, t[0], t[1], t[2]).square;
+        EXPECT_NEAR(proximity::squaredDistance(p, t[0], t[1], t[2]), slow, 1e-12) << run;
         double least = std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < 3; ++i)
-            least = std::min(least, proximity::nearestSquare(p, t.at(i), t.at((i + 1) % 3)));
+            least = std::min(least, proximity::squaredDistance(p, t.at(i), t.at((i + 1) % 3)));
         EXPECT_GE(least, slow - 1e-12) << run;
     }
 }

@@ -46,7 +46,8 @@ glm::dvec3 randomPoint(const Patch& patch, const Triangle& triangle, Random& ran
 
 double distanceTo(const Patch& patch, const glm::dvec3& p, const Triangle& triangle) {
     const Triangle t = patch.corners(triangle);
-    return std::sqrt(proximity::footing(p, patch.positions[t[0]], patch.positions[t[1]], patch.positions[t[2]]).square);
+    return std::sqrt(
+        proximity::distanceToTriangle(p, patch.positions[t[0]], patch.positions[t[1]], patch.positions[t[2]]).square);
 }
 
 /// Every point strewn on the patch has a triangle of the simplified patch that answers for it, and the other way round.
@@ -113,7 +114,7 @@ TEST(Simplify, TheErrorsOfItsTrianglesHoldForEveryPointOfBothSurfaces) {
         for (const std::size_t share : {2U, 5U, 40U}) {
             const std::vector<TriangleError> errors = someErrors(patch.triangles.size());
             patch.errors = errors;
-            const SimplifiedPatch simplified = simplifyOwn(patch, patch.triangles.size() / share);
+            const SimplifiedPatch simplified = simplifyQuadric(patch, patch.triangles.size() / share);
             EXPECT_LT(simplified.triangles.size(), patch.triangles.size() * 3 / 4);
             expectHonest(patch, simplified.triangles, simplified.errors);
         }
@@ -121,7 +122,7 @@ TEST(Simplify, TheErrorsOfItsTrianglesHoldForEveryPointOfBothSurfaces) {
 
 TEST(Simplify, WhatTheSimplifierBoundsIsNearToWhatIsMeasuredAfterwards) {
     const Patch patch = patchOf(read::bumpySheet(30));
-    const SimplifiedPatch simplified = simplifyOwn(patch, patch.triangles.size() / 2);
+    const SimplifiedPatch simplified = simplifyQuadric(patch, patch.triangles.size() / 2);
     const Deviation measured = measureDeviation(patch, simplified, 0);
     expectHonest(patch, simplified.triangles, measured.errors);
     double bounded = 0;
@@ -157,7 +158,7 @@ TEST(Simplify, ALongThinStripDoesNotShrinkBeforeWhatIsRoughAsLongAsItIsWide) {
     mesh.triangles.push_back({first, first + 2, first + 3});
     Patch patch = patchOf(mesh);
     patch.isLocked.assign(patch.isLocked.size(), 0);
-    const SimplifiedPatch simplified = simplifyOwn(patch, patch.triangles.size() / 2);
+    const SimplifiedPatch simplified = simplifyQuadric(patch, patch.triangles.size() / 2);
     for (const TriangleError& error : simplified.errors)
         EXPECT_LT(error.fromSource, 100);
 }
@@ -177,7 +178,7 @@ TEST(Simplify, TrianglesThatShareNothingButAnEdgeCollapseOntoAVertexThatLosesIts
         pairs.triangles.push_back({first, first + 1, first + 3});
     }
     Patch patch = patchOf(pairs);
-    const SimplifiedPatch simplified = simplifyOwn(patch, 8);
+    const SimplifiedPatch simplified = simplifyQuadric(patch, 8);
     EXPECT_GE(simplified.triangles.size(), 1U);
     expectHonest(patch, simplified.triangles, simplified.errors);
 }
@@ -198,7 +199,7 @@ TEST(Simplify, AnEarOnALockedEdgeStaysHoweverFewTrianglesAreWanted) {
         }
         patch.triangles.push_back({first, first + 1, first + 2});
     }
-    EXPECT_EQ(simplifyOwn(patch, 1).triangles.size(), 2U);
+    EXPECT_EQ(simplifyQuadric(patch, 1).triangles.size(), 2U);
 }
 
 } // namespace

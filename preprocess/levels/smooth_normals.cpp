@@ -1,4 +1,4 @@
-#include "preprocess/levels/normals.h"
+#include "preprocess/levels/smooth_normals.h"
 
 #include "hierarchy/octahedral.h"
 

@@ -1,4 +1,4 @@
-#include "preprocess/levels/remains.h"
+#include "preprocess/levels/pending_level.h"
 
 #include "core/index_table.h"
 #include "hierarchy/bytes.h"
@@ -32,12 +32,12 @@ private:
 };
 
 /// A vertex, with who shares its position.
-struct RemainingVertex {
+struct PendingVertex {
     hierarchy::Vertex vertex;
     simplify::ChunkSpan sharers;
 };
 
-struct RemainingCluster {
+struct PendingCluster {
     std::uint32_t triangleCount = 0;
     std::uint32_t vertexCount = 0;
     std::uint32_t refinement = kNone;
@@ -60,19 +60,19 @@ std::vector<T> takeAll(hierarchy::ByteReader& in) {
 
 } // namespace
 
-EncodedRemains encodeRemains(const simplify::Mesh& mesh, const Level& level) {
+EncodedPendingLevel encodePendingLevel(const simplify::Mesh& mesh, const Level& level) {
     Renumbering vertexNumbers(mesh.vertices.size());
     Renumbering refinementNumbers(level.refinements.size());
     std::vector<simplify::Triangle> triangles = level.triangles;
     for (simplify::Triangle& t : triangles)
         for (std::uint32_t& corner : t)
             corner = vertexNumbers(corner);
-    std::vector<RemainingCluster> clusters;
+    std::vector<PendingCluster> clusters;
     clusters.reserve(level.clusters.size());
     for (const LevelCluster& c : level.clusters)
         clusters.push_back(
             {c.triangleCount, c.vertexCount, c.refinement == kNone ? kNone : refinementNumbers(c.refinement)});
-    std::vector<RemainingVertex> vertices;
+    std::vector<PendingVertex> vertices;
     vertices.reserve(vertexNumbers.inOrder().size());
     for (const std::uint32_t v : vertexNumbers.inOrder())
         vertices.push_back({mesh.vertices[v], mesh.sharers[mesh.positionOf[v]]});
@@ -97,13 +97,13 @@ EncodedRemains encodeRemains(const simplify::Mesh& mesh, const Level& level) {
     return {out.take(), vertices.size(), triangles.size()};
 }
 
-struct RemainsMerger::State {
+struct PendingLevelMerger::State {
     State(const hierarchy::Grid& grid, std::size_t count) : vertices(count), positions(count) {
-        remains.mesh.grid = grid;
+        pending.mesh.grid = grid;
     }
 
-    std::uint32_t vertexFor(const RemainingVertex& given) {
-        simplify::Mesh& mesh = remains.mesh;
+    std::uint32_t vertexFor(const PendingVertex& given) {
+        simplify::Mesh& mesh = pending.mesh;
         const hierarchy::GridPoint& p = given.vertex.position;
         const std::uint64_t place = hashOf(p.x, p.y, p.z);
         const auto next = static_cast<std::uint32_t>(mesh.vertices.size());
@@ -124,23 +124,23 @@ struct RemainsMerger::State {
         return found;
     }
 
-    Remains remains;
+    PendingLevel pending;
     IndexTable vertices;
     IndexTable positions;
     std::vector<hierarchy::GridPoint> points; // of the positions
     bool isEmpty = true;
 };
 
-RemainsMerger::RemainsMerger(const hierarchy::Grid& grid, std::size_t vertices)
+PendingLevelMerger::PendingLevelMerger(const hierarchy::Grid& grid, std::size_t vertices)
     : state_(std::make_unique<State>(grid, vertices)) {}
 
-RemainsMerger::~RemainsMerger() = default;
+PendingLevelMerger::~PendingLevelMerger() = default;
 
-void RemainsMerger::add(
+void PendingLevelMerger::add(
     std::span<const std::byte> bytes, std::uint32_t firstLevel, std::span<const std::uint32_t> firstPages) {
     hierarchy::ByteReader in(bytes);
-    simplify::Mesh& mesh = state_->remains.mesh;
-    Level& level = state_->remains.level;
+    simplify::Mesh& mesh = state_->pending.mesh;
+    Level& level = state_->pending.level;
     simplify::ChunkSpan chunks;
     chunks.first = in.take<std::uint16_t>();
     chunks.last = in.take<std::uint16_t>();
@@ -148,7 +148,7 @@ void RemainsMerger::add(
     mesh.chunks.add(chunks);
     state_->isEmpty = false;
     std::vector<std::uint32_t> vertexOf;
-    for (const RemainingVertex& vertex : takeAll<RemainingVertex>(in))
+    for (const PendingVertex& vertex : takeAll<PendingVertex>(in))
         vertexOf.push_back(state_->vertexFor(vertex));
     const auto firstTriangle = static_cast<std::uint32_t>(level.triangles.size());
     for (const simplify::Triangle& t : takeAll<simplify::Triangle>(in))
@@ -157,7 +157,7 @@ void RemainsMerger::add(
     level.errors.insert(level.errors.end(), errors.begin(), errors.end());
     const auto firstRefinement = static_cast<std::uint32_t>(level.refinements.size());
     std::uint32_t triangle = firstTriangle;
-    for (const RemainingCluster& given : takeAll<RemainingCluster>(in)) {
+    for (const PendingCluster& given : takeAll<PendingCluster>(in)) {
         LevelCluster cluster;
         cluster.firstTriangle = triangle;
         cluster.triangleCount = given.triangleCount;
@@ -185,8 +185,8 @@ void RemainsMerger::add(
     in.expectEnd();
 }
 
-Remains RemainsMerger::take() {
-    return std::move(state_->remains);
+PendingLevel PendingLevelMerger::take() {
+    return std::move(state_->pending);
 }
 
 } // namespace gnomon::levels

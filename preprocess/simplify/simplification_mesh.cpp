@@ -1,6 +1,6 @@
-#include "preprocess/simplify/living_patch.h"
+#include "preprocess/simplify/simplification_mesh.h"
 
-#include "preprocess/simplify/partners.h"
+#include "preprocess/simplify/vertex_pairs.h"
 
 #include <algorithm>
 
@@ -8,27 +8,27 @@ namespace gnomon::simplify {
 
 using hierarchy::kNone;
 
-LivingPatch::LivingPatch(const Patch& patch)
-    : patch_(patch), vertex_(patch.triangles), alive_(patch.triangles.size()), partner_(nearestInOtherPieces(patch)) {
+SimplificationMesh::SimplificationMesh(const Patch& patch)
+    : patch_(patch), vertex_(patch.triangles), triangleCount_(patch.triangles.size()), pair_(vertexPairs(patch)) {
     const std::size_t positions = patch.positions.size();
     position_.reserve(vertex_.size());
-    firstNormal_.reserve(vertex_.size());
+    originalNormal_.reserve(vertex_.size());
     for (const Triangle& t : vertex_) {
         const Triangle& p = position_.emplace_back(patch.corners(t));
         const glm::dvec3& a = patch.positions[p[0]];
-        firstNormal_.push_back(glm::cross(patch.positions[p[1]] - a, patch.positions[p[2]] - a));
+        originalNormal_.push_back(glm::cross(patch.positions[p[1]] - a, patch.positions[p[2]] - a));
     }
-    isAlive_.assign(vertex_.size(), 1);
+    isRemoved_.assign(vertex_.size(), 0);
     stamp_.assign(positions, 0);
     neighbours_.resize(positions + 1);
-    movedTo_.resize(positions);
+    mergedInto_.resize(positions);
     for (std::uint32_t p = 0; p < positions; ++p)
-        movedTo_[p] = p;
+        mergedInto_[p] = p;
     linkCorners();
     findEdges();
 }
 
-void LivingPatch::linkCorners() {
+void SimplificationMesh::linkCorners() {
     head_.assign(patch_.positions.size(), kNone);
     tail_.assign(patch_.positions.size(), kNone);
     next_.assign(position_.size() * 3, kNone);
@@ -43,7 +43,7 @@ void LivingPatch::linkCorners() {
 }
 
 /// Notes what the triangles around `a` have at the edges from there.
-void LivingPatch::gatherSpokes(std::uint32_t a, std::vector<Spoke>& spokes) const {
+void SimplificationMesh::gatherSpokes(std::uint32_t a, std::vector<Spoke>& spokes) const {
     for (std::uint32_t corner = head_[a]; corner != kNone; corner = next_[corner])
         for (const std::uint32_t place : kOthers[corner % 3]) {
             Spoke& spoke = spokes[position_[corner / 3][place]];
@@ -58,9 +58,9 @@ void LivingPatch::gatherSpokes(std::uint32_t a, std::vector<Spoke>& spokes) cons
         }
 }
 
-void LivingPatch::findEdges() {
+void SimplificationMesh::findEdges() {
     isBorder_.assign(patch_.positions.size(), 0);
-    firstEdge_.resize(next_.size());
+    originalEdge_.resize(next_.size());
     std::vector<Spoke> spokes(patch_.positions.size());
     for (std::uint32_t a = 0; a < head_.size(); ++a) {
         gatherSpokes(a, spokes);
@@ -68,23 +68,23 @@ void LivingPatch::findEdges() {
             const std::uint32_t b = position_[corner / 3][kOthers[corner % 3][0]];
             const Spoke& spoke = spokes[b];
             const bool isOpen = spoke.triangles == 1;
-            firstEdge_[corner] = isOpen ? EdgeKind::Open : spoke.differs != 0 ? EdgeKind::Crease : EdgeKind::Smooth;
+            originalEdge_[corner] = isOpen ? EdgeKind::Open : spoke.differs != 0 ? EdgeKind::Crease : EdgeKind::Smooth;
             if (isOpen && (patch_.isLocked[a] == 0 || patch_.isLocked[b] == 0)) isBorder_[a] = isBorder_[b] = 1;
         }
     }
 }
 
-std::size_t LivingPatch::commonNeighbours(std::uint32_t a, std::uint32_t b) {
+std::size_t SimplificationMesh::commonNeighbours(std::uint32_t a, std::uint32_t b) {
     stampNow_ += 2;
     const std::uint32_t seen = stampNow_;
     const std::uint32_t counted = stampNow_ - 1;
-    forCorners(a, [&](std::uint32_t corner) {
+    forEachCorner(a, [&](std::uint32_t corner) {
         for (const std::uint32_t q : position_[corner / 3])
             stamp_[q] = seen;
     });
     stamp_[a] = stamp_[b] = counted;
     std::size_t common = 0;
-    forCorners(b, [&](std::uint32_t corner) {
+    forEachCorner(b, [&](std::uint32_t corner) {
         for (const std::uint32_t q : position_[corner / 3]) {
             if (stamp_[q] != seen) continue;
             stamp_[q] = counted;
@@ -94,48 +94,51 @@ std::size_t LivingPatch::commonNeighbours(std::uint32_t a, std::uint32_t b) {
     return common;
 }
 
-void LivingPatch::join(std::uint32_t from, std::uint32_t to) {
+void SimplificationMesh::merge(std::uint32_t from, std::uint32_t to) {
     if (head_[from] != kNone) {
         (head_[to] == kNone ? head_[to] : next_[tail_[to]]) = head_[from];
         tail_[to] = tail_[from];
         head_[from] = kNone;
     }
     isBorder_[to] |= isBorder_[from];
-    movedTo_[from] = to;
-    if (!partner_.empty() && partner_[to] == kNone && patch_.isLocked[to] == 0) partner_[to] = partner_[from];
+    mergedInto_[from] = to;
+    if (!pair_.empty() && pair_[to] == kNone && patch_.isLocked[to] == 0) pair_[to] = pair_[from];
 }
 
-bool LivingPatch::hasEqualSides() const {
+bool SimplificationMesh::hasEqualOppositeEdges() const {
     unsigned found = 0;
-    for (std::size_t i = 1; i < sides_.size(); ++i)
+    for (std::size_t i = 1; i < oppositeEdges_.size(); ++i)
         for (std::size_t k = 0; k < i; ++k) // no branches: hardly ever are two equal
-            found |= ((sides_[i][0] ^ sides_[k][0]) | (sides_[i][1] ^ sides_[k][1])) == 0 ? 1U : 0U;
+            found |=
+                ((oppositeEdges_[i][0] ^ oppositeEdges_[k][0]) | (oppositeEdges_[i][1] ^ oppositeEdges_[k][1])) == 0
+                    ? 1U
+                    : 0U;
     return found != 0;
 }
 
-std::span<const LivingPatch::Doubled> LivingPatch::doubled(std::uint32_t p) {
-    sides_.clear();
-    doubled_.clear();
-    forCorners(p, [&](std::uint32_t corner) {
+std::span<const SimplificationMesh::Duplicate> SimplificationMesh::duplicates(std::uint32_t p) {
+    oppositeEdges_.clear();
+    duplicates_.clear();
+    forEachCorner(p, [&](std::uint32_t corner) {
         const Triangle& t = position_[corner / 3];
         const std::uint32_t a = t[(corner % 3 + 1) % 3];
         const std::uint32_t b = t[(corner % 3 + 2) % 3];
-        sides_.push_back({std::min(a, b), std::max(a, b), corner / 3});
+        oppositeEdges_.push_back({std::min(a, b), std::max(a, b), corner / 3});
     });
     constexpr std::size_t kMostCompared = 16; // few are compared sooner than sorted, and hardly ever are two equal
-    if (sides_.size() <= kMostCompared && !hasEqualSides()) return doubled_;
-    std::sort(sides_.begin(), sides_.end());
+    if (oppositeEdges_.size() <= kMostCompared && !hasEqualOppositeEdges()) return duplicates_;
+    std::sort(oppositeEdges_.begin(), oppositeEdges_.end());
     const auto locked = [&](std::uint32_t q) { return patch_.isLocked[q] != 0 ? 1 : 0; };
     std::size_t first = 0;
-    for (std::size_t i = 1; i < sides_.size(); ++i) {
-        if (sides_[i][0] != sides_[first][0] || sides_[i][1] != sides_[first][1]) {
+    for (std::size_t i = 1; i < oppositeEdges_.size(); ++i) {
+        if (oppositeEdges_[i][0] != oppositeEdges_[first][0] || oppositeEdges_[i][1] != oppositeEdges_[first][1]) {
             first = i;
             continue;
         }
-        if (locked(p) + locked(sides_[i][0]) + locked(sides_[i][1]) > 1) continue;
-        doubled_.push_back({sides_[first][2], sides_[i][2]});
+        if (locked(p) + locked(oppositeEdges_[i][0]) + locked(oppositeEdges_[i][1]) > 1) continue;
+        duplicates_.push_back({oppositeEdges_[first][2], oppositeEdges_[i][2]});
     }
-    return doubled_;
+    return duplicates_;
 }
 
 } // namespace gnomon::simplify

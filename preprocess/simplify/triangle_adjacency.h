@@ -1,4 +1,4 @@
-// Which triangles lie around each position.
+// The triangles around each position, in one array with offsets.
 #pragma once
 
 #include "preprocess/simplify/mesh.h"
@@ -7,10 +7,10 @@
 
 namespace gnomon::simplify {
 
-class Fans {
+class TriangleAdjacency {
 public:
     /// Of `triangles` over positions 0 up to `positionCount`, exclusive.
-    Fans(std::size_t positionCount, std::span<const Triangle> triangles)
+    TriangleAdjacency(std::size_t positionCount, std::span<const Triangle> triangles)
         : first_(positionCount + 1, 0), members_(triangles.size() * 3) {
         for (const Triangle& t : triangles)
             for (const std::uint32_t p : t)

@@ -1,7 +1,7 @@
 // The distances of a point from many triangles at once against those from one after the other, on every kind of
 // processor that this one can stand for.
 #include "core/random.h"
-#include "preprocess/proximity/nearest_kernel.h"
+#include "preprocess/proximity/triangle_batch.h"
 #include "preprocess/proximity/triangle_distance.h"
 #include "tests/proximity/each_processor.h"
 
@@ -24,8 +24,8 @@ glm::dvec3 randomPosition(Random& random, std::uint64_t kinds) {
 void expectSame(std::uint64_t seed) {
     Random random(seed);
     const std::uint64_t kinds = random.below(4);
-    const std::size_t count = 1 + random.below(TriangleRows::kMost);
-    TriangleRows rows;
+    const std::size_t count = 1 + random.below(TriangleBatch::kCapacity);
+    TriangleBatch rows;
     std::vector<std::array<glm::dvec3, 3>> triangles;
     for (std::size_t i = 0; i < count; ++i) {
         auto& [a, b, c] = triangles.emplace_back();
@@ -35,13 +35,13 @@ void expectSame(std::uint64_t seed) {
         rows.add(a, b, c);
     }
     ASSERT_EQ(rows.count(), count);
-    ASSERT_EQ(rows.isFull(), count == TriangleRows::kMost);
+    ASSERT_EQ(rows.isFull(), count == TriangleBatch::kCapacity);
     const glm::dvec3 point = randomPosition(random, kinds) * 1.5;
-    TriangleRows::Row squares{};
-    rows.nearestSquares(point, squares);
+    TriangleBatch::Row squares{};
+    rows.squaredDistances(point, squares);
     for (std::size_t i = 0; i < count; ++i) {
         const auto& [a, b, c] = triangles[i];
-        EXPECT_EQ(squares.at(i), nearestSquare(point, a, b, c)) << "seed " << seed << ", triangle " << i;
+        EXPECT_EQ(squares.at(i), squaredDistance(point, a, b, c)) << "seed " << seed << ", triangle " << i;
     }
 }
 

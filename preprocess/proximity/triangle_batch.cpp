@@ -1,7 +1,7 @@
-#include "preprocess/proximity/nearest_kernel.h"
+#include "preprocess/proximity/triangle_batch.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "preprocess/proximity/nearest_kernel.cpp"
+#define HWY_TARGET_INCLUDE "preprocess/proximity/triangle_batch.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -10,9 +10,9 @@ HWY_BEFORE_NAMESPACE();
 namespace gnomon::proximity::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-using Tag = hn::CappedTag<double, TriangleRows::kMost>;
+using Tag = hn::CappedTag<double, TriangleBatch::kCapacity>;
 using Doubles = hn::Vec<Tag>;
-using Corner = std::array<TriangleRows::Row, 3>;
+using Corner = std::array<TriangleBatch::Row, 3>;
 
 constexpr Tag kDoubles;
 
@@ -64,7 +64,7 @@ HWY_INLINE Doubles clamped(Doubles v, Doubles most) {
     return hn::IfThenElse(hn::Lt(v, zero), zero, hn::IfThenElse(hn::Lt(most, v), most, v));
 }
 
-/// The cases of `nearestSquare` from the last to the first, each before those that it yields to.
+/// The cases of `squaredDistance` from the last to the first, each before those that it yields to.
 HWY_INLINE Doubles nearestSquaresOf(const Vector& p, const Vector& a, const Vector& b, const Vector& c) {
     const Doubles zero = hn::Zero(kDoubles);
     const Doubles one = hn::Set(kDoubles, 1.0);
@@ -105,7 +105,7 @@ HWY_INLINE Doubles nearestSquaresOf(const Vector& p, const Vector& a, const Vect
 }
 
 void squaresInLanes(
-    const glm::dvec3& point, const std::array<Corner, 3>& corners, std::size_t count, TriangleRows::Row& squares) {
+    const glm::dvec3& point, const std::array<Corner, 3>& corners, std::size_t count, TriangleBatch::Row& squares) {
     const Vector p{hn::Set(kDoubles, point.x), hn::Set(kDoubles, point.y), hn::Set(kDoubles, point.z)};
     for (std::size_t i = 0; i < count; i += hn::Lanes(kDoubles))
         hn::StoreU(
@@ -123,7 +123,7 @@ namespace gnomon::proximity {
 
 HWY_EXPORT(squaresInLanes);
 
-void TriangleRows::nearestSquares(const glm::dvec3& point, Row& squares) const {
+void TriangleBatch::squaredDistances(const glm::dvec3& point, Row& squares) const {
     HWY_DYNAMIC_DISPATCH(squaresInLanes)(point, corners_, count_, squares);
 }
 

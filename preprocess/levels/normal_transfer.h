@@ -1,4 +1,4 @@
-// The normals of a simplified patch: each stands for those of the surface that its vertex now speaks for.
+// Normal transfer: the vertex normals of a simplified patch, fitted to those of the patch that it replaces.
 #pragma once
 
 #include "preprocess/simplify/patch.h"
@@ -6,7 +6,7 @@
 namespace gnomon::levels {
 
 /// A vertex, by its number in a patch or a mesh, and the packed normal that it takes.
-struct CarriedNormal {
+struct TransferredNormal {
     std::uint32_t vertex = 0;
     std::uint32_t normal = 0;
 };
@@ -14,7 +14,8 @@ struct CarriedNormal {
 /// New normals for the vertices that `simplified` keeps, in ascending order: one step of a least squares fit, over the
 /// area of `patch`, of what is interpolated between them to the normals that were there. So a surface whose relief is
 /// gone is shaded as it was on average, not as it happened to be where vertices stayed. Vertices at locked positions
-/// and those without a normal keep what they have; between normals more than 60 degrees apart nothing is carried.
-std::vector<CarriedNormal> carriedNormals(const simplify::Patch& patch, const simplify::SimplifiedPatch& simplified);
+/// and those without a normal keep what they have; between normals more than 60 degrees apart nothing is transferred.
+std::vector<TransferredNormal> transferredNormals(
+    const simplify::Patch& patch, const simplify::SimplifiedPatch& simplified);
 
 } // namespace gnomon::levels

@@ -1,7 +1,7 @@
 // The normals of coarse vertices: near the source's in the mean, and what they may never touch.
 #include "core/random.h"
 #include "hierarchy/octahedral.h"
-#include "preprocess/levels/carried_normals.h"
+#include "preprocess/levels/normal_transfer.h"
 #include "preprocess/proximity/triangle_distance.h"
 #include "preprocess/simplify/simplify.h"
 #include "tests/read/code_mesh.h"
@@ -47,7 +47,7 @@ std::vector<std::uint32_t> packedNormals(const simplify::Patch& patch) {
 
 std::vector<std::uint32_t> afterCarrying(const simplify::Patch& patch, const simplify::SimplifiedPatch& simplified) {
     std::vector<std::uint32_t> normals = packedNormals(patch);
-    for (const CarriedNormal& carried : carriedNormals(patch, simplified))
+    for (const TransferredNormal& carried : transferredNormals(patch, simplified))
         normals[carried.vertex] = carried.normal;
     return normals;
 }
@@ -68,7 +68,7 @@ double unlikeness(
             const glm::dvec3& a = patch.positions[c[0]];
             const glm::dvec3 ab = patch.positions[c[1]] - a;
             const glm::dvec3 ac = patch.positions[c[2]] - a;
-            const double square = proximity::footing(p, a, a + ab, a + ac).square;
+            const double square = proximity::distanceToTriangle(p, a, a + ab, a + ac).square;
             if (square >= best) continue;
             best = square;
             const glm::dvec3 across = glm::cross(ab, ac);
@@ -92,7 +92,7 @@ TEST(CarriedNormals, OfARoughSurfaceComeNearerToWhatWasThere) {
             const double y = 0.3 * (2 * random.unit() - 1);
             return glm::dvec3(x, y, 1);
         });
-        const simplify::SimplifiedPatch simplified = simplify::simplifyOwn(patch, patch.triangles.size() / 2);
+        const simplify::SimplifiedPatch simplified = simplify::simplifyQuadric(patch, patch.triangles.size() / 2);
         const double before = unlikeness(patch, simplified, packedNormals(patch));
         const double after = unlikeness(patch, simplified, afterCarrying(patch, simplified));
         EXPECT_LT(after, 0.8 * before) << "seed " << seed;
@@ -102,7 +102,7 @@ TEST(CarriedNormals, OfARoughSurfaceComeNearerToWhatWasThere) {
 TEST(CarriedNormals, OfARoundSurfaceStayAsTheyAre) {
     // They turn evenly, so that interpolation already gives what was there; a mere mean would tilt them.
     const simplify::Patch patch = sheet([](double x, double z) { return glm::dvec3(0.6 * x - 0.3, 1, 0.6 * z - 0.3); });
-    const simplify::SimplifiedPatch simplified = simplify::simplifyOwn(patch, patch.triangles.size() / 2);
+    const simplify::SimplifiedPatch simplified = simplify::simplifyQuadric(patch, patch.triangles.size() / 2);
     const std::vector<std::uint32_t> before = packedNormals(patch);
     const std::vector<std::uint32_t> after = afterCarrying(patch, simplified);
     for (std::size_t v = 0; v < before.size(); ++v)
@@ -116,8 +116,8 @@ TEST(CarriedNormals, LeaveLockedVerticesCreasesAndVerticesWithoutAloneAndComeInO
         const double tilt = 0.2 * (2 * random.unit() - 1);
         return x < 0.6 ? glm::dvec3(tilt, 0, 1) : glm::dvec3(1, 0, tilt);
     });
-    const simplify::SimplifiedPatch simplified = simplify::simplifyOwn(rough, rough.triangles.size() / 2);
-    const std::vector<CarriedNormal> carried = carriedNormals(rough, simplified);
+    const simplify::SimplifiedPatch simplified = simplify::simplifyQuadric(rough, rough.triangles.size() / 2);
+    const std::vector<TransferredNormal> carried = transferredNormals(rough, simplified);
     ASSERT_FALSE(carried.empty());
     for (std::size_t i = 0; i < carried.size(); ++i) {
         const std::uint32_t v = carried[i].vertex;
@@ -135,7 +135,7 @@ TEST(CarriedNormals, LeaveLockedVerticesCreasesAndVerticesWithoutAloneAndComeInO
 
 TEST(CarriedNormals, OfASurfaceWithoutNormalsAreNone) {
     const simplify::Patch bare = sheet([](double, double) { return glm::dvec3(0); });
-    EXPECT_TRUE(carriedNormals(bare, simplify::simplifyOwn(bare, bare.triangles.size() / 2)).empty());
+    EXPECT_TRUE(transferredNormals(bare, simplify::simplifyQuadric(bare, bare.triangles.size() / 2)).empty());
 }
 
 } // namespace

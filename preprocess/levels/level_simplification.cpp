@@ -1,15 +1,13 @@
-#include "preprocess/levels/level.h"
+#include "preprocess/levels/level_simplification.h"
 
-#include "preprocess/levels/cluster.h"
 #include "preprocess/levels/group_patch.h"
-#include "preprocess/levels/kd_split.h"
+#include "preprocess/levels/level_clusters.h"
+#include "preprocess/simplify/deviation.h"
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <span>
 
 namespace gnomon::levels {
@@ -18,49 +16,7 @@ namespace {
 
 using hierarchy::kNone;
 
-constexpr std::uint32_t kGroupClusters = 16;
 constexpr double kToleranceShare = 0.25; // of the error that the clusters of a group already have
-
-/// Where each level's cuts lie: never twice in a row in the same place.
-constexpr std::array<double, 3> kGroupCutFractions{0.5, 0.42, 0.58};
-
-glm::vec3 toVector(const hierarchy::GridPoint& p) {
-    return glm::dvec3(p.x, p.y, p.z);
-}
-
-glm::vec3 centerOf(const hierarchy::GridBox& box) {
-    return (toVector(box.min) + toVector(box.max)) * 0.5F;
-}
-
-/// A ball around the middle of `box` that holds its corners and the `children`, a hair larger than computed so that
-/// rounding cannot undo it.
-Sphere enclosing(const Box& box, std::span<const Sphere> children) {
-    Sphere sphere{box.center(), glm::length(box.extent()) * 0.5};
-    for (const Sphere& child : children)
-        sphere.radius = std::max(sphere.radius, glm::length(child.center - sphere.center) + child.radius);
-    sphere.radius *= 1 + 0x1p-40;
-    return sphere;
-}
-
-/// Appends the clusters of `triangles`, which lie there in the order of `clustering`, to `level`.
-void appendClusters(
-    const simplify::Mesh& mesh,
-    std::span<const simplify::Triangle> triangles,
-    const Clustering& clustering,
-    Level& level) {
-    std::uint32_t begin = 0;
-    for (std::size_t c = 0; c < clustering.ends.size(); ++c) {
-        LevelCluster cluster;
-        cluster.firstTriangle = begin;
-        cluster.triangleCount = clustering.ends[c] - begin;
-        cluster.vertexCount = clustering.vertexCounts[c];
-        for (const simplify::Triangle& t : triangles.subspan(begin, cluster.triangleCount))
-            for (const std::uint32_t v : t)
-                cluster.box.add(mesh.vertices[v].position);
-        level.clusters.push_back(cluster);
-        begin = clustering.ends[c];
-    }
-}
 
 std::uint64_t triangleCount(const Level& level, const LevelGroup& group) {
     const LevelCluster& first = level.clusters[group.firstCluster];
@@ -84,8 +40,9 @@ double worstRefinement(const Level& level, const LevelGroup& group) {
 
 class GroupSimplifier {
 public:
-    GroupSimplifier(const simplify::Mesh& mesh, const Level& level, const LevelOptions& options, Price price)
-        : mesh_(mesh), level_(level), options_(options), price_(price), owners_(mesh, level) {}
+    GroupSimplifier(
+        const simplify::Mesh& mesh, const Level& level, const LevelOptions& options, simplify::CostLimit limit)
+        : mesh_(mesh), level_(level), options_(options), costLimit_(limit), owners_(mesh, level) {}
 
     GroupResult operator()(std::uint32_t groupIndex, PatchNumbers& numbers) const {
         const LevelGroup& group = level_.groups[groupIndex];
@@ -93,8 +50,8 @@ public:
         const std::size_t count = triangleCount(level_, group);
         const auto triangles = std::span(level_.triangles).subspan(first.firstTriangle, count);
         GroupPatch patch = makeGroupPatch(mesh_, triangles, owners_, numbers);
-        patch.patch.isAnyPrice = price_ == Price::Any;
-        patch.patch.isBounded = options_.isErrorMeasured;
+        patch.patch.costLimit = costLimit_;
+        patch.patch.isErrorBounded = options_.isErrorMeasured;
         patch.patch.errors = std::span(level_.errors).subspan(first.firstTriangle, count);
         const simplify::SimplifiedPatch simplified =
             simplify::simplify(patch.patch, (count + 1) / 2, options_.simplifier);
@@ -118,9 +75,9 @@ public:
             result.error = before + simplified.claimedError * mesh_.grid.step();
         }
         cutIntoClusters(patch, simplified, errors, groupIndex, result.clusters);
-        result.clusters.normals = carriedNormals(patch.patch, simplified);
-        for (CarriedNormal& carried : result.clusters.normals)
-            carried.vertex = patch.globalVertex[carried.vertex];
+        result.clusters.normals = transferredNormals(patch.patch, simplified);
+        for (TransferredNormal& normal : result.clusters.normals)
+            normal.vertex = patch.globalVertex[normal.vertex];
         return result;
     }
 
@@ -151,67 +108,19 @@ private:
     const simplify::Mesh& mesh_;
     const Level& level_;
     const LevelOptions& options_;
-    Price price_;
+    simplify::CostLimit costLimit_;
     PositionOwners owners_;
 };
 
 } // namespace
 
-Level firstLevel(const simplify::Mesh& mesh, const LevelOptions& options) {
-    std::vector<glm::vec3> positions(mesh.positionCount);
-    for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
-        positions[mesh.positionOf[v]] = toVector(mesh.vertices[v].position);
-    const Clustering clustering =
-        clusterTriangles(mesh.triangles, mesh.positionOf, positions, options.clusterTriangles);
-    Level level;
-    level.triangles.reserve(mesh.triangles.size());
-    for (const std::uint32_t t : clustering.order)
-        level.triangles.push_back(mesh.triangles[t]);
-    level.errors.assign(level.triangles.size(), {});
-    appendClusters(mesh, level.triangles, clustering, level);
-    return level;
-}
-
-void formGroups(Level& level, const hierarchy::Grid& grid, const LevelOptions& options, std::uint32_t number) {
-    std::vector<KdItem> items;
-    items.reserve(level.clusters.size());
-    for (std::uint32_t c = 0; c < level.clusters.size(); ++c)
-        items.push_back({centerOf(level.clusters[c].box), level.clusters[c].triangleCount, c});
-    const std::uint64_t maxWeight = std::uint64_t{kGroupClusters} * options.clusterTriangles;
-    const KdParts parts = kdSplit(items, maxWeight, kGroupCutFractions.at(number % kGroupCutFractions.size()));
-    Level ordered;
-    ordered.triangles.reserve(level.triangles.size());
-    ordered.errors.reserve(level.errors.size());
-    std::uint32_t begin = 0;
-    std::vector<Sphere> children;
-    for (const std::uint32_t end : parts.ends) {
-        LevelGroup group;
-        group.firstCluster = begin;
-        group.clusterCount = end - begin;
-        children.clear();
-        for (std::uint32_t i = begin; i < end; ++i) {
-            LevelCluster cluster = level.clusters[parts.order[i]];
-            const auto first = static_cast<std::ptrdiff_t>(cluster.firstTriangle);
-            const auto last = first + static_cast<std::ptrdiff_t>(cluster.triangleCount);
-            cluster.firstTriangle = static_cast<std::uint32_t>(ordered.triangles.size());
-            ordered.triangles.insert(
-                ordered.triangles.end(), level.triangles.begin() + first, level.triangles.begin() + last);
-            ordered.errors.insert(ordered.errors.end(), level.errors.begin() + first, level.errors.begin() + last);
-            group.box.add(cluster.box);
-            if (cluster.refinement != kNone) children.push_back(level.refinements[cluster.refinement].bounds);
-            ordered.clusters.push_back(cluster);
-        }
-        group.bounds = enclosing(grid.local(group.box), children);
-        ordered.groups.push_back(group);
-        begin = end;
-    }
-    ordered.refinements = std::move(level.refinements);
-    level = std::move(ordered);
-}
-
 Level simplifiedLevel(
-    const simplify::Mesh& mesh, Level& level, const LevelOptions& options, Price price, Progress& progress) {
-    const GroupSimplifier simplifier(mesh, level, options, price);
+    const simplify::Mesh& mesh,
+    Level& level,
+    const LevelOptions& options,
+    simplify::CostLimit limit,
+    Progress& progress) {
+    const GroupSimplifier simplifier(mesh, level, options, limit);
     std::vector<GroupResult> results(level.groups.size());
     tbb::enumerable_thread_specific<PatchNumbers> numbers([&] { return PatchNumbers(mesh); });
     tbb::parallel_for(std::size_t{0}, results.size(), [&](std::size_t g) {

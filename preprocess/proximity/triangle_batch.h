@@ -8,15 +8,15 @@
 
 namespace gnomon::proximity {
 
-/// Up to kMost triangles, by corner and coordinate.
-class TriangleRows {
+/// Up to kCapacity triangles, by corner and coordinate.
+class TriangleBatch {
 public:
-    static constexpr std::size_t kMost = 16;
-    using Row = std::array<double, kMost>;
+    static constexpr std::size_t kCapacity = 16;
+    using Row = std::array<double, kCapacity>;
 
     std::size_t count() const { return count_; }
 
-    bool isFull() const { return count_ == kMost; }
+    bool isFull() const { return count_ == kCapacity; }
 
     void clear() { count_ = 0; }
 
@@ -28,9 +28,9 @@ public:
         ++count_;
     }
 
-    /// The squared distance of `point` from each triangle in turn, to the bit that of `nearestSquare`
+    /// The squared distance of `point` from each triangle in turn, to the bit that of `squaredDistance`
     /// (triangle_distance.h); behind the last there is anything.
-    void nearestSquares(const glm::dvec3& point, Row& squares) const;
+    void squaredDistances(const glm::dvec3& point, Row& squares) const;
 
 private:
     void put(std::array<Row, 3>& corner, const glm::dvec3& position) {

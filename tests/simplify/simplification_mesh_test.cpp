@@ -44,7 +44,7 @@ Patch randomSoup(std::uint64_t seed) {
 
 using Positions = std::set<std::uint32_t>;
 
-/// The living triangles as sets of positions.
+/// The remaining triangles as sets of positions.
 using Plain = std::map<std::uint32_t, Positions>;
 
 Plain plainOf(const Patch& patch) {
@@ -84,26 +84,26 @@ std::set<std::pair<std::uint32_t, std::uint32_t>> doubledIn(const Plain& plain, 
     return doubled;
 }
 
-void expectSame(LivingPatch& living, const Plain& plain, const Patch& patch) {
-    ASSERT_EQ(living.triangleCount(), plain.size());
+void expectSame(SimplificationMesh& mesh, const Plain& plain, const Patch& patch) {
+    ASSERT_EQ(mesh.triangleCount(), plain.size());
     for (std::uint32_t t = 0; t < patch.triangles.size(); ++t) {
-        ASSERT_EQ(living.isAlive(t), plain.contains(t));
+        ASSERT_EQ(!mesh.isRemoved(t), plain.contains(t));
         if (!plain.contains(t)) continue;
-        const Triangle& p = living.positions(t);
+        const Triangle& p = mesh.positions(t);
         EXPECT_EQ(Positions(p.begin(), p.end()), plain.at(t));
-        EXPECT_EQ(patch.corners(living.vertices(t)), p);
+        EXPECT_EQ(patch.corners(mesh.vertices(t)), p);
     }
     for (std::uint32_t p = 0; p < kPositions; ++p) {
         const Positions wanted = neighboursIn(plain, p);
         std::vector<std::uint32_t> found;
-        for (const std::uint32_t q : living.neighbours(p))
+        for (const std::uint32_t q : mesh.neighbours(p))
             found.push_back(q);
         EXPECT_EQ(found.size(), wanted.size());
         EXPECT_EQ(Positions(found.begin(), found.end()), wanted);
-        EXPECT_EQ(living.hasFaces(p), !wanted.empty());
+        EXPECT_EQ(mesh.hasTriangles(p), !wanted.empty());
         std::set<std::pair<std::uint32_t, std::uint32_t>> doubled;
-        for (const LivingPatch::Doubled& pair : living.doubled(p))
-            doubled.emplace(pair.kept, pair.gone);
+        for (const SimplificationMesh::Duplicate& pair : mesh.duplicates(p))
+            doubled.emplace(pair.kept, pair.removed);
         EXPECT_EQ(doubled, doubledIn(plain, patch, p));
     }
 }
@@ -124,63 +124,63 @@ EdgeKind edgeIn(const Patch& patch, std::uint32_t triangle, std::uint32_t a, std
     return kind;
 }
 
-void expectSameEdges(const LivingPatch& living, const Patch& patch) {
+void expectSameEdges(const SimplificationMesh& mesh, const Patch& patch) {
     std::vector<bool> isBorder(kPositions, false);
     for (std::uint32_t corner = 0; corner < patch.triangles.size() * 3; ++corner) {
         const Triangle& t = patch.triangles[corner / 3];
         const std::uint32_t a = t[corner % 3];
         const std::uint32_t b = t[(corner % 3 + 1) % 3];
         const EdgeKind wanted = edgeIn(patch, corner / 3, a, b);
-        EXPECT_EQ(living.firstEdge(corner), wanted);
+        EXPECT_EQ(mesh.originalEdge(corner), wanted);
         const std::uint32_t p = patch.positionOf[a];
         const std::uint32_t q = patch.positionOf[b];
         const bool isLocked = patch.isLocked[p] != 0 && patch.isLocked[q] != 0;
         if (wanted == EdgeKind::Open && !isLocked) isBorder[p] = isBorder[q] = true;
     }
     for (std::uint32_t p = 0; p < kPositions; ++p)
-        EXPECT_EQ(living.isBorder(p), isBorder[p]);
+        EXPECT_EQ(mesh.isBorder(p), isBorder[p]);
 }
 
 /// A collapse in both, and what is asked before and after it.
-void collapseBoth(LivingPatch& living, CollapseStar& star, Plain& plain, std::uint32_t from, std::uint32_t to) {
+void collapseBoth(SimplificationMesh& mesh, CollapseStar& star, Plain& plain, std::uint32_t from, std::uint32_t to) {
     const Positions a = neighboursIn(plain, from);
     const Positions b = neighboursIn(plain, to);
     const auto isCommon = [&](std::uint32_t q) { return q != from && q != to && b.contains(q); };
     const auto common = std::count_if(a.begin(), a.end(), isCommon);
-    EXPECT_EQ(living.commonNeighbours(from, to), static_cast<std::size_t>(common));
-    const bool isBorder = living.isBorder(from) || living.isBorder(to);
+    EXPECT_EQ(mesh.commonNeighbours(from, to), static_cast<std::size_t>(common));
+    const bool isBorder = mesh.isBorder(from) || mesh.isBorder(to);
     star.gather(from, to);
-    star.carryOut();
-    living.join(from, to);
+    star.apply();
+    mesh.merge(from, to);
     collapsePlainly(plain, from, to);
-    EXPECT_EQ(living.isBorder(to), isBorder);
+    EXPECT_EQ(mesh.isBorder(to), isBorder);
 }
 
-TEST(LivingPatch, EdgesAreOpenOrCreasesWhereNoOtherTriangleHasThemOrOneHasThemWithOtherVertices) {
+TEST(SimplificationMesh, EdgesAreOpenOrCreasesWhereNoOtherTriangleHasThemOrOneHasThemWithOtherVertices) {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         const Patch patch = randomSoup(seed);
-        expectSameEdges(LivingPatch(patch), patch);
+        expectSameEdges(SimplificationMesh(patch), patch);
     }
 }
 
-TEST(LivingPatch, CollapsesInAnyOrderLeaveTheTrianglesThatAListOfThemLeaves) {
+TEST(SimplificationMesh, CollapsesInAnyOrderLeaveTheTrianglesThatAListOfThemLeaves) {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         const Patch patch = randomSoup(seed);
-        LivingPatch living(patch);
-        CollapseStar star(patch, living);
+        SimplificationMesh mesh(patch);
+        CollapseStar star(patch, mesh);
         Plain plain = plainOf(patch);
-        std::vector<std::uint32_t> whereNow(kPositions);
-        std::iota(whereNow.begin(), whereNow.end(), 0U);
+        std::vector<std::uint32_t> representative(kPositions);
+        std::iota(representative.begin(), representative.end(), 0U);
         Random random(seed + 100);
         for (int attempt = 0; attempt < 200; ++attempt) {
             const auto from = static_cast<std::uint32_t>(random.below(kPositions));
             const auto to = static_cast<std::uint32_t>(random.below(kPositions));
-            if (from == to || !living.isInPlace(from) || !living.hasFaces(to)) continue;
-            collapseBoth(living, star, plain, from, to);
-            expectSame(living, plain, patch);
-            std::replace(whereNow.begin(), whereNow.end(), from, to);
+            if (from == to || !mesh.isRepresentative(from) || !mesh.hasTriangles(to)) continue;
+            collapseBoth(mesh, star, plain, from, to);
+            expectSame(mesh, plain, patch);
+            std::replace(representative.begin(), representative.end(), from, to);
             for (std::uint32_t p = 0; p < kPositions; ++p)
-                EXPECT_EQ(living.whereNow(p), whereNow[p]);
+                EXPECT_EQ(mesh.representative(p), representative[p]);
         }
     }
 }

@@ -10,36 +10,36 @@
 namespace gnomon::levels {
 
 /// A mesh and the clusters of its coarsest level, not in groups.
-struct Remains {
+struct PendingLevel {
     simplify::Mesh mesh;
     Level level;
 };
 
-/// Remains as bytes, and how much they hold.
-struct EncodedRemains {
+/// A pending level as bytes, and how much they hold.
+struct EncodedPendingLevel {
     std::vector<std::byte> bytes;
     std::uint64_t vertices = 0;
     std::uint64_t triangles = 0;
 };
 
 /// The triangles of `level`, with the vertices and refinements that they use.
-EncodedRemains encodeRemains(const simplify::Mesh& mesh, const Level& level);
+EncodedPendingLevel encodePendingLevel(const simplify::Mesh& mesh, const Level& level);
 
-/// Joins the remains of parts that are neighbours, so that positions which only they share are borders no longer.
-class RemainsMerger {
+/// Joins the pending levels of neighbouring parts, so that positions which only they share are borders no longer.
+class PendingLevelMerger {
 public:
     /// For parts of at most `vertices` vertices together.
-    RemainsMerger(const hierarchy::Grid& grid, std::size_t vertices);
-    ~RemainsMerger();
-    RemainsMerger(const RemainsMerger&) = delete;
-    RemainsMerger& operator=(const RemainsMerger&) = delete;
-    RemainsMerger(RemainsMerger&&) = delete;
-    RemainsMerger& operator=(RemainsMerger&&) = delete;
+    PendingLevelMerger(const hierarchy::Grid& grid, std::size_t vertices);
+    ~PendingLevelMerger();
+    PendingLevelMerger(const PendingLevelMerger&) = delete;
+    PendingLevelMerger& operator=(const PendingLevelMerger&) = delete;
+    PendingLevelMerger(PendingLevelMerger&&) = delete;
+    PendingLevelMerger& operator=(PendingLevelMerger&&) = delete;
 
     /// Adds the next part; its refinements of level `firstLevel` + i count their pages from `firstPages[i]`.
     void add(std::span<const std::byte> bytes, std::uint32_t firstLevel, std::span<const std::uint32_t> firstPages);
 
-    Remains take();
+    PendingLevel take();
 
 private:
     struct State;

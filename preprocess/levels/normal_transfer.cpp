@@ -1,8 +1,8 @@
-#include "preprocess/levels/carried_normals.h"
+#include "preprocess/levels/normal_transfer.h"
 
 #include "hierarchy/octahedral.h"
-#include "preprocess/proximity/nearest_kernel.h"
-#include "preprocess/simplify/fans.h"
+#include "preprocess/proximity/triangle_batch.h"
+#include "preprocess/simplify/triangle_adjacency.h"
 
 #include <algorithm>
 #include <array>
@@ -43,7 +43,7 @@ public:
     NormalFit(const simplify::Patch& patch, const simplify::SimplifiedPatch& simplified)
         : patch_(patch),
           simplified_(simplified),
-          fans_(patch.positions.size(), cornersOf(patch, simplified.triangles)),
+          adjacency_(patch.positions.size(), cornersOf(patch, simplified.triangles)),
           isKept_(patch.vertices.size(), 0),
           area_(patch.vertices.size(), 0) {
         for (const simplify::Triangle& t : simplified.triangles)
@@ -60,19 +60,19 @@ public:
         }
     }
 
-    std::vector<CarriedNormal> run() {
-        lack_.assign(normal_.size(), glm::dvec3(0));
+    std::vector<TransferredNormal> run() {
+        residual_.assign(normal_.size(), glm::dvec3(0));
         weight_ = area_;
         for (std::uint32_t v = 0; v < normal_.size(); ++v)
-            if (isKept_[v] == 0 && hasNormal(v)) handOn(v);
-        std::vector<CarriedNormal> carried;
+            if (isKept_[v] == 0 && hasNormal(v)) distributeResidual(v);
+        std::vector<TransferredNormal> transferred;
         for (std::uint32_t v = 0; v < normal_.size(); ++v) {
             if (isKept_[v] == 0 || !hasNormal(v) || patch_.isLocked[patch_.positionOf[v]] != 0) continue;
             if (!(weight_[v] > 0)) continue;
-            const std::uint32_t packed = hierarchy::packNormal(normal_[v] + lack_[v] / weight_[v]);
-            if (packed != hierarchy::kNoNormal) carried.push_back({v, packed});
+            const std::uint32_t packed = hierarchy::packNormal(normal_[v] + residual_[v] / weight_[v]);
+            if (packed != hierarchy::kNoNormal) transferred.push_back({v, packed});
         }
-        return carried;
+        return transferred;
     }
 
 private:
@@ -84,18 +84,19 @@ private:
     }
 
     /// The triangle nearest to where the vertices at `position` were, among those around what they collapsed into.
-    std::uint32_t successorOf(std::uint32_t position) {
+    std::uint32_t nearestTriangle(std::uint32_t position) {
         std::uint32_t nearest = kNone;
         double best = std::numeric_limits<double>::infinity();
-        const std::span<const std::uint32_t> around = fans_.around(simplified_.movedTo[position]);
-        for (std::size_t first = 0; first < around.size(); first += proximity::TriangleRows::kMost) {
-            const auto some = around.subspan(first, std::min(proximity::TriangleRows::kMost, around.size() - first));
-            rows_.clear();
+        const std::span<const std::uint32_t> around = adjacency_.around(simplified_.movedTo[position]);
+        for (std::size_t first = 0; first < around.size(); first += proximity::TriangleBatch::kCapacity) {
+            const auto some =
+                around.subspan(first, std::min(proximity::TriangleBatch::kCapacity, around.size() - first));
+            batch_.clear();
             for (const std::uint32_t t : some) {
                 const auto [a, b, c] = corners(simplified_.triangles[t]);
-                rows_.add(a, b, c);
+                batch_.add(a, b, c);
             }
-            rows_.nearestSquares(patch_.positions[position], squares_);
+            batch_.squaredDistances(patch_.positions[position], squares_);
             for (std::size_t i = 0; i < some.size(); ++i) {
                 if (squares_[i] >= best) continue;
                 best = squares_[i];
@@ -105,12 +106,12 @@ private:
         return nearest;
     }
 
-    /// Divides what is wrong where the vertex was, now that it is gone, among the corners of the triangle there.
-    void handOn(std::uint32_t v) {
+    /// Divides the residual at a removed vertex among the corners of the triangle there.
+    void distributeResidual(std::uint32_t v) {
         const std::uint32_t position = patch_.positionOf[v];
-        const std::uint32_t successor = successorOf(position);
-        if (successor == kNone) return;
-        const simplify::Triangle& t = simplified_.triangles[successor];
+        const std::uint32_t triangle = nearestTriangle(position);
+        if (triangle == kNone) return;
+        const simplify::Triangle& t = simplified_.triangles[triangle];
         glm::dvec3 weights = weightsAt(patch_.positions[position], corners(t));
         double sum = 0;
         glm::dvec3 found(0);
@@ -121,29 +122,30 @@ private:
             sum += weights[i];
         }
         if (!(sum > 0)) return;
-        const glm::dvec3 lacks = normal_[v] - found / sum;
+        const glm::dvec3 residual = normal_[v] - found / sum;
         for (int i = 0; i < 3; ++i) {
             const double area = area_[v] * weights[i] / sum;
-            lack_[t[static_cast<std::size_t>(i)]] += lacks * area;
+            residual_[t[static_cast<std::size_t>(i)]] += residual * area;
             weight_[t[static_cast<std::size_t>(i)]] += area;
         }
     }
 
     const simplify::Patch& patch_;
     const simplify::SimplifiedPatch& simplified_;
-    simplify::Fans fans_;
-    proximity::TriangleRows rows_;
-    proximity::TriangleRows::Row squares_{};
+    simplify::TriangleAdjacency adjacency_;
+    proximity::TriangleBatch batch_;
+    proximity::TriangleBatch::Row squares_{};
     std::vector<std::uint8_t> isKept_;
-    std::vector<double> area_;       // six times what a vertex has of its faces
-    std::vector<glm::dvec3> normal_; // zero for none
-    std::vector<glm::dvec3> lack_;   // times the area where it lacks
-    std::vector<double> weight_;     // all of the area that the vertex now speaks for
+    std::vector<double> area_;         // six times what a vertex has of its faces
+    std::vector<glm::dvec3> normal_;   // zero for none
+    std::vector<glm::dvec3> residual_; // times the area where it residual
+    std::vector<double> weight_;       // all of the area that the vertex now represents
 };
 
 } // namespace
 
-std::vector<CarriedNormal> carriedNormals(const simplify::Patch& patch, const simplify::SimplifiedPatch& simplified) {
+std::vector<TransferredNormal> transferredNormals(
+    const simplify::Patch& patch, const simplify::SimplifiedPatch& simplified) {
     const bool hasNormals =
         std::any_of(patch.vertices.begin(), patch.vertices.end(), [](const hierarchy::Vertex& vertex) {
             return vertex.normal != hierarchy::kNoNormal;

@@ -1,0 +1,317 @@
+// The quadric simplifier: half-edge collapses in the order of their cost, in the quadric framework of Garland and
+// Heckbert, "Surface Simplification Using Quadric Error Metrics", 1997.
+//
+// - A vertex moves onto a neighbour (half-edge collapse) or onto the nearest vertex of another connected component (the
+//   non-edge vertex pairs of the same paper), so no position is new and the grid holds all of them. Locked positions,
+//   on which other groups rely, never move, and edges between two of them keep their triangles.
+// - The cost estimate is the root of the mean squared distance of the target from the planes of the source's triangles
+//   (a quadric, weighted by area and summed over collapses, so each vertex has the planes of all that it has replaced),
+//   with planes perpendicular to open edges and attribute seams, and small terms for the edge's length and the change
+//   of normal and colour.
+// - The cost proper is no estimate but an upper bound of the error that the collapse would leave, if that is larger: by
+// a
+//   piecewise linear map between the star before and after (Cohen, Manocha and Olano, "Simplifying Polygonal Models
+//   Using Successive Mappings", 1997; fan_map.h), or, where the star is no fan, by distances to convex sets
+//   (collapse_error_bound.h).
+// - A collapse that would turn a normal by more than 75 degrees is rejected. One that would change the topology, by the
+//   link condition of Dey, Edelsbrunner, Guha and Nekhayev, "Topology Preserving Edge Contraction", 1999, costs twice.
+// - The order is lazy: the queue holds estimates, and a vertex is evaluated only when it comes first; if its cost
+// proves
+//   higher than the queue said, it is put back. A collapse is refused above the patch's cost limit, and the loop stops
+//   early once two thirds of the triangles are left and the cost rises steeply.
+#include "preprocess/simplify/collapse_error_bound.h"
+#include "preprocess/simplify/collapse_queue.h"
+#include "preprocess/simplify/collapse_star.h"
+#include "preprocess/simplify/cost_estimate.h"
+#include "preprocess/simplify/simplification_mesh.h"
+#include "preprocess/simplify/simplify.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace gnomon::simplify {
+
+namespace {
+
+using hierarchy::kNone;
+
+constexpr double kForbidden = std::numeric_limits<double>::infinity();
+constexpr double kTopologyPenalty = 2;   // on the cost of a collapse that violates the link condition
+constexpr double kQueueSlack = 1.1;      // a collapse may cost so much more than the queue says
+constexpr double kEarlyStopShare = 0.67; // of the triangles: from there on the loop stops where costs rise
+constexpr double kMaxCostRise = 1.6;     // over the largest cost accepted before
+constexpr double kMeanEdges = 2.5;       // CostLimit::MeanEdge, in mean edge lengths of the patch
+
+double meanEdge(const Patch& patch) {
+    double length = 0;
+    for (const Triangle& t : patch.triangles) {
+        const Triangle p = patch.corners(t);
+        for (std::size_t i = 0; i < 3; ++i)
+            length += glm::distance(patch.positions[p[i]], patch.positions[p[(i + 1) % 3]]);
+    }
+    return length / (3.0 * static_cast<double>(patch.triangles.size()));
+}
+
+/// One simplification: the queue of collapses and the loop over it. Costs are distances in grid steps.
+class Collapser {
+public:
+    explicit Collapser(const Patch& patch);
+    SimplifiedPatch run(std::size_t targetTriangles);
+
+private:
+    struct Choice {
+        double cost = kForbidden;
+        std::uint32_t target = kNone;
+    };
+
+    template <class Visit>
+    void forTargets(std::uint32_t p, std::span<const std::uint32_t> neighbours, Visit visit);
+    double boundedCost(std::uint32_t from, std::uint32_t to, double limit = kForbidden);
+    Choice cheapestByEstimate(std::uint32_t p, std::span<const std::uint32_t> neighbours);
+    Choice cheapestByBound(std::uint32_t p, Choice best);
+
+    void refresh(std::uint32_t p) { refresh(p, mesh_.neighbours(p)); }
+
+    void refresh(std::uint32_t p, std::span<const std::uint32_t> neighbours);
+    void refreshAround(std::uint32_t from, std::uint32_t to);
+    void reinsert(std::uint32_t p, const Choice& choice);
+    std::optional<Choice> evaluateFirst(std::uint32_t p, double cost);
+    void collapse(std::uint32_t from, std::uint32_t to);
+    void removeDuplicates(std::uint32_t p);
+    void redirectIsolated(std::uint32_t p);
+    SimplifiedPatch result() const;
+
+    const Patch& patch_;
+    SimplificationMesh mesh_;
+    CostEstimate estimate_;
+    CollapseErrorBound errors_;
+    CollapseStar star_; // of the collapse that `boundedCost` evaluated last
+    double maxCost_;    // of a collapse
+    double claimed_ = 0;
+    CollapseQueue queue_;
+    std::vector<std::uint32_t> target_;   // per position in the queue
+    std::vector<std::uint8_t> isBounded_; // whether its cost in the queue is bounded, not estimated
+    std::vector<std::uint32_t> around_;   // neighbours of `from` in the current collapse
+    std::vector<std::pair<double, std::uint32_t>> candidates_;
+};
+
+Collapser::Collapser(const Patch& patch)
+    : patch_(patch),
+      mesh_(patch),
+      estimate_(patch, mesh_),
+      errors_(patch, mesh_),
+      star_(patch, mesh_),
+      maxCost_(patch.costLimit == CostLimit::None ? kForbidden : kMeanEdges * meanEdge(patch)),
+      queue_(patch.positions.size()),
+      target_(patch.positions.size(), kNone),
+      isBounded_(patch.positions.size(), 0) {}
+
+/// Calls `visit(q, square)` for each position that `p` may collapse onto, with the squared estimate: its `neighbours`,
+/// and the other end of its vertex pair.
+template <class Visit>
+void Collapser::forTargets(std::uint32_t p, std::span<const std::uint32_t> neighbours, Visit visit) {
+    const std::span<const double> squares = estimate_.squares(p, neighbours);
+    for (std::size_t i = 0; i < neighbours.size(); ++i)
+        visit(neighbours[i], squares[i]);
+    const std::uint32_t q = mesh_.pairedWith(p);
+    if (q != kNone && q != p && mesh_.hasTriangles(q))
+        visit(q, estimate_.square(p, q) * kTopologyPenalty * kTopologyPenalty);
+}
+
+/// The cost of moving `from` onto `to` with its error bound; kForbidden if the collapse is not allowed, or once it was
+/// found to cost `limit` or more.
+double Collapser::boundedCost(std::uint32_t from, std::uint32_t to, double limit) {
+    star_.gather(from, to);
+    if (star_.vanishingCount() >= mesh_.triangleCount()) return kForbidden; // at least one triangle must remain
+    if (star_.turnsFace() || star_.breaksLockedEdge()) return kForbidden;
+    const double penalty = star_.violatesLinkCondition() ? kTopologyPenalty : 1;
+    const double estimate = std::sqrt(estimate_.square(from, to));
+    if (!patch_.isErrorBounded) return penalty * estimate;
+    if (!errors_.evaluate(star_, limit)) return kForbidden;
+    const double before = errors_.largestAround(from);
+    return std::max(errors_.worst(), before + estimate) + (penalty - 1) * (errors_.worst() - before);
+}
+
+/// The target of the least estimate.
+Collapser::Choice Collapser::cheapestByEstimate(std::uint32_t p, std::span<const std::uint32_t> neighbours) {
+    Choice best;
+    forTargets(p, neighbours, [&](std::uint32_t q, double cost) {
+        if (cost < best.cost || (cost == best.cost && q < best.target)) best = {cost, q};
+    });
+    if (best.target != kNone) best.cost = errors_.largestAround(p) + std::sqrt(best.cost);
+    return best;
+}
+
+/// The target of the least bounded cost, where that of `best` is known.
+Collapser::Choice Collapser::cheapestByBound(std::uint32_t p, Choice best) {
+    candidates_.clear();
+    forTargets(p, mesh_.neighbours(p), [&](std::uint32_t q, double cost) { candidates_.emplace_back(cost, q); });
+    std::sort(candidates_.begin(), candidates_.end());
+    const double before = errors_.largestAround(p);
+    const std::uint32_t first = best.target;
+    if (best.cost == kForbidden) best.target = kNone;
+    for (const auto& [cost, q] : candidates_) {
+        if (before + std::sqrt(cost) >= best.cost) break;
+        if (q == first) continue;
+        const double allowed = boundedCost(p, q, best.cost);
+        if (allowed < best.cost) best = {allowed, q};
+    }
+    return best;
+}
+
+/// Puts `p`, whose neighbours are given, into the queue with its current estimate.
+void Collapser::refresh(std::uint32_t p, std::span<const std::uint32_t> neighbours) {
+    if (patch_.isLocked[p] != 0) return;
+    const Choice choice = cheapestByEstimate(p, neighbours);
+    isBounded_[p] = 0;
+    target_[p] = choice.target;
+    if (choice.target == kNone)
+        queue_.remove(p);
+    else
+        queue_.put(p, choice.cost);
+}
+
+/// Updates the queue after `from` was collapsed onto `to`.
+void Collapser::refreshAround(std::uint32_t from, std::uint32_t to) {
+    for (const std::uint32_t q : around_) {
+        if (!mesh_.isRepresentative(q) || patch_.isLocked[q] != 0) continue;
+        if (target_[q] == from || isBounded_[q] != 0 || !queue_.contains(q)) {
+            refresh(q);
+            continue;
+        }
+        const double estimate = std::sqrt(estimate_.square(q, to));
+        if (estimate >= queue_.costOf(q)) continue; // mostly so, whatever the errors there
+        const double cost = errors_.largestAround(q) + estimate;
+        if (cost >= queue_.costOf(q)) continue;
+        target_[q] = to;
+        queue_.put(q, cost);
+    }
+    const std::span<const std::uint32_t> neighbours = mesh_.neighbours(to);
+    around_.clear();
+    for (const std::uint32_t q : neighbours)
+        if (!queue_.contains(q) && patch_.isLocked[q] == 0)
+            around_.push_back(q); // no collapse was allowed there; now one may be
+    if (mesh_.isRepresentative(to)) refresh(to, neighbours);
+    for (const std::uint32_t q : around_)
+        refresh(q);
+}
+
+/// Puts `p` back with a bounded cost, if any collapse is allowed.
+void Collapser::reinsert(std::uint32_t p, const Choice& choice) {
+    if (choice.target == kNone) return;
+    target_[p] = choice.target;
+    isBounded_[p] = 1;
+    queue_.put(p, choice.cost);
+}
+
+/// Bounds the cost of `p`, the first of the queue, which has it at `cost`. Nothing if the cost proves higher, so that
+/// others come first; then `p` is back in the queue.
+std::optional<Collapser::Choice> Collapser::evaluateFirst(std::uint32_t p, double cost) {
+    if (!mesh_.hasTriangles(p)) return std::nullopt;
+    const std::uint32_t to = target_[p];
+    if (!mesh_.hasTriangles(to)) { // vanished since
+        refresh(p);
+        return std::nullopt;
+    }
+    const Choice found{boundedCost(p, to), to};
+    if (!(found.cost <= kQueueSlack * cost)) {
+        reinsert(p, cheapestByBound(p, found));
+        return std::nullopt;
+    }
+    if (found.cost > maxCost_) {
+        reinsert(p, found);
+        return std::nullopt;
+    }
+    return found;
+}
+
+/// Carries out the collapse that `boundedCost` evaluated last.
+void Collapser::collapse(std::uint32_t from, std::uint32_t to) {
+    claimed_ = std::max(claimed_, estimate_.planes(from, to));
+    around_.clear();
+    for (const std::uint32_t q : mesh_.neighbours(from))
+        if (q != to) around_.push_back(q);
+    errors_.commit(star_);
+    star_.apply();
+    mesh_.merge(from, to);
+    estimate_.merge(from, to);
+    removeDuplicates(to);
+    for (const StarFace& face : star_.faces())
+        if (star_.vanishes(face)) redirectIsolated(face.b == to ? face.c : face.b);
+    redirectIsolated(to);
+    refreshAround(from, to);
+}
+
+/// Removes all but the first of triangles at `p` with the same three positions.
+void Collapser::removeDuplicates(std::uint32_t p) {
+    for (const SimplificationMesh::Duplicate& pair : mesh_.duplicates(p)) {
+        errors_.merge(pair);
+        mesh_.remove(pair.removed);
+    }
+}
+
+/// Where no triangle remains at `p`: redirects it to the nearest corner of the triangles that received the error of
+/// those that vanished.
+void Collapser::redirectIsolated(std::uint32_t p) {
+    if (mesh_.hasTriangles(p)) return;
+    queue_.remove(p);
+    double best = kForbidden;
+    for (const CollapseErrorBound::Outcome& outcome : errors_.outcomes()) {
+        if (mesh_.isRemoved(outcome.triangle)) continue;
+        for (const std::uint32_t q : mesh_.positions(outcome.triangle)) {
+            const double square = proximity::squaredLength(patch_.positions[q] - patch_.positions[p]);
+            if (square >= best) continue;
+            best = square;
+            mesh_.redirect(p, q);
+        }
+    }
+}
+
+SimplifiedPatch Collapser::run(std::size_t targetTriangles) {
+    std::vector<double> costs(patch_.positions.size(), kForbidden);
+    for (std::uint32_t p = 0; p < patch_.positions.size(); ++p) {
+        if (patch_.isLocked[p] != 0) continue;
+        const Choice choice = cheapestByEstimate(p, mesh_.neighbours(p));
+        target_[p] = choice.target;
+        costs[p] = choice.cost;
+    }
+    queue_.putAll(costs);
+    const double earlyStopCount = kEarlyStopShare * static_cast<double>(mesh_.triangleCount());
+    double maxAcceptedCost = 0; // of the collapses before the early stop may happen
+    while (mesh_.triangleCount() > targetTriangles && !queue_.isEmpty()) {
+        const bool mayStopEarly = static_cast<double>(mesh_.triangleCount()) < earlyStopCount;
+        const double cost = queue_.leastCost();
+        if (cost > maxCost_ || (mayStopEarly && cost > kMaxCostRise * maxAcceptedCost)) break;
+        const std::uint32_t p = queue_.pop();
+        const std::optional<Choice> choice = evaluateFirst(p, cost);
+        if (!choice) continue;
+        if (!mayStopEarly) maxAcceptedCost = std::max(maxAcceptedCost, choice->cost);
+        collapse(p, choice->target);
+    }
+    return result();
+}
+
+SimplifiedPatch Collapser::result() const {
+    SimplifiedPatch result;
+    for (std::uint32_t t = 0; t < patch_.triangles.size(); ++t) {
+        if (mesh_.isRemoved(t)) continue;
+        result.triangles.push_back(mesh_.vertices(t));
+        result.origin.push_back(t);
+        if (patch_.isErrorBounded) result.errors.push_back(errors_.of(t));
+    }
+    result.movedTo.reserve(patch_.positions.size());
+    for (std::uint32_t p = 0; p < patch_.positions.size(); ++p)
+        result.movedTo.push_back(mesh_.representative(p));
+    result.claimedError = std::sqrt(claimed_);
+    return result;
+}
+
+} // namespace
+
+SimplifiedPatch simplifyQuadric(const Patch& patch, std::size_t targetTriangles) {
+    return Collapser(patch).run(std::max<std::size_t>(targetTriangles, 1));
+}
+
+} // namespace gnomon::simplify

@@ -12,7 +12,7 @@
 namespace gnomon::hierarchy {
 
 /// The bits of each of the two numbers that a packed normal has; lower ones are 0 and cost nothing in the file. Ten are
-/// within 0.26 degrees and save a sixth of a statue's bytes against sixteen.
+/// within 0.28 degrees and save a sixth of a statue's bytes against sixteen.
 constexpr unsigned kNormalBits = 10;
 
 /// The packed form of a direction of any length, rounded to kNormalBits; kNoNormal for none (zero or not finite). Plain

@@ -1,4 +1,5 @@
 // What decodes clusters fast beside what decodes them plainly: the same page, or both refuse, on every instruction set.
+#include "each_target.h"
 #include "hierarchy/codec/cluster_codec.h"
 #include "hierarchy/codec/cluster_order.h"
 #include "hierarchy/tiny_model.h"
@@ -10,8 +11,6 @@
 
 #include <algorithm>
 #include <optional>
-
-#include <hwy/targets.h>
 
 namespace gnomon::hierarchy {
 namespace {
@@ -38,17 +37,13 @@ std::optional<Page> decoded(Decode decode, const Page& like, std::span<const std
 /// What `decodeClusters` makes of `bytes` if it is the same on every instruction set that this machine has and plainly.
 std::optional<Page> decodedAlike(const Page& like, std::span<const std::byte> bytes) {
     std::optional<Page> plain = decoded(plainlyDecodeClusters, like, bytes);
-    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-        hwy::SetSupportedTargetsForTest(target);
-        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    onEachTarget([&](const char* name) {
         const std::optional<Page> fast = decoded(decodeClusters, like, bytes);
-        EXPECT_EQ(fast.has_value(), plain.has_value()) << hwy::TargetName(target);
+        EXPECT_EQ(fast.has_value(), plain.has_value()) << name;
         if (fast && plain) {
-            EXPECT_TRUE(samePage(*fast, *plain)) << hwy::TargetName(target);
+            EXPECT_TRUE(samePage(*fast, *plain)) << name;
         }
-    }
-    hwy::SetSupportedTargetsForTest(0);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    });
     return plain;
 }
 

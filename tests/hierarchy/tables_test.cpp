@@ -1,0 +1,217 @@
+// The tables of a .gnm: rows and summaries as bytes, and what is said of each lie in them.
+#include "damage_text.h"
+#include "hierarchy/file_layout.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <limits>
+
+namespace gnomon::hierarchy {
+namespace {
+
+/// A page of level 1 refined by two of level 0, `storedBytes` 100 each.
+std::vector<PageInfo> threePages() {
+    std::vector<PageInfo> pages(3);
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        PageInfo& page = pages[i];
+        page.storedBytes = 100;
+        page.offset = kHeaderBytes + 100ULL * i;
+        page.checksum = 0x0123456789ABCDEFULL + i;
+        page.level = i == 0 ? 1 : 0;
+        page.groupCount = 1 + i;
+        page.clusterCount = 4 + i;
+        page.refinementCount = 7 + i;
+        page.vertexCount = 10 + i;
+        page.triangleCount = 13 + i;
+        page.box = {{1 + i, 2, 3}, {40, 50, 60 + i}};
+        page.bounds = {{1.5, -2.5, i}, 3.25};
+        page.minError = 0.125;
+        page.maxError = i == 0 ? std::numeric_limits<double>::infinity() : 0.5;
+    }
+    pages[0].children = {1, 2};
+    return pages;
+}
+
+Footer footerOf(std::span<const PageInfo> pages) {
+    Footer footer;
+    footer.pageCount = pages.size();
+    footer.pageTable.offset = kHeaderBytes;
+    for (const PageInfo& page : pages)
+        footer.pageTable.offset += page.storedBytes;
+    return footer;
+}
+
+template <class Change>
+std::string damageAfter(const Change& change) {
+    std::vector<PageInfo> pages = threePages();
+    Footer footer = footerOf(pages);
+    change(pages, footer);
+    return damageOf([&] { decodePageTable(encodePageTable(pages), footer); });
+}
+
+TEST(PageTable, EveryFieldComesBack) {
+    const std::vector<PageInfo> pages = threePages();
+    const std::vector<PageInfo> back = decodePageTable(encodePageTable(pages), footerOf(pages));
+    ASSERT_EQ(back.size(), 3U);
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(back[i].offset, pages[i].offset);
+        EXPECT_EQ(back[i].storedBytes, pages[i].storedBytes);
+        EXPECT_EQ(back[i].checksum, pages[i].checksum);
+        EXPECT_EQ(back[i].level, pages[i].level);
+        EXPECT_EQ(back[i].groupCount, pages[i].groupCount);
+        EXPECT_EQ(back[i].clusterCount, pages[i].clusterCount);
+        EXPECT_EQ(back[i].refinementCount, pages[i].refinementCount);
+        EXPECT_EQ(back[i].vertexCount, pages[i].vertexCount);
+        EXPECT_EQ(back[i].triangleCount, pages[i].triangleCount);
+        EXPECT_EQ(back[i].box.min, pages[i].box.min);
+        EXPECT_EQ(back[i].box.max, pages[i].box.max);
+        EXPECT_EQ(back[i].bounds.center, pages[i].bounds.center);
+        EXPECT_EQ(back[i].bounds.radius, pages[i].bounds.radius);
+        EXPECT_EQ(back[i].minError, pages[i].minError);
+        EXPECT_EQ(back[i].maxError, pages[i].maxError);
+        EXPECT_EQ(back[i].children, pages[i].children);
+    }
+}
+
+TEST(PageTable, EachLieIsNamed) {
+    using Pages = std::vector<PageInfo>;
+    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+    constexpr double kInfinite = std::numeric_limits<double>::infinity();
+    EXPECT_EQ(damageAfter([](Pages&, Footer&) {}), "");
+    const std::string noNumbers = "a page's bounds or errors are no numbers";
+    for (const double wrong : {kNan, kInfinite, -1.0})
+        EXPECT_EQ(damageAfter([&](Pages& p, Footer&) { p[1].bounds.radius = wrong; }), noNumbers);
+    EXPECT_EQ(damageAfter([](Pages& p, Footer&) { p[1].bounds.center.z = kNan; }), noNumbers);
+    EXPECT_EQ(damageAfter([](Pages& p, Footer&) { p[1].minError = -1; }), noNumbers);
+    EXPECT_EQ(damageAfter([](Pages& p, Footer&) { p[1].minError = kNan; }), noNumbers);
+    EXPECT_EQ(damageAfter([](Pages& p, Footer&) { p[1].maxError = 0.1; }), noNumbers) << "below the least";
+    EXPECT_EQ(damageAfter([](Pages& p, Footer&) { p[0].children = {2, 1}; }), "a page's children do not ascend");
+    EXPECT_EQ(damageAfter([](Pages& p, Footer&) { p[0].children = {1, 1}; }), "a page's children do not ascend");
+    EXPECT_EQ(damageAfter([](Pages& p, Footer&) { p[2].level = 1; }), "pages are not coarsest first");
+    const std::string notFiner = "a page is refined by one that is not finer";
+    EXPECT_EQ(damageAfter([](Pages& p, Footer&) { p[0].children = {1, 3}; }), notFiner);
+    EXPECT_EQ(damageAfter([](Pages& p, Footer&) { p[0].children = {0}; }), notFiner);
+    EXPECT_EQ(damageAfter([](Pages& p, Footer&) { p[1].children = {2}; }), notFiner) << "of its own level";
+    const std::string gap = "the pages do not end where their table begins";
+    EXPECT_EQ(damageAfter([](Pages& p, Footer&) { p[2].storedBytes += 1; }), gap);
+    EXPECT_EQ(damageAfter([](Pages&, Footer& f) { f.pageTable.offset -= 1; }), gap);
+    EXPECT_EQ(damageAfter([](Pages&, Footer& f) { f.pageCount = 4; }), "the bytes end too early");
+    EXPECT_NE(damageAfter([](Pages&, Footer& f) { f.pageCount = 2; }).find("bytes too many"), std::string::npos);
+    EXPECT_EQ(damageAfter([](Pages&, Footer& f) { f.pageCount = ~std::uint64_t{0}; }), "the bytes end too early");
+}
+
+TEST(PageTable, AChildCountThatLiesAsksForNoMemory) {
+    const std::vector<PageInfo> pages = threePages();
+    std::vector<std::byte> bytes = encodePageTable(pages);
+    constexpr std::size_t kChildCount = 4 + 4 + 8 + 5 * 4 + 6 * 4; // stored bytes, level, checksum, counts, box
+    const std::uint32_t lie = 0xFFFFFFFFU;
+    std::memcpy(bytes.data() + kChildCount, &lie, sizeof lie);
+    EXPECT_NE(damageOf([&] { decodePageTable(bytes, footerOf(pages)); }), "");
+}
+
+ModelSummary someSummary() {
+    ModelSummary summary;
+    summary.grid = {{1, 2, 3}, -7};
+    summary.bounds = {{-1, -2, -3}, {4, 5, 6}};
+    summary.sourceTriangles = 1000;
+    summary.sourceVertices = 600;
+    summary.coarsestTriangles = 12;
+    summary.hasColors = true;
+    summary.dropped = {{"degenerate", 3}, {"doubled", 300}};
+    summary.options = {{"error", "measured"}};
+    summary.levels = {{900, 20, 5, 0.25}, {400, 10, 3, 0.5}};
+    return summary;
+}
+
+TEST(Summary, ComesBackAndItsFlagsTellWhatVerticesHave) {
+    const ModelSummary summary = someSummary();
+    const ModelSummary back = decodeSummary(encodeSummary(summary));
+    EXPECT_EQ(back.grid.origin, summary.grid.origin);
+    EXPECT_EQ(back.grid.stepExponent, -7);
+    EXPECT_EQ(back.sourceTriangles, 1000U);
+    EXPECT_EQ(back.sourceVertices, 600U);
+    EXPECT_EQ(back.coarsestTriangles, 12U);
+    EXPECT_FALSE(back.hasNormals);
+    EXPECT_TRUE(back.hasColors);
+    EXPECT_EQ(back.dropped, summary.dropped);
+    EXPECT_EQ(back.options, summary.options);
+    ASSERT_EQ(back.levels.size(), 2U);
+    EXPECT_EQ(back.levels[1].triangles, 400U);
+    EXPECT_EQ(back.levels[1].clusters, 10U);
+    EXPECT_EQ(back.levels[1].groups, 3U);
+    EXPECT_EQ(back.levels[1].maxError, 0.5);
+    for (unsigned flags = 0; flags < 4; ++flags) {
+        ModelSummary other = summary;
+        other.hasNormals = (flags & 1U) != 0;
+        other.hasColors = (flags & 2U) != 0;
+        EXPECT_EQ(flagsOf(other), flags);
+        EXPECT_EQ(decodeSummary(encodeSummary(other)).hasNormals, other.hasNormals);
+    }
+}
+
+TEST(Summary, EachLieIsNamed) {
+    const auto after = [](auto&& change) {
+        ModelSummary summary = someSummary();
+        change(summary);
+        return damageOf([&] { decodeSummary(encodeSummary(summary)); });
+    };
+    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(after([](ModelSummary& s) { s.levels[0].maxError = kNan; }), "an error is no length");
+    EXPECT_EQ(after([](ModelSummary& s) { s.levels[1].maxError = -1; }), "an error is no length");
+    EXPECT_EQ(after([](ModelSummary& s) { s.levels[1].maxError = 1 / 0.0; }), "an error is no length") << "finite, too";
+    EXPECT_EQ(after([](ModelSummary& s) { s.grid.origin.y = kNan; }), "the grid's origin is no point");
+    for (const int exponent : {-1001, 1001})
+        EXPECT_EQ(after([&](ModelSummary& s) { s.grid.stepExponent = exponent; }), "the grid's step is no length");
+    for (const int exponent : {-1000, 1000})
+        EXPECT_EQ(after([&](ModelSummary& s) { s.grid.stepExponent = exponent; }), "");
+    std::vector<std::byte> bytes = encodeSummary(someSummary());
+    bytes.push_back(std::byte{0});
+    EXPECT_EQ(damageOf([&] { decodeSummary(bytes); }), "1 bytes too many");
+    // Two names of a map the other way round: the same map may have one form only.
+    std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size() - 1);
+    const std::size_t first = text.find("degenerate");
+    text.replace(first, 10, "zegenerate");
+    EXPECT_EQ(damageOf([&] { decodeSummary(std::as_bytes(std::span(text))); }), "names out of order");
+}
+
+TEST(Footer, ComesBackAndKnowsEachOfItsBytes) {
+    const Footer footer{{40, 50, 60}, {90, 70, 80}, 1234, 5};
+    const std::vector<std::byte> bytes = encodeFooter(footer);
+    ASSERT_EQ(bytes.size(), kFooterBytes);
+    const Footer back = decodeFooter(bytes);
+    EXPECT_EQ(back.pageTable.offset, 40U);
+    EXPECT_EQ(back.pageTable.bytes, 50U);
+    EXPECT_EQ(back.pageTable.checksum, 60U);
+    EXPECT_EQ(back.summary.offset, 90U);
+    EXPECT_EQ(back.summary.bytes, 70U);
+    EXPECT_EQ(back.summary.checksum, 80U);
+    EXPECT_EQ(back.fileBytes, 1234U);
+    EXPECT_EQ(back.pageCount, 5U);
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+        std::vector<std::byte> bad = bytes;
+        bad[i] ^= std::byte{1};
+        EXPECT_EQ(damageOf([&] { decodeFooter(bad); }), "the footer's checksum is wrong") << i;
+    }
+}
+
+TEST(Header, BeginsWithTheMagicAndEndsWithTheHash) {
+    ContentHash hash{};
+    hash[0] = std::byte{0xAB};
+    hash[15] = std::byte{0x0F};
+    EXPECT_EQ(hexText(hash), "ab00000000000000000000000000000f");
+    const std::vector<std::byte> header = encodeHeader(3, hash);
+    ASSERT_EQ(header.size(), kHeaderBytes);
+    EXPECT_EQ(header[0], std::byte{0x89});
+    EXPECT_EQ(header[8], std::byte{kFormatVersion});
+    EXPECT_EQ(header[12], std::byte{3});
+    EXPECT_TRUE(std::equal(hash.begin(), hash.end(), header.begin() + kHashOffset));
+    EXPECT_NE(encodeHeader(2, hash), header);
+    hash[15] = std::byte{0x0E};
+    const std::vector<std::byte> other = encodeHeader(3, hash);
+    EXPECT_FALSE(std::equal(other.begin() + 16, other.begin() + 24, header.begin() + 16))
+        << "the checksum covers the hash";
+}
+
+} // namespace
+} // namespace gnomon::hierarchy

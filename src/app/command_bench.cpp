@@ -1,5 +1,6 @@
 #include "app/command_line.h"
 #include "app/commands.h"
+#include "app/console.h"
 #include "app/named_files.h"
 #include "app/oracle_option.h"
 #include "app/prepared_output.h"
@@ -312,10 +313,11 @@ public:
         if (summaries.size() > 1) printUnderBound(options_.view.maxAliasing, summaries);
         if (!options_.images.empty()) writeImages();
         if (!options_.report.empty()) writeReport(options_.report, pageOf(summaries), results);
+        const bool hasFiles = !(options_.csv + options_.json + options_.images + options_.report).empty();
+        requirePrinted(hasFiles ? "the files that were asked for are complete" : "");
         if (baseline_) {
             for (const std::string& name : measure::notCompared(*baseline_, summaries))
-                std::fprintf(
-                    stderr, "gnomon: %s: not compared, on one side only: %s\n", baseline_->path.c_str(), name.c_str());
+                printMessage(baseline_->path + ": not compared, on one side only: " + name);
             measure::requireNotSlower(*baseline_, summaries, bounds_.failAbovePercent);
         }
     }

@@ -1,6 +1,8 @@
 #include "app/commands.h"
+#include "app/console.h"
 #include "app/named_files.h"
 #include "core/error.h"
+#include "core/printable.h"
 #include "core/units.h"
 #include "preprocess/pipeline/build_model.h"
 #include "preprocess/pipeline/fingerprint.h"
@@ -77,7 +79,7 @@ void printForPeople(const BuildReport& report, const std::string& output) {
     const auto triangles = static_cast<double>(report.sourceTriangles);
     std::printf(
         "%s: %s triangles in %llu levels, %s, %.1f bytes a triangle, coarsest %llu\n",
-        output.c_str(),
+        printable(output).c_str(),
         readableCount(report.sourceTriangles).c_str(),
         static_cast<unsigned long long>(report.levelCount),
         readableBytes({report.fileBytes}).c_str(),
@@ -103,7 +105,7 @@ void warnOfCoarsest(const BuildReport& report, const std::string& output) {
         stderr,
         "gnomon: warning: %s: the coarsest level has %llu of %llu triangles, expected at most %llu; stuck are %.3g "
         "percent, expected at most %g\n",
-        output.c_str(),
+        printable(output).c_str(),
         static_cast<unsigned long long>(report.coarsestTriangles),
         static_cast<unsigned long long>(report.sourceTriangles),
         static_cast<unsigned long long>(kManyTriangles),
@@ -127,6 +129,9 @@ void run(const BuildCommand& command) {
     options.temporaryFolder = command.temporary;
     options.isInMemory = command.isInMemory;
     options.isResumed = command.isResumed;
+    options.onKeptFolder = [](const std::string& folder) {
+        printMessage("warning: " + folder + ": it stays, there is something in it that no build has written");
+    };
     const std::map<std::string, Simplifier> simplifiers{
         {"quadric", Simplifier::Quadric},
         {"own", Simplifier::Quadric}, // its name before; stored in models still
@@ -145,6 +150,7 @@ void run(const BuildCommand& command) {
         std::printf("%s\n", telemetry::jsonText(asJson(report), 1).c_str());
     else
         printForPeople(report, command.output);
+    requirePrinted("the model " + command.output + " is complete");
 }
 
 CLI::Validator memorySize() {

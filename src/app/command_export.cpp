@@ -3,6 +3,7 @@
 #include "app/commands.h"
 #include "app/named_files.h"
 #include "app/thread_limit.h"
+#include "core/printable.h"
 #include "core/units.h"
 #include "preprocess/exporter/export.h"
 #include "settings/option_text.h"
@@ -58,7 +59,7 @@ void addExportCommand(CLI::App& program) {
         std::fprintf(
             stderr,
             "%s: %llu triangles, %llu vertices, error at most %g\n",
-            options->output.c_str(),
+            printable(options->output).c_str(),
             static_cast<unsigned long long>(cut.triangles),
             static_cast<unsigned long long>(cut.vertices),
             cut.error);

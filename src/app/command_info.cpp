@@ -1,6 +1,7 @@
 // `gnomon info`: what a model file says of itself, without reading a page.
 
 #include "app/commands.h"
+#include "core/printable.h"
 #include "core/units.h"
 #include "hierarchy/model_file.h"
 #include "telemetry/json_text.h"
@@ -60,11 +61,12 @@ int coordinateDigits(const hierarchy::ModelSummary& summary) {
 void printInfo(const hierarchy::ModelFile& file) {
     const hierarchy::ModelSummary& summary = file.summary();
     const auto number = [](std::uint64_t value) { return static_cast<unsigned long long>(value); };
-    std::printf("%s: format %u, %s\n", file.path().c_str(), hierarchy::kFormatVersion, file.contentHash().c_str());
+    std::printf(
+        "%s: format %u, %s\n", printable(file.path()).c_str(), hierarchy::kFormatVersion, file.contentHash().c_str());
     std::printf(
         "source     %llu triangles, %llu vertices", number(summary.sourceTriangles), number(summary.sourceVertices));
     for (const auto& [reason, count] : summary.dropped)
-        if (count > 0) std::printf(", %llu %s", number(count), reason.c_str());
+        if (count > 0) std::printf(", %llu %s", number(count), printable(reason).c_str());
     const glm::dvec3& min = summary.bounds.min;
     const glm::dvec3& max = summary.bounds.max;
     const int digits = coordinateDigits(summary);
@@ -92,7 +94,7 @@ void printInfo(const hierarchy::ModelFile& file) {
     }
     std::printf("coarsest %12llu\n", number(summary.coarsestTriangles));
     for (const auto& [name, value] : summary.options)
-        std::printf("option   %s %s\n", name.c_str(), value.c_str());
+        std::printf("option   %s %s\n", printable(name).c_str(), printable(value).c_str());
 }
 
 } // namespace

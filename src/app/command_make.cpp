@@ -4,6 +4,7 @@
 #include "app/commands.h"
 #include "app/named_files.h"
 #include "core/error.h"
+#include "core/printable.h"
 #include "core/units.h"
 #include "preprocess/make/model_file.h"
 #include "preprocess/make/named_model.h"
@@ -50,7 +51,7 @@ void runMake(const MakeOptions& options) {
     std::fprintf(
         stderr,
         "%s: %llu triangles, %llu vertices\n",
-        options.output.c_str(),
+        printable(options.output).c_str(),
         static_cast<unsigned long long>(size.triangles),
         static_cast<unsigned long long>(size.vertices));
 }

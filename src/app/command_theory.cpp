@@ -1,10 +1,12 @@
 #include "app/commands.h"
+#include "app/console.h"
 #include "app/named_files.h"
 #include "app/prepared_output.h"
 #include "app/thread_limit.h"
 #include "core/error.h"
 #include "core/file.h"
 #include "core/json_file.h"
+#include "core/printable.h"
 #include "settings/option_text.h"
 #include "telemetry/json_text.h"
 #include "theory/figures.h"
@@ -13,13 +15,16 @@
 #include "theory/scheme_table.h"
 
 #include <array>
+#include <cerrno>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
 
 #include <fcntl.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -64,6 +69,7 @@ int runQuietly(const std::string& python, std::vector<std::string> arguments, bo
     const pid_t child = ::fork();
     if (child < 0) throw Error(python, "cannot start a process");
     if (child == 0) {
+        ::prctl(PR_SET_PDEATHSIG, SIGTERM); // a plot is no use to anybody else
         const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
         ::dup2(nowhere, STDOUT_FILENO);
         if (!showErrors) ::dup2(nowhere, STDERR_FILENO);
@@ -71,7 +77,11 @@ int runQuietly(const std::string& python, std::vector<std::string> arguments, bo
         ::_exit(127);
     }
     int status = 0;
-    if (::waitpid(child, &status, 0) != child) return 127;
+    pid_t ended = -1;
+    do
+        ended = ::waitpid(child, &status, 0);
+    while (ended < 0 && errno == EINTR);
+    if (ended != child) return 127;
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
 }
 
@@ -99,6 +109,7 @@ json describe(const theory::Figure& figure) {
 
 void writeFigures(const std::string& folder) {
     const PreparedFolder prepared(folder);
+    const std::string shown = printable(folder);
     std::vector<theory::Figure> figures = theory::paperFigures();
     for (theory::Figure& figure : theory::ownFigures())
         figures.push_back(std::move(figure));
@@ -106,22 +117,20 @@ void writeFigures(const std::string& folder) {
     for (const theory::Figure& figure : figures) {
         writeTextFile(folder + "/" + figure.name + ".csv", theory::csvOf(figure));
         list.push_back(describe(figure));
-        std::printf("%s/%s.csv\n", folder.c_str(), figure.name.c_str());
+        std::printf("%s/%s.csv\n", shown.c_str(), figure.name.c_str());
     }
     writeTextFile(folder + "/figures.json", telemetry::jsonText(list, 1) + "\n");
     const std::string script = folder + "/theory_figures.py";
     writeTextFile(script, std::string(theory::kFiguresScript));
     const std::optional<std::string> python = plottingPython();
     if (!python) {
-        std::fprintf(
-            stderr,
-            "gnomon: the data is written, but no SVG and PNG: install python3-matplotlib, then python3 %s\n",
-            script.c_str());
+        printMessage("the data is written, but no SVG and PNG: install python3-matplotlib, then python3 " + script);
         return;
     }
     if (runQuietly(*python, {script, folder}, true) != 0) throw Error(script, "the plots could not be drawn");
     for (const theory::Figure& figure : figures)
-        std::printf("%s/%s.svg\n%s/%s.png\n", folder.c_str(), figure.name.c_str(), folder.c_str(), figure.name.c_str());
+        std::printf("%s/%s.svg\n%s/%s.png\n", shown.c_str(), figure.name.c_str(), shown.c_str(), figure.name.c_str());
+    requirePrinted("what is in " + folder + " is complete");
 }
 
 void addFigures(CLI::App& theory) {

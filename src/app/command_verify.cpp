@@ -4,6 +4,7 @@
 #include "app/commands.h"
 #include "app/thread_limit.h"
 #include "core/error.h"
+#include "core/printable.h"
 #include "preprocess/verify/verify.h"
 #include "telemetry/json_text.h"
 
@@ -53,7 +54,7 @@ void print(const verify::Verification& verification, bool asJson) {
             static_cast<unsigned long long>(check.failed),
             check.worst);
         if (check.tightness) std::printf(" tightness %.2f", *check.tightness);
-        std::printf(" %s\n", check.detail.c_str());
+        std::printf(" %s\n", printable(check.detail).c_str());
     }
 }
 

@@ -1,20 +1,20 @@
 // The program: one table of subcommands, one place where errors become exit codes.
 
 #include "app/commands.h"
+#include "app/console.h"
+#include "app/interruption.h"
 #include "core/error.h"
 #include "settings/option_text.h"
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <exception>
-#include <iostream>
+#include <new>
 #include <string>
 
 namespace {
 
+using gnomon::app::printMessage;
 using gnomon::settings::UsageError;
 
 using AddCommand = void (*)(CLI::App&);
@@ -44,14 +44,6 @@ std::string usage(const CLI::App& program, const CLI::ParseError& error, const s
     return text + "; see gnomon " + (chosen.empty() ? "" : chosen.front()->get_name() + " ") + "--help";
 }
 
-/// Throws Error if something that was printed has not reached stdout.
-void requirePrinted() {
-    std::cout.flush(); // --help and --version
-    if (std::fflush(stdout) != 0) throw gnomon::Error("stdout", std::string("cannot write: ") + std::strerror(errno));
-    if (!std::cout.good() || std::ferror(stdout) != 0)
-        throw gnomon::Error("stdout", "cannot write: some of the output is lost");
-}
-
 int run(int argc, char** argv) {
     CLI::App program("Low-error shadow maps for meshes of a million to a billion triangles.", "gnomon");
     program.set_version_flag("--version", "gnomon " GNOMON_VERSION);
@@ -65,26 +57,28 @@ int run(int argc, char** argv) {
         if (error.get_exit_code() != 0) throw UsageError{usage(program, error, argc > 1 ? argv[1] : "")};
         program.exit(error); // prints what --help and --version ask for
     }
-    requirePrinted();
+    gnomon::app::requirePrinted();
     return 0;
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
+    gnomon::app::occupyStandardDescriptors();
+    gnomon::app::endCleanlyOnSignals();
     try {
         return run(argc, argv);
     } catch (const UsageError& error) {
-        std::fprintf(stderr, "gnomon: %s\n", error.message.c_str());
+        printMessage(error.message);
         return 2;
     } catch (const gnomon::Interrupted&) {
-        std::fprintf(stderr, "gnomon: interrupted; nothing was left half-written\n");
+        printMessage(gnomon::app::kInterrupted);
         return 1;
     } catch (const std::bad_alloc&) {
-        std::fprintf(stderr, "gnomon: out of memory\n");
+        printMessage("out of memory");
         return 1;
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "gnomon: %s\n", error.what());
+        printMessage(error.what());
         return 1;
     }
 }

@@ -1,9 +1,8 @@
 #include "app/commands.h"
+#include "app/interruption.h"
 #include "core/units.h"
 
-#include <atomic>
 #include <chrono>
-#include <csignal>
 #include <cstdio>
 #include <fstream>
 #include <mutex>
@@ -15,13 +14,6 @@ namespace gnomon::app {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-std::atomic_flag
-    interrupted; // NOLINT(cppcoreguidelines-avoid-non-const-global-variables): a signal reaches nothing else
-
-extern "C" void onInterrupt(int /*signal*/) {
-    interrupted.test_and_set();
-}
 
 /// Resident bytes of this process, from the kernel.
 std::uint64_t residentBytes() {
@@ -61,7 +53,7 @@ public:
     }
 
     void advance(std::uint64_t count) override {
-        if (interrupted.test()) throw Interrupted{};
+        if (isInterrupted()) throw Interrupted{};
         const std::scoped_lock lock(mutex_);
         done_ += count;
         const auto now = Clock::now();
@@ -121,6 +113,7 @@ private:
         }
     }
 
+    PolledInterruption polled_;
     Style style_;
     std::mutex mutex_;
     std::string name_;
@@ -145,8 +138,6 @@ void addCommonOptions(CLI::App& command, CommonOptions& options) {
 
 std::unique_ptr<Progress> makeProgress(const CommonOptions& options) {
     using Style = StderrProgress::Style;
-    std::signal(SIGINT, onInterrupt);
-    std::signal(SIGTERM, onInterrupt);
     Style style = Style::None;
     if (options.progress == "bar" || (options.progress == "auto" && ::isatty(STDERR_FILENO) != 0)) style = Style::Bar;
     if (options.progress == "json") style = Style::Json;

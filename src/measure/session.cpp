@@ -1,5 +1,6 @@
 #include "measure/session.h"
 
+#include "core/printable.h"
 #include "executor/gl_executor.h"
 #include "executor/software_executor.h"
 #include "gl/context.h"
@@ -29,7 +30,9 @@ Session::Session(const std::string& modelPath, const settings::ViewOptions& opti
           {.memory = settings::parseMemory("--memory", options.memory),
            .onDamaged = [](const streaming::DamagedPage& page) {
                std::fprintf(
-                   stderr, "gnomon: warning: a page is damaged, its parents are drawn: %s\n", page.reason.c_str());
+                   stderr,
+                   "gnomon: warning: a page is damaged, its parents are drawn: %s\n",
+                   printable(page.reason).c_str());
            }}) {}
 
 } // namespace gnomon::measure

@@ -1,5 +1,7 @@
 #include "viewer/messages.h"
 
+#include "core/printable.h"
+
 #include <algorithm>
 #include <cstdio>
 
@@ -22,7 +24,7 @@ void Messages::show(const std::string& text) {
 void Messages::note(const std::string& text) {
     messages_.push_back({text, false, now_() + kNoteSeconds});
     lastIsShown_ = false;
-    std::fprintf(stderr, "gnomon: %s\n", text.c_str());
+    std::fprintf(stderr, "gnomon: %s\n", printable(text).c_str());
 }
 
 void Messages::fail(const std::string& text) {
@@ -36,7 +38,7 @@ void Messages::fail(const std::string& text) {
     }
     messages_.push_back({text, true, now_() + kFailSeconds});
     lastIsShown_ = false;
-    std::fprintf(stderr, "gnomon: %s\n", text.c_str());
+    std::fprintf(stderr, "gnomon: %s\n", printable(text).c_str());
 }
 
 bool Messages::expire() {

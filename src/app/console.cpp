@@ -1,0 +1,37 @@
+#include "app/console.h"
+
+#include "core/error.h"
+#include "core/printable.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <iostream>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace gnomon::app {
+
+void occupyStandardDescriptors() {
+    for (int descriptor = STDIN_FILENO; descriptor <= STDERR_FILENO; ++descriptor) {
+        if (::fcntl(descriptor, F_GETFD) >= 0 || errno != EBADF) continue;
+        // The lowest free descriptor is this one. Opened the other way round, so that its use stays an error.
+        static_cast<void>(::open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY)); // NOLINT: inherited
+    }
+}
+
+void printMessage(const std::string& text) {
+    std::fprintf(stderr, "gnomon: %s\n", printable(text).c_str());
+}
+
+void requirePrinted(const std::string& kept) {
+    const auto fail = [&](const std::string& why) {
+        throw Error("stdout", "cannot write: " + why + (kept.empty() ? "" : "; " + kept + ", but its summary is lost"));
+    };
+    std::cout.flush(); // --help and --version
+    if (std::fflush(stdout) != 0) fail(std::strerror(errno));
+    if (!std::cout.good() || std::ferror(stdout) != 0) fail("some of the output is lost");
+}
+
+} // namespace gnomon::app

@@ -1,0 +1,26 @@
+// How the program ends when a signal asks it to, INT, TERM, HUP or PIPE: all commands in one way.
+#pragma once
+
+namespace gnomon::app {
+
+constexpr const char* kInterrupted = "interrupted; nothing was left half-written";
+
+/// From now on such a signal removes every temporary file, says kInterrupted and ends the process with exit code 1. So
+/// does what ends a process by std::terminate for want of memory or threads. HUP and PIPE stay ignored where they are.
+void endCleanlyOnSignals();
+
+/// Whether one of the signals has come.
+bool isInterrupted();
+
+/// While one lives, the first signal is but noted, for work that asks `isInterrupted` often and unwinds.
+class PolledInterruption {
+public:
+    PolledInterruption();
+    ~PolledInterruption();
+    PolledInterruption(const PolledInterruption&) = delete;
+    PolledInterruption& operator=(const PolledInterruption&) = delete;
+    PolledInterruption(PolledInterruption&&) = delete;
+    PolledInterruption& operator=(PolledInterruption&&) = delete;
+};
+
+} // namespace gnomon::app

@@ -94,14 +94,14 @@ public:
                     addFan(fan);
                 } else {
                     for (std::size_t k = 0; k < fan.size(); ++k)
-                        add(refined.take<Corners>());
+                        add(refinedTriangle(refined));
                 }
                 i += run->count;
                 ++run;
             }
             progress_.advance(block.faceCount());
         });
-        GNOMON_CHECK(refined.isAtEnd());
+        if (!refined.isAtEnd()) throwOtherPolygons();
         bins_.flush();
         bins_.release(triangles_);
     }
@@ -138,6 +138,17 @@ private:
         }
         for (const read::TriangleCorners& t : fans)
             bins_.put(triangles_, narrow(t));
+    }
+
+    Corners refinedTriangle(scratch::StreamStore::Reader& refined) const {
+        if (refined.isAtEnd()) throwOtherPolygons();
+        return refined.take<Corners>();
+    }
+
+    /// Of two passes that found different ones.
+    [[noreturn]] void throwOtherPolygons() const {
+        source_.requireUnchanged();
+        throw Error(source_.summary().path, "the input changed while it was read");
     }
 
     bool isInOneChunk(std::span<const read::TriangleCorners> fan) const {

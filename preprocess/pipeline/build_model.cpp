@@ -68,6 +68,7 @@ public:
               progress) {}
 
     BuildReport run() {
+        source_.pollWith(progress_);
         bin();
         shareBorders();
         buildRounds();
@@ -132,6 +133,7 @@ private:
                 blockBytes({room.count / 2}, std::uint64_t{3} * tree.chunkCount()));
             record.mostOfAChunk =
                 chunk::binSource(source_, survey, tree, *bins_, room.count / 2 / kBytesPerPolygonCorner, progress_);
+            source_.requireUnchanged(); // it is not read again
             record.scratchEnd = binsFile_->end();
             record.directory = bins_->directory();
             workplace_.finish(std::move(record));
@@ -332,6 +334,7 @@ private:
             requireFewStuck(totals.stuckTriangles, summary.levels.front().triangles, *options_.maxStuckPercent);
         hierarchy::ModelWriter writer(options_.output);
         writePages(ledger(), *pagesFile_, writer, progress_);
+        source_.requireUnchanged();
         report_.contentHash = writer.finish(summary);
         report_.fileBytes = writer.bytesWritten();
         report_.pages = totals.pages;

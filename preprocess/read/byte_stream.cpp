@@ -7,7 +7,7 @@
 
 namespace gnomon::read {
 
-ByteStream::ByteStream(const File& file, std::uint64_t offset)
+ByteStream::ByteStream(const InputFile& file, std::uint64_t offset)
     : file_(file),
       fileBytes_(file.size()),
       buffer_(std::min<std::uint64_t>(fileBytes_, kBufferBytes)),

@@ -1,7 +1,7 @@
 // Sequential reading of a file in big blocks, with a window of contiguous bytes to parse from.
 #pragma once
 
-#include "core/file.h"
+#include "preprocess/read/input_file.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -14,7 +14,7 @@ class ByteStream {
 public:
     static constexpr std::size_t kBufferBytes = std::size_t{2} << 20U;
 
-    ByteStream(const File& file, std::uint64_t offset);
+    ByteStream(const InputFile& file, std::uint64_t offset);
 
     /// The bytes at the current place that are in memory.
     const std::byte* data() const { return buffer_.data() + begin_; }
@@ -44,7 +44,7 @@ public:
 private:
     bool refill(std::size_t count);
 
-    const File& file_;
+    const InputFile& file_;
     std::uint64_t fileBytes_;
     std::vector<std::byte> buffer_;
     std::uint64_t bufferOffset_;

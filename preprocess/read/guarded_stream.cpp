@@ -10,7 +10,7 @@ constexpr std::size_t kLongestLine = std::size_t{64} << 20U;
 
 } // namespace
 
-GuardedLines::GuardedLines(const File& file, LineGuard& guard) : file_(file), guard_(guard), stream_(file, 0) {
+GuardedLines::GuardedLines(const InputFile& file, LineGuard& guard) : file_(file), guard_(guard), stream_(file, 0) {
     guard_.begin();
 }
 

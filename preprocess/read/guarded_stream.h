@@ -37,7 +37,7 @@ public:
 /// start.
 class GuardedLines final : public std::streambuf {
 public:
-    GuardedLines(const File& file, LineGuard& guard);
+    GuardedLines(const InputFile& file, LineGuard& guard);
 
     /// Lets the guard judge the lines that the reader has not asked for.
     void readOut();
@@ -53,7 +53,7 @@ protected:
 private:
     bool readLine();
 
-    const File& file_;
+    const InputFile& file_;
     LineGuard& guard_;
     ByteStream stream_;
     std::string line_;   ///< as it stands in the file
@@ -65,7 +65,7 @@ private:
 /// A stream buffer over the bytes of a file, which knows its place.
 class GuardedBytes final : public std::streambuf {
 public:
-    explicit GuardedBytes(const File& file) : stream_(file, 0) {}
+    explicit GuardedBytes(const InputFile& file) : stream_(file, 0) {}
 
     /// "PATH: byte N" of the next byte.
     std::string where() const;

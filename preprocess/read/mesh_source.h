@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/error.h"
+#include "core/progress.h"
 
 #include <glm/glm.hpp>
 
@@ -89,6 +90,12 @@ public:
 
     /// Delivers all triangles in file order; source indices count from 0 without gaps.
     virtual void readTriangles(const TriangleSink& sink) = 0;
+
+    /// From now on passes over a file poll `progress`, which must outlive them.
+    virtual void pollWith(Progress& /*progress*/) {}
+
+    /// Throws Error if an input is no longer the one that was opened, by its size and the time of its last change.
+    virtual void requireUnchanged() const {}
 
     /// Where vertex `vertex` is in the input, for messages.
     virtual std::string whereIs(std::uint64_t /*vertex*/) { return summary().path; }

@@ -69,6 +69,16 @@ public:
         }
     }
 
+    void pollWith(Progress& progress) override {
+        for (const auto& part : parts_)
+            part->pollWith(progress);
+    }
+
+    void requireUnchanged() const override {
+        for (const auto& part : parts_)
+            part->requireUnchanged();
+    }
+
     std::string whereIs(std::uint64_t vertex) override {
         auto part = parts_.begin();
         for (; vertex >= (*part)->summary().vertexCount; ++part)

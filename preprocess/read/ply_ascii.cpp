@@ -27,7 +27,7 @@ double outOfRangeValue(std::string_view text) {
 
 } // namespace
 
-AsciiValues::AsciiValues(const File& file, char lineEnd, PlyPlace start)
+AsciiValues::AsciiValues(const InputFile& file, char lineEnd, PlyPlace start)
     : stream_(file, start.offset), lineEnd_(lineEnd), line_(start.line) {}
 
 std::string AsciiValues::where() const {

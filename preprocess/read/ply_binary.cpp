@@ -26,7 +26,7 @@ void PlyProgress::throwEndsEarly(const std::string& where) const {
         std::to_string(done));
 }
 
-BinaryValues::BinaryValues(const File& file, PlyFormat format, PlyPlace start)
+BinaryValues::BinaryValues(const InputFile& file, PlyFormat format, PlyPlace start)
     : stream_(file, start.offset), isSwapped_(format != kNativeFormat) {}
 
 void BinaryValues::skip(PlyType type, std::uint64_t count) {

@@ -38,7 +38,7 @@ constexpr std::array<std::pair<std::string_view, PlyType>, 16> kTypeNames = {{
 
 class HeaderParser {
 public:
-    HeaderParser(const File& file, std::string_view text) : file_(file), text_(text) {}
+    HeaderParser(const InputFile& file, std::string_view text) : file_(file), text_(text) {}
 
     PlyHeader parse() {
         findLineEnd();
@@ -131,7 +131,7 @@ private:
         return found->second;
     }
 
-    const File& file_;
+    const InputFile& file_;
     std::string_view text_;
     std::size_t position_ = 0;
     std::uint64_t line_ = 0;
@@ -140,7 +140,7 @@ private:
 };
 
 // No count is believed that the bytes of the file cannot hold.
-void checkCounts(const File& file, const PlyHeader& header) {
+void checkCounts(const InputFile& file, const PlyHeader& header) {
     // The last value of an ascii file needs no separator.
     std::uint64_t left = file.size() - header.bodyOffset + (header.format == PlyFormat::Ascii ? 1 : 0);
     for (const PlyElement& element : header.elements) {
@@ -175,7 +175,7 @@ std::uint64_t PlyElement::leastRowBytes(PlyFormat format) const {
     return bytes;
 }
 
-PlyHeader readPlyHeader(const File& file) {
+PlyHeader readPlyHeader(const InputFile& file) {
     std::string text(std::min(file.size(), kLargestHeader), '\0');
     text.resize(file.readSomeAt(0, std::as_writable_bytes(std::span(text))));
     PlyHeader header = HeaderParser(file, text).parse();

@@ -1,7 +1,7 @@
 // The header of a PLY file: its elements, their properties and where the body begins.
 #pragma once
 
-#include "core/file.h"
+#include "preprocess/read/input_file.h"
 
 #include <cstdint>
 #include <string>
@@ -71,6 +71,6 @@ struct PlyHeader {
 /// cannot change the layout and is taken for a comment that lost its keyword (Blender has written those); after it, it
 /// is an error. Throws Error with the line, also when the file is shorter than the declared counts allow.
 /// Source: Turk, "The PLY Polygon File Format", 1994.
-PlyHeader readPlyHeader(const File& file);
+PlyHeader readPlyHeader(const InputFile& file);
 
 } // namespace gnomon::read

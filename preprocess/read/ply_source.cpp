@@ -52,7 +52,7 @@ VertexLayout vertexLayoutOf(const PlyElement& element) {
 class PlySource final : public MeshSource {
 public:
     explicit PlySource(const std::string& path)
-        : file_(path, File::Mode::Read), header_(readPlyHeader(file_)), starts_(header_.elements.size() + 1) {
+        : file_(path), header_(readPlyHeader(file_)), starts_(header_.elements.size() + 1) {
         starts_[0] = {header_.bodyOffset, header_.bodyLine};
         summary_.path = path;
         summary_.fileBytes = file_.size();
@@ -73,6 +73,10 @@ public:
     void readTriangles(const TriangleSink& sink) override {
         pass([&](auto values) { trianglePass(values, sink); }, firstFaces_);
     }
+
+    void pollWith(Progress& progress) override { file_.pollWith(progress); }
+
+    void requireUnchanged() const override { file_.requireUnchanged(); }
 
     std::string whereIs(std::uint64_t vertex) override {
         PlyElement before = header_.elements[vertices_];
@@ -200,7 +204,7 @@ private:
         }
     }
 
-    File file_;
+    InputFile file_;
     PlyHeader header_;
     VertexLayout layout_;
     MeshSummary summary_;

@@ -71,7 +71,7 @@ auto withValue(PlyType type, const std::byte* bytes, bool isSwapped, Use use) {
 /// The values of a binary body. Every call throws Error with the byte offset where the file ends too early.
 class BinaryValues {
 public:
-    BinaryValues(const File& file, PlyFormat format, PlyPlace start);
+    BinaryValues(const InputFile& file, PlyFormat format, PlyPlace start);
 
     double real(PlyType type) {
         return withValue(type, take(byteSize(type)), isSwapped_, [](auto value) { return static_cast<double>(value); });
@@ -136,7 +136,7 @@ private:
 /// A value is rounded to its declared type, so that the same mesh in ascii and in binary is the same mesh.
 class AsciiValues {
 public:
-    AsciiValues(const File& file, char lineEnd, PlyPlace start);
+    AsciiValues(const InputFile& file, char lineEnd, PlyPlace start);
 
     double real(PlyType type);
     std::int64_t integer(PlyType type);

@@ -72,7 +72,7 @@ void readWith(
     }
 }
 
-MemoryMesh readObj(const File& file) {
+MemoryMesh readObj(const InputFile& file) {
     ObjGuard guard;
     GuardedLines lines(file, guard);
     FaceImporter importer([&] { return lines.where(); });
@@ -82,7 +82,7 @@ MemoryMesh readObj(const File& file) {
     return mesh;
 }
 
-MemoryMesh readOff(const File& file) {
+MemoryMesh readOff(const InputFile& file) {
     // This call also makes the reader remember which values the header announces.
     if (!OpenMesh::IO::OFFReader().can_u_read(file.path()))
         throw Error(atLine(file.path(), 1), "not an OFF file with three coordinates a vertex");
@@ -106,7 +106,7 @@ MemoryMesh readOff(const File& file) {
 }
 
 // The facets of a binary STL, if the file's size says that it is one.
-std::optional<std::uint64_t> binaryFacets(const File& file) {
+std::optional<std::uint64_t> binaryFacets(const InputFile& file) {
     if (file.size() < kStlHeader) return std::nullopt;
     std::array<std::byte, kStlHeader> header{};
     file.readAt(0, header);
@@ -123,7 +123,7 @@ std::optional<std::uint64_t> binaryFacets(const File& file) {
         std::to_string(file.size()));
 }
 
-MemoryMesh readStl(const File& file) {
+MemoryMesh readStl(const InputFile& file) {
     if (const std::optional<std::uint64_t> facets = binaryFacets(file)) {
         GuardedBytes bytes(file);
         FaceImporter importer([&] { return bytes.where(); });
@@ -151,7 +151,7 @@ bool isWholeFileFormat(const std::string& path) {
 }
 
 std::unique_ptr<MeshSource> readWholeFile(const std::string& path, Bytes memoryLimit) {
-    const File file(path, File::Mode::Read);
+    const InputFile file(path);
     const Bytes needed{file.size() * kBytesPerFileByte};
     if (needed > memoryLimit)
         throw Error(
@@ -162,6 +162,7 @@ std::unique_ptr<MeshSource> readWholeFile(const std::string& path, Bytes memoryL
     const QuietOpenMesh quiet;
     const std::string suffix = suffixOf(path);
     MemoryMesh mesh = suffix == ".obj" ? readObj(file) : suffix == ".stl" ? readStl(file) : readOff(file);
+    file.requireUnchanged();
     return memorySource(path, file.size(), std::move(mesh));
 }
 

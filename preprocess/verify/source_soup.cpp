@@ -45,6 +45,7 @@ TriangleSoup readSoup(read::MeshSource& source, const hierarchy::Grid& grid, Pro
         }
         progress.advance(block.triangles.size());
     });
+    source.requireUnchanged();
     return soup;
 }
 

@@ -145,6 +145,13 @@ std::uint64_t File::size() const {
     return static_cast<std::uint64_t>(info.st_size);
 }
 
+std::int64_t File::changeTime() const {
+    struct stat info {};
+
+    if (::fstat(descriptor_, &info) != 0) throwSystemError(path_, "cannot stat");
+    return std::int64_t{info.st_mtim.tv_sec} * 1'000'000'000 + info.st_mtim.tv_nsec;
+}
+
 std::size_t File::readSomeAt(std::uint64_t offset, std::span<std::byte> out) const {
     std::size_t done = 0;
     while (done < out.size()) {

@@ -5,6 +5,7 @@
 #include "core/units.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -39,6 +40,9 @@ public:
     const std::string& path() const { return path_; }
 
     std::uint64_t size() const;
+
+    /// When its content was changed last, in nanoseconds since 1970.
+    std::int64_t changeTime() const;
 
     /// Fills `out` from `offset`; throws Error if the file ends before.
     void readAt(std::uint64_t offset, std::span<std::byte> out) const;

@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <chrono>
+#include <filesystem>
 #include <map>
 
 #include <sys/stat.h>
@@ -147,6 +149,26 @@ TEST(ReadPly, PassesCanBeRepeatedInAnyOrder) {
     EXPECT_EQ(triangles, expected(mesh).triangles.size());
     EXPECT_EQ(collect(*source), expected(mesh));
     EXPECT_EQ(collect(*source), expected(mesh));
+}
+
+// Each pass opens where the one before ended, so a file may be shorter than the place where its body begins.
+TEST(ReadPly, AFileThatShrinksIsRefusedAndSoIsOneThatChanges) {
+    const PlyLayout layout;
+    const std::string text = plyText(randomMesh(6, 90, 90, layout), layout);
+    for (const std::size_t left : {text.size() - 1, text.size() / 2, std::size_t{0}}) {
+        writeScratch(scratch("shrinks"), text);
+        const auto source = openPly(scratch("shrinks"));
+        collect(*source);
+        std::filesystem::resize_file(scratch("shrinks"), left);
+        EXPECT_THROW(collect(*source), Error) << left;
+        EXPECT_THROW(source->requireUnchanged(), Error) << left;
+    }
+    writeScratch(scratch("changes"), text);
+    const auto source = openPly(scratch("changes"));
+    EXPECT_NO_THROW(source->requireUnchanged());
+    const auto before = std::filesystem::last_write_time(scratch("changes"));
+    std::filesystem::last_write_time(scratch("changes"), before + std::chrono::seconds(1));
+    EXPECT_THROW(source->requireUnchanged(), Error);
 }
 
 TEST(ReadPly, TheSummarySaysWhatTheHeaderSays) {

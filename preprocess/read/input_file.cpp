@@ -1,0 +1,44 @@
+#include "preprocess/read/input_file.h"
+
+#include "core/error.h"
+
+#include <algorithm>
+
+namespace gnomon::read {
+
+namespace {
+
+constexpr const char* kChanged = "the input changed while it was read";
+
+} // namespace
+
+InputFile::InputFile(const std::string& path)
+    : file_(path, File::Mode::Read), size_(file_.size()), changeTime_(file_.changeTime()) {}
+
+std::size_t InputFile::readSomeAt(std::uint64_t offset, std::span<std::byte> out) const {
+    if (progress_ != nullptr) progress_->advance(0);
+    const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(size_ - std::min(size_, offset), out.size()));
+    const std::size_t got = file_.readSomeAt(offset, out.first(count));
+    if (got < count)
+        throw Error(
+            atByte(path(), offset + got), kChanged, std::to_string(size_) + " bytes", std::to_string(file_.size()));
+    return got;
+}
+
+void InputFile::readAt(std::uint64_t offset, std::span<std::byte> out) const {
+    const std::size_t got = readSomeAt(offset, out);
+    if (got < out.size())
+        throw Error(
+            atByte(path(), offset + got),
+            "the file ends too early",
+            std::to_string(out.size() - got) + " more bytes",
+            "the end");
+}
+
+void InputFile::requireUnchanged() const {
+    if (file_.size() != size_)
+        throw Error(path(), kChanged, std::to_string(size_) + " bytes", std::to_string(file_.size()));
+    if (file_.changeTime() != changeTime_) throw Error(path(), kChanged, "no writing to it", "a later time of change");
+}
+
+} // namespace gnomon::read

@@ -1,0 +1,127 @@
+// A build whose input is written to while it is read: refused, whenever that happens, and nothing is left.
+#include "core/error.h"
+#include "core/file.h"
+#include "preprocess/pipeline/build_model.h"
+#include "preprocess/read/open_mesh_sources.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+
+#include <unistd.h>
+
+namespace gnomon::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Calls `act` when the stage begins.
+class AtStage final : public Progress {
+public:
+    AtStage(std::string name, std::string unit, std::function<void()> act)
+        : name_(std::move(name)), unit_(std::move(unit)), act_(std::move(act)) {}
+
+    void stage(std::string_view name, std::string_view unit, std::uint64_t /*total*/) override {
+        if (name == name_ && unit == unit_) act_();
+    }
+
+    void advance(std::uint64_t /*count*/) override {}
+
+private:
+    std::string name_;
+    std::string unit_;
+    std::function<void()> act_;
+};
+
+std::string grid(int side) {
+    std::string text = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(side * side) +
+                       "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
+                       std::to_string((side - 1) * (side - 1)) +
+                       "\nproperty list uchar int vertex_indices\nend_header\n";
+    for (int i = 0; i < side * side; ++i)
+        text.append(std::to_string(i % side)).append(" ").append(std::to_string(i / side)).append(" 0\n");
+    for (int y = 0; y + 1 < side; ++y)
+        for (int x = 0; x + 1 < side; ++x) {
+            const int first = y * side + x;
+            text += "4";
+            for (const int corner : {first, first + 1, first + side + 1, first + side})
+                text.append(" ").append(std::to_string(corner));
+            text += "\n";
+        }
+    return text;
+}
+
+class ChangedInput : public testing::Test {
+protected:
+    ChangedInput()
+        : folder_(fs::temp_directory_path() / ("gnomon_changed_input_" + std::to_string(::getpid()))),
+          mesh_((folder_ / "mesh.ply").string()) {
+        fs::create_directories(folder_);
+    }
+
+    ~ChangedInput() override {
+        std::error_code ignored;
+        fs::remove_all(folder_, ignored);
+    }
+
+    /// What a build says that changes its input when a stage begins.
+    std::string refusal(const std::string& stage, const std::string& unit, const std::function<void()>& change) {
+        writeTextFile(mesh_, grid(80));
+        BuildOptions options;
+        options.output = (folder_ / "m.gnm").string();
+        options.chunkTriangles = 2000;
+        AtStage progress(stage, unit, change);
+        std::string said = "nothing";
+        try {
+            buildModel(*read::openMeshSources({mesh_}, options.memory), options, progress);
+        } catch (const Error& error) {
+            said = error.what();
+        }
+        EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1)
+            << "only the mesh is left";
+        return said;
+    }
+
+    fs::path folder_;
+    std::string mesh_;
+};
+
+const std::vector<std::pair<std::string, std::string>> kStages = {
+    {"count", "faces"},
+    {"measure", "vertices"},
+    {"octree", "vertices"},
+    {"bin", "vertices"},
+    {"polygons", "faces"},
+    {"bin", "faces"},
+};
+
+TEST_F(ChangedInput, ThatShrinksToNothingIsRefused) {
+    for (const auto& [stage, unit] : kStages) {
+        const std::string said = refusal(stage, unit, [&] { fs::resize_file(mesh_, 0); });
+        EXPECT_NE(said.find("the input changed while it was read"), std::string::npos) << stage << " " << unit << said;
+    }
+}
+
+TEST_F(ChangedInput, ThatIsWrittenToIsRefused) {
+    const auto writeOver = [&] {
+        const auto later = fs::last_write_time(mesh_) + std::chrono::seconds(1);
+        std::string text = grid(80);
+        text[text.size() - 2] = '0';
+        File file(mesh_, File::Mode::Update);
+        file.writeAt(0, std::as_bytes(std::span(text)));
+        fs::last_write_time(mesh_, later);
+    };
+    for (const auto& [stage, unit] : kStages) {
+        const std::string said = refusal(stage, unit, writeOver);
+        EXPECT_NE(said.find("the input changed while it was read"), std::string::npos) << stage << " " << unit << said;
+    }
+    EXPECT_EQ(
+        refusal("write", "pages", writeOver),
+        mesh_ + ": the input changed while it was read: expected no writing "
+                "to it, found a later time of change");
+}
+
+} // namespace
+} // namespace gnomon::pipeline

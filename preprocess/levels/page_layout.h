@@ -6,8 +6,9 @@
 
 namespace gnomon::levels {
 
-/// The most levels of a model and the most pages of a level.
-constexpr std::uint32_t kMaxLevels = 64;
+using hierarchy::kMaxLevels;
+
+/// The most pages of a level.
 constexpr std::uint32_t kMaxLevelPages = 1U << 26U;
 
 /// A stand-in for the id that page `page` of level `level` will have in the file: in the same order, but known at once.

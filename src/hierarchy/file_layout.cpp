@@ -1,5 +1,7 @@
 #include "hierarchy/file_layout.h"
 
+#include "hierarchy/validation.h"
+
 #include <cmath>
 
 #include <xxhash.h>
@@ -39,9 +41,8 @@ glm::dvec3 takeVector(ByteReader& in) {
     return v;
 }
 
-bool isFinite(const glm::dvec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
+/// A row without children.
+constexpr std::uint64_t kRowBytes = 112;
 
 void putRow(ByteWriter& out, const PageInfo& page) {
     out.put(page.storedBytes);
@@ -80,9 +81,6 @@ PageInfo takeRow(ByteReader& in) {
     page.bounds.radius = in.take<double>();
     page.minError = in.take<double>();
     page.maxError = in.take<double>();
-    const bool numbers = isFinite(page.bounds.center) && std::isfinite(page.bounds.radius) && page.bounds.radius >= 0 &&
-                         page.minError >= 0 && page.maxError >= page.minError;
-    if (!numbers) throw Damage{"a page's bounds or errors are no numbers"};
     for (std::uint32_t i = 0; i < childCount; ++i) {
         const auto child = in.take<std::uint32_t>();
         if (i > 0 && child <= page.children.back()) throw Damage{"a page's children do not ascend"};
@@ -185,16 +183,29 @@ std::vector<std::byte> encodePageTable(std::span<const PageInfo> pages) {
     return out.take();
 }
 
-std::vector<PageInfo> decodePageTable(std::span<const std::byte> bytes, const Footer& footer) {
+std::uint64_t tableMemory(const Footer& footer) {
+    const std::uint64_t pageBytes = footer.pageTable.offset - kHeaderBytes;
+    const std::uint64_t most = std::min(footer.pageTable.bytes / kRowBytes, pageBytes);
+    if (footer.pageCount > most)
+        throw Damage{
+            "pages: expected at most " + std::to_string(most) + ", as many as the file has bytes for, found " +
+            std::to_string(footer.pageCount)};
+    const std::uint64_t childBytes = footer.pageTable.bytes - footer.pageCount * kRowBytes;
+    return footer.pageTable.bytes + footer.pageCount * sizeof(PageInfo) + childBytes;
+}
+
+std::vector<PageInfo> decodePageTable(std::span<const std::byte> bytes, const Footer& footer, const Grid& grid) {
     ByteReader in(bytes);
     std::vector<PageInfo> pages;
+    pages.reserve(footer.pageCount);
     std::uint64_t offset = kHeaderBytes;
     for (std::uint64_t i = 0; i < footer.pageCount; ++i) {
         PageInfo page = takeRow(in);
+        if (const auto fault = rowFault(page, grid)) throw Damage{"page " + std::to_string(i) + ": " + *fault};
         page.offset = offset;
         offset += page.storedBytes;
         if (!pages.empty() && page.level > pages.back().level) throw Damage{"pages are not coarsest first"};
-        pages.push_back(page);
+        pages.push_back(std::move(page));
     }
     in.expectEnd();
     if (offset != footer.pageTable.offset) throw Damage{"the pages do not end where their table begins"};
@@ -253,9 +264,7 @@ ModelSummary decodeSummary(std::span<const std::byte> bytes) {
         summary.levels.push_back(level);
     }
     in.expectEnd();
-    if (!isFinite(summary.grid.origin)) throw Damage{"the grid's origin is no point"};
-    constexpr int kLargestExponent = 1000;
-    if (std::abs(summary.grid.stepExponent) > kLargestExponent) throw Damage{"the grid's step is no length"};
+    if (const auto fault = summaryFault(summary)) throw Damage{*fault};
     return summary;
 }
 

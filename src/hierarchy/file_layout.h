@@ -55,9 +55,13 @@ Footer decodeFooter(std::span<const std::byte> bytes);
 
 std::vector<std::byte> encodePageTable(std::span<const PageInfo> pages);
 
-/// The rows of the page table that `footer` tells of. Throws Damage, also where the pages do not fill the file between
-/// the header and the table.
-std::vector<PageInfo> decodePageTable(std::span<const std::byte> bytes, const Footer& footer);
+/// What reading and decoding the page table that `footer` tells of takes at most, in bytes. Throws Damage where the
+/// file has not the bytes for so many rows and pages.
+std::uint64_t tableMemory(const Footer& footer);
+
+/// The rows of the page table that `footer` tells of, of a model on `grid`. Throws Damage, also where a row is none of
+/// a page and where the pages do not fill the file between the header and the table.
+std::vector<PageInfo> decodePageTable(std::span<const std::byte> bytes, const Footer& footer, const Grid& grid);
 
 std::vector<std::byte> encodeSummary(const ModelSummary& summary);
 

@@ -13,6 +13,12 @@ namespace gnomon::hierarchy {
 /// first).
 constexpr std::uint32_t kMaxGridCoordinate = 0x7FFFFFFFU;
 
+/// The exponents that a grid's step may have, and how far from 0 its points may lie in the world: squares of distances
+/// are doubles then, neither infinite nor denormal.
+constexpr int kLeastStepExponent = -600;
+constexpr int kMostStepExponent = 320;
+constexpr double kMostCoordinate = 0x1p340;
+
 /// A point of the grid.
 struct GridPoint {
     std::uint32_t x = 0;

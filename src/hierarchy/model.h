@@ -17,6 +17,16 @@ constexpr std::uint32_t kFormatVersion = 3;
 /// The decoded size that a page aims at; a single group larger than this still makes one page.
 constexpr std::uint64_t kPageTargetBytes = 256U << 10U;
 
+/// What no writer exceeds and no reader takes: so that what a file claims can be held against it before memory is asked
+/// for. A page's decoded bytes (a group is far below), the levels of a model, and the bytes of its summary.
+constexpr std::uint64_t kMostPageBytes = 4U << 20U;
+constexpr std::uint32_t kMaxLevels = 64;
+constexpr std::uint64_t kMostSummaryBytes = 1U << 20U;
+
+/// What the tables of a model may take while it opens where nobody says how much, in bytes: those of 1.8 million pages,
+/// a mesh of over ten billion triangles.
+constexpr std::uint64_t kMostTableBytes = std::uint64_t{512} << 20U;
+
 /// One row of the page table: all that stays resident.
 struct PageInfo {
     std::uint64_t offset = 0; // in the file
@@ -34,6 +44,14 @@ struct PageInfo {
     double maxError = 0;
     std::vector<std::uint32_t> children; // the pages that its refinements name, each once, ascending
 };
+
+/// The bytes that the page of a row takes when decoded.
+constexpr std::uint64_t decodedPageBytes(const PageInfo& info) {
+    return sizeof(Page) + std::uint64_t{info.groupCount} * sizeof(Group) +
+           std::uint64_t{info.clusterCount} * sizeof(Cluster) +
+           std::uint64_t{info.refinementCount} * sizeof(Refinement) + std::uint64_t{info.vertexCount} * sizeof(Vertex) +
+           std::uint64_t{info.triangleCount} * sizeof(Triangle);
+}
 
 struct LevelInfo {
     std::uint64_t triangles = 0;

@@ -1,11 +1,13 @@
 #include "hierarchy/model_file.h"
 
-#include "core/error.h"
 #include "hierarchy/file_layout.h"
 #include "hierarchy/page_codec.h"
+#include "hierarchy/validation.h"
 
 #include <algorithm>
+#include <chrono>
 #include <memory>
+#include <thread>
 
 #include <xxhash.h>
 
@@ -13,9 +15,25 @@ namespace gnomon::hierarchy {
 
 namespace {
 
+/// Fills `bytes` from `offset`; tries again where a read fails, for what fails once on a network or a disk that wakes
+/// up is there a little later. Throws Error if the last try fails, too.
+void readPatiently(const File& file, std::uint64_t offset, std::span<std::byte> bytes) {
+    constexpr int kRetries = 3;
+    std::chrono::milliseconds pause(1);
+    for (int retry = 0; retry < kRetries; ++retry, pause *= 4) {
+        try {
+            return file.readAt(offset, bytes);
+        } catch (const Error&) {
+            std::this_thread::sleep_for(pause);
+        }
+    }
+    file.readAt(offset, bytes);
+}
+
+/// `count` must be known to lie within the file.
 std::vector<std::byte> readBytes(const File& file, std::uint64_t offset, std::uint64_t count) {
     std::vector<std::byte> bytes(count);
-    file.readAt(offset, bytes);
+    readPatiently(file, offset, bytes);
     return bytes;
 }
 
@@ -45,7 +63,8 @@ std::pair<std::uint32_t, ContentHash> readHeader(const File& file, std::uint64_t
     return {flags, hash};
 }
 
-Footer readFooter(const File& file, std::uint64_t fileBytes) {
+/// The footer, whose tables lie within the file and take no more than `tableMemory` while they are read.
+Footer readFooter(const File& file, std::uint64_t fileBytes, Bytes tableMemory) {
     const std::uint64_t offset = fileBytes - kFooterBytes;
     try {
         const Footer footer = decodeFooter(readBytes(file, offset, kFooterBytes));
@@ -58,6 +77,17 @@ Footer readFooter(const File& file, std::uint64_t fileBytes) {
                            footer.summary.offset == footer.pageTable.offset + footer.pageTable.bytes &&
                            footer.summary.bytes == offset - footer.summary.offset;
         if (!tiled) throw Damage{"the tables are not where they should be"};
+        const Bytes needed{hierarchy::tableMemory(footer)};
+        if (footer.summary.bytes > kMostSummaryBytes)
+            throw Damage{
+                "bytes of the summary: expected at most " + std::to_string(kMostSummaryBytes) + ", found " +
+                std::to_string(footer.summary.bytes)};
+        if (needed > tableMemory)
+            throw Error(
+                atByte(file.path(), footer.pageTable.offset),
+                "the page table alone takes more memory than there may be",
+                "at most " + readableBytes(tableMemory),
+                readableBytes(needed));
         return footer;
     } catch (const Damage& damage) {
         throw Error(atByte(file.path(), offset), "damaged footer, or a file cut off: " + damage.what);
@@ -78,16 +108,19 @@ auto readTable(const File& file, const TablePlace& place, const char* name, Deco
 
 } // namespace
 
-ModelFile::ModelFile(const std::string& path) : file_(path, File::Mode::Read), fileBytes_(file_.size()) {
+ModelFile::ModelFile(const std::string& path, Bytes tableMemory)
+    : file_(path, File::Mode::Read), fileBytes_(file_.size()) {
     const auto [flags, hash] = readHeader(file_, fileBytes_);
     contentHash_ = hexText(hash);
-    const Footer footer = readFooter(file_, fileBytes_);
-    pages_ = readTable(file_, footer.pageTable, "page table", [&footer](std::span<const std::byte> bytes) {
-        return decodePageTable(bytes, footer);
-    });
+    const Footer footer = readFooter(file_, fileBytes_, tableMemory);
     summary_ = readTable(file_, footer.summary, "summary", decodeSummary);
     if (flagsOf(summary_) != flags)
         throw Error(atByte(path, footer.summary.offset), "damaged summary: its flags are not the header's");
+    pages_ = readTable(file_, footer.pageTable, "page table", [&](std::span<const std::byte> bytes) {
+        return decodePageTable(bytes, footer, summary_.grid);
+    });
+    if (const auto fault = modelFault(pages_, summary_))
+        throw Error(atByte(path, footer.pageTable.offset), "page table and summary contradict each other: " + *fault);
 }
 
 std::string ModelFile::computedContentHash() const {
@@ -97,7 +130,7 @@ std::string ModelFile::computedContentHash() const {
     std::vector<std::byte> buffer(std::size_t{1} << 20U);
     for (std::uint64_t offset = kHeaderBytes; offset < fileBytes_; offset += buffer.size()) {
         const auto part = std::span(buffer).first(std::min<std::uint64_t>(buffer.size(), fileBytes_ - offset));
-        file_.readAt(offset, part);
+        readPatiently(file_, offset, part);
         XXH3_128bits_update(state.get(), part.data(), part.size());
     }
     XXH128_canonical_t canonical;
@@ -111,12 +144,13 @@ Page ModelFile::readPage(std::uint32_t page) const {
     const PageInfo& info = pages_.at(page);
     thread_local std::vector<std::byte> bytes; // kept from page to page, as what decoding needs is
     bytes.resize(info.storedBytes);
-    file_.readAt(info.offset, bytes);
+    readPatiently(file_, info.offset, bytes);
     try {
         if (checksum64(bytes) != info.checksum) throw Damage{"wrong checksum"};
         return decodePageBytes(bytes, info);
     } catch (const Damage& damage) {
-        throw Error(atByte(file_.path(), info.offset), "damaged page " + std::to_string(page) + ": " + damage.what);
+        throw PageDamage(
+            atByte(file_.path(), info.offset), "damaged page " + std::to_string(page) + ": " + damage.what);
     }
 }
 

@@ -1,6 +1,7 @@
 // Reading a .gnm: tables once, pages on demand from any thread.
 #pragma once
 
+#include "core/error.h"
 #include "core/file.h"
 #include "hierarchy/model.h"
 
@@ -8,11 +9,18 @@
 
 namespace gnomon::hierarchy {
 
+/// A page whose bytes were read, but are not those that were written: what a checksum or a rule of the format says.
+class PageDamage : public Error {
+public:
+    using Error::Error;
+};
+
 /// An open model. The tables are validated when it opens: a damaged table throws Error. Pages come coarsest level
 /// first, so the root groups are in the first pages.
 class ModelFile {
 public:
-    explicit ModelFile(const std::string& path);
+    /// Throws Error if `path` is no whole model, or if its tables would take more than `tableMemory` while it opens.
+    explicit ModelFile(const std::string& path, Bytes tableMemory = {kMostTableBytes});
 
     const std::string& path() const { return file_.path(); }
 
@@ -28,8 +36,9 @@ public:
     /// The hash of the bytes as they are now; reads the whole file.
     std::string computedContentHash() const;
 
-    /// Reads, checks and decodes one page; safe from many threads. Throws Error (path, byte offset) if it is damaged:
-    /// wrong checksum, or any index, count or range that does not fit.
+    /// Reads, checks and decodes one page; safe from many threads. Throws PageDamage (path, byte offset) if it is
+    /// damaged: wrong checksum, or any index, count or range that does not fit; Error if it cannot be read, though it
+    /// was tried several times.
     Page readPage(std::uint32_t page) const;
 
 private:

@@ -10,6 +10,7 @@
 #include <memory>
 
 #include <zstd.h>
+#include <zstd_errors.h>
 
 namespace gnomon::hierarchy {
 
@@ -105,12 +106,12 @@ void takeRefinements(ByteReader& in, const PageInfo& info, Page& page) {
 }
 
 void takeClusters(ByteReader& in, const PageInfo& info, Page& page) {
-    std::uint32_t vertices = 0;
-    std::uint32_t triangles = 0;
+    std::uint64_t vertices = 0; // what all clusters of a page claim together may not fit 32 bits
+    std::uint64_t triangles = 0;
     for (std::uint32_t i = 0; i < info.clusterCount; ++i) {
         Cluster cluster;
-        cluster.firstVertex = vertices;
-        cluster.firstTriangle = triangles;
+        cluster.firstVertex = static_cast<std::uint32_t>(vertices);
+        cluster.firstTriangle = static_cast<std::uint32_t>(triangles);
         cluster.vertexCount = in.take<std::uint8_t>() + 1U;
         cluster.triangleCount = in.take<std::uint8_t>() + 1U;
         if (info.level > 0) {
@@ -119,37 +120,61 @@ void takeClusters(ByteReader& in, const PageInfo& info, Page& page) {
         }
         vertices += cluster.vertexCount;
         triangles += cluster.triangleCount;
+        if (vertices > info.vertexCount || triangles > info.triangleCount) break;
         page.clusters.push_back(cluster);
     }
     if (vertices != info.vertexCount || triangles != info.triangleCount)
         throw Damage{"the clusters' counts do not sum up to those of the page table"};
 }
 
+/// `result` of a call of zstd; throws bad_alloc if it says that there was no memory.
+std::size_t withMemory(std::size_t result) {
+    if (ZSTD_getErrorCode(result) == ZSTD_error_memory_allocation) throw std::bad_alloc();
+    return result;
+}
+
+/// A context of zstd's that a thread keeps: making one costs a tenth of decoding a page.
+template <class Context>
+class KeptContext {
+public:
+    KeptContext(Context* (*make)(), std::size_t (*free)(Context*)) : make_(make), context_(nullptr, free) {}
+
+    /// Made where there is none; throws bad_alloc if it cannot be.
+    Context* made() {
+        if (!context_) context_.reset(make_());
+        if (!context_) throw std::bad_alloc();
+        return context_.get();
+    }
+
+private:
+    Context* (*make_)();
+    std::unique_ptr<Context, std::size_t (*)(Context*)> context_;
+};
+
 /// Appends `bytes` to what `context` packs, as a block of its own. There must be room.
 void packBlock(ZSTD_CCtx* context, std::span<const std::byte> bytes, ZSTD_EndDirective then, ZSTD_outBuffer& packed) {
     ZSTD_inBuffer in{bytes.data(), bytes.size(), 0};
-    GNOMON_CHECK(ZSTD_compressStream2(context, &packed, &in, then) == 0);
+    GNOMON_CHECK_OP(withMemory(ZSTD_compressStream2(context, &packed, &in, then)), ==, std::size_t{0});
 }
 
 /// One frame of zstd, with a block for every run of `streamEnds` that is long enough: bytes of different kinds in one
 /// block share one code, which fits none of them.
 std::vector<std::byte> packedFrame(std::span<const std::byte> plain, std::span<const std::size_t> streamEnds) {
-    thread_local const std::unique_ptr<ZSTD_CCtx, std::size_t (*)(ZSTD_CCtx*)> context(
-        ZSTD_createCCtx(), ZSTD_freeCCtx);
-    if (!context) throw std::bad_alloc();
-    ZSTD_CCtx_reset(context.get(), ZSTD_reset_session_and_parameters);
-    ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, kCompressionLevel);
-    ZSTD_CCtx_setPledgedSrcSize(context.get(), plain.size());
+    thread_local KeptContext<ZSTD_CCtx> kept(ZSTD_createCCtx, ZSTD_freeCCtx);
+    ZSTD_CCtx* const context = kept.made();
+    ZSTD_CCtx_reset(context, ZSTD_reset_session_and_parameters);
+    ZSTD_CCtx_setParameter(context, ZSTD_c_compressionLevel, kCompressionLevel);
+    ZSTD_CCtx_setPledgedSrcSize(context, plain.size());
     constexpr std::size_t kBlockHeader = 3;
     std::vector<std::byte> packed(ZSTD_compressBound(plain.size()) + streamEnds.size() * kBlockHeader);
     ZSTD_outBuffer out{packed.data(), packed.size(), 0};
     std::size_t begin = 0;
     for (const std::size_t end : streamEnds) {
         if (end - begin < kLeastBlockBytes || plain.size() - end < kLeastBlockBytes) continue;
-        packBlock(context.get(), plain.subspan(begin, end - begin), ZSTD_e_flush, out);
+        packBlock(context, plain.subspan(begin, end - begin), ZSTD_e_flush, out);
         begin = end;
     }
-    packBlock(context.get(), plain.subspan(begin), ZSTD_e_end, out);
+    packBlock(context, plain.subspan(begin), ZSTD_e_end, out);
     packed.resize(out.pos);
     return packed;
 }
@@ -166,8 +191,9 @@ std::vector<std::byte> pack(std::span<const std::byte> plain, std::span<const st
     return out.take();
 }
 
-/// The plain bytes of a page; `storage` holds them where they had to be unfolded.
-std::span<const std::byte> unpack(std::span<const std::byte> stored, std::vector<std::byte>& storage) {
+/// The plain bytes of a page, at most `most`; `storage` holds them where they had to be unfolded.
+std::span<const std::byte> unpack(
+    std::span<const std::byte> stored, std::uint64_t most, std::vector<std::byte>& storage) {
     ByteReader in(stored);
     const auto packing = static_cast<Packing>(in.take<std::uint8_t>());
     const std::uint64_t size = in.takeVarint();
@@ -177,13 +203,12 @@ std::span<const std::byte> unpack(std::span<const std::byte> stored, std::vector
         return rest;
     }
     if (packing != Packing::Zstd) throw Damage{"unknown packing"};
-    if (size > rest.size() * kMaxExpansion) throw Damage{"more is promised than the stored bytes can hold"};
+    if (size > std::min(rest.size() * kMaxExpansion, most))
+        throw Damage{"more is promised than the stored bytes or the counts of the page table can hold"};
     storage.resize(size);
-    // One context a thread: making one costs a tenth of decoding a page.
-    thread_local const std::unique_ptr<ZSTD_DCtx, std::size_t (*)(ZSTD_DCtx*)> context(
-        ZSTD_createDCtx(), ZSTD_freeDCtx);
-    if (!context) throw std::bad_alloc();
-    const std::size_t got = ZSTD_decompressDCtx(context.get(), storage.data(), size, rest.data(), rest.size());
+    thread_local KeptContext<ZSTD_DCtx> kept(ZSTD_createDCtx, ZSTD_freeDCtx);
+    const std::size_t got =
+        withMemory(ZSTD_decompressDCtx(kept.made(), storage.data(), size, rest.data(), rest.size()));
     if (ZSTD_isError(got) != 0) throw Damage{std::string("cannot unfold: ") + ZSTD_getErrorName(got)};
     if (got != size) throw Damage{"the unfolded size is not the one promised"};
     return storage;
@@ -205,8 +230,9 @@ std::vector<std::byte> encodePageBytes(const Page& page) {
 }
 
 Page decodePageBytes(std::span<const std::byte> bytes, const PageInfo& info) {
+    if (const auto fault = countsFault(info)) throw Damage{*fault};
     thread_local std::vector<std::byte> storage; // kept from page to page, as zstd's context is
-    ByteReader in(unpack(bytes, storage));
+    ByteReader in(unpack(bytes, mostPlainBytes(info), storage));
     Page page;
     page.level = info.level;
     takeGroups(in, info, page);

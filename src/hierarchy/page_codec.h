@@ -17,7 +17,8 @@ constexpr int kCompressionLevel = 1;
 std::vector<std::byte> encodePageBytes(const Page& page);
 
 /// The page whose stored form is `bytes` and whose row in the page table is `info`. Every count, index and range is
-/// checked before it is used, and nothing is allocated that `bytes` cannot fill. Throws Damage.
+/// checked before it is used, and no more is allocated than a page may take. Throws Damage; bad_alloc where there is no
+/// memory.
 Page decodePageBytes(std::span<const std::byte> bytes, const PageInfo& info);
 
 } // namespace gnomon::hierarchy

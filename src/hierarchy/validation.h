@@ -26,6 +26,28 @@ Sphere enclosingSphere(std::span<const Sphere> spheres);
 /// the vertices, bounds or errors that are not numbers; nothing if all is well. Nesting is judged elsewhere.
 std::optional<std::string> pageFault(const Page& page);
 
+/// The most bytes that the tables and the geometry of the page of a row take before they are packed.
+std::uint64_t mostPlainBytes(const PageInfo& info);
+
+/// What of a row's level and counts no page has, in 64 bits: clusters without vertices or with too many, more decoded
+/// or stored bytes than a page may have; nothing if all is well.
+std::optional<std::string> countsFault(const PageInfo& info);
+
+/// What of a row's counts, box, bounds, errors or children no page of a model on `grid` has; nothing if all is well.
+std::optional<std::string> rowFault(const PageInfo& info, const Grid& grid);
+
+/// What of a summary no model has by itself: a grid beyond doubles, bounds that are no box on it, too many levels;
+/// nothing if all is well.
+std::optional<std::string> summaryFault(const ModelSummary& summary);
+
+/// Where page table and summary contradict each other: no page or no root, levels that are not those of the pages,
+/// finest pages outside the bounds; nothing if all is well. Rows and summary must be without fault by themselves.
+std::optional<std::string> modelFault(std::span<const PageInfo> pages, const ModelSummary& summary);
+
+/// Why nothing of the model can be drawn: positions are floats then, as are squares of their distances; nothing if it
+/// can be.
+std::optional<std::string> drawingFault(std::span<const PageInfo> pages, const Grid& grid);
+
 /// The pages that the refinements of `page` name, each once, ascending.
 std::vector<std::uint32_t> childPages(const Page& page);
 

@@ -232,7 +232,7 @@ std::vector<std::size_t> encodeClusters(const Page& page, ByteWriter& out) {
 
 void decodeClusters(ByteReader& in, Page& page) {
     const Cluster& last = page.clusters.back();
-    const auto codes = in.take(last.firstTriangle + last.triangleCount);
+    const auto codes = in.take(std::size_t{last.firstTriangle} + last.triangleCount);
     const auto indices = in.take(in.takeVarint());
     if (in.remaining() == 0) throw Damage{"the bytes end too early"};
     thread_local EdgeWords edges;

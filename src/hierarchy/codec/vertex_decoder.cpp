@@ -91,7 +91,7 @@ private:
 void decodeVertices(ByteReader& in, const EdgeWords& edges, Page& page) {
     thread_local VertexNumbers numbers;
     const Cluster& last = page.clusters.back();
-    VertexDecoder decoder(in, last.firstVertex + last.vertexCount, page, edges, numbers);
+    VertexDecoder decoder(in, std::size_t{last.firstVertex} + last.vertexCount, page, edges, numbers);
     for (Cluster& cluster : page.clusters)
         decoder.decode(cluster);
     decoder.expectEnd();

@@ -1,0 +1,83 @@
+// A read that fails once is read again, one that fails for good is no damage, and no memory for zstd is bad_alloc.
+#include "failing_calls.h"
+#include "hierarchy/model_file.h"
+#include "hierarchy/model_writer.h"
+#include "hierarchy/page_codec.h"
+#include "hierarchy/tiny_model.h"
+#include "page_equality.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+namespace gnomon::hierarchy {
+namespace {
+
+using tests::failingCalls;
+
+class FailingCalls : public testing::Test {
+protected:
+    FailingCalls()
+        : path_(
+              testing::TempDir() + "gnomon_" + testing::UnitTest::GetInstance()->current_test_info()->name() + ".gnm") {
+        tests::writeModel(model_, path_);
+    }
+
+    ~FailingCalls() override {
+        failingCalls().reads = 0;
+        failingCalls().contexts = 0;
+        failingCalls().compressions = 0;
+    }
+
+    const tests::TinyModel model_ = tests::makeTinyModel({});
+    const std::string path_;
+};
+
+TEST_F(FailingCalls, AReadThatFailsOnceOrTwiceIsReadAgain) {
+    const ModelFile file(path_);
+    for (const int failures : {1, 2}) {
+        failingCalls().reads = failures;
+        EXPECT_TRUE(samePage(file.readPage(1), model_.pages[1]));
+        EXPECT_EQ(failingCalls().reads, 0);
+    }
+    failingCalls().reads = 2;
+    EXPECT_EQ(ModelFile(path_).contentHash(), file.contentHash());
+}
+
+TEST_F(FailingCalls, AReadThatAlwaysFailsIsNoDamage) {
+    const ModelFile file(path_);
+    failingCalls().reads = 1000;
+    try {
+        file.readPage(1);
+        FAIL() << "it was read";
+    } catch (const PageDamage& damage) {
+        FAIL() << damage.what();
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("cannot read: Input/output error"), std::string::npos);
+    }
+    EXPECT_LT(failingCalls().reads, 1000 - 1) << "it was tried once only";
+    EXPECT_THROW(ModelFile{path_}, Error);
+}
+
+/// Runs `work` on a thread that has no context of zstd's yet.
+template <class Work>
+void onAFreshThread(const Work& work) {
+    std::thread(work).join();
+}
+
+TEST_F(FailingCalls, NoMemoryForZstdIsNoDamageAndPasses) {
+    const Page& page = model_.pages.back();
+    onAFreshThread([&] {
+        failingCalls().contexts = 1;
+        EXPECT_THROW(encodePageBytes(page), std::bad_alloc);
+        failingCalls().compressions = 1;
+        EXPECT_THROW(encodePageBytes(page), std::bad_alloc);
+        const EncodedPage encoded = encodePage(page);
+        failingCalls().contexts = 1;
+        EXPECT_THROW(decodePageBytes(encoded.bytes, encoded.info), std::bad_alloc);
+        EXPECT_TRUE(samePage(decodePageBytes(encoded.bytes, encoded.info), page));
+    });
+}
+
+} // namespace
+} // namespace gnomon::hierarchy

@@ -6,7 +6,28 @@
 
 namespace gnomon::verify {
 
+namespace {
+
+/// So that a few bytes that say the same again and again cannot ask for all memory. The pages of a flat sheet, which
+/// repeats itself as nothing else does, decode to 255 times their stored bytes.
+void requireBelievable(const hierarchy::ModelFile& file) {
+    constexpr std::uint64_t kMostTimes = 1024;
+    const Bytes most{mebibytes(64).count + kMostTimes * file.fileBytes()};
+    Bytes decoded;
+    for (const hierarchy::PageInfo& page : file.pages())
+        decoded.count += hierarchy::decodedPageBytes(page);
+    if (decoded > most)
+        throw Error(
+            file.path(),
+            "its pages take more memory once decoded than so small a file may ask for",
+            "at most " + readableBytes(most),
+            readableBytes(decoded));
+}
+
+} // namespace
+
 LoadedModel loadModel(const hierarchy::ModelFile& file, Progress& progress) {
+    requireBelievable(file);
     LoadedModel model;
     model.summary = file.summary();
     model.pages.resize(file.pages().size());
@@ -15,7 +36,7 @@ LoadedModel loadModel(const hierarchy::ModelFile& file, Progress& progress) {
     tbb::parallel_for(std::size_t{0}, model.pages.size(), [&](std::size_t page) {
         try {
             model.pages[page] = file.readPage(static_cast<std::uint32_t>(page));
-        } catch (const Error& error) {
+        } catch (const hierarchy::PageDamage& error) {
             damage[page] = error.what();
         }
         progress.advance(1);

@@ -21,7 +21,9 @@ struct LoadedModel {
     const hierarchy::Group& group(const hierarchy::GroupRef& ref) const { return pages[ref.page].groups[ref.group]; }
 };
 
-/// Reads all pages of `file` on all threads.
+/// Reads all pages of `file` on all threads. Throws Error where they would take more memory once decoded than a
+/// thousand times the file and 64 MiB, which no model comes near to, and if one cannot be read though it is not
+/// damaged.
 LoadedModel loadModel(const hierarchy::ModelFile& file, Progress& progress);
 
 } // namespace gnomon::verify

@@ -109,7 +109,8 @@ std::string benchmarkText(
     const std::map<std::string, std::string>& context, const std::vector<measure::RunResult>& results) {
     std::vector<telemetry::RunTimes> runs;
     for (const measure::RunResult& result : results) {
-        telemetry::RunTimes times{result.run.name, {}, result.cpuMs};
+        const report::RunSummary facts = measure::summary(result);
+        telemetry::RunTimes times{result.run.name, {}, result.cpuMs, facts.pagesDamaged, facts.pagesMissing};
         for (const telemetry::FrameRow& row : result.rows)
             times.totalMs.push_back(row.totalMs.value_or(0));
         runs.push_back(times);
@@ -318,6 +319,7 @@ public:
         if (baseline_) {
             for (const std::string& name : measure::notCompared(*baseline_, summaries))
                 printMessage(baseline_->path + ": not compared, on one side only: " + name);
+            measure::requireComplete(*baseline_, summaries, !options_.walk.isRealTime);
             measure::requireNotSlower(*baseline_, summaries, bounds_.failAbovePercent);
         }
     }

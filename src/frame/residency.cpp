@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "culling/frame_cut.h"
+#include "hierarchy/validation.h"
 
 #include <utility>
 
@@ -15,8 +16,10 @@ constexpr unsigned kLoaderThreads = 4; // measured: enough to keep a disk busy w
 /// with all that it hangs from.
 constexpr double kFramesAhead = 10;
 
-/// The budget of the page cache.
+/// The budget of the page cache of a model that can be drawn.
 Bytes pageMemory(const hierarchy::ModelFile& model, Bytes memory) {
+    if (const auto fault = hierarchy::drawingFault(model.pages(), model.summary().grid))
+        throw Error(model.path(), *fault);
     const Bytes tables = tableBytes(model);
     if (memory <= tables)
         throw Error(
@@ -47,7 +50,8 @@ Residency::Residency(const hierarchy::ModelFile& model, ResidencyOptions options
           source_,
           {.budget = pageMemory(model, options.memory),
            .loaderThreads = kLoaderThreads,
-           .onDamaged = std::move(options.onDamaged)}),
+           .onDamaged = std::move(options.onDamaged),
+           .drawsWithoutUnread = options.drawsWithoutUnread}),
       trees_(model.pages(), model.summary().grid) {}
 
 selection::CutQuery Residency::query() const {

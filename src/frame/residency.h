@@ -19,6 +19,7 @@ enum class Waiting : std::uint8_t {
 struct ResidencyOptions {
     Bytes memory = gibibytes(1); // tables and decoded pages
     std::function<void(const streaming::DamagedPage&)> onDamaged;
+    bool drawsWithoutUnread = false; // a page that cannot be read counts as damaged; else that is an error
 };
 
 /// What the tables of `model` and all that is made of them at run time take, about.
@@ -28,7 +29,8 @@ Bytes tableBytes(const hierarchy::ModelFile& model);
 /// that nothing changed, once if it never waits; then what it draws stays until the next `begin`.
 class Residency {
 public:
-    /// `model` must outlive it. Throws Error if the root is damaged or the tables alone take more than the memory.
+    /// `model` must outlive it. Throws Error if the root is damaged, the tables alone take more than the memory,
+    /// or the model is too large or too small to be drawn.
     Residency(const hierarchy::ModelFile& model, ResidencyOptions options);
 
     /// What of a cut's query is the model's and not the view's.

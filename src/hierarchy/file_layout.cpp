@@ -197,7 +197,7 @@ std::uint64_t tableMemory(const Footer& footer) {
 std::vector<PageInfo> decodePageTable(std::span<const std::byte> bytes, const Footer& footer, const Grid& grid) {
     ByteReader in(bytes);
     std::vector<PageInfo> pages;
-    pages.reserve(footer.pageCount);
+    pages.reserve(std::min(footer.pageCount, bytes.size() / kRowBytes));
     std::uint64_t offset = kHeaderBytes;
     for (std::uint64_t i = 0; i < footer.pageCount; ++i) {
         PageInfo page = takeRow(in);

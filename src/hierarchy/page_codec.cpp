@@ -203,8 +203,8 @@ std::span<const std::byte> unpack(
         return rest;
     }
     if (packing != Packing::Zstd) throw Damage{"unknown packing"};
-    if (size > std::min(rest.size() * kMaxExpansion, most))
-        throw Damage{"more is promised than the stored bytes or the counts of the page table can hold"};
+    if (size > rest.size() * kMaxExpansion) throw Damage{"more is promised than the stored bytes can hold"};
+    if (size > most) throw Damage{"more is promised than the counts of the page table can fill"};
     storage.resize(size);
     thread_local KeptContext<ZSTD_DCtx> kept(ZSTD_createDCtx, ZSTD_freeDCtx);
     const std::size_t got =

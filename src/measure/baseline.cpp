@@ -87,6 +87,18 @@ std::vector<std::string> notCompared(const Baseline& baseline, std::span<const r
     return names;
 }
 
+void requireComplete(const Baseline& baseline, std::span<const report::RunSummary> summaries, bool waits) {
+    for (const report::RunSummary& now : summaries) {
+        const std::uint64_t missing = waits ? now.pagesMissing : 0;
+        if (now.pagesDamaged == 0 && missing == 0) continue;
+        throw Error(
+            baseline.path,
+            now.name + " drew without some pages, so its times compare with none",
+            "none damaged and none missing",
+            std::to_string(now.pagesDamaged) + " damaged, " + std::to_string(missing) + " missing");
+    }
+}
+
 void requireNotSlower(
     const Baseline& baseline, std::span<const report::RunSummary> summaries, double failAbovePercent) {
     bool hasCompared = false;

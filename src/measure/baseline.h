@@ -28,6 +28,10 @@ void requireComparable(const Baseline& baseline, const std::map<std::string, std
 /// The names of runs that only one of the baseline and `summaries` has: nothing is compared with them.
 std::vector<std::string> notCompared(const Baseline& baseline, std::span<const report::RunSummary> summaries);
 
+/// Throws Error if a run drew without pages, whose time compares with nothing: damaged ones or, where frames wait for
+/// all (`waits`), missing ones.
+void requireComplete(const Baseline& baseline, std::span<const report::RunSummary> summaries, bool waits);
+
 /// Throws Error if a run of the same name in the baseline was faster by more than `failAbovePercent`, or if there is
 /// none of any name.
 void requireNotSlower(const Baseline& baseline, std::span<const report::RunSummary> summaries, double failAbovePercent);

@@ -306,6 +306,8 @@ report::RunSummary summary(const RunResult& result) {
         s.shadowMaps = std::max(s.shadowMaps, static_cast<int>(row.shadowMaps));
         s.storageFactor = std::max(s.storageFactor, row.storageFactor.value_or(0));
         s.promiseKept = s.promiseKept && row.promiseKept.value_or(true);
+        s.pagesDamaged = std::max(s.pagesDamaged, static_cast<std::uint64_t>(row.pagesDamaged.value_or(0)));
+        s.pagesMissing = std::max(s.pagesMissing, static_cast<std::uint64_t>(row.pagesMissing.value_or(0)));
     }
     s.p50Ms = telemetry::quantile(totals, 0.50);
     s.p95Ms = telemetry::quantile(totals, 0.95);

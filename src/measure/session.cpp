@@ -22,7 +22,7 @@ std::unique_ptr<executor::Executor> makeExecutor(const settings::ViewOptions& op
 }
 
 Session::Session(const std::string& modelPath, const settings::ViewOptions& options)
-    : model_(modelPath),
+    : model_(modelPath, settings::parseMemory("--memory", options.memory)),
       executor_(makeExecutor(options)),
       renderer_(
           model_,

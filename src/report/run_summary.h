@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -59,7 +60,9 @@ struct RunSummary {
     double crawl = -1;                  // share of fixed points whose shadow test changed; below 0: not measured
     double storageFactor = 0;
     bool promiseKept = true;
-    std::vector<double> frameMs; // along the path, the median over repetitions
+    std::uint64_t pagesDamaged = 0; // by the last frame
+    std::uint64_t pagesMissing = 0; // in the frame that lacked most
+    std::vector<double> frameMs;    // along the path, the median over repetitions
 };
 
 } // namespace gnomon::report

@@ -17,8 +17,11 @@ LoadedPage load(const PageSource& source, std::uint32_t page) {
     result.page = page;
     try {
         result.content = std::make_unique<const hierarchy::Page>(source.readPage(page));
+    } catch (const hierarchy::PageDamage& damage) {
+        result.fault = damage.what();
     } catch (const std::exception& error) {
         result.fault = error.what();
+        result.failure = std::current_exception();
     }
     return result;
 }
@@ -53,6 +56,8 @@ void Loaders::request(std::span<const std::uint32_t> pages) {
     {
         const std::lock_guard lock(mutex_);
         queue_.insert(queue_.begin(), pages.rbegin(), pages.rend());
+        finished_.reserve(
+            finished_.size() + busy_ + queue_.size()); // a loader has nobody to tell that it has no memory
     }
     work_.notify_all();
 }

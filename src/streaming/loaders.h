@@ -4,6 +4,7 @@
 #include "streaming/page_source.h"
 
 #include <condition_variable>
+#include <exception>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -15,8 +16,9 @@ namespace gnomon::streaming {
 /// A page that a loader is done with.
 struct LoadedPage {
     std::uint32_t page = 0;
-    std::unique_ptr<const hierarchy::Page> content; // none if it could not be read
+    std::unique_ptr<const hierarchy::Page> content; // none if it is damaged or could not be read
     std::string fault;                              // then why
+    std::exception_ptr failure = nullptr;           // if it is not damaged, but reading or decoding it failed
 };
 
 /// Threads around a queue. All calls come from one thread, the owner's.

@@ -22,7 +22,8 @@ public:
 
     virtual std::span<const hierarchy::PageInfo> pages() const = 0;
 
-    /// One decoded page; called from many threads at once. Throws Error if it is damaged.
+    /// One decoded page; called from many threads at once. Throws PageDamage if it is damaged, anything else if it
+    /// cannot be had for now.
     virtual hierarchy::Page readPage(std::uint32_t page) const = 0;
 };
 

@@ -23,10 +23,7 @@ bool mayEnclose(const Sphere& outer, const Sphere& inner) {
 } // namespace
 
 Bytes decodedBytes(const hierarchy::PageInfo& info) {
-    return {
-        sizeof(hierarchy::Page) + info.groupCount * sizeof(hierarchy::Group) +
-        info.clusterCount * sizeof(hierarchy::Cluster) + info.refinementCount * sizeof(hierarchy::Refinement) +
-        info.vertexCount * sizeof(hierarchy::Vertex) + info.triangleCount * sizeof(hierarchy::Triangle)};
+    return {hierarchy::decodedPageBytes(info)};
 }
 
 PageStore::PageStore(const PageSource& source, PageStoreOptions options)
@@ -236,17 +233,19 @@ void PageStore::withdrawQueued() {
 
 bool PageStore::takeFinished() {
     const std::uint64_t before = statistics_.pagesRead;
+    std::exception_ptr failure;
     for (LoadedPage& loaded : loaders_.finished()) {
         ++statistics_.pagesRead;
         statistics_.read.count += source_->pages()[loaded.page].storedBytes;
         if (loaded.content) {
             waiting_.push_back(std::move(loaded));
-        } else {
-            reportDamage(loaded);
+        } else if (const std::exception_ptr thrown = leaveOut(loaded); !failure) {
+            failure = thrown;
         }
     }
     while (settleWaiting()) {
     }
+    if (failure) std::rethrow_exception(failure);
     return statistics_.pagesRead != before;
 }
 
@@ -270,12 +269,16 @@ bool PageStore::settleWaiting() {
     return hasMoved;
 }
 
-void PageStore::reportDamage(const LoadedPage& loaded) {
+/// Lets go of a page that did not come; what to throw if nothing can be drawn in its place.
+std::exception_ptr PageStore::leaveOut(const LoadedPage& loaded) {
     release(loaded.page);
-    if (entries_[loaded.page].isRoot) throw Error(loaded.fault);
+    const bool isUnread = loaded.failure != nullptr;
+    if (isUnread && !options_.drawsWithoutUnread) return loaded.failure;
+    if (entries_[loaded.page].isRoot) return std::make_exception_ptr(Error(loaded.fault));
     ++statistics_.pagesDamaged;
     entries_[loaded.page].isDamaged = true;
-    if (options_.onDamaged) options_.onDamaged({loaded.page, loaded.fault});
+    if (options_.onDamaged) options_.onDamaged({loaded.page, loaded.fault, isUnread});
+    return nullptr;
 }
 
 /// A group may be refined only if every group that holds a part of what replaces it is. Which groups a damaged page

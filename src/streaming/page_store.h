@@ -13,16 +13,19 @@
 
 namespace gnomon::streaming {
 
-/// A page that could not be read.
+/// A page in whose place its parents are drawn.
 struct DamagedPage {
     std::uint32_t page = 0;
-    std::string reason; // one line, with path and byte offset
+    std::string reason;    // one line, with path and byte offset
+    bool isUnread = false; // no damage: it could not be read, or there was no memory for it
 };
 
 struct PageStoreOptions {
     Bytes budget = gibibytes(1); // of decoded pages, those in the loaders' hands included
     unsigned loaderThreads = 4;
     std::function<void(const DamagedPage&)> onDamaged; // once for each, on the thread of `settle` and `load`
+    /// Whether a page that cannot be read counts as damaged; else that is an error: `settle` and `load` throw it.
+    bool drawsWithoutUnread = false;
 };
 
 /// What a cut asks of the store. Pages of which nothing is asked may leave.
@@ -64,6 +67,7 @@ class PageStore {
 public:
     /// Starts the loaders and reads the pages that hold root groups, with what they hang from, as long as they fit into
     /// half the budget; these stay. Throws Error if one of them is damaged or the page table is not coarsest first.
+    /// Here as in `settle` and `load`, a page that cannot be read throws what its source threw.
     PageStore(const PageSource& source, PageStoreOptions options);
     ~PageStore();
     PageStore(const PageStore&) = delete;
@@ -130,7 +134,7 @@ private:
     void blockGroups(std::uint32_t page);
     template <class Block>
     void blockBelow(std::uint32_t parent, std::uint32_t page, const Block& block) const;
-    void reportDamage(const LoadedPage& loaded);
+    std::exception_ptr leaveOut(const LoadedPage& loaded);
     void admit(LoadedPage loaded);
     void countMissing(const Demand& demand, DemandOutcome& outcome) const;
 

@@ -44,7 +44,9 @@ std::string benchmarkJson(const std::map<std::string, std::string>& context, std
              {"time_unit", "ms"},
              {"p50", quantile(run.totalMs, 0.50)},
              {"p95", quantile(run.totalMs, 0.95)},
-             {"p99", quantile(run.totalMs, 0.99)}});
+             {"p99", quantile(run.totalMs, 0.99)},
+             {"pages_damaged", run.pagesDamaged},
+             {"pages_missing", run.pagesMissing}});
     }
     return jsonText(document, 2);
 }

@@ -26,7 +26,7 @@ Scene::Scene(
     const settings::ViewOptions& options,
     const gl::Context& context,
     std::function<void(const std::string&)> onDamaged)
-    : model_(path),
+    : model_(path, settings::parseMemory("--memory", options.memory)),
       written_(std::filesystem::last_write_time(path)),
       context_(&context),
       executor_([&]() -> std::unique_ptr<executor::Executor> {
@@ -39,9 +39,14 @@ Scene::Scene(
           model_,
           *executor_,
           {.memory = settings::parseMemory("--memory", options.memory),
-           .onDamaged = [onDamaged = std::move(onDamaged)](const streaming::DamagedPage& page) {
-               onDamaged("a page is damaged, its parents are drawn: " + page.reason);
-           }}) {}
+           .onDamaged =
+               [onDamaged = std::move(onDamaged)](const streaming::DamagedPage& page) {
+                   onDamaged(
+                       (page.isUnread ? "a page could not be read, its parents are drawn: "
+                                      : "a page is damaged, its parents are drawn: ") +
+                       page.reason);
+               },
+           .drawsWithoutUnread = true}) {}
 
 const frame::Frame& Scene::draw(const Shot& shot) {
     frame_ = renderer_.render(shot.view, shot.quality, shot.options);

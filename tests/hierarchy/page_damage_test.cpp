@@ -165,7 +165,9 @@ TEST(PageDamage, EveryFieldOfTheRowIsCompared) {
     EXPECT_EQ(after([](PageInfo& i) { i.children = {8, 9}; }), "") << "its place among the children is what is stored";
     PageInfo none;
     none.level = 1;
-    EXPECT_EQ(damageOf([&] { decodePageBytes(stored(0, 0, {}), none); }), "no cluster");
+    EXPECT_EQ(
+        damageOf([&] { decodePageBytes(stored(0, 0, {}), none); }),
+        "groups of 0 clusters: expected 1 to as many, found 0");
 }
 
 TEST(PageDamage, APromiseThatTheBytesCannotKeepIsRefusedBeforeMemoryIsAskedFor) {

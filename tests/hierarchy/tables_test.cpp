@@ -10,6 +10,9 @@
 namespace gnomon::hierarchy {
 namespace {
 
+/// Steps of one.
+const Grid kGrid;
+
 /// A page of level 1 refined by two of level 0, `storedBytes` 100 each.
 std::vector<PageInfo> threePages() {
     std::vector<PageInfo> pages(3);
@@ -21,7 +24,7 @@ std::vector<PageInfo> threePages() {
         page.level = i == 0 ? 1 : 0;
         page.groupCount = 1 + i;
         page.clusterCount = 4 + i;
-        page.refinementCount = 7 + i;
+        page.refinementCount = i == 0 ? 3 : 0;
         page.vertexCount = 10 + i;
         page.triangleCount = 13 + i;
         page.box = {{1 + i, 2, 3}, {40, 50, 60 + i}};
@@ -47,12 +50,12 @@ std::string damageAfter(const Change& change) {
     std::vector<PageInfo> pages = threePages();
     Footer footer = footerOf(pages);
     change(pages, footer);
-    return damageOf([&] { decodePageTable(encodePageTable(pages), footer); });
+    return damageOf([&] { decodePageTable(encodePageTable(pages), footer, kGrid); });
 }
 
 TEST(PageTable, EveryFieldComesBack) {
     const std::vector<PageInfo> pages = threePages();
-    const std::vector<PageInfo> back = decodePageTable(encodePageTable(pages), footerOf(pages));
+    const std::vector<PageInfo> back = decodePageTable(encodePageTable(pages), footerOf(pages), kGrid);
     ASSERT_EQ(back.size(), 3U);
     for (std::size_t i = 0; i < 3; ++i) {
         EXPECT_EQ(back[i].offset, pages[i].offset);
@@ -79,20 +82,28 @@ TEST(PageTable, EachLieIsNamed) {
     constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
     constexpr double kInfinite = std::numeric_limits<double>::infinity();
     EXPECT_EQ(damageAfter([](Pages&, Footer&) {}), "");
-    const std::string noNumbers = "a page's bounds or errors are no numbers";
+    const auto isNamed = [](const char* what, auto&& change) {
+        const std::string damage = damageAfter(change);
+        EXPECT_EQ(damage.find(std::string("page 1: ") + what), 0U) << damage;
+    };
     for (const double wrong : {kNan, kInfinite, -1.0})
-        EXPECT_EQ(damageAfter([&](Pages& p, Footer&) { p[1].bounds.radius = wrong; }), noNumbers);
-    EXPECT_EQ(damageAfter([](Pages& p, Footer&) { p[1].bounds.center.z = kNan; }), noNumbers);
-    EXPECT_EQ(damageAfter([](Pages& p, Footer&) { p[1].minError = -1; }), noNumbers);
-    EXPECT_EQ(damageAfter([](Pages& p, Footer&) { p[1].minError = kNan; }), noNumbers);
-    EXPECT_EQ(damageAfter([](Pages& p, Footer&) { p[1].maxError = 0.1; }), noNumbers) << "below the least";
+        isNamed("its bounds: expected ", [&](Pages& p, Footer&) { p[1].bounds.radius = wrong; });
+    isNamed("its bounds: expected ", [](Pages& p, Footer&) { p[1].bounds.center.z = kNan; });
+    isNamed("its errors: expected ", [](Pages& p, Footer&) { p[1].minError = -1; });
+    isNamed("its errors: expected ", [](Pages& p, Footer&) { p[1].minError = kNan; });
+    isNamed("its errors: expected ", [](Pages& p, Footer&) { p[1].maxError = 0.1; }); // below the least
+    isNamed("pages that its 0 refinements name", [](Pages& p, Footer&) { p[1].children = {2}; });
     EXPECT_EQ(damageAfter([](Pages& p, Footer&) { p[0].children = {2, 1}; }), "a page's children do not ascend");
     EXPECT_EQ(damageAfter([](Pages& p, Footer&) { p[0].children = {1, 1}; }), "a page's children do not ascend");
-    EXPECT_EQ(damageAfter([](Pages& p, Footer&) { p[2].level = 1; }), "pages are not coarsest first");
+    EXPECT_EQ(damageAfter([](Pages& p, Footer&) { p[2] = p[0]; }), "pages are not coarsest first");
     const std::string notFiner = "a page is refined by one that is not finer";
     EXPECT_EQ(damageAfter([](Pages& p, Footer&) { p[0].children = {1, 3}; }), notFiner);
     EXPECT_EQ(damageAfter([](Pages& p, Footer&) { p[0].children = {0}; }), notFiner);
-    EXPECT_EQ(damageAfter([](Pages& p, Footer&) { p[1].children = {2}; }), notFiner) << "of its own level";
+    const auto ofItsOwnLevel = [](Pages& p, Footer&) {
+        p[1].level = p[1].refinementCount = 1;
+        p[1].children = {2};
+    };
+    EXPECT_EQ(damageAfter(ofItsOwnLevel), notFiner);
     const std::string gap = "the pages do not end where their table begins";
     EXPECT_EQ(damageAfter([](Pages& p, Footer&) { p[2].storedBytes += 1; }), gap);
     EXPECT_EQ(damageAfter([](Pages&, Footer& f) { f.pageTable.offset -= 1; }), gap);
@@ -107,13 +118,13 @@ TEST(PageTable, AChildCountThatLiesAsksForNoMemory) {
     constexpr std::size_t kChildCount = 4 + 4 + 8 + 5 * 4 + 6 * 4; // stored bytes, level, checksum, counts, box
     const std::uint32_t lie = 0xFFFFFFFFU;
     std::memcpy(bytes.data() + kChildCount, &lie, sizeof lie);
-    EXPECT_NE(damageOf([&] { decodePageTable(bytes, footerOf(pages)); }), "");
+    EXPECT_NE(damageOf([&] { decodePageTable(bytes, footerOf(pages), kGrid); }), "");
 }
 
 ModelSummary someSummary() {
     ModelSummary summary;
     summary.grid = {{1, 2, 3}, -7};
-    summary.bounds = {{-1, -2, -3}, {4, 5, 6}};
+    summary.bounds = {{1, 2, 3}, {4, 5, 6}};
     summary.sourceTriangles = 1000;
     summary.sourceVertices = 600;
     summary.coarsestTriangles = 12;
@@ -160,11 +171,12 @@ TEST(Summary, EachLieIsNamed) {
     EXPECT_EQ(after([](ModelSummary& s) { s.levels[0].maxError = kNan; }), "an error is no length");
     EXPECT_EQ(after([](ModelSummary& s) { s.levels[1].maxError = -1; }), "an error is no length");
     EXPECT_EQ(after([](ModelSummary& s) { s.levels[1].maxError = 1 / 0.0; }), "an error is no length") << "finite, too";
-    EXPECT_EQ(after([](ModelSummary& s) { s.grid.origin.y = kNan; }), "the grid's origin is no point");
-    for (const int exponent : {-1001, 1001})
-        EXPECT_EQ(after([&](ModelSummary& s) { s.grid.stepExponent = exponent; }), "the grid's step is no length");
-    for (const int exponent : {-1000, 1000})
+    EXPECT_EQ(after([](ModelSummary& s) { s.grid.origin.y = kNan; }).find("the grid's origin: expected "), 0U);
+    for (const int exponent : {kLeastStepExponent - 1, kMostStepExponent + 1})
+        EXPECT_EQ(after([&](ModelSummary& s) { s.grid.stepExponent = exponent; }).find("the grid's step"), 0U);
+    for (const int exponent : {-29, kMostStepExponent})
         EXPECT_EQ(after([&](ModelSummary& s) { s.grid.stepExponent = exponent; }), "");
+    EXPECT_EQ(after([](ModelSummary& s) { s.bounds.max.x = kNan; }).find("the bounds: expected "), 0U);
     std::vector<std::byte> bytes = encodeSummary(someSummary());
     bytes.push_back(std::byte{0});
     EXPECT_EQ(damageOf([&] { decodeSummary(bytes); }), "1 bytes too many");

@@ -34,11 +34,16 @@ public:
         ++reads;
         isHeld.wait(true);
         if (delay.count() > 0) std::this_thread::sleep_for(delay);
-        if (damaged.contains(page)) throw Error("fake.gnm: byte " + std::to_string(page), "page checksum");
+        if (damaged.contains(page))
+            throw hierarchy::PageDamage("fake.gnm: byte " + std::to_string(page), "page checksum");
+        if (unread.contains(page)) throw Error("fake.gnm: byte " + std::to_string(page), "cannot read");
+        if (hasNoMemory) throw std::bad_alloc();
         return *model_->all[page];
     }
 
     std::set<std::uint32_t> damaged;
+    std::set<std::uint32_t> unread;
+    std::atomic<bool> hasNoMemory{false};
     std::chrono::microseconds delay{0};
     std::atomic<bool> isHeld{false}; // readers wait until it is false and they are notified
     mutable std::atomic<int> reads{0};
@@ -301,6 +306,43 @@ TEST(PageStore, BelowADamagedPageTheCutStaysWholeAndElsewhereItIsRight) {
         kept += static_cast<double>(same) / static_cast<double>(right.size()) / kTrials;
     }
     EXPECT_GT(kept, 0.7) << "three damaged pages of a thousand may not spoil the rest";
+}
+
+TEST(PageStore, APageThatCannotBeReadIsAnErrorAndNoDamage) {
+    Random random(49);
+    FakeSource source(sharedModel());
+    PageStore store(source, withBudget(wholeModel()));
+    const std::vector<hierarchy::PageInfo>& table = sharedModel().table;
+    for (std::uint32_t page = 0; page < table.size(); ++page)
+        if (table[page].maxError < std::numeric_limits<double>::infinity()) source.unread.insert(page);
+    const Viewer viewer(random);
+    EXPECT_THROW(viewer.loadAll(store), Error);
+    EXPECT_EQ(store.statistics().pagesDamaged, 0U);
+    source.unread.clear();
+    source.hasNoMemory = true;
+    EXPECT_THROW(viewer.loadAll(store), std::bad_alloc);
+    source.hasNoMemory = false;
+    EXPECT_EQ(viewer.loadAll(store).pagesMissing, 0U) << "what failed before is read when it can be";
+    EXPECT_EQ(store.statistics().pagesDamaged, 0U);
+    expectWithinBudget(store, wholeModel());
+}
+
+TEST(PageStore, AWindowDrawsOnWithoutAPageThatCannotBeRead) {
+    Random random(50);
+    FakeSource source(sharedModel());
+    const auto last = static_cast<std::uint32_t>(sharedModel().table.size() - 1);
+    source.unread.insert(last);
+    std::vector<DamagedPage> named;
+    PageStoreOptions options = withBudget(wholeModel());
+    options.drawsWithoutUnread = true;
+    options.onDamaged = [&](const DamagedPage& page) { named.push_back(page); };
+    PageStore store(source, options);
+    const std::vector<PageDemand> wanted{{last, 1}};
+    store.load({{}, wanted});
+    ASSERT_EQ(named.size(), 1U);
+    EXPECT_EQ(named[0].page, last);
+    EXPECT_TRUE(named[0].isUnread);
+    EXPECT_NE(named[0].reason.find("cannot read"), std::string::npos);
 }
 
 TEST(PageStore, ADamagedRootIsAnError) {

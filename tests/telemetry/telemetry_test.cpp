@@ -66,7 +66,7 @@ TEST(Quantile, InterpolatesBetweenRanks) {
 }
 
 TEST(BenchmarkJson, HasTheShapeOfGoogleBenchmark) {
-    const std::vector<RunTimes> runs = {{"one", {1, 2, 3}, 3.5}, {"two", {5}, 1}};
+    const std::vector<RunTimes> runs = {{"one", {1, 2, 3}, 3.5}, {"two", {5}, 1, 3, 14}};
     const auto document = nlohmann::json::parse(benchmarkJson(machineContext(), runs));
     for (const char* fact : {"num_cpus", "cpu", "memory_bytes", "compiler", "library_build_type", "date"})
         EXPECT_NE(document.at("context").value(fact, ""), "") << fact;
@@ -78,6 +78,9 @@ TEST(BenchmarkJson, HasTheShapeOfGoogleBenchmark) {
     EXPECT_DOUBLE_EQ(first.at("cpu_time").get<double>(), 3.5);
     EXPECT_DOUBLE_EQ(first.at("p50").get<double>(), 2);
     EXPECT_DOUBLE_EQ(first.at("p95").get<double>(), 2.9);
+    EXPECT_EQ(first.at("pages_damaged"), 0);
+    EXPECT_EQ(document.at("benchmarks")[1].at("pages_damaged"), 3);
+    EXPECT_EQ(document.at("benchmarks")[1].at("pages_missing"), 14);
 }
 
 TEST(ProcessClock, CountsFromTheStartOfTheProcess) {

@@ -1,0 +1,38 @@
+// Preloaded into the program: its reads of models from a place on fail, as on a disk that wears out.
+#include <atomic>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+
+#include <dlfcn.h>
+#include <unistd.h>
+
+namespace {
+
+/// Whether `file` is a model.
+bool isModel(int file) {
+    char name[4096] = {};
+    const std::string link = "/proc/self/fd/" + std::to_string(file);
+    const ssize_t length = readlink(link.c_str(), name, sizeof name - 1);
+    return length > 4 && std::strcmp(name + length - 4, ".gnm") == 0;
+}
+
+long numberFrom(const char* variable) {
+    const char* text = std::getenv(variable);
+    return text == nullptr ? 0 : std::atol(text);
+}
+
+} // namespace
+
+/// Fails with EIO for models at $FAIL_FROM up to $FAIL_TO, the first $FAIL_TIMES times.
+// NOLINTNEXTLINE(readability-identifier-naming, readability-inconsistent-declaration-parameter-name)
+extern "C" ssize_t pread(int file, void* to, size_t count, off_t offset) {
+    static auto* const real = reinterpret_cast<ssize_t (*)(int, void*, size_t, off_t)>(dlsym(RTLD_NEXT, "pread"));
+    static std::atomic<long> left = numberFrom("FAIL_TIMES");
+    const bool isThere = offset >= numberFrom("FAIL_FROM") && offset < numberFrom("FAIL_TO");
+    if (!isThere || left <= 0 || !isModel(file)) return real(file, to, count, offset);
+    --left;
+    errno = EIO;
+    return -1;
+}

@@ -31,7 +31,7 @@ constexpr int kMostCompactPixels = 254;
 enum class ClusterPlace {
     Outside, // outside of one plane of the frustum: nothing to draw
     Inside,  // every vertex may be used as it is
-    Cut      // some triangles must be cut; the arrays hold the bits of `snapped` where the vertex is inside the guard
+    Cut      // some triangles must be cut: what the arrays hold is of no use
 };
 
 struct VertexStage {

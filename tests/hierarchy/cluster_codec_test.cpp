@@ -1,11 +1,11 @@
 // What decodes clusters fast beside what decodes them plainly: the same page, or both refuse, on every instruction set.
-#include "each_target.h"
 #include "hierarchy/codec/cluster_codec.h"
 #include "hierarchy/codec/cluster_order.h"
 #include "hierarchy/tiny_model.h"
 #include "page_equality.h"
 #include "plain_codec.h"
 #include "random_page.h"
+#include "tests/each_target.h"
 
 #include <gtest/gtest.h>
 
@@ -37,7 +37,7 @@ std::optional<Page> decoded(Decode decode, const Page& like, std::span<const std
 /// What `decodeClusters` makes of `bytes` if it is the same on every instruction set that this machine has and plainly.
 std::optional<Page> decodedAlike(const Page& like, std::span<const std::byte> bytes) {
     std::optional<Page> plain = decoded(plainlyDecodeClusters, like, bytes);
-    onEachTarget([&](const char* name) {
+    tests::onEachTarget([&](const char* name) {
         const std::optional<Page> fast = decoded(decodeClusters, like, bytes);
         EXPECT_EQ(fast.has_value(), plain.has_value()) << name;
         if (fast && plain) {

@@ -1,12 +1,12 @@
 // The codec's pieces one by one: planes of bytes, the window of open edges, codes of triangles, numbers of vertices.
 #include "core/random.h"
 #include "damage_text.h"
-#include "each_target.h"
 #include "hierarchy/codec/connectivity_decoder.h"
 #include "hierarchy/codec/connectivity_encoder.h"
 #include "hierarchy/codec/edge_window.h"
 #include "hierarchy/codec/plane_kernel.h"
 #include "hierarchy/codec/vertex_numbers.h"
+#include "tests/each_target.h"
 
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ struct SomePlanes {
 constexpr std::array<std::size_t, 10> kCounts = {0, 1, 3, 4, 7, 8, 15, 16, 17, 100};
 
 TEST(PlaneKernel, JoinsPlanesOnEveryInstructionSet) {
-    onEachTarget([](const char* name) {
+    tests::onEachTarget([](const char* name) {
         Random random(1);
         for (const std::size_t count : kCounts)
             for (unsigned planeCount = 0; planeCount <= 4; ++planeCount) {
@@ -48,7 +48,7 @@ TEST(PlaneKernel, JoinsPlanesOnEveryInstructionSet) {
 }
 
 TEST(PlaneKernel, TurnsCodesIntoDifferencesOnEveryInstructionSet) {
-    onEachTarget([](const char* name) {
+    tests::onEachTarget([](const char* name) {
         Random random(2);
         for (const std::size_t count : kCounts) {
             std::vector<SomePlanes> some;

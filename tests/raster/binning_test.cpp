@@ -67,6 +67,61 @@ TEST(Binning, ACrowdedTileIsSplitAndTheDearestComesFirst) {
         bins.tiles.begin(), bins.tiles.end(), [](const TileBin& a, const TileBin& b) { return a.cost > b.cost; }));
 }
 
+/// One item that costs as much as all others together, in a field of many cheap ones.
+std::vector<BinItem> field(std::uint32_t dear) {
+    std::vector<BinItem> items;
+    for (int y = 0; y < 8; ++y)
+        for (int x = 0; x < 8; ++x)
+            items.push_back({{64 * x, 64 * y, 64 * x + 64, 64 * y + 64}, 10});
+    items.push_back({{5, 5, 6, 6}, dear});
+    return items;
+}
+
+TEST(Binning, ATileIsSplitOnlyWhereItHoldsMoreThanItsShare) {
+    Bins bins;
+    binItems(field(10), {0, 0, 512, 512}, 64, 8, bins); // 20 of 650: less than a thirty-second
+    EXPECT_EQ(bins.tiles.size(), 64U);
+    binItems(field(11), {0, 0, 512, 512}, 64, 8, bins); // 21 of 651: more
+    EXPECT_GT(bins.tiles.size(), 64U);
+    for (const TileBin& tile : bins.tiles) {
+        EXPECT_TRUE(tile.box.width() >= 64 || tile.box.x1 <= 64) << "what is cheap stays whole";
+        EXPECT_GE(tile.box.width(), 8);
+    }
+}
+
+TEST(Binning, SplittingEndsAtTheLeastSide) {
+    Bins bins;
+    binItems(field(100000), {0, 0, 512, 512}, 64, 16, bins);
+    int least = 512;
+    for (const TileBin& tile : bins.tiles)
+        least = std::min({least, tile.box.width(), tile.box.height()});
+    EXPECT_EQ(least, 16);
+    EXPECT_EQ(bins.tiles.front().box, (PixelBox{0, 0, 16, 16})) << "the dearest first";
+    EXPECT_EQ(bins.tiles.front().cost, 100010U);
+    binItems(field(100000), {0, 0, 512, 512}, 64, 64, bins);
+    EXPECT_EQ(bins.tiles.size(), 64U);
+}
+
+TEST(Binning, ATilesCostIsThatOfWhatItHolds) {
+    const std::vector<BinItem> items = randomItems(4, 400);
+    Bins bins;
+    binItems(items, {0, 0, 1000, 256}, 128, 32, bins);
+    for (const TileBin& tile : bins.tiles) {
+        std::uint64_t cost = 0;
+        for (std::uint32_t k = 0; k < tile.count; ++k)
+            cost += items[bins.indices[tile.first + k]].cost;
+        EXPECT_EQ(tile.cost, cost);
+    }
+    Bins again;
+    binItems(items, {0, 0, 1000, 256}, 128, 32, again);
+    binItems(items, {0, 0, 1000, 256}, 128, 32, bins); // in the memory of the first
+    ASSERT_EQ(bins.tiles.size(), again.tiles.size());
+    for (std::size_t t = 0; t < bins.tiles.size(); ++t)
+        EXPECT_EQ(bins.tiles[t].box, again.tiles[t].box);
+    EXPECT_EQ(intersection({0, 1, 5, 6}, {2, 0, 9, 4}), (PixelBox{2, 1, 5, 4}));
+    EXPECT_TRUE(intersection({0, 0, 2, 2}, {2, 0, 4, 2}).empty()) << "half-open";
+}
+
 TEST(Binning, AnEmptyViewportHasNoTiles) {
     Bins bins;
     binItems(randomItems(1, 10), {5, 5, 5, 90}, 256, 32, bins);

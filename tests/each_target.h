@@ -3,7 +3,7 @@
 
 #include <hwy/targets.h>
 
-namespace gnomon::hierarchy {
+namespace gnomon::tests {
 
 /// Calls `run(name)` with each of the instruction sets that were compiled and are supported, the one of scalars too.
 template <class Run>
@@ -17,4 +17,4 @@ void onEachTarget(const Run& run) {
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
 }
 
-} // namespace gnomon::hierarchy
+} // namespace gnomon::tests

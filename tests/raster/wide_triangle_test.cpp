@@ -1,0 +1,142 @@
+// Rows of large triangles against looking at every pixel, and the plane of their depth against its corners.
+#include "core/random.h"
+#include "raster/wide_triangle.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace gnomon::raster {
+namespace {
+
+std::array<SnappedVertex, 3> randomCorners(Random& random, double reach) {
+    std::array<SnappedVertex, 3> corners;
+    for (SnappedVertex& corner : corners)
+        corner = snappedTo(
+            random.uniform(-reach, reach) * kSubpixels,
+            random.uniform(-reach, reach) * kSubpixels,
+            static_cast<float>(random.uniform(-0.2, 1.2)));
+    if (random.below(3) == 0) corners[1].y = corners[0].y; // a level edge
+    if (random.below(3) == 0) corners[2].x = corners[0].x; // an upright one
+    return corners;
+}
+
+/// The side of a directed edge on which a pixel's centre lies, less one where the edge does not own its pixels.
+std::int64_t sideOf(const SnappedVertex& a, const SnappedVertex& b, int x, int y) {
+    const std::int64_t px = std::int64_t{x} * kSubpixels;
+    const std::int64_t py = std::int64_t{y} * kSubpixels;
+    const bool owns = b.y < a.y || (b.y == a.y && b.x > a.x);
+    return std::int64_t{b.x - a.x} * (py - a.y) - std::int64_t{b.y - a.y} * (px - a.x) - (owns ? 0 : 1);
+}
+
+bool isInside(const WideTriangle& wide, int x, int y) {
+    const auto& c = wide.corners;
+    return sideOf(c[0], c[1], x, y) >= 0 && sideOf(c[1], c[2], x, y) >= 0 && sideOf(c[2], c[0], x, y) >= 0;
+}
+
+TEST(WideTriangle, RowsHoldThePixelsInsideAndNoOther) {
+    Random random(1);
+    int covered = 0;
+    for (int trial = 0; trial < 3000; ++trial) {
+        const std::array<SnappedVertex, 3> corners = randomCorners(random, trial % 2 == 0 ? 90 : 3000);
+        if (doubleArea(corners) == 0) continue;
+        const WideTriangle wide = wideTriangle(corners);
+        EXPECT_GT(doubleArea(wide.corners), 0) << "turned counter-clockwise";
+        const PixelBox tile{-40, -30, 30, 40};
+        std::array<std::array<bool, 70>, 70> drawn{};
+        for (WideRows rows(wide, tile); !rows.atEnd();) {
+            const WideRow row = rows.next();
+            ASSERT_GE(row.y, tile.y0);
+            ASSERT_LT(row.y, tile.y1);
+            if (row.x0 < row.x1) {
+                ASSERT_GE(row.x0, tile.x0);
+                ASSERT_LE(row.x1, tile.x1);
+            }
+            for (int x = row.x0; x < row.x1; ++x)
+                drawn[static_cast<std::size_t>(row.y - tile.y0)][static_cast<std::size_t>(x - tile.x0)] = true;
+        }
+        for (int y = tile.y0; y < tile.y1; ++y)
+            for (int x = tile.x0; x < tile.x1; ++x) {
+                const bool isDrawn =
+                    drawn[static_cast<std::size_t>(y - tile.y0)][static_cast<std::size_t>(x - tile.x0)];
+                ASSERT_EQ(isDrawn, isInside(wide, x, y)) << trial << ": " << x << ", " << y;
+                covered += isDrawn ? 1 : 0;
+            }
+    }
+    EXPECT_GT(covered, 1000000);
+}
+
+TEST(WideTriangle, TheBoxIsThatOfThePixelCentresBetweenTheCorners) {
+    const auto at = [](int x, int y) { return SnappedVertex{x, y, 0.5F, 0, 0}; };
+    const WideTriangle wide = wideTriangle({at(1, 256), at(2560, 257), at(300, 5000)});
+    EXPECT_EQ(wide.box, (PixelBox{1, 1, 11, 20}));
+    EXPECT_EQ(wideTriangle({at(0, 0), at(2559, 0), at(0, 5119)}).box, (PixelBox{0, 0, 10, 20}));
+    EXPECT_EQ(wideTriangle({at(-1, -257), at(2560, 0), at(0, 5120)}).box, (PixelBox{0, -1, 11, 21}));
+}
+
+TEST(WideTriangle, DepthIsThePlaneThroughTheUnsnappedCorners) {
+    Random random(2);
+    for (int trial = 0; trial < 2000; ++trial) {
+        const std::array<SnappedVertex, 3> corners = randomCorners(random, 500);
+        if (std::abs(doubleArea(corners)) < (std::int64_t{1} << 30U)) continue;
+        const WideTriangle wide = wideTriangle(corners);
+        const SnappedVertex& a = wide.corners[0];
+        for (const SnappedVertex& corner : corners) {
+            const double dx = (corner.x - a.x + double{restOf(corner.restX)} - restOf(a.restX)) / kSubpixels;
+            const double dy = (corner.y - a.y + double{restOf(corner.restY)} - restOf(a.restY)) / kSubpixels;
+            EXPECT_NEAR(a.z + wide.depthPerX * dx + wide.depthPerY * dy, corner.z, 1e-9);
+        }
+        const auto [least, most] = std::minmax({corners[0].z, corners[1].z, corners[2].z});
+        EXPECT_EQ(wide.leastDepth, std::clamp(least, 0.0F, 1.0F));
+        EXPECT_EQ(wide.largestDepth, std::clamp(most, 0.0F, 1.0F));
+        WideRows rows(wide, {-500, -500, 500, 500});
+        EXPECT_EQ(rows.depthPerX(), static_cast<float>(wide.depthPerX));
+        EXPECT_EQ(rows.referenceX(), a.x >> kSubpixelBits);
+        for (int i = 0; i < 3 && !rows.atEnd(); ++i) {
+            const WideRow row = rows.next();
+            const double dx = rows.referenceX() - (a.x + double{restOf(a.restX)}) / kSubpixels;
+            const double dy = row.y - (a.y + double{restOf(a.restY)}) / kSubpixels;
+            EXPECT_NEAR(row.depthAtReference, a.z + wide.depthPerX * dx + wide.depthPerY * dy, 1e-3);
+        }
+    }
+}
+
+// Snapping turned the triangle over, or nearly: its true area gives no plane, so that of the snapped corners is taken.
+TEST(WideTriangle, ASliverThatSnappingMadeKeepsAFinitePlane) {
+    std::array<SnappedVertex, 3> corners{
+        SnappedVertex{0, 0, 0, 0, 0},
+        SnappedVertex{256 * 100, 0, 1, 0, 32767},
+        SnappedVertex{256 * 75, 1, 0.5F, 0, -32768}};
+    const WideTriangle wide = wideTriangle(corners);
+    EXPECT_TRUE(std::isfinite(wide.depthPerX));
+    EXPECT_TRUE(std::isfinite(wide.depthPerY));
+    EXPECT_NEAR(wide.depthPerX, 0.01, 1e-6);
+    EXPECT_EQ(wide.corners[1].restY, 0) << "without its rests";
+}
+
+TEST(QuotientWalk, StepsAsAFloorDivisionDoes) {
+    Random random(3);
+    for (int trial = 0; trial < 500; ++trial) {
+        const auto divisor = static_cast<std::int64_t>(1 + random.below(1000));
+        const auto floorOf = [&](std::int64_t value) {
+            return static_cast<std::int64_t>(std::floor(static_cast<double>(value) / static_cast<double>(divisor)));
+        };
+        auto value = static_cast<std::int64_t>(random.below(100000)) - 50000;
+        const auto perRow = static_cast<std::int64_t>(random.below(10000)) - 5000;
+        QuotientWalk walk{
+            floorOf(value),
+            value - floorOf(value) * divisor,
+            floorOf(perRow),
+            perRow - floorOf(perRow) * divisor,
+            divisor};
+        for (int row = 0; row < 50; ++row) {
+            ASSERT_EQ(walk.quotient, floorOf(value));
+            ASSERT_EQ(walk.rest, value - floorOf(value) * divisor);
+            walk.step();
+            value += perRow;
+        }
+    }
+}
+
+} // namespace
+} // namespace gnomon::raster

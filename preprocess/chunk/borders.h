@@ -2,17 +2,9 @@
 #pragma once
 
 #include "core/progress.h"
-#include "preprocess/chunk/chunk_streams.h"
+#include "preprocess/chunk/binned_source.h"
 
 namespace gnomon::chunk {
-
-/// Where a source's chunks are.
-struct BinnedSource {
-    const scratch::StreamStore& bins;
-    const hierarchy::Grid& grid;
-    VertexFormat format;
-    std::uint32_t chunkCount = 0;
-};
 
 /// Writes all streams of BorderStream: first the vertices that chunks asked each other for; then, for those at which a
 /// chunk has triangles, the normal (of all faces there, in whichever chunks; only for sources without normals) and

@@ -1,6 +1,7 @@
 // One chunk of a binned source as a welded mesh: a pure function of the chunk's streams.
 #pragma once
 
+#include "preprocess/chunk/binned_source.h"
 #include "preprocess/chunk/chunk_vertices.h"
 
 namespace gnomon::chunk {

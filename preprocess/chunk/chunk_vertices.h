@@ -1,7 +1,6 @@
 // The vertices that a chunk has and uses, joined by snapped position.
 #pragma once
 
-#include "preprocess/chunk/borders.h"
 #include "preprocess/chunk/indexed_vertices.h"
 
 namespace gnomon::chunk {

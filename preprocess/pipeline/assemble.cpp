@@ -10,16 +10,16 @@ using hierarchy::PageInfo;
 
 /// Calls `take(node, level of node, number of level)` for all records.
 template <class Take>
-void forEachLevel(const Ledger& ledger, const Take& take) {
-    for (std::uint32_t round = 0; round < ledger.roundCount(); ++round)
-        for (const NodeRecord& node : ledger.nodes(round))
+void forEachLevel(const CheckpointLog& log, const Take& take) {
+    for (std::uint32_t round = 0; round < log.roundCount(); ++round)
+        for (const NodeRecord& node : log.nodes(round))
             for (std::size_t i = 0; i < node.levels.size(); ++i)
                 take(node.levels[i], node.firstLevel + i);
 }
 
 /// The id in the file of each level's first page.
-std::vector<std::uint32_t> firstPageIds(const Ledger& ledger) {
-    const std::vector<std::uint32_t>& counts = ledger.pageCounts();
+std::vector<std::uint32_t> firstPageIds(const CheckpointLog& log) {
+    const std::vector<std::uint32_t>& counts = log.pageCounts();
     std::vector<std::uint32_t> first(counts.size(), 0);
     for (std::size_t level = counts.size(); level-- > 1;)
         first[level - 1] = first[level] + counts[level];
@@ -28,19 +28,19 @@ std::vector<std::uint32_t> firstPageIds(const Ledger& ledger) {
 
 } // namespace
 
-Totals totalsOf(const Ledger& ledger, std::map<std::string, std::string> options) {
+Totals totalsOf(const CheckpointLog& log, std::map<std::string, std::string> options) {
     Totals totals;
     hierarchy::ModelSummary& summary = totals.summary;
-    summary.grid = ledger.binned()->grid;
-    summary.sourceTriangles = ledger.binned()->triangles;
-    summary.sourceVertices = ledger.binned()->vertices;
-    summary.hasColors = ledger.binned()->format.hasColors;
+    summary.grid = log.binned()->grid;
+    summary.sourceTriangles = log.binned()->triangles;
+    summary.sourceVertices = log.binned()->vertices;
+    summary.hasColors = log.binned()->format.hasColors;
     summary.options = std::move(options);
     for (const char* reason : {"degenerate", "doubled", "collapsed_by_grid"})
         summary.dropped[reason] = 0;
-    summary.dropped["not_a_polygon"] = ledger.binned()->notAPolygon;
-    for (std::uint32_t round = 0; round < ledger.roundCount(); ++round)
-        for (const NodeRecord& node : ledger.nodes(round)) {
+    summary.dropped["not_a_polygon"] = log.binned()->notAPolygon;
+    for (std::uint32_t round = 0; round < log.roundCount(); ++round)
+        for (const NodeRecord& node : log.nodes(round)) {
             summary.dropped["degenerate"] += node.dropped[0];
             summary.dropped["doubled"] += node.dropped[1];
             summary.dropped["collapsed_by_grid"] += node.dropped[2];
@@ -49,8 +49,8 @@ Totals totalsOf(const Ledger& ledger, std::map<std::string, std::string> options
             summary.coarsestTriangles += node.rootTriangles;
             totals.stuckTriangles += node.stuckTriangles;
         }
-    summary.levels.resize(ledger.pageCounts().size());
-    forEachLevel(ledger, [&](const NodeRecord::LevelOfNode& level, std::size_t number) {
+    summary.levels.resize(log.pageCounts().size());
+    forEachLevel(log, [&](const NodeRecord::LevelOfNode& level, std::size_t number) {
         hierarchy::LevelInfo& sum = summary.levels[number];
         sum.triangles += level.info.triangles;
         sum.clusters += level.info.clusters;
@@ -62,12 +62,12 @@ Totals totalsOf(const Ledger& ledger, std::map<std::string, std::string> options
 }
 
 void writePages(
-    const Ledger& ledger, const scratch::ScratchFile& pages, hierarchy::ModelWriter& writer, Progress& progress) {
-    std::vector<std::vector<const NodeRecord::LevelOfNode*>> levels(ledger.pageCounts().size());
+    const CheckpointLog& log, const scratch::ScratchFile& pages, hierarchy::ModelWriter& writer, Progress& progress) {
+    std::vector<std::vector<const NodeRecord::LevelOfNode*>> levels(log.pageCounts().size());
     forEachLevel(
-        ledger, [&](const NodeRecord::LevelOfNode& level, std::size_t number) { levels[number].push_back(&level); });
-    const std::vector<std::uint32_t> first = firstPageIds(ledger);
-    progress.stage("write", "pages", first.empty() ? 0 : first.front() + ledger.pageCounts().front());
+        log, [&](const NodeRecord::LevelOfNode& level, std::size_t number) { levels[number].push_back(&level); });
+    const std::vector<std::uint32_t> first = firstPageIds(log);
+    progress.stage("write", "pages", first.empty() ? 0 : first.front() + log.pageCounts().front());
     hierarchy::EncodedPage page;
     for (std::size_t number = levels.size(); number-- > 0;)
         for (const NodeRecord::LevelOfNode* level : levels[number])

@@ -4,7 +4,7 @@
 #include "core/progress.h"
 #include "hierarchy/model_writer.h"
 #include "preprocess/levels/level.h"
-#include "preprocess/pipeline/ledger.h"
+#include "preprocess/pipeline/checkpoint_log.h"
 #include "preprocess/scratch/scratch_file.h"
 
 namespace gnomon::pipeline {
@@ -17,10 +17,10 @@ struct Totals {
 };
 
 /// `options` are those of the build that change bytes.
-Totals totalsOf(const Ledger& ledger, std::map<std::string, std::string> options);
+Totals totalsOf(const CheckpointLog& log, std::map<std::string, std::string> options);
 
 /// Appends all pages to `writer`, coarsest level first, each level in the order of the nodes.
 void writePages(
-    const Ledger& ledger, const scratch::ScratchFile& pages, hierarchy::ModelWriter& writer, Progress& progress);
+    const CheckpointLog& log, const scratch::ScratchFile& pages, hierarchy::ModelWriter& writer, Progress& progress);
 
 } // namespace gnomon::pipeline

@@ -1,7 +1,7 @@
 #include "preprocess/pipeline/build_key.h"
 
 #include "hierarchy/model.h"
-#include "preprocess/pipeline/ledger.h"
+#include "preprocess/pipeline/checkpoint_log.h"
 
 namespace gnomon::pipeline {
 
@@ -32,7 +32,7 @@ std::map<std::string, std::string> optionsOf(const BuildOptions& options) {
 
 std::string keyOf(const BuildOptions& options) {
     std::string key =
-        "format " + std::to_string(hierarchy::kFormatVersion) + ", journal " + std::to_string(kJournalVersion);
+        "format " + std::to_string(hierarchy::kFormatVersion) + ", checkpoints " + std::to_string(kCheckpointVersion);
     for (const auto& [name, value] : optionsOf(options))
         key.append(", ").append(name).append(" ").append(value);
     return key + ", " + options.inputKey;

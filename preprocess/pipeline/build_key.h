@@ -1,7 +1,7 @@
 // What makes two builds the same.
 #pragma once
 
-#include "preprocess/pipeline/build_model.h"
+#include "preprocess/pipeline/build_options.h"
 
 #include <map>
 #include <string>

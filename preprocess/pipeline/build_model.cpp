@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/heap.h"
 #include "preprocess/chunk/binning.h"
+#include "preprocess/chunk/borders.h"
 #include "preprocess/chunk/chunk_mesh.h"
 #include "preprocess/chunk/in_order.h"
 #include "preprocess/levels/level_clusters.h"
@@ -11,7 +12,7 @@
 #include "preprocess/pipeline/build_key.h"
 #include "preprocess/pipeline/memory_plan.h"
 #include "preprocess/pipeline/rounds.h"
-#include "preprocess/pipeline/workplace.h"
+#include "preprocess/pipeline/work_directory.h"
 
 #include <tbb/global_control.h>
 
@@ -49,7 +50,7 @@ void requireFewStuck(std::uint64_t stuck, std::uint64_t triangles, double maxPer
     throw Error("--max-stuck", "too many triangles stay at full detail", "at most " + text(maxPercent), text(percent));
 }
 
-/// One build, phase after phase. A phase that the ledger has as finished is skipped.
+/// One build, phase after phase. A phase that the checkpoint log has as finished is skipped.
 class Build {
 public:
     Build(read::MeshSource& source, const BuildOptions& options, Progress& progress)
@@ -58,7 +59,7 @@ public:
           progress_(progress),
           needs_(affordableNeeds()),
           threads_(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism)),
-          workplace_(
+          workDirectory_(
               {options.output,
                options.temporaryFolder,
                keyOf(options),
@@ -73,7 +74,7 @@ public:
         shareBorders();
         buildRounds();
         assemble();
-        report_.temporaryBytes = workplace_.space().peakBytes();
+        report_.temporaryBytes = workDirectory_.space().peakBytes();
         return std::move(report_);
     }
 
@@ -99,7 +100,7 @@ private:
     }
 
     void endPhase(const std::string& name, std::uint64_t sourceBytes) {
-        scratch::TemporarySpace& space = workplace_.space();
+        scratch::TemporarySpace& space = workDirectory_.space();
         report_.phases.push_back(
             {name,
              watch_.lap(),
@@ -109,10 +110,10 @@ private:
 
     /// Sorts the source into chunks.
     void bin() {
-        const bool isTakenUp = ledger().binned().has_value();
-        if (isTakenUp) {
-            binsFile_ = workplace_.scratch("bins", ledger().binned()->scratchEnd);
-            bins_.emplace(*binsFile_, ledger().binned()->directory);
+        const bool isResumed = log().binned().has_value();
+        if (isResumed) {
+            binsFile_ = workDirectory_.scratch("bins", log().binned()->scratchEnd);
+            bins_.emplace(*binsFile_, log().binned()->directory);
         } else {
             chunk::SourceSurvey survey = chunk::surveySource(source_, progress_);
             endPhase("count", source_.summary().fileBytes);
@@ -125,88 +126,88 @@ private:
             record.vertices = survey.vertices;
             record.notAPolygon = survey.notAPolygon;
             record.chunkCount = tree.chunkCount();
-            binsFile_ = workplace_.scratch("bins");
+            binsFile_ = workDirectory_.scratch("bins");
             const Bytes room = roomBeside(needs_.binning());
             bins_.emplace(
                 *binsFile_,
                 chunk::binStreams(tree.chunkCount()),
                 blockBytes({room.count / 2}, std::uint64_t{3} * tree.chunkCount()));
-            record.mostOfAChunk =
+            record.largestChunk =
                 chunk::binSource(source_, survey, tree, *bins_, room.count / 2 / kBytesPerPolygonCorner, progress_);
             source_.requireUnchanged(); // it is not read again
             record.scratchEnd = binsFile_->end();
             record.directory = bins_->directory();
-            workplace_.finish(std::move(record));
+            workDirectory_.finish(std::move(record));
             endPhase("bin", source_.summary().fileBytes);
         }
-        const Bytes needed = {needs_.base().count + MemoryNeeds::node(ledger().binned()->mostOfAChunk).count};
-        if (isTakenUp && needed > options_.memory) workplace_.leave(); // what is finished waits for more memory
+        const Bytes needed = {needs_.base().count + MemoryNeeds::node(log().binned()->largestChunk).count};
+        if (isResumed && needed > options_.memory) workDirectory_.leave(); // what is finished waits for more memory
         requireMemory(needed);
-        if (const chunk::PartSize& most = ledger().binned()->mostOfAChunk;
+        if (const chunk::PartSize& most = log().binned()->largestChunk;
             countAtOnce(roomBeside(needs_.base()), MemoryNeeds::node(most), threads_) < 2)
             returnFreedMemoryAtOnce(); // memory is tight
     }
 
     /// Lets the chunks exchange what they share.
     void shareBorders() {
-        const std::uint32_t chunks = ledger().binned()->chunkCount;
-        if (ledger().bordered()) {
-            bordersFile_ = workplace_.scratch("borders", ledger().bordered()->scratchEnd);
-            borders_.emplace(*bordersFile_, ledger().bordered()->directory);
+        const std::uint32_t chunks = log().binned()->chunkCount;
+        if (log().bordered()) {
+            bordersFile_ = workDirectory_.scratch("borders", log().bordered()->scratchEnd);
+            borders_.emplace(*bordersFile_, log().bordered()->directory);
             return;
         }
-        bordersFile_ = workplace_.scratch("borders");
+        bordersFile_ = workDirectory_.scratch("borders");
         const Bytes room = roomBeside(needs_.base());
-        const BorderShare share = borderShare(room, MemoryNeeds::borders(ledger().binned()->mostOfAChunk), threads_);
+        const BorderShare share = borderShare(room, MemoryNeeds::borders(log().binned()->largestChunk), threads_);
         borders_.emplace(
             *bordersFile_, chunk::borderStreams(chunks), blockBytes(share.blocks, chunk::borderStreams(chunks)));
         chunk::shareBorders(binnedSource(), *borders_, share.chunksAtOnce, progress_);
-        workplace_.finish(BorderedRecord{bordersFile_->end(), borders_->directory()});
+        workDirectory_.finish(BorderedRecord{bordersFile_->end(), borders_->directory()});
         endPhase("borders", 0);
     }
 
     void buildRounds() {
         reopenResults();
-        progress_.stage("build", "triangles", 2 * ledger().binned()->triangles);
-        Round round = firstRound(ledger().binned()->chunkCount);
+        progress_.stage("build", "triangles", 2 * log().binned()->triangles);
+        Round round = firstRound(log().binned()->chunkCount);
         for (;;) {
             buildRound(round);
             endPhase("round " + std::to_string(round.number), 0);
             if (round.number == 0) requireTriangles();
             if (round.isLast) break;
-            round = nextRound(round, ledger().nodes(round.number), options_.chunkTriangles);
+            round = nextRound(round, log().nodes(round.number), options_.chunkTriangles);
         }
     }
 
-    /// The scratch files of pages and remains, as far as the ledger tells of them.
+    /// The scratch files of pages and pending levels, as far as the checkpoint log tells of them.
     void reopenResults() {
         std::uint64_t pagesEnd = 0;
-        std::uint64_t remainsEnd = 0;
-        for (std::uint32_t round = 0; round < ledger().roundCount(); ++round)
-            for (const NodeRecord& node : ledger().nodes(round)) {
-                remainsEnd = std::max(remainsEnd, node.remainsOffset + node.remainsBytes);
+        std::uint64_t pendingEnd = 0;
+        for (std::uint32_t round = 0; round < log().roundCount(); ++round)
+            for (const NodeRecord& node : log().nodes(round)) {
+                pendingEnd = std::max(pendingEnd, node.pendingOffset + node.pendingBytes);
                 for (const NodeRecord::LevelOfNode& level : node.levels)
                     for (const hierarchy::PageInfo& page : level.pages)
                         pagesEnd = std::max(pagesEnd, page.offset + page.storedBytes);
             }
-        if (ledger().roundCount() > 0) {
-            pagesFile_ = workplace_.scratch("pages", pagesEnd);
-            remainsFile_ = workplace_.scratch("remains", remainsEnd);
+        if (log().roundCount() > 0) {
+            pagesFile_ = workDirectory_.scratch("pages", pagesEnd);
+            pendingFile_ = workDirectory_.scratch("pending", pendingEnd);
         } else {
-            pagesFile_ = workplace_.scratch("pages");
-            remainsFile_ = workplace_.scratch("remains");
+            pagesFile_ = workDirectory_.scratch("pages");
+            pendingFile_ = workDirectory_.scratch("pending");
         }
     }
 
     void buildRound(const Round& round) {
-        workplace_.beginRound(round.number);
-        const std::size_t finished = ledger().nodes(round.number).size();
+        workDirectory_.beginRound(round.number);
+        const std::size_t finished = log().nodes(round.number).size();
         for (std::size_t node = 0; node < finished; ++node) {
             releaseInputs(round, node);
-            for (const NodeRecord::LevelOfNode& level : ledger().nodes(round.number)[node].levels)
+            for (const NodeRecord::LevelOfNode& level : log().nodes(round.number)[node].levels)
                 progress_.advance(level.info.triangles);
         }
-        const chunk::PartSize& most = round.number == 0 ? ledger().binned()->mostOfAChunk : round.mostOfANode;
+        const chunk::PartSize& most = round.number == 0 ? log().binned()->largestChunk : round.largestNode;
         const std::size_t atOnce = countAtOnce(roomBeside(needs_.base()), MemoryNeeds::node(most), threads_);
         chunk::makeInOrder(
             finished,
@@ -244,29 +245,29 @@ private:
         return made;
     }
 
-    /// The remains of the node's children as one.
+    /// The pending levels of the node's children as one.
     levels::PendingLevel joined(const Round& round, std::size_t node) const {
         const std::uint32_t before = round.number - 1;
-        const std::vector<NodeRecord>& children = ledger().nodes(before);
+        const std::vector<NodeRecord>& children = log().nodes(before);
         std::uint64_t vertices = 0;
         for (std::uint32_t child = round.firstChild(node); child < round.ends[node]; ++child)
-            vertices += children[child].remainingVertices;
-        levels::PendingLevelMerger merger(ledger().binned()->grid, vertices);
+            vertices += children[child].pendingVertices;
+        levels::PendingLevelMerger merger(log().binned()->grid, vertices);
         std::vector<std::byte> bytes;
         for (std::uint32_t child = round.firstChild(node); child < round.ends[node]; ++child) {
             const NodeRecord& record = children[child];
-            if (record.remainingTriangles == 0) continue;
-            bytes.resize(record.remainsBytes);
-            remainsFile_->read(record.remainsOffset, bytes);
-            merger.add(bytes, record.firstLevel, ledger().firstPages(before, child));
+            if (record.pendingTriangles == 0) continue;
+            bytes.resize(record.pendingBytes);
+            pendingFile_->read(record.pendingOffset, bytes);
+            merger.add(bytes, record.firstLevel, log().firstPages(before, child));
         }
         return merger.take();
     }
 
-    /// Stores what was made and enters it into the ledger.
+    /// Stores what was made and enters it into the log.
     void finish(const Round& round, Made made) {
         NodeRecord& record = made.record;
-        const std::vector<std::uint32_t>& pageCounts = ledger().pageCounts();
+        const std::vector<std::uint32_t>& pageCounts = log().pageCounts();
         for (levels::NodeLevel& level : made.node.levels) {
             NodeRecord::LevelOfNode& own = record.levels.emplace_back();
             own.info = level.info;
@@ -281,13 +282,13 @@ private:
                 own.pages.push_back(std::move(page.info));
             }
         }
-        record.remainsBytes = made.node.pending.bytes.size();
-        record.remainsOffset = remainsFile_->append(made.node.pending.bytes);
-        record.remainingVertices = made.node.pending.vertices;
-        record.remainingTriangles = made.node.pending.triangles;
+        record.pendingBytes = made.node.pending.bytes.size();
+        record.pendingOffset = pendingFile_->append(made.node.pending.bytes);
+        record.pendingVertices = made.node.pending.vertices;
+        record.pendingTriangles = made.node.pending.triangles;
         record.rootTriangles = made.node.rootTriangles;
         record.stuckTriangles = made.node.stuckTriangles;
-        workplace_.finish(std::move(record));
+        workDirectory_.finish(std::move(record));
     }
 
     /// Gives the space of what a finished node was made from back.
@@ -305,15 +306,15 @@ private:
             return;
         }
         for (std::uint32_t child = round.firstChild(node); child < round.ends[node]; ++child) {
-            const NodeRecord& record = ledger().nodes(round.number - 1)[child];
-            remainsFile_->release(record.remainsOffset, record.remainsBytes);
+            const NodeRecord& record = log().nodes(round.number - 1)[child];
+            pendingFile_->release(record.pendingOffset, record.pendingBytes);
         }
     }
 
     void requireTriangles() const {
         std::uint64_t triangles = 0;
         std::array<std::uint64_t, 3> dropped{};
-        for (const NodeRecord& node : ledger().nodes(0)) {
+        for (const NodeRecord& node : log().nodes(0)) {
             if (!node.levels.empty()) triangles += node.levels.front().info.triangles;
             for (std::size_t i = 0; i < dropped.size(); ++i)
                 dropped[i] += node.dropped[i];
@@ -328,12 +329,12 @@ private:
 
     /// Writes the model.
     void assemble() {
-        const Totals totals = totalsOf(ledger(), optionsOf(options_));
+        const Totals totals = totalsOf(log(), optionsOf(options_));
         const hierarchy::ModelSummary& summary = totals.summary;
         if (options_.maxStuckPercent)
             requireFewStuck(totals.stuckTriangles, summary.levels.front().triangles, *options_.maxStuckPercent);
         hierarchy::ModelWriter writer(options_.output);
-        writePages(ledger(), *pagesFile_, writer, progress_);
+        writePages(log(), *pagesFile_, writer, progress_);
         source_.requireUnchanged();
         report_.contentHash = writer.finish(summary);
         report_.fileBytes = writer.bytesWritten();
@@ -352,10 +353,10 @@ private:
         endPhase("write", 0);
     }
 
-    const Ledger& ledger() const { return workplace_.ledger(); }
+    const CheckpointLog& log() const { return workDirectory_.log(); }
 
     chunk::BinnedSource binnedSource() const {
-        const BinnedRecord& binned = *ledger().binned();
+        const BinnedRecord& binned = *log().binned();
         return {*bins_, binned.grid, binned.format, binned.chunkCount};
     }
 
@@ -366,7 +367,7 @@ private:
     Progress& progress_;
     MemoryNeeds needs_;
     std::size_t threads_;
-    Workplace workplace_;
+    WorkDirectory workDirectory_;
     BuildReport report_;
     Stopwatch watch_;
     std::uint64_t bytesRead_ = 0;
@@ -374,7 +375,7 @@ private:
     std::unique_ptr<scratch::ScratchFile> binsFile_;
     std::unique_ptr<scratch::ScratchFile> bordersFile_;
     std::unique_ptr<scratch::ScratchFile> pagesFile_;
-    std::unique_ptr<scratch::ScratchFile> remainsFile_;
+    std::unique_ptr<scratch::ScratchFile> pendingFile_;
     std::optional<scratch::StreamStore> bins_;
     std::optional<scratch::StreamStore> borders_;
 };

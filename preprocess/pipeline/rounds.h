@@ -1,7 +1,7 @@
 // Which parts of the model are built together, round after round, until one is left.
 #pragma once
 
-#include "preprocess/pipeline/ledger.h"
+#include "preprocess/pipeline/checkpoint_log.h"
 
 namespace gnomon::pipeline {
 
@@ -15,7 +15,7 @@ struct Round {
     std::uint32_t firstLevel = 0;
     bool isLast = false;             // nodes are built up to their roots
     std::vector<std::uint32_t> ends; // node -> behind its last child; of chunks, in round 0
-    chunk::PartSize mostOfANode;     // where the round is not the first
+    chunk::PartSize largestNode;     // where the round is not the first
 
     std::size_t nodeCount() const { return ends.size(); }
 

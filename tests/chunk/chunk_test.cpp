@@ -2,6 +2,7 @@
 #include "core/random.h"
 #include "hierarchy/octahedral.h"
 #include "preprocess/chunk/binning.h"
+#include "preprocess/chunk/borders.h"
 #include "preprocess/chunk/chunk_mesh.h"
 #include "preprocess/levels/smooth_normals.h"
 #include "tests/read/code_mesh.h"
@@ -12,6 +13,7 @@
 #include <set>
 
 namespace gnomon::chunk {
+
 namespace {
 
 using Corners = std::array<hierarchy::Vertex, 3>;

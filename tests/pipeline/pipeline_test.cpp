@@ -2,10 +2,8 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "core/random.h"
-#include "preprocess/pipeline/fingerprint.h"
-#include "preprocess/pipeline/memory_plan.h"
-#include "preprocess/pipeline/workplace.h"
 #include "tests/pipeline/built_model.h"
+#include "tests/pipeline/test_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -47,39 +45,6 @@ read::CodeMesh shuffled(const read::CodeMesh& mesh, std::uint64_t seed) {
             corner = order[corner];
     return {std::move(positions), std::move(triangles)};
 }
-
-/// A folder of its own, gone with the object.
-class TestFolder {
-public:
-    TestFolder() {
-        static int number = 0;
-        path_ = fs::temp_directory_path() /
-                ("gnomon_pipeline_" + std::to_string(::getpid()) + "_" + std::to_string(number++));
-        fs::create_directories(path_);
-    }
-
-    ~TestFolder() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-
-    TestFolder(const TestFolder&) = delete;
-    TestFolder& operator=(const TestFolder&) = delete;
-    TestFolder(TestFolder&&) = delete;
-    TestFolder& operator=(TestFolder&&) = delete;
-
-    std::string file(const std::string& name) const { return (path_ / name).string(); }
-
-    std::set<std::string> names() const {
-        std::set<std::string> names;
-        for (const fs::directory_entry& entry : fs::directory_iterator(path_))
-            names.insert(entry.path().filename().string());
-        return names;
-    }
-
-private:
-    fs::path path_;
-};
 
 /// Kills the process, as `kill -9` would, when it has heard `steps` times of progress.
 class DeadlyProgress final : public Progress {
@@ -212,20 +177,6 @@ TEST(Pipeline, GoesOnAfterBeingKilledAnywhere) {
     EXPECT_GT(killed, 8);
 }
 
-TEST(Pipeline, AFingerprintTellsPeopleWhatAnInputIs) {
-    const TestFolder folder;
-    const std::vector<std::string> inputs{folder.file("a"), folder.file("b")};
-    for (const std::string& input : inputs) {
-        writeTextFile(input, "a mesh");
-        const auto when = std::chrono::sys_days(std::chrono::year(2001) / 9 / 9) + std::chrono::milliseconds(6'400'025);
-        fs::last_write_time(input, std::chrono::file_clock::from_sys(when));
-    }
-    const std::string text = fingerprintOf(inputs);
-    EXPECT_EQ(text.find("input 1 bytes 6, input 1 changed 2001-09-09T01:46:40.025000000Z, input 1 samples "), 0U);
-    EXPECT_NE(text.find(", input 2 bytes 6, input 2 changed 2001-09-09T01:46:40.025"), std::string::npos) << text;
-    EXPECT_THROW(fingerprintOf({"/dev/null"}), Error);
-}
-
 TEST(Pipeline, AResumedBuildOfSomethingElseIsRefusedAndTouchesNothing) {
     const read::CodeMesh mesh = read::bumpySheet(60);
     const TestFolder folder;
@@ -256,31 +207,6 @@ TEST(Pipeline, AResumedBuildOfSomethingElseIsRefusedAndTouchesNothing) {
     EXPECT_EQ(folder.names(), std::set<std::string>{"m.gnm.building"});
     build(mesh, options);
     EXPECT_EQ(folder.names(), std::set<std::string>{"m.gnm"});
-}
-
-// A resumed build that is refused for lack of memory must not cost what was built before it was killed.
-TEST(Pipeline, AWorkplaceThatIsLeftCanBeTakenUpAgain) {
-    const TestFolder folder;
-    NoProgress progress;
-    WorkplaceOptions options{folder.file("m.gnm"), "", "the key", false, true};
-    {
-        Workplace place(options, progress);
-        place.scratch("bins")->append(std::vector<std::byte>(1000));
-        BinnedRecord record;
-        record.mostOfAChunk = {5, 7};
-        record.scratchEnd = 1000;
-        place.finish(record);
-        place.leave();
-    }
-    EXPECT_EQ(folder.names(), std::set<std::string>{"m.gnm.building"});
-    {
-        Workplace place(options, progress);
-        ASSERT_TRUE(place.ledger().binned());
-        EXPECT_EQ(place.ledger().binned()->mostOfAChunk.triangles, 5U);
-        EXPECT_EQ(place.ledger().binned()->mostOfAChunk.vertices, 7U);
-        EXPECT_EQ(place.scratch("bins", 1000)->end(), 1000U);
-    }
-    EXPECT_EQ(folder.names(), std::set<std::string>{});
 }
 
 TEST(Pipeline, AFailingWriteIsOneErrorAndTheOldOutputStays) {
@@ -384,18 +310,5 @@ TEST(Pipeline, CoordinatesWhoseSquaresNoDoubleHoldsAreRefused) {
 }
 
 // Of all sizes of chunks and all that is left over beside one: a chunk is always under way, and the share is kept.
-TEST(MemoryPlan, BordersAreSharedInAnyRoomThatHoldsAChunk) {
-    Random random(5);
-    for (int i = 0; i < 2000; ++i) {
-        const Bytes chunk = MemoryNeeds::borders({random.below(2'000'000), 1 + random.below(3'000'000)});
-        const Bytes room = {chunk.count + (random.below(4) == 0 ? 0 : random.below(3 * chunk.count))};
-        const std::size_t threads = 1 + random.below(16);
-        const BorderShare share = borderShare(room, chunk, threads);
-        ASSERT_GE(share.chunksAtOnce, 1U);
-        ASSERT_LE(share.chunksAtOnce, threads + 1);
-        ASSERT_LE(share.blocks.count + share.chunksAtOnce * chunk.count, room.count);
-    }
-}
-
 } // namespace
 } // namespace gnomon::pipeline

@@ -1,4 +1,4 @@
-#include "preprocess/scratch/journal.h"
+#include "preprocess/scratch/record_log.h"
 
 #include "hierarchy/file_layout.h"
 
@@ -18,29 +18,29 @@ Frame frameOf(std::span<const std::byte> record) {
 
 } // namespace
 
-Journal Journal::create(const std::string& path) {
-    return Journal(File(path, File::Mode::Create));
+RecordLog RecordLog::create(const std::string& path) {
+    return RecordLog(File(path, File::Mode::Create));
 }
 
-std::optional<Journal> Journal::reopen(const std::string& path) {
+std::optional<RecordLog> RecordLog::reopen(const std::string& path) {
     if (!std::filesystem::exists(path)) return {};
-    Journal journal(File(path, File::Mode::Update));
-    const std::uint64_t size = journal.file_.size();
-    while (size - journal.end_ >= sizeof(Frame)) {
+    RecordLog log(File(path, File::Mode::Update));
+    const std::uint64_t size = log.file_.size();
+    while (size - log.end_ >= sizeof(Frame)) {
         Frame frame{};
-        journal.file_.readAt(journal.end_, std::as_writable_bytes(std::span(frame)));
-        if (frame[0] > size - journal.end_ - sizeof(Frame)) break;
+        log.file_.readAt(log.end_, std::as_writable_bytes(std::span(frame)));
+        if (frame[0] > size - log.end_ - sizeof(Frame)) break;
         std::vector<std::byte> record(frame[0]);
-        journal.file_.readAt(journal.end_ + sizeof(Frame), record);
+        log.file_.readAt(log.end_ + sizeof(Frame), record);
         if (frameOf(record) != frame) break;
-        journal.end_ += sizeof(Frame) + record.size();
-        journal.records_.push_back(std::move(record));
+        log.end_ += sizeof(Frame) + record.size();
+        log.records_.push_back(std::move(record));
     }
-    journal.file_.resize(journal.end_);
-    return journal;
+    log.file_.resize(log.end_);
+    return log;
 }
 
-void Journal::append(std::span<const std::byte> record) {
+void RecordLog::append(std::span<const std::byte> record) {
     const Frame frame = frameOf(record);
     std::vector<std::byte> framed(sizeof(Frame) + record.size());
     std::memcpy(framed.data(), frame.data(), sizeof(Frame));

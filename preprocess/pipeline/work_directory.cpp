@@ -1,4 +1,4 @@
-#include "preprocess/pipeline/workplace.h"
+#include "preprocess/pipeline/work_directory.h"
 
 #include "core/error.h"
 #include "hierarchy/bytes.h"
@@ -26,7 +26,7 @@ std::span<const std::byte> bytesOf(const std::string& text) {
 }
 
 /// The same for the same output, so that a resumed build finds it.
-std::string folderFor(const WorkplaceOptions& options) {
+std::string folderFor(const WorkDirectoryOptions& options) {
     if (options.folder.empty()) return options.output + ".building";
     const fs::path output = fs::absolute(options.output).lexically_normal();
     const std::uint64_t place = hierarchy::checksum64(bytesOf(output.string()));
@@ -34,7 +34,7 @@ std::string folderFor(const WorkplaceOptions& options) {
         .string();
 }
 
-constexpr std::array kScratchNames{"bins", "borders", "pages", "remains"};
+constexpr std::array kScratchNames{"bins", "borders", "pages", "pending"};
 
 bool isAlive(const std::string& process) {
     return ::kill(static_cast<pid_t>(std::strtol(process.c_str(), nullptr, 10)), 0) == 0 || errno == EPERM;
@@ -89,7 +89,7 @@ std::string differenceOf(const std::string& expected, const std::string& found) 
 
 } // namespace
 
-Workplace::Names::~Names() {
+WorkDirectory::Names::~Names() {
     if (held_.empty()) return;
     const std::string folder = held_.front()->path();
     while (!held_.empty())
@@ -98,7 +98,7 @@ Workplace::Names::~Names() {
     if (onKept_ && fs::exists(folder, ignored)) onKept_(folder);
 }
 
-void Workplace::Names::make(const std::string& folder) {
+void WorkDirectory::Names::make(const std::string& folder) {
     std::error_code ignored; // what is missing then is told of below
     if (const fs::path above = fs::path(folder).parent_path(); !above.empty()) fs::create_directories(above, ignored);
     constexpr unsigned kOwnersOnly = 0700;
@@ -126,7 +126,7 @@ void Workplace::Names::make(const std::string& folder) {
             S_ISDIR(info.st_mode) ? "another user's" : "a file or a link");
 }
 
-void Workplace::Names::takeOver(const std::string& folder) {
+void WorkDirectory::Names::takeOver(const std::string& folder) {
     if (held_.size() > 1) return;
     const auto take = [this](const std::string& path) {
         held_.push_back(std::make_unique<TemporaryName>(path, [] { return true; }));
@@ -134,17 +134,18 @@ void Workplace::Names::takeOver(const std::string& folder) {
     if (held_.empty()) take(folder);
     for (const char* name : kScratchNames)
         take(folder + "/" + name);
-    for (const char* name : {"journal", "lock"})
+    for (const char* name : {"checkpoints", "lock"})
         take(folder + "/" + name);
 }
 
-void Workplace::Names::leave() {
+void WorkDirectory::Names::leave() {
     for (const auto& name : held_)
         name->keep([] { return true; });
     held_.clear();
 }
 
-Workplace::Workplace(const WorkplaceOptions& options, Progress& progress) : space_(progress), names_(options.onKept) {
+WorkDirectory::WorkDirectory(const WorkDirectoryOptions& options, Progress& progress)
+    : space_(progress), names_(options.onKept) {
     if (options.isInMemory) return;
     folder_ = folderFor(options);
     names_.make(folder_);
@@ -158,34 +159,35 @@ Workplace::Workplace(const WorkplaceOptions& options, Progress& progress) : spac
     names_.takeOver(folder_);
     for (const char* name : kScratchNames)
         remove(name);
-    journal_ = scratch::Journal::create(folder_ + "/journal");
-    journal_->append(bytesOf(options.key));
+    recordLog_ = scratch::RecordLog::create(folder_ + "/checkpoints");
+    recordLog_->append(bytesOf(options.key));
 }
 
-bool Workplace::hasResumed(const std::string& key) {
-    std::optional<scratch::Journal> found = scratch::Journal::reopen(folder_ + "/journal");
+bool WorkDirectory::hasResumed(const std::string& key) {
+    std::optional<scratch::RecordLog> found = scratch::RecordLog::reopen(folder_ + "/checkpoints");
     if (!found || found->records().empty()) return false;
     const std::vector<std::byte>& first = found->records().front();
     const std::string before(reinterpret_cast<const char*>(first.data()), first.size());
     if (before != key) throw Error(folder_, "cannot resume, input or options changed: " + differenceOf(key, before));
-    journal_ = std::move(found);
+    recordLog_ = std::move(found);
     try {
-        for (std::size_t i = 1; i < journal_->records().size(); ++i)
-            ledger_.addEncoded(journal_->records()[i]);
+        for (std::size_t i = 1; i < recordLog_->records().size(); ++i)
+            log_.addEncoded(recordLog_->records()[i]);
     } catch (const hierarchy::Damage& damage) {
-        throw Error(folder_ + "/journal", damage.what);
+        throw Error(folder_ + "/checkpoints", damage.what);
     }
     names_.takeOver(folder_);
     return true;
 }
 
-std::unique_ptr<scratch::ScratchFile> Workplace::scratch(const std::string& name, std::optional<std::uint64_t> keep) {
+std::unique_ptr<scratch::ScratchFile> WorkDirectory::scratch(
+    const std::string& name, std::optional<std::uint64_t> keep) {
     if (folder_.empty()) return scratch::scratchInMemory(space_);
     const std::string path = folder_ + "/" + name;
     return keep ? scratch::reopenedScratch(path, *keep, space_) : scratch::scratchOnDisk(path, space_);
 }
 
-void Workplace::remove(const std::string& name) {
+void WorkDirectory::remove(const std::string& name) {
     if (folder_.empty()) return;
     std::error_code ignored;
     fs::remove(folder_ + "/" + name, ignored);

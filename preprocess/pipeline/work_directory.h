@@ -1,9 +1,9 @@
-// Where a build keeps what it has half done: a folder of scratch files and a journal, or memory alone.
+// The work directory of a build: a folder of scratch files and a checkpoint log, or memory alone.
 #pragma once
 
 #include "core/temporary_name.h"
-#include "preprocess/pipeline/ledger.h"
-#include "preprocess/scratch/journal.h"
+#include "preprocess/pipeline/checkpoint_log.h"
+#include "preprocess/scratch/record_log.h"
 #include "preprocess/scratch/scratch_file.h"
 
 #include <functional>
@@ -14,7 +14,7 @@
 
 namespace gnomon::pipeline {
 
-struct WorkplaceOptions {
+struct WorkDirectoryOptions {
     std::string output;      // whose model is built
     std::string folder;      // for temporary files; empty: beside the output
     std::string key;         // what is built from what, as "name value, name value": a resumed build must have the same
@@ -26,24 +26,24 @@ struct WorkplaceOptions {
 /// What builds write is removed with the object, unless the process is killed, and nothing else. Only one process at a
 /// time can work for one output in one folder; of several with folders of their own, each puts a whole model in the
 /// output's place.
-class Workplace {
+class WorkDirectory {
 public:
     /// Throws Error where another process is at work, where the folder is another user's or a link, or if a resumed
     /// build has another key, naming the entries that differ; then nothing is touched.
-    Workplace(const WorkplaceOptions& options, Progress& progress);
-    ~Workplace() = default;
-    Workplace(const Workplace&) = delete;
-    Workplace& operator=(const Workplace&) = delete;
-    Workplace(Workplace&&) = delete;
-    Workplace& operator=(Workplace&&) = delete;
+    WorkDirectory(const WorkDirectoryOptions& options, Progress& progress);
+    ~WorkDirectory() = default;
+    WorkDirectory(const WorkDirectory&) = delete;
+    WorkDirectory& operator=(const WorkDirectory&) = delete;
+    WorkDirectory(WorkDirectory&&) = delete;
+    WorkDirectory& operator=(WorkDirectory&&) = delete;
 
-    const Ledger& ledger() const { return ledger_; }
+    const CheckpointLog& log() const { return log_; }
 
-    void beginRound(std::uint32_t round) { ledger_.beginRound(round); }
+    void beginRound(std::uint32_t round) { log_.beginRound(round); }
 
     scratch::TemporarySpace& space() { return space_; }
 
-    /// A scratch file, "bins", "borders", "pages" or "remains": new, or cut after its first `keep` bytes.
+    /// A scratch file, "bins", "borders", "pages" or "pending": new, or cut after its first `keep` bytes.
     std::unique_ptr<scratch::ScratchFile> scratch(const std::string& name, std::optional<std::uint64_t> keep = {});
 
     /// Lets everything stay where it is when the object goes, for another process to go on with.
@@ -52,11 +52,11 @@ public:
     /// Gives all the space of a scratch file back, which must be closed.
     void remove(const std::string& name);
 
-    /// Enters `record` into the ledger; what it tells of must have been written.
+    /// Adds `record` to the checkpoint log; what it tells of must have been written.
     template <class Record>
     void finish(Record record) {
-        if (journal_) journal_->append(encoded(record));
-        ledger_.add(std::move(record));
+        if (recordLog_) recordLog_->append(encoded(record));
+        log_.add(std::move(record));
     }
 
 private:
@@ -84,14 +84,14 @@ private:
         std::vector<std::unique_ptr<TemporaryName>> held_; // the folder first
     };
 
-    /// Goes on with the journal that is there; whether there is one. Throws Error if it is of another build.
+    /// Resumes from the checkpoint log that is there; whether there is one. Throws Error if it is of another build.
     bool hasResumed(const std::string& key);
 
     scratch::TemporarySpace space_;
     std::string folder_; // empty: in memory
     std::optional<File> lock_;
-    std::optional<scratch::Journal> journal_;
-    Ledger ledger_;
+    std::optional<scratch::RecordLog> recordLog_;
+    CheckpointLog log_;
     Names names_; // last, so that all is removed before the lock is free
 };
 

@@ -1,4 +1,4 @@
-// What a build has finished so far, and the records from which another process can take it up.
+// The checkpoint log: what a build has finished so far, and the records from which another process can resume it.
 #pragma once
 
 #include "hierarchy/model.h"
@@ -13,7 +13,7 @@
 namespace gnomon::pipeline {
 
 /// Counts up when the records change: a build can go on only with those of its own kind.
-constexpr int kJournalVersion = 2;
+constexpr int kCheckpointVersion = 2;
 
 /// The source is in chunks.
 struct BinnedRecord {
@@ -23,7 +23,7 @@ struct BinnedRecord {
     std::uint64_t vertices = 0;
     std::uint64_t notAPolygon = 0;
     std::uint32_t chunkCount = 0;
-    chunk::PartSize mostOfAChunk;
+    chunk::PartSize largestChunk;
     std::uint64_t scratchEnd = 0;
     std::vector<std::byte> directory; // of the store
 };
@@ -44,10 +44,10 @@ struct NodeRecord {
     std::uint32_t round = 0;
     std::uint32_t firstLevel = 0;
     std::vector<LevelOfNode> levels;
-    std::uint64_t remainsOffset = 0;
-    std::uint64_t remainsBytes = 0;
-    std::uint64_t remainingVertices = 0;
-    std::uint64_t remainingTriangles = 0;
+    std::uint64_t pendingOffset = 0;
+    std::uint64_t pendingBytes = 0;
+    std::uint64_t pendingVertices = 0;
+    std::uint64_t pendingTriangles = 0;
     std::uint64_t rootTriangles = 0;
     std::uint64_t stuckTriangles = 0;
     std::array<std::uint64_t, 3> dropped{}; // degenerate, doubled, collapsed by the grid
@@ -56,7 +56,7 @@ struct NodeRecord {
 };
 
 /// All of a build's records. The first is a text that says what is built from what.
-class Ledger {
+class CheckpointLog {
 public:
     const std::optional<BinnedRecord>& binned() const { return binned_; }
 

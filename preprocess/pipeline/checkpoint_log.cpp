@@ -1,4 +1,4 @@
-#include "preprocess/pipeline/ledger.h"
+#include "preprocess/pipeline/checkpoint_log.h"
 
 #include "core/check.h"
 #include "hierarchy/bytes.h"
@@ -108,8 +108,8 @@ void binnedFields(Fields& fields, Record& record) {
     fields.field(record.vertices);
     fields.field(record.notAPolygon);
     fields.field(record.chunkCount);
-    fields.field(record.mostOfAChunk.triangles);
-    fields.field(record.mostOfAChunk.vertices);
+    fields.field(record.largestChunk.triangles);
+    fields.field(record.largestChunk.vertices);
     fields.field(record.scratchEnd);
     fields.bytes(record.directory);
 }
@@ -134,10 +134,10 @@ void nodeFields(Fields& fields, Record& record) {
         for (auto& page : level.pages)
             pageFields(fields, page);
     }
-    fields.field(record.remainsOffset);
-    fields.field(record.remainsBytes);
-    fields.field(record.remainingVertices);
-    fields.field(record.remainingTriangles);
+    fields.field(record.pendingOffset);
+    fields.field(record.pendingBytes);
+    fields.field(record.pendingVertices);
+    fields.field(record.pendingTriangles);
     fields.field(record.rootTriangles);
     fields.field(record.stuckTriangles);
     for (auto& count : record.dropped)
@@ -155,19 +155,19 @@ std::vector<std::byte> ended(ByteWriter& out, Kind kind) {
 
 } // namespace
 
-const std::vector<NodeRecord>& Ledger::nodes(std::uint32_t round) const {
+const std::vector<NodeRecord>& CheckpointLog::nodes(std::uint32_t round) const {
     static const std::vector<NodeRecord> none;
     return round < rounds_.size() ? rounds_[round] : none;
 }
 
-void Ledger::beginRound(std::uint32_t round) {
+void CheckpointLog::beginRound(std::uint32_t round) {
     GNOMON_CHECK_OP(round, <=, rounds_.size());
     if (round < rounds_.size()) return;
     rounds_.emplace_back();
     firstPages_.emplace_back();
 }
 
-void Ledger::add(NodeRecord record) {
+void CheckpointLog::add(NodeRecord record) {
     beginRound(record.round);
     const std::size_t end = record.firstLevel + record.levels.size();
     if (pageCounts_.size() < end) pageCounts_.resize(end, 0);
@@ -179,7 +179,7 @@ void Ledger::add(NodeRecord record) {
     rounds_[record.round].push_back(std::move(record));
 }
 
-void Ledger::addEncoded(std::span<const std::byte> record) {
+void CheckpointLog::addEncoded(std::span<const std::byte> record) {
     if (record.empty()) throw hierarchy::Damage{"an empty record"};
     ByteReader in(record.first(record.size() - 1));
     Taker fields{in};

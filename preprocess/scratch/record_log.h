@@ -1,4 +1,4 @@
-// What long work has finished, record after record, in a file that may end anywhere when the process is killed.
+// A log of checksummed records, appended to by long work: its file may end anywhere when the process is killed.
 #pragma once
 
 #include "core/file.h"
@@ -11,13 +11,13 @@
 namespace gnomon::scratch {
 
 /// An append-only file of records, each with its length and checksum. A record counts once it is whole.
-class Journal {
+class RecordLog {
 public:
-    /// An empty journal at `path`.
-    static Journal create(const std::string& path);
+    /// An empty log at `path`.
+    static RecordLog create(const std::string& path);
 
-    /// The journal that an earlier process left at `path`, cut after its last whole record; nothing if there is none.
-    static std::optional<Journal> reopen(const std::string& path);
+    /// The log that an earlier process left at `path`, cut after its last whole record; nothing if there is none.
+    static std::optional<RecordLog> reopen(const std::string& path);
 
     /// The records that `reopen` found, in order.
     const std::vector<std::vector<std::byte>>& records() const { return records_; }
@@ -27,7 +27,7 @@ public:
     std::uint64_t bytes() const { return end_; }
 
 private:
-    explicit Journal(File file) : file_(std::move(file)) {}
+    explicit RecordLog(File file) : file_(std::move(file)) {}
 
     File file_;
     std::uint64_t end_ = 0;

@@ -1,0 +1,35 @@
+// What a build is asked for.
+#pragma once
+
+#include "core/units.h"
+#include "preprocess/levels/level.h"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace gnomon::pipeline {
+
+/// The most triangles of a chunk, unless told otherwise: a constant of the format, since it shapes the model's bytes.
+/// Borders between chunks stay fine until the chunks meet, so the larger the fewer triangles a view has; two at a time
+/// still fit well into the memory of an ordinary machine.
+constexpr std::uint32_t kChunkTriangles = 1U << 20U;
+
+struct BuildOptions {
+    std::string output;
+    Bytes memory = gibibytes(2); // the peak resident size of the process
+    levels::LevelOptions level;
+    std::uint32_t chunkTriangles = kChunkTriangles;
+    std::optional<double> maxStuckPercent;
+    int threads = 0;             // 0: all
+    std::string temporaryFolder; // for temporary files; empty: beside the output
+    bool isInMemory = false;     // temporary files in memory
+    bool isResumed = false;      // go on with what a killed build left, if anything
+    std::string inputKey;        // what tells this input from others, for a build that resumes (fingerprint.h)
+
+    /// Told the folder of temporary files if it stays, for what no build has written into it.
+    std::function<void(const std::string&)> onKeptFolder = {};
+};
+
+} // namespace gnomon::pipeline

@@ -2,18 +2,15 @@
 #include "culling/receivers.h"
 #include "culling/survey.h"
 #include "culling/triangle_clip.h"
-#include "model_views.h"
+#include "seen_scene.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace gnomon::culling {
 namespace {
-
-using tests::sharedModel;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
@@ -22,52 +19,6 @@ double missingError(const selection::CutQuery& query, const hierarchy::Page& pag
     const hierarchy::Refinement& finer = page.refinements[cluster.refinement];
     return query.rule->pixels(finer.bounds, finer.error) > query.errorPixels ? finer.error : 0;
 }
-
-std::array<glm::dvec3, 3> cornersOf(
-    const hierarchy::Grid& grid,
-    const hierarchy::Page& page,
-    const hierarchy::Cluster& cluster,
-    const hierarchy::Triangle& triangle) {
-    const auto corner = [&](std::size_t i) {
-        return grid.local(page.vertices[cluster.firstVertex + triangle[i]].position);
-    };
-    return {corner(0), corner(1), corner(2)};
-}
-
-/// Calls `visit` with the corners of every triangle of `list`, and what its cluster may be off by.
-template <class Visit>
-void forEveryTriangle(const selection::CutQuery& query, const selection::DrawList& list, const Visit& visit) {
-    const hierarchy::Grid& grid = query.trees->grid();
-    for (const selection::ClusterRange& range : list.ranges) {
-        const hierarchy::Page& page = *query.resident[range.page];
-        for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c) {
-            const hierarchy::Cluster& cluster = page.clusters[c];
-            const double margin = missingError(query, page, cluster);
-            for (std::uint32_t t = 0; t < cluster.triangleCount; ++t)
-                visit(cornersOf(grid, page, cluster, page.triangles[cluster.firstTriangle + t]), margin);
-        }
-    }
-}
-
-/// A random view of the shared model and its cut.
-struct Seen {
-    explicit Seen(Random& random)
-        : view(tests::randomView(random, sharedModel().bounds)),
-          rule(view),
-          volumes{selection::viewPyramid(view)},
-          resident(tests::randomResidency(random, sharedModel())),
-          errorPixels(std::exp(random.uniform(-4, 2))),
-          cut(selection::cut(query())) {}
-
-    selection::CutQuery query() const { return {&sharedModel().trees, resident, &rule, errorPixels, volumes}; }
-
-    selection::DetailView view;
-    selection::ErrorRule rule;
-    std::vector<ConvexVolume> volumes;
-    std::vector<const hierarchy::Page*> resident;
-    double errorPixels;
-    selection::Cut cut;
-};
 
 TEST(Receivers, DepthRangeIsThatOfAllTriangles) {
     Random random(61);
@@ -79,13 +30,15 @@ TEST(Receivers, DepthRangeIsThatOfAllTriangles) {
         TriangleClipper clipper(scene.volumes[0]);
         double least = kInfinite;
         double greatest = -kInfinite;
-        forEveryTriangle(scene.query(), scene.cut.lists[0], [&](const auto& corners, double margin) {
-            for (const glm::dvec3& point : clipper.clipped(corners)) {
-                const double depth = std::max(0.0, glm::dot(scene.view.basis.view, point - scene.view.eye));
-                least = std::min(least, std::max(0.0, depth - margin));
-                greatest = std::max(greatest, depth + margin);
-            }
-        });
+        forEveryTriangle(
+            scene.query(), scene.cut.lists[0], [&](const auto& corners, const auto& page, const auto& cluster) {
+                const double margin = missingError(scene.query(), page, cluster);
+                for (const glm::dvec3& point : clipper.clipped(corners)) {
+                    const double depth = std::max(0.0, glm::dot(scene.view.basis.view, point - scene.view.eye));
+                    least = std::min(least, std::max(0.0, depth - margin));
+                    greatest = std::max(greatest, depth + margin);
+                }
+            });
         const std::optional<DepthRange> range = visibleDepthRange(scene.query(), scene.cut.lists[0]);
         ASSERT_EQ(range.has_value(), least != kInfinite);
         if (!range) continue;
@@ -126,7 +79,7 @@ TEST(Receivers, SeenPartsHoldAllThatIsSeenAtItsDepth) {
         }
         whole += all.extent().x * all.extent().y * all.extent().z;
         TriangleClipper clipper(scene.volumes[0]);
-        forEveryTriangle(scene.query(), scene.cut.lists[0], [&](const auto& corners, double /*margin*/) {
+        forEveryTriangle(scene.query(), scene.cut.lists[0], [&](const auto& corners, const auto&, const auto&) {
             for (const glm::dvec3& corner : clipper.clipped(corners)) {
                 const glm::dvec3 point = corner - scene.view.eye;
                 const double depth = glm::dot(scene.view.basis.view, point);
@@ -155,7 +108,7 @@ TEST(Receivers, AVolumeReceivesWhereATriangleIs) {
             both.planes.insert(both.planes.end(), scene.volumes[0].planes.begin(), scene.volumes[0].planes.end());
             TriangleClipper clipper(both);
             bool expected = false;
-            forEveryTriangle(scene.query(), scene.cut.lists[0], [&](const auto& corners, double) {
+            forEveryTriangle(scene.query(), scene.cut.lists[0], [&](const auto& corners, const auto&, const auto&) {
                 expected = expected || !clipper.clipped(corners).empty();
             });
             EXPECT_EQ(found[v], expected);

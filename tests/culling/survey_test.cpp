@@ -1,0 +1,163 @@
+// What light could reach and where casters are, against every triangle and every cluster looked at.
+#include "culling/survey.h"
+#include "culling/triangle_clip.h"
+#include "seen_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace gnomon::culling {
+namespace {
+
+using tests::sharedModel;
+
+glm::dvec3 randomLight(Random& random) {
+    return glm::normalize(
+        glm::dvec3(random.uniform(-1, 1), random.uniform(-0.2, 1), random.uniform(-1, 1)) + glm::dvec3(1e-9));
+}
+
+/// The depths of every lit triangle that is seen, each with whether casters reach above its plane.
+struct LitTriangle {
+    DepthSpan depths;
+    bool canBeShadowed = false;
+};
+
+std::vector<LitTriangle> litTriangles(const Seen& scene, const glm::dvec3& towardsLight, const Box& casters) {
+    std::vector<LitTriangle> found;
+    TriangleClipper clipper(scene.volumes[0]);
+    const double step = sharedModel().trees.grid().step();
+    forEveryTriangle(scene.query(), scene.cut.lists[0], [&](const auto& corners, const auto&, const auto&) {
+        glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+        if (glm::dot(normal, scene.view.eye - corners[0]) < 0) normal = -normal; // the seen side
+        if (!(glm::dot(normal, towardsLight) > 0)) return;
+        LitTriangle lit{{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()}, false};
+        for (const glm::dvec3& point : clipper.clipped(corners)) {
+            const double depth = glm::dot(scene.view.basis.view, point - scene.view.eye);
+            lit.depths = {std::min(lit.depths.near, depth), std::max(lit.depths.far, depth)};
+        }
+        if (lit.depths.near > lit.depths.far) return;
+        for (int corner = 0; corner < 8 && !casters.isEmpty(); ++corner) {
+            const glm::dvec3 p(
+                corner % 2 == 0 ? casters.min.x : casters.max.x,
+                corner / 2 % 2 == 0 ? casters.min.y : casters.max.y,
+                corner / 4 == 0 ? casters.min.z : casters.max.z);
+            lit.canBeShadowed = lit.canBeShadowed || glm::dot(glm::normalize(normal), p - corners[0]) > step;
+        }
+        found.push_back(lit);
+    });
+    return found;
+}
+
+bool isWithin(const std::vector<DepthSpan>& spans, double depth) {
+    return std::any_of(spans.begin(), spans.end(), [&](const DepthSpan& span) {
+        return depth >= span.near * (1 - 1e-12) && depth <= span.far * (1 + 1e-12);
+    });
+}
+
+const double kStep = std::exp2(1.0 / kSpansPerOctave);
+
+TEST(LitSurfaces, SpansHoldWhatIsLitAndReachOneStepFurtherAtMost) {
+    Random random(71);
+    int lit = 0;
+    int shadowed = 0;
+    for (int trial = 0; trial < 80; ++trial) {
+        const Seen scene(random);
+        const glm::dvec3 light = randomLight(random);
+        const Box casters = trial % 5 == 0 ? Box{} : sharedModel().bounds;
+        const DepthSpan depths{random.uniform(0.01, 1), random.uniform(20, 400)};
+        const LitSurfaces found = litSurfaces(scene.query(), scene.cut.lists[0], light, casters, depths);
+        const std::vector<LitTriangle> expected = litTriangles(scene, light, casters);
+        bool canBeShadowed = false;
+        for (const LitTriangle& triangle : expected) {
+            canBeShadowed = canBeShadowed || triangle.canBeShadowed;
+            EXPECT_TRUE(isWithin(found.spans, std::clamp(triangle.depths.near, depths.near, depths.far)));
+            EXPECT_TRUE(isWithin(found.spans, std::clamp(triangle.depths.far, depths.near, depths.far)));
+        }
+        for (std::size_t i = 0; i < found.spans.size(); ++i) {
+            const DepthSpan& span = found.spans[i];
+            EXPECT_LT(span.near, span.far);
+            EXPECT_GE(span.near, depths.near);
+            EXPECT_LE(span.far, depths.far);
+            if (i > 0) {
+                EXPECT_GT(span.near, found.spans[i - 1].far) << "apart and in order";
+            }
+            const auto reaches = [&](double from, double to) {
+                return std::any_of(expected.begin(), expected.end(), [&](const LitTriangle& triangle) {
+                    return std::max(triangle.depths.near, depths.near) <= to &&
+                           std::min(triangle.depths.far, depths.far) >= from;
+                });
+            };
+            EXPECT_TRUE(reaches(span.near / (1 + 1e-9), span.near * kStep * (1 + 1e-9))) << "one step at most too far";
+            EXPECT_TRUE(reaches(span.far / kStep / (1 + 1e-9), span.far * (1 + 1e-9)));
+        }
+        EXPECT_EQ(found.canBeShadowed, canBeShadowed);
+        lit += expected.empty() ? 0 : 1;
+        shadowed += canBeShadowed ? 1 : 0;
+    }
+    EXPECT_GT(lit, 30);
+    EXPECT_GT(shadowed, 20);
+    EXPECT_LT(shadowed, lit);
+}
+
+TEST(SeenParts, StepsAreSixteenAnOctaveAndLieInTheRange) {
+    Random random(73);
+    for (int trial = 0; trial < 30; ++trial) {
+        const Seen scene(random);
+        const DepthSpan depths{random.uniform(0.01, 1), random.uniform(20, 400)};
+        const std::vector<shadow::SeenPart> parts = seenParts(scene.query(), scene.cut.lists[0], depths);
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            const DepthSpan& span = parts[i].depths;
+            EXPECT_GE(span.near, depths.near * (1 - 1e-12));
+            EXPECT_LE(span.far, depths.far * (1 + 1e-12));
+            const double step = std::log2(span.near / depths.near) * kSpansPerOctave;
+            EXPECT_NEAR(step, std::round(step), 1e-9) << "whole steps from the nearest";
+            EXPECT_LE(span.far, span.near * kStep * (1 + 1e-12));
+            if (i > 0) {
+                EXPECT_GE(span.near, parts[i - 1].depths.far * (1 - 1e-12));
+            }
+            EXPECT_FALSE(parts[i].box.isEmpty());
+        }
+    }
+}
+
+/// The box of a cluster with what any refinement may move it by.
+Box grown(const hierarchy::Page& page, const hierarchy::Cluster& cluster) {
+    const Box box = sharedModel().trees.grid().local(cluster.box);
+    const double margin = cluster.refinement == hierarchy::kNone ? 0 : page.refinements[cluster.refinement].error;
+    return {box.min - margin, box.max + margin};
+}
+
+TEST(CasterBlocks, AreRunsOfSixteenClustersInTheListsOrder) {
+    Random random(74);
+    for (int trial = 0; trial < 30; ++trial) {
+        const Seen scene(random);
+        const selection::DrawList& list = scene.cut.lists[0];
+        const std::vector<CasterBlock> blocks = casterBlocks(scene.query(), list);
+        std::size_t next = 0;
+        std::uint64_t triangles = 0;
+        for (const selection::ClusterRange& range : list.ranges) {
+            const hierarchy::Page& page = *scene.resident[range.page];
+            for (std::uint32_t first = 0; first < range.clusterCount; first += kClustersPerBlock) {
+                const std::uint32_t count = std::min(kClustersPerBlock, range.clusterCount - first);
+                CasterBlock expected;
+                for (std::uint32_t i = 0; i < count; ++i) {
+                    const hierarchy::Cluster& cluster = page.clusters[range.firstCluster + first + i];
+                    expected.box.add(grown(page, cluster));
+                    expected.triangles += cluster.triangleCount;
+                }
+                ASSERT_LT(next, blocks.size());
+                EXPECT_EQ(blocks[next].box.min, expected.box.min);
+                EXPECT_EQ(blocks[next].box.max, expected.box.max);
+                EXPECT_EQ(blocks[next].triangles, expected.triangles);
+                triangles += blocks[next++].triangles;
+            }
+        }
+        EXPECT_EQ(next, blocks.size());
+        EXPECT_EQ(triangles, list.triangles) << "every triangle is in one block";
+    }
+}
+
+} // namespace
+} // namespace gnomon::culling

@@ -61,8 +61,8 @@ private:
         options.scheme.slices = 4;
         volumes_.push_back(selection::viewPyramid(view_));
         const shadow::ShadowMapSetup setup = shadow::shadowMapSetup(view, options);
-        for (const shadow::ShadowMapPartition& map : setup.maps) {
-            casters_.push_back(culling::casterDetail(view_, map, setup.gutter));
+        for (const shadow::ShadowMap& map : setup.maps) {
+            casters_.push_back(culling::casterDetail(view_, map));
             volumes_.push_back(casters_.back().casters);
         }
     }

@@ -58,8 +58,8 @@ double depthAt(const Corners& corners, const glm::dvec2& at) {
 class Judge {
 public:
     Judge(const FrameDrawing& frame, const plan::ShadowPass& pass, std::vector<DisputedTexel>& texels)
-        : map_(mapDrawing(frame, pass)), clip_(glm::mat4(map_.clipFromDraw)), texels_(&texels) {
-        const plan::Rectangle& r = pass.rectangle;
+        : map_(mapDrawing(frame, pass.map)), clip_(map_.clipFromDraw()), texels_(&texels) {
+        const shadow::TexelRectangle& r = pass.map.rectangle;
         for (const DisputedTexel& texel : texels)
             places_.emplace_back(2 * (texel.x + 0.5 - r.x) / r.width - 1, 2 * (texel.y + 0.5 - r.y) / r.height - 1);
         constexpr double kReach = 1.5 / 256;

@@ -66,7 +66,7 @@ struct Findings {
 std::vector<DisputedTexel> disputed(
     const plan::ShadowPass& pass, const FloatPicture& ours, const FloatPicture& theirs) {
     std::vector<DisputedTexel> result;
-    const plan::Rectangle& r = pass.rectangle;
+    const shadow::TexelRectangle& r = pass.map.rectangle;
     for (int y = r.y; y < r.y + r.height; ++y)
         for (int x = r.x; x < r.x + r.width; ++x) {
             const float a = ours.at(x, y);

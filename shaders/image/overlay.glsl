@@ -17,13 +17,13 @@ vec3 heat(float value) {
 
 // The larger of the perspective aliasing along the map's two axes: width of a texel's light beam over a pixel's.
 float aliasing(Partition part, vec3 position, float depth) {
-    vec4 q = part.texelFromDraw * vec4(position, 1.0);
-    vec4 dx = part.texelFromDraw * vec4(part.axisX.xyz, 0.0);
-    vec4 dz = part.texelFromDraw * vec4(part.axisZ.xyz, 0.0);
-    vec2 perX = abs(dx.xy * q.w - q.xy * dx.w);
-    vec2 perZ = abs(dz.xy * q.w - q.xy * dz.w);
+    vec4 clip = clipOf(part, position);
+    vec4 dx = part.clipFromOffset * vec4(part.axisX.xyz, 0.0);
+    vec4 dz = part.clipFromOffset * vec4(part.axisZ.xyz, 0.0);
+    vec2 perX = abs(dx.xy * clip.w - clip.xy * dx.w) * part.texel.xy;
+    vec2 perZ = abs(dz.xy * clip.w - clip.xy * dz.w) * part.texel.xy;
     // A map may lie on its side: x moves along s alone, and z is measured along the other axis.
-    float texels = min(max(perX.x, perX.y), perX.y > perX.x ? perZ.x : perZ.y) / (q.w * q.w);
+    float texels = min(max(perX.x, perX.y), perX.y > perX.x ? perZ.x : perZ.y) / (clip.w * clip.w);
     return 1.0 / (max(texels, 1e-30) * image.w * depth);
 }
 
@@ -34,8 +34,7 @@ float projection(vec3 position, vec3 normal) {
 
 // 1 on the lines of a grid five texels apart, antialiased where a texel is smaller than a pixel.
 float texelGrid(Partition part, vec3 position) {
-    vec4 q = part.texelFromDraw * vec4(position, 1.0);
-    vec2 at = (q.xy / q.w - part.rectangle.xy) / 5.0;
+    vec2 at = (texelOf(part, clipOf(part, position)) - part.rectangle.xy) / 5.0;
     vec2 wide = max(fwidth(at), vec2(1e-6));
     vec2 line = 1.0 - smoothstep(vec2(0.5), vec2(1.5), abs(fract(at - 0.5) - 0.5) / wide);
     vec2 density = clamp(1.5 - 3.0 * wide, 0.0, 1.0); // a grid finer than pixels fades instead of crawling

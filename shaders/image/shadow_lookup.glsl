@@ -25,28 +25,36 @@ int partitionOf(vec3 p, float z) {
     return passOfPartition[index / 4][index % 4];
 }
 
+vec4 clipOf(Partition part, vec3 p) {
+    return part.clipFromOffset * vec4(p - part.origin.xyz, 1.0);
+}
+
+vec2 texelOf(Partition part, vec4 clip) {
+    return clip.xy / clip.w * part.texel.xy + part.texel.zw;
+}
+
 // How far the receiver's plane, and a neighbour somewhat steeper, may change in depth over half a texel and the kernel,
-// in both directions (shadow::DepthBias). `plane` holds the points x with dot(plane, (x, 1)) = 0; `w` is the point's.
+// in both directions (shadow::receiverBias). `plane` holds the offsets x with dot(plane, (x, 1)) = 0; `w` is the point's.
 float receiverBias(Partition part, vec4 plane, float cosine, float w) {
-    vec4 inTexels = plane * part.drawFromTexel;
-    float reach = 0.5 + 0.5 * float(max(counts.y, 1) - 1) + 1.0 / 256.0;
-    float slope = (abs(inTexels.x) + abs(inTexels.y)) / max(abs(inTexels.z), 1e-30);
+    float across = max(abs(dot(plane, part.byDepth)), 1e-30);
+    float slope = (abs(dot(plane, part.byColumn)) + abs(dot(plane, part.byRow))) / across;
     slope *= min(1.0, cosine / 0.1); // grazing receivers would ask for any bias
     float uneven = length(vec2(part.axisX.w, part.axisZ.w * w));
-    return (slope + uneven) * reach + 6e-7;
+    return (slope + uneven) * part.origin.w + 6e-7;
 }
 
 // The lit fraction of `p` (draw space) on a receiver with flat normal `normal` and cosine `cosine` to the light.
 float litFraction(int index, vec3 p, vec3 normal, float cosine) {
     if (index < 0) return 1.0;
     Partition part = partitions[index];
-    vec4 q = part.texelFromDraw * vec4(p, 1.0);
-    vec3 texel = q.xyz / q.w;
-    float depth = texel.z - receiverBias(part, vec4(normal, -dot(normal, p)), cosine, q.w);
+    vec4 clip = clipOf(part, p);
+    vec2 texel = texelOf(part, clip);
+    vec4 plane = vec4(normal, -dot(normal, p - part.origin.xyz));
+    float depth = clip.z / clip.w - receiverBias(part, plane, cosine, clip.w);
     int width = max(counts.y, 1);
     ivec2 lowest = ivec2(part.rectangle.xy);
     ivec2 highest = ivec2(part.rectangle.zw) - 1;
-    ivec2 first = ivec2(floor(texel.xy - 0.5 * float(width - 1)));
+    ivec2 first = ivec2(floor(texel - 0.5 * float(width - 1)));
     float lit = 0.0;
     for (int y = 0; y < width; ++y)
         for (int x = 0; x < width; ++x) {

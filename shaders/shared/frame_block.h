@@ -28,13 +28,17 @@ GNOMON_BLOCK(0, Frame) {
                   // its own
 };
 
+// shadow::MapImage in single precision, for positions in draw space.
 struct Partition {
-    mat4 texelFromDraw; // (column w, row w, depth w, w) in texels of the whole depth texture
-    mat4 drawFromTexel; // its inverse, for planes
-    vec4 axisX;         // xyz: the light frame's x in draw space; w: what unevenness changes in depth over a
-                        // texel along x
-    vec4 axisZ;         // and its z; w: the same along z, where the map's w is 1
-    vec4 rectangle;     // the partition's texels, gutters included: first column, first row, one past the last
+    mat4 clipFromOffset; // position - origin -> (x, y, depth, 1) w, x and y in [-1, 1] over `rectangle`
+    vec4 origin;         // xyz: of the offsets; w: the reach of a lookup in texels
+    vec4 texel;          // (column, row) of the whole depth texture = clip.xy / clip.w * texel.xy + texel.zw
+    vec4 byColumn;       // products with the receiver's plane: its depth changes by byColumn / byDepth a column
+    vec4 byRow;
+    vec4 byDepth;
+    vec4 axisX;     // xyz: the light frame's x in draw space; w: what unevenness changes in depth over a texel along x
+    vec4 axisZ;     // and its z; w: the same along z, where the map's w is 1
+    vec4 rectangle; // the partition's texels, gutters included: first column, first row, one past the last
 };
 
 GNOMON_BLOCK(1, Shadows) {

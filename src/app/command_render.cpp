@@ -53,12 +53,13 @@ const std::map<std::string, executor::Overlay>& overlays() {
 void writeShadowMaps(const std::string& folder, const frame::Frame& frame, executor::Executor& executor) {
     const executor::FloatPicture all = executor.shadowDepth();
     for (const plan::ShadowPass& pass : frame.plan.passes) {
-        const plan::Rectangle& r = pass.rectangle;
+        const shadow::Region& region = pass.map.region;
+        const shadow::TexelRectangle& r = pass.map.rectangle;
         executor::FloatPicture map(r.width, r.height);
         for (int y = 0; y < r.height; ++y)
             for (int x = 0; x < r.width; ++x)
                 map.at(x, r.height - 1 - y) = all.at(r.x + x, r.y + y);
-        const std::string name = "slice" + std::to_string(pass.slice) + "_" + shadow::name(pass.face) + ".pfm";
+        const std::string name = "slice" + std::to_string(region.slice) + "_" + shadow::name(region.face) + ".pfm";
         executor::writePfm((std::filesystem::path(folder) / name).string(), map);
     }
 }

@@ -24,13 +24,12 @@ glm::dmat4 cameraFromWorld(const plan::FramePlan& plan) {
         glm::dvec4(0, 0, 0, 1)));
 }
 
-/// Texels of the whole texture and depth in [0, 1] -> clip space with the pass's rectangle as viewport.
-glm::dmat4 clipFromTexel(const plan::Rectangle& r) {
-    return glm::transpose(glm::dmat4(
-        glm::dvec4(2.0 / r.width, 0, 0, -1 - 2.0 * r.x / r.width),
-        glm::dvec4(0, 2.0 / r.height, 0, -1 - 2.0 * r.y / r.height),
-        glm::dvec4(0, 0, 2, -1),
-        glm::dvec4(0, 0, 0, 1)));
+/// Depth in [0, 1] of the image's clip space -> [-1, 1], as GL has it.
+glm::dmat4 glClipFromLightClip() {
+    glm::dmat4 clip(1);
+    clip[2].z = 2;
+    clip[3].z = -1;
+    return clip;
 }
 
 ordered_json matrixJson(const glm::dmat4& matrix) {
@@ -52,19 +51,21 @@ ordered_json planesJson(const plan::FramePlan& plan, const ConvexVolume& volume)
 }
 
 ordered_json passJson(const plan::FramePlan& plan, const plan::ShadowPass& pass) {
-    const plan::Rectangle& r = pass.rectangle;
+    const shadow::ShadowMap& map = pass.map;
+    const shadow::TexelRectangle& r = map.rectangle;
     ordered_json json;
     json["kind"] = "shadow_map";
-    json["slice"] = pass.slice;
-    json["face"] = shadow::name(pass.face);
-    json["near"] = pass.near;
-    json["far"] = pass.far;
-    json["light_clip_from_world"] = matrixJson(clipFromTexel(r) * pass.texelFromCamera * cameraFromWorld(plan));
+    json["slice"] = map.region.slice;
+    json["face"] = shadow::name(map.region.face);
+    json["near"] = map.region.frustum.near;
+    json["far"] = map.region.frustum.far;
+    json["light_clip_from_world"] =
+        matrixJson(glClipFromLightClip() * map.lightClipFromCamera() * cameraFromWorld(plan));
     json["rectangle"] = {r.x, r.y, r.width, r.height};
-    json["kappa"] = pass.warp.kappa;
-    json["promised_aliasing_x"] = pass.promised.x;
-    json["promised_aliasing_z"] = pass.promised.z;
-    json["caster_planes"] = planesJson(plan, pass.casters);
+    json["kappa"] = map.warped.kappa;
+    json["promised_aliasing_x"] = map.promised.x;
+    json["promised_aliasing_z"] = map.promised.z;
+    json["caster_planes"] = planesJson(plan, map.casterVolume);
     json["clamps_depth"] = pass.clampsDepth;
     json["estimated_triangles"] = pass.estimatedTriangles;
     json["reused"] = pass.isReused;
@@ -137,17 +138,18 @@ std::string planText(const plan::FramePlan& plan) {
             "triangles");
     }
     for (const plan::ShadowPass& pass : plan.passes) {
-        const plan::Rectangle& r = pass.rectangle;
+        const shadow::ShadowMap& map = pass.map;
+        const shadow::TexelRectangle& r = map.rectangle;
         text += line(
-            "%-5d %-6s %10.4g %10.4g %22s %10.4g %9.3g %9.3g %12llu\n",
-            pass.slice,
-            shadow::name(pass.face),
-            pass.near,
-            pass.far,
+            "%-5zu %-6s %10.4g %10.4g %22s %10.4g %9.3g %9.3g %12llu\n",
+            map.region.slice,
+            shadow::name(map.region.face),
+            map.region.frustum.near,
+            map.region.frustum.far,
             line("%dx%d at %d,%d", r.width, r.height, r.x, r.y).c_str(),
-            pass.warp.kappa,
-            pass.promised.x,
-            pass.promised.z,
+            map.warped.kappa,
+            map.promised.x,
+            map.promised.z,
             static_cast<unsigned long long>(pass.estimatedTriangles));
     }
     if (!plan.omitted.empty()) text += "\nleft out\n";

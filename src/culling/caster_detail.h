@@ -2,24 +2,11 @@
 #pragma once
 
 #include "selection/error_rule.h"
-#include "shadow/setup.h"
+#include "shadow/shadow_map.h"
 
 namespace gnomon::culling {
 
-/// One partition and its map, in camera space as `shadow` has it.
-struct PartitionMap {
-    shadow::WarpedMap map;
-    shadow::Resolution resolution; // texels of the map; `image` does not matter
-    ConvexVolume casters;
-    ConvexVolume receivers;
-    double receiverNear = 1e-6; // the least view depth among its receivers, above 0
-};
-
-/// The rule's view of `partition`; `view` must be the one whose camera space it is given in.
-selection::CasterDetail casterDetail(const selection::DetailView& view, const PartitionMap& partition);
-
-/// The same for one map of a frame's setup, whose rectangle has `gutter` texels around the map and may lie on its side.
-selection::CasterDetail casterDetail(
-    const selection::DetailView& view, const shadow::ShadowMapPartition& partition, int gutter);
+/// What the casters of `map` must be exact enough for; `view` must be the one whose camera space it is given in.
+selection::CasterDetail casterDetail(const selection::DetailView& view, const shadow::ShadowMap& map);
 
 } // namespace gnomon::culling

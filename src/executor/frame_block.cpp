@@ -3,8 +3,6 @@
 #include "core/check.h"
 #include "shadow/depth_bias.h"
 
-#include <glm/gtc/matrix_access.hpp>
-
 #include <algorithm>
 #include <cmath>
 
@@ -40,13 +38,28 @@ DrawSpace drawSpaceAt(const plan::View& view, const hierarchy::Grid& grid, const
     return space;
 }
 
-/// Clip space of a viewport over `r`, from texels.
-glm::dmat4 clipFromTexel(const plan::Rectangle& r) {
-    return fromRows(
-        {2.0 / r.width, 0, 0, -1 - 2.0 * r.x / r.width},
-        {0, 2.0 / r.height, 0, -1 - 2.0 * r.y / r.height},
-        {0, 0, 1, 0},
-        {0, 0, 0, 1});
+/// The grid point of `space` in the frame's draw space.
+glm::dvec3 originIn(const FrameDrawing& frame, const DrawSpace& space) {
+    const auto cells = [](const hierarchy::GridPoint& p) { return glm::dvec3(p.x, p.y, p.z); };
+    return (cells(space.originCell) - cells(frame.space.originCell)) * space.step;
+}
+
+/// A stabilised map as it lies in the world: camera and frame have no part in it.
+MapDrawing stableDrawing(const FrameDrawing& frame, const shadow::ShadowMap& map) {
+    const plan::View& view = frame.plan->view;
+    const shadow::LightFrame axes = shadow::stableWorldFrame(glm::normalize(view.towardsLight));
+    const shadow::StablePlace& place = *map.stable;
+    const auto middle = [&](std::size_t axis) {
+        return (static_cast<double>(place.corner[axis]) + place.texels / 2.0) * place.texel;
+    };
+    const glm::dvec3 center = axes.x * middle(0) - axes.y * middle(1) + axes.z * middle(2);
+    MapDrawing result;
+    result.space = drawSpaceAt(view, frame.grid, center - frame.grid.origin);
+    const glm::dvec3 origin = frame.grid.origin + frame.grid.local(result.space.originCell);
+    const shadow::WarpedMap warped = shadow::stableMap(place, axes, shadow::toLight(axes, origin));
+    const glm::dmat4 clip = map.lightClipFromMap() * shadow::textureFromCamera(warped);
+    result.image = shadow::rounded(shadow::mapImage(map, clip, originIn(frame, result.space)));
+    return result;
 }
 
 } // namespace
@@ -68,37 +81,18 @@ glm::dmat4 imageClipFromDraw(const FrameDrawing& frame) {
     return clipFromCamera * cameraFromDraw(cameraBasis(*frame.onlooker), eye);
 }
 
-glm::dmat4 texelFromDraw(const plan::ShadowPass& pass, const DrawSpace& space) {
-    return pass.texelFromCamera * space.cameraFromDraw;
-}
-
-glm::dmat4 shadowClipFromDraw(const plan::ShadowPass& pass, const DrawSpace& space) {
-    return clipFromTexel(pass.rectangle) * texelFromDraw(pass, space);
-}
-
-MapDrawing mapDrawing(const FrameDrawing& frame, const plan::ShadowPass& pass) {
-    if (!pass.stable) return {frame.space, shadowClipFromDraw(pass, frame.space)};
+MapDrawing mapDrawing(const FrameDrawing& frame, const shadow::ShadowMap& map) {
+    if (map.stable) return stableDrawing(frame, map);
     const plan::View& view = frame.plan->view;
-    const shadow::LightFrame axes = shadow::stableWorldFrame(glm::normalize(view.towardsLight));
-    const shadow::StablePlace& place = *pass.stable;
-    const auto middle = [&](std::size_t axis) {
-        return (static_cast<double>(place.corner[axis]) + place.texels / 2.0) * place.texel;
-    };
-    const glm::dvec3 center = axes.x * middle(0) - axes.y * middle(1) + axes.z * middle(2);
     MapDrawing result;
-    result.space = drawSpaceAt(view, frame.grid, center - frame.grid.origin);
-    const glm::dvec3 origin = frame.grid.origin + frame.grid.local(result.space.originCell);
-    const shadow::WarpedMap map = shadow::stableMap(place, axes, shadow::toLight(axes, origin));
-    result.clipFromDraw = clipFromTexel(pass.rectangle) * pass.texelFromMap * shadow::textureFromCamera(map);
+    result.space = frame.space;
+    if (map.origin != glm::dvec3(0)) {
+        const glm::dvec3 inside = view.camera.eye + toWorld(frame.plan->basis, map.origin);
+        result.space = drawSpaceAt(view, frame.grid, inside - frame.grid.origin);
+    }
+    const glm::dmat4 clip = map.lightClipFromCamera() * result.space.cameraFromDraw;
+    result.image = shadow::rounded(shadow::mapImage(map, clip, originIn(frame, result.space)));
     return result;
-}
-
-shadow::Resolution texelsOf(const plan::ShadowPass& pass) {
-    const glm::dvec4 alongS = pass.texelFromCamera * glm::dvec4(pass.warp.frame.x, 0);
-    const bool isTurned = std::abs(alongS.y) > std::abs(alongS.x);
-    const double columns = pass.map.width;
-    const double rows = pass.map.height;
-    return {1, isTurned ? rows : columns, isTurned ? columns : rows};
 }
 
 block::Frame frameBlock(const FrameDrawing& frame, const DrawSpace& space, const glm::dmat4& clipFromDraw) {
@@ -141,15 +135,18 @@ block::Shadows shadowsBlock(const FrameDrawing& frame) {
     for (std::size_t i = 0; i + 1 < plan.splits.size(); ++i)
         result.splits[i] = glm::vec4(static_cast<float>(plan.splits[i]), static_cast<float>(plan.splits[i + 1]), 0, 0);
     for (std::size_t p = 0; p < plan.passes.size(); ++p) {
-        const plan::ShadowPass& pass = plan.passes[p];
+        const shadow::ShadowMap& map = plan.passes[p].map;
+        const shadow::FloatMapImage image = mapDrawing(frame, map).image;
         block::Partition& out = result.partitions[p];
-        const glm::dmat4 texel = texelFromDraw(pass, frame.space);
-        out.texelFromDraw = glm::mat4(texel);
-        out.drawFromTexel = glm::mat4(glm::inverse(texel));
-        const shadow::TexelDepth depth = shadow::texelDepth(pass.warp, texelsOf(pass));
-        out.axisX = toDraw(plan.basis, pass.warp.frame.x, shadow::kUnevenSlope * depth.x);
-        out.axisZ = toDraw(plan.basis, pass.warp.frame.z, shadow::kUnevenSlope * depth.z);
-        const plan::Rectangle& r = pass.rectangle;
+        out.clipFromOffset = image.clipFromOffset;
+        out.origin = glm::vec4(image.origin, image.reach);
+        out.texel = glm::vec4(image.texelScale, image.texelOffset);
+        out.byColumn = image.byColumn;
+        out.byRow = image.byRow;
+        out.byDepth = image.byDepth;
+        out.axisX = toDraw(plan.basis, map.warped.frame.x, image.unevenX);
+        out.axisZ = toDraw(plan.basis, map.warped.frame.z, image.unevenZ);
+        const shadow::TexelRectangle& r = map.rectangle;
         out.rectangle = glm::vec4(r.x, r.y, r.x + r.width, r.y + r.height);
     }
     return result;

@@ -10,23 +10,19 @@ namespace gnomon::executor {
 /// that clipping loses nothing behind the near one.
 glm::dmat4 imageClipFromDraw(const FrameDrawing& frame);
 
-/// Texels of the whole depth texture: (column w, row w, depth w, w).
-glm::dmat4 texelFromDraw(const plan::ShadowPass& pass, const DrawSpace& space);
-
-/// Clip space of a viewport over the pass's rectangle.
-glm::dmat4 shadowClipFromDraw(const plan::ShadowPass& pass, const DrawSpace& space);
-
-/// How a map is drawn: a draw space, and the clip space of a viewport over the pass's rectangle. That of the frame; but
-/// a stabilised map is drawn from its own middle, so that equal places give equal maps to the last bit.
+/// How a map is drawn and looked up: where the casters' positions are taken from, and the map's image for offsets in
+/// that space; the image's own origin is that space's in the frame's. It is the frame's space for most maps. A
+/// stabilised one lies about its own middle, so that equal places give equal maps to the last bit, and a thin one about
+/// the point that shadow::ShadowMap names.
 struct MapDrawing {
     DrawSpace space;
-    glm::dmat4 clipFromDraw{1};
+    shadow::FloatMapImage image;
+
+    /// Clip space of a viewport over the map's rectangle, for casters in `space`: the very floats of the lookups.
+    glm::dmat4 clipFromDraw() const { return image.clipFromOffset; }
 };
 
-MapDrawing mapDrawing(const FrameDrawing& frame, const plan::ShadowPass& pass);
-
-/// The texels of `pass` along its warp's s and t, whichever way it lies in the depth texture.
-shadow::Resolution texelsOf(const plan::ShadowPass& pass);
+MapDrawing mapDrawing(const FrameDrawing& frame, const shadow::ShadowMap& map);
 
 /// The frame's block for a pass with `clipFromDraw`, drawn in `space`.
 block::Frame frameBlock(const FrameDrawing& frame, const DrawSpace& space, const glm::dmat4& clipFromDraw);

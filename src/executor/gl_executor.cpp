@@ -142,14 +142,14 @@ void GlExecutor::drawShadowMaps(const FrameDrawing& frame) {
     gl.enable(GL_SCISSOR_TEST);
     for (std::size_t p = 0; p < plan.passes.size(); ++p) {
         if (plan.passes[p].isReused) continue;
-        const plan::Rectangle& r = plan.passes[p].rectangle;
+        const shadow::TexelRectangle& r = plan.passes[p].map.rectangle;
         gl.viewport(r.x, r.y, r.width, r.height);
         gl.scissor(r.x, r.y, r.width, r.height);
         if (keepsSome) clear();
         // Casters nearer to the light than the frustum count: they are clamped per fragment.
         (plan.passes[p].clampsDepth ? gl.enable : gl.disable)(GL_DEPTH_CLAMP);
-        const MapDrawing map = mapDrawing(frame, plan.passes[p]);
-        bindBlocks(frameBlock(frame, map.space, map.clipFromDraw));
+        const MapDrawing map = mapDrawing(frame, plan.passes[p].map);
+        bindBlocks(frameBlock(frame, map.space, map.clipFromDraw()));
         drawGeometry(frame, *frame.casters[p]);
     }
     gl.disable(GL_SCISSOR_TEST);

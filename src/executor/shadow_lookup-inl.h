@@ -57,18 +57,26 @@ HWY_INLINE Ints passOf(const ShadingFrame& f, const Vec3& p, Floats z) {
 }
 
 constexpr int kPartitionFloats = sizeof(block::Partition) / sizeof(float);
-constexpr int kInverse = offsetof(block::Partition, drawFromTexel) / sizeof(float);
-constexpr int kUnevenX = offsetof(block::Partition, axisX) / sizeof(float) + 3;
-constexpr int kUnevenZ = offsetof(block::Partition, axisZ) / sizeof(float) + 3;
-constexpr int kRectangle = offsetof(block::Partition, rectangle) / sizeof(float);
-static_assert(offsetof(block::Partition, texelFromDraw) == 0);
+/// Where a member of block::Partition begins.
+#define GNOMON_PARTITION_FLOAT(member) (offsetof(block::Partition, member) / sizeof(float))
+constexpr int kOrigin = GNOMON_PARTITION_FLOAT(origin);
+constexpr int kReach = kOrigin + 3;
+constexpr int kTexel = GNOMON_PARTITION_FLOAT(texel);
+constexpr int kByColumn = GNOMON_PARTITION_FLOAT(byColumn);
+constexpr int kByRow = GNOMON_PARTITION_FLOAT(byRow);
+constexpr int kByDepth = GNOMON_PARTITION_FLOAT(byDepth);
+constexpr int kUnevenX = GNOMON_PARTITION_FLOAT(axisX) + 3;
+constexpr int kUnevenZ = GNOMON_PARTITION_FLOAT(axisZ) + 3;
+constexpr int kRectangle = GNOMON_PARTITION_FLOAT(rectangle);
+#undef GNOMON_PARTITION_FLOAT
+static_assert(offsetof(block::Partition, clipFromOffset) == 0);
 
 /// The values of each lane's partition; one for all where they agree.
 template <bool isUniform>
 class PartitionLanes {
 public:
     HWY_INLINE PartitionLanes(const ShadingFrame& f, Ints pass)
-        : base_(&f.shadows->partitions[isUniform ? hn::GetLane(pass) : 0].texelFromDraw[0].x),
+        : base_(&f.shadows->partitions[isUniform ? hn::GetLane(pass) : 0].clipFromOffset[0].x),
           offsets_(hn::Mul(pass, hn::Set(kInts, kPartitionFloats))) {}
 
     HWY_INLINE Floats operator()(int k) const {
@@ -83,47 +91,48 @@ private:
     Ints offsets_;
 };
 
+/// Row `row` of clip space at `offset` from the map's origin.
 template <class Partition>
-HWY_INLINE Floats texelCoordinate(const Partition& part, int row, const Vec3& p) {
+HWY_INLINE Floats clipCoordinate(const Partition& part, int row, const Vec3& offset) {
     return hn::Add(
-        hn::Add(hn::Mul(part(row), p.x), hn::Mul(part(4 + row), p.y)),
-        hn::Add(hn::Mul(part(8 + row), p.z), part(12 + row)));
+        hn::Add(hn::Mul(part(row), offset.x), hn::Mul(part(4 + row), offset.y)),
+        hn::Add(hn::Mul(part(8 + row), offset.z), part(12 + row)));
 }
 
 /// The bias that a flat receiver, and a neighbour somewhat steeper, needs over half a texel and the kernel; `w` is the
-/// map's at `p`.
+/// map's at `offset`.
 template <class Partition>
-HWY_INLINE Floats
-receiverBias(const ShadingFrame& f, const Partition& part, const Vec3& p, const Vec3& normal, Floats cosine, Floats w) {
-    const auto offset = hn::Neg(dot(normal, p));
-    const auto inTexels = [&](int column) HWY_ATTR {
-        const int k = kInverse + 4 * column;
-        return hn::Add(dot(normal, {part(k), part(k + 1), part(k + 2)}), hn::Mul(offset, part(k + 3)));
+HWY_INLINE Floats receiverBias(const Partition& part, const Vec3& offset, const Vec3& normal, Floats cosine, Floats w) {
+    const auto distance = hn::Neg(dot(normal, offset));
+    const auto withPlane = [&](int k) HWY_ATTR {
+        return hn::Add(dot(normal, {part(k), part(k + 1), part(k + 2)}), hn::Mul(distance, part(k + 3)));
     };
-    const float reach = 0.5F + 0.5F * static_cast<float>(std::max(f.frame->counts.y, 1) - 1) + 1.0F / 256.0F;
-    const auto across = hn::Max(hn::Abs(inTexels(2)), constant(1e-30F));
-    const auto slope = hn::Div(hn::Add(hn::Abs(inTexels(0)), hn::Abs(inTexels(1))), across);
+    const auto across = hn::Max(hn::Abs(withPlane(kByDepth)), constant(1e-30F));
+    const auto slope = hn::Div(hn::Add(hn::Abs(withPlane(kByColumn)), hn::Abs(withPlane(kByRow))), across);
     const auto grazing = hn::Min(constant(1), hn::Mul(cosine, constant(10)));
     const auto unevenX = part(kUnevenX);
     const auto unevenZ = hn::Mul(part(kUnevenZ), w);
     const auto uneven = hn::Sqrt(hn::Add(hn::Mul(unevenX, unevenX), hn::Mul(unevenZ, unevenZ)));
-    return hn::Add(hn::Mul(hn::Add(hn::Mul(slope, grazing), uneven), constant(reach)), constant(6e-7F));
+    return hn::Add(hn::Mul(hn::Add(hn::Mul(slope, grazing), uneven), part(kReach)), constant(6e-7F));
 }
 
 template <bool isUniform>
 HWY_INLINE Floats litFraction(const ShadingFrame& f, Ints pass, const Vec3& p, const Vec3& normal, Floats cosine) {
     const PartitionLanes<isUniform> part(f, pass);
-    const auto w = texelCoordinate(part, 3, p);
+    const Vec3 offset = subtract(p, {part(kOrigin), part(kOrigin + 1), part(kOrigin + 2)});
+    const auto w = clipCoordinate(part, 3, offset);
     // No receiver lies in the plane of w = 0; should one, it must not become a NaN.
     const auto isFinite = hn::Gt(hn::Abs(w), constant(1e-30F));
     const auto inverseW = inverse(hn::IfThenElse(isFinite, w, constant(1e-30F)));
     const auto depth =
-        hn::Sub(hn::Mul(texelCoordinate(part, 2, p), inverseW), receiverBias(f, part, p, normal, cosine, w));
+        hn::Sub(hn::Mul(clipCoordinate(part, 2, offset), inverseW), receiverBias(part, offset, normal, cosine, w));
     const int width = std::max(f.frame->counts.y, 1);
     const auto half = constant(0.5F * static_cast<float>(width - 1));
     const auto far = constant(1e6F);
     const auto firstOf = [&](int row) HWY_ATTR {
-        const auto first = hn::Floor(hn::Sub(hn::Mul(texelCoordinate(part, row, p), inverseW), half));
+        const auto clip = hn::Mul(clipCoordinate(part, row, offset), inverseW);
+        const auto texel = hn::Add(hn::Mul(clip, part(kTexel + row)), part(kTexel + 2 + row));
+        const auto first = hn::Floor(hn::Sub(texel, half));
         return hn::ConvertTo(kInts, hn::Min(hn::Max(first, hn::Neg(far)), far));
     };
     const auto firstX = firstOf(0);

@@ -65,15 +65,17 @@ DrawStatistics SoftwareExecutor::draw(const FrameDrawing& frame) {
 
 /// What no map covers is 1; each map clears its own texels as it is drawn.
 void SoftwareExecutor::clearBetweenMaps(const plan::FramePlan& plan) {
-    std::vector<plan::Rectangle> row;
+    std::vector<shadow::TexelRectangle> row;
     for (int y = 0; y < shadowDepth_.height; ++y) {
         row.clear();
-        for (const plan::ShadowPass& pass : plan.passes)
-            if (pass.rectangle.y <= y && y < pass.rectangle.y + pass.rectangle.height) row.push_back(pass.rectangle);
+        for (const plan::ShadowPass& pass : plan.passes) {
+            const shadow::TexelRectangle& r = pass.map.rectangle;
+            if (r.y <= y && y < r.y + r.height) row.push_back(r);
+        }
         std::sort(row.begin(), row.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
-        row.push_back({shadowDepth_.width, 0, 0, 0});
+        row.push_back({shadowDepth_.width, 0, 0, 0, false});
         int end = 0;
-        for (const plan::Rectangle& r : row) {
+        for (const shadow::TexelRectangle& r : row) {
             std::fill(&shadowDepth_.at(0, y) + end, &shadowDepth_.at(0, y) + std::max(end, r.x), 1.0F);
             end = std::max(end, r.x + r.width);
         }
@@ -91,13 +93,13 @@ void SoftwareExecutor::drawShadowMaps(const FrameDrawing& frame) {
     clearBetweenMaps(plan);
     for (std::size_t p = 0; p < plan.passes.size(); ++p) {
         if (plan.passes[p].isReused) continue;
-        const plan::Rectangle& r = plan.passes[p].rectangle;
-        const MapDrawing map = mapDrawing(frame, plan.passes[p]);
+        const shadow::TexelRectangle& r = plan.passes[p].map.rectangle;
+        const MapDrawing map = mapDrawing(frame, plan.passes[p].map);
         pass_.gather(frame, *frame.casters[p]);
         drawCalls_ += frame.casters[p]->ranges.size();
         shadowFragments_ += rasterizer_.drawDepth(
             pass_.clusters(),
-            rasterView(map.space, map.clipFromDraw, {r.x, r.y, r.x + r.width, r.y + r.height}),
+            rasterView(map.space, map.clipFromDraw(), {r.x, r.y, r.x + r.width, r.y + r.height}),
             {shadowDepth_.pixels.data(), shadowDepth_.width, shadowDepth_.height});
     }
 }

@@ -17,6 +17,14 @@ glm::vec3 indexColor(int index) {
     return glm::clamp(wheel, 0.0F, 1.0F) * 0.75F + 0.25F;
 }
 
+glm::vec4 clipOf(const block::Partition& part, const glm::vec3& p) {
+    return part.clipFromOffset * glm::vec4(p - glm::vec3(part.origin), 1);
+}
+
+glm::vec2 texelOf(const block::Partition& part, const glm::vec4& clip) {
+    return glm::vec2(clip) / clip.w * glm::vec2(part.texel) + glm::vec2(part.texel.z, part.texel.w);
+}
+
 } // namespace
 
 glm::vec3 heatColor(float value) {
@@ -49,12 +57,13 @@ SoftwareOverlay::SoftwareOverlay(
 }
 
 float SoftwareOverlay::aliasing(const block::Partition& part, const glm::vec3& position, float depth) const {
-    const glm::vec4 q = part.texelFromDraw * glm::vec4(position, 1);
-    const glm::vec4 dx = part.texelFromDraw * glm::vec4(glm::vec3(part.axisX), 0);
-    const glm::vec4 dz = part.texelFromDraw * glm::vec4(glm::vec3(part.axisZ), 0);
-    const glm::vec2 perX = glm::abs(glm::vec2(dx) * q.w - glm::vec2(q) * dx.w);
-    const glm::vec2 perZ = glm::abs(glm::vec2(dz) * q.w - glm::vec2(q) * dz.w);
-    const float texels = std::min(std::max(perX.x, perX.y), perX.y > perX.x ? perZ.x : perZ.y) / (q.w * q.w);
+    const glm::vec4 clip = clipOf(part, position);
+    const glm::vec4 dx = part.clipFromOffset * glm::vec4(glm::vec3(part.axisX), 0);
+    const glm::vec4 dz = part.clipFromOffset * glm::vec4(glm::vec3(part.axisZ), 0);
+    const glm::vec2 scale(part.texel);
+    const glm::vec2 perX = glm::abs(glm::vec2(dx) * clip.w - glm::vec2(clip) * dx.w) * scale;
+    const glm::vec2 perZ = glm::abs(glm::vec2(dz) * clip.w - glm::vec2(clip) * dz.w) * scale;
+    const float texels = std::min(std::max(perX.x, perX.y), perX.y > perX.x ? perZ.x : perZ.y) / (clip.w * clip.w);
     return 1 / (std::max(texels, 1e-30F) * block_->image.w * depth);
 }
 
@@ -79,8 +88,7 @@ float SoftwareOverlay::texelGrid(const block::Partition& part, const PaintedPixe
                                double(row - pixel.y) * glm::dvec3(pixel.rayPerY);
         const double across = glm::dot(glm::dvec3(pixel.normal), ray);
         const glm::dvec3 met = across == 0 ? fromOrigin : ray * (distance / across);
-        const glm::vec4 q = part.texelFromDraw * glm::vec4(glm::vec3(met + pixel.rayOrigin), 1);
-        return (glm::vec2(q) / q.w - glm::vec2(part.rectangle)) / 5.0F;
+        return (texelOf(part, clipOf(part, glm::vec3(met + pixel.rayOrigin))) - glm::vec2(part.rectangle)) / 5.0F;
     };
     // Differences within squares of two by two pixels, as GL takes them.
     const int left = pixel.x & ~1;

@@ -1,3 +1,4 @@
+#include "culling/caster_detail.h"
 #include "culling/frame_cut.h"
 #include "executor/stand_ins.h"
 #include "frame/prepared_frame.h"
@@ -152,7 +153,7 @@ void Renderer::cutAll(Prepared& prepared) const {
     prepared.volumes.resize(1);
     std::vector<selection::CasterDetail> casters;
     for (const plan::ShadowPass& pass : prepared.plan.passes) {
-        casters.push_back(casterDetail(view, pass));
+        casters.push_back(culling::casterDetail(view, pass.map));
         // Without culling every map draws all there is, at the detail that the maps call for.
         prepared.volumes.push_back(prepared.plan.quality.cullCasters ? casters.back().casters : ConvexVolume{});
     }

@@ -75,7 +75,7 @@ void Renderer::prove(const Prepared& prepared, const FrameOptions& options, Fram
     const executor::Picture picture = executor_->picture();
     const executor::FloatPicture maps = hasCrawl ? executor_->shadowDepth() : executor::FloatPicture();
     if (isMeasured) {
-        frame.aliasing = proof::measuredAliasing(prepared.plan, again.space, executor_->surfaces());
+        frame.aliasing = proof::measuredAliasing(again, executor_->surfaces());
         frame.row.measuredAliasing = frame.aliasing->worst();
     }
     if (hasOracle) {
@@ -108,7 +108,7 @@ proof::ShadowTruth Renderer::truth(const Prepared& prepared, const executor::Fra
         // The true surface may lie as far from the drawn one as the cut allows.
         const auto light = executor::lightByRays(
             scene, prepared.plan, drawing.space, surfaces, std::max(executor::kTouchingPixels, prepared.errorPixels));
-        return proof::shadowTruth(scene, prepared.plan, drawing.space, surfaces, light);
+        return proof::shadowTruth(scene, drawing, surfaces, light);
     }
     // The same rule decides as for the maps, so every cluster is the one that they drew; the volume alone is wider.
     const std::array volumes = {prepared.volumes[0], rayCasterVolume(prepared)};
@@ -118,7 +118,7 @@ proof::ShadowTruth Renderer::truth(const Prepared& prepared, const executor::Fra
     const std::array lists = {drawing.image, &cut.lists[1]};
     const raycast::Scene scene = executor::rayScene(drawing, lists);
     const auto light = executor::lightByRays(scene, prepared.plan, drawing.space, surfaces, executor::kTouchingPixels);
-    return proof::shadowTruth(scene, prepared.plan, drawing.space, surfaces, light);
+    return proof::shadowTruth(scene, drawing, surfaces, light);
 }
 
 /// Draws the frame before once more: a plan is steady when its own view comes again.

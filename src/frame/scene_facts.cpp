@@ -1,10 +1,8 @@
 #include "frame/scene_facts.h"
 
-#include "culling/caster_detail.h"
 #include "culling/frame_cut.h"
 #include "culling/receivers.h"
 #include "culling/survey.h"
-#include "executor/frame_block.h"
 
 #include <algorithm>
 
@@ -42,10 +40,6 @@ selection::DetailView detailView(const plan::View& view, const glm::dvec3& eye) 
     detail.tanHalfY = view.tanHalfY();
     detail.heightPixels = view.height;
     return detail;
-}
-
-selection::CasterDetail casterDetail(const selection::DetailView& view, const plan::ShadowPass& pass) {
-    return culling::casterDetail(view, {pass.warp, executor::texelsOf(pass), pass.casters, pass.receivers, pass.near});
 }
 
 plan::SceneFacts sceneFacts(

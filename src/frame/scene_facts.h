@@ -10,9 +10,6 @@ namespace gnomon::frame {
 /// `view` for choosing detail; `eye` is local.
 selection::DetailView detailView(const plan::View& view, const glm::dvec3& eye);
 
-/// What the casters of `pass` must be exact enough for, in the camera space of `view`.
-selection::CasterDetail casterDetail(const selection::DetailView& view, const plan::ShadowPass& pass);
-
 /// What the geometry of `image` (the first list of `cut`) and of the casters around it (the second, if there is one)
 /// tells a plan of `view`; `range` is what widestRange answered.
 plan::SceneFacts sceneFacts(

@@ -100,8 +100,8 @@ std::string schemeName(const FramePlan& plan) {
     if (plan.hasFaces) name = slices > 1 ? "fp+" : "fp";
     if (slices > 1) name += "zp" + std::to_string(slices);
     if (name.empty()) name = "map";
-    const bool isWarped =
-        std::any_of(plan.passes.begin(), plan.passes.end(), [](const ShadowPass& pass) { return pass.warp.kappa > 0; });
+    const bool isWarped = std::any_of(
+        plan.passes.begin(), plan.passes.end(), [](const ShadowPass& pass) { return pass.map.warped.kappa > 0; });
     return isWarped ? name + "+w" : name;
 }
 

@@ -5,13 +5,9 @@
 #include "core/camera.h"
 #include "core/convex_volume.h"
 #include "core/depth_span.h"
-#include "shadow/partition/faces.h"
-#include "shadow/partition/region.h"
-#include "shadow/partition/splits.h"
-#include "shadow/stable_slice.h"
+#include "shadow/shadow_map.h"
 #include "shadow/warp/orientation.h"
 #include "shadow/warp/warp.h"
-#include "shadow/warp/warped_map.h"
 
 #include <cmath>
 #include <cstdint>
@@ -88,34 +84,12 @@ struct SceneFacts {
     std::optional<Light> light;
 };
 
-/// Texels of the depth texture: first column, first row, width, height; origin at its lower left.
-struct Rectangle {
-    int x = 0;
-    int y = 0;
-    int width = 0;
-    int height = 0;
-    bool operator==(const Rectangle&) const = default;
-};
-
-/// One shadow map.
+/// One shadow map and how this frame draws it.
 struct ShadowPass {
-    int slice = 0;
-    shadow::Face face = shadow::Face::Whole;
-    double near = 0; // the slice's depths
-    double far = 0;
-    shadow::WarpedMap warp; // in camera space, over `map`
-    glm::dmat4 texelFromCamera{
-        1};                    // (column w, row w, depth w, w) in the depth texture; depth 0 is nearest to the light
-    Rectangle rectangle;       // with the gutter
-    Rectangle map;             // without
-    shadow::Aliasing promised; // with these texels and this image
-    bool clampsDepth = true;   // a caster may be nearer to the light than the map begins
-    std::uint64_t estimatedTriangles = 0;      // of its casters
-    ConvexVolume casters;                      // camera space: all that can throw a shadow into the partition
-    ConvexVolume receivers;                    // camera space
-    glm::dmat4 texelFromMap{1};                // (s, t, depth) over `warp` -> texels of the depth texture and depth
-    std::optional<shadow::StablePlace> stable; // of a stabilised map: then it is drawn as it lies in the world
-    bool isReused = false;                     // the frame before left just these texels: they are not drawn again
+    shadow::ShadowMap map;
+    bool clampsDepth = true;              // a caster may be nearer to the light than the map begins
+    std::uint64_t estimatedTriangles = 0; // of its casters
+    bool isReused = false;                // the frame before left just these texels: they are not drawn again
 };
 
 /// At which depths visible surfaces have faced the light of late, for the next frame: maps do not go while receivers

@@ -13,7 +13,9 @@ bool isSameTexture(const FramePlan& a, const FramePlan& b) {
                a.passes.end(),
                b.passes.begin(),
                b.passes.end(),
-               [](const ShadowPass& pass, const ShadowPass& other) { return pass.rectangle == other.rectangle; });
+               [](const ShadowPass& pass, const ShadowPass& other) {
+                   return pass.map.rectangle == other.map.rectangle;
+               });
 }
 
 } // namespace
@@ -22,7 +24,8 @@ bool isSameMap(const FramePlan& now, const FramePlan& before, std::size_t pass) 
     if (!isSameTexture(now, before) || now.view.towardsLight != before.view.towardsLight) return false;
     const ShadowPass& a = now.passes[pass];
     const ShadowPass& b = before.passes[pass];
-    return a.stable && a.stable == b.stable && a.texelFromMap == b.texelFromMap && a.clampsDepth == b.clampsDepth;
+    return a.map.stable && a.map.stable == b.map.stable && a.map.gutter == b.map.gutter &&
+           a.clampsDepth == b.clampsDepth;
 }
 
 } // namespace gnomon::plan

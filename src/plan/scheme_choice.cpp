@@ -61,7 +61,7 @@ void completeCandidate(const SchemeContext& context, SchemeCandidate& candidate)
     candidate.casterTriangles.clear();
     candidate.cost = static_cast<std::uint64_t>(candidate.setup.textureWidth) *
                      static_cast<std::uint64_t>(candidate.setup.textureHeight) / kTexelsPerTriangle;
-    for (const shadow::ShadowMapPartition& map : candidate.setup.maps) {
+    for (const shadow::ShadowMap& map : candidate.setup.maps) {
         const ConvexVolume volume = context.quality.cullCasters ? map.casterVolume : ConvexVolume{};
         const std::uint64_t triangles =
             context.scene->light ? trianglesIn(volume, context.basis, context.scene->light->casters) : 0;

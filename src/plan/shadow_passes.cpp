@@ -9,41 +9,15 @@ namespace gnomon::plan {
 
 namespace {
 
-/// What a lookup reads of `partition`: its rectangle without the gutter on each side.
-Rectangle withoutGutter(const shadow::TexelRectangle& r, int gutter) {
-    return {r.x + gutter, r.y + gutter, r.width - 2 * gutter, r.height - 2 * gutter};
-}
-
 /// Whether something that can throw a shadow into the map of `pass` is nearer to the light than its depth begins.
 bool reachesBefore(const ShadowPass& pass, const CameraBasis& basis, const SceneFacts& scene) {
     if (!scene.light) return true;
-    const glm::dmat4 rows = glm::transpose(pass.texelFromCamera);
+    const glm::dmat4 rows = glm::transpose(pass.map.lightClipFromCamera());
     const glm::dvec3 normal(rows[2]); // depth w; w is above 0 in front of whatever can cast
     const double length = glm::length(normal);
-    ConvexVolume before = pass.casters;
+    ConvexVolume before = pass.map.casterVolume;
     before.planes.push_back({-normal / length, -rows[2].w / length});
     return trianglesIn(before, basis, scene.light->casters) > 0;
-}
-
-ShadowPass passOf(const shadow::ShadowMapPartition& partition, const shadow::ShadowMapSetup& setup) {
-    ShadowPass pass;
-    pass.slice = static_cast<int>(partition.region.slice);
-    pass.face = partition.region.face;
-    pass.near = partition.region.frustum.near;
-    pass.far = partition.region.frustum.far;
-    pass.warp = partition.map;
-    const shadow::TexelRectangle& r = partition.rectangle;
-    pass.rectangle = {r.x, r.y, r.width, r.height};
-    pass.map = withoutGutter(r, setup.gutter);
-    const glm::dmat4 texelFromTexture =
-        glm::transpose(glm::dmat4(setup.textureWidth, 0, 0, 0, 0, setup.textureHeight, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1));
-    pass.texelFromCamera = texelFromTexture * partition.textureFromCamera;
-    pass.texelFromMap = texelFromTexture * partition.textureFromMap;
-    pass.stable = partition.stable;
-    pass.promised = {partition.promised.x, partition.promised.z};
-    pass.casters = partition.casterVolume;
-    pass.receivers = partition.region.volume;
-    return pass;
 }
 
 std::string warpReason(const FramePlan& plan) {
@@ -69,7 +43,7 @@ void explainOmissions(FramePlan& plan) {
     if (plan.splits.size() == 2)
         omitted.push_back(
             {"z-partitions", plan.quality.zPartitions ? "switched off" : "a single slice is best at this promise"});
-    const auto isWarped = [](const ShadowPass& pass) { return pass.warp.kappa > 0; };
+    const auto isWarped = [](const ShadowPass& pass) { return pass.map.warped.kappa > 0; };
     if (std::none_of(plan.passes.begin(), plan.passes.end(), isWarped)) omitted.push_back({"warp", warpReason(plan)});
     if (!plan.quality.stabilize) {
         omitted.push_back({"stabilisation", "switched off"});
@@ -116,13 +90,13 @@ void planShadowPasses(FramePlan& plan, const SceneFacts& scene, const FramePlan*
         plan.passOfPartition.push_back(map == shadow::ShadowMapSetup::kNoMap ? -1 : static_cast<int>(map));
     plan.storageFactor = 0;
     for (std::size_t i = 0; i < setup.maps.size(); ++i) {
-        plan.passes.push_back(passOf(setup.maps[i], setup));
-        ShadowPass& pass = plan.passes.back();
+        ShadowPass& pass = plan.passes.emplace_back();
+        pass.map = setup.maps[i];
         pass.estimatedTriangles = chosen.casterTriangles[i];
         pass.clampsDepth = reachesBefore(pass, plan.basis, scene);
-        const double scaleX = static_cast<double>(pass.map.width) / plan.view.height;
-        const double scaleZ = static_cast<double>(pass.map.height) / plan.view.height;
-        plan.storageFactor += pass.promised.x * pass.promised.z * scaleX * scaleZ;
+        const shadow::Resolution texels = pass.map.texels();
+        plan.storageFactor +=
+            pass.map.promised.x * pass.map.promised.z * (texels.s / plan.view.height) * (texels.t / plan.view.height);
     }
     plan.promised = {setup.worst().x, setup.worst().z};
     explainOmissions(plan);

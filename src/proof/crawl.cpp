@@ -18,7 +18,7 @@ bool isInView(const executor::FrameDrawing& frame, const glm::dvec3& position) {
 }
 
 bool isSameSlice(const plan::ShadowPass& a, const plan::ShadowPass& b) {
-    return a.slice == b.slice && a.face == b.face;
+    return a.map.region.slice == b.map.region.slice && a.map.region.face == b.map.region.face;
 }
 
 /// Two frames, asked at the same points.

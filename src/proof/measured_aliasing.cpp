@@ -24,12 +24,12 @@ void keepLarger(MeasuredAliasing& all, const MeasuredAliasing& part) {
 } // namespace
 
 MeasuredAliasing measuredAliasing(
-    const plan::FramePlan& plan,
-    const executor::DrawSpace& space,
-    const executor::Raster<executor::SurfaceSample>& surfaces) {
+    const executor::FrameDrawing& frame, const executor::Raster<executor::SurfaceSample>& surfaces) {
+    const plan::FramePlan& plan = *frame.plan;
+    const executor::DrawSpace& space = frame.space;
     std::vector<TexelProbe> probes;
     for (const plan::ShadowPass& pass : plan.passes)
-        probes.emplace_back(plan, pass, space);
+        probes.emplace_back(frame, pass.map);
     const double kernel = std::max(1, plan.quality.filter);
     std::vector<MeasuredAliasing> rows(static_cast<std::size_t>(surfaces.height));
     tbb::parallel_for(0, surfaces.height, [&](int y) {
@@ -46,7 +46,7 @@ MeasuredAliasing measuredAliasing(
             const auto partition = static_cast<std::size_t>(surface.partition());
             const double pixel = executor::pixelWidth(plan, space, p);
             const TexelWidths texel = probes[partition].widths(p, kStepOverPixel * pixel);
-            const shadow::Aliasing& promised = plan.passes[partition].promised;
+            const shadow::PromisedAliasing& promised = plan.passes[partition].map.promised;
             MeasuredAliasing one{texel.x / pixel * kernel, texel.z / pixel * kernel, 0, 1, 0};
             one.overPromise = std::max(one.x / promised.x, one.z / promised.z);
             keepLarger(row, one);

@@ -17,10 +17,8 @@ struct MeasuredAliasing {
     double worst() const { return x > z ? x : z; }
 };
 
-/// Measures the picture of `plan` that shows `surfaces`, on all cores. A filter widens the texel by its kernel.
+/// Measures the picture of `frame` that shows `surfaces`, on all cores. A filter widens the texel by its kernel.
 MeasuredAliasing measuredAliasing(
-    const plan::FramePlan& plan,
-    const executor::DrawSpace& space,
-    const executor::Raster<executor::SurfaceSample>& surfaces);
+    const executor::FrameDrawing& frame, const executor::Raster<executor::SurfaceSample>& surfaces);
 
 } // namespace gnomon::proof

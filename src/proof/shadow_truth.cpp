@@ -44,17 +44,16 @@ class Judge {
 public:
     Judge(
         const raycast::Scene& scene,
-        const plan::FramePlan& plan,
-        const executor::DrawSpace& space,
+        const executor::FrameDrawing& frame,
         const executor::Raster<executor::SurfaceSample>& surfaces)
         : scene_(&scene),
-          plan_(&plan),
-          space_(&space),
+          plan_(frame.plan),
+          space_(&frame.space),
           surfaces_(&surfaces),
-          light_(executor::towardsLight(plan)),
+          light_(executor::towardsLight(*frame.plan)),
           offsets_(neighbourhood()) {
-        for (const plan::ShadowPass& pass : plan.passes)
-            probes_.emplace_back(plan, pass, space);
+        for (const plan::ShadowPass& pass : frame.plan->passes)
+            probes_.emplace_back(frame, pass.map);
     }
 
     ShadowVerdict verdict(std::size_t pixel, Light truth) const {
@@ -188,8 +187,7 @@ double ShadowTruth::unexplainedFraction() const {
 
 ShadowTruth shadowTruth(
     const raycast::Scene& scene,
-    const plan::FramePlan& plan,
-    const executor::DrawSpace& space,
+    const executor::FrameDrawing& frame,
     const executor::Raster<executor::SurfaceSample>& surfaces,
     std::span<const Light> light) {
     const auto width = static_cast<std::size_t>(surfaces.width);
@@ -197,7 +195,7 @@ ShadowTruth shadowTruth(
     std::vector<std::uint8_t> isLit(count);
     for (std::size_t i = 0; i < count; ++i)
         isLit[i] = surfaces.pixels[i].isLitSide() && surfaces.pixels[i].litFraction() >= 0.5F ? 1 : 0;
-    const Judge judge(scene, plan, space, surfaces);
+    const Judge judge(scene, frame, surfaces);
     ShadowTruth truth;
     truth.verdicts.assign(count, ShadowVerdict::Unasked);
     const std::vector<std::uint8_t> isEdge = raycast::shadowEdges(light, width);
@@ -209,7 +207,7 @@ ShadowTruth shadowTruth(
         if (truth.verdicts[i] == ShadowVerdict::Missed || (isEdge[i] != 0 && judge.isTooFine(i, light[i])))
             apart[i] = 1;
     });
-    countVerdicts(surfaces, executor::towardsLight(plan), truth);
+    countVerdicts(surfaces, executor::towardsLight(*frame.plan), truth);
     truth.shadows = raycast::compareShadows(light, isLit, width);
     truth.answerable = raycast::compareShadows(light, isLit, width, apart);
     return truth;

@@ -36,11 +36,10 @@ struct ShadowTruth {
     double unexplainedFraction() const; // of the judged ones
 };
 
-/// Compares the shadows of the picture that shows `surfaces` with `light`, which rays found against `scene`.
+/// Compares the shadows of the picture of `frame` that shows `surfaces` with `light`, which rays found against `scene`.
 ShadowTruth shadowTruth(
     const raycast::Scene& scene,
-    const plan::FramePlan& plan,
-    const executor::DrawSpace& space,
+    const executor::FrameDrawing& frame,
     const executor::Raster<executor::SurfaceSample>& surfaces,
     std::span<const raycast::Light> light);
 

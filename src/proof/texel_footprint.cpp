@@ -7,16 +7,14 @@
 
 namespace gnomon::proof {
 
-TexelProbe::TexelProbe(const plan::FramePlan& plan, const plan::ShadowPass& pass, const executor::DrawSpace& space)
-    : clipFromDraw_(glm::mat4(executor::shadowClipFromDraw(pass, space))),
-      rectangle_(pass.rectangle),
-      x_(toWorld(plan.basis, pass.warp.frame.x)),
-      z_(toWorld(plan.basis, pass.warp.frame.z)) {}
+TexelProbe::TexelProbe(const executor::FrameDrawing& frame, const shadow::ShadowMap& map)
+    : image_(executor::mapDrawing(frame, map).image),
+      x_(toWorld(frame.plan->basis, map.warped.frame.x)),
+      z_(toWorld(frame.plan->basis, map.warped.frame.z)) {}
 
 glm::dvec2 TexelProbe::texel(const glm::dvec3& p) const {
-    const glm::dvec4 clip = clipFromDraw_ * glm::dvec4(p, 1);
-    const glm::dvec2 unit = glm::dvec2(clip) / clip.w * 0.5 + 0.5;
-    return glm::dvec2(rectangle_.x, rectangle_.y) + unit * glm::dvec2(rectangle_.width, rectangle_.height);
+    const glm::dvec4 clip = glm::dmat4(image_.clipFromOffset) * glm::dvec4(p - glm::dvec3(image_.origin), 1);
+    return glm::dvec2(clip) / clip.w * glm::dvec2(image_.texelScale) + glm::dvec2(image_.texelOffset);
 }
 
 TexelProbe::Derivatives TexelProbe::derivatives(const glm::dvec3& p, double step) const {
@@ -29,8 +27,8 @@ TexelProbe::Derivatives TexelProbe::derivatives(const glm::dvec3& p, double step
 TexelWidths TexelProbe::widths(const glm::dvec3& p, double step) const {
     const Derivatives d = derivatives(p, step);
     // x moves along s alone, so it tells whether s lies along columns or, in a map on its side, along rows.
-    const bool isTurned = std::abs(d.byX.y) > std::abs(d.byX.x);
-    const double t = isTurned ? d.byZ.x : d.byZ.y;
+    const bool isTransposed = std::abs(d.byX.y) > std::abs(d.byX.x);
+    const double t = isTransposed ? d.byZ.x : d.byZ.y;
     return {1 / glm::length(d.byX), 1 / std::abs(t)};
 }
 

@@ -21,7 +21,7 @@ struct TexelFootprint {
 /// One map of a frame as its texels are.
 class TexelProbe {
 public:
-    TexelProbe(const plan::FramePlan& plan, const plan::ShadowPass& pass, const executor::DrawSpace& space);
+    TexelProbe(const executor::FrameDrawing& frame, const shadow::ShadowMap& map);
 
     /// The widths at `p` (draw space); `step` is the world length over which differences are taken, well under a texel.
     TexelWidths widths(const glm::dvec3& p, double step) const;
@@ -37,9 +37,8 @@ private:
     glm::dvec2 texel(const glm::dvec3& p) const;
     Derivatives derivatives(const glm::dvec3& p, double step) const;
 
-    glm::dmat4 clipFromDraw_; // the floats that are uploaded
-    plan::Rectangle rectangle_;
-    glm::dvec3 x_; // of the light frame, in draw space
+    shadow::FloatMapImage image_; // the floats that are uploaded
+    glm::dvec3 x_;                // of the light frame, in draw space
     glm::dvec3 z_;
 };
 

@@ -93,40 +93,12 @@ Draft stableDraftOf(Region region, const LightFrame& frame) {
     return draft;
 }
 
-/// (s, t, depth, w) over the map without gutters -> x and y in [0, 1] over the whole rectangle, with them.
-glm::dmat4 rectangleFromMap(const TexelRectangle& rectangle, int gutter) {
-    const double scaleX = static_cast<double>(rectangle.width - 2 * gutter) / rectangle.width;
-    const double scaleY = static_cast<double>(rectangle.height - 2 * gutter) / rectangle.height;
-    glm::dmat4 m(1);
-    m[0] = rectangle.transposed ? glm::dvec4(0, scaleY, 0, 0) : glm::dvec4(scaleX, 0, 0, 0);
-    m[1] = rectangle.transposed ? glm::dvec4(scaleX, 0, 0, 0) : glm::dvec4(0, scaleY, 0, 0);
-    m[3] = {(1 - scaleX) / 2, (1 - scaleY) / 2, 0, 1};
-    return m;
-}
-
-/// x, y and depth in [0, 1] -> clip space in [-w, w].
-glm::dmat4 clipFromUnit() {
-    glm::dmat4 m(2);
-    m[3] = {-1, -1, -1, 1};
-    return m;
-}
-
-/// x and y in [0, 1] over the rectangle -> over the whole texture.
-glm::dmat4 textureFromRectangle(const TexelRectangle& rectangle, int width, int height) {
-    glm::dmat4 m(1);
-    m[0][0] = static_cast<double>(rectangle.width) / width;
-    m[1][1] = static_cast<double>(rectangle.height) / height;
-    m[3][0] = static_cast<double>(rectangle.x) / width;
-    m[3][1] = static_cast<double>(rectangle.y) / height;
-    return m;
-}
-
 StablePlace placeOf(
     const ShadowView& view, const ShadowOptions& options, const Draft& draft, int texelsS, int texelsT) {
     const int texels = std::min(texelsS, texelsT);
     const double texel = stableExtent(draft.region.frustum) / (texels - 1);
-    // Above the slope at N.L = 0.1, along both axes, whatever the orientation.
-    const double steepest = 10 + kUnevenSlope;
+    // The slope at the least cosine, along both axes, whatever the orientation.
+    const double steepest = 1 / kLeastCosine + kUnevenSlope;
     const double bias = reachTexels(options.filterTexels) * 2 * steepest * texel;
     return stablePlace(view.anchor, draft.fit.frame, draft.region.frustum, texels, bias);
 }
@@ -174,40 +146,28 @@ std::vector<glm::dvec3> receiversOf(const ShadowView& view, const Region& region
     return corners.empty() ? cornersOf(region) : corners;
 }
 
-ShadowMapPartition finished(
+ShadowMap finished(
     const ShadowView& view, const ShadowOptions& options, Draft draft, const TexelLayout& layout, std::size_t index) {
-    ShadowMapPartition result;
+    ShadowMap result;
     const int texelsS = layout.texelsS(index);
     const int texelsT = layout.texelsT(index);
-    const int width = layout.packing.width;
-    const int height = layout.packing.height;
     result.rectangle = layout.packing.rectangles[index];
+    result.gutter = layout.gutter;
+    result.filterTexels = options.filterTexels;
     if (options.stabilized) {
         result.stable = placeOf(view, options, draft, texelsS, texelsT);
         const LightFrame& frame = draft.fit.frame;
-        result.map =
+        result.warped =
             stableMap(*result.stable, frame, toLight(frame, gnomon::toCamera(view.anchor.basis, view.anchor.eye)));
     } else {
-        result.map = fittedMap(options, draft, texelsS, texelsT);
+        result.warped = fittedMap(options, draft, texelsS, texelsT);
     }
-    const glm::dmat4 rectangleOfMap = rectangleFromMap(result.rectangle, layout.gutter);
-    const glm::dmat4 rectangleFromCamera = rectangleOfMap * textureFromCamera(result.map);
-    const glm::dmat4 fromRectangle = textureFromRectangle(result.rectangle, width, height);
-    result.lightClipFromCamera = clipFromUnit() * rectangleFromCamera;
-    result.textureFromMap = fromRectangle * rectangleOfMap;
-    result.textureFromCamera = fromRectangle * rectangleFromCamera;
-    const glm::dvec2 corner(result.rectangle.x, result.rectangle.y);
-    const glm::dvec2 half = glm::dvec2(result.rectangle.width, result.rectangle.height) / 2.0;
-    result.textureScale = half / glm::dvec2(width, height);
-    result.textureOffset = (corner + half) / glm::dvec2(width, height);
     const double reach = layout.gutter;
     // A stabilised map stays from frame to frame while its casters do, so what is seen must not choose among them.
     const std::vector<glm::dvec3> receivers =
         options.stabilized ? cornersOf(draft.region) : receiversOf(view, draft.region);
-    result.casterVolume = grownCasterVolume(receivers, result.map, reach / texelsS, reach / texelsT);
-    const TexelDepth texel = texelDepth(result.map, {1, static_cast<double>(texelsS), static_cast<double>(texelsT)});
-    result.bias = depthBiasOf(result.textureFromCamera, width, height, texel, options.filterTexels);
-    result.promised = promiseOf(view, options, draft, result.map, texelsS, texelsT);
+    result.casterVolume = grownCasterVolume(receivers, result.warped, reach / texelsS, reach / texelsT);
+    result.promised = promiseOf(view, options, draft, result.warped, texelsS, texelsT);
     if (isThin(view.frustum)) result.origin = originOf(draft.region);
     result.region = std::move(draft.region);
     return result;
@@ -226,7 +186,7 @@ void requireValid(const ShadowView& view, const ShadowOptions& options) {
 
 PromisedAliasing ShadowMapSetup::worst() const {
     PromisedAliasing result;
-    for (const ShadowMapPartition& map : maps) {
+    for (const ShadowMap& map : maps) {
         result.x = std::max(result.x, map.promised.x);
         result.z = std::max(result.z, map.promised.z);
         result.sheared = std::max(result.sheared, map.promised.sheared);
@@ -272,7 +232,6 @@ ShadowMapSetup shadowMapSetup(
     const TexelLayout layout = splitTexels(setup.demands, limitsOf(options));
     setup.textureWidth = layout.packing.width;
     setup.textureHeight = layout.packing.height;
-    setup.gutter = layout.gutter;
     for (std::size_t i = 0; i < drafts.size(); ++i)
         setup.maps.push_back(finished(view, options, std::move(drafts[i]), layout, i));
     return setup;

@@ -3,10 +3,8 @@
 #pragma once
 
 #include "shadow/caster_volume.h"
-#include "shadow/depth_bias.h"
-#include "shadow/partition/region.h"
 #include "shadow/scheme.h"
-#include "shadow/stable_slice.h"
+#include "shadow/shadow_map.h"
 #include "shadow/texels/texel_budget.h"
 #include "shadow/warp/orientation.h"
 
@@ -37,52 +35,15 @@ struct ShadowOptions {
     std::uint64_t emptySlices = 0;  // bit i: slice i has no visible receiver and gets no map
 };
 
-/// What a map promises over its region: the perspective aliasing, with real sizes, viewport and kernel.
-struct PromisedAliasing {
-    double x = 0;       // along s
-    double z = 0;       // along t, the paper's measure
-    double sheared = 0; // along t, with the shear of the texel
-
-    double worst() const { return x > z ? x : z; }
-};
-
-/// One map.
-struct ShadowMapPartition {
-    Region region;             // slice, face, vertices and planes in camera space
-    WarpedMap map;             // light frame, kappa, and (s, t, depth) over the map without its gutters
-    TexelRectangle rectangle;  // in the packed texture, gutters included
-    ConvexVolume casterVolume; // camera space, grown by the lookup's reach
-    DepthBias bias;
-    PromisedAliasing promised;
-    std::optional<StablePlace> stable; // of a stabilised slice's map
-
-    /// (s, t, depth) over the map -> texture coordinates in the packed texture and depth.
-    glm::dmat4 textureFromMap{1};
-    /// Clip space to draw the casters with, viewport = `rectangle`: x and y fill it gutters included, z in [-w, w] with
-    /// the smallest nearest to the light. w may be 0 or negative behind the warp's centre: clip homogeneously, and
-    /// clamp depth per fragment.
-    glm::dmat4 lightClipFromCamera{1};
-    /// Texture coordinates in the packed texture (x, y in [0, 1] over all of it) and depth in [0, 1], times w.
-    glm::dmat4 textureFromCamera{1};
-    /// The same from clip space after the division: x, y = clip.xy / clip.w * textureScale + textureOffset. In single
-    /// precision look up this way: centred on 0 the matrix is three times as exact.
-    glm::dvec2 textureScale{1};
-    glm::dvec2 textureOffset{0};
-    /// For views so thin (depth ratio under 1.1 or half angle under a degree) that float positions must be relative to
-    /// a point inside the slice: that point, in camera space; else 0. See relativeTo.
-    glm::dvec3 origin{0};
-};
-
 /// Everything that a frame needs to know about its shadow maps.
 struct ShadowMapSetup {
     static constexpr std::size_t kNoMap = static_cast<std::size_t>(-1);
 
-    std::vector<ShadowMapPartition> maps;
+    std::vector<ShadowMap> maps;
     PartitionSelector selector;
     std::vector<std::size_t> mapOfPartition; // by ownerOf: an index into maps, or kNoMap for an empty slice
     int textureWidth = 0;
     int textureHeight = 0;
-    int gutter = 1;
     OrientationState orientation;     // for the next frame
     std::vector<TexelDemand> demands; // by map; see texelsThatWouldDo
 

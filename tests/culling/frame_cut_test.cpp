@@ -66,25 +66,27 @@ TEST(CasterDetail, TexelsAreThoseOfTheMap) {
     Random random(53);
     for (int trial = 0; trial < 1000; ++trial) {
         const selection::DetailView view = tests::randomView(random, sharedModel().bounds);
-        PartitionMap partition;
+        shadow::ShadowMap map;
         const glm::dvec3 light(random.uniform(-1, 1), random.uniform(0.2, 1), random.uniform(-1, 1));
-        partition.map.frame = shadow::lightFrame(glm::normalize(light));
-        partition.map.kappa = random.uniform(0, 3);
-        partition.map.zMin = random.uniform(-2, 2);
-        partition.map.length = random.uniform(1, 50);
-        partition.map.width = random.uniform(1, 50);
-        partition.resolution = {1, random.uniform(64, 4096), random.uniform(64, 4096)};
-        const selection::CasterDetail detail = casterDetail(view, partition);
-        const double zeta = random.unit() * partition.map.length;
-        const glm::dvec3 inLight(random.uniform(-9, 9), random.uniform(-9, 9), partition.map.zMin + zeta);
-        const glm::dvec3 inCamera = shadow::toCamera(partition.map.frame, inLight);
+        map.warped.frame = shadow::lightFrame(glm::normalize(light));
+        map.warped.kappa = random.uniform(0, 3);
+        map.warped.zMin = random.uniform(-2, 2);
+        map.warped.length = random.uniform(1, 50);
+        map.warped.width = random.uniform(1, 50);
+        const auto side = [&] { return static_cast<int>(64 + random.below(4000)); };
+        map.rectangle = {side(), side(), side(), side(), random.below(2) == 0};
+        map.gutter = 1 + static_cast<int>(random.below(3));
+        const selection::CasterDetail detail = casterDetail(view, map);
+        const double zeta = random.unit() * map.warped.length;
+        const glm::dvec3 inLight(random.uniform(-9, 9), random.uniform(-9, 9), map.warped.zMin + zeta);
+        const glm::dvec3 inCamera = shadow::toCamera(map.warped.frame, inLight);
         const glm::dvec3 point = view.eye + toWorld(view.basis, inCamera);
-        const shadow::LightBeam beam = shadow::lightBeam(partition.map, inCamera, partition.resolution);
+        const shadow::LightBeam beam = shadow::lightBeam(map.warped, inCamera, map.texels());
         const double found = glm::dot(detail.texel.axis, point) - detail.texel.origin;
         EXPECT_NEAR(found, zeta, 1e-9);
         EXPECT_NEAR(detail.texel.smallerSide(found), std::min(beam.x, beam.z), 1e-9);
         const glm::dvec3 up = toCamera(view.basis, detail.towardsLight);
-        EXPECT_NEAR(glm::distance(up, partition.map.frame.y), 0, 1e-12);
+        EXPECT_NEAR(glm::distance(up, map.warped.frame.y), 0, 1e-12);
     }
 }
 

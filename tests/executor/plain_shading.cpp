@@ -160,26 +160,26 @@ int plainPassOf(const ShadingFrame& f, const vec3& p, float z) {
 
 float plainLitFraction(const ShadingFrame& f, int pass, const vec3& p, const vec3& normal, float cosine) {
     const block::Partition& part = f.shadows->partitions[pass];
+    const vec3 offset = p - vec3(part.origin);
     const auto coordinate = [&](int row) {
-        const glm::mat4& m = part.texelFromDraw;
-        return (m[0][row] * p.x + m[1][row] * p.y) + (m[2][row] * p.z + m[3][row]);
+        const glm::mat4& m = part.clipFromOffset;
+        return (m[0][row] * offset.x + m[1][row] * offset.y) + (m[2][row] * offset.z + m[3][row]);
     };
     const float w = coordinate(3);
     const float inverseW = 1 / (std::abs(w) > 1e-30F ? w : 1e-30F);
-    const auto inTexels = [&](int column) {
-        const vec4& m = part.drawFromTexel[column];
-        return dot(normal, vec3(m)) + -dot(normal, p) * m.w;
+    const auto withPlane = [&](const vec4& by) {
+        return std::abs(dot(normal, vec3(by)) + -dot(normal, offset) * by.w);
     };
     const int width = std::max(f.frame->counts.y, 1);
-    const float reach = 0.5F + 0.5F * static_cast<float>(width - 1) + 1.0F / 256.0F;
-    const float slope = (std::abs(inTexels(0)) + std::abs(inTexels(1))) / std::max(std::abs(inTexels(2)), 1e-30F);
+    const float slope = (withPlane(part.byColumn) + withPlane(part.byRow)) / std::max(withPlane(part.byDepth), 1e-30F);
     const float unevenZ = part.axisZ.w * w;
     const float uneven = std::sqrt(part.axisX.w * part.axisX.w + unevenZ * unevenZ);
-    const float bias = (slope * std::min(1.0F, cosine * 10) + uneven) * reach + 6e-7F;
+    const float bias = (slope * std::min(1.0F, cosine * 10) + uneven) * part.origin.w + 6e-7F;
     const float depth = coordinate(2) * inverseW - bias;
     const auto first = [&](int row) {
-        const float texel = std::floor(coordinate(row) * inverseW - 0.5F * static_cast<float>(width - 1));
-        return static_cast<int>(std::min(std::max(texel, -1e6F), 1e6F));
+        const float texel = (coordinate(row) * inverseW) * part.texel[row] + part.texel[2 + row];
+        const float lowest = std::floor(texel - 0.5F * static_cast<float>(width - 1));
+        return static_cast<int>(std::min(std::max(lowest, -1e6F), 1e6F));
     };
     float lit = 0;
     for (int y = first(1); y < first(1) + width; ++y)

@@ -1,5 +1,6 @@
 #include "frame/full_casters.h"
 
+#include "culling/caster_detail.h"
 #include "culling/frame_cut.h"
 #include "executor/software_executor.h"
 #include "frame/renderer.h"
@@ -57,7 +58,7 @@ selection::Cut fullCasters(const frame::Frame& frame, const hierarchy::ModelFile
     std::vector<ConvexVolume> volumes;
     std::vector<selection::CasterDetail> casters;
     for (const plan::ShadowPass& pass : frame.plan.passes) {
-        casters.push_back(frame::casterDetail(detail, pass));
+        casters.push_back(culling::casterDetail(detail, pass.map));
         casters.back().texel = {}; // however small an error is, it counts
         volumes.push_back(casters.back().casters);
     }

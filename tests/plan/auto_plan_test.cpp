@@ -67,7 +67,7 @@ Tally tallied(const SchemeContext& context, int slices, bool faces) {
         result.promise = setup.worst().worst();
     }
     result.cost = static_cast<std::uint64_t>(setup.textureWidth) * static_cast<std::uint64_t>(setup.textureHeight) / 16;
-    for (const shadow::ShadowMapPartition& map : setup.maps)
+    for (const shadow::ShadowMap& map : setup.maps)
         for (const SceneFacts::CasterBlock& block : context.scene->light->casters)
             if (touches(map.casterVolume, context.basis, block.box)) result.cost += block.triangles;
     return result;
@@ -228,7 +228,7 @@ TEST(FramePlan, IsTheSameForTheSameArguments) {
         const FramePlan b = planFrame(view, autoQuality(seed), scene.facts(view));
         ASSERT_EQ(a.passes.size(), b.passes.size());
         for (std::size_t i = 0; i < a.passes.size(); ++i)
-            EXPECT_EQ(a.passes[i].texelFromCamera, b.passes[i].texelFromCamera);
+            EXPECT_EQ(a.passes[i].map.lightClipFromCamera(), b.passes[i].map.lightClipFromCamera());
     }
 }
 

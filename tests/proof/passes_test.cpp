@@ -46,10 +46,10 @@ void compareLookup(const Shot& a, const Shot& b, const executor::SurfaceSample& 
     const plan::FramePlan& plan = a.frame.plan;
     const plan::ShadowPass& pass = plan.passes[static_cast<std::size_t>(surface.partition())];
     const glm::dvec4 inCamera = a.frame.space.cameraFromDraw * glm::dvec4(glm::dvec3(surface.position), 1);
-    const glm::dvec4 q = pass.texelFromCamera * inCamera;
+    const shadow::MapTexel<double> read = shadow::texelAt(shadow::cameraImage(pass.map), glm::dvec3(inCamera));
     const int width = std::max(plan.quality.filter, 1);
-    const glm::dvec2 corner = glm::floor(glm::dvec2(q) / q.w - 0.5 * (width - 1));
-    const plan::Rectangle& r = pass.rectangle;
+    const glm::dvec2 corner = glm::floor(glm::dvec2(read.column, read.row) - 0.5 * (width - 1));
+    const shadow::TexelRectangle& r = pass.map.rectangle;
     for (int dy = 0; dy < width; ++dy)
         for (int dx = 0; dx < width; ++dx) {
             const int column = static_cast<int>(corner.x) + dx;
@@ -61,8 +61,8 @@ void compareLookup(const Shot& a, const Shot& b, const executor::SurfaceSample& 
             if (inA == inB) continue;
             if (found.unlike++ == 0)
                 found.first = "texel " + std::to_string(column) + ", " + std::to_string(row) + " of slice " +
-                              std::to_string(pass.slice) + ": " + std::to_string(inA) + " and " + std::to_string(inB) +
-                              ", looked up at " + std::to_string(q.z / q.w);
+                              std::to_string(pass.map.region.slice) + ": " + std::to_string(inA) + " and " +
+                              std::to_string(inB) + ", looked up at " + std::to_string(read.depth);
         }
 }
 
@@ -82,7 +82,7 @@ void expectSane(const Shot& shot) {
         ASSERT_TRUE(std::isfinite(surface.partitionAndLit) && std::isfinite(surface.position.x));
     }
     for (const plan::ShadowPass& pass : shot.frame.plan.passes)
-        ASSERT_TRUE(std::isfinite(pass.promised.x) && std::isfinite(pass.promised.z));
+        ASSERT_TRUE(std::isfinite(pass.map.promised.x) && std::isfinite(pass.map.promised.z));
 }
 
 /// Whether there was something to cull, and it was.

@@ -60,7 +60,8 @@ TEST(ShadowLookup, OfOpenGlIsThatOfPlainCodeOverTheSameMaps) {
 class AskedFrame {
 public:
     AskedFrame(
-        frame::Renderer& renderer, executor::Executor& executor, const plan::View& view, const plan::Quality& quality) {
+        frame::Renderer& renderer, frame::DrawnModel& model, const plan::View& view, const plan::Quality& quality) {
+        executor::Executor& executor = model.executor();
         frame::FrameOptions options;
         options.wantsSurfaces = true;
         options.measuresCrawl = true;
@@ -69,6 +70,7 @@ public:
         maps_ = executor.shadowDepth();
         drawing_.plan = &frame_.plan;
         drawing_.space = frame_.space;
+        drawing_.grid = model.file().summary().grid;
         drawing_.image = &frame_.cut.lists[0];
         shading_ = std::make_unique<executor::Shading>(
             drawing_, executor::imageClipFromDraw(drawing_), maps_, std::span<executor::DrawnCluster>());
@@ -155,7 +157,7 @@ SlowCrawl crawlOfASlowWalk(bool stabilize) {
     for (int frame = 0; frame < 12; ++frame) {
         view.camera.eye = {0.31 + 0.0173 * frame, 3 + 0.004 * frame, 17 - 0.0291 * frame};
         view.camera.target = view.camera.eye + glm::dvec3(0.02 * frame, -2, -10);
-        auto now = std::make_unique<AskedFrame>(renderer, model.executor(), view, quality);
+        auto now = std::make_unique<AskedFrame>(renderer, model, view, quality);
         if (before) {
             const SlowCrawl step = crawlBetween(*before, *now);
             EXPECT_EQ(now->crawl()->points, step.points);

@@ -1,5 +1,7 @@
 // `auto`: never worse than no warp nor than minimax, and continuous as the light turns, orientation included.
 #include "random_views.h"
+#include "shadow/warp/orientation.h"
+#include "shadow/warp/warp.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,8 @@
 // The split of a texel budget and the packing of its maps.
 #include "core/error.h"
 #include "random_views.h"
+#include "shadow/texels/packing.h"
+#include "shadow/texels/texel_budget.h"
 
 #include <gtest/gtest.h>
 
@@ -29,7 +31,7 @@ std::vector<TexelDemand> demandsOf(const ShadowMapSetup& setup) {
 
 double used(const ShadowMapSetup& setup, const ShadowOptions& options) {
     double area = 0;
-    for (const ShadowMapPartition& map : setup.maps)
+    for (const ShadowMap& map : setup.maps)
         area += static_cast<double>(map.rectangle.area());
     return area / static_cast<double>(options.texels);
 }
@@ -69,7 +71,7 @@ void checkSplit(std::uint64_t seed, int& tested, int& wellUsed) {
     options.texels = std::uint64_t{1} << (20 + random.below(5));
     const ShadowMapSetup setup = shadowMapSetup(view, options);
     const std::vector<TexelDemand> demands = demandsOf(setup);
-    const TexelLimits limits{options.texels, setup.gutter, options.minSide, options.maxSide, 0};
+    const TexelLimits limits{options.texels, setup.maps.front().gutter, options.minSide, options.maxSide, 0};
     const TexelLayout layout = splitTexels(demands, limits);
     expectSoundPacking(layout.packing);
     EXPECT_LE(layout.packing.area(), options.texels);

@@ -1,5 +1,6 @@
 // Caster volumes: nothing outside shadows the region, everything inside can, and no plane can be moved in.
 #include "random_views.h"
+#include "shadow/caster_volume.h"
 
 #include <gtest/gtest.h>
 
@@ -64,15 +65,15 @@ glm::dvec3 randomCaster(Random& random, const Region& region, const glm::dvec3& 
 void checkCasters(std::uint64_t seed, int casters) {
     Random random(seed);
     const Case chosen = randomCase(random);
-    const ShadowMapPartition& map = chosen.setup.maps[random.below(chosen.setup.maps.size())];
-    const ConvexVolume sweep = casterVolume(map.region, map.map.frame);
+    const ShadowMap& map = chosen.setup.maps[random.below(chosen.setup.maps.size())];
+    const ConvexVolume sweep = casterVolume(map.region, map.warped.frame);
     const double tolerance = 1e-9 * map.region.frustum.far;
     for (int i = 0; i < casters; ++i) {
-        const glm::dvec3 p = randomCaster(random, map.region, map.map.frame.y);
-        const Chord chord = shadowChord(map.region.volume, p, map.map.frame.y);
+        const glm::dvec3 p = randomCaster(random, map.region, map.warped.frame.y);
+        const Chord chord = shadowChord(map.region.volume, p, map.warped.frame.y);
         const double inside = depthInside(sweep, p);
         // The middle of a chord through the region lies inside the region; one that only touches it does not.
-        const glm::dvec3 middle = p - map.map.frame.y * ((chord.low + chord.high) / 2);
+        const glm::dvec3 middle = p - map.warped.frame.y * ((chord.low + chord.high) / 2);
         const bool shadows = chord.low <= chord.high && depthInside(map.region.volume, middle) > tolerance;
         ASSERT_FALSE(inside < -tolerance && shadows) << "a caster outside shadows the region, seed " << seed;
         ASSERT_FALSE(inside > tolerance && chord.low > chord.high) << "one inside shadows nothing, seed " << seed;
@@ -95,8 +96,8 @@ TEST(Casters, NoPlaneCanBeMovedIn) {
     for (std::uint64_t seed = 0; seed < 1000; ++seed) {
         Random random(seed);
         const Case chosen = randomCase(random);
-        for (const ShadowMapPartition& map : chosen.setup.maps) {
-            const ConvexVolume sweep = casterVolume(map.region, map.map.frame);
+        for (const ShadowMap& map : chosen.setup.maps) {
+            const ConvexVolume sweep = casterVolume(map.region, map.warped.frame);
             EXPECT_GE(sweep.planes.size(), 3U);
             for (const Plane& plane : sweep.planes) {
                 EXPECT_NEAR(glm::length(plane.normal), 1, 1e-12);
@@ -115,30 +116,72 @@ TEST(Casters, GrownVolumeHoldsEveryTexelThatALookupReads) {
     for (std::uint64_t seed = 0; seed < 500; ++seed) {
         Random random(seed);
         const Case chosen = randomCase(random);
-        const ShadowMapPartition& map = chosen.setup.maps[random.below(chosen.setup.maps.size())];
+        const ShadowMap& map = chosen.setup.maps[random.below(chosen.setup.maps.size())];
         // Next to a warp's centre the inverse below has no digits left; the volume is made without one.
-        if (map.map.kappa * map.map.length > 1e4) continue;
-        const glm::dmat4 cameraFromTexture = glm::inverse(map.textureFromCamera);
+        if (map.warped.kappa * map.warped.length > 1e4) continue;
+        const DoubleMapImage image = cameraImage(map);
+        const glm::dmat4 offsetFromClip = glm::inverse(image.clipFromOffset);
         for (int i = 0; i < 50; ++i) {
             const FitVertex& a = map.region.vertices[random.below(map.region.vertices.size())];
             const FitVertex& b = map.region.vertices[random.below(map.region.vertices.size())];
             const glm::dvec3 p = a.position + (b.position - a.position) * random.unit();
-            glm::dvec4 at = map.textureFromCamera * glm::dvec4(p, 1);
+            glm::dvec4 at = image.clipFromOffset * glm::dvec4(p - image.origin, 1);
             at /= at.w;
-            const double reach = chosen.setup.gutter * 0.999;
-            at.x += random.uniform(-reach, reach) / chosen.setup.textureWidth;
-            at.y += random.uniform(-reach, reach) / chosen.setup.textureHeight;
+            const double reach = map.gutter * 0.999;
+            at.x += random.uniform(-reach, reach) / image.texelScale.x;
+            at.y += random.uniform(-reach, reach) / image.texelScale.y;
             at.z = random.uniform(-1, 0.999);
-            const glm::dvec4 caster = cameraFromTexture * at;
-            if (!(caster.w > 0)) continue; // past the vanishing line
+            const glm::dvec4 offset = offsetFromClip * at;
+            if (!(offset.w > 0)) continue; // past the vanishing line
             ++tested;
+            const glm::dvec3 caster = glm::dvec3(offset) / offset.w + image.origin;
             EXPECT_GE(
-                depthInside(map.casterVolume, glm::dvec3(caster) / caster.w),
-                -1e-6 * map.region.frustum.far - 1e-6 * glm::length(glm::dvec3(caster) / caster.w))
-                << "seed " << seed << " kappa d " << map.map.kappa * map.map.length;
+                depthInside(map.casterVolume, caster), -1e-6 * map.region.frustum.far - 1e-6 * glm::length(caster))
+                << "seed " << seed << " kappa d " << map.warped.kappa * map.warped.length;
         }
     }
     EXPECT_GT(tested, 15000);
+}
+
+/// What holds the texels of every lookup is no larger than that: each plane of the grown volume passes through what one
+/// of the region's corners reads at the end of its reach, at the far end of the map's depth.
+TEST(Casters, NoPlaneOfTheGrownVolumeCanBeMovedIn) {
+    int tested = 0;
+    for (std::uint64_t seed = 0; seed < 500; ++seed) {
+        Random random(seed);
+        const Case chosen = randomCase(random);
+        for (const ShadowMap& map : chosen.setup.maps) {
+            if (map.warped.kappa * map.warped.length > 1e3) continue;
+            const DoubleMapImage image = cameraImage(map);
+            const glm::dmat4 offsetFromClip = glm::inverse(image.clipFromOffset);
+            std::vector<glm::dvec3> read;
+            bool isBounded = true;
+            for (const FitVertex& vertex : map.region.vertices)
+                for (const glm::dvec2& way :
+                     {glm::dvec2(1, 1), glm::dvec2(1, -1), glm::dvec2(-1, 1), glm::dvec2(-1, -1)}) {
+                    glm::dvec4 at = image.clipFromOffset * glm::dvec4(vertex.position - image.origin, 1);
+                    at /= at.w;
+                    at += glm::dvec4(glm::dvec2(map.gutter) / image.texelScale * way, 0, 0);
+                    at.z = 1;
+                    const glm::dvec4 offset = offsetFromClip * at;
+                    isBounded = isBounded && offset.w > 0;
+                    read.push_back(glm::dvec3(offset) / offset.w + image.origin);
+                }
+            if (!isBounded) continue; // past the vanishing line
+            double size = map.region.frustum.far;
+            for (const glm::dvec3& p : read)
+                size = std::max(size, glm::length(p));
+            EXPECT_GE(map.casterVolume.planes.size(), 4U);
+            for (const Plane& plane : map.casterVolume.planes) {
+                double least = std::numeric_limits<double>::infinity();
+                for (const glm::dvec3& p : read)
+                    least = std::min(least, plane.signedDistance(p));
+                EXPECT_NEAR(least / size, 0, 1e-6) << "seed " << seed;
+                ++tested;
+            }
+        }
+    }
+    EXPECT_GT(tested, 2000);
 }
 
 /// Boxes at random in the frustum, each seen at all the depths that it spans, or at some of them.
@@ -169,20 +212,20 @@ glm::dvec3 randomPointIn(Random& random, const Box& box) {
 
 /// What in `map` lies beside, or before, where a seen point is looked up, as far as a lookup reaches; nothing if that
 /// is past the vanishing line, or no point was found in the map's region.
-std::optional<glm::dvec3> randomRead(
-    Random& random, const Case& chosen, const ShadowMapSetup& setup, const ShadowMapPartition& map) {
+std::optional<glm::dvec3> randomRead(Random& random, const Case& chosen, const ShadowMap& map) {
     const SeenPart& part = chosen.view.seen[random.below(chosen.view.seen.size())];
     const glm::dvec3 p = toCamera(chosen.view.anchor.basis, randomPointIn(random, part.box));
     if (!contains(map.region.volume, p) || p.z < part.depths.near || p.z > part.depths.far) return std::nullopt;
-    glm::dvec4 at = map.textureFromCamera * glm::dvec4(p, 1);
+    const DoubleMapImage image = cameraImage(map);
+    glm::dvec4 at = image.clipFromOffset * glm::dvec4(p - image.origin, 1);
     at /= at.w;
-    const double reach = setup.gutter * 0.999;
-    at.x += random.uniform(-reach, reach) / setup.textureWidth;
-    at.y += random.uniform(-reach, reach) / setup.textureHeight;
+    const double reach = map.gutter * 0.999;
+    at.x += random.uniform(-reach, reach) / image.texelScale.x;
+    at.y += random.uniform(-reach, reach) / image.texelScale.y;
     at.z = random.uniform(-1, 0.999);
-    const glm::dvec4 caster = glm::inverse(map.textureFromCamera) * at;
-    if (!(caster.w > 0)) return std::nullopt;
-    return glm::dvec3(caster) / caster.w;
+    const glm::dvec4 offset = glm::inverse(image.clipFromOffset) * at;
+    if (!(offset.w > 0)) return std::nullopt;
+    return glm::dvec3(offset) / offset.w + image.origin;
 }
 
 /// The volume of what is seen holds every caster whose texel the lookup of a seen point can read, and nothing that the
@@ -200,17 +243,17 @@ TEST(Casters, VolumeOfWhatIsSeenHoldsEveryTexelThatItReads) {
         chosen.view.seen = randomSeen(random, chosen.view);
         const ShadowMapSetup setup = shadowMapSetup(chosen.view, options);
         const std::size_t index = random.below(setup.maps.size());
-        const ShadowMapPartition& map = setup.maps[index];
-        if (map.map.kappa * map.map.length > 1e4) continue;
+        const ShadowMap& map = setup.maps[index];
+        if (map.warped.kappa * map.warped.length > 1e4) continue;
         for (int i = 0; i < 50; ++i) {
-            const std::optional<glm::dvec3> point = randomRead(random, chosen, setup, map);
+            const std::optional<glm::dvec3> point = randomRead(random, chosen, map);
             if (!point) continue;
             ++tested;
             const double tolerance = 1e-6 * map.region.frustum.far + 1e-6 * glm::length(*point);
             EXPECT_GE(depthInside(map.casterVolume, *point), -tolerance) << "seed " << seed;
         }
         for (int i = 0; i < 50; ++i) {
-            const glm::dvec3 p = randomCaster(random, map.region, map.map.frame.y);
+            const glm::dvec3 p = randomCaster(random, map.region, map.warped.frame.y);
             const double tolerance = 1e-6 * map.region.frustum.far;
             const double inSeen = depthInside(map.casterVolume, p);
             const double inWhole = depthInside(whole.maps[index].casterVolume, p);

@@ -1,5 +1,6 @@
 // Every point of the frustum lies in exactly one partition, and inside that partition's map with its kernel.
 #include "random_views.h"
+#include "shadow/partition/region.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +8,7 @@ namespace gnomon::shadow {
 namespace {
 
 /// How far outside of the partition's planes `p` is, in units of the slice's far depth.
-double distanceOutside(const ShadowMapPartition& map, const glm::dvec3& p) {
+double distanceOutside(const ShadowMap& map, const glm::dvec3& p) {
     double outside = 0;
     for (const Plane& plane : map.region.volume.planes)
         outside = std::max(outside, -plane.signedDistance(p) / map.region.frustum.far);
@@ -15,23 +16,22 @@ double distanceOutside(const ShadowMapPartition& map, const glm::dvec3& p) {
 }
 
 /// Whether the lookup of `p`, kernel included, stays on the rectangle of `map`.
-bool lookupStaysInside(const ShadowMapSetup& setup, const ShadowMapPartition& map, double filter, const glm::dvec3& p) {
-    const glm::dvec4 at = map.textureFromCamera * glm::dvec4(p, 1);
+bool lookupStaysInside(const ShadowMap& map, double filter, const glm::dvec3& p) {
+    const MapTexel<double> at = texelAt(cameraImage(map), p);
     if (!(at.w > 0)) return false;
-    const double x = at.x / at.w * setup.textureWidth;
-    const double y = at.y / at.w * setup.textureHeight;
+    const double x = at.column;
+    const double y = at.row;
     const double reach = filter / 2 + 0.5; // the kernel's texels and the rounding to them
     const TexelRectangle& r = map.rectangle;
     const bool inX = x - reach >= r.x && x + reach <= r.x + r.width;
     const bool inY = y - reach >= r.y && y + reach <= r.y + r.height;
-    const double depth = at.z / at.w;
-    return inX && inY && depth >= -1e-9 && depth <= 1 + 1e-9;
+    return inX && inY && at.depth >= -1e-9 && at.depth <= 1 + 1e-9;
 }
 
 /// The number of partitions, over all slices and faces, whose closed region `p` is well inside of.
 int strictOwners(const ShadowMapSetup& setup, const glm::dvec3& p) {
     int owners = 0;
-    for (const ShadowMapPartition& map : setup.maps) {
+    for (const ShadowMap& map : setup.maps) {
         bool inside = true;
         for (const Plane& plane : map.region.volume.planes)
             inside = inside && plane.signedDistance(p) > 2e-3 * map.region.frustum.far;
@@ -43,12 +43,12 @@ int strictOwners(const ShadowMapSetup& setup, const glm::dvec3& p) {
 void checkPoint(const ShadowMapSetup& setup, const ShadowOptions& options, const glm::dvec3& p) {
     const std::size_t index = setup.mapOf(p);
     ASSERT_LT(index, setup.maps.size());
-    const ShadowMapPartition& map = setup.maps[index];
+    const ShadowMap& map = setup.maps[index];
     // The planes of merged slivers are 1e-3 off; everything else agrees to rounding.
     EXPECT_LE(distanceOutside(map, p), map.region.face == Face::Near ? 2e-3 : 1e-9)
         << name(map.region.face) << " of slice " << map.region.slice;
-    EXPECT_TRUE(lookupStaysInside(setup, map, options.filterTexels, p))
-        << name(map.region.face) << " of slice " << map.region.slice << " kappa " << map.map.kappa;
+    EXPECT_TRUE(lookupStaysInside(map, options.filterTexels, p))
+        << name(map.region.face) << " of slice " << map.region.slice << " kappa " << map.warped.kappa;
     EXPECT_LE(strictOwners(setup, p), 1);
 }
 

@@ -22,25 +22,23 @@ void expectSound(const ShadowView& view) {
         options.scheme.nearFace = (kind & 2) != 0 ? NearFace::Stretch : NearFace::OwnMap;
         options.stabilized = kind == 4;
         const ShadowMapSetup setup = shadowMapSetup(view, options);
-        for (const ShadowMapPartition& map : setup.maps)
-            EXPECT_TRUE(isFinite(map.lightClipFromCamera) && std::isfinite(map.promised.worst()));
+        for (const ShadowMap& map : setup.maps)
+            EXPECT_TRUE(isFinite(map.lightClipFromCamera()) && std::isfinite(map.promised.worst()));
         for (const glm::dvec3& p : corners(view.frustum)) {
-            const glm::dvec4 clip = setup.maps.at(setup.mapOf(p)).lightClipFromCamera * glm::dvec4(p, 1);
+            const glm::dvec4 clip = setup.maps.at(setup.mapOf(p)).lightClipFromCamera() * glm::dvec4(p, 1);
             EXPECT_GT(clip.w, 0);
             EXPECT_LE(std::max(std::abs(clip.x), std::abs(clip.y)), clip.w);
         }
     }
 }
 
-/// By how many texels of 4096 `p` lands elsewhere in a map than its (s, t) in double say, where the clip matrix and the
-/// positions, relative to `origin`, are floats.
-double texelsOff(const ShadowMapPartition& map, const glm::dvec3& origin, const glm::dvec3& p) {
-    const glm::mat4 uploaded(relativeTo(map.lightClipFromCamera, origin));
-    const glm::vec4 found = uploaded * glm::vec4(glm::vec3(p - origin), 1);
-    const MapPoint point = mapPoint(map.map, p);
-    const glm::dvec2 inTexture(map.textureFromMap * glm::dvec4(point.s, point.t, point.depth, 1));
-    const glm::dvec2 exact = (inTexture - map.textureOffset) / map.textureScale;
-    return glm::length(glm::dvec2(glm::vec2(found) / found.w) - exact) * 2048;
+/// By how many texels of 4096 `p` lands elsewhere in the image that executors get than its (s, t) in double say, where
+/// positions are floats relative to `origin`.
+double texelsOff(const ShadowMap& map, const glm::dvec3& origin, const glm::dvec3& p) {
+    const FloatMapImage image = rounded(mapImage(map, relativeTo(map.lightClipFromCamera(), origin), glm::dvec3(0)));
+    const MapTexel<float> found = texelAt(image, glm::vec3(p - origin));
+    const glm::dvec2 off = glm::dvec2(found.column, found.row) - exactTexel(map, p);
+    return glm::length(off / glm::dvec2(map.rectangle.width, map.rectangle.height)) * 4096;
 }
 
 struct FloatError {
@@ -59,7 +57,7 @@ FloatError floatError(const ViewFrustum& frustum) {
         const ShadowMapSetup setup = shadowMapSetup(view, {});
         for (int i = 0; i < 50; ++i) {
             const glm::dvec3 p = randomPointIn(random, frustum);
-            const ShadowMapPartition& map = setup.maps.at(setup.mapOf(p));
+            const ShadowMap& map = setup.maps.at(setup.mapOf(p));
             worst.fromTheOrigin = std::max(worst.fromTheOrigin, texelsOff(map, map.origin, p));
             worst.fromTheEye = std::max(worst.fromTheEye, texelsOff(map, glm::dvec3(0), p));
         }
@@ -127,12 +125,12 @@ void onASplitPlane() {
 
 void behindTheWarp() {
     const ShadowMapSetup setup = shadowMapSetup({}, {});
-    const ShadowMapPartition& first = setup.maps[0];
-    const double centre = first.map.zMin - 1 / first.map.kappa; // the light-space z where w = 0
-    const glm::dvec3 behind = toCamera(first.map.frame, {0, 1, centre - 0.1});
-    EXPECT_LT((first.lightClipFromCamera * glm::dvec4(behind, 1)).w, 0);
+    const ShadowMap& first = setup.maps[0];
+    const double centre = first.warped.zMin - 1 / first.warped.kappa; // the light-space z where w = 0
+    const glm::dvec3 behind = toCamera(first.warped.frame, {0, 1, centre - 0.1});
+    EXPECT_LT((first.lightClipFromCamera() * glm::dvec4(behind, 1)).w, 0);
     // Undivided, the clip planes of the sides reject it; divided, it would land inside the map, mirrored.
-    const glm::dvec4 clip = first.lightClipFromCamera * glm::dvec4(behind, 1);
+    const glm::dvec4 clip = first.lightClipFromCamera() * glm::dvec4(behind, 1);
     EXPECT_FALSE(std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w);
 }
 
@@ -261,20 +259,24 @@ void tooFewTexels() {
 
 void clampedCaster() {
     const ShadowMapSetup setup = shadowMapSetup({}, {});
-    for (const ShadowMapPartition& map : setup.maps)
+    for (const ShadowMap& map : setup.maps)
         for (const FitVertex& vertex : map.region.vertices) {
-            const glm::dvec3 steep = map.map.frame.x * std::sqrt(0.99) + map.map.frame.y * 0.1;
-            const double bias = depthBias(map.bias, map.map.frame, vertex.position, steep);
-            EXPECT_GE(mapPoint(map.map, vertex.position).depth, bias);
+            const glm::dvec3 steep = map.warped.frame.x * std::sqrt(0.99) + map.warped.frame.y * 0.1;
+            const double bias = receiverBias(cameraImage(map), vertex.position, steep, 0.1);
+            EXPECT_GE(mapPoint(map.warped, vertex.position).depth, bias);
         }
 }
 
 void grazingReceiver() {
     const ShadowMapSetup setup = shadowMapSetup({}, {});
-    const ShadowMapPartition& map = setup.maps[0];
+    const ShadowMap& map = setup.maps[0];
     const glm::dvec3 p = map.region.vertices[0].position;
-    EXPECT_LT(depthBias(map.bias, map.map.frame, p, glm::normalize(map.map.frame.x + map.map.frame.y * 1e-12)), 1);
-    EXPECT_TRUE(std::isfinite(depthBias(map.bias, map.map.frame, p, map.map.frame.x)));
+    const LightFrame& frame = map.warped.frame;
+    for (const double cosine : {1e-2, 1e-6, 1e-12}) {
+        const glm::dvec3 normal = glm::normalize(frame.x + frame.y * cosine);
+        EXPECT_LT(receiverBias(cameraImage(map), p, normal, cosine), 1);
+        EXPECT_LT(receiverBias(rounded(cameraImage(map)), glm::vec3(p), glm::vec3(normal), float(cosine)), 1);
+    }
 }
 
 /// How much of (x, y) of the divided clip position changes a step `along` at p, by the quotient rule.
@@ -293,11 +295,11 @@ void steepWarp() {
         for (const glm::dvec3& light : {glm::dvec3(0, 1, 0), glm::dvec3(0.3, 1, 0.2), glm::dvec3(0.9, 0.1, -0.6)}) {
             view.towardsLight = glm::normalize(light);
             options.scheme.warp.kappa = kappa;
-            const ShadowMapPartition& map = shadowMapSetup(view, options).maps.at(0);
-            const glm::dmat4 uploaded(glm::mat4(map.lightClipFromCamera));
+            const ShadowMap& map = shadowMapSetup(view, options).maps.at(0);
+            const glm::dmat4 uploaded(rounded(cameraImage(map)).clipFromOffset);
             for (const FitVertex& vertex : map.region.vertices)
                 for (const glm::dvec3& along : {glm::dvec3(1, 0, 0), glm::dvec3(0, 0, 1)}) {
-                    const glm::dvec2 exact = derivative(map.lightClipFromCamera, vertex.position, along);
+                    const glm::dvec2 exact = derivative(map.lightClipFromCamera(), vertex.position, along);
                     const glm::dvec2 found = derivative(uploaded, vertex.position, along);
                     EXPECT_LE(glm::length(found - exact), 1e-3 * glm::length(exact));
                 }

@@ -58,6 +58,15 @@ inline glm::dvec3 randomPointIn(Random& random, const ViewFrustum& frustum) {
     return {x * depth, y * depth, depth};
 }
 
+/// Where `p` lies in the depth texture by (s, t) alone: (column, row).
+inline glm::dvec2 exactTexel(const ShadowMap& map, const glm::dvec3& p) {
+    const MapPoint at = mapPoint(map.warped, p);
+    const TexelRectangle inner = map.innerRectangle();
+    const double along = inner.transposed ? at.t : at.s;
+    const double up = inner.transposed ? at.s : at.t;
+    return {inner.x + along * inner.width, inner.y + up * inner.height};
+}
+
 inline Warp randomWarp(Random& random, const ViewFrustum& frustum) {
     Warp warp;
     warp.rule = std::array<WarpRule, 8>{

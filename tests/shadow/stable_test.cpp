@@ -1,6 +1,7 @@
-// Stable slices, the quantised near and the bias rule.
+// Stable slices, and the quantised near.
 #include "random_views.h"
 #include "shadow/quantized_near.h"
+#include "shadow/stable_slice.h"
 
 #include <gtest/gtest.h>
 
@@ -8,11 +9,11 @@ namespace gnomon::shadow {
 namespace {
 
 /// The texel that a world point falls into in the map of `view`, and its depth in steps of the map's texel.
-glm::dvec3 worldTexel(const ShadowMapPartition& map, const ShadowView& view, const glm::dvec3& world) {
+glm::dvec3 worldTexel(const ShadowMap& map, const ShadowView& view, const glm::dvec3& world) {
     const glm::dvec3 p = gnomon::toCamera(view.anchor.basis, world - view.anchor.eye);
-    const MapPoint at = mapPoint(map.map, p);
+    const MapPoint at = mapPoint(map.warped, p);
     const int texels = map.rectangle.width - 2;
-    return {at.s * texels, at.t * texels, at.depth * map.map.rawRange / map.map.width * texels};
+    return {at.s * texels, at.t * texels, at.depth * map.warped.rawRange / map.warped.width * texels};
 }
 
 TEST(Stable, WorldPointsKeepTheirPlaceInTheTexelsAsTheCameraMovesAndTurns) {
@@ -88,53 +89,6 @@ TEST(QuantizedNear, StepsArePowersOfTheFourthRootOfTwo) {
         EXPECT_NEAR(quantizeNear(step) / step, 1, 1e-11);
         EXPECT_NEAR(quantizeNear(step * 1.1) / step, 1, 1e-11);
         EXPECT_LE(quantizeNear(step), step);
-    }
-}
-
-/// Sampled: a flat receiver never shadows itself with the bias, whatever texel centre its lookup reads.
-TEST(Bias, CoversTheReceiversOwnPlane) {
-    Random random(2);
-    for (std::uint64_t seed = 0; seed < 2000; ++seed) {
-        const ShadowView view = randomView(random);
-        ShadowOptions options = randomOptions(random, view.frustum);
-        const ShadowMapSetup setup = shadowMapSetup(view, options);
-        const ShadowMapPartition& map = setup.maps[random.below(setup.maps.size())];
-        if (map.map.kappa * map.map.length > 1e4) continue;
-        const glm::dvec3 p = map.region.vertices[random.below(map.region.vertices.size())].position;
-        glm::dvec3 normal = randomDirection(random);
-        if (glm::dot(normal, view.towardsLight) < 0.1) continue;
-        const double bias = depthBias(map.bias, map.map.frame, p, normal);
-        EXPECT_LE(bias * map.map.rawRange, map.map.rawRange / 2 + 1e-9) << "seed " << seed;
-        const auto depthOfPlaneAt = [&](double dx, double dy) {
-            // The plane's depth at a texture position: the plane in texture space, solved for depth.
-            const glm::dvec4 plane = map.bias.textureFromCameraPlane * glm::dvec4(normal, -glm::dot(normal, p));
-            glm::dvec4 at = map.textureFromCamera * glm::dvec4(p, 1);
-            at /= at.w;
-            return -(plane.x * (at.x + dx) + plane.y * (at.y + dy) + plane.w) / plane.z;
-        };
-        const glm::dvec4 at = map.textureFromCamera * glm::dvec4(p, 1);
-        EXPECT_NEAR(depthOfPlaneAt(0, 0), at.z / at.w, 1e-6);
-        const double reach = options.filterTexels / 2 + 0.5;
-        for (const double sx : {-reach, reach})
-            for (const double sy : {-reach, reach}) {
-                const double stored = depthOfPlaneAt(sx / setup.textureWidth, sy / setup.textureHeight);
-                EXPECT_GE(stored, at.z / at.w - bias - 1e-12) << "seed " << seed;
-            }
-    }
-}
-
-TEST(Bias, TheDepthRangeHasRoomForIt) {
-    Random random(3);
-    for (std::uint64_t seed = 0; seed < 2000; ++seed) {
-        const ShadowView view = randomView(random);
-        const ShadowOptions options = randomOptions(random, view.frustum);
-        const ShadowMapSetup setup = shadowMapSetup(view, options);
-        for (const ShadowMapPartition& map : setup.maps) {
-            if (map.map.kappa * map.map.length > 1e4) continue;
-            const glm::dvec3 p = map.region.vertices[random.below(map.region.vertices.size())].position;
-            const double bias = depthBias(map.bias, map.map.frame, p, randomDirection(random));
-            EXPECT_GE(mapPoint(map.map, p).depth - bias, -1e-6) << "seed " << seed;
-        }
     }
 }
 

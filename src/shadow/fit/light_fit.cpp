@@ -13,7 +13,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Moves the zeta origin to the least z of the region, given points whose zeta still is their z.
-void settle(LightFit& fit) {
+void startZetaAtZero(LightFit& fit) {
     double least = kInfinity;
     double most = -kInfinity;
     for (const FitPoint& point : fit.points()) {
@@ -38,7 +38,7 @@ LightFit fitRegion(const LightFrame& frame, const ViewFrustum& slice, std::span<
         const glm::dvec3 p = toLight(frame, vertex.position);
         fit.storage[fit.count++] = {p.x, p.y, p.z, vertex.position.z, vertex.end};
     }
-    settle(fit);
+    startZetaAtZero(fit);
     return fit;
 }
 
@@ -62,7 +62,7 @@ LightFit rolled(const LightFit& fit, double radians) {
         result.storage[i].x = c * from.x - s * z;
         result.storage[i].zeta = c * z + s * from.x;
     }
-    settle(result);
+    startZetaAtZero(result);
     return result;
 }
 

@@ -89,8 +89,8 @@ std::vector<PlanVolume> planVolumes(const plan::FramePlan& plan, const Box& boun
         0,
         {{{x, 0}, {mirrored(x), 0}, {y, 0}, {mirrored(y), 0}, {{0, 0, 1}, -plan.near}, {{0, 0, -1}, plan.far}}});
     for (std::size_t i = 0; i < plan.passes.size(); ++i) {
-        add(PlanVolume::Kind::Partition, i, plan.passes[i].receivers);
-        add(PlanVolume::Kind::Casters, i, plan.passes[i].casters);
+        add(PlanVolume::Kind::Partition, i, plan.passes[i].map.region.volume);
+        add(PlanVolume::Kind::Casters, i, plan.passes[i].map.casterVolume);
     }
     return result;
 }

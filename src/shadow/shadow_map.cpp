@@ -1,0 +1,72 @@
+#include "shadow/shadow_map.h"
+
+namespace gnomon::shadow {
+
+TexelRectangle ShadowMap::innerRectangle() const {
+    TexelRectangle inner = rectangle;
+    inner.x += gutter;
+    inner.y += gutter;
+    inner.width -= 2 * gutter;
+    inner.height -= 2 * gutter;
+    return inner;
+}
+
+Resolution ShadowMap::texels() const {
+    const TexelRectangle inner = innerRectangle();
+    const double columns = inner.width;
+    const double rows = inner.height;
+    return {1, rectangle.transposed ? rows : columns, rectangle.transposed ? columns : rows};
+}
+
+glm::dmat4 ShadowMap::lightClipFromMap() const {
+    // [0, 1] over the map becomes [-1, 1] over it, and that what the map is of its rectangle.
+    const TexelRectangle inner = innerRectangle();
+    const double scaleX = static_cast<double>(inner.width) / rectangle.width;
+    const double scaleY = static_cast<double>(inner.height) / rectangle.height;
+    const glm::dvec4 alongX(2 * scaleX, 0, 0, 0);
+    const glm::dvec4 alongY(0, 2 * scaleY, 0, 0);
+    glm::dmat4 clip(1);
+    clip[0] = rectangle.transposed ? alongY : alongX;
+    clip[1] = rectangle.transposed ? alongX : alongY;
+    clip[3] = {-scaleX, -scaleY, 0, 1};
+    return clip;
+}
+
+DoubleMapImage mapImage(const ShadowMap& map, const glm::dmat4& lightClipFromOffset, const glm::dvec3& origin) {
+    const TexelRectangle& r = map.rectangle;
+    DoubleMapImage image;
+    image.origin = origin;
+    image.clipFromOffset = lightClipFromOffset;
+    image.texelScale = glm::dvec2(r.width, r.height) / 2.0;
+    image.texelOffset = glm::dvec2(r.x, r.y) + image.texelScale;
+    const glm::dmat4 offsetFromClip = glm::inverse(lightClipFromOffset);
+    image.byColumn = offsetFromClip[0] / image.texelScale.x;
+    image.byRow = offsetFromClip[1] / image.texelScale.y;
+    image.byDepth = offsetFromClip[2];
+    const TexelDepth texel = texelDepth(map.warped, map.texels());
+    image.unevenX = kUnevenSlope * texel.x;
+    image.unevenZ = kUnevenSlope * texel.z;
+    image.reach = reachTexels(map.filterTexels);
+    return image;
+}
+
+DoubleMapImage cameraImage(const ShadowMap& map) {
+    return mapImage(map, relativeTo(map.lightClipFromCamera(), map.origin), map.origin);
+}
+
+FloatMapImage rounded(const DoubleMapImage& image) {
+    FloatMapImage result;
+    result.origin = glm::vec3(image.origin);
+    result.clipFromOffset = glm::mat4(image.clipFromOffset);
+    result.texelScale = glm::vec2(image.texelScale);
+    result.texelOffset = glm::vec2(image.texelOffset);
+    result.byColumn = glm::vec4(image.byColumn);
+    result.byRow = glm::vec4(image.byRow);
+    result.byDepth = glm::vec4(image.byDepth);
+    result.unevenX = static_cast<float>(image.unevenX);
+    result.unevenZ = static_cast<float>(image.unevenZ);
+    result.reach = static_cast<float>(image.reach);
+    return result;
+}
+
+} // namespace gnomon::shadow

@@ -393,50 +393,5 @@ TEST(ReadPly, MutatedFilesGiveAMeshOrAnError) {
     EXPECT_LT(refused, 2900U);
 }
 
-TEST(ReadPly, SeveralInputsMakeOneModel) {
-    const PlyLayout plain;
-    PlyLayout colored;
-    colored.color = "uchar";
-    const KnownMesh first = randomMesh(8, 40, 30, plain);
-    const KnownMesh second = randomMesh(9, 20'000, 30'000, colored);
-    writeScratch(scratch("join1"), plyText(first, plain));
-    writeScratch(scratch("join2"), plyText(second, colored));
-    const auto source = openMeshSources({scratch("join1"), scratch("join2")}, mebibytes(1));
-    EXPECT_TRUE(source->summary().hasColors);
-    const CollectedMesh both = collect(*source);
-    const CollectedMesh a = expected(first);
-    const CollectedMesh b = expected(second);
-    ASSERT_EQ(both.positions.size(), 20'040U);
-    EXPECT_EQ(both.positions[40], b.positions[0]);
-    EXPECT_EQ(both.notAPolygon, a.notAPolygon + b.notAPolygon);
-    ASSERT_EQ(both.triangles.size(), a.triangles.size() + b.triangles.size());
-    for (std::size_t i = 0; i < b.triangles.size(); ++i)
-        for (std::size_t k = 0; k < 3; ++k)
-            ASSERT_EQ(both.triangles[a.triangles.size() + i][k], b.triangles[i][k] + 40);
-}
-
-TEST(ReadPly, OfSeveralInputsTheNormalsCountOnlyIfAllHaveSome) {
-    PlyLayout plain;
-    PlyLayout smooth;
-    smooth.normal = "float";
-    writeScratch(scratch("bare"), plyText(randomMesh(8, 40, 30, plain), plain));
-    writeScratch(scratch("smooth"), plyText(randomMesh(9, 40, 30, smooth), smooth));
-    EXPECT_TRUE(openMeshSources({scratch("smooth"), scratch("smooth")}, mebibytes(1))->summary().hasNormals);
-    const auto mixed = openMeshSources({scratch("smooth"), scratch("bare")}, mebibytes(1));
-    EXPECT_FALSE(mixed->summary().hasNormals);
-    mixed->readVertices([](const VertexBlock& block) { EXPECT_TRUE(block.normals.empty()); });
-}
-
-TEST(ReadPly, AnErrorInOneOfSeveralInputsNamesIt) {
-    writeScratch(scratch("good"), ascii(kVertices + kFaces, kFour + "3 0 1 2\n"));
-    writeScratch(scratch("bad"), ascii(kVertices + kFaces, kFour + "3 0 1 7\n"));
-    try {
-        collect(*openMeshSources({scratch("good"), scratch("bad")}, mebibytes(1)));
-        FAIL() << "a bad index passed";
-    } catch (const Error& error) {
-        EXPECT_TRUE(std::string(error.what()).starts_with(scratch("bad") + ":14: ")) << error.what();
-    }
-}
-
 } // namespace
 } // namespace gnomon::read

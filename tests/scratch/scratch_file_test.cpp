@@ -1,0 +1,151 @@
+// Temporary bytes on disk and in memory behave alike, and the space that they take is counted.
+#include "core/error.h"
+#include "core/random.h"
+#include "preprocess/scratch/scratch_file.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
+#include <thread>
+
+#include <unistd.h>
+
+namespace gnomon::scratch {
+namespace {
+
+/// Remembers the last number of bytes that it was told.
+class SpaceProgress final : public Progress {
+public:
+    void stage(std::string_view /*name*/, std::string_view /*unit*/, std::uint64_t /*total*/) override {}
+
+    void advance(std::uint64_t /*count*/) override {}
+
+    void temporarySpace(std::uint64_t bytes) override { told = bytes; }
+
+    std::atomic<std::uint64_t> told{0};
+};
+
+class Scratch : public testing::TestWithParam<bool> {
+protected:
+    ~Scratch() override { std::filesystem::remove(path_); }
+
+    std::unique_ptr<ScratchFile> make() { return GetParam() ? scratchOnDisk(path_, space_) : scratchInMemory(space_); }
+
+    SpaceProgress progress_;
+    TemporarySpace space_{progress_};
+    std::string path_ = testing::TempDir() + "gnomon_scratch_" + std::to_string(::getpid());
+};
+
+std::vector<std::byte> randomBytes(Random& random, std::size_t size) {
+    std::vector<std::byte> bytes(size);
+    for (std::byte& byte : bytes)
+        byte = static_cast<std::byte>(random.bits());
+    return bytes;
+}
+
+TEST_P(Scratch, GivesBackWhatWasAppendedWhereItLies) {
+    Random random(1);
+    const std::unique_ptr<ScratchFile> file = make();
+    std::vector<std::pair<std::uint64_t, std::vector<std::byte>>> pieces;
+    std::uint64_t total = 0;
+    for (int i = 0; i < 200; ++i) {
+        std::vector<std::byte> bytes = randomBytes(random, random.below(300));
+        const std::uint64_t offset = file->append(bytes);
+        EXPECT_EQ(offset, total);
+        total += bytes.size();
+        EXPECT_EQ(file->end(), total);
+        if (!bytes.empty()) pieces.emplace_back(offset, std::move(bytes));
+    }
+    std::uint64_t read = 0;
+    for (const auto& [offset, bytes] : pieces) {
+        const std::size_t first = random.below(bytes.size());
+        std::vector<std::byte> out(1 + random.below(bytes.size() - first));
+        file->read(offset + first, out);
+        EXPECT_TRUE(std::equal(out.begin(), out.end(), bytes.begin() + static_cast<std::ptrdiff_t>(first)));
+        read += out.size();
+    }
+    EXPECT_EQ(space_.bytesRead(), read);
+    EXPECT_EQ(space_.bytesWritten(), total);
+    EXPECT_EQ(space_.bytes(), total);
+    EXPECT_EQ(progress_.told, total);
+}
+
+TEST_P(Scratch, WhatIsReleasedIsGivenBackAndTheRestStays) {
+    Random random(2);
+    const std::unique_ptr<ScratchFile> file = make();
+    const std::vector<std::byte> first = randomBytes(random, 5000);
+    const std::vector<std::byte> second = randomBytes(random, 3000);
+    const std::uint64_t a = file->append(first);
+    const std::uint64_t b = file->append(second);
+    file->release(a, first.size());
+    file->release(a, 0);
+    EXPECT_EQ(space_.bytes(), 3000U);
+    EXPECT_EQ(space_.peakBytes(), 8000U);
+    EXPECT_EQ(space_.bytesWritten(), 8000U);
+    EXPECT_EQ(progress_.told, 3000U);
+    std::vector<std::byte> out(second.size());
+    file->read(b, out);
+    EXPECT_EQ(out, second);
+    EXPECT_EQ(file->end(), 8000U) << "the next bytes go behind all that ever was";
+}
+
+TEST_P(Scratch, IsReadFromManyThreadsWhileItGrows) {
+    Random random(3);
+    const std::unique_ptr<ScratchFile> file = make();
+    const std::vector<std::byte> first = randomBytes(random, 4096);
+    const std::uint64_t place = file->append(first);
+    std::vector<std::thread> readers;
+    std::atomic<int> wrong{0};
+    for (int t = 0; t < 3; ++t)
+        readers.emplace_back([&] {
+            std::vector<std::byte> out(first.size());
+            for (int i = 0; i < 200; ++i) {
+                file->read(place, out);
+                wrong += out == first ? 0 : 1;
+            }
+        });
+    for (int i = 0; i < 200; ++i)
+        file->append(first);
+    for (std::thread& reader : readers)
+        reader.join();
+    EXPECT_EQ(wrong, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(OnDiskAndInMemory, Scratch, testing::Bool(), [](const auto& name) {
+    return name.param ? "OnDisk" : "InMemory";
+});
+
+TEST(ReopenedScratch, TakesOverWhatWasThereAndCutsTheRest) {
+    const std::string path = testing::TempDir() + "gnomon_reopened_" + std::to_string(::getpid());
+    Random random(4);
+    NoProgress progress;
+    const std::vector<std::byte> bytes = randomBytes(random, 1000);
+    {
+        TemporarySpace space(progress);
+        scratchOnDisk(path, space)->append(bytes);
+    }
+    TemporarySpace space(progress);
+    {
+        const std::unique_ptr<ScratchFile> file = reopenedScratch(path, 600, space);
+        EXPECT_EQ(file->end(), 600U);
+        EXPECT_EQ(space.bytes(), 600U);
+        EXPECT_EQ(file->append(std::span(bytes).first(50)), 600U);
+        std::vector<std::byte> out(650);
+        file->read(0, out);
+        EXPECT_TRUE(std::equal(out.begin(), out.begin() + 600, bytes.begin()));
+        EXPECT_TRUE(std::equal(out.begin() + 600, out.end(), bytes.begin()));
+    }
+    EXPECT_EQ(std::filesystem::file_size(path), 650U);
+    try {
+        reopenedScratch(path, 651, space);
+        ADD_FAILURE() << "a file of 650 bytes";
+    } catch (const Error& error) {
+        EXPECT_EQ(std::string(error.what()), path + ": the temporary file was cut off: expected 651 bytes, found 650");
+    }
+    std::filesystem::remove(path);
+}
+
+} // namespace
+} // namespace gnomon::scratch

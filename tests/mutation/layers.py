@@ -6,13 +6,17 @@ TEST_PROGRAM = re.compile(r'\bgnomon_tests\(\s*(\w+)')
 LIBRARY = re.compile(r'\bgnomon_layer\(\s*(\w+)')
 
 
+def short(row):
+    return row.rpartition("/")[2]
+
+
 def read_rows(root):
-    """layer -> the layers it may include"""
+    """layer -> the layers it may include; `preprocess/read` is called read, as its folder of tests is"""
     rows = {}
     for line in (root / "src/layers.txt").read_text().splitlines():
         if line.strip() and not line.startswith("#"):
             name, rest = line.split(":", 1)
-            rows[name.strip()] = set(rest.partition("|")[0].split())
+            rows[short(name.strip())] = {short(word) for word in rest.partition("|")[0].split()}
     return rows
 
 

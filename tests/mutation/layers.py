@@ -6,18 +6,19 @@ TEST_PROGRAM = re.compile(r'\bgnomon_tests\(\s*(\w+)')
 LIBRARY = re.compile(r'\bgnomon_layer\(\s*(\w+)')
 
 
-def short(row):
-    return row.rpartition("/")[2]
-
-
 def read_rows(root):
-    """layer -> the layers it may include; `preprocess/read` is called read, as its folder of tests is"""
+    """layer -> the layers it may include"""
     rows = {}
     for line in (root / "src/layers.txt").read_text().splitlines():
         if line.strip() and not line.startswith("#"):
             name, rest = line.split(":", 1)
-            rows[short(name.strip())] = {short(word) for word in rest.partition("|")[0].split()}
+            rows[name.strip()] = set(rest.partition("|")[0].split())
     return rows
+
+
+def row_of(rows, name):
+    """The row that `name` names, with or without the folder before it: `simplify` is `preprocess/simplify`."""
+    return next((row for row in rows if name in (row, row.rpartition("/")[2])), name)
 
 
 def folder_of(root, layer):

@@ -236,7 +236,8 @@ def arguments():
 
 def main():
     options = arguments()
-    names = options.layers.split(",")
+    rows = house.read_rows(ROOT)
+    names = [house.row_of(rows, name) for name in options.layers.split(",")]
     table = suites(ROOT, names)
     lottery = Lottery(ROOT, names, options.count, options.seed)
     if options.list:

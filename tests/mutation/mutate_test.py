@@ -85,6 +85,12 @@ class Layers(unittest.TestCase):
         self.assertEqual(["plan", "culling"], layers.directly_above(self.ROWS, "shadow"))
         self.assertEqual(["frame"], layers.directly_above(self.ROWS, "plan"))
 
+    def test_a_row_is_found_with_and_without_its_folder(self):
+        rows = {"core": set(), "preprocess/read": {"core"}}
+        self.assertEqual("preprocess/read", layers.row_of(rows, "read"))
+        self.assertEqual("preprocess/read", layers.row_of(rows, "preprocess/read"))
+        self.assertEqual("core", layers.row_of(rows, "core"))
+
     def test_programs_and_libraries_are_those_of_the_folders(self):
         with tempfile.TemporaryDirectory() as folder:
             root = pathlib.Path(folder)

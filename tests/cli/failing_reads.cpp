@@ -28,7 +28,7 @@ long numberFrom(const char* variable) {
 /// Fails with EIO for models at $FAIL_FROM up to $FAIL_TO, the first $FAIL_TIMES times.
 // NOLINTNEXTLINE(readability-identifier-naming, readability-inconsistent-declaration-parameter-name)
 extern "C" ssize_t pread(int file, void* to, size_t count, off_t offset) {
-    static auto* const real = reinterpret_cast<ssize_t (*)(int, void*, size_t, off_t)>(dlsym(RTLD_NEXT, "pread"));
+    auto* const real = reinterpret_cast<ssize_t (*)(int, void*, size_t, off_t)>(dlsym(RTLD_NEXT, "pread"));
     static std::atomic<long> left = numberFrom("FAIL_TIMES");
     const bool isThere = offset >= numberFrom("FAIL_FROM") && offset < numberFrom("FAIL_TO");
     if (!isThere || left <= 0 || !isModel(file)) return real(file, to, count, offset);

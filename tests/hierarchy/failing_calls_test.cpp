@@ -17,35 +17,35 @@ using tests::failingCalls;
 
 class FailingCalls : public testing::Test {
 protected:
-    FailingCalls()
-        : path_(
-              testing::TempDir() + "gnomon_" + testing::UnitTest::GetInstance()->current_test_info()->name() + ".gnm") {
-        tests::writeModel(model_, path_);
+    void SetUp() override {
+        const char* test = testing::UnitTest::GetInstance()->current_test_info()->name();
+        path = testing::TempDir() + "gnomon_" + test + ".gnm";
+        tests::writeModel(model, path);
     }
 
-    ~FailingCalls() override {
+    void TearDown() override {
         failingCalls().reads = 0;
         failingCalls().contexts = 0;
         failingCalls().compressions = 0;
     }
 
-    const tests::TinyModel model_ = tests::makeTinyModel({});
-    const std::string path_;
+    tests::TinyModel model = tests::makeTinyModel({});
+    std::string path;
 };
 
 TEST_F(FailingCalls, AReadThatFailsOnceOrTwiceIsReadAgain) {
-    const ModelFile file(path_);
+    const ModelFile file(path);
     for (const int failures : {1, 2}) {
         failingCalls().reads = failures;
-        EXPECT_TRUE(samePage(file.readPage(1), model_.pages[1]));
+        EXPECT_TRUE(samePage(file.readPage(1), model.pages[1]));
         EXPECT_EQ(failingCalls().reads, 0);
     }
     failingCalls().reads = 2;
-    EXPECT_EQ(ModelFile(path_).contentHash(), file.contentHash());
+    EXPECT_EQ(ModelFile(path).contentHash(), file.contentHash());
 }
 
 TEST_F(FailingCalls, AReadThatAlwaysFailsIsNoDamage) {
-    const ModelFile file(path_);
+    const ModelFile file(path);
     failingCalls().reads = 1000;
     try {
         file.readPage(1);
@@ -56,7 +56,7 @@ TEST_F(FailingCalls, AReadThatAlwaysFailsIsNoDamage) {
         EXPECT_NE(std::string(error.what()).find("cannot read: Input/output error"), std::string::npos);
     }
     EXPECT_LT(failingCalls().reads, 1000 - 1) << "it was tried once only";
-    EXPECT_THROW(ModelFile{path_}, Error);
+    EXPECT_THROW(ModelFile{path}, Error);
 }
 
 /// Runs `work` on a thread that has no context of zstd's yet.
@@ -66,7 +66,7 @@ void onAFreshThread(const Work& work) {
 }
 
 TEST_F(FailingCalls, NoMemoryForZstdIsNoDamageAndPasses) {
-    const Page& page = model_.pages.back();
+    const Page& page = model.pages.back();
     onAFreshThread([&] {
         failingCalls().contexts = 1;
         EXPECT_THROW(encodePageBytes(page), std::bad_alloc);

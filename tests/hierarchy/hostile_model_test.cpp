@@ -250,7 +250,7 @@ TEST(HostileModel, UnpackedBytesBeyondWhatTheCountsTakeAreRefused) {
 
 /// A file of `bytes` without contents, but for a header and a footer with sound checksums.
 std::string sparseModel(std::uint64_t bytes, Footer footer) {
-    const std::string path = pathOfTest();
+    std::string path = pathOfTest();
     File file(path, File::Mode::Create);
     file.resize(bytes);
     file.writeAt(0, encodeHeader(0, {}));

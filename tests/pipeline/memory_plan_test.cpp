@@ -19,5 +19,54 @@ TEST(MemoryPlan, BordersAreSharedInAnyRoomThatHoldsAChunk) {
     }
 }
 
+read::MeshSummary sourceOf(std::uint64_t triangles, std::uint64_t vertices) {
+    read::MeshSummary source;
+    source.faceCount = triangles;
+    source.vertexCount = vertices;
+    return source;
+}
+
+TEST(MemoryPlan, TheLeastHoldsEveryPhaseAndGrowsWithTheSource) {
+    Random random(6);
+    for (int i = 0; i < 2000; ++i) {
+        const read::MeshSummary source = sourceOf(1 + random.below(400'000'000), 3 + random.below(200'000'000));
+        const MemoryNeeds needs{source, static_cast<std::uint32_t>(1000 + random.below(2'000'000)), i % 2 == 0};
+        EXPECT_GE(needs.least(), needs.survey());
+        EXPECT_GE(needs.least(), needs.binning());
+        EXPECT_GT(needs.least(), needs.base());
+        read::MeshSummary larger = source;
+        larger.faceCount *= 2;
+        larger.vertexCount *= 2;
+        EXPECT_GE((MemoryNeeds{larger, needs.chunkTriangles, needs.isInMemory}.least()), needs.least());
+        EXPECT_GE(
+            (MemoryNeeds{source, needs.chunkTriangles, true}.base()),
+            (MemoryNeeds{source, needs.chunkTriangles, false}.base()));
+        read::MeshSummary held = source;
+        held.heldBytes = 12345;
+        EXPECT_EQ((MemoryNeeds{held, needs.chunkTriangles, needs.isInMemory}.base().count), needs.base().count + 12345);
+    }
+}
+
+TEST(MemoryPlan, PolygonsCountAsTheTrianglesThatTheyBecome) {
+    read::MeshSummary quads = sourceOf(1000, 1000);
+    quads.likelyTriangles = 2000;
+    EXPECT_EQ((MemoryNeeds{quads, 100, true}.base()), (MemoryNeeds{sourceOf(2000, 1000), 100, true}.base()));
+}
+
+TEST(MemoryPlan, BordersTakeLessThanANode) {
+    for (const chunk::PartSize& size : {chunk::PartSize{1000, 10}, chunk::PartSize{10, 1000}})
+        EXPECT_LT(MemoryNeeds::borders(size), MemoryNeeds::node(size));
+}
+
+TEST(MemoryPlan, BlocksShareTheirRoomWithinBounds) {
+    EXPECT_EQ(blockBytes({100000}, 10), 10000U);
+    EXPECT_EQ(blockBytes({100}, 10), 512U) << "no smaller";
+    EXPECT_EQ(blockBytes(gibibytes(1), 10), 65536U) << "and no larger";
+    EXPECT_EQ(countAtOnce({1000}, {100}, 64), 10U);
+    EXPECT_EQ(countAtOnce({1000}, {1001}, 64), 0U);
+    EXPECT_EQ(countAtOnce({1000}, {100}, 2), 3U) << "one more than threads";
+    EXPECT_EQ(countAtOnce({1000}, {0}, 2), 3U);
+}
+
 } // namespace
 } // namespace gnomon::pipeline

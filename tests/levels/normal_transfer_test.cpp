@@ -45,10 +45,10 @@ std::vector<std::uint32_t> packedNormals(const simplify::Patch& patch) {
     return normals;
 }
 
-std::vector<std::uint32_t> afterCarrying(const simplify::Patch& patch, const simplify::SimplifiedPatch& simplified) {
+std::vector<std::uint32_t> afterTransfer(const simplify::Patch& patch, const simplify::SimplifiedPatch& simplified) {
     std::vector<std::uint32_t> normals = packedNormals(patch);
-    for (const TransferredNormal& carried : transferredNormals(patch, simplified))
-        normals[carried.vertex] = carried.normal;
+    for (const TransferredNormal& transferred : transferredNormals(patch, simplified))
+        normals[transferred.vertex] = transferred.normal;
     return normals;
 }
 
@@ -84,7 +84,7 @@ double unlikeness(
     return sum / static_cast<double>(patch.vertices.size());
 }
 
-TEST(CarriedNormals, OfARoughSurfaceComeNearerToWhatWasThere) {
+TEST(NormalTransfer, OfARoughSurfaceComeNearerToWhatWasThere) {
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
         Random random(seed);
         const simplify::Patch patch = sheet([&](double, double) {
@@ -94,22 +94,22 @@ TEST(CarriedNormals, OfARoughSurfaceComeNearerToWhatWasThere) {
         });
         const simplify::SimplifiedPatch simplified = simplify::simplifyQuadric(patch, patch.triangles.size() / 2);
         const double before = unlikeness(patch, simplified, packedNormals(patch));
-        const double after = unlikeness(patch, simplified, afterCarrying(patch, simplified));
+        const double after = unlikeness(patch, simplified, afterTransfer(patch, simplified));
         EXPECT_LT(after, 0.8 * before) << "seed " << seed;
     }
 }
 
-TEST(CarriedNormals, OfARoundSurfaceStayAsTheyAre) {
+TEST(NormalTransfer, OfARoundSurfaceStayAsTheyAre) {
     // They turn evenly, so that interpolation already gives what was there; a mere mean would tilt them.
     const simplify::Patch patch = sheet([](double x, double z) { return glm::dvec3(0.6 * x - 0.3, 1, 0.6 * z - 0.3); });
     const simplify::SimplifiedPatch simplified = simplify::simplifyQuadric(patch, patch.triangles.size() / 2);
     const std::vector<std::uint32_t> before = packedNormals(patch);
-    const std::vector<std::uint32_t> after = afterCarrying(patch, simplified);
+    const std::vector<std::uint32_t> after = afterTransfer(patch, simplified);
     for (std::size_t v = 0; v < before.size(); ++v)
         EXPECT_GT(glm::dot(hierarchy::unpackNormal(before[v]), hierarchy::unpackNormal(after[v])), 0.9999);
 }
 
-TEST(CarriedNormals, LeaveLockedVerticesCreasesAndVerticesWithoutAloneAndComeInOrder) {
+TEST(NormalTransfer, LeaveLockedVerticesCreasesAndVerticesWithoutAloneAndComeInOrder) {
     Random random(7);
     const simplify::Patch rough = sheet([&](double x, double z) {
         if (z < 0.3) return glm::dvec3(0); // none
@@ -117,23 +117,23 @@ TEST(CarriedNormals, LeaveLockedVerticesCreasesAndVerticesWithoutAloneAndComeInO
         return x < 0.6 ? glm::dvec3(tilt, 0, 1) : glm::dvec3(1, 0, tilt);
     });
     const simplify::SimplifiedPatch simplified = simplify::simplifyQuadric(rough, rough.triangles.size() / 2);
-    const std::vector<TransferredNormal> carried = transferredNormals(rough, simplified);
-    ASSERT_FALSE(carried.empty());
-    for (std::size_t i = 0; i < carried.size(); ++i) {
-        const std::uint32_t v = carried[i].vertex;
+    const std::vector<TransferredNormal> transferred = transferredNormals(rough, simplified);
+    ASSERT_FALSE(transferred.empty());
+    for (std::size_t i = 0; i < transferred.size(); ++i) {
+        const std::uint32_t v = transferred[i].vertex;
         if (i > 0) {
-            EXPECT_LT(carried[i - 1].vertex, v);
+            EXPECT_LT(transferred[i - 1].vertex, v);
         }
         EXPECT_EQ(rough.isLocked[rough.positionOf[v]], 0);
         EXPECT_NE(rough.vertices[v].normal, hierarchy::kNoNormal);
-        EXPECT_NE(carried[i].normal, hierarchy::kNoNormal);
+        EXPECT_NE(transferred[i].normal, hierarchy::kNoNormal);
         const glm::dvec3 before = hierarchy::unpackNormal(rough.vertices[v].normal);
-        const glm::dvec3 after = hierarchy::unpackNormal(carried[i].normal);
+        const glm::dvec3 after = hierarchy::unpackNormal(transferred[i].normal);
         EXPECT_GT(glm::dot(before, after), 0.9) << "nothing crosses from one side of the crease to the other";
     }
 }
 
-TEST(CarriedNormals, OfASurfaceWithoutNormalsAreNone) {
+TEST(NormalTransfer, OfASurfaceWithoutNormalsAreNone) {
     const simplify::Patch bare = sheet([](double, double) { return glm::dvec3(0); });
     EXPECT_TRUE(transferredNormals(bare, simplify::simplifyQuadric(bare, bare.triangles.size() / 2)).empty());
 }

@@ -1,0 +1,128 @@
+// One step to the next coarser level: what replaces each group, and what it says of its error.
+#include "preprocess/levels/grouping.h"
+#include "preprocess/levels/level_clusters.h"
+#include "preprocess/levels/level_simplification.h"
+#include "tests/levels/meshes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+namespace gnomon::levels {
+namespace {
+
+Level groupedLevel(const simplify::Mesh& mesh) {
+    Level level = firstLevel(mesh, {});
+    formGroups(level, mesh.grid, {}, 0);
+    for (std::uint32_t g = 0; g < level.groups.size(); ++g)
+        level.groups[g].place = {7, g / 3, g % 3};
+    return level;
+}
+
+/// Counts what it is told.
+class Counter final : public Progress {
+public:
+    void stage(std::string_view /*name*/, std::string_view /*unit*/, std::uint64_t /*total*/) override {}
+
+    void advance(std::uint64_t count) override { sum_ += count; }
+
+    std::uint64_t sum() const { return sum_; }
+
+private:
+    std::atomic<std::uint64_t> sum_{0};
+};
+
+TEST(SimplifiedLevel, HalvesEachGroupAndNamesItInTheClustersThatReplaceIt) {
+    const simplify::Mesh mesh = meshOf(read::bumpySheet(64));
+    Level level = groupedLevel(mesh);
+    Counter progress;
+    const Level next = simplifiedLevel(mesh, level, {}, simplify::CostLimit::None, progress);
+    EXPECT_EQ(progress.sum(), level.triangles.size());
+    EXPECT_LE(next.triangles.size(), level.triangles.size() * 11 / 20);
+    EXPECT_GE(next.triangles.size(), level.triangles.size() * 2 / 5);
+    ASSERT_EQ(next.refinements.size(), level.groups.size());
+    EXPECT_EQ(next.errors.size(), next.triangles.size());
+    std::set<std::uint32_t> named;
+    std::uint32_t first = 0;
+    for (const LevelCluster& cluster : next.clusters) {
+        ASSERT_EQ(cluster.firstTriangle, first);
+        first += cluster.triangleCount;
+        named.insert(cluster.refinement);
+        const hierarchy::GridBox& outer = level.groups[cluster.refinement].box;
+        for (const Corners& corners : cornersOf(mesh, next, cluster.firstTriangle, cluster.triangleCount))
+            for (const hierarchy::GridPoint& p : corners)
+                ASSERT_TRUE(p.x >= outer.min.x && p.x <= outer.max.x && p.z >= outer.min.z && p.z <= outer.max.z);
+    }
+    EXPECT_EQ(first, next.triangles.size());
+    EXPECT_EQ(named.size(), level.groups.size());
+    for (std::uint32_t g = 0; g < level.groups.size(); ++g) {
+        EXPECT_EQ(next.refinements[g].place.page, g / 3);
+        EXPECT_EQ(next.refinements[g].place.group, g % 3);
+        EXPECT_EQ(next.refinements[g].error, level.groups[g].error);
+        EXPECT_EQ(next.refinements[g].bounds.radius, level.groups[g].bounds.radius);
+    }
+}
+
+TEST(SimplifiedLevel, AGroupsErrorIsThatOfItsWorstTriangleAndTheGridsAndNeverLessThanBefore) {
+    const simplify::Mesh mesh = meshOf(read::bumpySheet(64));
+    NoProgress progress;
+    for (const simplify::Simplifier simplifier :
+         {simplify::Simplifier::Quadric, simplify::Simplifier::Meshopt, simplify::Simplifier::OpenMesh}) {
+        LevelOptions options;
+        options.simplifier = simplifier;
+        Level level = groupedLevel(mesh);
+        const double before = 5 * mesh.grid.step();
+        level.refinements.push_back({{}, {}, before});
+        level.clusters[level.groups[1].firstCluster].refinement = 0;
+        const Level next = simplifiedLevel(mesh, level, options, simplify::CostLimit::None, progress);
+        std::vector<double> worst(level.groups.size(), 0);
+        for (const LevelCluster& cluster : next.clusters)
+            for (std::uint32_t t = cluster.firstTriangle; t < cluster.firstTriangle + cluster.triangleCount; ++t)
+                worst[cluster.refinement] = std::max(
+                    {worst[cluster.refinement], double{next.errors[t].fromSource}, double{next.errors[t].toSource}});
+        for (std::size_t g = 0; g < worst.size(); ++g) {
+            double expected = worst[g] * mesh.grid.step() + mesh.grid.snapError();
+            if (g == 1) expected = std::max(expected, before);
+            EXPECT_GE(level.groups[g].error, expected);
+            EXPECT_LE(level.groups[g].error, expected * (1 + 1e-8));
+        }
+    }
+}
+
+TEST(SimplifiedLevel, AnEstimatedErrorIsTheOneBeforeAndTheSimplifiersClaim) {
+    const simplify::Mesh mesh = meshOf(read::bumpySheet(40));
+    NoProgress progress;
+    LevelOptions options;
+    options.isErrorMeasured = false;
+    Level level = groupedLevel(mesh);
+    const Level next = simplifiedLevel(mesh, level, options, simplify::CostLimit::None, progress);
+    Level measured = groupedLevel(mesh);
+    simplifiedLevel(mesh, measured, {}, simplify::CostLimit::None, progress);
+    for (const simplify::TriangleError& error : next.errors)
+        ASSERT_EQ(std::max(error.fromSource, error.toSource), 0);
+    for (std::size_t g = 0; g < level.groups.size(); ++g) {
+        EXPECT_GT(level.groups[g].error, mesh.grid.snapError());
+        EXPECT_LT(level.groups[g].error, measured.groups[g].error * 2);
+    }
+}
+
+TEST(SimplifiedLevel, KeepsThePositionsThatGroupsShare) {
+    const simplify::Mesh mesh = meshOf(read::bumpySheet(64));
+    Level level = groupedLevel(mesh);
+    const std::vector<std::uint32_t> groups = groupOfTriangles(level);
+    std::vector<std::set<std::uint32_t>> users(mesh.positionCount);
+    for (std::size_t t = 0; t < groups.size(); ++t)
+        for (const std::uint32_t v : level.triangles[t])
+            users[v].insert(groups[t]);
+    NoProgress progress;
+    const Level next = simplifiedLevel(mesh, level, {}, simplify::CostLimit::None, progress);
+    std::set<std::uint32_t> left;
+    for (const simplify::Triangle& t : next.triangles)
+        left.insert(t.begin(), t.end());
+    for (std::uint32_t v = 0; v < users.size(); ++v)
+        ASSERT_TRUE(users[v].size() <= 1 || left.contains(v)) << v;
+}
+
+} // namespace
+} // namespace gnomon::levels

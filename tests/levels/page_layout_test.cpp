@@ -1,0 +1,137 @@
+// Pages: ids that sort as they will in the file, groups in order up to the target size, geometry as it was.
+#include "hierarchy/page_codec.h"
+#include "preprocess/levels/grouping.h"
+#include "preprocess/levels/level_clusters.h"
+#include "preprocess/levels/page_layout.h"
+#include "tests/levels/meshes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace gnomon::levels {
+namespace {
+
+TEST(ProvisionalIds, TellTheirPlaceAndSortCoarsestFirst) {
+    const std::array<std::uint32_t, 5> levels{0, 1, 7, kMaxLevels - 2, kMaxLevels - 1};
+    const std::array<std::uint32_t, 4> pages{0, 1, 12345, kMaxLevelPages - 1};
+    std::vector<std::uint32_t> inFileOrder;
+    for (std::size_t level = levels.size(); level-- > 0;)
+        for (const std::uint32_t page : pages) {
+            const std::uint32_t id = provisionalId(levels.at(level), page);
+            inFileOrder.push_back(id);
+            const PageOfLevel place = placeOfProvisional(id);
+            EXPECT_EQ(place.level, levels.at(level));
+            EXPECT_EQ(place.page, page);
+        }
+    EXPECT_TRUE(std::is_sorted(inFileOrder.begin(), inFileOrder.end()));
+    EXPECT_EQ(std::adjacent_find(inFileOrder.begin(), inFileOrder.end()), inFileOrder.end());
+}
+
+TEST(ProvisionalIdsDeathTest, OfMoreLevelsOrPagesThanThereAreFail) {
+    EXPECT_DEATH(provisionalId(kMaxLevels, 0), "internal check failed");
+    EXPECT_DEATH(provisionalId(0, kMaxLevelPages), "internal check failed");
+}
+
+struct Placed {
+    Placed() : mesh(meshOf(read::bumpySheet(200))), level(firstLevel(mesh, {})) {
+        for (std::uint32_t c = 0; c < level.clusters.size(); ++c) {
+            level.refinements.push_back({{2, c / 20, c % 20}, {glm::dvec3(c), 1000.0 + c}, 0.5 + c});
+            level.clusters[c].refinement = c / 3;
+        }
+        formGroups(level, mesh.grid, {}, 3);
+        for (std::size_t g = 0; g < level.groups.size(); ++g)
+            level.groups[g].error = 1e3 + static_cast<double>(g);
+        pageCount = placeGroups(level, 3);
+    }
+
+    simplify::Mesh mesh;
+    Level level;
+    std::uint32_t pageCount = 0;
+};
+
+std::uint64_t decodedBytes(const Level& level, const LevelGroup& group) {
+    std::uint64_t bytes = sizeof(hierarchy::Group) + group.clusterCount * sizeof(hierarchy::Cluster);
+    for (std::uint32_t c = group.firstCluster; c < group.firstCluster + group.clusterCount; ++c)
+        bytes += level.clusters[c].vertexCount * sizeof(hierarchy::Vertex) +
+                 level.clusters[c].triangleCount * sizeof(hierarchy::Triangle);
+    return bytes;
+}
+
+TEST(PageLayout, FillsPagesInOrderUpToTheTargetAndNotBeyond) {
+    const Placed placed;
+    std::vector<std::uint64_t> bytes(placed.pageCount, 0);
+    std::uint32_t page = 0;
+    std::uint32_t group = 0;
+    for (const LevelGroup& own : placed.level.groups) {
+        ASSERT_EQ(own.place.level, 3U);
+        if (own.place.page != page) {
+            ASSERT_EQ(own.place.page, page + 1);
+            ASSERT_GT(bytes[page] + decodedBytes(placed.level, own), hierarchy::kPageTargetBytes); // had no room
+            page = own.place.page;
+            group = 0;
+        }
+        ASSERT_EQ(own.place.group, group++);
+        bytes[page] += decodedBytes(placed.level, own);
+    }
+    EXPECT_EQ(page + 1, placed.pageCount);
+    EXPECT_GE(placed.pageCount, 3U);
+    for (const std::uint64_t size : bytes)
+        EXPECT_LE(size, hierarchy::kPageTargetBytes);
+}
+
+TEST(PageLayout, AGroupLargerThanAPageIsAPage) {
+    Level level;
+    level.clusters.resize(2);
+    for (LevelCluster& cluster : level.clusters)
+        cluster.vertexCount = hierarchy::kPageTargetBytes;
+    level.groups.resize(2);
+    for (std::uint32_t g = 0; g < 2; ++g) {
+        level.groups[g].firstCluster = g;
+        level.groups[g].clusterCount = 1;
+    }
+    EXPECT_EQ(placeGroups(level, 0), 2U);
+}
+
+TEST(PageLayout, EncodedPagesHoldTheGroupsAsTheyWere) {
+    const Placed placed;
+    const std::vector<hierarchy::EncodedPage> pages = encodePages(placed.mesh, placed.level, 3, placed.pageCount);
+    ASSERT_EQ(pages.size(), placed.pageCount);
+    std::size_t next = 0; // group of the level
+    for (const hierarchy::EncodedPage& encoded : pages) {
+        const hierarchy::Page page = hierarchy::decodePageBytes(encoded.bytes, encoded.info);
+        ASSERT_EQ(page.level, 3U);
+        for (const hierarchy::Group& group : page.groups) {
+            const LevelGroup& source = placed.level.groups[next++];
+            ASSERT_EQ(group.clusterCount, source.clusterCount);
+            ASSERT_EQ(group.error, source.error);
+            ASSERT_EQ(group.bounds.radius, source.bounds.radius);
+            for (std::uint32_t i = 0; i < group.clusterCount; ++i) {
+                const hierarchy::Cluster& cluster = page.clusters[group.firstCluster + i];
+                const LevelCluster& from = placed.level.clusters[source.firstCluster + i];
+                std::vector<Corners> found;
+                for (std::uint32_t t = 0; t < cluster.triangleCount; ++t) {
+                    Corners corners;
+                    for (std::size_t k = 0; k < 3; ++k) {
+                        const std::uint8_t v = page.triangles[cluster.firstTriangle + t][k];
+                        corners.at(k) = page.vertices[cluster.firstVertex + v].position;
+                    }
+                    std::sort(corners.begin(), corners.end());
+                    found.push_back(corners);
+                }
+                std::sort(found.begin(), found.end());
+                ASSERT_EQ(found, cornersOf(placed.mesh, placed.level, from.firstTriangle, from.triangleCount));
+                const hierarchy::Refinement& refinement = page.refinements[cluster.refinement];
+                const LevelRefinement& wanted = placed.level.refinements[from.refinement];
+                ASSERT_EQ(refinement.error, wanted.error);
+                ASSERT_EQ(refinement.bounds.radius, wanted.bounds.radius);
+                ASSERT_EQ(refinement.group.group, wanted.place.group);
+                ASSERT_EQ(refinement.group.page, provisionalId(wanted.place.level, wanted.place.page));
+            }
+        }
+    }
+    EXPECT_EQ(next, placed.level.groups.size());
+}
+
+} // namespace
+} // namespace gnomon::levels

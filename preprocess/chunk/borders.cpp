@@ -33,7 +33,8 @@ Messages answerVertices(const BinnedSource& source, std::uint32_t chunk) {
         request.isOwner = 0;
     std::sort(requests.begin(), requests.end());
     requests.erase(std::unique(requests.begin(), requests.end()), requests.end());
-    const auto vertices = decodeVertices(source.bins.read(streamOf(BinStream::Vertices, chunk)), source.format);
+    std::vector<ChunkVertex> vertices;
+    appendVertices(source.bins, streamOf(BinStream::Vertices, chunk), source.format, vertices);
     Messages messages;
     VertexBytes storage{};
     for (const VertexRequest& request : requests) {
@@ -79,21 +80,25 @@ std::vector<std::uint8_t> atPlacesOf(
 }
 
 /// The chosen ones of `vertices`; renumbers `triangles`, whose corners are among these.
-IndexedVertices chosen(
-    const IndexedVertices& vertices, const std::vector<std::uint8_t>& isChosen, ChunkTriangles& triangles) {
-    std::vector<ChunkVertex> own;
-    std::vector<ChunkVertex> foreign;
-    std::vector<std::uint32_t> number(vertices.size(), hierarchy::kNone);
-    for (std::uint32_t v = 0; v < vertices.size(); ++v) {
-        if (isChosen[v] == 0) continue;
-        number[v] = static_cast<std::uint32_t>(own.size() + foreign.size());
-        (v < vertices.ownCount() ? own : foreign).push_back(vertices[v]);
+IndexedVertices chosen(IndexedVertices vertices, const std::vector<std::uint8_t>& isChosen, ChunkTriangles& triangles) {
+    std::size_t ownCount = vertices.ownCount();
+    std::vector<ChunkVertex> some = std::move(vertices).take();
+    std::vector<std::uint32_t> number(some.size(), hierarchy::kNone);
+    std::uint32_t next = 0;
+    for (std::size_t v = 0, own = ownCount; v < some.size(); ++v) {
+        if (isChosen[v] == 0) {
+            if (v < own) --ownCount;
+            continue;
+        }
+        number[v] = next;
+        some[next++] = some[v];
     }
-    for (std::vector<simplify::Triangle>* some : {&triangles.own, &triangles.ghosts})
-        for (simplify::Triangle& t : *some)
+    some.resize(next);
+    for (std::vector<simplify::Triangle>* chosen : {&triangles.own, &triangles.ghosts})
+        for (simplify::Triangle& t : *chosen)
             for (std::uint32_t& corner : t)
                 corner = number[corner];
-    return {std::move(own), foreign};
+    return {std::move(some), ownCount};
 }
 
 Surroundings surroundingsOf(
@@ -102,7 +107,7 @@ Surroundings surroundingsOf(
     std::uint32_t chunk,
     std::span<const VertexRequest> asked,
     Progress& progress) {
-    const IndexedVertices all = readVertices(source, borders, chunk);
+    IndexedVertices all = readVertices(source, borders, chunk);
     std::vector<std::uint8_t> isNeeded(all.size(), 0);
     for (const VertexRequest& request : asked)
         isNeeded[all.find(request.vertex)] = 1;
@@ -119,7 +124,8 @@ Surroundings surroundingsOf(
                     isNeeded[corner] = 1;
         }
     }
-    IndexedVertices needed = chosen(all, isNeeded, triangles);
+    IndexedVertices needed = chosen(std::move(all), isNeeded, triangles);
+    isNeeded = {};
     return {ChunkVertices(std::move(needed), source.grid), std::move(triangles)};
 }
 

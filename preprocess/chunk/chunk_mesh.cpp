@@ -51,12 +51,13 @@ Places placesOf(
 /// Unites source vertices that agree in position, normal and colour, and leaves out those that no triangle uses.
 class MeshMaker {
 public:
-    MeshMaker(const ChunkVertices& vertices, const Places& places)
+    /// For at most `triangleCount` triangles.
+    MeshMaker(const ChunkVertices& vertices, const Places& places, std::size_t triangleCount)
         : vertices_(vertices),
           places_(places),
           vertexOf_(vertices.size(), kNone),
           firstAt_(vertices.places().size(), kNone),
-          furtherAt_(vertices.size() - vertices.places().size()) {}
+          furtherAt_(std::min(vertices.size() - vertices.places().size(), 3 * triangleCount)) {}
 
     void add(std::vector<simplify::Triangle> triangles) {
         for (simplify::Triangle& t : triangles)
@@ -105,9 +106,14 @@ private:
 } // namespace
 
 IndexedVertices readVertices(const BinnedSource& source, const scratch::StreamStore& borders, std::uint32_t chunk) {
-    return {
-        decodeVertices(source.bins.read(streamOf(BinStream::Vertices, chunk)), source.format),
-        decodeVertices(borders.read(streamOf(BorderStream::Vertices, chunk)), source.format)};
+    const std::uint32_t own = streamOf(BinStream::Vertices, chunk);
+    const std::uint32_t foreign = streamOf(BorderStream::Vertices, chunk);
+    std::vector<ChunkVertex> vertices;
+    vertices.reserve((source.bins.bytes(own) + borders.bytes(foreign)) / source.format.bytes());
+    appendVertices(source.bins, own, source.format, vertices);
+    const std::size_t ownCount = vertices.size();
+    appendVertices(borders, foreign, source.format, vertices);
+    return {std::move(vertices), ownCount};
 }
 
 ChunkTriangles readTriangles(
@@ -128,8 +134,9 @@ ChunkTriangles readTriangles(
         refine(vertices, refiner, std::span(triangles.own).last(count));
         i += count + 1;
     }
-    for (const simplify::Triangle& t : source.bins.readAs<simplify::Triangle>(streamOf(BinStream::Ghosts, chunk)))
-        triangles.ghosts.push_back(vertices.find(t));
+    triangles.ghosts = source.bins.readAs<simplify::Triangle>(streamOf(BinStream::Ghosts, chunk));
+    for (simplify::Triangle& t : triangles.ghosts)
+        t = vertices.find(t);
     return triangles;
 }
 
@@ -161,7 +168,7 @@ ChunkMesh loadChunk(
             faces = facesForNormals(vertices, kept, keptTriangles(vertices, triangles.ghosts, ignored));
         places = placesOf(source, borders, chunk, vertices, faces);
     }
-    MeshMaker maker(vertices, places);
+    MeshMaker maker(vertices, places, kept.size());
     maker.add(std::move(kept));
     result.mesh = maker.take();
     result.mesh.grid = source.grid;

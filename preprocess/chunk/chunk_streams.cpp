@@ -18,6 +18,20 @@ const std::byte* take(const std::byte* place, T& value) {
     return place + sizeof(T);
 }
 
+const std::byte* takeVertex(const std::byte* place, const VertexFormat& format, ChunkVertex& vertex) {
+    place = take(place, vertex.index);
+    if (format.isDouble) {
+        place = take(place, vertex.position);
+    } else {
+        glm::vec3 position;
+        place = take(place, position);
+        vertex.position = glm::dvec3(position);
+    }
+    if (format.hasNormals) place = take(place, vertex.normal);
+    if (format.hasColors) place = take(place, vertex.color);
+    return place;
+}
+
 } // namespace
 
 std::span<const std::byte> encodeVertex(const ChunkVertex& vertex, const VertexFormat& format, VertexBytes& storage) {
@@ -31,23 +45,22 @@ std::span<const std::byte> encodeVertex(const ChunkVertex& vertex, const VertexF
     return std::span(storage).first(static_cast<std::size_t>(place - storage.data()));
 }
 
-std::vector<ChunkVertex> decodeVertices(std::span<const std::byte> records, const VertexFormat& format) {
+void decodeVertices(
+    std::span<const std::byte> records, const VertexFormat& format, std::vector<ChunkVertex>& vertices) {
     GNOMON_CHECK_OP(records.size() % format.bytes(), ==, 0U);
-    std::vector<ChunkVertex> vertices(records.size() / format.bytes());
-    const std::byte* place = records.data();
-    for (ChunkVertex& vertex : vertices) {
-        place = take(place, vertex.index);
-        if (format.isDouble) {
-            place = take(place, vertex.position);
-        } else {
-            glm::vec3 position;
-            place = take(place, position);
-            vertex.position = glm::dvec3(position);
-        }
-        if (format.hasNormals) place = take(place, vertex.normal);
-        if (format.hasColors) place = take(place, vertex.color);
-    }
-    return vertices;
+    for (const std::byte* place = records.data(); place != records.data() + records.size();)
+        place = takeVertex(place, format, vertices.emplace_back());
+}
+
+void appendVertices(
+    const scratch::StreamStore& store,
+    std::uint32_t stream,
+    const VertexFormat& format,
+    std::vector<ChunkVertex>& vertices) {
+    const std::size_t end = vertices.size() + store.bytes(stream) / format.bytes();
+    vertices.reserve(end);
+    store.readBlocks(stream, [&](std::span<const std::byte> records) { decodeVertices(records, format, vertices); });
+    GNOMON_CHECK_OP(vertices.size(), ==, end);
 }
 
 } // namespace gnomon::chunk

@@ -34,8 +34,15 @@ using VertexBytes = std::array<std::byte, 4 + 3 * sizeof(double) + 8>;
 /// The record of `vertex`, within `storage`.
 std::span<const std::byte> encodeVertex(const ChunkVertex& vertex, const VertexFormat& format, VertexBytes& storage);
 
-/// The records of a stream.
-std::vector<ChunkVertex> decodeVertices(std::span<const std::byte> records, const VertexFormat& format);
+/// Appends what encodeVertex made to `vertices`.
+void decodeVertices(std::span<const std::byte> records, const VertexFormat& format, std::vector<ChunkVertex>& vertices);
+
+/// Appends the records of a stream to `vertices`; memory for more than these is not asked for.
+void appendVertices(
+    const scratch::StreamStore& store,
+    std::uint32_t stream,
+    const VertexFormat& format,
+    std::vector<ChunkVertex>& vertices);
 
 /// In a stream of triangles: the next `count` triangles are the fan of one polygon.
 constexpr std::uint32_t kPolygonMark = 0xFFFFFFFFU; // then count, then 0

@@ -29,6 +29,7 @@ bool isDegenerate(const ChunkVertices& vertices, const simplify::Triangle& t) {
 ChunkVertices::ChunkVertices(IndexedVertices vertices, const hierarchy::Grid& grid)
     : vertices_(std::move(vertices)), placeOf_(vertices_.size()) {
     const GridSnap snap(grid);
+    places_.reserve(vertices_.size());
     IndexTable byPlace(vertices_.size());
     std::array<hierarchy::GridPoint, kBatch> points;
     std::array<std::uint64_t, kBatch> hashes{};

@@ -3,41 +3,59 @@
 #include "core/check.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace gnomon::chunk {
 
-IndexedVertices::IndexedVertices(std::vector<ChunkVertex> own, const std::vector<ChunkVertex>& foreign)
-    : vertices_(std::move(own)), ownCount_(vertices_.size()) {
-    vertices_.insert(vertices_.end(), foreign.begin(), foreign.end());
+IndexedVertices::IndexedVertices(std::vector<ChunkVertex> vertices, std::size_t ownCount)
+    : vertices_(std::move(vertices)), ownCount_(ownCount) {
     findRuns();
     bucketRuns();
 }
 
-void IndexedVertices::findRuns() {
+template <class Begin, class Extend>
+void IndexedVertices::forEachRun(
+    const std::vector<std::uint32_t>& foreign, const Begin& begin, const Extend& extend) const {
     const auto own = static_cast<std::uint32_t>(ownCount_);
-    std::vector<std::uint32_t> foreign(vertices_.size() - ownCount_);
-    for (std::uint32_t i = 0; i < foreign.size(); ++i)
-        foreign[i] = own + i;
-    const auto indexOf = [&](std::uint32_t vertex) { return vertices_[vertex].index; };
-    std::sort(
-        foreign.begin(), foreign.end(), [&](std::uint32_t a, std::uint32_t b) { return indexOf(a) < indexOf(b); });
-    std::uint64_t least = 0; // what the next index may be
+    std::uint64_t nextIndex = 0;
+    std::uint32_t nextVertex = 0;
+    bool isFirst = true;
     const auto add = [&](std::uint32_t vertex) {
-        const std::uint32_t index = indexOf(vertex);
-        GNOMON_CHECK_OP(index, >=, least);
-        const bool follows = !runs_.empty() && index == least && vertex == runs_.back().vertex + runs_.back().count;
-        if (!follows) runs_.push_back({index, vertex, 0});
-        ++runs_.back().count;
-        least = std::uint64_t{index} + 1;
+        const std::uint32_t index = vertices_[vertex].index;
+        GNOMON_CHECK_OP(index, >=, nextIndex);
+        if (isFirst || index != nextIndex || vertex != nextVertex) begin(index, vertex);
+        extend();
+        isFirst = false;
+        nextIndex = std::uint64_t{index} + 1;
+        nextVertex = vertex + 1;
     };
     std::uint32_t vertex = 0;
     for (const std::uint32_t other : foreign) {
-        while (vertex < own && indexOf(vertex) < indexOf(other))
+        while (vertex < own && vertices_[vertex].index < vertices_[other].index)
             add(vertex++);
         add(other);
     }
     while (vertex < own)
         add(vertex++);
+}
+
+void IndexedVertices::findRuns() {
+    std::vector<std::uint32_t> foreign(vertices_.size() - ownCount_);
+    std::iota(foreign.begin(), foreign.end(), static_cast<std::uint32_t>(ownCount_));
+    std::sort(foreign.begin(), foreign.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return vertices_[a].index < vertices_[b].index;
+    });
+    // Counted first: as many as vertices where each is a run.
+    std::size_t count = 0;
+    forEachRun(
+        foreign, [&](std::uint32_t, std::uint32_t) { ++count; }, [] {});
+    runs_.reserve(count);
+    forEachRun(
+        foreign,
+        [&](std::uint32_t index, std::uint32_t vertex) {
+            runs_.push_back({index, vertex, 0});
+        },
+        [&] { ++runs_.back().count; });
 }
 
 void IndexedVertices::bucketRuns() {

@@ -8,8 +8,8 @@ namespace gnomon::chunk {
 /// Those that lie in the chunk come first, then those of other chunks.
 class IndexedVertices {
 public:
-    /// `own` by ascending index, `foreign` in any order; no index twice.
-    IndexedVertices(std::vector<ChunkVertex> own, const std::vector<ChunkVertex>& foreign);
+    /// The first `ownCount` by ascending index, the others in any order; no index twice.
+    IndexedVertices(std::vector<ChunkVertex> vertices, std::size_t ownCount);
 
     std::size_t size() const { return vertices_.size(); }
 
@@ -17,6 +17,13 @@ public:
     std::size_t ownCount() const { return ownCount_; }
 
     const ChunkVertex& operator[](std::uint32_t vertex) const { return vertices_[vertex]; }
+
+    /// Gives the vertices up, in the order that they have here.
+    std::vector<ChunkVertex> take() && {
+        runs_ = {};
+        firstRun_ = {};
+        return std::move(vertices_);
+    }
 
     /// Its number here; a check fails for a vertex that the chunk has not.
     std::uint32_t find(std::uint32_t sourceIndex) const;
@@ -32,6 +39,10 @@ private:
         std::uint32_t vertex = 0;
         std::uint32_t count = 0;
     };
+
+    /// Calls `begin(index, vertex)` where a run begins and `extend()` for each of its vertices, by ascending index.
+    template <class Begin, class Extend>
+    void forEachRun(const std::vector<std::uint32_t>& foreign, const Begin& begin, const Extend& extend) const;
 
     void findRuns();
     void bucketRuns();

@@ -26,6 +26,7 @@ StreamStore::StreamStore(ScratchFile& file, std::span<const std::byte> directory
 void StreamStore::append(std::uint32_t stream, std::span<const std::byte> bytes) {
     std::vector<std::byte>& open = streams_[stream].open;
     if (open.size() + bytes.size() > blockBytes_) writeOpen(streams_[stream]);
+    if (bytes.size() > blockBytes_) return write(streams_[stream], bytes);
     // Streams that stay short must not hold a whole block.
     if (open.capacity() < open.size() + bytes.size())
         open.reserve(std::max(open.size() + bytes.size(), std::min(blockBytes_, 2 * open.capacity() + 256)));
@@ -34,8 +35,12 @@ void StreamStore::append(std::uint32_t stream, std::span<const std::byte> bytes)
 
 void StreamStore::writeOpen(Stream& stream) {
     if (stream.open.empty()) return;
-    stream.blocks.push_back({file_.append(stream.open), stream.open.size()});
+    write(stream, stream.open);
     stream.open.clear();
+}
+
+void StreamStore::write(Stream& stream, std::span<const std::byte> bytes) {
+    stream.blocks.push_back({file_.append(bytes), bytes.size()});
 }
 
 void StreamStore::flush() {
@@ -54,12 +59,17 @@ std::uint64_t StreamStore::bytes(std::uint32_t stream) const {
 
 std::vector<std::byte> StreamStore::read(std::uint32_t stream) const {
     std::vector<std::byte> all(bytes(stream));
+    readInto(stream, all);
+    return all;
+}
+
+void StreamStore::readInto(std::uint32_t stream, std::span<std::byte> out) const {
+    GNOMON_CHECK_OP(out.size(), ==, bytes(stream));
     std::size_t done = 0;
     for (const Block& block : streams_[stream].blocks) {
-        file_.read(block.offset, std::span(all).subspan(done, block.bytes));
+        file_.read(block.offset, out.subspan(done, block.bytes));
         done += block.bytes;
     }
-    return all;
 }
 
 bool StreamStore::Reader::isAtEnd() {

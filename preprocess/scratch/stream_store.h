@@ -38,10 +38,21 @@ public:
     template <class T>
     std::vector<T> readAs(std::uint32_t stream) const {
         static_assert(std::is_trivially_copyable_v<T>);
-        const std::vector<std::byte> raw = read(stream);
-        std::vector<T> values(raw.size() / sizeof(T));
-        if (!values.empty()) std::memcpy(values.data(), raw.data(), values.size() * sizeof(T));
+        std::vector<T> values(bytes(stream) / sizeof(T));
+        readInto(stream, std::as_writable_bytes(std::span(values)));
         return values;
+    }
+
+    /// Calls `take(bytes)` for one block of a stream after the other; what was appended at once is in one block. Safe
+    /// from many threads once flushed.
+    template <class Take>
+    void readBlocks(std::uint32_t stream, const Take& take) const {
+        std::vector<std::byte> bytes;
+        for (const Block& block : streams_[stream].blocks) {
+            bytes.resize(block.bytes);
+            file_.read(block.offset, bytes);
+            take(std::span<const std::byte>(bytes));
+        }
     }
 
     /// Reads a stream from its start in the memory of a block, while others may be appended to.
@@ -87,6 +98,8 @@ private:
     };
 
     void writeOpen(Stream& stream);
+    void write(Stream& stream, std::span<const std::byte> bytes);
+    void readInto(std::uint32_t stream, std::span<std::byte> out) const;
 
     ScratchFile& file_;
     std::size_t blockBytes_;

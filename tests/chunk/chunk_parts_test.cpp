@@ -32,7 +32,8 @@ TEST(ChunkStreams, AVertexComesBackWithWhatItsFormatHas) {
             ASSERT_EQ(record.size(), format.bytes());
             records.insert(records.end(), record.begin(), record.end());
         }
-        const std::vector<ChunkVertex> back = decodeVertices(records, format);
+        std::vector<ChunkVertex> back;
+        decodeVertices(records, format, back);
         ASSERT_EQ(back.size(), vertices.size());
         for (std::size_t i = 0; i < back.size(); ++i) {
             EXPECT_EQ(back[i].index, vertices[i].index);
@@ -70,8 +71,7 @@ ChunkVertices verticesAt(const std::vector<glm::dvec3>& positions, std::size_t o
         all.back().index = 10 + i;
         all.back().position = positions[i];
     }
-    const auto middle = all.begin() + static_cast<std::ptrdiff_t>(own);
-    return {IndexedVertices({all.begin(), middle}, {middle, all.end()}), hierarchy::Grid{}};
+    return {IndexedVertices(std::move(all), own), hierarchy::Grid{}};
 }
 
 TEST(ChunkVertices, ArePlacesByTheirPointOfTheGrid) {

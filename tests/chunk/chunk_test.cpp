@@ -210,7 +210,9 @@ TEST(IndexedVertices, AreFoundAsInAMap) {
         for (const std::vector<ChunkVertex>* some : {&made.own, &made.foreign})
             for (const ChunkVertex& vertex : *some)
                 plain.emplace(vertex.index, static_cast<std::uint32_t>(plain.size()));
-        const IndexedVertices vertices(made.own, made.foreign);
+        std::vector<ChunkVertex> all = made.own;
+        all.insert(all.end(), made.foreign.begin(), made.foreign.end());
+        const IndexedVertices vertices(std::move(all), made.own.size());
         ASSERT_EQ(vertices.size(), plain.size());
         ASSERT_EQ(vertices.ownCount(), made.own.size());
         for (const auto& [index, vertex] : plain) {
@@ -226,10 +228,10 @@ TEST(IndexedVerticesDeathTest, OneThatIsNotThereIsNotFound) {
         vertex.index = index;
         return vertex;
     };
-    const IndexedVertices vertices({at(5), at(6), at(9)}, {at(2)});
+    const IndexedVertices vertices({at(5), at(6), at(9), at(2)}, 3);
     for (const std::uint32_t absent : {0U, 1U, 3U, 4U, 7U, 8U, 10U, 0xFFFFFFFFU})
         EXPECT_DEATH(vertices.find(absent), "internal check failed") << absent;
-    EXPECT_DEATH(IndexedVertices({}, {}).find(0), "internal check failed");
+    EXPECT_DEATH(IndexedVertices({}, 0).find(0), "internal check failed");
 }
 
 TEST(Chunks, MostBordersAreInteriorElsewhere) {

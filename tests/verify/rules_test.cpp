@@ -1,0 +1,303 @@
+// The parts of verify by themselves: locked edges against sets, cuts and bounds against chains, each rule's own words.
+#include "core/random.h"
+#include "hierarchy/tiny_model.h"
+#include "preprocess/read/memory_source.h"
+#include "preprocess/verify/check.h"
+#include "preprocess/verify/cracks.h"
+#include "preprocess/verify/error_bound.h"
+#include "preprocess/verify/loaded_model.h"
+#include "preprocess/verify/locked_edges.h"
+#include "preprocess/verify/rules.h"
+#include "preprocess/verify/source_soup.h"
+#include "preprocess/verify/uniform_cut.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+namespace gnomon::verify {
+namespace {
+
+using namespace hierarchy;
+
+LoadedModel loadedOf(const tests::TinyModel& tiny) {
+    LoadedModel model;
+    model.summary = tiny.summary;
+    model.pages = tiny.pages;
+    model.firstGroup = {0};
+    model.firstCluster = {0};
+    for (const Page& page : model.pages) {
+        model.firstGroup.push_back(model.firstGroup.back() + static_cast<std::uint32_t>(page.groups.size()));
+        model.firstCluster.push_back(model.firstCluster.back() + static_cast<std::uint32_t>(page.clusters.size()));
+    }
+    return model;
+}
+
+LoadedModel smallModel() {
+    tests::TinyModelOptions options;
+    options.gridExponent = 4;
+    options.clusterTriangles = 32;
+    options.groupClusters = 3;
+    options.pageGroups = 2;
+    return loadedOf(tests::makeTinyModel(options));
+}
+
+using PlainEdge = std::pair<GridPoint, GridPoint>;
+
+/// Calls `visit(edge, cluster number, group number, level)` for every edge of every triangle; edges lesser end first.
+template <class Visit>
+void forEveryEdge(const LoadedModel& model, const Visit& visit) {
+    for (std::size_t p = 0; p < model.pages.size(); ++p) {
+        const Page& page = model.pages[p];
+        for (std::uint32_t g = 0; g < page.groups.size(); ++g)
+            for (std::uint32_t i = 0; i < page.groups[g].clusterCount; ++i) {
+                const std::uint32_t c = page.groups[g].firstCluster + i;
+                const Cluster& cluster = page.clusters[c];
+                for (std::uint32_t t = 0; t < cluster.triangleCount; ++t)
+                    for (std::size_t k = 0; k < 3; ++k) {
+                        const auto at = [&](std::size_t corner) {
+                            return page
+                                .vertices[cluster.firstVertex + page.triangles[cluster.firstTriangle + t][corner]]
+                                .position;
+                        };
+                        const GridPoint a = at(k);
+                        const GridPoint b = at((k + 1) % 3);
+                        if (a != b)
+                            visit(
+                                PlainEdge(std::min(a, b), std::max(a, b)),
+                                model.firstCluster[p] + c,
+                                model.firstGroup[p] + g,
+                                page.level);
+                    }
+            }
+    }
+}
+
+TEST(LockedEdges, AreThoseThatGroupsOfALevelShare) {
+    const LoadedModel model = smallModel();
+    std::map<std::pair<PlainEdge, std::uint32_t>, std::multiset<std::uint32_t>> groupsAt; // by edge and level
+    std::map<std::uint32_t, std::multiset<PlainEdge>> edgesOfCluster;
+    forEveryEdge(model, [&](const PlainEdge& edge, std::uint32_t cluster, std::uint32_t group, std::uint32_t level) {
+        groupsAt[{edge, level}].insert(group);
+        edgesOfCluster[cluster].insert(edge);
+    });
+    std::map<PlainEdge, std::map<std::uint32_t, std::uint32_t>> expected; // edge -> level -> triangles
+    for (const auto& [key, groups] : groupsAt)
+        if (*groups.begin() != *groups.rbegin())
+            expected[key.first][key.second] = static_cast<std::uint32_t>(groups.size());
+    ASSERT_GT(expected.size(), 20U);
+    const LockedEdges edges(model);
+    ASSERT_EQ(edges.count(), expected.size());
+    std::map<PlainEdge, std::uint32_t> numberOf;
+    for (std::uint32_t e = 0; e < edges.count(); ++e) {
+        const PlainEdge edge(
+            std::min(edges.end(e, false), edges.end(e, true)), std::max(edges.end(e, false), edges.end(e, true)));
+        ASSERT_TRUE(expected.contains(edge));
+        numberOf[edge] = e;
+        std::map<std::uint32_t, std::uint32_t> locks;
+        for (const EdgeLock& lock : edges.locks(e))
+            locks[lock.level] = lock.triangles;
+        EXPECT_EQ(locks, expected[edge]);
+    }
+    for (std::uint32_t cluster = 0; cluster < model.firstCluster.back(); ++cluster) {
+        std::multiset<std::uint32_t> locked;
+        for (const PlainEdge& edge : edgesOfCluster[cluster])
+            if (numberOf.contains(edge)) locked.insert(numberOf[edge]);
+        const auto found = edges.edgesOf(cluster);
+        EXPECT_EQ(std::multiset<std::uint32_t>(found.begin(), found.end()), locked);
+    }
+}
+
+TEST(UniformCut, IsWhatTheRuleDrawsAtOneError) {
+    const LoadedModel model = smallModel();
+    std::set<double> limits{0, 1e30};
+    for (const LevelInfo& level : model.summary.levels)
+        limits.insert(level.maxError);
+    std::size_t last = 0;
+    for (auto limit = limits.rbegin(); limit != limits.rend(); ++limit) {
+        const UniformCut cut = uniformCut(model, *limit);
+        EXPECT_GE(cut.soup.triangles.size(), last) << "a smaller error takes no fewer triangles";
+        last = cut.soup.triangles.size();
+        for (std::size_t i = 0; i < cut.parts.size(); ++i) {
+            const UniformCut::Part& part = cut.parts[i];
+            const Page& page = model.pages[part.page];
+            const Cluster& cluster = page.clusters[part.cluster];
+            const double finer = cluster.refinement == kNone ? 0 : page.refinements[cluster.refinement].error;
+            EXPECT_LE(finer, *limit);
+            const std::size_t end =
+                i + 1 < cut.parts.size() ? cut.parts[i + 1].firstTriangle : cut.soup.triangles.size();
+            EXPECT_EQ(end - part.firstTriangle, cluster.triangleCount);
+            for (const std::uint32_t t : {part.firstTriangle, static_cast<std::uint32_t>(end - 1)})
+                EXPECT_EQ(&cut.partOf(t), &part);
+        }
+    }
+    EXPECT_EQ(last, model.summary.sourceTriangles) << "at an error of 0 all of level 0";
+    EXPECT_EQ(uniformCut(model, 1e30).soup.triangles.size(), model.summary.coarsestTriangles);
+}
+
+TEST(BoundsInCut, AreTheLargestErrorOfWhatStandsForAGroup) {
+    const LoadedModel model = smallModel();
+    // Upwards from each group: who refines into it, and so stands for it.
+    std::map<std::uint32_t, std::set<std::uint32_t>> coarser;
+    std::vector<double> errorOf;
+    for (std::size_t p = 0; p < model.pages.size(); ++p)
+        for (std::uint32_t g = 0; g < model.pages[p].groups.size(); ++g) {
+            const Group& group = model.pages[p].groups[g];
+            errorOf.push_back(group.error);
+            for (std::uint32_t c = 0; c < group.clusterCount; ++c) {
+                const std::uint32_t refinement = model.pages[p].clusters[group.firstCluster + c].refinement;
+                if (refinement != kNone)
+                    coarser[model.groupNumber(model.pages[p].refinements[refinement].group)].insert(
+                        model.firstGroup[p] + g);
+            }
+        }
+    for (const double limit : {0.0, model.summary.levels[1].maxError, model.summary.levels[2].maxError, 1e30}) {
+        const std::vector<double> bounds = boundsInCut(model, limit);
+        ASSERT_EQ(bounds.size(), errorOf.size());
+        const std::function<double(std::uint32_t)> slow = [&](std::uint32_t group) {
+            if (errorOf[group] > limit) return 0.0;
+            double most = errorOf[group];
+            for (const std::uint32_t above : coarser[group])
+                most = std::max(most, slow(above));
+            return most;
+        };
+        for (std::uint32_t group = 0; group < bounds.size(); ++group)
+            EXPECT_EQ(bounds[group], slow(group)) << group << " at " << limit;
+    }
+}
+
+TEST(Rules, ASoundModelKeepsThemAll) {
+    const LoadedModel model = smallModel();
+    EXPECT_TRUE(refinementsResolve(model));
+    for (const Check& check : {checkStructure(model), checkNesting(model), checkMonotoneError(model)}) {
+        EXPECT_GT(check.tested, 10U) << check.name;
+        EXPECT_EQ(check.failed, 0U) << check.name << ": " << check.detail;
+        EXPECT_LE(check.worst, 1e-9) << check.name;
+    }
+    NoProgress progress;
+    const Check cracks = checkCracks(model, 20, 3, progress);
+    EXPECT_GT(cracks.tested, 1000U);
+    EXPECT_EQ(cracks.failed, 0U) << cracks.detail;
+    EXPECT_NE(cracks.detail.find("20 cuts, "), std::string::npos);
+}
+
+/// The first page that has refinements.
+Page& refiningPage(LoadedModel& model) {
+    for (Page& page : model.pages)
+        if (!page.refinements.empty()) return page;
+    throw std::logic_error("no page refines");
+}
+
+TEST(Rules, EachBreachIsToldInItsOwnWords) {
+    const auto structure = [](auto&& breakIt) {
+        LoadedModel model = smallModel();
+        breakIt(model);
+        return checkStructure(model).detail;
+    };
+    const auto has = [](const std::string& text, const std::string& part) {
+        EXPECT_NE(text.find(part), std::string::npos) << text;
+    };
+    has(structure([](LoadedModel& m) { refiningPage(m).refinements[0].group.group = 1000; }), "names no finer group");
+    has(structure([](LoadedModel& m) { refiningPage(m).refinements[0].error *= 2; }),
+        "bounds or an error that are not those of the group that it names");
+    has(structure([](LoadedModel& m) { refiningPage(m).refinements.push_back(refiningPage(m).refinements[0]); }),
+        "belongs to no cluster");
+    has(structure([](LoadedModel& m) { m.summary.levels[0].triangles += 1; }), "summary of level 0 is not the sum");
+    has(structure([](LoadedModel& m) { m.summary.levels[1].maxError *= 2; }), "summary of level 1 is not the sum");
+    has(structure([](LoadedModel& m) { m.summary.coarsestTriangles += 1; }), "the root groups have ");
+    has(structure([](LoadedModel& m) { m.summary.sourceTriangles += 1; }),
+        "triangles of level 0 and dropped ones are ");
+    has(structure([](LoadedModel& m) { m.summary.levels.pop_back(); }), "a page has level ");
+    has(structure([](LoadedModel& m) { m.pages[0].clusters[0].box.min.x += 1; }), "page 0: cluster 0 has a box");
+    has(structure([](LoadedModel& m) { m.pages.back().groups[0].error = std::numeric_limits<double>::infinity(); }),
+        "");
+    LoadedModel dropped = smallModel();
+    dropped.summary.sourceTriangles += 3;
+    dropped.summary.dropped = {{"degenerate", 1}, {"doubled", 2}, {"not_a_polygon", 100}};
+    EXPECT_EQ(checkStructure(dropped).failed, 0U) << "what is no polygon has no triangles";
+    LoadedModel unresolved = smallModel();
+    refiningPage(unresolved).refinements[0].group.page = 0;
+    EXPECT_FALSE(refinementsResolve(unresolved)) << "a page of its own level or a coarser one";
+}
+
+TEST(Rules, TheWorstIsHowFarItIsBroken) {
+    LoadedModel loose = smallModel();
+    Page& page = refiningPage(loose);
+    Group& group = page.groups[0];
+    group.bounds.radius -= 0.5;
+    const Check nesting = checkNesting(loose);
+    EXPECT_GT(nesting.failed, 0U);
+    EXPECT_GT(nesting.worst, 0);
+    EXPECT_LE(nesting.worst, 0.5 + 1e-9);
+    LoadedModel low = smallModel();
+    double finer = 0;
+    Page* other = nullptr;
+    for (Page& each : low.pages)
+        if (!each.refinements.empty() && std::isfinite(each.groups[0].error)) other = &each;
+    ASSERT_NE(other, nullptr);
+    for (std::uint32_t c = 0; c < other->groups[0].clusterCount; ++c)
+        finer =
+            std::max(finer, other->refinements[other->clusters[other->groups[0].firstCluster + c].refinement].error);
+    other->groups[0].error = finer - 0.125;
+    const Check monotone = checkMonotoneError(low);
+    EXPECT_GT(monotone.failed, 0U);
+    EXPECT_NEAR(monotone.worst, 0.125, 1e-12);
+    EXPECT_NE(monotone.detail.find("has an error below that of one of its clusters"), std::string::npos);
+}
+
+TEST(Check, CallsForWordsOnceAndCountsAll) {
+    Check check{"name"};
+    int calls = 0;
+    for (int i = 0; i < 5; ++i)
+        check.test(i < 2, [&] { return "failed " + std::to_string(++calls); });
+    EXPECT_EQ(check.tested, 5U);
+    EXPECT_EQ(check.failed, 3U);
+    EXPECT_EQ(check.detail, "failed 1");
+    EXPECT_EQ(calls, 1);
+    Verification verification;
+    EXPECT_TRUE(verification.ok());
+    verification.checks = {Check{"good"}, check};
+    EXPECT_FALSE(verification.ok());
+}
+
+TEST(SourceSoup, IsTheSourceLessItsOriginAndWhatTheGridCollapses) {
+    read::MemoryMesh mesh;
+    mesh.positions = {{100, 0, 0}, {101, 0, 0}, {100, 1, 0}, {100.1, 0, 0}, {102, 2, 0}};
+    mesh.faceSizes = {3, 3, 4};
+    mesh.corners = {0, 1, 2, 0, 3, 1, 0, 1, 4, 2};
+    const auto source = read::memorySource("mesh", 1, mesh);
+    NoProgress progress;
+    const TriangleSoup soup = readSoup(*source, Grid{{100, 0, 0}, -2}, progress);
+    EXPECT_EQ(soup.positions[1], glm::dvec3(1, 0, 0));
+    ASSERT_EQ(soup.triangles.size(), 3U) << "the second has two corners at one point of the grid";
+    EXPECT_EQ(soup.triangles[0], (std::array<std::uint32_t, 3>{0, 1, 2}));
+    const double square = soup.area(1) + soup.area(2);
+    EXPECT_NEAR(square, 2, 1e-12) << "a kite of two triangles";
+    EXPECT_EQ(soup.point(0, 0, 0), soup.corner(0, 0));
+    EXPECT_EQ(soup.point(0, 1, 0), soup.corner(0, 1));
+    EXPECT_EQ(soup.point(0, 0, 1), soup.corner(0, 2));
+}
+
+TEST(ErrorBound, OfAModelAgainstItselfIsKeptAndAShiftedSourceIsNot) {
+    const LoadedModel model = smallModel();
+    NoProgress progress;
+    TriangleSoup source = uniformCut(model, 0).soup;
+    const Check sound = checkErrorBound(model, source, 1, progress);
+    EXPECT_EQ(sound.failed, 0U) << sound.detail;
+    EXPECT_LE(sound.worst, 1 + 1e-9);
+    EXPECT_GT(sound.tested, 100000U);
+    for (glm::dvec3& position : source.positions)
+        position.y += 5;
+    const Check shifted = checkErrorBound(model, source, 1, progress);
+    EXPECT_GT(shifted.failed, sound.tested / 10);
+    EXPECT_GT(shifted.worst, 1);
+    EXPECT_NE(shifted.detail.find(" away where the stored error is "), std::string::npos);
+}
+
+} // namespace
+} // namespace gnomon::verify

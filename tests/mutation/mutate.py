@@ -111,7 +111,10 @@ class Workshop:
         return run.returncode == 0
 
     def baseline(self, targets, programs):
-        """Builds and runs what is unchanged: it must pass, and its time sets the limits."""
+        """Builds and runs what is unchanged and still unknown: it must pass, and its time sets the limits."""
+        programs = [program for program in programs if program not in self.seconds]
+        if not targets and not programs:
+            return
         done, output = self.make(*targets, *programs)
         if not done:
             raise SystemExit(f"mutate.py: the unchanged tree does not build\n{output}")
@@ -120,7 +123,7 @@ class Workshop:
             if not self.passes(program, 600):
                 raise SystemExit(f"mutate.py: {program} fails before anything is changed")
             self.seconds[program] = time.monotonic() - start
-        self.bytes = {target: self.digest(target) for target in (*targets, *programs)}
+        self.bytes.update({target: self.digest(target) for target in (*targets, *programs)})
 
 
 @dataclasses.dataclass
@@ -137,15 +140,19 @@ def suites(root, names):
             for name in names}
 
 
-def judge(shop, suite, mutant):
-    """What becomes of a mutant whose text is in place."""
+def judge_own(shop, suite):
+    """What the layer's own programs make of the mutant whose text is in place."""
     first = [suite.library, *suite.own]
     if not shop.make(*first)[0]:
         return "did not compile", ""
     if all(shop.digest(target) == shop.bytes[target] for target in first):
         return "same code", ""
-    for program in (*suite.own, *suite.above):
-        if program in suite.above and not shop.make(program)[0]:
+    return judge(shop, suite.own)
+
+
+def judge(shop, programs):
+    for program in programs:
+        if not shop.make(program)[0]:
             return "did not compile", ""
         if not shop.passes(program, 10 + 4 * shop.seconds[program]):
             return "caught", program
@@ -156,11 +163,15 @@ def attempt(shop, suite, mutant):
     path = shop.root / mutant.path
     text = path.read_text()
     start = time.monotonic()
-    try:
-        path.write_text(mutations.applied(text, mutant.mutation))
-        mutant.outcome, mutant.by = judge(shop, suite, mutant)
-    finally:
-        path.write_text(text)
+    for ask in (lambda: judge_own(shop, suite), lambda: judge(shop, suite.above)):
+        try:
+            path.write_text(mutations.applied(text, mutant.mutation))
+            mutant.outcome, mutant.by = ask()
+        finally:
+            path.write_text(text)
+        if mutant.outcome != "survived":
+            break
+        shop.baseline([], suite.above)  # those above are built when they are first needed
     mutant.seconds = time.monotonic() - start
 
 
@@ -246,7 +257,7 @@ def main():
             print(f"{mutant.path}:{mutant.line} {mutant.mutation.kind}\n{mutant.diff}")
         return 0
     targets = sorted({suite.library for suite in table.values()})
-    programs = list(dict.fromkeys(p for suite in table.values() for p in (*suite.own, *suite.above)))
+    programs = list(dict.fromkeys(p for suite in table.values() for p in suite.own))
     workers = []
     for i in range(options.jobs):
         shop = Workshop(ROOT, pathlib.Path(options.build).resolve() / str(i), max(1, (os.cpu_count() or 1) // options.jobs))

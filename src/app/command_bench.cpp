@@ -8,13 +8,13 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "measure/baseline.h"
-#include "measure/bench_runs.h"
+#include "measure/bench_output.h"
 #include "measure/report_runs.h"
+#include "measure/run_summary.h"
 #include "report/accuracy_cost.h"
 #include "report/page.h"
-#include "settings/option_text.h"
-#include "shadow/scheme.h"
-#include "telemetry/benchmark_report.h"
+#include "settings/codec.h"
+#include "settings/resolve.h"
 
 #include <algorithm>
 #include <array>
@@ -30,7 +30,7 @@ namespace {
 
 struct BenchOptions {
     CommonOptions common;
-    settings::ViewOptions view;
+    SettingOptions settings;
     measure::WalkOptions walk;
     OracleOption oracle;
     std::string model;
@@ -48,95 +48,17 @@ struct BenchOptions {
     std::string failAbovePercent = "10";
 };
 
-/// Adds the settings that are the same in all of `runs`; the others are in the runs' names.
-void addSettings(
-    std::map<std::string, std::string>& context,
-    const settings::ViewOptions& view,
-    const std::vector<measure::BenchRun>& runs) {
-    const auto orNone = [](const std::string& text) { return text.empty() ? "not given" : text; };
-    context["light"] = view.light;
-    context["near_and_far"] = view.near + ", " + view.far;
-    context["near_floor"] = orNone(view.nearFloor);
-    context["max_triangles"] = orNone(view.maxTriangles);
-    context["eta"] = orNone(view.eta);
-    context["tsm_focus"] = orNone(view.tsmFocus);
-    context["split_lambda"] = view.splitLambda;
-    context["max_aliasing"] = view.maxAliasing;
-    for (const settings::SweptOption& option : settings::sweptOptions()) {
-        const std::string& value = runs.front().settings.*option.value;
-        const auto isThis = [&](const measure::BenchRun& run) { return run.settings.*option.value == value; };
-        if (std::all_of(runs.begin(), runs.end(), isThis)) context[settings::columnName(option.flag)] = value;
-    }
-}
-
 /// What a reader must know to judge or repeat the figures.
 std::map<std::string, std::string> contextOf(
     const BenchOptions& options,
     const std::vector<measure::BenchRun>& runs,
     const path::CameraPath& path,
     measure::Session& session) {
-    std::map<std::string, std::string> context = telemetry::machineContext();
-    context.erase("host_name"); // a report is handed around
-    const hierarchy::ModelFile& model = session.model();
-    context["model"] = std::filesystem::path(model.path()).filename().string();
-    context["model_triangles"] = std::to_string(model.summary().sourceTriangles);
-    context["model_content_hash"] = model.contentHash();
-    context["image_size"] = options.view.size;
+    std::map<std::string, std::string> context = measure::statedFacts(runs, path, options.walk, session);
     context["path"] = std::filesystem::path(options.path).filename().string();
-    context["path_content_hash"] = path::contentHash(path);
-    addSettings(context, options.view, runs);
     context["version"] = GNOMON_VERSION;
-    context["backend"] = session.executor().name();
-    context["memory_cap"] = options.view.memory;
-    context["gpu_memory_cap"] = options.view.gpuMemory;
-    context["warmup_frames"] = std::to_string(options.walk.warmup);
-    context["frames"] = std::to_string(options.walk.frames);
-    context["repetitions"] = std::to_string(options.walk.repetitions);
     context["threads"] = std::to_string(ThreadLimit::current());
-    context["real_time"] = options.walk.isRealTime ? "yes" : "no: frames wait until their cut is resident";
     return context;
-}
-
-std::string csvText(const std::vector<measure::RunResult>& results) {
-    std::string text = telemetry::csvHeader() + "\n";
-    for (const measure::RunResult& result : results)
-        for (const telemetry::FrameRow& row : result.rows)
-            text += telemetry::csvRow(row) + "\n";
-    return text;
-}
-
-std::string benchmarkText(
-    const std::map<std::string, std::string>& context, const std::vector<measure::RunResult>& results) {
-    std::vector<telemetry::RunTimes> runs;
-    for (const measure::RunResult& result : results) {
-        const report::RunSummary facts = measure::summary(result);
-        telemetry::RunTimes times{result.run.name, {}, result.cpuMs, facts.pagesDamaged, facts.pagesMissing};
-        for (const telemetry::FrameRow& row : result.rows)
-            times.totalMs.push_back(row.totalMs.value_or(0));
-        runs.push_back(times);
-    }
-    return telemetry::benchmarkJson(context, runs) + "\n";
-}
-
-/// The storage factors of slices with and without warp and of faces, for the depth range of the first frame.
-std::vector<report::StoragePoint> storagePoints(const plan::FramePlan& plan) {
-    std::vector<report::StoragePoint> points;
-    if (!(plan.near > 0 && plan.far > plan.near)) return points;
-    const shadow::ViewFrustum frustum{plan.near, plan.far, plan.view.camera.fovYRadians / 2, plan.view.aspect()};
-    const auto add = [&](const char* name, shadow::WarpRule warp, bool faces) {
-        for (int k = 1; k <= 8; ++k) {
-            shadow::Scheme scheme;
-            scheme.warp.rule = warp;
-            scheme.slices = k;
-            scheme.faces = faces;
-            const auto maps = shadow::schemeMaps(frustum, plan.towardsLight, scheme);
-            points.push_back({name, static_cast<int>(maps.size()), shadow::storageFactor(maps)});
-        }
-    };
-    add("slices", shadow::WarpRule::None, false);
-    add("slices + warp", shadow::WarpRule::Auto, false);
-    add("faces + slices + warp", shadow::WarpRule::Auto, true);
-    return points;
 }
 
 void writePictures(const std::string& folder, int run, const std::vector<report::Picture>& pictures) {
@@ -160,8 +82,8 @@ void writeReport(const std::string& folder, report::Report page, const std::vect
     const auto place = [&](const std::string& name) { return (std::filesystem::path(folder) / name).string(); };
     page.csvFile = "bench.csv";
     page.jsonFile = "bench.json";
-    writeTextFile(place(page.csvFile), csvText(results));
-    writeTextFile(place(page.jsonFile), benchmarkText(page.context, results));
+    writeTextFile(place(page.csvFile), measure::csvText(results));
+    writeTextFile(place(page.jsonFile), measure::benchmarkText(page.context, results));
     writeTextFile(place("index.html"), report::page(page));
 }
 
@@ -207,10 +129,9 @@ void printUnderBudget(
 }
 
 /// The setting that --max-aliasing calls for, as options to paste.
-void printUnderBound(const std::string& maxAliasing, const std::vector<report::RunSummary>& summaries) {
-    std::printf("fastest with a promise of at most %s: ", maxAliasing.c_str());
-    const double bound = settings::parseNumber("--max-aliasing", maxAliasing);
-    if (const auto choice = report::cheapestUnderError(summaries, report::ErrorKind::PromisedAliasing, bound))
+void printUnderBound(double maxAliasing, const std::vector<report::RunSummary>& summaries) {
+    std::printf("fastest with a promise of at most %s: ", settings::shortest(maxAliasing).c_str());
+    if (const auto choice = report::cheapestUnderError(summaries, report::ErrorKind::PromisedAliasing, maxAliasing))
         std::printf("%s (%.4g ms)\n", summaries[*choice].options.c_str(), summaries[*choice].p50Ms);
     else
         std::printf("no run does\n");
@@ -256,29 +177,23 @@ struct Bounds {
 
 /// Throws UsageError for figures that bound nothing.
 Bounds boundsOf(const BenchOptions& options) {
-    Bounds bounds{settings::parseNumber("--fail-above", options.failAbovePercent), std::nullopt};
-    if (bounds.failAbovePercent < 0)
-        settings::refuse("--fail-above", options.failAbovePercent, "a number of at least 0");
-    if (options.budgetMs.empty()) return bounds;
-    bounds.budgetMs = settings::parseNumber("--budget-ms", options.budgetMs);
-    if (!(*bounds.budgetMs > 0)) settings::refuse("--budget-ms", options.budgetMs, "a number above 0");
+    const auto atLeastZero = settings::number("a number of at least 0", [](double value) { return value >= 0; });
+    Bounds bounds{settings::parsed(atLeastZero, "--fail-above", options.failAbovePercent), std::nullopt};
+    if (!options.budgetMs.empty())
+        bounds.budgetMs = settings::parsed(settings::positiveNumber(), "--budget-ms", options.budgetMs);
     return bounds;
 }
 
 /// The runs that the options ask for, each sound. Throws UsageError.
 std::vector<measure::BenchRun> runsOf(const BenchOptions& options) {
-    if (settings::isPosed(options.view))
+    const settings::Settings fixed = options.settings.fixedSettings();
+    if (settings::isPosed(fixed))
         throw settings::UsageError{"--path and --camera, --eye, --target, --up, --fov-y contradict each other"};
-    std::vector<measure::BenchRun> runs = measure::combinations(options.view.swept, options.shadowMaps);
-    const bool isWarpOpen = options.view.eta.empty() && options.view.tsmFocus.empty();
-    if (runs.size() == 1 && !options.report.empty())
-        runs = measure::reportRuns(runs.front().settings, options.isQuick, isWarpOpen);
-    const std::string plain = settings::plainOptionsToPaste(options.view);
-    for (measure::BenchRun& run : runs) {
-        settings::qualityOf(
-            options.view, run.settings); // a contradiction in the last run must not cost the first one's time
-        run.options += (run.options.empty() || plain.empty() ? "" : " ") + plain;
-    }
+    std::vector<measure::BenchRun> runs =
+        measure::runsOf(settings::combinations(fixed, options.settings.axes(options.shadowMaps)));
+    if (runs.size() == 1 && !options.report.empty()) runs = measure::reportRuns(runs.front().settings, options.isQuick);
+    for (const measure::BenchRun& run : runs)
+        settings::qualityOf(run.settings); // a contradiction in the last run must not cost the first one's time
     return runs;
 }
 
@@ -291,7 +206,7 @@ public:
           runs_(runsOf(options)),
           path_(path::readCameraPath(options.path)),
           baseline_(options.baseline.empty() ? std::nullopt : std::optional(measure::readBaseline(options.baseline))),
-          session_(options.model, options.view),
+          session_(options.model, runs_.front().settings),
           csv_(options.csv),
           json_(options.json),
           context_(contextOf(options, runs_, path_, session_)),
@@ -306,12 +221,12 @@ public:
         std::vector<report::RunSummary> summaries;
         std::transform(results.begin(), results.end(), std::back_inserter(summaries), measure::summary);
         context_["first_frame_ms"] = std::to_string(results.front().firstFrameMs);
-        csv_.write(csvText(results)); // before what may be stopped: it has taken the longest
-        json_.write(benchmarkText(context_, results));
+        csv_.write(measure::csvText(results)); // before what may be stopped: it has taken the longest
+        json_.write(measure::benchmarkText(context_, results));
         print(summaries);
         if (bounds_.budgetMs)
             printUnderBudget(*bounds_.budgetMs, summaries, [this](std::size_t run) { return walkedAgain(run); });
-        if (summaries.size() > 1) printUnderBound(options_.view.maxAliasing, summaries);
+        if (summaries.size() > 1) printUnderBound(runs_.front().settings.quality.maxAliasing, summaries);
         if (!options_.images.empty()) writeImages();
         if (!options_.report.empty()) writeReport(options_.report, pageOf(summaries), results);
         const bool hasFiles = !(options_.csv + options_.json + options_.images + options_.report).empty();
@@ -329,7 +244,7 @@ private:
         const char* stage, const std::vector<measure::BenchRun>& runs, const measure::WalkOptions& walk) {
         const auto progress = makeProgress(options_.common);
         progress->stage(stage, "frames", measure::frameCount(runs, walk));
-        return measure::walkAll(session_, options_.view, path_, runs, walk, *progress);
+        return measure::walkAll(session_, path_, runs, walk, *progress);
     }
 
     report::RunSummary walkedAgain(std::size_t run) {
@@ -340,7 +255,7 @@ private:
     }
 
     std::vector<report::Picture> picturesOf(std::size_t run, Progress& progress) {
-        return measure::middlePictures(session_, options_.view, path_, runs_[run], options_.walk, progress);
+        return measure::middlePictures(session_, path_, runs_[run], options_.walk, progress);
     }
 
     void writeImages() {
@@ -361,10 +276,10 @@ private:
         for (const std::size_t run : pictured)
             for (report::Picture& picture : picturesOf(run, *progress))
                 page.pictures.push_back(std::move(picture));
-        plan::View view = settings::viewOf(options_.view, session_.model().summary());
+        const settings::Settings& settings = runs_.front().settings;
+        plan::View view = settings::viewOf(settings, session_.model().summary());
         view.camera = path::cameraAt(path_, path_.keyframes.front().time);
-        page.storage =
-            storagePoints(session_.renderer().plan(view, settings::qualityOf(options_.view, runs_.front().settings)));
+        page.storage = measure::storagePoints(session_.renderer().plan(view, settings::qualityOf(settings)));
         return page;
     }
 
@@ -437,7 +352,7 @@ void addBenchCommand(CLI::App& program) {
     command->add_option("--baseline", options->baseline, "Compare with the --json-file of an earlier bench");
     command->add_option("--fail-above", options->failAbovePercent, "Exit 1 if a median grew by more percent than this")
         ->capture_default_str();
-    addViewOptions(*command, options->view);
+    options->settings.addTo(*command);
     shadowMaps->excludes("--z-partitions");
     addCommonOptions(*command, options->common);
     command->callback([options] { runBench(*options); });

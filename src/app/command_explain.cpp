@@ -5,6 +5,7 @@
 #include "app/plan_json.h"
 #include "app/thread_limit.h"
 #include "measure/session.h"
+#include "settings/resolve.h"
 #include "telemetry/json_text.h"
 
 #include <cstdio>
@@ -16,18 +17,18 @@ namespace {
 
 struct ExplainOptions {
     CommonOptions common;
-    settings::ViewOptions view;
+    SettingOptions settings;
     std::string model;
     bool json = false;
 };
 
 void runExplain(const ExplainOptions& options) {
-    const plan::Quality quality = settings::qualityOf(options.view, options.view.swept);
-    settings::ViewOptions undrawn = options.view;
-    undrawn.backend = "software"; // nothing is drawn, so no context is made
-    measure::Session session(options.model, undrawn);
+    settings::Settings settings = options.settings.settings();
+    const plan::Quality quality = settings::qualityOf(settings);
+    settings.backend = settings::Backend::Software; // nothing is drawn, so no context is made
+    measure::Session session(options.model, settings);
     const plan::FramePlan plan =
-        session.renderer().plan(settings::viewOf(options.view, session.model().summary()), quality);
+        session.renderer().plan(settings::viewOf(settings, session.model().summary()), quality);
     const std::string text = options.json ? telemetry::jsonText(planJson(plan), 1) + "\n" : planText(plan);
     std::fputs(text.c_str(), stdout);
 }
@@ -40,7 +41,7 @@ void addExplainCommand(CLI::App& program) {
     auto options = std::make_shared<ExplainOptions>();
     command->add_option("MODEL", options->model, "A .gnm file")->required();
     command->add_flag("--json", options->json, "Print one JSON document");
-    addViewOptions(*command, options->view);
+    options->settings.addTo(*command);
     addCommonOptions(*command, options->common);
     command->footer("A promise is the perspective aliasing over [near, far]: the largest width of a texel over that of "
                     "a pixel, projection aside.");

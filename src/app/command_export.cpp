@@ -6,7 +6,7 @@
 #include "core/printable.h"
 #include "core/units.h"
 #include "preprocess/exporter/export.h"
-#include "settings/option_text.h"
+#include "settings/codec.h"
 
 #include <cstdio>
 #include <memory>
@@ -33,8 +33,8 @@ exporter::ExportLimit limitOf(const ExportOptions& options) {
             throw settings::UsageError{"--triangles: not a count: " + options.triangles + " (write 250000, 13M or 1G)"};
     }
     if (!options.error.empty()) {
-        limit.error = settings::parseNumber("--error", options.error);
-        if (*limit.error < 0) settings::refuse("--error", options.error, "a length of at least 0");
+        const auto length = settings::number("a length of at least 0", [](double value) { return value >= 0; });
+        limit.error = settings::parsed(length, "--error", options.error);
     }
     return limit;
 }

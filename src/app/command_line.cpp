@@ -1,7 +1,7 @@
 #include "app/command_line.h"
 
 #include "gl/shader_library.h"
-#include "settings/option_text.h"
+#include "settings/table.h"
 
 #include <filesystem>
 
@@ -24,26 +24,61 @@ CLI::Validator shaderFolder() {
 
 } // namespace
 
-void addViewOptions(CLI::App& command, settings::ViewOptions& options) {
-    const auto add = [&](const char* flag, std::string& value, const char* form, const char* help) {
-        return command.add_option(flag, value, help)->group("View and quality")->type_name(form)->capture_default_str();
-    };
-    for (const settings::PlainOption& plain : settings::plainOptions())
-        add(plain.flag, options.*plain.value, plain.form, plain.help);
-    for (const settings::SweptOption& swept : settings::sweptOptions()) {
-        const bool isWarp = swept.value == &settings::SweptSettings::warp;
-        CLI::Option* option = add(swept.flag, options.swept.*swept.value, swept.form, swept.help);
-        if (isWarp) option->each([&options](const std::string& /*text*/) { options.isWarpGiven = true; });
+void SettingOptions::addTo(CLI::App& command) {
+    const settings::Settings defaults;
+    for (const settings::Setting& setting : settings::table()) {
+        const settings::Description& description = setting.description();
+        // CLI11 takes empty text for no text where it parses it itself.
+        const auto take = [this, &setting](const std::string& text) { texts_[setting.name()] = text; };
+        command.add_option_function<std::string>(setting.option(), take, description.help)
+            ->group("View and quality")
+            ->type_name(description.form)
+            ->default_str(setting.text(defaults));
     }
-    command.get_option("--backend")->check(CLI::IsMember({"auto", "software", "osmesa", "egl", "window"}));
-    command.get_option("--shaders")->check(shaderFolder());
+    command.get_option(settings::named("shaders").option())->check(shaderFolder());
+}
+
+settings::Settings SettingOptions::parsed(bool withSwept) const {
+    settings::Settings result;
+    for (const settings::Setting& setting : settings::table()) {
+        const auto text = texts_.find(setting.name());
+        if (text == texts_.end() || (setting.description().isSwept && !withSwept)) continue;
+        setting.set(result, setting.parse(text->second));
+    }
+    return result;
+}
+
+settings::Settings SettingOptions::settings() const {
+    return parsed(true);
+}
+
+settings::Settings SettingOptions::fixedSettings() const {
+    return parsed(false);
+}
+
+std::vector<settings::Axis> SettingOptions::axes(const std::optional<std::string>& shadowMaps) const {
+    const settings::Setting& slices = settings::named("z-partitions");
+    const settings::Setting& faces = settings::named("face-partitions");
+    const auto facesText = texts_.find(faces.name());
+    if (shadowMaps && facesText != texts_.end() && facesText->second != faces.text(settings::Settings()))
+        throw settings::UsageError{
+            "--shadow-maps turns faces off, so " + faces.option() + " " + facesText->second + " contradicts it"};
+    std::vector<settings::Axis> axes;
+    for (const settings::Setting& setting : settings::table()) {
+        const auto text = texts_.find(setting.name());
+        if (shadowMaps && &setting == &slices)
+            axes.push_back(settings::parseAxis(setting, "--shadow-maps", *shadowMaps));
+        else if (setting.description().isSwept && text != texts_.end())
+            axes.push_back(settings::parseAxis(setting, setting.option(), text->second));
+    }
+    return axes;
 }
 
 CLI::Validator seedText() {
     return {
         [](std::string& text) {
-            return settings::wholeNumber(text) ? std::string()
-                                               : "expected a whole number from 0 to 2^64 - 1, found '" + text + "'";
+            return settings::seed().read(text) ? std::string()
+                                               : "expected " + settings::seed().expected + ", found '" + text + "'";
         },
         "SEED"};
 }

@@ -1,14 +1,39 @@
 // Options that several subcommands have, as CLI11 takes them.
 #pragma once
 
-#include "settings/view_options.h"
+#include "settings/axes.h"
+#include "settings/settings.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
 namespace gnomon::app {
 
-/// Adds the view and quality options to `command`; `options` must outlive the parsing.
-void addViewOptions(CLI::App& command, settings::ViewOptions& options);
+/// The settings of one command line: the options that the table of settings makes, and what was written behind them.
+class SettingOptions {
+public:
+    /// Adds an option for each setting to `command`; this must outlive the parsing.
+    void addTo(CLI::App& command);
+
+    /// One value each. Throws UsageError.
+    settings::Settings settings() const;
+
+    /// Likewise, for a bench: those that it sweeps are as they are by default.
+    settings::Settings fixedSettings() const;
+
+    /// Those that are swept, each with the values of its list; a list of `shadowMaps`, if given, is the number of
+    /// slices with faces off. Throws UsageError.
+    std::vector<settings::Axis> axes(const std::optional<std::string>& shadowMaps) const;
+
+private:
+    settings::Settings parsed(bool withSwept) const;
+
+    std::map<std::string, std::string> texts_; // of the settings that were given, by their names
+};
 
 /// What a seed may be for CLI11, which takes -1 for the largest of unsigned numbers.
 CLI::Validator seedText();

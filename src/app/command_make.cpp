@@ -8,7 +8,7 @@
 #include "core/units.h"
 #include "preprocess/make/model_file.h"
 #include "preprocess/make/named_model.h"
-#include "settings/option_text.h"
+#include "settings/usage_error.h"
 
 #include <cstdio>
 #include <memory>

@@ -8,12 +8,11 @@
 #include "core/file.h"
 #include "executor/heat_scale.h"
 #include "measure/session.h"
-#include "settings/option_text.h"
+#include "settings/resolve.h"
 #include "telemetry/process_clock.h"
 
 #include <cstdio>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <optional>
 
@@ -23,7 +22,7 @@ namespace {
 
 struct RenderOptions {
     CommonOptions common;
-    settings::ViewOptions view;
+    SettingOptions settings;
     std::string model;
     std::string output;
     std::string overlay = "none";
@@ -34,20 +33,6 @@ struct RenderOptions {
     std::string shadowDepth;
     OracleOption oracle;
 };
-
-const std::map<std::string, executor::Overlay>& overlays() {
-    using executor::Overlay;
-    static const std::map<std::string, Overlay> words = {
-        {"none", Overlay::None},
-        {"partitions", Overlay::Partitions},
-        {"texels", Overlay::Texels},
-        {"aliasing", Overlay::Aliasing},
-        {"lod", Overlay::Lod},
-        {"clusters", Overlay::Clusters},
-        {"projection", Overlay::Projection},
-        {"residency", Overlay::Residency}};
-    return words;
-}
 
 /// Each map as a PFM of its own, named by its slice and face.
 void writeShadowMaps(const std::string& folder, const frame::Frame& frame, executor::Executor& executor) {
@@ -82,19 +67,20 @@ void requireWritableOutputs(const RenderOptions& options) {
 
 void runRender(const RenderOptions& options) {
     const ThreadLimit limit(options.common);
+    const settings::Settings settings = options.settings.settings();
     requireExtension("--output", options.output, ".png");
     requireApart(
-        {{"MODEL", options.model}, {"--camera", options.view.cameraFile}, {"--reference", options.reference}},
+        {{"MODEL", options.model}, {"--camera", settings.cameraFile}, {"--reference", options.reference}},
         {{"--output", options.output}, {"--stats", options.statistics}, {"--depth", options.depth}});
-    const plan::Quality quality = settings::qualityOf(options.view, options.view.swept);
-    measure::Session session(options.model, options.view);
-    const plan::View view = settings::viewOf(options.view, session.model().summary());
+    const plan::Quality quality = settings::qualityOf(settings);
+    measure::Session session(options.model, settings);
+    const plan::View view = settings::viewOf(settings, session.model().summary());
     std::optional<executor::Picture> reference;
     if (!options.reference.empty()) reference = executor::readPng(options.reference);
     requireWritableOutputs(options);
     const PreparedFolder shadowDepth(options.shadowDepth);
     frame::FrameOptions frameOptions;
-    frameOptions.overlay = overlays().at(options.overlay);
+    frameOptions.overlay = valueOf(executor::kOverlays, options.overlay).value_or(executor::Overlay::None);
     frameOptions.measuresAliasing = !options.statistics.empty();
     frameOptions.oracle = options.oracle.mode();
     frameOptions.comparesWithFinest = frameOptions.oracle != frame::Oracle::None;
@@ -123,8 +109,8 @@ void addRenderCommand(CLI::App& program) {
     command->add_option("MODEL", options->model, "A .gnm file")->required();
     command->add_option("-o,--output", options->output, "The picture, a PNG")->required()->type_name("FILE.png");
     std::vector<std::string> words;
-    for (const auto& [word, overlay] : overlays())
-        words.push_back(word);
+    for (const executor::NamedOverlay& overlay : executor::kOverlays)
+        words.emplace_back(overlay.word);
     command->add_option("--overlay", options->overlay, "What is painted over the picture")
         ->check(CLI::IsMember(words))
         ->capture_default_str();
@@ -142,7 +128,7 @@ void addRenderCommand(CLI::App& program) {
     command->add_option("--shadow-depth", options->shadowDepth, "Write each shadow map into this folder, as PFM")
         ->type_name("DIR");
     options->oracle.addTo(*command);
-    addViewOptions(*command, options->view);
+    options->settings.addTo(*command);
     addCommonOptions(*command, options->common);
     command->callback([options] { runRender(*options); });
 }

@@ -7,7 +7,7 @@
 #include "core/file.h"
 #include "core/json_file.h"
 #include "core/printable.h"
-#include "settings/option_text.h"
+#include "settings/codec.h"
 #include "telemetry/json_text.h"
 #include "theory/figures.h"
 #include "theory/figures_script.h"
@@ -166,7 +166,7 @@ void printTable(const TableOptions& options) {
     } catch (const Error& error) {
         throw settings::UsageError{error.what()}; // the options are all that it is made of
     }
-    const glm::dvec3 light = glm::normalize(settings::parseDirection("--light", options.light));
+    const glm::dvec3 light = glm::normalize(settings::parsed(settings::direction(), "--light", options.light));
     const std::vector<theory::SchemeRow> table = theory::schemeTable(frustum, light);
     if (!options.asJson)
         std::printf("%-10s %-8s %2s %5s %14s %12s %12s\n", "scheme", "warp", "k", "maps", "S", "M_x", "M_z");

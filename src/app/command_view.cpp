@@ -3,7 +3,8 @@
 #include "app/named_files.h"
 #include "app/thread_limit.h"
 #include "core/error.h"
-#include "settings/option_text.h"
+#include "settings/resolve.h"
+#include "settings/table.h"
 #include "viewer/input/key_table.h"
 #include "viewer/viewer.h"
 
@@ -17,7 +18,7 @@ namespace {
 /// The keys and what the mouse does, for the end of the help.
 std::string keysForPeople() {
     std::string text = "Keys:\n";
-    const auto add = [&](std::string name, const char* help) {
+    const auto add = [&](std::string name, const std::string& help) {
         name.resize(std::max<std::size_t>(name.size() + 2, 14), ' ');
         text += "  " + name + help + "\n";
     };
@@ -31,16 +32,16 @@ std::string keysForPeople() {
 
 /// Throws what is wrong with the options, before a window opens or a mesh is built.
 void requireSound(const viewer::ViewerOptions& options) {
-    settings::qualityOf(options.view, options.view.swept);
-    settings::viewOf(options.view, {});
-    settings::parseMemory("--memory", options.view.memory);
-    settings::parseMemory("--gpu-memory", options.view.gpuMemory);
+    const settings::Settings& settings = options.settings;
+    settings::qualityOf(settings);
+    settings::viewOf(settings, {});
     requireApart(
-        {{"MODEL", options.file}, {"--path", options.path}, {"--camera", options.view.cameraFile}},
+        {{"MODEL", options.file}, {"--path", options.path}, {"--camera", settings.cameraFile}},
         {{"--csv", options.csv}});
-    if (options.view.backend == "osmesa" || options.view.backend == "egl")
+    if (settings.backend == settings::Backend::Osmesa || settings.backend == settings::Backend::Egl)
         throw settings::UsageError{
-            "--backend " + options.view.backend + " draws into no window; take auto, software or window"};
+            "--backend " + settings::named("backend").text(settings) +
+            " draws into no window; take auto, software or window"};
     if (!std::filesystem::exists(options.file))
         throw Error(options.file, "this model cannot be opened", "a file", "none");
 }
@@ -51,7 +52,9 @@ void addViewCommand(CLI::App& program) {
     struct Options {
         CommonOptions common;
         viewer::ViewerOptions viewer;
+        SettingOptions settings;
         std::string frames;
+        std::string buildMemory = "2G";
     };
 
     CLI::App* command = program.add_subcommand("view", "Walk through a model in a window; H there lists the keys");
@@ -66,16 +69,18 @@ void addViewCommand(CLI::App& program) {
         command->add_option("--frames", options->frames, "Play it in so many frames, as bench does, not by the clock");
     command->add_option("--images", viewer.images, "Write each played frame into this folder");
     command->add_option("--csv", viewer.csv, "Write a row per frame here, in the columns of bench");
-    command->add_option("--build-memory", viewer.buildMemory, "Peak resident size while a mesh is built")
+    command->add_option("--build-memory", options->buildMemory, "Peak resident size while a mesh is built")
         ->capture_default_str();
-    addViewOptions(*command, viewer.view);
+    options->settings.addTo(*command);
     addCommonOptions(*command, options->common);
     frames->needs("--path");
     command->footer(keysForPeople());
     command->callback([options] {
         viewer::ViewerOptions& chosen = options->viewer;
-        if (!options->frames.empty()) chosen.frames = settings::parseWhole("--frames", options->frames, 1, 1000000);
-        settings::parseMemory("--build-memory", chosen.buildMemory);
+        if (!options->frames.empty())
+            chosen.frames = settings::parsed(settings::whole(1, 1000000), "--frames", options->frames);
+        chosen.buildMemory = settings::parsed(settings::memory(), "--build-memory", options->buildMemory);
+        chosen.settings = options->settings.settings();
         chosen.threads = options->common.threads;
         const ThreadLimit limit(options->common);
         requireSound(chosen);

@@ -4,7 +4,7 @@
 #include "app/console.h"
 #include "app/interruption.h"
 #include "core/error.h"
-#include "settings/option_text.h"
+#include "settings/usage_error.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #include "app/named_files.h"
 
 #include "app/commands.h"
-#include "settings/option_text.h"
+#include "settings/usage_error.h"
 
 #include <algorithm>
 #include <cctype>

@@ -4,7 +4,7 @@ namespace gnomon::app {
 
 namespace {
 
-constexpr const char* kFlagAlone = "same";
+const std::string kFlagAlone(wordOf(frame::kOracles, frame::Oracle::SameDetail));
 
 } // namespace
 
@@ -18,8 +18,9 @@ void OracleOption::addTo(CLI::App& command) {
         ->expected(0, 1)
         ->check(
             [](const std::string& text) {
-                const bool isWord = text == kFlagAlone || text == "full";
-                return isWord ? "" : "it takes nothing or `full`, not '" + text + "'; put MODEL before it";
+                return valueOf(frame::kOracles, text)
+                           ? ""
+                           : "it takes nothing or `full`, not '" + text + "'; put MODEL before it";
             },
             "")
         ->default_str(kFlagAlone)
@@ -27,8 +28,7 @@ void OracleOption::addTo(CLI::App& command) {
 }
 
 frame::Oracle OracleOption::mode() const {
-    if (text_.empty()) return frame::Oracle::None;
-    return text_ == kFlagAlone ? frame::Oracle::SameDetail : frame::Oracle::FullDetail;
+    return valueOf(frame::kOracles, text_).value_or(frame::Oracle::None);
 }
 
 } // namespace gnomon::app

@@ -6,6 +6,7 @@
 #include "plan/frame_plan.h"
 #include "selection/cut.h"
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -24,6 +25,32 @@ using PageLookup = std::function<const hierarchy::Page&(std::uint32_t page)>;
 /// surface lies to light and eye, and which nobody can promise.
 /// Residency is what stands in for pages that are not in memory.
 enum class Overlay : std::uint8_t { None, Partitions, Texels, Aliasing, Lod, Clusters, Projection, Residency };
+
+/// An overlay with its word, and what it is called where there is room.
+struct NamedOverlay {
+    Overlay value;
+    const char* word;
+    const char* title;
+};
+
+/// All of them, in the order in which a window offers them.
+inline constexpr std::array kOverlays = {
+    NamedOverlay{Overlay::None, "none", "none"},
+    NamedOverlay{Overlay::Partitions, "partitions", "partitions"},
+    NamedOverlay{Overlay::Texels, "texels", "shadow texels"},
+    NamedOverlay{Overlay::Aliasing, "aliasing", "aliasing"},
+    NamedOverlay{Overlay::Lod, "lod", "level of detail"},
+    NamedOverlay{Overlay::Clusters, "clusters", "clusters"},
+    NamedOverlay{Overlay::Residency, "residency", "what waits for pages"},
+    NamedOverlay{Overlay::Projection, "projection", "projection"},
+};
+
+/// What `overlay` is called where there is room.
+constexpr const char* title(Overlay overlay) {
+    for (const NamedOverlay& each : kOverlays)
+        if (each.value == overlay) return each.title;
+    return "";
+}
 
 /// World axes and units, origin at the grid point of the model that is nearest to the eye: there floats are precise
 /// where the picture needs it, however far from the world's origin or how far away the eye is.

@@ -199,7 +199,7 @@ telemetry::FrameRow Renderer::logged(const Prepared& prepared, const executor::D
     telemetry::FrameRow row;
     row.model = model_->path();
     row.scheme = plan::schemeName(plan);
-    row.warp = plan::warpName(quality.warp);
+    row.warp = shadow::name(quality.warp.rule);
     row.zPartitions = plan.splits.empty() ? 0 : toCount(plan.splits.size() - 1);
     row.facePartitions = plan.hasFaces ? "on" : "off";
     row.stabilize = quality.stabilize;

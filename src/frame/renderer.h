@@ -24,6 +24,12 @@ enum class Oracle : std::uint8_t {
     FullDetail, // rays against the finest level there
 };
 
+/// Those of them that compare.
+inline constexpr std::array kOracles = {
+    Word<Oracle>{Oracle::SameDetail, "same"},
+    Word<Oracle>{Oracle::FullDetail, "full"},
+};
+
 /// What a frame is asked for besides view and quality.
 struct FrameOptions {
     Waiting waiting = Waiting::UntilComplete;

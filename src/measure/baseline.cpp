@@ -2,7 +2,7 @@
 
 #include "core/error.h"
 #include "core/json_file.h"
-#include "settings/view_options.h"
+#include "settings/table.h"
 
 #include <array>
 #include <set>
@@ -11,25 +11,8 @@ namespace gnomon::measure {
 
 namespace {
 
-/// What of the context frame times hang on, those that can be swept aside.
-constexpr std::array kAlike{
-    "model_content_hash",
-    "path_content_hash",
-    "frames",
-    "real_time",
-    "image_size",
-    "light",
-    "near_and_far",
-    "near_floor",
-    "max_triangles",
-    "eta",
-    "tsm_focus",
-    "split_lambda",
-    "max_aliasing",
-    "memory_cap",
-    "gpu_memory_cap",
-    "backend",
-    "threads"};
+/// What of the context frame times hang on, beside the settings.
+constexpr std::array kAlike{"model_content_hash", "path_content_hash", "frames", "real_time", "backend", "threads"};
 
 } // namespace
 
@@ -63,15 +46,19 @@ void requireComparable(const Baseline& baseline, const std::map<std::string, std
     const auto requireAlike = [&](const std::string& key, const std::string& now, const std::string& before) {
         if (now != before) throw Error(baseline.path, "another bench than this one: " + key, now, before);
     };
-    for (const char* key : kAlike) {
+    const auto requireStated = [&](const std::string& key) {
         const auto before = baseline.context.find(key);
         requireAlike(key, context.at(key), before == baseline.context.end() ? "none" : before->second);
-    }
-    for (const settings::SweptOption& option : settings::sweptOptions()) {
-        const std::string key = settings::columnName(option.flag);
-        const auto before = baseline.context.find(key);
-        const auto now = context.find(key);
-        if (before != baseline.context.end() && now != context.end()) requireAlike(key, now->second, before->second);
+    };
+    for (const char* key : kAlike)
+        requireStated(key);
+    for (const settings::Setting& setting : settings::table()) {
+        if (!setting.description().statedAs.empty()) requireStated(setting.description().statedAs);
+        if (!setting.description().isSwept) continue;
+        const auto before = baseline.context.find(setting.column());
+        const auto now = context.find(setting.column());
+        if (before != baseline.context.end() && now != context.end())
+            requireAlike(setting.column(), now->second, before->second);
     }
 }
 

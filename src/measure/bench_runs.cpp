@@ -1,7 +1,7 @@
 #include "measure/bench_runs.h"
 
-#include "settings/option_text.h"
-#include "telemetry/benchmark_report.h"
+#include "settings/resolve.h"
+#include "settings/table.h"
 #include "telemetry/process_clock.h"
 
 #include <algorithm>
@@ -25,81 +25,16 @@ executor::Picture magnifiedDifference(const executor::Picture& a, const executor
     return result;
 }
 
-double median(const std::vector<telemetry::FrameRow>& rows, std::optional<double> telemetry::FrameRow::*column) {
-    std::vector<double> values;
-    for (const telemetry::FrameRow& row : rows)
-        if (row.*column) values.push_back(*(row.*column));
-    return values.empty() ? 0 : telemetry::quantile(values, 0.5);
-}
-
-double mean(const std::vector<telemetry::FrameRow>& rows, std::optional<std::int64_t> telemetry::FrameRow::*column) {
-    double sum = 0;
-    for (const telemetry::FrameRow& row : rows)
-        sum += static_cast<double>((row.*column).value_or(0));
-    return rows.empty() ? 0 : sum / static_cast<double>(rows.size());
-}
-
-std::optional<double> mean(
-    const std::vector<telemetry::FrameRow>& rows, std::optional<double> telemetry::FrameRow::*column) {
-    double sum = 0;
-    int count = 0;
-    for (const telemetry::FrameRow& row : rows) {
-        if (!(row.*column)) continue;
-        sum += *(row.*column);
-        ++count;
-    }
-    return count > 0 ? std::optional(sum / count) : std::nullopt;
-}
-
-std::optional<double> largest(
-    const std::vector<telemetry::FrameRow>& rows, std::optional<double> telemetry::FrameRow::*column) {
-    std::optional<double> result;
-    for (const telemetry::FrameRow& row : rows)
-        if (row.*column) result = std::max(result.value_or(*(row.*column)), *(row.*column));
-    return result;
-}
-
-/// The median over repetitions of every frame's time, in the order of the path.
-std::vector<double> timesAlongPath(const std::vector<telemetry::FrameRow>& rows) {
-    std::map<std::int64_t, std::vector<double>> times;
-    for (const telemetry::FrameRow& row : rows)
-        times[row.frame].push_back(row.totalMs.value_or(0));
-    std::vector<double> result;
-    result.reserve(times.size());
-    for (const auto& [frame, values] : times)
-        result.push_back(telemetry::quantile(values, 0.5));
-    return result;
-}
-
-/// Half the range of the repetitions' medians over their middle; nothing if there is only one repetition.
-std::optional<double> noise(const std::vector<telemetry::FrameRow>& rows) {
-    std::map<std::int64_t, std::vector<double>> times;
-    for (const telemetry::FrameRow& row : rows)
-        times[row.repetition].push_back(row.totalMs.value_or(0));
-    if (times.size() < 2) return std::nullopt;
-    std::vector<double> medians;
-    medians.reserve(times.size());
-    for (const auto& [repetition, values] : times)
-        medians.push_back(telemetry::quantile(values, 0.5));
-    const auto [least, largest] = std::minmax_element(medians.begin(), medians.end());
-    return *least + *largest > 0 ? (*largest - *least) / (*largest + *least) : 0;
-}
-
 /// One run's walk along the path.
 class Walk {
 public:
-    Walk(
-        Session& session,
-        const settings::ViewOptions& viewOptions,
-        const path::CameraPath& path,
-        const WalkOptions& options,
-        RunResult& result)
+    Walk(Session& session, const path::CameraPath& path, const WalkOptions& options, RunResult& result)
         : session_(session),
           path_(path),
           options_(options),
           result_(result),
-          view_(settings::viewOf(viewOptions, session.model().summary())),
-          quality_(settings::qualityOf(viewOptions, result.run.settings)) {
+          view_(settings::viewOf(result.run.settings, session.model().summary())),
+          quality_(settings::qualityOf(result.run.settings)) {
         frameOptions_.waiting = options.isRealTime ? frame::Waiting::Never : frame::Waiting::UntilComplete;
     }
 
@@ -193,52 +128,31 @@ private:
 
 } // namespace
 
-std::vector<BenchRun> named(const std::vector<settings::SweptSettings>& settings) {
+std::vector<BenchRun> runsOf(const std::vector<settings::Settings>& settings) {
     std::vector<BenchRun> runs;
     runs.reserve(settings.size());
-    const settings::SweptSettings defaults;
-    for (const settings::SweptSettings& each : settings) {
+    for (const settings::Settings& each : settings) {
         BenchRun run{{}, each, {}};
-        for (const settings::SweptOption& option : settings::sweptOptions()) {
-            const std::string& value = each.*option.value;
-            const bool varies = std::any_of(
-                settings.begin(), settings.end(), [&](const auto& other) { return other.*option.value != value; });
-            if (varies) run.name += (run.name.empty() ? "" : "/") + settings::columnName(option.flag) + ":" + value;
-            if (varies || value != defaults.*option.value)
-                run.options += (run.options.empty() ? "" : " ") + std::string(option.flag) + " " + value;
+        for (const settings::Setting& setting : settings::table()) {
+            if (!setting.description().isSwept) continue;
+            const std::string value = setting.text(each);
+            const bool varies = std::any_of(settings.begin(), settings.end(), [&](const settings::Settings& other) {
+                return setting.text(other) != value;
+            });
+            if (varies) run.name += (run.name.empty() ? "" : "/") + setting.column() + ":" + value;
+            if (varies || !setting.isDefault(each))
+                run.options += (run.options.empty() ? "" : " ") + setting.option() + " " + value;
         }
+        const std::string fixed = settings::optionsToPaste(each, false);
+        run.options += (run.options.empty() || fixed.empty() ? "" : " ") + fixed;
         if (run.name.empty()) run.name = "run";
         runs.push_back(run);
     }
     return runs;
 }
 
-std::vector<BenchRun> combinations(const settings::SweptSettings& lists, const std::optional<std::string>& shadowMaps) {
-    if (shadowMaps && lists.facePartitions != "off")
-        throw settings::UsageError{
-            "--shadow-maps turns faces off, so --face-partitions " + lists.facePartitions + " contradicts it"};
-    std::vector<settings::SweptSettings> all(1);
-    for (const settings::SweptOption& option : settings::sweptOptions()) {
-        const bool isMaps = shadowMaps && option.value == &settings::SweptSettings::zPartitions;
-        const std::vector<std::string> values = isMaps ? settings::parseList("--shadow-maps", *shadowMaps)
-                                                       : settings::parseList(option.flag, lists.*option.value);
-        if (isMaps)
-            for (const std::string& value : values)
-                if (value != "auto") settings::parseWhole("--shadow-maps", value, 1, settings::kMaxSlices);
-        std::vector<settings::SweptSettings> extended;
-        for (const settings::SweptSettings& settings : all)
-            for (const std::string& value : values) {
-                extended.push_back(settings);
-                extended.back().*option.value = value;
-            }
-        all = extended;
-    }
-    return named(all);
-}
-
 std::vector<RunResult> walkAll(
     Session& session,
-    const settings::ViewOptions& view,
     const path::CameraPath& path,
     const std::vector<BenchRun>& runs,
     const WalkOptions& options,
@@ -249,12 +163,12 @@ std::vector<RunResult> walkAll(
         results.emplace_back().run = run;
     for (int repetition = 0; repetition < options.repetitions; ++repetition)
         for (RunResult& result : results) {
-            Walk walk(session, view, path, options, result);
+            Walk walk(session, path, options, result);
             walk.repeat(repetition, progress);
         }
     if (options.oracle != frame::Oracle::None)
         for (RunResult& result : results)
-            Walk(session, view, path, options, result).prove(progress);
+            Walk(session, path, options, result).prove(progress);
     return results;
 }
 
@@ -265,20 +179,19 @@ std::size_t frameCount(const std::vector<BenchRun>& runs, const WalkOptions& opt
 
 std::vector<report::Picture> middlePictures(
     Session& session,
-    const settings::ViewOptions& view,
     const path::CameraPath& path,
     const BenchRun& run,
     const WalkOptions& options,
     Progress& progress) {
     RunResult asked;
     asked.run = run;
-    Walk walk(session, view, path, options, asked);
+    Walk walk(session, path, options, asked);
     RunResult traced = asked;
-    traced.run.settings.shadows = "rays";
+    traced.run.settings.quality.shadows = plan::ShadowMode::Rays;
     const auto draw = [&](Walk& drawn, executor::Overlay overlay = executor::Overlay::None) {
         return drawn.picture(overlay, progress);
     };
-    Walk tracing(session, view, path, options, traced);
+    Walk tracing(session, path, options, traced);
     const executor::Picture picture = draw(walk);
     const executor::Picture reference = draw(tracing);
     return {
@@ -288,55 +201,6 @@ std::vector<report::Picture> middlePictures(
         {run.name, "texels", executor::pngBytes(draw(walk, executor::Overlay::Texels))},
         {run.name, "aliasing", executor::pngBytes(draw(walk, executor::Overlay::Aliasing))},
         {run.name, "partitions", executor::pngBytes(draw(walk, executor::Overlay::Partitions))}};
-}
-
-report::RunSummary summary(const RunResult& result) {
-    using telemetry::FrameRow;
-    const auto& rows = result.rows;
-    report::RunSummary s;
-    s.name = result.run.name;
-    s.options = result.run.options;
-    for (const settings::SweptOption& option : settings::sweptOptions())
-        s.settings[settings::columnName(option.flag)] = result.run.settings.*option.value;
-    std::vector<double> totals;
-    double promised = 0;
-    for (const FrameRow& row : rows) {
-        totals.push_back(row.totalMs.value_or(0));
-        promised = std::max({promised, row.promisedAliasingX.value_or(0), row.promisedAliasingZ.value_or(0)});
-        s.shadowMaps = std::max(s.shadowMaps, static_cast<int>(row.shadowMaps));
-        s.storageFactor = std::max(s.storageFactor, row.storageFactor.value_or(0));
-        s.promiseKept = s.promiseKept && row.promiseKept.value_or(true);
-        s.pagesDamaged = std::max(s.pagesDamaged, static_cast<std::uint64_t>(row.pagesDamaged.value_or(0)));
-        s.pagesMissing = std::max(s.pagesMissing, static_cast<std::uint64_t>(row.pagesMissing.value_or(0)));
-    }
-    s.p50Ms = telemetry::quantile(totals, 0.50);
-    s.p95Ms = telemetry::quantile(totals, 0.95);
-    s.p99Ms = telemetry::quantile(totals, 0.99);
-    s.noise = noise(rows);
-    s.stages = {
-        median(rows, &FrameRow::planMs),
-        median(rows, &FrameRow::selectMs),
-        median(rows, &FrameRow::cullMs),
-        median(rows, &FrameRow::streamMs),
-        median(rows, &FrameRow::shadowMs),
-        median(rows, &FrameRow::imageMs)};
-    s.imageTriangles = mean(rows, &FrameRow::imageTriangles);
-    s.shadowTriangles = mean(rows, &FrameRow::shadowTriangles);
-    if (promised > 0) s.errors[report::ErrorKind::PromisedAliasing] = promised;
-    const auto addError = [&](report::ErrorKind kind, std::optional<double> value) {
-        if (value) s.errors[kind] = *value;
-    };
-    addError(report::ErrorKind::MeasuredAliasing, largest(rows, &FrameRow::measuredAliasing));
-    // A coarser map is excused from more thin casters: only with those do maps of different texels compare.
-    if (const auto wrong = mean(rows, &FrameRow::wrongShadowFraction))
-        s.errors[report::ErrorKind::WrongShadow] = *wrong + mean(rows, &FrameRow::missedShadowFraction).value_or(0);
-    // A frame with hardly an edge in it puts a lone one as far away as the picture is wide.
-    if (mean(rows, &FrameRow::shadowEdgeP99Px))
-        s.errors[report::ErrorKind::ShadowEdge] = median(rows, &FrameRow::shadowEdgeP99Px);
-    addError(report::ErrorKind::ImageDifference, mean(rows, &FrameRow::imageDifference));
-    s.crawl = mean(rows, &FrameRow::crawl).value_or(-1);
-    s.frameMs = timesAlongPath(rows);
-    return s;
 }
 
 } // namespace gnomon::measure

@@ -5,11 +5,9 @@
 #include "measure/session.h"
 #include "path/camera_path.h"
 #include "report/page.h"
-#include "report/run_summary.h"
 #include "telemetry/frame_row.h"
 
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,9 +16,8 @@ namespace gnomon::measure {
 /// One combination of settings.
 struct BenchRun {
     std::string name; // the settings that vary between runs, "error_pixels:1/z_partitions:4"; "run" where none does
-    settings::SweptSettings settings;
-    std::string options; // to paste behind `gnomon render MODEL`: those that vary and those that are not the default,
-                         // of the swept settings
+    settings::Settings settings;
+    std::string options; // to paste behind `gnomon render MODEL`: those that vary and those that are not the default
 };
 
 /// How each run is walked.
@@ -44,12 +41,7 @@ struct RunResult {
 };
 
 /// One run for each of `settings`, in their order.
-std::vector<BenchRun> named(const std::vector<settings::SweptSettings>& settings);
-
-/// Every combination of the comma-separated lists in `lists`; a list of `shadowMaps`, if given, is the number of slices
-/// with faces off. Throws UsageError.
-std::vector<BenchRun> combinations(
-    const settings::SweptSettings& lists, const std::optional<std::string>& shadowMaps = {});
+std::vector<BenchRun> runsOf(const std::vector<settings::Settings>& settings);
 
 /// Walks every run along `path`: warm-up frames, then `frames` frames evenly over the path, as often as asked. Each
 /// repetition walks all runs before the next one begins, so that a machine that slows down slows them all alike. In
@@ -57,7 +49,6 @@ std::vector<BenchRun> combinations(
 /// what its pictures are held against fills its first repetition's columns of accuracy.
 std::vector<RunResult> walkAll(
     Session& session,
-    const settings::ViewOptions& view,
     const path::CameraPath& path,
     const std::vector<BenchRun>& runs,
     const WalkOptions& options,
@@ -71,7 +62,6 @@ std::size_t frameCount(const std::vector<BenchRun>& runs, const WalkOptions& opt
 /// kFramesOfPictures.
 std::vector<report::Picture> middlePictures(
     Session& session,
-    const settings::ViewOptions& view,
     const path::CameraPath& path,
     const BenchRun& run,
     const WalkOptions& options,
@@ -79,8 +69,5 @@ std::vector<report::Picture> middlePictures(
 
 /// The frames that `middlePictures` draws.
 constexpr std::size_t kFramesOfPictures = 5;
-
-/// Medians, percentiles, noise and worst promises of a run.
-report::RunSummary summary(const RunResult& result);
 
 } // namespace gnomon::measure

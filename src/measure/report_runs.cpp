@@ -1,66 +1,84 @@
 #include "measure/report_runs.h"
 
+#include "settings/table.h"
+
 #include <algorithm>
+#include <initializer_list>
 
 namespace gnomon::measure {
 
 namespace {
 
-using Setting = std::string settings::SweptSettings::*;
+using plan::Choice;
+using plan::Quality;
+using settings::Settings;
+using shadow::WarpRule;
 
 /// Settings in the order in which they were first asked for.
 class DistinctSettings {
 public:
-    void add(const settings::SweptSettings& settings) {
-        if (std::find(all_.begin(), all_.end(), settings) == all_.end()) all_.push_back(settings);
+    void add(const Settings& settings) {
+        const auto isAlike = [&](const Settings& other) { return settings::areAlike(settings, other); };
+        if (std::none_of(all_.begin(), all_.end(), isAlike)) all_.push_back(settings);
     }
 
-    /// `base` with `setting` at each of `values`.
-    void vary(const settings::SweptSettings& base, Setting setting, std::initializer_list<const char*> values) {
-        for (const char* value : values) {
-            settings::SweptSettings settings = base;
-            settings.*setting = value;
+    /// `base` with `member` at each of `values`.
+    template <class Member, class T>
+    void vary(const Settings& base, Member Quality::*member, std::initializer_list<T> values) {
+        for (const T& value : values) {
+            Settings settings = base;
+            settings.quality.*member = value;
             add(settings);
         }
     }
 
-    const std::vector<settings::SweptSettings>& all() const { return all_; }
+    const std::vector<Settings>& all() const { return all_; }
 
 private:
-    std::vector<settings::SweptSettings> all_;
+    std::vector<Settings> all_;
 };
+
+Settings withWarp(Settings settings, WarpRule rule) {
+    settings.quality.warp.rule = rule;
+    return settings;
+}
+
+Settings withTexels(Settings settings, int side) {
+    settings.quality.shadowTexelsWidth = settings.quality.shadowTexelsHeight = side;
+    return settings;
+}
 
 } // namespace
 
-std::vector<BenchRun> reportRuns(const settings::SweptSettings& base, bool isQuick, bool isWarpOpen) {
-    settings::SweptSettings unculled = base;
-    unculled.cullCasters = "off";
-    settings::SweptSettings unwarped = base;
-    unwarped.warp = "none";
-    settings::SweptSettings oneMap = base;
-    oneMap.zPartitions = "1";
-    settings::SweptSettings stable = base;
-    stable.stabilize = "on";
-    stable.warp = "none"; // it has none, and a warp that is asked for contradicts it
+std::vector<BenchRun> reportRuns(const Settings& base, bool isQuick) {
+    const bool isWarpOpen = !base.eta && !base.tsmFocus;
+    Settings unculled = base;
+    unculled.quality.cullCasters = false;
+    Settings oneMap = base;
+    oneMap.quality.zPartitions = 1;
+    Settings stable = withWarp(base, WarpRule::None); // it has none, and a warp that is asked for contradicts it
+    stable.quality.stabilize = true;
     DistinctSettings runs;
     if (isQuick) {
-        runs.vary(base, &settings::SweptSettings::zPartitions, {"1", "2", "4", "8"});
-        runs.vary(base, &settings::SweptSettings::errorPixels, {"2", "4"});
+        runs.vary(base, &Quality::zPartitions, {1, 2, 4, 8});
+        runs.vary(base, &Quality::errorPixels, {2.0, 4.0});
         runs.add(unculled);
-        if (isWarpOpen) runs.add(unwarped);
-        return named(runs.all());
+        if (isWarpOpen) runs.add(withWarp(base, WarpRule::None));
+        return runsOf(runs.all());
     }
-    runs.vary(base, &settings::SweptSettings::zPartitions, {"1", "2", "3", "4", "6", "8"});
-    runs.vary(unculled, &settings::SweptSettings::zPartitions, {"1", "2", "4", "8"});
-    runs.vary(base, &settings::SweptSettings::errorPixels, {"0.5", "1", "2", "4", "8"});
+    runs.vary(base, &Quality::zPartitions, {1, 2, 3, 4, 6, 8});
+    runs.vary(unculled, &Quality::zPartitions, {1, 2, 4, 8});
+    runs.vary(base, &Quality::errorPixels, {0.5, 1.0, 2.0, 4.0, 8.0});
     if (isWarpOpen) {
-        runs.vary(oneMap, &settings::SweptSettings::warp, {"none", "lspsm", "psm", "tsm", "minimax"});
-        runs.add(unwarped);
+        for (const WarpRule rule : {WarpRule::None, WarpRule::Lspsm, WarpRule::Psm, WarpRule::Tsm, WarpRule::Minimax})
+            runs.add(withWarp(oneMap, rule));
+        runs.add(withWarp(base, WarpRule::None));
     }
-    runs.vary(base, &settings::SweptSettings::shadowTexels, {"1024x1024", "4096x4096"});
+    runs.add(withTexels(base, 1024));
+    runs.add(withTexels(base, 4096));
     if (isWarpOpen) runs.add(stable);
-    runs.vary(base, &settings::SweptSettings::facePartitions, {"on"});
-    return named(runs.all());
+    runs.vary(base, &Quality::facePartitions, {Choice::On});
+    return runsOf(runs.all());
 }
 
 } // namespace gnomon::measure

@@ -7,8 +7,8 @@ namespace gnomon::measure {
 
 /// Runs around `base`, one map first: numbers of maps with casters culled per partition and not, levels of detail,
 /// warps, texels, stabilisation and faces, each varied alone so that its own cost and gain are seen. A quick look takes
-/// a few of each. None repeats another. Where the warp is not open, because --eta or --tsm-focus settles it, no run has
+/// a few of each. None repeats another. Where eta or the focus of a trapezoidal map settles the warp, no run has
 /// another one or is stabilised.
-std::vector<BenchRun> reportRuns(const settings::SweptSettings& base, bool isQuick, bool isWarpOpen);
+std::vector<BenchRun> reportRuns(const settings::Settings& base, bool isQuick);
 
 } // namespace gnomon::measure

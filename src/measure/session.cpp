@@ -4,35 +4,32 @@
 #include "executor/gl_executor.h"
 #include "executor/software_executor.h"
 #include "gl/context.h"
-#include "settings/option_text.h"
+#include "settings/usage_error.h"
 
 #include <cstdio>
 
 namespace gnomon::measure {
 
-std::unique_ptr<executor::Executor> makeExecutor(const settings::ViewOptions& options) {
+std::unique_ptr<executor::Executor> makeExecutor(const settings::Settings& settings) {
+    using settings::Backend;
     const gl::ShaderLibrary shaders(
-        options.shaders.empty() ? std::nullopt : std::optional<std::string>(options.shaders));
-    const Bytes memory = settings::parseMemory("--gpu-memory", options.gpuMemory);
-    std::string backend = options.backend;
-    if (backend == "window") throw settings::UsageError{"--backend window is for gnomon view"};
-    if (backend == "auto") backend = gl::hasGpu() ? "egl" : "software";
-    if (backend == "software") return executor::makeSoftwareExecutor();
-    return executor::makeGlExecutor(backend == "egl" ? gl::Platform::Egl : gl::Platform::Osmesa, shaders, memory);
+        settings.shaderFolder.empty() ? std::nullopt : std::optional<std::string>(settings.shaderFolder));
+    Backend backend = settings.backend;
+    if (backend == Backend::Window) throw settings::UsageError{"--backend window is for gnomon view"};
+    if (backend == Backend::Auto) backend = gl::hasGpu() ? Backend::Egl : Backend::Software;
+    if (backend == Backend::Software) return executor::makeSoftwareExecutor();
+    const gl::Platform platform = backend == Backend::Egl ? gl::Platform::Egl : gl::Platform::Osmesa;
+    return executor::makeGlExecutor(platform, shaders, settings.gpuMemory);
 }
 
-Session::Session(const std::string& modelPath, const settings::ViewOptions& options)
-    : model_(modelPath, settings::parseMemory("--memory", options.memory)),
-      executor_(makeExecutor(options)),
-      renderer_(
-          model_,
-          *executor_,
-          {.memory = settings::parseMemory("--memory", options.memory),
-           .onDamaged = [](const streaming::DamagedPage& page) {
-               std::fprintf(
-                   stderr,
-                   "gnomon: warning: a page is damaged, its parents are drawn: %s\n",
-                   printable(page.reason).c_str());
-           }}) {}
+Session::Session(const std::string& modelPath, const settings::Settings& settings)
+    : model_(modelPath, settings.memory),
+      executor_(makeExecutor(settings)),
+      renderer_(model_, *executor_, {.memory = settings.memory, .onDamaged = [](const streaming::DamagedPage& page) {
+                                         std::fprintf(
+                                             stderr,
+                                             "gnomon: warning: a page is damaged, its parents are drawn: %s\n",
+                                             printable(page.reason).c_str());
+                                     }}) {}
 
 } // namespace gnomon::measure

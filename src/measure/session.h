@@ -1,22 +1,22 @@
-// An open model with an executor, as the view options ask for them.
+// An open model with an executor, as the settings ask for them.
 #pragma once
 
 #include "frame/renderer.h"
 #include "hierarchy/model_file.h"
-#include "settings/view_options.h"
+#include "settings/settings.h"
 
 #include <memory>
 
 namespace gnomon::measure {
 
-/// The executor that `options` name: `auto` is a GPU if there is one, else `software`. Throws UsageError for the
+/// The executor that `settings` name: `auto` is a GPU if there is one, else `software`. Throws UsageError for the
 /// window.
-std::unique_ptr<executor::Executor> makeExecutor(const settings::ViewOptions& options);
+std::unique_ptr<executor::Executor> makeExecutor(const settings::Settings& settings);
 
-/// A model, who draws it, and what renders its frames; warns of each damaged page once, on stderr.
+/// A model, the executor that draws it, and what renders its frames; warns of each damaged page once, on stderr.
 class Session {
 public:
-    Session(const std::string& modelPath, const settings::ViewOptions& options);
+    Session(const std::string& modelPath, const settings::Settings& settings);
 
     const hierarchy::ModelFile& model() const { return model_; }
 

@@ -105,29 +105,4 @@ std::string schemeName(const FramePlan& plan) {
     return isWarped ? name + "+w" : name;
 }
 
-std::string warpName(const shadow::Warp& warp) {
-    using shadow::WarpRule;
-    switch (warp.rule) {
-    case WarpRule::None:
-        return "none";
-    case WarpRule::Psm:
-        return "psm";
-    case WarpRule::Lspsm:
-        return "lspsm";
-    case WarpRule::Tsm:
-        return "tsm";
-    case WarpRule::Minimax:
-        return "minimax";
-    case WarpRule::Auto:
-        return "auto";
-    case WarpRule::LeastStorage:
-        return "sopt";
-    case WarpRule::Eta:
-        return "eta";
-    case WarpRule::Given:
-        return "given";
-    }
-    return "";
-}
-
 } // namespace gnomon::plan

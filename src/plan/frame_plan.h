@@ -5,10 +5,12 @@
 #include "core/camera.h"
 #include "core/convex_volume.h"
 #include "core/depth_span.h"
+#include "core/words.h"
 #include "shadow/shadow_map.h"
 #include "shadow/warp/orientation.h"
 #include "shadow/warp/warp.h"
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -32,7 +34,18 @@ struct View {
 };
 
 enum class ShadowMode : std::uint8_t { Off, Maps, Rays };
+inline constexpr std::array kShadowModes = {
+    Word<ShadowMode>{ShadowMode::Off, "off"},
+    Word<ShadowMode>{ShadowMode::Maps, "maps"},
+    Word<ShadowMode>{ShadowMode::Rays, "rays"},
+};
+
 enum class Choice : std::uint8_t { Off, On, Auto };
+inline constexpr std::array kChoices = {
+    Word<Choice>{Choice::Off, "off"},
+    Word<Choice>{Choice::On, "on"},
+    Word<Choice>{Choice::Auto, "auto"},
+};
 
 /// What the user asked for; the names are those of the command line.
 struct Quality {
@@ -161,8 +174,5 @@ FramePlan planFrame(
 
 /// The word for the scheme in the log: "off", "rays", "map", "zp4", "fp", "fp+zp4", with "+w" where a map is warped.
 std::string schemeName(const FramePlan& plan);
-
-/// The name of a warp rule on the command line.
-std::string warpName(const shadow::Warp& warp);
 
 } // namespace gnomon::plan

@@ -1,7 +1,5 @@
 #include "viewer/open_file.h"
 
-#include "settings/option_text.h"
-
 namespace gnomon::viewer {
 
 namespace {
@@ -15,14 +13,15 @@ void OpenFile::open(const std::string& file) {
         if (isModelPath(file)) return openModel(file);
         if (isCacheFresh(file)) return openModel(cachePath(file));
         build_.reset();
-        build_ = std::make_unique<CacheBuild>(
-            file, settings::parseMemory("--build-memory", options_->buildMemory), options_->threads);
+        build_ = std::make_unique<CacheBuild>(file, options_->buildMemory, options_->threads);
     });
 }
 
 void OpenFile::openModel(const std::string& path) {
-    auto scene = std::make_unique<Scene>(
-        path, options_->view, *context_, [messages = messages_](const std::string& reason) { messages->fail(reason); });
+    auto scene =
+        std::make_unique<Scene>(path, options_->settings, *context_, [messages = messages_](const std::string& reason) {
+            messages->fail(reason);
+        });
     onOpen_(*scene);
     scene_ = std::move(scene);
     fate_ = FileFate::Same;

@@ -1,7 +1,6 @@
 #include "viewer/scene.h"
 
 #include "executor/software_executor.h"
-#include "settings/option_text.h"
 #include "viewer/input/picking.h"
 
 namespace gnomon::viewer {
@@ -12,25 +11,27 @@ constexpr int kPickReach = 6; // pixels around the cursor
 
 /// The window's executor where its OpenGL is worth it; null for the software one.
 std::unique_ptr<executor::TextureExecutor> windowExecutor(
-    const settings::ViewOptions& options, const gl::Context& context) {
-    if (options.backend == "software" || (options.backend == "auto" && !context.isHardware())) return nullptr;
+    const settings::Settings& settings, const gl::Context& context) {
+    const bool isSoftware = settings.backend == settings::Backend::Software ||
+                            (settings.backend == settings::Backend::Auto && !context.isHardware());
+    if (isSoftware) return nullptr;
     const gl::ShaderLibrary shaders(
-        options.shaders.empty() ? std::nullopt : std::optional<std::string>(options.shaders));
-    return executor::makeWindowExecutor(context, shaders, settings::parseMemory("--gpu-memory", options.gpuMemory));
+        settings.shaderFolder.empty() ? std::nullopt : std::optional<std::string>(settings.shaderFolder));
+    return executor::makeWindowExecutor(context, shaders, settings.gpuMemory);
 }
 
 } // namespace
 
 Scene::Scene(
     const std::string& path,
-    const settings::ViewOptions& options,
+    const settings::Settings& settings,
     const gl::Context& context,
     std::function<void(const std::string&)> onDamaged)
-    : model_(path, settings::parseMemory("--memory", options.memory)),
+    : model_(path, settings.memory),
       written_(std::filesystem::last_write_time(path)),
       context_(&context),
       executor_([&]() -> std::unique_ptr<executor::Executor> {
-          std::unique_ptr<executor::TextureExecutor> ours = windowExecutor(options, context);
+          std::unique_ptr<executor::TextureExecutor> ours = windowExecutor(settings, context);
           textures_ = ours.get();
           if (ours) return ours;
           return executor::makeSoftwareExecutor();
@@ -38,7 +39,7 @@ Scene::Scene(
       renderer_(
           model_,
           *executor_,
-          {.memory = settings::parseMemory("--memory", options.memory),
+          {.memory = settings.memory,
            .onDamaged =
                [onDamaged = std::move(onDamaged)](const streaming::DamagedPage& page) {
                    onDamaged(

@@ -1,4 +1,4 @@
-// An open model with who draws it into the window: frames, pictures, and what became of its file.
+// An open model with the executor that draws it into the window: frames, pictures, and what became of its file.
 #pragma once
 
 #include "executor/gl_executor.h"
@@ -6,7 +6,7 @@
 #include "gl/context.h"
 #include "gl/objects.h"
 #include "hierarchy/model_file.h"
-#include "settings/view_options.h"
+#include "settings/settings.h"
 
 #include <filesystem>
 #include <functional>
@@ -41,7 +41,7 @@ public:
     /// executor. `onDamaged` hears of each damaged page once. Throws Error.
     Scene(
         const std::string& path,
-        const settings::ViewOptions& options,
+        const settings::Settings& settings,
         const gl::Context& context,
         std::function<void(const std::string&)> onDamaged);
 

@@ -1,7 +1,8 @@
 #include "viewer/viewer.h"
 
 #include "gl/window.h"
-#include "settings/option_text.h"
+#include "path/camera_path.h"
+#include "settings/resolve.h"
 #include "telemetry/process_clock.h"
 #include "viewer/frame_log.h"
 #include "viewer/input/input.h"
@@ -53,8 +54,8 @@ private:
     void waitForEvents();
     void takeInput(double seconds);
     void takeDrag(const Drag& drag);
-    void act(Action action, int value);
-    void actOnModel(Action action, int value);
+    void act(const Binding& binding);
+    void actOnModel(const Binding& binding);
     void toggleTarget();
     void focus();
 
@@ -95,7 +96,7 @@ private:
 Viewer::Viewer(const ViewerOptions& options)
     : options_(options),
       window_([&] {
-          const auto [width, height] = settings::imageSize(options.view);
+          const auto [width, height] = options.settings.imageSize;
           return gl::Window("Gnomon", width, height);
       }()),
       input_(window_.handle()),
@@ -106,11 +107,11 @@ Viewer::Viewer(const ViewerOptions& options)
           now,
           options.path.empty() ? std::nullopt : std::optional(path::readCameraPath(options.path)),
           options.frames) {
-    settings_.quality = settings::qualityOf(options_.view, options_.view.swept);
-    settings_.towardsLight = settings::parseVector("--light", options_.view.light);
+    settings_.asked = options_.settings;
+    settings_.asked.quality = settings::qualityOf(options_.settings);
     settings_.targetMs = options_.targetMs;
-    caps_.memoryBytes = settings::parseMemory("--memory", options_.view.memory).count;
-    caps_.gpuMemoryBytes = settings::parseMemory("--gpu-memory", options_.view.gpuMemory).count;
+    caps_.memoryBytes = options_.settings.memory.count;
+    caps_.gpuMemoryBytes = options_.settings.gpuMemory.count;
     if (!options_.csv.empty()) log_.emplace(options_.csv);
     open(options_.file);
     lastFrame_ = now();
@@ -143,7 +144,7 @@ void Viewer::open(const std::string& file) {
 
 void Viewer::enter(const Scene& scene) {
     const hierarchy::ModelFile& model = scene.model();
-    walk_.enter(settings::viewOf(options_.view, model.summary()).camera, model.summary().bounds);
+    walk_.enter(settings::viewOf(options_.settings, model.summary()).camera, model.summary().bounds);
     caps_.pages = model.pages().size();
     saved_ = SavedFiles(model.path());
     glfwSetWindowTitle(window_.handle(), ("Gnomon - " + model.path()).c_str());
@@ -179,7 +180,7 @@ void Viewer::takeInput(double seconds) {
     if (input_.hasNewScale()) imgui_.rescale();
     if (!imgui_.wantsKeys())
         for (const KeyPress& press : input_.presses())
-            if (const Binding* binding = bindingOf(press.key, press.withShift)) act(binding->action, binding->value);
+            if (const Binding* binding = bindingOf(press.key, press.withShift)) act(*binding);
     if (!walk_.hasEntered()) return;
     for (const Drag& drag : input_.drags())
         takeDrag(drag);
@@ -203,7 +204,7 @@ void Viewer::takeDrag(const Drag& drag) {
     if (walk_.isPlaying() && !turnsLight) return;
     pace_.wakeScene();
     if (turnsLight)
-        settings_.towardsLight = turnedLight(walk_.hand().camera(), settings_.towardsLight, drag.moved);
+        settings_.asked.towardsLight = turnedLight(walk_.hand().camera(), settings_.asked.towardsLight, drag.moved);
     else
         steering_.drag(
             drag,
@@ -227,21 +228,21 @@ void Viewer::toggleTarget() {
     messages_.show(settings_.targetMs > 0 ? "time target: on" : "time target: none");
 }
 
-void Viewer::act(Action action, int value) {
+void Viewer::act(const Binding& binding) {
     pace_.wakeScene();
-    if (changeShown(action, value, settings_)) return;
-    if (action == Action::Leave) return glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE);
-    if (action == Action::ToggleTarget) return toggleTarget();
-    if (file_.scene() != nullptr) actOnModel(action, value);
+    if (changeShown(binding, settings_)) return;
+    if (binding.action == Action::Leave) return glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE);
+    if (binding.action == Action::ToggleTarget) return toggleTarget();
+    if (file_.scene() != nullptr) actOnModel(binding);
 }
 
-void Viewer::actOnModel(Action action, int value) {
-    if (const auto set = changeQuality(action, value, settings_.quality)) return messages_.show(*set);
-    switch (action) {
+void Viewer::actOnModel(const Binding& binding) {
+    if (const auto set = changeQuality(binding, settings_.asked)) return messages_.show(*set);
+    switch (binding.action) {
     case Action::Focus:
         return focus();
     case Action::LookFrom:
-        return walk_.hand().goTo(static_cast<Side>(value));
+        return walk_.hand().goTo(static_cast<Side>(binding.value));
     case Action::GoHome:
         return walk_.hand().goHome();
     case Action::Freeze:
@@ -252,7 +253,7 @@ void Viewer::actOnModel(Action action, int value) {
         if (walk_.togglePlaying(saved_)) file_.scene()->forget();
         return;
     case Action::Screenshot:
-        (value == 1 ? savesWindow_ : savesPicture_) = true;
+        (binding.value == 1 ? savesWindow_ : savesPicture_) = true;
         return;
     case Action::Reload:
         return open(std::string(file_.scene()->model().path()));
@@ -271,16 +272,16 @@ bool Viewer::comesToRest() const {
 }
 
 Effort Viewer::wantedEffort() const {
-    return {settings_.quality.errorPixels, settings_.quality.zPartitions};
+    return {settings_.asked.quality.errorPixels, settings_.asked.quality.zPartitions};
 }
 
 Shot Viewer::shot(const glm::ivec2& size) const {
     Shot shot;
     shot.view.width = size.x;
     shot.view.height = size.y;
-    shot.view.towardsLight = settings_.towardsLight;
+    shot.view.towardsLight = settings_.asked.towardsLight;
     shot.view.camera = walk_.culledBy();
-    shot.quality = settings_.quality;
+    shot.quality = settings_.asked.quality;
     if (settings_.targetMs > 0 && !walk_.playsFixed()) {
         const Effort effort = budget_.effort(wantedEffort());
         shot.quality.errorPixels = effort.errorPixels;
@@ -385,7 +386,7 @@ void Viewer::drawWindow(const glm::ivec2& size) {
     if (answer.hasChanged) pace_.wakeScene();
     if (answer.isUnfinished) pace_.keepWindow();
     for (const Action action : answer.actions)
-        act(action, 0);
+        act({.action = action});
 }
 
 } // namespace

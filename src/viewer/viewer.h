@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/progress.h"
-#include "settings/view_options.h"
+#include "settings/settings.h"
 
 #include <optional>
 #include <string>
@@ -11,15 +11,15 @@ namespace gnomon::viewer {
 
 /// What `gnomon view` was asked for.
 struct ViewerOptions {
-    settings::ViewOptions view;
+    settings::Settings settings;
     std::string file; // a model, or a mesh to be built into the cache beside it
     int threads = 0;
-    double targetMs = 0;       // 0: none
-    std::string path;          // to play from the start; empty: none
-    std::optional<int> frames; // of the path, at a fixed step; nothing: by the clock
-    std::string images;        // folder for the pictures of played frames; empty: none
-    std::string csv;           // log of all frames; empty: none
-    std::string buildMemory = "2G";
+    double targetMs = 0;              // 0: none
+    std::string path;                 // to play from the start; empty: none
+    std::optional<int> frames;        // of the path, at a fixed step; nothing: by the clock
+    std::string images;               // folder for the pictures of played frames; empty: none
+    std::string csv;                  // log of all frames; empty: none
+    Bytes buildMemory = gibibytes(2); // peak resident size while a mesh is built
 };
 
 /// Opens the window and stays until it is closed. Throws Error where there is no display or no OpenGL 4.5; what goes

@@ -2,6 +2,7 @@
 #include "app/command_line.h"
 #include "core/file.h"
 #include "gl/shader_library.h"
+#include "settings/table.h"
 
 #include <gtest/gtest.h>
 
@@ -28,7 +29,7 @@ std::vector<std::string> shellWords(const std::string& text) {
 }
 
 TEST(CommandLine, WhatIsPastedIsWhatWasGiven) {
-    EXPECT_EQ(settings::plainOptionsToPaste(settings::ViewOptions()), "");
+    EXPECT_EQ(settings::optionsToPaste(settings::Settings(), false), "");
     const std::string folder = testing::TempDir() + "it's a folder";
     for (const auto& [path, text] : gl::kEmbeddedShaders) {
         const std::filesystem::path shader = std::filesystem::path(folder) / path;
@@ -42,18 +43,17 @@ TEST(CommandLine, WhatIsPastedIsWhatWasGiven) {
         "software", "--memory", "512M", "--gpu-memory", "2G", "--shaders", folder};
     // clang-format on
     const auto parsed = [](std::vector<std::string> words) {
-        settings::ViewOptions options;
         CLI::App command;
-        addViewOptions(command, options);
+        SettingOptions options;
+        options.addTo(command);
         std::reverse(words.begin(), words.end()); // as CLI11 takes a vector
         command.parse(words);
-        return options;
+        return options.settings();
     };
-    const settings::ViewOptions options = parsed(given);
-    EXPECT_EQ(shellWords(settings::plainOptionsToPaste(options)), given);
-    EXPECT_EQ(
-        settings::plainOptionsToPaste(parsed(shellWords(settings::plainOptionsToPaste(options)))),
-        settings::plainOptionsToPaste(options));
+    const settings::Settings settings = parsed(given);
+    const std::string pasted = settings::optionsToPaste(settings, false);
+    EXPECT_EQ(shellWords(pasted), given);
+    EXPECT_EQ(settings::optionsToPaste(parsed(shellWords(pasted)), false), pasted);
     std::filesystem::remove_all(folder);
 }
 

@@ -99,7 +99,7 @@ ShadowTriple withDefaults(const ShadowTriple& triple) {
 
 std::string describe(const ShadowTriple& triple) {
     const plan::Quality& quality = triple.quality;
-    return plan::warpName(quality.warp) + " k=" + std::to_string(quality.zPartitions.value_or(0)) +
+    return std::string(shadow::name(quality.warp.rule)) + " k=" + std::to_string(quality.zPartitions.value_or(0)) +
            (quality.facePartitions == plan::Choice::On ? " faces" : "") + (quality.stabilize ? " stable" : "") +
            " filter=" + std::to_string(quality.filter);
 }

@@ -28,13 +28,13 @@ const std::string& model() {
     return file.path();
 }
 
-settings::ViewOptions viewOptions() {
-    settings::ViewOptions options;
-    options.size = "96x96";
-    options.backend = "software";
-    options.swept.shadowTexels = "256x256";
-    options.swept.errorPixels = "0.2";
-    return options;
+settings::Settings smallSettings() {
+    settings::Settings settings;
+    settings.imageSize = {96, 96};
+    settings.backend = settings::Backend::Software;
+    settings.quality.shadowTexelsWidth = settings.quality.shadowTexelsHeight = 256;
+    settings.quality.errorPixels = 0.2;
+    return settings;
 }
 
 /// Low over the hills from one side to the other, in half a second.
@@ -64,9 +64,9 @@ WalkOptions frames(int count, bool isRealTime = false) {
 }
 
 RunResult walked(
-    Session& session, const settings::ViewOptions& view, const path::CameraPath& path, const WalkOptions& options) {
+    Session& session, const settings::Settings& view, const path::CameraPath& path, const WalkOptions& options) {
     NoProgress progress;
-    return walkAll(session, view, path, combinations(view.swept), options, progress).front();
+    return walkAll(session, path, runsOf({view}), options, progress).front();
 }
 
 /// The cells that must repeat.
@@ -81,17 +81,17 @@ std::vector<std::string> timeless(const RunResult& result) {
 }
 
 /// `--memory` that leaves room for `fraction` of the model's pages.
-std::string memoryFor(double fraction) {
+Bytes memoryFor(double fraction) {
     const hierarchy::ModelFile file(model());
     double bytes = 0;
     for (const hierarchy::PageInfo& page : file.pages())
         bytes += static_cast<double>(streaming::decodedBytes(page).count) * fraction;
-    return std::to_string(static_cast<std::uint64_t>(bytes) + frame::tableBytes(file).count);
+    return {static_cast<std::uint64_t>(bytes) + frame::tableBytes(file).count};
 }
 
 TEST(BenchWalk, TwiceTheSameButForTimes) {
-    for (const std::string& memory : {std::string("1G"), memoryFor(0.3)}) {
-        settings::ViewOptions view = viewOptions();
+    for (const Bytes memory : {gibibytes(1), memoryFor(0.3)}) {
+        settings::Settings view = smallSettings();
         view.memory = memory;
         std::vector<std::vector<std::string>> seen;
         for (int i = 0; i < 2; ++i) {
@@ -101,7 +101,7 @@ TEST(BenchWalk, TwiceTheSameButForTimes) {
             options.warmup = 1;
             seen.push_back(timeless(walked(session, view, flight(), options)));
         }
-        EXPECT_EQ(seen[0], seen[1]) << "with --memory " << memory;
+        EXPECT_EQ(seen[0], seen[1]) << "with --memory " << memory.count;
     }
 }
 
@@ -126,25 +126,25 @@ private:
 };
 
 TEST(BenchWalk, CanBeStoppedWhileItWarmsUpAndBetweenPictures) {
-    const settings::ViewOptions view = viewOptions();
+    const settings::Settings view = smallSettings();
     Session session(model(), view);
-    const std::vector<BenchRun> runs = combinations(view.swept);
+    const std::vector<BenchRun> runs = runsOf({view});
     WalkOptions options = frames(2);
     options.warmup = 3;
     StopAfter third(2);
-    EXPECT_THROW(walkAll(session, view, flight(), runs, options, third), Interrupted);
+    EXPECT_THROW(walkAll(session, flight(), runs, options, third), Interrupted);
     EXPECT_EQ(third.done(), 0U) << "no frame but those before the walk";
     StopAfter never(1000);
-    EXPECT_EQ(middlePictures(session, view, flight(), runs[0], options, never).size(), 6U);
+    EXPECT_EQ(middlePictures(session, flight(), runs[0], options, never).size(), 6U);
     EXPECT_EQ(never.done(), kFramesOfPictures);
     for (std::uint64_t steps = 0; steps < kFramesOfPictures; ++steps) {
         StopAfter stop(steps);
-        EXPECT_THROW(middlePictures(session, view, flight(), runs[0], options, stop), Interrupted) << steps;
+        EXPECT_THROW(middlePictures(session, flight(), runs[0], options, stop), Interrupted) << steps;
     }
 }
 
 TEST(BenchWalk, WaitsUntilTheCutIsThere) {
-    const settings::ViewOptions view = viewOptions();
+    const settings::Settings view = smallSettings();
     Session session(model(), view);
     for (const telemetry::FrameRow& row : walked(session, view, flight(), frames(12)).rows) {
         EXPECT_EQ(row.pagesMissing, 0);
@@ -156,14 +156,14 @@ TEST(BenchWalk, WaitsUntilTheCutIsThere) {
 TEST(BenchWalk, KeepsTheCapOfMemory) {
     for (const bool isRealTime : {false, true}) {
         for (const double fraction : {0.15, 0.4}) {
-            settings::ViewOptions view = viewOptions();
+            settings::Settings view = smallSettings();
             view.memory = memoryFor(fraction);
             Session session(model(), view);
             const std::int64_t tables = static_cast<std::int64_t>(frame::tableBytes(session.model()).count);
             const RunResult result = walked(session, view, flight(), frames(40, isRealTime));
             std::int64_t missing = 0;
             for (const telemetry::FrameRow& row : result.rows) {
-                EXPECT_LE(*row.residentBytes + tables, std::stoll(view.memory));
+                EXPECT_LE(*row.residentBytes + tables, static_cast<std::int64_t>(view.memory.count));
                 EXPECT_GT(row.imageTriangles, 0) << "a frame was not drawn";
                 EXPECT_EQ(row.achievedErrorPixels > 0.2 && row.pagesMissing == 0, false) << "coarse without saying so";
                 missing += *row.pagesMissing;
@@ -174,14 +174,14 @@ TEST(BenchWalk, KeepsTheCapOfMemory) {
 }
 
 TEST(BenchWalk, KeepsTheCapOfTriangles) {
-    settings::ViewOptions view = viewOptions();
+    settings::Settings view = smallSettings();
     std::vector<std::int64_t> without;
     {
         Session session(model(), view);
         for (const telemetry::FrameRow& row : walked(session, view, flight(), frames(8)).rows)
             without.push_back(*row.imageTriangles);
     }
-    view.maxTriangles = "300";
+    view.quality.maxTriangles = 300;
     int bound = 0;
     Session session(model(), view);
     const RunResult result = walked(session, view, flight(), frames(8));
@@ -197,7 +197,7 @@ TEST(BenchWalk, KeepsTheCapOfTriangles) {
 }
 
 TEST(BenchWalk, StandingStillInRealTimeEndsInWhatWaitingGives) {
-    const settings::ViewOptions view = viewOptions();
+    const settings::Settings view = smallSettings();
     Session waiting(model(), view);
     const telemetry::FrameRow right = walked(waiting, view, stillness(), frames(40)).rows.back();
     Session session(model(), view);
@@ -250,7 +250,7 @@ private:
 
 TEST(BenchWalk, DrawsAroundDamageAndNamesItOnce) {
     constexpr std::size_t kDamaged = 50;
-    const settings::ViewOptions view = viewOptions();
+    const settings::Settings view = smallSettings();
     Session sound(model(), view);
     const std::vector<telemetry::FrameRow> right = walked(sound, view, flight(), frames(20)).rows;
     for (const bool isRealTime : {false, true}) {

@@ -3,6 +3,8 @@
 #include "core/random.h"
 #include "hierarchy/temporary_model.h"
 #include "measure/session.h"
+#include "settings/resolve.h"
+#include "settings/table.h"
 
 #include <gtest/gtest.h>
 
@@ -15,9 +17,9 @@ namespace {
 /// Draws seeded poses of one model and looks at all that comes out.
 class Poser {
 public:
-    Poser(const glm::dvec3& origin, const std::string& backend)
-        : file_(options(origin), "poses"), view_(views(backend)) {
-        session_ = std::make_unique<Session>(file_.path(), view_);
+    Poser(const glm::dvec3& origin, settings::Backend backend)
+        : file_(options(origin), "poses"), settings_(drawnBy(backend)) {
+        session_ = std::make_unique<Session>(file_.path(), settings_);
     }
 
     /// False if the frame was refused, with a reason.
@@ -47,10 +49,10 @@ private:
         return options;
     }
 
-    static settings::ViewOptions views(const std::string& backend) {
-        settings::ViewOptions view;
-        view.backend = backend;
-        return view;
+    static settings::Settings drawnBy(settings::Backend backend) {
+        settings::Settings settings;
+        settings.backend = backend;
+        return settings;
     }
 
     glm::dvec3 direction(Random& random) const {
@@ -90,21 +92,21 @@ private:
     }
 
     plan::Quality anyQuality(Random& random) const {
-        settings::SweptSettings swept;
-        const auto any = [&](std::initializer_list<const char*> words) {
-            return std::string(words.begin()[random.below(words.size())]);
+        settings::Settings settings = settings_;
+        const auto any = [&](const char* name, std::initializer_list<const char*> texts) {
+            const settings::Setting& setting = settings::named(name);
+            setting.set(settings, setting.parse(texts.begin()[random.below(texts.size())]));
         };
-        swept.warp = any({"auto", "none", "lspsm", "psm", "tsm", "minimax"});
-        swept.zPartitions = any({"1", "2", "4", "8"});
-        swept.facePartitions = any({"off", "off", "on"});
-        swept.filter = any({"0", "0", "2", "3"});
-        swept.cullCasters = any({"on", "on", "off"});
-        swept.shadowTexels = any({"64x64", "256x256", "300x40"});
-        swept.errorPixels = any({"0.5", "1", "20"});
-        swept.stabilize = swept.warp == "none" ? any({"off", "on"}) : "off";
-        settings::ViewOptions options = view_;
-        if (random.below(6) == 0) options.maxTriangles = any({"1", "100", "3k"});
-        return settings::qualityOf(options, swept);
+        any("warp", {"auto", "none", "lspsm", "psm", "tsm", "minimax"});
+        any("z-partitions", {"1", "2", "4", "8"});
+        any("face-partitions", {"off", "off", "on"});
+        any("filter", {"0", "0", "2", "3"});
+        any("cull-casters", {"on", "on", "off"});
+        any("shadow-texels", {"64x64", "256x256", "300x40"});
+        any("error-pixels", {"0.5", "1", "20"});
+        if (settings.quality.warp.rule == shadow::WarpRule::None) any("stabilize", {"off", "on"});
+        if (random.below(6) == 0) any("max-triangles", {"1", "100", "3k"});
+        return settings::qualityOf(settings);
     }
 
     void expectSound(const frame::Frame& frame, const plan::View& view) const {
@@ -131,11 +133,11 @@ private:
     }
 
     tests::TemporaryModel file_;
-    settings::ViewOptions view_;
+    settings::Settings settings_;
     std::unique_ptr<Session> session_;
 };
 
-void drawPoses(int count, const std::string& backend) {
+void drawPoses(int count, settings::Backend backend) {
     int drawn = 0;
     for (const glm::dvec3& origin : {glm::dvec3(0), glm::dvec3(1e7, -3e5, 1e7)}) {
         Poser poser(origin, backend);
@@ -150,15 +152,15 @@ void drawPoses(int count, const std::string& backend) {
 }
 
 TEST(Poses, AnyPoseDrawsOrSaysWhyNot) {
-    drawPoses(300, "software");
+    drawPoses(300, settings::Backend::Software);
 }
 
 TEST(SlowPoses, TenThousandPosesDrawOrSayWhyNot) {
-    drawPoses(10000, "software");
+    drawPoses(10000, settings::Backend::Software);
 }
 
 TEST(SlowPoses, OpenGlDrawsAnyPose) {
-    drawPoses(600, "osmesa");
+    drawPoses(600, settings::Backend::Osmesa);
 }
 
 } // namespace

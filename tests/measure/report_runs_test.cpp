@@ -1,5 +1,8 @@
-// The runs that a report takes where nothing is swept.
+// The runs of a bench: how they are named, and those that a report takes where nothing is swept.
 #include "measure/report_runs.h"
+#include "settings/axes.h"
+#include "settings/resolve.h"
+#include "settings/table.h"
 
 #include <gtest/gtest.h>
 
@@ -8,25 +11,40 @@
 namespace gnomon::measure {
 namespace {
 
+TEST(BenchRuns, AreCalledByWhatVaries) {
+    const std::array axes = {
+        settings::parseAxis(settings::named("error-pixels"), "--error-pixels", "1,2.50"),
+        settings::parseAxis(settings::named("warp"), "--warp", "none"),
+        settings::parseAxis(settings::named("z-partitions"), "--shadow-maps", "auto,8")};
+    settings::Settings fixed;
+    fixed.quality.splitLambda = 0.5;
+    const std::vector<BenchRun> runs = runsOf(settings::combinations(fixed, axes));
+    ASSERT_EQ(runs.size(), 4U);
+    EXPECT_EQ(runs[0].name, "error_pixels:1/z_partitions:auto");
+    EXPECT_EQ(runs[3].name, "error_pixels:2.5/z_partitions:8");
+    EXPECT_EQ(runs[3].options, "--error-pixels 2.5 --warp none --z-partitions 8 --split-lambda 0.5");
+    EXPECT_EQ(runsOf({settings::Settings()})[0].name, "run");
+    EXPECT_EQ(runsOf({settings::Settings()})[0].options, "");
+}
+
 TEST(ReportRuns, ContradictNoWarpThatIsAskedFor) {
-    settings::ViewOptions warped;
-    warped.swept.warp = "lspsm";
+    settings::Settings warped;
+    warped.quality.warp.rule = shadow::WarpRule::Lspsm;
     warped.isWarpGiven = true;
-    settings::ViewOptions eta;
-    eta.eta = "0.5";
-    settings::ViewOptions focus;
-    focus.swept.warp = "tsm";
-    focus.isWarpGiven = true;
-    focus.tsmFocus = std::string("2"); // not assigned from a literal: GCC 12 warns of that where it inlines it
-    for (const settings::ViewOptions& options : {settings::ViewOptions(), warped, eta, focus})
+    settings::Settings eta;
+    eta.eta = 0.5;
+    settings::Settings focus = warped;
+    focus.quality.warp.rule = shadow::WarpRule::Tsm;
+    focus.tsmFocus = 2;
+    for (const settings::Settings& base : {settings::Settings(), warped, eta, focus})
         for (const bool isQuick : {false, true}) {
-            const bool isWarpOpen = options.eta.empty() && options.tsmFocus.empty();
-            const std::vector<BenchRun> runs = reportRuns(options.swept, isQuick, isWarpOpen);
+            const bool isWarpOpen = !base.eta && !base.tsmFocus;
             std::set<std::string> names;
+            const std::vector<BenchRun> runs = reportRuns(base, isQuick);
             for (const BenchRun& run : runs) {
-                EXPECT_NO_THROW(settings::qualityOf(options, run.settings)) << run.options;
+                EXPECT_NO_THROW(settings::qualityOf(run.settings)) << run.options;
                 EXPECT_TRUE(names.insert(run.name).second) << run.name;
-                EXPECT_TRUE(isWarpOpen || run.settings.warp == options.swept.warp) << run.name;
+                EXPECT_TRUE(isWarpOpen || run.settings.quality.warp.rule == base.quality.warp.rule) << run.name;
             }
             EXPECT_GT(runs.size(), 5U);
         }

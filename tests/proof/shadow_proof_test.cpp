@@ -165,9 +165,9 @@ TEST(MeasuredAliasing, OnAGroundThatFillsTheScreenComesNearThePromise) {
             const frame::Frame frame = renderer.render(view, quality, options);
             ASSERT_TRUE(frame.aliasing);
             EXPECT_EQ(frame.aliasing->pixelsUnpromised, 0U);
-            EXPECT_GE(frame.aliasing->overPromise, 0.8) << plan::warpName(quality.warp) << " " << slices;
+            EXPECT_GE(frame.aliasing->overPromise, 0.8) << shadow::name(quality.warp.rule) << " " << slices;
             EXPECT_LE(frame.aliasing->overPromise, 1 + kFloatTolerance)
-                << plan::warpName(quality.warp) << " " << slices;
+                << shadow::name(quality.warp.rule) << " " << slices;
         }
 }
 

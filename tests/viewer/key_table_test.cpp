@@ -1,7 +1,8 @@
 // The table of keys is whole: no key twice, nothing without help, nothing out of reach.
+#include "settings/table.h"
 #include "viewer/input/camera_control.h"
 #include "viewer/input/key_table.h"
-#include "viewer/view_settings.h"
+#include "viewer/input/setting_keys.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -39,10 +40,25 @@ TEST(KeyTable, EveryOverlaySideAndWayHasAKey) {
         if (binding.action == Action::LookFrom) sides.insert(binding.value);
         if (binding.action == Action::Fly) ways.insert(binding.value);
     }
-    EXPECT_EQ(overlays.size(), overlayNames().size());
-    EXPECT_EQ(*overlays.rbegin(), static_cast<int>(overlayNames().size()) - 1);
+    EXPECT_EQ(overlays.size(), executor::kOverlays.size());
+    EXPECT_EQ(*overlays.rbegin(), static_cast<int>(executor::kOverlays.size()) - 1);
     EXPECT_EQ(sides.size(), static_cast<std::size_t>(Side::Bottom) + 1);
     EXPECT_EQ(ways.size(), static_cast<std::size_t>(Way::Up) + 1);
+}
+
+TEST(KeyTable, EverySettingThatTheWindowOffersHasAKeyThatChangesIt) {
+    std::set<std::string> changed;
+    for (const Binding& binding : bindings()) {
+        if (binding.action != Action::StepSetting) continue;
+        settings::Settings settings;
+        const settings::Setting& setting = settings::named(binding.setting);
+        const std::optional<std::string> said = changeQuality(binding, settings);
+        EXPECT_FALSE(setting.isDefault(settings)) << binding.keyName;
+        EXPECT_EQ(said.value_or("").rfind(setting.description().offer.title + ": ", 0), 0U) << binding.keyName;
+        changed.insert(setting.name());
+    }
+    for (const settings::Setting& setting : settings::table())
+        EXPECT_NE(changed.contains(setting.name()), setting.description().offer.title.empty()) << setting.name();
 }
 
 TEST(KeyTable, ShiftCountsOnlyWhereItIsNamed) {

@@ -1,5 +1,4 @@
 // The steps of the keys, the graph's medians, the messages and the words.
-#include "settings/view_options.h"
 #include "viewer/messages.h"
 #include "viewer/panel/frame_history.h"
 #include "viewer/panel/plan_words.h"
@@ -29,36 +28,6 @@ TEST(ViewSettings, SchemesStepAroundAndAreWhatTheyAreCalled) {
     EXPECT_EQ(quality.shadows, plan::ShadowMode::Off);
     choose(Scheme::Rays, quality);
     EXPECT_EQ(quality.shadows, plan::ShadowMode::Rays);
-}
-
-TEST(ViewSettings, SlicesTexelsAndDetailStayWithinTheirBounds) {
-    plan::Quality quality;
-    for (int i = 0; i < 50; ++i) {
-        stepSlices(quality, 1);
-        stepTexels(quality, 1);
-        stepDetail(quality, 1);
-    }
-    EXPECT_EQ(quality.zPartitions, settings::kMaxSlices);
-    EXPECT_EQ(quality.shadowTexelsWidth, kMostShadowTexels);
-    EXPECT_EQ(quality.shadowTexelsHeight, kMostShadowTexels);
-    EXPECT_EQ(quality.errorPixels, kMostErrorPixels);
-    for (int i = 0; i < 50; ++i) {
-        stepSlices(quality, -1);
-        stepTexels(quality, -1);
-        stepDetail(quality, -1);
-    }
-    EXPECT_EQ(quality.zPartitions, 1);
-    EXPECT_EQ(quality.shadowTexelsWidth, kLeastShadowTexels);
-    EXPECT_EQ(quality.shadowTexelsHeight, kLeastShadowTexels);
-    EXPECT_EQ(quality.errorPixels, kLeastErrorPixels);
-}
-
-TEST(ViewSettings, TexelsDoubleAndHalveAsACount) {
-    plan::Quality quality;
-    stepTexels(quality, 1);
-    EXPECT_EQ(quality.shadowTexelsWidth * quality.shadowTexelsHeight, 2 * 2048 * 2048);
-    stepTexels(quality, -1);
-    EXPECT_EQ(quality.shadowTexelsWidth * quality.shadowTexelsHeight, 2048 * 2048);
 }
 
 TEST(FrameHistory, KeepsTheLastAndTakesTheirMedians) {

@@ -2,8 +2,10 @@
 // finite and continuous as the light turns parallel to the view, where n' does neither.
 #pragma once
 
+#include "core/words.h"
 #include "shadow/fit/light_fit.h"
 
+#include <array>
 #include <cstdint>
 
 namespace gnomon::shadow {
@@ -20,6 +22,27 @@ enum class WarpRule : std::uint8_t {
     Eta,          // n' from eta by Eq 11
     Given,        // kappa itself
 };
+
+/// Those that are asked for by a word.
+inline constexpr std::array kWarpRules = {
+    Word<WarpRule>{WarpRule::None, "none"},
+    Word<WarpRule>{WarpRule::Lspsm, "lspsm"},
+    Word<WarpRule>{WarpRule::Psm, "psm"},
+    Word<WarpRule>{WarpRule::Tsm, "tsm"},
+    Word<WarpRule>{WarpRule::Minimax, "minimax"},
+    Word<WarpRule>{WarpRule::Auto, "auto"},
+};
+
+/// The word for `rule`, also where it is asked for in another way.
+constexpr std::string_view name(WarpRule rule) {
+    constexpr std::array kOthers = {
+        Word<WarpRule>{WarpRule::LeastStorage, "sopt"},
+        Word<WarpRule>{WarpRule::Eta, "eta"},
+        Word<WarpRule>{WarpRule::Given, "given"},
+    };
+    const std::string_view word = wordOf(kWarpRules, rule);
+    return word.empty() ? wordOf(kOthers, rule) : word;
+}
 
 /// A rule with its parameters.
 struct Warp {

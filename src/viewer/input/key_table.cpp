@@ -1,11 +1,15 @@
 #include "viewer/input/key_table.h"
 
+#include "executor/executor.h"
 #include "viewer/input/camera_control.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
 #include <array>
+#include <string>
+#include <vector>
 
 namespace gnomon::viewer {
 
@@ -19,55 +23,70 @@ constexpr int of(Side side) {
     return static_cast<int>(side);
 }
 
-constexpr std::array kBindings{
-    Binding{GLFW_KEY_W, false, Action::Fly, of(Way::Forward), "W", "fly forward; Shift faster, Ctrl slower"},
-    Binding{GLFW_KEY_S, false, Action::Fly, of(Way::Back), "S", "fly back"},
-    Binding{GLFW_KEY_A, false, Action::Fly, of(Way::Left), "A", "fly left"},
-    Binding{GLFW_KEY_D, false, Action::Fly, of(Way::Right), "D", "fly right"},
-    Binding{GLFW_KEY_Q, false, Action::Fly, of(Way::Down), "Q", "fly down"},
-    Binding{GLFW_KEY_E, false, Action::Fly, of(Way::Up), "E", "fly up"},
-    Binding{GLFW_KEY_SPACE, false, Action::Focus, 0, "Space", "look at what is under the cursor, nearer"},
-    Binding{GLFW_KEY_1, false, Action::LookFrom, of(Side::Front), "1", "view from the front"},
-    Binding{GLFW_KEY_2, false, Action::LookFrom, of(Side::Back), "2", "from the back"},
-    Binding{GLFW_KEY_3, false, Action::LookFrom, of(Side::Left), "3", "from the left"},
-    Binding{GLFW_KEY_4, false, Action::LookFrom, of(Side::Right), "4", "from the right"},
-    Binding{GLFW_KEY_5, false, Action::LookFrom, of(Side::Top), "5", "from above"},
-    Binding{GLFW_KEY_6, false, Action::LookFrom, of(Side::Bottom), "6", "from below"},
-    Binding{GLFW_KEY_HOME, false, Action::GoHome, 0, "Home", "back to the start"},
-    Binding{GLFW_KEY_N, false, Action::StepScheme, 1, "N", "next scheme: none, one map, slices, faces, rays"},
-    Binding{GLFW_KEY_N, true, Action::StepScheme, -1, "Shift+N", "previous scheme"},
-    Binding{GLFW_KEY_X, false, Action::StepWarp, 1, "X", "next warp"},
-    Binding{GLFW_KEY_X, true, Action::StepWarp, -1, "Shift+X", "previous warp"},
-    Binding{GLFW_KEY_RIGHT_BRACKET, false, Action::StepSlices, 1, "]", "one slice more"},
-    Binding{GLFW_KEY_LEFT_BRACKET, false, Action::StepSlices, -1, "[", "one slice fewer"},
-    Binding{GLFW_KEY_Z, false, Action::StepSlices, 0, "Z", "slices: as the promise needs, or four"},
-    Binding{GLFW_KEY_F, false, Action::StepFaces, 0, "F", "face partitions: off, on, auto"},
-    Binding{GLFW_KEY_T, false, Action::StepTexels, 1, "T", "twice the shadow texels"},
-    Binding{GLFW_KEY_T, true, Action::StepTexels, -1, "Shift+T", "half the shadow texels"},
-    Binding{GLFW_KEY_K, false, Action::StepFilter, 0, "K", "filter kernel: none, 2, 3, 5 texels"},
-    Binding{GLFW_KEY_PERIOD, false, Action::StepDetail, -1, ".", "finer level of detail"},
-    Binding{GLFW_KEY_COMMA, false, Action::StepDetail, 1, ",", "coarser level of detail"},
-    Binding{GLFW_KEY_C, false, Action::ToggleCulling, 0, "C", "cull casters per partition"},
-    Binding{GLFW_KEY_B, false, Action::ToggleStabilising, 0, "B", "stabilised slices"},
-    Binding{GLFW_KEY_V, false, Action::Freeze, 0, "V", "freeze the culling camera, seen from outside"},
-    Binding{GLFW_KEY_M, false, Action::ToggleTarget, 0, "M", "hold a time target (--target-ms, or 33)"},
-    Binding{GLFW_KEY_F1, false, Action::SetOverlay, 0, "F1", "no overlay"},
-    Binding{GLFW_KEY_F2, false, Action::SetOverlay, 1, "F2", "overlay: partitions"},
-    Binding{GLFW_KEY_F3, false, Action::SetOverlay, 2, "F3", "overlay: shadow texels"},
-    Binding{GLFW_KEY_F4, false, Action::SetOverlay, 3, "F4", "overlay: aliasing"},
-    Binding{GLFW_KEY_F5, false, Action::SetOverlay, 4, "F5", "overlay: level of detail"},
-    Binding{GLFW_KEY_F6, false, Action::SetOverlay, 5, "F6", "overlay: clusters"},
-    Binding{GLFW_KEY_F7, false, Action::SetOverlay, 6, "F7", "overlay: what waits for pages"},
-    Binding{GLFW_KEY_TAB, false, Action::TogglePanel, 0, "Tab", "panel of settings"},
-    Binding{GLFW_KEY_G, false, Action::ToggleFacts, 0, "G", "graph and figures"},
-    Binding{GLFW_KEY_H, false, Action::ToggleHelp, 0, "H", "this help"},
-    Binding{GLFW_KEY_R, false, Action::Record, 0, "R", "record a path; again saves it"},
-    Binding{GLFW_KEY_P, false, Action::Play, 0, "P", "play the last path; again stops"},
-    Binding{GLFW_KEY_F9, false, Action::Reload, 0, "F9", "open the model again"},
-    Binding{GLFW_KEY_F12, false, Action::Screenshot, 0, "F12", "save the picture"},
-    Binding{GLFW_KEY_F12, true, Action::Screenshot, 1, "Shift+F12", "save the window with its overlays"},
-    Binding{GLFW_KEY_ESCAPE, false, Action::Leave, 0, "Esc", "leave"},
-};
+/// F1 to F8 are for the overlays, whose list may go on.
+constexpr std::size_t kOverlayKeys = std::min<std::size_t>(8, executor::kOverlays.size());
+
+std::vector<Binding> cameraAndSettingKeys() {
+    return {
+        Binding{GLFW_KEY_W, false, Action::Fly, of(Way::Forward), "W", "fly forward; Shift faster, Ctrl slower"},
+        Binding{GLFW_KEY_S, false, Action::Fly, of(Way::Back), "S", "fly back"},
+        Binding{GLFW_KEY_A, false, Action::Fly, of(Way::Left), "A", "fly left"},
+        Binding{GLFW_KEY_D, false, Action::Fly, of(Way::Right), "D", "fly right"},
+        Binding{GLFW_KEY_Q, false, Action::Fly, of(Way::Down), "Q", "fly down"},
+        Binding{GLFW_KEY_E, false, Action::Fly, of(Way::Up), "E", "fly up"},
+        Binding{GLFW_KEY_SPACE, false, Action::Focus, 0, "Space", "look at what is under the cursor, nearer"},
+        Binding{GLFW_KEY_1, false, Action::LookFrom, of(Side::Front), "1", "view from the front"},
+        Binding{GLFW_KEY_2, false, Action::LookFrom, of(Side::Back), "2", "from the back"},
+        Binding{GLFW_KEY_3, false, Action::LookFrom, of(Side::Left), "3", "from the left"},
+        Binding{GLFW_KEY_4, false, Action::LookFrom, of(Side::Right), "4", "from the right"},
+        Binding{GLFW_KEY_5, false, Action::LookFrom, of(Side::Top), "5", "from above"},
+        Binding{GLFW_KEY_6, false, Action::LookFrom, of(Side::Bottom), "6", "from below"},
+        Binding{GLFW_KEY_HOME, false, Action::GoHome, 0, "Home", "back to the start"},
+        Binding{GLFW_KEY_N, false, Action::StepScheme, 1, "N", "next scheme: none, one map, slices, faces, rays"},
+        Binding{GLFW_KEY_N, true, Action::StepScheme, -1, "Shift+N", "previous scheme"},
+        Binding{GLFW_KEY_X, false, Action::StepSetting, 1, "X", "next warp", "warp"},
+        Binding{GLFW_KEY_X, true, Action::StepSetting, -1, "Shift+X", "previous warp", "warp"},
+        Binding{GLFW_KEY_RIGHT_BRACKET, false, Action::StepSetting, 1, "]", "one slice more", "z-partitions"},
+        Binding{GLFW_KEY_LEFT_BRACKET, false, Action::StepSetting, -1, "[", "one slice fewer", "z-partitions"},
+        Binding{
+            GLFW_KEY_Z, false, Action::StepSetting, 0, "Z", "slices: as the promise needs, or four", "z-partitions"},
+        Binding{GLFW_KEY_F, false, Action::StepSetting, 1, "F", "face partitions: off, on, auto", "face-partitions"},
+        Binding{GLFW_KEY_T, false, Action::StepSetting, 1, "T", "twice the shadow texels", "shadow-texels"},
+        Binding{GLFW_KEY_T, true, Action::StepSetting, -1, "Shift+T", "half the shadow texels", "shadow-texels"},
+        Binding{GLFW_KEY_K, false, Action::StepSetting, 1, "K", "filter kernel: none, 2, 3, 5 texels", "filter"},
+        Binding{GLFW_KEY_PERIOD, false, Action::StepSetting, -1, ".", "finer level of detail", "error-pixels"},
+        Binding{GLFW_KEY_COMMA, false, Action::StepSetting, 1, ",", "coarser level of detail", "error-pixels"},
+        Binding{GLFW_KEY_C, false, Action::StepSetting, 1, "C", "cull casters per partition", "cull-casters"},
+        Binding{GLFW_KEY_B, false, Action::StepSetting, 1, "B", "stabilised slices", "stabilize"},
+        Binding{GLFW_KEY_V, false, Action::Freeze, 0, "V", "freeze the culling camera, seen from outside"},
+        Binding{GLFW_KEY_M, false, Action::ToggleTarget, 0, "M", "hold a time target (--target-ms, or 33)"},
+    };
+}
+
+std::vector<Binding> overlayKeys() {
+    std::vector<Binding> keys;
+    for (std::size_t i = 0; i < kOverlayKeys; ++i) {
+        const bool isNone = executor::kOverlays[i].value == executor::Overlay::None;
+        const std::string help = isNone ? "no overlay" : std::string("overlay: ") + executor::kOverlays[i].title;
+        const int index = static_cast<int>(i);
+        keys.push_back({GLFW_KEY_F1 + index, false, Action::SetOverlay, index, "F" + std::to_string(i + 1), help});
+    }
+    return keys;
+}
+
+std::vector<Binding> windowKeys() {
+    return {
+        Binding{GLFW_KEY_TAB, false, Action::TogglePanel, 0, "Tab", "panel of settings"},
+        Binding{GLFW_KEY_G, false, Action::ToggleFacts, 0, "G", "graph and figures"},
+        Binding{GLFW_KEY_H, false, Action::ToggleHelp, 0, "H", "this help"},
+        Binding{GLFW_KEY_R, false, Action::Record, 0, "R", "record a path; again saves it"},
+        Binding{GLFW_KEY_P, false, Action::Play, 0, "P", "play the last path; again stops"},
+        Binding{GLFW_KEY_F9, false, Action::Reload, 0, "F9", "open the model again"},
+        Binding{GLFW_KEY_F12, false, Action::Screenshot, 0, "F12", "save the picture"},
+        Binding{GLFW_KEY_F12, true, Action::Screenshot, 1, "Shift+F12", "save the window with its overlays"},
+        Binding{GLFW_KEY_ESCAPE, false, Action::Leave, 0, "Esc", "leave"},
+    };
+}
 
 constexpr std::array kMouseUses{
     MouseUse{"drag", "look around"},
@@ -81,7 +100,13 @@ constexpr std::array kMouseUses{
 } // namespace
 
 std::span<const Binding> bindings() {
-    return kBindings;
+    static const std::vector<Binding> all = [] {
+        std::vector<Binding> keys = cameraAndSettingKeys();
+        for (const auto& more : {overlayKeys(), windowKeys()})
+            keys.insert(keys.end(), more.begin(), more.end());
+        return keys;
+    }();
+    return all;
 }
 
 std::span<const MouseUse> mouseUses() {
@@ -90,7 +115,7 @@ std::span<const MouseUse> mouseUses() {
 
 const Binding* bindingOf(int key, bool withShift) {
     const Binding* plain = nullptr;
-    for (const Binding& binding : kBindings) {
+    for (const Binding& binding : bindings()) {
         if (binding.key != key) continue;
         if (binding.withShift == withShift) return &binding;
         if (!binding.withShift) plain = &binding;

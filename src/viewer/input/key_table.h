@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 
 namespace gnomon::viewer {
 
@@ -14,16 +15,9 @@ enum class Action : std::uint8_t {
     LookFrom, // value is a Side
     GoHome,
     StepScheme,
-    StepWarp,
-    StepSlices,
-    StepFaces,
-    StepTexels,
-    StepFilter,
-    StepDetail,
-    ToggleCulling,
-    ToggleStabilising,
+    StepSetting, // value is how many steps, of the setting that the binding names
     ToggleTarget,
-    SetOverlay, // value is an index of overlayNames()
+    SetOverlay, // value is an index of executor::kOverlays
     Freeze,
     TogglePanel,
     ToggleFacts,
@@ -44,8 +38,9 @@ struct Binding {
     bool withShift = false;
     Action action = Action::Leave;
     int value = 0;
-    const char* keyName = "";
-    const char* help = ""; // empty: told by the entry before
+    std::string keyName{};
+    std::string help{};
+    std::string setting{}; // of StepSetting: a name in the table of settings
 };
 
 /// All of them, in the order of the help.

@@ -1,9 +1,12 @@
 #include "viewer/input/setting_keys.h"
 
+#include "settings/step.h"
+#include "settings/table.h"
+
 namespace gnomon::viewer {
 
-bool changeShown(Action action, int value, ViewSettings& settings) {
-    switch (action) {
+bool changeShown(const Binding& binding, ViewSettings& settings) {
+    switch (binding.action) {
     case Action::ToggleHelp:
         settings.showsHelp = !settings.showsHelp;
         return true;
@@ -14,36 +17,22 @@ bool changeShown(Action action, int value, ViewSettings& settings) {
         settings.showsFacts = !settings.showsFacts;
         return true;
     case Action::SetOverlay:
-        settings.overlay = overlayNames()[static_cast<std::size_t>(value)].overlay;
+        settings.overlay = executor::kOverlays[static_cast<std::size_t>(binding.value)].value;
         return true;
     default:
         return false;
     }
 }
 
-std::optional<std::string> changeQuality(Action action, int value, plan::Quality& quality) {
-    switch (action) {
-    case Action::StepScheme:
-        return stepScheme(quality, value);
-    case Action::StepWarp:
-        return stepWarp(quality, value);
-    case Action::StepSlices:
-        return stepSlices(quality, value);
-    case Action::StepFaces:
-        return stepFaces(quality);
-    case Action::StepTexels:
-        return stepTexels(quality, value);
-    case Action::StepFilter:
-        return stepFilter(quality);
-    case Action::StepDetail:
-        return stepDetail(quality, value);
-    case Action::ToggleCulling:
-        return toggleCulling(quality);
-    case Action::ToggleStabilising:
-        return toggleStabilising(quality);
-    default:
-        return std::nullopt;
+std::optional<std::string> changeQuality(const Binding& binding, settings::Settings& settings) {
+    if (binding.action == Action::StepScheme) {
+        stepScheme(settings.quality, binding.value);
+        return std::string("scheme: ") + name(schemeOf(settings.quality));
     }
+    if (binding.action != Action::StepSetting) return std::nullopt;
+    const settings::Setting& setting = settings::named(binding.setting);
+    settings::step(setting, settings, binding.value);
+    return settings::inWords(setting, settings);
 }
 
 } // namespace gnomon::viewer

@@ -9,11 +9,11 @@
 
 namespace gnomon::viewer {
 
-/// Shows or hides what `action` is about; false if it is about something else.
-bool changeShown(Action action, int value, ViewSettings& settings);
+/// Shows or hides what `binding` is about; false if it is about something else.
+bool changeShown(const Binding& binding, ViewSettings& settings);
 
-/// Takes the step in quality that `action` is, and returns what is now set, for people; nothing if it is about
+/// Takes the step in quality that `binding` is, and returns what is now set, for people; nothing if it is about
 /// something else.
-std::optional<std::string> changeQuality(Action action, int value, plan::Quality& quality);
+std::optional<std::string> changeQuality(const Binding& binding, settings::Settings& settings);
 
 } // namespace gnomon::viewer

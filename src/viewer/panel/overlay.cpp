@@ -110,14 +110,14 @@ void drawFacts(const OverlayContent& content, const ViewSettings& settings) {
         std::snprintf(text.data(), text.size(), "speed %.3g a second   H help, Tab panel", content.flyingSpeed);
         drawLine(text.data(), kFaint);
         if (settings.overlay != executor::Overlay::None)
-            drawLine(std::string("overlay: ") + name(settings.overlay), kFaint);
+            drawLine(std::string("overlay: ") + executor::title(settings.overlay), kFaint);
     }
     ImGui::End();
 }
 
 /// What the help says, line by line.
-std::vector<std::pair<const char*, const char*>> helpLines() {
-    std::vector<std::pair<const char*, const char*>> lines;
+std::vector<std::pair<std::string, std::string>> helpLines() {
+    std::vector<std::pair<std::string, std::string>> lines;
     for (const MouseUse& use : mouseUses())
         lines.emplace_back(use.gesture, use.help);
     for (const Binding& binding : bindings())
@@ -136,7 +136,7 @@ void drawHelp() {
         (lines.size() + static_cast<std::size_t>(columns) - 1) / static_cast<std::size_t>(columns);
     float widest = 0;
     for (const auto& [key, help] : lines)
-        widest = std::max(widest, ImGui::CalcTextSize(help).x);
+        widest = std::max(widest, ImGui::CalcTextSize(help.c_str()).x);
     const float wide = static_cast<float>(columns) * ((kKeyUnits + 1) * unit() + widest) + unit();
     ImGui::SetNextWindowBgAlpha(0.95F);
     if (beginNote("help", {screen.x * 0.5F, screen.y * 0.5F}, {0.5F, 0.5F})) {

@@ -29,7 +29,7 @@ std::string mapsInWords(const plan::FramePlan& plan) {
     std::string words = text("%zu map%s", plan.passes.size(), plan.passes.size() == 1 ? "" : "s");
     if (slices > 1) words += text(", %zu slices", slices);
     if (plan.hasFaces) words += ", by faces";
-    words += quality.stabilize ? ", stabilised" : ", warp " + plan::warpName(quality.warp);
+    words += quality.stabilize ? ", stabilised" : ", warp " + std::string(shadow::name(quality.warp.rule));
     return words + text(" (%s), %d x %d texels", plan::schemeName(plan).c_str(), plan.textureWidth, plan.textureHeight);
 }
 

@@ -1,6 +1,7 @@
 #include "viewer/panel/settings_panel.h"
 
-#include "settings/view_options.h"
+#include "settings/step.h"
+#include "settings/table.h"
 #include "viewer/panel/light_pad.h"
 
 #include <algorithm>
@@ -13,6 +14,8 @@
 namespace gnomon::viewer {
 
 namespace {
+
+using settings::Setting;
 
 /// A combo over `count` names; true if another was chosen.
 template <class NameOf>
@@ -29,90 +32,116 @@ bool chooseFrom(const char* label, int count, int& current, const NameOf& nameOf
     return hasChanged;
 }
 
-bool drawSchemeSettings(plan::Quality& quality) {
-    bool hasChanged = false;
+bool drawScheme(plan::Quality& quality) {
     int scheme = static_cast<int>(schemeOf(quality));
-    if (chooseFrom("scheme", static_cast<int>(kSchemes.size()), scheme, [](int i) {
-            return name(kSchemes[static_cast<std::size_t>(i)]);
-        })) {
-        choose(kSchemes[static_cast<std::size_t>(scheme)], quality);
-        hasChanged = true;
-    }
-    const auto rules = warpRules();
-    int warp = static_cast<int>(std::find(rules.begin(), rules.end(), quality.warp.rule) - rules.begin());
-    std::vector<std::string> names;
-    for (const shadow::WarpRule rule : rules)
-        names.push_back(plan::warpName({rule}));
-    if (chooseFrom("warp", static_cast<int>(rules.size()), warp, [&](int i) {
-            return names[static_cast<std::size_t>(i)].c_str();
-        })) {
-        quality.warp.rule = rules[static_cast<std::size_t>(warp)];
-        hasChanged = true;
-    }
-    bool isAuto = !quality.zPartitions;
-    if (ImGui::Checkbox("as many slices as the promise needs", &isAuto)) {
-        stepSlices(quality, 0);
-        hasChanged = true;
-    }
-    if (quality.zPartitions) {
-        int slices = *quality.zPartitions;
-        if (ImGui::SliderInt("slices", &slices, 1, settings::kMaxSlices)) {
-            quality.zPartitions = slices;
-            hasChanged = true;
-        }
-    }
-    constexpr std::array kChoices = {"off", "on", "auto"};
-    int faces = static_cast<int>(quality.facePartitions);
-    if (chooseFrom("faces", 3, faces, [&](int i) { return kChoices[static_cast<std::size_t>(i)]; })) {
-        quality.facePartitions = static_cast<plan::Choice>(faces);
+    const auto nameOf = [](int i) { return name(kSchemes[static_cast<std::size_t>(i)]); };
+    if (!chooseFrom("scheme", static_cast<int>(kSchemes.size()), scheme, nameOf)) return false;
+    choose(kSchemes[static_cast<std::size_t>(scheme)], quality);
+    return true;
+}
+
+bool drawWords(const Setting& setting, settings::Settings& settings) {
+    const std::vector<std::string>& words = setting.words();
+    int current = static_cast<int>(std::find(words.begin(), words.end(), setting.text(settings)) - words.begin());
+    const auto nameOf = [&](int i) { return words[static_cast<std::size_t>(i)].c_str(); };
+    const char* title = setting.description().offer.title.c_str();
+    if (!chooseFrom(title, static_cast<int>(words.size()), current, nameOf)) return false;
+    setting.set(settings, setting.parse(words[static_cast<std::size_t>(current)]));
+    return true;
+}
+
+bool drawSwitch(const Setting& setting, settings::Settings& settings) {
+    bool isOn = std::any_cast<bool>(setting.value(settings));
+    if (!ImGui::Checkbox(setting.description().offer.title.c_str(), &isOn)) return false;
+    setting.set(settings, isOn);
+    return true;
+}
+
+/// A slider over what is offered of a whole number; true if `value` was changed.
+bool slide(const settings::Offer& offer, int& value) {
+    return ImGui::SliderInt(offer.title.c_str(), &value, static_cast<int>(offer.least), static_cast<int>(offer.most));
+}
+
+bool drawWhole(const Setting& setting, settings::Settings& settings) {
+    int value = std::any_cast<int>(setting.value(settings));
+    if (!slide(setting.description().offer, value)) return false;
+    setting.set(settings, value);
+    return true;
+}
+
+bool drawWholeOrAuto(const Setting& setting, settings::Settings& settings) {
+    const settings::Offer& offer = setting.description().offer;
+    auto value = std::any_cast<std::optional<int>>(setting.value(settings));
+    bool isAuto = !value;
+    bool hasChanged = ImGui::Checkbox(("as many " + offer.title + " as the promise needs").c_str(), &isAuto);
+    if (hasChanged)
+        settings::step(setting, settings, 0);
+    else if (value && slide(offer, *value)) {
+        setting.set(settings, value);
         hasChanged = true;
     }
     return hasChanged;
 }
 
-bool drawTexelSettings(plan::Quality& quality) {
-    bool hasChanged = false;
-    const auto texels = std::to_string(quality.shadowTexelsWidth) + " x " + std::to_string(quality.shadowTexelsHeight);
+bool drawNumber(const Setting& setting, settings::Settings& settings) {
+    const settings::Offer& offer = setting.description().offer;
+    auto value = static_cast<float>(std::any_cast<double>(setting.value(settings)));
+    const auto least = static_cast<float>(offer.least);
+    const auto most = static_cast<float>(offer.most);
+    if (!ImGui::SliderFloat(offer.title.c_str(), &value, least, most, "%.2f", ImGuiSliderFlags_Logarithmic))
+        return false;
+    setting.set(settings, std::clamp(static_cast<double>(value), offer.least, offer.most));
+    return true;
+}
+
+bool drawSize(const Setting& setting, settings::Settings& settings) {
     ImGui::AlignTextToFramePadding();
-    ImGui::Text("texels %s", texels.c_str());
+    ImGui::TextUnformatted(settings::inWords(setting, settings).c_str());
     ImGui::SameLine();
-    if (ImGui::SmallButton("half")) {
-        stepTexels(quality, -1);
-        hasChanged = true;
-    }
+    const int halved = ImGui::SmallButton("half") ? -1 : 0;
     ImGui::SameLine();
-    if (ImGui::SmallButton("twice")) {
-        stepTexels(quality, 1);
-        hasChanged = true;
+    const int steps = ImGui::SmallButton("twice") ? 1 : halved;
+    if (steps != 0) settings::step(setting, settings, steps);
+    return steps != 0;
+}
+
+bool drawSetting(const Setting& setting, settings::Settings& settings) {
+    switch (setting.kind()) {
+    case settings::Kind::Words:
+        return drawWords(setting, settings);
+    case settings::Kind::Switch:
+        return drawSwitch(setting, settings);
+    case settings::Kind::Whole:
+        return drawWhole(setting, settings);
+    case settings::Kind::WholeOrAuto:
+        return drawWholeOrAuto(setting, settings);
+    case settings::Kind::Number:
+        return drawNumber(setting, settings);
+    case settings::Kind::Size:
+        return drawSize(setting, settings);
+    case settings::Kind::Other:
+        return false;
     }
-    hasChanged |= ImGui::SliderInt("filter texels", &quality.filter, 0, 9);
-    auto error = static_cast<float>(quality.errorPixels);
-    if (ImGui::SliderFloat(
-            "error pixels",
-            &error,
-            static_cast<float>(kLeastErrorPixels),
-            static_cast<float>(kMostErrorPixels),
-            "%.2f",
-            ImGuiSliderFlags_Logarithmic)) {
-        quality.errorPixels = std::clamp(static_cast<double>(error), kLeastErrorPixels, kMostErrorPixels);
-        hasChanged = true;
-    }
-    hasChanged |= ImGui::Checkbox("cull casters", &quality.cullCasters);
-    ImGui::SameLine();
-    hasChanged |= ImGui::Checkbox("stabilise", &quality.stabilize);
+    return false;
+}
+
+bool drawQuality(settings::Settings& settings) {
+    bool hasChanged = drawScheme(settings.quality);
+    for (const Setting& setting : settings::table())
+        if (!setting.description().offer.title.empty()) hasChanged |= drawSetting(setting, settings);
     return hasChanged;
 }
 
 bool drawViewSettings(const OverlayContent& content, ViewSettings& settings, OverlayAnswer& answer) {
     bool hasChanged = false;
-    const auto overlays = overlayNames();
+    const auto& overlays = executor::kOverlays;
     int overlay = 0;
     for (std::size_t i = 0; i < overlays.size(); ++i)
-        if (overlays[i].overlay == settings.overlay) overlay = static_cast<int>(i);
+        if (overlays[i].value == settings.overlay) overlay = static_cast<int>(i);
     if (chooseFrom("overlay", static_cast<int>(overlays.size()), overlay, [&](int i) {
-            return overlays[static_cast<std::size_t>(i)].name;
+            return overlays[static_cast<std::size_t>(i)].title;
         })) {
-        settings.overlay = overlays[static_cast<std::size_t>(overlay)].overlay;
+        settings.overlay = overlays[static_cast<std::size_t>(overlay)].value;
         hasChanged = true;
     }
     auto target = static_cast<float>(settings.targetMs);
@@ -145,11 +174,10 @@ OverlayAnswer drawPanel(const OverlayContent& content, ViewSettings& settings, S
                                         ImGuiWindowFlags_NoNav;
     if (ImGui::Begin("settings (Tab)", &settings.showsPanel, kFlags)) {
         ImGui::PushItemWidth(11 * unit);
-        answer.hasChanged |= drawSchemeSettings(settings.quality);
-        answer.hasChanged |= drawTexelSettings(settings.quality);
+        answer.hasChanged |= drawQuality(settings.asked);
         answer.hasChanged |= drawViewSettings(content, settings, answer);
         ImGui::Separator();
-        answer.hasChanged |= drawLightPad(content.scene->frame(), content.camera, pad, settings.towardsLight);
+        answer.hasChanged |= drawLightPad(content.scene->frame(), content.camera, pad, settings.asked.towardsLight);
         answer.isUnfinished = !pad.isComplete();
         ImGui::PopItemWidth();
     }

@@ -1,0 +1,43 @@
+// The values of all settings, each of its own type; table.h says how each is called, written and changed.
+#pragma once
+
+#include "core/units.h"
+#include "core/words.h"
+#include "plan/frame_plan.h"
+
+#include <array>
+#include <optional>
+#include <string>
+
+namespace gnomon::settings {
+
+/// Where a plan is executed.
+enum class Backend : std::uint8_t { Auto, Software, Osmesa, Egl, Window };
+inline constexpr std::array kBackends = {
+    Word<Backend>{Backend::Auto, "auto"},
+    Word<Backend>{Backend::Software, "software"},
+    Word<Backend>{Backend::Osmesa, "osmesa"},
+    Word<Backend>{Backend::Egl, "egl"},
+    Word<Backend>{Backend::Window, "window"},
+};
+
+/// What a person can ask for of a view and its quality. What stands in `quality` the plan takes as it is.
+struct Settings {
+    std::array<int, 2> imageSize{800, 800}; // pixels
+    std::string cameraFile;                 // empty: none
+    std::optional<glm::dvec3> eye;          // nothing: frames the model
+    std::optional<glm::dvec3> target;
+    std::optional<glm::dvec3> up;
+    std::optional<double> fovYDegrees;
+    glm::dvec3 towardsLight{0.4, 1, 0.3};
+    plan::Quality quality;
+    bool isWarpGiven = false;       // quality.warp.rule was asked for
+    std::optional<double> eta;      // takes the place of quality.warp.rule
+    std::optional<double> tsmFocus; // 0: found by itself
+    Backend backend = Backend::Auto;
+    Bytes memory = gibibytes(1);
+    Bytes gpuMemory = gibibytes(1);
+    std::string shaderFolder; // empty: the built-in ones
+};
+
+} // namespace gnomon::settings

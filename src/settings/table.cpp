@@ -1,0 +1,311 @@
+#include "settings/table.h"
+
+#include "core/check.h"
+#include "settings/limits.h"
+
+#include <algorithm>
+
+namespace gnomon::settings {
+
+namespace {
+
+using plan::Quality;
+using Size = std::array<int, 2>;
+
+/// A setting whose value stands where `place` points to.
+template <class T, class Place>
+Setting at(const Place& place, Description description, const Codec<T>& codec) {
+    return {
+        std::move(description), codec, place, [place](Settings& settings, const T& value) { place(settings) = value; }};
+}
+
+/// A setting whose value is a member of Settings.
+template <class T>
+Setting plain(T Settings::*member, Description description, const Codec<T>& codec) {
+    return at(
+        [member](auto& settings) -> auto& { return settings.*member; }, std::move(description), codec);
+}
+
+/// A setting whose value is a member of Quality.
+template <class T>
+Setting quality(T Quality::*member, Description description, const Codec<T>& codec) {
+    return at(
+        [member](auto& settings) -> auto& { return settings.quality.*member; }, std::move(description), codec);
+}
+
+Codec<Size> imageSize() {
+    return size("sides of at most " + std::to_string(kMaxSide) + " pixels", [](const Size& value) {
+        return std::max(value[0], value[1]) <= kMaxSide;
+    });
+}
+
+Codec<Size> textureSize() {
+    return size("at most 16384x16384 texels, the largest texture", [](const Size& value) {
+        return std::int64_t{value[0]} * value[1] <= kMaxShadowTexels;
+    });
+}
+
+/// Distances; 0 is "auto".
+Codec<double> distanceOrZero() {
+    const Codec<std::optional<double>> codec = orAuto(distance());
+    return {
+        [codec](const std::string& text) -> std::optional<double> {
+            const auto value = codec.read(text);
+            return value ? std::optional(value->value_or(0)) : std::nullopt;
+        },
+        [codec](double value) { return codec.write(value > 0 ? std::optional(value) : std::nullopt); },
+        codec.expected};
+}
+
+/// What is seen, and from where.
+std::vector<Setting> viewSettings() {
+    return {
+        plain(
+            &Settings::imageSize,
+            {.name = "size", .form = "WxH", .help = "Image in pixels, WxH", .statedAs = "image_size"},
+            imageSize()),
+        plain(
+            &Settings::cameraFile,
+            {.name = "camera", .form = "FILE", .help = "A camera file: one keyframe as JSON"},
+            text()),
+        plain(
+            &Settings::eye,
+            {.name = "eye", .form = "x,y,z", .help = "Where the eye is, x,y,z; frames the model if not given"},
+            ifGiven(vector())),
+        plain(
+            &Settings::target,
+            {.name = "target", .form = "x,y,z", .help = "What it looks at, x,y,z"},
+            ifGiven(vector())),
+        plain(
+            &Settings::up,
+            {.name = "up", .form = "x,y,z", .help = "What is up; 0,1,0 if not given"},
+            ifGiven(direction())),
+        plain(
+            &Settings::fovYDegrees,
+            {.name = "fov-y", .form = "DEGREES", .help = "Full vertical angle in degrees; 60 if not given"},
+            ifGiven(number("an angle above 0 and below 180 degrees", [](double v) { return v > 0 && v < 180; }))),
+        quality(
+            &Quality::near,
+            {.name = "near",
+             .form = "D|auto",
+             .help = "Where the depth range of the shadows' promise begins, or auto; clips nothing",
+             .statedAs = "near_and_far"},
+            orAuto(distance())),
+        quality(
+            &Quality::far,
+            {.name = "far", .form = "D|auto", .help = "Where it ends, or auto", .statedAs = "near_and_far"},
+            orAuto(distance())),
+        quality(
+            &Quality::nearFloor,
+            {.name = "near-floor",
+             .form = "D",
+             .help = "The least automatic near; far/10000 if not given",
+             .statedAs = "near_floor"},
+            ifGiven(distance())),
+        plain(
+            &Settings::towardsLight,
+            {.name = "light", .form = "x,y,z", .help = "Direction towards the light, x,y,z", .statedAs = "light"},
+            direction()),
+        quality(
+            &Quality::maxTriangles,
+            {.name = "max-triangles",
+             .form = "N",
+             .help = "A cap that raises the error evenly",
+             .statedAs = "max_triangles"},
+            ifGiven(count())),
+    };
+}
+
+/// How well it is drawn, and with what, of what no bench sweeps.
+std::vector<Setting> fixedSettings() {
+    return {
+        plain(
+            &Settings::eta,
+            {.name = "eta",
+             .form = "H",
+             .help = "The warp as eta in [-1, 1] of Lloyd et al. 2006: 0 is LSPSM, -1 none, 1 PSM",
+             .statedAs = "eta"},
+            ifGiven(number("a number from -1 to 1", [](double v) { return v >= -1 && v <= 1; }))),
+        plain(
+            &Settings::tsmFocus,
+            {.name = "tsm-focus",
+             .form = "D|auto",
+             .help = "With --warp tsm: distance of the focus from near",
+             .statedAs = "tsm_focus"},
+            ifGiven(distanceOrZero())),
+        quality(
+            &Quality::splitLambda,
+            {.name = "split-lambda",
+             .form = "L",
+             .help = "Slice depths: 1 self-similar, 0 evenly spaced",
+             .statedAs = "split_lambda"},
+            number("a number from 0 to 1", [](double v) { return v >= 0 && v <= 1; })),
+        quality(
+            &Quality::maxAliasing,
+            {.name = "max-aliasing",
+             .form = "M",
+             .help = "With auto: the promise to stay under (perspective aliasing over [near, far])",
+             .statedAs = "max_aliasing"},
+            positiveNumber()),
+        plain(
+            &Settings::backend,
+            {.name = "backend",
+             .form = "EXECUTOR:" + enumerated(kBackends, "|", "|"),
+             .help = "What executes the plan: the software rasteriser, or GL from one of three places"},
+            oneOf(kBackends)),
+        plain(
+            &Settings::memory,
+            {.name = "memory",
+             .form = "SIZE",
+             .help = "Tables and page cache",
+             .changesPicture = false,
+             .statedAs = "memory_cap"},
+            memory()),
+        plain(
+            &Settings::gpuMemory,
+            {.name = "gpu-memory",
+             .form = "SIZE",
+             .help = "What the GPU holds: image, maps and geometry",
+             .changesPicture = false,
+             .statedAs = "gpu_memory_cap"},
+            memory()),
+        plain(
+            &Settings::shaderFolder,
+            {.name = "shaders", .form = "PATH", .help = "Read shaders from this folder instead of the built-in ones"},
+            text()),
+    };
+}
+
+Setting warpSetting() {
+    return {
+        {.name = "warp", .form = {}, .help = "How a map is warped", .isSwept = true, .offer = {.title = "warp"}},
+        oneOf(shadow::kWarpRules),
+        [](const Settings& settings) { return settings.quality.warp.rule; },
+        [](Settings& settings, shadow::WarpRule rule) {
+            settings.quality.warp.rule = rule;
+            settings.isWarpGiven = true;
+        }};
+}
+
+Setting shadowTexelsSetting() {
+    return {
+        {.name = "shadow-texels",
+         .form = "WxH",
+         .help = "A count: all maps together, gutters included",
+         .isSwept = true,
+         .offer = {.title = "shadow texels", .least = kLeastOfferedTexels, .most = kMostOfferedTexels}},
+        textureSize(),
+        [](const Settings& settings) {
+            return Size{settings.quality.shadowTexelsWidth, settings.quality.shadowTexelsHeight};
+        },
+        [](Settings& settings, const Size& value) {
+            settings.quality.shadowTexelsWidth = value[0];
+            settings.quality.shadowTexelsHeight = value[1];
+        }};
+}
+
+/// What a bench sweeps, in the order in which its runs are nested.
+std::vector<Setting> sweptSettings() {
+    return {
+        quality(
+            &Quality::errorPixels,
+            {.name = "error-pixels",
+             .form = "T",
+             .help = "Level of detail: largest geometric error on the screen",
+             .isSwept = true,
+             .offer = {.title = "error pixels", .least = kLeastOfferedErrorPixels, .most = kMostOfferedErrorPixels}},
+            positiveNumber()),
+        quality(
+            &Quality::shadows,
+            {.name = "shadows", .form = {}, .help = "None, shadow maps, or the ray-traced reference", .isSwept = true},
+            oneOf(plan::kShadowModes)),
+        warpSetting(),
+        quality(
+            &Quality::zPartitions,
+            {.name = "z-partitions",
+             .form = "K|auto",
+             .help = "Slices along the view",
+             .isSwept = true,
+             .offer = {.title = "slices", .least = 1, .most = kMaxSlices}},
+            orAuto(whole(1, kMaxSlices))),
+        quality(
+            &Quality::facePartitions,
+            {.name = "face-partitions",
+             .form = {},
+             .help = "Split along the frustum's faces",
+             .isSwept = true,
+             .offer = {.title = "faces"}},
+            oneOf(plan::kChoices)),
+        shadowTexelsSetting(),
+        quality(
+            &Quality::filter,
+            {.name = "filter",
+             .form = "TEXELS",
+             .help = "PCF kernel; 0 is none",
+             .isSwept = true,
+             .offer = {.title = "filter texels", .least = 0, .most = 9, .steps = {0, 2, 3, 5}}},
+            whole(0, kMaxFilter)),
+        quality(
+            &Quality::cullCasters,
+            {.name = "cull-casters",
+             .form = {},
+             .help = "Partition culling",
+             .isSwept = true,
+             .changesPicture = false,
+             .offer = {.title = "caster culling"}},
+            onOff()),
+        quality(
+            &Quality::stabilize,
+            {.name = "stabilize",
+             .form = {},
+             .help = "Texel-snapped, unwarped slices",
+             .isSwept = true,
+             .offer = {.title = "stabilised slices"}},
+            onOff()),
+    };
+}
+
+} // namespace
+
+std::span<const Setting> table() {
+    static const std::vector<Setting> all = [] {
+        std::vector<Setting> settings = viewSettings();
+        for (const auto& more : {fixedSettings(), sweptSettings()})
+            settings.insert(settings.end(), more.begin(), more.end());
+        return settings;
+    }();
+    return all;
+}
+
+const Setting& named(std::string_view name) {
+    const auto all = table();
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Setting& each) { return each.name() == name; });
+    GNOMON_CHECK(found != all.end());
+    return *found;
+}
+
+bool areAlike(const Settings& a, const Settings& b) {
+    const auto all = table();
+    return std::all_of(all.begin(), all.end(), [&](const Setting& each) {
+        return !each.description().isSwept || each.text(a) == each.text(b);
+    });
+}
+
+std::string forShell(const std::string& text) {
+    constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+.,/:@%";
+    if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
+    std::string quoted = "'";
+    for (const char c : text)
+        quoted += c == '\'' ? std::string(R"('\'')") : std::string(1, c);
+    return quoted + "'";
+}
+
+std::string optionsToPaste(const Settings& settings, bool ofSwept) {
+    std::string options;
+    for (const Setting& each : table())
+        if (each.description().isSwept == ofSwept && !each.isDefault(settings))
+            options += (options.empty() ? "" : " ") + each.option() + " " + forShell(each.text(settings));
+    return options;
+}
+
+} // namespace gnomon::settings

@@ -1,0 +1,29 @@
+// The table of all settings: command line, axes of a bench, panel and keys of the window, report and help read it.
+#pragma once
+
+#include "settings/setting.h"
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gnomon::settings {
+
+/// All settings, in the order of the help: first those that no bench sweeps.
+std::span<const Setting> table();
+
+/// The one of that name, which must be there.
+const Setting& named(std::string_view name);
+
+/// Whether all settings that a bench sweeps have the same values in `a` and `b`.
+bool areAlike(const Settings& a, const Settings& b);
+
+/// The options that give all values of `settings` that are not the default, of those that a bench sweeps or of the
+/// others, as a shell takes them.
+std::string optionsToPaste(const Settings& settings, bool ofSwept);
+
+/// `text` as a POSIX shell takes it for one word.
+std::string forShell(const std::string& text);
+
+} // namespace gnomon::settings

@@ -1,0 +1,101 @@
+// What settings ask for together, and what contradicts itself.
+#include "core/error.h"
+#include "settings/resolve.h"
+#include "settings/usage_error.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace gnomon::settings {
+namespace {
+
+/// What is said against `settings`; empty if nothing is.
+std::string objection(const Settings& settings) {
+    try {
+        qualityOf(settings);
+        viewOf(settings, {});
+        return {};
+    } catch (const UsageError& error) {
+        return error.message;
+    }
+}
+
+TEST(Resolve, TakesTheQualityAsItIs) {
+    Settings settings;
+    settings.quality.filter = 3;
+    settings.quality.near = 2;
+    EXPECT_EQ(qualityOf(settings).filter, 3);
+    EXPECT_EQ(qualityOf(settings).near, 2);
+    EXPECT_EQ(qualityOf(settings).warp.rule, shadow::WarpRule::Auto);
+}
+
+TEST(Resolve, EtaAndTheFocusSettleTheWarp) {
+    Settings settings;
+    settings.eta = 0.25;
+    EXPECT_EQ(qualityOf(settings).warp.rule, shadow::WarpRule::Eta);
+    EXPECT_EQ(qualityOf(settings).warp.eta, 0.25);
+    settings.isWarpGiven = true;
+    EXPECT_EQ(objection(settings), "--eta and --warp contradict each other: eta is a warp of its own");
+    settings.eta.reset();
+    settings.tsmFocus = 0;
+    EXPECT_EQ(objection(settings), "--tsm-focus is for --warp tsm alone");
+    settings.quality.warp.rule = shadow::WarpRule::Tsm;
+    settings.tsmFocus = 2;
+    EXPECT_EQ(qualityOf(settings).warp.tsmFocus, 2);
+}
+
+TEST(Resolve, StabilisedSlicesHaveNoWarp) {
+    Settings settings;
+    settings.quality.stabilize = true;
+    EXPECT_EQ(objection(settings), "") << "the warp is not asked for";
+    settings.isWarpGiven = true;
+    EXPECT_EQ(
+        objection(settings), "--stabilize on and --warp auto contradict each other: stabilised slices are unwarped");
+    settings.quality.warp.rule = shadow::WarpRule::None;
+    EXPECT_EQ(objection(settings), "");
+    settings.isWarpGiven = false;
+    settings.eta = 0.5;
+    EXPECT_EQ(
+        objection(settings), "--stabilize on and --eta 0.5 contradict each other: stabilised slices are unwarped");
+    settings.eta = -1; // no warp
+    EXPECT_EQ(objection(settings), "");
+}
+
+TEST(Resolve, TheViewHasOneCameraAndADepthRange) {
+    Settings settings;
+    settings.quality.near = 2;
+    settings.quality.far = 2;
+    EXPECT_EQ(objection(settings), "--near and --far contradict each other: near must be below far");
+    settings.quality.far = 2.5;
+    EXPECT_EQ(objection(settings), "");
+    settings.eye = settings.target = glm::dvec3(1, 2, 3);
+    EXPECT_EQ(objection(settings), "--eye and --target are the same point");
+    EXPECT_TRUE(isPosed(settings));
+    settings.cameraFile = "camera.json";
+    EXPECT_EQ(objection(settings), "--camera and --eye, --target, --up, --fov-y contradict each other");
+    settings.eye = settings.target = std::nullopt;
+    EXPECT_TRUE(isPosed(settings));
+    EXPECT_THROW(viewOf(settings, {}), Error) << "there is no such file";
+    EXPECT_FALSE(isPosed(Settings()));
+}
+
+TEST(Resolve, AModelIsFramedFromWhateverIsUp) {
+    hierarchy::ModelSummary summary;
+    summary.bounds = {{-1, -2, -3}, {1, 2, 3}};
+    for (const glm::dvec3 up : {glm::dvec3(0, 1, 0), {0, 0, 1}, {1, 0, 0}, {0, -2, 0}}) {
+        Settings settings;
+        settings.up = up;
+        settings.fovYDegrees = 90;
+        settings.imageSize = {300, 200};
+        const plan::View view = viewOf(settings, summary);
+        EXPECT_EQ(view.width, 300);
+        EXPECT_EQ(view.height, 200);
+        EXPECT_EQ(view.camera.target, glm::dvec3(0));
+        EXPECT_DOUBLE_EQ(view.camera.fovYRadians, std::numbers::pi / 2);
+        EXPECT_GT(glm::dot(view.camera.eye, up), 0) << "from a little above";
+    }
+}
+
+} // namespace
+} // namespace gnomon::settings

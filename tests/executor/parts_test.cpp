@@ -1,0 +1,303 @@
+// The executors' parts by themselves: free ranges, pictures on disk, packed vertices, passes and the space they draw
+// in.
+#include "core/error.h"
+#include "core/file.h"
+#include "core/random.h"
+#include "executor/executor.h"
+#include "executor/free_list.h"
+#include "executor/geometry_pool.h"
+#include "executor/heat_scale.h"
+#include "executor/picture.h"
+#include "executor/software_overlay.h"
+#include "executor/software_pass.h"
+#include "hierarchy/tiny_model.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <map>
+
+#include <unistd.h>
+
+namespace gnomon::executor {
+namespace {
+
+// Every unit as a flag, beside the list.
+TEST(FreeList, TakesTheFirstRangeThatIsLargeEnough) {
+    Random random(1);
+    constexpr std::size_t kUnits = 200;
+    FreeList list(kUnits);
+    std::vector<bool> taken(kUnits);
+    std::map<std::size_t, std::size_t> ranges;
+    int refused = 0;
+    for (int i = 0; i < 5000; ++i) {
+        if (random.below(2) == 0 && !ranges.empty()) {
+            const auto [offset, units] =
+                *std::next(ranges.begin(), static_cast<std::ptrdiff_t>(random.below(ranges.size())));
+            list.release(offset, units);
+            ranges.erase(offset);
+            std::fill_n(taken.begin() + static_cast<std::ptrdiff_t>(offset), units, false);
+            continue;
+        }
+        const std::size_t units = 1 + random.below(30);
+        std::optional<std::size_t> expected;
+        for (std::size_t run = 0, at = 0; at < kUnits && !expected; ++at) {
+            run = taken[at] ? 0 : run + 1;
+            if (run < units) continue;
+            std::size_t first = at + 1 - run;
+            while (first > 0 && !taken[first - 1])
+                --first;
+            expected = first;
+        }
+        const std::optional<std::size_t> found = list.take(units);
+        ASSERT_EQ(found, expected);
+        if (!found) {
+            ++refused;
+            continue;
+        }
+        std::fill_n(taken.begin() + static_cast<std::ptrdiff_t>(*found), units, true);
+        ranges[*found] = units;
+    }
+    EXPECT_GT(refused, 50);
+    EXPECT_FALSE(FreeList().take(1));
+    EXPECT_FALSE(FreeList(0).take(1));
+}
+
+class PictureFile : public testing::Test {
+protected:
+    ~PictureFile() override { std::filesystem::remove(path_); }
+
+    std::string path_ = testing::TempDir() + "gnomon_picture_" + std::to_string(::getpid());
+};
+
+Picture randomPicture(Random& random, int width, int height) {
+    Picture picture(width, height);
+    for (Rgb& pixel : picture.pixels)
+        for (std::uint8_t& channel : pixel)
+            channel = static_cast<std::uint8_t>(random.bits());
+    return picture;
+}
+
+TEST_F(PictureFile, APngComesBackPixelForPixel) {
+    Random random(2);
+    for (const auto& [width, height] : {std::pair(1, 1), std::pair(7, 3), std::pair(64, 65)}) {
+        const Picture picture = randomPicture(random, width, height);
+        writePng(path_, picture);
+        const Picture back = readPng(path_);
+        EXPECT_EQ(back.width, width);
+        EXPECT_EQ(back.height, height);
+        EXPECT_EQ(back.pixels, picture.pixels);
+        const std::string file = readTextFile(path_);
+        const std::vector<std::uint8_t> bytes = pngBytes(picture);
+        EXPECT_TRUE(std::equal(bytes.begin(), bytes.end(), file.begin(), file.end(), [](std::uint8_t a, char b) {
+            return a == static_cast<std::uint8_t>(b);
+        })) << "what is written is what is answered";
+    }
+}
+
+TEST_F(PictureFile, WhatIsNoPngIsNamed) {
+    Random random(3);
+    writePng(path_, randomPicture(random, 20, 20));
+    const std::string good = readTextFile(path_);
+    for (const std::string& bad : {std::string(), std::string("nothing"), good.substr(0, good.size() / 2)}) {
+        writeTextFile(path_, bad);
+        try {
+            readPng(path_);
+            ADD_FAILURE() << bad.size();
+        } catch (const Error& error) {
+            EXPECT_EQ(std::string(error.what()).find(path_ + ": cannot be read as PNG: "), 0U) << error.what();
+        }
+    }
+}
+
+TEST_F(PictureFile, APfmHasItsLowestRowFirst) {
+    FloatPicture picture(3, 2);
+    for (int i = 0; i < 6; ++i)
+        picture.pixels[static_cast<std::size_t>(i)] = static_cast<float>(i) + 0.5F;
+    writePfm(path_, picture);
+    const std::string file = readTextFile(path_);
+    const std::string header = "Pf\n3 2\n-1.0\n";
+    ASSERT_EQ(file.substr(0, header.size()), header);
+    ASSERT_EQ(file.size(), header.size() + 24);
+    std::array<float, 6> values{};
+    std::memcpy(values.data(), file.data() + header.size(), 24);
+    EXPECT_EQ(values, (std::array{3.5F, 4.5F, 5.5F, 0.5F, 1.5F, 2.5F}));
+}
+
+TEST(PictureDifference, IsThatOfThePixelsOneByOne) {
+    Random random(4);
+    const Picture a = randomPicture(random, 20, 10);
+    Picture b = a;
+    EXPECT_EQ(difference(a, b).mean, 0);
+    EXPECT_EQ(difference(a, b).largest, 0);
+    b.at(3, 4)[1] = static_cast<std::uint8_t>(a.at(3, 4)[1] < 128 ? a.at(3, 4)[1] + 100 : a.at(3, 4)[1] - 100);
+    b.at(0, 0)[2] = static_cast<std::uint8_t>(a.at(0, 0)[2] < 128 ? a.at(0, 0)[2] + 2 : a.at(0, 0)[2] - 2);
+    EXPECT_DOUBLE_EQ(difference(a, b).mean, 102.0 / (200 * 3 * 255));
+    EXPECT_DOUBLE_EQ(difference(b, a).largest, 100.0 / 255);
+    EXPECT_DOUBLE_EQ(difference(a, b).changedFraction, 1.0 / 200) << "two levels are not seen";
+    b.at(0, 0)[2] = static_cast<std::uint8_t>(a.at(0, 0)[2] < 128 ? a.at(0, 0)[2] + 3 : a.at(0, 0)[2] - 3);
+    EXPECT_DOUBLE_EQ(difference(a, b).changedFraction, 2.0 / 200) << "three are";
+    EXPECT_THROW(difference(a, Picture(10, 20)), Error);
+}
+
+TEST(HeatScale, IsBlueGreenRedAndWhite) {
+    const auto near = [](const glm::vec3& color, const glm::vec3& expected) {
+        EXPECT_LT(glm::distance(color, expected), 1e-4F);
+    };
+    near(heatColor(0.25F), {0.1F, 0.2F, 0.8F});
+    near(heatColor(0.01F), {0.1F, 0.2F, 0.8F});
+    near(heatColor(0), {0.1F, 0.2F, 0.8F});
+    near(heatColor(1), {0.1F, 0.75F, 0.3F});
+    near(heatColor(4), {0.9F, 0.1F, 0.1F});
+    near(heatColor(16), {1, 1, 1});
+    near(heatColor(1e9F), {1, 1, 1});
+    near(heatColor(2), (heatColor(1) + heatColor(4)) * 0.5F);
+}
+
+TEST(HeatScale, IsDrawnIntoTheLowerLeftCornerAlone) {
+    const Rgb grey{77, 77, 77};
+    Picture picture(400, 200, grey);
+    drawHeatScale(picture);
+    int changed = 0;
+    int highest = 200;
+    for (int y = 0; y < 200; ++y)
+        for (int x = 0; x < 400; ++x) {
+            if (picture.at(x, y) == grey) continue;
+            ++changed;
+            highest = std::min(highest, y);
+            EXPECT_LT(x, 201);
+        }
+    EXPECT_GT(changed, 2000);
+    EXPECT_GT(highest, 150);
+    Picture small(100, 20, grey);
+    drawHeatScale(small);
+    EXPECT_TRUE(std::all_of(small.pixels.begin(), small.pixels.end(), [&](const Rgb& p) { return p == grey; }));
+}
+
+TEST(PackedVertices, CarryTheErrorAndABitOfEachAxisAndNothingElse) {
+    tests::TinyModelOptions options;
+    options.colors = true;
+    options.normals = true;
+    const tests::TinyModel model = tests::makeTinyModel(options);
+    const hierarchy::Grid& grid = model.summary.grid;
+    std::map<std::uint32_t, int> tints;
+    for (std::uint32_t id = 0; id < model.pages.size(); ++id) {
+        const hierarchy::Page& page = model.pages[id];
+        const std::vector<PackedVertex> packed = packedVertices(id, page, grid);
+        ASSERT_EQ(packed.size(), page.vertices.size());
+        for (const hierarchy::Cluster& cluster : page.clusters) {
+            const double error = storedError(page, cluster, grid);
+            EXPECT_EQ(
+                error,
+                cluster.refinement == hierarchy::kNone ? grid.snapError() : page.refinements[cluster.refinement].error);
+            for (std::uint32_t v = cluster.firstVertex; v < cluster.firstVertex + cluster.vertexCount; ++v) {
+                const hierarchy::Vertex& vertex = page.vertices[v];
+                EXPECT_EQ(packed[v].position.x & 0x7FFFFFFFU, vertex.position.x);
+                EXPECT_EQ(packed[v].position.y & 0x7FFFFFFFU, vertex.position.y);
+                EXPECT_EQ(packed[v].position.z & 0x7FFFFFFFU, vertex.position.z);
+                EXPECT_EQ(packed[v].normal, vertex.normal);
+                EXPECT_EQ(packed[v].color & 0xFFFFFFU, vertex.color & 0xFFFFFFU);
+                const double decoded = grid.step() * std::exp2((static_cast<double>(packed[v].color >> 24U) - 9) / 8);
+                EXPECT_GE(decoded, error * (1 - 1e-12)) << "rounded up";
+                EXPECT_LE(decoded, error * std::exp2(1.0 / 8) * (1 + 1e-12)) << "by an eighth of an octave at most";
+            }
+            const hierarchy::GridPoint& p = packed[cluster.firstVertex].position;
+            ++tints[(p.x >> 31U) | (p.y >> 31U) << 1U | (p.z >> 31U) << 2U];
+        }
+    }
+    EXPECT_EQ(tints.size(), 8U) << "clusters are told apart by all three bits";
+}
+
+TEST(SoftwarePass, HasTheClustersOfTheListInItsOrder) {
+    const tests::TinyModel model = tests::makeTinyModel({});
+    FrameDrawing frame;
+    frame.pages = [&](std::uint32_t page) -> const hierarchy::Page& { return model.pages[page]; };
+    selection::DrawList list;
+    list.ranges = {{2, 1, 2}, {0, 0, 1}};
+    SoftwarePass pass;
+    pass.gather(frame, list);
+    ASSERT_EQ(pass.clusters().size(), 3U);
+    ASSERT_EQ(pass.drawn().size(), 3U);
+    const std::array<std::pair<std::uint32_t, std::uint32_t>, 3> expected{{{2, 1}, {2, 2}, {0, 0}}};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const hierarchy::Page& page = model.pages[expected.at(i).first];
+        const hierarchy::Cluster& cluster = page.clusters[expected.at(i).second];
+        EXPECT_EQ(pass.drawn()[i].pageId, expected.at(i).first);
+        EXPECT_EQ(pass.drawn()[i].cluster, expected.at(i).second);
+        EXPECT_EQ(pass.drawn()[i].page, &page);
+        EXPECT_EQ(pass.drawn()[i].vertices, &page.vertices[cluster.firstVertex]);
+        EXPECT_EQ(pass.clusters()[i].positions, &page.vertices[cluster.firstVertex].position.x);
+        EXPECT_EQ(pass.clusters()[i].positionStride, sizeof(hierarchy::Vertex));
+        EXPECT_EQ(pass.clusters()[i].vertexCount, cluster.vertexCount);
+        EXPECT_EQ(pass.clusters()[i].triangles.size(), cluster.triangleCount);
+        EXPECT_EQ(pass.clusters()[i].firstTriangleId, i << kTriangleBits);
+    }
+    pass.gather(frame, {});
+    EXPECT_TRUE(pass.clusters().empty()) << "a pass holds what was gathered last";
+}
+
+TEST(RasterView, IsTheMatrixWithTheGridsStepInside) {
+    Random random(5);
+    DrawSpace space;
+    space.originCell = {5, 6, 7};
+    space.step = 0.125;
+    glm::dmat4 clipFromDraw(0);
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
+            clipFromDraw[column][row] = random.uniform(-2, 2);
+    const raster::PixelBox viewport{1, 2, 30, 40};
+    const raster::View view = rasterView(space, clipFromDraw, viewport);
+    EXPECT_EQ(view.eyeCell, glm::ivec3(5, 6, 7));
+    EXPECT_EQ(view.viewport, viewport);
+    for (int i = 0; i < 100; ++i) {
+        const glm::vec3 cell(static_cast<float>(random.below(100)), static_cast<float>(random.below(100)), 3);
+        const glm::vec4 byCell = view.clipFromCell * glm::vec4(cell, 1);
+        const glm::vec4 byDraw = glm::mat4(clipFromDraw) * glm::vec4(cell * 0.125F, 1);
+        EXPECT_LT(glm::distance(byCell, byDraw), 1e-4F);
+    }
+}
+
+TEST(DrawSpace, HasItsOriginAtTheGridPointOfTheModelNearestTheEye) {
+    const hierarchy::Grid grid{{1000, -50, 20}, -4};
+    const Box bounds{{1000, -50, 20}, {1100, 0, 90}};
+    Random random(6);
+    for (int i = 0; i < 500; ++i) {
+        plan::View view;
+        view.camera.eye = {random.uniform(900, 1200), random.uniform(-100, 50), random.uniform(-50, 200)};
+        view.camera.target = view.camera.eye + glm::dvec3(1, 0, 0);
+        const DrawSpace space = drawSpace(view, grid, bounds);
+        EXPECT_EQ(space.step, 0.0625);
+        const glm::dvec3 origin = grid.world(space.originCell);
+        const glm::dvec3 nearest = glm::clamp(view.camera.eye, bounds.min, bounds.max);
+        EXPECT_LE(glm::distance(origin, nearest), std::sqrt(3.0) * grid.step());
+        EXPECT_LT(glm::distance(space.eye, view.camera.eye - origin), 1e-9);
+        const glm::dvec4 eyeInCamera = space.cameraFromDraw * glm::dvec4(space.eye, 1);
+        EXPECT_LT(glm::length(glm::dvec3(eyeInCamera)), 1e-9) << "the eye is the camera's origin";
+        const glm::dvec4 ahead = space.cameraFromDraw * glm::dvec4(space.eye + glm::dvec3(2, 0, 0), 1);
+        EXPECT_LT(glm::distance(glm::dvec3(ahead), glm::dvec3(0, 0, 2)), 1e-9) << "and looks along +z";
+    }
+}
+
+TEST(SurfaceSample, TellsTheMapTheLightAndTheSide) {
+    SurfaceSample none;
+    EXPECT_FALSE(none.isLitSide());
+    SurfaceSample dark;
+    dark.isSurface = 1;
+    dark.partitionAndLit = -1;
+    EXPECT_FALSE(dark.isLitSide());
+    for (const int map : {-1, 0, 3})
+        for (const float lit : {0.0F, 0.25F, 0.75F}) {
+            SurfaceSample sample;
+            sample.isSurface = 1;
+            sample.partitionAndLit = static_cast<float>(map) + 1 + lit / 2;
+            EXPECT_TRUE(sample.isLitSide());
+            EXPECT_EQ(sample.partition(), map);
+            EXPECT_NEAR(sample.litFraction(), lit, 1e-6F);
+        }
+}
+
+} // namespace
+} // namespace gnomon::executor

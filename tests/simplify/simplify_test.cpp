@@ -1,5 +1,6 @@
 // The simplifier by itself: what it may never do.
 #include "core/random.h"
+#include "preprocess/simplify/cost_estimate.h"
 #include "preprocess/simplify/deviation.h"
 #include "preprocess/simplify/locked_edge_check.h"
 #include "preprocess/simplify/simplify.h"
@@ -121,6 +122,48 @@ TEST(Simplify, TrianglesThatShareNothingButAnEdgeCollapseOntoAVertexThatLosesIts
     const SimplifiedPatch simplified = simplifyQuadric(patch, 8);
     EXPECT_GE(simplified.triangles.size(), 1U);
     expectHonest(patch, simplified.triangles, simplified.errors);
+}
+
+/// A pyramid of height `h` on a locked triangle, and far from it a locked strip of many small triangles.
+Patch pyramidBesideStrip(double h) {
+    std::vector<glm::dvec3> positions{{0, 0, h}};
+    std::vector<Triangle> triangles;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        const double angle = i * 2 * std::acos(0.5);
+        positions.emplace_back(10 * std::cos(angle), 10 * std::sin(angle), 0);
+        triangles.push_back({0, 1 + i, 1 + (i + 1) % 3});
+    }
+    for (std::uint32_t i = 0; i < 100; ++i) {
+        positions.emplace_back(1000 + i, i % 2, 0);
+        if (i >= 2) triangles.push_back({2 + i, 3 + i, 4 + i});
+    }
+    Patch patch = plainPatch(std::move(positions), std::move(triangles));
+    patch.isLocked.assign(patch.positions.size(), 1);
+    patch.isLocked[0] = 0;
+    return patch;
+}
+
+TEST(Simplify, ACollapseCostsAtMostTwoAndAHalfMeanEdgesWhereThereIsALimit) {
+    int refused = 0;
+    int allowed = 0;
+    for (double h = 1; h < 12; h += 0.1) {
+        Patch patch = pyramidBesideStrip(h);
+        double sum = 0;
+        for (const Triangle& t : patch.triangles)
+            for (std::size_t i = 0; i < 3; ++i)
+                sum += glm::distance(patch.positions[t[i]], patch.positions[t[(i + 1) % 3]]);
+        const double limit = 2.5 * sum / (3.0 * static_cast<double>(patch.triangles.size()));
+        // What the apex moves, or what the planes of its faces say of that, whichever is more.
+        const double cost = std::max(h, std::sqrt(CostEstimate(patch, SimplificationMesh(patch)).square(0, 1)));
+        if (std::abs(cost - limit) < 0.001 * limit) continue;
+        EXPECT_EQ(simplifyQuadric(patch, 1).triangles.size(), patch.triangles.size() - 2) << "no limit";
+        patch.costLimit = CostLimit::MeanEdge;
+        const bool isCollapsed = simplifyQuadric(patch, 1).triangles.size() < patch.triangles.size();
+        EXPECT_EQ(isCollapsed, cost < limit) << "cost " << cost << ", limit " << limit;
+        ++(isCollapsed ? allowed : refused);
+    }
+    EXPECT_GT(allowed, 10);
+    EXPECT_GT(refused, 10);
 }
 
 TEST(Simplify, AnEarOnALockedEdgeStaysHoweverFewTrianglesAreWanted) {

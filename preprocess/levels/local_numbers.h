@@ -9,8 +9,7 @@
 
 namespace gnomon::levels {
 
-/// Takes one part after another; a new one costs nothing, since what is known of things tells by itself whether it is
-/// of an earlier part.
+/// Takes one part after another; a new one costs nothing, since each number stored is marked by its part.
 class LocalNumbers {
 public:
     static constexpr std::uint32_t kMostNumbers = std::numeric_limits<std::uint32_t>::max() / 2;

@@ -47,7 +47,7 @@ Coarser coarserLevel(
     return at(simplify::CostLimit::None);
 }
 
-/// The groups of a root: nothing coarser stands in for them, whatever the error.
+/// The groups of a root: nothing coarser replaces them, whatever the error.
 void endAtRoot(Level& level) {
     for (LevelGroup& group : level.groups)
         group.error = std::numeric_limits<double>::infinity();

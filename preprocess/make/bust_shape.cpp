@@ -46,7 +46,8 @@ double ramp(double low, double high, double x) {
     return t * t * (3 - 2 * t);
 }
 
-/// The direction (x, y) as turns in [0, 1), within a hundredth of a turn; a stand-in for atan2.
+/// The direction (x, y) as turns in [0, 1), within a hundredth of a turn: in the place of atan2, which differs from
+/// library to library.
 double diamondTurns(double x, double y) {
     const double sum = std::abs(x) + std::abs(y);
     if (sum == 0) return 0;

@@ -4,8 +4,11 @@
 
 namespace gnomon::read {
 
-VertexBuffer::VertexBuffer(const VertexSink& sink, bool hasNormals, bool hasColors)
-    : sink_(sink), positions_(kBlockRows), normals_(hasNormals ? kBlockRows : 0), colors_(hasColors ? kBlockRows : 0) {}
+VertexBuffer::VertexBuffer(const VertexSink& sink, const Attributes& attributes)
+    : sink_(sink),
+      positions_(kBlockRows),
+      normals_(attributes.hasNormals ? kBlockRows : 0),
+      colors_(attributes.hasColors ? kBlockRows : 0) {}
 
 VertexBuffer::Rows VertexBuffer::append(std::size_t count) {
     GNOMON_CHECK_OP(count, <=, room());

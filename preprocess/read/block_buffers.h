@@ -21,7 +21,13 @@ public:
         std::span<std::uint32_t> colors;
     };
 
-    VertexBuffer(const VertexSink& sink, bool hasNormals, bool hasColors);
+    /// What vertices have besides positions.
+    struct Attributes {
+        bool hasNormals = false;
+        bool hasColors = false;
+    };
+
+    VertexBuffer(const VertexSink& sink, const Attributes& attributes);
 
     /// Rows that fit before the next flush, at least 1.
     std::size_t room() const { return kBlockRows - size_; }

@@ -157,7 +157,7 @@ private:
     void vertexPass(Values& values, const VertexSink& sink) {
         const PlyElement& element = header_.elements[vertices_];
         values.beginElement(element);
-        VertexBuffer out(sink, layout_.hasNormals, layout_.hasColors);
+        VertexBuffer out(sink, {.hasNormals = layout_.hasNormals, .hasColors = layout_.hasColors});
         if constexpr (std::is_same_v<Values, BinaryValues>) {
             if (element.hasLists())
                 readVertexRows(values, element, layout_, out);

@@ -18,7 +18,7 @@ public:
     /// The estimate for moving `from` onto `to`.
     double square(std::uint32_t from, std::uint32_t to) const {
         const double length = proximity::squaredLength(patch_.positions[from] - patch_.positions[to]);
-        // Without any area there are no planes to tell how far is far.
+        // Without any area there are no planes to measure by.
         if (!(quadric_[from].weight > 0)) return length * 0.01;
         return planes(from, to) + length * (weights_.length + attributes(from, to));
     }

@@ -155,7 +155,7 @@ TEST(BlockBuffers, VerticesComeInFullBlocksInOrder) {
         next += block.positions.size();
         sizes.push_back(block.positions.size());
     };
-    VertexBuffer buffer(sink, false, true);
+    VertexBuffer buffer(sink, {.hasColors = true});
     std::size_t made = 0;
     while (made < 2 * kBlockRows + 5) {
         const std::size_t count = std::min({buffer.room(), std::size_t{1000}, 2 * kBlockRows + 5 - made});

@@ -3,6 +3,7 @@
 #include "core/check.h"
 #include "core/error.h"
 #include "hierarchy/octahedral.h"
+#include "preprocess/chunk/heavy_points.h"
 #include "preprocess/chunk/vertex_lookup.h"
 #include "preprocess/read/polygon.h"
 
@@ -23,7 +24,7 @@ public:
     Binner(
         read::MeshSource& source,
         scratch::StreamStore& bins,
-        std::uint32_t chunks,
+        const ChunkTree& tree,
         std::size_t polygonCorners,
         Progress& progress)
         : source_(source),
@@ -31,28 +32,52 @@ public:
           format_(formatOf(source.summary())),
           polygonCorners_(polygonCorners),
           progress_(progress),
-          chunkOf_(source.summary().vertexCount),
-          sizes_(chunks),
-          polygons_(streamOf(SourceStream::Polygons, chunks)),
-          triangles_(streamOf(SourceStream::Triangles, chunks)) {}
+          tree_(tree),
+          heavy_(tree.heavyPoints(), (kMaxChunks - tree.chunkCount()) / 2),
+          isHeavy_(tree.chunkCount()),
+          placeOf_(source.summary().vertexCount),
+          sizes_(tree.chunkCount()),
+          polygons_(streamOf(SourceStream::Polygons, tree.chunkCount())),
+          triangles_(streamOf(SourceStream::Triangles, tree.chunkCount())) {
+        for (std::size_t i = 0; i < heavy_.size(); ++i) {
+            heavyChunks_.push_back(static_cast<std::uint16_t>(tree.chunkOf(heavy_[i])));
+            isHeavy_[heavyChunks_.back()] = true;
+        }
+        if (heavy_.size() > 0) isNeeded_.resize(placeOf_.size());
+    }
 
-    void binVertices(const SourceSurvey& survey, const ChunkTree& tree) {
+    /// All that triangles use but those in chunks with heavy points.
+    void binVertices(const SourceSurvey& survey) {
         progress_.stage("bin", "vertices", source_.summary().vertexCount);
         const GridSnap snap(survey.grid);
-        VertexBytes storage{};
         source_.readVertices([&](const read::VertexBlock& block) {
             for (std::size_t i = 0; i < block.positions.size(); ++i) {
-                ChunkVertex vertex;
-                vertex.index = static_cast<std::uint32_t>(block.firstVertex + i);
-                if (survey.valence[vertex.index] == 0) continue;
-                vertex.position = block.positions[i];
-                if (!block.normals.empty()) vertex.normal = hierarchy::packNormal(glm::dvec3(block.normals[i]));
-                if (!block.colors.empty()) vertex.color = block.colors[i];
-                const std::uint32_t chunk = tree.chunkOf(snap(vertex.position));
-                chunkOf_[vertex.index] = static_cast<std::uint16_t>(chunk);
-                ++sizes_[chunk].vertices;
-                bins_.append(streamOf(BinStream::Vertices, chunk), encodeVertex(vertex, format_, storage));
+                const std::uint64_t vertex = block.firstVertex + i;
+                if (survey.valence[vertex] == 0) continue;
+                const hierarchy::GridPoint point = snap(block.positions[i]);
+                const auto chunk = static_cast<std::uint16_t>(tree_.chunkOf(point));
+                placeOf_[vertex] = chunk;
+                if (!isHeavy_[chunk]) {
+                    write(block, i, chunk);
+                } else if (const auto found = heavy_.find(point, block.positions[i])) {
+                    placeOf_[vertex] = static_cast<std::uint16_t>(tree_.chunkCount() + *found);
+                } else {
+                    isNeeded_[vertex] = true;
+                }
             }
+            progress_.advance(block.positions.size());
+        });
+        bins_.flush();
+    }
+
+    /// Those in chunks with heavy points, once all triangles are in chunks.
+    void binHeavyVertices() {
+        if (heavy_.size() == 0) return;
+        progress_.stage("bin", "vertices", source_.summary().vertexCount);
+        source_.readVertices([&](const read::VertexBlock& block) {
+            for (std::size_t i = 0; i < block.positions.size(); ++i)
+                if (isNeeded_[block.firstVertex + i])
+                    write(block, i, chunkOf(static_cast<std::uint32_t>(block.firstVertex + i)));
             progress_.advance(block.positions.size());
         });
         bins_.flush();
@@ -106,14 +131,49 @@ public:
         bins_.release(triangles_);
     }
 
-    PartSize mostOfAChunk() const {
-        PartSize most;
-        for (const PartSize& size : sizes_)
-            most.growTo(size);
-        return most;
+    BinnedSize size() const {
+        BinnedSize size;
+        for (const PartSize& chunk : sizes_)
+            size.largestChunk.growTo(chunk);
+        size.dropped = dropped_;
+        return size;
     }
 
 private:
+    std::uint16_t chunkOf(std::uint32_t vertex) const {
+        const std::uint16_t place = placeOf_[vertex];
+        return place < sizes_.size() ? place : heavyChunks_[(place - sizes_.size()) / 2];
+    }
+
+    /// Writes vertex `i` of a block to its chunk.
+    void write(const read::VertexBlock& block, std::size_t i, std::uint16_t chunk) {
+        ChunkVertex vertex;
+        vertex.index = static_cast<std::uint32_t>(block.firstVertex + i);
+        vertex.position = block.positions[i];
+        if (!block.normals.empty()) vertex.normal = hierarchy::packNormal(glm::dvec3(block.normals[i]));
+        if (!block.colors.empty()) vertex.color = block.colors[i];
+        VertexBytes storage{};
+        bins_.append(streamOf(BinStream::Vertices, chunk), encodeVertex(vertex, format_, storage));
+        ++sizes_[chunk].vertices;
+    }
+
+    /// Whether the triangle lies between heavy points and repeats another there, for which it is dropped.
+    bool isDropped(const Corners& corners) {
+        std::array<std::uint32_t, 3> found{};
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::size_t place = placeOf_[corners[i]];
+            if (place < sizes_.size()) return false;
+            found[i] = static_cast<std::uint32_t>(place - sizes_.size());
+        }
+        return heavy_.isRepeated(corners, found, dropped_);
+    }
+
+    void markNeeded(const Corners& corners) {
+        if (isNeeded_.empty()) return;
+        for (const std::uint32_t corner : corners)
+            if (placeOf_[corner] >= sizes_.size()) isNeeded_[corner] = true;
+    }
+
     /// As many polygons as fit at once: one pass over the vertices.
     void refineSome(scratch::StreamStore::Reader& reader) {
         std::vector<read::TriangleCorners> fans;
@@ -152,23 +212,29 @@ private:
     }
 
     bool isInOneChunk(std::span<const read::TriangleCorners> fan) const {
-        const std::uint16_t chunk = chunkOf_[fan.front()[0]];
+        const std::uint16_t chunk = chunkOf(narrow(fan.front())[0]);
         return std::all_of(fan.begin(), fan.end(), [&](const read::TriangleCorners& t) {
-            return chunkOf_[t[0]] == chunk && chunkOf_[t[1]] == chunk && chunkOf_[t[2]] == chunk;
+            const Corners corners = narrow(t);
+            return std::all_of(
+                corners.begin(), corners.end(), [&](std::uint32_t corner) { return chunkOf(corner) == chunk; });
         });
     }
 
     void addFan(std::span<const read::TriangleCorners> fan) {
-        const std::uint16_t chunk = chunkOf_[fan.front()[0]];
+        const std::uint16_t chunk = chunkOf(narrow(fan.front())[0]);
         const std::uint32_t stream = streamOf(BinStream::Triangles, chunk);
         sizes_[chunk].triangles += fan.size();
         bins_.put(stream, Corners{kPolygonMark, static_cast<std::uint32_t>(fan.size()), 0});
-        for (const read::TriangleCorners& t : fan)
+        for (const read::TriangleCorners& t : fan) {
             bins_.put(stream, narrow(t));
+            markNeeded(narrow(t));
+        }
     }
 
     void add(const Corners& corners) {
-        const std::array<std::uint16_t, 3> lies{chunkOf_[corners[0]], chunkOf_[corners[1]], chunkOf_[corners[2]]};
+        if (isDropped(corners)) return;
+        markNeeded(corners);
+        const std::array<std::uint16_t, 3> lies{chunkOf(corners[0]), chunkOf(corners[1]), chunkOf(corners[2])};
         const std::uint16_t owner =
             std::max(std::min(lies[0], lies[1]), std::min(std::max(lies[0], lies[1]), lies[2])); // the median
         bins_.put(streamOf(BinStream::Triangles, owner), corners);
@@ -200,7 +266,13 @@ private:
     VertexFormat format_;
     std::size_t polygonCorners_;
     Progress& progress_;
-    std::vector<std::uint16_t> chunkOf_;
+    const ChunkTree& tree_;
+    HeavyPoints heavy_;
+    std::vector<std::uint16_t> heavyChunks_; // in which the heavy points lie
+    std::vector<bool> isHeavy_;              // whether a chunk has a heavy point
+    std::vector<std::uint16_t> placeOf_;     // a vertex's chunk, or behind the chunks what HeavyPoints::find tells
+    std::vector<bool> isNeeded_; // the vertices to write of chunks with heavy points; empty if there are none
+    DroppedTriangles dropped_;
     std::vector<PartSize> sizes_; // of the chunks
     std::uint32_t polygons_;      // streams of the whole source
     std::uint32_t triangles_;
@@ -236,19 +308,20 @@ ChunkTree planChunks(
     return tree;
 }
 
-PartSize binSource(
+BinnedSize binSource(
     read::MeshSource& source,
     SourceSurvey& survey,
     const ChunkTree& tree,
     scratch::StreamStore& bins,
     std::size_t polygonCorners,
     Progress& progress) {
-    Binner binner(source, bins, tree.chunkCount(), polygonCorners, progress);
-    binner.binVertices(survey, tree);
+    Binner binner(source, bins, tree, polygonCorners, progress);
+    binner.binVertices(survey);
     survey.valence = {};
     if (survey.hasPolygons) binner.refinePolygons();
     binner.binTriangles();
-    return binner.mostOfAChunk();
+    binner.binHeavyVertices();
+    return binner.size();
 }
 
 } // namespace gnomon::chunk

@@ -16,13 +16,20 @@ VertexFormat formatOf(const read::MeshSummary& source);
 ChunkTree planChunks(
     read::MeshSource& source, const SourceSurvey& survey, std::uint32_t chunkTriangles, Progress& progress);
 
+/// What a source comes to in chunks.
+struct BinnedSize {
+    PartSize largestChunk;    // the most triangles and the most vertices that a chunk has to deal with
+    DroppedTriangles dropped; // that no chunk has, since they repeat others between heavy points of the tree
+};
+
 /// Writes all streams of BinStream. A vertex lies in the chunk of its snapped position; a triangle belongs to the chunk
 /// in which most of its corners lie, or to the middle one of three: so triangles of the same three positions always
 /// meet. The vertices' chunks are held in memory (two bytes a vertex); nothing else grows with the source. Polygons
 /// that lie in several chunks are triangulated first, as many at a time as `polygonCorners` allows, in one pass over
-/// the vertices each.
-/// `survey.valence` is given up. Returns the most triangles and the most vertices that a chunk has to deal with.
-PartSize binSource(
+/// the vertices each. Vertices at heavy points of the tree are written in one more pass over the vertices, as far as
+/// triangles that are not dropped use them.
+/// `survey.valence` is given up.
+BinnedSize binSource(
     read::MeshSource& source,
     SourceSurvey& survey,
     const ChunkTree& tree,

@@ -62,6 +62,13 @@ struct SharedVertex {
     simplify::ChunkSpan sharers;                 // all chunks with triangles there are among these
 };
 
+/// Why triangles are left out.
+struct DroppedTriangles {
+    std::uint64_t degenerate = 0;      // two corners at one position of the source
+    std::uint64_t collapsedByGrid = 0; // two corners at one position of the grid only
+    std::uint64_t doubled = 0;         // the same three positions as an earlier one
+};
+
 /// How large a part of the model is, with what of others it takes along.
 struct PartSize {
     std::uint64_t triangles = 0;

@@ -31,6 +31,14 @@ std::uint32_t mortonCell(const hierarchy::GridPoint& point, int bits, int shift)
            kSpread[point.z >> shift & mask] << 2U;
 }
 
+/// The bits of one axis of a cell in Morton order.
+std::uint32_t gathered(std::uint32_t cell, std::uint32_t axis) {
+    std::uint32_t result = 0;
+    for (std::uint32_t bit = 0; bit < kRootBits; ++bit)
+        result |= (cell >> (3 * bit + axis) & 1U) << bit;
+    return result;
+}
+
 } // namespace
 
 CellCounts::CellCounts(const hierarchy::GridPoint& furthest) {
@@ -77,7 +85,32 @@ bool CellCounts::refine(std::uint64_t limit) {
     return tables_.size() > known;
 }
 
-ChunkTree::ChunkTree(const CellCounts& counts, std::uint64_t limit) {
+std::vector<hierarchy::GridPoint> CellCounts::pointsAbove(std::uint64_t limit) const {
+    std::vector<hierarchy::GridPoint> points;
+    collectAbove(limit, 0, {}, points);
+    return points;
+}
+
+void CellCounts::collectAbove(
+    std::uint64_t limit,
+    std::size_t table,
+    const hierarchy::GridPoint& corner,
+    std::vector<hierarchy::GridPoint>& points) const {
+    const Table& cells = tables_[table];
+    for (std::uint32_t cell = 0; cell < cells.weights.size(); ++cell) {
+        if (cells.weights[cell] <= limit) continue;
+        const hierarchy::GridPoint at{
+            corner.x | gathered(cell, 0) << cells.shift,
+            corner.y | gathered(cell, 1) << cells.shift,
+            corner.z | gathered(cell, 2) << cells.shift};
+        if (cells.shift == 0)
+            points.push_back(at);
+        else if (cells.finer[cell] >= 0)
+            collectAbove(limit, static_cast<std::size_t>(cells.finer[cell]), at, points);
+    }
+}
+
+ChunkTree::ChunkTree(const CellCounts& counts, std::uint64_t limit) : heavyPoints_(counts.pointsAbove(limit / 8)) {
     tables_.reserve(counts.tables_.size());
     for (const CellCounts::Table& table : counts.tables_)
         tables_.push_back({table.bits, table.shift, std::vector<std::uint32_t>(table.weights.size())});

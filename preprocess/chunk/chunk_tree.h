@@ -26,6 +26,9 @@ public:
     /// must be added again.
     bool refine(std::uint64_t limit);
 
+    /// The points of more weight than `limit`, after the last `refine` of it.
+    std::vector<hierarchy::GridPoint> pointsAbove(std::uint64_t limit) const;
+
 private:
     friend class ChunkTree;
 
@@ -39,6 +42,11 @@ private:
 
     static Table makeTable(int bits, int shift);
     static std::uint32_t cellOf(const Table& table, const hierarchy::GridPoint& point);
+    void collectAbove(
+        std::uint64_t limit,
+        std::size_t table,
+        const hierarchy::GridPoint& corner,
+        std::vector<hierarchy::GridPoint>& points) const;
 
     std::vector<Table> tables_;
     std::size_t firstOpen_ = 0;
@@ -52,6 +60,9 @@ public:
     ChunkTree(const CellCounts& counts, std::uint64_t limit);
 
     std::uint32_t chunkCount() const { return static_cast<std::uint32_t>(weights_.size()); }
+
+    /// The points that weigh more than an eighth of a chunk.
+    const std::vector<hierarchy::GridPoint>& heavyPoints() const { return heavyPoints_; }
 
     /// The chunk of a point that was counted.
     std::uint32_t chunkOf(const hierarchy::GridPoint& point) const;
@@ -70,6 +81,7 @@ private:
 
     std::vector<Table> tables_;
     std::vector<std::uint64_t> weights_; // of each chunk
+    std::vector<hierarchy::GridPoint> heavyPoints_;
 };
 
 } // namespace gnomon::chunk

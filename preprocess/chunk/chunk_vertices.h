@@ -38,13 +38,6 @@ private:
     std::uint32_t ownPlaces_ = 0;
 };
 
-/// Why triangles are left out.
-struct DroppedTriangles {
-    std::uint64_t degenerate = 0;      // two corners at one position of the source
-    std::uint64_t collapsedByGrid = 0; // two corners at one position of the grid only
-    std::uint64_t doubled = 0;         // the same three positions as an earlier one
-};
-
 /// The triangles of three different places, each once, in order; `dropped` counts the others. All of vertices here.
 std::vector<simplify::Triangle> keptTriangles(
     const ChunkVertices& vertices, const std::vector<simplify::Triangle>& triangles, DroppedTriangles& dropped);

@@ -28,6 +28,14 @@ std::vector<std::uint32_t> firstPageIds(const CheckpointLog& log) {
 
 } // namespace
 
+std::array<std::uint64_t, 3> droppedTriangles(const CheckpointLog& log) {
+    std::array<std::uint64_t, 3> dropped = log.binned()->dropped;
+    for (const NodeRecord& node : log.nodes(0))
+        for (std::size_t i = 0; i < dropped.size(); ++i)
+            dropped[i] += node.dropped[i];
+    return dropped;
+}
+
 Totals totalsOf(const CheckpointLog& log, std::map<std::string, std::string> options) {
     Totals totals;
     hierarchy::ModelSummary& summary = totals.summary;
@@ -36,14 +44,14 @@ Totals totalsOf(const CheckpointLog& log, std::map<std::string, std::string> opt
     summary.sourceVertices = log.binned()->vertices;
     summary.hasColors = log.binned()->format.hasColors;
     summary.options = std::move(options);
-    for (const char* reason : {"degenerate", "doubled", "collapsed_by_grid"})
-        summary.dropped[reason] = 0;
-    summary.dropped["not_a_polygon"] = log.binned()->notAPolygon;
+    const std::array<std::uint64_t, 3> dropped = droppedTriangles(log);
+    summary.dropped = {
+        {"degenerate", dropped[0]},
+        {"doubled", dropped[1]},
+        {"collapsed_by_grid", dropped[2]},
+        {"not_a_polygon", log.binned()->notAPolygon}};
     for (std::uint32_t round = 0; round < log.roundCount(); ++round)
         for (const NodeRecord& node : log.nodes(round)) {
-            summary.dropped["degenerate"] += node.dropped[0];
-            summary.dropped["doubled"] += node.dropped[1];
-            summary.dropped["collapsed_by_grid"] += node.dropped[2];
             summary.bounds.add(node.bounds);
             summary.hasNormals = summary.hasNormals || node.hasNormals;
             summary.coarsestTriangles += node.rootTriangles;

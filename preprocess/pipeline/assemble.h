@@ -16,6 +16,9 @@ struct Totals {
     std::uint64_t stuckTriangles = 0;
 };
 
+/// The source's triangles that are left out: degenerate, doubled, collapsed by the grid.
+std::array<std::uint64_t, 3> droppedTriangles(const CheckpointLog& log);
+
 /// `options` are those of the build that change bytes.
 Totals totalsOf(const CheckpointLog& log, std::map<std::string, std::string> options);
 

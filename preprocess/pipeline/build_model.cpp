@@ -132,8 +132,10 @@ private:
                 *binsFile_,
                 chunk::binStreams(tree.chunkCount()),
                 blockBytes({room.count / 2}, std::uint64_t{3} * tree.chunkCount()));
-            record.largestChunk =
+            const chunk::BinnedSize size =
                 chunk::binSource(source_, survey, tree, *bins_, room.count / 2 / kBytesPerPolygonCorner, progress_);
+            record.largestChunk = size.largestChunk;
+            record.dropped = {size.dropped.degenerate, size.dropped.doubled, size.dropped.collapsedByGrid};
             source_.requireUnchanged(); // it is not read again
             record.scratchEnd = binsFile_->end();
             record.directory = bins_->directory();
@@ -313,13 +315,10 @@ private:
 
     void requireTriangles() const {
         std::uint64_t triangles = 0;
-        std::array<std::uint64_t, 3> dropped{};
-        for (const NodeRecord& node : log().nodes(0)) {
+        for (const NodeRecord& node : log().nodes(0))
             if (!node.levels.empty()) triangles += node.levels.front().info.triangles;
-            for (std::size_t i = 0; i < dropped.size(); ++i)
-                dropped[i] += node.dropped[i];
-        }
         if (triangles > 0) return;
+        const std::array<std::uint64_t, 3> dropped = droppedTriangles(log());
         throw Error(
             source_.summary().path,
             "no triangles are left",

@@ -110,6 +110,8 @@ void binnedFields(Fields& fields, Record& record) {
     fields.field(record.chunkCount);
     fields.field(record.largestChunk.triangles);
     fields.field(record.largestChunk.vertices);
+    for (auto& count : record.dropped)
+        fields.field(count);
     fields.field(record.scratchEnd);
     fields.bytes(record.directory);
 }

@@ -13,7 +13,7 @@
 namespace gnomon::pipeline {
 
 /// Counts up when the records change: a build can go on only with those of its own kind.
-constexpr int kCheckpointVersion = 2;
+constexpr int kCheckpointVersion = 3;
 
 /// The source is in chunks.
 struct BinnedRecord {
@@ -24,6 +24,7 @@ struct BinnedRecord {
     std::uint64_t notAPolygon = 0;
     std::uint32_t chunkCount = 0;
     chunk::PartSize largestChunk;
+    std::array<std::uint64_t, 3> dropped{}; // before the chunks: degenerate, doubled, collapsed by the grid
     std::uint64_t scratchEnd = 0;
     std::vector<std::byte> directory; // of the store
 };

@@ -38,7 +38,7 @@ hierarchy::GridPoint plainlySnapped(const hierarchy::Grid& grid, const glm::dvec
 
 struct Facts {
     std::multiset<Corners> triangles;
-    std::uint64_t dropped = 0;
+    std::array<std::uint64_t, 3> dropped{}; // degenerate, collapsed by the grid, doubled
 };
 
 /// All in memory with maps: the slow way that is obviously right.
@@ -52,14 +52,23 @@ Facts plainFacts(const read::CodeMesh& mesh, const hierarchy::Grid& grid) {
         if (isNew) points.push_back(p);
         return place->second;
     };
+    const auto at = [&](std::uint32_t vertex) {
+        const glm::dvec3& p = mesh.positions[vertex];
+        return std::array<double, 3>{p.x, p.y, p.z};
+    };
     std::set<simplify::Triangle> seen;
     std::vector<simplify::Triangle> kept;
     for (const simplify::Triangle& t : mesh.triangles) {
         const simplify::Triangle p{idOf(t[0]), idOf(t[1]), idOf(t[2])};
         simplify::Triangle sorted = p;
         std::sort(sorted.begin(), sorted.end());
-        if (sorted[0] == sorted[1] || sorted[1] == sorted[2] || !seen.insert(sorted).second)
-            ++facts.dropped;
+        const std::set<std::array<double, 3>> corners{at(t[0]), at(t[1]), at(t[2])};
+        if (corners.size() < 3)
+            ++facts.dropped[0];
+        else if (sorted[0] == sorted[1] || sorted[1] == sorted[2])
+            ++facts.dropped[1];
+        else if (!seen.insert(sorted).second)
+            ++facts.dropped[2];
         else
             kept.push_back(p);
     }
@@ -76,6 +85,7 @@ Facts plainFacts(const read::CodeMesh& mesh, const hierarchy::Grid& grid) {
 struct Chunked {
     SourceSurvey survey;
     std::uint32_t chunkCount = 0;
+    BinnedSize size;
     std::vector<ChunkMesh> chunks;
 };
 
@@ -88,7 +98,7 @@ Chunked chunked(read::CodeMesh mesh, std::uint32_t chunkTriangles, std::size_t b
     scratch::TemporarySpace space(progress);
     const auto binsFile = scratch::scratchInMemory(space);
     scratch::StreamStore bins(*binsFile, binStreams(tree.chunkCount()), block);
-    binSource(mesh, result.survey, tree, bins, 10, progress);
+    result.size = binSource(mesh, result.survey, tree, bins, 10, progress);
     const auto bordersFile = scratch::scratchInMemory(space);
     scratch::StreamStore borders(*bordersFile, borderStreams(tree.chunkCount()), block);
     const BinnedSource source{bins, result.survey.grid, formatOf(mesh.summary()), tree.chunkCount()};
@@ -120,11 +130,14 @@ void expectSameFacts(const read::CodeMesh& mesh, std::uint32_t chunkTriangles, s
     const Chunked chunked = chunk::chunked(mesh, chunkTriangles, block);
     const Facts expected = plainFacts(mesh, chunked.survey.grid);
     std::multiset<Corners> triangles;
-    std::uint64_t dropped = 0;
+    const DroppedTriangles& first = chunked.size.dropped;
+    std::array<std::uint64_t, 3> dropped{first.degenerate, first.collapsedByGrid, first.doubled};
     std::map<hierarchy::GridPoint, std::set<std::uint32_t>> chunksAt;
     for (std::uint32_t c = 0; c < chunked.chunkCount; ++c) {
         const ChunkMesh& chunk = chunked.chunks[c];
-        dropped += chunk.dropped.degenerate + chunk.dropped.collapsedByGrid + chunk.dropped.doubled;
+        dropped[0] += chunk.dropped.degenerate;
+        dropped[1] += chunk.dropped.collapsedByGrid;
+        dropped[2] += chunk.dropped.doubled;
         for (const simplify::Triangle& t : chunk.mesh.triangles) {
             triangles.insert(turned({chunk.mesh.vertices[t[0]], chunk.mesh.vertices[t[1]], chunk.mesh.vertices[t[2]]}));
             for (const std::uint32_t v : t)
@@ -155,6 +168,35 @@ TEST(Chunks, TogetherAreTheWholeWeldedMesh) {
     expectSameFacts(read::strewnBoxes(200), 150, 512);
     for (std::uint64_t seed = 0; seed < 12; ++seed)
         expectSameFacts(soup(seed, 1500), 64 + 50 * static_cast<std::uint32_t>(seed), 256);
+}
+
+/// Triangles with vertices of their own between few places, at each of which some lie a little aside, within a point
+/// of the grid.
+read::CodeMesh coincident(std::uint64_t seed, std::uint32_t triangles, std::uint64_t aside) {
+    Random random(seed);
+    const std::array<glm::dvec3, 5> places{{{0, 0, 0}, {12, 0, 0}, {0, 12, 0}, {5, 5, 5}, {5, 5.001, 5}}};
+    std::vector<glm::dvec3> positions;
+    std::vector<simplify::Triangle> corners;
+    for (std::uint32_t t = 0; t < triangles; ++t) {
+        for (int i = 0; i < 3; ++i)
+            positions.push_back(
+                places[random.below(5)] + glm::dvec3(static_cast<double>(random.below(aside)), 0, 0) * 1e-9);
+        corners.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+        if (random.below(10) == 0) corners.back()[2] = corners.back()[0];
+    }
+    return {std::move(positions), std::move(corners)};
+}
+
+TEST(Chunks, OfCoincidentTrianglesAreTheWholeWeldedMesh) {
+    for (std::uint64_t seed = 0; seed < 6; ++seed)
+        for (const std::uint64_t aside : {1U, 2U, 4U})
+            expectSameFacts(coincident(seed, 1500, aside), 64 + 150 * static_cast<std::uint32_t>(seed), 256);
+}
+
+TEST(Chunks, DoNotGrowWithCopiesOfATriangle) {
+    const Chunked chunked = chunk::chunked(coincident(1, 30'000, 1), 10'000, 4096);
+    EXPECT_LT(chunked.size.largestChunk.triangles, 100U);
+    EXPECT_LT(chunked.size.largestChunk.vertices, 200U);
 }
 
 TEST(GridSnap, FindsTheNearestPointOfTheGrid) {

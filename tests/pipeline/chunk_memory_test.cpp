@@ -99,7 +99,7 @@ void expectCountedMemory(read::CodeMesh mesh, std::uint32_t chunkTriangles) {
     scratch::TemporarySpace space(progress);
     const auto binsFile = scratch::scratchOnDisk(folder.file("bins"), space);
     scratch::StreamStore bins(*binsFile, chunk::binStreams(tree.chunkCount()), 4096);
-    const chunk::PartSize largest = chunk::binSource(mesh, survey, tree, bins, 1000, progress);
+    const chunk::PartSize largest = chunk::binSource(mesh, survey, tree, bins, 1000, progress).largestChunk;
     const auto bordersFile = scratch::scratchOnDisk(folder.file("borders"), space);
     scratch::StreamStore borders(*bordersFile, chunk::borderStreams(tree.chunkCount()), 512);
     const chunk::BinnedSource source{bins, survey.grid, chunk::formatOf(mesh.summary()), tree.chunkCount()};

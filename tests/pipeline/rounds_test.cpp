@@ -82,6 +82,7 @@ BinnedRecord someBinned() {
     record.notAPolygon = 7;
     record.chunkCount = 99;
     record.largestChunk = {5, 6};
+    record.dropped = {17, 18, 19};
     record.scratchEnd = 8;
     record.directory = {std::byte{1}, std::byte{2}};
     return record;

@@ -8,6 +8,7 @@
 #include "preprocess/read/polygon.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace gnomon::chunk {
 
@@ -19,11 +20,12 @@ Corners narrow(const read::TriangleCorners& t) {
     return {static_cast<std::uint32_t>(t[0]), static_cast<std::uint32_t>(t[1]), static_cast<std::uint32_t>(t[2])};
 }
 
+/// Without a store it counts what it would write.
 class Binner {
 public:
     Binner(
         read::MeshSource& source,
-        scratch::StreamStore& bins,
+        scratch::StreamStore* bins,
         const ChunkTree& tree,
         std::size_t polygonCorners,
         Progress& progress)
@@ -67,7 +69,7 @@ public:
             }
             progress_.advance(block.positions.size());
         });
-        bins_.flush();
+        flush();
     }
 
     /// Those in chunks with heavy points, once all triangles are in chunks.
@@ -80,7 +82,7 @@ public:
                     write(block, i, chunkOf(static_cast<std::uint32_t>(block.firstVertex + i)));
             progress_.advance(block.positions.size());
         });
-        bins_.flush();
+        flush();
     }
 
     /// Triangulates the polygons that lie in several chunks, so that `binTriangles` finds them ready.
@@ -90,23 +92,24 @@ public:
             for (const read::PolygonRun& run : block.polygons) {
                 const auto fan = block.triangles.subspan(run.first, run.count);
                 if (isInOneChunk(fan)) continue;
-                bins_.put(polygons_, run.count);
+                put(polygons_, run.count);
                 for (const read::TriangleCorners& t : fan)
-                    bins_.put(polygons_, t);
+                    put(polygons_, t);
             }
             progress_.advance(block.faceCount());
         });
-        bins_.flush();
-        scratch::StreamStore::Reader reader(bins_, polygons_);
+        flush();
+        scratch::StreamStore::Reader reader(*bins_, polygons_);
         while (!reader.isAtEnd())
             refineSome(reader);
-        bins_.flush();
-        bins_.release(polygons_);
+        flush();
+        bins_->release(polygons_);
     }
 
     void binTriangles() {
         progress_.stage("bin", "faces", source_.summary().faceCount);
-        scratch::StreamStore::Reader refined(bins_, triangles_);
+        std::optional<scratch::StreamStore::Reader> refined;
+        if (bins_ != nullptr) refined.emplace(*bins_, triangles_);
         source_.readTriangles([&](const read::TriangleBlock& block) {
             auto run = block.polygons.begin();
             for (std::size_t i = 0; i < block.triangles.size();) {
@@ -117,18 +120,21 @@ public:
                 const auto fan = block.triangles.subspan(run->first, run->count);
                 if (isInOneChunk(fan)) {
                     addFan(fan);
+                } else if (!refined) {
+                    countInAllItsChunks(fan);
                 } else {
                     for (std::size_t k = 0; k < fan.size(); ++k)
-                        add(refinedTriangle(refined));
+                        add(refinedTriangle(*refined));
                 }
                 i += run->count;
                 ++run;
             }
             progress_.advance(block.faceCount());
         });
-        if (!refined.isAtEnd()) throwOtherPolygons();
-        bins_.flush();
-        bins_.release(triangles_);
+        if (bins_ == nullptr) return;
+        if (!refined->isAtEnd()) throwOtherPolygons();
+        bins_->flush();
+        bins_->release(triangles_);
     }
 
     BinnedSize size() const {
@@ -145,16 +151,26 @@ private:
         return place < sizes_.size() ? place : heavyChunks_[(place - sizes_.size()) / 2];
     }
 
+    template <class T>
+    void put(std::uint32_t stream, const T& value) {
+        if (bins_ != nullptr) bins_->put(stream, value);
+    }
+
+    void flush() {
+        if (bins_ != nullptr) bins_->flush();
+    }
+
     /// Writes vertex `i` of a block to its chunk.
     void write(const read::VertexBlock& block, std::size_t i, std::uint16_t chunk) {
+        ++sizes_[chunk].vertices;
+        if (bins_ == nullptr) return;
         ChunkVertex vertex;
         vertex.index = static_cast<std::uint32_t>(block.firstVertex + i);
         vertex.position = block.positions[i];
         if (!block.normals.empty()) vertex.normal = hierarchy::packNormal(glm::dvec3(block.normals[i]));
         if (!block.colors.empty()) vertex.color = block.colors[i];
         VertexBytes storage{};
-        bins_.append(streamOf(BinStream::Vertices, chunk), encodeVertex(vertex, format_, storage));
-        ++sizes_[chunk].vertices;
+        bins_->append(streamOf(BinStream::Vertices, chunk), encodeVertex(vertex, format_, storage));
     }
 
     /// Whether the triangle lies between heavy points and repeats another there, for which it is dropped.
@@ -197,7 +213,7 @@ private:
             begin += size;
         }
         for (const read::TriangleCorners& t : fans)
-            bins_.put(triangles_, narrow(t));
+            put(triangles_, narrow(t));
     }
 
     Corners refinedTriangle(scratch::StreamStore::Reader& refined) const {
@@ -224,10 +240,26 @@ private:
         const std::uint16_t chunk = chunkOf(narrow(fan.front())[0]);
         const std::uint32_t stream = streamOf(BinStream::Triangles, chunk);
         sizes_[chunk].triangles += fan.size();
-        bins_.put(stream, Corners{kPolygonMark, static_cast<std::uint32_t>(fan.size()), 0});
+        put(stream, Corners{kPolygonMark, static_cast<std::uint32_t>(fan.size()), 0});
         for (const read::TriangleCorners& t : fan) {
-            bins_.put(stream, narrow(t));
+            put(stream, narrow(t));
             markNeeded(narrow(t));
+        }
+    }
+
+    /// Of a polygon that is not triangulated rightly yet: whichever triangles each of its chunks gets, it is no more.
+    void countInAllItsChunks(std::span<const read::TriangleCorners> fan) {
+        std::vector<std::uint16_t> chunks;
+        for (const read::TriangleCorners& t : fan) {
+            markNeeded(narrow(t));
+            for (const std::uint32_t corner : narrow(t))
+                chunks.push_back(chunkOf(corner));
+        }
+        std::sort(chunks.begin(), chunks.end());
+        chunks.erase(std::unique(chunks.begin(), chunks.end()), chunks.end());
+        for (const std::uint16_t chunk : chunks) {
+            sizes_[chunk].triangles += fan.size();
+            sizes_[chunk].vertices += 2 * fan.size();
         }
     }
 
@@ -237,7 +269,7 @@ private:
         const std::array<std::uint16_t, 3> lies{chunkOf(corners[0]), chunkOf(corners[1]), chunkOf(corners[2])};
         const std::uint16_t owner =
             std::max(std::min(lies[0], lies[1]), std::min(std::max(lies[0], lies[1]), lies[2])); // the median
-        bins_.put(streamOf(BinStream::Triangles, owner), corners);
+        put(streamOf(BinStream::Triangles, owner), corners);
         ++sizes_[owner].triangles;
         if (lies[0] == lies[1] && lies[1] == lies[2]) return;
         request(corners, lies, owner, true);
@@ -246,7 +278,7 @@ private:
             const bool isFirst = std::find(lies.begin(), lies.begin() + static_cast<std::ptrdiff_t>(i), lies[i]) ==
                                  lies.begin() + static_cast<std::ptrdiff_t>(i);
             if (lies[i] == owner || !isFirst) continue;
-            bins_.put(streamOf(BinStream::Ghosts, lies[i]), corners);
+            put(streamOf(BinStream::Ghosts, lies[i]), corners);
             ++sizes_[lies[i]].triangles;
             request(corners, lies, lies[i], false);
         }
@@ -256,13 +288,13 @@ private:
     void request(const Corners& corners, const std::array<std::uint16_t, 3>& lies, std::uint16_t chunk, bool isOwner) {
         for (std::size_t i = 0; i < 3; ++i) {
             if (lies[i] == chunk) continue;
-            bins_.put(streamOf(BinStream::Requests, lies[i]), VertexRequest{chunk, corners[i], isOwner ? 1U : 0U});
+            put(streamOf(BinStream::Requests, lies[i]), VertexRequest{chunk, corners[i], isOwner ? 1U : 0U});
             ++sizes_[chunk].vertices; // once for each of its triangles there: more than they are
         }
     }
 
     read::MeshSource& source_;
-    scratch::StreamStore& bins_;
+    scratch::StreamStore* bins_; // none where it only counts
     VertexFormat format_;
     std::size_t polygonCorners_;
     Progress& progress_;
@@ -315,10 +347,19 @@ BinnedSize binSource(
     scratch::StreamStore& bins,
     std::size_t polygonCorners,
     Progress& progress) {
-    Binner binner(source, bins, tree, polygonCorners, progress);
+    Binner binner(source, &bins, tree, polygonCorners, progress);
     binner.binVertices(survey);
     survey.valence = {};
     if (survey.hasPolygons) binner.refinePolygons();
+    binner.binTriangles();
+    binner.binHeavyVertices();
+    return binner.size();
+}
+
+BinnedSize measureBins(
+    read::MeshSource& source, const SourceSurvey& survey, const ChunkTree& tree, Progress& progress) {
+    Binner binner(source, nullptr, tree, 0, progress);
+    binner.binVertices(survey);
     binner.binTriangles();
     binner.binHeavyVertices();
     return binner.size();

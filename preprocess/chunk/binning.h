@@ -37,4 +37,8 @@ BinnedSize binSource(
     std::size_t polygonCorners,
     Progress& progress);
 
+/// What `binSource` would return, without writing anything: two passes over the vertices at most and one over the
+/// triangles. More only where polygons lie in several chunks: each of these counts all triangles of the polygon.
+BinnedSize measureBins(read::MeshSource& source, const SourceSurvey& survey, const ChunkTree& tree, Progress& progress);
+
 } // namespace gnomon::chunk

@@ -10,6 +10,7 @@
 #include "preprocess/levels/node.h"
 #include "preprocess/pipeline/assemble.h"
 #include "preprocess/pipeline/build_key.h"
+#include "preprocess/pipeline/counted_memory.h"
 #include "preprocess/pipeline/memory_plan.h"
 #include "preprocess/pipeline/rounds.h"
 #include "preprocess/pipeline/work_directory.h"
@@ -82,7 +83,10 @@ private:
     /// Before anything is touched.
     MemoryNeeds affordableNeeds() const {
         const MemoryNeeds needs{source_.summary(), options_.chunkTriangles, options_.isInMemory};
-        requireMemory(needs.least());
+        if (needs.least() > options_.memory) {
+            source_.pollWith(progress_);
+            requireMemory(countedLeast(source_, needs, options_.memory, progress_));
+        }
         return needs;
     }
 

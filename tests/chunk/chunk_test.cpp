@@ -98,7 +98,10 @@ Chunked chunked(read::CodeMesh mesh, std::uint32_t chunkTriangles, std::size_t b
     scratch::TemporarySpace space(progress);
     const auto binsFile = scratch::scratchInMemory(space);
     scratch::StreamStore bins(*binsFile, binStreams(tree.chunkCount()), block);
+    const BinnedSize measured = measureBins(mesh, result.survey, tree, progress);
     result.size = binSource(mesh, result.survey, tree, bins, 10, progress);
+    EXPECT_EQ(measured.largestChunk.triangles, result.size.largestChunk.triangles);
+    EXPECT_EQ(measured.largestChunk.vertices, result.size.largestChunk.vertices);
     const auto bordersFile = scratch::scratchInMemory(space);
     scratch::StreamStore borders(*bordersFile, borderStreams(tree.chunkCount()), block);
     const BinnedSource source{bins, result.survey.grid, formatOf(mesh.summary()), tree.chunkCount()};
@@ -351,14 +354,17 @@ TEST(Chunks, PolygonsAcrossChunksAreCutLikeThoseWithin) {
         scratch::TemporarySpace space(progress);
         const auto file = scratch::scratchInMemory(space);
         scratch::StreamStore bins(*file, binStreams(tree.chunkCount()), 100);
-        binSource(source, survey, tree, bins, 40, progress);
+        const PartSize measured = measureBins(source, survey, tree, progress).largestChunk;
+        const PartSize binned = binSource(source, survey, tree, bins, 40, progress).largestChunk;
+        EXPECT_GE(measured.triangles, binned.triangles);
+        EXPECT_GE(measured.vertices, binned.vertices);
         const auto bordersFile = scratch::scratchInMemory(space);
         scratch::StreamStore borders(*bordersFile, borderStreams(tree.chunkCount()), 100);
-        const BinnedSource binned{bins, survey.grid, formatOf(source.summary()), tree.chunkCount()};
-        shareBorders(binned, borders, 3, progress);
+        const BinnedSource inChunks{bins, survey.grid, formatOf(source.summary()), tree.chunkCount()};
+        shareBorders(inChunks, borders, 3, progress);
         std::vector<std::uint64_t> triangles; // as hashes of their points
         for (std::uint32_t c = 0; c < tree.chunkCount(); ++c) {
-            const simplify::Mesh mesh = loadChunk(binned, borders, c, progress).mesh;
+            const simplify::Mesh mesh = loadChunk(inChunks, borders, c, progress).mesh;
             for (const simplify::Triangle& t : mesh.triangles) {
                 const Corners corners = turned({mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]});
                 std::uint64_t hash = 0;

@@ -32,6 +32,22 @@ def write_parts(path, count, corners, kind):
         file.write(b"".join(row.pack(corners, *range(corners * i, corners * (i + 1))) for i in range(count)))
 
 
+def write_soup(path, count, corner):
+    """`count` triangles with vertices of their own, at what `corner(random, number)` tells."""
+    seeded = random.Random(7)
+    positions = array.array("f")
+    for i in range(3 * count):
+        positions.extend(corner(seeded, i % 3))
+    row = struct.Struct("<B3i")
+    with open(path, "wb") as file:
+        file.write(
+            f"ply\nformat binary_little_endian 1.0\nelement vertex {3 * count}\n"
+            "property float x\nproperty float y\nproperty float z\n"
+            f"element face {count}\nproperty list uchar int vertex_indices\nend_header\n".encode())
+        positions.tofile(file)
+        file.write(b"".join(row.pack(3, 3 * i, 3 * i + 1, 3 * i + 2) for i in range(count)))
+
+
 @unittest.skipIf(IS_SANITIZED, "sanitizers need memory of their own")
 class MemoryTest(unittest.TestCase):
     def setUp(self):
@@ -39,13 +55,13 @@ class MemoryTest(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.place = pathlib.Path(folder.name)
 
-    def expect_kept(self, mesh):
+    def expect_kept(self, mesh, chunk_triangles="400k"):
         model = self.place / "m.gnm"
-        refused = run("build", mesh, "-o", model, "--memory", "1M", "--chunk-triangles", "400k")
+        refused = run("build", mesh, "-o", model, "--memory", "1M", "--chunk-triangles", chunk_triangles)
         self.assertEqual(refused.returncode, 1)
         least = re.search(r"expected --memory (\d+)M or more", refused.stderr)
         self.assertTrue(least, refused.stderr)
-        built = run("build", mesh, "-o", model, "--memory", f"{least[1]}M", "--chunk-triangles", "400k", "--error", "estimated", "--json")
+        built = run("build", mesh, "-o", model, "--memory", f"{least[1]}M", "--chunk-triangles", chunk_triangles, "--error", "estimated", "--json")
         self.assertEqual(built.returncode, 0, built.stderr)
         self.assertLessEqual(json.loads(built.stdout)["peak_rss_bytes"], int(least[1]) << 20)
 
@@ -56,6 +72,20 @@ class MemoryTest(unittest.TestCase):
     def test_loose_quads(self):
         write_parts(self.place / "quads.ply", 150_000, 4, "float")
         self.expect_kept(self.place / "quads.ply")
+
+    def test_what_is_asked_for_is_the_same_before_and_after_chunks_are_known(self):
+        soup = self.place / "soup.ply"
+        write_soup(soup, 300_000, lambda seeded, _: [seeded.random() for _ in range(3)])
+        asked = set()
+        for memory in ("1M", "139M"):  # below what the header asks for, and above
+            refused = run("build", soup, "-o", self.place / "m.gnm", "--memory", memory, "--chunk-triangles", "100k")
+            self.assertEqual(refused.returncode, 1)
+            asked.add(re.search(r"expected --memory (\d+)M or more", refused.stderr)[1])
+        self.assertEqual(len(asked), 1, asked)
+
+    def test_coincident_triangles(self):
+        write_soup(self.place / "three.ply", 200_000, lambda _, number: ((0, 0, 0), (1, 0, 0), (0, 1, 0))[number])
+        self.expect_kept(self.place / "three.ply", "100k")
 
     def test_a_welded_surface(self):
         made = run("make", "statue", "--triangles", "300k", "-o", self.place / "statue.ply")

@@ -119,7 +119,7 @@ TEST(ChunkMemory, OfTrianglesAllOverIsWhatIsCounted) {
 }
 
 TEST(ChunkMemory, OfTrianglesInFewPlacesIsWhatIsCounted) {
-    expectCountedMemory(threePlaces(22'000, 1), 11'000);
+    expectCountedMemory(threePlaces(22'000, 2), 11'000);
     expectCountedMemory(threePlaces(22'000, 3), 11'000);
 }
 

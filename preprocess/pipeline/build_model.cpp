@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/heap.h"
+#include "core/stopwatch.h"
 #include "preprocess/chunk/binning.h"
 #include "preprocess/chunk/borders.h"
 #include "preprocess/chunk/chunk_mesh.h"
@@ -17,7 +18,6 @@
 
 #include <tbb/global_control.h>
 
-#include <chrono>
 #include <cstdio>
 #include <utility>
 
@@ -27,18 +27,10 @@ namespace {
 
 using hierarchy::kNone;
 
-class Stopwatch {
-public:
-    /// Seconds since the last call, or since construction.
-    double lap() {
-        const auto now = Clock::now();
-        return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
-    }
-
-private:
-    using Clock = std::chrono::steady_clock;
-    Clock::time_point last_ = Clock::now();
-};
+/// Seconds since the last lap, or since `watch` was made; begins the next.
+double lap(Stopwatch& watch) {
+    return std::exchange(watch, Stopwatch()).elapsed().count / 1000;
+}
 
 void requireFewStuck(std::uint64_t stuck, std::uint64_t triangles, double maxPercent) {
     const double percent = 100.0 * static_cast<double>(stuck) / static_cast<double>(triangles);
@@ -107,7 +99,7 @@ private:
         scratch::TemporarySpace& space = workDirectory_.space();
         report_.phases.push_back(
             {name,
-             watch_.lap(),
+             lap(watch_),
              sourceBytes + space.bytesRead() - std::exchange(bytesRead_, space.bytesRead()),
              space.bytesWritten() - std::exchange(bytesWritten_, space.bytesWritten())});
     }
@@ -392,7 +384,7 @@ BuildReport buildModel(read::MeshSource& source, const BuildOptions& options, Pr
                             : tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
     Stopwatch watch;
     BuildReport report = Build(source, options, progress).run();
-    report.seconds = watch.lap(); // with the temporary files gone
+    report.seconds = lap(watch); // with the temporary files gone
     return report;
 }
 

@@ -3,6 +3,7 @@
 #include "app/named_files.h"
 #include "app/prepared_output.h"
 #include "app/thread_limit.h"
+#include "core/angle.h"
 #include "core/error.h"
 #include "core/file.h"
 #include "core/json_file.h"
@@ -160,7 +161,7 @@ struct TableOptions {
 
 void printTable(const TableOptions& options) {
     shadow::ViewFrustum frustum = options.frustum;
-    frustum.halfFovYRadians = options.fovYDegrees / 2 * 3.141592653589793 / 180;
+    frustum.halfFovYRadians = radiansFromDegrees(options.fovYDegrees / 2);
     try {
         shadow::requireValid(frustum);
     } catch (const Error& error) {

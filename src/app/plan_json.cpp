@@ -1,17 +1,16 @@
 #include "app/plan_json.h"
 
+#include "core/angle.h"
+
 #include <array>
 #include <cstdarg>
 #include <cstdio>
-#include <numbers>
 
 namespace gnomon::app {
 
 namespace {
 
 using nlohmann::ordered_json;
-
-constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
 
 /// World space -> the camera space of `plan`.
 glm::dmat4 cameraFromWorld(const plan::FramePlan& plan) {
@@ -91,7 +90,7 @@ ordered_json planJson(const plan::FramePlan& plan) {
     json["far"] = plan.far;
     json["near_from"] = plan.nearFrom;
     json["far_from"] = plan.farFrom;
-    json["light_angle"] = plan.lightAngleRadians * kDegreesPerRadian;
+    json["light_angle"] = degreesFromRadians(plan.lightAngleRadians);
     json["promise_kept"] = plan.promiseKept;
     json["scheme"] = plan::schemeName(plan);
     json["cost"] = plan.cost;
@@ -109,7 +108,7 @@ ordered_json planJson(const plan::FramePlan& plan) {
 std::string planText(const plan::FramePlan& plan) {
     std::string text = line("near   %-12g %s\n", plan.near, plan.nearFrom.c_str());
     text += line("far    %-12g %s\n", plan.far, plan.farFrom.c_str());
-    text += line("light  %.2f degrees from the view\n", plan.lightAngleRadians * kDegreesPerRadian);
+    text += line("light  %.2f degrees from the view\n", degreesFromRadians(plan.lightAngleRadians));
     text += line(
         "plan   %s: %zu maps in %dx%d texels, cost %llu\n",
         plan::schemeName(plan).c_str(),

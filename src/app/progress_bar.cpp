@@ -1,8 +1,7 @@
 #include "app/commands.h"
 #include "app/interruption.h"
-#include "core/units.h"
+#include "core/stopwatch.h"
 
-#include <chrono>
 #include <cstdio>
 #include <fstream>
 #include <mutex>
@@ -13,7 +12,7 @@ namespace gnomon::app {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
+constexpr Milliseconds kBetweenShown{100};
 
 /// Resident bytes of this process, from the kernel.
 std::uint64_t residentBytes() {
@@ -48,17 +47,16 @@ public:
         unit_ = unit;
         total_ = total;
         done_ = 0;
-        start_ = Clock::now();
-        shown_ = start_;
+        sinceStart_ = {};
+        sinceShown_ = {};
     }
 
     void advance(std::uint64_t count) override {
         if (isInterrupted()) throw Interrupted{};
         const std::scoped_lock lock(mutex_);
         done_ += count;
-        const auto now = Clock::now();
-        if (now - shown_ < std::chrono::milliseconds(100)) return;
-        shown_ = now;
+        if (sinceShown_.elapsed() < kBetweenShown) return;
+        sinceShown_ = {};
         show();
     }
 
@@ -76,7 +74,7 @@ private:
     }
 
     void show() const {
-        const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+        const double seconds = sinceStart_.elapsed().count / 1000;
         const double rate = seconds > 0 ? static_cast<double>(done_) / seconds : 0;
         const double left = rate > 0 && total_ > done_ ? static_cast<double>(total_ - done_) / rate : 0;
         if (style_ == Style::Json) {
@@ -121,8 +119,8 @@ private:
     std::uint64_t total_ = 0;
     std::uint64_t done_ = 0;
     std::uint64_t temporaryBytes_ = 0;
-    Clock::time_point start_;
-    Clock::time_point shown_;
+    Stopwatch sinceStart_;
+    Stopwatch sinceShown_;
 };
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "path/camera_path.h"
 
+#include "core/angle.h"
 #include "core/error.h"
 #include "core/json_file.h"
 #include "hierarchy/file_layout.h"
@@ -9,7 +10,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <numbers>
 #include <span>
 
 namespace gnomon::path {
@@ -18,13 +18,11 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr double kRadiansPerDegree = std::numbers::pi / 180;
-
 /// The shortest number of degrees up to a billionth that reads back as `radians`, else the nearest: 60 for what was 60.
 double degreesOf(double radians) {
-    const double degrees = radians / kRadiansPerDegree;
+    const double degrees = radians / radiansFromDegrees(1);
     const double shorter = std::round(degrees * 1e9) / 1e9;
-    return shorter * kRadiansPerDegree == radians ? shorter : degrees;
+    return radiansFromDegrees(shorter) == radians ? shorter : degrees;
 }
 
 glm::dvec3 vectorOf(const ordered_json& object, const char* key, const std::string& where) {
@@ -48,8 +46,8 @@ Camera cameraOf(const ordered_json& object, const std::string& where) {
     camera.eye = vectorOf(object, "eye", where);
     camera.target = vectorOf(object, "target", where);
     if (object.contains("up")) camera.up = vectorOf(object, "up", where);
-    if (object.contains("fov_y")) camera.fovYRadians = numberOf(object, "fov_y", where) * kRadiansPerDegree;
-    if (!(camera.fovYRadians > 0 && camera.fovYRadians < std::numbers::pi))
+    if (object.contains("fov_y")) camera.fovYRadians = radiansFromDegrees(numberOf(object, "fov_y", where));
+    if (!(camera.fovYRadians > 0 && camera.fovYRadians < kPi))
         throw Error(
             where, "\"fov_y\" is impossible", "above 0 and below 180 degrees", telemetry::jsonText(object["fov_y"]));
     cameraBasis(camera); // throws where eye and target coincide

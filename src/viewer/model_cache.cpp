@@ -2,13 +2,13 @@
 
 #include "core/error.h"
 #include "core/file.h"
+#include "core/stopwatch.h"
 #include "hierarchy/model_file.h"
 #include "preprocess/pipeline/build_model.h"
 #include "preprocess/read/open_mesh_sources.h"
 #include "preprocess/read/ply_source.h"
 
 #include <array>
-#include <chrono>
 #include <filesystem>
 
 namespace gnomon::viewer {
@@ -16,7 +16,7 @@ namespace gnomon::viewer {
 /// Passes progress on to the status, and the wish to stop back.
 class CacheBuild::Watch final : public Progress {
 public:
-    explicit Watch(CacheBuild& build) : build_(&build), start_(std::chrono::steady_clock::now()) {}
+    explicit Watch(CacheBuild& build) : build_(&build) {}
 
     void stage(std::string_view name, std::string_view unit, std::uint64_t total) override {
         const std::scoped_lock lock(build_->mutex_);
@@ -31,10 +31,10 @@ public:
     }
 
 private:
-    double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+    double seconds() const { return watch_.elapsed().count / 1000; }
 
     CacheBuild* build_;
-    std::chrono::steady_clock::time_point start_;
+    Stopwatch watch_;
 };
 
 bool isModelPath(const std::string& path) {

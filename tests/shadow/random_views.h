@@ -1,6 +1,7 @@
 // Seeded random frusta, lights and schemes for the tests of the shadow theory, with the awkward ones well represented.
 #pragma once
 
+#include "core/angle.h"
 #include "core/random.h"
 #include "shadow/setup.h"
 
@@ -8,8 +9,6 @@
 #include <cmath>
 
 namespace gnomon::shadow {
-
-constexpr double kPi = 3.141592653589793;
 
 inline glm::dvec3 randomDirection(Random& random) {
     const double z = random.uniform(-1, 1);

@@ -1,5 +1,7 @@
 #include "shadow/warp/orientation.h"
 
+#include "core/angle.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,7 +11,6 @@ namespace gnomon::shadow {
 
 namespace {
 
-constexpr double kPi = 3.141592653589793;
 constexpr double kQuarter = kPi / 2;
 constexpr int kCoarse = 24;            // samples over half a revolution
 constexpr double kLowerMinimum = 0.95; // another minimum of S has to be this much lower to be taken instead

@@ -1,15 +1,16 @@
 #include "viewer/input/camera_control.h"
 
+#include "core/angle.h"
+
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace gnomon::viewer {
 
 namespace {
 
-constexpr double kMostPitch = std::numbers::pi / 2 - 1e-3; // looking along up has no yaw
-constexpr double kLongestStep = 0.1;                       // seconds
+constexpr double kMostPitch = kPi / 2 - 1e-3; // looking along up has no yaw
+constexpr double kLongestStep = 0.1;          // seconds
 constexpr double kGlideSeconds = 0.4;
 constexpr double kInertiaSeconds = 0.06;
 constexpr double kSpeedSeconds = 0.3;    // in which the speed follows what is in view
@@ -19,7 +20,7 @@ constexpr double kStill = 1e-3; // of the speed
 
 /// `angle` plus the whole turns that bring it nearest to `reference`.
 double nearestTurn(double angle, double reference) {
-    const double turn = 2 * std::numbers::pi;
+    const double turn = 2 * kPi;
     return angle + turn * std::round((reference - angle) / turn);
 }
 
@@ -140,7 +141,7 @@ CameraControl::Pose CameraControl::framing(double yaw, double pitch) const {
 }
 
 void CameraControl::goTo(Side side) {
-    constexpr double kQuarter = std::numbers::pi / 2;
+    constexpr double kQuarter = kPi / 2;
     switch (side) {
     case Side::Front:
         return glideTo(framing(0, 0));

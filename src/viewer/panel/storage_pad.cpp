@@ -1,15 +1,16 @@
 #include "viewer/panel/storage_pad.h"
 
+#include "core/angle.h"
+
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
 namespace gnomon::viewer {
 
 namespace {
 
-constexpr double kQuarter = std::numbers::pi / 2;
+constexpr double kQuarter = kPi / 2;
 constexpr double kSame = 1e-3; // radians, and ratio of depths: less is not seen in the pad
 
 bool isSame(const StorageQuestion& a, const StorageQuestion& b) {

@@ -1,4 +1,4 @@
-// How fast pages decode on one core: read from the page cache, checked, unfolded and turned into triangles.
+// How fast pages decode on one core: read from the page cache, checked, decoded and turned into triangles.
 // decode_bench MODEL.gnm [benchmark options]; at most kPages pages, evenly over the file, those of the finest level
 // too.
 #include "core/error.h"

@@ -17,7 +17,7 @@ namespace gnomon::hierarchy {
 
 static_assert(std::endian::native == std::endian::little, "a .gnm is little-endian and copied as it is");
 
-/// What is wrong with stored bytes; whoever knows the file turns it into an Error with path and offset.
+/// What is wrong with stored bytes; the reader of the file turns it into an Error with path and offset.
 struct Damage {
     std::string what;
 };

@@ -18,14 +18,14 @@ namespace {
 
 enum class Packing : std::uint8_t { Plain = 0, Zstd = 1 };
 
-/// No page may unfold to more than this times its stored bytes, so that a small file cannot ask for a large buffer.
+/// No page may decompress to more than this times its stored bytes, so that a small file cannot claim a large buffer.
 constexpr std::uint64_t kMaxExpansion = 256;
 
 /// Below this a block's own code costs more bytes and more time than it saves.
 constexpr std::size_t kLeastBlockBytes = 5000;
 
-/// A page that packs to less than this share repeats itself, as plants do: one block for all of it unfolds a seventh
-/// sooner there, and is hardly longer.
+/// A page that packs to less than this share repeats itself, as plants do: one block for all of it decompresses a
+/// seventh sooner there, and is hardly longer.
 constexpr double kRepetitiveShare = 0.4;
 
 void putSphere(ByteWriter& out, const Sphere& sphere) {
@@ -191,7 +191,7 @@ std::vector<std::byte> pack(std::span<const std::byte> plain, std::span<const st
     return out.take();
 }
 
-/// The plain bytes of a page, at most `most`; `storage` holds them where they had to be unfolded.
+/// The plain bytes of a page, at most `most`; `storage` holds them where they had to be decompressed.
 std::span<const std::byte> unpack(
     std::span<const std::byte> stored, std::uint64_t most, std::vector<std::byte>& storage) {
     ByteReader in(stored);
@@ -209,8 +209,8 @@ std::span<const std::byte> unpack(
     thread_local KeptContext<ZSTD_DCtx> kept(ZSTD_createDCtx, ZSTD_freeDCtx);
     const std::size_t got =
         withMemory(ZSTD_decompressDCtx(kept.made(), storage.data(), size, rest.data(), rest.size()));
-    if (ZSTD_isError(got) != 0) throw Damage{std::string("cannot unfold: ") + ZSTD_getErrorName(got)};
-    if (got != size) throw Damage{"the unfolded size is not the one promised"};
+    if (ZSTD_isError(got) != 0) throw Damage{std::string("cannot decompress: ") + ZSTD_getErrorName(got)};
+    if (got != size) throw Damage{"the decompressed size is not the one promised"};
     return storage;
 }
 

@@ -41,7 +41,7 @@ TEST(PlaneKernel, JoinsPlanesOnEveryInstructionSet) {
             for (unsigned planeCount = 0; planeCount <= 4; ++planeCount) {
                 const SomePlanes some(random, planeCount, count);
                 std::vector<std::uint32_t> out(count + kMostLanes);
-                unfoldNumbers(some.planes, out.data());
+                decodeNumbers(some.planes, out.data());
                 EXPECT_TRUE(std::equal(some.numbers.begin(), some.numbers.end(), out.begin())) << name << ' ' << count;
             }
     });
@@ -58,9 +58,9 @@ TEST(PlaneKernel, TurnsCodesIntoDifferencesOnEveryInstructionSet) {
             std::vector<PositionWords> positions(count + kMostLanes);
             std::vector<std::uint64_t> normals(count + kMostLanes);
             std::vector<std::uint32_t> colors(count + kMostLanes);
-            unfoldPositions(std::span(planes).first<3>(), positions.data());
-            unfoldNormals(std::span(planes).first<2>(), 0x3FFU, normals.data());
-            unfoldColors(planes, colors.data());
+            decodePositions(std::span(planes).first<3>(), positions.data());
+            decodeNormals(std::span(planes).first<2>(), 0x3FFU, normals.data());
+            decodeColors(planes, colors.data());
             for (std::size_t i = 0; i < count; ++i) {
                 std::array<std::uint32_t, 4> difference{};
                 for (std::size_t k = 0; k < 4; ++k)

@@ -180,7 +180,7 @@ TEST(PageDamage, APromiseThatTheBytesCannotKeepIsRefusedBeforeMemoryIsAskedFor) 
     EXPECT_EQ(damage(2, plain.size(), plain), "unknown packing");
     EXPECT_EQ(damage(1, 256 * plain.size() + 1, plain), "more is promised than the stored bytes can hold");
     EXPECT_EQ(damage(1, ~std::uint64_t{0}, plain), "more is promised than the stored bytes can hold");
-    EXPECT_EQ(damage(1, plain.size(), plain).find("cannot unfold: "), 0U);
+    EXPECT_EQ(damage(1, plain.size(), plain).find("cannot decompress: "), 0U);
     EXPECT_EQ(damageOf([&] { decodePageBytes({}, info); }), "the bytes end too early");
 }
 

@@ -8,7 +8,7 @@
 namespace gnomon::hierarchy {
 
 /// Appends vertices and triangles of all clusters of `page`. Exact for any valid page; short for one that went through
-/// orderForCoding. Returns the places in `out` where bytes of one kind end: whoever compresses them does better by
+/// orderForCoding. Returns the places in `out` where bytes of one kind end: compressors do better by
 /// treating each kind by itself. The last is the end.
 std::vector<std::size_t> encodeClusters(const Page& page, ByteWriter& out);
 

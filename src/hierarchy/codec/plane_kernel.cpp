@@ -90,19 +90,19 @@ HWY_EXPORT(positionsInLanes);
 HWY_EXPORT(normalsInLanes);
 HWY_EXPORT(colorsInLanes);
 
-void unfoldNumbers(const Planes& planes, std::uint32_t* out) {
+void decodeNumbers(const Planes& planes, std::uint32_t* out) {
     HWY_DYNAMIC_DISPATCH(numbersInLanes)(planes, out);
 }
 
-void unfoldPositions(std::span<const Planes, 3> planes, PositionWords* out) {
+void decodePositions(std::span<const Planes, 3> planes, PositionWords* out) {
     HWY_DYNAMIC_DISPATCH(positionsInLanes)(planes, out);
 }
 
-void unfoldNormals(std::span<const Planes, 2> planes, std::uint32_t mask, std::uint64_t* out) {
+void decodeNormals(std::span<const Planes, 2> planes, std::uint32_t mask, std::uint64_t* out) {
     HWY_DYNAMIC_DISPATCH(normalsInLanes)(planes, mask, out);
 }
 
-void unfoldColors(std::span<const Planes, 4> planes, std::uint32_t* out) {
+void decodeColors(std::span<const Planes, 4> planes, std::uint32_t* out) {
     HWY_DYNAMIC_DISPATCH(colorsInLanes)(planes, out);
 }
 

@@ -1,4 +1,4 @@
-// Numbers that lie byte plane by byte plane, unfolded in vector lanes.
+// Numbers that lie byte plane by byte plane, decoded in vector lanes.
 #pragma once
 
 #include <array>
@@ -31,15 +31,15 @@ struct Planes {
 /// These write to whole vectors: up to kMostLanes elements more than there are numbers, all planes alike.
 
 /// The numbers as they are.
-void unfoldNumbers(const Planes& planes, std::uint32_t* out);
+void decodeNumbers(const Planes& planes, std::uint32_t* out);
 
 /// Zigzag-coded differences, by coordinate; the fourth word is 0.
-void unfoldPositions(std::span<const Planes, 3> planes, PositionWords* out);
+void decodePositions(std::span<const Planes, 3> planes, PositionWords* out);
 
 /// Zigzag-coded differences, joined and masked.
-void unfoldNormals(std::span<const Planes, 2> planes, std::uint32_t mask, std::uint64_t* out);
+void decodeNormals(std::span<const Planes, 2> planes, std::uint32_t mask, std::uint64_t* out);
 
 /// Zigzag-coded differences modulo 256, red in the low byte.
-void unfoldColors(std::span<const Planes, 4> planes, std::uint32_t* out);
+void decodeColors(std::span<const Planes, 4> planes, std::uint32_t* out);
 
 } // namespace gnomon::hierarchy

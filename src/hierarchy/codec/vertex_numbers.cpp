@@ -33,25 +33,25 @@ void splitVertices(std::size_t vertices, VertexNumbers& numbers) {
 void takeVertexNumbers(ByteReader& in, std::size_t vertices, const AttributeLayout& layout, VertexNumbers& numbers) {
     const Planes references = takePlanes(in, vertices);
     numbers.references.resize(vertices + kMostLanes);
-    unfoldNumbers(references, numbers.references.data());
+    decodeNumbers(references, numbers.references.data());
     splitVertices(vertices, numbers);
     const std::size_t fresh = numbers.fresh.size();
     std::array<Planes, 4> planes;
     for (std::size_t k = 0; k < 3; ++k)
         planes[k] = takePlanes(in, fresh);
     numbers.positions.resize(fresh + kMostLanes);
-    unfoldPositions(std::span(planes).first<3>(), numbers.positions.data());
+    decodePositions(std::span(planes).first<3>(), numbers.positions.data());
     if (layout.hasNormals) {
         for (std::size_t k = 0; k < 2; ++k)
             planes[k] = takePlanes(in, fresh);
         numbers.normals.resize(fresh + kMostLanes);
-        unfoldNormals(std::span(planes).first<2>(), layout.normals.mask(), numbers.normals.data());
+        decodeNormals(std::span(planes).first<2>(), layout.normals.mask(), numbers.normals.data());
     }
     if (layout.hasColors) {
         for (Planes& each : planes)
             each = takePlanes(in, fresh);
         numbers.colors.resize(fresh + kMostLanes);
-        unfoldColors(planes, numbers.colors.data());
+        decodeColors(planes, numbers.colors.data());
     }
 }
 

@@ -1,8 +1,8 @@
 // Shadow maps against ray-traced shadows and against their promise, over seeded triples of pose, light and scheme.
 #include "core/error.h"
 #include "executor/software_executor.h"
-#include "frame/renderer.h"
 #include "frame/shadow_triples.h"
+#include "proof/frame_proof.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -65,10 +65,10 @@ public:
     void add(std::uint64_t index, const std::string& pictures) {
         const tests::ShadowTriple triple = tests::shadowTriple(model_.summary().bounds, index, side_, texels_);
         addPromise(index, triple);
-        const frame::Frame frame = rendered(withDefaults(triple), frame::Oracle::SameDetail);
+        const proof::FrameProof proof = proven(withDefaults(triple), proof::Oracle::SameDetail);
         ++tally_.triples;
-        if (!frame.truth) return;
-        const proof::ShadowTruth& truth = *frame.truth;
+        if (!proof.truth) return;
+        const proof::ShadowTruth& truth = *proof.truth;
         tally_.judged += truth.judgedPixels;
         tally_.unexplained += truth.unexplainedPixels;
         tally_.worstUnexplained = std::max(tally_.worstUnexplained, truth.unexplainedFraction());
@@ -94,24 +94,24 @@ public:
     const Tally& tally() const { return tally_; }
 
 private:
-    frame::Frame rendered(const tests::ShadowTriple& triple, frame::Oracle oracle) {
-        frame::FrameOptions options;
+    proof::FrameProof proven(const tests::ShadowTriple& triple, proof::Oracle oracle) {
+        proof::ProofOptions options;
         options.oracle = oracle;
         options.measuresAliasing = true;
         renderer_.forget();
-        return renderer_.render(triple.view, triple.quality, options);
+        return proof::prove(renderer_, renderer_.render(triple.view, triple.quality, {}), options);
     }
 
     void addPromise(std::uint64_t index, const tests::ShadowTriple& triple) {
-        const frame::Frame frame = rendered(triple, frame::Oracle::None);
-        if (!frame.aliasing) return;
-        tally_.overPromise = std::max(tally_.overPromise, frame.aliasing->overPromise);
-        if (frame.aliasing->overPromise <= 1 + kFloatTolerance) return;
+        const proof::FrameProof proof = proven(triple, proof::Oracle::None);
+        if (!proof.aliasing) return;
+        tally_.overPromise = std::max(tally_.overPromise, proof.aliasing->overPromise);
+        if (proof.aliasing->overPromise <= 1 + kFloatTolerance) return;
         ++tally_.promisesBroken;
         std::printf(
             "triple %llu breaks its promise: %.4f of it, %s\n",
             static_cast<unsigned long long>(index),
-            frame.aliasing->overPromise,
+            proof.aliasing->overPromise,
             tests::describe(triple).c_str());
     }
 

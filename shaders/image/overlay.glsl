@@ -18,30 +18,30 @@ vec3 heat(float value) {
 // The larger of the perspective aliasing along the map's two axes: width of a texel's light beam over a pixel's.
 float aliasing(Partition part, vec3 position, float depth) {
     vec4 clip = clipOf(part, position);
-    vec4 dx = part.clipFromOffset * vec4(part.axisX.xyz, 0.0);
-    vec4 dz = part.clipFromOffset * vec4(part.axisZ.xyz, 0.0);
-    vec2 perX = abs(dx.xy * clip.w - clip.xy * dx.w) * part.texel.xy;
-    vec2 perZ = abs(dz.xy * clip.w - clip.xy * dz.w) * part.texel.xy;
+    vec4 dx = part.clipFromOffset * vec4(part.axisX, 0.0);
+    vec4 dz = part.clipFromOffset * vec4(part.axisZ, 0.0);
+    vec2 perX = abs(dx.xy * clip.w - clip.xy * dx.w) * part.texelScale;
+    vec2 perZ = abs(dz.xy * clip.w - clip.xy * dz.w) * part.texelScale;
     // A map may lie on its side: x moves along s alone, and z is measured along the other axis.
     float texels = min(max(perX.x, perX.y), perX.y > perX.x ? perZ.x : perZ.y) / (clip.w * clip.w);
-    return 1.0 / (max(texels, 1e-30) * image.w * depth);
+    return 1.0 / (max(texels, 1e-30) * pixelSlope * depth);
 }
 
 // The projection part of the aliasing: cosine to the eye over cosine to the light (Lloyd et al. 2006, Eq 1).
 float projection(vec3 position, vec3 normal) {
-    return max(dot(normal, normalize(eye.xyz - position)), 0.0) / max(dot(normal, light.xyz), 1e-6);
+    return max(dot(normal, normalize(eye - position)), 0.0) / max(dot(normal, towardsLight), 1e-6);
 }
 
 // 1 on the lines of a grid five texels apart, antialiased where a texel is smaller than a pixel.
 float texelGrid(Partition part, vec3 position) {
-    vec2 at = (texelOf(part, clipOf(part, position)) - part.rectangle.xy) / 5.0;
+    vec2 at = (texelOf(part, clipOf(part, position)) - part.firstTexel) / 5.0;
     vec2 wide = max(fwidth(at), vec2(1e-6));
     vec2 line = 1.0 - smoothstep(vec2(0.5), vec2(1.5), abs(fract(at - 0.5) - 0.5) / wide);
     vec2 density = clamp(1.5 - 3.0 * wide, 0.0, 1.0); // a grid finer than pixels fades instead of crawling
     return max(line.x * density.x, line.y * density.y);
 }
 
-// Green where nothing finer is asked for, orange where it is awaited, red where it cannot be read.
+// Green where nothing finer is called for, orange where it is pending, red where it cannot be read.
 vec3 residence(float reason) {
     return reason < 0.5 ? vec3(0.35, 0.75, 0.4) : reason < 1.5 ? vec3(0.95, 0.6, 0.15) : vec3(0.85, 0.15, 0.2);
 }
@@ -56,13 +56,13 @@ vec3 overlay(vec3 shaded, vec3 position, vec3 normal, float depth, int index, fl
 #elif OVERLAY == 3
     return index < 0 ? vec3(lightness) * 0.5 : heat(aliasing(partitions[index], position, depth)) * (0.5 + 0.5 * lightness);
 #elif OVERLAY == 4
-    return heat(error / (image.w * depth) / max(near.z, 1e-6)) * (0.4 + 0.6 * lightness);
+    return heat(error / (pixelSlope * depth) / max(errorPixels, 1e-6)) * (0.4 + 0.6 * lightness);
 #elif OVERLAY == 5
     return indexColor(int(cluster)) * (0.4 + 0.6 * lightness);
 #elif OVERLAY == 6
     return index < 0 ? vec3(lightness) * 0.5 : heat(projection(position, normal)) * (0.5 + 0.5 * lightness);
 #elif OVERLAY == 7
-    return residence(near.w) * (0.4 + 0.6 * lightness);
+    return residence(drawnResidence) * (0.4 + 0.6 * lightness);
 #else
     return shaded;
 #endif

@@ -5,7 +5,7 @@ layout(binding = 0) uniform sampler2D shadowDepth;
 // The slice with near <= z < far; what lies before the first or behind the last belongs to it.
 int sliceOf(float z) {
     int slice = 0;
-    while (slice + 1 < counts.x && z >= splits[slice].y) ++slice;
+    while (slice + 1 < sliceCount && z >= slices[slice].far) ++slice;
     return slice;
 }
 
@@ -13,24 +13,24 @@ int sliceOf(float z) {
 // face's test. Word for word shadow::ownerOf.
 int faceOf(vec3 p, int slice) {
     int face = 0;
-    while (face + 1 < counts.z && !(dot(faceFirst[face].xyz, p) >= 0.0 && dot(faceSecond[face].xyz, p) >= 0.0)) ++face;
-    bool inNear = counts.w == 1 && dot(faceEdge[face].xyz, p) < faceEdge[face].w * splits[slice].x;
-    return inNear ? counts.z : face;
+    while (face + 1 < sideFaceCount && !(dot(faceFirst[face].xyz, p) >= 0.0 && dot(faceSecond[face].xyz, p) >= 0.0)) ++face;
+    bool inNear = hasOwnNear == 1 && dot(faceEdge[face].xyz, p) < faceEdge[face].w * slices[slice].near;
+    return inNear ? sideFaceCount : face;
 }
 
 int partitionOf(vec3 p, float z) {
     int slice = sliceOf(z);
-    int facesPerSlice = max(counts.z, 1) + counts.w;
-    int index = slice * facesPerSlice + (counts.z == 0 ? 0 : faceOf(p, slice));
+    int facesPerSlice = max(sideFaceCount, 1) + hasOwnNear;
+    int index = slice * facesPerSlice + (sideFaceCount == 0 ? 0 : faceOf(p, slice));
     return passOfPartition[index / 4][index % 4];
 }
 
 vec4 clipOf(Partition part, vec3 p) {
-    return part.clipFromOffset * vec4(p - part.origin.xyz, 1.0);
+    return part.clipFromOffset * vec4(p - part.origin, 1.0);
 }
 
 vec2 texelOf(Partition part, vec4 clip) {
-    return clip.xy / clip.w * part.texel.xy + part.texel.zw;
+    return clip.xy / clip.w * part.texelScale + part.texelOffset;
 }
 
 // How far the receiver's plane, and a neighbour somewhat steeper, may change in depth over half a texel and the kernel,
@@ -39,8 +39,8 @@ float receiverBias(Partition part, vec4 plane, float cosine, float w) {
     float across = max(abs(dot(plane, part.byDepth)), 1e-30);
     float slope = (abs(dot(plane, part.byColumn)) + abs(dot(plane, part.byRow))) / across;
     slope *= min(1.0, cosine / 0.1); // grazing receivers would ask for any bias
-    float uneven = length(vec2(part.axisX.w, part.axisZ.w * w));
-    return (slope + uneven) * part.origin.w + 6e-7;
+    float uneven = length(vec2(part.unevenX, part.unevenZ * w));
+    return (slope + uneven) * part.reach + 6e-7;
 }
 
 // The lit fraction of `p` (draw space) on a receiver with flat normal `normal` and cosine `cosine` to the light.
@@ -49,11 +49,11 @@ float litFraction(int index, vec3 p, vec3 normal, float cosine) {
     Partition part = partitions[index];
     vec4 clip = clipOf(part, p);
     vec2 texel = texelOf(part, clip);
-    vec4 plane = vec4(normal, -dot(normal, p - part.origin.xyz));
+    vec4 plane = vec4(normal, -dot(normal, p - part.origin));
     float depth = clip.z / clip.w - receiverBias(part, plane, cosine, clip.w);
-    int width = max(counts.y, 1);
-    ivec2 lowest = ivec2(part.rectangle.xy);
-    ivec2 highest = ivec2(part.rectangle.zw) - 1;
+    int width = max(filterTexels, 1);
+    ivec2 lowest = ivec2(part.firstTexel);
+    ivec2 highest = ivec2(part.endTexel) - 1;
     ivec2 first = ivec2(floor(texel - 0.5 * float(width - 1)));
     float lit = 0.0;
     for (int y = 0; y < width; ++y)

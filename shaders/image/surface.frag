@@ -21,7 +21,7 @@ layout(location = 2) out vec4 auxiliaryPosition; // w: 1
 #endif
 
 void main() {
-    vec3 towardsEye = eye.xyz - position;
+    vec3 towardsEye = eye - position;
     vec3 flatNormal = cross(dFdx(position), dFdy(position));
     float size = length(flatNormal);
     flatNormal = size > 0.0 ? flatNormal / size : normalize(towardsEye);
@@ -29,13 +29,13 @@ void main() {
     vec3 smoothNormal = normal == vec3(0.0) ? flatNormal : normalize(normal);
     if (dot(smoothNormal, flatNormal) < 0.0) smoothNormal = -smoothNormal;
 
-    float depth = dot(view.xyz, position) + view.w;
-    float cosine = dot(flatNormal, light.xyz);
+    float depth = dot(viewDirection, position) + originDepth;
+    float cosine = dot(flatNormal, towardsLight);
     float lit = 0.0;
     int index = -1;
     if (cosine > 0.0) {
 #if SHADOWS == 1
-        index = partitionOf(position - eye.xyz, depth);
+        index = partitionOf(position - eye, depth);
         lit = litFraction(index, position, flatNormal, cosine);
 #elif SHADOWS == 2
         lit = texelFetch(litMask, ivec2(gl_FragCoord.xy), 0).r;
@@ -43,7 +43,7 @@ void main() {
         lit = 1.0;
 #endif
     }
-    float direct = lit * max(dot(smoothNormal, light.xyz), 0.0);
+    float direct = lit * max(dot(smoothNormal, towardsLight), 0.0);
     float facing = abs(dot(smoothNormal, normalize(towardsEye)));
     vec3 shaded = color * (0.22 + 0.14 * facing + 0.64 * direct);
 #if OVERLAY

@@ -24,7 +24,7 @@ void main() {
     normal = normalBits == 0x80008000u ? vec3(0.0) : octahedral(normalBits);
     color = colorAndError.rgb;
     float code = round(colorAndError.a * 255.0);
-    error = code == 0.0 ? 0.0 : eye.w * exp2((code - 9.0) / 8.0);
+    error = code == 0.0 ? 0.0 : gridStep * exp2((code - 9.0) / 8.0);
     uvec3 top = gridPoint >> 31u;
     cluster = top.x | top.y << 1u | top.z << 2u;
     gl_Position = clipFromDraw * vec4(position, 1.0);

@@ -6,6 +6,9 @@
 namespace gnomon::executor::block {
 using vec4 = glm::vec4;
 using ivec4 = glm::ivec4;
+using vec2 = glm::vec2;
+using vec3 = glm::vec3;
+using ivec3 = glm::ivec3;
 using mat4 = glm::mat4;
 #define GNOMON_BLOCK(binding_, name_) struct name_
 #else
@@ -15,37 +18,56 @@ using mat4 = glm::mat4;
 #define GNOMON_MAX_PARTITIONS 96
 #define GNOMON_MAX_SLICES 64
 
+// A three-component vector and the scalar behind it share one slot of 16 bytes, in std140 as in C++.
 GNOMON_BLOCK(0, Frame) {
-    mat4 clipFromDraw; // of the pass that is drawn
-    ivec4 originCell;  // xyz: the grid point that is draw space's origin
-    vec4 eye;          // xyz: the eye in draw space; w: the grid's step
-    vec4 view;         // xyz: the view direction; w: the view depth of draw space's origin
-    vec4 light;        // xyz: the direction towards the light; w: +1 if it is behind the viewer or across, else -1
-    vec4 image;        // width and height in pixels; z: the clip near plane; w: 2 tan(theta) / height
-    vec4 near;         // x: the shadow range's near; y: its far; z: error threshold in pixels; w: for the overlay of
-                       // residency, why what is drawn now is drawn (executor::Residence)
-    ivec4 counts; // x: slices; y: filter width in texels; z: side faces of a slice; w: 1 if the near face has maps of
-                  // its own
+    mat4 clipFromDraw;  // of the pass that is drawn
+    ivec3 originCell;   // the grid point that is draw space's origin
+    int filterTexels;   // width of the filter
+    vec3 eye;           // in draw space
+    float gridStep;     // the grid's step, world units
+    vec3 viewDirection; // draw space
+    float originDepth;  // the view depth of draw space's origin
+    vec3 towardsLight;  // draw space
+    float pixelSlope;   // 2 tan(theta) / height: a pixel's height at view depth 1
+    int sliceCount;
+    int sideFaceCount;    // of a slice
+    int hasOwnNear;       // 1 if the near face has maps of its own
+    float errorPixels;    // the error threshold
+    float drawnResidence; // for the overlay of residency, why what is drawn now is drawn (executor::Residence)
+    float unusedX;
+    float unusedY;
+    float unusedZ;
 };
 
 // shadow::MapImage in single precision, for positions in draw space.
 struct Partition {
-    mat4 clipFromOffset; // position - origin -> (x, y, depth, 1) w, x and y in [-1, 1] over `rectangle`
-    vec4 origin;         // xyz: of the offsets; w: the reach of a lookup in texels
-    vec4 texel;          // (column, row) of the whole depth texture = clip.xy / clip.w * texel.xy + texel.zw
-    vec4 byColumn;       // products with the receiver's plane: its depth changes by byColumn / byDepth a column
+    mat4 clipFromOffset; // position - origin -> (x, y, depth, 1) w, x and y in [-1, 1] over the partition
+    vec3 origin;         // of the offsets
+    float reach;         // of a lookup, in texels
+    vec2 texelScale;     // (column, row) of the whole depth texture = clip.xy / clip.w * texelScale + texelOffset
+    vec2 texelOffset;
+    vec4 byColumn; // products with the receiver's plane: its depth changes by byColumn / byDepth a column
     vec4 byRow;
     vec4 byDepth;
-    vec4 axisX;     // xyz: the light frame's x in draw space; w: what unevenness changes in depth over a texel along x
-    vec4 axisZ;     // and its z; w: the same along z, where the map's w is 1
-    vec4 rectangle; // the partition's texels, gutters included: first column, first row, one past the last
+    vec3 axisX;      // the light frame's x in draw space
+    float unevenX;   // what unevenness changes in depth over a texel along x
+    vec3 axisZ;      // the light frame's z in draw space
+    float unevenZ;   // the same along z, where the map's w is 1
+    vec2 firstTexel; // of the partition, gutters included: column and row
+    vec2 endTexel;   // one past the last
+};
+
+struct Slice {
+    float near; // view depths
+    float far;
+    vec2 unused;
 };
 
 GNOMON_BLOCK(1, Shadows) {
     vec4 faceFirst[4]; // a face owns p where dot(first, p) >= 0 and dot(second, p) >= 0; p from the eye
     vec4 faceSecond[4];
-    vec4 faceEdge[4];               // xyz, w: p is the near face's where dot(xyz, p) < w * near of its slice
-    vec4 splits[GNOMON_MAX_SLICES]; // x: near of the slice; y: far
+    vec4 faceEdge[4]; // xyz, w: p is the near face's where dot(xyz, p) < w * near of its slice
+    Slice slices[GNOMON_MAX_SLICES];
     ivec4 passOfPartition[GNOMON_MAX_PARTITIONS / 4]; // partition: slice * faces a slice + face, near last; -1: no map
     Partition partitions[GNOMON_MAX_PARTITIONS];
 };

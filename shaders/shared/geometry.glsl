@@ -8,5 +8,5 @@ layout(location = 2) in vec4 colorAndError;
 
 // Exact until the one conversion to float: both are below 2^31.
 vec3 drawPosition() {
-    return vec3(ivec3(gridPoint & 0x7FFFFFFFu) - originCell.xyz) * eye.w;
+    return vec3(ivec3(gridPoint & 0x7FFFFFFFu) - originCell) * gridStep;
 }

@@ -157,13 +157,13 @@ measure::WalkOptions walkOf(const BenchOptions& options) {
     }
     walk.repetitions = options.repetitions.value_or(options.report.empty() ? 1 : 3);
     walk.oracle = options.oracle.mode();
-    const bool isProven = walk.oracle != frame::Oracle::None;
+    const bool isProven = walk.oracle != proof::Oracle::None;
     if (walk.isRealTime && isProven)
         throw settings::UsageError{
             "--oracle and --real-time contradict each other: a frame held against rays waits for its pages"};
     walk.provenFrames = walk.frames;
     if (!options.report.empty() && !isProven && !walk.isRealTime) {
-        walk.oracle = frame::Oracle::SameDetail;
+        walk.oracle = proof::Oracle::SameDetail;
         walk.provenFrames = options.isQuick ? 3 : 8;
     }
     return walk;
@@ -249,7 +249,7 @@ private:
 
     report::RunSummary walkedAgain(std::size_t run) {
         measure::WalkOptions walk = options_.walk;
-        walk.oracle = frame::Oracle::None;
+        walk.oracle = proof::Oracle::None;
         walk.onPicture = nullptr;
         return measure::summary(walked("once more", {runs_[run]}, walk).front());
     }

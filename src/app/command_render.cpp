@@ -81,10 +81,12 @@ void runRender(const RenderOptions& options) {
     const PreparedFolder shadowDepth(options.shadowDepth);
     frame::FrameOptions frameOptions;
     frameOptions.overlay = valueOf(executor::kOverlays, options.overlay).value_or(executor::Overlay::None);
-    frameOptions.measuresAliasing = !options.statistics.empty();
-    frameOptions.oracle = options.oracle.mode();
-    frameOptions.comparesWithFinest = frameOptions.oracle != frame::Oracle::None;
-    const frame::Frame frame = session.renderer().render(view, quality, frameOptions);
+    frame::Frame frame = session.renderer().render(view, quality, frameOptions);
+    proof::ProofOptions proofOptions;
+    proofOptions.measuresAliasing = !options.statistics.empty();
+    proofOptions.oracle = options.oracle.mode();
+    proofOptions.comparesWithFinest = proofOptions.oracle != proof::Oracle::None;
+    proof::setAccuracy(proof::prove(session.renderer(), frame, proofOptions), frame.row);
     const executor::Picture picture = session.executor().picture();
     executor::Picture shown = picture;
     if (frameOptions.overlay == executor::Overlay::Aliasing || frameOptions.overlay == executor::Overlay::Projection)

@@ -4,7 +4,7 @@ namespace gnomon::app {
 
 namespace {
 
-const std::string kFlagAlone(wordOf(frame::kOracles, frame::Oracle::SameDetail));
+const std::string kFlagAlone(wordOf(proof::kOracles, proof::Oracle::SameDetail));
 
 } // namespace
 
@@ -18,7 +18,7 @@ void OracleOption::addTo(CLI::App& command) {
         ->expected(0, 1)
         ->check(
             [](const std::string& text) {
-                return valueOf(frame::kOracles, text)
+                return valueOf(proof::kOracles, text)
                            ? ""
                            : "it takes nothing or `full`, not '" + text + "'; put MODEL before it";
             },
@@ -27,8 +27,8 @@ void OracleOption::addTo(CLI::App& command) {
         ->type_name("[full]");
 }
 
-frame::Oracle OracleOption::mode() const {
-    return valueOf(frame::kOracles, text_).value_or(frame::Oracle::None);
+proof::Oracle OracleOption::mode() const {
+    return valueOf(proof::kOracles, text_).value_or(proof::Oracle::None);
 }
 
 } // namespace gnomon::app

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/commands.h"
-#include "frame/renderer.h"
+#include "proof/frame_proof.h"
 
 #include <string>
 
@@ -14,7 +14,7 @@ public:
     /// Adds the option to `command`; this must outlive the parsing.
     void addTo(CLI::App& command);
 
-    frame::Oracle mode() const;
+    proof::Oracle mode() const;
 
 private:
     std::string text_;

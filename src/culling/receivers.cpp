@@ -101,7 +101,7 @@ private:
 
 } // namespace
 
-std::optional<DepthRange> visibleDepthRange(const selection::CutQuery& query, const selection::DrawList& image) {
+std::optional<VisibleDepths> visibleDepthRange(const selection::CutQuery& query, const selection::DrawList& image) {
     std::vector<Candidate> heap = candidates(query, image);
     DepthSearch search(query);
     double least = kInfinite;
@@ -120,7 +120,7 @@ std::optional<DepthRange> visibleDepthRange(const selection::CutQuery& query, co
         search.measure(heap.front(), least, greatest);
         std::pop_heap(heap.begin(), end, nearer);
     }
-    return DepthRange{least, greatest, search.measured};
+    return VisibleDepths{{least, greatest}, search.measured};
 }
 
 std::vector<bool> receivingVolumes(

@@ -1,6 +1,7 @@
 // The receivers: what of the image's draw list lies in a volume, to the triangle, and between which depths.
 #pragma once
 
+#include "core/depth_span.h"
 #include "selection/cut.h"
 
 #include <optional>
@@ -9,16 +10,15 @@
 
 namespace gnomon::culling {
 
-/// The least and the greatest view depth of anything drawn inside the view's pyramid, world units.
-struct DepthRange {
-    double near = 0; // 0 if something drawn passes the eye's plane
-    double far = 0;
+/// The least and the greatest view depth of anything drawn inside the view's pyramid.
+struct VisibleDepths {
+    DepthSpan span;                     // near is 0 if something drawn passes the eye's plane
     std::uint64_t clustersMeasured = 0; // how many had to be looked at triangle by triangle
 };
 
 /// The depth range of `image`, a draw list of `query`: from boxes, exact on the clusters whose box crosses the minimum
 /// or the maximum, and widened by the stored error where a refinement is missing. Nothing if nothing is seen.
-std::optional<DepthRange> visibleDepthRange(const selection::CutQuery& query, const selection::DrawList& image);
+std::optional<VisibleDepths> visibleDepthRange(const selection::CutQuery& query, const selection::DrawList& image);
 
 /// For each of `volumes` (local space) whether any triangle of `image` has a point in both it and the view's pyramid.
 std::vector<bool> receivingVolumes(

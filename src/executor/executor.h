@@ -1,6 +1,7 @@
-// Who carries a plan out: one interface for GL, rays and the software rasteriser.
+// Executes a frame plan: one interface for OpenGL and the software rasteriser.
 #pragma once
 
+#include "core/units.h"
 #include "executor/picture.h"
 #include "hierarchy/grid.h"
 #include "plan/frame_plan.h"
@@ -23,7 +24,7 @@ using PageLookup = std::function<const hierarchy::Page&(std::uint32_t page)>;
 /// What is painted over the image.
 /// Aliasing is its perspective part, which a plan promises; Projection the other factor, which depends on how the
 /// surface lies to light and eye, and which nobody can promise.
-/// Residency is what stands in for pages that are not in memory.
+/// Residency is what is drawn coarser than called for, since finer pages are not in memory.
 enum class Overlay : std::uint8_t { None, Partitions, Texels, Aliasing, Lod, Clusters, Projection, Residency };
 
 /// An overlay with its word, and what it is called where there is room.
@@ -69,16 +70,16 @@ double pixelWidth(const plan::FramePlan& plan, const DrawSpace& space, const glm
 
 /// Why a cluster is drawn.
 enum class Residence : std::uint8_t {
-    AsAsked, // the error asks for nothing finer
-    Awaited, // what refines it is not in memory
+    Final,   // the error calls for nothing finer
+    Pending, // what refines it is not in memory
     Damaged, // what refines it cannot be read
 };
 
-/// A drawn cluster that stands in for finer ones.
-struct StandIn {
+/// A drawn cluster that is coarser than the error calls for.
+struct LodSubstitute {
     std::uint32_t page = 0;
     std::uint32_t cluster = 0;
-    Residence residence = Residence::Awaited;
+    Residence residence = Residence::Pending;
 };
 
 /// One frame, ready to be drawn.
@@ -89,22 +90,26 @@ struct FrameDrawing {
     const selection::DrawList* image = nullptr;
     std::vector<const selection::DrawList*> casters; // one a pass
     PageLookup pages;
-    double clipNear = 1e-3; // view depth of the near clip plane: nothing that is drawn lies before it
-    std::optional<Camera>
-        onlooker; // who sees the image in place of the plan's camera, which it then shows from outside
+    double clipNear = 1e-3;               // view depth of the near clip plane: nothing that is drawn lies before it
+    std::optional<Camera> observerCamera; // sees the image in place of the plan's camera: from outside its frustum
     Overlay overlay = Overlay::None;
-    std::vector<StandIn> standIns;                 // of the image, by page and cluster; for Overlay::Residency alone
+    std::vector<LodSubstitute> substitutes;        // of the image, by page and cluster; for Overlay::Residency alone
     bool wantsSurfaces = false;                    // keep what `surfaces` returns
     const Raster<std::uint8_t>* litMask = nullptr; // 255 where the light reaches, instead of maps
 };
 
-/// What drawing took. Times are wall-clock around finished work.
-struct DrawStatistics {
-    double shadowMs = 0;
-    double imageMs = 0;
+/// What one kind of passes took.
+struct PassStatistics {
+    Milliseconds time; // wall-clock around finished work
     std::uint64_t drawCalls = 0;
-    std::optional<std::uint64_t> shadowFragments; // pixels that the casters' triangles cover, summed; if counted
-    std::uint64_t deviceBytes = 0;                // geometry and textures held
+    std::optional<std::uint64_t> fragments; // pixels that the triangles cover, summed; if counted
+};
+
+/// What drawing a frame took.
+struct DrawStatistics {
+    PassStatistics shadows;
+    PassStatistics image;
+    Bytes deviceMemory; // geometry and textures held
 };
 
 /// What is known of a pixel's surface.
@@ -116,14 +121,14 @@ struct SurfaceSample {
 
     bool isLitSide() const { return isSurface > 0 && partitionAndLit >= 0; }
 
-    /// The map that was asked, by the plan's passes; -1 if none was.
+    /// The map that was looked up, by the plan's passes; -1 if none was.
     int partition() const { return static_cast<int>(partitionAndLit) - 1; }
 
     /// From 0 to 1.
     float litFraction() const { return 2 * (partitionAndLit - std::floor(partitionAndLit)); }
 };
 
-/// Draws frames. The results are those of the last frame.
+/// Draws frames: a frame's shadow maps, then its image. The results are those of the last frame.
 class Executor {
 public:
     Executor() = default;
@@ -135,8 +140,15 @@ public:
 
     /// "osmesa", "egl", ...: the column `backend`.
     virtual std::string name() const = 0;
-    /// Maps that the plan reuses stay as the last frame left them.
-    virtual DrawStatistics draw(const FrameDrawing& frame) = 0;
+    /// Draws the maps of all passes; those that the plan reuses stay as the last frame left them. Comes first in every
+    /// frame, one without maps too.
+    virtual PassStatistics drawShadowMaps(const FrameDrawing& frame) = 0;
+    /// Draws the image, lit through the maps or by the frame's `litMask`.
+    virtual PassStatistics drawImage(const FrameDrawing& frame) = 0;
+    /// What geometry and textures hold since the last frame.
+    virtual Bytes deviceMemory() const = 0;
+    /// Both passes of a frame.
+    DrawStatistics draw(const FrameDrawing& frame);
     virtual Picture picture() = 0;
     /// View depth per pixel; infinity where nothing is.
     virtual FloatPicture viewDepth() = 0;

@@ -5,8 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace gnomon::executor {
+
+// What std140 lays out for the shaders is what C++ does.
+static_assert(offsetof(block::Frame, gridStep) == offsetof(block::Frame, eye) + 12 && sizeof(block::Frame) % 16 == 0);
+static_assert(offsetof(block::Frame, sliceCount) % 16 == 0);
+static_assert(sizeof(block::Slice) == 16 && sizeof(block::Partition) % 16 == 0);
+static_assert(offsetof(block::Partition, axisX) % 16 == 0 && offsetof(block::Partition, firstTexel) % 16 == 0);
 
 namespace {
 
@@ -76,9 +83,9 @@ glm::dmat4 imageClipFromDraw(const FrameDrawing& frame) {
     const plan::View& view = frame.plan->view;
     const glm::dmat4 clipFromCamera = fromRows(
         {1 / view.tanHalfX(), 0, 0, 0}, {0, 1 / view.tanHalfY(), 0, 0}, {0, 0, 0, frame.clipNear}, {0, 0, 1, 0});
-    if (!frame.onlooker) return clipFromCamera * frame.space.cameraFromDraw;
-    const glm::dvec3 eye = frame.space.eye + (frame.onlooker->eye - view.camera.eye);
-    return clipFromCamera * cameraFromDraw(cameraBasis(*frame.onlooker), eye);
+    if (!frame.observerCamera) return clipFromCamera * frame.space.cameraFromDraw;
+    const glm::dvec3 eye = frame.space.eye + (frame.observerCamera->eye - view.camera.eye);
+    return clipFromCamera * cameraFromDraw(cameraBasis(*frame.observerCamera), eye);
 }
 
 MapDrawing mapDrawing(const FrameDrawing& frame, const shadow::ShadowMap& map) {
@@ -101,20 +108,18 @@ block::Frame frameBlock(const FrameDrawing& frame, const DrawSpace& space, const
     const CameraBasis& basis = plan.basis;
     block::Frame result{};
     result.clipFromDraw = glm::mat4(clipFromDraw);
-    result.originCell = glm::ivec4(space.originCell.x, space.originCell.y, space.originCell.z, 0);
-    result.eye = glm::vec4(glm::vec3(space.eye), static_cast<float>(space.step));
-    result.view = glm::vec4(glm::vec3(basis.view), static_cast<float>(-glm::dot(basis.view, space.eye)));
-    result.light = toDraw(basis, plan.towardsLight, plan.towardsLight.z <= 0 ? 1 : -1);
-    result.image = glm::vec4(
-        view.width,
-        view.height,
-        static_cast<float>(frame.clipNear),
-        static_cast<float>(2 * view.tanHalfY() / view.height));
-    result.near = glm::vec4(
-        static_cast<float>(plan.near), static_cast<float>(plan.far), static_cast<float>(plan.quality.errorPixels), 0);
-    const int slices = static_cast<int>(std::max<std::size_t>(plan.splits.size(), 2)) - 1;
-    result.counts = glm::ivec4(
-        slices, plan.quality.filter, static_cast<int>(plan.selector.faces.size()), plan.selector.ownNear ? 1 : 0);
+    result.originCell = glm::ivec3(space.originCell.x, space.originCell.y, space.originCell.z);
+    result.filterTexels = plan.quality.filter;
+    result.eye = glm::vec3(space.eye);
+    result.gridStep = static_cast<float>(space.step);
+    result.viewDirection = glm::vec3(basis.view);
+    result.originDepth = static_cast<float>(-glm::dot(basis.view, space.eye));
+    result.towardsLight = glm::vec3(toDraw(basis, plan.towardsLight));
+    result.pixelSlope = static_cast<float>(2 * view.tanHalfY() / view.height);
+    result.sliceCount = static_cast<int>(std::max<std::size_t>(plan.splits.size(), 2)) - 1;
+    result.sideFaceCount = static_cast<int>(plan.selector.faces.size());
+    result.hasOwnNear = plan.selector.ownNear ? 1 : 0;
+    result.errorPixels = static_cast<float>(plan.quality.errorPixels);
     return result;
 }
 
@@ -133,21 +138,26 @@ block::Shadows shadowsBlock(const FrameDrawing& frame) {
     for (std::size_t i = 0; i < plan.passOfPartition.size(); ++i)
         result.passOfPartition[i / 4][static_cast<int>(i % 4)] = plan.passOfPartition[i];
     for (std::size_t i = 0; i + 1 < plan.splits.size(); ++i)
-        result.splits[i] = glm::vec4(static_cast<float>(plan.splits[i]), static_cast<float>(plan.splits[i + 1]), 0, 0);
+        result.slices[i] = {static_cast<float>(plan.splits[i]), static_cast<float>(plan.splits[i + 1]), glm::vec2(0)};
     for (std::size_t p = 0; p < plan.passes.size(); ++p) {
         const shadow::ShadowMap& map = plan.passes[p].map;
         const shadow::FloatMapImage image = mapDrawing(frame, map).image;
         block::Partition& out = result.partitions[p];
         out.clipFromOffset = image.clipFromOffset;
-        out.origin = glm::vec4(image.origin, image.reach);
-        out.texel = glm::vec4(image.texelScale, image.texelOffset);
+        out.origin = image.origin;
+        out.reach = image.reach;
+        out.texelScale = image.texelScale;
+        out.texelOffset = image.texelOffset;
         out.byColumn = image.byColumn;
         out.byRow = image.byRow;
         out.byDepth = image.byDepth;
-        out.axisX = toDraw(plan.basis, map.warped.frame.x, image.unevenX);
-        out.axisZ = toDraw(plan.basis, map.warped.frame.z, image.unevenZ);
+        out.axisX = glm::vec3(toDraw(plan.basis, map.warped.frame.x));
+        out.unevenX = image.unevenX;
+        out.axisZ = glm::vec3(toDraw(plan.basis, map.warped.frame.z));
+        out.unevenZ = image.unevenZ;
         const shadow::TexelRectangle& r = map.rectangle;
-        out.rectangle = glm::vec4(r.x, r.y, r.x + r.width, r.y + r.height);
+        out.firstTexel = glm::vec2(r.x, r.y);
+        out.endTexel = glm::vec2(r.x + r.width, r.y + r.height);
     }
     return result;
 }

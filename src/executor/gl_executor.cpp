@@ -1,27 +1,21 @@
 #include "executor/gl_executor.h"
 
 #include "core/error.h"
+#include "core/stopwatch.h"
 #include "executor/frame_block.h"
 #include "executor/geometry_pool.h"
 #include "executor/gl_batch.h"
 #include "executor/gl_targets.h"
-#include "executor/stand_ins.h"
+#include "executor/lod_substitutes.h"
 #include "gl/program.h"
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <map>
 
 namespace gnomon::executor {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double millisecondsSince(Clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 constexpr GLuint kShadowDepthUnit = 0;
 constexpr GLuint kLitMaskUnit = 1;
@@ -48,7 +42,11 @@ public:
 
     const gl::Texture& texture() const override { return targets_.color(); }
 
-    DrawStatistics draw(const FrameDrawing& frame) override;
+    PassStatistics drawShadowMaps(const FrameDrawing& frame) override;
+
+    PassStatistics drawImage(const FrameDrawing& frame) override;
+
+    Bytes deviceMemory() const override { return {pool_.size().count + targetMemory_.count}; }
 
     Picture picture() override { return targets_.picture(); }
 
@@ -61,9 +59,9 @@ public:
 private:
     const gl::Api& api() const { return context_->api(); }
 
-    void shareMemory(const FrameDrawing& frame);
-    void drawShadowMaps(const FrameDrawing& frame);
-    void drawImage(const FrameDrawing& frame);
+    void prepareTargets(const FrameDrawing& frame);
+    void drawMaps(const FrameDrawing& frame);
+    void drawSurfaces(const FrameDrawing& frame);
     void drawGeometry(const FrameDrawing& frame, const selection::DrawList& list);
     PagePlace placed(const FrameDrawing& frame, std::uint32_t id, GlBatch& batch);
     bool waitsForDraws() const;
@@ -82,40 +80,43 @@ private:
     std::map<std::string, gl::Program> surfacePrograms_; // by their defines
     GlTargets targets_;
     gl::Texture litMask_;
+    Bytes targetMemory_;
     double clipNear_ = 1;
-    std::uint64_t drawCalls_ = 0;
+    std::uint64_t drawCalls_ = 0; // of the current pass
 };
 
-DrawStatistics GlExecutor::draw(const FrameDrawing& frame) {
-    DrawStatistics statistics;
+PassStatistics GlExecutor::drawShadowMaps(const FrameDrawing& frame) {
+    prepareTargets(frame);
+    drawCalls_ = 0;
+    const Stopwatch watch;
+    if (targets_.hasShadowMaps()) drawMaps(frame);
+    api().finish();
+    return {targets_.hasShadowMaps() ? watch.elapsed() : Milliseconds(), drawCalls_, std::nullopt};
+}
+
+PassStatistics GlExecutor::drawImage(const FrameDrawing& frame) {
+    prepareTargets(frame);
     drawCalls_ = 0;
     clipNear_ = frame.clipNear;
-    shareMemory(frame);
-    targets_.prepare(*context_, frame);
-    const auto start = Clock::now();
-    if (targets_.hasShadowMaps()) drawShadowMaps(frame);
+    const Stopwatch watch;
+    drawSurfaces(frame);
     api().finish();
-    statistics.shadowMs = targets_.hasShadowMaps() ? millisecondsSince(start) : 0;
-    const auto imageStart = Clock::now();
-    drawImage(frame);
-    api().finish();
-    statistics.imageMs = millisecondsSince(imageStart);
+    const Milliseconds time = watch.elapsed();
     context_->check("frame");
-    statistics.drawCalls = drawCalls_;
-    statistics.deviceBytes = pool_.size().count + GlTargets::bytes(frame).count;
-    return statistics;
+    return {time, drawCalls_, std::nullopt};
 }
 
 /// What the targets leave of the memory is the geometry's.
-void GlExecutor::shareMemory(const FrameDrawing& frame) {
-    const Bytes targets = GlTargets::bytes(frame);
-    if (targets >= memory_)
+void GlExecutor::prepareTargets(const FrameDrawing& frame) {
+    targetMemory_ = GlTargets::bytes(frame);
+    if (targetMemory_ >= memory_)
         throw Error(
             "--gpu-memory",
             "the image and its shadow maps alone take more",
-            "above " + readableBytes(targets),
+            "above " + readableBytes(targetMemory_),
             readableBytes(memory_));
-    pool_.keepUnder({memory_.count - targets.count});
+    pool_.keepUnder({memory_.count - targetMemory_.count});
+    targets_.prepare(*context_, frame);
 }
 
 void GlExecutor::bindBlocks(const block::Frame& values) {
@@ -124,7 +125,7 @@ void GlExecutor::bindBlocks(const block::Frame& values) {
     api().bindBufferBase(GL_UNIFORM_BUFFER, 1, shadowsBlock_.id());
 }
 
-void GlExecutor::drawShadowMaps(const FrameDrawing& frame) {
+void GlExecutor::drawMaps(const FrameDrawing& frame) {
     const plan::FramePlan& plan = *frame.plan;
     const gl::Api& gl = api();
     if (!depthProgram_) depthProgram_.emplace(gl, shaders_, "shadow/depth.vert", "shadow/depth.frag");
@@ -168,7 +169,7 @@ const gl::Program& GlExecutor::surfaceProgram(const FrameDrawing& frame) {
         .first->second;
 }
 
-void GlExecutor::drawImage(const FrameDrawing& frame) {
+void GlExecutor::drawSurfaces(const FrameDrawing& frame) {
     const gl::Api& gl = api();
     const plan::View& view = frame.plan->view;
     gl.useProgram(surfaceProgram(frame).id());
@@ -199,10 +200,10 @@ void GlExecutor::drawImage(const FrameDrawing& frame) {
     }
     block::Frame values = frameBlock(frame, frame.space, imageClipFromDraw(frame));
     if (frame.overlay == Overlay::Residency) {
-        for (const Residence residence : {Residence::AsAsked, Residence::Awaited, Residence::Damaged}) {
-            values.near.w = static_cast<float>(residence);
+        for (const Residence residence : {Residence::Final, Residence::Pending, Residence::Damaged}) {
+            values.drawnResidence = static_cast<float>(residence);
             bindBlocks(values);
-            drawGeometry(frame, drawnAs(*frame.image, frame.standIns, residence, frame.pages));
+            drawGeometry(frame, drawnAs(*frame.image, frame.substitutes, residence, frame.pages));
         }
         return;
     }

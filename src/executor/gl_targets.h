@@ -33,7 +33,7 @@ public:
     /// The colours of the image.
     const gl::Texture& color() const { return image_->color; }
 
-    /// Of colours, depth (reversed) and, when asked for, normals and positions.
+    /// Of colours, depth (reversed) and, when wanted, normals and positions.
     GLuint imageFramebuffer() const { return image_->framebuffer.id(); }
 
     bool hasShadowMaps() const { return shadow_.has_value(); }
@@ -56,7 +56,7 @@ public:
 private:
     struct Image {
         gl::Texture color;
-        gl::Texture normals; // these two are empty unless surfaces are asked for
+        gl::Texture normals; // these two are empty unless surfaces are wanted
         gl::Texture positions;
         gl::Texture depth;
         gl::Framebuffer framebuffer;

@@ -1,9 +1,10 @@
 #include "executor/ray_shadows.h"
 
+#include "core/stopwatch.h"
+
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <chrono>
 
 namespace gnomon::executor {
 
@@ -46,27 +47,21 @@ std::vector<raycast::Light> lightByRays(
     return light;
 }
 
-DrawStatistics drawWithRays(Executor& executor, FrameDrawing frame, const selection::DrawList& casters) {
-    const auto start = std::chrono::steady_clock::now();
-    const bool wantsSurfaces = frame.wantsSurfaces;
-    const Overlay overlay = frame.overlay;
+TracedShadows traceShadows(Executor& executor, FrameDrawing frame, const selection::DrawList& casters) {
+    const Stopwatch watch;
     frame.wantsSurfaces = true;
     frame.overlay = Overlay::None;
-    const DrawStatistics first = executor.draw(frame);
+    TracedShadows result;
+    result.statistics = executor.drawShadowMaps(frame);
+    result.statistics.drawCalls += executor.drawImage(frame).drawCalls;
     const Raster<SurfaceSample> surfaces = executor.surfaces();
     const std::array lists = {frame.image, &casters};
     const std::vector<raycast::Light> light =
         lightByRays(rayScene(frame, lists), *frame.plan, frame.space, surfaces, kTouchingPixels);
-    Raster<std::uint8_t> mask(surfaces.width, surfaces.height);
+    result.litMask = Raster<std::uint8_t>(surfaces.width, surfaces.height);
     for (std::size_t i = 0; i < light.size(); ++i)
-        mask.pixels[i] = light[i] == raycast::Light::Lit ? 255 : 0;
-    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
-    frame.wantsSurfaces = wantsSurfaces;
-    frame.overlay = overlay;
-    frame.litMask = &mask;
-    DrawStatistics result = executor.draw(frame);
-    result.shadowMs = took.count();
-    result.drawCalls += first.drawCalls;
+        result.litMask.pixels[i] = light[i] == raycast::Light::Lit ? 255 : 0;
+    result.statistics.time = watch.elapsed();
     return result;
 }
 

@@ -27,8 +27,14 @@ std::vector<raycast::Light> lightByRays(
     const Raster<SurfaceSample>& surfaces,
     double offsetPixels);
 
-/// Draws `frame`, whose plan has no maps, with the shadows that rays find against the image's list and `casters`. The
-/// time for the rays, and for the first picture that tells where they begin, is the shadows'.
-DrawStatistics drawWithRays(Executor& executor, FrameDrawing frame, const selection::DrawList& casters);
+/// The shadows of a frame by rays, in place of maps.
+struct TracedShadows {
+    Raster<std::uint8_t> litMask; // for FrameDrawing::litMask
+    PassStatistics statistics;    // with the image that tells where the rays begin
+};
+
+/// Draws the image of `frame`, whose plan has no maps, for its surfaces alone, and traces rays from them to the light
+/// against the image's list and `casters`.
+TracedShadows traceShadows(Executor& executor, FrameDrawing frame, const selection::DrawList& casters);
 
 } // namespace gnomon::executor

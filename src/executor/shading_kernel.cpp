@@ -165,14 +165,14 @@ HWY_INLINE void shadeLanes(const ShadingFrame& f, PixelBatch& batch, std::size_t
     const Vec3 across = cross(e1, e2);
     const Weights weights = weightsAt(ray, subtract(constant(f.rayOriginCells.data()), corner), e1, e2, across);
     const Vec3 inCells = add(add(corner, scale(e1, weights.second)), scale(e2, weights.third));
-    const Vec3 position = scale(inCells, constant(frame.eye.w));
+    const Vec3 position = scale(inCells, constant(frame.gridStep));
 
     const Vec3 towardsEye = subtract(constant(&frame.eye.x), position);
     const Vec3 eyeDirection = normalizedOr(towardsEye, {zero, zero, zero});
     const Vec3 flat = turned(normalizedOr(across, eyeDirection), towardsEye);
     const Vec3 smooth = smoothNormal(batch, i, weights, flat);
-    const auto depth = hn::Add(dot(constant(&frame.view.x), position), constant(frame.view.w));
-    const Vec3 light = constant(&frame.light.x);
+    const auto depth = hn::Add(dot(constant(&frame.viewDirection.x), position), constant(frame.originDepth));
+    const Vec3 light = constant(&frame.towardsLight.x);
     const auto cosine = dot(flat, light);
     const auto faces = hn::Gt(cosine, zero);
     auto pass = hn::Set(kInts, -1);
@@ -207,8 +207,8 @@ void lookUpShadowsInLanes(const ShadingFrame& f, PointBatch& batch) {
     for (std::size_t i = 0; i < batch.count; i += hn::Lanes(kFloats)) {
         const Vec3 position = loadVec3(batch.position, i);
         const Vec3 normal = loadVec3(batch.normal, i);
-        const auto depth = hn::Add(dot(constant(&f.frame->view.x), position), constant(f.frame->view.w));
-        const auto cosine = dot(normal, constant(&f.frame->light.x));
+        const auto depth = hn::Add(dot(constant(&f.frame->viewDirection.x), position), constant(f.frame->originDepth));
+        const auto cosine = dot(normal, constant(&f.frame->towardsLight.x));
         auto pass = hn::Set(kInts, -1);
         const auto lit = litByMaps(f, {position, normal, depth, cosine, hn::Gt(cosine, hn::Zero(kFloats))}, pass);
         hn::StoreU(lit, kFloats, batch.lit.data() + i);

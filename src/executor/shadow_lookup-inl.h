@@ -1,13 +1,13 @@
-// The shadow test of a point in each lane: which map it asks, and how much light that lets through. Included once for
-// each instruction set.
-#if defined(GNOMON_RENDER_SHADOW_LOOKUP_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef GNOMON_RENDER_SHADOW_LOOKUP_INL_H
-#undef GNOMON_RENDER_SHADOW_LOOKUP_INL_H
+// The shadow test of a point in each lane: which map is looked up, and how much light that lets through. Included once
+// for each instruction set.
+#if defined(GNOMON_EXECUTOR_SHADOW_LOOKUP_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef GNOMON_EXECUTOR_SHADOW_LOOKUP_INL_H
+#undef GNOMON_EXECUTOR_SHADOW_LOOKUP_INL_H
 #else
-#define GNOMON_RENDER_SHADOW_LOOKUP_INL_H
+#define GNOMON_EXECUTOR_SHADOW_LOOKUP_INL_H
 #endif
 
-#include "executor/shading_kernel.h"
+#include "executor/shading_batch.h"
 #include "executor/vector_lanes-inl.h"
 
 #include <algorithm>
@@ -21,8 +21,8 @@ namespace gnomon::executor::HWY_NAMESPACE {
 
 HWY_INLINE Ints sliceOf(const ShadingFrame& f, Floats z) {
     auto slice = hn::Zero(kInts);
-    for (int s = 0; s + 1 < f.frame->counts.x; ++s) {
-        const auto isBehind = hn::RebindMask(kInts, hn::Ge(z, constant(f.shadows->splits[s].y)));
+    for (int s = 0; s + 1 < f.frame->sliceCount; ++s) {
+        const auto isBehind = hn::RebindMask(kInts, hn::Ge(z, constant(f.shadows->slices[s].far)));
         slice = hn::IfThenElse(isBehind, hn::Set(kInts, s + 1), slice);
     }
     return slice;
@@ -32,27 +32,27 @@ HWY_INLINE Ints sliceOf(const ShadingFrame& f, Floats z) {
 HWY_INLINE Ints faceOf(const ShadingFrame& f, const Vec3& p, Ints slice) {
     const block::Shadows& shadows = *f.shadows;
     const auto zero = hn::Zero(kFloats);
-    const int faces = f.frame->counts.z;
+    const int faces = f.frame->sideFaceCount;
     auto face = hn::Set(kInts, faces - 1);
     for (int i = faces - 2; i >= 0; --i) {
         const auto first = hn::Ge(dot(constant(&shadows.faceFirst[i].x), p), zero);
         const auto second = hn::Ge(dot(constant(&shadows.faceSecond[i].x), p), zero);
         face = hn::IfThenElse(hn::RebindMask(kInts, hn::And(first, second)), hn::Set(kInts, i), face);
     }
-    if (f.frame->counts.w != 1) return face;
+    if (f.frame->hasOwnNear != 1) return face;
     const auto edge = [&](int k) HWY_ATTR {
         return hn::GatherIndex(kFloats, &shadows.faceEdge[0].x + k, hn::ShiftLeft<2>(face));
     };
-    const auto sliceNear = hn::GatherIndex(kFloats, &shadows.splits[0].x, hn::ShiftLeft<2>(slice));
+    const auto sliceNear = hn::GatherIndex(kFloats, &shadows.slices[0].near, hn::ShiftLeft<2>(slice));
     const auto inNear = hn::Lt(dot({edge(0), edge(1), edge(2)}, p), hn::Mul(edge(3), sliceNear));
     return hn::IfThenElse(hn::RebindMask(kInts, inNear), hn::Set(kInts, faces), face);
 }
 
 HWY_INLINE Ints passOf(const ShadingFrame& f, const Vec3& p, Floats z) {
     const auto slice = sliceOf(f, z);
-    const int facesPerSlice = std::max(f.frame->counts.z, 1) + f.frame->counts.w;
+    const int facesPerSlice = std::max(f.frame->sideFaceCount, 1) + f.frame->hasOwnNear;
     auto index = hn::Mul(slice, hn::Set(kInts, facesPerSlice));
-    if (f.frame->counts.z != 0) index = hn::Add(index, faceOf(f, p, slice));
+    if (f.frame->sideFaceCount != 0) index = hn::Add(index, faceOf(f, p, slice));
     return hn::GatherIndex(kInts, &f.shadows->passOfPartition[0].x, index);
 }
 
@@ -60,14 +60,16 @@ constexpr int kPartitionFloats = sizeof(block::Partition) / sizeof(float);
 /// Where a member of block::Partition begins.
 #define GNOMON_PARTITION_FLOAT(member) (offsetof(block::Partition, member) / sizeof(float))
 constexpr int kOrigin = GNOMON_PARTITION_FLOAT(origin);
-constexpr int kReach = kOrigin + 3;
-constexpr int kTexel = GNOMON_PARTITION_FLOAT(texel);
+constexpr int kReach = GNOMON_PARTITION_FLOAT(reach);
+constexpr int kTexelScale = GNOMON_PARTITION_FLOAT(texelScale);
+constexpr int kTexelOffset = GNOMON_PARTITION_FLOAT(texelOffset);
 constexpr int kByColumn = GNOMON_PARTITION_FLOAT(byColumn);
 constexpr int kByRow = GNOMON_PARTITION_FLOAT(byRow);
 constexpr int kByDepth = GNOMON_PARTITION_FLOAT(byDepth);
-constexpr int kUnevenX = GNOMON_PARTITION_FLOAT(axisX) + 3;
-constexpr int kUnevenZ = GNOMON_PARTITION_FLOAT(axisZ) + 3;
-constexpr int kRectangle = GNOMON_PARTITION_FLOAT(rectangle);
+constexpr int kUnevenX = GNOMON_PARTITION_FLOAT(unevenX);
+constexpr int kUnevenZ = GNOMON_PARTITION_FLOAT(unevenZ);
+constexpr int kFirstTexel = GNOMON_PARTITION_FLOAT(firstTexel);
+constexpr int kEndTexel = GNOMON_PARTITION_FLOAT(endTexel);
 #undef GNOMON_PARTITION_FLOAT
 static_assert(offsetof(block::Partition, clipFromOffset) == 0);
 
@@ -126,23 +128,23 @@ HWY_INLINE Floats litFraction(const ShadingFrame& f, Ints pass, const Vec3& p, c
     const auto inverseW = inverse(hn::IfThenElse(isFinite, w, constant(1e-30F)));
     const auto depth =
         hn::Sub(hn::Mul(clipCoordinate(part, 2, offset), inverseW), receiverBias(part, offset, normal, cosine, w));
-    const int width = std::max(f.frame->counts.y, 1);
+    const int width = std::max(f.frame->filterTexels, 1);
     const auto half = constant(0.5F * static_cast<float>(width - 1));
     const auto far = constant(1e6F);
     const auto firstOf = [&](int row) HWY_ATTR {
         const auto clip = hn::Mul(clipCoordinate(part, row, offset), inverseW);
-        const auto texel = hn::Add(hn::Mul(clip, part(kTexel + row)), part(kTexel + 2 + row));
+        const auto texel = hn::Add(hn::Mul(clip, part(kTexelScale + row)), part(kTexelOffset + row));
         const auto first = hn::Floor(hn::Sub(texel, half));
         return hn::ConvertTo(kInts, hn::Min(hn::Max(first, hn::Neg(far)), far));
     };
     const auto firstX = firstOf(0);
     const auto firstY = firstOf(1);
-    const auto side = [&](int k) HWY_ATTR { return hn::ConvertTo(kInts, part(kRectangle + k)); };
+    const auto side = [&](int k) HWY_ATTR { return hn::ConvertTo(kInts, part(k)); };
     const auto one = hn::Set(kInts, 1);
-    const auto lowX = side(0);
-    const auto lowY = side(1);
-    const auto highX = hn::Sub(side(2), one);
-    const auto highY = hn::Sub(side(3), one);
+    const auto lowX = side(kFirstTexel);
+    const auto lowY = side(kFirstTexel + 1);
+    const auto highX = hn::Sub(side(kEndTexel), one);
+    const auto highY = hn::Sub(side(kEndTexel + 1), one);
     auto lit = hn::Zero(kFloats);
     for (int y = 0; y < width; ++y) {
         const auto row = hn::Min(hn::Max(hn::Add(firstY, hn::Set(kInts, y)), lowY), highY);
@@ -164,7 +166,7 @@ struct SurfaceLanes {
     Mask faces;    // whether that is above 0
 };
 
-/// Asks the maps where the surface faces the light; `pass` becomes -1 elsewhere.
+/// Looks up the maps where the surface faces the light; `pass` becomes -1 elsewhere.
 HWY_INLINE Floats litByMaps(const ShadingFrame& f, const SurfaceLanes& surface, Ints& pass) {
     const auto none = hn::Set(kInts, -1);
     const auto isFacing = hn::RebindMask(kInts, surface.faces);

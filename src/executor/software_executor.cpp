@@ -1,26 +1,26 @@
 #include "executor/software_executor.h"
 
+#include "core/stopwatch.h"
 #include "executor/frame_block.h"
 #include "executor/software_shading.h"
 
 #include <algorithm>
-#include <chrono>
 
 namespace gnomon::executor {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double millisecondsSince(Clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
 class SoftwareExecutor final : public Executor {
 public:
     std::string name() const override { return "software"; }
 
-    DrawStatistics draw(const FrameDrawing& frame) override;
+    PassStatistics drawShadowMaps(const FrameDrawing& frame) override;
+
+    PassStatistics drawImage(const FrameDrawing& frame) override;
+
+    Bytes deviceMemory() const override {
+        return {shadowDepth_.pixels.size() * sizeof(float) + words_.size() * sizeof(std::uint64_t)};
+    }
 
     Picture picture() override { return picture_; }
 
@@ -32,8 +32,6 @@ public:
 
 private:
     void clearBetweenMaps(const plan::FramePlan& plan);
-    void drawShadowMaps(const FrameDrawing& frame);
-    void drawImage(const FrameDrawing& frame);
 
     raster::Rasterizer rasterizer_;
     SoftwarePass pass_;                // the one that is drawn
@@ -42,26 +40,7 @@ private:
     Picture picture_;
     Raster<SurfaceSample> surfaces_;
     double clipNear_ = 1;
-    std::uint64_t drawCalls_ = 0;
-    std::uint64_t shadowFragments_ = 0;
 };
-
-DrawStatistics SoftwareExecutor::draw(const FrameDrawing& frame) {
-    DrawStatistics statistics;
-    drawCalls_ = 0;
-    shadowFragments_ = 0;
-    clipNear_ = frame.clipNear;
-    const auto start = Clock::now();
-    drawShadowMaps(frame);
-    statistics.shadowMs = frame.plan->passes.empty() ? 0 : millisecondsSince(start);
-    const auto imageStart = Clock::now();
-    drawImage(frame);
-    statistics.imageMs = millisecondsSince(imageStart);
-    statistics.drawCalls = drawCalls_;
-    statistics.shadowFragments = shadowFragments_;
-    statistics.deviceBytes = shadowDepth_.pixels.size() * sizeof(float) + words_.size() * sizeof(std::uint64_t);
-    return statistics;
-}
 
 /// What no map covers is 1; each map clears its own texels as it is drawn.
 void SoftwareExecutor::clearBetweenMaps(const plan::FramePlan& plan) {
@@ -82,11 +61,13 @@ void SoftwareExecutor::clearBetweenMaps(const plan::FramePlan& plan) {
     }
 }
 
-void SoftwareExecutor::drawShadowMaps(const FrameDrawing& frame) {
+PassStatistics SoftwareExecutor::drawShadowMaps(const FrameDrawing& frame) {
+    const Stopwatch watch;
     const plan::FramePlan& plan = *frame.plan;
+    PassStatistics statistics{{}, 0, 0};
     if (plan.passes.empty()) {
         shadowDepth_ = {};
-        return;
+        return statistics;
     }
     if (shadowDepth_.width != plan.textureWidth || shadowDepth_.height != plan.textureHeight)
         shadowDepth_ = FloatPicture(plan.textureWidth, plan.textureHeight);
@@ -96,15 +77,19 @@ void SoftwareExecutor::drawShadowMaps(const FrameDrawing& frame) {
         const shadow::TexelRectangle& r = plan.passes[p].map.rectangle;
         const MapDrawing map = mapDrawing(frame, plan.passes[p].map);
         pass_.gather(frame, *frame.casters[p]);
-        drawCalls_ += frame.casters[p]->ranges.size();
-        shadowFragments_ += rasterizer_.drawDepth(
+        statistics.drawCalls += frame.casters[p]->ranges.size();
+        *statistics.fragments += rasterizer_.drawDepth(
             pass_.clusters(),
             rasterView(map.space, map.clipFromDraw(), {r.x, r.y, r.x + r.width, r.y + r.height}),
             {shadowDepth_.pixels.data(), shadowDepth_.width, shadowDepth_.height});
     }
+    statistics.time = watch.elapsed();
+    return statistics;
 }
 
-void SoftwareExecutor::drawImage(const FrameDrawing& frame) {
+PassStatistics SoftwareExecutor::drawImage(const FrameDrawing& frame) {
+    const Stopwatch watch;
+    clipNear_ = frame.clipNear;
     const plan::View& view = frame.plan->view;
     if (picture_.width != view.width || picture_.height != view.height) picture_ = Picture(view.width, view.height);
     if (!frame.wantsSurfaces)
@@ -113,7 +98,6 @@ void SoftwareExecutor::drawImage(const FrameDrawing& frame) {
         surfaces_ = Raster<SurfaceSample>(view.width, view.height);
     words_.resize(picture_.pixels.size());
     pass_.gather(frame, *frame.image);
-    drawCalls_ += frame.image->ranges.size();
     const glm::dmat4 clipFromDraw = imageClipFromDraw(frame);
     const Shading shading(frame, clipFromDraw, shadowDepth_, pass_.drawn());
     const ShadingTarget target{&picture_, frame.wantsSurfaces ? &surfaces_ : nullptr};
@@ -122,6 +106,7 @@ void SoftwareExecutor::drawImage(const FrameDrawing& frame) {
         rasterView(frame.space, clipFromDraw, {0, 0, view.width, view.height}),
         {words_.data(), view.width, view.height},
         [&](const raster::PixelBox& box) { shading.shade(box, words_, target); });
+    return {watch.elapsed(), frame.image->ranges.size(), std::nullopt};
 }
 
 FloatPicture SoftwareExecutor::viewDepth() {

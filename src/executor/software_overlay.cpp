@@ -1,7 +1,7 @@
 #include "executor/software_overlay.h"
 
 #include "executor/geometry_pool.h"
-#include "executor/stand_ins.h"
+#include "executor/lod_substitutes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,11 +18,11 @@ glm::vec3 indexColor(int index) {
 }
 
 glm::vec4 clipOf(const block::Partition& part, const glm::vec3& p) {
-    return part.clipFromOffset * glm::vec4(p - glm::vec3(part.origin), 1);
+    return part.clipFromOffset * glm::vec4(p - part.origin, 1);
 }
 
 glm::vec2 texelOf(const block::Partition& part, const glm::vec4& clip) {
-    return glm::vec2(clip) / clip.w * glm::vec2(part.texel) + glm::vec2(part.texel.z, part.texel.w);
+    return glm::vec2(clip) / clip.w * part.texelScale + part.texelOffset;
 }
 
 } // namespace
@@ -51,27 +51,26 @@ SoftwareOverlay::SoftwareOverlay(
             const auto code = static_cast<float>(vertex.color >> 24U);
             const std::uint32_t tint =
                 vertex.position.x >> 31U | vertex.position.y >> 31U << 1U | vertex.position.z >> 31U << 2U;
-            marks.push_back({code == 0 ? 0 : block.eye.w * std::exp2((code - 9) / 8), static_cast<int>(tint)});
+            marks.push_back({code == 0 ? 0 : block.gridStep * std::exp2((code - 9) / 8), static_cast<int>(tint)});
         }
     }
 }
 
 float SoftwareOverlay::aliasing(const block::Partition& part, const glm::vec3& position, float depth) const {
     const glm::vec4 clip = clipOf(part, position);
-    const glm::vec4 dx = part.clipFromOffset * glm::vec4(glm::vec3(part.axisX), 0);
-    const glm::vec4 dz = part.clipFromOffset * glm::vec4(glm::vec3(part.axisZ), 0);
-    const glm::vec2 scale(part.texel);
-    const glm::vec2 perX = glm::abs(glm::vec2(dx) * clip.w - glm::vec2(clip) * dx.w) * scale;
-    const glm::vec2 perZ = glm::abs(glm::vec2(dz) * clip.w - glm::vec2(clip) * dz.w) * scale;
+    const glm::vec4 dx = part.clipFromOffset * glm::vec4(part.axisX, 0);
+    const glm::vec4 dz = part.clipFromOffset * glm::vec4(part.axisZ, 0);
+    const glm::vec2 perX = glm::abs(glm::vec2(dx) * clip.w - glm::vec2(clip) * dx.w) * part.texelScale;
+    const glm::vec2 perZ = glm::abs(glm::vec2(dz) * clip.w - glm::vec2(clip) * dz.w) * part.texelScale;
     const float texels = std::min(std::max(perX.x, perX.y), perX.y > perX.x ? perZ.x : perZ.y) / (clip.w * clip.w);
-    return 1 / (std::max(texels, 1e-30F) * block_->image.w * depth);
+    return 1 / (std::max(texels, 1e-30F) * block_->pixelSlope * depth);
 }
 
 glm::vec3 SoftwareOverlay::residence(const DrawnCluster& cluster) const {
-    switch (residenceOf(frame_->standIns, cluster.pageId, cluster.cluster)) {
-    case Residence::AsAsked:
+    switch (residenceOf(frame_->substitutes, cluster.pageId, cluster.cluster)) {
+    case Residence::Final:
         break;
-    case Residence::Awaited:
+    case Residence::Pending:
         return {0.95F, 0.6F, 0.15F};
     case Residence::Damaged:
         return {0.85F, 0.15F, 0.2F};
@@ -88,7 +87,7 @@ float SoftwareOverlay::texelGrid(const block::Partition& part, const PaintedPixe
                                double(row - pixel.y) * glm::dvec3(pixel.rayPerY);
         const double across = glm::dot(glm::dvec3(pixel.normal), ray);
         const glm::dvec3 met = across == 0 ? fromOrigin : ray * (distance / across);
-        return (texelOf(part, clipOf(part, glm::vec3(met + pixel.rayOrigin))) - glm::vec2(part.rectangle)) / 5.0F;
+        return (texelOf(part, clipOf(part, glm::vec3(met + pixel.rayOrigin))) - part.firstTexel) / 5.0F;
     };
     // Differences within squares of two by two pixels, as GL takes them.
     const int left = pixel.x & ~1;
@@ -119,14 +118,15 @@ glm::vec3 SoftwareOverlay::painted(const PaintedPixel& pixel) const {
         if (part == nullptr) return glm::vec3(light) * 0.5F;
         return heatColor(aliasing(*part, pixel.position, pixel.depth)) * (0.5F + 0.5F * light);
     case Overlay::Lod:
-        return heatColor(mark(pixel).error / (block_->image.w * pixel.depth) / std::max(block_->near.z, 1e-6F)) *
+        return heatColor(
+                   mark(pixel).error / (block_->pixelSlope * pixel.depth) / std::max(block_->errorPixels, 1e-6F)) *
                (0.4F + 0.6F * light);
     case Overlay::Clusters:
         return indexColor(mark(pixel).tint) * (0.4F + 0.6F * light);
     case Overlay::Projection: {
         if (part == nullptr) return glm::vec3(light) * 0.5F;
-        const glm::vec3 towardsEye = glm::normalize(glm::vec3(block_->eye) - pixel.position);
-        const float toLight = glm::dot(pixel.normal, glm::vec3(block_->light));
+        const glm::vec3 towardsEye = glm::normalize(block_->eye - pixel.position);
+        const float toLight = glm::dot(pixel.normal, block_->towardsLight);
         const float projection = std::max(glm::dot(pixel.normal, towardsEye), 0.0F) / std::max(toLight, 1e-6F);
         return heatColor(projection) * (0.5F + 0.5F * light);
     }

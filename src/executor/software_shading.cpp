@@ -58,7 +58,7 @@ Shading::Shading(
     else if (!frame.plan->passes.empty())
         shared_.litSource = LitSource::Maps;
     const plan::View& view = frame.plan->view;
-    const Camera camera = frame.onlooker.value_or(view.camera);
+    const Camera camera = frame.observerCamera.value_or(view.camera);
     const CameraBasis basis = cameraBasis(camera);
     rayOrigin_ = frame.space.eye + (camera.eye - view.camera.eye);
     shared_.rayOriginCells = toArray(rayOrigin_ / frame.space.step);
@@ -94,7 +94,7 @@ void Shading::shade(
     flush(work, target);
 }
 
-/// Corners lie scattered over pages, so they are asked for before they are needed.
+/// Corners lie scattered over pages, so they are prefetched.
 void Shading::gatherTriangles(Work& work) const {
     PixelBatch& batch = work.batch;
     for (std::size_t i = 0; i < batch.count; ++i) {

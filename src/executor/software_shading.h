@@ -15,7 +15,7 @@ struct ShadingTarget {
     Raster<SurfaceSample>* surfaces = nullptr;
 };
 
-/// The image of one frame, ready to be asked box by box from any thread.
+/// The image of one frame, ready to be shaded box by box from any thread.
 class Shading {
 public:
     /// All arguments must outlive it; `shadowDepth` is empty without maps, `clusters` are those of the image's pass.

@@ -1,9 +1,9 @@
 // Numbers and vectors of three, one in each lane. Included once for each instruction set.
-#if defined(GNOMON_RENDER_VECTOR_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef GNOMON_RENDER_VECTOR_LANES_INL_H
-#undef GNOMON_RENDER_VECTOR_LANES_INL_H
+#if defined(GNOMON_EXECUTOR_VECTOR_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef GNOMON_EXECUTOR_VECTOR_LANES_INL_H
+#undef GNOMON_EXECUTOR_VECTOR_LANES_INL_H
 #else
-#define GNOMON_RENDER_VECTOR_LANES_INL_H
+#define GNOMON_EXECUTOR_VECTOR_LANES_INL_H
 #endif
 
 #include <cstddef>

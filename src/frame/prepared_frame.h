@@ -1,24 +1,33 @@
-// A frame between its plan and its drawing: what the parts of the renderer hand on to each other.
+// A frame between its plan and its drawing: what was planned, cut and made resident for one view.
 #pragma once
 
-#include "frame/renderer.h"
+#include "executor/executor.h"
+#include "plan/frame_plan.h"
+#include "selection/cut.h"
+#include "streaming/page_store.h"
+
+#include <memory>
+#include <vector>
 
 namespace gnomon::frame {
 
-struct Renderer::Prepared {
+/// All that drawing one view takes. The cut's pages stay resident until the renderer prepares another frame.
+struct PreparedFrame {
     plan::FramePlan plan;
-    std::unique_ptr<const selection::ErrorRule> rule; // of the cut, as are the volumes
+    std::shared_ptr<const plan::FramePlan> before; // of the frame before, for hysteresis; null if there was none
+    plan::SceneFacts facts;
+    executor::DrawSpace space;
+    std::shared_ptr<const selection::ErrorRule> rule; // of the cut, as are the volumes
     std::vector<ConvexVolume> volumes;
     double errorPixels = 1; // the quality's, or more where a cap forces it
-    selection::Cut cut;
-    plan::SceneFacts facts;
+    selection::Cut cut;     // lists: the image's, then one a shadow pass, or that of the casters that rays can meet
     streaming::DemandOutcome residency;
     double planMs = 0;
     double selectMs = 0;
     double cullMs = 0;
     double streamMs = 0;
 
-    /// Whether rays are to find the shadows of this frame: then the cut's second list holds what they can meet.
+    /// Whether rays are to find the shadows of this frame.
     bool isRayTraced() const {
         return plan.quality.shadows == plan::ShadowMode::Rays && facts.visible && facts.visible->anything;
     }

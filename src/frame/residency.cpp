@@ -62,14 +62,15 @@ selection::CutQuery Residency::query() const {
     return query;
 }
 
-void Residency::begin(Waiting waiting) {
-    if (waiting == Waiting::Never) store_.settle();
+void Residency::admitLoaded(Waiting waiting) {
+    if (waiting == Waiting::Never) store_.admitLoaded();
 }
 
-streaming::DemandOutcome Residency::meet(const selection::CutQuery& query, const selection::Cut& cut, Waiting waiting) {
+streaming::DemandOutcome Residency::serve(
+    const selection::CutQuery& query, const selection::Cut& cut, Waiting waiting) {
     const std::vector<hierarchy::PageDemand> foreseen = selection::foreseenPages(query, cut, model_->pages());
     if (waiting == Waiting::UntilComplete) return store_.load({cut.used, cut.wanted, foreseen});
-    return store_.ask({cut.used, cut.wanted, foreseen, alongTheMotion(query)});
+    return store_.request({cut.used, cut.wanted, foreseen, alongTheMotion(query)});
 }
 
 std::vector<hierarchy::PageDemand> Residency::alongTheMotion(const selection::CutQuery& query) {

@@ -1,4 +1,5 @@
-// What of a model is in memory, and what a frame does about it: takes in what came and asks for what its cut wants.
+// What of a model is in memory, and what a frame does about it: admits the pages that were loaded and requests those
+// that its cut wants.
 #pragma once
 
 #include "hierarchy/model_file.h"
@@ -25,8 +26,8 @@ struct ResidencyOptions {
 /// What the tables of `model` and all that is made of them at run time take, about.
 Bytes tableBytes(const hierarchy::ModelFile& model);
 
-/// The pages of one model. A frame calls `begin`, makes its cut of `query`, and calls `meet` with it until that answers
-/// that nothing changed, once if it never waits; then what it draws stays until the next `begin`.
+/// The pages of one model. A frame calls `admitLoaded`, makes its cut of `query`, and calls `serve` with it until
+/// nothing changes, once if it never waits; then what it draws stays until the next `admitLoaded`.
 class Residency {
 public:
     /// `model` must outlive it. Throws Error if the root is damaged, the tables alone take more than the memory,
@@ -41,11 +42,11 @@ public:
     /// Whether reading `page` has failed.
     bool isDamaged(std::uint32_t page) const { return store_.isDamaged(page); }
 
-    /// Takes in what came since the last frame, if frames never wait.
-    void begin(Waiting waiting);
+    /// Makes the pages that were loaded since the last frame resident, if frames never wait.
+    void admitLoaded(Waiting waiting);
 
-    /// Asks for what `cut` of `query` wants, and waits for it if frames do. The first volume is the image's.
-    streaming::DemandOutcome meet(const selection::CutQuery& query, const selection::Cut& cut, Waiting waiting);
+    /// Requests what `cut` of `query` wants, and waits for it if frames do. The first volume is the image's.
+    streaming::DemandOutcome serve(const selection::CutQuery& query, const selection::Cut& cut, Waiting waiting);
 
     const streaming::StoreStatistics& statistics() const { return store_.statistics(); }
 

@@ -51,13 +51,13 @@ plan::SceneFacts sceneFacts(
     plan::SceneFacts facts;
     facts.bounds = bounds;
     facts.visible = plan::SceneFacts::Visible();
-    const std::optional<culling::DepthRange> seen = culling::visibleDepthRange(query, cut.lists[0]);
-    if (!seen || !(seen->far > 0)) return facts;
-    facts.visible = {seen->near, seen->far, true};
+    const std::optional<culling::VisibleDepths> seen = culling::visibleDepthRange(query, cut.lists[0]);
+    if (!seen || !(seen->span.far > 0)) return facts;
+    facts.visible = {seen->span.near, seen->span.far, true};
     // What is nearer than the widest range, which ends at a floor, is as good as at its near end.
     if (range)
-        facts.light =
-            lightFacts(view, query, cut, {std::max(seen->near, range->near), std::max(seen->far, range->near)});
+        facts.light = lightFacts(
+            view, query, cut, {std::max(seen->span.near, range->near), std::max(seen->span.far, range->near)});
     return facts;
 }
 

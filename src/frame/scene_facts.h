@@ -1,5 +1,5 @@
-// Between a plan and the hierarchy: the views, volumes and details in its local space that a plan asks for, and the
-// answer as facts for the plan.
+// Between a plan and the hierarchy: the views, volumes and details in its local space that a plan calls for, and
+// the facts for the plan that they select.
 #pragma once
 
 #include "plan/frame_plan.h"

@@ -81,7 +81,7 @@ struct Api {
 using FunctionPointer = void (*)();
 using FunctionSource = FunctionPointer (*)(const char* name);
 
-/// Asks `source` for every function; throws gnomon::Error naming the first that is missing.
+/// Looks every function up in `source`; throws gnomon::Error naming the first that is missing.
 Api loadApi(FunctionSource source);
 
 } // namespace gnomon::gl

@@ -46,7 +46,7 @@ public:
             if (options_.isRealTime)
                 std::this_thread::sleep_until(start + std::chrono::duration<double>(timeOf(frame) - timeOf(0)));
             const double cpuBefore = telemetry::processorTime().count;
-            telemetry::FrameRow row = draw(frame);
+            telemetry::FrameRow row = draw(frame).row;
             result_.cpuMs += (telemetry::processorTime().count - cpuBefore) / (options_.frames * options_.repetitions);
             row.run = result_.run.name;
             row.repetition = repetition;
@@ -63,19 +63,14 @@ public:
     /// the oracle.
     void prove(Progress& progress) {
         warmUp(progress);
+        proof::ProofOptions options;
+        options.measuresAliasing = options.measuresCrawl = options.comparesWithFinest = true;
+        options.oracle = options_.oracle;
         for (int frame = 0; frame < options_.frames; ++frame) {
-            const bool isProven = isProvenFrame(frame);
-            frameOptions_.measuresAliasing = frameOptions_.measuresCrawl = frameOptions_.comparesWithFinest = isProven;
-            frameOptions_.oracle = isProven ? options_.oracle : frame::Oracle::None;
-            const telemetry::FrameRow proof = draw(frame);
-            telemetry::FrameRow& row = result_.rows[static_cast<std::size_t>(frame)];
-            row.measuredAliasing = proof.measuredAliasing;
-            row.wrongShadowFraction = proof.wrongShadowFraction;
-            row.shadowEdgeP99Px = proof.shadowEdgeP99Px;
-            row.missedShadowFraction = proof.missedShadowFraction;
-            row.unexplainedShadowFraction = proof.unexplainedShadowFraction;
-            row.imageDifference = proof.imageDifference;
-            row.crawl = proof.crawl;
+            const frame::Frame drawn = draw(frame);
+            if (isProvenFrame(frame))
+                proof::setAccuracy(
+                    proof::prove(session_.renderer(), drawn, options), result_.rows[static_cast<std::size_t>(frame)]);
             progress.advance(1);
         }
     }
@@ -109,12 +104,12 @@ private:
 
     double timeOf(int frame) const { return path::frameTime(path_, frame, options_.frames); }
 
-    telemetry::FrameRow draw(int frame) {
+    frame::Frame draw(int frame) {
         view_.camera = path::cameraAt(path_, timeOf(frame));
-        telemetry::FrameRow row = session_.renderer().render(view_, quality_, frameOptions_).row;
-        row.sinceStartMs = telemetry::sinceProcessStart().count;
-        if (result_.firstFrameMs == 0) result_.firstFrameMs = *row.sinceStartMs;
-        return row;
+        frame::Frame drawn = session_.renderer().render(view_, quality_, frameOptions_);
+        drawn.row.sinceStartMs = telemetry::sinceProcessStart().count;
+        if (result_.firstFrameMs == 0) result_.firstFrameMs = *drawn.row.sinceStartMs;
+        return drawn;
     }
 
     Session& session_;
@@ -166,14 +161,14 @@ std::vector<RunResult> walkAll(
             Walk walk(session, path, options, result);
             walk.repeat(repetition, progress);
         }
-    if (options.oracle != frame::Oracle::None)
+    if (options.oracle != proof::Oracle::None)
         for (RunResult& result : results)
             Walk(session, path, options, result).prove(progress);
     return results;
 }
 
 std::size_t frameCount(const std::vector<BenchRun>& runs, const WalkOptions& options) {
-    const int walks = options.repetitions + (options.oracle == frame::Oracle::None ? 0 : 1);
+    const int walks = options.repetitions + (options.oracle == proof::Oracle::None ? 0 : 1);
     return runs.size() * static_cast<std::size_t>(options.frames) * static_cast<std::size_t>(walks);
 }
 

@@ -4,6 +4,7 @@
 #include "core/progress.h"
 #include "measure/session.h"
 #include "path/camera_path.h"
+#include "proof/frame_proof.h"
 #include "report/page.h"
 #include "telemetry/frame_row.h"
 
@@ -26,7 +27,7 @@ struct WalkOptions {
     int repetitions = 1;
     int warmup = 2;
     bool isRealTime = false;
-    frame::Oracle oracle = frame::Oracle::None;
+    proof::Oracle oracle = proof::Oracle::None;
     int provenFrames = 0; // with an oracle: so many frames, evenly over the path, are held against it
     /// Gets the picture of every frame of the first repetition, if given.
     std::function<void(const BenchRun& run, int frame, const executor::Picture& picture)> onPicture;

@@ -13,7 +13,7 @@ namespace gnomon::measure {
 /// window.
 std::unique_ptr<executor::Executor> makeExecutor(const settings::Settings& settings);
 
-/// A model, the executor that draws it, and what renders its frames; warns of each damaged page once, on stderr.
+/// A model, its executor and its renderer; warns of each damaged page once, on stderr.
 class Session {
 public:
     Session(const std::string& modelPath, const settings::Settings& settings);

@@ -1,5 +1,6 @@
 #include "plan/frame_plan.h"
 
+#include "core/angle.h"
 #include "core/error.h"
 #include "plan/depth_range.h"
 #include "plan/shadow_passes.h"
@@ -13,7 +14,7 @@ namespace gnomon::plan {
 namespace {
 
 void requireValid(const View& view) {
-    const double degrees = view.camera.fovYRadians * 180 / 3.14159265358979323846;
+    const double degrees = degreesFromRadians(view.camera.fovYRadians);
     if (view.width < 1 || view.height < 1)
         throw Error(
             "--size",
@@ -52,7 +53,7 @@ ConvexVolume sweptView(const View& view, const DepthSpan& range) {
     const shadow::ViewFrustum frustum = frustumOf(view, range);
     const glm::dvec3 towardsLight = cameraLight(view, cameraBasis(view.camera));
     const shadow::PartitionSelector selector =
-        shadow::partitionSelector(frustum, towardsLight, {range.near, range.far}, false, false);
+        shadow::partitionSelector(frustum, towardsLight, {range.near, range.far}, shadow::FaceMaps::None);
     const shadow::Region region = shadow::partitionRegion(frustum, selector, 0);
     return shadow::casterVolume(region, shadow::lightFrame(towardsLight));
 }

@@ -21,7 +21,7 @@ bool isSameSlice(const plan::ShadowPass& a, const plan::ShadowPass& b) {
     return a.map.region.slice == b.map.region.slice && a.map.region.face == b.map.region.face;
 }
 
-/// Two frames, asked at the same points.
+/// Two frames, looked up at the same points.
 class Comparison {
 public:
     Comparison(const DrawnMaps& before, const DrawnMaps& now)

@@ -1,4 +1,4 @@
-// How far shadows crawl as the camera moves: fixed points of the world, asked in two frames after one another.
+// How far shadows crawl as the camera moves: fixed points of the world, looked up in two frames after one another.
 #pragma once
 
 #include "executor/executor.h"
@@ -11,7 +11,7 @@ struct DrawnMaps {
     const executor::FloatPicture* depth = nullptr;
 };
 
-/// Points that two frames ask of the same slice (and face), and those of them that get another answer.
+/// Points that two frames look up in the same slice (and face), and those of them whose result differs.
 struct Crawl {
     std::uint64_t points = 0;
     std::uint64_t changed = 0;
@@ -20,8 +20,8 @@ struct Crawl {
     double share() const { return points == 0 ? 0 : static_cast<double>(changed) / static_cast<double>(points); }
 };
 
-/// Asks both frames' maps at the lit-side points that `before` shows as `surfaces` and that lie in the view of `now`,
-/// on all cores.
+/// Looks up both frames' maps at the lit-side points that `before` shows as `surfaces` and that lie in the view of
+/// `now`, on all cores.
 Crawl crawl(const DrawnMaps& before, const executor::Raster<executor::SurfaceSample>& surfaces, const DrawnMaps& now);
 
 } // namespace gnomon::proof

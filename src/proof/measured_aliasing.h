@@ -6,13 +6,13 @@
 namespace gnomon::proof {
 
 /// The largest over the pixels of one picture: width of a texel's light beam over width of the pixel's image beam, at
-/// the surface point that the pixel shows, in the map that it asked.
+/// the surface point that the pixel shows, in the map that it looked up.
 struct MeasuredAliasing {
     double x = 0;
     double z = 0;
     double overPromise = 0; // the largest share of its own map's promise, either axis; at most 1 if it is kept
-    std::uint64_t pixelsMeasured = 0;   // those that asked a map, within [near, far]
-    std::uint64_t pixelsUnpromised = 0; // those that asked one outside [near, far], where nothing is promised
+    std::uint64_t pixelsMeasured = 0;   // those that looked up a map, within [near, far]
+    std::uint64_t pixelsUnpromised = 0; // those that looked one up outside [near, far], where nothing is promised
 
     double worst() const { return x > z ? x : z; }
 };

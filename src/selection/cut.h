@@ -54,7 +54,7 @@ private:
     hierarchy::Grid grid_;
 };
 
-/// What a cut is asked for. The spans must outlive the call.
+/// What is to be cut. The spans must outlive the call.
 struct CutQuery {
     const PageTrees* trees = nullptr;
     hierarchy::ResidentPages resident;
@@ -64,10 +64,10 @@ struct CutQuery {
     const hierarchy::BlockedGroups* blocked = nullptr; // groups that stay unrefined whatever the rule says, if any
 };
 
-/// The answer: one list per volume, and what it took. Along every chain of refinement that a volume reaches, exactly
+/// The result: one list per volume, and what it took. Along every chain of refinement that a volume reaches, exactly
 /// one cluster is drawn, whatever is resident, as long as that is closed upwards. `used` and `wanted` together name the
 /// pages that hold a group with more than `errorPixels`, as far as resident pages know of them: they depend neither on
-/// boxes nor on the past, so a cut of the same view asks for the same pages wherever it comes from.
+/// boxes nor on the past, so a cut of the same view wants the same pages wherever it comes from.
 struct Cut {
     std::vector<DrawList> lists;               // as the query's volumes
     std::vector<hierarchy::PageDemand> used;   // resident pages that the cut refines into, each once, by id
@@ -102,7 +102,7 @@ public:
         const CutQuery& query, std::span<const CutPart> parts, std::span<const std::uint32_t> missingRoots);
 
 private:
-    /// What is known of a refinement of the page at hand.
+    /// What is known of a refinement of the current page.
     struct RefinementState {
         double viewPixels = 0;
         bool isRefined = false;

@@ -70,7 +70,7 @@ private:
 
     const CutQuery* query_;
     std::span<const ConvexVolume> volumes_;
-    std::vector<double> refinedBelow_; // by refinement of the page at hand: the thresholds that refine it
+    std::vector<double> refinedBelow_; // by refinement of the current page: the thresholds that refine it
     std::vector<DrawnAt> found_;
 };
 

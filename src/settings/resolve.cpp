@@ -1,17 +1,16 @@
 #include "settings/resolve.h"
 
+#include "core/angle.h"
 #include "path/camera_path.h"
 #include "settings/table.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace gnomon::settings {
 
 namespace {
 
-constexpr double kRadiansPerDegree = std::numbers::pi / 180;
 constexpr double kUsualFovYDegrees = 60;
 
 /// The option of a setting and its value, as they are written: "--eta 0.5".
@@ -78,7 +77,7 @@ plan::View viewOf(const Settings& settings, const hierarchy::ModelSummary& summa
     }
     const glm::dvec3 up = settings.up.value_or(glm::dvec3(0, 1, 0));
     const double degrees = settings.fovYDegrees.value_or(kUsualFovYDegrees);
-    view.camera = framingCamera(summary.bounds, view.aspect(), up, degrees * kRadiansPerDegree);
+    view.camera = framingCamera(summary.bounds, view.aspect(), up, radiansFromDegrees(degrees));
     view.camera.eye = settings.eye.value_or(view.camera.eye);
     view.camera.target = settings.target.value_or(view.camera.target);
     if (view.camera.eye == view.camera.target) throw UsageError{"--eye and --target are the same point"};

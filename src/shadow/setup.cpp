@@ -199,13 +199,14 @@ ShadowMapSetup shadowMapSetup(
     requireValid(view, options);
     const Scheme& scheme = options.scheme;
     const bool faces = scheme.faces && !options.stabilized;
+    const FaceMaps withSides = scheme.nearFace == NearFace::OwnMap ? FaceMaps::SidesAndNear : FaceMaps::Sides;
+    const FaceMaps faceMaps = faces ? withSides : FaceMaps::None;
     ShadowMapSetup setup;
     setup.selector = partitionSelector(
         view.frustum,
         view.towardsLight,
         practicalSplits(view.frustum.near, view.frustum.far, scheme.slices, scheme.splitLambda),
-        faces,
-        scheme.nearFace == NearFace::OwnMap);
+        faceMaps);
     LightFrame frame = lightFrame(view.towardsLight);
     if (options.stabilized)
         frame = stableFrame(view.anchor, view.towardsLight);

@@ -27,7 +27,7 @@ public:
     /// Starts `threadCount` threads, at least one. `source` must outlive them.
     Loaders(const PageSource& source, unsigned threadCount);
 
-    /// Drops what is queued, waits for the pages in hand and joins.
+    /// Drops what is queued, waits for the pages that are being read and joins.
     ~Loaders();
     Loaders(const Loaders&) = delete;
     Loaders& operator=(const Loaders&) = delete;
@@ -43,7 +43,7 @@ public:
     /// What was finished since the last call; does not wait.
     std::vector<LoadedPage> finished();
 
-    /// Waits until nothing is queued or in hand.
+    /// Waits until nothing is queued or being read.
     void wait();
 
 private:

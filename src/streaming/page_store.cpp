@@ -61,36 +61,35 @@ void PageStore::loadRoots() {
         if (entries_[page].isRoot) roots.push_back({page, kInfinite});
     rank({{}, roots});
     Bytes total;
-    for (const std::uint32_t page : asked_)
+    for (const std::uint32_t page : requested_)
         total.count += entries_[page].bytes.count;
     if (total.count > options_.budget.count / 2) return;
-    const std::vector<std::uint32_t> needed = asked_;
+    const std::vector<std::uint32_t> needed = requested_;
     while (load({{}, roots}).hasChanged) {
     }
     for (const std::uint32_t page : needed) {
         Entry& entry = entries_[page];
         if (!entry.content) continue;
-        entry.isPinned = true;
-        entry.isKept = true;
+        entry.retention = Retention::Pinned;
         pinned_.count += entry.bytes.count;
     }
 }
 
-bool PageStore::settle() {
+bool PageStore::admitLoaded() {
     const std::uint64_t evictedBefore = statistics_.pagesEvicted;
     const bool hasCome = takeFinished();
-    for (const std::uint32_t page : asked_)
-        entries_[page].isInUse = false;
+    for (const std::uint32_t page : requested_)
+        if (entries_[page].retention == Retention::InUse) entries_[page].retention = Retention::None;
     areVictimsKnown_ = false;
     requestKept();
     return hasCome || statistics_.pagesEvicted != evictedBefore;
 }
 
-DemandOutcome PageStore::ask(const Demand& demand) {
+DemandOutcome PageStore::request(const Demand& demand) {
     DemandOutcome outcome;
     rank(demand);
     for (const hierarchy::PageDemand& used : demand.used)
-        entries_[used.page].isInUse = true;
+        entries_[used.page].retention = std::max(entries_[used.page].retention, Retention::InUse);
     withdrawQueued();
     chooseKept(outcome);
     requestKept();
@@ -115,49 +114,48 @@ DemandOutcome PageStore::load(const Demand& demand) {
 
 void PageStore::rank(const Demand& demand) {
     ++clock_;
-    for (const std::uint32_t page : asked_) {
+    for (const std::uint32_t page : requested_) {
         Entry& entry = entries_[page];
         entry.urgency = 0;
-        entry.isInUse = false;
-        entry.isCertain = false;
-        entry.isKept = entry.isPinned;
+        entry.need = Need::None;
+        if (entry.retention != Retention::Pinned) entry.retention = Retention::None;
     }
-    asked_.clear();
+    requested_.clear();
     areVictimsKnown_ = false;
     for (const hierarchy::PageDemand& used : demand.used)
-        raise(used.page, used.pixels, true);
+        raisePriority(used.page, used.pixels, Need::Certain);
     for (const hierarchy::PageDemand& wanted : demand.wanted)
-        raise(wanted.page, wanted.pixels, true);
+        raisePriority(wanted.page, wanted.pixels, Need::Certain);
     for (const hierarchy::PageDemand& foreseen : demand.foreseen)
-        raise(foreseen.page, foreseen.pixels, false);
+        raisePriority(foreseen.page, foreseen.pixels, Need::Foreseen);
     for (const hierarchy::PageDemand& ahead : demand.prefetch)
-        raise(ahead.page, std::min(ahead.pixels, 1e20) * kPrefetchScale, false);
+        raisePriority(ahead.page, std::min(ahead.pixels, 1e20) * kPrefetchScale, Need::Foreseen);
     raiseParents();
-    std::sort(asked_.begin(), asked_.end(), [this](std::uint32_t a, std::uint32_t b) {
+    std::sort(requested_.begin(), requested_.end(), [this](std::uint32_t a, std::uint32_t b) {
         const double urgencyA = entries_[a].urgency;
         const double urgencyB = entries_[b].urgency;
         return urgencyA != urgencyB ? urgencyA > urgencyB : a < b;
     });
-    for (const std::uint32_t page : asked_)
+    for (const std::uint32_t page : requested_)
         entries_[page].lastUsed = clock_;
 }
 
-void PageStore::raise(std::uint32_t page, double urgency, bool isCertain) {
+void PageStore::raisePriority(std::uint32_t page, double urgency, Need need) {
     if (!(urgency > 0)) return;
     Entry& entry = entries_[page];
-    if (entry.urgency == 0) asked_.push_back(page);
+    if (entry.urgency == 0) requested_.push_back(page);
     entry.urgency = std::max(entry.urgency, urgency);
-    entry.isCertain = entry.isCertain || isCertain;
+    entry.need = std::max(entry.need, need);
 }
 
 void PageStore::raiseParents() {
-    std::priority_queue<std::uint32_t> finestFirst(asked_.begin(), asked_.end()); // a parent has the lower id
+    std::priority_queue<std::uint32_t> finestFirst(requested_.begin(), requested_.end()); // a parent has the lower id
     while (!finestFirst.empty()) {
         const std::uint32_t page = finestFirst.top();
         finestFirst.pop();
         for (const std::uint32_t parent : entries_[page].parents) {
             if (entries_[parent].urgency == 0) finestFirst.push(parent);
-            raise(parent, entries_[page].urgency, entries_[page].isCertain);
+            raisePriority(parent, entries_[page].urgency, entries_[page].need);
         }
     }
 }
@@ -165,9 +163,9 @@ void PageStore::raiseParents() {
 /// Most urgent first, and everything that is certain before anything that is not; so parents before children.
 void PageStore::chooseKept(DemandOutcome& outcome) {
     Bytes total = pinned_;
-    for (const std::uint32_t page : asked_) {
+    for (const std::uint32_t page : requested_) {
         Entry& entry = entries_[page];
-        if (!entry.isCertain || keep(entry, total)) continue;
+        if (entry.need != Need::Certain || keep(entry, total)) continue;
         if (entry.urgency == kInfinite)
             throw Error(
                 source_->name(),
@@ -177,24 +175,24 @@ void PageStore::chooseKept(DemandOutcome& outcome) {
         outcome.isBudgetBinding = true;
         return;
     }
-    for (const std::uint32_t page : asked_)
+    for (const std::uint32_t page : requested_)
         if (!keep(entries_[page], total)) return;
 }
 
 /// False if the budget has no room beside `total`, which otherwise grows.
 bool PageStore::keep(Entry& entry, Bytes& total) const {
-    if (entry.isKept || entry.isDamaged) return true;
+    if (entry.isKept() || entry.state == State::Damaged) return true;
     if (total.count + entry.bytes.count > options_.budget.count) return false;
     total.count += entry.bytes.count;
-    entry.isKept = true;
+    entry.retention = Retention::Kept;
     return true;
 }
 
 void PageStore::requestKept() {
     std::vector<std::uint32_t> requests;
-    for (const std::uint32_t page : asked_) {
+    for (const std::uint32_t page : requested_) {
         Entry& entry = entries_[page];
-        if (!entry.isKept || entry.isInFlight || entry.isDamaged || entry.content) continue;
+        if (!entry.isKept() || entry.state != State::Absent) continue;
         if (!makeRoom(entry.bytes)) break;
         hold(page);
         requests.push_back(page);
@@ -209,7 +207,8 @@ bool PageStore::makeRoom(Bytes bytes) {
         areVictimsKnown_ = true;
         victims_.clear();
         for (std::uint32_t page = 0; page < table_.size(); ++page)
-            if (table_[page] != nullptr && !entries_[page].isKept && !entries_[page].isInUse) victims_.push_back(page);
+            if (entries_[page].state == State::Resident && entries_[page].retention == Retention::None)
+                victims_.push_back(page);
         // Longest unused first, and a child, which was used no later than its parents, before them.
         std::sort(victims_.begin(), victims_.end(), [this](std::uint32_t a, std::uint32_t b) {
             const std::uint64_t usedA = entries_[a].lastUsed;
@@ -243,22 +242,22 @@ bool PageStore::takeFinished() {
             failure = thrown;
         }
     }
-    while (settleWaiting()) {
+    while (admitWaiting()) {
     }
     if (failure) std::rethrow_exception(failure);
     return statistics_.pagesRead != before;
 }
 
 /// Admits one round of the pages whose parents are there; true if there was any.
-bool PageStore::settleWaiting() {
+bool PageStore::admitWaiting() {
     bool hasMoved = false;
     std::vector<LoadedPage> still;
     for (LoadedPage& loaded : waiting_) {
         const Entry& entry = entries_[loaded.page];
-        const auto isSettled = [this](std::uint32_t parent) {
-            return table_[parent] != nullptr || entries_[parent].isDamaged;
+        const auto isDecided = [this](std::uint32_t parent) {
+            return entries_[parent].state == State::Resident || entries_[parent].state == State::Damaged;
         };
-        if (std::all_of(entry.parents.begin(), entry.parents.end(), isSettled)) {
+        if (std::all_of(entry.parents.begin(), entry.parents.end(), isDecided)) {
             admit(std::move(loaded));
             hasMoved = true;
         } else {
@@ -269,14 +268,14 @@ bool PageStore::settleWaiting() {
     return hasMoved;
 }
 
-/// Lets go of a page that did not come; what to throw if nothing can be drawn in its place.
+/// Gives up a page that did not come; what to throw if nothing can be drawn in its place.
 std::exception_ptr PageStore::leaveOut(const LoadedPage& loaded) {
     release(loaded.page);
     const bool isUnread = loaded.failure != nullptr;
     if (isUnread && !options_.drawsWithoutUnread) return loaded.failure;
     if (entries_[loaded.page].isRoot) return std::make_exception_ptr(Error(loaded.fault));
     ++statistics_.pagesDamaged;
-    entries_[loaded.page].isDamaged = true;
+    entries_[loaded.page].state = State::Damaged;
     if (options_.onDamaged) options_.onDamaged({loaded.page, loaded.fault, isUnread});
     return nullptr;
 }
@@ -289,7 +288,7 @@ void PageStore::blockGroups(std::uint32_t page) {
         if (content.groups[group].error < kInfinite) blocked_.insert({page, group}); // a root hangs from nothing
     };
     for (const std::uint32_t parent : entries_[page].parents) {
-        if (!entries_[parent].isDamaged) {
+        if (entries_[parent].state != State::Damaged) {
             blockBelow(parent, page, block);
             continue;
         }
@@ -315,7 +314,7 @@ void PageStore::blockBelow(std::uint32_t parent, std::uint32_t page, const Block
 
 void PageStore::admit(LoadedPage loaded) {
     Entry& entry = entries_[loaded.page];
-    entry.isInFlight = false;
+    entry.state = State::Resident;
     entry.content = std::move(loaded.content);
     table_[loaded.page] = entry.content.get();
     ++statistics_.residentPages;
@@ -323,13 +322,13 @@ void PageStore::admit(LoadedPage loaded) {
     if (statistics_.pagesDamaged > 0) blockGroups(loaded.page);
 }
 
-/// Lets go of what the demand at hand asked for but the budget has no room for; true if that was anything.
+/// Evicts what the current demand requested but the budget has no room for; true if that was anything.
 bool PageStore::dropUnkept() {
     bool hasDropped = false;
-    for (std::size_t i = asked_.size(); i-- > 0;) { // least urgent first, so children before parents
-        const Entry& entry = entries_[asked_[i]];
-        if (entry.isKept || !entry.content || entry.heldChildren != 0) continue;
-        evict(asked_[i]);
+    for (std::size_t i = requested_.size(); i-- > 0;) { // least urgent first, so children before parents
+        const Entry& entry = entries_[requested_[i]];
+        if (entry.isKept() || entry.state != State::Resident || entry.heldChildren != 0) continue;
+        evict(requested_[i]);
         hasDropped = true;
     }
     return hasDropped;
@@ -337,7 +336,7 @@ bool PageStore::dropUnkept() {
 
 void PageStore::hold(std::uint32_t page) {
     Entry& entry = entries_[page];
-    entry.isInFlight = true;
+    entry.state = State::Loading;
     for (const std::uint32_t parent : entry.parents)
         ++entries_[parent].heldChildren;
     statistics_.committed.count += entry.bytes.count;
@@ -346,7 +345,7 @@ void PageStore::hold(std::uint32_t page) {
 
 void PageStore::release(std::uint32_t page) {
     Entry& entry = entries_[page];
-    entry.isInFlight = false;
+    entry.state = State::Absent;
     for (const std::uint32_t parent : entry.parents)
         --entries_[parent].heldChildren;
     statistics_.committed.count -= entry.bytes.count;
@@ -366,9 +365,9 @@ void PageStore::evict(std::uint32_t page) {
 
 void PageStore::countMissing(const Demand& demand, DemandOutcome& outcome) const {
     for (const std::span<const hierarchy::PageDemand> demands : {demand.used, demand.wanted}) {
-        for (const hierarchy::PageDemand& asked : demands) {
-            if (table_[asked.page] != nullptr) continue;
-            ++(entries_[asked.page].isDamaged ? outcome.pagesBlocked : outcome.pagesMissing);
+        for (const hierarchy::PageDemand& requested : demands) {
+            if (entries_[requested.page].state == State::Resident) continue;
+            ++(entries_[requested.page].state == State::Damaged ? outcome.pagesBlocked : outcome.pagesMissing);
         }
     }
 }

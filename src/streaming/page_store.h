@@ -21,14 +21,14 @@ struct DamagedPage {
 };
 
 struct PageStoreOptions {
-    Bytes budget = gibibytes(1); // of decoded pages, those in the loaders' hands included
+    Bytes budget = gibibytes(1); // of decoded pages, those that are being loaded included
     unsigned loaderThreads = 4;
-    std::function<void(const DamagedPage&)> onDamaged; // once for each, on the thread of `settle` and `load`
-    /// Whether a page that cannot be read counts as damaged; else that is an error: `settle` and `load` throw it.
+    std::function<void(const DamagedPage&)> onDamaged; // once for each, on the thread of `admitLoaded` and `load`
+    /// Whether a page that cannot be read counts as damaged; else that is an error: `admitLoaded` and `load` throw it.
     bool drawsWithoutUnread = false;
 };
 
-/// What a cut asks of the store. Pages of which nothing is asked may leave.
+/// What a cut requests of the store. Pages that are not in it may be evicted.
 struct Demand {
     std::span<const hierarchy::PageDemand> used;
     std::span<const hierarchy::PageDemand> wanted;
@@ -38,18 +38,18 @@ struct Demand {
     std::span<const hierarchy::PageDemand> prefetch = {}; // after all others, if there is room
 };
 
-/// How the last demand was met.
+/// How far the last demand was served.
 struct DemandOutcome {
     std::uint64_t pagesMissing = 0; // used or wanted, not resident and not damaged
     std::uint64_t pagesBlocked = 0; // wanted, but damaged
-    bool isBudgetBinding = false;   // the budget holds less than all that was asked for
+    bool isBudgetBinding = false;   // the budget holds less than all that was requested
     bool hasChanged = false;        // pages came or went
 };
 
 struct StoreStatistics {
     std::uint64_t residentPages = 0;
     Bytes resident;  // decoded
-    Bytes committed; // resident and in the loaders' hands
+    Bytes committed; // resident or being loaded
     Bytes peak;      // the most that was ever committed
     Bytes read;      // stored bytes of all pages read so far
     std::uint64_t pagesRead = 0;
@@ -60,14 +60,15 @@ struct StoreStatistics {
 /// The bytes that a page takes when decoded.
 Bytes decodedBytes(const hierarchy::PageInfo& info);
 
-/// The cache. One thread owns it; only that thread calls it. A frame that never waits calls `settle`, cuts, calls `ask`
-/// and draws: pages come in `settle` alone, and those that the last demand used leave nowhere else, so what a frame
-/// draws stays where it is until the frame is over. A frame that waits cuts and calls `load` in turns.
+/// The cache. One thread owns it; only that thread calls it. A frame that never waits calls `admitLoaded`, cuts,
+/// calls `request` and draws: pages come in `admitLoaded` alone, and those that the last demand used leave nowhere
+/// else, so what a frame draws stays where it is until the frame is over. A frame that waits cuts and calls `load` in
+/// turns.
 class PageStore {
 public:
     /// Starts the loaders and reads the pages that hold root groups, with what they hang from, as long as they fit into
     /// half the budget; these stay. Throws Error if one of them is damaged or the page table is not coarsest first.
-    /// Here as in `settle` and `load`, a page that cannot be read throws what its source threw.
+    /// Here as in `admitLoaded` and `load`, a page that cannot be read throws what its source threw.
     PageStore(const PageSource& source, PageStoreOptions options);
     ~PageStore();
     PageStore(const PageStore&) = delete;
@@ -81,44 +82,62 @@ public:
     const hierarchy::BlockedGroups& blocked() const { return blocked_; }
 
     /// Whether reading `page` has failed.
-    bool isDamaged(std::uint32_t page) const { return entries_[page].isDamaged; }
+    bool isDamaged(std::uint32_t page) const { return entries_[page].state == State::Damaged; }
 
-    /// Takes in what the loaders finished, and lets go of pages in use that the last demand had better use for; never
+    /// Makes what the loaders finished resident, and evicts pages in use whose room the last demand needs more; never
     /// waits for the disk. True if pages came or went. Throws Error if a page with a root group is damaged.
-    bool settle();
+    bool admitLoaded();
 
-    /// Asks the loaders for what is most urgent and makes room for it, but not of what `demand` uses; never waits.
+    /// Requests what is most urgent of the loaders and makes room for it, but not of what `demand` uses; never waits.
     /// Throws Error if all pages in demand that hold root groups do not fit the budget.
-    DemandOutcome ask(const Demand& demand);
+    DemandOutcome request(const Demand& demand);
 
-    /// Both at once, waiting for all that fits and letting go of what the budget has no room for, so that the residency
+    /// Both at once, waiting for all that fits and evicting what the budget has no room for, so that the residency
     /// of what is in demand does not depend on the past. Cut and load in turns until nothing changes.
     DemandOutcome load(const Demand& demand);
 
     const StoreStatistics& statistics() const { return statistics_; }
 
 private:
+    /// Where a page is.
+    enum class State : std::uint8_t {
+        Absent,
+        Loading, // queued, being read, or decoded before one of its parents
+        Resident,
+        Damaged, // could not be read
+    };
+
+    /// What keeps a page from being evicted; each is stronger than those before it.
+    enum class Retention : std::uint8_t {
+        None,
+        InUse,  // by what is drawn until `admitLoaded`
+        Kept,   // the current demand has room for it
+        Pinned, // for good
+    };
+
+    /// How sure the current demand is of a page.
+    enum class Need : std::uint8_t { None, Foreseen, Certain /* used or wanted, or a parent of such */ };
+
     /// Everything the store knows of one page besides the table row.
     struct Entry {
         std::unique_ptr<const hierarchy::Page> content;
         std::vector<std::uint32_t> parents;
         Bytes bytes;
-        std::uint64_t lastUsed = 0;     // the demand that last asked for it
-        double urgency = 0;             // in the demand at hand; above 0 only if it is in `asked_`
-        std::uint32_t heldChildren = 0; // resident, waiting or in flight
+        std::uint64_t lastUsed = 0;     // the demand that last requested it
+        double urgency = 0;             // in the current demand; above 0 only if it is in `requested_`
+        std::uint32_t heldChildren = 0; // resident or loading
         bool isRoot = false;            // holds a root group
-        bool isPinned = false;
-        bool isInFlight = false; // queued, in a loader's hands, or waiting for its parents
-        bool isInUse = false;    // by what is drawn until `settle`
-        bool isCertain = false;  // used or wanted, or a parent of such; in the demand at hand
-        bool isKept = false;     // in the demand at hand
-        bool isDamaged = false;
+        State state = State::Absent;
+        Need need = Need::None;
+        Retention retention = Retention::None;
+
+        bool isKept() const { return retention >= Retention::Kept; }
     };
 
     void link();
     void loadRoots();
     void rank(const Demand& demand);
-    void raise(std::uint32_t page, double urgency, bool isCertain);
+    void raisePriority(std::uint32_t page, double urgency, Need need);
     void raiseParents();
     void chooseKept(DemandOutcome& outcome);
     bool keep(Entry& entry, Bytes& total) const;
@@ -126,7 +145,7 @@ private:
     bool makeRoom(Bytes bytes);
     void withdrawQueued();
     bool takeFinished();
-    bool settleWaiting();
+    bool admitWaiting();
     bool dropUnkept();
     void release(std::uint32_t page);
     void hold(std::uint32_t page);
@@ -142,8 +161,8 @@ private:
     PageStoreOptions options_;
     std::vector<Entry> entries_;
     std::vector<const hierarchy::Page*> table_;
-    std::vector<std::uint32_t> asked_;   // by urgency, coarser first; the demand at hand
-    std::vector<std::uint32_t> victims_; // resident pages that may go, the next one last; the demand at hand
+    std::vector<std::uint32_t> requested_; // by urgency, coarser first; the current demand
+    std::vector<std::uint32_t> victims_;   // resident pages that may go, the next one last; the current demand
     bool areVictimsKnown_ = false;
     std::vector<LoadedPage> waiting_; // decoded before one of their parents
     hierarchy::BlockedGroups blocked_;

@@ -1,6 +1,7 @@
 #include "viewer/scene.h"
 
 #include "executor/software_executor.h"
+#include "proof/frame_proof.h"
 #include "viewer/input/picking.h"
 
 namespace gnomon::viewer {
@@ -51,6 +52,11 @@ Scene::Scene(
 
 const frame::Frame& Scene::draw(const Shot& shot) {
     frame_ = renderer_.render(shot.view, shot.quality, shot.options);
+    if (shot.measuresAliasing) {
+        proof::ProofOptions options;
+        options.measuresAliasing = true;
+        proof::setAccuracy(proof::prove(renderer_, *frame_, options), frame_->row);
+    }
     seenBy_ = shot.seenBy();
     isUploaded_ = false;
     return *frame_;

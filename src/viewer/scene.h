@@ -1,4 +1,4 @@
-// An open model with the executor that draws it into the window: frames, pictures, and what became of its file.
+// An open model with its executor in the window: frames, pictures, and what became of its file.
 #pragma once
 
 #include "executor/gl_executor.h"
@@ -20,9 +20,10 @@ struct Shot {
     plan::View view;
     plan::Quality quality;
     frame::FrameOptions options;
+    bool measuresAliasing = false; // once the frame is drawn; takes a second drawing
 
     /// Who sees the picture.
-    const Camera& seenBy() const { return options.onlooker ? *options.onlooker : view.camera; }
+    const Camera& seenBy() const { return options.observerCamera ? *options.observerCamera : view.camera; }
 };
 
 /// A texture with the last frame's picture.

@@ -288,9 +288,9 @@ Shot Viewer::shot(const glm::ivec2& size) const {
         shot.quality.zPartitions = effort.slices;
     }
     shot.options.overlay = settings_.overlay;
-    shot.options.measuresAliasing = comesToRest();
+    shot.measuresAliasing = comesToRest();
     shot.options.waiting = walk_.playsFixed() ? frame::Waiting::UntilComplete : frame::Waiting::Never;
-    if (walk_.isFrozen()) shot.options.onlooker = walk_.camera();
+    if (walk_.isFrozen()) shot.options.observerCamera = walk_.camera();
     return shot;
 }
 

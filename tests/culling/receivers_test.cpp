@@ -39,12 +39,12 @@ TEST(Receivers, DepthRangeIsThatOfAllTriangles) {
                     greatest = std::max(greatest, depth + margin);
                 }
             });
-        const std::optional<DepthRange> range = visibleDepthRange(scene.query(), scene.cut.lists[0]);
+        const std::optional<VisibleDepths> range = visibleDepthRange(scene.query(), scene.cut.lists[0]);
         ASSERT_EQ(range.has_value(), least != kInfinite);
         if (!range) continue;
         ++seen;
-        EXPECT_EQ(range->near, least);
-        EXPECT_EQ(range->far, greatest);
+        EXPECT_EQ(range->span.near, least);
+        EXPECT_EQ(range->span.far, greatest);
         measured += range->clustersMeasured;
         drawn += scene.cut.lists[0].clusters;
     }
@@ -68,9 +68,9 @@ TEST(Receivers, SeenPartsHoldAllThatIsSeenAtItsDepth) {
     double whole = 0; // and of one box for all
     for (int trial = 0; trial < 40; ++trial) {
         const Seen scene(random);
-        const std::optional<DepthRange> range = visibleDepthRange(scene.query(), scene.cut.lists[0]);
-        if (!range || !(range->far > 0)) continue;
-        const DepthSpan depths{std::max(range->near, range->far * 1e-4), range->far};
+        const std::optional<VisibleDepths> range = visibleDepthRange(scene.query(), scene.cut.lists[0]);
+        if (!range || !(range->span.far > 0)) continue;
+        const DepthSpan depths{std::max(range->span.near, range->span.far * 1e-4), range->span.far};
         const std::vector<shadow::SeenPart> parts = seenParts(scene.query(), scene.cut.lists[0], depths);
         Box all;
         for (const shadow::SeenPart& part : parts) {
@@ -84,7 +84,7 @@ TEST(Receivers, SeenPartsHoldAllThatIsSeenAtItsDepth) {
                 const glm::dvec3 point = corner - scene.view.eye;
                 const double depth = glm::dot(scene.view.basis.view, point);
                 const double counted = std::clamp(depth, depths.near, depths.far);
-                EXPECT_TRUE(isWithin(parts, point, counted, 1e-9 * range->far)) << trial << " at " << depth;
+                EXPECT_TRUE(isWithin(parts, point, counted, 1e-9 * range->span.far)) << trial << " at " << depth;
                 ++points;
             }
         });

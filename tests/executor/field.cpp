@@ -53,12 +53,12 @@ FrameDrawing Field::drawing(const plan::FramePlan& plan) const {
     return frame;
 }
 
-std::vector<StandIn> Field::someStandIns() const {
-    std::vector<StandIn> result;
+std::vector<LodSubstitute> Field::someSubstitutes() const {
+    std::vector<LodSubstitute> result;
     for (const selection::ClusterRange& range : all_.ranges)
         for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; c += 3)
-            result.push_back({range.page, c, result.size() % 2 == 0 ? Residence::Awaited : Residence::Damaged});
-    std::sort(result.begin(), result.end(), [](const StandIn& a, const StandIn& b) {
+            result.push_back({range.page, c, result.size() % 2 == 0 ? Residence::Pending : Residence::Damaged});
+    std::sort(result.begin(), result.end(), [](const LodSubstitute& a, const LodSubstitute& b) {
         return std::pair(a.page, a.cluster) < std::pair(b.page, b.cluster);
     });
     return result;

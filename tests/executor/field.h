@@ -22,7 +22,7 @@ public:
     FrameDrawing drawing(const plan::FramePlan& plan) const;
 
     /// Every third cluster, awaited and damaged in turn.
-    std::vector<StandIn> someStandIns() const;
+    std::vector<LodSubstitute> someSubstitutes() const;
 
     const tests::TinyModel& model() const { return model_; }
 

@@ -107,22 +107,22 @@ void shadeOne(const ShadingFrame& f, PixelBatch& batch, std::size_t i) {
     const vec3 e1 = at(batch.edge1, i);
     const vec3 e2 = at(batch.edge2, i);
     const vec3 w = weights(ray, at(f.rayOriginCells) - corner, e1, e2);
-    const vec3 position = ((corner + e1 * w.y) + e2 * w.z) * f.frame->eye.w;
-    const vec3 towardsEye = vec3(f.frame->eye) - position;
+    const vec3 position = ((corner + e1 * w.y) + e2 * w.z) * f.frame->gridStep;
+    const vec3 towardsEye = f.frame->eye - position;
     const vec3 eyeDirection = normalizedOr(towardsEye, vec3(0));
     const vec3 flat = turned(normalizedOr(cross(e1, e2), eyeDirection), towardsEye);
     vec3 smooth =
         mix(w, octahedral(batch.normals[0][i]), octahedral(batch.normals[1][i]), octahedral(batch.normals[2][i]));
     smooth = turned(normalizedOr(smooth, flat), flat);
-    const vec3 light(f.frame->light);
+    const vec3 light = f.frame->towardsLight;
     const float cosine = dot(flat, light);
-    const float depth = dot(vec3(f.frame->view), position) + f.frame->view.w;
+    const float depth = dot(f.frame->viewDirection, position) + f.frame->originDepth;
 
     batch.lit[i] = cosine > 0 ? 1.0F : 0.0F;
     batch.pass[i] = -1;
     if (cosine > 0 && f.litSource == LitSource::Mask) batch.lit[i] = batch.litMask[i];
     if (cosine > 0 && f.litSource == LitSource::Maps) {
-        batch.pass[i] = plainPassOf(f, position - vec3(f.frame->eye), depth);
+        batch.pass[i] = plainPassOf(f, position - f.frame->eye, depth);
         if (batch.pass[i] >= 0) batch.lit[i] = plainLitFraction(f, batch.pass[i], position, flat, cosine);
     }
     const float direct = batch.lit[i] * std::max(dot(smooth, light), 0.0F);
@@ -140,27 +140,28 @@ void shadeOne(const ShadingFrame& f, PixelBatch& batch, std::size_t i) {
 } // namespace
 
 int plainPassOf(const ShadingFrame& f, const vec3& p, float z) {
-    const glm::ivec4& counts = f.frame->counts;
+    const block::Frame& frame = *f.frame;
     int slice = 0;
-    while (slice + 1 < counts.x && z >= f.shadows->splits[slice].y)
+    while (slice + 1 < frame.sliceCount && z >= f.shadows->slices[slice].far)
         ++slice;
     int face = 0;
-    if (counts.z > 0) {
+    if (frame.sideFaceCount > 0) {
         const auto owns = [&](int i) {
             return dot(vec3(f.shadows->faceFirst[i]), p) >= 0 && dot(vec3(f.shadows->faceSecond[i]), p) >= 0;
         };
-        while (face + 1 < counts.z && !owns(face))
+        while (face + 1 < frame.sideFaceCount && !owns(face))
             ++face;
         const vec4& edge = f.shadows->faceEdge[face];
-        if (counts.w == 1 && dot(vec3(edge), p) < edge.w * f.shadows->splits[slice].x) face = counts.z;
+        if (frame.hasOwnNear == 1 && dot(vec3(edge), p) < edge.w * f.shadows->slices[slice].near)
+            face = frame.sideFaceCount;
     }
-    const int index = slice * (std::max(counts.z, 1) + counts.w) + face;
+    const int index = slice * (std::max(frame.sideFaceCount, 1) + frame.hasOwnNear) + face;
     return f.shadows->passOfPartition[index / 4][index % 4];
 }
 
 float plainLitFraction(const ShadingFrame& f, int pass, const vec3& p, const vec3& normal, float cosine) {
     const block::Partition& part = f.shadows->partitions[pass];
-    const vec3 offset = p - vec3(part.origin);
+    const vec3 offset = p - part.origin;
     const auto coordinate = [&](int row) {
         const glm::mat4& m = part.clipFromOffset;
         return (m[0][row] * offset.x + m[1][row] * offset.y) + (m[2][row] * offset.z + m[3][row]);
@@ -170,14 +171,14 @@ float plainLitFraction(const ShadingFrame& f, int pass, const vec3& p, const vec
     const auto withPlane = [&](const vec4& by) {
         return std::abs(dot(normal, vec3(by)) + -dot(normal, offset) * by.w);
     };
-    const int width = std::max(f.frame->counts.y, 1);
+    const int width = std::max(f.frame->filterTexels, 1);
     const float slope = (withPlane(part.byColumn) + withPlane(part.byRow)) / std::max(withPlane(part.byDepth), 1e-30F);
-    const float unevenZ = part.axisZ.w * w;
-    const float uneven = std::sqrt(part.axisX.w * part.axisX.w + unevenZ * unevenZ);
-    const float bias = (slope * std::min(1.0F, cosine * 10) + uneven) * part.origin.w + 6e-7F;
+    const float unevenZ = part.unevenZ * w;
+    const float uneven = std::sqrt(part.unevenX * part.unevenX + unevenZ * unevenZ);
+    const float bias = (slope * std::min(1.0F, cosine * 10) + uneven) * part.reach + 6e-7F;
     const float depth = coordinate(2) * inverseW - bias;
     const auto first = [&](int row) {
-        const float texel = (coordinate(row) * inverseW) * part.texel[row] + part.texel[2 + row];
+        const float texel = (coordinate(row) * inverseW) * part.texelScale[row] + part.texelOffset[row];
         const float lowest = std::floor(texel - 0.5F * static_cast<float>(width - 1));
         return static_cast<int>(std::min(std::max(lowest, -1e6F), 1e6F));
     };
@@ -185,9 +186,9 @@ float plainLitFraction(const ShadingFrame& f, int pass, const vec3& p, const vec
     for (int y = first(1); y < first(1) + width; ++y)
         for (int x = first(0); x < first(0) + width; ++x) {
             const int column =
-                std::min(std::max(x, static_cast<int>(part.rectangle.x)), static_cast<int>(part.rectangle.z) - 1);
+                std::min(std::max(x, static_cast<int>(part.firstTexel.x)), static_cast<int>(part.endTexel.x) - 1);
             const int row =
-                std::min(std::max(y, static_cast<int>(part.rectangle.y)), static_cast<int>(part.rectangle.w) - 1);
+                std::min(std::max(y, static_cast<int>(part.firstTexel.y)), static_cast<int>(part.endTexel.y) - 1);
             lit += depth <= f.shadowDepth[row * f.shadowWidth + column] ? 1.0F : 0.0F;
         }
     return lit / static_cast<float>(width * width);

@@ -24,7 +24,7 @@ ExecutorDifference compareSeeds(std::uint64_t first, std::uint64_t count, bool o
         const plan::FramePlan plan = field.plan(field.view(seed), fieldQuality(seed));
         FrameDrawing frame = field.drawing(plan);
         if (overlays) frame.overlay = static_cast<Overlay>(1 + seed % 7);
-        if (frame.overlay == Overlay::Residency) frame.standIns = field.someStandIns();
+        if (frame.overlay == Overlay::Residency) frame.substitutes = field.someSubstitutes();
         ours->draw(frame);
         gl->draw(frame);
         found += difference(*ours, *gl);
@@ -90,7 +90,7 @@ TEST(Onlooker, SeesTheFramesGeometryFromWhereItStands) {
         const plan::FramePlan watched = field.plan(field.view(seed), fieldQuality(seed));
         const plan::FramePlan watching = field.plan(field.view(seed + 100), fieldQuality(seed));
         FrameDrawing fromOutside = field.drawing(watched);
-        fromOutside.onlooker = watching.view.camera;
+        fromOutside.observerCamera = watching.view.camera;
         for (Executor* executor : {ours.get(), gl.get()}) {
             executor->draw(field.drawing(watching));
             const FloatPicture expected = executor->viewDepth();
@@ -108,7 +108,7 @@ TEST(Onlooker, InTheCamerasPlaceChangesNothing) {
     executor->draw(field.drawing(plan));
     const Picture expected = executor->picture();
     FrameDrawing drawing = field.drawing(plan);
-    drawing.onlooker = plan.view.camera;
+    drawing.observerCamera = plan.view.camera;
     executor->draw(drawing);
     EXPECT_EQ(executor->picture().pixels, expected.pixels);
 }

@@ -13,7 +13,7 @@
 
 namespace gnomon::frame {
 
-/// A model that was made in code, and who draws it. Every frame is planned afresh.
+/// A model that was made in code, and its renderer. Every frame is planned afresh.
 class DrawnModel {
 public:
     explicit DrawnModel(const tests::TinyModel& model) {
@@ -33,6 +33,8 @@ public:
         renderer_->forget();
         return renderer_->render(view, quality, options);
     }
+
+    Renderer& renderer() { return *renderer_; }
 
     executor::Executor& executor() { return *executor_; }
 

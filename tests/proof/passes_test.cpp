@@ -4,6 +4,7 @@
 #include "frame/drawn_model.h"
 #include "frame/made_model.h"
 #include "frame/shadow_triples.h"
+#include "proof/frame_proof.h"
 #include "proof/texel_footprint.h"
 
 #include <gtest/gtest.h>
@@ -196,12 +197,12 @@ TEST(PartitionCulling, IsNotSeenUnderLightsAlongTheAxesAndBesideThem) {
 
 /// Shows that maps are no further from rays than a texel's footprint, and that nothing in them is not a number.
 void expectTrueShadows(frame::DrawnModel& model, const plan::View& view, const plan::Quality& quality) {
-    frame::FrameOptions options;
-    options.oracle = frame::Oracle::SameDetail;
-    const frame::Frame frame = model.draw(view, quality, options);
-    if (frame.truth) {
-        const auto bar = 5e-4 * static_cast<double>(frame.truth->judgedPixels);
-        EXPECT_LE(static_cast<double>(frame.truth->unexplainedPixels), bar);
+    ProofOptions options;
+    options.oracle = Oracle::SameDetail;
+    const FrameProof proof = prove(model.renderer(), model.draw(view, quality), options);
+    if (proof.truth) {
+        const auto bar = 5e-4 * static_cast<double>(proof.truth->judgedPixels);
+        EXPECT_LE(static_cast<double>(proof.truth->unexplainedPixels), bar);
     }
     frame::Renderer renderer(model.file(), model.executor(), {});
     expectSane(shoot(renderer, model.executor(), view, quality));

@@ -5,6 +5,7 @@
 #include "executor/software_shading.h"
 #include "gl/shader_library.h"
 #include "hierarchy/scene_mesh.h"
+#include "proof/frame_proof.h"
 #include "tests/executor/field.h"
 #include "tests/executor/plain_shading.h"
 #include "tests/frame/drawn_model.h"
@@ -32,7 +33,7 @@ void compareLookups(executor::Executor& gl, const executor::Field& field, std::u
     if (plan.passes.empty()) return;
     const executor::FloatPicture maps = gl.shadowDepth();
     const executor::Shading shading(frame, executor::imageClipFromDraw(frame), maps, {});
-    const glm::vec3 light(shading.frame().frame->light);
+    const glm::vec3 light = shading.frame().frame->towardsLight;
     const executor::Raster<executor::SurfaceSample> surfaces = gl.surfaces();
     for (const executor::SurfaceSample& surface : surfaces.pixels) {
         if (!surface.isLitSide() || surface.partition() < 0) continue;
@@ -64,8 +65,10 @@ public:
         executor::Executor& executor = model.executor();
         frame::FrameOptions options;
         options.wantsSurfaces = true;
-        options.measuresCrawl = true;
         frame_ = renderer.render(view, quality, options);
+        ProofOptions proofOptions;
+        proofOptions.measuresCrawl = true;
+        crawl_ = prove(renderer, frame_, proofOptions).crawl;
         surfaces_ = executor.surfaces();
         maps_ = executor.shadowDepth();
         drawing_.plan = &frame_.plan;
@@ -80,8 +83,8 @@ public:
 
     const executor::DrawSpace& space() const { return frame_.space; }
 
-    /// What the renderer found since the frame before.
-    const std::optional<Crawl>& crawl() const { return frame_.crawl; }
+    /// What the proof found since the frame before.
+    const std::optional<Crawl>& crawl() const { return crawl_; }
 
     bool isInView(const glm::vec3& position) const {
         const glm::dvec3 p(frame_.space.cameraFromDraw * glm::dvec4(position, 1));
@@ -92,15 +95,15 @@ public:
     /// The map that a point of draw space asks, and what it answers.
     std::pair<int, float> lit(const glm::vec3& position, const glm::vec3& normal) const {
         const executor::ShadingFrame& f = shading_->frame();
-        const float depth = glm::dot(glm::vec3(f.frame->view), position) + f.frame->view.w;
-        const int pass = executor::plainPassOf(f, position - glm::vec3(f.frame->eye), depth);
+        const float depth = glm::dot(f.frame->viewDirection, position) + f.frame->originDepth;
+        const int pass = executor::plainPassOf(f, position - f.frame->eye, depth);
         if (pass < 0) return {pass, 1.0F};
-        return {
-            pass, executor::plainLitFraction(f, pass, position, normal, glm::dot(normal, glm::vec3(f.frame->light)))};
+        return {pass, executor::plainLitFraction(f, pass, position, normal, glm::dot(normal, f.frame->towardsLight))};
     }
 
 private:
     frame::Frame frame_;
+    std::optional<Crawl> crawl_;
     executor::Raster<executor::SurfaceSample> surfaces_{0, 0};
     executor::FloatPicture maps_{0, 0};
     executor::FrameDrawing drawing_;

@@ -6,6 +6,7 @@
 #include "frame/shadow_triples.h"
 #include "gl/shader_library.h"
 #include "hierarchy/tiny_model.h"
+#include "proof/frame_proof.h"
 
 #include <gtest/gtest.h>
 
@@ -36,9 +37,13 @@ public:
 
     executor::Executor& executor() { return *executor_; }
 
-    frame::Frame render(const ShadowTriple& triple, const frame::FrameOptions& options) {
+    frame::Frame render(const ShadowTriple& triple) {
         renderer_.forget();
-        return renderer_.render(triple.view, triple.quality, options);
+        return renderer_.render(triple.view, triple.quality, {});
+    }
+
+    FrameProof proofOf(const frame::Frame& frame, const ProofOptions& options) {
+        return prove(renderer_, frame, options);
     }
 
 private:
@@ -59,32 +64,33 @@ struct Judged {
 };
 
 Judged judge(Stage& stage) {
-    frame::FrameOptions options;
-    options.oracle = frame::Oracle::SameDetail;
+    ProofOptions options;
+    options.oracle = Oracle::SameDetail;
     Judged sum;
     for (std::uint64_t i = 0; i < kTriples; ++i) {
         const ShadowTriple triple = withDefaults(tests::shadowTriple(stage.bounds(), i, kSide, kTexels));
-        const frame::Frame frame = stage.render(triple, options);
-        if (!frame.truth) continue;
-        sum.pixels += frame.truth->judgedPixels;
-        sum.unexplained += frame.truth->unexplainedPixels;
-        sum.wrong += frame.truth->shadows.wrongPixels;
+        const FrameProof proof = stage.proofOf(stage.render(triple), options);
+        if (!proof.truth) continue;
+        sum.pixels += proof.truth->judgedPixels;
+        sum.unexplained += proof.truth->unexplainedPixels;
+        sum.wrong += proof.truth->shadows.wrongPixels;
     }
     return sum;
 }
 
 void expectPromiseKept(Stage& stage, std::uint64_t triples = kTriples) {
-    frame::FrameOptions options;
+    ProofOptions options;
     options.measuresAliasing = true;
     int measured = 0;
     for (std::uint64_t i = 0; i < triples; ++i) {
         const ShadowTriple triple = tests::shadowTriple(stage.bounds(), i, kSide, kTexels);
-        const frame::Frame frame = stage.render(triple, options);
-        if (!frame.aliasing || frame.aliasing->pixelsMeasured == 0) continue;
+        const frame::Frame frame = stage.render(triple);
+        const std::optional<MeasuredAliasing> aliasing = stage.proofOf(frame, options).aliasing;
+        if (!aliasing || aliasing->pixelsMeasured == 0) continue;
         ++measured;
-        EXPECT_LE(frame.aliasing->overPromise, 1 + kFloatTolerance) << i << ": " << tests::describe(triple);
-        EXPECT_LE(frame.aliasing->x, frame.plan.promised.x * (1 + kFloatTolerance)) << i;
-        EXPECT_LE(frame.aliasing->z, frame.plan.promised.z * (1 + kFloatTolerance)) << i;
+        EXPECT_LE(aliasing->overPromise, 1 + kFloatTolerance) << i << ": " << tests::describe(triple);
+        EXPECT_LE(aliasing->x, frame.plan.promised.x * (1 + kFloatTolerance)) << i;
+        EXPECT_LE(aliasing->z, frame.plan.promised.z * (1 + kFloatTolerance)) << i;
     }
     EXPECT_GE(measured * 3, static_cast<int>(triples) * 2);
 }
@@ -147,7 +153,7 @@ TEST(MeasuredAliasing, OnAGroundThatFillsTheScreenComesNearThePromise) {
     view.camera.target = center + glm::dvec3(0, 0, 16);
     view.camera.fovYRadians = 0.7;
     view.towardsLight = {0.05, 1, 0.02};
-    frame::FrameOptions options;
+    ProofOptions options;
     options.measuresAliasing = true;
     for (const shadow::WarpRule rule :
          {shadow::WarpRule::None, shadow::WarpRule::Lspsm, shadow::WarpRule::Minimax, shadow::WarpRule::Auto})
@@ -162,18 +168,18 @@ TEST(MeasuredAliasing, OnAGroundThatFillsTheScreenComesNearThePromise) {
             ASSERT_TRUE(std::isfinite(*farthest)) << "the ground fills the screen";
             quality.near = static_cast<double>(*nearest) * 0.999;
             quality.far = static_cast<double>(*farthest) * 1.001;
-            const frame::Frame frame = renderer.render(view, quality, options);
-            ASSERT_TRUE(frame.aliasing);
-            EXPECT_EQ(frame.aliasing->pixelsUnpromised, 0U);
-            EXPECT_GE(frame.aliasing->overPromise, 0.8) << shadow::name(quality.warp.rule) << " " << slices;
-            EXPECT_LE(frame.aliasing->overPromise, 1 + kFloatTolerance)
+            const FrameProof proof = prove(renderer, renderer.render(view, quality, {}), options);
+            ASSERT_TRUE(proof.aliasing);
+            EXPECT_EQ(proof.aliasing->pixelsUnpromised, 0U);
+            EXPECT_GE(proof.aliasing->overPromise, 0.8) << shadow::name(quality.warp.rule) << " " << slices;
+            EXPECT_LE(proof.aliasing->overPromise, 1 + kFloatTolerance)
                 << shadow::name(quality.warp.rule) << " " << slices;
         }
 }
 
 TEST(MeasuredAliasing, IsTheSameThroughOpenGl) {
     const tests::BuiltFile model("statue", 5000);
-    frame::FrameOptions options;
+    ProofOptions options;
     options.measuresAliasing = true;
     std::array<std::unique_ptr<executor::Executor>, 2> executors = {
         executor::makeSoftwareExecutor(),
@@ -183,7 +189,10 @@ TEST(MeasuredAliasing, IsTheSameThroughOpenGl) {
         std::array<double, 2> measured{};
         for (std::size_t e = 0; e < 2; ++e) {
             frame::Renderer renderer(model.file(), *executors[e], {});
-            measured[e] = renderer.render(triple.view, triple.quality, options).row.measuredAliasing.value_or(0);
+            frame::Frame frame = renderer.render(triple.view, triple.quality, {});
+            EXPECT_FALSE(frame.row.measuredAliasing) << "nothing is measured that was not asked for";
+            setAccuracy(prove(renderer, frame, options), frame.row);
+            measured[e] = frame.row.measuredAliasing.value_or(0);
         }
         EXPECT_NEAR(measured[0], measured[1], 0.02 * measured[1]) << tests::describe(triple);
     }
@@ -197,14 +206,14 @@ TEST(RayTracedShadows, AreThoseOfVeryFineMaps) {
     double fromNone = 0;
     for (std::uint64_t i = 0; i < 8; ++i) {
         ShadowTriple triple = withDefaults(tests::shadowTriple(stage.bounds(), i, 128, 4096));
-        stage.render(triple, {});
+        stage.render(triple);
         const executor::Picture maps = stage.executor().picture();
         triple.quality.shadows = plan::ShadowMode::Rays;
-        const frame::Frame frame = stage.render(triple, {});
+        const frame::Frame frame = stage.render(triple);
         EXPECT_TRUE(frame.plan.passes.empty());
         fromRays += executor::difference(stage.executor().picture(), maps).mean;
         triple.quality.shadows = plan::ShadowMode::Off;
-        stage.render(triple, {});
+        stage.render(triple);
         fromNone += executor::difference(stage.executor().picture(), maps).mean;
     }
     EXPECT_LE(fromRays, 0.2 * fromNone);
@@ -228,13 +237,14 @@ TEST(RayTracedShadows, AreTheSameThroughOpenGl) {
 TEST(ShadowTruth, LeavesTheFrameAsItWasDrawn) {
     Stage stage = softwareStage("statue", 5000);
     const ShadowTriple triple = withDefaults(tests::shadowTriple(stage.bounds(), 5, 128, 256));
-    stage.render(triple, {});
+    stage.render(triple);
     const executor::Picture plain = stage.executor().picture();
-    for (const frame::Oracle oracle : {frame::Oracle::SameDetail, frame::Oracle::FullDetail}) {
-        frame::FrameOptions options;
+    for (const Oracle oracle : {Oracle::SameDetail, Oracle::FullDetail}) {
+        ProofOptions options;
         options.oracle = oracle;
         options.comparesWithFinest = true;
-        const frame::Frame frame = stage.render(triple, options);
+        frame::Frame frame = stage.render(triple);
+        setAccuracy(stage.proofOf(frame, options), frame.row);
         EXPECT_EQ(stage.executor().picture().pixels, plain.pixels);
         ASSERT_TRUE(frame.row.imageDifference);
         EXPECT_LT(*frame.row.imageDifference, 0.05);

@@ -1,6 +1,7 @@
 // Shadows that are known by hand, from maps and from rays; and what is too fine for a map, counted apart.
 #include "frame/crate_scene.h"
 #include "frame/drawn_model.h"
+#include "proof/frame_proof.h"
 
 #include <gtest/gtest.h>
 
@@ -95,29 +96,31 @@ TEST(ShadowsByHand, OfABoxAHundredFrustaUpTheLight) {
 }
 
 /// A frame of few texels, beside what rays say of it.
-frame::Frame judgedWithCoarseTexels(const tests::SceneMesh& scene) {
+FrameProof judgedWithCoarseTexels(const tests::SceneMesh& scene) {
     frame::DrawnModel model(scene.model());
     plan::View view = frame::overGround();
     view.towardsLight = {0.3, 1, 0.2};
     plan::Quality quality = frame::inSlices(1);
     quality.shadowTexelsWidth = quality.shadowTexelsHeight = 128;
-    frame::FrameOptions options;
-    options.oracle = frame::Oracle::SameDetail;
-    return model.draw(view, quality, options);
+    ProofOptions options;
+    options.oracle = Oracle::SameDetail;
+    return prove(model.renderer(), model.draw(view, quality), options);
 }
 
 TEST(ShadowTruth, CountsABarThinnerThanATexelApart) {
     tests::SceneMesh scene = frame::crateOnGround();
     scene.addBox({-20, 3, 4}, {20, 3.03, 4.03});
-    const frame::Frame frame = judgedWithCoarseTexels(scene);
-    ASSERT_TRUE(frame.truth);
-    const ShadowTruth& truth = *frame.truth;
+    const FrameProof proof = judgedWithCoarseTexels(scene);
+    ASSERT_TRUE(proof.truth);
+    const ShadowTruth& truth = *proof.truth;
     EXPECT_GT(truth.missedPixels, 20U);
     EXPECT_EQ(truth.answerable.wrongPixels + truth.missedPixels, truth.shadows.wrongPixels);
     EXPECT_GT(truth.answerable.edgePixelsApart, 50U);
     EXPECT_GT(truth.answerable.edgePixels, 50U) << "the crate's edges are not apart";
     EXPECT_LT(truth.answerable.edgeWorstPixels, truth.shadows.edgeWorstPixels);
-    EXPECT_EQ(*frame.row.shadowEdgeP99Px, truth.answerable.edgeP99Pixels);
+    telemetry::FrameRow row;
+    setAccuracy(proof, row);
+    EXPECT_EQ(*row.shadowEdgeP99Px, truth.answerable.edgeP99Pixels);
 }
 
 // What lies in the slit is lit and none of it is missed: only its edges are apart.
@@ -125,9 +128,9 @@ TEST(ShadowTruth, CountsTheEdgesOfASlitNarrowerThanATexelApart) {
     tests::SceneMesh scene = frame::crateOnGround();
     scene.addBox({-20, 3, -3}, {20, 3.1, -0.06});
     scene.addBox({-20, 3, 0.06}, {20, 3.1, 3});
-    const frame::Frame frame = judgedWithCoarseTexels(scene);
-    ASSERT_TRUE(frame.truth);
-    EXPECT_GT(frame.truth->answerable.edgePixelsApart, frame.truth->missedPixels + 50);
+    const FrameProof proof = judgedWithCoarseTexels(scene);
+    ASSERT_TRUE(proof.truth);
+    EXPECT_GT(proof.truth->answerable.edgePixelsApart, proof.truth->missedPixels + 50);
 }
 
 } // namespace

@@ -100,7 +100,7 @@ void spinningOrientation() {
 void lightOverhead() {
     expectSound(viewWithLight({0, 1, 0}));
     expectSound(viewWithLight({1, 0, 0}));
-    const PartitionSelector selector = partitionSelector({}, {0, 1, 0}, {0.1, 1000}, true, true);
+    const PartitionSelector selector = partitionSelector({}, {0, 1, 0}, {0.1, 1000}, FaceMaps::SidesAndNear);
     EXPECT_EQ(selector.faces.size(), 1U);
     EXPECT_FALSE(selector.ownNear);
 }
@@ -138,7 +138,7 @@ void pastTheVanishingLine() {
     const ViewFrustum frustum{1, 1e5, 0.5, 1};
     const LightFit fit = fitSlice(lightFrame({0, 1, 0}), frustum);
     const WarpedMap map = warpedMap(fit, 1 / frustum.near);
-    const Region region = partitionRegion(frustum, partitionSelector(frustum, {0, 1, 0}, {1, 1e5}, false, false), 0);
+    const Region region = partitionRegion(frustum, partitionSelector(frustum, {0, 1, 0}, {1, 1e5}, FaceMaps::None), 0);
     std::vector<glm::dvec3> corners;
     for (const FitVertex& vertex : region.vertices)
         corners.push_back(vertex.position);
@@ -243,7 +243,7 @@ void smallNearSquare() {
     // With far a million times near, an outline tolerance in units of far swallows the near square whole.
     ViewFrustum frustum{1, 1e6, 0.5, 1};
     const glm::dvec3 light = glm::normalize(glm::dvec3(0.3, 0.4, -0.8));
-    const PartitionSelector selector = partitionSelector(frustum, light, {1, 1e6}, true, true);
+    const PartitionSelector selector = partitionSelector(frustum, light, {1, 1e6}, FaceMaps::SidesAndNear);
     const Region near = partitionRegion(frustum, selector, selector.faces.size());
     EXPECT_EQ(near.face, Face::Near);
     const ConvexVolume sweep = casterVolume(near, lightFrame(light));

@@ -94,8 +94,8 @@ TEST(Promise, AFacesRegionHasTheErrorOfItsFourCorners) {
         options.scheme.faces = true;
         options.scheme.nearFace = NearFace::OwnMap;
         options.scheme.warp.rule = WarpRule::Minimax;
-        const PartitionSelector selector =
-            partitionSelector(view.frustum, view.towardsLight, {view.frustum.near, view.frustum.far}, true, true);
+        const PartitionSelector selector = partitionSelector(
+            view.frustum, view.towardsLight, {view.frustum.near, view.frustum.far}, FaceMaps::SidesAndNear);
         const std::size_t exact = sideFaces(view.frustum, view.towardsLight).size();
         if (!selector.ownNear || selector.faces.size() != exact) continue; // a sliver was merged
         for (std::size_t i = 0; i < selector.faces.size(); ++i) {

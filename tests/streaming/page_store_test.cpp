@@ -120,7 +120,7 @@ public:
             const DemandOutcome outcome = store.load({now.used, now.wanted});
             if (!outcome.hasChanged) return outcome;
         }
-        ADD_FAILURE() << "loading does not settle";
+        ADD_FAILURE() << "loading does not come to an end";
         return {};
     }
 
@@ -183,9 +183,9 @@ TEST(PageStore, AskNeverWaitsAndArrivesInTheEnd) {
         const Viewer viewer(random);
         int frames = 0;
         while (true) {
-            store.settle();
+            store.admitLoaded();
             const selection::Cut now = viewer.cut(store);
-            const DemandOutcome outcome = store.ask({now.used, now.wanted});
+            const DemandOutcome outcome = store.request({now.used, now.wanted});
             for (const PageDemand& used : now.used)
                 ASSERT_NE(store.resident()[used.page], nullptr) << "a page in use has left";
             expectClosedUpwards(store.resident());
@@ -208,14 +208,14 @@ TEST(PageStore, AViewThatChangesEveryFrameNeverBreaksTheRules) {
     for (int frame = 0; frame < 150; ++frame) {
         const Viewer viewer(random);
         const Viewer ahead(random);
-        store.settle();
+        store.admitLoaded();
         const selection::Cut now = viewer.cut(store);
         const selection::Cut next = ahead.cut(store);
         if (random.below(10) == 0) {
             store.load({now.used, now.wanted});
         } else {
             const bool isCertain = random.below(2) == 0;
-            store.ask({now.used, now.wanted, isCertain ? next.wanted : none, isCertain ? none : next.wanted});
+            store.request({now.used, now.wanted, isCertain ? next.wanted : none, isCertain ? none : next.wanted});
             for (const PageDemand& used : now.used)
                 ASSERT_NE(store.resident()[used.page], nullptr) << "a page in use has left";
         }
@@ -369,8 +369,8 @@ TEST(PageStore, EndsCleanlyWithWorkInTheQueue) {
         for (std::uint32_t page = 0; page < sharedModel().table.size(); ++page)
             everything.push_back({page, 1});
         const int before = source.reads;
-        store.ask({{}, everything});
-        store.ask({}); // withdraws what no loader has begun
+        store.request({{}, everything});
+        store.request({}); // withdraws what no loader has begun
         EXPECT_LE(source.reads - before, 4);
         source.isHeld = false;
         source.isHeld.notify_all();

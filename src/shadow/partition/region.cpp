@@ -263,14 +263,10 @@ void addShared(
 } // namespace
 
 PartitionSelector partitionSelector(
-    const ViewFrustum& frustum,
-    const glm::dvec3& towardsLight,
-    std::vector<double> splits,
-    bool useFaces,
-    bool ownNear) {
+    const ViewFrustum& frustum, const glm::dvec3& towardsLight, std::vector<double> splits, FaceMaps faceMaps) {
     PartitionSelector selector;
     selector.splits = std::move(splits);
-    if (!useFaces) return selector;
+    if (faceMaps == FaceMaps::None) return selector;
     const std::vector<Face> counting = sideFaces(frustum, towardsLight, kGrazing);
     const auto counts = [&](std::size_t i) {
         return std::find(counting.begin(), counting.end(), kCycle[i % 4].face) != counting.end();
@@ -279,7 +275,7 @@ PartitionSelector partitionSelector(
     std::size_t start = 0;
     for (std::size_t i = 0; i < 4; ++i)
         if (!counts(i)) start = i + 1;
-    selector.ownNear = ownNear && std::abs(towardsLight.z) > kGrazing && !counting.empty();
+    selector.ownNear = faceMaps == FaceMaps::SidesAndNear && std::abs(towardsLight.z) > kGrazing && !counting.empty();
     for (std::size_t i = start; i < start + 4; ++i) {
         if (!counts(i)) continue;
         FaceSelector face;

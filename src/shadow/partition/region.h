@@ -33,15 +33,18 @@ struct PartitionSelector {
     std::size_t partitionCount() const { return (splits.size() - 1) * facesPerSlice(); }
 };
 
-/// The selector of `splits` and, if `useFaces`, of the faces that bear maps. Faces and near squares that the light
-/// grazes (the sine of their angle to it below 1e-3) are too thin for a map in single precision: their neighbours take
-/// them over, so nothing is left out. `ownNear` asks for a map of the near square; without it the sides reach it.
+/// Which faces of a slice have maps of their own.
+enum class FaceMaps : std::uint8_t {
+    None,         // a map shows a whole slice
+    Sides,        // the side faces, which reach the near square
+    SidesAndNear, // the side faces and the near square
+};
+
+/// The selector of `splits` and of the faces that bear maps. Faces and near squares that the light grazes (the sine of
+/// their angle to it below 1e-3) are too thin for a map in single precision: their neighbours take them over, so
+/// nothing is left out.
 PartitionSelector partitionSelector(
-    const ViewFrustum& frustum,
-    const glm::dvec3& towardsLight,
-    std::vector<double> splits,
-    bool useFaces,
-    bool ownNear);
+    const ViewFrustum& frustum, const glm::dvec3& towardsLight, std::vector<double> splits, FaceMaps faceMaps);
 
 /// The partition that owns `p`: slice * facesPerSlice + face, the near face last. The slice by splits, then the first
 /// face whose two tests hold, the last face needing none, then the near face's test.

@@ -1,0 +1,70 @@
+#include "frame/frame_cuts.h"
+
+#include "culling/caster_detail.h"
+#include "culling/frame_cut.h"
+#include "frame/ray_casters.h"
+#include "frame/scene_facts.h"
+#include "selection/nearest_depth.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gnomon::frame {
+
+namespace {
+
+void cut(PreparedFrame& frame, const plan::Quality& quality, const Residency& residency) {
+    frame.errorPixels = quality.errorPixels;
+    if (quality.maxTriangles)
+        frame.errorPixels = selection::cappedErrorPixels(cutQuery(residency, frame), *quality.maxTriangles);
+    frame.cut = culling::cutFrame(cutQuery(residency, frame));
+}
+
+} // namespace
+
+selection::CutQuery cutQuery(const Residency& residency, const PreparedFrame& frame) {
+    selection::CutQuery query = residency.query();
+    query.rule = frame.rule.get();
+    query.errorPixels = frame.errorPixels;
+    query.volumes = frame.volumes;
+    return query;
+}
+
+void cutImage(
+    PreparedFrame& frame,
+    const plan::View& view,
+    const plan::Quality& quality,
+    const std::optional<DepthSpan>& range,
+    const Residency& residency,
+    const hierarchy::Grid& grid) {
+    selection::DetailView detail = detailView(view, view.camera.eye - grid.origin);
+    const double nearest = selection::nearestDepth(*residency.query().trees, detail);
+    if (std::isfinite(nearest)) detail.nearestDepth = std::max(detail.nearestDepth, nearest);
+    frame.rule = std::make_shared<selection::ErrorRule>(detail);
+    frame.volumes = {selection::viewPyramid(detail)};
+    if (range) frame.volumes.push_back(culling::localVolume(plan::sweptView(view, *range), detail));
+    cut(frame, quality, residency);
+}
+
+void cutPartitions(PreparedFrame& frame, const Residency& residency) {
+    frame.volumes.resize(1);
+    if (frame.plan.passes.empty() && !frame.isRayTraced()) {
+        frame.cut.lists.resize(1);
+        return;
+    }
+    const selection::DetailView view = frame.rule->view();
+    std::vector<selection::CasterDetail> casters;
+    for (const plan::ShadowPass& pass : frame.plan.passes) {
+        casters.push_back(culling::casterDetail(view, pass.map));
+        // Without culling every map draws all there is, at the detail that the maps call for.
+        frame.volumes.push_back(frame.plan.quality.cullCasters ? casters.back().casters : ConvexVolume{});
+    }
+    if (frame.isRayTraced()) {
+        casters.push_back(rayCasterDetail(frame));
+        frame.volumes.push_back(casters.back().casters);
+    }
+    frame.rule = std::make_shared<selection::ErrorRule>(view, std::move(casters));
+    cut(frame, frame.plan.quality, residency);
+}
+
+} // namespace gnomon::frame

@@ -1,0 +1,27 @@
+// The cuts of a frame: first the image and what may shadow it, for the plan; then image and casters by the plan's
+// passes.
+#pragma once
+
+#include "frame/prepared_frame.h"
+#include "frame/residency.h"
+#include "hierarchy/model_file.h"
+
+namespace gnomon::frame {
+
+/// The query whose answer is `frame`'s cut.
+selection::CutQuery cutQuery(const Residency& residency, const PreparedFrame& frame);
+
+/// Chooses `frame`'s rule and cuts the image of `view`; with a `range`, which widestRange answered, also all that can
+/// throw a shadow into it.
+void cutImage(
+    PreparedFrame& frame,
+    const plan::View& view,
+    const plan::Quality& quality,
+    const std::optional<DepthSpan>& range,
+    const Residency& residency,
+    const hierarchy::Grid& grid);
+
+/// Cuts the image of a planned frame again with the casters of each of its passes, culled to its partition.
+void cutPartitions(PreparedFrame& frame, const Residency& residency);
+
+} // namespace gnomon::frame

@@ -1,0 +1,74 @@
+#include "frame/frame_row.h"
+
+#include "core/angle.h"
+
+namespace gnomon::frame {
+
+namespace {
+
+std::int64_t toCount(std::uint64_t value) {
+    return static_cast<std::int64_t>(value);
+}
+
+} // namespace
+
+telemetry::FrameRow frameRow(
+    const PreparedFrame& frame, const executor::DrawStatistics& drawn, const FrameSource& source) {
+    const plan::FramePlan& plan = frame.plan;
+    const plan::Quality& quality = plan.quality;
+    telemetry::FrameRow row;
+    row.model = source.model;
+    row.scheme = plan::schemeName(plan);
+    row.warp = shadow::name(quality.warp.rule);
+    row.zPartitions = plan.splits.empty() ? 0 : toCount(plan.splits.size() - 1);
+    row.facePartitions = plan.hasFaces ? "on" : "off";
+    row.stabilize = quality.stabilize;
+    row.filter = quality.filter;
+    row.shadowMaps = toCount(plan.passes.size());
+    row.shadowMapsDrawn = 0;
+    row.cullCasters = quality.cullCasters;
+    row.shadowTexels = std::to_string(quality.shadowTexelsWidth) + "x" + std::to_string(quality.shadowTexelsHeight);
+    row.errorPixels = quality.errorPixels;
+    row.width = plan.view.width;
+    row.height = plan.view.height;
+    row.backend = source.executor;
+    row.planMs = frame.planMs;
+    row.selectMs = frame.selectMs;
+    row.cullMs = frame.cullMs;
+    row.streamMs = frame.streamMs;
+    row.shadowMs = drawn.shadows.time.count;
+    row.imageMs = drawn.image.time.count;
+    row.imageTriangles = toCount(frame.cut.lists[0].triangles);
+    std::uint64_t shadowTriangles = 0;
+    std::uint64_t castersKept = 0;
+    for (std::size_t p = 0; p < plan.passes.size(); ++p) {
+        if (!plan.passes[p].isReused) {
+            ++row.shadowMapsDrawn;
+            shadowTriangles += frame.cut.lists[p + 1].triangles;
+        }
+        castersKept += frame.cut.lists[p + 1].clusters;
+    }
+    row.shadowTriangles = toCount(shadowTriangles);
+    if (drawn.shadows.fragments) row.shadowFragments = toCount(*drawn.shadows.fragments);
+    row.castersKept = toCount(castersKept);
+    row.castersTested = toCount(plan.passes.empty() ? 0 : frame.cut.clustersTested);
+    row.drawCalls = toCount(drawn.shadows.drawCalls + drawn.image.drawCalls);
+    row.residentBytes = toCount(source.residency.resident.count);
+    row.gpuBytes = toCount(drawn.deviceMemory.count);
+    row.bytesRead = toCount(source.residency.read.count);
+    row.pagesMissing = toCount(frame.residency.pagesMissing);
+    row.pagesDamaged = toCount(source.residency.pagesDamaged);
+    row.achievedErrorPixels = frame.cut.achievedErrorPixels;
+    row.near = plan.near;
+    row.far = plan.far;
+    row.depthRatio = plan.far / plan.near;
+    row.lightAngle = degreesFromRadians(plan.lightAngleRadians);
+    if (plan.passes.empty()) return row;
+    row.storageFactor = plan.storageFactor;
+    row.promisedAliasingX = plan.promised.x;
+    row.promisedAliasingZ = plan.promised.z;
+    row.promiseKept = plan.promiseKept;
+    return row;
+}
+
+} // namespace gnomon::frame

@@ -1,0 +1,61 @@
+#include "frame/renderer.h"
+
+#include "executor/lod_substitutes.h"
+#include "frame/frame_cuts.h"
+#include "plan/map_reuse.h"
+
+#include <algorithm>
+
+namespace gnomon::frame {
+
+Renderer::Renderer(const hierarchy::ModelFile& model, executor::Executor& executor, ResidencyOptions options)
+    : model_(&model), executor_(&executor), residency_(model, std::move(options)) {}
+
+plan::FramePlan Renderer::plan(const plan::View& view, const plan::Quality& quality) {
+    return prepare(view, quality, Waiting::UntilComplete, previous_).plan;
+}
+
+void Renderer::markReusedMaps(PreparedFrame& frame) const {
+    if (!heldMaps_) return;
+    for (std::size_t p = 0; p < frame.plan.passes.size(); ++p)
+        frame.plan.passes[p].isReused =
+            plan::isSameMap(frame.plan, heldMaps_->plan, p) && frame.cut.lists[p + 1].ranges == heldMaps_->casters[p];
+}
+
+void Renderer::rememberMaps(const PreparedFrame& frame) {
+    heldMaps_.emplace().plan = frame.plan;
+    for (std::size_t p = 0; p < frame.plan.passes.size(); ++p)
+        heldMaps_->casters.push_back(frame.cut.lists[p + 1].ranges);
+}
+
+executor::FrameDrawing Renderer::drawing(const PreparedFrame& frame, const FrameOptions& options) const {
+    const hierarchy::ModelSummary& summary = model_->summary();
+    executor::FrameDrawing drawing;
+    drawing.plan = &frame.plan;
+    drawing.space = frame.space;
+    drawing.grid = summary.grid;
+    drawing.image = &frame.cut.lists[0];
+    for (std::size_t p = 0; p < frame.plan.passes.size(); ++p)
+        drawing.casters.push_back(&frame.cut.lists[p + 1]);
+    drawing.pages = [resident = residency_.resident()](std::uint32_t page) -> const hierarchy::Page& {
+        return *resident[page];
+    };
+    // Reversed float depth is as precise anywhere; only triangles that cross the near plane want it not too near.
+    const plan::SceneFacts::Visible visible = frame.facts.visible.value_or(plan::SceneFacts::Visible{});
+    const double least = std::max(1e-7 * visible.farthest, 1e-3 * summary.grid.step());
+    drawing.clipNear = std::max(visible.anything ? visible.nearest * 0.99 : 0.0, least);
+    if (options.observerCamera) {
+        drawing.observerCamera = options.observerCamera;
+        drawing.clipNear = std::max(distance(summary.bounds, options.observerCamera->eye) * 0.99, least);
+    }
+    drawing.overlay = options.overlay;
+    if (options.overlay == executor::Overlay::Residency)
+        drawing.substitutes =
+            executor::lodSubstitutes(cutQuery(residency_, frame), *drawing.image, [this](std::uint32_t page) {
+                return residency_.isDamaged(page);
+            });
+    drawing.wantsSurfaces = options.wantsSurfaces;
+    return drawing;
+}
+
+} // namespace gnomon::frame

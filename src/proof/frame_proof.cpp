@@ -1,0 +1,116 @@
+#include "proof/frame_proof.h"
+
+#include "executor/ray_shadows.h"
+#include "frame/frame_cuts.h"
+#include "frame/ray_casters.h"
+
+#include <algorithm>
+#include <array>
+
+namespace gnomon::proof {
+
+namespace {
+
+/// Prepares the finest level of `frame`'s view, with the casters that rays can meet.
+frame::PreparedFrame finest(frame::Renderer& renderer, const frame::Frame& frame) {
+    plan::Quality quality = frame.plan.quality;
+    quality.shadows = plan::ShadowMode::Rays;
+    quality.errorPixels = 0;
+    quality.maxTriangles.reset();
+    return renderer.prepare(frame.plan.view, quality, frame::Waiting::UntilComplete, frame.before);
+}
+
+/// The picture of the finest level in ray-traced shadows; drawn.
+executor::Picture finestPicture(frame::Renderer& renderer, const frame::Frame& frame) {
+    const frame::PreparedFrame fine = finest(renderer, frame);
+    renderer.draw(fine, {});
+    return renderer.executor().picture();
+}
+
+/// Rays from the surfaces of `frame`, which was just drawn with them, to the finest level.
+ShadowTruth truthOfFullDetail(
+    frame::Renderer& renderer, const frame::Frame& frame, const executor::FrameDrawing& drawing) {
+    const executor::Raster<executor::SurfaceSample> surfaces = renderer.executor().surfaces();
+    const frame::PreparedFrame fine = finest(renderer, frame);
+    const std::array lists = {&fine.cut.lists[0], &fine.cut.lists[1]};
+    const raycast::Scene scene = executor::rayScene(drawing, lists);
+    // The true surface may lie as far from the drawn one as the cut allows.
+    const auto light = executor::lightByRays(
+        scene, frame.plan, drawing.space, surfaces, std::max(executor::kTouchingPixels, frame.errorPixels));
+    return shadowTruth(scene, drawing, surfaces, light);
+}
+
+/// Rays from the surfaces of `frame`, which was just drawn with them, to all that its maps' cut holds.
+ShadowTruth truthOfSameDetail(
+    const frame::Renderer& renderer, const frame::Frame& frame, const executor::FrameDrawing& drawing) {
+    const executor::Raster<executor::SurfaceSample> surfaces = renderer.executor().surfaces();
+    // The same rule decides as for the maps, so every cluster is the one that they drew; the volume alone is wider.
+    const std::array volumes = {frame.volumes[0], frame::rayCasterVolume(frame)};
+    selection::CutQuery wider = frame::cutQuery(renderer.residency(), frame);
+    wider.volumes = volumes;
+    const selection::Cut cut = selection::cut(wider);
+    const std::array lists = {drawing.image, &cut.lists[1]};
+    const raycast::Scene scene = executor::rayScene(drawing, lists);
+    const auto light = executor::lightByRays(scene, frame.plan, drawing.space, surfaces, executor::kTouchingPixels);
+    return shadowTruth(scene, drawing, surfaces, light);
+}
+
+/// Draws the frame before `now` once more: a plan is steady when its own view comes again. `maps` are those of `now`.
+Crawl crawlSince(
+    frame::Renderer& renderer,
+    const std::shared_ptr<const plan::FramePlan>& before,
+    const executor::FrameDrawing& now,
+    const executor::FloatPicture& maps) {
+    const frame::PreparedFrame prepared =
+        renderer.prepare(before->view, before->quality, frame::Waiting::UntilComplete, before);
+    frame::FrameOptions options;
+    options.wantsSurfaces = true;
+    const executor::FrameDrawing then = renderer.drawing(prepared, options);
+    renderer.draw(prepared, options);
+    const executor::FloatPicture thenMaps = renderer.executor().shadowDepth();
+    return crawl({&then, &thenMaps}, renderer.executor().surfaces(), {&now, &maps});
+}
+
+} // namespace
+
+FrameProof prove(frame::Renderer& renderer, const frame::Frame& frame, const ProofOptions& options) {
+    const bool hasMaps = !frame.plan.passes.empty();
+    const bool hasOracle = options.oracle != Oracle::None && hasMaps;
+    const bool isMeasured = options.measuresAliasing && hasMaps;
+    const bool hasCrawl = options.measuresCrawl && hasMaps && frame.before && !frame.before->passes.empty();
+    FrameProof proof;
+    if (frame.options.observerCamera || !(hasOracle || isMeasured || hasCrawl || options.comparesWithFinest))
+        return proof;
+    executor::Executor& executor = renderer.executor();
+    frame::FrameOptions plain = frame.options;
+    plain.overlay = executor::Overlay::None;
+    plain.wantsSurfaces = hasOracle || isMeasured || hasCrawl;
+    renderer.draw(frame, plain);
+    const executor::FrameDrawing drawn = renderer.drawing(frame, plain);
+    const executor::Picture picture = executor.picture();
+    const executor::FloatPicture maps = hasCrawl ? executor.shadowDepth() : executor::FloatPicture();
+    if (isMeasured) proof.aliasing = measuredAliasing(drawn, executor.surfaces());
+    if (hasOracle)
+        proof.truth = options.oracle == Oracle::FullDetail ? truthOfFullDetail(renderer, frame, drawn)
+                                                           : truthOfSameDetail(renderer, frame, drawn);
+    if (options.comparesWithFinest)
+        proof.imageDifference = executor::difference(finestPicture(renderer, frame), picture).mean;
+    if (hasCrawl) proof.crawl = crawlSince(renderer, frame.before, drawn, maps);
+    // What the executor shows is the frame that was asked for, and its pages are there.
+    const frame::PreparedFrame again =
+        renderer.prepare(frame.plan.view, frame.plan.quality, frame.options.waiting, frame.before);
+    renderer.draw(again, frame.options);
+    return proof;
+}
+
+void setAccuracy(const FrameProof& proof, telemetry::FrameRow& row) {
+    row.measuredAliasing = proof.aliasing ? std::optional(proof.aliasing->worst()) : std::nullopt;
+    row.wrongShadowFraction = proof.truth ? std::optional(proof.truth->answerable.wrongFraction) : std::nullopt;
+    row.shadowEdgeP99Px = proof.truth ? std::optional(proof.truth->answerable.edgeP99Pixels) : std::nullopt;
+    row.missedShadowFraction = proof.truth ? std::optional(proof.truth->missedFraction()) : std::nullopt;
+    row.unexplainedShadowFraction = proof.truth ? std::optional(proof.truth->unexplainedFraction()) : std::nullopt;
+    row.imageDifference = proof.imageDifference;
+    row.crawl = proof.crawl ? std::optional(proof.crawl->share()) : std::nullopt;
+}
+
+} // namespace gnomon::proof

@@ -1,0 +1,151 @@
+// What is drawn for a frame and for its proofs, counted: a frame draws once, and a proof what it says.
+#include "executor/software_executor.h"
+#include "frame/crate_scene.h"
+#include "proof/frame_proof.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <vector>
+
+#include <unistd.h>
+
+namespace gnomon::proof {
+namespace {
+
+/// The software executor, with where the eye of each image is.
+class CountingExecutor final : public executor::Executor {
+public:
+    std::string name() const override { return inner_->name(); }
+
+    executor::PassStatistics drawShadowMaps(const executor::FrameDrawing& frame) override {
+        return inner_->drawShadowMaps(frame);
+    }
+
+    executor::PassStatistics drawImage(const executor::FrameDrawing& frame) override {
+        images_.push_back(frame.plan->view.camera.eye.x);
+        return inner_->drawImage(frame);
+    }
+
+    Bytes deviceMemory() const override { return inner_->deviceMemory(); }
+
+    executor::Picture picture() override { return inner_->picture(); }
+
+    executor::FloatPicture viewDepth() override { return inner_->viewDepth(); }
+
+    executor::FloatPicture shadowDepth() override { return inner_->shadowDepth(); }
+
+    executor::Raster<executor::SurfaceSample> surfaces() override { return inner_->surfaces(); }
+
+    /// Where the eyes of the images drawn since the last call are, along x.
+    std::vector<double> takeImages() { return std::exchange(images_, {}); }
+
+private:
+    std::unique_ptr<executor::Executor> inner_ = executor::makeSoftwareExecutor();
+    std::vector<double> images_;
+};
+
+/// A crate on the ground in a file of its own.
+class CrateFile {
+public:
+    CrateFile() { tests::writeModel(frame::crateOnGround().model(), path_); }
+
+    ~CrateFile() { std::filesystem::remove(path_); }
+
+    CrateFile(const CrateFile&) = delete;
+    CrateFile& operator=(const CrateFile&) = delete;
+    CrateFile(CrateFile&&) = delete;
+    CrateFile& operator=(CrateFile&&) = delete;
+
+    const std::string& path() const { return path_; }
+
+private:
+    std::string path_ =
+        (std::filesystem::temp_directory_path() / ("gnomon_proven_" + std::to_string(::getpid()) + ".gnm")).string();
+};
+
+class FrameProofs : public testing::Test {
+protected:
+    frame::Frame render(double x) {
+        plan::View view = frame::overGround();
+        view.width = view.height = 48;
+        view.camera.eye.x = x;
+        return renderer_.render(view, frame::inSlices(1), {});
+    }
+
+    CrateFile path_;
+    hierarchy::ModelFile file_{path_.path()};
+    CountingExecutor executor_;
+    frame::Renderer renderer_{file_, executor_, {}};
+};
+
+TEST_F(FrameProofs, AFrameIsDrawnOnceAndMeasuredNowhere) {
+    const frame::Frame frame = render(1);
+    ASSERT_FALSE(frame.plan.passes.empty());
+    EXPECT_EQ(executor_.takeImages(), (std::vector<double>{1}));
+    EXPECT_FALSE(frame.row.measuredAliasing);
+    EXPECT_FALSE(frame.row.wrongShadowFraction);
+    EXPECT_FALSE(frame.row.imageDifference);
+    EXPECT_FALSE(frame.row.crawl);
+}
+
+TEST_F(FrameProofs, NothingIsDrawnToFindNothingOut) {
+    const frame::Frame frame = render(1);
+    executor_.takeImages();
+    const FrameProof proof = prove(renderer_, frame, {});
+    EXPECT_TRUE(executor_.takeImages().empty());
+    EXPECT_FALSE(proof.aliasing || proof.truth || proof.crawl || proof.imageDifference);
+}
+
+TEST_F(FrameProofs, TheFirstFrameHasNothingToCrawlFrom) {
+    const frame::Frame frame = render(1);
+    executor_.takeImages();
+    ProofOptions options;
+    options.measuresCrawl = true;
+    EXPECT_FALSE(prove(renderer_, frame, options).crawl);
+    EXPECT_TRUE(executor_.takeImages().empty());
+}
+
+TEST_F(FrameProofs, EveryImageOfAProofIsOneThatItNames) {
+    render(1);
+    const frame::Frame frame = render(1.25);
+    const executor::Picture picture = executor_.picture();
+    executor_.takeImages();
+    ProofOptions options;
+    options.measuresAliasing = options.measuresCrawl = options.comparesWithFinest = true;
+    options.oracle = Oracle::SameDetail;
+    const FrameProof proof = prove(renderer_, frame, options);
+    // With its surfaces; the finest level's surfaces and its image by rays; the frame before; as it was.
+    EXPECT_EQ(executor_.takeImages(), (std::vector<double>{1.25, 1.25, 1.25, 1, 1.25}));
+    EXPECT_EQ(executor_.picture().pixels, picture.pixels);
+    EXPECT_TRUE(proof.aliasing && proof.truth && proof.crawl && proof.imageDifference);
+    telemetry::FrameRow row = frame.row;
+    setAccuracy(proof, row);
+    EXPECT_EQ(row.measuredAliasing, proof.aliasing->worst());
+    EXPECT_EQ(row.wrongShadowFraction, proof.truth->answerable.wrongFraction);
+    EXPECT_EQ(row.imageDifference, proof.imageDifference);
+    EXPECT_EQ(row.crawl, proof.crawl->share());
+    setAccuracy({}, row);
+    EXPECT_FALSE(row.measuredAliasing || row.wrongShadowFraction || row.imageDifference || row.crawl);
+}
+
+TEST_F(FrameProofs, TheFramesToComeDoNotDependOnIt) {
+    render(1);
+    ProofOptions options;
+    options.measuresAliasing = options.measuresCrawl = options.comparesWithFinest = true;
+    prove(renderer_, render(1.25), options);
+    const frame::Frame after = render(1.5);
+    frame::Renderer plain(file_, executor_, {});
+    for (const double x : {1.0, 1.25}) {
+        plan::View view = after.plan.view;
+        view.camera.eye.x = x;
+        plain.render(view, after.plan.quality, {});
+    }
+    const frame::Frame expected = plain.render(after.plan.view, after.plan.quality, {});
+    EXPECT_EQ(after.plan.near, expected.plan.near);
+    EXPECT_EQ(after.plan.far, expected.plan.far);
+    EXPECT_EQ(after.plan.passes.size(), expected.plan.passes.size());
+}
+
+} // namespace
+} // namespace gnomon::proof

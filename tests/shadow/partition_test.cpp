@@ -86,12 +86,14 @@ TEST(Regions, AreNoLargerThanWhatTheirPartitionOwns) {
         const ShadowView view = randomView(random);
         const ShadowOptions options = randomOptions(random, view.frustum);
         const auto& [near, far, theta, aspect] = view.frustum;
+        const bool hasOwnNear = options.scheme.nearFace == NearFace::OwnMap;
         const PartitionSelector selector = partitionSelector(
             view.frustum,
             view.towardsLight,
             practicalSplits(near, far, options.scheme.slices, 1),
-            options.scheme.faces,
-            options.scheme.nearFace == NearFace::OwnMap);
+            !options.scheme.faces ? FaceMaps::None
+            : hasOwnNear          ? FaceMaps::SidesAndNear
+                                  : FaceMaps::Sides);
         for (std::size_t i = 0; i < selector.partitionCount(); ++i) {
             const Region region = partitionRegion(view.frustum, selector, i);
             EXPECT_EQ(region.slice, i / selector.facesPerSlice());
@@ -120,7 +122,7 @@ TEST(Regions, SeenCornersHoldWhatIsSeenAndNothingFurther) {
         const ShadowView view = randomView(random);
         const ViewFrustum& frustum = view.frustum;
         const PartitionSelector selector =
-            partitionSelector(frustum, view.towardsLight, {frustum.near, frustum.far}, false, false);
+            partitionSelector(frustum, view.towardsLight, {frustum.near, frustum.far}, FaceMaps::None);
         const Region region = partitionRegion(frustum, selector, 0);
         const glm::dvec3 middle = randomPointIn(random, frustum);
         const double half = middle.z * random.uniform(0.01, 0.3);

@@ -87,7 +87,7 @@ TEST(FormGroups, PutsEveryClusterWithItsTrianglesAndErrorsIntoOneGroup) {
             ASSERT_EQ(group.error, std::numeric_limits<double>::infinity());
         }
         EXPECT_EQ(nextCluster, level.clusters.size());
-        EXPECT_LE(level.groups.size(), 2 * mesh.triangles.size() / (16 * 128));
+        EXPECT_LE(level.groups.size(), 2 * mesh.triangles.size() / (std::size_t{16} * 128));
     }
 }
 

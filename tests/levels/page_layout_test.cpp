@@ -93,6 +93,20 @@ TEST(PageLayout, AGroupLargerThanAPageIsAPage) {
     EXPECT_EQ(placeGroups(level, 0), 2U);
 }
 
+/// The triangles of a cluster as `cornersOf` a level has them.
+std::vector<Corners> cornersOf(const hierarchy::Page& page, const hierarchy::Cluster& cluster) {
+    std::vector<Corners> all;
+    for (std::uint32_t t = 0; t < cluster.triangleCount; ++t) {
+        Corners corners;
+        for (std::size_t i = 0; i < 3; ++i)
+            corners.at(i) = page.vertices[cluster.firstVertex + page.triangles[cluster.firstTriangle + t][i]].position;
+        std::sort(corners.begin(), corners.end());
+        all.push_back(corners);
+    }
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
 TEST(PageLayout, EncodedPagesHoldTheGroupsAsTheyWere) {
     const Placed placed;
     const std::vector<hierarchy::EncodedPage> pages = encodePages(placed.mesh, placed.level, 3, placed.pageCount);
@@ -109,18 +123,9 @@ TEST(PageLayout, EncodedPagesHoldTheGroupsAsTheyWere) {
             for (std::uint32_t i = 0; i < group.clusterCount; ++i) {
                 const hierarchy::Cluster& cluster = page.clusters[group.firstCluster + i];
                 const LevelCluster& from = placed.level.clusters[source.firstCluster + i];
-                std::vector<Corners> found;
-                for (std::uint32_t t = 0; t < cluster.triangleCount; ++t) {
-                    Corners corners;
-                    for (std::size_t k = 0; k < 3; ++k) {
-                        const std::uint8_t v = page.triangles[cluster.firstTriangle + t][k];
-                        corners.at(k) = page.vertices[cluster.firstVertex + v].position;
-                    }
-                    std::sort(corners.begin(), corners.end());
-                    found.push_back(corners);
-                }
-                std::sort(found.begin(), found.end());
-                ASSERT_EQ(found, cornersOf(placed.mesh, placed.level, from.firstTriangle, from.triangleCount));
+                ASSERT_EQ(
+                    cornersOf(page, cluster),
+                    cornersOf(placed.mesh, placed.level, from.firstTriangle, from.triangleCount));
                 const hierarchy::Refinement& refinement = page.refinements[cluster.refinement];
                 const LevelRefinement& wanted = placed.level.refinements[from.refinement];
                 ASSERT_EQ(refinement.error, wanted.error);

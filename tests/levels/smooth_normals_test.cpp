@@ -61,19 +61,20 @@ TEST(SmoothNormals, AreTheMeanOfTheFacesByArea) {
     }
 }
 
+/// The largest angle, in degrees, of a face at `p` from the mean of all there. At corner 0 the left side has one
+/// triangle and the right side two, at corner 3 it is the other way round: the mean is nearer to the side of two.
+double angleFromMean(const Roof& roof, std::uint32_t p) {
+    glm::dvec3 sum(0);
+    for (const simplify::Triangle& t : roof.triangles)
+        if (t[0] == p || t[1] == p || t[2] == p) sum += faceNormal(roof, t);
+    double most = 0;
+    for (const simplify::Triangle& t : roof.triangles)
+        if (t[0] == p || t[1] == p || t[2] == p)
+            most = std::max(most, std::acos(glm::dot(glm::normalize(faceNormal(roof, t)), glm::normalize(sum))));
+    return most * 180 / std::numbers::pi;
+}
+
 TEST(SmoothNormals, EndWhereAFaceIsMoreThan40DegreesFromTheMean) {
-    // At corner 0 the left side has one triangle and the right side two, at corner 3 it is the other way round: the
-    // mean is nearer to the side of two.
-    const auto angleFromMean = [](const Roof& roof, std::uint32_t p) {
-        glm::dvec3 sum(0);
-        double most = 0;
-        for (const simplify::Triangle& t : roof.triangles)
-            if (t[0] == p || t[1] == p || t[2] == p) sum += faceNormal(roof, t);
-        for (const simplify::Triangle& t : roof.triangles)
-            if (t[0] == p || t[1] == p || t[2] == p)
-                most = std::max(most, std::acos(glm::dot(glm::normalize(faceNormal(roof, t)), glm::normalize(sum))));
-        return most * 180 / std::numbers::pi;
-    };
     int smooth = 0;
     int none = 0;
     for (double degrees = 20; degrees < 60; degrees += 0.7) {

@@ -3,9 +3,15 @@
 #include "core/random.h"
 #include "hierarchy/octahedral.h"
 #include "preprocess/simplify/cost_estimate.h"
+#include "preprocess/simplify/cost_kernel.h"
+#include "preprocess/simplify/mesh.h"
 #include "tests/proximity/each_processor.h"
+#include "tests/simplify/patches.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
 
 namespace gnomon::simplify {
 namespace {
@@ -67,6 +73,126 @@ TEST(CostEstimate, GivesToTheBitForManyWhatItGivesForOneAfterTheOther) {
                  {Kind{true, false, false}, {true, true, false}, {false, true, false}, {true, true, true}})
                 expectSame(seed, kind);
     });
+}
+
+/// The mean of the squared distances of `to` from all planes at `from`, taken one by one: its faces by their area, and,
+/// upright on them, its open edges by twice their squared length and its seams by half of it.
+double plainPlanes(const Patch& patch, std::uint32_t from, std::uint32_t to) {
+    double sum = 0;
+    double weight = 0;
+    const auto add = [&](const glm::dvec3& normal, const glm::dvec3& point, double planeWeight) {
+        const double distance = glm::dot(glm::normalize(normal), patch.positions[to] - point);
+        sum += planeWeight * distance * distance;
+        weight += planeWeight;
+    };
+    for (std::uint32_t t = 0; t < patch.triangles.size(); ++t) {
+        const Triangle p = patch.corners(patch.triangles[t]);
+        if (p[0] != from && p[1] != from && p[2] != from) continue;
+        const glm::dvec3 normal =
+            glm::cross(patch.positions[p[1]] - patch.positions[p[0]], patch.positions[p[2]] - patch.positions[p[0]]);
+        add(normal, patch.positions[p[0]], glm::length(normal) / 2);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::uint32_t a = p[i];
+            const std::uint32_t b = p[(i + 1) % 3];
+            if (a != from && b != from) continue;
+            bool isOpen = true;
+            bool isSeam = false;
+            for (std::uint32_t u = 0; u < patch.triangles.size(); ++u) {
+                const Triangle q = patch.corners(patch.triangles[u]);
+                if (u == t || std::count(q.begin(), q.end(), a) + std::count(q.begin(), q.end(), b) < 2) continue;
+                isOpen = false;
+                const Triangle& v = patch.triangles[u];
+                for (const std::uint32_t own : {patch.triangles[t][i], patch.triangles[t][(i + 1) % 3]})
+                    isSeam = isSeam || std::count(v.begin(), v.end(), own) == 0;
+            }
+            if (!isOpen && !isSeam) continue;
+            const glm::dvec3 edge = patch.positions[b] - patch.positions[a];
+            add(glm::cross(edge, normal), patch.positions[a], glm::dot(edge, edge) * (isOpen ? 2 : 0.5));
+        }
+    }
+    return sum / weight;
+}
+
+/// A sheet whose triangles have one of two colours, by where they lie: where these meet there is a seam.
+Patch sheetWithSeams() {
+    const Patch plain = patchOf(read::bumpySheet(6));
+    Patch patch = plain;
+    patch.vertices.clear();
+    patch.positionOf.clear();
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> vertexOf;
+    for (std::size_t t = 0; t < plain.triangles.size(); ++t)
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::uint32_t p = plain.triangles[t][i];
+            const std::uint32_t color = t < 30 ? 0xFF0000FFU : 0xFF00FF00U;
+            const auto next = static_cast<std::uint32_t>(patch.vertices.size());
+            const auto [place, isNew] = vertexOf.emplace(std::pair(p, color), next);
+            if (isNew) {
+                patch.vertices.push_back(plain.vertices[p]);
+                patch.vertices.back().color = color;
+                patch.positionOf.push_back(p);
+            }
+            patch.triangles[t][i] = place->second;
+        }
+    return patch;
+}
+
+TEST(CostEstimate, IsTheDistanceFromThePlanesAndALittleOfTheLengthAndTheAttributes) {
+    const Patch patch = sheetWithSeams();
+    const SimplificationMesh mesh(patch);
+    const CostEstimate estimate(patch, mesh);
+    for (std::uint32_t from = 0; from < patch.positions.size(); ++from)
+        for (std::uint32_t to = 0; to < patch.positions.size(); to += 5) {
+            const double planes = plainPlanes(patch, from, to);
+            ASSERT_NEAR(estimate.planes(from, to), planes, 1e-6 * (1 + planes)) << from << " onto " << to;
+            // The first vertex of a position gives its colour.
+            const auto colorOf = [&](std::uint32_t p) {
+                const auto first = std::find(patch.positionOf.begin(), patch.positionOf.end(), p);
+                return patch.vertices[static_cast<std::size_t>(first - patch.positionOf.begin())].color;
+            };
+            const glm::dvec3 way = patch.positions[to] - patch.positions[from];
+            const double change = colorOf(from) == colorOf(to) ? 0 : 2; // red and green differ by one each
+            const double expected = planes + glm::dot(way, way) * (1e-5 + 0.02 * change);
+            ASSERT_NEAR(estimate.square(from, to), expected, 1e-6 * (1 + expected));
+        }
+}
+
+TEST(CostEstimate, OfNormalsIsATenthOfTheirSquaredChange) {
+    Patch patch = plainPatch({{0, 0, 0}, {10, 0, 0}, {0, 10, 0}, {10, 10, 0}}, {{0, 1, 2}, {1, 3, 2}});
+    const std::array<glm::dvec3, 3> normals{glm::dvec3(0, 0, 1), glm::dvec3(1, 0, 0), glm::dvec3(0, 0, 1)};
+    for (std::size_t v = 0; v < normals.size(); ++v)
+        patch.vertices[v].normal = hierarchy::packNormal(normals.at(v)); // the last has none
+    const SimplificationMesh mesh(patch);
+    const CostEstimate estimate(patch, mesh);
+    EXPECT_NEAR(estimate.square(0, 1) - estimate.planes(0, 1), 100 * (1e-5 + 0.1 * 2), 0.1);
+    EXPECT_NEAR(estimate.square(0, 2) - estimate.planes(0, 2), 100 * 1e-5, 1e-6);
+    EXPECT_NEAR(estimate.square(1, 3) - estimate.planes(1, 3), 100 * 1e-5, 1e-6);
+}
+
+TEST(CostEstimate, WithoutAnyAreaIsAHundredthOfTheSquaredLengthAndMergedPlanesAddUp) {
+    const Patch line = plainPatch({{0, 0, 0}, {1, 0, 0}, {5, 0, 0}}, {{0, 1, 2}});
+    EXPECT_DOUBLE_EQ(CostEstimate(line, SimplificationMesh(line)).square(0, 2), 0.25);
+    const Patch patch = patchOf(read::bumpySheet(4));
+    CostEstimate estimate(patch, SimplificationMesh(patch));
+    const CostEstimate before = estimate;
+    estimate.merge(6, 12);
+    for (std::uint32_t to = 0; to < patch.positions.size(); ++to) {
+        const double low = std::min(before.planes(6, to), before.planes(12, to));
+        const double high = std::max(before.planes(6, to), before.planes(12, to));
+        EXPECT_GE(estimate.planes(12, to), low * (1 - 1e-9));
+        EXPECT_LE(estimate.planes(12, to), high * (1 + 1e-9));
+        EXPECT_EQ(estimate.planes(6, to), before.planes(6, to));
+    }
+}
+
+TEST(Mesh, APositionIsABorderWhereChunksOutsideMayHaveTriangles) {
+    Mesh mesh;
+    mesh.chunks = {3, 3};
+    mesh.chunks.add({5, 6});
+    EXPECT_EQ(mesh.chunks, (ChunkSpan{3, 6}));
+    mesh.sharers = {{3, 6}, {4, 5}, {2, 4}, {6, 7}, {0, 9}};
+    const std::array<bool, 5> expected{false, false, true, true, true};
+    for (std::uint32_t p = 0; p < expected.size(); ++p)
+        EXPECT_EQ(mesh.isBorder(p), expected.at(p));
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // A patch under collapses against a list of triangles in which everything is looked up one by one.
 #include "core/random.h"
 #include "preprocess/simplify/collapse_star.h"
+#include "preprocess/simplify/simplification_mesh.h"
 
 #include <gtest/gtest.h>
 

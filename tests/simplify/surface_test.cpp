@@ -1,6 +1,7 @@
 // A surface's neighbours and nearest triangles against a look at all of them.
 #include "core/random.h"
 #include "preprocess/simplify/surface.h"
+#include "preprocess/simplify/triangle_adjacency.h"
 #include "tests/simplify/patches.h"
 
 #include <gtest/gtest.h>
@@ -35,12 +36,13 @@ TEST(Surface, AcrossAnEdgeIsTheFirstOtherTriangleThatHasIt) {
 TEST(Surface, AroundAPositionAreAllTrianglesThatHaveItAscending) {
     const Patch patch = patchOf(mixedMesh());
     const Surface surface(patch.positions, patch.triangles);
+    const TriangleAdjacency adjacency(patch.positions.size(), patch.triangles);
     for (std::uint32_t p = 0; p < patch.positions.size(); ++p) {
         std::vector<std::uint32_t> expected;
         for (std::uint32_t t = 0; t < patch.triangles.size(); ++t)
             if (has(patch.triangles[t], p)) expected.push_back(t);
-        const auto found = surface.around(p);
-        ASSERT_EQ(std::vector<std::uint32_t>(found.begin(), found.end()), expected);
+        for (const auto found : {surface.around(p), adjacency.around(p)})
+            ASSERT_EQ(std::vector<std::uint32_t>(found.begin(), found.end()), expected);
     }
 }
 

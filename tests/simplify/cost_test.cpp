@@ -75,42 +75,55 @@ TEST(CostEstimate, GivesToTheBitForManyWhatItGivesForOneAfterTheOther) {
     });
 }
 
+bool has(const Triangle& t, std::uint32_t corner) {
+    return std::find(t.begin(), t.end(), corner) != t.end();
+}
+
+/// What lies across edge `i` of triangle `t`, found by a look at all triangles.
+EdgeKind plainEdge(const Patch& patch, std::uint32_t t, std::size_t i) {
+    const std::array<std::uint32_t, 2> ends{patch.triangles[t][i], patch.triangles[t][(i + 1) % 3]};
+    EdgeKind kind = EdgeKind::Open;
+    for (std::uint32_t u = 0; u < patch.triangles.size(); ++u) {
+        const Triangle p = patch.corners(patch.triangles[u]);
+        if (u == t || !has(p, patch.positionOf[ends[0]]) || !has(p, patch.positionOf[ends[1]])) continue;
+        if (!has(patch.triangles[u], ends[0]) || !has(patch.triangles[u], ends[1])) return EdgeKind::Crease;
+        kind = EdgeKind::Smooth;
+    }
+    return kind;
+}
+
+/// A weighted mean of squared distances of a point from planes, one after the other.
+struct PlaneMean {
+    glm::dvec3 point;
+    double sum = 0;
+    double weight = 0;
+
+    void add(const glm::dvec3& normal, const glm::dvec3& onPlane, double planeWeight) {
+        const double distance = glm::dot(glm::normalize(normal), point - onPlane);
+        sum += planeWeight * distance * distance;
+        weight += planeWeight;
+    }
+};
+
 /// The mean of the squared distances of `to` from all planes at `from`, taken one by one: its faces by their area, and,
 /// upright on them, its open edges by twice their squared length and its seams by half of it.
 double plainPlanes(const Patch& patch, std::uint32_t from, std::uint32_t to) {
-    double sum = 0;
-    double weight = 0;
-    const auto add = [&](const glm::dvec3& normal, const glm::dvec3& point, double planeWeight) {
-        const double distance = glm::dot(glm::normalize(normal), patch.positions[to] - point);
-        sum += planeWeight * distance * distance;
-        weight += planeWeight;
-    };
+    PlaneMean mean{patch.positions[to]};
     for (std::uint32_t t = 0; t < patch.triangles.size(); ++t) {
         const Triangle p = patch.corners(patch.triangles[t]);
-        if (p[0] != from && p[1] != from && p[2] != from) continue;
-        const glm::dvec3 normal =
-            glm::cross(patch.positions[p[1]] - patch.positions[p[0]], patch.positions[p[2]] - patch.positions[p[0]]);
-        add(normal, patch.positions[p[0]], glm::length(normal) / 2);
+        if (!has(p, from)) continue;
+        const glm::dvec3& a = patch.positions[p[0]];
+        const glm::dvec3 normal = glm::cross(patch.positions[p[1]] - a, patch.positions[p[2]] - a);
+        mean.add(normal, a, glm::length(normal) / 2);
         for (std::size_t i = 0; i < 3; ++i) {
-            const std::uint32_t a = p[i];
-            const std::uint32_t b = p[(i + 1) % 3];
-            if (a != from && b != from) continue;
-            bool isOpen = true;
-            bool isSeam = false;
-            for (std::uint32_t u = 0; u < patch.triangles.size(); ++u) {
-                const Triangle q = patch.corners(patch.triangles[u]);
-                if (u == t || std::count(q.begin(), q.end(), a) + std::count(q.begin(), q.end(), b) < 2) continue;
-                isOpen = false;
-                const Triangle& v = patch.triangles[u];
-                for (const std::uint32_t own : {patch.triangles[t][i], patch.triangles[t][(i + 1) % 3]})
-                    isSeam = isSeam || std::count(v.begin(), v.end(), own) == 0;
-            }
-            if (!isOpen && !isSeam) continue;
-            const glm::dvec3 edge = patch.positions[b] - patch.positions[a];
-            add(glm::cross(edge, normal), patch.positions[a], glm::dot(edge, edge) * (isOpen ? 2 : 0.5));
+            const EdgeKind kind = plainEdge(patch, t, i);
+            if (kind == EdgeKind::Smooth || p[(i + 2) % 3] == from) continue;
+            const glm::dvec3 edge = patch.positions[p[(i + 1) % 3]] - patch.positions[p[i]];
+            const double weight = kind == EdgeKind::Open ? 2 : 0.5;
+            mean.add(glm::cross(edge, normal), patch.positions[p[i]], glm::dot(edge, edge) * weight);
         }
     }
-    return sum / weight;
+    return mean.sum / mean.weight;
 }
 
 /// A sheet whose triangles have one of two colours, by where they lie: where these meet there is a seam.

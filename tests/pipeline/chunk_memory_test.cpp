@@ -18,8 +18,11 @@
 
 namespace {
 
+// NOLINTBEGIN(cppcoreguidelines-avoid-non-const-global-variables): allocations of the whole program
 std::atomic<std::size_t> liveBytes{0};
 std::atomic<std::size_t> peakBytes{0};
+
+// NOLINTEND(cppcoreguidelines-avoid-non-const-global-variables)
 
 void* counted(void* memory) {
     if (memory == nullptr) throw std::bad_alloc();
@@ -121,6 +124,18 @@ TEST(ChunkMemory, OfTrianglesAllOverIsWhatIsCounted) {
 TEST(ChunkMemory, OfTrianglesInFewPlacesIsWhatIsCounted) {
     expectCountedMemory(threePlaces(22'000, 2), 11'000);
     expectCountedMemory(threePlaces(22'000, 3), 11'000);
+}
+
+TEST(ChunkMemory, OfAVertexThatAllTrianglesShareIsWhatIsCounted) {
+    Random random(5);
+    std::vector<glm::dvec3> positions{glm::dvec3(0)};
+    std::vector<read::CodeMesh::Triangle> triangles;
+    for (std::uint32_t t = 0; t < 20'000; ++t) {
+        for (int i = 0; i < 2; ++i)
+            positions.emplace_back(random.unit(), random.unit(), random.unit());
+        triangles.push_back({0, 2 * t + 1, 2 * t + 2});
+    }
+    expectCountedMemory({std::move(positions), std::move(triangles)}, 3'000);
 }
 
 TEST(ChunkMemory, OfASurfaceIsWhatIsCounted) {

@@ -4,7 +4,7 @@
 #include "app/console.h"
 #include "app/interruption.h"
 #include "core/error.h"
-#include "settings/usage_error.h"
+#include "settings/table.h"
 
 #include <algorithm>
 #include <array>
@@ -73,6 +73,10 @@ int main(int argc, char** argv) {
         return 2;
     } catch (const gnomon::Interrupted&) {
         printMessage(gnomon::app::kInterrupted);
+        return 1;
+    } catch (const gnomon::Error& error) {
+        const std::string options = gnomon::settings::optionsOf(error.what());
+        printMessage(error.what() + (options.empty() ? "" : "; see " + options));
         return 1;
     } catch (const std::bad_alloc&) {
         printMessage("out of memory");

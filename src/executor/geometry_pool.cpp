@@ -123,7 +123,7 @@ std::optional<PagePlace> GeometryPool::insert(
     const auto found = place(page.vertices.size(), units);
     if (!found && entries_.empty())
         throw Error(
-            "--gpu-memory",
+            "drawing memory",
             "a page of the model does not fit",
             readableBytes({units * kUnitBytes}),
             readableBytes(cap_));

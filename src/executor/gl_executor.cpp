@@ -111,7 +111,7 @@ void GlExecutor::prepareTargets(const FrameDrawing& frame) {
     targetMemory_ = GlTargets::bytes(frame);
     if (targetMemory_ >= memory_)
         throw Error(
-            "--gpu-memory",
+            "drawing memory",
             "the image and its shadow maps alone take more",
             "above " + readableBytes(targetMemory_),
             readableBytes(memory_));

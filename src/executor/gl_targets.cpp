@@ -23,7 +23,7 @@ void GlTargets::prepare(const gl::Context& context, const FrameDrawing& frame) {
     const int largest = std::max({plan.view.width, plan.view.height, plan.textureWidth, plan.textureHeight});
     if (largest > context.maxTextureSize())
         throw Error(
-            "--size or --shadow-texels",
+            "image size or shadow texels",
             "larger than a texture of this OpenGL",
             "at most " + std::to_string(context.maxTextureSize()),
             std::to_string(largest));

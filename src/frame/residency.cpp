@@ -23,7 +23,7 @@ Bytes pageMemory(const hierarchy::ModelFile& model, Bytes memory) {
     const Bytes tables = tableBytes(model);
     if (memory <= tables)
         throw Error(
-            "--memory", "the page table alone takes more", "above " + readableBytes(tables), readableBytes(memory));
+            "page memory", "the page table alone takes more", "above " + readableBytes(tables), readableBytes(memory));
     return {memory.count - tables.count};
 }
 

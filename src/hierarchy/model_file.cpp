@@ -85,7 +85,7 @@ Footer readFooter(const File& file, std::uint64_t fileBytes, Bytes tableMemory) 
         if (needed > tableMemory)
             throw Error(
                 atByte(file.path(), footer.pageTable.offset),
-                "the page table alone takes more memory than there may be",
+                "the page table alone takes more than the page memory",
                 "at most " + readableBytes(tableMemory),
                 readableBytes(needed));
         return footer;

@@ -57,9 +57,9 @@ void setNear(DepthRange& range, const Quality& quality, const SceneFacts::Visibl
 void keepApart(DepthRange& range, const Quality& quality) {
     constexpr double kLeastRatio = 1 + 1e-3;
     if (!(range.near > 0) || !std::isfinite(range.far))
-        throw Error("--near and --far", "they must be above 0 and finite");
+        throw Error("near depth and far depth", "they must be above 0 and finite");
     if (range.far > range.near * (1 + 1e-6)) return;
-    if (quality.near && quality.far) throw Error("--far", "it must be above --near");
+    if (quality.near && quality.far) throw Error("far depth", "it must be above the near one");
     if (quality.far)
         range.near = range.far / kLeastRatio;
     else

@@ -17,16 +17,16 @@ void requireValid(const View& view) {
     const double degrees = degreesFromRadians(view.camera.fovYRadians);
     if (view.width < 1 || view.height < 1)
         throw Error(
-            "--size",
+            "image size",
             "an image has pixels",
             "at least 1x1",
             std::to_string(view.width) + "x" + std::to_string(view.height));
     if (!(degrees > 0 && degrees < 180))
         throw Error(
-            "--fov-y", "the vertical angle is impossible", "above 0 and below 180 degrees", std::to_string(degrees));
+            "vertical angle", "this angle is impossible", "above 0 and below 180 degrees", std::to_string(degrees));
     const double lightLength = glm::length(view.towardsLight);
     if (!(lightLength > 0) || !std::isfinite(lightLength))
-        throw Error("--light", "this is no direction", "a finite length above 0", std::to_string(lightLength));
+        throw Error("light direction", "this is no direction", "a finite length above 0", std::to_string(lightLength));
 }
 
 /// Why this view calls for no map at all; empty if it does.

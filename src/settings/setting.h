@@ -37,6 +37,7 @@ struct Description {
     bool isSwept = false;       // a bench takes a list of values
     bool changesPicture = true; // where it is left out, the picture is the same but for the time that it took
     std::string statedAs{};     // under which key a bench states it and a baseline must agree; empty: it does not
+    std::string quantity{};     // what errors of the engines call it: "image size"
     Offer offer{};
 };
 

@@ -62,7 +62,11 @@ std::vector<Setting> viewSettings() {
     return {
         plain(
             &Settings::imageSize,
-            {.name = "size", .form = "WxH", .help = "Image in pixels, WxH", .statedAs = "image_size"},
+            {.name = "size",
+             .form = "WxH",
+             .help = "Image in pixels, WxH",
+             .statedAs = "image_size",
+             .quantity = "image size"},
             imageSize()),
         plain(
             &Settings::cameraFile,
@@ -82,18 +86,26 @@ std::vector<Setting> viewSettings() {
             ifGiven(direction())),
         plain(
             &Settings::fovYDegrees,
-            {.name = "fov-y", .form = "DEGREES", .help = "Full vertical angle in degrees; 60 if not given"},
+            {.name = "fov-y",
+             .form = "DEGREES",
+             .help = "Full vertical angle in degrees; 60 if not given",
+             .quantity = "vertical angle"},
             ifGiven(number("an angle above 0 and below 180 degrees", [](double v) { return v > 0 && v < 180; }))),
         quality(
             &Quality::near,
             {.name = "near",
              .form = "D|auto",
              .help = "Where the depth range of the shadows' promise begins, or auto; clips nothing",
-             .statedAs = "near_and_far"},
+             .statedAs = "near_and_far",
+             .quantity = "near depth"},
             orAuto(distance())),
         quality(
             &Quality::far,
-            {.name = "far", .form = "D|auto", .help = "Where it ends, or auto", .statedAs = "near_and_far"},
+            {.name = "far",
+             .form = "D|auto",
+             .help = "Where it ends, or auto",
+             .statedAs = "near_and_far",
+             .quantity = "far depth"},
             orAuto(distance())),
         quality(
             &Quality::nearFloor,
@@ -104,7 +116,11 @@ std::vector<Setting> viewSettings() {
             ifGiven(distance())),
         plain(
             &Settings::towardsLight,
-            {.name = "light", .form = "x,y,z", .help = "Direction towards the light, x,y,z", .statedAs = "light"},
+            {.name = "light",
+             .form = "x,y,z",
+             .help = "Direction towards the light, x,y,z",
+             .statedAs = "light",
+             .quantity = "light direction"},
             direction()),
         quality(
             &Quality::maxTriangles,
@@ -159,7 +175,8 @@ std::vector<Setting> fixedSettings() {
              .form = "SIZE",
              .help = "Tables and page cache",
              .changesPicture = false,
-             .statedAs = "memory_cap"},
+             .statedAs = "memory_cap",
+             .quantity = "page memory"},
             memory()),
         plain(
             &Settings::gpuMemory,
@@ -167,7 +184,8 @@ std::vector<Setting> fixedSettings() {
              .form = "SIZE",
              .help = "What the GPU holds: image, maps and geometry",
              .changesPicture = false,
-             .statedAs = "gpu_memory_cap"},
+             .statedAs = "gpu_memory_cap",
+             .quantity = "drawing memory"},
             memory()),
         plain(
             &Settings::shaderFolder,
@@ -193,6 +211,7 @@ Setting shadowTexelsSetting() {
          .form = "WxH",
          .help = "A count: all maps together, gutters included",
          .isSwept = true,
+         .quantity = "shadow texels",
          .offer = {.title = "shadow texels", .least = kLeastOfferedTexels, .most = kMostOfferedTexels}},
         textureSize(),
         [](const Settings& settings) {
@@ -282,6 +301,16 @@ const Setting& named(std::string_view name) {
     const auto found = std::find_if(all.begin(), all.end(), [&](const Setting& each) { return each.name() == name; });
     GNOMON_CHECK(found != all.end());
     return *found;
+}
+
+std::string optionsOf(std::string_view message) {
+    std::string options;
+    for (const Setting& each : table()) {
+        const std::string& quantity = each.description().quantity;
+        if (quantity.empty() || message.find(quantity) == std::string_view::npos) continue;
+        options += (options.empty() ? "" : ", ") + each.option();
+    }
+    return options;
 }
 
 bool areAlike(const Settings& a, const Settings& b) {

@@ -16,6 +16,9 @@ std::span<const Setting> table();
 /// The one of that name, which must be there.
 const Setting& named(std::string_view name);
 
+/// The options of the settings whose quantities `message` names, ", " between them; empty if it names none.
+std::string optionsOf(std::string_view message);
+
 /// Whether all settings that a bench sweeps have the same values in `a` and `b`.
 bool areAlike(const Settings& a, const Settings& b);
 

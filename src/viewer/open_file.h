@@ -4,7 +4,7 @@
 #include "viewer/messages.h"
 #include "viewer/model_cache.h"
 #include "viewer/scene.h"
-#include "viewer/viewer.h"
+#include "viewer/viewer_options.h"
 
 #include <functional>
 #include <memory>

@@ -32,7 +32,7 @@ double now() {
     return glfwGetTime();
 }
 
-/// The window: takes what the hand does to where it belongs, and draws what comes of it.
+/// The window: takes user input to where it belongs, and draws what comes of it.
 class Viewer {
 public:
     explicit Viewer(const ViewerOptions& options);
@@ -89,7 +89,7 @@ private:
     double lastFrame_ = 0; // seconds on GLFW's clock
     double lastWindowMs_ = 0;
     std::int64_t frameCount_ = 0;
-    bool savesPicture_ = false; // once what the hand has done until now is drawn
+    bool savesPicture_ = false; // once all input until now is drawn
     bool savesWindow_ = false;
 };
 
@@ -135,8 +135,6 @@ void Viewer::run(Progress& interrupt) {
     if (log_) log_->finish();
 }
 
-// --- models ---
-
 void Viewer::open(const std::string& file) {
     file_.open(file);
     pace_.wakeScene();
@@ -158,8 +156,6 @@ void Viewer::watch() {
     file_.watchFile();
     if (messages_.expire()) pace_.wakeWindow();
 }
-
-// --- the hand ---
 
 void Viewer::waitForEvents() {
     input_.beginFrame();
@@ -184,17 +180,17 @@ void Viewer::takeInput(double seconds) {
     if (!walk_.hasEntered()) return;
     for (const Drag& drag : input_.drags())
         takeDrag(drag);
-    CameraControl& hand = walk_.hand();
+    CameraControl& control = walk_.control();
     if (input_.wheel() != 0) {
-        hand.changeSpeed(input_.wheel());
+        control.changeSpeed(input_.wheel());
         std::array<char, 48> text{};
-        std::snprintf(text.data(), text.size(), "speed: %.3g a second", hand.speed());
+        std::snprintf(text.data(), text.size(), "speed: %.3g a second", control.speed());
         messages_.show(text.data());
     }
     if (walk_.isPlaying()) return; // the path has the camera
     const Flight flight = imgui_.wantsKeys() ? Flight{} : heldFlight([this](int key) { return input_.isHeld(key); });
-    if (flight.direction != glm::dvec3(0) || hand.isMoving()) {
-        hand.advance(flight, seconds);
+    if (flight.direction != glm::dvec3(0) || control.isMoving()) {
+        control.advance(flight, seconds);
         pace_.wakeScene();
     }
 }
@@ -204,19 +200,19 @@ void Viewer::takeDrag(const Drag& drag) {
     if (walk_.isPlaying() && !turnsLight) return;
     pace_.wakeScene();
     if (turnsLight)
-        settings_.asked.towardsLight = turnedLight(walk_.hand().camera(), settings_.asked.towardsLight, drag.moved);
+        settings_.asked.towardsLight = turnedLight(walk_.control().camera(), settings_.asked.towardsLight, drag.moved);
     else
         steering_.drag(
             drag,
             {input_.cursor(),
              framebufferSize().y,
              [this](const glm::ivec2& pixel) { return file_.scene()->pick(pixel); }},
-            walk_.hand());
+            walk_.control());
 }
 
 void Viewer::focus() {
     if (const auto point = file_.scene()->pick(glm::ivec2(input_.cursor())))
-        walk_.hand().focusOn(*point);
+        walk_.control().focusOn(*point);
     else
         messages_.show("nothing under the cursor");
 }
@@ -242,9 +238,9 @@ void Viewer::actOnModel(const Binding& binding) {
     case Action::Focus:
         return focus();
     case Action::LookFrom:
-        return walk_.hand().goTo(static_cast<Side>(binding.value));
+        return walk_.control().goTo(static_cast<Side>(binding.value));
     case Action::GoHome:
-        return walk_.hand().goHome();
+        return walk_.control().goHome();
     case Action::Freeze:
         return walk_.toggleFreeze();
     case Action::Record:
@@ -262,9 +258,7 @@ void Viewer::actOnModel(const Binding& binding) {
     }
 }
 
-// --- frames ---
-
-/// Whether the next frame is the last before the window waits for the hand: that one may take its time.
+/// Whether the next frame is the last before the window waits for input: that one may take its time.
 bool Viewer::comesToRest() const {
     const frame::Frame* frame = file_.scene()->frame();
     const bool isMissing = frame == nullptr || frame->row.pagesMissing.value_or(0) > 0;
@@ -327,7 +321,7 @@ void Viewer::afterScene(const Shot& shot) {
     history_.add(stageTimes(row, lastWindowMs_));
     if (settings_.targetMs > 0 && !walk_.playsFixed())
         budget_.measure(row.totalMs.value_or(0) + lastWindowMs_, settings_.targetMs);
-    walk_.hand().see({plan.near, plan.far}, 1.0 / 30);
+    walk_.control().see({plan.near, plan.far}, 1.0 / 30);
     pace_.see(row);
     row.run = "view";
     row.frame = frameCount_++;
@@ -348,7 +342,7 @@ OverlayContent Viewer::content() const {
     content.scene = file_.scene();
     if (content.scene != nullptr) {
         content.camera = walk_.camera();
-        content.flyingSpeed = walk_.hand().speed();
+        content.flyingSpeed = walk_.control().speed();
     }
     content.history = &history_;
     content.budget = &budget_;

@@ -3,7 +3,7 @@
 namespace gnomon::viewer {
 
 void Walk::enter(const Camera& home, const Box& bounds) {
-    hand_ = CameraControl(home, bounds);
+    control_ = CameraControl(home, bounds);
     frozen_.reset();
     player_.reset();
     recorder_.reset();
@@ -13,14 +13,14 @@ void Walk::toggleFreeze() {
     if (frozen_)
         frozen_.reset();
     else
-        frozen_ = hand_->camera();
+        frozen_ = control_->camera();
     messages_->show(frozen_ ? "culling is frozen: walk around it" : "culling follows the camera");
 }
 
 void Walk::toggleRecording(const SavedFiles& saved) {
     if (!recorder_) {
         recorder_.emplace();
-        record(hand_->camera());
+        record(control_->camera());
         return messages_->show("recording: R ends it");
     }
     const std::optional<path::CameraPath> path = recorder_->path();
@@ -32,7 +32,7 @@ void Walk::toggleRecording(const SavedFiles& saved) {
 
 bool Walk::togglePlaying(const SavedFiles& saved) {
     if (player_) {
-        hand_->jumpTo(player_->camera());
+        control_->jumpTo(player_->camera());
         player_.reset();
         messages_->show("path: stopped");
         return false;
@@ -55,7 +55,7 @@ bool Walk::advance(double seconds) {
     const Camera last = player_->camera();
     if (player_->advance(seconds)) return true;
     player_.reset();
-    hand_->jumpTo(last);
+    control_->jumpTo(last);
     messages_->note("path: played to its end");
     return false;
 }

@@ -1,4 +1,4 @@
-// Who has the camera: the hand, or a path that is played; with the recorder of what the hand does, and the eye that
+// What moves the camera: user input, or a path that is played; with the recorder of that input, and the eye that
 // culling may stay frozen to.
 #pragma once
 
@@ -22,14 +22,14 @@ public:
     /// Begins at `home` in a model within `bounds`. Throws Error if `home` is impossible; then all stays as it was.
     void enter(const Camera& home, const Box& bounds);
 
-    bool hasEntered() const { return hand_.has_value(); }
+    bool hasEntered() const { return control_.has_value(); }
 
-    CameraControl& hand() { return *hand_; }
+    CameraControl& control() { return *control_; }
 
-    const CameraControl& hand() const { return *hand_; }
+    const CameraControl& control() const { return *control_; }
 
     /// Who sees the picture.
-    Camera camera() const { return player_ ? player_->camera() : hand_->camera(); }
+    Camera camera() const { return player_ ? player_->camera() : control_->camera(); }
 
     /// Whose cut and maps the picture is made of.
     Camera culledBy() const { return frozen_.value_or(camera()); }
@@ -44,7 +44,7 @@ public:
 
     /// Whether the next frame is another one, or has to be drawn for a recorder, though nobody touches anything; also
     /// before any model.
-    bool isUnderWay() const { return player_ || recorder_ || (hand_ && hand_->isMoving()); }
+    bool isUnderWay() const { return player_ || recorder_ || (control_ && control_->isMoving()); }
 
     /// How much of the path that is played is behind, 0 to 1; below 0 where none is.
     double playedPart() const { return player_ ? player_->part() : -1; }
@@ -64,7 +64,7 @@ public:
     void record(const Camera& camera);
 
     /// On to the next frame of the path, which is `seconds` later by the clock. False where that ended the path, so
-    /// that the hand has the camera again.
+    /// that user input moves the camera again.
     bool advance(double seconds);
 
     /// Ends a path at once, without a word.
@@ -73,7 +73,7 @@ public:
 private:
     Messages* messages_;
     Clock now_;
-    std::optional<CameraControl> hand_;
+    std::optional<CameraControl> control_;
     std::optional<Camera> frozen_;
     std::optional<PathRecorder> recorder_;
     std::optional<PathPlayer> player_;

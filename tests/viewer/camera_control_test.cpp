@@ -1,4 +1,4 @@
-// The hand on the camera: what must hold from any pose, for models of any size.
+// Moving the camera: what must hold from any pose, for models of any size.
 #include "core/random.h"
 #include "viewer/input/camera_control.h"
 

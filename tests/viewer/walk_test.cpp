@@ -1,4 +1,4 @@
-// Who has the camera after each key of a walk: hand, path or recorder.
+// Who has the camera after each key of a walk: user input, path or recorder.
 #include "core/error.h"
 #include "viewer/walk.h"
 
@@ -62,7 +62,7 @@ TEST_F(WalkTest, AFrozenEyeStaysWhileTheHandMovesOn) {
     EXPECT_EQ(walk.culledBy().eye, walk.camera().eye);
     const glm::dvec3 eye = walk.camera().eye;
     walk.toggleFreeze();
-    walk.hand().shift(3, 0);
+    walk.control().shift(3, 0);
     EXPECT_NE(walk.camera().eye, eye);
     EXPECT_EQ(walk.culledBy().eye, eye);
     EXPECT_TRUE(walk.isFrozen());
@@ -110,11 +110,11 @@ TEST_F(WalkTest, WhatIsRecordedIsSavedAndPlayedNext) {
     EXPECT_TRUE(walk.isUnderWay());
     for (int i = 0; i < 20; ++i) {
         now += 0.1;
-        walk.hand().shift(0.5, 0);
+        walk.control().shift(0.5, 0);
         walk.record(walk.camera());
     }
     const glm::dvec3 last = walk.camera().eye;
-    walk.hand().goHome();
+    walk.control().goHome();
     testing::internal::CaptureStderr();
     walk.toggleRecording(saved);
     ASSERT_TRUE(walk.togglePlaying(saved));

@@ -1,4 +1,4 @@
-// The hand on the camera: flying, looking, orbiting, gliding to where a key says. Knows nothing of windows or clocks.
+// User input to camera: flying, looking, orbiting, gliding to where a key says. Knows nothing of windows or clocks.
 #pragma once
 
 #include "core/box.h"

@@ -16,7 +16,7 @@ Flight heldFlight(const std::function<bool(int key)>& isHeld);
 /// on the side of the horizon that it is on.
 glm::dvec3 turnedLight(const Camera& camera, const glm::dvec3& towardsLight, const glm::dvec2& moved);
 
-/// What is under the hand while it drags.
+/// What is under the cursor during a drag.
 struct DragScene {
     glm::dvec2 cursor{0};                                                   // pixels of the picture
     int pictureHeight = 1;                                                  // pixels

@@ -1,45 +1,9 @@
 // What is drawn over the picture: figures and graph, panel, help, messages, wire frames.
 #pragma once
 
-#include "viewer/detail_budget.h"
-#include "viewer/input/key_table.h"
-#include "viewer/messages.h"
-#include "viewer/model_cache.h"
-#include "viewer/panel/frame_history.h"
-#include "viewer/panel/plan_words.h"
-#include "viewer/panel/storage_pad.h"
-#include "viewer/panel/wire_frames.h"
-#include "viewer/scene.h"
-#include "viewer/view_settings.h"
-
-#include <functional>
-#include <string>
+#include "viewer/panel/overlay_content.h"
 
 namespace gnomon::viewer {
-
-/// Everything that the overlay tells of.
-struct OverlayContent {
-    const Scene* scene = nullptr; // null: no model is open
-    Camera camera;                // who sees the picture
-    const FrameHistory* history = nullptr;
-    const DetailBudget* budget = nullptr;
-    Effort wanted; // before the budget
-    Caps caps;
-    double flyingSpeed = 0; // world units a second
-    bool isFrozen = false;
-    bool isRecording = false;
-    double playedPart = -1; // below 0: nothing is played
-    const std::vector<Message>* messages = nullptr;
-    std::optional<BuildStatus> build;
-    std::string buildOf;
-};
-
-/// What was done with the mouse.
-struct OverlayAnswer {
-    bool hasChanged = false;     // of the settings
-    bool isUnfinished = false;   // there is more to be seen if it is drawn again
-    std::vector<Action> actions; // of buttons, value 0
-};
 
 /// Fills the window with `picture`.
 void drawPicture(const ShownPicture& picture);

@@ -1,7 +1,7 @@
 // The panel of what can be set with the mouse: scheme, texels, detail, overlay, light.
 #pragma once
 
-#include "viewer/panel/overlay.h"
+#include "viewer/panel/overlay_content.h"
 
 namespace gnomon::viewer {
 

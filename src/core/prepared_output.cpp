@@ -1,4 +1,4 @@
-#include "app/prepared_output.h"
+#include "core/prepared_output.h"
 
 #include "core/error.h"
 
@@ -9,7 +9,7 @@
 
 #include <unistd.h>
 
-namespace gnomon::app {
+namespace gnomon {
 
 void PreparedFile::write(const std::string& text) {
     if (!file_) return;
@@ -48,4 +48,4 @@ PreparedFolder::~PreparedFolder() {
         made_.pop_back();
 }
 
-} // namespace gnomon::app
+} // namespace gnomon

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace gnomon::app {
+namespace gnomon {
 
 /// A file that is created at once and whose text comes later; without that, nothing is left of it.
 class PreparedFile {
@@ -45,4 +45,4 @@ private:
     std::vector<std::unique_ptr<TemporaryName>> made_; // outermost first
 };
 
-} // namespace gnomon::app
+} // namespace gnomon

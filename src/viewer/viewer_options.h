@@ -1,0 +1,24 @@
+// What the window is asked for when it opens.
+#pragma once
+
+#include "settings/settings.h"
+
+#include <optional>
+#include <string>
+
+namespace gnomon::viewer {
+
+/// What `gnomon view` was asked for.
+struct ViewerOptions {
+    settings::Settings settings;
+    std::string file; // a model, or a mesh to be built into the cache beside it
+    int threads = 0;
+    double targetMs = 0;              // 0: none
+    std::string path;                 // to play from the start; empty: none
+    std::optional<int> frames;        // of the path, at a fixed step; nothing: by the clock
+    std::string images;               // folder for the pictures of played frames; empty: none
+    std::string csv;                  // log of all frames; empty: none
+    Bytes buildMemory = gibibytes(2); // peak resident size while a mesh is built
+};
+
+} // namespace gnomon::viewer

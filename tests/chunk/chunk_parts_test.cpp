@@ -152,33 +152,33 @@ TEST(Sharers, AreTheChunksThatHaveTrianglesThere) {
     EXPECT_EQ(sharers[1], (simplify::ChunkSpan{2, 7}));
 }
 
+/// Raises `most` to `now` if that is more.
+void raise(std::atomic<int>& most, int now) {
+    int before = most;
+    while (before < now && !most.compare_exchange_weak(before, now)) {
+    }
+}
+
 TEST(MakeInOrder, TakesInOrderHoweverLongEachTakes) {
     std::vector<std::size_t> taken;
     std::atomic<int> held{0};
     std::atomic<int> most{0};
-    makeInOrder(
-        3,
-        60,
-        4,
-        [&](std::size_t i) {
-            const int now = ++held;
-            int before = most;
-            while (before < now && !most.compare_exchange_weak(before, now)) {
-            }
-            if (i % 5 == 0) std::this_thread::sleep_for(std::chrono::microseconds(300));
-            return i * i;
-        },
-        [&](std::size_t i, std::size_t square) {
-            EXPECT_EQ(square, i * i);
-            taken.push_back(i);
-            --held;
-        });
+    const auto make = [&](std::size_t i) {
+        raise(most, ++held);
+        if (i % 5 == 0) std::this_thread::sleep_for(std::chrono::microseconds(300));
+        return i * i;
+    };
+    const auto take = [&](std::size_t i, std::size_t square) {
+        EXPECT_EQ(square, i * i);
+        taken.push_back(i);
+        --held;
+    };
+    makeInOrder(3, 60, 4, make, take);
     ASSERT_EQ(taken.size(), 57U);
     for (std::size_t i = 0; i < taken.size(); ++i)
         EXPECT_EQ(taken[i], i + 3);
     EXPECT_LE(most, 4) << "never more results than were asked for";
-    makeInOrder(
-        5, 5, 2, [](std::size_t i) { return i; }, [](std::size_t, std::size_t) { FAIL() << "there is nothing to do"; });
+    makeInOrder(5, 5, 2, make, [](std::size_t, std::size_t) { FAIL() << "there is nothing to do"; });
 }
 
 TEST(MakeInOrder, AnErrorComesOut) {

@@ -88,11 +88,12 @@ TEST(ChunkTree, DoesNotDependOnTheOrderOfThePoints) {
     Random random(2);
     const Weights weights = randomWeights(random, 5000, 2000);
     const ChunkTree forwards = treeOf(weights, 5000, 300);
+    const std::vector<std::pair<GridPoint, std::uint32_t>> backwardsPoints(weights.rbegin(), weights.rend());
     CellCounts counts({5000, 5000, 5000});
     do {
-        for (auto point = weights.rbegin(); point != weights.rend(); ++point)
-            for (std::uint32_t i = 0; i < point->second; ++i)
-                counts.add(point->first, 1);
+        for (const auto& [point, weight] : backwardsPoints)
+            for (std::uint32_t i = 0; i < weight; ++i)
+                counts.add(point, 1);
     } while (counts.refine(300 / 8));
     const ChunkTree backwards(counts, 300);
     ASSERT_EQ(forwards.chunkCount(), backwards.chunkCount());

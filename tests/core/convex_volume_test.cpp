@@ -34,22 +34,29 @@ TEST(ConvexVolume, ClassificationIsConservative) {
     }
 }
 
+/// How many of a box's corners a volume holds.
+int cornersInside(const ConvexVolume& volume, const Box& box) {
+    int inside = 0;
+    for (unsigned corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 p(
+            (corner & 1U) != 0 ? box.max.x : box.min.x,
+            (corner & 2U) != 0 ? box.max.y : box.min.y,
+            (corner & 4U) != 0 ? box.max.z : box.min.z);
+        inside += contains(volume, p) ? 1 : 0;
+    }
+    return inside;
+}
+
 // For one plane the box's farthest and nearest corners decide, so that the answer is exact and not conservative only.
 TEST(ConvexVolume, OnePlaneIsClassifiedExactly) {
     Random random(8);
     std::array<int, 3> seen{};
     for (int trial = 0; trial < 3000; ++trial) {
         const ConvexVolume volume{{{glm::normalize(randomPoint(random) + glm::dvec3(1e-9)), random.uniform(-2, 2)}}};
-        const glm::dvec3 a = randomPoint(random);
-        const glm::dvec3 b = randomPoint(random);
-        const Box box{glm::min(a, b), glm::max(a, b)};
-        int inside = 0;
-        for (int corner = 0; corner < 8; ++corner)
-            inside +=
-                contains(
-                    volume, {corner % 2 == 0 ? a.x : b.x, corner / 2 % 2 == 0 ? a.y : b.y, corner / 4 == 0 ? a.z : b.z})
-                    ? 1
-                    : 0;
+        Box box;
+        box.add(randomPoint(random));
+        box.add(randomPoint(random));
+        const int inside = cornersInside(volume, box);
         const Containment expected = inside == 0   ? Containment::Outside
                                      : inside == 8 ? Containment::Inside
                                                    : Containment::Intersecting;

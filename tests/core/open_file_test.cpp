@@ -18,7 +18,7 @@ namespace {
 
 class OpenFile : public testing::Test {
 protected:
-    ~OpenFile() override { std::filesystem::remove(path_); }
+    void TearDown() override { std::filesystem::remove(path); }
 
     std::string message(const std::function<void()>& act) {
         try {
@@ -29,7 +29,7 @@ protected:
         return "no error";
     }
 
-    std::string path_ = testing::TempDir() + "gnomon_open_file_" + std::to_string(::getpid());
+    std::string path = testing::TempDir() + "gnomon_open_file_" + std::to_string(::getpid());
 };
 
 std::span<const std::byte> bytesOf(std::string_view text) {
@@ -37,14 +37,14 @@ std::span<const std::byte> bytesOf(std::string_view text) {
 }
 
 TEST_F(OpenFile, CreateTruncatesAndUpdateKeeps) {
-    writeTextFile(path_, "0123456789");
+    writeTextFile(path, "0123456789");
     {
-        File update(path_, File::Mode::Update);
+        File update(path, File::Mode::Update);
         EXPECT_EQ(update.size(), 10U);
         update.writeAt(3, bytesOf("xyz"));
     }
-    EXPECT_EQ(readTextFile(path_), "012xyz6789");
-    File create(path_, File::Mode::Create);
+    EXPECT_EQ(readTextFile(path), "012xyz6789");
+    File create(path, File::Mode::Create);
     EXPECT_EQ(create.size(), 0U);
     create.writeAt(2, bytesOf("ab"));
     std::array<char, 4> back{};
@@ -53,19 +53,19 @@ TEST_F(OpenFile, CreateTruncatesAndUpdateKeeps) {
 }
 
 TEST_F(OpenFile, AReadOnlyFileTakesNoBytesAndSaysWhere) {
-    writeTextFile(path_, "0123");
-    File file(path_, File::Mode::Read);
-    EXPECT_EQ(message([&] { file.writeAt(2, bytesOf("x")); }), path_ + ": byte 2: cannot write: Bad file descriptor");
-    EXPECT_EQ(message([&] { file.resize(1); }).find(path_ + ": cannot resize"), 0U);
-    EXPECT_EQ(readTextFile(path_), "0123");
+    writeTextFile(path, "0123");
+    File file(path, File::Mode::Read);
+    EXPECT_EQ(message([&] { file.writeAt(2, bytesOf("x")); }), path + ": byte 2: cannot write: Bad file descriptor");
+    EXPECT_EQ(message([&] { file.resize(1); }).find(path + ": cannot resize"), 0U);
+    EXPECT_EQ(readTextFile(path), "0123");
     EXPECT_EQ(
-        message([&] { File(path_ + "_absent", File::Mode::Update); }),
-        path_ + "_absent: cannot open: No such file or directory");
+        message([&] { File(path + "_absent", File::Mode::Update); }),
+        path + "_absent: cannot open: No such file or directory");
 }
 
 TEST_F(OpenFile, AToldPathStandsInEveryMessage) {
-    writeTextFile(path_, "0123");
-    const File file(path_, File::Mode::Read, "model.gnm");
+    writeTextFile(path, "0123");
+    const File file(path, File::Mode::Read, "model.gnm");
     EXPECT_EQ(file.path(), "model.gnm");
     std::array<std::byte, 5> five{};
     EXPECT_EQ(
@@ -74,22 +74,22 @@ TEST_F(OpenFile, AToldPathStandsInEveryMessage) {
 }
 
 TEST_F(OpenFile, AMovedFileIsTheSameFile) {
-    File first(path_, File::Mode::Create);
+    File first(path, File::Mode::Create);
     File second(std::move(first));
     second.writeAt(0, bytesOf("kept"));
-    File third(path_ + "2", File::Mode::Create);
+    File third(path + "2", File::Mode::Create);
     third = std::move(second);
-    std::filesystem::remove(path_ + "2");
+    std::filesystem::remove(path + "2");
     third.writeAt(4, bytesOf(" on"));
-    EXPECT_EQ(third.path(), path_);
+    EXPECT_EQ(third.path(), path);
     File& itself = third;
     third = std::move(itself);
     EXPECT_EQ(third.size(), 7U) << "assigned to itself it stays open";
 }
 
 TEST_F(OpenFile, ReadSomeGoesOnWhereItStopped) {
-    writeTextFile(path_, "abcdefgh");
-    File file(path_, File::Mode::Read);
+    writeTextFile(path, "abcdefgh");
+    File file(path, File::Mode::Read);
     std::array<char, 3> some{};
     std::string all;
     while (const std::size_t got = file.readSome(std::as_writable_bytes(std::span(some))))
@@ -100,25 +100,25 @@ TEST_F(OpenFile, ReadSomeGoesOnWhereItStopped) {
 }
 
 TEST_F(OpenFile, ResizeCutsAndLengthensByZeros) {
-    File file(path_, File::Mode::Create);
+    File file(path, File::Mode::Create);
     file.writeAt(0, bytesOf("abcdef"));
     file.resize(2);
     EXPECT_EQ(file.size(), 2U);
     file.resize(4);
     file.sync();
-    EXPECT_EQ(readTextFile(path_), std::string("ab\0\0", 4));
+    EXPECT_EQ(readTextFile(path), std::string("ab\0\0", 4));
 }
 
 TEST_F(OpenFile, AReleasedRangeLeavesWhatIsAroundIt) {
     Random random(1);
-    std::string text(64 * 1024, ' ');
+    std::string text(std::size_t{64} * 1024, ' ');
     for (char& letter : text)
         letter = static_cast<char>('a' + random.below(26));
-    writeTextFile(path_, text);
-    File file(path_, File::Mode::Update);
+    writeTextFile(path, text);
+    File file(path, File::Mode::Update);
     file.release(8192, 16384);
     EXPECT_EQ(file.size(), text.size());
-    const std::string left = readTextFile(path_);
+    const std::string left = readTextFile(path);
     EXPECT_EQ(left.substr(0, 8192), text.substr(0, 8192));
     EXPECT_EQ(left.substr(24576), text.substr(24576));
     const std::string hole = left.substr(8192, 16384);
@@ -126,9 +126,9 @@ TEST_F(OpenFile, AReleasedRangeLeavesWhatIsAroundIt) {
 }
 
 TEST_F(OpenFile, TheLockIsOneAndEndsWithTheFile) {
-    writeTextFile(path_, "x");
-    std::optional<File> first(std::in_place, path_, File::Mode::Read);
-    File second(path_, File::Mode::Read);
+    writeTextFile(path, "x");
+    std::optional<File> first(std::in_place, path, File::Mode::Read);
+    File second(path, File::Mode::Read);
     EXPECT_TRUE(first->tryLock());
     EXPECT_TRUE(first->tryLock()) << "it has it already";
     EXPECT_FALSE(second.tryLock());

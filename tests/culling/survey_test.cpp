@@ -24,10 +24,22 @@ struct LitTriangle {
     bool canBeShadowed = false;
 };
 
+/// Whether a corner of `casters` lies above the plane through `point` by more than a step of the grid.
+bool reachAbove(const Box& casters, const glm::dvec3& point, const glm::dvec3& normal) {
+    const double step = sharedModel().trees.grid().step();
+    for (unsigned corner = 0; corner < 8 && !casters.isEmpty(); ++corner) {
+        const glm::dvec3 p(
+            (corner & 1U) != 0 ? casters.max.x : casters.min.x,
+            (corner & 2U) != 0 ? casters.max.y : casters.min.y,
+            (corner & 4U) != 0 ? casters.max.z : casters.min.z);
+        if (glm::dot(glm::normalize(normal), p - point) > step) return true;
+    }
+    return false;
+}
+
 std::vector<LitTriangle> litTriangles(const Seen& scene, const glm::dvec3& towardsLight, const Box& casters) {
     std::vector<LitTriangle> found;
     TriangleClipper clipper(scene.volumes[0]);
-    const double step = sharedModel().trees.grid().step();
     forEveryTriangle(scene.query(), scene.cut.lists[0], [&](const auto& corners, const auto&, const auto&) {
         glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
         if (glm::dot(normal, scene.view.eye - corners[0]) < 0) normal = -normal; // the seen side
@@ -38,13 +50,7 @@ std::vector<LitTriangle> litTriangles(const Seen& scene, const glm::dvec3& towar
             lit.depths = {std::min(lit.depths.near, depth), std::max(lit.depths.far, depth)};
         }
         if (lit.depths.near > lit.depths.far) return;
-        for (int corner = 0; corner < 8 && !casters.isEmpty(); ++corner) {
-            const glm::dvec3 p(
-                corner % 2 == 0 ? casters.min.x : casters.max.x,
-                corner / 2 % 2 == 0 ? casters.min.y : casters.max.y,
-                corner / 4 == 0 ? casters.min.z : casters.max.z);
-            lit.canBeShadowed = lit.canBeShadowed || glm::dot(glm::normalize(normal), p - corners[0]) > step;
-        }
+        lit.canBeShadowed = reachAbove(casters, corners[0], normal);
         found.push_back(lit);
     });
     return found;
@@ -57,6 +63,27 @@ bool isWithin(const std::vector<DepthSpan>& spans, double depth) {
 }
 
 const double kStep = std::exp2(1.0 / kSpansPerOctave);
+
+/// Spans in order, within `depths`, none of which reaches further than its triangles by more than a step.
+void checkSpans(
+    const std::vector<DepthSpan>& spans, const std::vector<LitTriangle>& expected, const DepthSpan& depths) {
+    const auto reaches = [&](double from, double to) {
+        return std::any_of(expected.begin(), expected.end(), [&](const LitTriangle& triangle) {
+            return std::max(triangle.depths.near, depths.near) <= to &&
+                   std::min(triangle.depths.far, depths.far) >= from;
+        });
+    };
+    double last = 0;
+    for (const DepthSpan& span : spans) {
+        EXPECT_LT(span.near, span.far);
+        EXPECT_GE(span.near, depths.near);
+        EXPECT_LE(span.far, depths.far);
+        EXPECT_GT(span.near, last) << "apart and in order";
+        last = span.far;
+        EXPECT_TRUE(reaches(span.near / (1 + 1e-9), span.near * kStep * (1 + 1e-9))) << "one step at most too far";
+        EXPECT_TRUE(reaches(span.far / kStep / (1 + 1e-9), span.far * (1 + 1e-9)));
+    }
+}
 
 TEST(LitSurfaces, SpansHoldWhatIsLitAndReachOneStepFurtherAtMost) {
     Random random(71);
@@ -75,23 +102,7 @@ TEST(LitSurfaces, SpansHoldWhatIsLitAndReachOneStepFurtherAtMost) {
             EXPECT_TRUE(isWithin(found.spans, std::clamp(triangle.depths.near, depths.near, depths.far)));
             EXPECT_TRUE(isWithin(found.spans, std::clamp(triangle.depths.far, depths.near, depths.far)));
         }
-        for (std::size_t i = 0; i < found.spans.size(); ++i) {
-            const DepthSpan& span = found.spans[i];
-            EXPECT_LT(span.near, span.far);
-            EXPECT_GE(span.near, depths.near);
-            EXPECT_LE(span.far, depths.far);
-            if (i > 0) {
-                EXPECT_GT(span.near, found.spans[i - 1].far) << "apart and in order";
-            }
-            const auto reaches = [&](double from, double to) {
-                return std::any_of(expected.begin(), expected.end(), [&](const LitTriangle& triangle) {
-                    return std::max(triangle.depths.near, depths.near) <= to &&
-                           std::min(triangle.depths.far, depths.far) >= from;
-                });
-            };
-            EXPECT_TRUE(reaches(span.near / (1 + 1e-9), span.near * kStep * (1 + 1e-9))) << "one step at most too far";
-            EXPECT_TRUE(reaches(span.far / kStep / (1 + 1e-9), span.far * (1 + 1e-9)));
-        }
+        checkSpans(found.spans, expected, depths);
         EXPECT_EQ(found.canBeShadowed, canBeShadowed);
         lit += expected.empty() ? 0 : 1;
         shadowed += canBeShadowed ? 1 : 0;
@@ -129,6 +140,18 @@ Box grown(const hierarchy::Page& page, const hierarchy::Cluster& cluster) {
     return {box.min - margin, box.max + margin};
 }
 
+/// What the blocks of one range must be.
+std::vector<CasterBlock> blocksOf(const hierarchy::Page& page, const selection::ClusterRange& range) {
+    std::vector<CasterBlock> blocks;
+    for (std::uint32_t i = 0; i < range.clusterCount; ++i) {
+        if (i % kClustersPerBlock == 0) blocks.emplace_back();
+        const hierarchy::Cluster& cluster = page.clusters[range.firstCluster + i];
+        blocks.back().box.add(grown(page, cluster));
+        blocks.back().triangles += cluster.triangleCount;
+    }
+    return blocks;
+}
+
 TEST(CasterBlocks, AreRunsOfSixteenClustersInTheListsOrder) {
     Random random(74);
     for (int trial = 0; trial < 30; ++trial) {
@@ -137,23 +160,14 @@ TEST(CasterBlocks, AreRunsOfSixteenClustersInTheListsOrder) {
         const std::vector<CasterBlock> blocks = casterBlocks(scene.query(), list);
         std::size_t next = 0;
         std::uint64_t triangles = 0;
-        for (const selection::ClusterRange& range : list.ranges) {
-            const hierarchy::Page& page = *scene.resident[range.page];
-            for (std::uint32_t first = 0; first < range.clusterCount; first += kClustersPerBlock) {
-                const std::uint32_t count = std::min(kClustersPerBlock, range.clusterCount - first);
-                CasterBlock expected;
-                for (std::uint32_t i = 0; i < count; ++i) {
-                    const hierarchy::Cluster& cluster = page.clusters[range.firstCluster + first + i];
-                    expected.box.add(grown(page, cluster));
-                    expected.triangles += cluster.triangleCount;
-                }
+        for (const selection::ClusterRange& range : list.ranges)
+            for (const CasterBlock& expected : blocksOf(*scene.resident[range.page], range)) {
                 ASSERT_LT(next, blocks.size());
                 EXPECT_EQ(blocks[next].box.min, expected.box.min);
                 EXPECT_EQ(blocks[next].box.max, expected.box.max);
                 EXPECT_EQ(blocks[next].triangles, expected.triangles);
                 triangles += blocks[next++].triangles;
             }
-        }
         EXPECT_EQ(next, blocks.size());
         EXPECT_EQ(triangles, list.triangles) << "every triangle is in one block";
     }

@@ -20,16 +20,16 @@ namespace {
 
 class Streams : public testing::Test {
 protected:
-    ~Streams() override { std::filesystem::remove(path_); }
+    void TearDown() override { std::filesystem::remove(path); }
 
     const InputFile& fileOf(const std::string& text) {
-        writeScratch(path_, text);
-        file_.emplace(path_);
-        return *file_;
+        writeScratch(path, text);
+        opened.emplace(path);
+        return *opened;
     }
 
-    std::string path_ = testing::TempDir() + "gnomon_streams_" + std::to_string(::getpid());
-    std::optional<InputFile> file_;
+    std::string path = testing::TempDir() + "gnomon_streams_" + std::to_string(::getpid());
+    std::optional<InputFile> opened;
 };
 
 std::string randomText(std::size_t size) {
@@ -103,12 +103,12 @@ TEST_F(Streams, GuardedLinesAreTheLinesThatTheGuardPasses) {
     while (std::getline(in, line))
         read.push_back(line);
     EXPECT_EQ(read, (std::vector<std::string>{"one", "three", "", "last"}));
-    EXPECT_EQ(guard.ended, path_ + ":5");
+    EXPECT_EQ(guard.ended, path + ":5");
     in.clear();
     in.seekg(0);
     std::getline(in, line);
     EXPECT_EQ(line, "one") << "rewound to the start";
-    EXPECT_EQ(lines.where(), path_ + ":1");
+    EXPECT_EQ(lines.where(), path + ":1");
     EXPECT_EQ(guard.begun, 2);
     in.seekg(3);
     EXPECT_TRUE(in.fail()) << "and to no other place";
@@ -124,7 +124,7 @@ TEST_F(Streams, TheGuardSeesWhatTheReaderDidNotAskFor) {
         lines.readOut();
         ADD_FAILURE() << "the bad line was not seen";
     } catch (const Error& error) {
-        EXPECT_EQ(std::string(error.what()), path_ + ":3: a bang");
+        EXPECT_EQ(std::string(error.what()), path + ":3: a bang");
     }
 }
 
@@ -134,11 +134,11 @@ TEST_F(Streams, GuardedBytesKnowTheirPlace) {
     std::istream in(&bytes);
     std::string read(text.size() + 10, ' ');
     in.read(read.data(), 1000);
-    EXPECT_EQ(bytes.where(), path_ + ": byte 1000");
+    EXPECT_EQ(bytes.where(), path + ": byte 1000");
     in.read(read.data() + 1000, static_cast<std::streamsize>(text.size()));
     EXPECT_EQ(static_cast<std::size_t>(in.gcount()), text.size() - 1000);
     EXPECT_EQ(read.substr(0, text.size()), text);
-    EXPECT_EQ(bytes.where(), path_ + ": byte " + std::to_string(text.size()));
+    EXPECT_EQ(bytes.where(), path + ": byte " + std::to_string(text.size()));
 }
 
 TEST(BlockBuffers, VerticesComeInFullBlocksInOrder) {

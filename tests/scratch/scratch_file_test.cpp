@@ -29,13 +29,13 @@ public:
 
 class Scratch : public testing::TestWithParam<bool> {
 protected:
-    ~Scratch() override { std::filesystem::remove(path_); }
+    void TearDown() override { std::filesystem::remove(path); }
 
-    std::unique_ptr<ScratchFile> make() { return GetParam() ? scratchOnDisk(path_, space_) : scratchInMemory(space_); }
+    std::unique_ptr<ScratchFile> make() { return GetParam() ? scratchOnDisk(path, space) : scratchInMemory(space); }
 
-    SpaceProgress progress_;
-    TemporarySpace space_{progress_};
-    std::string path_ = testing::TempDir() + "gnomon_scratch_" + std::to_string(::getpid());
+    SpaceProgress progress;
+    TemporarySpace space{progress};
+    std::string path = testing::TempDir() + "gnomon_scratch_" + std::to_string(::getpid());
 };
 
 std::vector<std::byte> randomBytes(Random& random, std::size_t size) {
@@ -66,10 +66,10 @@ TEST_P(Scratch, GivesBackWhatWasAppendedWhereItLies) {
         EXPECT_TRUE(std::equal(out.begin(), out.end(), bytes.begin() + static_cast<std::ptrdiff_t>(first)));
         read += out.size();
     }
-    EXPECT_EQ(space_.bytesRead(), read);
-    EXPECT_EQ(space_.bytesWritten(), total);
-    EXPECT_EQ(space_.bytes(), total);
-    EXPECT_EQ(progress_.told, total);
+    EXPECT_EQ(space.bytesRead(), read);
+    EXPECT_EQ(space.bytesWritten(), total);
+    EXPECT_EQ(space.bytes(), total);
+    EXPECT_EQ(progress.told, total);
 }
 
 TEST_P(Scratch, WhatIsReleasedIsGivenBackAndTheRestStays) {
@@ -81,10 +81,10 @@ TEST_P(Scratch, WhatIsReleasedIsGivenBackAndTheRestStays) {
     const std::uint64_t b = file->append(second);
     file->release(a, first.size());
     file->release(a, 0);
-    EXPECT_EQ(space_.bytes(), 3000U);
-    EXPECT_EQ(space_.peakBytes(), 8000U);
-    EXPECT_EQ(space_.bytesWritten(), 8000U);
-    EXPECT_EQ(progress_.told, 3000U);
+    EXPECT_EQ(space.bytes(), 3000U);
+    EXPECT_EQ(space.peakBytes(), 8000U);
+    EXPECT_EQ(space.bytesWritten(), 8000U);
+    EXPECT_EQ(progress.told, 3000U);
     std::vector<std::byte> out(second.size());
     file->read(b, out);
     EXPECT_EQ(out, second);
@@ -97,6 +97,7 @@ TEST_P(Scratch, IsReadFromManyThreadsWhileItGrows) {
     const std::vector<std::byte> first = randomBytes(random, 4096);
     const std::uint64_t place = file->append(first);
     std::vector<std::thread> readers;
+    readers.reserve(3);
     std::atomic<int> wrong{0};
     for (int t = 0; t < 3; ++t)
         readers.emplace_back([&] {

@@ -10,9 +10,9 @@ namespace {
 
 class Store : public testing::TestWithParam<std::size_t> {
 protected:
-    NoProgress progress_;
-    TemporarySpace space_{progress_};
-    std::unique_ptr<ScratchFile> file_ = scratchInMemory(space_);
+    NoProgress progress;
+    TemporarySpace space{progress};
+    std::unique_ptr<ScratchFile> file = scratchInMemory(space);
 };
 
 /// Appends the same at random to a store and to plain vectors.
@@ -31,7 +31,7 @@ std::vector<std::vector<std::byte>> fill(StreamStore& store, std::uint32_t strea
 }
 
 TEST_P(Store, StreamsComeOutAsTheyWentIn) {
-    StreamStore store(*file_, 7, GetParam());
+    StreamStore store(*file, 7, GetParam());
     const std::vector<std::vector<std::byte>> plain = fill(store, 7, 600, 1);
     for (std::uint32_t s = 0; s < 7; ++s)
         EXPECT_EQ(store.bytes(s), plain[s].size()) << "what is in memory counts";
@@ -49,7 +49,7 @@ TEST_P(Store, StreamsComeOutAsTheyWentIn) {
 }
 
 TEST_P(Store, ValuesMayCrossBlocks) {
-    StreamStore store(*file_, 2, GetParam());
+    StreamStore store(*file, 2, GetParam());
     std::vector<std::uint64_t> values;
     Random random(2);
     for (int i = 0; i < 300; ++i) {
@@ -67,25 +67,25 @@ TEST_P(Store, ValuesMayCrossBlocks) {
 }
 
 TEST_P(Store, AnotherProcessFindsAllByTheDirectory) {
-    StreamStore store(*file_, 5, GetParam());
+    StreamStore store(*file, 5, GetParam());
     const std::vector<std::vector<std::byte>> plain = fill(store, 5, 200, 3);
     store.flush();
-    const StreamStore again(*file_, store.directory());
+    const StreamStore again(*file, store.directory());
     for (std::uint32_t s = 0; s < 5; ++s)
         EXPECT_EQ(again.read(s), plain[s]);
     std::vector<std::byte> longer = store.directory();
-    EXPECT_THROW(StreamStore(*file_, std::span(longer).first(3)), hierarchy::Damage);
+    EXPECT_THROW(StreamStore(*file, std::span(longer).first(3)), hierarchy::Damage);
     longer.push_back(std::byte{0});
-    EXPECT_THROW(StreamStore(*file_, longer), hierarchy::Damage);
+    EXPECT_THROW(StreamStore(*file, longer), hierarchy::Damage);
 }
 
 TEST_P(Store, AReleasedStreamGivesItsSpaceBackAndTheOthersStay) {
-    StreamStore store(*file_, 3, GetParam());
+    StreamStore store(*file, 3, GetParam());
     const std::vector<std::vector<std::byte>> plain = fill(store, 3, 300, 4);
     store.flush();
-    EXPECT_EQ(space_.bytes(), plain[0].size() + plain[1].size() + plain[2].size());
+    EXPECT_EQ(space.bytes(), plain[0].size() + plain[1].size() + plain[2].size());
     store.release(1);
-    EXPECT_EQ(space_.bytes(), plain[0].size() + plain[2].size());
+    EXPECT_EQ(space.bytes(), plain[0].size() + plain[2].size());
     EXPECT_EQ(store.bytes(1), 0U);
     EXPECT_TRUE(store.read(1).empty());
     EXPECT_TRUE(StreamStore::Reader(store, 1).isAtEnd());

@@ -51,6 +51,22 @@ hierarchy::BlockedGroups randomBlocked(Random& random) {
     return blocked;
 }
 
+/// How many clusters of a chain are in a set.
+std::ptrdiff_t countIn(const std::vector<ClusterId>& chain, const std::set<ClusterId>& clusters) {
+    return std::count_if(chain.begin(), chain.end(), [&](const ClusterId& id) { return clusters.contains(id); });
+}
+
+/// Whether a cluster belongs to one of the groups.
+bool isOfOne(const hierarchy::BlockedGroups& groups, const ClusterId& id) {
+    const hierarchy::Page& page = *sharedModel().all[id.page];
+    for (std::uint32_t g = 0; g < page.groups.size(); ++g) {
+        const std::uint32_t first = page.groups[g].firstCluster;
+        if (id.cluster >= first && id.cluster < first + page.groups[g].clusterCount)
+            return groups.contains({id.page, g});
+    }
+    return false;
+}
+
 TEST(BlockedGroups, StayUnrefinedAndLeaveNoHole) {
     Random random(41);
     const Chains chains(sharedModel());
@@ -61,19 +77,11 @@ TEST(BlockedGroups, StayUnrefinedAndLeaveNoHole) {
         scene.blocked = randomBlocked(random);
         const std::set<ClusterId> drawn = clustersOf(cut(scene.query()).lists[0]);
         for (const ClusterId& id : drawn)
-            for (std::uint32_t g = 0; g < sharedModel().all[id.page]->groups.size(); ++g) {
-                const hierarchy::Group& group = sharedModel().all[id.page]->groups[g];
-                const bool isOwn =
-                    id.cluster >= group.firstCluster && id.cluster < group.firstCluster + group.clusterCount;
-                EXPECT_FALSE(isOwn && scene.blocked.contains({id.page, g}));
-            }
+            EXPECT_FALSE(isOfOne(scene.blocked, id));
         for (int i = 0; i < 100; ++i) {
             const std::vector<ClusterId> chain = chains.randomChain(random);
-            const auto count = [&](const std::set<ClusterId>& in) {
-                return std::count_if(chain.begin(), chain.end(), [&](const ClusterId& id) { return in.contains(id); });
-            };
-            EXPECT_EQ(count(drawn), 1);
-            EXPECT_EQ(count(free), 1);
+            EXPECT_EQ(countIn(chain, drawn), 1);
+            EXPECT_EQ(countIn(chain, free), 1);
         }
         coarser += drawn != free ? 1 : 0;
     }

@@ -60,28 +60,29 @@ struct Scene {
     double errorPixels = 0.05;
 };
 
+/// When a cluster of a group that may be refined is drawn.
+Drawn drawnOf(
+    const Scene& scene, const hierarchy::Page& page, const hierarchy::Group& group, const hierarchy::Cluster& cluster) {
+    Drawn drawn{0, scene.rule.pixels(group.bounds, group.error), cluster.triangleCount};
+    if (cluster.refinement == kNone) return drawn;
+    const hierarchy::Refinement& finer = page.refinements[cluster.refinement];
+    const bool canBe = scene.resident[finer.group.page] != nullptr && !scene.blocked.contains(finer.group);
+    drawn.from = canBe ? scene.rule.pixels(finer.bounds, finer.error) : 0;
+    return drawn;
+}
+
 /// Every cluster of every resident page, no tree: when it is drawn, if its box is in view.
 std::vector<Drawn> allDrawn(const Scene& scene) {
     std::vector<Drawn> result;
     for (std::uint32_t p = 0; p < scene.resident.size(); ++p) {
-        if (scene.resident[p] == nullptr) continue;
-        const hierarchy::Page& page = *scene.resident[p];
-        for (std::uint32_t g = 0; g < page.groups.size(); ++g) {
-            const hierarchy::Group& group = page.groups[g];
+        const hierarchy::Page* page = scene.resident[p];
+        for (std::uint32_t g = 0; page != nullptr && g < page->groups.size(); ++g) {
+            const hierarchy::Group& group = page->groups[g];
             if (scene.blocked.contains({p, g})) continue;
-            for (std::uint32_t c = group.firstCluster; c < group.firstCluster + group.clusterCount; ++c) {
-                const hierarchy::Cluster& cluster = page.clusters[c];
-                const Box box = sharedModel().trees.grid().local(cluster.box);
-                if (classify(scene.volumes[0], box) == Containment::Outside) continue;
-                Drawn drawn{0, scene.rule.pixels(group.bounds, group.error), cluster.triangleCount};
-                if (cluster.refinement != kNone) {
-                    const hierarchy::Refinement& finer = page.refinements[cluster.refinement];
-                    const bool canBe =
-                        scene.resident[finer.group.page] != nullptr && !scene.blocked.contains(finer.group);
-                    drawn.from = canBe ? scene.rule.pixels(finer.bounds, finer.error) : 0;
-                }
-                result.push_back(drawn);
-            }
+            for (const hierarchy::Cluster& cluster :
+                 std::span(page->clusters).subspan(group.firstCluster, group.clusterCount))
+                if (classify(scene.volumes[0], sharedModel().trees.grid().local(cluster.box)) != Containment::Outside)
+                    result.push_back(drawnOf(scene, *page, group, cluster));
         }
     }
     return result;

@@ -68,9 +68,9 @@ TEST(FreeList, TakesTheFirstRangeThatIsLargeEnough) {
 
 class PictureFile : public testing::Test {
 protected:
-    ~PictureFile() override { std::filesystem::remove(path_); }
+    void TearDown() override { std::filesystem::remove(path); }
 
-    std::string path_ = testing::TempDir() + "gnomon_picture_" + std::to_string(::getpid());
+    std::string path = testing::TempDir() + "gnomon_picture_" + std::to_string(::getpid());
 };
 
 Picture randomPicture(Random& random, int width, int height) {
@@ -85,12 +85,12 @@ TEST_F(PictureFile, APngComesBackPixelForPixel) {
     Random random(2);
     for (const auto& [width, height] : {std::pair(1, 1), std::pair(7, 3), std::pair(64, 65)}) {
         const Picture picture = randomPicture(random, width, height);
-        writePng(path_, picture);
-        const Picture back = readPng(path_);
+        writePng(path, picture);
+        const Picture back = readPng(path);
         EXPECT_EQ(back.width, width);
         EXPECT_EQ(back.height, height);
         EXPECT_EQ(back.pixels, picture.pixels);
-        const std::string file = readTextFile(path_);
+        const std::string file = readTextFile(path);
         const std::vector<std::uint8_t> bytes = pngBytes(picture);
         EXPECT_TRUE(std::equal(bytes.begin(), bytes.end(), file.begin(), file.end(), [](std::uint8_t a, char b) {
             return a == static_cast<std::uint8_t>(b);
@@ -100,15 +100,15 @@ TEST_F(PictureFile, APngComesBackPixelForPixel) {
 
 TEST_F(PictureFile, WhatIsNoPngIsNamed) {
     Random random(3);
-    writePng(path_, randomPicture(random, 20, 20));
-    const std::string good = readTextFile(path_);
+    writePng(path, randomPicture(random, 20, 20));
+    const std::string good = readTextFile(path);
     for (const std::string& bad : {std::string(), std::string("nothing"), good.substr(0, good.size() / 2)}) {
-        writeTextFile(path_, bad);
+        writeTextFile(path, bad);
         try {
-            readPng(path_);
+            readPng(path);
             ADD_FAILURE() << bad.size();
         } catch (const Error& error) {
-            EXPECT_EQ(std::string(error.what()).find(path_ + ": cannot be read as PNG: "), 0U) << error.what();
+            EXPECT_EQ(std::string(error.what()).find(path + ": cannot be read as PNG: "), 0U) << error.what();
         }
     }
 }
@@ -117,8 +117,8 @@ TEST_F(PictureFile, APfmHasItsLowestRowFirst) {
     FloatPicture picture(3, 2);
     for (int i = 0; i < 6; ++i)
         picture.pixels[static_cast<std::size_t>(i)] = static_cast<float>(i) + 0.5F;
-    writePfm(path_, picture);
-    const std::string file = readTextFile(path_);
+    writePfm(path, picture);
+    const std::string file = readTextFile(path);
     const std::string header = "Pf\n3 2\n-1.0\n";
     ASSERT_EQ(file.substr(0, header.size()), header);
     ASSERT_EQ(file.size(), header.size() + 24);

@@ -99,8 +99,8 @@ TEST(Projection, EachPlaneHasItsBitAndThePlaneItselfIsInside) {
 
     struct Case {
         ClipPosition p;
-        std::uint32_t sides;
-        std::uint32_t depths;
+        std::uint32_t sides = 0;
+        std::uint32_t depths = 0;
     };
 
     constexpr float kNext = 2.0000002F;

@@ -34,6 +34,25 @@ bool isInside(const WideTriangle& wide, int x, int y) {
     return sideOf(c[0], c[1], x, y) >= 0 && sideOf(c[1], c[2], x, y) >= 0 && sideOf(c[2], c[0], x, y) >= 0;
 }
 
+constexpr PixelBox kTile{-40, -30, 30, 40};
+
+using DrawnTile = std::array<std::array<bool, 70>, 70>;
+
+bool& at(DrawnTile& tile, int x, int y) {
+    return tile.at(static_cast<std::size_t>(y - kTile.y0)).at(static_cast<std::size_t>(x - kTile.x0));
+}
+
+/// The pixels of the rows of a triangle in the tile.
+DrawnTile drawnRows(const WideTriangle& wide) {
+    DrawnTile drawn{};
+    for (WideRows rows(wide, kTile); !rows.atEnd();) {
+        const WideRow row = rows.next();
+        for (int x = row.x0; x < row.x1; ++x)
+            at(drawn, x, row.y) = true; // throws for a pixel outside of the tile
+    }
+    return drawn;
+}
+
 TEST(WideTriangle, RowsHoldThePixelsInsideAndNoOther) {
     Random random(1);
     int covered = 0;
@@ -42,25 +61,11 @@ TEST(WideTriangle, RowsHoldThePixelsInsideAndNoOther) {
         if (doubleArea(corners) == 0) continue;
         const WideTriangle wide = wideTriangle(corners);
         EXPECT_GT(doubleArea(wide.corners), 0) << "turned counter-clockwise";
-        const PixelBox tile{-40, -30, 30, 40};
-        std::array<std::array<bool, 70>, 70> drawn{};
-        for (WideRows rows(wide, tile); !rows.atEnd();) {
-            const WideRow row = rows.next();
-            ASSERT_GE(row.y, tile.y0);
-            ASSERT_LT(row.y, tile.y1);
-            if (row.x0 < row.x1) {
-                ASSERT_GE(row.x0, tile.x0);
-                ASSERT_LE(row.x1, tile.x1);
-            }
-            for (int x = row.x0; x < row.x1; ++x)
-                drawn[static_cast<std::size_t>(row.y - tile.y0)][static_cast<std::size_t>(x - tile.x0)] = true;
-        }
-        for (int y = tile.y0; y < tile.y1; ++y)
-            for (int x = tile.x0; x < tile.x1; ++x) {
-                const bool isDrawn =
-                    drawn[static_cast<std::size_t>(y - tile.y0)][static_cast<std::size_t>(x - tile.x0)];
-                ASSERT_EQ(isDrawn, isInside(wide, x, y)) << trial << ": " << x << ", " << y;
-                covered += isDrawn ? 1 : 0;
+        DrawnTile drawn = drawnRows(wide);
+        for (int y = kTile.y0; y < kTile.y1; ++y)
+            for (int x = kTile.x0; x < kTile.x1; ++x) {
+                ASSERT_EQ(at(drawn, x, y), isInside(wide, x, y)) << trial << ": " << x << ", " << y;
+                covered += at(drawn, x, y) ? 1 : 0;
             }
     }
     EXPECT_GT(covered, 1000000);

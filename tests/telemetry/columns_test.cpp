@@ -13,27 +13,9 @@
 namespace gnomon::telemetry {
 namespace {
 
-/// A row in which every field has a value that no other has.
-FrameRow fullRow() {
-    FrameRow row;
-    row.run = "run";
-    row.model = "model";
-    row.scheme = "scheme";
-    row.warp = "warp";
-    row.facePartitions = "faces";
-    row.shadowTexels = "64x64";
-    row.backend = "backend";
-    std::int64_t whole = 100;
-    for (std::int64_t* field :
-         {&row.repetition,
-          &row.frame,
-          &row.zPartitions,
-          &row.filter,
-          &row.shadowMaps,
-          &row.shadowMapsDrawn,
-          &row.width,
-          &row.height})
-        *field = ++whole;
+/// Fills what is measured of `row`, each with a number that no other has.
+void fillMeasured(FrameRow& row) {
+    std::int64_t whole = 1000;
     for (std::optional<std::int64_t>* field :
          {&row.imageTriangles,
           &row.shadowTriangles,
@@ -48,8 +30,6 @@ FrameRow fullRow() {
           &row.pagesDamaged})
         *field = ++whole;
     double real = 0.5;
-    row.timeS = real += 1;
-    row.errorPixels = real += 1;
     for (std::optional<double>* field :
          {&row.planMs,
           &row.selectMs,
@@ -75,6 +55,32 @@ FrameRow fullRow() {
           &row.missedShadowFraction,
           &row.unexplainedShadowFraction})
         *field = real += 1;
+}
+
+/// A row in which every field has a value that no other has.
+FrameRow fullRow() {
+    FrameRow row;
+    row.run = "run";
+    row.model = "model";
+    row.scheme = "scheme";
+    row.warp = "warp";
+    row.facePartitions = "faces";
+    row.shadowTexels = "64x64";
+    row.backend = "backend";
+    std::int64_t whole = 100;
+    for (std::int64_t* field :
+         {&row.repetition,
+          &row.frame,
+          &row.zPartitions,
+          &row.filter,
+          &row.shadowMaps,
+          &row.shadowMapsDrawn,
+          &row.width,
+          &row.height})
+        *field = ++whole;
+    row.timeS = 1.25;
+    row.errorPixels = 2.25;
+    fillMeasured(row);
     row.promiseKept = true;
     row.stabilize = true;
     row.cullCasters = false;
@@ -155,9 +161,9 @@ TEST(JsonText, ReplacesWhatIsNoUtf8) {
 }
 
 TEST(Quantile, IsThatOfTheSortedValuesWhateverTheirOrder) {
-    std::vector<double> values;
-    for (int i = 0; i < 101; ++i)
-        values.push_back((i * 37) % 101);
+    std::vector<double> values(101);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        values[i] = static_cast<double>((i * 37) % 101);
     for (const double fraction : {0.0, 0.01, 0.25, 0.5, 0.95, 1.0})
         EXPECT_NEAR(quantile(values, fraction), 100 * fraction, 1e-9);
     EXPECT_NEAR(quantile(values, 0.505), 50.5, 1e-9) << "linear between ranks";

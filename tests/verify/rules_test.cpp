@@ -49,7 +49,20 @@ LoadedModel smallModel() {
 
 using PlainEdge = std::pair<GridPoint, GridPoint>;
 
-/// Calls `visit(edge, cluster number, group number, level)` for every edge of every triangle; edges lesser end first.
+/// The edges of a cluster's triangles, one entry for each triangle at each; lesser end first.
+std::vector<PlainEdge> edgesOf(const Page& page, const Cluster& cluster) {
+    std::vector<PlainEdge> edges;
+    for (std::uint32_t t = 0; t < cluster.triangleCount; ++t)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Triangle& triangle = page.triangles[cluster.firstTriangle + t];
+            const GridPoint a = page.vertices[cluster.firstVertex + triangle[k]].position;
+            const GridPoint b = page.vertices[cluster.firstVertex + triangle[(k + 1) % 3]].position;
+            if (a != b) edges.emplace_back(std::min(a, b), std::max(a, b));
+        }
+    return edges;
+}
+
+/// Calls `visit(edge, cluster number, group number, level)` for every edge of every triangle.
 template <class Visit>
 void forEveryEdge(const LoadedModel& model, const Visit& visit) {
     for (std::size_t p = 0; p < model.pages.size(); ++p) {
@@ -57,23 +70,8 @@ void forEveryEdge(const LoadedModel& model, const Visit& visit) {
         for (std::uint32_t g = 0; g < page.groups.size(); ++g)
             for (std::uint32_t i = 0; i < page.groups[g].clusterCount; ++i) {
                 const std::uint32_t c = page.groups[g].firstCluster + i;
-                const Cluster& cluster = page.clusters[c];
-                for (std::uint32_t t = 0; t < cluster.triangleCount; ++t)
-                    for (std::size_t k = 0; k < 3; ++k) {
-                        const auto at = [&](std::size_t corner) {
-                            return page
-                                .vertices[cluster.firstVertex + page.triangles[cluster.firstTriangle + t][corner]]
-                                .position;
-                        };
-                        const GridPoint a = at(k);
-                        const GridPoint b = at((k + 1) % 3);
-                        if (a != b)
-                            visit(
-                                PlainEdge(std::min(a, b), std::max(a, b)),
-                                model.firstCluster[p] + c,
-                                model.firstGroup[p] + g,
-                                page.level);
-                    }
+                for (const PlainEdge& edge : edgesOf(page, page.clusters[c]))
+                    visit(edge, model.firstCluster[p] + c, model.firstGroup[p] + g, page.level);
             }
     }
 }
@@ -119,8 +117,8 @@ TEST(UniformCut, IsWhatTheRuleDrawsAtOneError) {
     for (const LevelInfo& level : model.summary.levels)
         limits.insert(level.maxError);
     std::size_t last = 0;
-    for (auto limit = limits.rbegin(); limit != limits.rend(); ++limit) {
-        const UniformCut cut = uniformCut(model, *limit);
+    for (const double limit : std::vector<double>(limits.rbegin(), limits.rend())) {
+        const UniformCut cut = uniformCut(model, limit);
         EXPECT_GE(cut.soup.triangles.size(), last) << "a smaller error takes no fewer triangles";
         last = cut.soup.triangles.size();
         for (std::size_t i = 0; i < cut.parts.size(); ++i) {
@@ -128,7 +126,7 @@ TEST(UniformCut, IsWhatTheRuleDrawsAtOneError) {
             const Page& page = model.pages[part.page];
             const Cluster& cluster = page.clusters[part.cluster];
             const double finer = cluster.refinement == kNone ? 0 : page.refinements[cluster.refinement].error;
-            EXPECT_LE(finer, *limit);
+            EXPECT_LE(finer, limit);
             const std::size_t end =
                 i + 1 < cut.parts.size() ? cut.parts[i + 1].firstTriangle : cut.soup.triangles.size();
             EXPECT_EQ(end - part.firstTriangle, cluster.triangleCount);

@@ -8,6 +8,7 @@
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 #include <string>
 
@@ -40,14 +41,14 @@ TEST(KeyTable, EveryOverlaySideAndWayHasAKey) {
         if (binding.action == Action::LookFrom) sides.insert(binding.value);
         if (binding.action == Action::Fly) ways.insert(binding.value);
     }
-    EXPECT_EQ(overlays.size(), executor::kOverlays.size());
-    EXPECT_EQ(*overlays.rbegin(), static_cast<int>(executor::kOverlays.size()) - 1);
+    const std::size_t withKeys = std::min<std::size_t>(executor::kOverlays.size(), 8); // F9 opens the model again
+    EXPECT_EQ(overlays.size(), withKeys);
+    EXPECT_EQ(*overlays.rbegin(), static_cast<int>(withKeys) - 1);
     EXPECT_EQ(sides.size(), static_cast<std::size_t>(Side::Bottom) + 1);
     EXPECT_EQ(ways.size(), static_cast<std::size_t>(Way::Up) + 1);
 }
 
-TEST(KeyTable, EverySettingThatTheWindowOffersHasAKeyThatChangesIt) {
-    std::set<std::string> changed;
+TEST(KeyTable, AKeyChangesTheSettingThatItNamesWhichThePanelOffersToo) {
     for (const Binding& binding : bindings()) {
         if (binding.action != Action::StepSetting) continue;
         settings::Settings settings;
@@ -55,10 +56,8 @@ TEST(KeyTable, EverySettingThatTheWindowOffersHasAKeyThatChangesIt) {
         const std::optional<std::string> said = changeQuality(binding, settings);
         EXPECT_FALSE(setting.isDefault(settings)) << binding.keyName;
         EXPECT_EQ(said.value_or("").rfind(setting.description().offer.title + ": ", 0), 0U) << binding.keyName;
-        changed.insert(setting.name());
+        EXPECT_NE(setting.description().offer.title, "") << binding.keyName;
     }
-    for (const settings::Setting& setting : settings::table())
-        EXPECT_NE(changed.contains(setting.name()), setting.description().offer.title.empty()) << setting.name();
 }
 
 TEST(KeyTable, ShiftCountsOnlyWhereItIsNamed) {

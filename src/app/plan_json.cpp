@@ -1,6 +1,7 @@
 #include "app/plan_json.h"
 
 #include "core/angle.h"
+#include "settings/plan_sentences.h"
 
 #include <array>
 #include <cstdarg>
@@ -88,8 +89,8 @@ ordered_json planJson(const plan::FramePlan& plan) {
     ordered_json json;
     json["near"] = plan.near;
     json["far"] = plan.far;
-    json["near_from"] = plan.nearFrom;
-    json["far_from"] = plan.farFrom;
+    json["near_from"] = settings::sourceInWords(plan.nearFrom);
+    json["far_from"] = settings::sourceInWords(plan.farFrom);
     json["light_angle"] = degreesFromRadians(plan.lightAngleRadians);
     json["promise_kept"] = plan.promiseKept;
     json["scheme"] = plan::schemeName(plan);
@@ -99,15 +100,16 @@ ordered_json planJson(const plan::FramePlan& plan) {
         json["passes"].push_back(passJson(plan, pass));
     json["omitted"] = ordered_json::array();
     for (const plan::Omission& omission : plan.omitted)
-        json["omitted"].push_back({{"effect", omission.effect}, {"reason", omission.reason}});
+        json["omitted"].push_back(
+            {{"effect", settings::effectInWords(omission)}, {"reason", settings::reasonInWords(omission)}});
     json["texels_that_would_do"] = nullptr; // no maps, or no number of texels would
     if (plan.texelsThatWouldDo > 0) json["texels_that_would_do"] = plan.texelsThatWouldDo;
     return json;
 }
 
 std::string planText(const plan::FramePlan& plan) {
-    std::string text = line("near   %-12g %s\n", plan.near, plan.nearFrom.c_str());
-    text += line("far    %-12g %s\n", plan.far, plan.farFrom.c_str());
+    std::string text = line("near   %-12g %s\n", plan.near, settings::sourceInWords(plan.nearFrom).c_str());
+    text += line("far    %-12g %s\n", plan.far, settings::sourceInWords(plan.farFrom).c_str());
     text += line("light  %.2f degrees from the view\n", degreesFromRadians(plan.lightAngleRadians));
     text += line(
         "plan   %s: %zu maps in %dx%d texels, cost %llu\n",
@@ -153,7 +155,8 @@ std::string planText(const plan::FramePlan& plan) {
     }
     if (!plan.omitted.empty()) text += "\nleft out\n";
     for (const plan::Omission& omission : plan.omitted)
-        text += line("  %-18s %s\n", omission.effect.c_str(), omission.reason.c_str());
+        text +=
+            line("  %-18s %s\n", settings::effectInWords(omission).c_str(), settings::reasonInWords(omission).c_str());
     return text;
 }
 

@@ -19,7 +19,7 @@ Frame Renderer::render(const plan::View& view, const plan::Quality& quality, con
     const executor::DrawStatistics drawn = draw(frame, options);
     frame.row = frameRow(frame, drawn, {model_->path(), executor_->name(), residency_.statistics()});
     frame.row.totalMs = watch.elapsed().count;
-    previous_ = std::make_shared<const plan::FramePlan>(frame.plan);
+    previous_ = std::make_shared<const plan::PlannedFrame>(plan::PlannedFrame{frame.plan, frame.memory});
     return frame;
 }
 
@@ -27,7 +27,7 @@ PreparedFrame Renderer::prepare(
     const plan::View& view,
     const plan::Quality& quality,
     Waiting waiting,
-    const std::shared_ptr<const plan::FramePlan>& before) {
+    const std::shared_ptr<const plan::PlannedFrame>& before) {
     const hierarchy::ModelSummary& model = model_->summary();
     double streamMs = 0; // all that waiting costs: the rounds but the last are made for it
     addTime(streamMs, [&] { residency_.admitLoaded(waiting); });
@@ -41,7 +41,12 @@ PreparedFrame Renderer::prepare(
         addTime(frame.cullMs, [&] {
             frame.facts = sceneFacts(view, model.bounds, cutQuery(residency_, frame), frame.cut, range);
         });
-        addTime(frame.planMs, [&] { frame.plan = plan::planFrame(view, quality, frame.facts, before.get()); });
+        addTime(frame.planMs, [&] {
+            const plan::PlanMemory memory = before ? before->memory : plan::PlanMemory{};
+            plan::PlannedFrame planned = plan::planFrame(view, quality, frame.facts, memory);
+            frame.plan = std::move(planned.plan);
+            frame.memory = std::move(planned.memory);
+        });
         addTime(frame.cullMs, [&] { cutPartitions(frame, residency_); });
         const double cutMs = round.elapsed().count;
         frame.residency = residency_.serve(cutQuery(residency_, frame), frame.cut, waiting);

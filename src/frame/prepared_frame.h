@@ -2,7 +2,7 @@
 #pragma once
 
 #include "executor/executor.h"
-#include "plan/frame_plan.h"
+#include "plan/plan_frame.h"
 #include "selection/cut.h"
 #include "streaming/page_store.h"
 
@@ -14,7 +14,8 @@ namespace gnomon::frame {
 /// All that drawing one view takes. The cut's pages stay resident until the renderer prepares another frame.
 struct PreparedFrame {
     plan::FramePlan plan;
-    std::shared_ptr<const plan::FramePlan> before; // of the frame before, for hysteresis; null if there was none
+    plan::PlanMemory memory;                          // for the plan of the next frame
+    std::shared_ptr<const plan::PlannedFrame> before; // the frame before, for hysteresis; null if there was none
     plan::SceneFacts facts;
     executor::DrawSpace space;
     std::shared_ptr<const selection::ErrorRule> rule; // of the cut, as are the volumes

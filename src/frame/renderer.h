@@ -52,7 +52,7 @@ public:
         const plan::View& view,
         const plan::Quality& quality,
         Waiting waiting,
-        const std::shared_ptr<const plan::FramePlan>& before);
+        const std::shared_ptr<const plan::PlannedFrame>& before);
 
     /// Draws a frame, one that was drawn before too, as long as it is the last that was prepared.
     executor::DrawStatistics draw(const PreparedFrame& frame, const FrameOptions& options);
@@ -77,7 +77,7 @@ private:
     const hierarchy::ModelFile* model_;
     executor::Executor* executor_;
     Residency residency_;
-    std::shared_ptr<const plan::FramePlan> previous_;
+    std::shared_ptr<const plan::PlannedFrame> previous_;
     std::optional<HeldMaps> heldMaps_;
 };
 

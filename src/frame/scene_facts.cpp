@@ -3,6 +3,7 @@
 #include "culling/frame_cut.h"
 #include "culling/receivers.h"
 #include "culling/survey.h"
+#include "plan/plan_frame.h"
 
 #include <algorithm>
 

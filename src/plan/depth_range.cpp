@@ -1,7 +1,7 @@
 #include "plan/depth_range.h"
 
 #include "core/error.h"
-#include "shadow/quantized_near.h"
+#include "plan/hysteresis.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,68 +26,84 @@ SceneFacts::Visible depthsOfBounds(const View& view, const Box& bounds) {
     return result;
 }
 
-/// Far is quantised as near is, from the other side: it rises at once and falls after some frames.
-void setFar(DepthRange& range, const Quality& quality, double farthest, const FramePlan* previous) {
-    range.far = quality.far.value_or(farthest);
-    range.farFrom = "given";
-    if (quality.far || !quality.stabilize || !(farthest > 0)) return;
-    const bool hasPrevious = previous != nullptr && previous->quality.stabilize && previous->far > 0;
-    const shadow::NearState before =
-        hasPrevious ? shadow::NearState{1 / previous->far, previous->framesFarIsHeld} : shadow::NearState{};
-    const shadow::NearState now = shadow::nextNear(before, 1 / farthest, 0, kFramesBeforeNearRises);
-    range.far = 1 / now.near;
-    range.framesFarIsHeld = now.framesAbove;
+/// Far, quantised as near is where slices are stabilised, from the other side: it rises at once and falls after some
+/// frames.
+void setFar(
+    DepthRange& range, const Quality& quality, double farthest, const std::optional<shadow::NearState>& inverseBefore) {
+    range.depths.far = quality.far.value_or(farthest);
+    shadow::NearState inverse{0, 0};
+    if (!quality.far && quality.stabilize && farthest > 0) {
+        inverse =
+            shadow::nextNear(inverseBefore.value_or(shadow::NearState{}), 1 / farthest, 0, kFramesBeforeNearRises);
+        range.depths.far = 1 / inverse.near;
+    }
+    if (quality.stabilize) range.memory->inverseFar = inverse;
 }
 
-/// Near at the quantised step at or below the nearest thing, its floor, or the frame before; says which unless it is
-/// the first.
-void setNear(DepthRange& range, const Quality& quality, const SceneFacts::Visible& visible, const FramePlan* previous) {
-    const double floor = quality.nearFloor.value_or(range.far / kDefaultFloorRatio);
-    const shadow::NearState before =
-        previous != nullptr ? shadow::NearState{previous->near, previous->framesNearIsHeld} : shadow::NearState{};
-    const shadow::NearState now = shadow::nextNear(before, visible.nearest, floor, kFramesBeforeNearRises);
-    range.near = now.near;
-    range.framesNearIsHeld = now.framesAbove;
-    if (visible.nearest < floor) range.nearFrom = "the floor";
-    if (now.framesAbove > 0) range.nearFrom = "held from the frame before";
+/// Near, quantised, at or below the nearest thing, its floor, or that of the frame before.
+void setNear(
+    DepthRange& range,
+    const Quality& quality,
+    const SceneFacts::Visible& visible,
+    const std::optional<DepthMemory>& memory) {
+    const double floor = quality.nearFloor.value_or(range.depths.far / kDefaultFloorRatio);
+    const shadow::NearState before = memory ? memory->near : shadow::NearState{};
+    range.memory->near = shadow::nextNear(before, visible.nearest, floor, kFramesBeforeNearRises);
+    range.depths.near = range.memory->near.near;
+    if (visible.nearest < floor) range.nearFrom = DepthSource::Floor;
+    if (range.memory->near.framesAbove > 0) range.nearFrom = DepthSource::Held;
 }
 
 /// Gives a depth to what has none, such as a surface that faces the eye squarely. Throws Error for ends that are no
 /// range.
-void keepApart(DepthRange& range, const Quality& quality) {
+void keepApart(DepthSpan& depths, const Quality& quality) {
     constexpr double kLeastRatio = 1 + 1e-3;
-    if (!(range.near > 0) || !std::isfinite(range.far))
-        throw Error("near depth and far depth", "they must be above 0 and finite");
-    if (range.far > range.near * (1 + 1e-6)) return;
-    if (quality.near && quality.far) throw Error("far depth", "it must be above the near one");
+    if (!(depths.near > 0) || !std::isfinite(depths.far))
+        throw Error(
+            "near depth and far depth",
+            "it is no range for shadows",
+            "near above 0 and far finite",
+            std::to_string(depths.near) + " to " + std::to_string(depths.far));
+    if (depths.far > depths.near * (1 + 1e-6)) return;
+    if (quality.near && quality.far)
+        throw Error(
+            "far depth",
+            "it must be above the near one",
+            "above " + std::to_string(depths.near),
+            std::to_string(depths.far));
     if (quality.far)
-        range.near = range.far / kLeastRatio;
+        depths.near = depths.far / kLeastRatio;
     else
-        range.far = range.near * kLeastRatio;
+        depths.far = depths.near * kLeastRatio;
 }
 
 } // namespace
 
-DepthRange depthRange(const View& view, const Quality& quality, const SceneFacts& scene, const FramePlan* previous) {
+DepthRange depthRange(
+    const View& view, const Quality& quality, const SceneFacts& scene, const std::optional<DepthMemory>& memory) {
     const SceneFacts::Visible visible = scene.visible ? *scene.visible : depthsOfBounds(view, scene.bounds);
     DepthRange range;
     range.isEmpty = !visible.anything;
-    const bool isGiven = quality.near && quality.far;
-    if (range.isEmpty && !isGiven) {
-        range = {1, 2, "nothing is in view", "nothing is in view", 0, 0, true};
+    if (range.isEmpty && !(quality.near && quality.far)) {
+        range.depths = {1, 2};
         return range;
     }
-    setFar(range, quality, visible.farthest * (1 + 1e-6), previous);
-    if (!quality.far) range.farFrom = scene.visible ? "the farthest surface in view" : "the model's bounds";
+    DepthMemory now;
+    range.memory = now;
+    setFar(range, quality, visible.farthest * (1 + 1e-6), memory ? memory->inverseFar : std::nullopt);
+    range.nearFrom = scene.visible ? DepthSource::NearestSurface : DepthSource::ModelBounds;
+    range.farFrom = scene.visible ? DepthSource::FarthestSurface : DepthSource::ModelBounds;
+    if (quality.far) range.farFrom = DepthSource::Given;
     if (quality.near) {
-        range.near = *quality.near;
-        range.nearFrom = "given";
+        range.depths.near = *quality.near;
+        range.nearFrom = DepthSource::Given;
     } else {
-        setNear(range, quality, visible, previous);
-        if (range.nearFrom.empty())
-            range.nearFrom = scene.visible ? "the nearest surface in view" : "the model's bounds";
+        setNear(range, quality, visible, memory);
     }
-    keepApart(range, quality);
+    keepApart(range.depths, quality);
+    range.memory->near.near = range.depths.near;
+    if (range.memory->inverseFar) range.memory->inverseFar->near = 1 / range.depths.far;
+    if (range.isEmpty) range.memory.reset();
     return range;
 }
 

@@ -2,28 +2,24 @@
 #pragma once
 
 #include "plan/frame_plan.h"
-
-#include <string>
+#include "plan/plan_memory.h"
 
 namespace gnomon::plan {
 
-/// The range with a word on where each end comes from. near < far always; `isEmpty` if nothing is in view.
+/// The range and where each end comes from.
 struct DepthRange {
-    double near = 0;
-    double far = 0;
-    std::string nearFrom;
-    std::string farFrom;
-    int framesNearIsHeld = 0; // at its quantised step
-    int framesFarIsHeld = 0;
-    bool isEmpty = false;
+    DepthSpan depths; // near < far always
+    DepthSource nearFrom = DepthSource::NothingInView;
+    DepthSource farFrom = DepthSource::NothingInView;
+    bool isEmpty = false;              // nothing is in view, and the range is any
+    std::optional<DepthMemory> memory; // for the next frame; nothing where nothing is in view
 };
 
-/// The least view depth of anything drawn, not under the floor, down to a quantised step of 2^(1/4): it falls at
-/// once, and rises only when `previous` has wanted that for kFramesBeforeNearRises frames. Far is the greatest;
-/// stabilised slices, whose texels must keep their size, have it quantised too.
-DepthRange depthRange(const View& view, const Quality& quality, const SceneFacts& scene, const FramePlan* previous);
-
-/// How long near must want to rise, or far to fall, before it does.
-constexpr int kFramesBeforeNearRises = 12;
+/// Near is the least view depth of anything drawn, not under the floor, down to a quantised step of 2^(1/4): it falls
+/// at once, and rises only when the frames before have allowed that for kFramesBeforeNearRises. Far is the greatest
+/// depth; stabilised slices, whose texels must keep their size, have it quantised too. Throws Error for given ends that
+/// are no range.
+DepthRange depthRange(
+    const View& view, const Quality& quality, const SceneFacts& scene, const std::optional<DepthMemory>& memory);
 
 } // namespace gnomon::plan

@@ -1,5 +1,7 @@
 #include "plan/empty_slices.h"
 
+#include "plan/hysteresis.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -23,14 +25,15 @@ std::vector<DepthSpan> joined(std::vector<DepthSpan> spans, std::span<const Dept
 
 } // namespace
 
-Receivers receiversNow(std::span<const DepthSpan> lit, const FramePlan* previous, std::span<const double> splits) {
+Receivers receiversNow(
+    std::span<const DepthSpan> lit, const std::optional<SchemeMemory>& before, std::span<const double> splits) {
     Receivers result;
     result.memory.since = joined({}, lit);
-    if (previous == nullptr) return result;
-    result.haveArrived = (previous->emptySlices & ~slicesWithout(lit, splits)) != 0;
+    if (!before) return result;
+    result.haveArrived = (before->emptySlices & ~slicesWithout(lit, splits)) != 0;
     if (result.haveArrived) return result;
-    const LitMemory& before = previous->litMemory;
-    result.memory = {before.before, joined(before.since, lit), before.frames + 1};
+    const LitMemory& past = before->lit;
+    result.memory = {past.before, joined(past.since, lit), past.frames + 1};
     if (result.memory.frames < kFramesBeforeMapsGo) return result;
     result.isStretchOver = true;
     result.over = std::move(result.memory.since);
@@ -50,10 +53,9 @@ std::uint64_t slicesWithout(std::span<const DepthSpan> lit, std::span<const doub
 }
 
 std::uint64_t slicesWithoutMap(
-    const Receivers& receivers, std::span<const double> splits, const FramePlan& previous, bool isSameScheme) {
+    const Receivers& receivers, std::span<const double> splits, const SchemeMemory& before, bool isSameScheme) {
     if (receivers.haveArrived) return 0;
-    if (isSameScheme)
-        return previous.emptySlices | (receivers.isStretchOver ? slicesWithout(receivers.over, splits) : 0);
+    if (isSameScheme) return before.emptySlices | (receivers.isStretchOver ? slicesWithout(receivers.over, splits) : 0);
     if (!receivers.memory.before) return 0;
     return slicesWithout(*receivers.memory.before, splits) & slicesWithout(receivers.memory.since, splits);
 }

@@ -6,8 +6,8 @@
 #include "core/convex_volume.h"
 #include "core/depth_span.h"
 #include "core/words.h"
+#include "plan/omission.h"
 #include "shadow/shadow_map.h"
-#include "shadow/warp/orientation.h"
 #include "shadow/warp/warp.h"
 
 #include <array>
@@ -105,28 +105,6 @@ struct ShadowPass {
     bool isReused = false;                // the frame before left just these texels: they are not drawn again
 };
 
-/// At which depths visible surfaces have faced the light of late, for the next frame: maps do not go while receivers
-/// come and go.
-struct LitMemory {
-    std::optional<std::vector<DepthSpan>> before; // over the last whole stretch of frames; nothing: it is not over yet
-    std::vector<DepthSpan> since;                 // over the stretch that goes on; apart and in order, both
-    int frames = 0;                               // that it has gone on for
-};
-
-/// Which scheme a plan came to, for the next frame to hold on to.
-struct SchemeChoice {
-    int slices = 1;
-    bool faces = false;
-    bool lightRoll = true; // about the light, for the least storage
-    bool operator==(const SchemeChoice&) const = default;
-};
-
-/// Something that this view does not call for.
-struct Omission {
-    std::string effect;
-    std::string reason;
-};
-
 /// The plan of a frame.
 struct FramePlan {
     View view;
@@ -135,21 +113,13 @@ struct FramePlan {
     glm::dvec3 towardsLight{0, 1, 0}; // unit, camera space
     double near = 0;                  // the range that shadows are promised for
     double far = 0;
-    bool seesNothing = false; // and the range is any
-    int framesNearIsHeld = 0; // how many frames near has been kept under what the view would allow
-    int framesFarIsHeld = 0;  // likewise far over it, where slices are stabilised
-    std::string nearFrom;     // how they were found
-    std::string farFrom;
+    DepthSource nearFrom = DepthSource::Given;
+    DepthSource farFrom = DepthSource::Given;
     double lightAngleRadians = 0;
     std::vector<double> splits; // of the slices; empty without maps
     bool hasFaces = false;
-    shadow::PartitionSelector selector;                  // which partition owns a point
-    std::vector<int> passOfPartition;                    // by the selector's index; -1: no map
-    std::optional<shadow::OrientationState> orientation; // for the next frame
-    std::optional<SchemeChoice> scheme;                  // likewise
-    int framesDominated = 0;       // for how many frames, this one included, another has been better than it by far
-    LitMemory litMemory;           // likewise
-    std::uint64_t emptySlices = 0; // bit i: slice i goes without a map
+    shadow::PartitionSelector selector; // which partition owns a point
+    std::vector<int> passOfPartition;   // by the selector's index; -1: no map
     std::vector<ShadowPass> passes;
     shadow::Aliasing promised; // the largest over all passes
     double storageFactor = 0;
@@ -160,17 +130,6 @@ struct FramePlan {
     int textureWidth = 0; // of the depth texture; 0 without maps
     int textureHeight = 0;
 };
-
-/// All of space (camera space) that can throw a shadow onto something seen between the depths of `range`.
-ConvexVolume sweptView(const View& view, const DepthSpan& range);
-
-/// The depths that the plan of `view` will lie within, before the hierarchy was asked; nothing if it draws no maps.
-std::optional<DepthSpan> widestRange(const View& view, const Quality& quality, const Box& bounds);
-
-/// The plan for `view` with `quality`; `previous` steadies what must not jump from frame to frame. Throws Error if the
-/// view is impossible.
-FramePlan planFrame(
-    const View& view, const Quality& quality, const SceneFacts& scene, const FramePlan* previous = nullptr);
 
 /// The word for the scheme in the log: "off", "rays", "map", "zp4", "fp", "fp+zp4", with "+w" where a map is warped.
 std::string schemeName(const FramePlan& plan);

@@ -1,11 +1,9 @@
 #include "plan/scheme_choice.h"
 
-#include "core/error.h"
+#include "plan/hysteresis.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 namespace gnomon::plan {
@@ -30,9 +28,9 @@ std::vector<double> splitsOf(const SchemeContext& context, int slices) {
 std::uint64_t emptySlicesOf(const SchemeContext& context, int slices) {
     if (!context.scene->light) return 0;
     const std::vector<double> splits = splitsOf(context, slices);
-    if (context.previous == nullptr || context.ignoreHistory) return slicesWithout(context.scene->light->lit, splits);
-    const bool isSame = context.previous->scheme->slices == slices;
-    return slicesWithoutMap(context.receivers, splits, *context.previous, isSame);
+    if (!context.before || context.ignoreHistory) return slicesWithout(context.scene->light->lit, splits);
+    const bool isSame = context.before->choice.slices == slices;
+    return slicesWithoutMap(context.receivers, splits, *context.before, isSame);
 }
 
 shadow::ShadowOptions optionsOf(const SchemeContext& context, const SchemeChoice& choice) {
@@ -51,7 +49,8 @@ shadow::ShadowOptions optionsOf(const SchemeContext& context, const SchemeChoice
 }
 
 shadow::ShadowMapSetup setupOf(const SchemeContext& context, const shadow::ShadowOptions& options) {
-    const auto orientation = context.previous != nullptr ? context.previous->orientation : std::nullopt;
+    std::optional<shadow::OrientationState> orientation;
+    if (context.before) orientation = context.before->orientation;
     return shadow::shadowMapSetup(context.view, options, orientation);
 }
 
@@ -77,12 +76,6 @@ std::uint64_t casterSum(const SchemeCandidate& candidate) {
     return sum;
 }
 
-std::string percent(double share) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.1f%%", share * 100);
-    return text.data();
-}
-
 /// Whether faces are worth it where the slices are given: by what they promise with the texels that are left when
 /// their further caster triangles are bought. `gain` is by what share they lower the promise.
 bool areFacesWorthIt(
@@ -96,7 +89,7 @@ bool areFacesWorthIt(
     atSameCost.options.texels = budget - extra * kTexelsPerTriangle;
     completeCandidate(context, atSameCost);
     gain = 1 - atSameCost.promise() / whole.promise();
-    const bool isHeld = context.previous != nullptr && context.previous->scheme->faces;
+    const bool isHeld = context.before && context.before->choice.faces;
     return atSameCost.promise() <= whole.promise() * (isHeld ? kStillWorthwhile : kWorthwhile);
 }
 
@@ -108,9 +101,10 @@ SchemeCandidate chosenFaces(
     double gain = 0;
     if (!faces.setup.maps.empty() && areFacesWorthIt(context, whole, faces, gain)) return faces;
     omitted.push_back(
-        {"face partitions",
-         gain > 0 ? "at the same cost they would lower the promise by " + percent(gain) + ", less than 5%"
-                  : "at the same cost they would not lower the promise"});
+        {Effect::FacePartitions,
+         gain > 0 ? OmissionReason::GainTooSmall : OmissionReason::NoGain,
+         0,
+         std::max(0.0, gain)});
     return whole;
 }
 
@@ -129,14 +123,14 @@ bool dominates(const SchemeCandidate& best, const SchemeCandidate& before) {
 std::optional<SchemeCandidate> held(
     const SchemeContext& context, const std::vector<SchemeCandidate>& candidates, const SchemeCandidate& best) {
     // Where maps have to come, they may come with another scheme as well.
-    if (context.previous == nullptr || context.receivers.haveArrived) return std::nullopt;
-    const SchemeChoice& before = *context.previous->scheme;
+    if (!context.before || context.receivers.haveArrived) return std::nullopt;
+    const SchemeChoice& before = context.before->choice;
     const auto same = std::find_if(candidates.begin(), candidates.end(), [&](const SchemeCandidate& a) {
         return a.choice.slices == before.slices && a.choice.faces == before.faces;
     });
     if (same == candidates.end() || same->keepsPromise != best.keepsPromise) return std::nullopt;
     SchemeCandidate result = *same;
-    result.framesDominated = dominates(best, *same) ? context.previous->framesDominated + 1 : 0;
+    result.framesDominated = dominates(best, *same) ? context.before->framesDominated + 1 : 0;
     if (result.framesDominated >= kFramesBeforeSchemeGoes) return std::nullopt;
     return result;
 }
@@ -145,8 +139,8 @@ std::optional<SchemeCandidate> held(
 /// to change changes the number of maps the least.
 SchemeCandidate nearestInMaps(
     const SchemeContext& context, const std::vector<SchemeCandidate>& candidates, const SchemeCandidate& best) {
-    if (context.previous == nullptr) return best;
-    const auto maps = static_cast<std::ptrdiff_t>(context.previous->passes.size());
+    if (!context.before) return best;
+    const auto maps = static_cast<std::ptrdiff_t>(context.before->maps);
     const auto change = [&](const SchemeCandidate& a) {
         return std::abs(static_cast<std::ptrdiff_t>(a.setup.maps.size()) - maps);
     };
@@ -172,8 +166,7 @@ std::vector<SchemeCandidate> candidatesOf(const SchemeContext& context, const st
 std::vector<SchemeCandidate> bestCandidates(const SchemeContext& context, const std::vector<SchemeChoice>& choices) {
     const auto keepsPromise = [](const SchemeCandidate& candidate) { return candidate.keepsPromise; };
     std::vector<SchemeCandidate> candidates = candidatesOf(context, choices);
-    if (context.previous == nullptr || std::any_of(candidates.begin(), candidates.end(), keepsPromise))
-        return candidates;
+    if (!context.before || std::any_of(candidates.begin(), candidates.end(), keepsPromise)) return candidates;
     SchemeContext now = context;
     now.ignoreHistory = true;
     std::vector<SchemeCandidate> bare;
@@ -205,17 +198,15 @@ SchemeCandidate inWorthwhileOrientation(
     SchemeCandidate plain = evaluate(context, plainChoice);
     // What the roll is worth once it is reached: from frame to frame it is only approached.
     SchemeContext afresh = context;
-    afresh.previous = nullptr;
+    afresh.before.reset();
     SchemeCandidate rolled = plain;
     rolled.options.chosenOrientation = true;
     completeCandidate(afresh, rolled);
-    const bool isHeld = context.previous != nullptr && context.previous->scheme->lightRoll;
+    const bool isHeld = context.before && context.before->choice.lightRoll;
     const bool isWorthIt = rolled.promise() <= plain.promise() * (isHeld ? kStillWorthwhile : kWorthwhile);
     if (isWorthIt || plain.keepsPromise != chosen.keepsPromise) return chosen;
     omitted.push_back(
-        {"orientation",
-         "a roll about the light would lower the promise by " +
-             percent(std::max(0.0, 1 - rolled.promise() / plain.promise())) + ", less than 5%"});
+        {Effect::Orientation, OmissionReason::GainTooSmall, 0, std::max(0.0, 1 - rolled.promise() / plain.promise())});
     plain.framesDominated = chosen.framesDominated;
     plain.texelsThatWouldDo = lesserTexels(plain.texelsThatWouldDo, chosen.texelsThatWouldDo);
     return plain;
@@ -236,9 +227,9 @@ std::uint64_t trianglesIn(
 
 Receivers receiversOf(const SchemeContext& context) {
     if (!context.scene->light) return {};
-    if (context.previous == nullptr) return receiversNow(context.scene->light->lit, nullptr, {});
-    const std::vector<double> splits = splitsOf(context, context.previous->scheme->slices);
-    return receiversNow(context.scene->light->lit, context.previous, splits);
+    if (!context.before) return receiversNow(context.scene->light->lit, std::nullopt, {});
+    const std::vector<double> splits = splitsOf(context, context.before->choice.slices);
+    return receiversNow(context.scene->light->lit, context.before, splits);
 }
 
 SchemeCandidate evaluate(const SchemeContext& context, const SchemeChoice& choice) {
@@ -284,11 +275,11 @@ SchemeCandidate chosenScheme(const SchemeContext& context, std::vector<Omission>
     const std::vector<SchemeChoice> choices = openChoices(context);
     SchemeCandidate chosen = quality.zPartitions ? chosenFaces(context, choices, omitted) : bestOf(context, choices);
     if (!quality.zPartitions && quality.facePartitions == Choice::Auto && !chosen.choice.faces && !quality.stabilize)
-        omitted.push_back({"face partitions", "without them the promise costs less, or is lower by 5% at least"});
+        omitted.push_back({Effect::FacePartitions, OmissionReason::BetterWithout});
     if (quality.stabilize) {
-        omitted.push_back({"orientation", "stabilised slices keep that of the world"});
+        omitted.push_back({Effect::Orientation, OmissionReason::SlicesStabilized});
     } else if (chosen.choice.faces && !chosen.setup.selector.faces.empty()) {
-        omitted.push_back({"orientation", "the maps of faces follow their edges"});
+        omitted.push_back({Effect::Orientation, OmissionReason::FacesGiveIt});
     } else {
         chosen = inWorthwhileOrientation(context, std::move(chosen), omitted);
     }

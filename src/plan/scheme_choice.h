@@ -16,9 +16,9 @@ struct SchemeContext {
     CameraBasis basis;
     Quality quality;
     const SceneFacts* scene = nullptr;
-    const FramePlan* previous = nullptr; // with maps
-    Receivers receivers;                 // after it
-    bool ignoreHistory = false;          // slices are empty where nothing in this very frame needs them
+    std::optional<SchemeMemory> before; // of the frame before, if it had a scheme
+    Receivers receivers;                // after it
+    bool ignoreHistory = false;         // slices are empty where nothing in this very frame needs them
 };
 
 /// A scheme worked out.
@@ -30,7 +30,7 @@ struct SchemeCandidate {
     std::uint64_t cost = 0;                     // see kTexelsPerTriangle
     std::uint64_t texelsThatWouldDo = 0;        // to keep quality.maxAliasing; 0: none
     bool keepsPromise = false;
-    int framesDominated = 0; // see FramePlan
+    int framesDominated = 0; // see SchemeMemory
 
     double promise() const { return setup.worst().worst(); }
 };
@@ -40,21 +40,6 @@ constexpr std::uint64_t kTexelsPerTriangle = 16;
 
 /// The most slices that `auto` considers.
 constexpr int kMostSlices = 12;
-
-/// An effect has to lower the promise to this share of what it is without it.
-constexpr double kWorthwhile = 0.95;
-/// And is kept from frame to frame while it lowers it to this share.
-constexpr double kStillWorthwhile = 0.99;
-
-/// How much cheaper than the frame before's a scheme must be to take its place.
-constexpr double kCheaper = 0.75;
-
-/// How much lower another's promise must be to take its place where none keeps what was asked.
-constexpr double kLower = 0.85;
-
-/// How many frames in a row another must be better by so much before it takes that place; a promise that would be
-/// broken waits for nothing.
-constexpr int kFramesBeforeSchemeGoes = 96;
 
 /// `choice` worked out. Where the number of slices is left open it takes no more texels than the promise asks for, in
 /// quantised steps of 2^(1/4); else all of the budget.

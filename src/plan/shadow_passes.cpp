@@ -20,46 +20,45 @@ bool reachesBefore(const ShadowPass& pass, const CameraBasis& basis, const Scene
     return trianglesIn(before, basis, scene.light->casters) > 0;
 }
 
-std::string warpReason(const FramePlan& plan) {
-    if (plan.quality.stabilize) return "stabilised slices are unwarped";
-    if (plan.quality.warp.rule == shadow::WarpRule::None) return "switched off";
-    return "it would not lower the promise under this light";
+OmissionReason warpReason(const Quality& quality) {
+    if (quality.stabilize) return OmissionReason::SlicesStabilized;
+    if (quality.warp.rule == shadow::WarpRule::None) return OmissionReason::SwitchedOff;
+    return OmissionReason::NoGain;
 }
 
 /// A line for each effect that the maps go without and that no choice has spoken of.
-void explainOmissions(FramePlan& plan) {
+void explainOmissions(FramePlan& plan, std::uint64_t emptySlices) {
     std::vector<Omission>& omitted = plan.omitted;
+    const Quality& quality = plan.quality;
     for (std::size_t i = 0; i + 1 < plan.splits.size(); ++i)
-        if ((plan.emptySlices >> i & 1U) != 0)
-            omitted.push_back({"map of slice " + std::to_string(i), "nothing that is seen in it faces the light"});
-    const bool isFaceLeft = plan.quality.facePartitions == Choice::On && !plan.hasFaces;
-    if (plan.quality.facePartitions != Choice::Off && plan.quality.stabilize) {
-        omitted.push_back({"face partitions", "stabilised slices are whole"});
-    } else if (plan.quality.facePartitions == Choice::Off) {
-        omitted.push_back({"face partitions", "switched off"});
-    } else if (isFaceLeft) {
-        omitted.push_back({"face partitions", "the light grazes every face of the view"});
-    }
+        if ((emptySlices >> i & 1U) != 0) omitted.push_back({Effect::MapOfSlice, OmissionReason::NothingFacesLight, i});
+    if (quality.facePartitions != Choice::Off && quality.stabilize)
+        omitted.push_back({Effect::FacePartitions, OmissionReason::SlicesStabilized});
+    else if (quality.facePartitions == Choice::Off)
+        omitted.push_back({Effect::FacePartitions, OmissionReason::SwitchedOff});
+    else if (quality.facePartitions == Choice::On && !plan.hasFaces)
+        omitted.push_back({Effect::FacePartitions, OmissionReason::LightGrazesFaces});
     if (plan.splits.size() == 2)
         omitted.push_back(
-            {"z-partitions", plan.quality.zPartitions ? "switched off" : "a single slice is best at this promise"});
+            {Effect::ZPartitions,
+             quality.zPartitions ? OmissionReason::SwitchedOff : OmissionReason::OneSliceSuffices});
     const auto isWarped = [](const ShadowPass& pass) { return pass.map.warped.kappa > 0; };
-    if (std::none_of(plan.passes.begin(), plan.passes.end(), isWarped)) omitted.push_back({"warp", warpReason(plan)});
-    if (!plan.quality.stabilize) {
-        omitted.push_back({"stabilisation", "switched off"});
-        omitted.push_back({"reuse of maps", "only stabilised ones stay where they are while the camera moves"});
+    if (std::none_of(plan.passes.begin(), plan.passes.end(), isWarped))
+        omitted.push_back({Effect::Warp, warpReason(quality)});
+    if (!quality.stabilize) {
+        omitted.push_back({Effect::Stabilization, OmissionReason::SwitchedOff});
+        omitted.push_back({Effect::MapReuse, OmissionReason::NotStabilized});
     }
-    if (plan.quality.filter == 0)
-        omitted.push_back({"filter", "switched off; its kernel would widen the texels, and so raise the promise"});
+    if (quality.filter == 0) omitted.push_back({Effect::Filter, OmissionReason::SwitchedOff});
     const auto clamps = [](const ShadowPass& pass) { return pass.clampsDepth; };
     if (std::none_of(plan.passes.begin(), plan.passes.end(), clamps))
-        omitted.push_back({"depth clamp", "no caster is nearer to the light than its map begins"});
-    if (!plan.quality.cullCasters) omitted.push_back({"partition culling", "switched off"});
+        omitted.push_back({Effect::DepthClamp, OmissionReason::NoCasterBeforeMaps});
+    if (!quality.cullCasters) omitted.push_back({Effect::PartitionCulling, OmissionReason::SwitchedOff});
 }
 
 } // namespace
 
-void planShadowPasses(FramePlan& plan, const SceneFacts& scene, const FramePlan* previous) {
+SchemeMemory planShadowPasses(FramePlan& plan, const SceneFacts& scene, const std::optional<SchemeMemory>& before) {
     SchemeContext context;
     context.view.frustum = {plan.near, plan.far, plan.view.camera.fovYRadians / 2, plan.view.aspect()};
     context.view.towardsLight = plan.towardsLight;
@@ -69,21 +68,16 @@ void planShadowPasses(FramePlan& plan, const SceneFacts& scene, const FramePlan*
     context.basis = plan.basis;
     context.quality = plan.quality;
     context.scene = &scene;
-    if (previous != nullptr && previous->scheme) context.previous = previous;
+    context.before = before;
     context.receivers = receiversOf(context);
     const SchemeCandidate chosen = chosenScheme(context, plan.omitted);
     const shadow::ShadowMapSetup& setup = chosen.setup;
-    plan.scheme = chosen.choice;
-    plan.framesDominated = chosen.framesDominated;
     plan.cost = chosen.cost;
     plan.texelsThatWouldDo = chosen.texelsThatWouldDo;
     plan.promiseKept = chosen.keepsPromise || plan.quality.zPartitions;
     plan.selector = setup.selector;
     plan.splits = setup.selector.splits;
-    plan.emptySlices = chosen.options.emptySlices;
-    plan.litMemory = context.receivers.memory;
     plan.hasFaces = !setup.selector.faces.empty();
-    plan.orientation = setup.orientation;
     plan.textureWidth = setup.textureWidth;
     plan.textureHeight = setup.textureHeight;
     for (const std::size_t map : setup.mapOfPartition)
@@ -99,7 +93,14 @@ void planShadowPasses(FramePlan& plan, const SceneFacts& scene, const FramePlan*
             pass.map.promised.x * pass.map.promised.z * (texels.s / plan.view.height) * (texels.t / plan.view.height);
     }
     plan.promised = {setup.worst().x, setup.worst().z};
-    explainOmissions(plan);
+    explainOmissions(plan, chosen.options.emptySlices);
+    return {
+        chosen.choice,
+        setup.orientation,
+        chosen.options.emptySlices,
+        plan.passes.size(),
+        context.receivers.memory,
+        chosen.framesDominated};
 }
 
 } // namespace gnomon::plan

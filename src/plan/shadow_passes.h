@@ -2,10 +2,12 @@
 #pragma once
 
 #include "plan/frame_plan.h"
+#include "plan/plan_memory.h"
 
 namespace gnomon::plan {
 
-/// Fills the splits, passes, promise and texture of `plan`, whose view, quality, light and depth range are set.
-void planShadowPasses(FramePlan& plan, const SceneFacts& scene, const FramePlan* previous);
+/// Fills the splits, passes, promise and texture of `plan`, whose view, quality, light and depth range are set;
+/// `before` is the memory of the frame before, and that of this one is returned.
+SchemeMemory planShadowPasses(FramePlan& plan, const SceneFacts& scene, const std::optional<SchemeMemory>& before);
 
 } // namespace gnomon::plan

@@ -58,11 +58,11 @@ ShadowTruth truthOfSameDetail(
 /// Draws the frame before `now` once more: a plan is steady when its own view comes again. `maps` are those of `now`.
 Crawl crawlSince(
     frame::Renderer& renderer,
-    const std::shared_ptr<const plan::FramePlan>& before,
+    const std::shared_ptr<const plan::PlannedFrame>& before,
     const executor::FrameDrawing& now,
     const executor::FloatPicture& maps) {
     const frame::PreparedFrame prepared =
-        renderer.prepare(before->view, before->quality, frame::Waiting::UntilComplete, before);
+        renderer.prepare(before->plan.view, before->plan.quality, frame::Waiting::UntilComplete, before);
     frame::FrameOptions options;
     options.wantsSurfaces = true;
     const executor::FrameDrawing then = renderer.drawing(prepared, options);
@@ -77,7 +77,7 @@ FrameProof prove(frame::Renderer& renderer, const frame::Frame& frame, const Pro
     const bool hasMaps = !frame.plan.passes.empty();
     const bool hasOracle = options.oracle != Oracle::None && hasMaps;
     const bool isMeasured = options.measuresAliasing && hasMaps;
-    const bool hasCrawl = options.measuresCrawl && hasMaps && frame.before && !frame.before->passes.empty();
+    const bool hasCrawl = options.measuresCrawl && hasMaps && frame.before && !frame.before->plan.passes.empty();
     FrameProof proof;
     if (frame.options.observerCamera || !(hasOracle || isMeasured || hasCrawl || options.comparesWithFinest))
         return proof;

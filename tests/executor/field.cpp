@@ -1,6 +1,7 @@
 #include "tests/executor/field.h"
 
 #include "core/random.h"
+#include "plan/plan_frame.h"
 
 #include <algorithm>
 #include <array>
@@ -68,7 +69,7 @@ plan::FramePlan Field::plan(const plan::View& view, const plan::Quality& quality
     plan::SceneFacts facts;
     facts.bounds = model_.summary.bounds;
     facts.visible = {1, 120, true};
-    return plan::planFrame(view, quality, facts);
+    return plan::planFrame(view, quality, facts).plan;
 }
 
 plan::Quality fieldQuality(std::uint64_t seed) {

@@ -1,6 +1,7 @@
 // Scenes in words, and the effects that a frame's plan keeps and drops in each.
 #include "frame/drawn_model.h"
 #include "hierarchy/scene_mesh.h"
+#include "settings/plan_sentences.h"
 
 #include <gtest/gtest.h>
 
@@ -12,13 +13,23 @@ namespace {
 
 using tests::SceneMesh;
 
+using plan::Effect;
+
+/// An effect, and of which slice it is.
+struct Part {
+    Part(Effect whole, std::size_t ofSlice = 0) : effect(whole), slice(ofSlice) {}
+
+    Effect effect;
+    std::size_t slice;
+};
+
 /// A scene, who looks at it how, and what the plan must make of it.
 struct Row {
     const char* words;
     std::function<void(SceneMesh&)> build;
     std::function<void(plan::View&, plan::Quality&)> look;
-    std::vector<std::string> kept;
-    std::vector<std::string> dropped;
+    std::vector<Part> kept;
+    std::vector<Part> dropped;
 };
 
 void plain(SceneMesh& scene) {
@@ -54,19 +65,19 @@ void noon(View& view, Quality&) {
 
 const std::vector<Row>& rows() { // NOLINT(readability-function-size): a table
     static const std::vector<Row> table = {
-        {"a bare plain at noon: nothing stands between it and the sun", plain, noon, {}, {"shadow maps"}},
+        {"a bare plain at noon: nothing stands between it and the sun", plain, noon, {}, {Effect::ShadowMaps}},
         {"a crate on the plain at noon",
          crateOnPlain,
          noon,
-         {"shadow maps", "warp", "z-partitions", "partition culling"},
-         {"face partitions", "stabilisation", "filter"}},
+         {Effect::ShadowMaps, Effect::Warp, Effect::ZPartitions, Effect::PartitionCulling},
+         {Effect::FacePartitions, Effect::Stabilization, Effect::Filter}},
         {"a bare plain, the sun below the horizon",
          plain,
          [](View& view, Quality&) {
              view.towardsLight = {0.3, -1, 0.2};
          },
          {},
-         {"shadow maps"}},
+         {Effect::ShadowMaps}},
         {"a crate on the plain from above, the sun straight below: no side that is seen faces it",
          crateOnPlain,
          [](View& view, Quality&) {
@@ -74,7 +85,7 @@ const std::vector<Row>& rows() { // NOLINT(readability-function-size): a table
              view.towardsLight = {0, -1, 0};
          },
          {},
-         {"shadow maps"}},
+         {Effect::ShadowMaps}},
         {"a wall filling the view, the sun behind the viewer",
          wall,
          [](View& view, Quality&) {
@@ -82,7 +93,7 @@ const std::vector<Row>& rows() { // NOLINT(readability-function-size): a table
              view.towardsLight = {0.1, 0.3, 1};
          },
          {},
-         {"shadow maps"}},
+         {Effect::ShadowMaps}},
         {"a wall filling the view, the sun behind the wall",
          wall,
          [](View& view, Quality&) {
@@ -90,7 +101,7 @@ const std::vector<Row>& rows() { // NOLINT(readability-function-size): a table
              view.towardsLight = {0.1, 0.3, -1};
          },
          {},
-         {"shadow maps"}},
+         {Effect::ShadowMaps}},
         {"a wall filling the view, a crate behind the viewer between it and the sun",
          [](SceneMesh& scene) {
              wall(scene);
@@ -100,78 +111,78 @@ const std::vector<Row>& rows() { // NOLINT(readability-function-size): a table
              view.camera.target = {0, 2, 0};
              view.towardsLight = {0, 0.3, 1};
          },
-         {"shadow maps", "depth clamp"},
+         {Effect::ShadowMaps, Effect::DepthClamp},
          {}},
         {"the sky alone",
          crateOnPlain,
          [](View& view, Quality&) { view.camera.target = view.camera.eye + glm::dvec3(0, 1, 0.1); },
          {},
-         {"shadow maps"}},
+         {Effect::ShadowMaps}},
         {"shadows switched off",
          crateOnPlain,
          [](View&, Quality& quality) { quality.shadows = plan::ShadowMode::Off; },
          {},
-         {"shadow maps"}},
+         {Effect::ShadowMaps}},
         {"ray-traced shadows",
          crateOnPlain,
          [](View&, Quality& quality) { quality.shadows = plan::ShadowMode::Rays; },
          {},
-         {"shadow maps"}},
+         {Effect::ShadowMaps}},
         {"a crate near, one far, nothing between",
          cratesNearAndFar,
          [](View& view, Quality&) {
              view.towardsLight = {0.3, 1, 0.5};
          },
-         {"shadow maps", "map of slice 0", "map of slice 3"},
-         {"map of slice 1", "map of slice 2"}},
+         {Effect::ShadowMaps, Part{Effect::MapOfSlice, 0}, Part{Effect::MapOfSlice, 3}},
+         {Part{Effect::MapOfSlice, 1}, Part{Effect::MapOfSlice, 2}}},
         {"one slice asked for",
          crateOnPlain,
          [](View&, Quality& quality) { quality.zPartitions = 1; },
-         {"shadow maps"},
-         {"z-partitions"}},
+         {Effect::ShadowMaps},
+         {Effect::ZPartitions}},
         {"the sun exactly behind the viewer: there is no depth to warp",
          cratesNearAndFar,
          [](View& view, Quality&) {
              view.camera.target = view.camera.eye - glm::dvec3(0, 0, 1);
              view.towardsLight = {0, 0, 1};
          },
-         {"shadow maps"},
-         {"warp"}},
+         {Effect::ShadowMaps},
+         {Effect::Warp}},
         {"no warp asked for",
          crateOnPlain,
          [](View&, Quality& quality) { quality.warp.rule = shadow::WarpRule::None; },
-         {"shadow maps", "z-partitions"},
-         {"warp"}},
+         {Effect::ShadowMaps, Effect::ZPartitions},
+         {Effect::Warp}},
         {"stabilised slices",
          crateOnPlain,
          [](View&, Quality& quality) { quality.stabilize = true; },
-         {"shadow maps", "stabilisation"},
-         {"warp", "orientation", "face partitions"}},
+         {Effect::ShadowMaps, Effect::Stabilization},
+         {Effect::Warp, Effect::Orientation, Effect::FacePartitions}},
         {"faces asked for, the sun overhead",
          crateOnPlain,
          [](View& view, Quality& quality) {
              view.towardsLight = {0, 1, 0};
              quality.facePartitions = plan::Choice::On;
          },
-         {"shadow maps", "face partitions"},
-         {"orientation"}},
+         {Effect::ShadowMaps, Effect::FacePartitions},
+         {Effect::Orientation}},
         {"faces left open, stabilised slices",
          crateOnPlain,
          [](View&, Quality& quality) {
              quality.stabilize = true;
              quality.facePartitions = plan::Choice::Auto;
          },
-         {"shadow maps"},
-         {"face partitions"}},
+         {Effect::ShadowMaps},
+         {Effect::FacePartitions}},
         {"culling switched off",
          crateOnPlain,
          [](View&, Quality& quality) { quality.cullCasters = false; },
-         {"shadow maps"},
-         {"partition culling"}},
+         {Effect::ShadowMaps},
+         {Effect::PartitionCulling}},
         {"a filter asked for",
          crateOnPlain,
          [](View&, Quality& quality) { quality.filter = 3; },
-         {"shadow maps", "filter"},
+         {Effect::ShadowMaps, Effect::Filter},
          {}},
         {"a crate in the middle of the view, seen from a crane: all casters lie within the view",
          crateOnPlain,
@@ -181,15 +192,15 @@ const std::vector<Row>& rows() { // NOLINT(readability-function-size): a table
              view.camera.fovYRadians = 0.6;
              view.towardsLight = {0.2, 1, 0.1};
          },
-         {"shadow maps"},
-         {"depth clamp"}},
+         {Effect::ShadowMaps},
+         {Effect::DepthClamp}},
         {"a beam high over the viewer whose shadow falls into the view",
          [](SceneMesh& scene) {
              plain(scene);
              scene.addBox({-20, 300, -1}, {20, 301, 1});
          },
          noon,
-         {"shadow maps", "depth clamp"},
+         {Effect::ShadowMaps, Effect::DepthClamp},
          {}},
         {"a promise that one map keeps",
          crateOnPlain,
@@ -197,8 +208,8 @@ const std::vector<Row>& rows() { // NOLINT(readability-function-size): a table
              quality.zPartitions.reset();
              quality.maxAliasing = 50;
          },
-         {"shadow maps"},
-         {"z-partitions", "face partitions"}},
+         {Effect::ShadowMaps},
+         {Effect::ZPartitions, Effect::FacePartitions}},
         {"a long row of crates, and a promise that one map cannot keep",
          rowOfCrates,
          [](View& view, Quality& quality) {
@@ -206,21 +217,25 @@ const std::vector<Row>& rows() { // NOLINT(readability-function-size): a table
              quality.zPartitions.reset();
              quality.maxAliasing = 4;
          },
-         {"shadow maps", "z-partitions", "warp"},
+         {Effect::ShadowMaps, Effect::ZPartitions, Effect::Warp},
          {}}};
     return table;
 }
 
-bool isDropped(const plan::FramePlan& plan, const std::string& effect) {
+bool isDropped(const plan::FramePlan& plan, const Part& part) {
     return std::any_of(plan.omitted.begin(), plan.omitted.end(), [&](const plan::Omission& omission) {
-        return omission.effect == effect;
+        return omission.effect == part.effect && omission.slice == part.slice;
     });
+}
+
+std::string words(const Part& part) {
+    return settings::effectInWords({part.effect, {}, part.slice});
 }
 
 std::string told(const plan::FramePlan& plan) {
     std::string text;
     for (const plan::Omission& omission : plan.omitted)
-        text += omission.effect + ": " + omission.reason + "\n";
+        text += settings::effectInWords(omission) + ": " + settings::reasonInWords(omission) + "\n";
     return text;
 }
 
@@ -261,10 +276,10 @@ TEST(SceneTable, KeepsAndDropsWhatItSays) {
         Quality quality;
         const View view = viewOf(row, quality);
         const Frame frame = model.draw(view, quality);
-        for (const std::string& effect : row.kept)
-            EXPECT_FALSE(isDropped(frame.plan, effect)) << effect << "\n" << told(frame.plan);
-        for (const std::string& effect : row.dropped)
-            EXPECT_TRUE(isDropped(frame.plan, effect)) << effect << "\n" << told(frame.plan);
+        for (const Part& part : row.kept)
+            EXPECT_FALSE(isDropped(frame.plan, part)) << words(part) << "\n" << told(frame.plan);
+        for (const Part& part : row.dropped)
+            EXPECT_TRUE(isDropped(frame.plan, part)) << words(part) << "\n" << told(frame.plan);
     }
 }
 
@@ -279,7 +294,7 @@ TEST(SceneTable, WhatIsDroppedCostsNothingAndIsNotMissed) {
         Quality quality;
         const View view = viewOf(row, quality);
         const Frame frame = model.draw(view, quality);
-        if (!isDropped(frame.plan, "shadow maps") || quality.shadows == plan::ShadowMode::Rays) continue;
+        if (!isDropped(frame.plan, Effect::ShadowMaps) || quality.shadows == plan::ShadowMode::Rays) continue;
         ++dropped;
         const executor::Picture picture = model.executor().picture();
         EXPECT_TRUE(model.executor().shadowDepth().pixels.empty());

@@ -1,6 +1,8 @@
 // The plan that `--z-partitions auto` comes to, against working out every plan and taking the best; and how steady it
 // is from frame to frame.
 #include "made_scene.h"
+#include "plan/hysteresis.h"
+#include "plan/scheme_choice.h"
 
 #include <gtest/gtest.h>
 
@@ -112,12 +114,12 @@ void expectTheBest(std::uint64_t first, std::uint64_t count, Outcome& outcome) {
         const MadeScene scene(seed % 20);
         const View view = madeView(seed);
         const SceneFacts facts = scene.facts(view);
-        const FramePlan plan = planFrame(view, autoQuality(seed), facts);
+        const auto [plan, memory] = planFrame(view, autoQuality(seed), facts);
         if (plan.passes.empty()) continue;
         const Tally best = bestOfAll(contextOf(plan, facts));
-        ASSERT_TRUE(plan.scheme);
-        EXPECT_EQ(plan.scheme->slices, best.choice.slices);
-        EXPECT_EQ(plan.scheme->faces, best.choice.faces);
+        ASSERT_TRUE(memory.scheme);
+        EXPECT_EQ(memory.scheme->choice.slices, best.choice.slices);
+        EXPECT_EQ(memory.scheme->choice.faces, best.choice.faces);
         EXPECT_EQ(plan.promiseKept, best.promise <= plan.quality.maxAliasing);
         const std::uint64_t budget = static_cast<std::uint64_t>(plan.quality.shadowTexelsWidth) *
                                      static_cast<std::uint64_t>(plan.quality.shadowTexelsHeight);
@@ -153,12 +155,12 @@ TEST(AutoPlan, TexelsThatWouldDoDo) {
         Quality quality = autoQuality(seed);
         quality.facePartitions = Choice::Off;
         quality.maxAliasing /= 4;
-        const FramePlan without = planFrame(view, quality, facts);
+        const FramePlan without = planFrame(view, quality, facts).plan;
         if (without.promiseKept || without.texelsThatWouldDo == 0) continue;
         if (without.texelsThatWouldDo > (std::uint64_t{1} << 26U)) continue;
         quality.shadowTexelsWidth = static_cast<int>(without.texelsThatWouldDo);
         quality.shadowTexelsHeight = 1;
-        EXPECT_TRUE(planFrame(view, quality, facts).promiseKept) << seed;
+        EXPECT_TRUE(planFrame(view, quality, facts).plan.promiseKept) << seed;
         ++tried;
     }
     EXPECT_GT(tried, 5);
@@ -170,11 +172,11 @@ struct Changes {
     int unforced = 0; // less those that draw none because nothing is lit, or keep a promise that would be broken
 };
 
-bool wouldBreakItsPromise(const FramePlan& previous, const FramePlan& plan, const SceneFacts& facts) {
+bool wouldBreakItsPromise(const PlanMemory& previous, const FramePlan& plan, const SceneFacts& facts) {
     SchemeContext context = contextOf(plan, facts);
-    context.previous = &previous;
+    context.before = previous.scheme;
     context.receivers = receiversOf(context);
-    return plan.promiseKept && !evaluate(context, *previous.scheme).keepsPromise;
+    return plan.promiseKept && !evaluate(context, previous.scheme->choice).keepsPromise;
 }
 
 /// While the camera turns by ten degrees in 200 frames.
@@ -184,7 +186,7 @@ Changes changesInASlowTurn(std::uint64_t seed) {
     const glm::dvec3 ahead = view.camera.target - view.camera.eye;
     Quality quality = autoQuality(seed);
     quality.facePartitions = Choice::Off;
-    std::optional<FramePlan> previous;
+    PlannedFrame previous;
     Changes changes;
     for (int frame = 0; frame < 200; ++frame) {
         const double yaw = frame / 200.0 * 10 * 0.017453292519943295;
@@ -192,13 +194,13 @@ Changes changesInASlowTurn(std::uint64_t seed) {
         const double along = std::cos(yaw) * ahead.z - std::sin(yaw) * ahead.x;
         view.camera.target = view.camera.eye + glm::dvec3(across, ahead.y, along);
         const SceneFacts facts = scene.facts(view);
-        FramePlan plan = planFrame(view, quality, facts, previous ? &*previous : nullptr);
-        if (previous && previous->passes.size() != plan.passes.size()) {
+        PlannedFrame now = planFrame(view, quality, facts, previous.memory);
+        if (frame > 0 && previous.plan.passes.size() != now.plan.passes.size()) {
             ++changes.all;
-            const bool isDark = previous->passes.empty() || plan.passes.empty();
-            if (!isDark && !wouldBreakItsPromise(*previous, plan, facts)) ++changes.unforced;
+            const bool isDark = previous.plan.passes.empty() || now.plan.passes.empty();
+            if (!isDark && !wouldBreakItsPromise(previous.memory, now.plan, facts)) ++changes.unforced;
         }
-        previous = std::move(plan);
+        previous = std::move(now);
     }
     return changes;
 }
@@ -224,29 +226,12 @@ TEST(FramePlan, IsTheSameForTheSameArguments) {
     const MadeScene scene(1);
     for (std::uint64_t seed = 0; seed < 10; ++seed) {
         const View view = madeView(seed);
-        const FramePlan a = planFrame(view, autoQuality(seed), scene.facts(view));
-        const FramePlan b = planFrame(view, autoQuality(seed), scene.facts(view));
+        const FramePlan a = planFrame(view, autoQuality(seed), scene.facts(view)).plan;
+        const FramePlan b = planFrame(view, autoQuality(seed), scene.facts(view)).plan;
         ASSERT_EQ(a.passes.size(), b.passes.size());
         for (std::size_t i = 0; i < a.passes.size(); ++i)
             EXPECT_EQ(a.passes[i].map.lightClipFromCamera(), b.passes[i].map.lightClipFromCamera());
     }
-}
-
-TEST(FramePlan, NearFallsAtOnceAndRisesAfterSomeFrames) {
-    const View view = madeView(2);
-    SceneFacts facts;
-    facts.visible = {8, 100, true};
-    const FramePlan first = planFrame(view, {}, facts);
-    EXPECT_EQ(first.near, 8);
-    facts.visible->nearest = 2;
-    FramePlan plan = planFrame(view, {}, facts, &first);
-    EXPECT_EQ(plan.near, 2);
-    facts.visible->nearest = 8;
-    int frames = 0;
-    for (; plan.near < 8 && frames < 100; ++frames)
-        plan = planFrame(view, {}, facts, &plan);
-    EXPECT_GT(frames, 5);
-    EXPECT_LT(frames, 30);
 }
 
 TEST(FramePlan, DrawsNoMapFromTheFrameOnInWhichNothingFacesTheLight) {
@@ -255,13 +240,13 @@ TEST(FramePlan, DrawsNoMapFromTheFrameOnInWhichNothingFacesTheLight) {
     facts.visible = {1, 100, true};
     facts.light = SceneFacts::Light();
     facts.light->lit = {{1, 100}};
-    const FramePlan lit = planFrame(view, {}, facts);
-    ASSERT_FALSE(lit.passes.empty());
+    const PlannedFrame lit = planFrame(view, {}, facts);
+    ASSERT_FALSE(lit.plan.passes.empty());
     facts.light->lit.clear();
-    const FramePlan dark = planFrame(view, {}, facts, &lit);
+    const FramePlan dark = planFrame(view, {}, facts, lit.memory).plan;
     EXPECT_TRUE(dark.passes.empty()) << "no map outlives all of them";
     ASSERT_FALSE(dark.omitted.empty());
-    EXPECT_EQ(dark.omitted.front().reason, "no visible surface faces the light");
+    EXPECT_EQ(dark.omitted.front().reason, OmissionReason::NothingFacesLight);
 }
 
 SceneFacts litBetween(const std::vector<DepthSpan>& lit) {
@@ -276,40 +261,41 @@ TEST(FramePlan, AMapOutlivesItsReceiversByAFewFrames) {
     const View view = madeView(2);
     const SceneFacts all = litBetween({{1, 100}});
     const SceneFacts gap = litBetween({{1, 3}, {12, 100}}); // nothing in the second slice, from 3.2 to 10
-    FramePlan plan = planFrame(view, {}, all);
-    EXPECT_EQ(plan.passes.size(), 4U);
-    EXPECT_EQ(planFrame(view, {}, gap).passes.size(), 3U);
+    PlannedFrame planned = planFrame(view, {}, all);
+    EXPECT_EQ(planned.plan.passes.size(), 4U);
+    EXPECT_EQ(planFrame(view, {}, gap).plan.passes.size(), 3U);
     int frames = 0;
-    for (; plan.passes.size() == 4 && frames < 300; ++frames)
-        plan = planFrame(view, {}, gap, &plan);
-    EXPECT_EQ(plan.passes.size(), 3U);
+    for (; planned.plan.passes.size() == 4 && frames < 300; ++frames)
+        planned = planFrame(view, {}, gap, planned.memory);
+    EXPECT_EQ(planned.plan.passes.size(), 3U);
     EXPECT_GE(frames, kFramesBeforeMapsGo);
     EXPECT_LE(frames, 2 * kFramesBeforeMapsGo);
-    EXPECT_EQ(planFrame(view, {}, all, &plan).passes.size(), 4U) << "a receiver is not to wait for its map";
+    EXPECT_EQ(planFrame(view, {}, all, planned.memory).plan.passes.size(), 4U)
+        << "a receiver is not to wait for its map";
 }
 
 TEST(FramePlan, MapsGoTogetherAndComeTogether) {
     const View view = madeView(2);
-    FramePlan plan = planFrame(view, {}, litBetween({{1, 100}}));
+    PlannedFrame planned = planFrame(view, {}, litBetween({{1, 100}}));
     std::vector<std::size_t> maps{4};
     // The third slice (10 to 32) empties twenty frames after the second.
     for (int frame = 0; frame < 3 * kFramesBeforeMapsGo; ++frame) {
         const SceneFacts facts = frame < 20 ? litBetween({{1, 3}, {12, 100}}) : litBetween({{1, 3}, {40, 100}});
-        plan = planFrame(view, {}, facts, &plan);
-        if (plan.passes.size() != maps.back()) maps.push_back(plan.passes.size());
+        planned = planFrame(view, {}, facts, planned.memory);
+        if (planned.plan.passes.size() != maps.back()) maps.push_back(planned.plan.passes.size());
     }
     EXPECT_EQ(maps, (std::vector<std::size_t>{4, 2}));
-    plan = planFrame(view, {}, litBetween({{1, 3}, {12, 13}, {40, 100}}), &plan);
-    EXPECT_EQ(plan.passes.size(), 4U) << "where one is needed the other is likely to be";
+    planned = planFrame(view, {}, litBetween({{1, 3}, {12, 13}, {40, 100}}), planned.memory);
+    EXPECT_EQ(planned.plan.passes.size(), 4U) << "where one is needed the other is likely to be";
 }
 
 TEST(FramePlan, AReceiverThatComesAndGoesKeepsItsMap) {
     const View view = madeView(2);
-    FramePlan plan = planFrame(view, {}, litBetween({{1, 100}}));
+    PlannedFrame planned = planFrame(view, {}, litBetween({{1, 100}}));
     for (int frame = 0; frame < 5 * kFramesBeforeMapsGo; ++frame) {
         const SceneFacts facts = frame % 40 == 0 ? litBetween({{1, 100}}) : litBetween({{1, 3}, {12, 100}});
-        plan = planFrame(view, {}, facts, &plan);
-        ASSERT_EQ(plan.passes.size(), 4U) << frame;
+        planned = planFrame(view, {}, facts, planned.memory);
+        ASSERT_EQ(planned.plan.passes.size(), 4U) << frame;
     }
 }
 
@@ -318,12 +304,13 @@ TEST(AutoPlan, AStillCameraComesToAPlanAsGoodAsAFirstFrames) {
         const MadeScene scene(seed);
         View view = madeView(seed);
         const Quality quality = autoQuality(seed);
-        FramePlan plan = planFrame(view, quality, scene.facts(view));
+        PlannedFrame planned = planFrame(view, quality, scene.facts(view));
         view.camera.target.x += 0.1;
         const SceneFacts facts = scene.facts(view);
         for (int frame = 0; frame < 4 * kFramesBeforeMapsGo; ++frame)
-            plan = planFrame(view, quality, facts, &plan);
-        const FramePlan first = planFrame(view, quality, facts);
+            planned = planFrame(view, quality, facts, planned.memory);
+        const FramePlan& plan = planned.plan;
+        const FramePlan first = planFrame(view, quality, facts).plan;
         ASSERT_EQ(plan.promiseKept, first.promiseKept) << seed;
         const auto worst = [](const FramePlan& p) { return std::max(p.promised.x, p.promised.z); };
         const bool isAsGood = plan.promiseKept

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/random.h"
-#include "plan/scheme_choice.h"
+#include "plan/plan_frame.h"
 
 #include <algorithm>
 #include <cmath>

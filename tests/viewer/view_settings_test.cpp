@@ -1,4 +1,6 @@
 // The steps of the keys, the graph's medians, the messages and the words.
+#include "plan/plan_frame.h"
+#include "settings/plan_sentences.h"
 #include "viewer/messages.h"
 #include "viewer/panel/frame_history.h"
 #include "viewer/panel/plan_words.h"
@@ -76,7 +78,7 @@ TEST(PlanWords, SayWhatIsPlannedAndWhatIsLeftOut) {
     plan::SceneFacts facts;
     facts.bounds = {{-10, -2, -10}, {10, 2, 10}};
     facts.visible = {18, 44, true};
-    const plan::FramePlan plan = plan::planFrame(view, {}, facts);
+    const plan::FramePlan plan = plan::planFrame(view, {}, facts).plan;
     telemetry::FrameRow row;
     row.promisedAliasingX = 1.25;
     row.promisedAliasingZ = 2.5;
@@ -88,7 +90,7 @@ TEST(PlanWords, SayWhatIsPlannedAndWhatIsLeftOut) {
     EXPECT_NE(all.find("promised aliasing 1.25 across, 2.5 along"), std::string::npos) << all;
     EXPECT_NE(all.find("measured aliasing: not yet"), std::string::npos) << all;
     for (const plan::Omission& omission : plan.omitted)
-        EXPECT_NE(all.find(omission.reason), std::string::npos) << all;
+        EXPECT_NE(all.find(settings::reasonInWords(omission)), std::string::npos) << all;
     row.measuredAliasing = 2.25;
     EXPECT_NE(testing::PrintToString(planInWords(plan, row)).find("measured aliasing 2.25"), std::string::npos);
 }

@@ -1,6 +1,7 @@
 #include "viewer/panel/plan_words.h"
 
 #include "core/units.h"
+#include "settings/plan_sentences.h"
 
 #include <array>
 #include <cstdarg>
@@ -54,7 +55,7 @@ std::vector<std::string> planInWords(const plan::FramePlan& plan, const telemetr
         lines.emplace_back("measured aliasing: not yet");
     if (row.wrongShadowFraction) lines.push_back(text("measured %.3g%% wrong", 100 * *row.wrongShadowFraction));
     for (const plan::Omission& omission : plan.omitted)
-        lines.push_back("without " + omission.effect + ": " + omission.reason);
+        lines.push_back("without " + settings::effectInWords(omission) + ": " + settings::reasonInWords(omission));
     return lines;
 }
 

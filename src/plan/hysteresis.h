@@ -1,0 +1,31 @@
+// Every threshold that keeps a plan steady from frame to frame: for how long, and by how much, before something
+// changes. (How fast a map may roll about the light is shadow's: shadow/warp/orientation.h.)
+#pragma once
+
+namespace gnomon::plan {
+
+/// How many frames in a row must allow a higher near, or with stabilised slices a lower far, before it moves there. The
+/// other way it moves at once.
+inline constexpr int kFramesBeforeNearRises = 12;
+
+/// The frames after which the slices that have been empty all the while lose their maps, all at once. A receiver in a
+/// slice without a map begins them anew.
+inline constexpr int kFramesBeforeMapsGo = 96;
+
+/// How many frames in a row another scheme must dominate before it takes the place of that of the frame before; a
+/// promise that would be broken waits for nothing.
+inline constexpr int kFramesBeforeSchemeGoes = 96;
+
+/// A scheme dominates another where it costs less than this share of it.
+inline constexpr double kCheaper = 0.75;
+
+/// And, where none keeps what was asked, promises less than this share of what the other promises.
+inline constexpr double kLower = 0.85;
+
+/// An effect has to lower the promise to this share of what it is without it.
+inline constexpr double kWorthwhile = 0.95;
+
+/// And is kept from frame to frame while it lowers it to this share.
+inline constexpr double kStillWorthwhile = 0.99;
+
+} // namespace gnomon::plan

@@ -1,0 +1,62 @@
+// What a view does not call for, and why: for programs to compare; sentences are made where they are shown.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace gnomon::plan {
+
+/// What a plan can go without.
+enum class Effect : std::uint8_t {
+    ShadowMaps,
+    MapOfSlice, // one slice's
+    FacePartitions,
+    ZPartitions,
+    Warp,
+    Orientation, // chosen about the light
+    Stabilization,
+    MapReuse,
+    Filter,
+    DepthClamp,
+    PartitionCulling,
+};
+
+enum class OmissionReason : std::uint8_t {
+    SwitchedOff,
+    RayTraced,          // shadows are
+    NothingInView,      //
+    NothingFacesLight,  // of what is seen in the view, or in the slice
+    NoCasterInReach,    // of a visible surface
+    SlicesStabilized,   // which rules the effect out
+    NotStabilized,      // which the effect needs
+    LightGrazesFaces,   // every one of the view
+    FacesGiveIt,        // the maps of faces follow their edges
+    GainTooSmall,       // Omission::gain is less than 1 - kWorthwhile
+    NoGain,             // the promise would not be lower
+    BetterWithout,      // cheaper where the promise is kept, or lower by 1 - kWorthwhile
+    OneSliceSuffices,   // it is the best at this promise
+    NoCasterBeforeMaps, // all lie within their depths
+};
+
+/// Something that this view does not call for.
+struct Omission {
+    Effect effect = Effect::ShadowMaps;
+    OmissionReason reason = OmissionReason::SwitchedOff;
+    std::size_t slice = 0; // of MapOfSlice
+    double gain = 0;       // of GainTooSmall: the share by which it would lower the promise
+
+    bool operator==(const Omission&) const = default;
+};
+
+/// Where an end of the depth range comes from.
+enum class DepthSource : std::uint8_t {
+    Given,
+    NearestSurface, // in view
+    FarthestSurface,
+    ModelBounds, // the hierarchy was not asked yet
+    Floor,       // what is nearer is not promised for
+    Held,        // from the frame before
+    NothingInView,
+};
+
+} // namespace gnomon::plan

@@ -1,0 +1,92 @@
+#include "plan/plan_frame.h"
+
+#include "core/angle.h"
+#include "core/error.h"
+#include "plan/depth_range.h"
+#include "plan/shadow_passes.h"
+#include "shadow/caster_volume.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gnomon::plan {
+
+namespace {
+
+void requireValid(const View& view) {
+    const double degrees = degreesFromRadians(view.camera.fovYRadians);
+    if (view.width < 1 || view.height < 1)
+        throw Error(
+            "image size",
+            "an image has pixels",
+            "at least 1x1",
+            std::to_string(view.width) + "x" + std::to_string(view.height));
+    if (!(degrees > 0 && degrees < 180))
+        throw Error(
+            "vertical angle", "this angle is impossible", "above 0 and below 180 degrees", std::to_string(degrees));
+    const double lightLength = glm::length(view.towardsLight);
+    if (!(lightLength > 0) || !std::isfinite(lightLength))
+        throw Error("light direction", "this is no direction", "a finite length above 0", std::to_string(lightLength));
+}
+
+/// Why this view calls for no map at all; nothing if it does.
+std::optional<OmissionReason> reasonForNoMaps(
+    const Quality& quality, const SceneFacts& scene, const DepthRange& range) {
+    if (quality.shadows == ShadowMode::Off) return OmissionReason::SwitchedOff;
+    if (quality.shadows == ShadowMode::Rays) return OmissionReason::RayTraced;
+    if (range.isEmpty) return OmissionReason::NothingInView;
+    if (scene.light && scene.light->lit.empty()) return OmissionReason::NothingFacesLight;
+    if (scene.light && !scene.light->canBeShadowed) return OmissionReason::NoCasterInReach;
+    return std::nullopt;
+}
+
+shadow::ViewFrustum frustumOf(const View& view, const DepthSpan& range) {
+    return {range.near, range.far, view.camera.fovYRadians / 2, view.aspect()};
+}
+
+glm::dvec3 cameraLight(const View& view, const CameraBasis& basis) {
+    return glm::normalize(toCamera(basis, glm::normalize(view.towardsLight)));
+}
+
+} // namespace
+
+ConvexVolume sweptView(const View& view, const DepthSpan& range) {
+    const shadow::ViewFrustum frustum = frustumOf(view, range);
+    const glm::dvec3 towardsLight = cameraLight(view, cameraBasis(view.camera));
+    const shadow::PartitionSelector selector =
+        shadow::partitionSelector(frustum, towardsLight, {range.near, range.far}, shadow::FaceMaps::None);
+    const shadow::Region region = shadow::partitionRegion(frustum, selector, 0);
+    return shadow::casterVolume(region, shadow::lightFrame(towardsLight));
+}
+
+std::optional<DepthSpan> widestRange(const View& view, const Quality& quality, const Box& bounds) {
+    requireValid(view);
+    if (quality.shadows != ShadowMode::Maps) return std::nullopt;
+    const DepthRange range = depthRange(view, quality, {.bounds = bounds, .visible = {}, .light = {}}, {});
+    if (range.isEmpty) return std::nullopt;
+    return range.depths;
+}
+
+PlannedFrame planFrame(const View& view, const Quality& quality, const SceneFacts& scene, const PlanMemory& memory) {
+    requireValid(view);
+    PlannedFrame result;
+    FramePlan& plan = result.plan;
+    plan.view = view;
+    plan.quality = quality;
+    plan.basis = cameraBasis(view.camera);
+    plan.towardsLight = cameraLight(view, plan.basis);
+    plan.lightAngleRadians = std::atan2(std::hypot(plan.towardsLight.x, plan.towardsLight.y), plan.towardsLight.z);
+    const DepthRange range = depthRange(view, quality, scene, memory.depth);
+    plan.near = range.depths.near;
+    plan.far = range.depths.far;
+    plan.nearFrom = range.nearFrom;
+    plan.farFrom = range.farFrom;
+    result.memory.depth = range.memory;
+    if (const auto reason = reasonForNoMaps(quality, scene, range))
+        plan.omitted.push_back({Effect::ShadowMaps, *reason});
+    else
+        result.memory.scheme = planShadowPasses(plan, scene, memory.scheme);
+    return result;
+}
+
+} // namespace gnomon::plan

@@ -1,0 +1,128 @@
+#include "settings/plan_sentences.h"
+
+#include "plan/hysteresis.h"
+
+#include <array>
+#include <cstdio>
+
+namespace gnomon::settings {
+
+namespace {
+
+using plan::Effect;
+using plan::OmissionReason;
+
+std::string percent(double share, int decimals) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.*f%%", decimals, share * 100);
+    return text.data();
+}
+
+/// The least gain that an effect has to bring.
+std::string leastGain() {
+    return percent(1 - plan::kWorthwhile, 0);
+}
+
+std::string whyGainIsTooSmall(const plan::Omission& omission) {
+    const char* const what =
+        omission.effect == Effect::Orientation ? "a roll about the light" : "at the same cost they";
+    return std::string(what) + " would lower the promise by " + percent(omission.gain, 1) + ", less than " +
+           leastGain();
+}
+
+const char* whyStabilized(Effect effect) {
+    if (effect == Effect::Warp) return "stabilised slices are unwarped";
+    if (effect == Effect::Orientation) return "stabilised slices keep that of the world";
+    return "stabilised slices are whole";
+}
+
+} // namespace
+
+std::string effectInWords(const plan::Omission& omission) {
+    switch (omission.effect) {
+    case Effect::ShadowMaps:
+        return "shadow maps";
+    case Effect::MapOfSlice:
+        return "map of slice " + std::to_string(omission.slice);
+    case Effect::FacePartitions:
+        return "face partitions";
+    case Effect::ZPartitions:
+        return "z-partitions";
+    case Effect::Warp:
+        return "warp";
+    case Effect::Orientation:
+        return "orientation";
+    case Effect::Stabilization:
+        return "stabilisation";
+    case Effect::MapReuse:
+        return "reuse of maps";
+    case Effect::Filter:
+        return "filter";
+    case Effect::DepthClamp:
+        return "depth clamp";
+    case Effect::PartitionCulling:
+        return "partition culling";
+    }
+    return "";
+}
+
+std::string reasonInWords(const plan::Omission& omission) {
+    switch (omission.reason) {
+    case OmissionReason::SwitchedOff:
+        if (omission.effect == Effect::Filter)
+            return "switched off; its kernel would widen the texels, and so raise the promise";
+        return "switched off";
+    case OmissionReason::RayTraced:
+        return "shadows are ray-traced";
+    case OmissionReason::NothingInView:
+        return "nothing is in view";
+    case OmissionReason::NothingFacesLight:
+        if (omission.effect == Effect::MapOfSlice) return "nothing that is seen in it faces the light";
+        return "no visible surface faces the light";
+    case OmissionReason::NoCasterInReach:
+        return "no caster can reach a visible surface";
+    case OmissionReason::SlicesStabilized:
+        return whyStabilized(omission.effect);
+    case OmissionReason::NotStabilized:
+        return "only stabilised ones stay where they are while the camera moves";
+    case OmissionReason::LightGrazesFaces:
+        return "the light grazes every face of the view";
+    case OmissionReason::FacesGiveIt:
+        return "the maps of faces follow their edges";
+    case OmissionReason::GainTooSmall:
+        return whyGainIsTooSmall(omission);
+    case OmissionReason::NoGain:
+        if (omission.effect == Effect::Warp) return "it would not lower the promise under this light";
+        return "at the same cost they would not lower the promise";
+    case OmissionReason::BetterWithout:
+        return "without them the promise costs less, or is lower by " + leastGain() + " at least";
+    case OmissionReason::OneSliceSuffices:
+        return "a single slice is best at this promise";
+    case OmissionReason::NoCasterBeforeMaps:
+        return "no caster is nearer to the light than its map begins";
+    }
+    return "";
+}
+
+std::string sourceInWords(plan::DepthSource source) {
+    using plan::DepthSource;
+    switch (source) {
+    case DepthSource::Given:
+        return "given";
+    case DepthSource::NearestSurface:
+        return "the nearest surface in view";
+    case DepthSource::FarthestSurface:
+        return "the farthest surface in view";
+    case DepthSource::ModelBounds:
+        return "the model's bounds";
+    case DepthSource::Floor:
+        return "the floor";
+    case DepthSource::Held:
+        return "held from the frame before";
+    case DepthSource::NothingInView:
+        return "nothing is in view";
+    }
+    return "";
+}
+
+} // namespace gnomon::settings

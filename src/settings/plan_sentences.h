@@ -1,0 +1,19 @@
+// What a plan goes without, and where its depth range comes from, in sentences: the one place for all who show them.
+#pragma once
+
+#include "plan/omission.h"
+
+#include <string>
+
+namespace gnomon::settings {
+
+/// The name of what is left out: "warp", "map of slice 2".
+std::string effectInWords(const plan::Omission& omission);
+
+/// Why, as half a sentence: "switched off".
+std::string reasonInWords(const plan::Omission& omission);
+
+/// Where an end of the depth range comes from: "the nearest surface in view".
+std::string sourceInWords(plan::DepthSource source);
+
+} // namespace gnomon::settings

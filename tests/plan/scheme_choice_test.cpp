@@ -1,0 +1,137 @@
+// The choice between schemes: what is open, what it counts, and how ties are told apart.
+#include "made_scene.h"
+#include "plan/hysteresis.h"
+#include "plan/scheme_choice.h"
+
+#include <gtest/gtest.h>
+
+namespace gnomon::plan {
+namespace {
+
+TEST(SchemeChoice, OpensWhatTheQualityLeavesOpen) {
+    const auto open = [](std::optional<int> slices, Choice faces, bool stabilize) {
+        SchemeContext context;
+        context.quality.zPartitions = slices;
+        context.quality.facePartitions = faces;
+        context.quality.stabilize = stabilize;
+        return openChoices(context);
+    };
+    EXPECT_EQ(open(4, Choice::Off, false), (std::vector<SchemeChoice>{{4, false, true}}));
+    EXPECT_EQ(open(4, Choice::On, false), (std::vector<SchemeChoice>{{4, true, true}}));
+    EXPECT_EQ(open(4, Choice::Auto, false), (std::vector<SchemeChoice>{{4, false, true}, {4, true, true}}));
+    EXPECT_EQ(open(4, Choice::On, true), (std::vector<SchemeChoice>{{4, false, true}}));
+    const std::vector<SchemeChoice> all = open({}, Choice::Auto, false);
+    ASSERT_EQ(all.size(), 2U * kMostSlices);
+    EXPECT_EQ(all.front(), (SchemeChoice{1, false, true}));
+    EXPECT_EQ(all.back(), (SchemeChoice{kMostSlices, true, true}));
+}
+
+/// A candidate of one map with a promise and a cost.
+SchemeCandidate candidate(bool keepsPromise, double promise, std::uint64_t cost, bool faces = false) {
+    SchemeCandidate result;
+    result.choice.faces = faces;
+    result.keepsPromise = keepsPromise;
+    result.cost = cost;
+    result.setup.maps.emplace_back().promised = {promise, promise / 2, promise};
+    return result;
+}
+
+TEST(SchemeChoice, PrefersKeptPromisesThenCostsThenLowerPromises) {
+    struct Row {
+        SchemeCandidate better;
+        SchemeCandidate worse;
+    };
+
+    const std::vector<Row> table{
+        {candidate(true, 9, 1000), candidate(false, 1, 1)},
+        {candidate(true, 9, 1), candidate(true, 1, 2)},
+        {candidate(false, 1, 1000), candidate(false, 2, 1)},
+        {candidate(false, 0.96, 1), candidate(false, 0.95, 1, true)}, // faces have to be worth it
+        {candidate(false, 0.94, 1, true), candidate(false, 1, 1)},
+    };
+    for (const Row& row : table) {
+        EXPECT_TRUE(isBetter(row.better, row.worse));
+        EXPECT_FALSE(isBetter(row.worse, row.better));
+    }
+    // Neither of two equals is better, so that of the fewest maps, which comes first, stays.
+    EXPECT_FALSE(isBetter(candidate(true, 1, 5), candidate(true, 2, 5)));
+    EXPECT_FALSE(isBetter(candidate(true, 2, 5), candidate(true, 1, 5)));
+    EXPECT_FALSE(isBetter(candidate(false, 1, 5), candidate(false, 1, 4)));
+    EXPECT_FALSE(isBetter(candidate(false, 1, 4), candidate(false, 1, 5)));
+}
+
+TEST(SchemeChoice, CountsTheTrianglesOfBlocksThatTouchAVolume) {
+    const CameraBasis basis = cameraBasis({{0, 0, 0}, {1, 2, 3}, {0, 1, 0}, 1});
+    ConvexVolume volume; // depths of 1 and more
+    volume.planes.push_back({{0, 0, 1}, -1});
+    const auto blockAt = [&](double depth, double half, std::uint64_t triangles) {
+        const glm::dvec3 middle = toWorld(basis, {0, 0, depth});
+        return SceneFacts::CasterBlock{{middle - half, middle + half}, triangles};
+    };
+    const std::vector<SceneFacts::CasterBlock> blocks{
+        blockAt(5, 0.1, 1), blockAt(-5, 0.1, 10), blockAt(0.95, 0.1, 100), blockAt(0.5, 0.01, 1000)};
+    EXPECT_EQ(trianglesIn(volume, basis, blocks), 101U);
+    EXPECT_EQ(trianglesIn({}, basis, blocks), 1111U);
+    EXPECT_EQ(trianglesIn(volume, basis, {}), 0U);
+}
+
+SchemeContext contextOf(const MadeScene& scene, const View& view, const SceneFacts& facts, const Quality& quality) {
+    const FramePlan plan = planFrame(view, quality, scene.facts(view)).plan;
+    SchemeContext context;
+    context.view.frustum = {plan.near, plan.far, view.camera.fovYRadians / 2, view.aspect()};
+    context.view.towardsLight = plan.towardsLight;
+    context.view.imageHeight = view.height;
+    context.view.anchor = {plan.basis, view.camera.eye};
+    context.basis = plan.basis;
+    context.quality = quality;
+    context.scene = &facts;
+    return context;
+}
+
+TEST(SchemeChoice, TakesNoMoreTexelsThanItsPromiseAsksForAndHardlyMore) {
+    int tested = 0;
+    for (std::uint64_t seed = 0; seed < 10; ++seed) {
+        const MadeScene scene(seed);
+        const View view = madeView(seed);
+        const SceneFacts facts = scene.facts(view);
+        Quality quality;
+        quality.zPartitions.reset();
+        quality.maxAliasing = 6;
+        const SchemeContext context = contextOf(scene, view, facts, quality);
+        for (const int slices : {1, 3, 6}) {
+            const SchemeCandidate found = evaluate(context, {slices, false, true});
+            const std::uint64_t budget = std::uint64_t{2048} * 2048;
+            if (found.texelsThatWouldDo == 0 || found.texelsThatWouldDo > budget) continue;
+            ++tested;
+            EXPECT_TRUE(found.keepsPromise);
+            EXPECT_GE(found.options.texels, found.texelsThatWouldDo);
+            EXPECT_LE(
+                static_cast<double>(found.options.texels),
+                static_cast<double>(found.texelsThatWouldDo) * std::exp2(0.25) + 1);
+        }
+    }
+    EXPECT_GT(tested, 5);
+}
+
+TEST(SchemeChoice, RollsTheMapsAboutTheLightOnlyWhereThatIsWorthIt) {
+    int rolled = 0;
+    int plain = 0;
+    for (std::uint64_t seed = 0; seed < 40; ++seed) {
+        const MadeScene scene(seed % 20);
+        const View view = madeView(seed);
+        const SceneFacts facts = scene.facts(view);
+        const SchemeContext context = contextOf(scene, view, facts, {});
+        std::vector<Omission> omitted;
+        const SchemeCandidate chosen = chosenScheme(context, omitted);
+        SchemeContext plainContext = context;
+        const double without = evaluate(plainContext, {4, false, false}).promise();
+        const double with = evaluate(context, {4, false, true}).promise();
+        EXPECT_EQ(chosen.choice.lightRoll, with <= without * kWorthwhile) << seed;
+        (chosen.choice.lightRoll ? rolled : plain) += 1;
+    }
+    EXPECT_GT(rolled, 3);
+    EXPECT_GT(plain, 3);
+}
+
+} // namespace
+} // namespace gnomon::plan

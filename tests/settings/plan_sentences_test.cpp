@@ -1,0 +1,90 @@
+// What a plan leaves out, in the words that commands and window show.
+#include "settings/plan_sentences.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <vector>
+
+namespace gnomon::settings {
+namespace {
+
+using plan::Effect;
+using plan::Omission;
+using plan::OmissionReason;
+
+TEST(PlanSentences, NameEffectAndReason) {
+    struct Row {
+        Omission omission;
+        const char* effect;
+        const char* reason;
+    };
+
+    using Reason = OmissionReason;
+    const std::vector<Row> table{
+        {{Effect::ShadowMaps, Reason::SwitchedOff}, "shadow maps", "switched off"},
+        {{Effect::ShadowMaps, Reason::RayTraced}, "shadow maps", "shadows are ray-traced"},
+        {{Effect::ShadowMaps, Reason::NothingInView}, "shadow maps", "nothing is in view"},
+        {{Effect::ShadowMaps, Reason::NothingFacesLight}, "shadow maps", "no visible surface faces the light"},
+        {{Effect::ShadowMaps, Reason::NoCasterInReach}, "shadow maps", "no caster can reach a visible surface"},
+        {{Effect::MapOfSlice, Reason::NothingFacesLight, 3},
+         "map of slice 3",
+         "nothing that is seen in it faces the light"},
+        {{Effect::FacePartitions, Reason::SlicesStabilized}, "face partitions", "stabilised slices are whole"},
+        {{Effect::FacePartitions, Reason::LightGrazesFaces},
+         "face partitions",
+         "the light grazes every face of the view"},
+        {{Effect::FacePartitions, Reason::GainTooSmall, 0, 0.0312},
+         "face partitions",
+         "at the same cost they would lower the promise by 3.1%, less than 5%"},
+        {{Effect::FacePartitions, Reason::NoGain},
+         "face partitions",
+         "at the same cost they would not lower the promise"},
+        {{Effect::FacePartitions, Reason::BetterWithout},
+         "face partitions",
+         "without them the promise costs less, or is lower by 5% at least"},
+        {{Effect::ZPartitions, Reason::OneSliceSuffices}, "z-partitions", "a single slice is best at this promise"},
+        {{Effect::Warp, Reason::SlicesStabilized}, "warp", "stabilised slices are unwarped"},
+        {{Effect::Warp, Reason::NoGain}, "warp", "it would not lower the promise under this light"},
+        {{Effect::Orientation, Reason::SlicesStabilized}, "orientation", "stabilised slices keep that of the world"},
+        {{Effect::Orientation, Reason::FacesGiveIt}, "orientation", "the maps of faces follow their edges"},
+        {{Effect::Orientation, Reason::GainTooSmall, 0, 0.04},
+         "orientation",
+         "a roll about the light would lower the promise by 4.0%, less than 5%"},
+        {{Effect::Stabilization, Reason::SwitchedOff}, "stabilisation", "switched off"},
+        {{Effect::MapReuse, Reason::NotStabilized},
+         "reuse of maps",
+         "only stabilised ones stay where they are while the camera moves"},
+        {{Effect::Filter, Reason::SwitchedOff},
+         "filter",
+         "switched off; its kernel would widen the texels, and so raise the promise"},
+        {{Effect::DepthClamp, Reason::NoCasterBeforeMaps},
+         "depth clamp",
+         "no caster is nearer to the light than its map begins"},
+        {{Effect::PartitionCulling, Reason::SwitchedOff}, "partition culling", "switched off"},
+    };
+    for (const Row& row : table) {
+        EXPECT_EQ(effectInWords(row.omission), row.effect);
+        EXPECT_EQ(reasonInWords(row.omission), row.reason);
+    }
+}
+
+TEST(PlanSentences, NameEverySourceOfADepthApart) {
+    using plan::DepthSource;
+    std::set<std::string> words;
+    for (const DepthSource source :
+         {DepthSource::Given,
+          DepthSource::NearestSurface,
+          DepthSource::FarthestSurface,
+          DepthSource::ModelBounds,
+          DepthSource::Floor,
+          DepthSource::Held,
+          DepthSource::NothingInView})
+        words.insert(sourceInWords(source));
+    EXPECT_EQ(words.size(), 7U);
+    EXPECT_EQ(words.count(""), 0U);
+    EXPECT_EQ(sourceInWords(DepthSource::NearestSurface), "the nearest surface in view");
+}
+
+} // namespace
+} // namespace gnomon::settings

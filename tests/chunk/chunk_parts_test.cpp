@@ -182,17 +182,11 @@ TEST(MakeInOrder, TakesInOrderHoweverLongEachTakes) {
 }
 
 TEST(MakeInOrder, AnErrorComesOut) {
-    EXPECT_THROW(
-        makeInOrder(
-            0,
-            10,
-            2,
-            [](std::size_t i) {
-                if (i == 4) throw std::runtime_error("four");
-                return i;
-            },
-            [](std::size_t, std::size_t) {}),
-        std::runtime_error);
+    const auto make = [](std::size_t i) {
+        if (i == 4) throw std::runtime_error("four");
+        return i;
+    };
+    EXPECT_THROW(makeInOrder(0, 10, 2, make, [](std::size_t, std::size_t) {}), std::runtime_error);
 }
 
 } // namespace

@@ -147,8 +147,16 @@ public:
     virtual PassStatistics drawImage(const FrameDrawing& frame) = 0;
     /// What geometry and textures hold since the last frame.
     virtual Bytes deviceMemory() const = 0;
+
     /// Both passes of a frame.
-    DrawStatistics draw(const FrameDrawing& frame);
+    DrawStatistics draw(const FrameDrawing& frame) {
+        DrawStatistics statistics;
+        statistics.shadows = drawShadowMaps(frame);
+        statistics.image = drawImage(frame);
+        statistics.deviceMemory = deviceMemory();
+        return statistics;
+    }
+
     virtual Picture picture() = 0;
     /// View depth per pixel; infinity where nothing is.
     virtual FloatPicture viewDepth() = 0;

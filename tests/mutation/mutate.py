@@ -117,11 +117,11 @@ class Workshop:
             return
         done, output = self.make(*targets, *programs)
         if not done:
-            raise SystemExit(f"mutate.py: the unchanged tree does not build\n{output}")
+            raise RuntimeError(f"the unchanged tree does not build\n{output}")
         for program in programs:
             start = time.monotonic()
             if not self.passes(program, 600):
-                raise SystemExit(f"mutate.py: {program} fails before anything is changed")
+                raise RuntimeError(f"{program} fails before anything is changed")
             self.seconds[program] = time.monotonic() - start
         self.bytes.update({target: self.digest(target) for target in (*targets, *programs)})
 

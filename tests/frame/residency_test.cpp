@@ -1,0 +1,134 @@
+// What of a model is in memory for a frame: what tables take, what is asked for, and where a motion leads.
+#include "core/error.h"
+#include "frame/residency.h"
+#include "hierarchy/tiny_model.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <thread>
+
+#include <unistd.h>
+
+namespace gnomon::frame {
+namespace {
+
+class ModelResidency : public testing::Test {
+protected:
+    void SetUp() override {
+        tests::TinyModelOptions options;
+        options.gridExponent = 6;
+        options.clusterTriangles = 32;
+        tests::writeModel(tests::makeTinyModel(options), path);
+    }
+
+    void TearDown() override { std::filesystem::remove(path); }
+
+    std::string path = testing::TempDir() + "gnomon_residency_" + std::to_string(::getpid()) + ".gnm";
+};
+
+selection::DetailView viewFrom(const glm::dvec3& eye) {
+    selection::DetailView view;
+    view.eye = eye;
+    view.basis = cameraBasis({eye, glm::dvec3(32, 0, 32), {0, 1, 0}, 1});
+    return view;
+}
+
+TEST_F(ModelResidency, AFrameThatWaitsHasAllThatItsCutWants) {
+    const hierarchy::ModelFile model(path);
+    Residency residency(model, {});
+    const selection::DetailView view = viewFrom({10, 15, 10});
+    const selection::ErrorRule rule(view);
+    const std::vector<ConvexVolume> volumes{selection::viewPyramid(view)};
+    selection::CutQuery query = residency.query();
+    query.rule = &rule;
+    query.errorPixels = 1;
+    query.volumes = volumes;
+    residency.admitLoaded(Waiting::UntilComplete);
+    selection::Cut cut = selection::cut(query);
+    int rounds = 0;
+    while (residency.serve(query, cut, Waiting::UntilComplete).hasChanged) {
+        ASSERT_LT(++rounds, 50);
+        query.resident = residency.resident();
+        cut = selection::cut(query);
+    }
+    EXPECT_GT(rounds, 0);
+    EXPECT_TRUE(cut.wanted.empty());
+    EXPECT_LE(cut.achievedErrorPixels, 1);
+    EXPECT_EQ(residency.statistics().pagesDamaged, 0U);
+    for (std::uint32_t page = 0; page < model.pages().size(); ++page)
+        EXPECT_FALSE(residency.isDamaged(page));
+    EXPECT_EQ(residency.query().trees->grid().stepExponent, model.summary().grid.stepExponent);
+}
+
+TEST_F(ModelResidency, AFrameThatNeverWaitsArrivesInTheEnd) {
+    const hierarchy::ModelFile model(path);
+    Residency residency(model, {});
+    const selection::DetailView view = viewFrom({10, 15, 10});
+    const selection::ErrorRule rule(view);
+    const std::vector<ConvexVolume> volumes{selection::viewPyramid(view)};
+    selection::CutQuery query = residency.query();
+    query.rule = &rule;
+    query.errorPixels = 1;
+    query.volumes = volumes;
+    for (int frame = 0; frame < 20000; ++frame) {
+        residency.admitLoaded(Waiting::Never);
+        query.resident = residency.resident();
+        const selection::Cut cut = selection::cut(query);
+        const streaming::DemandOutcome outcome = residency.serve(query, cut, Waiting::Never);
+        if (cut.wanted.empty() && outcome.pagesMissing == 0) return;
+        std::this_thread::sleep_for(std::chrono::microseconds(100));
+    }
+    ADD_FAILURE() << "pages never arrive";
+}
+
+TEST_F(ModelResidency, TheTableMustFitTheMemory) {
+    const hierarchy::ModelFile model(path);
+    const Bytes tables = tableBytes(model);
+    EXPECT_GE(tables.count, model.pages().size() * sizeof(hierarchy::PageInfo));
+    std::uint64_t links = 0;
+    for (const hierarchy::PageInfo& page : model.pages())
+        links += page.children.size();
+    EXPECT_GE(tables.count, links * sizeof(std::uint32_t));
+    ResidencyOptions tight;
+    tight.memory = tables;
+    try {
+        const Residency residency(model, tight);
+        ADD_FAILURE() << "no byte is left for pages";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("the page table alone takes more"), std::string::npos) << error.what();
+    }
+}
+
+TEST(Continued, GoesOnAsItWent) {
+    const selection::DetailView before = viewFrom({0, 10, 0});
+    selection::DetailView now = before;
+    now.eye += glm::dvec3(1, 0, 2);
+    const selection::DetailView ahead = continued(before, now, 10);
+    EXPECT_LT(glm::distance(ahead.eye, now.eye + glm::dvec3(10, 0, 20)), 1e-9);
+    EXPECT_LT(glm::distance(ahead.basis.view, now.basis.view), 1e-9) << "it does not turn";
+    EXPECT_EQ(ahead.heightPixels, now.heightPixels);
+    EXPECT_EQ(ahead.tanHalfX, now.tanHalfX);
+    const selection::DetailView still = continued(now, now, 10);
+    EXPECT_LT(glm::distance(still.eye, now.eye), 1e-12);
+}
+
+TEST(Continued, TurnsOnAsItTurnedButNotWildly) {
+    const auto looking = [](double angle) {
+        selection::DetailView view;
+        view.basis = cameraBasis({{0, 0, 0}, {std::sin(angle), 0, -std::cos(angle)}, {0, 1, 0}, 1});
+        return view;
+    };
+    const selection::DetailView slow = continued(looking(0), looking(0.01), 10);
+    EXPECT_NEAR(std::atan2(slow.basis.view.x, -slow.basis.view.z), 0.11, 0.01);
+    const selection::DetailView spin = continued(looking(0), looking(1.5), 10);
+    EXPECT_GT(glm::dot(spin.basis.view, looking(1.5).basis.view), 0)
+        << "a spin is followed by less than a quarter turn";
+    const selection::DetailView frames = continued(looking(0), looking(0.02), 0);
+    EXPECT_LT(glm::distance(frames.basis.view, looking(0.02).basis.view), 1e-9) << "no frame ahead is now";
+    EXPECT_NEAR(glm::length(slow.basis.up), 1, 1e-12);
+}
+
+} // namespace
+} // namespace gnomon::frame

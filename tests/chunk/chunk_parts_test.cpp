@@ -186,7 +186,8 @@ TEST(MakeInOrder, AnErrorComesOut) {
         if (i == 4) throw std::runtime_error("four");
         return i;
     };
-    EXPECT_THROW(makeInOrder(0, 10, 2, make, [](std::size_t, std::size_t) {}), std::runtime_error);
+    const auto take = [](std::size_t, std::size_t) {};
+    EXPECT_THROW(makeInOrder(0, 10, 2, make, take), std::runtime_error);
 }
 
 } // namespace

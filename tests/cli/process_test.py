@@ -189,12 +189,12 @@ class Process(ProgramTest):
         folder.symlink_to(self.place.path)
         self.expect(1, "this is no place for temporary files", "build", mesh, "-o", model)
         folder.unlink()
-        for name in ("bins", "borders", "pages", "remains", "journal"):
+        for name in ("bins", "borders", "pages", "pending", "checkpoints"):
             folder.mkdir(exist_ok=True)
             (folder / name).symlink_to(victim)
             self.expect(0, "", "build", mesh, "-o", model)
             self.assertFalse(folder.exists())
-        for name, more in (("lock", []), ("journal", ["--resume"])):
+        for name, more in (("lock", []), ("checkpoints", ["--resume"])):
             folder.mkdir()
             (folder / name).symlink_to(victim)
             self.expect(1, "cannot open", "build", mesh, "-o", model, *more)

@@ -1,0 +1,106 @@
+// The summary of a bench against figures counted out one by one.
+#include "core/random.h"
+#include "telemetry/benchmark_report.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+namespace gnomon::telemetry {
+namespace {
+
+std::vector<double> anyTimes(Random& random) {
+    std::vector<double> values(1 + random.below(40));
+    for (double& value : values)
+        value = static_cast<double>(random.below(50)) / 4; // with ties
+    return values;
+}
+
+TEST(RandomQuantile, LiesBetweenTheRanksAroundIt) {
+    Random random(1);
+    for (int trial = 0; trial < 1000; ++trial) {
+        const std::vector<double> values = anyTimes(random);
+        const double fraction = random.below(4) == 0 ? 1.0 * static_cast<double>(random.below(2)) : random.unit();
+        const double found = quantile(values, fraction);
+        const auto notAbove = std::count_if(values.begin(), values.end(), [&](double v) { return v <= found; });
+        const auto notBelow = std::count_if(values.begin(), values.end(), [&](double v) { return v >= found; });
+        const double last = static_cast<double>(values.size() - 1);
+        EXPECT_GE(static_cast<double>(notAbove), std::floor(fraction * last) + 1);
+        EXPECT_GE(static_cast<double>(notBelow), std::floor((1 - fraction) * last));
+    }
+}
+
+TEST(RandomQuantile, HangsNeitherOnTheOrderNorJumps) {
+    Random random(2);
+    for (int trial = 0; trial < 300; ++trial) {
+        std::vector<double> values = anyTimes(random);
+        const double at = random.unit();
+        const double before = quantile(values, at);
+        std::reverse(values.begin(), values.end());
+        EXPECT_EQ(quantile(values, at), before);
+        const auto [least, most] = std::minmax_element(values.begin(), values.end());
+        EXPECT_EQ(quantile(values, 0), *least);
+        EXPECT_EQ(quantile(values, 1), *most);
+        double last = *least;
+        const double largestStep = (*most - *least) * 0.01 * static_cast<double>(values.size()) + 1e-9;
+        for (int i = 0; i <= 100; ++i) {
+            const double here = quantile(values, i / 100.0);
+            EXPECT_GE(here, last - 1e-12);
+            EXPECT_LE(here - last, largestStep);
+            last = here;
+        }
+        std::vector<double> shifted = values;
+        for (double& value : shifted)
+            value = 3 * value + 2;
+        EXPECT_NEAR(quantile(shifted, at), 3 * before + 2, 1e-9);
+    }
+}
+
+TEST(RandomBenchmarkJson, SaysOfEachRunWhatItsTimesSay) {
+    Random random(3);
+    for (int trial = 0; trial < 50; ++trial) {
+        std::vector<RunTimes> runs(random.below(6));
+        for (std::size_t i = 0; i < runs.size(); ++i)
+            runs[i] = {"run " + std::to_string(i), anyTimes(random), random.unit(), random.below(9), random.below(9)};
+        const auto document = nlohmann::json::parse(benchmarkJson({{"light", "0,1,0"}}, runs));
+        EXPECT_EQ(document.at("context"), (nlohmann::json{{"light", "0,1,0"}}));
+        ASSERT_EQ(document.at("benchmarks").size(), runs.size());
+        for (std::size_t i = 0; i < runs.size(); ++i) {
+            const auto& told = document.at("benchmarks")[i];
+            double sum = 0;
+            for (const double value : runs[i].totalMs)
+                sum += value;
+            EXPECT_EQ(told.at("name"), runs[i].name);
+            EXPECT_EQ(told.at("run_name"), runs[i].name);
+            EXPECT_EQ(told.at("run_type"), "iteration");
+            EXPECT_EQ(told.at("time_unit"), "ms");
+            EXPECT_EQ(told.at("iterations"), runs[i].totalMs.size());
+            EXPECT_NEAR(told.at("real_time").get<double>() * told.at("iterations").get<double>(), sum, 1e-9);
+            EXPECT_EQ(told.at("cpu_time").get<double>(), runs[i].cpuMs);
+            EXPECT_EQ(told.at("p50").get<double>(), quantile(runs[i].totalMs, 0.5));
+            EXPECT_EQ(told.at("p95").get<double>(), quantile(runs[i].totalMs, 0.95));
+            EXPECT_EQ(told.at("p99").get<double>(), quantile(runs[i].totalMs, 0.99));
+            EXPECT_EQ(told.at("pages_damaged"), runs[i].pagesDamaged);
+            EXPECT_EQ(told.at("pages_missing"), runs[i].pagesMissing);
+        }
+    }
+}
+
+TEST(BenchmarkContext, SpeaksOfThisMachineInAFormThatSorts) {
+    const auto context = machineContext();
+    const std::string& date = context.at("date");
+    ASSERT_EQ(date.size(), std::string("2026-01-31T00:00:00Z").size()) << date;
+    for (std::size_t i = 0; i < date.size(); ++i) {
+        const char pattern = "dddd-dd-ddTdd:dd:ddZ"[i];
+        EXPECT_TRUE(pattern == 'd' ? date[i] >= '0' && date[i] <= '9' : date[i] == pattern) << date;
+    }
+    EXPECT_GT(std::stoull(context.at("memory_bytes")), 1U << 20U);
+    EXPECT_GT(std::stoi(context.at("num_cpus")), 0);
+    EXPECT_TRUE(context.at("library_build_type") == "release" || context.at("library_build_type") == "debug");
+}
+
+} // namespace
+} // namespace gnomon::telemetry

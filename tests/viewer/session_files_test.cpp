@@ -1,0 +1,137 @@
+// What a session leaves on disk: pictures, paths and the log, over nothing that is there and never half.
+#include "core/error.h"
+#include "core/random.h"
+#include "viewer/frame_log.h"
+#include "viewer/saved_files.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <unistd.h>
+
+namespace gnomon::viewer {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder of its own, in which the session stands.
+class SessionFilesTest : public testing::Test {
+protected:
+    void SetUp() override {
+        fs::create_directories(folder_);
+        fs::current_path(folder_);
+    }
+
+    void TearDown() override {
+        fs::current_path(before_);
+        fs::remove_all(folder_);
+    }
+
+    static std::string read(const std::string& path) {
+        std::stringstream text;
+        text << std::ifstream(path).rdbuf();
+        return text.str();
+    }
+
+    static std::size_t fileCount() {
+        return static_cast<std::size_t>(std::distance(fs::recursive_directory_iterator("."), {}));
+    }
+
+private:
+    fs::path before_ = fs::current_path();
+    fs::path folder_ = fs::temp_directory_path() / ("gnomon_session_" + std::to_string(::getpid()));
+};
+
+executor::Picture anyPicture(Random& random) {
+    executor::Picture picture(1 + static_cast<int>(random.below(9)), 1 + static_cast<int>(random.below(9)));
+    for (executor::Rgb& pixel : picture.pixels)
+        for (std::uint8_t& channel : pixel)
+            channel = static_cast<std::uint8_t>(random.below(256));
+    return picture;
+}
+
+TEST_F(SessionFilesTest, PicturesAreNumberedOverNoneThatIsThere) {
+    Random random(1);
+    const SavedFiles saved("/any/where/scan.of.bunny.gnm");
+    std::ofstream("scan.of.bunny_view2.png") << "mine";
+    std::vector<executor::Picture> pictures;
+    for (const char* name : {"scan.of.bunny_view1.png", "scan.of.bunny_view3.png", "scan.of.bunny_view4.png"}) {
+        pictures.push_back(anyPicture(random));
+        EXPECT_EQ(saved.savePicture(pictures.back()), name);
+        EXPECT_EQ(executor::readPng(name).pixels, pictures.back().pixels);
+    }
+    EXPECT_EQ(read("scan.of.bunny_view2.png"), "mine");
+    fs::remove("scan.of.bunny_view1.png");
+    EXPECT_EQ(saved.savePicture(pictures[1]), "scan.of.bunny_view1.png") << "a free number is used again";
+    EXPECT_EQ(executor::readPng("scan.of.bunny_view3.png").pixels, pictures[1].pixels);
+    EXPECT_EQ(SavedFiles().savePicture(pictures[0]), "gnomon_view1.png") << "before any model";
+}
+
+TEST_F(SessionFilesTest, PathsReadBackAndCountForThemselves) {
+    const SavedFiles saved("bunny.ply.gnm");
+    path::CameraPath path;
+    path.keyframes = {{0, {{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 1}}, {2, {{5, 0, 5}, {0, 0, 0}, {0, 1, 0}, 1}}};
+    Random random(2);
+    EXPECT_EQ(saved.savePicture(anyPicture(random)), "bunny.ply_view1.png");
+    EXPECT_EQ(saved.savePath(path), "bunny.ply_path1.json");
+    EXPECT_EQ(saved.savePath(path), "bunny.ply_path2.json");
+    EXPECT_EQ(path::contentHash(path::readCameraPath("bunny.ply_path2.json")), path::contentHash(path));
+}
+
+TEST_F(SessionFilesTest, PlayedFramesAreNumberedInAFolderThatIsMade) {
+    Random random(3);
+    const SavedFiles saved("bunny.gnm");
+    const executor::Picture first = anyPicture(random);
+    const executor::Picture second = anyPicture(random);
+    saved.savePlayed("out/of/play", 0, first);
+    saved.savePlayed("out/of/play", 12345, second);
+    saved.savePlayed("out/of/play", 7, first);
+    saved.savePlayed("out/of/play", 7, second); // played again
+    EXPECT_EQ(executor::readPng("out/of/play/frame0000.png").pixels, first.pixels);
+    EXPECT_EQ(executor::readPng("out/of/play/frame0007.png").pixels, second.pixels);
+    EXPECT_EQ(executor::readPng("out/of/play/frame12345.png").pixels, second.pixels);
+}
+
+TEST_F(SessionFilesTest, WhatCannotBeWrittenIsToldAndLeavesNothing) {
+    Random random(4);
+    const executor::Picture picture = anyPicture(random);
+    std::ofstream("file") << "mine";
+    EXPECT_THROW(SavedFiles("bunny.gnm").savePlayed("file", 0, picture), std::exception);
+    EXPECT_THROW(FrameLog("no/such/folder/log.csv"), Error);
+    EXPECT_EQ(read("file"), "mine");
+    EXPECT_EQ(fileCount(), 1U);
+}
+
+TEST_F(SessionFilesTest, ALogAppearsWholeWithALineForEachFrame) {
+    Random random(5);
+    std::string expected = telemetry::csvHeader() + "\n";
+    {
+        FrameLog log("log.csv");
+        for (int frame = 0; frame < 300; ++frame) {
+            telemetry::FrameRow row;
+            row.frame = frame;
+            row.run = "a, \"quoted\" run";
+            if (random.below(2) == 0) row.totalMs = random.uniform(1, 100);
+            log.add(row);
+            expected += telemetry::csvRow(row) + "\n";
+        }
+        EXPECT_FALSE(fs::exists("log.csv")) << "under its final name once it is complete";
+        log.finish();
+    }
+    EXPECT_EQ(read("log.csv"), expected);
+    EXPECT_EQ(fileCount(), 1U);
+    {
+        FrameLog unfinished("log.csv");
+        unfinished.add({});
+    }
+    EXPECT_EQ(read("log.csv"), expected) << "the last whole log stays";
+    FrameLog("empty.csv").finish();
+    EXPECT_EQ(read("empty.csv"), telemetry::csvHeader() + "\n");
+}
+
+} // namespace
+} // namespace gnomon::viewer

@@ -227,7 +227,7 @@ std::vector<std::string> sentences(std::span<const RunSummary> runs) {
     const auto sweep = sweepOverMaps(runs);
     if (sweep.size() < 2) return result;
     const RunSummary& one = *sweep.front();
-    const auto four = std::find_if(sweep.begin(), sweep.end(), [](auto* run) { return run->shadowMaps >= 4; });
+    const auto four = std::find_if(sweep.begin() + 1, sweep.end(), [](auto* run) { return run->shadowMaps >= 4; });
     const RunSummary& more = four == sweep.end() ? *sweep.back() : **four;
     const ErrorKind kind = shadowError(runs);
     const double before = errorOf(one, kind).value_or(0);

@@ -111,6 +111,7 @@ void addRenderCommand(CLI::App& program) {
     command->add_option("MODEL", options->model, "A .gnm file")->required();
     command->add_option("-o,--output", options->output, "The picture, a PNG")->required()->type_name("FILE.png");
     std::vector<std::string> words;
+    words.reserve(executor::kOverlays.size());
     for (const executor::NamedOverlay& overlay : executor::kOverlays)
         words.emplace_back(overlay.word);
     command->add_option("--overlay", options->overlay, "What is painted over the picture")

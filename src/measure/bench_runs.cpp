@@ -121,28 +121,35 @@ private:
     frame::FrameOptions frameOptions_;
 };
 
+/// `text` with `more` behind it, and `separator` between them if both are there.
+std::string joined(std::string text, const char* separator, const std::string& more) {
+    if (!text.empty() && !more.empty()) text += separator;
+    return text + more;
+}
+
+/// The run of `own`, named by what varies among `all`.
+BenchRun runOf(const settings::Settings& own, const std::vector<settings::Settings>& all) {
+    BenchRun run{{}, own, {}};
+    for (const settings::Setting& setting : settings::table()) {
+        if (!setting.description().isSwept) continue;
+        const std::string value = setting.text(own);
+        const bool varies = std::any_of(
+            all.begin(), all.end(), [&](const settings::Settings& other) { return setting.text(other) != value; });
+        if (varies) run.name = joined(run.name, "/", setting.column() + ":" + value);
+        if (varies || !setting.isDefault(own)) run.options = joined(run.options, " ", setting.option() + " " + value);
+    }
+    run.options = joined(run.options, " ", settings::optionsToPaste(own, false));
+    if (run.name.empty()) run.name = "run";
+    return run;
+}
+
 } // namespace
 
 std::vector<BenchRun> runsOf(const std::vector<settings::Settings>& settings) {
     std::vector<BenchRun> runs;
     runs.reserve(settings.size());
-    for (const settings::Settings& each : settings) {
-        BenchRun run{{}, each, {}};
-        for (const settings::Setting& setting : settings::table()) {
-            if (!setting.description().isSwept) continue;
-            const std::string value = setting.text(each);
-            const bool varies = std::any_of(settings.begin(), settings.end(), [&](const settings::Settings& other) {
-                return setting.text(other) != value;
-            });
-            if (varies) run.name += (run.name.empty() ? "" : "/") + setting.column() + ":" + value;
-            if (varies || !setting.isDefault(each))
-                run.options += (run.options.empty() ? "" : " ") + setting.option() + " " + value;
-        }
-        const std::string fixed = settings::optionsToPaste(each, false);
-        run.options += (run.options.empty() || fixed.empty() ? "" : " ") + fixed;
-        if (run.name.empty()) run.name = "run";
-        runs.push_back(run);
-    }
+    for (const settings::Settings& each : settings)
+        runs.push_back(runOf(each, settings));
     return runs;
 }
 

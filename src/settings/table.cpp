@@ -58,7 +58,7 @@ Codec<double> distanceOrZero() {
 }
 
 /// What is seen, and from where.
-std::vector<Setting> viewSettings() {
+std::vector<Setting> cameraSettings() {
     return {
         plain(
             &Settings::imageSize,
@@ -91,6 +91,12 @@ std::vector<Setting> viewSettings() {
              .help = "Full vertical angle in degrees; 60 if not given",
              .quantity = "vertical angle"},
             ifGiven(number("an angle above 0 and below 180 degrees", [](double v) { return v > 0 && v < 180; }))),
+    };
+}
+
+/// For which depths and light shadows are promised, and how much is drawn at most.
+std::vector<Setting> sceneSettings() {
+    return {
         quality(
             &Quality::near,
             {.name = "near",
@@ -288,8 +294,8 @@ std::vector<Setting> sweptSettings() {
 
 std::span<const Setting> table() {
     static const std::vector<Setting> all = [] {
-        std::vector<Setting> settings = viewSettings();
-        for (const auto& more : {fixedSettings(), sweptSettings()})
+        std::vector<Setting> settings = cameraSettings();
+        for (const auto& more : {sceneSettings(), fixedSettings(), sweptSettings()})
             settings.insert(settings.end(), more.begin(), more.end());
         return settings;
     }();

@@ -17,6 +17,7 @@ using plan::Effect;
 
 /// An effect, and of which slice it is.
 struct Part {
+    // NOLINTNEXTLINE(google-explicit-constructor): a row lists effects, most of them of no slice
     Part(Effect whole, std::size_t ofSlice = 0) : effect(whole), slice(ofSlice) {}
 
     Effect effect;

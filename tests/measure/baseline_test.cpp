@@ -129,9 +129,9 @@ TEST(Baseline, MustAgreeInEverythingThatTimesHangOn) {
     for (const auto& [key, value] : fullContext()) {
         auto now = fullContext();
         now[key] = "other";
-        EXPECT_EQ(
-            objection([&] { requireComparable(baseline, now); }),
-            "before.json: another bench than this one: " + key + ": expected other, found " + value);
+        std::string expected = "before.json: another bench than this one: ";
+        expected.append(key).append(": expected other, found ").append(value);
+        EXPECT_EQ(objection([&] { requireComparable(baseline, now); }), expected);
     }
     auto now = fullContext();
     now["date"] = "today";

@@ -148,6 +148,14 @@ TEST(RandomSummary, KnowsTheErrorsThatSomeFrameWasMeasuredFor) {
     }
 }
 
+/// The median time of the rows of `result` that have `value` there.
+double middleTime(const RunResult& result, std::int64_t FrameRow::*member, std::int64_t value) {
+    std::vector<double> times;
+    for (const FrameRow& row : result.rows)
+        if (row.*member == value) times.push_back(*row.totalMs);
+    return middleOf(times);
+}
+
 TEST(RandomSummary, HasTheNoiseOfItsRepetitionsAndTimesAlongThePath) {
     Random random(3);
     for (int trial = 0; trial < 300; ++trial) {
@@ -155,12 +163,8 @@ TEST(RandomSummary, HasTheNoiseOfItsRepetitionsAndTimesAlongThePath) {
         const std::int64_t repetitions = result.rows.back().repetition + 1;
         const std::int64_t frames = result.rows.back().frame + 1;
         std::vector<double> medians;
-        for (std::int64_t repetition = 0; repetition < repetitions; ++repetition) {
-            std::vector<double> times;
-            for (const FrameRow& row : result.rows)
-                if (row.repetition == repetition) times.push_back(*row.totalMs);
-            medians.push_back(middleOf(times));
-        }
+        for (std::int64_t repetition = 0; repetition < repetitions; ++repetition)
+            medians.push_back(middleTime(result, &FrameRow::repetition, repetition));
         const report::RunSummary told = summary(result);
         ASSERT_EQ(told.noise.has_value(), repetitions > 1);
         const auto [least, most] = std::minmax_element(medians.begin(), medians.end());
@@ -168,12 +172,9 @@ TEST(RandomSummary, HasTheNoiseOfItsRepetitionsAndTimesAlongThePath) {
             EXPECT_NEAR(*told.noise, (*most - *least) / 2 / ((*most + *least) / 2), 1e-12);
         }
         ASSERT_EQ(told.frameMs.size(), static_cast<std::size_t>(frames));
-        for (std::int64_t frame = 0; frame < frames; ++frame) {
-            std::vector<double> times;
-            for (const FrameRow& row : result.rows)
-                if (row.frame == frame) times.push_back(*row.totalMs);
-            EXPECT_NEAR(told.frameMs[static_cast<std::size_t>(frame)], middleOf(times), 1e-9);
-        }
+        for (std::int64_t frame = 0; frame < frames; ++frame)
+            EXPECT_NEAR(
+                told.frameMs[static_cast<std::size_t>(frame)], middleTime(result, &FrameRow::frame, frame), 1e-9);
     }
 }
 

@@ -28,11 +28,7 @@ const std::string& filePath() {
 /// What `read` makes of a file of `text`.
 template <class Read>
 auto fromText(const std::string& text, const Read& read) {
-    struct Removed {
-        ~Removed() { std::filesystem::remove(filePath()); }
-    } const removed;
-
-    std::ofstream(filePath()) << text;
+    std::ofstream(filePath()) << text; // each overwrites the one before
     return read(filePath());
 }
 

@@ -55,37 +55,33 @@ std::string grid(int side) {
 
 class ChangedInput : public testing::Test {
 protected:
-    ChangedInput()
-        : folder_(fs::temp_directory_path() / ("gnomon_changed_input_" + std::to_string(::getpid()))),
-          mesh_((folder_ / "mesh.ply").string()) {
-        fs::create_directories(folder_);
-    }
+    void SetUp() override { fs::create_directories(folder); }
 
-    ~ChangedInput() override {
+    void TearDown() override {
         std::error_code ignored;
-        fs::remove_all(folder_, ignored);
+        fs::remove_all(folder, ignored);
     }
 
     /// What a build says that changes its input when a stage begins.
     std::string refusal(const std::string& stage, const std::string& unit, const std::function<void()>& change) {
-        writeTextFile(mesh_, grid(80));
+        writeTextFile(mesh, grid(80));
         BuildOptions options;
-        options.output = (folder_ / "m.gnm").string();
+        options.output = (folder / "m.gnm").string();
         options.chunkTriangles = 2000;
         AtStage progress(stage, unit, change);
         std::string said = "nothing";
         try {
-            buildModel(*read::openMeshSources({mesh_}, options.memory), options, progress);
+            buildModel(*read::openMeshSources({mesh}, options.memory), options, progress);
         } catch (const Error& error) {
             said = error.what();
         }
-        EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1)
+        EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 1)
             << "only the mesh is left";
         return said;
     }
 
-    fs::path folder_;
-    std::string mesh_;
+    fs::path folder = fs::temp_directory_path() / ("gnomon_changed_input_" + std::to_string(::getpid()));
+    std::string mesh = (folder / "mesh.ply").string();
 };
 
 const std::vector<std::pair<std::string, std::string>> kStages = {
@@ -99,19 +95,19 @@ const std::vector<std::pair<std::string, std::string>> kStages = {
 
 TEST_F(ChangedInput, ThatShrinksToNothingIsRefused) {
     for (const auto& [stage, unit] : kStages) {
-        const std::string said = refusal(stage, unit, [&] { fs::resize_file(mesh_, 0); });
+        const std::string said = refusal(stage, unit, [&] { fs::resize_file(mesh, 0); });
         EXPECT_NE(said.find("the input changed while it was read"), std::string::npos) << stage << " " << unit << said;
     }
 }
 
 TEST_F(ChangedInput, ThatIsWrittenToIsRefused) {
     const auto writeOver = [&] {
-        const auto later = fs::last_write_time(mesh_) + std::chrono::seconds(1);
+        const auto later = fs::last_write_time(mesh) + std::chrono::seconds(1);
         std::string text = grid(80);
         text[text.size() - 2] = '0';
-        File file(mesh_, File::Mode::Update);
+        File file(mesh, File::Mode::Update);
         file.writeAt(0, std::as_bytes(std::span(text)));
-        fs::last_write_time(mesh_, later);
+        fs::last_write_time(mesh, later);
     };
     for (const auto& [stage, unit] : kStages) {
         const std::string said = refusal(stage, unit, writeOver);
@@ -119,8 +115,8 @@ TEST_F(ChangedInput, ThatIsWrittenToIsRefused) {
     }
     EXPECT_EQ(
         refusal("write", "pages", writeOver),
-        mesh_ + ": the input changed while it was read: expected no writing "
-                "to it, found a later time of change");
+        mesh + ": the input changed while it was read: expected no writing "
+               "to it, found a later time of change");
 }
 
 } // namespace

@@ -235,7 +235,7 @@ TEST(FramePlanNumbers, AreThoseOfItsPasses) {
 TEST(FramePlanErrors, NameAQuantityAndNoOption) {
     struct Row {
         const char* names;
-        std::function<void(View&)> break_;
+        std::function<void(View&)> spoil;
     };
 
     const std::vector<Row> table{
@@ -247,7 +247,7 @@ TEST(FramePlanErrors, NameAQuantityAndNoOption) {
         {"light", [](View& view) { view.towardsLight.x = std::numeric_limits<double>::infinity(); }}};
     for (const Row& row : table) {
         View view;
-        row.break_(view);
+        row.spoil(view);
         try {
             planFrame(view, {}, {});
             ADD_FAILURE() << row.names;

@@ -123,29 +123,30 @@ struct Dominated {
 };
 
 TEST(Hysteresis, ADominatedSchemeGoesInItsLastFrameAndNotBefore) {
-    const Dominated case_;
-    const int best = case_.frame.memory.scheme->choice.slices;
+    const Dominated dominated;
+    const int best = dominated.frame.memory.scheme->choice.slices;
     for (const int frames : {0, 1, kFramesBeforeSchemeGoes - 2}) {
-        const PlannedFrame held = case_.after(12, frames);
+        const PlannedFrame held = dominated.after(12, frames);
         EXPECT_EQ(held.memory.scheme->choice.slices, 12);
         EXPECT_EQ(held.memory.scheme->framesDominated, frames + 1);
     }
-    const PlannedFrame gone = case_.after(12, kFramesBeforeSchemeGoes - 1);
+    const PlannedFrame gone = dominated.after(12, kFramesBeforeSchemeGoes - 1);
     EXPECT_EQ(gone.memory.scheme->choice.slices, best);
     EXPECT_EQ(gone.memory.scheme->framesDominated, 0);
-    const PlannedFrame best_ = case_.after(best, kFramesBeforeSchemeGoes - 1);
-    EXPECT_EQ(best_.memory.scheme->choice.slices, best) << "the best dominates itself";
-    EXPECT_EQ(best_.memory.scheme->framesDominated, 0);
+    const PlannedFrame bestOfAll = dominated.after(best, kFramesBeforeSchemeGoes - 1);
+    EXPECT_EQ(bestOfAll.memory.scheme->choice.slices, best) << "the best dominates itself";
+    EXPECT_EQ(bestOfAll.memory.scheme->framesDominated, 0);
 }
 
 TEST(Hysteresis, ABrokenPromiseWaitsForNothing) {
-    Dominated case_;
-    const PlannedFrame few = case_.after(1, 0);
+    Dominated dominated;
+    const PlannedFrame few = dominated.after(1, 0);
     ASSERT_EQ(few.memory.scheme->choice.slices, 1);
     double kept = 0;
     for (double aliasing = 1; aliasing < 1000 && kept == 0; aliasing *= 1.1) {
-        case_.quality.maxAliasing = aliasing;
-        const PlannedFrame now = planFrame(case_.view, case_.quality, case_.scene.facts(case_.view), few.memory);
+        dominated.quality.maxAliasing = aliasing;
+        const PlannedFrame now =
+            planFrame(dominated.view, dominated.quality, dominated.scene.facts(dominated.view), few.memory);
         if (now.plan.promiseKept && now.memory.scheme->choice.slices > 1) kept = aliasing;
     }
     EXPECT_GT(kept, 0) << "one slice was held although it breaks a promise that others keep";

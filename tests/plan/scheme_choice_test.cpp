@@ -123,8 +123,7 @@ TEST(SchemeChoice, RollsTheMapsAboutTheLightOnlyWhereThatIsWorthIt) {
         const SchemeContext context = contextOf(scene, view, facts, {});
         std::vector<Omission> omitted;
         const SchemeCandidate chosen = chosenScheme(context, omitted);
-        SchemeContext plainContext = context;
-        const double without = evaluate(plainContext, {4, false, false}).promise();
+        const double without = evaluate(context, {4, false, false}).promise();
         const double with = evaluate(context, {4, false, true}).promise();
         EXPECT_EQ(chosen.choice.lightRoll, with <= without * kWorthwhile) << seed;
         (chosen.choice.lightRoll ? rolled : plain) += 1;

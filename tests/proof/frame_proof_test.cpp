@@ -70,19 +70,19 @@ protected:
         plan::View view = frame::overGround();
         view.width = view.height = 48;
         view.camera.eye.x = x;
-        return renderer_.render(view, frame::inSlices(1), {});
+        return renderer.render(view, frame::inSlices(1), {});
     }
 
-    CrateFile path_;
-    hierarchy::ModelFile file_{path_.path()};
-    CountingExecutor executor_;
-    frame::Renderer renderer_{file_, executor_, {}};
+    CrateFile crate;
+    hierarchy::ModelFile file{crate.path()};
+    CountingExecutor counter;
+    frame::Renderer renderer{file, counter, {}};
 };
 
 TEST_F(FrameProofs, AFrameIsDrawnOnceAndMeasuredNowhere) {
     const frame::Frame frame = render(1);
     ASSERT_FALSE(frame.plan.passes.empty());
-    EXPECT_EQ(executor_.takeImages(), (std::vector<double>{1}));
+    EXPECT_EQ(counter.takeImages(), (std::vector<double>{1}));
     EXPECT_FALSE(frame.row.measuredAliasing);
     EXPECT_FALSE(frame.row.wrongShadowFraction);
     EXPECT_FALSE(frame.row.imageDifference);
@@ -91,33 +91,33 @@ TEST_F(FrameProofs, AFrameIsDrawnOnceAndMeasuredNowhere) {
 
 TEST_F(FrameProofs, NothingIsDrawnToFindNothingOut) {
     const frame::Frame frame = render(1);
-    executor_.takeImages();
-    const FrameProof proof = prove(renderer_, frame, {});
-    EXPECT_TRUE(executor_.takeImages().empty());
+    counter.takeImages();
+    const FrameProof proof = prove(renderer, frame, {});
+    EXPECT_TRUE(counter.takeImages().empty());
     EXPECT_FALSE(proof.aliasing || proof.truth || proof.crawl || proof.imageDifference);
 }
 
 TEST_F(FrameProofs, TheFirstFrameHasNothingToCrawlFrom) {
     const frame::Frame frame = render(1);
-    executor_.takeImages();
+    counter.takeImages();
     ProofOptions options;
     options.measuresCrawl = true;
-    EXPECT_FALSE(prove(renderer_, frame, options).crawl);
-    EXPECT_TRUE(executor_.takeImages().empty());
+    EXPECT_FALSE(prove(renderer, frame, options).crawl);
+    EXPECT_TRUE(counter.takeImages().empty());
 }
 
 TEST_F(FrameProofs, EveryImageOfAProofIsOneThatItNames) {
     render(1);
     const frame::Frame frame = render(1.25);
-    const executor::Picture picture = executor_.picture();
-    executor_.takeImages();
+    const executor::Picture picture = counter.picture();
+    counter.takeImages();
     ProofOptions options;
     options.measuresAliasing = options.measuresCrawl = options.comparesWithFinest = true;
     options.oracle = Oracle::SameDetail;
-    const FrameProof proof = prove(renderer_, frame, options);
+    const FrameProof proof = prove(renderer, frame, options);
     // With its surfaces; the finest level's surfaces and its image by rays; the frame before; as it was.
-    EXPECT_EQ(executor_.takeImages(), (std::vector<double>{1.25, 1.25, 1.25, 1, 1.25}));
-    EXPECT_EQ(executor_.picture().pixels, picture.pixels);
+    EXPECT_EQ(counter.takeImages(), (std::vector<double>{1.25, 1.25, 1.25, 1, 1.25}));
+    EXPECT_EQ(counter.picture().pixels, picture.pixels);
     EXPECT_TRUE(proof.aliasing && proof.truth && proof.crawl && proof.imageDifference);
     telemetry::FrameRow row = frame.row;
     setAccuracy(proof, row);
@@ -133,9 +133,9 @@ TEST_F(FrameProofs, TheFramesToComeDoNotDependOnIt) {
     render(1);
     ProofOptions options;
     options.measuresAliasing = options.measuresCrawl = options.comparesWithFinest = true;
-    prove(renderer_, render(1.25), options);
+    prove(renderer, render(1.25), options);
     const frame::Frame after = render(1.5);
-    frame::Renderer plain(file_, executor_, {});
+    frame::Renderer plain(file, counter, {});
     for (const double x : {1.0, 1.25}) {
         plan::View view = after.plan.view;
         view.camera.eye.x = x;

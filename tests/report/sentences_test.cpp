@@ -99,6 +99,17 @@ TEST(RandomSentences, CostWhatTheTableSays) {
     EXPECT_GT(said, 1000);
 }
 
+/// Whether two of `runs`, of `less` and of `more` maps, have errors in the ratio that `sentence` tells of.
+bool isToldRatio(const std::vector<RunSummary>& runs, int less, int more, ErrorKind kind, const std::string& sentence) {
+    for (const RunSummary* a : comparable(runs, less))
+        for (const RunSummary* b : comparable(runs, more)) {
+            if (!knows(*a, kind) || !knows(*b, kind) || !(a->errors.at(kind) > 0)) continue;
+            const std::string ratio = twoDigits(b->errors.at(kind) / a->errors.at(kind));
+            if (sentence.find(" leave " + ratio + " of ") != std::string::npos) return true;
+        }
+    return false;
+}
+
 TEST(RandomSentences, LeaveOfAnErrorWhatTheTableLeaves) {
     Random random(2);
     int said = 0;
@@ -115,14 +126,7 @@ TEST(RandomSentences, LeaveOfAnErrorWhatTheTableLeaves) {
             if (better == kind) break;
             EXPECT_FALSE(allKnow(runs, better)) << told[0];
         }
-        bool isTrue = false;
-        for (const RunSummary* a : comparable(runs, less))
-            for (const RunSummary* b : comparable(runs, more))
-                if (knows(*a, kind) && knows(*b, kind) && a->errors.at(kind) > 0)
-                    isTrue = isTrue ||
-                             told[0].find(" leave " + twoDigits(b->errors.at(kind) / a->errors.at(kind)) + " of ") !=
-                                 std::string::npos;
-        EXPECT_TRUE(isTrue) << told[0];
+        EXPECT_TRUE(isToldRatio(runs, less, more, kind, told[0])) << told[0];
     }
     EXPECT_GT(said, 500);
 }

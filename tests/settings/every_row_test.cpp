@@ -157,8 +157,9 @@ TEST(EveryRow, OfferedByTheWindowHasEndsThatItTakes) {
         if (offer.title.empty() || !isNumber) continue;
         EXPECT_LT(offer.least, offer.most) << each.name();
         for (const double end : {offer.least, offer.most}) {
-            const std::string number = shortest(end);
-            EXPECT_EQ(refusal(each.name(), each.kind() == Kind::Size ? number + "x" + number : number), "");
+            std::string value = shortest(end);
+            if (each.kind() == Kind::Size) value.append("x").append(shortest(end));
+            EXPECT_EQ(refusal(each.name(), value), "");
         }
         for (const int step : offer.steps) {
             EXPECT_EQ(refusal(each.name(), std::to_string(step)), "");

@@ -139,6 +139,14 @@ Settings anySettings(Random& random) {
     return settings;
 }
 
+/// Some values of `setting` as a list: at least the first.
+std::string anyList(Random& random, const Setting& setting) {
+    std::string list;
+    for (const std::string& text : textsOf(setting))
+        if (list.empty() || random.below(2) == 0) list.append(list.empty() ? "" : ",").append(text);
+    return list;
+}
+
 // The nested loops that a person would write, one for each axis, beside the product that grows axis by axis.
 TEST(RandomAxes, CombineLikeTheDigitsOfANumber) {
     Random random(6);
@@ -148,10 +156,7 @@ TEST(RandomAxes, CombineLikeTheDigitsOfANumber) {
         std::size_t runs = 1;
         for (const Setting* each : swept) {
             if (random.below(3) != 0 || runs > 200) continue;
-            std::string list;
-            for (const std::string& text : textsOf(*each))
-                if (list.empty() || random.below(2) == 0) list += (list.empty() ? "" : ",") + text;
-            axes.push_back(parseAxis(*each, each->option(), list));
+            axes.push_back(parseAxis(*each, each->option(), anyList(random, *each)));
             runs *= axes.back().values.size();
         }
         const std::vector<Settings> all = combinations(Settings(), axes);

@@ -143,8 +143,27 @@ TEST(Casters, GrownVolumeHoldsEveryTexelThatALookupReads) {
     EXPECT_GT(tested, 15000);
 }
 
+/// Where lookups at the corners of the map's region end that reach as far as they can, at the far end of the map's
+/// depth (camera space); nothing where one ends past the vanishing line.
+std::vector<glm::dvec3> farthestLookups(const ShadowMap& map) {
+    const DoubleMapImage image = cameraImage(map);
+    const glm::dmat4 offsetFromClip = glm::inverse(image.clipFromOffset);
+    std::vector<glm::dvec3> lookups;
+    for (const FitVertex& vertex : map.region.vertices)
+        for (const glm::dvec2& way : {glm::dvec2(1, 1), glm::dvec2(1, -1), glm::dvec2(-1, 1), glm::dvec2(-1, -1)}) {
+            glm::dvec4 at = image.clipFromOffset * glm::dvec4(vertex.position - image.origin, 1);
+            at /= at.w;
+            at += glm::dvec4(glm::dvec2(map.gutter) / image.texelScale * way, 0, 0);
+            at.z = 1;
+            const glm::dvec4 offset = offsetFromClip * at;
+            if (!(offset.w > 0)) return {};
+            lookups.push_back(glm::dvec3(offset) / offset.w + image.origin);
+        }
+    return lookups;
+}
+
 /// What holds the texels of every lookup is no larger than that: each plane of the grown volume passes through what one
-/// of the region's corners reads at the end of its reach, at the far end of the map's depth.
+/// of the region's corners reads at the end of its reach.
 TEST(Casters, NoPlaneOfTheGrownVolumeCanBeMovedIn) {
     int tested = 0;
     for (std::uint64_t seed = 0; seed < 500; ++seed) {
@@ -152,29 +171,15 @@ TEST(Casters, NoPlaneOfTheGrownVolumeCanBeMovedIn) {
         const Case chosen = randomCase(random);
         for (const ShadowMap& map : chosen.setup.maps) {
             if (map.warped.kappa * map.warped.length > 1e3) continue;
-            const DoubleMapImage image = cameraImage(map);
-            const glm::dmat4 offsetFromClip = glm::inverse(image.clipFromOffset);
-            std::vector<glm::dvec3> read;
-            bool isBounded = true;
-            for (const FitVertex& vertex : map.region.vertices)
-                for (const glm::dvec2& way :
-                     {glm::dvec2(1, 1), glm::dvec2(1, -1), glm::dvec2(-1, 1), glm::dvec2(-1, -1)}) {
-                    glm::dvec4 at = image.clipFromOffset * glm::dvec4(vertex.position - image.origin, 1);
-                    at /= at.w;
-                    at += glm::dvec4(glm::dvec2(map.gutter) / image.texelScale * way, 0, 0);
-                    at.z = 1;
-                    const glm::dvec4 offset = offsetFromClip * at;
-                    isBounded = isBounded && offset.w > 0;
-                    read.push_back(glm::dvec3(offset) / offset.w + image.origin);
-                }
-            if (!isBounded) continue; // past the vanishing line
+            const std::vector<glm::dvec3> lookups = farthestLookups(map);
+            if (lookups.empty()) continue;
             double size = map.region.frustum.far;
-            for (const glm::dvec3& p : read)
+            for (const glm::dvec3& p : lookups)
                 size = std::max(size, glm::length(p));
             EXPECT_GE(map.casterVolume.planes.size(), 4U);
             for (const Plane& plane : map.casterVolume.planes) {
                 double least = std::numeric_limits<double>::infinity();
-                for (const glm::dvec3& p : read)
+                for (const glm::dvec3& p : lookups)
                     least = std::min(least, plane.signedDistance(p));
                 EXPECT_NEAR(least / size, 0, 1e-6) << "seed " << seed;
                 ++tested;

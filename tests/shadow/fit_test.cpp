@@ -139,7 +139,10 @@ TEST(LightFit, ARolledFitIsTheFitOfTheRolledFrame) {
 TEST(LightFit, ExtentsAndErrorsAreReachedAndNotPassed) {
     Random random(4);
     for (int round = 0; round < 500; ++round) {
-        const auto [frustum, fit, kappa] = randomFit(random);
+        const Fitted fitted = randomFit(random); // no structured bindings: clang 14 lets no lambda catch those
+        const ViewFrustum& frustum = fitted.frustum;
+        const LightFit& fit = fitted.fit;
+        const double kappa = fitted.kappa;
         const WarpedExtent extent = warpedExtent(fit, kappa);
         const Aliasing promised = worstAliasing(fit, kappa);
         const double sheared = worstShearedAliasing(fit, kappa);

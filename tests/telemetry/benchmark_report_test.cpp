@@ -27,7 +27,7 @@ TEST(RandomQuantile, LiesBetweenTheRanksAroundIt) {
         const double found = quantile(values, fraction);
         const auto notAbove = std::count_if(values.begin(), values.end(), [&](double v) { return v <= found; });
         const auto notBelow = std::count_if(values.begin(), values.end(), [&](double v) { return v >= found; });
-        const double last = static_cast<double>(values.size() - 1);
+        const auto last = static_cast<double>(values.size() - 1);
         EXPECT_GE(static_cast<double>(notAbove), std::floor(fraction * last) + 1);
         EXPECT_GE(static_cast<double>(notBelow), std::floor((1 - fraction) * last));
     }

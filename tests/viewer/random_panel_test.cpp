@@ -250,6 +250,22 @@ TEST(RandomWireFrames, AreTheSameVolumeInTheWorld) {
     }
 }
 
+/// What is known of a pad, cell by cell.
+struct PadCells {
+    std::size_t inDisc = 0;
+    std::vector<double> found;
+};
+
+PadCells cellsOf(const StoragePad& pad, int side) {
+    PadCells cells;
+    for (int row = 0; row < side; ++row)
+        for (int column = 0; column < side; ++column) {
+            cells.inDisc += glm::length(pad.middle(column, row)) <= 1 ? 1 : 0;
+            if (const auto value = pad.at(column, row)) cells.found.push_back(*value);
+        }
+    return cells;
+}
+
 TEST(RandomStoragePad, FindsEachCellOnceAndAsManyAsItIsAskedFor) {
     Random random(7);
     for (const int side : {1, 2, 5, 8, 16}) {
@@ -260,37 +276,20 @@ TEST(RandomStoragePad, FindsEachCellOnceAndAsManyAsItIsAskedFor) {
         question.frustum = {1, 50, 0.5, 1};
         question.scheme.slices = 1;
         pad.ask(question);
-        std::size_t inDisc = 0;
-        for (int row = 0; row < side; ++row)
-            for (int column = 0; column < side; ++column)
-                inDisc += glm::length(pad.middle(column, row)) <= 1 ? 1 : 0;
-        const auto found = [&] {
-            std::size_t count = 0;
-            for (int row = 0; row < side; ++row)
-                for (int column = 0; column < side; ++column)
-                    count += pad.at(column, row) ? 1 : 0;
-            return count;
-        };
+        const std::size_t inDisc = cellsOf(pad, side).inDisc;
         std::size_t asked = 0;
         while (!pad.isComplete()) {
             const std::size_t count = 1 + random.below(4);
             pad.improve(static_cast<int>(count));
             asked += count;
-            ASSERT_EQ(found(), std::min(asked, inDisc)) << side;
+            ASSERT_EQ(cellsOf(pad, side).found.size(), std::min(asked, inDisc)) << side;
             pad.ask(question); // again, which changes nothing
             ASSERT_LE(asked, inDisc + 8) << "it never ends";
         }
         ASSERT_TRUE(pad.range());
-        double least = 1e300;
-        double largest = 0;
-        for (int row = 0; row < side; ++row)
-            for (int column = 0; column < side; ++column)
-                if (const auto value = pad.at(column, row)) {
-                    least = std::min(least, *value);
-                    largest = std::max(largest, *value);
-                }
-        EXPECT_EQ(pad.range()->least, least);
-        EXPECT_EQ(pad.range()->largest, largest);
+        const std::vector<double> found = cellsOf(pad, side).found;
+        EXPECT_EQ(pad.range()->least, *std::min_element(found.begin(), found.end()));
+        EXPECT_EQ(pad.range()->largest, *std::max_element(found.begin(), found.end()));
     }
 }
 
@@ -302,7 +301,7 @@ TEST(KeyHelp, NamesShiftExactlyWhereTheKeyNeedsIt) {
     }
     std::set<std::string> gestures;
     for (const MouseUse& use : mouseUses())
-        EXPECT_TRUE(gestures.insert(use.gesture).second && std::string(use.help) != "") << use.gesture;
+        EXPECT_TRUE(gestures.insert(use.gesture).second && !std::string(use.help).empty()) << use.gesture;
 }
 
 TEST(KeyHelp, EveryKeyChangesWhatIsShownOrTheQualityOrNeither) {

@@ -11,7 +11,7 @@ using hierarchy::kMaxLevels;
 /// The most pages of a level.
 constexpr std::uint32_t kMaxLevelPages = 1U << 26U;
 
-/// A placeholder for the id that page `page` of level `level` will have in the file: in the same order, but known at
+/// What stands for the id that page `page` of level `level` will have in the file: in the same order, but known at
 /// once.
 std::uint32_t provisionalId(std::uint32_t level, std::uint32_t page);
 

@@ -78,6 +78,27 @@ glm::dvec3 pointOf(Random& random, const Region& region) {
     return sum / total;
 }
 
+FaceMaps facesOf(const Scheme& scheme) {
+    if (!scheme.faces) return FaceMaps::None;
+    return scheme.nearFace == NearFace::OwnMap ? FaceMaps::SidesAndNear : FaceMaps::Sides;
+}
+
+/// How deep a point lies in a region: its distance from the nearest plane, less than 0 outside.
+double depthInside(const Region& region, const glm::dvec3& p) {
+    double inside = std::numeric_limits<double>::infinity();
+    for (const Plane& plane : region.volume.planes)
+        inside = std::min(inside, plane.signedDistance(p));
+    return inside;
+}
+
+/// The distance of a region's nearest corner from one of its planes; 0 where the plane touches it.
+double slack(const Region& region, const Plane& plane) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const FitVertex& vertex : region.vertices)
+        least = std::min(least, plane.signedDistance(vertex.position));
+    return least;
+}
+
 /// A region holds what its partition owns, and what lies inside it by a margin nobody else owns.
 TEST(Regions, AreNoLargerThanWhatTheirPartitionOwns) {
     int tested = 0;
@@ -86,28 +107,19 @@ TEST(Regions, AreNoLargerThanWhatTheirPartitionOwns) {
         const ShadowView view = randomView(random);
         const ShadowOptions options = randomOptions(random, view.frustum);
         const auto& [near, far, theta, aspect] = view.frustum;
-        const bool hasOwnNear = options.scheme.nearFace == NearFace::OwnMap;
         const PartitionSelector selector = partitionSelector(
             view.frustum,
             view.towardsLight,
             practicalSplits(near, far, options.scheme.slices, 1),
-            !options.scheme.faces ? FaceMaps::None
-            : hasOwnNear          ? FaceMaps::SidesAndNear
-                                  : FaceMaps::Sides);
+            facesOf(options.scheme));
         for (std::size_t i = 0; i < selector.partitionCount(); ++i) {
             const Region region = partitionRegion(view.frustum, selector, i);
             EXPECT_EQ(region.slice, i / selector.facesPerSlice());
-            for (const Plane& plane : region.volume.planes) {
-                double least = std::numeric_limits<double>::infinity();
-                for (const FitVertex& vertex : region.vertices)
-                    least = std::min(least, plane.signedDistance(vertex.position));
-                EXPECT_NEAR(least / region.frustum.far, 0, 1e-9) << "seed " << seed << ": a plane can be moved in";
-            }
-            const glm::dvec3 p = pointOf(random, region);
-            double inside = std::numeric_limits<double>::infinity();
             for (const Plane& plane : region.volume.planes)
-                inside = std::min(inside, plane.signedDistance(p));
-            if (inside < 2e-3 * region.frustum.far) continue; // slivers that were merged are a thousandth off
+                EXPECT_NEAR(slack(region, plane) / region.frustum.far, 0, 1e-9)
+                    << "seed " << seed << ": a plane can be moved in";
+            const glm::dvec3 p = pointOf(random, region);
+            if (depthInside(region, p) < 2e-3 * region.frustum.far) continue; // merged slivers: a thousandth off
             ++tested;
             EXPECT_EQ(ownerOf(selector, p), i) << "seed " << seed << " " << name(region.face);
         }

@@ -33,7 +33,7 @@ shadow::Warp warpOf(const Settings& settings) {
     }
     if (settings.tsmFocus) {
         if (warp.rule != shadow::WarpRule::Tsm) throw UsageError{"--tsm-focus is for --warp tsm alone"};
-        warp.tsmFocus = *settings.tsmFocus;
+        if (*settings.tsmFocus > 0) warp.tsmFocus = settings.tsmFocus;
     }
     return warp;
 }

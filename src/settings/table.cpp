@@ -152,7 +152,8 @@ std::vector<Setting> fixedSettings() {
             &Settings::tsmFocus,
             {.name = "tsm-focus",
              .form = "D|auto",
-             .help = "With --warp tsm: distance of the focus from near",
+             .help =
+                 "With --warp tsm: distance of the focus from near; at depth sqrt(near far) of each slice if not given",
              .statedAs = "tsm_focus"},
             ifGiven(distanceOrZero())),
         quality(

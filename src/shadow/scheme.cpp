@@ -16,8 +16,7 @@ std::vector<SchemeMap> schemeMaps(const ViewFrustum& frustum, const glm::dvec3& 
     std::vector<SchemeMap> maps;
     for (std::size_t i = 0; i + 1 < splits.size(); ++i) {
         const ViewFrustum part = slice(frustum, splits[i], splits[i + 1]);
-        Warp warp = scheme.warp;
-        warp.tsmFocus *= part.near / frustum.near;
+        const Warp warp = warpOfSlice(scheme.warp, frustum, part);
         if (!scheme.faces) {
             maps.push_back(schemeMap(i, Face::Whole, fitSlice(lightFrame(towardsLight), part), warp));
             continue;

@@ -55,12 +55,6 @@ ViewFrustum leadingSlice(const ViewFrustum& frustum, const std::vector<double>& 
     return slice(frustum, splits[leading], splits[leading + 1]);
 }
 
-Warp warpOfSlice(const Warp& warp, const ViewFrustum& whole, const ViewFrustum& part) {
-    Warp result = warp;
-    result.tsmFocus *= part.near / whole.near; // the focus of a slice lies where it does in the whole, to scale
-    return result;
-}
-
 /// The frame of a near square's map: along the square's own edges.
 LightFrame nearFrame(const glm::dvec3& towardsLight) {
     return lightFrameAlong(towardsLight, glm::dvec3(0, 1, 0));

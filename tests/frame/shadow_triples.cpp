@@ -69,6 +69,7 @@ plan::Quality scheme(Random& random, std::uint64_t index) {
     constexpr std::array kFilters = {0, 0, 2, 3};
     plan::Quality quality;
     quality.warp.rule = kRules[index % kRules.size()];
+    if (index % (2 * kRules.size()) == 11) quality.warp.tsmFocus = 1e-9; // a TSM as steep as a map may be
     quality.zPartitions = kSlices[random.below(kSlices.size())];
     quality.filter = kFilters[random.below(kFilters.size())];
     quality.facePartitions = index % 4 == 3 ? plan::Choice::On : plan::Choice::Off;

@@ -41,6 +41,7 @@ TEST(Resolve, EtaAndTheFocusSettleTheWarp) {
     settings.tsmFocus = 0;
     EXPECT_EQ(objection(settings), "--tsm-focus is for --warp tsm alone");
     settings.quality.warp.rule = shadow::WarpRule::Tsm;
+    EXPECT_FALSE(qualityOf(settings).warp.tsmFocus) << "0 is auto, which the warp finds by itself";
     settings.tsmFocus = 2;
     EXPECT_EQ(qualityOf(settings).warp.tsmFocus, 2);
 }

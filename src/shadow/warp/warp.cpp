@@ -71,6 +71,16 @@ double kappaTsm(const LightFit& fit, double focusZeta, double fraction) {
     return pole * most > room ? room / pole : most;
 }
 
+double tsmFocusDepth(const ViewFrustum& slice) {
+    return std::sqrt(slice.near) * std::sqrt(slice.far);
+}
+
+Warp warpOfSlice(const Warp& warp, const ViewFrustum& whole, const ViewFrustum& slice) {
+    Warp result = warp;
+    if (result.tsmFocus) *result.tsmFocus *= slice.near / whole.near;
+    return result;
+}
+
 double kappaMinimax(const LightFit& fit) {
     double a = 0;
     double b = 0;
@@ -120,7 +130,7 @@ double kappaOf(const Warp& warp, const LightFit& fit) {
     case WarpRule::Lspsm:
         return kappaLspsm(fit);
     case WarpRule::Tsm: {
-        const glm::dvec3 focus{0, 0, fit.slice.near + warp.tsmFocus};
+        const glm::dvec3 focus{0, 0, warp.tsmFocus ? fit.slice.near + *warp.tsmFocus : tsmFocusDepth(fit.slice)};
         return kappaTsm(fit, toLight(fit.frame, focus).z - fit.zMin, warp.tsmFraction);
     }
     case WarpRule::Minimax:

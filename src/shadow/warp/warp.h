@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 namespace gnomon::shadow {
 
@@ -47,8 +48,9 @@ constexpr std::string_view name(WarpRule rule) {
 /// A rule with its parameters.
 struct Warp {
     WarpRule rule = WarpRule::Auto;
-    double eta = 0;      // Eta: in [-1, 1]
-    double tsmFocus = 0; // Tsm: view distance of the focus from the near plane, world units, > 0
+    double eta = 0; // Eta: in [-1, 1]
+    std::optional<double>
+        tsmFocus; // Tsm: view distance of the focus from near, world units, > 0; nothing: tsmFocusDepth
     double tsmFraction = 0.8;
     double kappa = 0; // Given: 1 / world units, >= 0
 };
@@ -59,6 +61,13 @@ double kappaLspsm(const LightFit& fit);
 /// The kappa that maps `focusZeta` to t = `fraction`; 0 from focusZeta = fraction d on. kappa d is capped at 1e6, which
 /// a focus on the near side would exceed without bound.
 double kappaTsm(const LightFit& fit, double focusZeta, double fraction);
+
+/// The view depth that a TSM of `slice` takes for its focus where none is given: sqrt(near far), which divides the
+/// slice into two of equal depth ratio.
+double tsmFocusDepth(const ViewFrustum& slice);
+
+/// The part of `warp` that a slice of `whole` gets: the focus lies in the slice where it does in the whole, to scale.
+Warp warpOfSlice(const Warp& warp, const ViewFrustum& whole, const ViewFrustum& slice);
 
 /// The kappa of least M_z over the vertices, in closed form: with a and b the largest zeta of the near and of the far
 /// vertices and r = sqrt(f/n), the smaller of (d - 2a)/(a d), where the near side's error stops falling, and

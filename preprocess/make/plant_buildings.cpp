@@ -260,20 +260,14 @@ void addStore(Site& site) {
         const std::uint64_t layer = i / inRow; // laid into the gaps of the one below
         const double shift = static_cast<double>(i % inRow) + 0.5 * static_cast<double>(layer % 2);
         const dvec3 at(-2 + 2 * radius * shift, radius * (1 + 1.75 * static_cast<double>(layer)), -13);
-        addRod(
-            site.parts,
-            at,
-            at + dvec3(0, 0, 11),
-            radius * 0.98,
-            std::max<std::uint64_t>(6, site.detail.sides(radius)),
-            Ends::Open);
-        addRod(
-            site.parts,
-            at,
-            at + dvec3(0, 0, 11),
-            radius * 0.9,
-            std::max<std::uint64_t>(6, site.detail.sides(radius)),
-            Ends::Open);
+        for (const double wall : {0.98, 0.9}) // outer and inner
+            addRod(
+                site.parts,
+                at,
+                at + dvec3(0, 0, 11),
+                radius * wall,
+                std::max<std::uint64_t>(6, site.detail.sides(radius)),
+                Ends::Open);
     }
     for (std::uint64_t i = 0; i < 5; ++i) { // cable drums
         const dvec3 at(-11 + 4.4 * static_cast<double>(i), 1.1, 5);

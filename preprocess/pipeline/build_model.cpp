@@ -249,12 +249,12 @@ private:
         const std::vector<NodeRecord>& children = log().nodes(before);
         std::uint64_t vertices = 0;
         for (std::uint32_t child = round.firstChild(node); child < round.ends[node]; ++child)
-            vertices += children[child].pendingVertices;
+            vertices += children[child].pending.vertices;
         levels::PendingLevelMerger merger(log().binned()->grid, vertices);
         std::vector<std::byte> bytes;
         for (std::uint32_t child = round.firstChild(node); child < round.ends[node]; ++child) {
             const NodeRecord& record = children[child];
-            if (record.pendingTriangles == 0) continue;
+            if (record.pending.triangles == 0) continue;
             bytes.resize(record.pendingBytes);
             pendingFile_->read(record.pendingOffset, bytes);
             merger.add(bytes, record.firstLevel, log().firstPages(before, child));
@@ -282,8 +282,8 @@ private:
         }
         record.pendingBytes = made.node.pending.bytes.size();
         record.pendingOffset = pendingFile_->append(made.node.pending.bytes);
-        record.pendingVertices = made.node.pending.vertices;
-        record.pendingTriangles = made.node.pending.triangles;
+        record.pending.vertices = made.node.pending.vertices;
+        record.pending.triangles = made.node.pending.triangles;
         record.rootTriangles = made.node.rootTriangles;
         record.stuckTriangles = made.node.stuckTriangles;
         workDirectory_.finish(std::move(record));
@@ -335,15 +335,7 @@ private:
         report_.fileBytes = writer.bytesWritten();
         report_.pages = totals.pages;
         report_.stuckTriangles = totals.stuckTriangles;
-        report_.sourceTriangles = summary.sourceTriangles;
-        report_.sourceVertices = summary.sourceVertices;
-        report_.dropped = summary.dropped;
-        report_.levelCount = summary.levels.size();
-        report_.coarsestTriangles = summary.coarsestTriangles;
-        for (const hierarchy::LevelInfo& level : summary.levels) {
-            report_.clusters += level.clusters;
-            report_.groups += level.groups;
-        }
+        report_.summary = summary;
         bytesWritten_ -= report_.fileBytes;
         endPhase("write", 0);
     }

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "core/progress.h"
+#include "hierarchy/model.h"
 #include "preprocess/pipeline/build_options.h"
 #include "preprocess/read/mesh_source.h"
 
-#include <map>
 #include <string>
 #include <vector>
 
@@ -19,15 +19,9 @@ struct BuildPhase {
 };
 
 struct BuildReport {
-    std::uint64_t sourceTriangles = 0;
-    std::uint64_t sourceVertices = 0;
-    std::map<std::string, std::uint64_t> dropped;
-    std::uint64_t clusters = 0;
-    std::uint64_t groups = 0;
-    std::uint64_t levelCount = 0;
+    hierarchy::ModelSummary summary; // as it stands in the file
     std::uint64_t pages = 0;
     std::uint64_t stuckTriangles = 0;
-    std::uint64_t coarsestTriangles = 0;
     std::uint64_t fileBytes = 0;
     std::uint64_t temporaryBytes = 0; // at their peak
     double seconds = 0;

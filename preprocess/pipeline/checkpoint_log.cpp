@@ -1,7 +1,7 @@
 #include "preprocess/pipeline/checkpoint_log.h"
 
 #include "core/check.h"
-#include "hierarchy/bytes.h"
+#include "hierarchy/file_layout.h"
 
 #include <bit>
 
@@ -68,33 +68,17 @@ void vectorFields(Fields& fields, Vector& v) {
         fields.field(v[axis]);
 }
 
-template <class Fields, class Point>
-void pointFields(Fields& fields, Point& p) {
-    fields.field(p.x);
-    fields.field(p.y);
-    fields.field(p.z);
+/// A page's row as in a model's table, after the place of its bytes in the scratch file.
+void pageFields(Putter& fields, const PageInfo& info) {
+    fields.field(info.offset);
+    hierarchy::putPageRow(fields.out, info);
 }
 
-template <class Fields, class Info>
-void pageFields(Fields& fields, Info& info) {
-    fields.field(info.offset);
-    fields.field(info.storedBytes);
-    fields.field(info.checksum);
-    fields.field(info.level);
-    fields.field(info.groupCount);
-    fields.field(info.clusterCount);
-    fields.field(info.refinementCount);
-    fields.field(info.vertexCount);
-    fields.field(info.triangleCount);
-    pointFields(fields, info.box.min);
-    pointFields(fields, info.box.max);
-    vectorFields(fields, info.bounds.center);
-    fields.field(info.bounds.radius);
-    fields.field(info.minError);
-    fields.field(info.maxError);
-    fields.count(info.children);
-    for (auto& child : info.children)
-        fields.field(child);
+void pageFields(Taker& fields, PageInfo& info) {
+    std::uint64_t offset = 0;
+    fields.field(offset);
+    info = hierarchy::takePageRow(fields.in);
+    info.offset = offset;
 }
 
 template <class Fields, class Record>
@@ -138,8 +122,8 @@ void nodeFields(Fields& fields, Record& record) {
     }
     fields.field(record.pendingOffset);
     fields.field(record.pendingBytes);
-    fields.field(record.pendingVertices);
-    fields.field(record.pendingTriangles);
+    fields.field(record.pending.vertices);
+    fields.field(record.pending.triangles);
     fields.field(record.rootTriangles);
     fields.field(record.stuckTriangles);
     for (auto& count : record.dropped)

@@ -13,7 +13,7 @@
 namespace gnomon::pipeline {
 
 /// Counts up when the records change: a build can go on only with those of its own kind.
-constexpr int kCheckpointVersion = 3;
+constexpr int kCheckpointVersion = 4;
 
 /// The source is in chunks.
 struct BinnedRecord {
@@ -47,8 +47,7 @@ struct NodeRecord {
     std::vector<LevelOfNode> levels;
     std::uint64_t pendingOffset = 0;
     std::uint64_t pendingBytes = 0;
-    std::uint64_t pendingVertices = 0;
-    std::uint64_t pendingTriangles = 0;
+    chunk::PartSize pending;
     std::uint64_t rootTriangles = 0;
     std::uint64_t stuckTriangles = 0;
     std::array<std::uint64_t, 3> dropped{}; // degenerate, doubled, collapsed by the grid

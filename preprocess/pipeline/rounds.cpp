@@ -29,14 +29,14 @@ Round nextRound(const Round& round, const std::vector<NodeRecord>& finished, std
     chunk::PartSize sum;
     for (std::uint32_t child = 0; child < finished.size(); ++child) {
         const NodeRecord& own = finished[child];
-        if (child > 0 && sum.triangles + own.pendingTriangles <= most) {
+        if (child > 0 && sum.triangles + own.pending.triangles <= most) {
             next.ends.back() = child + 1;
         } else {
             next.ends.push_back(child + 1);
             sum = {};
         }
-        sum.triangles += own.pendingTriangles;
-        sum.vertices += own.pendingVertices;
+        sum.triangles += own.pending.triangles;
+        sum.vertices += own.pending.vertices;
         next.largestNode.growTo(sum);
     }
     next.isLast = next.nodeCount() == 1 || next.nodeCount() == finished.size();

@@ -46,6 +46,12 @@ std::uint64_t peakResidentBytes() {
 }
 
 nlohmann::ordered_json asJson(const BuildReport& report) {
+    std::uint64_t clusters = 0;
+    std::uint64_t groups = 0;
+    for (const hierarchy::LevelInfo& level : report.summary.levels) {
+        clusters += level.clusters;
+        groups += level.groups;
+    }
     nlohmann::ordered_json phases = nlohmann::ordered_json::array();
     for (const pipeline::BuildPhase& phase : report.phases)
         phases.push_back(
@@ -53,16 +59,16 @@ nlohmann::ordered_json asJson(const BuildReport& report) {
              {"seconds", phase.seconds},
              {"bytes_read", phase.bytesRead},
              {"bytes_written", phase.bytesWritten}});
-    const auto triangles = static_cast<double>(report.sourceTriangles);
+    const auto triangles = static_cast<double>(report.summary.sourceTriangles);
     return {
-        {"source_triangles", report.sourceTriangles},
-        {"source_vertices", report.sourceVertices},
-        {"dropped", report.dropped},
-        {"clusters", report.clusters},
-        {"groups", report.groups},
-        {"level_count", report.levelCount},
+        {"source_triangles", report.summary.sourceTriangles},
+        {"source_vertices", report.summary.sourceVertices},
+        {"dropped", report.summary.dropped},
+        {"clusters", clusters},
+        {"groups", groups},
+        {"level_count", report.summary.levels.size()},
         {"pages", report.pages},
-        {"coarsest_triangles", report.coarsestTriangles},
+        {"coarsest_triangles", report.summary.coarsestTriangles},
         {"stuck_triangles", report.stuckTriangles},
         {"file_bytes", report.fileBytes},
         {"bytes_per_source_triangle", static_cast<double>(report.fileBytes) / triangles},
@@ -76,16 +82,16 @@ nlohmann::ordered_json asJson(const BuildReport& report) {
 }
 
 void printForPeople(const BuildReport& report, const std::string& output) {
-    const auto triangles = static_cast<double>(report.sourceTriangles);
+    const auto triangles = static_cast<double>(report.summary.sourceTriangles);
     std::printf(
         "%s: %s triangles in %llu levels, %s, %.1f bytes a triangle, coarsest %llu\n",
         printable(output).c_str(),
-        readableCount(report.sourceTriangles).c_str(),
-        static_cast<unsigned long long>(report.levelCount),
+        readableCount(report.summary.sourceTriangles).c_str(),
+        static_cast<unsigned long long>(report.summary.levels.size()),
         readableBytes({report.fileBytes}).c_str(),
         static_cast<double>(report.fileBytes) / triangles,
-        static_cast<unsigned long long>(report.coarsestTriangles));
-    for (const auto& [reason, count] : report.dropped)
+        static_cast<unsigned long long>(report.summary.coarsestTriangles));
+    for (const auto& [reason, count] : report.summary.dropped)
         if (count > 0) std::printf("dropped: %s %llu\n", reason.c_str(), static_cast<unsigned long long>(count));
     std::printf(
         "%.2f s, %s triangles/s, peak %s\n",
@@ -99,15 +105,15 @@ void warnOfCoarsest(const BuildReport& report, const std::string& output) {
     constexpr std::uint64_t kManyTriangles = 1000; // a well-behaved mesh ends in less, whatever its size
     constexpr double kManyStuckPercent = 1;
     const double stuckPercent =
-        100 * static_cast<double>(report.stuckTriangles) / static_cast<double>(report.sourceTriangles);
-    if (report.coarsestTriangles <= kManyTriangles && stuckPercent <= kManyStuckPercent) return;
+        100 * static_cast<double>(report.stuckTriangles) / static_cast<double>(report.summary.sourceTriangles);
+    if (report.summary.coarsestTriangles <= kManyTriangles && stuckPercent <= kManyStuckPercent) return;
     std::fprintf(
         stderr,
         "gnomon: warning: %s: the coarsest level has %llu of %llu triangles, expected at most %llu; stuck are %.3g "
         "percent, expected at most %g\n",
         printable(output).c_str(),
-        static_cast<unsigned long long>(report.coarsestTriangles),
-        static_cast<unsigned long long>(report.sourceTriangles),
+        static_cast<unsigned long long>(report.summary.coarsestTriangles),
+        static_cast<unsigned long long>(report.summary.sourceTriangles),
         static_cast<unsigned long long>(kManyTriangles),
         stuckPercent,
         kManyStuckPercent);

@@ -2,7 +2,9 @@
 
 #include "hierarchy/validation.h"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include <xxhash.h>
 
@@ -44,7 +46,9 @@ glm::dvec3 takeVector(ByteReader& in) {
 /// A row without children.
 constexpr std::uint64_t kRowBytes = 112;
 
-void putRow(ByteWriter& out, const PageInfo& page) {
+} // namespace
+
+void putPageRow(ByteWriter& out, const PageInfo& page) {
     out.put(page.storedBytes);
     out.put(page.level);
     out.put(page.checksum);
@@ -64,7 +68,7 @@ void putRow(ByteWriter& out, const PageInfo& page) {
         out.put(child);
 }
 
-PageInfo takeRow(ByteReader& in) {
+PageInfo takePageRow(ByteReader& in) {
     PageInfo page;
     page.storedBytes = in.take<std::uint32_t>();
     page.level = in.take<std::uint32_t>();
@@ -81,13 +85,12 @@ PageInfo takeRow(ByteReader& in) {
     page.bounds.radius = in.take<double>();
     page.minError = in.take<double>();
     page.maxError = in.take<double>();
-    for (std::uint32_t i = 0; i < childCount; ++i) {
-        const auto child = in.take<std::uint32_t>();
-        if (i > 0 && child <= page.children.back()) throw Damage{"a page's children do not ascend"};
-        page.children.push_back(child);
-    }
+    for (std::uint32_t i = 0; i < childCount; ++i)
+        page.children.push_back(in.take<std::uint32_t>());
     return page;
 }
+
+namespace {
 
 template <class Value, class Put>
 void putMap(ByteWriter& out, const std::map<std::string, Value>& map, Put put) {
@@ -179,7 +182,7 @@ Footer decodeFooter(std::span<const std::byte> bytes) {
 std::vector<std::byte> encodePageTable(std::span<const PageInfo> pages) {
     ByteWriter out;
     for (const PageInfo& page : pages)
-        putRow(out, page);
+        putPageRow(out, page);
     return out.take();
 }
 
@@ -200,7 +203,9 @@ std::vector<PageInfo> decodePageTable(std::span<const std::byte> bytes, const Fo
     pages.reserve(std::min(footer.pageCount, bytes.size() / kRowBytes));
     std::uint64_t offset = kHeaderBytes;
     for (std::uint64_t i = 0; i < footer.pageCount; ++i) {
-        PageInfo page = takeRow(in);
+        PageInfo page = takePageRow(in);
+        if (std::ranges::adjacent_find(page.children, std::greater_equal()) != page.children.end())
+            throw Damage{"a page's children do not ascend"};
         if (const auto fault = rowFault(page, grid)) throw Damage{"page " + std::to_string(i) + ": " + *fault};
         page.offset = offset;
         offset += page.storedBytes;

@@ -53,6 +53,12 @@ std::vector<std::byte> encodeFooter(const Footer& footer);
 /// Throws Damage.
 Footer decodeFooter(std::span<const std::byte> bytes);
 
+/// One row of the page table: all of `page` but its offset, which follows from the rows before.
+void putPageRow(ByteWriter& out, const PageInfo& page);
+
+/// What `putPageRow` put, unchecked; its offset is 0. Throws Damage where the bytes end too early.
+PageInfo takePageRow(ByteReader& in);
+
 std::vector<std::byte> encodePageTable(std::span<const PageInfo> pages);
 
 /// What reading and decoding the page table that `footer` tells of takes at most, in bytes. Throws Damage where the

@@ -61,11 +61,18 @@ glm::dvec3 anyVisiblePoint(Random& random, const plan::FramePlan& plan, double n
     return plan.view.camera.eye + toWorld(plan.basis, inCamera);
 }
 
-TEST(PlanJson, HasEveryFieldOfTheContract) {
-    Random random(1);
+/// Calls `look(plan, what is printed of it)` for 60 plans.
+template <class Look>
+void forPlans(Random& random, const Look& look) {
     for (int trial = 0; trial < 60; ++trial) {
         const plan::FramePlan plan = anyPlan(random);
-        const ordered_json json = planJson(plan);
+        look(plan, planJson(plan));
+    }
+}
+
+TEST(PlanJson, HasEveryFieldOfTheContract) {
+    Random random(1);
+    forPlans(random, [&](const plan::FramePlan& plan, const ordered_json& json) {
         EXPECT_EQ(json["near"], plan.near);
         EXPECT_EQ(json["far"], plan.far);
         EXPECT_EQ(json["near_from"], settings::sourceInWords(plan.nearFrom));
@@ -100,15 +107,13 @@ TEST(PlanJson, HasEveryFieldOfTheContract) {
             EXPECT_EQ(told["light_clip_from_world"].size(), 16U);
             EXPECT_EQ(told["caster_planes"].size(), map.casterVolume.planes.size());
         }
-    }
+    });
 }
 
 TEST(PlanJson, PutsWhatASliceSeesIntoTheClipSpaceOfItsMap) {
     Random random(2);
     int points = 0;
-    for (int trial = 0; trial < 60; ++trial) {
-        const plan::FramePlan plan = anyPlan(random);
-        const ordered_json json = planJson(plan);
+    forPlans(random, [&](const plan::FramePlan& plan, const ordered_json& json) {
         for (const ordered_json& pass : json["passes"]) {
             if (pass["face"] != "whole") continue; // of a face only a part of the view
             for (int i = 0; i < 20; ++i) {
@@ -120,16 +125,14 @@ TEST(PlanJson, PutsWhatASliceSeesIntoTheClipSpaceOfItsMap) {
                 ++points;
             }
         }
-    }
+    });
     EXPECT_GT(points, 500);
 }
 
 TEST(PlanJson, CountsDepthFromTheLightFromMinusOneToOne) {
     Random random(3);
     int compared = 0;
-    for (int trial = 0; trial < 60; ++trial) {
-        const plan::FramePlan plan = anyPlan(random);
-        const ordered_json json = planJson(plan);
+    forPlans(random, [&](const plan::FramePlan& plan, const ordered_json& json) {
         for (std::size_t i = 0; i < plan.passes.size(); ++i) {
             const glm::dvec3 world = anyVisiblePoint(random, plan, plan.near, plan.far);
             const glm::dvec4 inCamera(toCamera(plan.basis, world - plan.view.camera.eye), 1);
@@ -141,7 +144,7 @@ TEST(PlanJson, CountsDepthFromTheLightFromMinusOneToOne) {
             EXPECT_NEAR(told.z, 2 * own.z / own.w - 1, 1e-6 * scale);
             ++compared;
         }
-    }
+    });
     EXPECT_GT(compared, 50);
 }
 
@@ -149,9 +152,7 @@ TEST(PlanJson, HasPlanesThatHoldWhatTheCastersVolumeHolds) {
     Random random(4);
     int inside = 0;
     int outside = 0;
-    for (int trial = 0; trial < 60; ++trial) {
-        const plan::FramePlan plan = anyPlan(random);
-        const ordered_json json = planJson(plan);
+    forPlans(random, [&](const plan::FramePlan& plan, const ordered_json& json) {
         for (std::size_t i = 0; i < plan.passes.size(); ++i)
             for (int point = 0; point < 20; ++point) {
                 const glm::dvec3 world = anyVisiblePoint(random, plan, 0.1, 3 * plan.far);
@@ -168,7 +169,7 @@ TEST(PlanJson, HasPlanesThatHoldWhatTheCastersVolumeHolds) {
                 EXPECT_NEAR(told, own, 1e-6 * (1 + std::abs(own)));
                 (own >= 0 ? inside : outside) += 1;
             }
-    }
+    });
     EXPECT_GT(inside, 100);
     EXPECT_GT(outside, 100);
 }

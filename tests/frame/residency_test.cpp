@@ -35,16 +35,28 @@ selection::DetailView viewFrom(const glm::dvec3& eye) {
     return view;
 }
 
+/// The query of a cut through what is seen from near the model's corner, asked for at one pixel.
+struct SeenCut {
+    explicit SeenCut(Residency& residency) : query(residency.query()) {
+        query.rule = &rule;
+        query.errorPixels = 1;
+        query.volumes = volumes;
+    }
+
+    SeenCut(const SeenCut&) = delete;
+    SeenCut& operator=(const SeenCut&) = delete;
+
+    const selection::DetailView view = viewFrom({10, 15, 10});
+    const selection::ErrorRule rule{view};
+    const std::vector<ConvexVolume> volumes{selection::viewPyramid(view)};
+    selection::CutQuery query;
+};
+
 TEST_F(ModelResidency, AFrameThatWaitsHasAllThatItsCutWants) {
     const hierarchy::ModelFile model(path);
     Residency residency(model, {});
-    const selection::DetailView view = viewFrom({10, 15, 10});
-    const selection::ErrorRule rule(view);
-    const std::vector<ConvexVolume> volumes{selection::viewPyramid(view)};
-    selection::CutQuery query = residency.query();
-    query.rule = &rule;
-    query.errorPixels = 1;
-    query.volumes = volumes;
+    SeenCut seen(residency);
+    selection::CutQuery& query = seen.query;
     residency.admitLoaded(Waiting::UntilComplete);
     selection::Cut cut = selection::cut(query);
     int rounds = 0;
@@ -65,13 +77,8 @@ TEST_F(ModelResidency, AFrameThatWaitsHasAllThatItsCutWants) {
 TEST_F(ModelResidency, AFrameThatNeverWaitsArrivesInTheEnd) {
     const hierarchy::ModelFile model(path);
     Residency residency(model, {});
-    const selection::DetailView view = viewFrom({10, 15, 10});
-    const selection::ErrorRule rule(view);
-    const std::vector<ConvexVolume> volumes{selection::viewPyramid(view)};
-    selection::CutQuery query = residency.query();
-    query.rule = &rule;
-    query.errorPixels = 1;
-    query.volumes = volumes;
+    SeenCut seen(residency);
+    selection::CutQuery& query = seen.query;
     for (int frame = 0; frame < 20000; ++frame) {
         residency.admitLoaded(Waiting::Never);
         query.resident = residency.resident();

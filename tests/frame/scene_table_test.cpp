@@ -267,16 +267,21 @@ View viewOf(const Row& row, Quality& quality) {
     return view;
 }
 
+/// A row's scene and what it is drawn with.
+struct RowScene {
+    explicit RowScene(const Row& row) : view(viewOf(row, quality)) { row.build(scene); }
+
+    SceneMesh scene;
+    Quality quality;
+    const View view;
+};
+
 TEST(SceneTable, KeepsAndDropsWhatItSays) {
     EXPECT_GE(rows().size(), 20U);
     for (const Row& row : rows()) {
         SCOPED_TRACE(row.words);
-        SceneMesh scene;
-        row.build(scene);
-        DrawnModel model(scene.model());
-        Quality quality;
-        const View view = viewOf(row, quality);
-        const Frame frame = model.draw(view, quality);
+        RowScene own(row);
+        const Frame frame = DrawnModel(own.scene.model()).draw(own.view, own.quality);
         for (const Part& part : row.kept)
             EXPECT_FALSE(isDropped(frame.plan, part)) << words(part) << "\n" << told(frame.plan);
         for (const Part& part : row.dropped)
@@ -289,11 +294,9 @@ TEST(SceneTable, WhatIsDroppedCostsNothingAndIsNotMissed) {
     int dropped = 0;
     for (const Row& row : rows()) {
         SCOPED_TRACE(row.words);
-        SceneMesh scene;
-        row.build(scene);
+        RowScene own(row);
+        auto& [scene, quality, view] = own;
         DrawnModel model(scene.model());
-        Quality quality;
-        const View view = viewOf(row, quality);
         const Frame frame = model.draw(view, quality);
         if (!isDropped(frame.plan, Effect::ShadowMaps) || quality.shadows == plan::ShadowMode::Rays) continue;
         ++dropped;

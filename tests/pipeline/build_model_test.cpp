@@ -20,7 +20,7 @@ std::uint64_t trianglesOfLevel(const BuiltModel& model, std::uint32_t level) {
 
 std::uint64_t allDropped(const BuildReport& report) {
     std::uint64_t count = 0;
-    for (const auto& [reason, triangles] : report.dropped)
+    for (const auto& [reason, triangles] : report.summary.dropped)
         count += triangles;
     return count;
 }
@@ -38,10 +38,10 @@ TEST(Build, EverySourceTriangleIsStoredOrCounted) {
     mesh.positions.push_back((mesh.positions[0] + mesh.positions[1]) * 0.5);
     mesh.triangles.push_back({0, n + 2, 1}); // almost no area, yet three corners: stays
     const BuiltModel model(read::CodeMesh(mesh.positions, mesh.triangles));
-    EXPECT_EQ(model.report().sourceTriangles, 3206U);
-    EXPECT_EQ(model.report().dropped.at("degenerate"), 2U);
-    EXPECT_EQ(model.report().dropped.at("doubled"), 2U);
-    EXPECT_EQ(model.report().dropped.at("collapsed_by_grid"), 1U);
+    EXPECT_EQ(model.report().summary.sourceTriangles, 3206U);
+    EXPECT_EQ(model.report().summary.dropped.at("degenerate"), 2U);
+    EXPECT_EQ(model.report().summary.dropped.at("doubled"), 2U);
+    EXPECT_EQ(model.report().summary.dropped.at("collapsed_by_grid"), 1U);
     EXPECT_EQ(trianglesOfLevel(model, 0) + allDropped(model.report()), 3206U);
 }
 
@@ -57,7 +57,7 @@ TEST(Build, SameBytesForAnyNumberOfThreads) {
 
 TEST(Build, ThousandsOfSmallPartsGetCoarse) {
     const BuiltModel model(read::strewnBoxes(5000));
-    EXPECT_LE(model.report().coarsestTriangles, 1000U);
+    EXPECT_LE(model.report().summary.coarsestTriangles, 1000U);
     EXPECT_EQ(model.report().stuckTriangles, 0U);
 }
 

@@ -110,7 +110,7 @@ bool isKilled(const read::CodeMesh& mesh, const BuildOptions& options, int steps
 
 TEST(Pipeline, ChunksAreJoinedUntilOneRootIsLeft) {
     const BuiltModel model(read::bumpySheet(90), smallChunks(1500));
-    EXPECT_LE(model.report().coarsestTriangles, 1000U);
+    EXPECT_LE(model.report().summary.coarsestTriangles, 1000U);
     EXPECT_EQ(model.report().stuckTriangles, 0U);
     EXPECT_EQ(model.summary().levels.front().triangles, 90U * 90 * 2);
     EXPECT_GT(model.report().temporaryBytes, 0U);
@@ -270,7 +270,7 @@ TEST(Pipeline, AVertexThatNoTriangleUsesDoesNotSetTheGrid) {
     const BuiltModel found(read::CodeMesh(positions, sheet.triangles), smallChunks(1000));
     EXPECT_EQ(found.summary().grid.stepExponent, expected.summary().grid.stepExponent);
     EXPECT_EQ(found.summary().grid.origin, expected.summary().grid.origin);
-    EXPECT_EQ(found.report().dropped, expected.report().dropped);
+    EXPECT_EQ(found.report().summary.dropped, expected.report().summary.dropped);
 }
 
 // Scanners write vertices at NaN where they saw nothing.

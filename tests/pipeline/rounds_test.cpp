@@ -12,8 +12,8 @@ namespace {
 
 NodeRecord nodeOf(std::uint64_t triangles, std::size_t levels = 1) {
     NodeRecord node;
-    node.pendingTriangles = triangles;
-    node.pendingVertices = triangles / 2;
+    node.pending.triangles = triangles;
+    node.pending.vertices = triangles / 2;
     node.levels.resize(levels);
     return node;
 }

@@ -84,18 +84,26 @@ TEST(ShadowOracle, DistancesAreThoseOfBruteForce) {
     }
 }
 
+/// A value for each pixel of a picture, by its column and its row.
+template <class ValueAt>
+auto filled(std::size_t width, std::size_t height, const ValueAt& valueAt) {
+    std::vector<decltype(valueAt(0, 0))> pixels;
+    for (std::size_t i = 0; i < width * height; ++i)
+        pixels.push_back(valueAt(i % width, i / width));
+    return pixels;
+}
+
 TEST(ShadowOracle, MeasuresAShiftedShadow) {
     constexpr std::size_t kWidth = 100;
     constexpr std::size_t kHeight = 60;
-    std::vector<Light> reference(kWidth * kHeight);
-    std::vector<std::uint8_t> same(reference.size());
-    std::vector<std::uint8_t> shifted(reference.size());
-    for (std::size_t i = 0; i < reference.size(); ++i) {
-        const std::size_t x = i % kWidth;
-        reference[i] = i / kWidth < 10 ? Light::Nothing : x < 50 ? Light::Dark : Light::Lit;
-        same[i] = x < 50 ? 0 : 1;
-        shifted[i] = x < 57 ? 0 : 1;
-    }
+    const auto reference = filled(kWidth, kHeight, [](std::size_t x, std::size_t y) {
+        return y < 10 ? Light::Nothing : x < 50 ? Light::Dark : Light::Lit;
+    });
+    const auto litFrom = [](std::size_t edge) {
+        return filled(kWidth, kHeight, [edge](std::size_t x, std::size_t) { return std::uint8_t{x >= edge}; });
+    };
+    const std::vector<std::uint8_t> same = litFrom(50);
+    const std::vector<std::uint8_t> shifted = litFrom(57);
     const ShadowComparison right = compareShadows(reference, same, kWidth);
     EXPECT_EQ(right.wrongPixels, 0U);
     EXPECT_EQ(right.litSidePixels, 5000U);
@@ -114,15 +122,11 @@ TEST(ShadowOracle, MeasuresAShiftedShadow) {
 TEST(ShadowOracle, CountsEdgesOfWhatIsTooFineApart) {
     constexpr std::size_t kWidth = 100;
     constexpr std::size_t kHeight = 50;
-    std::vector<Light> reference(kWidth * kHeight);
-    std::vector<std::uint8_t> isLit(reference.size());
-    std::vector<std::uint8_t> bar(reference.size());
-    for (std::size_t i = 0; i < reference.size(); ++i) {
-        const std::size_t x = i % kWidth;
-        bar[i] = x == 70 ? 1 : 0;
-        reference[i] = x < 50 || x == 70 ? Light::Dark : Light::Lit;
-        isLit[i] = x < 55 || (x == 70 && i / kWidth >= 25) ? 0 : 1;
-    }
+    const auto reference = filled(
+        kWidth, kHeight, [](std::size_t x, std::size_t) { return x < 50 || x == 70 ? Light::Dark : Light::Lit; });
+    const auto bar = filled(kWidth, kHeight, [](std::size_t x, std::size_t) { return std::uint8_t{x == 70}; });
+    const auto isLit = filled(
+        kWidth, kHeight, [](std::size_t x, std::size_t y) { return std::uint8_t{x >= 55 && (x != 70 || y < 25)}; });
     const ShadowComparison all = compareShadows(reference, isLit, kWidth);
     EXPECT_EQ(all.wrongPixels, 5U * kHeight + 25);
     EXPECT_EQ(all.edgePixelsApart, 0U);

@@ -1,6 +1,7 @@
 // Reads a MeshSource whole, for tests, and checks on the way what every source promises of its blocks.
 #pragma once
 
+#include "core/error.h"
 #include "preprocess/read/mesh_source.h"
 
 #include <gtest/gtest.h>
@@ -17,6 +18,20 @@ namespace gnomon::read {
 inline void writeScratch(const std::string& path, const std::string& text) {
     std::filesystem::remove(path);
     std::ofstream(path, std::ios::binary) << text;
+}
+
+/// What an Error out of `read` says of the file `path`, in one line that begins with it; "no error" without one.
+template <class Read>
+std::string errorAbout(const std::string& path, const Read& read) {
+    try {
+        read();
+    } catch (const Error& error) {
+        const std::string message = error.what();
+        EXPECT_TRUE(message.starts_with(path)) << message;
+        EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+        return message.substr(std::min(message.size(), path.size()));
+    }
+    return "no error";
 }
 
 struct CollectedMesh {

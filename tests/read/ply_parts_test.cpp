@@ -4,7 +4,7 @@
 #include "preprocess/read/ply_header.h"
 #include "preprocess/read/ply_rows.h"
 #include "preprocess/read/ply_values.h"
-#include "tests/read/collect.h"
+#include "tests/read/scratch_input.h"
 
 #include <gtest/gtest.h>
 
@@ -12,26 +12,11 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <optional>
-
-#include <unistd.h>
 
 namespace gnomon::read {
 namespace {
 
-class PlyParts : public testing::Test {
-protected:
-    void TearDown() override { std::filesystem::remove(path); }
-
-    const InputFile& fileOf(const std::string& text) {
-        writeScratch(path, text);
-        opened.emplace(path);
-        return *opened;
-    }
-
-    std::string path = testing::TempDir() + "gnomon_ply_parts_" + std::to_string(::getpid());
-    std::optional<InputFile> opened;
-};
+class PlyParts : public ScratchInput {};
 
 constexpr std::array kTypes = {
     PlyType::Int8,

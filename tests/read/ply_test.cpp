@@ -27,14 +27,7 @@ CollectedMesh readText(const std::string& name, const std::string& text) {
 }
 
 std::string errorOf(const std::string& name, const std::string& text) {
-    try {
-        readText(name, text);
-    } catch (const Error& error) {
-        const std::string message = error.what();
-        EXPECT_TRUE(message.starts_with(scratch(name))) << message;
-        return message.substr(std::min(message.size(), scratch(name).size()));
-    }
-    return "no error";
+    return errorAbout(scratch(name), [&] { readText(name, text); });
 }
 
 void expectSame(const PlyLayout& layout, std::uint64_t seed, std::size_t vertices, std::size_t faces) {
@@ -46,81 +39,79 @@ void expectSame(const PlyLayout& layout, std::uint64_t seed, std::size_t vertice
 
 const std::vector<std::string> kFormats = {"ascii", "binary_little_endian", "binary_big_endian"};
 
+void expectSameInEveryFormat(PlyLayout layout, std::uint64_t seed, std::size_t vertices, std::size_t faces) {
+    for (const std::string& format : kFormats) {
+        layout.format = format;
+        expectSame(layout, seed, vertices, faces);
+    }
+}
+
 TEST(ReadPly, EveryFormatAndTypeOfPositions) {
-    for (const std::string& format : kFormats)
-        for (const char* type :
-             {"char",
-              "int8",
-              "uchar",
-              "uint8",
-              "short",
-              "int16",
-              "ushort",
-              "uint16",
-              "int",
-              "int32",
-              "uint",
-              "uint32",
-              "float",
-              "float32",
-              "double",
-              "float64"}) {
-            PlyLayout layout;
-            layout.format = format;
-            layout.position = type;
-            expectSame(layout, 1, 100, 50);
-        }
+    PlyLayout layout;
+    for (const char* type :
+         {"char",
+          "int8",
+          "uchar",
+          "uint8",
+          "short",
+          "int16",
+          "ushort",
+          "uint16",
+          "int",
+          "int32",
+          "uint",
+          "uint32",
+          "float",
+          "float32",
+          "double",
+          "float64"}) {
+        layout.position = type;
+        expectSameInEveryFormat(layout, 1, 100, 50);
+    }
 }
 
 TEST(ReadPly, EveryFormatAndTypeOfCountsAndIndices) {
-    for (const std::string& format : kFormats)
-        for (const char* count : {"char", "uchar", "short", "ushort", "int", "uint", "float", "double"})
-            for (const char* index : {"char", "uchar", "short", "ushort", "int", "uint", "float", "double"}) {
-                PlyLayout layout;
-                layout.format = format;
-                layout.count = count;
-                layout.index = index;
-                expectSame(layout, 2, 100, 60);
-            }
+    constexpr std::array kTypes = {"char", "uchar", "short", "ushort", "int", "uint", "float", "double"};
+    PlyLayout layout;
+    for (const char* count : kTypes)
+        for (const char* index : kTypes) {
+            layout.count = count;
+            layout.index = index;
+            expectSameInEveryFormat(layout, 2, 100, 60);
+        }
 }
 
 TEST(ReadPly, NormalsAndColorsOfEveryUsualType) {
-    for (const std::string& format : kFormats)
-        for (const char* normal : {"", "float", "double"})
-            for (const char* color : {"", "uchar", "float"}) {
-                PlyLayout layout;
-                layout.format = format;
-                layout.normal = normal;
-                layout.color = color;
-                expectSame(layout, 3, 50, 20);
-            }
+    PlyLayout layout;
+    for (const char* normal : {"", "float", "double"})
+        for (const char* color : {"", "uchar", "float"}) {
+            layout.normal = normal;
+            layout.color = color;
+            expectSameInEveryFormat(layout, 3, 50, 20);
+        }
 }
 
 TEST(ReadPly, ElementsInAnyOrderAmongUnknownOnes) {
-    for (const std::string& format : kFormats)
-        for (const bool hasExtras : {false, true})
-            for (const bool facesFirst : {false, true})
-                for (const char* lineEnd : {"\n", "\r\n", "\r"}) {
-                    PlyLayout layout;
-                    layout.format = format;
-                    layout.hasExtras = hasExtras;
-                    layout.facesFirst = facesFirst;
-                    layout.lineEnd = lineEnd;
-                    layout.normal = "float";
-                    layout.color = "uchar";
-                    expectSame(layout, 4, 70, 40);
-                }
+    PlyLayout layout;
+    layout.normal = "float";
+    layout.color = "uchar";
+    for (const bool hasExtras : {false, true})
+        for (const bool facesFirst : {false, true})
+            for (const char* lineEnd : {"\n", "\r\n", "\r"}) {
+                layout.hasExtras = hasExtras;
+                layout.facesFirst = facesFirst;
+                layout.lineEnd = lineEnd;
+                expectSameInEveryFormat(layout, 4, 70, 40);
+            }
 }
 
 TEST(ReadPly, MeshesOfMoreThanOneBlockAndOneBuffer) {
-    for (const std::string& format : kFormats)
-        for (const bool hasExtras : {false, true}) {
-            PlyLayout layout;
-            layout.format = format;
-            layout.hasExtras = hasExtras;
-            layout.position = "double";
-            expectSame(layout, 5, 3 * kBlockRows + 17, 150'000);
-        }
+    PlyLayout layout;
+    layout.position = "double";
+    for (const bool hasExtras : {false, true}) {
+        layout.hasExtras = hasExtras;
+        expectSameInEveryFormat(layout, 5, 3 * kBlockRows + 17, 150'000);
+    }
 }
 
 TEST(ReadPly, APolygonLargerThanABlockComesInOnePiece) {

@@ -5,7 +5,7 @@
 #include "preprocess/read/byte_stream.h"
 #include "preprocess/read/guarded_stream.h"
 #include "preprocess/read/memory_source.h"
-#include "tests/read/collect.h"
+#include "tests/read/scratch_input.h"
 
 #include <gtest/gtest.h>
 
@@ -13,24 +13,10 @@
 #include <istream>
 #include <optional>
 
-#include <unistd.h>
-
 namespace gnomon::read {
 namespace {
 
-class Streams : public testing::Test {
-protected:
-    void TearDown() override { std::filesystem::remove(path); }
-
-    const InputFile& fileOf(const std::string& text) {
-        writeScratch(path, text);
-        opened.emplace(path);
-        return *opened;
-    }
-
-    std::string path = testing::TempDir() + "gnomon_streams_" + std::to_string(::getpid());
-    std::optional<InputFile> opened;
-};
+class Streams : public ScratchInput {};
 
 std::string randomText(std::size_t size) {
     Random random(size);

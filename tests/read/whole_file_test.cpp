@@ -23,15 +23,7 @@ CollectedMesh readText(const std::string& name, const std::string& text) {
 }
 
 std::string errorOf(const std::string& name, const std::string& text) {
-    try {
-        readText(name, text);
-    } catch (const Error& error) {
-        const std::string message = error.what();
-        EXPECT_TRUE(message.starts_with(scratch(name))) << message;
-        EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-        return message.substr(std::min(message.size(), scratch(name).size()));
-    }
-    return "no error";
+    return errorAbout(scratch(name), [&] { readText(name, text); });
 }
 
 std::string binaryStl(const std::vector<float>& coordinates) {

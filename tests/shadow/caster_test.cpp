@@ -110,6 +110,27 @@ TEST(Casters, NoPlaneCanBeMovedIn) {
     }
 }
 
+/// What of the map of `image` lies `reach` from where `p` (camera space) is looked up, in texels, at depth `z` of its
+/// clip space; nothing where that is past the vanishing line.
+std::optional<glm::dvec3> readBeside(
+    const DoubleMapImage& image, const glm::dvec3& p, const glm::dvec2& reach, double z) {
+    glm::dvec4 at = image.clipFromOffset * glm::dvec4(p - image.origin, 1);
+    at /= at.w;
+    at += glm::dvec4(reach / image.texelScale, 0, 0);
+    at.z = z;
+    const glm::dvec4 offset = glm::inverse(image.clipFromOffset) * at;
+    if (!(offset.w > 0)) return std::nullopt;
+    return glm::dvec3(offset) / offset.w + image.origin;
+}
+
+/// The same as far as a lookup of `map` reaches, at any depth that can throw a shadow.
+std::optional<glm::dvec3> randomRead(Random& random, const ShadowMap& map, const glm::dvec3& p) {
+    const double most = map.gutter * 0.999;
+    const double x = random.uniform(-most, most);
+    const double y = random.uniform(-most, most);
+    return readBeside(cameraImage(map), p, {x, y}, random.uniform(-1, 0.999));
+}
+
 /// The grown volume must hold every caster whose texel a lookup can read: sampled through the map and back.
 TEST(Casters, GrownVolumeHoldsEveryTexelThatALookupReads) {
     int tested = 0;
@@ -119,24 +140,15 @@ TEST(Casters, GrownVolumeHoldsEveryTexelThatALookupReads) {
         const ShadowMap& map = chosen.setup.maps[random.below(chosen.setup.maps.size())];
         // Next to a warp's centre the inverse below has no digits left; the volume is made without one.
         if (map.warped.kappa * map.warped.length > 1e4) continue;
-        const DoubleMapImage image = cameraImage(map);
-        const glm::dmat4 offsetFromClip = glm::inverse(image.clipFromOffset);
         for (int i = 0; i < 50; ++i) {
             const FitVertex& a = map.region.vertices[random.below(map.region.vertices.size())];
             const FitVertex& b = map.region.vertices[random.below(map.region.vertices.size())];
             const glm::dvec3 p = a.position + (b.position - a.position) * random.unit();
-            glm::dvec4 at = image.clipFromOffset * glm::dvec4(p - image.origin, 1);
-            at /= at.w;
-            const double reach = map.gutter * 0.999;
-            at.x += random.uniform(-reach, reach) / image.texelScale.x;
-            at.y += random.uniform(-reach, reach) / image.texelScale.y;
-            at.z = random.uniform(-1, 0.999);
-            const glm::dvec4 offset = offsetFromClip * at;
-            if (!(offset.w > 0)) continue; // past the vanishing line
+            const std::optional<glm::dvec3> caster = randomRead(random, map, p);
+            if (!caster) continue;
             ++tested;
-            const glm::dvec3 caster = glm::dvec3(offset) / offset.w + image.origin;
             EXPECT_GE(
-                depthInside(map.casterVolume, caster), -1e-6 * map.region.frustum.far - 1e-6 * glm::length(caster))
+                depthInside(map.casterVolume, *caster), -1e-6 * map.region.frustum.far - 1e-6 * glm::length(*caster))
                 << "seed " << seed << " kappa d " << map.warped.kappa * map.warped.length;
         }
     }
@@ -147,17 +159,12 @@ TEST(Casters, GrownVolumeHoldsEveryTexelThatALookupReads) {
 /// depth (camera space); nothing where one ends past the vanishing line.
 std::vector<glm::dvec3> farthestLookups(const ShadowMap& map) {
     const DoubleMapImage image = cameraImage(map);
-    const glm::dmat4 offsetFromClip = glm::inverse(image.clipFromOffset);
     std::vector<glm::dvec3> lookups;
     for (const FitVertex& vertex : map.region.vertices)
         for (const glm::dvec2& way : {glm::dvec2(1, 1), glm::dvec2(1, -1), glm::dvec2(-1, 1), glm::dvec2(-1, -1)}) {
-            glm::dvec4 at = image.clipFromOffset * glm::dvec4(vertex.position - image.origin, 1);
-            at /= at.w;
-            at += glm::dvec4(glm::dvec2(map.gutter) / image.texelScale * way, 0, 0);
-            at.z = 1;
-            const glm::dvec4 offset = offsetFromClip * at;
-            if (!(offset.w > 0)) return {};
-            lookups.push_back(glm::dvec3(offset) / offset.w + image.origin);
+            const std::optional<glm::dvec3> read = readBeside(image, vertex.position, glm::dvec2(map.gutter) * way, 1);
+            if (!read) return {};
+            lookups.push_back(*read);
         }
     return lookups;
 }
@@ -217,20 +224,11 @@ glm::dvec3 randomPointIn(Random& random, const Box& box) {
 
 /// What in `map` lies beside, or before, where a seen point is looked up, as far as a lookup reaches; nothing if that
 /// is past the vanishing line, or no point was found in the map's region.
-std::optional<glm::dvec3> randomRead(Random& random, const Case& chosen, const ShadowMap& map) {
+std::optional<glm::dvec3> randomSeenRead(Random& random, const Case& chosen, const ShadowMap& map) {
     const SeenPart& part = chosen.view.seen[random.below(chosen.view.seen.size())];
     const glm::dvec3 p = toCamera(chosen.view.anchor.basis, randomPointIn(random, part.box));
     if (!contains(map.region.volume, p) || p.z < part.depths.near || p.z > part.depths.far) return std::nullopt;
-    const DoubleMapImage image = cameraImage(map);
-    glm::dvec4 at = image.clipFromOffset * glm::dvec4(p - image.origin, 1);
-    at /= at.w;
-    const double reach = map.gutter * 0.999;
-    at.x += random.uniform(-reach, reach) / image.texelScale.x;
-    at.y += random.uniform(-reach, reach) / image.texelScale.y;
-    at.z = random.uniform(-1, 0.999);
-    const glm::dvec4 offset = glm::inverse(image.clipFromOffset) * at;
-    if (!(offset.w > 0)) return std::nullopt;
-    return glm::dvec3(offset) / offset.w + image.origin;
+    return randomRead(random, map, p);
 }
 
 /// The volume of what is seen holds every caster whose texel the lookup of a seen point can read, and nothing that the
@@ -251,7 +249,7 @@ TEST(Casters, VolumeOfWhatIsSeenHoldsEveryTexelThatItReads) {
         const ShadowMap& map = setup.maps[index];
         if (map.warped.kappa * map.warped.length > 1e4) continue;
         for (int i = 0; i < 50; ++i) {
-            const std::optional<glm::dvec3> point = randomRead(random, chosen, map);
+            const std::optional<glm::dvec3> point = randomSeenRead(random, chosen, map);
             if (!point) continue;
             ++tested;
             const double tolerance = 1e-6 * map.region.frustum.far + 1e-6 * glm::length(*point);

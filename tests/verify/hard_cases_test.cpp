@@ -102,7 +102,7 @@ public:
         for (const Check& check : verifyModel(checks, progress).checks)
             EXPECT_EQ(check.failed, 0U) << check.name << ": " << check.detail;
         std::uint64_t dropped = 0;
-        for (const auto& [reason, count] : report.dropped)
+        for (const auto& [reason, count] : report.summary.dropped)
             dropped += count;
         const hierarchy::ModelFile file(options.output);
         EXPECT_EQ(file.summary().levels.front().triangles + dropped, soup.triangles.size());
@@ -164,7 +164,7 @@ void needles() {
     for (std::uint32_t i = 1; i <= kNeedles; ++i)
         soup.triangles.push_back({0, i, i + 1});
     const Verified model(soup);
-    EXPECT_LT(model.report.coarsestTriangles, 200U);
+    EXPECT_LT(model.report.summary.coarsestTriangles, 200U);
     for (const Face& face : model.faces) {
         // As the needles face where it lies, on every level; a fan is straight towards its hub, so no error excuses it.
         EXPECT_GT(cosineToNeedles(face.facing(), face.centre()), 0.9999) << face.level;
@@ -177,7 +177,7 @@ void needles() {
 
 void flatModel() {
     const Verified model(field(60, [](double, double) { return 0.0; }));
-    EXPECT_LE(model.report.coarsestTriangles, 128U);
+    EXPECT_LE(model.report.summary.coarsestTriangles, 128U);
     // What is flat stays where it is: the error is that of the grid.
     EXPECT_LT(model.maxError, 1e-5);
 }
@@ -195,7 +195,7 @@ void coincidentSheets() {
     // Its squares are flat, so both ways to cut them give the same surface.
     const Soup sheet = field(40, [](double x, double y) { return 0.05 * (std::sin(13 * x) + std::cos(11 * y)); });
     const Verified doubled(withTurned(sheet, sheet));
-    EXPECT_EQ(doubled.report.dropped.at("doubled"), sheet.triangles.size());
+    EXPECT_EQ(doubled.report.summary.dropped.at("doubled"), sheet.triangles.size());
 
     // No triangle is doubled where the squares are cut along their other diagonal, but four faces meet at their sides.
     Soup other = sheet;
@@ -206,8 +206,8 @@ void coincidentSheets() {
         other.triangles[i + 1] = {a, d, b};
     }
     const Verified crossed(withTurned(sheet, other));
-    EXPECT_EQ(crossed.report.dropped.at("doubled"), 0U);
-    EXPECT_LE(crossed.report.coarsestTriangles, 256U);
+    EXPECT_EQ(crossed.report.summary.dropped.at("doubled"), 0U);
+    EXPECT_LE(crossed.report.summary.coarsestTriangles, 256U);
     EXPECT_EQ(crossed.report.stuckTriangles, 0U);
     // The sheets may merge, but not for a worse error than one alone would have.
     EXPECT_LT(crossed.maxError, 2 * doubled.maxError);
@@ -218,8 +218,8 @@ void oneTriangle() {
     soup.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     soup.triangles = {{0, 1, 2}};
     const Verified model(soup);
-    EXPECT_EQ(model.report.levelCount, 1U);
-    EXPECT_EQ(model.report.coarsestTriangles, 1U);
+    EXPECT_EQ(model.report.summary.levels.size(), 1U);
+    EXPECT_EQ(model.report.summary.coarsestTriangles, 1U);
 }
 
 void manyCopies() {
@@ -228,7 +228,7 @@ void manyCopies() {
     for (std::uint32_t i = 0; i < 100000; ++i) // chunks take 1,000 here: no cut parts what lies in one place
         soup.triangles.push_back({i % 3, (i + 1) % 3, (i + 2) % 3});
     const Verified model(soup);
-    EXPECT_EQ(model.report.dropped.at("doubled"), soup.triangles.size() - 1);
+    EXPECT_EQ(model.report.summary.dropped.at("doubled"), soup.triangles.size() - 1);
 }
 
 void extents() {
@@ -239,7 +239,7 @@ void extents() {
         // Grids differ by up to a factor of two, and so do the collapses that are chosen on them.
         EXPECT_GT(model.maxError / scale, plain / 2);
         EXPECT_LT(model.maxError / scale, plain * 2);
-        EXPECT_LE(model.report.coarsestTriangles, 128U);
+        EXPECT_LE(model.report.summary.coarsestTriangles, 128U);
     }
 }
 
@@ -248,7 +248,7 @@ void surveyCoordinates() {
     const Verified model(bumpyField(100, {2600000.123, 412.5, 5200000.456}));
     EXPECT_NEAR(model.bounds.min.x, 2600000.123, 1e-3);
     EXPECT_NEAR(model.bounds.extent().x, 100, 1e-3);
-    EXPECT_LE(model.report.coarsestTriangles, 128U);
+    EXPECT_LE(model.report.summary.coarsestTriangles, 128U);
 }
 
 void scatteredPieces() {
@@ -266,7 +266,7 @@ void scatteredPieces() {
         soup.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
     }
     const Verified model(soup);
-    EXPECT_LE(model.report.coarsestTriangles, 200U);
+    EXPECT_LE(model.report.summary.coarsestTriangles, 200U);
     EXPECT_EQ(model.report.stuckTriangles, 0U);
 }
 

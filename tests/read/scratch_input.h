@@ -1,0 +1,31 @@
+// A test that reads one small file after another, each gone at its end.
+#pragma once
+
+#include "preprocess/read/input_file.h"
+#include "tests/read/collect.h"
+
+#include <optional>
+
+#include <unistd.h>
+
+namespace gnomon::read {
+
+class ScratchInput : public testing::Test {
+protected:
+    void TearDown() override { std::filesystem::remove(path); }
+
+    /// A file of `text`, open until the next call.
+    const InputFile& fileOf(const std::string& text) {
+        writeScratch(path, text);
+        opened_.emplace(path);
+        return *opened_;
+    }
+
+    const std::string path = testing::TempDir() + "gnomon_read_" +
+                             testing::UnitTest::GetInstance()->current_test_info()->name() + std::to_string(::getpid());
+
+private:
+    std::optional<InputFile> opened_;
+};
+
+} // namespace gnomon::read

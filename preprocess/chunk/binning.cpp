@@ -1,7 +1,7 @@
 #include "preprocess/chunk/binning.h"
 
 #include "core/check.h"
-#include "core/error.h"
+#include "core/limit_error.h"
 #include "hierarchy/octahedral.h"
 #include "preprocess/chunk/heavy_points.h"
 #include "preprocess/chunk/vertex_lookup.h"
@@ -332,11 +332,12 @@ ChunkTree planChunks(
     } while (counts.refine(limit / 8));
     ChunkTree tree(counts, limit);
     if (tree.chunkCount() > kMaxChunks)
-        throw Error(
-            "--chunk-triangles",
-            "too few for this model",
-            "at most " + std::to_string(kMaxChunks) + " chunks",
-            std::to_string(tree.chunkCount()));
+        throw LimitError(
+            Limit::ChunkTriangles,
+            {source.summary().path,
+             "chunks of too few triangles for this model",
+             "at most " + std::to_string(kMaxChunks) + " chunks",
+             std::to_string(tree.chunkCount())});
     return tree;
 }
 

@@ -12,7 +12,7 @@ namespace gnomon::chunk {
 VertexFormat formatOf(const read::MeshSummary& source);
 
 /// Cuts the grid into chunks of about `chunkTriangles` triangles each: passes over the vertices until the cells are
-/// small enough. Throws Error where that would take more than kMaxChunks chunks.
+/// small enough. Throws LimitError where that would take more than kMaxChunks chunks.
 ChunkTree planChunks(
     read::MeshSource& source, const SourceSurvey& survey, std::uint32_t chunkTriangles, Progress& progress);
 

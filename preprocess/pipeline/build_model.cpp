@@ -1,7 +1,7 @@
 #include "preprocess/pipeline/build_model.h"
 
-#include "core/error.h"
 #include "core/heap.h"
+#include "core/limit_error.h"
 #include "core/stopwatch.h"
 #include "preprocess/chunk/binning.h"
 #include "preprocess/chunk/borders.h"
@@ -32,7 +32,7 @@ double lap(Stopwatch& watch) {
     return std::exchange(watch, Stopwatch()).elapsed().count / 1000;
 }
 
-void requireFewStuck(std::uint64_t stuck, std::uint64_t triangles, double maxPercent) {
+void requireFewStuck(const std::string& output, std::uint64_t stuck, std::uint64_t triangles, double maxPercent) {
     const double percent = 100.0 * static_cast<double>(stuck) / static_cast<double>(triangles);
     if (percent <= maxPercent) return;
     const auto text = [](double value) {
@@ -40,7 +40,9 @@ void requireFewStuck(std::uint64_t stuck, std::uint64_t triangles, double maxPer
         std::snprintf(digits.data(), digits.size(), "%.2f%%", value);
         return std::string(digits.data());
     };
-    throw Error("--max-stuck", "too many triangles stay at full detail", "at most " + text(maxPercent), text(percent));
+    throw LimitError(
+        Limit::StuckTriangles,
+        {output, "too many triangles stay at full detail", "at most " + text(maxPercent), text(percent)});
 }
 
 /// One build, phase after phase. A phase that the checkpoint log has as finished is skipped.
@@ -84,11 +86,12 @@ private:
 
     void requireMemory(const Bytes& needed) const {
         if (needed > options_.memory)
-            throw Error(
-                source_.summary().path,
-                "too little memory for this model",
-                "--memory " + std::to_string((needed.count >> 20U) + 1) + "M or more",
-                readableBytes(options_.memory));
+            throw LimitError(
+                Limit::Memory,
+                {source_.summary().path,
+                 "too little memory for this model",
+                 std::to_string((needed.count >> 20U) + 1) + "M or more",
+                 readableBytes(options_.memory)});
     }
 
     Bytes roomBeside(const Bytes& taken) const {
@@ -327,7 +330,8 @@ private:
         const Totals totals = totalsOf(log(), optionsOf(options_));
         const hierarchy::ModelSummary& summary = totals.summary;
         if (options_.maxStuckPercent)
-            requireFewStuck(totals.stuckTriangles, summary.levels.front().triangles, *options_.maxStuckPercent);
+            requireFewStuck(
+                options_.output, totals.stuckTriangles, summary.levels.front().triangles, *options_.maxStuckPercent);
         hierarchy::ModelWriter writer(options_.output);
         writePages(log(), *pagesFile_, writer, progress_);
         source_.requireUnchanged();

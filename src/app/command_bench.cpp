@@ -187,6 +187,7 @@ Bounds boundsOf(const BenchOptions& options) {
 /// The runs that the options ask for, each sound. Throws UsageError.
 std::vector<measure::BenchRun> runsOf(const BenchOptions& options) {
     const settings::Settings fixed = options.settings.fixedSettings();
+    requireNoWindow(fixed);
     if (settings::isPosed(fixed))
         throw settings::UsageError{"--path and --camera, --eye, --target, --up, --fov-y contradict each other"};
     std::vector<measure::BenchRun> runs =

@@ -2,6 +2,7 @@
 #include "app/console.h"
 #include "app/named_files.h"
 #include "core/error.h"
+#include "core/limit_error.h"
 #include "core/printable.h"
 #include "core/units.h"
 #include "preprocess/pipeline/build_model.h"
@@ -119,6 +120,29 @@ void warnOfCoarsest(const BuildReport& report, const std::string& output) {
         kManyStuckPercent);
 }
 
+/// `error` in the words of the command line.
+Error inOptions(const LimitError& error) {
+    const LimitError::Parts& parts = error.parts();
+    switch (error.limit()) {
+    case Limit::Memory:
+        return {parts.where, parts.what, "--memory " + parts.expected, parts.found};
+    case Limit::ChunkTriangles:
+        return {"--chunk-triangles", "too few for this model", parts.expected, parts.found};
+    case Limit::StuckTriangles:
+        return {"--max-stuck", parts.what, parts.expected, parts.found};
+    }
+    return error;
+}
+
+BuildReport built(read::MeshSource& source, const pipeline::BuildOptions& options, const CommonOptions& common) {
+    const auto progress = makeProgress(common);
+    try {
+        return buildModel(source, options, *progress);
+    } catch (const LimitError& error) {
+        throw inOptions(error);
+    }
+}
+
 void run(const BuildCommand& command) {
     std::vector<NamedFile> inputs;
     for (const std::string& input : command.inputs)
@@ -147,10 +171,7 @@ void run(const BuildCommand& command) {
     if (command.maxStuckPercent < 100) options.maxStuckPercent = command.maxStuckPercent;
     options.inputKey = pipeline::fingerprintOf(command.inputs);
     const auto source = read::openMeshSources(command.inputs, options.memory);
-    const BuildReport report = [&] {
-        const auto progress = makeProgress(command.common);
-        return buildModel(*source, options, *progress);
-    }();
+    const BuildReport report = built(*source, options, command.common);
     warnOfCoarsest(report, command.output);
     if (command.isJson)
         std::printf("%s\n", telemetry::jsonText(asJson(report), 1).c_str());

@@ -74,6 +74,11 @@ std::vector<settings::Axis> SettingOptions::axes(const std::optional<std::string
     return axes;
 }
 
+void requireNoWindow(const settings::Settings& settings) {
+    if (settings.backend == settings::Backend::Window)
+        throw settings::UsageError{"--backend window is for gnomon view"};
+}
+
 CLI::Validator seedText() {
     return {
         [](std::string& text) {

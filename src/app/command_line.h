@@ -35,6 +35,9 @@ private:
     std::map<std::string, std::string> texts_; // of the settings that were given, by their names
 };
 
+/// Throws UsageError where `settings` ask for the window, in which only `gnomon view` draws.
+void requireNoWindow(const settings::Settings& settings);
+
 /// What a seed may be for CLI11, which takes -1 for the largest of unsigned numbers.
 CLI::Validator seedText();
 

@@ -68,6 +68,7 @@ void requireWritableOutputs(const RenderOptions& options) {
 void runRender(const RenderOptions& options) {
     const ThreadLimit limit(options.common);
     const settings::Settings settings = options.settings.settings();
+    requireNoWindow(settings);
     requireExtension("--output", options.output, ".png");
     requireApart(
         {{"MODEL", options.model}, {"--camera", settings.cameraFile}, {"--reference", options.reference}},

@@ -1,10 +1,10 @@
 #include "measure/session.h"
 
+#include "core/check.h"
 #include "core/printable.h"
 #include "executor/gl_executor.h"
 #include "executor/software_executor.h"
 #include "gl/context.h"
-#include "settings/usage_error.h"
 
 #include <cstdio>
 
@@ -15,7 +15,7 @@ std::unique_ptr<executor::Executor> makeExecutor(const settings::Settings& setti
     const gl::ShaderLibrary shaders(
         settings.shaderFolder.empty() ? std::nullopt : std::optional<std::string>(settings.shaderFolder));
     Backend backend = settings.backend;
-    if (backend == Backend::Window) throw settings::UsageError{"--backend window is for gnomon view"};
+    GNOMON_CHECK(backend != Backend::Window);
     if (backend == Backend::Auto) backend = gl::hasGpu() ? Backend::Egl : Backend::Software;
     if (backend == Backend::Software) return executor::makeSoftwareExecutor();
     const gl::Platform platform = backend == Backend::Egl ? gl::Platform::Egl : gl::Platform::Osmesa;

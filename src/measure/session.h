@@ -9,8 +9,7 @@
 
 namespace gnomon::measure {
 
-/// The executor that `settings` name: `auto` is a GPU if there is one, else `software`. Throws UsageError for the
-/// window.
+/// The executor that `settings` name, which is not the window: `auto` is a GPU if there is one, else `software`.
 std::unique_ptr<executor::Executor> makeExecutor(const settings::Settings& settings);
 
 /// A model, its executor and its renderer; warns of each damaged page once, on stderr.

@@ -227,6 +227,8 @@ class Refusals(ProgramTest):
             (("make", "statue", "--triangles", "3", "-o", mesh), "found 3"),
             (("make", "statue", "--seed", "-1", "-o", mesh), "found '-1'"),
             (("verify", self.sundial, "--seed", "-1"), "found '-1'"),
+            (("render", self.sundial, "-o", picture, "--backend", "window"), "--backend window is for gnomon view"),
+            (("bench", self.sundial, "--path", PATH, *SMALL, "--backend", "window"), "--backend window is for gnomon view"),
             (("export", self.sundial, "-o", mesh, "--error", "nan"), "found 'nan'"),
             (("export", self.sundial, "-o", mesh, "--error", "-1"), "found '-1'"),
         ):

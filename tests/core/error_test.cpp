@@ -1,6 +1,7 @@
 // What an error says, and how a programmer's check ends.
 #include "core/check.h"
 #include "core/error.h"
+#include "core/limit_error.h"
 #include "core/progress.h"
 
 #include <gtest/gtest.h>
@@ -14,6 +15,16 @@ TEST(Error, SaysWhatWhereExpectedAndFound) {
     EXPECT_STREQ(Error("a.ply", "wrong count", "3", "4").what(), "a.ply: wrong count: expected 3, found 4");
     EXPECT_EQ(atByte("a.gnm", 18446744073709551615ULL), "a.gnm: byte 18446744073709551615");
     EXPECT_EQ(atLine("a.obj", 1), "a.obj:1");
+}
+
+TEST(LimitError, IsAnErrorThatKnowsItsParts) {
+    const LimitError error(Limit::Memory, {"a.ply", "too little memory", "512M or more", "1.0 MiB"});
+    EXPECT_STREQ(error.what(), "a.ply: too little memory: expected 512M or more, found 1.0 MiB");
+    EXPECT_EQ(error.limit(), Limit::Memory);
+    EXPECT_EQ(error.parts().where, "a.ply");
+    EXPECT_EQ(error.parts().what, "too little memory");
+    EXPECT_EQ(error.parts().expected, "512M or more");
+    EXPECT_EQ(error.parts().found, "1.0 MiB");
 }
 
 TEST(CheckDeathTest, PrintsTheExpressionAndBothValues) {

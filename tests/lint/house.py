@@ -11,6 +11,7 @@ import re
 import sys
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
+COMMENT, STRING, OPTION = re.compile(r"//.*"), re.compile(r'"(?:[^"\\\n]|\\.)*"'), re.compile(r"--[a-z]")
 CODE = {".h", ".cpp", ".inc"}
 SHADERS = {".glsl", ".vert", ".frag", ".comp", ".geom"}
 READ_BY_PEOPLE = CODE | SHADERS | {".py", ".cmake", ".js", ".css", ".html", ".sh", ""}
@@ -78,7 +79,7 @@ def cycles(needs):
 
 def room_of(path):
     """A layer of src/ with all that lies below it, or a folder of preprocess/."""
-    return "/".join(path.parent.parts[:2 if path.parts[0] == "preprocess" else 1])
+    return "/".join(path.parent.parts[:2 if path.parts[0] in ("preprocess", "src") else 1])
 
 
 def folder_cycles(root):
@@ -103,6 +104,19 @@ def long_files(root):
     places = ("src", "preprocess", "shaders", "tests", "bench", "scripts", "cmake", "examples", "python")
     return [f"{path.relative_to(root)}: {line_count(path)} lines, at most {MOST_LINES}"
             for path in tracked(root, *places) if path.suffix in READ_BY_PEOPLE and line_count(path) > MOST_LINES]
+
+
+def code_below_app(root):
+    """(file, its text without comments) of what knows neither the command line nor the standard streams"""
+    for path in tracked(root, "src", "preprocess"):
+        if path.suffix in CODE and room_of(path.relative_to(root)) != "src/app":
+            yield path.relative_to(root), COMMENT.sub("", path.read_text())
+
+
+def options_below_app(root):
+    for path, text in code_below_app(root):
+        if path.parts[:2] != ("src", "settings"):
+            yield from (f"{path}: names an option: {text}" for text in STRING.findall(text) if OPTION.search(text))
 
 
 def large_app(root):
@@ -159,9 +173,10 @@ def test_ratio(root):
 
 
 RULES = {"folder cycles": folder_cycles, "unit cycles": unit_cycles, "full folders": full_folders, "long files": long_files,
-         "large app": large_app, "long functions": long_functions, "few tests": few_tests, "untested units": untested_units}
+         "large app": large_app, "long functions": long_functions, "few tests": few_tests, "untested units": untested_units,
+         "options below app": options_below_app}
 # The rules that hold, and must go on to.
-HELD = ("folder cycles", "unit cycles", "full folders", "long files", "large app", "long functions")
+HELD = ("folder cycles", "unit cycles", "full folders", "long files", "large app", "long functions", "options below app")
 
 
 def report(root):

@@ -47,6 +47,17 @@ class House(unittest.TestCase):
         for lines, found in ((house.MOST_APP_LINES - 1, 0), (house.MOST_APP_LINES, 1)):
             self.assertEqual(found, len(self.breaches("large app", {"src/app/x.cpp": "\n" * lines, "src/app/x.txt": "\n"})))
 
+    def test_only_the_app_and_the_settings_name_options(self):
+        for name, text, found in (
+            ("src/plan/x.cpp", 'throw Error("--near is too far");', 1),
+            ("preprocess/chunk/x.cpp", 'f("a", "see --chunk-triangles");', 1),
+            ("src/plan/x.cpp", '--count; f("a--", "b"); // "--near"', 0),
+            ("src/app/x.cpp", '"--near"', 0),
+            ("src/settings/x.cpp", '"--near"', 0),
+        ):
+            with self.subTest(name, text=text):
+                self.assertEqual(found, len(self.breaches("options below app", {name: text})))
+
     def test_functions_that_clang_tidy_does_not_read_are_measured(self):
         for lines, found in ((house.MOST_FUNCTION_LINES, 0), (house.MOST_FUNCTION_LINES + 1, 1)):
             python = "def f():\n" + "    pass\n" * (lines - 1)

@@ -1,4 +1,4 @@
-#include "core/error.h"
+#include "core/limit_error.h"
 #include "hierarchy/validation.h"
 #include "tests/pipeline/built_model.h"
 
@@ -89,8 +89,25 @@ TEST(Build, TooLittleMemoryIsRefusedWithTheFigureThatWouldDo) {
     try {
         const BuiltModel model(read::bumpySheet(10), options);
         FAIL() << "built";
-    } catch (const Error& error) {
-        EXPECT_NE(std::string(error.what()).find("--memory"), std::string::npos) << error.what();
+    } catch (const LimitError& error) {
+        EXPECT_EQ(error.limit(), Limit::Memory);
+        const std::string& least = error.parts().expected;
+        EXPECT_TRUE(least.ends_with("M or more")) << least;
+        options.memory = mebibytes(std::stoull(least));
+        const BuiltModel model(read::bumpySheet(10), options);
+        EXPECT_GT(model.report().fileBytes, 0U);
+    }
+}
+
+TEST(Build, MoreStuckTrianglesThanAllowedAreRefused) {
+    BuildOptions options;
+    options.maxStuckPercent = -1; // not even none
+    try {
+        const BuiltModel model(read::bumpySheet(10), options);
+        FAIL() << "built";
+    } catch (const LimitError& error) {
+        EXPECT_EQ(error.limit(), Limit::StuckTriangles);
+        EXPECT_EQ(error.parts().expected, "at most -1.00%");
     }
 }
 

@@ -59,7 +59,7 @@ std::vector<Binding> cameraAndSettingKeys() {
         Binding{GLFW_KEY_C, false, Action::StepSetting, 1, "C", "cull casters per partition", "cull-casters"},
         Binding{GLFW_KEY_B, false, Action::StepSetting, 1, "B", "stabilised slices", "stabilize"},
         Binding{GLFW_KEY_V, false, Action::Freeze, 0, "V", "freeze the culling camera, seen from outside"},
-        Binding{GLFW_KEY_M, false, Action::ToggleTarget, 0, "M", "hold a time target (--target-ms, or 33)"},
+        Binding{GLFW_KEY_M, false, Action::ToggleTarget, 0, "M", "hold a time target (that asked for, or 33 ms)"},
     };
 }
 

@@ -207,7 +207,7 @@ public:
           runs_(runsOf(options)),
           path_(path::readCameraPath(options.path)),
           baseline_(options.baseline.empty() ? std::nullopt : std::optional(measure::readBaseline(options.baseline))),
-          session_(options.model, runs_.front().settings),
+          session_(options.model, runs_.front().settings, printWarning),
           csv_(options.csv),
           json_(options.json),
           context_(contextOf(options, runs_, path_, session_)),

@@ -160,7 +160,7 @@ void run(const BuildCommand& command) {
     options.isInMemory = command.isInMemory;
     options.isResumed = command.isResumed;
     options.onKeptFolder = [](const std::string& folder) {
-        printMessage("warning: " + folder + ": it stays, there is something in it that no build has written");
+        printWarning(folder + ": it stays, there is something in it that no build has written");
     };
     const std::map<std::string, Simplifier> simplifiers{
         {"quadric", Simplifier::Quadric},

@@ -2,6 +2,7 @@
 
 #include "app/command_line.h"
 #include "app/commands.h"
+#include "app/console.h"
 #include "app/plan_json.h"
 #include "app/thread_limit.h"
 #include "measure/session.h"
@@ -26,7 +27,7 @@ void runExplain(const ExplainOptions& options) {
     settings::Settings settings = options.settings.settings();
     const plan::Quality quality = settings::qualityOf(settings);
     settings.backend = settings::Backend::Software; // nothing is drawn, so no context is made
-    measure::Session session(options.model, settings);
+    measure::Session session(options.model, settings, printWarning);
     const plan::FramePlan plan =
         session.renderer().plan(settings::viewOf(settings, session.model().summary()), quality);
     const std::string text = options.json ? telemetry::jsonText(planJson(plan), 1) + "\n" : planText(plan);

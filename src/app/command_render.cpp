@@ -1,5 +1,6 @@
 #include "app/command_line.h"
 #include "app/commands.h"
+#include "app/console.h"
 #include "app/named_files.h"
 #include "app/oracle_option.h"
 #include "app/thread_limit.h"
@@ -74,7 +75,7 @@ void runRender(const RenderOptions& options) {
         {{"MODEL", options.model}, {"--camera", settings.cameraFile}, {"--reference", options.reference}},
         {{"--output", options.output}, {"--stats", options.statistics}, {"--depth", options.depth}});
     const plan::Quality quality = settings::qualityOf(settings);
-    measure::Session session(options.model, settings);
+    measure::Session session(options.model, settings, printWarning);
     const plan::View view = settings::viewOf(settings, session.model().summary());
     std::optional<executor::Picture> reference;
     if (!options.reference.empty()) reference = executor::readPng(options.reference);

@@ -1,5 +1,6 @@
 #include "app/command_line.h"
 #include "app/commands.h"
+#include "app/console.h"
 #include "app/named_files.h"
 #include "app/thread_limit.h"
 #include "core/error.h"
@@ -81,6 +82,7 @@ void addViewCommand(CLI::App& program) {
             chosen.frames = settings::parsed(settings::whole(1, 1000000), "--frames", options->frames);
         chosen.buildMemory = settings::parsed(settings::memory(), "--build-memory", options->buildMemory);
         chosen.settings = options->settings.settings();
+        chosen.tell = printMessage;
         chosen.threads = options->common.threads;
         const ThreadLimit limit(options->common);
         requireSound(chosen);

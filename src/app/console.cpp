@@ -25,6 +25,10 @@ void printMessage(const std::string& text) {
     std::fprintf(stderr, "gnomon: %s\n", printable(text).c_str());
 }
 
+void printWarning(const std::string& text) {
+    printMessage("warning: " + text);
+}
+
 void requirePrinted(const std::string& kept) {
     const auto fail = [&](const std::string& why) {
         throw Error("stdout", "cannot write: " + why + (kept.empty() ? "" : "; " + kept + ", but its summary is lost"));

@@ -12,6 +12,9 @@ void occupyStandardDescriptors();
 /// "gnomon: TEXT" on stderr, in one line and without control characters.
 void printMessage(const std::string& text);
 
+/// The same for what is no failure: "gnomon: warning: TEXT".
+void printWarning(const std::string& text);
+
 /// Throws Error if something that was printed has not reached stdout; `kept` says what is whole all the same, as in
 /// "the model o.gnm is complete".
 void requirePrinted(const std::string& kept = "");

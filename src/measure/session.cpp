@@ -1,12 +1,9 @@
 #include "measure/session.h"
 
 #include "core/check.h"
-#include "core/printable.h"
 #include "executor/gl_executor.h"
 #include "executor/software_executor.h"
 #include "gl/context.h"
-
-#include <cstdio>
 
 namespace gnomon::measure {
 
@@ -22,14 +19,15 @@ std::unique_ptr<executor::Executor> makeExecutor(const settings::Settings& setti
     return executor::makeGlExecutor(platform, shaders, settings.gpuMemory);
 }
 
-Session::Session(const std::string& modelPath, const settings::Settings& settings)
+Session::Session(
+    const std::string& modelPath,
+    const settings::Settings& settings,
+    const std::function<void(const std::string&)>& warn)
     : model_(modelPath, settings.memory),
       executor_(makeExecutor(settings)),
-      renderer_(model_, *executor_, {.memory = settings.memory, .onDamaged = [](const streaming::DamagedPage& page) {
-                                         std::fprintf(
-                                             stderr,
-                                             "gnomon: warning: a page is damaged, its parents are drawn: %s\n",
-                                             printable(page.reason).c_str());
-                                     }}) {}
+      renderer_(
+          model_, *executor_, {.memory = settings.memory, .onDamaged = [warn](const streaming::DamagedPage& page) {
+                                   warn("a page is damaged, its parents are drawn: " + page.reason);
+                               }}) {}
 
 } // namespace gnomon::measure

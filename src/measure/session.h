@@ -5,17 +5,23 @@
 #include "hierarchy/model_file.h"
 #include "settings/settings.h"
 
+#include <functional>
 #include <memory>
+#include <string>
 
 namespace gnomon::measure {
 
 /// The executor that `settings` name, which is not the window: `auto` is a GPU if there is one, else `software`.
 std::unique_ptr<executor::Executor> makeExecutor(const settings::Settings& settings);
 
-/// A model, its executor and its renderer; warns of each damaged page once, on stderr.
+/// A model, its executor and its renderer.
 class Session {
 public:
-    Session(const std::string& modelPath, const settings::Settings& settings);
+    /// `warn` is told once of each page that is damaged, in a line.
+    Session(
+        const std::string& modelPath,
+        const settings::Settings& settings,
+        const std::function<void(const std::string&)>& warn);
 
     const hierarchy::ModelFile& model() const { return model_; }
 

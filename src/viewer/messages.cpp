@@ -1,9 +1,6 @@
 #include "viewer/messages.h"
 
-#include "core/printable.h"
-
 #include <algorithm>
-#include <cstdio>
 
 namespace gnomon::viewer {
 
@@ -24,7 +21,7 @@ void Messages::show(const std::string& text) {
 void Messages::note(const std::string& text) {
     messages_.push_back({text, false, now_() + kNoteSeconds});
     lastIsShown_ = false;
-    std::fprintf(stderr, "gnomon: %s\n", printable(text).c_str());
+    tell_(text);
 }
 
 void Messages::fail(const std::string& text) {
@@ -38,7 +35,7 @@ void Messages::fail(const std::string& text) {
     }
     messages_.push_back({text, true, now_() + kFailSeconds});
     lastIsShown_ = false;
-    std::fprintf(stderr, "gnomon: %s\n", printable(text).c_str());
+    tell_(text);
 }
 
 bool Messages::expire() {

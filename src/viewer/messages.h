@@ -1,4 +1,4 @@
-// Short messages that are shown for a while in the window, and told on stderr for whoever reads that later.
+// Short messages that are shown for a while in the window, and handed on for whoever reads them later.
 #pragma once
 
 #include <exception>
@@ -19,7 +19,8 @@ struct Message {
 
 class Messages {
 public:
-    explicit Messages(Clock now) : now_(std::move(now)) {}
+    /// `tell` is handed what is noted and what has failed.
+    Messages(Clock now, std::function<void(const std::string&)> tell) : now_(std::move(now)), tell_(std::move(tell)) {}
 
     /// What a key has set: shown for two seconds and told nowhere else. Replaces the last of its kind.
     void show(const std::string& text);
@@ -49,6 +50,7 @@ public:
 
 private:
     Clock now_;
+    std::function<void(const std::string&)> tell_;
     std::vector<Message> messages_;
     bool lastIsShown_ = false; // the last message is one of `show`
 };

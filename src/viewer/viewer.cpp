@@ -75,7 +75,7 @@ private:
     gl::Window window_;
     Input input_;
     ImGuiLayer imgui_;
-    Messages messages_{now};
+    Messages messages_{now, options_.tell};
     OpenFile file_;
     Walk walk_;
     Steering steering_;

@@ -3,6 +3,7 @@
 
 #include "settings/settings.h"
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -19,6 +20,8 @@ struct ViewerOptions {
     std::string images;               // folder for the pictures of played frames; empty: none
     std::string csv;                  // log of all frames; empty: none
     Bytes buildMemory = gibibytes(2); // peak resident size while a mesh is built
+    std::function<void(const std::string&)> tell = [](const std::string&) {
+    }; // what is noted, and what has failed, beside being shown
 };
 
 } // namespace gnomon::viewer

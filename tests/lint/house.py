@@ -12,6 +12,7 @@ import sys
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
 COMMENT, STRING, OPTION = re.compile(r"//.*"), re.compile(r'"(?:[^"\\\n]|\\.)*"'), re.compile(r"--[a-z]")
+STREAM = re.compile(r"\b(?:stdout|stderr|std::c(?:out|err|log)\b|(?:f|v|vf)?printf\(|f?puts\()")
 CODE = {".h", ".cpp", ".inc"}
 SHADERS = {".glsl", ".vert", ".frag", ".comp", ".geom"}
 READ_BY_PEOPLE = CODE | SHADERS | {".py", ".cmake", ".js", ".css", ".html", ".sh", ""}
@@ -119,6 +120,13 @@ def options_below_app(root):
             yield from (f"{path}: names an option: {text}" for text in STRING.findall(text) if OPTION.search(text))
 
 
+def streams_below_app(root):
+    """A failed check tells of it itself; everybody else hands up what there is to say."""
+    for path, text in code_below_app(root):
+        if path.stem != "check":
+            yield from (f"{path}: writes to {found}" for found in STREAM.findall(text))
+
+
 def large_app(root):
     lines = code_lines(root, "src/app")
     return [] if lines < MOST_APP_LINES else [f"src/app: {lines} lines of C++, under {MOST_APP_LINES}"]
@@ -174,9 +182,10 @@ def test_ratio(root):
 
 RULES = {"folder cycles": folder_cycles, "unit cycles": unit_cycles, "full folders": full_folders, "long files": long_files,
          "large app": large_app, "long functions": long_functions, "few tests": few_tests, "untested units": untested_units,
-         "options below app": options_below_app}
+         "options below app": options_below_app, "streams below app": streams_below_app}
 # The rules that hold, and must go on to.
-HELD = ("folder cycles", "unit cycles", "full folders", "long files", "large app", "long functions", "options below app")
+HELD = ("folder cycles", "unit cycles", "full folders", "long files", "large app", "long functions", "options below app",
+        "streams below app")
 
 
 def report(root):

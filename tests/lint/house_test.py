@@ -58,6 +58,17 @@ class House(unittest.TestCase):
             with self.subTest(name, text=text):
                 self.assertEqual(found, len(self.breaches("options below app", {name: text})))
 
+    def test_only_the_app_prints(self):
+        for name, text, found in (
+            ("src/measure/x.cpp", 'std::fprintf(stderr, "%s");', 2),
+            ("src/viewer/x.h", "std::cerr << 1;", 1),
+            ("preprocess/read/x.cpp", "snprintf(text); // to stdout", 0),
+            ("src/core/check.cpp", "std::fprintf(stderr);", 0),
+            ("src/app/x.cpp", "std::printf();", 0),
+        ):
+            with self.subTest(name, text=text):
+                self.assertEqual(found, len(self.breaches("streams below app", {name: text})))
+
     def test_functions_that_clang_tidy_does_not_read_are_measured(self):
         for lines, found in ((house.MOST_FUNCTION_LINES, 0), (house.MOST_FUNCTION_LINES + 1, 1)):
             python = "def f():\n" + "    pass\n" * (lines - 1)

@@ -19,7 +19,8 @@ class Poser {
 public:
     Poser(const glm::dvec3& origin, settings::Backend backend)
         : file_(options(origin), "poses"), settings_(drawnBy(backend)) {
-        session_ = std::make_unique<Session>(file_.path(), settings_);
+        session_ = std::make_unique<Session>(
+            file_.path(), settings_, [](const std::string& warning) { ADD_FAILURE() << warning; });
     }
 
     /// False if the frame was refused, with a reason.

@@ -295,7 +295,8 @@ void steepWarp() {
         for (const glm::dvec3& light : {glm::dvec3(0, 1, 0), glm::dvec3(0.3, 1, 0.2), glm::dvec3(0.9, 0.1, -0.6)}) {
             view.towardsLight = glm::normalize(light);
             options.scheme.warp.kappa = kappa;
-            const ShadowMap& map = shadowMapSetup(view, options).maps.at(0);
+            const ShadowMapSetup setup = shadowMapSetup(view, options);
+            const ShadowMap& map = setup.maps.at(0);
             const glm::dmat4 uploaded(rounded(cameraImage(map)).clipFromOffset);
             for (const FitVertex& vertex : map.region.vertices)
                 for (const glm::dvec3& along : {glm::dvec3(1, 0, 0), glm::dvec3(0, 0, 1)}) {

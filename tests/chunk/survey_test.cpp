@@ -157,6 +157,43 @@ TEST(Survey, AValenceIsCountedUpTo255) {
     EXPECT_EQ(surveySource(fan, progress).valence[0], 255);
 }
 
+/// Says that it has `vertices` vertices and is never read.
+class ClaimedSource final : public read::MeshSource {
+public:
+    explicit ClaimedSource(std::uint64_t vertices) { summary_.vertexCount = vertices; }
+
+    const read::MeshSummary& summary() const override { return summary_; }
+
+    void readVertices(const read::VertexSink& /*sink*/) override {}
+
+    void readTriangles(const read::TriangleSink& /*sink*/) override {}
+
+private:
+    read::MeshSummary summary_;
+};
+
+/// Ends what it is told of as soon as it begins.
+class EndsAtOnce final : public Progress {
+public:
+    struct Begun {};
+
+    void stage(std::string_view /*name*/, std::string_view /*unit*/, std::uint64_t /*total*/) override {
+        throw Begun();
+    }
+
+    void advance(std::uint64_t /*count*/) override {}
+};
+
+TEST(Survey, AsManyVerticesAsThereAreNumbersAreTooMany) {
+    EndsAtOnce progress;
+    ClaimedSource most(0xFFFFFFFE); // 0xFFFFFFFF stands for none
+    EXPECT_THROW(surveySource(most, progress), EndsAtOnce::Begun);
+    for (const std::uint64_t count : {std::uint64_t{0xFFFFFFFF}, std::uint64_t{0x100000000}, ~std::uint64_t{0}}) {
+        ClaimedSource source(count);
+        EXPECT_THROW(surveySource(source, progress), Error) << count;
+    }
+}
+
 TEST(Survey, CoordinatesThatAreNoneOrTooLargeAreRefused) {
     NoProgress progress;
     for (const double bad :

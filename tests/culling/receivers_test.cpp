@@ -152,5 +152,25 @@ TEST(TriangleClipper, KeepsWhatTheVolumeHolds) {
     EXPECT_GT(cut, 100);
 }
 
+TEST(TriangleClipper, CornersOnAPlaneStay) {
+    ConvexVolume volume;
+    volume.planes.push_back({{0, 0, 1}, 0}); // z >= 0
+    TriangleClipper clipper(volume);
+    const glm::dvec3 a(0, 0, 0);
+    const glm::dvec3 b(1, 0, 0);
+    for (const double z : {-1.0, 0.0, 1.0}) {
+        const glm::dvec3 c(0, 1, z);
+        for (const auto& corners : {std::array{a, b, c}, std::array{c, a, b}, std::array{b, c, a}}) {
+            std::size_t isThere = 0;
+            for (const glm::dvec3& corner : clipper.clipped(corners)) {
+                EXPECT_TRUE(corner == a || corner == b || corner == c) << corner.x << " " << corner.y;
+                EXPECT_GE(corner.z, 0);
+                isThere |= corner == a ? 1U : corner == b ? 2U : 4U;
+            }
+            EXPECT_EQ(isThere, z < 0 ? 3U : 7U);
+        }
+    }
+}
+
 } // namespace
 } // namespace gnomon::culling

@@ -69,8 +69,8 @@ void checkSpans(
     const std::vector<DepthSpan>& spans, const std::vector<LitTriangle>& expected, const DepthSpan& depths) {
     const auto reaches = [&](double from, double to) {
         return std::any_of(expected.begin(), expected.end(), [&](const LitTriangle& triangle) {
-            return std::max(triangle.depths.near, depths.near) <= to &&
-                   std::min(triangle.depths.far, depths.far) >= from;
+            return std::clamp(triangle.depths.near, depths.near, depths.far) <= to &&
+                   std::clamp(triangle.depths.far, depths.near, depths.far) >= from;
         });
     };
     double last = 0;
@@ -79,6 +79,7 @@ void checkSpans(
         EXPECT_GE(span.near, depths.near);
         EXPECT_LE(span.far, depths.far);
         EXPECT_GT(span.near, last) << "apart and in order";
+        EXPECT_GT(span.near, last * (1 + 1e-9)) << "apart, not merely parted";
         last = span.far;
         EXPECT_TRUE(reaches(span.near / (1 + 1e-9), span.near * kStep * (1 + 1e-9))) << "one step at most too far";
         EXPECT_TRUE(reaches(span.far / kStep / (1 + 1e-9), span.far * (1 + 1e-9)));
@@ -93,7 +94,8 @@ TEST(LitSurfaces, SpansHoldWhatIsLitAndReachOneStepFurtherAtMost) {
         const Seen scene(random);
         const glm::dvec3 light = randomLight(random);
         const Box casters = trial % 5 == 0 ? Box{} : sharedModel().bounds;
-        const DepthSpan depths{random.uniform(0.01, 1), random.uniform(20, 400)};
+        const double nearest = trial % 2 == 0 ? 1 : 16; // before all that is seen, or in its midst
+        const DepthSpan depths{nearest * random.uniform(0.01, 1), random.uniform(20, 400)};
         const LitSurfaces found = litSurfaces(scene.query(), scene.cut.lists[0], light, casters, depths);
         const std::vector<LitTriangle> expected = litTriangles(scene, light, casters);
         bool canBeShadowed = false;

@@ -64,6 +64,26 @@ TEST(SimplifiedLevel, HalvesEachGroupAndNamesItInTheClustersThatReplaceIt) {
     }
 }
 
+TEST(SimplifiedLevel, WhereNothingHindersAGroupHasHalfItsTrianglesLeftRoundedUp) {
+    read::CodeMesh flat = read::bumpySheet(40);
+    for (glm::dvec3& p : flat.positions)
+        p.y = 0;
+    const simplify::Mesh mesh = meshOf(flat);
+    NoProgress progress;
+    Level level = groupedLevel(mesh);
+    const Level next = simplifiedLevel(mesh, level, {}, simplify::CostLimit::None, progress);
+    std::vector<std::size_t> before(level.groups.size(), 0);
+    for (const std::uint32_t group : groupOfTriangles(level))
+        ++before[group];
+    std::vector<std::size_t> after(level.groups.size(), 0);
+    for (const LevelCluster& cluster : next.clusters)
+        after[cluster.refinement] += cluster.triangleCount;
+    for (std::size_t g = 0; g < before.size(); ++g) {
+        EXPECT_LE(after[g], (before[g] + 1) / 2) << "of " << before[g];
+        EXPECT_GE(after[g] + 1, before[g] / 2) << "a collapse takes two at most";
+    }
+}
+
 TEST(SimplifiedLevel, AGroupsErrorIsThatOfItsWorstTriangleAndTheGridsAndNeverLessThanBefore) {
     const simplify::Mesh mesh = meshOf(read::bumpySheet(64));
     NoProgress progress;

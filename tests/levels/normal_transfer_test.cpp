@@ -133,6 +133,27 @@ TEST(NormalTransfer, LeaveLockedVerticesCreasesAndVerticesWithoutAloneAndComeInO
     }
 }
 
+TEST(NormalTransfer, ANeighbourWithoutANormalHindersNothing) {
+    // A triangle of upright normals with a removed vertex in its middle, then one without a normal in no triangle.
+    simplify::Patch patch;
+    patch.positions = {{0, 0, 0}, {9, 0, 0}, {0, 9, 0}, {3, 3, 0}, {1, 1, 0}};
+    patch.positionOf = {0, 1, 2, 3, 4};
+    patch.isLocked.assign(5, 0);
+    patch.triangles = {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+    patch.vertices.resize(5);
+    for (std::size_t v = 0; v < 3; ++v)
+        patch.vertices[v].normal = hierarchy::packNormal({0, 0, 1});
+    patch.vertices[3].normal = hierarchy::packNormal({0.5, 0, 1});
+    patch.vertices[4].normal = hierarchy::kNoNormal;
+    simplify::SimplifiedPatch simplified;
+    simplified.triangles = {{0, 1, 2}};
+    simplified.movedTo = {0, 1, 2, 0, 4};
+    const std::vector<TransferredNormal> transferred = transferredNormals(patch, simplified);
+    ASSERT_EQ(transferred.size(), 3U);
+    for (const TransferredNormal& corner : transferred)
+        EXPECT_GT(hierarchy::unpackNormal(corner.normal).x, 0.05) << "leans as the removed one does";
+}
+
 TEST(NormalTransfer, OfASurfaceWithoutNormalsAreNone) {
     const simplify::Patch bare = sheet([](double, double) { return glm::dvec3(0); });
     EXPECT_TRUE(transferredNormals(bare, simplify::simplifyQuadric(bare, bare.triangles.size() / 2)).empty());

@@ -1,4 +1,5 @@
 // Pages: ids that sort as they will in the file, groups in order up to the target size, geometry as it was.
+#include "core/random.h"
 #include "hierarchy/page_codec.h"
 #include "preprocess/levels/grouping.h"
 #include "preprocess/levels/level_clusters.h"
@@ -91,6 +92,38 @@ TEST(PageLayout, AGroupLargerThanAPageIsAPage) {
         level.groups[g].clusterCount = 1;
     }
     EXPECT_EQ(placeGroups(level, 0), 2U);
+}
+
+TEST(PageLayout, GroupsOfAllSizesLieWhereTheFirstPageHasRoom) {
+    Random random(17);
+    for (int run = 0; run < 20; ++run) {
+        Level level;
+        level.clusters.resize(60);
+        for (LevelCluster& cluster : level.clusters) {
+            cluster.vertexCount = static_cast<std::uint32_t>(random.below(hierarchy::kPageTargetBytes / 40));
+            cluster.triangleCount = static_cast<std::uint32_t>(random.below(hierarchy::kPageTargetBytes / 10));
+        }
+        for (std::uint32_t first = 0; first < level.clusters.size(); first += level.groups.back().clusterCount) {
+            const auto left = static_cast<std::uint32_t>(level.clusters.size()) - first;
+            LevelGroup& group = level.groups.emplace_back();
+            group.firstCluster = first;
+            group.clusterCount = std::min(left, 1 + static_cast<std::uint32_t>(random.below(3)));
+        }
+        const std::uint32_t pages = placeGroups(level, 0);
+        std::uint32_t page = 0;
+        std::uint64_t bytes = 0;
+        for (const LevelGroup& group : level.groups) {
+            const std::uint64_t own = decodedBytes(level, group);
+            if (bytes > 0 && bytes + own > hierarchy::kPageTargetBytes) {
+                ++page;
+                bytes = 0;
+            }
+            bytes += own;
+            ASSERT_EQ(group.place.page, page);
+        }
+        EXPECT_EQ(pages, page + 1);
+        EXPECT_GT(pages, 5U);
+    }
 }
 
 /// The triangles of a cluster as `cornersOf` a level has them.

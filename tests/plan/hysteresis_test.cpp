@@ -89,6 +89,16 @@ TEST(Hysteresis, HoldsForExactlyAsManyFramesAsItsTableSays) {
     }
 }
 
+TEST(Hysteresis, TheThresholdsAreThoseThatTheStoredFiguresWereTakenWith) {
+    EXPECT_EQ(kFramesBeforeNearRises, 12);
+    EXPECT_EQ(kFramesBeforeMapsGo, 96);
+    EXPECT_EQ(kFramesBeforeSchemeGoes, 96);
+    EXPECT_EQ(kCheaper, 0.75);
+    EXPECT_EQ(kLower, 0.85);
+    EXPECT_EQ(kWorthwhile, 0.95);
+    EXPECT_EQ(kStillWorthwhile, 0.99);
+}
+
 TEST(Hysteresis, ADipStartsTheWaitForAHigherNearAnew) {
     PlannedFrame frame = planFrame(anyView(), {}, surfaces(2, 100));
     for (int i = 0; i < 3 * kFramesBeforeNearRises; ++i) {

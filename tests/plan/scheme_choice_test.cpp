@@ -88,6 +88,18 @@ SchemeContext contextOf(const MadeScene& scene, const View& view, const SceneFac
     return context;
 }
 
+TEST(SchemeChoice, WithoutFactsOfTheLightTheTexelsAloneCost) {
+    const MadeScene scene(2);
+    const View view = madeView(2);
+    SceneFacts facts = scene.facts(view);
+    facts.light.reset();
+    const SchemeCandidate found = evaluate(contextOf(scene, view, facts, {}), {4, false, true});
+    const auto texels =
+        static_cast<std::uint64_t>(found.setup.textureWidth) * static_cast<std::uint64_t>(found.setup.textureHeight);
+    EXPECT_EQ(found.casterTriangles, std::vector<std::uint64_t>(4, 0));
+    EXPECT_EQ(found.cost, texels / kTexelsPerTriangle);
+}
+
 TEST(SchemeChoice, TakesNoMoreTexelsThanItsPromiseAsksForAndHardlyMore) {
     int tested = 0;
     for (std::uint64_t seed = 0; seed < 10; ++seed) {

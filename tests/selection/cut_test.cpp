@@ -19,6 +19,7 @@ using tests::sharedModel;
 
 struct SlowCut {
     std::vector<std::set<ClusterId>> lists;
+    std::uint64_t clustersTested = 0; // for the volumes behind the first
     std::set<std::uint32_t> used;
     std::set<std::uint32_t> wanted;
 };
@@ -27,8 +28,21 @@ bool isAsked(const CutQuery& query, const Sphere& bounds, double error) {
     return query.rule->pixels(bounds, error) > query.errorPixels;
 }
 
+/// How many of the volumes behind the first `box` touches.
+std::uint64_t touchedBehindTheFirst(const CutQuery& query, const hierarchy::GridBox& box) {
+    std::uint64_t count = 0;
+    for (std::size_t v = 1; v < query.volumes.size(); ++v)
+        count += classify(query.volumes[v], query.trees->grid().local(box)) != Containment::Outside ? 1U : 0U;
+    return count;
+}
+
 /// The rule for one cluster of a refined group: drawn unless its refinement is refined too, which takes residency.
-void addSlowly(const CutQuery& query, const hierarchy::Page& page, const ClusterId& id, SlowCut& result) {
+void addSlowly(
+    const CutQuery& query,
+    const hierarchy::Page& page,
+    const hierarchy::Group& group,
+    const ClusterId& id,
+    SlowCut& result) {
     const hierarchy::Cluster& cluster = page.clusters[id.cluster];
     if (cluster.refinement != kNone) {
         const hierarchy::Refinement& finer = page.refinements[cluster.refinement];
@@ -37,6 +51,7 @@ void addSlowly(const CutQuery& query, const hierarchy::Page& page, const Cluster
         if (isFinerAsked && !isResident) result.wanted.insert(finer.group.page);
         if (isFinerAsked && isResident) return;
     }
+    result.clustersTested += touchedBehindTheFirst(query, group.box);
     for (std::size_t v = 0; v < query.volumes.size(); ++v)
         if (classify(query.volumes[v], query.trees->grid().local(cluster.box)) != Containment::Outside)
             result.lists[v].insert(id);
@@ -53,7 +68,7 @@ SlowCut slowCut(const CutQuery& query) {
             if (!isAsked(query, group.bounds, group.error)) continue;
             result.used.insert(p);
             for (std::uint32_t c = group.firstCluster; c < group.firstCluster + group.clusterCount; ++c)
-                addSlowly(query, page, {p, c}, result);
+                addSlowly(query, page, group, {p, c}, result);
         }
     }
     return result;
@@ -94,6 +109,7 @@ struct Scene {
 TEST(Cut, TreesFindWhatBruteForceFinds) {
     Random random(31);
     std::size_t drawn = 0;
+    std::uint64_t tested = 0;
     for (int trial = 0; trial < 200; ++trial) {
         const Scene scene(random, sharedModel(), tests::randomResidency(random, sharedModel()));
         const Cut fast = cut(scene.query());
@@ -106,8 +122,27 @@ TEST(Cut, TreesFindWhatBruteForceFinds) {
         }
         EXPECT_EQ(pagesOf(fast.used), slow.used);
         EXPECT_EQ(pagesOf(fast.wanted), slow.wanted);
+        EXPECT_EQ(fast.clustersTested, slow.clustersTested);
+        tested += slow.clustersTested;
     }
     EXPECT_GT(drawn, 10000U);
+    EXPECT_GT(tested, 1000U);
+}
+
+TEST(Cut, NeighboursInAPageAreOneRange) {
+    Random random(38);
+    std::size_t joined = 0;
+    for (int trial = 0; trial < 50; ++trial) {
+        Scene scene(random, sharedModel(), tests::randomResidency(random, sharedModel()));
+        scene.volumes.assign(1, {}); // all of space: nothing but the cut parts neighbours
+        const std::vector<ClusterRange> ranges = cut(scene.query()).lists[0].ranges;
+        for (std::size_t i = 0; i < ranges.size(); ++i) {
+            joined += ranges[i].clusterCount - 1;
+            if (i == 0 || ranges[i - 1].page != ranges[i].page) continue;
+            EXPECT_GT(ranges[i].firstCluster, ranges[i - 1].firstCluster + ranges[i - 1].clusterCount);
+        }
+    }
+    EXPECT_GT(joined, 1000U);
 }
 
 TEST(Cut, CutsEveryChainExactlyOnceWhateverIsResident) {

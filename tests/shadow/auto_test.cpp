@@ -122,6 +122,26 @@ TEST(Auto, TheChosenOrientationHalvesTheWorstSlice) {
     EXPECT_LT(chosenWorst, 37);
 }
 
+TEST(Auto, AllSlicesHaveTheOrientationOfTheOneOfTheLargestDepthRatio) {
+    Random random(8);
+    for (int i = 0; i < 50; ++i) {
+        ShadowView view;
+        view.frustum = randomFrustum(random);
+        view.towardsLight = randomDirection(random);
+        ShadowOptions options;
+        options.scheme.slices = 2 + static_cast<int>(random.below(5));
+        options.scheme.splitLambda = random.uniform(0, 0.95);
+        const std::vector<double> splits =
+            practicalSplits(view.frustum.near, view.frustum.far, options.scheme.slices, options.scheme.splitLambda);
+        std::size_t leading = 0; // of the largest ratio, whichever that is
+        for (std::size_t k = 0; k + 1 < splits.size(); ++k)
+            if (splits[k + 1] / splits[k] > splits[leading + 1] / splits[leading]) leading = k;
+        const ViewFrustum part = slice(view.frustum, splits[leading], splits[leading + 1]);
+        const LightFrame expected = chosenFrame(part, view.towardsLight, {}, std::nullopt);
+        EXPECT_EQ(shadowMapSetup(view, options).orientation.zAxis, expected.z) << "round " << i;
+    }
+}
+
 TEST(Auto, IsTheLeastOfADenseScan) {
     Random random(7);
     for (int i = 0; i < 300; ++i) {

@@ -56,6 +56,11 @@ TEST(Packing, RectanglesAreDisjointAndInside) {
 TEST(Packing, WhatFitsNowhereIsSaid) {
     const std::vector<TexelRectangle> sizes{{0, 0, 100, 10, false}, {0, 0, 10, 100, false}};
     EXPECT_EQ(packed(sizes, 50).width, 0);
+    // What fits at no scale yet is tried one above the other as it shrinks: that needs the least width.
+    const std::vector<TexelRectangle> smaller{{0, 0, 40, 10, false}, {0, 0, 40, 20, false}};
+    const Packing column = packed(smaller, bestStrategy(sizes, 50), 50);
+    EXPECT_EQ(column.width, 40);
+    EXPECT_EQ(column.height, 40);
 }
 
 /// The range of errors that the rounding of `demand` / error to whole texels allows: within one texel of `texels`.

@@ -77,6 +77,7 @@ TEST(QuantizedNear, FallsAtOnceAndRisesAfterSomeFrames) {
     }
     state = nextNear(state, 2, 0.001);
     EXPECT_EQ(state.near, 2);
+    EXPECT_EQ(state.framesAbove, 0) << "the next wait begins anew";
     for (int frame = 0; frame < 40; ++frame) // one dip in between starts the wait anew
         state = nextNear(state, frame % 10 == 0 ? 2 : 4, 0.001);
     EXPECT_EQ(state.near, 2);

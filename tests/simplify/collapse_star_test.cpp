@@ -249,5 +249,25 @@ TEST(CollapseStar, AFaceKeepsItsSideOfASeam) {
     }
 }
 
+TEST(CollapseStar, AVertexIsReplacedByTheOneOfTheNearestColourInEachChannel) {
+    for (const std::uint32_t shift : {0U, 8U, 16U, 24U}) {
+        // Position 0 moves onto 1. Each has two vertices; the face that vanishes has the first of both.
+        Patch patch = plainPatch({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {2, 1, 0}}, {});
+        patch.positionOf = {0, 0, 1, 1, 2, 3, 4};
+        patch.triangles = {{0, 2, 4}, {1, 4, 5}, {3, 6, 4}};
+        patch.vertices.assign(patch.positionOf.size(), {});
+        for (Vertex& vertex : patch.vertices)
+            vertex.color = 0x80808080U;
+        for (const std::uint32_t v : {1U, 3U})
+            patch.vertices[v].color += 1U << shift;
+        SimplificationMesh mesh(patch);
+        CollapseStar star(patch, mesh);
+        star.gather(0, 1);
+        star.apply();
+        EXPECT_TRUE(mesh.isRemoved(0));
+        EXPECT_EQ(mesh.vertices(1)[0], 3U) << "bits from " << shift << " on";
+    }
+}
+
 } // namespace
 } // namespace gnomon::simplify

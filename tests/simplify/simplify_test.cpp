@@ -185,5 +185,25 @@ TEST(Simplify, AnEarOnALockedEdgeStaysHoweverFewTrianglesAreWanted) {
     EXPECT_EQ(simplifyQuadric(patch, 1).triangles.size(), 2U);
 }
 
+TEST(Simplify, LockedPositionsStayWhereverTheyLie) {
+    Random random(37);
+    for (const std::uint64_t oneIn : {2U, 5U, 20U}) {
+        Patch patch = patchOf(read::bumpySheet(16));
+        for (std::uint8_t& isLocked : patch.isLocked)
+            isLocked = random.below(oneIn) == 0 ? 1 : 0;
+        const SimplifiedPatch simplified = simplifyQuadric(patch, 1);
+        EXPECT_LT(simplified.triangles.size(), patch.triangles.size());
+        std::vector<std::uint8_t> isThere(patch.positions.size(), 0);
+        for (const Triangle& t : simplified.triangles)
+            for (const std::uint32_t p : patch.corners(t))
+                isThere[p] = 1;
+        for (std::uint32_t p = 0; p < patch.positions.size(); ++p)
+            if (patch.isLocked[p] != 0) {
+                EXPECT_EQ(simplified.movedTo[p], p);
+                EXPECT_EQ(isThere[p], 1) << p;
+            }
+    }
+}
+
 } // namespace
 } // namespace gnomon::simplify

@@ -50,7 +50,8 @@ float litFraction(int index, vec3 p, vec3 normal, float cosine) {
     vec4 clip = clipOf(part, p);
     vec2 texel = texelOf(part, clip);
     vec4 plane = vec4(normal, -dot(normal, p - part.origin));
-    float depth = clip.z / clip.w - receiverBias(part, plane, cosine, clip.w);
+    // Clamped as casters are: behind the map's far end nothing is in the way but what it shows.
+    float depth = min(clip.z / clip.w - receiverBias(part, plane, cosine, clip.w), 1.0);
     int width = max(filterTexels, 1);
     ivec2 lowest = ivec2(part.firstTexel);
     ivec2 highest = ivec2(part.endTexel) - 1;

@@ -59,6 +59,8 @@ ordered_json passJson(const plan::FramePlan& plan, const plan::ShadowPass& pass)
     json["face"] = shadow::name(map.region.face);
     json["near"] = map.region.frustum.near;
     json["far"] = map.region.frustum.far;
+    json["covered_near"] = map.region.covered.near;
+    json["covered_far"] = map.region.covered.far;
     json["light_clip_from_world"] =
         matrixJson(glClipFromLightClip() * map.lightClipFromCamera() * cameraFromWorld(plan));
     json["rectangle"] = {r.x, r.y, r.width, r.height};
@@ -110,6 +112,8 @@ ordered_json planJson(const plan::FramePlan& plan) {
 std::string planText(const plan::FramePlan& plan) {
     std::string text = line("near   %-12g %s\n", plan.near, settings::sourceInWords(plan.nearFrom).c_str());
     text += line("far    %-12g %s\n", plan.far, settings::sourceInWords(plan.farFrom).c_str());
+    if (plan.shown != DepthSpan{plan.near, plan.far})
+        text += line("shown  %g to %g: beyond the range nothing is promised\n", plan.shown.near, plan.shown.far);
     text += line("light  %.2f degrees from the view\n", degreesFromRadians(plan.lightAngleRadians));
     text += line(
         "plan   %s: %zu maps in %dx%d texels, cost %llu\n",

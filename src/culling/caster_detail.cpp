@@ -10,7 +10,7 @@ selection::CasterDetail casterDetail(const selection::DetailView& view, const sh
     selection::CasterDetail detail;
     detail.casters = localVolume(map.casterVolume, view);
     detail.receivers = localVolume(map.region.volume, view);
-    detail.receiverNear = map.region.frustum.near;
+    detail.receiverNear = map.region.covered.near;
     detail.towardsLight = toWorld(view.basis, warped.frame.y);
     selection::TexelWidth& texel = detail.texel;
     texel.axis = toWorld(view.basis, warped.frame.z);

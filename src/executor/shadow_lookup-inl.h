@@ -126,8 +126,10 @@ HWY_INLINE Floats litFraction(const ShadingFrame& f, Ints pass, const Vec3& p, c
     // No receiver lies in the plane of w = 0; should one, it must not become a NaN.
     const auto isFinite = hn::Gt(hn::Abs(w), constant(1e-30F));
     const auto inverseW = inverse(hn::IfThenElse(isFinite, w, constant(1e-30F)));
-    const auto depth =
-        hn::Sub(hn::Mul(clipCoordinate(part, 2, offset), inverseW), receiverBias(part, offset, normal, cosine, w));
+    // Clamped as casters are: behind the map's far end nothing is in the way but what it shows.
+    const auto depth = hn::Min(
+        hn::Sub(hn::Mul(clipCoordinate(part, 2, offset), inverseW), receiverBias(part, offset, normal, cosine, w)),
+        constant(1));
     const int width = std::max(f.frame->filterTexels, 1);
     const auto half = constant(0.5F * static_cast<float>(width - 1));
     const auto far = constant(1e6F);

@@ -77,6 +77,29 @@ void keepApart(DepthSpan& depths, const Quality& quality) {
         depths.far = depths.near * kLeastRatio;
 }
 
+/// The end of what is shown, which lies at `depth`, if that is before `end`: quantised as near is, and never under
+/// `floor`. Depths here are those before the eye, or their inverses.
+double shownEnd(double end, double depth, double floor, std::optional<shadow::NearState>& state) {
+    const bool isBeyond = depth < end && floor < end;
+    if (!isBeyond && !state) return end;
+    state = shadow::nextNear(
+        state.value_or(shadow::NearState{}), isBeyond ? depth : end, isBeyond ? floor : end, kFramesBeforeNearRises);
+    if (state->near < end) return state->near;
+    state.reset();
+    return end;
+}
+
+/// What is shown, which goes beyond depths that are given.
+void setShown(DepthRange& range, const SceneFacts::Visible& visible, const std::optional<DepthMemory>& memory) {
+    DepthMemory& now = *range.memory;
+    if (memory) now.shownNear = memory->shownNear;
+    if (memory) now.inverseShownFar = memory->inverseShownFar;
+    const double inverseFar = shownEnd(1 / range.depths.far, 1 / visible.farthest, 0, now.inverseShownFar);
+    range.shown.far = now.inverseShownFar ? 1 / inverseFar : range.depths.far;
+    range.shown.near =
+        shownEnd(range.depths.near, visible.nearest, range.shown.far / kDefaultFloorRatio, now.shownNear);
+}
+
 } // namespace
 
 DepthRange depthRange(
@@ -85,7 +108,7 @@ DepthRange depthRange(
     DepthRange range;
     range.isEmpty = !visible.anything;
     if (range.isEmpty && !(quality.near && quality.far)) {
-        range.depths = {1, 2};
+        range.depths = range.shown = {1, 2};
         return range;
     }
     DepthMemory now;
@@ -103,7 +126,11 @@ DepthRange depthRange(
     keepApart(range.depths, quality);
     range.memory->near.near = range.depths.near;
     if (range.memory->inverseFar) range.memory->inverseFar->near = 1 / range.depths.far;
-    if (range.isEmpty) range.memory.reset();
+    range.shown = range.depths;
+    if (range.isEmpty)
+        range.memory.reset();
+    else
+        setShown(range, visible, memory);
     return range;
 }
 

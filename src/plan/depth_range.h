@@ -9,6 +9,7 @@ namespace gnomon::plan {
 /// The range and where each end comes from.
 struct DepthRange {
     DepthSpan depths; // near < far always
+    DepthSpan shown;  // `depths`, and what lies before and behind them of all that is in view
     DepthSource nearFrom = DepthSource::NothingInView;
     DepthSource farFrom = DepthSource::NothingInView;
     bool isEmpty = false;              // nothing is in view, and the range is any
@@ -17,8 +18,8 @@ struct DepthRange {
 
 /// Near is the least view depth of anything drawn, not under the floor, down to a quantised step of 2^(1/4): it falls
 /// at once, and rises only when the frames before have allowed that for kFramesBeforeNearRises. Far is the greatest
-/// depth; stabilised slices, whose texels must keep their size, have it quantised too. Throws Error for given ends that
-/// are no range.
+/// depth; stabilised slices, whose texels must keep their size, have it quantised too. What is shown beyond a given end
+/// moves as near does, and begins no nearer than far/10,000. Throws Error for given ends that are no range.
 DepthRange depthRange(
     const View& view, const Quality& quality, const SceneFacts& scene, const std::optional<DepthMemory>& memory);
 

@@ -113,6 +113,7 @@ struct FramePlan {
     glm::dvec3 towardsLight{0, 1, 0}; // unit, camera space
     double near = 0;                  // the range that shadows are promised for
     double far = 0;
+    DepthSpan shown; // [near, far] and what is in view beyond it, whose shadows are drawn and not promised
     DepthSource nearFrom = DepthSource::Given;
     DepthSource farFrom = DepthSource::Given;
     double lightAngleRadians = 0;

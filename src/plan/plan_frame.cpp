@@ -64,7 +64,7 @@ std::optional<DepthSpan> widestRange(const View& view, const Quality& quality, c
     if (quality.shadows != ShadowMode::Maps) return std::nullopt;
     const DepthRange range = depthRange(view, quality, {.bounds = bounds, .visible = {}, .light = {}}, {});
     if (range.isEmpty) return std::nullopt;
-    return range.depths;
+    return range.shown;
 }
 
 PlannedFrame planFrame(const View& view, const Quality& quality, const SceneFacts& scene, const PlanMemory& memory) {
@@ -79,6 +79,7 @@ PlannedFrame planFrame(const View& view, const Quality& quality, const SceneFact
     const DepthRange range = depthRange(view, quality, scene, memory.depth);
     plan.near = range.depths.near;
     plan.far = range.depths.far;
+    plan.shown = range.shown;
     plan.nearFrom = range.nearFrom;
     plan.farFrom = range.farFrom;
     result.memory.depth = range.memory;

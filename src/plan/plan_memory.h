@@ -16,6 +16,8 @@ namespace gnomon::plan {
 struct DepthMemory {
     shadow::NearState near;
     std::optional<shadow::NearState> inverseFar; // 1 / far, which moves as near does; of stabilised slices
+    std::optional<shadow::NearState> shownNear;  // where shadows are shown from, while that is before near
+    std::optional<shadow::NearState> inverseShownFar;
 };
 
 /// At which depths visible surfaces have faced the light of late: maps do not go while receivers come and go.

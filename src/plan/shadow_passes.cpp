@@ -61,6 +61,7 @@ void explainOmissions(FramePlan& plan, std::uint64_t emptySlices) {
 SchemeMemory planShadowPasses(FramePlan& plan, const SceneFacts& scene, const std::optional<SchemeMemory>& before) {
     SchemeContext context;
     context.view.frustum = {plan.near, plan.far, plan.view.camera.fovYRadians / 2, plan.view.aspect()};
+    context.view.shown = plan.shown;
     context.view.towardsLight = plan.towardsLight;
     context.view.imageHeight = plan.view.height;
     context.view.anchor = {plan.basis, plan.view.camera.eye};

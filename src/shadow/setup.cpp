@@ -80,7 +80,7 @@ Draft stableDraftOf(Region region, const LightFrame& frame) {
     Draft draft;
     draft.fit = fitRegion(frame, region.frustum, region.vertices);
     const double twoTan = 2 * tanHalfY(region.frustum);
-    const double unit = stableExtent(region.frustum) / (twoTan * region.frustum.near);
+    const double unit = stableExtent(region.covered) / (twoTan * region.frustum.near);
     draft.unit = {unit, unit};
     draft.sheared = unit;
     draft.region = std::move(region);
@@ -90,11 +90,11 @@ Draft stableDraftOf(Region region, const LightFrame& frame) {
 StablePlace placeOf(
     const ShadowView& view, const ShadowOptions& options, const Draft& draft, int texelsS, int texelsT) {
     const int texels = std::min(texelsS, texelsT);
-    const double texel = stableExtent(draft.region.frustum) / (texels - 1);
+    const double texel = stableExtent(draft.region.covered) / (texels - 1);
     // The slope at the least cosine, along both axes, whatever the orientation.
     const double steepest = 1 / kLeastCosine + kUnevenSlope;
     const double bias = reachTexels(options.filterTexels) * 2 * steepest * texel;
-    return stablePlace(view.anchor, draft.fit.frame, draft.region.frustum, texels, bias);
+    return stablePlace(view.anchor, draft.fit.frame, draft.region.covered, texels, bias);
 }
 
 WarpedMap fittedMap(const ShadowOptions& options, const Draft& draft, int texelsS, int texelsT) {
@@ -215,7 +215,7 @@ ShadowMapSetup shadowMapSetup(
         const std::size_t sliceIndex = i / setup.selector.facesPerSlice();
         if ((options.emptySlices >> sliceIndex & 1U) != 0) continue;
         setup.mapOfPartition[i] = drafts.size();
-        Region region = partitionRegion(view.frustum, setup.selector, i);
+        Region region = partitionRegion(view.frustum, setup.selector, i, view.shown);
         drafts.push_back(
             options.stabilized ? stableDraftOf(std::move(region), frame)
                                : draftOf(view, options, std::move(region), frame));

@@ -17,6 +17,7 @@ namespace gnomon::shadow {
 /// What a frame looks at, in camera space (core/camera.h: left-handed, right up view).
 struct ShadowView {
     ViewFrustum frustum;              // near and far are the range that shadows are promised for, not the clip range
+    std::optional<DepthSpan> shown;   // view depths of all that is to have shadows, if some lies beyond the frustum
     glm::dvec3 towardsLight{0, 1, 0}; // unit length
     int imageHeight = 800;            // pixels of the real viewport
     WorldAnchor anchor;               // stabilised slices look at it, and `seen` lies in its axes

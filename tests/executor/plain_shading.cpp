@@ -176,7 +176,7 @@ float plainLitFraction(const ShadingFrame& f, int pass, const vec3& p, const vec
     const float unevenZ = part.unevenZ * w;
     const float uneven = std::sqrt(part.unevenX * part.unevenX + unevenZ * unevenZ);
     const float bias = (slope * std::min(1.0F, cosine * 10) + uneven) * part.reach + 6e-7F;
-    const float depth = coordinate(2) * inverseW - bias;
+    const float depth = std::min(coordinate(2) * inverseW - bias, 1.0F);
     const auto first = [&](int row) {
         const float texel = (coordinate(row) * inverseW) * part.texelScale[row] + part.texelOffset[row];
         const float lowest = std::floor(texel - 0.5F * static_cast<float>(width - 1));

@@ -2,6 +2,7 @@
 #include "core/error.h"
 #include "made_scene.h"
 #include "plan/depth_range.h"
+#include "plan/hysteresis.h"
 
 #include <gtest/gtest.h>
 
@@ -72,6 +73,45 @@ TEST(DepthRange, LiesWhereItsTableSays) {
         EXPECT_EQ(range.isEmpty, !row.visible.anything);
         EXPECT_EQ(range.memory.has_value(), row.visible.anything);
     }
+}
+
+TEST(DepthRange, ShowsWhatLiesBeyondGivenEndsInQuantizedSteps) {
+    const auto shown = [](const Quality& quality, double nearest, double farthest) {
+        SceneFacts facts;
+        facts.visible = {nearest, farthest, true};
+        return depthRange(View(), quality, facts, {}).shown;
+    };
+    Quality quality;
+    EXPECT_EQ(shown(quality, 8, 100).near, 8) << "automatic ends leave nothing out";
+    EXPECT_NEAR(shown(quality, 8, 100).far, 100, 1e-3);
+    EXPECT_EQ(shown(quality, 1e-9, 100).near, 100 * (1 + 1e-6) / 1e4) << "but what is under the floor";
+    quality.near = 20;
+    quality.far = 50;
+    EXPECT_EQ(shown(quality, 25, 40), (DepthSpan{20, 50}));
+    EXPECT_EQ(shown(quality, 8, 40), (DepthSpan{8, 50}));
+    EXPECT_EQ(shown(quality, 25, 128), (DepthSpan{20, 128}));
+    EXPECT_NEAR(shown(quality, 9, 100).near, 8, 1e-9);
+    EXPECT_NEAR(shown(quality, 9, 100).far, std::exp2(6.75), 1e-9);
+    EXPECT_NEAR(shown(quality, 0, 64).near, 64 / 1e4, 1e-9) << "no map begins at the eye";
+}
+
+TEST(DepthRange, HoldsWhatItShowsBeyondAGivenEndForSomeFrames) {
+    Quality quality;
+    quality.far = 50;
+    std::optional<DepthMemory> memory;
+    const auto farShown = [&](double farthest) {
+        SceneFacts facts;
+        facts.visible = {8, farthest, true};
+        DepthRange range = depthRange(View(), quality, facts, memory);
+        memory = range.memory;
+        return range.shown.far;
+    };
+    EXPECT_EQ(farShown(128), 128);
+    EXPECT_EQ(farShown(512), 512) << "it grows at once";
+    for (int i = 1; i < kFramesBeforeNearRises; ++i)
+        EXPECT_EQ(farShown(40), 512) << i;
+    EXPECT_EQ(farShown(40), 50);
+    EXPECT_FALSE(memory->inverseShownFar);
 }
 
 TEST(DepthRange, IsThatOfTheBoundsBeforeTheHierarchyWasAsked) {

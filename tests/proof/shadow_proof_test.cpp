@@ -198,6 +198,34 @@ TEST(MeasuredAliasing, IsTheSameThroughOpenGl) {
     }
 }
 
+// Surfaces before and behind a given range lie on no map that ends with it: two thirds of what is seen there was wrong.
+TEST(GivenRange, LeavesTheSurfacesOutsideItTheirShadows) {
+    Stage stage = softwareStage("plant", 20000);
+    Stage throughGl = {
+        "plant", 20000, executor::makeGlExecutor(gl::Platform::Osmesa, gl::ShaderLibrary(), mebibytes(64))};
+    ProofOptions options;
+    options.oracle = Oracle::SameDetail;
+    std::array<std::uint64_t, 3> wrong{};
+    for (std::uint64_t i = 0; i < 6; ++i) {
+        ShadowTriple triple = withDefaults(tests::shadowTriple(stage.bounds(), i, 128, 1024));
+        const plan::FramePlan plan = stage.render(triple).plan;
+        const double middle = std::sqrt(plan.near * plan.far);
+        for (std::size_t given = 0; given < 3; ++given) {
+            triple.quality.near = given == 1 ? std::optional(middle) : std::nullopt;
+            triple.quality.far = given == 2 ? std::optional(middle) : std::nullopt;
+            const FrameProof proof = stage.proofOf(stage.render(triple), options);
+            if (!proof.truth) continue;
+            wrong[given] += proof.truth->shadows.wrongPixels;
+            throughGl.render(triple);
+            const double changed =
+                executor::difference(stage.executor().picture(), throughGl.executor().picture()).changedFraction;
+            EXPECT_LE(changed, 0.02) << i << ", " << given;
+        }
+    }
+    EXPECT_LE(wrong[1], 3 * wrong[0]);
+    EXPECT_LE(wrong[2], 3 * wrong[0]);
+}
+
 // What rays light is what no scene object stands before: the same question asked of the maps at a resolution that
 // leaves them nothing to be wrong about.
 TEST(RayTracedShadows, AreThoseOfVeryFineMaps) {

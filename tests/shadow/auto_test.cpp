@@ -154,6 +154,23 @@ TEST(Auto, IsTheLeastOfADenseScan) {
     }
 }
 
+/// What a map of a whole frustum is fitted to where it covers `shown` too.
+LightFit coveringFit(const ViewFrustum& frustum, const glm::dvec3& light, const DepthSpan& shown) {
+    const PartitionSelector selector = partitionSelector(frustum, light, {frustum.near, frustum.far}, FaceMaps::None);
+    return fitRegion(lightFrame(light), frustum, partitionRegion(frustum, selector, 0, shown).vertices);
+}
+
+TEST(Warps, MinimaxIsTheLeastWhateverTheMapCoversBeyondItsSlice) {
+    Random random(10);
+    for (int i = 0; i < 300; ++i) {
+        const ViewFrustum frustum = randomFrustum(random);
+        const LightFit fit = coveringFit(frustum, randomDirection(random), shownBeyond(random, frustum));
+        const double found = worstAliasing(fit, kappaMinimax(fit)).z;
+        for (double growth = 1e-4; growth < 1e5; growth *= 1.3)
+            ASSERT_LE(found, worstAliasing(fit, growth / fit.length).z * (1 + 1e-9)) << i << " " << growth;
+    }
+}
+
 TEST(Warps, TsmPutsItsFocusAtFourFifths) {
     Random random(8);
     for (int i = 0; i < 1000; ++i) {

@@ -11,7 +11,7 @@ namespace {
 double distanceOutside(const ShadowMap& map, const glm::dvec3& p) {
     double outside = 0;
     for (const Plane& plane : map.region.volume.planes)
-        outside = std::max(outside, -plane.signedDistance(p) / map.region.frustum.far);
+        outside = std::max(outside, -plane.signedDistance(p) / map.region.covered.far);
     return outside;
 }
 
@@ -34,7 +34,7 @@ int strictOwners(const ShadowMapSetup& setup, const glm::dvec3& p) {
     for (const ShadowMap& map : setup.maps) {
         bool inside = true;
         for (const Plane& plane : map.region.volume.planes)
-            inside = inside && plane.signedDistance(p) > 2e-3 * map.region.frustum.far;
+            inside = inside && plane.signedDistance(p) > 2e-3 * map.region.covered.far;
         owners += inside ? 1 : 0;
     }
     return owners;
@@ -61,13 +61,17 @@ glm::dvec3 awkwardPoint(Random& random, const ShadowMapSetup& setup, const ViewF
     return p;
 }
 
-void checkSeed(std::uint64_t seed, int points) {
+enum class Shown : std::uint8_t { TheFrustum, MoreThanThat };
+
+void checkSeed(std::uint64_t seed, int points, Shown shown = Shown::TheFrustum) {
     Random random(seed);
-    const ShadowView view = randomView(random);
+    ShadowView view = randomView(random);
     const ShadowOptions options = randomOptions(random, view.frustum);
+    if (shown == Shown::MoreThanThat) view.shown = shownBeyond(random, view.frustum);
+    const DepthSpan all = view.shown.value_or(DepthSpan{view.frustum.near, view.frustum.far});
     const ShadowMapSetup setup = shadowMapSetup(view, options);
     for (int i = 0; i < points; ++i) {
-        checkPoint(setup, options, awkwardPoint(random, setup, view.frustum));
+        checkPoint(setup, options, awkwardPoint(random, setup, slice(view.frustum, all.near, all.far)));
         if (::testing::Test::HasFailure()) {
             ADD_FAILURE() << "seed " << seed << " light " << view.towardsLight.x << " " << view.towardsLight.y << " "
                           << view.towardsLight.z << " rule " << static_cast<int>(options.scheme.warp.rule)
@@ -80,6 +84,11 @@ void checkSeed(std::uint64_t seed, int points) {
 TEST(Coverage, EveryPointHasOneMapThatHoldsItsLookup) {
     for (std::uint64_t seed = 0; seed < 1000 && !HasFailure(); ++seed)
         checkSeed(seed, 100);
+}
+
+TEST(Coverage, WhatIsShownBeyondTheFrustumLiesInTheMapsOfTheEndSlices) {
+    for (std::uint64_t seed = 0; seed < 500 && !HasFailure(); ++seed)
+        checkSeed(seed, 100, Shown::MoreThanThat);
 }
 
 TEST(SlowCoverage, EveryPointHasOneMapThatHoldsItsLookup) {

@@ -307,6 +307,28 @@ void steepWarp() {
         }
 }
 
+/// A far depth of a fifteenth and a near one of seventy times what is in view.
+void shownBeyondTheGivenRange() {
+    for (const glm::dvec3& light : {glm::dvec3(0, 1, 0), glm::dvec3(0.1, 0.3, -1), glm::dvec3(0, 0, 1)})
+        for (const bool isStable : {false, true}) {
+            ShadowView view = viewWithLight(light);
+            view.frustum.near = 20;
+            view.frustum.far = 60;
+            view.shown = DepthSpan{0.3, 900};
+            ShadowOptions options;
+            options.stabilized = isStable;
+            const ShadowMapSetup setup = shadowMapSetup(view, options);
+            for (const double depth : {0.3, 19.9, 60.1, 900.0})
+                for (const glm::dvec3& p : corners(slice(view.frustum, depth / 2, depth))) {
+                    if (p.z < depth) continue;
+                    const MapPoint at = mapPoint(setup.maps.at(setup.mapOf(p)).warped, p);
+                    EXPECT_GT(at.w, 0);
+                    for (const double coordinate : {at.s, at.t, at.depth})
+                        EXPECT_NEAR(coordinate, 0.5, 0.5 + 1e-9) << "at depth " << depth;
+                }
+        }
+}
+
 void nearOnAStep() {
     NearState state = nextNear({}, 1, 1e-4);
     for (int i = 0; i < 100; ++i) {
@@ -315,7 +337,7 @@ void nearOnAStep() {
     }
 }
 
-constexpr std::array<HardCase, 23> kCases{{
+constexpr std::array<HardCase, 24> kCases{{
     {"light exactly parallel to the view", "L x v is 0 and normalising it gives NaN", lightParallel},
     {"light 1e-15 to 1e-3 radians from the view",
      "sin gamma as sqrt(1 - dot^2) has no digits left; n' runs to infinity, kappa to 0",
@@ -358,6 +380,9 @@ constexpr std::array<HardCase, 23> kCases{{
      clampedCaster},
     {"a receiver edge-on to the light", "its depth slope is infinite and so is its bias", grazingReceiver},
     {"nearest surface exactly on a quantised step of near", "rounding flips near back and forth", nearOnAStep},
+    {"near and far given so that surfaces lie outside",
+     "they read the edge of a map that ends before them: all that is beyond far is dark, all that is before near lit",
+     shownBeyondTheGivenRange},
     {"a light 1e-12 off the plane between two kinds of faces",
      "lit and unlit sides swap, faces flip from front to back",
      [] {

@@ -109,6 +109,27 @@ TEST(Promise, AFacesRegionHasTheErrorOfItsFourCorners) {
     }
 }
 
+TEST(Promise, HoldsOverTheFrustumWhateverIsShownBeyondIt) {
+    for (std::uint64_t seed = 0; seed < 500; ++seed) {
+        Random random(seed);
+        ShadowView view = randomView(random);
+        ShadowOptions options = randomOptions(random, view.frustum);
+        options.filterTexels = 0;
+        view.shown = shownBeyond(random, view.frustum);
+        const ShadowMapSetup setup = shadowMapSetup(view, options);
+        for (int i = 0; i < 100; ++i) {
+            const glm::dvec3 p = randomPointIn(random, view.frustum);
+            const ShadowMap& map = setup.maps.at(setup.mapOf(p));
+            if (map.warped.kappa * map.warped.length > 1e4) continue;
+            const Measured found = measuredAt(map, view, p);
+            const double slack = 1 + 1e-5; // of the differences
+            ASSERT_LE(found.x, map.promised.x * slack) << "seed " << seed;
+            ASSERT_LE(found.z, map.promised.z * slack) << "seed " << seed;
+            ASSERT_LE(found.sheared, map.promised.sheared * slack) << "seed " << seed;
+        }
+    }
+}
+
 TEST(Promise, AFilterWidensTheTexel) {
     const ShadowView view;
     ShadowOptions options;

@@ -98,6 +98,14 @@ inline ShadowOptions randomOptions(Random& random, const ViewFrustum& frustum) {
     return options;
 }
 
+/// Depths that go past one end of `frustum` or both, by up to ten times.
+inline DepthSpan shownBeyond(Random& random, const ViewFrustum& frustum) {
+    const std::uint64_t ends = 1 + random.below(3);
+    const double nearer = (ends & 1U) != 0 ? std::pow(10.0, random.unit()) : 1;
+    const double further = (ends & 2U) != 0 ? std::pow(10.0, random.unit()) : 1;
+    return {frustum.near / nearer, frustum.far * further};
+}
+
 inline ShadowView randomView(Random& random) {
     ShadowView view;
     view.frustum = randomFrustum(random);

@@ -28,6 +28,17 @@ void startZetaAtZero(LightFit& fit) {
 
 } // namespace
 
+double LightFit::promisedLength() const {
+    double least = kInfinity;
+    double most = -kInfinity;
+    for (const FitPoint& point : points()) {
+        if (point.end == DepthEnd::Unpromised) continue;
+        least = std::min(least, point.zeta);
+        most = std::max(most, point.zeta);
+    }
+    return most - least;
+}
+
 LightFit fitRegion(const LightFrame& frame, const ViewFrustum& slice, std::span<const FitVertex> vertices) {
     GNOMON_CHECK_OP(vertices.size(), >=, std::size_t{1});
     GNOMON_CHECK_OP(vertices.size(), <=, LightFit::kCapacity);
@@ -85,6 +96,7 @@ Aliasing worstAliasing(const LightFit& fit, double kappa) {
         const double u = point.x / w;
         extent.min = std::min(extent.min, u);
         extent.max = std::max(extent.max, u);
+        if (point.end == DepthEnd::Unpromised) continue;
         const double ratio = w / point.depth;
         worstX = std::max(worstX, ratio);
         worstZ = std::max(worstZ, ratio * w);
@@ -105,6 +117,7 @@ double worstShearedAliasing(const LightFit& fit, double kappa) {
     if (shear > std::sqrt(2.0)) return straight * std::sqrt(1 + shear * shear);
     double worst = 0;
     for (const FitPoint& point : fit.points()) {
+        if (point.end == DepthEnd::Unpromised) continue;
         const double w = 1 + kappa * point.zeta;
         const double tilt = kappa * point.x / w;
         worst = std::max(worst, w * w / point.depth * std::sqrt(1 + tilt * tilt));

@@ -13,7 +13,12 @@
 namespace gnomon::shadow {
 
 /// Where along the slice a vertex lies.
-enum class DepthEnd : std::uint8_t { Near, Far, Between };
+enum class DepthEnd : std::uint8_t {
+    Near,
+    Far,
+    Between,
+    Unpromised, // of what the map covers beyond the slice: it counts for the map's extent, and for no error
+};
 
 /// A vertex of the fitted region in camera space.
 struct FitVertex {
@@ -33,7 +38,7 @@ struct FitPoint {
 
 /// A fitted region: what all warp rules and error measures need to know of it.
 struct LightFit {
-    static constexpr std::size_t kCapacity = 32;
+    static constexpr std::size_t kCapacity = 48;
 
     LightFrame frame;
     ViewFrustum slice;
@@ -43,6 +48,9 @@ struct LightFit {
     std::array<FitPoint, kCapacity> storage{};
 
     std::span<const FitPoint> points() const { return {storage.data(), count}; }
+
+    /// The part of d that the slice itself takes, without what the map covers beyond it.
+    double promisedLength() const;
 };
 
 /// The region of at most LightFit::kCapacity `vertices` seen in `frame`; `slice` gives image beams and depth ends.
@@ -64,16 +72,16 @@ struct WarpedExtent {
 
 WarpedExtent warpedExtent(const LightFit& fit, double kappa);
 
-/// M_x and M_z over the region at unit resolutions (res_i = res_s = res_t = 1). The vertices suffice: both measures
-/// are quasi-convex over the region (affine over affine, and affine squared over affine).
+/// M_x and M_z over the region's promised part at unit resolutions (res_i = res_s = res_t = 1). The vertices suffice:
+/// both measures are quasi-convex over the region (affine over affine, and affine squared over affine).
 Aliasing worstAliasing(const LightFit& fit, double kappa);
 
 /// S = M_x M_z at unit resolutions.
 double storageFactor(const LightFit& fit, double kappa);
 
-/// The largest m_t over the region when the shear of the texel is counted: m_z sqrt(1 + (kappa u)^2). It lies at a
-/// vertex as long as |kappa u| <= sqrt(2) (then w sqrt(w^2 + (kappa x)^2) is convex); beyond that the product of the
-/// two maxima is returned, which is never too small.
+/// The largest m_t over the region's promised part when the shear of the texel is counted: m_z sqrt(1 + (kappa u)^2).
+/// It lies at a vertex as long as |kappa u| <= sqrt(2) (then w sqrt(w^2 + (kappa x)^2) is convex); beyond that the
+/// product of the two maxima is returned, which is never too small.
 double worstShearedAliasing(const LightFit& fit, double kappa);
 
 } // namespace gnomon::shadow

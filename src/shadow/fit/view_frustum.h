@@ -16,6 +16,8 @@ struct ViewFrustum {
 
     /// alpha of the paper.
     double depthRatio() const { return far / near; }
+
+    bool operator==(const ViewFrustum&) const = default;
 };
 
 /// tan of half the vertical and half the horizontal angle.

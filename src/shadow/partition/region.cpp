@@ -117,21 +117,21 @@ void addPlane(ConvexVolume& volume, const glm::dvec3& normal, double offset) {
 }
 
 void addSlicePlanes(Region& region) {
-    addPlane(region.volume, {0, 0, 1}, -region.frustum.near);
-    addPlane(region.volume, {0, 0, -1}, region.frustum.far);
+    addPlane(region.volume, {0, 0, 1}, -region.covered.near);
+    addPlane(region.volume, {0, 0, -1}, region.covered.far);
     for (const Side& side : kCycle)
         addPlane(region.volume, -outwardNormal(region.frustum, side.face), 0);
 }
 
-/// The vertices of the near square's own region: what every face leaves to it.
-std::vector<FitVertex> nearVertices(const ViewFrustum& frustum, const Region& region, const PartitionSelector& all) {
+/// The vertices between the depths of `part` of the near square's own region: what every face leaves to it. `nearDepth`
+/// is the slice's.
+std::vector<FitVertex> nearVertices(const ViewFrustum& part, double nearDepth, const PartitionSelector& all) {
     std::vector<FitVertex> result;
     for (const FaceSelector& face : all.faces) {
-        const Outline outline = faceOutline(frustum, face);
-        const double offset = face.edgeOffset * region.frustum.near;
-        for (const FitVertex& vertex : sliceVertices(region.frustum, outline, face.edge, offset, -1)) {
+        const Outline outline = faceOutline(part, face);
+        for (const FitVertex& vertex : sliceVertices(part, outline, face.edge, face.edgeOffset * nearDepth, -1)) {
             const bool known = std::any_of(result.begin(), result.end(), [&](const FitVertex& other) {
-                return glm::length(other.position - vertex.position) <= 1e-13 * region.frustum.far;
+                return glm::length(other.position - vertex.position) <= 1e-13 * part.far;
             });
             if (!known) result.push_back(vertex);
         }
@@ -139,11 +139,27 @@ std::vector<FitVertex> nearVertices(const ViewFrustum& frustum, const Region& re
     return result;
 }
 
+/// The vertices between the depths of `part` of what partition `ordinal` of the slice from `nearDepth` on owns.
+std::vector<FitVertex> partitionVertices(
+    const ViewFrustum& part, double nearDepth, const PartitionSelector& selector, std::size_t ordinal) {
+    if (selector.faces.empty()) return sliceVertices(part, imageOutline(part), glm::dvec3(0), 0, 1);
+    if (ordinal == selector.faces.size()) return nearVertices(part, nearDepth, selector);
+    const FaceSelector& face = selector.faces[ordinal];
+    return sliceVertices(part, faceOutline(part, face), face.edge, face.edgeOffset * nearDepth, 1);
+}
+
+/// `slice`, the one of `index` among `count`, with what lies beyond it of `shown` if it is at that end.
+ViewFrustum coveredBy(ViewFrustum slice, std::size_t index, std::size_t count, const DepthSpan& shown) {
+    if (index == 0) slice.near = std::min(slice.near, shown.near);
+    if (index + 1 == count) slice.far = std::max(slice.far, shown.far);
+    return slice;
+}
+
 /// Drops the planes that no vertex touches: they bound nothing.
 void dropIdlePlanes(Region& region) {
     std::erase_if(region.volume.planes, [&](const Plane& plane) {
         return std::none_of(region.vertices.begin(), region.vertices.end(), [&](const FitVertex& vertex) {
-            return plane.signedDistance(vertex.position) <= 1e-9 * region.frustum.far;
+            return plane.signedDistance(vertex.position) <= 1e-9 * region.covered.far;
         });
     });
 }
@@ -212,8 +228,8 @@ Part wholePart(const Region& region) {
 /// The part of `region` at `depths`; of a face all of it.
 Part partAt(const Region& region, const DepthSpan& depths) {
     if (region.face != Face::Whole) return wholePart(region);
-    const double near = std::max(depths.near * (1 - kRounding), region.frustum.near);
-    const double far = std::min(depths.far * (1 + kRounding), region.frustum.far);
+    const double near = std::max(depths.near * (1 - kRounding), region.covered.near);
+    const double far = std::min(depths.far * (1 + kRounding), region.covered.far);
     Part part{region.volume, {}};
     addPlane(part.volume, {0, 0, 1}, -near);
     addPlane(part.volume, {0, 0, -1}, far);
@@ -233,7 +249,7 @@ std::vector<SeenPart> fewParts(const Region& region, std::span<const SeenPart> s
     constexpr std::size_t kMostParts = 4;
     std::vector<SeenPart> inRegion;
     for (const SeenPart& part : seen)
-        if (part.depths.near <= region.frustum.far && part.depths.far >= region.frustum.near) inRegion.push_back(part);
+        if (part.depths.near <= region.covered.far && part.depths.far >= region.covered.near) inRegion.push_back(part);
     if (inRegion.size() <= kMostParts) return inRegion;
     std::vector<SeenPart> result(kMostParts);
     for (std::size_t i = 0; i < inRegion.size(); ++i) {
@@ -304,32 +320,39 @@ std::size_t ownerOf(const PartitionSelector& selector, const glm::dvec3& p) {
     return first + (inNear ? selector.faces.size() : face);
 }
 
-Region partitionRegion(const ViewFrustum& frustum, const PartitionSelector& selector, std::size_t index) {
+Region partitionRegion(
+    const ViewFrustum& frustum,
+    const PartitionSelector& selector,
+    std::size_t index,
+    const std::optional<DepthSpan>& shown) {
     GNOMON_CHECK_OP(index, <, selector.partitionCount());
     Region region;
     region.slice = index / selector.facesPerSlice();
     region.frustum = slice(frustum, selector.splits[region.slice], selector.splits[region.slice + 1]);
+    region.covered = coveredBy(
+        region.frustum,
+        region.slice,
+        selector.splits.size() - 1,
+        shown.value_or(DepthSpan{region.frustum.near, region.frustum.far}));
     addSlicePlanes(region);
     const std::size_t ordinal = index % selector.facesPerSlice();
-    if (selector.faces.empty()) {
-        region.vertices = sliceVertices(region.frustum, imageOutline(frustum), glm::dvec3(0), 0, 1);
-        return region;
-    }
+    const double nearDepth = region.frustum.near;
+    region.vertices = partitionVertices(region.frustum, nearDepth, selector, ordinal);
+    if (region.covered != region.frustum)
+        for (const FitVertex& vertex : partitionVertices(region.covered, nearDepth, selector, ordinal))
+            region.vertices.push_back({vertex.position, DepthEnd::Unpromised});
+    if (selector.faces.empty()) return region;
     if (ordinal == selector.faces.size()) {
         region.face = Face::Near;
-        region.vertices = nearVertices(frustum, region, selector);
         for (const FaceSelector& face : selector.faces)
-            addPlane(region.volume, -face.edge, face.edgeOffset * region.frustum.near);
-        dropIdlePlanes(region);
-        return region;
+            addPlane(region.volume, -face.edge, face.edgeOffset * nearDepth);
+    } else {
+        const FaceSelector& face = selector.faces[ordinal];
+        region.face = face.face;
+        addPlane(region.volume, face.first, 0);
+        addPlane(region.volume, face.second, 0);
+        addPlane(region.volume, face.edge, -face.edgeOffset * nearDepth);
     }
-    const FaceSelector& face = selector.faces[ordinal];
-    const double offset = face.edgeOffset * region.frustum.near;
-    region.face = face.face;
-    region.vertices = sliceVertices(region.frustum, faceOutline(frustum, face), face.edge, offset, 1);
-    addPlane(region.volume, face.first, 0);
-    addPlane(region.volume, face.second, 0);
-    addPlane(region.volume, face.edge, -offset);
     dropIdlePlanes(region);
     return region;
 }
@@ -338,7 +361,7 @@ std::vector<glm::dvec3> seenCorners(const Region& region, std::span<const SeenPa
     std::vector<glm::dvec3> result;
     for (const SeenPart& part : fewParts(region, seen)) {
         // A ground may have no height, and rounding must not lose it.
-        const double slack = kRounding * (region.frustum.far + glm::length(part.box.extent()));
+        const double slack = kRounding * (region.covered.far + glm::length(part.box.extent()));
         addShared(partAt(region, part.depths), part.box, basis, slack, result);
     }
     return result;

@@ -56,17 +56,23 @@ struct SeenPart {
     Box box; // world axes, relative to the eye
 };
 
-/// The region of one partition, in camera space: closed, convex, bounded by the frustum of its slice.
+/// The region of one partition, in camera space: closed, convex, bounded by what its map covers of its slice.
 struct Region {
     std::size_t slice = 0;
     Face face = Face::Whole;
-    ViewFrustum frustum; // of the slice
-    std::vector<FitVertex> vertices;
-    ConvexVolume volume; // every plane touches a vertex
+    ViewFrustum frustum;             // of the slice: what its map promises an aliasing for
+    ViewFrustum covered;             // the same, or more where an end slice owns what is shown beyond it
+    std::vector<FitVertex> vertices; // of the slice's part; then, Unpromised, those of what is covered beyond it
+    ConvexVolume volume;             // of what is covered; every plane touches a vertex
 };
 
-/// The region of partition `index`, in the numbering of ownerOf.
-Region partitionRegion(const ViewFrustum& frustum, const PartitionSelector& selector, std::size_t index);
+/// The region of partition `index`, in the numbering of ownerOf. The end slices cover `shown` too, the view depths of
+/// all that the image shows, where that goes past the frustum.
+Region partitionRegion(
+    const ViewFrustum& frustum,
+    const PartitionSelector& selector,
+    std::size_t index,
+    const std::optional<DepthSpan>& shown = std::nullopt);
 
 /// Points whose convex hull holds all of `seen` that lies in `region`; `basis` is that of camera space. None if nothing
 /// does.

@@ -59,7 +59,7 @@ double kappaOfLog(const LightFit& fit, double logGrowth) {
 double kappaLspsm(const LightFit& fit) {
     const double sine = sinLightAngle(fit.frame.y);
     const double near = fit.slice.near;
-    return sine / (near + std::sqrt(near * (near + fit.length * sine)));
+    return sine / (near + std::sqrt(near * (near + fit.promisedLength() * sine)));
 }
 
 double kappaTsm(const LightFit& fit, double focusZeta, double fraction) {
@@ -93,7 +93,9 @@ double kappaMinimax(const LightFit& fit) {
     const double root = std::sqrt(fit.slice.depthRatio());
     const double nearStops = a > 0 ? (d - 2 * a) / (a * d) : kInfinity;
     const double farOvertakes = b > root * a ? (root - 1) / (b - root * a) : kInfinity;
-    const double kappa = std::min(nearStops, farOvertakes);
+    // Where the map covers far more than its slice the far side's error may still fall once it has overtaken.
+    const double farStops = b > 0 ? (d - 2 * b) / (b * d) : kInfinity;
+    const double kappa = nearStops < farOvertakes ? nearStops : std::max(farOvertakes, farStops);
     return std::isfinite(kappa) ? std::min(kappa, kMostWarp / d) : 0.0;
 }
 

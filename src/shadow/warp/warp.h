@@ -70,8 +70,8 @@ double tsmFocusDepth(const ViewFrustum& slice);
 Warp warpOfSlice(const Warp& warp, const ViewFrustum& whole, const ViewFrustum& slice);
 
 /// The kappa of least M_z over the vertices, in closed form: with a and b the largest zeta of the near and of the far
-/// vertices and r = sqrt(f/n), the smaller of (d - 2a)/(a d), where the near side's error stops falling, and
-/// (r - 1)/(b - r a), where the far side's overtakes it.
+/// vertices and r = sqrt(f/n): (d - 2a)/(a d), where the near side's error stops falling, unless the far side's
+/// overtakes it before, at (r - 1)/(b - r a), which then may fall until (d - 2b)/(b d).
 double kappaMinimax(const LightFit& fit);
 
 /// The kappa in [0, kappaMinimax] of least S, by golden section in log(1 + kappa d); S is unimodal there. Never worse

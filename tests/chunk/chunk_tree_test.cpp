@@ -101,6 +101,23 @@ TEST(ChunkTree, DoesNotDependOnTheOrderOfThePoints) {
         EXPECT_EQ(forwards.chunkOf(point), backwards.chunkOf(point));
 }
 
+TEST(CellCounts, ACellIsCutAboveTheLimitAndNotAtIt) {
+    CellCounts counts({1000, 1000, 1000});
+    counts.add({3, 3, 3}, 20);
+    EXPECT_FALSE(counts.refine(20));
+    CellCounts more({1000, 1000, 1000});
+    more.add({3, 3, 3}, 21);
+    EXPECT_TRUE(more.refine(20));
+}
+
+TEST(CellCounts, APointIsHeavyAboveTheLimitAndNotAtIt) {
+    CellCounts counts({3, 3, 3});
+    counts.add({1, 2, 3}, 20);
+    counts.add({0, 1, 0}, 21);
+    EXPECT_EQ(counts.pointsAbove(20), (std::vector<GridPoint>{{0, 1, 0}}));
+    EXPECT_EQ(counts.pointsAbove(19), (std::vector<GridPoint>{{0, 1, 0}, {1, 2, 3}}));
+}
+
 TEST(ChunkTree, LightSourcesAreOneChunkAfterOnePass) {
     int passes = 0;
     const Weights weights{{{0, 0, 0}, 3}, {{1000, 1000, 1000}, 4}};

@@ -141,6 +141,20 @@ TEST(HostileModel, AGridThatIsNotThatOfThePagesIsRefused) {
         expectRefused("box in the world", [=](Sealed& s) { s.summary.grid.stepExponent = exponent; });
 }
 
+TEST(HostileModel, BoundsThatCutThePagesOffOnAnySideAreRefused) {
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto extent = [=](const Sealed& s) { return s.summary.bounds.max[axis] - s.summary.bounds.min[axis]; };
+        expectRefused("box in the world", [=](Sealed& s) { s.summary.bounds.max[axis] -= extent(s) / 16; });
+        expectRefused("box in the world", [=](Sealed& s) { s.summary.bounds.min[axis] += extent(s) / 16; });
+        const auto moved = [=](Sealed& s) {
+            s.summary.grid.origin[axis] += 1000;
+            s.summary.bounds.min[axis] += 1000;
+            s.summary.bounds.max[axis] += 1000;
+        };
+        EXPECT_EQ(refusal(moved), "") << "wherever the origin is";
+    }
+}
+
 TEST(HostileModel, BoxesAndSpheresThatAreNoneAreRefused) {
     expectRefused("its box along x", [](Sealed& s) { std::swap(s.root().box.min.x, s.root().box.max.x); });
     expectRefused("its box along y", [](Sealed& s) { s.finest().box.max.y = 0x80000000U; });
@@ -302,6 +316,8 @@ TEST(HostileModel, WhatFloatsCannotHoldIsNotDrawn) {
     for (const EncodedPage& page : sealed.pages)
         pages.push_back(page.info);
     Grid grid = sealed.summary.grid;
+    EXPECT_EQ(drawingFault(pages, grid), std::nullopt);
+    grid.stepExponent = -126; // the least normal float
     EXPECT_EQ(drawingFault(pages, grid), std::nullopt);
     for (const int exponent : {-127, -500, 60, 300}) {
         grid.stepExponent = exponent;

@@ -31,6 +31,17 @@ TEST(PageCodec, RandomPagesComeBackUnchanged) {
     }
 }
 
+TEST(PageCodec, ErrorsOfNothingComeBack) {
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        Page page = randomPage(seed);
+        for (Group& group : page.groups)
+            group.error = 0;
+        for (Refinement& refinement : page.refinements)
+            refinement.error = 0;
+        EXPECT_TRUE(samePage(throughBytes(page), page)) << "seed " << seed;
+    }
+}
+
 TEST(PageCodec, TheSamePageGivesTheSameBytes) {
     EXPECT_TRUE(encodePage(randomPage(7)).bytes == encodePage(randomPage(7)).bytes);
 }
@@ -158,6 +169,7 @@ TEST(Validation, SpheresEnclose) {
     }
     EXPECT_TRUE(encloses(Sphere{{0, 0, 0}, 1.733}, Box{glm::dvec3(-1), glm::dvec3(1)}));
     EXPECT_FALSE(encloses(Sphere{{0, 0, 0}, 1.731}, Box{glm::dvec3(-1), glm::dvec3(1)}));
+    EXPECT_TRUE(encloses(Sphere{{0, 0, 0}, 0}, Sphere{{0, 0, 0}, 0})) << "a point encloses itself";
 }
 
 } // namespace

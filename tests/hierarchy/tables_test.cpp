@@ -112,6 +112,16 @@ TEST(PageTable, EachLieIsNamed) {
     EXPECT_EQ(damageAfter([](Pages&, Footer& f) { f.pageCount = ~std::uint64_t{0}; }), "the bytes end too early");
 }
 
+TEST(PageTable, TheLargestSphereAndTheLeastErrorsAreSound) {
+    using Pages = std::vector<PageInfo>;
+    EXPECT_EQ(damageAfter([](Pages& p, Footer&) { p[1].bounds = {{0, 0, 0}, 0}; }), "");
+    EXPECT_EQ(damageAfter([](Pages& p, Footer&) { p[1].minError = p[1].maxError = 0; }), "");
+    EXPECT_EQ(damageAfter([](Pages& p, Footer&) { p[1].minError = p[1].maxError; }), "");
+    EXPECT_EQ(damageAfter([](Pages& p, Footer&) { p[1].bounds = {{0, 0, 0}, 0x1p44}; }), "");
+    EXPECT_EQ(damageAfter([](Pages& p, Footer&) { p[1].bounds = {{0x1p42, -0x1p42, 0x1p42}, 0x1p42}; }), "");
+    EXPECT_NE(damageAfter([](Pages& p, Footer&) { p[1].bounds = {{0, 1, 0}, 0x1p44}; }), "");
+}
+
 TEST(PageTable, AChildCountThatLiesAsksForNoMemory) {
     const std::vector<PageInfo> pages = threePages();
     std::vector<std::byte> bytes = encodePageTable(pages);

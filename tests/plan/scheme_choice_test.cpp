@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace gnomon::plan {
 namespace {
 
@@ -142,6 +144,88 @@ TEST(SchemeChoice, RollsTheMapsAboutTheLightOnlyWhereThatIsWorthIt) {
     }
     EXPECT_GT(rolled, 3);
     EXPECT_GT(plain, 3);
+}
+
+TEST(SchemeChoice, FacesThatAreThereStayWhereNewOnesWouldNotCome) {
+    int stay = 0;
+    int come = 0;
+    for (std::uint64_t seed = 0; seed < 150; ++seed) {
+        const MadeScene scene(seed);
+        const View view = madeView(seed);
+        const SceneFacts facts = scene.facts(view);
+        Quality quality;
+        quality.facePartitions = Choice::Auto;
+        SchemeContext context = contextOf(scene, view, facts, quality);
+        context.before = planFrame(view, quality, facts).memory.scheme;
+        if (!context.before) continue;
+        context.receivers = receiversOf(context);
+        const auto hasFacesAfter = [&](bool faces) {
+            context.before->choice.faces = faces;
+            std::vector<Omission> omitted;
+            return chosenScheme(context, omitted).choice.faces;
+        };
+        const bool stays = hasFacesAfter(true);
+        const bool comes = hasFacesAfter(false);
+        EXPECT_TRUE(stays || !comes) << seed;
+        stay += stays && !comes ? 1 : 0;
+        come += comes ? 1 : 0;
+    }
+    EXPECT_GT(stay, 0);
+    EXPECT_GT(come, 0);
+}
+
+/// What takes the place of a scheme that has to go: of those that the best does not dominate the one whose number of
+/// maps is nearest, the better of two that are as near.
+SchemeCandidate successor(const SchemeContext& context) {
+    std::vector<SchemeCandidate> candidates;
+    for (const SchemeChoice& choice : openChoices(context))
+        candidates.push_back(evaluate(context, choice));
+    const SchemeCandidate best = *std::min_element(candidates.begin(), candidates.end(), isBetter);
+    std::erase_if(candidates, [&](const SchemeCandidate& a) {
+        if (a.keepsPromise != best.keepsPromise) return true;
+        return best.keepsPromise ? static_cast<double>(a.cost) * kCheaper > static_cast<double>(best.cost)
+                                 : a.promise() * kLower > best.promise();
+    });
+    const auto change = [&](const SchemeCandidate& a) {
+        const std::size_t maps = a.setup.maps.size();
+        return std::max(maps, context.before->maps) - std::min(maps, context.before->maps);
+    };
+    return *std::min_element(
+        candidates.begin(), candidates.end(), [&](const SchemeCandidate& a, const SchemeCandidate& b) {
+            return change(a) < change(b) || (change(a) == change(b) && isBetter(a, b));
+        });
+}
+
+TEST(SchemeChoice, WhatFollowsADominatedSchemeChangesTheNumberOfMapsTheLeast) {
+    int differs = 0;
+    for (std::uint64_t seed = 0; seed < 6; ++seed) {
+        const MadeScene scene(seed);
+        const View view = madeView(seed);
+        const SceneFacts facts = scene.facts(view);
+        Quality quality;
+        quality.zPartitions.reset();
+        quality.facePartitions = Choice::Auto;
+        quality.maxAliasing = seed % 2 == 0 ? 1000 : 4;
+        SchemeContext context = contextOf(scene, view, facts, quality);
+        context.before = planFrame(view, quality, facts).memory.scheme;
+        if (!context.before) continue;
+        for (const int slices : {1, 6, kMostSlices}) {
+            context.before->choice.slices = slices;
+            context.before->choice.faces = false;
+            context.before->emptySlices = 0;
+            context.before->maps = static_cast<std::size_t>(slices);
+            context.before->framesDominated = kFramesBeforeSchemeGoes; // it goes wherever it is still dominated
+            context.receivers = receiversOf(context);
+            std::vector<Omission> omitted;
+            const SchemeCandidate chosen = chosenScheme(context, omitted);
+            if (chosen.choice.slices == slices && !chosen.choice.faces) continue; // it was not dominated
+            const SchemeCandidate expected = successor(context);
+            EXPECT_EQ(chosen.choice.slices, expected.choice.slices) << seed << ", before " << slices;
+            EXPECT_EQ(chosen.choice.faces, expected.choice.faces) << seed << ", before " << slices;
+            ++differs;
+        }
+    }
+    EXPECT_GT(differs, 4);
 }
 
 } // namespace

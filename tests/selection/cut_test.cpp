@@ -129,6 +129,25 @@ TEST(Cut, TreesFindWhatBruteForceFinds) {
     EXPECT_GT(tested, 1000U);
 }
 
+TEST(Cut, ABoxThatAVolumeMeetsInAFaceAloneIsTouched) {
+    Random random(39);
+    std::size_t drawn = 0;
+    for (int trial = 0; trial < 60; ++trial) {
+        Scene scene(random, sharedModel(), sharedModel().all);
+        const hierarchy::Page& page = *scene.resident[random.below(scene.resident.size())];
+        const Box box = scene.trees->grid().local(page.clusters[random.below(page.clusters.size())].box);
+        glm::dvec3 axis(0);
+        axis[trial % 3] = 1;
+        const bool above = trial % 2 == 0;
+        const Plane plane = above ? Plane{axis, -glm::dot(axis, box.max)} : Plane{-axis, glm::dot(axis, box.min)};
+        scene.volumes.assign(1, ConvexVolume{{plane}});
+        const SlowCut slow = slowCut(scene.query());
+        EXPECT_EQ(clustersOf(cut(scene.query()).lists[0]), slow.lists[0]) << "plane " << trial;
+        drawn += slow.lists[0].size();
+    }
+    EXPECT_GT(drawn, 1000U);
+}
+
 TEST(Cut, NeighboursInAPageAreOneRange) {
     Random random(38);
     std::size_t joined = 0;

@@ -171,6 +171,22 @@ TEST(Warps, MinimaxIsTheLeastWhateverTheMapCoversBeyondItsSlice) {
     }
 }
 
+TEST(Warps, TheLeastStorageIsFoundHoweverWeakTheWarpThatHasIt) {
+    Random random(9);
+    int weak = 0;
+    for (int i = 0; i < 40000; ++i) {
+        const LightFit fit = fitSlice(lightFrame(randomDirection(random)), kFrusta[random.below(kFrusta.size())]);
+        const double growth = logGrowth(fit);
+        if (!(growth > 0.002 && growth < 0.02)) continue; // where the warp begins as the light turns
+        double least = storageFactor(fit, 0);
+        for (int step = 1; step <= 2000; ++step)
+            least = std::min(least, storageFactor(fit, std::expm1(2e-5 * step) / fit.length));
+        EXPECT_LE(storageFactor(fit, kappaLeastStorage(fit)), least * (1 + 1e-9)) << "at a growth of e^" << growth;
+        ++weak;
+    }
+    EXPECT_GT(weak, 20);
+}
+
 TEST(Warps, TsmPutsItsFocusAtFourFifths) {
     Random random(8);
     for (int i = 0; i < 1000; ++i) {

@@ -135,6 +135,18 @@ TEST(Budget, SidesKeepToTheirLimits) {
     EXPECT_GE(layout.texelsS(1), 8);
 }
 
+TEST(Budget, OneSliceToSixtyFourAreTaken) {
+    ShadowOptions options;
+    for (const int slices : {1, 64}) {
+        options.scheme.slices = slices;
+        EXPECT_EQ(shadowMapSetup({}, options).maps.size(), static_cast<std::size_t>(slices));
+    }
+    for (const int slices : {-1, 0, 65}) {
+        options.scheme.slices = slices;
+        EXPECT_THROW(shadowMapSetup({}, options), Error) << slices;
+    }
+}
+
 TEST(Budget, TooSmallABudgetIsRefused) {
     const std::vector<TexelDemand> demands(100, TexelDemand{1, 1});
     EXPECT_THROW(splitTexels(demands, {100, 1, 4, 16384, 0}), Error);

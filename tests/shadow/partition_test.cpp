@@ -127,6 +127,37 @@ TEST(Regions, AreNoLargerThanWhatTheirPartitionOwns) {
     EXPECT_GT(tested, 200);
 }
 
+TEST(Regions, SeenCornersHoldEachOfManyParts) {
+    int held = 0;
+    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+        Random random(seed);
+        const ShadowView view = randomView(random);
+        const PartitionSelector selector =
+            partitionSelector(view.frustum, view.towardsLight, {view.frustum.near, view.frustum.far}, FaceMaps::None);
+        const Region region = partitionRegion(view.frustum, selector, 0);
+        std::vector<SeenPart> seen;
+        std::vector<glm::dvec3> inside;
+        for (int i = 0; i < 20; ++i) {
+            const glm::dvec3 middle = randomPointIn(random, view.frustum);
+            const double half = middle.z * random.uniform(0.01, 0.1);
+            const glm::dvec3 inWorld = toWorld(view.anchor.basis, middle);
+            seen.push_back({{middle.z - half, middle.z + half}, {inWorld - half, inWorld + half}});
+            inside.push_back(middle);
+        }
+        const std::vector<glm::dvec3> points = seenCorners(region, seen, view.anchor.basis);
+        for (const glm::dvec3& p : inside)
+            for (int i = 0; i < 20; ++i) {
+                const glm::dvec3 direction = randomDirection(random);
+                double furthest = -std::numeric_limits<double>::infinity();
+                for (const glm::dvec3& corner : points)
+                    furthest = std::max(furthest, glm::dot(corner, direction));
+                EXPECT_GE(furthest, glm::dot(p, direction) - 1e-6 * view.frustum.far) << "seed " << seed;
+                ++held;
+            }
+    }
+    EXPECT_GT(held, 1000);
+}
+
 TEST(Regions, SeenCornersHoldWhatIsSeenAndNothingFurther) {
     int held = 0;
     for (std::uint64_t seed = 0; seed < 300; ++seed) {

@@ -37,17 +37,22 @@ PreparedFrame Renderer::prepare(
         frame.before = before;
         frame.space = executor::drawSpace(view, model.grid, model.bounds);
         const std::optional<DepthSpan> range = plan::widestRange(view, quality, model.bounds);
-        addTime(frame.selectMs, [&] { cutImage(frame, view, quality, range, residency_, model.grid); });
-        addTime(frame.cullMs, [&] {
-            frame.facts = sceneFacts(view, model.bounds, cutQuery(residency_, frame), frame.cut, range);
-        });
-        addTime(frame.planMs, [&] {
-            const plan::PlanMemory memory = before ? before->memory : plan::PlanMemory{};
-            plan::PlannedFrame planned = plan::planFrame(view, quality, frame.facts, memory);
-            frame.plan = std::move(planned.plan);
-            frame.memory = std::move(planned.memory);
-        });
-        addTime(frame.cullMs, [&] { cutPartitions(frame, residency_); });
+        frame.errorPixels = quality.errorPixels;
+        double surveyedPixels = 0;
+        do { // once, but for a cap that casters raise the error under: what is surveyed has to be what is drawn
+            addTime(frame.selectMs, [&] { cutImage(frame, view, quality, range, residency_, model.grid); });
+            surveyedPixels = frame.errorPixels;
+            addTime(frame.cullMs, [&] {
+                frame.facts = sceneFacts(view, model.bounds, cutQuery(residency_, frame), frame.cut, range);
+            });
+            addTime(frame.planMs, [&] {
+                const plan::PlanMemory memory = before ? before->memory : plan::PlanMemory{};
+                plan::PlannedFrame planned = plan::planFrame(view, quality, frame.facts, memory);
+                frame.plan = std::move(planned.plan);
+                frame.memory = std::move(planned.memory);
+            });
+            addTime(frame.cullMs, [&] { cutPartitions(frame, residency_); });
+        } while (frame.errorPixels > surveyedPixels);
         const double cutMs = round.elapsed().count;
         frame.residency = residency_.serve(cutQuery(residency_, frame), frame.cut, waiting);
         const bool isLast = waiting == Waiting::Never || !frame.residency.hasChanged;

@@ -14,7 +14,6 @@ namespace gnomon::frame {
 namespace {
 
 void cut(PreparedFrame& frame, const plan::Quality& quality, const Residency& residency) {
-    frame.errorPixels = quality.errorPixels;
     if (quality.maxTriangles)
         frame.errorPixels = selection::cappedErrorPixels(cutQuery(residency, frame), *quality.maxTriangles);
     frame.cut = culling::cutFrame(cutQuery(residency, frame));

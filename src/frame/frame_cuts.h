@@ -11,8 +11,8 @@ namespace gnomon::frame {
 /// The query whose answer is `frame`'s cut.
 selection::CutQuery cutQuery(const Residency& residency, const PreparedFrame& frame);
 
-/// Chooses `frame`'s rule and cuts the image of `view`; with a `range`, which widestRange answered, also all that can
-/// throw a shadow into it.
+/// Chooses `frame`'s rule and cuts the image of `view` with its `errorPixels`, which a cap raises; with a `range`,
+/// which widestRange answered, also all that can throw a shadow into it.
 void cutImage(
     PreparedFrame& frame,
     const plan::View& view,
@@ -21,7 +21,8 @@ void cutImage(
     const Residency& residency,
     const hierarchy::Grid& grid);
 
-/// Cuts the image of a planned frame again with the casters of each of its passes, culled to its partition.
+/// Cuts the image of a planned frame again with the casters of each of its passes, culled to its partition. Casters
+/// that want more detail than the image may raise `errorPixels` under a cap.
 void cutPartitions(PreparedFrame& frame, const Residency& residency);
 
 } // namespace gnomon::frame

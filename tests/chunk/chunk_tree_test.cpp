@@ -127,6 +127,12 @@ TEST(ChunkTree, LightSourcesAreOneChunkAfterOnePass) {
     EXPECT_EQ(tree.chunkOf({0, 0, 0}), tree.chunkOf({1000, 1000, 1000}));
 }
 
+TEST(ChunkTree, APointIsHeavyAboveAnEighthOfTheLimit) {
+    const Weights weights{{{1, 0, 0}, 85}, {{0, 1, 0}, 90}, {{0, 0, 1}, 91}, {{1, 1, 1}, 300}};
+    const std::vector<GridPoint> heavy = treeOf(weights, 1, 720).heavyPoints();
+    EXPECT_EQ(std::set<GridPoint>(heavy.begin(), heavy.end()), (std::set<GridPoint>{{0, 0, 1}, {1, 1, 1}}));
+}
+
 TEST(ChunkTree, AHeavyPointHasAChunkOfItsOwnHoweverHeavy) {
     const Weights weights{{{512, 512, 512}, 100000}, {{513, 512, 512}, 1}, {{0, 0, 0}, 1}};
     const ChunkTree tree = treeOf(weights, 1000, 100);

@@ -1,6 +1,7 @@
 // The tables of a .gnm: rows and summaries as bytes, and what is said of each lie in them.
 #include "damage_text.h"
 #include "hierarchy/file_layout.h"
+#include "hierarchy/validation.h"
 
 #include <gtest/gtest.h>
 
@@ -120,6 +121,21 @@ TEST(PageTable, TheLargestSphereAndTheLeastErrorsAreSound) {
     EXPECT_EQ(damageAfter([](Pages& p, Footer&) { p[1].bounds = {{0, 0, 0}, 0x1p44}; }), "");
     EXPECT_EQ(damageAfter([](Pages& p, Footer&) { p[1].bounds = {{0x1p42, -0x1p42, 0x1p42}, 0x1p42}; }), "");
     EXPECT_NE(damageAfter([](Pages& p, Footer&) { p[1].bounds = {{0, 1, 0}, 0x1p44}; }), "");
+}
+
+TEST(PageTable, EachCountAddsWhatItMayTakeInPlainBytes) {
+    constexpr std::uint64_t kSphereAndError = 5 * sizeof(double);
+    const auto added = [](const auto& change) {
+        PageInfo info;
+        const std::uint64_t before = mostPlainBytes(info);
+        change(info);
+        return mostPlainBytes(info) - before;
+    };
+    EXPECT_EQ(added([](PageInfo& info) { info.groupCount = 3; }), 3 * (5 + kSphereAndError));
+    EXPECT_EQ(added([](PageInfo& info) { info.refinementCount = 3; }), 3 * (5 + 5 + kSphereAndError));
+    EXPECT_EQ(added([](PageInfo& info) { info.clusterCount = 3; }), 3 * (2 + 5 + 15));
+    EXPECT_EQ(added([](PageInfo& info) { info.vertexCount = 3; }), 3 * 40);
+    EXPECT_EQ(added([](PageInfo& info) { info.triangleCount = 3; }), 3 * 4);
 }
 
 TEST(PageTable, AChildCountThatLiesAsksForNoMemory) {

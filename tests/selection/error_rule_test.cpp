@@ -49,6 +49,19 @@ TEST(ErrorRule, NestedSpheresNeverGetMorePixels) {
     EXPECT_GT(positive, 10000);
 }
 
+TEST(ErrorRule, AShadowThatMeetsItsReceiversInOnePointIsSeen) {
+    DetailView view;
+    view.eye = {0, 0, 0};
+    view.basis = cameraBasis({view.eye, {0, 0, 1}, {0, 1, 0}, 1});
+    CasterDetail caster; // receivers are the plane z = 2, light falls along the view
+    caster.receivers.planes = {{{0, 0, 1}, -2}, {{0, 0, -1}, 2}};
+    caster.receiverNear = 1;
+    caster.towardsLight = {0, 0, -1};
+    const ErrorRule rule(view, {caster});
+    EXPECT_EQ(rule.casterPixels({{0, 0, -4}, 0}, 1), view.pixelsPerUnit() / 2);
+    EXPECT_EQ(rule.casterPixels({{0, 0, 4}, 0}, 1), 0) << "light goes the other way";
+}
+
 // The truth in view: points of the sphere that the image shows, moved by the error in every direction.
 TEST(ErrorRule, NoPointInViewMovesFurtherThanReported) {
     Random random(22);

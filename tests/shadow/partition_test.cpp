@@ -64,6 +64,7 @@ TEST(Faces, HaveTheirCornersInTheirPlane) {
         };
         EXPECT_NEAR(across(0), -across(1), 1e-9) << name(face);
     }
+    EXPECT_EQ(outwardNormal(frustum, Face::Near), glm::dvec3(0, 0, -1)) << "towards the eye";
 }
 
 /// A point of the region, in a random convex combination of its vertices.

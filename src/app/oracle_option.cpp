@@ -14,7 +14,7 @@ void OracleOption::addTo(CLI::App& command) {
             "--oracle",
             text_,
             "Hold the shadows against ray-traced ones, and the picture against the finest level in those; `full` "
-            "traces the finest level")
+            "traces the finest level, which --memory has to hold, and 83 bytes a triangle beside it")
         ->expected(0, 1)
         ->check(
             [](const std::string& text) {

@@ -8,7 +8,7 @@
 
 namespace gnomon::executor {
 
-raycast::Scene rayScene(const FrameDrawing& frame, std::span<const selection::DrawList* const> lists) {
+std::vector<selection::ClusterRange> distinctClusters(std::span<const selection::DrawList* const> lists) {
     std::vector<selection::ClusterRange> clusters; // one a range, so that lists that overlap can be told apart
     for (const selection::DrawList* list : lists)
         for (const selection::ClusterRange& range : list->ranges)
@@ -16,6 +16,11 @@ raycast::Scene rayScene(const FrameDrawing& frame, std::span<const selection::Dr
                 clusters.push_back({range.page, range.firstCluster + c, 1});
     std::sort(clusters.begin(), clusters.end());
     clusters.erase(std::unique(clusters.begin(), clusters.end()), clusters.end());
+    return clusters;
+}
+
+raycast::Scene rayScene(const FrameDrawing& frame, std::span<const selection::DrawList* const> lists) {
+    const std::vector<selection::ClusterRange> clusters = distinctClusters(lists);
     std::vector<raycast::ClusterSpan> spans;
     spans.reserve(clusters.size());
     for (const selection::ClusterRange& cluster : clusters)

@@ -5,8 +5,12 @@
 #include "raycast/shadow_oracle.h"
 
 #include <span>
+#include <vector>
 
 namespace gnomon::executor {
+
+/// The clusters of `lists`, each once and as a range of its own, by page.
+std::vector<selection::ClusterRange> distinctClusters(std::span<const selection::DrawList* const> lists);
 
 /// The clusters of `lists`, each once, as rays meet them in the frame's draw space.
 raycast::Scene rayScene(const FrameDrawing& frame, std::span<const selection::DrawList* const> lists);

@@ -62,6 +62,10 @@ public:
 
     const Residency& residency() const { return residency_; }
 
+    Residency& residency() { return residency_; }
+
+    const hierarchy::ModelFile& model() const { return *model_; }
+
     executor::Executor& executor() const { return *executor_; }
 
 private:

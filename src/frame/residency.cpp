@@ -45,6 +45,7 @@ Bytes tableBytes(const hierarchy::ModelFile& model) {
 
 Residency::Residency(const hierarchy::ModelFile& model, ResidencyOptions options)
     : model_(&model),
+      memory_(options.memory),
       source_(model),
       store_(
           source_,
@@ -71,6 +72,23 @@ streaming::DemandOutcome Residency::serve(
     const std::vector<hierarchy::PageDemand> foreseen = selection::foreseenPages(query, cut, model_->pages());
     if (waiting == Waiting::UntilComplete) return store_.load({cut.used, cut.wanted, foreseen});
     return store_.request({cut.used, cut.wanted, foreseen, alongTheMotion(query)});
+}
+
+std::vector<std::uint32_t> Residency::pagesOf(const selection::CutQuery& query, const selection::Cut& cut) const {
+    std::vector<std::uint32_t> pages;
+    const std::vector<hierarchy::PageDemand> foreseen = selection::foreseenPages(query, cut, model_->pages());
+    for (const std::span<const hierarchy::PageDemand> demands :
+         {std::span(cut.used), std::span(cut.wanted), std::span(foreseen)})
+        for (const hierarchy::PageDemand& demand : demands)
+            pages.push_back(demand.page);
+    return pages;
+}
+
+Bytes Residency::bytesWith(std::span<const std::uint32_t> pages) const {
+    Bytes result = tableBytes(*model_);
+    for (const std::uint32_t page : pages)
+        result.count += streaming::decodedBytes(model_->pages()[page]).count;
+    return result;
 }
 
 std::vector<hierarchy::PageDemand> Residency::alongTheMotion(const selection::CutQuery& query) {

@@ -48,12 +48,25 @@ public:
     /// Requests what `cut` of `query` wants, and waits for it if frames do. The first volume is the image's.
     streaming::DemandOutcome serve(const selection::CutQuery& query, const selection::Cut& cut, Waiting waiting);
 
+    /// The pages that `cut` of `query` takes: if it wants none just those, else no fewer.
+    std::vector<std::uint32_t> pagesOf(const selection::CutQuery& query, const selection::Cut& cut) const;
+
+    /// What the tables and `pages` take.
+    Bytes bytesWith(std::span<const std::uint32_t> pages) const;
+
+    /// What tables and pages may take.
+    Bytes memory() const { return memory_; }
+
+    /// Keeps `bytes` of the memory for something else than pages; what the last frame that waited needs stays resident.
+    void reserve(Bytes bytes) { store_.reserve(bytes); }
+
     const streaming::StoreStatistics& statistics() const { return store_.statistics(); }
 
 private:
     std::vector<hierarchy::PageDemand> alongTheMotion(const selection::CutQuery& query);
 
     const hierarchy::ModelFile* model_;
+    Bytes memory_;
     streaming::FilePageSource source_;
     streaming::PageStore store_;
     selection::PageTrees trees_;

@@ -3,6 +3,7 @@
 #include "executor/ray_shadows.h"
 #include "frame/frame_cuts.h"
 #include "frame/ray_casters.h"
+#include "proof/ray_memory.h"
 
 #include <algorithm>
 #include <array>
@@ -20,9 +21,11 @@ frame::PreparedFrame finest(frame::Renderer& renderer, const frame::Frame& frame
     return renderer.prepare(frame.plan.view, quality, frame::Waiting::UntilComplete, frame.before);
 }
 
-/// The picture of the finest level in ray-traced shadows; drawn.
-executor::Picture finestPicture(frame::Renderer& renderer, const frame::Frame& frame) {
+/// The picture of the finest level in ray-traced shadows; drawn. For `oracle` of full detail it is whole, or an error.
+executor::Picture finestPicture(frame::Renderer& renderer, const frame::Frame& frame, Oracle oracle) {
     const frame::PreparedFrame fine = finest(renderer, frame);
+    std::optional<RayMemory> memory;
+    if (oracle == Oracle::FullDetail) memory.emplace(renderer, fine);
     renderer.draw(fine, {});
     return renderer.executor().picture();
 }
@@ -32,6 +35,7 @@ ShadowTruth truthOfFullDetail(
     frame::Renderer& renderer, const frame::Frame& frame, const executor::FrameDrawing& drawing) {
     const executor::Raster<executor::SurfaceSample> surfaces = renderer.executor().surfaces();
     const frame::PreparedFrame fine = finest(renderer, frame);
+    const RayMemory memory(renderer, fine);
     const std::array lists = {&fine.cut.lists[0], &fine.cut.lists[1]};
     const raycast::Scene scene = executor::rayScene(drawing, lists);
     // The true surface may lie as far from the drawn one as the cut allows.
@@ -94,7 +98,7 @@ FrameProof prove(frame::Renderer& renderer, const frame::Frame& frame, const Pro
         proof.truth = options.oracle == Oracle::FullDetail ? truthOfFullDetail(renderer, frame, drawn)
                                                            : truthOfSameDetail(renderer, frame, drawn);
     if (options.comparesWithFinest)
-        proof.imageDifference = executor::difference(finestPicture(renderer, frame), picture).mean;
+        proof.imageDifference = executor::difference(finestPicture(renderer, frame, options.oracle), picture).mean;
     if (hasCrawl) proof.crawl = crawlSince(renderer, frame.before, drawn, maps);
     // What the executor shows is the frame that was asked for, and its pages are there.
     const frame::PreparedFrame again =

@@ -44,7 +44,8 @@ struct FrameProof {
 /// Holds `frame`, the last one that `renderer` drew, against what `options` name. Each of these is drawn, untimed: the
 /// frame with its surfaces, without overlay; the finest level by rays, for `comparesWithFinest`; the frame before, for
 /// the crawl; and at the end `frame` again as it was, whose picture and pages are then there. The frames to come do not
-/// depend on it. Draws and finds nothing for a frame that an observer camera sees. Throws Error.
+/// depend on it. Draws and finds nothing for a frame that an observer camera sees. Throws Error, also where the memory
+/// does not hold what Oracle::FullDetail takes, or some of that is damaged.
 FrameProof prove(frame::Renderer& renderer, const frame::Frame& frame, const ProofOptions& options);
 
 /// Fills the columns of accuracy of `row`: those that `proof` knows nothing of become empty.

@@ -1,6 +1,7 @@
 // The geometry of given clusters as rays see it: exact hits and exact occlusion, relative to the eye.
 #pragma once
 
+#include "core/units.h"
 #include "hierarchy/page.h"
 
 #include <cstdint>
@@ -36,6 +37,9 @@ struct Hit {
     float v = 0;
     glm::vec3 normal{0}; // geometric, unit length, towards the ray's origin
 };
+
+/// What a scene takes at most while it is built, a triangle.
+inline constexpr Bytes kSceneBytesPerTriangle{83};
 
 /// An Embree scene. Its queries may come from many threads at once.
 class Scene {

@@ -200,8 +200,15 @@ void PageStore::requestKept() {
     loaders_.request(requests);
 }
 
+void PageStore::reserve(Bytes bytes) {
+    reserved_ = bytes;
+    makeRoom({0});
+}
+
 bool PageStore::makeRoom(Bytes bytes) {
-    const auto fits = [&] { return statistics_.committed.count + bytes.count <= options_.budget.count; };
+    const auto fits = [&] {
+        return statistics_.committed.count + reserved_.count + bytes.count <= options_.budget.count;
+    };
     if (fits()) return true;
     if (!areVictimsKnown_) {
         areVictimsKnown_ = true;

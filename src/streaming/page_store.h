@@ -96,6 +96,10 @@ public:
     /// of what is in demand does not depend on the past. Cut and load in turns until nothing changes.
     DemandOutcome load(const Demand& demand);
 
+    /// Takes `bytes` of the budget for something else than pages, in place of what was taken before, and evicts what
+    /// the last `load` does not need; 0 gives all back.
+    void reserve(Bytes bytes);
+
     const StoreStatistics& statistics() const { return statistics_; }
 
 private:
@@ -167,6 +171,7 @@ private:
     std::vector<LoadedPage> waiting_; // decoded before one of their parents
     hierarchy::BlockedGroups blocked_;
     Bytes pinned_;
+    Bytes reserved_;
     std::uint64_t clock_ = 0;
     StoreStatistics statistics_;
     Loaders loaders_; // last, so that it stops first

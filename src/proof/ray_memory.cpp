@@ -1,0 +1,74 @@
+#include "proof/ray_memory.h"
+
+#include "core/error.h"
+#include "executor/ray_shadows.h"
+#include "frame/frame_cuts.h"
+
+#include <array>
+
+namespace gnomon::proof {
+
+namespace {
+
+constexpr const char* kOption = "--oracle full";
+
+bool isWhole(const frame::PreparedFrame& frame) {
+    return frame.cut.wanted.empty() && frame.residency.pagesMissing == 0;
+}
+
+/// The triangles that rays against all of `frame` can meet, which is whole.
+std::uint64_t triangleCount(const frame::Renderer& renderer, const frame::PreparedFrame& frame) {
+    const std::array lists = {&frame.cut.lists[0], &frame.cut.lists[1]};
+    const hierarchy::ResidentPages resident = renderer.residency().resident();
+    std::uint64_t triangles = 0;
+    for (const selection::ClusterRange& cluster : executor::distinctClusters(lists))
+        triangles += resident[cluster.page]->clusters[cluster.firstCluster].triangleCount;
+    return triangles;
+}
+
+/// The triangles of the finest of `pages`.
+std::uint64_t finestTriangles(const frame::Renderer& renderer, std::span<const std::uint32_t> pages) {
+    std::uint64_t triangles = 0;
+    for (const std::uint32_t page : pages) {
+        const hierarchy::PageInfo& info = renderer.model().pages()[page];
+        triangles += info.level == 0 ? info.triangleCount : 0;
+    }
+    return triangles;
+}
+
+/// Rounded up, so that it does where it is asked for.
+std::uint64_t wholeMebibytes(Bytes bytes) {
+    return (bytes.count + mebibytes(1).count - 1) / mebibytes(1).count;
+}
+
+} // namespace
+
+MemoryWithRays memoryWithRays(const frame::Renderer& renderer, const frame::PreparedFrame& fine) {
+    const frame::Residency& residency = renderer.residency();
+    const std::vector<std::uint32_t> pages = residency.pagesOf(frame::cutQuery(residency, fine), fine.cut);
+    const std::uint64_t triangles = isWhole(fine) ? triangleCount(renderer, fine) : finestTriangles(renderer, pages);
+    return {residency.bytesWith(pages), {triangles * raycast::kSceneBytesPerTriangle.count}};
+}
+
+RayMemory::RayMemory(frame::Renderer& renderer, const frame::PreparedFrame& fine) : residency_(&renderer.residency()) {
+    if (fine.residency.pagesBlocked > 0)
+        throw Error(
+            kOption,
+            "the finest level of this view is damaged",
+            "all its pages",
+            std::to_string(fine.residency.pagesBlocked) + " that cannot be read");
+    const MemoryWithRays needed = memoryWithRays(renderer, fine);
+    if (!isWhole(fine) || needed.all() > residency_->memory())
+        throw Error(
+            kOption,
+            "the finest level of this view and rays against it take more than --memory",
+            "at least " + std::to_string(wholeMebibytes(needed.all())) + "M",
+            readableBytes(residency_->memory()));
+    residency_->reserve(needed.rays);
+}
+
+RayMemory::~RayMemory() {
+    residency_->reserve({0});
+}
+
+} // namespace gnomon::proof

@@ -138,6 +138,13 @@ TEST(PageTable, EachCountAddsWhatItMayTakeInPlainBytes) {
     EXPECT_EQ(added([](PageInfo& info) { info.triangleCount = 3; }), 3 * 4);
 }
 
+TEST(PageTable, NeedsMemoryForItsBytesItsRowsAndTheirChildren) {
+    const std::vector<PageInfo> pages = threePages(); // two children in all
+    Footer footer = footerOf(pages);
+    footer.pageTable.bytes = encodePageTable(pages).size();
+    EXPECT_EQ(tableMemory(footer), footer.pageTable.bytes + 3 * sizeof(PageInfo) + 2 * sizeof(std::uint32_t));
+}
+
 TEST(PageTable, AChildCountThatLiesAsksForNoMemory) {
     const std::vector<PageInfo> pages = threePages();
     std::vector<std::byte> bytes = encodePageTable(pages);

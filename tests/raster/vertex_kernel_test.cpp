@@ -110,6 +110,24 @@ TEST(VertexKernel, IsTheVertexStageOneByOneOnEveryInstructionSet) {
     });
 }
 
+TEST(VertexKernel, DividesByNoWBelowTwoToTheMinusHundred) {
+    Projection pass = projection(flatView(kViewport), true);
+    pass.clipFromCell = {}; // every vertex in the middle, at the same w
+    const std::array<std::uint32_t, 3> position{};
+    Cluster cluster;
+    cluster.positions = position.data();
+    cluster.vertexCount = 1;
+    Room room(1);
+    for (const float w : {0x1p-100F, 1.0F}) {
+        pass.clipFromCell[15] = w;
+        EXPECT_EQ(snapVertices(pass, cluster, room.arrays()).place, ClusterPlace::Inside) << w;
+    }
+    for (const float w : {std::nextafter(0x1p-100F, 0.0F), 0x1p-101F, 0.0F}) {
+        pass.clipFromCell[15] = w;
+        EXPECT_EQ(snapVertices(pass, cluster, room.arrays()).place, ClusterPlace::Cut) << w;
+    }
+}
+
 TEST(VertexKernel, TakesClustersOfAnySizeAndStride) {
     const Scene scene = sheet(8, 8, 4, 1);
     const std::vector<Cluster> clusters = scene.clusters();

@@ -271,12 +271,12 @@ private:
         page.model = context_.at("model") + ", " + context_.at("model_triangles") + " triangles";
         page.context = context_;
         page.runs = summaries;
-        const std::vector<std::size_t> pictured = picturedRuns(summaries);
+        std::vector<measure::BenchRun> pictured;
+        for (const std::size_t run : picturedRuns(summaries))
+            pictured.push_back(runs_[run]);
         const auto progress = makeProgress(options_.common);
         progress->stage("pictures", "frames", measure::kFramesOfPictures * pictured.size());
-        for (const std::size_t run : pictured)
-            for (report::Picture& picture : picturesOf(run, *progress))
-                page.pictures.push_back(std::move(picture));
+        page.pictures = measure::middlePicturesOfAll(session_, path_, pictured, options_.walk, *progress);
         const settings::Settings& settings = runs_.front().settings;
         plan::View view = settings::viewOf(settings, session_.model().summary());
         view.camera = path::cameraAt(path_, path_.keyframes.front().time);

@@ -205,4 +205,32 @@ std::vector<report::Picture> middlePictures(
         {run.name, "partitions", executor::pngBytes(draw(walk, executor::Overlay::Partitions))}};
 }
 
+std::vector<report::Picture> middlePicturesOfAll(
+    Session& session,
+    const path::CameraPath& path,
+    const std::vector<BenchRun>& runs,
+    const WalkOptions& options,
+    Progress& progress) {
+    std::vector<std::vector<report::Picture>> all;
+    for (const BenchRun& run : runs) {
+        const auto drawn = std::find_if(
+            runs.begin(), runs.begin() + static_cast<std::ptrdiff_t>(all.size()), [&](const BenchRun& before) {
+                return settings::drawAlike(before.settings, run.settings);
+            });
+        const auto place = static_cast<std::size_t>(drawn - runs.begin());
+        if (place == all.size()) {
+            all.push_back(middlePictures(session, path, run, options, progress));
+            continue;
+        }
+        all.push_back(all[place]);
+        for (report::Picture& picture : all.back())
+            picture.run = run.name;
+        progress.advance(kFramesOfPictures);
+    }
+    std::vector<report::Picture> pictures;
+    for (std::vector<report::Picture>& own : all)
+        std::move(own.begin(), own.end(), std::back_inserter(pictures));
+    return pictures;
+}
+
 } // namespace gnomon::measure

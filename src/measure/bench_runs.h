@@ -68,6 +68,15 @@ std::vector<report::Picture> middlePictures(
     const WalkOptions& options,
     Progress& progress);
 
+/// Those of all `runs`, one after the other. What runs that draw alike show is drawn once. Progress advances by
+/// kFramesOfPictures a run.
+std::vector<report::Picture> middlePicturesOfAll(
+    Session& session,
+    const path::CameraPath& path,
+    const std::vector<BenchRun>& runs,
+    const WalkOptions& options,
+    Progress& progress);
+
 /// The frames that `middlePictures` draws.
 constexpr std::size_t kFramesOfPictures = 5;
 

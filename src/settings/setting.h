@@ -35,7 +35,7 @@ struct Description {
     std::string form; // of its text, for the help: "T"; empty: its words
     std::string help;
     bool isSwept = false;       // a bench takes a list of values
-    bool changesPicture = true; // where it is left out, the picture is the same but for the time that it took
+    bool changesPicture = true; // else the picture is the same for all its values, but for the time that it takes
     std::string statedAs{};     // under which key a bench states it and a baseline must agree; empty: it does not
     std::string quantity{};     // what errors of the engines call it: "image size"
     Offer offer{};

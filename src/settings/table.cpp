@@ -181,7 +181,6 @@ std::vector<Setting> fixedSettings() {
             {.name = "memory",
              .form = "SIZE",
              .help = "Tables and page cache",
-             .changesPicture = false,
              .statedAs = "memory_cap",
              .quantity = "page memory"},
             memory()),
@@ -291,6 +290,13 @@ std::vector<Setting> sweptSettings() {
     };
 }
 
+bool agreeWhere(bool Description::*counts, const Settings& a, const Settings& b) {
+    const auto all = table();
+    return std::all_of(all.begin(), all.end(), [&](const Setting& each) {
+        return !(each.description().*counts) || each.text(a) == each.text(b);
+    });
+}
+
 } // namespace
 
 std::span<const Setting> table() {
@@ -321,10 +327,11 @@ std::string optionsOf(std::string_view message) {
 }
 
 bool areAlike(const Settings& a, const Settings& b) {
-    const auto all = table();
-    return std::all_of(all.begin(), all.end(), [&](const Setting& each) {
-        return !each.description().isSwept || each.text(a) == each.text(b);
-    });
+    return agreeWhere(&Description::isSwept, a, b);
+}
+
+bool drawAlike(const Settings& a, const Settings& b) {
+    return agreeWhere(&Description::changesPicture, a, b);
 }
 
 std::string forShell(const std::string& text) {

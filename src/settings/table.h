@@ -1,4 +1,7 @@
 // The table of all settings: command line, axes of a bench, panel and keys of the window, report and help read it.
+// --overlay and --oracle are none: they change neither the view nor its quality but say what is painted over the
+// picture and what it is held against, their words are those of executor and proof, which lie above, and not all
+// commands have them.
 #pragma once
 
 #include "settings/setting.h"
@@ -21,6 +24,9 @@ std::string optionsOf(std::string_view message);
 
 /// Whether all settings that a bench sweeps have the same values in `a` and `b`.
 bool areAlike(const Settings& a, const Settings& b);
+
+/// Whether pictures of `a` and `b` are the same to the bit: no setting that changes the picture differs.
+bool drawAlike(const Settings& a, const Settings& b);
 
 /// The options that give all values of `settings` that are not the default, of those that a bench sweeps or of the
 /// others, as a shell takes them.

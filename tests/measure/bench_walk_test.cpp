@@ -281,5 +281,36 @@ TEST(BenchWalk, DrawsAroundDamageAndNamesItOnce) {
     }
 }
 
+// What the table of settings says of its rows: all kinds of pictures of the page are the same, however they are drawn.
+TEST(BenchWalk, DrawsWhatRunsShowThatDrawAlikeOnce) {
+    settings::Settings plain = smallSettings();
+    plain.towardsLight = {1, 0.3, 0.2}; // low: the hills throw shadows
+    settings::Settings unculled = plain;
+    unculled.quality.cullCasters = false;
+    unculled.gpuMemory = mebibytes(64);
+    settings::Settings filtered = plain;
+    filtered.quality.filter = 3;
+    for (const settings::Backend backend : {settings::Backend::Software, settings::Backend::Osmesa}) {
+        plain.backend = unculled.backend = filtered.backend = backend;
+        const std::vector<BenchRun> runs = runsOf({plain, unculled, filtered});
+        NoProgress progress;
+        std::vector<report::Picture> apart;
+        for (const BenchRun& run : runs) {
+            Session session(model(), run.settings, failOnWarning);
+            for (report::Picture& picture : middlePictures(session, flight(), run, frames(2), progress))
+                apart.push_back(std::move(picture));
+        }
+        Session session(model(), plain, failOnWarning);
+        const std::vector<report::Picture> together = middlePicturesOfAll(session, flight(), runs, frames(2), progress);
+        ASSERT_EQ(together.size(), apart.size());
+        for (std::size_t i = 0; i < apart.size(); ++i) {
+            EXPECT_EQ(together[i].run, apart[i].run);
+            EXPECT_EQ(together[i].kind, apart[i].kind);
+            EXPECT_TRUE(together[i].png == apart[i].png) << apart[i].run << " " << apart[i].kind;
+        }
+        EXPECT_FALSE(together[0].png == together[12].png) << "a filter changes the picture";
+    }
+}
+
 } // namespace
 } // namespace gnomon::measure

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace gnomon::settings {
 namespace {
@@ -182,6 +183,24 @@ TEST(EveryRow, StatedByABenchIsNotSweptByIt) {
     for (const Setting& each : table())
         EXPECT_FALSE(each.description().isSwept && !each.description().statedAs.empty()) << each.name();
     EXPECT_EQ(named("near").description().statedAs, named("far").description().statedAs);
+}
+
+TEST(EveryRow, ChangesThePictureButForThoseThatSayTheyDoNot) {
+    std::set<std::string> timeAlone;
+    for (const Setting& each : table())
+        if (!each.description().changesPicture) timeAlone.insert(each.name());
+    EXPECT_EQ(timeAlone, (std::set<std::string>{"cull-casters", "gpu-memory"})); // which are rendered in tests/measure
+    Settings a;
+    Settings b;
+    b.quality.cullCasters = false;
+    b.gpuMemory = mebibytes(100);
+    EXPECT_TRUE(drawAlike(a, b));
+    EXPECT_FALSE(areAlike(a, b)) << "a bench sweeps the culling";
+    b.quality.filter = 2;
+    EXPECT_FALSE(drawAlike(a, b));
+    a.quality.filter = 2;
+    a.eye = glm::dvec3(1);
+    EXPECT_FALSE(drawAlike(a, b));
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // Chunks beside a plain weld of the whole mesh at once: the same triangles, vertices, normals and counts.
 #include "core/random.h"
 #include "hierarchy/octahedral.h"
+#include "preprocess/chunk/binned_source.h"
 #include "preprocess/chunk/binning.h"
 #include "preprocess/chunk/borders.h"
 #include "preprocess/chunk/chunk_mesh.h"

@@ -16,6 +16,7 @@ STREAM = re.compile(r"\b(?:stdout|stderr|std::c(?:out|err|log)\b|(?:f|v|vf)?prin
 CODE = {".h", ".cpp", ".inc"}
 SHADERS = {".glsl", ".vert", ".frag", ".comp", ".geom"}
 READ_BY_PEOPLE = CODE | SHADERS | {".py", ".cmake", ".js", ".css", ".html", ".sh", ""}
+UNTESTED = "tests/lint/untested.txt"
 MOST_FILES, MOST_LINES, MOST_FUNCTION_LINES, MOST_APP_LINES, LEAST_RATIO = 35, 400, 60, 2500, 0.7
 
 
@@ -161,14 +162,28 @@ def long_functions(root):
                 yield f"{path.relative_to(root)}: {name}: {lines} lines, at most {MOST_FUNCTION_LINES}"
 
 
+def included_by_tests(root):
+    return {header for path in tracked(root, "tests") if path.suffix in CODE for header in INCLUDE.findall(path.read_text())}
+
+
+def untested_reasons(root):
+    """header -> why no test includes it, from the lines "HEADER: reason" of tests/lint/untested.txt"""
+    path = root / UNTESTED
+    lines = path.read_text().splitlines() if path.exists() else []
+    return dict(line.split(": ", 1) for line in lines if line and not line.startswith("#"))
+
+
 def untested_units(root):
-    """Headers of src and preprocess that no C++ of tests/ includes."""
-    tested = {header for path in tracked(root, "tests") if path.suffix in CODE for header in INCLUDE.findall(path.read_text())}
+    """Headers of src and preprocess that no C++ of tests/ includes and no reason is given for, and reasons for others."""
+    tested, reasons = included_by_tests(root), untested_reasons(root)
+    untested = set()
     for path in tracked(root, "src", "preprocess"):
         if path.suffix == ".h":
             name = path.relative_to(root / "src") if path.is_relative_to(root / "src") else path.relative_to(root)
             if str(name) not in tested:
-                yield f"{path.relative_to(root)}: no test includes it"
+                untested.add(str(path.relative_to(root)))
+    yield from (f"{header}: no test includes it" for header in sorted(untested - reasons.keys()))
+    yield from (f"{UNTESTED}: {header}: it is no header that no test includes" for header in sorted(reasons.keys() - untested))
 
 
 def few_tests(root):
@@ -185,7 +200,7 @@ RULES = {"folder cycles": folder_cycles, "unit cycles": unit_cycles, "full folde
          "options below app": options_below_app, "streams below app": streams_below_app}
 # The rules that hold, and must go on to.
 HELD = ("folder cycles", "unit cycles", "full folders", "long files", "large app", "long functions", "options below app",
-        "streams below app")
+        "streams below app", "few tests", "untested units")
 
 
 def report(root):
@@ -193,6 +208,7 @@ def report(root):
         found = list(rule(root))
         print(f"{name} ({'held' if name in HELD else 'not yet held'}): {len(found)}")
         print("".join(f"    {breach}\n" for breach in found), end="")
+    print(f"untested with a reason: {len(untested_reasons(root))} ({UNTESTED})")
     print(f"C++ lines: tests {code_lines(root, 'tests')}, src {code_lines(root, 'src')}, "
           f"preprocess {code_lines(root, 'preprocess')}; tests to source {test_ratio(root):.2f}")
 

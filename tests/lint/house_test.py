@@ -83,6 +83,16 @@ class House(unittest.TestCase):
             "untested units", {"src/core/x.h": "", "src/core/y.h": "",
                                "tests/core/x_test.cpp": '#include "core/x.h"\n#include "core/none.h"\n// core/y.h\n'})))
 
+    def test_a_unit_without_a_test_has_a_reason_and_no_other_has_one(self):
+        header = {"src/core/x.h": "", "preprocess/read/none.h": "", "tests/core/none.cpp": '#include "core/none.h"\n'}
+        for reasons, found in (
+            ("# why\n\nsrc/core/x.h: a window\npreprocess/read/none.h: a: b\n", []),
+            ("src/core/x.h: a window\n", ["preprocess/read/none.h: no test includes it"]),
+            ("src/core/x.h: a window\npreprocess/read/none.h: b\nsrc/core/none.h: c\nsrc/gone.h: d\n",
+             [f"{house.UNTESTED}: {name}: it is no header that no test includes" for name in ("src/core/none.h", "src/gone.h")]),
+        ):
+            self.assertEqual(found, list(self.breaches("untested units", {**header, house.UNTESTED: reasons})))
+
     def test_tests_are_weighed_against_the_source(self):
         for lines, found in ((7, 0), (6, 1)):
             self.assertEqual(found, len(self.breaches("few tests", {

@@ -4,6 +4,7 @@
 #include "preprocess/make/noise.h"
 #include "preprocess/make/parts.h"
 #include "preprocess/make/plant_kit.h"
+#include "preprocess/make/plant_units.h"
 
 #include <gtest/gtest.h>
 
@@ -235,20 +236,23 @@ TEST(Parts, FollowOneAnotherWhateverIsHeldBack) {
     EXPECT_EQ(later.mesh.triangles[0][0], mesh.triangles[0][0] + 1000) << "indices are those of the whole model";
 }
 
+/// The box of what `add` adds to a site.
+Box boxOf(const Detail& detail, const std::function<void(Site&)>& add) {
+    const MadeMesh mesh = made([&](PartSink& sink) {
+        Site site{sink, detail, Random(5)};
+        add(site);
+    });
+    Box box;
+    for (const glm::vec3& v : mesh.vertices)
+        box.add(dvec3(v));
+    EXPECT_FALSE(box.isEmpty());
+    return box;
+}
+
 TEST(PlantKit, EachThingIsMadeAsItIsCountedAtEveryDetail) {
     for (const double level : {0.01, 0.3, 1.0, 7.0}) {
         const Detail detail(level);
-        const auto size = [&](const std::function<void(Site&)>& add) {
-            const MadeMesh mesh = made([&](PartSink& sink) {
-                Site site{sink, detail, Random(5)};
-                add(site);
-            });
-            Box box;
-            for (const glm::vec3& v : mesh.vertices)
-                box.add(dvec3(v));
-            EXPECT_FALSE(box.isEmpty());
-            return box.extent();
-        };
+        const auto size = [&](const std::function<void(Site&)>& add) { return boxOf(detail, add).extent(); };
         EXPECT_NEAR(size([](Site& s) { addGrating(s, {0, 1, 0}, {4, 1, 3}); }).x, 4, 0.2);
         EXPECT_NEAR(size([](Site& s) { addHandrail(s, {0, 0, 0}, {6, 0, 0}); }).y, 1.1, 0.05);
         EXPECT_NEAR(size([](Site& s) { addHandrails(s, {0, 0, 0}, {6, 0, 4}); }).z, 4, 0.1);
@@ -269,6 +273,30 @@ TEST(PlantKit, EachThingIsMadeAsItIsCountedAtEveryDetail) {
         EXPECT_NEAR(size([](Site& s) { addCladding(s, {0, 0, 0}, {10, 0, 0}, {0, 4, 0}, 1); }).y, 4, 0.1);
         EXPECT_GT(size([](Site& s) { addLamp(s, {0, 0, 0}); }).y, 2);
     }
+}
+
+TEST(PlantUnits, StandOnTheirLotsAtEveryDetail) {
+    using Unit = void (*)(Site&);
+    for (const double level : {0.01, 1.0})
+        for (const Unit add :
+             {addTankFarm,
+              addPipeRack,
+              addPipeSleepers,
+              addExchangers,
+              addTransformers,
+              addTurbineHall,
+              addChimney,
+              addCoolingTower,
+              addStore,
+              addGasTurbine}) {
+            const Box box = boxOf(Detail(level), add);
+            const double most = kLotPitch / 2 + 0.2; // halls and racks join those of the next lot
+            EXPECT_GE(std::min(box.min.x, box.min.z), -most);
+            EXPECT_LE(std::max(box.max.x, box.max.z), most);
+            EXPECT_GT(std::min(box.extent().x, box.extent().z), 11);
+            EXPECT_GT(box.extent().y, 4);
+            EXPECT_GE(box.min.y, -0.25) << "on the ground";
+        }
 }
 
 TEST(PlantKit, DetailGrowsInNumbersAndInRoundness) {

@@ -2,6 +2,7 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "core/random.h"
+#include "preprocess/pipeline/build_options.h"
 #include "tests/pipeline/built_model.h"
 #include "tests/pipeline/test_folder.h"
 

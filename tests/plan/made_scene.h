@@ -1,6 +1,7 @@
 // A yard of boxes as a plan is told of it, without geometry: for tests of the plan alone.
 #pragma once
 
+#include "core/depth_span.h"
 #include "core/random.h"
 #include "plan/plan_frame.h"
 

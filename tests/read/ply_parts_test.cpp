@@ -18,16 +18,6 @@ namespace {
 
 class PlyParts : public ScratchInput {};
 
-constexpr std::array kTypes = {
-    PlyType::Int8,
-    PlyType::Uint8,
-    PlyType::Int16,
-    PlyType::Uint16,
-    PlyType::Int32,
-    PlyType::Uint32,
-    PlyType::Float32,
-    PlyType::Float64};
-
 TEST_F(PlyParts, AHeaderKnowsElementsPropertiesAndWhereTheBodyBegins) {
     const std::string header = "ply\r\nformat binary_big_endian 1.0\r\ncomment element x 3\r\nobj_info y\r\n"
                                "element vertex 2\r\nproperty float x\r\nproperty uchar red\r\n"

@@ -2,13 +2,26 @@
 #pragma once
 
 #include "preprocess/read/input_file.h"
+#include "preprocess/read/ply_header.h"
 #include "tests/read/collect.h"
 
+#include <array>
 #include <optional>
 
 #include <unistd.h>
 
 namespace gnomon::read {
+
+/// All types of the values of a PLY.
+inline constexpr std::array kTypes = {
+    PlyType::Int8,
+    PlyType::Uint8,
+    PlyType::Int16,
+    PlyType::Uint16,
+    PlyType::Int32,
+    PlyType::Uint32,
+    PlyType::Float32,
+    PlyType::Float64};
 
 class ScratchInput : public testing::Test {
 protected:

@@ -2,6 +2,7 @@
 #include "core/error.h"
 #include "core/random.h"
 #include "preprocess/read/open_mesh_sources.h"
+#include "preprocess/read/whole_file_source.h"
 #include "tests/read/collect.h"
 
 #include <cstring>
@@ -215,6 +216,13 @@ TEST(ReadWholeFile, MutatedFilesGiveAMeshOrAnError) {
     }
     for (const auto& [name, good] : seeds)
         EXPECT_EQ(errorOf(name, good), "no error") << name;
+}
+
+TEST(WholeFile, IsToldByItsSuffixInAnyCase) {
+    for (const char* path : {"a.obj", "b.OFF", "c.Stl", "d.ply/e.stl"})
+        EXPECT_TRUE(isWholeFileFormat(path)) << path;
+    for (const char* path : {"", "obj", "a.ply", "b.objx", "c.stl/d", ".off.gnm"})
+        EXPECT_FALSE(isWholeFileFormat(path)) << path;
 }
 
 } // namespace

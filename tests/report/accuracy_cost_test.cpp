@@ -1,11 +1,13 @@
 #include "core/random.h"
 #include "report/accuracy_cost.h"
+#include "report/run_summary.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace gnomon::report {
 namespace {
@@ -158,6 +160,16 @@ TEST(AccuracyCost, ACoarseModelIsNoBargainBecauseItsOwnShadowsAreRight) {
     EXPECT_EQ(bestUnderBudget(runs, shadowError(runs), 120), std::optional<std::size_t>(1));
     runs[1].errors.erase(ErrorKind::ImageDifference);
     EXPECT_EQ(comparedError(runs), ErrorKind::WrongShadow) << "an error compares what knows it";
+}
+
+TEST(ErrorKinds, HaveKeysAndLabelsOfTheirOwn) {
+    std::set<std::string_view> names;
+    for (const ErrorKind kind : kErrorKinds) {
+        EXPECT_FALSE(key(kind).empty());
+        EXPECT_EQ(key(kind).find(' '), std::string_view::npos) << "it is a name in a document";
+        EXPECT_TRUE(names.insert(key(kind)).second) << key(kind);
+        EXPECT_TRUE(names.insert(label(kind)).second) << label(kind);
+    }
 }
 
 } // namespace

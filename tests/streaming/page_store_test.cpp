@@ -1,6 +1,7 @@
 // The cache keeps its budget, stays closed upwards, survives damage and gives the same residency twice.
 #include "cluster_chains.h"
 #include "core/error.h"
+#include "hierarchy/residency.h"
 #include "hierarchy/validation.h"
 #include "streaming/page_store.h"
 

@@ -10,7 +10,7 @@ namespace gnomon::proof {
 
 namespace {
 
-constexpr const char* kOption = "--oracle full";
+constexpr const char* kWhere = "the full oracle";
 
 bool isWhole(const frame::PreparedFrame& frame) {
     return frame.cut.wanted.empty() && frame.residency.pagesMissing == 0;
@@ -53,15 +53,15 @@ MemoryWithRays memoryWithRays(const frame::Renderer& renderer, const frame::Prep
 RayMemory::RayMemory(frame::Renderer& renderer, const frame::PreparedFrame& fine) : residency_(&renderer.residency()) {
     if (fine.residency.pagesBlocked > 0)
         throw Error(
-            kOption,
+            kWhere,
             "the finest level of this view is damaged",
             "all its pages",
             std::to_string(fine.residency.pagesBlocked) + " that cannot be read");
     const MemoryWithRays needed = memoryWithRays(renderer, fine);
     if (!isWhole(fine) || needed.all() > residency_->memory())
         throw Error(
-            kOption,
-            "the finest level of this view and rays against it take more than --memory",
+            kWhere,
+            "the finest level of this view and rays against it take more than the page memory",
             "at least " + std::to_string(wholeMebibytes(needed.all())) + "M",
             readableBytes(residency_->memory()));
     residency_->reserve(needed.rays);

@@ -55,7 +55,7 @@ TEST_F(FullOracle, RefusesWhatTheMemoryDoesNotHoldAndNamesWhatWouldDo) {
     EXPECT_GT(enough.count, kTriangles * 83 / 2);
     EXPECT_EQ(answer(enough).wrong, whole.wrong);
     const Answer withoutRays = answer({enough.count / 3}); // the pages fit, the rays beside them do not
-    EXPECT_NE(withoutRays.refusal.find("rays against it take more than --memory"), std::string::npos);
+    EXPECT_NE(withoutRays.refusal.find("rays against it take more than the page memory"), std::string::npos);
 }
 
 TEST_F(FullOracle, KeepsRoomForItsRays) {

@@ -153,7 +153,7 @@ SlowCrawl crawlOfASlowWalk(bool stabilize) {
     plan::Quality quality;
     quality.stabilize = stabilize;
     quality.near = 1;
-    quality.far = 64;
+    quality.far = 96; // behind all that is in view
     quality.shadowTexelsWidth = quality.shadowTexelsHeight = 512;
     SlowCrawl crawl;
     std::unique_ptr<AskedFrame> before;

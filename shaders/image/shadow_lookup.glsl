@@ -55,12 +55,21 @@ float litFraction(int index, vec3 p, vec3 normal, float cosine) {
     int width = max(filterTexels, 1);
     ivec2 lowest = ivec2(part.firstTexel);
     ivec2 highest = ivec2(part.endTexel) - 1;
-    ivec2 first = ivec2(floor(texel - 0.5 * float(width - 1)));
-    float lit = 0.0;
-    for (int y = 0; y < width; ++y)
+    vec2 start = clamp(texel - 0.5 * float(width - 1), -1e6, 1e6);
+    ivec2 first = ivec2(floor(start));
+    vec2 fraction = start - floor(start);
+    // Between the two squares, a texel narrower than the kernel, whose corners lie around the point's: so the kernel's
+    // ends weigh by the fraction of the texel.
+    int box = max(width - 1, 1);
+    vec2 lit = vec2(0.0); // of the rows of the square above, and of that below
+    for (int y = 0; y < width; ++y) {
+        vec2 sides = vec2(0.0);
         for (int x = 0; x < width; ++x) {
             ivec2 at = clamp(first + ivec2(x, y), lowest, highest);
-            lit += depth <= texelFetch(shadowDepth, at, 0).r ? 1.0 : 0.0;
+            float isLit = depth <= texelFetch(shadowDepth, at, 0).r ? 1.0 : 0.0;
+            sides += isLit * vec2(x < box, x >= width - box);
         }
-    return lit / float(width * width);
+        lit += mix(sides.x, sides.y, fraction.x) * vec2(y < box, y >= width - box);
+    }
+    return mix(lit.x, lit.y, fraction.y) / float(box * box);
 }

@@ -45,7 +45,7 @@ void addExplainCommand(CLI::App& program) {
     options->settings.addTo(*command);
     addCommonOptions(*command, options->common);
     command->footer("A promise is the perspective aliasing over [near, far]: the largest width of a texel over that of "
-                    "a pixel, projection aside.");
+                    "a pixel, projection aside. `sheared` is that of z with the texel's shear.");
     command->callback([options] {
         const ThreadLimit limit(options->common);
         runExplain(*options);

@@ -67,6 +67,7 @@ ordered_json passJson(const plan::FramePlan& plan, const plan::ShadowPass& pass)
     json["kappa"] = map.warped.kappa;
     json["promised_aliasing_x"] = map.promised.x;
     json["promised_aliasing_z"] = map.promised.z;
+    json["promised_aliasing_z_sheared"] = map.promised.sheared;
     json["caster_planes"] = planesJson(plan, map.casterVolume);
     json["clamps_depth"] = pass.clampsDepth;
     json["estimated_triangles"] = pass.estimatedTriangles;
@@ -131,7 +132,7 @@ std::string planText(const plan::FramePlan& plan) {
             plan.texelsThatWouldDo > 0 ? std::to_string(plan.texelsThatWouldDo).c_str() : "no number of",
             plan.quality.maxAliasing);
         text += line(
-            "\n%-5s %-6s %10s %10s %22s %10s %9s %9s %12s\n",
+            "\n%-5s %-6s %10s %10s %22s %10s %9s %9s %9s %12s\n",
             "slice",
             "face",
             "near",
@@ -140,13 +141,14 @@ std::string planText(const plan::FramePlan& plan) {
             "kappa",
             "promise x",
             "z",
+            "sheared",
             "triangles");
     }
     for (const plan::ShadowPass& pass : plan.passes) {
         const shadow::ShadowMap& map = pass.map;
         const shadow::TexelRectangle& r = map.rectangle;
         text += line(
-            "%-5zu %-6s %10.4g %10.4g %22s %10.4g %9.3g %9.3g %12llu\n",
+            "%-5zu %-6s %10.4g %10.4g %22s %10.4g %9.3g %9.3g %9.3g %12llu\n",
             map.region.slice,
             shadow::name(map.region.face),
             map.region.frustum.near,
@@ -155,6 +157,7 @@ std::string planText(const plan::FramePlan& plan) {
             map.warped.kappa,
             map.promised.x,
             map.promised.z,
+            map.promised.sheared,
             static_cast<unsigned long long>(pass.estimatedTriangles));
     }
     if (!plan.omitted.empty()) text += "\nleft out\n";

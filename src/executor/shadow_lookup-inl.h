@@ -118,6 +118,10 @@ HWY_INLINE Floats receiverBias(const Partition& part, const Vec3& offset, const 
     return hn::Add(hn::Mul(hn::Add(hn::Mul(slope, grazing), uneven), part(kReach)), constant(6e-7F));
 }
 
+HWY_INLINE Floats between(Floats a, Floats b, Floats fraction) {
+    return hn::Add(a, hn::Mul(fraction, hn::Sub(b, a)));
+}
+
 template <bool isUniform>
 HWY_INLINE Floats litFraction(const ShadingFrame& f, Ints pass, const Vec3& p, const Vec3& normal, Floats cosine) {
     const PartitionLanes<isUniform> part(f, pass);
@@ -133,31 +137,45 @@ HWY_INLINE Floats litFraction(const ShadingFrame& f, Ints pass, const Vec3& p, c
     const int width = std::max(f.frame->filterTexels, 1);
     const auto half = constant(0.5F * static_cast<float>(width - 1));
     const auto far = constant(1e6F);
-    const auto firstOf = [&](int row) HWY_ATTR {
+    const auto startOf = [&](int row) HWY_ATTR {
         const auto clip = hn::Mul(clipCoordinate(part, row, offset), inverseW);
         const auto texel = hn::Add(hn::Mul(clip, part(kTexelScale + row)), part(kTexelOffset + row));
-        const auto first = hn::Floor(hn::Sub(texel, half));
-        return hn::ConvertTo(kInts, hn::Min(hn::Max(first, hn::Neg(far)), far));
+        return hn::Min(hn::Max(hn::Sub(texel, half), hn::Neg(far)), far);
     };
-    const auto firstX = firstOf(0);
-    const auto firstY = firstOf(1);
+    const auto startX = startOf(0);
+    const auto startY = startOf(1);
+    const auto firstX = hn::ConvertTo(kInts, hn::Floor(startX));
+    const auto firstY = hn::ConvertTo(kInts, hn::Floor(startY));
+    const auto fractionX = hn::Sub(startX, hn::Floor(startX));
+    const auto fractionY = hn::Sub(startY, hn::Floor(startY));
     const auto side = [&](int k) HWY_ATTR { return hn::ConvertTo(kInts, part(k)); };
     const auto one = hn::Set(kInts, 1);
     const auto lowX = side(kFirstTexel);
     const auto lowY = side(kFirstTexel + 1);
     const auto highX = hn::Sub(side(kEndTexel), one);
     const auto highY = hn::Sub(side(kEndTexel + 1), one);
-    auto lit = hn::Zero(kFloats);
+    // Between the two squares, a texel narrower than the kernel, whose corners lie around the point's: so the kernel's
+    // ends weigh by the fraction of the texel, and what is wholly lit is 1 to the bit.
+    const int box = std::max(width - 1, 1);
+    auto above = hn::Zero(kFloats);
+    auto below = hn::Zero(kFloats);
     for (int y = 0; y < width; ++y) {
         const auto row = hn::Min(hn::Max(hn::Add(firstY, hn::Set(kInts, y)), lowY), highY);
         const auto start = hn::Mul(row, hn::Set(kInts, f.shadowWidth));
+        auto left = hn::Zero(kFloats);
+        auto right = hn::Zero(kFloats);
         for (int x = 0; x < width; ++x) {
             const auto column = hn::Min(hn::Max(hn::Add(firstX, hn::Set(kInts, x)), lowX), highX);
             const auto stored = hn::GatherIndex(kFloats, f.shadowDepth, hn::Add(start, column));
-            lit = hn::Add(lit, hn::IfThenElseZero(hn::Le(depth, stored), constant(1)));
+            const auto isLit = hn::IfThenElseZero(hn::Le(depth, stored), constant(1));
+            if (x < box) left = hn::Add(left, isLit);
+            if (x >= width - box) right = hn::Add(right, isLit);
         }
+        const auto ofRow = between(left, right, fractionX);
+        if (y < box) above = hn::Add(above, ofRow);
+        if (y >= width - box) below = hn::Add(below, ofRow);
     }
-    return hn::Div(lit, constant(static_cast<float>(width * width)));
+    return hn::Div(between(above, below, fractionY), constant(static_cast<float>(box * box)));
 }
 
 /// A point of a surface in each lane.

@@ -11,6 +11,9 @@ namespace gnomon::proof {
 
 namespace {
 
+/// About a level of the picture: a kernel's weights follow what rounding moves a point by.
+constexpr float kSeenChange = 1.0F / 128;
+
 bool isInView(const executor::FrameDrawing& frame, const glm::dvec3& position) {
     const plan::View& view = frame.plan->view;
     const glm::dvec3 p(frame.space.cameraFromDraw * glm::dvec4(position, 1));
@@ -64,7 +67,7 @@ private:
             const glm::dvec3 position(moved.position[0][i], moved.position[1][i], moved.position[2][i]);
             if (!isSameSlice(a, b) || !isInView(*now_, position)) continue;
             ++found.points;
-            found.changed += points.lit[i] != moved.lit[i] ? 1 : 0;
+            found.changed += std::abs(points.lit[i] - moved.lit[i]) > kSeenChange ? 1 : 0;
         }
         points.count = 0;
     }

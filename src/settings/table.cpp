@@ -266,7 +266,7 @@ std::vector<Setting> sweptSettings() {
             &Quality::filter,
             {.name = "filter",
              .form = "TEXELS",
-             .help = "PCF kernel; 0 is none",
+             .help = "PCF kernel, its ends weighted; 0 is none",
              .isSwept = true,
              .offer = {.title = "filter texels", .least = 0, .most = 9, .steps = {0, 2, 3, 5}}},
             whole(0, kMaxFilter)),

@@ -104,6 +104,10 @@ TEST(PlanJson, HasEveryFieldOfTheContract) {
             EXPECT_EQ(told["kappa"], map.warped.kappa);
             EXPECT_EQ(told["promised_aliasing_x"], map.promised.x);
             EXPECT_EQ(told["promised_aliasing_z"], map.promised.z);
+            EXPECT_EQ(told["promised_aliasing_z_sheared"], map.promised.sheared);
+            EXPECT_GE(map.promised.sheared, map.promised.z * (1 - 1e-12));
+            EXPECT_EQ(told["covered_near"], map.region.covered.near);
+            EXPECT_EQ(told["covered_far"], map.region.covered.far);
             EXPECT_EQ(told["light_clip_from_world"].size(), 16U);
             EXPECT_EQ(told["caster_planes"].size(), map.casterVolume.planes.size());
         }

@@ -8,6 +8,7 @@
 #include "executor/geometry_pool.h"
 #include "executor/heat_scale.h"
 #include "executor/picture.h"
+#include "executor/shading_kernel.h"
 #include "executor/software_overlay.h"
 #include "executor/software_pass.h"
 #include "hierarchy/tiny_model.h"
@@ -279,6 +280,63 @@ TEST(DrawSpace, HasItsOriginAtTheGridPointOfTheModelNearestTheEye) {
         const glm::dvec4 ahead = space.cameraFromDraw * glm::dvec4(space.eye + glm::dvec3(2, 0, 0), 1);
         EXPECT_LT(glm::distance(glm::dvec3(ahead), glm::dvec3(0, 0, 2)), 1e-9) << "and looks along +z";
     }
+}
+
+/// The answers of a map of 16 by 16 texels whose columns from 8 on are lit, along a row in steps of a 64th of a texel,
+/// under a kernel of `filter` texels.
+std::vector<float> litAcrossAnEdge(int filter) {
+    block::Frame frame{};
+    frame.filterTexels = filter;
+    frame.sliceCount = 1;
+    frame.towardsLight = {0, 0, -1};
+    block::Shadows shadows{};
+    block::Partition& part = shadows.partitions[0];
+    part.clipFromOffset = glm::mat4(1); // texels are draw space's units
+    part.texelScale = {1, 1};
+    part.endTexel = {16, 16};
+    part.byDepth = {0, 0, 1, 0};
+    std::vector<float> depths(16 * 16);
+    for (std::size_t i = 0; i < depths.size(); ++i)
+        depths[i] = i % 16 < 8 ? 0.25F : 0.75F;
+    ShadingFrame shared;
+    shared.frame = &frame;
+    shared.shadows = &shadows;
+    shared.shadowDepth = depths.data();
+    shared.shadowWidth = 16;
+    shared.litSource = LitSource::Maps;
+    std::vector<float> answers;
+    for (int first = 0; first < 16 * 64; first += 128) {
+        PointBatch points;
+        points.count = 128;
+        for (std::size_t i = 0; i < points.count; ++i) {
+            points.position[0][i] = static_cast<float>(first + static_cast<int>(i)) / 64;
+            points.position[1][i] = 7.3F;
+            points.position[2][i] = 0.5F;
+            points.normal[2][i] = -1;
+        }
+        lookUpShadows(shared, points);
+        answers.insert(answers.end(), points.lit.begin(), points.lit.begin() + points.count);
+    }
+    return answers;
+}
+
+TEST(Filter, HasARampAsWideAsItsKernelLessATexelAndNoSteps) {
+    for (const int filter : {2, 3, 4, 5, 8}) {
+        SCOPED_TRACE(filter);
+        const std::vector<float> lit = litAcrossAnEdge(filter);
+        const float half = 0.5F * static_cast<float>(filter - 1);
+        for (std::size_t i = 0; i < lit.size(); ++i) {
+            const float fromEdge = static_cast<float>(i) / 64 - 8;
+            const float wanted = std::clamp((fromEdge + half) / (2 * half), 0.0F, 1.0F);
+            ASSERT_NEAR(lit[i], wanted, 1e-6F) << "at " << fromEdge << " texels";
+            if (wanted == 0 || wanted == 1) {
+                ASSERT_EQ(lit[i], wanted);
+            }
+        }
+    }
+    for (const int none : {0, 1})
+        for (const float lit : litAcrossAnEdge(none))
+            EXPECT_TRUE(lit == 0 || lit == 1);
 }
 
 TEST(SurfaceSample, TellsTheMapTheLightAndTheSide) {

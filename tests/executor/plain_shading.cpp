@@ -177,21 +177,37 @@ float plainLitFraction(const ShadingFrame& f, int pass, const vec3& p, const vec
     const float uneven = std::sqrt(part.unevenX * part.unevenX + unevenZ * unevenZ);
     const float bias = (slope * std::min(1.0F, cosine * 10) + uneven) * part.reach + 6e-7F;
     const float depth = std::min(coordinate(2) * inverseW - bias, 1.0F);
-    const auto first = [&](int row) {
+    const auto start = [&](int row) {
         const float texel = (coordinate(row) * inverseW) * part.texelScale[row] + part.texelOffset[row];
-        const float lowest = std::floor(texel - 0.5F * static_cast<float>(width - 1));
-        return static_cast<int>(std::min(std::max(lowest, -1e6F), 1e6F));
+        return std::min(std::max(texel - 0.5F * static_cast<float>(width - 1), -1e6F), 1e6F);
     };
-    float lit = 0;
-    for (int y = first(1); y < first(1) + width; ++y)
-        for (int x = first(0); x < first(0) + width; ++x) {
-            const int column =
-                std::min(std::max(x, static_cast<int>(part.firstTexel.x)), static_cast<int>(part.endTexel.x) - 1);
-            const int row =
-                std::min(std::max(y, static_cast<int>(part.firstTexel.y)), static_cast<int>(part.endTexel.y) - 1);
-            lit += depth <= f.shadowDepth[row * f.shadowWidth + column] ? 1.0F : 0.0F;
+    const auto isLit = [&](int x, int y) {
+        const int column =
+            std::min(std::max(x, static_cast<int>(part.firstTexel.x)), static_cast<int>(part.endTexel.x) - 1);
+        const int row =
+            std::min(std::max(y, static_cast<int>(part.firstTexel.y)), static_cast<int>(part.endTexel.y) - 1);
+        return depth <= f.shadowDepth[row * f.shadowWidth + column] ? 1.0F : 0.0F;
+    };
+    // The mean over each of the four squares that the kernel holds and that are a texel narrower, between them.
+    const int box = std::max(width - 1, 1);
+    const float firstX = std::floor(start(0));
+    const float firstY = std::floor(start(1));
+    const auto ofRow = [&](int y) {
+        float left = 0;
+        float right = 0;
+        for (int x = 0; x < box; ++x) {
+            left += isLit(static_cast<int>(firstX) + x, y);
+            right += isLit(static_cast<int>(firstX) + x + width - box, y);
         }
-    return lit / static_cast<float>(width * width);
+        return left + (start(0) - firstX) * (right - left);
+    };
+    float above = 0;
+    float below = 0;
+    for (int y = 0; y < box; ++y) {
+        above += ofRow(static_cast<int>(firstY) + y);
+        below += ofRow(static_cast<int>(firstY) + y + width - box);
+    }
+    return (above + (start(1) - firstY) * (below - above)) / static_cast<float>(box * box);
 }
 
 void plainShade(const ShadingFrame& frame, PixelBatch& batch) {

@@ -95,6 +95,22 @@ TEST(DepthRange, ShowsWhatLiesBeyondGivenEndsInQuantizedSteps) {
     EXPECT_NEAR(shown(quality, 0, 64).near, 64 / 1e4, 1e-9) << "no map begins at the eye";
 }
 
+TEST(DepthRange, IsWidestForMapsAloneAndWhereAnythingLiesAhead) {
+    const View view = madeView(1);
+    const Box around{view.camera.eye - 10.0, view.camera.eye + 20.0};
+    Quality quality;
+    const std::optional<DepthSpan> widest = widestRange(view, quality, around);
+    ASSERT_TRUE(widest);
+    const FramePlan plan = planFrame(view, quality, {.bounds = around, .visible = {}, .light = {}}).plan;
+    EXPECT_LE(widest->near, plan.near);
+    EXPECT_GE(widest->far, plan.far);
+    EXPECT_FALSE(widestRange(view, quality, {}));
+    for (const ShadowMode mode : {ShadowMode::Off, ShadowMode::Rays}) {
+        quality.shadows = mode;
+        EXPECT_FALSE(widestRange(view, quality, around));
+    }
+}
+
 TEST(DepthRange, HoldsWhatItShowsBeyondAGivenEndForSomeFrames) {
     Quality quality;
     quality.far = 50;

@@ -1,4 +1,5 @@
 // What a plan says of itself: names, numbers, and why each effect is left out.
+#include "core/angle.h"
 #include "core/error.h"
 #include "made_scene.h"
 #include "plan/frame_plan.h"
@@ -242,6 +243,8 @@ TEST(FramePlanErrors, NameAQuantityAndNoOption) {
         {"image size", [](View& view) { view.width = 0; }},
         {"image size", [](View& view) { view.height = -1; }},
         {"vertical angle", [](View& view) { view.camera.fovYRadians = 0; }},
+        {"vertical angle", [](View& view) { view.camera.fovYRadians = 3.2; }},
+        {"vertical angle", [](View& view) { view.camera.fovYRadians = radiansFromDegrees(180); }},
         {"vertical angle", [](View& view) { view.camera.fovYRadians = 3.2; }},
         {"light", [](View& view) { view.towardsLight = glm::dvec3(0); }},
         {"light", [](View& view) { view.towardsLight.x = std::numeric_limits<double>::infinity(); }}};

@@ -53,6 +53,17 @@ TEST(Packing, RectanglesAreDisjointAndInside) {
     }
 }
 
+TEST(Packing, AStripIsAsWideAsItsFirstRowAndAsTheWidestOfAll) {
+    const std::vector<TexelRectangle> sizes{{0, 0, 10, 100, false}, {0, 0, 50, 10, false}, {0, 0, 20, 5, false}};
+    using Strategy = PackingStrategy;
+    const auto widthOf = [&](int row) {
+        return packed(sizes, {Strategy::Transposition::AsGiven, Strategy::Order::Height, row, 1}, 1000).width;
+    };
+    EXPECT_EQ(widthOf(1), 50);
+    EXPECT_EQ(widthOf(2), 60);
+    EXPECT_EQ(widthOf(3), 80);
+}
+
 TEST(Packing, WhatFitsNowhereIsSaid) {
     const std::vector<TexelRectangle> sizes{{0, 0, 100, 10, false}, {0, 0, 10, 100, false}};
     EXPECT_EQ(packed(sizes, 50).width, 0);

@@ -1,0 +1,357 @@
+#include "exact/caster_kernel.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+// The order matters: foreach_target.h includes this file again for each instruction set.
+// clang-format off
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "exact/caster_kernel.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+#include "exact/span_test-inl.h"
+// clang-format on
+
+HWY_BEFORE_NAMESPACE();
+
+namespace gnomon::exact::HWY_NAMESPACE {
+
+using FloatTag = hn::ScalableTag<float>;
+using IntTag = hn::ScalableTag<std::int32_t>;
+using Floats = hn::Vec<FloatTag>;
+using Ints = hn::Vec<IntTag>;
+constexpr FloatTag kFloats;
+constexpr IntTag kInts;
+
+constexpr std::size_t kMostVertices = raster::kMaxClusterVertices;
+constexpr std::size_t kMostTriangles = raster::kMaxClusterTriangles;
+/// Cells by which a triangle's box grows: more than x and y of corners and samples can be off together.
+constexpr float kCellSlack = 2e-3F;
+
+/// One cluster in the shear of the light, and over the cells of one map.
+class ClusterCaster {
+public:
+    ClusterCaster(const CastContext& context, std::size_t caster, CastCounts& counts)
+        : context_(context), caster_(context.casters[caster]), counts_(counts) {}
+
+    void cast() {
+        ++counts_.clustersTested;
+        bool isSheared = false;
+        for (std::size_t map = 0; map < context_.grid->maps().size(); ++map) {
+            if (context_.grid->maps()[map].isEmpty || !mayShadow(map)) continue;
+            if (!isSheared) shear();
+            isSheared = true;
+            counts_.triangles += caster_.geometry.triangles.size();
+            castOver(map);
+        }
+    }
+
+private:
+    bool mayShadow(std::size_t map) const;
+    void shear();
+    void castOver(std::size_t map);
+    void castWhole(std::size_t map);
+    void castClipped(std::size_t map);
+    void castTriangle(std::size_t map, std::size_t triangle, const CellBox& box, bool isNarrowed);
+    CellBox rowSpan(std::size_t triangle, const CellBox& box, int row) const;
+
+    const CastContext& context_;
+    const Caster& caster_;
+    CastCounts& counts_;
+    std::array<std::array<double, 3>, kMostVertices> sheared_; // u, v, h
+    std::array<double, kMostVertices> x_, y_, w_;              // cells of the map; where w is large enough
+    alignas(64) std::array<float, kMostVertices> floatX_, floatY_, floatH_;
+    alignas(64) std::array<std::int32_t, kMostTriangles> corner_[3];
+};
+
+/// The box's shadow on the light plane, over the cells: its four corners are enough, since w is above 0 in all or none.
+bool ClusterCaster::mayShadow(std::size_t map) const {
+    const LightShear& shear = context_.samples->space().shear;
+    const glm::dvec3 least(caster_.least);
+    const glm::dvec3 most(caster_.most);
+    const auto span = [&](int axis, double ratio) {
+        const double p = ratio * least[shear.along];
+        const double q = ratio * most[shear.along];
+        return std::array{least[axis] - std::max(p, q), most[axis] - std::min(p, q)};
+    };
+    const double error = context_.coordinateError;
+    const auto u = span(shear.first, shear.firstRatio);
+    const auto v = span(shear.second, shear.secondRatio);
+    const double h = (shear.sign > 0 ? most[shear.along] : -least[shear.along]) + error;
+    const CellMap& cells = context_.grid->maps()[map];
+    glm::dvec2 low(std::numeric_limits<double>::infinity());
+    glm::dvec2 high(-std::numeric_limits<double>::infinity());
+    for (int i = 0; i < 4; ++i) {
+        const glm::dvec3 p = cells.cellsFromLightPlane *
+                             glm::dvec3(u[static_cast<std::size_t>(i & 1)], v[static_cast<std::size_t>(i >> 1)], 1);
+        if (p.z < cells.leastW) return true;
+        low = glm::min(low, glm::dvec2(p) / p.z);
+        high = glm::max(high, glm::dvec2(p) / p.z);
+    }
+    const double side = context_.grid->side();
+    constexpr double kSlack = kCellSlack;
+    if (high.x < -kSlack || high.y < -kSlack || low.x > side + kSlack || low.y > side + kSlack) return false;
+    const auto cell = [&](double x) { return cellAt(x, context_.grid->side()); };
+    const CellBox box{cell(low.x - kSlack), cell(low.y - kSlack), cell(high.x + kSlack), cell(high.y + kSlack)};
+    const auto highest = std::nextafter(static_cast<float>(h), std::numeric_limits<float>::infinity());
+    return context_.grid->mask(map).mayShadow(box, highest);
+}
+
+void ClusterCaster::shear() {
+    const LightShear& shear = context_.samples->space().shear;
+    const raster::Cluster& geometry = caster_.geometry;
+    const std::size_t stride = geometry.positionStride / sizeof(std::uint32_t);
+    const auto along = shear.along;
+    for (std::size_t i = 0; i < geometry.vertexCount; ++i) {
+        const std::uint32_t* position = geometry.positions + i * stride;
+        const auto cell = [&](int axis) {
+            return static_cast<double>(static_cast<std::int32_t>(position[axis] - context_.originCell[axis]));
+        };
+        const double p = cell(along);
+        sheared_[i] = {
+            cell(shear.first) - shear.firstRatio * p, cell(shear.second) - shear.secondRatio * p, shear.sign * p};
+        floatH_[i] = static_cast<float>(sheared_[i][2]);
+    }
+    for (std::size_t t = 0; t < geometry.triangles.size(); ++t)
+        for (std::size_t k = 0; k < 3; ++k)
+            corner_[k][t] = geometry.triangles[t][k];
+    const std::size_t padded = (geometry.triangles.size() + 15) / 16 * 16;
+    for (auto& corners : corner_)
+        std::fill(
+            corners.begin() + static_cast<std::ptrdiff_t>(geometry.triangles.size()),
+            corners.begin() + static_cast<std::ptrdiff_t>(padded),
+            0);
+}
+
+void ClusterCaster::castOver(std::size_t map) {
+    const CellMap& cells = context_.grid->maps()[map];
+    const glm::dmat3& m = cells.cellsFromLightPlane;
+    double leastW = std::numeric_limits<double>::infinity();
+    double mostW = -leastW;
+    for (std::size_t i = 0; i < caster_.geometry.vertexCount; ++i) {
+        const double u = sheared_[i][0];
+        const double v = sheared_[i][1];
+        const double w = m[0][2] * u + m[1][2] * v + m[2][2];
+        w_[i] = w;
+        leastW = std::min(leastW, w);
+        mostW = std::max(mostW, w);
+        x_[i] = (m[0][0] * u + m[1][0] * v + m[2][0]) / w;
+        y_[i] = (m[0][1] * u + m[1][1] * v + m[2][1]) / w;
+        floatX_[i] = static_cast<float>(x_[i]);
+        floatY_[i] = static_cast<float>(y_[i]);
+    }
+    if (mostW < cells.leastW) return;
+    if (leastW < cells.leastW)
+        castClipped(map);
+    else
+        castWhole(map);
+}
+
+/// Boxes of triangles and what the mask holds there, several triangles at once.
+void ClusterCaster::castWhole(std::size_t map) {
+    const SampleGrid& grid = *context_.grid;
+    const std::size_t count = caster_.geometry.triangles.size();
+    const auto side = hn::Set(kFloats, static_cast<float>(grid.side()));
+    const auto last = hn::Set(kFloats, static_cast<float>(grid.side() - 1));
+    const auto slack = hn::Set(kFloats, kCellSlack);
+    const auto zero = hn::Zero(kFloats);
+    alignas(64) std::int32_t boxes[4][16];
+    alignas(64) float highest[16];
+    for (std::size_t t = 0; t < count; t += hn::Lanes(kInts)) {
+        const auto a = hn::Load(kInts, &corner_[0][t]);
+        const auto b = hn::Load(kInts, &corner_[1][t]);
+        const auto c = hn::Load(kInts, &corner_[2][t]);
+        const auto least = [&](const std::array<float, kMostVertices>& from) HWY_ATTR {
+            const auto ab = hn::Min(hn::GatherIndex(kFloats, from.data(), a), hn::GatherIndex(kFloats, from.data(), b));
+            return hn::Min(ab, hn::GatherIndex(kFloats, from.data(), c));
+        };
+        const auto most = [&](const std::array<float, kMostVertices>& from) HWY_ATTR {
+            const auto ab = hn::Max(hn::GatherIndex(kFloats, from.data(), a), hn::GatherIndex(kFloats, from.data(), b));
+            return hn::Max(ab, hn::GatherIndex(kFloats, from.data(), c));
+        };
+        const auto x0 = hn::Sub(least(floatX_), slack);
+        const auto x1 = hn::Add(most(floatX_), slack);
+        const auto y0 = hn::Sub(least(floatY_), slack);
+        const auto y1 = hn::Add(most(floatY_), slack);
+        auto isIn = hn::And(hn::And(hn::Ge(x1, zero), hn::Ge(y1, zero)), hn::And(hn::Lt(x0, side), hn::Lt(y0, side)));
+        isIn = hn::And(isIn, hn::FirstN(kFloats, count - t));
+        if (hn::AllFalse(kFloats, isIn)) continue;
+        const auto cell = [&](Floats x) HWY_ATTR {
+            return hn::ConvertTo(kInts, hn::Min(hn::Max(x, zero), last)); // truncates
+        };
+        hn::Store(cell(x0), kInts, boxes[0]);
+        hn::Store(cell(y0), kInts, boxes[1]);
+        hn::Store(cell(x1), kInts, boxes[2]);
+        hn::Store(cell(y1), kInts, boxes[3]);
+        hn::Store(most(floatH_), kFloats, highest);
+        std::uint8_t bits[8] = {};
+        hn::StoreMaskBits(kFloats, isIn, bits);
+        for (unsigned lanes = bits[0] | static_cast<unsigned>(bits[1]) << 8U; lanes != 0; lanes &= lanes - 1) {
+            const auto lane = static_cast<std::size_t>(__builtin_ctz(lanes));
+            const CellBox box{boxes[0][lane], boxes[1][lane], boxes[2][lane], boxes[3][lane]};
+            const float above = std::nextafter(highest[lane], std::numeric_limits<float>::infinity());
+            if (grid.mask(map).mayShadow(box, above)) castTriangle(map, t + lane, box, true);
+        }
+    }
+}
+
+/// Triangles of which a part lies behind the warp's centre: only what has w enough can cover a sample.
+void ClusterCaster::castClipped(std::size_t map) {
+    const CellMap& cells = context_.grid->maps()[map];
+    const glm::dmat3& m = cells.cellsFromLightPlane;
+    const int side = context_.grid->side();
+    for (std::size_t t = 0; t < caster_.geometry.triangles.size(); ++t) {
+        glm::dvec2 low(std::numeric_limits<double>::infinity());
+        glm::dvec2 high(-std::numeric_limits<double>::infinity());
+        const auto add = [&](const glm::dvec3& p) {
+            low = glm::min(low, glm::dvec2(p) / p.z);
+            high = glm::max(high, glm::dvec2(p) / p.z);
+        };
+        float highest = -std::numeric_limits<float>::infinity();
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto& from = sheared_[static_cast<std::size_t>(corner_[k][t])];
+            const auto& to = sheared_[static_cast<std::size_t>(corner_[(k + 1) % 3][t])];
+            const glm::dvec3 p = m * glm::dvec3(from[0], from[1], 1);
+            const glm::dvec3 q = m * glm::dvec3(to[0], to[1], 1);
+            highest = std::max(highest, floatH_[static_cast<std::size_t>(corner_[k][t])]);
+            if (p.z >= cells.leastW) add(p);
+            if ((p.z >= cells.leastW) == (q.z >= cells.leastW)) continue;
+            const double share = (cells.leastW - p.z) / (q.z - p.z);
+            add({glm::dvec2(p) + share * (glm::dvec2(q) - glm::dvec2(p)), cells.leastW});
+        }
+        constexpr double kSlack = kCellSlack;
+        if (!(high.x >= -kSlack && high.y >= -kSlack && low.x <= side + kSlack && low.y <= side + kSlack)) continue;
+        const CellBox box{
+            cellAt(low.x - kSlack, side),
+            cellAt(low.y - kSlack, side),
+            cellAt(high.x + kSlack, side),
+            cellAt(high.y + kSlack, side)};
+        const float above = std::nextafter(highest, std::numeric_limits<float>::infinity());
+        if (context_.grid->mask(map).mayShadow(box, above)) castTriangle(map, t, box, false);
+    }
+}
+
+/// The columns of `box` that the triangle covers somewhere in a row of cells.
+CellBox ClusterCaster::rowSpan(std::size_t triangle, const CellBox& box, int row) const {
+    constexpr double kSlack = kCellSlack;
+    const double low = row == box.y0 ? -std::numeric_limits<double>::infinity() : row - kSlack;
+    const double high = row == box.y1 ? std::numeric_limits<double>::infinity() : row + 1 + kSlack;
+    double least = std::numeric_limits<double>::infinity();
+    double most = -least;
+    for (std::size_t k = 0; k < 3; ++k) {
+        auto i = static_cast<std::size_t>(corner_[k][triangle]);
+        auto j = static_cast<std::size_t>(corner_[(k + 1) % 3][triangle]);
+        if (y_[i] > y_[j]) std::swap(i, j);
+        if (y_[j] < low || y_[i] > high) continue;
+        const double height = y_[j] - y_[i];
+        const double slope = height > 0 ? (x_[j] - x_[i]) / height : 0;
+        const double p = y_[i] >= low ? x_[i] : x_[i] + (low - y_[i]) * slope;
+        const double q = y_[j] <= high ? x_[j] : x_[i] + (high - y_[i]) * slope;
+        least = std::min({least, p, q});
+        most = std::max({most, p, q});
+    }
+    const int side = context_.grid->side();
+    return {std::max(box.x0, cellAt(least - kSlack, side)), row, std::min(box.x1, cellAt(most + kSlack, side)), row};
+}
+
+void ClusterCaster::castTriangle(std::size_t map, std::size_t triangle, const CellBox& box, bool isNarrowed) {
+    ++counts_.trianglesCast;
+    const SampleGrid& grid = *context_.grid;
+    TriangleTest test;
+    bool isSet = false;
+    for (int row = box.y0; row <= box.y1; ++row) {
+        std::size_t begin = grid.first(map, box.x0, row);
+        std::size_t end = grid.first(map, box.x1 + 1, row);
+        if (begin == end) continue;
+        if (isNarrowed && end - begin > 8 && box.x1 - box.x0 > 1 && box.y1 > box.y0) {
+            const CellBox span = rowSpan(triangle, box, row);
+            if (span.empty()) continue;
+            begin = grid.first(map, span.x0, row);
+            end = grid.first(map, span.x1 + 1, row);
+            if (begin == end) continue;
+        }
+        if (!isSet) {
+            const auto corner = [&](std::size_t k) {
+                return sheared_[static_cast<std::size_t>(corner_[k][triangle])].data();
+            };
+            const auto orientation = [&] {
+                const SampleSpace& space = context_.samples->space();
+                return facing(cornersOf(context_, caster_, triangle), space.light) * space.shear.sign;
+            };
+            if (!test.set(corner(0), corner(1), corner(2), context_.coordinateError, orientation)) return;
+            test.name = caster_.geometry.firstTriangleId + static_cast<std::uint32_t>(triangle);
+            isSet = true;
+        }
+        counts_.sampleTests += end - begin;
+        testSamples(test, context_, begin, end, [&](std::size_t place) {
+            ++counts_.exactDecisions;
+            const std::uint8_t bits = decideExactly(context_, caster_, triangle, place);
+            if (bits != kLit) mark(context_.statuses[place], bits);
+        });
+    }
+}
+
+void castClusterInLanes(const CastContext& context, std::size_t caster, CastCounts& counts) {
+    ClusterCaster(context, caster, counts).cast();
+}
+
+} // namespace gnomon::exact::HWY_NAMESPACE
+
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace gnomon::exact {
+
+HWY_EXPORT(castClusterInLanes);
+
+CastCounts& CastCounts::operator+=(const CastCounts& other) {
+    clustersTested += other.clustersTested;
+    triangles += other.triangles;
+    trianglesCast += other.trianglesCast;
+    sampleTests += other.sampleTests;
+    exactDecisions += other.exactDecisions;
+    return *this;
+}
+
+double coordinateErrorFor(double reach) {
+    return reach * 0x1p-49;
+}
+
+void castCluster(const CastContext& context, std::size_t caster, CastCounts& counts) {
+    HWY_DYNAMIC_DISPATCH(castClusterInLanes)(context, caster, counts);
+}
+
+Corners cornersOf(const CastContext& context, const Caster& caster, std::size_t triangle) {
+    Corners corners;
+    const std::size_t stride = caster.geometry.positionStride / sizeof(std::uint32_t);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t* position = caster.geometry.positions + caster.geometry.triangles[triangle][k] * stride;
+        for (int axis = 0; axis < 3; ++axis)
+            corners[k][axis] = static_cast<std::int32_t>(position[axis] - context.originCell[axis]);
+    }
+    return corners;
+}
+
+std::uint8_t decideExactly(const CastContext& context, const Caster& caster, std::size_t triangle, std::size_t place) {
+    constexpr unsigned kTriangleBits = 8;
+    const SampleList& samples = *context.samples;
+    const std::size_t sample = context.grid->source[place];
+    const std::uint32_t own = samples.triangle[sample];
+    const PointOnTriangle point{
+        cornersOf(context, context.casters[own >> kTriangleBits], own & (raster::kMaxClusterTriangles - 1)),
+        samples.second[sample],
+        samples.third[sample]};
+    const RayMeeting met = meet(
+        cornersOf(context, caster, triangle),
+        samples.space().light,
+        scaledPoint(point),
+        samples.integerTolerance[sample]);
+    if (met.meeting == Meeting::None) return kLit;
+    const std::uint8_t edge = met.isOnEdge ? kOnEdge : kLit;
+    return met.meeting == Meeting::Ahead ? edge | kDark | kDarkWithoutTolerance : edge | kDarkWithoutTolerance;
+}
+
+} // namespace gnomon::exact
+#endif

@@ -1,0 +1,61 @@
+// Casts the triangles of a cluster over the cells that hold samples, and decides each sample that one may shadow.
+#pragma once
+
+#include "exact/sample_grid.h"
+#include "raster/raster.h"
+
+#include <span>
+
+namespace gnomon::exact {
+
+/// A cluster that may stand between the samples and the light. The name of triangle i is firstTriangleId + i.
+struct Caster {
+    raster::Cluster geometry;
+    glm::i64vec3 least{0}; // of its vertices, cells from the frame's origin
+    glm::i64vec3 most{0};
+};
+
+/// What is known of a sample once casters went over it; bits that add up.
+enum SampleStatus : std::uint8_t {
+    kLit = 0,
+    kDark = 1,                 // some triangle is farther ahead than the tolerance
+    kDarkWithoutTolerance = 2, // some triangle is ahead at all
+    kOnEdge = 4,               // the ray met an edge of a triangle ahead of the point, and the rule for ties decided
+};
+
+/// What casting took. Depends on samples and casters alone, not on threads; `exactDecisions` on the instruction set
+/// too.
+struct CastCounts {
+    std::uint64_t clustersTested = 0;
+    std::uint64_t triangles = 0;      // of clusters that the mask kept, once a map
+    std::uint64_t trianglesCast = 0;  // that the mask kept
+    std::uint64_t sampleTests = 0;    // pairs of a triangle and a sample in the cells that it was cast over
+    std::uint64_t exactDecisions = 0; // of those, decided in integers
+
+    CastCounts& operator+=(const CastCounts& other);
+};
+
+/// What all clusters of a frame are cast over.
+struct CastContext {
+    const SampleList* samples = nullptr;
+    const SampleGrid* grid = nullptr;
+    std::span<const Caster> casters;  // those that hold samples' triangles stand where the names say
+    glm::uvec3 originCell{0};         // subtracted from each position
+    double coordinateError = 0;       // of u, v and h, cells: at most
+    std::span<std::uint8_t> statuses; // by the grid's order of samples, at least; written without a lock
+};
+
+/// An upper bound of how far u, v and h of a point may be off, for coordinates of at most `reach` cells from the
+/// origin: 16 roundings.
+double coordinateErrorFor(double reach);
+
+/// Casts one cluster over the cells of all maps. From any thread.
+void castCluster(const CastContext& context, std::size_t caster, CastCounts& counts);
+
+/// The corners of triangle `triangle` of a caster, cells from the origin.
+Corners cornersOf(const CastContext& context, const Caster& caster, std::size_t triangle);
+
+/// What triangle `triangle` of `caster` does to the sample at `place` in the grid, in integers: bits of SampleStatus.
+std::uint8_t decideExactly(const CastContext& context, const Caster& caster, std::size_t triangle, std::size_t place);
+
+} // namespace gnomon::exact

@@ -1,0 +1,51 @@
+// Exact shadows: for each visible point whether a triangle stands between it and the light, decided once, by the same
+// integers whatever cells, warps and instruction sets found the triangles to ask (frustum-traced shadows: Wyman,
+// Hoetzlein and Lefohn 2015; alias-free shadow maps: Aila and Laine 2004).
+#pragma once
+
+#include "exact/caster_kernel.h"
+
+namespace gnomon::exact {
+
+/// What a frame's decisions took and found.
+struct ExactStatistics {
+    std::uint64_t samples = 0; // pixels that face the light
+    std::uint64_t cells = 0;   // of all maps
+    std::uint64_t dark = 0;
+    std::uint64_t darkWithoutTolerance = 0; // were every tolerance 0
+    std::uint64_t touching = 0; // samples whose verdict hangs on the tolerance, or on the rule for ties at an edge
+    CastCounts cast;
+};
+
+/// What is to be decided, besides the samples.
+struct ExactQuestion {
+    std::span<const Caster> casters;    // all that can cast; first those that samples name their triangles by
+    glm::uvec3 originCell{0};           // of the grid: the frame's origin
+    std::span<const glm::dmat3> planes; // a map each: see SampleGrid::sort
+    int side = 512;                     // cells of a map, on each side
+};
+
+/// Decides the samples of one frame after another; keeps its memory.
+class ExactShadows {
+public:
+    /// To be filled for a frame before `decide`.
+    SampleList& samples() { return samples_; }
+
+    const SampleList& samples() const { return samples_; }
+
+    /// Answers what it took. Runs in the caller's TBB arena.
+    ExactStatistics decide(const ExactQuestion& question);
+
+    /// What came out, by the order of `samples()`: bits of SampleStatus.
+    std::span<const std::uint8_t> statuses() const { return {statuses_.data(), samples_.size()}; }
+
+    const SampleGrid& grid() const { return grid_; }
+
+private:
+    SampleList samples_;
+    SampleGrid grid_;
+    std::vector<std::uint8_t> sorted_;   // statuses in the grid's order
+    std::vector<std::uint8_t> statuses_; // in that of the samples
+};
+
+} // namespace gnomon::exact

@@ -1,0 +1,70 @@
+// The samples of a frame, sorted into the cells of a warped grid over the light plane: those that a triangle may shadow
+// lie side by side (the irregular z-buffer of Johnson et al. 2005; alias-free shadow maps of Aila and Laine 2004).
+#pragma once
+
+#include "exact/receiver_mask.h"
+#include "exact/sample_list.h"
+
+#include <glm/mat3x3.hpp>
+
+#include <span>
+
+namespace gnomon::exact {
+
+/// The cells of one map: a homography of the light plane, (u, v, 1) -> (x, y, 1) w. Which one only changes the time.
+struct CellMap {
+    glm::dmat3 cellsFromLightPlane{1};
+    double leastW = 0; // samples have at least twice that
+    bool isEmpty = true;
+};
+
+/// The samples by map, row and column of their cells.
+class SampleGrid {
+public:
+    /// Sorts `samples` into side x side cells a map. `planes` holds a homography a map, to any coordinates: they are
+    /// stretched so that the samples fill the cells. A map in which w varies by more than 2^20, or is not above 0, is
+    /// used without its warp.
+    void sort(const SampleList& samples, std::span<const glm::dmat3> planes, int side);
+
+    int side() const { return side_; }
+
+    std::span<const CellMap> maps() const { return maps_; }
+
+    const ReceiverMask& mask(std::size_t map) const { return masks_[map]; }
+
+    /// The first sample of cell (x, y) of `map`; its last is before the next cell's first.
+    std::uint32_t first(std::size_t map, int x, int y) const { return first_[cell(map, x, y)]; }
+
+    /// Of each sample: its place in the light's shear, its tolerance, its triangle and its place in the list. They can
+    /// be read 16 past the end.
+    std::vector<double> u, v, h;
+    std::vector<float> tolerance;
+    std::vector<std::uint32_t> triangle, source;
+
+    std::size_t size() const { return size_; }
+
+private:
+    std::size_t cell(std::size_t map, int x, int y) const {
+        const auto side = static_cast<std::size_t>(side_);
+        return (map * side + static_cast<std::size_t>(y)) * side + static_cast<std::size_t>(x);
+    }
+
+    void fitMaps(const SampleList& samples, std::span<const glm::dmat3> planes);
+    void countCells(const SampleList& samples);
+    void scatter(const SampleList& samples);
+    void maskReceivers();
+
+    int side_ = 0;
+    std::size_t size_ = 0;
+    std::vector<CellMap> maps_;
+    std::vector<ReceiverMask> masks_;
+    std::vector<std::uint32_t> first_; // by cell, and the end
+    std::vector<std::uint32_t> cellOf_, rankOf_;
+};
+
+/// The cell coordinate `x` falls into, in [0, side).
+inline int cellAt(double x, int side) {
+    return x >= side ? side - 1 : x > 0 ? static_cast<int>(x) : 0;
+}
+
+} // namespace gnomon::exact

@@ -1,0 +1,82 @@
+// The visible points that face the light, one for each such pixel: what exact shadows have to decide.
+#pragma once
+
+#include "exact/predicate.h"
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace gnomon::exact {
+
+/// Visible points as an image pass finds them, value by value; each array can be read up to the next multiple of 16.
+struct PointBatch {
+    std::size_t count = 0;
+    std::array<const std::int32_t*, 3> corner{}; // corner 0, grid cells from the frame's origin
+    std::array<const std::int32_t*, 3> edge1{};  // from there to corner 1, cells
+    std::array<const std::int32_t*, 3> edge2{};  // to corner 2
+    const float* second = nullptr;               // weights of corners 1 and 2, from 0 to 1
+    const float* third = nullptr;
+    const std::int32_t* map = nullptr;        // whose cells hold the point; below 0 as 0
+    const std::uint32_t* pixel = nullptr;     // its name to the caller
+    const std::uint32_t* triangle = nullptr;  // its name among the casters: place of the cluster << 8 | triangle
+    const std::uint32_t* tolerance = nullptr; // as `meet` takes it
+};
+
+/// What all points of a frame share.
+struct SampleSpace {
+    IntegerLight light;
+    LightShear shear;
+    glm::dvec3 eye{0}; // cells from the frame's origin; a list rounds it to 2^-24 cells
+    int maps = 1;
+};
+
+/// Weights of corners 1 and 2 in 2^-24, such that the point is strictly within its triangle; at most 2^-23 off.
+struct IntegerWeights {
+    std::uint32_t second = 1;
+    std::uint32_t third = 1;
+};
+
+IntegerWeights roundedWeights(float second, float third);
+
+/// The samples of one frame, array by array; keeps its memory from frame to frame.
+class SampleList {
+public:
+    /// Empties the list and makes room for `most` samples.
+    void reset(const SampleSpace& space, std::size_t most);
+
+    /// Adds the points that face the light: those of which eye and light are on the same side of the triangle, by exact
+    /// signs. From any thread; the order of samples means nothing. At most as many as `reset` made room for.
+    void add(const PointBatch& batch);
+
+    std::size_t size() const { return size_.load(std::memory_order_relaxed); }
+
+    const SampleSpace& space() const { return space_; }
+
+    // Of each sample: where it lies in the shear of the light (cells), its tolerance (cells along h), its map, pixel
+    // and triangle, and the point's weights.
+    std::vector<double> u, v, h;
+    std::vector<float> tolerance;
+    std::vector<std::int32_t> map;
+    std::vector<std::uint32_t> pixel, triangle, second, third, integerTolerance;
+
+private:
+    SampleSpace space_;
+    glm::i64vec3 scaledEye_{0};
+    std::atomic<std::size_t> size_{0};
+};
+
+/// A batch's points in the shear of the light, and whether each faces it: 1 yes, 0 no, 2 where doubles do not tell.
+struct ShearedPoints {
+    static constexpr std::size_t kMost = 128;
+    std::array<double, kMost> u{}, v{}, h{};
+    std::array<std::uint32_t, kMost> second{}, third{};
+    std::array<std::uint8_t, kMost> faces{};
+};
+
+/// Fills `points` for the batch of at most ShearedPoints::kMost; the result does not depend on the instruction set.
+void shearPoints(const SampleSpace& space, const PointBatch& batch, ShearedPoints& points);
+
+} // namespace gnomon::exact

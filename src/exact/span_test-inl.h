@@ -1,0 +1,142 @@
+// One triangle against samples that lie side by side, several at once: in doubles where their error bounds allow, else
+// in integers. Included once for each instruction set.
+#if defined(GNOMON_EXACT_SPAN_TEST_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef GNOMON_EXACT_SPAN_TEST_INL_H
+#undef GNOMON_EXACT_SPAN_TEST_INL_H
+#else
+#define GNOMON_EXACT_SPAN_TEST_INL_H
+#endif
+
+#include "exact/caster_kernel.h"
+
+#include <atomic>
+#include <cmath>
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+
+namespace gnomon::exact::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using DoubleTag = hn::ScalableTag<double>;
+using Doubles = hn::Vec<DoubleTag>;
+constexpr DoubleTag kDoubles;
+
+HWY_INLINE Doubles constant(double value) {
+    return hn::Set(kDoubles, value);
+}
+
+/// A triangle in the shear of the light, ready to be held against samples.
+///
+/// With d = sample - A: `beside` are the edge functions over AB and CA, the one over BC is what they leave of the area;
+/// N = (B - A) x (C - A); the plane lies -N . d / area above the sample. The error bounds follow from those of the
+/// coordinates (each difference is 2 error off) and from one rounding an operation, with a factor of 2 to spare.
+struct TriangleTest {
+    double a[3];  // corner A: u, v, h
+    double ab[2]; // u, v, turned so that the area is above 0
+    double ca[2];
+    double area = 0;
+    double normal[2];       // N's u and v; its h is the area
+    double edgeError[2];    // of an edge function: [0] + [1] * |d|
+    double heightError[2];  // of N . d: [0] + [1] * (|d| + tolerance)
+    std::uint32_t name = 0; // samples of this triangle itself are left alone: it holds them
+
+    /// False where the triangle's plane holds the light: it casts nothing. `orientation` gives the area's exact sign
+    /// where rounding may hide it.
+    template <class Orientation>
+    HWY_INLINE bool set(
+        const double* pa, const double* pb, const double* pc, double error, const Orientation& orientation);
+};
+
+template <class Orientation>
+HWY_INLINE bool TriangleTest::set(
+    const double* pa, const double* pb, const double* pc, double error, const Orientation& orientation) {
+    constexpr double kRounding = 0x1p-52; // twice a double's
+    double b[3];
+    double c[3];
+    for (int i = 0; i < 3; ++i) {
+        a[i] = pa[i];
+        b[i] = pb[i] - pa[i];
+        c[i] = pc[i] - pa[i];
+    }
+    const double sizeB = std::abs(b[0]) + std::abs(b[1]) + std::abs(b[2]);
+    const double sizeC = std::abs(c[0]) + std::abs(c[1]) + std::abs(c[2]);
+    const double size = std::max(sizeB, sizeC);
+    area = b[0] * c[1] - b[1] * c[0];
+    normal[0] = b[1] * c[2] - b[2] * c[1];
+    normal[1] = b[2] * c[0] - b[0] * c[2];
+    edgeError[0] = 2 * (8 * error * size + 24 * error * error + 6 * kRounding * size * size);
+    edgeError[1] = 2 * (4 * error + 12 * kRounding * size);
+    heightError[0] = 2 * (6 * error * size * size);
+    heightError[1] = 2 * (4 * error * size + 8 * error * error + 10 * kRounding * size * size);
+    double turn = area < 0 ? -1 : 1;
+    if (std::abs(area) <= edgeError[0]) {
+        turn = orientation();
+        if (turn == 0) return false;
+    }
+    for (int i = 0; i < 2; ++i) {
+        ab[i] = turn * b[i];
+        ca[i] = -turn * c[i];
+        normal[i] *= turn;
+    }
+    area *= turn;
+    return true;
+}
+
+HWY_INLINE void mark(std::uint8_t& status, std::uint8_t bits) {
+    std::atomic_ref<std::uint8_t> shared(status);
+    if ((shared.load(std::memory_order_relaxed) & bits) != bits) shared.fetch_or(bits, std::memory_order_relaxed);
+}
+
+/// Calls `visit(lane)` for each lane of the mask.
+template <class Visit>
+HWY_INLINE void forLanes(hn::Mask<DoubleTag> mask, const Visit& visit) {
+    alignas(8) std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(kDoubles, mask, bytes);
+    for (unsigned bits = bytes[0]; bits != 0; bits &= bits - 1)
+        visit(static_cast<std::size_t>(__builtin_ctz(bits)));
+}
+
+/// Holds the triangle against the samples at [begin, end) of the grid.
+template <class Decide>
+HWY_INLINE void testSamples(
+    const TriangleTest& t, const CastContext& context, std::size_t begin, std::size_t end, const Decide& decide) {
+    const SampleGrid& grid = *context.grid;
+    const hn::Rebind<float, DoubleTag> floats;
+    for (std::size_t i = begin; i < end; i += hn::Lanes(kDoubles)) {
+        const auto du = hn::Sub(hn::LoadU(kDoubles, &grid.u[i]), constant(t.a[0]));
+        const auto dv = hn::Sub(hn::LoadU(kDoubles, &grid.v[i]), constant(t.a[1]));
+        const auto first = hn::NegMulAdd(constant(t.ab[1]), du, hn::Mul(constant(t.ab[0]), dv));
+        const auto third = hn::NegMulAdd(constant(t.ca[1]), du, hn::Mul(constant(t.ca[0]), dv));
+        const auto second = hn::Sub(hn::Sub(constant(t.area), first), third);
+        const auto least = hn::Min(hn::Min(first, second), third);
+        const auto flatSize = hn::Add(hn::Abs(du), hn::Abs(dv));
+        const auto edgeError = hn::MulAdd(flatSize, constant(t.edgeError[1]), constant(t.edgeError[0]));
+        const auto isListed = hn::FirstN(kDoubles, end - i);
+        const auto mayCover = hn::And(isListed, hn::Ge(hn::Add(least, edgeError), hn::Zero(kDoubles)));
+        if (hn::AllFalse(kDoubles, mayCover)) continue;
+        const auto dh = hn::Sub(hn::LoadU(kDoubles, &grid.h[i]), constant(t.a[2]));
+        const auto tolerance = hn::PromoteTo(kDoubles, hn::LoadU(floats, &grid.tolerance[i]));
+        const auto size = hn::Add(hn::Add(flatSize, hn::Abs(dh)), tolerance);
+        const auto heightError = hn::MulAdd(size, constant(t.heightError[1]), constant(t.heightError[0]));
+        const auto below =
+            hn::MulAdd(constant(t.normal[0]), du, hn::MulAdd(constant(t.normal[1]), dv, hn::Mul(constant(t.area), dh)));
+        const auto height = hn::Neg(below); // of the plane over the sample, times the area
+        const auto isAhead = hn::Gt(hn::NegMulAdd(constant(t.area), tolerance, height), heightError);
+        const auto isDark = hn::And(hn::And(mayCover, hn::Gt(least, edgeError)), isAhead);
+        forLanes(isDark, [&](std::size_t lane) { mark(context.statuses[i + lane], kDark | kDarkWithoutTolerance); });
+        const auto mayBeAhead = hn::Ge(hn::Add(height, heightError), hn::Zero(kDoubles));
+        const auto isOpen = hn::AndNot(isDark, hn::And(mayCover, mayBeAhead));
+        if (hn::AllFalse(kDoubles, isOpen)) continue;
+        forLanes(isOpen, [&](std::size_t lane) {
+            if (grid.triangle[i + lane] != t.name) decide(i + lane);
+        });
+    }
+}
+
+} // namespace gnomon::exact::HWY_NAMESPACE
+
+HWY_AFTER_NAMESPACE();
+
+#endif // include guard

@@ -1,0 +1,136 @@
+// Exact shadows against the loop over all samples and triangles: the same verdicts from every grid, warp, instruction
+// set and number of threads.
+#include "exact/exact_shadows.h"
+#include "tests/exact/scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gnomon::exact {
+namespace {
+
+constexpr std::int64_t kTieLight = std::int64_t{1} << 22;
+
+/// A homography of the light plane: none, a mild warp, a strong one, or one whose centre lies among coordinates up to
+/// `reach`.
+glm::dmat3 somePlane(Random& random, double reach) {
+    const std::int64_t kind = random.whole(0, 3);
+    if (kind == 0) return glm::dmat3(1);
+    const double angle = random.real(0, 6.3);
+    const double turn = random.real(0, 6.3);
+    const glm::dvec2 towards(std::cos(angle), std::sin(angle));
+    const double strength = kind == 1 ? 0.3 : kind == 2 ? 0.95 : random.real(1, 4);
+    const double scale = std::exp2(random.real(-20, 20)) / reach;
+    const double offset = random.real(-9, 9);
+    // Columns are u, v and 1; w is 1 + strength (towards . (u, v)) / (2 reach).
+    const glm::dvec2 w = towards * (strength / (2 * reach));
+    return {
+        {scale * std::cos(turn), scale * std::sin(turn), w.x},
+        {-scale * std::sin(turn), scale * std::cos(turn), w.y},
+        {offset, -offset, 1}};
+}
+
+std::vector<glm::dmat3> somePlanes(Random& random, std::size_t count, double reach) {
+    std::vector<glm::dmat3> planes;
+    for (std::size_t i = 0; i < count; ++i)
+        planes.push_back(somePlane(random, reach));
+    return planes;
+}
+
+/// Weights at which points lie on whole and half cells and their rays meet corners and edges, or any.
+void somePlace(Random& random, bool isTied, ScenePoint& point) {
+    if (isTied) {
+        point.second = static_cast<float>(random.whole(1, 2)) / 4;
+        point.third = static_cast<float>(random.whole(1, 2)) / 4 - (point.second > 0.25F ? 0.25F : 0.F);
+        point.third = std::max(point.third, 0.25F);
+        return;
+    }
+    point.second = static_cast<float>(random.real(0, 1));
+    point.third = static_cast<float>(random.real(0, 1 - point.second));
+}
+
+/// Triangles of all shapes on whole cells from 0 to `most`: copies in one place, slivers, ones that share edges.
+std::vector<Corners> someTriangles(Random& random, int count, std::int64_t most) {
+    std::vector<Corners> triangles;
+    while (static_cast<int>(triangles.size()) < count) {
+        Corners corners{random.point(0, most), random.point(0, most), random.point(0, most)};
+        const std::int64_t kind = random.whole(0, 5);
+        if (kind == 0) corners[2] = corners[1] + glm::i64vec3(0, 0, 1);
+        if (kind == 1 && !triangles.empty()) {
+            corners[0] = triangles.back()[1];
+            corners[1] = triangles.back()[0];
+        }
+        if (kind == 2 && !triangles.empty()) corners = triangles.back();
+        triangles.push_back(corners);
+    }
+    return triangles;
+}
+
+void addPoints(Random& random, Scene& scene, int count, int maps, bool isTied) {
+    for (int i = 0; i < count; ++i) {
+        ScenePoint point;
+        point.triangle = scene.names()[static_cast<std::size_t>(
+            random.whole(0, static_cast<std::int64_t>(scene.names().size()) - 1))];
+        somePlace(random, isTied, point);
+        point.map = static_cast<std::int32_t>(random.whole(-1, maps - 1));
+        point.tolerance = static_cast<std::uint32_t>(std::max<std::int64_t>(0, random.whole(-2, 3)));
+        scene.points.push_back(point);
+    }
+}
+
+IntegerLight someTieLight(Random& random) {
+    glm::i64vec3 direction(0);
+    while (direction == glm::i64vec3(0))
+        direction = random.point(-3, 3);
+    return {direction * kTieLight};
+}
+
+TEST(ExactShadows, EqualThePlainLoopWhereTiesAbound) {
+    std::uint64_t touching = 0;
+    std::uint64_t dark = 0;
+    std::uint64_t lit = 0;
+    for (std::uint64_t seed = 0; seed < 150; ++seed) {
+        SCOPED_TRACE(seed);
+        Random random(seed);
+        Scene scene;
+        for (std::int64_t clusters = random.whole(1, 4); clusters > 0; --clusters)
+            scene.add(someTriangles(random, static_cast<int>(random.whole(1, 20)), 6));
+        const int maps = static_cast<int>(random.whole(1, 3));
+        addPoints(random, scene, 150, maps, true);
+        const SampleSpace space = spaceOf(someTieLight(random), glm::dvec3(random.point(-20, 20)) + 0.5, maps);
+        const int side = static_cast<int>(random.whole(4, 64));
+        const auto found = expectSameAsPlain(scene, space, somePlanes(random, static_cast<std::size_t>(maps), 6), side);
+        touching += found.touching;
+        dark += found.dark;
+        lit += found.samples - found.dark;
+    }
+    EXPECT_GT(touching, 100U);
+    EXPECT_GT(dark, 1000U);
+    EXPECT_GT(lit, 1000U);
+}
+
+TEST(ExactShadows, EqualThePlainLoopAtAnyLightAndSize) {
+    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+        SCOPED_TRACE(seed);
+        Random random(seed + 1000);
+        Scene scene;
+        const std::int64_t most = std::int64_t{1} << random.whole(3, 30);
+        for (int clusters = 0; clusters < 3; ++clusters)
+            scene.add(someTriangles(random, 20, most));
+        const int maps = static_cast<int>(random.whole(1, 3));
+        addPoints(random, scene, 200, maps, false);
+        const glm::dvec3 towards(random.real(-1, 1), random.real(-1, 1), random.real(-1, 1));
+        const SampleSpace space = spaceOf(roundedLight(towards), glm::dvec3(random.point(-most, most)), maps);
+        const auto reach = static_cast<double>(most);
+        expectSameAsPlain(
+            scene,
+            space,
+            somePlanes(random, static_cast<std::size_t>(maps), reach),
+            static_cast<int>(random.whole(4, 64)));
+    }
+}
+
+} // namespace
+} // namespace gnomon::exact

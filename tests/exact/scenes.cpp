@@ -1,0 +1,168 @@
+#include "tests/exact/scenes.h"
+
+#include "tests/each_target.h"
+
+#include <gtest/gtest.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+
+namespace gnomon::exact {
+
+namespace {
+
+constexpr std::uint32_t kTriangleBits = 8;
+
+std::size_t countOf(const std::vector<std::uint8_t>& statuses, std::uint8_t bits) {
+    return static_cast<std::size_t>(
+        std::count_if(statuses.begin(), statuses.end(), [&](std::uint8_t status) { return (status & bits) != 0; }));
+}
+
+std::size_t touchingOf(const std::vector<std::uint8_t>& statuses) {
+    return static_cast<std::size_t>(std::count_if(statuses.begin(), statuses.end(), [](std::uint8_t status) {
+        return (status & kOnEdge) != 0 || (status & (kDark | kDarkWithoutTolerance)) == kDarkWithoutTolerance;
+    }));
+}
+
+} // namespace
+
+std::uint32_t Scene::add(const std::vector<Corners>& triangles) {
+    std::vector<glm::i64vec3> vertices;
+    std::vector<raster::Triangle> indices;
+    for (const Corners& corners : triangles) {
+        const auto first = static_cast<std::uint8_t>(vertices.size());
+        indices.push_back({first, static_cast<std::uint8_t>(first + 1), static_cast<std::uint8_t>(first + 2)});
+        vertices.insert(vertices.end(), corners.begin(), corners.end());
+    }
+    return add(vertices, indices);
+}
+
+std::uint32_t Scene::add(const std::vector<glm::i64vec3>& vertices, const std::vector<raster::Triangle>& triangles) {
+    const auto first = static_cast<std::uint32_t>(clusters_.size() << kTriangleBits);
+    Cluster cluster{vertices, {}, triangles};
+    for (const glm::i64vec3& vertex : vertices)
+        cluster.positions.push_back(glm::uvec3(vertex) + originCell);
+    clusters_.push_back(std::move(cluster));
+    for (std::uint32_t i = 0; i < triangles.size(); ++i)
+        names_.push_back(first + i);
+    return first;
+}
+
+Corners Scene::corners(std::uint32_t triangle) const {
+    const Cluster& cluster = clusters_[triangle >> kTriangleBits];
+    const raster::Triangle& indices = cluster.triangles[triangle & ((1U << kTriangleBits) - 1)];
+    return {cluster.vertices[indices[0]], cluster.vertices[indices[1]], cluster.vertices[indices[2]]};
+}
+
+std::vector<Caster> Scene::casters() const {
+    std::vector<Caster> casters;
+    for (std::size_t i = 0; i < clusters_.size(); ++i) {
+        const Cluster& cluster = clusters_[i];
+        Caster caster;
+        caster.geometry.positions = &cluster.positions[0].x;
+        caster.geometry.vertexCount = static_cast<std::uint32_t>(cluster.vertices.size());
+        caster.geometry.triangles = cluster.triangles;
+        caster.geometry.firstTriangleId = static_cast<std::uint32_t>(i << kTriangleBits);
+        caster.least = caster.most = cluster.vertices[0];
+        for (const glm::i64vec3& vertex : cluster.vertices) {
+            caster.least = glm::min(caster.least, vertex);
+            caster.most = glm::max(caster.most, vertex);
+        }
+        casters.push_back(caster);
+    }
+    return casters;
+}
+
+SceneBatch::SceneBatch(const Scene& scene, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+        const ScenePoint& point = scene.points[i];
+        const Corners corners = scene.corners(point.triangle);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const auto k = static_cast<int>(axis);
+            edges_[axis][i - begin] = static_cast<std::int32_t>(corners[0][k]);
+            edges_[3 + axis][i - begin] = static_cast<std::int32_t>(corners[1][k] - corners[0][k]);
+            edges_[6 + axis][i - begin] = static_cast<std::int32_t>(corners[2][k] - corners[0][k]);
+        }
+        second_[i - begin] = point.second;
+        third_[i - begin] = point.third;
+        map_[i - begin] = point.map;
+        pixel_[i - begin] = static_cast<std::uint32_t>(i);
+        triangle_[i - begin] = point.triangle;
+        tolerance_[i - begin] = point.tolerance;
+    }
+    batch_.count = end - begin;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        batch_.corner[axis] = edges_[axis].data();
+        batch_.edge1[axis] = edges_[3 + axis].data();
+        batch_.edge2[axis] = edges_[6 + axis].data();
+    }
+    batch_.second = second_.data();
+    batch_.third = third_.data();
+    batch_.map = map_.data();
+    batch_.pixel = pixel_.data();
+    batch_.triangle = triangle_.data();
+    batch_.tolerance = tolerance_.data();
+}
+
+void fill(SampleList& samples, const Scene& scene, const SampleSpace& space) {
+    samples.reset(space, scene.points.size());
+    constexpr std::size_t kBatch = 101; // no multiple of anything
+    for (std::size_t begin = 0; begin < scene.points.size(); begin += kBatch)
+        samples.add(SceneBatch(scene, begin, std::min(begin + kBatch, scene.points.size())).batch());
+}
+
+SampleSpace spaceOf(const IntegerLight& light, const glm::dvec3& eye, int maps) {
+    return {light, shearAlong(light), eye, maps};
+}
+
+std::vector<std::uint8_t> plainStatuses(const SampleList& samples, const Scene& scene) {
+    std::vector<std::uint8_t> statuses(samples.size(), kLit);
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        const glm::i64vec3 point =
+            scaledPoint({scene.corners(samples.triangle[i]), samples.second[i], samples.third[i]});
+        for (const std::uint32_t name : scene.names()) {
+            const RayMeeting met = meet(scene.corners(name), samples.space().light, point, samples.integerTolerance[i]);
+            if (met.meeting == Meeting::None) continue;
+            statuses[i] |= kDarkWithoutTolerance;
+            if (met.meeting == Meeting::Ahead) statuses[i] |= kDark;
+            if (met.isOnEdge) statuses[i] |= kOnEdge;
+        }
+    }
+    return statuses;
+}
+
+ExactStatistics expectSameAsPlain(
+    const Scene& scene, const SampleSpace& space, const std::vector<glm::dmat3>& planes, int side) {
+    ExactShadows shadows;
+    fill(shadows.samples(), scene, space);
+    const std::vector<std::uint8_t> plain = plainStatuses(shadows.samples(), scene);
+    const std::vector<Caster> casters = scene.casters();
+    ExactStatistics last;
+    tests::onEachTarget([&](const char* target) {
+        for (const int threads : {1, 2}) {
+            SCOPED_TRACE(std::string(target) + ", threads " + std::to_string(threads));
+            fill(shadows.samples(), scene, space);
+            const ExactStatistics found = tbb::task_arena(threads).execute([&] {
+                return shadows.decide({casters, scene.originCell, planes, side});
+            });
+            std::size_t wrong = 0;
+            for (std::size_t i = 0; i < plain.size(); ++i)
+                wrong += shadows.statuses()[i] != plain[i] ? 1U : 0U;
+            EXPECT_EQ(shadows.statuses().size(), plain.size());
+            EXPECT_EQ(wrong, 0U) << "of " << plain.size();
+            EXPECT_EQ(found.samples, plain.size());
+            EXPECT_EQ(found.dark, countOf(plain, kDark));
+            EXPECT_EQ(found.darkWithoutTolerance, countOf(plain, kDarkWithoutTolerance));
+            EXPECT_EQ(found.touching, touchingOf(plain));
+            if (last.cast.clustersTested > 0) {
+                EXPECT_EQ(found.cast.triangles, last.cast.triangles);
+                EXPECT_EQ(found.cast.trianglesCast, last.cast.trianglesCast);
+                EXPECT_EQ(found.cast.sampleTests, last.cast.sampleTests);
+            }
+            last = found;
+        }
+    });
+    return last;
+}
+
+} // namespace gnomon::exact

@@ -1,5 +1,7 @@
 #include "exact/caster_kernel.h"
 
+#include "exact/float_rounding.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -27,8 +29,6 @@ constexpr IntTag kInts;
 
 constexpr std::size_t kMostVertices = raster::kMaxClusterVertices;
 constexpr std::size_t kMostTriangles = raster::kMaxClusterTriangles;
-/// Cells by which a triangle's box grows: more than x and y of corners and samples can be off together.
-constexpr float kCellSlack = 2e-3F;
 
 /// One cluster in the shear of the light, and over the cells of one map.
 class ClusterCaster {
@@ -91,12 +91,12 @@ bool ClusterCaster::mayShadow(std::size_t map) const {
         high = glm::max(high, glm::dvec2(p) / p.z);
     }
     const double side = context_.grid->side();
-    constexpr double kSlack = kCellSlack;
-    if (high.x < -kSlack || high.y < -kSlack || low.x > side + kSlack || low.y > side + kSlack) return false;
+    if (high.x < -kCellSlack || high.y < -kCellSlack || low.x > side + kCellSlack || low.y > side + kCellSlack)
+        return false;
     const auto cell = [&](double x) { return cellAt(x, context_.grid->side()); };
-    const CellBox box{cell(low.x - kSlack), cell(low.y - kSlack), cell(high.x + kSlack), cell(high.y + kSlack)};
-    const auto highest = std::nextafter(static_cast<float>(h), std::numeric_limits<float>::infinity());
-    return context_.grid->mask(map).mayShadow(box, highest);
+    const CellBox box{
+        cell(low.x - kCellSlack), cell(low.y - kCellSlack), cell(high.x + kCellSlack), cell(high.y + kCellSlack)};
+    return context_.grid->mask(map).mayShadow(box, roundedUp(h));
 }
 
 void ClusterCaster::shear() {
@@ -112,7 +112,7 @@ void ClusterCaster::shear() {
         const double p = cell(along);
         sheared_[i] = {
             cell(shear.first) - shear.firstRatio * p, cell(shear.second) - shear.secondRatio * p, shear.sign * p};
-        floatH_[i] = static_cast<float>(sheared_[i][2]);
+        floatH_[i] = roundedUp(sheared_[i][2] + context_.coordinateError);
     }
     for (std::size_t t = 0; t < geometry.triangles.size(); ++t)
         for (std::size_t k = 0; k < 3; ++k)
@@ -155,7 +155,7 @@ void ClusterCaster::castWhole(std::size_t map) {
     const std::size_t count = caster_.geometry.triangles.size();
     const auto side = hn::Set(kFloats, static_cast<float>(grid.side()));
     const auto last = hn::Set(kFloats, static_cast<float>(grid.side() - 1));
-    const auto slack = hn::Set(kFloats, kCellSlack);
+    const auto slack = hn::Set(kFloats, static_cast<float>(kCellSlack));
     const auto zero = hn::Zero(kFloats);
     alignas(64) std::int32_t boxes[4][16];
     alignas(64) float highest[16];
@@ -191,8 +191,7 @@ void ClusterCaster::castWhole(std::size_t map) {
         for (unsigned lanes = bits[0] | static_cast<unsigned>(bits[1]) << 8U; lanes != 0; lanes &= lanes - 1) {
             const auto lane = static_cast<std::size_t>(__builtin_ctz(lanes));
             const CellBox box{boxes[0][lane], boxes[1][lane], boxes[2][lane], boxes[3][lane]};
-            const float above = std::nextafter(highest[lane], std::numeric_limits<float>::infinity());
-            if (grid.mask(map).mayShadow(box, above)) castTriangle(map, t + lane, box, true);
+            if (grid.mask(map).mayShadow(box, highest[lane])) castTriangle(map, t + lane, box, true);
         }
     }
 }
@@ -221,23 +220,22 @@ void ClusterCaster::castClipped(std::size_t map) {
             const double share = (cells.leastW - p.z) / (q.z - p.z);
             add({glm::dvec2(p) + share * (glm::dvec2(q) - glm::dvec2(p)), cells.leastW});
         }
-        constexpr double kSlack = kCellSlack;
-        if (!(high.x >= -kSlack && high.y >= -kSlack && low.x <= side + kSlack && low.y <= side + kSlack)) continue;
+        if (!(high.x >= -kCellSlack && high.y >= -kCellSlack && low.x <= side + kCellSlack &&
+              low.y <= side + kCellSlack))
+            continue;
         const CellBox box{
-            cellAt(low.x - kSlack, side),
-            cellAt(low.y - kSlack, side),
-            cellAt(high.x + kSlack, side),
-            cellAt(high.y + kSlack, side)};
-        const float above = std::nextafter(highest, std::numeric_limits<float>::infinity());
-        if (context_.grid->mask(map).mayShadow(box, above)) castTriangle(map, t, box, false);
+            cellAt(low.x - kCellSlack, side),
+            cellAt(low.y - kCellSlack, side),
+            cellAt(high.x + kCellSlack, side),
+            cellAt(high.y + kCellSlack, side)};
+        if (context_.grid->mask(map).mayShadow(box, highest)) castTriangle(map, t, box, false);
     }
 }
 
 /// The columns of `box` that the triangle covers somewhere in a row of cells.
 CellBox ClusterCaster::rowSpan(std::size_t triangle, const CellBox& box, int row) const {
-    constexpr double kSlack = kCellSlack;
-    const double low = row == box.y0 ? -std::numeric_limits<double>::infinity() : row - kSlack;
-    const double high = row == box.y1 ? std::numeric_limits<double>::infinity() : row + 1 + kSlack;
+    const double low = row == box.y0 ? -std::numeric_limits<double>::infinity() : row - kCellSlack;
+    const double high = row == box.y1 ? std::numeric_limits<double>::infinity() : row + 1 + kCellSlack;
     double least = std::numeric_limits<double>::infinity();
     double most = -least;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -253,7 +251,11 @@ CellBox ClusterCaster::rowSpan(std::size_t triangle, const CellBox& box, int row
         most = std::max({most, p, q});
     }
     const int side = context_.grid->side();
-    return {std::max(box.x0, cellAt(least - kSlack, side)), row, std::min(box.x1, cellAt(most + kSlack, side)), row};
+    return {
+        std::max(box.x0, cellAt(least - kCellSlack, side)),
+        row,
+        std::min(box.x1, cellAt(most + kCellSlack, side)),
+        row};
 }
 
 void ClusterCaster::castTriangle(std::size_t map, std::size_t triangle, const CellBox& box, bool isNarrowed) {
@@ -313,10 +315,6 @@ CastCounts& CastCounts::operator+=(const CastCounts& other) {
     sampleTests += other.sampleTests;
     exactDecisions += other.exactDecisions;
     return *this;
-}
-
-double coordinateErrorFor(double reach) {
-    return reach * 0x1p-49;
 }
 
 void castCluster(const CastContext& context, std::size_t caster, CastCounts& counts) {

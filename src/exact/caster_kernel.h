@@ -16,12 +16,10 @@ struct Caster {
 };
 
 /// What is known of a sample once casters went over it; bits that add up.
-enum SampleStatus : std::uint8_t {
-    kLit = 0,
-    kDark = 1,                 // some triangle is farther ahead than the tolerance
-    kDarkWithoutTolerance = 2, // some triangle is ahead at all
-    kOnEdge = 4,               // the ray met an edge of a triangle ahead of the point, and the rule for ties decided
-};
+constexpr std::uint8_t kLit = 0;
+constexpr std::uint8_t kDark = 1;                 // some triangle is farther ahead than the tolerance
+constexpr std::uint8_t kDarkWithoutTolerance = 2; // some triangle is ahead at all
+constexpr std::uint8_t kOnEdge = 4; // the ray met an edge of a triangle ahead of the point: the rule for ties decided
 
 /// What casting took. Depends on samples and casters alone, not on threads; `exactDecisions` on the instruction set
 /// too.
@@ -41,13 +39,9 @@ struct CastContext {
     const SampleGrid* grid = nullptr;
     std::span<const Caster> casters;  // those that hold samples' triangles stand where the names say
     glm::uvec3 originCell{0};         // subtracted from each position
-    double coordinateError = 0;       // of u, v and h, cells: at most
+    double coordinateError = 0;       // coordinateErrorFor all casters, as `grid` was sorted with
     std::span<std::uint8_t> statuses; // by the grid's order of samples, at least; written without a lock
 };
-
-/// An upper bound of how far u, v and h of a point may be off, for coordinates of at most `reach` cells from the
-/// origin: 16 roundings.
-double coordinateErrorFor(double reach);
 
 /// Casts one cluster over the cells of all maps. From any thread.
 void castCluster(const CastContext& context, std::size_t caster, CastCounts& counts);
@@ -55,7 +49,7 @@ void castCluster(const CastContext& context, std::size_t caster, CastCounts& cou
 /// The corners of triangle `triangle` of a caster, cells from the origin.
 Corners cornersOf(const CastContext& context, const Caster& caster, std::size_t triangle);
 
-/// What triangle `triangle` of `caster` does to the sample at `place` in the grid, in integers: bits of SampleStatus.
+/// What triangle `triangle` of `caster` does to the sample at `place` in the grid, in integers: bits of its status.
 std::uint8_t decideExactly(const CastContext& context, const Caster& caster, std::size_t triangle, std::size_t place);
 
 } // namespace gnomon::exact

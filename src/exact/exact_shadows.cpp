@@ -24,19 +24,14 @@ double reachOf(std::span<const Caster> casters) {
 ExactStatistics ExactShadows::decide(const ExactQuestion& question) {
     ExactStatistics statistics;
     statistics.samples = samples_.size();
-    grid_.sort(samples_, question.planes, question.side);
+    const double coordinateError = coordinateErrorFor(reachOf(question.casters));
+    grid_.sort(samples_, question.planes, question.side, coordinateError);
     const auto side = static_cast<std::uint64_t>(question.side);
     statistics.cells = side * side * question.planes.size();
     sorted_.assign(samples_.size() + 16, kLit);
     statuses_.resize(samples_.size());
     if (samples_.size() == 0) return statistics;
-    const CastContext context{
-        &samples_,
-        &grid_,
-        question.casters,
-        question.originCell,
-        coordinateErrorFor(reachOf(question.casters)),
-        sorted_};
+    const CastContext context{&samples_, &grid_, question.casters, question.originCell, coordinateError, sorted_};
     tbb::combinable<CastCounts> counts;
     tbb::parallel_for(
         tbb::blocked_range<std::size_t>(0, question.casters.size(), 16),

@@ -36,7 +36,7 @@ public:
     /// Answers what it took. Runs in the caller's TBB arena.
     ExactStatistics decide(const ExactQuestion& question);
 
-    /// What came out, by the order of `samples()`: bits of SampleStatus.
+    /// What came out, by the order of `samples()`: bits of their statuses.
     std::span<const std::uint8_t> statuses() const { return {statuses_.data(), samples_.size()}; }
 
     const SampleGrid& grid() const { return grid_; }

@@ -1,5 +1,7 @@
 #include "exact/sample_grid.h"
 
+#include "exact/float_rounding.h"
+
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -22,12 +24,14 @@ void forChunks(std::size_t size, const Visit& visit) {
 
 /// What the samples of a map span.
 struct Extent {
+    std::size_t samples = 0;
     double leastW = std::numeric_limits<double>::infinity();
     double mostW = -std::numeric_limits<double>::infinity();
     glm::dvec2 least{std::numeric_limits<double>::infinity()};
     glm::dvec2 most{-std::numeric_limits<double>::infinity()};
 
     void add(const glm::dvec3& p) {
+        ++samples;
         leastW = std::min(leastW, p.z);
         mostW = std::max(mostW, p.z);
         const glm::dvec2 place = glm::dvec2(p) / p.z;
@@ -36,6 +40,7 @@ struct Extent {
     }
 
     void add(const Extent& other) {
+        samples += other.samples;
         leastW = std::min(leastW, other.leastW);
         mostW = std::max(mostW, other.mostW);
         least = glm::min(least, other.least);
@@ -60,57 +65,83 @@ std::vector<Extent> extentsOf(const SampleList& samples, std::span<const glm::dm
     return result;
 }
 
-/// Whether divisions by w are exact enough, and cells spread evenly enough, for the warp to be of use.
-bool isUsable(const Extent& extent) {
+/// A map whose plane is stretched by `scale` about the cells' origin, then moved by `offset`.
+struct Stretch {
+    glm::dvec2 scale{0};
+    glm::dvec2 offset{0};
+};
+
+/// What makes `extent` fill side x side cells but for a thousandth on each side; no scale is above `most`.
+Stretch stretchOf(const Extent& extent, int side, double most) {
+    Stretch stretch;
+    stretch.scale = glm::min(side * 0.998 / (extent.most - extent.least), glm::dvec2(most));
+    stretch.offset = glm::dvec2(side * 0.001) - extent.least * stretch.scale;
+    return stretch;
+}
+
+CellMap mapOf(const glm::dmat3& plane, const Stretch& stretch, double leastW) {
+    const glm::dvec2& scale = stretch.scale;
+    const glm::dmat3 matrix(
+        glm::dvec3(scale.x, 0, 0), glm::dvec3(0, scale.y, 0), glm::dvec3(stretch.offset.x, stretch.offset.y, 1));
+    return {matrix * plane, leastW / 2, false};
+}
+
+/// How far a x + b y + c w may be off, where x, y and w are the plane's of a point whose (u, v) is `coordinateError`
+/// off. That is at least 2^-50 of |u| and |v|, so seven roundings of each term stay below once more as much.
+double errorOf(const glm::dmat3& plane, const glm::dvec3& weights, double coordinateError) {
+    const auto size = [&](int column) {
+        const glm::dvec3 terms = weights * plane[column];
+        return std::abs(terms.x) + std::abs(terms.y) + std::abs(terms.z);
+    };
+    return 2 * coordinateError * (size(0) + size(1)) + 0x1p-50 * size(2);
+}
+
+/// Whether cells spread evenly enough for the warp to be of use, and x and y of what covers a sample are exact to an
+/// eighth of the slack: samples, corners and their floats share it.
+bool isUsable(const glm::dmat3& plane, const Extent& extent, const Stretch& stretch, int side, double coordinateError) {
     constexpr double kMostVariation = 1 << 20;
-    return extent.leastW > 0 && extent.mostW <= kMostVariation * extent.leastW;
-}
-
-/// Stretches `plane` so that `extent` fills side x side cells but for a thousandth on each side; but cells stay large
-/// against the rounding of coordinates.
-CellMap fitted(const glm::dmat3& plane, const Extent& extent, int side) {
-    constexpr double kLeastRelative = 1e-9;
-    constexpr double kLeast = 1e-30;
-    const double inside = side * 0.998;
-    glm::dvec2 scale;
-    for (int i = 0; i < 2; ++i) {
-        const double farthest = std::max(std::abs(extent.least[i]), std::abs(extent.most[i]));
-        scale[i] = inside / std::max({extent.most[i] - extent.least[i], kLeastRelative * farthest, kLeast});
-    }
-    const glm::dvec2 offset = glm::dvec2(side * 0.001) - extent.least * scale;
-    const glm::dmat3 stretch(glm::dvec3(scale.x, 0, 0), glm::dvec3(0, scale.y, 0), glm::dvec3(offset.x, offset.y, 1));
-    return {stretch * plane, extent.leastW / 2, false};
-}
-
-/// The greatest float that is not above `value`.
-float roundedDown(double value) {
-    const auto nearest = static_cast<float>(value);
-    return nearest <= value ? nearest : std::nextafter(nearest, -std::numeric_limits<float>::infinity());
+    if (!(extent.leastW > 0 && extent.mostW <= kMostVariation * extent.leastW)) return false;
+    const double w = errorOf(plane, {0, 0, 1}, coordinateError);
+    const double x = errorOf(plane, {stretch.scale.x, 0, stretch.offset.x}, coordinateError);
+    const double y = errorOf(plane, {0, stretch.scale.y, stretch.offset.y}, coordinateError);
+    const double most = kCellSlack / 8 * (extent.leastW / 2);
+    return x + side * w <= most && y + side * w <= most; // not so where an extent of 0 makes either no number
 }
 
 } // namespace
 
-void SampleGrid::sort(const SampleList& samples, std::span<const glm::dmat3> planes, int side) {
+void SampleGrid::sort(const SampleList& samples, std::span<const glm::dmat3> planes, int side, double coordinateError) {
     side_ = side;
     size_ = samples.size();
-    fitMaps(samples, planes);
+    fitMaps(samples, planes, coordinateError);
     countCells(samples);
     scatter(samples);
     maskReceivers();
 }
 
-void SampleGrid::fitMaps(const SampleList& samples, std::span<const glm::dmat3> planes) {
+void SampleGrid::fitMaps(const SampleList& samples, std::span<const glm::dmat3> planes, double coordinateError) {
+    constexpr double kInfinite = std::numeric_limits<double>::infinity();
     std::vector<glm::dmat3> used(planes.begin(), planes.end());
-    std::vector<Extent> extents = extentsOf(samples, used);
-    const auto isWrong = [](const Extent& extent) { return extent.mostW >= extent.leastW && !isUsable(extent); };
-    if (std::any_of(extents.begin(), extents.end(), isWrong)) {
-        for (std::size_t map = 0; map < used.size(); ++map)
-            if (isWrong(extents[map])) used[map] = glm::dmat3(1);
-        extents = extentsOf(samples, used);
-    }
+    const std::vector<Extent> extents = extentsOf(samples, used);
     maps_.assign(used.size(), {});
+    bool isUnwarped = false;
+    for (std::size_t map = 0; map < used.size(); ++map) {
+        if (extents[map].samples == 0) continue;
+        const Stretch stretch = stretchOf(extents[map], side_, kInfinite);
+        if (isUsable(used[map], extents[map], stretch, side_, coordinateError)) {
+            maps_[map] = mapOf(used[map], stretch, extents[map].leastW);
+        } else {
+            used[map] = glm::dmat3(1);
+            isUnwarped = true;
+        }
+    }
+    if (!isUnwarped) return;
+    // x is off by at most 6 scale coordinateError: errorOf with an offset of no more than 2^50 coordinateError scale.
+    const double most = kCellSlack / 64 / coordinateError;
+    const std::vector<Extent> plainExtents = extentsOf(samples, used);
     for (std::size_t map = 0; map < used.size(); ++map)
-        if (extents[map].mostW >= extents[map].leastW) maps_[map] = fitted(used[map], extents[map], side_);
+        if (extents[map].samples > 0 && maps_[map].isEmpty)
+            maps_[map] = mapOf(used[map], stretchOf(plainExtents[map], side_, most), 1);
 }
 
 void SampleGrid::countCells(const SampleList& samples) {

@@ -18,13 +18,18 @@ struct CellMap {
     bool isEmpty = true;
 };
 
+/// Cells by which a triangle's box has to grow: more than x and y of corners and samples can be off together.
+constexpr double kCellSlack = 2e-3;
+
 /// The samples by map, row and column of their cells.
 class SampleGrid {
 public:
-    /// Sorts `samples` into side x side cells a map. `planes` holds a homography a map, to any coordinates: they are
-    /// stretched so that the samples fill the cells. A map in which w varies by more than 2^20, or is not above 0, is
-    /// used without its warp.
-    void sort(const SampleList& samples, std::span<const glm::dmat3> planes, int side);
+    /// Sorts `samples` into side x side cells a map, side at most 16384. `planes` holds a homography a map of the
+    /// samples, to any coordinates: they are stretched so that the samples fill the cells. A map is used without its
+    /// warp where w is not above 0 at each of its samples, varies by more than 2^20 among them, or where coordinates
+    /// that are `coordinateError` off (see coordinateErrorFor) could move a point by more than a share of kCellSlack;
+    /// without a warp cells stay so large that they cannot.
+    void sort(const SampleList& samples, std::span<const glm::dmat3> planes, int side, double coordinateError);
 
     int side() const { return side_; }
 
@@ -49,7 +54,7 @@ private:
         return (map * side + static_cast<std::size_t>(y)) * side + static_cast<std::size_t>(x);
     }
 
-    void fitMaps(const SampleList& samples, std::span<const glm::dmat3> planes);
+    void fitMaps(const SampleList& samples, std::span<const glm::dmat3> planes, double coordinateError);
     void countCells(const SampleList& samples);
     void scatter(const SampleList& samples);
     void maskReceivers();

@@ -1,5 +1,7 @@
 #include "exact/sample_list.h"
 
+#include "exact/float_rounding.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -19,6 +21,10 @@ Corners cornersOf(const PointBatch& batch, std::size_t i) {
 }
 
 } // namespace
+
+double coordinateErrorFor(double reach) {
+    return reach * 0x1p-49;
+}
 
 IntegerWeights roundedWeights(float second, float third) {
     constexpr std::int64_t kOne = std::int64_t{1} << kWeightBits;
@@ -62,8 +68,8 @@ void SampleList::add(const PointBatch& batch) {
         u[to] = points.u[i];
         v[to] = points.v[i];
         h[to] = points.h[i];
-        tolerance[to] = static_cast<float>(batch.tolerance[i] * perTolerance);
-        map[to] = std::max(batch.map[i], 0);
+        tolerance[to] = roundedUp(batch.tolerance[i] * perTolerance);
+        map[to] = std::clamp(batch.map[i], 0, space_.maps - 1);
         pixel[to] = batch.pixel[i];
         triangle[to] = batch.triangle[i];
         second[to] = points.second[i];

@@ -19,7 +19,7 @@ struct PointBatch {
     std::array<const std::int32_t*, 3> edge2{};  // to corner 2
     const float* second = nullptr;               // weights of corners 1 and 2, from 0 to 1
     const float* third = nullptr;
-    const std::int32_t* map = nullptr;        // whose cells hold the point; below 0 as 0
+    const std::int32_t* map = nullptr;        // whose cells hold the point; outside [0, maps) the nearest
     const std::uint32_t* pixel = nullptr;     // its name to the caller
     const std::uint32_t* triangle = nullptr;  // its name among the casters: place of the cluster << 8 | triangle
     const std::uint32_t* tolerance = nullptr; // as `meet` takes it
@@ -32,6 +32,11 @@ struct SampleSpace {
     glm::dvec3 eye{0}; // cells from the frame's origin; a list rounds it to 2^-24 cells
     int maps = 1;
 };
+
+/// An upper bound of how far u, v and h of a sample or a corner may be off, for triangles within `reach` cells of the
+/// origin on each axis: 16 roundings of a number of that size, of which a sample's u takes 14 (5 each for the point's
+/// two coordinates, 1 for the ratio, 1 for its product, 2 for the difference).
+double coordinateErrorFor(double reach);
 
 /// Weights of corners 1 and 2 in 2^-24, such that the point is strictly within its triangle; at most 2^-23 off.
 struct IntegerWeights {
@@ -55,8 +60,8 @@ public:
 
     const SampleSpace& space() const { return space_; }
 
-    // Of each sample: where it lies in the shear of the light (cells), its tolerance (cells along h), its map, pixel
-    // and triangle, and the point's weights.
+    // Of each sample: where it lies in the shear of the light (cells), its tolerance (cells along h, rounded up), its
+    // map, pixel and triangle, and the point's weights.
     std::vector<double> u, v, h;
     std::vector<float> tolerance;
     std::vector<std::int32_t> map;

@@ -132,5 +132,68 @@ TEST(ExactShadows, EqualThePlainLoopAtAnyLightAndSize) {
     }
 }
 
+/// A warp whose w falls to 2^-18 at the first of the samples, and is 1 some cells on: around there a rounding of (u, v)
+/// spans cells.
+glm::dmat3 planeThroughSamples(const SampleList& samples) {
+    const double least = *std::min_element(samples.u.begin(), samples.u.begin() + static_cast<int>(samples.size()));
+    return {{1, 0, 1.0 / 32}, {0, 1, 0}, {0, 0, 0x1p-18 - least / 32}};
+}
+
+/// Points on whole cells of one small triangle, and casters each of which has a corner straight before one of them.
+Scene sceneOfCornersOnRays(Random& random, const IntegerLight& light, std::int64_t most) {
+    Scene scene;
+    const glm::i64vec3 at = random.point(-most, most) / random.whole(1, most);
+    const glm::i64vec3 b = random.point(-9, 9) * 4L;
+    const glm::i64vec3 c = random.point(-9, 9) * 4L;
+    std::vector<Corners> triangles{{at, at + b, at + c}};
+    for (int i = 0; i < 4; ++i) {
+        const glm::i64vec3 weights = i == 0   ? glm::i64vec3(1, 1, 0)
+                                     : i == 1 ? glm::i64vec3(2, 1, 0)
+                                              : glm::i64vec3(1, 2, 0);
+        scene.points.push_back({0, static_cast<float>(weights.x) / 4, static_cast<float>(weights.y) / 4, 0, 0});
+        const glm::i64vec3 corner = at + (b * weights.x + c * weights.y) / 4L + light.direction * random.whole(1, 32);
+        triangles.push_back({corner, corner + random.point(-most, most), corner + random.point(-most, most)});
+    }
+    scene.add(triangles);
+    scene.points.resize(static_cast<std::size_t>(random.whole(1, 4)));
+    return scene;
+}
+
+TEST(ExactShadows, CellsAreNeverSmallerThanARounding) {
+    std::uint64_t touching = 0;
+    for (std::uint64_t seed = 0; seed < 400; ++seed) {
+        SCOPED_TRACE(seed);
+        Random random(seed + 2000);
+        const IntegerLight light = roundedLight(glm::dvec3(random.real(-1, 1), random.real(-1, 1), random.real(-1, 1)));
+        const Scene scene = sceneOfCornersOnRays(random, light, std::int64_t{1} << 28);
+        SampleSpace space = spaceOf(light, glm::dvec3(scene.corners(0)[0]) + glm::dvec3(light.direction) * 0x1p-10);
+        SampleList samples;
+        fill(samples, scene, space);
+        if (samples.size() == 0) continue;
+        for (const glm::dmat3& plane : {glm::dmat3(1), planeThroughSamples(samples)})
+            touching += expectSameAsPlain(scene, space, {plane}, 64).touching;
+    }
+    EXPECT_GT(touching, 100U);
+}
+
+TEST(ExactShadows, AsFarAsTheToleranceStillTouches) {
+    constexpr float kOne = 0x1p-24F;
+    for (std::int64_t tolerance = 2; tolerance < 40; ++tolerance) {
+        Scene scene;
+        // Points of the first triangle lie a few 2^-24 cells above h = 0.
+        scene.add(std::vector<Corners>{
+            {glm::i64vec3(0, 0, 0), glm::i64vec3(8, 0, 1), glm::i64vec3(0, 8, 0)},
+            {glm::i64vec3(-9, -9, tolerance), glm::i64vec3(30, -9, tolerance), glm::i64vec3(-9, 30, tolerance)}});
+        for (std::int64_t more = -1; more <= 1; ++more)
+            scene.points.push_back(
+                {0, static_cast<float>(tolerance + more) * kOne, 0.5F, 0, static_cast<std::uint32_t>(tolerance)});
+        const SampleSpace space = spaceOf({{0, 0, (1 << kLightBits) - 1}}, {2, 2, 50});
+        const ExactStatistics found = expectSameAsPlain(scene, space, {glm::dmat3(1)}, 4);
+        EXPECT_EQ(found.samples, 3U);
+        EXPECT_EQ(found.dark, 1U);
+        EXPECT_EQ(found.darkWithoutTolerance, 3U);
+    }
+}
+
 } // namespace
 } // namespace gnomon::exact

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/units.h"
+#include "exact/exact_shadows.h"
 #include "executor/picture.h"
 #include "hierarchy/grid.h"
 #include "plan/frame_plan.h"
@@ -96,6 +97,7 @@ struct FrameDrawing {
     std::vector<LodSubstitute> substitutes;        // of the image, by page and cluster; for Overlay::Residency alone
     bool wantsSurfaces = false;                    // keep what `surfaces` returns
     const Raster<std::uint8_t>* litMask = nullptr; // 255 where the light reaches, instead of maps
+    const selection::DrawList* exactCasters = nullptr; // of drawExactly, besides the image's own clusters
 };
 
 /// What one kind of passes took.
@@ -109,7 +111,8 @@ struct PassStatistics {
 struct DrawStatistics {
     PassStatistics shadows;
     PassStatistics image;
-    Bytes deviceMemory; // geometry and textures held
+    std::optional<exact::ExactStatistics> exact; // of exact shadows
+    Bytes deviceMemory;                          // geometry and textures held
 };
 
 /// What is known of a pixel's surface.
@@ -145,6 +148,14 @@ public:
     virtual PassStatistics drawShadowMaps(const FrameDrawing& frame) = 0;
     /// Draws the image, lit through the maps or by the frame's `litMask`.
     virtual PassStatistics drawImage(const FrameDrawing& frame) = 0;
+
+    /// Whether `drawExactly` can be called.
+    virtual bool decidesExactly() const { return false; }
+
+    /// Draws the image of a frame whose plan asks for exact shadows: what is visible first, then who stands in its
+    /// light. Throws Error where the executor cannot.
+    virtual DrawStatistics drawExactly(const FrameDrawing& frame);
+
     /// What geometry and textures hold since the last frame.
     virtual Bytes deviceMemory() const = 0;
 

@@ -37,6 +37,10 @@ struct PixelBatch {
     Values<std::int32_t> pass{};   // the map that was looked up; -1: none
     Values<std::int32_t> faces{};  // -1 where the surface faces the light, else 0
     Values<std::uint32_t> color{}; // shaded as 8-bit RGB, red in the low byte
+    // With LitSource::Undecided, besides: the colour in the light, `color` being that in shadow, and the weights of
+    // corners 1 and 2.
+    Values<std::uint32_t> litColor{};
+    Values<float> second{}, third{};
 };
 
 /// Points that are looked up in the maps together. What lies past `count` is computed too, and means nothing.
@@ -48,8 +52,8 @@ struct PointBatch {
     PixelBatch::Values<std::int32_t> pass{}; // the map that was looked up; -1: none
 };
 
-/// Where the lit fraction of a pixel comes from.
-enum class LitSource : std::uint8_t { Everywhere, Maps, Mask };
+/// Where the lit fraction of a pixel comes from; undecided pixels get the colours of both verdicts.
+enum class LitSource : std::uint8_t { Everywhere, Maps, Mask, Undecided };
 
 /// What all pixels of a frame share.
 struct ShadingFrame {

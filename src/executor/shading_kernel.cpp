@@ -152,6 +152,11 @@ HWY_INLINE Ints level(Floats value) {
     return hn::ShiftRight<1>(hn::Add(hn::ConvertTo(kInts, doubled), hn::Set(kInts, 1)));
 }
 
+/// 8-bit RGB, red in the low byte.
+HWY_INLINE Ints packed(const Vec3& color) {
+    return hn::Or(level(color.x), hn::Or(hn::ShiftLeft<8>(level(color.y)), hn::ShiftLeft<16>(level(color.z))));
+}
+
 HWY_INLINE void shadeLanes(const ShadingFrame& f, PixelBatch& batch, std::size_t i) {
     const block::Frame& frame = *f.frame;
     const auto zero = hn::Zero(kFloats);
@@ -181,12 +186,17 @@ HWY_INLINE void shadeLanes(const ShadingFrame& f, PixelBatch& batch, std::size_t
 
     const auto direct = hn::Mul(lit, hn::Max(dot(smooth, light), zero));
     const auto facing = hn::Abs(dot(smooth, eyeDirection));
-    const auto strength =
-        hn::Add(hn::Add(constant(0.22F), hn::Mul(constant(0.14F), facing)), hn::Mul(constant(0.64F), direct));
-    const Vec3 shaded =
-        scale({channel<0>(batch, i, weights), channel<8>(batch, i, weights), channel<16>(batch, i, weights)}, strength);
-    const auto color =
-        hn::Or(level(shaded.x), hn::Or(hn::ShiftLeft<8>(level(shaded.y)), hn::ShiftLeft<16>(level(shaded.z))));
+    const auto ambient = hn::Add(constant(0.22F), hn::Mul(constant(0.14F), facing));
+    const auto strength = hn::Add(ambient, hn::Mul(constant(0.64F), direct));
+    const Vec3 albedo = {channel<0>(batch, i, weights), channel<8>(batch, i, weights), channel<16>(batch, i, weights)};
+    const Vec3 shaded = scale(albedo, strength);
+    auto color = packed(shaded);
+    if (f.litSource == LitSource::Undecided) {
+        hn::StoreU(hn::BitCast(kUints, color), kUints, batch.litColor.data() + i);
+        hn::StoreU(weights.second, kFloats, batch.second.data() + i);
+        hn::StoreU(weights.third, kFloats, batch.third.data() + i);
+        color = packed(scale(albedo, ambient));
+    }
 
     store(position, batch.position, i);
     store(flat, batch.flatNormal, i);

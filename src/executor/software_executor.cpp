@@ -1,8 +1,12 @@
 #include "executor/software_executor.h"
 
 #include "core/stopwatch.h"
+#include "executor/exact_pass.h"
 #include "executor/frame_block.h"
 #include "executor/software_shading.h"
+#include "plan/cell_maps.h"
+
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 
@@ -18,6 +22,10 @@ public:
 
     PassStatistics drawImage(const FrameDrawing& frame) override;
 
+    bool decidesExactly() const override { return true; }
+
+    DrawStatistics drawExactly(const FrameDrawing& frame) override;
+
     Bytes deviceMemory() const override {
         return {shadowDepth_.pixels.size() * sizeof(float) + words_.size() * sizeof(std::uint64_t)};
     }
@@ -32,6 +40,9 @@ public:
 
 private:
     void clearBetweenMaps(const plan::FramePlan& plan);
+    void sizeTargets(const FrameDrawing& frame);
+    void drawUndecided(const FrameDrawing& frame);
+    void lightDecided(const FrameDrawing& frame);
 
     raster::Rasterizer rasterizer_;
     SoftwarePass pass_;                // the one that is drawn
@@ -40,6 +51,8 @@ private:
     Picture picture_;
     Raster<SurfaceSample> surfaces_;
     double clipNear_ = 1;
+    exact::ExactShadows exact_;
+    UndecidedPixels undecided_;
 };
 
 /// What no map covers is 1; each map clears its own texels as it is drawn.
@@ -87,8 +100,7 @@ PassStatistics SoftwareExecutor::drawShadowMaps(const FrameDrawing& frame) {
     return statistics;
 }
 
-PassStatistics SoftwareExecutor::drawImage(const FrameDrawing& frame) {
-    const Stopwatch watch;
+void SoftwareExecutor::sizeTargets(const FrameDrawing& frame) {
     clipNear_ = frame.clipNear;
     const plan::View& view = frame.plan->view;
     if (picture_.width != view.width || picture_.height != view.height) picture_ = Picture(view.width, view.height);
@@ -97,6 +109,12 @@ PassStatistics SoftwareExecutor::drawImage(const FrameDrawing& frame) {
     else if (surfaces_.width != view.width || surfaces_.height != view.height)
         surfaces_ = Raster<SurfaceSample>(view.width, view.height);
     words_.resize(picture_.pixels.size());
+}
+
+PassStatistics SoftwareExecutor::drawImage(const FrameDrawing& frame) {
+    const Stopwatch watch;
+    sizeTargets(frame);
+    const plan::View& view = frame.plan->view;
     pass_.gather(frame, *frame.image);
     const glm::dmat4 clipFromDraw = imageClipFromDraw(frame);
     const Shading shading(frame, clipFromDraw, shadowDepth_, pass_.drawn());
@@ -107,6 +125,72 @@ PassStatistics SoftwareExecutor::drawImage(const FrameDrawing& frame) {
         {words_.data(), view.width, view.height},
         [&](const raster::PixelBox& box) { shading.shade(box, words_, target); });
     return {watch.elapsed(), frame.image->ranges.size(), std::nullopt};
+}
+
+/// Draws the image in shadow, and collects what may be lit.
+void SoftwareExecutor::drawUndecided(const FrameDrawing& frame) {
+    const plan::View& view = frame.plan->view;
+    pass_.gather(frame, *frame.image);
+    const exact::SampleSpace space = sampleSpace(frame);
+    exact_.samples().reset(space, picture_.pixels.size());
+    undecided_.samples = &exact_.samples();
+    undecided_.litColors.resize(picture_.pixels.size());
+    undecided_.tolerances = tolerances(frame, pass_.drawn(), space.light);
+    const glm::dmat4 clipFromDraw = imageClipFromDraw(frame);
+    const Shading shading(frame, clipFromDraw, shadowDepth_, pass_.drawn(), true);
+    const ShadingTarget target{&picture_, nullptr, &undecided_};
+    rasterizer_.drawVisibility(
+        pass_.clusters(),
+        rasterView(frame.space, clipFromDraw, {0, 0, view.width, view.height}),
+        {words_.data(), view.width, view.height},
+        [&](const raster::PixelBox& box) { shading.shade(box, words_, target); });
+}
+
+/// Gives the light to the samples that it reaches; where more than colours is wanted, by shading once more.
+void SoftwareExecutor::lightDecided(const FrameDrawing& frame) {
+    const exact::SampleList& samples = exact_.samples();
+    const std::span<const std::uint8_t> statuses = exact_.statuses();
+    const bool isShadedAgain = frame.overlay != Overlay::None || frame.wantsSurfaces;
+    if (!isShadedAgain) {
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            if ((statuses[i] & exact::kDark) != 0) continue;
+            const std::uint32_t color = undecided_.litColors[samples.pixel[i]];
+            picture_.pixels[samples.pixel[i]] = {
+                static_cast<std::uint8_t>(color),
+                static_cast<std::uint8_t>(color >> 8U),
+                static_cast<std::uint8_t>(color >> 16U)};
+        }
+        return;
+    }
+    Raster<std::uint8_t> mask(picture_.width, picture_.height);
+    for (std::size_t i = 0; i < samples.size(); ++i)
+        if ((statuses[i] & exact::kDark) == 0) mask.pixels[samples.pixel[i]] = 255;
+    FrameDrawing lit = frame;
+    lit.litMask = &mask;
+    const Shading shading(lit, imageClipFromDraw(lit), shadowDepth_, pass_.drawn());
+    const ShadingTarget target{&picture_, frame.wantsSurfaces ? &surfaces_ : nullptr};
+    constexpr int kRows = 16;
+    tbb::parallel_for(0, (picture_.height + kRows - 1) / kRows, [&](int band) {
+        const int end = std::min(picture_.height, (band + 1) * kRows);
+        shading.shade({0, band * kRows, picture_.width, end}, words_, target);
+    });
+}
+
+DrawStatistics SoftwareExecutor::drawExactly(const FrameDrawing& frame) {
+    const Stopwatch watch;
+    DrawStatistics statistics;
+    shadowDepth_ = {};
+    sizeTargets(frame);
+    drawUndecided(frame);
+    statistics.image = {watch.elapsed(), frame.image->ranges.size(), std::nullopt};
+    const Stopwatch shadowWatch;
+    const std::vector<exact::Caster> casters = exactCasters(frame, pass_);
+    const std::vector<glm::dmat3> planes = cellPlanes(frame, exact_.samples().space().shear);
+    const hierarchy::GridPoint origin = frame.space.originCell;
+    statistics.exact = exact_.decide({casters, {origin.x, origin.y, origin.z}, planes, plan::kCellSide});
+    lightDecided(frame);
+    statistics.shadows = {shadowWatch.elapsed(), 0, std::nullopt};
+    return statistics;
 }
 
 FloatPicture SoftwareExecutor::viewDepth() {

@@ -36,14 +36,16 @@ struct Shading::Work {
     std::array<std::uint32_t, PixelBatch::kMost> triangles{}; // their names
     std::array<std::array<const hierarchy::Vertex*, 3>, PixelBatch::kMost> corners{};
     std::array<int, PixelBatch::kMost> columns{};
-    std::array<int, PixelBatch::kMost> rows{}; // from the bottom
+    std::array<int, PixelBatch::kMost> rows{};                           // from the bottom
+    std::array<std::uint32_t, PixelBatch::kMost> pixels{}, tolerances{}; // of undecided ones
 };
 
 Shading::Shading(
     const FrameDrawing& frame,
     const glm::dmat4& clipFromDraw,
     const FloatPicture& shadowDepth,
-    std::span<const DrawnCluster> clusters)
+    std::span<const DrawnCluster> clusters,
+    bool isUndecided)
     : frame_(&frame),
       clusters_(clusters),
       block_(frameBlock(frame, frame.space, clipFromDraw)),
@@ -53,7 +55,9 @@ Shading::Shading(
     shared_.shadows = &shadows_;
     shared_.shadowDepth = shadowDepth.pixels.data();
     shared_.shadowWidth = shadowDepth.width;
-    if (frame.litMask != nullptr)
+    if (isUndecided)
+        shared_.litSource = LitSource::Undecided;
+    else if (frame.litMask != nullptr)
         shared_.litSource = LitSource::Mask;
     else if (!frame.plan->passes.empty())
         shared_.litSource = LitSource::Maps;
@@ -138,6 +142,7 @@ void Shading::flush(Work& work, const ShadingTarget& target) const {
     if (batch.count == 0) return;
     gatherTriangles(work);
     shadePixels(shared_, batch);
+    if (target.undecided != nullptr) leaveUndecided(work, target);
     Picture& picture = *target.picture;
     const bool isPainted = frame_->overlay != Overlay::None;
     for (std::size_t i = 0; i < batch.count; ++i) {
@@ -156,6 +161,31 @@ void Shading::flush(Work& work, const ShadingTarget& target) const {
             1};
     }
     batch.count = 0;
+}
+
+void Shading::leaveUndecided(Work& work, const ShadingTarget& target) const {
+    const PixelBatch& batch = work.batch;
+    UndecidedPixels& undecided = *target.undecided;
+    for (std::size_t i = 0; i < batch.count; ++i) {
+        const std::size_t at = target.picture->index(work.columns[i], target.picture->height - 1 - work.rows[i]);
+        work.pixels[i] = static_cast<std::uint32_t>(at);
+        work.tolerances[i] = undecided.tolerances[work.triangles[i] >> kTriangleBits];
+        undecided.litColors[at] = batch.litColor[i];
+    }
+    exact::PointBatch points;
+    points.count = batch.count;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        points.corner[axis] = batch.corner[axis].data();
+        points.edge1[axis] = batch.edge1[axis].data();
+        points.edge2[axis] = batch.edge2[axis].data();
+    }
+    points.second = batch.second.data();
+    points.third = batch.third.data();
+    points.map = batch.pass.data();
+    points.pixel = work.pixels.data();
+    points.triangle = work.triangles.data();
+    points.tolerance = work.tolerances.data();
+    undecided.samples->add(points);
 }
 
 Rgb Shading::painted(const Work& work, std::size_t i) const {

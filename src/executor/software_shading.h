@@ -1,6 +1,7 @@
 // From the visibility buffer to the image: what is seen at each pixel, gathered for the vector kernel, and its colours.
 #pragma once
 
+#include "exact/sample_list.h"
 #include "executor/shading_kernel.h"
 #include "executor/software_overlay.h"
 
@@ -9,21 +10,31 @@ namespace gnomon::executor {
 /// Where nothing is.
 constexpr Rgb kBackground = {219, 227, 237};
 
+/// Pixels whose verdict is still to come.
+struct UndecidedPixels {
+    exact::SampleList* samples = nullptr;  // get those that face the light, by the index of their pixel
+    std::vector<std::uint32_t> litColors;  // by pixel, as PixelBatch has them
+    std::vector<std::uint32_t> tolerances; // of each drawn cluster, as exact::meet takes them
+};
+
 /// Rows of the image from top to bottom; `surfaces` may be null.
 struct ShadingTarget {
     Picture* picture = nullptr;
     Raster<SurfaceSample>* surfaces = nullptr;
+    UndecidedPixels* undecided = nullptr; // shades each pixel in shadow, and leaves to this what is lit
 };
 
 /// The image of one frame, ready to be shaded box by box from any thread.
 class Shading {
 public:
-    /// All arguments must outlive it; `shadowDepth` is empty without maps, `clusters` are those of the image's pass.
+    /// All arguments must outlive it; `shadowDepth` is empty without maps, `clusters` are those of the image's pass;
+    /// `isUndecided` calls for targets with `undecided`.
     Shading(
         const FrameDrawing& frame,
         const glm::dmat4& clipFromDraw,
         const FloatPicture& shadowDepth,
-        std::span<const DrawnCluster> clusters);
+        std::span<const DrawnCluster> clusters,
+        bool isUndecided = false);
 
     Shading(const Shading&) = delete;
     Shading& operator=(const Shading&) = delete;
@@ -42,6 +53,7 @@ private:
 
     void gatherTriangles(Work& work) const;
     void flush(Work& work, const ShadingTarget& target) const;
+    void leaveUndecided(Work& work, const ShadingTarget& target) const;
     Rgb painted(const Work& work, std::size_t i) const;
 
     const FrameDrawing* frame_;

@@ -65,6 +65,10 @@ PreparedFrame Renderer::prepare(
 executor::DrawStatistics Renderer::draw(const PreparedFrame& frame, const FrameOptions& options) {
     heldMaps_.reset();
     executor::FrameDrawing drawing = this->drawing(frame, options);
+    if (frame.isExact()) {
+        drawing.exactCasters = &frame.cut.lists[1];
+        return executor_->drawExactly(drawing);
+    }
     executor::DrawStatistics statistics;
     executor::TracedShadows traced;
     if (frame.isRayTraced()) {

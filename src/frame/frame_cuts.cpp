@@ -47,7 +47,7 @@ void cutImage(
 
 void cutPartitions(PreparedFrame& frame, const Residency& residency) {
     frame.volumes.resize(1);
-    if (frame.plan.passes.empty() && !frame.isRayTraced()) {
+    if (frame.plan.passes.empty() && !frame.hasOneCasterList()) {
         frame.cut.lists.resize(1);
         return;
     }
@@ -58,7 +58,7 @@ void cutPartitions(PreparedFrame& frame, const Residency& residency) {
         // Without culling every map draws all there is, at the detail that the maps call for.
         frame.volumes.push_back(frame.plan.quality.cullCasters ? casters.back().casters : ConvexVolume{});
     }
-    if (frame.isRayTraced()) {
+    if (frame.hasOneCasterList()) {
         casters.push_back(rayCasterDetail(frame));
         frame.volumes.push_back(casters.back().casters);
     }

@@ -32,6 +32,14 @@ struct PreparedFrame {
     bool isRayTraced() const {
         return plan.quality.shadows == plan::ShadowMode::Rays && facts.visible && facts.visible->anything;
     }
+
+    /// Whether its shadows are decided exactly.
+    bool isExact() const {
+        return plan.quality.shadows == plan::ShadowMode::Exact && facts.visible && facts.visible->anything;
+    }
+
+    /// Whether shadows are found without maps: the second list is that of all that can cast into the view.
+    bool hasOneCasterList() const { return isRayTraced() || isExact(); }
 };
 
 } // namespace gnomon::frame

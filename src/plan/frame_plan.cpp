@@ -7,6 +7,7 @@ namespace gnomon::plan {
 std::string schemeName(const FramePlan& plan) {
     if (plan.quality.shadows == ShadowMode::Off) return "off";
     if (plan.quality.shadows == ShadowMode::Rays) return "rays";
+    if (plan.quality.shadows == ShadowMode::Exact) return "exact";
     if (plan.passes.empty()) return "none";
     const std::size_t slices = plan.splits.size() - 1;
     std::string name;

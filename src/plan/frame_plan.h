@@ -33,10 +33,12 @@ struct View {
     double tanHalfX() const { return aspect() * tanHalfY(); }
 };
 
-enum class ShadowMode : std::uint8_t { Off, Maps, Rays };
+/// Exact decides each visible point in integers; Rays asks a ray tracer; Maps looks shadow maps up.
+enum class ShadowMode : std::uint8_t { Off, Maps, Exact, Rays };
 inline constexpr std::array kShadowModes = {
     Word<ShadowMode>{ShadowMode::Off, "off"},
     Word<ShadowMode>{ShadowMode::Maps, "maps"},
+    Word<ShadowMode>{ShadowMode::Exact, "exact"},
     Word<ShadowMode>{ShadowMode::Rays, "rays"},
 };
 
@@ -122,7 +124,8 @@ struct FramePlan {
     shadow::PartitionSelector selector; // which partition owns a point
     std::vector<int> passOfPartition;   // by the selector's index; -1: no map
     std::vector<ShadowPass> passes;
-    shadow::Aliasing promised; // the largest over all passes
+    std::vector<shadow::ShadowMap> cellMaps; // of exact shadows: their matrices lay out the cells of the samples
+    shadow::Aliasing promised;               // the largest over all passes
     double storageFactor = 0;
     bool promiseKept = true;             // only `auto` promises anything: at most quality.maxAliasing
     std::uint64_t texelsThatWouldDo = 0; // for that; with several schemes to choose from the least of them; 0: none

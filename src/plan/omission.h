@@ -24,6 +24,7 @@ enum class Effect : std::uint8_t {
 enum class OmissionReason : std::uint8_t {
     SwitchedOff,
     RayTraced,          // shadows are
+    DecidedExactly,     // shadows are, point by point
     NothingInView,      //
     NothingFacesLight,  // of what is seen in the view, or in the slice
     NoCasterInReach,    // of a visible surface

@@ -2,6 +2,7 @@
 
 #include "core/angle.h"
 #include "core/error.h"
+#include "plan/cell_maps.h"
 #include "plan/depth_range.h"
 #include "plan/shadow_passes.h"
 #include "shadow/caster_volume.h"
@@ -34,6 +35,7 @@ std::optional<OmissionReason> reasonForNoMaps(
     const Quality& quality, const SceneFacts& scene, const DepthRange& range) {
     if (quality.shadows == ShadowMode::Off) return OmissionReason::SwitchedOff;
     if (quality.shadows == ShadowMode::Rays) return OmissionReason::RayTraced;
+    if (quality.shadows == ShadowMode::Exact) return OmissionReason::DecidedExactly;
     if (range.isEmpty) return OmissionReason::NothingInView;
     if (scene.light && scene.light->lit.empty()) return OmissionReason::NothingFacesLight;
     if (scene.light && !scene.light->canBeShadowed) return OmissionReason::NoCasterInReach;
@@ -87,6 +89,7 @@ PlannedFrame planFrame(const View& view, const Quality& quality, const SceneFact
         plan.omitted.push_back({Effect::ShadowMaps, *reason});
     else
         result.memory.scheme = planShadowPasses(plan, scene, memory.scheme);
+    if (quality.shadows == ShadowMode::Exact && !range.isEmpty) plan.cellMaps = cellMaps(plan);
     return result;
 }
 

@@ -74,6 +74,8 @@ std::string reasonInWords(const plan::Omission& omission) {
         return "switched off";
     case OmissionReason::RayTraced:
         return "shadows are ray-traced";
+    case OmissionReason::DecidedExactly:
+        return "shadows are decided exactly, point by point";
     case OmissionReason::NothingInView:
         return "nothing is in view";
     case OmissionReason::NothingFacesLight:

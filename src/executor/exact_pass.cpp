@@ -1,0 +1,111 @@
+#include "executor/exact_pass.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+namespace gnomon::executor {
+
+namespace {
+
+/// The clusters of the image, to be asked for by page and cluster.
+class ClusterSet {
+public:
+    explicit ClusterSet(std::span<const DrawnCluster> clusters) {
+        for (const DrawnCluster& drawn : clusters) {
+            std::vector<bool>& page = pages_[drawn.pageId];
+            if (page.empty()) page.resize(drawn.page->clusters.size());
+            page[drawn.cluster] = true;
+        }
+    }
+
+    bool contains(std::uint32_t page, std::uint32_t cluster) const {
+        const auto found = pages_.find(page);
+        return found != pages_.end() && found->second[cluster];
+    }
+
+private:
+    std::unordered_map<std::uint32_t, std::vector<bool>> pages_;
+};
+
+exact::Caster casterOf(const FrameDrawing& frame, const hierarchy::Page& page, std::uint32_t index, std::size_t place) {
+    const hierarchy::Cluster& cluster = page.clusters[index];
+    const hierarchy::GridPoint origin = frame.space.originCell;
+    const auto fromOrigin = [&](const hierarchy::GridPoint& p) {
+        return glm::i64vec3(p.x, p.y, p.z) - glm::i64vec3(origin.x, origin.y, origin.z);
+    };
+    exact::Caster caster;
+    caster.geometry = {
+        &page.vertices[cluster.firstVertex].position.x,
+        sizeof(hierarchy::Vertex),
+        cluster.vertexCount,
+        {page.triangles.data() + cluster.firstTriangle, cluster.triangleCount},
+        static_cast<std::uint32_t>(place) << kTriangleBits};
+    caster.least = fromOrigin(cluster.box.min);
+    caster.most = fromOrigin(cluster.box.max);
+    return caster;
+}
+
+} // namespace
+
+exact::IntegerLight integerLight(const plan::FramePlan& plan) {
+    return exact::roundedLight(toWorld(plan.basis, plan.towardsLight));
+}
+
+exact::SampleSpace sampleSpace(const FrameDrawing& frame) {
+    exact::SampleSpace space;
+    space.light = integerLight(*frame.plan);
+    space.shear = exact::shearAlong(space.light);
+    space.eye = frame.space.eye / frame.space.step;
+    space.maps = static_cast<int>(frame.plan->cellMaps.size());
+    return space;
+}
+
+std::vector<std::uint32_t> tolerances(
+    const FrameDrawing& frame, std::span<const DrawnCluster> clusters, const exact::IntegerLight& light) {
+    constexpr double kSteps = 2;
+    constexpr double kMost = 0x7FFFFFFF;
+    const double perCell = std::ldexp(1.0, exact::kLightBits) / glm::length(glm::dvec3(light.direction));
+    std::vector<std::uint32_t> result;
+    result.reserve(clusters.size());
+    for (const DrawnCluster& drawn : clusters) {
+        const std::uint32_t refinement = drawn.page->clusters[drawn.cluster].refinement;
+        const double error = refinement == hierarchy::kNone ? 0 : drawn.page->refinements[refinement].error;
+        const double cells = std::max(kSteps, error / frame.space.step);
+        result.push_back(static_cast<std::uint32_t>(std::min(std::floor(cells * perCell), kMost)));
+    }
+    return result;
+}
+
+std::vector<exact::Caster> exactCasters(const FrameDrawing& frame, const SoftwarePass& image) {
+    std::vector<exact::Caster> casters;
+    casters.reserve(image.drawn().size());
+    for (const DrawnCluster& drawn : image.drawn())
+        casters.push_back(casterOf(frame, *drawn.page, drawn.cluster, casters.size()));
+    const ClusterSet drawn(image.drawn());
+    for (const selection::ClusterRange& range : frame.exactCasters->ranges) {
+        const hierarchy::Page& page = frame.pages(range.page);
+        for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c)
+            if (!drawn.contains(range.page, c)) casters.push_back(casterOf(frame, page, c, casters.size()));
+    }
+    return casters;
+}
+
+std::vector<glm::dmat3> cellPlanes(const FrameDrawing& frame, const exact::LightShear& shear) {
+    std::vector<glm::dmat3> planes;
+    for (const shadow::ShadowMap& map : frame.plan->cellMaps) {
+        const glm::dmat4 clip = map.lightClipFromCamera() * frame.space.cameraFromDraw;
+        const auto column = [&](const glm::dvec4& p) {
+            const glm::dvec4 c = clip * p;
+            return glm::dvec3(c.x, c.y, c.w);
+        };
+        glm::dvec4 u(0);
+        glm::dvec4 v(0);
+        u[shear.first] = frame.space.step;
+        v[shear.second] = frame.space.step;
+        planes.emplace_back(column(u), column(v), column({0, 0, 0, 1}));
+    }
+    return planes;
+}
+
+} // namespace gnomon::executor

@@ -1,0 +1,29 @@
+// A frame's clusters, light and cells as exact shadows take them.
+#pragma once
+
+#include "exact/exact_shadows.h"
+#include "executor/software_pass.h"
+
+#include <vector>
+
+namespace gnomon::executor {
+
+/// Towards the light, along the grid's axes.
+exact::IntegerLight integerLight(const plan::FramePlan& plan);
+
+/// What all samples of a frame share.
+exact::SampleSpace sampleSpace(const FrameDrawing& frame);
+
+/// How far ahead of a point on each drawn cluster a triangle may lie and still only touch it, as exact::meet takes it:
+/// two steps of the grid, or the cluster's stored error where that is larger.
+std::vector<std::uint32_t> tolerances(
+    const FrameDrawing& frame, std::span<const DrawnCluster> clusters, const exact::IntegerLight& light);
+
+/// All that can cast: the clusters of the image's pass in their order, then those of `frame.exactCasters` that are not
+/// among them.
+std::vector<exact::Caster> exactCasters(const FrameDrawing& frame, const SoftwarePass& image);
+
+/// From the light plane to the cells of each of the plan's cell maps.
+std::vector<glm::dmat3> cellPlanes(const FrameDrawing& frame, const exact::LightShear& shear);
+
+} // namespace gnomon::executor

@@ -287,8 +287,8 @@ void ClusterCaster::castTriangle(std::size_t map, std::size_t triangle, const Ce
             isSet = true;
         }
         counts_.sampleTests += end - begin;
-        testSamples(test, context_, begin, end, [&](std::size_t place) {
-            ++counts_.exactDecisions;
+        testSamples(test, context_, begin, end, [&](std::size_t place, bool mayCast) {
+            counts_.exactDecisions += mayCast ? 1 : 0;
             const std::uint8_t bits = decideExactly(context_, caster_, triangle, place);
             if (bits != kLit) mark(context_.statuses[place], bits);
         });
@@ -347,8 +347,8 @@ std::uint8_t decideExactly(const CastContext& context, const Caster& caster, std
         scaledPoint(point),
         samples.integerTolerance[sample]);
     if (met.meeting == Meeting::None) return kLit;
-    const std::uint8_t edge = met.isOnEdge ? kOnEdge : kLit;
-    return met.meeting == Meeting::Ahead ? edge | kDark | kDarkWithoutTolerance : edge | kDarkWithoutTolerance;
+    if (met.meeting == Meeting::Touching) return kTouched;
+    return met.isOnEdge ? kDarkByEdge : kDark;
 }
 
 } // namespace gnomon::exact

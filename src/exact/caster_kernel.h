@@ -15,11 +15,18 @@ struct Caster {
     glm::i64vec3 most{0};
 };
 
-/// What is known of a sample once casters went over it; bits that add up.
-constexpr std::uint8_t kLit = 0;
-constexpr std::uint8_t kDark = 1;                 // some triangle is farther ahead than the tolerance
-constexpr std::uint8_t kDarkWithoutTolerance = 2; // some triangle is ahead at all
-constexpr std::uint8_t kOnEdge = 4; // the ray met an edge of a triangle ahead of the point: the rule for ties decided
+/// What is known of a sample once casters went over it; bits that add up, but with kDark the others mean nothing.
+enum SampleStatus : std::uint8_t {
+    kLit = 0,
+    kDark = 1,       // a triangle is ahead, farther than the tolerance
+    kDarkByEdge = 2, // the same, but the ray meets just its edge, and the rule for ties decided
+    kTouched = 4,    // a triangle is ahead, but not farther than the tolerance
+};
+
+/// Whether the light does not reach a sample.
+inline bool isDark(std::uint8_t status) {
+    return (status & (kDark | kDarkByEdge)) != 0;
+}
 
 /// What casting took. Depends on samples and casters alone, not on threads; `exactDecisions` on the instruction set
 /// too.
@@ -28,7 +35,7 @@ struct CastCounts {
     std::uint64_t triangles = 0;      // of clusters that the mask kept, once a map
     std::uint64_t trianglesCast = 0;  // that the mask kept
     std::uint64_t sampleTests = 0;    // pairs of a triangle and a sample in the cells that it was cast over
-    std::uint64_t exactDecisions = 0; // of those, decided in integers
+    std::uint64_t exactDecisions = 0; // of those whose verdict doubles left open
 
     CastCounts& operator+=(const CastCounts& other);
 };

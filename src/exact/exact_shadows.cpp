@@ -1,10 +1,10 @@
 #include "exact/exact_shadows.h"
 
-#include <tbb/blocked_range.h>
 #include <tbb/combinable.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 
 namespace gnomon::exact {
 
@@ -19,7 +19,45 @@ double reachOf(std::span<const Caster> casters) {
     return static_cast<double>(reach);
 }
 
+/// The casters of one round: of each eight neighbours in the list those from `first` to before `end`. What is dark
+/// after a round leaves, and with it the clusters that only it called for.
+struct Round {
+    std::size_t first = 0;
+    std::size_t end = 0;
+};
+
+constexpr std::size_t kStride = 8;
+constexpr std::array kRounds = {Round{0, 1}, Round{1, 4}, Round{4, kStride}};
+
+CastCounts castRound(const CastContext& context, const Round& round) {
+    tbb::combinable<CastCounts> counts;
+    const std::size_t strides = (context.casters.size() + kStride - 1) / kStride;
+    tbb::parallel_for(std::size_t{0}, strides, [&](std::size_t stride) {
+        CastCounts& local = counts.local();
+        const std::size_t end = std::min(stride * kStride + round.end, context.casters.size());
+        for (std::size_t i = stride * kStride + round.first; i < end; ++i)
+            castCluster(context, i, local);
+    });
+    CastCounts sum;
+    counts.combine_each([&](const CastCounts& part) { sum += part; });
+    return sum;
+}
+
 } // namespace
+
+/// Where that is worth the time it takes: a quarter or more of the samples.
+void ExactShadows::removeDark() {
+    constexpr std::size_t kWorthwhile = 4;
+    const auto isDecided = [&](std::size_t place) { return (sorted_[place] & kDark) != 0; };
+    std::size_t dark = 0;
+    for (std::size_t i = 0; i < grid_.size(); ++i)
+        dark += isDecided(i) ? 1 : 0;
+    if (dark * kWorthwhile < grid_.size()) return;
+    grid_.remove(
+        isDecided,
+        [&](std::size_t place) { statuses_[grid_.source[place]] = kDark; },
+        [&](std::size_t from, std::size_t to) { sorted_[to] = sorted_[from]; });
+}
 
 ExactStatistics ExactShadows::decide(const ExactQuestion& question) {
     ExactStatistics statistics;
@@ -32,23 +70,16 @@ ExactStatistics ExactShadows::decide(const ExactQuestion& question) {
     statuses_.resize(samples_.size());
     if (samples_.size() == 0) return statistics;
     const CastContext context{&samples_, &grid_, question.casters, question.originCell, coordinateError, sorted_};
-    tbb::combinable<CastCounts> counts;
-    tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(0, question.casters.size(), 16),
-        [&](const tbb::blocked_range<std::size_t>& part) {
-            CastCounts& local = counts.local();
-            for (std::size_t i = part.begin(); i < part.end(); ++i)
-                castCluster(context, i, local);
-        });
-    counts.combine_each([&](const CastCounts& part) { statistics.cast += part; });
-    for (std::size_t i = 0; i < samples_.size(); ++i) {
-        const std::uint8_t status = sorted_[i];
-        statuses_[grid_.source[i]] = status;
-        const bool isDark = (status & kDark) != 0;
-        const bool isDarkWithout = (status & kDarkWithoutTolerance) != 0;
-        statistics.dark += isDark ? 1 : 0;
-        statistics.darkWithoutTolerance += isDarkWithout ? 1 : 0;
-        statistics.touching += isDark != isDarkWithout || (status & kOnEdge) != 0 ? 1 : 0;
+    for (std::size_t round = 0; round < kRounds.size() && grid_.size() > 0; ++round) {
+        statistics.cast += castRound(context, kRounds[round]);
+        if (round + 1 < kRounds.size()) removeDark();
+    }
+    for (std::size_t i = 0; i < grid_.size(); ++i)
+        statuses_[grid_.source[i]] = (sorted_[i] & kDark) != 0 ? std::uint8_t{kDark} : sorted_[i];
+    for (const std::uint8_t status : statuses_) {
+        statistics.dark += isDark(status) ? 1 : 0;
+        statistics.darkWithoutTolerance += status != kLit ? 1 : 0;
+        statistics.touching += status != kLit && status != kDark ? 1 : 0;
     }
     return statistics;
 }

@@ -42,6 +42,8 @@ public:
     const SampleGrid& grid() const { return grid_; }
 
 private:
+    void removeDark();
+
     SampleList samples_;
     SampleGrid grid_;
     std::vector<std::uint8_t> sorted_;   // statuses in the grid's order

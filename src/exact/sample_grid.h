@@ -31,6 +31,11 @@ public:
     /// without a warp cells stay so large that they cannot.
     void sort(const SampleList& samples, std::span<const glm::dmat3> planes, int side, double coordinateError);
 
+    /// Takes out the samples that `leaves(place)` names and makes the masks anew; the others keep their order. Calls
+    /// `leave(place)` for each that goes, and `move(from, to)` for each that stays.
+    template <class Leaves, class Leave, class Move>
+    void remove(const Leaves& leaves, const Leave& leave, const Move& move);
+
     int side() const { return side_; }
 
     std::span<const CellMap> maps() const { return maps_; }
@@ -66,6 +71,33 @@ private:
     std::vector<std::uint32_t> first_; // by cell, and the end
     std::vector<std::uint32_t> cellOf_, rankOf_;
 };
+
+template <class Leaves, class Leave, class Move>
+void SampleGrid::remove(const Leaves& leaves, const Leave& leave, const Move& move) {
+    std::uint32_t to = 0;
+    std::uint32_t from = 0;
+    for (std::size_t cell = 0; cell + 1 < first_.size(); ++cell) {
+        const std::uint32_t end = first_[cell + 1];
+        first_[cell] = to;
+        for (; from < end; ++from) {
+            if (leaves(from)) {
+                leave(from);
+                continue;
+            }
+            u[to] = u[from];
+            v[to] = v[from];
+            h[to] = h[from];
+            tolerance[to] = tolerance[from];
+            triangle[to] = triangle[from];
+            source[to] = source[from];
+            move(from, to);
+            ++to;
+        }
+    }
+    first_.back() = to;
+    size_ = to;
+    maskReceivers();
+}
 
 /// The cell coordinate `x` falls into, in [0, side).
 inline int cellAt(double x, int side) {

@@ -98,7 +98,8 @@ HWY_INLINE void forLanes(hn::Mask<DoubleTag> mask, const Visit& visit) {
         visit(static_cast<std::size_t>(__builtin_ctz(bits)));
 }
 
-/// Holds the triangle against the samples at [begin, end) of the grid.
+/// Holds the triangle against the samples at [begin, end) of the grid. Calls `decide(place, mayCast)` for those that
+/// only integers can decide; `mayCast` is false where it can touch at most.
 template <class Decide>
 HWY_INLINE void testSamples(
     const TriangleTest& t, const CastContext& context, std::size_t begin, std::size_t end, const Decide& decide) {
@@ -123,14 +124,24 @@ HWY_INLINE void testSamples(
         const auto below =
             hn::MulAdd(constant(t.normal[0]), du, hn::MulAdd(constant(t.normal[1]), dv, hn::Mul(constant(t.area), dh)));
         const auto height = hn::Neg(below); // of the plane over the sample, times the area
-        const auto isAhead = hn::Gt(hn::NegMulAdd(constant(t.area), tolerance, height), heightError);
-        const auto isDark = hn::And(hn::And(mayCover, hn::Gt(least, edgeError)), isAhead);
-        forLanes(isDark, [&](std::size_t lane) { mark(context.statuses[i + lane], kDark | kDarkWithoutTolerance); });
-        const auto mayBeAhead = hn::Ge(hn::Add(height, heightError), hn::Zero(kDoubles));
-        const auto isOpen = hn::AndNot(isDark, hn::And(mayCover, mayBeAhead));
+        const auto mayBeAhead = hn::And(mayCover, hn::Ge(hn::Add(height, heightError), hn::Zero(kDoubles)));
+        if (hn::AllFalse(kDoubles, mayBeAhead)) continue;
+        const auto beyond = hn::NegMulAdd(constant(t.area), tolerance, height);
+        const auto covers = hn::And(mayBeAhead, hn::Gt(least, edgeError));
+        const auto isDark = hn::And(covers, hn::Gt(beyond, heightError));
+        // Tolerances are rounded up, by less than 2^-22 of their size.
+        const auto most = hn::MulAdd(constant(0x1p-22 * t.area), tolerance, hn::Add(beyond, heightError));
+        const auto mayCast = hn::Ge(most, hn::Zero(kDoubles));
+        const auto isNear = hn::AndNot(mayCast, hn::And(covers, hn::Gt(height, heightError)));
+        forLanes(isDark, [&](std::size_t lane) { mark(context.statuses[i + lane], kDark); });
+        forLanes(isNear, [&](std::size_t lane) { mark(context.statuses[i + lane], kTouched); });
+        const auto isOpen = hn::AndNot(hn::Or(isDark, isNear), mayBeAhead);
         if (hn::AllFalse(kDoubles, isOpen)) continue;
-        forLanes(isOpen, [&](std::size_t lane) {
-            if (grid.triangle[i + lane] != t.name) decide(i + lane);
+        forLanes(hn::And(isOpen, mayCast), [&](std::size_t lane) {
+            if (grid.triangle[i + lane] != t.name) decide(i + lane, true);
+        });
+        forLanes(hn::AndNot(mayCast, isOpen), [&](std::size_t lane) {
+            if (grid.triangle[i + lane] != t.name) decide(i + lane, false);
         });
     }
 }

@@ -153,7 +153,7 @@ void SoftwareExecutor::lightDecided(const FrameDrawing& frame) {
     const bool isShadedAgain = frame.overlay != Overlay::None || frame.wantsSurfaces;
     if (!isShadedAgain) {
         for (std::size_t i = 0; i < samples.size(); ++i) {
-            if ((statuses[i] & exact::kDark) != 0) continue;
+            if (exact::isDark(statuses[i])) continue;
             const std::uint32_t color = undecided_.litColors[samples.pixel[i]];
             picture_.pixels[samples.pixel[i]] = {
                 static_cast<std::uint8_t>(color),
@@ -164,7 +164,7 @@ void SoftwareExecutor::lightDecided(const FrameDrawing& frame) {
     }
     Raster<std::uint8_t> mask(picture_.width, picture_.height);
     for (std::size_t i = 0; i < samples.size(); ++i)
-        if ((statuses[i] & exact::kDark) == 0) mask.pixels[samples.pixel[i]] = 255;
+        if (!exact::isDark(statuses[i])) mask.pixels[samples.pixel[i]] = 255;
     FrameDrawing lit = frame;
     lit.litMask = &mask;
     const Shading shading(lit, imageClipFromDraw(lit), shadowDepth_, pass_.drawn());

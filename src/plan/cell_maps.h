@@ -9,7 +9,7 @@
 namespace gnomon::plan {
 
 /// Cells on each side of a map.
-inline constexpr int kCellSide = 512;
+inline constexpr int kCellSide = 256;
 
 /// The maps of `plan`, whose view, light and depth range are set: one, warped as LSPSM (Wimmer et al. 2004). More
 /// partitions would have triangles cast more than once, for lists that are short enough with one.

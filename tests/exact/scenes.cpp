@@ -19,9 +19,8 @@ std::size_t countOf(const std::vector<std::uint8_t>& statuses, std::uint8_t bits
 }
 
 std::size_t touchingOf(const std::vector<std::uint8_t>& statuses) {
-    return static_cast<std::size_t>(std::count_if(statuses.begin(), statuses.end(), [](std::uint8_t status) {
-        return (status & kOnEdge) != 0 || (status & (kDark | kDarkWithoutTolerance)) == kDarkWithoutTolerance;
-    }));
+    return static_cast<std::size_t>(std::count_if(
+        statuses.begin(), statuses.end(), [](std::uint8_t status) { return status != kLit && status != kDark; }));
 }
 
 } // namespace
@@ -123,10 +122,9 @@ std::vector<std::uint8_t> plainStatuses(const SampleList& samples, const Scene& 
         for (const std::uint32_t name : scene.names()) {
             const RayMeeting met = meet(scene.corners(name), samples.space().light, point, samples.integerTolerance[i]);
             if (met.meeting == Meeting::None) continue;
-            statuses[i] |= kDarkWithoutTolerance;
-            if (met.meeting == Meeting::Ahead) statuses[i] |= kDark;
-            if (met.isOnEdge) statuses[i] |= kOnEdge;
+            statuses[i] |= met.meeting == Meeting::Touching ? kTouched : met.isOnEdge ? kDarkByEdge : kDark;
         }
+        if ((statuses[i] & kDark) != 0) statuses[i] = kDark;
     }
     return statuses;
 }
@@ -151,8 +149,8 @@ ExactStatistics expectSameAsPlain(
             EXPECT_EQ(shadows.statuses().size(), plain.size());
             EXPECT_EQ(wrong, 0U) << "of " << plain.size();
             EXPECT_EQ(found.samples, plain.size());
-            EXPECT_EQ(found.dark, countOf(plain, kDark));
-            EXPECT_EQ(found.darkWithoutTolerance, countOf(plain, kDarkWithoutTolerance));
+            EXPECT_EQ(found.dark, countOf(plain, kDark | kDarkByEdge));
+            EXPECT_EQ(found.darkWithoutTolerance, countOf(plain, kDark | kDarkByEdge | kTouched));
             EXPECT_EQ(found.touching, touchingOf(plain));
             if (last.cast.clustersTested > 0) {
                 EXPECT_EQ(found.cast.triangles, last.cast.triangles);

@@ -187,15 +187,25 @@ Bounds boundsOf(const BenchOptions& options) {
 /// The runs that the options ask for, each sound. Throws UsageError.
 std::vector<measure::BenchRun> runsOf(const BenchOptions& options) {
     const settings::Settings fixed = options.settings.fixedSettings();
-    requireNoWindow(fixed);
     if (settings::isPosed(fixed))
         throw settings::UsageError{"--path and --camera, --eye, --target, --up, --fov-y contradict each other"};
     std::vector<measure::BenchRun> runs =
         measure::runsOf(settings::combinations(fixed, options.settings.axes(options.shadowMaps)));
     if (runs.size() == 1 && !options.report.empty()) runs = measure::reportRuns(runs.front().settings, options.isQuick);
-    for (const measure::BenchRun& run : runs)
-        settings::qualityOf(run.settings); // a contradiction in the last run must not cost the first one's time
+    for (const measure::BenchRun& run : runs) { // a contradiction in the last run must not cost the first one's time
+        settings::qualityOf(run.settings);
+        requireBackend(run.settings);
+    }
     return runs;
+}
+
+/// What the executor of all runs is made by: of one that can carry out each of them.
+settings::Settings executorSettings(const std::vector<measure::BenchRun>& runs) {
+    const auto isExact = [](const measure::BenchRun& run) {
+        return run.settings.quality.shadows == plan::ShadowMode::Exact;
+    };
+    const auto exact = std::find_if(runs.begin(), runs.end(), isExact);
+    return exact != runs.end() ? exact->settings : runs.front().settings;
 }
 
 /// A bench that can be walked: once it is made, all that is known to fail without a walk has failed.
@@ -207,7 +217,7 @@ public:
           runs_(runsOf(options)),
           path_(path::readCameraPath(options.path)),
           baseline_(options.baseline.empty() ? std::nullopt : std::optional(measure::readBaseline(options.baseline))),
-          session_(options.model, runs_.front().settings, printWarning),
+          session_(options.model, executorSettings(runs_), printWarning),
           csv_(options.csv),
           json_(options.json),
           context_(contextOf(options, runs_, path_, session_)),

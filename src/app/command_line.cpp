@@ -38,7 +38,20 @@ void SettingOptions::addTo(CLI::App& command) {
     command.get_option(settings::named("shaders").option())->check(shaderFolder());
 }
 
+bool SettingOptions::isExactAlone() const {
+    const auto asked = texts_.find(settings::named("shadows").name());
+    return asked != texts_.end() && asked->second == wordOf(plan::kShadowModes, plan::ShadowMode::Exact);
+}
+
+void SettingOptions::requireMapsFor(const std::string& option) const {
+    if (isExactAlone())
+        throw settings::UsageError{
+            "--shadows exact and " + option + " contradict each other: exact shadows have no maps"};
+}
+
 settings::Settings SettingOptions::parsed(bool withSwept) const {
+    for (const settings::Setting& setting : settings::table())
+        if (setting.description().isOfMaps && texts_.contains(setting.name())) requireMapsFor(setting.option());
     settings::Settings result;
     for (const settings::Setting& setting : settings::table()) {
         const auto text = texts_.find(setting.name());
@@ -59,6 +72,7 @@ settings::Settings SettingOptions::fixedSettings() const {
 std::vector<settings::Axis> SettingOptions::axes(const std::optional<std::string>& shadowMaps) const {
     const settings::Setting& slices = settings::named("z-partitions");
     const settings::Setting& faces = settings::named("face-partitions");
+    if (shadowMaps) requireMapsFor("--shadow-maps");
     const auto facesText = texts_.find(faces.name());
     if (shadowMaps && facesText != texts_.end() && facesText->second != faces.text(settings::Settings()))
         throw settings::UsageError{
@@ -74,9 +88,14 @@ std::vector<settings::Axis> SettingOptions::axes(const std::optional<std::string
     return axes;
 }
 
-void requireNoWindow(const settings::Settings& settings) {
-    if (settings.backend == settings::Backend::Window)
-        throw settings::UsageError{"--backend window is for gnomon view"};
+void requireBackend(const settings::Settings& settings) {
+    using settings::Backend;
+    if (settings.backend == Backend::Window) throw settings::UsageError{"--backend window is for gnomon view"};
+    const bool isGl = settings.backend == Backend::Osmesa || settings.backend == Backend::Egl;
+    if (isGl && settings.quality.shadows == plan::ShadowMode::Exact)
+        throw settings::UsageError{
+            "--backend " + settings::named("backend").text(settings) +
+            " and --shadows exact contradict each other: only the software executor decides shadows exactly"};
 }
 
 CLI::Validator seedText() {

@@ -29,14 +29,18 @@ public:
     /// slices with faces off. Throws UsageError.
     std::vector<settings::Axis> axes(const std::optional<std::string>& shadowMaps) const;
 
+    /// Throws UsageError if `option`, which is about shadow maps, was given beside `--shadows exact`.
+    void requireMapsFor(const std::string& option) const;
+
 private:
     settings::Settings parsed(bool withSwept) const;
+    bool isExactAlone() const;
 
     std::map<std::string, std::string> texts_; // of the settings that were given, by their names
 };
 
-/// Throws UsageError where `settings` ask for the window, in which only `gnomon view` draws.
-void requireNoWindow(const settings::Settings& settings);
+/// Throws UsageError for a backend that draws into a window, or that cannot carry out what is asked for.
+void requireBackend(const settings::Settings& settings);
 
 /// What a seed may be for CLI11, which takes -1 for the largest of unsigned numbers.
 CLI::Validator seedText();

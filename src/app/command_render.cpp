@@ -69,7 +69,8 @@ void requireWritableOutputs(const RenderOptions& options) {
 void runRender(const RenderOptions& options) {
     const ThreadLimit limit(options.common);
     const settings::Settings settings = options.settings.settings();
-    requireNoWindow(settings);
+    requireBackend(settings);
+    if (!options.shadowDepth.empty()) options.settings.requireMapsFor("--shadow-depth");
     requireExtension("--output", options.output, ".png");
     requireApart(
         {{"MODEL", options.model}, {"--camera", settings.cameraFile}, {"--reference", options.reference}},

@@ -41,7 +41,10 @@ public:
         bool isSheared = false;
         for (std::size_t map = 0; map < context_.grid->maps().size(); ++map) {
             if (context_.grid->maps()[map].isEmpty || !mayShadow(map)) continue;
-            if (!isSheared) shear();
+            if (!isSheared) {
+                shear();
+                ++counts_.clustersKept;
+            }
             isSheared = true;
             counts_.triangles += caster_.geometry.triangles.size();
             castOver(map);
@@ -310,6 +313,7 @@ HWY_EXPORT(castClusterInLanes);
 
 CastCounts& CastCounts::operator+=(const CastCounts& other) {
     clustersTested += other.clustersTested;
+    clustersKept += other.clustersKept;
     triangles += other.triangles;
     trianglesCast += other.trianglesCast;
     sampleTests += other.sampleTests;

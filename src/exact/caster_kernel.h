@@ -32,6 +32,7 @@ inline bool isDark(std::uint8_t status) {
 /// too.
 struct CastCounts {
     std::uint64_t clustersTested = 0;
+    std::uint64_t clustersKept = 0;   // by the mask of some map
     std::uint64_t triangles = 0;      // of clusters that the mask kept, once a map
     std::uint64_t trianglesCast = 0;  // that the mask kept
     std::uint64_t sampleTests = 0;    // pairs of a triangle and a sample in the cells that it was cast over

@@ -10,6 +10,17 @@ std::int64_t toCount(std::uint64_t value) {
     return static_cast<std::int64_t>(value);
 }
 
+void setExact(const exact::ExactStatistics& exact, telemetry::FrameRow& row) {
+    row.shadowSamples = toCount(exact.samples);
+    row.shadowCells = toCount(exact.cells);
+    row.sampleTests = toCount(exact.cast.sampleTests);
+    row.exactDecisions = toCount(exact.cast.exactDecisions);
+    row.touchingPixels = toCount(exact.touching);
+    row.shadowTriangles = toCount(exact.cast.trianglesCast);
+    row.castersTested = toCount(exact.cast.clustersTested);
+    row.castersKept = toCount(exact.cast.clustersKept);
+}
+
 } // namespace
 
 telemetry::FrameRow frameRow(
@@ -63,6 +74,8 @@ telemetry::FrameRow frameRow(
     row.far = plan.far;
     row.depthRatio = plan.far / plan.near;
     row.lightAngle = degreesFromRadians(plan.lightAngleRadians);
+    row.shadows = wordOf(plan::kShadowModes, quality.shadows);
+    if (drawn.exact) setExact(*drawn.exact, row);
     if (plan.passes.empty()) return row;
     row.storageFactor = plan.storageFactor;
     row.promisedAliasingX = plan.promised.x;

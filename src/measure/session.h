@@ -11,7 +11,8 @@
 
 namespace gnomon::measure {
 
-/// The executor that `settings` name, which is not the window: `auto` is a GPU if there is one, else `software`.
+/// The executor that `settings` name, which is not the window: `auto` is a GPU if there is one and it can
+/// carry out what they ask for, else `software`.
 std::unique_ptr<executor::Executor> makeExecutor(const settings::Settings& settings);
 
 /// A model, its executor and its renderer.

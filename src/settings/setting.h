@@ -35,6 +35,7 @@ struct Description {
     std::string form; // of its text, for the help: "T"; empty: its words
     std::string help;
     bool isSwept = false;       // a bench takes a list of values
+    bool isOfMaps = false;      // it says how shadow maps are, and contradicts shadows without them
     bool changesPicture = true; // else the picture is the same for all its values, but for the time that it takes
     std::string statedAs{};     // under which key a bench states it and a baseline must agree; empty: it does not
     std::string quantity{};     // what errors of the engines call it: "image size"

@@ -146,6 +146,7 @@ std::vector<Setting> fixedSettings() {
             {.name = "eta",
              .form = "H",
              .help = "The warp as eta in [-1, 1] of Lloyd et al. 2006: 0 is LSPSM, -1 none, 1 PSM",
+             .isOfMaps = true,
              .statedAs = "eta"},
             ifGiven(number("a number from -1 to 1", [](double v) { return v >= -1 && v <= 1; }))),
         plain(
@@ -154,6 +155,7 @@ std::vector<Setting> fixedSettings() {
              .form = "D|auto",
              .help =
                  "With --warp tsm: distance of the focus from near; at depth sqrt(near far) of each slice if not given",
+             .isOfMaps = true,
              .statedAs = "tsm_focus"},
             ifGiven(distanceOrZero())),
         quality(
@@ -161,6 +163,7 @@ std::vector<Setting> fixedSettings() {
             {.name = "split-lambda",
              .form = "L",
              .help = "Slice depths: 1 self-similar, 0 evenly spaced",
+             .isOfMaps = true,
              .statedAs = "split_lambda"},
             number("a number from 0 to 1", [](double v) { return v >= 0 && v <= 1; })),
         quality(
@@ -168,6 +171,7 @@ std::vector<Setting> fixedSettings() {
             {.name = "max-aliasing",
              .form = "M",
              .help = "With auto: the promise to stay under (perspective aliasing over [near, far])",
+             .isOfMaps = true,
              .statedAs = "max_aliasing"},
             positiveNumber()),
         plain(
@@ -202,7 +206,12 @@ std::vector<Setting> fixedSettings() {
 
 Setting warpSetting() {
     return {
-        {.name = "warp", .form = {}, .help = "How a map is warped", .isSwept = true, .offer = {.title = "warp"}},
+        {.name = "warp",
+         .form = {},
+         .help = "How a map is warped",
+         .isSwept = true,
+         .isOfMaps = true,
+         .offer = {.title = "warp"}},
         oneOf(shadow::kWarpRules),
         [](const Settings& settings) { return settings.quality.warp.rule; },
         [](Settings& settings, shadow::WarpRule rule) {
@@ -217,6 +226,7 @@ Setting shadowTexelsSetting() {
          .form = "WxH",
          .help = "A count: all maps together, gutters included",
          .isSwept = true,
+         .isOfMaps = true,
          .quantity = "shadow texels",
          .offer = {.title = "shadow texels", .least = kLeastOfferedTexels, .most = kMostOfferedTexels}},
         textureSize(),
@@ -242,7 +252,10 @@ std::vector<Setting> sweptSettings() {
             positiveNumber()),
         quality(
             &Quality::shadows,
-            {.name = "shadows", .form = {}, .help = "None, shadow maps, or the ray-traced reference", .isSwept = true},
+            {.name = "shadows",
+             .form = {},
+             .help = "None, shadow maps, exact ones (software executor), or the ray-traced reference",
+             .isSwept = true},
             oneOf(plan::kShadowModes)),
         warpSetting(),
         quality(
@@ -251,6 +264,7 @@ std::vector<Setting> sweptSettings() {
              .form = "K|auto",
              .help = "Slices along the view",
              .isSwept = true,
+             .isOfMaps = true,
              .offer = {.title = "slices", .least = 1, .most = kMaxSlices}},
             orAuto(whole(1, kMaxSlices))),
         quality(
@@ -259,6 +273,7 @@ std::vector<Setting> sweptSettings() {
              .form = {},
              .help = "Split along the frustum's faces",
              .isSwept = true,
+             .isOfMaps = true,
              .offer = {.title = "faces"}},
             oneOf(plan::kChoices)),
         shadowTexelsSetting(),
@@ -268,6 +283,7 @@ std::vector<Setting> sweptSettings() {
              .form = "TEXELS",
              .help = "PCF kernel, its ends weighted; 0 is none",
              .isSwept = true,
+             .isOfMaps = true,
              .offer = {.title = "filter texels", .least = 0, .most = 9, .steps = {0, 2, 3, 5}}},
             whole(0, kMaxFilter)),
         quality(
@@ -285,6 +301,7 @@ std::vector<Setting> sweptSettings() {
              .form = {},
              .help = "Texel-snapped, unwarped slices",
              .isSwept = true,
+             .isOfMaps = true,
              .offer = {.title = "stabilised slices"}},
             onOff()),
     };

@@ -129,6 +129,20 @@ const std::vector<Column>& columns() {
         {"since_start_ms", read<&R::sinceStartMs>},
         {"missed_shadow_fraction", read<&R::missedShadowFraction>},
         {"unexplained_shadow_fraction", read<&R::unexplainedShadowFraction>},
+        {"shadows", read<&R::shadows>},
+        {"shadow_samples", read<&R::shadowSamples>},
+        {"shadow_cells", read<&R::shadowCells>},
+        {"sample_tests", read<&R::sampleTests>},
+        {"exact_decisions", read<&R::exactDecisions>},
+        {"touching_pixels", read<&R::touchingPixels>},
+        {"predicted_sample_tests", read<&R::predictedSampleTests>},
+        {"occlusion", read<&R::occlusion>},
+        {"clusters_hidden", read<&R::clustersHidden>},
+        {"wrong_pixels_all", read<&R::wrongPixelsAll>},
+        {"image_width_drawn", read<&R::imageWidthDrawn>},
+        {"samples_per_pixel", read<&R::samplesPerPixel>},
+        {"sun_angle", read<&R::sunAngle>},
+        {"light_error", read<&R::lightError>},
     };
     return table;
 }

@@ -71,6 +71,22 @@ struct FrameRow {
     std::optional<double> sinceStartMs;              // from the start of the process to the end of the frame
     std::optional<double> missedShadowFraction;      // casters under a texel, counted apart from what is wrong
     std::optional<double> unexplainedShadowFraction; // wrong further than a texel's footprint from a true edge
+
+    // Shadows and light, appended to the log; empty where they do not apply.
+    std::string shadows;                        // how they are found: off, maps, exact or rays
+    std::optional<std::int64_t> shadowSamples;  // visible points that face the light
+    std::optional<std::int64_t> shadowCells;    // that they are sorted into
+    std::optional<std::int64_t> sampleTests;    // pairs of a caster's triangle and a sample in its cells
+    std::optional<std::int64_t> exactDecisions; // of those whose verdict doubles left open
+    std::optional<std::int64_t> touchingPixels; // whose verdict hangs on the tolerance, or on the rule for ties
+    std::optional<std::int64_t> predictedSampleTests;
+    std::optional<std::string> occlusion;
+    std::optional<std::int64_t> clustersHidden;
+    std::optional<double> wrongPixelsAll; // share of all pixels lit or dark against the oracle's verdict
+    std::optional<std::int64_t> imageWidthDrawn;
+    std::optional<std::int64_t> samplesPerPixel;
+    std::optional<double> sunAngle;
+    std::optional<double> lightError;
 };
 
 /// The value of a column; nothing if it was not measured.

@@ -13,8 +13,9 @@ constexpr int kPickReach = 6; // pixels around the cursor
 /// The window's executor where its OpenGL is worth it; null for the software one.
 std::unique_ptr<executor::TextureExecutor> windowExecutor(
     const settings::Settings& settings, const gl::Context& context) {
+    const bool isExact = settings.quality.shadows == plan::ShadowMode::Exact;
     const bool isSoftware = settings.backend == settings::Backend::Software ||
-                            (settings.backend == settings::Backend::Auto && !context.isHardware());
+                            (settings.backend == settings::Backend::Auto && (isExact || !context.isHardware()));
     if (isSoftware) return nullptr;
     const gl::ShaderLibrary shaders(
         settings.shaderFolder.empty() ? std::nullopt : std::optional<std::string>(settings.shaderFolder));
@@ -51,7 +52,10 @@ Scene::Scene(
            .drawsWithoutUnread = true}) {}
 
 const frame::Frame& Scene::draw(const Shot& shot) {
-    frame_ = renderer_.render(shot.view, shot.quality, shot.options);
+    plan::Quality quality = shot.quality;
+    if (quality.shadows == plan::ShadowMode::Exact && !executor_->decidesExactly())
+        quality.shadows = plan::ShadowMode::Rays; // as exact as this executor can be
+    frame_ = renderer_.render(shot.view, quality, shot.options);
     if (shot.measuresAliasing) {
         proof::ProofOptions options;
         options.measuresAliasing = true;

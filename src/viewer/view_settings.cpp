@@ -9,6 +9,12 @@ namespace {
 using plan::Choice;
 using plan::ShadowMode;
 
+ShadowMode modeOf(Scheme scheme) {
+    if (scheme == Scheme::Off) return ShadowMode::Off;
+    if (scheme == Scheme::Rays) return ShadowMode::Rays;
+    return scheme == Scheme::Exact ? ShadowMode::Exact : ShadowMode::Maps;
+}
+
 } // namespace
 
 const char* name(Scheme scheme) {
@@ -23,6 +29,8 @@ const char* name(Scheme scheme) {
         return "faces";
     case Scheme::FacesAndSlices:
         return "faces and slices";
+    case Scheme::Exact:
+        return "exact";
     case Scheme::Rays:
         return "rays";
     }
@@ -32,15 +40,15 @@ const char* name(Scheme scheme) {
 Scheme schemeOf(const plan::Quality& quality) {
     if (quality.shadows == ShadowMode::Off) return Scheme::Off;
     if (quality.shadows == ShadowMode::Rays) return Scheme::Rays;
+    if (quality.shadows == ShadowMode::Exact) return Scheme::Exact;
     const bool hasSlices = quality.zPartitions.value_or(2) > 1;
     if (quality.facePartitions != Choice::Off) return hasSlices ? Scheme::FacesAndSlices : Scheme::Faces;
     return hasSlices ? Scheme::Slices : Scheme::OneMap;
 }
 
 void choose(Scheme scheme, plan::Quality& quality) {
-    const bool hasMaps = scheme != Scheme::Off && scheme != Scheme::Rays;
-    quality.shadows = hasMaps ? ShadowMode::Maps : scheme == Scheme::Off ? ShadowMode::Off : ShadowMode::Rays;
-    if (!hasMaps) return;
+    quality.shadows = modeOf(scheme);
+    if (quality.shadows != ShadowMode::Maps) return;
     const bool hasSlices = scheme == Scheme::Slices || scheme == Scheme::FacesAndSlices;
     const bool hasFaces = scheme == Scheme::Faces || scheme == Scheme::FacesAndSlices;
     if (!hasSlices)

@@ -9,10 +9,10 @@
 namespace gnomon::viewer {
 
 /// The ways of casting shadows that a key steps through; slices, faces and warp make all others.
-enum class Scheme : std::uint8_t { Off, OneMap, Slices, Faces, FacesAndSlices, Rays };
+enum class Scheme : std::uint8_t { Off, OneMap, Slices, Faces, FacesAndSlices, Exact, Rays };
 
 inline constexpr std::array kSchemes = {
-    Scheme::Off, Scheme::OneMap, Scheme::Slices, Scheme::Faces, Scheme::FacesAndSlices, Scheme::Rays};
+    Scheme::Off, Scheme::OneMap, Scheme::Slices, Scheme::Faces, Scheme::FacesAndSlices, Scheme::Exact, Scheme::Rays};
 
 /// "no shadows", "one map", ...
 const char* name(Scheme scheme);

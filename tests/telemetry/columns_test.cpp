@@ -27,7 +27,16 @@ void fillMeasured(FrameRow& row) {
           &row.gpuBytes,
           &row.bytesRead,
           &row.pagesMissing,
-          &row.pagesDamaged})
+          &row.pagesDamaged,
+          &row.shadowSamples,
+          &row.shadowCells,
+          &row.sampleTests,
+          &row.exactDecisions,
+          &row.touchingPixels,
+          &row.predictedSampleTests,
+          &row.clustersHidden,
+          &row.imageWidthDrawn,
+          &row.samplesPerPixel})
         *field = ++whole;
     double real = 0.5;
     for (std::optional<double>* field :
@@ -53,7 +62,10 @@ void fillMeasured(FrameRow& row) {
           &row.crawl,
           &row.sinceStartMs,
           &row.missedShadowFraction,
-          &row.unexplainedShadowFraction})
+          &row.unexplainedShadowFraction,
+          &row.wrongPixelsAll,
+          &row.sunAngle,
+          &row.lightError})
         *field = real += 1;
 }
 
@@ -67,6 +79,8 @@ FrameRow fullRow() {
     row.facePartitions = "faces";
     row.shadowTexels = "64x64";
     row.backend = "backend";
+    row.shadows = "shadows";
+    row.occlusion = "occlusion";
     std::int64_t whole = 100;
     for (std::int64_t* field :
          {&row.repetition,

@@ -21,7 +21,9 @@ TEST(FrameRow, ColumnsAreThoseOfTheContractInItsOrder) {
         "casters_kept,draw_calls,resident_bytes,gpu_bytes,bytes_read,pages_missing,pages_damaged,"
         "achieved_error_pixels,near,far,depth_ratio,light_angle,storage_factor,promised_aliasing_x,"
         "promised_aliasing_z,measured_aliasing,promise_kept,wrong_shadow_fraction,shadow_edge_p99_px,"
-        "image_difference,crawl,since_start_ms,missed_shadow_fraction,unexplained_shadow_fraction");
+        "image_difference,crawl,since_start_ms,missed_shadow_fraction,unexplained_shadow_fraction,"
+        "shadows,shadow_samples,shadow_cells,sample_tests,exact_decisions,touching_pixels,predicted_sample_tests,"
+        "occlusion,clusters_hidden,wrong_pixels_all,image_width_drawn,samples_per_pixel,sun_angle,light_error");
 }
 
 TEST(FrameRow, EveryRowHasEveryCell) {

@@ -25,6 +25,7 @@ std::string mapsInWords(const plan::FramePlan& plan) {
     const plan::Quality& quality = plan.quality;
     if (quality.shadows == plan::ShadowMode::Off) return "no shadows";
     if (quality.shadows == plan::ShadowMode::Rays) return "shadows by rays";
+    if (quality.shadows == plan::ShadowMode::Exact) return "exact shadows";
     if (plan.passes.empty()) return "no shadow map is called for";
     const std::size_t slices = plan.splits.empty() ? 1 : plan.splits.size() - 1;
     std::string words = text("%zu map%s", plan.passes.size(), plan.passes.size() == 1 ? "" : "s");

@@ -195,5 +195,58 @@ TEST(ExactShadows, AsFarAsTheToleranceStillTouches) {
     }
 }
 
+TEST(ExactShadows, SmallGenericScenesNeedFewIntegers) {
+    std::uint64_t tests = 0;
+    std::uint64_t decisions = 0;
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        Random random(seed + 3000);
+        Scene scene;
+        for (int clusters = 0; clusters < 3; ++clusters) {
+            std::vector<Corners> triangles;
+            for (int i = 0; i < 40; ++i)
+                triangles.push_back({random.point(0, 5000), random.point(0, 5000), random.point(0, 5000)});
+            scene.add(triangles);
+        }
+        addPoints(random, scene, 300, 1, false);
+        for (ScenePoint& point : scene.points)
+            point.tolerance = 0;
+        const IntegerLight light = roundedLight({random.real(-1, 1), random.real(-1, 1), random.real(-1, 1)});
+        const ExactStatistics found =
+            expectSameAsPlain(scene, spaceOf(light, glm::dvec3(random.point(0, 5000))), {glm::dmat3(1)}, 8);
+        tests += found.cast.sampleTests;
+        decisions += found.cast.exactDecisions;
+    }
+    EXPECT_GT(tests, 20000U);
+    EXPECT_LT(decisions, tests / 10000);
+}
+
+TEST(ExactShadows, OfNoSampleAskNoTriangle) {
+    Scene scene;
+    scene.add(std::vector<Corners>{{glm::i64vec3(0), glm::i64vec3(9, 0, 0), glm::i64vec3(0, 9, 0)}});
+    const ExactStatistics none = expectSameAsPlain(scene, spaceOf({}, {1, 9, 1}), {glm::dmat3(1)}, 4);
+    EXPECT_EQ(none.samples, 0U);
+    EXPECT_EQ(none.cells, 16U);
+    EXPECT_EQ(none.cast.clustersTested, 0U);
+}
+
+TEST(ExactShadows, CountsAddUp) {
+    Scene scene;
+    scene.add(std::vector<Corners>{
+        {glm::i64vec3(0), glm::i64vec3(9, 0, 0), glm::i64vec3(0, 9, 0)},
+        {glm::i64vec3(-9, -9, 5), glm::i64vec3(30, -9, 5), glm::i64vec3(-9, 30, 5)}});
+    scene.add(std::vector<Corners>{{glm::i64vec3(0, 0, -1), glm::i64vec3(9, 0, -1), glm::i64vec3(0, 9, -1)}});
+    scene.points = {{0}};
+    const SampleSpace space = spaceOf({{0, 0, (1 << kLightBits) - 1}}, {1, 1, 3});
+    const ExactStatistics found = expectSameAsPlain(scene, space, {glm::dmat3(1)}, 4);
+    EXPECT_EQ(found.samples, 1U);
+    EXPECT_EQ(found.dark, 1U);
+    EXPECT_EQ(found.touching, 0U);
+    EXPECT_EQ(found.cast.clustersTested, 2U);
+    EXPECT_EQ(found.cast.triangles, 2U); // the cluster below the sample is left out
+    EXPECT_EQ(found.cast.trianglesCast, 2U);
+    EXPECT_EQ(found.cast.sampleTests, 2U);
+    EXPECT_EQ(found.cast.exactDecisions, 0U);
+}
+
 } // namespace
 } // namespace gnomon::exact

@@ -1,0 +1,192 @@
+// The sorted samples and their mask against a look at each.
+#include "exact/sample_grid.h"
+#include "tests/exact/scenes.h"
+
+#include <gtest/gtest.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gnomon::exact {
+namespace {
+
+const double kError = coordinateErrorFor(100);
+
+/// Upright triangles within 100 cells of the origin, a point on each.
+Scene someScene(Random& random, std::size_t count, int maps) {
+    Scene scene;
+    while (scene.points.size() < count) {
+        const glm::i64vec3 a = random.point(-90, 90);
+        ScenePoint point;
+        point.triangle = scene.add(std::vector<Corners>{{a, a + glm::i64vec3(9, 0, 0), a + glm::i64vec3(0, 9, 0)}});
+        point.second = static_cast<float>(random.real(0, 0.5));
+        point.third = static_cast<float>(random.real(0, 0.5));
+        point.map = static_cast<std::int32_t>(random.whole(0, maps - 1));
+        scene.points.push_back(point);
+    }
+    return scene;
+}
+
+SampleSpace spaceOver(int maps) {
+    return spaceOf(roundedLight({0.1, 0.2, 1}), {0, 0, 1e4}, maps);
+}
+
+/// The cell of sample `i` of the list, by the map's matrix.
+std::array<int, 2> cellOf(const SampleGrid& grid, const SampleList& samples, std::size_t i) {
+    const CellMap& map = grid.maps()[static_cast<std::size_t>(samples.map[i])];
+    const glm::dvec3 p = map.cellsFromLightPlane * glm::dvec3(samples.u[i], samples.v[i], 1);
+    EXPECT_GE(p.z, 2 * map.leastW);
+    EXPECT_TRUE(p.x / p.z >= 0 && p.x / p.z <= grid.side()) << p.x / p.z;
+    EXPECT_TRUE(p.y / p.z >= 0 && p.y / p.z <= grid.side()) << p.y / p.z;
+    return {static_cast<int>(p.x / p.z), static_cast<int>(p.y / p.z)};
+}
+
+/// Every sample once, in the cell that its place falls into, with its own values; and the least h of each block.
+void expectSorted(const SampleGrid& grid, const SampleList& samples) {
+    ASSERT_EQ(grid.size(), samples.size());
+    std::vector<int> met(samples.size());
+    std::uint32_t last = 0;
+    for (std::size_t map = 0; map < grid.maps().size(); ++map) {
+        std::vector<float> lowest(
+            static_cast<std::size_t>(grid.mask(map).blocksWide() * grid.mask(map).blocksHigh()), ReceiverMask::kNone);
+        for (int y = 0; y < grid.side(); ++y)
+            for (int x = 0; x < grid.side(); ++x) {
+                const std::uint32_t begin = grid.first(map, x, y);
+                const std::uint32_t end = grid.first(map, x + 1, y);
+                EXPECT_EQ(begin, last);
+                last = end;
+                for (std::size_t at = begin; at < end; ++at) {
+                    const std::size_t i = grid.source[at];
+                    ++met[i];
+                    EXPECT_EQ(static_cast<std::size_t>(samples.map[i]), map);
+                    EXPECT_EQ(cellOf(grid, samples, i), (std::array{x, y}));
+                    EXPECT_EQ(grid.u[at], samples.u[i]);
+                    EXPECT_EQ(grid.v[at], samples.v[i]);
+                    EXPECT_EQ(grid.h[at], samples.h[i]);
+                    EXPECT_EQ(grid.tolerance[at], samples.tolerance[i]);
+                    EXPECT_EQ(grid.triangle[at], samples.triangle[i]);
+                    const float low = grid.mask(map).lowest(x / 8, y / 8);
+                    EXPECT_LE(low, grid.h[at]);
+                    float& least = lowest[static_cast<std::size_t>(y / 8 * grid.mask(map).blocksWide() + x / 8)];
+                    least = std::min(least, static_cast<float>(grid.h[at]));
+                }
+            }
+        for (int y = 0; y < grid.mask(map).blocksHigh(); ++y)
+            for (int x = 0; x < grid.mask(map).blocksWide(); ++x) {
+                const float least = lowest[static_cast<std::size_t>(y * grid.mask(map).blocksWide() + x)];
+                const float low = grid.mask(map).lowest(x, y);
+                EXPECT_LE(low, least);
+                EXPECT_GE(low, std::nextafter(least, -1e30F));
+            }
+    }
+    EXPECT_EQ(last, samples.size());
+    EXPECT_EQ(std::count(met.begin(), met.end(), 1), static_cast<std::ptrdiff_t>(met.size()));
+}
+
+/// Planes of the kinds that a plan makes, and others: scaled, warped, turned about.
+std::vector<glm::dmat3> somePlanes(Random& random, int count) {
+    std::vector<glm::dmat3> planes;
+    for (int i = 0; i < count; ++i) {
+        const double scale = std::exp2(random.real(-10, 10));
+        const double strength = random.real(-1, 1) / 300;
+        planes.push_back(
+            {{scale, -0.1 * scale, strength}, {0.1 * scale, -scale, strength}, {random.real(-9, 9), 0, 1}});
+    }
+    return planes;
+}
+
+TEST(SampleGrid, HoldsEverySampleOnceInItsCell) {
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        SCOPED_TRACE(seed);
+        Random random(seed);
+        const int maps = static_cast<int>(random.whole(1, 3));
+        const Scene scene = someScene(random, static_cast<std::size_t>(random.whole(1, 400)), maps);
+        SampleList samples;
+        fill(samples, scene, spaceOver(maps));
+        ASSERT_EQ(samples.size(), scene.points.size());
+        SampleGrid grid;
+        const std::vector<glm::dmat3> planes = somePlanes(random, maps);
+        for (const int side : {1, 4, 37, 128})
+            for (const int threads : {1, 2}) {
+                tbb::task_arena(threads).execute([&] { grid.sort(samples, planes, side, kError); });
+                expectSorted(grid, samples);
+            }
+    }
+}
+
+TEST(SampleGrid, SortsMoreThanOnePiece) {
+    Random random(1);
+    Scene scene = someScene(random, 50, 2);
+    for (std::size_t i = 0; scene.points.size() < 40000; ++i) {
+        ScenePoint point = scene.points[i];
+        point.second = static_cast<float>(random.real(0, 0.5));
+        scene.points.push_back(point);
+    }
+    SampleList samples;
+    fill(samples, scene, spaceOver(2));
+    SampleGrid grid;
+    grid.sort(samples, somePlanes(random, 2), 64, kError);
+    expectSorted(grid, samples);
+}
+
+/// Whether the map's cells are those of a plane without a warp.
+bool isUnwarped(const CellMap& map) {
+    const glm::dmat3& m = map.cellsFromLightPlane;
+    return m[0][2] == 0 && m[1][2] == 0 && m[2][2] == 1 && m[1][0] == 0 && m[0][1] == 0;
+}
+
+TEST(SampleGrid, LeavesOutWarpsThatCannotBeTrusted) {
+    Random random(2);
+    const Scene scene = someScene(random, 200, 1);
+    SampleList samples;
+    fill(samples, scene, spaceOver(1));
+    const auto leastU = *std::min_element(samples.u.begin(), samples.u.end());
+    const double nan = std::nan("");
+    const std::vector<glm::dmat3> useless = {
+        {{1, 0, 0.1}, {0, 1, 0}, {0, 0, 1}},           // w below 0 at some samples
+        {{1, 0, 0}, {0, 1, 0}, {0, 0, -1}},            // and at all
+        {{1, 0, 0}, {0, 1, 0}, {0, 0, 0}},             // 0
+        {{1, 0, 1}, {0, 1, 0}, {0, 0, 1e-5 - leastU}}, // varies too much
+        {{nan, 0, 0}, {0, 1, 0}, {0, 0, 1}},           // no number
+        {{1, 0, 0}, {0, 1, 0}, {0, 0, nan}},           //
+        {{0, 0, 0}, {0, 0, 0}, {0, 0, 1}},             // all samples in one place
+        {{1e-300, 0, 0}, {0, 1e-300, 0}, {1, 1, 1}},   // nearly so
+        {{1, 0, 0}, {0, 1, 0}, {0x1p60, 0, 1}},        // far off
+    };
+    SampleGrid grid;
+    for (const glm::dmat3& plane : useless) {
+        SCOPED_TRACE(&plane - useless.data());
+        grid.sort(samples, std::vector{plane}, 32, kError);
+        EXPECT_TRUE(isUnwarped(grid.maps()[0]));
+        expectSorted(grid, samples);
+    }
+    grid.sort(samples, std::vector{glm::dmat3{{1, 0, 0.004}, {0, 1, 0}, {0, 0, 1}}}, 32, kError);
+    EXPECT_FALSE(isUnwarped(grid.maps()[0]));
+}
+
+TEST(SampleGrid, OfNothingHasEmptyMaps) {
+    SampleList samples;
+    samples.reset(spaceOver(2), 10);
+    SampleGrid grid;
+    grid.sort(samples, std::vector(2, glm::dmat3(1)), 16, kError);
+    EXPECT_EQ(grid.size(), 0U);
+    EXPECT_EQ(grid.first(1, 16, 15), 0U);
+    for (std::size_t map = 0; map < 2; ++map) {
+        EXPECT_TRUE(grid.maps()[map].isEmpty);
+        EXPECT_FALSE(grid.mask(map).mayShadow({0, 0, 15, 15}, 1e30F));
+    }
+}
+
+TEST(SampleGrid, CellsHoldWhatLiesOutside) {
+    EXPECT_EQ(cellAt(-1e300, 8), 0);
+    EXPECT_EQ(cellAt(-0.5, 8), 0);
+    EXPECT_EQ(cellAt(0.999, 8), 0);
+    EXPECT_EQ(cellAt(7.999, 8), 7);
+    EXPECT_EQ(cellAt(8, 8), 7);
+    EXPECT_EQ(cellAt(1e300, 8), 7);
+    EXPECT_EQ(cellAt(std::nan(""), 8), 0);
+}
+
+} // namespace
+} // namespace gnomon::exact

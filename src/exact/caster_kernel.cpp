@@ -33,6 +33,7 @@ constexpr std::size_t kMostTriangles = raster::kMaxClusterTriangles;
 /// One cluster in the shear of the light, and over the cells of one map.
 class ClusterCaster {
 public:
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): zeros first would cost more than most casts
     ClusterCaster(const CastContext& context, std::size_t caster, CastCounts& counts)
         : context_(context), caster_(context.casters[caster]), counts_(counts) {}
 

@@ -29,18 +29,26 @@ HWY_INLINE Doubles constant(double value) {
 
 /// A triangle in the shear of the light, ready to be held against samples.
 ///
-/// With d = sample - A: `beside` are the edge functions over AB and CA, the one over BC is what they leave of the area;
-/// N = (B - A) x (C - A); the plane lies -N . d / area above the sample. The error bounds follow from those of the
-/// coordinates (each difference is 2 error off) and from one rounding an operation, with a factor of 2 to spare.
+/// With d = sample - A and N = (B - A) x (C - A): `ab` and `ca` make the edge functions over AB and CA, the one over BC
+/// is what they leave of the area, and the plane lies -N . d / area above the sample.
+///
+/// The bounds, for coordinates that are e off, |x| the sum of the sizes of x's components, s the larger of |B - A| and
+/// |C - A|, and u = 2^-53: a difference is 2 e off and rounded once, so a 2 x 2 determinant of differences p and q is
+/// 2 e (|p| + |q|) + 8 e^2 + 4 u |p| |q| off.
+/// - The area thus is 4 e s + 8 e^2 + 4 u s^2 off, the edge functions over AB and CA 2 e (s + |d|) + 8 e^2 + 4 u s |d|;
+///   the third one's two differences add 2 u s^2 + 3 u s |d|: 8 e s + 24 e^2 + 6 u s^2 + (4 e + 11 u s) |d| at most.
+/// - |N| is at most s^2: N . d is 2 e s^2 + (4 e s + 8 e^2 + 8 u s^2) |d| off, but for terms of e^2 s, which are small
+///   against e s^2 as corners are whole cells apart and e is less than 2^-17; area * tolerance is as much off as a |d|.
+/// kRounding is 2 u and all is doubled once more: that pays for s, |d| and the bounds being rounded themselves.
 struct TriangleTest {
-    double a[3];  // corner A: u, v, h
-    double ab[2]; // u, v, turned so that the area is above 0
-    double ca[2];
+    double a[3] = {};  // corner A: u, v, h
+    double ab[2] = {}; // u, v, turned so that the area is above 0
+    double ca[2] = {};
     double area = 0;
-    double normal[2];       // N's u and v; its h is the area
-    double edgeError[2];    // of an edge function: [0] + [1] * |d|
-    double heightError[2];  // of N . d: [0] + [1] * (|d| + tolerance)
-    std::uint32_t name = 0; // samples of this triangle itself are left alone: it holds them
+    double normal[2] = {};      // N's u and v; its h is the area
+    double edgeError[2] = {};   // of an edge function: [0] + [1] * |d|
+    double heightError[2] = {}; // of N . d - area * tolerance: [0] + [1] * (|d| + tolerance)
+    std::uint32_t name = 0;     // samples of this triangle itself are left alone: it holds them
 
     /// False where the triangle's plane holds the light: it casts nothing. `orientation` gives the area's exact sign
     /// where rounding may hide it.

@@ -203,6 +203,7 @@ TEST(ExactShadows, SmallGenericScenesNeedFewIntegers) {
         Scene scene;
         for (int clusters = 0; clusters < 3; ++clusters) {
             std::vector<Corners> triangles;
+            triangles.reserve(40);
             for (int i = 0; i < 40; ++i)
                 triangles.push_back({random.point(0, 5000), random.point(0, 5000), random.point(0, 5000)});
             scene.add(triangles);
@@ -246,6 +247,79 @@ TEST(ExactShadows, CountsAddUp) {
     EXPECT_EQ(found.cast.trianglesCast, 2U);
     EXPECT_EQ(found.cast.sampleTests, 2U);
     EXPECT_EQ(found.cast.exactDecisions, 0U);
+}
+
+TEST(ExactShadows, CoplanarTrianglesOfAnySizeCastNothing) {
+    Random random(5);
+    for (int i = 0; i < 200; ++i) {
+        const std::int64_t most = std::int64_t{1} << random.whole(3, 27);
+        const Corners corners{random.point(-most, most), random.point(-most, most), random.point(-most, most)};
+        Scene scene;
+        scene.add(std::vector<Corners>{
+            corners,
+            {corners[0] * 3L - corners[1] - corners[2], corners[1], corners[2]},
+            {corners[1] * 3L - corners[0] - corners[2], corners[2], corners[0]}});
+        for (int k = 0; k < 10; ++k) {
+            ScenePoint point;
+            somePlace(random, false, point);
+            scene.points.push_back(point);
+        }
+        const IntegerLight light = roundedLight({random.real(-1, 1), random.real(-1, 1), random.real(-1, 1)});
+        const glm::dvec3 eye = glm::dvec3(corners[0]) + glm::dvec3(light.direction);
+        EXPECT_EQ(expectSameAsPlain(scene, spaceOf(light, eye), {glm::dmat3(1)}, 8).darkWithoutTolerance, 0U);
+    }
+}
+
+TEST(ExactShadows, ClustersAsLargeAsTheyGet) {
+    // A field of hills as one cluster of 242 triangles, points on all of them.
+    constexpr int kQuads = 11;
+    Random random(6);
+    std::vector<glm::i64vec3> vertices;
+    std::vector<raster::Triangle> triangles;
+    for (int y = 0; y <= kQuads; ++y)
+        for (int x = 0; x <= kQuads; ++x)
+            vertices.emplace_back(8 * x, 8 * y, random.whole(0, 24));
+    for (int y = 0; y < kQuads; ++y)
+        for (int x = 0; x < kQuads; ++x) {
+            const auto at = [&](int dx, int dy) { return static_cast<std::uint8_t>((y + dy) * (kQuads + 1) + x + dx); };
+            triangles.push_back({at(0, 0), at(1, 0), at(1, 1)});
+            triangles.push_back({at(0, 0), at(1, 1), at(0, 1)});
+        }
+    Scene scene;
+    scene.add(vertices, triangles);
+    for (const std::uint32_t name : scene.names())
+        for (int k = 0; k < 2; ++k) {
+            scene.points.push_back({name});
+            somePlace(random, k == 0, scene.points.back());
+        }
+    for (const glm::i64vec3 direction : {glm::i64vec3(2, 1, 2), glm::i64vec3(-3, 2, 1), glm::i64vec3(1, 0, 1)}) {
+        const ExactStatistics found =
+            expectSameAsPlain(scene, spaceOf({direction * kTieLight}, {40, 40, 999}), {glm::dmat3(1)}, 32);
+        EXPECT_GT(found.dark, 20U);
+        EXPECT_GT(found.samples, found.dark + 50);
+    }
+}
+
+TEST(ExactShadows, SamplesOnTheBordersOfCells) {
+    // Cells a cell of the grid wide: x is u + 1. Points whose u is whole, but not in doubles, and before each a corner.
+    constexpr std::int64_t kWide = 998;
+    const IntegerLight light{glm::i64vec3(5, 0, 7) * (std::int64_t{1} << 21)};
+    Random random(7);
+    Scene scene;
+    for (int i = 0; i < 300; ++i) {
+        const std::int64_t u = i == 0 ? 0 : i == 1 ? kWide : random.whole(1, kWide - 1);
+        const std::int64_t v = i == 0 ? 0 : i == 1 ? kWide : random.whole(1, kWide - 1);
+        const std::int64_t height = random.whole(-1000, 1000);
+        const glm::i64vec3 p(u + 5 * height, v, 7 * height);
+        const glm::i64vec3 corner = p + glm::i64vec3(5, 0, 7) * random.whole(1, 99);
+        const std::uint32_t name = scene.add(std::vector<Corners>{
+            {p - glm::i64vec3(1, 1, 0), p + glm::i64vec3(3, -1, 0), p + glm::i64vec3(-1, 3, 0)},
+            {corner, corner + glm::i64vec3(9, -5, 3), corner + glm::i64vec3(9, 5, 3)}});
+        scene.points.push_back({name, 0.25F, 0.25F});
+    }
+    const ExactStatistics found = expectSameAsPlain(scene, spaceOf(light, {0, 0, 1e6}), {glm::dmat3(1)}, 1000);
+    EXPECT_EQ(found.samples, 300U);
+    EXPECT_GT(found.touching, 200U);
 }
 
 } // namespace

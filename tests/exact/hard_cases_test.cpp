@@ -220,6 +220,7 @@ void aSampleThatChangesItsMap() {
         for (std::size_t i = 0; i < scene.points.size(); ++i)
             scene.points[i].map = kind < 2 ? kind : static_cast<std::int32_t>(i % 2);
         std::vector<Corners> roofs;
+        roofs.reserve(8);
         for (int i = 0; i < 8; ++i)
             roofs.push_back({random.point(2, 14), random.point(2, 14), random.point(2, 14)});
         scene.add(roofs);

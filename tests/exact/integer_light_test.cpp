@@ -62,8 +62,8 @@ TEST(LightShear, KeepsDeterminantsUpToItsSign) {
         const glm::dvec3 direction = someDirection(random);
         if (direction == glm::dvec3(0)) continue;
         const LightShear shear = shearAlong(roundedLight(direction));
-        std::array<glm::dvec3, 3> edges;
-        std::array<glm::dvec3, 3> sheared;
+        std::array<glm::dvec3, 3> edges{};
+        std::array<glm::dvec3, 3> sheared{};
         for (std::size_t k = 0; k < 3; ++k) {
             const glm::dvec3 p(random.point(-1000, 1000));
             edges[k] = p;

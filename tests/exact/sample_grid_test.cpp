@@ -19,7 +19,7 @@ Scene someScene(Random& random, std::size_t count, int maps) {
     while (scene.points.size() < count) {
         const glm::i64vec3 a = random.point(-90, 90);
         ScenePoint point;
-        point.triangle = scene.add(std::vector<Corners>{{a, a + glm::i64vec3(9, 0, 0), a + glm::i64vec3(0, 9, 0)}});
+        point.triangle = scene.add(std::vector<Corners>{{a, a + glm::i64vec3(9, 0, 1), a + glm::i64vec3(0, 9, 2)}});
         point.second = static_cast<float>(random.real(0, 0.5));
         point.third = static_cast<float>(random.real(0, 0.5));
         point.map = static_cast<std::int32_t>(random.whole(0, maps - 1));
@@ -42,42 +42,54 @@ std::array<int, 2> cellOf(const SampleGrid& grid, const SampleList& samples, std
     return {static_cast<int>(p.x / p.z), static_cast<int>(p.y / p.z)};
 }
 
+/// The samples of a cell lie in it, with their own values; `met` counts them.
+void expectInCell(
+    const SampleGrid& grid,
+    const SampleList& samples,
+    std::size_t map,
+    std::array<int, 2> cell,
+    std::vector<int>& met) {
+    for (std::size_t at = grid.first(map, cell[0], cell[1]); at < grid.first(map, cell[0] + 1, cell[1]); ++at) {
+        const std::size_t i = grid.source[at];
+        ++met[i];
+        EXPECT_EQ(static_cast<std::size_t>(samples.map[i]), map);
+        EXPECT_EQ(cellOf(grid, samples, i), cell);
+        EXPECT_EQ(grid.u[at], samples.u[i]);
+        EXPECT_EQ(grid.v[at], samples.v[i]);
+        EXPECT_EQ(grid.h[at], samples.h[i]);
+        EXPECT_EQ(grid.tolerance[at], samples.tolerance[i]);
+        EXPECT_EQ(grid.triangle[at], samples.triangle[i]);
+    }
+}
+
+/// The least h of the samples in block (x, y).
+double plainLowest(const SampleGrid& grid, std::size_t map, int x, int y) {
+    double least = std::numeric_limits<double>::infinity();
+    for (int row = 8 * y; row < std::min(grid.side(), 8 * y + 8); ++row)
+        for (std::size_t at = grid.first(map, 8 * x, row); at < grid.first(map, std::min(grid.side(), 8 * x + 8), row);
+             ++at)
+            least = std::min(least, grid.h[at]);
+    return least;
+}
+
 /// Every sample once, in the cell that its place falls into, with its own values; and the least h of each block.
 void expectSorted(const SampleGrid& grid, const SampleList& samples) {
     ASSERT_EQ(grid.size(), samples.size());
     std::vector<int> met(samples.size());
     std::uint32_t last = 0;
     for (std::size_t map = 0; map < grid.maps().size(); ++map) {
-        std::vector<float> lowest(
-            static_cast<std::size_t>(grid.mask(map).blocksWide() * grid.mask(map).blocksHigh()), ReceiverMask::kNone);
         for (int y = 0; y < grid.side(); ++y)
             for (int x = 0; x < grid.side(); ++x) {
-                const std::uint32_t begin = grid.first(map, x, y);
-                const std::uint32_t end = grid.first(map, x + 1, y);
-                EXPECT_EQ(begin, last);
-                last = end;
-                for (std::size_t at = begin; at < end; ++at) {
-                    const std::size_t i = grid.source[at];
-                    ++met[i];
-                    EXPECT_EQ(static_cast<std::size_t>(samples.map[i]), map);
-                    EXPECT_EQ(cellOf(grid, samples, i), (std::array{x, y}));
-                    EXPECT_EQ(grid.u[at], samples.u[i]);
-                    EXPECT_EQ(grid.v[at], samples.v[i]);
-                    EXPECT_EQ(grid.h[at], samples.h[i]);
-                    EXPECT_EQ(grid.tolerance[at], samples.tolerance[i]);
-                    EXPECT_EQ(grid.triangle[at], samples.triangle[i]);
-                    const float low = grid.mask(map).lowest(x / 8, y / 8);
-                    EXPECT_LE(low, grid.h[at]);
-                    float& least = lowest[static_cast<std::size_t>(y / 8 * grid.mask(map).blocksWide() + x / 8)];
-                    least = std::min(least, static_cast<float>(grid.h[at]));
-                }
+                EXPECT_EQ(grid.first(map, x, y), last);
+                last = grid.first(map, x + 1, y);
+                expectInCell(grid, samples, map, {x, y}, met);
             }
         for (int y = 0; y < grid.mask(map).blocksHigh(); ++y)
             for (int x = 0; x < grid.mask(map).blocksWide(); ++x) {
-                const float least = lowest[static_cast<std::size_t>(y * grid.mask(map).blocksWide() + x)];
+                const double least = plainLowest(grid, map, x, y);
                 const float low = grid.mask(map).lowest(x, y);
                 EXPECT_LE(low, least);
-                EXPECT_GE(low, std::nextafter(least, -1e30F));
+                EXPECT_GE(std::nextafter(low, ReceiverMask::kNone), least);
             }
     }
     EXPECT_EQ(last, samples.size());

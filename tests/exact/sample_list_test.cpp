@@ -82,6 +82,7 @@ TEST(SampleList, FewTrianglesNeedIntegersToFace) {
     Random random(2);
     Scene scene;
     std::vector<Corners> triangles;
+    triangles.reserve(85);
     for (int i = 0; i < 85; ++i)
         triangles.push_back({random.point(-999, 999), random.point(-999, 999), random.point(-999, 999)});
     scene.add(triangles);

@@ -1,5 +1,8 @@
 #include "executor/exact_pass.h"
 
+#include "exact/plain_shadows.h"
+#include "executor/frame_block.h"
+
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
@@ -77,6 +80,26 @@ std::vector<std::uint32_t> tolerances(
     return result;
 }
 
+void drawUndecided(
+    const FrameDrawing& frame, const ImageBuffers& buffers, exact::SampleList& samples, UndecidedPixels& undecided) {
+    const plan::View& view = frame.plan->view;
+    buffers.pass->gather(frame, *frame.image);
+    const exact::SampleSpace space = sampleSpace(frame);
+    samples.reset(space, buffers.picture->pixels.size());
+    undecided.samples = &samples;
+    undecided.litColors.resize(buffers.picture->pixels.size());
+    undecided.tolerances = tolerances(frame, buffers.pass->drawn(), space.light);
+    const glm::dmat4 clipFromDraw = imageClipFromDraw(frame);
+    const FloatPicture noMaps;
+    const Shading shading(frame, clipFromDraw, noMaps, buffers.pass->drawn(), true);
+    const ShadingTarget target{buffers.picture, nullptr, &undecided};
+    buffers.rasterizer->drawVisibility(
+        buffers.pass->clusters(),
+        rasterView(frame.space, clipFromDraw, {0, 0, view.width, view.height}),
+        {buffers.words->data(), view.width, view.height},
+        [&](const raster::PixelBox& box) { shading.shade(box, *buffers.words, target); });
+}
+
 std::vector<exact::Caster> exactCasters(const FrameDrawing& frame, const SoftwarePass& image) {
     std::vector<exact::Caster> casters;
     casters.reserve(image.drawn().size());
@@ -106,6 +129,24 @@ std::vector<glm::dmat3> cellPlanes(const FrameDrawing& frame, const exact::Light
         planes.emplace_back(column(u), column(v), column({0, 0, 0, 1}));
     }
     return planes;
+}
+
+Raster<std::uint8_t> litByIntegers(const FrameDrawing& frame) {
+    const plan::View& view = frame.plan->view;
+    raster::Rasterizer rasterizer;
+    SoftwarePass pass;
+    Picture picture(view.width, view.height);
+    std::vector<std::uint64_t> words(picture.pixels.size());
+    exact::SampleList samples;
+    UndecidedPixels undecided;
+    drawUndecided(frame, {&rasterizer, &pass, &words, &picture}, samples, undecided);
+    const hierarchy::GridPoint origin = frame.space.originCell;
+    const std::vector<std::uint8_t> statuses =
+        exact::plainStatuses(samples, exactCasters(frame, pass), {origin.x, origin.y, origin.z});
+    Raster<std::uint8_t> lit(view.width, view.height);
+    for (std::size_t i = 0; i < samples.size(); ++i)
+        if (!exact::isDark(statuses[i])) lit.pixels[samples.pixel[i]] = 255;
+    return lit;
 }
 
 } // namespace gnomon::executor

@@ -3,6 +3,7 @@
 
 #include "exact/exact_shadows.h"
 #include "executor/software_pass.h"
+#include "executor/software_shading.h"
 
 #include <vector>
 
@@ -19,11 +20,27 @@ exact::SampleSpace sampleSpace(const FrameDrawing& frame);
 std::vector<std::uint32_t> tolerances(
     const FrameDrawing& frame, std::span<const DrawnCluster> clusters, const exact::IntegerLight& light);
 
+/// Where an image is drawn; words as a VisibilityTarget's. All are there, and of the frame's size.
+struct ImageBuffers {
+    raster::Rasterizer* rasterizer = nullptr;
+    SoftwarePass* pass = nullptr;
+    std::vector<std::uint64_t>* words = nullptr;
+    Picture* picture = nullptr;
+};
+
+/// Draws the image of `frame` in shadow, and collects in `samples` the points that face the light.
+void drawUndecided(
+    const FrameDrawing& frame, const ImageBuffers& buffers, exact::SampleList& samples, UndecidedPixels& undecided);
+
 /// All that can cast: the clusters of the image's pass in their order, then those of `frame.exactCasters` that are not
 /// among them.
 std::vector<exact::Caster> exactCasters(const FrameDrawing& frame, const SoftwarePass& image);
 
 /// From the light plane to the cells of each of the plan's cell maps.
 std::vector<glm::dmat3> cellPlanes(const FrameDrawing& frame, const exact::LightShear& shear);
+
+/// Where the light reaches in the image of `frame`, 255 there and else 0, by the plain loops of exact::plainStatuses:
+/// the truth, whatever drew the frame. Casters are those of `frame.image` and `frame.exactCasters`.
+Raster<std::uint8_t> litByIntegers(const FrameDrawing& frame);
 
 } // namespace gnomon::executor

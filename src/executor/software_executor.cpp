@@ -41,7 +41,6 @@ public:
 private:
     void clearBetweenMaps(const plan::FramePlan& plan);
     void sizeTargets(const FrameDrawing& frame);
-    void drawUndecided(const FrameDrawing& frame);
     void lightDecided(const FrameDrawing& frame);
 
     raster::Rasterizer rasterizer_;
@@ -127,25 +126,6 @@ PassStatistics SoftwareExecutor::drawImage(const FrameDrawing& frame) {
     return {watch.elapsed(), frame.image->ranges.size(), std::nullopt};
 }
 
-/// Draws the image in shadow, and collects what may be lit.
-void SoftwareExecutor::drawUndecided(const FrameDrawing& frame) {
-    const plan::View& view = frame.plan->view;
-    pass_.gather(frame, *frame.image);
-    const exact::SampleSpace space = sampleSpace(frame);
-    exact_.samples().reset(space, picture_.pixels.size());
-    undecided_.samples = &exact_.samples();
-    undecided_.litColors.resize(picture_.pixels.size());
-    undecided_.tolerances = tolerances(frame, pass_.drawn(), space.light);
-    const glm::dmat4 clipFromDraw = imageClipFromDraw(frame);
-    const Shading shading(frame, clipFromDraw, shadowDepth_, pass_.drawn(), true);
-    const ShadingTarget target{&picture_, nullptr, &undecided_};
-    rasterizer_.drawVisibility(
-        pass_.clusters(),
-        rasterView(frame.space, clipFromDraw, {0, 0, view.width, view.height}),
-        {words_.data(), view.width, view.height},
-        [&](const raster::PixelBox& box) { shading.shade(box, words_, target); });
-}
-
 /// Gives the light to the samples that it reaches; where more than colours is wanted, by shading once more.
 void SoftwareExecutor::lightDecided(const FrameDrawing& frame) {
     const exact::SampleList& samples = exact_.samples();
@@ -181,7 +161,7 @@ DrawStatistics SoftwareExecutor::drawExactly(const FrameDrawing& frame) {
     DrawStatistics statistics;
     shadowDepth_ = {};
     sizeTargets(frame);
-    drawUndecided(frame);
+    drawUndecided(frame, {&rasterizer_, &pass_, &words_, &picture_}, exact_.samples(), undecided_);
     statistics.image = {watch.elapsed(), frame.image->ranges.size(), std::nullopt};
     const Stopwatch shadowWatch;
     const std::vector<exact::Caster> casters = exactCasters(frame, pass_);

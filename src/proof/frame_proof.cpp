@@ -1,5 +1,6 @@
 #include "proof/frame_proof.h"
 
+#include "executor/exact_pass.h"
 #include "executor/ray_shadows.h"
 #include "frame/frame_cuts.h"
 #include "frame/ray_casters.h"
@@ -59,6 +60,25 @@ ShadowTruth truthOfSameDetail(
     return shadowTruth(scene, drawing, surfaces, light);
 }
 
+/// The share of all pixels of `frame`, which was just drawn with its surfaces, that are lit where integers have them
+/// dark or dark where those have them lit, against all that its cut holds.
+double wrongPixels(const frame::Renderer& renderer, const frame::Frame& frame, executor::FrameDrawing drawing) {
+    const executor::Raster<executor::SurfaceSample> surfaces = renderer.executor().surfaces();
+    const std::array volumes = {frame.volumes[0], frame::rayCasterVolume(frame)};
+    selection::CutQuery wider = frame::cutQuery(renderer.residency(), frame);
+    wider.volumes = volumes;
+    const selection::Cut cut = selection::cut(wider);
+    drawing.exactCasters = &cut.lists[1];
+    const executor::Raster<std::uint8_t> truth = executor::litByIntegers(drawing);
+    std::size_t wrong = 0;
+    for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
+        const executor::SurfaceSample& surface = surfaces.pixels[i];
+        const bool isLit = surface.isLitSide() && surface.litFraction() >= 0.5F;
+        wrong += isLit != (truth.pixels[i] != 0) ? 1U : 0U;
+    }
+    return static_cast<double>(wrong) / static_cast<double>(truth.pixels.size());
+}
+
 /// Draws the frame before `now` once more: a plan is steady when its own view comes again. `maps` are those of `now`.
 Crawl crawlSince(
     frame::Renderer& renderer,
@@ -79,16 +99,18 @@ Crawl crawlSince(
 
 FrameProof prove(frame::Renderer& renderer, const frame::Frame& frame, const ProofOptions& options) {
     const bool hasMaps = !frame.plan.passes.empty();
-    const bool hasOracle = options.oracle != Oracle::None && hasMaps;
+    const bool isCompared = options.oracle == Oracle::Exact && (hasMaps || frame.hasOneCasterList());
+    const bool hasOracle = options.oracle != Oracle::None && options.oracle != Oracle::Exact && hasMaps;
     const bool isMeasured = options.measuresAliasing && hasMaps;
     const bool hasCrawl = options.measuresCrawl && hasMaps && frame.before && !frame.before->plan.passes.empty();
     FrameProof proof;
-    if (frame.options.observerCamera || !(hasOracle || isMeasured || hasCrawl || options.comparesWithFinest))
+    if (frame.options.observerCamera ||
+        !(hasOracle || isCompared || isMeasured || hasCrawl || options.comparesWithFinest))
         return proof;
     executor::Executor& executor = renderer.executor();
     frame::FrameOptions plain = frame.options;
     plain.overlay = executor::Overlay::None;
-    plain.wantsSurfaces = hasOracle || isMeasured || hasCrawl;
+    plain.wantsSurfaces = hasOracle || isCompared || isMeasured || hasCrawl;
     renderer.draw(frame, plain);
     const executor::FrameDrawing drawn = renderer.drawing(frame, plain);
     const executor::Picture picture = executor.picture();
@@ -97,6 +119,7 @@ FrameProof prove(frame::Renderer& renderer, const frame::Frame& frame, const Pro
     if (hasOracle)
         proof.truth = options.oracle == Oracle::FullDetail ? truthOfFullDetail(renderer, frame, drawn)
                                                            : truthOfSameDetail(renderer, frame, drawn);
+    if (isCompared) proof.wrongPixelsAll = wrongPixels(renderer, frame, drawn);
     if (options.comparesWithFinest)
         proof.imageDifference = executor::difference(finestPicture(renderer, frame, options.oracle), picture).mean;
     if (hasCrawl) proof.crawl = crawlSince(renderer, frame.before, drawn, maps);
@@ -114,6 +137,7 @@ void setAccuracy(const FrameProof& proof, telemetry::FrameRow& row) {
     row.missedShadowFraction = proof.truth ? std::optional(proof.truth->missedFraction()) : std::nullopt;
     row.unexplainedShadowFraction = proof.truth ? std::optional(proof.truth->unexplainedFraction()) : std::nullopt;
     row.imageDifference = proof.imageDifference;
+    row.wrongPixelsAll = proof.wrongPixelsAll;
     row.crawl = proof.crawl ? std::optional(proof.crawl->share()) : std::nullopt;
 }
 

@@ -17,12 +17,14 @@ enum class Oracle : std::uint8_t {
     None,
     SameDetail, // rays against what the maps' cut draws in the whole frustum's caster volume
     FullDetail, // rays against the finest level there
+    Exact,      // integers against what the frame's cut draws there
 };
 
 /// Those of them that compare.
 inline constexpr std::array kOracles = {
     Word<Oracle>{Oracle::SameDetail, "same"},
     Word<Oracle>{Oracle::FullDetail, "full"},
+    Word<Oracle>{Oracle::Exact, "exact"},
 };
 
 /// What is to be found out about a frame.
@@ -39,6 +41,7 @@ struct FrameProof {
     std::optional<ShadowTruth> truth;         // of a frame with maps
     std::optional<Crawl> crawl;               // of a frame with maps after one with maps
     std::optional<double> imageDifference;    // mean, fraction of full scale
+    std::optional<double> wrongPixelsAll;     // share of all pixels, by Oracle::Exact; of any frame with shadows
 };
 
 /// Holds `frame`, the last one that `renderer` drew, against what `options` name. Each of these is drawn, untimed: the

@@ -1,0 +1,111 @@
+#include "exact/plain_shadows.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gnomon::exact {
+
+namespace {
+
+/// A triangle and the box of its shadow on the light plane, a cell wider on each side: more than rounding can move it.
+struct PlainTriangle {
+    Corners corners{};
+    glm::dvec2 least{std::numeric_limits<double>::infinity()};
+    glm::dvec2 most{-std::numeric_limits<double>::infinity()};
+};
+
+/// Triangles by square buckets of the light plane; those beyond the outermost are in these.
+class Buckets {
+public:
+    Buckets(const glm::dvec2& least, const glm::dvec2& most)
+        : least_(least), perCell_(glm::dvec2(kSide) / glm::max(most - least, glm::dvec2(1))), lists_(kSide * kSide) {}
+
+    void add(const PlainTriangle& triangle, std::uint32_t index) {
+        for (std::size_t y = row(triangle.least.y); y <= row(triangle.most.y); ++y)
+            for (std::size_t x = column(triangle.least.x); x <= column(triangle.most.x); ++x)
+                lists_[y * kSide + x].push_back(index);
+    }
+
+    std::span<const std::uint32_t> at(double u, double v) const { return lists_[row(v) * kSide + column(u)]; }
+
+private:
+    static constexpr std::size_t kSide = 256;
+
+    static std::size_t bucket(double x) {
+        return static_cast<std::size_t>(std::clamp(std::floor(x), 0.0, static_cast<double>(kSide - 1)));
+    }
+
+    std::size_t column(double u) const { return bucket((u - least_.x) * perCell_.x); }
+
+    std::size_t row(double v) const { return bucket((v - least_.y) * perCell_.y); }
+
+    glm::dvec2 least_;
+    glm::dvec2 perCell_;
+    std::vector<std::vector<std::uint32_t>> lists_;
+};
+
+PlainTriangle plainTriangle(const Corners& corners, const LightShear& shear) {
+    PlainTriangle result{corners};
+    for (const glm::i64vec3& corner : corners) {
+        const glm::dvec3 p(corner);
+        const glm::dvec2 place(
+            p[shear.first] - shear.firstRatio * p[shear.along], p[shear.second] - shear.secondRatio * p[shear.along]);
+        result.least = glm::min(result.least, place - 1.0);
+        result.most = glm::max(result.most, place + 1.0);
+    }
+    return result;
+}
+
+} // namespace
+
+std::vector<std::uint8_t> plainStatuses(
+    const SampleList& samples, std::span<const Caster> casters, const glm::uvec3& originCell) {
+    constexpr unsigned kTriangleBits = 8;
+    std::vector<std::uint8_t> statuses(samples.size(), kLit);
+    if (samples.size() == 0) return statuses;
+    glm::dvec2 least(samples.u[0], samples.v[0]);
+    glm::dvec2 most = least;
+    for (std::size_t i = 1; i < samples.size(); ++i) {
+        least = glm::min(least, glm::dvec2(samples.u[i], samples.v[i]));
+        most = glm::max(most, glm::dvec2(samples.u[i], samples.v[i]));
+    }
+    CastContext context;
+    context.originCell = originCell;
+    std::vector<PlainTriangle> triangles;
+    Buckets buckets(least, most);
+    for (const Caster& caster : casters)
+        for (std::size_t t = 0; t < caster.geometry.triangles.size(); ++t) {
+            const PlainTriangle triangle = plainTriangle(cornersOf(context, caster, t), samples.space().shear);
+            if (triangle.most.x < least.x || triangle.most.y < least.y || triangle.least.x > most.x ||
+                triangle.least.y > most.y)
+                continue;
+            buckets.add(triangle, static_cast<std::uint32_t>(triangles.size()));
+            triangles.push_back(triangle);
+        }
+    tbb::parallel_for(std::size_t{0}, samples.size(), [&](std::size_t i) {
+        const std::uint32_t own = samples.triangle[i];
+        const PointOnTriangle point{
+            cornersOf(context, casters[own >> kTriangleBits], own & (raster::kMaxClusterTriangles - 1)),
+            samples.second[i],
+            samples.third[i]};
+        const glm::i64vec3 scaled = scaledPoint(point);
+        const double u = samples.u[i];
+        const double v = samples.v[i];
+        for (const std::uint32_t t : buckets.at(u, v)) {
+            const PlainTriangle& triangle = triangles[t];
+            if (u < triangle.least.x || v < triangle.least.y || u > triangle.most.x || v > triangle.most.y) continue;
+            const RayMeeting met = meet(triangle.corners, samples.space().light, scaled, samples.integerTolerance[i]);
+            if (met.meeting == Meeting::None) continue;
+            statuses[i] |= met.meeting == Meeting::Touching ? kTouched : met.isOnEdge ? kDarkByEdge : kDark;
+            if ((statuses[i] & kDark) == 0) continue;
+            statuses[i] = kDark;
+            return;
+        }
+    });
+    return statuses;
+}
+
+} // namespace gnomon::exact

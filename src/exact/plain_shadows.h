@@ -1,0 +1,16 @@
+// Exact shadows without a fast path: each sample against each triangle near its ray, in integers alone. The truth that
+// pictures are held against.
+#pragma once
+
+#include "exact/caster_kernel.h"
+
+#include <vector>
+
+namespace gnomon::exact {
+
+/// The status of each of `samples`, as ExactShadows finds them, by `meet` with every triangle whose box on the light
+/// plane comes near the sample's. Takes as much memory as the triangles' boxes, 40 bytes each and more.
+std::vector<std::uint8_t> plainStatuses(
+    const SampleList& samples, std::span<const Caster> casters, const glm::uvec3& originCell);
+
+} // namespace gnomon::exact

@@ -16,12 +16,10 @@ struct Caster {
 };
 
 /// What is known of a sample once casters went over it; bits that add up, but with kDark the others mean nothing.
-enum SampleStatus : std::uint8_t {
-    kLit = 0,
-    kDark = 1,       // a triangle is ahead, farther than the tolerance
-    kDarkByEdge = 2, // the same, but the ray meets just its edge, and the rule for ties decided
-    kTouched = 4,    // a triangle is ahead, but not farther than the tolerance
-};
+constexpr std::uint8_t kLit = 0;
+constexpr std::uint8_t kDark = 1;       // a triangle is ahead, farther than the tolerance
+constexpr std::uint8_t kDarkByEdge = 2; // the same, but the ray meets just its edge, and the rule for ties decided
+constexpr std::uint8_t kTouched = 4;    // a triangle is ahead, but not farther than the tolerance
 
 /// Whether the light does not reach a sample.
 inline bool isDark(std::uint8_t status) {

@@ -58,6 +58,7 @@ private:
     void castOver(std::size_t map);
     void castWhole(std::size_t map);
     void castClipped(std::size_t map);
+    bool prepare(std::size_t triangle, TriangleTest& test) const;
     void castTriangle(std::size_t map, std::size_t triangle, const CellBox& box, bool isNarrowed);
     CellBox rowSpan(std::size_t triangle, const CellBox& box, int row) const;
 
@@ -262,6 +263,17 @@ CellBox ClusterCaster::rowSpan(std::size_t triangle, const CellBox& box, int row
         row};
 }
 
+/// False where the triangle's plane holds the light.
+bool ClusterCaster::prepare(std::size_t triangle, TriangleTest& test) const {
+    const auto corner = [&](std::size_t k) { return sheared_[static_cast<std::size_t>(corner_[k][triangle])].data(); };
+    const auto orientation = [&] {
+        const SampleSpace& space = context_.samples->space();
+        return facing(cornersOf(context_, caster_, triangle), space.light) * space.shear.sign;
+    };
+    test.name = caster_.geometry.firstTriangleId + static_cast<std::uint32_t>(triangle);
+    return test.set(corner(0), corner(1), corner(2), context_.coordinateError, orientation);
+}
+
 void ClusterCaster::castTriangle(std::size_t map, std::size_t triangle, const CellBox& box, bool isNarrowed) {
     ++counts_.trianglesCast;
     const SampleGrid& grid = *context_.grid;
@@ -278,21 +290,11 @@ void ClusterCaster::castTriangle(std::size_t map, std::size_t triangle, const Ce
             end = grid.first(map, span.x1 + 1, row);
             if (begin == end) continue;
         }
-        if (!isSet) {
-            const auto corner = [&](std::size_t k) {
-                return sheared_[static_cast<std::size_t>(corner_[k][triangle])].data();
-            };
-            const auto orientation = [&] {
-                const SampleSpace& space = context_.samples->space();
-                return facing(cornersOf(context_, caster_, triangle), space.light) * space.shear.sign;
-            };
-            if (!test.set(corner(0), corner(1), corner(2), context_.coordinateError, orientation)) return;
-            test.name = caster_.geometry.firstTriangleId + static_cast<std::uint32_t>(triangle);
-            isSet = true;
-        }
+        if (!isSet && !prepare(triangle, test)) return;
+        isSet = true;
         counts_.sampleTests += end - begin;
         testSamples(test, context_, begin, end, [&](std::size_t place, bool mayCast) {
-            counts_.exactDecisions += mayCast ? 1 : 0;
+            counts_.exactDecisions += static_cast<std::uint64_t>(mayCast);
             const std::uint8_t bits = decideExactly(context_, caster_, triangle, place);
             if (bits != kLit) mark(context_.statuses[place], bits);
         });

@@ -1,5 +1,6 @@
 #include "measure/report_runs.h"
 
+#include "gl/context.h"
 #include "settings/table.h"
 
 #include <algorithm>
@@ -13,6 +14,22 @@ using plan::Choice;
 using plan::Quality;
 using settings::Settings;
 using shadow::WarpRule;
+
+/// Whether what draws `settings` can decide shadows exactly.
+bool decidesExactly(const Settings& settings) {
+    using settings::Backend;
+    return settings.backend == Backend::Software || (settings.backend == Backend::Auto && !gl::hasGpu());
+}
+
+/// `base` with exact shadows, and nothing that is asked of maps: it would contradict them.
+Settings withExactShadows(const Settings& base) {
+    Settings result = base;
+    for (const settings::Setting& setting : settings::table())
+        if (setting.description().isOfMaps) setting.set(result, setting.value(Settings()));
+    result.isWarpGiven = false;
+    result.quality.shadows = plan::ShadowMode::Exact;
+    return result;
+}
 
 /// Settings in the order in which they were first asked for.
 class DistinctSettings {
@@ -64,6 +81,7 @@ std::vector<BenchRun> reportRuns(const Settings& base, bool isQuick) {
         runs.vary(base, &Quality::errorPixels, {2.0, 4.0});
         runs.add(unculled);
         if (isWarpOpen) runs.add(withWarp(base, WarpRule::None));
+        if (decidesExactly(base)) runs.add(withExactShadows(base));
         return runsOf(runs.all());
     }
     runs.vary(base, &Quality::zPartitions, {1, 2, 3, 4, 6, 8});
@@ -78,6 +96,7 @@ std::vector<BenchRun> reportRuns(const Settings& base, bool isQuick) {
     runs.add(withTexels(base, 4096));
     if (isWarpOpen) runs.add(stable);
     runs.vary(base, &Quality::facePartitions, {Choice::On});
+    if (decidesExactly(base)) runs.add(withExactShadows(base));
     return runsOf(runs.all());
 }
 

@@ -19,6 +19,13 @@ bool allKnow(std::span<const RunSummary> runs, ErrorKind kind) {
     return std::all_of(runs.begin(), runs.end(), [&](const auto& run) { return errorOf(run, kind).has_value(); });
 }
 
+/// The same for the runs with maps, if there are any: the others have no such errors.
+bool allMapsKnow(std::span<const RunSummary> runs, ErrorKind kind) {
+    const auto lacks = [&](const auto& run) { return run.shadowMaps > 0 && !errorOf(run, kind); };
+    return std::none_of(runs.begin(), runs.end(), lacks) &&
+           std::any_of(runs.begin(), runs.end(), [](const auto& run) { return run.shadowMaps > 0; });
+}
+
 /// Ranks from 0; equal values share the mean of their ranks.
 std::vector<double> ranks(const std::vector<double>& values) {
     std::vector<std::size_t> order(values.size());
@@ -137,7 +144,7 @@ ErrorKind comparedError(std::span<const RunSummary> runs) {
 
 ErrorKind shadowError(std::span<const RunSummary> runs) {
     for (const ErrorKind kind : {ErrorKind::WrongShadow, ErrorKind::ShadowEdge})
-        if (allKnow(runs, kind)) return kind;
+        if (allMapsKnow(runs, kind)) return kind;
     return ErrorKind::PromisedAliasing;
 }
 

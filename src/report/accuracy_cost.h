@@ -13,9 +13,9 @@ namespace gnomon::report {
 /// model raises as a coarse map does, and what `shadowError` asks for.
 ErrorKind comparedError(std::span<const RunSummary> runs);
 
-/// The error that tells maps apart: the first of wrong shadow pixels, edge distance and promise that all runs know. The
-/// edge distance comes second because it does not compare from scheme to scheme: a map is held only to the edges that
-/// its texels can show, so a coarse map is held to fewer of them; what it misses is among its wrong pixels.
+/// The error that tells maps apart: the first of wrong shadow pixels, edge distance and promise that all runs with maps
+/// know. The edge distance comes second because it does not compare from scheme to scheme: a map is held only to the
+/// edges that its texels can show, so a coarse map is held to fewer of them; what it misses is among its wrong pixels.
 ErrorKind shadowError(std::span<const RunSummary> runs);
 
 /// `a` dominates `b` if it is nowhere worse in median time and error and somewhere better.

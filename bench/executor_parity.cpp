@@ -2,7 +2,7 @@
 // scheme, and who is off where map depths do. usage: executor_parity MODEL.gnm TRIPLES [SIDE] [TEXELS] [FIRST_SEED]
 #include "bench/exact_depth.h"
 #include "core/random.h"
-#include "executor/gl_executor.h"
+#include "executor/gl/gl_executor.h"
 #include "executor/software_executor.h"
 #include "frame/renderer.h"
 #include "gl/shader_library.h"

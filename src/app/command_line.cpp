@@ -88,14 +88,9 @@ std::vector<settings::Axis> SettingOptions::axes(const std::optional<std::string
     return axes;
 }
 
-void requireBackend(const settings::Settings& settings) {
-    using settings::Backend;
-    if (settings.backend == Backend::Window) throw settings::UsageError{"--backend window is for gnomon view"};
-    const bool isGl = settings.backend == Backend::Osmesa || settings.backend == Backend::Egl;
-    if (isGl && settings.quality.shadows == plan::ShadowMode::Exact)
-        throw settings::UsageError{
-            "--backend " + settings::named("backend").text(settings) +
-            " and --shadows exact contradict each other: only the software executor decides shadows exactly"};
+void requireNoWindow(const settings::Settings& settings) {
+    if (settings.backend == settings::Backend::Window)
+        throw settings::UsageError{"--backend window is for gnomon view"};
 }
 
 CLI::Validator seedText() {

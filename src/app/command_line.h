@@ -39,8 +39,8 @@ private:
     std::map<std::string, std::string> texts_; // of the settings that were given, by their names
 };
 
-/// Throws UsageError for a backend that draws into a window, or that cannot carry out what is asked for.
-void requireBackend(const settings::Settings& settings);
+/// Throws UsageError where `settings` ask for the window, in which only `gnomon view` draws.
+void requireNoWindow(const settings::Settings& settings);
 
 /// What a seed may be for CLI11, which takes -1 for the largest of unsigned numbers.
 CLI::Validator seedText();

@@ -69,7 +69,7 @@ void requireWritableOutputs(const RenderOptions& options) {
 void runRender(const RenderOptions& options) {
     const ThreadLimit limit(options.common);
     const settings::Settings settings = options.settings.settings();
-    requireBackend(settings);
+    requireNoWindow(settings);
     if (!options.shadowDepth.empty()) options.settings.requireMapsFor("--shadow-depth");
     requireExtension("--output", options.output, ".png");
     requireApart(

@@ -43,10 +43,6 @@ void requireSound(const viewer::ViewerOptions& options) {
         throw settings::UsageError{
             "--backend " + settings::named("backend").text(settings) +
             " draws into no window; take auto, software or window"};
-    if (settings.backend == settings::Backend::Window && settings.quality.shadows == plan::ShadowMode::Exact)
-        throw settings::UsageError{
-            "--backend window and --shadows exact contradict each other: only the software executor decides shadows "
-            "exactly"};
     if (!std::filesystem::exists(options.file))
         throw Error(options.file, "this model cannot be opened", "a file", "none");
 }

@@ -7,7 +7,7 @@
 #define GNOMON_EXACT_SPAN_TEST_INL_H
 #endif
 
-#include "exact/caster_kernel.h"
+#include "exact/cast_context.h"
 
 #include <atomic>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "executor/software_overlay.h"
 
-#include "executor/geometry_pool.h"
+#include "executor/gl/geometry_pool.h"
 #include "executor/lod_substitutes.h"
 
 #include <algorithm>

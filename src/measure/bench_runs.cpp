@@ -136,6 +136,7 @@ BenchRun runOf(const settings::Settings& own, const std::vector<settings::Settin
         const bool varies = std::any_of(
             all.begin(), all.end(), [&](const settings::Settings& other) { return setting.text(other) != value; });
         if (varies) run.name = joined(run.name, "/", setting.column() + ":" + value);
+        if (!settings::appliesTo(setting, own)) continue;
         if (varies || !setting.isDefault(own)) run.options = joined(run.options, " ", setting.option() + " " + value);
     }
     run.options = joined(run.options, " ", settings::optionsToPaste(own, false));

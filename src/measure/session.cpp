@@ -1,7 +1,7 @@
 #include "measure/session.h"
 
 #include "core/check.h"
-#include "executor/gl_executor.h"
+#include "executor/gl/gl_executor.h"
 #include "executor/software_executor.h"
 #include "gl/context.h"
 

@@ -48,6 +48,14 @@ void requireNoWarpIfStable(const Settings& settings) {
             " contradict each other: stabilised slices are unwarped"};
 }
 
+void requireSoftwareIfExact(const Settings& settings) {
+    const bool isGl = settings.backend != Backend::Auto && settings.backend != Backend::Software;
+    if (isGl && settings.quality.shadows == plan::ShadowMode::Exact)
+        throw UsageError{
+            written("backend", settings) + " and " + written("shadows", settings) +
+            " contradict each other: only the software executor decides shadows exactly"};
+}
+
 } // namespace
 
 bool isPosed(const Settings& settings) {
@@ -90,6 +98,7 @@ plan::Quality qualityOf(const Settings& settings) {
     if (quality.near && quality.far && !(*quality.near < *quality.far))
         throw UsageError{"--near and --far contradict each other: near must be below far"};
     requireNoWarpIfStable(settings);
+    requireSoftwareIfExact(settings);
     return quality;
 }
 

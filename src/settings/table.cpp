@@ -343,6 +343,10 @@ std::string optionsOf(std::string_view message) {
     return options;
 }
 
+bool appliesTo(const Setting& setting, const Settings& settings) {
+    return !setting.description().isOfMaps || settings.quality.shadows != plan::ShadowMode::Exact;
+}
+
 bool areAlike(const Settings& a, const Settings& b) {
     return agreeWhere(&Description::isSwept, a, b);
 }
@@ -363,7 +367,7 @@ std::string forShell(const std::string& text) {
 std::string optionsToPaste(const Settings& settings, bool ofSwept) {
     std::string options;
     for (const Setting& each : table())
-        if (each.description().isSwept == ofSwept && !each.isDefault(settings))
+        if (each.description().isSwept == ofSwept && !each.isDefault(settings) && appliesTo(each, settings))
             options += (options.empty() ? "" : " ") + each.option() + " " + forShell(each.text(settings));
     return options;
 }

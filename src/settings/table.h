@@ -22,6 +22,9 @@ const Setting& named(std::string_view name);
 /// The options of the settings whose quantities `message` names, ", " between them; empty if it names none.
 std::string optionsOf(std::string_view message);
 
+/// Whether `setting` can be given beside the rest of `settings`: what is asked of maps cannot, beside exact shadows.
+bool appliesTo(const Setting& setting, const Settings& settings);
+
 /// Whether all settings that a bench sweeps have the same values in `a` and `b`.
 bool areAlike(const Settings& a, const Settings& b);
 

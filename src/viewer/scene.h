@@ -1,7 +1,7 @@
 // An open model with its executor in the window: frames, pictures, and what became of its file.
 #pragma once
 
-#include "executor/gl_executor.h"
+#include "executor/gl/gl_executor.h"
 #include "frame/renderer.h"
 #include "gl/context.h"
 #include "gl/objects.h"

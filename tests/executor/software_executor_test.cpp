@@ -1,5 +1,5 @@
 // The software executor against GL on OSMesa: every scheme and overlay over seeded poses and lights.
-#include "executor/gl_executor.h"
+#include "executor/gl/gl_executor.h"
 #include "executor/software_executor.h"
 #include "gl/shader_library.h"
 #include "tests/executor/executor_comparison.h"

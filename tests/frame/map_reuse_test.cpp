@@ -1,6 +1,6 @@
 // Maps that are not drawn again: only where nothing changed, and with the very bytes of drawing them all.
 #include "core/random.h"
-#include "executor/gl_executor.h"
+#include "executor/gl/gl_executor.h"
 #include "executor/software_executor.h"
 #include "frame/renderer.h"
 #include "hierarchy/tiny_model.h"

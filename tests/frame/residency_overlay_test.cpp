@@ -1,5 +1,5 @@
 // The overlay of residency: what waits for pages is orange, what stands in for damaged ones red, all else green.
-#include "executor/gl_executor.h"
+#include "executor/gl/gl_executor.h"
 #include "executor/software_executor.h"
 #include "frame/renderer.h"
 #include "hierarchy/tiny_model.h"

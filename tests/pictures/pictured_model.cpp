@@ -1,6 +1,6 @@
 #include "tests/pictures/pictured_model.h"
 
-#include "executor/gl_executor.h"
+#include "executor/gl/gl_executor.h"
 #include "executor/software_executor.h"
 #include "gl/shader_library.h"
 #include "path/suited_path.h"

@@ -1,7 +1,7 @@
 // The shadow test on its own: OpenGL's against plain code over the same maps, and stabilised maps asked at fixed points
 // of the world while the camera moves, and the share of them that the log gives as `crawl`.
 #include "executor/frame_block.h"
-#include "executor/gl_executor.h"
+#include "executor/gl/gl_executor.h"
 #include "executor/software_shading.h"
 #include "gl/shader_library.h"
 #include "hierarchy/scene_mesh.h"

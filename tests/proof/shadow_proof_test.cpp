@@ -1,5 +1,5 @@
 // Shadow maps against rays and against their own promise, on models that were made and built on the spot.
-#include "executor/gl_executor.h"
+#include "executor/gl/gl_executor.h"
 #include "executor/software_executor.h"
 #include "frame/made_model.h"
 #include "frame/renderer.h"

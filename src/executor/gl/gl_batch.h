@@ -1,7 +1,7 @@
 // The draws of one pass of OpenGL, gathered by the pool's chunks and issued together.
 #pragma once
 
-#include "executor/geometry_pool.h"
+#include "executor/gl/geometry_pool.h"
 #include "gl/api.h"
 #include "selection/cut.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/units.h"
-#include "executor/free_list.h"
+#include "executor/gl/free_list.h"
 #include "gl/objects.h"
 #include "hierarchy/grid.h"
 #include "hierarchy/page.h"

@@ -1,4 +1,4 @@
-#include "executor/gl_batch.h"
+#include "executor/gl/gl_batch.h"
 
 namespace gnomon::executor {
 

@@ -1,4 +1,4 @@
-#include "executor/geometry_pool.h"
+#include "executor/gl/geometry_pool.h"
 
 #include "core/check.h"
 #include "core/error.h"

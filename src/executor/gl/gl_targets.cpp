@@ -1,4 +1,4 @@
-#include "executor/gl_targets.h"
+#include "executor/gl/gl_targets.h"
 
 #include "core/error.h"
 

@@ -1,11 +1,11 @@
-#include "executor/gl_executor.h"
+#include "executor/gl/gl_executor.h"
 
 #include "core/error.h"
 #include "core/stopwatch.h"
 #include "executor/frame_block.h"
-#include "executor/geometry_pool.h"
-#include "executor/gl_batch.h"
-#include "executor/gl_targets.h"
+#include "executor/gl/geometry_pool.h"
+#include "executor/gl/gl_batch.h"
+#include "executor/gl/gl_targets.h"
 #include "executor/lod_substitutes.h"
 #include "gl/program.h"
 

@@ -1,4 +1,4 @@
-#include "executor/free_list.h"
+#include "executor/gl/free_list.h"
 
 #include "core/check.h"
 

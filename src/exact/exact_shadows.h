@@ -41,6 +41,9 @@ public:
 
     const SampleGrid& grid() const { return grid_; }
 
+    /// What the last frame's samples and their cells take.
+    std::uint64_t bytes() const { return samples_.bytes() + grid_.bytes() + sorted_.size() + statuses_.size(); }
+
 private:
     void removeDark();
 

@@ -53,6 +53,13 @@ public:
 
     std::size_t size() const { return size_; }
 
+    /// What the arrays take, without the masks.
+    std::uint64_t bytes() const {
+        const std::size_t places = first_.size() + cellOf_.size() + rankOf_.size();
+        return u.size() * (3 * sizeof(double) + sizeof(float) + 2 * sizeof(std::uint32_t)) +
+               places * sizeof(std::uint32_t);
+    }
+
 private:
     std::size_t cell(std::size_t map, int x, int y) const {
         const auto side = static_cast<std::size_t>(side_);

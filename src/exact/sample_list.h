@@ -60,6 +60,9 @@ public:
 
     const SampleSpace& space() const { return space_; }
 
+    /// What the arrays take, those of a larger frame before too.
+    std::uint64_t bytes() const { return u.size() * (3 * sizeof(double) + sizeof(float) + 6 * sizeof(std::uint32_t)); }
+
     // Of each sample: where it lies in the shear of the light (cells), its tolerance (cells along h, rounded up), its
     // map, pixel and triangle, and the point's weights.
     std::vector<double> u, v, h;

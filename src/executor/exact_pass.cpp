@@ -60,7 +60,7 @@ exact::SampleSpace sampleSpace(const FrameDrawing& frame) {
     space.light = integerLight(*frame.plan);
     space.shear = exact::shearAlong(space.light);
     space.eye = frame.space.eye / frame.space.step;
-    space.maps = static_cast<int>(frame.plan->cellMaps.size());
+    space.maps = std::max(static_cast<int>(frame.plan->cellMaps.size()), 1); // none where maps are held to the truth
     return space;
 }
 

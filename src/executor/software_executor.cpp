@@ -27,7 +27,9 @@ public:
     DrawStatistics drawExactly(const FrameDrawing& frame) override;
 
     Bytes deviceMemory() const override {
-        return {shadowDepth_.pixels.size() * sizeof(float) + words_.size() * sizeof(std::uint64_t)};
+        return {
+            shadowDepth_.pixels.size() * sizeof(float) + words_.size() * sizeof(std::uint64_t) +
+            undecided_.litColors.size() * sizeof(std::uint32_t) + exact_.bytes()};
     }
 
     Picture picture() override { return picture_; }
@@ -170,6 +172,7 @@ DrawStatistics SoftwareExecutor::drawExactly(const FrameDrawing& frame) {
     statistics.exact = exact_.decide({casters, {origin.x, origin.y, origin.z}, planes, plan::kCellSide});
     lightDecided(frame);
     statistics.shadows = {shadowWatch.elapsed(), 0, std::nullopt};
+    statistics.deviceMemory = deviceMemory();
     return statistics;
 }
 

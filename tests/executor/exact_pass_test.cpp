@@ -1,7 +1,7 @@
 // What exact shadows take of a frame: tolerances, casters, and how the light plane lies over the cells.
 #include "core/error.h"
 #include "executor/exact_pass.h"
-#include "executor/gl_executor.h"
+#include "executor/gl/gl_executor.h"
 #include "executor/software_executor.h"
 #include "gl/shader_library.h"
 #include "tests/executor/field.h"

@@ -1,6 +1,6 @@
 // Parts of the executors that are tested by themselves: what stands in for finer clusters, batches, rows turned over.
 #include "core/random.h"
-#include "executor/gl_targets.h"
+#include "executor/gl/gl_targets.h"
 #include "executor/lod_substitutes.h"
 #include "executor/ray_shadows.h"
 #include "executor/shading_batch.h"

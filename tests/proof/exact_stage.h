@@ -1,0 +1,93 @@
+// A model in exact shadows over the software executor, and what the plain integer loops say of its pixels.
+#pragma once
+
+#include "executor/exact_pass.h"
+#include "executor/software_executor.h"
+#include "frame/renderer.h"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <vector>
+
+namespace gnomon::proof {
+
+/// What a frame came to.
+struct Shot {
+    std::optional<exact::ExactStatistics> exact;
+    executor::Picture picture;
+    executor::Raster<executor::SurfaceSample> surfaces;
+    std::size_t samples = 0;
+    std::size_t wrong = 0; // pixels lit or dark against the integers
+};
+
+/// All that its statistics count; nothing of a frame without.
+inline std::vector<std::uint64_t> countsOf(const Shot& shot) {
+    if (!shot.exact) return {};
+    const exact::ExactStatistics& s = *shot.exact;
+    return {
+        s.samples,
+        s.cells,
+        s.dark,
+        s.darkWithoutTolerance,
+        s.touching,
+        s.cast.clustersTested,
+        s.cast.clustersKept,
+        s.cast.triangles,
+        s.cast.trianglesCast,
+        s.cast.sampleTests,
+        s.cast.exactDecisions};
+}
+
+/// As a picture shows it: half lit is lit.
+inline bool isLit(const executor::SurfaceSample& surface) {
+    return surface.isLitSide() && surface.litFraction() >= 0.5F;
+}
+
+/// A model with a renderer over the software executor.
+class Stage {
+public:
+    explicit Stage(const hierarchy::ModelFile& file) : file_(&file), renderer_(file, *executor_, {}) {}
+
+    const Box& bounds() const { return file_->summary().bounds; }
+
+    frame::PreparedFrame prepare(const plan::View& view, const plan::Quality& quality) {
+        return renderer_.prepare(view, quality, frame::Waiting::UntilComplete, nullptr);
+    }
+
+    Shot draw(const frame::PreparedFrame& frame, const frame::FrameOptions& options = {}) {
+        Shot shot;
+        shot.exact = renderer_.draw(frame, options).exact;
+        shot.picture = executor_->picture();
+        if (options.wantsSurfaces) shot.surfaces = executor_->surfaces();
+        return shot;
+    }
+
+    /// Draws with surfaces, and counts what the plain loops over all casters of the frame say otherwise.
+    Shot judged(const frame::PreparedFrame& frame, frame::FrameOptions options = {}) {
+        options.wantsSurfaces = true;
+        Shot shot = draw(frame, options);
+        executor::FrameDrawing drawing = renderer_.drawing(frame, options);
+        drawing.exactCasters = &frame.cut.lists.at(1);
+        const executor::Raster<std::uint8_t> truth = executor::litByIntegers(drawing);
+        EXPECT_EQ(truth.pixels.size(), shot.surfaces.pixels.size());
+        for (std::size_t i = 0; i < truth.pixels.size(); ++i)
+            shot.wrong += isLit(shot.surfaces.pixels[i]) != (truth.pixels[i] != 0) ? 1U : 0U;
+        return shot;
+    }
+
+    frame::Renderer& renderer() { return renderer_; }
+
+private:
+    const hierarchy::ModelFile* file_;
+    std::unique_ptr<executor::Executor> executor_ = executor::makeSoftwareExecutor();
+    frame::Renderer renderer_;
+};
+
+inline plan::Quality exactQuality() {
+    plan::Quality quality;
+    quality.shadows = plan::ShadowMode::Exact;
+    return quality;
+}
+
+} // namespace gnomon::proof

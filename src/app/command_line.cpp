@@ -38,13 +38,9 @@ void SettingOptions::addTo(CLI::App& command) {
     command.get_option(settings::named("shaders").option())->check(shaderFolder());
 }
 
-bool SettingOptions::isExactAlone() const {
-    const auto asked = texts_.find(settings::named("shadows").name());
-    return asked != texts_.end() && asked->second == wordOf(plan::kShadowModes, plan::ShadowMode::Exact);
-}
-
 void SettingOptions::requireMapsFor(const std::string& option) const {
-    if (isExactAlone())
+    const auto shadows = texts_.find("shadows");
+    if (shadows != texts_.end() && shadows->second == wordOf(plan::kShadowModes, plan::ShadowMode::Exact))
         throw settings::UsageError{
             "--shadows exact and " + option + " contradict each other: exact shadows have no maps"};
 }

@@ -34,7 +34,6 @@ public:
 
 private:
     settings::Settings parsed(bool withSwept) const;
-    bool isExactAlone() const;
 
     std::map<std::string, std::string> texts_; // of the settings that were given, by their names
 };

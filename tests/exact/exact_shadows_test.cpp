@@ -1,5 +1,7 @@
 // Exact shadows against the loop over all samples and triangles: the same verdicts from every grid, warp, instruction
 // set and number of threads.
+#include "exact/cast_context.h"
+#include "exact/caster_kernel.h"
 #include "exact/exact_shadows.h"
 #include "tests/exact/scenes.h"
 

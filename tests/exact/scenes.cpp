@@ -1,5 +1,6 @@
 #include "tests/exact/scenes.h"
 
+#include "exact/plain_shadows.h"
 #include "tests/each_target.h"
 
 #include <gtest/gtest.h>
@@ -135,6 +136,7 @@ ExactStatistics expectSameAsPlain(
     fill(shadows.samples(), scene, space);
     const std::vector<std::uint8_t> plain = plainStatuses(shadows.samples(), scene);
     const std::vector<Caster> casters = scene.casters();
+    EXPECT_EQ(plainStatuses(shadows.samples(), casters, scene.originCell), plain) << "by buckets";
     ExactStatistics last;
     tests::onEachTarget([&](const char* target) {
         for (const int threads : {1, 2}) {

@@ -59,11 +59,40 @@ PlainTriangle plainTriangle(const Corners& corners, const LightShear& shear) {
     return result;
 }
 
+/// What every sample is held against.
+struct PlainScene {
+    const CastContext& context;
+    std::span<const Caster> casters;
+    const std::vector<PlainTriangle>& triangles;
+    const Buckets& buckets;
+};
+
+std::uint8_t plainStatus(const SampleList& samples, std::size_t i, const PlainScene& scene) {
+    constexpr unsigned kTriangleBits = 8;
+    const std::uint32_t own = samples.triangle[i];
+    const PointOnTriangle point{
+        cornersOf(scene.context, scene.casters[own >> kTriangleBits], own & (raster::kMaxClusterTriangles - 1)),
+        samples.second[i],
+        samples.third[i]};
+    const glm::i64vec3 scaled = scaledPoint(point);
+    const double u = samples.u[i];
+    const double v = samples.v[i];
+    std::uint8_t status = kLit;
+    for (const std::uint32_t t : scene.buckets.at(u, v)) {
+        const PlainTriangle& triangle = scene.triangles[t];
+        if (u < triangle.least.x || v < triangle.least.y || u > triangle.most.x || v > triangle.most.y) continue;
+        const RayMeeting met = meet(triangle.corners, samples.space().light, scaled, samples.integerTolerance[i]);
+        if (met.meeting == Meeting::None) continue;
+        status |= met.meeting == Meeting::Touching ? kTouched : met.isOnEdge ? kDarkByEdge : kDark;
+        if ((status & kDark) != 0) return kDark;
+    }
+    return status;
+}
+
 } // namespace
 
 std::vector<std::uint8_t> plainStatuses(
     const SampleList& samples, std::span<const Caster> casters, const glm::uvec3& originCell) {
-    constexpr unsigned kTriangleBits = 8;
     std::vector<std::uint8_t> statuses(samples.size(), kLit);
     if (samples.size() == 0) return statuses;
     glm::dvec2 least(samples.u[0], samples.v[0]);
@@ -85,26 +114,9 @@ std::vector<std::uint8_t> plainStatuses(
             buckets.add(triangle, static_cast<std::uint32_t>(triangles.size()));
             triangles.push_back(triangle);
         }
-    tbb::parallel_for(std::size_t{0}, samples.size(), [&](std::size_t i) {
-        const std::uint32_t own = samples.triangle[i];
-        const PointOnTriangle point{
-            cornersOf(context, casters[own >> kTriangleBits], own & (raster::kMaxClusterTriangles - 1)),
-            samples.second[i],
-            samples.third[i]};
-        const glm::i64vec3 scaled = scaledPoint(point);
-        const double u = samples.u[i];
-        const double v = samples.v[i];
-        for (const std::uint32_t t : buckets.at(u, v)) {
-            const PlainTriangle& triangle = triangles[t];
-            if (u < triangle.least.x || v < triangle.least.y || u > triangle.most.x || v > triangle.most.y) continue;
-            const RayMeeting met = meet(triangle.corners, samples.space().light, scaled, samples.integerTolerance[i]);
-            if (met.meeting == Meeting::None) continue;
-            statuses[i] |= met.meeting == Meeting::Touching ? kTouched : met.isOnEdge ? kDarkByEdge : kDark;
-            if ((statuses[i] & kDark) == 0) continue;
-            statuses[i] = kDark;
-            return;
-        }
-    });
+    const PlainScene scene{context, casters, triangles, buckets};
+    tbb::parallel_for(
+        std::size_t{0}, samples.size(), [&](std::size_t i) { statuses[i] = plainStatus(samples, i, scene); });
     return statuses;
 }
 

@@ -27,6 +27,7 @@ plan::View viewOf(const Box& bounds) {
     return view;
 }
 
+// NOLINTNEXTLINE(readability-function-size): a table
 const std::vector<ExactView>& views() {
     using B = Box;
     using V = plan::View;

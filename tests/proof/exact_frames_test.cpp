@@ -77,7 +77,7 @@ TEST_P(ExactFrames, AreTheSameWithSurfacesAndWithAnyThreads) {
     }
 }
 
-// Rays begin a quarter of a pixel off their surface: in light that grazes it they pass over what casts shadows there.
+// Rays begin a quarter of a pixel off their surface: in light that grazes it they differ most.
 TEST_P(ExactFrames, DifferFromRaysWhereIntegersSideWithThem) {
     constexpr double kSteep = 0.3;
     Stage stage(GetParam()());

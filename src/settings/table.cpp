@@ -138,8 +138,8 @@ std::vector<Setting> sceneSettings() {
     };
 }
 
-/// How well it is drawn, and with what, of what no bench sweeps.
-std::vector<Setting> fixedSettings() {
+/// How maps are made, of what no bench sweeps.
+std::vector<Setting> fixedMapSettings() {
     return {
         plain(
             &Settings::eta,
@@ -174,6 +174,12 @@ std::vector<Setting> fixedSettings() {
              .isOfMaps = true,
              .statedAs = "max_aliasing"},
             positiveNumber()),
+    };
+}
+
+/// What draws, and with how much memory.
+std::vector<Setting> machineSettings() {
+    return {
         plain(
             &Settings::backend,
             {.name = "backend",
@@ -277,6 +283,12 @@ std::vector<Setting> sweptSettings() {
              .offer = {.title = "faces"}},
             oneOf(plan::kChoices)),
         shadowTexelsSetting(),
+    };
+}
+
+/// The rest of that: how maps are looked up, filled and kept.
+std::vector<Setting> moreSweptSettings() {
+    return {
         quality(
             &Quality::filter,
             {.name = "filter",
@@ -319,7 +331,8 @@ bool agreeWhere(bool Description::*counts, const Settings& a, const Settings& b)
 std::span<const Setting> table() {
     static const std::vector<Setting> all = [] {
         std::vector<Setting> settings = cameraSettings();
-        for (const auto& more : {sceneSettings(), fixedSettings(), sweptSettings()})
+        for (const auto& more :
+             {sceneSettings(), fixedMapSettings(), machineSettings(), sweptSettings(), moreSweptSettings()})
             settings.insert(settings.end(), more.begin(), more.end());
         return settings;
     }();

@@ -21,6 +21,8 @@ function(gnomon_tests name)
     target_include_directories(${name}_tests PRIVATE ${PROJECT_SOURCE_DIR})
     target_link_libraries(${name}_tests PRIVATE ${arg_NEEDS} gnomon_options GTest::gtest_main)
     target_compile_definitions(${name}_tests PRIVATE GNOMON_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+    # What a test takes long for is in the layers; more than -O1 costs a quarter of the time that tests take to compile.
+    target_compile_options(${name}_tests PRIVATE $<$<CONFIG:Release>:-O1>)
     if(arg_LABEL STREQUAL threads)
         add_dependencies(threaded_tests ${name}_tests)
     endif()

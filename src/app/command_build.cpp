@@ -131,7 +131,7 @@ Error inOptions(const LimitError& error) {
     case Limit::StuckTriangles:
         return {"--max-stuck", parts.what, parts.expected, parts.found};
     }
-    return error;
+    return {parts.where, parts.what, parts.expected, parts.found};
 }
 
 BuildReport built(read::MeshSource& source, const pipeline::BuildOptions& options, const CommonOptions& common) {

@@ -295,7 +295,7 @@ std::vector<float> litAcrossAnEdge(int filter) {
     part.texelScale = {1, 1};
     part.endTexel = {16, 16};
     part.byDepth = {0, 0, 1, 0};
-    std::vector<float> depths(16 * 16);
+    std::vector<float> depths(std::size_t{16} * 16);
     for (std::size_t i = 0; i < depths.size(); ++i)
         depths[i] = i % 16 < 8 ? 0.25F : 0.75F;
     ShadingFrame shared;

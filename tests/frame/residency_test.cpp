@@ -45,6 +45,9 @@ struct SeenCut {
 
     SeenCut(const SeenCut&) = delete;
     SeenCut& operator=(const SeenCut&) = delete;
+    SeenCut(SeenCut&&) = delete;
+    SeenCut& operator=(SeenCut&&) = delete;
+    ~SeenCut() = default;
 
     const selection::DetailView view = viewFrom({10, 15, 10});
     const selection::ErrorRule rule{view};

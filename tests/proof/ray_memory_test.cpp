@@ -19,7 +19,7 @@ protected:
     static constexpr std::uint64_t kTriangles = 60000;
 
     tests::ShadowTriple triple() const {
-        return withDefaults(tests::shadowTriple(model_.file().summary().bounds, 0, 128, 256));
+        return withDefaults(tests::shadowTriple(model.file().summary().bounds, 0, 128, 256));
     }
 
     /// The share of wrong pixels under a memory, or the line that refuses it.
@@ -30,7 +30,7 @@ protected:
 
     Answer answer(Bytes memory) const {
         const std::unique_ptr<executor::Executor> executor = executor::makeSoftwareExecutor();
-        frame::Renderer renderer(model_.file(), *executor, {.memory = memory, .onDamaged = {}});
+        frame::Renderer renderer(model.file(), *executor, {.memory = memory, .onDamaged = {}});
         const frame::Frame frame = renderer.render(triple().view, triple().quality, {});
         ProofOptions options;
         options.oracle = Oracle::FullDetail;
@@ -41,7 +41,7 @@ protected:
         }
     }
 
-    const tests::BuiltFile model_{"plant", kTriangles};
+    const tests::BuiltFile model{"plant", kTriangles};
 };
 
 TEST_F(FullOracle, RefusesWhatTheMemoryDoesNotHoldAndNamesWhatWouldDo) {
@@ -66,9 +66,9 @@ TEST_F(FullOracle, KeepsRoomForItsRays) {
         quality.errorPixels = 0;
         return renderer.prepare(triple().view, quality, frame::Waiting::UntilComplete, nullptr);
     };
-    frame::Renderer ample(model_.file(), *executor, {});
+    frame::Renderer ample(model.file(), *executor, {});
     const MemoryWithRays needed = memoryWithRays(ample, prepared(ample));
-    frame::Renderer tight(model_.file(), *executor, {.memory = needed.all(), .onDamaged = {}});
+    frame::Renderer tight(model.file(), *executor, {.memory = needed.all(), .onDamaged = {}});
     plan::View elsewhere = triple().view;
     std::swap(elsewhere.camera.eye, elsewhere.camera.target);
     tight.render(elsewhere, triple().quality, {}); // leaves pages that the oracle has no use for
@@ -79,9 +79,9 @@ TEST_F(FullOracle, KeepsRoomForItsRays) {
 }
 
 TEST_F(FullOracle, RefusesAFinestLevelThatIsDamaged) {
-    const hierarchy::PageInfo& last = model_.file().pages().back();
+    const hierarchy::PageInfo& last = model.file().pages().back();
     ASSERT_EQ(last.level, 0U);
-    std::fstream file(model_.file().path(), std::ios::in | std::ios::out | std::ios::binary);
+    std::fstream file(model.file().path(), std::ios::in | std::ios::out | std::ios::binary);
     file.seekp(static_cast<std::streamoff>(last.offset + last.storedBytes / 2));
     file.put('\x5A');
     file.put('\xA5');

@@ -67,6 +67,7 @@ exact::SampleSpace sampleSpace(const FrameDrawing& frame) {
 std::vector<std::uint32_t> tolerances(
     const FrameDrawing& frame, std::span<const DrawnCluster> clusters, const exact::IntegerLight& light) {
     constexpr double kSteps = 2;
+    constexpr double kOfError = 0.125; // with all of it more true shadows are lost than specks avoided
     constexpr double kMost = 0x7FFFFFFF;
     const double perCell = std::ldexp(1.0, exact::kLightBits) / glm::length(glm::dvec3(light.direction));
     std::vector<std::uint32_t> result;
@@ -74,7 +75,7 @@ std::vector<std::uint32_t> tolerances(
     for (const DrawnCluster& drawn : clusters) {
         const std::uint32_t refinement = drawn.page->clusters[drawn.cluster].refinement;
         const double error = refinement == hierarchy::kNone ? 0 : drawn.page->refinements[refinement].error;
-        const double cells = std::max(kSteps, error / frame.space.step);
+        const double cells = std::max(kSteps, kOfError * error / frame.space.step);
         result.push_back(static_cast<std::uint32_t>(std::min(std::floor(cells * perCell), kMost)));
     }
     return result;

@@ -16,7 +16,7 @@ exact::IntegerLight integerLight(const plan::FramePlan& plan);
 exact::SampleSpace sampleSpace(const FrameDrawing& frame);
 
 /// How far ahead of a point on each drawn cluster a triangle may lie and still only touch it, as exact::meet takes it:
-/// two steps of the grid, or the cluster's stored error where that is larger.
+/// two steps of the grid, or an eighth of the cluster's stored error where that is larger.
 std::vector<std::uint32_t> tolerances(
     const FrameDrawing& frame, std::span<const DrawnCluster> clusters, const exact::IntegerLight& light);
 

@@ -44,12 +44,13 @@ private:
     FrameDrawing drawing_;
 };
 
-TEST(ExactPass, ATouchIsTwoStepsOrTheClustersErrorAway) {
+TEST(ExactPass, ATouchIsTwoStepsOrAnEighthOfTheClustersErrorAway) {
     const ExactFrame frame(3);
     hierarchy::Page page;
     page.clusters.resize(5);
     const double step = frame.drawing().space.step;
-    const std::array errors = {0.0, 1.5 * step, 2 * step, 77.25 * step, std::numeric_limits<double>::infinity()};
+    const std::array errors = {
+        0.0, 8 * 1.5 * step, 8 * 2 * step, 8 * 77.25 * step, std::numeric_limits<double>::infinity()};
     for (std::size_t i = 0; i < errors.size(); ++i) {
         page.refinements.push_back({});
         page.refinements.back().error = errors.at(i);

@@ -83,8 +83,7 @@ std::vector<std::uint32_t> tolerances(
 
 void drawUndecided(
     const FrameDrawing& frame, const ImageBuffers& buffers, exact::SampleList& samples, UndecidedPixels& undecided) {
-    const plan::View& view = frame.plan->view;
-    buffers.pass->gather(frame, *frame.image);
+    drawVisible(frame, buffers);
     const exact::SampleSpace space = sampleSpace(frame);
     samples.reset(space, buffers.picture->pixels.size());
     undecided.samples = &samples;
@@ -94,11 +93,7 @@ void drawUndecided(
     const FloatPicture noMaps;
     const Shading shading(frame, clipFromDraw, noMaps, buffers.pass->drawn(), true);
     const ShadingTarget target{buffers.picture, nullptr, &undecided};
-    buffers.rasterizer->drawVisibility(
-        buffers.pass->clusters(),
-        rasterView(frame.space, clipFromDraw, {0, 0, view.width, view.height}),
-        {buffers.words->data(), view.width, view.height},
-        [&](const raster::PixelBox& box) { shading.shade(box, *buffers.words, target); });
+    shadeVisible(shading, *buffers.words, target);
 }
 
 std::vector<exact::Caster> exactCasters(const FrameDrawing& frame, const SoftwarePass& image) {

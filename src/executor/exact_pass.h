@@ -2,8 +2,7 @@
 #pragma once
 
 #include "exact/exact_shadows.h"
-#include "executor/software_pass.h"
-#include "executor/software_shading.h"
+#include "executor/image_pass.h"
 
 #include <vector>
 
@@ -19,14 +18,6 @@ exact::SampleSpace sampleSpace(const FrameDrawing& frame);
 /// two steps of the grid, or an eighth of the cluster's stored error where that is larger.
 std::vector<std::uint32_t> tolerances(
     const FrameDrawing& frame, std::span<const DrawnCluster> clusters, const exact::IntegerLight& light);
-
-/// Where an image is drawn; words as a VisibilityTarget's. All are there, and of the frame's size.
-struct ImageBuffers {
-    raster::Rasterizer* rasterizer = nullptr;
-    SoftwarePass* pass = nullptr;
-    std::vector<std::uint64_t>* words = nullptr;
-    Picture* picture = nullptr;
-};
 
 /// Draws the image of `frame` in shadow, and collects in `samples` the points that face the light.
 void drawUndecided(

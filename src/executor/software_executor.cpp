@@ -3,10 +3,7 @@
 #include "core/stopwatch.h"
 #include "executor/exact_pass.h"
 #include "executor/frame_block.h"
-#include "executor/software_shading.h"
 #include "plan/cell_maps.h"
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 
@@ -43,6 +40,7 @@ public:
 private:
     void clearBetweenMaps(const plan::FramePlan& plan);
     void sizeTargets(const FrameDrawing& frame);
+    void shade(const FrameDrawing& frame);
     void lightDecided(const FrameDrawing& frame);
 
     raster::Rasterizer rasterizer_;
@@ -112,19 +110,17 @@ void SoftwareExecutor::sizeTargets(const FrameDrawing& frame) {
     words_.resize(picture_.pixels.size());
 }
 
+/// From the words of the image to its colours, and to the surfaces where they are wanted.
+void SoftwareExecutor::shade(const FrameDrawing& frame) {
+    const Shading shading(frame, imageClipFromDraw(frame), shadowDepth_, pass_.drawn());
+    shadeVisible(shading, words_, {&picture_, frame.wantsSurfaces ? &surfaces_ : nullptr});
+}
+
 PassStatistics SoftwareExecutor::drawImage(const FrameDrawing& frame) {
     const Stopwatch watch;
     sizeTargets(frame);
-    const plan::View& view = frame.plan->view;
-    pass_.gather(frame, *frame.image);
-    const glm::dmat4 clipFromDraw = imageClipFromDraw(frame);
-    const Shading shading(frame, clipFromDraw, shadowDepth_, pass_.drawn());
-    const ShadingTarget target{&picture_, frame.wantsSurfaces ? &surfaces_ : nullptr};
-    rasterizer_.drawVisibility(
-        pass_.clusters(),
-        rasterView(frame.space, clipFromDraw, {0, 0, view.width, view.height}),
-        {words_.data(), view.width, view.height},
-        [&](const raster::PixelBox& box) { shading.shade(box, words_, target); });
+    drawVisible(frame, {&rasterizer_, &pass_, &words_, &picture_});
+    shade(frame);
     return {watch.elapsed(), frame.image->ranges.size(), std::nullopt};
 }
 
@@ -149,13 +145,7 @@ void SoftwareExecutor::lightDecided(const FrameDrawing& frame) {
         if (!exact::isDark(statuses[i])) mask.pixels[samples.pixel[i]] = 255;
     FrameDrawing lit = frame;
     lit.litMask = &mask;
-    const Shading shading(lit, imageClipFromDraw(lit), shadowDepth_, pass_.drawn());
-    const ShadingTarget target{&picture_, frame.wantsSurfaces ? &surfaces_ : nullptr};
-    constexpr int kRows = 16;
-    tbb::parallel_for(0, (picture_.height + kRows - 1) / kRows, [&](int band) {
-        const int end = std::min(picture_.height, (band + 1) * kRows);
-        shading.shade({0, band * kRows, picture_.width, end}, words_, target);
-    });
+    shade(lit);
 }
 
 DrawStatistics SoftwareExecutor::drawExactly(const FrameDrawing& frame) {

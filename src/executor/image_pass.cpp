@@ -1,0 +1,33 @@
+#include "executor/image_pass.h"
+
+#include "executor/frame_block.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+namespace gnomon::executor {
+
+void drawVisible(const FrameDrawing& frame, const ImageBuffers& buffers) {
+    const plan::View& view = frame.plan->view;
+    buffers.pass->gather(frame, *frame.image);
+    buffers.rasterizer->drawVisibility(
+        buffers.pass->clusters(),
+        rasterView(frame.space, imageClipFromDraw(frame), {0, 0, view.width, view.height}),
+        {buffers.words->data(), view.width, view.height});
+}
+
+void shadeVisible(const Shading& shading, std::span<const std::uint64_t> words, const ShadingTarget& target) {
+    // Squares, since neighbours in both directions see the same triangles; small enough to share out evenly.
+    constexpr int kSide = 64;
+    const Picture& picture = *target.picture;
+    const int columns = (picture.width + kSide - 1) / kSide;
+    const int rows = (picture.height + kSide - 1) / kSide;
+    tbb::parallel_for(0, columns * rows, [&](int i) {
+        const int x = i % columns * kSide;
+        const int y = i / columns * kSide;
+        shading.shade({x, y, std::min(picture.width, x + kSide), std::min(picture.height, y + kSide)}, words, target);
+    });
+}
+
+} // namespace gnomon::executor

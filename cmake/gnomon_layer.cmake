@@ -8,6 +8,13 @@ function(gnomon_layer name)
     target_link_libraries(gnomon_${name} PUBLIC ${arg_NEEDS} PRIVATE gnomon_options ${arg_USES})
 endfunction()
 
+# What precompiled headers and the tests that take them have to be compiled with alike.
+function(gnomon_compile_as_test target)
+    target_compile_definitions(${target} PRIVATE GNOMON_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+    # What a test takes long for is in the layers; more than -O1 costs a quarter of the time that tests take to compile.
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
+
 # gnomon_tests(<layer> SOURCES <file>... [NEEDS <target>...] [LABEL <label>])
 # One test program per layer; every TEST in it is a ctest entry that carries the label (unit unless said otherwise;
 # `threads` is what `scripts/test --all` also runs under the thread sanitizer; the target threaded_tests builds it).
@@ -17,12 +24,11 @@ function(gnomon_tests name)
     if(NOT arg_LABEL)
         set(arg_LABEL unit)
     endif()
-    add_executable(${name}_tests ${arg_SOURCES} $<TARGET_OBJECTS:gnomon_temporary_folder>)
+    add_executable(${name}_tests ${arg_SOURCES} $<TARGET_OBJECTS:gnomon_test_support>)
     target_include_directories(${name}_tests PRIVATE ${PROJECT_SOURCE_DIR})
     target_link_libraries(${name}_tests PRIVATE ${arg_NEEDS} gnomon_options GTest::gtest_main)
-    target_compile_definitions(${name}_tests PRIVATE GNOMON_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-    # What a test takes long for is in the layers; more than -O1 costs a quarter of the time that tests take to compile.
-    target_compile_options(${name}_tests PRIVATE $<$<CONFIG:Release>:-O1>)
+    gnomon_compile_as_test(${name}_tests)
+    target_precompile_headers(${name}_tests REUSE_FROM gnomon_test_support)
     if(arg_LABEL STREQUAL threads)
         add_dependencies(threaded_tests ${name}_tests)
     endif()

@@ -42,11 +42,12 @@ struct CastCounts {
 
 /// What all clusters of a frame are cast over.
 struct CastContext {
-    const SampleList* samples = nullptr;
+    const SampleList* samples = nullptr; // their u, v and h in the grid's order
     const SampleGrid* grid = nullptr;
     std::span<const Caster> casters;  // those that hold samples' triangles stand where the names say
     glm::uvec3 originCell{0};         // subtracted from each position
     double coordinateError = 0;       // coordinateErrorFor all casters, as `grid` was sorted with
+    double mostTolerance = 0;         // of all samples, cells along h
     std::span<std::uint8_t> statuses; // by the grid's order of samples, at least; written without a lock
 };
 

@@ -343,16 +343,13 @@ std::uint8_t decideExactly(const CastContext& context, const Caster& caster, std
     constexpr unsigned kTriangleBits = 8;
     const SampleList& samples = *context.samples;
     const std::size_t sample = context.grid->source[place];
-    const std::uint32_t own = samples.triangle[sample];
+    const std::uint32_t own = context.grid->triangle[place];
     const PointOnTriangle point{
         cornersOf(context, context.casters[own >> kTriangleBits], own & (raster::kMaxClusterTriangles - 1)),
         samples.second[sample],
         samples.third[sample]};
     const RayMeeting met = meet(
-        cornersOf(context, caster, triangle),
-        samples.space().light,
-        scaledPoint(point),
-        samples.integerTolerance[sample]);
+        cornersOf(context, caster, triangle), samples.space().light, scaledPoint(point), samples.tolerance[sample]);
     if (met.meeting == Meeting::None) return kLit;
     if (met.meeting == Meeting::Touching) return kTouched;
     return met.isOnEdge ? kDarkByEdge : kDark;

@@ -1,10 +1,13 @@
 #include "exact/exact_shadows.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/combinable.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <array>
+#include <functional>
 
 namespace gnomon::exact {
 
@@ -26,6 +29,7 @@ struct Round {
     std::size_t end = 0;
 };
 
+constexpr std::size_t kGrain = 16384; // samples
 constexpr std::size_t kStride = 8;
 constexpr std::array kRounds = {Round{0, 1}, Round{1, 4}, Round{4, kStride}};
 
@@ -43,44 +47,91 @@ CastCounts castRound(const CastContext& context, const Round& round) {
     return sum;
 }
 
+/// The sum of `sumOf(begin, end)` over pieces of [0, size) in parallel.
+template <class SumOf>
+std::size_t sumOver(std::size_t size, const SumOf& sumOf) {
+    return tbb::parallel_reduce(
+        tbb::blocked_range<std::size_t>(0, size, kGrain),
+        std::size_t{0},
+        [&](const auto& range, std::size_t sum) { return sum + sumOf(range.begin(), range.end()); },
+        std::plus<>());
+}
+
+/// The largest tolerance of all samples, cells along h.
+double mostTolerance(const SampleList& samples) {
+    const std::uint32_t most = tbb::parallel_reduce(
+        tbb::blocked_range<std::size_t>(0, samples.size(), kGrain),
+        0U,
+        [&](const auto& range, std::uint32_t largest) {
+            for (std::size_t i = range.begin(); i < range.end(); ++i)
+                largest = std::max(largest, samples.tolerance[i]);
+            return largest;
+        },
+        [](std::uint32_t a, std::uint32_t b) { return std::max(a, b); });
+    return most * samples.perTolerance();
+}
+
 } // namespace
 
 /// Where that is worth the time it takes: a quarter or more of the samples.
 void ExactShadows::removeDark() {
     constexpr std::size_t kWorthwhile = 4;
     const auto isDecided = [&](std::size_t place) { return (sorted_[place] & kDark) != 0; };
-    std::size_t dark = 0;
-    for (std::size_t i = 0; i < grid_.size(); ++i)
-        dark += isDecided(i) ? 1 : 0;
+    const std::size_t dark = sumOver(grid_.size(), [&](std::size_t begin, std::size_t end) {
+        std::size_t count = 0;
+        for (std::size_t i = begin; i < end; ++i)
+            count += isDecided(i) ? 1 : 0;
+        return count;
+    });
     if (dark * kWorthwhile < grid_.size()) return;
     grid_.remove(
+        samples_,
         isDecided,
         [&](std::size_t place) { statuses_[grid_.source[place]] = kDark; },
         [&](std::size_t from, std::size_t to) { sorted_[to] = sorted_[from]; });
 }
 
+/// The statuses of those that are still in the grid, and what there is of each kind.
+void ExactShadows::takeStatuses(ExactStatistics& statistics) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, grid_.size(), kGrain), [&](const auto& range) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i)
+            statuses_[grid_.source[i]] = (sorted_[i] & kDark) != 0 ? std::uint8_t{kDark} : sorted_[i];
+    });
+    const auto count = [&](const auto& isCounted) {
+        return sumOver(samples_.size(), [&](std::size_t begin, std::size_t end) {
+            return static_cast<std::size_t>(std::count_if(&statuses_[begin], &statuses_[end], isCounted));
+        });
+    };
+    statistics.dark = count(isDark);
+    statistics.darkWithoutTolerance = count([](std::uint8_t status) { return status != kLit; });
+    statistics.touching = count([](std::uint8_t status) { return status != kLit && status != kDark; });
+}
+
 ExactStatistics ExactShadows::decide(const ExactQuestion& question) {
     ExactStatistics statistics;
     statistics.samples = samples_.size();
+    mostSamples_ = std::max(mostSamples_, samples_.size());
     const double coordinateError = coordinateErrorFor(reachOf(question.casters));
     grid_.sort(samples_, question.planes, question.side, coordinateError);
     const auto side = static_cast<std::uint64_t>(question.side);
     statistics.cells = side * side * question.planes.size();
-    sorted_.assign(samples_.size() + 16, kLit);
-    statuses_.resize(samples_.size());
     if (samples_.size() == 0) return statistics;
-    const CastContext context{&samples_, &grid_, question.casters, question.originCell, coordinateError, sorted_};
+    sorted_.makeRoom(samples_.room());
+    statuses_.makeRoom(samples_.room());
+    std::fill(&sorted_[0], &sorted_[samples_.size()], kLit);
+    const CastContext context{
+        &samples_,
+        &grid_,
+        question.casters,
+        question.originCell,
+        coordinateError,
+        mostTolerance(samples_),
+        {&sorted_[0], samples_.size()}};
     for (std::size_t round = 0; round < kRounds.size() && grid_.size() > 0; ++round) {
         statistics.cast += castRound(context, kRounds[round]);
         if (round + 1 < kRounds.size()) removeDark();
     }
-    for (std::size_t i = 0; i < grid_.size(); ++i)
-        statuses_[grid_.source[i]] = (sorted_[i] & kDark) != 0 ? std::uint8_t{kDark} : sorted_[i];
-    for (const std::uint8_t status : statuses_) {
-        statistics.dark += isDark(status) ? 1 : 0;
-        statistics.darkWithoutTolerance += status != kLit ? 1 : 0;
-        statistics.touching += status != kLit && status != kDark ? 1 : 0;
-    }
+    takeStatuses(statistics);
     return statistics;
 }
 

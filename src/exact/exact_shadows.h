@@ -37,20 +37,24 @@ public:
     ExactStatistics decide(const ExactQuestion& question);
 
     /// What came out, by the order of `samples()`: bits of their statuses.
-    std::span<const std::uint8_t> statuses() const { return {statuses_.data(), samples_.size()}; }
+    std::span<const std::uint8_t> statuses() const { return {statuses_.begin(), samples_.size()}; }
 
     const SampleGrid& grid() const { return grid_; }
 
-    /// What the last frame's samples and their cells take.
-    std::uint64_t bytes() const { return samples_.bytes() + grid_.bytes() + sorted_.size() + statuses_.size(); }
+    /// What the samples and their cells take: those of the frame that had most of them.
+    std::uint64_t bytes() const { return mostSamples_ * kBytesPerSample + grid_.cellBytes(); }
 
 private:
+    static constexpr std::uint64_t kBytesPerSample = SampleList::kBytesPerSample + SampleGrid::kBytesPerSample + 2;
+
     void removeDark();
+    void takeStatuses(ExactStatistics& statistics);
 
     SampleList samples_;
     SampleGrid grid_;
-    std::vector<std::uint8_t> sorted_;   // statuses in the grid's order
-    std::vector<std::uint8_t> statuses_; // in that of the samples
+    FrameArray<std::uint8_t> sorted_;   // statuses in the grid's order
+    FrameArray<std::uint8_t> statuses_; // in that of the samples
+    std::size_t mostSamples_ = 0;
 };
 
 } // namespace gnomon::exact

@@ -81,7 +81,7 @@ std::uint8_t plainStatus(const SampleList& samples, std::size_t i, const PlainSc
     for (const std::uint32_t t : scene.buckets.at(u, v)) {
         const PlainTriangle& triangle = scene.triangles[t];
         if (u < triangle.least.x || v < triangle.least.y || u > triangle.most.x || v > triangle.most.y) continue;
-        const RayMeeting met = meet(triangle.corners, samples.space().light, scaled, samples.integerTolerance[i]);
+        const RayMeeting met = meet(triangle.corners, samples.space().light, scaled, samples.tolerance[i]);
         if (met.meeting == Meeting::None) continue;
         status |= met.meeting == Meeting::Touching ? kTouched : met.isOnEdge ? kDarkByEdge : kDark;
         if ((status & kDark) != 0) return kDark;

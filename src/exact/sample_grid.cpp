@@ -5,6 +5,9 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
+#include <atomic>
+#include <bit>
 #include <cmath>
 
 namespace gnomon::exact {
@@ -22,41 +25,11 @@ void forChunks(std::size_t size, const Visit& visit) {
     });
 }
 
-/// What the samples of a map span.
-struct Extent {
-    std::size_t samples = 0;
-    double leastW = std::numeric_limits<double>::infinity();
-    double mostW = -std::numeric_limits<double>::infinity();
-    glm::dvec2 least{std::numeric_limits<double>::infinity()};
-    glm::dvec2 most{-std::numeric_limits<double>::infinity()};
-
-    void add(const glm::dvec3& p) {
-        ++samples;
-        leastW = std::min(leastW, p.z);
-        mostW = std::max(mostW, p.z);
-        const glm::dvec2 place = glm::dvec2(p) / p.z;
-        least = glm::min(least, place);
-        most = glm::max(most, place);
-    }
-
-    void add(const Extent& other) {
-        samples += other.samples;
-        leastW = std::min(leastW, other.leastW);
-        mostW = std::max(mostW, other.mostW);
-        least = glm::min(least, other.least);
-        most = glm::max(most, other.most);
-    }
-};
-
 std::vector<Extent> extentsOf(const SampleList& samples, std::span<const glm::dmat3> planes) {
     std::vector<std::vector<Extent>> parts((samples.size() + kChunk - 1) / kChunk);
     forChunks(samples.size(), [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-        std::vector<Extent> extents(planes.size());
-        for (std::size_t i = begin; i < end; ++i) {
-            const auto map = static_cast<std::size_t>(samples.map[i]);
-            extents[map].add(planes[map] * glm::dvec3(samples.u[i], samples.v[i], 1));
-        }
-        parts[chunk] = std::move(extents);
+        for (std::size_t map = 0; map < planes.size(); ++map)
+            parts[chunk].push_back(extentOn(planes[map], map, {&samples, begin, end}));
     });
     std::vector<Extent> result(planes.size());
     for (const std::vector<Extent>& part : parts)
@@ -110,13 +83,16 @@ bool isUsable(const glm::dmat3& plane, const Extent& extent, const Stretch& stre
 
 } // namespace
 
-void SampleGrid::sort(const SampleList& samples, std::span<const glm::dmat3> planes, int side, double coordinateError) {
+void SampleGrid::sort(SampleList& samples, std::span<const glm::dmat3> planes, int side, double coordinateError) {
     side_ = side;
     size_ = samples.size();
+    for (auto* values : {&triangle, &source})
+        values->makeRoom(samples.room());
+    spare_.makeRoom(samples.u.size()); // they change places
     fitMaps(samples, planes, coordinateError);
     countCells(samples);
-    scatter(samples);
-    maskReceivers();
+    order(samples);
+    maskReceivers(samples);
 }
 
 void SampleGrid::fitMaps(const SampleList& samples, std::span<const glm::dmat3> planes, double coordinateError) {
@@ -145,17 +121,21 @@ void SampleGrid::fitMaps(const SampleList& samples, std::span<const glm::dmat3> 
 }
 
 void SampleGrid::countCells(const SampleList& samples) {
+    constexpr std::size_t kRun = 512;
+    constexpr std::size_t kPadding = 16;
     const std::size_t cells = maps_.size() * static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_);
     first_.assign(cells + 1, 0);
-    cellOf_.resize(size_);
-    rankOf_.resize(size_);
     forChunks(size_, [&](std::size_t begin, std::size_t end, std::size_t) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const auto map = static_cast<std::size_t>(samples.map[i]);
-            const glm::dvec3 p = maps_[map].cellsFromLightPlane * glm::dvec3(samples.u[i], samples.v[i], 1);
-            const std::size_t at = cell(map, cellAt(p.x / p.z, side_), cellAt(p.y / p.z, side_));
-            cellOf_[i] = static_cast<std::uint32_t>(at);
-            rankOf_[i] = std::atomic_ref(first_[at]).fetch_add(1, std::memory_order_relaxed);
+        std::array<std::uint32_t, kRun + kPadding> found; // NOLINT(cppcoreguidelines-pro-type-member-init): filled
+        for (std::size_t i = begin; i < end; i += kRun) {
+            const SampleRun run{&samples, i, std::min(end, i + kRun)};
+            for (std::size_t map = 0; map < maps_.size(); ++map)
+                findCells(maps_[map].cellsFromLightPlane, map, side_, run, found);
+            for (std::size_t k = i; k < run.end; ++k) {
+                const std::size_t at = cell(samples.mapOf(k), 0, 0) + found[k - i];
+                const std::uint64_t rank = std::atomic_ref(first_[at]).fetch_add(1, std::memory_order_relaxed);
+                spare_[k] = std::bit_cast<double>(std::uint64_t{at} << 32U | rank);
+            }
         }
     });
     std::uint32_t sum = 0;
@@ -166,42 +146,42 @@ void SampleGrid::countCells(const SampleList& samples) {
     }
 }
 
-void SampleGrid::scatter(const SampleList& samples) {
-    constexpr std::size_t kPadding = 16;
-    if (u.size() < size_ + kPadding) {
-        for (auto* values : {&u, &v, &h})
-            values->resize(size_ + kPadding);
-        tolerance.resize(size_ + kPadding);
-        triangle.resize(size_ + kPadding);
-        source.resize(size_ + kPadding);
-    }
+/// One array after the other goes into the spare one, and leaves its own to the next.
+void SampleGrid::order(SampleList& samples) {
     forChunks(size_, [&](std::size_t begin, std::size_t end, std::size_t) {
         for (std::size_t i = begin; i < end; ++i) {
-            const std::size_t to = first_[cellOf_[i]] + rankOf_[i];
-            u[to] = samples.u[i];
-            v[to] = samples.v[i];
-            h[to] = samples.h[i];
-            tolerance[to] = samples.tolerance[i];
-            triangle[to] = samples.triangle[i];
+            const auto cellAndRank = std::bit_cast<std::uint64_t>(spare_[i]);
+            const std::size_t to = first_[cellAndRank >> 32U] + static_cast<std::uint32_t>(cellAndRank);
             source[to] = static_cast<std::uint32_t>(i);
+            triangle[to] = samples.triangle[i];
         }
     });
+    for (FrameArray<double>* values : {&samples.u, &samples.v, &samples.h}) {
+        forChunks(size_, [&](std::size_t begin, std::size_t end, std::size_t) {
+            for (std::size_t to = begin; to < end; ++to)
+                spare_[to] = (*values)[source[to]];
+        });
+        values->swap(spare_);
+    }
 }
 
-void SampleGrid::maskReceivers() {
+void SampleGrid::maskReceivers(const SampleList& samples) {
     masks_.resize(maps_.size());
     for (std::size_t map = 0; map < maps_.size(); ++map) {
         ReceiverMask& mask = masks_[map];
         mask.reset(side_, side_);
         if (maps_[map].isEmpty) continue;
         tbb::parallel_for(0, mask.blocksHigh(), [&](int row) {
-            const int end = std::min(side_, (row + 1) << ReceiverMask::kBlockBits);
-            for (int y = row << ReceiverMask::kBlockBits; y < end; ++y)
-                for (int x = 0; x < side_; ++x) {
-                    const std::size_t at = cell(map, x, y);
-                    float& lowest = mask.lowest(x >> ReceiverMask::kBlockBits, row);
-                    for (std::uint32_t i = first_[at]; i < first_[at + 1]; ++i)
-                        lowest = std::min(lowest, roundedDown(h[i]));
+            const int lastRow = std::min(side_, (row + 1) << ReceiverMask::kBlockBits);
+            for (int y = row << ReceiverMask::kBlockBits; y < lastRow; ++y)
+                for (int block = 0; block < mask.blocksWide(); ++block) {
+                    const std::size_t begin = first_[cell(map, block << ReceiverMask::kBlockBits, y)];
+                    const int next = std::min(side_, (block + 1) << ReceiverMask::kBlockBits);
+                    const std::size_t end = first_[cell(map, next, y)];
+                    if (begin == end) continue;
+                    const double least = *std::min_element(&samples.h[begin], &samples.h[end]);
+                    float& lowest = mask.lowest(block, row);
+                    lowest = std::min(lowest, roundedDown(least));
                 }
         });
         mask.finish();

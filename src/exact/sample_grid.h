@@ -2,12 +2,10 @@
 // lie side by side (the irregular z-buffer of Johnson et al. 2005; alias-free shadow maps of Aila and Laine 2004).
 #pragma once
 
+#include "exact/cell_kernel.h"
 #include "exact/receiver_mask.h"
-#include "exact/sample_list.h"
 
-#include <glm/mat3x3.hpp>
-
-#include <span>
+#include <vector>
 
 namespace gnomon::exact {
 
@@ -28,13 +26,14 @@ public:
     /// samples, to any coordinates: they are stretched so that the samples fill the cells. A map is used without its
     /// warp where w is not above 0 at each of its samples, varies by more than 2^20 among them, or where coordinates
     /// that are `coordinateError` off (see coordinateErrorFor) could move a point by more than a share of kCellSlack;
-    /// without a warp cells stay so large that they cannot.
-    void sort(const SampleList& samples, std::span<const glm::dmat3> planes, int side, double coordinateError);
+    /// without a warp cells stay so large that they cannot. Puts `samples`' u, v and h in the order of the cells; what
+    /// else they have stays where it is, and `source` says where.
+    void sort(SampleList& samples, std::span<const glm::dmat3> planes, int side, double coordinateError);
 
     /// Takes out the samples that `leaves(place)` names and makes the masks anew; the others keep their order. Calls
-    /// `leave(place)` for each that goes, and `move(from, to)` for each that stays.
+    /// `leave(place)` for each that goes, and `move(from, to)` for each that stays. `samples` as `sort` left them.
     template <class Leaves, class Leave, class Move>
-    void remove(const Leaves& leaves, const Leave& leave, const Move& move);
+    void remove(SampleList& samples, const Leaves& leaves, const Leave& leave, const Move& move);
 
     int side() const { return side_; }
 
@@ -45,20 +44,16 @@ public:
     /// The first sample of cell (x, y) of `map`; its last is before the next cell's first.
     std::uint32_t first(std::size_t map, int x, int y) const { return first_[cell(map, x, y)]; }
 
-    /// Of each sample: its place in the light's shear, its tolerance, its triangle and its place in the list. They can
-    /// be read 16 past the end.
-    std::vector<double> u, v, h;
-    std::vector<float> tolerance;
-    std::vector<std::uint32_t> triangle, source;
+    /// Of each sample: its triangle and its place in the list.
+    FrameArray<std::uint32_t> triangle, source;
 
     std::size_t size() const { return size_; }
 
-    /// What the arrays take, without the masks.
-    std::uint64_t bytes() const {
-        const std::size_t places = first_.size() + cellOf_.size() + rankOf_.size();
-        return u.size() * (3 * sizeof(double) + sizeof(float) + 2 * sizeof(std::uint32_t)) +
-               places * sizeof(std::uint32_t);
-    }
+    /// What the arrays take of memory a sample.
+    static constexpr std::uint64_t kBytesPerSample = 2 * sizeof(std::uint32_t) + sizeof(double);
+
+    /// What the cells take of memory, without the masks.
+    std::uint64_t cellBytes() const { return first_.size() * sizeof(std::uint32_t); }
 
 private:
     std::size_t cell(std::size_t map, int x, int y) const {
@@ -68,19 +63,19 @@ private:
 
     void fitMaps(const SampleList& samples, std::span<const glm::dmat3> planes, double coordinateError);
     void countCells(const SampleList& samples);
-    void scatter(const SampleList& samples);
-    void maskReceivers();
+    void order(SampleList& samples);
+    void maskReceivers(const SampleList& samples);
 
     int side_ = 0;
     std::size_t size_ = 0;
     std::vector<CellMap> maps_;
     std::vector<ReceiverMask> masks_;
     std::vector<std::uint32_t> first_; // by cell, and the end
-    std::vector<std::uint32_t> cellOf_, rankOf_;
+    FrameArray<double> spare_;         // of a sample its cell and its rank there, and then the next array to be sorted
 };
 
 template <class Leaves, class Leave, class Move>
-void SampleGrid::remove(const Leaves& leaves, const Leave& leave, const Move& move) {
+void SampleGrid::remove(SampleList& samples, const Leaves& leaves, const Leave& leave, const Move& move) {
     std::uint32_t to = 0;
     std::uint32_t from = 0;
     for (std::size_t cell = 0; cell + 1 < first_.size(); ++cell) {
@@ -91,10 +86,9 @@ void SampleGrid::remove(const Leaves& leaves, const Leave& leave, const Move& mo
                 leave(from);
                 continue;
             }
-            u[to] = u[from];
-            v[to] = v[from];
-            h[to] = h[from];
-            tolerance[to] = tolerance[from];
+            samples.u[to] = samples.u[from];
+            samples.v[to] = samples.v[from];
+            samples.h[to] = samples.h[from];
             triangle[to] = triangle[from];
             source[to] = source[from];
             move(from, to);
@@ -103,12 +97,7 @@ void SampleGrid::remove(const Leaves& leaves, const Leave& leave, const Move& mo
     }
     first_.back() = to;
     size_ = to;
-    maskReceivers();
-}
-
-/// The cell coordinate `x` falls into, in [0, side).
-inline int cellAt(double x, int side) {
-    return x >= side ? side - 1 : x > 0 ? static_cast<int>(x) : 0;
+    maskReceivers(samples);
 }
 
 } // namespace gnomon::exact

@@ -1,7 +1,5 @@
 #include "exact/sample_list.h"
 
-#include "exact/float_rounding.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -40,43 +38,50 @@ void SampleList::reset(const SampleSpace& space, std::size_t most) {
     for (int axis = 0; axis < 3; ++axis)
         scaledEye_[axis] = std::llround(space.eye[axis] * scale);
     space_.eye = glm::dvec3(scaledEye_) / scale;
+    perTolerance_ = space.shear.component / scale;
     size_.store(0, std::memory_order_relaxed);
-    if (u.size() >= most) return;
+    constexpr std::size_t kPadding = 16;
     for (auto* values : {&u, &v, &h})
-        values->resize(most);
-    tolerance.resize(most);
-    map.resize(most);
-    for (auto* values : {&pixel, &triangle, &second, &third, &integerTolerance})
-        values->resize(most);
+        values->makeRoom(most + kPadding);
+    for (auto* values : {&pixel, &triangle, &second, &third, &tolerance, &color})
+        values->makeRoom(most);
+    if (space.maps > 1) map.makeRoom(most + kPadding);
 }
 
 void SampleList::add(const PointBatch& batch) {
     ShearedPoints points;
     shearPoints(space_, batch, points);
-    std::size_t facingCount = 0;
+    std::array<std::uint8_t, ShearedPoints::kMost> chosen; // NOLINT(cppcoreguidelines-pro-type-member-init): filled
+    std::size_t count = 0;
     for (std::size_t i = 0; i < batch.count; ++i) {
         if (points.faces[i] == 2) {
             const Corners corners = cornersOf(batch, i);
             points.faces[i] = facing(corners, space_.light) * seenSide(corners, scaledEye_) > 0 ? 1 : 0;
         }
-        facingCount += points.faces[i];
+        chosen[count] = static_cast<std::uint8_t>(i);
+        count += points.faces[i];
     }
-    const double perTolerance = std::ldexp(space_.shear.component, -kWeightBits);
-    std::size_t to = size_.fetch_add(facingCount, std::memory_order_relaxed);
-    for (std::size_t i = 0; i < batch.count; ++i) {
-        if (points.faces[i] == 0) continue;
-        u[to] = points.u[i];
-        v[to] = points.v[i];
-        h[to] = points.h[i];
-        tolerance[to] = roundedUp(batch.tolerance[i] * perTolerance);
-        map[to] = std::clamp(batch.map[i], 0, space_.maps - 1);
-        pixel[to] = batch.pixel[i];
-        triangle[to] = batch.triangle[i];
-        second[to] = points.second[i];
-        third[to] = points.third[i];
-        integerTolerance[to] = batch.tolerance[i];
-        ++to;
-    }
+    const std::size_t first = size_.fetch_add(count, std::memory_order_relaxed);
+    const auto keep = [&](auto& to, const auto* from) {
+        if (count == batch.count)
+            std::copy_n(from, count, &to[first]);
+        else
+            for (std::size_t i = 0; i < count; ++i)
+                to[first + i] = from[chosen[i]];
+    };
+    if (count == 0) return;
+    keep(u, points.u.data());
+    keep(v, points.v.data());
+    keep(h, points.h.data());
+    keep(second, points.second.data());
+    keep(third, points.third.data());
+    keep(pixel, batch.pixel);
+    keep(triangle, batch.triangle);
+    keep(tolerance, batch.tolerance);
+    if (batch.color != nullptr) keep(color, batch.color);
+    if (space_.maps == 1) return;
+    for (std::size_t i = 0; i < count; ++i)
+        map[first + i] = std::clamp(batch.map[chosen[i]], 0, space_.maps - 1);
 }
 
 } // namespace gnomon::exact

@@ -1,13 +1,13 @@
 // The visible points that face the light, one for each such pixel: what exact shadows have to decide.
 #pragma once
 
+#include "exact/frame_array.h"
 #include "exact/predicate.h"
 
 #include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 namespace gnomon::exact {
 
@@ -23,6 +23,7 @@ struct PointBatch {
     const std::uint32_t* pixel = nullptr;     // its name to the caller
     const std::uint32_t* triangle = nullptr;  // its name among the casters: place of the cluster << 8 | triangle
     const std::uint32_t* tolerance = nullptr; // as `meet` takes it
+    const std::uint32_t* color = nullptr;     // what the caller wants to find beside it; null: nothing
 };
 
 /// What all points of a frame share.
@@ -46,7 +47,8 @@ struct IntegerWeights {
 
 IntegerWeights roundedWeights(float second, float third);
 
-/// The samples of one frame, array by array; keeps its memory from frame to frame.
+/// The samples of one frame, array by array; keeps its memory from frame to frame. Of the room for all it touches only
+/// what samples take.
 class SampleList {
 public:
     /// Empties the list and makes room for `most` samples.
@@ -58,21 +60,30 @@ public:
 
     std::size_t size() const { return size_.load(std::memory_order_relaxed); }
 
+    /// The most samples that there is room for.
+    std::size_t room() const { return pixel.size(); }
+
     const SampleSpace& space() const { return space_; }
 
-    /// What the arrays take, those of a larger frame before too.
-    std::uint64_t bytes() const { return u.size() * (3 * sizeof(double) + sizeof(float) + 6 * sizeof(std::uint32_t)); }
+    /// The map of sample `i`.
+    std::size_t mapOf(std::size_t i) const { return space_.maps == 1 ? 0 : static_cast<std::size_t>(map[i]); }
 
-    // Of each sample: where it lies in the shear of the light (cells), its tolerance (cells along h, rounded up), its
-    // map, pixel and triangle, and the point's weights.
-    std::vector<double> u, v, h;
-    std::vector<float> tolerance;
-    std::vector<std::int32_t> map;
-    std::vector<std::uint32_t> pixel, triangle, second, third, integerTolerance;
+    /// Cells along h for one of a tolerance as `meet` takes it.
+    double perTolerance() const { return perTolerance_; }
+
+    /// What the arrays take of memory a sample.
+    static constexpr std::uint64_t kBytesPerSample = 3 * sizeof(double) + 6 * sizeof(std::uint32_t);
+
+    // Of each sample: where it lies in the shear of the light (cells), padded; a grid puts these in its own order.
+    FrameArray<double> u, v, h;
+    // Its pixel and triangle, the point's weights, its tolerance, and what the caller gave beside it.
+    FrameArray<std::uint32_t> pixel, triangle, second, third, tolerance, color;
+    FrameArray<std::int32_t> map; // where there is more than one; padded
 
 private:
     SampleSpace space_;
     glm::i64vec3 scaledEye_{0};
+    double perTolerance_ = 0;
     std::atomic<std::size_t> size_{0};
 };
 

@@ -47,7 +47,7 @@ struct TriangleTest {
     double area = 0;
     double normal[2] = {};      // N's u and v; its h is the area
     double edgeError[2] = {};   // of an edge function: [0] + [1] * |d|
-    double heightError[2] = {}; // of N . d - area * tolerance: [0] + [1] * (|d| + tolerance)
+    double heightError[2] = {}; // of N . d - area * a tolerance: [0] + [1] * (|d| + the largest tolerance)
     std::uint32_t name = 0;     // samples of this triangle itself are left alone: it holds them
 
     /// False where the triangle's plane holds the light: it casts nothing. `orientation` gives the area's exact sign
@@ -106,16 +106,44 @@ HWY_INLINE void forLanes(hn::Mask<DoubleTag> mask, const Visit& visit) {
         visit(static_cast<std::size_t>(__builtin_ctz(bits)));
 }
 
+/// Lanes of samples that a triangle may cover, ahead of them: what only their own tolerances decide.
+struct NearLanes {
+    alignas(64) double least[hn::MaxLanes(kDoubles)]; // of the edge functions
+    alignas(64) double edgeError[hn::MaxLanes(kDoubles)];
+    alignas(64) double height[hn::MaxLanes(kDoubles)]; // of the plane over the sample, times the area
+    alignas(64) double heightError[hn::MaxLanes(kDoubles)];
+
+    /// Decides lane `lane`, the sample at `place`. Calls `decide(place, mayCast)` if only integers can.
+    template <class Decide>
+    HWY_INLINE void decideLane(
+        const TriangleTest& t, const CastContext& context, std::size_t lane, std::size_t place, const Decide& decide)
+        const {
+        if (context.grid->triangle[place] == t.name) return;
+        const SampleList& samples = *context.samples;
+        const double tolerance = samples.tolerance[context.grid->source[place]] * samples.perTolerance();
+        const double beyond = height[lane] - t.area * tolerance;
+        const bool covers = least[lane] > edgeError[lane];
+        const bool mayCast = beyond + heightError[lane] >= 0;
+        if (covers && beyond > heightError[lane])
+            mark(context.statuses[place], kDark);
+        else if (covers && !mayCast && height[lane] > heightError[lane])
+            mark(context.statuses[place], kTouched);
+        else
+            decide(place, mayCast);
+    }
+};
+
 /// Holds the triangle against the samples at [begin, end) of the grid. Calls `decide(place, mayCast)` for those that
-/// only integers can decide; `mayCast` is false where it can touch at most.
+/// only integers can decide; `mayCast` is false where it can touch at most. What is ahead of the largest tolerance is
+/// dark whatever the sample's own is, which so is looked up for few.
 template <class Decide>
 HWY_INLINE void testSamples(
     const TriangleTest& t, const CastContext& context, std::size_t begin, std::size_t end, const Decide& decide) {
-    const SampleGrid& grid = *context.grid;
-    const hn::Rebind<float, DoubleTag> floats;
+    const SampleList& samples = *context.samples;
+    const auto tolerance = constant(context.mostTolerance);
     for (std::size_t i = begin; i < end; i += hn::Lanes(kDoubles)) {
-        const auto du = hn::Sub(hn::LoadU(kDoubles, &grid.u[i]), constant(t.a[0]));
-        const auto dv = hn::Sub(hn::LoadU(kDoubles, &grid.v[i]), constant(t.a[1]));
+        const auto du = hn::Sub(hn::LoadU(kDoubles, &samples.u[i]), constant(t.a[0]));
+        const auto dv = hn::Sub(hn::LoadU(kDoubles, &samples.v[i]), constant(t.a[1]));
         const auto first = hn::NegMulAdd(constant(t.ab[1]), du, hn::Mul(constant(t.ab[0]), dv));
         const auto third = hn::NegMulAdd(constant(t.ca[1]), du, hn::Mul(constant(t.ca[0]), dv));
         const auto second = hn::Sub(hn::Sub(constant(t.area), first), third);
@@ -125,8 +153,7 @@ HWY_INLINE void testSamples(
         const auto isListed = hn::FirstN(kDoubles, end - i);
         const auto mayCover = hn::And(isListed, hn::Ge(hn::Add(least, edgeError), hn::Zero(kDoubles)));
         if (hn::AllFalse(kDoubles, mayCover)) continue;
-        const auto dh = hn::Sub(hn::LoadU(kDoubles, &grid.h[i]), constant(t.a[2]));
-        const auto tolerance = hn::PromoteTo(kDoubles, hn::LoadU(floats, &grid.tolerance[i]));
+        const auto dh = hn::Sub(hn::LoadU(kDoubles, &samples.h[i]), constant(t.a[2]));
         const auto size = hn::Add(hn::Add(flatSize, hn::Abs(dh)), tolerance);
         const auto heightError = hn::MulAdd(size, constant(t.heightError[1]), constant(t.heightError[0]));
         const auto below =
@@ -135,22 +162,16 @@ HWY_INLINE void testSamples(
         const auto mayBeAhead = hn::And(mayCover, hn::Ge(hn::Add(height, heightError), hn::Zero(kDoubles)));
         if (hn::AllFalse(kDoubles, mayBeAhead)) continue;
         const auto beyond = hn::NegMulAdd(constant(t.area), tolerance, height);
-        const auto covers = hn::And(mayBeAhead, hn::Gt(least, edgeError));
-        const auto isDark = hn::And(covers, hn::Gt(beyond, heightError));
-        // Tolerances are rounded up, by less than 2^-22 of their size.
-        const auto most = hn::MulAdd(constant(0x1p-22 * t.area), tolerance, hn::Add(beyond, heightError));
-        const auto mayCast = hn::Ge(most, hn::Zero(kDoubles));
-        const auto isNear = hn::AndNot(mayCast, hn::And(covers, hn::Gt(height, heightError)));
+        const auto isDark = hn::And(mayBeAhead, hn::And(hn::Gt(least, edgeError), hn::Gt(beyond, heightError)));
         forLanes(isDark, [&](std::size_t lane) { mark(context.statuses[i + lane], kDark); });
-        forLanes(isNear, [&](std::size_t lane) { mark(context.statuses[i + lane], kTouched); });
-        const auto isOpen = hn::AndNot(hn::Or(isDark, isNear), mayBeAhead);
+        const auto isOpen = hn::AndNot(isDark, mayBeAhead);
         if (hn::AllFalse(kDoubles, isOpen)) continue;
-        forLanes(hn::And(isOpen, mayCast), [&](std::size_t lane) {
-            if (grid.triangle[i + lane] != t.name) decide(i + lane, true);
-        });
-        forLanes(hn::AndNot(mayCast, isOpen), [&](std::size_t lane) {
-            if (grid.triangle[i + lane] != t.name) decide(i + lane, false);
-        });
+        NearLanes near; // NOLINT(cppcoreguidelines-pro-type-member-init): stored at once
+        hn::Store(least, kDoubles, near.least);
+        hn::Store(edgeError, kDoubles, near.edgeError);
+        hn::Store(height, kDoubles, near.height);
+        hn::Store(heightError, kDoubles, near.heightError);
+        forLanes(isOpen, [&](std::size_t lane) { near.decideLane(t, context, lane, i + lane, decide); });
     }
 }
 

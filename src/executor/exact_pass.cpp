@@ -87,7 +87,6 @@ void drawUndecided(
     const exact::SampleSpace space = sampleSpace(frame);
     samples.reset(space, buffers.picture->pixels.size());
     undecided.samples = &samples;
-    undecided.litColors.resize(buffers.picture->pixels.size());
     undecided.tolerances = tolerances(frame, buffers.pass->drawn(), space.light);
     const glm::dmat4 clipFromDraw = imageClipFromDraw(frame);
     const FloatPicture noMaps;

@@ -5,6 +5,9 @@
 #include "executor/frame_block.h"
 #include "plan/cell_maps.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 
 namespace gnomon::executor {
@@ -24,9 +27,7 @@ public:
     DrawStatistics drawExactly(const FrameDrawing& frame) override;
 
     Bytes deviceMemory() const override {
-        return {
-            shadowDepth_.pixels.size() * sizeof(float) + words_.size() * sizeof(std::uint64_t) +
-            undecided_.litColors.size() * sizeof(std::uint32_t) + exact_.bytes()};
+        return {shadowDepth_.pixels.size() * sizeof(float) + words_.size() * sizeof(std::uint64_t) + exact_.bytes()};
     }
 
     Picture picture() override { return picture_; }
@@ -130,14 +131,17 @@ void SoftwareExecutor::lightDecided(const FrameDrawing& frame) {
     const std::span<const std::uint8_t> statuses = exact_.statuses();
     const bool isShadedAgain = frame.overlay != Overlay::None || frame.wantsSurfaces;
     if (!isShadedAgain) {
-        for (std::size_t i = 0; i < samples.size(); ++i) {
-            if (exact::isDark(statuses[i])) continue;
-            const std::uint32_t color = undecided_.litColors[samples.pixel[i]];
-            picture_.pixels[samples.pixel[i]] = {
-                static_cast<std::uint8_t>(color),
-                static_cast<std::uint8_t>(color >> 8U),
-                static_cast<std::uint8_t>(color >> 16U)};
-        }
+        constexpr std::size_t kGrain = 16384;
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, samples.size(), kGrain), [&](const auto& range) {
+            for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                if (exact::isDark(statuses[i])) continue;
+                const std::uint32_t color = samples.color[i];
+                picture_.pixels[samples.pixel[i]] = {
+                    static_cast<std::uint8_t>(color),
+                    static_cast<std::uint8_t>(color >> 8U),
+                    static_cast<std::uint8_t>(color >> 16U)};
+            }
+        });
         return;
     }
     Raster<std::uint8_t> mask(picture_.width, picture_.height);

@@ -170,7 +170,6 @@ void Shading::leaveUndecided(Work& work, const ShadingTarget& target) const {
         const std::size_t at = target.picture->index(work.columns[i], target.picture->height - 1 - work.rows[i]);
         work.pixels[i] = static_cast<std::uint32_t>(at);
         work.tolerances[i] = undecided.tolerances[work.triangles[i] >> kTriangleBits];
-        undecided.litColors[at] = batch.litColor[i];
     }
     exact::PointBatch points;
     points.count = batch.count;
@@ -185,6 +184,7 @@ void Shading::leaveUndecided(Work& work, const ShadingTarget& target) const {
     points.pixel = work.pixels.data();
     points.triangle = work.triangles.data();
     points.tolerance = work.tolerances.data();
+    points.color = batch.litColor.data();
     undecided.samples->add(points);
 }
 

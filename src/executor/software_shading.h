@@ -12,8 +12,7 @@ constexpr Rgb kBackground = {219, 227, 237};
 
 /// Pixels whose verdict is still to come.
 struct UndecidedPixels {
-    exact::SampleList* samples = nullptr;  // get those that face the light, by the index of their pixel
-    std::vector<std::uint32_t> litColors;  // by pixel, as PixelBatch has them
+    exact::SampleList* samples = nullptr;  // get those that face the light, by their pixels, and their colours in it
     std::vector<std::uint32_t> tolerances; // of each drawn cluster, as exact::meet takes them
 };
 

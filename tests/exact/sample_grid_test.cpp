@@ -32,10 +32,31 @@ SampleSpace spaceOver(int maps) {
     return spaceOf(roundedLight({0.1, 0.2, 1}), {0, 0, 1e4}, maps);
 }
 
+/// Samples, and where they lay by the order of the list before a grid sorted them.
+struct Listed {
+    SampleList samples;
+    std::vector<glm::dvec3> places;
+
+    Listed(const Scene& scene, int maps) {
+        fill(samples, scene, spaceOver(maps));
+        for (std::size_t i = 0; i < samples.size(); ++i)
+            places.emplace_back(samples.u[i], samples.v[i], samples.h[i]);
+    }
+
+    /// Puts them in the order of the list again.
+    void restore() {
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            samples.u[i] = places[i].x;
+            samples.v[i] = places[i].y;
+            samples.h[i] = places[i].z;
+        }
+    }
+};
+
 /// The cell of sample `i` of the list, by the map's matrix.
-std::array<int, 2> cellOf(const SampleGrid& grid, const SampleList& samples, std::size_t i) {
-    const CellMap& map = grid.maps()[static_cast<std::size_t>(samples.map[i])];
-    const glm::dvec3 p = map.cellsFromLightPlane * glm::dvec3(samples.u[i], samples.v[i], 1);
+std::array<int, 2> cellOf(const SampleGrid& grid, const Listed& listed, std::size_t i) {
+    const CellMap& map = grid.maps()[listed.samples.mapOf(i)];
+    const glm::dvec3 p = map.cellsFromLightPlane * glm::dvec3(listed.places[i].x, listed.places[i].y, 1);
     EXPECT_GE(p.z, 2 * map.leastW);
     EXPECT_TRUE(p.x / p.z >= 0 && p.x / p.z <= grid.side()) << p.x / p.z;
     EXPECT_TRUE(p.y / p.z >= 0 && p.y / p.z <= grid.side()) << p.y / p.z;
@@ -44,36 +65,31 @@ std::array<int, 2> cellOf(const SampleGrid& grid, const SampleList& samples, std
 
 /// The samples of a cell lie in it, with their own values; `met` counts them.
 void expectInCell(
-    const SampleGrid& grid,
-    const SampleList& samples,
-    std::size_t map,
-    std::array<int, 2> cell,
-    std::vector<int>& met) {
+    const SampleGrid& grid, const Listed& listed, std::size_t map, std::array<int, 2> cell, std::vector<int>& met) {
     for (std::size_t at = grid.first(map, cell[0], cell[1]); at < grid.first(map, cell[0] + 1, cell[1]); ++at) {
         const std::size_t i = grid.source[at];
         ++met[i];
-        EXPECT_EQ(static_cast<std::size_t>(samples.map[i]), map);
-        EXPECT_EQ(cellOf(grid, samples, i), cell);
-        EXPECT_EQ(grid.u[at], samples.u[i]);
-        EXPECT_EQ(grid.v[at], samples.v[i]);
-        EXPECT_EQ(grid.h[at], samples.h[i]);
-        EXPECT_EQ(grid.tolerance[at], samples.tolerance[i]);
+        const SampleList& samples = listed.samples;
+        EXPECT_EQ(samples.mapOf(i), map);
+        EXPECT_EQ(cellOf(grid, listed, i), cell);
+        EXPECT_EQ(glm::dvec3(samples.u[at], samples.v[at], samples.h[at]), listed.places[i]);
         EXPECT_EQ(grid.triangle[at], samples.triangle[i]);
     }
 }
 
 /// The least h of the samples in block (x, y).
-double plainLowest(const SampleGrid& grid, std::size_t map, int x, int y) {
+double plainLowest(const SampleGrid& grid, const SampleList& samples, std::size_t map, int x, int y) {
     double least = std::numeric_limits<double>::infinity();
     for (int row = 8 * y; row < std::min(grid.side(), 8 * y + 8); ++row)
         for (std::size_t at = grid.first(map, 8 * x, row); at < grid.first(map, std::min(grid.side(), 8 * x + 8), row);
              ++at)
-            least = std::min(least, grid.h[at]);
+            least = std::min(least, samples.h[at]);
     return least;
 }
 
 /// Every sample once, in the cell that its place falls into, with its own values; and the least h of each block.
-void expectSorted(const SampleGrid& grid, const SampleList& samples) {
+void expectSorted(const SampleGrid& grid, const Listed& listed) {
+    const SampleList& samples = listed.samples;
     ASSERT_EQ(grid.size(), samples.size());
     std::vector<int> met(samples.size());
     std::uint32_t last = 0;
@@ -82,11 +98,11 @@ void expectSorted(const SampleGrid& grid, const SampleList& samples) {
             for (int x = 0; x < grid.side(); ++x) {
                 EXPECT_EQ(grid.first(map, x, y), last);
                 last = grid.first(map, x + 1, y);
-                expectInCell(grid, samples, map, {x, y}, met);
+                expectInCell(grid, listed, map, {x, y}, met);
             }
         for (int y = 0; y < grid.mask(map).blocksHigh(); ++y)
             for (int x = 0; x < grid.mask(map).blocksWide(); ++x) {
-                const double least = plainLowest(grid, map, x, y);
+                const double least = plainLowest(grid, listed.samples, map, x, y);
                 const float low = grid.mask(map).lowest(x, y);
                 EXPECT_LE(low, least);
                 EXPECT_GE(std::nextafter(low, ReceiverMask::kNone), least);
@@ -114,15 +130,15 @@ TEST(SampleGrid, HoldsEverySampleOnceInItsCell) {
         Random random(seed);
         const int maps = static_cast<int>(random.whole(1, 3));
         const Scene scene = someScene(random, static_cast<std::size_t>(random.whole(1, 400)), maps);
-        SampleList samples;
-        fill(samples, scene, spaceOver(maps));
-        ASSERT_EQ(samples.size(), scene.points.size());
+        Listed listed(scene, maps);
+        ASSERT_EQ(listed.samples.size(), scene.points.size());
         SampleGrid grid;
         const std::vector<glm::dmat3> planes = somePlanes(random, maps);
         for (const int side : {1, 4, 37, 128})
             for (const int threads : {1, 2}) {
-                tbb::task_arena(threads).execute([&] { grid.sort(samples, planes, side, kError); });
-                expectSorted(grid, samples);
+                listed.restore();
+                tbb::task_arena(threads).execute([&] { grid.sort(listed.samples, planes, side, kError); });
+                expectSorted(grid, listed);
             }
     }
 }
@@ -135,11 +151,10 @@ TEST(SampleGrid, SortsMoreThanOnePiece) {
         point.second = static_cast<float>(random.real(0, 0.5));
         scene.points.push_back(point);
     }
-    SampleList samples;
-    fill(samples, scene, spaceOver(2));
+    Listed listed(scene, 2);
     SampleGrid grid;
-    grid.sort(samples, somePlanes(random, 2), 64, kError);
-    expectSorted(grid, samples);
+    grid.sort(listed.samples, somePlanes(random, 2), 64, kError);
+    expectSorted(grid, listed);
 }
 
 /// Whether the map's cells are those of a plane without a warp.
@@ -151,9 +166,10 @@ bool isUnwarped(const CellMap& map) {
 TEST(SampleGrid, LeavesOutWarpsThatCannotBeTrusted) {
     Random random(2);
     const Scene scene = someScene(random, 200, 1);
-    SampleList samples;
-    fill(samples, scene, spaceOver(1));
-    const auto leastU = *std::min_element(samples.u.begin(), samples.u.end());
+    Listed listed(scene, 1);
+    double leastU = 0;
+    for (const glm::dvec3& place : listed.places)
+        leastU = std::min(leastU, place.x);
     const double nan = std::nan("");
     const std::vector<glm::dmat3> useless = {
         {{1, 0, 0.1}, {0, 1, 0}, {0, 0, 1}},           // w below 0 at some samples
@@ -169,11 +185,13 @@ TEST(SampleGrid, LeavesOutWarpsThatCannotBeTrusted) {
     SampleGrid grid;
     for (const glm::dmat3& plane : useless) {
         SCOPED_TRACE(&plane - useless.data());
-        grid.sort(samples, std::vector{plane}, 32, kError);
+        listed.restore();
+        grid.sort(listed.samples, std::vector{plane}, 32, kError);
         EXPECT_TRUE(isUnwarped(grid.maps()[0]));
-        expectSorted(grid, samples);
+        expectSorted(grid, listed);
     }
-    grid.sort(samples, std::vector{glm::dmat3{{1, 0, 0.004}, {0, 1, 0}, {0, 0, 1}}}, 32, kError);
+    listed.restore();
+    grid.sort(listed.samples, std::vector{glm::dmat3{{1, 0, 0.004}, {0, 1, 0}, {0, 0, 1}}}, 32, kError);
     EXPECT_FALSE(isUnwarped(grid.maps()[0]));
 }
 

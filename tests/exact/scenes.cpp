@@ -89,6 +89,7 @@ SceneBatch::SceneBatch(const Scene& scene, std::size_t begin, std::size_t end) {
         pixel_[i - begin] = static_cast<std::uint32_t>(i);
         triangle_[i - begin] = point.triangle;
         tolerance_[i - begin] = point.tolerance;
+        color_[i - begin] = ~pixel_[i - begin];
     }
     batch_.count = end - begin;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -102,6 +103,7 @@ SceneBatch::SceneBatch(const Scene& scene, std::size_t begin, std::size_t end) {
     batch_.pixel = pixel_.data();
     batch_.triangle = triangle_.data();
     batch_.tolerance = tolerance_.data();
+    batch_.color = color_.data();
 }
 
 void fill(SampleList& samples, const Scene& scene, const SampleSpace& space) {
@@ -121,7 +123,7 @@ std::vector<std::uint8_t> plainStatuses(const SampleList& samples, const Scene& 
         const glm::i64vec3 point =
             scaledPoint({scene.corners(samples.triangle[i]), samples.second[i], samples.third[i]});
         for (const std::uint32_t name : scene.names()) {
-            const RayMeeting met = meet(scene.corners(name), samples.space().light, point, samples.integerTolerance[i]);
+            const RayMeeting met = meet(scene.corners(name), samples.space().light, point, samples.tolerance[i]);
             if (met.meeting == Meeting::None) continue;
             statuses[i] |= met.meeting == Meeting::Touching ? kTouched : met.isOnEdge ? kDarkByEdge : kDark;
         }

@@ -26,6 +26,11 @@ struct TileBin {
 struct Bins {
     std::vector<TileBin> tiles; // disjoint, together the viewport; dearest first
     std::vector<std::uint32_t> indices;
+
+    /// The items of a tile, in their order.
+    std::span<const std::uint32_t> of(const TileBin& tile) const {
+        return std::span(indices).subspan(tile.first, tile.count);
+    }
 };
 
 /// Tiles are squares of `side` pixels (cut off by the viewport), split down to `leastSide` while one holds more than

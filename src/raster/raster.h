@@ -29,6 +29,20 @@ struct Cluster {
     std::uint32_t firstTriangleId = 0; // triangle i is drawn under the name firstTriangleId + i
 };
 
+/// A closed box of grid positions.
+struct CellBox {
+    std::array<std::uint32_t, 3> min{};
+    std::array<std::uint32_t, 3> max{};
+};
+
+/// What a pass that draws from the front to the back left out.
+struct OcclusionCounts {
+    std::uint64_t clustersHidden = 0;  // whose boxes touch the viewport, and whose vertices were not looked at
+    std::uint64_t trianglesHidden = 0; // of these
+    std::uint64_t trianglesSetUp = 0;  // of the others, once for each tile
+    bool operator==(const OcclusionCounts&) const = default;
+};
+
 /// A rectangle of whole pixels, half-open.
 struct PixelBox {
     int x0 = 0;
@@ -113,6 +127,16 @@ public:
         const View& view,
         const VisibilityTarget& target,
         const TileVisitor& onTile = {});
+
+    /// The same words as `drawVisibility` leaves, to the bit, without looking at what lies behind what is seen: draws
+    /// each tile from the front to the back, and tests `boxes`, each of which holds the positions of its cluster,
+    /// against the farthest depths of what is drawn there (Greene, Kass, Miller 1993). What was left out depends
+    /// neither on the number of threads nor on the instruction set.
+    OcclusionCounts drawVisible(
+        std::span<const Cluster> clusters,
+        std::span<const CellBox> boxes,
+        const View& view,
+        const VisibilityTarget& target);
 
 private:
     struct Memory;

@@ -36,7 +36,9 @@ enum class ClusterPlace {
 
 struct VertexStage {
     ClusterPlace place = ClusterPlace::Outside;
-    PixelBox box;           // pixel centres between the extremes of the snapped vertices; only where place is Inside
+    PixelBox box;     // pixel centres between the extremes of the snapped vertices; only where place is Inside
+    float leastZ = 0; // of the snapped vertices, likewise
+    float mostZ = 0;
     bool isCompact = false; // x in the low half of snapped.x, y in the high half; snapped.y is not written
 };
 

@@ -1,0 +1,202 @@
+#include "raster/box_bound.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+// The order matters: foreach_target.h includes this file again for each instruction set.
+// clang-format off
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "raster/box_bound.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+// clang-format on
+
+HWY_BEFORE_NAMESPACE();
+
+namespace gnomon::raster::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// The eight corners of a box are looked at in vectors of at most that many lanes.
+constexpr std::size_t kCorners = 8;
+using CornerTag = hn::CappedTag<float, kCorners>;
+using Corners = hn::Vec<CornerTag>;
+constexpr CornerTag kCornerTag;
+
+/// Of the sum of the magnitudes of the terms, for the vertices' roundings (5 x 2^-24) and as many of those here.
+constexpr float kSumError = 0x1p-20F;
+/// Of a quotient and of a pixel's coordinate, as they are rounded there and here.
+constexpr float kQuotientError = 0x1p-20F;
+/// What products too small for a float may lose, far below the least w.
+constexpr float kUnderflow = 0x1p-130F;
+
+/// A coordinate in clip space over the corners of a box.
+struct ClipRow {
+    std::array<float, 3> least; // along each axis, the product at its lower end
+    std::array<float, 3> most;
+    float constant;
+    float error;
+
+    ClipRow(
+        const Projection& projection, std::size_t row, const std::array<float, 3>& min, const std::array<float, 3>& max)
+        : constant(projection.clipFromCell[12 + row]) {
+        float magnitude = std::abs(constant);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const float factor = projection.clipFromCell[4 * axis + row];
+            least[axis] = factor * min[axis];
+            most[axis] = factor * max[axis];
+            magnitude += std::max(std::abs(least[axis]), std::abs(most[axis]));
+        }
+        error = magnitude * kSumError + kUnderflow;
+    }
+
+    HWY_INLINE Corners at(hn::Mask<CornerTag> x, hn::Mask<CornerTag> y, hn::Mask<CornerTag> z) const {
+        const auto end = [this](hn::Mask<CornerTag> isUpper, std::size_t axis) HWY_ATTR {
+            return hn::IfThenElse(isUpper, hn::Set(kCornerTag, most[axis]), hn::Set(kCornerTag, least[axis]));
+        };
+        return hn::Add(hn::Add(hn::Add(end(x, 0), end(y, 1)), end(z, 2)), hn::Set(kCornerTag, constant));
+    }
+};
+
+/// The range of a quotient over w, with all that roundings can do to it.
+struct QuotientRange {
+    Corners lo, hi;
+
+    HWY_INLINE QuotientRange()
+        : lo(hn::Set(kCornerTag, hwy::HighestValue<float>())), hi(hn::Set(kCornerTag, hwy::LowestValue<float>())) {}
+
+    HWY_INLINE void add(Corners quotient) {
+        lo = hn::Min(lo, quotient);
+        hi = hn::Max(hi, quotient);
+    }
+
+    HWY_INLINE void reduce(float& least, float& most) const {
+        least = hn::GetLane(hn::MinOfLanes(kCornerTag, lo));
+        most = hn::GetLane(hn::MaxOfLanes(kCornerTag, hi));
+    }
+};
+
+/// The image of normalised coordinates along an axis.
+struct AxisScale {
+    float scale;
+    float translate;
+};
+
+struct PixelRange {
+    int first;
+    int end;
+};
+
+/// The pixels along an axis whose centres lie within [least, most] of normalised coordinates, give or take `error`.
+PixelRange pixelsWithin(float least, float most, float error, const AxisScale& axis) {
+    const auto [scale, translate] = axis;
+    const float largest = std::max(std::abs(least), std::abs(most)) * scale + std::abs(translate) + 1;
+    constexpr float kSnapping = 1.0F / kSubpixels; // half of it, and what the addition here rounds
+    const float margin = error * scale + largest * kQuotientError + kSnapping;
+    constexpr float kFar = 1 << 20; // pixels: beyond any viewport, and an int
+    return {
+        static_cast<int>(std::ceil(std::max(least * scale + translate - margin - 0.5F, -kFar))),
+        static_cast<int>(std::floor(std::min(most * scale + translate + margin - 0.5F, kFar))) + 1};
+}
+
+/// One end of a box, from the eye.
+std::array<float, 3> fromEye(const Projection& projection, const std::array<std::uint32_t, 3>& end) {
+    std::array<float, 3> result{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        result[axis] = static_cast<float>(static_cast<std::int32_t>(end[axis] - projection.eyeCell[axis]));
+    return result;
+}
+
+/// The corners of a box in clip space, a vector of them at a time.
+class BoxImage {
+public:
+    HWY_INLINE
+    BoxImage(const Projection& projection, const std::array<float, 3>& min, const std::array<float, 3>& max)
+        : projection_(&projection),
+          x_(projection, 0, min, max),
+          y_(projection, 1, min, max),
+          z_(projection, 2, min, max),
+          w_(projection, 3, min, max),
+          isWhole_(hn::FirstN(kCornerTag, kCorners)),
+          leastW_(hn::Set(kCornerTag, hwy::HighestValue<float>())) {}
+
+    HWY_INLINE void addCorners(std::size_t first) {
+        const hn::RebindToSigned<CornerTag> ints;
+        const auto corner = hn::Iota(ints, static_cast<std::int32_t>(first));
+        const auto isUpper = [&](std::int32_t bit) HWY_ATTR {
+            return hn::RebindMask(kCornerTag, hn::TestBit(corner, hn::Set(ints, bit)));
+        };
+        const auto x = x_.at(isUpper(1), isUpper(2), isUpper(4));
+        const auto y = y_.at(isUpper(1), isUpper(2), isUpper(4));
+        const auto z = z_.at(isUpper(1), isUpper(2), isUpper(4));
+        const auto w = w_.at(isUpper(1), isUpper(2), isUpper(4));
+        const auto certainW = hn::Sub(w, hn::Set(kCornerTag, w_.error));
+        leastW_ = hn::Min(leastW_, certainW);
+        const auto isWithin = [&](Corners value, float error, float guard) HWY_ATTR {
+            return hn::Le(
+                hn::Add(hn::Abs(value), hn::Set(kCornerTag, error)), hn::Mul(hn::Set(kCornerTag, guard), certainW));
+        };
+        isWhole_ = hn::And(isWhole_, hn::Gt(certainW, hn::Set(kCornerTag, 2 * kLeastW)));
+        isWhole_ = hn::And(isWhole_, isWithin(x, x_.error, projection_->guardX));
+        isWhole_ = hn::And(isWhole_, isWithin(y, y_.error, projection_->guardY));
+        isWhole_ = hn::And(isWhole_, hn::And(isWithin(z, z_.error, 1), hn::Ge(z, hn::Set(kCornerTag, z_.error))));
+        const auto inverseW = hn::Div(hn::Set(kCornerTag, 1.0F), w);
+        rangeX_.add(hn::Mul(x, inverseW));
+        rangeY_.add(hn::Mul(y, inverseW));
+        rangeZ_.add(hn::Mul(z, inverseW));
+    }
+
+    HWY_INLINE BoxBound bound() const {
+        BoxBound bound;
+        bound.isWhole = hn::AllTrue(kCornerTag, isWhole_);
+        if (!bound.isWhole) return bound;
+        const float leastW = hn::GetLane(hn::MinOfLanes(kCornerTag, leastW_));
+        const Projection& p = *projection_;
+        float least = 0;
+        float most = 0;
+        rangeX_.reduce(least, most);
+        const PixelRange x = pixelsWithin(least, most, error(x_, least, most, leastW), {p.scaleX, p.translateX});
+        rangeY_.reduce(least, most);
+        const PixelRange y = pixelsWithin(least, most, error(y_, least, most, leastW), {p.scaleY, p.translateY});
+        bound.box = {x.first, y.first, x.end, y.end};
+        rangeZ_.reduce(least, most);
+        bound.nearest = std::clamp(most + error(z_, least, most, leastW), 0.0F, 1.0F);
+        return bound;
+    }
+
+private:
+    /// Of a quotient, which is between least and most.
+    float error(const ClipRow& row, float least, float most, float leastW) const {
+        const float largest = std::max(std::abs(least), std::abs(most));
+        return ((row.error + largest * w_.error) / leastW + largest * kQuotientError) * (1 + kQuotientError);
+    }
+
+    const Projection* projection_;
+    ClipRow x_, y_, z_, w_;
+    hn::Mask<CornerTag> isWhole_; // of each lane's corners
+    Corners leastW_;
+    QuotientRange rangeX_, rangeY_, rangeZ_;
+};
+
+BoxBound boxBoundInLanes(const Projection& projection, const CellBox& box) {
+    BoxImage image(projection, fromEye(projection, box.min), fromEye(projection, box.max));
+    for (std::size_t first = 0; first < kCorners; first += hn::Lanes(kCornerTag))
+        image.addCorners(first);
+    return image.bound();
+}
+
+} // namespace gnomon::raster::HWY_NAMESPACE
+
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace gnomon::raster {
+
+HWY_EXPORT(boxBoundInLanes);
+
+BoxBound boxBound(const Projection& projection, const CellBox& box) {
+    return HWY_DYNAMIC_DISPATCH(boxBoundInLanes)(projection, box);
+}
+
+} // namespace gnomon::raster
+#endif

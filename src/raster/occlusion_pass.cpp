@@ -1,0 +1,146 @@
+#include "raster/occlusion_pass.h"
+
+#include "core/check.h"
+#include "raster/farthest_depths.h"
+#include "raster/tile_kernel.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <thread>
+
+namespace gnomon::raster {
+namespace {
+
+constexpr unsigned kDigitBits = 10; // three of them hold the bits of 1.0F
+
+/// As a pixel takes it.
+float clampedDepth(float z) {
+    return std::clamp(z, 0.0F, 1.0F);
+}
+
+PixelBox relativeTo(const PixelBox& tile, const PixelBox& box) {
+    return {box.x0 - tile.x0, box.y0 - tile.y0, box.x1 - tile.x0, box.y1 - tile.y0};
+}
+
+} // namespace
+
+void sortByUpperHalf(std::vector<std::uint64_t>& keys, std::vector<std::uint64_t>& scratch) {
+    scratch.resize(keys.size());
+    for (unsigned digit = 0; digit < 3; ++digit) {
+        const unsigned shift = 32 + digit * kDigitBits;
+        const auto digitOf = [shift](std::uint64_t key) {
+            return static_cast<std::size_t>(key >> shift & ((1U << kDigitBits) - 1));
+        };
+        std::array<std::size_t, (std::size_t{1} << kDigitBits) + 1> first{};
+        for (const std::uint64_t key : keys)
+            ++first[digitOf(key) + 1];
+        for (std::size_t i = 1; i < first.size(); ++i)
+            first[i] += first[i - 1];
+        for (const std::uint64_t key : keys)
+            scratch[first[digitOf(key)]++] = key;
+        keys.swap(scratch);
+    }
+}
+
+void OcclusionPass::prepare(
+    std::span<const Cluster> input,
+    std::span<const CellBox> boxes,
+    const Projection& projection,
+    const PixelBox& viewport,
+    SnappedClusters& snapped) {
+    GNOMON_CHECK_OP(boxes.size(), ==, input.size());
+    input_ = input;
+    projection_ = projection;
+    snapped_ = &snapped;
+    trianglesSetUp_ = 0;
+    snapped.reset(input);
+    stages_ = stageBuffer_.reserve(input.size());
+    bounds_.resize(input.size());
+    boundClusters(boxes);
+    snapped.addCuts();
+    orderItems(viewport);
+}
+
+void OcclusionPass::boundClusters(std::span<const CellBox> boxes) {
+    constexpr std::size_t kGrain = 256;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, input_.size(), kGrain), [&](const auto& range) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i) {
+            bounds_[i] = boxBound(projection_, boxes[i]);
+            stages_[i].store(bounds_[i].isWhole ? Stage::Waiting : Stage::Snapped, std::memory_order_relaxed);
+            if (!bounds_[i].isWhole) snapped_->snap(input_, i, projection_);
+        }
+    });
+}
+
+void OcclusionPass::orderItems(const PixelBox& viewport) {
+    const std::span<const SnappedCluster> all = snapped_->all();
+    const auto boxOf = [&](std::size_t i) { return isBounded(i) ? bounds_[i].box : all[i].box; };
+    const auto nearestOf = [&](std::size_t i) {
+        return isBounded(i) ? bounds_[i].nearest : clampedDepth(all[i].mostZ);
+    };
+    keys_.clear();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (intersection(boxOf(i), viewport).empty()) continue;
+        const auto behind = std::bit_cast<std::uint32_t>(1.0F) - std::bit_cast<std::uint32_t>(nearestOf(i));
+        keys_.push_back(std::uint64_t{behind} << 32U | i);
+    }
+    sortByUpperHalf(keys_, scratch_);
+    items_.clear();
+    drawn_.clear();
+    for (const std::uint64_t key : keys_) {
+        const auto i = static_cast<std::uint32_t>(key);
+        const std::size_t triangles = i < input_.size() ? input_[i].triangles.size() : all[i].triangles.size();
+        items_.push_back({boxOf(i), static_cast<std::uint32_t>(triangles)});
+        drawn_.push_back({i, nearestOf(i)});
+    }
+}
+
+/// Whoever comes first snaps; others wait, which takes less than a microsecond.
+void OcclusionPass::requireSnapped(std::uint32_t cluster) {
+    if (cluster >= input_.size() || stages_[cluster].load(std::memory_order_acquire) == Stage::Snapped) return;
+    Stage expected = Stage::Waiting;
+    if (stages_[cluster].compare_exchange_strong(expected, Stage::InWork, std::memory_order_relaxed)) {
+        GNOMON_CHECK(snapped_->snap(input_, cluster, projection_) != ClusterPlace::Cut);
+        stages_[cluster].store(Stage::Snapped, std::memory_order_release);
+        return;
+    }
+    while (stages_[cluster].load(std::memory_order_acquire) != Stage::Snapped)
+        std::this_thread::yield();
+}
+
+void OcclusionPass::drawTile(const PixelBox& tile, std::span<const std::uint32_t> indices, std::uint64_t* words) {
+    FarthestDepths depths(words, tile.width(), tile.height());
+    const std::span<const SnappedCluster> all = snapped_->all();
+    std::uint64_t setUp = 0;
+    for (const std::uint32_t index : indices) {
+        const Drawn& drawn = drawn_[index];
+        if (depths.hides(relativeTo(tile, intersection(items_[index].box, tile)), drawn.nearest)) continue;
+        requireSnapped(drawn.cluster);
+        const SnappedCluster& cluster = all[drawn.cluster];
+        const PixelBox touched = intersection(cluster.box, tile);
+        if (cluster.triangles.empty() || touched.empty()) continue;
+        const PixelBox box = relativeTo(tile, touched);
+        if (depths.hides(box, clampedDepth(cluster.mostZ))) continue;
+        const bool mayHideSome = depths.refresh(box, clampedDepth(cluster.leastZ));
+        setUp += drawVisibleCluster(cluster, tile, mayHideSome ? depths.levels() : nullptr, words);
+        depths.noteDrawn(box);
+    }
+    trianglesSetUp_ += setUp;
+}
+
+OcclusionCounts OcclusionPass::counts() const {
+    OcclusionCounts counts;
+    counts.trianglesSetUp = trianglesSetUp_;
+    for (const Drawn& drawn : drawn_) {
+        const std::uint32_t i = drawn.cluster;
+        if (!isBounded(i) || stages_[i].load(std::memory_order_relaxed) == Stage::Snapped) continue;
+        ++counts.clustersHidden;
+        counts.trianglesHidden += input_[i].triangles.size();
+    }
+    return counts;
+}
+
+} // namespace gnomon::raster

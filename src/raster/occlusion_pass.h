@@ -1,0 +1,68 @@
+// A visibility pass that draws from the front to the back and leaves out the clusters that what is drawn hides.
+#pragma once
+
+#include "raster/binning.h"
+#include "raster/box_bound.h"
+#include "raster/buffer.h"
+#include "raster/snapped_clusters.h"
+
+#include <atomic>
+#include <vector>
+
+namespace gnomon::raster {
+
+/// Sorts `keys` by their upper halves, and leaves those with the same in their order (a radix sort, least digit first);
+/// the upper halves are at most the bits of 1.0F. `scratch` is overwritten.
+void sortByUpperHalf(std::vector<std::uint64_t>& keys, std::vector<std::uint64_t>& scratch);
+
+/// One pass at a time; keeps its memory from pass to pass. Each tile decides by its own pixels, in an order of its own,
+/// what it leaves out, so this depends on nothing but the clusters.
+class OcclusionPass {
+public:
+    /// Orders the clusters of a pass over `viewport`. Those whose boxes have no bounds are snapped into `snapped`, the
+    /// others when they are drawn. `input` and `snapped` must outlive the pass.
+    void prepare(
+        std::span<const Cluster> input,
+        std::span<const CellBox> boxes,
+        const Projection& projection,
+        const PixelBox& viewport,
+        SnappedClusters& snapped);
+
+    /// What is to be binned, nearest first.
+    std::span<const BinItem> items() const { return items_; }
+
+    /// Draws the items of a tile, the indices in order, into its empty `words`; from any thread.
+    void drawTile(const PixelBox& tile, std::span<const std::uint32_t> indices, std::uint64_t* words);
+
+    /// What was left out, once all tiles are drawn.
+    OcclusionCounts counts() const;
+
+private:
+    enum class Stage : std::uint8_t { Waiting, InWork, Snapped };
+
+    /// What an item draws.
+    struct Drawn {
+        std::uint32_t cluster = 0; // in SnappedClusters::all
+        float nearest = 1;         // no depth of it is larger
+    };
+
+    bool isBounded(std::size_t i) const { return i < input_.size() && bounds_[i].isWhole; }
+
+    void boundClusters(std::span<const CellBox> boxes);
+    void orderItems(const PixelBox& viewport);
+    void requireSnapped(std::uint32_t cluster);
+
+    std::span<const Cluster> input_;
+    Projection projection_;
+    SnappedClusters* snapped_ = nullptr;
+    std::vector<BoxBound> bounds_; // of each cluster of the pass
+    Buffer<std::atomic<Stage>> stageBuffer_;
+    std::atomic<Stage>* stages_ = nullptr; // likewise
+    std::vector<std::uint64_t> keys_;      // above how far behind the near plane, below the cluster
+    std::vector<std::uint64_t> scratch_;
+    std::vector<BinItem> items_;
+    std::vector<Drawn> drawn_; // of each item
+    std::atomic<std::uint64_t> trianglesSetUp_ = 0;
+};
+
+} // namespace gnomon::raster

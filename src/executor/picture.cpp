@@ -92,4 +92,14 @@ PictureDifference difference(const Picture& a, const Picture& b) {
     return {static_cast<double>(sum) / (count * 3 * 255), largest / 255.0, static_cast<double>(changed) / count};
 }
 
+void requireAlike(const NamedPicture& reference, const Picture& picture, double threshold) {
+    const double found = difference(reference.picture, picture).mean;
+    if (found > threshold)
+        throw Error(
+            reference.path,
+            "the picture differs from its reference",
+            "a mean difference of at most " + std::to_string(threshold),
+            std::to_string(found));
+}
+
 } // namespace gnomon::executor

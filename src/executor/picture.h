@@ -57,4 +57,13 @@ struct PictureDifference {
 /// Throws Error if the sizes differ.
 PictureDifference difference(const Picture& a, const Picture& b);
 
+/// A picture and the file that it was read from.
+struct NamedPicture {
+    std::string path;
+    Picture picture;
+};
+
+/// Throws Error if `picture` differs from `reference` by a mean of more than `threshold`, a fraction of full scale.
+void requireAlike(const NamedPicture& reference, const Picture& picture, double threshold);
+
 } // namespace gnomon::executor

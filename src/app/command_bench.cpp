@@ -15,6 +15,7 @@
 #include "report/page.h"
 #include "settings/codec.h"
 #include "settings/resolve.h"
+#include "settings/table.h"
 
 #include <algorithm>
 #include <array>
@@ -186,7 +187,8 @@ Bounds boundsOf(const BenchOptions& options) {
 
 /// The runs that the options ask for, each sound. Throws UsageError.
 std::vector<measure::BenchRun> runsOf(const BenchOptions& options) {
-    const settings::Settings fixed = options.settings.fixedSettings();
+    settings::Settings fixed = options.settings.fixedSettings();
+    if (options.shadowMaps || proof::isOfMaps(options.walk.oracle)) settings::askForMaps(fixed);
     requireNoWindow(fixed);
     if (settings::isPosed(fixed))
         throw settings::UsageError{"--path and --camera, --eye, --target, --up, --fov-y contradict each other"};

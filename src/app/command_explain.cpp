@@ -25,7 +25,9 @@ struct ExplainOptions {
 
 void runExplain(const ExplainOptions& options) {
     settings::Settings settings = options.settings.settings();
-    const plan::Quality quality = settings::qualityOf(settings);
+    plan::Quality quality = settings::qualityOf(settings);
+    if (!quality.mapsBecause && !measure::decidesExactly(settings))
+        quality.mapsBecause = plan::ShadowReason::ExecutorHasMaps;
     settings.backend = settings::Backend::Software; // nothing is drawn, so no context is made
     measure::Session session(options.model, settings, printWarning);
     const plan::FramePlan plan =

@@ -51,6 +51,7 @@ settings::Settings SettingOptions::parsed(bool withSwept) const {
     settings::Settings result;
     for (const settings::Setting& setting : settings::table()) {
         const auto text = texts_.find(setting.name());
+        if (text != texts_.end() && settings::asksForMaps(setting)) settings::askForMaps(result);
         if (text == texts_.end() || (setting.description().isSwept && !withSwept)) continue;
         setting.set(result, setting.parse(text->second));
     }

@@ -4,16 +4,16 @@
 #include "app/named_files.h"
 #include "app/oracle_option.h"
 #include "app/thread_limit.h"
-#include "core/error.h"
 #include "core/file.h"
 #include "core/prepared_output.h"
 #include "executor/heat_scale.h"
+#include "executor/shadow_depth_files.h"
 #include "measure/session.h"
 #include "settings/resolve.h"
+#include "settings/table.h"
 #include "telemetry/process_clock.h"
 
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -35,31 +35,6 @@ struct RenderOptions {
     OracleOption oracle;
 };
 
-/// Each map as a PFM of its own, named by its slice and face.
-void writeShadowMaps(const std::string& folder, const frame::Frame& frame, executor::Executor& executor) {
-    const executor::FloatPicture all = executor.shadowDepth();
-    for (const plan::ShadowPass& pass : frame.plan.passes) {
-        const shadow::Region& region = pass.map.region;
-        const shadow::TexelRectangle& r = pass.map.rectangle;
-        executor::FloatPicture map(r.width, r.height);
-        for (int y = 0; y < r.height; ++y)
-            for (int x = 0; x < r.width; ++x)
-                map.at(x, r.height - 1 - y) = all.at(r.x + x, r.y + y);
-        const std::string name = "slice" + std::to_string(region.slice) + "_" + shadow::name(region.face) + ".pfm";
-        executor::writePfm((std::filesystem::path(folder) / name).string(), map);
-    }
-}
-
-void requireLike(const RenderOptions& options, const executor::Picture& reference, const executor::Picture& picture) {
-    const executor::PictureDifference found = executor::difference(reference, picture);
-    if (found.mean > options.referenceThreshold)
-        throw Error(
-            options.reference,
-            "the picture differs from its reference",
-            "a mean difference of at most " + std::to_string(options.referenceThreshold),
-            std::to_string(found.mean));
-}
-
 /// Throws Error where an output cannot be made: drawing may take long.
 void requireWritableOutputs(const RenderOptions& options) {
     for (const std::string& path : {options.output, options.statistics, options.depth})
@@ -68,9 +43,10 @@ void requireWritableOutputs(const RenderOptions& options) {
 
 void runRender(const RenderOptions& options) {
     const ThreadLimit limit(options.common);
-    const settings::Settings settings = options.settings.settings();
+    settings::Settings settings = options.settings.settings();
     requireNoWindow(settings);
     if (!options.shadowDepth.empty()) options.settings.requireMapsFor("--shadow-depth");
+    if (!options.shadowDepth.empty() || proof::isOfMaps(options.oracle.mode())) settings::askForMaps(settings);
     requireExtension("--output", options.output, ".png");
     requireApart(
         {{"MODEL", options.model}, {"--camera", settings.cameraFile}, {"--reference", options.reference}},
@@ -96,14 +72,14 @@ void runRender(const RenderOptions& options) {
         executor::drawHeatScale(shown);
     executor::writePng(options.output, shown);
     if (!options.depth.empty()) executor::writePfm(options.depth, session.executor().viewDepth());
-    if (!options.shadowDepth.empty()) writeShadowMaps(options.shadowDepth, frame, session.executor());
+    if (!options.shadowDepth.empty()) executor::writeShadowMaps(options.shadowDepth, frame.plan, session.executor());
     if (!options.statistics.empty()) {
         telemetry::FrameRow row = frame.row;
         row.run = "render";
         row.sinceStartMs = telemetry::sinceProcessStart().count;
         writeTextFile(options.statistics, telemetry::jsonObject(row) + "\n");
     }
-    if (reference) requireLike(options, *reference, picture);
+    if (reference) executor::requireAlike({options.reference, *reference}, picture, options.referenceThreshold);
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "settings/plan_sentences.h"
 
 #include <array>
+#include <cmath>
 #include <cstdarg>
 #include <cstdio>
 
@@ -75,6 +76,16 @@ ordered_json passJson(const plan::FramePlan& plan, const plan::ShadowPass& pass)
     return json;
 }
 
+/// What exact shadows are predicted to take; null where that was not asked.
+ordered_json predictedJson(const plan::FramePlan& plan) {
+    if (!plan.predicted) return nullptr;
+    const plan::ExactWork& work = *plan.predicted;
+    return {
+        {"shadow_samples", std::llround(work.samples)},
+        {"cast_triangles", std::llround(work.castTriangles)},
+        {"sample_tests", std::llround(work.sampleTests)}};
+}
+
 std::string line(const char* format, ...) __attribute__((format(printf, 1, 2)));
 
 std::string line(const char* format, ...) {
@@ -97,6 +108,9 @@ ordered_json planJson(const plan::FramePlan& plan) {
     json["light_angle"] = degreesFromRadians(plan.lightAngleRadians);
     json["promise_kept"] = plan.promiseKept;
     json["scheme"] = plan::schemeName(plan);
+    json["shadows"] = wordOf(plan::kShadowModes, plan.quality.shadows);
+    json["shadows_because"] = settings::reasonInWords(plan.shadowReason);
+    json["predicted"] = predictedJson(plan);
     json["cost"] = plan.cost;
     json["passes"] = ordered_json::array();
     for (const plan::ShadowPass& pass : plan.passes)
@@ -123,6 +137,7 @@ std::string planText(const plan::FramePlan& plan) {
         plan.textureWidth,
         plan.textureHeight,
         static_cast<unsigned long long>(plan.cost));
+    text += settings::shadowsInWords(plan);
     if (!plan.passes.empty()) {
         text += line(
             "promise x %.3g, z %.3g over [near, far]%s; %s texels would do for %g\n",

@@ -47,19 +47,13 @@ CastCounts castRound(const CastContext& context, const Round& round) {
     return sum;
 }
 
-/// How many of [0, size) `isCounted` names.
-template <class IsCounted>
-std::size_t countOf(std::size_t size, const IsCounted& isCounted) {
+/// The sum of `sumOf(begin, end)` over pieces of [0, size) in parallel.
+template <class SumOf>
+std::size_t sumOver(std::size_t size, const SumOf& sumOf) {
     return tbb::parallel_reduce(
         tbb::blocked_range<std::size_t>(0, size, kGrain),
         std::size_t{0},
-        [&](const auto& range, std::size_t sum) {
-            std::uint32_t count = 0; // no wider than a vector of many
-            const std::size_t end = range.end();
-            for (std::size_t i = range.begin(); i < end; ++i)
-                count += isCounted(i) ? 1U : 0U;
-            return sum + count;
-        },
+        [&](const auto& range, std::size_t sum) { return sum + sumOf(range.begin(), range.end()); },
         std::plus<>());
 }
 
@@ -68,10 +62,9 @@ double mostTolerance(const SampleList& samples) {
     const std::uint32_t most = tbb::parallel_reduce(
         tbb::blocked_range<std::size_t>(0, samples.size(), kGrain),
         0U,
-        [tolerance = samples.tolerance.begin()](const auto& range, std::uint32_t largest) {
-            const std::size_t end = range.end();
-            for (std::size_t i = range.begin(); i < end; ++i)
-                largest = std::max(largest, tolerance[i]);
+        [&](const auto& range, std::uint32_t largest) {
+            for (std::size_t i = range.begin(); i < range.end(); ++i)
+                largest = std::max(largest, samples.tolerance[i]);
             return largest;
         },
         [](std::uint32_t a, std::uint32_t b) { return std::max(a, b); });
@@ -83,9 +76,13 @@ double mostTolerance(const SampleList& samples) {
 /// Where that is worth the time it takes: a quarter or more of the samples.
 void ExactShadows::removeDark() {
     constexpr std::size_t kWorthwhile = 4;
-    const std::uint8_t* sorted = sorted_.begin();
-    const auto isDecided = [sorted](std::size_t place) { return (sorted[place] & kDark) != 0; };
-    const std::size_t dark = countOf(grid_.size(), isDecided);
+    const auto isDecided = [&](std::size_t place) { return (sorted_[place] & kDark) != 0; };
+    const std::size_t dark = sumOver(grid_.size(), [&](std::size_t begin, std::size_t end) {
+        std::size_t count = 0;
+        for (std::size_t i = begin; i < end; ++i)
+            count += isDecided(i) ? 1 : 0;
+        return count;
+    });
     if (dark * kWorthwhile < grid_.size()) return;
     grid_.remove(
         samples_,
@@ -100,11 +97,12 @@ void ExactShadows::takeStatuses(ExactStatistics& statistics) {
         for (std::size_t i = range.begin(); i < range.end(); ++i)
             statuses_[grid_.source[i]] = (sorted_[i] & kDark) != 0 ? std::uint8_t{kDark} : sorted_[i];
     });
-    const std::uint8_t* statuses = statuses_.begin();
     const auto count = [&](const auto& isCounted) {
-        return countOf(samples_.size(), [&](std::size_t i) { return isCounted(statuses[i]); });
+        return sumOver(samples_.size(), [&](std::size_t begin, std::size_t end) {
+            return static_cast<std::size_t>(std::count_if(&statuses_[begin], &statuses_[end], isCounted));
+        });
     };
-    statistics.dark = count([](std::uint8_t status) { return isDark(status); });
+    statistics.dark = count(isDark);
     statistics.darkWithoutTolerance = count([](std::uint8_t status) { return status != kLit; });
     statistics.touching = count([](std::uint8_t status) { return status != kLit && status != kDark; });
 }

@@ -125,22 +125,16 @@ void SampleGrid::countCells(const SampleList& samples) {
     constexpr std::size_t kPadding = 16;
     const std::size_t cells = maps_.size() * static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_);
     first_.assign(cells + 1, 0);
-    forChunks(size_, [&](std::size_t begin, std::size_t last, std::size_t) {
+    forChunks(size_, [&](std::size_t begin, std::size_t end, std::size_t) {
         std::array<std::uint32_t, kRun + kPadding> found; // NOLINT(cppcoreguidelines-pro-type-member-init): filled
-        for (std::size_t i = begin; i < last; i += kRun) {
-            const SampleRun run{&samples, i, std::min(last, i + kRun)};
+        for (std::size_t i = begin; i < end; i += kRun) {
+            const SampleRun run{&samples, i, std::min(end, i + kRun)};
             for (std::size_t map = 0; map < maps_.size(); ++map)
                 findCells(maps_[map].cellsFromLightPlane, map, side_, run, found);
-            const auto cellOf = [&](std::size_t k) { return cell(samples.mapOf(k), 0, 0) + found[k - i]; };
-            for (std::size_t k = i; k < run.end;) { // neighbours often share a cell
-                const std::size_t at = cellOf(k);
-                std::size_t end = k + 1;
-                while (end < run.end && cellOf(end) == at)
-                    ++end;
-                std::uint64_t rank = std::atomic_ref(first_[at])
-                                         .fetch_add(static_cast<std::uint32_t>(end - k), std::memory_order_relaxed);
-                for (; k < end; ++k, ++rank)
-                    spare_[k] = std::bit_cast<double>(std::uint64_t{at} << 32U | rank);
+            for (std::size_t k = i; k < run.end; ++k) {
+                const std::size_t at = cell(samples.mapOf(k), 0, 0) + found[k - i];
+                const std::uint64_t rank = std::atomic_ref(first_[at]).fetch_add(1, std::memory_order_relaxed);
+                spare_[k] = std::bit_cast<double>(std::uint64_t{at} << 32U | rank);
             }
         }
     });

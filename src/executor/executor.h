@@ -47,6 +47,12 @@ inline constexpr std::array kOverlays = {
     NamedOverlay{Overlay::Projection, "projection", "projection"},
 };
 
+/// Whether `overlay` shows something of shadow maps.
+constexpr bool isOfMaps(Overlay overlay) {
+    return overlay == Overlay::Partitions || overlay == Overlay::Texels || overlay == Overlay::Aliasing ||
+           overlay == Overlay::Projection;
+}
+
 /// What `overlay` is called where there is room.
 constexpr const char* title(Overlay overlay) {
     for (const NamedOverlay& each : kOverlays)

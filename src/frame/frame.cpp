@@ -14,7 +14,9 @@ namespace gnomon::frame {
 
 Frame Renderer::render(const plan::View& view, const plan::Quality& quality, const FrameOptions& options) {
     const Stopwatch watch;
-    Frame frame{prepare(view, quality, options.waiting, previous_), options, {}};
+    plan::Quality meant = quality;
+    if (executor::isOfMaps(options.overlay)) meant.mapsBecause = plan::ShadowReason::MapsAskedFor;
+    Frame frame{prepare(view, meant, options.waiting, previous_), options, {}};
     if (options.reusesMaps) markReusedMaps(frame);
     const executor::DrawStatistics drawn = draw(frame, options);
     frame.row = frameRow(frame, drawn, {model_->path(), executor_->name(), residency_.statistics()});
@@ -23,7 +25,7 @@ Frame Renderer::render(const plan::View& view, const plan::Quality& quality, con
     return frame;
 }
 
-PreparedFrame Renderer::prepare(
+PreparedFrame Renderer::prepareAs(
     const plan::View& view,
     const plan::Quality& quality,
     Waiting waiting,
@@ -44,6 +46,8 @@ PreparedFrame Renderer::prepare(
             surveyedPixels = frame.errorPixels;
             addTime(frame.cullMs, [&] {
                 frame.facts = sceneFacts(view, model.bounds, cutQuery(residency_, frame), frame.cut, range);
+                if (quality.shadows == plan::ShadowMode::Exact)
+                    frame.facts.isTurnedFromLight = isTurnedFromLight(view, cutQuery(residency_, frame), frame.cut);
             });
             addTime(frame.planMs, [&] {
                 const plan::PlanMemory memory = before ? before->memory : plan::PlanMemory{};
@@ -80,6 +84,7 @@ executor::DrawStatistics Renderer::draw(const PreparedFrame& frame, const FrameO
     }
     statistics.image = executor_->drawImage(drawing);
     statistics.deviceMemory = executor_->deviceMemory();
+    if (frame.plan.quality.shadows == plan::ShadowMode::Exact) statistics.exact.emplace(); // nothing to decide
     if (!frame.isRayTraced()) rememberMaps(frame);
     return statistics;
 }

@@ -76,6 +76,8 @@ telemetry::FrameRow frameRow(
     row.lightAngle = degreesFromRadians(plan.lightAngleRadians);
     row.shadows = wordOf(plan::kShadowModes, quality.shadows);
     if (drawn.exact) setExact(*drawn.exact, row);
+    if (plan.predicted)
+        row.predictedSampleTests = toCount(static_cast<std::uint64_t>(plan.predicted->sampleTests + 0.5));
     if (plan.passes.empty()) return row;
     row.storageFactor = plan.storageFactor;
     row.promisedAliasingX = plan.promised.x;

@@ -33,9 +33,10 @@ struct PreparedFrame {
         return plan.quality.shadows == plan::ShadowMode::Rays && facts.visible && facts.visible->anything;
     }
 
-    /// Whether its shadows are decided exactly.
+    /// Whether its shadows are decided exactly; not so where nothing that is seen could be in one.
     bool isExact() const {
-        return plan.quality.shadows == plan::ShadowMode::Exact && facts.visible && facts.visible->anything;
+        return plan.quality.shadows == plan::ShadowMode::Exact && facts.visible && facts.visible->anything &&
+               !facts.isTurnedFromLight;
     }
 
     /// Whether shadows are found without maps: the second list is that of all that can cast into the view.

@@ -46,8 +46,8 @@ public:
         heldMaps_.reset();
     }
 
-    /// Plans and cuts a view as the frame after `before` (null: the first), and makes its pages resident; draws
-    /// nothing, and the next frame does not know of it.
+    /// Chooses the mode of the shadows where it is left open; then plans and cuts a view as the frame after `before`
+    /// (null: the first), and makes its pages resident; draws nothing, and the next frame does not know of it.
     PreparedFrame prepare(
         const plan::View& view,
         const plan::Quality& quality,
@@ -69,6 +69,13 @@ public:
     executor::Executor& executor() const { return *executor_; }
 
 private:
+    /// `prepare` with shadows whose mode is not left open.
+    PreparedFrame prepareAs(
+        const plan::View& view,
+        const plan::Quality& quality,
+        Waiting waiting,
+        const std::shared_ptr<const plan::PlannedFrame>& before);
+
     /// What the executor's depth texture holds.
     struct HeldMaps {
         plan::FramePlan plan;

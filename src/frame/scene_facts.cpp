@@ -1,6 +1,7 @@
 #include "frame/scene_facts.h"
 
 #include "culling/frame_cut.h"
+#include "culling/lit_side.h"
 #include "culling/receivers.h"
 #include "culling/survey.h"
 #include "plan/plan_frame.h"
@@ -60,6 +61,10 @@ plan::SceneFacts sceneFacts(
         facts.light = lightFacts(
             view, query, cut, {std::max(seen->span.near, range->near), std::max(seen->span.far, range->near)});
     return facts;
+}
+
+bool isTurnedFromLight(const plan::View& view, const selection::CutQuery& query, const selection::Cut& cut) {
+    return !culling::mayFaceLight(query, cut.lists[0], glm::normalize(view.towardsLight));
 }
 
 } // namespace gnomon::frame

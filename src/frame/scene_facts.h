@@ -19,4 +19,8 @@ plan::SceneFacts sceneFacts(
     const selection::Cut& cut,
     const std::optional<DepthSpan>& range);
 
+/// Whether nothing of `cut`'s image that is in view can be lit, whatever stands before the light; only sure where it
+/// says yes.
+bool isTurnedFromLight(const plan::View& view, const selection::CutQuery& query, const selection::Cut& cut);
+
 } // namespace gnomon::frame

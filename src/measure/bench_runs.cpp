@@ -79,7 +79,9 @@ public:
     executor::Picture picture(executor::Overlay overlay, Progress& progress) {
         frameOptions_.overlay = overlay;
         session_.renderer().forget();
-        draw(options_.frames / 2);
+        const frame::Frame drawn = draw(options_.frames / 2);
+        if (overlay == executor::Overlay::None)
+            quality_.shadows = drawn.plan.quality.shadows; // for the overlays after it
         progress.advance(1);
         return session_.executor().picture();
     }

@@ -1,6 +1,6 @@
 #include "measure/report_runs.h"
 
-#include "gl/context.h"
+#include "measure/session.h"
 #include "settings/table.h"
 
 #include <algorithm>
@@ -14,12 +14,6 @@ using plan::Choice;
 using plan::Quality;
 using settings::Settings;
 using shadow::WarpRule;
-
-/// Whether what draws `settings` can decide shadows exactly.
-bool decidesExactly(const Settings& settings) {
-    using settings::Backend;
-    return settings.backend == Backend::Software || (settings.backend == Backend::Auto && !gl::hasGpu());
-}
 
 /// `base` with exact shadows, and nothing that is asked of maps: it would contradict them.
 Settings withExactShadows(const Settings& base) {
@@ -67,7 +61,10 @@ Settings withTexels(Settings settings, int side) {
 
 } // namespace
 
-std::vector<BenchRun> reportRuns(const Settings& base, bool isQuick) {
+std::vector<BenchRun> reportRuns(const Settings& asked, bool isQuick) {
+    Settings base = asked; // maps, by their name: exact shadows are a run of their own
+    if (base.quality.shadows == plan::ShadowMode::Auto) base.quality.shadows = plan::ShadowMode::Maps;
+    base.quality.mapsBecause.reset();
     const bool isWarpOpen = !base.eta && !base.tsmFocus;
     Settings unculled = base;
     unculled.quality.cullCasters = false;

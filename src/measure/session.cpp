@@ -13,11 +13,16 @@ std::unique_ptr<executor::Executor> makeExecutor(const settings::Settings& setti
         settings.shaderFolder.empty() ? std::nullopt : std::optional<std::string>(settings.shaderFolder));
     Backend backend = settings.backend;
     GNOMON_CHECK(backend != Backend::Window);
-    const bool isExact = settings.quality.shadows == plan::ShadowMode::Exact;
-    if (backend == Backend::Auto) backend = !isExact && gl::hasGpu() ? Backend::Egl : Backend::Software;
+    if (backend == Backend::Auto) backend = decidesExactly(settings) ? Backend::Software : Backend::Egl;
     if (backend == Backend::Software) return executor::makeSoftwareExecutor();
     const gl::Platform platform = backend == Backend::Egl ? gl::Platform::Egl : gl::Platform::Osmesa;
     return executor::makeGlExecutor(platform, shaders, settings.gpuMemory);
+}
+
+bool decidesExactly(const settings::Settings& settings) {
+    using settings::Backend;
+    const bool isExact = settings.quality.shadows == plan::ShadowMode::Exact;
+    return settings.backend == Backend::Software || (settings.backend == Backend::Auto && (isExact || !gl::hasGpu()));
 }
 
 Session::Session(

@@ -15,6 +15,9 @@ namespace gnomon::measure {
 /// carry out what they ask for, else `software`.
 std::unique_ptr<executor::Executor> makeExecutor(const settings::Settings& settings);
 
+/// Whether the executor that `settings` name can decide shadows exactly. Makes none.
+bool decidesExactly(const settings::Settings& settings);
+
 /// A model, its executor and its renderer.
 class Session {
 public:

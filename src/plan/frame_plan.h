@@ -5,8 +5,8 @@
 #include "core/camera.h"
 #include "core/convex_volume.h"
 #include "core/depth_span.h"
-#include "core/words.h"
 #include "plan/omission.h"
+#include "plan/shadow_choice.h"
 #include "shadow/shadow_map.h"
 #include "shadow/warp/warp.h"
 
@@ -33,15 +33,6 @@ struct View {
     double tanHalfX() const { return aspect() * tanHalfY(); }
 };
 
-/// Exact decides each visible point in integers; Rays asks a ray tracer; Maps looks shadow maps up.
-enum class ShadowMode : std::uint8_t { Off, Maps, Exact, Rays };
-inline constexpr std::array kShadowModes = {
-    Word<ShadowMode>{ShadowMode::Off, "off"},
-    Word<ShadowMode>{ShadowMode::Maps, "maps"},
-    Word<ShadowMode>{ShadowMode::Exact, "exact"},
-    Word<ShadowMode>{ShadowMode::Rays, "rays"},
-};
-
 enum class Choice : std::uint8_t { Off, On, Auto };
 inline constexpr std::array kChoices = {
     Word<Choice>{Choice::Off, "off"},
@@ -51,7 +42,8 @@ inline constexpr std::array kChoices = {
 
 /// What the user asked for; the names are those of the command line.
 struct Quality {
-    ShadowMode shadows = ShadowMode::Maps;
+    ShadowMode shadows = ShadowMode::Maps;   // what a frame is planned with; who asks may leave it open
+    std::optional<ShadowReason> mapsBecause; // why Auto means maps, whatever the view; nothing: costs decide
     shadow::Warp warp;
     std::optional<int> zPartitions = 4; // nothing: auto
     double splitLambda = 1;
@@ -97,6 +89,7 @@ struct SceneFacts {
     };
 
     std::optional<Light> light;
+    bool isTurnedFromLight = false; // all that is in view, for sure
 };
 
 /// One shadow map and how this frame draws it.
@@ -110,7 +103,9 @@ struct ShadowPass {
 /// The plan of a frame.
 struct FramePlan {
     View view;
-    Quality quality;
+    Quality quality; // its shadows are those that are drawn, never Auto
+    ShadowReason shadowReason = ShadowReason::AskedFor;
+    std::optional<ExactWork> predicted; // of exact shadows, where that was asked
     CameraBasis basis;
     glm::dvec3 towardsLight{0, 1, 0}; // unit, camera space
     double near = 0;                  // the range that shadows are promised for

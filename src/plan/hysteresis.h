@@ -16,7 +16,13 @@ inline constexpr int kFramesBeforeMapsGo = 96;
 /// promise that would be broken waits for nothing.
 inline constexpr int kFramesBeforeSchemeGoes = 96;
 
-/// A scheme dominates another where it costs less than this share of it.
+/// How many frames in a row the other kind of shadows must dominate where `auto` chooses between exact ones and maps.
+inline constexpr int kFramesBeforeModeGoes = 24;
+
+/// While maps are chosen, what exact shadows would cost is looked at once in so many frames: that takes their casters.
+inline constexpr int kFramesBetweenCosts = 12;
+
+/// A scheme or a kind of shadows dominates another where it costs less than this share of it.
 inline constexpr double kCheaper = 0.75;
 
 /// And, where none keeps what was asked, promises less than this share of what the other promises.

@@ -9,6 +9,7 @@ namespace gnomon::plan {
 /// What a plan can go without.
 enum class Effect : std::uint8_t {
     ShadowMaps,
+    ExactShadows,
     MapOfSlice, // one slice's
     FacePartitions,
     ZPartitions,

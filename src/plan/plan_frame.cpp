@@ -42,6 +42,13 @@ std::optional<OmissionReason> reasonForNoMaps(
     return std::nullopt;
 }
 
+/// Why exact shadows are asked for and there is nothing that they could decide; nothing if there may be.
+std::optional<OmissionReason> reasonForNoDecision(const SceneFacts& scene, const DepthRange& range) {
+    if (range.isEmpty) return OmissionReason::NothingInView;
+    if (scene.isTurnedFromLight) return OmissionReason::NothingFacesLight;
+    return std::nullopt;
+}
+
 shadow::ViewFrustum frustumOf(const View& view, const DepthSpan& range) {
     return {range.near, range.far, view.camera.fovYRadians / 2, view.aspect()};
 }
@@ -63,7 +70,7 @@ ConvexVolume sweptView(const View& view, const DepthSpan& range) {
 
 std::optional<DepthSpan> widestRange(const View& view, const Quality& quality, const Box& bounds) {
     requireValid(view);
-    if (quality.shadows != ShadowMode::Maps) return std::nullopt;
+    if (quality.shadows != ShadowMode::Maps && quality.shadows != ShadowMode::Auto) return std::nullopt;
     const DepthRange range = depthRange(view, quality, {.bounds = bounds, .visible = {}, .light = {}}, {});
     if (range.isEmpty) return std::nullopt;
     return range.shown;
@@ -75,6 +82,7 @@ PlannedFrame planFrame(const View& view, const Quality& quality, const SceneFact
     FramePlan& plan = result.plan;
     plan.view = view;
     plan.quality = quality;
+    if (quality.shadows == ShadowMode::Auto) plan.quality.shadows = ShadowMode::Maps; // without costs to choose by
     plan.basis = cameraBasis(view.camera);
     plan.towardsLight = cameraLight(view, plan.basis);
     plan.lightAngleRadians = std::atan2(std::hypot(plan.towardsLight.x, plan.towardsLight.y), plan.towardsLight.z);
@@ -85,11 +93,16 @@ PlannedFrame planFrame(const View& view, const Quality& quality, const SceneFact
     plan.nearFrom = range.nearFrom;
     plan.farFrom = range.farFrom;
     result.memory.depth = range.memory;
-    if (const auto reason = reasonForNoMaps(quality, scene, range))
+    if (const auto reason = reasonForNoMaps(plan.quality, scene, range))
         plan.omitted.push_back({Effect::ShadowMaps, *reason});
     else
         result.memory.scheme = planShadowPasses(plan, scene, memory.scheme);
-    if (quality.shadows == ShadowMode::Exact && !range.isEmpty) plan.cellMaps = cellMaps(plan);
+    if (quality.shadows == ShadowMode::Exact) {
+        if (const auto reason = reasonForNoDecision(scene, range))
+            plan.omitted.push_back({Effect::ExactShadows, *reason});
+        else
+            plan.cellMaps = cellMaps(plan);
+    }
     return result;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/depth_span.h"
+#include "plan/shadow_choice.h"
 #include "shadow/quantized_near.h"
 #include "shadow/warp/orientation.h"
 
@@ -49,6 +50,7 @@ struct SchemeMemory {
 struct PlanMemory {
     std::optional<DepthMemory> depth;
     std::optional<SchemeMemory> scheme;
+    std::optional<ModeMemory> mode;
 };
 
 } // namespace gnomon::plan

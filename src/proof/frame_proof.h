@@ -27,6 +27,11 @@ inline constexpr std::array kOracles = {
     Word<Oracle>{Oracle::Exact, "exact"},
 };
 
+/// Whether shadow maps alone can be held against it.
+constexpr bool isOfMaps(Oracle oracle) {
+    return oracle == Oracle::SameDetail || oracle == Oracle::FullDetail;
+}
+
 /// What is to be found out about a frame.
 struct ProofOptions {
     bool measuresAliasing = false;

@@ -3,6 +3,7 @@
 #include "plan/hysteresis.h"
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 
 namespace gnomon::settings {
@@ -42,6 +43,8 @@ std::string effectInWords(const plan::Omission& omission) {
     switch (omission.effect) {
     case Effect::ShadowMaps:
         return "shadow maps";
+    case Effect::ExactShadows:
+        return "exact shadows";
     case Effect::MapOfSlice:
         return "map of slice " + std::to_string(omission.slice);
     case Effect::FacePartitions:
@@ -104,6 +107,35 @@ std::string reasonInWords(const plan::Omission& omission) {
         return "no caster is nearer to the light than its map begins";
     }
     return "";
+}
+
+std::string reasonInWords(plan::ShadowReason reason) {
+    using plan::ShadowReason;
+    switch (reason) {
+    case ShadowReason::AskedFor:
+        return "asked for";
+    case ShadowReason::MapsAskedFor:
+        return "an option, an overlay or a proof of maps is asked for";
+    case ShadowReason::ExecutorHasMaps:
+        return "only the software executor decides shadows exactly";
+    case ShadowReason::ExactCostsNoMore:
+        return "exact shadows are predicted to cost no more than maps";
+    case ShadowReason::MapsCostLess:
+        return "maps are predicted to cost less than exact shadows";
+    case ShadowReason::Held:
+        return "held from the frame before: the other kind is not predicted to be cheaper by enough, for long enough";
+    }
+    return "";
+}
+
+std::string shadowsInWords(const plan::FramePlan& plan) {
+    std::string text = "shadows " + std::string(wordOf(plan::kShadowModes, plan.quality.shadows)) + ": " +
+                       reasonInWords(plan.shadowReason) + "\n";
+    if (!plan.predicted) return text;
+    const auto count = [](double value) { return std::to_string(std::llround(value)); };
+    return text + "predicted of exact shadows, not counted: " + count(plan.predicted->samples) + " samples, " +
+           count(plan.predicted->castTriangles) + " triangles cast, " + count(plan.predicted->sampleTests) +
+           " sample tests\n";
 }
 
 std::string sourceInWords(plan::DepthSource source) {

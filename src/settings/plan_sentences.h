@@ -1,7 +1,7 @@
 // What a plan goes without, and where its depth range comes from, in sentences: the one place for all who show them.
 #pragma once
 
-#include "plan/omission.h"
+#include "plan/frame_plan.h"
 
 #include <string>
 
@@ -12,6 +12,12 @@ std::string effectInWords(const plan::Omission& omission);
 
 /// Why, as half a sentence: "switched off".
 std::string reasonInWords(const plan::Omission& omission);
+
+/// Why a frame's shadows are of their mode.
+std::string reasonInWords(plan::ShadowReason reason);
+
+/// Which shadows a plan has, why, and what exact ones are predicted to take where that was asked; whole lines.
+std::string shadowsInWords(const plan::FramePlan& plan);
 
 /// Where an end of the depth range comes from: "the nearest surface in view".
 std::string sourceInWords(plan::DepthSource source);

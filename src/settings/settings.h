@@ -21,6 +21,13 @@ inline constexpr std::array kBackends = {
     Word<Backend>{Backend::Window, "window"},
 };
 
+/// The quality where nothing is asked for: the mode of its shadows is left open.
+inline plan::Quality openQuality() {
+    plan::Quality quality;
+    quality.shadows = plan::ShadowMode::Auto;
+    return quality;
+}
+
 /// What a person can ask for of a view and its quality. What stands in `quality` the plan takes as it is.
 struct Settings {
     std::array<int, 2> imageSize{800, 800}; // pixels
@@ -30,7 +37,7 @@ struct Settings {
     std::optional<glm::dvec3> up;
     std::optional<double> fovYDegrees;
     glm::dvec3 towardsLight{0.4, 1, 0.3};
-    plan::Quality quality;
+    plan::Quality quality = openQuality();
     bool isWarpGiven = false;       // quality.warp.rule was asked for
     std::optional<double> eta;      // takes the place of quality.warp.rule
     std::optional<double> tsmFocus; // 0: found by itself

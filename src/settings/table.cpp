@@ -210,6 +210,23 @@ std::vector<Setting> machineSettings() {
     };
 }
 
+Setting shadowsSetting() {
+    return {
+        {.name = "shadows",
+         .form = {},
+         .help =
+             "None, shadow maps, exact ones (software executor), the ray-traced reference; auto: exact where that is "
+             "predicted to cost no more than maps",
+         .isSwept = true},
+        oneOf(plan::kShadowModes),
+        [](const Settings& settings) {
+            const Quality& quality = settings.quality;
+            const bool meansMaps = quality.shadows == plan::ShadowMode::Auto && quality.mapsBecause;
+            return meansMaps ? plan::ShadowMode::Maps : quality.shadows;
+        },
+        [](Settings& settings, plan::ShadowMode mode) { settings.quality.shadows = mode; }};
+}
+
 Setting warpSetting() {
     return {
         {.name = "warp",
@@ -256,13 +273,7 @@ std::vector<Setting> sweptSettings() {
              .isSwept = true,
              .offer = {.title = "error pixels", .least = kLeastOfferedErrorPixels, .most = kMostOfferedErrorPixels}},
             positiveNumber()),
-        quality(
-            &Quality::shadows,
-            {.name = "shadows",
-             .form = {},
-             .help = "None, shadow maps, exact ones (software executor), or the ray-traced reference",
-             .isSwept = true},
-            oneOf(plan::kShadowModes)),
+        shadowsSetting(),
         warpSetting(),
         quality(
             &Quality::zPartitions,

@@ -25,6 +25,16 @@ std::string optionsOf(std::string_view message);
 /// Whether `setting` can be given beside the rest of `settings`: what is asked of maps cannot, beside exact shadows.
 bool appliesTo(const Setting& setting, const Settings& settings);
 
+/// Whether `setting`, where it is given, says that shadows whose mode is left open are maps.
+inline bool asksForMaps(const Setting& setting) {
+    return setting.description().isOfMaps || setting.name() == "cull-casters"; // which exact shadows leave as it is
+}
+
+/// Says that shadows whose mode is left open are maps, for an option, an overlay or a proof of maps is asked for.
+inline void askForMaps(Settings& settings) {
+    settings.quality.mapsBecause = plan::ShadowReason::MapsAskedFor;
+}
+
 /// Whether all settings that a bench sweeps have the same values in `a` and `b`.
 bool areAlike(const Settings& a, const Settings& b);
 

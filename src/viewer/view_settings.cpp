@@ -12,6 +12,7 @@ using plan::ShadowMode;
 ShadowMode modeOf(Scheme scheme) {
     if (scheme == Scheme::Off) return ShadowMode::Off;
     if (scheme == Scheme::Rays) return ShadowMode::Rays;
+    if (scheme == Scheme::Auto) return ShadowMode::Auto;
     return scheme == Scheme::Exact ? ShadowMode::Exact : ShadowMode::Maps;
 }
 
@@ -33,6 +34,8 @@ const char* name(Scheme scheme) {
         return "exact";
     case Scheme::Rays:
         return "rays";
+    case Scheme::Auto:
+        return "auto: exact or maps";
     }
     return "";
 }
@@ -41,6 +44,7 @@ Scheme schemeOf(const plan::Quality& quality) {
     if (quality.shadows == ShadowMode::Off) return Scheme::Off;
     if (quality.shadows == ShadowMode::Rays) return Scheme::Rays;
     if (quality.shadows == ShadowMode::Exact) return Scheme::Exact;
+    if (quality.shadows == ShadowMode::Auto && !quality.mapsBecause) return Scheme::Auto;
     const bool hasSlices = quality.zPartitions.value_or(2) > 1;
     if (quality.facePartitions != Choice::Off) return hasSlices ? Scheme::FacesAndSlices : Scheme::Faces;
     return hasSlices ? Scheme::Slices : Scheme::OneMap;
@@ -48,6 +52,7 @@ Scheme schemeOf(const plan::Quality& quality) {
 
 void choose(Scheme scheme, plan::Quality& quality) {
     quality.shadows = modeOf(scheme);
+    quality.mapsBecause.reset();
     if (quality.shadows != ShadowMode::Maps) return;
     const bool hasSlices = scheme == Scheme::Slices || scheme == Scheme::FacesAndSlices;
     const bool hasFaces = scheme == Scheme::Faces || scheme == Scheme::FacesAndSlices;

@@ -9,10 +9,17 @@
 namespace gnomon::viewer {
 
 /// The ways of casting shadows that a key steps through; slices, faces and warp make all others.
-enum class Scheme : std::uint8_t { Off, OneMap, Slices, Faces, FacesAndSlices, Exact, Rays };
+enum class Scheme : std::uint8_t { Off, OneMap, Slices, Faces, FacesAndSlices, Exact, Rays, Auto };
 
 inline constexpr std::array kSchemes = {
-    Scheme::Off, Scheme::OneMap, Scheme::Slices, Scheme::Faces, Scheme::FacesAndSlices, Scheme::Exact, Scheme::Rays};
+    Scheme::Off,
+    Scheme::OneMap,
+    Scheme::Slices,
+    Scheme::Faces,
+    Scheme::FacesAndSlices,
+    Scheme::Exact,
+    Scheme::Rays,
+    Scheme::Auto};
 
 /// "no shadows", "one map", ...
 const char* name(Scheme scheme);

@@ -1,4 +1,5 @@
 // What light could reach and where casters are, against every triangle and every cluster looked at.
+#include "culling/lit_side.h"
 #include "culling/survey.h"
 #include "culling/triangle_clip.h"
 #include "seen_scene.h"
@@ -112,6 +113,24 @@ TEST(LitSurfaces, SpansHoldWhatIsLitAndReachOneStepFurtherAtMost) {
     EXPECT_GT(lit, 30);
     EXPECT_GT(shadowed, 20);
     EXPECT_LT(shadowed, lit);
+}
+
+// Beside every triangle looked at: what is sure to be dark is, and what is lit is found.
+TEST(LitSide, IsFoundWhereAnyTriangleShowsIt) {
+    Random random(74);
+    int dark = 0;
+    for (int trial = 0; trial < 150; ++trial) {
+        const Seen scene(random);
+        // Mostly against the view, where all that is seen may be turned from the light.
+        const glm::dvec3 light =
+            trial % 3 == 0 ? randomLight(random) : glm::normalize(scene.view.basis.view + 0.02 * randomLight(random));
+        const bool isLit = !litTriangles(scene, light, {}).empty();
+        const bool mayBe = mayFaceLight(scene.query(), scene.cut.lists[0], light);
+        EXPECT_TRUE(mayBe || !isLit) << trial;
+        dark += mayBe ? 0 : 1;
+    }
+    EXPECT_GT(dark, 5);
+    EXPECT_LT(dark, 145);
 }
 
 TEST(SeenParts, StepsAreSixteenAnOctaveAndLieInTheRange) {

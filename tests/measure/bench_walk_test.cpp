@@ -30,6 +30,7 @@ const std::string& model() {
 
 settings::Settings smallSettings() {
     settings::Settings settings;
+    settings.quality.shadows = plan::ShadowMode::Maps;
     settings.imageSize = {96, 96};
     settings.backend = settings::Backend::Software;
     settings.quality.shadowTexelsWidth = settings.quality.shadowTexelsHeight = 256;

@@ -41,7 +41,10 @@ TEST(ReportRuns, ContradictNoWarpThatIsAskedFor) {
             const bool isWarpOpen = !base.eta && !base.tsmFocus;
             std::set<std::string> names;
             const std::vector<BenchRun> runs = reportRuns(base, isQuick);
+            std::size_t exact = 0;
             for (const BenchRun& run : runs) {
+                EXPECT_NE(run.settings.quality.shadows, plan::ShadowMode::Auto) << "modes by their names: " << run.name;
+                exact += run.settings.quality.shadows == plan::ShadowMode::Exact ? 1U : 0U;
                 EXPECT_NO_THROW(settings::qualityOf(run.settings)) << run.options;
                 EXPECT_TRUE(names.insert(run.name).second) << run.name;
                 const bool hasMaps = run.settings.quality.shadows != plan::ShadowMode::Exact;
@@ -50,6 +53,7 @@ TEST(ReportRuns, ContradictNoWarpThatIsAskedFor) {
                 EXPECT_TRUE(hasMaps || run.options.find("warp") == std::string::npos) << run.options;
             }
             EXPECT_GT(runs.size(), 5U);
+            EXPECT_EQ(exact, decidesExactly(base) ? 1U : 0U);
         }
 }
 

@@ -42,7 +42,7 @@ TEST(SettingsTable, WhatIsWrittenReadsBack) {
 
 TEST(SettingsTable, TheDefaultsAreThoseOfAFrame) {
     const Settings settings;
-    EXPECT_EQ(named("shadows").text(settings), "maps");
+    EXPECT_EQ(named("shadows").text(settings), "auto");
     EXPECT_EQ(named("warp").text(settings), "auto");
     EXPECT_EQ(named("z-partitions").text(settings), "4");
     EXPECT_EQ(named("shadow-texels").text(settings), "2048x2048");
@@ -61,6 +61,32 @@ TEST(SettingsTable, OptionsToPasteAreThoseThatAreNotTheDefault) {
     EXPECT_FALSE(areAlike(settings, Settings()));
     settings.quality.filter = 0;
     EXPECT_TRUE(areAlike(settings, Settings()));
+}
+
+TEST(SettingsTable, ShadowsThatAreLeftOpenAreMapsWhereOneOfTheirOptionsIsGiven) {
+    std::set<std::string> asking;
+    for (const Setting& each : table())
+        if (asksForMaps(each)) asking.insert(each.name());
+    EXPECT_EQ(
+        asking,
+        (std::set<std::string>{
+            "eta",
+            "tsm-focus",
+            "split-lambda",
+            "max-aliasing",
+            "warp",
+            "z-partitions",
+            "face-partitions",
+            "shadow-texels",
+            "filter",
+            "cull-casters",
+            "stabilize"}));
+    Settings settings;
+    askForMaps(settings);
+    EXPECT_EQ(named("shadows").text(settings), "maps");
+    EXPECT_EQ(optionsToPaste(settings, true), "--shadows maps") << "four slices, as by default, would not say so";
+    named("shadows").set(settings, named("shadows").parse("exact"));
+    EXPECT_EQ(named("shadows").text(settings), "exact");
 }
 
 TEST(Axes, CombineTheLastFastest) {

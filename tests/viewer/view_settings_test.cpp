@@ -30,6 +30,12 @@ TEST(ViewSettings, SchemesStepAroundAndAreWhatTheyAreCalled) {
     EXPECT_EQ(quality.shadows, plan::ShadowMode::Off);
     choose(Scheme::Rays, quality);
     EXPECT_EQ(quality.shadows, plan::ShadowMode::Rays);
+    choose(Scheme::Auto, quality);
+    EXPECT_EQ(quality.shadows, plan::ShadowMode::Auto);
+    quality.mapsBecause = plan::ShadowReason::MapsAskedFor; // as a change of slices does
+    EXPECT_NE(schemeOf(quality), Scheme::Auto);
+    choose(Scheme::Auto, quality);
+    EXPECT_EQ(schemeOf(quality), Scheme::Auto);
 }
 
 TEST(FrameHistory, KeepsTheLastAndTakesTheirMedians) {

@@ -32,6 +32,7 @@ std::optional<std::string> changeQuality(const Binding& binding, settings::Setti
     if (binding.action != Action::StepSetting) return std::nullopt;
     const settings::Setting& setting = settings::named(binding.setting);
     settings::step(setting, settings, binding.value);
+    if (settings::asksForMaps(setting)) settings::askForMaps(settings);
     return settings::inWords(setting, settings);
 }
 

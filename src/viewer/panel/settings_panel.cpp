@@ -128,7 +128,10 @@ bool drawSetting(const Setting& setting, settings::Settings& settings) {
 bool drawQuality(settings::Settings& settings) {
     bool hasChanged = drawScheme(settings.quality);
     for (const Setting& setting : settings::table())
-        if (!setting.description().offer.title.empty()) hasChanged |= drawSetting(setting, settings);
+        if (!setting.description().offer.title.empty() && drawSetting(setting, settings)) {
+            if (settings::asksForMaps(setting)) settings::askForMaps(settings);
+            hasChanged = true;
+        }
     return hasChanged;
 }
 

@@ -1,0 +1,70 @@
+#include "core/stopwatch.h"
+#include "frame/exact_forecast.h"
+#include "frame/renderer.h"
+
+// Whether a frame whose shadows are left open gets exact ones or maps. Exact ones are prepared to be asked: where they
+// are chosen nothing was done in vain but the prediction.
+
+namespace gnomon::frame {
+
+namespace {
+
+plan::Quality with(const plan::Quality& quality, plan::ShadowMode mode) {
+    plan::Quality result = quality;
+    result.shadows = mode;
+    result.mapsBecause.reset();
+    return result;
+}
+
+void addPreparation(PreparedFrame& frame, const PreparedFrame& other) {
+    frame.planMs += other.planMs;
+    frame.selectMs += other.selectMs;
+    frame.cullMs += other.cullMs;
+    frame.streamMs += other.streamMs;
+}
+
+} // namespace
+
+PreparedFrame Renderer::prepare(
+    const plan::View& view,
+    const plan::Quality& quality,
+    Waiting waiting,
+    const std::shared_ptr<const plan::PlannedFrame>& before) {
+    using plan::ShadowMode;
+    using plan::ShadowReason;
+    const auto prepared = [&](ShadowMode mode) { return prepareAs(view, with(quality, mode), waiting, before); };
+    const auto predict = [](PreparedFrame& frame) {
+        addTime(frame.planMs, [&] { frame.plan.predicted = predictedWork(frame); });
+    };
+    const auto asMaps = [&](ShadowReason reason) {
+        PreparedFrame frame = prepared(ShadowMode::Maps);
+        frame.plan.shadowReason = reason;
+        return frame;
+    };
+    if (quality.shadows != ShadowMode::Auto) {
+        PreparedFrame frame = prepared(quality.shadows);
+        if (quality.shadows == ShadowMode::Exact) predict(frame);
+        return frame;
+    }
+    if (quality.mapsBecause) return asMaps(*quality.mapsBecause);
+    if (!executor_->decidesExactly()) return asMaps(ShadowReason::ExecutorHasMaps);
+    const std::optional<plan::ModeMemory> memory = before ? before->memory.mode : std::nullopt;
+    if (const auto choice = plan::choiceWithoutCosts(memory)) {
+        PreparedFrame frame = asMaps(choice->reason);
+        frame.memory.mode = choice->memory;
+        return frame;
+    }
+    PreparedFrame exact = prepared(ShadowMode::Exact);
+    predict(exact);
+    const plan::ShadowChoice choice = plan::choiceByCosts(plan::shadowCosts(*exact.plan.predicted), memory);
+    PreparedFrame frame = choice.mode == ShadowMode::Exact ? std::move(exact) : prepared(choice.mode);
+    if (choice.mode != ShadowMode::Exact) {
+        addPreparation(frame, exact);
+        frame.plan.predicted = exact.plan.predicted;
+    }
+    frame.plan.shadowReason = choice.reason;
+    frame.memory.mode = choice.memory;
+    return frame;
+}
+
+} // namespace gnomon::frame

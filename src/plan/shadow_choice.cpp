@@ -1,0 +1,56 @@
+#include "plan/shadow_choice.h"
+
+#include "plan/hysteresis.h"
+
+namespace gnomon::plan {
+
+namespace {
+
+// Nanoseconds, by least squares over 300 views of six models (docs/exact_shadows.md says which and how well they fit).
+constexpr double kMapsAtAll = 10.9e6; // four maps in 2048x2048 texels
+constexpr double kMapTriangle = 16.4;
+constexpr double kMapLookup = 17.4; // a pixel
+constexpr double kMapTrianglesPerCaster = 0.9;
+constexpr double kExactAtAll = 0.4e6;
+constexpr double kSample = 63; // listed, sorted, and shaded in both colours
+constexpr double kCasterTriangle = 1.6;
+constexpr double kCastTriangle = 44;
+constexpr double kSampleTest = 0.8;
+
+} // namespace
+
+ShadowCosts shadowCosts(const ExactWork& work) {
+    return {
+        kExactAtAll + kSample * work.samples + kCasterTriangle * work.casterTriangles +
+            kCastTriangle * work.castTriangles + kSampleTest * work.sampleTests,
+        kMapsAtAll + kMapTriangle * kMapTrianglesPerCaster * work.casterTriangles + kMapLookup * work.samples};
+}
+
+std::optional<ShadowChoice> choiceWithoutCosts(const std::optional<ModeMemory>& before) {
+    if (!before || before->isExact || before->framesUnasked + 1 >= kFramesBetweenCosts) return std::nullopt;
+    ModeMemory memory = *before;
+    ++memory.framesUnasked;
+    return ShadowChoice{ShadowMode::Maps, ShadowReason::Held, memory};
+}
+
+ShadowChoice choiceByCosts(const ShadowCosts& costs, const std::optional<ModeMemory>& before) {
+    const bool isExactBest = costs.exact <= costs.maps;
+    bool isExact = isExactBest;
+    int framesDominated = 0;
+    if (before && before->isExact != isExactBest) {
+        const bool isDominated =
+            isExactBest ? costs.exact < kCheaper * costs.maps : costs.maps < kCheaper * costs.exact;
+        // A frame with maps stands for all that went by since costs were looked at.
+        const int frames = before->isExact ? 1 : before->framesUnasked + 1;
+        framesDominated = isDominated ? before->framesDominated + frames : 0;
+        isExact = framesDominated >= kFramesBeforeModeGoes ? isExactBest : before->isExact;
+    }
+    ShadowChoice choice;
+    choice.mode = isExact ? ShadowMode::Exact : ShadowMode::Maps;
+    choice.reason = isExact ? ShadowReason::ExactCostsNoMore : ShadowReason::MapsCostLess;
+    if (isExact != isExactBest) choice.reason = ShadowReason::Held;
+    choice.memory = ModeMemory{isExact, isExact == isExactBest ? 0 : framesDominated, 0};
+    return choice;
+}
+
+} // namespace gnomon::plan

@@ -1,8 +1,7 @@
 #include "raycast/scene.h"
 
-#include "core/error.h"
+#include "raycast/embree.h"
 
-#include <embree3/rtcore.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -12,26 +11,6 @@ namespace {
 
 /// Rays a task.
 constexpr std::size_t kRaysPerTask = 1024;
-
-void requireNoError(RTCDevice device, const char* what) {
-    const RTCError error = rtcGetDeviceError(device);
-    if (error != RTC_ERROR_NONE)
-        throw Error(std::string("ray tracing: ") + what + ": Embree error " + std::to_string(error));
-}
-
-RTCRay embreeRay(const Ray& ray) {
-    RTCRay result{};
-    result.org_x = ray.origin.x;
-    result.org_y = ray.origin.y;
-    result.org_z = ray.origin.z;
-    result.dir_x = ray.direction.x;
-    result.dir_y = ray.direction.y;
-    result.dir_z = ray.direction.z;
-    result.tnear = ray.least;
-    result.tfar = ray.greatest;
-    result.mask = ~0U;
-    return result;
-}
 
 template <class Body>
 void forAllRays(std::size_t count, const Body& body) {
@@ -53,10 +32,7 @@ struct Scene::State {
         std::uint32_t firstInPage = 0;
     };
 
-    State() : device(rtcNewDevice(nullptr)) {
-        if (device == nullptr) throw Error("ray tracing: Embree gives no device");
-        scene = rtcNewScene(device);
-    }
+    State() : device(newDevice()), scene(rtcNewScene(device)) {}
 
     ~State() {
         rtcReleaseScene(scene);
@@ -94,12 +70,9 @@ void Scene::State::count(std::span<const ClusterSpan> spans) {
 
 void Scene::State::addTriangles(
     std::span<const ClusterSpan> spans, const hierarchy::Grid& grid, const glm::dvec3& eye) {
-    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* positions = static_cast<float*>(
-        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), vertices));
-    auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), triangles));
-    requireNoError(device, "making room");
+    const TriangleGeometry filled = newTriangles(device, vertices, triangles);
+    float* positions = filled.positions;
+    std::uint32_t* indices = filled.indices;
     std::uint32_t firstVertex = 0;
     for (const Origin& origin : origins) {
         const hierarchy::Page& page = *spans[origin.span].page;
@@ -114,9 +87,7 @@ void Scene::State::addTriangles(
                 *indices++ = firstVertex + corner;
         firstVertex += cluster.vertexCount;
     }
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene, geometry);
-    rtcReleaseGeometry(geometry);
+    attachTriangles(scene, filled);
 }
 
 Scene::Scene(std::span<const ClusterSpan> spans, const hierarchy::Grid& grid, const glm::dvec3& eye)

@@ -3,6 +3,7 @@
 
 #include "core/units.h"
 #include "hierarchy/page.h"
+#include "raycast/ray.h"
 
 #include <cstdint>
 #include <memory>
@@ -19,14 +20,6 @@ struct ClusterSpan {
     std::uint32_t clusterCount = 0;
 };
 
-/// A ray; points are relative to the eye, in world orientation and units, so that floats lose nothing near it.
-struct Ray {
-    glm::vec3 origin{0};
-    glm::vec3 direction{0, 0, 1};
-    float least = 0; // of the parameter along `direction`
-    float greatest = std::numeric_limits<float>::infinity();
-};
-
 /// The first triangle on a ray.
 struct Hit {
     float distance = 0;         // the parameter along the ray's direction
@@ -41,13 +34,13 @@ struct Hit {
 /// What a scene takes at most while it is built, a triangle.
 inline constexpr Bytes kSceneBytesPerTriangle{83};
 
-/// An Embree scene. Its queries may come from many threads at once.
-class Scene {
+/// An Embree scene of one mesh, for rays relative to the eye. Its queries may come from many threads at once.
+class Scene final : public Occluders {
 public:
     /// Copies the triangles of `spans`, each drawn two-sided, relative to `eye` (local space), and builds over them:
     /// about 63 bytes and a quarter of a microsecond a triangle. Pages may go afterwards. Throws Error if Embree fails.
     Scene(std::span<const ClusterSpan> spans, const hierarchy::Grid& grid, const glm::dvec3& eye);
-    ~Scene();
+    ~Scene() override;
     Scene(Scene&& other) noexcept;
     Scene& operator=(Scene&& other) noexcept;
     Scene(const Scene&) = delete;
@@ -57,7 +50,7 @@ public:
 
     std::optional<Hit> firstHit(const Ray& ray) const;
 
-    bool isOccluded(const Ray& ray) const;
+    bool isOccluded(const Ray& ray) const override;
 
     /// For each ray its first hit, on all cores.
     std::vector<std::optional<Hit>> firstHits(std::span<const Ray> rays) const;

@@ -82,7 +82,7 @@ double percentile(std::vector<float>& sorted, double fraction) {
 
 } // namespace
 
-Light litByRay(const Scene& scene, const SurfacePoint& point, const glm::vec3& towardsLight) {
+Light litByRay(const Occluders& scene, const SurfacePoint& point, const glm::vec3& towardsLight) {
     if (point.normal == glm::vec3(0)) return Light::Nothing;
     if (glm::dot(point.normal, towardsLight) <= 0) return Light::Turned;
     const float off = point.offset + kRelativeOffset * glm::length(point.position);
@@ -90,7 +90,8 @@ Light litByRay(const Scene& scene, const SurfacePoint& point, const glm::vec3& t
     return scene.isOccluded(ray) ? Light::Dark : Light::Lit;
 }
 
-std::vector<Light> litByRays(const Scene& scene, std::span<const SurfacePoint> points, const glm::vec3& towardsLight) {
+std::vector<Light> litByRays(
+    const Occluders& scene, std::span<const SurfacePoint> points, const glm::vec3& towardsLight) {
     std::vector<Light> result(points.size());
     constexpr std::size_t kPerTask = 1024;
     tbb::parallel_for(std::size_t{0}, (points.size() + kPerTask - 1) / kPerTask, [&](std::size_t task) {

@@ -25,10 +25,11 @@ enum class Light : std::uint8_t {
 };
 
 /// Whether the light reaches one point. `towardsLight` has unit length.
-Light litByRay(const Scene& scene, const SurfacePoint& point, const glm::vec3& towardsLight);
+Light litByRay(const Occluders& scene, const SurfacePoint& point, const glm::vec3& towardsLight);
 
 /// What the light reaches, point by point, on all cores. `towardsLight` has unit length.
-std::vector<Light> litByRays(const Scene& scene, std::span<const SurfacePoint> points, const glm::vec3& towardsLight);
+std::vector<Light> litByRays(
+    const Occluders& scene, std::span<const SurfacePoint> points, const glm::vec3& towardsLight);
 
 /// How far a picture's shadows are from the reference, over its lit-side pixels: those that show a surface turned
 /// towards the light.

@@ -1,6 +1,7 @@
 // Rays against testing every triangle in doubles.
 #include "core/random.h"
 #include "hierarchy/tiny_model.h"
+#include "raycast/ray.h"
 #include "raycast/scene.h"
 
 #include <gtest/gtest.h>

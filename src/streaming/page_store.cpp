@@ -81,6 +81,7 @@ bool PageStore::admitLoaded() {
     for (const std::uint32_t page : requested_)
         if (entries_[page].retention == Retention::InUse) entries_[page].retention = Retention::None;
     areVictimsKnown_ = false;
+    makeRoom({0});
     requestKept();
     return hasCome || statistics_.pagesEvicted != evictedBefore;
 }
@@ -108,6 +109,7 @@ DemandOutcome PageStore::load(const Demand& demand) {
     loaders_.wait();
     outcome.hasChanged = takeFinished() || outcome.hasChanged;
     if (outcome.isBudgetBinding) outcome.hasChanged = dropUnkept() || outcome.hasChanged;
+    makeRoom({0}); // of pages that nobody asks for: what is kept beside others may need theirs
     countMissing(demand, outcome);
     return outcome;
 }
@@ -160,18 +162,19 @@ void PageStore::raiseParents() {
     }
 }
 
+/// The error of a budget below `least` for `what`.
+Error PageStore::tooSmall(const std::string& what, Bytes least) const {
+    const std::string found = readableBytes(options_.budget);
+    return {source_->name(), "the page cache is too small for " + what, "at least " + readableBytes(least), found};
+}
+
 /// Most urgent first, and everything that is certain before anything that is not; so parents before children.
 void PageStore::chooseKept(DemandOutcome& outcome) {
     Bytes total = pinned_;
     for (const std::uint32_t page : requested_) {
         Entry& entry = entries_[page];
         if (entry.need != Need::Certain || keep(entry, total)) continue;
-        if (entry.urgency == kInfinite)
-            throw Error(
-                source_->name(),
-                "the page cache is too small for the coarsest level",
-                "at least " + readableBytes({total.count + entry.bytes.count}),
-                readableBytes(options_.budget));
+        if (entry.urgency == kInfinite) throw tooSmall("the coarsest level", {total.count + entry.bytes.count});
         outcome.isBudgetBinding = true;
         return;
     }
@@ -202,6 +205,20 @@ void PageStore::requestKept() {
 
 void PageStore::reserve(Bytes bytes) {
     reserved_ = bytes;
+    makeRoom({0});
+}
+
+void PageStore::keepBeside(const std::function<Bytes(const hierarchy::PageInfo&)>& bytes) {
+    for (std::uint32_t page = 0; page < entries_.size(); ++page) {
+        Entry& entry = entries_[page];
+        const hierarchy::PageInfo& info = source_->pages()[page];
+        const std::uint64_t grown = decodedBytes(info).count + (bytes ? bytes(info).count : 0) - entry.bytes.count;
+        entry.bytes.count += grown;
+        if (entry.state == State::Loading || entry.state == State::Resident) statistics_.committed.count += grown;
+        if (entry.retention == Retention::Pinned) pinned_.count += grown;
+    }
+    if (pinned_ > options_.budget) throw tooSmall("the coarsest level and what is made of it", pinned_);
+    statistics_.peak = std::max(statistics_.peak, statistics_.committed);
     makeRoom({0});
 }
 
@@ -325,7 +342,7 @@ void PageStore::admit(LoadedPage loaded) {
     entry.content = std::move(loaded.content);
     table_[loaded.page] = entry.content.get();
     ++statistics_.residentPages;
-    statistics_.resident.count += entry.bytes.count;
+    statistics_.resident.count += decodedBytes(source_->pages()[loaded.page]).count;
     if (statistics_.pagesDamaged > 0) blockGroups(loaded.page);
 }
 
@@ -366,8 +383,9 @@ void PageStore::evict(std::uint32_t page) {
     blocked_.erase(blocked_.lower_bound({page, 0}), blocked_.lower_bound({page + 1, 0}));
     --statistics_.residentPages;
     ++statistics_.pagesEvicted;
-    statistics_.resident.count -= entry.bytes.count;
+    statistics_.resident.count -= decodedBytes(source_->pages()[page]).count;
     release(page);
+    if (options_.onEvicted) options_.onEvicted(page);
 }
 
 void PageStore::countMissing(const Demand& demand, DemandOutcome& outcome) const {

@@ -1,6 +1,7 @@
 // The page cache: decoded pages under a hard budget, loaded by the error that they remove, closed upwards at any time.
 #pragma once
 
+#include "core/error.h"
 #include "core/units.h"
 #include "hierarchy/residency.h"
 #include "streaming/loaders.h"
@@ -21,9 +22,10 @@ struct DamagedPage {
 };
 
 struct PageStoreOptions {
-    Bytes budget = gibibytes(1); // of decoded pages, those that are being loaded included
+    Bytes budget = gibibytes(1); // of decoded pages and what is kept beside them, those that are being loaded included
     unsigned loaderThreads = 4;
-    std::function<void(const DamagedPage&)> onDamaged; // once for each, on the thread of `admitLoaded` and `load`
+    std::function<void(const DamagedPage&)> onDamaged;      // once for each, on the thread of `admitLoaded` and `load`
+    std::function<void(std::uint32_t page)> onEvicted = {}; // as its memory is given back, on the store's thread
     /// Whether a page that cannot be read counts as damaged; else that is an error: `admitLoaded` and `load` throw it.
     bool drawsWithoutUnread = false;
 };
@@ -49,7 +51,7 @@ struct DemandOutcome {
 struct StoreStatistics {
     std::uint64_t residentPages = 0;
     Bytes resident;  // decoded
-    Bytes committed; // resident or being loaded
+    Bytes committed; // resident or being loaded, with what is kept beside
     Bytes peak;      // the most that was ever committed
     Bytes read;      // stored bytes of all pages read so far
     std::uint64_t pagesRead = 0;
@@ -100,6 +102,11 @@ public:
     /// the last `load` does not need; 0 gives all back.
     void reserve(Bytes bytes);
 
+    /// Makes room beside each resident page for what its owner makes of it, `bytes` of the page (null: nothing), in
+    /// place of what there was; it is to go with the page. Evicts what the last `load` does not need; the next takes no
+    /// more pages than fit so. Throws Error if the pages that always stay do not.
+    void keepBeside(const std::function<Bytes(const hierarchy::PageInfo&)>& bytes);
+
     const StoreStatistics& statistics() const { return statistics_; }
 
 private:
@@ -126,7 +133,7 @@ private:
     struct Entry {
         std::unique_ptr<const hierarchy::Page> content;
         std::vector<std::uint32_t> parents;
-        Bytes bytes;
+        Bytes bytes;                    // of the page and what is kept beside it
         std::uint64_t lastUsed = 0;     // the demand that last requested it
         double urgency = 0;             // in the current demand; above 0 only if it is in `requested_`
         std::uint32_t heldChildren = 0; // resident or loading
@@ -143,6 +150,7 @@ private:
     void rank(const Demand& demand);
     void raisePriority(std::uint32_t page, double urgency, Need need);
     void raiseParents();
+    Error tooSmall(const std::string& what, Bytes least) const;
     void chooseKept(DemandOutcome& outcome);
     bool keep(Entry& entry, Bytes& total) const;
     void requestKept();

@@ -59,6 +59,10 @@ int seenSide(const Corners& corners, const glm::i64vec3& scaledEye) {
     return signOf(dot(normalOf(corners), scaledEye - corners[0] * kScale));
 }
 
+bool isInPlane(const Corners& corners, const glm::i64vec3& scaledPoint) {
+    return dot(normalOf(corners), corners[0] * kScale - scaledPoint) == 0;
+}
+
 RayMeeting meet(
     const Corners& caster, const IntegerLight& light, const glm::i64vec3& scaledPoint, std::uint32_t tolerance) {
     const WideVector normal = normalOf(caster);

@@ -29,6 +29,9 @@ int facing(const Corners& corners, const IntegerLight& light);
 /// The sign of n . (eye - A) for the eye in 2^-24 cells: which side is seen; 0 from within the plane.
 int seenSide(const Corners& corners, const glm::i64vec3& scaledEye);
 
+/// Whether scaledPoint / 2^24 lies in the plane of the triangle, which no ray from there meets ahead.
+bool isInPlane(const Corners& corners, const glm::i64vec3& scaledPoint);
+
 /// Where a triangle meets the ray from a point towards the light.
 enum class Meeting : std::uint8_t {
     None,     // beside the ray, behind the point or in its very plane

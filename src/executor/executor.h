@@ -17,6 +17,10 @@
 #include <string>
 #include <vector>
 
+namespace gnomon::raycast {
+class CutScene;
+}
+
 namespace gnomon::executor {
 
 /// The decoded page of an id that a draw list names; valid until the frame is drawn.
@@ -104,6 +108,7 @@ struct FrameDrawing {
     bool wantsSurfaces = false;                    // keep what `surfaces` returns
     const Raster<std::uint8_t>* litMask = nullptr; // 255 where the light reaches, instead of maps
     const selection::DrawList* exactCasters = nullptr; // of drawExactly, besides the image's own clusters
+    const raycast::CutScene* rays = nullptr;           // of both: decide what drawExactly else does by casting
 };
 
 /// What one kind of passes took.
@@ -158,8 +163,8 @@ public:
     /// Whether `drawExactly` can be called.
     virtual bool decidesExactly() const { return false; }
 
-    /// Draws the image of a frame whose plan asks for exact shadows: what is visible first, then who stands in its
-    /// light. Throws Error where the executor cannot.
+    /// Draws the image of a frame whose plan asks for exact shadows or for rays: what is visible first, then who stands
+    /// in its light. Throws Error where the executor cannot.
     virtual DrawStatistics drawExactly(const FrameDrawing& frame);
 
     /// What geometry and textures hold since the last frame.

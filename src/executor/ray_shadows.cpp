@@ -33,7 +33,7 @@ glm::vec3 towardsLight(const plan::FramePlan& plan) {
 }
 
 std::vector<raycast::Light> lightByRays(
-    const raycast::Scene& scene,
+    const raycast::Occluders& scene,
     const plan::FramePlan& plan,
     const DrawSpace& space,
     const Raster<SurfaceSample>& surfaces,
@@ -52,22 +52,50 @@ std::vector<raycast::Light> lightByRays(
     return light;
 }
 
-TracedShadows traceShadows(Executor& executor, FrameDrawing frame, const selection::DrawList& casters) {
-    const Stopwatch watch;
+namespace {
+
+raycast::CutScene cutScene(const FrameDrawing& frame, raycast::KeptTrees& trees) {
+    std::vector<raycast::PageClusters> clusters;
+    for (const selection::DrawList* list : {frame.image, frame.exactCasters})
+        for (const selection::ClusterRange& range : list->ranges)
+            clusters.push_back({range.page, {&frame.pages(range.page), range.firstCluster, range.clusterCount}});
+    return {trees, clusters, frame.grid, frame.space.originCell};
+}
+
+/// Where the light reaches in the image of `frame`, 255 there and else 0; draws that, and counts the calls.
+Raster<std::uint8_t> litBySurfaces(Executor& executor, FrameDrawing frame, std::uint64_t& drawCalls) {
     frame.wantsSurfaces = true;
     frame.overlay = Overlay::None;
-    TracedShadows result;
-    result.statistics = executor.drawShadowMaps(frame);
-    result.statistics.drawCalls += executor.drawImage(frame).drawCalls;
+    drawCalls += executor.drawImage(frame).drawCalls;
     const Raster<SurfaceSample> surfaces = executor.surfaces();
-    const std::array lists = {frame.image, &casters};
     const std::vector<raycast::Light> light =
-        lightByRays(rayScene(frame, lists), *frame.plan, frame.space, surfaces, kTouchingPixels);
-    result.litMask = Raster<std::uint8_t>(surfaces.width, surfaces.height);
+        lightByRays(*frame.rays, *frame.plan, frame.space, surfaces, kTouchingPixels);
+    Raster<std::uint8_t> lit(surfaces.width, surfaces.height);
     for (std::size_t i = 0; i < light.size(); ++i)
-        result.litMask.pixels[i] = light[i] == raycast::Light::Lit ? 255 : 0;
-    result.statistics.time = watch.elapsed();
-    return result;
+        lit.pixels[i] = light[i] == raycast::Light::Lit ? 255 : 0;
+    return lit;
+}
+
+} // namespace
+
+DrawStatistics drawByRays(Executor& executor, FrameDrawing frame, raycast::KeptTrees& trees) {
+    const Stopwatch watch;
+    const raycast::CutScene scene = cutScene(frame, trees);
+    frame.rays = &scene;
+    const Milliseconds making = watch.elapsed();
+    DrawStatistics statistics;
+    if (executor.decidesExactly()) {
+        statistics = executor.drawExactly(frame);
+        statistics.shadows.time.count += making.count;
+        return statistics;
+    }
+    statistics.shadows = executor.drawShadowMaps(frame); // of a frame without, it forgets those before
+    const Raster<std::uint8_t> lit = litBySurfaces(executor, frame, statistics.shadows.drawCalls);
+    statistics.shadows.time = watch.elapsed();
+    frame.litMask = &lit;
+    statistics.image = executor.drawImage(frame);
+    statistics.deviceMemory = executor.deviceMemory();
+    return statistics;
 }
 
 } // namespace gnomon::executor

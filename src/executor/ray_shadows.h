@@ -1,7 +1,8 @@
-// Shadows of a picture by exact rays: the reference that shadow maps are held against.
+// Shadows of a picture by rays: the reference that shadow maps are held against, and a way to draw them.
 #pragma once
 
 #include "executor/executor.h"
+#include "raycast/kept_trees.h"
 #include "raycast/shadow_oracle.h"
 
 #include <span>
@@ -25,20 +26,15 @@ inline constexpr double kTouchingPixels = 0.25;
 /// What the light reaches of `surfaces`, per pixel. Rays begin `offsetPixels` from the surface: kTouchingPixels, or the
 /// error of the surface where the scene is of another level of detail.
 std::vector<raycast::Light> lightByRays(
-    const raycast::Scene& scene,
+    const raycast::Occluders& scene,
     const plan::FramePlan& plan,
     const DrawSpace& space,
     const Raster<SurfaceSample>& surfaces,
     double offsetPixels);
 
-/// The shadows of a frame by rays, in place of maps.
-struct TracedShadows {
-    Raster<std::uint8_t> litMask; // for FrameDrawing::litMask
-    PassStatistics statistics;    // with the image that tells where the rays begin
-};
-
-/// Draws the image of `frame`, whose plan has no maps, for its surfaces alone, and traces rays from them to the light
-/// against the image's list and `casters`.
-TracedShadows traceShadows(Executor& executor, FrameDrawing frame, const selection::DrawList& casters);
+/// Draws `frame`, whose plan has no maps, in the shadows that rays find among its image's clusters and exactCasters,
+/// over trees that are kept. They begin at the samples of exact shadows where the executor has those, with the same
+/// tolerance; else kTouchingPixels off its surfaces, for which the image is drawn twice.
+DrawStatistics drawByRays(Executor& executor, FrameDrawing frame, raycast::KeptTrees& trees);
 
 } // namespace gnomon::executor

@@ -3,6 +3,7 @@
 #include "core/stopwatch.h"
 #include "executor/exact_pass.h"
 #include "executor/frame_block.h"
+#include "executor/ray_pass.h"
 #include "plan/cell_maps.h"
 
 #include <tbb/blocked_range.h>
@@ -42,7 +43,7 @@ private:
     void clearBetweenMaps(const plan::FramePlan& plan);
     void sizeTargets(const FrameDrawing& frame);
     void shade(const FrameDrawing& frame);
-    void lightDecided(const FrameDrawing& frame);
+    void lightDecided(const FrameDrawing& frame, std::span<const std::uint8_t> statuses);
 
     raster::Rasterizer rasterizer_;
     SoftwarePass pass_;                // the one that is drawn
@@ -125,10 +126,10 @@ PassStatistics SoftwareExecutor::drawImage(const FrameDrawing& frame) {
     return {watch.elapsed(), frame.image->ranges.size(), std::nullopt};
 }
 
-/// Gives the light to the samples that it reaches; where more than colours is wanted, by shading once more.
-void SoftwareExecutor::lightDecided(const FrameDrawing& frame) {
+/// Gives the light to the samples that it reaches by their `statuses`; where more than colours is wanted, by shading
+/// once more.
+void SoftwareExecutor::lightDecided(const FrameDrawing& frame, std::span<const std::uint8_t> statuses) {
     const exact::SampleList& samples = exact_.samples();
-    const std::span<const std::uint8_t> statuses = exact_.statuses();
     const bool isShadedAgain = frame.overlay != Overlay::None || frame.wantsSurfaces;
     if (!isShadedAgain) {
         constexpr std::size_t kGrain = 16384;
@@ -160,11 +161,15 @@ DrawStatistics SoftwareExecutor::drawExactly(const FrameDrawing& frame) {
     drawUndecided(frame, {&rasterizer_, &pass_, &words_, &picture_}, exact_.samples(), undecided_);
     statistics.image = {watch.elapsed(), frame.image->ranges.size(), std::nullopt};
     const Stopwatch shadowWatch;
-    const std::vector<exact::Caster> casters = exactCasters(frame, pass_);
-    const std::vector<glm::dmat3> planes = cellPlanes(frame, exact_.samples().space().shear);
-    const hierarchy::GridPoint origin = frame.space.originCell;
-    statistics.exact = exact_.decide({casters, {origin.x, origin.y, origin.z}, planes, plan::kCellSide});
-    lightDecided(frame);
+    if (frame.rays != nullptr) {
+        lightDecided(frame, tracedStatuses(frame, *frame.rays, exact_.samples(), pass_.drawn()));
+    } else {
+        const std::vector<exact::Caster> casters = exactCasters(frame, pass_);
+        const std::vector<glm::dmat3> planes = cellPlanes(frame, exact_.samples().space().shear);
+        const hierarchy::GridPoint origin = frame.space.originCell;
+        statistics.exact = exact_.decide({casters, {origin.x, origin.y, origin.z}, planes, plan::kCellSide});
+        lightDecided(frame, exact_.statuses());
+    }
     statistics.shadows = {shadowWatch.elapsed(), 0, std::nullopt};
     statistics.deviceMemory = deviceMemory();
     return statistics;

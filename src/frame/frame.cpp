@@ -19,7 +19,8 @@ Frame Renderer::render(const plan::View& view, const plan::Quality& quality, con
     Frame frame{prepare(view, meant, options.waiting, previous_), options, {}};
     if (options.reusesMaps) markReusedMaps(frame);
     const executor::DrawStatistics drawn = draw(frame, options);
-    frame.row = frameRow(frame, drawn, {model_->path(), executor_->name(), residency_.statistics()});
+    frame.row =
+        frameRow(frame, drawn, {model_->path(), executor_->name(), residency_.statistics(), residency_.rayTreeBytes()});
     frame.row.totalMs = watch.elapsed().count;
     previous_ = std::make_shared<const plan::PlannedFrame>(plan::PlannedFrame{frame.plan, frame.memory});
     return frame;
@@ -31,6 +32,7 @@ PreparedFrame Renderer::prepareAs(
     Waiting waiting,
     const std::shared_ptr<const plan::PlannedFrame>& before) {
     const hierarchy::ModelSummary& model = model_->summary();
+    residency_.keepRayTrees(quality.shadows == plan::ShadowMode::Rays);
     double streamMs = 0; // all that waiting costs: the rounds but the last are made for it
     addTime(streamMs, [&] { residency_.admitLoaded(waiting); });
     for (;;) {
@@ -69,23 +71,12 @@ PreparedFrame Renderer::prepareAs(
 executor::DrawStatistics Renderer::draw(const PreparedFrame& frame, const FrameOptions& options) {
     heldMaps_.reset();
     executor::FrameDrawing drawing = this->drawing(frame, options);
-    if (frame.isExact()) {
-        drawing.exactCasters = &frame.cut.lists[1];
-        return executor_->drawExactly(drawing);
-    }
-    executor::DrawStatistics statistics;
-    executor::TracedShadows traced;
-    if (frame.isRayTraced()) {
-        traced = executor::traceShadows(*executor_, drawing, frame.cut.lists[1]);
-        statistics.shadows = traced.statistics;
-        drawing.litMask = &traced.litMask;
-    } else {
-        statistics.shadows = executor_->drawShadowMaps(drawing);
-    }
-    statistics.image = executor_->drawImage(drawing);
-    statistics.deviceMemory = executor_->deviceMemory();
+    if (frame.hasOneCasterList()) drawing.exactCasters = &frame.cut.lists[1];
+    if (frame.isExact()) return executor_->drawExactly(drawing);
+    if (frame.isRayTraced()) return executor::drawByRays(*executor_, drawing, residency_.rayTrees());
+    executor::DrawStatistics statistics = executor_->draw(drawing);
     if (frame.plan.quality.shadows == plan::ShadowMode::Exact) statistics.exact.emplace(); // nothing to decide
-    if (!frame.isRayTraced()) rememberMaps(frame);
+    rememberMaps(frame);
     return statistics;
 }
 

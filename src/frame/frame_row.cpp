@@ -64,7 +64,7 @@ telemetry::FrameRow frameRow(
     row.castersKept = toCount(castersKept);
     row.castersTested = toCount(plan.passes.empty() ? 0 : frame.cut.clustersTested);
     row.drawCalls = toCount(drawn.shadows.drawCalls + drawn.image.drawCalls);
-    row.residentBytes = toCount(source.residency.resident.count);
+    row.residentBytes = toCount(source.residency.resident.count + source.trees.count);
     row.gpuBytes = toCount(drawn.deviceMemory.count);
     row.bytesRead = toCount(source.residency.read.count);
     row.pagesMissing = toCount(frame.residency.pagesMissing);

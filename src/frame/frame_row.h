@@ -14,6 +14,7 @@ struct FrameSource {
     std::string model; // path
     std::string executor;
     streaming::StoreStatistics residency; // once its pages were there
+    Bytes trees{};                        // of rays, kept beside those pages
 };
 
 /// The row of a frame that took `drawn` to draw; without its total time, and without what a proof finds out.

@@ -52,6 +52,10 @@ Residency::Residency(const hierarchy::ModelFile& model, ResidencyOptions options
           {.budget = pageMemory(model, options.memory),
            .loaderThreads = kLoaderThreads,
            .onDamaged = std::move(options.onDamaged),
+           .onEvicted =
+               [this](std::uint32_t page) {
+                   if (rayTrees_) rayTrees_->drop(page);
+               },
            .drawsWithoutUnread = options.drawsWithoutUnread}),
       trees_(model.pages(), model.summary().grid) {}
 
@@ -61,6 +65,12 @@ selection::CutQuery Residency::query() const {
     query.resident = store_.resident();
     query.blocked = &store_.blocked();
     return query;
+}
+
+void Residency::keepRayTrees(bool areKept) {
+    if (areKept == (rayTrees_ != nullptr)) return;
+    rayTrees_ = areKept ? std::make_unique<raycast::KeptTrees>() : nullptr;
+    store_.keepBeside(areKept ? raycast::keptTreeBytes : std::function<Bytes(const hierarchy::PageInfo&)>());
 }
 
 void Residency::admitLoaded(Waiting waiting) {
@@ -88,6 +98,13 @@ Bytes Residency::bytesWith(std::span<const std::uint32_t> pages) const {
     Bytes result = tableBytes(*model_);
     for (const std::uint32_t page : pages)
         result.count += streaming::decodedBytes(model_->pages()[page]).count;
+    return result;
+}
+
+Bytes Residency::rayTreeBytesWith(std::span<const std::uint32_t> pages) const {
+    Bytes result;
+    for (const std::uint32_t page : pages)
+        result.count += raycast::keptTreeBytes(model_->pages()[page]).count;
     return result;
 }
 

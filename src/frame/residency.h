@@ -2,11 +2,14 @@
 // that its cut wants.
 #pragma once
 
+#include "core/check.h"
 #include "hierarchy/model_file.h"
+#include "raycast/kept_trees.h"
 #include "selection/cut.h"
 #include "streaming/page_store.h"
 
 #include <functional>
+#include <memory>
 #include <optional>
 
 namespace gnomon::frame {
@@ -54,11 +57,27 @@ public:
     /// What the tables and `pages` take.
     Bytes bytesWith(std::span<const std::uint32_t> pages) const;
 
+    /// What trees of rays over all of `pages` would take.
+    Bytes rayTreeBytesWith(std::span<const std::uint32_t> pages) const;
+
     /// What tables and pages may take.
     Bytes memory() const { return memory_; }
 
     /// Keeps `bytes` of the memory for something else than pages; what the last frame that waited needs stays resident.
     void reserve(Bytes bytes) { store_.reserve(bytes); }
+
+    /// Keeps room for trees of rays beside each page, in the same memory, or forgets the trees and gives that back.
+    /// Throws Error if they do not fit beside the pages that always stay.
+    void keepRayTrees(bool areKept);
+
+    /// The trees of resident pages; only while they are kept. Those of a page go with it.
+    raycast::KeptTrees& rayTrees() {
+        GNOMON_CHECK(rayTrees_);
+        return *rayTrees_;
+    }
+
+    /// What the trees take by now.
+    Bytes rayTreeBytes() const { return rayTrees_ ? rayTrees_->bytes() : Bytes(); }
 
     const streaming::StoreStatistics& statistics() const { return store_.statistics(); }
 
@@ -68,6 +87,7 @@ private:
     const hierarchy::ModelFile* model_;
     Bytes memory_;
     streaming::FilePageSource source_;
+    std::unique_ptr<raycast::KeptTrees> rayTrees_; // null while none are kept
     streaming::PageStore store_;
     selection::PageTrees trees_;
     std::optional<selection::DetailView> before_; // the view of the frame before

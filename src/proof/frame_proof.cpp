@@ -14,9 +14,9 @@ namespace gnomon::proof {
 namespace {
 
 /// Prepares the finest level of `frame`'s view, with the casters that rays can meet.
-frame::PreparedFrame finest(frame::Renderer& renderer, const frame::Frame& frame) {
+frame::PreparedFrame finest(frame::Renderer& renderer, const frame::Frame& frame, plan::ShadowMode shadows) {
     plan::Quality quality = frame.plan.quality;
-    quality.shadows = plan::ShadowMode::Rays;
+    quality.shadows = shadows;
     quality.errorPixels = 0;
     quality.maxTriangles.reset();
     return renderer.prepare(frame.plan.view, quality, frame::Waiting::UntilComplete, frame.before);
@@ -24,7 +24,7 @@ frame::PreparedFrame finest(frame::Renderer& renderer, const frame::Frame& frame
 
 /// The picture of the finest level in ray-traced shadows; drawn. For `oracle` of full detail it is whole, or an error.
 executor::Picture finestPicture(frame::Renderer& renderer, const frame::Frame& frame, Oracle oracle) {
-    const frame::PreparedFrame fine = finest(renderer, frame);
+    const frame::PreparedFrame fine = finest(renderer, frame, plan::ShadowMode::Rays);
     std::optional<RayMemory> memory;
     if (oracle == Oracle::FullDetail) memory.emplace(renderer, fine);
     renderer.draw(fine, {});
@@ -35,10 +35,10 @@ executor::Picture finestPicture(frame::Renderer& renderer, const frame::Frame& f
 ShadowTruth truthOfFullDetail(
     frame::Renderer& renderer, const frame::Frame& frame, const executor::FrameDrawing& drawing) {
     const executor::Raster<executor::SurfaceSample> surfaces = renderer.executor().surfaces();
-    const frame::PreparedFrame fine = finest(renderer, frame);
+    // As an exact frame, which keeps nothing beside its pages: rays meet one scene here.
+    const frame::PreparedFrame fine = finest(renderer, frame, plan::ShadowMode::Exact);
     const RayMemory memory(renderer, fine);
-    const std::array lists = {&fine.cut.lists[0], &fine.cut.lists[1]};
-    const raycast::Scene scene = executor::rayScene(drawing, lists);
+    const raycast::Scene scene = executor::rayScene(drawing, listsOf(fine));
     // The true surface may lie as far from the drawn one as the cut allows.
     const auto light = executor::lightByRays(
         scene, frame.plan, drawing.space, surfaces, std::max(executor::kTouchingPixels, frame.errorPixels));

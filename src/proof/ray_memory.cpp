@@ -4,7 +4,7 @@
 #include "executor/ray_shadows.h"
 #include "frame/frame_cuts.h"
 
-#include <array>
+#include <vector>
 
 namespace gnomon::proof {
 
@@ -18,10 +18,9 @@ bool isWhole(const frame::PreparedFrame& frame) {
 
 /// The triangles that rays against all of `frame` can meet, which is whole.
 std::uint64_t triangleCount(const frame::Renderer& renderer, const frame::PreparedFrame& frame) {
-    const std::array lists = {&frame.cut.lists[0], &frame.cut.lists[1]};
     const hierarchy::ResidentPages resident = renderer.residency().resident();
     std::uint64_t triangles = 0;
-    for (const selection::ClusterRange& cluster : executor::distinctClusters(lists))
+    for (const selection::ClusterRange& cluster : executor::distinctClusters(listsOf(frame)))
         triangles += resident[cluster.page]->clusters[cluster.firstCluster].triangleCount;
     return triangles;
 }
@@ -43,9 +42,17 @@ std::uint64_t wholeMebibytes(Bytes bytes) {
 
 } // namespace
 
+std::vector<const selection::DrawList*> listsOf(const frame::PreparedFrame& frame) {
+    std::vector<const selection::DrawList*> lists;
+    for (const selection::DrawList& list : frame.cut.lists)
+        lists.push_back(&list);
+    return lists;
+}
+
 MemoryWithRays memoryWithRays(const frame::Renderer& renderer, const frame::PreparedFrame& fine) {
     const frame::Residency& residency = renderer.residency();
     const std::vector<std::uint32_t> pages = residency.pagesOf(frame::cutQuery(residency, fine), fine.cut);
+    if (fine.isRayTraced()) return {residency.bytesWith(pages), residency.rayTreeBytesWith(pages)};
     const std::uint64_t triangles = isWhole(fine) ? triangleCount(renderer, fine) : finestTriangles(renderer, pages);
     return {residency.bytesWith(pages), {triangles * raycast::kSceneBytesPerTriangle.count}};
 }
@@ -64,7 +71,7 @@ RayMemory::RayMemory(frame::Renderer& renderer, const frame::PreparedFrame& fine
             "the finest level of this view and rays against it take more than the page memory",
             "at least " + std::to_string(wholeMebibytes(needed.all())) + "M",
             readableBytes(residency_->memory()));
-    residency_->reserve(needed.rays);
+    if (!fine.isRayTraced()) residency_->reserve(needed.rays); // else its trees have their room beside its pages
 }
 
 RayMemory::~RayMemory() {

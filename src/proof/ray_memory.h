@@ -3,15 +3,20 @@
 
 #include "frame/renderer.h"
 
+#include <vector>
+
 namespace gnomon::proof {
 
 /// What a frame of the finest level takes.
 struct MemoryWithRays {
     Bytes pages; // with the tables
-    Bytes rays;  // a scene of all its triangles
+    Bytes rays;  // a scene of all its triangles, or the trees that are kept beside its pages
 
     Bytes all() const { return {pages.count + rays.count}; }
 };
+
+/// All that rays of `frame` can meet: the image's list, and the casters' where anything faces the light.
+std::vector<const selection::DrawList*> listsOf(const frame::PreparedFrame& frame);
 
 /// What `fine` takes, which `renderer` has just prepared: exactly if all its pages are resident, else no less than
 /// that.

@@ -4,9 +4,11 @@
 #include "tests/exact/plain_meeting.h"
 #include "tests/exact/random.h"
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace gnomon::exact {
 namespace {
@@ -141,6 +143,27 @@ TEST(Predicate, ItsOwnPlaneAndTheLightsPlaneCastNothing) {
         EXPECT_EQ(meet(corners, within, point - within.direction, 0).meeting, Meeting::None);
         EXPECT_EQ(signOf(seenSide(corners, point)), 0);
     }
+}
+
+TEST(Predicate, KnowsWhatLiesInAPlane) {
+    Random random(6);
+    std::array<int, 2> found{};
+    for (int i = 0; i < 5000; ++i) {
+        const Corners corners{random.point(-9, 9), random.point(-9, 9), random.point(-9, 9)};
+        const glm::i64vec3 point = random.whole(0, 1) == 0
+                                       ? random.point(-9, 9) * (kScale / 2)
+                                       : corners[0] * kScale + (corners[1] - corners[0]) * random.whole(-5, 5) +
+                                             (corners[2] - corners[0]) * random.whole(-5, 5);
+        // The volume over it, in edges from the point: another formula.
+        const auto edge = [&](std::size_t k) { return corners[k] * kScale - point; };
+        const glm::dvec3 a(edge(0)), b(edge(1)), c(edge(2));
+        const double volume = glm::dot(glm::cross(a * 0x1p-24, b * 0x1p-24), c * 0x1p-24);
+        const bool isIn = isInPlane(corners, point);
+        EXPECT_EQ(isIn, std::abs(volume) < 0x1p-40) << volume;
+        ++found[isIn ? 1 : 0];
+    }
+    EXPECT_GT(found[0], 1000);
+    EXPECT_GT(found[1], 1000);
 }
 
 TEST(Predicate, AsFarAsTheToleranceStillTouches) {

@@ -62,7 +62,7 @@ TEST_F(FullOracle, KeepsRoomForItsRays) {
     const std::unique_ptr<executor::Executor> executor = executor::makeSoftwareExecutor();
     const auto prepared = [&](frame::Renderer& renderer) {
         plan::Quality quality = triple().quality;
-        quality.shadows = plan::ShadowMode::Rays;
+        quality.shadows = plan::ShadowMode::Exact;
         quality.errorPixels = 0;
         return renderer.prepare(triple().view, quality, frame::Waiting::UntilComplete, nullptr);
     };

@@ -1,0 +1,83 @@
+#include "executor/ray_pass.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gnomon::executor {
+
+namespace {
+
+/// The corners of a triangle of a cluster, cells from the frame's origin.
+exact::Corners cornersOf(
+    const FrameDrawing& frame, const hierarchy::Vertex* vertices, const hierarchy::Triangle& triangle) {
+    const hierarchy::GridPoint& origin = frame.space.originCell;
+    exact::Corners corners;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+        const hierarchy::GridPoint& p = vertices[triangle[k]].position;
+        corners[k] = glm::i64vec3(p.x, p.y, p.z) - glm::i64vec3(origin.x, origin.y, origin.z);
+    }
+    return corners;
+}
+
+/// Lets rays pass the triangle that they start on, and those in its plane.
+class PlaneRule final : public raycast::HitRule {
+public:
+    PlaneRule(const FrameDrawing& frame, const exact::SampleList& samples, std::span<const DrawnCluster> drawn)
+        : frame_(&frame), samples_(&samples), drawn_(drawn) {}
+
+    bool stops(std::uint32_t ray, const raycast::PageTriangle& met) const override {
+        const std::uint32_t name = samples_->triangle[ray];
+        const DrawnCluster& own = drawn_[name >> kTriangleBits];
+        const std::uint32_t ownTriangle = name & (raster::kMaxClusterTriangles - 1);
+        if (met.page == own.pageId && met.cluster == own.cluster && met.triangle == ownTriangle) return false;
+        const hierarchy::Page& page = frame_->pages(met.page);
+        const hierarchy::Cluster& cluster = page.clusters[met.cluster];
+        const exact::Corners corners = cornersOf(
+            *frame_, &page.vertices[cluster.firstVertex], page.triangles[cluster.firstTriangle + met.triangle]);
+        const exact::PointOnTriangle point{
+            cornersOf(*frame_, own.vertices, own.triangles[ownTriangle]), samples_->second[ray], samples_->third[ray]};
+        return !exact::isInPlane(corners, exact::scaledPoint(point));
+    }
+
+private:
+    const FrameDrawing* frame_;
+    const exact::SampleList* samples_;
+    std::span<const DrawnCluster> drawn_;
+};
+
+/// The ray of sample `i`, in cells: its direction is the light's without a rounding, its parameter 2^24 a direction.
+raycast::Ray rayOf(const exact::SampleList& samples, std::size_t i) {
+    const exact::SampleSpace& space = samples.space();
+    const exact::LightShear& shear = space.shear;
+    const double along = shear.sign * samples.h[i];
+    glm::dvec3 origin(0);
+    origin[shear.along] = along;
+    origin[shear.first] = samples.u[i] + shear.firstRatio * along;
+    origin[shear.second] = samples.v[i] + shear.secondRatio * along;
+    raycast::Ray ray;
+    ray.origin = glm::vec3(origin);
+    ray.direction = glm::vec3(glm::dvec3(space.light.direction) * std::ldexp(1.0, -exact::kLightBits));
+    ray.least = static_cast<float>(samples.tolerance[i]);
+    return ray;
+}
+
+} // namespace
+
+std::vector<std::uint8_t> tracedStatuses(
+    const FrameDrawing& frame,
+    const raycast::CutScene& scene,
+    const exact::SampleList& samples,
+    std::span<const DrawnCluster> drawn) {
+    constexpr std::size_t kPerTask = 1024;
+    const PlaneRule rule(frame, samples, drawn);
+    std::vector<std::uint8_t> statuses(samples.size(), exact::kLit);
+    tbb::parallel_for(std::size_t{0}, (samples.size() + kPerTask - 1) / kPerTask, [&](std::size_t task) {
+        for (std::size_t i = task * kPerTask; i < std::min(samples.size(), (task + 1) * kPerTask); ++i)
+            if (scene.isStopped(rayOf(samples, i), static_cast<std::uint32_t>(i), rule)) statuses[i] = exact::kDark;
+    });
+    return statuses;
+}
+
+} // namespace gnomon::executor

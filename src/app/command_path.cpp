@@ -3,6 +3,7 @@
 #include "app/thread_limit.h"
 #include "core/file.h"
 #include "path/suited_path.h"
+#include "settings/path_options.h"
 
 #include <memory>
 
@@ -11,7 +12,7 @@ namespace gnomon::app {
 void addPathCommand(CLI::App& program) {
     struct Options {
         std::string model;
-        std::string kind = "orbit";
+        settings::PathOptions path;
         std::string output;
         CommonOptions common;
     };
@@ -19,16 +20,17 @@ void addPathCommand(CLI::App& program) {
     CLI::App* command = program.add_subcommand("path", "Find a camera path that suits a model");
     auto options = std::make_shared<Options>();
     command->add_option("MODEL", options->model, "A .gnm file")->required();
-    command->add_option("--kind", options->kind, "walk is at eye height, with a high depth range")
-        ->check(CLI::IsMember({"walk", "orbit", "flyby", "approach"}))
-        ->required();
+    command->add_option("--kind", options->path.kind, settings::kPathKindHelp)->required();
     command->add_option("-o,--output", options->output, "The path, JSON")->required();
+    command->add_option("--storey", options->path.walk.storey, "Of a walk: only there; 0 is the lowest");
+    command->add_option("--eye-height", options->path.walk.eyeHeight, "Of a walk; 1.7 where metres fit the model");
     addCommonOptions(*command, options->common);
     command->callback([options] {
+        settings::checkPathOptions(options->path);
         const ThreadLimit limit(options->common);
         requireApart({{"MODEL", options->model}}, {{"--output", options->output}});
         const hierarchy::ModelFile model(options->model);
-        writeTextFile(options->output, path::toJson(path::suitedPath(model, options->kind)));
+        writeTextFile(options->output, path::toJson(path::suitedPath(model, options->path.kind, options->path.walk)));
     });
 }
 

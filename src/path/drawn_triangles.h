@@ -1,0 +1,36 @@
+// The triangles of a cut of a model, in world space, read page by page.
+#pragma once
+
+#include "hierarchy/cut_rule.h"
+#include "hierarchy/model_file.h"
+
+#include <array>
+#include <limits>
+
+namespace gnomon::path {
+
+using TriangleCorners = std::array<glm::dvec3, 3>;
+
+/// Calls `visit` for each triangle of the cut that refines what `isRefined(error, bounds)` says (bounds in local space;
+/// monotone along refinements), in world space: pages that it does not reach stay unread, so that it takes as long for
+/// a model of any size.
+template <class IsRefined, class Visit>
+void forEachTriangle(const hierarchy::ModelFile& model, const IsRefined& isRefined, const Visit& visit) {
+    const hierarchy::Grid& grid = model.summary().grid;
+    for (std::uint32_t id = 0; id < model.pages().size(); ++id) {
+        const hierarchy::PageInfo& info = model.pages()[id];
+        const bool holdsRoot = info.maxError == std::numeric_limits<double>::infinity();
+        if (!holdsRoot && !isRefined(info.maxError, info.bounds)) continue; // none of its groups is drawn
+        const hierarchy::Page page = model.readPage(id);
+        hierarchy::forEachDrawn(page, isRefined, [&](const hierarchy::Group&, const hierarchy::Cluster& cluster) {
+            for (std::uint32_t t = cluster.firstTriangle; t < cluster.firstTriangle + cluster.triangleCount; ++t) {
+                TriangleCorners corners;
+                for (std::size_t i = 0; i < corners.size(); ++i)
+                    corners[i] = grid.world(page.vertices[cluster.firstVertex + page.triangles[t][i]].position);
+                visit(corners);
+            }
+        });
+    }
+}
+
+} // namespace gnomon::path

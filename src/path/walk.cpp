@@ -1,0 +1,206 @@
+#include "path/walk.h"
+
+#include "core/angle.h"
+#include "core/error.h"
+#include "path/storeys.h"
+#include "path/way_smoothing.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace gnomon::path {
+
+namespace {
+
+constexpr double kFovYRadians = 1.0471975511965976;
+constexpr double kLongest = 60;    // seconds
+constexpr double kRegionSide = 47; // in heights of the eye: 80 m
+constexpr double kCoarseCells = 1024;
+constexpr std::size_t kRegions = 4; // that are tried
+constexpr double kShortest = 1.2;   // of a walk, in heights of the eye
+constexpr double kGoodLength = 18;  // with which no other region is tried
+
+Keyframe keyframe(double time, const glm::dvec3& eye, const glm::dvec3& target) {
+    return {time, {eye, target, {0, 1, 0}, kFovYRadians}};
+}
+
+double widthOf(const Box& bounds) {
+    return std::max(bounds.extent().x, bounds.extent().z);
+}
+
+/// Whether what has these bounds may be a room, a building, a plant or a landscape in metres: neither a small thing,
+/// nor as high as no building of its width is.
+bool metresFit(const Box& bounds) {
+    const double width = widthOf(bounds);
+    const double height = bounds.extent().y;
+    if (width < 2.5) return false;
+    return height <= 0.1 * width || (height <= 500 && width <= 2000);
+}
+
+/// Around a thing that stands on a ground at its lowest point: one and a half turns, ever nearer, outside the circle
+/// around its bounds, looking at it.
+CameraPath walkAround(const Box& bounds, const std::optional<double>& toldEyeHeight) {
+    const glm::dvec3 extent = bounds.extent();
+    const double width = widthOf(bounds);
+    const double eyeHeight = toldEyeHeight.value_or(0.25 * std::max(extent.y, 0.2 * width));
+    const double circle = 0.5 * std::hypot(extent.x, extent.z);
+    const double eyeY = bounds.min.y + eyeHeight;
+    const double aim = std::min(eyeY, bounds.max.y) + 0.3 * std::max(0.0, bounds.max.y - eyeY);
+    const glm::dvec3 target(bounds.center().x, aim, bounds.center().z);
+    constexpr int kKeys = 96;
+    constexpr double kTurns = 1.5;
+    CameraPath path;
+    double length = 0;
+    for (int i = 0; i <= kKeys; ++i) {
+        const double share = static_cast<double>(i) / kKeys;
+        const double angle = 2 * kPi * kTurns * share;
+        const double radius = circle * (2.2 - 1.0 * share) + 0.3 * eyeHeight;
+        const glm::dvec3 eye(target.x + radius * std::sin(angle), eyeY, target.z + radius * std::cos(angle));
+        if (i > 0) length += glm::distance(eye, path.keyframes.back().camera.eye);
+        path.keyframes.push_back(keyframe(length, eye, target));
+    }
+    const double pace = std::max(WalkBody::ofEyeHeight(eyeHeight).pace, length / kLongest);
+    for (Keyframe& key : path.keyframes)
+        key.time /= pace;
+    return path;
+}
+
+/// The last points of a way that lead up to a wall; what is left out is a twelfth of it at most.
+std::size_t trimmedEnd(const WalkableFloor& floor, const std::vector<WayPoint>& way) {
+    const double enough = 2.2 * floor.body().eyeHeight / floor.grid().cell;
+    std::size_t end = way.size();
+    for (; end > way.size() - way.size() / 12; --end) {
+        const WayPoint& last = way[end - 1];
+        const glm::dvec2 ahead = glm::normalize(last.at - way[end - 2].at);
+        if (runStraight(floor, last, last.at + enough * ahead).end != FloorCell::kNone) break;
+    }
+    return end;
+}
+
+/// The eyes along a way: at eye height over the floor, evenly up stairs, and never nearer to floor or ceiling than a
+/// step's half would bring them.
+std::vector<glm::dvec3> eyesAlong(const WalkableFloor& floor, const std::vector<WayPoint>& way) {
+    const WalkBody& body = floor.body();
+    const ColumnGrid& grid = floor.grid();
+    std::vector<glm::dvec3> eyes;
+    for (const WayPoint& point : way) {
+        const double height = floor.height(floor.cells()[point.cell].floor);
+        eyes.push_back(grid.origin + glm::dvec3(point.at.x * grid.cell, 0, point.at.y * grid.cell));
+        eyes.back().y = height + body.eyeHeight;
+    }
+    const std::vector<glm::dvec3> uneven = eyes;
+    for (std::size_t i = 0; i < eyes.size(); ++i) {
+        const auto reach = std::min<std::size_t>({2, i, eyes.size() - 1 - i});
+        double sum = 0;
+        for (std::size_t j = i - reach; j <= i + reach; ++j)
+            sum += uneven[j].y;
+        const double even = sum / static_cast<double>(2 * reach + 1);
+        eyes[i].y = std::clamp(even, uneven[i].y - 0.4 * body.step, uneven[i].y + 0.15 * body.step);
+    }
+    return eyes;
+}
+
+/// Looks along the way: to where it leads within the next strides, turning evenly.
+CameraPath lookingAhead(const std::vector<glm::dvec3>& eyes, const WalkBody& body) {
+    const double ahead = 1.5 * body.eyeHeight;
+    const auto count = eyes.size();
+    std::vector<glm::dvec3> gazes;
+    for (std::size_t i = 0; i < count; ++i) {
+        std::size_t to = i + 1;
+        while (to + 1 < count && glm::distance(eyes[to], eyes[i]) < ahead)
+            ++to;
+        gazes.push_back(to < count ? glm::normalize(eyes[to] - eyes[i]) : gazes.back());
+        gazes.back().y *= 0.5; // up stairs one looks less steeply than one goes
+    }
+    CameraPath path;
+    double length = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto reach = std::min<std::size_t>({4, i, count - 1 - i});
+        glm::dvec3 gaze(0);
+        for (std::size_t j = i - reach; j <= i + reach; ++j)
+            gaze += gazes[j];
+        if (glm::length(gaze) < 0.1) gaze = gazes[i]; // it turns round
+        if (i > 0) length += glm::distance(eyes[i], eyes[i - 1]);
+        path.keyframes.push_back(
+            keyframe(length / body.pace, eyes[i], eyes[i] + 4 * body.eyeHeight * glm::normalize(gaze)));
+    }
+    return path;
+}
+
+/// The floors that a walk may use: one that covers the model or, where this is too large, parts of it, best first.
+class Ground {
+public:
+    Ground(const hierarchy::ModelFile& model, const WalkBody& body, const std::optional<int>& storey)
+        : model_(model),
+          body_(body),
+          isWhole_(widthOf(model.summary().bounds) <= kRegionSide * body.eyeHeight),
+          whole_(floorOf(
+              model,
+              model.summary().bounds,
+              body,
+              isWhole_ ? fineCell(body) : widthOf(model.summary().bounds) / kCoarseCells)) {
+        if (!storey) return;
+        const std::vector<Storey> storeys = findStoreys(whole_);
+        if (*storey < 0 || static_cast<std::size_t>(*storey) >= storeys.size())
+            throw Error(model.path(), "no such storey", listOf(storeys), std::to_string(*storey));
+        band_ = bandOf(storeys, static_cast<std::size_t>(*storey), body);
+    }
+
+    /// The walk over the best part, or nothing where there is none.
+    std::optional<CameraPath> walk() const {
+        if (isWhole_) return walkOver(whole_);
+        std::optional<CameraPath> longest;
+        for (Box region : bestRegions(whole_, band_, kRegionSide * body_.eyeHeight, kRegions)) {
+            region.min.y = model_.summary().bounds.min.y;
+            region.max.y = model_.summary().bounds.max.y;
+            std::optional<CameraPath> path = walkOver(floorOf(model_, region, body_, fineCell(body_)));
+            if (path && (!longest || path->duration() > longest->duration())) longest = std::move(path);
+            if (longest && longest->duration() * body_.pace > kGoodLength * body_.eyeHeight) break;
+        }
+        return longest;
+    }
+
+private:
+    std::optional<CameraPath> walkOver(const WalkableFloor& floor) const {
+        const std::optional<FoundWay> found = findWay(floor, {band_.low, band_.high, kLongest * body_.pace});
+        if (!found || found->length < kShortest * body_.eyeHeight) return std::nullopt;
+        std::vector<WayPoint> way = smoothWay(floor, found->cells);
+        way.resize(trimmedEnd(floor, way));
+        return lookingAhead(eyesAlong(floor, way), body_);
+    }
+
+    const hierarchy::ModelFile& model_;
+    WalkBody body_;
+    HeightBand band_;
+    bool isWhole_;
+    WalkableFloor whole_;
+};
+
+std::string sizeOf(const Box& bounds) {
+    std::array<char, 96> text{};
+    const glm::dvec3 size = bounds.extent();
+    std::snprintf(text.data(), text.size(), "none in a model of %.4g x %.4g x %.4g", size.x, size.y, size.z);
+    return text.data();
+}
+
+} // namespace
+
+CameraPath walk(const hierarchy::ModelFile& model, const WalkOptions& options) {
+    const Box& bounds = model.summary().bounds;
+    const bool isInMetres = options.eyeHeight || metresFit(bounds);
+    const WalkBody body = WalkBody::ofEyeHeight(options.eyeHeight.value_or(WalkBody{}.eyeHeight));
+    if (isInMetres)
+        if (const auto path = Ground(model, body, options.storey).walk()) return *path;
+    if (!options.storey && (!isInMetres || widthOf(bounds) < 12 * body.eyeHeight))
+        return walkAround(bounds, options.eyeHeight);
+    throw Error(
+        model.path(),
+        "no floor to walk on",
+        isInMetres ? "a level place with a body's room around and above it, at this height of the eye"
+                   : "storeys of a model in metres, or to be told the height of the eye",
+        sizeOf(bounds));
+}
+
+} // namespace gnomon::path

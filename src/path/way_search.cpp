@@ -1,0 +1,219 @@
+#include "path/way_search.h"
+
+#include "core/random.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gnomon::path {
+
+namespace {
+
+constexpr std::uint32_t kNone = FloorCell::kNone;
+constexpr std::size_t kRegions = 12; // that are searched
+constexpr int kStarts = 3;           // in each
+constexpr int kLegs = 4;             // of a way
+constexpr double kAside = 0.8;       // in heights of the eye: how far a leg keeps from those before it
+constexpr double kBesideThings = 2;  // in heights of the eye
+
+/// A connected part of the floor.
+struct Region {
+    double worth = 0;
+    std::vector<std::uint32_t> cells;
+};
+
+/// The ways from one cell to all others: per cell the one before it, how far it is, and what was seen.
+struct WayTree {
+    std::vector<std::uint32_t> before;
+    std::vector<std::uint32_t> cost;
+    std::vector<float> length;
+    std::vector<float> interest;
+};
+
+class WaySearch {
+public:
+    WaySearch(const WalkableFloor& floor, const WayBounds& bounds) : floor_(floor) {
+        const std::size_t count = floor.cells().size();
+        tree_.before.resize(count);
+        tree_.cost.assign(count, kNone);
+        tree_.length.resize(count);
+        tree_.interest.resize(count);
+        weights_.resize(count);
+        for (std::uint32_t i = 0; i < weights_.size(); ++i) {
+            const double height = floor.height(floor.cells()[i].floor);
+            const bool isAllowed = floor.isWalkable(i) && height >= bounds.low && height <= bounds.high;
+            weights_[i] = isAllowed ? static_cast<std::uint8_t>(10 * wayWeight(floor, i)) : std::uint8_t{0};
+        }
+    }
+
+    std::vector<Region> regions() const;
+
+    /// The best way that begins at `start`, no longer than `longest`.
+    FoundWay bestFrom(std::uint32_t start, double longest);
+
+    /// Leaves what is near `way` to no later one, but for what is near its end.
+    void close(const std::vector<std::uint32_t>& way);
+
+private:
+    void spread(std::uint32_t start);
+    void stepFrom(std::uint32_t cell);
+    void relax(std::uint32_t from, std::uint32_t to, bool isDiagonal);
+    double interestPerLength(std::uint32_t cell) const;
+
+    const WalkableFloor& floor_;
+    double longest_ = 0;
+    std::vector<std::uint8_t> weights_; // tenths; 0: no floor for this walk
+    WayTree tree_;
+    std::vector<std::uint32_t> reached_;                  // cells that the tree leads to
+    std::array<std::vector<std::uint32_t>, 256> buckets_; // by cost modulo their number: no step costs as much
+};
+
+std::vector<Region> WaySearch::regions() const {
+    std::vector<Region> regions;
+    std::vector<bool> isSeen(weights_.size(), false);
+    for (std::uint32_t first = 0; first < weights_.size(); ++first) {
+        if (weights_[first] == 0 || isSeen[first]) continue;
+        Region region;
+        region.cells.push_back(first);
+        isSeen[first] = true;
+        for (std::size_t i = 0; i < region.cells.size(); ++i) {
+            region.worth += floor_.isInside(region.cells[i]) ? 3 : 1;
+            for (const std::uint32_t next : floor_.cells()[region.cells[i]].next) {
+                if (next == kNone || weights_[next] == 0 || isSeen[next]) continue;
+                isSeen[next] = true;
+                region.cells.push_back(next);
+            }
+        }
+        regions.push_back(std::move(region));
+        std::stable_sort(
+            regions.begin(), regions.end(), [](const Region& a, const Region& b) { return a.worth > b.worth; });
+        if (regions.size() > kRegions) regions.pop_back();
+    }
+    return regions;
+}
+
+double WaySearch::interestPerLength(std::uint32_t cell) const {
+    const double clearance = floor_.clearance(cell) / floor_.body().eyeHeight;
+    const double beside = clearance > 0.25 && clearance < kBesideThings ? 1.5 : 1.0;
+    return (floor_.isInside(cell) ? 1.0 : 0.25) * beside;
+}
+
+void WaySearch::relax(std::uint32_t from, std::uint32_t to, bool isDiagonal) {
+    const std::uint32_t cost = tree_.cost[from] + (isDiagonal ? 14U : 10U) * weights_[to] / 10U;
+    if (cost >= tree_.cost[to]) return;
+    const double cell = floor_.grid().cell;
+    const double rise =
+        std::abs(floor_.cells()[from].floor - floor_.cells()[to].floor) * floor_.grid().rise / floor_.body().eyeHeight;
+    const double run = isDiagonal ? std::sqrt(2.0) * cell : cell;
+    const double length = tree_.length[from] + run;
+    if (length > longest_) return;
+    if (tree_.cost[to] == kNone) reached_.push_back(to);
+    tree_.cost[to] = cost;
+    tree_.before[to] = from;
+    tree_.length[to] = static_cast<float>(length);
+    const double perEye = run / floor_.body().eyeHeight;
+    tree_.interest[to] = static_cast<float>(tree_.interest[from] + interestPerLength(to) * perEye + 2 * rise);
+    buckets_.at(cost % buckets_.size()).push_back(to);
+}
+
+void WaySearch::spread(std::uint32_t start) {
+    for (const std::uint32_t cell : reached_)
+        tree_.cost[cell] = kNone;
+    reached_.assign(1, start);
+    tree_.cost[start] = 0;
+    tree_.before[start] = kNone;
+    tree_.length[start] = tree_.interest[start] = 0;
+    buckets_[0].assign(1, start);
+    std::uint32_t lastUsed = 0;
+    for (std::uint32_t cost = 0; cost <= lastUsed + buckets_.size(); ++cost) {
+        std::vector<std::uint32_t>& bucket = buckets_.at(cost % buckets_.size());
+        for (const std::uint32_t cell : bucket) {   // no step is free: none is added to it meanwhile
+            if (tree_.cost[cell] != cost) continue; // a shorter way was found
+            lastUsed = cost;
+            stepFrom(cell);
+        }
+        bucket.clear();
+    }
+}
+
+void WaySearch::stepFrom(std::uint32_t cell) {
+    const auto& next = floor_.cells()[cell].next;
+    const auto isOpen = [&](std::uint32_t other) { return other != kNone && weights_[other] != 0; };
+    for (std::size_t side = 0; side < next.size(); ++side) {
+        if (!isOpen(next.at(side))) continue;
+        relax(cell, next.at(side), false);
+        const std::size_t turned = (side + 1) % next.size();
+        const std::uint32_t corner = floor_.around(cell, side, turned);
+        const bool isCorner = isOpen(corner) && corner == floor_.around(cell, turned, side);
+        if (isCorner && isOpen(next.at(turned))) relax(cell, corner, true);
+    }
+}
+
+FoundWay WaySearch::bestFrom(std::uint32_t start, double longest) {
+    longest_ = longest;
+    spread(start);
+    std::uint32_t best = start;
+    double most = -1;
+    for (const std::uint32_t i : reached_) {
+        const double room = std::min(1.0, floor_.clearance(i) / floor_.body().eyeHeight); // no end before a wall
+        if (tree_.interest[i] + 2 * room <= most) continue;
+        most = tree_.interest[i] + 2 * room;
+        best = i;
+    }
+    FoundWay way;
+    way.length = tree_.length[best];
+    way.interest = tree_.interest[best];
+    for (std::uint32_t cell = best; cell != kNone; cell = tree_.before[cell])
+        way.cells.push_back(cell);
+    std::reverse(way.cells.begin(), way.cells.end());
+    return way;
+}
+
+void WaySearch::close(const std::vector<std::uint32_t>& way) {
+    const double aside = kAside * floor_.body().eyeHeight / floor_.grid().cell;
+    const auto reach = static_cast<std::int32_t>(aside);
+    const auto height = static_cast<std::int32_t>(floor_.body().eyeHeight / floor_.grid().rise);
+    const auto placeOf = [&](std::uint32_t cell) { return floor_.placeOf(floor_.cells()[cell].column); };
+    const glm::ivec2 end = placeOf(way.back());
+    for (const std::uint32_t cell : way)
+        for (std::int32_t z = -reach; z <= reach; ++z)
+            for (std::int32_t x = -reach; x <= reach; ++x) {
+                const glm::ivec2 at = placeOf(cell) + glm::ivec2(x, z);
+                if (x * x + z * z > aside * aside || glm::distance(glm::dvec2(at), glm::dvec2(end)) <= aside) continue;
+                const std::uint32_t beside = floor_.nearest(at.x, at.y, floor_.cells()[cell].floor, height);
+                if (beside != kNone) weights_[beside] = 0;
+            }
+}
+
+} // namespace
+
+double wayWeight(const WalkableFloor& floor, std::uint32_t cell) {
+    const double comfort = 0.5 * floor.body().eyeHeight;
+    const double clearance = floor.clearance(cell);
+    const double tightness = 1 + 4 * std::max(0.0, 1 - clearance / comfort);
+    return tightness * (floor.isInside(cell) ? 1 : 2) * (clearance < kBesideThings * floor.body().eyeHeight ? 1 : 1.3);
+}
+
+std::optional<FoundWay> findWay(const WalkableFloor& floor, const WayBounds& bounds) {
+    WaySearch search(floor, bounds);
+    Random random(1);
+    std::optional<FoundWay> best;
+    for (const Region& region : search.regions())
+        for (int i = 0; i < kStarts; ++i) {
+            const std::uint32_t start = region.cells[random.below(region.cells.size())];
+            const FoundWay there = search.bestFrom(start, bounds.longest);
+            FoundWay back = search.bestFrom(there.cells.back(), bounds.longest);
+            if (!best || back.interest > best->interest) best = std::move(back);
+        }
+    for (int leg = 1; best && leg < kLegs; ++leg) {
+        search.close(best->cells);
+        const FoundWay next = search.bestFrom(best->cells.back(), bounds.longest - best->length);
+        if (next.length < floor.body().eyeHeight) break;
+        best->cells.insert(best->cells.end(), next.cells.begin() + 1, next.cells.end());
+        best->length += next.length;
+        best->interest += next.interest;
+    }
+    return best;
+}
+
+} // namespace gnomon::path

@@ -1,0 +1,24 @@
+#include "settings/path_options.h"
+
+#include "settings/usage_error.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+namespace gnomon::settings {
+
+void checkPathOptions(const PathOptions& options) {
+    constexpr std::array<std::string_view, 4> kKinds{"walk", "orbit", "flyby", "approach"};
+    if (std::find(kKinds.begin(), kKinds.end(), options.kind) == kKinds.end())
+        refuse("--kind", options.kind, "walk, orbit, flyby or approach");
+    const auto& [storey, eyeHeight] = options.walk;
+    if (storey && options.kind != "walk") throw UsageError{"--storey is for --kind walk"};
+    if (eyeHeight && options.kind != "walk") throw UsageError{"--eye-height is for --kind walk"};
+    if (storey && *storey < 0) refuse("--storey", std::to_string(*storey), "0 or more");
+    if (eyeHeight && !(*eyeHeight > 0 && std::isfinite(*eyeHeight)))
+        refuse("--eye-height", std::to_string(*eyeHeight), "a height above 0");
+}
+
+} // namespace gnomon::settings

@@ -1,0 +1,223 @@
+// How far Embree's floats are from the integers: pixels of seeded views in exact shadows and by rays, and rays that
+// meet a triangle at random, right on an edge, or in a corner.
+#include "core/error.h"
+#include "executor/exact_pass.h"
+#include "executor/software_executor.h"
+#include "frame/renderer.h"
+#include "frame/shadow_triples.h"
+#include "tests/exact/random.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+namespace gnomon {
+namespace {
+
+using exact::Corners;
+using exact::Random;
+
+bool isLit(const executor::SurfaceSample& surface) {
+    return surface.isLitSide() && surface.litFraction() >= 0.5F;
+}
+
+/// A frame, and where the light reaches in it.
+struct Shot {
+    frame::PreparedFrame frame;
+    std::vector<bool> lit;
+};
+
+Shot drawn(frame::Renderer& renderer, const tests::ShadowTriple& triple, plan::ShadowMode shadows) {
+    plan::Quality quality;
+    quality.shadows = shadows;
+    frame::FrameOptions options;
+    options.wantsSurfaces = true;
+    Shot shot{renderer.prepare(triple.view, quality, frame::Waiting::UntilComplete, nullptr), {}};
+    renderer.draw(shot.frame, options);
+    for (const executor::SurfaceSample& surface : renderer.executor().surfaces().pixels)
+        shot.lit.push_back(isLit(surface));
+    return shot;
+}
+
+/// Holds the seeded views of a model against the integers, drawn both ways.
+void compareViews(const hierarchy::ModelFile& model, std::uint64_t count, int side) {
+    const std::unique_ptr<executor::Executor> executor = executor::makeSoftwareExecutor();
+    frame::Renderer renderer(model, *executor, {.memory = gibibytes(4), .onDamaged = {}});
+    std::uint64_t pixels = 0;
+    std::uint64_t wrongExact = 0;
+    std::uint64_t falselyDark = 0;
+    std::uint64_t falselyLit = 0;
+    std::uint64_t dark = 0;
+    std::uint64_t views = 0;
+    for (std::uint64_t i = 0; i < count; ++i) {
+        const tests::ShadowTriple triple = tests::shadowTriple(model.summary().bounds, i, side, 256);
+        const Shot rays = drawn(renderer, triple, plan::ShadowMode::Rays);
+        const Shot decided = drawn(renderer, triple, plan::ShadowMode::Exact);
+        if (!decided.frame.isExact()) continue;
+        executor::FrameDrawing drawing = renderer.drawing(decided.frame, {});
+        drawing.exactCasters = &decided.frame.cut.lists[1];
+        const executor::Raster<std::uint8_t> truth = executor::litByIntegers(drawing);
+        ++views;
+        pixels += truth.pixels.size();
+        for (std::size_t p = 0; p < truth.pixels.size(); ++p) {
+            const bool isTrulyLit = truth.pixels[p] != 0;
+            wrongExact += decided.lit[p] != isTrulyLit ? 1U : 0U;
+            falselyDark += isTrulyLit && !rays.lit[p] ? 1U : 0U;
+            falselyLit += !isTrulyLit && rays.lit[p] ? 1U : 0U;
+            dark += isTrulyLit ? 0U : 1U;
+        }
+    }
+    std::printf(
+        "%lu views, %lu pixels, %lu not lit: wrong in exact shadows %lu; by rays %lu falsely dark, %lu falsely lit\n",
+        views,
+        pixels,
+        dark,
+        wrongExact,
+        falselyDark,
+        falselyLit);
+}
+
+/// A group of a finest page, and its triangles from an origin.
+struct Surface {
+    std::vector<Corners> triangles;
+    raycast::PageClusters clusters;
+};
+
+Surface surfaceOf(const hierarchy::Page& page, const hierarchy::Group& group, const hierarchy::GridPoint& origin) {
+    Surface surface{{}, {0, {&page, group.firstCluster, group.clusterCount}}};
+    for (std::uint32_t c = group.firstCluster; c < group.firstCluster + group.clusterCount; ++c) {
+        const hierarchy::Cluster& cluster = page.clusters[c];
+        for (std::uint32_t t = cluster.firstTriangle; t < cluster.firstTriangle + cluster.triangleCount; ++t) {
+            Corners corners;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const hierarchy::GridPoint& p = page.vertices[cluster.firstVertex + page.triangles[t][k]].position;
+                corners[k] = glm::i64vec3(p.x, p.y, p.z) - glm::i64vec3(origin.x, origin.y, origin.z);
+            }
+            surface.triangles.push_back(corners);
+        }
+    }
+    return surface;
+}
+
+class AnyStops final : public raycast::HitRule {
+public:
+    bool stops(std::uint32_t /*ray*/, const raycast::PageTriangle& /*triangle*/) const override { return true; }
+};
+
+/// A point of a triangle times 2^24: inside, on an edge, or a corner, for 0, 1 and 2.
+glm::i64vec3 pointOf(const Corners& corners, int kind, Random& random) {
+    constexpr std::int64_t kOne = std::int64_t{1} << exact::kWeightBits;
+    const std::int64_t b = kind == 2 ? 0 : random.whole(1, kOne - 2);
+    const std::int64_t c = kind == 0 ? random.whole(1, kOne - 1 - b) : 0;
+    return corners[0] * kOne + (corners[1] - corners[0]) * b + (corners[2] - corners[0]) * c;
+}
+
+/// Rays of one kind, and those that floats have otherwise than integers.
+struct TieCounts {
+    std::uint64_t rays = 0;
+    std::uint64_t met = 0; // by floats alone
+    std::uint64_t passed = 0;
+    std::uint64_t inTheMidst = 0; // of both, where no tie decides: the same all around, a thousandth of a cell off
+};
+
+bool isMetByIntegers(const Surface& surface, const exact::IntegerLight& light, const glm::i64vec3& point) {
+    return std::any_of(surface.triangles.begin(), surface.triangles.end(), [&](const Corners& each) {
+        return exact::meet(each, light, point, 0).meeting == exact::Meeting::Ahead;
+    });
+}
+
+/// Whether the points around `point` are all met, or all not, as `isMet` says.
+bool isSameAround(
+    const Surface& surface, const exact::IntegerLight& light, const glm::i64vec3& point, const bool isMet) {
+    constexpr std::int64_t kOff = 1 << 14;
+    for (unsigned i = 0; i < 8; ++i) {
+        const auto off = [&](unsigned bit) { return (i >> bit & 1U) != 0 ? kOff : -kOff; };
+        if (isMetByIntegers(surface, light, point + glm::i64vec3(off(0), off(1), off(2))) != isMet) return false;
+    }
+    return true;
+}
+
+/// Traces rays towards random lights through points of a group's triangles, inside, on edges and in corners, from 16 to
+/// 65,536 cells before them, and counts them by these kinds.
+void compareTies(
+    const Surface& surface, const hierarchy::GridPoint& origin, Random& random, std::array<TieCounts, 3>& counts) {
+    raycast::KeptTrees trees;
+    const hierarchy::Grid cells;
+    const raycast::CutScene scene(trees, {&surface.clusters, 1}, cells, origin);
+    const AnyStops rule;
+    for (int i = 0; i < 1500; ++i) {
+        const int kind = i % 3;
+        glm::dvec3 towards(random.real(-1, 1), random.real(-1, 1), random.real(-1, 1));
+        const exact::IntegerLight light = exact::roundedLight(towards);
+        const auto at =
+            static_cast<std::size_t>(random.whole(0, static_cast<std::int64_t>(surface.triangles.size()) - 1));
+        const glm::i64vec3 point =
+            pointOf(surface.triangles[at], kind, random) - light.direction * random.whole(16, 1 << 16);
+        const bool isDark = isMetByIntegers(surface, light, point);
+        raycast::Ray ray;
+        ray.origin = glm::vec3(glm::dvec3(point) * 0x1p-24);
+        ray.direction = glm::vec3(glm::dvec3(light.direction) * 0x1p-24);
+        const bool isMet = scene.isStopped(ray, 0, rule);
+        TieCounts& count = counts.at(static_cast<std::size_t>(kind));
+        ++count.rays;
+        if (isMet == isDark) continue;
+        ++(isMet ? count.met : count.passed);
+        count.inTheMidst += isSameAround(surface, light, point, isDark) ? 1U : 0U;
+    }
+}
+
+void compareAllTies(const hierarchy::ModelFile& model, const std::int64_t away) {
+    Random random(7);
+    std::array<TieCounts, 3> counts{};
+    std::vector<std::uint32_t> finest;
+    for (std::uint32_t p = 0; p < model.pages().size(); ++p)
+        if (model.pages()[p].level == 0) finest.push_back(p);
+    for (int i = 0; i < 100; ++i) {
+        const auto pick = [&](std::size_t count) {
+            return static_cast<std::size_t>(random.whole(0, static_cast<std::int64_t>(count) - 1));
+        };
+        const hierarchy::Page page = model.readPage(finest[pick(finest.size())]);
+        const hierarchy::Group& group = page.groups[pick(page.groups.size())];
+        hierarchy::GridPoint origin = group.box.min;
+        origin.x += static_cast<std::uint32_t>(away);
+        compareTies(surfaceOf(page, group, origin), origin, random, counts);
+    }
+    constexpr std::array kKinds = {"inside triangles", "on edges", "in corners"};
+    for (std::size_t kind = 0; kind < kKinds.size(); ++kind) {
+        const TieCounts& count = counts.at(kind);
+        std::printf(
+            "eye %ld cells away, %s: %lu rays, %lu falsely met, %lu falsely passed; %lu in the midst\n",
+            away,
+            kKinds.at(kind),
+            count.rays,
+            count.met,
+            count.passed,
+            count.inTheMidst);
+    }
+}
+
+int run(int count, char** words) {
+    if (count < 3) {
+        std::fprintf(stderr, "usage: ray_truth MODEL.gnm VIEWS [SIDE]\n");
+        return 2;
+    }
+    const hierarchy::ModelFile model(words[1]);
+    compareViews(model, std::strtoull(words[2], nullptr, 10), count > 3 ? std::atoi(words[3]) : 256);
+    for (const std::int64_t away : {0, 1 << 20})
+        compareAllTies(model, away);
+    return 0;
+}
+
+} // namespace
+} // namespace gnomon
+
+int main(int count, char** words) {
+    try {
+        return gnomon::run(count, words);
+    } catch (const gnomon::Error& error) {
+        std::fprintf(stderr, "ray_truth: %s\n", error.what());
+        return 1;
+    }
+}

@@ -64,21 +64,10 @@ exact::SampleSpace sampleSpace(const FrameDrawing& frame) {
     return space;
 }
 
-std::vector<std::uint32_t> tolerances(
-    const FrameDrawing& frame, std::span<const DrawnCluster> clusters, const exact::IntegerLight& light) {
+std::uint32_t tolerance(const exact::IntegerLight& light) {
     constexpr double kSteps = 2;
-    constexpr double kOfError = 0.125; // with all of it more true shadows are lost than specks avoided
-    constexpr double kMost = 0x7FFFFFFF;
-    const double perCell = std::ldexp(1.0, exact::kLightBits) / glm::length(glm::dvec3(light.direction));
-    std::vector<std::uint32_t> result;
-    result.reserve(clusters.size());
-    for (const DrawnCluster& drawn : clusters) {
-        const std::uint32_t refinement = drawn.page->clusters[drawn.cluster].refinement;
-        const double error = refinement == hierarchy::kNone ? 0 : drawn.page->refinements[refinement].error;
-        const double cells = std::max(kSteps, kOfError * error / frame.space.step);
-        result.push_back(static_cast<std::uint32_t>(std::min(std::floor(cells * perCell), kMost)));
-    }
-    return result;
+    return static_cast<std::uint32_t>(
+        std::floor(kSteps * std::ldexp(1.0, exact::kLightBits) / glm::length(glm::dvec3(light.direction))));
 }
 
 void drawUndecided(
@@ -87,7 +76,10 @@ void drawUndecided(
     const exact::SampleSpace space = sampleSpace(frame);
     samples.reset(space, buffers.picture->pixels.size());
     undecided.samples = &samples;
-    undecided.tolerances = tolerances(frame, buffers.pass->drawn(), space.light);
+    undecided.tolerance = tolerance(space.light);
+    undecided.sliceEnds.clear();
+    for (const shadow::ShadowMap& map : frame.plan->cellMaps)
+        undecided.sliceEnds.push_back(static_cast<float>(map.region.frustum.far));
     const glm::dmat4 clipFromDraw = imageClipFromDraw(frame);
     const FloatPicture noMaps;
     const Shading shading(frame, clipFromDraw, noMaps, buffers.pass->drawn(), true);

@@ -14,10 +14,9 @@ exact::IntegerLight integerLight(const plan::FramePlan& plan);
 /// What all samples of a frame share.
 exact::SampleSpace sampleSpace(const FrameDrawing& frame);
 
-/// How far ahead of a point on each drawn cluster a triangle may lie and still only touch it, as exact::meet takes it:
-/// two steps of the grid, or an eighth of the cluster's stored error where that is larger.
-std::vector<std::uint32_t> tolerances(
-    const FrameDrawing& frame, std::span<const DrawnCluster> clusters, const exact::IntegerLight& light);
+/// How far ahead of any point a triangle may lie and still only touch it, as exact::meet takes it: two steps of the
+/// grid.
+std::uint32_t tolerance(const exact::IntegerLight& light);
 
 /// Draws the image of `frame` in shadow, and collects in `samples` the points that face the light.
 void drawUndecided(

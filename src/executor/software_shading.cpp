@@ -38,6 +38,7 @@ struct Shading::Work {
     std::array<int, PixelBatch::kMost> columns{};
     std::array<int, PixelBatch::kMost> rows{};                           // from the bottom
     std::array<std::uint32_t, PixelBatch::kMost> pixels{}, tolerances{}; // of undecided ones
+    std::array<std::int32_t, PixelBatch::kMost> maps{};                  // whose cells hold them
 };
 
 Shading::Shading(
@@ -169,7 +170,12 @@ void Shading::leaveUndecided(Work& work, const ShadingTarget& target) const {
     for (std::size_t i = 0; i < batch.count; ++i) {
         const std::size_t at = target.picture->index(work.columns[i], target.picture->height - 1 - work.rows[i]);
         work.pixels[i] = static_cast<std::uint32_t>(at);
-        work.tolerances[i] = undecided.tolerances[work.triangles[i] >> kTriangleBits];
+        work.tolerances[i] = undecided.tolerance;
+        work.maps[i] = 0;
+        if (undecided.sliceEnds.size() < 2) continue;
+        const auto end = std::lower_bound(undecided.sliceEnds.begin(), undecided.sliceEnds.end(), batch.depth[i]);
+        work.maps[i] =
+            static_cast<std::int32_t>(end - undecided.sliceEnds.begin()); // beyond the last: the list holds it
     }
     exact::PointBatch points;
     points.count = batch.count;
@@ -180,7 +186,7 @@ void Shading::leaveUndecided(Work& work, const ShadingTarget& target) const {
     }
     points.second = batch.second.data();
     points.third = batch.third.data();
-    points.map = batch.pass.data();
+    points.map = work.maps.data();
     points.pixel = work.pixels.data();
     points.triangle = work.triangles.data();
     points.tolerance = work.tolerances.data();

@@ -12,8 +12,9 @@ constexpr Rgb kBackground = {219, 227, 237};
 
 /// Pixels whose verdict is still to come.
 struct UndecidedPixels {
-    exact::SampleList* samples = nullptr;  // get those that face the light, by their pixels, and their colours in it
-    std::vector<std::uint32_t> tolerances; // of each drawn cluster, as exact::meet takes them
+    exact::SampleList* samples = nullptr; // get those that face the light, by their pixels, and their colours in it
+    std::uint32_t tolerance = 0;          // as exact::meet takes it
+    std::vector<float> sliceEnds;         // view depths where the slices of cell maps end, nearest first
 };
 
 /// Rows of the image from top to bottom; `surfaces` may be null.

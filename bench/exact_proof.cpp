@@ -1,0 +1,188 @@
+// Exact shadows against the plain integer loops, pixel by pixel, over seeded views and lights of any models.
+#include "executor/exact_pass.h"
+#include "executor/software_executor.h"
+#include "frame/renderer.h"
+#include "frame/shadow_triples.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+namespace gnomon {
+namespace {
+
+using Count = unsigned long long;
+
+/// What came of some views.
+struct Tally {
+    Count views = 0;
+    Count drawn = 0; // with anything in view
+    Count samples = 0;
+    Count wrong = 0;
+    Count dark = 0;
+    Count darkWithoutTolerance = 0;
+    Count touching = 0;
+    Count tests = 0;
+    Count exactDecisions = 0;
+    double worstDecisions = 0; // share of a frame's tests
+    double worstTouching = 0;  // share of a frame's samples, of at least kMany
+    Count worstView = 0;
+    Count above = 0;                      // views with more than kMostTouching
+    Count digest = 14695981039346656037U; // of all counts: FNV-1a, the same for every compiler and number of threads
+
+    void operator+=(const Tally& other);
+};
+
+constexpr Count kMany = 500;
+constexpr double kMostTouching = 0.005;
+
+void Tally::operator+=(const Tally& other) {
+    views += other.views;
+    drawn += other.drawn;
+    samples += other.samples;
+    wrong += other.wrong;
+    dark += other.dark;
+    darkWithoutTolerance += other.darkWithoutTolerance;
+    touching += other.touching;
+    tests += other.tests;
+    exactDecisions += other.exactDecisions;
+    above += other.above;
+    worstDecisions = std::max(worstDecisions, other.worstDecisions);
+    worstTouching = std::max(worstTouching, other.worstTouching);
+    digest = (digest ^ other.digest) * 1099511628211U;
+}
+
+double share(Count part, Count whole) {
+    return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
+}
+
+class Proof {
+public:
+    Proof(const std::string& model, int width, int height)
+        : model_(model, Bytes{Count{1} << 30U}), width_(width), height_(height), renderer_(model_, *executor_, {}) {}
+
+    void add(Count index) {
+        tests::ShadowTriple triple = tests::shadowTriple(model_.summary().bounds, index, width_, 256);
+        triple.view.height = height_;
+        plan::Quality quality;
+        quality.shadows = plan::ShadowMode::Exact;
+        const frame::PreparedFrame frame =
+            renderer_.prepare(triple.view, quality, frame::Waiting::UntilComplete, nullptr);
+        ++tally_.views;
+        if (!frame.isExact()) return;
+        ++tally_.drawn;
+        frame::FrameOptions options;
+        options.wantsSurfaces = true;
+        const executor::DrawStatistics drawn = renderer_.draw(frame, options);
+        if (drawn.exact) addCounts(index, *drawn.exact);
+        addWrong(index, frame, options);
+    }
+
+    const Tally& tally() const { return tally_; }
+
+private:
+    void addCounts(Count index, const exact::ExactStatistics& exact) {
+        tally_.samples += exact.samples;
+        tally_.dark += exact.dark;
+        tally_.darkWithoutTolerance += exact.darkWithoutTolerance;
+        tally_.touching += exact.touching;
+        tally_.tests += exact.cast.sampleTests;
+        tally_.exactDecisions += exact.cast.exactDecisions;
+        tally_.worstDecisions =
+            std::max(tally_.worstDecisions, share(exact.cast.exactDecisions, exact.cast.sampleTests));
+        for (const Count count :
+             {exact.samples,
+              exact.dark,
+              exact.darkWithoutTolerance,
+              exact.touching,
+              exact.cast.clustersKept,
+              exact.cast.trianglesCast,
+              exact.cast.sampleTests})
+            tally_.digest = (tally_.digest ^ count) * 1099511628211U;
+        if (exact.samples < kMany) return;
+        const double touching = share(exact.touching, exact.samples);
+        tally_.above += touching > kMostTouching ? 1 : 0;
+        if (touching <= tally_.worstTouching) return;
+        tally_.worstTouching = touching;
+        tally_.worstView = index;
+    }
+
+    void addWrong(Count index, const frame::PreparedFrame& frame, const frame::FrameOptions& options) {
+        const executor::Raster<executor::SurfaceSample> surfaces = executor_->surfaces();
+        executor::FrameDrawing drawing = renderer_.drawing(frame, options);
+        drawing.exactCasters = &frame.cut.lists.at(1);
+        const executor::Raster<std::uint8_t> truth = executor::litByIntegers(drawing);
+        Count wrong = 0;
+        for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
+            const executor::SurfaceSample& surface = surfaces.pixels[i];
+            const bool isLit = surface.isLitSide() && surface.litFraction() >= 0.5F;
+            wrong += isLit != (truth.pixels[i] != 0) ? 1U : 0U;
+        }
+        if (wrong > 0) std::printf("view %llu: %llu pixels wrong\n", index, wrong);
+        tally_.wrong += wrong;
+    }
+
+    hierarchy::ModelFile model_;
+    int width_;
+    int height_;
+    std::unique_ptr<executor::Executor> executor_ = executor::makeSoftwareExecutor();
+    frame::Renderer renderer_;
+    Tally tally_;
+};
+
+void print(const std::string& name, const Tally& t) {
+    std::printf(
+        "%s: %llu views (%llu with anything in them), %llu samples, %llu pixels wrong\n"
+        "  dark %llu, with a tolerance of 0 %llu; touching %llu (%.4f%% of all, worst view %.4f%%: %llu; above 0.5%%: "
+        "%llu)\n"
+        "  tests %llu, by integers %llu (worst view 1 in %.0f), counts %016llx\n",
+        name.c_str(),
+        t.views,
+        t.drawn,
+        t.samples,
+        t.wrong,
+        t.dark,
+        t.darkWithoutTolerance,
+        t.touching,
+        100 * share(t.touching, t.samples),
+        100 * t.worstTouching,
+        t.worstView,
+        t.above,
+        t.tests,
+        t.exactDecisions,
+        t.worstDecisions > 0 ? 1 / t.worstDecisions : 0,
+        t.digest);
+    std::fflush(stdout);
+}
+
+int run(int count, char** arguments) {
+    if (count < 4) {
+        std::fprintf(stderr, "usage: %s VIEWS WxH MODEL.gnm...\n", arguments[0]);
+        return 2;
+    }
+    const auto views = static_cast<Count>(std::atoi(arguments[1]));
+    const std::string size = arguments[2];
+    Tally all;
+    for (int i = 3; i < count; ++i) {
+        Proof proof(arguments[i], std::atoi(size.c_str()), std::atoi(size.substr(size.find('x') + 1).c_str()));
+        for (Count view = 0; view < views; ++view)
+            proof.add(view);
+        print(arguments[i], proof.tally());
+        all += proof.tally();
+    }
+    print("all", all);
+    return all.wrong == 0 ? 0 : 1;
+}
+
+} // namespace
+} // namespace gnomon
+
+int main(int count, char** arguments) {
+    try {
+        return gnomon::run(count, arguments);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "exact_proof: %s\n", error.what());
+        return 1;
+    }
+}

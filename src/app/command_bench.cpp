@@ -72,7 +72,7 @@ void writePictures(const std::string& folder, int run, const std::vector<report:
 
 /// The runs whose pictures a report holds: those that no other beats in time and error, and the first.
 std::vector<std::size_t> picturedRuns(const std::vector<report::RunSummary>& summaries) {
-    std::vector<std::size_t> runs = report::paretoFront(summaries, report::comparedError(summaries));
+    std::vector<std::size_t> runs = report::paretoFront(summaries, report::leadingError(summaries));
     runs.push_back(0);
     std::sort(runs.begin(), runs.end());
     runs.erase(std::unique(runs.begin(), runs.end()), runs.end());
@@ -165,6 +165,7 @@ measure::WalkOptions walkOf(const BenchOptions& options) {
     walk.provenFrames = walk.frames;
     if (!options.report.empty() && !isProven && !walk.isRealTime) {
         walk.oracle = proof::Oracle::SameDetail;
+        walk.countsWrongPixels = true;
         walk.provenFrames = options.isQuick ? 3 : 8;
     }
     return walk;

@@ -167,7 +167,8 @@ DrawStatistics SoftwareExecutor::drawExactly(const FrameDrawing& frame) {
         const std::vector<exact::Caster> casters = exactCasters(frame, pass_);
         const std::vector<glm::dmat3> planes = cellPlanes(frame, exact_.samples().space().shear);
         const hierarchy::GridPoint origin = frame.space.originCell;
-        statistics.exact = exact_.decide({casters, {origin.x, origin.y, origin.z}, planes, plan::kCellSide});
+        statistics.exact =
+            exact_.decide({casters, {origin.x, origin.y, origin.z}, planes, plan::cellSide(*frame.plan)});
         lightDecided(frame, exact_.statuses());
     }
     statistics.shadows = {shadowWatch.elapsed(), 0, std::nullopt};

@@ -66,6 +66,7 @@ public:
         proof::ProofOptions options;
         options.measuresAliasing = options.measuresCrawl = options.comparesWithFinest = true;
         options.oracle = options_.oracle;
+        options.countsWrongPixels = options_.countsWrongPixels;
         for (int frame = 0; frame < options_.frames; ++frame) {
             const frame::Frame drawn = draw(frame);
             if (isProvenFrame(frame))
@@ -141,6 +142,8 @@ BenchRun runOf(const settings::Settings& own, const std::vector<settings::Settin
         if (!settings::appliesTo(setting, own)) continue;
         if (varies || !setting.isDefault(own)) run.options = joined(run.options, " ", setting.option() + " " + value);
     }
+    if (own.quality.cellScheme != plan::Quality().cellScheme)
+        run.name = joined(run.name, "/", "cells:" + std::string(wordOf(plan::kCellSchemes, own.quality.cellScheme)));
     run.options = joined(run.options, " ", settings::optionsToPaste(own, false));
     if (run.name.empty()) run.name = "run";
     return run;

@@ -28,7 +28,8 @@ struct WalkOptions {
     int warmup = 2;
     bool isRealTime = false;
     proof::Oracle oracle = proof::Oracle::None;
-    int provenFrames = 0; // with an oracle: so many frames, evenly over the path, are held against it
+    int provenFrames = 0;           // with an oracle: so many frames, evenly over the path, are held against it
+    bool countsWrongPixels = false; // and against integers besides
     /// Gets the picture of every frame of the first repetition, if given.
     std::function<void(const BenchRun& run, int frame, const executor::Picture& picture)> onPicture;
 };

@@ -29,7 +29,9 @@ Settings withExactShadows(const Settings& base) {
 class DistinctSettings {
 public:
     void add(const Settings& settings) {
-        const auto isAlike = [&](const Settings& other) { return settings::areAlike(settings, other); };
+        const auto isAlike = [&](const Settings& other) {
+            return settings::areAlike(settings, other) && settings.quality.cellScheme == other.quality.cellScheme;
+        };
         if (std::none_of(all_.begin(), all_.end(), isAlike)) all_.push_back(settings);
     }
 
@@ -39,6 +41,15 @@ public:
         for (const T& value : values) {
             Settings settings = base;
             settings.quality.*member = value;
+            add(settings);
+        }
+    }
+
+    /// `base` with exact shadows, over each scheme of cells.
+    void addExact(const Settings& base) {
+        for (const auto& scheme : plan::kCellSchemes) {
+            Settings settings = withExactShadows(base);
+            settings.quality.cellScheme = scheme.value;
             add(settings);
         }
     }
@@ -77,8 +88,11 @@ std::vector<BenchRun> reportRuns(const Settings& asked, bool isQuick) {
         runs.vary(base, &Quality::zPartitions, {1, 2, 4, 8});
         runs.vary(base, &Quality::errorPixels, {2.0, 4.0});
         runs.add(unculled);
-        if (isWarpOpen) runs.add(withWarp(base, WarpRule::None));
-        if (decidesExactly(base)) runs.add(withExactShadows(base));
+        if (isWarpOpen) {
+            runs.add(withWarp(base, WarpRule::None));
+            runs.add(withWarp(oneMap, WarpRule::None));
+        }
+        if (decidesExactly(base)) runs.addExact(base);
         return runsOf(runs.all());
     }
     runs.vary(base, &Quality::zPartitions, {1, 2, 3, 4, 6, 8});
@@ -93,7 +107,7 @@ std::vector<BenchRun> reportRuns(const Settings& asked, bool isQuick) {
     runs.add(withTexels(base, 4096));
     if (isWarpOpen) runs.add(stable);
     runs.vary(base, &Quality::facePartitions, {Choice::On});
-    if (decidesExactly(base)) runs.add(withExactShadows(base));
+    if (decidesExactly(base)) runs.addExact(base);
     return runsOf(runs.all());
 }
 

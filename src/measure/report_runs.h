@@ -7,8 +7,8 @@ namespace gnomon::measure {
 
 /// Runs around `base`, one map first: numbers of maps with casters culled per partition and not, levels of detail,
 /// warps, texels, stabilisation and faces, each varied alone so that its own cost and gain are seen, and exact shadows
-/// where the executor decides them. A quick look takes a few of each. None repeats another. Where eta or the focus of a
-/// trapezoidal map settles the warp, no run has another one or is stabilised.
+/// over each scheme of cells where the executor decides them. A quick look takes a few of each. None repeats another.
+/// Where eta or the focus of a trapezoidal map settles the warp, no run has another one or is stabilised.
 std::vector<BenchRun> reportRuns(const settings::Settings& base, bool isQuick);
 
 } // namespace gnomon::measure

@@ -81,6 +81,9 @@ report::RunSummary summary(const RunResult& result) {
     s.options = result.run.options;
     for (const settings::Setting& setting : settings::table())
         if (setting.description().isSwept) s.settings[setting.column()] = setting.text(result.run.settings);
+    const bool isExact = !rows.empty() && rows.front().scheme == "exact";
+    if (isExact) s.settings["cells"] = wordOf(plan::kCellSchemes, result.run.settings.quality.cellScheme);
+    if (!rows.empty()) s.scheme = isExact ? s.settings["cells"] : rows.front().scheme;
     std::vector<double> totals;
     double promised = 0;
     for (const FrameRow& row : rows) {
@@ -109,6 +112,7 @@ report::RunSummary summary(const RunResult& result) {
     const auto addError = [&](report::ErrorKind kind, std::optional<double> value) {
         if (value) s.errors[kind] = *value;
     };
+    addError(report::ErrorKind::WrongPixels, mean(rows, &FrameRow::wrongPixelsAll));
     addError(report::ErrorKind::MeasuredAliasing, largest(rows, &FrameRow::measuredAliasing));
     // A coarser map is excused from more thin casters: only with those do maps of different texels compare.
     if (const auto wrong = mean(rows, &FrameRow::wrongShadowFraction))

@@ -2,7 +2,15 @@
 
 #include "shadow/setup.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace gnomon::plan {
+
+int cellSide(const FramePlan& plan) {
+    const double maps = std::max<double>(1, static_cast<double>(plan.cellMaps.size()));
+    return static_cast<int>(kCellSide / std::sqrt(maps));
+}
 
 std::vector<shadow::ShadowMap> cellMaps(const FramePlan& plan) {
     shadow::ShadowView view;
@@ -11,8 +19,11 @@ std::vector<shadow::ShadowMap> cellMaps(const FramePlan& plan) {
     view.imageHeight = plan.view.height;
     view.anchor = {plan.basis, plan.view.camera.eye};
     shadow::ShadowOptions options;
-    options.scheme.slices = 1;
-    options.scheme.warp.rule = shadow::WarpRule::Lspsm;
+    const CellScheme scheme = plan.quality.cellScheme;
+    const bool isWarped = scheme == CellScheme::WarpedMap || scheme == CellScheme::WarpedSlices;
+    const bool isSliced = scheme == CellScheme::Slices || scheme == CellScheme::WarpedSlices;
+    options.scheme.slices = isSliced ? 4 : 1;
+    options.scheme.warp.rule = isWarped ? shadow::WarpRule::Lspsm : shadow::WarpRule::None;
     options.texels = std::uint64_t{kCellSide} * kCellSide;
     return shadow::shadowMapSetup(view, options).maps;
 }

@@ -33,6 +33,16 @@ struct View {
     double tanHalfX() const { return aspect() * tanHalfY(); }
 };
 
+/// How the cells of exact shadows lie: as the texels of one map or of four slices, and of a warp or not. Changes no
+/// picture.
+enum class CellScheme : std::uint8_t { WarpedMap, Map, WarpedSlices, Slices };
+inline constexpr std::array kCellSchemes = {
+    Word<CellScheme>{CellScheme::WarpedMap, "map+w"},
+    Word<CellScheme>{CellScheme::Map, "map"},
+    Word<CellScheme>{CellScheme::WarpedSlices, "zp4+w"},
+    Word<CellScheme>{CellScheme::Slices, "zp4"},
+};
+
 enum class Choice : std::uint8_t { Off, On, Auto };
 inline constexpr std::array kChoices = {
     Word<Choice>{Choice::Off, "off"},
@@ -54,7 +64,8 @@ struct Quality {
     int filter = 0; // PCF kernel in texels
     bool cullCasters = true;
     bool stabilize = false;
-    std::optional<double> near; // nothing: auto
+    CellScheme cellScheme = CellScheme::WarpedMap; // no option: only a report compares them
+    std::optional<double> near;                    // nothing: auto
     std::optional<double> far;
     std::optional<double> nearFloor; // nothing: far / 10000
     double errorPixels = 1;

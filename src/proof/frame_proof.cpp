@@ -99,7 +99,8 @@ Crawl crawlSince(
 
 FrameProof prove(frame::Renderer& renderer, const frame::Frame& frame, const ProofOptions& options) {
     const bool hasMaps = !frame.plan.passes.empty();
-    const bool isCompared = options.oracle == Oracle::Exact && (hasMaps || frame.hasOneCasterList());
+    const bool isCompared =
+        (options.countsWrongPixels || options.oracle == Oracle::Exact) && (hasMaps || frame.hasOneCasterList());
     const bool hasOracle = options.oracle != Oracle::None && options.oracle != Oracle::Exact && hasMaps;
     const bool isMeasured = options.measuresAliasing && hasMaps;
     const bool hasCrawl = options.measuresCrawl && hasMaps && frame.before && !frame.before->plan.passes.empty();

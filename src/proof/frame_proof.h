@@ -37,6 +37,7 @@ struct ProofOptions {
     bool measuresAliasing = false;
     bool measuresCrawl = false; // against the frame before, if that had maps too
     Oracle oracle = Oracle::None;
+    bool countsWrongPixels = false;  // as Oracle::Exact does, whatever the oracle
     bool comparesWithFinest = false; // the picture with that of the finest level in ray-traced shadows
 };
 
@@ -46,7 +47,7 @@ struct FrameProof {
     std::optional<ShadowTruth> truth;         // of a frame with maps
     std::optional<Crawl> crawl;               // of a frame with maps after one with maps
     std::optional<double> imageDifference;    // mean, fraction of full scale
-    std::optional<double> wrongPixelsAll;     // share of all pixels, by Oracle::Exact; of any frame with shadows
+    std::optional<double> wrongPixelsAll;     // share of all pixels, by integers; of any frame with shadows
 };
 
 /// Holds `frame`, the last one that `renderer` drew, against what `options` name. Each of these is drawn, untimed: the

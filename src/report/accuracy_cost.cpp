@@ -104,10 +104,29 @@ std::optional<int> enoughMaps(const std::vector<const RunSummary*>& sweep, Error
     return std::nullopt;
 }
 
+/// What exact shadows cost and leave beside `maps`, if there is such a run of the usual cells and both know their wrong
+/// pixels.
+std::optional<std::string> exactSentence(std::span<const RunSummary> runs, const RunSummary& maps) {
+    const auto exact = std::find_if(runs.begin(), runs.end(), [](const RunSummary& run) {
+        const auto cells = run.settings.find("cells");
+        return cells != run.settings.end() && cells->second == "map+w";
+    });
+    if (exact == runs.end()) return std::nullopt;
+    const auto ownWrong = errorOf(*exact, ErrorKind::WrongPixels);
+    const auto mapsWrong = errorOf(maps, ErrorKind::WrongPixels);
+    if (!ownWrong || !mapsWrong || !(maps.p50Ms > 0)) return std::nullopt;
+    return "Exact shadows cost " + text("%.2g", exact->p50Ms / maps.p50Ms) + " times the frame of " +
+           (maps.shadowMaps == 1 ? "one map" : std::to_string(maps.shadowMaps) + " maps") + " and leave " +
+           (*ownWrong > 0 ? text("%.2g%%", 100 * *ownWrong) + " of all pixels" : "no pixel") + " wrong, where " +
+           (maps.shadowMaps == 1 ? "that leaves " : "those leave ") + text("%.2g%%", 100 * *mapsWrong) + ".";
+}
+
 } // namespace
 
 std::string_view key(ErrorKind kind) {
     switch (kind) {
+    case ErrorKind::WrongPixels:
+        return "wrong_pixels_all";
     case ErrorKind::PromisedAliasing:
         return "promised_aliasing";
     case ErrorKind::MeasuredAliasing:
@@ -124,6 +143,8 @@ std::string_view key(ErrorKind kind) {
 
 std::string_view label(ErrorKind kind) {
     switch (kind) {
+    case ErrorKind::WrongPixels:
+        return "wrong pixels (fraction of all, against integers)";
     case ErrorKind::PromisedAliasing:
         return "promised aliasing (texel widths per pixel width)";
     case ErrorKind::MeasuredAliasing:
@@ -140,6 +161,10 @@ std::string_view label(ErrorKind kind) {
 
 ErrorKind comparedError(std::span<const RunSummary> runs) {
     return allKnow(runs, ErrorKind::ImageDifference) ? ErrorKind::ImageDifference : shadowError(runs);
+}
+
+ErrorKind leadingError(std::span<const RunSummary> runs) {
+    return allKnow(runs, ErrorKind::WrongPixels) ? ErrorKind::WrongPixels : comparedError(runs);
 }
 
 ErrorKind shadowError(std::span<const RunSummary> runs) {
@@ -236,6 +261,7 @@ std::vector<std::string> sentences(std::span<const RunSummary> runs) {
     const RunSummary& one = *sweep.front();
     const auto four = std::find_if(sweep.begin() + 1, sweep.end(), [](auto* run) { return run->shadowMaps >= 4; });
     const RunSummary& more = four == sweep.end() ? *sweep.back() : **four;
+    if (const auto exact = exactSentence(runs, more)) result.push_back(*exact);
     const ErrorKind kind = shadowError(runs);
     const double before = errorOf(one, kind).value_or(0);
     std::string first = mapCount(more.shadowMaps) + " cost " + text("%.2g", more.p50Ms / one.p50Ms) +

@@ -13,6 +13,10 @@ namespace gnomon::report {
 /// model raises as a coarse map does, and what `shadowError` asks for.
 ErrorKind comparedError(std::span<const RunSummary> runs);
 
+/// The error that a page shows first: wrong pixels, which leave nothing out, if all runs know them, else what
+/// `comparedError` says.
+ErrorKind leadingError(std::span<const RunSummary> runs);
+
 /// The error that tells maps apart: the first of wrong shadow pixels, edge distance and promise that all runs with maps
 /// know. The edge distance comes second because it does not compare from scheme to scheme: a map is held only to the
 /// edges that its texels can show, so a coarse map is held to fewer of them; what it misses is among its wrong pixels.
@@ -59,8 +63,8 @@ struct Correlation {
 
 Correlation correlation(std::span<const RunSummary> runs, ErrorKind a, ErrorKind b);
 
-/// One or two sentences that a person would say of these runs, the first about what more maps cost and bring, computed
-/// from them.
+/// Some sentences that a person would say of these runs, computed from them: what exact shadows cost and leave, if
+/// there are such runs, what more maps cost and bring, and how many are enough.
 std::vector<std::string> sentences(std::span<const RunSummary> runs);
 
 } // namespace gnomon::report

@@ -31,6 +31,7 @@ nlohmann::json runData(const RunSummary& run) {
         {"name", run.name},
         {"options", run.options},
         {"settings", run.settings},
+        {"scheme", run.scheme},
         {"shadow_maps", run.shadowMaps},
         {"p50", run.p50Ms},
         {"p95", run.p95Ms},
@@ -83,7 +84,7 @@ nlohmann::json pageData(const Report& report) {
         {"sentences", sentences(report.runs)},
         {"runs", nlohmann::json::array()},
         {"errors", nlohmann::json::array()},
-        {"compared_error", key(comparedError(report.runs))},
+        {"leading_error", key(leadingError(report.runs))},
         {"fronts", nlohmann::json::object()},
         {"pictures", nlohmann::json::array()},
         {"storage", nlohmann::json::array()}};

@@ -13,6 +13,7 @@ namespace gnomon::report {
 
 /// The ways in which a run can be wrong; each run knows some of them.
 enum class ErrorKind {
+    WrongPixels,      // the fraction of all pixels that are lit where integers have them dark, or the other way round
     PromisedAliasing, // the larger of the promised perspective aliasing in x and z over [near, far]
     MeasuredAliasing, // the perspective aliasing found at the pixels
     WrongShadow,      // the fraction of lit-side pixels whose shadow differs from rays', missed thin casters too
@@ -21,6 +22,7 @@ enum class ErrorKind {
 };
 
 inline constexpr std::array kErrorKinds{
+    ErrorKind::WrongPixels,
     ErrorKind::PromisedAliasing,
     ErrorKind::MeasuredAliasing,
     ErrorKind::WrongShadow,
@@ -48,6 +50,7 @@ struct RunSummary {
     std::string name;                            // unique in a report
     std::string options;                         // to paste behind `gnomon render MODEL`
     std::map<std::string, std::string> settings; // the swept columns and their values
+    std::string scheme; // "map+w", "zp4": how maps are laid out, or the cells of exact shadows; empty without either
     int shadowMaps = 0;
     double p50Ms = 0; // of the whole frame
     double p95Ms = 0;

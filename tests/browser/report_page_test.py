@@ -56,6 +56,27 @@ class ReportPage(unittest.TestCase):
         asked = [url for url in self.browser.requests() if not url.startswith(("file:", "data:"))]
         self.assertEqual([], asked)
 
+    def test_zero_has_a_place_on_a_logarithmic_axis(self):
+        kind = "wrong_pixels_all"
+        if not any(r["errors"].get(kind) == 0 for r in self.data["runs"]):
+            self.skipTest("no run of this page is without an error")
+        self.browser.run("document.querySelector('#log-error').checked = true")
+        self.browser.run(SET, "#error-kind", kind, "change")
+        shown = self.browser.run("return Chart.getChart('error-time').data.datasets[1].data.map((p) => p.run.name)")
+        self.assertEqual({r["name"] for r in self.data["runs"] if kind in r["errors"]}, set(shown))
+        labels = self.browser.run("return Chart.getChart('error-time').scales.y.ticks.map((t) => t.label)")
+        self.assertEqual("0", labels[0])
+        self.assertNotIn("0", labels[1:])
+
+    def test_layouts_of_cells_stand_beside_maps(self):
+        exact = [r for r in self.data["runs"] if "cells" in r["settings"]]
+        if len(exact) < 2:
+            return self.assertTrue(self.browser.run("return document.querySelector('#cells') === null"))
+        self.assertFalse(self.browser.run(BLANK, "#cells"))
+        sets = self.browser.run("return Chart.getChart('cells').data.datasets.map((s) => s.data)")
+        self.assertEqual(4, len(sets))
+        self.assertEqual(sorted(r["stages"]["shadow"] for r in exact), sorted(sets[2]))
+
     def test_every_error_can_be_chosen(self):
         kinds = self.browser.run("return [...document.querySelector('#error-kind').options].map((o) => o.value)")
         self.assertTrue(kinds)

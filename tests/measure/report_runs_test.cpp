@@ -40,6 +40,7 @@ TEST(ReportRuns, ContradictNoWarpThatIsAskedFor) {
         for (const bool isQuick : {false, true}) {
             const bool isWarpOpen = !base.eta && !base.tsmFocus;
             std::set<std::string> names;
+            std::set<plan::CellScheme> cells;
             const std::vector<BenchRun> runs = reportRuns(base, isQuick);
             std::size_t exact = 0;
             for (const BenchRun& run : runs) {
@@ -50,10 +51,12 @@ TEST(ReportRuns, ContradictNoWarpThatIsAskedFor) {
                 const bool hasMaps = run.settings.quality.shadows != plan::ShadowMode::Exact;
                 EXPECT_TRUE(isWarpOpen || !hasMaps || run.settings.quality.warp.rule == base.quality.warp.rule)
                     << run.name;
+                cells.insert(run.settings.quality.cellScheme);
                 EXPECT_TRUE(hasMaps || run.options.find("warp") == std::string::npos) << run.options;
             }
             EXPECT_GT(runs.size(), 5U);
-            EXPECT_EQ(exact, decidesExactly(base) ? 1U : 0U);
+            EXPECT_EQ(exact, decidesExactly(base) ? plan::kCellSchemes.size() : 0U);
+            EXPECT_EQ(cells.size(), decidesExactly(base) ? plan::kCellSchemes.size() : 1U);
         }
 }
 

@@ -20,15 +20,20 @@ TEST(CellMaps, HaveOnePlaceForEachRayTowardsTheLight) {
         view.towardsLight = any(1);
         Quality quality;
         quality.shadows = ShadowMode::Exact;
+        quality.cellScheme = kCellSchemes.at(seed % kCellSchemes.size()).value;
+        const bool isSliced =
+            quality.cellScheme == CellScheme::Slices || quality.cellScheme == CellScheme::WarpedSlices;
         SceneFacts scene;
         scene.bounds.add(glm::dvec3(-50));
         scene.bounds.add(glm::dvec3(50));
         scene.visible = {random.uniform(0.1, 5), random.uniform(10, 90), true};
         const FramePlan plan = planFrame(view, quality, scene, {}).plan;
         EXPECT_TRUE(plan.passes.empty());
-        ASSERT_EQ(plan.cellMaps.size(), 1U) << seed;
-        const glm::dmat4 clip = plan.cellMaps[0].lightClipFromCamera();
-        const double depth = random.uniform(plan.near, plan.far);
+        ASSERT_EQ(plan.cellMaps.size(), isSliced ? 4U : 1U) << seed;
+        EXPECT_EQ(cellSide(plan), isSliced ? kCellSide / 2 : kCellSide);
+        const shadow::ShadowMap& map = plan.cellMaps[seed % plan.cellMaps.size()];
+        const glm::dmat4 clip = map.lightClipFromCamera();
+        const double depth = random.uniform(map.region.frustum.near, map.region.frustum.far);
         const glm::dvec3 p(random.uniform(-0.2, 0.2) * depth, random.uniform(-0.2, 0.2) * depth, depth);
         const glm::dvec4 a = clip * glm::dvec4(p, 1);
         const glm::dvec4 b = clip * glm::dvec4(p + plan.towardsLight * random.uniform(0, 30), 1);

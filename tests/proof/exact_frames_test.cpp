@@ -7,6 +7,9 @@
 #include <gtest/gtest.h>
 #include <tbb/task_arena.h>
 
+#include <optional>
+#include <set>
+
 namespace gnomon::proof {
 namespace {
 
@@ -123,6 +126,31 @@ TEST_P(ExactFrames, AreTheSameByRaysWithAnyThreads) {
         EXPECT_TRUE(pictures[0].pixels == pictures[1].pixels);
         EXPECT_TRUE(pictures[0].pixels == pictures[2].pixels);
     }
+}
+
+// Cells say who is held against whom, and nothing of what comes of it.
+TEST_P(ExactFrames, AreTheSameOverAnyLayoutOfCells) {
+    Stage stage(GetParam()());
+    std::set<std::uint64_t> tests;
+    for (std::uint64_t i = 28; i < 36; ++i) {
+        SCOPED_TRACE(i);
+        tests::ShadowTriple triple = exactTriple(stage.bounds(), i);
+        std::optional<Shot> usual;
+        for (const auto& scheme : plan::kCellSchemes) {
+            SCOPED_TRACE(scheme.word);
+            triple.quality.cellScheme = scheme.value;
+            const Shot shot = stage.draw(stage.prepare(triple.view, triple.quality));
+            if (!usual) usual = shot;
+            EXPECT_TRUE(shot.picture.pixels == usual->picture.pixels);
+            ASSERT_EQ(shot.exact.has_value(), usual->exact.has_value());
+            if (!shot.exact) continue;
+            EXPECT_EQ(shot.exact->samples, usual->exact->samples);
+            EXPECT_EQ(shot.exact->dark, usual->exact->dark);
+            EXPECT_EQ(shot.exact->touching, usual->exact->touching);
+            tests.insert(shot.exact->cast.sampleTests);
+        }
+    }
+    EXPECT_GT(tests.size(), 16U) << "hardly a layout differs: this tests nothing";
 }
 
 INSTANTIATE_TEST_SUITE_P(Plant, ExactFrames, testing::Values(&plant));

@@ -53,6 +53,7 @@ Report anyReport(Random& random) {
         run.name = std::to_string(i) + anyName(random);
         run.options = anyName(random);
         run.settings = {{"warp", anyName(random)}};
+        run.scheme = anyName(random);
         run.shadowMaps = static_cast<int>(i);
         run.p50Ms = random.uniform(1, 50);
         run.p95Ms = run.p50Ms + random.unit();
@@ -92,6 +93,7 @@ TEST(PageData, HasEveryFigureOfEveryRun) {
             EXPECT_EQ(told["shadow_maps"], run.shadowMaps);
             EXPECT_EQ(told["p50"], run.p50Ms);
             EXPECT_EQ(told["p95"], run.p95Ms);
+            EXPECT_EQ(told["scheme"], run.scheme);
             EXPECT_EQ(told["p99"], run.p99Ms);
             EXPECT_EQ(told["noise"].is_null(), !run.noise);
             EXPECT_EQ(told["crawl"].is_null(), run.crawl < 0);
@@ -119,7 +121,7 @@ TEST(PageData, HasFrontsSentencesAndPointsAsTheyAreReckoned) {
         const Report report = anyReport(random);
         const nlohmann::json data = pageData(report);
         EXPECT_EQ(data["sentences"], nlohmann::json(sentences(report.runs)));
-        EXPECT_EQ(data["compared_error"], key(comparedError(report.runs)));
+        EXPECT_EQ(data["leading_error"], key(leadingError(report.runs)));
         ASSERT_EQ(data["errors"].size(), kErrorKinds.size());
         for (std::size_t i = 0; i < kErrorKinds.size(); ++i) {
             const std::string name(key(kErrorKinds[i]));

@@ -35,6 +35,12 @@ function describe(run) {
   return [run.name, `${figures(run.p50)} ms${run.noise === null ? "" : ` ± ${percent(run.noise)}`} (p95 ${figures(run.p95)}, p99 ${figures(run.p99)})`, ...errors];
 }
 
+/// A logarithmic axis has no place for 0: the one below all others that `zero` names, if it does.
+const zeroTick = (zero) => zero === undefined ? {} : {
+  afterBuildTicks: (scale) => { scale.ticks = [{ value: zero }, ...scale.ticks.filter((tick) => tick.value > 1.5 * zero)]; },
+  ticks: { callback: (value) => value === zero ? "0" : figures(value) },
+};
+
 function scatter(id, xTitle, yTitle, datasets, logarithmic = {}) {
   return new Chart(element(id), {
     type: "scatter",
@@ -43,7 +49,7 @@ function scatter(id, xTitle, yTitle, datasets, logarithmic = {}) {
       onClick: (event, items, chart) => items.length && lookAt(chart.data.datasets[items[0].datasetIndex].data[items[0].index].run),
       scales: {
         x: axis(xTitle, logarithmic.x),
-        y: { ...axis(yTitle, logarithmic.y), ...(logarithmic.y ? around(datasets.flatMap((set) => set.data.map((point) => point.y))) : {}) },
+        y: { ...axis(yTitle, logarithmic.y), ...(logarithmic.y ? around(datasets.flatMap((set) => set.data.map((point) => point.y))) : {}), ...zeroTick(logarithmic.zero) },
       },
       plugins: { tooltip: { callbacks: { label: (item) => item.raw.run ? describe(item.raw.run) : `${figures(item.raw.x)}, ${figures(item.raw.y)}` } } },
     },
@@ -54,14 +60,16 @@ let errorTime;
 function drawErrorTime() {
   const kind = data.errors.find((e) => e.key === element("error-kind").value);
   const logarithmic = element("log-error").checked;
-  const point = (run) => ({ x: run.p50, y: run.errors[kind.key], run });
-  const visible = known(kind.key).filter(({ run }) => !logarithmic || run.errors[kind.key] > 0);
-  const front = data.fronts[kind.key].map((i) => data.runs[i]).filter((run) => !logarithmic || run.errors[kind.key] > 0);
+  const visible = known(kind.key);
+  const errors = visible.map(({ run }) => run.errors[kind.key]);
+  const zero = logarithmic && errors.includes(0) ? Math.min(...errors.filter((error) => error > 0), 1) / 4 : undefined;
+  const point = (run) => ({ x: run.p50, y: run.errors[kind.key] === 0 && logarithmic ? zero : run.errors[kind.key], run });
+  const front = data.fronts[kind.key].map((i) => data.runs[i]);
   if (errorTime) errorTime.destroy();
   errorTime = scatter("error-time", "median frame time, ms", kind.label, [
     { label: "Pareto front", data: front.map(point), showLine: true, borderColor: accent, backgroundColor: accent, pointRadius: 5 },
     { label: "runs", data: visible.map(({ run }) => point(run)), backgroundColor: palette[0], pointRadius: 4 },
-  ], { y: logarithmic });
+  ], { y: logarithmic, zero });
   answerBudget();
   answerBound();
 }
@@ -115,6 +123,37 @@ function drawMaps() {
     culling.has("on") ? ", casters culled per partition" : culling.has("off") ? ", casters not culled per partition" : "";
   element("maps-caption").textContent = sweeps.length === 0 ? "No two runs differ in their number of maps alone." :
     `The shape of the paper's figure 13: image and shadow passes${casters}.`;
+}
+
+/// Exact shadows over each layout of cells, and the maps that are laid out the same.
+function drawCells() {
+  const exact = data.runs.filter((run) => run.settings.cells !== undefined);
+  if (exact.length < 2) return void element("cells-section").remove();
+  const usual = data.runs.find((run) => run.shadow_maps > 0) ?? exact[0];
+  const alike = (run) => ["error_pixels", "shadow_texels", "cull_casters", "filter"].every((key) => run.settings[key] === usual.settings[key]);
+  const mapsOf = (scheme) => data.runs.find((run) => run.shadow_maps > 0 && run.scheme === scheme && alike(run));
+  const names = { "map": "one map, no warp", "map+w": "one map, LSPSM", "zp4": "4 slices, no warp", "zp4+w": "4 slices, LSPSM" };
+  const runs = Object.keys(names).map((scheme) => exact.find((run) => run.scheme === scheme)).filter(Boolean);
+  const maps = runs.map((run) => mapsOf(run.scheme));
+  const bar = (label, of, color) => ({ type: "bar", label, data: of.map((run) => run?.stages.shadow ?? null), backgroundColor: color, of });
+  const wrong = (label, of, color) => ({
+    type: "line", label, yAxisID: "wrong", showLine: false, pointRadius: 7, pointStyle: "rectRot", backgroundColor: color, borderColor: ink, of,
+    data: of.map((run) => run?.errors.wrong_pixels_all === undefined ? null : 100 * run.errors.wrong_pixels_all),
+  });
+  new Chart(element("cells"), {
+    data: {
+      labels: runs.map((run) => names[run.scheme]),
+      datasets: [wrong("wrong pixels, exact", runs, palette[2]), wrong("wrong pixels, maps", maps, palette[1]),
+        bar("exact shadows, ms", runs, palette[0]), bar("shadow maps, ms", maps, palette[7])],
+    },
+    options: {
+      scales: {
+        y: { beginAtZero: true, title: { display: true, text: "shadow stage, ms" } },
+        wrong: { position: "right", beginAtZero: true, grid: { drawOnChartArea: false }, title: { display: true, text: "wrong pixels, % of all" } },
+      },
+      plugins: { tooltip: { callbacks: { label: (item) => item.dataset.of[item.dataIndex] ? describe(item.dataset.of[item.dataIndex]) : "" } } },
+    },
+  });
 }
 
 function drawStorage() {
@@ -267,7 +306,7 @@ function showContext() {
 
 const measured = data.errors.filter((e) => known(e.key).length > 0);
 for (const kind of measured.length ? measured : data.errors) element("error-kind").add(new Option(kind.label, kind.key));
-element("error-kind").value = data.compared_error;
+element("error-kind").value = data.leading_error;
 element("error-kind").addEventListener("change", drawErrorTime);
 element("log-error").addEventListener("change", drawErrorTime);
 element("budget").addEventListener("input", answerBudget);
@@ -276,6 +315,7 @@ showContext();
 showNoise();
 drawErrorTime();
 drawMaps();
+drawCells();
 drawStorage();
 drawPromises();
 drawStages();

@@ -102,14 +102,17 @@ std::vector<glm::dvec3> eyesAlong(const WalkableFloor& floor, const std::vector<
     return eyes;
 }
 
-/// Looks along the way: to where it leads within the next strides, turning evenly.
-CameraPath lookingAhead(const std::vector<glm::dvec3>& eyes, const WalkBody& body) {
+/// Looks along the way: to where it leads within the next strides, as far as no corner is between, turning evenly.
+CameraPath walkAlong(const WalkableFloor& floor, const std::vector<WayPoint>& way) {
+    const WalkBody& body = floor.body();
+    const std::vector<glm::dvec3> eyes = eyesAlong(floor, way);
     const double ahead = 1.5 * body.eyeHeight;
     const auto count = eyes.size();
     std::vector<glm::dvec3> gazes;
     for (std::size_t i = 0; i < count; ++i) {
         std::size_t to = i + 1;
-        while (to + 1 < count && glm::distance(eyes[to], eyes[i]) < ahead)
+        while (to + 1 < count && glm::distance(eyes[to], eyes[i]) < ahead &&
+               runStraight(floor, way[i], way[to + 1].at).end == way[to + 1].cell)
             ++to;
         gazes.push_back(to < count ? glm::normalize(eyes[to] - eyes[i]) : gazes.back());
         gazes.back().y *= 0.5; // up stairs one looks less steeply than one goes
@@ -168,7 +171,7 @@ private:
         if (!found || found->length < kShortest * body_.eyeHeight) return std::nullopt;
         std::vector<WayPoint> way = smoothWay(floor, found->cells);
         way.resize(trimmedEnd(floor, way));
-        return lookingAhead(eyesAlong(floor, way), body_);
+        return walkAlong(floor, way);
     }
 
     const hierarchy::ModelFile& model_;

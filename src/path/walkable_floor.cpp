@@ -66,7 +66,6 @@ std::uint32_t WalkableFloor::nearest(std::int32_t x, std::int32_t z, std::int32_
 }
 
 void WalkableFloor::findFloors(const SolidSpans& solid) {
-    const std::int32_t headroom = steps(body_.headroom);
     std::vector<SolidSpan> spans;
     std::vector<FloorCell> found;
     std::uint32_t column = 0;
@@ -77,8 +76,8 @@ void WalkableFloor::findFloors(const SolidSpans& solid) {
                 FloorCell cell;
                 cell.column = column;
                 cell.floor = spans[i].top;
-                if (i + 1 < spans.size()) cell.ceiling = spans[i + 1].bottom;
-                if (cell.ceiling == FloorCell::kSky || cell.ceiling - cell.floor >= headroom) found.push_back(cell);
+                if (i + 1 < spans.size()) cell.ceiling = spans[i + 1].bottom; // with headroom: else they were one
+                found.push_back(cell);
             }
         }
     add(found);
@@ -185,6 +184,7 @@ void WalkableFloor::connect() {
 /// Whether it goes up or down more steeply than stairs do, over half a stride or more to either side.
 bool WalkableFloor::isSteep(std::uint32_t cell) const {
     const auto reach = static_cast<int>(std::max(1.0, 0.5 * body_.eyeHeight / 1.7 / grid_.cell));
+    glm::dvec2 slope(0);
     for (std::size_t axis = 0; axis < 2; ++axis) {
         std::array<std::uint32_t, 2> ends{cell, cell};
         int taken = 0;
@@ -192,9 +192,10 @@ bool WalkableFloor::isSteep(std::uint32_t cell) const {
             for (int i = 0; i < reach && cells_[ends.at(side)].next.at(axis + 2 * side) != kNone; ++i, ++taken)
                 ends.at(side) = cells_[ends.at(side)].next.at(axis + 2 * side);
         const double rise = std::abs(cells_[ends[0]].floor - cells_[ends[1]].floor) * grid_.rise;
-        if (rise > 0.7 * body_.step + body_.stepSlope * taken * grid_.cell) return true;
+        const double beyondAStep = std::max(0.0, rise - 0.7 * body_.step);
+        slope[static_cast<glm::length_t>(axis)] = beyondAStep / (std::max(taken, 1) * grid_.cell);
     }
-    return false;
+    return glm::length(slope) > body_.stepSlope;
 }
 
 void WalkableFloor::leaveSteepOnes() {

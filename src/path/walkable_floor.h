@@ -17,7 +17,7 @@ struct WalkBody {
     double step = 0.3;      // the highest step, up or down
     double longStep = 0.6;  // the widest gap in a floor that is stepped over
     double barStep = 1.1;   // the same beside a bar, which is narrower than a foot is long: a coarsely made grating
-    double stepSlope = 0.9; // how steep it may go over more than one step
+    double stepSlope = 0.9; // rise over run beyond one step: stairs of 42 degrees, ramps of 45
     double pace = 1.4;      // per second
 
     /// The body whose eye is `eyeHeight` above its floor: that of an adult at 1.7.

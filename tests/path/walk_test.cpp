@@ -2,6 +2,7 @@
 #include "core/error.h"
 #include "culling/triangle_clip.h"
 #include "path/building.h"
+#include "path/turbine_hall.h"
 #include "path/walk.h"
 #include "path/walk_facts.h"
 #include "selection/error_rule.h"
@@ -28,6 +29,22 @@ void expectOnFloorAndClear(const WalkFacts& facts, const std::string& name) {
     EXPECT_EQ(facts.strayed, 0) << name;
 }
 
+/// The least distance that is free ahead of the eye, but for the last strides; and the largest turn in a second.
+std::pair<double, double> outlook(const MadeModel& model, const CameraPath& path) {
+    std::pair<double, double> worst(std::numeric_limits<double>::infinity(), 0);
+    const auto gazeAt = [&](double time) {
+        const Camera camera = cameraAt(path, time);
+        return glm::normalize(camera.target - camera.eye);
+    };
+    for (double time = 0; time + 2 < path.duration(); time += 0.25) {
+        const std::vector<double> met = model.met(cameraAt(path, time).eye, gazeAt(time));
+        if (!met.empty()) worst.first = std::min(worst.first, met.front());
+        const double cosine = glm::dot(gazeAt(time), gazeAt(time + 1));
+        worst.second = std::max(worst.second, std::acos(std::clamp(cosine, -1.0, 1.0)));
+    }
+    return worst;
+}
+
 TEST(Walk, LeadsThroughTheDoorsOfSeededBuildingsAndThroughNoWall) {
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
         const std::string name = "seed " + std::to_string(seed);
@@ -45,27 +62,31 @@ TEST(Walk, LeadsThroughTheDoorsOfSeededBuildingsAndThroughNoWall) {
         }
         EXPECT_GE(static_cast<int>(rooms.size()), building.longestWay() - 2) << name;
         EXPECT_EQ(toJson(path), toJson(walk(model.file(), {}))) << name;
+        const auto [ahead, turn] = outlook(model, path);
+        EXPECT_GT(ahead, 0.8) << name << ": a wall in the face";
+        EXPECT_LT(turn, 1.5) << name << ": radians";
     }
 }
 
-/// Two storeys with a flight of stairs from one to the other, in a house of 9 m by 4 m.
+/// Two high storeys with a flight of stairs from one to the other, in a house of 13 m by 4 m.
 struct Stairs {
+    static constexpr double kStorey = 4.4;
+
     bool hasUpperFloor = true;
 
     void operator()(const std::string& path) const {
-        constexpr double kStorey = 2.9;
-        constexpr int kSteps = 16;
+        constexpr int kSteps = 24;
         Boxes boxes;
-        boxes.add({0, -0.2, 0}, {9, 0, 4});
-        boxes.add({0, 2 * kStorey, 0}, {9, 2 * kStorey + 0.2, 4});
-        for (const double x : {-0.2, 9.0})
+        boxes.add({0, -0.2, 0}, {13, 0, 4});
+        boxes.add({0, 2 * kStorey, 0}, {13, 2 * kStorey + 0.2, 4});
+        for (const double x : {-0.2, 13.0})
             boxes.add({x, -0.2, 0}, {x + 0.2, 2 * kStorey, 4});
         for (const double z : {-0.2, 4.0})
-            boxes.add({-0.2, -0.2, z}, {9.2, 2 * kStorey, z + 0.2});
+            boxes.add({-0.2, -0.2, z}, {13.2, 2 * kStorey, z + 0.2});
         if (!hasUpperFloor) return boxes.write(path);
-        boxes.add({5, kStorey - 0.2, 0}, {9, kStorey, 4});
+        boxes.add({8, kStorey - 0.2, 0}, {13, kStorey, 4});
         for (int step = 1; step < kSteps; ++step) {
-            const double x = 5 - 0.26 * (kSteps - step);
+            const double x = 8 - 0.26 * (kSteps - step);
             boxes.add({x, 0, 2.6}, {x + 0.26, kStorey * step / kSteps, 4});
         }
         boxes.write(path);
@@ -77,19 +98,34 @@ TEST(Walk, ClimbsStairsOrStaysInTheStoreyThatIsAskedFor) {
     const WalkFacts both = factsOf(model, walk(model.file(), {}), {});
     expectOnFloorAndClear(both, "both");
     EXPECT_NEAR(both.lowest, 1.7, 0.1);
-    EXPECT_NEAR(both.highest, 2.9 + 1.7, 0.1);
+    EXPECT_NEAR(both.highest, Stairs::kStorey + 1.7, 0.1);
     const WalkFacts lower = factsOf(model, walk(model.file(), {0, {}}), {});
     expectOnFloorAndClear(lower, "lower");
-    EXPECT_LT(lower.highest, 2.9);
+    EXPECT_LT(lower.highest, 1.7 + 1);
     const WalkFacts upper = factsOf(model, walk(model.file(), {1, {}}), {});
     expectOnFloorAndClear(upper, "upper");
-    EXPECT_GT(upper.lowest, 2.9 + 0.9);
+    EXPECT_GT(upper.lowest, Stairs::kStorey + 0.9);
+}
+
+TEST(Walk, AtLeastThirtyMetresInBothStoreysOfATurbineHall) {
+    for (const int quarterTurns : {0, 1}) {
+        const MadeModel model(TurbineHall(0.9, quarterTurns));
+        for (const int storey : {0, 1}) {
+            const CameraPath path = walk(model.file(), {storey, {}});
+            const WalkFacts facts = factsOf(model, path, {}, storey == 0 ? 0 : 0.6); // bars are a metre apart
+            expectOnFloorAndClear(facts, "storey " + std::to_string(storey));
+            EXPECT_GE(facts.length, 30);
+            EXPECT_NEAR(facts.lowest, 6 * storey + 1.7, 0.4);
+        }
+    }
 }
 
 TEST(Walk, SaysWhichStoreysThereAre) {
     const MadeModel model(Stairs{});
-    EXPECT_NE(refusal(model, {2, {}}).find("no such storey: expected 0 (at "), std::string::npos);
-    EXPECT_NE(refusal(model, {2, {}}).find(", 1 (at 2."), std::string::npos) << refusal(model, {2, {}});
+    const std::string said = refusal(model, {2, {}});
+    EXPECT_NE(said.find("no such storey: expected 0 (at -0.0"), std::string::npos) << said;
+    EXPECT_NE(said.find("), 1 (at 4.3"), std::string::npos) << said << ": none between, on the stairs";
+    EXPECT_EQ(said.find(", 2 (at"), std::string::npos) << said;
     const MadeModel hall(Stairs{false});
     EXPECT_NE(refusal(hall, {1, {}}).find("), found 1"), std::string::npos) << "an upper level without floor";
     EXPECT_EQ(refusal(hall, {1, {}}).find("1 (at"), std::string::npos) << "an upper level without floor";
@@ -147,7 +183,7 @@ TEST(Walk, TakesTheScaleFromTheEye) {
     const WalkFacts facts = factsOf(model, walk(model.file(), {{}, 1700}), body);
     EXPECT_GE(facts.clearance, 1000 * kClear);
     EXPECT_EQ(facts.strayed, 0);
-    EXPECT_NEAR(facts.highest, 2900 + 1700, 100);
+    EXPECT_NEAR(facts.highest, 1000 * Stairs::kStorey + 1700, 100);
 }
 
 /// The least and the largest view depth of anything within the view of `camera`, whose image is square.

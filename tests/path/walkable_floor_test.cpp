@@ -146,6 +146,45 @@ TEST(WalkableFloor, KeepsTheBodysRadiusAndNoMuchMore) {
     }
 }
 
+TEST(WalkableFloor, ASlopeIsWalkedUpToAboutFortyFiveDegrees) {
+    Random random(12);
+    const ColumnGrid grid({glm::dvec3(0), glm::dvec3(3.95, 9, 3.95)}, 0.1, 0.02);
+    for (int trial = 0; trial < 60; ++trial) {
+        const double rise = random.uniform(0, 2); // over run
+        if (rise > 0.9 && rise < 1.3) continue;
+        const double turn = random.uniform(0, 6.28);
+        const auto at = [&](double x, double z) {
+            return glm::dvec3(x, 4 + rise * ((x - 2) * std::cos(turn) + (z - 2) * std::sin(turn)), z);
+        };
+        SolidSpans solid(grid, 95, 0);
+        solid.add({at(0, 0), at(4, 0), at(4, 4)});
+        solid.add({at(0, 0), at(4, 4), at(0, 4)});
+        const WalkableFloor floor(solid, WalkBody{});
+        const std::uint32_t middle = floor.nearest(20, 20, 200, 20);
+        ASSERT_NE(middle, FloorCell::kNone);
+        EXPECT_EQ(floor.isWalkable(middle), rise < 1) << rise << " over 1, turned by " << turn;
+    }
+}
+
+TEST(WalkableFloor, AStepUpUnderALowCeilingIsNoWay) {
+    const ColumnGrid grid({glm::dvec3(0), glm::dvec3(3.95, 4, 1.95)}, 0.1, 0.02);
+    for (const double lift : {0.0, 0.2}) { // of the step; the ceilings are 2 m over their floors
+        SolidSpans solid(grid, 95, 0);
+        const auto addPlate = [&](double x, double y) {
+            solid.add({glm::dvec3(x, y, 0.01), glm::dvec3(x + 1.98, y, 0.01), glm::dvec3(x + 1.98, y, 1.99)});
+            solid.add({glm::dvec3(x, y, 0.01), glm::dvec3(x + 1.98, y, 1.99), glm::dvec3(x, y, 1.99)});
+        };
+        for (const double height : {0.01, 2.01}) {
+            addPlate(0.01, height);
+            addPlate(2.01, height + lift);
+        }
+        const WalkableFloor floor(solid, WalkBody{});
+        const std::uint32_t start = floor.nearest(10, 10, 1, 2);
+        ASSERT_NE(start, FloorCell::kNone);
+        EXPECT_EQ(runStraight(floor, {{10.5, 10.5}, start}, {30.5, 10.5}).end != FloorCell::kNone, lift == 0);
+    }
+}
+
 TEST(StraightRun, ReachesWhatSamplesOfTheLineReach) {
     Random random(8);
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {

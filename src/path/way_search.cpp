@@ -160,6 +160,10 @@ FoundWay WaySearch::bestFrom(std::uint32_t start, double longest) {
         most = tree_.interest[i] + 2 * room;
         best = i;
     }
+    const float halfAsInteresting = 0.5F * tree_.interest[best] / std::max(tree_.length[best], 1e-30F);
+    const auto worth = [&](std::uint32_t i) { return tree_.interest[i] - halfAsInteresting * tree_.length[i]; };
+    for (std::uint32_t cell = best; cell != kNone; cell = tree_.before[cell])
+        if (worth(cell) > worth(best)) best = cell; // what comes behind it is not worth the way
     FoundWay way;
     way.length = tree_.length[best];
     way.interest = tree_.interest[best];
@@ -208,7 +212,8 @@ std::optional<FoundWay> findWay(const WalkableFloor& floor, const WayBounds& bou
     for (int leg = 1; best && leg < kLegs; ++leg) {
         search.close(best->cells);
         const FoundWay next = search.bestFrom(best->cells.back(), bounds.longest - best->length);
-        if (next.length < floor.body().eyeHeight) break;
+        const bool isAsInteresting = next.interest * best->length > 0.5 * best->interest * next.length;
+        if (next.length < floor.body().eyeHeight || !isAsInteresting) break;
         best->cells.insert(best->cells.end(), next.cells.begin() + 1, next.cells.end());
         best->length += next.length;
         best->interest += next.interest;

@@ -25,10 +25,11 @@ struct FoundWay {
 /// to the middle of corridors and doors; twice as much under the sky, and a third more far from things.
 double wayWeight(const WalkableFloor& floor, std::uint32_t cell);
 
-/// The way with the most to see among those that begin at a few seeded places of the largest connected floors (those
-/// inside count more) and lead, as short as can be (Dijkstra 1959 with the buckets of Dial 1969), to where they collect
-/// the most within `bounds.longest`; and from there once more, as one finds the two ends of a tree. Further legs go on
-/// from its end to what is not near what was seen already, without coming back. None where no floor can be walked.
+/// The way with the most to see (but for an end that has less than half as much) among those that begin at a few seeded
+/// places of the largest connected floors (those inside count more) and lead, as short as can be (Dijkstra 1959 with
+/// the buckets of Dial 1969), to where they collect the most within `bounds.longest`; and from there once more, as one
+/// finds the two ends of a tree. Further legs go on from its end, without coming back, as long as they have half as
+/// much to see. None where no floor can be walked.
 std::optional<FoundWay> findWay(const WalkableFloor& floor, const WayBounds& bounds);
 
 } // namespace gnomon::path

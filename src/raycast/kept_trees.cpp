@@ -211,9 +211,14 @@ Bytes KeptTrees::bytes() const {
 }
 
 struct CutScene::State {
-    ~State() {
-        if (scene != nullptr) rtcReleaseScene(scene);
-    }
+    explicit State(RTCDevice device) : scene(rtcNewScene(device)) {}
+
+    ~State() { rtcReleaseScene(scene); }
+
+    State(const State&) = delete;
+    State& operator=(const State&) = delete;
+    State(State&&) = delete;
+    State& operator=(State&&) = delete;
 
     RTCScene scene = nullptr;
     std::vector<DrawnRun> runs; // as Embree numbers the instances
@@ -252,10 +257,9 @@ CutScene::CutScene(
     std::span<const PageClusters> clusters,
     const hierarchy::Grid& grid,
     const hierarchy::GridPoint& origin)
-    : state_(std::make_unique<State>()) {
+    : state_(std::make_unique<State>(trees.state_->device)) {
     RTCDevice device = trees.state_->device;
     state_->cellsPerUnit = std::ldexp(1.0, -grid.stepExponent);
-    state_->scene = rtcNewScene(device);
     rtcSetSceneFlags(state_->scene, RTC_SCENE_FLAG_ROBUST);
     const std::vector<FoundRun> found = foundRuns(trees.state_->pages, clusters);
     for (const FoundRun& each : found) {

@@ -60,6 +60,7 @@ void runRender(const RenderOptions& options) {
     const PreparedFolder shadowDepth(options.shadowDepth);
     frame::FrameOptions frameOptions;
     frameOptions.overlay = valueOf(executor::kOverlays, options.overlay).value_or(executor::Overlay::None);
+    frameOptions.wantsWholeMaps = !options.shadowDepth.empty();
     frame::Frame frame = session.renderer().render(view, quality, frameOptions);
     proof::ProofOptions proofOptions;
     proofOptions.measuresAliasing = !options.statistics.empty();

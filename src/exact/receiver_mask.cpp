@@ -8,10 +8,15 @@ void ReceiverMask::reset(int width, int height) {
     const auto blocks = [](int cells) { return (cells + (1 << kBlockBits) - 1) >> kBlockBits; };
     int w = std::max(blocks(width), 1);
     int h = std::max(blocks(height), 1);
-    levels_.clear();
-    for (;;) {
-        levels_.push_back({w, h, std::vector<float>(static_cast<std::size_t>(w) * static_cast<std::size_t>(h), kNone)});
-        if (w == 1 && h == 1) return;
+    for (std::size_t level = 0;; ++level) {
+        if (level == levels_.size()) levels_.emplace_back();
+        levels_[level].width = w;
+        levels_[level].height = h;
+        levels_[level].lowest.assign(static_cast<std::size_t>(w) * static_cast<std::size_t>(h), kNone);
+        if (w == 1 && h == 1) {
+            levels_.resize(level + 1);
+            return;
+        }
         w = (w + 1) / 2;
         h = (h + 1) / 2;
     }

@@ -24,7 +24,7 @@ public:
     static constexpr int kBlockBits = 3; // a block has 8 x 8 cells
     static constexpr float kNone = std::numeric_limits<float>::infinity();
 
-    /// A mask over width x height cells in which nothing is.
+    /// A mask over width x height cells in which nothing is; keeps its memory.
     void reset(int width, int height);
 
     /// The least h of the samples of block (x, y), rounded down; kNone if it has none. Call `finish` once all are set.
@@ -37,6 +37,9 @@ public:
     int blocksHigh() const { return levels_[0].height; }
 
     void finish();
+
+    /// Whether no block has a sample.
+    bool isEmpty() const { return levels_.back().lowest[0] == kNone; }
 
     /// Whether a sample in the cells of `box` and those around them may lie below `highest`, the greatest h of
     /// something that covers them.

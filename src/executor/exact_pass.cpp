@@ -82,7 +82,7 @@ void drawUndecided(
         undecided.sliceEnds.push_back(static_cast<float>(map.region.frustum.far));
     const glm::dmat4 clipFromDraw = imageClipFromDraw(frame);
     const FloatPicture noMaps;
-    const Shading shading(frame, clipFromDraw, noMaps, buffers.pass->drawn(), true);
+    const Shading shading(frame, clipFromDraw, noMaps, buffers.pass->drawn(), Verdict::Undecided);
     const ShadingTarget target{buffers.picture, nullptr, &undecided};
     shadeVisible(shading, *buffers.words, target);
 }

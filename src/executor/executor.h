@@ -109,6 +109,7 @@ struct FrameDrawing {
     const Raster<std::uint8_t>* litMask = nullptr; // 255 where the light reaches, instead of maps
     const selection::DrawList* exactCasters = nullptr; // of drawExactly, besides the image's own clusters
     const raycast::CutScene* rays = nullptr;           // of both: decide what drawExactly else does by casting
+    bool cullsByReceivers = false; // maps need not hold what no pixel of the image asks for; where `drawsImageFirst`
 };
 
 /// What one kind of passes took.
@@ -118,10 +119,19 @@ struct PassStatistics {
     std::optional<std::uint64_t> fragments; // pixels that the triangles cover, summed; if counted
 };
 
+/// What shadow maps drew of their casters, where receivers culled them.
+struct CulledCasters {
+    std::uint64_t clustersTested = 0;
+    std::uint64_t clustersKept = 0;
+    std::uint64_t triangles = 0; // drawn
+    std::uint64_t mapsDrawn = 0;
+};
+
 /// What drawing a frame took.
 struct DrawStatistics {
     PassStatistics shadows;
     PassStatistics image;
+    std::optional<CulledCasters> culled;         // by receivers
     std::optional<exact::ExactStatistics> exact; // of exact shadows
     Bytes deviceMemory;                          // geometry and textures held
 };
@@ -170,14 +180,11 @@ public:
     /// What geometry and textures hold since the last frame.
     virtual Bytes deviceMemory() const = 0;
 
-    /// Both passes of a frame.
-    DrawStatistics draw(const FrameDrawing& frame) {
-        DrawStatistics statistics;
-        statistics.shadows = drawShadowMaps(frame);
-        statistics.image = drawImage(frame);
-        statistics.deviceMemory = deviceMemory();
-        return statistics;
-    }
+    /// Whether `draw` can find out what is visible before it draws the maps.
+    virtual bool drawsImageFirst() const { return false; }
+
+    /// Both passes of a frame; the same picture whether receivers cull casters or not.
+    virtual DrawStatistics draw(const FrameDrawing& frame);
 
     virtual Picture picture() = 0;
     /// View depth per pixel; infinity where nothing is.

@@ -37,10 +37,14 @@ struct PixelBatch {
     Values<std::int32_t> pass{};   // the map that was looked up; -1: none
     Values<std::int32_t> faces{};  // -1 where the surface faces the light, else 0
     Values<std::uint32_t> color{}; // shaded as 8-bit RGB, red in the low byte
-    // With LitSource::Undecided, besides: the colour in the light, `color` being that in shadow, and the weights of
-    // corners 1 and 2.
+    // With LitSource::Undecided and Awaited, besides: the colour in the light, `color` being that in shadow.
     Values<std::uint32_t> litColor{};
+    // With Undecided the weights of corners 1 and 2.
     Values<float> second{}, third{};
+    // With Awaited what is to be looked up in `pass`, once it is drawn: the first and the last texel of the kernel,
+    // column and row of the depth texture, and the depth to compare with.
+    Values<std::int32_t> firstColumn{}, firstRow{}, lastColumn{}, lastRow{};
+    Values<float> lookupDepth{};
 };
 
 /// Points that are looked up in the maps together. What lies past `count` is computed too, and means nothing.
@@ -52,8 +56,9 @@ struct PointBatch {
     PixelBatch::Values<std::int32_t> pass{}; // the map that was looked up; -1: none
 };
 
-/// Where the lit fraction of a pixel comes from; undecided pixels get the colours of both verdicts.
-enum class LitSource : std::uint8_t { Everywhere, Maps, Mask, Undecided };
+/// Where the lit fraction of a pixel comes from. Undecided pixels get the colours of both verdicts, and so do those
+/// whose lookups are awaited by maps that are still to be drawn.
+enum class LitSource : std::uint8_t { Everywhere, Maps, Mask, Undecided, Awaited };
 
 /// What all pixels of a frame share.
 struct ShadingFrame {

@@ -157,6 +157,17 @@ HWY_INLINE Ints packed(const Vec3& color) {
     return hn::Or(level(color.x), hn::Or(hn::ShiftLeft<8>(level(color.y)), hn::ShiftLeft<16>(level(color.z))));
 }
 
+/// Stores what the maps will be looked up for, once they are there; `pass` becomes the map, -1 where there is none.
+HWY_INLINE void leaveLookups(
+    const ShadingFrame& f, const SurfaceLanes& surface, Ints& pass, PixelBatch& batch, std::size_t i) {
+    const AwaitedLanes awaited = awaitedLookups(f, surface, pass);
+    hn::StoreU(awaited.firstColumn, kInts, batch.firstColumn.data() + i);
+    hn::StoreU(awaited.firstRow, kInts, batch.firstRow.data() + i);
+    hn::StoreU(awaited.lastColumn, kInts, batch.lastColumn.data() + i);
+    hn::StoreU(awaited.lastRow, kInts, batch.lastRow.data() + i);
+    hn::StoreU(awaited.depth, kFloats, batch.lookupDepth.data() + i);
+}
+
 HWY_INLINE void shadeLanes(const ShadingFrame& f, PixelBatch& batch, std::size_t i) {
     const block::Frame& frame = *f.frame;
     const auto zero = hn::Zero(kFloats);
@@ -183,6 +194,7 @@ HWY_INLINE void shadeLanes(const ShadingFrame& f, PixelBatch& batch, std::size_t
     auto pass = hn::Set(kInts, -1);
     Floats lit = hn::IfThenElseZero(faces, f.litSource == LitSource::Mask ? load(batch.litMask, i) : constant(1));
     if (f.litSource == LitSource::Maps) lit = litByMaps(f, {position, flat, depth, cosine, faces}, pass);
+    if (f.litSource == LitSource::Awaited) leaveLookups(f, {position, flat, depth, cosine, faces}, pass, batch, i);
 
     const auto direct = hn::Mul(lit, hn::Max(dot(smooth, light), zero));
     const auto facing = hn::Abs(dot(smooth, eyeDirection));
@@ -191,7 +203,7 @@ HWY_INLINE void shadeLanes(const ShadingFrame& f, PixelBatch& batch, std::size_t
     const Vec3 albedo = {channel<0>(batch, i, weights), channel<8>(batch, i, weights), channel<16>(batch, i, weights)};
     const Vec3 shaded = scale(albedo, strength);
     auto color = packed(shaded);
-    if (f.litSource == LitSource::Undecided) {
+    if (f.litSource == LitSource::Undecided || f.litSource == LitSource::Awaited) {
         hn::StoreU(hn::BitCast(kUints, color), kUints, batch.litColor.data() + i);
         hn::StoreU(weights.second, kFloats, batch.second.data() + i);
         hn::StoreU(weights.third, kFloats, batch.third.data() + i);

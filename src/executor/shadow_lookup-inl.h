@@ -122,9 +122,15 @@ HWY_INLINE Floats between(Floats a, Floats b, Floats fraction) {
     return hn::Add(a, hn::Mul(fraction, hn::Sub(b, a)));
 }
 
-template <bool isUniform>
-HWY_INLINE Floats litFraction(const ShadingFrame& f, Ints pass, const Vec3& p, const Vec3& normal, Floats cosine) {
-    const PartitionLanes<isUniform> part(f, pass);
+/// What a lookup reads: the square of the kernel's texels from the floor of `startX`, `startY` on, each brought into
+/// the partition, and the depth that is compared with theirs.
+struct LookupLanes {
+    Floats startX, startY, depth;
+};
+
+template <class Partition>
+HWY_INLINE LookupLanes
+lookupAt(const ShadingFrame& f, const Partition& part, const Vec3& p, const Vec3& normal, Floats cosine) {
     const Vec3 offset = subtract(p, {part(kOrigin), part(kOrigin + 1), part(kOrigin + 2)});
     const auto w = clipCoordinate(part, 3, offset);
     // No receiver lies in the plane of w = 0; should one, it must not become a NaN.
@@ -134,16 +140,21 @@ HWY_INLINE Floats litFraction(const ShadingFrame& f, Ints pass, const Vec3& p, c
     const auto depth = hn::Min(
         hn::Sub(hn::Mul(clipCoordinate(part, 2, offset), inverseW), receiverBias(part, offset, normal, cosine, w)),
         constant(1));
-    const int width = std::max(f.frame->filterTexels, 1);
-    const auto half = constant(0.5F * static_cast<float>(width - 1));
+    const auto half = constant(0.5F * static_cast<float>(std::max(f.frame->filterTexels, 1) - 1));
     const auto far = constant(1e6F);
     const auto startOf = [&](int row) HWY_ATTR {
         const auto clip = hn::Mul(clipCoordinate(part, row, offset), inverseW);
         const auto texel = hn::Add(hn::Mul(clip, part(kTexelScale + row)), part(kTexelOffset + row));
         return hn::Min(hn::Max(hn::Sub(texel, half), hn::Neg(far)), far);
     };
-    const auto startX = startOf(0);
-    const auto startY = startOf(1);
+    return {startOf(0), startOf(1), depth};
+}
+
+template <bool isUniform>
+HWY_INLINE Floats litFraction(const ShadingFrame& f, Ints pass, const Vec3& p, const Vec3& normal, Floats cosine) {
+    const PartitionLanes<isUniform> part(f, pass);
+    const auto [startX, startY, depth] = lookupAt(f, part, p, normal, cosine);
+    const int width = std::max(f.frame->filterTexels, 1);
     const auto firstX = hn::ConvertTo(kInts, hn::Floor(startX));
     const auto firstY = hn::ConvertTo(kInts, hn::Floor(startY));
     const auto fractionX = hn::Sub(startX, hn::Floor(startX));
@@ -186,14 +197,19 @@ struct SurfaceLanes {
     Mask faces;    // whether that is above 0
 };
 
+/// The map that each surface looks up; -1 where there is none, or where it is turned from the light.
+HWY_INLINE Ints passOfSurface(const ShadingFrame& f, const SurfaceLanes& surface) {
+    const auto relative = subtract(surface.position, constant(&f.frame->eye.x));
+    const auto pass = passOf(f, relative, surface.depth);
+    return hn::IfThenElse(hn::RebindMask(kInts, surface.faces), pass, hn::Set(kInts, -1));
+}
+
 /// Looks up the maps where the surface faces the light; `pass` becomes -1 elsewhere.
 HWY_INLINE Floats litByMaps(const ShadingFrame& f, const SurfaceLanes& surface, Ints& pass) {
     const auto none = hn::Set(kInts, -1);
-    const auto isFacing = hn::RebindMask(kInts, surface.faces);
     pass = none;
     if (hn::AllFalse(kFloats, surface.faces)) return hn::Zero(kFloats);
-    const auto relative = subtract(surface.position, constant(&f.frame->eye.x));
-    pass = hn::IfThenElse(isFacing, passOf(f, relative, surface.depth), none);
+    pass = passOfSurface(f, surface);
     const auto isAsked = hn::Gt(pass, none);
     auto lit = constant(1);
     if (!hn::AllFalse(kInts, isAsked)) {
@@ -205,6 +221,49 @@ HWY_INLINE Floats litByMaps(const ShadingFrame& f, const SurfaceLanes& surface, 
         lit = hn::IfThenElse(hn::RebindMask(kFloats, isAsked), asked, lit);
     }
     return hn::IfThenElseZero(surface.faces, lit);
+}
+
+/// What `litByMaps` would read, for later: whole numbers within the partition, and the depth to compare with.
+struct AwaitedLanes {
+    Ints firstColumn = hn::Zero(kInts);
+    Ints firstRow = hn::Zero(kInts);
+    Ints lastColumn = hn::Zero(kInts);
+    Ints lastRow = hn::Zero(kInts);
+    Floats depth = hn::Zero(kFloats);
+};
+
+template <bool isUniform>
+HWY_INLINE AwaitedLanes awaitedAt(const ShadingFrame& f, Ints pass, const SurfaceLanes& surface) {
+    const PartitionLanes<isUniform> part(f, pass);
+    const auto [startX, startY, depth] = lookupAt(f, part, surface.position, surface.normal, surface.cosine);
+    const auto further = hn::Set(kInts, std::max(f.frame->filterTexels, 1) - 1);
+    const auto within = [&](Ints texel, int axis) HWY_ATTR {
+        const auto low = hn::ConvertTo(kInts, part(kFirstTexel + axis));
+        const auto high = hn::Sub(hn::ConvertTo(kInts, part(kEndTexel + axis)), hn::Set(kInts, 1));
+        return hn::Min(hn::Max(texel, low), high);
+    };
+    const auto column = hn::ConvertTo(kInts, hn::Floor(startX));
+    const auto row = hn::ConvertTo(kInts, hn::Floor(startY));
+    return {
+        within(column, 0),
+        within(row, 1),
+        within(hn::Add(column, further), 0),
+        within(hn::Add(row, further), 1),
+        depth};
+}
+
+/// `pass` becomes the map that is read; -1 where there is none, and the rest means nothing.
+HWY_INLINE AwaitedLanes awaitedLookups(const ShadingFrame& f, const SurfaceLanes& surface, Ints& pass) {
+    const auto none = hn::Set(kInts, -1);
+    pass = none;
+    if (hn::AllFalse(kFloats, surface.faces)) return {};
+    pass = passOfSurface(f, surface);
+    const auto isAsked = hn::Gt(pass, none);
+    if (hn::AllFalse(kInts, isAsked)) return {};
+    const auto largest = hn::MaxOfLanes(kInts, pass);
+    const auto filled = hn::IfThenElse(isAsked, pass, largest);
+    return hn::AllTrue(kInts, hn::Eq(filled, largest)) ? awaitedAt<true>(f, filled, surface)
+                                                       : awaitedAt<false>(f, filled, surface);
 }
 
 } // namespace gnomon::executor::HWY_NAMESPACE

@@ -4,6 +4,7 @@
 #include "executor/exact_pass.h"
 #include "executor/frame_block.h"
 #include "executor/ray_pass.h"
+#include "executor/software/receiver_pass.h"
 #include "plan/cell_maps.h"
 
 #include <tbb/blocked_range.h>
@@ -23,38 +24,61 @@ public:
 
     PassStatistics drawImage(const FrameDrawing& frame) override;
 
+    bool drawsImageFirst() const override { return true; }
+
+    DrawStatistics draw(const FrameDrawing& frame) override;
+
     bool decidesExactly() const override { return true; }
 
     DrawStatistics drawExactly(const FrameDrawing& frame) override;
 
     Bytes deviceMemory() const override {
-        return {shadowDepth_.pixels.size() * sizeof(float) + words_.size() * sizeof(std::uint64_t) + exact_.bytes()};
+        return {
+            shadowDepth_.pixels.size() * sizeof(float) + words_.size() * sizeof(std::uint64_t) + exact_.bytes() +
+            receivers_.bytes()};
     }
 
     Picture picture() override { return picture_; }
 
     FloatPicture viewDepth() override;
 
-    FloatPicture shadowDepth() override { return shadowDepth_; }
+    FloatPicture shadowDepth() override;
 
     Raster<SurfaceSample> surfaces() override { return surfaces_; }
 
 private:
+    void sizeShadowDepth(const plan::FramePlan& plan);
     void clearBetweenMaps(const plan::FramePlan& plan);
+    void drawMap(
+        const FrameDrawing& frame,
+        const selection::DrawList& casters,
+        const raster::View& view,
+        PassStatistics& statistics,
+        const raster::BoxFilter& isWanted = {});
+    CulledCasters drawCulledMaps(const FrameDrawing& frame, PassStatistics& statistics);
     void sizeTargets(const FrameDrawing& frame);
     void shade(const FrameDrawing& frame);
     void lightDecided(const FrameDrawing& frame, std::span<const std::uint8_t> statuses);
 
     raster::Rasterizer rasterizer_;
-    SoftwarePass pass_;                // the one that is drawn
+    SoftwarePass mapPass_;             // of the map that is drawn
+    SoftwarePass pass_;                // of the image
     std::vector<std::uint64_t> words_; // the visibility buffer, rows from bottom to top
-    FloatPicture shadowDepth_;
+    FloatPicture shadowDepth_;         // may hold more pixels than it has rows of: it grows alone
     Picture picture_;
     Raster<SurfaceSample> surfaces_;
     double clipNear_ = 1;
     exact::ExactShadows exact_;
     UndecidedPixels undecided_;
+    ReceiverPass receivers_;
 };
+
+/// How the casters of `map` are seen.
+raster::View mapView(const FrameDrawing& frame, const shadow::ShadowMap& map) {
+    const shadow::TexelRectangle& r = map.rectangle;
+    const MapDrawing drawing = mapDrawing(frame, map);
+    return rasterView(drawing.space, drawing.clipFromDraw(), {r.x, r.y, r.x + r.width, r.y + r.height});
+}
 
 /// What no map covers is 1; each map clears its own texels as it is drawn.
 void SoftwareExecutor::clearBetweenMaps(const plan::FramePlan& plan) {
@@ -75,29 +99,82 @@ void SoftwareExecutor::clearBetweenMaps(const plan::FramePlan& plan) {
     }
 }
 
+/// Gives the depth texture the size of the plan's; what it holds means nothing where that changes.
+void SoftwareExecutor::sizeShadowDepth(const plan::FramePlan& plan) {
+    shadowDepth_.width = plan.textureWidth;
+    shadowDepth_.height = plan.textureHeight;
+    const std::size_t texels =
+        static_cast<std::size_t>(plan.textureWidth) * static_cast<std::size_t>(plan.textureHeight);
+    if (shadowDepth_.pixels.size() < texels) shadowDepth_.pixels.resize(texels);
+}
+
+void SoftwareExecutor::drawMap(
+    const FrameDrawing& frame,
+    const selection::DrawList& casters,
+    const raster::View& view,
+    PassStatistics& statistics,
+    const raster::BoxFilter& isWanted) {
+    mapPass_.gather(frame, casters);
+    statistics.drawCalls += casters.ranges.size();
+    *statistics.fragments += rasterizer_.drawDepth(
+        mapPass_.clusters(), view, {shadowDepth_.pixels.data(), shadowDepth_.width, shadowDepth_.height, isWanted});
+}
+
 PassStatistics SoftwareExecutor::drawShadowMaps(const FrameDrawing& frame) {
     const Stopwatch watch;
     const plan::FramePlan& plan = *frame.plan;
     PassStatistics statistics{{}, 0, 0};
     if (plan.passes.empty()) {
-        shadowDepth_ = {};
+        if (plan.quality.shadows != plan::ShadowMode::Maps) shadowDepth_ = {};
+        shadowDepth_.width = shadowDepth_.height = 0;
         return statistics;
     }
-    if (shadowDepth_.width != plan.textureWidth || shadowDepth_.height != plan.textureHeight)
-        shadowDepth_ = FloatPicture(plan.textureWidth, plan.textureHeight);
+    sizeShadowDepth(plan);
     clearBetweenMaps(plan);
-    for (std::size_t p = 0; p < plan.passes.size(); ++p) {
-        if (plan.passes[p].isReused) continue;
-        const shadow::TexelRectangle& r = plan.passes[p].map.rectangle;
-        const MapDrawing map = mapDrawing(frame, plan.passes[p].map);
-        pass_.gather(frame, *frame.casters[p]);
-        statistics.drawCalls += frame.casters[p]->ranges.size();
-        *statistics.fragments += rasterizer_.drawDepth(
-            pass_.clusters(),
-            rasterView(map.space, map.clipFromDraw(), {r.x, r.y, r.x + r.width, r.y + r.height}),
-            {shadowDepth_.pixels.data(), shadowDepth_.width, shadowDepth_.height});
-    }
+    for (std::size_t p = 0; p < plan.passes.size(); ++p)
+        if (!plan.passes[p].isReused) drawMap(frame, *frame.casters[p], mapView(frame, plan.passes[p].map), statistics);
     statistics.time = watch.elapsed();
+    return statistics;
+}
+
+/// Draws of each map what the receivers ask for.
+CulledCasters SoftwareExecutor::drawCulledMaps(const FrameDrawing& frame, PassStatistics& statistics) {
+    CulledCasters culled;
+    const raster::BoxFilter isWanted = [this](const raster::PixelBox& box) { return !receivers_.isUnseen(box); };
+    for (std::size_t p = 0; p < frame.plan->passes.size(); ++p) {
+        if (frame.plan->passes[p].isReused) continue;
+        const raster::View view = mapView(frame, frame.plan->passes[p].map);
+        if (!isWanted(view.viewport)) continue;
+        const selection::DrawList& casters = receivers_.casters(frame, p, view);
+        drawMap(frame, casters, view, statistics, isWanted);
+        culled.clustersKept += casters.clusters;
+        culled.triangles += casters.triangles;
+        ++culled.mapsDrawn;
+    }
+    culled.clustersTested = receivers_.clustersTested();
+    return culled;
+}
+
+DrawStatistics SoftwareExecutor::draw(const FrameDrawing& frame) {
+    if (!frame.cullsByReceivers || frame.plan->passes.empty()) return Executor::draw(frame);
+    Stopwatch watch;
+    DrawStatistics statistics;
+    sizeTargets(frame);
+    sizeShadowDepth(*frame.plan);
+    const ImageBuffers buffers = {&rasterizer_, &pass_, &words_, &picture_};
+    drawVisible(frame, buffers);
+    receivers_.collect(frame, buffers, shadowDepth_);
+    const Milliseconds before = watch.elapsed();
+    statistics.shadows = {{}, 0, 0};
+    statistics.culled = drawCulledMaps(frame, statistics.shadows);
+    statistics.shadows.time = {watch.elapsed().count - before.count};
+    if (receivers_.canLight())
+        receivers_.light(shadowDepth_, picture_);
+    else
+        shade(frame);
+    statistics.image = {
+        {watch.elapsed().count - statistics.shadows.time.count}, frame.image->ranges.size(), std::nullopt};
+    statistics.deviceMemory = deviceMemory();
     return statistics;
 }
 
@@ -135,12 +212,7 @@ void SoftwareExecutor::lightDecided(const FrameDrawing& frame, std::span<const s
         constexpr std::size_t kGrain = 16384;
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, samples.size(), kGrain), [&](const auto& range) {
             for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                if (exact::isDark(statuses[i])) continue;
-                const std::uint32_t color = samples.color[i];
-                picture_.pixels[samples.pixel[i]] = {
-                    static_cast<std::uint8_t>(color),
-                    static_cast<std::uint8_t>(color >> 8U),
-                    static_cast<std::uint8_t>(color >> 16U)};
+                if (!exact::isDark(statuses[i])) picture_.pixels[samples.pixel[i]] = unpacked(samples.color[i]);
             }
         });
         return;
@@ -174,6 +246,16 @@ DrawStatistics SoftwareExecutor::drawExactly(const FrameDrawing& frame) {
     statistics.shadows = {shadowWatch.elapsed(), 0, std::nullopt};
     statistics.deviceMemory = deviceMemory();
     return statistics;
+}
+
+FloatPicture SoftwareExecutor::shadowDepth() {
+    FloatPicture result;
+    result.width = shadowDepth_.width;
+    result.height = shadowDepth_.height;
+    const std::size_t texels = shadowDepth_.index(0, shadowDepth_.height);
+    result.pixels.assign(
+        shadowDepth_.pixels.begin(), shadowDepth_.pixels.begin() + static_cast<std::ptrdiff_t>(texels));
+    return result;
 }
 
 FloatPicture SoftwareExecutor::viewDepth() {

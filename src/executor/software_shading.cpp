@@ -39,6 +39,7 @@ struct Shading::Work {
     std::array<int, PixelBatch::kMost> rows{};                           // from the bottom
     std::array<std::uint32_t, PixelBatch::kMost> pixels{}, tolerances{}; // of undecided ones
     std::array<std::int32_t, PixelBatch::kMost> maps{};                  // whose cells hold them
+    std::array<std::uint32_t, PixelBatch::kMost> awaiting{};             // places in the batch
 };
 
 Shading::Shading(
@@ -46,7 +47,7 @@ Shading::Shading(
     const glm::dmat4& clipFromDraw,
     const FloatPicture& shadowDepth,
     std::span<const DrawnCluster> clusters,
-    bool isUndecided)
+    Verdict verdict)
     : frame_(&frame),
       clusters_(clusters),
       block_(frameBlock(frame, frame.space, clipFromDraw)),
@@ -56,8 +57,8 @@ Shading::Shading(
     shared_.shadows = &shadows_;
     shared_.shadowDepth = shadowDepth.pixels.data();
     shared_.shadowWidth = shadowDepth.width;
-    if (isUndecided)
-        shared_.litSource = LitSource::Undecided;
+    if (verdict != Verdict::Known)
+        shared_.litSource = verdict == Verdict::Undecided ? LitSource::Undecided : LitSource::Awaited;
     else if (frame.litMask != nullptr)
         shared_.litSource = LitSource::Mask;
     else if (!frame.plan->passes.empty())
@@ -144,15 +145,12 @@ void Shading::flush(Work& work, const ShadingTarget& target) const {
     gatherTriangles(work);
     shadePixels(shared_, batch);
     if (target.undecided != nullptr) leaveUndecided(work, target);
+    if (target.awaited != nullptr) leaveAwaited(work, target);
     Picture& picture = *target.picture;
     const bool isPainted = frame_->overlay != Overlay::None;
     for (std::size_t i = 0; i < batch.count; ++i) {
         const std::size_t at = picture.index(work.columns[i], picture.height - 1 - work.rows[i]);
-        const std::uint32_t color = batch.color[i];
-        picture.pixels[at] = isPainted ? painted(work, i)
-                                       : Rgb{static_cast<std::uint8_t>(color),
-                                             static_cast<std::uint8_t>(color >> 8U),
-                                             static_cast<std::uint8_t>(color >> 16U)};
+        picture.pixels[at] = isPainted ? painted(work, i) : unpacked(batch.color[i]);
         if (target.surfaces == nullptr) continue;
         const float partitionAndLit = static_cast<float>(batch.pass[i] + 1) + 0.5F * batch.lit[i];
         target.surfaces->pixels[at] = {
@@ -192,6 +190,32 @@ void Shading::leaveUndecided(Work& work, const ShadingTarget& target) const {
     points.tolerance = work.tolerances.data();
     points.color = batch.litColor.data();
     undecided.samples->add(points);
+}
+
+void Shading::leaveAwaited(Work& work, const ShadingTarget& target) const {
+    PixelBatch& batch = work.batch;
+    AwaitedPixels& awaited = *target.awaited;
+    exact::LookupMask::Run run(*awaited.mask);
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < batch.count; ++i) {
+        if (batch.faces[i] == 0) continue;
+        if (batch.pass[i] < 0) {
+            batch.color[i] = batch.litColor[i];
+            continue;
+        }
+        run.add({batch.firstColumn[i], batch.firstRow[i], batch.lastColumn[i], batch.lastRow[i]}, batch.lookupDepth[i]);
+        work.awaiting[count++] = static_cast<std::uint32_t>(i);
+    }
+    if (!awaited.isLitLater) return;
+    std::size_t to = awaited.size.fetch_add(count, std::memory_order_relaxed);
+    for (std::size_t k = 0; k < count; ++k, ++to) {
+        const std::size_t i = work.awaiting[k];
+        const std::size_t at = target.picture->index(work.columns[i], target.picture->height - 1 - work.rows[i]);
+        awaited.pixels[to] = static_cast<std::uint32_t>(at);
+        awaited.texels[to] = static_cast<std::uint32_t>(batch.firstRow[i] * shared_.shadowWidth + batch.firstColumn[i]);
+        awaited.litColors[to] = batch.litColor[i];
+        awaited.depths[to] = batch.lookupDepth[i];
+    }
 }
 
 Rgb Shading::painted(const Work& work, std::size_t i) const {

@@ -1,14 +1,25 @@
 // From the visibility buffer to the image: what is seen at each pixel, gathered for the vector kernel, and its colours.
 #pragma once
 
+#include "exact/lookup_mask.h"
 #include "exact/sample_list.h"
 #include "executor/shading_kernel.h"
 #include "executor/software_overlay.h"
+
+#include <atomic>
 
 namespace gnomon::executor {
 
 /// Where nothing is.
 constexpr Rgb kBackground = {219, 227, 237};
+
+/// The bytes of a PixelBatch's colour.
+constexpr Rgb unpacked(std::uint32_t color) {
+    return {
+        static_cast<std::uint8_t>(color),
+        static_cast<std::uint8_t>(color >> 8U),
+        static_cast<std::uint8_t>(color >> 16U)};
+}
 
 /// Pixels whose verdict is still to come.
 struct UndecidedPixels {
@@ -17,24 +28,40 @@ struct UndecidedPixels {
     std::vector<float> sliceEnds;         // view depths where the slices of cell maps end, nearest first
 };
 
+/// Pixels whose maps are still to be drawn: `mask` gets what will be looked up. Where `isLitLater` they are listed too,
+/// one after another in any order: which pixel, which texel of the depth texture, the depth that is compared with it,
+/// and the colour in the light, as PixelBatch has it.
+struct AwaitedPixels {
+    exact::LookupMask* mask = nullptr;
+    bool isLitLater = false;
+    std::vector<std::uint32_t> pixels, texels, litColors; // with room for every pixel; the first `size` count
+    std::vector<float> depths;
+    std::atomic<std::size_t> size{0};
+};
+
 /// Rows of the image from top to bottom; `surfaces` may be null.
 struct ShadingTarget {
     Picture* picture = nullptr;
     Raster<SurfaceSample>* surfaces = nullptr;
     UndecidedPixels* undecided = nullptr; // shades each pixel in shadow, and leaves to this what is lit
+    AwaitedPixels* awaited = nullptr;     // likewise; where no map is asked, pixels get their colour at once
 };
+
+/// What the verdict of a shading hangs on where neither the plan nor a mask tells.
+enum class Verdict : std::uint8_t { Known, Undecided, Awaited };
 
 /// The image of one frame, ready to be shaded box by box from any thread.
 class Shading {
 public:
     /// All arguments must outlive it; `shadowDepth` is empty without maps, `clusters` are those of the image's pass;
-    /// `isUndecided` calls for targets with `undecided`.
+    /// `verdict` calls for targets with `undecided` or
+    /// `awaited`.
     Shading(
         const FrameDrawing& frame,
         const glm::dmat4& clipFromDraw,
         const FloatPicture& shadowDepth,
         std::span<const DrawnCluster> clusters,
-        bool isUndecided = false);
+        Verdict verdict = Verdict::Known);
 
     Shading(const Shading&) = delete;
     Shading& operator=(const Shading&) = delete;
@@ -54,6 +81,7 @@ private:
     void gatherTriangles(Work& work) const;
     void flush(Work& work, const ShadingTarget& target) const;
     void leaveUndecided(Work& work, const ShadingTarget& target) const;
+    void leaveAwaited(Work& work, const ShadingTarget& target) const;
     Rgb painted(const Work& work, std::size_t i) const;
 
     const FrameDrawing* frame_;

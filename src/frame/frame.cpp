@@ -4,6 +4,7 @@
 #include "frame/frame_row.h"
 #include "frame/renderer.h"
 #include "frame/scene_facts.h"
+#include "plan/caster_culling.h"
 
 #include <utility>
 
@@ -56,6 +57,8 @@ PreparedFrame Renderer::prepareAs(
                 plan::PlannedFrame planned = plan::planFrame(view, quality, frame.facts, memory);
                 frame.plan = std::move(planned.plan);
                 frame.memory = std::move(planned.memory);
+                plan::chooseCasterCulling(
+                    frame.plan, executor_->drawsImageFirst() ? plan::MapOrder::ImageFirst : plan::MapOrder::MapsFirst);
             });
             addTime(frame.cullMs, [&] { cutPartitions(frame, residency_); });
         } while (frame.errorPixels > surveyedPixels);
@@ -76,7 +79,7 @@ executor::DrawStatistics Renderer::draw(const PreparedFrame& frame, const FrameO
     if (frame.isRayTraced()) return executor::drawByRays(*executor_, drawing, residency_.rayTrees());
     executor::DrawStatistics statistics = executor_->draw(drawing);
     if (frame.plan.quality.shadows == plan::ShadowMode::Exact) statistics.exact.emplace(); // nothing to decide
-    rememberMaps(frame);
+    if (!statistics.culled) rememberMaps(frame);
     return statistics;
 }
 

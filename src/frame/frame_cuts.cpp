@@ -56,7 +56,8 @@ void cutPartitions(PreparedFrame& frame, const Residency& residency) {
     for (const plan::ShadowPass& pass : frame.plan.passes) {
         casters.push_back(culling::casterDetail(view, pass.map));
         // Without culling every map draws all there is, at the detail that the maps call for.
-        frame.volumes.push_back(frame.plan.quality.cullCasters ? casters.back().casters : ConvexVolume{});
+        const bool isCulled = frame.plan.quality.cullCasters != plan::CasterCulling::Off;
+        frame.volumes.push_back(isCulled ? casters.back().casters : ConvexVolume{});
     }
     if (frame.hasOneCasterList()) {
         casters.push_back(rayCasterDetail(frame));

@@ -21,6 +21,12 @@ void setExact(const exact::ExactStatistics& exact, telemetry::FrameRow& row) {
     row.castersKept = toCount(exact.cast.clustersKept);
 }
 
+void setCulled(const executor::CulledCasters& culled, telemetry::FrameRow& row) {
+    row.shadowMapsDrawn = toCount(culled.mapsDrawn);
+    row.shadowTriangles = toCount(culled.triangles);
+    row.castersKept = toCount(culled.clustersKept);
+}
+
 } // namespace
 
 telemetry::FrameRow frameRow(
@@ -37,7 +43,8 @@ telemetry::FrameRow frameRow(
     row.filter = quality.filter;
     row.shadowMaps = toCount(plan.passes.size());
     row.shadowMapsDrawn = 0;
-    row.cullCasters = quality.cullCasters;
+    const bool isWhole = !drawn.culled && plan.casterCulling == plan::CasterCulling::Receivers;
+    row.cullCasters = wordOf(plan::kCasterCullings, isWhole ? plan::CasterCulling::On : plan.casterCulling);
     row.shadowTexels = std::to_string(quality.shadowTexelsWidth) + "x" + std::to_string(quality.shadowTexelsHeight);
     row.errorPixels = quality.errorPixels;
     row.width = plan.view.width;
@@ -63,6 +70,7 @@ telemetry::FrameRow frameRow(
     if (drawn.shadows.fragments) row.shadowFragments = toCount(*drawn.shadows.fragments);
     row.castersKept = toCount(castersKept);
     row.castersTested = toCount(plan.passes.empty() ? 0 : frame.cut.clustersTested);
+    if (drawn.culled) setCulled(*drawn.culled, row);
     row.drawCalls = toCount(drawn.shadows.drawCalls + drawn.image.drawCalls);
     row.residentBytes = toCount(source.residency.resident.count + source.trees.count);
     row.gpuBytes = toCount(drawn.deviceMemory.count);

@@ -55,6 +55,7 @@ executor::FrameDrawing Renderer::drawing(const PreparedFrame& frame, const Frame
                 return residency_.isDamaged(page);
             });
     drawing.wantsSurfaces = options.wantsSurfaces;
+    drawing.cullsByReceivers = frame.plan.casterCulling == plan::CasterCulling::Receivers && !options.wantsWholeMaps;
     return drawing;
 }
 

@@ -18,6 +18,7 @@ struct FrameOptions {
     executor::Overlay overlay = executor::Overlay::None;
     bool wantsSurfaces = false;           // keep what the executor's `surfaces` returns
     bool reusesMaps = true;               // where the frame before left the very same ones
+    bool wantsWholeMaps = false;          // to be looked at besides this image: receivers cull none of their casters
     std::optional<Camera> observerCamera; // sees the frame of the view from outside: its cut, its casters, its maps
 };
 

@@ -78,7 +78,7 @@ std::vector<BenchRun> reportRuns(const Settings& asked, bool isQuick) {
     base.quality.mapsBecause.reset();
     const bool isWarpOpen = !base.eta && !base.tsmFocus;
     Settings unculled = base;
-    unculled.quality.cullCasters = false;
+    unculled.quality.cullCasters = plan::CasterCulling::Off;
     Settings oneMap = base;
     oneMap.quality.zPartitions = 1;
     Settings stable = withWarp(base, WarpRule::None); // it has none, and a warp that is asked for contradicts it

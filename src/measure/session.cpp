@@ -21,8 +21,10 @@ std::unique_ptr<executor::Executor> makeExecutor(const settings::Settings& setti
 
 bool decidesExactly(const settings::Settings& settings) {
     using settings::Backend;
-    const bool isExact = settings.quality.shadows == plan::ShadowMode::Exact;
-    return settings.backend == Backend::Software || (settings.backend == Backend::Auto && (isExact || !gl::hasGpu()));
+    const bool wantsSoftware = settings.quality.shadows == plan::ShadowMode::Exact ||
+                               settings.quality.cullCasters == plan::CasterCulling::Receivers;
+    return settings.backend == Backend::Software ||
+           (settings.backend == Backend::Auto && (wantsSoftware || !gl::hasGpu()));
 }
 
 Session::Session(

@@ -50,6 +50,16 @@ inline constexpr std::array kChoices = {
     Word<Choice>{Choice::Auto, "auto"},
 };
 
+/// What a map draws: Off all there is, On what can throw a shadow into its partition, Receivers of these what can
+/// change a pixel of the image. Auto is one of the last two.
+enum class CasterCulling : std::uint8_t { Auto, On, Off, Receivers };
+inline constexpr std::array kCasterCullings = {
+    Word<CasterCulling>{CasterCulling::Auto, "auto"},
+    Word<CasterCulling>{CasterCulling::On, "on"},
+    Word<CasterCulling>{CasterCulling::Off, "off"},
+    Word<CasterCulling>{CasterCulling::Receivers, "receivers"},
+};
+
 /// What the user asked for; the names are those of the command line.
 struct Quality {
     ShadowMode shadows = ShadowMode::Maps;   // what a frame is planned with; who asks may leave it open
@@ -62,7 +72,7 @@ struct Quality {
     int shadowTexelsHeight = 2048;
     double maxAliasing = 4;
     int filter = 0; // PCF kernel in texels
-    bool cullCasters = true;
+    CasterCulling cullCasters = CasterCulling::Auto;
     bool stabilize = false;
     CellScheme cellScheme = CellScheme::WarpedMap; // no option: only a report compares them
     std::optional<double> near;                    // nothing: auto
@@ -133,7 +143,8 @@ struct FramePlan {
     std::vector<shadow::ShadowMap> cellMaps; // of exact shadows: their matrices lay out the cells of the samples
     shadow::Aliasing promised;               // the largest over all passes
     double storageFactor = 0;
-    bool promiseKept = true;             // only `auto` promises anything: at most quality.maxAliasing
+    CasterCulling casterCulling = CasterCulling::On; // never Auto
+    bool promiseKept = true;                         // only `auto` promises anything: at most quality.maxAliasing
     std::uint64_t texelsThatWouldDo = 0; // for that; with several schemes to choose from the least of them; 0: none
     std::uint64_t cost = 0;              // counted: estimated caster triangles + texels / 16
     std::vector<Omission> omitted;

@@ -20,6 +20,7 @@ enum class Effect : std::uint8_t {
     Filter,
     DepthClamp,
     PartitionCulling,
+    ReceiverMasks,
 };
 
 enum class OmissionReason : std::uint8_t {
@@ -38,6 +39,9 @@ enum class OmissionReason : std::uint8_t {
     BetterWithout,      // cheaper where the promise is kept, or lower by 1 - kWorthwhile
     OneSliceSuffices,   // it is the best at this promise
     NoCasterBeforeMaps, // all lie within their depths
+    MapsComeFirst,      // the executor draws no image before them
+    MapsAreKept,        // for views that see other receivers
+    FewCasters,         // beside the pixels: finding out who receives light would cost more than they do
 };
 
 /// Something that this view does not call for.

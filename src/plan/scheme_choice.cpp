@@ -61,7 +61,8 @@ void completeCandidate(const SchemeContext& context, SchemeCandidate& candidate)
     candidate.cost = static_cast<std::uint64_t>(candidate.setup.textureWidth) *
                      static_cast<std::uint64_t>(candidate.setup.textureHeight) / kTexelsPerTriangle;
     for (const shadow::ShadowMap& map : candidate.setup.maps) {
-        const ConvexVolume volume = context.quality.cullCasters ? map.casterVolume : ConvexVolume{};
+        const ConvexVolume volume =
+            context.quality.cullCasters == CasterCulling::Off ? ConvexVolume{} : map.casterVolume;
         const std::uint64_t triangles =
             context.scene->light ? trianglesIn(volume, context.basis, context.scene->light->casters) : 0;
         candidate.casterTriangles.push_back(triangles);

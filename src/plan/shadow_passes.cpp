@@ -53,7 +53,8 @@ void explainOmissions(FramePlan& plan, std::uint64_t emptySlices) {
     const auto clamps = [](const ShadowPass& pass) { return pass.clampsDepth; };
     if (std::none_of(plan.passes.begin(), plan.passes.end(), clamps))
         omitted.push_back({Effect::DepthClamp, OmissionReason::NoCasterBeforeMaps});
-    if (!quality.cullCasters) omitted.push_back({Effect::PartitionCulling, OmissionReason::SwitchedOff});
+    if (quality.cullCasters == CasterCulling::Off)
+        omitted.push_back({Effect::PartitionCulling, OmissionReason::SwitchedOff});
 }
 
 } // namespace

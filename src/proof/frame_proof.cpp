@@ -89,6 +89,7 @@ Crawl crawlSince(
         renderer.prepare(before->plan.view, before->plan.quality, frame::Waiting::UntilComplete, before);
     frame::FrameOptions options;
     options.wantsSurfaces = true;
+    options.wantsWholeMaps = true;
     const executor::FrameDrawing then = renderer.drawing(prepared, options);
     renderer.draw(prepared, options);
     const executor::FloatPicture thenMaps = renderer.executor().shadowDepth();
@@ -112,6 +113,7 @@ FrameProof prove(frame::Renderer& renderer, const frame::Frame& frame, const Pro
     frame::FrameOptions plain = frame.options;
     plain.overlay = executor::Overlay::None;
     plain.wantsSurfaces = hasOracle || isCompared || isMeasured || hasCrawl;
+    plain.wantsWholeMaps = hasCrawl;
     renderer.draw(frame, plain);
     const executor::FrameDrawing drawn = renderer.drawing(frame, plain);
     const executor::Picture picture = executor.picture();

@@ -1,6 +1,7 @@
 #include "raster/binning.h"
 
 #include <algorithm>
+#include <array>
 
 namespace gnomon::raster {
 namespace {
@@ -68,17 +69,22 @@ TileBin quarterOf(std::span<const BinItem> items, const TileBin& tile, const Pix
     return quarter;
 }
 
-/// Replaces tile `t` by its quarters; those of a tile cut off by the viewport may be empty.
+/// The quarters of `box`; those of one that the viewport cuts off may be empty.
+std::array<PixelBox, 4> quarters(const PixelBox& box) {
+    const int middleX = box.x0 + (box.width() + 1) / 2;
+    const int middleY = box.y0 + (box.height() + 1) / 2;
+    return {
+        PixelBox{box.x0, box.y0, middleX, middleY},
+        PixelBox{middleX, box.y0, box.x1, middleY},
+        PixelBox{box.x0, middleY, middleX, box.y1},
+        PixelBox{middleX, middleY, box.x1, box.y1}};
+}
+
+/// Replaces tile `t` by its quarters.
 void splitTile(std::span<const BinItem> items, std::size_t t, Bins& bins) {
     const TileBin tile = bins.tiles[t];
-    const int middleX = tile.box.x0 + (tile.box.width() + 1) / 2;
-    const int middleY = tile.box.y0 + (tile.box.height() + 1) / 2;
     bool isFirst = true;
-    for (const PixelBox& box :
-         {PixelBox{tile.box.x0, tile.box.y0, middleX, middleY},
-          PixelBox{middleX, tile.box.y0, tile.box.x1, middleY},
-          PixelBox{tile.box.x0, middleY, middleX, tile.box.y1},
-          PixelBox{middleX, middleY, tile.box.x1, tile.box.y1}}) {
+    for (const PixelBox& box : quarters(tile.box)) {
         if (box.empty()) continue;
         const TileBin quarter = quarterOf(items, tile, box, bins);
         if (isFirst)
@@ -89,6 +95,44 @@ void splitTile(std::span<const BinItem> items, std::size_t t, Bins& bins) {
     }
 }
 
+bool isAtLeast(const PixelBox& box, int side) {
+    return std::min(box.width(), box.height()) >= side;
+}
+
+/// Takes out what is not wanted, and splits tiles of which a quarter is not.
+void dropUnwanted(std::span<const BinItem> items, const BoxFilter& isWanted, Bins& bins) {
+    const auto isUnwanted = [&](const PixelBox& box) { return !box.empty() && !isWanted(box); };
+    for (std::size_t t = 0; t < bins.tiles.size();) {
+        const PixelBox box = bins.tiles[t].box;
+        if (isUnwanted(box)) {
+            bins.tiles[t] = bins.tiles.back();
+            bins.tiles.pop_back();
+            continue;
+        }
+        const auto parts = quarters(box);
+        if (isAtLeast(box, 2 * kLeastUnwantedSide) && std::any_of(parts.begin(), parts.end(), isUnwanted))
+            splitTile(items, t, bins);
+        else
+            ++t;
+    }
+}
+
+/// Splits tiles that hold more than their share of the cost, and puts the dearest first.
+void shareOut(std::span<const BinItem> items, int leastSide, Bins& bins) {
+    std::uint64_t total = 0;
+    for (const TileBin& tile : bins.tiles)
+        total += tile.cost;
+    for (std::size_t t = 0; t < bins.tiles.size();) {
+        const TileBin& tile = bins.tiles[t];
+        if (isAtLeast(tile.box, 2 * leastSide) && tile.cost * kMostTilesWorth > total)
+            splitTile(items, t, bins);
+        else
+            ++t;
+    }
+    std::stable_sort(
+        bins.tiles.begin(), bins.tiles.end(), [](const TileBin& a, const TileBin& b) { return a.cost > b.cost; });
+}
+
 } // namespace
 
 PixelBox intersection(const PixelBox& a, const PixelBox& b) {
@@ -96,23 +140,22 @@ PixelBox intersection(const PixelBox& a, const PixelBox& b) {
 }
 
 void binItems(std::span<const BinItem> items, const PixelBox& viewport, int side, int leastSide, Bins& bins) {
+    binWanted(items, viewport, {}, side, leastSide, bins);
+}
+
+void binWanted(
+    std::span<const BinItem> items,
+    const PixelBox& viewport,
+    const BoxFilter& isWanted,
+    int side,
+    int leastSide,
+    Bins& bins) {
     bins.tiles.clear();
     bins.indices.clear();
     if (viewport.empty()) return;
     fillTiles(items, viewport, side, bins);
-    std::uint64_t total = 0;
-    for (const TileBin& tile : bins.tiles)
-        total += tile.cost;
-    for (std::size_t t = 0; t < bins.tiles.size();) {
-        const TileBin& tile = bins.tiles[t];
-        const bool isLarge = std::min(tile.box.width(), tile.box.height()) >= 2 * leastSide;
-        if (isLarge && tile.cost * kMostTilesWorth > total)
-            splitTile(items, t, bins);
-        else
-            ++t;
-    }
-    std::stable_sort(
-        bins.tiles.begin(), bins.tiles.end(), [](const TileBin& a, const TileBin& b) { return a.cost > b.cost; });
+    if (isWanted) dropUnwanted(items, isWanted, bins);
+    shareOut(items, leastSide, bins);
 }
 
 } // namespace gnomon::raster

@@ -24,7 +24,7 @@ struct TileBin {
 };
 
 struct Bins {
-    std::vector<TileBin> tiles; // disjoint, together the viewport; dearest first
+    std::vector<TileBin> tiles; // disjoint, together the viewport or what of it is wanted; dearest first
     std::vector<std::uint32_t> indices;
 
     /// The items of a tile, in their order.
@@ -36,5 +36,17 @@ struct Bins {
 /// Tiles are squares of `side` pixels (cut off by the viewport), split down to `leastSide` while one holds more than
 /// 1/32 of all cost. Depends on nothing but the arguments. `bins` is overwritten and keeps its memory.
 void binItems(std::span<const BinItem> items, const PixelBox& viewport, int side, int leastSide, Bins& bins);
+
+/// The sides of a tile that is still split where a part of it is not wanted: below, what is shared costs more.
+constexpr int kLeastUnwantedSide = 64;
+
+/// The same without the tiles that hold nothing `isWanted`, which are split to find them.
+void binWanted(
+    std::span<const BinItem> items,
+    const PixelBox& viewport,
+    const BoxFilter& isWanted,
+    int side,
+    int leastSide,
+    Bins& bins);
 
 } // namespace gnomon::raster

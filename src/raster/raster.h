@@ -66,11 +66,15 @@ struct View {
     PixelBox viewport;         // pixels of the target; its first row is GL's lowest, pixel centres are at halves
 };
 
+/// Whether any pixel of a part of the target is asked for.
+using BoxFilter = std::function<bool(const PixelBox&)>;
+
 /// Shadow maps and other plain depth: one float a pixel.
 struct DepthTarget {
     float* depths = nullptr; // row by row
     int width = 0;
     int height = 0;
+    BoxFilter isWanted{}; // tiles for which it answers no are left alone; empty: all are wanted
 };
 
 /// The nearest triangle of each pixel: one word a pixel, 0 where there is none.

@@ -66,6 +66,7 @@ struct Rasterizer::Memory {
     Bins bins;
     tbb::enumerable_thread_specific<TileMemory> tiles;
     std::atomic<std::uint64_t> fragments = 0; // of the last pass
+    BoxFilter isWanted;                       // of this pass; empty: all is
 
     void snapClusters(std::span<const Cluster> input, const Projection& projection);
     void binClusters(const PixelBox& viewport, int side);
@@ -102,7 +103,7 @@ void Rasterizer::Memory::binClusters(const PixelBox& viewport, int side) {
     items.clear();
     for (const SnappedCluster& cluster : clusters.all())
         items.push_back({cluster.box, static_cast<std::uint32_t>(cluster.triangles.size())});
-    binItems(items, viewport, side, kLeastTileSide, bins);
+    binWanted(items, viewport, isWanted, side, kLeastTileSide, bins);
 }
 
 /// Last step: each tile in a thread's own memory, then once over the target.
@@ -154,6 +155,7 @@ Rasterizer& Rasterizer::operator=(Rasterizer&&) noexcept = default;
 
 std::uint64_t Rasterizer::drawDepth(std::span<const Cluster> clusters, const View& view, const DepthTarget& target) {
     checkViewport(view.viewport, target.width, target.height);
+    memory_->isWanted = target.isWanted;
     memory_->draw<DepthKind>(clusters, projection(view, false), view.viewport, target.depths, target.width, {});
     return memory_->fragments;
 }
@@ -161,6 +163,7 @@ std::uint64_t Rasterizer::drawDepth(std::span<const Cluster> clusters, const Vie
 void Rasterizer::drawVisibility(
     std::span<const Cluster> clusters, const View& view, const VisibilityTarget& target, const TileVisitor& onTile) {
     checkViewport(view.viewport, target.width, target.height);
+    memory_->isWanted = {};
     memory_->draw<VisibilityKind>(clusters, projection(view, true), view.viewport, target.words, target.width, onTile);
 }
 

@@ -65,6 +65,8 @@ std::string effectInWords(const plan::Omission& omission) {
         return "depth clamp";
     case Effect::PartitionCulling:
         return "partition culling";
+    case Effect::ReceiverMasks:
+        return "receiver masks";
     }
     return "";
 }
@@ -105,6 +107,12 @@ std::string reasonInWords(const plan::Omission& omission) {
         return "a single slice is best at this promise";
     case OmissionReason::NoCasterBeforeMaps:
         return "no caster is nearer to the light than its map begins";
+    case OmissionReason::MapsComeFirst:
+        return "this executor draws its maps before it knows what is visible";
+    case OmissionReason::MapsAreKept:
+        return "stabilised maps are kept for views with other receivers";
+    case OmissionReason::FewCasters:
+        return "there are few casters beside the pixels that would have to be asked";
     }
     return "";
 }

@@ -48,12 +48,16 @@ void requireNoWarpIfStable(const Settings& settings) {
             " contradict each other: stabilised slices are unwarped"};
 }
 
-void requireSoftwareIfExact(const Settings& settings) {
+void requireSoftwareIfNeeded(const Settings& settings) {
     const bool isGl = settings.backend != Backend::Auto && settings.backend != Backend::Software;
     if (isGl && settings.quality.shadows == plan::ShadowMode::Exact)
         throw UsageError{
             written("backend", settings) + " and " + written("shadows", settings) +
             " contradict each other: only the software executor decides shadows exactly"};
+    if (isGl && settings.quality.cullCasters == plan::CasterCulling::Receivers)
+        throw UsageError{
+            written("backend", settings) + " and " + written("cull-casters", settings) +
+            " contradict each other: only the software executor finds receivers before it draws maps"};
 }
 
 } // namespace
@@ -98,7 +102,7 @@ plan::Quality qualityOf(const Settings& settings) {
     if (quality.near && quality.far && !(*quality.near < *quality.far))
         throw UsageError{"--near and --far contradict each other: near must be below far"};
     requireNoWarpIfStable(settings);
-    requireSoftwareIfExact(settings);
+    requireSoftwareIfNeeded(settings);
     return quality;
 }
 

@@ -313,11 +313,11 @@ std::vector<Setting> moreSweptSettings() {
             &Quality::cullCasters,
             {.name = "cull-casters",
              .form = {},
-             .help = "Partition culling",
+             .help = "What maps draw: all (off), what can shadow their part (on), what is looked up (receivers)",
              .isSwept = true,
              .changesPicture = false,
              .offer = {.title = "caster culling"}},
-            onOff()),
+            oneOf(plan::kCasterCullings)),
         quality(
             &Quality::stabilize,
             {.name = "stabilize",

@@ -26,8 +26,8 @@ struct FrameRow {
     std::int64_t filter = 0;
     std::int64_t shadowMaps = 0;      // planned
     std::int64_t shadowMapsDrawn = 0; // not reused, not left out
-    bool cullCasters = true;
-    std::string shadowTexels; // WxH, a count: all maps together
+    std::string cullCasters;          // how it was done: "on", "off" or "receivers"
+    std::string shadowTexels;         // WxH, a count: all maps together
     double errorPixels = 1;
     std::int64_t width = 0;
     std::int64_t height = 0;

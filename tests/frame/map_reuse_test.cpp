@@ -56,7 +56,7 @@ plan::Quality steady() {
     quality.near = 8;
     quality.far = 120;
     quality.errorPixels = 1e-9;
-    quality.cullCasters = false;
+    quality.cullCasters = plan::CasterCulling::Off;
     return quality;
 }
 
@@ -188,7 +188,8 @@ TEST_P(MapReuse, ASeededWalkShowsTheSamePictures) {
             quality.errorPixels = quality.errorPixels < 1 ? 4 : 1e-9;
             break;
         case 2:
-            quality.cullCasters = !quality.cullCasters;
+            quality.cullCasters =
+                quality.cullCasters == plan::CasterCulling::Off ? plan::CasterCulling::Auto : plan::CasterCulling::Off;
             break;
         case 3:
             quality.stabilize = random.below(4) != 0;

@@ -177,7 +177,7 @@ const std::vector<Row>& rows() { // NOLINT(readability-function-size): a table
          {Effect::FacePartitions}},
         {"culling switched off",
          crateOnPlain,
-         [](View&, Quality& quality) { quality.cullCasters = false; },
+         [](View&, Quality& quality) { quality.cullCasters = plan::CasterCulling::Off; },
          {Effect::ShadowMaps},
          {Effect::PartitionCulling}},
         {"a filter asked for",

@@ -287,7 +287,7 @@ TEST(BenchWalk, DrawsWhatRunsShowThatDrawAlikeOnce) {
     settings::Settings plain = smallSettings();
     plain.towardsLight = {1, 0.3, 0.2}; // low: the hills throw shadows
     settings::Settings unculled = plain;
-    unculled.quality.cullCasters = false;
+    unculled.quality.cullCasters = plan::CasterCulling::Off;
     unculled.gpuMemory = mebibytes(64);
     settings::Settings filtered = plain;
     filtered.quality.filter = 3;

@@ -102,7 +102,7 @@ private:
         any("z-partitions", {"1", "2", "4", "8"});
         any("face-partitions", {"off", "off", "on"});
         any("filter", {"0", "0", "2", "3"});
-        any("cull-casters", {"on", "on", "off"});
+        any("cull-casters", {"auto", "on", "off"});
         any("shadow-texels", {"64x64", "256x256", "300x40"});
         any("error-pixels", {"0.5", "1", "20"});
         if (settings.quality.warp.rule == shadow::WarpRule::None) any("stabilize", {"off", "on"});

@@ -135,7 +135,7 @@ TEST(FramePlanReasons, AreThoseOfTheQuality) {
     const auto one = [](Quality& q) { q.zPartitions = 1; };
     const auto easy = [](Quality& q) { q.zPartitions.reset(), q.maxAliasing = 60, q.facePartitions = Choice::Auto; };
     const auto unwarped = [](Quality& q) { q.warp.rule = shadow::WarpRule::None; };
-    const auto filtered = [](Quality& q) { q.filter = 3, q.cullCasters = false; };
+    const auto filtered = [](Quality& q) { q.filter = 3, q.cullCasters = CasterCulling::Off; };
     const std::vector<Row> table{
         {plain, Effect::FacePartitions, Reason::SwitchedOff},
         {plain, Effect::ZPartitions, {}},

@@ -92,8 +92,9 @@ enum class Culled : std::uint8_t { NoMaps, Nothing, Something };
 /// Draws with and without culling: pictures, and every depth that a lookup reads, are the same to the bit.
 Culled expectCullingUnseen(
     frame::Renderer& renderer, executor::Executor& executor, const plan::View& view, plan::Quality quality) {
+    quality.cullCasters = plan::CasterCulling::On;
     const Shot culled = shoot(renderer, executor, view, quality);
-    quality.cullCasters = false;
+    quality.cullCasters = plan::CasterCulling::Off;
     const Shot whole = shoot(renderer, executor, view, quality);
     expectSane(culled);
     EXPECT_EQ(culled.frame.plan.passes.size(), whole.frame.plan.passes.size());

@@ -65,6 +65,7 @@ public:
         executor::Executor& executor = model.executor();
         frame::FrameOptions options;
         options.wantsSurfaces = true;
+        options.wantsWholeMaps = true;
         frame_ = renderer.render(view, quality, options);
         ProofOptions proofOptions;
         proofOptions.measuresCrawl = true;

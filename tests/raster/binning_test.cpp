@@ -128,5 +128,42 @@ TEST(Binning, AnEmptyViewportHasNoTiles) {
     EXPECT_TRUE(bins.tiles.empty());
 }
 
+TEST(Binning, DropsTilesThatNobodyWants) {
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        const PixelBox viewport = {13, 9, 13 + static_cast<int>(50 * seed + 1), 250};
+        const std::vector<BinItem> items = randomItems(seed, 300);
+        Random random(seed);
+        std::vector<PixelBox> wanted;
+        for (int i = 0; i < 5; ++i) {
+            const int x = 13 + static_cast<int>(random.below(static_cast<std::uint64_t>(viewport.width())));
+            const int y = 9 + static_cast<int>(random.below(240));
+            wanted.push_back(intersection({x, y, x + 1 + static_cast<int>(random.below(90)), y + 30}, viewport));
+        }
+        const auto isWanted = [&](const PixelBox& box) {
+            return std::any_of(
+                wanted.begin(), wanted.end(), [&](const PixelBox& part) { return !intersection(part, box).empty(); });
+        };
+        Bins bins;
+        binWanted(items, viewport, isWanted, 256, 32, bins);
+        std::int64_t held = 0;
+        for (const TileBin& tile : bins.tiles) {
+            EXPECT_TRUE(isWanted(tile.box));
+            std::vector<std::uint32_t> expected;
+            for (std::uint32_t i = 0; i < items.size(); ++i)
+                if (!intersection(items[i].box, tile.box).empty()) expected.push_back(i);
+            const auto found = std::span(bins.indices).subspan(tile.first, tile.count);
+            ASSERT_TRUE(std::equal(found.begin(), found.end(), expected.begin(), expected.end()));
+            for (const PixelBox& part : wanted) {
+                const PixelBox shared = intersection(part, tile.box);
+                if (!shared.empty()) held += std::int64_t{shared.width()} * shared.height();
+            }
+        }
+        std::int64_t all = 0;
+        for (const PixelBox& part : wanted)
+            all += std::int64_t{part.width()} * part.height();
+        EXPECT_EQ(held, all) << "each wanted pixel lies in one tile";
+    }
+}
+
 } // namespace
 } // namespace gnomon::raster

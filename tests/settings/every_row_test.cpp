@@ -82,7 +82,7 @@ const std::vector<Row>& rows() {
          {"16385x16384", "0x5", "2048"},
          "WxH, at most 16384x16384 texels, the largest texture"},
         {"filter", "0", {"0", "16"}, {"-1", "17", "2.5"}, "a whole number from 0 to 16"},
-        {"cull-casters", "on", {"on", "off"}, {"true", "ON"}, "on or off"},
+        {"cull-casters", "auto", {"auto", "on", "off", "receivers"}, {"true", "ON"}, "auto, on, off or receivers"},
         {"stabilize", "off", {"on", "off"}, {"0", ""}, "on or off"},
     };
     return all;
@@ -192,7 +192,7 @@ TEST(EveryRow, ChangesThePictureButForThoseThatSayTheyDoNot) {
     EXPECT_EQ(timeAlone, (std::set<std::string>{"cull-casters", "gpu-memory"})); // which are rendered in tests/measure
     Settings a;
     Settings b;
-    b.quality.cullCasters = false;
+    b.quality.cullCasters = plan::CasterCulling::Off;
     b.gpuMemory = mebibytes(100);
     EXPECT_TRUE(drawAlike(a, b));
     EXPECT_FALSE(areAlike(a, b)) << "a bench sweeps the culling";

@@ -96,7 +96,7 @@ FrameRow fullRow() {
     fillMeasured(row);
     row.promiseKept = true;
     row.stabilize = true;
-    row.cullCasters = false;
+    row.cullCasters = "receivers";
     return row;
 }
 
@@ -138,7 +138,7 @@ TEST(Columns, HoldTheFieldsThatTheirNamesSay) {
     EXPECT_EQ(object.at("shadow_maps"), row.shadowMaps);
     EXPECT_EQ(object.at("shadow_maps_drawn"), row.shadowMapsDrawn);
     EXPECT_EQ(object.at("stabilize"), true);
-    EXPECT_EQ(object.at("cull_casters"), false);
+    EXPECT_EQ(object.at("cull_casters"), "receivers");
     EXPECT_EQ(object.at("total_ms"), *row.totalMs);
     EXPECT_EQ(object.at("plan_ms"), *row.planMs);
     EXPECT_EQ(object.at("image_triangles"), *row.imageTriangles);

@@ -120,6 +120,7 @@ function drawMaps() {
   scatter("time-maps", "shadow maps", "ms", datasets);
   const culling = new Set(sweeps.map(([, runs]) => runs[0].settings.cull_casters));
   const casters = culling.has("on") && culling.has("off") ? ", casters culled per partition and not" :
+    culling.has("auto") || culling.has("receivers") ? ", casters culled per partition and by what is seen" :
     culling.has("on") ? ", casters culled per partition" : culling.has("off") ? ", casters not culled per partition" : "";
   element("maps-caption").textContent = sweeps.length === 0 ? "No two runs differ in their number of maps alone." :
     `The shape of the paper's figure 13: image and shadow passes${casters}.`;

@@ -1,0 +1,132 @@
+#include "exact/lookup_mask.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <limits>
+
+namespace gnomon::exact {
+
+namespace {
+
+/// Of a sum of four terms as the rasteriser's floats make it, for the magnitude of the terms: five roundings (Higham
+/// 2002, 3.1), and three to spare.
+constexpr double kSumError = 0x1p-21;
+/// Of a quotient, for its own.
+constexpr double kQuotientError = 0x1p-21;
+/// What snapping and the roundings of a coordinate in pixels move it by at most, and the way to a pixel's centre.
+constexpr double kTexelMargin = 1;
+
+/// A coordinate of clip space over a box: its value at the middle, what it changes by towards each side, and how far
+/// off the rasteriser's may be anywhere in the box.
+struct ClipRow {
+    std::array<double, 3> half{};
+    double middle = 0;
+    double error = 0;
+
+    ClipRow(const raster::View& view, int row, const std::array<double, 3>& min, const std::array<double, 3>& max) {
+        middle = view.clipFromCell[3][row];
+        double magnitude = std::abs(middle);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const double factor = view.clipFromCell[static_cast<int>(axis)][row];
+            middle += factor * (min[axis] + max[axis]) / 2;
+            half[axis] = factor * (max[axis] - min[axis]) / 2;
+            magnitude += std::abs(factor) * std::max(std::abs(min[axis]), std::abs(max[axis]));
+        }
+        error = magnitude * kSumError;
+    }
+
+    double at(unsigned corner) const {
+        double value = middle;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            value += (corner >> axis & 1U) != 0 ? half[axis] : -half[axis];
+        return value;
+    }
+};
+
+/// The range of row / w over the corners, and so over the box, since w is above 0 there.
+struct QuotientRange {
+    double least = std::numeric_limits<double>::infinity();
+    double most = -std::numeric_limits<double>::infinity();
+
+    void add(double value, double error, double leastW, double mostW) {
+        const double low = value - error;
+        const double high = value + error;
+        least = std::min(least, low / (low < 0 ? leastW : mostW));
+        most = std::max(most, high / (high < 0 ? mostW : leastW));
+    }
+};
+
+int clampedTexel(double coordinate, int low, int high) {
+    return static_cast<int>(std::clamp(coordinate, static_cast<double>(low), static_cast<double>(high)));
+}
+
+/// The texels of [first, end) whose centres may lie in `range` of normalised coordinates.
+void setTexels(const QuotientRange& range, int first, int end, int& low, int& high) {
+    const double scale = 0.5 * (end - first);
+    const auto margin = [](double quotient) { return std::abs(quotient) * kQuotientError; };
+    const double least = first + (1 + range.least - margin(range.least)) * scale - kTexelMargin;
+    const double most = first + (1 + range.most + margin(range.most)) * scale + kTexelMargin;
+    low = clampedTexel(std::floor(least), first, end);
+    high = clampedTexel(std::floor(most) + 1, first, end);
+}
+
+} // namespace
+
+CasterBound casterBound(const raster::View& view, const raster::CellBox& box) {
+    std::array<double, 3> min{};
+    std::array<double, 3> max{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        min[axis] = static_cast<double>(box.min[axis]) - view.eyeCell[static_cast<int>(axis)];
+        max[axis] = static_cast<double>(box.max[axis]) - view.eyeCell[static_cast<int>(axis)];
+    }
+    const ClipRow x(view, 0, min, max);
+    const ClipRow y(view, 1, min, max);
+    const ClipRow z(view, 2, min, max);
+    const ClipRow w(view, 3, min, max);
+    QuotientRange rangeX;
+    QuotientRange rangeY;
+    QuotientRange rangeZ;
+    constexpr double kLeastW = 1e-20;
+    for (unsigned corner = 0; corner < 8; ++corner) {
+        const double leastW = w.at(corner) - w.error;
+        const double mostW = w.at(corner) + w.error;
+        if (!(leastW > kLeastW)) return {view.viewport, 0};
+        rangeX.add(x.at(corner), x.error, leastW, mostW);
+        rangeY.add(y.at(corner), y.error, leastW, mostW);
+        rangeZ.add(z.at(corner), z.error, leastW, mostW);
+    }
+    CasterBound bound;
+    setTexels(rangeX, view.viewport.x0, view.viewport.x1, bound.texels.x0, bound.texels.x1);
+    setTexels(rangeY, view.viewport.y0, view.viewport.y1, bound.texels.y0, bound.texels.y1);
+    const double nearest = std::clamp(rangeZ.least - std::abs(rangeZ.least) * kQuotientError, 0.0, 1.0);
+    bound.nearest = std::nextafter(static_cast<float>(nearest), -1.0F);
+    return bound;
+}
+
+void LookupMask::reset(int width, int height) {
+    mask_.reset(width, height);
+}
+
+void LookupMask::lower(const LookupTexels& blocks, float to) {
+    for (int y = blocks.firstRow; y <= blocks.lastRow; ++y)
+        for (int x = blocks.firstColumn; x <= blocks.lastColumn; ++x) {
+            const std::atomic_ref<float> shared(mask_.lowest(x, y));
+            float now = shared.load(std::memory_order_relaxed);
+            while (to < now && !shared.compare_exchange_weak(now, to, std::memory_order_relaxed)) {
+            }
+        }
+}
+
+bool LookupMask::isEmpty(const raster::PixelBox& box) const {
+    constexpr float kHighest = std::numeric_limits<float>::max();
+    return box.empty() || !mask_.mayShadow({box.x0, box.y0, box.x1 - 1, box.y1 - 1}, kHighest);
+}
+
+bool LookupMask::mayShadow(const CasterBound& bound) const {
+    const raster::PixelBox& box = bound.texels;
+    return !box.empty() && mask_.mayShadow({box.x0, box.y0, box.x1 - 1, box.y1 - 1}, -bound.nearest);
+}
+
+} // namespace gnomon::exact

@@ -1,0 +1,33 @@
+#include "plan/caster_culling.h"
+
+namespace gnomon::plan {
+
+namespace {
+
+std::optional<OmissionReason> whyNoReceivers(const FramePlan& plan, MapOrder order) {
+    const Quality& quality = plan.quality;
+    if (quality.cullCasters == CasterCulling::Off || quality.cullCasters == CasterCulling::On)
+        return OmissionReason::SwitchedOff;
+    if (order == MapOrder::MapsFirst) return OmissionReason::MapsComeFirst;
+    if (quality.cullCasters == CasterCulling::Receivers) return std::nullopt;
+    if (quality.stabilize) return OmissionReason::MapsAreKept;
+    std::uint64_t triangles = 0;
+    for (const ShadowPass& pass : plan.passes)
+        triangles += pass.estimatedTriangles;
+    const auto pixels = static_cast<std::uint64_t>(plan.view.width) * static_cast<std::uint64_t>(plan.view.height);
+    if (triangles * kPixelsPerTriangle < pixels) return OmissionReason::FewCasters;
+    return std::nullopt;
+}
+
+} // namespace
+
+void chooseCasterCulling(FramePlan& plan, MapOrder order) {
+    plan.casterCulling = plan.quality.cullCasters == CasterCulling::Off ? CasterCulling::Off : CasterCulling::On;
+    if (plan.passes.empty()) return;
+    if (const auto reason = whyNoReceivers(plan, order))
+        plan.omitted.push_back({Effect::ReceiverMasks, *reason});
+    else
+        plan.casterCulling = CasterCulling::Receivers;
+}
+
+} // namespace gnomon::plan

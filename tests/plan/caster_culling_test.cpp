@@ -1,0 +1,60 @@
+#include "plan/caster_culling.h"
+
+#include <gtest/gtest.h>
+
+namespace gnomon::plan {
+namespace {
+
+FramePlan planOf(CasterCulling asked, std::uint64_t triangles) {
+    FramePlan plan;
+    plan.view.width = plan.view.height = 100;
+    plan.quality.cullCasters = asked;
+    plan.passes.resize(2);
+    plan.passes[0].estimatedTriangles = triangles / 2;
+    plan.passes[1].estimatedTriangles = triangles - triangles / 2;
+    return plan;
+}
+
+TEST(CasterCulling, IsChosenByCountsAndByWhoDraws) {
+    struct Row {
+        const char* words;
+        CasterCulling asked;
+        std::uint64_t triangles;
+        MapOrder order;
+        bool isStable;
+        CasterCulling chosen;
+        std::optional<OmissionReason> reason;
+    };
+
+    using C = CasterCulling;
+    using R = OmissionReason;
+    const std::uint64_t few = 100 * 100 / kPixelsPerTriangle - 1;
+    const std::vector<Row> rows = {
+        {"many casters", C::Auto, few + 1, MapOrder::ImageFirst, false, C::Receivers, {}},
+        {"few casters", C::Auto, few, MapOrder::ImageFirst, false, C::On, R::FewCasters},
+        {"few, but asked for", C::Receivers, few, MapOrder::ImageFirst, false, C::Receivers, {}},
+        {"kept for other views", C::Auto, 1'000'000, MapOrder::ImageFirst, true, C::On, R::MapsAreKept},
+        {"kept, but asked for", C::Receivers, 1, MapOrder::ImageFirst, true, C::Receivers, {}},
+        {"maps first", C::Auto, 1'000'000, MapOrder::MapsFirst, false, C::On, R::MapsComeFirst},
+        {"maps first, asked for", C::Receivers, 1'000'000, MapOrder::MapsFirst, false, C::On, R::MapsComeFirst},
+        {"on", C::On, 1'000'000, MapOrder::ImageFirst, false, C::On, R::SwitchedOff},
+        {"off", C::Off, 1'000'000, MapOrder::ImageFirst, false, C::Off, R::SwitchedOff},
+    };
+    for (const Row& row : rows) {
+        SCOPED_TRACE(row.words);
+        FramePlan plan = planOf(row.asked, row.triangles);
+        plan.quality.stabilize = row.isStable;
+        chooseCasterCulling(plan, row.order);
+        EXPECT_EQ(plan.casterCulling, row.chosen);
+        ASSERT_EQ(plan.omitted.size(), row.reason ? 1U : 0U);
+        if (!row.reason) continue;
+        EXPECT_EQ(plan.omitted[0], (Omission{Effect::ReceiverMasks, *row.reason}));
+    }
+    FramePlan without = planOf(C::Auto, 5);
+    without.passes.clear();
+    chooseCasterCulling(without, MapOrder::ImageFirst);
+    EXPECT_TRUE(without.omitted.empty()) << "there is nothing to cull";
+}
+
+} // namespace
+} // namespace gnomon::plan

@@ -5,10 +5,10 @@
 
 namespace gnomon::measure {
 
-/// Runs around `base`, one map first: numbers of maps with casters culled per partition and not, levels of detail,
+/// Runs around `asked`, one map first: numbers of maps with casters culled per partition and not, levels of detail,
 /// warps, texels, stabilisation and faces, each varied alone so that its own cost and gain are seen, and exact shadows
 /// over each scheme of cells where the executor decides them. A quick look takes a few of each. None repeats another.
 /// Where eta or the focus of a trapezoidal map settles the warp, no run has another one or is stabilised.
-std::vector<BenchRun> reportRuns(const settings::Settings& base, bool isQuick);
+std::vector<BenchRun> reportRuns(const settings::Settings& asked, bool isQuick);
 
 } // namespace gnomon::measure

@@ -152,9 +152,10 @@ TEST(ExactPass, WhatItHoldsIsCounted) {
     ASSERT_GT(drawn.exact->samples, 1000U);
     EXPECT_EQ(drawn.deviceMemory.count, executor->deviceMemory().count);
     constexpr std::uint64_t kPixels = std::uint64_t{kFieldSide} * kFieldSide;
-    // Words, colours and the list of samples by pixel; by sample at least u, v, h and four names.
-    EXPECT_GE(drawn.deviceMemory.count, kPixels * (8 + 4 + 52) + drawn.exact->samples * 40);
-    EXPECT_LE(drawn.deviceMemory.count, kPixels * (8 + 4 + 52 + 64) + drawn.exact->cells * 8);
+    // Words by pixel; by sample at least u, v, h, pixel, triangle, two weights, tolerance and colour.
+    const std::uint64_t least = kPixels * 8 + drawn.exact->samples * exact::SampleList::kBytesPerSample;
+    EXPECT_GE(drawn.deviceMemory.count, least);
+    EXPECT_LE(drawn.deviceMemory.count, least + drawn.exact->samples * 32 + drawn.exact->cells * 8);
 }
 
 // What is true of a picture through maps is asked of the same function.

@@ -12,6 +12,8 @@
 
 namespace gnomon::frame {
 
+class ExactEstimate;
+
 /// How a frame is drawn, besides view and quality.
 struct FrameOptions {
     Waiting waiting = Waiting::UntilComplete;
@@ -91,6 +93,7 @@ private:
     Residency residency_;
     std::shared_ptr<const plan::PlannedFrame> previous_;
     std::optional<HeldMaps> heldMaps_;
+    std::shared_ptr<ExactEstimate> estimate_; // its memory; made when first needed
 };
 
 } // namespace gnomon::frame

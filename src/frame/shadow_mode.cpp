@@ -33,8 +33,11 @@ PreparedFrame Renderer::prepare(
     using plan::ShadowMode;
     using plan::ShadowReason;
     const auto prepared = [&](ShadowMode mode) { return prepareAs(view, with(quality, mode), waiting, before); };
-    const auto predict = [](PreparedFrame& frame) {
-        addTime(frame.planMs, [&] { frame.plan.predicted = predictedWork(frame); });
+    const auto predict = [&](PreparedFrame& frame) {
+        if (!estimate_) estimate_ = std::make_shared<ExactEstimate>();
+        addTime(frame.planMs, [&] {
+            frame.plan.predicted = predictedWork(frame, drawing(frame, {}), residency_, *estimate_);
+        });
     };
     const auto asMaps = [&](ShadowReason reason) {
         PreparedFrame frame = prepared(ShadowMode::Maps);

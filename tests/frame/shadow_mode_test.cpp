@@ -1,9 +1,12 @@
 // Shadows whose mode is left open: which frames get exact ones, which maps, and which none at all.
+#include "core/random.h"
 #include "frame/drawn_model.h"
 #include "frame/exact_forecast.h"
+#include "frame/made_model.h"
 #include "hierarchy/scene_mesh.h"
 
 #include <gtest/gtest.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 
@@ -141,6 +144,120 @@ TEST(ShadowMode, WhereNothingFacesTheLightThereIsNoShadowPassAtAll) {
     const plan::Omission expected{Effect::ExactShadows, OmissionReason::NothingInView};
     const Frame empty = sky.draw();
     EXPECT_EQ(std::count(empty.plan.omitted.begin(), empty.plan.omitted.end(), expected), 1);
+}
+
+// A plain under a pile of slabs: one of eight casters in the list, which go first, is enough for all samples.
+TEST(ShadowMode, CastersStopWhereTheLastSampleIsDark) {
+    tests::SceneMesh scene;
+    scene.addGround(64, 8);
+    for (int slab = 0; slab < 40; ++slab)
+        scene.addQuad({-400, 20.0 + slab, -400}, {800, 0, 0}, {0, 0, 800});
+    DrawnModel model(scene.model());
+    plan::View view;
+    view.camera = {{3, 4, 10}, {0, 1, 0}, {0, 1, 0}, 1};
+    view.width = view.height = 100;
+    view.towardsLight = {0, 1, 0};
+    plan::Quality quality;
+    quality.shadows = ShadowMode::Exact;
+    const Frame frame = model.draw(view, quality);
+    EXPECT_GT(*frame.row.shadowSamples, 1000);
+    EXPECT_GT(frame.cut.lists[1].clusters, 40U);
+    EXPECT_LT(*frame.row.castersTested, static_cast<std::int64_t>(frame.cut.lists[1].clusters) / 4);
+    quality.shadows = ShadowMode::Off;
+    const executor::Picture dark = model.executor().picture();
+    model.draw(view, quality);
+    EXPECT_FALSE(model.executor().picture().pixels == dark.pixels) << "nothing was dark: this tests nothing";
+}
+
+/// Views from around and within `bounds`, each with a light above the horizon.
+plan::View viewAmid(const Box& bounds, Random& random) {
+    const auto any = [&](double low, double high) {
+        const glm::dvec3 size = bounds.extent();
+        return bounds.center() +
+               size * glm::dvec3(random.uniform(low, high), random.uniform(0, high), random.uniform(low, high));
+    };
+    plan::View view;
+    view.camera = {any(-1, 1), any(-0.3, 0.3), {0, 1, 0}, 1};
+    view.width = 400;
+    view.height = 300;
+    view.towardsLight = {random.uniform(-1, 1), random.uniform(0.1, 1), random.uniform(-1, 1)};
+    return view;
+}
+
+/// In how many of `views` frames of a made model a prediction lies within `factor` of what is counted.
+struct Hits {
+    int samples = 0;
+    int triangles = 0;
+    int tests = 0;
+    int views = 0;
+};
+
+Hits hitsOf(const char* kind, std::uint64_t triangles, int views, double factor) {
+    const tests::BuiltFile model(kind, triangles);
+    const auto executor = executor::makeSoftwareExecutor();
+    Renderer renderer(model.file(), *executor, {});
+    plan::Quality quality;
+    quality.shadows = ShadowMode::Exact;
+    const auto isNear = [&](double predicted, double counted) {
+        return predicted <= factor * counted && counted <= factor * predicted ? 1 : 0;
+    };
+    Random random(triangles);
+    Hits hits;
+    while (hits.views < views) {
+        const plan::View view = viewAmid(model.file().summary().bounds, random);
+        renderer.forget();
+        const Frame frame = renderer.render(view, quality, {});
+        if (frame.row.shadowSamples.value_or(0) < 1000) continue;
+        const plan::ExactWork& predicted = *frame.plan.predicted;
+        ++hits.views;
+        hits.samples += isNear(predicted.samples, static_cast<double>(*frame.row.shadowSamples));
+        hits.triangles += isNear(predicted.castTriangles, static_cast<double>(*frame.row.shadowTriangles));
+        hits.tests += isNear(predicted.sampleTests, static_cast<double>(*frame.row.sampleTests));
+    }
+    return hits;
+}
+
+TEST(ShadowMode, PredictsWhatItWillCountMostOfTheTime) {
+    const Hits hits = hitsOf("statue", 20000, 12, 3);
+    EXPECT_EQ(hits.samples, hits.views);
+    EXPECT_GE(hits.triangles * 10, hits.views * 8);
+    EXPECT_GE(hits.tests * 10, hits.views * 8);
+}
+
+// The bar of before the image; on models whose floors lie over each other it is missed (docs/exact_shadows.md).
+TEST(SlowShadowMode, PredictsWithinAFactorOfTwo) {
+    for (const char* kind : {"statue", "plant"}) {
+        const Hits hits = hitsOf(kind, 100000, 60, 2);
+        SCOPED_TRACE(kind);
+        EXPECT_EQ(hits.samples, hits.views);
+        EXPECT_GE(hits.triangles * 100, hits.views * 85) << hits.triangles;
+        EXPECT_GE(hits.tests * 100, hits.views * 85) << hits.tests;
+    }
+}
+
+TEST(ShadowMode, PredictsTheSameHoweverManyThreadsAndWhateverCameBefore) {
+    const tests::BuiltFile model("plant", 20000);
+    plan::Quality quality;
+    quality.shadows = ShadowMode::Exact;
+    Random random(5);
+    const plan::View view = viewAmid(model.file().summary().bounds, random);
+    const plan::View other = viewAmid(model.file().summary().bounds, random);
+    std::vector<double> counts;
+    for (const int threads : {1, 2}) {
+        tbb::task_arena arena(threads);
+        arena.execute([&] {
+            const auto executor = executor::makeSoftwareExecutor();
+            Renderer renderer(model.file(), *executor, {});
+            for (const bool isFirst : {true, false}) {
+                if (!isFirst) renderer.render(other, quality, {});
+                renderer.forget();
+                const plan::ExactWork work = *renderer.render(view, quality, {}).plan.predicted;
+                counts.insert(counts.end(), {work.samples, work.casterTriangles, work.castTriangles, work.sampleTests});
+            }
+        });
+    }
+    for (std::size_t i = 4; i < counts.size(); ++i)
+        EXPECT_EQ(counts[i], counts[i % 4]) << i;
 }
 
 } // namespace

@@ -1,0 +1,396 @@
+#include "frame/exact_estimate.h"
+
+#include "executor/frame_block.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gnomon::frame {
+
+namespace {
+
+constexpr int kCells = plan::kCellSide;
+constexpr std::size_t kMostClusters = 4096; // that are looked at
+constexpr double kPickedClusters = 160;
+constexpr std::uint32_t kTrianglesOfCluster = 16;
+
+/// What stands before a point by less than so many of the small image's pixels may be its own surface.
+constexpr double kErrorPixels = 2;
+
+/// How far around a point the samples lie that it stands for, about, in cells, and how much lower, in its errors.
+constexpr int kReachCells = 1;
+constexpr double kReachError = 0.25;
+
+/// The points that a picked triangle is held against, at most.
+constexpr double kPointsOfTriangle = 48;
+
+/// Casters go in rounds of 1, 3 and 4 eighths, and what is dark leaves the cells after the first two where that is a
+/// quarter or more of them (exact::ExactShadows).
+constexpr std::array kRounds = {1.0 / 8, 3.0 / 8, 4.0 / 8};
+constexpr double kLeastDark = 0.25;
+
+/// A box on the light plane with the greatest h of what it holds.
+struct LightBox {
+    exact::CellBox cells;
+    float highest = -std::numeric_limits<float>::infinity();
+};
+
+/// The cells that a polygon on the light plane reaches: the part of it that has w enough to cover a point.
+struct Reach {
+    glm::dvec2 low{std::numeric_limits<double>::infinity()};
+    glm::dvec2 high{-std::numeric_limits<double>::infinity()};
+
+    void add(const glm::dvec3& p) {
+        low = glm::min(low, glm::dvec2(p) / p.z);
+        high = glm::max(high, glm::dvec2(p) / p.z);
+    }
+
+    exact::CellBox cells() const {
+        if (!(high.x >= 0 && high.y >= 0 && low.x <= kCells && low.y <= kCells)) return {};
+        const auto cell = [](double x) { return exact::cellAt(x, kCells); };
+        return {cell(low.x), cell(low.y), cell(high.x), cell(high.y)};
+    }
+};
+
+template <std::size_t Count>
+exact::CellBox cellsOf(const std::array<glm::dvec3, Count>& polygon, double leastW) {
+    Reach reach;
+    for (std::size_t i = 0; i < Count; ++i) {
+        const glm::dvec3& p = polygon[i];
+        const glm::dvec3& q = polygon[(i + 1) % Count];
+        if (p.z >= leastW) reach.add(p);
+        if ((p.z >= leastW) == (q.z >= leastW)) continue;
+        const double share = (leastW - p.z) / (q.z - p.z);
+        reach.add({glm::dvec2(p) + share * (glm::dvec2(q) - glm::dvec2(p)), leastW});
+    }
+    return reach.cells();
+}
+
+glm::dvec3 fromOrigin(const hierarchy::GridPoint& p, const hierarchy::GridPoint& origin) {
+    const auto difference = [](std::uint32_t a, std::uint32_t b) {
+        return static_cast<double>(static_cast<std::int32_t>(a - b));
+    };
+    return {difference(p.x, origin.x), difference(p.y, origin.y), difference(p.z, origin.z)};
+}
+
+glm::dvec3 sheared(const exact::LightShear& shear, const glm::dvec3& p) {
+    const double along = p[shear.along];
+    return {p[shear.first] - shear.firstRatio * along, p[shear.second] - shear.secondRatio * along, shear.sign * along};
+}
+
+LightBox lightBox(
+    const exact::LightShear& shear,
+    const glm::dmat3& cells,
+    double leastW,
+    const glm::dvec3& least,
+    const glm::dvec3& most) {
+    const auto span = [&](int axis, double ratio) {
+        const double p = ratio * least[shear.along];
+        const double q = ratio * most[shear.along];
+        return glm::dvec2(least[axis] - std::max(p, q), most[axis] - std::min(p, q));
+    };
+    const glm::dvec2 u = span(shear.first, shear.firstRatio);
+    const glm::dvec2 v = span(shear.second, shear.secondRatio);
+    const std::array<glm::dvec3, 4> corners{
+        cells * glm::dvec3(u[0], v[0], 1),
+        cells * glm::dvec3(u[1], v[0], 1),
+        cells * glm::dvec3(u[1], v[1], 1),
+        cells * glm::dvec3(u[0], v[1], 1)};
+    return {cellsOf(corners, leastW), static_cast<float>(shear.sign > 0 ? most[shear.along] : -least[shear.along])};
+}
+
+/// The columns of `box` that a triangle with corners at `p` (cells) covers somewhere in a row.
+exact::CellBox rowSpan(const std::array<glm::dvec2, 3>& p, const exact::CellBox& box, int row) {
+    double least = std::numeric_limits<double>::infinity();
+    double most = -least;
+    for (std::size_t k = 0; k < 3; ++k) {
+        glm::dvec2 a = p[k];
+        glm::dvec2 b = p[(k + 1) % 3];
+        if (a.y > b.y) std::swap(a, b);
+        if (b.y < row || a.y > row + 1) continue;
+        const double slope = b.y > a.y ? (b.x - a.x) / (b.y - a.y) : 0;
+        for (const double y : {std::max(a.y, double(row)), std::min(b.y, row + 1.0)}) {
+            least = std::min(least, a.x + (y - a.y) * slope);
+            most = std::max(most, a.x + (y - a.y) * slope);
+        }
+    }
+    if (!(least <= most)) return {};
+    return {std::max(box.x0, exact::cellAt(least, kCells)), row, std::min(box.x1, exact::cellAt(most, kCells)), row};
+}
+
+} // namespace
+
+glm::ivec2 ExactEstimate::sizeFor(const plan::View& view) {
+    const double scale = std::min(1.0, double{kSide} / std::max(view.width, view.height));
+    return {
+        std::max(1, static_cast<int>(std::lround(view.width * scale))),
+        std::max(1, static_cast<int>(std::lround(view.height * scale)))};
+}
+
+void ExactEstimate::drawPoints(const executor::FrameDrawing& frame) {
+    const plan::FramePlan& plan = *frame.plan;
+    const glm::ivec2 size = sizeFor(plan.view);
+    words_.resize(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
+    pass_.gather(frame, *frame.image);
+    rasterizer_.drawVisibility(
+        pass_.clusters(),
+        executor::rasterView(frame.space, executor::imageClipFromDraw(frame), {0, 0, size.x, size.y}),
+        {words_.data(), size.x, size.y});
+    const glm::dvec3 light = toWorld(plan.basis, plan.towardsLight);
+    const double perDepth = kErrorPixels * 2 * plan.view.tanHalfY() / size.y;
+    points_.clear();
+    for (std::size_t i = 0; i < words_.size(); ++i) {
+        if (words_[i] == 0) continue;
+        const std::uint32_t name = raster::visibleTriangle(words_[i]);
+        const executor::DrawnCluster& drawn = pass_.drawn()[name >> executor::kTriangleBits];
+        const hierarchy::Triangle& triangle = drawn.triangles[name & (raster::kMaxClusterTriangles - 1)];
+        std::array<glm::dvec3, 3> corners{};
+        for (std::size_t k = 0; k < 3; ++k)
+            corners[k] = fromOrigin(drawn.vertices[triangle[k]].position, frame.space.originCell);
+        const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+        const glm::dvec3 eye = frame.space.eye / frame.space.step;
+        if (!(glm::dot(normal, light) * glm::dot(normal, eye - corners[0]) > 0)) continue;
+        const auto width = static_cast<std::size_t>(size.x);
+        const double x = (2 * (static_cast<double>(i % width) + 0.5) / size.x - 1) * plan.view.tanHalfX();
+        const double y = (2 * (static_cast<double>(i / width) + 0.5) / size.y - 1) * plan.view.tanHalfY();
+        const double depth = frame.clipNear / static_cast<double>(raster::visibleDepth(words_[i])) / frame.space.step;
+        const glm::dvec3 p = sheared(shear_, eye + toWorld(plan.basis, glm::dvec3(x, y, 1) * depth));
+        points_.push_back({p.x, p.y, p.z, depth * perDepth});
+    }
+}
+
+void ExactEstimate::sortPoints(const executor::FrameDrawing& frame) {
+    cells_ = executor::cellPlanes(frame, shear_).front();
+    glm::dvec2 low{};
+    glm::dvec2 high{};
+    const auto fit = [&] {
+        low = glm::dvec2(std::numeric_limits<double>::infinity());
+        high = -low;
+        leastW_ = low.x;
+        for (const Point& point : points_) {
+            const glm::dvec3 p = cells_ * glm::dvec3(point.u, point.v, 1);
+            leastW_ = std::min(leastW_, p.z);
+            low = glm::min(low, glm::dvec2(p) / p.z);
+            high = glm::max(high, glm::dvec2(p) / p.z);
+        }
+    };
+    fit();
+    if (!(leastW_ > 0)) {
+        cells_ = glm::dmat3(1);
+        fit();
+    }
+    leastW_ /= 2;
+    const glm::dvec2 scale = kCells * 0.998 / glm::max(high - low, glm::dvec2(1e-300));
+    const glm::dvec2 offset = glm::dvec2(kCells * 0.001) - low * scale;
+    cells_ = glm::dmat3(glm::dvec3(scale.x, 0, 0), glm::dvec3(0, scale.y, 0), glm::dvec3(offset, 1)) * cells_;
+    first_.assign(kCells * kCells + 1, 0);
+    cellOf_.clear();
+    mask_.reset(kCells, kCells);
+    for (const Point& point : points_) {
+        const glm::dvec3 p = cells_ * glm::dvec3(point.u, point.v, 1);
+        const int x = exact::cellAt(p.x / p.z, kCells);
+        const int y = exact::cellAt(p.y / p.z, kCells);
+        cellOf_.push_back(static_cast<std::uint32_t>(y * kCells + x));
+        ++first_[cellOf_.back() + 1];
+        for (const int i : {-kReachCells, kReachCells})
+            for (const int j : {-kReachCells, kReachCells}) {
+                const auto block = [](int cell) { return std::clamp(cell, 0, kCells - 1) >> kBlockBits; };
+                float& lowest = mask_.lowest(block(x + i), block(y + j));
+                lowest = std::min(lowest, static_cast<float>(point.h - kReachError * point.error));
+            }
+    }
+    mask_.finish();
+    for (std::size_t i = 1; i < first_.size(); ++i)
+        first_[i] += first_[i - 1];
+    sorted_.resize(points_.size());
+    for (std::size_t i = points_.size(); i-- > 0;)
+        sorted_[--first_[cellOf_[i] + 1]] = points_[i];
+    // Each first_[i + 1] now is the first of cell i; what lay before it has moved one place down.
+    std::move(first_.begin() + 1, first_.end(), first_.begin());
+    first_.back() = static_cast<std::uint32_t>(points_.size());
+    coverers_.assign(kBlocks * kBlocks, 0);
+}
+
+void ExactEstimate::Sums::add(const std::vector<std::uint32_t>& first, const std::vector<double>& shares) {
+    below.assign((kCells + 1) * (kCells + 1), 0);
+    for (std::size_t y = 0; y < kCells; ++y) {
+        float sum = 0;
+        for (std::size_t x = 0; x < kCells; ++x) {
+            const auto points = static_cast<float>(first[y * kCells + x + 1] - first[y * kCells + x]);
+            const std::size_t block = (y >> kBlockBits) * kBlocks + (x >> kBlockBits);
+            sum += shares.empty() ? points : points * static_cast<float>(shares[block]);
+            below[(y + 1) * (kCells + 1) + x + 1] = below[y * (kCells + 1) + x + 1] + sum;
+        }
+    }
+}
+
+double ExactEstimate::Sums::in(const exact::CellBox& box) const {
+    if (box.empty()) return 0;
+    const auto at = [&](int x, int y) {
+        return double{below[static_cast<std::size_t>(y) * (kCells + 1) + static_cast<std::size_t>(x)]};
+    };
+    return std::max(
+        0.0, at(box.x1 + 1, box.y1 + 1) + at(box.x0, box.y0) - at(box.x0, box.y1 + 1) - at(box.x1 + 1, box.y0));
+}
+
+/// Every `stride`-th caster that the mask keeps.
+void ExactEstimate::keepClusters(const executor::FrameDrawing& frame, std::size_t stride) {
+    kept_.clear();
+    std::size_t place = 0;
+    for (const selection::ClusterRange& range : frame.exactCasters->ranges) {
+        const hierarchy::Page& page = frame.pages(range.page);
+        for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c) {
+            if (place++ % stride != 0) continue;
+            const hierarchy::GridBox& box = page.clusters[c].box;
+            const hierarchy::GridPoint& origin = frame.space.originCell;
+            const LightBox light =
+                lightBox(shear_, cells_, leastW_, fromOrigin(box.min, origin), fromOrigin(box.max, origin));
+            if (light.cells.empty() || !mask_.mayShadow(light.cells, light.highest)) continue;
+            kept_.push_back({&page, c, all_.in(light.cells)});
+        }
+    }
+}
+
+void ExactEstimate::pickTriangles(const executor::FrameDrawing& frame, const KeptCluster& kept, double weight) {
+    const hierarchy::Cluster& cluster = kept.page->clusters[kept.cluster];
+    const std::uint32_t stride = (cluster.triangleCount + kTrianglesOfCluster - 1) / kTrianglesOfCluster;
+    const std::uint32_t first = kept.cluster % stride;
+    const std::uint32_t looked = (cluster.triangleCount - first + stride - 1) / stride;
+    for (std::uint32_t t = first; t < cluster.triangleCount; t += stride) {
+        std::array<glm::dvec3, 3> corners{};
+        std::array<glm::dvec3, 3> places{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t vertex = cluster.firstVertex + kept.page->triangles[cluster.firstTriangle + t][k];
+            corners[k] = sheared(shear_, fromOrigin(kept.page->vertices[vertex].position, frame.space.originCell));
+            places[k] = cells_ * glm::dvec3(corners[k].x, corners[k].y, 1);
+        }
+        const exact::CellBox box = cellsOf(places, leastW_);
+        const double highest = std::max({corners[0].z, corners[1].z, corners[2].z});
+        if (box.empty() || !mask_.mayShadow(box, static_cast<float>(highest))) continue;
+        picked_.push_back({box, weight * cluster.triangleCount / looked, 0});
+        hold(corners, places, picked_.back());
+    }
+}
+
+/// Counts the points in the rows that a picked triangle goes over, and tells the blocks of those that it covers.
+void ExactEstimate::hold(
+    const std::array<glm::dvec3, 3>& corners, const std::array<glm::dvec3, 3>& places, PickedTriangle& picked) {
+    const exact::CellBox& box = picked.cells;
+    const bool isCut = std::any_of(places.begin(), places.end(), [&](const glm::dvec3& p) { return p.z < leastW_; });
+    const bool isNarrowed = !isCut && box.x1 - box.x0 > 1 && box.y1 > box.y0;
+    std::array<glm::dvec2, 3> outline{};
+    for (std::size_t k = 0; k < 3; ++k)
+        outline[k] = glm::dvec2(places[k]) / places[k].z;
+    const double stride = std::max(1.0, all_.in(box) / kPointsOfTriangle);
+    double next = stride / 2;
+    for (int row = box.y0; row <= box.y1; ++row) {
+        const exact::CellBox span = isNarrowed ? rowSpan(outline, box, row) : exact::CellBox{box.x0, row, box.x1, row};
+        if (span.empty()) continue;
+        const std::uint32_t begin = first_[static_cast<std::size_t>(row * kCells + span.x0)];
+        const std::uint32_t end = first_[static_cast<std::size_t>(row * kCells + span.x1) + 1];
+        for (; picked.points + (end - begin) > next; next += stride) {
+            const std::uint32_t i = begin + static_cast<std::uint32_t>(next - picked.points);
+            if (i < end && isCovered(sorted_[i], corners)) coverers_[blockOf(sorted_[i])] += picked.weight * stride;
+        }
+        picked.points += end - begin;
+    }
+}
+
+/// Whether a triangle, in the shear of the light, stands before a point by more than its error.
+bool ExactEstimate::isCovered(const Point& point, const std::array<glm::dvec3, 3>& corners) {
+    const auto edge = [](const glm::dvec3& a, const glm::dvec3& b, double u, double v) {
+        return (b.x - a.x) * (v - a.y) - (b.y - a.y) * (u - a.x);
+    };
+    const double c = edge(corners[0], corners[1], point.u, point.v);
+    const double a = edge(corners[1], corners[2], point.u, point.v);
+    const double b = edge(corners[2], corners[0], point.u, point.v);
+    if (!((a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0)) || a + b + c == 0) return false;
+    return (a * corners[0].z + b * corners[1].z + c * corners[2].z) / (a + b + c) > point.h + point.error;
+}
+
+std::size_t ExactEstimate::blockOf(const Point& point) const {
+    const glm::dvec3 p = cells_ * glm::dvec3(point.u, point.v, 1);
+    const auto block = [](double x) { return static_cast<std::size_t>(exact::cellAt(x, kCells) >> kBlockBits); };
+    return block(p.y / p.z) * kBlocks + block(p.x / p.z);
+}
+
+/// What share of the points of each block is not dark yet once `cast` of all casters went over them: a point that k
+/// casters stand before is left with e^(-k cast).
+std::vector<double> ExactEstimate::sharesLeft(double cast) const {
+    std::vector<double> shares(kBlocks * kBlocks, 1);
+    for (std::size_t y = 0; y < kBlocks; ++y)
+        for (std::size_t x = 0; x < kBlocks; ++x) {
+            const auto at = [](std::size_t block) { return static_cast<int>(block) << kBlockBits; };
+            const double points = all_.in({at(x), at(y), at(x + 1) - 1, at(y + 1) - 1});
+            if (points > 0) shares[y * kBlocks + x] = std::exp(-cast * coverers_[y * kBlocks + x] / points);
+        }
+    return shares;
+}
+
+void ExactEstimate::addRound(const Sums& left, double share, double perPoint, plan::ExactWork& work) const {
+    for (const PickedTriangle& picked : picked_) {
+        const exact::CellBox& box = picked.cells;
+        // The mask knows of whole blocks.
+        const exact::CellBox known{
+            box.x0 >> kBlockBits << kBlockBits,
+            box.y0 >> kBlockBits << kBlockBits,
+            std::min(kCells - 1, box.x1 | (kBlockSide - 1)),
+            std::min(kCells - 1, box.y1 | (kBlockSide - 1))};
+        const double points = all_.in(box);
+        const double ofBlocks = all_.in(known);
+        const double isKept = ofBlocks > 0 ? 1 - std::exp(-perPoint * left.in(known)) : 1;
+        work.castTriangles += share * picked.weight * isKept;
+        if (points > 0) work.sampleTests += share * picked.weight * perPoint * picked.points * left.in(box) / points;
+    }
+}
+
+void ExactEstimate::pickClusters(const executor::FrameDrawing& frame, double weight) {
+    double triangles = 0;
+    double points = 0;
+    for (const KeptCluster& kept : kept_) {
+        triangles += kept.page->clusters[kept.cluster].triangleCount;
+        points += kept.points;
+    }
+    picked_.clear();
+    double sum = 0.5;
+    for (const KeptCluster& kept : kept_) {
+        const double share = 0.5 * kept.page->clusters[kept.cluster].triangleCount / triangles +
+                             (points > 0 ? 0.5 * kept.points / points : 0);
+        const double chance = std::min(1.0, kPickedClusters * share);
+        const double before = std::floor(sum);
+        sum += chance;
+        if (std::floor(sum) > before) pickTriangles(frame, kept, weight / chance);
+    }
+}
+
+plan::ExactWork ExactEstimate::estimate(const executor::FrameDrawing& frame) {
+    plan::ExactWork work;
+    work.casterTriangles = static_cast<double>(frame.exactCasters->triangles);
+    if (frame.plan->cellMaps.empty()) return work;
+    shear_ = exact::shearAlong(executor::integerLight(*frame.plan));
+    drawPoints(frame);
+    if (points_.empty()) return work;
+    const plan::View& view = frame.plan->view;
+    const double perPoint = static_cast<double>(view.width) * view.height / static_cast<double>(words_.size());
+    work.samples = perPoint * static_cast<double>(points_.size());
+    sortPoints(frame);
+    all_.add(first_, {});
+    const std::size_t stride =
+        std::max<std::size_t>(1, (frame.exactCasters->clusters + kMostClusters - 1) / kMostClusters);
+    keepClusters(frame, stride);
+    pickClusters(frame, static_cast<double>(stride));
+    const exact::CellBox whole{0, 0, kCells - 1, kCells - 1};
+    Sums left = all_;
+    double cast = 0;
+    for (const double share : kRounds) {
+        addRound(left, share, perPoint, work);
+        cast += share;
+        Sums next;
+        next.add(first_, sharesLeft(cast));
+        if (next.in(whole) <= (1 - kLeastDark) * left.in(whole)) left = std::move(next);
+    }
+    return work;
+}
+
+} // namespace gnomon::frame

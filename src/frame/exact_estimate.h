@@ -1,0 +1,94 @@
+// What the exact shadows of a frame will take, estimated from a few of its points and a few of its casters before
+// anything of it is drawn.
+#pragma once
+
+#include "executor/exact_pass.h"
+#include "plan/cell_maps.h"
+#include "plan/shadow_choice.h"
+
+#include <array>
+#include <vector>
+
+namespace gnomon::frame {
+
+/// The work of exact shadows, estimated frame after frame; keeps its memory.
+///
+/// The image is drawn with kSide pixels on its longer side and coarser clusters, each point of which that faces the
+/// light stands for as many samples as a pixel of it has pixels. They are sorted into the cells that the samples will
+/// be sorted into. Clusters that their receiver mask keeps are sampled by how many points lie under them, triangles
+/// within those evenly, and what is found is scaled up. Nothing in it is random: equal frames give equal numbers.
+class ExactEstimate {
+public:
+    static constexpr int kSide = 96;
+
+    /// The size in pixels of the small image for a frame of `view`, with its proportions; no larger than the view.
+    static glm::ivec2 sizeFor(const plan::View& view);
+
+    /// The work for `frame`, whose image is drawn at sizeFor its view and may be as coarse as that shows;
+    /// `exactCasters` are all that can cast. Runs in the caller's TBB arena.
+    plan::ExactWork estimate(const executor::FrameDrawing& frame);
+
+private:
+    static constexpr int kBlockBits = exact::ReceiverMask::kBlockBits;
+    static constexpr int kBlockSide = 1 << kBlockBits;
+    static constexpr std::size_t kBlocks = plan::kCellSide / kBlockSide;
+
+    /// A point that faces the light, in the shear along it.
+    struct Point {
+        double u = 0;
+        double v = 0;
+        double h = 0;
+        double error = 0; // what stands before it by less may be its own surface
+    };
+
+    /// A caster that the mask keeps.
+    struct KeptCluster {
+        const hierarchy::Page* page = nullptr;
+        std::uint32_t cluster = 0;
+        double points = 0; // under its box
+    };
+
+    /// A triangle that stands for `weight` of those that are cast.
+    struct PickedTriangle {
+        exact::CellBox cells;
+        double weight = 1;
+        double points = 0; // in the rows that it goes over
+    };
+
+    /// How many points lie in boxes of cells.
+    struct Sums {
+        std::vector<float> below; // in the cells with lesser x and lesser y
+
+        /// Of the points of cell i, which are those from first[i] on, the share of its block; all if there are none.
+        void add(const std::vector<std::uint32_t>& first, const std::vector<double>& shares);
+        double in(const exact::CellBox& box) const;
+    };
+
+    void drawPoints(const executor::FrameDrawing& frame);
+    void sortPoints(const executor::FrameDrawing& frame);
+    void keepClusters(const executor::FrameDrawing& frame, std::size_t stride);
+    void pickClusters(const executor::FrameDrawing& frame, double weight);
+    void pickTriangles(const executor::FrameDrawing& frame, const KeptCluster& kept, double weight);
+    void hold(
+        const std::array<glm::dvec3, 3>& corners, const std::array<glm::dvec3, 3>& places, PickedTriangle& picked);
+    static bool isCovered(const Point& point, const std::array<glm::dvec3, 3>& corners);
+    std::size_t blockOf(const Point& point) const;
+    std::vector<double> sharesLeft(double cast) const;
+    void addRound(const Sums& left, double share, double perPoint, plan::ExactWork& work) const;
+
+    raster::Rasterizer rasterizer_;
+    executor::SoftwarePass pass_;
+    std::vector<std::uint64_t> words_;
+    exact::LightShear shear_;
+    std::vector<Point> points_, sorted_; // as they lie in the image, and by their cells
+    glm::dmat3 cells_{1};                // from the light plane
+    double leastW_ = 0;                  // points have at least twice that
+    std::vector<std::uint32_t> cellOf_, first_;
+    Sums all_;
+    exact::ReceiverMask mask_;
+    std::vector<KeptCluster> kept_;
+    std::vector<PickedTriangle> picked_;
+    std::vector<double> coverers_; // of the points of each block, summed
+};
+
+} // namespace gnomon::frame

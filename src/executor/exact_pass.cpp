@@ -70,9 +70,9 @@ std::uint32_t tolerance(const exact::IntegerLight& light) {
         std::floor(kSteps * std::ldexp(1.0, exact::kLightBits) / glm::length(glm::dvec3(light.direction))));
 }
 
-void drawUndecided(
+std::optional<raster::OcclusionCounts> drawUndecided(
     const FrameDrawing& frame, const ImageBuffers& buffers, exact::SampleList& samples, UndecidedPixels& undecided) {
-    drawVisible(frame, buffers);
+    const auto occlusion = drawVisible(frame, buffers);
     const exact::SampleSpace space = sampleSpace(frame);
     samples.reset(space, buffers.picture->pixels.size());
     undecided.samples = &samples;
@@ -85,6 +85,7 @@ void drawUndecided(
     const Shading shading(frame, clipFromDraw, noMaps, buffers.pass->drawn(), Verdict::Undecided);
     const ShadingTarget target{buffers.picture, nullptr, &undecided};
     shadeVisible(shading, *buffers.words, target);
+    return occlusion;
 }
 
 std::vector<exact::Caster> exactCasters(const FrameDrawing& frame, const SoftwarePass& image) {
@@ -126,7 +127,11 @@ Raster<std::uint8_t> litByIntegers(const FrameDrawing& frame) {
     std::vector<std::uint64_t> words(picture.pixels.size());
     exact::SampleList samples;
     UndecidedPixels undecided;
-    drawUndecided(frame, {&rasterizer, &pass, &words, &picture}, samples, undecided);
+    plan::FramePlan whole = *frame.plan;
+    whole.skipsHidden = false; // the truth takes no short cut
+    FrameDrawing drawing = frame;
+    drawing.plan = &whole;
+    drawUndecided(drawing, {&rasterizer, &pass, &words, &picture}, samples, undecided);
     const hierarchy::GridPoint origin = frame.space.originCell;
     const std::vector<std::uint8_t> statuses =
         exact::plainStatuses(samples, exactCasters(frame, pass), {origin.x, origin.y, origin.z});

@@ -18,8 +18,9 @@ exact::SampleSpace sampleSpace(const FrameDrawing& frame);
 /// grid.
 std::uint32_t tolerance(const exact::IntegerLight& light);
 
-/// Draws the image of `frame` in shadow, and collects in `samples` the points that face the light.
-void drawUndecided(
+/// Draws the image of `frame` in shadow, and collects in `samples` the points that face the light. Answers what
+/// drawVisible does.
+std::optional<raster::OcclusionCounts> drawUndecided(
     const FrameDrawing& frame, const ImageBuffers& buffers, exact::SampleList& samples, UndecidedPixels& undecided);
 
 /// All that can cast: the clusters of the image's pass in their order, then those of `frame.exactCasters` that are not

@@ -6,6 +6,7 @@
 #include "executor/picture.h"
 #include "hierarchy/grid.h"
 #include "plan/frame_plan.h"
+#include "raster/raster.h"
 #include "selection/cut.h"
 
 #include <array>
@@ -116,7 +117,8 @@ struct FrameDrawing {
 struct PassStatistics {
     Milliseconds time; // wall-clock around finished work
     std::uint64_t drawCalls = 0;
-    std::optional<std::uint64_t> fragments; // pixels that the triangles cover, summed; if counted
+    std::optional<std::uint64_t> fragments;             // pixels that the triangles cover, summed; if counted
+    std::optional<raster::OcclusionCounts> occlusion{}; // of an image without what is hidden
 };
 
 /// What shadow maps drew of their casters, where receivers culled them.
@@ -172,6 +174,9 @@ public:
 
     /// Whether `drawExactly` can be called.
     virtual bool decidesExactly() const { return false; }
+
+    /// Whether it can carry out a plan's `skipsHidden`.
+    virtual bool skipsHidden() const { return false; }
 
     /// Draws the image of a frame whose plan asks for exact shadows or for rays: what is visible first, then who stands
     /// in its light. Throws Error where the executor cannot.

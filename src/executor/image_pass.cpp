@@ -8,13 +8,15 @@
 
 namespace gnomon::executor {
 
-void drawVisible(const FrameDrawing& frame, const ImageBuffers& buffers) {
+std::optional<raster::OcclusionCounts> drawVisible(const FrameDrawing& frame, const ImageBuffers& buffers) {
     const plan::View& view = frame.plan->view;
-    buffers.pass->gather(frame, *frame.image);
-    buffers.rasterizer->drawVisibility(
-        buffers.pass->clusters(),
-        rasterView(frame.space, imageClipFromDraw(frame), {0, 0, view.width, view.height}),
-        {buffers.words->data(), view.width, view.height});
+    SoftwarePass& pass = *buffers.pass;
+    pass.gather(frame, *frame.image);
+    const raster::View seen = rasterView(frame.space, imageClipFromDraw(frame), {0, 0, view.width, view.height});
+    const raster::VisibilityTarget target{buffers.words->data(), view.width, view.height};
+    if (frame.plan->skipsHidden) return buffers.rasterizer->drawVisible(pass.clusters(), pass.boxes(), seen, target);
+    buffers.rasterizer->drawVisibility(pass.clusters(), seen, target);
+    return std::nullopt;
 }
 
 void shadeVisible(const Shading& shading, std::span<const std::uint64_t> words, const ShadingTarget& target) {

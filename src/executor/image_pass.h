@@ -16,8 +16,9 @@ struct ImageBuffers {
     Picture* picture = nullptr;
 };
 
-/// Gathers the clusters of the image into the pass and fills the words: which triangle each pixel sees.
-void drawVisible(const FrameDrawing& frame, const ImageBuffers& buffers);
+/// Gathers the clusters of the image into the pass and fills the words: which triangle each pixel sees. Answers what
+/// was left out, where the plan skips what is hidden.
+std::optional<raster::OcclusionCounts> drawVisible(const FrameDrawing& frame, const ImageBuffers& buffers);
 
 /// Shades every pixel of `target` by `words`, on all cores.
 void shadeVisible(const Shading& shading, std::span<const std::uint64_t> words, const ShadingTarget& target);

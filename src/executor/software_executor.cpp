@@ -30,6 +30,8 @@ public:
 
     bool decidesExactly() const override { return true; }
 
+    bool skipsHidden() const override { return true; }
+
     DrawStatistics drawExactly(const FrameDrawing& frame) override;
 
     Bytes deviceMemory() const override {
@@ -162,7 +164,7 @@ DrawStatistics SoftwareExecutor::draw(const FrameDrawing& frame) {
     sizeTargets(frame);
     sizeShadowDepth(*frame.plan);
     const ImageBuffers buffers = {&rasterizer_, &pass_, &words_, &picture_};
-    drawVisible(frame, buffers);
+    const auto occlusion = drawVisible(frame, buffers);
     receivers_.collect(frame, buffers, shadowDepth_);
     const Milliseconds before = watch.elapsed();
     statistics.shadows = {{}, 0, 0};
@@ -173,7 +175,7 @@ DrawStatistics SoftwareExecutor::draw(const FrameDrawing& frame) {
     else
         shade(frame);
     statistics.image = {
-        {watch.elapsed().count - statistics.shadows.time.count}, frame.image->ranges.size(), std::nullopt};
+        {watch.elapsed().count - statistics.shadows.time.count}, frame.image->ranges.size(), std::nullopt, occlusion};
     statistics.deviceMemory = deviceMemory();
     return statistics;
 }
@@ -198,9 +200,9 @@ void SoftwareExecutor::shade(const FrameDrawing& frame) {
 PassStatistics SoftwareExecutor::drawImage(const FrameDrawing& frame) {
     const Stopwatch watch;
     sizeTargets(frame);
-    drawVisible(frame, {&rasterizer_, &pass_, &words_, &picture_});
+    const auto occlusion = drawVisible(frame, {&rasterizer_, &pass_, &words_, &picture_});
     shade(frame);
-    return {watch.elapsed(), frame.image->ranges.size(), std::nullopt};
+    return {watch.elapsed(), frame.image->ranges.size(), std::nullopt, occlusion};
 }
 
 /// Gives the light to the samples that it reaches by their `statuses`; where more than colours is wanted, by shading
@@ -230,8 +232,9 @@ DrawStatistics SoftwareExecutor::drawExactly(const FrameDrawing& frame) {
     DrawStatistics statistics;
     shadowDepth_ = {};
     sizeTargets(frame);
-    drawUndecided(frame, {&rasterizer_, &pass_, &words_, &picture_}, exact_.samples(), undecided_);
-    statistics.image = {watch.elapsed(), frame.image->ranges.size(), std::nullopt};
+    const auto occlusion =
+        drawUndecided(frame, {&rasterizer_, &pass_, &words_, &picture_}, exact_.samples(), undecided_);
+    statistics.image = {watch.elapsed(), frame.image->ranges.size(), std::nullopt, occlusion};
     const Stopwatch shadowWatch;
     if (frame.rays != nullptr) {
         lightDecided(frame, tracedStatuses(frame, *frame.rays, exact_.samples(), pass_.drawn()));

@@ -22,6 +22,15 @@ void SoftwarePass::gather(const FrameDrawing& frame, const selection::DrawList& 
     }
 }
 
+std::span<const raster::CellBox> SoftwarePass::boxes() {
+    boxes_.clear();
+    for (const DrawnCluster& drawn : drawn_) {
+        const auto& [min, max] = drawn.page->clusters[drawn.cluster].box;
+        boxes_.push_back({{min.x, min.y, min.z}, {max.x, max.y, max.z}});
+    }
+    return boxes_;
+}
+
 raster::View rasterView(const DrawSpace& space, const glm::dmat4& clipFromDraw, const raster::PixelBox& viewport) {
     raster::View view;
     view.eyeCell = glm::ivec3(space.originCell.x, space.originCell.y, space.originCell.z);

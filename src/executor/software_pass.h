@@ -27,12 +27,16 @@ public:
 
     std::span<const raster::Cluster> clusters() const { return clusters_; }
 
+    /// The boxes of these, made anew.
+    std::span<const raster::CellBox> boxes();
+
     /// The same clusters in the same order: their place is in the names of their triangles.
     std::span<const DrawnCluster> drawn() const { return drawn_; }
 
 private:
     std::vector<raster::Cluster> clusters_;
     std::vector<DrawnCluster> drawn_;
+    std::vector<raster::CellBox> boxes_;
 };
 
 /// A viewport of the target seen through `clipFromDraw`: the shaders' matrix with the grid's step inside.

@@ -1,10 +1,12 @@
 #include "core/stopwatch.h"
+#include "culling/layers.h"
 #include "executor/ray_shadows.h"
 #include "frame/frame_cuts.h"
 #include "frame/frame_row.h"
 #include "frame/renderer.h"
 #include "frame/scene_facts.h"
 #include "plan/caster_culling.h"
+#include "plan/occlusion_choice.h"
 
 #include <utility>
 
@@ -25,6 +27,14 @@ Frame Renderer::render(const plan::View& view, const plan::Quality& quality, con
     frame.row.totalMs = watch.elapsed().count;
     previous_ = std::make_shared<const plan::PlannedFrame>(plan::PlannedFrame{frame.plan, frame.memory});
     return frame;
+}
+
+void Renderer::chooseOcclusion(PreparedFrame& frame) const {
+    const bool canSkip = executor_->skipsHidden();
+    const bool isOpen = canSkip && frame.plan.quality.occlusion == plan::Choice::Auto;
+    const double layers =
+        isOpen ? culling::imageLayers(cutQuery(residency_, frame), frame.cut.lists[0], plan::kLeastLayers) : 0;
+    plan::chooseOcclusion(frame.plan, layers, canSkip);
 }
 
 PreparedFrame Renderer::prepareAs(
@@ -59,6 +69,7 @@ PreparedFrame Renderer::prepareAs(
                 frame.memory = std::move(planned.memory);
                 plan::chooseCasterCulling(
                     frame.plan, executor_->drawsImageFirst() ? plan::MapOrder::ImageFirst : plan::MapOrder::MapsFirst);
+                chooseOcclusion(frame);
             });
             addTime(frame.cullMs, [&] { cutPartitions(frame, residency_); });
         } while (frame.errorPixels > surveyedPixels);

@@ -82,6 +82,8 @@ telemetry::FrameRow frameRow(
     row.far = plan.far;
     row.depthRatio = plan.far / plan.near;
     row.lightAngle = degreesFromRadians(plan.lightAngleRadians);
+    row.occlusion = plan.skipsHidden ? "on" : "off";
+    if (drawn.image.occlusion) row.clustersHidden = toCount(drawn.image.occlusion->clustersHidden);
     row.shadows = wordOf(plan::kShadowModes, quality.shadows);
     if (drawn.exact) setExact(*drawn.exact, row);
     if (plan.predicted)

@@ -85,6 +85,7 @@ private:
         std::vector<std::vector<selection::ClusterRange>> casters; // by pass
     };
 
+    void chooseOcclusion(PreparedFrame& frame) const;
     void markReusedMaps(PreparedFrame& frame) const;
     void rememberMaps(const PreparedFrame& frame);
 

@@ -80,6 +80,7 @@ struct Quality {
     std::optional<double> nearFloor; // nothing: far / 10000
     double errorPixels = 1;
     std::optional<std::uint64_t> maxTriangles;
+    Choice occlusion = Choice::Auto; // the image is drawn without what it hides; Auto: where that pays
 };
 
 /// What is known of the scene in this view before its geometry was asked, and after.
@@ -148,6 +149,7 @@ struct FramePlan {
     std::uint64_t texelsThatWouldDo = 0; // for that; with several schemes to choose from the least of them; 0: none
     std::uint64_t cost = 0;              // counted: estimated caster triangles + texels / 16
     std::vector<Omission> omitted;
+    bool skipsHidden = false; // the image is drawn without what it hides: the same picture
     int textureWidth = 0; // of the depth texture; 0 without maps
     int textureHeight = 0;
 };

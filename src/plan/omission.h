@@ -21,6 +21,7 @@ enum class Effect : std::uint8_t {
     DepthClamp,
     PartitionCulling,
     ReceiverMasks,
+    OcclusionCulling,
 };
 
 enum class OmissionReason : std::uint8_t {
@@ -42,6 +43,8 @@ enum class OmissionReason : std::uint8_t {
     MapsComeFirst,      // the executor draws no image before them
     MapsAreKept,        // for views that see other receivers
     FewCasters,         // beside the pixels: finding out who receives light would cost more than they do
+    ExecutorDrawsAll,   // whatever hides it
+    FewLayers,          // of clusters over a pixel
 };
 
 /// Something that this view does not call for.

@@ -1,12 +1,10 @@
-// The hierarchical depth of a tile of a visibility buffer: for blocks of pixels, of several sizes, a depth that none of
-// them is behind.
+// The hierarchical depth of a tile of a visibility buffer: its pixels, and for each block of them a depth that none is
+// behind.
 #pragma once
 
 #include "raster/tile_work.h"
 
-#include <algorithm>
 #include <array>
-#include <bit>
 
 namespace gnomon::raster {
 
@@ -15,10 +13,7 @@ namespace gnomon::raster {
 /// pixels of the tile, from its lowest left one, and not empty.
 class FarthestDepths {
 public:
-    static constexpr int kBlockBits = 3;
-    static constexpr int kBlockSide = 1 << kBlockBits;
-    static constexpr std::size_t kBlocks = kTileSide / kBlockSide; // along a side of the largest tile
-    static constexpr std::size_t kLevels = 6;                      // blocks of 8, 16, ... 256 pixels
+    static constexpr int kBlockSide = 8;
 
     /// Of a tile of `width` x `height` pixels whose `words` (rows kTileStride apart) are all 0.
     FarthestDepths(const std::uint64_t* words, int width, int height);
@@ -29,30 +24,18 @@ public:
     /// Says that words in `box` have grown.
     void noteDrawn(const PixelBox& box);
 
-    /// Brings the blocks of all sizes that touch `box` up to date, and answers whether any pixel there holds something
-    /// nearer than `farthest`: if not, nothing that far or nearer is hidden there.
-    bool refresh(const PixelBox& box, float farthest);
-
-    /// The farthest depths: that of block (x, y) of blocks of 8 << level pixels is [(level * kBlocks + y) * kBlocks +
-    /// x].
-    const std::uint32_t* levels() const { return levels_[0][0].data(); }
-
 private:
-    using Level = std::array<std::array<std::uint32_t, kBlocks>, kBlocks>;
+    static constexpr std::size_t kBlocks = kTileSide / kBlockSide; // along a side of the largest tile
 
-    static constexpr std::size_t blockOf(int pixel) { return static_cast<std::size_t>(pixel) >> kBlockBits; }
+    static constexpr std::size_t blockOf(int pixel) { return static_cast<std::size_t>(pixel) / kBlockSide; }
 
-    bool isStale(std::size_t x, std::size_t y) const { return (stale_[y] >> x & 1U) != 0; }
-
-    bool hidesPart(std::size_t blockX, std::size_t blockY, const PixelBox& box, std::uint32_t nearest) const;
-    void update(std::size_t blockX, std::size_t blockY);
-    void updateAbove(const PixelBox& box);
+    bool hidesIn(std::size_t blockX, std::size_t blockY, const PixelBox& box, std::uint32_t nearest);
 
     const std::uint64_t* words_;
     int width_;
     int height_;
-    std::array<Level, kLevels> levels_;          // NOLINT: filled as far as the tile reaches
-    std::array<std::uint32_t, kBlocks> stale_{}; // of the smallest blocks, rows of bits: more was drawn since
+    std::array<std::array<std::uint32_t, kBlocks>, kBlocks> farthest_; // filled as far as the tile reaches
+    std::array<std::uint32_t, kBlocks> stale_{}; // rows of bits: more was drawn since, so that it may be nearer
 };
 
 } // namespace gnomon::raster

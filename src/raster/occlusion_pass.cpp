@@ -55,7 +55,6 @@ void OcclusionPass::prepare(
     input_ = input;
     projection_ = projection;
     snapped_ = &snapped;
-    trianglesSetUp_ = 0;
     snapped.reset(input);
     stages_ = stageBuffer_.reserve(input.size());
     bounds_.resize(input.size());
@@ -114,7 +113,6 @@ void OcclusionPass::requireSnapped(std::uint32_t cluster) {
 void OcclusionPass::drawTile(const PixelBox& tile, std::span<const std::uint32_t> indices, std::uint64_t* words) {
     FarthestDepths depths(words, tile.width(), tile.height());
     const std::span<const SnappedCluster> all = snapped_->all();
-    std::uint64_t setUp = 0;
     for (const std::uint32_t index : indices) {
         const Drawn& drawn = drawn_[index];
         if (depths.hides(relativeTo(tile, intersection(items_[index].box, tile)), drawn.nearest)) continue;
@@ -124,16 +122,13 @@ void OcclusionPass::drawTile(const PixelBox& tile, std::span<const std::uint32_t
         if (cluster.triangles.empty() || touched.empty()) continue;
         const PixelBox box = relativeTo(tile, touched);
         if (depths.hides(box, clampedDepth(cluster.mostZ))) continue;
-        const bool mayHideSome = depths.refresh(box, clampedDepth(cluster.leastZ));
-        setUp += drawVisibleCluster(cluster, tile, mayHideSome ? depths.levels() : nullptr, words);
+        drawVisibilityTile({tile, all, {&drawn.cluster, 1}}, words);
         depths.noteDrawn(box);
     }
-    trianglesSetUp_ += setUp;
 }
 
 OcclusionCounts OcclusionPass::counts() const {
     OcclusionCounts counts;
-    counts.trianglesSetUp = trianglesSetUp_;
     for (const Drawn& drawn : drawn_) {
         const std::uint32_t i = drawn.cluster;
         if (!isBounded(i) || stages_[i].load(std::memory_order_relaxed) == Stage::Snapped) continue;

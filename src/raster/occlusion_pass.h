@@ -62,7 +62,6 @@ private:
     std::vector<std::uint64_t> scratch_;
     std::vector<BinItem> items_;
     std::vector<Drawn> drawn_; // of each item
-    std::atomic<std::uint64_t> trianglesSetUp_ = 0;
 };
 
 } // namespace gnomon::raster

@@ -39,7 +39,6 @@ struct CellBox {
 struct OcclusionCounts {
     std::uint64_t clustersHidden = 0;  // whose boxes touch the viewport, and whose vertices were not looked at
     std::uint64_t trianglesHidden = 0; // of these
-    std::uint64_t trianglesSetUp = 0;  // of the others, once for each tile
     bool operator==(const OcclusionCounts&) const = default;
 };
 

@@ -101,7 +101,6 @@ ClusterPlace SnappedClusters::snap(std::span<const Cluster> input, std::size_t i
             input[i].firstTriangleId,
             nullptr,
             stage.box,
-            stage.leastZ,
             stage.mostZ};
     return stage.place;
 }
@@ -110,7 +109,6 @@ void SnappedClusters::addCuts() {
     for (Cuts& made : cuts_)
         for (std::size_t i = 0; i < made.count; ++i) {
             CutCluster& cut = made.clusters[i];
-            const auto [least, most] = std::minmax_element(cut.z.begin(), cut.z.begin() + 3 * cut.count);
             clusters_.push_back(
                 {{cut.x.data(), cut.y.data(), cut.z.data(), cut.rests.data()},
                  false,
@@ -119,8 +117,7 @@ void SnappedClusters::addCuts() {
                  0,
                  cut.ids.data(),
                  cut.box,
-                 *least,
-                 *most});
+                 *std::max_element(cut.z.begin(), cut.z.begin() + 3 * cut.count)});
         }
 }
 

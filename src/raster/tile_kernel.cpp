@@ -1,6 +1,5 @@
 #include "raster/tile_kernel.h"
 
-#include "raster/farthest_depths.h"
 #include "raster/prefetch.h"
 #include "raster/wide_triangle.h"
 
@@ -69,61 +68,9 @@ HWY_INLINE void packTriangles(std::span<const Triangle> triangles, PackedTriangl
     std::fill_n(packed.data() + count, kMostLanes, 0U);
 }
 
-/// Triangles are drawn wherever they are.
-struct NothingHidden {
-    static constexpr bool kTests = false;
-};
-
-/// The pixels between the extremes of each lane's triangle, from the lowest left one of the tile.
-struct PixelLanes {
-    Ints firstX, firstY;
-    Ints lastX, lastY;
-};
-
-/// Triangles are drawn but for those that are surely behind what is drawn everywhere.
-struct HiddenTriangles {
-    static constexpr bool kTests = true;
-    const std::uint32_t* levels; // FarthestDepths::levels
-    std::int32_t lastX, lastY;   // of the tile
-
-    /// At most two blocks along each axis hold all pixels of a triangle, if they are large enough.
-    HWY_INLINE IntMask hides(const SnappedCluster& cluster, Ints corners, const PixelLanes& pixels) const {
-        const auto zero = hn::Zero(kInts);
-        const auto within = [zero](Ints pixel, std::int32_t last)
-                                HWY_ATTR { return hn::Max(hn::Min(pixel, hn::Set(kInts, last)), zero); };
-        const auto x0 = within(pixels.firstX, lastX);
-        const auto y0 = within(pixels.firstY, lastY);
-        const auto x1 = within(pixels.lastX, lastX);
-        const auto y1 = within(pixels.lastY, lastY);
-        const auto extent = hn::Max(hn::Sub(x1, x0), hn::Sub(y1, y0));
-        auto level = zero;
-        for (std::size_t i = 0; i + 1 < FarthestDepths::kLevels; ++i)
-            level =
-                hn::Sub(level, hn::VecFromMask(kInts, hn::Gt(extent, hn::Set(kInts, FarthestDepths::kBlockSide << i))));
-        const auto shift = hn::Add(level, hn::Set(kInts, FarthestDepths::kBlockBits));
-        constexpr auto kRow = static_cast<std::int32_t>(FarthestDepths::kBlocks);
-        const auto base = hn::Mul(level, hn::Set(kInts, kRow * kRow));
-        const auto row0 = hn::Add(base, hn::Mul(hn::Shr(y0, shift), hn::Set(kInts, kRow)));
-        const auto row1 = hn::Add(base, hn::Mul(hn::Shr(y1, shift), hn::Set(kInts, kRow)));
-        const auto column0 = hn::Shr(x0, shift);
-        const auto column1 = hn::Shr(x1, shift);
-        const auto at = [this](Ints row, Ints column) HWY_ATTR {
-            return hn::GatherIndex(kInts, reinterpret_cast<const std::int32_t*>(levels), hn::Add(row, column));
-        };
-        const auto farthest =
-            hn::Min(hn::Min(at(row0, column0), at(row0, column1)), hn::Min(at(row1, column0), at(row1, column1)));
-        const auto z = [&](Ints index) HWY_ATTR { return hn::GatherIndex(kFloats, cluster.vertices.z, index); };
-        const auto nearest =
-            hn::Max(hn::Max(z(cornerIndex<0>(corners)), z(cornerIndex<1>(corners))), z(cornerIndex<2>(corners)));
-        return hn::Gt(farthest, hn::BitCast(kInts, withinUnit(nearest)));
-    }
-};
-
-/// Leaves out the triangles that no pixel centre of the tile can be inside of and those that are `hidden`, and sorts
-/// the rest by size.
-template <bool isCompact, class Hidden>
-HWY_INLINE void sortTriangles(
-    const SnappedCluster& cluster, const PixelBox& tile, const Hidden& hidden, SortedCluster& sorted) {
+/// Leaves out the triangles that no pixel centre of the tile can be inside of, and sorts the rest by size.
+template <bool isCompact>
+HWY_INLINE void sortTriangles(const SnappedCluster& cluster, const PixelBox& tile, SortedCluster& sorted) {
     PackedTriangles packed; // NOLINT(cppcoreguidelines-pro-type-member-init): packTriangles fills it
     packTriangles(cluster.triangles, packed);
     sorted.tiny.count = sorted.small.count = sorted.narrow.count = sorted.wide.count = 0;
@@ -144,14 +91,9 @@ HWY_INLINE void sortTriangles(
         const auto firstY = hn::ShiftRight<kSubpixelBits>(hn::Add(minY, round));
         const auto endX = hn::ShiftRight<kSubpixelBits>(hn::Add(maxX, one));
         const auto endY = hn::ShiftRight<kSubpixelBits>(hn::Add(maxY, one));
-        auto overlaps = hn::And(
+        const auto overlaps = hn::And(
             hn::Lt(hn::Max(firstX, hn::Zero(kInts)), hn::Min(endX, hn::Set(kInts, tile.width()))),
             hn::Lt(hn::Max(firstY, hn::Zero(kInts)), hn::Min(endY, hn::Set(kInts, tile.height()))));
-        if constexpr (Hidden::kTests) {
-            const auto last = hn::Set(kInts, -1);
-            const PixelLanes box = {firstX, firstY, hn::Add(endX, last), hn::Add(endY, last)};
-            overlaps = hn::AndNot(hidden.hides(cluster, corners, box), overlaps);
-        }
         const auto extent = hn::Max(hn::Sub(maxX, minX), hn::Sub(maxY, minY));
         const auto pixels = hn::Max(hn::Sub(endX, firstX), hn::Sub(endY, firstY));
         const auto isTiny = hn::Lt(pixels, hn::Set(kInts, 3));
@@ -281,10 +223,10 @@ HWY_INLINE void drawWide(const SnappedCluster& cluster, std::uint32_t packed, co
     }
 }
 
-template <bool isCompact, class Hidden, class Target>
+template <bool isCompact, class Target>
 HWY_INLINE void drawCluster(
-    const SnappedCluster& cluster, const PixelBox& tile, const Hidden& hidden, SortedCluster& sorted, Target& target) {
-    sortTriangles<isCompact>(cluster, tile, hidden, sorted);
+    const SnappedCluster& cluster, const PixelBox& tile, SortedCluster& sorted, Target& target) {
+    sortTriangles<isCompact>(cluster, tile, sorted);
     drawSmall<isCompact, 2>(cluster, sorted.tiny, tile, target);
     drawSmall<isCompact, 4>(cluster, sorted.small, tile, target);
     drawNarrow<isCompact>(cluster, sorted.narrow, tile, target);
@@ -306,9 +248,9 @@ HWY_INLINE void drawTile(const TileWork& work, Target& target) {
         if (k + 1 < work.indices.size()) prefetchCluster(work.clusters[work.indices[k + 1]]);
         const SnappedCluster& cluster = work.clusters[work.indices[k]];
         if (cluster.isCompact)
-            drawCluster<true>(cluster, work.box, NothingHidden(), sorted, target);
+            drawCluster<true>(cluster, work.box, sorted, target);
         else
-            drawCluster<false>(cluster, work.box, NothingHidden(), sorted, target);
+            drawCluster<false>(cluster, work.box, sorted, target);
     }
 }
 
@@ -323,24 +265,6 @@ void drawVisibilityInLanes(const TileWork& work, std::uint64_t* words) {
     drawTile(work, tile);
 }
 
-template <class Hidden>
-HWY_INLINE std::uint32_t drawOne(
-    const SnappedCluster& cluster, const PixelBox& tile, const Hidden& hidden, std::uint64_t* words) {
-    SortedCluster sorted; // NOLINT(cppcoreguidelines-pro-type-member-init): sortTriangles fills it
-    VisibilityTile target{words};
-    if (cluster.isCompact)
-        drawCluster<true>(cluster, tile, hidden, sorted, target);
-    else
-        drawCluster<false>(cluster, tile, hidden, sorted, target);
-    return sorted.tiny.count + sorted.small.count + sorted.narrow.count + sorted.wide.count;
-}
-
-std::uint32_t drawVisibleInLanes(
-    const SnappedCluster& cluster, const PixelBox& tile, const std::uint32_t* levels, std::uint64_t* words) {
-    if (levels == nullptr) return drawOne(cluster, tile, NothingHidden(), words);
-    return drawOne(cluster, tile, HiddenTriangles{levels, tile.width() - 1, tile.height() - 1}, words);
-}
-
 } // namespace gnomon::raster::HWY_NAMESPACE
 
 HWY_AFTER_NAMESPACE();
@@ -350,7 +274,6 @@ namespace gnomon::raster {
 
 HWY_EXPORT(drawDepthInLanes);
 HWY_EXPORT(drawVisibilityInLanes);
-HWY_EXPORT(drawVisibleInLanes);
 
 std::uint64_t drawDepthTile(const TileWork& work, float* depths) {
     return HWY_DYNAMIC_DISPATCH(drawDepthInLanes)(work, depths);
@@ -358,11 +281,6 @@ std::uint64_t drawDepthTile(const TileWork& work, float* depths) {
 
 void drawVisibilityTile(const TileWork& work, std::uint64_t* words) {
     HWY_DYNAMIC_DISPATCH(drawVisibilityInLanes)(work, words);
-}
-
-std::uint32_t drawVisibleCluster(
-    const SnappedCluster& cluster, const PixelBox& tile, const std::uint32_t* levels, std::uint64_t* words) {
-    return HWY_DYNAMIC_DISPATCH(drawVisibleInLanes)(cluster, tile, levels, words);
 }
 
 } // namespace gnomon::raster

@@ -12,9 +12,4 @@ std::uint64_t drawDepthTile(const TileWork& work, float* depths);
 /// Raises `words` likewise where a triangle is nearer to the eye.
 void drawVisibilityTile(const TileWork& work, std::uint64_t* words);
 
-/// The same for one cluster, but for triangles that are everywhere behind what the tile holds: `levels` are its
-/// FarthestDepths, up to date where the cluster is; null to look at none. How many triangles were set up.
-std::uint32_t drawVisibleCluster(
-    const SnappedCluster& cluster, const PixelBox& tile, const std::uint32_t* levels, std::uint64_t* words);
-
 } // namespace gnomon::raster

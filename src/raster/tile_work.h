@@ -22,8 +22,7 @@ struct SnappedCluster {
     std::uint32_t firstTriangleId = 0;
     const std::uint32_t* triangleIds = nullptr; // instead of firstTriangleId + i where given
     PixelBox box;                               // holds every pixel that it can cover
-    float leastZ = 0;                           // of its vertices
-    float mostZ = 0;
+    float mostZ = 0;                            // of its vertices
 };
 
 /// A tile and the clusters that touch it.

@@ -173,8 +173,7 @@ VertexStage snapVerticesInLanes(const Projection& projection, const Cluster& clu
     auto minY = minX;
     auto maxX = hn::Set(kInts, hwy::LowestValue<std::int32_t>());
     auto maxY = maxX;
-    auto minZ = hn::Set(kFloats, kDepthLimit);
-    auto maxZ = hn::Neg(minZ);
+    auto maxZ = hn::Set(kFloats, -kDepthLimit);
     for (std::uint32_t first = 0; first < cluster.vertexCount; first += lanes) {
         const Positions p = clipPositions(projection, cellsOf(cluster, first));
         allInside = hn::And(allInside, insideGuard(projection, p));
@@ -188,7 +187,6 @@ VertexStage snapVerticesInLanes(const Projection& projection, const Cluster& clu
         hn::StoreU(y, kInts, allY.data() + first);
         const auto z = snappedDepth(p.z, inverseW);
         hn::StoreU(z, kFloats, snapped.z + first);
-        minZ = hn::Min(minZ, z);
         maxZ = hn::Max(maxZ, z);
         minX = hn::Min(minX, x);
         minY = hn::Min(minY, y);
@@ -210,7 +208,6 @@ VertexStage snapVerticesInLanes(const Projection& projection, const Cluster& clu
         (hn::GetLane(hn::MinOfLanes(kInts, minY)) + kSubpixels - 1) >> kSubpixelBits,
         (hn::GetLane(hn::MaxOfLanes(kInts, maxX)) >> kSubpixelBits) + 1,
         (hn::GetLane(hn::MaxOfLanes(kInts, maxY)) >> kSubpixelBits) + 1};
-    stage.leastZ = hn::GetLane(hn::MinOfLanes(kFloats, minZ));
     stage.mostZ = hn::GetLane(hn::MaxOfLanes(kFloats, maxZ));
     stage.isCompact = join(snapped, allY.data(), cluster.vertexCount, stage.box);
     return stage;

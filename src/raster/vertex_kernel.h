@@ -36,9 +36,8 @@ enum class ClusterPlace {
 
 struct VertexStage {
     ClusterPlace place = ClusterPlace::Outside;
-    PixelBox box;     // pixel centres between the extremes of the snapped vertices; only where place is Inside
-    float leastZ = 0; // of the snapped vertices, likewise
-    float mostZ = 0;
+    PixelBox box;           // pixel centres between the extremes of the snapped vertices; only where place is Inside
+    float mostZ = 0;        // of them, likewise
     bool isCompact = false; // x in the low half of snapped.x, y in the high half; snapped.y is not written
 };
 

@@ -67,6 +67,8 @@ std::string effectInWords(const plan::Omission& omission) {
         return "partition culling";
     case Effect::ReceiverMasks:
         return "receiver masks";
+    case Effect::OcclusionCulling:
+        return "occlusion culling";
     }
     return "";
 }
@@ -113,6 +115,10 @@ std::string reasonInWords(const plan::Omission& omission) {
         return "stabilised maps are kept for views with other receivers";
     case OmissionReason::FewCasters:
         return "there are few casters beside the pixels that would have to be asked";
+    case OmissionReason::ExecutorDrawsAll:
+        return "only the software executor leaves out what is hidden";
+    case OmissionReason::FewLayers:
+        return "few clusters lie behind one another, so little is hidden";
     }
     return "";
 }

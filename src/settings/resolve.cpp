@@ -58,6 +58,10 @@ void requireSoftwareIfNeeded(const Settings& settings) {
         throw UsageError{
             written("backend", settings) + " and " + written("cull-casters", settings) +
             " contradict each other: only the software executor finds receivers before it draws maps"};
+    if (isGl && settings.quality.occlusion == plan::Choice::On)
+        throw UsageError{
+            written("backend", settings) + " and " + written("occlusion", settings) +
+            " contradict each other: only the software executor leaves out what is hidden"};
 }
 
 } // namespace

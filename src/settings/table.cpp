@@ -319,6 +319,15 @@ std::vector<Setting> moreSweptSettings() {
              .offer = {.title = "caster culling"}},
             oneOf(plan::kCasterCullings)),
         quality(
+            &Quality::occlusion,
+            {.name = "occlusion",
+             .form = {},
+             .help = "Draw the image without what it hides, the same to the last bit (software executor); auto: where "
+                     "much lies behind what is seen",
+             .isSwept = true,
+             .changesPicture = false},
+            oneOf(plan::kChoices)),
+        quality(
             &Quality::stabilize,
             {.name = "stabilize",
              .form = {},
@@ -377,23 +386,6 @@ bool areAlike(const Settings& a, const Settings& b) {
 
 bool drawAlike(const Settings& a, const Settings& b) {
     return agreeWhere(&Description::changesPicture, a, b);
-}
-
-std::string forShell(const std::string& text) {
-    constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+.,/:@%";
-    if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
-    std::string quoted = "'";
-    for (const char c : text)
-        quoted += c == '\'' ? std::string(R"('\'')") : std::string(1, c);
-    return quoted + "'";
-}
-
-std::string optionsToPaste(const Settings& settings, bool ofSwept) {
-    std::string options;
-    for (const Setting& each : table())
-        if (each.description().isSwept == ofSwept && !each.isDefault(settings) && appliesTo(each, settings))
-            options += (options.empty() ? "" : " ") + each.option() + " " + forShell(each.text(settings));
-    return options;
 }
 
 } // namespace gnomon::settings

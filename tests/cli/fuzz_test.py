@@ -22,7 +22,7 @@ VIEW = {
     "--near": NUMBERS, "--far": NUMBERS, "--near-floor": NUMBERS, "--light": VECTORS, "--error-pixels": NUMBERS,
     "--max-triangles": NUMBERS + ["1k"], "--shadows": WORDS, "--warp": WORDS, "--eta": NUMBERS, "--tsm-focus": NUMBERS,
     "--z-partitions": WORDS, "--split-lambda": NUMBERS, "--face-partitions": WORDS, "--shadow-texels": SIZES + ["512x512"],
-    "--max-aliasing": NUMBERS, "--filter": NUMBERS, "--cull-casters": WORDS, "--stabilize": WORDS,
+    "--max-aliasing": NUMBERS, "--filter": NUMBERS, "--cull-casters": WORDS, "--occlusion": WORDS, "--stabilize": WORDS,
     "--backend": ["software", "osmesa", "auto", "vulkan"], "--memory": MEMORY, "--gpu-memory": MEMORY,
 }  # fmt: skip
 

@@ -184,6 +184,78 @@ void sliverOfSnapping() {
     }
 }
 
+/// The boxes of the scene's clusters.
+std::vector<CellBox> boxesOf(const Scene& scene) {
+    std::vector<CellBox> boxes;
+    for (const Cluster& cluster : scene.clusters()) {
+        CellBox& box = boxes.emplace_back();
+        box.min.fill(0xFFFFFFFFU);
+        for (std::size_t i = 0; i < 3 * std::size_t{cluster.vertexCount}; ++i) {
+            box.min[i % 3] = std::min(box.min[i % 3], cluster.positions[i]);
+            box.max[i % 3] = std::max(box.max[i % 3], cluster.positions[i]);
+        }
+    }
+    return boxes;
+}
+
+/// How many clusters go undrawn; the words are those of all.
+std::uint64_t hiddenIn(const Scene& scene, const View& view = flatView(kViewport)) {
+    std::vector<std::uint64_t> all(std::size_t{kSide} * kSide);
+    std::vector<std::uint64_t> seen(all.size());
+    Rasterizer rasterizer;
+    rasterizer.drawVisibility(scene.clusters(), view, {all.data(), kSide, kSide});
+    const OcclusionCounts counts =
+        rasterizer.drawVisible(scene.clusters(), boxesOf(scene), view, {seen.data(), kSide, kSide});
+    EXPECT_TRUE(seen == all);
+    return counts.clustersHidden;
+}
+
+void addQuad(Scene& scene, double x0, double y0, double x1, double y1, double depth) {
+    scene.add({at(x0, y0, depth), at(x1, y0, depth), at(x0, y1, depth), at(x1, y1, depth)}, {{0, 1, 2}, {3, 2, 1}});
+}
+
+void pinhole() {
+    for (const double hole : {0.0, 1.0}) {
+        Scene scene;
+        addQuad(scene, 10, 10, 50, 50, 0.25);
+        addQuad(scene, 0, 0, 30, 64, 0.75);
+        addQuad(scene, 30 + hole, 0, 64, 64, 0.75);
+        addQuad(scene, 29, 0, 32, 30, 0.75);
+        addQuad(scene, 29, 30 + hole, 32, 64, 0.75);
+        EXPECT_EQ(hiddenIn(scene), hole > 0 ? 0U : 1U) << hole;
+    }
+}
+
+void asFarAsWhatIsDrawn() {
+    Scene scene;
+    addQuad(scene, 20, 20, 40, 40, 0.5); // smaller, and first in the list: it owns its pixels
+    addQuad(scene, 0, 0, 64, 64, 0.5);
+    addQuad(scene, 10, 10, 30, 30, 0.5);
+    EXPECT_EQ(hiddenIn(scene), 0U);
+}
+
+void aroundTheEye() {
+    const View view = insideView(kViewport, 3);
+    const auto cell = [&](int axis, double pixels) {
+        return static_cast<std::uint32_t>(view.eyeCell[axis] + std::llround(pixels * kFlatPixel));
+    };
+    Scene scene;
+    for (const double reach : {40.0, 4000.0, 100.0}) // rooms around the eye, and what lies behind their walls
+        for (const double side : {-1.0, 1.0})
+            for (int axis = 0; axis < 3; ++axis) {
+                std::vector<Position> corners;
+                for (const auto& [u, v] : std::vector<std::array<double, 2>>{{-1, -1}, {1, -1}, {-1, 1}, {1, 1}}) {
+                    std::array<double, 3> p{};
+                    p[static_cast<std::size_t>(axis)] = side * reach;
+                    p[static_cast<std::size_t>((axis + 1) % 3)] = u * reach;
+                    p[static_cast<std::size_t>((axis + 2) % 3)] = v * reach;
+                    corners.push_back({cell(0, p[0]), cell(1, p[1]), cell(2, p[2])});
+                }
+                scene.add(corners, {{0, 1, 2}, {3, 2, 1}});
+            }
+    hiddenIn(scene, view);
+}
+
 constexpr std::array kCases = {
     HardCase{
         "a triangle of no area",
@@ -222,6 +294,18 @@ constexpr std::array kCases = {
         "a sliver that only snapping gave an area",
         "the plane through its unsnapped corners has no bound or is not a number",
         sliverOfSnapping},
+    HardCase{
+        "a hole of one pixel in what hides",
+        "farthest depths of blocks that are not of every pixel close it, and what is seen through it goes",
+        pinhole},
+    HardCase{
+        "clusters as far as what is drawn already",
+        "left out as hidden, though the earlier name owns the pixel: the order of drawing decides",
+        asFarAsWhatIsDrawn},
+    HardCase{
+        "boxes around the eye",
+        "their corners divided by w near 0 or below bound nothing, and what surrounds the eye is taken for hidden",
+        aroundTheEye},
 };
 
 TEST(HardCases, HoldAndAreInTheDocument) {

@@ -303,24 +303,6 @@ TEST(FarthestDepths, AreThoseOfAllPixels) {
             ++hiddenCount;
         }
         EXPECT_FALSE(depths.hides(asked, farthest)); // as far as the farthest: ties are not hidden
-        if (!depths.refresh(asked, 0)) continue;
-        for (std::size_t level = 0; level < FarthestDepths::kLevels; ++level) {
-            const int side = FarthestDepths::kBlockSide << level;
-            for (int y = asked.y0 / side; y <= (asked.y1 - 1) / side; ++y)
-                for (int x = asked.x0 / side; x <= (asked.x1 - 1) / side; ++x) {
-                    std::uint64_t block = ~std::uint64_t{0};
-                    for (int v = y * side; v < std::min(kSide, (y + 1) * side); ++v)
-                        for (int u = x * side; u < std::min(kSide, (x + 1) * side); ++u)
-                            block = std::min(block, wordAt(u, v));
-                    const std::size_t row = level * FarthestDepths::kBlocks + static_cast<std::size_t>(y);
-                    const std::uint32_t kept =
-                        depths.levels()[row * FarthestDepths::kBlocks + static_cast<std::size_t>(x)];
-                    if (level == 0)
-                        EXPECT_EQ(kept, block >> 32U);
-                    else
-                        EXPECT_LE(kept, block >> 32U); // some of what it holds may not be up to date
-                }
-        }
     }
     EXPECT_GT(hiddenCount, 100);
 }
@@ -348,7 +330,6 @@ TEST(SnappedClusters, AreSnappedOneByOneAndTheOthersEmpty) {
     for (std::size_t i = 0; i < clusters.size(); ++i)
         EXPECT_EQ(snapped.all()[i].triangles.empty(), i != 3);
     const SnappedCluster& one = snapped.all()[3];
-    EXPECT_EQ(one.leastZ, *std::min_element(one.vertices.z, one.vertices.z + one.vertexCount));
     EXPECT_EQ(one.mostZ, *std::max_element(one.vertices.z, one.vertices.z + one.vertexCount));
 }
 

@@ -83,6 +83,7 @@ const std::vector<Row>& rows() {
          "WxH, at most 16384x16384 texels, the largest texture"},
         {"filter", "0", {"0", "16"}, {"-1", "17", "2.5"}, "a whole number from 0 to 16"},
         {"cull-casters", "auto", {"auto", "on", "off", "receivers"}, {"true", "ON"}, "auto, on, off or receivers"},
+        {"occlusion", "auto", {"on", "off", "auto"}, {"true", "yes"}, nullptr},
         {"stabilize", "off", {"on", "off"}, {"0", ""}, "on or off"},
     };
     return all;
@@ -189,10 +190,13 @@ TEST(EveryRow, ChangesThePictureButForThoseThatSayTheyDoNot) {
     std::set<std::string> timeAlone;
     for (const Setting& each : table())
         if (!each.description().changesPicture) timeAlone.insert(each.name());
-    EXPECT_EQ(timeAlone, (std::set<std::string>{"cull-casters", "gpu-memory"})); // which are rendered in tests/measure
+    EXPECT_EQ(
+        timeAlone,
+        (std::set<std::string>{"cull-casters", "gpu-memory", "occlusion"})); // which are rendered in tests/measure
     Settings a;
     Settings b;
     b.quality.cullCasters = plan::CasterCulling::Off;
+    b.quality.occlusion = plan::Choice::Off;
     b.gpuMemory = mebibytes(100);
     EXPECT_TRUE(drawAlike(a, b));
     EXPECT_FALSE(areAlike(a, b)) << "a bench sweeps the culling";

@@ -62,6 +62,12 @@ TEST(PlanSentences, NameEffectAndReason) {
          "depth clamp",
          "no caster is nearer to the light than its map begins"},
         {{Effect::PartitionCulling, Reason::SwitchedOff}, "partition culling", "switched off"},
+        {{Effect::OcclusionCulling, Reason::FewLayers},
+         "occlusion culling",
+         "few clusters lie behind one another, so little is hidden"},
+        {{Effect::OcclusionCulling, Reason::ExecutorDrawsAll},
+         "occlusion culling",
+         "only the software executor leaves out what is hidden"},
     };
     for (const Row& row : table) {
         EXPECT_EQ(effectInWords(row.omission), row.effect);

@@ -1,0 +1,33 @@
+#include "culling/layers.h"
+
+#include <algorithm>
+
+namespace gnomon::culling {
+
+double imageLayers(const selection::CutQuery& query, const selection::DrawList& image, double enough) {
+    const selection::DetailView& view = query.rule->view();
+    const hierarchy::Grid& grid = query.trees->grid();
+    double layers = 0;
+    for (const selection::ClusterRange& range : image.ranges) {
+        const hierarchy::Page& page = *query.resident[range.page];
+        for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c) {
+            const Box box = grid.local(page.clusters[c].box);
+            const glm::dvec3 extent = box.extent();
+            const glm::dvec3 fromEye = box.center() - view.eye;
+            const double distance = glm::length(fromEye);
+            const double depth = glm::dot(fromEye, view.basis.view);
+            double share = 1;
+            if (depth > 0.5 * glm::length(extent)) {
+                // Three faces, each as the line of sight meets it; at depth 1 the image is 4 tanHalfX tanHalfY large.
+                const glm::dvec3 faces(extent.y * extent.z, extent.z * extent.x, extent.x * extent.y);
+                const double area = glm::dot(glm::abs(fromEye), faces) / distance;
+                share = area / (4 * view.tanHalfX * view.tanHalfY * depth * depth);
+            }
+            layers += std::min(share, 1.0);
+        }
+        if (layers >= enough) break;
+    }
+    return layers;
+}
+
+} // namespace gnomon::culling

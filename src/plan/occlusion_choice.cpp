@@ -1,0 +1,22 @@
+#include "plan/occlusion_choice.h"
+
+namespace gnomon::plan {
+
+namespace {
+
+std::optional<OmissionReason> reasonToDrawAll(const FramePlan& plan, double layers, bool canSkip) {
+    if (plan.quality.occlusion == Choice::Off) return OmissionReason::SwitchedOff;
+    if (!canSkip) return OmissionReason::ExecutorDrawsAll;
+    if (plan.quality.occlusion == Choice::Auto && layers < kLeastLayers) return OmissionReason::FewLayers;
+    return std::nullopt;
+}
+
+} // namespace
+
+void chooseOcclusion(FramePlan& plan, double layers, bool canSkip) {
+    const std::optional<OmissionReason> reason = reasonToDrawAll(plan, layers, canSkip);
+    plan.skipsHidden = !reason;
+    if (reason) plan.omitted.push_back({Effect::OcclusionCulling, *reason});
+}
+
+} // namespace gnomon::plan

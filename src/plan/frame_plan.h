@@ -150,7 +150,7 @@ struct FramePlan {
     std::uint64_t cost = 0;              // counted: estimated caster triangles + texels / 16
     std::vector<Omission> omitted;
     bool skipsHidden = false; // the image is drawn without what it hides: the same picture
-    int textureWidth = 0; // of the depth texture; 0 without maps
+    int textureWidth = 0;     // of the depth texture; 0 without maps
     int textureHeight = 0;
 };
 

@@ -152,8 +152,10 @@ void ExactEstimate::drawPoints(const executor::FrameDrawing& frame) {
         const glm::dvec3 eye = frame.space.eye / frame.space.step;
         if (!(glm::dot(normal, light) * glm::dot(normal, eye - corners[0]) > 0)) continue;
         const auto width = static_cast<std::size_t>(size.x);
-        const double x = (2 * (static_cast<double>(i % width) + 0.5) / size.x - 1) * plan.view.tanHalfX();
-        const double y = (2 * (static_cast<double>(i / width) + 0.5) / size.y - 1) * plan.view.tanHalfY();
+        const std::size_t column = i % width;
+        const std::size_t line = i / width;
+        const double x = (2 * (static_cast<double>(column) + 0.5) / size.x - 1) * plan.view.tanHalfX();
+        const double y = (2 * (static_cast<double>(line) + 0.5) / size.y - 1) * plan.view.tanHalfY();
         const double depth = frame.clipNear / static_cast<double>(raster::visibleDepth(words_[i])) / frame.space.step;
         const glm::dvec3 p = sheared(shear_, eye + toWorld(plan.basis, glm::dvec3(x, y, 1) * depth));
         points_.push_back({p.x, p.y, p.z, depth * perDepth});
@@ -213,7 +215,8 @@ void ExactEstimate::sortPoints(const executor::FrameDrawing& frame) {
 }
 
 void ExactEstimate::Sums::add(const std::vector<std::uint32_t>& first, const std::vector<double>& shares) {
-    below.assign((kCells + 1) * (kCells + 1), 0);
+    constexpr std::size_t kCorners = std::size_t{kCells} + 1;
+    below.assign(kCorners * kCorners, 0);
     for (std::size_t y = 0; y < kCells; ++y) {
         float sum = 0;
         for (std::size_t x = 0; x < kCells; ++x) {
@@ -287,8 +290,9 @@ void ExactEstimate::hold(
     for (int row = box.y0; row <= box.y1; ++row) {
         const exact::CellBox span = isNarrowed ? rowSpan(outline, box, row) : exact::CellBox{box.x0, row, box.x1, row};
         if (span.empty()) continue;
-        const std::uint32_t begin = first_[static_cast<std::size_t>(row * kCells + span.x0)];
-        const std::uint32_t end = first_[static_cast<std::size_t>(row * kCells + span.x1) + 1];
+        const std::size_t rowStart = static_cast<std::size_t>(row) * kCells;
+        const std::uint32_t begin = first_[rowStart + static_cast<std::size_t>(span.x0)];
+        const std::uint32_t end = first_[rowStart + static_cast<std::size_t>(span.x1) + 1];
         for (; picked.points + (end - begin) > next; next += stride) {
             const std::uint32_t i = begin + static_cast<std::uint32_t>(next - picked.points);
             if (i < end && isCovered(sorted_[i], corners)) coverers_[blockOf(sorted_[i])] += picked.weight * stride;

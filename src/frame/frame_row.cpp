@@ -2,6 +2,8 @@
 
 #include "core/angle.h"
 
+#include <cmath>
+
 namespace gnomon::frame {
 
 namespace {
@@ -27,6 +29,26 @@ void setCulled(const executor::CulledCasters& culled, telemetry::FrameRow& row) 
     row.castersKept = toCount(culled.clustersKept);
 }
 
+/// What the passes of shadow maps drew, and what was looked at for them.
+void setCasters(const PreparedFrame& frame, const executor::DrawStatistics& drawn, telemetry::FrameRow& row) {
+    const plan::FramePlan& plan = frame.plan;
+    row.shadowMapsDrawn = 0;
+    std::uint64_t shadowTriangles = 0;
+    std::uint64_t castersKept = 0;
+    for (std::size_t p = 0; p < plan.passes.size(); ++p) {
+        if (!plan.passes[p].isReused) {
+            ++row.shadowMapsDrawn;
+            shadowTriangles += frame.cut.lists[p + 1].triangles;
+        }
+        castersKept += frame.cut.lists[p + 1].clusters;
+    }
+    row.shadowTriangles = toCount(shadowTriangles);
+    if (drawn.shadows.fragments) row.shadowFragments = toCount(*drawn.shadows.fragments);
+    row.castersKept = toCount(castersKept);
+    row.castersTested = toCount(plan.passes.empty() ? 0 : frame.cut.clustersTested);
+    if (drawn.culled) setCulled(*drawn.culled, row);
+}
+
 } // namespace
 
 telemetry::FrameRow frameRow(
@@ -42,7 +64,6 @@ telemetry::FrameRow frameRow(
     row.stabilize = quality.stabilize;
     row.filter = quality.filter;
     row.shadowMaps = toCount(plan.passes.size());
-    row.shadowMapsDrawn = 0;
     const bool isWhole = !drawn.culled && plan.casterCulling == plan::CasterCulling::Receivers;
     row.cullCasters = wordOf(plan::kCasterCullings, isWhole ? plan::CasterCulling::On : plan.casterCulling);
     row.shadowTexels = std::to_string(quality.shadowTexelsWidth) + "x" + std::to_string(quality.shadowTexelsHeight);
@@ -57,20 +78,7 @@ telemetry::FrameRow frameRow(
     row.shadowMs = drawn.shadows.time.count;
     row.imageMs = drawn.image.time.count;
     row.imageTriangles = toCount(frame.cut.lists[0].triangles);
-    std::uint64_t shadowTriangles = 0;
-    std::uint64_t castersKept = 0;
-    for (std::size_t p = 0; p < plan.passes.size(); ++p) {
-        if (!plan.passes[p].isReused) {
-            ++row.shadowMapsDrawn;
-            shadowTriangles += frame.cut.lists[p + 1].triangles;
-        }
-        castersKept += frame.cut.lists[p + 1].clusters;
-    }
-    row.shadowTriangles = toCount(shadowTriangles);
-    if (drawn.shadows.fragments) row.shadowFragments = toCount(*drawn.shadows.fragments);
-    row.castersKept = toCount(castersKept);
-    row.castersTested = toCount(plan.passes.empty() ? 0 : frame.cut.clustersTested);
-    if (drawn.culled) setCulled(*drawn.culled, row);
+    setCasters(frame, drawn, row);
     row.drawCalls = toCount(drawn.shadows.drawCalls + drawn.image.drawCalls);
     row.residentBytes = toCount(source.residency.resident.count + source.trees.count);
     row.gpuBytes = toCount(drawn.deviceMemory.count);
@@ -86,8 +94,7 @@ telemetry::FrameRow frameRow(
     if (drawn.image.occlusion) row.clustersHidden = toCount(drawn.image.occlusion->clustersHidden);
     row.shadows = wordOf(plan::kShadowModes, quality.shadows);
     if (drawn.exact) setExact(*drawn.exact, row);
-    if (plan.predicted)
-        row.predictedSampleTests = toCount(static_cast<std::uint64_t>(plan.predicted->sampleTests + 0.5));
+    if (plan.predicted) row.predictedSampleTests = std::llround(plan.predicted->sampleTests);
     if (plan.passes.empty()) return row;
     row.storageFactor = plan.storageFactor;
     row.promisedAliasingX = plan.promised.x;

@@ -60,11 +60,14 @@ PreparedFrame Renderer::prepare(
     PreparedFrame exact = prepared(ShadowMode::Exact);
     predict(exact);
     const plan::ShadowChoice choice = plan::choiceByCosts(plan::shadowCosts(*exact.plan.predicted), memory);
-    PreparedFrame frame = choice.mode == ShadowMode::Exact ? std::move(exact) : prepared(choice.mode);
-    if (choice.mode != ShadowMode::Exact) {
-        addPreparation(frame, exact);
-        frame.plan.predicted = exact.plan.predicted;
+    const bool isExact = choice.mode == ShadowMode::Exact;
+    PreparedFrame maps;
+    if (!isExact) {
+        maps = prepared(choice.mode);
+        addPreparation(maps, exact);
+        maps.plan.predicted = exact.plan.predicted;
     }
+    PreparedFrame frame = std::move(isExact ? exact : maps);
     frame.plan.shadowReason = choice.reason;
     frame.memory.mode = choice.memory;
     return frame;

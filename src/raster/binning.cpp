@@ -156,6 +156,8 @@ void binWanted(
     fillTiles(items, viewport, side, bins);
     if (isWanted) dropUnwanted(items, isWanted, bins);
     shareOut(items, leastSide, bins);
+    // Sharing out may split below the side down to which unwanted parts are looked for.
+    if (isWanted) std::erase_if(bins.tiles, [&](const TileBin& tile) { return !isWanted(tile.box); });
 }
 
 } // namespace gnomon::raster

@@ -32,8 +32,8 @@ constexpr float kUnderflow = 0x1p-130F;
 
 /// A coordinate in clip space over the corners of a box.
 struct ClipRow {
-    std::array<float, 3> least; // along each axis, the product at its lower end
-    std::array<float, 3> most;
+    std::array<float, 3> least{}; // along each axis, the product at its lower end
+    std::array<float, 3> most{};
     float constant;
     float error;
 

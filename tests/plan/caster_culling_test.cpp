@@ -28,7 +28,7 @@ TEST(CasterCulling, IsChosenByCountsAndByWhoDraws) {
 
     using C = CasterCulling;
     using R = OmissionReason;
-    const std::uint64_t few = 100 * 100 / kPixelsPerTriangle - 1;
+    const std::uint64_t few = std::uint64_t{100} * 100 / kPixelsPerTriangle - 1;
     const std::vector<Row> rows = {
         {"many casters", C::Auto, few + 1, MapOrder::ImageFirst, false, C::Receivers, {}},
         {"few casters", C::Auto, few, MapOrder::ImageFirst, false, C::On, R::FewCasters},

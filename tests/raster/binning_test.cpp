@@ -128,6 +128,10 @@ TEST(Binning, AnEmptyViewportHasNoTiles) {
     EXPECT_TRUE(bins.tiles.empty());
 }
 
+std::int64_t pixelsOf(const PixelBox& box) {
+    return box.empty() ? 0 : std::int64_t{box.width()} * box.height();
+}
+
 TEST(Binning, DropsTilesThatNobodyWants) {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
         const PixelBox viewport = {13, 9, 13 + static_cast<int>(50 * seed + 1), 250};
@@ -153,14 +157,12 @@ TEST(Binning, DropsTilesThatNobodyWants) {
                 if (!intersection(items[i].box, tile.box).empty()) expected.push_back(i);
             const auto found = std::span(bins.indices).subspan(tile.first, tile.count);
             ASSERT_TRUE(std::equal(found.begin(), found.end(), expected.begin(), expected.end()));
-            for (const PixelBox& part : wanted) {
-                const PixelBox shared = intersection(part, tile.box);
-                if (!shared.empty()) held += std::int64_t{shared.width()} * shared.height();
-            }
+            for (const PixelBox& part : wanted)
+                held += pixelsOf(intersection(part, tile.box));
         }
         std::int64_t all = 0;
         for (const PixelBox& part : wanted)
-            all += std::int64_t{part.width()} * part.height();
+            all += pixelsOf(part);
         EXPECT_EQ(held, all) << "each wanted pixel lies in one tile";
     }
 }

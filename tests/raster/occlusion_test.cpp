@@ -40,6 +40,7 @@ CellBox boxOf(const Cluster& cluster) {
 
 std::vector<CellBox> boxesOf(const std::vector<Cluster>& clusters) {
     std::vector<CellBox> boxes;
+    boxes.reserve(clusters.size());
     for (const Cluster& cluster : clusters)
         boxes.push_back(boxOf(cluster));
     return boxes;
@@ -105,7 +106,8 @@ Scene crowd(std::uint64_t seed) {
             random.uniform(0, 1) * 0x1p20};
         std::vector<std::array<std::uint32_t, 3>> positions;
         std::vector<Triangle> triangles;
-        for (std::uint8_t t = 0; t < (isWall ? 1 : 20); ++t) {
+        const std::uint8_t count = isWall ? 1 : 20;
+        for (std::uint8_t t = 0; t < count; ++t) {
             for (int corner = 0; corner < 3; ++corner) {
                 auto& position = positions.emplace_back();
                 for (std::size_t axis = 0; axis < 3; ++axis)
@@ -297,7 +299,7 @@ TEST(FarthestDepths, AreThoseOfAllPixels) {
             for (int x = asked.x0; x < asked.x1; ++x)
                 least = std::min(least, wordAt(x, y));
         const float farthest = visibleDepth(least);
-        const float before = std::bit_cast<float>(std::bit_cast<std::uint32_t>(farthest) - 1);
+        const auto before = std::bit_cast<float>(std::bit_cast<std::uint32_t>(farthest) - 1);
         if (farthest > 0) {
             EXPECT_TRUE(depths.hides(asked, before));
             ++hiddenCount;

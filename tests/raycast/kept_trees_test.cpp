@@ -138,7 +138,7 @@ TEST(CutScene, LetsARulePassWhatItWill) {
     KeptTrees trees;
     const Clusters all = finestLevel();
     const CutScene kept(trees, all, model().summary.grid, middle());
-    const float step = static_cast<float>(model().summary.grid.step());
+    const auto step = static_cast<float>(model().summary.grid.step());
     std::size_t stopped = 0;
     for (std::size_t i = 0; i < all.size(); i += 7) {
         OneCluster rule(all[i].page, all[i].span.firstCluster);

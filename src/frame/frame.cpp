@@ -12,6 +12,8 @@
 
 // The frame, told in the words of the README:
 // residency -> plan -> cut -> cull per partition -> shadow passes -> image pass -> log.
+// Where shadows are decided point by point, or casters are culled by what the image looks up, the executor finds what
+// is visible first, and shades it last.
 
 namespace gnomon::frame {
 

@@ -25,7 +25,8 @@ struct Drawn {
 
 template <class Pixel>
 bool sameBits(const std::vector<Pixel>& a, const std::vector<Pixel>& b) {
-    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Pixel)) == 0;
+    if (a.size() != b.size()) return false;
+    return a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Pixel)) == 0; // null where there is none
 }
 
 /// A renderer of a model over the software executor.

@@ -132,6 +132,19 @@ CameraPath walkAlong(const WalkableFloor& floor, const std::vector<WayPoint>& wa
     return path;
 }
 
+std::string sizeOf(const Box& bounds) {
+    std::array<char, 96> text{};
+    const glm::dvec3 size = bounds.extent();
+    std::snprintf(text.data(), text.size(), "none in a model of %.4g x %.4g x %.4g", size.x, size.y, size.z);
+    return text.data();
+}
+
+constexpr const char* kLevelPlace = "a level place with a body's room around and above it, at this height of the eye";
+
+Error noFloor(const hierarchy::ModelFile& model, const char* expected) {
+    return {model.path(), "no floor to walk on", expected, sizeOf(model.summary().bounds)};
+}
+
 /// The floors that a walk may use: one that covers the model or, where this is too large, parts of it, best first.
 class Ground {
 public:
@@ -146,6 +159,7 @@ public:
               isWhole_ ? fineCell(body) : widthOf(model.summary().bounds) / kCoarseCells)) {
         if (!storey) return;
         const std::vector<Storey> storeys = findStoreys(whole_);
+        if (storeys.empty()) throw noFloor(model, kLevelPlace);
         if (*storey < 0 || static_cast<std::size_t>(*storey) >= storeys.size())
             throw Error(model.path(), "no such storey", listOf(storeys), std::to_string(*storey));
         band_ = bandOf(storeys, static_cast<std::size_t>(*storey), body);
@@ -181,13 +195,6 @@ private:
     WalkableFloor whole_;
 };
 
-std::string sizeOf(const Box& bounds) {
-    std::array<char, 96> text{};
-    const glm::dvec3 size = bounds.extent();
-    std::snprintf(text.data(), text.size(), "none in a model of %.4g x %.4g x %.4g", size.x, size.y, size.z);
-    return text.data();
-}
-
 } // namespace
 
 CameraPath walk(const hierarchy::ModelFile& model, const WalkOptions& options) {
@@ -198,12 +205,8 @@ CameraPath walk(const hierarchy::ModelFile& model, const WalkOptions& options) {
         if (const auto path = Ground(model, body, options.storey).walk()) return *path;
     if (!options.storey && (!isInMetres || widthOf(bounds) < 12 * body.eyeHeight))
         return walkAround(bounds, options.eyeHeight);
-    throw Error(
-        model.path(),
-        "no floor to walk on",
-        isInMetres ? "a level place with a body's room around and above it, at this height of the eye"
-                   : "storeys of a model in metres, or to be told the height of the eye",
-        sizeOf(bounds));
+    throw noFloor(
+        model, isInMetres ? kLevelPlace : "storeys of a model in metres, or to be told the height of the eye");
 }
 
 } // namespace gnomon::path

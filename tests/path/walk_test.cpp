@@ -157,6 +157,7 @@ TEST(Walk, GoesAroundAThingThatHasNoFloor) {
         EXPECT_GT(statue.clearance(key.camera.eye, eyeHeight), 0.2 * eyeHeight);
     }
     EXPECT_NE(refusal(statue, {0, {}}).find("no floor to walk on"), std::string::npos) << "nor has it a storey";
+    EXPECT_NE(refusal(statue, {9, 1.7}).find("no floor to walk on"), std::string::npos) << "whichever is asked for";
 }
 
 TEST(Walk, TakesTheScaleFromTheEye) {

@@ -122,15 +122,14 @@ struct TieCounts {
     std::uint64_t inTheMidst = 0; // of both, where no tie decides: the same all around, a thousandth of a cell off
 };
 
-bool isMetByIntegers(const Surface& surface, const exact::IntegerLight& light, const glm::i64vec3& point) {
+bool isMetByIntegers(const Surface& surface, const IntegerLight& light, const glm::i64vec3& point) {
     return std::any_of(surface.triangles.begin(), surface.triangles.end(), [&](const Corners& each) {
         return exact::meet(each, light, point, 0).meeting == exact::Meeting::Ahead;
     });
 }
 
 /// Whether the points around `point` are all met, or all not, as `isMet` says.
-bool isSameAround(
-    const Surface& surface, const exact::IntegerLight& light, const glm::i64vec3& point, const bool isMet) {
+bool isSameAround(const Surface& surface, const IntegerLight& light, const glm::i64vec3& point, const bool isMet) {
     constexpr std::int64_t kOff = 1 << 14;
     for (unsigned i = 0; i < 8; ++i) {
         const auto off = [&](unsigned bit) { return (i >> bit & 1U) != 0 ? kOff : -kOff; };
@@ -150,7 +149,7 @@ void compareTies(
     for (int i = 0; i < 1500; ++i) {
         const int kind = i % 3;
         glm::dvec3 towards(random.real(-1, 1), random.real(-1, 1), random.real(-1, 1));
-        const exact::IntegerLight light = exact::roundedLight(towards);
+        const IntegerLight light = roundedLight(towards);
         const auto at =
             static_cast<std::size_t>(random.whole(0, static_cast<std::int64_t>(surface.triangles.size()) - 1));
         const glm::i64vec3 point =

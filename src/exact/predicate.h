@@ -1,11 +1,15 @@
 // Whether a triangle stands between a point and the light, in integers: what is true of a shadow, whoever finds it.
 #pragma once
 
-#include "exact/integer_light.h"
+#include "core/integer_light.h"
 
 #include <array>
+#include <cstdint>
 
 namespace gnomon::exact {
+
+/// The bits of the weights of a point within its triangle.
+constexpr int kWeightBits = 24;
 
 /// Corners of a triangle: grid cells from the frame's origin, each coordinate below 2^31 in size and each edge below
 /// 2^32.

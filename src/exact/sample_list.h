@@ -2,6 +2,7 @@
 #pragma once
 
 #include "exact/frame_array.h"
+#include "exact/light_shear.h"
 #include "exact/predicate.h"
 
 #include <array>

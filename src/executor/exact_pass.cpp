@@ -51,23 +51,19 @@ exact::Caster casterOf(const FrameDrawing& frame, const hierarchy::Page& page, s
 
 } // namespace
 
-exact::IntegerLight integerLight(const plan::FramePlan& plan) {
-    return exact::roundedLight(toWorld(plan.basis, plan.towardsLight));
-}
-
 exact::SampleSpace sampleSpace(const FrameDrawing& frame) {
     exact::SampleSpace space;
-    space.light = integerLight(*frame.plan);
+    space.light = frame.plan->light;
     space.shear = exact::shearAlong(space.light);
     space.eye = frame.space.eye / frame.space.step;
     space.maps = std::max(static_cast<int>(frame.plan->cellMaps.size()), 1); // none where maps are held to the truth
     return space;
 }
 
-std::uint32_t tolerance(const exact::IntegerLight& light) {
+std::uint32_t tolerance(const IntegerLight& light) {
     constexpr double kSteps = 2;
     return static_cast<std::uint32_t>(
-        std::floor(kSteps * std::ldexp(1.0, exact::kLightBits) / glm::length(glm::dvec3(light.direction))));
+        std::floor(kSteps * std::ldexp(1.0, kLightBits) / glm::length(glm::dvec3(light.direction))));
 }
 
 std::optional<raster::OcclusionCounts> drawUndecided(

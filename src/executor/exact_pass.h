@@ -8,15 +8,12 @@
 
 namespace gnomon::executor {
 
-/// Towards the light, along the grid's axes.
-exact::IntegerLight integerLight(const plan::FramePlan& plan);
-
 /// What all samples of a frame share.
 exact::SampleSpace sampleSpace(const FrameDrawing& frame);
 
 /// How far ahead of any point a triangle may lie and still only touch it, as exact::meet takes it: two steps of the
 /// grid.
-std::uint32_t tolerance(const exact::IntegerLight& light);
+std::uint32_t tolerance(const IntegerLight& light);
 
 /// Draws the image of `frame` in shadow, and collects in `samples` the points that face the light. Answers what
 /// drawVisible does.

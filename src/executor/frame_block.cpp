@@ -54,7 +54,7 @@ glm::dvec3 originIn(const FrameDrawing& frame, const DrawSpace& space) {
 /// A stabilised map as it lies in the world: camera and frame have no part in it.
 MapDrawing stableDrawing(const FrameDrawing& frame, const shadow::ShadowMap& map) {
     const plan::View& view = frame.plan->view;
-    const shadow::LightFrame axes = shadow::stableWorldFrame(glm::normalize(view.towardsLight));
+    const shadow::LightFrame axes = shadow::stableWorldFrame(frame.plan->light.unit());
     const shadow::StablePlace& place = *map.stable;
     const auto middle = [&](std::size_t axis) {
         return (static_cast<double>(place.corner[axis]) + place.texels / 2.0) * place.texel;

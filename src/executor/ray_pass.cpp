@@ -58,7 +58,7 @@ raycast::Ray rayOf(const exact::SampleList& samples, std::size_t i) {
     origin[shear.second] = samples.v[i] + shear.secondRatio * along;
     raycast::Ray ray;
     ray.origin = glm::vec3(origin);
-    ray.direction = glm::vec3(glm::dvec3(space.light.direction) * std::ldexp(1.0, -exact::kLightBits));
+    ray.direction = glm::vec3(glm::dvec3(space.light.direction) * std::ldexp(1.0, -kLightBits));
     ray.least = static_cast<float>(samples.tolerance[i]);
     return ray;
 }

@@ -29,7 +29,7 @@ raycast::Scene rayScene(const FrameDrawing& frame, std::span<const selection::Dr
 }
 
 glm::vec3 towardsLight(const plan::FramePlan& plan) {
-    return glm::normalize(toWorld(plan.basis, plan.towardsLight));
+    return plan.light.unit();
 }
 
 std::vector<raycast::Light> lightByRays(

@@ -137,7 +137,7 @@ void ExactEstimate::drawPoints(const executor::FrameDrawing& frame) {
         pass_.clusters(),
         executor::rasterView(frame.space, executor::imageClipFromDraw(frame), {0, 0, size.x, size.y}),
         {words_.data(), size.x, size.y});
-    const glm::dvec3 light = toWorld(plan.basis, plan.towardsLight);
+    const glm::dvec3 light = plan.light.unit();
     const double perDepth = kErrorPixels * 2 * plan.view.tanHalfY() / size.y;
     points_.clear();
     for (std::size_t i = 0; i < words_.size(); ++i) {
@@ -372,7 +372,7 @@ plan::ExactWork ExactEstimate::estimate(const executor::FrameDrawing& frame) {
     plan::ExactWork work;
     work.casterTriangles = static_cast<double>(frame.exactCasters->triangles);
     if (frame.plan->cellMaps.empty()) return work;
-    shear_ = exact::shearAlong(executor::integerLight(*frame.plan));
+    shear_ = exact::shearAlong(frame.plan->light);
     drawPoints(frame);
     if (points_.empty()) return work;
     const plan::View& view = frame.plan->view;

@@ -49,6 +49,12 @@ void setCasters(const PreparedFrame& frame, const executor::DrawStatistics& draw
     if (drawn.culled) setCulled(*drawn.culled, row);
 }
 
+/// How the casters of the plan's maps were culled.
+std::string_view cullingOf(const plan::FramePlan& plan, const executor::DrawStatistics& drawn) {
+    const bool isWhole = !drawn.culled && plan.casterCulling == plan::CasterCulling::Receivers;
+    return wordOf(plan::kCasterCullings, isWhole ? plan::CasterCulling::On : plan.casterCulling);
+}
+
 } // namespace
 
 telemetry::FrameRow frameRow(
@@ -64,8 +70,7 @@ telemetry::FrameRow frameRow(
     row.stabilize = quality.stabilize;
     row.filter = quality.filter;
     row.shadowMaps = toCount(plan.passes.size());
-    const bool isWhole = !drawn.culled && plan.casterCulling == plan::CasterCulling::Receivers;
-    row.cullCasters = wordOf(plan::kCasterCullings, isWhole ? plan::CasterCulling::On : plan.casterCulling);
+    if (!plan.passes.empty()) row.cullCasters = cullingOf(plan, drawn);
     row.shadowTexels = std::to_string(quality.shadowTexelsWidth) + "x" + std::to_string(quality.shadowTexelsHeight);
     row.errorPixels = quality.errorPixels;
     row.width = plan.view.width;

@@ -44,7 +44,7 @@ selection::CasterDetail rayCasterDetail(const PreparedFrame& frame) {
     detail.casters = rayCasterVolume(frame);
     detail.receivers = culling::localVolume(region.volume, frame.rule->view());
     detail.receiverNear = region.frustum.near;
-    detail.towardsLight = toWorld(plan.basis, plan.towardsLight);
+    detail.towardsLight = plan.light.unit();
     return detail;
 }
 

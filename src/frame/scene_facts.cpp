@@ -24,8 +24,7 @@ plan::SceneFacts::Light lightFacts(
         casters.add(block.box);
         light.casters.push_back({{block.box.min - detail.eye, block.box.max - detail.eye}, block.triangles});
     }
-    const culling::LitSurfaces surfaces =
-        culling::litSurfaces(query, cut.lists[0], glm::normalize(view.towardsLight), casters, seen);
+    const culling::LitSurfaces surfaces = culling::litSurfaces(query, cut.lists[0], view.light().unit(), casters, seen);
     light.lit = surfaces.spans;
     light.canBeShadowed = surfaces.canBeShadowed;
     light.seen = culling::seenParts(query, cut.lists[0], seen);
@@ -64,7 +63,7 @@ plan::SceneFacts sceneFacts(
 }
 
 bool isTurnedFromLight(const plan::View& view, const selection::CutQuery& query, const selection::Cut& cut) {
-    return !culling::mayFaceLight(query, cut.lists[0], glm::normalize(view.towardsLight));
+    return !culling::mayFaceLight(query, cut.lists[0], view.light().unit());
 }
 
 } // namespace gnomon::frame

@@ -5,6 +5,7 @@
 #include "core/camera.h"
 #include "core/convex_volume.h"
 #include "core/depth_span.h"
+#include "core/integer_light.h"
 #include "plan/omission.h"
 #include "plan/shadow_choice.h"
 #include "shadow/shadow_map.h"
@@ -24,7 +25,10 @@ struct View {
     Camera camera;
     int width = 800; // pixels, at least 1
     int height = 800;
-    glm::dvec3 towardsLight{0.4, 1, 0.3}; // world space, any length above 0
+    glm::dvec3 towardsLight{0.4, 1, 0.3}; // world space, any length above 0; light() is drawn by
+
+    /// The light that is drawn by: rounded here, and nowhere else.
+    IntegerLight light() const { return roundedLight(towardsLight); }
 
     double aspect() const { return static_cast<double>(width) / height; }
 
@@ -129,7 +133,8 @@ struct FramePlan {
     ShadowReason shadowReason = ShadowReason::AskedFor;
     std::optional<ExactWork> predicted; // of exact shadows, where that was asked
     CameraBasis basis;
-    glm::dvec3 towardsLight{0, 1, 0}; // unit, camera space
+    IntegerLight light;               // the view's
+    glm::dvec3 towardsLight{0, 1, 0}; // the same: unit, camera space
     double near = 0;                  // the range that shadows are promised for
     double far = 0;
     DepthSpan shown; // [near, far] and what is in view beyond it, whose shadows are drawn and not promised

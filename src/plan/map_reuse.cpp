@@ -21,7 +21,7 @@ bool isSameTexture(const FramePlan& a, const FramePlan& b) {
 } // namespace
 
 bool isSameMap(const FramePlan& now, const FramePlan& before, std::size_t pass) {
-    if (!isSameTexture(now, before) || now.view.towardsLight != before.view.towardsLight) return false;
+    if (!isSameTexture(now, before) || now.light != before.light) return false;
     const ShadowPass& a = now.passes[pass];
     const ShadowPass& b = before.passes[pass];
     return a.map.stable && a.map.stable == b.map.stable && a.map.gutter == b.map.gutter &&

@@ -54,7 +54,7 @@ shadow::ViewFrustum frustumOf(const View& view, const DepthSpan& range) {
 }
 
 glm::dvec3 cameraLight(const View& view, const CameraBasis& basis) {
-    return glm::normalize(toCamera(basis, glm::normalize(view.towardsLight)));
+    return glm::normalize(toCamera(basis, view.light().unit()));
 }
 
 } // namespace
@@ -84,6 +84,7 @@ PlannedFrame planFrame(const View& view, const Quality& quality, const SceneFact
     plan.quality = quality;
     if (quality.shadows == ShadowMode::Auto) plan.quality.shadows = ShadowMode::Maps; // without costs to choose by
     plan.basis = cameraBasis(view.camera);
+    plan.light = view.light();
     plan.towardsLight = cameraLight(view, plan.basis);
     plan.lightAngleRadians = std::atan2(std::hypot(plan.towardsLight.x, plan.towardsLight.y), plan.towardsLight.z);
     const DepthRange range = depthRange(view, quality, scene, memory.depth);

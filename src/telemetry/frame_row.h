@@ -26,7 +26,7 @@ struct FrameRow {
     std::int64_t filter = 0;
     std::int64_t shadowMaps = 0;      // planned
     std::int64_t shadowMapsDrawn = 0; // not reused, not left out
-    std::string cullCasters;          // how it was done: "on", "off" or "receivers"
+    std::string cullCasters;          // how it was done: "on", "off" or "receivers"; empty without maps
     std::string shadowTexels;         // WxH, a count: all maps together
     double errorPixels = 1;
     std::int64_t width = 0;

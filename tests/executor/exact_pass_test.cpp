@@ -46,7 +46,7 @@ private:
 
 TEST(ExactPass, ATouchIsTwoStepsAway) {
     for (const glm::dvec3& towards : {glm::dvec3(0, 1, 0), glm::dvec3(1, 1, 1), glm::dvec3(0.3, -0.9, 0.2)}) {
-        const exact::IntegerLight light = exact::roundedLight(towards);
+        const IntegerLight light = roundedLight(towards);
         const std::uint32_t found = tolerance(light);
         // As `meet` has it: P + t * direction / 2^24 lies `t * |direction| / 2^24` cells ahead.
         const double cells = glm::length(glm::dvec3(light.direction)) / 0x1p24;
@@ -101,6 +101,7 @@ TEST(ExactPass, WhatLiesAlongTheLightLandsOnOnePlace) {
         ASSERT_EQ(planes.size(), plan.cellMaps.size());
         ASSERT_FALSE(planes.empty());
         EXPECT_EQ(space.maps, static_cast<int>(planes.size()));
+        EXPECT_EQ(space.light, plan.light);
         const glm::dmat4 clipFromDraw = plan.cellMaps[0].lightClipFromCamera() * frame.drawing().space.cameraFromDraw;
         const glm::dvec3 light(space.light.direction);
         const Box& bounds = ExactFrame::field().model().summary.bounds;
@@ -122,10 +123,9 @@ TEST(ExactPass, WhatLiesAlongTheLightLandsOnOnePlace) {
             const glm::dvec4 clip = clipFromDraw * glm::dvec4(cell * frame.drawing().space.step, 1);
             if (clip.w <= 1e-3) continue;
             ++compared;
-            // The light of the maps is not rounded: they land as near as its 2^-24 allows.
             const glm::dvec2 expected = glm::dvec2(clip) / clip.w;
-            EXPECT_NEAR(here.x / here.z, expected.x, 1e-4 * (1 + std::abs(expected.x)));
-            EXPECT_NEAR(here.y / here.z, expected.y, 1e-4 * (1 + std::abs(expected.y)));
+            EXPECT_NEAR(here.x / here.z, expected.x, 1e-9 * (1 + std::abs(expected.x)));
+            EXPECT_NEAR(here.y / here.z, expected.y, 1e-9 * (1 + std::abs(expected.y)));
         }
         EXPECT_GT(compared, 5);
     }

@@ -36,12 +36,12 @@ TEST(RayCasters, HoldEveryRayFromWhatIsSeenToTheLightAndNotTheOthers) {
             const glm::dvec3 surface =
                 view.camera.eye + toWorld(frame.plan.basis, {x, y, depth}) - origin; // local space
             EXPECT_TRUE(isInside(detail.receivers, surface, 1e-6)) << trial;
-            const glm::dvec3 towardsLight = glm::normalize(view.towardsLight);
+            const glm::dvec3 towardsLight = view.light().unit();
             for (const double way : {0.0, 1.0, 1000.0})
                 EXPECT_TRUE(isInside(casters, surface + way * towardsLight, 1e-6 * (1 + way))) << trial;
             outside += isInside(casters, surface - 100.0 * towardsLight, 0) ? 0 : 1;
         }
-        EXPECT_LT(glm::distance(detail.towardsLight, glm::normalize(view.towardsLight)), 1e-9);
+        EXPECT_EQ(detail.towardsLight, view.light().unit());
         EXPECT_LE(detail.receiverNear, seen.nearest);
     }
     EXPECT_GT(outside, 3000) << "away from the light it ends";

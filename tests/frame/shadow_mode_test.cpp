@@ -69,6 +69,7 @@ TEST(ShadowMode, LeftOpenIsExactWhereThatIsCheapAndDrawsTheSamePicture) {
     EXPECT_EQ(frame.plan.quality.shadows, ShadowMode::Exact);
     EXPECT_EQ(frame.plan.shadowReason, ShadowReason::ExactCostsNoMore);
     EXPECT_EQ(frame.row.shadows, "exact");
+    EXPECT_EQ(frame.row.cullCasters, "") << "of maps that are not there";
     ASSERT_TRUE(frame.row.predictedSampleTests && frame.row.sampleTests);
     EXPECT_GT(*frame.row.predictedSampleTests, 0);
     const executor::Picture picture = crate.model->executor().picture();
@@ -144,6 +145,23 @@ TEST(ShadowMode, WhereNothingFacesTheLightThereIsNoShadowPassAtAll) {
     const plan::Omission expected{Effect::ExactShadows, OmissionReason::NothingInView};
     const Frame empty = sky.draw();
     EXPECT_EQ(std::count(empty.plan.omitted.begin(), empty.plan.omitted.end(), expected), 1);
+}
+
+// A light that the rounding puts into the plane of all that is seen: no step may still take it as it was asked for.
+TEST(ShadowMode, OfALightThatIsRoundedIntoTheWallsPlaneDecidesNothing) {
+    tests::SceneMesh scene;
+    scene.addQuad({0, -8, -8}, {0, 16, 0}, {0, 0, 16});
+    DrawnModel model(scene.model());
+    plan::View view;
+    view.camera = {{10, 0.1, 0.2}, {0, 0, 0}, {0, 1, 0}, 1};
+    view.width = view.height = 40;
+    view.towardsLight = {1e-9, 1, 0};
+    plan::Quality quality;
+    quality.shadows = ShadowMode::Exact;
+    const Frame frame = model.draw(view, quality);
+    const plan::Omission expected{Effect::ExactShadows, OmissionReason::NothingFacesLight};
+    EXPECT_EQ(std::count(frame.plan.omitted.begin(), frame.plan.omitted.end(), expected), 1);
+    EXPECT_EQ(frame.row.shadowSamples, 0);
 }
 
 // A plain under a pile of slabs: one of eight casters in the list, which go first, is enough for all samples.

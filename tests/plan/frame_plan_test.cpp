@@ -1,6 +1,7 @@
 // What a plan says of itself: names, numbers, and why each effect is left out.
 #include "core/angle.h"
 #include "core/error.h"
+#include "core/random.h"
 #include "made_scene.h"
 #include "plan/frame_plan.h"
 #include "plan/omission.h"
@@ -227,9 +228,31 @@ TEST(FramePlanNumbers, AreThoseOfItsPasses) {
         EXPECT_EQ(plan.promised.x, worst.x);
         EXPECT_EQ(plan.promised.z, worst.z);
         EXPECT_TRUE(plan.promiseKept) << "a number of slices that is asked for promises nothing";
-        const glm::dvec3 light = glm::normalize(plan.view.towardsLight);
+        const glm::dvec3 light = plan.view.light().unit();
         const glm::dvec3 ahead = glm::normalize(plan.view.camera.target - plan.view.camera.eye);
         EXPECT_NEAR(std::cos(plan.lightAngleRadians), glm::dot(light, ahead), 1e-12);
+    }
+}
+
+// Some of these lights lie halfway between two integers: rounded once more in the camera's space and back they would
+// fall to either side as the camera turns.
+TEST(FramePlan, LightIsRoundedOnceWhateverTheCamera) {
+    Random random(11);
+    constexpr double kLargest = (1 << kLightBits) - 1;
+    for (int i = 0; i < 300; ++i) {
+        View view = madeView(4);
+        const auto half = static_cast<double>(random.below(1 << kLightBits)) - 0.5;
+        view.towardsLight = {half, kLargest, i % 2 == 0 ? 0.5 : random.uniform(-1, 1)};
+        const IntegerLight light = roundedLight(view.towardsLight);
+        view.camera.target = view.camera.eye + glm::dvec3(random.uniform(-1, 1), random.uniform(-1, 1), 1);
+        const SceneFacts facts = MadeScene(4).facts(view);
+        for (const ShadowMode mode : {ShadowMode::Exact, ShadowMode::Maps, ShadowMode::Rays}) {
+            Quality quality;
+            quality.shadows = mode;
+            const FramePlan plan = planFrame(view, quality, facts).plan;
+            EXPECT_EQ(plan.light, light);
+            EXPECT_LT(glm::distance(toWorld(plan.basis, plan.towardsLight), light.unit()), 1e-14) << "maps, shading";
+        }
     }
 }
 

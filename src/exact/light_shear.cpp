@@ -1,18 +1,8 @@
-#include "exact/integer_light.h"
+#include "exact/light_shear.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace gnomon::exact {
-
-IntegerLight roundedLight(const glm::dvec3& towardsLight) {
-    constexpr double kLargest = (1 << kLightBits) - 1;
-    const double size = std::max({std::abs(towardsLight.x), std::abs(towardsLight.y), std::abs(towardsLight.z)});
-    IntegerLight light;
-    for (int i = 0; i < 3; ++i)
-        light.direction[i] = std::llround(towardsLight[i] / size * kLargest);
-    return light;
-}
 
 LightShear shearAlong(const IntegerLight& light) {
     const glm::dvec3 direction(light.direction);

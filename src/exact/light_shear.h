@@ -1,24 +1,9 @@
-// The direction of the light as exact shadows take it: integers, so that every decision can be made without rounding.
+// The shear along the light, in which all of its rays are upright.
 #pragma once
 
-#include <glm/vec3.hpp>
-
-#include <cstdint>
+#include "core/integer_light.h"
 
 namespace gnomon::exact {
-
-/// The bits of a light's components, and of the weights of a point within its triangle.
-constexpr int kLightBits = 24;
-constexpr int kWeightBits = 24;
-
-/// Towards the light, along the axes of the grid; each component is above -2^24 and below 2^24, the largest is at least
-/// 2^24 - 1 in size.
-struct IntegerLight {
-    glm::i64vec3 direction{0, (std::int64_t{1} << kLightBits) - 1, 0};
-};
-
-/// The nearest such light to `towardsLight`, which has a finite length above 0: less than 2^-24 radians off.
-IntegerLight roundedLight(const glm::dvec3& towardsLight);
 
 /// The shear along the light that makes it upright: (u, v) says which ray towards the light a point lies on, h how far
 /// along it. Its entries are at most 1 in size; determinants keep their size, and change their sign with `sign`.

@@ -1,11 +1,10 @@
-// The rounded light and the shear along it.
-#include "exact/integer_light.h"
+// The shear along the rounded light.
+#include "exact/light_shear.h"
 #include "tests/exact/random.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace gnomon::exact {
@@ -18,25 +17,6 @@ glm::dvec3 someDirection(Random& random) {
     if (random.whole(0, 3) == 0) direction[static_cast<int>(random.whole(0, 2))] = 0;
     if (random.whole(0, 3) == 0) direction.y = direction.x;
     return direction * std::exp2(random.real(-300, 300));
-}
-
-TEST(RoundedLight, IsLessThanTwoToTheMinus24Off) {
-    Random random(1);
-    for (int i = 0; i < 20000; ++i) {
-        const glm::dvec3 direction = someDirection(random);
-        if (direction == glm::dvec3(0)) continue;
-        const IntegerLight light = roundedLight(direction);
-        const glm::dvec3 unit =
-            glm::normalize(direction / std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)}));
-        const double sine = glm::length(glm::cross(unit, glm::normalize(glm::dvec3(light.direction))));
-        EXPECT_LT(sine, 0x1p-24);
-        EXPECT_GT(glm::dot(unit, glm::dvec3(light.direction)), 0);
-        std::int64_t largest = 0;
-        for (int axis = 0; axis < 3; ++axis)
-            largest = std::max(largest, std::abs(light.direction[axis]));
-        EXPECT_EQ(largest, (1 << kLightBits) - 1);
-        EXPECT_EQ(roundedLight(-direction).direction, -light.direction);
-    }
 }
 
 TEST(LightShear, MakesTheLightUpright) {

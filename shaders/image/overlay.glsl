@@ -1,18 +1,26 @@
 // What can be painted over the image to see the method at work. OVERLAY: 1 partitions, 2 texels, 3 aliasing, 4 lod,
 // 5 clusters, 6 projection, 7 residency.
 
-// Colours that are far apart for neighbouring indices: the golden angle on the hue circle.
+// All colours are those of executor/overlay/overlay_colors.cpp, which says how they were chosen.
 vec3 indexColor(int index) {
-    float hue = fract(float(index) * 0.61803399 + 0.07) * 6.0;
-    return clamp(abs(mod(hue + vec3(0.0, 4.0, 2.0), 6.0) - 3.0) - 1.0, 0.0, 1.0) * 0.75 + 0.25;
+    const vec3 colors[8] = vec3[](
+        vec3(0.74, 0.57, 0.29), vec3(0.49, 0.12, 0.1), vec3(0.75, 0.9, 0.47), vec3(0.2, 0.38, 0.53),
+        vec3(0.96, 0.99, 0.93), vec3(0.26, 0.03, 0.35), vec3(0.21, 0.8, 0.76), vec3(0.09, 0.54, 0.46));
+    return colors[index % 8];
 }
 
-// Blue under 1/4, green at 1, red at 4 and white from 16: one step a factor of 4.
+// Dark blue up to 1/4, grey at 1, orange at 4 and pale yellow from 16: one step a factor of 4.
 vec3 heat(float value) {
-    float x = clamp(log2(max(value, 1e-6)) * 0.25 + 0.5, 0.0, 1.5);
-    vec3 cold = mix(vec3(0.1, 0.2, 0.8), vec3(0.1, 0.75, 0.3), clamp(2.0 * x, 0.0, 1.0));
-    vec3 warm = mix(cold, vec3(0.9, 0.1, 0.1), clamp(2.0 * x - 1.0, 0.0, 1.0));
-    return mix(warm, vec3(1.0), clamp(2.0 * x - 2.0, 0.0, 1.0));
+    float x = clamp(log2(max(value, 1e-6)) * 0.5, -1.0, 2.0);
+    vec3 kept = mix(vec3(0.03, 0.09, 0.36), vec3(0.37, 0.4, 0.44), clamp(x + 1.0, 0.0, 1.0));
+    vec3 beyond = mix(kept, vec3(0.86, 0.57, 0.18), clamp(x, 0.0, 1.0));
+    return mix(beyond, vec3(1.0, 0.99, 0.86), clamp(x - 1.0, 0.0, 1.0));
+}
+
+// What no map is looked up for, in stripes of four pixels.
+vec3 withoutMap(float lightness) {
+    ivec2 at = ivec2(gl_FragCoord.xy);
+    return vec3(lightness) * ((at.x + at.y) / 4 % 2 == 0 ? 0.35 : 0.55);
 }
 
 // The larger of the perspective aliasing along the map's two axes: width of a texel's light beam over a pixel's.
@@ -41,28 +49,28 @@ float texelGrid(Partition part, vec3 position) {
     return max(line.x * density.x, line.y * density.y);
 }
 
-// Green where nothing finer is called for, orange where it is pending, red where it cannot be read.
+// Blue where nothing finer is called for, yellow where it is pending, dark red where it cannot be read.
 vec3 residence(float reason) {
-    return reason < 0.5 ? vec3(0.35, 0.75, 0.4) : reason < 1.5 ? vec3(0.95, 0.6, 0.15) : vec3(0.85, 0.15, 0.2);
+    return reason < 0.5 ? vec3(0.35, 0.55, 0.75) : reason < 1.5 ? vec3(1.0, 0.85, 0.3) : vec3(0.55, 0.05, 0.1);
 }
 
 vec3 overlay(vec3 shaded, vec3 position, vec3 normal, float depth, int index, float error, uint cluster) {
     float lightness = dot(shaded, vec3(0.3, 0.5, 0.2));
 #if OVERLAY == 1
-    return index < 0 ? vec3(lightness) * 0.6 : indexColor(index) * (0.35 + 0.65 * lightness);
+    return index < 0 ? withoutMap(lightness) : indexColor(index) * (0.7 + 0.3 * lightness);
 #elif OVERLAY == 2
     if (index < 0) return shaded * 0.8;
     return mix(mix(shaded, indexColor(index) * (0.3 + lightness), 0.25), vec3(0.0, 0.05, 0.1), 0.85 * texelGrid(partitions[index], position));
 #elif OVERLAY == 3
-    return index < 0 ? vec3(lightness) * 0.5 : heat(aliasing(partitions[index], position, depth)) * (0.5 + 0.5 * lightness);
+    return index < 0 ? withoutMap(lightness) : heat(aliasing(partitions[index], position, depth)) * (0.8 + 0.2 * lightness);
 #elif OVERLAY == 4
-    return heat(error / (pixelSlope * depth) / max(errorPixels, 1e-6)) * (0.4 + 0.6 * lightness);
+    return heat(error / (pixelSlope * depth) / max(errorPixels, 1e-6)) * (0.8 + 0.2 * lightness);
 #elif OVERLAY == 5
-    return indexColor(int(cluster)) * (0.4 + 0.6 * lightness);
+    return indexColor(int(cluster)) * (0.7 + 0.3 * lightness);
 #elif OVERLAY == 6
-    return index < 0 ? vec3(lightness) * 0.5 : heat(projection(position, normal)) * (0.5 + 0.5 * lightness);
+    return index < 0 ? withoutMap(lightness) : heat(projection(position, normal)) * (0.8 + 0.2 * lightness);
 #elif OVERLAY == 7
-    return residence(drawnResidence) * (0.4 + 0.6 * lightness);
+    return residence(drawnResidence) * (0.7 + 0.3 * lightness);
 #else
     return shaded;
 #endif

@@ -6,7 +6,7 @@
 #include "app/thread_limit.h"
 #include "core/file.h"
 #include "core/prepared_output.h"
-#include "executor/heat_scale.h"
+#include "executor/overlay/legend.h"
 #include "executor/shadow_depth_files.h"
 #include "measure/session.h"
 #include "settings/resolve.h"
@@ -67,11 +67,9 @@ void runRender(const RenderOptions& options) {
     proofOptions.oracle = options.oracle.mode();
     proofOptions.comparesWithFinest = proofOptions.oracle != proof::Oracle::None;
     proof::setAccuracy(proof::prove(session.renderer(), frame, proofOptions), frame.row);
-    const executor::Picture picture = session.executor().picture();
-    executor::Picture shown = picture;
-    if (frameOptions.overlay == executor::Overlay::Aliasing || frameOptions.overlay == executor::Overlay::Projection)
-        executor::drawHeatScale(shown);
-    executor::writePng(options.output, shown);
+    executor::Picture picture = session.executor().picture();
+    executor::drawLegend(picture, executor::legendOf(frameOptions.overlay, frame.plan));
+    executor::writePng(options.output, picture);
     if (!options.depth.empty()) executor::writePfm(options.depth, session.executor().viewDepth());
     if (!options.shadowDepth.empty()) executor::writeShadowMaps(options.shadowDepth, frame.plan, session.executor());
     if (!options.statistics.empty()) {

@@ -2,6 +2,7 @@
 
 #include "executor/gl/geometry_pool.h"
 #include "executor/lod_substitutes.h"
+#include "executor/overlay/overlay_colors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,11 +11,9 @@ namespace gnomon::executor {
 
 namespace {
 
-/// Colours that are far apart for neighbouring indices: the golden angle on the hue circle.
-glm::vec3 indexColor(int index) {
-    const float hue = glm::fract(static_cast<float>(index) * 0.61803399F + 0.07F) * 6.0F;
-    const glm::vec3 wheel = glm::abs(glm::mod(hue + glm::vec3(0, 4, 2), 6.0F) - 3.0F) - 1.0F;
-    return glm::clamp(wheel, 0.0F, 1.0F) * 0.75F + 0.25F;
+/// What no map is looked up for, in stripes of four pixels.
+glm::vec3 withoutMap(const PaintedPixel& pixel, float light) {
+    return glm::vec3(light) * kWithoutMap[(pixel.x + pixel.y) / 4 % 2 == 0 ? 0 : 1];
 }
 
 glm::vec4 clipOf(const block::Partition& part, const glm::vec3& p) {
@@ -26,14 +25,6 @@ glm::vec2 texelOf(const block::Partition& part, const glm::vec4& clip) {
 }
 
 } // namespace
-
-glm::vec3 heatColor(float value) {
-    const float x = glm::clamp(std::log2(std::max(value, 1e-6F)) * 0.25F + 0.5F, 0.0F, 1.5F);
-    const glm::vec3 cold =
-        glm::mix(glm::vec3(0.1F, 0.2F, 0.8F), glm::vec3(0.1F, 0.75F, 0.3F), glm::clamp(2 * x, 0.0F, 1.0F));
-    const glm::vec3 warm = glm::mix(cold, glm::vec3(0.9F, 0.1F, 0.1F), glm::clamp(2 * x - 1, 0.0F, 1.0F));
-    return glm::mix(warm, glm::vec3(1), glm::clamp(2 * x - 2, 0.0F, 1.0F));
-}
 
 SoftwareOverlay::SoftwareOverlay(
     const FrameDrawing& frame,
@@ -67,15 +58,8 @@ float SoftwareOverlay::aliasing(const block::Partition& part, const glm::vec3& p
 }
 
 glm::vec3 SoftwareOverlay::residence(const DrawnCluster& cluster) const {
-    switch (residenceOf(frame_->substitutes, cluster.pageId, cluster.cluster)) {
-    case Residence::Final:
-        break;
-    case Residence::Pending:
-        return {0.95F, 0.6F, 0.15F};
-    case Residence::Damaged:
-        return {0.85F, 0.15F, 0.2F};
-    }
-    return {0.35F, 0.75F, 0.4F};
+    const Residence why = residenceOf(frame_->substitutes, cluster.pageId, cluster.cluster);
+    return kResidenceColors[static_cast<std::size_t>(why)];
 }
 
 float SoftwareOverlay::texelGrid(const block::Partition& part, const PaintedPixel& pixel) const {
@@ -107,7 +91,7 @@ glm::vec3 SoftwareOverlay::painted(const PaintedPixel& pixel) const {
     const block::Partition* part = pixel.pass < 0 ? nullptr : &shadows_->partitions[pixel.pass];
     switch (frame_->overlay) {
     case Overlay::Partitions:
-        return part == nullptr ? glm::vec3(light) * 0.6F : indexColor(pixel.pass) * (0.35F + 0.65F * light);
+        return part == nullptr ? withoutMap(pixel, light) : indexColor(pixel.pass) * (0.7F + 0.3F * light);
     case Overlay::Texels:
         if (part == nullptr) return shaded * 0.8F;
         return glm::mix(
@@ -115,23 +99,23 @@ glm::vec3 SoftwareOverlay::painted(const PaintedPixel& pixel) const {
             glm::vec3(0, 0.05F, 0.1F),
             0.85F * texelGrid(*part, pixel));
     case Overlay::Aliasing:
-        if (part == nullptr) return glm::vec3(light) * 0.5F;
-        return heatColor(aliasing(*part, pixel.position, pixel.depth)) * (0.5F + 0.5F * light);
+        if (part == nullptr) return withoutMap(pixel, light);
+        return heatColor(aliasing(*part, pixel.position, pixel.depth)) * (0.8F + 0.2F * light);
     case Overlay::Lod:
         return heatColor(
                    mark(pixel).error / (block_->pixelSlope * pixel.depth) / std::max(block_->errorPixels, 1e-6F)) *
-               (0.4F + 0.6F * light);
+               (0.8F + 0.2F * light);
     case Overlay::Clusters:
-        return indexColor(mark(pixel).tint) * (0.4F + 0.6F * light);
+        return indexColor(mark(pixel).tint) * (0.7F + 0.3F * light);
     case Overlay::Projection: {
-        if (part == nullptr) return glm::vec3(light) * 0.5F;
+        if (part == nullptr) return withoutMap(pixel, light);
         const glm::vec3 towardsEye = glm::normalize(block_->eye - pixel.position);
         const float toLight = glm::dot(pixel.normal, block_->towardsLight);
         const float projection = std::max(glm::dot(pixel.normal, towardsEye), 0.0F) / std::max(toLight, 1e-6F);
-        return heatColor(projection) * (0.5F + 0.5F * light);
+        return heatColor(projection) * (0.8F + 0.2F * light);
     }
     case Overlay::Residency:
-        return residence(*pixel.cluster) * (0.4F + 0.6F * light);
+        return residence(*pixel.cluster) * (0.7F + 0.3F * light);
     case Overlay::None:
         break;
     }

@@ -9,9 +9,6 @@
 
 namespace gnomon::executor {
 
-/// The colour of a factor: blue under 1/4, green at 1, red at 4 and white from 16, one step a factor of 4.
-glm::vec3 heatColor(float value);
-
 /// A shaded pixel that is painted over.
 struct PaintedPixel {
     glm::vec3 shaded{0};

@@ -1,5 +1,6 @@
 #include "measure/bench_runs.h"
 
+#include "executor/overlay/legend.h"
 #include "settings/resolve.h"
 #include "settings/table.h"
 #include "telemetry/process_clock.h"
@@ -76,7 +77,7 @@ public:
         }
     }
 
-    /// The middle frame.
+    /// The middle frame, with its legend.
     executor::Picture picture(executor::Overlay overlay, Progress& progress) {
         frameOptions_.overlay = overlay;
         session_.renderer().forget();
@@ -84,7 +85,9 @@ public:
         if (overlay == executor::Overlay::None)
             quality_.shadows = drawn.plan.quality.shadows; // for the overlays after it
         progress.advance(1);
-        return session_.executor().picture();
+        executor::Picture picture = session_.executor().picture();
+        executor::drawLegend(picture, executor::legendOf(overlay, drawn.plan));
+        return picture;
     }
 
 private:

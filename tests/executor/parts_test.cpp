@@ -6,10 +6,8 @@
 #include "executor/executor.h"
 #include "executor/gl/free_list.h"
 #include "executor/gl/geometry_pool.h"
-#include "executor/heat_scale.h"
 #include "executor/picture.h"
 #include "executor/shading_kernel.h"
-#include "executor/software_overlay.h"
 #include "executor/software_pass.h"
 #include "hierarchy/tiny_model.h"
 
@@ -142,40 +140,6 @@ TEST(PictureDifference, IsThatOfThePixelsOneByOne) {
     b.at(0, 0)[2] = static_cast<std::uint8_t>(a.at(0, 0)[2] < 128 ? a.at(0, 0)[2] + 3 : a.at(0, 0)[2] - 3);
     EXPECT_DOUBLE_EQ(difference(a, b).changedFraction, 2.0 / 200) << "three are";
     EXPECT_THROW(difference(a, Picture(10, 20)), Error);
-}
-
-TEST(HeatScale, IsBlueGreenRedAndWhite) {
-    const auto near = [](const glm::vec3& color, const glm::vec3& expected) {
-        EXPECT_LT(glm::distance(color, expected), 1e-4F);
-    };
-    near(heatColor(0.25F), {0.1F, 0.2F, 0.8F});
-    near(heatColor(0.01F), {0.1F, 0.2F, 0.8F});
-    near(heatColor(0), {0.1F, 0.2F, 0.8F});
-    near(heatColor(1), {0.1F, 0.75F, 0.3F});
-    near(heatColor(4), {0.9F, 0.1F, 0.1F});
-    near(heatColor(16), {1, 1, 1});
-    near(heatColor(1e9F), {1, 1, 1});
-    near(heatColor(2), (heatColor(1) + heatColor(4)) * 0.5F);
-}
-
-TEST(HeatScale, IsDrawnIntoTheLowerLeftCornerAlone) {
-    const Rgb grey{77, 77, 77};
-    Picture picture(400, 200, grey);
-    drawHeatScale(picture);
-    int changed = 0;
-    int highest = 200;
-    for (int y = 0; y < 200; ++y)
-        for (int x = 0; x < 400; ++x) {
-            if (picture.at(x, y) == grey) continue;
-            ++changed;
-            highest = std::min(highest, y);
-            EXPECT_LT(x, 201);
-        }
-    EXPECT_GT(changed, 2000);
-    EXPECT_GT(highest, 150);
-    Picture small(100, 20, grey);
-    drawHeatScale(small);
-    EXPECT_TRUE(std::all_of(small.pixels.begin(), small.pixels.end(), [&](const Rgb& p) { return p == grey; }));
 }
 
 TEST(PackedVertices, CarryTheErrorAndABitOfEachAxisAndNothingElse) {

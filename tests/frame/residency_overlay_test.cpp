@@ -1,11 +1,13 @@
-// The overlay of residency: what waits for pages is orange, what stands in for damaged ones red, all else green.
+// The overlay of residency: what waits for pages is yellow, what stands in for damaged ones dark red, all else blue.
 #include "executor/gl/gl_executor.h"
+#include "executor/overlay/overlay_colors.h"
 #include "executor/software_executor.h"
 #include "frame/renderer.h"
 #include "hierarchy/tiny_model.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <filesystem>
 #include <fstream>
 
@@ -58,26 +60,22 @@ plan::View view(const hierarchy::ModelFile& model) {
     return view;
 }
 
+/// Pixels by what is said of them.
 struct Colors {
-    int green = 0;
-    int orange = 0;
-    int red = 0;
-    int other = 0; // but for the background, which is bluest
+    int fine = 0;
+    int waiting = 0;
+    int damaged = 0;
 };
 
+/// By the colours of the legend, which light makes darker; the background is of no such hue.
 Colors colors(const executor::Picture& picture) {
-    Colors result;
+    std::array<int, 3> found{};
     for (const auto& [r, g, b] : picture.pixels) {
-        if (b > r) {
-            const bool isBackground = b > g;
-            ++(isBackground ? result.other : result.green);
-        } else if (g > r) {
-            ++result.green;
-        } else {
-            ++(2 * g > r ? result.orange : result.red);
-        }
+        const glm::vec3 hue = glm::normalize(glm::vec3(r, g, b) + 1e-6F);
+        for (std::size_t i = 0; i < found.size(); ++i)
+            if (glm::distance(hue, glm::normalize(executor::kResidenceColors[i])) < 0.02F) ++found[i];
     }
-    return result;
+    return {found[0], found[1], found[2]};
 }
 
 class ResidencyOverlay : public testing::TestWithParam<std::unique_ptr<executor::Executor> (*)()> {
@@ -98,29 +96,29 @@ protected:
     Frame lastFrame;
 };
 
-TEST_P(ResidencyOverlay, IsGreenWhereEverythingIsThere) {
+TEST_P(ResidencyOverlay, IsBlueWhereEverythingIsThere) {
     const Colors found = drawn(HillsFile(0), Waiting::UntilComplete, 0.1);
     EXPECT_EQ(lastFrame.row.pagesMissing, 0);
-    EXPECT_GT(found.green, 1000);
-    EXPECT_EQ(found.orange + found.red, 0);
+    EXPECT_GT(found.fine, 1000);
+    EXPECT_EQ(found.waiting + found.damaged, 0);
 }
 
-TEST_P(ResidencyOverlay, IsOrangeWhereFinerPagesAreAwaited) {
+TEST_P(ResidencyOverlay, IsYellowWhereFinerPagesAreAwaited) {
     const Colors found = drawn(HillsFile(0), Waiting::Never, 0.1);
     EXPECT_GT(lastFrame.row.pagesMissing, 0);
-    EXPECT_GT(found.orange, 1000);
-    EXPECT_EQ(found.red, 0);
+    EXPECT_GT(found.waiting, 1000);
+    EXPECT_EQ(found.damaged, 0);
     const Colors content = drawn(HillsFile(0), Waiting::Never, 1e6);
-    EXPECT_EQ(content.orange + content.red, 0) << "nothing finer was asked for";
+    EXPECT_EQ(content.waiting + content.damaged, 0) << "nothing finer was asked for";
 }
 
-TEST_P(ResidencyOverlay, IsRedWherePagesAreDamaged) {
+TEST_P(ResidencyOverlay, IsDarkRedWherePagesAreDamaged) {
     const HillsFile damaged(3);
     const Colors found = drawn(damaged, Waiting::UntilComplete, 0.1);
     EXPECT_GT(lastFrame.row.pagesDamaged, 0);
-    EXPECT_GT(found.red, 50);
-    EXPECT_GT(found.green, 500);
-    EXPECT_EQ(found.orange, 0);
+    EXPECT_GT(found.damaged, 50);
+    EXPECT_GT(found.fine, 500);
+    EXPECT_EQ(found.waiting, 0);
 }
 
 std::unique_ptr<executor::Executor> osmesa() {

@@ -1,5 +1,6 @@
 #include "viewer/panel/overlay.h"
 
+#include "executor/overlay/overlay_colors.h"
 #include "viewer/panel/settings_panel.h"
 
 #include <algorithm>
@@ -186,14 +187,10 @@ void drawBuild(const BuildStatus& status, const std::string& mesh) {
     ImGui::End();
 }
 
-/// Colours that are far apart for neighbouring indices: those of the partitions overlay.
+/// That of the partitions overlay.
 ImU32 indexColor(std::size_t index, float alpha) {
-    const float hue = std::fmod(static_cast<float>(index) * 0.61803399F + 0.07F, 1.0F) * 6;
-    const auto channel = [&](float offset) {
-        const float shifted = std::fmod(hue + offset, 6.0F);
-        return std::clamp(std::abs(shifted - 3) - 1, 0.0F, 1.0F) * 0.75F + 0.25F;
-    };
-    return ImGui::ColorConvertFloat4ToU32({channel(0), channel(4), channel(2), alpha});
+    const glm::vec3 color = executor::indexColor(static_cast<int>(index % executor::kIndexColors));
+    return ImGui::ColorConvertFloat4ToU32({color.r, color.g, color.b, alpha});
 }
 
 void drawSegments(std::span<const PixelSegment> segments, ImU32 color, float thickness) {

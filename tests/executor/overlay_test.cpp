@@ -1,0 +1,194 @@
+// The colours of overlays as people see them who have no green cones and as grey prints show them, and their legends.
+#include "executor/overlay/bitmap_font.h"
+#include "executor/overlay/legend.h"
+#include "executor/overlay/overlay_colors.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+namespace gnomon::executor {
+namespace {
+
+/// Factors of two, and any two categories, must be at least this far apart in CIELAB (CIE 1976).
+constexpr double kApart = 8;
+
+double linear(double channel) {
+    return channel <= 0.04045 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
+}
+
+glm::dvec3 linear(const glm::vec3& color) {
+    return {linear(color.r), linear(color.g), linear(color.b)};
+}
+
+/// CIELAB of linear sRGB, white D65.
+glm::dvec3 lab(const glm::dvec3& rgb) {
+    const auto root = [](double t) { return t > 216.0 / 24389 ? std::cbrt(t) : (24389.0 / 27 * t + 16) / 116; };
+    const double x = root(glm::dot(rgb, glm::dvec3(0.4124, 0.3576, 0.1805)) / 0.9505);
+    const double y = root(glm::dot(rgb, glm::dvec3(0.2126, 0.7152, 0.0722)));
+    const double z = root(glm::dot(rgb, glm::dvec3(0.0193, 0.1192, 0.9505)) / 1.089);
+    return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
+}
+
+glm::dvec3 asItIs(const glm::vec3& color) {
+    return lab(linear(color));
+}
+
+/// Machado, Oliveira and Fernandes 2009, table 1: deuteranomaly of severity 1.
+glm::dvec3 withoutGreenCones(const glm::vec3& color) {
+    const glm::dvec3 rgb = linear(color);
+    const glm::dvec3 seen = {
+        glm::dot(rgb, glm::dvec3(0.367322, 0.860646, -0.227968)),
+        glm::dot(rgb, glm::dvec3(0.280085, 0.672501, 0.047413)),
+        glm::dot(rgb, glm::dvec3(-0.01182, 0.04294, 0.968881))};
+    return lab(glm::clamp(seen, 0.0, 1.0));
+}
+
+glm::dvec3 inGrey(const glm::vec3& color) {
+    return lab(glm::dvec3(glm::dot(linear(color), glm::dvec3(0.2126, 0.7152, 0.0722))));
+}
+
+using Eye = glm::dvec3 (*)(const glm::vec3&);
+constexpr std::array<Eye, 3> kEyes = {&asItIs, &withoutGreenCones, &inGrey};
+
+/// Overlays shade the heat map down to this, and the colours of categories down to kDimCategory.
+constexpr float kDimHeat = 0.8F;
+constexpr float kDimCategory = 0.7F;
+
+TEST(HeatColor, PartsFactorsOfTwoForEveryEyeAndInEveryLight) {
+    for (const Eye& eye : kEyes)
+        for (const float light : {kDimHeat, 0.9F, 1.0F})
+            for (int step = 0; step <= 500; ++step) {
+                const float value = 0.25F * std::exp2(static_cast<float>(step) / 100);
+                EXPECT_GE(glm::distance(eye(heatColor(value) * light), eye(heatColor(2 * value) * light)), kApart)
+                    << value << " in light " << light;
+            }
+}
+
+TEST(HeatColor, GrowsLighterOnBothSidesOfOneAndTurnsItsHueThere) {
+    for (const Eye& eye : kEyes)
+        for (int step = 0; step < 600; ++step) {
+            const double x = -2 + step / 100.0;
+            const glm::dvec3 here = eye(heatColor(static_cast<float>(std::exp2(x))));
+            EXPECT_LT(here.x, eye(heatColor(static_cast<float>(std::exp2(x + 0.01)))).x) << std::exp2(x);
+        }
+    EXPECT_LT(glm::length(glm::dvec2(asItIs(heatColor(1)).y, asItIs(heatColor(1)).z)), 8) << "neutral";
+    for (const Eye& eye : {&asItIs, &withoutGreenCones}) {
+        EXPECT_LT(eye(heatColor(0.5F)).z, -10) << "blue where a promise is kept";
+        EXPECT_GT(eye(heatColor(2)).z, 10) << "yellow where it is not";
+    }
+}
+
+TEST(HeatColor, EndsAtAQuarterAndSixteen) {
+    EXPECT_EQ(heatColor(0), heatColor(0.25F));
+    EXPECT_EQ(heatColor(1e9F), heatColor(16));
+    EXPECT_LT(glm::distance(heatColor(2), (heatColor(1) + heatColor(4)) * 0.5F), 1e-6F);
+}
+
+TEST(OverlayColors, PartCategoriesForEveryEye) {
+    for (const Eye& eye : kEyes)
+        for (const float light : {kDimCategory, 1.0F}) {
+            for (int a = 0; a < kIndexColors; ++a)
+                for (int b = 0; b < a; ++b)
+                    EXPECT_GE(glm::distance(eye(indexColor(a) * light), eye(indexColor(b) * light)), kApart)
+                        << a << " and " << b;
+            for (std::size_t a = 0; a < kResidenceColors.size(); ++a)
+                for (std::size_t b = 0; b < a; ++b)
+                    EXPECT_GE(
+                        glm::distance(eye(kResidenceColors[a] * light), eye(kResidenceColors[b] * light)), kApart);
+        }
+    EXPECT_EQ(indexColor(3), indexColor(3 + kIndexColors));
+}
+
+/// A plan with `count` maps, in slices one unit deep.
+plan::FramePlan planOfMaps(std::size_t count) {
+    plan::FramePlan plan;
+    plan.splits.push_back(1);
+    for (std::size_t i = 0; i < count; ++i) {
+        plan.splits.push_back(static_cast<double>(i + 2));
+        plan::ShadowPass pass;
+        pass.map.region.slice = i;
+        pass.map.rectangle.width = 640;
+        pass.map.rectangle.height = 480;
+        plan.passes.push_back(pass);
+    }
+    plan.promised = {1.5, 2.25};
+    return plan;
+}
+
+TEST(Legend, SaysWhatEachOverlayShowsInLettersThatThereAre) {
+    const plan::FramePlan plan = planOfMaps(2);
+    for (const NamedOverlay& overlay : kOverlays) {
+        const Legend legend = legendOf(overlay.value, plan);
+        EXPECT_EQ(legend.title.empty(), overlay.value == Overlay::None) << overlay.word;
+        std::vector<std::string> lines = legend.title;
+        for (const LegendEntry& entry : legend.entries)
+            lines.push_back(entry.text);
+        for (const std::string& line : lines)
+            for (const char c : line)
+                EXPECT_TRUE(c == ' ' || hasGlyph(c)) << overlay.word << ": " << c << " of " << line;
+    }
+    const Legend partitions = legendOf(Overlay::Partitions, plan);
+    ASSERT_EQ(partitions.entries.size(), 3);
+    EXPECT_EQ(partitions.entries[1].text, "2: 2 to 3, 640x480 texels");
+    EXPECT_EQ(partitions.entries[1].color, indexColor(1));
+    EXPECT_TRUE(partitions.entries[2].isStriped);
+    EXPECT_EQ(legendOf(Overlay::Aliasing, plan).mark, 2.25);
+    EXPECT_EQ(legendOf(Overlay::Aliasing, plan::FramePlan()).mark, std::nullopt);
+    EXPECT_EQ(legendOf(Overlay::Partitions, planOfMaps(20)).entries.size(), kIndexColors + 1);
+}
+
+TEST(Legend, IsDrawnIntoTheLowerLeftCornerAlone) {
+    const Rgb grey{77, 77, 77};
+    for (const NamedOverlay& overlay : kOverlays) {
+        Picture picture(800, 600, grey);
+        drawLegend(picture, legendOf(overlay.value, planOfMaps(4)));
+        int right = 0;
+        int top = 600;
+        std::set<Rgb> colors;
+        for (int y = 0; y < 600; ++y)
+            for (int x = 0; x < 800; ++x) {
+                if (picture.at(x, y) == grey) continue;
+                right = std::max(right, x);
+                top = std::min(top, y);
+                colors.insert(picture.at(x, y));
+            }
+        if (overlay.value == Overlay::None) {
+            EXPECT_TRUE(colors.empty());
+            continue;
+        }
+        EXPECT_LT(right, 4 * 800 / 5) << overlay.word;
+        EXPECT_GE(top, 300) << overlay.word;
+        EXPECT_GE(colors.size(), 2) << overlay.word << ": ink on paper";
+        if (legendOf(overlay.value, {}).hasHeatScale) {
+            EXPECT_GT(colors.size(), 100) << overlay.word;
+        }
+    }
+    Picture small(100, 20, grey);
+    drawLegend(small, legendOf(Overlay::Aliasing, planOfMaps(1)));
+    EXPECT_TRUE(std::all_of(small.pixels.begin(), small.pixels.end(), [&](const Rgb& p) { return p == grey; }));
+}
+
+TEST(BitmapFont, LettersDifferAndStayInThePicture) {
+    std::set<std::vector<Rgb>> drawn;
+    int letters = 0;
+    for (int c = ' ' + 1; c < 127; ++c) {
+        const char letter = static_cast<char>(c);
+        if (!hasGlyph(letter) || (letter >= 'A' && letter <= 'Z')) continue;
+        Picture picture(kLetterDots, kLineDots);
+        drawText(picture, 0, 0, 1, std::string_view(&letter, 1), {255, 255, 255});
+        drawn.insert(picture.pixels);
+        ++letters;
+    }
+    EXPECT_EQ(drawn.size(), static_cast<std::size_t>(letters));
+    Picture picture(7, 7);
+    drawText(picture, -4, -4, 2, "Wide", {255, 255, 255}); // ends well
+    fillRectangle(picture, -100, 3, 1000, 1, {1, 2, 3});
+    EXPECT_EQ(picture.at(6, 3), (Rgb{1, 2, 3}));
+}
+
+} // namespace
+} // namespace gnomon::executor

@@ -46,8 +46,8 @@ std::vector<Step> stepsOf(const ModelFile& file, Progress& progress) {
         for (const Group& group : page.groups)
             for (std::uint32_t c = group.firstCluster; c < group.firstCluster + group.clusterCount; ++c) {
                 const Cluster& cluster = page.clusters[c];
-                steps.push_back({storedError(page, cluster, 0), cluster.triangleCount});
-                steps.push_back({group.error, -static_cast<std::int64_t>(cluster.triangleCount)});
+                steps.push_back({drawnError(page, cluster, 0), cluster.triangleCount});
+                steps.push_back({group.drawnError(), -static_cast<std::int64_t>(cluster.triangleCount)});
             }
         progress.advance(1);
     }

@@ -26,8 +26,9 @@ struct GroupPlace {
 /// A group of a finer level that clusters were simplified from.
 struct LevelRefinement {
     GroupPlace place;
-    Sphere bounds;    // local space
-    double error = 0; // world units
+    Sphere bounds;             // local space
+    double error = 0;          // world units
+    double attributeError = 0; // world units
 };
 
 struct LevelCluster {
@@ -44,6 +45,7 @@ struct LevelGroup {
     hierarchy::GridBox box;
     Sphere bounds;                                          // local space
     double error = std::numeric_limits<double>::infinity(); // world units; infinite for a root
+    double attributeError = 0;                              // world units; 0 for a root
     GroupPlace place;
 };
 

@@ -131,7 +131,7 @@ Level simplifiedLevel(
     for (std::size_t g = 0; g < results.size(); ++g) {
         LevelGroup& group = level.groups[g];
         group.error = results[g].error;
-        next.refinements.push_back({group.place, group.bounds, group.error});
+        next.refinements.push_back({group.place, group.bounds, group.error, group.attributeError});
         const auto first = static_cast<std::uint32_t>(next.triangles.size());
         const Level& own = results[g].clusters;
         next.triangles.insert(next.triangles.end(), own.triangles.begin(), own.triangles.end());

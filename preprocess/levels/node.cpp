@@ -17,9 +17,12 @@ hierarchy::LevelInfo infoOf(const Level& level, const hierarchy::Grid& grid) {
     info.clusters = level.clusters.size();
     info.groups = level.groups.size();
     info.maxError = grid.snapError();
-    for (const LevelCluster& cluster : level.clusters)
-        if (cluster.refinement != kNone)
-            info.maxError = std::max(info.maxError, level.refinements[cluster.refinement].error);
+    for (const LevelCluster& cluster : level.clusters) {
+        if (cluster.refinement == kNone) continue;
+        const LevelRefinement& finer = level.refinements[cluster.refinement];
+        info.maxError = std::max(info.maxError, finer.error);
+        info.maxAttributeError = std::max(info.maxAttributeError, finer.attributeError);
+    }
     return info;
 }
 
@@ -49,8 +52,10 @@ Coarser coarserLevel(
 
 /// The groups of a root: nothing coarser replaces them, whatever the error.
 void endAtRoot(Level& level) {
-    for (LevelGroup& group : level.groups)
+    for (LevelGroup& group : level.groups) {
         group.error = std::numeric_limits<double>::infinity();
+        group.attributeError = 0;
+    }
 }
 
 void takeNormals(const Level& level, simplify::Mesh& mesh) {

@@ -18,7 +18,8 @@ using hierarchy::kNone;
 using hierarchy::Page;
 
 std::uint64_t decodedBytes(const Level& level, const LevelGroup& group) {
-    std::uint64_t bytes = sizeof(hierarchy::Group);
+    constexpr std::uint64_t kGroupBytes = 72; // a constant of the format: it decides which groups share a page
+    std::uint64_t bytes = kGroupBytes;
     for (std::uint32_t c = group.firstCluster; c < group.firstCluster + group.clusterCount; ++c)
         bytes += sizeof(hierarchy::Cluster) + level.clusters[c].vertexCount * sizeof(hierarchy::Vertex) +
                  level.clusters[c].triangleCount * sizeof(hierarchy::Triangle);
@@ -51,7 +52,10 @@ std::uint32_t refinementInPage(
     const LevelRefinement& finer = level.refinements[refinement];
     known.push_back(refinement);
     page.refinements.push_back(
-        {{provisionalId(finer.place.level, finer.place.page), finer.place.group}, finer.bounds, finer.error});
+        {{provisionalId(finer.place.level, finer.place.page), finer.place.group},
+         finer.bounds,
+         finer.error,
+         finer.attributeError});
     return number;
 }
 
@@ -73,7 +77,8 @@ Page makePage(
              source.clusterCount,
              source.box,
              source.bounds,
-             source.error});
+             source.error,
+             source.attributeError});
         for (std::uint32_t c = source.firstCluster; c < source.firstCluster + source.clusterCount; ++c) {
             const LevelCluster& from = level.clusters[c];
             hierarchy::Cluster cluster;

@@ -93,6 +93,7 @@ EncodedPendingLevel encodePendingLevel(const simplify::Mesh& mesh, const Level& 
             out.put(refinement.bounds.center[axis]);
         out.put(refinement.bounds.radius);
         out.put(refinement.error);
+        out.put(refinement.attributeError);
     }
     return {out.take(), vertices.size(), triangles.size()};
 }
@@ -180,6 +181,7 @@ void PendingLevelMerger::add(
             refinement.bounds.center[axis] = in.take<double>();
         refinement.bounds.radius = in.take<double>();
         refinement.error = in.take<double>();
+        refinement.attributeError = in.take<double>();
         level.refinements.push_back(refinement);
     }
     in.expectEnd();

@@ -64,6 +64,7 @@ Totals totalsOf(const CheckpointLog& log, std::map<std::string, std::string> opt
         sum.clusters += level.info.clusters;
         sum.groups += level.info.groups;
         sum.maxError = std::max(sum.maxError, level.info.maxError);
+        sum.maxAttributeError = std::max(sum.maxAttributeError, level.info.maxAttributeError);
         totals.pages += level.pages.size();
     });
     return totals;

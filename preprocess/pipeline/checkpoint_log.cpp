@@ -116,6 +116,7 @@ void nodeFields(Fields& fields, Record& record) {
         fields.field(level.info.clusters);
         fields.field(level.info.groups);
         fields.field(level.info.maxError);
+        fields.field(level.info.maxAttributeError);
         fields.count(level.pages);
         for (auto& page : level.pages)
             pageFields(fields, page);

@@ -46,7 +46,7 @@ public:
         const Group& group = *level[random.below(level.size())];
         const double span = std::max(glm::length(bounds_.extent()), 1e-300);
         const double away = std::max(distance(group.bounds, view.eye), random.uniform(1e-4, 1) * span);
-        view.threshold = group.error / away * std::exp2(random.uniform(-1, 1));
+        view.threshold = group.drawnError() / away * std::exp2(random.uniform(-1, 1));
         return view;
     }
 

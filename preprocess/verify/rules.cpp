@@ -52,7 +52,8 @@ void checkRefinements(const LoadedModel& model, std::size_t pageIndex, std::vect
         if (!resolves(model, page, refinement)) continue;
         const Group& group = model.group(refinement.group);
         check.test(
-            same(group.bounds, refinement.bounds) && group.error == refinement.error,
+            same(group.bounds, refinement.bounds) && group.error == refinement.error &&
+                group.attributeError == refinement.attributeError,
             words("has bounds or an error that are not those of the group that it names"));
         named[model.groupNumber(refinement.group)] = true;
     }
@@ -82,6 +83,8 @@ void checkSums(const LoadedModel& model, Check& check) {
         level.groups += page.groups.size();
         for (const Cluster& cluster : page.clusters)
             level.maxError = std::max(level.maxError, storedError(page, cluster, summary.grid.snapError()));
+        for (const Refinement& refinement : page.refinements)
+            level.maxAttributeError = std::max(level.maxAttributeError, refinement.attributeError);
         for (const Group& group : page.groups)
             for (std::uint32_t c = 0; c < group.clusterCount && std::isinf(group.error); ++c)
                 coarsest += page.clusters[group.firstCluster + c].triangleCount;
@@ -90,7 +93,8 @@ void checkSums(const LoadedModel& model, Check& check) {
         const LevelInfo& a = levels[i];
         const LevelInfo& b = summary.levels[i];
         check.test(
-            a.triangles == b.triangles && a.clusters == b.clusters && a.groups == b.groups && a.maxError == b.maxError,
+            a.triangles == b.triangles && a.clusters == b.clusters && a.groups == b.groups &&
+                a.maxError == b.maxError && a.maxAttributeError == b.maxAttributeError,
             [&] { return "the summary of level " + std::to_string(i) + " is not the sum of its pages"; });
     }
     check.test(coarsest == summary.coarsestTriangles, [&] {
@@ -154,6 +158,10 @@ Check checkMonotoneError(const LoadedModel& model) {
             const double finer = storedError(page, cluster, model.summary.grid.snapError());
             check.worst = std::max(check.worst, finer - group.error);
             check.test(group.error >= finer, words(" has an error below that of one of its clusters"));
+            if (cluster.refinement == kNone || std::isinf(group.error)) continue;
+            check.test(
+                group.attributeError >= page.refinements[cluster.refinement].attributeError,
+                words(" has an error of attributes below that of one of its clusters"));
         }
     });
     return check;

@@ -41,7 +41,7 @@ std::vector<double> boundsInCut(const LoadedModel& model, double limit) {
         const Page& page = model.pages[p];
         for (std::uint32_t g = 0; g < page.groups.size(); ++g) {
             const Group& group = page.groups[g];
-            const bool isRefined = group.error > limit;
+            const bool isRefined = group.drawnError() > limit;
             double& bound = bounds[model.firstGroup[p] + g];
             bound = isRefined ? 0 : std::max(bound, group.error);
             if (isRefined) continue;

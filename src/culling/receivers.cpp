@@ -47,7 +47,7 @@ double missingError(const selection::CutQuery& query, const hierarchy::Page& pag
     if (page.clusters[cluster].refinement == hierarchy::kNone) return 0;
     const hierarchy::Refinement& finer = page.refinements[page.clusters[cluster].refinement];
     if (query.resident[finer.group.page] != nullptr) return 0; // it would have been drawn
-    return query.rule->exceeds(finer.bounds, finer.error, query.errorPixels) ? finer.error : 0;
+    return query.rule->exceeds(finer.bounds, finer.drawnError(), query.errorPixels) ? finer.error : 0;
 }
 
 std::vector<Candidate> candidates(const selection::CutQuery& query, const selection::DrawList& image) {

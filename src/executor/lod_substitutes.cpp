@@ -24,7 +24,7 @@ std::vector<LodSubstitute> lodSubstitutes(
             const std::uint32_t finer = page.clusters[c].refinement;
             if (finer == hierarchy::kNone) continue;
             const hierarchy::Refinement& refinement = page.refinements[finer];
-            if (!query.rule->exceeds(refinement.bounds, refinement.error, query.errorPixels)) continue;
+            if (!query.rule->exceeds(refinement.bounds, refinement.drawnError(), query.errorPixels)) continue;
             const bool isBlocked = query.blocked != nullptr && query.blocked->contains(refinement.group);
             const bool isLost = isBlocked || isDamaged(refinement.group.page);
             result.push_back({range.page, c, isLost ? Residence::Damaged : Residence::Pending});

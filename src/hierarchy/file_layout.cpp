@@ -142,10 +142,10 @@ std::uint32_t flagsOf(const ModelSummary& summary) {
     return (summary.hasNormals ? kNormalsFlag : 0U) | (summary.hasColors ? kColorsFlag : 0U);
 }
 
-std::vector<std::byte> encodeHeader(std::uint32_t flags, const ContentHash& hash) {
+std::vector<std::byte> encodeHeader(std::uint32_t flags, const ContentHash& hash, std::uint32_t version) {
     ByteWriter start;
     start.put(std::as_bytes(std::span(kMagic)));
-    start.put(kFormatVersion);
+    start.put(version);
     start.put(flags);
     ByteWriter covered = start;
     covered.put(hash);
@@ -240,10 +240,56 @@ std::vector<std::byte> encodeSummary(const ModelSummary& summary) {
         out.putVarint(level.groups);
         out.put(level.maxError);
     }
+    putVector(out, summary.up.direction);
+    out.put(static_cast<std::uint8_t>(summary.unit));
+    out.putVarint(summary.fields.size());
+    for (const Field& field : summary.fields) {
+        out.putText(field.name);
+        out.put(field.least);
+        out.put(field.greatest);
+        out.putVarint(field.bits);
+    }
+    for (const LevelInfo& level : summary.levels)
+        out.put(level.maxAttributeError);
     return out.take();
 }
 
-ModelSummary decodeSummary(std::span<const std::byte> bytes) {
+namespace {
+
+Field takeField(ByteReader& in) {
+    Field field;
+    field.name = in.takeText();
+    field.least = in.take<double>();
+    field.greatest = in.take<double>();
+    const std::uint64_t bits = in.takeVarint();
+    const bool isRange = std::isfinite(field.least) && std::isfinite(field.greatest) && field.least <= field.greatest;
+    if (field.name.empty() || !isRange) throw Damage{"a field has no name or no range"};
+    if (bits < 1 || bits > kMostFieldBits) throw Damage{"a field has " + std::to_string(bits) + " bits"};
+    field.bits = static_cast<std::uint32_t>(bits);
+    return field;
+}
+
+/// What format 4 added, after all that format 3 has.
+void takeWorldFrame(ByteReader& in, ModelSummary& summary) {
+    summary.up.direction = takeVector(in);
+    constexpr double kRounding = 1e-6;
+    if (!(std::abs(glm::length(summary.up.direction) - 1) <= kRounding)) throw Damage{"up is no unit vector"};
+    const auto unit = in.take<std::uint8_t>();
+    if (unit >= kUnits.size()) throw Damage{"unit " + std::to_string(unit) + " is unknown"};
+    summary.unit = static_cast<Unit>(unit);
+    const std::uint64_t fieldCount = in.takeVarint();
+    for (std::uint64_t i = 0; i < fieldCount; ++i)
+        summary.fields.push_back(takeField(in)); // each takes bytes, so that these bound their number
+    for (LevelInfo& level : summary.levels) {
+        level.maxAttributeError = in.take<double>();
+        if (!std::isfinite(level.maxAttributeError) || level.maxAttributeError < 0)
+            throw Damage{"an error is no length"};
+    }
+}
+
+} // namespace
+
+ModelSummary decodeSummary(std::span<const std::byte> bytes, std::uint32_t version) {
     ByteReader in(bytes);
     ModelSummary summary;
     summary.grid.origin = takeVector(in);
@@ -268,6 +314,7 @@ ModelSummary decodeSummary(std::span<const std::byte> bytes) {
         if (!std::isfinite(level.maxError) || level.maxError < 0) throw Damage{"an error is no length"};
         summary.levels.push_back(level);
     }
+    if (version > kOldestFormatVersion) takeWorldFrame(in, summary);
     in.expectEnd();
     if (const auto fault = summaryFault(summary)) throw Damage{*fault};
     return summary;

@@ -29,8 +29,9 @@ using ContentHash = std::array<std::byte, kHashBytes>;
 /// Two lower-case digits a byte.
 std::string hexText(const ContentHash& hash);
 
-/// The whole header. Flag bit 0: normals, bit 1: colours.
-std::vector<std::byte> encodeHeader(std::uint32_t flags, const ContentHash& hash);
+/// The whole header of a file of a format. Flag bit 0: normals, bit 1: colours.
+std::vector<std::byte> encodeHeader(
+    std::uint32_t flags, const ContentHash& hash, std::uint32_t version = kFormatVersion);
 
 std::uint32_t flagsOf(const ModelSummary& summary);
 
@@ -71,7 +72,7 @@ std::vector<PageInfo> decodePageTable(std::span<const std::byte> bytes, const Fo
 
 std::vector<std::byte> encodeSummary(const ModelSummary& summary);
 
-/// Throws Damage.
-ModelSummary decodeSummary(std::span<const std::byte> bytes);
+/// Of a file of format `version`. Throws Damage.
+ModelSummary decodeSummary(std::span<const std::byte> bytes, std::uint32_t version = kFormatVersion);
 
 } // namespace gnomon::hierarchy

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "hierarchy/page.h"
+#include "hierarchy/world_frame.h"
 
 #include <map>
 #include <string>
@@ -9,10 +10,13 @@
 
 namespace gnomon::hierarchy {
 
-/// Raised whenever the bytes of a .gnm change their meaning; a reader takes exactly this one.
+/// Raised whenever the bytes of a .gnm change their meaning; a reader takes those from the oldest on.
 /// 2: a vertex of several clusters is stored once a page, and normals take ten bits a number.
 /// 3: refinements name their pages by their place among the page's children.
-constexpr std::uint32_t kFormatVersion = 3;
+/// 4: errors of attributes, a list of fields, which way is up and the unit; a file of format 3 has none of the first
+/// two and the defaults of the others.
+constexpr std::uint32_t kFormatVersion = 4;
+constexpr std::uint32_t kOldestFormatVersion = 3;
 
 /// The decoded size that a page aims at; a single group larger than this still makes one page.
 constexpr std::uint64_t kPageTargetBytes = 256U << 10U;
@@ -22,6 +26,7 @@ constexpr std::uint64_t kPageTargetBytes = 256U << 10U;
 constexpr std::uint64_t kMostPageBytes = 4U << 20U;
 constexpr std::uint32_t kMaxLevels = 64;
 constexpr std::uint64_t kMostSummaryBytes = 1U << 20U;
+constexpr std::uint32_t kMostFieldBits = 16;
 
 /// What the tables of a model may take while it opens where nobody says how much, in bytes: those of 1.8 million pages,
 /// a mesh of over ten billion triangles.
@@ -40,7 +45,7 @@ struct PageInfo {
     std::uint32_t triangleCount = 0;
     GridBox box;         // of its vertices
     Sphere bounds;       // encloses the bounds of its groups; local space
-    double minError = 0; // least and largest of its groups' errors; infinite if it holds a root group
+    double minError = 0; // least and largest of its groups' drawn errors; infinite if it holds a root group
     double maxError = 0;
     std::vector<std::uint32_t> children; // the pages that its refinements name, each once, ascending
 };
@@ -58,6 +63,18 @@ struct LevelInfo {
     std::uint64_t clusters = 0;
     std::uint64_t groups = 0;
     double maxError = 0; // the largest stored error of the clusters of this level: snap error at level 0; finite
+    double maxAttributeError = 0; // likewise of their attributes: 0 at level 0
+};
+
+/// A value that each vertex carries besides normal and colour, as a number n of `bits` bits:
+/// least + n (greatest - least) / (2^bits - 1), so half such a step off at most.
+struct Field {
+    std::string name;
+    double least = 0;
+    double greatest = 0;
+    std::uint32_t bits = kMostFieldBits; // 1 to kMostFieldBits
+
+    bool operator==(const Field&) const = default;
 };
 
 /// What `gnomon info` prints.
@@ -72,6 +89,17 @@ struct ModelSummary {
     bool hasColors = false;
     std::vector<LevelInfo> levels;              // finest first
     std::map<std::string, std::string> options; // those of the build that change bytes
+    UpAxis up;
+    Unit unit = Unit::Metre;
+    std::vector<Field> fields; // in the order in which vertices carry them
+
+    /// The largest error of attributes of any cut.
+    double attributeError() const {
+        double largest = 0;
+        for (const LevelInfo& level : levels)
+            largest = std::max(largest, level.maxAttributeError);
+        return largest;
+    }
 };
 
 } // namespace gnomon::hierarchy

@@ -37,8 +37,14 @@ std::vector<std::byte> readBytes(const File& file, std::uint64_t offset, std::ui
     return bytes;
 }
 
-/// The header after its checks: flags and hash.
-std::pair<std::uint32_t, ContentHash> readHeader(const File& file, std::uint64_t fileBytes) {
+struct Header {
+    std::uint32_t version = 0;
+    std::uint32_t flags = 0;
+    ContentHash hash{};
+};
+
+/// The header after its checks.
+Header readHeader(const File& file, std::uint64_t fileBytes) {
     if (fileBytes < kHeaderBytes + kFooterBytes)
         throw Error(
             atByte(file.path(), fileBytes),
@@ -49,18 +55,19 @@ std::pair<std::uint32_t, ContentHash> readHeader(const File& file, std::uint64_t
     if (!std::ranges::equal(std::span(bytes).first(kMagic.size()), std::as_bytes(std::span(kMagic))))
         throw Error(atByte(file.path(), 0), "not a model", "the magic of a .gnm", "something else");
     ByteReader in{std::span(bytes).subspan(kMagic.size())};
-    const auto version = in.take<std::uint32_t>();
-    if (version != kFormatVersion)
+    Header header;
+    header.version = in.take<std::uint32_t>();
+    if (header.version < kOldestFormatVersion || header.version > kFormatVersion)
         throw Error(
             atByte(file.path(), kMagic.size()),
             "made by another version of gnomon; build it again from its source",
-            "format version " + std::to_string(kFormatVersion),
-            std::to_string(version));
-    const auto flags = in.take<std::uint32_t>();
-    ContentHash hash{};
-    std::ranges::copy(std::span(bytes).subspan(kHashOffset), hash.begin());
-    if (encodeHeader(flags, hash) != bytes) throw Error(atByte(file.path(), 0), "damaged header: wrong checksum");
-    return {flags, hash};
+            "format version " + std::to_string(kOldestFormatVersion) + " to " + std::to_string(kFormatVersion),
+            std::to_string(header.version));
+    header.flags = in.take<std::uint32_t>();
+    std::ranges::copy(std::span(bytes).subspan(kHashOffset), header.hash.begin());
+    if (encodeHeader(header.flags, header.hash, header.version) != bytes)
+        throw Error(atByte(file.path(), 0), "damaged header: wrong checksum");
+    return header;
 }
 
 /// The footer, whose tables lie within the file and take no more than `tableMemory` while they are read.
@@ -110,11 +117,14 @@ auto readTable(const File& file, const TablePlace& place, const char* name, Deco
 
 ModelFile::ModelFile(const std::string& path, Bytes tableMemory)
     : file_(path, File::Mode::Read), fileBytes_(file_.size()) {
-    const auto [flags, hash] = readHeader(file_, fileBytes_);
-    contentHash_ = hexText(hash);
+    const Header header = readHeader(file_, fileBytes_);
+    formatVersion_ = header.version;
+    contentHash_ = hexText(header.hash);
     const Footer footer = readFooter(file_, fileBytes_, tableMemory);
-    summary_ = readTable(file_, footer.summary, "summary", decodeSummary);
-    if (flagsOf(summary_) != flags)
+    summary_ = readTable(file_, footer.summary, "summary", [&](std::span<const std::byte> bytes) {
+        return decodeSummary(bytes, header.version);
+    });
+    if (flagsOf(summary_) != header.flags)
         throw Error(atByte(path, footer.summary.offset), "damaged summary: its flags are not the header's");
     pages_ = readTable(file_, footer.pageTable, "page table", [&](std::span<const std::byte> bytes) {
         return decodePageTable(bytes, footer, summary_.grid);

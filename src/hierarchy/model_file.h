@@ -24,6 +24,8 @@ public:
 
     const std::string& path() const { return file_.path(); }
 
+    std::uint32_t formatVersion() const { return formatVersion_; }
+
     const ModelSummary& summary() const { return summary_; }
 
     std::span<const PageInfo> pages() const { return pages_; }
@@ -44,6 +46,7 @@ public:
 private:
     File file_;
     std::uint64_t fileBytes_ = 0;
+    std::uint32_t formatVersion_ = kFormatVersion;
     std::string contentHash_;
     ModelSummary summary_;
     std::vector<PageInfo> pages_;

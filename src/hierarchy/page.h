@@ -4,6 +4,7 @@
 
 #include "hierarchy/grid.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <vector>
@@ -31,11 +32,15 @@ struct GroupRef {
 };
 
 /// The finer group from which some clusters of this page were simplified; drawn in their place when it is refined.
-/// Bounds and error are copies of that group's own, so that the decision needs nothing but this page.
+/// Bounds and errors are copies of that group's own, so that the decision needs nothing but this page.
 struct Refinement {
     GroupRef group;
     Sphere bounds; // local space
     double error = 0;
+    double attributeError = 0;
+
+    /// As Group::drawnError.
+    double drawnError() const { return std::max(error, attributeError); }
 };
 
 /// At most 128 triangles (the build's --cluster-triangles) over at most 256 vertices.
@@ -48,16 +53,20 @@ struct Cluster {
     GridBox box;                      // of its vertices
 };
 
-/// Clusters that are simplified together. A group is REFINED in a view if `error`, seen from the eye at the distance of
-/// `bounds`, is too large to draw what replaces it; a root group (error infinite) always is.
+/// Clusters that are simplified together. A group is REFINED in a view if `drawnError`, seen from the eye at the
+/// distance of `bounds`, is too large to draw what replaces it; a root group (error infinite) always is.
 /// A cluster is drawn exactly if its own group is refined and its refinement, if it has one, is not.
-/// Along every chain of refinement errors never decrease and bounds nest towards the root.
+/// Along every chain of refinement neither error decreases and bounds nest towards the root.
 struct Group {
     std::uint32_t firstCluster = 0;
     std::uint32_t clusterCount = 0;
     GridBox box;   // of its clusters' vertices: for culling
     Sphere bounds; // local space, encloses `box` and the bounds of all its clusters' refinements: for the error
     double error = std::numeric_limits<double>::infinity(); // world units: what drawing the coarser clusters costs
+    double attributeError = 0; // world units: how far what is coloured or shaded wrongly reaches, if that is seen
+
+    /// What a cut obeys: the larger of both.
+    double drawnError() const { return std::max(error, attributeError); }
 };
 
 using Triangle = std::array<std::uint8_t, 3>; // vertex indices within the cluster

@@ -18,6 +18,10 @@ namespace {
 
 enum class Packing : std::uint8_t { Plain = 0, Zstd = 1 };
 
+/// In the byte of the packing: the page's groups and refinements have an error of attributes each. Without the bit none
+/// is stored and all are 0, so that a page without them is the same in every format.
+constexpr std::uint8_t kAttributeErrorsBit = 2;
+
 /// No page may decompress to more than this times its stored bytes, so that a small file cannot claim a large buffer.
 constexpr std::uint64_t kMaxExpansion = 256;
 
@@ -53,12 +57,24 @@ std::uint32_t takeIndex(ByteReader& in) {
     return static_cast<std::uint32_t>(value);
 }
 
-void putTables(const Page& page, ByteWriter& out) {
+bool hasAttributeErrors(const Page& page) {
+    const auto has = [](const auto& each) { return each.attributeError > 0; };
+    return std::ranges::any_of(page.groups, has) || std::ranges::any_of(page.refinements, has);
+}
+
+double takeAttributeError(ByteReader& in) {
+    const auto error = in.take<double>();
+    if (!std::isfinite(error) || error < 0) throw Damage{"an error of attributes is no length"};
+    return error;
+}
+
+void putTables(const Page& page, bool withAttributeErrors, ByteWriter& out) {
     const std::vector<std::uint32_t> children = childPages(page);
     for (const Group& group : page.groups) {
         out.putVarint(group.clusterCount);
         putSphere(out, group.bounds);
         out.put(group.error);
+        if (withAttributeErrors) out.put(group.attributeError);
     }
     for (const Refinement& refinement : page.refinements) {
         const auto child = std::lower_bound(children.begin(), children.end(), refinement.group.page);
@@ -66,6 +82,7 @@ void putTables(const Page& page, ByteWriter& out) {
         out.putVarint(refinement.group.group);
         putSphere(out, refinement.bounds);
         out.put(refinement.error);
+        if (withAttributeErrors) out.put(refinement.attributeError);
     }
     for (const Cluster& cluster : page.clusters) {
         out.put(static_cast<std::uint8_t>(cluster.vertexCount - 1));
@@ -74,7 +91,7 @@ void putTables(const Page& page, ByteWriter& out) {
     }
 }
 
-void takeGroups(ByteReader& in, const PageInfo& info, Page& page) {
+void takeGroups(ByteReader& in, const PageInfo& info, bool withAttributeErrors, Page& page) {
     std::uint32_t firstCluster = 0;
     for (std::uint32_t i = 0; i < info.groupCount; ++i) {
         Group group;
@@ -86,12 +103,13 @@ void takeGroups(ByteReader& in, const PageInfo& info, Page& page) {
         group.bounds = takeSphere(in);
         group.error = in.take<double>();
         if (std::isnan(group.error) || group.error < 0) throw Damage{"an error is no length"};
+        if (withAttributeErrors) group.attributeError = takeAttributeError(in);
         page.groups.push_back(group);
     }
     if (firstCluster != info.clusterCount) throw Damage{"clusters belong to no group"};
 }
 
-void takeRefinements(ByteReader& in, const PageInfo& info, Page& page) {
+void takeRefinements(ByteReader& in, const PageInfo& info, bool withAttributeErrors, Page& page) {
     for (std::uint32_t i = 0; i < info.refinementCount; ++i) {
         Refinement refinement;
         const std::uint32_t child = takeIndex(in);
@@ -101,6 +119,7 @@ void takeRefinements(ByteReader& in, const PageInfo& info, Page& page) {
         refinement.bounds = takeSphere(in);
         refinement.error = in.take<double>();
         if (!std::isfinite(refinement.error) || refinement.error < 0) throw Damage{"an error is no length"};
+        if (withAttributeErrors) refinement.attributeError = takeAttributeError(in);
         page.refinements.push_back(refinement);
     }
 }
@@ -179,23 +198,28 @@ std::vector<std::byte> packedFrame(std::span<const std::byte> plain, std::span<c
     return packed;
 }
 
-std::vector<std::byte> pack(std::span<const std::byte> plain, std::span<const std::size_t> streamEnds) {
+std::vector<std::byte> pack(
+    std::span<const std::byte> plain, std::span<const std::size_t> streamEnds, std::uint8_t packingBits) {
     std::vector<std::byte> packed = packedFrame(plain, streamEnds);
     if (static_cast<double>(packed.size()) < kRepetitiveShare * static_cast<double>(plain.size()))
         packed = packedFrame(plain, {});
     ByteWriter out;
     const bool worthIt = packed.size() < plain.size() && plain.size() <= packed.size() * kMaxExpansion;
-    out.put(static_cast<std::uint8_t>(worthIt ? Packing::Zstd : Packing::Plain));
+    const auto packing = static_cast<std::uint8_t>(worthIt ? Packing::Zstd : Packing::Plain);
+    out.put(static_cast<std::uint8_t>(packing | packingBits));
     out.putVarint(plain.size());
     out.put(worthIt ? std::span<const std::byte>(packed) : plain);
     return out.take();
 }
 
-/// The plain bytes of a page, at most `most`; `storage` holds them where they had to be decompressed.
+/// The plain bytes of a page, at most `most`; `storage` holds them where they had to be decompressed. What the byte of
+/// the packing says besides goes to `packingBits`.
 std::span<const std::byte> unpack(
-    std::span<const std::byte> stored, std::uint64_t most, std::vector<std::byte>& storage) {
+    std::span<const std::byte> stored, std::uint64_t most, std::vector<std::byte>& storage, std::uint8_t& packingBits) {
     ByteReader in(stored);
-    const auto packing = static_cast<Packing>(in.take<std::uint8_t>());
+    const auto first = in.take<std::uint8_t>();
+    packingBits = static_cast<std::uint8_t>(first & kAttributeErrorsBit);
+    const auto packing = static_cast<Packing>(first ^ packingBits);
     const std::uint64_t size = in.takeVarint();
     const auto rest = in.take(in.remaining());
     if (packing == Packing::Plain) {
@@ -224,19 +248,22 @@ bool sameRow(const PageInfo& a, const PageInfo& b) {
 
 std::vector<std::byte> encodePageBytes(const Page& page) {
     ByteWriter plain;
-    putTables(page, plain);
+    const bool withAttributeErrors = hasAttributeErrors(page);
+    putTables(page, withAttributeErrors, plain);
     const std::vector<std::size_t> streamEnds = encodeClusters(page, plain);
-    return pack(plain.bytes(), streamEnds);
+    return pack(plain.bytes(), streamEnds, withAttributeErrors ? kAttributeErrorsBit : std::uint8_t{0});
 }
 
 Page decodePageBytes(std::span<const std::byte> bytes, const PageInfo& info) {
     if (const auto fault = countsFault(info)) throw Damage{*fault};
     thread_local std::vector<std::byte> storage; // kept from page to page, as zstd's context is
-    ByteReader in(unpack(bytes, mostPlainBytes(info), storage));
+    std::uint8_t packingBits = 0;
+    ByteReader in(unpack(bytes, mostPlainBytes(info), storage, packingBits));
+    const bool withAttributeErrors = packingBits == kAttributeErrorsBit;
     Page page;
     page.level = info.level;
-    takeGroups(in, info, page);
-    takeRefinements(in, info, page);
+    takeGroups(in, info, withAttributeErrors, page);
+    takeRefinements(in, info, withAttributeErrors, page);
     takeClusters(in, info, page);
     if (page.clusters.empty()) throw Damage{"no cluster"};
     decodeClusters(in, page);

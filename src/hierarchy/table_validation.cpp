@@ -94,14 +94,14 @@ std::string pageName(std::size_t page) {
 } // namespace
 
 std::uint64_t mostPlainBytes(const PageInfo& info) {
-    constexpr std::uint64_t kIndex = 5;                           // a number of 32 bits, seven a byte
-    constexpr std::uint64_t kSphereAndError = 5 * sizeof(double); // doubles
+    constexpr std::uint64_t kIndex = 5; // a number of 32 bits, seven a byte
+    constexpr std::uint64_t kSphereAndErrors = 6 * sizeof(double);
     constexpr std::uint64_t kVertex =
         (1 + 3 + 2 + 4) * sizeof(std::uint32_t);                // a reference, a position, a normal, a colour: words
     constexpr std::uint64_t kTriangle = 1 + 3;                  // its code, and indices
     constexpr std::uint64_t kCluster = 2 + kIndex + 3 * kIndex; // its counts, what refines it, where it begins
     constexpr std::uint64_t kRest = 64;                         // sizes of streams, numbers of planes
-    return info.groupCount * (kIndex + kSphereAndError) + info.refinementCount * (2 * kIndex + kSphereAndError) +
+    return info.groupCount * (kIndex + kSphereAndErrors) + info.refinementCount * (2 * kIndex + kSphereAndErrors) +
            info.clusterCount * kCluster + info.vertexCount * kVertex + info.triangleCount * kTriangle + kRest;
 }
 

@@ -13,6 +13,10 @@ bool isFinite(const Sphere& sphere) {
            std::isfinite(sphere.radius) && sphere.radius >= 0;
 }
 
+bool isLength(double value) {
+    return std::isfinite(value) && value >= 0;
+}
+
 bool same(const GridBox& a, const GridBox& b) {
     return a.min == b.min && a.max == b.max;
 }
@@ -25,7 +29,7 @@ std::optional<std::string> refinementFault(const Page& page) {
     for (std::size_t i = 0; i < page.refinements.size(); ++i) {
         const Refinement& refinement = page.refinements[i];
         if (!isFinite(refinement.bounds)) return place("refinement", i) + "has bounds that are no sphere";
-        if (!std::isfinite(refinement.error) || refinement.error < 0)
+        if (!isLength(refinement.error) || !isLength(refinement.attributeError))
             return place("refinement", i) + "has an error that is no length";
     }
     return {};
@@ -61,7 +65,8 @@ std::optional<std::string> groupFault(const Page& page, std::size_t index) {
     if (group.clusterCount == 0 || group.clusterCount > page.clusters.size() - group.firstCluster)
         return place("group", index) + "reaches past the last cluster";
     if (!isFinite(group.bounds)) return place("group", index) + "has bounds that are no sphere";
-    if (std::isnan(group.error) || group.error < 0) return place("group", index) + "has an error that is no length";
+    if (std::isnan(group.error) || group.error < 0 || !isLength(group.attributeError))
+        return place("group", index) + "has an error that is no length";
     GridBox box;
     for (std::uint32_t c = 0; c < group.clusterCount; ++c)
         box.add(page.clusters[group.firstCluster + c].box);
@@ -155,8 +160,8 @@ PageInfo describePage(const Page& page) {
     for (const Group& group : page.groups) {
         info.box.add(group.box);
         spheres.push_back(group.bounds);
-        info.minError = std::min(info.minError, group.error);
-        info.maxError = std::max(info.maxError, group.error);
+        info.minError = std::min(info.minError, group.drawnError());
+        info.maxError = std::max(info.maxError, group.drawnError());
     }
     info.bounds = enclosingSphere(spheres);
     info.children = childPages(page);

@@ -79,7 +79,7 @@ void CutPart::add(const PageVisit& visit) {
     for (std::uint32_t g = 0; g < page.groups.size(); ++g) {
         const hierarchy::Group& group = page.groups[g];
         const std::uint64_t touching = narrowed(visit.mask.touching, pagePlanes_, group.box, &groupPlanes_);
-        if (touching != 0 && query_->rule->exceeds(group.bounds, group.error, query_->errorPixels) &&
+        if (touching != 0 && query_->rule->exceeds(group.bounds, group.drawnError(), query_->errorPixels) &&
             !isBlocked(visit.page, g))
             addGroup(page, group, visit.page, touching);
     }
@@ -146,9 +146,9 @@ void CutPart::test(const hierarchy::Page& page) {
     for (std::size_t i = 0; i < page.refinements.size(); ++i) {
         const hierarchy::Refinement& refinement = page.refinements[i];
         const double threshold = query_->errorPixels;
-        const double view = query_->rule->viewPixels(refinement.bounds, refinement.error);
+        const double view = query_->rule->viewPixels(refinement.bounds, refinement.drawnError());
         const double pixels =
-            view > threshold ? view : query_->rule->casterPixels(refinement.bounds, refinement.error, threshold);
+            view > threshold ? view : query_->rule->casterPixels(refinement.bounds, refinement.drawnError(), threshold);
         const bool isResident = query_->resident[refinement.group.page] != nullptr;
         refinements_[i] = {view, false};
         if (!(pixels > threshold)) continue;

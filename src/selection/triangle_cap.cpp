@@ -50,12 +50,12 @@ private:
         refinedBelow_.clear();
         for (const hierarchy::Refinement& finer : page.refinements) {
             const bool canBeRefined = query_->resident[finer.group.page] != nullptr && !isBlocked(finer.group);
-            refinedBelow_.push_back(canBeRefined ? query_->rule->pixels(finer.bounds, finer.error) : 0);
+            refinedBelow_.push_back(canBeRefined ? query_->rule->pixels(finer.bounds, finer.drawnError()) : 0);
         }
         for (std::uint32_t g = 0; g < page.groups.size(); ++g) {
             if (isBlocked({id, g})) continue;
             const hierarchy::Group& group = page.groups[g];
-            const double end = query_->rule->pixels(group.bounds, group.error);
+            const double end = query_->rule->pixels(group.bounds, group.drawnError());
             if (end > query_->errorPixels && !isOutside(mask, group.box)) addGroup(page, group, mask, end);
         }
     }

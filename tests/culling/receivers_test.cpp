@@ -17,7 +17,7 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 double missingError(const selection::CutQuery& query, const hierarchy::Page& page, const hierarchy::Cluster& cluster) {
     if (cluster.refinement == hierarchy::kNone) return 0;
     const hierarchy::Refinement& finer = page.refinements[cluster.refinement];
-    return query.rule->pixels(finer.bounds, finer.error) > query.errorPixels ? finer.error : 0;
+    return query.rule->pixels(finer.bounds, tests::largerError(finer)) > query.errorPixels ? finer.error : 0;
 }
 
 TEST(Receivers, DepthRangeIsThatOfAllTriangles) {

@@ -94,7 +94,7 @@ class Model:
         if data[:8] != MAGIC:
             raise Damaged("not a model")
         self.version, self.flags, checksum = struct.unpack("<IIQ", data[8:24])
-        if self.version != 3:
+        if self.version not in (3, 4):
             raise Damaged(f"format version {self.version}")
         if checksum64(data[:16] + data[24:40]) != checksum:
             raise Damaged("the header's checksum is wrong")
@@ -103,7 +103,7 @@ class Model:
         places = struct.unpack("<9Q", footer)
         if checksum64(footer[:-8]) != places[8] or places[6] != len(data):
             raise Damaged("the footer is wrong")
-        self.summary = self.read_summary(Bytes(self.table(*places[3:6])))
+        self.summary = self.read_summary(Bytes(self.table(*places[3:6])), self.version)
         self.pages = self.read_page_table(Bytes(self.table(*places[0:3])), places[7])
 
     def table(self, offset, size, checksum):
@@ -113,7 +113,7 @@ class Model:
         return table
 
     @staticmethod
-    def read_summary(rest):
+    def read_summary(rest, version):
         summary = {"origin": rest.take("3d"), "step": math.ldexp(1, rest.one("i")),
                    "bounds": (rest.take("3d"), rest.take("3d"))}
         for name in ("source_triangles", "source_vertices", "coarsest_triangles"):
@@ -123,6 +123,12 @@ class Model:
         summary["options"] = {rest.text(): rest.text() for _ in range(rest.varint())}
         summary["levels"] = [{"triangles": rest.varint(), "clusters": rest.varint(), "groups": rest.varint(),
                               "max_error": rest.one("d")} for _ in range(rest.varint())]
+        summary.update({"up": (0.0, 1.0, 0.0), "unit": 0, "fields": []})
+        if version >= 4:
+            summary["up"], summary["unit"] = rest.take("3d"), rest.one("B")
+            summary["fields"] = [(rest.text(), *rest.take("2d"), rest.varint()) for _ in range(rest.varint())]
+        for level in summary["levels"]:
+            level["max_attribute_error"] = rest.one("d") if version >= 4 else 0.0
         rest.end()
         return summary
 
@@ -151,13 +157,14 @@ class Model:
         rest = Bytes(stored)
         packing, size = rest.one("B"), rest.varint()
         body = rest.raw(len(stored) - rest.at)
-        return unpack_zstd(body, size) if packing == 1 else body
+        return unpack_zstd(body, size) if packing & 1 else body, bool(packing & 2)
 
     def page(self, number):
-        return Page(Bytes(self.plain_page(self.pages[number])), self.pages[number])
+        plain, has_attribute_errors = self.plain_page(self.pages[number])
+        return Page(Bytes(plain), self.pages[number], has_attribute_errors)
 
     def uniform_cut(self, limit):
-        """The clusters that stand for the surface where every group of an error above `limit` is refined:
+        """The clusters that stand for the surface where every group of a drawn error above `limit` is refined:
         (page, cluster) for each."""
         for number, row in enumerate(self.pages):
             if row["max_error"] <= limit:
@@ -174,9 +181,12 @@ class Model:
 class Page:
     """One decoded page: `clusters`, each with its vertices and triangles."""
 
-    def __init__(self, rest, row):
-        groups = [(rest.varint(), rest.take("4d"), rest.one("d")) for _ in range(row["groups"])]
-        refinements = [(rest.varint(), rest.varint(), rest.take("4d"), rest.one("d")) for _ in range(row["refinements"])]
+    def __init__(self, rest, row, has_attribute_errors):
+        def drawn_error():
+            return max(rest.take("2d" if has_attribute_errors else "d"))
+        groups = [(rest.varint(), rest.take("4d"), drawn_error()) for _ in range(row["groups"])]
+        refinements = [(rest.varint(), rest.varint(), rest.take("4d"), drawn_error())
+                       for _ in range(row["refinements"])]
         self.clusters = []
         for count, _, error in groups:
             for _ in range(count):

@@ -3,13 +3,16 @@
 #include "core/random.h"
 #include "hierarchy/file_layout.h"
 #include "hierarchy/model_file.h"
+#include "hierarchy/model_text.h"
 #include "hierarchy/model_writer.h"
 #include "hierarchy/tiny_model.h"
 #include "page_equality.h"
 
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <filesystem>
+#include <span>
 
 namespace gnomon::hierarchy {
 namespace {
@@ -129,7 +132,7 @@ TEST(ModelFile, RefusesEveryOtherFormatVersionAndSaysWhatToDo) {
     const std::string path = pathFor("version");
     tests::writeModel(coloredModel(), path);
     const std::string good = bytesOf(path);
-    for (const std::uint32_t version : {0U, kFormatVersion - 1, kFormatVersion + 1}) {
+    for (const std::uint32_t version : {0U, kOldestFormatVersion - 1, kFormatVersion + 1}) {
         std::string other = good;
         for (std::size_t i = 0; i < 4; ++i)
             other[8 + i] = static_cast<char>(version >> (8 * i));
@@ -142,10 +145,63 @@ TEST(ModelFile, RefusesEveryOtherFormatVersionAndSaysWhatToDo) {
                 std::string(error.what()),
                 path +
                     ": byte 8: made by another version of gnomon; build it again from its source: expected format "
-                    "version " +
-                    std::to_string(kFormatVersion) + ", found " + std::to_string(version));
+                    "version 3 to 4, found " +
+                    std::to_string(version));
         }
     }
+}
+
+TEST(ModelText, TellsAxesFieldsAndErrorsOfAttributesWhereThereAreAny) {
+    const std::string path = pathFor("text");
+    tests::TinyModel model = coloredModel();
+    tests::writeModel(model, path);
+    const auto has = [&path](const char* words) { return modelText(ModelFile(path)).find(words) != std::string::npos; };
+    EXPECT_TRUE(has("\naxes       up y, in m\n"));
+    EXPECT_TRUE(has(", normals, colours\n"));
+    EXPECT_TRUE(has("groups  largest error\n"));
+    model.summary.up.direction = {0, 0, 1};
+    model.summary.unit = Unit::Foot;
+    model.summary.fields = {{"qual\nity", -1, 2, 8}};
+    model.summary.levels.back().maxAttributeError = 12.5;
+    tests::writeModel(model, path);
+    EXPECT_TRUE(has("\naxes       up z, in ft\n"));
+    EXPECT_TRUE(has("ity -1 to 2 in 8 bits\n"));
+    EXPECT_FALSE(has("qual\nity"));
+    EXPECT_TRUE(has("largest error  of attributes\n"));
+    EXPECT_TRUE(has(" 12.5\n"));
+}
+
+TEST(ModelFile, ReadsAModelOfFormat3WithTheDefaultsOfWhatItDidNotSay) {
+    const std::string path = pathFor("format3");
+    const tests::TinyModel model = coloredModel();
+    tests::writeModel(model, path);
+    std::string bytes = bytesOf(path);
+    const auto part = [&](std::size_t first, std::size_t count) {
+        return std::as_bytes(std::span(bytes).subspan(first, count));
+    };
+    Footer footer = decodeFooter(part(bytes.size() - kFooterBytes, kFooterBytes));
+    // Its summary ends with the levels, its pages and their table are the same.
+    const std::size_t added = 3 * sizeof(double) + 2 + model.summary.levels.size() * sizeof(double);
+    footer.summary.bytes -= added;
+    footer.summary.checksum = checksum64(part(footer.summary.offset, footer.summary.bytes));
+    footer.fileBytes -= added;
+    bytes.resize(footer.summary.offset + footer.summary.bytes);
+    const auto append = [&](const std::vector<std::byte>& more) {
+        bytes.append(reinterpret_cast<const char*>(more.data()), more.size());
+    };
+    append(encodeFooter(footer));
+    const std::vector<std::byte> header = encodeHeader(flagsOf(model.summary), {}, 3);
+    std::memcpy(bytes.data(), header.data(), header.size());
+    writeTextFile(path, bytes);
+    const ModelFile file(path);
+    EXPECT_EQ(file.formatVersion(), 3U);
+    EXPECT_EQ(file.summary().up, UpAxis());
+    EXPECT_EQ(file.summary().unit, Unit::Metre);
+    EXPECT_TRUE(file.summary().fields.empty());
+    EXPECT_EQ(file.summary().attributeError(), 0);
+    ASSERT_EQ(file.pages().size(), model.pages.size());
+    for (std::uint32_t page = 0; page < file.pages().size(); ++page)
+        EXPECT_TRUE(samePage(file.readPage(page), model.pages[page])) << page;
 }
 
 TEST(ModelFile, RefusesAChangeInAnyPage) {

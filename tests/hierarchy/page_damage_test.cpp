@@ -177,7 +177,8 @@ TEST(PageDamage, APromiseThatTheBytesCannotKeepIsRefusedBeforeMemoryIsAskedFor) 
         return damageOf([&] { decodePageBytes(stored(packing, promised, bytes), info); });
     };
     EXPECT_EQ(damage(0, plain.size() + 1, plain), "the stored size is not the one promised");
-    EXPECT_EQ(damage(2, plain.size(), plain), "unknown packing");
+    for (const int packing : {4, 5, 255})
+        EXPECT_EQ(damage(static_cast<std::uint8_t>(packing), plain.size(), plain), "unknown packing");
     EXPECT_EQ(damage(1, 256 * plain.size() + 1, plain), "more is promised than the stored bytes can hold");
     EXPECT_EQ(damage(1, ~std::uint64_t{0}, plain), "more is promised than the stored bytes can hold");
     EXPECT_EQ(damage(1, plain.size(), plain).find("cannot decompress: "), 0U);

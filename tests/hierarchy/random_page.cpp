@@ -44,18 +44,21 @@ Page randomPage(std::uint64_t seed) {
     Page page;
     page.level = static_cast<std::uint32_t>(random.below(3));
     const auto groups = 1 + random.below(3);
+    const bool hasAttributeErrors = seed % 2 == 1;
     if (page.level > 0)
         for (std::uint64_t i = 0; i <= random.below(4); ++i)
             page.refinements.push_back(
                 {{static_cast<std::uint32_t>(random.below(1U << 20U)), static_cast<std::uint32_t>(random.below(9))},
                  randomSphere(random),
-                 random.unit()});
+                 random.unit(),
+                 hasAttributeErrors ? random.unit() : 0});
     for (std::uint64_t g = 0; g < groups; ++g) {
         Group group;
         group.firstCluster = static_cast<std::uint32_t>(page.clusters.size());
         group.clusterCount = static_cast<std::uint32_t>(1 + random.below(3));
         group.bounds = randomSphere(random);
         if (random.below(4) != 0) group.error = random.unit();
+        if (hasAttributeErrors) group.attributeError = random.unit();
         for (std::uint32_t c = 0; c < group.clusterCount; ++c) {
             Cluster cluster;
             cluster.firstVertex = static_cast<std::uint32_t>(page.vertices.size());

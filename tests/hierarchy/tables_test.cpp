@@ -2,6 +2,7 @@
 #include "damage_text.h"
 #include "hierarchy/file_layout.h"
 #include "hierarchy/validation.h"
+#include "hierarchy/world_frame.h"
 
 #include <gtest/gtest.h>
 
@@ -124,15 +125,15 @@ TEST(PageTable, TheLargestSphereAndTheLeastErrorsAreSound) {
 }
 
 TEST(PageTable, EachCountAddsWhatItMayTakeInPlainBytes) {
-    constexpr std::uint64_t kSphereAndError = 5 * sizeof(double);
+    constexpr std::uint64_t kSphereAndErrors = 6 * sizeof(double);
     const auto added = [](const auto& change) {
         PageInfo info;
         const std::uint64_t before = mostPlainBytes(info);
         change(info);
         return mostPlainBytes(info) - before;
     };
-    EXPECT_EQ(added([](PageInfo& info) { info.groupCount = 3; }), 3 * (5 + kSphereAndError));
-    EXPECT_EQ(added([](PageInfo& info) { info.refinementCount = 3; }), 3 * (5 + 5 + kSphereAndError));
+    EXPECT_EQ(added([](PageInfo& info) { info.groupCount = 3; }), 3 * (5 + kSphereAndErrors));
+    EXPECT_EQ(added([](PageInfo& info) { info.refinementCount = 3; }), 3 * (5 + 5 + kSphereAndErrors));
     EXPECT_EQ(added([](PageInfo& info) { info.clusterCount = 3; }), 3 * (2 + 5 + 15));
     EXPECT_EQ(added([](PageInfo& info) { info.vertexCount = 3; }), 3 * 40);
     EXPECT_EQ(added([](PageInfo& info) { info.triangleCount = 3; }), 3 * 4);
@@ -164,8 +165,16 @@ ModelSummary someSummary() {
     summary.hasColors = true;
     summary.dropped = {{"degenerate", 3}, {"doubled", 300}};
     summary.options = {{"error", "measured"}};
-    summary.levels = {{900, 20, 5, 0.25}, {400, 10, 3, 0.5}};
+    summary.levels = {{900, 20, 5, 0.25}, {400, 10, 3, 0.5, 0.75}};
+    summary.up.direction = {0, 0, 1};
+    summary.unit = Unit::Foot;
+    summary.fields = {{"quality", -1, 2, 8}, {"intensity", 0, 65535, 16}};
     return summary;
+}
+
+/// What format 4 appends to the summary: up, unit, no fields, an error for each level.
+constexpr std::size_t worldFrameBytes(std::size_t levels) {
+    return 3 * sizeof(double) + 2 + levels * sizeof(double);
 }
 
 TEST(Summary, ComesBackAndItsFlagsTellWhatVerticesHave) {
@@ -185,6 +194,11 @@ TEST(Summary, ComesBackAndItsFlagsTellWhatVerticesHave) {
     EXPECT_EQ(back.levels[1].clusters, 10U);
     EXPECT_EQ(back.levels[1].groups, 3U);
     EXPECT_EQ(back.levels[1].maxError, 0.5);
+    EXPECT_EQ(back.levels[1].maxAttributeError, 0.75);
+    EXPECT_EQ(back.attributeError(), 0.75);
+    EXPECT_EQ(back.up.direction, glm::dvec3(0, 0, 1));
+    EXPECT_EQ(back.unit, Unit::Foot);
+    EXPECT_EQ(back.fields, summary.fields);
     for (unsigned flags = 0; flags < 4; ++flags) {
         ModelSummary other = summary;
         other.hasNormals = (flags & 1U) != 0;
@@ -192,6 +206,70 @@ TEST(Summary, ComesBackAndItsFlagsTellWhatVerticesHave) {
         EXPECT_EQ(flagsOf(other), flags);
         EXPECT_EQ(decodeSummary(encodeSummary(other)).hasNormals, other.hasNormals);
     }
+}
+
+TEST(Summary, OfFormat3HasTheDefaultsOfWhatItDidNotSay) {
+    ModelSummary summary = someSummary();
+    summary.fields.clear();
+    std::vector<std::byte> bytes = encodeSummary(summary);
+    EXPECT_EQ(damageOf([&] { decodeSummary(bytes, 3); }), "42 bytes too many");
+    bytes.resize(bytes.size() - worldFrameBytes(2));
+    const ModelSummary back = decodeSummary(bytes, 3);
+    EXPECT_EQ(back.levels[1].maxError, 0.5);
+    EXPECT_EQ(back.attributeError(), 0);
+    EXPECT_EQ(back.up, UpAxis());
+    EXPECT_EQ(back.unit, Unit::Metre);
+    EXPECT_TRUE(back.fields.empty());
+    EXPECT_EQ(damageOf([&] { decodeSummary(bytes, 4); }), "the bytes end too early");
+}
+
+TEST(Summary, EachLieOfFormat4IsNamed) {
+    const auto after = [](auto&& change) {
+        ModelSummary summary = someSummary();
+        change(summary);
+        return damageOf([&] { decodeSummary(encodeSummary(summary)); });
+    };
+    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+    for (const double wrong : {kNan, 1 / 0.0, -1.0})
+        EXPECT_EQ(after([&](ModelSummary& s) { s.levels[1].maxAttributeError = wrong; }), "an error is no length");
+    for (const double wrong : {kNan, 1 / 0.0, 0.0, 1.1})
+        EXPECT_EQ(after([&](ModelSummary& s) { s.up.direction.z = wrong; }), "up is no unit vector");
+    EXPECT_EQ(after([](ModelSummary& s) { s.up.direction = {0.6, 0, -0.8}; }), "");
+    EXPECT_EQ(after([](ModelSummary& s) { s.unit = static_cast<Unit>(5); }), "unit 5 is unknown");
+    const std::string unnamed = "a field has no name or no range";
+    EXPECT_EQ(after([](ModelSummary& s) { s.fields[1].name.clear(); }), unnamed);
+    EXPECT_EQ(after([](ModelSummary& s) { s.fields[1].least = 65536; }), unnamed);
+    for (const double wrong : {kNan, 1 / 0.0})
+        EXPECT_EQ(after([&](ModelSummary& s) { s.fields[0].greatest = wrong; }), unnamed);
+    EXPECT_EQ(after([](ModelSummary& s) { s.fields[1].least = 65535; }), "");
+    EXPECT_EQ(after([](ModelSummary& s) { s.fields[1].bits = 0; }), "a field has 0 bits");
+    EXPECT_EQ(after([](ModelSummary& s) { s.fields[1].bits = 17; }), "a field has 17 bits");
+    // Five bytes that promise 2^32 fields: the bytes that are there bound how many are taken.
+    std::vector<std::byte> bytes = encodeSummary(someSummary());
+    const std::size_t count = bytes.size() - 2 * sizeof(double) - 2 * 17 - 8 - 10 - 1;
+    ASSERT_EQ(bytes[count], std::byte{2});
+    const std::array<std::byte, 5> many = {
+        std::byte{0x80}, std::byte{0x80}, std::byte{0x80}, std::byte{0x80}, std::byte{0x10}};
+    bytes.erase(bytes.begin() + static_cast<std::ptrdiff_t>(count));
+    bytes.insert(bytes.begin() + static_cast<std::ptrdiff_t>(count), many.begin(), many.end());
+    EXPECT_NE(damageOf([&] { decodeSummary(bytes); }), "");
+}
+
+TEST(WorldFrame, NamesAreThoseOfOptionsAndLengthsThoseOfTheirDefinitions) {
+    for (const char* name : {"x", "y", "z", "-x", "-y", "-z"}) {
+        ASSERT_TRUE(upAxisNamed(name));
+        EXPECT_EQ(upAxisText(*upAxisNamed(name)), name);
+    }
+    EXPECT_EQ(upAxisNamed("y"), UpAxis());
+    EXPECT_EQ(upAxisNamed("-x")->direction, glm::dvec3(-1, 0, 0));
+    EXPECT_FALSE(upAxisNamed("up"));
+    EXPECT_EQ(upAxisText({{0.6, 0, -0.8}}), "0.6,0,-0.8");
+    for (const UnitRow& row : kUnits) {
+        EXPECT_EQ(unitNamed(row.name), row.unit);
+        EXPECT_EQ(rowOf(row.unit).name, row.name);
+    }
+    EXPECT_FALSE(unitNamed("km"));
+    EXPECT_DOUBLE_EQ(rowOf(Unit::Inch).metres * 12, rowOf(Unit::Foot).metres);
 }
 
 TEST(Summary, EachLieIsNamed) {
@@ -252,6 +330,7 @@ TEST(Header, BeginsWithTheMagicAndEndsWithTheHash) {
     EXPECT_EQ(header[12], std::byte{3});
     EXPECT_TRUE(std::equal(hash.begin(), hash.end(), header.begin() + kHashOffset));
     EXPECT_NE(encodeHeader(2, hash), header);
+    EXPECT_NE(encodeHeader(3, hash, 3), header);
     hash[15] = std::byte{0x0E};
     const std::vector<std::byte> other = encodeHeader(3, hash);
     EXPECT_FALSE(std::equal(other.begin() + 16, other.begin() + 24, header.begin() + 16))

@@ -322,6 +322,20 @@ ModelSummary summarize(const Ground& ground, const std::vector<Level>& levels, c
     return summary;
 }
 
+/// Gives all groups and their copies an error of attributes: it grows as the error does, and faster.
+void giveAttributeErrors(TinyModel& model, double from) {
+    const auto give = [from](auto& each) {
+        each.attributeError = std::isfinite(each.error) ? std::max(0.0, 2 * each.error - from) : 0;
+    };
+    for (Page& page : model.pages) {
+        std::ranges::for_each(page.groups, give);
+        std::ranges::for_each(page.refinements, give);
+        LevelInfo& level = model.summary.levels[page.level];
+        for (const Refinement& refinement : page.refinements)
+            level.maxAttributeError = std::max(level.maxAttributeError, refinement.attributeError);
+    }
+}
+
 } // namespace
 
 TinyModel makeTinyModel(const TinyModelOptions& options) {
@@ -337,6 +351,7 @@ TinyModel makeTinyModel(const TinyModelOptions& options) {
             if (g % options.pageGroups == 0) model.pages.emplace_back().level = static_cast<std::uint32_t>(i);
             layGroup(ground, levels[i], i == 0 ? nullptr : &levels[i - 1], levels[i].groups[g], model.pages.back());
         }
+    if (options.attributeErrorFrom >= 0) giveAttributeErrors(model, options.attributeErrorFrom);
     for (Page& page : model.pages)
         orderForCoding(page);
     return model;

@@ -19,6 +19,7 @@ struct TinyModelOptions {
     std::uint32_t pageGroups = 2;
     bool normals = false;
     bool colors = false;
+    double attributeErrorFrom = -1; // errors e above this have errors of attributes above e, others below; if not < 0
     glm::dvec3 origin{0};
 };
 

@@ -19,7 +19,7 @@ struct Part {
         for (std::uint32_t t = 0; t < level.errors.size(); ++t)
             level.errors[t] = {0.5F * static_cast<float>(t), 0.25F * static_cast<float>(t)};
         for (std::uint32_t c = 0; c < level.clusters.size(); ++c) {
-            level.refinements.push_back({{4, c, c + 1}, {glm::dvec3(c, 2, 3), 10.0 + c}, 20.0 + c});
+            level.refinements.push_back({{4, c, c + 1}, {glm::dvec3(c, 2, 3), 10.0 + c}, 20.0 + c, 30.0 + c});
             if (c % 5 != 0) level.clusters[c].refinement = c;
         }
     }
@@ -83,6 +83,7 @@ TEST(PendingLevel, ComesBackFromItsBytes) {
         EXPECT_EQ(found.bounds.center, wanted.bounds.center);
         EXPECT_EQ(found.bounds.radius, wanted.bounds.radius);
         EXPECT_EQ(found.error, wanted.error);
+        EXPECT_EQ(found.attributeError, wanted.attributeError);
     }
     EXPECT_LT(back.level.refinements.size(), part.level.refinements.size()); // what nobody uses is left out
 }

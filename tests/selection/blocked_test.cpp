@@ -111,7 +111,7 @@ std::map<std::uint32_t, double> slowDemand(const Scene& scene) {
         if (sharedModel().table[p].maxError == kInfinite) result[p] = kInfinite;
         if (scene.resident[p] == nullptr) continue;
         for (const hierarchy::Refinement& finer : scene.resident[p]->refinements) {
-            const double pixels = scene.rule.pixels(finer.bounds, finer.error);
+            const double pixels = scene.rule.pixels(finer.bounds, tests::largerError(finer));
             if (pixels > scene.errorPixels) result[finer.group.page] = std::max(result[finer.group.page], pixels);
         }
     }

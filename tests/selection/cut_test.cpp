@@ -47,7 +47,7 @@ void addSlowly(
     if (cluster.refinement != kNone) {
         const hierarchy::Refinement& finer = page.refinements[cluster.refinement];
         const bool isResident = query.resident[finer.group.page] != nullptr;
-        const bool isFinerAsked = isAsked(query, finer.bounds, finer.error);
+        const bool isFinerAsked = isAsked(query, finer.bounds, tests::largerError(finer));
         if (isFinerAsked && !isResident) result.wanted.insert(finer.group.page);
         if (isFinerAsked && isResident) return;
     }
@@ -65,7 +65,7 @@ SlowCut slowCut(const CutQuery& query) {
         if (query.resident[p] == nullptr) continue;
         const hierarchy::Page& page = *query.resident[p];
         for (const hierarchy::Group& group : page.groups) {
-            if (!isAsked(query, group.bounds, group.error)) continue;
+            if (!isAsked(query, group.bounds, tests::largerError(group))) continue;
             result.used.insert(p);
             for (std::uint32_t c = group.firstCluster; c < group.firstCluster + group.clusterCount; ++c)
                 addSlowly(query, page, group, {p, c}, result);
@@ -241,7 +241,7 @@ TEST(Cut, ReportsTheErrorOfWhatIsMissing) {
             for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c) {
                 if (page.clusters[c].refinement == kNone) continue;
                 const hierarchy::Refinement& finer = page.refinements[page.clusters[c].refinement];
-                worst = std::max(worst, scene.rule.viewPixels(finer.bounds, finer.error));
+                worst = std::max(worst, scene.rule.viewPixels(finer.bounds, tests::largerError(finer)));
             }
         }
         EXPECT_EQ(now.achievedErrorPixels, worst);

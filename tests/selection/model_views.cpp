@@ -33,6 +33,7 @@ const ModelInMemory& sharedModel() {
         options.clusterTriangles = 32;
         options.pageGroups = 1;
         options.height = 12;
+        options.attributeErrorFrom = 0.5;
         return options;
     }());
     return model;

@@ -25,6 +25,12 @@ struct ModelInMemory {
 /// A rolling height field of about a thousand small pages, made once.
 const ModelInMemory& sharedModel();
 
+/// The error that a cut must obey, of a group or a refinement: the larger of both.
+template <class Of>
+double largerError(const Of& of) {
+    return of.attributeError > of.error ? of.attributeError : of.error;
+}
+
 /// A view from somewhere in, above or beside the model.
 selection::DetailView randomView(Random& random, const Box& bounds);
 

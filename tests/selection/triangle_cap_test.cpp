@@ -63,11 +63,11 @@ struct Scene {
 /// When a cluster of a group that may be refined is drawn.
 Drawn drawnOf(
     const Scene& scene, const hierarchy::Page& page, const hierarchy::Group& group, const hierarchy::Cluster& cluster) {
-    Drawn drawn{0, scene.rule.pixels(group.bounds, group.error), cluster.triangleCount};
+    Drawn drawn{0, scene.rule.pixels(group.bounds, tests::largerError(group)), cluster.triangleCount};
     if (cluster.refinement == kNone) return drawn;
     const hierarchy::Refinement& finer = page.refinements[cluster.refinement];
     const bool canBe = scene.resident[finer.group.page] != nullptr && !scene.blocked.contains(finer.group);
-    drawn.from = canBe ? scene.rule.pixels(finer.bounds, finer.error) : 0;
+    drawn.from = canBe ? scene.rule.pixels(finer.bounds, tests::largerError(finer)) : 0;
     return drawn;
 }
 

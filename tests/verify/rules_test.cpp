@@ -203,6 +203,9 @@ TEST(Rules, EachBreachIsToldInItsOwnWords) {
     has(structure([](LoadedModel& m) { refiningPage(m).refinements[0].group.group = 1000; }), "names no finer group");
     has(structure([](LoadedModel& m) { refiningPage(m).refinements[0].error *= 2; }),
         "bounds or an error that are not those of the group that it names");
+    has(structure([](LoadedModel& m) { refiningPage(m).refinements[0].attributeError = 1; }),
+        "bounds or an error that are not those of the group that it names");
+    has(structure([](LoadedModel& m) { m.summary.levels[1].maxAttributeError = 1; }), "summary of level 1 is not the");
     has(structure([](LoadedModel& m) { refiningPage(m).refinements.push_back(refiningPage(m).refinements[0]); }),
         "belongs to no cluster");
     has(structure([](LoadedModel& m) { m.summary.levels[0].triangles += 1; }), "summary of level 0 is not the sum");
@@ -246,6 +249,27 @@ TEST(Rules, TheWorstIsHowFarItIsBroken) {
     EXPECT_GT(monotone.failed, 0U);
     EXPECT_NEAR(monotone.worst, 0.125, 1e-12);
     EXPECT_NE(monotone.detail.find("has an error below that of one of its clusters"), std::string::npos);
+}
+
+TEST(Rules, ErrorsOfAttributesNeverDecreaseEither) {
+    LoadedModel model = smallModel();
+    for (Page& page : model.pages)
+        for (Refinement& refinement : page.refinements)
+            refinement.attributeError = 0.5;
+    std::uint64_t below = 0;
+    for (Page& page : model.pages)
+        for (Group& group : page.groups) {
+            group.attributeError = std::isinf(group.error) ? 0 : 0.25;
+            if (page.level > 0 && !std::isinf(group.error)) below += group.clusterCount;
+        }
+    ASSERT_GT(below, 0U);
+    const Check low = checkMonotoneError(model);
+    EXPECT_EQ(low.failed, below);
+    EXPECT_NE(low.detail.find("has an error of attributes below that of one of its clusters"), std::string::npos);
+    for (Page& page : model.pages)
+        for (Group& group : page.groups)
+            group.attributeError *= 2;
+    EXPECT_EQ(checkMonotoneError(model).failed, 0U);
 }
 
 TEST(Check, CallsForWordsOnceAndCountsAll) {

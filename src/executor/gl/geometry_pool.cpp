@@ -42,7 +42,8 @@ std::vector<std::uint32_t> pageIndices(const hierarchy::Page& page) {
 } // namespace
 
 double storedError(const hierarchy::Page& page, const hierarchy::Cluster& cluster, const hierarchy::Grid& grid) {
-    return cluster.refinement == hierarchy::kNone ? grid.snapError() : page.refinements[cluster.refinement].error;
+    return cluster.refinement == hierarchy::kNone ? grid.snapError()
+                                                  : page.refinements[cluster.refinement].drawnError();
 }
 
 std::vector<PackedVertex> packedVertices(std::uint32_t id, const hierarchy::Page& page, const hierarchy::Grid& grid) {

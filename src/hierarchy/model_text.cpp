@@ -1,0 +1,80 @@
+#include "hierarchy/model_text.h"
+
+#include "core/printable.h"
+#include "core/units.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+namespace gnomon::hierarchy {
+
+namespace {
+
+/// The digits that tell apart two coordinates of `summary` that are a step of its grid from each other; six at least.
+int coordinateDigits(const ModelSummary& summary) {
+    double largest = 0;
+    for (int i = 0; i < 3; ++i)
+        largest = std::max({largest, std::abs(summary.bounds.min[i]), std::abs(summary.bounds.max[i])});
+    const double digits = std::ceil(std::log10(std::max(1.0, largest / summary.grid.step()))) + 1;
+    return static_cast<int>(std::clamp(digits, 6.0, 17.0)); // 17 tell any two doubles apart
+}
+
+void putVector(std::ostream& out, const glm::dvec3& v) {
+    out << v.x << ',' << v.y << ',' << v.z;
+}
+
+void putSource(std::ostream& out, const ModelSummary& summary) {
+    out << "source     " << summary.sourceTriangles << " triangles, " << summary.sourceVertices << " vertices";
+    for (const auto& [reason, count] : summary.dropped)
+        if (count > 0) out << ", " << count << ' ' << printable(reason);
+    out << "\nbounds     " << std::setprecision(coordinateDigits(summary));
+    putVector(out, summary.bounds.min);
+    out << " to ";
+    putVector(out, summary.bounds.max);
+    out << std::setprecision(6) << "\naxes       up " << upAxisText(summary.up) << ", in " << rowOf(summary.unit).name;
+    for (const Field& field : summary.fields)
+        out << "\nfield      " << printable(field.name) << ' ' << field.least << " to " << field.greatest << " in "
+            << field.bits << " bits";
+    out << "\ngrid step  " << summary.grid.step() << '\n';
+}
+
+void putLevels(std::ostream& out, const ModelSummary& summary) {
+    const auto row = [&out](const auto& level, auto triangles, auto clusters, auto groups) -> std::ostream& {
+        return out << std::left << std::setw(8) << level << std::right << ' ' << std::setw(12) << triangles << ' '
+                   << std::setw(10) << clusters << ' ' << std::setw(8) << groups << "  ";
+    };
+    const bool hasAttributes = summary.attributeError() > 0;
+    row("level", "triangles", "clusters", "groups")
+        << "largest error" << (hasAttributes ? "  of attributes" : "") << '\n';
+    for (std::size_t i = 0; i < summary.levels.size(); ++i) {
+        const LevelInfo& level = summary.levels[i];
+        row(i, level.triangles, level.clusters, level.groups);
+        if (hasAttributes)
+            out << std::left << std::setw(15) << level.maxError << std::right << level.maxAttributeError << '\n';
+        else
+            out << level.maxError << '\n';
+    }
+    out << "coarsest " << std::setw(12) << summary.coarsestTriangles << '\n';
+}
+
+} // namespace
+
+std::string modelText(const ModelFile& file) {
+    const ModelSummary& summary = file.summary();
+    std::ostringstream out;
+    out << printable(file.path()) << ": format " << file.formatVersion() << ", " << file.contentHash() << '\n';
+    putSource(out, summary);
+    const auto triangles = static_cast<double>(std::max<std::uint64_t>(summary.sourceTriangles, 1));
+    out << "file       " << readableBytes({file.fileBytes()}) << " in " << file.pages().size() << " pages, "
+        << std::fixed << std::setprecision(2) << static_cast<double>(file.fileBytes()) / triangles << std::defaultfloat
+        << std::setprecision(6) << " bytes a source triangle" << (summary.hasNormals ? ", normals" : "")
+        << (summary.hasColors ? ", colours" : "") << '\n';
+    putLevels(out, summary);
+    for (const auto& [name, value] : summary.options)
+        out << "option   " << printable(name) << ' ' << printable(value) << '\n';
+    return out.str();
+}
+
+} // namespace gnomon::hierarchy

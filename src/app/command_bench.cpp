@@ -9,6 +9,7 @@
 #include "core/prepared_output.h"
 #include "measure/baseline.h"
 #include "measure/bench_output.h"
+#include "measure/bench_text.h"
 #include "measure/report_runs.h"
 #include "measure/run_summary.h"
 #include "report/accuracy_cost.h"
@@ -21,7 +22,6 @@
 #include <array>
 #include <cstdio>
 #include <filesystem>
-#include <functional>
 #include <iterator>
 #include <memory>
 
@@ -86,56 +86,6 @@ void writeReport(const std::string& folder, report::Report page, const std::vect
     writeTextFile(place(page.csvFile), measure::csvText(results));
     writeTextFile(place(page.jsonFile), measure::benchmarkText(page.context, results));
     writeTextFile(place("index.html"), report::page(page));
-}
-
-std::string textOf(const char* format, double value) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), format, value);
-    return text.data();
-}
-
-void print(const std::vector<report::RunSummary>& summaries) {
-    std::printf("%-52s %9s %9s %9s %6s %10s\n", "run", "p50 ms", "p95 ms", "p99 ms", "maps", "promise");
-    for (const report::RunSummary& s : summaries) {
-        const auto promise = s.errors.find(report::ErrorKind::PromisedAliasing);
-        const std::string promised = promise == s.errors.end() ? "-" : textOf("%.3g", promise->second);
-        std::printf(
-            "%-52s %9.2f %9.2f %9.2f %6d %10s\n",
-            s.name.c_str(),
-            s.p50Ms,
-            s.p95Ms,
-            s.p99Ms,
-            s.shadowMaps,
-            promised.c_str());
-    }
-    for (const std::string& sentence : report::sentences(summaries))
-        std::printf("%s\n", sentence.c_str());
-}
-
-/// The setting that the budget calls for, as options to paste; `walkAgain` says whether it keeps it.
-void printUnderBudget(
-    double budgetMs,
-    const std::vector<report::RunSummary>& summaries,
-    const std::function<report::RunSummary(std::size_t)>& walkAgain) {
-    const report::ErrorKind kind = report::comparedError(summaries);
-    std::printf("least %s under %s ms: ", std::string(report::label(kind)).c_str(), textOf("%g", budgetMs).c_str());
-    if (const auto choice = report::confirmedUnderBudget(summaries, kind, budgetMs, walkAgain))
-        std::printf(
-            "%s (%.4g ms, %.4g ms when walked again)\n",
-            summaries[choice->run].options.c_str(),
-            summaries[choice->run].p50Ms,
-            choice->p50MsAgain);
-    else
-        std::printf("no run keeps it twice\n");
-}
-
-/// The setting that --max-aliasing calls for, as options to paste.
-void printUnderBound(double maxAliasing, const std::vector<report::RunSummary>& summaries) {
-    std::printf("fastest with a promise of at most %s: ", settings::shortest(maxAliasing).c_str());
-    if (const auto choice = report::cheapestUnderError(summaries, report::ErrorKind::PromisedAliasing, maxAliasing))
-        std::printf("%s (%.4g ms)\n", summaries[*choice].options.c_str(), summaries[*choice].p50Ms);
-    else
-        std::printf("no run does\n");
 }
 
 /// Writes each picture under the number of its run.
@@ -222,9 +172,10 @@ public:
           session_(options.model, executorSettings(runs_), printWarning),
           csv_(options.csv),
           json_(options.json),
-          context_(contextOf(options, runs_, path_, session_)),
           images_(options.images),
           report_(options.report) {
+        if (options.isQuick) shorten();
+        context_ = contextOf(options_, runs_, path_, session_);
         if (baseline_) measure::requireComparable(*baseline_, context_);
         if (options.hasAllImages) options_.walk.onPicture = pictureWriter(options.images, runs_);
     }
@@ -236,10 +187,8 @@ public:
         context_["first_frame_ms"] = std::to_string(results.front().firstFrameMs);
         csv_.write(measure::csvText(results)); // before what may be stopped: it has taken the longest
         json_.write(measure::benchmarkText(context_, results));
-        print(summaries);
-        if (bounds_.budgetMs)
-            printUnderBudget(*bounds_.budgetMs, summaries, [this](std::size_t run) { return walkedAgain(run); });
-        if (summaries.size() > 1) printUnderBound(runs_.front().settings.quality.maxAliasing, summaries);
+        std::fputs(measure::tableText(summaries).c_str(), stdout);
+        std::fputs(choicesText(summaries).c_str(), stdout);
         if (!options_.images.empty()) writeImages();
         if (!options_.report.empty()) writeReport(options_.report, pageOf(summaries), results);
         const bool hasFiles = !(options_.csv + options_.json + options_.images + options_.report).empty();
@@ -253,6 +202,26 @@ public:
     }
 
 private:
+    std::string choicesText(const std::vector<report::RunSummary>& summaries) {
+        std::string text;
+        const auto again = [this](std::size_t run) { return walkedAgain(run); };
+        if (bounds_.budgetMs) text += measure::underBudgetText(*bounds_.budgetMs, summaries, again);
+        if (summaries.size() > 1)
+            text += measure::underBoundText(runs_.front().settings.quality.maxAliasing, summaries);
+        if (baseline_) text += measure::changesText(*baseline_, summaries, bounds_.failAbovePercent);
+        return text;
+    }
+
+    void shorten() {
+        const int wanted = options_.walk.frames;
+        options_.walk.frames = measure::quickFrames(session_, path_, runs_, options_.walk);
+        options_.walk.provenFrames = std::min(options_.walk.provenFrames, options_.walk.frames);
+        if (options_.walk.frames < wanted)
+            printMessage(
+                "--quick walks " + std::to_string(options_.walk.frames) + " of " + std::to_string(wanted) +
+                " frames a run: so many triangles take their time");
+    }
+
     std::vector<measure::RunResult> walked(
         const char* stage, const std::vector<measure::BenchRun>& runs, const measure::WalkOptions& walk) {
         const auto progress = makeProgress(options_.common);
@@ -341,7 +310,10 @@ void addBenchCommand(CLI::App& program) {
     count("--warmup", options->walk.warmup, "Frames before each repetition that are not logged", 0);
     command->add_flag("--real-time", options->walk.isRealTime, "Frames do not wait for pages");
     options->oracle.addTo(*command);
-    command->add_flag("--quick", options->isQuick, "At most 8 frames a run: a look, not a measurement");
+    command->add_flag(
+        "--quick",
+        options->isQuick,
+        "A look, not a measurement, in two minutes: at most 8 frames a run, fewer the more triangles they draw");
     CLI::Option* shadowMaps = command->add_option_function<std::string>(
         "--shadow-maps",
         [options](const std::string& text) { options->shadowMaps = text; }, // CLI11 takes empty text for no text

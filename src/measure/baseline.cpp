@@ -86,6 +86,10 @@ void requireComplete(const Baseline& baseline, std::span<const report::RunSummar
     }
 }
 
+bool isSlower(double beforeMs, double nowMs, double failAbovePercent) {
+    return nowMs > beforeMs * (1 + failAbovePercent / 100);
+}
+
 void requireNotSlower(
     const Baseline& baseline, std::span<const report::RunSummary> summaries, double failAbovePercent) {
     bool hasCompared = false;
@@ -93,12 +97,11 @@ void requireNotSlower(
         const auto before = baseline.p50Ms.find(now.name);
         if (before == baseline.p50Ms.end()) continue;
         hasCompared = true;
-        const double allowed = before->second * (1 + failAbovePercent / 100);
-        if (now.p50Ms > allowed)
+        if (isSlower(before->second, now.p50Ms, failAbovePercent))
             throw Error(
                 baseline.path,
                 now.name + " became slower",
-                "a median of at most " + std::to_string(allowed) + " ms",
+                "a median of at most " + std::to_string(before->second * (1 + failAbovePercent / 100)) + " ms",
                 std::to_string(now.p50Ms) + " ms");
     }
     if (!hasCompared) throw Error(baseline.path, "it has none of these runs", summaries.front().name, "other names");

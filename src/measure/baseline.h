@@ -32,6 +32,9 @@ std::vector<std::string> notCompared(const Baseline& baseline, std::span<const r
 /// all (`waits`), missing ones.
 void requireComplete(const Baseline& baseline, std::span<const report::RunSummary> summaries, bool waits);
 
+/// Whether a median grew by more than `failAbovePercent`.
+bool isSlower(double beforeMs, double nowMs, double failAbovePercent);
+
 /// Throws Error if a run of the same name in the baseline was faster by more than `failAbovePercent`, or if there is
 /// none of any name.
 void requireNotSlower(const Baseline& baseline, std::span<const report::RunSummary> summaries, double failAbovePercent);

@@ -77,6 +77,14 @@ public:
         }
     }
 
+    /// What drawing `frame` works through: triangles, and twice its pixels, each of which costs about two of them.
+    double work(int frame) {
+        const telemetry::FrameRow row = draw(frame).row;
+        session_.renderer().forget();
+        const std::int64_t pixels = std::int64_t{view_.width} * view_.height;
+        return static_cast<double>(row.imageTriangles.value_or(0) + row.shadowTriangles.value_or(0) + 2 * pixels);
+    }
+
     /// The middle frame, with its legend.
     executor::Picture picture(executor::Overlay overlay, Progress& progress) {
         frameOptions_.overlay = overlay;
@@ -186,6 +194,18 @@ std::vector<RunResult> walkAll(
 std::size_t frameCount(const std::vector<BenchRun>& runs, const WalkOptions& options) {
     const int walks = options.repetitions + (options.oracle == proof::Oracle::None ? 0 : 1);
     return runs.size() * static_cast<std::size_t>(options.frames) * static_cast<std::size_t>(walks);
+}
+
+int quickFrames(
+    Session& session, const path::CameraPath& path, const std::vector<BenchRun>& runs, const WalkOptions& options) {
+    RunResult look;
+    look.run = runs.front();
+    WalkOptions ends = options;
+    ends.frames = 3; // first, middle and last
+    Walk walk(session, path, ends, look);
+    const double work = std::max({walk.work(0), walk.work(1), walk.work(2)});
+    const double walks = static_cast<double>(runs.size()) * options.repetitions;
+    return static_cast<int>(std::clamp(kQuickWork / (walks * work), 1.0, static_cast<double>(options.frames)));
 }
 
 std::vector<report::Picture> middlePictures(

@@ -56,6 +56,15 @@ std::vector<RunResult> walkAll(
     const WalkOptions& options,
     Progress& progress);
 
+/// What all frames of a quick bench may work through, in triangles: on two cores of 2026 they then take under two
+/// minutes with their proofs.
+inline constexpr double kQuickWork = 1.2e9;
+
+/// How many frames of each run a quick bench walks: at most `options.frames`, fewer where all of them would come to
+/// more than kQuickWork, at least one. It is counted from three frames of the first run and not timed, so it repeats.
+int quickFrames(
+    Session& session, const path::CameraPath& path, const std::vector<BenchRun>& runs, const WalkOptions& options);
+
 /// What the progress of `walkAll` counts up to.
 std::size_t frameCount(const std::vector<BenchRun>& runs, const WalkOptions& options);
 

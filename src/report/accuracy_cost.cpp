@@ -2,26 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numeric>
 
 namespace gnomon::report {
 
 namespace {
 
-std::optional<double> errorOf(const RunSummary& run, ErrorKind kind) {
-    const auto found = run.errors.find(kind);
-    if (found == run.errors.end() || !std::isfinite(found->second)) return std::nullopt;
-    return found->second;
-}
-
 bool allKnow(std::span<const RunSummary> runs, ErrorKind kind) {
-    return std::all_of(runs.begin(), runs.end(), [&](const auto& run) { return errorOf(run, kind).has_value(); });
+    return std::all_of(runs.begin(), runs.end(), [&](const auto& run) { return knownError(run, kind).has_value(); });
 }
 
 /// The same for the runs with maps, if there are any: the others have no such errors.
 bool allMapsKnow(std::span<const RunSummary> runs, ErrorKind kind) {
-    const auto lacks = [&](const auto& run) { return run.shadowMaps > 0 && !errorOf(run, kind); };
+    const auto lacks = [&](const auto& run) { return run.shadowMaps > 0 && !knownError(run, kind); };
     return std::none_of(runs.begin(), runs.end(), lacks) &&
            std::any_of(runs.begin(), runs.end(), [](const auto& run) { return run.shadowMaps > 0; });
 }
@@ -59,69 +52,13 @@ double pearson(const std::vector<double>& a, const std::vector<double>& b) {
     return aa > 0 && bb > 0 ? ab / std::sqrt(aa * bb) : 0;
 }
 
-std::string text(const char* format, double value) {
-    std::array<char, 64> buffer{};
-    std::snprintf(buffer.data(), buffer.size(), format, value);
-    return buffer.data();
-}
-
-std::string mapCount(int maps) {
-    return maps == 1 ? "One map" : std::to_string(maps) + " maps";
-}
-
-/// The fastest run of each number of maps, fewest maps first, among those that differ from the first run in nothing
-/// else.
-std::vector<const RunSummary*> sweepOverMaps(std::span<const RunSummary> runs) {
-    const auto others = [](const RunSummary& run) {
-        auto settings = run.settings;
-        for (const char* key : {"shadow_maps", "z_partitions"})
-            settings.erase(key);
-        return settings;
-    };
-    std::map<int, const RunSummary*> sweep;
-    for (const RunSummary& run : runs) {
-        if (run.shadowMaps < 1 || others(run) != others(runs.front())) continue;
-        const auto [place, isNew] = sweep.emplace(run.shadowMaps, &run);
-        if (!isNew && run.p50Ms < place->second->p50Ms) place->second = &run;
-    }
-    std::vector<const RunSummary*> result;
-    result.reserve(sweep.size());
-    for (const auto& [maps, run] : sweep)
-        result.push_back(run);
-    return result;
-}
-
-/// The first number of maps after which no further map lowers the error by at least a tenth.
-std::optional<int> enoughMaps(const std::vector<const RunSummary*>& sweep, ErrorKind kind) {
-    for (std::size_t i = 0; i + 1 < sweep.size(); ++i) {
-        const double here = errorOf(*sweep[i], kind).value_or(0);
-        const bool improves =
-            std::any_of(sweep.begin() + static_cast<std::ptrdiff_t>(i) + 1, sweep.end(), [&](auto* run) {
-                return errorOf(*run, kind).value_or(here) < 0.9 * here;
-            });
-        if (!improves) return sweep[i]->shadowMaps;
-    }
-    return std::nullopt;
-}
-
-/// What exact shadows cost and leave beside `maps`, if there is such a run of the usual cells and both know their wrong
-/// pixels.
-std::optional<std::string> exactSentence(std::span<const RunSummary> runs, const RunSummary& maps) {
-    const auto exact = std::find_if(runs.begin(), runs.end(), [](const RunSummary& run) {
-        const auto cells = run.settings.find("cells");
-        return cells != run.settings.end() && cells->second == "map+w";
-    });
-    if (exact == runs.end()) return std::nullopt;
-    const auto ownWrong = errorOf(*exact, ErrorKind::WrongPixels);
-    const auto mapsWrong = errorOf(maps, ErrorKind::WrongPixels);
-    if (!ownWrong || !mapsWrong || !(maps.p50Ms > 0)) return std::nullopt;
-    return "Exact shadows cost " + text("%.2g", exact->p50Ms / maps.p50Ms) + " times the frame of " +
-           (maps.shadowMaps == 1 ? "one map" : std::to_string(maps.shadowMaps) + " maps") + " and leave " +
-           (*ownWrong > 0 ? text("%.2g%%", 100 * *ownWrong) + " of all pixels" : "no pixel") + " wrong, where " +
-           (maps.shadowMaps == 1 ? "that leaves " : "those leave ") + text("%.2g%%", 100 * *mapsWrong) + ".";
-}
-
 } // namespace
+
+std::optional<double> knownError(const RunSummary& run, ErrorKind kind) {
+    const auto found = run.errors.find(kind);
+    if (found == run.errors.end() || !std::isfinite(found->second)) return std::nullopt;
+    return found->second;
+}
 
 std::string_view key(ErrorKind kind) {
     switch (kind) {
@@ -174,24 +111,44 @@ ErrorKind shadowError(std::span<const RunSummary> runs) {
 }
 
 bool dominates(const RunSummary& a, const RunSummary& b, ErrorKind kind) {
-    const auto errorA = errorOf(a, kind);
-    const auto errorB = errorOf(b, kind);
+    const auto errorA = knownError(a, kind);
+    const auto errorB = knownError(b, kind);
     if (!errorA || !errorB) return false;
     const bool nowhereWorse = a.p50Ms <= b.p50Ms && *errorA <= *errorB;
     return nowhereWorse && (a.p50Ms < b.p50Ms || *errorA < *errorB);
 }
 
+TimeOrder compareTimes(const RunSummary& a, const RunSummary& b) {
+    const TimeRange ofA = timeRange(a);
+    const TimeRange ofB = timeRange(b);
+    if (ofA.high < ofB.low) return TimeOrder::Less;
+    return ofB.high < ofA.low ? TimeOrder::More : TimeOrder::Alike;
+}
+
+TimeRange timeRange(const RunSummary& run) {
+    const double noise = run.noise.value_or(kUnknownNoise);
+    return {run.p50Ms * std::max(0.0, 1 - noise), run.p50Ms * (1 + noise)};
+}
+
 std::vector<std::size_t> paretoFront(std::span<const RunSummary> runs, ErrorKind kind) {
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < runs.size(); ++i)
-        if (errorOf(runs[i], kind)) order.push_back(i);
-    const auto cost = [&](std::size_t i) { return std::pair(runs[i].p50Ms, *errorOf(runs[i], kind)); };
-    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return cost(a) < cost(b); });
-    std::vector<std::size_t> front;
+        if (knownError(runs[i], kind)) order.push_back(i);
+    const auto rank = [&](std::size_t i) { return std::pair(*knownError(runs[i], kind), runs[i].p50Ms); };
+    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return rank(a) < rank(b); });
+    std::vector<std::size_t> front; // most accurate first
     for (const std::size_t i : order)
-        if (front.empty() || cost(i).second < cost(front.back()).second || cost(i) == cost(front.back()))
-            front.push_back(i);
+        if (front.empty() || compareTimes(runs[i], runs[front.back()]) == TimeOrder::Less) front.push_back(i);
+    std::reverse(front.begin(), front.end());
     return front;
+}
+
+std::optional<std::size_t> recommendedRun(std::span<const RunSummary> runs, ErrorKind kind) {
+    const std::vector<std::size_t> front = paretoFront(runs, kind);
+    std::optional<std::size_t> best;
+    for (const std::size_t i : front)
+        if (runs[i].p50Ms <= kWorthwhileTimes * runs[front.front()].p50Ms) best = i; // the front grows more accurate
+    return best;
 }
 
 double timeToExpectMs(const RunSummary& run) {
@@ -201,9 +158,9 @@ double timeToExpectMs(const RunSummary& run) {
 std::optional<std::size_t> bestUnderBudget(std::span<const RunSummary> runs, ErrorKind kind, double budgetMs) {
     std::optional<std::size_t> best;
     for (std::size_t i = 0; i < runs.size(); ++i) {
-        const auto error = errorOf(runs[i], kind);
+        const auto error = knownError(runs[i], kind);
         if (!error || timeToExpectMs(runs[i]) > budgetMs) continue;
-        const auto rank = [&](std::size_t run) { return std::pair(*errorOf(runs[run], kind), runs[run].p50Ms); };
+        const auto rank = [&](std::size_t run) { return std::pair(*knownError(runs[run], kind), runs[run].p50Ms); };
         if (!best || rank(i) < rank(*best)) best = i;
     }
     return best;
@@ -224,9 +181,13 @@ std::optional<ConfirmedRun> confirmedUnderBudget(
 }
 
 std::optional<std::size_t> cheapestUnderError(std::span<const RunSummary> runs, ErrorKind kind, double bound) {
-    for (const std::size_t i : paretoFront(runs, kind))
-        if (*errorOf(runs[i], kind) <= bound) return i;
-    return std::nullopt;
+    std::optional<std::size_t> best;
+    const auto rank = [&](std::size_t run) { return std::pair(runs[run].p50Ms, *knownError(runs[run], kind)); };
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        const auto error = knownError(runs[i], kind);
+        if (error && *error <= bound && (!best || rank(i) < rank(*best))) best = i;
+    }
+    return best;
 }
 
 Correlation correlation(std::span<const RunSummary> runs, ErrorKind a, ErrorKind b) {
@@ -234,8 +195,8 @@ Correlation correlation(std::span<const RunSummary> runs, ErrorKind a, ErrorKind
     std::vector<double> valuesA;
     std::vector<double> valuesB;
     for (std::size_t i = 0; i < runs.size(); ++i) {
-        const auto errorA = errorOf(runs[i], a);
-        const auto errorB = errorOf(runs[i], b);
+        const auto errorA = knownError(runs[i], a);
+        const auto errorB = knownError(runs[i], b);
         if (!errorA || !errorB) continue;
         known.push_back(i);
         valuesA.push_back(*errorA);
@@ -250,33 +211,6 @@ Correlation correlation(std::span<const RunSummary> runs, ErrorKind a, ErrorKind
     for (std::size_t i = 0; i < known.size(); ++i)
         if (std::abs(ranksA[i] - ranksB[i]) > static_cast<double>(known.size()) / 3)
             result.disobedient.push_back(known[i]);
-    return result;
-}
-
-std::vector<std::string> sentences(std::span<const RunSummary> runs) {
-    std::vector<std::string> result;
-    if (runs.empty()) return result;
-    const auto sweep = sweepOverMaps(runs);
-    if (sweep.size() < 2) return result;
-    const RunSummary& one = *sweep.front();
-    const auto four = std::find_if(sweep.begin() + 1, sweep.end(), [](auto* run) { return run->shadowMaps >= 4; });
-    const RunSummary& more = four == sweep.end() ? *sweep.back() : **four;
-    if (const auto exact = exactSentence(runs, more)) result.push_back(*exact);
-    const ErrorKind kind = shadowError(runs);
-    const double before = errorOf(one, kind).value_or(0);
-    std::string first = mapCount(more.shadowMaps) + " cost " + text("%.2g", more.p50Ms / one.p50Ms) +
-                        " times the frame of " + (one.shadowMaps == 1 ? "one" : std::to_string(one.shadowMaps));
-    if (before > 0 && errorOf(more, kind)) {
-        const std::string what = kind == ErrorKind::WrongShadow  ? "wrong shadow pixels"
-                                 : kind == ErrorKind::ShadowEdge ? "shadow-edge distance"
-                                                                 : "promised aliasing";
-        first += " and leave " + text("%.2g", *errorOf(more, kind) / before) + " of its " + what;
-    }
-    result.push_back(first + ".");
-    if (const auto enough = enoughMaps(sweep, kind); enough && before > 0)
-        result.push_back(
-            "More than " + (*enough == 1 ? "one map buys" : std::to_string(*enough) + " maps buy") +
-            " nothing here (less than a tenth).");
     return result;
 }
 

@@ -9,6 +9,9 @@
 
 namespace gnomon::report {
 
+/// The error of `run`, if it was measured and is a number.
+std::optional<double> knownError(const RunSummary& run, ErrorKind kind);
+
 /// The error that runs are chosen by: the first that all of them know of image difference, the only one that a coarse
 /// model raises as a coarse map does, and what `shadowError` asks for.
 ErrorKind comparedError(std::span<const RunSummary> runs);
@@ -26,8 +29,33 @@ ErrorKind shadowError(std::span<const RunSummary> runs);
 /// Runs that do not know the error neither dominate nor are dominated.
 bool dominates(const RunSummary& a, const RunSummary& b, ErrorKind kind);
 
-/// The indices of the runs that know the error and that none dominates, fastest first.
+/// What the noise of a run is taken for where it was walked but once.
+inline constexpr double kUnknownNoise = 0.1;
+
+/// The median times that a run may have, by its noise.
+struct TimeRange {
+    double low = 0;
+    double high = 0;
+};
+
+TimeRange timeRange(const RunSummary& run);
+
+/// Alike: the noise of the two does not let tell which takes longer.
+enum class TimeOrder : std::uint8_t { Less, Alike, More };
+
+/// How the time of `a` compares with that of `b`: Less and More only where their ranges do not meet.
+TimeOrder compareTimes(const RunSummary& a, const RunSummary& b);
+
+/// The indices of some runs that know the error, fastest first: the most accurate one, and always the next most
+/// accurate that is faster by more than noise. Whatever is left out is neither measurably faster than one of them nor
+/// more accurate than it.
 std::vector<std::size_t> paretoFront(std::span<const RunSummary> runs, ErrorKind kind);
+
+/// How many times the frame time of the fastest run on the front more accuracy may cost to be recommended.
+inline constexpr double kWorthwhileTimes = 2;
+
+/// The most accurate run of the front that takes at most kWorthwhileTimes the time of its fastest.
+std::optional<std::size_t> recommendedRun(std::span<const RunSummary> runs, ErrorKind kind);
 
 /// The median time that a run may be expected to keep when it is run again: its own, and the noise of it.
 double timeToExpectMs(const RunSummary& run);
@@ -62,9 +90,5 @@ struct Correlation {
 };
 
 Correlation correlation(std::span<const RunSummary> runs, ErrorKind a, ErrorKind b);
-
-/// Some sentences that a person would say of these runs, computed from them: what exact shadows cost and leave, if
-/// there are such runs, what more maps cost and bring, and how many are enough.
-std::vector<std::string> sentences(std::span<const RunSummary> runs);
 
 } // namespace gnomon::report

@@ -2,7 +2,11 @@
 
 #include "report/accuracy_cost.h"
 #include "report/page_assets.h"
+#include "report/sentences.h"
 #include "telemetry/json_text.h"
+
+#include <algorithm>
+#include <cctype>
 
 namespace gnomon::report {
 
@@ -53,6 +57,34 @@ nlohmann::json runData(const RunSummary& run) {
         {"frames", run.frameMs}};
 }
 
+/// `word` as a shell reads it as one.
+std::string shellWord(const std::string& word) {
+    const auto isPlain = [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '_' || c == '-';
+    };
+    if (!word.empty() && std::all_of(word.begin(), word.end(), isPlain)) return word;
+    std::string quoted = "'";
+    for (const char c : word)
+        quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + "'";
+}
+
+/// What to type for the run that is recommended; null if there is none.
+nlohmann::json recommendation(const Report& report) {
+    const ErrorKind kind = comparedError(report.runs);
+    const auto run = recommendedRun(report.runs, kind);
+    if (!run) return {};
+    const auto model = report.context.find("model");
+    const std::string& options = report.runs[*run].options;
+    return {
+        {"run", *run},
+        {"error", key(kind)},
+        {"times", kWorthwhileTimes},
+        {"command",
+         "gnomon render " + shellWord(model == report.context.end() ? "MODEL" : model->second) + " -o picture.png" +
+             (options.empty() ? "" : " ") + options}};
+}
+
 /// Puts `value` where `mark` stands in `text`.
 void substitute(std::string& text, std::string_view mark, std::string_view value) {
     const auto place = text.find(mark);
@@ -84,6 +116,8 @@ nlohmann::json pageData(const Report& report) {
         {"sentences", sentences(report.runs)},
         {"runs", nlohmann::json::array()},
         {"errors", nlohmann::json::array()},
+        {"recommended", recommendation(report)},
+        {"unknown_noise", kUnknownNoise},
         {"leading_error", key(leadingError(report.runs))},
         {"fronts", nlohmann::json::object()},
         {"pictures", nlohmann::json::array()},

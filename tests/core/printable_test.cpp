@@ -1,3 +1,4 @@
+#include "core/formatted.h"
 #include "core/printable.h"
 
 #include <gtest/gtest.h>
@@ -26,6 +27,12 @@ TEST(Printable, BytesThatAreNoUtf8AreWrittenOut) {
     EXPECT_EQ(printable("\xc0\x9b"), "\\xc0\\x9b") << "longer than it need be";
     EXPECT_EQ(printable("\xed\xa0\x80"), "\\xed\\xa0\\x80") << "a half of a pair";
     EXPECT_EQ(printable("\xf4\x90\x80\x80"), "\\xf4\\x90\\x80\\x80") << "beyond the last character";
+}
+
+TEST(Formatted, IsWhatPrintfWritesOfAnyLength) {
+    EXPECT_EQ(formatted("%d of %s", 3, "four"), "3 of four");
+    EXPECT_EQ(formatted("%s", ""), "");
+    EXPECT_EQ(formatted("%s!", std::string(1000, 'x').c_str()), std::string(1000, 'x') + "!");
 }
 
 } // namespace

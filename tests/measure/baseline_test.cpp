@@ -4,6 +4,7 @@
 #include "core/random.h"
 #include "measure/baseline.h"
 #include "measure/bench_output.h"
+#include "measure/bench_text.h"
 #include "settings/table.h"
 
 #include <gtest/gtest.h>
@@ -220,6 +221,31 @@ TEST(Baseline, ComparesWithNoRunThatLackedPages) {
         "missing, found 0 damaged, 3 missing");
     run.pagesDamaged = 2;
     EXPECT_TRUE(said(false).ends_with("found 2 damaged, 0 missing")) << said(false);
+}
+
+// A line a run with its change, whether it passes or not; what one side alone has gets none.
+TEST(Changes, HaveALineForEachRunOfBothSides) {
+    const Baseline baseline{"before.json", {}, {{"warp:none", 10}, {"warp:auto", 20}, {"warp:psm", 5}}};
+    report::RunSummary none;
+    none.name = "warp:none";
+    none.p50Ms = 10.5;
+    none.noise = 0.02;
+    report::RunSummary automatic = none;
+    automatic.name = "warp:auto";
+    automatic.p50Ms = 30;
+    automatic.noise.reset();
+    report::RunSummary other = none;
+    other.name = "warp:tsm";
+    const std::string pad(52 - automatic.name.size(), ' ');
+    EXPECT_EQ(
+        changesText(baseline, std::vector{none, automatic, other}, 10),
+        "warp:none" + pad + "     10.50 ms,     10.00 before: +5.0%, noise 2.0%, passes: at most +10%\n" + "warp:auto" +
+            pad + "     30.00 ms,     20.00 before: +50.0%, FAILS: more than +10%\n");
+    EXPECT_NE(
+        objection([&] {
+            requireNotSlower(baseline, std::vector{none, automatic}, 10);
+        }).find("warp:auto"),
+        std::string::npos);
 }
 
 } // namespace

@@ -313,5 +313,26 @@ TEST(BenchWalk, DrawsWhatRunsShowThatDrawAlikeOnce) {
     }
 }
 
+// The number is of counts alone: twice the runs or repetitions are half the frames, and a small model has all it asks
+// for.
+TEST(QuickFrames, AreFewerTheMoreThereIsToDraw) {
+    settings::Settings large = smallSettings();
+    large.imageSize = {1000, 1000};
+    Session session(model(), large, [](const std::string&) {});
+    const auto quick = [&](const settings::Settings& settings, std::size_t runs, int repetitions, int most) {
+        WalkOptions options = frames(most);
+        options.repetitions = repetitions;
+        return quickFrames(session, flight(), runsOf(std::vector(runs, settings)), options);
+    };
+    EXPECT_EQ(quick(smallSettings(), 1, 1, 8), 8);
+    const int once = quick(large, 1, 1, 10000); // 2M for its pixels alone
+    EXPECT_GT(once, 300);
+    EXPECT_LE(once, static_cast<int>(kQuickWork / 2e6));
+    EXPECT_EQ(quick(large, 1, 1, 10000), once);
+    EXPECT_NEAR(quick(large, 2, 1, 10000), once / 2, 1);
+    EXPECT_NEAR(quick(large, 1, 3, 10000), once / 3, 1);
+    EXPECT_EQ(quick(large, 100, 10, 1000), 1);
+}
+
 } // namespace
 } // namespace gnomon::measure

@@ -1,6 +1,7 @@
 #include "core/random.h"
 #include "report/accuracy_cost.h"
 #include "report/run_summary.h"
+#include "report/sentences.h"
 
 #include <gtest/gtest.h>
 
@@ -36,20 +37,86 @@ std::vector<RunSummary> randomRuns(Random& random) {
     return runs;
 }
 
-// Brute force over all pairs beside the sorted sweep.
-TEST(AccuracyCost, TheFrontIsWhatNoRunDominates) {
+// Without noise, brute force over all pairs beside the sorted sweep; of equals one.
+TEST(AccuracyCost, TheFrontWithoutNoiseIsWhatNoRunDominates) {
     Random random(11);
     for (int trial = 0; trial < 500; ++trial) {
-        const auto runs = randomRuns(random);
-        auto front = paretoFront(runs, kKind);
-        std::sort(front.begin(), front.end());
-        std::vector<std::size_t> expected;
-        for (std::size_t i = 0; i < runs.size(); ++i) {
-            const bool dominated = std::any_of(
-                runs.begin(), runs.end(), [&](const auto& other) { return dominates(other, runs[i], kKind); });
-            if (runs[i].errors.contains(kKind) && !dominated) expected.push_back(i);
+        auto runs = randomRuns(random);
+        for (RunSummary& each : runs)
+            each.noise = 0;
+        std::set<std::pair<double, double>> expected;
+        for (const RunSummary& each : runs) {
+            const bool dominated =
+                std::any_of(runs.begin(), runs.end(), [&](const auto& other) { return dominates(other, each, kKind); });
+            if (each.errors.contains(kKind) && !dominated) expected.emplace(each.p50Ms, each.errors.at(kKind));
         }
-        EXPECT_EQ(front, expected);
+        const auto front = paretoFront(runs, kKind);
+        EXPECT_EQ(front.size(), expected.size());
+        for (const std::size_t i : front)
+            EXPECT_TRUE(expected.contains({runs[i].p50Ms, runs[i].errors.at(kKind)}));
+    }
+}
+
+TEST(AccuracyCost, TheFrontHasNoPointsThatNoiseCannotPartAndLacksNoBargain) {
+    Random random(14);
+    for (int trial = 0; trial < 500; ++trial) {
+        const auto runs = randomRuns(random);
+        const auto front = paretoFront(runs, kKind);
+        for (std::size_t a = 0; a < front.size(); ++a)
+            for (std::size_t b = a + 1; b < front.size(); ++b) {
+                EXPECT_EQ(compareTimes(runs[front[a]], runs[front[b]]), TimeOrder::Less);
+                EXPECT_EQ(compareTimes(runs[front[b]], runs[front[a]]), TimeOrder::More);
+                EXPECT_GE(runs[front[a]].errors.at(kKind), runs[front[b]].errors.at(kKind));
+            }
+        for (const RunSummary& each : runs) {
+            if (!each.errors.contains(kKind)) continue;
+            EXPECT_TRUE(std::any_of(front.begin(), front.end(), [&](std::size_t i) {
+                return runs[i].errors.at(kKind) <= each.errors.at(kKind) &&
+                       compareTimes(runs[i], each) != TimeOrder::More;
+            })) << "a run that is more accurate than all of the front, or faster";
+        }
+    }
+}
+
+TEST(AccuracyCost, TimesCompareWhereTheirRangesAreApart) {
+    Random random(15);
+    for (int trial = 0; trial < 1000; ++trial) {
+        RunSummary a = run(random.uniform(1, 10), 0.0);
+        RunSummary b = run(random.uniform(1, 10), 0.0);
+        if (random.below(3) != 0) a.noise = random.uniform(0, 1.5);
+        if (random.below(3) != 0) b.noise = random.uniform(0, 1.5);
+        // Every time that one may have beside every time of the other.
+        bool canBeLess = false;
+        bool canBeMore = false;
+        for (int i = -50; i <= 50; ++i)
+            for (int j = -50; j <= 50; ++j) {
+                const double timeA = std::max(a.p50Ms * (1 + i / 50.0 * a.noise.value_or(kUnknownNoise)), 0.0);
+                const double timeB = std::max(b.p50Ms * (1 + j / 50.0 * b.noise.value_or(kUnknownNoise)), 0.0);
+                canBeLess |= timeA < timeB;
+                canBeMore |= timeA > timeB;
+            }
+        EXPECT_EQ(
+            compareTimes(a, b),
+            canBeLess == canBeMore ? TimeOrder::Alike
+            : canBeLess            ? TimeOrder::Less
+                                   : TimeOrder::More);
+    }
+}
+
+TEST(AccuracyCost, WhatIsRecommendedIsTheMostAccurateOfTheFrontThatCostsAtMostTwice) {
+    Random random(16);
+    for (int trial = 0; trial < 500; ++trial) {
+        const auto runs = randomRuns(random);
+        const auto front = paretoFront(runs, kKind);
+        const auto choice = recommendedRun(runs, kKind);
+        ASSERT_EQ(choice.has_value(), !front.empty());
+        if (!choice) continue;
+        EXPECT_NE(std::find(front.begin(), front.end(), *choice), front.end());
+        EXPECT_LE(runs[*choice].p50Ms, 2 * runs[front.front()].p50Ms);
+        for (const std::size_t i : front)
+            if (runs[i].p50Ms <= 2 * runs[front.front()].p50Ms) {
+                EXPECT_LE(runs[*choice].errors.at(kKind), runs[i].errors.at(kKind));
+            }
     }
 }
 
@@ -131,21 +198,17 @@ TEST(AccuracyCost, RankCorrelationOfAgreeingAndOpposedErrors) {
     EXPECT_EQ(opposed.disobedient, (std::vector<std::size_t>{0, 1, 2, 6, 7, 8}));
 }
 
-TEST(AccuracyCost, TheSentencesSayWhatTheRunsSay) {
-    const std::vector<RunSummary> runs{run(100, 0.10, 1), run(110, 0.05, 2), run(130, 0.02, 4), run(160, 0.019, 8)};
-    EXPECT_EQ(
-        sentences(runs),
-        (std::vector<std::string>{
-            "4 maps cost 1.3 times the frame of one and leave 0.2 of its wrong shadow pixels.",
-            "More than 4 maps buy nothing here (less than a tenth)."}));
-    // Edge distances do not compare between maps of another resolution: they never speak while wrong pixels are known.
-    std::vector<RunSummary> misleading = runs;
-    for (RunSummary& run : misleading)
-        run.errors[ErrorKind::ShadowEdge] = run.shadowMaps;
-    EXPECT_EQ(sentences(misleading), sentences(runs));
-    EXPECT_EQ(shadowError(misleading), ErrorKind::WrongShadow);
-    misleading.back().errors.erase(ErrorKind::WrongShadow);
-    EXPECT_EQ(shadowError(misleading), ErrorKind::ShadowEdge);
+TEST(AccuracyCost, EdgeDistancesSpeakOnlyWhereWrongPixelsAreUnknown) {
+    std::vector<RunSummary> runs{run(100, 0.10, 1), run(110, 0.05, 2), run(130, 0.02, 4), run(160, 0.019, 8)};
+    // They do not compare between maps of another resolution.
+    const std::vector<std::string> told = sentences(runs);
+    EXPECT_EQ(told.size(), 2U);
+    for (RunSummary& each : runs)
+        each.errors[ErrorKind::ShadowEdge] = each.shadowMaps;
+    EXPECT_EQ(sentences(runs), told);
+    EXPECT_EQ(shadowError(runs), ErrorKind::WrongShadow);
+    runs.back().errors.erase(ErrorKind::WrongShadow);
+    EXPECT_EQ(shadowError(runs), ErrorKind::ShadowEdge);
     EXPECT_TRUE(sentences(std::vector<RunSummary>{}).empty());
     EXPECT_TRUE(sentences(std::vector<RunSummary>{run(1, 1.0)}).empty());
 }

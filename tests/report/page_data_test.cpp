@@ -3,6 +3,7 @@
 #include "report/accuracy_cost.h"
 #include "report/page.h"
 #include "report/page_assets.h"
+#include "report/sentences.h"
 
 #include <gtest/gtest.h>
 
@@ -122,6 +123,14 @@ TEST(PageData, HasFrontsSentencesAndPointsAsTheyAreReckoned) {
         const nlohmann::json data = pageData(report);
         EXPECT_EQ(data["sentences"], nlohmann::json(sentences(report.runs)));
         EXPECT_EQ(data["leading_error"], key(leadingError(report.runs)));
+        const auto recommended = recommendedRun(report.runs, comparedError(report.runs));
+        EXPECT_EQ(data["recommended"].is_null(), !recommended);
+        if (recommended) {
+            const std::string command = data["recommended"]["command"];
+            EXPECT_EQ(data["recommended"]["run"], *recommended);
+            EXPECT_TRUE(command.starts_with("gnomon render ")) << command;
+            EXPECT_TRUE(command.ends_with(report.runs[*recommended].options)) << command;
+        }
         ASSERT_EQ(data["errors"].size(), kErrorKinds.size());
         for (std::size_t i = 0; i < kErrorKinds.size(); ++i) {
             const std::string name(key(kErrorKinds[i]));
@@ -139,6 +148,19 @@ TEST(PageData, HasFrontsSentencesAndPointsAsTheyAreReckoned) {
             EXPECT_EQ(data["storage"][i]["S"], report.storage[i].storageFactor);
         }
     }
+}
+
+TEST(PageData, QuotesTheModelOfTheCommandThatItRecommends) {
+    Report report;
+    RunSummary& run = report.runs.emplace_back();
+    run.errors[ErrorKind::PromisedAliasing] = 1;
+    run.options = "--z-partitions 1";
+    report.context["model"] = "plant.gnm";
+    EXPECT_EQ(pageData(report)["recommended"]["command"], "gnomon render plant.gnm -o picture.png --z-partitions 1");
+    report.context["model"] = "the plant's.gnm";
+    EXPECT_EQ(
+        pageData(report)["recommended"]["command"],
+        "gnomon render 'the plant'\\''s.gnm' -o picture.png --z-partitions 1");
 }
 
 TEST(PageData, HasPicturesThatDecodeToTheirBytes) {

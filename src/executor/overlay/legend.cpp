@@ -1,12 +1,11 @@
 #include "executor/overlay/legend.h"
 
+#include "core/formatted.h"
 #include "executor/overlay/bitmap_font.h"
 #include "executor/overlay/overlay_colors.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
 
 namespace gnomon::executor {
 
@@ -21,16 +20,6 @@ constexpr int kBarHeight = 8;
 constexpr double kLowest = -2; // logarithms to base 2 of the scale's ends
 constexpr double kHighest = 4;
 
-/// printf into a string.
-[[gnu::format(printf, 1, 2)]] std::string text(const char* format, ...) {
-    std::array<char, 128> buffer{};
-    std::va_list arguments;
-    va_start(arguments, format);
-    std::vsnprintf(buffer.data(), buffer.size(), format, arguments);
-    va_end(arguments);
-    return buffer.data();
-}
-
 Rgb bytes(const glm::vec3& color) {
     const glm::vec3 scaled = color * 255.0F + 0.5F;
     return {
@@ -41,17 +30,17 @@ Rgb bytes(const glm::vec3& color) {
 void addMaps(const plan::FramePlan& plan, Legend& legend) {
     for (std::size_t i = 0; i < plan.passes.size() && i < kIndexColors; ++i) {
         const shadow::ShadowMap& map = plan.passes[i].map;
-        std::string line = text("%zu: ", i + 1);
+        std::string line = formatted("%zu: ", i + 1);
         if (map.region.face != shadow::Face::Whole) line += std::string(shadow::name(map.region.face)) + ", ";
         if (map.region.slice + 1 < plan.splits.size())
-            line += text("%.3g to %.3g, ", plan.splits[map.region.slice], plan.splits[map.region.slice + 1]);
+            line += formatted("%.3g to %.3g, ", plan.splits[map.region.slice], plan.splits[map.region.slice + 1]);
         legend.entries.push_back(
             {indexColor(static_cast<int>(i)),
-             line + text("%dx%d texels", map.rectangle.width, map.rectangle.height),
+             line + formatted("%dx%d texels", map.rectangle.width, map.rectangle.height),
              false});
     }
     if (plan.passes.size() > kIndexColors)
-        legend.title.push_back(text("%zu maps; colours repeat after %d", plan.passes.size(), kIndexColors));
+        legend.title.push_back(formatted("%zu maps; colours repeat after %d", plan.passes.size(), kIndexColors));
 }
 
 void addWithoutMap(Legend& legend) {
@@ -107,7 +96,7 @@ void drawScale(const Pen& pen, int y, const std::optional<double>& mark) {
         pen.fill(kMargin + x, y, 1, kBarHeight, bytes(heatColor(static_cast<float>(std::exp2(exponent)))));
     }
     for (const double value : {0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0}) {
-        const std::string figure = value < 1 ? text("1/%g", 1 / value) : text("%g", value);
+        const std::string figure = value < 1 ? formatted("1/%g", 1 / value) : formatted("%g", value);
         const int width = static_cast<int>(figure.size()) * kLetterDots - 1;
         const int left = std::clamp(barPlace(value) - width / 2, 0, kBarWidth - width);
         pen.write(kMargin + left, y + kBarHeight + 3, figure);
@@ -147,14 +136,14 @@ Legend legendOf(Overlay overlay, const plan::FramePlan& plan) {
         legend.hasHeatScale = true;
         if (!plan.passes.empty()) {
             legend.mark = plan.promised.worst();
-            legend.title.push_back(text("mark: promised at most %.3g", *legend.mark));
+            legend.title.push_back(formatted("mark: promised at most %.3g", *legend.mark));
         }
         addWithoutMap(legend);
         break;
     case Overlay::Lod:
         legend.title = {
             "level of detail: error on the screen",
-            text("1 on the scale: --error-pixels %.3g", plan.quality.errorPixels)};
+            formatted("1 on the scale: --error-pixels %.3g", plan.quality.errorPixels)};
         legend.hasHeatScale = true;
         break;
     case Overlay::Clusters:

@@ -32,7 +32,7 @@ function shortName(run) {
 
 function describe(run) {
   const errors = data.errors.filter((e) => run.errors[e.key] !== undefined).map((e) => `${e.key} ${figures(run.errors[e.key])}`);
-  return [run.name, `${figures(run.p50)} ms${run.noise === null ? "" : ` ± ${percent(run.noise)}`} (p95 ${figures(run.p95)}, p99 ${figures(run.p99)})`, ...errors];
+  return [`${data.runs.indexOf(run) + 1}: ${run.name}`, `${figures(run.p50)} ms${run.noise === null ? "" : ` ± ${percent(run.noise)}`} (p95 ${figures(run.p95)}, p99 ${figures(run.p99)})`, ...errors];
 }
 
 /// A logarithmic axis has no place for 0: the one below all others that `zero` names, if it does.
@@ -56,6 +56,77 @@ function scatter(id, xTitle, yTitle, datasets, logarithmic = {}) {
   });
 }
 
+/// What each column of the table means, and each error of the plots.
+const terms = {
+  "#": "The number of the run in the plots.",
+  run: "The settings in which the runs differ.",
+  "p50 ms": "The median frame time: half of the frames were faster. p95 and p99: 95 and 99 of 100 were.",
+  noise: "How far the medians of the repetitions lie from their middle, at most. Two times are told apart where they differ by more than both noises.",
+  "mean image tri": "Triangles drawn for the picture, a frame on average; mean shadow tri: those drawn into shadow maps.",
+  S: "Storage factor: the texels that all maps together need for each pixel, so that no texel is wider than a pixel.",
+  wrong_pixels_all: "The share of all pixels, background and what is turned from the light included, that are lit where integer arithmetic has the run's own triangles shadow them, or the other way round.",
+  promised_aliasing: "The most pixels that a shadow texel may be wide, known before the frame is drawn, for surfaces that face eye and light alike.",
+  measured_aliasing: "The same, as found at the pixels of the pictures.",
+  wrong_or_missed_fraction: "The share of the pixels that face the light whose shadow is not the one that rays find at the run's own detail, casters too thin for a map's texels included.",
+  shadow_edge_p99_px: "How far the shadow edges lie from those that rays find; 99 of 100 edge pixels are nearer.",
+  image_difference: "The mean difference from full detail in ray-traced shadows, a share of full scale: it tells coarse models from fine ones too.",
+  crawl: "The share of fixed points of the model whose shadow changed from one frame to the next, though nothing but the eye moved.",
+  "promise kept": "Whether all frames kept the aliasing that --max-aliasing asks for, where a number of maps was chosen for it.",
+  error_pixels: "Level of detail: how many pixels the model's surface may be off.",
+  shadow_maps: "The number of shadow maps.",
+  z_partitions: "Slices of the view by depth, each with a map of its own.",
+  face_partitions: "Whether slices are cut along the faces of the view's pyramid as well.",
+  shadow_texels: "The texels of all shadow maps together.",
+  cull_casters: "Which triangles a map draws: all (off), those that can throw a shadow into its slice (on), or those of them that can change a pixel (receivers).",
+  warp: "How a map gives what is near to the eye more texels.",
+  filter: "How many texels a lookup averages across; 0 is one texel.",
+  stabilize: "Maps that move by whole texels, so that edges stand still.",
+  occlusion: "Whether what is hidden in the picture is left out before it is drawn.",
+  shadows: "Shadow maps, exact shadows, rays, or none.",
+  cells: "The layout by which exact shadows sort what is visible.",
+};
+
+/// Fills a list with the terms of `keys` that there are.
+function explain(list, keys) {
+  list.replaceChildren(...keys.filter((key) => terms[key]).flatMap((key) => [
+    Object.assign(document.createElement("dt"), { textContent: key }),
+    Object.assign(document.createElement("dd"), { textContent: terms[key] })]));
+}
+
+/// Writes the number of its run beside each point, on the side where the fewest others are in its way.
+const pointNumbers = {
+  id: "pointNumbers",
+  afterDatasetsDraw(chart) {
+    const points = chart.data.datasets.flatMap((set, i) => chart.isDatasetVisible(i) && chart.config.type === "scatter" ?
+      chart.getDatasetMeta(i).data.map((point, j) => ({ x: point.x, y: point.y, run: set.data[j].run })) : []).filter((point) => point.run);
+    const boxes = points.map(({ x, y }) => ({ x, y, half: 4 }));
+    const { ctx } = chart;
+    ctx.save();
+    ctx.font = "11px system-ui, sans-serif";
+    ctx.fillStyle = ink;
+    ctx.textAlign = "center";
+    ctx.textBaseline = "middle";
+    const done = new Set();
+    for (const { x, y, run } of points) {
+      const number = String(data.runs.indexOf(run) + 1);
+      const place = `${number} ${Math.round(x)} ${Math.round(y)}`;
+      if (done.has(place)) continue; // a point of the front lies on that of its run
+      done.add(place);
+      const spots = [10, 17, 24].flatMap((far) => [[1, -0.6], [1, 0.6], [-1, -0.6], [-1, 0.6], [0, -1], [0, 1], [1, 0], [-1, 0]]
+        .map(([dx, dy]) => ({ x: x + far * dx, y: y + far * dy, half: 3 + 3 * number.length, far })));
+      const { left, right, top, bottom } = chart.chartArea;
+      const cost = (spot) => spot.far / 10 + boxes.reduce((sum, box) => sum +
+        Math.max(0, spot.half + box.half - Math.abs(spot.x - box.x)) * Math.max(0, 6 + box.half - Math.abs(spot.y - box.y)), 0) +
+        (spot.x < left || spot.x > right || spot.y < top || spot.y > bottom ? 100 : 0);
+      const best = spots.reduce((a, b) => cost(b) < cost(a) ? b : a);
+      boxes.push(best);
+      ctx.fillText(number, best.x, best.y);
+    }
+    ctx.restore();
+  },
+};
+Chart.register(pointNumbers);
+
 let errorTime;
 function drawErrorTime() {
   const kind = data.errors.find((e) => e.key === element("error-kind").value);
@@ -70,6 +141,7 @@ function drawErrorTime() {
     { label: "Pareto front", data: front.map(point), showLine: true, borderColor: accent, backgroundColor: accent, pointRadius: 5 },
     { label: "runs", data: visible.map(({ run }) => point(run)), backgroundColor: palette[0], pointRadius: 4 },
   ], { y: logarithmic, zero });
+  explain(element("error-terms"), [kind.key]);
   answerBudget();
   answerBound();
 }
@@ -90,8 +162,8 @@ function answerBound() {
   const bound = element("bound").valueAsNumber;
   const kind = element("error-kind").value;
   if (Number.isNaN(bound)) return void (element("bound-answer").textContent = "");
-  const front = data.fronts[kind].map((i) => data.runs[i]).filter((run) => run.errors[kind] <= bound);
-  answer("bound-answer", front.sort((a, b) => a.p50 - b.p50)[0]);
+  const runs = known(kind).map(({ run }) => run).filter((run) => run.errors[kind] <= bound);
+  answer("bound-answer", runs.sort((a, b) => a.p50 - b.p50 || a.errors[kind] - b.errors[kind])[0]);
 }
 
 function drawMaps() {
@@ -246,7 +318,7 @@ function showPictures() {
 function showTable() {
   const settings = [...new Set(data.runs.flatMap((run) => Object.keys(run.settings)))];
   const columns = [
-    ["run", (r) => r.name], ...settings.map((key) => [key, (r) => r.settings[key] ?? ""]),
+    ["#", (r) => data.runs.indexOf(r) + 1], ["run", (r) => r.name], ...settings.map((key) => [key, (r) => r.settings[key] ?? ""]),
     ["p50 ms", (r) => r.p50], ["p95 ms", (r) => r.p95], ["p99 ms", (r) => r.p99], ["noise", (r) => r.noise],
     ["mean image tri", (r) => r.image_triangles], ["mean shadow tri", (r) => r.shadow_triangles], ["S", (r) => r.storage_factor],
     ...data.errors.map((e) => [e.key, (r) => r.errors[e.key] ?? null]), ["crawl", (r) => r.crawl], ["promise kept", (r) => r.promise_kept ? "yes" : "no"],
@@ -271,6 +343,7 @@ function showTable() {
   columns.forEach(([title, value]) => {
     const cell = document.createElement("th");
     cell.textContent = title;
+    cell.title = terms[title] ?? "";
     let ascending = false;
     cell.addEventListener("click", () => {
       ascending = !ascending;
@@ -281,12 +354,13 @@ function showTable() {
     head.append(cell);
   });
   element("error-kind").addEventListener("change", render);
+  explain(element("terms"), columns.map(([title]) => title));
   render();
 }
 
 function showNoise() {
   const noises = data.runs.map((run) => run.noise).filter((noise) => noise !== null);
-  element("noise").textContent = noises.length === 0 ? "One repetition: the noise of the times is not known." :
+  element("noise").textContent = noises.length === 0 ? `Each run was walked once, so the noise of its time is not known; ± ${percent(data.unknown_noise)} is assumed.` :
     `Noise: the medians of a run's repetitions lie within ± ${percent(Math.max(...noises))} (worst run), ` +
     `± ${percent(noises.sort((a, b) => a - b)[Math.floor(noises.length / 2)])} (middle run). ` +
     "A setting meets a budget if its median and its noise do.";
@@ -295,6 +369,17 @@ function showNoise() {
 function showContext() {
   element("model").textContent = data.model;
   element("sentences").replaceChildren(...data.sentences.map((sentence) => Object.assign(document.createElement("p"), { textContent: sentence })));
+  element("run-names").replaceChildren(...data.runs.map((run) => Object.assign(document.createElement("li"), { textContent: shortName(run) })));
+  const { recommended } = data;
+  if (recommended === null) element("recommended").remove();
+  else {
+    const run = data.runs[recommended.run];
+    const kind = data.errors.find((error) => error.key === recommended.error);
+    element("command").textContent = recommended.command;
+    element("recommended-why").textContent = `Run ${recommended.run + 1}: ${figures(run.p50)} ms a frame on this machine, ${kind.label}: ` +
+      `${figures(run.errors[kind.key])}. Of the runs that noise lets tell apart it is the most accurate that takes at most ` +
+      `${figures(recommended.times)} times the frame time of the fastest.`;
+  }
   for (const [name, value] of Object.entries(data.context)) {
     element("context").append(
       Object.assign(document.createElement("dt"), { textContent: name }),

@@ -1,25 +1,12 @@
 #include "viewer/panel/plan_words.h"
 
+#include "core/formatted.h"
 #include "core/units.h"
 #include "settings/plan_sentences.h"
-
-#include <array>
-#include <cstdarg>
-#include <cstdio>
 
 namespace gnomon::viewer {
 
 namespace {
-
-/// printf into a string.
-[[gnu::format(printf, 1, 2)]] std::string text(const char* format, ...) {
-    std::array<char, 256> buffer{};
-    std::va_list arguments;
-    va_start(arguments, format);
-    std::vsnprintf(buffer.data(), buffer.size(), format, arguments);
-    va_end(arguments);
-    return buffer.data();
-}
 
 std::string mapsInWords(const plan::FramePlan& plan) {
     const plan::Quality& quality = plan.quality;
@@ -28,11 +15,12 @@ std::string mapsInWords(const plan::FramePlan& plan) {
     if (quality.shadows == plan::ShadowMode::Exact) return "exact shadows";
     if (plan.passes.empty()) return "no shadow map is called for";
     const std::size_t slices = plan.splits.empty() ? 1 : plan.splits.size() - 1;
-    std::string words = text("%zu map%s", plan.passes.size(), plan.passes.size() == 1 ? "" : "s");
-    if (slices > 1) words += text(", %zu slices", slices);
+    std::string words = formatted("%zu map%s", plan.passes.size(), plan.passes.size() == 1 ? "" : "s");
+    if (slices > 1) words += formatted(", %zu slices", slices);
     if (plan.hasFaces) words += ", by faces";
     words += quality.stabilize ? ", stabilised" : ", warp " + std::string(shadow::name(quality.warp.rule));
-    return words + text(" (%s), %d x %d texels", plan::schemeName(plan).c_str(), plan.textureWidth, plan.textureHeight);
+    return words +
+           formatted(" (%s), %d x %d texels", plan::schemeName(plan).c_str(), plan.textureWidth, plan.textureHeight);
 }
 
 } // namespace
@@ -40,21 +28,22 @@ std::string mapsInWords(const plan::FramePlan& plan) {
 std::vector<std::string> planInWords(const plan::FramePlan& plan, const telemetry::FrameRow& row) {
     std::vector<std::string> lines = {mapsInWords(plan)};
     if (plan.far > plan.near && plan.near > 0)
-        lines.push_back(text("depths %.4g to %.4g, ratio %.3g", plan.near, plan.far, plan.far / plan.near));
-    lines.push_back(text("light %.0f\xC2\xB0 from the view", row.lightAngle.value_or(0)));
+        lines.push_back(formatted("depths %.4g to %.4g, ratio %.3g", plan.near, plan.far, plan.far / plan.near));
+    lines.push_back(formatted("light %.0f\xC2\xB0 from the view", row.lightAngle.value_or(0)));
     if (row.promisedAliasingX) {
-        lines.back() += text(", storage factor %.3g", row.storageFactor.value_or(0));
+        lines.back() += formatted(", storage factor %.3g", row.storageFactor.value_or(0));
         lines.push_back(
-            text("promised aliasing %.3g across, %.3g along", *row.promisedAliasingX, *row.promisedAliasingZ));
+            formatted("promised aliasing %.3g across, %.3g along", *row.promisedAliasingX, *row.promisedAliasingZ));
         const bool isAuto = !plan.quality.zPartitions || plan.quality.facePartitions == plan::Choice::Auto;
         if (isAuto)
-            lines.back() += text(": %s %.3g", plan.promiseKept ? "kept under" : "NOT under", plan.quality.maxAliasing);
+            lines.back() +=
+                formatted(": %s %.3g", plan.promiseKept ? "kept under" : "NOT under", plan.quality.maxAliasing);
     }
     if (row.measuredAliasing)
-        lines.push_back(text("measured aliasing %.3g", *row.measuredAliasing));
+        lines.push_back(formatted("measured aliasing %.3g", *row.measuredAliasing));
     else if (row.promisedAliasingX)
         lines.emplace_back("measured aliasing: not yet");
-    if (row.wrongShadowFraction) lines.push_back(text("measured %.3g%% wrong", 100 * *row.wrongShadowFraction));
+    if (row.wrongShadowFraction) lines.push_back(formatted("measured %.3g%% wrong", 100 * *row.wrongShadowFraction));
     for (const plan::Omission& omission : plan.omitted)
         lines.push_back("without " + settings::effectInWords(omission) + ": " + settings::reasonInWords(omission));
     return lines;
@@ -66,27 +55,27 @@ std::vector<std::string> loadInWords(
         return static_cast<std::uint64_t>(value.value_or(0));
     };
     std::vector<std::string> lines;
-    lines.push_back(text(
+    lines.push_back(formatted(
         "triangles %s in view, %s into maps",
         readableCount(count(row.imageTriangles)).c_str(),
         readableCount(count(row.shadowTriangles)).c_str()));
-    if (quality.maxTriangles) lines.back() += text(" (cap %s)", readableCount(*quality.maxTriangles).c_str());
-    lines.push_back(
-        text("detail %.3g px, achieved %.3g px", row.errorPixels, row.achievedErrorPixels.value_or(row.errorPixels)));
-    lines.push_back(text(
+    if (quality.maxTriangles) lines.back() += formatted(" (cap %s)", readableCount(*quality.maxTriangles).c_str());
+    lines.push_back(formatted(
+        "detail %.3g px, achieved %.3g px", row.errorPixels, row.achievedErrorPixels.value_or(row.errorPixels)));
+    lines.push_back(formatted(
         "pages %llu of %llu in the cut",
         static_cast<unsigned long long>(pagesInCut),
         static_cast<unsigned long long>(caps.pages)));
     if (count(row.pagesMissing) > 0)
-        lines.back() += text(", %llu on their way", static_cast<unsigned long long>(count(row.pagesMissing)));
+        lines.back() += formatted(", %llu on their way", static_cast<unsigned long long>(count(row.pagesMissing)));
     if (count(row.pagesDamaged) > 0)
-        lines.back() += text(", %llu DAMAGED", static_cast<unsigned long long>(count(row.pagesDamaged)));
-    lines.push_back(text(
+        lines.back() += formatted(", %llu DAMAGED", static_cast<unsigned long long>(count(row.pagesDamaged)));
+    lines.push_back(formatted(
         "memory %s of %s",
         readableBytes({count(row.residentBytes)}).c_str(),
         readableBytes({caps.memoryBytes}).c_str()));
     if (row.gpuBytes)
-        lines.push_back(text(
+        lines.push_back(formatted(
             "drawing %s of %s (%s)",
             readableBytes({count(row.gpuBytes)}).c_str(),
             readableBytes({caps.gpuMemoryBytes}).c_str(),

@@ -60,9 +60,9 @@ vec3 overlay(vec3 shaded, vec3 position, vec3 normal, float depth, int index, fl
     return index < 0 ? withoutMap(lightness) : indexColor(index) * (0.7 + 0.3 * lightness);
 #elif OVERLAY == 2
     if (index < 0) return shaded * 0.8;
-    return mix(mix(shaded, indexColor(index) * (0.3 + lightness), 0.25), vec3(0.0, 0.05, 0.1), 0.85 * texelGrid(partitions[index], position));
+    return mix(mix(shaded, indexColor(index) * (0.3 + lightness), 0.25), vec3(0.0, 0.05, 0.1), 0.85 * texelGrid(partitionAt(index), position));
 #elif OVERLAY == 3
-    return index < 0 ? withoutMap(lightness) : heat(aliasing(partitions[index], position, depth)) * (0.8 + 0.2 * lightness);
+    return index < 0 ? withoutMap(lightness) : heat(aliasing(partitionAt(index), position, depth)) * (0.8 + 0.2 * lightness);
 #elif OVERLAY == 4
     return heat(error / (pixelSlope * depth) / max(errorPixels, 1e-6)) * (0.8 + 0.2 * lightness);
 #elif OVERLAY == 5

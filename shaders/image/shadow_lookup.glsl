@@ -46,7 +46,7 @@ float receiverBias(Partition part, vec4 plane, float cosine, float w) {
 // The lit fraction of `p` (draw space) on a receiver with flat normal `normal` and cosine `cosine` to the light.
 float litFraction(int index, vec3 p, vec3 normal, float cosine) {
     if (index < 0) return 1.0;
-    Partition part = partitions[index];
+    Partition part = partitionAt(index);
     vec4 clip = clipOf(part, p);
     vec2 texel = texelOf(part, clip);
     vec4 plane = vec4(normal, -dot(normal, p - part.origin));

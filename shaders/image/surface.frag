@@ -1,5 +1,6 @@
 // The lit image. A surface turned from the light is dark without asking a map; lighting is two-sided.
-// SHADOWS: 0 none, 1 maps, 2 a mask that was computed elsewhere. OVERLAY: 0 none, see overlay.glsl.
+// SHADOWS: 0 none, 1 maps, 2 a mask that was computed elsewhere.
+// MANY_PARTITIONS: 1 if there are more than the first block holds. OVERLAY: 0 none, see overlay.glsl.
 #include "shared/frame_block.h"
 #include "image/shadow_lookup.glsl"
 #include "image/overlay.glsl"

@@ -69,8 +69,30 @@ GNOMON_BLOCK(1, Shadows) {
     vec4 faceEdge[4]; // xyz, w: p is the near face's where dot(xyz, p) < w * near of its slice
     Slice slices[GNOMON_MAX_SLICES];
     ivec4 passOfPartition[GNOMON_MAX_PARTITIONS / 4]; // partition: slice * faces a slice + face, near last; -1: no map
+#ifdef __cplusplus
+    vec4 unused[12]; // what follows begins at a multiple of 256 bytes, as OpenGL asks of a block of its own
     Partition partitions[GNOMON_MAX_PARTITIONS];
+#endif
 };
+
+// For OpenGL in blocks of at most 16 KiB, which is what each has.
+#define GNOMON_FIRST_PARTITIONS 64
+#ifndef __cplusplus
+GNOMON_BLOCK(2, FirstPartitions) {
+    Partition firstPartitions[GNOMON_FIRST_PARTITIONS];
+};
+
+GNOMON_BLOCK(3, OtherPartitions) {
+    Partition otherPartitions[GNOMON_MAX_PARTITIONS - GNOMON_FIRST_PARTITIONS];
+};
+
+Partition partitionAt(int index) {
+#if MANY_PARTITIONS
+    if (index >= GNOMON_FIRST_PARTITIONS) return otherPartitions[index - GNOMON_FIRST_PARTITIONS];
+#endif
+    return firstPartitions[index];
+}
+#endif
 
 #ifdef __cplusplus
 } // namespace gnomon::executor::block

@@ -12,6 +12,9 @@ namespace gnomon::executor {
 // What std140 lays out for the shaders is what C++ does.
 static_assert(offsetof(block::Frame, gridStep) == offsetof(block::Frame, eye) + 12 && sizeof(block::Frame) % 16 == 0);
 static_assert(offsetof(block::Frame, sliceCount) % 16 == 0);
+static_assert(offsetof(block::Shadows, partitions) % 256 == 0);
+static_assert(sizeof(block::Partition) * GNOMON_FIRST_PARTITIONS % 256 == 0);
+static_assert(sizeof(block::Partition) * GNOMON_FIRST_PARTITIONS <= 16384, "what a block of OpenGL may always have");
 static_assert(sizeof(block::Slice) == 16 && sizeof(block::Partition) % 16 == 0);
 static_assert(offsetof(block::Partition, axisX) % 16 == 0 && offsetof(block::Partition, firstTexel) % 16 == 0);
 

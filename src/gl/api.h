@@ -6,27 +6,32 @@
 // X(type, member, name): one line a function.
 #define GNOMON_GL_FUNCTIONS(X)                                                                                         \
     X(PFNGLATTACHSHADERPROC, attachShader, "glAttachShader")                                                           \
-    X(PFNGLBINDBUFFERBASEPROC, bindBufferBase, "glBindBufferBase")                                                     \
     X(PFNGLBINDBUFFERPROC, bindBuffer, "glBindBuffer")                                                                 \
+    X(PFNGLBINDBUFFERRANGEPROC, bindBufferRange, "glBindBufferRange")                                                  \
     X(PFNGLBINDFRAMEBUFFERPROC, bindFramebuffer, "glBindFramebuffer")                                                  \
     X(PFNGLBINDSAMPLERPROC, bindSampler, "glBindSampler")                                                              \
     X(PFNGLBINDTEXTUREUNITPROC, bindTextureUnit, "glBindTextureUnit")                                                  \
     X(PFNGLBINDVERTEXARRAYPROC, bindVertexArray, "glBindVertexArray")                                                  \
     X(PFNGLCHECKNAMEDFRAMEBUFFERSTATUSPROC, checkNamedFramebufferStatus, "glCheckNamedFramebufferStatus")              \
     X(PFNGLCLEARNAMEDFRAMEBUFFERFVPROC, clearNamedFramebufferfv, "glClearNamedFramebufferfv")                          \
+    X(PFNGLCLIENTWAITSYNCPROC, clientWaitSync, "glClientWaitSync")                                                     \
     X(PFNGLCLIPCONTROLPROC, clipControl, "glClipControl")                                                              \
     X(PFNGLCOLORMASKPROC, colorMask, "glColorMask")                                                                    \
     X(PFNGLCOMPILESHADERPROC, compileShader, "glCompileShader")                                                        \
+    X(PFNGLCOPYNAMEDBUFFERSUBDATAPROC, copyNamedBufferSubData, "glCopyNamedBufferSubData")                             \
     X(PFNGLCREATEBUFFERSPROC, createBuffers, "glCreateBuffers")                                                        \
     X(PFNGLCREATEFRAMEBUFFERSPROC, createFramebuffers, "glCreateFramebuffers")                                         \
     X(PFNGLCREATEPROGRAMPROC, createProgram, "glCreateProgram")                                                        \
+    X(PFNGLCREATEQUERIESPROC, createQueries, "glCreateQueries")                                                        \
     X(PFNGLCREATESHADERPROC, createShader, "glCreateShader")                                                           \
     X(PFNGLCREATETEXTURESPROC, createTextures, "glCreateTextures")                                                     \
     X(PFNGLCREATEVERTEXARRAYSPROC, createVertexArrays, "glCreateVertexArrays")                                         \
     X(PFNGLDELETEBUFFERSPROC, deleteBuffers, "glDeleteBuffers")                                                        \
     X(PFNGLDELETEFRAMEBUFFERSPROC, deleteFramebuffers, "glDeleteFramebuffers")                                         \
     X(PFNGLDELETEPROGRAMPROC, deleteProgram, "glDeleteProgram")                                                        \
+    X(PFNGLDELETEQUERIESPROC, deleteQueries, "glDeleteQueries")                                                        \
     X(PFNGLDELETESHADERPROC, deleteShader, "glDeleteShader")                                                           \
+    X(PFNGLDELETESYNCPROC, deleteSync, "glDeleteSync")                                                                 \
     X(PFNGLDELETETEXTURESPROC, deleteTextures, "glDeleteTextures")                                                     \
     X(PFNGLDELETEVERTEXARRAYSPROC, deleteVertexArrays, "glDeleteVertexArrays")                                         \
     X(PFNGLDEPTHFUNCPROC, depthFunc, "glDepthFunc")                                                                    \
@@ -35,18 +40,23 @@
     X(PFNGLDRAWARRAYSPROC, drawArrays, "glDrawArrays")                                                                 \
     X(PFNGLENABLEPROC, enable, "glEnable")                                                                             \
     X(PFNGLENABLEVERTEXARRAYATTRIBPROC, enableVertexArrayAttrib, "glEnableVertexArrayAttrib")                          \
+    X(PFNGLFENCESYNCPROC, fenceSync, "glFenceSync")                                                                    \
     X(PFNGLFINISHPROC, finish, "glFinish")                                                                             \
     X(PFNGLGETERRORPROC, getError, "glGetError")                                                                       \
     X(PFNGLGETINTEGERVPROC, getIntegerv, "glGetIntegerv")                                                              \
     X(PFNGLGETPROGRAMINFOLOGPROC, getProgramInfoLog, "glGetProgramInfoLog")                                            \
     X(PFNGLGETPROGRAMIVPROC, getProgramiv, "glGetProgramiv")                                                           \
+    X(PFNGLGETQUERYOBJECTIVPROC, getQueryObjectiv, "glGetQueryObjectiv")                                               \
+    X(PFNGLGETQUERYOBJECTUI64VPROC, getQueryObjectui64v, "glGetQueryObjectui64v")                                      \
     X(PFNGLGETSHADERINFOLOGPROC, getShaderInfoLog, "glGetShaderInfoLog")                                               \
     X(PFNGLGETSHADERIVPROC, getShaderiv, "glGetShaderiv")                                                              \
     X(PFNGLGETSTRINGPROC, getString, "glGetString")                                                                    \
     X(PFNGLGETTEXTUREIMAGEPROC, getTextureImage, "glGetTextureImage")                                                  \
     X(PFNGLGETUNIFORMLOCATIONPROC, getUniformLocation, "glGetUniformLocation")                                         \
     X(PFNGLLINKPROGRAMPROC, linkProgram, "glLinkProgram")                                                              \
+    X(PFNGLMAPNAMEDBUFFERRANGEPROC, mapNamedBufferRange, "glMapNamedBufferRange")                                      \
     X(PFNGLMULTIDRAWELEMENTSBASEVERTEXPROC, multiDrawElementsBaseVertex, "glMultiDrawElementsBaseVertex")              \
+    X(PFNGLMULTIDRAWELEMENTSINDIRECTPROC, multiDrawElementsIndirect, "glMultiDrawElementsIndirect")                    \
     X(PFNGLNAMEDBUFFERSTORAGEPROC, namedBufferStorage, "glNamedBufferStorage")                                         \
     X(PFNGLNAMEDBUFFERSUBDATAPROC, namedBufferSubData, "glNamedBufferSubData")                                         \
     X(PFNGLNAMEDFRAMEBUFFERDRAWBUFFERSPROC, namedFramebufferDrawBuffers, "glNamedFramebufferDrawBuffers")              \
@@ -55,6 +65,7 @@
     X(PFNGLPROGRAMUNIFORM1IPROC, programUniform1i, "glProgramUniform1i")                                               \
     X(PFNGLPROGRAMUNIFORM4FPROC, programUniform4f, "glProgramUniform4f")                                               \
     X(PFNGLPROGRAMUNIFORMMATRIX4FVPROC, programUniformMatrix4fv, "glProgramUniformMatrix4fv")                          \
+    X(PFNGLQUERYCOUNTERPROC, queryCounter, "glQueryCounter")                                                           \
     X(PFNGLREADPIXELSPROC, readPixels, "glReadPixels")                                                                 \
     X(PFNGLSCISSORPROC, scissor, "glScissor")                                                                          \
     X(PFNGLSHADERSOURCEPROC, shaderSource, "glShaderSource")                                                           \

@@ -29,6 +29,16 @@ void Buffer::write(std::size_t offset, std::span<const std::byte> bytes) const {
     api_->namedBufferSubData(id(), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes.size()), bytes.data());
 }
 
+void Buffer::copy(std::size_t offset, GLuint source, std::size_t sourceOffset, std::size_t bytes) const {
+    GNOMON_CHECK_OP(offset + bytes, <=, bytes_);
+    api_->copyNamedBufferSubData(
+        source,
+        id(),
+        static_cast<GLintptr>(sourceOffset),
+        static_cast<GLintptr>(offset),
+        static_cast<GLsizeiptr>(bytes));
+}
+
 Texture::Texture(const Api& api, GLenum internalFormat, int width, int height)
     : api_(&api), width_(width), height_(height) {
     GLuint name = 0;
@@ -64,13 +74,19 @@ Framebuffer::Framebuffer(const Api& api, std::span<const Texture* const> colors,
 }
 
 VertexArray::VertexArray(
-    const Api& api, const Buffer& buffer, GLsizei vertexBytes, std::span<const Attribute> attributes)
+    const Api& api, const Buffer& buffer, std::span<const VertexStream> streams, std::span<const Attribute> attributes)
     : VertexArray(api) {
-    api.vertexArrayVertexBuffer(id(), 0, buffer.id(), 0, vertexBytes);
+    for (std::size_t s = 0; s < streams.size(); ++s)
+        api.vertexArrayVertexBuffer(
+            id(),
+            static_cast<GLuint>(s),
+            buffer.id(),
+            static_cast<GLintptr>(streams[s].offset),
+            streams[s].vertexBytes);
     api.vertexArrayElementBuffer(id(), buffer.id());
     for (const Attribute& a : attributes) {
         api.enableVertexArrayAttrib(id(), a.location);
-        api.vertexArrayAttribBinding(id(), a.location, 0);
+        api.vertexArrayAttribBinding(id(), a.location, a.stream);
         if (a.isInteger)
             api.vertexArrayAttribIFormat(id(), a.location, a.components, a.type, a.offset);
         else

@@ -56,6 +56,9 @@ public:
 
     void write(std::size_t offset, std::span<const std::byte> bytes) const;
 
+    /// Replaces `bytes` bytes by those of the buffer `source`; the GPU does so in the order of the commands.
+    void copy(std::size_t offset, GLuint source, std::size_t sourceOffset, std::size_t bytes) const;
+
     GLuint id() const { return object_.id(); }
 
     std::size_t size() const { return bytes_; }
@@ -110,14 +113,25 @@ struct Attribute {
     GLint components = 0;
     GLenum type = 0;
     bool isInteger = false;
-    GLuint offset = 0;
+    GLuint offset = 0; // within a vertex of its stream
+    GLuint stream = 0;
+};
+
+/// Vertices that follow one another from a byte of a buffer on.
+struct VertexStream {
+    std::size_t offset = 0;
+    GLsizei vertexBytes = 0;
 };
 
 /// Vertices and indices out of one buffer.
 class VertexArray {
 public:
     VertexArray() = default;
-    VertexArray(const Api& api, const Buffer& buffer, GLsizei vertexBytes, std::span<const Attribute> attributes);
+    VertexArray(
+        const Api& api,
+        const Buffer& buffer,
+        std::span<const VertexStream> streams,
+        std::span<const Attribute> attributes);
     /// No vertices: for passes whose vertex shader makes its own.
     explicit VertexArray(const Api& api);
 

@@ -6,6 +6,7 @@
 #include "executor/executor.h"
 #include "executor/gl/free_list.h"
 #include "executor/gl/geometry_pool.h"
+#include "executor/gl/gl_batch.h"
 #include "executor/picture.h"
 #include "executor/shading_kernel.h"
 #include "executor/software_pass.h"
@@ -174,6 +175,49 @@ TEST(PackedVertices, CarryTheErrorAndABitOfEachAxisAndNothingElse) {
         }
     }
     EXPECT_EQ(tints.size(), 8U) << "clusters are told apart by all three bits";
+}
+
+/// Against the page itself: every triangle of a range is drawn once and in order, with its own vertices, in a page of
+/// more vertices than 16 bits count.
+TEST(DrawCommands, NameEveryTriangleOfARangeWithItsOwnVertices) {
+    hierarchy::Page page;
+    Random random(3);
+    const auto below = [&](std::uint32_t end) { return static_cast<std::uint32_t>(random.bits() % end); };
+    for (std::uint32_t c = 0; c < 600; ++c) {
+        hierarchy::Cluster cluster;
+        cluster.firstVertex = static_cast<std::uint32_t>(page.vertices.size());
+        cluster.firstTriangle = static_cast<std::uint32_t>(page.triangles.size());
+        cluster.vertexCount = 3 + below(254);
+        cluster.triangleCount = 1 + below(8);
+        page.vertices.resize(page.vertices.size() + cluster.vertexCount);
+        for (std::uint32_t t = 0; t < cluster.triangleCount; ++t) {
+            std::array<std::uint8_t, 3> corners{};
+            for (std::uint8_t& corner : corners)
+                corner = static_cast<std::uint8_t>(below(cluster.vertexCount));
+            page.triangles.push_back(corners);
+        }
+        page.clusters.push_back(cluster);
+    }
+    ASSERT_GT(page.vertices.size(), 65536U);
+    const std::vector<std::uint16_t> indices = packedIndices(page);
+    const PagePlace place{2, 1000, 5000};
+    for (int i = 0; i < 100; ++i) {
+        selection::ClusterRange range;
+        range.firstCluster = below(600);
+        range.clusterCount = 1 + below(600 - range.firstCluster);
+        std::vector<std::int64_t> expected;
+        for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c)
+            for (std::uint32_t t = 0; t < page.clusters[c].triangleCount; ++t)
+                for (const std::uint8_t corner : page.triangles[page.clusters[c].firstTriangle + t])
+                    expected.push_back(std::int64_t{place.baseVertex} + page.clusters[c].firstVertex + corner);
+        std::vector<DrawCommand> commands;
+        appendCommands(commands, place, page, range);
+        std::vector<std::int64_t> drawn;
+        for (const DrawCommand& command : commands)
+            for (std::uint32_t k = 0; k < command.count; ++k)
+                drawn.push_back(std::int64_t{command.baseVertex} + indices[command.firstIndex - place.firstIndex + k]);
+        ASSERT_EQ(drawn, expected);
+    }
 }
 
 TEST(SoftwarePass, HasTheClustersOfTheListInItsOrder) {

@@ -41,7 +41,8 @@ int coveredPixels(Platform platform) {
     const std::array<GLuint, 9> words = {0, 0, 2, 0, 0, 2, 0, 1, 2};
     buffer.write(0, std::as_bytes(std::span(words)));
     const std::array<Attribute, 1> attributes = {Attribute{0, 2, GL_UNSIGNED_INT, true, 0}};
-    const VertexArray vertices(api, buffer, 8, attributes);
+    const std::array<VertexStream, 1> streams = {VertexStream{0, 8}};
+    const VertexArray vertices(api, buffer, streams, attributes);
 
     api.bindFramebuffer(GL_FRAMEBUFFER, target.id());
     api.viewport(0, 0, 8, 8);

@@ -48,6 +48,19 @@ struct Case {
 
 class FarAway : public testing::TestWithParam<Case> {};
 
+/// `views` of a model, all moved by `offset`. One model at a time: a context of OpenGL is current until it goes.
+std::vector<Drawn> pictures(
+    const std::string& path, Backend backend, std::vector<plan::View> views, const glm::dvec3& offset) {
+    PicturedModel model(path, backend);
+    std::vector<Drawn> drawn;
+    for (plan::View& view : views) {
+        view.camera.eye += offset;
+        view.camera.target += offset;
+        drawn.push_back(model.draw(view, 1));
+    }
+    return drawn;
+}
+
 TEST_P(FarAway, ShowsTheSamePicture) {
     const ScratchFile mesh("mesh.ply");
     const ScratchFile movedMesh("moved.ply");
@@ -57,18 +70,13 @@ TEST_P(FarAway, ShowsTheSamePicture) {
     writeMoved(mesh.path(), glm::dvec3(kFar), movedMesh.path());
     build(mesh.path(), model.path());
     build(movedMesh.path(), movedModel.path());
+    const std::vector<plan::View> views = threeViews(hierarchy::ModelFile(model.path()), 400);
     for (const Backend backend : {Backend::Software, Backend::Osmesa}) {
-        PicturedModel here(model.path(), backend);
-        PicturedModel there(movedModel.path(), backend);
-        int number = 0;
-        for (plan::View view : threeViews(here.file(), 400)) {
-            const Drawn nearby = here.draw(view, 1);
-            view.camera.eye += kFar;
-            view.camera.target += kFar;
-            const Drawn away = there.draw(view, 1);
-            EXPECT_LE(executor::difference(nearby.picture, away.picture).changedFraction, 0.001)
-                << (backend == Backend::Software ? "software" : "osmesa") << ", view " << ++number;
-        }
+        const std::vector<Drawn> nearby = pictures(model.path(), backend, views, glm::dvec3(0));
+        const std::vector<Drawn> away = pictures(movedModel.path(), backend, views, glm::dvec3(kFar));
+        for (std::size_t i = 0; i < nearby.size(); ++i)
+            EXPECT_LE(executor::difference(nearby[i].picture, away[i].picture).changedFraction, 0.001)
+                << (backend == Backend::Software ? "software" : "osmesa") << ", view " << i;
     }
 }
 

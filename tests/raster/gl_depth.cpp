@@ -54,7 +54,8 @@ GlDepth::GlDepth(const gl::Context& context, std::span<const Cluster> clusters, 
     buffer_.write(0, std::as_bytes(std::span(words)));
     buffer_.write(vertexBytes, std::as_bytes(std::span(indices)));
     const std::array<gl::Attribute, 1> attributes = {gl::Attribute{0, 3, GL_UNSIGNED_INT, true, 0}};
-    vertices_ = gl::VertexArray(context.api(), buffer_, kVertexBytes, attributes);
+    const std::array<gl::VertexStream, 1> streams = {gl::VertexStream{0, kVertexBytes}};
+    vertices_ = gl::VertexArray(context.api(), buffer_, streams, attributes);
 }
 
 void GlDepth::draw(const View& view, bool reversed) const {

@@ -12,31 +12,31 @@ namespace gnomon::executor {
 
 namespace {
 
-constexpr std::size_t kUnitBytes = sizeof(PackedVertex);
-static_assert(kUnitBytes == 20, "the vertex layout below");
+using Index = std::uint16_t;
 
-constexpr Bytes kChunkBytes = mebibytes(32);
+/// What surfaces have besides a position.
+struct PackedAttributes {
+    std::uint32_t normal = 0;
+    std::uint32_t color = 0;
+};
+
+constexpr std::size_t kPositionBytes = sizeof(hierarchy::GridPoint);
+constexpr std::size_t kVertexBytes = kPositionBytes + sizeof(PackedAttributes);
+static_assert(kPositionBytes == 12 && kVertexBytes == 20, "the vertex layout below");
+
+constexpr Bytes kLeastChunk = mebibytes(32);
+constexpr Bytes kMostChunk = mebibytes(128);
 
 constexpr std::array<gl::Attribute, 3> kAttributes = {
-    gl::Attribute{0, 3, GL_UNSIGNED_INT, true, 0},
-    gl::Attribute{1, 1, GL_UNSIGNED_INT, true, 12},
-    gl::Attribute{2, 4, GL_UNSIGNED_BYTE, false, 16}};
+    gl::Attribute{0, 3, GL_UNSIGNED_INT, true, 0, 0},
+    gl::Attribute{1, 1, GL_UNSIGNED_INT, true, 0, 1},
+    gl::Attribute{2, 4, GL_UNSIGNED_BYTE, false, 4, 1}};
 
 /// The code of an error in eighths of an octave above the grid's step, rounded up; 0 is none.
 std::uint32_t errorCode(double error, double step) {
     if (!(error > 0)) return 0;
     const double code = std::ceil(8 * std::log2(error / step)) + 9;
     return static_cast<std::uint32_t>(std::clamp(code, 1.0, 255.0));
-}
-
-std::vector<std::uint32_t> pageIndices(const hierarchy::Page& page) {
-    std::vector<std::uint32_t> indices;
-    indices.reserve(page.triangles.size() * 3);
-    for (const hierarchy::Cluster& cluster : page.clusters)
-        for (std::uint32_t t = 0; t < cluster.triangleCount; ++t)
-            for (const std::uint8_t corner : page.triangles[cluster.firstTriangle + t])
-                indices.push_back(cluster.firstVertex + corner);
-    return indices;
 }
 
 } // namespace
@@ -64,7 +64,20 @@ std::vector<PackedVertex> packedVertices(std::uint32_t id, const hierarchy::Page
     return vertices;
 }
 
-GeometryPool::GeometryPool(const gl::Api& api, Bytes cap) : api_(&api), cap_(cap) {}
+std::vector<std::uint16_t> packedIndices(const hierarchy::Page& page) {
+    std::vector<Index> indices;
+    indices.reserve(page.triangles.size() * 3);
+    for (const hierarchy::Cluster& cluster : page.clusters) {
+        const std::uint32_t first = cluster.firstVertex - indexBase(cluster);
+        for (std::uint32_t t = 0; t < cluster.triangleCount; ++t)
+            for (const std::uint8_t corner : page.triangles[cluster.firstTriangle + t])
+                indices.push_back(static_cast<Index>(first + corner));
+    }
+    return indices;
+}
+
+GeometryPool::GeometryPool(const gl::Api& api, gl::MappedRing& staging, Bytes cap)
+    : api_(&api), staging_(&staging), cap_(cap) {}
 
 Bytes GeometryPool::size() const {
     Bytes sum;
@@ -96,43 +109,88 @@ std::optional<PagePlace> GeometryPool::find(std::uint32_t page) {
     return found->second->place;
 }
 
-bool GeometryPool::addChunk(std::size_t units) {
-    const std::uint64_t left = cap_.count - std::min(cap_.count, size().count);
-    std::uint64_t bytes = std::min(std::max<std::uint64_t>(kChunkBytes.count, units * kUnitBytes), left);
-    bytes -= bytes % kUnitBytes;
-    if (bytes < units * kUnitBytes) return false;
-    gl::Buffer buffer(*api_, bytes);
-    gl::VertexArray vertices(*api_, buffer, static_cast<GLsizei>(kUnitBytes), kAttributes);
-    chunks_.push_back({std::move(buffer), std::move(vertices), FreeList(bytes / kUnitBytes)});
+/// The new chunk shares its bytes out between vertices and indices as `page` needs them.
+bool GeometryPool::addChunk(const PageSize& page) {
+    const std::uint64_t held = size().count;
+    const std::uint64_t left = cap_.count - std::min(cap_.count, held);
+    const std::uint64_t needed = page.vertices * kVertexBytes + page.indices * sizeof(Index);
+    const std::uint64_t wanted = std::max({std::clamp(held, kLeastChunk.count, kMostChunk.count), needed});
+    const std::uint64_t bytes = std::min(wanted, left);
+    if (bytes < needed) return false;
+    const double pages = static_cast<double>(bytes) / static_cast<double>(needed);
+    const std::uint64_t vertices = std::min(
+        (bytes - page.indices * sizeof(Index)) / kVertexBytes,
+        std::max<std::uint64_t>(page.vertices, static_cast<std::uint64_t>(pages * static_cast<double>(page.vertices))));
+    const std::uint64_t indices = (bytes - vertices * kVertexBytes) / sizeof(Index);
+    Chunk chunk;
+    chunk.buffer = gl::Buffer(*api_, vertices * kVertexBytes + indices * sizeof(Index));
+    const std::array<gl::VertexStream, 2> streams = {
+        gl::VertexStream{0, static_cast<GLsizei>(kPositionBytes)},
+        gl::VertexStream{vertices * kPositionBytes, static_cast<GLsizei>(sizeof(PackedAttributes))}};
+    chunk.positions =
+        gl::VertexArray(*api_, chunk.buffer, std::span(streams).first(1), std::span(kAttributes).first(1));
+    chunk.surfaces = gl::VertexArray(*api_, chunk.buffer, streams, kAttributes);
+    chunk.vertexCapacity = vertices;
+    chunk.vertices = FreeList(vertices);
+    chunk.indices = FreeList(indices);
+    chunks_.push_back(std::move(chunk));
     return true;
 }
 
-std::optional<PagePlace> GeometryPool::place(std::size_t vertexCount, std::size_t units) {
-    for (std::size_t c = 0; c < chunks_.size(); ++c)
-        if (const auto offset = chunks_[c].space.take(units))
-            return PagePlace{c, static_cast<GLint>(*offset), (*offset + vertexCount) * kUnitBytes};
-    if (!addChunk(units)) return std::nullopt;
-    return place(vertexCount, units);
+std::optional<PagePlace> GeometryPool::place(const PageSize& page) {
+    for (std::size_t c = 0; c < chunks_.size(); ++c) {
+        Chunk& chunk = chunks_[c];
+        const auto vertex = chunk.vertices.take(page.vertices);
+        if (!vertex) continue;
+        const auto index = chunk.indices.take(page.indices);
+        if (!index) {
+            chunk.vertices.release(*vertex, page.vertices);
+            continue;
+        }
+        const std::size_t indexStart = chunk.vertexCapacity * (kVertexBytes / sizeof(Index));
+        return PagePlace{c, static_cast<GLint>(*vertex), static_cast<GLuint>(indexStart + *index)};
+    }
+    if (!addChunk(page)) return std::nullopt;
+    return place(page);
+}
+
+void GeometryPool::upload(const gl::Buffer& buffer, std::size_t offset, std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+        const gl::RingPiece piece = staging_->take(std::min(bytes.size(), staging_->segmentBytes()));
+        std::copy_n(bytes.begin(), piece.bytes.size(), piece.bytes.begin());
+        buffer.copy(offset, staging_->id(), piece.offset, piece.bytes.size());
+        offset += piece.bytes.size();
+        bytes = bytes.subspan(piece.bytes.size());
+    }
 }
 
 std::optional<PagePlace> GeometryPool::insert(
     std::uint32_t id, const hierarchy::Page& page, const hierarchy::Grid& grid) {
-    const std::vector<PackedVertex> vertices = packedVertices(id, page, grid);
-    const std::vector<std::uint32_t> indices = pageIndices(page);
-    const std::size_t indexUnits = (indices.size() * sizeof(std::uint32_t) + kUnitBytes - 1) / kUnitBytes;
-    const std::size_t units = page.vertices.size() + indexUnits;
-    const auto found = place(page.vertices.size(), units);
+    const PageSize pageSize{page.vertices.size(), page.triangles.size() * 3};
+    const auto found = place(pageSize);
     if (!found && entries_.empty())
         throw Error(
             "drawing memory",
             "a page of the model does not fit",
-            readableBytes({units * kUnitBytes}),
+            readableBytes({pageSize.vertices * kVertexBytes + pageSize.indices * sizeof(Index)}),
             readableBytes(cap_));
     if (!found) return std::nullopt;
-    const gl::Buffer& buffer = chunks_[found->chunk].buffer;
-    buffer.write(static_cast<std::size_t>(found->baseVertex) * kUnitBytes, std::as_bytes(std::span(vertices)));
-    buffer.write(found->indexOffset, std::as_bytes(std::span(indices)));
-    byUse_.push_front({id, *found, units});
+    std::vector<hierarchy::GridPoint> positions;
+    std::vector<PackedAttributes> attributes;
+    positions.reserve(pageSize.vertices);
+    attributes.reserve(pageSize.vertices);
+    for (const PackedVertex& vertex : packedVertices(id, page, grid)) {
+        positions.push_back(vertex.position);
+        attributes.push_back({vertex.normal, vertex.color});
+    }
+    const Chunk& chunk = chunks_[found->chunk];
+    const auto vertex = static_cast<std::size_t>(found->baseVertex);
+    const std::size_t attributeStart = chunk.vertexCapacity * kPositionBytes;
+    upload(chunk.buffer, vertex * kPositionBytes, std::as_bytes(std::span(positions)));
+    upload(chunk.buffer, attributeStart + vertex * sizeof(PackedAttributes), std::as_bytes(std::span(attributes)));
+    const std::vector<Index> indices = packedIndices(page);
+    upload(chunk.buffer, std::size_t{found->firstIndex} * sizeof(Index), std::as_bytes(std::span(indices)));
+    byUse_.push_front({id, *found, pageSize});
     entries_.emplace(id, byUse_.begin());
     return found;
 }
@@ -140,7 +198,10 @@ std::optional<PagePlace> GeometryPool::insert(
 bool GeometryPool::evictOldest() {
     if (byUse_.empty()) return false;
     const Entry& oldest = byUse_.back();
-    chunks_[oldest.place.chunk].space.release(static_cast<std::size_t>(oldest.place.baseVertex), oldest.units);
+    Chunk& chunk = chunks_[oldest.place.chunk];
+    chunk.vertices.release(static_cast<std::size_t>(oldest.place.baseVertex), oldest.size.vertices);
+    chunk.indices.release(
+        oldest.place.firstIndex - chunk.vertexCapacity * (kVertexBytes / sizeof(Index)), oldest.size.indices);
     entries_.erase(oldest.id);
     byUse_.pop_back();
     return true;

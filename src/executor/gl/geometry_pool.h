@@ -1,8 +1,9 @@
-// Pages as GL sees them: vertices and indices of every page in few large buffers under one cap of bytes.
+// Pages as GL sees them: positions, attributes and indices of every page in few large buffers under one cap of bytes.
 #pragma once
 
 #include "core/units.h"
 #include "executor/gl/free_list.h"
+#include "gl/mapped_ring.h"
 #include "gl/objects.h"
 #include "hierarchy/grid.h"
 #include "hierarchy/page.h"
@@ -19,14 +20,23 @@ namespace gnomon::executor {
 struct PagePlace {
     std::size_t chunk = 0;
     GLint baseVertex = 0;
-    std::size_t indexOffset = 0; // bytes from the start of the chunk's buffer
+    GLuint firstIndex = 0; // in indices from the start of the chunk's buffer
 };
 
-/// A cache of pages in GL buffers. Pages leave it oldest use first.
+/// An index counts from a multiple of this many vertices of its page, the last before its cluster's first: so that 16
+/// bits do, for pages of any size. This is that multiple.
+constexpr std::uint32_t indexBase(const hierarchy::Cluster& cluster) {
+    constexpr std::uint32_t kBlock = 1U << 15U;
+    return cluster.firstVertex / kBlock * kBlock;
+}
+
+/// A cache of pages in GL buffers. Pages leave it oldest use first. A chunk is one buffer: positions of all its
+/// vertices, which is all that shadow maps read, then their attributes, then indices.
 class GeometryPool {
 public:
-    /// Never holds more than its cap in buffers; buffers are made as they are needed.
-    GeometryPool(const gl::Api& api, Bytes cap);
+    /// Never holds more than its cap in buffers; buffers are made as they are needed, each as large as those before it
+    /// together, within bounds. Pages come in through `staging`.
+    GeometryPool(const gl::Api& api, gl::MappedRing& staging, Bytes cap);
 
     /// Changes the cap; what no longer fits goes at once. Draws of it must have been issued.
     void keepUnder(Bytes cap);
@@ -41,8 +51,10 @@ public:
     /// Drops the page that was not used for longest; false if there is none. Draws of it must have been issued.
     bool evictOldest();
 
-    /// The vertex array over a chunk's buffer.
-    GLuint vertexArray(std::size_t chunk) const { return chunks_[chunk].vertices.id(); }
+    /// The vertex array over a chunk's buffer, of positions with attributes or alone.
+    GLuint vertexArray(std::size_t chunk, bool withAttributes) const {
+        return (withAttributes ? chunks_[chunk].surfaces : chunks_[chunk].positions).id();
+    }
 
     std::size_t chunkCount() const { return chunks_.size(); }
 
@@ -50,22 +62,32 @@ public:
     Bytes size() const;
 
 private:
+    struct PageSize {
+        std::size_t vertices = 0;
+        std::size_t indices = 0;
+    };
+
     struct Chunk {
         gl::Buffer buffer;
-        gl::VertexArray vertices;
-        FreeList space; // in units of one vertex
+        gl::VertexArray positions;
+        gl::VertexArray surfaces;
+        std::size_t vertexCapacity = 0;
+        FreeList vertices;
+        FreeList indices;
     };
 
     struct Entry {
         std::uint32_t id = 0;
         PagePlace place;
-        std::size_t units = 0;
+        PageSize size;
     };
 
-    std::optional<PagePlace> place(std::size_t vertexCount, std::size_t units);
-    bool addChunk(std::size_t units);
+    std::optional<PagePlace> place(const PageSize& page);
+    bool addChunk(const PageSize& page);
+    void upload(const gl::Buffer& buffer, std::size_t offset, std::span<const std::byte> bytes);
 
     const gl::Api* api_;
+    gl::MappedRing* staging_;
     Bytes cap_;
     std::vector<Chunk> chunks_;
     std::list<Entry> byUse_; // newest first
@@ -78,6 +100,9 @@ using PackedVertex = hierarchy::Vertex;
 
 /// The vertices of `page` for the GPU; `page` must hold what the reader validates.
 std::vector<PackedVertex> packedVertices(std::uint32_t id, const hierarchy::Page& page, const hierarchy::Grid& grid);
+
+/// The indices of `page` for the GPU, by triangle; each counts from its cluster's `indexBase`.
+std::vector<std::uint16_t> packedIndices(const hierarchy::Page& page);
 
 /// The error of drawing a cluster instead of the source: its refinement's, or the snap error at level 0; world units.
 double storedError(const hierarchy::Page& page, const hierarchy::Cluster& cluster, const hierarchy::Grid& grid);

@@ -1,37 +1,57 @@
 #include "executor/gl/gl_batch.h"
 
+#include <algorithm>
+#include <cstring>
+
 namespace gnomon::executor {
 
+void appendCommands(
+    std::vector<DrawCommand>& commands,
+    const PagePlace& place,
+    const hierarchy::Page& page,
+    const selection::ClusterRange& range) {
+    const auto clusters = std::span(page.clusters).subspan(range.firstCluster, range.clusterCount);
+    for (auto first = clusters.begin(); first != clusters.end();) {
+        const std::uint32_t base = indexBase(*first);
+        const auto end = std::find_if(
+            first, clusters.end(), [&](const hierarchy::Cluster& cluster) { return indexBase(cluster) != base; });
+        const hierarchy::Cluster& last = *(end - 1);
+        DrawCommand command;
+        command.count = (last.firstTriangle + last.triangleCount - first->firstTriangle) * 3;
+        command.firstIndex = place.firstIndex + first->firstTriangle * 3;
+        command.baseVertex = place.baseVertex + static_cast<GLint>(base);
+        commands.push_back(command);
+        first = end;
+    }
+}
+
 void GlBatch::add(const PagePlace& place, const hierarchy::Page& page, const selection::ClusterRange& range) {
-    const hierarchy::Cluster& first = page.clusters[range.firstCluster];
-    const hierarchy::Cluster& last = page.clusters[range.firstCluster + range.clusterCount - 1];
-    const std::uint32_t triangles = last.firstTriangle + last.triangleCount - first.firstTriangle;
     if (place.chunk >= draws_.size()) draws_.resize(place.chunk + 1);
-    Draws& draws = draws_[place.chunk];
-    draws.counts.push_back(static_cast<GLsizei>(triangles * 3));
-    const std::size_t offset = place.indexOffset + std::size_t{first.firstTriangle} * 3 * sizeof(std::uint32_t);
-    draws.offsets.push_back(reinterpret_cast<const void*>(offset)); // NOLINT(performance-no-int-to-ptr): GL's way
-    draws.bases.push_back(place.baseVertex);
+    appendCommands(draws_[place.chunk], place, page, range);
 }
 
 std::uint64_t GlBatch::flush(const GeometryPool& pool, bool waits) {
-    std::uint64_t calls = 0;
+    std::uint64_t ranges = 0;
     for (std::size_t chunk = 0; chunk < draws_.size(); ++chunk) {
-        Draws& draws = draws_[chunk];
-        if (draws.counts.empty()) continue;
-        api_->bindVertexArray(pool.vertexArray(chunk));
-        api_->multiDrawElementsBaseVertex(
-            GL_TRIANGLES,
-            draws.counts.data(),
-            GL_UNSIGNED_INT,
-            draws.offsets.data(),
-            static_cast<GLsizei>(draws.counts.size()),
-            draws.bases.data());
-        if (waits) api_->finish();
-        calls += draws.counts.size();
-        draws = {};
+        std::span<const DrawCommand> left = draws_[chunk];
+        if (left.empty()) continue;
+        api_->bindVertexArray(pool.vertexArray(chunk, withAttributes_));
+        while (!left.empty()) {
+            const std::size_t count = std::min(left.size(), commands_->segmentBytes() / sizeof(DrawCommand));
+            const gl::RingPiece piece = commands_->take(count * sizeof(DrawCommand));
+            std::memcpy(piece.bytes.data(), left.data(), piece.bytes.size());
+            api_->bindBuffer(GL_DRAW_INDIRECT_BUFFER, commands_->id());
+            // NOLINTNEXTLINE(performance-no-int-to-ptr): GL takes offsets as pointers
+            const void* const offset = reinterpret_cast<const void*>(piece.offset);
+            api_->multiDrawElementsIndirect(
+                GL_TRIANGLES, GL_UNSIGNED_SHORT, offset, static_cast<GLsizei>(count), sizeof(DrawCommand));
+            if (waits) api_->finish();
+            ranges += count;
+            left = left.subspan(count);
+        }
+        draws_[chunk].clear();
     }
-    return calls;
+    return ranges;
 }
 
 } // namespace gnomon::executor

@@ -7,10 +7,14 @@
 #include "executor/gl/gl_batch.h"
 #include "executor/gl/gl_targets.h"
 #include "executor/lod_substitutes.h"
+#include "gl/gpu_timer.h"
+#include "gl/mapped_ring.h"
 #include "gl/program.h"
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstring>
 #include <map>
 
 namespace gnomon::executor {
@@ -20,6 +24,16 @@ namespace {
 constexpr GLuint kShadowDepthUnit = 0;
 constexpr GLuint kLitMaskUnit = 1;
 
+/// A segment of the ring of blocks: the partitions' block and a frame's block for every pass, several times.
+constexpr std::size_t kBlockSegment = std::size_t{128} << 10U;
+
+/// Segments of the other rings are shares of the memory, within bounds.
+std::size_t ringSegment(Bytes memory, std::uint64_t share, std::size_t least, std::size_t most) {
+    return std::clamp<std::size_t>(memory.count / share, least, most);
+}
+
+constexpr std::size_t kKibibyte = 1024;
+
 class GlExecutor final : public TextureExecutor {
 public:
     /// `own` is the context to keep if `context` is this executor's alone.
@@ -28,15 +42,22 @@ public:
         const gl::Context& context,
         std::string name,
         gl::ShaderLibrary shaders,
-        Bytes gpuMemory)
+        Bytes gpuMemory,
+        GlSubmission submission)
         : own_(std::move(own)),
           context_(&context),
           name_(std::move(name)),
           shaders_(std::move(shaders)),
           memory_(gpuMemory),
-          pool_(context.api(), gpuMemory),
-          frameBlock_(context.api(), sizeof(block::Frame)),
-          shadowsBlock_(context.api(), sizeof(block::Shadows)) {}
+          submission_(submission),
+          blocks_(context.api(), kBlockSegment),
+          commands_(context.api(), ringSegment(gpuMemory, 1024, 64 * kKibibyte, 1024 * kKibibyte)),
+          staging_(context.api(), ringSegment(gpuMemory, 256, 256 * kKibibyte, 4096 * kKibibyte)),
+          pool_(context.api(), staging_, gpuMemory) {
+        if (submission == GlSubmission::WaitsForEachPass) return;
+        shadowTimer_.emplace(context.api());
+        imageTimer_.emplace(context.api());
+    }
 
     std::string name() const override { return name_; }
 
@@ -46,7 +67,9 @@ public:
 
     PassStatistics drawImage(const FrameDrawing& frame) override;
 
-    Bytes deviceMemory() const override { return {pool_.size().count + targetMemory_.count}; }
+    DrawStatistics draw(const FrameDrawing& frame) override;
+
+    Bytes deviceMemory() const override { return {pool_.size().count + targetMemory_.count + ringBytes()}; }
 
     Picture picture() override { return targets_.picture(); }
 
@@ -62,20 +85,27 @@ private:
     void prepareTargets(const FrameDrawing& frame);
     void drawMaps(const FrameDrawing& frame);
     void drawSurfaces(const FrameDrawing& frame);
-    void drawGeometry(const FrameDrawing& frame, const selection::DrawList& list);
+    void drawGeometry(const FrameDrawing& frame, const selection::DrawList& list, bool withAttributes);
     PagePlace placed(const FrameDrawing& frame, std::uint32_t id, GlBatch& batch);
     bool waitsForDraws() const;
     const gl::Program& surfaceProgram(const FrameDrawing& frame);
-    void bindBlocks(const block::Frame& values);
+    void bindFrameBlock(const block::Frame& values);
+    void bindShadowsBlock(const FrameDrawing& frame);
+
+    std::uint64_t ringBytes() const { return blocks_.size() + commands_.size() + staging_.size(); }
 
     std::unique_ptr<const gl::Context> own_; // null in a window's
     const gl::Context* context_;
     std::string name_;
     gl::ShaderLibrary shaders_;
-    Bytes memory_; // the cap on targets and geometry together
+    Bytes memory_; // the cap on targets, rings and geometry together
+    GlSubmission submission_;
+    std::optional<gl::GpuTimer> shadowTimer_; // these two unless each pass is waited for
+    std::optional<gl::GpuTimer> imageTimer_;
+    gl::MappedRing blocks_;
+    gl::MappedRing commands_;
+    gl::MappedRing staging_;
     GeometryPool pool_;
-    gl::Buffer frameBlock_;
-    gl::Buffer shadowsBlock_;
     std::optional<gl::Program> depthProgram_;
     std::map<std::string, gl::Program> surfacePrograms_; // by their defines
     GlTargets targets_;
@@ -89,8 +119,10 @@ PassStatistics GlExecutor::drawShadowMaps(const FrameDrawing& frame) {
     prepareTargets(frame);
     drawCalls_ = 0;
     const Stopwatch watch;
+    if (shadowTimer_) shadowTimer_->begin();
     if (targets_.hasShadowMaps()) drawMaps(frame);
-    api().finish();
+    if (shadowTimer_) shadowTimer_->end();
+    if (!shadowTimer_) api().finish();
     return {targets_.hasShadowMaps() ? watch.elapsed() : Milliseconds(), drawCalls_, std::nullopt};
 }
 
@@ -99,30 +131,64 @@ PassStatistics GlExecutor::drawImage(const FrameDrawing& frame) {
     drawCalls_ = 0;
     clipNear_ = frame.clipNear;
     const Stopwatch watch;
+    if (imageTimer_) imageTimer_->begin();
     drawSurfaces(frame);
-    api().finish();
+    if (imageTimer_) imageTimer_->end();
+    if (!imageTimer_) api().finish();
     const Milliseconds time = watch.elapsed();
     context_->check("frame");
     return {time, drawCalls_, std::nullopt};
 }
 
+/// The GPU's times, where it has a clock: of this frame if it is waited for, else of the last that is known to be done.
+DrawStatistics GlExecutor::draw(const FrameDrawing& frame) {
+    DrawStatistics statistics = TextureExecutor::draw(frame);
+    if (submission_ == GlSubmission::WaitsForEachFrame) {
+        statistics.image.time = imageTimer_->finished();
+        statistics.shadows.time = shadowTimer_->finished();
+    } else if (submission_ == GlSubmission::Queues) {
+        statistics.image.time = imageTimer_->latest();
+        statistics.shadows.time = shadowTimer_->latest();
+    }
+    return statistics;
+}
+
 /// What the targets leave of the memory is the geometry's.
 void GlExecutor::prepareTargets(const FrameDrawing& frame) {
-    targetMemory_ = GlTargets::bytes(frame);
-    if (targetMemory_ >= memory_)
+    targetMemory_ = targets_.bytes(frame);
+    const Bytes taken{targetMemory_.count + ringBytes()};
+    if (taken >= memory_)
         throw Error(
             "drawing memory",
             "the image and its shadow maps alone take more",
-            "above " + readableBytes(targetMemory_),
+            "above " + readableBytes(taken),
             readableBytes(memory_));
-    pool_.keepUnder({memory_.count - targetMemory_.count});
+    pool_.keepUnder({memory_.count - taken.count});
     targets_.prepare(*context_, frame);
 }
 
-void GlExecutor::bindBlocks(const block::Frame& values) {
-    frameBlock_.write(0, std::as_bytes(std::span(&values, 1)));
-    api().bindBufferBase(GL_UNIFORM_BUFFER, 0, frameBlock_.id());
-    api().bindBufferBase(GL_UNIFORM_BUFFER, 1, shadowsBlock_.id());
+void GlExecutor::bindFrameBlock(const block::Frame& values) {
+    const gl::RingPiece piece = blocks_.take(sizeof values);
+    std::memcpy(piece.bytes.data(), &values, sizeof values);
+    api().bindBufferRange(
+        GL_UNIFORM_BUFFER, 0, blocks_.id(), static_cast<GLintptr>(piece.offset), GLsizeiptr{sizeof values});
+}
+
+/// One value here, three blocks for the shaders: none is larger than the 16 KiB that every OpenGL has.
+void GlExecutor::bindShadowsBlock(const FrameDrawing& frame) {
+    constexpr std::size_t kFirst = offsetof(block::Shadows, partitions);
+    constexpr std::size_t kOthers = kFirst + GNOMON_FIRST_PARTITIONS * sizeof(block::Partition);
+    constexpr std::array<std::size_t, 4> kStarts = {0, kFirst, kOthers, sizeof(block::Shadows)};
+    const block::Shadows values = shadowsBlock(frame);
+    const gl::RingPiece piece = blocks_.take(sizeof values);
+    std::memcpy(piece.bytes.data(), &values, sizeof values);
+    for (std::size_t i = 0; i + 1 < kStarts.size(); ++i)
+        api().bindBufferRange(
+            GL_UNIFORM_BUFFER,
+            static_cast<GLuint>(1 + i),
+            blocks_.id(),
+            static_cast<GLintptr>(piece.offset + kStarts[i]),
+            static_cast<GLsizeiptr>(kStarts[i + 1] - kStarts[i]));
 }
 
 void GlExecutor::drawMaps(const FrameDrawing& frame) {
@@ -150,8 +216,8 @@ void GlExecutor::drawMaps(const FrameDrawing& frame) {
         // Casters nearer to the light than the frustum count: they are clamped per fragment.
         (plan.passes[p].clampsDepth ? gl.enable : gl.disable)(GL_DEPTH_CLAMP);
         const MapDrawing map = mapDrawing(frame, plan.passes[p].map);
-        bindBlocks(frameBlock(frame, map.space, map.clipFromDraw()));
-        drawGeometry(frame, *frame.casters[p]);
+        bindFrameBlock(frameBlock(frame, map.space, map.clipFromDraw()));
+        drawGeometry(frame, *frame.casters[p], false);
     }
     gl.disable(GL_SCISSOR_TEST);
     gl.disable(GL_DEPTH_CLAMP);
@@ -159,7 +225,9 @@ void GlExecutor::drawMaps(const FrameDrawing& frame) {
 
 const gl::Program& GlExecutor::surfaceProgram(const FrameDrawing& frame) {
     const int shadows = frame.litMask != nullptr ? 2 : (targets_.hasShadowMaps() ? 1 : 0);
-    const std::string defines = "#define SHADOWS " + std::to_string(shadows) + "\n#define OVERLAY " +
+    const bool hasMany = frame.plan->passes.size() > GNOMON_FIRST_PARTITIONS;
+    const std::string defines = "#define MANY_PARTITIONS " + std::to_string(hasMany ? 1 : 0) + "\n#define SHADOWS " +
+                                std::to_string(shadows) + "\n#define OVERLAY " +
                                 std::to_string(static_cast<int>(frame.overlay)) + "\n#define AUXILIARY " +
                                 (frame.wantsSurfaces ? "1\n" : "0\n");
     const auto found = surfacePrograms_.find(defines);
@@ -186,8 +254,7 @@ void GlExecutor::drawSurfaces(const FrameDrawing& frame) {
     gl.enable(GL_DEPTH_TEST);
     gl.depthFunc(GL_GREATER);
     if (targets_.hasShadowMaps()) {
-        const block::Shadows values = shadowsBlock(frame);
-        shadowsBlock_.write(0, std::as_bytes(std::span(&values, 1)));
+        bindShadowsBlock(frame);
         gl.bindTextureUnit(kShadowDepthUnit, targets_.shadowMaps().id());
     }
     if (frame.litMask != nullptr) {
@@ -202,13 +269,13 @@ void GlExecutor::drawSurfaces(const FrameDrawing& frame) {
     if (frame.overlay == Overlay::Residency) {
         for (const Residence residence : {Residence::Final, Residence::Pending, Residence::Damaged}) {
             values.drawnResidence = static_cast<float>(residence);
-            bindBlocks(values);
-            drawGeometry(frame, drawnAs(*frame.image, frame.substitutes, residence, frame.pages));
+            bindFrameBlock(values);
+            drawGeometry(frame, drawnAs(*frame.image, frame.substitutes, residence, frame.pages), true);
         }
         return;
     }
-    bindBlocks(values);
-    drawGeometry(frame, *frame.image);
+    bindFrameBlock(values);
+    drawGeometry(frame, *frame.image, true);
 }
 
 PagePlace GlExecutor::placed(const FrameDrawing& frame, std::uint32_t id, GlBatch& batch) {
@@ -222,8 +289,8 @@ PagePlace GlExecutor::placed(const FrameDrawing& frame, std::uint32_t id, GlBatc
     }
 }
 
-void GlExecutor::drawGeometry(const FrameDrawing& frame, const selection::DrawList& list) {
-    GlBatch batch(api());
+void GlExecutor::drawGeometry(const FrameDrawing& frame, const selection::DrawList& list, bool withAttributes) {
+    GlBatch batch(api(), commands_, withAttributes);
     for (const selection::ClusterRange& range : list.ranges)
         batch.add(placed(frame, range.page, batch), frame.pages(range.page), range);
     drawCalls_ += batch.flush(pool_, waitsForDraws());
@@ -232,7 +299,7 @@ void GlExecutor::drawGeometry(const FrameDrawing& frame, const selection::DrawLi
 /// Mesa's software renderer keeps the binned triangles of all draws that it has not finished, some 200 MiB that count
 /// towards no cap: waiting holds them down, for a sixth more time.
 bool GlExecutor::waitsForDraws() const {
-    return !context_->isHardware();
+    return submission_ == GlSubmission::WaitsForEachPass;
 }
 
 } // namespace
@@ -241,12 +308,20 @@ std::unique_ptr<Executor> makeGlExecutor(gl::Platform platform, const gl::Shader
     auto context = std::make_unique<const gl::Context>(platform);
     const gl::Context& ours = *context;
     const char* const name = platform == gl::Platform::Egl ? "egl" : "osmesa";
-    return std::make_unique<GlExecutor>(std::move(context), ours, name, shaders, gpuMemory);
+    const GlSubmission submission =
+        ours.isHardware() ? GlSubmission::WaitsForEachFrame : GlSubmission::WaitsForEachPass;
+    return std::make_unique<GlExecutor>(std::move(context), ours, name, shaders, gpuMemory, submission);
 }
 
 std::unique_ptr<TextureExecutor> makeWindowExecutor(
     const gl::Context& context, const gl::ShaderLibrary& shaders, Bytes gpuMemory) {
-    return std::make_unique<GlExecutor>(nullptr, context, "window", shaders, gpuMemory);
+    return makeWindowExecutor(
+        context, shaders, gpuMemory, context.isHardware() ? GlSubmission::Queues : GlSubmission::WaitsForEachPass);
+}
+
+std::unique_ptr<TextureExecutor> makeWindowExecutor(
+    const gl::Context& context, const gl::ShaderLibrary& shaders, Bytes gpuMemory, GlSubmission submission) {
+    return std::make_unique<GlExecutor>(nullptr, context, "window", shaders, gpuMemory, submission);
 }
 
 } // namespace gnomon::executor

@@ -11,6 +11,13 @@
 
 namespace gnomon::executor {
 
+/// When the program waits for what it asked of OpenGL.
+enum class GlSubmission {
+    WaitsForEachPass,  // Mesa's software renderers: their clocks are wrong, and what they queue takes memory
+    WaitsForEachFrame, // a GPU without a window: each frame has its own times
+    Queues,            // a GPU with a window: times are those of the last frame that is known to be done
+};
+
 /// Draws with `platform`'s context; image, maps and geometry stay under `gpuMemory`. Throws Error if there is no
 /// context.
 std::unique_ptr<Executor> makeGlExecutor(gl::Platform platform, const gl::ShaderLibrary& shaders, Bytes gpuMemory);
@@ -25,5 +32,9 @@ public:
 /// Draws in a window's context, which must outlive it and be current whenever it is called.
 std::unique_ptr<TextureExecutor> makeWindowExecutor(
     const gl::Context& context, const gl::ShaderLibrary& shaders, Bytes gpuMemory);
+
+/// The same, waiting as `submission` says whatever the context is.
+std::unique_ptr<TextureExecutor> makeWindowExecutor(
+    const gl::Context& context, const gl::ShaderLibrary& shaders, Bytes gpuMemory, GlSubmission submission);
 
 } // namespace gnomon::executor

@@ -4,7 +4,7 @@
 
 namespace gnomon::executor {
 
-Bytes GlTargets::bytes(const FrameDrawing& frame) {
+Bytes GlTargets::bytes(const FrameDrawing& frame) const {
     const auto texels = [](int width, int height) {
         return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
     };
@@ -13,8 +13,8 @@ Bytes GlTargets::bytes(const FrameDrawing& frame) {
     const plan::FramePlan& plan = *frame.plan;
     const std::uint64_t perPixel =
         kColorAndDepth + (frame.wantsSurfaces ? kSurfaces : 0) + (frame.litMask != nullptr ? 1 : 0);
-    const std::uint64_t shadows =
-        plan.passes.empty() ? 0 : sizeof(float) * texels(plan.textureWidth, plan.textureHeight);
+    const glm::ivec2 shadow = shadowSize(plan);
+    const std::uint64_t shadows = sizeof(float) * texels(shadow.x, shadow.y);
     return {perPixel * texels(plan.view.width, plan.view.height) + shadows};
 }
 
@@ -54,11 +54,27 @@ void GlTargets::prepareImage(const gl::Api& api, const FrameDrawing& frame) {
 
 void GlTargets::prepareShadow(const gl::Api& api, const plan::FramePlan& plan) {
     if (plan.passes.empty()) return shadow_.reset();
-    if (shadow_ && shadow_->depth.width() == plan.textureWidth && shadow_->depth.height() == plan.textureHeight) return;
-    Shadow shadow;
-    shadow.depth = gl::Texture(api, GL_DEPTH_COMPONENT32F, plan.textureWidth, plan.textureHeight);
-    shadow.framebuffer = gl::Framebuffer(api, {}, shadow.depth);
-    shadow_ = std::move(shadow);
+    const glm::ivec2 size = shadowSize(plan);
+    if (!shadow_ || shadow_->depth.width() != size.x || shadow_->depth.height() != size.y) {
+        Shadow shadow;
+        shadow.depth = gl::Texture(api, GL_DEPTH_COMPONENT32F, size.x, size.y);
+        shadow.framebuffer = gl::Framebuffer(api, {}, shadow.depth);
+        shadow_ = std::move(shadow);
+    }
+    shadow_->width = plan.textureWidth;
+    shadow_->height = plan.textureHeight;
+}
+
+/// Of the texture for the maps of `plan`: the one that is there if the plan's fits, else one that both fit into, unless
+/// most of it would lie idle.
+glm::ivec2 GlTargets::shadowSize(const plan::FramePlan& plan) const {
+    if (plan.passes.empty()) return {0, 0};
+    const glm::ivec2 needed(plan.textureWidth, plan.textureHeight);
+    if (!shadow_) return needed;
+    constexpr double kMostIdle = 0.5;
+    const glm::ivec2 both = glm::max(needed, glm::ivec2(shadow_->depth.width(), shadow_->depth.height()));
+    const auto area = [](const glm::ivec2& size) { return static_cast<double>(size.x) * size.y; };
+    return area(needed) >= (1 - kMostIdle) * area(both) ? both : needed;
 }
 
 Picture GlTargets::picture() const {
@@ -79,8 +95,15 @@ FloatPicture GlTargets::viewDepth(double clipNear) const {
 
 FloatPicture GlTargets::shadowDepth() const {
     if (!shadow_) return {};
-    FloatPicture result(shadow_->depth.width(), shadow_->depth.height());
-    shadow_->depth.read(GL_DEPTH_COMPONENT, GL_FLOAT, std::as_writable_bytes(std::span(result.pixels)));
+    FloatPicture whole(shadow_->depth.width(), shadow_->depth.height());
+    shadow_->depth.read(GL_DEPTH_COMPONENT, GL_FLOAT, std::as_writable_bytes(std::span(whole.pixels)));
+    if (whole.width == shadow_->width && whole.height == shadow_->height) return whole;
+    FloatPicture result(shadow_->width, shadow_->height);
+    for (int row = 0; row < result.height; ++row)
+        std::copy_n(
+            whole.pixels.begin() + std::ptrdiff_t{row} * whole.width,
+            result.width,
+            result.pixels.begin() + std::ptrdiff_t{row} * result.width);
     return result;
 }
 

@@ -21,11 +21,12 @@ void flipRows(Raster<Pixel>& raster) {
     }
 }
 
-/// Everything but `bytes` and `prepare` needs a frame that was prepared.
+/// Everything but `bytes` and `prepare` needs a frame that was prepared. The texture of the maps may be larger than a
+/// plan's: it is kept while plans change their shape, and maps lie in its first columns and rows.
 class GlTargets {
 public:
-    /// What the textures that `frame` is drawn into take.
-    static Bytes bytes(const FrameDrawing& frame);
+    /// What the textures that `frame` is drawn into take: those that `prepare` makes or keeps.
+    Bytes bytes(const FrameDrawing& frame) const;
 
     /// Makes what `frame` needs and the last frame did not leave. Throws Error if that is larger than a texture can be.
     void prepare(const gl::Context& context, const FrameDrawing& frame);
@@ -65,10 +66,13 @@ private:
     struct Shadow {
         gl::Texture depth;
         gl::Framebuffer framebuffer;
+        int width = 0; // of the plan's
+        int height = 0;
     };
 
     void prepareImage(const gl::Api& api, const FrameDrawing& frame);
     void prepareShadow(const gl::Api& api, const plan::FramePlan& plan);
+    glm::ivec2 shadowSize(const plan::FramePlan& plan) const;
 
     std::optional<Image> image_;
     std::optional<Shadow> shadow_;

@@ -1,6 +1,7 @@
 // One level of detail while it is built: triangles, clusters of them, groups of clusters.
 #pragma once
 
+#include "preprocess/levels/color_transfer.h"
 #include "preprocess/levels/normal_transfer.h"
 #include "preprocess/simplify/mesh.h"
 #include "preprocess/simplify/simplify.h"
@@ -57,6 +58,7 @@ struct Level {
     std::vector<LevelGroup> groups;
     std::vector<LevelRefinement> refinements;
     std::vector<TransferredNormal> normals; // that vertices of the mesh take from this level on
+    std::vector<TransferredColor> colors;   // likewise
 };
 
 } // namespace gnomon::levels

@@ -28,13 +28,15 @@ std::uint64_t triangleCount(const Level& level, const LevelGroup& group) {
 struct GroupResult {
     Level clusters; // firstTriangle counts from the group's own first triangle
     double error = 0;
+    double attributeError = 0;
 };
 
-double worstRefinement(const Level& level, const LevelGroup& group) {
+/// The largest of one of the errors of what refines the clusters of a group.
+double worstRefinement(const Level& level, const LevelGroup& group, double LevelRefinement::*error) {
     double worst = 0;
     for (std::uint32_t c = group.firstCluster; c < group.firstCluster + group.clusterCount; ++c)
         if (const std::uint32_t refinement = level.clusters[c].refinement; refinement != kNone)
-            worst = std::max(worst, level.refinements[refinement].error);
+            worst = std::max(worst, level.refinements[refinement].*error);
     return worst;
 }
 
@@ -55,7 +57,7 @@ public:
         patch.patch.errors = std::span(level_.errors).subspan(first.firstTriangle, count);
         const simplify::SimplifiedPatch simplified =
             simplify::simplify(patch.patch, (count + 1) / 2, options_.simplifier);
-        const double before = std::max(worstRefinement(level_, group), mesh_.grid.snapError());
+        const double before = std::max(worstRefinement(level_, group, &LevelRefinement::error), mesh_.grid.snapError());
         GroupResult result;
         std::vector<simplify::TriangleError> errors(simplified.triangles.size());
         if (options_.isErrorMeasured) {
@@ -75,13 +77,25 @@ public:
             result.error = before + simplified.claimedError * mesh_.grid.step();
         }
         cutIntoClusters(patch, simplified, errors, groupIndex, result.clusters);
-        result.clusters.normals = transferredNormals(patch.patch, simplified);
-        for (TransferredNormal& normal : result.clusters.normals)
-            normal.vertex = patch.globalVertex[normal.vertex];
+        transferAttributes(patch, simplified, result);
+        result.attributeError =
+            std::max(result.attributeError, worstRefinement(level_, group, &LevelRefinement::attributeError));
         return result;
     }
 
 private:
+    void transferAttributes(
+        const GroupPatch& patch, const simplify::SimplifiedPatch& simplified, GroupResult& result) const {
+        result.clusters.normals = transferredNormals(patch.patch, simplified);
+        for (TransferredNormal& normal : result.clusters.normals)
+            normal.vertex = patch.globalVertex[normal.vertex];
+        ColorTransfer colors = transferredColors(patch.patch, simplified);
+        for (TransferredColor& color : colors.colors)
+            color.vertex = patch.globalVertex[color.vertex];
+        result.clusters.colors = std::move(colors.colors);
+        result.attributeError = colors.error * mesh_.grid.step();
+    }
+
     void cutIntoClusters(
         const GroupPatch& patch,
         const simplify::SimplifiedPatch& simplified,
@@ -131,12 +145,14 @@ Level simplifiedLevel(
     for (std::size_t g = 0; g < results.size(); ++g) {
         LevelGroup& group = level.groups[g];
         group.error = results[g].error;
+        group.attributeError = results[g].attributeError;
         next.refinements.push_back({group.place, group.bounds, group.error, group.attributeError});
         const auto first = static_cast<std::uint32_t>(next.triangles.size());
         const Level& own = results[g].clusters;
         next.triangles.insert(next.triangles.end(), own.triangles.begin(), own.triangles.end());
         next.errors.insert(next.errors.end(), own.errors.begin(), own.errors.end());
         next.normals.insert(next.normals.end(), own.normals.begin(), own.normals.end());
+        next.colors.insert(next.colors.end(), own.colors.begin(), own.colors.end());
         for (LevelCluster cluster : own.clusters) {
             cluster.firstTriangle += first;
             next.clusters.push_back(cluster);

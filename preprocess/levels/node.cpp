@@ -58,7 +58,9 @@ void endAtRoot(Level& level) {
     }
 }
 
-void takeNormals(const Level& level, simplify::Mesh& mesh) {
+void takeAttributes(const Level& level, simplify::Mesh& mesh) {
+    for (const TransferredColor& carried : level.colors)
+        mesh.vertices[carried.vertex].color = carried.color;
     for (const TransferredNormal& carried : level.normals)
         mesh.vertices[carried.vertex].normal = carried.normal;
 }
@@ -90,7 +92,7 @@ BuiltNode buildNode(
         if (!coarser.isWorthwhile && number > 0) break;
         keep(number, pageCount);
         level = std::move(coarser.level);
-        takeNormals(level, mesh);
+        takeAttributes(level, mesh);
     }
     node.pending = encodePendingLevel(mesh, level);
     return node;

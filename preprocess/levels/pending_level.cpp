@@ -3,6 +3,7 @@
 #include "core/index_table.h"
 #include "hierarchy/bytes.h"
 
+#include <algorithm>
 #include <cstring>
 
 namespace gnomon::levels {
@@ -39,7 +40,6 @@ struct PendingVertex {
 
 struct PendingCluster {
     std::uint32_t triangleCount = 0;
-    std::uint32_t vertexCount = 0;
     std::uint32_t refinement = kNone;
 };
 
@@ -70,8 +70,7 @@ EncodedPendingLevel encodePendingLevel(const simplify::Mesh& mesh, const Level& 
     std::vector<PendingCluster> clusters;
     clusters.reserve(level.clusters.size());
     for (const LevelCluster& c : level.clusters)
-        clusters.push_back(
-            {c.triangleCount, c.vertexCount, c.refinement == kNone ? kNone : refinementNumbers(c.refinement)});
+        clusters.push_back({c.triangleCount, c.refinement == kNone ? kNone : refinementNumbers(c.refinement)});
     std::vector<PendingVertex> vertices;
     vertices.reserve(vertexNumbers.inOrder().size());
     for (const std::uint32_t v : vertexNumbers.inOrder())
@@ -158,15 +157,21 @@ void PendingLevelMerger::add(
     level.errors.insert(level.errors.end(), errors.begin(), errors.end());
     const auto firstRefinement = static_cast<std::uint32_t>(level.refinements.size());
     std::uint32_t triangle = firstTriangle;
+    std::vector<std::uint32_t> corners; // of one cluster, each once
     for (const PendingCluster& given : takeAll<PendingCluster>(in)) {
         LevelCluster cluster;
         cluster.firstTriangle = triangle;
         cluster.triangleCount = given.triangleCount;
-        cluster.vertexCount = given.vertexCount;
         if (given.refinement != kNone) cluster.refinement = firstRefinement + given.refinement;
+        corners.clear();
         for (const std::uint32_t end = triangle + given.triangleCount; triangle < end; ++triangle)
-            for (const std::uint32_t v : level.triangles[triangle])
-                cluster.box.add(mesh.vertices[v].position);
+            corners.insert(corners.end(), level.triangles[triangle].begin(), level.triangles[triangle].end());
+        // Vertices whose colours or normals became the same on the way are one from here on.
+        std::sort(corners.begin(), corners.end());
+        corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+        cluster.vertexCount = static_cast<std::uint32_t>(corners.size());
+        for (const std::uint32_t v : corners)
+            cluster.box.add(mesh.vertices[v].position);
         level.clusters.push_back(cluster);
     }
     const std::uint64_t refinements = in.takeVarint();

@@ -1,6 +1,7 @@
 #include "frame/exact_estimate.h"
 
 #include "executor/frame_block.h"
+#include "frame/light_cells.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,93 +31,11 @@ constexpr double kPointsOfTriangle = 48;
 constexpr std::array kRounds = {1.0 / 8, 3.0 / 8, 4.0 / 8};
 constexpr double kLeastDark = 0.25;
 
-/// A box on the light plane with the greatest h of what it holds.
-struct LightBox {
-    exact::CellBox cells;
-    float highest = -std::numeric_limits<float>::infinity();
-};
-
-/// The cells that a polygon on the light plane reaches: the part of it that has w enough to cover a point.
-struct Reach {
-    glm::dvec2 low{std::numeric_limits<double>::infinity()};
-    glm::dvec2 high{-std::numeric_limits<double>::infinity()};
-
-    void add(const glm::dvec3& p) {
-        low = glm::min(low, glm::dvec2(p) / p.z);
-        high = glm::max(high, glm::dvec2(p) / p.z);
-    }
-
-    exact::CellBox cells() const {
-        if (!(high.x >= 0 && high.y >= 0 && low.x <= kCells && low.y <= kCells)) return {};
-        const auto cell = [](double x) { return exact::cellAt(x, kCells); };
-        return {cell(low.x), cell(low.y), cell(high.x), cell(high.y)};
-    }
-};
-
-template <std::size_t Count>
-exact::CellBox cellsOf(const std::array<glm::dvec3, Count>& polygon, double leastW) {
-    Reach reach;
-    for (std::size_t i = 0; i < Count; ++i) {
-        const glm::dvec3& p = polygon[i];
-        const glm::dvec3& q = polygon[(i + 1) % Count];
-        if (p.z >= leastW) reach.add(p);
-        if ((p.z >= leastW) == (q.z >= leastW)) continue;
-        const double share = (leastW - p.z) / (q.z - p.z);
-        reach.add({glm::dvec2(p) + share * (glm::dvec2(q) - glm::dvec2(p)), leastW});
-    }
-    return reach.cells();
-}
-
-glm::dvec3 fromOrigin(const hierarchy::GridPoint& p, const hierarchy::GridPoint& origin) {
-    const auto difference = [](std::uint32_t a, std::uint32_t b) {
-        return static_cast<double>(static_cast<std::int32_t>(a - b));
-    };
-    return {difference(p.x, origin.x), difference(p.y, origin.y), difference(p.z, origin.z)};
-}
-
-glm::dvec3 sheared(const exact::LightShear& shear, const glm::dvec3& p) {
-    const double along = p[shear.along];
-    return {p[shear.first] - shear.firstRatio * along, p[shear.second] - shear.secondRatio * along, shear.sign * along};
-}
-
-LightBox lightBox(
-    const exact::LightShear& shear,
-    const glm::dmat3& cells,
-    double leastW,
-    const glm::dvec3& least,
-    const glm::dvec3& most) {
-    const auto span = [&](int axis, double ratio) {
-        const double p = ratio * least[shear.along];
-        const double q = ratio * most[shear.along];
-        return glm::dvec2(least[axis] - std::max(p, q), most[axis] - std::min(p, q));
-    };
-    const glm::dvec2 u = span(shear.first, shear.firstRatio);
-    const glm::dvec2 v = span(shear.second, shear.secondRatio);
-    const std::array<glm::dvec3, 4> corners{
-        cells * glm::dvec3(u[0], v[0], 1),
-        cells * glm::dvec3(u[1], v[0], 1),
-        cells * glm::dvec3(u[1], v[1], 1),
-        cells * glm::dvec3(u[0], v[1], 1)};
-    return {cellsOf(corners, leastW), static_cast<float>(shear.sign > 0 ? most[shear.along] : -least[shear.along])};
-}
-
-/// The columns of `box` that a triangle with corners at `p` (cells) covers somewhere in a row.
-exact::CellBox rowSpan(const std::array<glm::dvec2, 3>& p, const exact::CellBox& box, int row) {
-    double least = std::numeric_limits<double>::infinity();
-    double most = -least;
-    for (std::size_t k = 0; k < 3; ++k) {
-        glm::dvec2 a = p[k];
-        glm::dvec2 b = p[(k + 1) % 3];
-        if (a.y > b.y) std::swap(a, b);
-        if (b.y < row || a.y > row + 1) continue;
-        const double slope = b.y > a.y ? (b.x - a.x) / (b.y - a.y) : 0;
-        for (const double y : {std::max(a.y, double(row)), std::min(b.y, row + 1.0)}) {
-            least = std::min(least, a.x + (y - a.y) * slope);
-            most = std::max(most, a.x + (y - a.y) * slope);
-        }
-    }
-    if (!(least <= most)) return {};
-    return {std::max(box.x0, exact::cellAt(least, kCells)), row, std::min(box.x1, exact::cellAt(most, kCells)), row};
+/// Which of four slices of the plan's depths, as maps split them, holds a view depth.
+std::size_t sliceAt(const plan::FramePlan& plan, double depth) {
+    if (!(plan.near > 0 && plan.far > plan.near)) return 0;
+    return static_cast<std::size_t>(
+        std::clamp(4 * std::log(depth / plan.near) / std::log(plan.far / plan.near), 0.0, 3.0));
 }
 
 } // namespace
@@ -158,8 +77,32 @@ void ExactEstimate::drawPoints(const executor::FrameDrawing& frame) {
         const double y = (2 * (static_cast<double>(line) + 0.5) / size.y - 1) * plan.view.tanHalfY();
         const double depth = frame.clipNear / static_cast<double>(raster::visibleDepth(words_[i])) / frame.space.step;
         const glm::dvec3 p = sheared(shear_, eye + toWorld(plan.basis, glm::dvec3(x, y, 1) * depth));
-        points_.push_back({p.x, p.y, p.z, depth * perDepth});
+        points_.push_back({p.x, p.y, p.z, depth * perDepth, sliceAt(plan, depth * frame.space.step)});
     }
+}
+
+double ExactEstimate::Slice::texelsOfCell() const {
+    constexpr double kTexels = 1024.0 * 1024;
+    return kTexels / ((cells.x1 - cells.x0 + 1.0) * (cells.y1 - cells.y0 + 1.0));
+}
+
+/// Tells the masks of a point in cell (x, y), which stands for others around it.
+void ExactEstimate::lowerMasks(const Point& point, int x, int y) {
+    Slice& slice = slices_[point.slice];
+    const auto block = [](int cell) { return std::clamp(cell, 0, kCells - 1) >> kBlockBits; };
+    const auto first = [&](int cell) { return block(cell - kReachCells) << kBlockBits; };
+    const auto last = [&](int cell) { return block(cell + kReachCells) << kBlockBits | (kBlockSide - 1); };
+    slice.cells = {
+        std::min(slice.cells.x0, first(x)),
+        std::min(slice.cells.y0, first(y)),
+        std::max(slice.cells.x1, last(x)),
+        std::max(slice.cells.y1, last(y))};
+    for (const int i : {-kReachCells, kReachCells})
+        for (const int j : {-kReachCells, kReachCells})
+            for (exact::ReceiverMask* mask : {&mask_, &slice.mask}) {
+                float& lowest = mask->lowest(block(x + i), block(y + j));
+                lowest = std::min(lowest, static_cast<float>(point.h - kReachError * point.error));
+            }
 }
 
 void ExactEstimate::sortPoints(const executor::FrameDrawing& frame) {
@@ -189,18 +132,21 @@ void ExactEstimate::sortPoints(const executor::FrameDrawing& frame) {
     first_.assign(kCells * kCells + 1, 0);
     cellOf_.clear();
     mask_.reset(kCells, kCells);
+    for (Slice& slice : slices_) {
+        slice.mask.reset(kCells, kCells);
+        slice.cells = {kCells, kCells, -1, -1};
+    }
     for (const Point& point : points_) {
         const glm::dvec3 p = cells_ * glm::dvec3(point.u, point.v, 1);
         const int x = exact::cellAt(p.x / p.z, kCells);
         const int y = exact::cellAt(p.y / p.z, kCells);
         cellOf_.push_back(static_cast<std::uint32_t>(y * kCells + x));
         ++first_[cellOf_.back() + 1];
-        for (const int i : {-kReachCells, kReachCells})
-            for (const int j : {-kReachCells, kReachCells}) {
-                const auto block = [](int cell) { return std::clamp(cell, 0, kCells - 1) >> kBlockBits; };
-                float& lowest = mask_.lowest(block(x + i), block(y + j));
-                lowest = std::min(lowest, static_cast<float>(point.h - kReachError * point.error));
-            }
+        lowerMasks(point, x, y);
+    }
+    for (Slice& slice : slices_) {
+        slice.mask.finish();
+        slice.asked.addBlocks(slice.mask);
     }
     mask_.finish();
     for (std::size_t i = 1; i < first_.size(); ++i)
@@ -228,6 +174,19 @@ void ExactEstimate::Sums::add(const std::vector<std::uint32_t>& first, const std
     }
 }
 
+void ExactEstimate::Sums::addBlocks(const exact::ReceiverMask& mask) {
+    constexpr std::size_t kCorners = std::size_t{kCells} + 1;
+    below.assign(kCorners * kCorners, 0);
+    for (int y = 0; y < kCells; ++y) {
+        float sum = 0;
+        for (int x = 0; x < kCells; ++x) {
+            if (mask.lowest(x >> kBlockBits, y >> kBlockBits) < exact::ReceiverMask::kNone) ++sum;
+            const std::size_t corner = (static_cast<std::size_t>(y) + 1) * kCorners + static_cast<std::size_t>(x) + 1;
+            below[corner] = below[corner - kCorners] + sum;
+        }
+    }
+}
+
 double ExactEstimate::Sums::in(const exact::CellBox& box) const {
     if (box.empty()) return 0;
     const auto at = [&](int x, int y) {
@@ -250,7 +209,11 @@ void ExactEstimate::keepClusters(const executor::FrameDrawing& frame, std::size_
             const LightBox light =
                 lightBox(shear_, cells_, leastW_, fromOrigin(box.min, origin), fromOrigin(box.max, origin));
             if (light.cells.empty() || !mask_.mayShadow(light.cells, light.highest)) continue;
-            kept_.push_back({&page, c, all_.in(light.cells)});
+            const auto isShadowed = [&](const Slice& slice) {
+                return !slice.cells.empty() && slice.mask.mayShadow(light.cells, light.highest);
+            };
+            const auto slices = std::count_if(slices_.begin(), slices_.end(), isShadowed);
+            kept_.push_back({&page, c, all_.in(light.cells), static_cast<int>(slices)});
         }
     }
 }
@@ -271,7 +234,12 @@ void ExactEstimate::pickTriangles(const executor::FrameDrawing& frame, const Kep
         const exact::CellBox box = cellsOf(places, leastW_);
         const double highest = std::max({corners[0].z, corners[1].z, corners[2].z});
         if (box.empty() || !mask_.mayShadow(box, static_cast<float>(highest))) continue;
-        picked_.push_back({box, weight * cluster.triangleCount / looked, 0});
+        picked_.push_back(
+            {box,
+             weight * cluster.triangleCount / looked,
+             0,
+             coveredArea(places, leastW_, box),
+             static_cast<float>(highest)});
         hold(corners, places, picked_.back());
     }
 }
@@ -349,6 +317,19 @@ void ExactEstimate::addRound(const Sums& left, double share, double perPoint, pl
     }
 }
 
+/// What maps would draw of the kept clusters: whole clusters, but no texels of triangles that lie below all points.
+void ExactEstimate::addKept(double weight, plan::ExactWork& work) const {
+    for (const KeptCluster& kept : kept_)
+        work.keptTriangles += weight * kept.page->clusters[kept.cluster].triangleCount * kept.slices;
+    for (const PickedTriangle& picked : picked_) {
+        const exact::CellBox& box = picked.cells;
+        const double cells = (box.x1 - box.x0 + 1.0) * (box.y1 - box.y0 + 1.0);
+        for (const Slice& slice : slices_)
+            if (!slice.cells.empty() && slice.mask.mayShadow(box, picked.highest))
+                work.mapFragments += picked.weight * picked.area * slice.asked.in(box) / cells * slice.texelsOfCell();
+    }
+}
+
 void ExactEstimate::pickClusters(const executor::FrameDrawing& frame, double weight) {
     double triangles = 0;
     double points = 0;
@@ -384,15 +365,15 @@ plan::ExactWork ExactEstimate::estimate(const executor::FrameDrawing& frame) {
         std::max<std::size_t>(1, (frame.exactCasters->clusters + kMostClusters - 1) / kMostClusters);
     keepClusters(frame, stride);
     pickClusters(frame, static_cast<double>(stride));
+    addKept(static_cast<double>(stride), work);
     const exact::CellBox whole{0, 0, kCells - 1, kCells - 1};
-    Sums left = all_;
+    left_ = all_;
     double cast = 0;
     for (const double share : kRounds) {
-        addRound(left, share, perPoint, work);
+        addRound(left_, share, perPoint, work);
         cast += share;
-        Sums next;
-        next.add(first_, sharesLeft(cast));
-        if (next.in(whole) <= (1 - kLeastDark) * left.in(whole)) left = std::move(next);
+        next_.add(first_, sharesLeft(cast));
+        if (next_.in(whole) <= (1 - kLeastDark) * left_.in(whole)) std::swap(left_, next_);
     }
     return work;
 }

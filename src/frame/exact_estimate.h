@@ -32,28 +32,7 @@ private:
     static constexpr int kBlockBits = exact::ReceiverMask::kBlockBits;
     static constexpr int kBlockSide = 1 << kBlockBits;
     static constexpr std::size_t kBlocks = plan::kCellSide / kBlockSide;
-
-    /// A point that faces the light, in the shear along it.
-    struct Point {
-        double u = 0;
-        double v = 0;
-        double h = 0;
-        double error = 0; // what stands before it by less may be its own surface
-    };
-
-    /// A caster that the mask keeps.
-    struct KeptCluster {
-        const hierarchy::Page* page = nullptr;
-        std::uint32_t cluster = 0;
-        double points = 0; // under its box
-    };
-
-    /// A triangle that stands for `weight` of those that are cast.
-    struct PickedTriangle {
-        exact::CellBox cells;
-        double weight = 1;
-        double points = 0; // in the rows that it goes over
-    };
+    static constexpr std::size_t kSlices = 4;
 
     /// How many points lie in boxes of cells.
     struct Sums {
@@ -61,12 +40,50 @@ private:
 
         /// Of the points of cell i, which are those from first[i] on, the share of its block; all if there are none.
         void add(const std::vector<std::uint32_t>& first, const std::vector<double>& shares);
+        /// Of each cell of a block with points in `mask` 1.
+        void addBlocks(const exact::ReceiverMask& mask);
         double in(const exact::CellBox& box) const;
+    };
+
+    /// A point that faces the light, in the shear along it.
+    struct Point {
+        double u = 0;
+        double v = 0;
+        double h = 0;
+        double error = 0; // what stands before it by less may be its own surface
+        std::size_t slice = 0;
+    };
+
+    /// One of the four maps in 2048x2048 texels that would be drawn in place of exact shadows.
+    struct Slice {
+        exact::ReceiverMask mask;    // of its own points
+        Sums asked;                  // cells of blocks with such points
+        exact::CellBox cells;        // of all these
+        double texelsOfCell() const; // of a map that just covers these
+    };
+
+    /// A caster that the mask keeps.
+    struct KeptCluster {
+        const hierarchy::Page* page = nullptr;
+        std::uint32_t cluster = 0;
+        double points = 0; // under its box
+        int slices = 0;    // that it may cast a shadow into
+    };
+
+    /// A triangle that stands for `weight` of those that are cast.
+    struct PickedTriangle {
+        exact::CellBox cells;
+        double weight = 1;
+        double points = 0; // in the rows that it goes over
+        double area = 0;   // cells
+        float highest = 0; // greatest h
     };
 
     void drawPoints(const executor::FrameDrawing& frame);
     void sortPoints(const executor::FrameDrawing& frame);
     void keepClusters(const executor::FrameDrawing& frame, std::size_t stride);
+    void lowerMasks(const Point& point, int x, int y);
+    void addKept(double weight, plan::ExactWork& work) const;
     void pickClusters(const executor::FrameDrawing& frame, double weight);
     void pickTriangles(const executor::FrameDrawing& frame, const KeptCluster& kept, double weight);
     void hold(
@@ -84,8 +101,9 @@ private:
     glm::dmat3 cells_{1};                // from the light plane
     double leastW_ = 0;                  // points have at least twice that
     std::vector<std::uint32_t> cellOf_, first_;
-    Sums all_;
+    Sums all_, left_, next_; // of all points, of those not dark yet, and of the next round
     exact::ReceiverMask mask_;
+    std::array<Slice, kSlices> slices_;
     std::vector<KeptCluster> kept_;
     std::vector<PickedTriangle> picked_;
     std::vector<double> coverers_; // of the points of each block, summed

@@ -6,15 +6,18 @@ namespace gnomon::plan {
 
 namespace {
 
-// Nanoseconds, about: the weights with which choosing cost the least time over 300 views of six models, predicted
-// counts beside measured frames of both kinds (docs/exact_shadows.md says how near that came to the better of the two).
-constexpr double kMapsAtAll = 12e6; // four maps in 2048x2048 texels
-constexpr double kMapCaster = 48;
-constexpr double kMapLookup = 14; // a pixel
-constexpr double kSample = 45;    // listed, sorted, and shaded in both colours
-constexpr double kCasterTriangle = 2;
-constexpr double kCastTriangle = 158;
-constexpr double kSampleTest = 0.04;
+// Nanoseconds, about: the weights with which choosing took the least time over 272 views of six models, predicted
+// counts beside measured frames of both kinds (bench/fit_shadow_choice; docs/exact_shadows.md says how near that came
+// to the better of the two).
+constexpr double kSample = 128; // listed, sorted, and shaded in both colours
+constexpr double kCasterTriangle = 1;
+constexpr double kCastTriangle = 419;
+constexpr double kSampleTest = 0.025;
+constexpr double kMapsAtAll = 2.6e6; // four maps in 2048x2048 texels
+constexpr double kMapLookup = 2.5;
+constexpr double kMapCaster = 22;
+constexpr double kMapTriangle = 86;
+constexpr double kMapFragment = 2.7;
 
 } // namespace
 
@@ -22,7 +25,8 @@ ShadowCosts shadowCosts(const ExactWork& work) {
     return {
         kSample * work.samples + kCasterTriangle * work.casterTriangles + kCastTriangle * work.castTriangles +
             kSampleTest * work.sampleTests,
-        kMapsAtAll + kMapCaster * work.casterTriangles + kMapLookup * work.samples};
+        kMapsAtAll + kMapLookup * work.samples + kMapCaster * work.casterTriangles + kMapTriangle * work.keptTriangles +
+            kMapFragment * work.mapFragments};
 }
 
 std::optional<ShadowChoice> choiceWithoutCosts(const std::optional<ModeMemory>& before) {

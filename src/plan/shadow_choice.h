@@ -31,12 +31,14 @@ enum class ShadowReason : std::uint8_t {
     Held,             // from the frame before: the other mode is not cheaper by enough, or not for long enough
 };
 
-/// What exact shadows of a view take. Predicted before anything is drawn, or counted once it was.
+/// What exact shadows of a view take, and maps in their place. Predicted before anything is drawn.
 struct ExactWork {
     double samples = 0;         // pixels that face the light
     double casterTriangles = 0; // of all clusters that can cast
-    double castTriangles = 0;   // of those that the receiver mask keeps
+    double castTriangles = 0;   // that the receiver mask keeps when it is their turn
     double sampleTests = 0;     // pairs of a triangle and a sample
+    double keptTriangles = 0;   // that four maps in 2048x2048 texels would draw, of the clusters their masks keep
+    double mapFragments = 0;    // texels that these cover, summed
 };
 
 /// What the shadows of a frame are predicted to take, in nanoseconds of the machine that the constants come from: only

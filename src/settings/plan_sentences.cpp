@@ -149,7 +149,8 @@ std::string shadowsInWords(const plan::FramePlan& plan) {
     const auto count = [](double value) { return std::to_string(std::llround(value)); };
     return text + "predicted of exact shadows, not counted: " + count(plan.predicted->samples) + " samples, " +
            count(plan.predicted->castTriangles) + " triangles cast, " + count(plan.predicted->sampleTests) +
-           " sample tests\n";
+           " sample tests; of four maps: " + count(plan.predicted->keptTriangles) + " triangles, " +
+           count(plan.predicted->mapFragments) + " fragments\n";
 }
 
 std::string sourceInWords(plan::DepthSource source) {

@@ -207,6 +207,7 @@ struct Hits {
     int samples = 0;
     int triangles = 0;
     int tests = 0;
+    int mapTriangles = 0; // of those that maps draw
     int views = 0;
 };
 
@@ -228,6 +229,12 @@ Hits hitsOf(const char* kind, std::uint64_t triangles, int views, double factor)
         if (frame.row.shadowSamples.value_or(0) < 1000) continue;
         const plan::ExactWork& predicted = *frame.plan.predicted;
         ++hits.views;
+        plan::Quality ofMaps;
+        ofMaps.shadows = ShadowMode::Maps;
+        ofMaps.cullCasters = plan::CasterCulling::Receivers;
+        renderer.forget();
+        const Frame maps = renderer.render(view, ofMaps, {});
+        hits.mapTriangles += isNear(predicted.keptTriangles, static_cast<double>(*maps.row.shadowTriangles));
         hits.samples += isNear(predicted.samples, static_cast<double>(*frame.row.shadowSamples));
         hits.triangles += isNear(predicted.castTriangles, static_cast<double>(*frame.row.shadowTriangles));
         hits.tests += isNear(predicted.sampleTests, static_cast<double>(*frame.row.sampleTests));
@@ -240,6 +247,7 @@ TEST(ShadowMode, PredictsWhatItWillCountMostOfTheTime) {
     EXPECT_EQ(hits.samples, hits.views);
     EXPECT_GE(hits.triangles * 10, hits.views * 8);
     EXPECT_GE(hits.tests * 10, hits.views * 8);
+    EXPECT_GE(hits.mapTriangles * 10, hits.views * 8);
 }
 
 // The bar of before the image; on models whose floors lie over each other it is missed (docs/exact_shadows.md).
@@ -250,6 +258,7 @@ TEST(SlowShadowMode, PredictsWithinAFactorOfTwo) {
         EXPECT_EQ(hits.samples, hits.views);
         EXPECT_GE(hits.triangles * 100, hits.views * 85) << hits.triangles;
         EXPECT_GE(hits.tests * 100, hits.views * 85) << hits.tests;
+        EXPECT_GE(hits.mapTriangles * 100, hits.views * 85) << hits.mapTriangles;
     }
 }
 
@@ -270,12 +279,19 @@ TEST(ShadowMode, PredictsTheSameHoweverManyThreadsAndWhateverCameBefore) {
                 if (!isFirst) renderer.render(other, quality, {});
                 renderer.forget();
                 const plan::ExactWork work = *renderer.render(view, quality, {}).plan.predicted;
-                counts.insert(counts.end(), {work.samples, work.casterTriangles, work.castTriangles, work.sampleTests});
+                counts.insert(
+                    counts.end(),
+                    {work.samples,
+                     work.casterTriangles,
+                     work.castTriangles,
+                     work.sampleTests,
+                     work.keptTriangles,
+                     work.mapFragments});
             }
         });
     }
-    for (std::size_t i = 4; i < counts.size(); ++i)
-        EXPECT_EQ(counts[i], counts[i % 4]) << i;
+    for (std::size_t i = 6; i < counts.size(); ++i)
+        EXPECT_EQ(counts[i], counts[i % 6]) << i;
 }
 
 } // namespace

@@ -91,11 +91,12 @@ TEST(PlanSentences, SayWhichShadowsAndWhyAndThatWhatIsPredictedIs) {
     plan::FramePlan plan;
     plan.quality.shadows = plan::ShadowMode::Exact;
     EXPECT_EQ(shadowsInWords(plan), "shadows exact: asked for\n");
-    plan.predicted = plan::ExactWork{10.4, 400, 200, 3000};
+    plan.predicted = plan::ExactWork{10.4, 400, 200, 3000, 100, 5000};
     EXPECT_EQ(
         shadowsInWords(plan),
         "shadows exact: asked for\n"
-        "predicted of exact shadows, not counted: 10 samples, 200 triangles cast, 3000 sample tests\n");
+        "predicted of exact shadows, not counted: 10 samples, 200 triangles cast, 3000 sample tests; of four maps: "
+        "100 triangles, 5000 fragments\n");
     const Omission nothing{Effect::ExactShadows, OmissionReason::NothingFacesLight};
     EXPECT_EQ(
         effectInWords(nothing) + ": " + reasonInWords(nothing), "exact shadows: no visible surface faces the light");

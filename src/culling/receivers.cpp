@@ -10,15 +10,6 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-/// A drawn cluster and the view depths that its box spans.
-struct Candidate {
-    double least = 0;
-    double greatest = 0;
-    std::uint32_t page = 0;
-    std::uint32_t cluster = 0;
-    double margin = 0; // the stored error of a refinement that is missing
-};
-
 /// Calls `visit(page id, page, cluster index)` for each cluster of `list`.
 template <class Visit>
 void forEachCluster(const selection::CutQuery& query, const selection::DrawList& list, const Visit& visit) {
@@ -50,13 +41,14 @@ double missingError(const selection::CutQuery& query, const hierarchy::Page& pag
     return query.rule->exceeds(finer.bounds, finer.drawnError(), query.errorPixels) ? finer.error : 0;
 }
 
-std::vector<Candidate> candidates(const selection::CutQuery& query, const selection::DrawList& image) {
+void findCandidates(
+    const selection::CutQuery& query, const selection::DrawList& image, std::vector<DepthCandidate>& result) {
     const selection::DetailView& view = query.rule->view();
     const hierarchy::Grid& grid = query.trees->grid();
     const glm::dvec3 size = glm::abs(view.basis.view) * (0.5 * grid.step());
     const glm::dvec3 along = view.basis.view * (0.5 * grid.step());
     const double eyeDepth = glm::dot(view.basis.view, view.eye);
-    std::vector<Candidate> result;
+    result.clear();
     result.reserve(image.clusters);
     forEachCluster(query, image, [&](std::uint32_t id, const hierarchy::Page& page, std::uint32_t c) {
         const hierarchy::GridBox& box = page.clusters[c].box;
@@ -67,7 +59,6 @@ std::vector<Candidate> candidates(const selection::CutQuery& query, const select
         const double margin = missingError(query, page, c);
         result.push_back({middle - reach - margin, middle + reach + margin, id, c, margin});
     });
-    return result;
 }
 
 /// Looks at triangles only where their box could still move `best`.
@@ -77,7 +68,7 @@ public:
         : query_(&query), pyramid_(selection::viewPyramid(query.rule->view())), clipper_(pyramid_) {}
 
     /// The extent of one cluster's visible part.
-    void measure(const Candidate& candidate, double& least, double& greatest) {
+    void measure(const DepthCandidate& candidate, double& least, double& greatest) {
         ++measured;
         const selection::DetailView& view = query_->rule->view();
         const hierarchy::Page& page = *query_->resident[candidate.page];
@@ -102,11 +93,17 @@ private:
 } // namespace
 
 std::optional<VisibleDepths> visibleDepthRange(const selection::CutQuery& query, const selection::DrawList& image) {
-    std::vector<Candidate> heap = candidates(query, image);
+    std::vector<DepthCandidate> scratch;
+    return visibleDepthRange(query, image, scratch);
+}
+
+std::optional<VisibleDepths> visibleDepthRange(
+    const selection::CutQuery& query, const selection::DrawList& image, std::vector<DepthCandidate>& heap) {
+    findCandidates(query, image, heap);
     DepthSearch search(query);
     double least = kInfinite;
     double greatest = -kInfinite;
-    const auto further = [](const Candidate& a, const Candidate& b) { return a.least > b.least; };
+    const auto further = [](const DepthCandidate& a, const DepthCandidate& b) { return a.least > b.least; };
     std::make_heap(heap.begin(), heap.end(), further);
     auto end = heap.end();
     for (; end != heap.begin() && heap.front().least < least; --end) {
@@ -114,7 +111,7 @@ std::optional<VisibleDepths> visibleDepthRange(const selection::CutQuery& query,
         std::pop_heap(heap.begin(), end, further);
     }
     if (least == kInfinite) return std::nullopt;
-    const auto nearer = [](const Candidate& a, const Candidate& b) { return a.greatest < b.greatest; };
+    const auto nearer = [](const DepthCandidate& a, const DepthCandidate& b) { return a.greatest < b.greatest; };
     std::make_heap(heap.begin(), end, nearer); // what is behind `end` is measured
     for (; end != heap.begin() && heap.front().greatest > greatest; --end) {
         search.measure(heap.front(), least, greatest);

@@ -22,7 +22,7 @@ Frame Renderer::render(const plan::View& view, const plan::Quality& quality, con
     plan::Quality meant = quality;
     if (executor::isOfMaps(options.overlay)) meant.mapsBecause = plan::ShadowReason::MapsAskedFor;
     Frame frame{prepare(view, meant, options.waiting, previous_), options, {}};
-    if (options.reusesMaps) markReusedMaps(frame);
+    if (options.reusesMaps) markReusedMaps(frame, options);
     const executor::DrawStatistics drawn = draw(frame, options);
     frame.row =
         frameRow(frame, drawn, {model_->path(), executor_->name(), residency_.statistics(), residency_.rayTreeBytes()});
@@ -60,7 +60,8 @@ PreparedFrame Renderer::prepareAs(
             addTime(frame.selectMs, [&] { cutImage(frame, view, quality, range, residency_, model.grid); });
             surveyedPixels = frame.errorPixels;
             addTime(frame.cullMs, [&] {
-                frame.facts = sceneFacts(view, model.bounds, cutQuery(residency_, frame), frame.cut, range);
+                frame.facts =
+                    sceneFacts(view, model.bounds, cutQuery(residency_, frame), frame.cut, range, depthScratch_);
                 if (quality.shadows == plan::ShadowMode::Exact)
                     frame.facts.isTurnedFromLight = isTurnedFromLight(view, cutQuery(residency_, frame), frame.cut);
             });
@@ -92,7 +93,7 @@ executor::DrawStatistics Renderer::draw(const PreparedFrame& frame, const FrameO
     if (frame.isRayTraced()) return executor::drawByRays(*executor_, drawing, residency_.rayTrees());
     executor::DrawStatistics statistics = executor_->draw(drawing);
     if (frame.plan.quality.shadows == plan::ShadowMode::Exact) statistics.exact.emplace(); // nothing to decide
-    if (!statistics.culled) rememberMaps(frame);
+    rememberMaps(frame, options, statistics.culled.has_value());
     return statistics;
 }
 

@@ -8,6 +8,14 @@
 
 namespace gnomon::frame {
 
+namespace {
+
+bool cullsByReceivers(const PreparedFrame& frame, const FrameOptions& options) {
+    return frame.plan.casterCulling == plan::CasterCulling::Receivers && !options.wantsWholeMaps;
+}
+
+} // namespace
+
 Renderer::Renderer(const hierarchy::ModelFile& model, executor::Executor& executor, ResidencyOptions options)
     : model_(&model), executor_(&executor), residency_(model, std::move(options)) {}
 
@@ -15,17 +23,30 @@ plan::FramePlan Renderer::plan(const plan::View& view, const plan::Quality& qual
     return prepare(view, quality, Waiting::UntilComplete, previous_).plan;
 }
 
-void Renderer::markReusedMaps(PreparedFrame& frame) const {
+void Renderer::markReusedMaps(PreparedFrame& frame, const FrameOptions& options) const {
     if (!heldMaps_) return;
+    const HeldMaps& held = *heldMaps_;
+    if (held.isCulled) {
+        // What is missing from them was missed by nobody, as long as the very same is asked.
+        const bool isAskedTheSame =
+            cullsByReceivers(frame, options) && !options.observerCamera && !held.options.observerCamera &&
+            options.overlay == held.options.overlay && options.wantsSurfaces == held.options.wantsSurfaces &&
+            frame.cut.lists[0].ranges == held.image && plan::isSameQuestion(frame.plan, held.plan);
+        if (!isAskedTheSame) return;
+    }
     for (std::size_t p = 0; p < frame.plan.passes.size(); ++p)
         frame.plan.passes[p].isReused =
-            plan::isSameMap(frame.plan, heldMaps_->plan, p) && frame.cut.lists[p + 1].ranges == heldMaps_->casters[p];
+            plan::isSameMap(frame.plan, held.plan, p) && frame.cut.lists[p + 1].ranges == held.casters[p];
 }
 
-void Renderer::rememberMaps(const PreparedFrame& frame) {
-    heldMaps_.emplace().plan = frame.plan;
+void Renderer::rememberMaps(const PreparedFrame& frame, const FrameOptions& options, bool isCulled) {
+    HeldMaps& held = heldMaps_.emplace();
+    held.plan = frame.plan;
+    held.isCulled = isCulled;
+    held.image = frame.cut.lists[0].ranges;
+    held.options = options;
     for (std::size_t p = 0; p < frame.plan.passes.size(); ++p)
-        heldMaps_->casters.push_back(frame.cut.lists[p + 1].ranges);
+        held.casters.push_back(frame.cut.lists[p + 1].ranges);
 }
 
 executor::FrameDrawing Renderer::drawing(const PreparedFrame& frame, const FrameOptions& options) const {
@@ -55,7 +76,7 @@ executor::FrameDrawing Renderer::drawing(const PreparedFrame& frame, const Frame
                 return residency_.isDamaged(page);
             });
     drawing.wantsSurfaces = options.wantsSurfaces;
-    drawing.cullsByReceivers = frame.plan.casterCulling == plan::CasterCulling::Receivers && !options.wantsWholeMaps;
+    drawing.cullsByReceivers = cullsByReceivers(frame, options);
     return drawing;
 }
 

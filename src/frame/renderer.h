@@ -1,6 +1,7 @@
 // From a model and a view to a picture and a row of the log: plan, cut, cull per partition, shadow passes, image pass.
 #pragma once
 
+#include "culling/receivers.h"
 #include "frame/prepared_frame.h"
 #include "frame/residency.h"
 #include "hierarchy/model_file.h"
@@ -83,17 +84,21 @@ private:
     struct HeldMaps {
         plan::FramePlan plan;
         std::vector<std::vector<selection::ClusterRange>> casters; // by pass
+        bool isCulled = false;                                     // by what the image looked up
+        std::vector<selection::ClusterRange> image;                // that did
+        FrameOptions options;
     };
 
     void chooseOcclusion(PreparedFrame& frame) const;
-    void markReusedMaps(PreparedFrame& frame) const;
-    void rememberMaps(const PreparedFrame& frame);
+    void markReusedMaps(PreparedFrame& frame, const FrameOptions& options) const;
+    void rememberMaps(const PreparedFrame& frame, const FrameOptions& options, bool isCulled);
 
     const hierarchy::ModelFile* model_;
     executor::Executor* executor_;
     Residency residency_;
     std::shared_ptr<const plan::PlannedFrame> previous_;
     std::optional<HeldMaps> heldMaps_;
+    std::vector<culling::DepthCandidate> depthScratch_;
     std::shared_ptr<ExactEstimate> estimate_; // its memory; made when first needed
 };
 

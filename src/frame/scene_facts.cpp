@@ -2,7 +2,6 @@
 
 #include "culling/frame_cut.h"
 #include "culling/lit_side.h"
-#include "culling/receivers.h"
 #include "culling/survey.h"
 #include "plan/plan_frame.h"
 
@@ -48,11 +47,12 @@ plan::SceneFacts sceneFacts(
     const Box& bounds,
     const selection::CutQuery& query,
     const selection::Cut& cut,
-    const std::optional<DepthSpan>& range) {
+    const std::optional<DepthSpan>& range,
+    std::vector<culling::DepthCandidate>& scratch) {
     plan::SceneFacts facts;
     facts.bounds = bounds;
     facts.visible = plan::SceneFacts::Visible();
-    const std::optional<culling::VisibleDepths> seen = culling::visibleDepthRange(query, cut.lists[0]);
+    const std::optional<culling::VisibleDepths> seen = culling::visibleDepthRange(query, cut.lists[0], scratch);
     if (!seen || !(seen->span.far > 0)) return facts;
     facts.visible = {seen->span.near, seen->span.far, true};
     // What is nearer than the widest range, which ends at a floor, is as good as at its near end.

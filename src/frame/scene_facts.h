@@ -2,6 +2,7 @@
 // the facts for the plan that they select.
 #pragma once
 
+#include "culling/receivers.h"
 #include "plan/frame_plan.h"
 #include "selection/cut.h"
 
@@ -17,7 +18,8 @@ plan::SceneFacts sceneFacts(
     const Box& bounds,
     const selection::CutQuery& query,
     const selection::Cut& cut,
-    const std::optional<DepthSpan>& range);
+    const std::optional<DepthSpan>& range,
+    std::vector<culling::DepthCandidate>& scratch);
 
 /// Whether nothing of `cut`'s image that is in view can be lit, whatever stands before the light; only sure where it
 /// says yes.

@@ -5,8 +5,13 @@
 
 namespace gnomon::plan {
 
-/// Whether pass `pass` of `now` covers, texel by texel, the map that the same pass of `before` did: a stabilised one at
-/// the same place of the world and of the texture, under the same light. Its casters are not looked at.
+/// Whether pass `pass` of `now` covers, texel by texel, the map that the same pass of `before` did, at the same place
+/// of the texture and under the same light: a stabilised one at the same place of the world, another from the same
+/// camera. Its casters are not looked at.
 bool isSameMap(const FramePlan& now, const FramePlan& before, std::size_t pass);
+
+/// Whether images of the same surfaces by these plans look the same depths up in the same maps: then maps without what
+/// no lookup asks for (CasterCulling::Receivers) may stay too.
+bool isSameQuestion(const FramePlan& now, const FramePlan& before);
 
 } // namespace gnomon::plan

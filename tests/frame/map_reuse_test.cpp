@@ -129,6 +129,71 @@ TEST_P(MapReuse, AMapStaysWhileTheEyeMovesByLessThanItsTexel) {
     EXPECT_GT(drawn, 3) << "the grid is never crossed: this tests nothing";
 }
 
+plan::Quality warped(plan::CasterCulling culling) {
+    plan::Quality quality;
+    quality.cullCasters = culling;
+    quality.shadowTexelsWidth = quality.shadowTexelsHeight = 256;
+    return quality;
+}
+
+/// For how many frames a standing camera draws any map, until depths and orientations have come to rest.
+int framesUntilAllStay(Twins& twins, const plan::View& view, const plan::Quality& quality) {
+    for (int frame = 0; frame < 100; ++frame)
+        if (twins.draw(view, quality) == twins.maps()) return frame;
+    return 100;
+}
+
+TEST_P(MapReuse, WarpedMapsStayWhileNothingMoves) {
+    for (const auto culling : {plan::CasterCulling::On, plan::CasterCulling::Auto, plan::CasterCulling::Off}) {
+        Twins twins(GetParam());
+        plan::View standing = view();
+        EXPECT_EQ(twins.draw(standing, warped(culling)), 0);
+        ASSERT_GT(twins.maps(), 1);
+        EXPECT_LE(framesUntilAllStay(twins, standing, warped(culling)), 16);
+        moveBy(standing, {1e-3, 0, 0});
+        EXPECT_EQ(twins.draw(standing, warped(culling)), 0) << "the eye has moved";
+        standing.camera.target.y += 0.1;
+        EXPECT_EQ(twins.draw(standing, warped(culling)), 0) << "it looks elsewhere";
+    }
+}
+
+// Maps that hold what an image asked for alone are no good for another image of the same camera and the same maps.
+TEST(MapReuseByReceivers, EndsWhereAnotherImageAsks) {
+    const auto executor = executor::makeSoftwareExecutor();
+    const auto fresh = executor::makeSoftwareExecutor();
+    Renderer renderer(hills(), *executor, {});
+    Renderer redrawing(hills(), *fresh, {});
+    plan::Quality quality = warped(plan::CasterCulling::Receivers);
+    const auto reused = [&](const FrameOptions& options) {
+        const Frame frame = renderer.render(view(), quality, options);
+        FrameOptions redrawn = options;
+        redrawn.reusesMaps = false;
+        redrawing.render(view(), quality, redrawn);
+        EXPECT_EQ(executor->picture().pixels, fresh->picture().pixels);
+        int count = 0;
+        for (const plan::ShadowPass& pass : frame.plan.passes)
+            count += pass.isReused ? 1 : 0;
+        EXPECT_LE(frame.row.shadowMapsDrawn, frame.row.shadowMaps - count) << "some are not looked up at all";
+        return count;
+    };
+    FrameOptions options;
+    for (int frame = 0; frame < 16; ++frame)
+        reused(options);
+    EXPECT_GT(reused(options), 0);
+    options.wantsWholeMaps = true;
+    EXPECT_EQ(reused(options), 0) << "whole maps are wanted";
+    options.wantsWholeMaps = false;
+    EXPECT_GT(reused(options), 0) << "whole ones do for anybody";
+    options.observerCamera = Camera{view().camera.eye + glm::dvec3(0, 40, 0), view().camera.target, {0, 0, 1}, 1};
+    reused(options);
+    options.observerCamera.reset();
+    EXPECT_EQ(reused(options), 0) << "an observer asked";
+    options.overlay = executor::Overlay::Texels;
+    EXPECT_EQ(reused(options), 0);
+    quality.filter = 2;
+    EXPECT_EQ(reused(options), 0);
+}
+
 TEST_P(MapReuse, OtherCastersEndIt) {
     Twins twins(GetParam());
     plan::Quality quality = stabilized();
@@ -164,7 +229,7 @@ TEST_P(MapReuse, WhatIsDrawnInBetweenEndsIt) {
     twins.draw(view(), quality);
     quality.stabilize = false;
     EXPECT_EQ(twins.draw(view(), quality), 0);
-    EXPECT_EQ(twins.draw(view(), quality), 0) << "only stabilised maps are reused";
+    EXPECT_EQ(twins.draw(view(), quality), twins.maps()) << "from the same camera others are reused as well";
     EXPECT_EQ(twins.draw(view(), stabilized()), 0);
     quality.shadows = plan::ShadowMode::Off;
     twins.draw(view(), quality);

@@ -84,8 +84,8 @@ std::optional<raster::OcclusionCounts> drawUndecided(
     return occlusion;
 }
 
-std::vector<exact::Caster> exactCasters(const FrameDrawing& frame, const SoftwarePass& image) {
-    std::vector<exact::Caster> casters;
+void gatherExactCasters(const FrameDrawing& frame, const SoftwarePass& image, std::vector<exact::Caster>& casters) {
+    casters.clear();
     casters.reserve(image.drawn().size());
     for (const DrawnCluster& drawn : image.drawn())
         casters.push_back(casterOf(frame, *drawn.page, drawn.cluster, casters.size()));
@@ -95,7 +95,6 @@ std::vector<exact::Caster> exactCasters(const FrameDrawing& frame, const Softwar
         for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c)
             if (!drawn.contains(range.page, c)) casters.push_back(casterOf(frame, page, c, casters.size()));
     }
-    return casters;
 }
 
 std::vector<glm::dmat3> cellPlanes(const FrameDrawing& frame, const exact::LightShear& shear) {
@@ -129,8 +128,9 @@ Raster<std::uint8_t> litByIntegers(const FrameDrawing& frame) {
     drawing.plan = &whole;
     drawUndecided(drawing, {&rasterizer, &pass, &words, &picture}, samples, undecided);
     const hierarchy::GridPoint origin = frame.space.originCell;
-    const std::vector<std::uint8_t> statuses =
-        exact::plainStatuses(samples, exactCasters(frame, pass), {origin.x, origin.y, origin.z});
+    std::vector<exact::Caster> casters;
+    gatherExactCasters(frame, pass, casters);
+    const std::vector<std::uint8_t> statuses = exact::plainStatuses(samples, casters, {origin.x, origin.y, origin.z});
     Raster<std::uint8_t> lit(view.width, view.height);
     for (std::size_t i = 0; i < samples.size(); ++i)
         if (!exact::isDark(statuses[i])) lit.pixels[samples.pixel[i]] = 255;

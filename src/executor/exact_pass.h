@@ -21,8 +21,8 @@ std::optional<raster::OcclusionCounts> drawUndecided(
     const FrameDrawing& frame, const ImageBuffers& buffers, exact::SampleList& samples, UndecidedPixels& undecided);
 
 /// All that can cast: the clusters of the image's pass in their order, then those of `frame.exactCasters` that are not
-/// among them.
-std::vector<exact::Caster> exactCasters(const FrameDrawing& frame, const SoftwarePass& image);
+/// among them. What `casters` held is overwritten.
+void gatherExactCasters(const FrameDrawing& frame, const SoftwarePass& image, std::vector<exact::Caster>& casters);
 
 /// From the light plane to the cells of each of the plan's cell maps.
 std::vector<glm::dmat3> cellPlanes(const FrameDrawing& frame, const exact::LightShear& shear);

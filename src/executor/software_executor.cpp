@@ -71,6 +71,7 @@ private:
     Raster<SurfaceSample> surfaces_;
     double clipNear_ = 1;
     exact::ExactShadows exact_;
+    std::vector<exact::Caster> casters_; // of them
     UndecidedPixels undecided_;
     ReceiverPass receivers_;
 };
@@ -239,11 +240,11 @@ DrawStatistics SoftwareExecutor::drawExactly(const FrameDrawing& frame) {
     if (frame.rays != nullptr) {
         lightDecided(frame, tracedStatuses(frame, *frame.rays, exact_.samples(), pass_.drawn()));
     } else {
-        const std::vector<exact::Caster> casters = exactCasters(frame, pass_);
+        gatherExactCasters(frame, pass_, casters_);
         const std::vector<glm::dmat3> planes = cellPlanes(frame, exact_.samples().space().shear);
         const hierarchy::GridPoint origin = frame.space.originCell;
         statistics.exact =
-            exact_.decide({casters, {origin.x, origin.y, origin.z}, planes, plan::cellSide(*frame.plan)});
+            exact_.decide({casters_, {origin.x, origin.y, origin.z}, planes, plan::cellSide(*frame.plan)});
         lightDecided(frame, exact_.statuses());
     }
     statistics.shadows = {shadowWatch.elapsed(), 0, std::nullopt};

@@ -66,7 +66,8 @@ TEST(ExactPass, EachCasterIsThereOnceAndTheImagesComeFirst) {
     frame.drawing().image = &image;
     SoftwarePass pass;
     pass.gather(frame.drawing(), image);
-    const std::vector<exact::Caster> casters = exactCasters(frame.drawing(), pass);
+    std::vector<exact::Caster> casters;
+    gatherExactCasters(frame.drawing(), pass, casters);
     ASSERT_GT(pass.drawn().size(), 10U);
     std::size_t clusters = 0;
     for (const selection::ClusterRange& range : all.ranges)

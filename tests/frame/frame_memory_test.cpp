@@ -1,0 +1,133 @@
+// What a renderer allocates while a camera turns where it has turned before. Every large allocation of this program is
+// counted.
+#include "executor/software_executor.h"
+#include "frame/made_model.h"
+#include "frame/renderer.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <cstdlib>
+#include <new>
+#include <string>
+
+namespace {
+
+constexpr std::size_t kLarge = std::size_t{64} << 10U;
+
+// NOLINTBEGIN(cppcoreguidelines-avoid-non-const-global-variables): allocations of the whole program
+std::atomic<std::size_t> largeAllocations{0};
+std::atomic<std::size_t> largestBytes{0};
+
+// NOLINTEND(cppcoreguidelines-avoid-non-const-global-variables)
+
+void* counted(void* memory, std::size_t size) {
+    if (memory == nullptr) throw std::bad_alloc();
+    if (size <= kLarge) return memory;
+    ++largeAllocations;
+    std::size_t largest = largestBytes;
+    while (size > largest && !largestBytes.compare_exchange_weak(largest, size)) {
+    }
+    return memory;
+}
+
+/// Kept apart: inlined, it would seem to free what another operator made.
+[[gnu::noinline]] void release(void* memory) {
+    std::free(memory);
+}
+
+} // namespace
+
+void* operator new(std::size_t size) {
+    return counted(std::malloc(size), size);
+}
+
+void* operator new(std::size_t size, std::align_val_t alignment) {
+    const auto unit = static_cast<std::size_t>(alignment);
+    return counted(std::aligned_alloc(unit, (size + unit - 1) / unit * unit), size);
+}
+
+void operator delete(void* memory) noexcept {
+    release(memory);
+}
+
+void operator delete(void* memory, std::size_t) noexcept {
+    release(memory);
+}
+
+void operator delete(void* memory, std::align_val_t) noexcept {
+    release(memory);
+}
+
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
+    release(memory);
+}
+
+namespace gnomon::frame {
+namespace {
+
+constexpr int kFrames = 60;
+
+/// Draws a turn around what `renderer` shows; how many large allocations that took.
+std::size_t turn(Renderer& renderer, const plan::Quality& quality, int side) {
+    const Box& bounds = renderer.model().summary().bounds;
+    const double radius = 0.6 * glm::length(bounds.extent());
+    plan::View view;
+    view.width = view.height = side;
+    view.camera.target = bounds.center();
+    const std::size_t before = largeAllocations;
+    for (int frame = 0; frame < kFrames; ++frame) {
+        const double angle = 2 * 3.14159265358979 * frame / kFrames;
+        view.camera.eye = bounds.center() + radius * glm::dvec3(std::sin(angle), 0.3, std::cos(angle));
+        renderer.render(view, quality, {});
+    }
+    return largeAllocations - before;
+}
+
+/// Two turns of each kind of shadows; nothing large may be allocated in the second.
+void expectNoneInTheSecondTurn(const hierarchy::ModelFile& model, int side) {
+    const auto executor = executor::makeSoftwareExecutor();
+
+    struct Row {
+        const char* what;
+        plan::ShadowMode shadows;
+        plan::CasterCulling culling;
+    };
+
+    for (const Row& row :
+         {Row{"off", plan::ShadowMode::Off, plan::CasterCulling::Auto},
+          Row{"maps by receivers", plan::ShadowMode::Maps, plan::CasterCulling::Receivers},
+          Row{"maps", plan::ShadowMode::Maps, plan::CasterCulling::On},
+          Row{"exact", plan::ShadowMode::Exact, plan::CasterCulling::Auto}}) {
+        SCOPED_TRACE(row.what);
+        Renderer renderer(model, *executor, {});
+        plan::Quality quality;
+        quality.shadows = row.shadows;
+        quality.cullCasters = row.culling;
+        turn(renderer, quality, side);
+        largestBytes = 0;
+        EXPECT_EQ(turn(renderer, quality, side), 0U) << "the largest has " << largestBytes << " bytes";
+    }
+}
+
+TEST(FrameMemory, TheHookCounts) {
+    const std::size_t before = largeAllocations;
+    EXPECT_EQ(std::string(kLarge + 1, 'x').size(), kLarge + 1);
+    EXPECT_EQ(std::string(kLarge / 2, 'x').size(), kLarge / 2);
+    EXPECT_EQ(largeAllocations, before + 1);
+}
+
+TEST(FrameMemory, ASecondTurnAllocatesNothingLarge) {
+    const tests::BuiltFile model("plant", 20000);
+    expectNoneInTheSecondTurn(model.file(), 200);
+}
+
+// Lists of clusters grow with the model.
+TEST(SlowFrameMemory, ASecondTurnAroundAMillionTrianglesAllocatesNothingLarge) {
+    const tests::BuiltFile model("plant", 1000000);
+    expectNoneInTheSecondTurn(model.file(), 800);
+}
+
+} // namespace
+} // namespace gnomon::frame

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstring>
 #include <limits>
+#include <map>
 #include <string_view>
 #include <tuple>
 #include <vector>
@@ -55,15 +56,64 @@ std::vector<Step> stepsOf(const ModelFile& file, Progress& progress) {
     return steps;
 }
 
-/// The least limit at which a uniform cut has at most `most` triangles.
-double limitFor(const ModelFile& file, std::uint64_t most, Progress& progress) {
+/// Which groups a uniform cut refines: those above an error, and of those at it the first ones. Pages come coarsest
+/// first, so what a group was simplified into stands before it, and the cut is one without cracks.
+struct CutLimit {
+    double error = 0;
+    GroupRef end{0, 0}; // groups at `error` are refined up to this one
+
+    bool isRefined(double groupError, GroupRef group) const {
+        return groupError > error || (groupError == error && group < end);
+    }
+};
+
+/// By how many triangles the cut grows where each group at `error` is refined.
+std::map<GroupRef, std::int64_t> growthAt(const ModelFile& file, double error, Progress& progress) {
+    std::map<GroupRef, std::int64_t> growth;
+    progress.stage("groups", "pages", file.pages().size());
+    for (std::uint32_t p = 0; p < file.pages().size(); ++p) {
+        const Page page = file.readPage(p);
+        for (std::uint32_t g = 0; g < page.groups.size(); ++g) {
+            const Group& group = page.groups[g];
+            for (std::uint32_t c = group.firstCluster; c < group.firstCluster + group.clusterCount; ++c) {
+                const Cluster& cluster = page.clusters[c];
+                const auto triangles = static_cast<std::int64_t>(cluster.triangleCount);
+                if (group.drawnError() == error) growth[{p, g}] += triangles;
+                if (cluster.refinement == kNone) continue;
+                const Refinement& finer = page.refinements[cluster.refinement];
+                if (finer.drawnError() == error) growth[finer.group] -= triangles;
+            }
+        }
+        progress.advance(1);
+    }
+    return growth;
+}
+
+/// Refines groups at the limit's error, where many may have the same, while at most `most` triangles come of it; there
+/// are `triangles` without them.
+void refineGroups(
+    const ModelFile& file, std::int64_t triangles, std::uint64_t most, CutLimit& limit, Progress& progress) {
+    std::int64_t best = triangles;
+    for (const auto& [group, growth] : growthAt(file, limit.error, progress)) {
+        triangles += growth;
+        if (triangles <= best || static_cast<std::uint64_t>(triangles) > most) continue;
+        best = triangles;
+        limit.end = {group.page, group.group + 1};
+    }
+}
+
+/// The finest cut of at most `most` triangles: the least error at which one is, and groups at it.
+CutLimit limitFor(const ModelFile& file, std::uint64_t most, Progress& progress) {
     const std::vector<Step> steps = stepsOf(file, progress);
     std::int64_t triangles = 0;
     for (std::size_t i = 0; i < steps.size(); ++i) {
         triangles += steps[i].triangles;
         if (i + 1 < steps.size() && steps[i + 1].error == steps[i].error) continue;
         if (steps[i].error == std::numeric_limits<double>::infinity()) break;
-        if (static_cast<std::uint64_t>(triangles) <= most) return steps[i].error;
+        if (static_cast<std::uint64_t>(triangles) > most) continue;
+        CutLimit limit{steps[i].error, {0, 0}};
+        refineGroups(file, triangles, most, limit, progress);
+        return limit;
     }
     throw Error(
         file.path(),
@@ -73,9 +123,9 @@ double limitFor(const ModelFile& file, std::uint64_t most, Progress& progress) {
 }
 
 /// The largest limit that promises at most `error`.
-double limitOf(const ModelFile& file, double error) {
+CutLimit limitOf(const ModelFile& file, double error) {
     const double least = file.summary().grid.snapError();
-    if (error >= least) return error;
+    if (error >= least) return {error, {0, 0}};
     throw Error(
         file.path(),
         "no cut is that exact",
@@ -88,25 +138,40 @@ struct Collected {
     double error = 0;
 };
 
-Collected collect(const ModelFile& file, double limit, Progress& progress) {
+void addCluster(const Page& page, const Cluster& cluster, double snapError, Collected& cut) {
+    cut.error = std::max(cut.error, storedError(page, cluster, snapError));
+    const auto first = static_cast<std::uint32_t>(cut.mesh.vertices.size());
+    const auto begin = page.vertices.begin() + cluster.firstVertex;
+    cut.mesh.vertices.insert(cut.mesh.vertices.end(), begin, begin + cluster.vertexCount);
+    for (std::uint32_t t = 0; t < cluster.triangleCount; ++t) {
+        const Triangle& triangle = page.triangles[cluster.firstTriangle + t];
+        cut.mesh.triangles.push_back({first + triangle[0], first + triangle[1], first + triangle[2]});
+    }
+}
+
+/// Adds what the cut draws of `group`, which it refines.
+void addGroup(const Page& page, const Group& group, const CutLimit& limit, double snapError, Collected& cut) {
+    for (std::uint32_t c = group.firstCluster; c < group.firstCluster + group.clusterCount; ++c) {
+        const Cluster& cluster = page.clusters[c];
+        if (cluster.refinement != kNone) {
+            const Refinement& finer = page.refinements[cluster.refinement];
+            if (limit.isRefined(finer.drawnError(), finer.group)) continue;
+        }
+        addCluster(page, cluster, snapError, cut);
+    }
+}
+
+Collected collect(const ModelFile& file, const CutLimit& limit, Progress& progress) {
     Collected cut;
-    const auto isRefined = [limit](double error, const Sphere&) { return error > limit; };
     progress.stage("cut", "pages", file.pages().size());
     for (std::uint32_t p = 0; p < file.pages().size(); ++p) {
         progress.advance(1);
         const PageInfo& info = file.pages()[p];
-        if (info.maxError <= limit) continue; // none of its groups is refined
+        if (info.maxError < limit.error) continue; // none of its groups is refined
         const Page page = file.readPage(p);
-        forEachDrawn(page, isRefined, [&](const Group&, const Cluster& cluster) {
-            cut.error = std::max(cut.error, storedError(page, cluster, file.summary().grid.snapError()));
-            const auto first = static_cast<std::uint32_t>(cut.mesh.vertices.size());
-            const auto begin = page.vertices.begin() + cluster.firstVertex;
-            cut.mesh.vertices.insert(cut.mesh.vertices.end(), begin, begin + cluster.vertexCount);
-            for (std::uint32_t t = 0; t < cluster.triangleCount; ++t) {
-                const Triangle& triangle = page.triangles[cluster.firstTriangle + t];
-                cut.mesh.triangles.push_back({first + triangle[0], first + triangle[1], first + triangle[2]});
-            }
-        });
+        for (std::uint32_t g = 0; g < page.groups.size(); ++g)
+            if (limit.isRefined(page.groups[g].drawnError(), {p, g}))
+                addGroup(page, page.groups[g], limit, file.summary().grid.snapError(), cut);
         if (cut.mesh.vertices.size() > std::numeric_limits<std::int32_t>::max())
             throw Error(file.path(), "the cut has more vertices than a PLY can number");
     }
@@ -228,8 +293,8 @@ void writePly(const Mesh& mesh, const ModelSummary& summary, const std::string& 
 ExportedCut exportCut(
     const std::string& model, const ExportLimit& limit, const std::string& output, Progress& progress) {
     const ModelFile file(model);
-    const double error = limit.triangles ? limitFor(file, *limit.triangles, progress) : limitOf(file, *limit.error);
-    Collected cut = collect(file, error, progress);
+    const CutLimit refined = limit.triangles ? limitFor(file, *limit.triangles, progress) : limitOf(file, *limit.error);
+    Collected cut = collect(file, refined, progress);
     weld(cut.mesh);
     writePly(cut.mesh, file.summary(), output, progress);
     return {cut.error, cut.mesh.triangles.size(), cut.mesh.vertices.size()};

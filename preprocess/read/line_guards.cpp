@@ -75,6 +75,7 @@ void expectCorners(const std::vector<std::string_view>& line, const std::string&
 void ObjGuard::begin() {
     faceLines_ = 0;
     continued_.clear();
+    leftOut_.clear();
 }
 
 std::optional<std::string> ObjGuard::pass(std::string_view line, const std::string& where) {
@@ -93,7 +94,13 @@ std::optional<std::string> ObjGuard::pass(std::string_view line, const std::stri
         ++faceLines_;
         return whole;
     }
-    if (words[0] != "v" && words[0] != "vn" && words[0] != "vc") return std::nullopt;
+    if (words[0] != "v" && words[0] != "vn" && words[0] != "vc") {
+        constexpr std::array<std::pair<std::string_view, const char*>, 4> kNamed = {
+            {{"vt", "texture coordinates"}, {"usemtl", "materials"}, {"l", "lines"}, {"p", "points"}}};
+        for (const auto& [keyword, name] : kNamed)
+            if (words[0] == keyword) ++leftOut_[name];
+        return std::nullopt;
+    }
     expectNumbers(words, 1, 3, where);
     return whole;
 }
@@ -185,6 +192,7 @@ std::string OffGuard::face(const std::vector<std::string_view>& words, const std
             where, "bad face", "a number of corners and as many indices", std::to_string(words.size()) + " words");
     for (std::size_t i = 1; i <= *size; ++i)
         if (!parsed<std::int32_t>(words[i])) throw Error(where, "bad face", "an index", quotedForMessage(words[i]));
+    if (words.size() > *size + 1) ++coloredFaces_;
     return joined(words, 0, *size + 1);
 }
 

@@ -4,6 +4,7 @@
 #include "preprocess/read/guarded_stream.h"
 
 #include <cstdint>
+#include <map>
 #include <vector>
 
 namespace gnomon::read {
@@ -19,8 +20,12 @@ public:
     /// Lines that declare a face, in the pass that is running or over.
     std::uint64_t faceLines() const { return faceLines_; }
 
+    /// What the pass that is running or over has left out, and how many lines of it.
+    const std::map<std::string, std::uint64_t>& leftOut() const { return leftOut_; }
+
 private:
     std::string continued_;
+    std::map<std::string, std::uint64_t> leftOut_;
     std::uint64_t faceLines_ = 0;
 };
 
@@ -42,6 +47,9 @@ private:
 /// sees to it that each vertex and each face has a line of its own with the values that the header announces.
 class OffGuard final : public LineGuard {
 public:
+    /// Faces with a colour of their own, so far.
+    std::uint64_t coloredFaces() const { return coloredFaces_; }
+
     std::optional<std::string> pass(std::string_view line, const std::string& where) override;
     void end(const std::string& where) override;
 
@@ -55,6 +63,7 @@ private:
     bool hasNormals_ = false;
     bool hasColors_ = false;
     bool hasTexcoords_ = false;
+    std::uint64_t coloredFaces_ = 0;
     std::uint64_t verticesToCome_ = 0;
     std::uint64_t facesToCome_ = 0;
 };

@@ -32,7 +32,8 @@ public:
         GNOMON_CHECK(mesh_.colors.empty() || mesh_.colors.size() == mesh_.positions.size());
         const auto needsDouble = [](const glm::dvec3& p) { return glm::dvec3(glm::vec3(p)) != p; };
         summary_.isDouble = std::any_of(mesh_.positions.begin(), mesh_.positions.end(), needsDouble);
-        if (mesh_.faceSizes.empty()) throw Error(path, "no faces: this is a point cloud");
+        summary_.attributesDropped = mesh_.attributesDropped;
+        requireFaces(summary_);
     }
 
     const MeshSummary& summary() const override { return summary_; }

@@ -15,7 +15,8 @@ struct MemoryMesh {
     std::vector<std::uint32_t> colors;    ///< empty, or one a vertex; RGBA8, red in the lowest byte
     std::vector<std::uint32_t> faceSizes; ///< corners of each face
     std::vector<std::uint64_t> corners;   ///< of all faces one after the other, each below positions.size()
-    std::uint64_t notAPolygon = 0;        ///< faces that never came this far, besides those of faceSizes below 3
+    std::map<std::string, std::uint64_t> attributesDropped{}; ///< as in MeshSummary
+    std::uint64_t notAPolygon = 0; ///< faces that never came this far, besides those of faceSizes below 3
 };
 
 /// Takes the mesh over. `path` names it in errors, `fileBytes` is what it took on disk.

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <span>
 #include <string>
 
@@ -25,8 +26,9 @@ struct MeshSummary {
     std::uint64_t likelyTriangles = 0; ///< what the faces and strips come to if their bytes are what they seem
     bool hasNormals = false;
     bool hasColors = false;
-    bool isDouble = false;       ///< positions need more than a float
-    std::uint64_t heldBytes = 0; ///< of memory that the source keeps as long as it lives
+    bool isDouble = false;                                  ///< positions need more than a float
+    std::uint64_t heldBytes = 0;                            ///< of memory that the source keeps as long as it lives
+    std::map<std::string, std::uint64_t> attributesDropped; ///< what the input has besides, and how many have it
 };
 
 /// Consecutive vertices. Valid only during the call of the sink.
@@ -100,6 +102,15 @@ public:
     /// Where vertex `vertex` is in the input, for messages.
     virtual std::string whereIs(std::uint64_t /*vertex*/) { return summary().path; }
 };
+
+/// Throws Error if `summary`, whose counts are known, has no faces.
+inline void requireFaces(const MeshSummary& summary) {
+    if (summary.faceCount + summary.stripCount > 0) return;
+    throw Error(
+        summary.path,
+        summary.vertexCount == 0 ? "empty: it has no vertices and no faces"
+                                 : "no faces: this is a point cloud; make a mesh of it first");
+}
 
 inline bool isFinite(const glm::dvec3& position) {
     return position.x * 0 + position.y * 0 + position.z * 0 == 0; // a number times zero is zero, anything else is not

@@ -10,6 +10,7 @@
 #include <array>
 #include <cstring>
 #include <filesystem>
+#include <string_view>
 
 namespace gnomon::read {
 
@@ -31,6 +32,8 @@ public:
             summary_.hasColors |= more.hasColors;
             summary_.isDouble |= more.isDouble;
             summary_.heldBytes += more.heldBytes;
+            for (const auto& [name, count] : more.attributesDropped)
+                summary_.attributesDropped[name] += count;
         }
     }
 
@@ -91,10 +94,22 @@ private:
     MeshSummary summary_;
 };
 
-bool isPly(const std::string& path) {
+bool startsWith(const std::string& path, std::string_view magic) {
     const File file(path, File::Mode::Read);
-    std::array<std::byte, 3> magic{};
-    return file.readSomeAt(0, magic) == magic.size() && std::memcmp(magic.data(), "ply", magic.size()) == 0;
+    std::array<std::byte, 8> begin{};
+    const std::size_t count = file.readSomeAt(0, begin);
+    return count >= magic.size() && std::memcmp(begin.data(), magic.data(), magic.size()) == 0;
+}
+
+/// Opens `path` by what it begins with, else by the end of its name.
+std::unique_ptr<MeshSource> openByFormat(const std::string& path, Bytes room) {
+    const bool isPly = startsWith(path, "ply");
+    if (File(path, File::Mode::Read).size() == 0) throw Error(path, "the file is empty");
+    if (isWholeFileFormat(path) && !isPly) return readWholeFile(path, room);
+    if (isPly || std::filesystem::path(path).extension() == ".ply") return openPly(path);
+    if (startsWith(path, "\x89GNM"))
+        throw Error(path, "a built model already, not a mesh: render, view and info take it as it is");
+    throw Error(path, "not a mesh that can be read", "PLY, OBJ, STL or OFF", "something else");
 }
 
 const char* nameOf(std::filesystem::file_type type) {
@@ -127,7 +142,7 @@ std::unique_ptr<MeshSource> openMeshSources(const std::vector<std::string>& path
     Bytes room = memoryLimit;
     for (const std::string& path : paths) {
         requireRereadable(path);
-        parts.push_back(isWholeFileFormat(path) && !isPly(path) ? readWholeFile(path, room) : openPly(path));
+        parts.push_back(openByFormat(path, room));
         room.count -= std::min(room.count, parts.back()->summary().heldBytes);
     }
     if (parts.size() == 1) return std::move(parts.front());

@@ -49,6 +49,22 @@ VertexLayout vertexLayoutOf(const PlyElement& element) {
     return layout;
 }
 
+/// What is not kept of an element's property, in words; empty if it is kept.
+std::string droppedName(const PlyElement& element, Role role, const std::string& property) {
+    constexpr std::array kKept = {"x", "y", "z", "nx", "ny", "nz", "vertex_indices", "vertex_index"};
+    constexpr std::array kColors = {"red", "green", "blue", "diffuse_red", "diffuse_green", "diffuse_blue"};
+    constexpr std::array kTexture = {"s", "t", "u", "v", "texture_u", "texture_v", "texcoord", "texnumber"};
+    const auto isOneOf = [&](const auto& names) {
+        return std::find(names.begin(), names.end(), property) != names.end();
+    };
+    if (role == Role::Other) return "element " + element.name;
+    if (isOneOf(kKept)) return {};
+    if (isOneOf(kTexture)) return "texture coordinates";
+    if (property == "alpha" || property == "diffuse_alpha") return "alpha";
+    if (isOneOf(kColors)) return role == Role::Vertices ? "" : "face colours";
+    return element.name + " " + property;
+}
+
 class PlySource final : public MeshSource {
 public:
     explicit PlySource(const std::string& path)
@@ -60,7 +76,7 @@ public:
             addToSummary(i);
         if (vertices_ == header_.elements.size()) throw Error(path, "the header declares no vertices");
         if (!layout_.has(kPosition, 3)) throw Error(path, "the vertices have no x, y and z");
-        if (summary_.faceCount + summary_.stripCount == 0) throw Error(path, "no faces: this is a point cloud");
+        requireFaces(summary_);
         summary_.likelyTriangles = likelyTriangles();
     }
 
@@ -97,6 +113,9 @@ private:
     void addToSummary(std::size_t i) {
         const PlyElement& element = header_.elements[i];
         const Role role = roleOf(element);
+        for (const PlyProperty& property : element.properties)
+            if (const std::string name = droppedName(element, role, property.name); !name.empty() && element.count > 0)
+                summary_.attributesDropped[name] = element.count;
         if (role == Role::Vertices) {
             if (vertices_ < header_.elements.size()) throw Error(summary_.path, "the header declares vertices twice");
             vertices_ = i;

@@ -79,6 +79,7 @@ MemoryMesh readObj(const InputFile& file) {
     readWith(OpenMesh::IO::OBJReader(), lines, importer, everythingOfVertices(), std::ios::goodbit);
     MemoryMesh mesh = importer.take();
     mesh.notAPolygon = guard.faceLines() - mesh.faceSizes.size();
+    mesh.attributesDropped = guard.leftOut();
     return mesh;
 }
 
@@ -102,7 +103,9 @@ MemoryMesh readOff(const InputFile& file) {
     FaceImporter importer([&] { return lines.where(); });
     readWith(OpenMesh::IO::OFFReader(), lines, importer, everythingOfVertices(), kFailures);
     lines.readOut();
-    return importer.take();
+    MemoryMesh mesh = importer.take();
+    if (guard.coloredFaces() > 0) mesh.attributesDropped["face colours"] = guard.coloredFaces();
+    return mesh;
 }
 
 // The facets of a binary STL, if the file's size says that it is one.

@@ -46,7 +46,7 @@ std::uint64_t peakResidentBytes() {
     return static_cast<std::uint64_t>(usage.ru_maxrss) << 10U;
 }
 
-nlohmann::ordered_json asJson(const BuildReport& report) {
+nlohmann::ordered_json asJson(const BuildReport& report, const read::MeshSummary& source) {
     std::uint64_t clusters = 0;
     std::uint64_t groups = 0;
     for (const hierarchy::LevelInfo& level : report.summary.levels) {
@@ -65,6 +65,7 @@ nlohmann::ordered_json asJson(const BuildReport& report) {
         {"source_triangles", report.summary.sourceTriangles},
         {"source_vertices", report.summary.sourceVertices},
         {"dropped", report.summary.dropped},
+        {"attributes_dropped", source.attributesDropped},
         {"clusters", clusters},
         {"groups", groups},
         {"level_count", report.summary.levels.size()},
@@ -82,7 +83,7 @@ nlohmann::ordered_json asJson(const BuildReport& report) {
     };
 }
 
-void printForPeople(const BuildReport& report, const std::string& output) {
+void printForPeople(const BuildReport& report, const read::MeshSummary& source, const std::string& output) {
     const auto triangles = static_cast<double>(report.summary.sourceTriangles);
     std::printf(
         "%s: %s triangles in %llu levels, %s, %.1f bytes a triangle, coarsest %llu\n",
@@ -94,6 +95,8 @@ void printForPeople(const BuildReport& report, const std::string& output) {
         static_cast<unsigned long long>(report.summary.coarsestTriangles));
     for (const auto& [reason, count] : report.summary.dropped)
         if (count > 0) std::printf("dropped: %s %llu\n", reason.c_str(), static_cast<unsigned long long>(count));
+    for (const auto& [name, count] : source.attributesDropped)
+        std::printf("not kept: %s (%llu)\n", printable(name).c_str(), static_cast<unsigned long long>(count));
     std::printf(
         "%.2f s, %s triangles/s, peak %s\n",
         report.seconds,
@@ -174,9 +177,9 @@ void run(const BuildCommand& command) {
     const BuildReport report = built(*source, options, command.common);
     warnOfCoarsest(report, command.output);
     if (command.isJson)
-        std::printf("%s\n", telemetry::jsonText(asJson(report), 1).c_str());
+        std::printf("%s\n", telemetry::jsonText(asJson(report, source->summary()), 1).c_str());
     else
-        printForPeople(report, command.output);
+        printForPeople(report, source->summary(), command.output);
     requirePrinted("the model " + command.output + " is complete");
 }
 

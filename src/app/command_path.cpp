@@ -30,7 +30,10 @@ void addPathCommand(CLI::App& program) {
         const ThreadLimit limit(options->common);
         requireApart({{"MODEL", options->model}}, {{"--output", options->output}});
         const hierarchy::ModelFile model(options->model);
+        const auto progress = makeProgress(options->common, Polling::No);
+        progress->stage("path", "paths", 1);
         writeTextFile(options->output, path::toJson(path::suitedPath(model, options->path.kind, options->path.walk)));
+        progress->advance(1);
     });
 }
 

@@ -61,6 +61,8 @@ void runRender(const RenderOptions& options) {
     frame::FrameOptions frameOptions;
     frameOptions.overlay = valueOf(executor::kOverlays, options.overlay).value_or(executor::Overlay::None);
     frameOptions.wantsWholeMaps = !options.shadowDepth.empty();
+    const auto progress = makeProgress(options.common, Polling::No);
+    progress->stage("render", "pictures", 1);
     frame::Frame frame = session.renderer().render(view, quality, frameOptions);
     proof::ProofOptions proofOptions;
     proofOptions.measuresAliasing = !options.statistics.empty();
@@ -70,6 +72,7 @@ void runRender(const RenderOptions& options) {
     executor::Picture picture = session.executor().picture();
     executor::drawLegend(picture, executor::legendOf(frameOptions.overlay, frame.plan));
     executor::writePng(options.output, picture);
+    progress->advance(1);
     if (!options.depth.empty()) executor::writePfm(options.depth, session.executor().viewDepth());
     if (!options.shadowDepth.empty()) executor::writeShadowMaps(options.shadowDepth, frame.plan, session.executor());
     if (!options.statistics.empty()) {

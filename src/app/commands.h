@@ -20,8 +20,12 @@ struct CommonOptions {
 /// Adds `--threads` and `--progress` to `command`.
 void addCommonOptions(CLI::App& command, CommonOptions& options);
 
-/// The progress display that `options` ask for, on stderr; also turns Ctrl-C into gnomon::Interrupted.
-std::unique_ptr<Progress> makeProgress(const CommonOptions& options);
+/// Whether work asks often enough to be stopped by Progress::advance; what does not ends by the signal itself.
+enum class Polling : std::uint8_t { No, Yes };
+
+/// The progress display that `options` ask for, on stderr; of work that polls it also turns Ctrl-C into
+/// gnomon::Interrupted.
+std::unique_ptr<Progress> makeProgress(const CommonOptions& options, Polling polling = Polling::Yes);
 
 void addBenchCommand(CLI::App& program);
 void addBuildCommand(CLI::App& program);

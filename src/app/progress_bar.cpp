@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <fstream>
 #include <mutex>
+#include <optional>
 
 #include <unistd.h>
 
@@ -28,7 +29,9 @@ class StderrProgress final : public Progress {
 public:
     enum class Style { Bar, Json, None };
 
-    explicit StderrProgress(Style style) : style_(style) {}
+    StderrProgress(Style style, Polling polling) : style_(style) {
+        if (polling == Polling::Yes) polled_.emplace();
+    }
 
     ~StderrProgress() override {
         const std::scoped_lock lock(mutex_);
@@ -74,9 +77,10 @@ private:
     }
 
     void show() const {
+        const std::uint64_t total = std::max(total_, done_); // some totals are estimates
         const double seconds = sinceStart_.elapsed().count / 1000;
         const double rate = seconds > 0 ? static_cast<double>(done_) / seconds : 0;
-        const double left = rate > 0 && total_ > done_ ? static_cast<double>(total_ - done_) / rate : 0;
+        const double left = rate > 0 ? static_cast<double>(total - done_) / rate : 0;
         if (style_ == Style::Json) {
             std::fprintf(
                 stderr,
@@ -85,15 +89,15 @@ private:
                 name_.c_str(),
                 unit_.c_str(),
                 static_cast<unsigned long long>(done_),
-                static_cast<unsigned long long>(total_),
+                static_cast<unsigned long long>(total),
                 rate,
                 static_cast<unsigned long long>(residentBytes()),
                 static_cast<unsigned long long>(temporaryBytes_),
                 left);
         } else if (style_ == Style::Bar) {
             constexpr int kWidth = 24;
-            const double fraction = total_ > 0 ? static_cast<double>(done_) / static_cast<double>(total_) : 0;
-            const int filled = static_cast<int>(std::min(1.0, fraction) * kWidth);
+            const double fraction = total > 0 ? static_cast<double>(done_) / static_cast<double>(total) : 0;
+            const int filled = static_cast<int>(fraction * kWidth);
             std::string bar(static_cast<std::size_t>(filled), '#');
             bar.resize(kWidth, '.');
             std::fprintf(
@@ -102,7 +106,7 @@ private:
                 name_.c_str(),
                 bar.c_str(),
                 readableCount(done_).c_str(),
-                readableCount(total_).c_str(),
+                readableCount(total).c_str(),
                 unit_.c_str(),
                 readableCount(static_cast<std::uint64_t>(rate)).c_str(),
                 readableBytes({residentBytes()}).c_str(),
@@ -111,7 +115,7 @@ private:
         }
     }
 
-    PolledInterruption polled_;
+    std::optional<PolledInterruption> polled_;
     Style style_;
     std::mutex mutex_;
     std::string name_;
@@ -134,12 +138,12 @@ void addCommonOptions(CLI::App& command, CommonOptions& options) {
         ->capture_default_str();
 }
 
-std::unique_ptr<Progress> makeProgress(const CommonOptions& options) {
+std::unique_ptr<Progress> makeProgress(const CommonOptions& options, Polling polling) {
     using Style = StderrProgress::Style;
     Style style = Style::None;
     if (options.progress == "bar" || (options.progress == "auto" && ::isatty(STDERR_FILENO) != 0)) style = Style::Bar;
     if (options.progress == "json") style = Style::Json;
-    return std::make_unique<StderrProgress>(style);
+    return std::make_unique<StderrProgress>(style, polling);
 }
 
 } // namespace gnomon::app

@@ -43,17 +43,19 @@ struct Header {
     ContentHash hash{};
 };
 
+constexpr const char* kNoModel = "not a model (gnomon build MESH -o MODEL.gnm makes one)";
+
 /// The header after its checks.
 Header readHeader(const File& file, std::uint64_t fileBytes) {
     if (fileBytes < kHeaderBytes + kFooterBytes)
         throw Error(
             atByte(file.path(), fileBytes),
-            "not a model, or one cut off",
+            kNoModel + std::string(", or one cut off"),
             "at least " + std::to_string(kHeaderBytes + kFooterBytes) + " bytes",
             std::to_string(fileBytes));
     const std::vector<std::byte> bytes = readBytes(file, 0, kHeaderBytes);
     if (!std::ranges::equal(std::span(bytes).first(kMagic.size()), std::as_bytes(std::span(kMagic))))
-        throw Error(atByte(file.path(), 0), "not a model", "the magic of a .gnm", "something else");
+        throw Error(atByte(file.path(), 0), kNoModel, "the magic of a .gnm", "something else");
     ByteReader in{std::span(bytes).subspan(kMagic.size())};
     Header header;
     header.version = in.take<std::uint32_t>();

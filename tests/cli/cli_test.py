@@ -61,7 +61,7 @@ class CommandLine(ProgramTest):
         self.expect(1, "missing", "build", missing, "-o", self.place / "undone.gnm")
         self.expect(1, "missing", "render", missing, "-o", self.place / "undone.png")
         self.expect(1, "missing", "bench", self.sundial, "--path", missing)
-        self.expect(1, "not a PLY", "build", self.sundial, "-o", self.place / "undone.gnm")
+        self.expect(1, "a built model already", "build", self.sundial, "-o", self.place / "undone.gnm")
         self.expect(1, "--memory", "render", self.sundial, "-o", self.place / "undone.png", "--memory", "1")
         self.expect(1, "no cut", "export", self.sundial, "-o", self.place / "undone.ply", "--triangles", "1")
         self.expect(1, "cannot create", "render", self.sundial, "-o", missing / "undone.png")

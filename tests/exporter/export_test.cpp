@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <limits>
 
 namespace gnomon::exporter {
 namespace {
@@ -105,6 +106,36 @@ TEST(Export, KeepsTheCapOnTriangles) {
         exportCut(pathFor("m.gnm"), {model.summary.coarsestTriangles - 1, {}}, pathFor("none.ply"), progress), Error);
     EXPECT_THROW(exportCut(pathFor("m.gnm"), {{}, 0.0}, pathFor("none.ply"), progress), Error);
     EXPECT_FALSE(std::filesystem::exists(pathFor("none.ply")));
+}
+
+/// The area of a height field's triangles from above: that of its ground where nothing is missing or there twice.
+double areaFromAbove(const Read& read) {
+    double area = 0;
+    for (const auto& [a, b, c] : read.triangles)
+        area += glm::cross(read.positions[b] - read.positions[a], read.positions[c] - read.positions[a]).y / 2;
+    return area;
+}
+
+// Of a plain all groups have one error: from one level to the next lies nothing for an error alone.
+TEST(Export, ComesNearTheCapWhereManyGroupsHaveOneError) {
+    for (const double height : {0.0, 3.0}) {
+        tests::TinyModelOptions options;
+        options.gridExponent = 6;
+        options.height = height;
+        const tests::TinyModel model = tests::makeTinyModel(options);
+        tests::writeModel(model, pathFor("m.gnm"));
+        NoProgress progress;
+        Random random(5);
+        double error = std::numeric_limits<double>::infinity();
+        for (std::uint64_t most = model.summary.coarsestTriangles; most <= 8192; most += 200 + random.below(300)) {
+            const ExportedCut cut = exportCut(pathFor("m.gnm"), {most, {}}, pathFor("out.ply"), progress);
+            EXPECT_LE(cut.triangles, most);
+            EXPECT_GE(cut.triangles + 600, most) << "a group has no more";
+            EXPECT_LE(cut.error, error);
+            error = cut.error;
+            EXPECT_DOUBLE_EQ(areaFromAbove(readBack(pathFor("out.ply"))), 64.0 * 64.0) << most;
+        }
+    }
 }
 
 TEST(Export, KeepsTheCapOnTheError) {

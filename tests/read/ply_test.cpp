@@ -256,7 +256,7 @@ TEST(ReadPly, HeaderErrorsNameTheLine) {
         errorOf("h6", ascii("element vertex 3\nproprety float x\n", "")), R"(:4: unknown header keyword "proprety")");
     EXPECT_EQ(errorOf("h7", ascii("property float x\n", "")), ":3: a property before any element");
     EXPECT_EQ(errorOf("h8", "ply\n" + kVertices + kFaces + "end_header\n"), ":8: the header names no format");
-    EXPECT_EQ(errorOf("h9", ascii(kVertices, kFour)), ": no faces: this is a point cloud");
+    EXPECT_EQ(errorOf("h9", ascii(kVertices, kFour)), ": no faces: this is a point cloud; make a mesh of it first");
     EXPECT_EQ(errorOf("h10", ascii(kFaces, "3 0 0 0\n")), ": the header declares no vertices");
     EXPECT_EQ(
         errorOf("h11", ascii("element vertex 1\nproperty float x\nproperty float y\n" + kFaces, "0 0\n3 0 0 0\n")),

@@ -114,8 +114,8 @@ TEST(ReadWholeFile, ObjErrorsNameTheLine) {
     EXPECT_NE(errorOf("f.obj", "v 0 0 0\nvn 0 0 1\nf //1 //1 //1\n").find(":3: bad corner"), std::string::npos);
     EXPECT_NE(errorOf("f.obj", "v 0 0 0\nf 0 1 1\n").find(":2: bad corner"), std::string::npos);
     EXPECT_NE(errorOf("f.obj", "v 0 0 0\nf 1 1 99999999999\n").find(":2: bad corner"), std::string::npos);
-    EXPECT_EQ(errorOf("f.obj", "v 0 0 0\nv 1 0 0\n"), ": no faces: this is a point cloud");
-    EXPECT_EQ(errorOf("f.obj", ""), ": no faces: this is a point cloud");
+    EXPECT_EQ(errorOf("f.obj", "v 0 0 0\nv 1 0 0\n"), ": no faces: this is a point cloud; make a mesh of it first");
+    EXPECT_EQ(errorOf("f.obj", ""), ": empty: it has no vertices and no faces");
 }
 
 TEST(ReadWholeFile, StlAsciiAndBinaryAgree) {
@@ -145,7 +145,7 @@ TEST(ReadWholeFile, StlErrorsNameThePlace) {
     EXPECT_EQ(
         errorOf("d.stl", "solid x\nouter loop\nvertex 0 0 0\nendloop\nendsolid\n"),
         R"(:4: bad loop: expected three vertices, found "endloop")");
-    EXPECT_EQ(errorOf("d.stl", "solid x\nendsolid\n"), ": no faces: this is a point cloud");
+    EXPECT_EQ(errorOf("d.stl", "solid x\nendsolid\n"), ": empty: it has no vertices and no faces");
 }
 
 TEST(ReadWholeFile, OffFaces) {

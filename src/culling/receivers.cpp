@@ -98,8 +98,9 @@ std::optional<VisibleDepths> visibleDepthRange(const selection::CutQuery& query,
 }
 
 std::optional<VisibleDepths> visibleDepthRange(
-    const selection::CutQuery& query, const selection::DrawList& image, std::vector<DepthCandidate>& heap) {
-    findCandidates(query, image, heap);
+    const selection::CutQuery& query, const selection::DrawList& image, std::vector<DepthCandidate>& scratch) {
+    findCandidates(query, image, scratch);
+    std::vector<DepthCandidate>& heap = scratch;
     DepthSearch search(query);
     double least = kInfinite;
     double greatest = -kInfinite;

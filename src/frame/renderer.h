@@ -31,6 +31,15 @@ struct Frame : PreparedFrame {
     telemetry::FrameRow row;
 };
 
+/// What the executor's depth texture holds.
+struct HeldMaps {
+    plan::FramePlan plan;
+    std::vector<std::vector<selection::ClusterRange>> casters; // by pass
+    bool isCulled = false;                                     // by what the image looked up
+    std::vector<selection::ClusterRange> image;                // that did
+    FrameOptions options;
+};
+
 /// Draws a model frame by frame.
 class Renderer {
 public:
@@ -79,15 +88,6 @@ private:
         const plan::Quality& quality,
         Waiting waiting,
         const std::shared_ptr<const plan::PlannedFrame>& before);
-
-    /// What the executor's depth texture holds.
-    struct HeldMaps {
-        plan::FramePlan plan;
-        std::vector<std::vector<selection::ClusterRange>> casters; // by pass
-        bool isCulled = false;                                     // by what the image looked up
-        std::vector<selection::ClusterRange> image;                // that did
-        FrameOptions options;
-    };
 
     void chooseOcclusion(PreparedFrame& frame) const;
     void markReusedMaps(PreparedFrame& frame, const FrameOptions& options) const;

@@ -71,8 +71,8 @@ TEST(ShadowChoice, GrowsDearerWithEveryCount) {
 // of each: the choice has to see that.
 TEST(ShadowChoice, TakesWhatWasMeasuredToBeCheaperByFar) {
     struct Row {
-        const char* view;
-        double exactOverMaps;
+        const char* view = "";
+        double exactOverMaps = 1;
         ExactWork predicted;
     };
 

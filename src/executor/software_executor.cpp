@@ -55,8 +55,15 @@ private:
         const FrameDrawing& frame,
         const selection::DrawList& casters,
         const raster::View& view,
-        PassStatistics& statistics,
-        const raster::BoxFilter& isWanted = {});
+        PassStatistics& statistics);
+    raster::OcclusionCounts drawWantedMap(
+        const FrameDrawing& frame,
+        const selection::DrawList& casters,
+        const raster::View& view,
+        PassStatistics& statistics);
+
+    raster::DepthTarget depthTarget() { return {shadowDepth_.pixels.data(), shadowDepth_.width, shadowDepth_.height}; }
+
     CulledCasters drawCulledMaps(const FrameDrawing& frame, PassStatistics& statistics);
     void sizeTargets(const FrameDrawing& frame);
     void shade(const FrameDrawing& frame);
@@ -115,12 +122,26 @@ void SoftwareExecutor::drawMap(
     const FrameDrawing& frame,
     const selection::DrawList& casters,
     const raster::View& view,
-    PassStatistics& statistics,
-    const raster::BoxFilter& isWanted) {
+    PassStatistics& statistics) {
     mapPass_.gather(frame, casters);
     statistics.drawCalls += casters.ranges.size();
-    *statistics.fragments += rasterizer_.drawDepth(
-        mapPass_.clusters(), view, {shadowDepth_.pixels.data(), shadowDepth_.width, shadowDepth_.height, isWanted});
+    *statistics.fragments += rasterizer_.drawDepth(mapPass_.clusters(), view, depthTarget());
+}
+
+/// Without what no receiver asks for, and without what lies behind other casters; answers what that was.
+raster::OcclusionCounts SoftwareExecutor::drawWantedMap(
+    const FrameDrawing& frame,
+    const selection::DrawList& casters,
+    const raster::View& view,
+    PassStatistics& statistics) {
+    mapPass_.gather(frame, casters);
+    statistics.drawCalls += casters.ranges.size();
+    raster::DepthTarget target = depthTarget();
+    target.isWanted = [this](const raster::PixelBox& box) { return !receivers_.isUnseen(box); };
+    const raster::NearestDepths drawn =
+        rasterizer_.drawNearestDepth(mapPass_.clusters(), mapPass_.boxes(), view, target);
+    *statistics.fragments += drawn.fragments;
+    return drawn.hidden;
 }
 
 PassStatistics SoftwareExecutor::drawShadowMaps(const FrameDrawing& frame) {
@@ -143,15 +164,14 @@ PassStatistics SoftwareExecutor::drawShadowMaps(const FrameDrawing& frame) {
 /// Draws of each map what the receivers ask for.
 CulledCasters SoftwareExecutor::drawCulledMaps(const FrameDrawing& frame, PassStatistics& statistics) {
     CulledCasters culled;
-    const raster::BoxFilter isWanted = [this](const raster::PixelBox& box) { return !receivers_.isUnseen(box); };
     for (std::size_t p = 0; p < frame.plan->passes.size(); ++p) {
         if (frame.plan->passes[p].isReused) continue;
         const raster::View view = mapView(frame, frame.plan->passes[p].map);
-        if (!isWanted(view.viewport)) continue;
+        if (receivers_.isUnseen(view.viewport)) continue;
         const selection::DrawList& casters = receivers_.casters(frame, p, view);
-        drawMap(frame, casters, view, statistics, isWanted);
-        culled.clustersKept += casters.clusters;
-        culled.triangles += casters.triangles;
+        const raster::OcclusionCounts hidden = drawWantedMap(frame, casters, view, statistics);
+        culled.clustersKept += casters.clusters - hidden.clustersHidden;
+        culled.triangles += casters.triangles - hidden.trianglesHidden;
         ++culled.mapsDrawn;
     }
     culled.clustersTested = receivers_.clustersTested();

@@ -139,7 +139,8 @@ public:
         isWhole_ = hn::And(isWhole_, hn::Gt(certainW, hn::Set(kCornerTag, 2 * kLeastW)));
         isWhole_ = hn::And(isWhole_, isWithin(x, x_.error, projection_->guardX));
         isWhole_ = hn::And(isWhole_, isWithin(y, y_.error, projection_->guardY));
-        isWhole_ = hn::And(isWhole_, hn::And(isWithin(z, z_.error, 1), hn::Ge(z, hn::Set(kCornerTag, z_.error))));
+        if (projection_->cutsDepth)
+            isWhole_ = hn::And(isWhole_, hn::And(isWithin(z, z_.error, 1), hn::Ge(z, hn::Set(kCornerTag, z_.error))));
         const auto inverseW = hn::Div(hn::Set(kCornerTag, 1.0F), w);
         rangeX_.add(hn::Mul(x, inverseW));
         rangeY_.add(hn::Mul(y, inverseW));
@@ -160,7 +161,9 @@ public:
         const PixelRange y = pixelsWithin(least, most, error(y_, least, most, leastW), {p.scaleY, p.translateY});
         bound.box = {x.first, y.first, x.end, y.end};
         rangeZ_.reduce(least, most);
-        bound.nearest = std::clamp(most + error(z_, least, most, leastW), 0.0F, 1.0F);
+        const float off = error(z_, least, most, leastW);
+        bound.nearest = std::clamp(most + off, 0.0F, 1.0F);
+        bound.least = std::clamp(least - off, 0.0F, 1.0F);
         return bound;
     }
 

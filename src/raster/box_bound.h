@@ -9,6 +9,7 @@ namespace gnomon::raster {
 struct BoxBound {
     PixelBox box;         // every pixel whose centre they may cover, inside the viewport or not
     float nearest = 1;    // no less than any depth that a pixel takes of them, where depths are reversed; 0 to 1
+    float least = 0;      // no more than any such depth; 0 to 1
     bool isWhole = false; // surely no vertex needs to be cut; else nothing is known of the box
 };
 

@@ -1,28 +1,28 @@
 #include "raster/farthest_depths.h"
 
-#include <algorithm>
-#include <bit>
-
 namespace gnomon::raster {
 
+template <class Depths>
 // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): blocks are filled as far as the tile reaches
-FarthestDepths::FarthestDepths(const std::uint64_t* words, int width, int height)
-    : words_(words), width_(width), height_(height) {
+FarthestDepths<Depths>::FarthestDepths(const Pixel* pixels, int width, int height)
+    : pixels_(pixels), width_(width), height_(height) {
     for (std::size_t y = 0; y <= blockOf(height - 1); ++y)
         std::fill_n(farthest_[y].begin(), blockOf(width - 1) + 1, 0U);
 }
 
-bool FarthestDepths::hides(const PixelBox& box, float nearest) {
-    const auto bits = std::bit_cast<std::uint32_t>(nearest);
+template <class Depths>
+bool FarthestDepths<Depths>::hides(const PixelBox& box, std::uint32_t nearest) {
     for (std::size_t y = blockOf(box.y0); y <= blockOf(box.y1 - 1); ++y)
         for (std::size_t x = blockOf(box.x0); x <= blockOf(box.x1 - 1); ++x)
-            if (farthest_[y][x] <= bits && !hidesIn(x, y, box, bits)) return false;
+            if (!Depths::isHiddenBy(farthest_[y][x], nearest) && !hidesIn(x, y, box, nearest)) return false;
     return true;
 }
 
-/// Of the pixels of `box` in one block whose farthest depth, as far as it is known, is no nearer than `nearest`. Most
+/// Of the pixels of `box` in one block whose farthest depth, as far as it is known, does not hide `nearest`. Most
 /// that is visible is found out at the first of them, so a block is brought up to date only where it proves to hide.
-bool FarthestDepths::hidesIn(std::size_t blockX, std::size_t blockY, const PixelBox& box, std::uint32_t nearest) {
+template <class Depths>
+bool FarthestDepths<Depths>::hidesIn(
+    std::size_t blockX, std::size_t blockY, const PixelBox& box, std::uint32_t nearest) {
     const int blockX0 = static_cast<int>(blockX) * kBlockSide;
     const int blockY0 = static_cast<int>(blockY) * kBlockSide;
     const PixelBox block = {
@@ -31,26 +31,30 @@ bool FarthestDepths::hidesIn(std::size_t blockX, std::size_t blockY, const Pixel
         std::max(block.x0, box.x0), std::max(block.y0, box.y0), std::min(block.x1, box.x1), std::min(block.y1, box.y1)};
     const bool isStale = (stale_[blockY] >> blockX & 1U) != 0;
     if (part == block && !isStale) return false;
-    std::uint64_t least = ~std::uint64_t{0};
+    Pixel farthest = pixels_[static_cast<std::size_t>(part.y0) * kTileStride + static_cast<std::size_t>(part.x0)];
     for (int y = part.y0; y < part.y1; ++y) {
-        const std::uint64_t* row = words_ + static_cast<std::size_t>(y) * kTileStride;
+        const Pixel* row = pixels_ + static_cast<std::size_t>(y) * kTileStride;
         for (int x = part.x0; x < part.x1; ++x)
-            least = std::min(least, row[x]);
-        if (least >> 32U <= nearest) return false;
+            farthest = Depths::farther(farthest, row[x]);
+        if (!Depths::isHiddenBy(Depths::nearness(farthest), nearest)) return false;
     }
     if (part == block) {
-        farthest_[blockY][blockX] = static_cast<std::uint32_t>(least >> 32U);
+        farthest_[blockY][blockX] = Depths::nearness(farthest);
         stale_[blockY] &= ~(1U << blockX);
     }
     return true;
 }
 
-void FarthestDepths::noteDrawn(const PixelBox& box) {
+template <class Depths>
+void FarthestDepths<Depths>::noteDrawn(const PixelBox& box) {
     const std::size_t first = blockOf(box.x0);
     const std::size_t count = blockOf(box.x1 - 1) - first + 1;
     const std::uint32_t mask = ~std::uint32_t{0} >> (kBlocks - count) << first;
     for (std::size_t y = blockOf(box.y0); y <= blockOf(box.y1 - 1); ++y)
         stale_[y] |= mask;
 }
+
+template class FarthestDepths<WordDepths>;
+template class FarthestDepths<MapDepths>;
 
 } // namespace gnomon::raster

@@ -1,7 +1,6 @@
 #include "raster/occlusion_pass.h"
 
 #include "core/check.h"
-#include "raster/farthest_depths.h"
 #include "raster/tile_kernel.h"
 
 #include <tbb/parallel_for.h>
@@ -10,6 +9,7 @@
 #include <array>
 #include <bit>
 #include <thread>
+#include <type_traits>
 
 namespace gnomon::raster {
 namespace {
@@ -50,8 +50,10 @@ void OcclusionPass::prepare(
     std::span<const CellBox> boxes,
     const Projection& projection,
     const PixelBox& viewport,
+    DepthOrder order,
     SnappedClusters& snapped) {
     GNOMON_CHECK_OP(boxes.size(), ==, input.size());
+    order_ = order;
     input_ = input;
     projection_ = projection;
     snapped_ = &snapped;
@@ -74,16 +76,19 @@ void OcclusionPass::boundClusters(std::span<const CellBox> boxes) {
     });
 }
 
+/// What is known of all that a cluster of the pass, or what was cut, may draw.
+std::uint32_t OcclusionPass::nearnessOf(std::size_t i) const {
+    if (order_ == DepthOrder::Plain) return isBounded(i) ? plainNearness(bounds_[i].least) : plainNearness(0);
+    return reversedNearness(isBounded(i) ? bounds_[i].nearest : clampedDepth(snapped_->all()[i].mostZ));
+}
+
 void OcclusionPass::orderItems(const PixelBox& viewport) {
     const std::span<const SnappedCluster> all = snapped_->all();
     const auto boxOf = [&](std::size_t i) { return isBounded(i) ? bounds_[i].box : all[i].box; };
-    const auto nearestOf = [&](std::size_t i) {
-        return isBounded(i) ? bounds_[i].nearest : clampedDepth(all[i].mostZ);
-    };
     keys_.clear();
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (intersection(boxOf(i), viewport).empty()) continue;
-        const auto behind = std::bit_cast<std::uint32_t>(1.0F) - std::bit_cast<std::uint32_t>(nearestOf(i));
+        const std::uint32_t behind = reversedNearness(1) - nearnessOf(i);
         keys_.push_back(std::uint64_t{behind} << 32U | i);
     }
     sortByUpperHalf(keys_, scratch_);
@@ -93,7 +98,7 @@ void OcclusionPass::orderItems(const PixelBox& viewport) {
         const auto i = static_cast<std::uint32_t>(key);
         const std::size_t triangles = i < input_.size() ? input_[i].triangles.size() : all[i].triangles.size();
         items_.push_back({boxOf(i), static_cast<std::uint32_t>(triangles)});
-        drawn_.push_back({i, nearestOf(i)});
+        drawn_.push_back({i, nearnessOf(i)});
     }
 }
 
@@ -110,9 +115,13 @@ void OcclusionPass::requireSnapped(std::uint32_t cluster) {
         std::this_thread::yield();
 }
 
-void OcclusionPass::drawTile(const PixelBox& tile, std::span<const std::uint32_t> indices, std::uint64_t* words) {
-    FarthestDepths depths(words, tile.width(), tile.height());
+template <class Depths>
+std::uint64_t OcclusionPass::drawOver(
+    const PixelBox& tile, std::span<const std::uint32_t> indices, typename Depths::Pixel* pixels) {
+    constexpr bool kIsMap = std::is_same_v<Depths, MapDepths>;
+    FarthestDepths<Depths> depths(pixels, tile.width(), tile.height());
     const std::span<const SnappedCluster> all = snapped_->all();
+    std::uint64_t covered = 0;
     for (const std::uint32_t index : indices) {
         const Drawn& drawn = drawn_[index];
         if (depths.hides(relativeTo(tile, intersection(items_[index].box, tile)), drawn.nearest)) continue;
@@ -121,10 +130,24 @@ void OcclusionPass::drawTile(const PixelBox& tile, std::span<const std::uint32_t
         const PixelBox touched = intersection(cluster.box, tile);
         if (cluster.triangles.empty() || touched.empty()) continue;
         const PixelBox box = relativeTo(tile, touched);
-        if (depths.hides(box, clampedDepth(cluster.mostZ))) continue;
-        drawVisibilityTile({tile, all, {&drawn.cluster, 1}}, words);
+        const TileWork work = {tile, all, {&drawn.cluster, 1}};
+        if constexpr (kIsMap) {
+            covered += drawDepthTile(work, pixels);
+        } else {
+            if (depths.hides(box, reversedNearness(clampedDepth(cluster.mostZ)))) continue;
+            drawVisibilityTile(work, pixels);
+        }
         depths.noteDrawn(box);
     }
+    return covered;
+}
+
+void OcclusionPass::drawTile(const PixelBox& tile, std::span<const std::uint32_t> indices, std::uint64_t* words) {
+    drawOver<WordDepths>(tile, indices, words);
+}
+
+std::uint64_t OcclusionPass::drawTile(const PixelBox& tile, std::span<const std::uint32_t> indices, float* depths) {
+    return drawOver<MapDepths>(tile, indices, depths);
 }
 
 OcclusionCounts OcclusionPass::counts() const {

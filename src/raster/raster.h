@@ -42,6 +42,12 @@ struct OcclusionCounts {
     bool operator==(const OcclusionCounts&) const = default;
 };
 
+/// What such a pass of depths took.
+struct NearestDepths {
+    std::uint64_t fragments = 0;
+    OcclusionCounts hidden;
+};
+
 /// A rectangle of whole pixels, half-open.
 struct PixelBox {
     int x0 = 0;
@@ -121,6 +127,12 @@ public:
     /// Pixels outside the viewport are left alone. Answers how many fragments that took: the pixels of the viewport
     /// that each triangle covers, summed.
     std::uint64_t drawDepth(std::span<const Cluster> clusters, const View& view, const DepthTarget& target);
+
+    /// The same depths as `drawDepth` leaves, to the bit, without looking at what lies behind what is drawn:
+    /// each tile from the nearest on, as `drawVisible` does, which see for `boxes` and what comes back. Clusters whose
+    /// boxes reach out of depths 0 to 1 are drawn whatever hides them. Counted are fragments of what was drawn.
+    NearestDepths drawNearestDepth(
+        std::span<const Cluster> clusters, std::span<const CellBox> boxes, const View& view, const DepthTarget& target);
 
     /// The triangle of largest depth of each pixel of the viewport (depth reversed: 1 at the near plane, 0 at the far
     /// end), cut at depths 0 and 1. Pixels outside the viewport are left alone. `onTile` is told of each part of the

@@ -160,6 +160,19 @@ std::uint64_t Rasterizer::drawDepth(std::span<const Cluster> clusters, const Vie
     return memory_->fragments;
 }
 
+NearestDepths Rasterizer::drawNearestDepth(
+    std::span<const Cluster> clusters, std::span<const CellBox> boxes, const View& view, const DepthTarget& target) {
+    checkViewport(view.viewport, target.width, target.height);
+    Memory& memory = *memory_;
+    memory.occlusion.prepare(
+        clusters, boxes, projection(view, false), view.viewport, DepthOrder::Plain, memory.clusters);
+    binWanted(memory.occlusion.items(), view.viewport, target.isWanted, DepthKind::kSide, kLeastTileSide, memory.bins);
+    memory.drawTiles<DepthKind>(target.depths, target.width, {}, [&memory](const TileBin& tile, float* depths) {
+        return memory.occlusion.drawTile(tile.box, memory.bins.of(tile), depths);
+    });
+    return {memory.fragments, memory.occlusion.counts()};
+}
+
 void Rasterizer::drawVisibility(
     std::span<const Cluster> clusters, const View& view, const VisibilityTarget& target, const TileVisitor& onTile) {
     checkViewport(view.viewport, target.width, target.height);
@@ -174,7 +187,8 @@ OcclusionCounts Rasterizer::drawVisible(
     const VisibilityTarget& target) {
     checkViewport(view.viewport, target.width, target.height);
     Memory& memory = *memory_;
-    memory.occlusion.prepare(clusters, boxes, projection(view, true), view.viewport, memory.clusters);
+    memory.occlusion.prepare(
+        clusters, boxes, projection(view, true), view.viewport, DepthOrder::Reversed, memory.clusters);
     binItems(memory.occlusion.items(), view.viewport, VisibilityKind::kSide, kLeastTileSide, memory.bins);
     memory.drawTiles<VisibilityKind>(
         target.words, target.width, {}, [&memory](const TileBin& tile, std::uint64_t* words) {

@@ -84,6 +84,32 @@ OcclusionCounts expectSameAsPlain(const std::vector<Cluster>& clusters, const Vi
     return *first;
 }
 
+/// The depths of plain code likewise, in a map.
+OcclusionCounts expectSameDepths(const std::vector<Cluster>& clusters, const View& view) {
+    const std::size_t pixels = std::size_t{kWidth} * kHeight;
+    constexpr float kUntouched = 2;
+    std::vector<float> plain(pixels, kUntouched);
+    plainDepth(clusters, view, {plain.data(), kWidth, kHeight});
+    const std::vector<CellBox> boxes = boxesOf(clusters);
+    std::optional<NearestDepths> first;
+    const tbb::global_control sixteen(tbb::global_control::max_allowed_parallelism, 16);
+    Rasterizer rasterizer;
+    tests::onEachTarget([&](const char* target) {
+        for (const int threads : {1, 2, 16}) {
+            SCOPED_TRACE(std::string(target) + ", threads " + std::to_string(threads));
+            std::vector<float> depths(pixels, kUntouched);
+            const NearestDepths drawn = tbb::task_arena(threads).execute([&] {
+                return rasterizer.drawNearestDepth(clusters, boxes, view, {depths.data(), kWidth, kHeight});
+            });
+            EXPECT_TRUE(depths == plain);
+            if (!first) first = drawn;
+            EXPECT_EQ(drawn.hidden, first->hidden);
+            EXPECT_EQ(drawn.fragments, first->fragments);
+        }
+    });
+    return first->hidden;
+}
+
 TEST(Occlusion, SheetsOfEverySizeOfTriangle) {
     for (const double spacing : {0.3, 1.4, 4.0, 11.0, 40.0, 150.0}) {
         SCOPED_TRACE(spacing);
@@ -125,12 +151,16 @@ Scene crowd(std::uint64_t seed) {
 
 TEST(Occlusion, CrowdsSeenFromAmongThem) {
     std::uint64_t hidden = 0;
+    std::uint64_t hiddenInMaps = 0;
     for (std::uint64_t seed = 0; seed < 8; ++seed) {
         SCOPED_TRACE(seed);
         const Scene scene = crowd(seed);
         hidden += expectSameAsPlain(scene.clusters(), insideView(kViewport, seed)).clustersHidden;
+        hiddenInMaps += expectSameDepths(scene.clusters(), insideView(kViewport, seed)).clustersHidden;
+        hiddenInMaps += expectSameDepths(scene.clusters(), flatView(kViewport)).clustersHidden;
     }
     EXPECT_GT(hidden, 50U);
+    EXPECT_GT(hiddenInMaps, 50U);
 }
 
 TEST(Occlusion, SoupsSeenFromAmongThem) {
@@ -138,6 +168,7 @@ TEST(Occlusion, SoupsSeenFromAmongThem) {
         SCOPED_TRACE(seed);
         const Scene scene = soup(1500, seed);
         expectSameAsPlain(scene.clusters(), insideView(kViewport, seed));
+        expectSameDepths(scene.clusters(), insideView(kViewport, seed));
     }
 }
 
@@ -147,6 +178,7 @@ TEST(SlowOcclusion, CrowdsAndSoupsSeenFromAmongThem) {
         SCOPED_TRACE(seed);
         const Scene scene = seed % 4 == 0 ? soup(1000, seed) : crowd(seed);
         hidden += expectSameAsPlain(scene.clusters(), insideView(kViewport, seed)).clustersHidden;
+        expectSameDepths(scene.clusters(), insideView(kViewport, seed));
     }
     EXPECT_GT(hidden, 1000U);
 }
@@ -181,6 +213,23 @@ TEST(Occlusion, LeavesOutAllThatAWallHides) {
     EXPECT_EQ(counts.trianglesHidden, 50U * 128U);
 }
 
+// In a map the least depth is the nearest, and all that lies before its range is as near as its begin.
+TEST(Occlusion, OfMapsLeavesOutAllThatASlabHides) {
+    for (const double slab : {0.05, -0.5}) {
+        Scene scene;
+        for (int i = 0; i < 50; ++i)
+            addSquare(scene, 20 + 5 * i, 10 + 3 * i, 40, 0.1 + 0.01 * i);
+        for (int i = 0; i < 5; ++i)
+            addSquare(scene, 20 + 5 * i, 10 + 3 * i, 40, -0.1 - 0.01 * i);
+        addSquare(scene, -50, -50, 500, slab, 1);
+        std::vector<Cluster> clusters = scene.clusters();
+        EXPECT_EQ(expectSameDepths(clusters, flatView(kViewport)).clustersHidden, 50U) << slab;
+        std::rotate(clusters.begin(), clusters.end() - 1, clusters.end());
+        EXPECT_EQ(expectSameDepths(clusters, flatView(kViewport)).clustersHidden, slab < 0 ? 55U : 50U)
+            << "whoever comes first of those before the map hides the others";
+    }
+}
+
 TEST(Occlusion, AHoleOfOnePixelIsSeenThrough) {
     for (const double hole : {140, 143, 148}) // about a block's border, and in its middle
         for (const double side : {5, 12, 20, 40, 70, 110, 500}) {
@@ -192,6 +241,7 @@ TEST(Occlusion, AHoleOfOnePixelIsSeenThrough) {
             addSquare(scene, hole - 100, hole + 1, 300, 0.75, 1);
             addSquare(scene, hole - 100, hole - 300, 300, 0.75, 1); // between them is one pixel
             EXPECT_EQ(expectSameAsPlain(scene.clusters(), flatView(kViewport)).clustersHidden, 0U);
+            expectSameDepths(scene.clusters(), flatView(kViewport));
         }
 }
 
@@ -208,6 +258,7 @@ TEST(Occlusion, EqualDepthsGoToTheFirstInTheListWhateverIsDrawnFirst) {
 
 TEST(Occlusion, NothingAtAll) {
     EXPECT_EQ(expectSameAsPlain({}, flatView(kViewport)), OcclusionCounts());
+    EXPECT_EQ(expectSameDepths({}, flatView(kViewport)), OcclusionCounts());
 }
 
 TEST(BoxBound, HoldsEveryPixelAndDepthOfVerticesInTheBox) {
@@ -240,6 +291,7 @@ TEST(BoxBound, HoldsEveryPixelAndDepthOfVerticesInTheBox) {
             ASSERT_EQ(outsideBits(pass, p) & 48U, 0U);
             const SnappedVertex v = snapped(pass, p);
             ASSERT_LE(v.z, bound.nearest);
+            ASSERT_GE(v.z, bound.least);
             ASSERT_GE(v.x, (bound.box.x0 - 1) * kSubpixels);
             ASSERT_LE(v.x, bound.box.x1 * kSubpixels);
             ASSERT_GE(v.y, (bound.box.y0 - 1) * kSubpixels);
@@ -263,8 +315,10 @@ TEST(BoxBound, IsCloseAroundWhatIsFarFromTheEye) {
     ASSERT_TRUE(bound.isWhole);
     EXPECT_EQ(bound.box, (PixelBox{107, 45, 127, 48}));
     EXPECT_NEAR(bound.nearest, 0.5, 1e-5);
+    EXPECT_NEAR(bound.least, 0.25, 1e-5);
     box.max[2] = kSceneCenter + (1U << 20U) + 1; // past the near plane
     EXPECT_FALSE(boxBound(projection(view, true), box).isWhole);
+    EXPECT_TRUE(boxBound(projection(view, false), box).isWhole) << "a map cuts nothing off";
 }
 
 TEST(FarthestDepths, AreThoseOfAllPixels) {
@@ -273,7 +327,7 @@ TEST(FarthestDepths, AreThoseOfAllPixels) {
     const auto wordAt = [&](int x, int y) -> std::uint64_t& {
         return words[static_cast<std::size_t>(y) * kTileStride + static_cast<std::size_t>(x)];
     };
-    FarthestDepths depths(words.data(), kSide, kSide);
+    FarthestDepths<WordDepths> depths(words.data(), kSide, kSide);
     Random random(3);
     const auto randomBox = [&] {
         const int x = static_cast<int>(random.below(kSide));
@@ -301,10 +355,10 @@ TEST(FarthestDepths, AreThoseOfAllPixels) {
         const float farthest = visibleDepth(least);
         const auto before = std::bit_cast<float>(std::bit_cast<std::uint32_t>(farthest) - 1);
         if (farthest > 0) {
-            EXPECT_TRUE(depths.hides(asked, before));
+            EXPECT_TRUE(depths.hides(asked, reversedNearness(before)));
             ++hiddenCount;
         }
-        EXPECT_FALSE(depths.hides(asked, farthest)); // as far as the farthest: ties are not hidden
+        EXPECT_FALSE(depths.hides(asked, reversedNearness(farthest))); // as far as the farthest: ties are not hidden
     }
     EXPECT_GT(hiddenCount, 100);
 }

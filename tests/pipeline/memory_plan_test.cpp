@@ -53,6 +53,18 @@ TEST(MemoryPlan, PolygonsCountAsTheTrianglesThatTheyBecome) {
     EXPECT_EQ((MemoryNeeds{quads, 100, true}.base()), (MemoryNeeds{sourceOf(2000, 1000), 100, true}.base()));
 }
 
+TEST(MemoryPlan, RowsOfPagesTakeLittleUnlessChunksAreSmall) {
+    const read::MeshSummary statue = sourceOf(1'000'000'000, 500'000'000);
+    const auto base = [](const read::MeshSummary& source, std::uint32_t chunkTriangles) {
+        return MemoryNeeds{source, chunkTriangles, false}.base().count;
+    };
+    EXPECT_LT((MemoryNeeds{statue, 1U << 20U, false}.least()), gibibytes(2));
+    const std::uint64_t process = base(sourceOf(1, 3), 1U << 20U);
+    EXPECT_GT(base(statue, 1U << 20U), process + 48'000'000) << "measured: 0.048 bytes a triangle";
+    EXPECT_LT(base(statue, 1U << 20U), process + 70'000'000);
+    EXPECT_GE(base(statue, 64), process + 1'000'000'000 - 1) << "as much as a byte a triangle";
+}
+
 TEST(MemoryPlan, BordersTakeLessThanANode) {
     for (const chunk::PartSize& size : {chunk::PartSize{1000, 10}, chunk::PartSize{10, 1000}})
         EXPECT_LT(MemoryNeeds::borders(size), MemoryNeeds::node(size));

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace gnomon::levels {
@@ -32,7 +33,7 @@ Channels channelsOf(std::uint32_t color) {
 std::uint32_t packed(const Channels& channels) {
     std::uint32_t color = 0;
     for (std::size_t i = channels.size(); i-- > 0;)
-        color = color << 8U | static_cast<std::uint32_t>(std::clamp(channels[i], 0.0F, 255.0F) + 0.5F);
+        color = color << 8U | static_cast<std::uint32_t>(std::lround(std::clamp(channels[i], 0.0F, 255.0F)));
     return color;
 }
 

@@ -106,7 +106,7 @@ std::unique_ptr<MeshSource> openByFormat(const std::string& path, Bytes room) {
     const bool isPly = startsWith(path, "ply");
     if (File(path, File::Mode::Read).size() == 0) throw Error(path, "the file is empty");
     if (isWholeFileFormat(path) && !isPly) return readWholeFile(path, room);
-    if (isPly || std::filesystem::path(path).extension() == ".ply") return openPly(path);
+    if (isPly || std::filesystem::path(path).extension() == ".ply") return openPlyWithFaceColors(path, room);
     if (startsWith(path, "\x89GNM"))
         throw Error(path, "a built model already, not a mesh: render, view and info take it as it is");
     throw Error(path, "not a mesh that can be read", "PLY, OBJ, STL or OFF", "something else");

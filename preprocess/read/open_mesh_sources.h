@@ -18,8 +18,9 @@ void requireRereadable(const std::string& path);
 /// indices are shifted accordingly. A block of a joined model holds vertices of one input only, so it lacks normals or
 /// colours where that input has none, even if the summary has them because another does.
 ///
-/// PLY files are known by their first line, whatever their name; the others by their suffix. PLY is streamed; OBJ, STL
-/// and OFF are read whole and throw Error if that could take more than `memoryLimit`. All errors name the file.
+/// PLY files are known by their first line, whatever their name; the others by their suffix. PLY is streamed, unless
+/// its faces have colours; that, OBJ, STL and OFF are read whole and throw Error if that could take more than
+/// `memoryLimit`. All errors name the file.
 std::unique_ptr<MeshSource> openMeshSources(const std::vector<std::string>& paths, Bytes memoryLimit);
 
 } // namespace gnomon::read

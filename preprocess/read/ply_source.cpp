@@ -1,5 +1,6 @@
 #include "preprocess/read/ply_source.h"
 
+#include "preprocess/read/ply_face_colors.h"
 #include "preprocess/read/ply_fast.h"
 
 #include <algorithm>
@@ -49,6 +50,8 @@ VertexLayout vertexLayoutOf(const PlyElement& element) {
     return layout;
 }
 
+constexpr const char* kFaceColors = "face colours";
+
 /// What is not kept of an element's property, in words; empty if it is kept.
 std::string droppedName(const PlyElement& element, Role role, const std::string& property) {
     constexpr std::array kKept = {"x", "y", "z", "nx", "ny", "nz", "vertex_indices", "vertex_index"};
@@ -61,7 +64,7 @@ std::string droppedName(const PlyElement& element, Role role, const std::string&
     if (isOneOf(kKept)) return {};
     if (isOneOf(kTexture)) return "texture coordinates";
     if (property == "alpha" || property == "diffuse_alpha") return "alpha";
-    if (isOneOf(kColors)) return role == Role::Vertices ? "" : "face colours";
+    if (isOneOf(kColors)) return role == Role::Vertices ? "" : kFaceColors;
     return element.name + " " + property;
 }
 
@@ -78,9 +81,36 @@ public:
         if (!layout_.has(kPosition, 3)) throw Error(path, "the vertices have no x, y and z");
         requireFaces(summary_);
         summary_.likelyTriangles = likelyTriangles();
+        const PlyElement& faces = header_.elements[firstFaces_];
+        const bool isOneElement = summary_.stripCount == 0 && summary_.faceCount == faces.count;
+        if (isOneElement && !layout_.hasColors) faceColors_ = faceColorLayoutOf(faces);
     }
 
     const MeshSummary& summary() const override { return summary_; }
+
+    /// Whether all triangles are faces with colours, and no vertex has any.
+    bool hasFaceColors() const { return faceColors_.has_value(); }
+
+    /// The same mesh in memory, with the colours of its faces. Throws Error if it takes more than `memoryLimit`.
+    std::unique_ptr<MeshSource> withFaceColors(Bytes memoryLimit) {
+        FaceColorSplitter splitter(summary_.path, memoryLimit);
+        readVertices([&](const VertexBlock& block) { splitter.addVertices(block); });
+        const PlyElement& faces = header_.elements[firstFaces_];
+        pass(
+            [&](auto values) {
+                values.beginElement(faces);
+                readColoredFaces(values, faces, indexListOf(faces), *faceColors_, summary_.vertexCount, splitter);
+                for (std::size_t i = firstFaces_ + 1; i < header_.elements.size(); ++i)
+                    skipElement(values, header_.elements[i], header_.format);
+                values.expectEnd();
+            },
+            firstFaces_);
+        file_.requireUnchanged();
+        MemoryMesh mesh = splitter.take();
+        mesh.attributesDropped = summary_.attributesDropped;
+        mesh.attributesDropped.erase(kFaceColors);
+        return memorySource(summary_.path, summary_.fileBytes, std::move(mesh));
+    }
 
     void readVertices(const VertexSink& sink) override {
         pass([&](auto values) { vertexPass(values, sink); }, vertices_);
@@ -227,6 +257,7 @@ private:
     PlyHeader header_;
     VertexLayout layout_;
     MeshSummary summary_;
+    std::optional<FaceColorLayout> faceColors_;
     std::size_t vertices_ = header_.elements.size();   ///< the vertex element
     std::size_t firstFaces_ = header_.elements.size(); ///< the first element with triangles
     std::vector<std::optional<PlyPlace>> starts_;      ///< of each element, where known; one more for the end
@@ -236,6 +267,12 @@ private:
 
 std::unique_ptr<MeshSource> openPly(const std::string& path) {
     return std::make_unique<PlySource>(path);
+}
+
+std::unique_ptr<MeshSource> openPlyWithFaceColors(const std::string& path, Bytes memoryLimit) {
+    auto source = std::make_unique<PlySource>(path);
+    if (source->hasFaceColors()) return source->withFaceColors(memoryLimit);
+    return source;
 }
 
 } // namespace gnomon::read

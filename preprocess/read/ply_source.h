@@ -1,6 +1,7 @@
 // PLY as a MeshSource: streamed, in any legal layout.
 #pragma once
 
+#include "core/units.h"
 #include "preprocess/read/mesh_source.h"
 
 #include <memory>
@@ -16,5 +17,9 @@ namespace gnomon::read {
 /// The passes throw for truncated bodies, list counts that are negative or absurd, indices out of range, and data after
 /// the last element.
 std::unique_ptr<MeshSource> openPly(const std::string& path);
+
+/// The same with the colours of faces where vertices have none and all triangles are faces of one element: read whole,
+/// a vertex split where its faces have different colours. Throws Error where that takes more than `memoryLimit`.
+std::unique_ptr<MeshSource> openPlyWithFaceColors(const std::string& path, Bytes memoryLimit);
 
 } // namespace gnomon::read

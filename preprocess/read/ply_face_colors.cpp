@@ -1,0 +1,81 @@
+#include "preprocess/read/ply_face_colors.h"
+
+#include "core/error.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace gnomon::read {
+
+namespace {
+
+constexpr unsigned kColorBits = 32;
+constexpr std::uint64_t kMostVertices = std::uint64_t{1} << kColorBits;
+
+/// What a corner may come to: twice its name while names are sorted, a vertex of its own, and as much again where an
+/// array grows.
+constexpr std::uint64_t kBytesPerCorner =
+    4 * sizeof(std::uint64_t) + 2 * (sizeof(glm::dvec3) + sizeof(glm::vec3) + sizeof(std::uint32_t));
+
+template <class T>
+std::uint64_t bytesOf(const std::vector<T>& values) {
+    return values.capacity() * sizeof(T);
+}
+
+} // namespace
+
+std::optional<FaceColorLayout> faceColorLayoutOf(const PlyElement& element) {
+    FaceColorLayout layout{};
+    constexpr std::array<const char*, 4> kNames = {"red", "green", "blue", "alpha"};
+    for (std::size_t channel = 0; channel < kNames.size(); ++channel) {
+        const int found = element.indexOf(kNames[channel]);
+        const bool isValue = found >= 0 && !element.properties[static_cast<std::size_t>(found)].isList;
+        if (!isValue && channel < 3) return {};
+        layout[channel] = isValue ? found : -1;
+    }
+    return layout;
+}
+
+void FaceColorSplitter::requireRoom() const {
+    const std::uint64_t needed = bytesOf(mesh_.positions) + bytesOf(mesh_.normals) + bytesOf(mesh_.faceSizes) +
+                                 mesh_.corners.size() * kBytesPerCorner;
+    if (needed > memoryLimit_.count || mesh_.positions.size() > kMostVertices)
+        throw Error(
+            path_,
+            "too large for faces with colours, which are read whole (colours of vertices are streamed)",
+            "at most " + readableBytes(memoryLimit_) + " of memory",
+            "a need for more than " + readableBytes({needed}));
+}
+
+void FaceColorSplitter::addVertices(const VertexBlock& block) {
+    mesh_.positions.insert(mesh_.positions.end(), block.positions.begin(), block.positions.end());
+    mesh_.normals.insert(mesh_.normals.end(), block.normals.begin(), block.normals.end());
+    requireRoom();
+}
+
+void FaceColorSplitter::addFace(std::span<const std::uint64_t> corners, std::uint32_t color) {
+    mesh_.faceSizes.push_back(static_cast<std::uint32_t>(corners.size()));
+    for (const std::uint64_t corner : corners)
+        mesh_.corners.push_back(corner << kColorBits | color);
+    requireRoom();
+}
+
+MemoryMesh FaceColorSplitter::take() {
+    std::vector<std::uint64_t> names = mesh_.corners;
+    std::sort(names.begin(), names.end());
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    for (std::uint64_t& corner : mesh_.corners)
+        corner = static_cast<std::uint64_t>(std::lower_bound(names.begin(), names.end(), corner) - names.begin());
+    const std::vector<glm::dvec3> positions = std::move(mesh_.positions);
+    const std::vector<glm::vec3> normals = std::move(mesh_.normals);
+    mesh_.positions.clear();
+    mesh_.normals.clear();
+    for (const std::uint64_t name : names) {
+        mesh_.positions.push_back(positions[name >> kColorBits]);
+        if (!normals.empty()) mesh_.normals.push_back(normals[name >> kColorBits]);
+        mesh_.colors.push_back(static_cast<std::uint32_t>(name & std::numeric_limits<std::uint32_t>::max()));
+    }
+    return std::move(mesh_);
+}
+
+} // namespace gnomon::read

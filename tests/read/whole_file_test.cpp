@@ -115,7 +115,7 @@ TEST(ReadWholeFile, ObjErrorsNameTheLine) {
     EXPECT_NE(errorOf("f.obj", "v 0 0 0\nf 0 1 1\n").find(":2: bad corner"), std::string::npos);
     EXPECT_NE(errorOf("f.obj", "v 0 0 0\nf 1 1 99999999999\n").find(":2: bad corner"), std::string::npos);
     EXPECT_EQ(errorOf("f.obj", "v 0 0 0\nv 1 0 0\n"), ": no faces: this is a point cloud; make a mesh of it first");
-    EXPECT_EQ(errorOf("f.obj", ""), ": empty: it has no vertices and no faces");
+    EXPECT_EQ(errorOf("f.obj", ""), ": the file is empty");
 }
 
 TEST(ReadWholeFile, StlAsciiAndBinaryAgree) {

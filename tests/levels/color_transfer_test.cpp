@@ -190,7 +190,7 @@ TEST(ColorTransfer, ASeamStaysSharp) {
 }
 
 TEST(ColorTransfer, TheErrorIsThatOfThePointWhereMostIsOff) {
-    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 2; ++seed) {
         Random random(seed);
         const simplify::Patch patch = sheet([&](std::uint32_t column, std::uint32_t row) {
             return random.below(60) == 0 ? kBlack : grey(0.5 + 0.5 * std::sin(0.3 * column) * std::sin(0.4 * row));

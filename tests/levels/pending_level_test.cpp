@@ -98,6 +98,29 @@ TEST(PendingLevel, RefinementsOfFinerLevelsThanTheNodesKeepTheirPages) {
         EXPECT_LT(refinement.place.page, part.level.clusters.size());
 }
 
+TEST(PendingLevel, VerticesThatBecameTheSameAreCountedOnce) {
+    Part part(read::bumpySheet(12), {0, 0});
+    LevelCluster& cluster = part.level.clusters[0];
+    // One of its corners that another of its triangles has too gets a vertex of its own, and then the same colour, as
+    // where two colours of one position were averaged to the same.
+    const auto triangles = std::span(part.level.triangles).subspan(cluster.firstTriangle, cluster.triangleCount);
+    std::uint32_t* corner = nullptr;
+    for (const simplify::Triangle& t : triangles.subspan(1))
+        for (std::uint32_t& candidate : triangles[0])
+            if (std::find(t.begin(), t.end(), candidate) != t.end()) corner = &candidate;
+    ASSERT_NE(corner, nullptr);
+    const std::uint32_t vertex = *corner;
+    *corner = static_cast<std::uint32_t>(part.mesh.vertices.size());
+    part.mesh.vertices.push_back(part.mesh.vertices[vertex]);
+    part.mesh.positionOf.push_back(part.mesh.positionOf[vertex]);
+    const std::uint32_t before = cluster.vertexCount;
+    ++cluster.vertexCount;
+    const std::array<const Part*, 1> parts{&part};
+    const PendingLevel back = merged(parts, std::array<std::uint32_t, 1>{0});
+    EXPECT_EQ(back.level.clusters[0].vertexCount, before);
+    EXPECT_EQ(back.mesh.vertices.size(), part.mesh.vertices.size() - 1);
+}
+
 TEST(PendingLevel, PartsThatShareAnEdgeAreWeldedThere) {
     const read::CodeMesh sheet = read::bumpySheet(16);
     const auto half = [&](bool isLeft) {

@@ -41,7 +41,9 @@ void formGroups(Level& level, const hierarchy::Grid& grid, const LevelOptions& o
     for (std::uint32_t c = 0; c < level.clusters.size(); ++c)
         items.push_back({centerOf(level.clusters[c].box), level.clusters[c].triangleCount, c});
     const std::uint64_t maxWeight = std::uint64_t{kGroupClusters} * options.clusterTriangles;
-    const KdParts parts = kdSplit(items, maxWeight, kGroupCutFractions.at(number % kGroupCutFractions.size()));
+    // Half a group at least on either side of a gap: small parts need others near them to merge with.
+    const KdParts parts =
+        kdSplit(items, maxWeight, kGroupCutFractions.at(number % kGroupCutFractions.size()), maxWeight / 2);
     Level ordered;
     ordered.triangles.reserve(level.triangles.size());
     ordered.errors.reserve(level.errors.size());

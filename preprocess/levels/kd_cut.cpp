@@ -9,26 +9,6 @@ namespace gnomon::levels {
 
 namespace {
 
-struct Bounds {
-    glm::vec3 low;
-    glm::vec3 high;
-};
-
-Bounds boundsOf(std::span<const KdPoint> points) {
-    Bounds bounds{glm::vec3(std::numeric_limits<float>::max()), glm::vec3(std::numeric_limits<float>::lowest())};
-    for (const KdPoint& point : points) {
-        bounds.low = glm::min(bounds.low, point.center);
-        bounds.high = glm::max(bounds.high, point.center);
-    }
-    return bounds;
-}
-
-int widestAxis(const Bounds& bounds) {
-    const glm::vec3 size = bounds.high - bounds.low;
-    if (size.x >= size.y && size.x >= size.z) return 0;
-    return size.y >= size.z ? 1 : 2;
-}
-
 /// A place between points in their order: before `item`, whose center is at `value`.
 struct Place {
     float value;
@@ -78,7 +58,7 @@ struct Input {
 /// many they are.
 template <int kAxis>
 std::size_t narrow(
-    const Input& input, std::span<const KdPoint> candidates, const Bounds& bounds, std::uint64_t& before) {
+    const Input& input, std::span<const KdPoint> candidates, const KdBounds& bounds, std::uint64_t& before) {
     const Buckets buckets(bounds.low[kAxis], bounds.high[kAxis], candidates.size());
     std::array<std::uint64_t, Buckets::kMost> weight{};
     for (const KdPoint& point : candidates)
@@ -108,7 +88,7 @@ std::span<const KdPoint> sorted(const Input& input, std::span<const KdPoint> can
 /// Narrows the points down to those of the bucket in which the target is reached, these to those of a narrower one,
 /// until they are so few that they can be looked at in their order.
 template <int kAxis>
-Place findPlace(const Input& input, Bounds bounds) {
+Place findPlace(const Input& input, KdBounds bounds) {
     constexpr std::size_t kFew = 16;
     std::span<const KdPoint> candidates = input.points;
     std::uint64_t before = 0;
@@ -147,17 +127,32 @@ std::size_t part(const Input& input, const Place place) {
 
 /// The axis is known to the compiler, since the inner loops are short.
 template <int kAxis>
-KdSide cutAcross(const Input& input, const Bounds& bounds) {
+KdSide cutAcross(const Input& input, const KdBounds& bounds) {
     const Place place = findPlace<kAxis>(input, bounds);
     return {part<kAxis>(input, place), place.weightBefore};
 }
 
 } // namespace
 
+KdBounds boundsOf(std::span<const KdPoint> points) {
+    KdBounds bounds{glm::vec3(std::numeric_limits<float>::max()), glm::vec3(std::numeric_limits<float>::lowest())};
+    for (const KdPoint& point : points) {
+        bounds.low = glm::min(bounds.low, point.center);
+        bounds.high = glm::max(bounds.high, point.center);
+    }
+    return bounds;
+}
+
+int widestAxis(const KdBounds& bounds) {
+    const glm::vec3 size = bounds.high - bounds.low;
+    if (size.x >= size.y && size.x >= size.z) return 0;
+    return size.y >= size.z ? 1 : 2;
+}
+
 KdSide cutPoints(
     std::span<KdPoint> points, std::span<KdPoint> spare, std::span<const std::uint32_t> weights, std::uint64_t target) {
     const Input input{points, spare, weights, target};
-    const Bounds bounds = boundsOf(points);
+    const KdBounds bounds = boundsOf(points);
     switch (widestAxis(bounds)) {
     case 0:
         return cutAcross<0>(input, bounds);

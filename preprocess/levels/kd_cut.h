@@ -14,6 +14,17 @@ struct alignas(16) KdPoint {
     std::uint32_t item; // its place among the items; breaks ties
 };
 
+/// Between which centers lie.
+struct KdBounds {
+    glm::vec3 low;
+    glm::vec3 high;
+};
+
+KdBounds boundsOf(std::span<const KdPoint> points);
+
+/// The axis along which they are widest; of several the first.
+int widestAxis(const KdBounds& bounds);
+
 /// The low side of a cut: how many points it has and what they compareCandidates.
 struct KdSide {
     std::size_t count;

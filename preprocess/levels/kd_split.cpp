@@ -2,6 +2,7 @@
 
 #include "core/check.h"
 #include "preprocess/levels/kd_cut.h"
+#include "preprocess/levels/kd_gap.h"
 
 #include <tbb/parallel_invoke.h>
 
@@ -21,6 +22,7 @@ struct Splitter {
     std::span<const std::uint32_t> weights;
     std::uint64_t maxWeight;
     double fraction;
+    std::uint64_t leastAtGap;
     std::vector<std::uint8_t>& isEnd;
 
     void split(std::size_t first, std::size_t count, std::uint64_t weight) const {
@@ -31,8 +33,9 @@ struct Splitter {
         const std::uint64_t parts = (weight + maxWeight - 1) / maxWeight;
         const auto lowParts = std::clamp<std::uint64_t>(
             static_cast<std::uint64_t>(std::floor(static_cast<double>(parts) * fraction + 0.5)), 1, parts - 1);
-        const KdSide low =
-            cutPoints(points.subspan(first, count), spare.subspan(first, count), weights, weight * lowParts / parts);
+        const std::uint64_t gap = weightBeforeGap(points.subspan(first, count), weights, leastAtGap);
+        const std::uint64_t target = gap > 0 ? gap : weight * lowParts / parts;
+        const KdSide low = cutPoints(points.subspan(first, count), spare.subspan(first, count), weights, target);
         const auto splitLow = [&] { split(first, low.count, low.weight); };
         const auto splitHigh = [&] { split(first + low.count, count - low.count, weight - low.weight); };
         if (count < kParallelPoints) {
@@ -49,7 +52,8 @@ bool isInOrder(std::span<const KdItem> items) {
         items.begin(), items.end(), [](const KdItem& a, const KdItem& b) { return a.index < b.index; });
 }
 
-KdParts splitInOrder(std::span<const KdItem> items, std::uint64_t maxWeight, double fraction) {
+KdParts splitInOrder(
+    std::span<const KdItem> items, std::uint64_t maxWeight, double fraction, std::uint64_t leastAtGap) {
     KdParts parts;
     if (items.empty()) return parts;
     std::vector<KdPoint> points(items.size());
@@ -63,7 +67,7 @@ KdParts splitInOrder(std::span<const KdItem> items, std::uint64_t maxWeight, dou
         weight += items[i].weight;
     }
     std::vector<std::uint8_t> isEnd(items.size(), 0);
-    Splitter{points, spare, weights, maxWeight, fraction, isEnd}.split(0, items.size(), weight);
+    Splitter{points, spare, weights, maxWeight, fraction, leastAtGap, isEnd}.split(0, items.size(), weight);
     parts.order.resize(items.size());
     for (std::uint32_t i = 0; i < items.size(); ++i) {
         parts.order[i] = items[points[i].item].index;
@@ -74,11 +78,11 @@ KdParts splitInOrder(std::span<const KdItem> items, std::uint64_t maxWeight, dou
 
 } // namespace
 
-KdParts kdSplit(std::span<const KdItem> items, std::uint64_t maxWeight, double fraction) {
-    if (isInOrder(items)) return splitInOrder(items, maxWeight, fraction);
+KdParts kdSplit(std::span<const KdItem> items, std::uint64_t maxWeight, double fraction, std::uint64_t leastAtGap) {
+    if (isInOrder(items)) return splitInOrder(items, maxWeight, fraction, leastAtGap);
     std::vector<KdItem> sorted(items.begin(), items.end());
     std::sort(sorted.begin(), sorted.end(), [](const KdItem& a, const KdItem& b) { return a.index < b.index; });
-    return splitInOrder(sorted, maxWeight, fraction);
+    return splitInOrder(sorted, maxWeight, fraction, leastAtGap);
 }
 
 } // namespace gnomon::levels

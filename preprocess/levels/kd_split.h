@@ -23,9 +23,10 @@ struct KdParts {
 };
 
 /// Cuts `items` into parts. A part weighs at most `maxWeight` (at least 1) unless it is a single item. Each cut is
-/// across the widest axis and leaves about `fraction` of the weight on its low side; parts come in the order of the
-/// cuts, so neighbours in that order are near each other. Within a part items are ordered by index. Bentley,
-/// "Multidimensional binary search trees", 1975.
-KdParts kdSplit(std::span<const KdItem> items, std::uint64_t maxWeight, double fraction);
+/// across the widest axis, at the widest gap if that is wide and leaves `leastAtGap` on either side (kd_gap.h: so a
+/// part seldom spans what is far apart), else so that it leaves about `fraction` of the weight on its low side; parts
+/// come in the order of the cuts, so neighbours in that order are near each other. Within a part items are ordered by
+/// index. Bentley, "Multidimensional binary search trees", 1975.
+KdParts kdSplit(std::span<const KdItem> items, std::uint64_t maxWeight, double fraction, std::uint64_t leastAtGap = 0);
 
 } // namespace gnomon::levels

@@ -1,5 +1,6 @@
 // The splitter against a plain one that sorts all items at every cut.
 #include "core/random.h"
+#include "preprocess/levels/kd_gap.h"
 #include "preprocess/levels/kd_split.h"
 
 #include <gtest/gtest.h>
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace gnomon::levels {
 namespace {
@@ -25,7 +27,36 @@ int widestAxisOf(const Items& items) {
     return size.x == widest ? 0 : (size.y == widest ? 1 : 2);
 }
 
-void splitPlainly(Items items, std::uint64_t maxWeight, double fraction, KdParts& out) {
+/// Buckets of one width, and the longest run of empty ones.
+std::uint64_t weightBeforePlainGap(const Items& items, int axis, std::uint64_t leastWeight) {
+    float low = items.front().center[axis];
+    float high = low;
+    for (const KdItem& item : items) {
+        low = std::min(low, item.center[axis]);
+        high = std::max(high, item.center[axis]);
+    }
+    const float scale = 63.0F / (high - low);
+    if (!std::isfinite(scale)) return 0;
+    std::map<int, std::uint64_t> buckets;
+    std::uint64_t total = 0;
+    for (const KdItem& item : items) {
+        buckets[static_cast<int>((item.center[axis] - low) * scale)] += item.weight;
+        total += item.weight;
+    }
+    int widest = static_cast<int>(std::max(0.15, 1.5 / std::sqrt(static_cast<double>(items.size()))) * 64);
+    std::uint64_t before = 0;
+    std::uint64_t found = 0;
+    for (auto bucket = buckets.begin(); bucket != buckets.end(); before += bucket->second, ++bucket) {
+        if (bucket == buckets.begin()) continue;
+        const int empty = bucket->first - std::prev(bucket)->first - 1;
+        if (empty <= widest || std::min(before, total - before) < leastWeight) continue;
+        widest = empty;
+        found = before;
+    }
+    return found;
+}
+
+void splitPlainly(Items items, std::uint64_t maxWeight, double fraction, std::uint64_t leastAtGap, KdParts& out) {
     std::uint64_t weight = 0;
     for (const KdItem& item : items)
         weight += item.weight;
@@ -39,8 +70,9 @@ void splitPlainly(Items items, std::uint64_t maxWeight, double fraction, KdParts
     const std::uint64_t parts = (weight + maxWeight - 1) / maxWeight;
     const auto lowParts = std::clamp<std::uint64_t>(
         static_cast<std::uint64_t>(std::floor(static_cast<double>(parts) * fraction + 0.5)), 1, parts - 1);
-    const std::uint64_t target = weight * lowParts / parts;
     const int axis = widestAxisOf(items);
+    const std::uint64_t gap = weightBeforePlainGap(items, axis, leastAtGap);
+    const std::uint64_t target = gap > 0 ? gap : weight * lowParts / parts;
     std::sort(items.begin(), items.end(), [&](const KdItem& a, const KdItem& b) {
         return a.center[axis] < b.center[axis] || (a.center[axis] == b.center[axis] && a.index < b.index);
     });
@@ -48,14 +80,14 @@ void splitPlainly(Items items, std::uint64_t maxWeight, double fraction, KdParts
     for (std::uint64_t sum = items[0].weight; sum <= target; sum += items[low].weight)
         ++low;
     const auto middle = items.begin() + static_cast<std::ptrdiff_t>(std::max<std::size_t>(low, 1));
-    splitPlainly({items.begin(), middle}, maxWeight, fraction, out);
-    splitPlainly({middle, items.end()}, maxWeight, fraction, out);
+    splitPlainly({items.begin(), middle}, maxWeight, fraction, leastAtGap, out);
+    splitPlainly({middle, items.end()}, maxWeight, fraction, leastAtGap, out);
 }
 
-void expectSplitAsPlainly(const Items& items, std::uint64_t maxWeight, double fraction) {
+void expectSplitAsPlainly(const Items& items, std::uint64_t maxWeight, double fraction, std::uint64_t leastAtGap = 0) {
     KdParts plain;
-    if (!items.empty()) splitPlainly(items, maxWeight, fraction, plain);
-    const KdParts parts = kdSplit(items, maxWeight, fraction);
+    if (!items.empty()) splitPlainly(items, maxWeight, fraction, leastAtGap, plain);
+    const KdParts parts = kdSplit(items, maxWeight, fraction, leastAtGap);
     EXPECT_EQ(parts.order, plain.order);
     EXPECT_EQ(parts.ends, plain.ends);
 }
@@ -109,9 +141,55 @@ TEST(KdSplit, CutsAsSortingAllItemsAtEachCutDoes) {
                         testing::Message() << "spread " << static_cast<int>(spread) << ", " << count
                                            << " items, weights up to " << mostWeight);
                     const std::uint64_t maxWeight = 1 + random.below(200);
-                    expectSplitAsPlainly(randomItems(count, spread, mostWeight, random), maxWeight, fraction);
+                    expectSplitAsPlainly(
+                        randomItems(count, spread, mostWeight, random),
+                        maxWeight,
+                        fraction,
+                        random.below(2) * maxWeight / 2);
                     if (testing::Test::HasFailure()) return;
                 }
+}
+
+TEST(KdSplit, NoPartSpansWhatIsFarApart) {
+    Random random(8);
+    for (int trial = 0; trial < 50; ++trial) {
+        // Two sheets: by weight alone a part would have some of both.
+        Items items;
+        const double share = 0.02 + 0.96 * random.unit();
+        for (std::uint32_t i = 0; i < 2000; ++i) {
+            const float height = random.unit() < share ? 0.0F : 3.0F;
+            items.push_back({{static_cast<float>(random.unit()), static_cast<float>(random.unit()), height}, 1, i});
+        }
+        const KdParts parts = kdSplit(items, 128, 0.5);
+        std::uint32_t begin = 0;
+        for (const std::uint32_t end : parts.ends) {
+            for (std::uint32_t i = begin; i < end; ++i)
+                ASSERT_EQ(items[parts.order[i]].center.z, items[parts.order[begin]].center.z) << trial;
+            begin = end;
+        }
+    }
+}
+
+TEST(KdGap, IsWideAndTheWidest) {
+    const std::vector<std::uint32_t> weights(40, 2);
+    std::vector<KdPoint> points;
+    for (std::uint32_t i = 0; i < 40; ++i)
+        points.push_back({glm::vec3(static_cast<float>(i), 0, 0), i});
+    EXPECT_EQ(weightBeforeGap(points, weights, 0), 0U) << "even";
+    for (std::uint32_t i = 10; i < 40; ++i)
+        points[i].center.x += 20;
+    EXPECT_EQ(weightBeforeGap(points, weights, 0), 20U);
+    for (std::uint32_t i = 30; i < 40; ++i)
+        points[i].center.x += 40;
+    EXPECT_EQ(weightBeforeGap(points, weights, 0), 60U) << "wider";
+    EXPECT_EQ(weightBeforeGap(points, weights, 20), 60U) << "as much on its far side";
+    EXPECT_EQ(weightBeforeGap(points, weights, 21), 0U) << "neither has so much on either side";
+    for (KdPoint& point : points)
+        point.center.y = 1000 * point.center.x;
+    EXPECT_EQ(weightBeforeGap(points, weights, 0), 60U) << "the axis of the widest spread is y now";
+    for (KdPoint& point : points)
+        point.center = glm::vec3(5);
+    EXPECT_EQ(weightBeforeGap(points, weights, 0), 0U) << "one place";
 }
 
 TEST(KdSplit, DoesNotDependOnTheOrderOfTheItems) {

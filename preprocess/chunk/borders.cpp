@@ -53,7 +53,7 @@ Messages answerVertices(const BinnedSource& source, std::uint32_t chunk) {
 /// What the answers of a chunk depend on.
 struct Surroundings {
     ChunkVertices vertices;   // those asked for, and the corners of the triangles
-    ChunkTriangles triangles; // at the places of those asked for; none if the source has normals
+    ChunkTriangles triangles; // at the places of those asked for
 };
 
 /// Which of `vertices` lie where one of `asked` does.
@@ -111,18 +111,14 @@ Surroundings surroundingsOf(
     std::vector<std::uint8_t> isNeeded(all.size(), 0);
     for (const VertexRequest& request : asked)
         isNeeded[all.find(request.vertex)] = 1;
-    ChunkTriangles triangles;
-    if (!source.format.hasNormals) {
-        triangles = readTriangles(source, chunk, all, progress);
-        const std::vector<std::uint8_t> isThere = atPlacesOf(asked, all, source.grid);
-        for (std::vector<simplify::Triangle>* some : {&triangles.own, &triangles.ghosts}) {
-            std::erase_if(*some, [&](const simplify::Triangle& t) {
-                return (isThere[t[0]] | isThere[t[1]] | isThere[t[2]]) == 0;
-            });
-            for (const simplify::Triangle& t : *some)
-                for (const std::uint32_t corner : t)
-                    isNeeded[corner] = 1;
-        }
+    ChunkTriangles triangles = readTriangles(source, chunk, all, progress);
+    const std::vector<std::uint8_t> isThere = atPlacesOf(asked, all, source.grid);
+    for (std::vector<simplify::Triangle>* some : {&triangles.own, &triangles.ghosts}) {
+        std::erase_if(
+            *some, [&](const simplify::Triangle& t) { return (isThere[t[0]] | isThere[t[1]] | isThere[t[2]]) == 0; });
+        for (const simplify::Triangle& t : *some)
+            for (const std::uint32_t corner : t)
+                isNeeded[corner] = 1;
     }
     IndexedVertices needed = chosen(std::move(all), isNeeded, triangles);
     isNeeded = {};
@@ -140,7 +136,7 @@ std::vector<std::uint32_t> normalsOf(const Surroundings& around) {
             keptTriangles(around.vertices, around.triangles.ghosts, ignored)));
 }
 
-Messages answerShared(
+Messages answerNormals(
     const BinnedSource& source, const scratch::StreamStore& borders, std::uint32_t chunk, Progress& progress) {
     auto requests = source.bins.readAs<VertexRequest>(streamOf(BinStream::Requests, chunk));
     std::erase_if(requests, [](const VertexRequest& request) { return request.isOwner == 0; });
@@ -149,13 +145,9 @@ Messages answerShared(
     Messages messages;
     if (requests.empty()) return messages;
     const Surroundings around = surroundingsOf(source, borders, chunk, requests, progress);
-    const std::vector<simplify::ChunkSpan> sharers = sharersOfOwnPlaces(around.vertices, chunk, requests);
-    std::vector<std::uint32_t> normals;
-    if (!source.format.hasNormals) normals = normalsOf(around);
+    const std::vector<std::uint32_t> normals = normalsOf(around);
     for (const VertexRequest& request : requests) {
-        const std::uint32_t place = around.vertices.placeOfSource(request.vertex);
-        SharedVertex answer{request.vertex, hierarchy::kNoNormal, sharers[place]};
-        if (!normals.empty()) answer.normal = normals[place];
+        const SharedNormal answer{request.vertex, normals[around.vertices.placeOfSource(request.vertex)]};
         const auto record = std::as_bytes(std::span(&answer, 1));
         std::vector<std::byte>& bytes = messageTo(messages, request.chunk);
         bytes.insert(bytes.end(), record.begin(), record.end());
@@ -181,12 +173,13 @@ void shareBorders(const BinnedSource& source, scratch::StreamStore& borders, std
         [&](std::size_t chunk) { return answerVertices(source, static_cast<std::uint32_t>(chunk)); },
         deliver(BorderStream::Vertices));
     borders.flush();
+    if (source.format.hasNormals) return progress.advance(source.chunkCount);
     makeInOrder(
         0,
         source.chunkCount,
         atOnce,
-        [&](std::size_t chunk) { return answerShared(source, borders, static_cast<std::uint32_t>(chunk), progress); },
-        deliver(BorderStream::Shared));
+        [&](std::size_t chunk) { return answerNormals(source, borders, static_cast<std::uint32_t>(chunk), progress); },
+        deliver(BorderStream::Normals));
     borders.flush();
 }
 

@@ -26,7 +26,7 @@ void refine(const IndexedVertices& vertices, read::PolygonRefiner& refiner, std:
 /// What the mesh needs to know of each place.
 struct Places {
     std::vector<std::uint32_t> normals; // empty if vertices bring their own
-    std::vector<simplify::ChunkSpan> sharers;
+    std::vector<std::uint8_t> isShared;
 };
 
 Places placesOf(
@@ -37,14 +37,9 @@ Places placesOf(
     const std::vector<simplify::Triangle>& faces) {
     Places places;
     if (!source.format.hasNormals) places.normals = levels::smoothNormals(vertices.places(), faces);
-    places.sharers =
-        sharersOfOwnPlaces(vertices, chunk, source.bins.readAs<VertexRequest>(streamOf(BinStream::Requests, chunk)));
-    places.sharers.resize(vertices.places().size());
-    for (const SharedVertex& shared : borders.readAs<SharedVertex>(streamOf(BorderStream::Shared, chunk))) {
-        const std::uint32_t place = vertices.placeOfSource(shared.vertex);
-        if (!places.normals.empty()) places.normals[place] = shared.normal;
-        places.sharers[place] = shared.sharers;
-    }
+    places.isShared = sharedPlaces(vertices, source.bins.readAs<VertexRequest>(streamOf(BinStream::Requests, chunk)));
+    for (const SharedNormal& shared : borders.readAs<SharedNormal>(streamOf(BorderStream::Normals, chunk)))
+        places.normals[vertices.placeOfSource(shared.vertex)] = shared.normal;
     return places;
 }
 
@@ -82,7 +77,7 @@ private:
         if (first == kNone) {
             firstAt_[place] = next;
             mesh_.positionOf.push_back(mesh_.positionCount++);
-            mesh_.sharers.push_back(places_.sharers[place]);
+            mesh_.isBorder.push_back(places_.isShared[place]);
         } else {
             if (mesh_.vertices[first] == vertex) return first;
             const auto isEqual = [&](std::uint32_t other) { return mesh_.vertices[other] == vertex; };
@@ -172,8 +167,6 @@ ChunkMesh loadChunk(
     maker.add(std::move(kept));
     result.mesh = maker.take();
     result.mesh.grid = source.grid;
-    const auto own = static_cast<std::uint16_t>(chunk);
-    result.mesh.chunks = {own, own};
     for (const hierarchy::Vertex& vertex : result.mesh.vertices) {
         result.bounds.add(source.grid.world(vertex.position));
         result.hasNormals = result.hasNormals || vertex.normal != hierarchy::kNoNormal;

@@ -55,11 +55,10 @@ struct VertexRequest {
     auto operator<=>(const VertexRequest&) const = default;
 };
 
-/// What the chunk in which a vertex lies tells one that uses it.
-struct SharedVertex {
+/// What the chunk in which a vertex lies tells one that uses it, where the source has no normals.
+struct SharedNormal {
     std::uint32_t vertex = 0;
-    std::uint32_t normal = hierarchy::kNoNormal; // where the source has none
-    simplify::ChunkSpan sharers;                 // all chunks with triangles there are among these
+    std::uint32_t normal = hierarchy::kNoNormal;
 };
 
 /// Why triangles are left out.
@@ -99,7 +98,7 @@ enum class SourceStream : std::uint32_t {
 /// And what chunks then write to each other:
 enum class BorderStream : std::uint32_t {
     Vertices, // of other chunks that this one asked for
-    Shared,   // SharedVertex of those with triangles of this chunk
+    Normals,  // SharedNormal of those with triangles of this chunk; only for sources without normals
     Count
 };
 

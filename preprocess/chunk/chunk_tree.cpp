@@ -7,7 +7,7 @@ namespace gnomon::chunk {
 
 namespace {
 
-constexpr int kRootBits = 7;
+constexpr int kRootBits = CellCounts::kMostRootBits;
 constexpr int kFinerBits = 3;
 
 /// The low bits of `value` three places apart.
@@ -41,9 +41,9 @@ std::uint32_t gathered(std::uint32_t cell, std::uint32_t axis) {
 
 } // namespace
 
-CellCounts::CellCounts(const hierarchy::GridPoint& furthest) {
+CellCounts::CellCounts(const hierarchy::GridPoint& furthest, int rootBits) {
     const int width = static_cast<int>(std::bit_width(std::max({furthest.x, furthest.y, furthest.z, 1U})));
-    const int bits = std::min(kRootBits, width);
+    const int bits = std::min({rootBits, kRootBits, width});
     tables_.push_back(makeTable(bits, width - bits));
 }
 

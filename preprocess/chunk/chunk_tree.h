@@ -16,8 +16,11 @@ constexpr std::uint32_t kMaxChunks = 0xFFFF;
 ///     do { for each vertex: counts.add(point, weight); } while (counts.refine(limit));
 class CellCounts {
 public:
-    /// For points up to `furthest` on each axis.
-    explicit CellCounts(const hierarchy::GridPoint& furthest);
+    static constexpr int kMostRootBits = 7;
+
+    /// For points up to `furthest` on each axis. The first cells are 2^`rootBits` to a side, at most 7; it changes how
+    /// often points are counted again, and nothing else.
+    explicit CellCounts(const hierarchy::GridPoint& furthest, int rootBits = kMostRootBits);
 
     /// Counts `weight` where it is still unknown: in the cells made by the last `refine`.
     void add(const hierarchy::GridPoint& point, std::uint32_t weight);

@@ -84,16 +84,12 @@ std::vector<simplify::Triangle> keptTriangles(
     return kept;
 }
 
-std::vector<simplify::ChunkSpan> sharersOfOwnPlaces(
-    const ChunkVertices& vertices, std::uint32_t chunk, std::span<const VertexRequest> requests) {
-    const auto own = static_cast<std::uint16_t>(chunk);
-    std::vector<simplify::ChunkSpan> sharers(vertices.ownPlaces(), simplify::ChunkSpan{own, own});
-    for (const VertexRequest& request : requests) {
-        const auto other = static_cast<std::uint16_t>(request.chunk);
-        if (request.isOwner != 0)
-            sharers[vertices.placeOfSource(request.vertex)].add(simplify::ChunkSpan{other, other});
-    }
-    return sharers;
+std::vector<std::uint8_t> sharedPlaces(const ChunkVertices& vertices, std::span<const VertexRequest> requests) {
+    std::vector<std::uint8_t> isShared(vertices.places().size(), 1);
+    std::fill_n(isShared.begin(), vertices.ownPlaces(), std::uint8_t{0});
+    for (const VertexRequest& request : requests)
+        if (request.isOwner != 0) isShared[vertices.placeOfSource(request.vertex)] = 1;
+    return isShared;
 }
 
 } // namespace gnomon::chunk

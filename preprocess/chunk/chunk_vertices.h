@@ -42,8 +42,8 @@ private:
 std::vector<simplify::Triangle> keptTriangles(
     const ChunkVertices& vertices, const std::vector<simplify::Triangle>& triangles, DroppedTriangles& dropped);
 
-/// Which chunks share each own place: `chunk` and those whose requests say that they have triangles there.
-std::vector<simplify::ChunkSpan> sharersOfOwnPlaces(
-    const ChunkVertices& vertices, std::uint32_t chunk, std::span<const VertexRequest> requests);
+/// For each place whether other chunks may have triangles there: own ones of which `requests` say so, and all that lie
+/// in other chunks.
+std::vector<std::uint8_t> sharedPlaces(const ChunkVertices& vertices, std::span<const VertexRequest> requests);
 
 } // namespace gnomon::chunk

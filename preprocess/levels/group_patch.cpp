@@ -10,7 +10,7 @@ using hierarchy::kNone;
 
 PositionOwners::PositionOwners(const simplify::Mesh& mesh, const Level& level) : owners_(mesh.positionCount, kNone) {
     for (std::uint32_t position = 0; position < mesh.positionCount; ++position)
-        if (mesh.isBorder(position)) owners_[position] = kShared;
+        if (mesh.isBorder[position] != 0) owners_[position] = kShared;
     // Which group comes first depends on the threads, whether a position ends as shared does not.
     const auto claim = [&](std::uint32_t position, std::uint32_t group) {
         const std::atomic_ref<std::uint32_t> owner(owners_[position]);

@@ -22,6 +22,8 @@ struct GroupPlace {
     std::uint32_t level = 0;
     std::uint32_t page = 0;
     std::uint32_t group = 0;
+
+    bool operator==(const GroupPlace&) const = default;
 };
 
 /// A group of a finer level that clusters were simplified from.

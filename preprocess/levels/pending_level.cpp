@@ -1,195 +1,267 @@
 #include "preprocess/levels/pending_level.h"
 
+#include "core/check.h"
 #include "core/index_table.h"
 #include "hierarchy/bytes.h"
+#include "preprocess/levels/local_numbers.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 
 namespace gnomon::levels {
 
 namespace {
 
+using hierarchy::GridPoint;
 using hierarchy::kNone;
+using hierarchy::Vertex;
 
-/// Numbers things in the order in which they are first asked for.
-class Renumbering {
-public:
-    explicit Renumbering(std::size_t count) : numbers_(count, kNone) {}
-
-    std::uint32_t operator()(std::uint32_t old) {
-        if (numbers_[old] == kNone) {
-            numbers_[old] = static_cast<std::uint32_t>(inOrder_.size());
-            inOrder_.push_back(old);
-        }
-        return numbers_[old];
-    }
-
-    const std::vector<std::uint32_t>& inOrder() const { return inOrder_; }
-
-private:
-    std::vector<std::uint32_t> numbers_;
-    std::vector<std::uint32_t> inOrder_;
-};
-
-/// A vertex, with who shares its position.
-struct PendingVertex {
-    hierarchy::Vertex vertex;
-    simplify::ChunkSpan sharers;
-};
-
-struct PendingCluster {
+/// A record begins with this; then come the vertices, the errors of the triangles and the triangles themselves, three
+/// bytes each.
+struct RecordHead {
+    LevelRefinement refinement; // its level is kNone where there is none
     std::uint32_t triangleCount = 0;
-    std::uint32_t refinement = kNone;
+    std::uint32_t vertexCount = 0;
 };
 
-template <class T>
-void putAll(hierarchy::ByteWriter& out, const std::vector<T>& values) {
-    static_assert(std::is_trivially_copyable_v<T>);
-    out.putVarint(values.size());
-    out.put(std::as_bytes(std::span(values)));
+static_assert(std::is_trivially_copyable_v<RecordHead>);
+
+using SmallTriangle = std::array<std::uint8_t, 3>;
+
+std::size_t recordBytes(const LevelCluster& cluster) {
+    return sizeof(RecordHead) + cluster.vertexCount * sizeof(Vertex) +
+           cluster.triangleCount * (sizeof(simplify::TriangleError) + sizeof(SmallTriangle));
 }
 
 template <class T>
-std::vector<T> takeAll(hierarchy::ByteReader& in) {
-    std::vector<T> values(in.takeVarint());
-    const auto bytes = in.take(values.size() * sizeof(T));
-    if (!values.empty()) std::memcpy(values.data(), bytes.data(), bytes.size());
+void putAll(hierarchy::ByteWriter& out, std::span<const T> values) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    out.put(std::as_bytes(values));
+}
+
+template <class T>
+std::vector<T> takeAll(hierarchy::ByteReader& in, std::size_t count) {
+    std::vector<T> values(count);
+    const auto bytes = in.take(count * sizeof(T));
+    if (count > 0) std::memcpy(values.data(), bytes.data(), bytes.size());
     return values;
+}
+
+template <class T>
+std::vector<T> allFrom(std::span<const std::byte> bytes) {
+    GNOMON_CHECK_OP(bytes.size() % sizeof(T), ==, 0U);
+    hierarchy::ByteReader in(bytes);
+    return takeAll<T>(in, bytes.size() / sizeof(T));
+}
+
+RecordHead headOf(std::span<const std::byte> record) {
+    RecordHead head;
+    GNOMON_CHECK_OP(record.size(), >=, sizeof(head));
+    std::memcpy(&head, record.data(), sizeof(head));
+    return head;
+}
+
+GridPoint centerOf(const hierarchy::GridBox& box) {
+    const auto middle = [](std::uint32_t low, std::uint32_t high) { return low + (high - low) / 2; };
+    return {middle(box.min.x, box.max.x), middle(box.min.y, box.max.y), middle(box.min.z, box.max.z)};
+}
+
+/// Appends the record of a cluster.
+void putRecord(
+    hierarchy::ByteWriter& out,
+    const simplify::Mesh& mesh,
+    const Level& level,
+    const LevelCluster& cluster,
+    LocalNumbers& numbers) {
+    RecordHead head;
+    head.refinement.place.level = kNone;
+    if (cluster.refinement != kNone) head.refinement = level.refinements[cluster.refinement];
+    head.triangleCount = cluster.triangleCount;
+    head.vertexCount = cluster.vertexCount;
+    putAll(out, std::span<const RecordHead>(&head, 1));
+    numbers.begin();
+    std::vector<SmallTriangle> triangles;
+    triangles.reserve(cluster.triangleCount);
+    for (const simplify::Triangle& t :
+         std::span(level.triangles).subspan(cluster.firstTriangle, cluster.triangleCount)) {
+        SmallTriangle& small = triangles.emplace_back();
+        for (std::size_t i = 0; i < 3; ++i)
+            small.at(i) = static_cast<std::uint8_t>(numbers.of(t[i]));
+    }
+    GNOMON_CHECK_OP(numbers.ids().size(), ==, cluster.vertexCount);
+    std::vector<Vertex> vertices;
+    vertices.reserve(cluster.vertexCount);
+    for (const std::uint32_t v : numbers.ids())
+        vertices.push_back(mesh.vertices[v]);
+    putAll(out, std::span<const Vertex>(vertices));
+    putAll(out, std::span(level.errors).subspan(cluster.firstTriangle, cluster.triangleCount));
+    putAll(out, std::span<const SmallTriangle>(triangles));
+}
+
+/// The borders of `mesh` that triangles of `level` use, each once.
+std::vector<GridPoint> usedBorders(const simplify::Mesh& mesh, const Level& level) {
+    std::vector<GridPoint> borders;
+    std::vector<bool> isKnown(mesh.positionCount);
+    for (const simplify::Triangle& t : level.triangles)
+        for (const std::uint32_t v : t) {
+            const std::uint32_t position = mesh.positionOf[v];
+            if (mesh.isBorder[position] == 0 || isKnown[position]) continue;
+            isKnown[position] = true;
+            borders.push_back(mesh.vertices[v].position);
+        }
+    return borders;
 }
 
 } // namespace
 
 EncodedPendingLevel encodePendingLevel(const simplify::Mesh& mesh, const Level& level) {
-    Renumbering vertexNumbers(mesh.vertices.size());
-    Renumbering refinementNumbers(level.refinements.size());
-    std::vector<simplify::Triangle> triangles = level.triangles;
-    for (simplify::Triangle& t : triangles)
-        for (std::uint32_t& corner : t)
-            corner = vertexNumbers(corner);
-    std::vector<PendingCluster> clusters;
-    clusters.reserve(level.clusters.size());
-    for (const LevelCluster& c : level.clusters)
-        clusters.push_back({c.triangleCount, c.refinement == kNone ? kNone : refinementNumbers(c.refinement)});
-    std::vector<PendingVertex> vertices;
-    vertices.reserve(vertexNumbers.inOrder().size());
-    for (const std::uint32_t v : vertexNumbers.inOrder())
-        vertices.push_back({mesh.vertices[v], mesh.sharers[mesh.positionOf[v]]});
-    hierarchy::ByteWriter out;
-    out.put(mesh.chunks.first);
-    out.put(mesh.chunks.last);
-    putAll(out, vertices);
-    putAll(out, triangles);
-    putAll(out, level.errors);
-    putAll(out, clusters);
-    out.putVarint(refinementNumbers.inOrder().size());
-    for (const std::uint32_t r : refinementNumbers.inOrder()) {
-        const LevelRefinement& refinement = level.refinements[r];
-        out.putVarint(refinement.place.level);
-        out.putVarint(refinement.place.page);
-        out.putVarint(refinement.place.group);
-        for (int axis = 0; axis < 3; ++axis)
-            out.put(refinement.bounds.center[axis]);
-        out.put(refinement.bounds.radius);
-        out.put(refinement.error);
-        out.put(refinement.attributeError);
+    EncodedPendingLevel encoded;
+    std::vector<ClusterPlace> places;
+    places.reserve(level.clusters.size());
+    for (const LevelCluster& cluster : level.clusters) {
+        places.push_back(
+            {centerOf(cluster.box),
+             cluster.triangleCount,
+             cluster.vertexCount,
+             static_cast<std::uint32_t>(recordBytes(cluster))});
+        encoded.vertices += cluster.vertexCount;
+        encoded.triangles += cluster.triangleCount;
     }
-    return {out.take(), vertices.size(), triangles.size()};
+    encoded.clusters = places.size();
+    hierarchy::ByteWriter out;
+    putAll(out, std::span<const ClusterPlace>(places));
+    LocalNumbers numbers(mesh.vertices.size());
+    for (const LevelCluster& cluster : level.clusters)
+        putRecord(out, mesh, level, cluster, numbers);
+    putAll(out, std::span<const GridPoint>(usedBorders(mesh, level)));
+    encoded.bytes = out.take();
+    return encoded;
+}
+
+std::vector<ClusterPlace> clusterPlaces(std::span<const std::byte> bytes) {
+    return allFrom<ClusterPlace>(bytes);
+}
+
+std::vector<GridPoint> positionsFrom(std::span<const std::byte> bytes) {
+    return allFrom<GridPoint>(bytes);
+}
+
+std::vector<GridPoint> positionsOfRecord(std::span<const std::byte> record) {
+    const RecordHead head = headOf(record);
+    hierarchy::ByteReader in(record.subspan(sizeof(head)));
+    std::vector<GridPoint> positions;
+    positions.reserve(head.vertexCount);
+    for (const Vertex& vertex : takeAll<Vertex>(in, head.vertexCount))
+        positions.push_back(vertex.position);
+    return positions;
+}
+
+void countPagesFrom(std::span<std::byte> record, std::uint32_t firstLevel, std::span<const std::uint32_t> firstPages) {
+    RecordHead head = headOf(record);
+    GroupPlace& place = head.refinement.place;
+    if (place.level == kNone || place.level < firstLevel) return;
+    GNOMON_CHECK_OP(place.level - firstLevel, <, firstPages.size());
+    place.page += firstPages[place.level - firstLevel];
+    std::memcpy(record.data(), &head, sizeof(head));
 }
 
 struct PendingLevelMerger::State {
-    State(const hierarchy::Grid& grid, std::size_t count) : vertices(count), positions(count) {
+    State(const hierarchy::Grid& grid, std::size_t clusters, std::size_t count)
+        : vertices(count), positions(count), refinements(clusters) {
         pending.mesh.grid = grid;
     }
 
-    std::uint32_t vertexFor(const PendingVertex& given) {
+    std::uint32_t positionFor(const GridPoint& p, std::uint64_t place) {
         simplify::Mesh& mesh = pending.mesh;
-        const hierarchy::GridPoint& p = given.vertex.position;
-        const std::uint64_t place = hashOf(p.x, p.y, p.z);
-        const auto next = static_cast<std::uint32_t>(mesh.vertices.size());
-        const std::uint32_t found = vertices.findOrInsert(
-            mix64(place ^ hashOf(given.vertex.normal, given.vertex.color, 0)), next, [&](std::uint32_t other) {
-                return mesh.vertices[other] == given.vertex;
-            });
-        if (found != next) return found;
         const std::uint32_t position =
             positions.findOrInsert(place, mesh.positionCount, [&](std::uint32_t other) { return points[other] == p; });
         if (position == mesh.positionCount) {
             ++mesh.positionCount;
             points.push_back(p);
-            mesh.sharers.push_back(given.sharers);
+            mesh.isBorder.push_back(0);
         }
-        mesh.vertices.push_back(given.vertex);
-        mesh.positionOf.push_back(position);
+        return position;
+    }
+
+    std::uint32_t vertexFor(const Vertex& given) {
+        simplify::Mesh& mesh = pending.mesh;
+        const GridPoint& p = given.position;
+        const std::uint64_t place = hashOf(p.x, p.y, p.z);
+        const auto next = static_cast<std::uint32_t>(mesh.vertices.size());
+        const std::uint32_t found =
+            vertices.findOrInsert(mix64(place ^ hashOf(given.normal, given.color, 0)), next, [&](std::uint32_t other) {
+                return mesh.vertices[other] == given;
+            });
+        if (found != next) return found;
+        mesh.vertices.push_back(given);
+        mesh.positionOf.push_back(positionFor(p, place));
         return found;
+    }
+
+    /// One for all clusters that stand for the same group.
+    std::uint32_t refinementFor(const LevelRefinement& given) {
+        if (given.place.level == kNone) return kNone;
+        std::vector<LevelRefinement>& known = pending.level.refinements;
+        const auto next = static_cast<std::uint32_t>(known.size());
+        const std::uint32_t found = refinements.findOrInsert(
+            hashOf(given.place.level, given.place.page, given.place.group), next, [&](std::uint32_t other) {
+                return known[other].place == given.place;
+            });
+        if (found == next) known.push_back(given);
+        return found;
+    }
+
+    void addRecord(hierarchy::ByteReader& in) {
+        const simplify::Mesh& mesh = pending.mesh;
+        Level& level = pending.level;
+        const RecordHead head = headOf(in.take(sizeof(RecordHead)));
+        LevelCluster cluster;
+        cluster.firstTriangle = static_cast<std::uint32_t>(level.triangles.size());
+        cluster.triangleCount = head.triangleCount;
+        cluster.refinement = refinementFor(head.refinement);
+        numbers.clear();
+        for (const Vertex& vertex : takeAll<Vertex>(in, head.vertexCount)) {
+            numbers.push_back(vertexFor(vertex));
+            cluster.box.add(mesh.vertices[numbers.back()].position);
+        }
+        const auto errors = takeAll<simplify::TriangleError>(in, head.triangleCount);
+        level.errors.insert(level.errors.end(), errors.begin(), errors.end());
+        for (const SmallTriangle& t : takeAll<SmallTriangle>(in, head.triangleCount))
+            level.triangles.push_back({numbers.at(t[0]), numbers.at(t[1]), numbers.at(t[2])});
+        // Vertices whose colours or normals became the same on the way are one from here on.
+        std::sort(numbers.begin(), numbers.end());
+        const auto end = std::unique(numbers.begin(), numbers.end());
+        cluster.vertexCount = static_cast<std::uint32_t>(end - numbers.begin());
+        level.clusters.push_back(cluster);
     }
 
     PendingLevel pending;
     IndexTable vertices;
     IndexTable positions;
-    std::vector<hierarchy::GridPoint> points; // of the positions
-    bool isEmpty = true;
+    IndexTable refinements;
+    std::vector<GridPoint> points;      // of the positions
+    std::vector<std::uint32_t> numbers; // of the vertices of one record
 };
 
-PendingLevelMerger::PendingLevelMerger(const hierarchy::Grid& grid, std::size_t vertices)
-    : state_(std::make_unique<State>(grid, vertices)) {}
+PendingLevelMerger::PendingLevelMerger(const hierarchy::Grid& grid, std::size_t clusters, std::size_t vertices)
+    : state_(std::make_unique<State>(grid, clusters, vertices)) {}
 
 PendingLevelMerger::~PendingLevelMerger() = default;
 
-void PendingLevelMerger::add(
-    std::span<const std::byte> bytes, std::uint32_t firstLevel, std::span<const std::uint32_t> firstPages) {
-    hierarchy::ByteReader in(bytes);
-    simplify::Mesh& mesh = state_->pending.mesh;
-    Level& level = state_->pending.level;
-    simplify::ChunkSpan chunks;
-    chunks.first = in.take<std::uint16_t>();
-    chunks.last = in.take<std::uint16_t>();
-    if (state_->isEmpty) mesh.chunks = chunks;
-    mesh.chunks.add(chunks);
-    state_->isEmpty = false;
-    std::vector<std::uint32_t> vertexOf;
-    for (const PendingVertex& vertex : takeAll<PendingVertex>(in))
-        vertexOf.push_back(state_->vertexFor(vertex));
-    const auto firstTriangle = static_cast<std::uint32_t>(level.triangles.size());
-    for (const simplify::Triangle& t : takeAll<simplify::Triangle>(in))
-        level.triangles.push_back({vertexOf[t[0]], vertexOf[t[1]], vertexOf[t[2]]});
-    const auto errors = takeAll<simplify::TriangleError>(in);
-    level.errors.insert(level.errors.end(), errors.begin(), errors.end());
-    const auto firstRefinement = static_cast<std::uint32_t>(level.refinements.size());
-    std::uint32_t triangle = firstTriangle;
-    std::vector<std::uint32_t> corners; // of one cluster, each once
-    for (const PendingCluster& given : takeAll<PendingCluster>(in)) {
-        LevelCluster cluster;
-        cluster.firstTriangle = triangle;
-        cluster.triangleCount = given.triangleCount;
-        if (given.refinement != kNone) cluster.refinement = firstRefinement + given.refinement;
-        corners.clear();
-        for (const std::uint32_t end = triangle + given.triangleCount; triangle < end; ++triangle)
-            corners.insert(corners.end(), level.triangles[triangle].begin(), level.triangles[triangle].end());
-        // Vertices whose colours or normals became the same on the way are one from here on.
-        std::sort(corners.begin(), corners.end());
-        corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-        cluster.vertexCount = static_cast<std::uint32_t>(corners.size());
-        for (const std::uint32_t v : corners)
-            cluster.box.add(mesh.vertices[v].position);
-        level.clusters.push_back(cluster);
-    }
-    const std::uint64_t refinements = in.takeVarint();
-    for (std::uint64_t i = 0; i < refinements; ++i) {
-        LevelRefinement refinement;
-        refinement.place.level = static_cast<std::uint32_t>(in.takeVarint());
-        refinement.place.page = static_cast<std::uint32_t>(in.takeVarint());
-        refinement.place.group = static_cast<std::uint32_t>(in.takeVarint());
-        if (refinement.place.level >= firstLevel)
-            refinement.place.page += firstPages[refinement.place.level - firstLevel];
-        for (int axis = 0; axis < 3; ++axis)
-            refinement.bounds.center[axis] = in.take<double>();
-        refinement.bounds.radius = in.take<double>();
-        refinement.error = in.take<double>();
-        refinement.attributeError = in.take<double>();
-        level.refinements.push_back(refinement);
-    }
-    in.expectEnd();
+void PendingLevelMerger::add(std::span<const std::byte> records) {
+    hierarchy::ByteReader in(records);
+    while (in.remaining() > 0)
+        state_->addRecord(in);
+}
+
+void PendingLevelMerger::lock(const GridPoint& position) {
+    const std::uint32_t found =
+        state_->positions.find(hashOf(position.x, position.y, position.z), [&](std::uint32_t other) {
+            return state_->points[other] == position;
+        });
+    GNOMON_CHECK_OP(found, !=, IndexTable::kAbsent);
+    state_->pending.mesh.isBorder[found] = 1;
 }
 
 PendingLevel PendingLevelMerger::take() {

@@ -13,6 +13,7 @@
 #include "preprocess/pipeline/build_key.h"
 #include "preprocess/pipeline/counted_memory.h"
 #include "preprocess/pipeline/memory_plan.h"
+#include "preprocess/pipeline/round_bins.h"
 #include "preprocess/pipeline/rounds.h"
 #include "preprocess/pipeline/work_directory.h"
 
@@ -43,6 +44,13 @@ void requireFewStuck(const std::string& output, std::uint64_t stuck, std::uint64
     throw LimitError(
         Limit::StuckTriangles,
         {output, "too many triangles stay at full detail", "at most " + text(maxPercent), text(percent)});
+}
+
+RoundReport reportOf(const RoundRecord& record) {
+    RoundReport report{record.nodes.size(), 0, record.locks.locked, record.locks.lockedBefore};
+    for (const ClusterSums& node : record.nodes)
+        report.triangles += node.triangles;
+    return report;
 }
 
 /// One build, phase after phase. A phase that the checkpoint log has as finished is skipped.
@@ -120,6 +128,7 @@ private:
             endPhase("octree", 0);
             BinnedRecord record;
             record.grid = survey.grid;
+            record.furthest = survey.furthest;
             record.format = chunk::formatOf(source_.summary());
             record.triangles = survey.triangles;
             record.vertices = survey.vertices;
@@ -176,28 +185,23 @@ private:
             endPhase("round " + std::to_string(round.number), 0);
             if (round.number == 0) requireTriangles();
             if (round.isLast) break;
-            round = nextRound(round, log().nodes(round.number), options_.chunkTriangles);
+            round = roundBins_->next(round, {roomBeside(needs_.base()), threads_, options_.chunkTriangles});
+            endPhase("bin round " + std::to_string(round.number), 0);
+            report_.rounds.push_back(reportOf(*log().binnedRound(round.number)));
         }
     }
 
-    /// The scratch files of pages and pending levels, as far as the checkpoint log tells of them.
+    /// The scratch files of pages and of what rounds leave, as far as the checkpoint log tells of them.
     void reopenResults() {
         std::uint64_t pagesEnd = 0;
-        std::uint64_t pendingEnd = 0;
         for (std::uint32_t round = 0; round < log().roundCount(); ++round)
-            for (const NodeRecord& node : log().nodes(round)) {
-                pendingEnd = std::max(pendingEnd, node.pendingOffset + node.pendingBytes);
+            for (const NodeRecord& node : log().nodes(round))
                 for (const NodeRecord::LevelOfNode& level : node.levels)
                     for (const hierarchy::PageInfo& page : level.pages)
                         pagesEnd = std::max(pagesEnd, page.offset + page.storedBytes);
-            }
-        if (log().roundCount() > 0) {
-            pagesFile_ = workDirectory_.scratch("pages", pagesEnd);
-            pendingFile_ = workDirectory_.scratch("pending", pendingEnd);
-        } else {
-            pagesFile_ = workDirectory_.scratch("pages");
-            pendingFile_ = workDirectory_.scratch("pending");
-        }
+        pagesFile_ =
+            log().roundCount() > 0 ? workDirectory_.scratch("pages", pagesEnd) : workDirectory_.scratch("pages");
+        roundBins_.emplace(workDirectory_, progress_);
     }
 
     void buildRound(const Round& round) {
@@ -212,7 +216,7 @@ private:
         const std::size_t atOnce = countAtOnce(roomBeside(needs_.base()), MemoryNeeds::node(most), threads_);
         chunk::makeInOrder(
             finished,
-            round.nodeCount(),
+            round.nodeCount,
             std::max<std::size_t>(atOnce, 1),
             [&](std::size_t node) { return make(round, node); },
             [&](std::size_t node, Made made) {
@@ -240,29 +244,10 @@ private:
             made.node = levels::buildNode(
                 chunk.mesh, levels::firstLevel(chunk.mesh, options_.level), plan, options_.level, progress_);
         } else {
-            levels::PendingLevel pending = joined(round, node);
+            levels::PendingLevel pending = roundBins_->load(static_cast<std::uint32_t>(node));
             made.node = levels::buildNode(pending.mesh, std::move(pending.level), plan, options_.level, progress_);
         }
         return made;
-    }
-
-    /// The pending levels of the node's children as one.
-    levels::PendingLevel joined(const Round& round, std::size_t node) const {
-        const std::uint32_t before = round.number - 1;
-        const std::vector<NodeRecord>& children = log().nodes(before);
-        std::uint64_t vertices = 0;
-        for (std::uint32_t child = round.firstChild(node); child < round.ends[node]; ++child)
-            vertices += children[child].pending.vertices;
-        levels::PendingLevelMerger merger(log().binned()->grid, vertices);
-        std::vector<std::byte> bytes;
-        for (std::uint32_t child = round.firstChild(node); child < round.ends[node]; ++child) {
-            const NodeRecord& record = children[child];
-            if (record.pending.triangles == 0) continue;
-            bytes.resize(record.pendingBytes);
-            pendingFile_->read(record.pendingOffset, bytes);
-            merger.add(bytes, record.firstLevel, log().firstPages(before, child));
-        }
-        return merger.take();
     }
 
     /// Stores what was made and enters it into the log.
@@ -283,10 +268,7 @@ private:
                 own.pages.push_back(std::move(page.info));
             }
         }
-        record.pendingBytes = made.node.pending.bytes.size();
-        record.pendingOffset = pendingFile_->append(made.node.pending.bytes);
-        record.pending.vertices = made.node.pending.vertices;
-        record.pending.triangles = made.node.pending.triangles;
+        roundBins_->keep(made.node.pending, record);
         record.rootTriangles = made.node.rootTriangles;
         record.stuckTriangles = made.node.stuckTriangles;
         workDirectory_.finish(std::move(record));
@@ -302,14 +284,11 @@ private:
                   chunk::BinStream::Ghosts,
                   chunk::BinStream::Requests})
                 bins_->release(chunk::streamOf(kind, chunk));
-            for (const chunk::BorderStream kind : {chunk::BorderStream::Vertices, chunk::BorderStream::Shared})
+            for (const chunk::BorderStream kind : {chunk::BorderStream::Vertices, chunk::BorderStream::Normals})
                 borders_->release(chunk::streamOf(kind, chunk));
             return;
         }
-        for (std::uint32_t child = round.firstChild(node); child < round.ends[node]; ++child) {
-            const NodeRecord& record = log().nodes(round.number - 1)[child];
-            pendingFile_->release(record.pendingOffset, record.pendingBytes);
-        }
+        roundBins_->release(static_cast<std::uint32_t>(node));
     }
 
     void requireTriangles() const {
@@ -366,9 +345,9 @@ private:
     std::unique_ptr<scratch::ScratchFile> binsFile_;
     std::unique_ptr<scratch::ScratchFile> bordersFile_;
     std::unique_ptr<scratch::ScratchFile> pagesFile_;
-    std::unique_ptr<scratch::ScratchFile> pendingFile_;
     std::optional<scratch::StreamStore> bins_;
     std::optional<scratch::StreamStore> borders_;
+    std::optional<RoundBins> roundBins_;
 };
 
 } // namespace

@@ -18,6 +18,14 @@ struct BuildPhase {
     std::uint64_t bytesWritten = 0;
 };
 
+/// What was binned for a round after the first.
+struct RoundReport {
+    std::uint64_t nodes = 0;
+    std::uint64_t triangles = 0;
+    std::uint64_t locked = 0;       // positions
+    std::uint64_t lockedBefore = 0; // of these, in the round before as well
+};
+
 struct BuildReport {
     hierarchy::ModelSummary summary; // as it stands in the file
     std::uint64_t pages = 0;
@@ -26,6 +34,7 @@ struct BuildReport {
     std::uint64_t temporaryBytes = 0; // at their peak
     double seconds = 0;
     std::vector<BuildPhase> phases;
+    std::vector<RoundReport> rounds;
     std::string contentHash;
 };
 

@@ -12,7 +12,7 @@
 namespace gnomon::pipeline {
 
 /// The most triangles of a chunk, unless told otherwise: a constant of the format, since it shapes the model's bytes.
-/// Borders between chunks stay fine until the chunks meet, so the larger the fewer triangles a view has; two at a time
+/// Borders between chunks stay fine for a round, so the larger the fewer triangles a view has; two at a time
 /// still fit well into the memory of an ordinary machine.
 constexpr std::uint32_t kChunkTriangles = 1U << 20U;
 

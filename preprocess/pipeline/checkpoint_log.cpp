@@ -14,7 +14,7 @@ using hierarchy::ByteWriter;
 using hierarchy::LevelInfo;
 using hierarchy::PageInfo;
 
-enum class Kind : std::uint8_t { Binned, Bordered, Node };
+enum class Kind : std::uint8_t { Binned, Bordered, Round, Node };
 
 /// Puts or takes the same fields in the same order.
 struct Putter {
@@ -52,7 +52,9 @@ struct Taker {
 
     template <class T>
     void count(std::vector<T>& values) {
-        values.resize(in.takeVarint());
+        const std::uint64_t count = in.takeVarint();
+        if (count > in.remaining()) throw hierarchy::Damage{"the bytes end too early"}; // each has a byte or more
+        values.resize(count);
     }
 
     void bytes(std::vector<std::byte>& values) {
@@ -85,6 +87,9 @@ template <class Fields, class Record>
 void binnedFields(Fields& fields, Record& record) {
     vectorFields(fields, record.grid.origin);
     fields.field(record.grid.stepExponent);
+    fields.field(record.furthest.x);
+    fields.field(record.furthest.y);
+    fields.field(record.furthest.z);
     fields.field(record.format.isDouble);
     fields.field(record.format.hasNormals);
     fields.field(record.format.hasColors);
@@ -106,6 +111,26 @@ void borderedFields(Fields& fields, Record& record) {
     fields.bytes(record.directory);
 }
 
+template <class Fields, class Sums>
+void sumFields(Fields& fields, Sums& sums) {
+    fields.field(sums.clusters);
+    fields.field(sums.triangles);
+    fields.field(sums.vertices);
+}
+
+template <class Fields, class Record>
+void roundFields(Fields& fields, Record& record) {
+    fields.field(record.round);
+    fields.field(record.isLast);
+    fields.count(record.nodes);
+    for (auto& node : record.nodes)
+        sumFields(fields, node);
+    fields.field(record.locks.locked);
+    fields.field(record.locks.lockedBefore);
+    fields.field(record.scratchEnd);
+    fields.bytes(record.directory);
+}
+
 template <class Fields, class Record>
 void nodeFields(Fields& fields, Record& record) {
     fields.field(record.round);
@@ -123,8 +148,7 @@ void nodeFields(Fields& fields, Record& record) {
     }
     fields.field(record.pendingOffset);
     fields.field(record.pendingBytes);
-    fields.field(record.pending.vertices);
-    fields.field(record.pending.triangles);
+    sumFields(fields, record.pending);
     fields.field(record.rootTriangles);
     fields.field(record.stuckTriangles);
     for (auto& count : record.dropped)
@@ -152,6 +176,15 @@ void CheckpointLog::beginRound(std::uint32_t round) {
     if (round < rounds_.size()) return;
     rounds_.emplace_back();
     firstPages_.emplace_back();
+}
+
+const RoundRecord* CheckpointLog::binnedRound(std::uint32_t round) const {
+    return round > 0 && round <= binnedRounds_.size() ? &binnedRounds_[round - 1] : nullptr;
+}
+
+void CheckpointLog::add(RoundRecord record) {
+    if (record.round != binnedRounds_.size() + 1) throw hierarchy::Damage{"a round that does not follow"};
+    binnedRounds_.push_back(std::move(record));
 }
 
 void CheckpointLog::add(NodeRecord record) {
@@ -183,6 +216,12 @@ void CheckpointLog::addEncoded(std::span<const std::byte> record) {
         add(std::move(bordered));
         break;
     }
+    case Kind::Round: {
+        RoundRecord round;
+        roundFields(fields, round);
+        add(std::move(round));
+        break;
+    }
     case Kind::Node: {
         NodeRecord node;
         nodeFields(fields, node);
@@ -207,6 +246,13 @@ std::vector<std::byte> encoded(const BorderedRecord& record) {
     Putter fields{out};
     borderedFields(fields, record);
     return ended(out, Kind::Bordered);
+}
+
+std::vector<std::byte> encoded(const RoundRecord& record) {
+    ByteWriter out;
+    Putter fields{out};
+    roundFields(fields, record);
+    return ended(out, Kind::Round);
 }
 
 std::vector<std::byte> encoded(const NodeRecord& record) {

@@ -3,6 +3,8 @@
 
 #include "hierarchy/model.h"
 #include "preprocess/chunk/chunk_streams.h"
+#include "preprocess/pipeline/cluster_plan.h"
+#include "preprocess/pipeline/cluster_routing.h"
 
 #include <array>
 #include <optional>
@@ -13,11 +15,12 @@
 namespace gnomon::pipeline {
 
 /// Counts up when the records change: a build can go on only with those of its own kind.
-constexpr int kCheckpointVersion = 4;
+constexpr int kCheckpointVersion = 5;
 
 /// The source is in chunks.
 struct BinnedRecord {
     hierarchy::Grid grid;
+    hierarchy::GridPoint furthest; // of the positions, on each axis
     chunk::VertexFormat format;
     std::uint64_t triangles = 0;
     std::uint64_t vertices = 0;
@@ -47,12 +50,22 @@ struct NodeRecord {
     std::vector<LevelOfNode> levels;
     std::uint64_t pendingOffset = 0;
     std::uint64_t pendingBytes = 0;
-    chunk::PartSize pending;
+    ClusterSums pending;
     std::uint64_t rootTriangles = 0;
     std::uint64_t stuckTriangles = 0;
     std::array<std::uint64_t, 3> dropped{}; // degenerate, doubled, collapsed by the grid
     Box bounds;                             // of the chunk, in round 0
     bool hasNormals = false;                // of the chunk, in round 0
+};
+
+/// The clusters that the round before left are in the streams of a round's nodes.
+struct RoundRecord {
+    std::uint32_t round = 0; // from 1 on
+    bool isLast = false;
+    std::vector<ClusterSums> nodes;
+    LockCounts locks;
+    std::uint64_t scratchEnd = 0;
+    std::vector<std::byte> directory;
 };
 
 /// All of a build's records. The first is a text that says what is built from what.
@@ -61,6 +74,9 @@ public:
     const std::optional<BinnedRecord>& binned() const { return binned_; }
 
     const std::optional<BorderedRecord>& bordered() const { return bordered_; }
+
+    /// That of `round`, if it is there: they come in order, without gaps.
+    const RoundRecord* binnedRound(std::uint32_t round) const;
 
     /// The nodes that are built of `round`, in order.
     const std::vector<NodeRecord>& nodes(std::uint32_t round) const;
@@ -82,6 +98,8 @@ public:
 
     void add(BorderedRecord record) { bordered_ = std::move(record); }
 
+    void add(RoundRecord record);
+
     void add(NodeRecord record);
 
     /// Adds what `encoded` returned. Throws Damage.
@@ -90,6 +108,7 @@ public:
 private:
     std::optional<BinnedRecord> binned_;
     std::optional<BorderedRecord> bordered_;
+    std::vector<RoundRecord> binnedRounds_; // from round 1 on
     std::vector<std::vector<NodeRecord>> rounds_;
     std::vector<std::vector<std::vector<std::uint32_t>>> firstPages_;
     std::vector<std::uint32_t> pageCounts_;
@@ -97,6 +116,7 @@ private:
 
 std::vector<std::byte> encoded(const BinnedRecord& record);
 std::vector<std::byte> encoded(const BorderedRecord& record);
+std::vector<std::byte> encoded(const RoundRecord& record);
 std::vector<std::byte> encoded(const NodeRecord& record);
 
 } // namespace gnomon::pipeline

@@ -14,6 +14,7 @@ constexpr std::uint64_t kNodeBytesPerTriangle = 130;
 constexpr std::uint64_t kNodeBytesPerVertex = 110;
 constexpr std::uint64_t kBorderBytesPerVertex = 100;
 constexpr std::uint64_t kBorderBytesPerTriangle = 64;
+constexpr std::uint64_t kRoutingBytesPerVertex = 64;   // beside the records and their copies
 constexpr std::uint64_t kScratchBytesPerTriangle = 44; // where temporary files are in memory
 constexpr std::uint64_t kTrianglesPerPageRowByte = 16; // rows of the page table: 0.036 to 0.048 bytes measured
 constexpr std::uint32_t kLeastFullChunk = 1U << 16U;   // triangles; smaller ones leave most of their pages empty
@@ -45,6 +46,10 @@ Bytes MemoryNeeds::node(const chunk::PartSize& size) {
 
 Bytes MemoryNeeds::borders(const chunk::PartSize& size) {
     return {size.triangles * kBorderBytesPerTriangle + size.vertices * kBorderBytesPerVertex};
+}
+
+Bytes MemoryNeeds::routing(std::uint64_t bytes, std::uint64_t vertices) {
+    return {2 * bytes + vertices * kRoutingBytesPerVertex};
 }
 
 Bytes MemoryNeeds::survey() const {

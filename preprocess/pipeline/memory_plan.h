@@ -24,6 +24,10 @@ struct MemoryNeeds {
     /// What finding the answers of a chunk for others takes; less than a node of its size.
     static Bytes borders(const chunk::PartSize& size);
 
+    /// What handing on the clusters that a node left takes: `bytes` of them, with `vertices`; less than a node of their
+    /// size.
+    static Bytes routing(std::uint64_t bytes, std::uint64_t vertices);
+
     /// The first look at the source.
     Bytes survey() const;
 

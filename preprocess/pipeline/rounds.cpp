@@ -1,46 +1,42 @@
 #include "preprocess/pipeline/rounds.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace gnomon::pipeline {
 
 namespace {
 
 constexpr std::uint64_t kAlwaysAffordable = 8192;
+constexpr double kLeastProgress = 0.8; // of a round's triangles may be left for it to be worth another
 
 } // namespace
 
 Round firstRound(std::uint32_t chunkCount) {
     Round round;
+    round.nodeCount = chunkCount;
     round.isLast = chunkCount == 1;
-    round.ends.resize(chunkCount);
-    std::iota(round.ends.begin(), round.ends.end(), 1U);
     return round;
 }
 
-Round nextRound(const Round& round, const std::vector<NodeRecord>& finished, std::uint64_t nodeTriangles) {
+Round roundAfter(const Round& round, const std::vector<NodeRecord>& finished, const RoundRecord& record) {
     Round next;
     next.number = round.number + 1;
     next.firstLevel = round.firstLevel;
     for (const NodeRecord& node : finished)
         next.firstLevel = std::max(next.firstLevel, round.firstLevel + static_cast<std::uint32_t>(node.levels.size()));
-    const std::uint64_t most = std::max(nodeTriangles, kAlwaysAffordable);
-    chunk::PartSize sum;
-    for (std::uint32_t child = 0; child < finished.size(); ++child) {
-        const NodeRecord& own = finished[child];
-        if (child > 0 && sum.triangles + own.pending.triangles <= most) {
-            next.ends.back() = child + 1;
-        } else {
-            next.ends.push_back(child + 1);
-            sum = {};
-        }
-        sum.triangles += own.pending.triangles;
-        sum.vertices += own.pending.vertices;
-        next.largestNode.growTo(sum);
-    }
-    next.isLast = next.nodeCount() == 1 || next.nodeCount() == finished.size();
+    next.nodeCount = static_cast<std::uint32_t>(record.nodes.size());
+    next.isLast = record.isLast;
+    for (const ClusterSums& node : record.nodes)
+        next.largestNode.growTo({node.triangles, node.vertices});
     return next;
+}
+
+std::uint64_t nodeTriangles(std::uint32_t chunkTriangles) {
+    return std::max<std::uint64_t>(chunkTriangles, kAlwaysAffordable);
+}
+
+bool isLastRound(std::size_t nodeCount, std::uint64_t triangles, std::uint64_t before) {
+    return nodeCount <= 1 || static_cast<double>(triangles) > kLeastProgress * static_cast<double>(before);
 }
 
 } // namespace gnomon::pipeline

@@ -34,7 +34,7 @@ std::string folderFor(const WorkDirectoryOptions& options) {
         .string();
 }
 
-constexpr std::array kScratchNames{"bins", "borders", "pages", "pending"};
+constexpr std::array kScratchNames{"bins", "borders", "pages", "pending", "rounds"};
 
 bool isAlive(const std::string& process) {
     return ::kill(static_cast<pid_t>(std::strtol(process.c_str(), nullptr, 10)), 0) == 0 || errno == EPERM;

@@ -43,7 +43,7 @@ public:
 
     scratch::TemporarySpace& space() { return space_; }
 
-    /// A scratch file, "bins", "borders", "pages" or "pending": new, or cut after its first `keep` bytes.
+    /// A scratch file, "bins", "borders", "pages", "pending" or "rounds": new, or cut after its first `keep` bytes.
     std::unique_ptr<scratch::ScratchFile> scratch(const std::string& name, std::optional<std::uint64_t> keep = {});
 
     /// Lets everything stay where it is when the object goes, for another process to go on with.

@@ -3,7 +3,6 @@
 
 #include "hierarchy/model.h"
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -18,34 +17,15 @@ using hierarchy::Vertex;
 /// Three indices of vertices or positions.
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Chunks as a closed range of ids.
-struct ChunkSpan {
-    std::uint16_t first = 0;
-    std::uint16_t last = 0;
-
-    void add(const ChunkSpan& other) {
-        first = std::min(first, other.first);
-        last = std::max(last, other.last);
-    }
-
-    bool operator==(const ChunkSpan&) const = default;
-};
-
 /// A mesh whose topology is welded by position; vertices (corners) of one position differ in normal or colour. It may
-/// be a part of a model: one chunk, or several that were merged.
+/// be a part of a model: a chunk, or the clusters of a round's node.
 struct Mesh {
     Grid grid;
     std::vector<Vertex> vertices;          // all different
     std::vector<std::uint32_t> positionOf; // vertex -> position id, dense from 0
     std::uint32_t positionCount = 0;
-    std::vector<ChunkSpan> sharers;  // per position: all chunks with triangles there are among these
-    ChunkSpan chunks;                // of which this is made
-    std::vector<Triangle> triangles; // vertex indices; the three positions of a triangle differ
-
-    /// Whether triangles outside this mesh may share the position: it must stay where it is.
-    bool isBorder(std::uint32_t position) const {
-        return sharers[position].first < chunks.first || sharers[position].last > chunks.last;
-    }
+    std::vector<std::uint8_t> isBorder; // per position: triangles outside this mesh may share it, so it must stay
+    std::vector<Triangle> triangles;    // vertex indices; the three positions of a triangle differ
 };
 
 } // namespace gnomon::simplify

@@ -60,6 +60,10 @@ nlohmann::ordered_json asJson(const BuildReport& report, const read::MeshSummary
              {"seconds", phase.seconds},
              {"bytes_read", phase.bytesRead},
              {"bytes_written", phase.bytesWritten}});
+    nlohmann::ordered_json rounds = nlohmann::ordered_json::array();
+    for (const auto& [nodes, roundTriangles, locked, before] : report.rounds)
+        rounds.push_back(
+            {{"nodes", nodes}, {"triangles", roundTriangles}, {"locked", locked}, {"locked_before", before}});
     const auto triangles = static_cast<double>(report.summary.sourceTriangles);
     return {
         {"source_triangles", report.summary.sourceTriangles},
@@ -78,6 +82,7 @@ nlohmann::ordered_json asJson(const BuildReport& report, const read::MeshSummary
         {"temporary_bytes", report.temporaryBytes},
         {"seconds", report.seconds},
         {"phases", phases},
+        {"rounds", rounds},
         {"triangles_per_second", report.seconds > 0 ? triangles / report.seconds : 0},
         {"content_hash", report.contentHash},
     };

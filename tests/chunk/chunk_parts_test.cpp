@@ -56,7 +56,7 @@ TEST(ChunkStreams, EachStreamHasANumberOfItsOwn) {
     EXPECT_EQ(numbers.size(), binStreams(kChunks));
     EXPECT_EQ(*numbers.rbegin() + 1, binStreams(kChunks)) << "without gaps";
     EXPECT_EQ(borderStreams(kChunks), 10U);
-    EXPECT_EQ(streamOf(BorderStream::Shared, 4), 9U);
+    EXPECT_EQ(streamOf(BorderStream::Normals, 4), 9U);
     PartSize size{3, 9};
     size.growTo({5, 2});
     EXPECT_EQ(size.triangles, 5U);
@@ -143,13 +143,15 @@ TEST(KeptTriangles, AreThoseThatASetKeeps) {
     EXPECT_EQ(dropped.collapsedByGrid, 0U) << "all lie on the grid";
 }
 
-TEST(Sharers, AreTheChunksThatHaveTrianglesThere) {
+TEST(SharedPlaces, AreThoseWhereOtherChunksMayHaveTriangles) {
     const ChunkVertices vertices = verticesAt({{0, 0, 0}, {4, 0, 0}, {0.1, 0, 0}, {9, 9, 9}}, 3);
-    const std::vector<VertexRequest> requests{{7, 11, 1}, {2, 11, 1}, {9, 10, 0}, {6, 12, 1}};
-    const std::vector<simplify::ChunkSpan> sharers = sharersOfOwnPlaces(vertices, 4, requests);
-    ASSERT_EQ(sharers.size(), 2U) << "places that lie in the chunk";
-    EXPECT_EQ(sharers[0], (simplify::ChunkSpan{4, 6})) << "a vertex of the same place counts, one for normals does not";
-    EXPECT_EQ(sharers[1], (simplify::ChunkSpan{2, 7}));
+    const std::vector<VertexRequest> forNormals{{9, 10, 0}, {9, 11, 0}};
+    EXPECT_EQ(sharedPlaces(vertices, forNormals), (std::vector<std::uint8_t>{0, 0, 1})) << "the last lies elsewhere";
+    const std::vector<VertexRequest> second{{7, 11, 1}, {9, 10, 0}};
+    EXPECT_EQ(sharedPlaces(vertices, second), (std::vector<std::uint8_t>{0, 1, 1}));
+    const std::vector<VertexRequest> samePlace{{6, 12, 1}};
+    EXPECT_EQ(sharedPlaces(vertices, samePlace), (std::vector<std::uint8_t>{1, 0, 1}))
+        << "a vertex at its place counts";
 }
 
 /// Raises `most` to `now` if that is more.

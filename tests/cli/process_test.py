@@ -189,7 +189,7 @@ class Process(ProgramTest):
         folder.symlink_to(self.place.path)
         self.expect(1, "this is no place for temporary files", "build", mesh, "-o", model)
         folder.unlink()
-        for name in ("bins", "borders", "pages", "pending", "checkpoints"):
+        for name in ("bins", "borders", "pages", "pending", "rounds", "checkpoints"):
             folder.mkdir(exist_ok=True)
             (folder / name).symlink_to(victim)
             self.expect(0, "", "build", mesh, "-o", model)

@@ -11,13 +11,11 @@
 namespace gnomon::levels {
 namespace {
 
-/// A level of several groups, some of whose positions other chunks share.
+/// A level of several groups, some of whose positions are used outside the mesh.
 struct Grouped {
     Grouped() : mesh(meshOf(read::bumpySheet(50))) {
-        mesh.chunks = {3, 5};
-        mesh.sharers.assign(mesh.positionCount, {3, 5});
         for (std::uint32_t p = 0; p < mesh.positionCount; p += 13)
-            mesh.sharers[p] = p % 2 == 0 ? simplify::ChunkSpan{2, 4} : simplify::ChunkSpan{4, 6};
+            mesh.isBorder[p] = 1;
         level = firstLevel(mesh, {});
         formGroups(level, mesh.grid, {}, 0);
     }
@@ -26,7 +24,7 @@ struct Grouped {
     Level level;
 };
 
-TEST(PositionOwners, SharedIsWhatTwoGroupsOrAnotherChunkHave) {
+TEST(PositionOwners, SharedIsWhatTwoGroupsOrOthersOutsideHave) {
     const Grouped grouped;
     const PositionOwners owners(grouped.mesh, grouped.level);
     const std::vector<std::uint32_t> groups = groupOfTriangles(grouped.level);

@@ -16,7 +16,7 @@ simplify::Mesh meshOf(const read::CodeMesh& source) {
             static_cast<std::uint32_t>(steps.y),
             static_cast<std::uint32_t>(steps.z)};
         mesh.positionOf.push_back(mesh.positionCount++);
-        mesh.sharers.emplace_back();
+        mesh.isBorder.push_back(0);
     }
     mesh.triangles = source.triangles;
     return mesh;

@@ -80,8 +80,7 @@ TEST(Node, OfOneClusterWaitsForItsNeighbours) {
 
 TEST(Node, WhereEveryPositionIsSharedIsStuckAtTheRootOnly) {
     simplify::Mesh mesh = meshOf(read::bumpySheet(20));
-    mesh.chunks = {1, 1};
-    mesh.sharers.assign(mesh.positionCount, {0, 1});
+    mesh.isBorder.assign(mesh.positionCount, 1);
     const BuiltNode root = built(mesh, {0, hierarchy::kNone});
     EXPECT_EQ(root.levels.size(), 1U);
     EXPECT_EQ(root.stuckTriangles, 800U);

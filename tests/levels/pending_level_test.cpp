@@ -11,15 +11,13 @@
 namespace gnomon::levels {
 namespace {
 
-/// A sheet in clusters with errors and refinements of level 4, as the chunks [first, last] would leave it.
+/// A sheet in clusters with errors and refinements of level 4.
 struct Part {
-    Part(const read::CodeMesh& source, simplify::ChunkSpan chunks) : mesh(meshOf(source)), level(firstLevel(mesh, {})) {
-        mesh.chunks = chunks;
-        mesh.sharers.assign(mesh.positionCount, chunks);
+    explicit Part(const read::CodeMesh& source) : mesh(meshOf(source)), level(firstLevel(mesh, {})) {
         for (std::uint32_t t = 0; t < level.errors.size(); ++t)
             level.errors[t] = {0.5F * static_cast<float>(t), 0.25F * static_cast<float>(t)};
         for (std::uint32_t c = 0; c < level.clusters.size(); ++c) {
-            level.refinements.push_back({{4, c, c + 1}, {glm::dvec3(c, 2, 3), 10.0 + c}, 20.0 + c, 30.0 + c});
+            level.refinements.push_back({{4, c / 2, c % 2}, {glm::dvec3(c, 2, 3), 10.0 + c}, 20.0 + c, 30.0 + c});
             if (c % 5 != 0) level.clusters[c].refinement = c;
         }
     }
@@ -30,38 +28,57 @@ struct Part {
     Level level;
 };
 
+/// The bytes of each cluster's record.
+std::vector<std::vector<std::byte>> recordsOf(const EncodedPendingLevel& encoded) {
+    std::vector<std::vector<std::byte>> records;
+    std::size_t at = placeBytes(encoded.clusters);
+    for (const ClusterPlace& place : clusterPlaces(std::span(encoded.bytes).first(at))) {
+        const auto bytes = std::span(encoded.bytes).subspan(at, place.bytes);
+        records.emplace_back(bytes.begin(), bytes.end());
+        at += place.bytes;
+    }
+    return records;
+}
+
+std::vector<hierarchy::GridPoint> bordersOf(const EncodedPendingLevel& encoded) {
+    std::size_t at = placeBytes(encoded.clusters);
+    for (const ClusterPlace& place : clusterPlaces(std::span(encoded.bytes).first(at)))
+        at += place.bytes;
+    return positionsFrom(std::span(encoded.bytes).subspan(at));
+}
+
 PendingLevel merged(std::span<const Part* const> parts, std::span<const std::uint32_t> firstPages) {
     std::size_t vertices = 0;
-    for (const Part* part : parts)
-        vertices += part->mesh.vertices.size();
-    PendingLevelMerger merger(parts[0]->mesh.grid, vertices);
+    std::size_t clusters = 0;
+    for (const Part* part : parts) {
+        vertices += part->encoded().vertices;
+        clusters += part->level.clusters.size();
+    }
+    PendingLevelMerger merger(parts[0]->mesh.grid, clusters, vertices);
     for (std::size_t i = 0; i < parts.size(); ++i)
-        merger.add(parts[i]->encoded().bytes, 4, firstPages.subspan(i, 1));
+        for (std::vector<std::byte>& record : recordsOf(parts[i]->encoded())) {
+            countPagesFrom(record, 4, firstPages.subspan(i, 1));
+            merger.add(record);
+        }
     return merger.take();
 }
 
 TEST(PendingLevel, ComesBackFromItsBytes) {
-    Part part(read::bumpySheet(30), {2, 3});
-    for (std::uint32_t p = 0; p < part.mesh.positionCount; p += 7)
-        part.mesh.sharers[p] = {1, static_cast<std::uint16_t>(3 + p % 2)};
+    const Part part(read::bumpySheet(30));
     const EncodedPendingLevel encoded = part.encoded();
-    EXPECT_EQ(encoded.vertices, part.mesh.vertices.size());
     EXPECT_EQ(encoded.triangles, part.level.triangles.size());
+    EXPECT_EQ(encoded.clusters, part.level.clusters.size());
     const std::array<const Part*, 1> parts{&part};
     const PendingLevel back = merged(parts, std::array<std::uint32_t, 1>{100});
-    EXPECT_EQ(back.mesh.chunks, part.mesh.chunks);
     EXPECT_EQ(back.mesh.positionCount, part.mesh.positionCount);
+    EXPECT_EQ(back.mesh.isBorder, std::vector<std::uint8_t>(part.mesh.positionCount, 0));
     ASSERT_EQ(back.level.triangles.size(), part.level.triangles.size());
     ASSERT_EQ(back.level.clusters.size(), part.level.clusters.size());
     for (std::uint32_t t = 0; t < back.level.triangles.size(); ++t) {
         EXPECT_EQ(back.level.errors[t].fromSource, part.level.errors[t].fromSource);
         EXPECT_EQ(back.level.errors[t].toSource, part.level.errors[t].toSource);
-        for (std::size_t i = 0; i < 3; ++i) {
-            const std::uint32_t now = back.level.triangles[t][i];
-            const std::uint32_t was = part.level.triangles[t][i];
-            ASSERT_EQ(back.mesh.vertices[now], part.mesh.vertices[was]);
-            ASSERT_EQ(back.mesh.sharers[back.mesh.positionOf[now]], part.mesh.sharers[part.mesh.positionOf[was]]);
-        }
+        for (std::size_t i = 0; i < 3; ++i)
+            ASSERT_EQ(back.mesh.vertices[back.level.triangles[t][i]], part.mesh.vertices[part.level.triangles[t][i]]);
     }
     for (std::size_t c = 0; c < back.level.clusters.size(); ++c) {
         const LevelCluster& now = back.level.clusters[c];
@@ -88,8 +105,52 @@ TEST(PendingLevel, ComesBackFromItsBytes) {
     EXPECT_LT(back.level.refinements.size(), part.level.refinements.size()); // what nobody uses is left out
 }
 
+TEST(PendingLevel, ClustersOfOneGroupShareItsRefinement) {
+    Part part(read::bumpySheet(30));
+    for (LevelRefinement& refinement : part.level.refinements)
+        refinement = part.level.refinements[0];
+    const std::array<const Part*, 1> parts{&part};
+    EXPECT_EQ(merged(parts, std::array<std::uint32_t, 1>{0}).level.refinements.size(), 1U);
+}
+
+TEST(PendingLevel, PlacesAreTheMiddlesOfTheClustersBoxes) {
+    const Part part(read::bumpySheet(30));
+    const EncodedPendingLevel encoded = part.encoded();
+    const auto places = clusterPlaces(std::span(encoded.bytes).first(placeBytes(encoded.clusters)));
+    ASSERT_EQ(places.size(), part.level.clusters.size());
+    for (std::size_t c = 0; c < places.size(); ++c) {
+        const hierarchy::GridBox& box = part.level.clusters[c].box;
+        EXPECT_EQ(places[c].center.x, (box.min.x + box.max.x) / 2);
+        EXPECT_EQ(places[c].center.y, (box.min.y + box.max.y) / 2);
+        EXPECT_EQ(places[c].center.z, (box.min.z + box.max.z) / 2);
+        EXPECT_EQ(places[c].triangles, part.level.clusters[c].triangleCount);
+        EXPECT_EQ(places[c].vertices, part.level.clusters[c].vertexCount);
+    }
+}
+
+TEST(PendingLevel, TellsWhichPositionsAreBordersAndTakesLocks) {
+    Part part(read::bumpySheet(30));
+    std::set<hierarchy::GridPoint> expected;
+    for (std::size_t v = 0; v < part.mesh.vertices.size(); v += 7) {
+        part.mesh.isBorder[part.mesh.positionOf[v]] = 1;
+        expected.insert(part.mesh.vertices[v].position);
+    }
+    const EncodedPendingLevel encoded = part.encoded();
+    const std::vector<hierarchy::GridPoint> borders = bordersOf(encoded);
+    EXPECT_EQ(std::set<hierarchy::GridPoint>(borders.begin(), borders.end()), expected);
+    EXPECT_EQ(borders.size(), expected.size()) << "each once";
+    PendingLevelMerger merger(part.mesh.grid, encoded.clusters, encoded.vertices);
+    for (const std::vector<std::byte>& record : recordsOf(encoded))
+        merger.add(record);
+    for (const hierarchy::GridPoint& position : borders)
+        merger.lock(position);
+    const PendingLevel back = merger.take();
+    for (std::size_t v = 0; v < back.mesh.vertices.size(); ++v)
+        ASSERT_EQ(back.mesh.isBorder[back.mesh.positionOf[v]] != 0, expected.contains(back.mesh.vertices[v].position));
+}
+
 TEST(PendingLevel, RefinementsOfFinerLevelsThanTheNodesKeepTheirPages) {
-    Part part(read::bumpySheet(12), {0, 0});
+    Part part(read::bumpySheet(12));
     for (LevelRefinement& refinement : part.level.refinements)
         refinement.place.level = 3;
     const std::array<const Part*, 1> parts{&part};
@@ -99,7 +160,7 @@ TEST(PendingLevel, RefinementsOfFinerLevelsThanTheNodesKeepTheirPages) {
 }
 
 TEST(PendingLevel, VerticesThatBecameTheSameAreCountedOnce) {
-    Part part(read::bumpySheet(12), {0, 0});
+    Part part(read::bumpySheet(12));
     LevelCluster& cluster = part.level.clusters[0];
     // One of its corners that another of its triangles has too gets a vertex of its own, and then the same colour, as
     // where two colours of one position were averaged to the same.
@@ -133,11 +194,10 @@ TEST(PendingLevel, PartsThatShareAnEdgeAreWeldedThere) {
         });
         return read::CodeMesh(sheet.positions, std::move(triangles));
     };
-    const Part left(half(true), {0, 1});
-    const Part right(half(false), {2, 4});
+    const Part left(half(true));
+    const Part right(half(false));
     const std::array<const Part*, 2> parts{&left, &right};
     const PendingLevel both = merged(parts, std::array<std::uint32_t, 2>{0, 50});
-    EXPECT_EQ(both.mesh.chunks, (simplify::ChunkSpan{0, 4}));
     EXPECT_EQ(both.mesh.vertices.size(), sheet.positions.size());
     EXPECT_EQ(both.mesh.positionCount, sheet.positions.size());
     EXPECT_EQ(both.level.triangles.size(), left.level.triangles.size() + right.level.triangles.size());
@@ -146,15 +206,16 @@ TEST(PendingLevel, PartsThatShareAnEdgeAreWeldedThere) {
         expected.push_back(corners);
     std::sort(expected.begin(), expected.end());
     EXPECT_EQ(cornersOf(both.mesh, both.level), expected);
-    std::set<std::uint32_t> pages;
+    std::set<std::array<std::uint32_t, 2>> groups;
     for (const LevelRefinement& refinement : both.level.refinements)
-        pages.insert(refinement.place.page);
-    EXPECT_EQ(pages.size(), both.level.refinements.size()); // those of the second part are counted from 50
+        groups.insert({refinement.place.page, refinement.place.group});
+    EXPECT_EQ(groups.size(), both.level.refinements.size()); // those of the second part are counted from 50
+    EXPECT_GT(both.level.refinements.back().place.page, 49U);
 }
 
 TEST(PendingLevel, VerticesOfOnePlaceStayApartWhereTheirColoursDo) {
-    Part left(read::bumpySheet(6), {0, 0});
-    Part right(read::bumpySheet(6), {1, 1});
+    Part left(read::bumpySheet(6));
+    Part right(read::bumpySheet(6));
     for (hierarchy::Vertex& vertex : right.mesh.vertices)
         vertex.color = 0xFF00FF00U;
     const std::array<const Part*, 2> parts{&left, &right};

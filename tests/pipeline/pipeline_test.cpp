@@ -151,8 +151,21 @@ TEST(Pipeline, SameBytesForVerticesInAnyOrder) {
         EXPECT_EQ(BuiltModel(shuffled(mesh, seed), smallChunks(900)).report().contentHash, expected);
 }
 
+TEST(Pipeline, BordersOfOneRoundAreFreeInTheNext) {
+    const BuiltModel model(read::bumpySheet(260), smallChunks(16'000));
+    ASSERT_GE(model.report().rounds.size(), 2U);
+    EXPECT_GE(model.report().rounds.front().nodes, 3U);
+    for (const RoundReport& round : model.report().rounds) {
+        if (round.nodes == 1) continue;
+        EXPECT_GT(round.locked, 0U);
+        EXPECT_LE(2 * round.lockedBefore, round.locked) << "only where borders cross";
+    }
+    EXPECT_EQ(model.report().rounds.back().nodes, 1U);
+    EXPECT_EQ(model.report().stuckTriangles, 0U);
+}
+
 TEST(Pipeline, GoesOnAfterBeingKilledAnywhere) {
-    const read::CodeMesh mesh = read::bumpySheet(40);
+    const read::CodeMesh mesh = read::bumpySheet(120); // several nodes after the first round
     const TestFolder folder;
     BuildOptions options = smallChunks(500);
     options.output = folder.file("m.gnm");

@@ -12,8 +12,7 @@ namespace {
 
 NodeRecord nodeOf(std::uint64_t triangles, std::size_t levels = 1) {
     NodeRecord node;
-    node.pending.triangles = triangles;
-    node.pending.vertices = triangles / 2;
+    node.pending = {triangles / 100, triangles, triangles / 2};
     node.levels.resize(levels);
     return node;
 }
@@ -22,55 +21,36 @@ TEST(Rounds, TheFirstHasANodeAChunk) {
     const Round round = firstRound(3);
     EXPECT_EQ(round.number, 0U);
     EXPECT_EQ(round.firstLevel, 0U);
-    EXPECT_EQ(round.ends, (std::vector<std::uint32_t>{1, 2, 3}));
-    EXPECT_EQ(round.nodeCount(), 3U);
-    EXPECT_EQ(round.firstChild(0), 0U);
-    EXPECT_EQ(round.firstChild(2), 2U);
+    EXPECT_EQ(round.nodeCount, 3U);
     EXPECT_FALSE(round.isLast);
     EXPECT_TRUE(firstRound(1).isLast) << "a single chunk is built up to its root";
 }
 
-TEST(Rounds, NeighboursJoinAsLongAsTheyFit) {
-    const Round first = firstRound(5);
-    const std::vector<NodeRecord> nodes{
-        nodeOf(40000, 3), nodeOf(50000, 2), nodeOf(20000, 1), nodeOf(90000, 3), nodeOf(9000, 3)};
-    const Round next = nextRound(first, nodes, 100000);
+TEST(Rounds, TheNextBeginsAboveTheHighestLevelOfAll) {
+    const std::vector<NodeRecord> nodes{nodeOf(40000, 2), nodeOf(50000, 3), nodeOf(20000, 1)};
+    RoundRecord record;
+    record.nodes = {{7, 60000, 20000}, {8, 50000, 30000}};
+    Round next = roundAfter(firstRound(3), nodes, record);
     EXPECT_EQ(next.number, 1U);
-    EXPECT_EQ(next.firstLevel, 3U) << "above the highest of all";
-    EXPECT_EQ(next.ends, (std::vector<std::uint32_t>{2, 3, 5}));
-    EXPECT_EQ(next.firstChild(2), 3U);
-    EXPECT_EQ(next.largestNode.triangles, 99000U);
-    EXPECT_EQ(next.largestNode.vertices, 49500U);
+    EXPECT_EQ(next.firstLevel, 3U);
+    EXPECT_EQ(next.nodeCount, 2U);
+    EXPECT_EQ(next.largestNode.triangles, 60000U);
+    EXPECT_EQ(next.largestNode.vertices, 30000U);
     EXPECT_FALSE(next.isLast);
-    EXPECT_EQ(nextRound(first, nodes, 90000).ends, (std::vector<std::uint32_t>{2, 3, 4, 5})) << "just as many as fit";
-    EXPECT_EQ(nextRound(first, nodes, 89999).ends, (std::vector<std::uint32_t>{1, 3, 4, 5}));
+    record.isLast = true;
+    next = roundAfter(next, nodes, record);
+    EXPECT_EQ(next.number, 2U);
+    EXPECT_EQ(next.firstLevel, 6U);
+    EXPECT_TRUE(next.isLast);
 }
 
-TEST(Rounds, ARoundInWhichNothingJoinsOrAllDoesIsTheLast) {
-    const Round first = firstRound(2);
-    EXPECT_TRUE(nextRound(first, {nodeOf(20000), nodeOf(20000)}, 30000).isLast) << "none could join another";
-    EXPECT_TRUE(nextRound(first, {nodeOf(20000), nodeOf(20000)}, 40000).isLast) << "one is left";
-    EXPECT_EQ(nextRound(first, {nodeOf(4096), nodeOf(4096)}, 0).nodeCount(), 1U) << "so few are always affordable";
-    EXPECT_EQ(nextRound(first, {nodeOf(4096), nodeOf(4097)}, 0).nodeCount(), 2U);
-}
-
-TEST(Rounds, AnyNumberOfNodesEndsInOne) {
-    Random random(1);
-    for (int trial = 0; trial < 100; ++trial) {
-        Round round = firstRound(static_cast<std::uint32_t>(1 + random.below(200)));
-        int rounds = 0;
-        while (!round.isLast) {
-            ASSERT_LT(++rounds, 50);
-            std::vector<NodeRecord> nodes;
-            for (std::size_t i = 0; i < round.nodeCount(); ++i)
-                nodes.push_back(nodeOf(random.below(60000), 1 + random.below(3)));
-            const Round next = nextRound(round, nodes, 100000);
-            ASSERT_EQ(next.ends.back(), nodes.size()) << "every node has a parent";
-            for (std::size_t i = 0; i < next.nodeCount(); ++i)
-                ASSERT_LT(next.firstChild(i), next.ends[i]);
-            round = next;
-        }
-    }
+TEST(Rounds, ARoundOfOneNodeOrAfterLittleProgressIsTheLast) {
+    EXPECT_TRUE(isLastRound(1, 100, 1000));
+    EXPECT_FALSE(isLastRound(2, 100, 1000));
+    EXPECT_FALSE(isLastRound(2, 800, 1000));
+    EXPECT_TRUE(isLastRound(2, 801, 1000)) << "it is not borders that keep the triangles";
+    EXPECT_EQ(nodeTriangles(100), 8192U) << "so few are always affordable";
+    EXPECT_EQ(nodeTriangles(100'000), 100'000U);
 }
 
 BinnedRecord someBinned() {
@@ -85,6 +65,18 @@ BinnedRecord someBinned() {
     record.dropped = {17, 18, 19};
     record.scratchEnd = 8;
     record.directory = {std::byte{1}, std::byte{2}};
+    record.furthest = {1, 0x7FFFFFFF, 3};
+    return record;
+}
+
+RoundRecord someRound(std::uint32_t round) {
+    RoundRecord record;
+    record.round = round;
+    record.isLast = true;
+    record.nodes = {{1, 2, 3}, {4, 5, 6}};
+    record.locks = {7, 8};
+    record.scratchEnd = 9;
+    record.directory = {std::byte{10}};
     return record;
 }
 
@@ -118,7 +110,17 @@ TEST(CheckpointLog, EveryRecordComesBackFromItsBytes) {
     log.addEncoded(encoded(someBinned()));
     log.addEncoded(encoded(BorderedRecord{55, {std::byte{9}}}));
     log.addEncoded(encoded(someNode(0, 0)));
+    EXPECT_EQ(log.binnedRound(1), nullptr);
+    log.addEncoded(encoded(someRound(1)));
+    ASSERT_NE(log.binnedRound(1), nullptr);
+    EXPECT_EQ(encoded(*log.binnedRound(1)), encoded(someRound(1)));
+    EXPECT_TRUE(log.binnedRound(1)->isLast);
+    EXPECT_EQ(log.binnedRound(1)->nodes[1].vertices, 6U);
+    EXPECT_EQ(log.binnedRound(1)->locks.lockedBefore, 8U);
+    EXPECT_EQ(log.binnedRound(0), nullptr) << "the chunks have their own";
+    EXPECT_EQ(log.binnedRound(2), nullptr);
     ASSERT_TRUE(log.binned());
+    EXPECT_EQ(log.binned()->furthest, (hierarchy::GridPoint{1, 0x7FFFFFFF, 3}));
     EXPECT_EQ(log.binned()->grid.origin, glm::dvec3(1, 2.5, -3));
     EXPECT_EQ(log.binned()->grid.stepExponent, -12);
     EXPECT_TRUE(log.binned()->format.isDouble && log.binned()->format.hasColors);
@@ -174,6 +176,7 @@ TEST(CheckpointLog, DamagedRecordsAreRefused) {
     longer.insert(longer.end() - 1, std::byte{0});
     EXPECT_THROW(CheckpointLog().addEncoded(longer), hierarchy::Damage);
     EXPECT_THROW(CheckpointLog().addEncoded({}), hierarchy::Damage);
+    EXPECT_THROW(CheckpointLog().addEncoded(encoded(someRound(2))), hierarchy::Damage) << "round 1 is missing";
 }
 
 TEST(BuildKey, HasWhatChangesBytesAndNothingElse) {

@@ -197,16 +197,5 @@ TEST(CostEstimate, WithoutAnyAreaIsAHundredthOfTheSquaredLengthAndMergedPlanesAd
     }
 }
 
-TEST(Mesh, APositionIsABorderWhereChunksOutsideMayHaveTriangles) {
-    Mesh mesh;
-    mesh.chunks = {3, 3};
-    mesh.chunks.add({5, 6});
-    EXPECT_EQ(mesh.chunks, (ChunkSpan{3, 6}));
-    mesh.sharers = {{3, 6}, {4, 5}, {2, 4}, {6, 7}, {0, 9}};
-    const std::array<bool, 5> expected{false, false, true, true, true};
-    for (std::uint32_t p = 0; p < expected.size(); ++p)
-        EXPECT_EQ(mesh.isBorder(p), expected.at(p));
-}
-
 } // namespace
 } // namespace gnomon::simplify

@@ -12,8 +12,8 @@ namespace gnomon::gl {
 /// Where a context comes from. `Egl` takes a GPU if EGL knows one, else EGL's surfaceless platform.
 enum class Platform { Osmesa, Egl };
 
-/// A context, current on the thread that made it until it is destroyed. Everything is drawn into framebuffer objects;
-/// clip space is z in [0, 1] with the origin at the lower left.
+/// A context, current on the thread that made it until it is destroyed or another is made there. Everything is drawn
+/// into framebuffer objects; clip space is z in [0, 1] with the origin at the lower left.
 class Context {
 public:
     /// Throws gnomon::Error if the library, the context or a function is missing.
@@ -23,6 +23,9 @@ public:
     explicit Context(std::unique_ptr<NativeContext> native);
 
     const Api& api() const { return *api_; }
+
+    /// Makes one without a window current again, if another was made after it.
+    void makeCurrent() const { native_->makeCurrent(); }
 
     /// GL_RENDERER, e.g. "llvmpipe (LLVM 15.0.6, 256 bits)".
     const std::string& renderer() const { return renderer_; }

@@ -22,6 +22,9 @@ public:
     NativeContext& operator=(NativeContext&&) = delete;
 
     virtual FunctionSource functionSource() const = 0;
+
+    /// Makes it current on this thread again, where another one of this process may have taken its place.
+    virtual void makeCurrent() {}
 };
 
 /// Throws Error where a driver in software would not find the address space for its compiler and threads: it crashes

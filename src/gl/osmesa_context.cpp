@@ -25,6 +25,7 @@ constexpr std::array<int, 13> kAttributes = {
 using CreateContext = void* (*)(const int*, void*);
 using MakeCurrent = GLboolean (*)(void*, void*, GLenum, GLsizei, GLsizei);
 using DestroyContext = void (*)(void*);
+using CurrentContext = void* (*)();
 
 class OsmesaContext final : public NativeContext {
 public:
@@ -32,8 +33,7 @@ public:
         requireAddressSpace("OSMesa");
         context_ = library_.function<CreateContext>("OSMesaCreateContextAttribs")(kAttributes.data(), nullptr);
         if (context_ == nullptr) throw Error("OSMesa", "no context", "core 4.5", "nothing");
-        const auto makeCurrent = library_.function<MakeCurrent>("OSMesaMakeCurrent");
-        if (makeCurrent(context_, pixel_.data(), GL_UNSIGNED_BYTE, 1, 1) == GL_FALSE) {
+        if (makeCurrent_(context_, pixel_.data(), GL_UNSIGNED_BYTE, 1, 1) == GL_FALSE) {
             destroy_(context_);
             throw Error("OSMesa", "the context cannot be made current");
         }
@@ -46,10 +46,18 @@ public:
     OsmesaContext(OsmesaContext&&) = delete;
     OsmesaContext& operator=(OsmesaContext&&) = delete;
 
+    void makeCurrent() override {
+        if (current_() == context_) return;
+        if (makeCurrent_(context_, pixel_.data(), GL_UNSIGNED_BYTE, 1, 1) == GL_FALSE)
+            throw Error("OSMesa", "the context cannot be made current");
+    }
+
     FunctionSource functionSource() const override { return library_.function<FunctionSource>("OSMesaGetProcAddress"); }
 
 private:
     Library library_{"libOSMesa.so.8"};
+    MakeCurrent makeCurrent_ = library_.function<MakeCurrent>("OSMesaMakeCurrent");
+    CurrentContext current_ = library_.function<CurrentContext>("OSMesaGetCurrentContext");
     DestroyContext destroy_ = library_.function<DestroyContext>("OSMesaDestroyContext");
     void* context_ = nullptr;
     std::array<GLubyte, 4> pixel_{}; // the default framebuffer that OSMesa insists on

@@ -71,16 +71,22 @@ public:
 
     Bytes deviceMemory() const override { return {pool_.size().count + targetMemory_.count + ringBytes()}; }
 
-    Picture picture() override { return targets_.picture(); }
+    Picture picture() override { return targets().picture(); }
 
-    FloatPicture viewDepth() override { return targets_.viewDepth(clipNear_); }
+    FloatPicture viewDepth() override { return targets().viewDepth(clipNear_); }
 
-    FloatPicture shadowDepth() override { return targets_.shadowDepth(); }
+    FloatPicture shadowDepth() override { return targets().shadowDepth(); }
 
-    Raster<SurfaceSample> surfaces() override { return targets_.surfaces(); }
+    Raster<SurfaceSample> surfaces() override { return targets().surfaces(); }
 
 private:
     const gl::Api& api() const { return context_->api(); }
+
+    /// To be read: of this executor's context, whichever was current.
+    const GlTargets& targets() const {
+        context_->makeCurrent();
+        return targets_;
+    }
 
     void prepareTargets(const FrameDrawing& frame);
     void drawMaps(const FrameDrawing& frame);
@@ -155,6 +161,7 @@ DrawStatistics GlExecutor::draw(const FrameDrawing& frame) {
 
 /// What the targets leave of the memory is the geometry's.
 void GlExecutor::prepareTargets(const FrameDrawing& frame) {
+    context_->makeCurrent();
     targetMemory_ = targets_.bytes(frame);
     const Bytes taken{targetMemory_.count + ringBytes()};
     if (taken >= memory_)

@@ -2,8 +2,8 @@
 
 namespace gnomon::raster {
 
-template <class Depths>
 // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): blocks are filled as far as the tile reaches
+template <class Depths>
 FarthestDepths<Depths>::FarthestDepths(const Pixel* pixels, int width, int height)
     : pixels_(pixels), width_(width), height_(height) {
     for (std::size_t y = 0; y <= blockOf(height - 1); ++y)

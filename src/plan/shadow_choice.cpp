@@ -6,18 +6,18 @@ namespace gnomon::plan {
 
 namespace {
 
-// Nanoseconds, about: the weights with which choosing took the least time over 272 views of six models, predicted
-// counts beside measured frames of both kinds (bench/fit_shadow_choice; docs/exact_shadows.md says how near that came
-// to the better of the two).
+// Nanoseconds, about: weights with which choosing takes little time over 272 views of six models, predicted counts
+// beside measured frames of both kinds (bench/fit_shadow_choice; docs/exact_shadows.md says how near that comes to the
+// better of the two).
 constexpr double kSample = 128; // listed, sorted, and shaded in both colours
 constexpr double kCasterTriangle = 1;
 constexpr double kCastTriangle = 419;
-constexpr double kSampleTest = 0.025;
-constexpr double kMapsAtAll = 2.6e6; // four maps in 2048x2048 texels
-constexpr double kMapLookup = 2.5;
-constexpr double kMapCaster = 22;
-constexpr double kMapTriangle = 86;
-constexpr double kMapFragment = 2.7;
+constexpr double kSampleTest = 0.5;
+constexpr double kMapsAtAll = 2.1e6; // four maps in 2048x2048 texels
+constexpr double kMapLookup = 2;
+constexpr double kMapCaster = 18;
+constexpr double kMapTriangle = 69;
+constexpr double kMapFragment = 2.2;
 
 } // namespace
 

@@ -2,6 +2,7 @@
 // SHADOWS: 0 none, 1 maps, 2 a mask that was computed elsewhere.
 // MANY_PARTITIONS: 1 if there are more than the first block holds. OVERLAY: 0 none, see overlay.glsl.
 #include "shared/frame_block.h"
+#include "image/light.glsl"
 #include "image/shadow_lookup.glsl"
 #include "image/overlay.glsl"
 
@@ -15,6 +16,9 @@ in Surface {
 
 layout(binding = 1) uniform sampler2D litMask;
 
+// A window sees no difference, and who counts the pixels that the light reaches does.
+const float kLitAlpha = 254.0 / 255.0;
+
 layout(location = 0) out vec4 pixel;
 #if AUXILIARY
 layout(location = 1) out vec4 auxiliary; // flat normal towards the viewer; w: partition + lit fraction / 2, or -1
@@ -27,7 +31,7 @@ void main() {
     float size = length(flatNormal);
     flatNormal = size > 0.0 ? flatNormal / size : normalize(towardsEye);
     if (dot(flatNormal, towardsEye) < 0.0) flatNormal = -flatNormal;
-    vec3 smoothNormal = normal == vec3(0.0) ? flatNormal : normalize(normal);
+    vec3 smoothNormal = normal == vec3(0.0) || isFaceted == 1 ? flatNormal : normalize(normal);
     if (dot(smoothNormal, flatNormal) < 0.0) smoothNormal = -smoothNormal;
 
     float depth = dot(viewDirection, position) + originDepth;
@@ -45,12 +49,11 @@ void main() {
 #endif
     }
     float direct = lit * max(dot(smoothNormal, towardsLight), 0.0);
-    float facing = abs(dot(smoothNormal, normalize(towardsEye)));
-    vec3 shaded = color * (0.22 + 0.14 * facing + 0.64 * direct);
+    vec3 shaded = displayedInLight(color, smoothNormal, normalize(towardsEye), direct);
 #if OVERLAY
     shaded = overlay(shaded, position, flatNormal, depth, index, error, cluster);
 #endif
-    pixel = vec4(shaded, 1.0);
+    pixel = vec4(shaded, lit > 0.0 && cosine > 1e-3 ? kLitAlpha : 1.0);
 #if AUXILIARY
     auxiliary = vec4(flatNormal, cosine > 0.0 ? float(index + 1) + 0.5 * lit : -1.0);
     auxiliaryPosition = vec4(position, 1.0);

@@ -34,8 +34,18 @@ GNOMON_BLOCK(0, Frame) {
     int hasOwnNear;       // 1 if the near face has maps of its own
     float errorPixels;    // the error threshold
     float drawnResidence; // for the overlay of residency, why what is drawn now is drawn (executor::Residence)
+    int isFaceted;        // 1 if surfaces are shaded by the normals of their triangles
+    int isShouldered;     // 1 if what is reflected, x, is shown as x / (1 + x)
+    int unusedInt;
+    // The light at a surface of normal n, linear RGB (executor/light/light_model.h):
+    // ambientMean + ambientTilt (n.skyAxis) + headlight (n.v)^2 + sun, where it shines, max(n.l, 0).
+    vec3 ambientMean;
+    float headlight;
+    vec3 ambientTilt;
     float unusedX;
+    vec3 sun;
     float unusedY;
+    vec3 skyAxis; // draw space
     float unusedZ;
 };
 

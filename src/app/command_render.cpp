@@ -46,12 +46,18 @@ void runRender(const RenderOptions& options) {
     settings::Settings settings = options.settings.settings();
     requireNoWindow(settings);
     if (!options.shadowDepth.empty()) options.settings.requireMapsFor("--shadow-depth");
-    if (!options.shadowDepth.empty() || proof::isOfMaps(options.oracle.mode())) settings::askForMaps(settings);
+    const executor::Overlay overlay = valueOf(executor::kOverlays, options.overlay).value_or(executor::Overlay::None);
+    if (!options.shadowDepth.empty() || proof::isOfMaps(options.oracle.mode()) || executor::isOfMaps(overlay))
+        settings::askForMaps(settings);
     requireExtension("--output", options.output, ".png");
     requireApart(
         {{"MODEL", options.model}, {"--camera", settings.cameraFile}, {"--reference", options.reference}},
         {{"--output", options.output}, {"--stats", options.statistics}, {"--depth", options.depth}});
     const plan::Quality quality = settings::qualityOf(settings);
+    const bool isTransparent = quality.look.background.kind == plan::Background::Kind::Transparent;
+    if (isTransparent && overlay != executor::Overlay::None)
+        throw settings::UsageError{
+            "--background transparent and --overlay contradict each other: an overlay's legend lies on the background"};
     measure::Session session(options.model, settings, printWarning);
     const plan::View view = settings::viewOf(settings, session.model().summary());
     std::optional<executor::Picture> reference;
@@ -59,7 +65,7 @@ void runRender(const RenderOptions& options) {
     requireWritableOutputs(options);
     const PreparedFolder shadowDepth(options.shadowDepth);
     frame::FrameOptions frameOptions;
-    frameOptions.overlay = valueOf(executor::kOverlays, options.overlay).value_or(executor::Overlay::None);
+    frameOptions.overlay = overlay;
     frameOptions.wantsWholeMaps = !options.shadowDepth.empty();
     const auto progress = makeProgress(options.common, Polling::No);
     progress->stage("render", "pictures", 1);
@@ -71,7 +77,9 @@ void runRender(const RenderOptions& options) {
     proof::setAccuracy(proof::prove(session.renderer(), frame, proofOptions), frame.row);
     executor::Picture picture = session.executor().picture();
     executor::drawLegend(picture, executor::legendOf(frameOptions.overlay, frame.plan));
-    executor::writePng(options.output, picture);
+    std::optional<executor::Coverage> coverage;
+    if (isTransparent) coverage = executor::coverageOf(session.executor().viewDepth());
+    executor::writePng(options.output, picture, coverage);
     progress->advance(1);
     if (!options.depth.empty()) executor::writePfm(options.depth, session.executor().viewDepth());
     if (!options.shadowDepth.empty()) executor::writeShadowMaps(options.shadowDepth, frame.plan, session.executor());

@@ -105,6 +105,7 @@ struct FrameDrawing {
     double clipNear = 1e-3;               // view depth of the near clip plane: nothing that is drawn lies before it
     std::optional<Camera> observerCamera; // sees the image in place of the plan's camera: from outside its frustum
     Overlay overlay = Overlay::None;
+    plan::Shading shading = plan::Shading::Lit;    // never Auto
     std::vector<LodSubstitute> substitutes;        // of the image, by page and cluster; for Overlay::Residency alone
     bool wantsSurfaces = false;                    // keep what `surfaces` returns
     const Raster<std::uint8_t>* litMask = nullptr; // 255 where the light reaches, instead of maps
@@ -192,6 +193,9 @@ public:
     virtual DrawStatistics draw(const FrameDrawing& frame);
 
     virtual Picture picture() = 0;
+    /// The pixels of the image that the light reaches, at least in part; nothing where finding out would hold up the
+    /// frames to come, as it would a GPU's: those say so now and then.
+    virtual std::optional<std::uint64_t> litPixels() = 0;
     /// View depth per pixel; infinity where nothing is.
     virtual FloatPicture viewDepth() = 0;
     /// The whole depth texture of the shadow maps, rows from top to bottom as they lie in memory (row 0 first).

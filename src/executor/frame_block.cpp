@@ -1,6 +1,7 @@
 #include "executor/frame_block.h"
 
 #include "core/check.h"
+#include "executor/light/light_model.h"
 #include "shadow/depth_bias.h"
 
 #include <algorithm>
@@ -11,7 +12,7 @@ namespace gnomon::executor {
 
 // What std140 lays out for the shaders is what C++ does.
 static_assert(offsetof(block::Frame, gridStep) == offsetof(block::Frame, eye) + 12 && sizeof(block::Frame) % 16 == 0);
-static_assert(offsetof(block::Frame, sliceCount) % 16 == 0);
+static_assert(offsetof(block::Frame, sliceCount) % 16 == 0 && offsetof(block::Frame, ambientMean) % 16 == 0);
 static_assert(offsetof(block::Shadows, partitions) % 256 == 0);
 static_assert(sizeof(block::Partition) * GNOMON_FIRST_PARTITIONS % 256 == 0);
 static_assert(sizeof(block::Partition) * GNOMON_FIRST_PARTITIONS <= 16384, "what a block of OpenGL may always have");
@@ -123,6 +124,7 @@ block::Frame frameBlock(const FrameDrawing& frame, const DrawSpace& space, const
     result.sideFaceCount = static_cast<int>(plan.selector.faces.size());
     result.hasOwnNear = plan.selector.ownNear ? 1 : 0;
     result.errorPixels = static_cast<float>(plan.quality.errorPixels);
+    setLight(view, plan.quality.look, frame.shading, result);
     return result;
 }
 

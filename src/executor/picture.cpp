@@ -1,10 +1,12 @@
 #include "executor/picture.h"
 
+#include "core/check.h"
 #include "core/error.h"
 #include "core/file.h"
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 
@@ -20,26 +22,44 @@ std::string sizeText(const Picture& picture) {
 
 } // namespace
 
-std::vector<std::uint8_t> pngBytes(const Picture& picture) {
+std::vector<std::uint8_t> pngBytes(const Picture& picture, const std::optional<Coverage>& coverage) {
+    const void* pixels = picture.pixels.data();
+    std::vector<std::array<std::uint8_t, 4>> withAlpha;
+    if (coverage) {
+        GNOMON_CHECK_OP(coverage->pixels.size(), ==, picture.pixels.size());
+        withAlpha.reserve(picture.pixels.size());
+        for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+            const Rgb& color = picture.pixels[i];
+            withAlpha.push_back({color[0], color[1], color[2], coverage->pixels[i]});
+        }
+        pixels = withAlpha.data();
+    }
     png_image image{};
     image.version = PNG_IMAGE_VERSION;
     image.width = static_cast<png_uint_32>(picture.width);
     image.height = static_cast<png_uint_32>(picture.height);
-    image.format = PNG_FORMAT_RGB;
+    image.format = coverage ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
     png_alloc_size_t size = 0;
-    if (png_image_write_to_memory(&image, nullptr, &size, 0, picture.pixels.data(), 0, nullptr) == 0)
+    if (png_image_write_to_memory(&image, nullptr, &size, 0, pixels, 0, nullptr) == 0)
         throw Error(std::string("a picture cannot be written as PNG: ") + image.message);
     std::vector<std::uint8_t> bytes(size);
-    if (png_image_write_to_memory(&image, bytes.data(), &size, 0, picture.pixels.data(), 0, nullptr) == 0)
+    if (png_image_write_to_memory(&image, bytes.data(), &size, 0, pixels, 0, nullptr) == 0)
         throw Error(std::string("a picture cannot be written as PNG: ") + image.message);
     bytes.resize(size);
     return bytes;
 }
 
-void writePng(const std::string& path, const Picture& picture) {
+void writePng(const std::string& path, const Picture& picture, const std::optional<Coverage>& coverage) {
     AtomicFile file(path);
-    file.file().writeAt(0, std::as_bytes(std::span<const std::uint8_t>(pngBytes(picture))));
+    file.file().writeAt(0, std::as_bytes(std::span<const std::uint8_t>(pngBytes(picture, coverage))));
     file.commit();
+}
+
+Coverage coverageOf(const FloatPicture& depth) {
+    Coverage coverage(depth.width, depth.height);
+    for (std::size_t i = 0; i < depth.pixels.size(); ++i)
+        if (std::isfinite(depth.pixels[i])) coverage.pixels[i] = 255;
+    return coverage;
 }
 
 Picture readPng(const std::string& path) {

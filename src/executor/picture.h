@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,11 +36,17 @@ struct Raster {
 using Picture = Raster<Rgb>;
 using FloatPicture = Raster<float>;
 
-/// `picture` as the bytes of a PNG file. Throws Error.
-std::vector<std::uint8_t> pngBytes(const Picture& picture);
+/// How much of each pixel is covered, 255 being all of it; where a picture has none it is opaque.
+using Coverage = Raster<std::uint8_t>;
 
-/// Writes an 8-bit RGB PNG; it appears under `path` only when it is complete. Throws Error.
-void writePng(const std::string& path, const Picture& picture);
+/// `picture` as the bytes of a PNG file, with `coverage` as its alpha. Throws Error.
+std::vector<std::uint8_t> pngBytes(const Picture& picture, const std::optional<Coverage>& coverage = std::nullopt);
+
+/// Writes an 8-bit RGB PNG, or RGBA with `coverage`; it appears under `path` only when it is complete. Throws Error.
+void writePng(const std::string& path, const Picture& picture, const std::optional<Coverage>& coverage = std::nullopt);
+
+/// Covered where `depth` is finite.
+Coverage coverageOf(const FloatPicture& depth);
 
 /// Reads a PNG as 8-bit RGB, any transparency dropped. Throws Error if it is none or damaged.
 Picture readPng(const std::string& path);

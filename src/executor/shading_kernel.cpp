@@ -9,6 +9,7 @@
 #define HWY_TARGET_INCLUDE "executor/shading_kernel.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
+#include "executor/light/light_model-inl.h"
 #include "executor/shadow_lookup-inl.h"
 // clang-format on
 
@@ -186,7 +187,7 @@ HWY_INLINE void shadeLanes(const ShadingFrame& f, PixelBatch& batch, std::size_t
     const Vec3 towardsEye = subtract(constant(&frame.eye.x), position);
     const Vec3 eyeDirection = normalizedOr(towardsEye, {zero, zero, zero});
     const Vec3 flat = turned(normalizedOr(across, eyeDirection), towardsEye);
-    const Vec3 smooth = smoothNormal(batch, i, weights, flat);
+    const Vec3 smooth = frame.isFaceted != 0 ? flat : smoothNormal(batch, i, weights, flat);
     const auto depth = hn::Add(dot(constant(&frame.viewDirection.x), position), constant(frame.originDepth));
     const Vec3 light = constant(&frame.towardsLight.x);
     const auto cosine = dot(flat, light);
@@ -197,17 +198,16 @@ HWY_INLINE void shadeLanes(const ShadingFrame& f, PixelBatch& batch, std::size_t
     if (f.litSource == LitSource::Awaited) leaveLookups(f, {position, flat, depth, cosine, faces}, pass, batch, i);
 
     const auto direct = hn::Mul(lit, hn::Max(dot(smooth, light), zero));
-    const auto facing = hn::Abs(dot(smooth, eyeDirection));
-    const auto ambient = hn::Add(constant(0.22F), hn::Mul(constant(0.14F), facing));
-    const auto strength = hn::Add(ambient, hn::Mul(constant(0.64F), direct));
-    const Vec3 albedo = {channel<0>(batch, i, weights), channel<8>(batch, i, weights), channel<16>(batch, i, weights)};
-    const Vec3 shaded = scale(albedo, strength);
+    const Vec3 ambient = ambientLight(frame, smooth, eyeDirection);
+    const Vec3 albedo = linearFromDisplay(
+        {channel<0>(batch, i, weights), channel<8>(batch, i, weights), channel<16>(batch, i, weights)});
+    const Vec3 shaded = displayed(frame, albedo, add(ambient, scale(constant(&frame.sun.x), direct)));
     auto color = packed(shaded);
     if (f.litSource == LitSource::Undecided || f.litSource == LitSource::Awaited) {
         hn::StoreU(hn::BitCast(kUints, color), kUints, batch.litColor.data() + i);
         hn::StoreU(weights.second, kFloats, batch.second.data() + i);
         hn::StoreU(weights.third, kFloats, batch.third.data() + i);
-        color = packed(scale(albedo, ambient));
+        color = packed(displayed(frame, albedo, ambient));
     }
 
     store(position, batch.position, i);

@@ -11,6 +11,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 
 namespace gnomon::executor {
 
@@ -41,6 +42,8 @@ public:
     }
 
     Picture picture() override { return picture_; }
+
+    std::optional<std::uint64_t> litPixels() override { return litPixels_; }
 
     FloatPicture viewDepth() override;
 
@@ -77,6 +80,7 @@ private:
     Picture picture_;
     Raster<SurfaceSample> surfaces_;
     double clipNear_ = 1;
+    std::atomic<std::uint64_t> litPixels_{0};
     exact::ExactShadows exact_;
     std::vector<exact::Caster> casters_; // of them
     UndecidedPixels undecided_;
@@ -186,13 +190,13 @@ DrawStatistics SoftwareExecutor::draw(const FrameDrawing& frame) {
     sizeShadowDepth(*frame.plan);
     const ImageBuffers buffers = {&rasterizer_, &pass_, &words_, &picture_};
     const auto occlusion = drawVisible(frame, buffers);
-    receivers_.collect(frame, buffers, shadowDepth_);
+    litPixels_ = receivers_.collect(frame, buffers, shadowDepth_);
     const Milliseconds before = watch.elapsed();
     statistics.shadows = {{}, 0, 0};
     statistics.culled = drawCulledMaps(frame, statistics.shadows);
     statistics.shadows.time = {watch.elapsed().count - before.count};
     if (receivers_.canLight())
-        receivers_.light(shadowDepth_, picture_);
+        litPixels_ += receivers_.light(shadowDepth_, picture_);
     else
         shade(frame);
     statistics.image = {
@@ -215,7 +219,9 @@ void SoftwareExecutor::sizeTargets(const FrameDrawing& frame) {
 /// From the words of the image to its colours, and to the surfaces where they are wanted.
 void SoftwareExecutor::shade(const FrameDrawing& frame) {
     const Shading shading(frame, imageClipFromDraw(frame), shadowDepth_, pass_.drawn());
-    shadeVisible(shading, words_, {&picture_, frame.wantsSurfaces ? &surfaces_ : nullptr});
+    litPixels_ = 0;
+    shadeVisible(
+        shading, words_, {&picture_, frame.wantsSurfaces ? &surfaces_ : nullptr, nullptr, nullptr, &litPixels_});
 }
 
 PassStatistics SoftwareExecutor::drawImage(const FrameDrawing& frame) {
@@ -230,13 +236,18 @@ PassStatistics SoftwareExecutor::drawImage(const FrameDrawing& frame) {
 /// once more.
 void SoftwareExecutor::lightDecided(const FrameDrawing& frame, std::span<const std::uint8_t> statuses) {
     const exact::SampleList& samples = exact_.samples();
+    litPixels_ = 0;
     const bool isShadedAgain = frame.overlay != Overlay::None || frame.wantsSurfaces;
     if (!isShadedAgain) {
         constexpr std::size_t kGrain = 16384;
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, samples.size(), kGrain), [&](const auto& range) {
+            std::uint64_t lit = 0;
             for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                if (!exact::isDark(statuses[i])) picture_.pixels[samples.pixel[i]] = unpacked(samples.color[i]);
+                if (exact::isDark(statuses[i])) continue;
+                picture_.pixels[samples.pixel[i]] = unpacked(samples.color[i]);
+                ++lit;
             }
+            litPixels_.fetch_add(lit, std::memory_order_relaxed);
         });
         return;
     }

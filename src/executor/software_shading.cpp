@@ -2,6 +2,7 @@
 
 #include "core/camera.h"
 #include "executor/frame_block.h"
+#include "executor/light/background.h"
 
 #include <algorithm>
 
@@ -52,7 +53,8 @@ Shading::Shading(
       clusters_(clusters),
       block_(frameBlock(frame, frame.space, clipFromDraw)),
       shadows_(shadowsBlock(frame)),
-      overlay_(frame, block_, shadows_, clusters) {
+      overlay_(frame, block_, shadows_, clusters),
+      background_(backgroundRows(frame)) {
     shared_.frame = &block_;
     shared_.shadows = &shadows_;
     shared_.shadowDepth = shadowDepth.pixels.data();
@@ -82,9 +84,10 @@ void Shading::shade(
     for (int y = box.y0; y < box.y1; ++y) {
         const std::uint64_t* row = &words[picture.index(0, y)];
         Rgb* colors = &target.picture->at(0, picture.height - 1 - y);
+        const Rgb background = background_[static_cast<std::size_t>(picture.height - 1 - y)];
         for (int x = box.x0; x < box.x1; ++x) {
             if (row[x] == 0) {
-                colors[x] = kBackground;
+                colors[x] = background;
                 if (target.surfaces != nullptr) target.surfaces->at(x, picture.height - 1 - y) = {};
                 continue;
             }
@@ -146,6 +149,7 @@ void Shading::flush(Work& work, const ShadingTarget& target) const {
     shadePixels(shared_, batch);
     if (target.undecided != nullptr) leaveUndecided(work, target);
     if (target.awaited != nullptr) leaveAwaited(work, target);
+    if (target.litPixels != nullptr) countLit(batch, target);
     Picture& picture = *target.picture;
     const bool isPainted = frame_->overlay != Overlay::None;
     for (std::size_t i = 0; i < batch.count; ++i) {
@@ -160,6 +164,20 @@ void Shading::flush(Work& work, const ShadingTarget& target) const {
             1};
     }
     batch.count = 0;
+}
+
+void Shading::countLit(const PixelBatch& batch, const ShadingTarget& target) const {
+    if (target.undecided != nullptr) return;
+    // What grazes the light gets none that is seen, and faces it or not by a rounding.
+    constexpr float kLeastCosine = 1e-3F;
+    std::uint64_t count = 0;
+    for (std::size_t i = 0; i < batch.count; ++i) {
+        const bool isKnown = target.awaited == nullptr || batch.pass[i] < 0;
+        const bool isLit =
+            batch.lit[i] > 0 && glm::dot(toVector(batch.flatNormal, i), block_.towardsLight) > kLeastCosine;
+        count += isKnown && isLit ? 1U : 0U;
+    }
+    target.litPixels->fetch_add(count, std::memory_order_relaxed);
 }
 
 void Shading::leaveUndecided(Work& work, const ShadingTarget& target) const {

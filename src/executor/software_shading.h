@@ -10,9 +10,6 @@
 
 namespace gnomon::executor {
 
-/// Where nothing is.
-constexpr Rgb kBackground = {219, 227, 237};
-
 /// The bytes of a PixelBatch's colour.
 constexpr Rgb unpacked(std::uint32_t color) {
     return {
@@ -43,8 +40,9 @@ struct AwaitedPixels {
 struct ShadingTarget {
     Picture* picture = nullptr;
     Raster<SurfaceSample>* surfaces = nullptr;
-    UndecidedPixels* undecided = nullptr; // shades each pixel in shadow, and leaves to this what is lit
-    AwaitedPixels* awaited = nullptr;     // likewise; where no map is asked, pixels get their colour at once
+    UndecidedPixels* undecided = nullptr;            // shades each pixel in shadow, and leaves to this what is lit
+    AwaitedPixels* awaited = nullptr;                // likewise; where no map is asked, pixels get their colour at once
+    std::atomic<std::uint64_t>* litPixels = nullptr; // counts those that are known to be lit at least in part
 };
 
 /// What the verdict of a shading hangs on where neither the plan nor a mask tells.
@@ -84,6 +82,8 @@ private:
     void leaveAwaited(Work& work, const ShadingTarget& target) const;
     Rgb painted(const Work& work, std::size_t i) const;
 
+    void countLit(const PixelBatch& batch, const ShadingTarget& target) const;
+
     const FrameDrawing* frame_;
     std::span<const DrawnCluster> clusters_;
     block::Frame block_;
@@ -91,6 +91,7 @@ private:
     ShadingFrame shared_;
     glm::dvec3 rayOrigin_{0}; // draw space
     SoftwareOverlay overlay_;
+    std::vector<Rgb> background_; // by row, from the top
 };
 
 } // namespace gnomon::executor

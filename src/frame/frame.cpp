@@ -23,7 +23,13 @@ Frame Renderer::render(const plan::View& view, const plan::Quality& quality, con
     if (executor::isOfMaps(options.overlay)) meant.mapsBecause = plan::ShadowReason::MapsAskedFor;
     Frame frame{prepare(view, meant, options.waiting, previous_), options, {}};
     if (options.reusesMaps) markReusedMaps(frame, options);
-    const executor::DrawStatistics drawn = draw(frame, options);
+    frame.isSunless = wasSunless_ && meant.look.shading == plan::Shading::Auto;
+    executor::DrawStatistics drawn = draw(frame, options);
+    if (hasSunWrong(frame)) {
+        frame.isSunless = !frame.isSunless;
+        drawn = draw(frame, options);
+    }
+    wasSunless_ = frame.isSunless;
     frame.row =
         frameRow(frame, drawn, {model_->path(), executor_->name(), residency_.statistics(), residency_.rayTreeBytes()});
     frame.row.totalMs = watch.elapsed().count;

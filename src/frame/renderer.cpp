@@ -23,6 +23,21 @@ plan::FramePlan Renderer::plan(const plan::View& view, const plan::Quality& qual
     return prepare(view, quality, Waiting::UntilComplete, previous_).plan;
 }
 
+/// Whether so much of the frame that was just drawn is lit, or so little, that it has to be drawn the other way. Where
+/// the frame before was drawn without sun it takes more light to bring it back, so that nothing flickers.
+bool Renderer::hasSunWrong(const Frame& frame) const {
+    constexpr double kNextToNothing = 0.005; // of the pixels
+    constexpr double kEnough = 0.02;
+    const plan::FramePlan& plan = frame.plan;
+    const bool isLeftOpen = plan.quality.look.shading == plan::Shading::Auto && !frame.options.observerCamera;
+    if (!isLeftOpen || !frame.facts.visible || !frame.facts.visible->anything) return false;
+    const double pixels = static_cast<double>(plan.view.width) * plan.view.height;
+    const std::optional<std::uint64_t> litPixels = executor_->litPixels();
+    if (!litPixels) return false;
+    const double lit = static_cast<double>(*litPixels) / pixels;
+    return frame.isSunless ? lit >= kEnough : lit < kNextToNothing;
+}
+
 void Renderer::markReusedMaps(PreparedFrame& frame, const FrameOptions& options) const {
     if (!heldMaps_) return;
     const HeldMaps& held = *heldMaps_;
@@ -70,6 +85,9 @@ executor::FrameDrawing Renderer::drawing(const PreparedFrame& frame, const Frame
         drawing.clipNear = std::max(distance(summary.bounds, options.observerCamera->eye) * 0.99, least);
     }
     drawing.overlay = options.overlay;
+    const plan::Shading shading = frame.plan.quality.look.shading;
+    const plan::Shading automatic = frame.isSunless ? plan::Shading::Headlight : plan::Shading::Lit;
+    drawing.shading = shading == plan::Shading::Auto ? automatic : shading;
     if (options.overlay == executor::Overlay::Residency)
         drawing.substitutes =
             executor::lodSubstitutes(cutQuery(residency_, frame), *drawing.image, [this](std::uint32_t page) {

@@ -56,6 +56,7 @@ public:
     /// Forgets the frames before, so that the next plan depends on its view alone.
     void forget() {
         previous_.reset();
+        wasSunless_ = false;
         heldMaps_.reset();
     }
 
@@ -89,6 +90,7 @@ private:
         Waiting waiting,
         const std::shared_ptr<const plan::PlannedFrame>& before);
 
+    bool hasSunWrong(const Frame& frame) const;
     void chooseOcclusion(PreparedFrame& frame) const;
     void markReusedMaps(PreparedFrame& frame, const FrameOptions& options) const;
     void rememberMaps(const PreparedFrame& frame, const FrameOptions& options, bool isCulled);
@@ -97,6 +99,7 @@ private:
     executor::Executor* executor_;
     Residency residency_;
     std::shared_ptr<const plan::PlannedFrame> previous_;
+    bool wasSunless_ = false; // the frame before
     std::optional<HeldMaps> heldMaps_;
     std::vector<culling::DepthCandidate> depthScratch_;
     std::shared_ptr<ExactEstimate> estimate_; // its memory; made when first needed

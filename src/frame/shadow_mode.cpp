@@ -49,6 +49,11 @@ PreparedFrame Renderer::prepare(
         if (quality.shadows == ShadowMode::Exact) predict(frame);
         return frame;
     }
+    if (plan::isWithoutSun(quality.look.shading)) {
+        PreparedFrame frame = prepared(ShadowMode::Off);
+        frame.plan.shadowReason = ShadowReason::NoSun;
+        return frame;
+    }
     if (quality.mapsBecause) return asMaps(*quality.mapsBecause);
     if (!executor_->decidesExactly()) return asMaps(ShadowReason::ExecutorHasMaps);
     const std::optional<plan::ModeMemory> memory = before ? before->memory.mode : std::nullopt;

@@ -6,6 +6,7 @@
 #include "core/convex_volume.h"
 #include "core/depth_span.h"
 #include "core/integer_light.h"
+#include "plan/look.h"
 #include "plan/omission.h"
 #include "plan/shadow_choice.h"
 #include "shadow/shadow_map.h"
@@ -26,6 +27,7 @@ struct View {
     int width = 800; // pixels, at least 1
     int height = 800;
     glm::dvec3 towardsLight{0.4, 1, 0.3}; // world space, any length above 0; light() is drawn by
+    glm::dvec3 up{0, 1, 0};               // towards the sky, likewise of any length above 0
 
     /// The light that is drawn by: rounded here, and nowhere else.
     IntegerLight light() const { return roundedLight(towardsLight); }
@@ -85,6 +87,7 @@ struct Quality {
     double errorPixels = 1;
     std::optional<std::uint64_t> maxTriangles;
     Choice occlusion = Choice::Auto; // the image is drawn without what it hides; Auto: where that pays
+    Look look;
 };
 
 /// What is known of the scene in this view before its geometry was asked, and after.

@@ -25,6 +25,7 @@ inline constexpr std::array kShadowModes = {
 enum class ShadowReason : std::uint8_t {
     AskedFor,         // by its name
     MapsAskedFor,     // by an option, an overlay or a proof of maps
+    NoSun,            // the shading has none
     ExecutorHasMaps,  // and cannot decide exactly
     ExactCostsNoMore, // than maps, as predicted
     MapsCostLess,     // than exact shadows, as predicted

@@ -19,7 +19,9 @@ frame::PreparedFrame finest(frame::Renderer& renderer, const frame::Frame& frame
     quality.shadows = shadows;
     quality.errorPixels = 0;
     quality.maxTriangles.reset();
-    return renderer.prepare(frame.plan.view, quality, frame::Waiting::UntilComplete, frame.before);
+    frame::PreparedFrame fine = renderer.prepare(frame.plan.view, quality, frame::Waiting::UntilComplete, frame.before);
+    fine.isSunless = frame.isSunless;
+    return fine;
 }
 
 /// The picture of the finest level in ray-traced shadows; drawn. For `oracle` of full detail it is whole, or an error.
@@ -127,8 +129,9 @@ FrameProof prove(frame::Renderer& renderer, const frame::Frame& frame, const Pro
         proof.imageDifference = executor::difference(finestPicture(renderer, frame, options.oracle), picture).mean;
     if (hasCrawl) proof.crawl = crawlSince(renderer, frame.before, drawn, maps);
     // What the executor shows is the frame that was asked for, and its pages are there.
-    const frame::PreparedFrame again =
+    frame::PreparedFrame again =
         renderer.prepare(frame.plan.view, frame.plan.quality, frame.options.waiting, frame.before);
+    again.isSunless = frame.isSunless;
     renderer.draw(again, frame.options);
     return proof;
 }

@@ -130,6 +130,8 @@ std::string reasonInWords(plan::ShadowReason reason) {
         return "asked for";
     case ShadowReason::MapsAskedFor:
         return "an option, an overlay or a proof of maps is asked for";
+    case ShadowReason::NoSun:
+        return "the shading has no sun";
     case ShadowReason::ExecutorHasMaps:
         return "only the software executor decides shadows exactly";
     case ShadowReason::ExactCostsNoMore:

@@ -64,6 +64,21 @@ void requireSoftwareIfNeeded(const Settings& settings) {
             " contradict each other: only the software executor leaves out what is hidden"};
 }
 
+/// Whether options ask for shadows, or for maps of them.
+bool asksForShadows(const plan::Quality& quality) {
+    using plan::ShadowMode;
+    if (quality.shadows == ShadowMode::Auto) return quality.mapsBecause.has_value();
+    return quality.shadows != ShadowMode::Off;
+}
+
+void requireSunIfShadowed(const Settings& settings) {
+    if (!plan::isWithoutSun(settings.quality.look.shading) || !asksForShadows(settings.quality)) return;
+    const bool isAuto = settings.quality.shadows == plan::ShadowMode::Auto;
+    throw UsageError{
+        written("shading", settings) + " and " + (isAuto ? "options of shadow maps" : written("shadows", settings)) +
+        " contradict each other: there is no sun to throw shadows"};
+}
+
 } // namespace
 
 bool isPosed(const Settings& settings) {
@@ -86,6 +101,7 @@ plan::View viewOf(const Settings& settings, const hierarchy::ModelSummary& summa
     view.width = settings.imageSize[0];
     view.height = settings.imageSize[1];
     view.towardsLight = settings.towardsLight;
+    view.up = settings.up.value_or(glm::dvec3(0, 1, 0));
     if (!settings.cameraFile.empty()) {
         if (hasPose(settings)) throw UsageError{"--camera and --eye, --target, --up, --fov-y contradict each other"};
         view.camera = path::readCamera(settings.cameraFile);
@@ -107,6 +123,7 @@ plan::Quality qualityOf(const Settings& settings) {
         throw UsageError{"--near and --far contradict each other: near must be below far"};
     requireNoWarpIfStable(settings);
     requireSoftwareIfNeeded(settings);
+    requireSunIfShadowed(settings);
     return quality;
 }
 

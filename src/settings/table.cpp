@@ -2,6 +2,8 @@
 
 #include "core/check.h"
 #include "settings/limits.h"
+#include "settings/look_settings.h"
+#include "settings/setting_place.h"
 
 #include <algorithm>
 
@@ -11,27 +13,6 @@ namespace {
 
 using plan::Quality;
 using Size = std::array<int, 2>;
-
-/// A setting whose value stands where `place` points to.
-template <class T, class Place>
-Setting at(const Place& place, Description description, const Codec<T>& codec) {
-    return {
-        std::move(description), codec, place, [place](Settings& settings, const T& value) { place(settings) = value; }};
-}
-
-/// A setting whose value is a member of Settings.
-template <class T>
-Setting plain(T Settings::*member, Description description, const Codec<T>& codec) {
-    return at(
-        [member](auto& settings) -> auto& { return settings.*member; }, std::move(description), codec);
-}
-
-/// A setting whose value is a member of Quality.
-template <class T>
-Setting quality(T Quality::*member, Description description, const Codec<T>& codec) {
-    return at(
-        [member](auto& settings) -> auto& { return settings.quality.*member; }, std::move(description), codec);
-}
 
 Codec<Size> imageSize() {
     return size("sides of at most " + std::to_string(kMaxSide) + " pixels", [](const Size& value) {
@@ -352,7 +333,12 @@ std::span<const Setting> table() {
     static const std::vector<Setting> all = [] {
         std::vector<Setting> settings = cameraSettings();
         for (const auto& more :
-             {sceneSettings(), fixedMapSettings(), machineSettings(), sweptSettings(), moreSweptSettings()})
+             {sceneSettings(),
+              lookSettings(),
+              fixedMapSettings(),
+              machineSettings(),
+              sweptSettings(),
+              moreSweptSettings()})
             settings.insert(settings.end(), more.begin(), more.end());
         return settings;
     }();

@@ -274,6 +274,7 @@ Shot Viewer::shot(const glm::ivec2& size) const {
     shot.view.width = size.x;
     shot.view.height = size.y;
     shot.view.towardsLight = settings_.asked.towardsLight;
+    shot.view.up = settings_.asked.up.value_or(shot.view.up);
     shot.view.camera = walk_.culledBy();
     shot.quality = settings_.asked.quality;
     if (settings_.targetMs > 0 && !walk_.playsFixed()) {

@@ -136,6 +136,25 @@ class Refusals(ProgramTest):
                                ("--error-pixels", "1,2,1"), ("--shadows", "maps,maps"), ("--filter", "0,0")):  # fmt: skip
             self.bench(2, option, option, values)
 
+    def test_what_has_no_sun_has_no_shadows(self):
+        for shading in ("headlight", "unlit"):
+            for asked in (("--shadows", "maps"), ("--shadows", "exact"), ("--z-partitions", "2")):
+                self.expect(2, "--shading", "explain", self.sundial, "--shading", shading, *asked)
+            for given in ((), ("--shadows", "off")):
+                told = self.expect(0, "", "explain", self.sundial, "--shading", shading, *given)
+                self.assertIn("shadows off", told.stdout)
+            drawing = ("render", self.sundial, "-o", self.place / "sunless.png", "--size", "8x8", "--shading", shading)
+            self.expect(2, "--shading", *drawing, "--overlay", "partitions")
+        self.expect(0, "", "explain", self.sundial, "--shading", "flat", "--shadows", "maps")
+
+    def test_a_transparent_background_is_the_pictures_alpha(self):
+        picture = self.place / "clear.png"
+        drawing = ("render", self.sundial, "-o", picture, "--size", "16x16")
+        for background, channels in (("transparent", 6), ("sky", 2), ("#204060", 2), ("white", 2)):
+            self.expect(0, "", *drawing, "--background", background)
+            self.assertEqual(picture.read_bytes()[25], channels, background)
+        self.expect(2, "--overlay", *drawing, "--background", "transparent", "--overlay", "lod")
+
     def test_stabilised_slices_have_no_warp(self):
         for eta in ("0.5", "0", "1"):
             self.expect(2, "--stabilize", "explain", self.sundial, "--stabilize", "on", "--eta", eta)

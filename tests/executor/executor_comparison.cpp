@@ -29,6 +29,7 @@ void ExecutorDifference::operator+=(const ExecutorDifference& other) {
     pixels += other.pixels;
     coverage += other.coverage;
     color += other.color;
+    lit += other.lit;
     texels += other.texels;
     texelCover += other.texelCover;
     texelWrong += other.texelWrong;
@@ -49,6 +50,9 @@ ExecutorDifference difference(Executor& a, Executor& b) {
             largest = std::max(largest, std::abs(pictureA.pixels[i][c] - pictureB.pixels[i][c]));
         if (largest > 2) ++found.color;
     }
+    const std::uint64_t litA = a.litPixels().value_or(0);
+    const std::uint64_t litB = b.litPixels().value_or(0);
+    found.lit = std::max(litA, litB) - std::min(litA, litB);
     compareMaps(a.shadowDepth(), b.shadowDepth(), found);
     return found;
 }

@@ -51,6 +51,7 @@ FrameDrawing Field::drawing(const plan::FramePlan& plan) const {
     frame.casters.assign(plan.passes.size(), &all_);
     frame.pages = [this](std::uint32_t page) -> const hierarchy::Page& { return model_.pages[page]; };
     frame.clipNear = 0.05;
+    frame.shading = plan.quality.look.shading;
     return frame;
 }
 
@@ -91,6 +92,9 @@ plan::Quality fieldQuality(std::uint64_t seed) {
         quality.stabilize = true;
     }
     if (seed % 11 == 0) quality.shadows = plan::ShadowMode::Off;
+    quality.look.shading = plan::kShadings[seed % 2 == 0 ? 1 : 1 + seed / 2 % 4].value;
+    quality.look.ambient = 0.5 * static_cast<double>(1 + seed % 3);
+    if (seed % 5 == 0) quality.look.background = {plan::Background::Kind::Color, {20, 90, 160}};
     quality.shadowTexelsWidth = quality.shadowTexelsHeight = 512;
     return quality;
 }

@@ -31,7 +31,7 @@ private:
     selection::DrawList all_;
 };
 
-/// Warps, slices, faces, stabilised slices and filters in turn; every eleventh without shadows.
+/// Warps, slices, faces, stabilised slices, filters, shadings and backgrounds in turn; every eleventh without shadows.
 plan::Quality fieldQuality(std::uint64_t seed);
 
 } // namespace gnomon::executor

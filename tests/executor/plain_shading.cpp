@@ -1,5 +1,7 @@
 #include "tests/executor/plain_shading.h"
 
+#include "executor/light/light_model.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -101,6 +103,13 @@ vec3 colorOf(std::uint32_t bits) {
     return {bits & 0xFFU, bits >> 8U & 0xFFU, bits >> 16U & 0xFFU};
 }
 
+/// What comes from everywhere but the sun.
+vec3 ambientLight(const block::Frame& frame, const vec3& normal, const vec3& eyeDirection) {
+    const float cosine = dot(normal, eyeDirection);
+    return (frame.ambientMean + frame.ambientTilt * dot(normal, frame.skyAxis)) +
+           vec3(frame.headlight * (cosine * cosine));
+}
+
 void shadeOne(const ShadingFrame& f, PixelBatch& batch, std::size_t i) {
     const vec3 ray = (at(f.rayFirst) + at(f.rayPerX) * batch.x[i]) + at(f.rayPerY) * batch.y[i];
     const vec3 corner = at(batch.corner, i);
@@ -113,7 +122,7 @@ void shadeOne(const ShadingFrame& f, PixelBatch& batch, std::size_t i) {
     const vec3 flat = turned(normalizedOr(cross(e1, e2), eyeDirection), towardsEye);
     vec3 smooth =
         mix(w, octahedral(batch.normals[0][i]), octahedral(batch.normals[1][i]), octahedral(batch.normals[2][i]));
-    smooth = turned(normalizedOr(smooth, flat), flat);
+    smooth = f.frame->isFaceted != 0 ? flat : turned(normalizedOr(smooth, flat), flat);
     const vec3 light = f.frame->towardsLight;
     const float cosine = dot(flat, light);
     const float depth = dot(f.frame->viewDirection, position) + f.frame->originDepth;
@@ -126,9 +135,11 @@ void shadeOne(const ShadingFrame& f, PixelBatch& batch, std::size_t i) {
         if (batch.pass[i] >= 0) batch.lit[i] = plainLitFraction(f, batch.pass[i], position, flat, cosine);
     }
     const float direct = batch.lit[i] * std::max(dot(smooth, light), 0.0F);
-    const float facing = std::abs(dot(smooth, eyeDirection));
     const vec3 color = mix(w, colorOf(batch.colors[0][i]), colorOf(batch.colors[1][i]), colorOf(batch.colors[2][i]));
-    const vec3 shaded = color * (1 / 255.0F) * ((0.22F + 0.14F * facing) + 0.64F * direct);
+    const vec3 received = ambientLight(*f.frame, smooth, eyeDirection) + f.frame->sun * direct;
+    vec3 shaded(0);
+    for (int c = 0; c < 3; ++c)
+        shaded[c] = displayFromLinear(shoulder(*f.frame, linearFromDisplay(color[c] * (1 / 255.0F)) * received[c]));
     put(position, batch.position, i);
     put(flat, batch.flatNormal, i);
     put(shaded, batch.shaded, i);

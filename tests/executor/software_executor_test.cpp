@@ -35,6 +35,7 @@ ExecutorDifference compareSeeds(std::uint64_t first, std::uint64_t count, bool o
 void expectAlike(const ExecutorDifference& found) {
     EXPECT_LE(found.coverage * 10000, found.pixels);
     EXPECT_LE(found.color * 1000, found.pixels);
+    EXPECT_LE(found.lit * 1000, found.pixels);
     EXPECT_GT(found.texels, 1000U);
     EXPECT_LE(found.texelCover * 10000, found.texels);
     // Where one alone covers a texel with the nearest triangle, another behind it shows: a matter of coverage.

@@ -53,6 +53,8 @@ public:
 
     executor::Picture picture() override { return own_->picture(); }
 
+    std::optional<std::uint64_t> litPixels() override { return own_->litPixels(); }
+
     executor::FloatPicture viewDepth() override { return own_->viewDepth(); }
 
     executor::FloatPicture shadowDepth() override { return own_->shadowDepth(); }

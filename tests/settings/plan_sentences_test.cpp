@@ -81,12 +81,13 @@ TEST(PlanSentences, SayWhichShadowsAndWhyAndThatWhatIsPredictedIs) {
     for (const ShadowReason reason :
          {ShadowReason::AskedFor,
           ShadowReason::MapsAskedFor,
+          ShadowReason::NoSun,
           ShadowReason::ExecutorHasMaps,
           ShadowReason::ExactCostsNoMore,
           ShadowReason::MapsCostLess,
           ShadowReason::Held})
         words.insert(reasonInWords(reason));
-    EXPECT_EQ(words.size(), 6U);
+    EXPECT_EQ(words.size(), 7U);
     EXPECT_EQ(words.count(""), 0U);
     plan::FramePlan plan;
     plan.quality.shadows = plan::ShadowMode::Exact;

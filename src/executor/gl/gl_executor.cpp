@@ -6,6 +6,7 @@
 #include "executor/gl/geometry_pool.h"
 #include "executor/gl/gl_batch.h"
 #include "executor/gl/gl_targets.h"
+#include "executor/light/background.h"
 #include "executor/lod_substitutes.h"
 #include "gl/gpu_timer.h"
 #include "gl/mapped_ring.h"
@@ -73,6 +74,8 @@ public:
 
     Picture picture() override { return targets().picture(); }
 
+    std::optional<std::uint64_t> litPixels() override;
+
     FloatPicture viewDepth() override { return targets().viewDepth(clipNear_); }
 
     FloatPicture shadowDepth() override { return targets().shadowDepth(); }
@@ -90,6 +93,7 @@ private:
 
     void prepareTargets(const FrameDrawing& frame);
     void drawMaps(const FrameDrawing& frame);
+    void drawBackground(const FrameDrawing& frame);
     void drawSurfaces(const FrameDrawing& frame);
     void drawGeometry(const FrameDrawing& frame, const selection::DrawList& list, bool withAttributes);
     PagePlace placed(const FrameDrawing& frame, std::uint32_t id, GlBatch& batch);
@@ -113,6 +117,9 @@ private:
     gl::MappedRing staging_;
     GeometryPool pool_;
     std::optional<gl::Program> depthProgram_;
+    std::optional<gl::Program> skyProgram_;
+    gl::VertexArray vertexless_;
+    int unaskedFrames_ = 0;                              // since the lit pixels were counted
     std::map<std::string, gl::Program> surfacePrograms_; // by their defines
     GlTargets targets_;
     gl::Texture litMask_;
@@ -244,16 +251,47 @@ const gl::Program& GlExecutor::surfaceProgram(const FrameDrawing& frame) {
         .first->second;
 }
 
+/// Reading a picture back waits for it: where nothing is waited for, only now and then.
+std::optional<std::uint64_t> GlExecutor::litPixels() {
+    constexpr int kFramesBetween = 16;
+    if (submission_ == GlSubmission::Queues && unaskedFrames_++ % kFramesBetween != 0) return std::nullopt;
+    return targets().litPixels();
+}
+
+void GlExecutor::drawBackground(const FrameDrawing& frame) {
+    const gl::Api& gl = api();
+    if (const std::optional<SkyRows> sky = skyRows(frame)) {
+        if (!skyProgram_) {
+            skyProgram_.emplace(gl, shaders_, "image/fullscreen.vert", "image/sky.frag");
+            vertexless_ = gl::VertexArray(gl);
+        }
+        gl.programUniform4f(
+            skyProgram_->id(),
+            0,
+            sky->middle,
+            sky->perHeight,
+            sky->tanHalfY,
+            static_cast<float>(frame.plan->view.height));
+        gl.useProgram(skyProgram_->id());
+        gl.bindVertexArray(vertexless_.id());
+        gl.disable(GL_DEPTH_TEST);
+        gl.drawArrays(GL_TRIANGLES, 0, 3);
+        return;
+    }
+    const Rgb color = frame.plan->quality.look.background.color;
+    const glm::vec4 value(glm::vec3(color[0], color[1], color[2]) / 255.0F, 1);
+    gl.clearNamedFramebufferfv(targets_.imageFramebuffer(), GL_COLOR, 0, &value.x);
+}
+
 void GlExecutor::drawSurfaces(const FrameDrawing& frame) {
     const gl::Api& gl = api();
     const plan::View& view = frame.plan->view;
-    gl.useProgram(surfaceProgram(frame).id());
     gl.bindFramebuffer(GL_FRAMEBUFFER, targets_.imageFramebuffer());
     gl.viewport(0, 0, view.width, view.height);
-    const std::array<float, 4> background = {0.86F, 0.89F, 0.93F, 1};
     const std::array<float, 4> nothing{};
     const float farthest = 0; // depth is reversed
-    gl.clearNamedFramebufferfv(targets_.imageFramebuffer(), GL_COLOR, 0, background.data());
+    drawBackground(frame);
+    gl.useProgram(surfaceProgram(frame).id());
     if (frame.wantsSurfaces)
         for (const GLint target : {1, 2})
             gl.clearNamedFramebufferfv(targets_.imageFramebuffer(), GL_COLOR, target, nothing.data());

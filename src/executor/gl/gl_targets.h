@@ -46,6 +46,9 @@ public:
 
     Picture picture() const;
 
+    /// Those that the image's shader marked as lit.
+    std::uint64_t litPixels() const;
+
     /// Depths along the view, of an image whose depth is `clipNear` over them; infinite where nothing was drawn.
     FloatPicture viewDepth(double clipNear) const;
 

@@ -42,7 +42,8 @@ void markRange(
 
 } // namespace
 
-void ReceiverPass::collect(const FrameDrawing& frame, const ImageBuffers& buffers, const FloatPicture& shadowDepth) {
+std::uint64_t ReceiverPass::collect(
+    const FrameDrawing& frame, const ImageBuffers& buffers, const FloatPicture& shadowDepth) {
     clustersTested_ = 0;
     const bool isLitLater = frame.overlay == Overlay::None && !frame.wantsSurfaces && frame.plan->quality.filter <= 1;
     awaited_.isLitLater = isLitLater;
@@ -59,8 +60,11 @@ void ReceiverPass::collect(const FrameDrawing& frame, const ImageBuffers& buffer
     ShadingTarget target;
     target.picture = buffers.picture;
     target.awaited = &awaited_;
+    std::atomic<std::uint64_t> lit{0};
+    target.litPixels = &lit;
     shadeVisible(shading, *buffers.words, target);
     mask_.finish();
+    return lit;
 }
 
 const selection::DrawList& ReceiverPass::casters(
@@ -102,13 +106,19 @@ const selection::DrawList& ReceiverPass::casters(
     return kept_;
 }
 
-void ReceiverPass::light(const FloatPicture& shadowDepth, Picture& picture) const {
+std::uint64_t ReceiverPass::light(const FloatPicture& shadowDepth, Picture& picture) const {
     constexpr std::size_t kGrain = 1 << 14;
+    std::atomic<std::uint64_t> lit{0};
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, awaited_.size, kGrain), [&](const auto& range) {
-        for (std::size_t i = range.begin(); i < range.end(); ++i)
-            if (awaited_.depths[i] <= shadowDepth.pixels[awaited_.texels[i]])
-                picture.pixels[awaited_.pixels[i]] = unpacked(awaited_.litColors[i]);
+        std::uint64_t count = 0;
+        for (std::size_t i = range.begin(); i < range.end(); ++i) {
+            if (awaited_.depths[i] > shadowDepth.pixels[awaited_.texels[i]]) continue;
+            picture.pixels[awaited_.pixels[i]] = unpacked(awaited_.litColors[i]);
+            ++count;
+        }
+        lit.fetch_add(count, std::memory_order_relaxed);
     });
+    return lit;
 }
 
 } // namespace gnomon::executor

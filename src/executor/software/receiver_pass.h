@@ -10,8 +10,8 @@ namespace gnomon::executor {
 class ReceiverPass {
 public:
     /// Draws the image in shadow and collects its receivers. `shadowDepth` has the size of the frame's depth texture,
-    /// whatever it holds.
-    void collect(const FrameDrawing& frame, const ImageBuffers& buffers, const FloatPicture& shadowDepth);
+    /// whatever it holds. Answers how many pixels face the light where no map is asked.
+    std::uint64_t collect(const FrameDrawing& frame, const ImageBuffers& buffers, const FloatPicture& shadowDepth);
 
     /// Whether no pixel can change by what `box` of the depth texture holds, so that it need not be drawn.
     bool isUnseen(const raster::PixelBox& box) const { return mask_.isEmpty(box); }
@@ -24,8 +24,8 @@ public:
     /// or surfaces want more than colours.
     bool canLight() const { return awaited_.isLitLater; }
 
-    /// Gives the light to the pixels that it reaches, from what the maps hold.
-    void light(const FloatPicture& shadowDepth, Picture& picture) const;
+    /// Gives the light to the pixels that it reaches, from what the maps hold, and answers how many those are.
+    std::uint64_t light(const FloatPicture& shadowDepth, Picture& picture) const;
 
     /// Clusters that `casters` was asked about since the last `collect`.
     std::uint64_t clustersTested() const { return clustersTested_; }

@@ -1,0 +1,114 @@
+#!/usr/bin/env python3
+"""What a stranger's first picture of a model is like: how much of it is neither black nor burnt out, how much its
+lightness varies, and how much of the picture it fills.
+
+usage: bench/first_look.py GNOMON [--bars] [--out FOLDER] MODEL.gnm[,OPTION...] ...
+"""
+import argparse
+import array
+import math
+import pathlib
+import struct
+import subprocess
+import sys
+import tempfile
+import zlib
+
+LEAST, MOST = 0.05 * 255, 0.95 * 255  # beyond, shapes are lost in the dark or in the light
+
+
+def read_png(path):
+    """Width, height and the rows of an 8-bit RGB or RGBA picture."""
+    data = path.read_bytes()
+    width, height, depth, kind = struct.unpack(">IIBB", data[16:26])
+    channels = {2: 3, 6: 4}[kind]
+    assert depth == 8, "only 8-bit pictures are written"
+    packed, at = b"", 8
+    while at < len(data):
+        size, name = struct.unpack(">I4s", data[at : at + 8])
+        packed += data[at + 8 : at + 8 + size] if name == b"IDAT" else b""
+        at += 12 + size
+    raw = zlib.decompress(packed)
+    rows, before, stride = [], bytearray(width * channels), width * channels
+    for y in range(height):
+        kind, row = raw[y * (stride + 1)], bytearray(raw[y * (stride + 1) + 1 : (y + 1) * (stride + 1)])
+        for x in range(stride):
+            left = row[x - channels] if x >= channels else 0
+            up, corner = before[x], before[x - channels] if x >= channels else 0
+            if kind == 1:
+                row[x] = (row[x] + left) & 255
+            elif kind == 2:
+                row[x] = (row[x] + up) & 255
+            elif kind == 3:
+                row[x] = (row[x] + (left + up) // 2) & 255
+            elif kind == 4:
+                guess = left + up - corner
+                apart = abs(guess - left), abs(guess - up), abs(guess - corner)
+                row[x] = (row[x] + (left, up, corner)[apart.index(min(apart))]) & 255
+        rows.append(row)
+        before = row
+    return width, height, [[row[i : i + 3] for i in range(0, stride, channels)] for row in rows]
+
+
+def read_pfm(path):
+    """The rows of a one-channel little-endian PFM, from the top."""
+    data = path.read_bytes()
+    width, height = (int(word) for word in data.split(b"\n", 3)[1].split())
+    values = array.array("f", data[-4 * width * height :])
+    return [values[y * width : (y + 1) * width] for y in reversed(range(height))]
+
+
+def measure(picture, depth):
+    """Shares of the model's pixels by lightness, the deviation of that, and the part of the picture that it fills."""
+    width, height, rows = read_png(picture)
+    light, columns, lines = [], set(), set()
+    for y, (colors, depths) in enumerate(zip(rows, read_pfm(depth))):
+        for x, (color, z) in enumerate(zip(colors, depths)):
+            if math.isfinite(z):
+                light.append(0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2])
+                columns.add(x)
+                lines.add(y)
+    count = max(len(light), 1)
+    mean = sum(light) / count
+    fill = max((max(s) - min(s) + 1) / size for s, size in ((columns, width), (lines, height))) if light else 0
+    middle = [(min(s) + max(s) + 1) / 2 / size for s, size in ((columns, width), (lines, height))] if light else [0, 0]
+    return {
+        "covered": count / (width * height),
+        "dark": sum(value < LEAST for value in light) / count,
+        "burnt": sum(value > MOST for value in light) / count,
+        "mean": mean / 255,
+        "deviation": math.sqrt(sum((value - mean) ** 2 for value in light) / count) / 255,
+        "fill": fill,
+        "x": middle[0],
+        "y": middle[1],
+    }
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("gnomon", type=pathlib.Path)
+    parser.add_argument("models", nargs="+", help="MODEL.gnm, or MODEL.gnm,OPTION,... for a view of its own")
+    parser.add_argument("--bars", action="store_true", help="exit 1 where a picture misses what is asked of it")
+    parser.add_argument("--out", type=pathlib.Path, help="keep the pictures in this folder")
+    options = parser.parse_args()
+    missed = []
+    print(f"{'picture':28} covered    dark   burnt    mean     dev    fill  centre")
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = options.out or pathlib.Path(scratch)
+        folder.mkdir(parents=True, exist_ok=True)
+        for model in options.models:
+            path, *more = model.split(" ")
+            name = pathlib.Path(path).stem + "".join(more).replace("/", "_").replace("--", "_")
+            picture, depth = folder / f"{name[:60]}.png", pathlib.Path(scratch) / "depth.pfm"
+            subprocess.run([options.gnomon, "render", path, "-o", picture, "--depth", depth, *more], check=True)
+            found = measure(picture, depth)
+            print(f"{name[:28]:28} {found['covered']:7.1%} {found['dark']:7.2%} {found['burnt']:7.2%} {found['mean']:7.1%} "
+                  f"{found['deviation']:7.1%} {found['fill']:7.1%} {found['x']:.3f} {found['y']:.3f}", flush=True)  # fmt: skip
+            if found["dark"] + found["burnt"] > 0.05:
+                missed.append(f"{name}: {found['dark'] + found['burnt']:.1%} of the model is black or burnt out")
+    if options.bars and missed:
+        sys.exit("\n".join(missed))
+
+
+if __name__ == "__main__":
+    main()

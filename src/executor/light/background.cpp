@@ -1,0 +1,62 @@
+#include "executor/light/background.h"
+
+#include "executor/light/light_model.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gnomon::executor {
+
+namespace {
+
+// Linear RGB.
+constexpr glm::vec3 kZenith{0.26F, 0.42F, 0.66F};
+constexpr glm::vec3 kHorizon{0.76F, 0.82F, 0.88F};
+constexpr glm::vec3 kBelow{0.36F, 0.38F, 0.41F};
+constexpr float kHaze = 0.2F; // the sine over which the horizon fades into what lies below
+
+/// From 0 to 1 as x does, flat at both ends.
+float smooth(float x) {
+    return x * x * (3 - 2 * x);
+}
+
+Rgb displayed(const glm::vec3& linear) {
+    Rgb color{};
+    for (std::size_t c = 0; c < color.size(); ++c)
+        color[c] = static_cast<std::uint8_t>(displayFromLinear(linear[static_cast<int>(c)]) * 255.0F + 0.5F);
+    return color;
+}
+
+} // namespace
+
+Rgb skyColor(double sine) {
+    const auto height = static_cast<float>(std::clamp(sine, -1.0, 1.0));
+    if (height >= 0) return displayed(glm::mix(kHorizon, kZenith, std::sqrt(height)));
+    return displayed(glm::mix(kHorizon, kBelow, smooth(std::min(-height / kHaze, 1.0F))));
+}
+
+std::optional<SkyRows> skyRows(const FrameDrawing& frame) {
+    const plan::View& view = frame.plan->view;
+    if (frame.plan->quality.look.background.kind != plan::Background::Kind::Sky) return std::nullopt;
+    const CameraBasis basis = cameraBasis(frame.observerCamera.value_or(view.camera));
+    const glm::dvec3 up = glm::normalize(view.up);
+    return SkyRows{
+        static_cast<float>(glm::dot(basis.view, up)),
+        static_cast<float>(glm::dot(basis.up, up)),
+        static_cast<float>(view.tanHalfY())};
+}
+
+std::vector<Rgb> backgroundRows(const FrameDrawing& frame) {
+    const int height = frame.plan->view.height;
+    std::vector<Rgb> rows(static_cast<std::size_t>(height), frame.plan->quality.look.background.color);
+    const std::optional<SkyRows> sky = skyRows(frame);
+    if (!sky) return rows;
+    for (int y = 0; y < height; ++y) {
+        const float above = (1 - (2 * static_cast<float>(y) + 1) / static_cast<float>(height)) * sky->tanHalfY;
+        rows[static_cast<std::size_t>(y)] =
+            skyColor((sky->middle + above * sky->perHeight) / std::sqrt(1 + above * above));
+    }
+    return rows;
+}
+
+} // namespace gnomon::executor

@@ -1,0 +1,29 @@
+// What is seen where no surface is: one colour a row of the image.
+#pragma once
+
+#include "executor/executor.h"
+
+#include <optional>
+#include <vector>
+
+namespace gnomon::executor {
+
+/// The colours of the image's rows, from top to bottom, as the camera that draws the image sees them: the sky is that
+/// of the direction through the middle of a row. Black where the background is transparent.
+std::vector<Rgb> backgroundRows(const FrameDrawing& frame);
+
+/// What tells the sky of a row `y` of rows from the bottom: with a = (2 (y + 1/2) / height - 1) tanHalfY the sine to
+/// the horizon is (middle + a perHeight) / sqrt(1 + a^2).
+struct SkyRows {
+    float middle = 0;    // the view's rise
+    float perHeight = 0; // that of the picture's up
+    float tanHalfY = 0;
+};
+
+/// Nothing where the background is no sky.
+std::optional<SkyRows> skyRows(const FrameDrawing& frame);
+
+/// The displayed colour of the sky in a direction whose sine to the horizon is `sine`, in [-1, 1].
+Rgb skyColor(double sine);
+
+} // namespace gnomon::executor

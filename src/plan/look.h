@@ -1,0 +1,43 @@
+// What the picture looks like besides its shadows: where the light of a surface comes from, and what lies behind it.
+// No plan depends on it.
+#pragma once
+
+#include "core/words.h"
+
+#include <array>
+#include <cstdint>
+
+namespace gnomon::plan {
+
+/// Where the light of a surface comes from. Lit: the sun, where no shadow lies, the sky and the ground. Flat: likewise,
+/// with each triangle's own normal. Headlight: the eye. Unlit: nowhere, colours are shown as they are. Auto: Lit.
+enum class Shading : std::uint8_t { Auto, Lit, Headlight, Flat, Unlit };
+inline constexpr std::array kShadings = {
+    Word<Shading>{Shading::Auto, "auto"},
+    Word<Shading>{Shading::Lit, "lit"},
+    Word<Shading>{Shading::Headlight, "headlight"},
+    Word<Shading>{Shading::Flat, "flat"},
+    Word<Shading>{Shading::Unlit, "unlit"},
+};
+
+/// Whether `shading` shows no shadows.
+constexpr bool isWithoutSun(Shading shading) {
+    return shading == Shading::Headlight || shading == Shading::Unlit;
+}
+
+/// What is seen where no surface is.
+struct Background {
+    enum class Kind : std::uint8_t { Color, Sky, Transparent };
+    Kind kind = Kind::Sky;
+    std::array<std::uint8_t, 3> color{}; // sRGB; of Kind::Color
+
+    bool operator==(const Background&) const = default;
+};
+
+struct Look {
+    Shading shading = Shading::Auto;
+    double ambient = 1; // of the light of sky and ground, as a multiple of the usual
+    Background background;
+};
+
+} // namespace gnomon::plan

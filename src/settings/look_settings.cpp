@@ -1,0 +1,89 @@
+#include "settings/look_settings.h"
+
+#include "settings/setting_place.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+namespace gnomon::settings {
+
+namespace {
+
+using plan::Background;
+using Color = std::array<std::uint8_t, 3>;
+
+constexpr double kMostAmbient = 10;
+
+struct NamedBackground {
+    Background value;
+    const char* word;
+};
+
+constexpr std::array kBackgrounds = {
+    NamedBackground{{Background::Kind::Sky, {}}, "sky"},
+    NamedBackground{{Background::Kind::Color, {255, 255, 255}}, "white"},
+    NamedBackground{{Background::Kind::Transparent, {}}, "transparent"},
+};
+
+std::optional<Color> colorOf(const std::string& text) {
+    if (text.size() != 7 || text[0] != '#') return std::nullopt;
+    Color color{};
+    for (std::size_t c = 0; c < color.size(); ++c)
+        for (const char digit : {text[1 + 2 * c], text[2 + 2 * c]}) {
+            constexpr std::string_view kDigits = "0123456789abcdef0123456789ABCDEF";
+            const std::size_t place = kDigits.find(digit);
+            if (place == std::string_view::npos) return std::nullopt;
+            color[c] = static_cast<std::uint8_t>(color[c] * 16U + place % 16);
+        }
+    return color;
+}
+
+} // namespace
+
+Codec<Background> background() {
+    return {
+        [](const std::string& text) -> std::optional<Background> {
+            if (const auto named = valueOf(kBackgrounds, text)) return named;
+            if (const auto color = colorOf(text)) return Background{Background::Kind::Color, *color};
+            return std::nullopt;
+        },
+        [](const Background& value) -> std::string {
+            if (const std::string_view word = wordOf(kBackgrounds, value); !word.empty()) return std::string(word);
+            std::array<char, 8> text{};
+            std::snprintf(text.data(), text.size(), "#%02x%02x%02x", value.color[0], value.color[1], value.color[2]);
+            return text.data();
+        },
+        enumerated(kBackgrounds, ", ", ", ") + " or a colour such as #336699"};
+}
+
+std::vector<Setting> lookSettings() {
+    return {
+        look(
+            &plan::Look::shading,
+            {.name = "shading",
+             .form = {},
+             .help =
+                 "Where light comes from: lit, sun and sky (auto); headlight, the eye; flat, as lit with a triangle's "
+                 "own normal; unlit, colours as they are",
+             .offer = {.title = "shading"}},
+            oneOf(plan::kShadings)),
+        look(
+            &plan::Look::ambient,
+            {.name = "ambient",
+             .form = "F",
+             .help = "Light of sky and ground, a multiple of the usual",
+             .offer = {.title = "ambient light", .least = 0.25, .most = 4}},
+            number(
+                "a number from 0 to " + shortest(kMostAmbient),
+                [](double value) { return value >= 0 && value <= kMostAmbient; })),
+        look(
+            &plan::Look::background,
+            {.name = "background",
+             .form = "COLOUR|sky|white|transparent",
+             .help = "What is seen where no model is; COLOUR as #rrggbb, transparent as the PNG's alpha"},
+            background()),
+    };
+}
+
+} // namespace gnomon::settings

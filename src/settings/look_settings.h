@@ -1,0 +1,16 @@
+// The settings of what a picture looks like besides its shadows.
+#pragma once
+
+#include "settings/setting.h"
+
+#include <vector>
+
+namespace gnomon::settings {
+
+/// Shading, ambient light and background. No bench sweeps them.
+std::vector<Setting> lookSettings();
+
+/// "sky", "transparent", "white", or a colour as "#rrggbb", which is sRGB.
+Codec<plan::Background> background();
+
+} // namespace gnomon::settings

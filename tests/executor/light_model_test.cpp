@@ -1,0 +1,134 @@
+// Light: the curves against their definitions, and what each shading shows of surfaces that lie differently.
+#include "executor/light/background.h"
+#include "executor/light/light_model.h"
+#include "tests/executor/field.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gnomon::executor {
+namespace {
+
+double srgbOf(double linear) {
+    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+}
+
+TEST(Transfer, IsThatOfSrgbWithinAThirdOfALevel) {
+    for (int i = 0; i <= 100000; ++i) {
+        const double linear = std::pow(i / 100000.0, 2.2);
+        EXPECT_NEAR(displayFromLinear(static_cast<float>(linear)), srgbOf(linear), 1.0 / (3 * 255));
+    }
+    for (int i = 0; i <= 255; ++i) {
+        const double display = i / 255.0;
+        const float linear = linearFromDisplay(static_cast<float>(display));
+        EXPECT_NEAR(srgbOf(linear), display, 1.0 / (3 * 255)) << i;
+        EXPECT_EQ(std::lround(displayFromLinear(linear) * 255), i);
+    }
+}
+
+TEST(Transfer, NeverFalls) {
+    for (int i = 1; i <= 65535; ++i) {
+        const auto value = [](int k) { return static_cast<float>(k) / 65535; };
+        EXPECT_LE(displayFromLinear(value(i - 1)), displayFromLinear(value(i)));
+        EXPECT_LE(linearFromDisplay(value(i - 1)), linearFromDisplay(value(i)));
+    }
+}
+
+block::Frame lightOf(plan::Shading shading, double ambient = 1) {
+    block::Frame block{};
+    plan::View view;
+    view.camera.eye = {0, 1, 5};
+    setLight(view, {shading, ambient, {}}, shading, block);
+    return block;
+}
+
+/// What is shown of a white surface of normal `n` seen along -`v`, in the sun or not.
+glm::vec3 shown(const block::Frame& block, const glm::vec3& n, const glm::vec3& v, bool isInSun) {
+    const plan::View view;
+    const float cosine = glm::dot(n, glm::normalize(glm::vec3(view.towardsLight)));
+    const float facing = glm::dot(n, v);
+    const glm::vec3 light = block.ambientMean + block.ambientTilt * glm::dot(n, block.skyAxis) +
+                            block.headlight * facing * facing + block.sun * (isInSun ? std::max(cosine, 0.0F) : 0.0F);
+    glm::vec3 color(0);
+    for (int c = 0; c < 3; ++c)
+        color[c] = displayFromLinear(shoulder(block, light[c]));
+    return color;
+}
+
+/// Directions all round.
+std::vector<glm::vec3> directions() {
+    std::vector<glm::vec3> all;
+    for (int i = 0; i < 400; ++i) {
+        const double y = 1 - (i + 0.5) / 200;
+        const double turn = 2.399963 * i;
+        const double r = std::sqrt(1 - y * y);
+        all.emplace_back(r * std::cos(turn), y, r * std::sin(turn));
+    }
+    return all;
+}
+
+TEST(Light, MakesNoWhiteSurfaceBlackOrBurntOut) {
+    for (const plan::Shading shading : {plan::Shading::Lit, plan::Shading::Headlight, plan::Shading::Flat})
+        for (const glm::vec3& n : directions())
+            for (const bool isInSun : {false, true})
+                for (const glm::vec3& v : {n, glm::normalize(n + glm::vec3(0.3, 1, 0.2)), glm::vec3(0, 0, 1)}) {
+                    const glm::vec3 color = shown(lightOf(shading), n, v, isInSun);
+                    for (int c = 0; c < 3; ++c) {
+                        EXPECT_GT(color[c], 0.2F);
+                        EXPECT_LT(color[c], 0.95F);
+                    }
+                }
+}
+
+TEST(Light, ShowsWallsFloorAndCeilingApartInTheShadow) {
+    const glm::vec3 v(0, 0, 1); // along a corridor
+    for (const plan::Shading shading : {plan::Shading::Lit, plan::Shading::Headlight}) {
+        const block::Frame block = lightOf(shading);
+        std::vector<float> found;
+        for (const glm::vec3& n : {glm::vec3(0, 1, 0), glm::vec3(0, -1, 0), glm::vec3(1, 0, 0), glm::vec3(-1, 0, 0), v})
+            found.push_back(shown(block, n, v, false).g);
+        std::sort(found.begin(), found.end());
+        for (std::size_t i = 1; i < found.size(); ++i)
+            EXPECT_GT(found[i] - found[i - 1], 0.015F) << i;
+    }
+}
+
+TEST(Light, UnlitSurfacesAreShownAsTheyAre) {
+    const block::Frame block = lightOf(plan::Shading::Unlit, 3);
+    for (const glm::vec3& n : directions())
+        EXPECT_EQ(shown(block, n, glm::vec3(0, 0, 1), true), glm::vec3(displayFromLinear(1)));
+    for (int i = 0; i <= 255; ++i)
+        EXPECT_EQ(
+            std::lround(255 * displayFromLinear(shoulder(block, linearFromDisplay(static_cast<float>(i) / 255)))), i);
+}
+
+TEST(Light, AmbientIsAMultiple) {
+    for (const plan::Shading shading : {plan::Shading::Lit, plan::Shading::Headlight}) {
+        EXPECT_EQ(lightOf(shading, 2).ambientMean, 2.0F * lightOf(shading).ambientMean);
+        EXPECT_EQ(lightOf(shading, 0).ambientTilt, glm::vec3(0));
+        EXPECT_EQ(lightOf(shading, 2).sun, lightOf(shading).sun);
+    }
+}
+
+TEST(Background, IsTheSkyOfEachRowOrOneColour) {
+    const Field field;
+    plan::Quality quality;
+    const auto rowsOf = [&] {
+        const plan::FramePlan plan = field.plan(field.view(3), quality);
+        return backgroundRows(field.drawing(plan));
+    };
+    const std::vector<Rgb> sky = rowsOf();
+    ASSERT_EQ(sky.size(), static_cast<std::size_t>(kFieldSide));
+    EXPECT_NE(sky.front(), sky.back());
+    EXPECT_LT(skyColor(1)[0], skyColor(0)[0]) << "the zenith is darker than the horizon";
+    EXPECT_EQ(skyColor(-0.5), skyColor(-1));
+    quality.look.background = {plan::Background::Kind::Color, {1, 2, 3}};
+    EXPECT_EQ(rowsOf(), std::vector<Rgb>(kFieldSide, Rgb{1, 2, 3}));
+    quality.look.background = {plan::Background::Kind::Transparent, {}};
+    EXPECT_EQ(rowsOf(), std::vector<Rgb>(kFieldSide, Rgb{}));
+}
+
+} // namespace
+} // namespace gnomon::executor

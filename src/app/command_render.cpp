@@ -8,7 +8,9 @@
 #include "core/prepared_output.h"
 #include "executor/overlay/legend.h"
 #include "executor/shadow_depth_files.h"
+#include "measure/picture_series.h"
 #include "measure/session.h"
+#include "path/camera_path.h"
 #include "settings/resolve.h"
 #include "settings/table.h"
 #include "telemetry/process_clock.h"
@@ -16,6 +18,7 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace gnomon::app {
 
@@ -33,7 +36,37 @@ struct RenderOptions {
     std::string depth;
     std::string shadowDepth;
     OracleOption oracle;
+    measure::PictureSeries series;
+    std::optional<double> time;
 };
+
+/// The path whose camera at --time is asked for, taken out of `settings`, where it stands for a camera.
+std::optional<path::CameraPath> pathOfTime(const RenderOptions& options, settings::Settings& settings) {
+    if (!options.time) return std::nullopt;
+    if (settings.cameraFile.empty()) throw settings::UsageError{"--time is of a path: --camera PATH.json --time T"};
+    const std::string file = std::exchange(settings.cameraFile, {});
+    if (settings::isPosed(settings))
+        throw settings::UsageError{"--camera and --eye, --target, --up, --fov-y contradict each other"};
+    return path::readCameraPath(file);
+}
+
+/// Pictures in number, which none of the options of a single one is for.
+void runSeries(const RenderOptions& options, const settings::Settings& settings) {
+    if (!(options.statistics + options.reference + options.depth + options.shadowDepth).empty() || options.time ||
+        options.oracle.mode() != proof::Oracle::None)
+        throw settings::UsageError{
+            "--stats, --reference, --depth, --shadow-depth, --oracle and --time are of one picture, --path and "
+            "--turntable of many"};
+    measure::requireSound(options.series, settings);
+    if (options.output != "-") requireExtension("--output", options.output, ".png");
+    const auto overlay = valueOf(executor::kOverlays, options.overlay).value_or(executor::Overlay::None);
+    const auto put = [](const std::string& bytes) {
+        if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size()) requirePrinted();
+    };
+    const auto progress = makeProgress(options.common);
+    measure::drawSeries(options.series, {options.model, overlay, settings, printWarning, put}, *progress);
+    requirePrinted();
+}
 
 /// Throws Error where an output cannot be made: drawing may take long.
 void requireWritableOutputs(const RenderOptions& options) {
@@ -45,6 +78,7 @@ void runRender(const RenderOptions& options) {
     const ThreadLimit limit(options.common);
     settings::Settings settings = options.settings.settings();
     requireNoWindow(settings);
+    if (options.series.isAsked() || options.series.frames) return runSeries(options, settings);
     if (!options.shadowDepth.empty()) options.settings.requireMapsFor("--shadow-depth");
     const executor::Overlay overlay = valueOf(executor::kOverlays, options.overlay).value_or(executor::Overlay::None);
     if (!options.shadowDepth.empty() || proof::isOfMaps(options.oracle.mode()) || executor::isOfMaps(overlay))
@@ -53,13 +87,15 @@ void runRender(const RenderOptions& options) {
     requireApart(
         {{"MODEL", options.model}, {"--camera", settings.cameraFile}, {"--reference", options.reference}},
         {{"--output", options.output}, {"--stats", options.statistics}, {"--depth", options.depth}});
+    const std::optional<path::CameraPath> timed = pathOfTime(options, settings);
     const plan::Quality quality = settings::qualityOf(settings);
     const bool isTransparent = quality.look.background.kind == plan::Background::Kind::Transparent;
     if (isTransparent && overlay != executor::Overlay::None)
         throw settings::UsageError{
             "--background transparent and --overlay contradict each other: an overlay's legend lies on the background"};
     measure::Session session(options.model, settings, printWarning);
-    const plan::View view = settings::viewOf(settings, session.model().summary());
+    plan::View view = settings::viewOf(settings, session.model().summary());
+    if (timed) view.camera = path::cameraAt(*timed, *options.time);
     std::optional<executor::Picture> reference;
     if (!options.reference.empty()) reference = executor::readPng(options.reference);
     requireWritableOutputs(options);
@@ -98,7 +134,10 @@ void addRenderCommand(CLI::App& program) {
     CLI::App* command = program.add_subcommand("render", "Draw one picture of a model with its shadows");
     auto options = std::make_shared<RenderOptions>();
     command->add_option("MODEL", options->model, "A .gnm file")->required();
-    command->add_option("-o,--output", options->output, "The picture, a PNG")->required()->type_name("FILE.png");
+    command
+        ->add_option("-o,--output", options->output, "The picture, a PNG; of many frame%04d.png, or - for a y4m stream")
+        ->required()
+        ->type_name("FILE.png");
     std::vector<std::string> words;
     words.reserve(executor::kOverlays.size());
     for (const executor::NamedOverlay& overlay : executor::kOverlays)
@@ -120,9 +159,19 @@ void addRenderCommand(CLI::App& program) {
     command->add_option("--shadow-depth", options->shadowDepth, "Write each shadow map into this folder, as PFM")
         ->type_name("DIR");
     options->oracle.addTo(*command);
+    measure::PictureSeries& series = options->series;
+    command->add_option("--path", series.path, "Draw pictures along this camera path, to frame%04d.png or to - (y4m)");
+    command->add_option("--frames", series.frames, "Pictures of --path, evenly over it [60]")
+        ->check(CLI::Range(1, 1000000));
+    command->add_option("--turntable", series.turntable, "Draw so many pictures all around the target, likewise")
+        ->check(CLI::Range(1, 1000000));
+    command->add_option("--time", options->time, "--camera is a path; draw its camera at so many seconds");
     options->settings.addTo(*command);
     addCommonOptions(*command, options->common);
-    command->callback([options] { runRender(*options); });
+    command->callback([options] {
+        options->series.output = options->output;
+        runRender(*options);
+    });
 }
 
 } // namespace gnomon::app

@@ -68,7 +68,7 @@ void addViewCommand(CLI::App& program) {
     command->add_option("--path", viewer.path, "Play this camera path from the start");
     CLI::Option* frames =
         command->add_option("--frames", options->frames, "Play it in so many frames, as bench does, not by the clock");
-    command->add_option("--images", viewer.images, "Write each played frame into this folder");
+    command->add_option("--images", viewer.images, "Write each played frame into this folder, and end with --path");
     command->add_option("--csv", viewer.csv, "Write a row per frame here, in the columns of bench");
     command->add_option("--build-memory", options->buildMemory, "Peak resident size while a mesh is built")
         ->capture_default_str();

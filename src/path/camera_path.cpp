@@ -112,6 +112,15 @@ double frameTime(const CameraPath& path, int frame, int frames) {
     return path.keyframes.front().time + path.duration() * fraction;
 }
 
+Camera turnedAround(const Camera& camera, double radians) {
+    const glm::dvec3 axis = glm::normalize(camera.up);
+    const glm::dvec3 arm = camera.eye - camera.target;
+    const glm::dvec3 along = axis * glm::dot(axis, arm);
+    Camera turned = camera;
+    turned.eye = camera.target + along + std::cos(radians) * (arm - along) + std::sin(radians) * glm::cross(axis, arm);
+    return turned;
+}
+
 Camera readCamera(const std::string& path) {
     return cameraOf(readJsonFile(path), path);
 }

@@ -32,6 +32,9 @@ Camera cameraAt(const CameraPath& path, double time);
 /// The time of frame `frame` of `frames` that are spread evenly over `path`, both ends included.
 double frameTime(const CameraPath& path, int frame, int frames);
 
+/// `camera` with its eye turned about its target, about its up axis and against the clock as seen from above.
+Camera turnedAround(const Camera& camera, double radians);
+
 /// Reads one keyframe `{"eye", "target", "up", "fov_y"}`; up and fov_y may be missing. Throws Error with path and
 /// place.
 Camera readCamera(const std::string& path);

@@ -130,7 +130,9 @@ void Viewer::run(Progress& interrupt) {
         lastFrame_ = now();
         takeInput(seconds);
         watch();
-        if (drawFrame() && !walk_.advance(now() - lastFrame_)) pace_.wakeScene();
+        if (!drawFrame() || walk_.advance(now() - lastFrame_)) continue;
+        pace_.wakeScene();
+        if (!options_.path.empty() && !options_.images.empty()) break; // all that was asked for is there
     }
     if (log_) log_->finish();
 }

@@ -1,0 +1,44 @@
+#include "executor/picture_series.h"
+
+#include "core/formatted.h"
+
+#include <cmath>
+
+namespace gnomon::executor {
+
+std::optional<std::string> numberedName(const std::string& pattern, int number) {
+    const std::size_t percent = pattern.find('%');
+    if (percent == std::string::npos || pattern.find('%', percent + 1) != std::string::npos) return std::nullopt;
+    std::size_t end = percent + 1;
+    int width = 0;
+    if (end + 1 < pattern.size() && pattern[end] == '0' && pattern[end + 1] >= '1' && pattern[end + 1] <= '9') {
+        width = pattern[end + 1] - '0';
+        end += 2;
+    }
+    if (end >= pattern.size() || pattern[end] != 'd') return std::nullopt;
+    return pattern.substr(0, percent) + formatted("%0*d", width, number) + pattern.substr(end + 1);
+}
+
+std::string y4mHeader(int width, int height, double framesPerSecond) {
+    constexpr int kParts = 1000;
+    return formatted(
+        "YUV4MPEG2 W%d H%d F%ld:%d Ip A1:1 C444\n", width, height, std::lround(framesPerSecond * kParts), kParts);
+}
+
+std::string y4mFrame(const Picture& picture) {
+    const std::size_t count = picture.pixels.size();
+    std::string frame = "FRAME\n";
+    const std::size_t luma = frame.size();
+    frame.resize(luma + 3 * count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto& [r, g, b] = picture.pixels[i];
+        // In 1/65536: the matrix of BT.601 times 219/255 and 224/255, rounded; each row of chroma adds up to 0.
+        frame[luma + i] = static_cast<char>(16 + (16829 * r + 33039 * g + 6416 * b + 32768) / 65536);
+        frame[luma + count + i] = static_cast<char>((-9714 * r - 19070 * g + 28784 * b + 128 * 65536 + 32768) / 65536);
+        frame[luma + 2 * count + i] =
+            static_cast<char>((28784 * r - 24103 * g - 4681 * b + 128 * 65536 + 32768) / 65536);
+    }
+    return frame;
+}
+
+} // namespace gnomon::executor

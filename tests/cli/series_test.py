@@ -1,0 +1,103 @@
+"""Pictures in number: files along a path and all around, the y4m stream of the same, and a path's camera at a time."""
+import json
+import pathlib
+import struct
+import subprocess
+import unittest
+import zlib
+
+from program import DATA, GNOMON, ProgramTest
+
+PATH = DATA / "paths/sundial_orbit.json"
+SIZE = ("--size", "48x32", "--shadow-texels", "128x128")
+
+
+def png(path):
+    """Rows of (r, g, b) of an 8-bit RGB PNG."""
+    data, at, packed = pathlib.Path(path).read_bytes(), 8, b""
+    while at < len(data):
+        length, kind = struct.unpack(">I4s", data[at : at + 8])
+        if kind == b"IHDR":
+            width, height, depth, color = struct.unpack(">IIBB", data[at + 8 : at + 18])
+            assert (depth, color) == (8, 2)
+        if kind == b"IDAT":
+            packed += data[at + 8 : at + 8 + length]
+        at += length + 12
+    raw, stride, rows, above = zlib.decompress(packed), 3 * width, [], bytes(3 * width)
+    for y in range(height):
+        kind, row = raw[y * (stride + 1)], bytearray(raw[y * (stride + 1) + 1 : (y + 1) * (stride + 1)])
+        for i in range(stride):
+            a, b, c = row[i - 3] if i >= 3 else 0, above[i], above[i - 3] if i >= 3 else 0
+            paeth = min((abs(b - c), 0, a), (abs(a - c), 1, b), (abs(a + b - 2 * c), 2, c))[2]
+            row[i] = (row[i] + (0, a, b, (a + b) // 2, paeth)[kind]) % 256
+        rows.append([tuple(row[i : i + 3]) for i in range(0, stride, 3)])
+        above = bytes(row)
+    return rows
+
+
+def yuv(r, g, b):
+    """BT.601 in the range of video, by its definition."""
+    y = 0.299 * r + 0.587 * g + 0.114 * b
+    return 16 + 219 / 255 * y, 128 + 224 / 255 * 0.5 * (b - y) / (1 - 0.114), 128 + 224 / 255 * 0.5 * (r - y) / (1 - 0.299)
+
+
+class Series(ProgramTest):
+    def pictures(self, stem):
+        return [path.read_bytes() for path in sorted(self.place.path.glob(f"{stem}*.png"))]
+
+    def test_a_path_is_drawn_frame_by_frame_as_a_stream_has_it(self):
+        words = ("render", self.sundial, "--path", PATH, "--frames", "3", *SIZE)
+        self.expect(0, "", *words, "-o", self.place / "walk%03d.png")
+        self.assertEqual(sorted(path.name for path in self.place.path.glob("walk*")), [f"walk00{i}.png" for i in range(3)])
+        self.assertEqual(len(set(self.pictures("walk"))), 2)  # a loop ends where it began
+        stream = subprocess.run([GNOMON, *map(str, words), "-o", "-"], capture_output=True, timeout=60)
+        self.assertEqual(stream.returncode, 0, stream.stderr)
+        head, _, rest = stream.stdout.partition(b"\n")
+        times = [key["time"] for key in json.loads(PATH.read_text())["keyframes"]]
+        rate = round(1000 * 2 / (times[-1] - times[0]))
+        self.assertEqual(head, f"YUV4MPEG2 W48 H32 F{rate}:1000 Ip A1:1 C444".encode())
+        frame = 6 + 3 * 48 * 32
+        self.assertEqual(len(rest), 3 * frame)
+        for i in range(3):
+            self.assertEqual(rest[i * frame : i * frame + 6], b"FRAME\n")
+            planes = rest[i * frame + 6 : (i + 1) * frame]
+            pixels = [pixel for row in png(self.place / f"walk00{i}.png") for pixel in row]
+            for place, pixel in enumerate(pixels):
+                for plane, value in enumerate(yuv(*pixel)):
+                    self.assertLessEqual(abs(planes[plane * 48 * 32 + place] - value), 0.51, pixel)
+
+    def test_a_turntable_begins_at_the_usual_view_and_goes_around(self):
+        self.expect(0, "", "render", self.sundial, *SIZE, "--turntable", "4", "-o", self.place / "turn%d.png")
+        self.expect(0, "", "render", self.sundial, *SIZE, "-o", self.place / "usual.png")
+        turned = self.pictures("turn")
+        self.assertEqual(len(turned), 4)
+        self.assertEqual(len(set(turned)), 4)
+        self.assertEqual(turned[0], (self.place / "usual.png").read_bytes())
+
+    def test_a_camera_of_a_path_is_that_of_its_frame(self):
+        times = [key["time"] for key in json.loads(PATH.read_text())["keyframes"]]
+        self.expect(0, "", "render", self.sundial, *SIZE, "--path", PATH, "--frames", "3", "-o", self.place / "of%d.png")
+        middle = (times[0] + times[-1]) / 2
+        self.expect(0, "", "render", self.sundial, *SIZE, "--camera", PATH, "--time", middle, "-o", self.place / "at.png")
+        self.assertEqual((self.place / "at.png").read_bytes(), (self.place / "of1.png").read_bytes())
+
+    def test_what_contradicts_itself_is_refused(self):
+        out = ("-o", self.place / "no%d.png")
+        for said, words in (
+            ("such as frame%04d.png", ("--turntable", "3", "-o", self.place / "no.png")),
+            ("such as frame%04d.png", ("--turntable", "3", "-o", self.place / "no%s.png")),
+            ("such as frame%04d.png", ("--turntable", "3", "-o", self.place / "no%d_%d.png")),
+            ("ending in .png", ("--turntable", "3", "-o", self.place / "no%d.jpg")),
+            ("contradict", ("--turntable", "3", "--path", PATH, *out)),
+            ("contradict", ("--path", PATH, "--eye", "1,2,3", *out)),
+            ("--frames is of a path", ("--frames", "3", *out)),
+            ("of one picture", ("--turntable", "3", "--stats", self.place / "no.json", *out)),
+            ("--time is of a path", ("--time", "1", *out)),
+            ("contradict", ("--camera", PATH, "--time", "1", "--eye", "1,2,3", *out)),
+        ):
+            self.expect(2, said, "render", self.sundial, *SIZE, *words)
+        self.assertEqual(list(self.place.path.glob("no*")), [])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -54,6 +54,7 @@ private:
     void waitForEvents();
     void takeInput(double seconds);
     void takeDrag(const Drag& drag);
+    DragScene underCursor() const;
     void act(const Binding& binding);
     void actOnModel(const Binding& binding);
     void toggleTarget();
@@ -183,13 +184,13 @@ void Viewer::takeInput(double seconds) {
     for (const Drag& drag : input_.drags())
         takeDrag(drag);
     CameraControl& control = walk_.control();
-    if (input_.wheel() != 0) {
-        control.changeSpeed(input_.wheel());
-        std::array<char, 48> text{};
-        std::snprintf(text.data(), text.size(), "speed: %.3g a second", control.speed());
-        messages_.show(text.data());
-    }
     if (walk_.isPlaying()) return; // the path has the camera
+    if (input_.wheel() != 0) {
+        const std::string said = turnWheel(input_.wheel(), input_.isHeldControl(), underCursor(), control);
+        if (!said.empty()) messages_.show(said);
+        pace_.wakeScene();
+    }
+    if (input_.hasDoubleClicked()) focus();
     const Flight flight = imgui_.wantsKeys() ? Flight{} : heldFlight([this](int key) { return input_.isHeld(key); });
     if (flight.direction != glm::dvec3(0) || control.isMoving()) {
         control.advance(flight, seconds);
@@ -198,18 +199,17 @@ void Viewer::takeInput(double seconds) {
 }
 
 void Viewer::takeDrag(const Drag& drag) {
-    const bool turnsLight = drag.button == GLFW_MOUSE_BUTTON_RIGHT;
+    const bool turnsLight = useOf(drag) == DragUse::Light;
     if (walk_.isPlaying() && !turnsLight) return;
     pace_.wakeScene();
     if (turnsLight)
         settings_.asked.towardsLight = turnedLight(walk_.control().camera(), settings_.asked.towardsLight, drag.moved);
     else
-        steering_.drag(
-            drag,
-            {input_.cursor(),
-             framebufferSize().y,
-             [this](const glm::ivec2& pixel) { return file_.scene()->pick(pixel); }},
-            walk_.control());
+        steering_.drag(drag, underCursor(), walk_.control());
+}
+
+DragScene Viewer::underCursor() const {
+    return {input_.cursor(), framebufferSize().y, [this](const glm::ivec2& at) { return file_.scene()->pick(at); }};
 }
 
 void Viewer::focus() {

@@ -22,8 +22,8 @@ CameraControl control() {
     return {{{0, 1, 8}, {0, 0, 0}, {0, 1, 0}, 1}, {{-2, -2, -2}, {2, 2, 2}}};
 }
 
-Drag dragBy(int button, const glm::dvec2& moved, bool withAlt = false, bool hasBegun = true) {
-    return {button, withAlt, moved, hasBegun};
+Drag dragBy(int button, const glm::dvec2& moved, int modifiers = 0, bool hasBegun = true) {
+    return {button, modifiers, moved, hasBegun};
 }
 
 /// Where `point` is in a square picture of `side` pixels.
@@ -80,13 +80,13 @@ TEST(Steering, AnOrbitKeepsThePointThatWasUnderTheCursorWhenItBegan) {
                         return pivot;
                     }};
     const Camera before = hand.camera();
-    steering.drag(dragBy(GLFW_MOUSE_BUTTON_LEFT, {5, 5}, true), scene, hand);
+    steering.drag(dragBy(GLFW_MOUSE_BUTTON_LEFT, {5, 5}), scene, hand);
     for (int i = 0; i < 20; ++i)
-        steering.drag(dragBy(GLFW_MOUSE_BUTTON_LEFT, {9, -3}, true, false), scene, hand);
+        steering.drag(dragBy(GLFW_MOUSE_BUTTON_LEFT, {9, -3}, 0, false), scene, hand);
     EXPECT_EQ(picks, 1);
     EXPECT_NEAR(glm::length(hand.camera().eye - pivot), glm::length(before.eye - pivot), 1e-9);
     EXPECT_LE(glm::length(pixelOf(hand.camera(), pivot, 600) - pixelOf(before, pivot, 600)), 1e-6);
-    steering.drag(dragBy(GLFW_MOUSE_BUTTON_LEFT, {5, 5}, true), scene, hand);
+    steering.drag(dragBy(GLFW_MOUSE_BUTTON_LEFT, {5, 5}), scene, hand);
     EXPECT_EQ(picks, 2);
 }
 
@@ -95,8 +95,36 @@ TEST(Steering, AnOrbitOfNothingGoesAboutTheTarget) {
     const glm::dvec3 target = hand.camera().target;
     const double distance = glm::length(hand.camera().eye - target);
     const DragScene scene{{0, 0}, 600, [](const glm::ivec2&) { return std::optional<glm::dvec3>(); }};
-    Steering().drag(dragBy(GLFW_MOUSE_BUTTON_LEFT, {50, 0}, true), scene, hand);
+    Steering().drag(dragBy(GLFW_MOUSE_BUTTON_LEFT, {50, 0}), scene, hand);
     EXPECT_NEAR(glm::length(hand.camera().eye - target), distance, 1e-9);
+}
+
+TEST(Steering, ButtonsAndKeysSayWhatADragDoes) {
+    const auto use = [](int button, int modifiers) { return useOf(dragBy(button, {1, 1}, modifiers)); };
+    EXPECT_EQ(use(GLFW_MOUSE_BUTTON_LEFT, 0), DragUse::Orbit);
+    EXPECT_EQ(use(GLFW_MOUSE_BUTTON_LEFT, GLFW_MOD_SHIFT), DragUse::Pan);
+    EXPECT_EQ(use(GLFW_MOUSE_BUTTON_LEFT, GLFW_MOD_CONTROL), DragUse::Light);
+    EXPECT_EQ(use(GLFW_MOUSE_BUTTON_LEFT, GLFW_MOD_ALT), DragUse::Look);
+    EXPECT_EQ(use(GLFW_MOUSE_BUTTON_MIDDLE, 0), DragUse::Pan);
+    EXPECT_EQ(use(GLFW_MOUSE_BUTTON_RIGHT, 0), DragUse::Look);
+}
+
+TEST(Wheel, GoesTowardsWhatIsUnderTheCursorAndBack) {
+    const glm::dvec3 point(1, 0.5, 2);
+    const DragScene scene{{10, 20}, 600, [&](const glm::ivec2&) { return std::optional(point); }};
+    CameraControl hand = control();
+    const Camera before = hand.camera();
+    EXPECT_EQ(turnWheel(5, false, scene, hand), "");
+    EXPECT_NEAR(glm::distance(hand.camera().eye, point), glm::distance(before.eye, point) / 2, 1e-9);
+    EXPECT_LE(glm::length(pixelOf(hand.camera(), point, 600) - pixelOf(before, point, 600)), 1e-6);
+    turnWheel(-5, false, scene, hand);
+    EXPECT_LE(glm::distance(hand.camera().eye, before.eye), 1e-9);
+    const DragScene nothing{{10, 20}, 600, [](const glm::ivec2&) { return std::optional<glm::dvec3>(); }};
+    turnWheel(1, false, nothing, hand);
+    EXPECT_GT(glm::dot(hand.camera().eye - before.eye, before.target - before.eye), 0);
+    const double speed = hand.speed();
+    EXPECT_NE(turnWheel(4, true, scene, hand).find("speed: "), std::string::npos);
+    EXPECT_GT(hand.speed(), speed);
 }
 
 } // namespace

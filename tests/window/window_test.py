@@ -78,8 +78,11 @@ def check_mouse(display, program, folder, model):
     time.sleep(1)
     pictures = [session.shot()]
     for act in (lambda: session.drag(1, 150, 40), lambda: session.drag(1, 150, 40, "alt"),
-                lambda: session.drag(2, 80, 30), lambda: session.drag(3, 200, -60),
-                lambda: (display.do("click", 4), session.press("w", "w"))):
+                lambda: session.drag(1, 80, 30, "shift"), lambda: session.drag(1, 200, -60, "ctrl"),
+                lambda: session.drag(2, 80, 30), lambda: session.drag(3, 100, -30),
+                lambda: display.do("click", 4), lambda: display.do("click", "--repeat", 2, "--delay", 60, 1),
+                lambda: (display.do("keydown", "ctrl"), display.do("click", 4), display.do("keyup", "ctrl"),
+                         session.press("w", "w"))):
         act()
         pictures.append(session.shot())
         assert changed(pictures[-2], pictures[-1]), len(pictures)

@@ -117,6 +117,12 @@ void CameraControl::orbit(const glm::dvec3& pivot, double yawRadians, double pit
     pose_.distance = std::max(glm::length(pivot - pose_.eye), 1e-12);
 }
 
+void CameraControl::zoomTo(const glm::dvec3& point, double notches) {
+    glide_.reset();
+    pose_.eye = point + (pose_.eye - point) * std::exp2(-notches / 5);
+    pose_.distance = std::max(glm::length(point - pose_.eye), 1e-12);
+}
+
 void CameraControl::shift(double right, double up) {
     glide_.reset();
     const CameraBasis basis = cameraBasis(camera());

@@ -47,6 +47,10 @@ public:
     /// Moves the eye sideways: right and up, world units.
     void shift(double right, double up);
 
+    /// Moves the eye towards `point`, which keeps its place on the screen: five notches halve the way, away from it
+    /// they double it.
+    void zoomTo(const glm::dvec3& point, double notches);
+
     /// Glides to look at `point` from half as far.
     void focusOn(const glm::dvec3& point);
 

@@ -50,10 +50,15 @@ void Input::beginFrame() {
     drags_.clear();
     dropped_.clear();
     wheel_ = 0;
+    hasDoubleClicked_ = false;
 }
 
 bool Input::isHeld(int key) const {
     return held_.count(key) > 0 || tapped_.count(key) > 0;
+}
+
+bool Input::isHeldControl() const {
+    return isHeld(GLFW_KEY_LEFT_CONTROL) || isHeld(GLFW_KEY_RIGHT_CONTROL);
 }
 
 void Input::onKey(int key, int action, int modifiers) {
@@ -75,8 +80,15 @@ void Input::onButton(int button, int action, int modifiers) {
     }
     if (isMouseTaken_ || dragButton_ != -1) return;
     dragButton_ = button;
-    dragWithAlt_ = (modifiers & GLFW_MOD_ALT) != 0;
-    drags_.push_back({button, dragWithAlt_, glm::dvec2(0), true});
+    dragModifiers_ = modifiers;
+    drags_.push_back({button, modifiers, glm::dvec2(0), true});
+    if (button != GLFW_MOUSE_BUTTON_LEFT) return;
+    constexpr double kBetweenClicks = 0.35; // seconds
+    constexpr double kOnePlace = 5;         // pixels
+    const double time = glfwGetTime();
+    hasDoubleClicked_ = time - lastClick_ < kBetweenClicks && glm::distance(cursor_, lastClickAt_) < kOnePlace;
+    lastClick_ = hasDoubleClicked_ ? -1 : time; // a third click begins anew
+    lastClickAt_ = cursor_;
 }
 
 void Input::onCursor(double x, double y) {
@@ -96,7 +108,7 @@ void Input::onCursor(double x, double y) {
     cursor_ = now;
     if (dragButton_ == -1) return;
     if (drags_.empty() || drags_.back().button != dragButton_)
-        drags_.push_back({dragButton_, dragWithAlt_, glm::dvec2(0), false});
+        drags_.push_back({dragButton_, dragModifiers_, glm::dvec2(0), false});
     drags_.back().moved += moved;
 }
 

@@ -19,8 +19,8 @@ struct KeyPress {
 
 /// A drag with the mouse since the last frame, in pixels of the framebuffer; x to the right, y down.
 struct Drag {
-    int button = 0; // GLFW's
-    bool withAlt = false;
+    int button = 0;    // GLFW's
+    int modifiers = 0; // GLFW's, as they were when it began
     glm::dvec2 moved{0};
     bool hasBegun = false; // this frame
 };
@@ -47,9 +47,14 @@ public:
     /// Whether `key` is held, or was pressed at all since the last frame: a tap counts for a frame.
     bool isHeld(int key) const;
 
+    bool isHeldControl() const;
+
     const std::vector<Drag>& drags() const { return drags_; }
 
     double wheel() const { return wheel_; }
+
+    /// Whether the left button was clicked twice in a row, at one place.
+    bool hasDoubleClicked() const { return hasDoubleClicked_; }
 
     /// Where the cursor is, pixels of the framebuffer from its upper left.
     glm::dvec2 cursor() const { return cursor_; }
@@ -77,7 +82,10 @@ private:
     std::set<int> tapped_;
     std::vector<KeyPress> presses_;
     int dragButton_ = -1;
-    bool dragWithAlt_ = false;
+    int dragModifiers_ = 0;
+    bool hasDoubleClicked_ = false;
+    double lastClick_ = -1; // seconds, of the left button
+    glm::dvec2 lastClickAt_{0};
     std::vector<Drag> drags_;
     double wheel_ = 0;
     glm::dvec2 cursor_{0};

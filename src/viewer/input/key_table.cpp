@@ -89,11 +89,13 @@ std::vector<Binding> windowKeys() {
 }
 
 constexpr std::array kMouseUses{
-    MouseUse{"drag", "look around"},
-    MouseUse{"Alt + drag", "orbit what is under the cursor"},
-    MouseUse{"middle drag", "move sideways"},
-    MouseUse{"right drag", "turn the light"},
-    MouseUse{"wheel", "flying speed"},
+    MouseUse{"drag", "orbit what is under the cursor"},
+    MouseUse{"middle or Shift + drag", "move sideways"},
+    MouseUse{"right drag", "look around"},
+    MouseUse{"Ctrl + drag", "turn the light"},
+    MouseUse{"wheel", "towards what is under the cursor"},
+    MouseUse{"Ctrl + wheel", "flying speed"},
+    MouseUse{"double click", "look at what is under the cursor"},
     MouseUse{"drop a file", "open a .gnm, or build a mesh and open it"},
 };
 

@@ -1,5 +1,6 @@
 #include "viewer/input/steering.h"
 
+#include "core/formatted.h"
 #include "viewer/input/key_table.h"
 #include "viewer/panel/storage_pad.h"
 
@@ -55,15 +56,35 @@ glm::dvec3 turnedLight(const Camera& camera, const glm::dvec3& towardsLight, con
     return disc.direction(point);
 }
 
+std::string turnWheel(double notches, bool withControl, const DragScene& scene, CameraControl& control) {
+    if (withControl) {
+        control.changeSpeed(notches);
+        return formatted("speed: %.3g a second", control.speed());
+    }
+    const Camera camera = control.camera();
+    const glm::dvec3 ahead = camera.eye + glm::normalize(camera.target - camera.eye) * control.distance();
+    control.zoomTo(scene.pick(glm::ivec2(scene.cursor)).value_or(ahead), notches);
+    return {};
+}
+
+DragUse useOf(const Drag& drag) {
+    if (drag.button == GLFW_MOUSE_BUTTON_MIDDLE) return DragUse::Pan;
+    if (drag.button == GLFW_MOUSE_BUTTON_RIGHT) return DragUse::Look;
+    if ((drag.modifiers & GLFW_MOD_CONTROL) != 0) return DragUse::Light;
+    if ((drag.modifiers & GLFW_MOD_SHIFT) != 0) return DragUse::Pan;
+    return (drag.modifiers & GLFW_MOD_ALT) != 0 ? DragUse::Look : DragUse::Orbit;
+}
+
 void Steering::drag(const Drag& drag, const DragScene& scene, CameraControl& control) {
     const glm::dvec2 angle = drag.moved * kRadiansPerPixel;
-    if (drag.button == GLFW_MOUSE_BUTTON_MIDDLE) {
+    const DragUse use = useOf(drag);
+    if (use == DragUse::Pan) {
         // What is as far as the last focus stays under the cursor.
         const double high = 2 * std::tan(control.camera().fovYRadians / 2) * control.distance();
         const double perPixel = high / std::max(scene.pictureHeight, 1);
         return control.shift(-drag.moved.x * perPixel, drag.moved.y * perPixel);
     }
-    if (!drag.withAlt) return control.look(angle.x, -angle.y);
+    if (use == DragUse::Look) return control.look(angle.x, -angle.y);
     if (drag.hasBegun || !pivot_) pivot_ = scene.pick(glm::ivec2(scene.cursor)).value_or(control.camera().target);
     control.orbit(*pivot_, angle.x, -angle.y);
 }

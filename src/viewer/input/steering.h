@@ -23,7 +23,18 @@ struct DragScene {
     std::function<std::optional<glm::dvec3>(const glm::ivec2& pixel)> pick; // the world point under a pixel
 };
 
-/// The drags that move a camera: around (left), about what was under the cursor (left with Alt), sideways (middle).
+/// What a drag does.
+enum class DragUse : std::uint8_t { Orbit, Look, Pan, Light };
+
+/// Left: orbits; middle, or Shift with the left: pans; right, or Alt with the left: looks around; Ctrl with the left:
+/// turns the light.
+DragUse useOf(const Drag& drag);
+
+/// Moves towards what is under the cursor, or ahead where nothing is; with Ctrl it changes the flying speed and returns
+/// what to say of it.
+std::string turnWheel(double notches, bool withControl, const DragScene& scene, CameraControl& control);
+
+/// The drags that move a camera: about what was under the cursor when they began, sideways, around.
 class Steering {
 public:
     void drag(const Drag& drag, const DragScene& scene, CameraControl& control);

@@ -22,6 +22,12 @@ inline std::vector<std::string_view> wordsOf(std::string_view line) {
 }
 
 /// The beginning of `text` in quotes with unprintable bytes as "?": a file can hold anything, an error is one line.
-std::string quotedForMessage(std::string_view text);
+inline std::string quotedForMessage(std::string_view text) {
+    constexpr std::size_t kShown = 40;
+    std::string result = "\"";
+    for (const char c : text.substr(0, kShown))
+        result += c >= ' ' && c <= '~' ? c : '?';
+    return result + (text.size() > kShown ? "...\"" : "\"");
+}
 
 } // namespace gnomon::read

@@ -16,7 +16,6 @@
 #include "telemetry/process_clock.h"
 
 #include <cstdio>
-#include <memory>
 #include <optional>
 #include <utility>
 
@@ -36,7 +35,7 @@ struct RenderOptions {
     std::string depth;
     std::string shadowDepth;
     OracleOption oracle;
-    measure::PictureSeries series;
+    settings::PictureSeries series;
     std::optional<double> time;
 };
 
@@ -55,16 +54,14 @@ void runSeries(const RenderOptions& options, const settings::Settings& settings)
     if (!(options.statistics + options.reference + options.depth + options.shadowDepth).empty() || options.time ||
         options.oracle.mode() != proof::Oracle::None)
         throw settings::UsageError{
-            "--stats, --reference, --depth, --shadow-depth, --oracle and --time are of one picture, --path and "
-            "--turntable of many"};
-    measure::requireSound(options.series, settings);
+            "--stats, --reference, --depth, --shadow-depth, --oracle, --time are of one picture"};
     if (options.output != "-") requireExtension("--output", options.output, ".png");
-    const auto overlay = valueOf(executor::kOverlays, options.overlay).value_or(executor::Overlay::None);
-    const auto put = [](const std::string& bytes) {
+    measure::SeriesTask task{options.model, {}, settings, printWarning, {}};
+    task.overlay = valueOf(executor::kOverlays, options.overlay).value_or(executor::Overlay::None);
+    task.stream = [](const std::string& bytes) {
         if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size()) requirePrinted();
     };
-    const auto progress = makeProgress(options.common);
-    measure::drawSeries(options.series, {options.model, overlay, settings, printWarning, put}, *progress);
+    measure::drawSeries(options.series, task, *makeProgress(options.common));
     requirePrinted();
 }
 
@@ -159,7 +156,7 @@ void addRenderCommand(CLI::App& program) {
     command->add_option("--shadow-depth", options->shadowDepth, "Write each shadow map into this folder, as PFM")
         ->type_name("DIR");
     options->oracle.addTo(*command);
-    measure::PictureSeries& series = options->series;
+    settings::PictureSeries& series = options->series;
     command->add_option("--path", series.path, "Draw pictures along this camera path, to frame%04d.png or to - (y4m)");
     command->add_option("--frames", series.frames, "Pictures of --path, evenly over it [60]")
         ->check(CLI::Range(1, 1000000));

@@ -8,7 +8,6 @@
 #include "measure/session.h"
 #include "path/camera_path.h"
 #include "settings/resolve.h"
-#include "settings/usage_error.h"
 
 namespace gnomon::measure {
 
@@ -17,7 +16,7 @@ namespace {
 constexpr int kUsualFrames = 60;
 constexpr double kUsualRate = 25; // frames a second, where no path says
 
-std::string nameOf(const PictureSeries& series, int number) {
+std::string nameOf(const settings::PictureSeries& series, int number) {
     return executor::numberedName(series.output, number).value_or(series.output);
 }
 
@@ -33,29 +32,15 @@ void writePicture(const std::string& path, const executor::Picture& picture, Ses
 
 } // namespace
 
-void requireSound(const PictureSeries& series, const settings::Settings& settings) {
-    using settings::UsageError;
-    if (!series.path.empty() && series.turntable > 0) throw UsageError{"--path and --turntable contradict each other"};
-    if (series.path.empty() && series.frames)
-        throw UsageError{"--frames is of a path: --path FILE.json --frames N, or --turntable N"};
-    if (!series.path.empty() && settings::isPosed(settings))
-        throw UsageError{"--path and --camera, --eye, --target, --up, --fov-y contradict each other"};
-    if (series.output == "-" && isTransparent(settings.quality))
-        throw UsageError{"--background transparent and -o - contradict each other: YUV4MPEG2 has no alpha"};
-    if (series.output != "-" && !executor::numberedName(series.output, 0))
-        settings::refuse("--output", series.output, "- or a name with a number in it, such as frame%04d.png");
-}
-
-void drawSeries(const PictureSeries& series, const SeriesTask& task, Progress& progress) {
+void drawSeries(const settings::PictureSeries& series, const SeriesTask& task, Progress& progress) {
+    const bool isNumbered = executor::numberedName(series.output, 0).has_value();
+    settings::requireSound(series, task.settings, isNumbered, task.overlay != executor::Overlay::None);
     std::optional<path::CameraPath> walked;
     if (!series.path.empty()) walked = path::readCameraPath(series.path);
     const int frames = walked ? series.frames.value_or(kUsualFrames) : series.turntable;
     const bool takesTime = walked && walked->duration() > 0 && frames > 1;
     const bool isStream = series.output == "-";
     const plan::Quality quality = settings::qualityOf(task.settings);
-    if (isTransparent(quality) && task.overlay != executor::Overlay::None)
-        throw settings::UsageError{
-            "--background transparent and --overlay contradict each other: a legend lies on the background"};
     Session session(task.model, task.settings, task.warn);
     plan::View view = settings::viewOf(task.settings, session.model().summary());
     const Camera start = view.camera;

@@ -4,6 +4,7 @@
 #include "executor/picture_series.h"
 #include "measure/picture_series.h"
 #include "path/camera_path.h"
+#include "settings/picture_series.h"
 #include "settings/usage_error.h"
 
 #include <gtest/gtest.h>
@@ -81,15 +82,15 @@ TEST(TurnedAround, KeepsDistanceAndHeightAndComesBack) {
 
 TEST(PictureSeries, RefusesWhatContradictsItself) {
     const settings::Settings usual;
-    EXPECT_NO_THROW(requireSound({"walk.json", 3, 0, "a%d.png"}, usual));
-    EXPECT_NO_THROW(requireSound({"", std::nullopt, 3, "-"}, usual));
-    EXPECT_THROW(requireSound({"walk.json", 3, 2, "a%d.png"}, usual), settings::UsageError);
-    EXPECT_THROW(requireSound({"", 3, 2, "a%d.png"}, usual), settings::UsageError);
-    EXPECT_THROW(requireSound({"", std::nullopt, 2, "a.png"}, usual), settings::UsageError);
+    EXPECT_NO_THROW(requireSound({"walk.json", 3, 0, "a%d.png"}, usual, true, false));
+    EXPECT_NO_THROW(requireSound({"", std::nullopt, 3, "-"}, usual, true, false));
+    EXPECT_THROW(requireSound({"walk.json", 3, 2, "a%d.png"}, usual, true, false), settings::UsageError);
+    EXPECT_THROW(requireSound({"", 3, 2, "a%d.png"}, usual, true, false), settings::UsageError);
+    EXPECT_THROW(requireSound({"", std::nullopt, 2, "a.png"}, usual, false, false), settings::UsageError);
     settings::Settings posed;
     posed.eye = glm::dvec3(1, 2, 3);
-    EXPECT_THROW(requireSound({"walk.json", 3, 0, "-"}, posed), settings::UsageError);
-    EXPECT_NO_THROW(requireSound({"", std::nullopt, 2, "-"}, posed));
+    EXPECT_THROW(requireSound({"walk.json", 3, 0, "-"}, posed, true, false), settings::UsageError);
+    EXPECT_NO_THROW(requireSound({"", std::nullopt, 2, "-"}, posed, true, false));
 }
 
 } // namespace

@@ -12,6 +12,7 @@ namespace {
 
 const std::string kData = GNOMON_SOURCE_DIR "/data/";
 constexpr double kDialHeight = 0.05; // of the dial above the ground
+constexpr double kShade = 0.8;       // of what is lit, in the values of a screen: half of its light and less
 
 /// The directions towards the light of all sets, each with the set's name.
 std::vector<std::pair<std::string, glm::dvec3>> allLights() {
@@ -59,7 +60,7 @@ TEST(Sundial, CastsItsShadowWhereGeometrySaysUnderEveryLight) {
                 const glm::dvec3 dark = dial - perHeight * (height - kDialHeight);
                 const glm::dvec3 lit = dial + perHeight * (height - kDialHeight);
                 if (glm::length(perHeight) * height < 0.6 || glm::length(perHeight) * height > 4.8) continue;
-                EXPECT_LT(brightnessAt(picture, view, dark), 0.7 * brightnessAt(picture, view, lit))
+                EXPECT_LT(brightnessAt(picture, view, dark), kShade * brightnessAt(picture, view, lit))
                     << where << ", height " << height;
             }
             const glm::dvec3 beyond = dial - perHeight * 4.0 - glm::normalize(perHeight) * 0.3;

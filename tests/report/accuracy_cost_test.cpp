@@ -2,12 +2,14 @@
 #include "report/accuracy_cost.h"
 #include "report/run_summary.h"
 #include "report/sentences.h"
+#include "tests/report/random_runs.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <set>
 
 namespace gnomon::report {
@@ -232,6 +234,92 @@ TEST(ErrorKinds, HaveKeysAndLabelsOfTheirOwn) {
         EXPECT_EQ(key(kind).find(' '), std::string_view::npos) << "it is a name in a document";
         EXPECT_TRUE(names.insert(key(kind)).second) << key(kind);
         EXPECT_TRUE(names.insert(label(kind)).second) << label(kind);
+    }
+}
+
+TEST(RandomErrors, AreComparedByTheFirstThatAllRunsKnow) {
+    Random random(6);
+    for (int trial = 0; trial < 1000; ++trial) {
+        const std::vector<RunSummary> runs = anyRuns(random);
+        std::vector<RunSummary> withMaps;
+        for (const RunSummary& run : runs)
+            if (run.shadowMaps > 0) withMaps.push_back(run);
+        ErrorKind expected = ErrorKind::PromisedAliasing;
+        if (!withMaps.empty() && allKnow(withMaps, ErrorKind::ShadowEdge)) expected = ErrorKind::ShadowEdge;
+        if (!withMaps.empty() && allKnow(withMaps, ErrorKind::WrongShadow)) expected = ErrorKind::WrongShadow;
+        EXPECT_EQ(shadowError(runs), expected);
+        const bool hasPictures = allKnow(runs, ErrorKind::ImageDifference);
+        EXPECT_EQ(comparedError(runs), hasPictures ? ErrorKind::ImageDifference : expected);
+    }
+}
+
+/// The rank of each value by counting: how many are less, and half of its equals beside it.
+std::vector<double> countedRanks(const std::vector<double>& values) {
+    std::vector<double> ranks;
+    for (const double value : values) {
+        const auto less = std::count_if(values.begin(), values.end(), [&](double v) { return v < value; });
+        const auto equal = std::count(values.begin(), values.end(), value);
+        ranks.push_back(static_cast<double>(less) + (static_cast<double>(equal) - 1) / 2);
+    }
+    return ranks;
+}
+
+double mean(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+TEST(RandomErrors, CorrelateByTheirCountedRanks) {
+    Random random(7);
+    for (int trial = 0; trial < 1000; ++trial) {
+        const std::vector<RunSummary> runs = anyRuns(random);
+        std::vector<double> a;
+        std::vector<double> b;
+        std::vector<std::size_t> both;
+        for (std::size_t i = 0; i < runs.size(); ++i) {
+            if (!knows(runs[i], ErrorKind::PromisedAliasing) || !knows(runs[i], ErrorKind::WrongShadow)) continue;
+            both.push_back(i);
+            a.push_back(runs[i].errors.at(ErrorKind::PromisedAliasing));
+            b.push_back(runs[i].errors.at(ErrorKind::WrongShadow));
+        }
+        const Correlation found = correlation(runs, ErrorKind::PromisedAliasing, ErrorKind::WrongShadow);
+        EXPECT_EQ(found.runs, both.size());
+        EXPECT_LE(std::abs(found.rank), 1 + 1e-12);
+        if (both.size() < 3) {
+            EXPECT_EQ(found.rank, 0);
+            EXPECT_TRUE(found.disobedient.empty());
+            continue;
+        }
+        const std::vector<double> ranksA = countedRanks(a);
+        const std::vector<double> ranksB = countedRanks(b);
+        double product = 0;
+        double squareA = 0;
+        double squareB = 0;
+        std::vector<std::size_t> disobedient;
+        for (std::size_t i = 0; i < both.size(); ++i) {
+            product += (ranksA[i] - mean(ranksA)) * (ranksB[i] - mean(ranksB));
+            squareA += std::pow(ranksA[i] - mean(ranksA), 2);
+            squareB += std::pow(ranksB[i] - mean(ranksB), 2);
+            if (3 * std::abs(ranksA[i] - ranksB[i]) > static_cast<double>(both.size())) disobedient.push_back(both[i]);
+        }
+        const double expected = squareA > 0 && squareB > 0 ? product / std::sqrt(squareA * squareB) : 0;
+        EXPECT_NEAR(found.rank, expected, 1e-12);
+        EXPECT_EQ(found.disobedient, disobedient);
+    }
+}
+
+TEST(RandomErrors, DominateInOneDirectionOnly) {
+    Random random(8);
+    for (int trial = 0; trial < 500; ++trial) {
+        const std::vector<RunSummary> runs = anyRuns(random);
+        for (const RunSummary& a : runs)
+            for (const RunSummary& b : runs)
+                for (const ErrorKind kind : kErrorKinds) {
+                    if (!dominates(a, b, kind)) continue;
+                    EXPECT_FALSE(dominates(b, a, kind));
+                    EXPECT_TRUE(knows(a, kind) && knows(b, kind));
+                    for (const RunSummary& c : runs)
+                        EXPECT_TRUE(!dominates(b, c, kind) || dominates(a, c, kind));
+                }
     }
 }
 

@@ -3,6 +3,7 @@
 #include "report/accuracy_cost.h"
 #include "report/page.h"
 #include "report/sentences.h"
+#include "tests/report/random_runs.h"
 
 #include <gtest/gtest.h>
 
@@ -20,34 +21,6 @@
 
 namespace gnomon::report {
 namespace {
-
-/// Runs of few and often equal values: several of one number of maps, some of other settings, some that know little.
-std::vector<RunSummary> anyRuns(Random& random) {
-    std::vector<RunSummary> runs(random.below(9));
-    const bool knowsAll = random.below(2) == 0;
-    for (RunSummary& run : runs) {
-        run.shadowMaps = static_cast<int>(random.below(9));
-        run.p50Ms = static_cast<double>(1 + random.below(30)) * 10;
-        if (random.below(4) != 0) run.noise = random.below(8) == 0 ? 1.0 : random.uniform(0, 0.3);
-        run.settings = {
-            {"warp", random.below(5) == 0 ? "none" : "auto"},
-            {"shadow_maps", std::to_string(run.shadowMaps)},
-            {"z_partitions", std::to_string(run.shadowMaps)}};
-        for (const ErrorKind kind : kErrorKinds)
-            if (knowsAll || random.below(4) != 0) run.errors[kind] = static_cast<double>(random.below(12)) / 8;
-        if (random.below(12) == 0) run.errors[ErrorKind::WrongShadow] = std::numeric_limits<double>::quiet_NaN();
-    }
-    return runs;
-}
-
-bool knows(const RunSummary& run, ErrorKind kind) {
-    const auto found = run.errors.find(kind);
-    return found != run.errors.end() && std::isfinite(found->second);
-}
-
-bool allKnow(const std::vector<RunSummary>& runs, ErrorKind kind) {
-    return std::all_of(runs.begin(), runs.end(), [&](const RunSummary& run) { return knows(run, kind); });
-}
 
 /// The settings but for the number of maps.
 std::map<std::string, std::string> otherSettings(const RunSummary& run) {
@@ -354,92 +327,6 @@ TEST(RandomSentences, AreAtMostThreeAndWhole) {
             EXPECT_EQ(sentence.find("nan"), std::string::npos) << sentence;
             EXPECT_EQ(sentence.find("inf"), std::string::npos) << sentence;
         }
-    }
-}
-
-TEST(RandomErrors, AreComparedByTheFirstThatAllRunsKnow) {
-    Random random(6);
-    for (int trial = 0; trial < 1000; ++trial) {
-        const std::vector<RunSummary> runs = anyRuns(random);
-        std::vector<RunSummary> withMaps;
-        for (const RunSummary& run : runs)
-            if (run.shadowMaps > 0) withMaps.push_back(run);
-        ErrorKind expected = ErrorKind::PromisedAliasing;
-        if (!withMaps.empty() && allKnow(withMaps, ErrorKind::ShadowEdge)) expected = ErrorKind::ShadowEdge;
-        if (!withMaps.empty() && allKnow(withMaps, ErrorKind::WrongShadow)) expected = ErrorKind::WrongShadow;
-        EXPECT_EQ(shadowError(runs), expected);
-        const bool hasPictures = allKnow(runs, ErrorKind::ImageDifference);
-        EXPECT_EQ(comparedError(runs), hasPictures ? ErrorKind::ImageDifference : expected);
-    }
-}
-
-/// The rank of each value by counting: how many are less, and half of its equals beside it.
-std::vector<double> countedRanks(const std::vector<double>& values) {
-    std::vector<double> ranks;
-    for (const double value : values) {
-        const auto less = std::count_if(values.begin(), values.end(), [&](double v) { return v < value; });
-        const auto equal = std::count(values.begin(), values.end(), value);
-        ranks.push_back(static_cast<double>(less) + (static_cast<double>(equal) - 1) / 2);
-    }
-    return ranks;
-}
-
-double mean(const std::vector<double>& values) {
-    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
-TEST(RandomErrors, CorrelateByTheirCountedRanks) {
-    Random random(7);
-    for (int trial = 0; trial < 1000; ++trial) {
-        const std::vector<RunSummary> runs = anyRuns(random);
-        std::vector<double> a;
-        std::vector<double> b;
-        std::vector<std::size_t> both;
-        for (std::size_t i = 0; i < runs.size(); ++i) {
-            if (!knows(runs[i], ErrorKind::PromisedAliasing) || !knows(runs[i], ErrorKind::WrongShadow)) continue;
-            both.push_back(i);
-            a.push_back(runs[i].errors.at(ErrorKind::PromisedAliasing));
-            b.push_back(runs[i].errors.at(ErrorKind::WrongShadow));
-        }
-        const Correlation found = correlation(runs, ErrorKind::PromisedAliasing, ErrorKind::WrongShadow);
-        EXPECT_EQ(found.runs, both.size());
-        EXPECT_LE(std::abs(found.rank), 1 + 1e-12);
-        if (both.size() < 3) {
-            EXPECT_EQ(found.rank, 0);
-            EXPECT_TRUE(found.disobedient.empty());
-            continue;
-        }
-        const std::vector<double> ranksA = countedRanks(a);
-        const std::vector<double> ranksB = countedRanks(b);
-        double product = 0;
-        double squareA = 0;
-        double squareB = 0;
-        std::vector<std::size_t> disobedient;
-        for (std::size_t i = 0; i < both.size(); ++i) {
-            product += (ranksA[i] - mean(ranksA)) * (ranksB[i] - mean(ranksB));
-            squareA += std::pow(ranksA[i] - mean(ranksA), 2);
-            squareB += std::pow(ranksB[i] - mean(ranksB), 2);
-            if (3 * std::abs(ranksA[i] - ranksB[i]) > static_cast<double>(both.size())) disobedient.push_back(both[i]);
-        }
-        const double expected = squareA > 0 && squareB > 0 ? product / std::sqrt(squareA * squareB) : 0;
-        EXPECT_NEAR(found.rank, expected, 1e-12);
-        EXPECT_EQ(found.disobedient, disobedient);
-    }
-}
-
-TEST(RandomErrors, DominateInOneDirectionOnly) {
-    Random random(8);
-    for (int trial = 0; trial < 500; ++trial) {
-        const std::vector<RunSummary> runs = anyRuns(random);
-        for (const RunSummary& a : runs)
-            for (const RunSummary& b : runs)
-                for (const ErrorKind kind : kErrorKinds) {
-                    if (!dominates(a, b, kind)) continue;
-                    EXPECT_FALSE(dominates(b, a, kind));
-                    EXPECT_TRUE(knows(a, kind) && knows(b, kind));
-                    for (const RunSummary& c : runs)
-                        EXPECT_TRUE(!dominates(b, c, kind) || dominates(a, c, kind));
-                }
     }
 }
 

@@ -143,7 +143,7 @@ Legend legendOf(Overlay overlay, const plan::FramePlan& plan) {
     case Overlay::Lod:
         legend.title = {
             "level of detail: error on the screen",
-            formatted("1 on the scale: --error-pixels %.3g", plan.quality.errorPixels)};
+            formatted("1 on the scale: the threshold, %.3g pixels", plan.quality.errorPixels)};
         legend.hasHeatScale = true;
         break;
     case Overlay::Clusters:

@@ -2,15 +2,10 @@
 const data = JSON.parse(document.getElementById("data").textContent);
 const element = (id) => document.getElementById(id);
 const style = getComputedStyle(document.documentElement);
-const ink = style.getPropertyValue("--ink").trim();
-const line = style.getPropertyValue("--line").trim();
-const accent = style.getPropertyValue("--accent").trim();
+const [ink, line, accent] = ["--ink", "--line", "--accent"].map((name) => style.getPropertyValue(name).trim());
 const palette = ["#4477aa", "#ee6677", "#228833", "#ccbb44", "#66ccee", "#aa3377", "#bb5500", "#777777"];
 
-Chart.defaults.color = ink;
-Chart.defaults.borderColor = line;
-Chart.defaults.animation = false;
-Chart.defaults.maintainAspectRatio = false;
+Object.assign(Chart.defaults, { color: ink, borderColor: line, animation: false, maintainAspectRatio: false });
 
 const figures = (value) => value === null || value === undefined ? "" : Number(value.toPrecision(4)).toString();
 const percent = (fraction) => `${figures(100 * fraction)}%`;
@@ -88,9 +83,8 @@ const terms = {
 
 /// Fills a list with the terms of `keys` that there are.
 function explain(list, keys) {
-  list.replaceChildren(...keys.filter((key) => terms[key]).flatMap((key) => [
-    Object.assign(document.createElement("dt"), { textContent: key }),
-    Object.assign(document.createElement("dd"), { textContent: terms[key] })]));
+  const made = (tag, textContent) => Object.assign(document.createElement(tag), { textContent });
+  list.replaceChildren(...keys.filter((key) => terms[key]).flatMap((key) => [made("dt", key), made("dd", terms[key])]));
 }
 
 /// Writes the number of its run beside each point, on the side where the fewest others are in its way.
@@ -102,10 +96,7 @@ const pointNumbers = {
     const boxes = points.map(({ x, y }) => ({ x, y, half: 4 }));
     const { ctx } = chart;
     ctx.save();
-    ctx.font = "11px system-ui, sans-serif";
-    ctx.fillStyle = ink;
-    ctx.textAlign = "center";
-    ctx.textBaseline = "middle";
+    Object.assign(ctx, { font: "11px system-ui, sans-serif", fillStyle: ink, textAlign: "center", textBaseline: "middle" });
     const done = new Set();
     for (const { x, y, run } of points) {
       const number = String(data.runs.indexOf(run) + 1);
@@ -151,16 +142,14 @@ function answer(output, run) {
 }
 
 function answerBudget() {
-  const budget = element("budget").valueAsNumber;
-  const kind = element("error-kind").value;
+  const [budget, kind] = [element("budget").valueAsNumber, element("error-kind").value];
   if (Number.isNaN(budget)) return void (element("budget-answer").textContent = "");
   const runs = known(kind).map(({ run }) => run).filter((run) => run.p50 * (1 + (run.noise ?? 0)) <= budget);
   answer("budget-answer", runs.sort((a, b) => a.errors[kind] - b.errors[kind] || a.p50 - b.p50)[0]);
 }
 
 function answerBound() {
-  const bound = element("bound").valueAsNumber;
-  const kind = element("error-kind").value;
+  const [bound, kind] = [element("bound").valueAsNumber, element("error-kind").value];
   if (Number.isNaN(bound)) return void (element("bound-answer").textContent = "");
   const runs = known(kind).map(({ run }) => run).filter((run) => run.errors[kind] <= bound);
   answer("bound-answer", runs.sort((a, b) => a.p50 - b.p50 || a.errors[kind] - b.errors[kind])[0]);

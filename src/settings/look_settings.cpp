@@ -17,7 +17,7 @@ constexpr double kMostAmbient = 10;
 
 struct NamedBackground {
     Background value;
-    const char* word;
+    const char* word = "";
 };
 
 constexpr std::array kBackgrounds = {
@@ -34,7 +34,7 @@ std::optional<Color> colorOf(const std::string& text) {
             constexpr std::string_view kDigits = "0123456789abcdef0123456789ABCDEF";
             const std::size_t place = kDigits.find(digit);
             if (place == std::string_view::npos) return std::nullopt;
-            color[c] = static_cast<std::uint8_t>(color[c] * 16U + place % 16);
+            color[c] = static_cast<std::uint8_t>(std::size_t{color[c]} * 16 + place % 16);
         }
     return color;
 }

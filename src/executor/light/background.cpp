@@ -23,7 +23,7 @@ float smooth(float x) {
 Rgb displayed(const glm::vec3& linear) {
     Rgb color{};
     for (std::size_t c = 0; c < color.size(); ++c)
-        color[c] = static_cast<std::uint8_t>(displayFromLinear(linear[static_cast<int>(c)]) * 255.0F + 0.5F);
+        color[c] = static_cast<std::uint8_t>(std::lround(displayFromLinear(linear[static_cast<int>(c)]) * 255));
     return color;
 }
 

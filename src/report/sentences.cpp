@@ -114,6 +114,16 @@ std::string timeInWords(const RunSummary& a, const RunSummary& b) {
     return (least == most ? least : least + " to " + most) + " times the frame time";
 }
 
+/// What `a` is beside `b`, which it costs more than (`costs` 1), less (-1) or as much as (0), and errs likewise.
+std::string verdictInWords(const Named& a, const Named& b, int costs, int errs) {
+    if (costs == 0 && errs == 0)
+        return (a.isOne ? " does" : " do") + std::string(" here what ") + b.name + (b.isOne ? " does" : " do");
+    if (costs * errs < 0)
+        return (a.isOne ? " trades " : " trade ") + std::string(errs < 0 ? "time for accuracy" : "accuracy for time") +
+               " here beside " + b.name;
+    return (a.isOne ? " is " : " are ") + std::string(costs + errs < 0 ? "better" : "worse") + " here than " + b.name;
+}
+
 /// Which of the two is better where: "Four maps are better here than one map: 0.3% wrong pixels instead of 1.2%...".
 std::string comparison(const Named& a, const Named& b, ErrorKind kind) {
     const auto errorA = knownError(*a.run, kind);
@@ -125,15 +135,7 @@ std::string comparison(const Named& a, const Named& b, ErrorKind kind) {
         return subject + (a.isOne ? " takes " : " take ") + time + (costs == 0 ? " from that of " : " of ") + b.name +
                ".";
     const int errs = compareErrors(*errorA, *errorB);
-    std::string verdict;
-    if (costs == 0 && errs == 0)
-        verdict = (a.isOne ? " does" : " do") + std::string(" here what ") + b.name + (b.isOne ? " does" : " do");
-    else if (costs * errs < 0)
-        verdict = (a.isOne ? " trades " : " trade ") +
-                  std::string(errs < 0 ? "time for accuracy" : "accuracy for time") + " here beside " + b.name;
-    else
-        verdict =
-            (a.isOne ? " is " : " are ") + std::string(costs + errs < 0 ? "better" : "worse") + " here than " + b.name;
+    const std::string verdict = verdictInWords(a, b, costs, errs);
     return subject + verdict + ": " + errorsInWords(kind, *errorA, errs == 0 ? " beside " : " instead of ", *errorB) +
            ", and " + time + ".";
 }

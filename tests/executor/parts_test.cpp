@@ -177,34 +177,43 @@ TEST(PackedVertices, CarryTheErrorAndABitOfEachAxisAndNothingElse) {
     EXPECT_EQ(tints.size(), 8U) << "clusters are told apart by all three bits";
 }
 
-/// Against the page itself: every triangle of a range is drawn once and in order, with its own vertices, in a page of
-/// more vertices than 16 bits count.
-TEST(DrawCommands, NameEveryTriangleOfARangeWithItsOwnVertices) {
+std::uint32_t below(Random& random, std::uint32_t end) {
+    return static_cast<std::uint32_t>(random.bits() % end);
+}
+
+/// A page of `count` clusters whose corners are random.
+hierarchy::Page randomPage(Random& random, std::uint32_t count) {
     hierarchy::Page page;
-    Random random(3);
-    const auto below = [&](std::uint32_t end) { return static_cast<std::uint32_t>(random.bits() % end); };
-    for (std::uint32_t c = 0; c < 600; ++c) {
+    for (std::uint32_t c = 0; c < count; ++c) {
         hierarchy::Cluster cluster;
         cluster.firstVertex = static_cast<std::uint32_t>(page.vertices.size());
         cluster.firstTriangle = static_cast<std::uint32_t>(page.triangles.size());
-        cluster.vertexCount = 3 + below(254);
-        cluster.triangleCount = 1 + below(8);
+        cluster.vertexCount = 3 + below(random, 254);
+        cluster.triangleCount = 1 + below(random, 8);
         page.vertices.resize(page.vertices.size() + cluster.vertexCount);
         for (std::uint32_t t = 0; t < cluster.triangleCount; ++t) {
             std::array<std::uint8_t, 3> corners{};
             for (std::uint8_t& corner : corners)
-                corner = static_cast<std::uint8_t>(below(cluster.vertexCount));
+                corner = static_cast<std::uint8_t>(below(random, cluster.vertexCount));
             page.triangles.push_back(corners);
         }
         page.clusters.push_back(cluster);
     }
+    return page;
+}
+
+/// Against the page itself: every triangle of a range is drawn once and in order, with its own vertices, in a page of
+/// more vertices than 16 bits count.
+TEST(DrawCommands, NameEveryTriangleOfARangeWithItsOwnVertices) {
+    Random random(3);
+    const hierarchy::Page page = randomPage(random, 600);
     ASSERT_GT(page.vertices.size(), 65536U);
     const std::vector<std::uint16_t> indices = packedIndices(page);
     const PagePlace place{2, 1000, 5000};
     for (int i = 0; i < 100; ++i) {
         selection::ClusterRange range;
-        range.firstCluster = below(600);
-        range.clusterCount = 1 + below(600 - range.firstCluster);
+        range.firstCluster = below(random, 600);
+        range.clusterCount = 1 + below(random, 600 - range.firstCluster);
         std::vector<std::int64_t> expected;
         for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c)
             for (std::uint32_t t = 0; t < page.clusters[c].triangleCount; ++t)

@@ -246,7 +246,7 @@ TEST(Summary, EachLieOfFormat4IsNamed) {
     EXPECT_EQ(after([](ModelSummary& s) { s.fields[1].bits = 17; }), "a field has 17 bits");
     // Five bytes that promise 2^32 fields: the bytes that are there bound how many are taken.
     std::vector<std::byte> bytes = encodeSummary(someSummary());
-    const std::size_t count = bytes.size() - 2 * sizeof(double) - 2 * 17 - 8 - 10 - 1;
+    const std::size_t count = bytes.size() - 2 * sizeof(double) - std::size_t{2} * 17 - 8 - 10 - 1;
     ASSERT_EQ(bytes[count], std::byte{2});
     const std::array<std::byte, 5> many = {
         std::byte{0x80}, std::byte{0x80}, std::byte{0x80}, std::byte{0x80}, std::byte{0x10}};

@@ -329,8 +329,8 @@ TEST(QuickFrames, AreFewerTheMoreThereIsToDraw) {
     EXPECT_GT(once, 300);
     EXPECT_LE(once, static_cast<int>(kQuickWork / 2e6));
     EXPECT_EQ(quick(large, 1, 1, 10000), once);
-    EXPECT_NEAR(quick(large, 2, 1, 10000), once / 2, 1);
-    EXPECT_NEAR(quick(large, 1, 3, 10000), once / 3, 1);
+    EXPECT_NEAR(quick(large, 2, 1, 10000), once / 2.0, 1);
+    EXPECT_NEAR(quick(large, 1, 3, 10000), once / 3.0, 1);
     EXPECT_EQ(quick(large, 100, 10, 1000), 1);
 }
 

@@ -81,6 +81,26 @@ std::string plyOf(const std::vector<Face>& faces, bool isBinary) {
     return isBinary ? text : text + rows.str();
 }
 
+/// Where the corners of `mesh` lie and their colours, each held beside the face that it comes from.
+std::set<std::pair<double, std::uint32_t>> usedCorners(const std::vector<Face>& faces, const CollectedMesh& mesh) {
+    std::size_t t = 0;
+    std::set<std::pair<double, std::uint32_t>> used;
+    for (const Face& face : faces) {
+        const std::uint32_t color =
+            0xFF000000U | std::uint32_t{face.color[2]} << 16U | std::uint32_t{face.color[1]} << 8U | face.color[0];
+        for (std::size_t i = 2; i < face.corners.size(); ++i, ++t) {
+            const std::array<std::int32_t, 3> fan = {face.corners[0], face.corners[i - 1], face.corners[i]};
+            for (std::size_t k = 0; k < 3; ++k) {
+                EXPECT_EQ(mesh.positions[mesh.triangles[t][k]].x, fan[k]);
+                EXPECT_EQ(mesh.colors[mesh.triangles[t][k]], color);
+                used.insert({fan[k], color});
+            }
+        }
+    }
+    EXPECT_EQ(t, mesh.triangles.size());
+    return used;
+}
+
 TEST(FaceColors, EveryCornerHasItsFacesAndNoVertexIsThereTwice) {
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {
         const std::vector<Face> faces = randomFaces(seed);
@@ -93,22 +113,7 @@ TEST(FaceColors, EveryCornerHasItsFacesAndNoVertexIsThereTwice) {
             EXPECT_EQ(mesh.positions[v].y, 2 * mesh.positions[v].x);
             EXPECT_TRUE(vertices.insert({mesh.positions[v].x, mesh.colors[v]}).second);
         }
-        std::size_t t = 0;
-        std::set<std::pair<double, std::uint32_t>> used;
-        for (const Face& face : faces) {
-            const std::uint32_t color =
-                0xFF000000U | std::uint32_t{face.color[2]} << 16U | std::uint32_t{face.color[1]} << 8U | face.color[0];
-            for (std::size_t i = 2; i < face.corners.size(); ++i, ++t) {
-                const std::array<std::int32_t, 3> fan = {face.corners[0], face.corners[i - 1], face.corners[i]};
-                for (std::size_t k = 0; k < 3; ++k) {
-                    EXPECT_EQ(mesh.positions[mesh.triangles[t][k]].x, fan[k]);
-                    EXPECT_EQ(mesh.colors[mesh.triangles[t][k]], color);
-                    used.insert({fan[k], color});
-                }
-            }
-        }
-        EXPECT_EQ(t, mesh.triangles.size());
-        EXPECT_EQ(used, vertices);
+        EXPECT_EQ(usedCorners(faces, mesh), vertices);
     }
 }
 

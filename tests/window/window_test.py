@@ -83,9 +83,13 @@ def check_mouse(display, program, folder, model):
                 lambda: display.do("click", 4), lambda: display.do("click", "--repeat", 2, "--delay", 60, 1),
                 lambda: (display.do("keydown", "ctrl"), display.do("click", 4), display.do("keyup", "ctrl"),
                          session.press("w", "w"))):
-        act()
-        pictures.append(session.shot())
-        assert changed(pictures[-2], pictures[-1]), len(pictures)
+        for _ in range(4):  # a busy machine may see two clicks as single ones
+            act()
+            shown = session.shot()
+            if changed(pictures[-1], shown):
+                break
+        assert changed(pictures[-1], shown), len(pictures)
+        pictures.append(shown)
     # The panel's light pad: what is dragged there is the light, not the camera.
     session.press("Tab")
     session.shot()

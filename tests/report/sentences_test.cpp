@@ -174,7 +174,7 @@ bool expectEnough(const std::string& sentence, const std::vector<RunSummary>& ta
     lower[0] = static_cast<char>(std::tolower(lower[0]));
     std::smatch m;
     static const std::regex form(
-        "^(\\w+ maps?) (?:is|are) enough here: no larger number that was tried lowers the ([\\w ]+) by a tenth\\.$");
+        R"(^(\w+ maps?) (?:is|are) enough here: no larger number that was tried lowers the ([\w ]+) by a tenth\.$)");
     if (!std::regex_match(lower, m, form)) return false;
     const RunSummary* here = rowOf(table, m[1]);
     EXPECT_NE(here, nullptr) << sentence;
@@ -253,38 +253,62 @@ std::vector<RunSummary> withNoise(std::vector<RunSummary> table, double noise, R
     return table;
 }
 
+/// How many sentences compare two runs, and how many of them the times without noise refute.
+struct Comparisons {
+    int compared = 0;
+    int refuted = 0;
+};
+
+Comparisons comparisonsOf(
+    const std::vector<std::string>& told, const std::vector<RunSummary>& runs, const std::vector<RunSummary>& quiet) {
+    Comparisons found;
+    for (std::string sentence : told) {
+        sentence[0] = static_cast<char>(std::tolower(sentence[0]));
+        const auto said = parsed(sentence);
+        if (!said) continue;
+        const RunSummary& a = *rowOf(runs, said->first);
+        const RunSummary& b = *rowOf(runs, said->second);
+        const double truly = quiet[static_cast<std::size_t>(&a - runs.data())].p50Ms -
+                             quiet[static_cast<std::size_t>(&b - runs.data())].p50Ms;
+        ++found.compared;
+        found.refuted += truly * timeVerdict(a, b) < 0 ? 1 : 0;
+    }
+    return found;
+}
+
+void expectFrontsThatNoiseCanPart(const nlohmann::json& data, const std::vector<RunSummary>& runs) {
+    for (const auto& [kind, front] : data["fronts"].items())
+        for (std::size_t i = 1; i < front.size(); ++i)
+            EXPECT_EQ(timeVerdict(runs[front[i - 1]], runs[front[i]]), -1)
+                << "a front through " << kind << " that noise cannot part";
+}
+
+/// A table told a hundred times, with fresh noise each time.
+void expectTruthUnder(double noise, const std::vector<RunSummary>& quiet, Random& random) {
+    Comparisons all;
+    for (int trial = 0; trial < 100; ++trial) {
+        Report report;
+        report.runs = withNoise(quiet, noise, random);
+        const nlohmann::json data = pageData(report);
+        const auto told = data["sentences"].get<std::vector<std::string>>();
+        EXPECT_GE(told.size(), 2U);
+        expectAllTrue(told, report.runs);
+        const Comparisons found = comparisonsOf(told, report.runs, quiet);
+        all.compared += found.compared;
+        all.refuted += found.refuted;
+        expectFrontsThatNoiseCanPart(data, report.runs);
+    }
+    EXPECT_GE(all.compared, 100);
+    EXPECT_LE(all.refuted, all.compared / 20);
+}
+
 TEST(Sentences, OfRealTablesHoldWhateverNoiseTheyHave) {
     Random random(9);
     for (const auto& [model, quiet] : measuredTables()) {
         EXPECT_GE(quiet.size(), 10U) << model;
         for (const double noise : {0.05, 0.5}) {
-            int compared = 0;
-            int refuted = 0; // by the times without noise
-            for (int trial = 0; trial < 100; ++trial) {
-                Report report;
-                report.runs = withNoise(quiet, noise, random);
-                const nlohmann::json data = pageData(report);
-                const auto told = data["sentences"].get<std::vector<std::string>>();
-                EXPECT_GE(told.size(), 2U) << model;
-                expectAllTrue(told, report.runs);
-                for (std::string sentence : told) {
-                    sentence[0] = static_cast<char>(std::tolower(sentence[0]));
-                    const auto said = parsed(sentence);
-                    if (!said) continue;
-                    const RunSummary& a = *rowOf(report.runs, said->first);
-                    const RunSummary& b = *rowOf(report.runs, said->second);
-                    const double truly = quiet[static_cast<std::size_t>(&a - report.runs.data())].p50Ms -
-                                         quiet[static_cast<std::size_t>(&b - report.runs.data())].p50Ms;
-                    ++compared;
-                    refuted += truly * timeVerdict(a, b) < 0 ? 1 : 0;
-                }
-                for (const auto& [kind, front] : data["fronts"].items())
-                    for (std::size_t i = 1; i < front.size(); ++i)
-                        EXPECT_EQ(timeVerdict(report.runs[front[i - 1]], report.runs[front[i]]), -1)
-                            << model << ": a front through " << kind << " that noise cannot part";
-            }
-            EXPECT_GE(compared, 100) << model;
-            EXPECT_LE(refuted, compared / 20) << model << " with noise of " << noise;
+            SCOPED_TRACE(model + " with noise of " + std::to_string(noise));
+            expectTruthUnder(noise, quiet, random);
         }
     }
 }

@@ -32,7 +32,9 @@ TEST(Printable, BytesThatAreNoUtf8AreWrittenOut) {
 TEST(Formatted, IsWhatPrintfWritesOfAnyLength) {
     EXPECT_EQ(formatted("%d of %s", 3, "four"), "3 of four");
     EXPECT_EQ(formatted("%s", ""), "");
-    EXPECT_EQ(formatted("%s!", std::string(1000, 'x').c_str()), std::string(1000, 'x') + "!");
+    std::string text(1000, 'x');
+    text += '!';
+    EXPECT_EQ(formatted("%s!", std::string(1000, 'x').c_str()), text);
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include "app/thread_limit.h"
 #include "core/error.h"
 #include "settings/resolve.h"
+#include "settings/samples.h"
 #include "settings/table.h"
 #include "viewer/input/key_table.h"
 #include "viewer/viewer.h"
@@ -64,6 +65,9 @@ void addViewCommand(CLI::App& program) {
     command->add_option("MODEL", viewer.file, "A .gnm, or a mesh: it is built into MESH.gnm beside it")->required();
     command->add_option("--target-ms", viewer.targetMs, "Give up detail and maps to hold this frame time; 0 is none")
         ->check(CLI::Range(0.0, 10000.0))
+        ->capture_default_str();
+    command->add_option("--samples", viewer.samples, "At rest, frames that the picture becomes the mean of")
+        ->check(CLI::Range(1, settings::kMostSamples))
         ->capture_default_str();
     command->add_option("--path", viewer.path, "Play this camera path from the start");
     CLI::Option* frames =

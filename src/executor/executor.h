@@ -104,6 +104,7 @@ struct FrameDrawing {
     PageLookup pages;
     double clipNear = 1e-3;               // view depth of the near clip plane: nothing that is drawn lies before it
     std::optional<Camera> observerCamera; // sees the image in place of the plan's camera: from outside its frustum
+    glm::dvec2 subpixel{0};               // where the image samples its pixels: from their middles, right and up
     Overlay overlay = Overlay::None;
     plan::Shading shading = plan::Shading::Lit;    // never Auto
     std::vector<LodSubstitute> substitutes;        // of the image, by page and cluster; for Overlay::Residency alone

@@ -72,7 +72,8 @@ Shading::Shading(
     shared_.rayOriginCells = toArray(rayOrigin_ / frame.space.step);
     const glm::dvec3 right = basis.right * view.tanHalfX();
     const glm::dvec3 up = basis.up * view.tanHalfY();
-    shared_.rayFirst = toArray(basis.view - right - up);
+    const glm::dvec2 first = 2.0 * frame.subpixel / glm::dvec2(view.width, view.height) - 1.0;
+    shared_.rayFirst = toArray(basis.view + first.x * right + first.y * up);
     shared_.rayPerX = toArray(right * (2.0 / view.width));
     shared_.rayPerY = toArray(up * (2.0 / view.height));
 }

@@ -21,6 +21,7 @@ Frame Renderer::render(const plan::View& view, const plan::Quality& quality, con
     const Stopwatch watch;
     plan::Quality meant = quality;
     if (executor::isOfMaps(options.overlay)) meant.mapsBecause = plan::ShadowReason::MapsAskedFor;
+    margin_ = options.isAccumulated ? 0.5 : 0;
     Frame frame{prepare(view, meant, options.waiting, previous_), options, {}};
     if (options.reusesMaps) markReusedMaps(frame, options);
     frame.isSunless = wasSunless_ && meant.look.shading == plan::Shading::Auto;
@@ -63,7 +64,7 @@ PreparedFrame Renderer::prepareAs(
         frame.errorPixels = quality.errorPixels;
         double surveyedPixels = 0;
         do { // once, but for a cap that casters raise the error under: what is surveyed has to be what is drawn
-            addTime(frame.selectMs, [&] { cutImage(frame, view, quality, range, residency_, model.grid); });
+            addTime(frame.selectMs, [&] { cutImage(frame, {view, margin_}, quality, range, residency_, model.grid); });
             surveyedPixels = frame.errorPixels;
             addTime(frame.cullMs, [&] {
                 frame.facts =
@@ -101,6 +102,17 @@ executor::DrawStatistics Renderer::draw(const PreparedFrame& frame, const FrameO
     if (frame.plan.quality.shadows == plan::ShadowMode::Exact) statistics.exact.emplace(); // nothing to decide
     rememberMaps(frame, options, statistics.culled.has_value());
     return statistics;
+}
+
+void Renderer::drawSample(const PreparedFrame& frame, const FrameOptions& options) {
+    executor::FrameDrawing drawing = this->drawing(frame, options);
+    if (frame.hasOneCasterList()) drawing.exactCasters = &frame.cut.lists[1];
+    if (frame.isExact())
+        executor_->drawExactly(drawing);
+    else if (frame.isRayTraced())
+        executor::drawByRays(*executor_, drawing, residency_.rayTrees());
+    else
+        executor_->drawImage(drawing);
 }
 
 } // namespace gnomon::frame

@@ -19,6 +19,13 @@ void cut(PreparedFrame& frame, const plan::Quality& quality, const Residency& re
     frame.cut = culling::cutFrame(cutQuery(residency, frame));
 }
 
+/// What the image shows and `margin` pixels on each side of it.
+ConvexVolume imageVolume(selection::DetailView detail, const CutView& cutView) {
+    detail.tanHalfX *= 1 + 2 * cutView.margin / cutView.view.width;
+    detail.tanHalfY *= 1 + 2 * cutView.margin / cutView.view.height;
+    return selection::viewPyramid(detail);
+}
+
 } // namespace
 
 selection::CutQuery cutQuery(const Residency& residency, const PreparedFrame& frame) {
@@ -31,16 +38,17 @@ selection::CutQuery cutQuery(const Residency& residency, const PreparedFrame& fr
 
 void cutImage(
     PreparedFrame& frame,
-    const plan::View& view,
+    const CutView& cutView,
     const plan::Quality& quality,
     const std::optional<DepthSpan>& range,
     const Residency& residency,
     const hierarchy::Grid& grid) {
+    const plan::View& view = cutView.view;
     selection::DetailView detail = detailView(view, view.camera.eye - grid.origin);
     const double nearest = selection::nearestDepth(*residency.query().trees, detail);
     if (std::isfinite(nearest)) detail.nearestDepth = std::max(detail.nearestDepth, nearest);
     frame.rule = std::make_shared<selection::ErrorRule>(detail);
-    frame.volumes = {selection::viewPyramid(detail)};
+    frame.volumes = {imageVolume(detail, cutView)};
     if (range) frame.volumes.push_back(culling::localVolume(plan::sweptView(view, *range), detail));
     cut(frame, quality, residency);
 }

@@ -11,11 +11,17 @@ namespace gnomon::frame {
 /// The query whose answer is `frame`'s cut.
 selection::CutQuery cutQuery(const Residency& residency, const PreparedFrame& frame);
 
-/// Chooses `frame`'s rule and cuts the image of `view` with its `errorPixels`, which a cap raises; with a `range`,
+/// An image, and what is cut around it.
+struct CutView {
+    const plan::View& view;
+    double margin = 0; // pixels on each side
+};
+
+/// Chooses `frame`'s rule and cuts the image of `cutView` with its `errorPixels`, which a cap raises; with a `range`,
 /// which widestRange answered, also all that can throw a shadow into it.
 void cutImage(
     PreparedFrame& frame,
-    const plan::View& view,
+    const CutView& cutView,
     const plan::Quality& quality,
     const std::optional<DepthSpan>& range,
     const Residency& residency,

@@ -75,6 +75,8 @@ telemetry::FrameRow frameRow(
     row.errorPixels = quality.errorPixels;
     row.width = plan.view.width;
     row.height = plan.view.height;
+    row.imageWidthDrawn = plan.view.width;
+    row.samplesPerPixel = 1;
     row.backend = source.executor;
     row.planMs = frame.planMs;
     row.selectMs = frame.selectMs;

@@ -11,7 +11,8 @@ namespace gnomon::frame {
 namespace {
 
 bool cullsByReceivers(const PreparedFrame& frame, const FrameOptions& options) {
-    return frame.plan.casterCulling == plan::CasterCulling::Receivers && !options.wantsWholeMaps;
+    const bool wantsWhole = options.wantsWholeMaps || options.isAccumulated;
+    return frame.plan.casterCulling == plan::CasterCulling::Receivers && !wantsWhole;
 }
 
 } // namespace
@@ -45,8 +46,9 @@ void Renderer::markReusedMaps(PreparedFrame& frame, const FrameOptions& options)
         // What is missing from them was missed by nobody, as long as the very same is asked.
         const bool isAskedTheSame =
             cullsByReceivers(frame, options) && !options.observerCamera && !held.options.observerCamera &&
-            options.overlay == held.options.overlay && options.wantsSurfaces == held.options.wantsSurfaces &&
-            frame.cut.lists[0].ranges == held.image && plan::isSameQuestion(frame.plan, held.plan);
+            options.overlay == held.options.overlay && options.subpixel == held.options.subpixel &&
+            options.wantsSurfaces == held.options.wantsSurfaces && frame.cut.lists[0].ranges == held.image &&
+            plan::isSameQuestion(frame.plan, held.plan);
         if (!isAskedTheSame) return;
     }
     for (std::size_t p = 0; p < frame.plan.passes.size(); ++p)
@@ -84,6 +86,7 @@ executor::FrameDrawing Renderer::drawing(const PreparedFrame& frame, const Frame
         drawing.observerCamera = options.observerCamera;
         drawing.clipNear = std::max(distance(summary.bounds, options.observerCamera->eye) * 0.99, least);
     }
+    drawing.subpixel = options.subpixel;
     drawing.overlay = options.overlay;
     const plan::Shading shading = frame.plan.quality.look.shading;
     const plan::Shading automatic = frame.isSunless ? plan::Shading::Headlight : plan::Shading::Lit;

@@ -23,6 +23,9 @@ struct FrameOptions {
     bool reusesMaps = true;               // where the frame before left the very same ones
     bool wantsWholeMaps = false;          // to be looked at besides this image: receivers cull none of their casters
     std::optional<Camera> observerCamera; // sees the frame of the view from outside: its cut, its casters, its maps
+    glm::dvec2 subpixel{0};               // where pixels are sampled, as FrameDrawing has it; at most half a pixel off
+    bool isAccumulated = false;           // `drawSample` is to follow: the cut reaches half a pixel beyond the image,
+                                          // and maps are whole
 };
 
 /// A frame that was drawn once.
@@ -71,6 +74,10 @@ public:
     /// Draws a frame, one that was drawn before too, as long as it is the last that was prepared.
     executor::DrawStatistics draw(const PreparedFrame& frame, const FrameOptions& options);
 
+    /// Draws the image of the last frame that was rendered once more, one with `isAccumulated`, where `options` samples
+    /// its pixels: by the same cut and the same maps, as the frame left them.
+    void drawSample(const PreparedFrame& frame, const FrameOptions& options);
+
     /// What the executor gets to draw `frame`, which must outlive it.
     executor::FrameDrawing drawing(const PreparedFrame& frame, const FrameOptions& options) const;
 
@@ -100,6 +107,7 @@ private:
     Residency residency_;
     std::shared_ptr<const plan::PlannedFrame> previous_;
     bool wasSunless_ = false; // the frame before
+    double margin_ = 0;       // pixels around the image that the cut reaches
     std::optional<HeldMaps> heldMaps_;
     std::vector<culling::DepthCandidate> depthScratch_;
     std::shared_ptr<ExactEstimate> estimate_; // its memory; made when first needed

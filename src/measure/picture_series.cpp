@@ -3,11 +3,11 @@
 #include "core/angle.h"
 #include "core/error.h"
 #include "core/prepared_output.h"
-#include "executor/overlay/legend.h"
 #include "executor/picture_series.h"
-#include "measure/session.h"
+#include "measure/finished_picture.h"
 #include "path/camera_path.h"
 #include "settings/resolve.h"
+#include "settings/samples.h"
 
 namespace gnomon::measure {
 
@@ -20,21 +20,14 @@ std::string nameOf(const settings::PictureSeries& series, int number) {
     return executor::numberedName(series.output, number).value_or(series.output);
 }
 
-bool isTransparent(const plan::Quality& quality) {
-    return quality.look.background.kind == plan::Background::Kind::Transparent;
-}
-
-void writePicture(const std::string& path, const executor::Picture& picture, Session& session, bool isTransparent) {
-    std::optional<executor::Coverage> coverage;
-    if (isTransparent) coverage = executor::coverageOf(session.executor().viewDepth());
-    executor::writePng(path, picture, coverage);
-}
-
 } // namespace
 
 void drawSeries(const settings::PictureSeries& series, const SeriesTask& task, Progress& progress) {
     const bool isNumbered = executor::numberedName(series.output, 0).has_value();
-    settings::requireSound(series, task.settings, isNumbered, task.overlay != executor::Overlay::None);
+    settings::BesideSamples beside;
+    beside.overlay = task.overlay != executor::Overlay::None;
+    settings::requireSound(series, task.settings, isNumbered, beside.overlay);
+    const int samples = settings::samplesOf(task.samples, beside);
     std::optional<path::CameraPath> walked;
     if (!series.path.empty()) walked = path::readCameraPath(series.path);
     const int frames = walked ? series.frames.value_or(kUsualFrames) : series.turntable;
@@ -51,18 +44,15 @@ void drawSeries(const settings::PictureSeries& series, const SeriesTask& task, P
         requireWritable(nameOf(series, 0));
     frame::FrameOptions frameOptions;
     frameOptions.overlay = task.overlay;
-    progress.stage("render", "pictures", static_cast<std::uint64_t>(frames));
+    progress.stage("render", "frames", static_cast<std::uint64_t>(frames) * static_cast<std::uint64_t>(samples));
     for (int i = 0; i < frames; ++i) {
         view.camera = walked ? path::cameraAt(*walked, path::frameTime(*walked, i, frames))
                              : path::turnedAround(start, 2 * kPi * i / frames);
-        const frame::Frame frame = session.renderer().render(view, quality, frameOptions);
-        executor::Picture picture = session.executor().picture();
-        executor::drawLegend(picture, executor::legendOf(task.overlay, frame.plan));
+        const FinishedPicture drawn = drawFinished(session, view, quality, frameOptions, samples, progress);
         if (isStream)
-            task.stream(executor::y4mFrame(picture));
+            task.stream(executor::y4mFrame(drawn.picture));
         else
-            writePicture(nameOf(series, i), picture, session, isTransparent(quality));
-        progress.advance(1);
+            executor::writePng(nameOf(series, i), drawn.picture, drawn.coverage);
     }
 }
 

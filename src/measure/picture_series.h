@@ -7,6 +7,7 @@
 #include "settings/settings.h"
 
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace gnomon::measure {
@@ -18,6 +19,7 @@ struct SeriesTask {
     settings::Settings settings;
     std::function<void(const std::string&)> warn;
     std::function<void(const std::string& bytes)> stream;
+    std::optional<int> samples; // frames that each picture is the mean of; nothing: the usual number
 };
 
 /// Draws all of them. Files appear one by one, each when it is complete. Throws Error, and

@@ -17,9 +17,13 @@ void requireSound(const PictureSeries& series, const Settings& settings, bool is
         throw UsageError{"--background transparent and -o - contradict each other: YUV4MPEG2 has no alpha"};
     if (!isStream && !isNumbered)
         refuse("--output", series.output, "- or a name with a number in it, such as frame%04d.png");
-    if (isTransparent && hasOverlay)
+    requireLegendShown(settings, hasOverlay);
+}
+
+void requireLegendShown(const Settings& settings, bool hasOverlay) {
+    if (hasOverlay && settings.quality.look.background.kind == plan::Background::Kind::Transparent)
         throw UsageError{
-            "--background transparent and --overlay contradict each other: a legend lies on the background"};
+            "--background transparent and --overlay contradict each other: an overlay's legend lies on the background"};
 }
 
 } // namespace gnomon::settings

@@ -21,4 +21,7 @@ struct PictureSeries {
 /// Throws UsageError for what contradicts itself. `isNumbered` if the output's name has a number in it.
 void requireSound(const PictureSeries& series, const Settings& settings, bool isNumbered, bool hasOverlay);
 
+/// Throws UsageError for an overlay, whose legend lies on the background, where that is transparent.
+void requireLegendShown(const Settings& settings, bool hasOverlay);
+
 } // namespace gnomon::settings

@@ -56,6 +56,7 @@ const frame::Frame& Scene::draw(const Shot& shot) {
     plan::Quality quality = shot.quality;
     if (quality.shadows == plan::ShadowMode::Exact && !executor_->decidesExactly())
         quality.shadows = plan::ShadowMode::Rays; // as exact as this executor can be
+    accumulation_.clear();
     frame_ = renderer_.render(shot.view, quality, shot.options);
     if (shot.measuresAliasing) {
         proof::ProofOptions options;
@@ -64,14 +65,29 @@ const frame::Frame& Scene::draw(const Shot& shot) {
     }
     seenBy_ = shot.seenBy();
     isUploaded_ = false;
+    if (shot.options.isAccumulated) accumulation_.begin(renderer_, *frame_, false);
     return *frame_;
+}
+
+void Scene::addSample() {
+    isUploaded_ = false;
+    try {
+        accumulation_.add();
+    } catch (...) {
+        accumulation_.clear();
+        throw;
+    }
+}
+
+executor::Picture Scene::picture() const {
+    return samples() > 1 ? accumulation_.picture() : executor_->picture();
 }
 
 ShownPicture Scene::shown() {
     if (!frame_) return {};
-    if (textures_ != nullptr) return {textures_->texture().id(), true};
+    if (textures_ != nullptr && samples() <= 1) return {textures_->texture().id(), true};
     if (!isUploaded_) {
-        const executor::Picture picture = executor_->picture();
+        const executor::Picture picture = this->picture();
         if (uploaded_.width() != picture.width || uploaded_.height() != picture.height)
             uploaded_ = gl::Texture(context_->api(), GL_RGBA8, picture.width, picture.height);
         uploaded_.write(GL_RGB, GL_UNSIGNED_BYTE, std::as_bytes(std::span(picture.pixels)));

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "executor/gl/gl_executor.h"
-#include "frame/renderer.h"
+#include "frame/accumulation.h"
 #include "gl/context.h"
 #include "gl/objects.h"
 #include "hierarchy/model_file.h"
@@ -57,11 +57,21 @@ public:
     /// Nothing before the first frame.
     const frame::Frame* frame() const { return frame_ ? &*frame_ : nullptr; }
 
-    /// The last frame's, as `gnomon render` would write it.
-    executor::Picture picture() { return executor_->picture(); }
+    /// Draws the last frame again, sampled elsewhere in its pixels: `shown` is the mean. It has to be one with
+    /// `isAccumulated`. Throws Error; then the picture stays as it was.
+    void addSample();
 
-    /// The last frame's picture as a texture.
+    /// Frames that the picture is the mean of; 0 where the last one was drawn without `isAccumulated`.
+    int samples() const { return accumulation_.samples(); }
+
+    /// The last frame's, or the mean, as `gnomon render` would write it.
+    executor::Picture picture() const;
+
+    /// The same as a texture.
     ShownPicture shown();
+
+    /// Whether the last frame had anything to draw.
+    bool isAnythingInView() const { return !frame_ || !frame_->facts.visible || frame_->facts.visible->anything; }
 
     /// The world point under a pixel of the last frame.
     std::optional<glm::dvec3> pick(const glm::ivec2& pixel);
@@ -76,8 +86,9 @@ private:
     std::unique_ptr<executor::Executor> executor_;
     frame::Renderer renderer_;
     std::optional<frame::Frame> frame_;
+    frame::Accumulation accumulation_;
     Camera seenBy_;
-    gl::Texture uploaded_; // the picture of an executor without textures
+    gl::Texture uploaded_; // the picture of an executor without textures, or the mean
     bool isUploaded_ = false;
 };
 

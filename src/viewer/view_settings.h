@@ -28,8 +28,8 @@ const char* name(Scheme scheme);
 struct ViewSettings {
     settings::Settings asked; // contradictions are resolved: what `quality` says is what is drawn
     executor::Overlay overlay = executor::Overlay::None;
-    double targetMs = 0; // 0: none
-    bool showsFacts = true;
+    double targetMs = 0;     // 0: none
+    bool showsFacts = false; // all of them; else a line
     bool showsPanel = false;
     bool showsHelp = false;
 };

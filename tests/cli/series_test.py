@@ -81,6 +81,24 @@ class Series(ProgramTest):
         self.expect(0, "", "render", self.sundial, *SIZE, "--camera", PATH, "--time", middle, "-o", self.place / "at.png")
         self.assertEqual((self.place / "at.png").read_bytes(), (self.place / "of1.png").read_bytes())
 
+    def test_samples_are_sixteen_where_nothing_is_said(self):
+        def drawn(name, *words):
+            self.expect(0, "", "render", self.sundial, *SIZE, "-o", self.place / name, *words)
+            return (self.place / name).read_bytes()
+
+        usual, one = drawn("usual.png"), drawn("one.png", "--samples", "1")
+        self.assertEqual(usual, drawn("sixteen.png", "--samples", "16", "--threads", "1"))
+        self.assertNotEqual(usual, one)
+        for words in (("--depth", self.place / "d.pfm"), ("--stats", self.place / "s.json"),
+                      ("--reference", self.place / "one.png", "--reference-threshold", "0")):  # fmt: skip
+            self.assertEqual(one, drawn("beside.png", *words), words)
+        drawn("again.png", "--samples", "16", "--reference", self.place / "usual.png", "--reference-threshold", "0")
+        row = json.loads((self.place / "s.json").read_text())
+        self.assertEqual((row["image_width_drawn"], row["samples_per_pixel"]), (48, 1))
+        self.expect(0, "", "render", self.sundial, *SIZE, "--turntable", "1", "-o", self.place / "turn%d.png", "--samples",
+                    "3")  # fmt: skip
+        self.assertEqual(self.pictures("turn")[0], drawn("three.png", "--samples", "3"))
+
     def test_what_contradicts_itself_is_refused(self):
         out = ("-o", self.place / "no%d.png")
         for said, words in (
@@ -92,6 +110,7 @@ class Series(ProgramTest):
             ("contradict", ("--path", PATH, "--eye", "1,2,3", *out)),
             ("--frames is of a path", ("--frames", "3", *out)),
             ("of one picture", ("--turntable", "3", "--stats", self.place / "no.json", *out)),
+            ("of one frame", ("--turntable", "3", "--samples", "2", "--overlay", "lod", *out)),
             ("--time is of a path", ("--time", "1", *out)),
             ("contradict", ("--camera", PATH, "--time", "1", "--eye", "1,2,3", *out)),
         ):

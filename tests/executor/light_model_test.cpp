@@ -1,6 +1,7 @@
 // Light: the curves against their definitions, and what each shading shows of surfaces that lie differently.
 #include "executor/light/background.h"
 #include "executor/light/light_model.h"
+#include "executor/light/picture_sum.h"
 #include "tests/executor/field.h"
 
 #include <gtest/gtest.h>
@@ -34,6 +35,40 @@ TEST(Transfer, NeverFalls) {
         EXPECT_LE(displayFromLinear(value(i - 1)), displayFromLinear(value(i)));
         EXPECT_LE(linearFromDisplay(value(i - 1)), linearFromDisplay(value(i)));
     }
+}
+
+TEST(PictureSum, OfEqualPicturesIsEachOfThem) {
+    Picture all(256, 1);
+    for (std::size_t i = 0; i < all.pixels.size(); ++i)
+        all.pixels[i] = {
+            static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(255 - i), static_cast<std::uint8_t>(i * 7 % 256)};
+    PictureSum sum;
+    for (int count = 1; count <= PictureSum::kMost; ++count) {
+        sum.add(all);
+        if (count < 70 || count == PictureSum::kMost) {
+            ASSERT_TRUE(sum.mean().pixels == all.pixels) << count;
+        }
+    }
+    sum.reset();
+    sum.add(Picture(3, 2, {9, 8, 7}));
+    EXPECT_EQ(sum.count(), 1);
+    EXPECT_TRUE(sum.mean().pixels == Picture(3, 2, Rgb{9, 8, 7}).pixels) << "of another size, and nothing is left";
+    EXPECT_FALSE(sum.coverage());
+}
+
+TEST(PictureSum, HoldsTheLightOfHalfAnEdgeAndWhatCoversIt) {
+    PictureSum sum;
+    const Picture white(1, 1, {255, 255, 255});
+    const Picture black(1, 1, {0, 0, 0});
+    sum.add(white);
+    sum.add(black);
+    EXPECT_EQ(sum.mean().pixels[0], (Rgb{188, 188, 188})) << "half the light, not half the level";
+    sum.reset();
+    sum.add(white, Coverage(1, 1, 255));
+    sum.add(black, Coverage(1, 1, 0));
+    sum.add(black, Coverage(1, 1, 0));
+    EXPECT_EQ(sum.mean().pixels[0], white.pixels[0]) << "what covers nothing has no colour";
+    EXPECT_EQ(sum.coverage()->pixels[0], 85);
 }
 
 block::Frame lightOf(plan::Shading shading, double ambient = 1) {

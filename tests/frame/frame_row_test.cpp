@@ -43,6 +43,8 @@ telemetry::FrameRow rowOf(const PreparedFrame& frame) {
 TEST(FrameRow, CountsTheMapsThatWereDrawnAndAllCasters) {
     const telemetry::FrameRow row = rowOf(frameOfTwoMaps());
     EXPECT_EQ(row.shadowMaps, 2);
+    EXPECT_EQ(row.imageWidthDrawn, 800);
+    EXPECT_EQ(row.samplesPerPixel, 1);
     EXPECT_EQ(row.shadowMapsDrawn, 1);
     EXPECT_EQ(row.zPartitions, 2);
     EXPECT_EQ(row.imageTriangles, 1000);

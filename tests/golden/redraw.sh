@@ -9,5 +9,5 @@ tests/golden/models.sh "$1" "$models"
 grep -v '^#' tests/golden/scenes.txt | while read -r name model camera options; do
     # shellcheck disable=SC2086
     "$1" render "$models/$model.gnm" --camera "data/cameras/$camera.json" --size 256x256 --error-pixels 0.001 $options \
-        --backend software -o "tests/golden/$name.png"
+        --samples 1 --backend software -o "tests/golden/$name.png"
 done

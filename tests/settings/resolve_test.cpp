@@ -1,6 +1,7 @@
 // What settings ask for together, and what contradicts itself.
 #include "core/error.h"
 #include "settings/resolve.h"
+#include "settings/samples.h"
 #include "settings/usage_error.h"
 
 #include <gtest/gtest.h>
@@ -28,6 +29,32 @@ TEST(Resolve, TakesTheQualityAsItIs) {
     EXPECT_EQ(qualityOf(settings).filter, 3);
     EXPECT_EQ(qualityOf(settings).near, 2);
     EXPECT_EQ(qualityOf(settings).warp.rule, shadow::WarpRule::Auto);
+}
+
+TEST(Samples, AreOneBesideWhatIsOfOneFrame) {
+    EXPECT_EQ(samplesOf({}, {}), kUsualSamples);
+    BesideSamples beside;
+    beside.reference = true;
+    EXPECT_EQ(samplesOf({}, beside), 1);
+    EXPECT_EQ(samplesOf(5, beside), 5) << "pictures may be compared";
+    for (bool BesideSamples::*option :
+         {&BesideSamples::overlay, &BesideSamples::oracle, &BesideSamples::depth, &BesideSamples::shadowDepth}) {
+        BesideSamples one;
+        one.*option = true;
+        EXPECT_EQ(samplesOf({}, one), 1);
+        EXPECT_EQ(samplesOf(1, one), 1);
+        EXPECT_THROW(samplesOf(2, one), UsageError);
+    }
+    beside.statistics = true;
+    EXPECT_EQ(samplesOf({}, beside), 1);
+    try {
+        samplesOf(2, beside);
+        FAIL();
+    } catch (const UsageError& error) {
+        EXPECT_EQ(
+            error.message,
+            "--samples 2 and --stats contradict each other: it is of one frame; --samples 1, or a picture without it");
+    }
 }
 
 TEST(Resolve, EtaAndTheFocusSettleTheWarp) {

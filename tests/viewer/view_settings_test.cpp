@@ -99,6 +99,18 @@ TEST(PlanWords, SayWhatIsPlannedAndWhatIsLeftOut) {
         EXPECT_NE(all.find(settings::reasonInWords(omission)), std::string::npos) << all;
     row.measuredAliasing = 2.25;
     EXPECT_NE(testing::PrintToString(planInWords(plan, row)).find("measured aliasing 2.25"), std::string::npos);
+
+    row.imageTriangles = 1200;
+    EXPECT_EQ(
+        statusInWords(plan, row, {17.6, 0, 64, ""}), "18 ms \xC2\xB7 1.2k triangles \xC2\xB7 4 maps, promise 2.5");
+    row.pagesMissing = 3;
+    row.pagesDamaged = 1;
+    EXPECT_EQ(
+        statusInWords(plan, row, {5, 7, 64, "slices 4 -> 3"}),
+        "5 ms \xC2\xB7 1.2k triangles \xC2\xB7 4 maps, promise 2.5 \xC2\xB7 given up: slices 4 -> 3 \xC2\xB7 loading "
+        "3 "
+        "pages \xC2\xB7 1 pages DAMAGED \xC2\xB7 sample 7 of 64");
+    EXPECT_EQ(statusInWords(plan, row, {5, 64, 64, ""}).find("sample"), std::string::npos) << "it is done";
 }
 
 } // namespace

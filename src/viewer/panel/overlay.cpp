@@ -1,5 +1,6 @@
 #include "viewer/panel/overlay.h"
 
+#include "core/formatted.h"
 #include "executor/overlay/overlay_colors.h"
 #include "viewer/panel/settings_panel.h"
 
@@ -108,11 +109,39 @@ void drawFacts(const OverlayContent& content, const ViewSettings& settings) {
                     (content.budget->isExhausted() ? "; no more can be" : ""),
                 kWarning);
         }
+        if (content.scene->samples() > 0)
+            drawLine(formatted("sample %d of %d", content.scene->samples(), content.mostSamples));
         std::snprintf(text.data(), text.size(), "speed %.3g a second   H help, Tab panel", content.flyingSpeed);
         drawLine(text.data(), kFaint);
         if (settings.overlay != executor::Overlay::None)
             drawLine(std::string("overlay: ") + executor::title(settings.overlay), kFaint);
     }
+    ImGui::End();
+}
+
+/// What is always told: one line, and where the model is gone from the picture how it comes back.
+void drawStatus(const OverlayContent& content) {
+    const frame::Frame& frame = *content.scene->frame();
+    PictureState state;
+    state.frameMs = total(content.history->medians(15));
+    state.samples = content.scene->samples();
+    state.mostSamples = content.mostSamples;
+    state.givenUp = content.budget->givenUp(content.wanted);
+    const std::string text = statusInWords(frame.plan, frame.row, state);
+    const float widest = std::max(ImGui::GetIO().DisplaySize.x - 2 * unit(), 8 * unit());
+    ImGui::SetNextWindowContentSize(ImGui::CalcTextSize(text.c_str(), nullptr, false, widest)); // else that of before
+    if (beginNote("status", {0.5F * unit(), 0.5F * unit()}, {0, 0})) {
+        ImGui::PushTextWrapPos(widest);
+        drawLine(text);
+        ImGui::PopTextWrapPos();
+    }
+    ImGui::End();
+}
+
+void drawNothingInView() {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    if (beginNote("nothing", {screen.x * 0.5F, screen.y * 0.5F}, {0.5F, 0.5F}))
+        drawLine("nothing in view, Home brings it back", kWarning);
     ImGui::End();
 }
 
@@ -254,6 +283,8 @@ OverlayAnswer drawOverlay(const OverlayContent& content, ViewSettings& settings,
     const bool hasFrame = content.scene != nullptr && content.scene->frame() != nullptr;
     if (hasFrame && content.isFrozen) drawVolumes(content);
     if (hasFrame && settings.showsFacts) drawFacts(content, settings);
+    if (hasFrame && !settings.showsFacts) drawStatus(content);
+    if (hasFrame && !content.scene->isAnythingInView() && !settings.showsHelp) drawNothingInView();
     if (hasFrame && settings.showsPanel) answer = drawPanel(content, settings, pad);
     if (settings.showsHelp) drawHelp();
     if (content.build) drawBuild(*content.build, content.buildOf);

@@ -25,6 +25,7 @@ struct OverlayContent {
     const DetailBudget* budget = nullptr;
     Effort wanted; // before the budget
     Caps caps;
+    int mostSamples = 1;    // frames that a standing picture becomes the mean of
     double flyingSpeed = 0; // world units a second
     bool isFrozen = false;
     bool isRecording = false;

@@ -4,6 +4,8 @@
 #include "core/units.h"
 #include "settings/plan_sentences.h"
 
+#include <algorithm>
+
 namespace gnomon::viewer {
 
 namespace {
@@ -23,7 +25,32 @@ std::string mapsInWords(const plan::FramePlan& plan) {
            formatted(" (%s), %d x %d texels", plan::schemeName(plan).c_str(), plan.textureWidth, plan.textureHeight);
 }
 
+std::string promiseInWords(const plan::FramePlan& plan, const telemetry::FrameRow& row) {
+    if (!row.promisedAliasingX) return mapsInWords(plan);
+    const std::size_t maps = plan.passes.size();
+    return formatted(
+        "%zu map%s, promise %.2g",
+        maps,
+        maps == 1 ? "" : "s",
+        std::max(*row.promisedAliasingX, *row.promisedAliasingZ));
+}
+
 } // namespace
+
+std::string statusInWords(const plan::FramePlan& plan, const telemetry::FrameRow& row, const PictureState& state) {
+    constexpr const char* kBetween = " \xC2\xB7 ";
+    const auto triangles = static_cast<std::uint64_t>(row.imageTriangles.value_or(0));
+    std::string words = formatted("%.0f ms", state.frameMs) + kBetween + readableCount(triangles) + " triangles" +
+                        kBetween + promiseInWords(plan, row);
+    if (!state.givenUp.empty()) words += kBetween + ("given up: " + state.givenUp);
+    if (row.pagesMissing.value_or(0) > 0)
+        words += kBetween + formatted("loading %lld pages", static_cast<long long>(*row.pagesMissing));
+    if (row.pagesDamaged.value_or(0) > 0)
+        words += kBetween + formatted("%lld pages DAMAGED", static_cast<long long>(*row.pagesDamaged));
+    if (state.samples > 0 && state.samples < state.mostSamples)
+        words += kBetween + formatted("sample %d of %d", state.samples, state.mostSamples);
+    return words;
+}
 
 std::vector<std::string> planInWords(const plan::FramePlan& plan, const telemetry::FrameRow& row) {
     std::vector<std::string> lines = {mapsInWords(plan)};

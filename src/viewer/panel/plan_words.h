@@ -13,6 +13,17 @@ namespace gnomon::viewer {
 /// and why effects are left out.
 std::vector<std::string> planInWords(const plan::FramePlan& plan, const telemetry::FrameRow& row);
 
+/// What a window knows of its picture besides the last frame's row.
+struct PictureState {
+    double frameMs = 0;  // the usual of the last frames
+    int samples = 0;     // frames that the picture is the mean of; 0: it is not to become one
+    int mostSamples = 1; // when it is done
+    std::string givenUp; // for the time target; empty: nothing
+};
+
+/// All of it in a line: time, triangles, what shadows promise, what is given up, and what is still to come.
+std::string statusInWords(const plan::FramePlan& plan, const telemetry::FrameRow& row, const PictureState& state);
+
 /// Lines for what was drawn: triangles, pages and memory against their caps.
 struct Caps {
     std::uint64_t pages = 0; // of the model

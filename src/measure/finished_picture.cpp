@@ -1,0 +1,38 @@
+#include "measure/finished_picture.h"
+
+#include "executor/overlay/legend.h"
+#include "frame/accumulation.h"
+
+namespace gnomon::measure {
+
+FinishedPicture drawFinished(
+    Session& session,
+    const plan::View& view,
+    const plan::Quality& quality,
+    const frame::FrameOptions& options,
+    int samples,
+    Progress& progress) {
+    frame::FrameOptions frameOptions = options;
+    frameOptions.isAccumulated = samples > 1;
+    FinishedPicture finished;
+    finished.frame = session.renderer().render(view, quality, frameOptions);
+    progress.advance(1);
+    const bool isTransparent = quality.look.background.kind == plan::Background::Kind::Transparent;
+    if (samples > 1) {
+        frame::Accumulation accumulation;
+        accumulation.begin(session.renderer(), finished.frame, isTransparent);
+        while (accumulation.samples() < samples) {
+            accumulation.add();
+            progress.advance(1);
+        }
+        finished.picture = accumulation.picture();
+        finished.coverage = accumulation.coverage();
+        return finished;
+    }
+    finished.picture = session.executor().picture();
+    executor::drawLegend(finished.picture, executor::legendOf(options.overlay, finished.frame.plan));
+    if (isTransparent) finished.coverage = executor::coverageOf(session.executor().viewDepth());
+    return finished;
+}
+
+} // namespace gnomon::measure

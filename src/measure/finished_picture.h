@@ -1,0 +1,29 @@
+// A picture as a person gets it: the mean of as many frames as it is asked to be.
+#pragma once
+
+#include "core/progress.h"
+#include "executor/picture.h"
+#include "measure/session.h"
+
+#include <optional>
+#include <string>
+
+namespace gnomon::measure {
+
+/// One view drawn; the session's executor still holds its last frame.
+struct FinishedPicture {
+    frame::Frame frame; // the first, whose pixels are sampled in their middles
+    executor::Picture picture;
+    std::optional<executor::Coverage> coverage; // where the background is transparent
+};
+
+/// Draws `view` `samples` times, at least once. `progress` advances by one for each; its stage is the caller's.
+FinishedPicture drawFinished(
+    Session& session,
+    const plan::View& view,
+    const plan::Quality& quality,
+    const frame::FrameOptions& options,
+    int samples,
+    Progress& progress);
+
+} // namespace gnomon::measure

@@ -1,0 +1,70 @@
+#include "measure/still_picture.h"
+
+#include "core/file.h"
+#include "core/prepared_output.h"
+#include "executor/shadow_depth_files.h"
+#include "measure/finished_picture.h"
+#include "settings/picture_series.h"
+#include "settings/resolve.h"
+#include "settings/samples.h"
+#include "telemetry/process_clock.h"
+
+namespace gnomon::measure {
+
+namespace {
+
+/// What of the task has to do with how many frames it may take.
+settings::BesideSamples besideSamples(const StillTask& task) {
+    settings::BesideSamples beside;
+    beside.overlay = task.overlay != executor::Overlay::None;
+    beside.statistics = !task.statistics.empty();
+    beside.oracle = task.oracle != proof::Oracle::None;
+    beside.depth = !task.depth.empty();
+    beside.shadowDepth = !task.shadowDepth.empty();
+    beside.reference = !task.reference.empty();
+    return beside;
+}
+
+void setAccuracy(const StillTask& task, Session& session, frame::Frame& frame) {
+    proof::ProofOptions options;
+    options.measuresAliasing = !task.statistics.empty();
+    options.oracle = task.oracle;
+    options.comparesWithFinest = options.oracle != proof::Oracle::None;
+    proof::setAccuracy(proof::prove(session.renderer(), frame, options), frame.row);
+}
+
+void writeRow(const StillTask& task, telemetry::FrameRow row) {
+    row.run = "render";
+    row.sinceStartMs = telemetry::sinceProcessStart().count;
+    writeTextFile(task.statistics, telemetry::jsonObject(row) + "\n");
+}
+
+} // namespace
+
+void drawStill(const StillTask& task, Progress& progress) {
+    const settings::BesideSamples beside = besideSamples(task);
+    const int samples = settings::samplesOf(task.samples, beside);
+    const plan::Quality quality = settings::qualityOf(task.settings);
+    settings::requireLegendShown(task.settings, beside.overlay);
+    Session session(task.model, task.settings, task.warn);
+    plan::View view = settings::viewOf(task.settings, session.model().summary());
+    view.camera = task.camera.value_or(view.camera);
+    std::optional<executor::Picture> reference;
+    if (!task.reference.empty()) reference = executor::readPng(task.reference);
+    for (const std::string& path : {task.output, task.statistics, task.depth})
+        requireWritable(path); // drawing may take long
+    const PreparedFolder shadowDepth(task.shadowDepth);
+    frame::FrameOptions options;
+    options.overlay = task.overlay;
+    options.wantsWholeMaps = !task.shadowDepth.empty();
+    progress.stage("render", samples > 1 ? "frames" : "pictures", static_cast<std::uint64_t>(samples));
+    FinishedPicture drawn = drawFinished(session, view, quality, options, samples, progress);
+    if (samples == 1) setAccuracy(task, session, drawn.frame);
+    executor::writePng(task.output, drawn.picture, drawn.coverage);
+    if (!task.depth.empty()) executor::writePfm(task.depth, session.executor().viewDepth());
+    if (!task.shadowDepth.empty()) executor::writeShadowMaps(task.shadowDepth, drawn.frame.plan, session.executor());
+    if (!task.statistics.empty()) writeRow(task, drawn.frame.row);
+    if (reference) executor::requireAlike({task.reference, *reference}, drawn.picture, task.referenceThreshold);
+}
+
+} // namespace gnomon::measure

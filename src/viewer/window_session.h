@@ -1,0 +1,79 @@
+// The window: takes user input to where it belongs, and draws what comes of it.
+#pragma once
+
+#include "core/progress.h"
+#include "gl/window.h"
+#include "viewer/frame_log.h"
+#include "viewer/input/input.h"
+#include "viewer/input/steering.h"
+#include "viewer/open_file.h"
+#include "viewer/pace.h"
+#include "viewer/panel/imgui_layer.h"
+#include "viewer/panel/overlay.h"
+#include "viewer/viewer_options.h"
+#include "viewer/walk.h"
+
+namespace gnomon::viewer {
+
+/// `gnomon view` from its first frame to its last.
+class WindowSession {
+public:
+    explicit WindowSession(const ViewerOptions& options);
+
+    /// Until the window is closed, or `interrupt` says that the program is.
+    void run(Progress& interrupt);
+
+private:
+    glm::ivec2 framebufferSize() const;
+
+    void open(const std::string& file);
+    void enter(const Scene& scene);
+    void watch();
+
+    void waitForEvents();
+    void takeInput(double seconds);
+    void takeDrag(const Drag& drag);
+    DragScene underCursor() const;
+    void act(const Binding& binding);
+    void actOnModel(const Binding& binding);
+    void toggleTarget();
+    void focus();
+
+    bool isIdle() const { return !pace_.isSceneAwake() && !walk_.isUnderWay(); }
+
+    bool comesToRest() const;
+    bool isRefining() const;
+    void refine();
+    void savePictureOnceDone();
+    Effort wantedEffort() const;
+    Shot shot(const glm::ivec2& size) const;
+    bool drawFrame(); // whether the scene was drawn
+    void drawScene(const glm::ivec2& size);
+    void afterScene(const Shot& shot);
+    OverlayContent content() const;
+    void drawWindow(const glm::ivec2& size);
+
+    ViewerOptions options_;
+    ViewSettings settings_;
+    gl::Window window_;
+    Input input_;
+    ImGuiLayer imgui_;
+    Messages messages_;
+    OpenFile file_;
+    Walk walk_;
+    Steering steering_;
+    Pace pace_;
+    DetailBudget budget_;
+    FrameHistory history_;
+    StoragePad pad_;
+    SavedFiles saved_;
+    std::optional<FrameLog> log_;
+    Caps caps_;
+    double lastFrame_ = 0; // seconds on GLFW's clock
+    double lastWindowMs_ = 0;
+    std::int64_t frameCount_ = 0;
+    bool savesPicture_ = false; // once all input until now is drawn, and at rest once it is as good as it gets
+    bool savesWindow_ = false;
+};
+
+} // namespace gnomon::viewer

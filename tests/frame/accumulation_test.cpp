@@ -1,0 +1,242 @@
+// Pictures of several frames against the plain mean, in doubles, of frames that are rendered one by one.
+#include "core/random.h"
+#include "executor/gl/gl_executor.h"
+#include "executor/software_executor.h"
+#include "frame/accumulation.h"
+#include "frame/drawn_model.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+
+namespace gnomon::frame {
+namespace {
+
+using plan::ShadowMode;
+
+/// Hills, opened once.
+const hierarchy::ModelFile& hills() {
+    static DrawnModel model([] {
+        tests::TinyModelOptions options;
+        options.gridExponent = 6;
+        options.height = 10;
+        options.colors = true;
+        return tests::makeTinyModel(options);
+    }());
+    return model.file();
+}
+
+plan::View randomView(Random& random, int width, int height) {
+    const Box& bounds = hills().summary().bounds;
+    plan::View view;
+    view.width = width;
+    view.height = height;
+    const double x = random.uniform(-0.2, 1.2);
+    const double y = random.uniform(1.2, 2);
+    const double z = random.uniform(-0.2, 1.2);
+    view.camera.eye = bounds.min + bounds.extent() * glm::dvec3(x, y, z);
+    view.camera.target = bounds.center();
+    view.towardsLight = {random.uniform(-1, 1), 0.5, random.uniform(-1, 1)};
+    return view;
+}
+
+double linearOf(std::uint8_t byte) {
+    const double display = byte / 255.0;
+    return display <= 0.04045 ? display / 12.92 : std::pow((display + 0.055) / 1.055, 2.4);
+}
+
+double levelOf(double linear) {
+    return 255 * (linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055);
+}
+
+/// The same by a renderer that knows no accumulation: each frame planned and drawn by itself.
+class PlainMean {
+public:
+    PlainMean(executor::Executor& executor, bool isTransparent)
+        : executor_(&executor), renderer_(hills(), executor, {}), isTransparent_(isTransparent) {}
+
+    void draw(const plan::View& view, const plan::Quality& quality, int samples) {
+        const std::size_t pixels = static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height);
+        sums_.assign(3 * pixels, 0);
+        covered_.assign(pixels, 0);
+        for (int sample = 0; sample < samples; ++sample) {
+            renderer_.forget();
+            FrameOptions options;
+            options.subpixel = subpixelOffset(sample);
+            renderer_.render(view, quality, options);
+            const executor::Picture picture = executor_->picture();
+            const executor::FloatPicture depth = executor_->viewDepth();
+            for (std::size_t i = 0; i < pixels; ++i) {
+                if (isTransparent_ && !std::isfinite(depth.pixels[i])) continue;
+                ++covered_[i];
+                for (std::size_t c = 0; c < 3; ++c)
+                    sums_[3 * i + c] += linearOf(picture.pixels[i][c]);
+            }
+        }
+    }
+
+    double level(std::size_t pixel, std::size_t channel) const {
+        return covered_[pixel] == 0 ? 0 : levelOf(sums_[3 * pixel + channel] / covered_[pixel]);
+    }
+
+    int covered(std::size_t pixel) const { return covered_[pixel]; }
+
+private:
+    executor::Executor* executor_;
+    Renderer renderer_;
+    bool isTransparent_;
+    std::vector<double> sums_;
+    std::vector<int> covered_;
+};
+
+class AccumulationTwins : public testing::TestWithParam<std::unique_ptr<executor::Executor> (*)()> {
+protected:
+    /// Both means of `samples` frames of a view; the largest difference that a rounding explains is one level.
+    void expectAlike(const plan::View& view, const plan::Quality& quality, int samples) {
+        const bool isTransparent = quality.look.background.kind == plan::Background::Kind::Transparent;
+        FrameOptions options;
+        options.isAccumulated = true;
+        renderer_.forget();
+        const Frame frame = renderer_.render(view, quality, options);
+        Accumulation accumulation;
+        accumulation.begin(renderer_, frame, isTransparent);
+        while (accumulation.samples() < samples)
+            accumulation.add();
+        PlainMean plain(*other_, isTransparent);
+        plain.draw(view, quality, samples);
+        const executor::Picture picture = accumulation.picture();
+        const auto coverage = accumulation.coverage();
+        ASSERT_EQ(coverage.has_value(), isTransparent);
+        std::size_t apart = 0;
+        std::size_t mixed = 0;
+        for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+            if (coverage) {
+                const double share = static_cast<double>(plain.covered(i)) / samples;
+                ASSERT_NEAR(coverage->pixels[i], 255 * share, 0.51) << i;
+                mixed += share > 0 && share < 1 ? 1 : 0;
+            }
+            for (std::size_t c = 0; c < 3; ++c)
+                apart += std::abs(picture.pixels[i][c] - plain.level(i, c)) > 0.9 ? 1 : 0;
+        }
+        EXPECT_EQ(apart, 0U) << "of " << picture.pixels.size() << " pixels, " << samples << " samples";
+        edges += mixed;
+    }
+
+    std::size_t edges = 0; // pixels that were partly covered
+
+private:
+    std::unique_ptr<executor::Executor> executor_ = GetParam()();
+    std::unique_ptr<executor::Executor> other_ = GetParam()();
+    Renderer renderer_{hills(), *executor_, {}};
+};
+
+plan::Quality randomQuality(Random& random, bool isSoftware) {
+    plan::Quality quality;
+    quality.shadowTexelsWidth = quality.shadowTexelsHeight = 256;
+    quality.errorPixels = random.uniform(0.3, 3);
+    quality.look.shading = plan::Shading::Lit;
+    constexpr std::array kModes = {ShadowMode::Maps, ShadowMode::Off, ShadowMode::Rays, ShadowMode::Exact};
+    quality.shadows = kModes[random.below(isSoftware ? 4 : 3)];
+    quality.filter = random.below(2) == 0 ? 1 : 3;
+    if (random.below(3) == 0) quality.look.background = {plan::Background::Kind::Transparent, {}};
+    return quality;
+}
+
+TEST_P(AccumulationTwins, AreTheMeanOfFramesRenderedOneByOne) {
+    Random random(20);
+    const bool isSoftware = GetParam() == &executor::makeSoftwareExecutor;
+    for (int round = 0; round < (isSoftware ? 24 : 6); ++round) {
+        const plan::View view = randomView(random, 96, 64);
+        const plan::Quality quality = randomQuality(random, isSoftware);
+        SCOPED_TRACE(
+            "round " + std::to_string(round) + ", shadows " + std::to_string(static_cast<int>(quality.shadows)));
+        expectAlike(view, quality, static_cast<int>(1 + random.below(9)));
+    }
+    EXPECT_GT(edges, 50U) << "this tests nothing";
+}
+
+TEST_P(AccumulationTwins, DrawWholeMapsOnce) {
+    const auto executor = GetParam()();
+    Renderer renderer(hills(), *executor, {});
+    Random random(3);
+    const plan::View view = randomView(random, 96, 64);
+    plan::Quality quality;
+    quality.shadowTexelsWidth = quality.shadowTexelsHeight = 256;
+    FrameOptions options;
+    renderer.render(view, quality, options);
+    options.isAccumulated = true;
+    const Frame frame = renderer.render(view, quality, options);
+    const executor::FloatPicture maps = executor->shadowDepth();
+    ASSERT_GT(maps.width, 0);
+    Accumulation accumulation;
+    accumulation.begin(renderer, frame, false);
+    for (int sample = 1; sample < 5; ++sample)
+        accumulation.add();
+    EXPECT_EQ(executor->shadowDepth().pixels, maps.pixels);
+    const auto fresh = GetParam()();
+    Renderer whole(hills(), *fresh, {});
+    options.wantsWholeMaps = true;
+    whole.render(view, quality, {});
+    whole.render(view, quality, options);
+    EXPECT_EQ(fresh->shadowDepth().pixels, maps.pixels);
+}
+
+std::unique_ptr<executor::Executor> osmesa() {
+    return executor::makeGlExecutor(gl::Platform::Osmesa, gl::ShaderLibrary(std::nullopt), mebibytes(64));
+}
+
+INSTANTIATE_TEST_SUITE_P(Software, AccumulationTwins, testing::Values(&executor::makeSoftwareExecutor));
+INSTANTIATE_TEST_SUITE_P(Osmesa, AccumulationTwins, testing::Values(&osmesa));
+
+// A picture of twice the size has its pixels where four offsets have theirs.
+TEST(SubpixelOffsets, AreThePixelsOfALargerPicture) {
+    Random random(7);
+    const auto executor = executor::makeSoftwareExecutor();
+    Renderer renderer(hills(), *executor, {});
+    plan::Quality quality;
+    quality.shadows = ShadowMode::Off;
+    quality.errorPixels = 1e-9;
+    quality.look.background = {plan::Background::Kind::Color, {90, 90, 90}};
+    plan::View view = randomView(random, 160, 100);
+    renderer.render(view, quality, {});
+    const executor::Picture large = executor->picture();
+    view.width /= 2;
+    view.height /= 2;
+    std::size_t apart = 0;
+    for (const int x : {0, 1})
+        for (const int y : {0, 1}) {
+            FrameOptions options;
+            options.subpixel = {x * 0.5 - 0.25, 0.25 - y * 0.5}; // right and up
+            renderer.render(view, quality, options);
+            const executor::Picture small = executor->picture();
+            for (int row = 0; row < view.height; ++row)
+                for (int column = 0; column < view.width; ++column)
+                    apart += small.at(column, row) != large.at(2 * column + x, 2 * row + y) ? 1 : 0;
+        }
+    EXPECT_LT(apart, large.pixels.size() / 100);
+}
+
+TEST(SubpixelOffsets, BeginInTheMiddleAndFillEachElementaryIntervalOnce) {
+    EXPECT_EQ(subpixelOffset(0), glm::dvec2(0));
+    for (int exponent = 0; exponent <= 10; ++exponent)
+        for (int across = 0; across <= exponent; ++across) {
+            const int columns = 1 << across;
+            const int rows = 1 << (exponent - across);
+            std::vector<int> held(std::size_t{1} << exponent);
+            for (int sample = 0; sample < 1 << exponent; ++sample) {
+                const glm::dvec2 at = subpixelOffset(sample);
+                ASSERT_TRUE(at.x >= -0.5 && at.x < 0.5 && at.y >= -0.5 && at.y < 0.5) << sample;
+                const int column = static_cast<int>((at.x + 0.5) * columns);
+                const int row = static_cast<int>((at.y + 0.5) * rows);
+                ++held
+                    [static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+                     static_cast<std::size_t>(column)];
+            }
+            for (const int count : held)
+                ASSERT_EQ(count, 1) << columns << " x " << rows;
+        }
+}
+
+} // namespace
+} // namespace gnomon::frame

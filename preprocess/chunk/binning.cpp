@@ -3,6 +3,7 @@
 #include "core/check.h"
 #include "core/limit_error.h"
 #include "hierarchy/octahedral.h"
+#include "preprocess/chunk/field_numbers.h"
 #include "preprocess/chunk/heavy_points.h"
 #include "preprocess/chunk/vertex_lookup.h"
 #include "preprocess/read/polygon.h"
@@ -25,11 +26,13 @@ class Binner {
 public:
     Binner(
         read::MeshSource& source,
+        const SourceSurvey& survey,
         scratch::StreamStore* bins,
         const ChunkTree& tree,
         std::size_t polygonCorners,
         Progress& progress)
         : source_(source),
+          fields_(survey.fields),
           bins_(bins),
           format_(formatOf(source.summary())),
           polygonCorners_(polygonCorners),
@@ -169,6 +172,8 @@ private:
         vertex.position = block.positions[i];
         if (!block.normals.empty()) vertex.normal = hierarchy::packNormal(glm::dvec3(block.normals[i]));
         if (!block.colors.empty()) vertex.color = block.colors[i];
+        if (!fields_.empty())
+            vertex.fields = packedFields(block.fields.subspan(i * fields_.size(), fields_.size()), fields_);
         VertexBytes storage{};
         bins_->append(streamOf(BinStream::Vertices, chunk), encodeVertex(vertex, format_, storage));
     }
@@ -294,6 +299,7 @@ private:
     }
 
     read::MeshSource& source_;
+    const std::vector<hierarchy::Field>& fields_;
     scratch::StreamStore* bins_; // none where it only counts
     VertexFormat format_;
     std::size_t polygonCorners_;
@@ -313,7 +319,7 @@ private:
 } // namespace
 
 VertexFormat formatOf(const read::MeshSummary& source) {
-    return {source.isDouble, source.hasNormals, source.hasColors};
+    return {source.isDouble, source.hasNormals, source.hasColors, hierarchy::FieldLayout::of(source.fields.size())};
 }
 
 ChunkTree planChunks(
@@ -348,7 +354,7 @@ BinnedSize binSource(
     scratch::StreamStore& bins,
     std::size_t polygonCorners,
     Progress& progress) {
-    Binner binner(source, &bins, tree, polygonCorners, progress);
+    Binner binner(source, survey, &bins, tree, polygonCorners, progress);
     binner.binVertices(survey);
     survey.valence = {};
     if (survey.hasPolygons) binner.refinePolygons();
@@ -359,7 +365,7 @@ BinnedSize binSource(
 
 BinnedSize measureBins(
     read::MeshSource& source, const SourceSurvey& survey, const ChunkTree& tree, Progress& progress) {
-    Binner binner(source, nullptr, tree, 0, progress);
+    Binner binner(source, survey, nullptr, tree, 0, progress);
     binner.binVertices(survey);
     binner.binTriangles();
     binner.binHeavyVertices();

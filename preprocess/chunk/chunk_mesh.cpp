@@ -47,12 +47,18 @@ Places placesOf(
 class MeshMaker {
 public:
     /// For at most `triangleCount` triangles.
-    MeshMaker(const ChunkVertices& vertices, const Places& places, std::size_t triangleCount)
+    MeshMaker(
+        const ChunkVertices& vertices,
+        const Places& places,
+        const hierarchy::FieldLayout& fields,
+        std::size_t triangleCount)
         : vertices_(vertices),
           places_(places),
           vertexOf_(vertices.size(), kNone),
           firstAt_(vertices.places().size(), kNone),
-          furtherAt_(std::min(vertices.size() - vertices.places().size(), 3 * triangleCount)) {}
+          furtherAt_(std::min(vertices.size() - vertices.places().size(), 3 * triangleCount)) {
+        mesh_.fields.layout = fields;
+    }
 
     void add(std::vector<simplify::Triangle> triangles) {
         for (simplify::Triangle& t : triangles)
@@ -72,6 +78,7 @@ private:
         vertex.position = vertices_.places()[place];
         vertex.normal = places_.normals.empty() ? vertices_[source].normal : places_.normals[place];
         vertex.color = vertices_[source].color;
+        const std::uint32_t fields = vertices_[source].fields;
         const std::uint32_t first = firstAt_[place];
         const auto next = static_cast<std::uint32_t>(mesh_.vertices.size());
         if (first == kNone) {
@@ -79,14 +86,17 @@ private:
             mesh_.positionOf.push_back(mesh_.positionCount++);
             mesh_.isBorder.push_back(places_.isShared[place]);
         } else {
-            if (mesh_.vertices[first] == vertex) return first;
-            const auto isEqual = [&](std::uint32_t other) { return mesh_.vertices[other] == vertex; };
+            const auto isEqual = [&](std::uint32_t other) {
+                return mesh_.vertices[other] == vertex && mesh_.fieldsOf(other) == fields;
+            };
+            if (isEqual(first)) return first;
             const std::uint32_t found =
-                furtherAt_.findOrInsert(hashOf(place, vertex.normal, vertex.color), next, isEqual);
+                furtherAt_.findOrInsert(hashOf(place, vertex.normal, vertex.color ^ fields), next, isEqual);
             if (found != next) return found;
             mesh_.positionOf.push_back(mesh_.positionOf[first]);
         }
         mesh_.vertices.push_back(vertex);
+        if (mesh_.hasFields()) mesh_.fields.words.push_back(fields);
         return next;
     }
 
@@ -163,7 +173,7 @@ ChunkMesh loadChunk(
             faces = facesForNormals(vertices, kept, keptTriangles(vertices, triangles.ghosts, ignored));
         places = placesOf(source, borders, chunk, vertices, faces);
     }
-    MeshMaker maker(vertices, places, kept.size());
+    MeshMaker maker(vertices, places, source.format.fields, kept.size());
     maker.add(std::move(kept));
     result.mesh = maker.take();
     result.mesh.grid = source.grid;

@@ -29,6 +29,7 @@ const std::byte* takeVertex(const std::byte* place, const VertexFormat& format, 
     }
     if (format.hasNormals) place = take(place, vertex.normal);
     if (format.hasColors) place = take(place, vertex.color);
+    if (format.hasFields()) place = take(place, vertex.fields);
     return place;
 }
 
@@ -42,6 +43,7 @@ std::span<const std::byte> encodeVertex(const ChunkVertex& vertex, const VertexF
         place = put(place, glm::vec3(vertex.position));
     if (format.hasNormals) place = put(place, vertex.normal);
     if (format.hasColors) place = put(place, vertex.color);
+    if (format.hasFields()) place = put(place, vertex.fields);
     return std::span(storage).first(static_cast<std::size_t>(place - storage.data()));
 }
 

@@ -1,6 +1,7 @@
 // What the binning writes and the chunks read: records by chunk, in streams of a store.
 #pragma once
 
+#include "hierarchy/page_fields.h"
 #include "preprocess/scratch/stream_store.h"
 #include "preprocess/simplify/mesh.h"
 
@@ -14,22 +15,27 @@ struct VertexFormat {
     bool isDouble = false; // positions need more than a float
     bool hasNormals = false;
     bool hasColors = false;
+    hierarchy::FieldLayout fields{};
+
+    bool hasFields() const { return fields.count() > 0; }
 
     std::size_t bytes() const {
-        return 4 + 3 * (isDouble ? sizeof(double) : sizeof(float)) + (hasNormals ? 4U : 0U) + (hasColors ? 4U : 0U);
+        return 4 + 3 * (isDouble ? sizeof(double) : sizeof(float)) + (hasNormals ? 4U : 0U) + (hasColors ? 4U : 0U) +
+               (hasFields() ? 4U : 0U);
     }
 };
 
 /// A source vertex on its way to a chunk.
 struct ChunkVertex {
     std::uint32_t index = 0; // in the source
-    glm::dvec3 position{0};  // as in the source
+    std::uint32_t fields = 0;
+    glm::dvec3 position{0}; // as in the source
     std::uint32_t normal = hierarchy::kNoNormal;
     std::uint32_t color = 0xFFFFFFFFU;
 };
 
 /// Most bytes of a VertexFormat.
-using VertexBytes = std::array<std::byte, 4 + 3 * sizeof(double) + 8>;
+using VertexBytes = std::array<std::byte, 4 + 3 * sizeof(double) + 12>;
 
 /// The record of `vertex`, within `storage`.
 std::span<const std::byte> encodeVertex(const ChunkVertex& vertex, const VertexFormat& format, VertexBytes& storage);

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/random.h"
+#include "preprocess/chunk/field_numbers.h"
 #include "preprocess/chunk/vertex_lookup.h"
 
 #include <array>
@@ -151,6 +152,7 @@ SourceSurvey surveySource(read::MeshSource& source, Progress& progress) {
     countTriangles(source, survey, sample, progress);
     const Box box = boundsOf(source, survey.valence, progress);
     survey.grid = chooseGrid(box, sample.measure(source));
+    survey.fields = measuredFields(source, survey.valence, progress);
     survey.furthest = GridSnap(survey.grid)(box.isEmpty() ? glm::dvec3(0) : box.max);
     return survey;
 }

@@ -18,10 +18,12 @@ struct SourceSurvey {
     std::uint64_t notAPolygon = 0;
     bool hasPolygons = false;          // faces of more than three corners
     std::vector<std::uint8_t> valence; // corners at each vertex, at most 255
+    std::vector<hierarchy::Field> fields;
 };
 
-/// One pass over the triangles and two over the vertices, in one byte a vertex and some 60 MiB. Throws Error where the
-/// source does, for more vertices or triangles than 32 bits count, and for a source without triangles.
+/// One pass over the triangles and two over the vertices, one more where these have fields, in one byte a vertex and
+/// some 60 MiB. Throws Error where the source does, for more vertices or triangles than 32 bits count, and for a source
+/// without triangles.
 SourceSurvey surveySource(read::MeshSource& source, Progress& progress);
 
 /// The triangles whose edges the grid is chosen by: all of a source of up to 512 Ki triangles, else at least 256 Ki

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <map>
@@ -26,6 +27,9 @@ using Corners = std::array<std::uint32_t, 3>;
 struct Mesh {
     std::vector<Vertex> vertices;
     std::vector<Corners> triangles;
+    PageFields fields; // of the vertices
+
+    std::uint32_t fieldsOf(std::uint32_t vertex) const { return fields.words.empty() ? 0 : fields.words[vertex]; }
 };
 
 /// How the number of triangles changes where the limit of a uniform cut passes `error`.
@@ -138,11 +142,13 @@ struct Collected {
     double error = 0;
 };
 
-void addCluster(const Page& page, const Cluster& cluster, double snapError, Collected& cut) {
+void addCluster(const Page& page, const PageFields& fields, const Cluster& cluster, double snapError, Collected& cut) {
     cut.error = std::max(cut.error, storedError(page, cluster, snapError));
     const auto first = static_cast<std::uint32_t>(cut.mesh.vertices.size());
     const auto begin = page.vertices.begin() + cluster.firstVertex;
     cut.mesh.vertices.insert(cut.mesh.vertices.end(), begin, begin + cluster.vertexCount);
+    for (std::uint32_t v = 0; v < cluster.vertexCount && !fields.words.empty(); ++v)
+        cut.mesh.fields.words.push_back(fields.words[cluster.firstVertex + v]);
     for (std::uint32_t t = 0; t < cluster.triangleCount; ++t) {
         const Triangle& triangle = page.triangles[cluster.firstTriangle + t];
         cut.mesh.triangles.push_back({first + triangle[0], first + triangle[1], first + triangle[2]});
@@ -150,54 +156,72 @@ void addCluster(const Page& page, const Cluster& cluster, double snapError, Coll
 }
 
 /// Adds what the cut draws of `group`, which it refines.
-void addGroup(const Page& page, const Group& group, const CutLimit& limit, double snapError, Collected& cut) {
+void addGroup(
+    const Page& page,
+    const PageFields& fields,
+    const Group& group,
+    const CutLimit& limit,
+    double snapError,
+    Collected& cut) {
     for (std::uint32_t c = group.firstCluster; c < group.firstCluster + group.clusterCount; ++c) {
         const Cluster& cluster = page.clusters[c];
         if (cluster.refinement != kNone) {
             const Refinement& finer = page.refinements[cluster.refinement];
             if (limit.isRefined(finer.drawnError(), finer.group)) continue;
         }
-        addCluster(page, cluster, snapError, cut);
+        addCluster(page, fields, cluster, snapError, cut);
     }
 }
 
 Collected collect(const ModelFile& file, const CutLimit& limit, Progress& progress) {
     Collected cut;
+    PageFields fields;
     progress.stage("cut", "pages", file.pages().size());
     for (std::uint32_t p = 0; p < file.pages().size(); ++p) {
         progress.advance(1);
         const PageInfo& info = file.pages()[p];
         if (info.maxError < limit.error) continue; // none of its groups is refined
-        const Page page = file.readPage(p);
+        const Page page = file.readPage(p, fields);
+        cut.mesh.fields.layout = fields.layout;
         for (std::uint32_t g = 0; g < page.groups.size(); ++g)
             if (limit.isRefined(page.groups[g].drawnError(), {p, g}))
-                addGroup(page, page.groups[g], limit, file.summary().grid.snapError(), cut);
+                addGroup(page, fields, page.groups[g], limit, file.summary().grid.snapError(), cut);
         if (cut.mesh.vertices.size() > std::numeric_limits<std::int32_t>::max())
             throw Error(file.path(), "the cut has more vertices than a PLY can number");
     }
     return cut;
 }
 
-/// Makes equal vertices one, in the order of their first use.
-void weld(Mesh& mesh) {
+/// The vertices such that equal ones follow each other, each first one before its copies.
+std::vector<std::uint32_t> sortedVertices(const Mesh& mesh) {
     std::vector<std::uint32_t> order(mesh.vertices.size());
     for (std::uint32_t i = 0; i < order.size(); ++i)
         order[i] = i;
     std::sort(order.begin(), order.end(), [&mesh](std::uint32_t a, std::uint32_t b) {
-        return mesh.vertices[a] != mesh.vertices[b] ? mesh.vertices[a] < mesh.vertices[b] : a < b;
+        if (mesh.vertices[a] != mesh.vertices[b]) return mesh.vertices[a] < mesh.vertices[b];
+        return mesh.fieldsOf(a) != mesh.fieldsOf(b) ? mesh.fieldsOf(a) < mesh.fieldsOf(b) : a < b;
     });
+    return order;
+}
+
+/// Makes equal vertices one, in the order of their first use.
+void weld(Mesh& mesh) {
+    const std::vector<std::uint32_t> order = sortedVertices(mesh);
     std::vector<std::uint32_t> first(order.size()); // the first vertex equal to each
     for (std::size_t i = 0; i < order.size(); ++i) {
-        const bool isNew = i == 0 || mesh.vertices[order[i]] != mesh.vertices[order[i - 1]];
+        const bool isNew = i == 0 || mesh.vertices[order[i]] != mesh.vertices[order[i - 1]] ||
+                           mesh.fieldsOf(order[i]) != mesh.fieldsOf(order[i - 1]);
         first[order[i]] = isNew ? order[i] : first[order[i - 1]];
     }
     std::uint32_t next = 0;
     std::vector<std::uint32_t> place(order.size());
     for (std::uint32_t v = 0; v < first.size(); ++v) {
         if (first[v] == v) mesh.vertices[next] = mesh.vertices[v];
+        if (first[v] == v && !mesh.fields.words.empty()) mesh.fields.words[next] = mesh.fields.words[v];
         place[v] = first[v] == v ? next++ : place[first[v]];
     }
     mesh.vertices.resize(next);
+    if (!mesh.fields.words.empty()) mesh.fields.words.resize(next);
     for (Corners& triangle : mesh.triangles)
         for (std::uint32_t& corner : triangle)
             corner = place[corner];
@@ -241,6 +265,19 @@ bool fitsFloats(const Mesh& mesh, const Grid& grid) {
     });
 }
 
+/// Whether floats tell the numbers of a field apart as well as doubles do.
+bool fitsFloats(const Field& field) {
+    const double step = (field.greatest - field.least) / ((1U << field.bits) - 1U);
+    return std::max(std::abs(field.least), std::abs(field.greatest)) * 0x1p-24 <= step / 64;
+}
+
+/// Throws Error for a name that a header of a PLY cannot have: it is the file's, and may be anything.
+void requirePlyNames(const std::string& model, const std::vector<Field>& fields) {
+    for (const Field& field : fields)
+        if (!std::ranges::all_of(field.name, [](char c) { return c > ' ' && c < 0x7F; }))
+            throw Error(model, "a field's name is no name of a property", "letters without blanks", field.name);
+}
+
 std::string headerOf(const Mesh& mesh, const ModelSummary& summary, bool asFloats) {
     const std::string real = asFloats ? "float" : "double";
     std::string text = "ply\nformat binary_little_endian 1.0\ncomment gnomon export\nelement vertex " +
@@ -250,6 +287,8 @@ std::string headerOf(const Mesh& mesh, const ModelSummary& summary, bool asFloat
     if (summary.hasNormals) text += "property float nx\nproperty float ny\nproperty float nz\n";
     if (summary.hasColors)
         text += "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty uchar alpha\n";
+    for (const Field& field : summary.fields)
+        text += (fitsFloats(field) ? "property float " : "property double ") + field.name + "\n";
     return text + "element face " + std::to_string(mesh.triangles.size()) +
            "\nproperty list uchar int vertex_indices\nend_header\n";
 }
@@ -270,14 +309,28 @@ void putVertex(PlyWriter& out, const Vertex& vertex, const ModelSummary& summary
     if (summary.hasColors) out.putValue(vertex.color);
 }
 
+void putFields(PlyWriter& out, std::uint32_t word, const ModelSummary& summary, const FieldLayout& layout) {
+    for (std::size_t i = 0; i < summary.fields.size(); ++i) {
+        const Field& field = summary.fields[i];
+        const double part = static_cast<double>(layout.number(word, i)) / layout.greatest(i);
+        const double value = field.least + part * (field.greatest - field.least);
+        if (fitsFloats(field))
+            out.putValue(static_cast<float>(value));
+        else
+            out.putValue(value);
+    }
+}
+
 void writePly(const Mesh& mesh, const ModelSummary& summary, const std::string& path, Progress& progress) {
     AtomicFile output(path);
     PlyWriter out(output.file());
     const bool asFloats = fitsFloats(mesh, summary.grid);
     progress.stage("write", "triangles", mesh.triangles.size());
     out.put(headerOf(mesh, summary, asFloats));
-    for (const Vertex& vertex : mesh.vertices)
-        putVertex(out, vertex, summary, asFloats);
+    for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
+        putVertex(out, mesh.vertices[v], summary, asFloats);
+        putFields(out, mesh.fieldsOf(v), summary, mesh.fields.layout);
+    }
     for (const Corners& triangle : mesh.triangles) {
         out.putValue(std::uint8_t{3});
         for (const std::uint32_t corner : triangle)
@@ -293,6 +346,7 @@ void writePly(const Mesh& mesh, const ModelSummary& summary, const std::string& 
 ExportedCut exportCut(
     const std::string& model, const ExportLimit& limit, const std::string& output, Progress& progress) {
     const ModelFile file(model);
+    requirePlyNames(model, file.summary().fields);
     const CutLimit refined = limit.triangles ? limitFor(file, *limit.triangles, progress) : limitOf(file, *limit.error);
     Collected cut = collect(file, refined, progress);
     weld(cut.mesh);

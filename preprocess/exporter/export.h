@@ -22,9 +22,9 @@ struct ExportedCut {
 };
 
 /// Writes the finest uniform cut of `model` with at most `limit.triangles`, or the coarsest whose error is at most
-/// `limit.error`, to the binary PLY `output`. Corners with the same position, normal and colour are one vertex;
-/// positions are floats where all of them fit, else doubles. Holds the cut in memory. Throws Error if no cut is that
-/// small or that exact, or a page is damaged.
+/// `limit.error`, to the binary PLY `output`. Corners with the same position, normal, colour and fields are one vertex;
+/// positions are floats where all of them fit, else doubles; so are the values of a field. Holds the cut in memory.
+/// Throws Error if no cut is that small or that exact, or a page is damaged.
 ExportedCut exportCut(
     const std::string& model, const ExportLimit& limit, const std::string& output, Progress& progress);
 

@@ -46,6 +46,7 @@ GroupPatch makeGroupPatch(
     patch.positionOf.reserve(vertices.size());
     patch.positions.reserve(vertices.size());
     patch.isLocked.reserve(vertices.size());
+    patch.fields.layout = mesh.fields.layout;
     numbers.positions.begin();
     glm::dvec3 origin(0);
     constexpr std::size_t kAhead = 16; // the vertices of a group lie all over the mesh
@@ -56,6 +57,7 @@ GroupPatch makeGroupPatch(
             __builtin_prefetch(&mesh.positionOf[vertices[i + kAhead]]);
         }
         const hierarchy::Vertex& vertex = patch.vertices.emplace_back(mesh.vertices[v]);
+        if (mesh.hasFields()) patch.fields.words.push_back(mesh.fieldsOf(v));
         const std::uint32_t position = mesh.positionOf[v];
         const std::uint32_t local = patch.positionOf.emplace_back(numbers.positions.of(position));
         if (local < patch.positions.size()) continue;

@@ -60,7 +60,8 @@ struct Level {
     std::vector<LevelGroup> groups;
     std::vector<LevelRefinement> refinements;
     std::vector<TransferredNormal> normals; // that vertices of the mesh take from this level on
-    std::vector<TransferredColor> colors;   // likewise
+    std::vector<TransferredWord> colors;    // likewise
+    std::vector<TransferredWord> fields;    // likewise
 };
 
 } // namespace gnomon::levels

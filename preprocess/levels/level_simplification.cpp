@@ -90,9 +90,11 @@ private:
         for (TransferredNormal& normal : result.clusters.normals)
             normal.vertex = patch.globalVertex[normal.vertex];
         ColorTransfer colors = transferredColors(patch.patch, simplified);
-        for (TransferredColor& color : colors.colors)
-            color.vertex = patch.globalVertex[color.vertex];
         result.clusters.colors = std::move(colors.colors);
+        result.clusters.fields = transferredFields(patch.patch, simplified);
+        for (std::vector<TransferredWord>* words : {&result.clusters.colors, &result.clusters.fields})
+            for (TransferredWord& word : *words)
+                word.vertex = patch.globalVertex[word.vertex];
         result.attributeError = colors.error * mesh_.grid.step();
     }
 
@@ -153,6 +155,7 @@ Level simplifiedLevel(
         next.errors.insert(next.errors.end(), own.errors.begin(), own.errors.end());
         next.normals.insert(next.normals.end(), own.normals.begin(), own.normals.end());
         next.colors.insert(next.colors.end(), own.colors.begin(), own.colors.end());
+        next.fields.insert(next.fields.end(), own.fields.begin(), own.fields.end());
         for (LevelCluster cluster : own.clusters) {
             cluster.firstTriangle += first;
             next.clusters.push_back(cluster);

@@ -59,8 +59,10 @@ void endAtRoot(Level& level) {
 }
 
 void takeAttributes(const Level& level, simplify::Mesh& mesh) {
-    for (const TransferredColor& carried : level.colors)
-        mesh.vertices[carried.vertex].color = carried.color;
+    for (const TransferredWord& carried : level.colors)
+        mesh.vertices[carried.vertex].color = carried.word;
+    for (const TransferredWord& carried : level.fields)
+        mesh.fields.words[carried.vertex] = carried.word;
     for (const TransferredNormal& carried : level.normals)
         mesh.vertices[carried.vertex].normal = carried.normal;
 }

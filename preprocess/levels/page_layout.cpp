@@ -28,7 +28,12 @@ std::uint64_t decodedBytes(const Level& level, const LevelGroup& group) {
 
 /// Appends the cluster's triangles, its vertices numbered in the order of their first use.
 void addGeometry(
-    const simplify::Mesh& mesh, const Level& level, const LevelCluster& cluster, LocalNumbers& numbers, Page& page) {
+    const simplify::Mesh& mesh,
+    const Level& level,
+    const LevelCluster& cluster,
+    LocalNumbers& numbers,
+    Page& page,
+    hierarchy::PageFields& fields) {
     numbers.begin();
     for (const simplify::Triangle& corners :
          std::span(level.triangles).subspan(cluster.firstTriangle, cluster.triangleCount)) {
@@ -40,6 +45,9 @@ void addGeometry(
     GNOMON_CHECK_OP(numbers.ids().size(), ==, cluster.vertexCount);
     for (const std::uint32_t v : numbers.ids())
         page.vertices.push_back(mesh.vertices[v]);
+    if (!mesh.hasFields()) return;
+    for (const std::uint32_t v : numbers.ids())
+        fields.words.push_back(mesh.fieldsOf(v));
 }
 
 /// The number that the level's refinement `refinement` has in `page`, where it is added if it is new; `known` are those
@@ -59,15 +67,22 @@ std::uint32_t refinementInPage(
     return number;
 }
 
+struct PageWithFields {
+    Page page;
+    hierarchy::PageFields fields; // of its vertices
+};
+
 /// The page of the groups [first, end).
-Page makePage(
+PageWithFields makePage(
     const simplify::Mesh& mesh,
     const Level& level,
     std::uint32_t number,
     std::size_t first,
     std::size_t end,
     LocalNumbers& numbers) {
-    Page page;
+    PageWithFields made;
+    auto& [page, fields] = made;
+    fields.layout = mesh.fields.layout;
     page.level = number;
     std::vector<std::uint32_t> refinements; // of the level, in the order of the page
     for (std::size_t g = first; g < end; ++g) {
@@ -90,10 +105,10 @@ Page makePage(
             if (from.refinement != kNone)
                 cluster.refinement = refinementInPage(level, from.refinement, refinements, page);
             page.clusters.push_back(cluster);
-            addGeometry(mesh, level, from, numbers, page);
+            addGeometry(mesh, level, from, numbers, page, fields);
         }
     }
-    return page;
+    return made;
 }
 
 } // namespace
@@ -133,9 +148,9 @@ std::vector<hierarchy::EncodedPage> encodePages(
     std::vector<hierarchy::EncodedPage> encoded(pageCount);
     tbb::enumerable_thread_specific<LocalNumbers> numbers(mesh.vertices.size());
     tbb::parallel_for(std::uint32_t{0}, pageCount, [&](std::uint32_t id) {
-        Page page = makePage(mesh, level, number, id > 0 ? ends[id - 1] : 0, ends[id], numbers.local());
-        hierarchy::orderForCoding(page);
-        encoded[id] = hierarchy::encodePage(page);
+        auto [page, fields] = makePage(mesh, level, number, id > 0 ? ends[id - 1] : 0, ends[id], numbers.local());
+        hierarchy::orderForCoding(page, fields);
+        encoded[id] = hierarchy::encodePage(page, fields);
     });
     return encoded;
 }

@@ -17,8 +17,8 @@ using hierarchy::GridPoint;
 using hierarchy::kNone;
 using hierarchy::Vertex;
 
-/// A record begins with this; then come the vertices, the errors of the triangles and the triangles themselves, three
-/// bytes each.
+/// A record begins with this; then come the vertices, their fields if the model has any, the errors of the triangles
+/// and the triangles themselves, three bytes each.
 struct RecordHead {
     LevelRefinement refinement; // its level is kNone where there is none
     std::uint32_t triangleCount = 0;
@@ -29,8 +29,9 @@ static_assert(std::is_trivially_copyable_v<RecordHead>);
 
 using SmallTriangle = std::array<std::uint8_t, 3>;
 
-std::size_t recordBytes(const LevelCluster& cluster) {
-    return sizeof(RecordHead) + cluster.vertexCount * sizeof(Vertex) +
+std::size_t recordBytes(const simplify::Mesh& mesh, const LevelCluster& cluster) {
+    return sizeof(RecordHead) +
+           cluster.vertexCount * (sizeof(Vertex) + (mesh.hasFields() ? sizeof(std::uint32_t) : 0)) +
            cluster.triangleCount * (sizeof(simplify::TriangleError) + sizeof(SmallTriangle));
 }
 
@@ -95,6 +96,9 @@ void putRecord(
     for (const std::uint32_t v : numbers.ids())
         vertices.push_back(mesh.vertices[v]);
     putAll(out, std::span<const Vertex>(vertices));
+    if (mesh.hasFields())
+        for (const std::uint32_t v : numbers.ids())
+            out.put(mesh.fieldsOf(v));
     putAll(out, std::span(level.errors).subspan(cluster.firstTriangle, cluster.triangleCount));
     putAll(out, std::span<const SmallTriangle>(triangles));
 }
@@ -124,7 +128,7 @@ EncodedPendingLevel encodePendingLevel(const simplify::Mesh& mesh, const Level& 
             {centerOf(cluster.box),
              cluster.triangleCount,
              cluster.vertexCount,
-             static_cast<std::uint32_t>(recordBytes(cluster))});
+             static_cast<std::uint32_t>(recordBytes(mesh, cluster))});
         encoded.vertices += cluster.vertexCount;
         encoded.triangles += cluster.triangleCount;
     }
@@ -167,9 +171,10 @@ void countPagesFrom(std::span<std::byte> record, std::uint32_t firstLevel, std::
 }
 
 struct PendingLevelMerger::State {
-    State(const hierarchy::Grid& grid, std::size_t clusters, std::size_t count)
+    State(const hierarchy::Grid& grid, std::size_t clusters, std::size_t count, const hierarchy::FieldLayout& fields)
         : vertices(count), positions(count), refinements(clusters) {
         pending.mesh.grid = grid;
+        pending.mesh.fields.layout = fields;
     }
 
     std::uint32_t positionFor(const GridPoint& p, std::uint64_t place) {
@@ -184,17 +189,18 @@ struct PendingLevelMerger::State {
         return position;
     }
 
-    std::uint32_t vertexFor(const Vertex& given) {
+    std::uint32_t vertexFor(const Vertex& given, std::uint32_t fields) {
         simplify::Mesh& mesh = pending.mesh;
         const GridPoint& p = given.position;
         const std::uint64_t place = hashOf(p.x, p.y, p.z);
         const auto next = static_cast<std::uint32_t>(mesh.vertices.size());
-        const std::uint32_t found =
-            vertices.findOrInsert(mix64(place ^ hashOf(given.normal, given.color, 0)), next, [&](std::uint32_t other) {
-                return mesh.vertices[other] == given;
+        const std::uint32_t found = vertices.findOrInsert(
+            mix64(place ^ hashOf(given.normal, given.color, fields)), next, [&](std::uint32_t other) {
+                return mesh.vertices[other] == given && mesh.fieldsOf(other) == fields;
             });
         if (found != next) return found;
         mesh.vertices.push_back(given);
+        if (mesh.hasFields()) mesh.fields.words.push_back(fields);
         mesh.positionOf.push_back(positionFor(p, place));
         return found;
     }
@@ -221,8 +227,10 @@ struct PendingLevelMerger::State {
         cluster.triangleCount = head.triangleCount;
         cluster.refinement = refinementFor(head.refinement);
         numbers.clear();
-        for (const Vertex& vertex : takeAll<Vertex>(in, head.vertexCount)) {
-            numbers.push_back(vertexFor(vertex));
+        const auto corners = takeAll<Vertex>(in, head.vertexCount);
+        const auto fields = takeAll<std::uint32_t>(in, mesh.hasFields() ? head.vertexCount : 0);
+        for (std::size_t v = 0; v < corners.size(); ++v) {
+            numbers.push_back(vertexFor(corners[v], fields.empty() ? 0 : fields[v]));
             cluster.box.add(mesh.vertices[numbers.back()].position);
         }
         const auto errors = takeAll<simplify::TriangleError>(in, head.triangleCount);
@@ -244,8 +252,9 @@ struct PendingLevelMerger::State {
     std::vector<std::uint32_t> numbers; // of the vertices of one record
 };
 
-PendingLevelMerger::PendingLevelMerger(const hierarchy::Grid& grid, std::size_t clusters, std::size_t vertices)
-    : state_(std::make_unique<State>(grid, clusters, vertices)) {}
+PendingLevelMerger::PendingLevelMerger(
+    const hierarchy::Grid& grid, std::size_t clusters, std::size_t vertices, const hierarchy::FieldLayout& fields)
+    : state_(std::make_unique<State>(grid, clusters, vertices, fields)) {}
 
 PendingLevelMerger::~PendingLevelMerger() = default;
 

@@ -55,8 +55,12 @@ void countPagesFrom(std::span<std::byte> record, std::uint32_t firstLevel, std::
 /// Joins clusters to one part again, welded by position.
 class PendingLevelMerger {
 public:
-    /// For clusters of at most `vertices` vertices together.
-    PendingLevelMerger(const hierarchy::Grid& grid, std::size_t clusters, std::size_t vertices);
+    /// For clusters of at most `vertices` vertices together, which have `fields`.
+    PendingLevelMerger(
+        const hierarchy::Grid& grid,
+        std::size_t clusters,
+        std::size_t vertices,
+        const hierarchy::FieldLayout& fields = {});
     ~PendingLevelMerger();
     PendingLevelMerger(const PendingLevelMerger&) = delete;
     PendingLevelMerger& operator=(const PendingLevelMerger&) = delete;

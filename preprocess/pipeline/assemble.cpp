@@ -43,6 +43,7 @@ Totals totalsOf(const CheckpointLog& log, std::map<std::string, std::string> opt
     summary.sourceTriangles = log.binned()->triangles;
     summary.sourceVertices = log.binned()->vertices;
     summary.hasColors = log.binned()->format.hasColors;
+    summary.fields = log.binned()->fields;
     summary.options = std::move(options);
     const std::array<std::uint64_t, 3> dropped = droppedTriangles(log);
     summary.dropped = {

@@ -22,12 +22,17 @@ const char* nameOf(simplify::Simplifier simplifier) {
 } // namespace
 
 std::map<std::string, std::string> optionsOf(const BuildOptions& options) {
-    return {
+    std::map<std::string, std::string> rows{
         {"chunk_triangles", std::to_string(options.chunkTriangles)},
         {"cluster_triangles", std::to_string(options.level.clusterTriangles)},
         {"error", options.level.isErrorMeasured ? "measured" : "estimated"},
         {"simplifier", nameOf(options.level.simplifier)},
     };
+    std::string fields;
+    for (const std::string& name : options.fields)
+        fields += (fields.empty() ? "" : ",") + name;
+    if (!fields.empty()) rows["fields"] = fields;
+    return rows;
 }
 
 std::string keyOf(const BuildOptions& options) {

@@ -130,6 +130,7 @@ private:
             record.grid = survey.grid;
             record.furthest = survey.furthest;
             record.format = chunk::formatOf(source_.summary());
+            record.fields = survey.fields;
             record.triangles = survey.triangles;
             record.vertices = survey.vertices;
             record.notAPolygon = survey.notAPolygon;

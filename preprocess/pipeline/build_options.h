@@ -8,6 +8,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace gnomon::pipeline {
 
@@ -22,11 +23,12 @@ struct BuildOptions {
     levels::LevelOptions level;
     std::uint32_t chunkTriangles = kChunkTriangles;
     std::optional<double> maxStuckPercent;
-    int threads = 0;             // 0: all
-    std::string temporaryFolder; // for temporary files; empty: beside the output
-    bool isInMemory = false;     // temporary files in memory
-    bool isResumed = false;      // go on with what a killed build left, if anything
-    std::string inputKey;        // what tells this input from others, for a build that resumes (fingerprint.h)
+    int threads = 0;                 // 0: all
+    std::string temporaryFolder;     // for temporary files; empty: beside the output
+    bool isInMemory = false;         // temporary files in memory
+    std::vector<std::string> fields; // that the source was opened with, in order
+    bool isResumed = false;          // go on with what a killed build left, if anything
+    std::string inputKey;            // what tells this input from others, for a build that resumes (fingerprint.h)
 
     /// Told the folder of temporary files if it stays, for what no build has written into it.
     std::function<void(const std::string&)> onKeptFolder = {};

@@ -37,6 +37,8 @@ struct Putter {
         count(values);
         out.put(values);
     }
+
+    void text(const std::string& value) { out.putText(value); }
 };
 
 struct Taker {
@@ -62,6 +64,8 @@ struct Taker {
         const auto taken = in.take(size);
         values.assign(taken.begin(), taken.end());
     }
+
+    void text(std::string& value) { value = in.takeText(); }
 };
 
 template <class Fields, class Vector>
@@ -93,6 +97,15 @@ void binnedFields(Fields& fields, Record& record) {
     fields.field(record.format.isDouble);
     fields.field(record.format.hasNormals);
     fields.field(record.format.hasColors);
+    for (auto& bits : record.format.fields.bits)
+        fields.field(bits);
+    fields.count(record.fields);
+    for (auto& field : record.fields) {
+        fields.text(field.name);
+        fields.field(field.least);
+        fields.field(field.greatest);
+        fields.field(field.bits);
+    }
     fields.field(record.triangles);
     fields.field(record.vertices);
     fields.field(record.notAPolygon);

@@ -15,13 +15,14 @@
 namespace gnomon::pipeline {
 
 /// Counts up when the records change: a build can go on only with those of its own kind.
-constexpr int kCheckpointVersion = 5;
+constexpr int kCheckpointVersion = 6;
 
 /// The source is in chunks.
 struct BinnedRecord {
     hierarchy::Grid grid;
     hierarchy::GridPoint furthest; // of the positions, on each axis
     chunk::VertexFormat format;
+    std::vector<hierarchy::Field> fields;
     std::uint64_t triangles = 0;
     std::uint64_t vertices = 0;
     std::uint64_t notAPolygon = 0;

@@ -149,7 +149,8 @@ void RoundBins::shareBorders(std::uint32_t nodeCount, std::size_t atOnce, LockCo
 
 levels::PendingLevel RoundBins::load(std::uint32_t node) const {
     const ClusterSums& sums = log().binnedRound(round_)->nodes[node];
-    levels::PendingLevelMerger merger(log().binned()->grid, sums.clusters, sums.vertices);
+    levels::PendingLevelMerger merger(
+        log().binned()->grid, sums.clusters, sums.vertices, log().binned()->format.fields);
     bins_->readBlocks(
         chunk::streamOf(Stream::Records, node), [&](std::span<const std::byte> records) { merger.add(records); });
     bins_->readBlocks(chunk::streamOf(Stream::Locks, node), [&](std::span<const std::byte> locks) {

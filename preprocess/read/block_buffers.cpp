@@ -8,7 +8,9 @@ VertexBuffer::VertexBuffer(const VertexSink& sink, const Attributes& attributes)
     : sink_(sink),
       positions_(kBlockRows),
       normals_(attributes.hasNormals ? kBlockRows : 0),
-      colors_(attributes.hasColors ? kBlockRows : 0) {}
+      colors_(attributes.hasColors ? kBlockRows : 0),
+      fields_(attributes.fieldCount * kBlockRows),
+      fieldCount_(attributes.fieldCount) {}
 
 VertexBuffer::Rows VertexBuffer::append(std::size_t count) {
     GNOMON_CHECK_OP(count, <=, room());
@@ -16,6 +18,7 @@ VertexBuffer::Rows VertexBuffer::append(std::size_t count) {
     rows.positions = std::span(positions_).subspan(size_, count);
     if (!normals_.empty()) rows.normals = std::span(normals_).subspan(size_, count);
     if (!colors_.empty()) rows.colors = std::span(colors_).subspan(size_, count);
+    rows.fields = std::span(fields_).subspan(fieldCount_ * size_, fieldCount_ * count);
     size_ += count;
     return rows;
 }
@@ -27,6 +30,7 @@ void VertexBuffer::flush() {
     block.positions = std::span(positions_).first(size_);
     if (!normals_.empty()) block.normals = std::span(normals_).first(size_);
     if (!colors_.empty()) block.colors = std::span(colors_).first(size_);
+    block.fields = std::span(fields_).first(fieldCount_ * size_);
     first_ += size_;
     size_ = 0;
     sink_(block);

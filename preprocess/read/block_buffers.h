@@ -14,17 +14,19 @@ constexpr std::size_t kBlockRows = 16384;
 /// Collects vertices.
 class VertexBuffer {
 public:
-    /// Places to fill for rows that were appended; normals and colours are empty where the input has none.
+    /// Places to fill for rows that were appended; what the input has not is empty.
     struct Rows {
         std::span<glm::dvec3> positions;
         std::span<glm::vec3> normals;
         std::span<std::uint32_t> colors;
+        std::span<double> fields; // fieldCount a vertex
     };
 
     /// What vertices have besides positions.
     struct Attributes {
         bool hasNormals = false;
         bool hasColors = false;
+        std::size_t fieldCount = 0;
     };
 
     VertexBuffer(const VertexSink& sink, const Attributes& attributes);
@@ -49,6 +51,8 @@ private:
     std::vector<glm::dvec3> positions_;
     std::vector<glm::vec3> normals_;
     std::vector<std::uint32_t> colors_;
+    std::vector<double> fields_;
+    std::size_t fieldCount_;
     std::uint64_t first_ = 0;
     std::size_t size_ = 0;
 };

@@ -27,7 +27,9 @@ public:
         summary_.hasNormals = !mesh_.normals.empty();
         summary_.hasColors = !mesh_.colors.empty();
         summary_.heldBytes = bytesOf(mesh_.positions) + bytesOf(mesh_.normals) + bytesOf(mesh_.colors) +
-                             bytesOf(mesh_.faceSizes) + bytesOf(mesh_.corners);
+                             bytesOf(mesh_.faceSizes) + bytesOf(mesh_.corners) + bytesOf(mesh_.fields);
+        summary_.fields = mesh_.fieldNames;
+        GNOMON_CHECK(mesh_.fields.size() == summary_.fields.size() * mesh_.positions.size());
         GNOMON_CHECK(mesh_.normals.empty() || mesh_.normals.size() == mesh_.positions.size());
         GNOMON_CHECK(mesh_.colors.empty() || mesh_.colors.size() == mesh_.positions.size());
         const auto needsDouble = [](const glm::dvec3& p) { return glm::dvec3(glm::vec3(p)) != p; };
@@ -46,6 +48,8 @@ public:
             block.positions = std::span(mesh_.positions).subspan(first, count);
             if (summary_.hasNormals) block.normals = std::span(mesh_.normals).subspan(first, count);
             if (summary_.hasColors) block.colors = std::span(mesh_.colors).subspan(first, count);
+            const std::size_t fieldCount = summary_.fields.size();
+            block.fields = std::span(mesh_.fields).subspan(first * fieldCount, count * fieldCount);
             sink(block);
         }
     }

@@ -16,6 +16,8 @@ struct MemoryMesh {
     std::vector<std::uint32_t> faceSizes; ///< corners of each face
     std::vector<std::uint64_t> corners;   ///< of all faces one after the other, each below positions.size()
     std::map<std::string, std::uint64_t> attributesDropped{}; ///< as in MeshSummary
+    std::vector<std::string> fieldNames{};                    ///< as in MeshSummary
+    std::vector<double> fields{};                             ///< of all vertices, as in VertexBlock
     std::uint64_t notAPolygon = 0; ///< faces that never came this far, besides those of faceSizes below 3
 };
 

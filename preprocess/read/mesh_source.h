@@ -12,6 +12,7 @@
 #include <map>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace gnomon::read {
 
@@ -27,6 +28,7 @@ struct MeshSummary {
     bool hasNormals = false;
     bool hasColors = false;
     bool isDouble = false;                                  ///< positions need more than a float
+    std::vector<std::string> fields;                        ///< scalar properties of the vertices that are read
     std::uint64_t heldBytes = 0;                            ///< of memory that the source keeps as long as it lives
     std::map<std::string, std::uint64_t> attributesDropped; ///< what the input has besides, and how many have it
 };
@@ -37,6 +39,7 @@ struct VertexBlock {
     std::span<const glm::dvec3> positions; ///< finite where a triangle uses them, else the source is bad
     std::span<const glm::vec3> normals;    ///< as stored, zero where not finite; empty if the input has none
     std::span<const std::uint32_t> colors; ///< RGBA8, red in the lowest byte; empty if the input has none
+    std::span<const double> fields;        ///< as many as the summary has a vertex, vertex by vertex, as stored
 };
 
 /// The vertex indices of one triangle, each below the summary's vertexCount.

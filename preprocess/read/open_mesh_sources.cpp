@@ -20,6 +20,7 @@ class JoinedSource final : public MeshSource {
 public:
     explicit JoinedSource(std::vector<std::unique_ptr<MeshSource>> parts) : parts_(std::move(parts)) {
         summary_.hasNormals = true;
+        summary_.fields = parts_.front()->summary().fields;
         for (const auto& part : parts_) {
             const MeshSummary& more = part->summary();
             summary_.path += (summary_.path.empty() ? "" : ", ") + more.path;
@@ -102,11 +103,14 @@ bool startsWith(const std::string& path, std::string_view magic) {
 }
 
 /// Opens `path` by what it begins with, else by the end of its name.
-std::unique_ptr<MeshSource> openByFormat(const std::string& path, Bytes room) {
+std::unique_ptr<MeshSource> openByFormat(const std::string& path, Bytes room, const std::vector<std::string>& fields) {
     const bool isPly = startsWith(path, "ply");
     if (File(path, File::Mode::Read).size() == 0) throw Error(path, "the file is empty");
-    if (isWholeFileFormat(path) && !isPly) return readWholeFile(path, room);
-    if (isPly || std::filesystem::path(path).extension() == ".ply") return openPlyWithFaceColors(path, room);
+    if (isWholeFileFormat(path) && !isPly) {
+        if (!fields.empty()) throw Error(path, "only a PLY has fields", "none", fields.front());
+        return readWholeFile(path, room);
+    }
+    if (isPly || std::filesystem::path(path).extension() == ".ply") return openPlyWithFaceColors(path, room, fields);
     if (startsWith(path, "\x89GNM"))
         throw Error(path, "a built model already, not a mesh: render, view and info take it as it is");
     throw Error(path, "not a mesh that can be read", "PLY, OBJ, STL or OFF", "something else");
@@ -135,14 +139,15 @@ void requireRereadable(const std::string& path) {
     if (isSomethingElse) throw Error(path, "a source is read several times", "a file", nameOf(type));
 }
 
-std::unique_ptr<MeshSource> openMeshSources(const std::vector<std::string>& paths, Bytes memoryLimit) {
+std::unique_ptr<MeshSource> openMeshSources(
+    const std::vector<std::string>& paths, Bytes memoryLimit, const std::vector<std::string>& fields) {
     GNOMON_CHECK(!paths.empty());
     std::vector<std::unique_ptr<MeshSource>> parts;
     parts.reserve(paths.size());
     Bytes room = memoryLimit;
     for (const std::string& path : paths) {
         requireRereadable(path);
-        parts.push_back(openByFormat(path, room));
+        parts.push_back(openByFormat(path, room, fields));
         room.count -= std::min(room.count, parts.back()->summary().heldBytes);
     }
     if (parts.size() == 1) return std::move(parts.front());

@@ -21,6 +21,9 @@ void requireRereadable(const std::string& path);
 /// PLY files are known by their first line, whatever their name; the others by their suffix. PLY is streamed, unless
 /// its faces have colours; that, OBJ, STL and OFF are read whole and throw Error if that could take more than
 /// `memoryLimit`. All errors name the file.
-std::unique_ptr<MeshSource> openMeshSources(const std::vector<std::string>& paths, Bytes memoryLimit);
+///
+/// `fields` are scalar properties of the vertices to read besides, which every input must be a PLY for and must have.
+std::unique_ptr<MeshSource> openMeshSources(
+    const std::vector<std::string>& paths, Bytes memoryLimit, const std::vector<std::string>& fields = {});
 
 } // namespace gnomon::read

@@ -38,7 +38,7 @@ std::optional<FaceColorLayout> faceColorLayoutOf(const PlyElement& element) {
 
 void FaceColorSplitter::requireRoom() const {
     const std::uint64_t needed = bytesOf(mesh_.positions) + bytesOf(mesh_.normals) + bytesOf(mesh_.faceSizes) +
-                                 mesh_.corners.size() * kBytesPerCorner;
+                                 2 * bytesOf(mesh_.fields) + mesh_.corners.size() * kBytesPerCorner;
     if (needed > memoryLimit_.count || mesh_.positions.size() > kMostVertices)
         throw Error(
             path_,
@@ -50,6 +50,7 @@ void FaceColorSplitter::requireRoom() const {
 void FaceColorSplitter::addVertices(const VertexBlock& block) {
     mesh_.positions.insert(mesh_.positions.end(), block.positions.begin(), block.positions.end());
     mesh_.normals.insert(mesh_.normals.end(), block.normals.begin(), block.normals.end());
+    mesh_.fields.insert(mesh_.fields.end(), block.fields.begin(), block.fields.end());
     requireRoom();
 }
 
@@ -68,11 +69,16 @@ MemoryMesh FaceColorSplitter::take() {
         corner = static_cast<std::uint64_t>(std::lower_bound(names.begin(), names.end(), corner) - names.begin());
     const std::vector<glm::dvec3> positions = std::move(mesh_.positions);
     const std::vector<glm::vec3> normals = std::move(mesh_.normals);
+    const std::vector<double> fields = std::move(mesh_.fields);
+    const std::size_t fieldCount = mesh_.fieldNames.size();
     mesh_.positions.clear();
     mesh_.normals.clear();
+    mesh_.fields.clear();
     for (const std::uint64_t name : names) {
         mesh_.positions.push_back(positions[name >> kColorBits]);
         if (!normals.empty()) mesh_.normals.push_back(normals[name >> kColorBits]);
+        for (std::size_t field = 0; field < fieldCount; ++field)
+            mesh_.fields.push_back(fields[(name >> kColorBits) * fieldCount + field]);
         mesh_.colors.push_back(static_cast<std::uint32_t>(name & std::numeric_limits<std::uint32_t>::max()));
     }
     return std::move(mesh_);

@@ -19,8 +19,11 @@ std::optional<FaceColorLayout> faceColorLayoutOf(const PlyElement& element);
 /// Collects the vertices of a file and then its coloured faces, and splits the one by the other.
 class FaceColorSplitter {
 public:
-    /// `path` and `memoryLimit` for what is refused.
-    FaceColorSplitter(std::string path, Bytes memoryLimit) : path_(std::move(path)), memoryLimit_(memoryLimit) {}
+    /// `path` and `memoryLimit` for what is refused; the vertices come with values for `fields`.
+    FaceColorSplitter(std::string path, Bytes memoryLimit, std::vector<std::string> fields)
+        : path_(std::move(path)), memoryLimit_(memoryLimit) {
+        mesh_.fieldNames = std::move(fields);
+    }
 
     void addVertices(const VertexBlock& block);
 

@@ -100,6 +100,18 @@ void decodeColors(const RawRows& rows, const Columns& columns, std::span<std::ui
     }
 }
 
+void decodeFields(
+    const RawRows& rows, const PlyElement& element, const VertexLayout& layout, std::span<double> fields) {
+    for (std::size_t field = 0; field < layout.fields.size(); ++field) {
+        Column column{element.properties[layout.fields[field]].type, 0, true};
+        for (std::size_t before = 0; before < layout.fields[field]; ++before)
+            column.offset += byteSize(element.properties[before].type);
+        decode(rows, column, [&](std::size_t i, auto value) {
+            fields[i * layout.fields.size() + field] = static_cast<double>(value);
+        });
+    }
+}
+
 struct FaceLayout {
     std::size_t before = 0; ///< bytes of the values before the list
     std::size_t after = 0;  ///< and after it
@@ -189,6 +201,7 @@ void readVertexColumns(BinaryValues& values, const PlyElement& element, const Ve
         decodePositions(rows, columns, place.positions);
         if (layout.hasNormals) decodeNormals(rows, columns, place.normals);
         if (layout.hasColors) decodeColors(rows, columns, place.colors);
+        decodeFields(rows, element, layout, place.fields);
         stream.consume(rows.count * stride);
         done += count;
         values.endRows(count);

@@ -25,6 +25,7 @@ struct VertexLayout {
     bool hasNormals = false;
     bool hasColors = false;
     bool isDouble = false;
+    std::vector<std::size_t> fields; ///< indices of the properties that are read as fields
 
     /// Whether the element has all of `count` slots from `first` on.
     bool has(std::size_t first, std::size_t count) const {
@@ -181,28 +182,61 @@ void readStripRow(Values& values, const PlyElement& element, int list, std::uint
     values.endRow();
 }
 
-/// The vertices of an element in any layout.
-template <class Values>
-void readVertexRows(Values& values, const PlyElement& element, const VertexLayout& layout, VertexBuffer& out) {
-    const std::size_t width = element.properties.size();
-    std::vector<int> slotOf(width, -1);
-    for (std::size_t slot = 0; slot < kVertexSlots; ++slot)
-        if (const int i = layout.property[slot]; i >= 0) slotOf[static_cast<std::size_t>(i)] = static_cast<int>(slot);
-    std::array<PlyType, kVertexSlots> type{};
-    std::array<double, kVertexSlots> row{};
-    row[kAlpha] = 255;
-    for (std::uint64_t n = 0; n < element.count; ++n) {
-        for (std::size_t i = 0; i < width; ++i) {
-            const PlyProperty& property = element.properties[i];
-            if (slotOf[i] < 0) {
+/// The values of one vertex that count, and where they are among those of its element.
+class VertexRow {
+public:
+    VertexRow(const PlyElement& element, const VertexLayout& layout)
+        : element_(element),
+          slotOf_(element.properties.size(), -1),
+          fieldOf_(element.properties.size(), layout.fields.size()),
+          fields_(layout.fields.size()) {
+        for (std::size_t slot = 0; slot < kVertexSlots; ++slot)
+            if (const int i = layout.property[slot]; i >= 0)
+                slotOf_[static_cast<std::size_t>(i)] = static_cast<int>(slot);
+        for (std::size_t field = 0; field < layout.fields.size(); ++field)
+            fieldOf_[layout.fields[field]] = field;
+        slots_[kAlpha] = 255;
+    }
+
+    template <class Values>
+    void read(Values& values) {
+        for (std::size_t i = 0; i < slotOf_.size(); ++i) {
+            const PlyProperty& property = element_.properties[i];
+            const bool isField = fieldOf_[i] < fields_.size(); // which may fill a slot besides
+            if (slotOf_[i] < 0 && !isField) {
                 skipProperty(values, property);
                 continue;
             }
-            const auto slot = static_cast<std::size_t>(slotOf[i]);
-            type[slot] = property.type;
-            row[slot] = values.real(property.type);
+            const double value = values.real(property.type);
+            if (isField) fields_[fieldOf_[i]] = value;
+            if (slotOf_[i] < 0) continue;
+            types_[static_cast<std::size_t>(slotOf_[i])] = property.type;
+            slots_[static_cast<std::size_t>(slotOf_[i])] = value;
         }
         values.endRow();
+    }
+
+    double operator[](std::size_t slot) const { return slots_[slot]; }
+
+    std::uint8_t channel(std::size_t slot) const { return colorByte(types_[slot], slots_[slot]); }
+
+    const std::vector<double>& fields() const { return fields_; }
+
+private:
+    const PlyElement& element_;
+    std::vector<int> slotOf_;          // by property, -1 for none
+    std::vector<std::size_t> fieldOf_; // by property, the number of fields for none
+    std::array<PlyType, kVertexSlots> types_{};
+    std::array<double, kVertexSlots> slots_{};
+    std::vector<double> fields_;
+};
+
+/// The vertices of an element in any layout.
+template <class Values>
+void readVertexRows(Values& values, const PlyElement& element, const VertexLayout& layout, VertexBuffer& out) {
+    VertexRow row(element, layout);
+    for (std::uint64_t n = 0; n < element.count; ++n) {
+        row.read(values);
         const VertexBuffer::Rows place = out.append(1);
         place.positions[0] = {row[0], row[1], row[2]};
         if (!place.normals.empty())
@@ -210,8 +244,9 @@ void readVertexRows(Values& values, const PlyElement& element, const VertexLayou
         if (!place.colors.empty()) {
             place.colors[0] = 0;
             for (std::uint32_t c = 0; c < 4; ++c)
-                place.colors[0] |= static_cast<std::uint32_t>(colorByte(type[kColor + c], row[kColor + c])) << (8 * c);
+                place.colors[0] |= std::uint32_t{row.channel(kColor + c)} << (8 * c);
         }
+        std::ranges::copy(row.fields(), place.fields.begin());
         out.flushIfFull();
     }
 }

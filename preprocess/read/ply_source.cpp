@@ -68,17 +68,39 @@ std::string droppedName(const PlyElement& element, Role role, const std::string&
     return element.name + " " + property;
 }
 
+/// The properties of vertices that can be fields: numbers that nothing else is made of.
+std::vector<std::size_t> fieldsOf(const PlyElement& element, const VertexLayout& layout) {
+    std::vector<std::size_t> fields;
+    for (std::size_t i = 0; i < element.properties.size(); ++i) {
+        const auto slot = std::ranges::find(layout.property, static_cast<int>(i));
+        const bool isKept = slot != layout.property.end() &&
+                            (slot < layout.property.begin() + kNormal ||
+                             (slot < layout.property.begin() + kColor ? layout.hasNormals : layout.hasColors));
+        if (!element.properties[i].isList && !isKept) fields.push_back(i);
+    }
+    return fields;
+}
+
+/// Their names, for a message.
+std::string listOf(const PlyElement& element, const std::vector<std::size_t>& fields) {
+    std::string list = fields.empty() ? "none, since vertices have no other numbers" : "one of ";
+    for (std::size_t i = 0; i < fields.size(); ++i)
+        list += (i > 0 ? ", " : "") + element.properties[fields[i]].name;
+    return list;
+}
+
 class PlySource final : public MeshSource {
 public:
-    explicit PlySource(const std::string& path)
+    PlySource(const std::string& path, const std::vector<std::string>& fields)
         : file_(path), header_(readPlyHeader(file_)), starts_(header_.elements.size() + 1) {
         starts_[0] = {header_.bodyOffset, header_.bodyLine};
         summary_.path = path;
         summary_.fileBytes = file_.size();
         for (std::size_t i = 0; i < header_.elements.size(); ++i)
-            addToSummary(i);
+            addToSummary(i, fields);
         if (vertices_ == header_.elements.size()) throw Error(path, "the header declares no vertices");
         if (!layout_.has(kPosition, 3)) throw Error(path, "the vertices have no x, y and z");
+        takeFields(fields);
         requireFaces(summary_);
         summary_.likelyTriangles = likelyTriangles();
         const PlyElement& faces = header_.elements[firstFaces_];
@@ -93,7 +115,7 @@ public:
 
     /// The same mesh in memory, with the colours of its faces. Throws Error if it takes more than `memoryLimit`.
     std::unique_ptr<MeshSource> withFaceColors(Bytes memoryLimit) {
-        FaceColorSplitter splitter(summary_.path, memoryLimit);
+        FaceColorSplitter splitter(summary_.path, memoryLimit, summary_.fields);
         readVertices([&](const VertexBlock& block) { splitter.addVertices(block); });
         const PlyElement& faces = header_.elements[firstFaces_];
         pass(
@@ -140,12 +162,14 @@ public:
     }
 
 private:
-    void addToSummary(std::size_t i) {
+    void addToSummary(std::size_t i, const std::vector<std::string>& fields) {
         const PlyElement& element = header_.elements[i];
         const Role role = roleOf(element);
-        for (const PlyProperty& property : element.properties)
+        for (const PlyProperty& property : element.properties) {
+            if (role == Role::Vertices && std::ranges::find(fields, property.name) != fields.end()) continue;
             if (const std::string name = droppedName(element, role, property.name); !name.empty() && element.count > 0)
                 summary_.attributesDropped[name] = element.count;
+        }
         if (role == Role::Vertices) {
             if (vertices_ < header_.elements.size()) throw Error(summary_.path, "the header declares vertices twice");
             vertices_ = i;
@@ -158,6 +182,20 @@ private:
         if (role == Role::Faces) summary_.faceCount += element.count;
         if (role == Role::Strips) summary_.stripCount += element.count;
         if (role == Role::Faces || role == Role::Strips) firstFaces_ = std::min(firstFaces_, i);
+    }
+
+    void takeFields(const std::vector<std::string>& names) {
+        const PlyElement& element = header_.elements[vertices_];
+        const std::vector<std::size_t> known = fieldsOf(element, layout_);
+        for (const std::string& name : names) {
+            const auto field =
+                std::ranges::find_if(known, [&](std::size_t i) { return element.properties[i].name == name; });
+            if (std::ranges::count(names, name) > 1)
+                throw Error(summary_.path, "a field is named twice", "each once", name);
+            if (field == known.end()) throw Error(summary_.path, "no such field", listOf(element, known), name);
+            layout_.fields.push_back(*field);
+            summary_.fields.push_back(name);
+        }
     }
 
     // The bytes of a binary file that no row must have are corners, where there is but one list.
@@ -206,7 +244,9 @@ private:
     void vertexPass(Values& values, const VertexSink& sink) {
         const PlyElement& element = header_.elements[vertices_];
         values.beginElement(element);
-        VertexBuffer out(sink, {.hasNormals = layout_.hasNormals, .hasColors = layout_.hasColors});
+        VertexBuffer out(
+            sink,
+            {.hasNormals = layout_.hasNormals, .hasColors = layout_.hasColors, .fieldCount = layout_.fields.size()});
         if constexpr (std::is_same_v<Values, BinaryValues>) {
             if (element.hasLists())
                 readVertexRows(values, element, layout_, out);
@@ -266,11 +306,12 @@ private:
 } // namespace
 
 std::unique_ptr<MeshSource> openPly(const std::string& path) {
-    return std::make_unique<PlySource>(path);
+    return std::make_unique<PlySource>(path, std::vector<std::string>());
 }
 
-std::unique_ptr<MeshSource> openPlyWithFaceColors(const std::string& path, Bytes memoryLimit) {
-    auto source = std::make_unique<PlySource>(path);
+std::unique_ptr<MeshSource> openPlyWithFaceColors(
+    const std::string& path, Bytes memoryLimit, const std::vector<std::string>& fields) {
+    auto source = std::make_unique<PlySource>(path, fields);
     if (source->hasFaceColors()) return source->withFaceColors(memoryLimit);
     return source;
 }

@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace gnomon::read {
 
@@ -20,6 +21,9 @@ std::unique_ptr<MeshSource> openPly(const std::string& path);
 
 /// The same with the colours of faces where vertices have none and all triangles are faces of one element: read whole,
 /// a vertex split where its faces have different colours. Throws Error where that takes more than `memoryLimit`.
-std::unique_ptr<MeshSource> openPlyWithFaceColors(const std::string& path, Bytes memoryLimit);
+/// Scalar properties of the vertices named in `fields` are read too, in that order; Error lists those that there are
+/// where one of them is not there, or is kept anyway.
+std::unique_ptr<MeshSource> openPlyWithFaceColors(
+    const std::string& path, Bytes memoryLimit, const std::vector<std::string>& fields = {});
 
 } // namespace gnomon::read

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "hierarchy/model.h"
+#include "hierarchy/page_fields.h"
 
 #include <array>
 #include <cstdint>
@@ -26,6 +27,11 @@ struct Mesh {
     std::uint32_t positionCount = 0;
     std::vector<std::uint8_t> isBorder; // per position: triangles outside this mesh may share it, so it must stay
     std::vector<Triangle> triangles;    // vertex indices; the three positions of a triangle differ
+    hierarchy::PageFields fields;       // of the vertices, which are equal only where these are
+
+    bool hasFields() const { return fields.layout.count() > 0; }
+
+    std::uint32_t fieldsOf(std::uint32_t vertex) const { return hasFields() ? fields.words[vertex] : 0; }
 };
 
 } // namespace gnomon::simplify

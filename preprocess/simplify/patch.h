@@ -35,6 +35,7 @@ struct Patch {
     std::vector<glm::dvec3> positions;
     std::vector<std::uint8_t> isLocked;    // per position: shared with another group, must stay where it is
     std::vector<Triangle> triangles;       // vertex indices
+    hierarchy::PageFields fields;          // of the vertices
     std::span<const TriangleError> errors; // of the triangles; empty for the source itself
     CostLimit costLimit = CostLimit::None;
     bool isErrorBounded = true; // whether the errors of the simplified triangles are asked for

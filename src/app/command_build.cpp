@@ -7,13 +7,13 @@
 #include "core/units.h"
 #include "preprocess/pipeline/build_model.h"
 #include "preprocess/pipeline/fingerprint.h"
+#include "preprocess/pipeline/report_json.h"
 #include "preprocess/read/open_mesh_sources.h"
 #include "telemetry/json_text.h"
 
 #include <cstdio>
 #include <map>
 
-#include <nlohmann/json.hpp>
 #include <sys/resource.h>
 
 namespace gnomon::app {
@@ -26,6 +26,7 @@ using simplify::Simplifier;
 struct BuildCommand {
     CommonOptions common;
     std::vector<std::string> inputs;
+    std::vector<std::string> fields;
     std::string output;
     std::string memory = "2G";
     std::string temporary;
@@ -44,48 +45,6 @@ std::uint64_t peakResidentBytes() {
     rusage usage{};
     ::getrusage(RUSAGE_SELF, &usage);
     return static_cast<std::uint64_t>(usage.ru_maxrss) << 10U;
-}
-
-nlohmann::ordered_json asJson(const BuildReport& report, const read::MeshSummary& source) {
-    std::uint64_t clusters = 0;
-    std::uint64_t groups = 0;
-    for (const hierarchy::LevelInfo& level : report.summary.levels) {
-        clusters += level.clusters;
-        groups += level.groups;
-    }
-    nlohmann::ordered_json phases = nlohmann::ordered_json::array();
-    for (const pipeline::BuildPhase& phase : report.phases)
-        phases.push_back(
-            {{"name", phase.name},
-             {"seconds", phase.seconds},
-             {"bytes_read", phase.bytesRead},
-             {"bytes_written", phase.bytesWritten}});
-    nlohmann::ordered_json rounds = nlohmann::ordered_json::array();
-    for (const auto& [nodes, roundTriangles, locked, before] : report.rounds)
-        rounds.push_back(
-            {{"nodes", nodes}, {"triangles", roundTriangles}, {"locked", locked}, {"locked_before", before}});
-    const auto triangles = static_cast<double>(report.summary.sourceTriangles);
-    return {
-        {"source_triangles", report.summary.sourceTriangles},
-        {"source_vertices", report.summary.sourceVertices},
-        {"dropped", report.summary.dropped},
-        {"attributes_dropped", source.attributesDropped},
-        {"clusters", clusters},
-        {"groups", groups},
-        {"level_count", report.summary.levels.size()},
-        {"pages", report.pages},
-        {"coarsest_triangles", report.summary.coarsestTriangles},
-        {"stuck_triangles", report.stuckTriangles},
-        {"file_bytes", report.fileBytes},
-        {"bytes_per_source_triangle", static_cast<double>(report.fileBytes) / triangles},
-        {"peak_rss_bytes", peakResidentBytes()},
-        {"temporary_bytes", report.temporaryBytes},
-        {"seconds", report.seconds},
-        {"phases", phases},
-        {"rounds", rounds},
-        {"triangles_per_second", report.seconds > 0 ? triangles / report.seconds : 0},
-        {"content_hash", report.contentHash},
-    };
 }
 
 void printForPeople(const BuildReport& report, const read::MeshSummary& source, const std::string& output) {
@@ -178,11 +137,12 @@ void run(const BuildCommand& command) {
     options.level.simplifier = simplifiers.at(command.simplifier);
     if (command.maxStuckPercent < 100) options.maxStuckPercent = command.maxStuckPercent;
     options.inputKey = pipeline::fingerprintOf(command.inputs);
-    const auto source = read::openMeshSources(command.inputs, options.memory);
+    options.fields = command.fields;
+    const auto source = read::openMeshSources(command.inputs, options.memory, command.fields);
     const BuildReport report = built(*source, options, command.common);
     warnOfCoarsest(report, command.output);
     if (command.isJson)
-        std::printf("%s\n", telemetry::jsonText(asJson(report, source->summary()), 1).c_str());
+        std::printf("%s\n", telemetry::jsonText(reportJson(report, source->summary(), peakResidentBytes()), 1).c_str());
     else
         printForPeople(report, source->summary(), command.output);
     requirePrinted("the model " + command.output + " is complete");
@@ -213,6 +173,10 @@ void addBuildCommand(CLI::App& program) {
     CLI::App* command = program.add_subcommand("build", "Turn a mesh into a level-of-detail model (.gnm)");
     command->add_option("INPUT", options->inputs, "PLY, OBJ, STL or OFF; several make one model")->required();
     command->add_option("-o,--output", options->output, "The .gnm to write")->required();
+    command
+        ->add_option("--fields", options->fields, "Scalar properties of a PLY's vertices to keep, up to four: NAME,...")
+        ->delimiter(',')
+        ->allow_extra_args(false);
     command->add_option("--memory", options->memory, "Peak resident size of the process")
         ->check(memorySize())
         ->capture_default_str();

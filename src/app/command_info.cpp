@@ -43,7 +43,11 @@ ordered_json infoJson(const hierarchy::ModelFile& file) {
     json["fields"] = ordered_json::array();
     for (const hierarchy::Field& field : summary.fields)
         json["fields"].push_back(
-            {{"name", field.name}, {"min", field.least}, {"max", field.greatest}, {"bits", field.bits}});
+            {{"name", field.name},
+             {"min", field.least},
+             {"max", field.greatest},
+             {"bits", field.bits},
+             {"error", field.error()}});
     json["up"] = hierarchy::upAxisText(summary.up);
     json["unit"] = hierarchy::rowOf(summary.unit).name;
     json["pages"] = file.pages().size();

@@ -74,6 +74,9 @@ struct Field {
     double greatest = 0;
     std::uint32_t bits = kMostFieldBits; // 1 to kMostFieldBits
 
+    /// The most that a stored value is off by.
+    double error() const { return (greatest - least) / (2 * static_cast<double>((1U << bits) - 1U)); }
+
     bool operator==(const Field&) const = default;
 };
 

@@ -115,6 +115,14 @@ auto readTable(const File& file, const TablePlace& place, const char* name, Deco
     }
 }
 
+bool hasLayoutOf(const FieldLayout& layout, const std::vector<Field>& fields) {
+    return layout.count() == fields.size() &&
+           std::ranges::equal(
+               fields, std::span(layout.bits).first(fields.size()), [](const Field& field, std::uint8_t bits) {
+                   return field.bits == bits;
+               });
+}
+
 } // namespace
 
 ModelFile::ModelFile(const std::string& path, Bytes tableMemory)
@@ -153,13 +161,20 @@ std::string ModelFile::computedContentHash() const {
 }
 
 Page ModelFile::readPage(std::uint32_t page) const {
+    thread_local PageFields fields; // kept likewise
+    return readPage(page, fields);
+}
+
+Page ModelFile::readPage(std::uint32_t page, PageFields& fields) const {
     const PageInfo& info = pages_.at(page);
     thread_local std::vector<std::byte> bytes; // kept from page to page, as what decoding needs is
     bytes.resize(info.storedBytes);
     readPatiently(file_, info.offset, bytes);
     try {
         if (checksum64(bytes) != info.checksum) throw Damage{"wrong checksum"};
-        return decodePageBytes(bytes, info);
+        Page decoded = decodePageBytes(bytes, info, fields);
+        if (!hasLayoutOf(fields.layout, summary_.fields)) throw Damage{"its fields are not those of the summary"};
+        return decoded;
     } catch (const Damage& damage) {
         throw PageDamage(
             atByte(file_.path(), info.offset), "damaged page " + std::to_string(page) + ": " + damage.what);

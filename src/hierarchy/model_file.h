@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "hierarchy/model.h"
+#include "hierarchy/page_fields.h"
 
 #include <span>
 
@@ -42,6 +43,9 @@ public:
     /// damaged: wrong checksum, or any index, count or range that does not fit; Error if it cannot be read, though it
     /// was tried several times.
     Page readPage(std::uint32_t page) const;
+
+    /// The same with the `fields` of its vertices, as the summary lists them.
+    Page readPage(std::uint32_t page, PageFields& fields) const;
 
 private:
     File file_;

@@ -9,11 +9,11 @@
 
 namespace gnomon::hierarchy {
 
-EncodedPage encodePage(const Page& page) {
+EncodedPage encodePage(const Page& page, const PageFields& fields) {
     GNOMON_CHECK_OP(pageFault(page).value_or("no fault"), ==, "no fault");
     EncodedPage encoded;
     encoded.info = describePage(page);
-    encoded.bytes = encodePageBytes(page);
+    encoded.bytes = encodePageBytes(page, fields);
     encoded.info.storedBytes = static_cast<std::uint32_t>(encoded.bytes.size());
     encoded.info.checksum = checksum64(encoded.bytes);
     return encoded;

@@ -3,6 +3,7 @@
 
 #include "core/file.h"
 #include "hierarchy/model.h"
+#include "hierarchy/page_fields.h"
 
 #include <memory>
 #include <span>
@@ -16,9 +17,9 @@ struct EncodedPage {
     std::vector<std::byte> bytes;
 };
 
-/// Encodes `page`; a pure function, so pages can be encoded on many threads. The same page gives the same bytes
-/// everywhere.
-EncodedPage encodePage(const Page& page);
+/// Encodes `page` and the `fields` of its vertices; a pure function, so pages can be encoded on many threads. The same
+/// page gives the same bytes everywhere.
+EncodedPage encodePage(const Page& page, const PageFields& fields = {});
 
 /// Writes pages in file order (coarsest level first; ids count from 0 in the order of `append`). Nothing appears under
 /// the final name before `finish`.

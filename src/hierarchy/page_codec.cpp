@@ -22,6 +22,9 @@ enum class Packing : std::uint8_t { Plain = 0, Zstd = 1 };
 /// is stored and all are 0, so that a page without them is the same in every format.
 constexpr std::uint8_t kAttributeErrorsBit = 2;
 
+/// In the byte of the packing: the page's vertices have fields.
+constexpr std::uint8_t kFieldsBit = 4;
+
 /// No page may decompress to more than this times its stored bytes, so that a small file cannot claim a large buffer.
 constexpr std::uint64_t kMaxExpansion = 256;
 
@@ -218,7 +221,7 @@ std::span<const std::byte> unpack(
     std::span<const std::byte> stored, std::uint64_t most, std::vector<std::byte>& storage, std::uint8_t& packingBits) {
     ByteReader in(stored);
     const auto first = in.take<std::uint8_t>();
-    packingBits = static_cast<std::uint8_t>(first & kAttributeErrorsBit);
+    packingBits = static_cast<std::uint8_t>(first & (kAttributeErrorsBit | kFieldsBit));
     const auto packing = static_cast<Packing>(first ^ packingBits);
     const std::uint64_t size = in.takeVarint();
     const auto rest = in.take(in.remaining());
@@ -246,27 +249,36 @@ bool sameRow(const PageInfo& a, const PageInfo& b) {
 
 } // namespace
 
-std::vector<std::byte> encodePageBytes(const Page& page) {
+std::vector<std::byte> encodePageBytes(const Page& page, const PageFields& fields) {
+    GNOMON_CHECK(fields.words.empty() || fields.words.size() == page.vertices.size());
     ByteWriter plain;
     const bool withAttributeErrors = hasAttributeErrors(page);
     putTables(page, withAttributeErrors, plain);
-    const std::vector<std::size_t> streamEnds = encodeClusters(page, plain);
-    return pack(plain.bytes(), streamEnds, withAttributeErrors ? kAttributeErrorsBit : std::uint8_t{0});
+    const std::vector<std::size_t> streamEnds = encodeClusters(page, plain, fields);
+    const int packingBits = (withAttributeErrors ? kAttributeErrorsBit : 0) | (fields.words.empty() ? 0 : kFieldsBit);
+    return pack(plain.bytes(), streamEnds, static_cast<std::uint8_t>(packingBits));
 }
 
 Page decodePageBytes(std::span<const std::byte> bytes, const PageInfo& info) {
+    thread_local PageFields fields;
+    return decodePageBytes(bytes, info, fields);
+}
+
+Page decodePageBytes(std::span<const std::byte> bytes, const PageInfo& info, PageFields& fields) {
     if (const auto fault = countsFault(info)) throw Damage{*fault};
     thread_local std::vector<std::byte> storage; // kept from page to page, as zstd's context is
     std::uint8_t packingBits = 0;
     ByteReader in(unpack(bytes, mostPlainBytes(info), storage, packingBits));
-    const bool withAttributeErrors = packingBits == kAttributeErrorsBit;
+    const bool withAttributeErrors = (packingBits & kAttributeErrorsBit) != 0;
+    const bool withFields = (packingBits & kFieldsBit) != 0;
+    if (!withFields) fields = {};
     Page page;
     page.level = info.level;
     takeGroups(in, info, withAttributeErrors, page);
     takeRefinements(in, info, withAttributeErrors, page);
     takeClusters(in, info, page);
     if (page.clusters.empty()) throw Damage{"no cluster"};
-    decodeClusters(in, page);
+    decodeClusters(in, page, withFields ? &fields : nullptr);
     in.expectEnd();
     for (Group& group : page.groups)
         for (std::uint32_t c = 0; c < group.clusterCount; ++c)

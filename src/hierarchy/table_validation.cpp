@@ -1,5 +1,7 @@
+#include "hierarchy/page_fields.h"
 #include "hierarchy/validation.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -97,8 +99,8 @@ std::uint64_t mostPlainBytes(const PageInfo& info) {
     constexpr std::uint64_t kIndex = 5; // a number of 32 bits, seven a byte
     constexpr std::uint64_t kSphereAndErrors = 6 * sizeof(double);
     constexpr std::uint64_t kVertex =
-        (1 + 3 + 2 + 4) * sizeof(std::uint32_t);                // a reference, a position, a normal, a colour: words
-    constexpr std::uint64_t kTriangle = 1 + 3;                  // its code, and indices
+        (1 + 3 + 2 + 4 + 4) * sizeof(std::uint32_t); // a reference, a position, a normal, a colour, fields: words
+    constexpr std::uint64_t kTriangle = 1 + 3;       // its code, and indices
     constexpr std::uint64_t kCluster = 2 + kIndex + 3 * kIndex; // its counts, what refines it, where it begins
     constexpr std::uint64_t kRest = 64;                         // sizes of streams, numbers of planes
     return info.groupCount * (kIndex + kSphereAndErrors) + info.refinementCount * (2 * kIndex + kSphereAndErrors) +
@@ -164,6 +166,14 @@ std::optional<std::string> summaryFault(const ModelSummary& summary) {
         return found("the bounds", "a box on the grid, from " + boxText(reach), boxText(bounds));
     if (!isWithin<std::size_t>(summary.levels.size(), 1, kMaxLevels))
         return found("levels", "1 to " + std::to_string(kMaxLevels), std::to_string(summary.levels.size()));
+    std::uint32_t fieldBits = 0; // of as many as there may be: each has at most kMostFieldBits
+    for (std::size_t field = 0; field < std::min(summary.fields.size(), kMostFields); ++field)
+        fieldBits += summary.fields[field].bits;
+    if (summary.fields.size() > kMostFields || fieldBits > 32)
+        return found(
+            "fields",
+            "at most " + std::to_string(kMostFields) + " of 32 bits together",
+            std::to_string(summary.fields.size()) + " of " + std::to_string(fieldBits));
     return {};
 }
 

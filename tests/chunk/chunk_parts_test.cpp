@@ -18,8 +18,9 @@ namespace {
 
 TEST(ChunkStreams, AVertexComesBackWithWhatItsFormatHas) {
     Random random(1);
-    for (unsigned bits = 0; bits < 8; ++bits) {
-        const VertexFormat format{(bits & 1U) != 0, (bits & 2U) != 0, (bits & 4U) != 0};
+    for (unsigned bits = 0; bits < 16; ++bits) {
+        VertexFormat format{(bits & 1U) != 0, (bits & 2U) != 0, (bits & 4U) != 0};
+        if ((bits & 8U) != 0) format.fields = hierarchy::FieldLayout::of(2);
         std::vector<ChunkVertex> vertices(20);
         std::vector<std::byte> records;
         for (ChunkVertex& vertex : vertices) {
@@ -27,6 +28,7 @@ TEST(ChunkStreams, AVertexComesBackWithWhatItsFormatHas) {
             vertex.position = {random.uniform(-1e6, 1e6), random.unit(), -random.unit()};
             vertex.normal = static_cast<std::uint32_t>(random.bits());
             vertex.color = static_cast<std::uint32_t>(random.bits());
+            vertex.fields = static_cast<std::uint32_t>(random.bits());
             VertexBytes storage{};
             const std::span<const std::byte> record = encodeVertex(vertex, format, storage);
             ASSERT_EQ(record.size(), format.bytes());
@@ -41,6 +43,7 @@ TEST(ChunkStreams, AVertexComesBackWithWhatItsFormatHas) {
             EXPECT_EQ(back[i].position == vertices[i].position, format.isDouble);
             EXPECT_EQ(back[i].normal, format.hasNormals ? vertices[i].normal : hierarchy::kNoNormal);
             EXPECT_EQ(back[i].color, format.hasColors ? vertices[i].color : 0xFFFFFFFFU);
+            EXPECT_EQ(back[i].fields, format.hasFields() ? vertices[i].fields : 0U);
         }
     }
 }

@@ -37,7 +37,7 @@ public:
 
     const read::MeshSummary& summary() const override { return summary_; }
 
-    void readVertices(const read::VertexSink& sink) override { sink({0, positions_, {}, colors_}); }
+    void readVertices(const read::VertexSink& sink) override { sink({0, positions_, {}, colors_, {}}); }
 
     void readTriangles(const read::TriangleSink& sink) override { sink({0, corners_, {}, 0}); }
 

@@ -157,11 +157,19 @@ class Model:
         rest = Bytes(stored)
         packing, size = rest.one("B"), rest.varint()
         body = rest.raw(len(stored) - rest.at)
-        return unpack_zstd(body, size) if packing & 1 else body, bool(packing & 2)
+        return unpack_zstd(body, size) if packing & 1 else body, bool(packing & 2), bool(packing & 4)
 
     def page(self, number):
-        plain, has_attribute_errors = self.plain_page(self.pages[number])
-        return Page(Bytes(plain), self.pages[number], has_attribute_errors)
+        plain, has_attribute_errors, has_fields = self.plain_page(self.pages[number])
+        page = Page(Bytes(plain), self.pages[number], has_attribute_errors, has_fields)
+        if page.field_bits != [bits for _, _, _, bits in self.summary["fields"]]:
+            raise Damaged("a page has other fields than the summary")
+        return page
+
+    def field_values(self, numbers):
+        """The values of a vertex's fields, by name."""
+        return {name: least + number * (greatest - least) / (2 ** bits - 1)
+                for number, (name, least, greatest, bits) in zip(numbers, self.summary["fields"])}
 
     def uniform_cut(self, limit):
         """The clusters that stand for the surface where every group of a drawn error above `limit` is refined:
@@ -181,7 +189,8 @@ class Model:
 class Page:
     """One decoded page: `clusters`, each with its vertices and triangles."""
 
-    def __init__(self, rest, row, has_attribute_errors):
+    def __init__(self, rest, row, has_attribute_errors, has_fields):
+        self.field_bits = []
         def drawn_error():
             return max(rest.take("2d" if has_attribute_errors else "d"))
         groups = [(rest.varint(), rest.take("4d"), drawn_error()) for _ in range(row["groups"])]
@@ -201,16 +210,19 @@ class Page:
         for cluster in self.clusters:
             cluster["faces"], cluster["edges"] = decode_triangles(codes, indices, cluster)
         indices.end()
-        self.decode_vertices(rest)
+        self.decode_vertices(rest, has_fields)
         rest.end()
 
-    def decode_vertices(self, rest):
+    def decode_vertices(self, rest, has_fields):
         anchors = Bytes(rest.raw(rest.varint()))
         has_normals, has_colors, shift = rest.take("BBB")
         count = sum(cluster["vertices"] for cluster in self.clusters)
         references = planes(rest, count)
         fresh = references.count(0)
         channels = [planes(rest, fresh) for _ in range(3 + 2 * bool(has_normals) + 4 * bool(has_colors))]
+        if has_fields:
+            self.field_bits = list(rest.raw(rest.one("B")))
+            channels += [planes(rest, fresh) for _ in self.field_bits]
         numbers = zip(*channels)
         width = 16 - shift
         anchor = (0, 0, 0)
@@ -232,11 +244,11 @@ class Page:
         anchors.end()
 
     def fresh_vertex(self, cluster, v, numbers, anchor, width, has_normals, has_colors):
-        """A vertex is (position, normal as two offset-binary numbers of `width` bits, colour as four bytes)."""
+        """A vertex is (position, normal as two offset-binary numbers of `width` bits, colour as four bytes, fields)."""
         first = cluster["first"]
         edge = cluster["edges"].get(v)
         if v == 0:
-            a = b = c = (anchor, (0, 0), (255,) * 4)
+            a = b = c = (anchor, (0, 0), (255,) * 4, (0,) * len(self.field_bits))
         elif edge is not None and max(edge) < v:
             a, b, c = (self.vertices[first + corner] for corner in edge)
         else:
@@ -250,7 +262,10 @@ class Page:
         color = (255,) * 4
         if has_colors:
             color = tuple(((p + q) // 2 + unzigzag(n)) & 0xFF for n, p, q in zip(rest, a[2], b[2]))
-        return position, normal, color
+            rest = rest[4:]
+        fields = tuple(((p + q) // 2 + unzigzag(n)) & ((1 << bits) - 1)
+                       for n, p, q, bits in zip(rest, a[3], b[3], self.field_bits))
+        return position, normal, color, fields
 
 
 def planes(rest, count):

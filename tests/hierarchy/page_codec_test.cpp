@@ -4,6 +4,7 @@
 #include "hierarchy/codec/cluster_order.h"
 #include "hierarchy/model_writer.h"
 #include "hierarchy/page_codec.h"
+#include "hierarchy/page_fields.h"
 #include "hierarchy/tiny_model.h"
 #include "hierarchy/validation.h"
 #include "page_equality.h"
@@ -29,6 +30,81 @@ TEST(PageCodec, RandomPagesComeBackUnchanged) {
         orderForCoding(ordered);
         EXPECT_TRUE(samePage(throughBytes(ordered), ordered)) << "ordered, seed " << seed;
     }
+}
+
+/// Fields of 1 to 16 bits each, smooth or at random, the same at equal vertices of half the pages.
+PageFields randomFields(const Page& page, std::uint64_t seed) {
+    Random random(seed);
+    PageFields fields;
+    unsigned left = 32;
+    for (std::size_t i = 0; i <= seed % kMostFields; ++i) {
+        const auto most = static_cast<unsigned>(std::min<std::size_t>(16, left - (kMostFields - 1 - i)));
+        fields.layout.bits[i] = static_cast<std::uint8_t>(1 + random.below(most));
+        left -= fields.layout.bits[i];
+    }
+    for (const Vertex& vertex : page.vertices) {
+        const std::uint64_t word = random.below(2) == 0 ? mix64(vertex.position.x) : random.bits();
+        fields.words.push_back(static_cast<std::uint32_t>(word >> 32U) >> left);
+    }
+    return fields;
+}
+
+/// By vertex of a page, what tells it apart from others.
+std::vector<std::pair<Vertex, std::uint32_t>> withFields(const Page& page, const PageFields& fields) {
+    std::vector<std::pair<Vertex, std::uint32_t>> all;
+    for (std::size_t v = 0; v < page.vertices.size(); ++v)
+        all.emplace_back(page.vertices[v], fields.words[v]);
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
+TEST(PageCodec, FieldsComeBackAndGoWithTheirVertices) {
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+        const Page page = randomPage(seed);
+        const PageFields fields = randomFields(page, seed);
+        Page ordered = page;
+        PageFields orderedFields = fields;
+        orderForCoding(ordered, orderedFields);
+        EXPECT_TRUE(withFields(page, fields) == withFields(ordered, orderedFields)) << "seed " << seed;
+        const EncodedPage encoded = encodePage(ordered, orderedFields);
+        PageFields back;
+        EXPECT_TRUE(samePage(decodePageBytes(encoded.bytes, encoded.info, back), ordered)) << "seed " << seed;
+        EXPECT_TRUE(back == orderedFields) << "seed " << seed;
+        EXPECT_TRUE(samePage(decodePageBytes(encoded.bytes, encoded.info), ordered)) << "unread, seed " << seed;
+        const EncodedPage without = encodePage(ordered);
+        decodePageBytes(without.bytes, without.info, back);
+        EXPECT_TRUE(back == PageFields()) << "seed " << seed;
+    }
+}
+
+TEST(PageCodec, DamagedFieldsNeverCrashAndNeverLeaveTheirBits) {
+    std::size_t refused = 0;
+    std::size_t taken = 0;
+    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+        const Page page = randomPage(seed);
+        const EncodedPage encoded = encodePage(page, randomFields(page, seed));
+        Random random(seed);
+        for (int mutation = 0; mutation < 50; ++mutation) {
+            std::vector<std::byte> bytes = encoded.bytes;
+            const std::size_t tail = std::min<std::size_t>(bytes.size(), 4 * page.vertices.size()); // mostly fields
+            bytes[bytes.size() - 1 - random.below(tail)] ^= static_cast<std::byte>(1 + random.below(255));
+            PageFields fields;
+            try {
+                decodePageBytes(bytes, encoded.info, fields);
+                EXPECT_EQ(fields.words.size(), fields.layout.count() > 0 ? page.vertices.size() : 0);
+                unsigned bits = 0;
+                for (const std::uint8_t each : fields.layout.bits)
+                    bits += each;
+                for (const std::uint32_t word : fields.words)
+                    EXPECT_EQ(std::uint64_t{word} >> bits, 0U);
+                ++taken;
+            } catch (const Damage&) {
+                ++refused;
+            }
+        }
+    }
+    EXPECT_GT(refused, 100U);
+    EXPECT_GT(taken, 100U) << "mutations never reach the fields";
 }
 
 TEST(PageCodec, ErrorsOfNothingComeBack) {

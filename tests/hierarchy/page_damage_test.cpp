@@ -97,6 +97,28 @@ std::string damageAfter(const Change& change) {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
+TEST(PageDamage, FieldsThatCannotBeAreNamed) {
+    const auto after = [](std::initializer_list<int> tail, std::uint8_t packing = 4) {
+        std::vector<std::byte> plain = Forged{}.bytes();
+        for (const int byte : tail)
+            plain.push_back(static_cast<std::byte>(byte));
+        return damageOf([&] { decodePageBytes(stored(packing, plain.size(), plain), describePage(smallPage())); });
+    };
+    EXPECT_EQ(after({1, 16, 0}), "");
+    EXPECT_EQ(after({2, 1, 16, 0, 1, 1, 2, 3, 4, 5, 6}), "");
+    EXPECT_EQ(after({}), "the bytes end too early");
+    EXPECT_EQ(after({0}), "vertices have 0 fields");
+    EXPECT_EQ(after({5, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0}), "vertices have 5 fields");
+    EXPECT_EQ(after({1, 0, 0}), "a field has too many bits, or none");
+    EXPECT_EQ(after({1, 17, 0}), "a field has too many bits, or none");
+    EXPECT_EQ(after({3, 16, 16, 1, 0, 0, 0}), "fields have more than 32 bits together");
+    EXPECT_EQ(after({1, 16, 1, 2, 3, 4, 5, 6}), "the bytes end too early");
+    EXPECT_EQ(after({1, 16, 5}), "a value has more than four bytes");
+    EXPECT_EQ(after({1, 16, 0, 0}), "1 bytes too many");
+    EXPECT_EQ(after({1, 16, 0}, 0), "3 bytes too many");
+    EXPECT_EQ(after({1, 16, 0}, 8), "unknown packing");
+}
+
 TEST(PageDamage, TheForgedPageItselfIsSound) {
     const std::vector<std::byte> plain = Forged{}.bytes();
     const Page page = decodePageBytes(stored(0, plain.size(), plain), describePage(smallPage()));
@@ -177,7 +199,7 @@ TEST(PageDamage, APromiseThatTheBytesCannotKeepIsRefusedBeforeMemoryIsAskedFor) 
         return damageOf([&] { decodePageBytes(stored(packing, promised, bytes), info); });
     };
     EXPECT_EQ(damage(0, plain.size() + 1, plain), "the stored size is not the one promised");
-    for (const int packing : {4, 5, 255})
+    for (const int packing : {8, 9, 255})
         EXPECT_EQ(damage(static_cast<std::uint8_t>(packing), plain.size(), plain), "unknown packing");
     EXPECT_EQ(damage(1, 256 * plain.size() + 1, plain), "more is promised than the stored bytes can hold");
     EXPECT_EQ(damage(1, ~std::uint64_t{0}, plain), "more is promised than the stored bytes can hold");

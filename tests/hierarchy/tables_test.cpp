@@ -135,7 +135,7 @@ TEST(PageTable, EachCountAddsWhatItMayTakeInPlainBytes) {
     EXPECT_EQ(added([](PageInfo& info) { info.groupCount = 3; }), 3 * (5 + kSphereAndErrors));
     EXPECT_EQ(added([](PageInfo& info) { info.refinementCount = 3; }), 3 * (5 + 5 + kSphereAndErrors));
     EXPECT_EQ(added([](PageInfo& info) { info.clusterCount = 3; }), 3 * (2 + 5 + 15));
-    EXPECT_EQ(added([](PageInfo& info) { info.vertexCount = 3; }), 3 * 40);
+    EXPECT_EQ(added([](PageInfo& info) { info.vertexCount = 3; }), 3 * 56);
     EXPECT_EQ(added([](PageInfo& info) { info.triangleCount = 3; }), 3 * 4);
 }
 
@@ -244,6 +244,16 @@ TEST(Summary, EachLieOfFormat4IsNamed) {
     EXPECT_EQ(after([](ModelSummary& s) { s.fields[1].least = 65535; }), "");
     EXPECT_EQ(after([](ModelSummary& s) { s.fields[1].bits = 0; }), "a field has 0 bits");
     EXPECT_EQ(after([](ModelSummary& s) { s.fields[1].bits = 17; }), "a field has 17 bits");
+    EXPECT_EQ(
+        after([](ModelSummary& s) {
+            s.fields.resize(5, {"more", 0, 1, 1});
+        }),
+        "fields: expected at most 4 of 32 bits together, found 5 of 26");
+    EXPECT_EQ(
+        after([](ModelSummary& s) {
+            s.fields = {{"a", 0, 1, 16}, {"b", 0, 1, 16}, {"c", 0, 1, 1}};
+        }),
+        "fields: expected at most 4 of 32 bits together, found 3 of 33");
     // Five bytes that promise 2^32 fields: the bytes that are there bound how many are taken.
     std::vector<std::byte> bytes = encodeSummary(someSummary());
     const std::size_t count = bytes.size() - 2 * sizeof(double) - std::size_t{2} * 17 - 8 - 10 - 1;

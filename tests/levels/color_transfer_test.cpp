@@ -1,5 +1,6 @@
 // The colours of coarse vertices: sharp where a pattern stays, its mean where it goes, and what is charged for that.
 #include "core/random.h"
+#include "preprocess/levels/channel_fit.h"
 #include "preprocess/levels/color_transfer.h"
 #include "preprocess/proximity/triangle_distance.h"
 #include "preprocess/simplify/simplify.h"
@@ -58,8 +59,8 @@ std::vector<std::uint32_t> colorsAfter(const simplify::Patch& patch, const Color
     std::vector<std::uint32_t> colors;
     for (const hierarchy::Vertex& vertex : patch.vertices)
         colors.push_back(vertex.color);
-    for (const TransferredColor& color : transfer.colors)
-        colors[color.vertex] = color.color;
+    for (const TransferredWord& color : transfer.colors)
+        colors[color.vertex] = color.word;
     return colors;
 }
 
@@ -160,11 +161,47 @@ TEST(ColorTransfer, LockedVerticesKeepTheirColours) {
     const ColorTransfer transfer = transferredColors(patch, halved(patch));
     EXPECT_GT(transfer.colors.size(), 50U);
     std::uint32_t last = 0;
-    for (const TransferredColor& color : transfer.colors) {
+    for (const TransferredWord& color : transfer.colors) {
         EXPECT_EQ(patch.isLocked[patch.positionOf[color.vertex]], 0);
-        EXPECT_NE(color.color, patch.vertices[color.vertex].color);
+        EXPECT_NE(color.word, patch.vertices[color.vertex].color);
         EXPECT_TRUE(last == 0 || color.vertex > last) << "ascending";
         last = color.vertex;
+    }
+}
+
+TEST(FieldTransfer, IsThatOfColoursButForTheCharge) {
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+        Random random(seed);
+        simplify::Patch patch = sheet([&](auto, auto) { return static_cast<std::uint32_t>(random.bits()); });
+        const simplify::SimplifiedPatch simplified = halved(patch);
+        EXPECT_TRUE(transferredFields(patch, simplified).empty()) << "no fields yet";
+        patch.fields.layout = {{8, 8, 8, 8}};
+        for (const hierarchy::Vertex& vertex : patch.vertices)
+            patch.fields.words.push_back(vertex.color);
+        const std::vector<TransferredWord> colors = transferredColors(patch, simplified).colors;
+        const std::vector<TransferredWord> fields = transferredFields(patch, simplified);
+        EXPECT_TRUE(std::ranges::equal(
+            colors, fields, [](const auto& a, const auto& b) { return a.vertex == b.vertex && a.word == b.word; }));
+        EXPECT_GT(fields.size(), 50U);
+    }
+}
+
+TEST(FieldTransfer, KeepsAGradientOfSixteenBits) {
+    simplify::Patch patch = sheet([](auto, auto) { return kWhite; });
+    patch.fields.layout = hierarchy::FieldLayout::of(2);
+    for (std::uint32_t v = 0; v < patch.vertices.size(); ++v) {
+        const std::uint32_t column = v % (kSide + 1);
+        const std::uint32_t row = v / (kSide + 1);
+        patch.fields.words.push_back(column * 2000 | (row * 2500) << 16U);
+    }
+    const simplify::SimplifiedPatch simplified = halved(patch);
+    for (const TransferredWord& moved : transferredFields(patch, simplified)) {
+        const std::uint32_t before = patch.fields.words[moved.vertex];
+        for (std::size_t field = 0; field < 2; ++field) {
+            const double change = static_cast<double>(patch.fields.layout.number(moved.word, field)) -
+                                  patch.fields.layout.number(before, field);
+            EXPECT_LE(std::abs(change), 1300) << "half a square: at the sheet's edge what vanished lay on one side";
+        }
     }
 }
 

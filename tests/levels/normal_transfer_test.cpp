@@ -2,6 +2,7 @@
 #include "core/random.h"
 #include "hierarchy/octahedral.h"
 #include "preprocess/levels/normal_transfer.h"
+#include "preprocess/levels/simplified_surface.h"
 #include "preprocess/proximity/triangle_distance.h"
 #include "preprocess/simplify/simplify.h"
 #include "tests/read/code_mesh.h"

@@ -63,6 +63,40 @@ PendingLevel merged(std::span<const Part* const> parts, std::span<const std::uin
     return merger.take();
 }
 
+TEST(PendingLevel, FieldsComeBackAndKeepVerticesApart) {
+    Part part(read::bumpySheet(20));
+    part.mesh.fields.layout = hierarchy::FieldLayout::of(1);
+    for (std::uint32_t v = 0; v < part.mesh.vertices.size(); ++v)
+        part.mesh.fields.words.push_back(v % 7000);
+    const EncodedPendingLevel encoded = part.encoded();
+    PendingLevelMerger merger(part.mesh.grid, encoded.clusters, encoded.vertices, part.mesh.fields.layout);
+    for (const std::vector<std::byte>& record : recordsOf(encoded)) {
+        merger.add(record);
+        EXPECT_EQ(positionsOfRecord(record).empty(), false);
+    }
+    const PendingLevel back = merger.take();
+    ASSERT_EQ(back.mesh.fields.words.size(), back.mesh.vertices.size());
+    ASSERT_EQ(back.level.triangles.size(), part.level.triangles.size());
+    for (std::uint32_t t = 0; t < back.level.triangles.size(); ++t)
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::uint32_t was = part.level.triangles[t][i];
+            const std::uint32_t is = back.level.triangles[t][i];
+            EXPECT_EQ(back.mesh.vertices[is], part.mesh.vertices[was]);
+            EXPECT_EQ(back.mesh.fieldsOf(is), part.mesh.fieldsOf(was));
+        }
+    // A copy of the same clusters with other values shares positions, but no vertices.
+    PendingLevelMerger both(part.mesh.grid, 2 * encoded.clusters, 2 * encoded.vertices, part.mesh.fields.layout);
+    for (const std::uint32_t more : {0U, 1U}) {
+        for (std::uint32_t& word : part.mesh.fields.words)
+            word += more;
+        for (const std::vector<std::byte>& record : recordsOf(part.encoded()))
+            both.add(record);
+    }
+    const PendingLevel doubled = both.take();
+    EXPECT_EQ(doubled.mesh.positionCount, back.mesh.positionCount);
+    EXPECT_EQ(doubled.mesh.vertices.size(), 2 * back.mesh.vertices.size());
+}
+
 TEST(PendingLevel, ComesBackFromItsBytes) {
     const Part part(read::bumpySheet(30));
     const EncodedPendingLevel encoded = part.encoded();

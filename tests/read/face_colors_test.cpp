@@ -156,10 +156,11 @@ TEST(FaceColors, TooManyForTheMemoryAreRefused) {
 }
 
 TEST(FaceColors, ASplitterKeepsNormalsBesidePositions) {
-    FaceColorSplitter splitter("a file", gibibytes(1));
+    FaceColorSplitter splitter("a file", gibibytes(1), {"quality"});
     const std::array<glm::dvec3, 3> positions = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
     const std::array<glm::vec3, 3> normals = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-    splitter.addVertices({0, positions, normals, {}});
+    const std::array<double, 3> quality = {7, 8, 9};
+    splitter.addVertices({0, positions, normals, {}, quality});
     const std::array<std::uint64_t, 3> face = {0, 1, 2};
     splitter.addFace(face, 5);
     splitter.addFace(face, 6);
@@ -169,6 +170,7 @@ TEST(FaceColors, ASplitterKeepsNormalsBesidePositions) {
         EXPECT_EQ(mesh.positions[v], positions[v / 2]);
         EXPECT_EQ(mesh.normals[v], normals[v / 2]);
         EXPECT_EQ(mesh.colors[v], 5 + v % 2);
+        EXPECT_EQ(mesh.fields[v], quality[v / 2]);
     }
 }
 

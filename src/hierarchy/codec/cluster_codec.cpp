@@ -62,8 +62,8 @@ std::pair<const Vertex&, const Vertex&> attributeParents(
     return {vertices[v - 1], vertices[v - 1]};
 }
 
-std::uint64_t hashOf(const Vertex& vertex) {
-    const std::uint64_t a = static_cast<std::uint64_t>(vertex.position.x) << 32U | vertex.position.y;
+std::uint64_t hashOf(const Vertex& vertex, std::uint32_t fields) {
+    const std::uint64_t a = (static_cast<std::uint64_t>(vertex.position.x) << 32U | vertex.position.y) + fields;
     const std::uint64_t b = static_cast<std::uint64_t>(vertex.position.z) << 32U | vertex.normal;
     return mix64(a ^ mix64(b));
 }
@@ -74,6 +74,7 @@ struct VertexChannels {
     std::array<Channel, 3> positions; // these and the following by vertex that is no reference
     std::array<Channel, 2> normals;
     std::array<Channel, 4> colors;
+    std::array<Channel, kMostFields> fields;
 
     /// Room for what most sources have of so many vertices.
     void reserve(std::size_t vertices) {
@@ -100,8 +101,8 @@ AttributeLayout layoutOf(std::span<const Vertex> vertices) {
 /// Turns the vertices of a page, cluster by cluster, into numbers.
 class VertexEncoder {
 public:
-    explicit VertexEncoder(const Page& page)
-        : page_(page), layout_(layoutOf(page.vertices)), table_(page.vertices.size()) {
+    VertexEncoder(const Page& page, const PageFields& fields)
+        : page_(page), fields_(fields), layout_(layoutOf(page.vertices)), table_(page.vertices.size()) {
         channels_.reserve(page.vertices.size());
         last_.reserve(page.vertices.size());
     }
@@ -110,17 +111,18 @@ public:
         const auto vertices = std::span(page_.vertices).subspan(cluster.firstVertex, cluster.vertexCount);
         hashes_.resize(vertices.size());
         for (std::uint32_t v = 0; v < vertices.size(); ++v) {
-            hashes_[v] = hashOf(vertices[v]);
+            hashes_[v] = hashOf(vertices[v], fieldsOf(cluster.firstVertex + v));
             table_.prefetch(hashes_[v]);
         }
         std::uint32_t expected = cluster.firstVertex;
         for (std::uint32_t v = 0; v < vertices.size(); ++v) {
-            if (const std::uint32_t earlier = seen(vertices[v], hashes_[v]); earlier != kNone) {
+            if (const std::uint32_t earlier = seen(cluster.firstVertex + v, hashes_[v]); earlier != kNone) {
                 channels_.references.push_back(1 + zigzag(earlier - expected));
                 expected = earlier + 1;
             } else {
                 channels_.references.push_back(0);
                 encodeFresh(vertices, v, parents[v]);
+                encodeFields(cluster, v, parents[v]);
             }
         }
         for (std::uint32_t v = 0; v < vertices.size(); ++v)
@@ -142,20 +144,31 @@ public:
         if (layout_.hasColors)
             for (const Channel& channel : channels_.colors)
                 putPlanes(channel, out, streamEnds);
+        if (fields_.words.empty()) return;
+        out.put(static_cast<std::uint8_t>(fields_.layout.count()));
+        for (std::size_t field = 0; field < fields_.layout.count(); ++field)
+            out.put(fields_.layout.bits[field]);
+        for (std::size_t field = 0; field < fields_.layout.count(); ++field)
+            putPlanes(channels_.fields[field], out, streamEnds);
     }
 
 private:
-    /// The last vertex of the clusters so far that is equal to `vertex`, or kNone.
-    std::uint32_t seen(const Vertex& vertex, std::uint64_t hash) const {
-        const auto isEqual = [&](std::uint32_t entry) { return page_.vertices[last_[entry]] == vertex; };
+    std::uint32_t fieldsOf(std::uint32_t v) const { return fields_.words.empty() ? 0 : fields_.words[v]; }
+
+    bool areEqual(std::uint32_t a, std::uint32_t b) const {
+        return page_.vertices[a] == page_.vertices[b] && fieldsOf(a) == fieldsOf(b);
+    }
+
+    /// The last vertex of the clusters so far that is equal to `v`, or kNone.
+    std::uint32_t seen(std::uint32_t v, std::uint64_t hash) const {
+        const auto isEqual = [&](std::uint32_t entry) { return areEqual(last_[entry], v); };
         const std::uint32_t entry = table_.find(hash, isEqual);
         return entry == IndexTable::kAbsent ? kNone : last_[entry];
     }
 
     void see(std::uint32_t v, std::uint64_t hash) {
         const auto next = static_cast<std::uint32_t>(last_.size());
-        const Vertex& vertex = page_.vertices[v];
-        const auto isEqual = [&](std::uint32_t entry) { return page_.vertices[last_[entry]] == vertex; };
+        const auto isEqual = [&](std::uint32_t entry) { return areEqual(last_[entry], v); };
         const std::uint32_t entry = table_.findOrInsert(hash, next, isEqual);
         if (entry == next) last_.emplace_back();
         last_[entry] = v;
@@ -191,6 +204,19 @@ private:
         }
     }
 
+    void encodeFields(const Cluster& cluster, std::uint32_t v, const Parents& parents) {
+        if (fields_.words.empty()) return;
+        const auto words = std::span(fields_.words).subspan(cluster.firstVertex, cluster.vertexCount);
+        const FieldLayout& layout = fields_.layout;
+        const std::uint32_t before = v == 0 ? 0 : words[v - 1];
+        const std::uint32_t a = v > 0 && parents.acrossEdge != 0 ? words[parents.from] : before;
+        const std::uint32_t b = v > 0 && parents.acrossEdge != 0 ? words[parents.to] : before;
+        for (std::size_t field = 0; field < layout.count(); ++field) {
+            const std::uint32_t mean = (layout.number(a, field) + layout.number(b, field)) / 2;
+            channels_.fields[field].push_back(wrapped(layout.number(words[v], field), mean, layout.bits[field]));
+        }
+    }
+
     /// The first vertex of a cluster, far from all others, goes where it makes no other number longer.
     void putAnchor(const GridPoint& p) {
         anchors_.putVarint(zigzag(p.x - anchor_.x));
@@ -200,6 +226,7 @@ private:
     }
 
     const Page& page_;
+    const PageFields& fields_;
     AttributeLayout layout_;
     VertexChannels channels_;
     ByteWriter anchors_;
@@ -211,11 +238,11 @@ private:
 
 } // namespace
 
-std::vector<std::size_t> encodeClusters(const Page& page, ByteWriter& out) {
+std::vector<std::size_t> encodeClusters(const Page& page, ByteWriter& out, const PageFields& fields) {
     std::vector<std::size_t> streamEnds;
     ByteWriter codes;
     ByteWriter indices;
-    VertexEncoder vertices(page);
+    VertexEncoder vertices(page, fields);
     for (const Cluster& cluster : page.clusters) {
         ConnectivityEncoder connectivity(codes, indices);
         connectivity.encode(std::span(page.triangles).subspan(cluster.firstTriangle, cluster.triangleCount));
@@ -230,14 +257,14 @@ std::vector<std::size_t> encodeClusters(const Page& page, ByteWriter& out) {
     return streamEnds;
 }
 
-void decodeClusters(ByteReader& in, Page& page) {
+void decodeClusters(ByteReader& in, Page& page, PageFields* fields) {
     const Cluster& last = page.clusters.back();
     const auto codes = in.take(std::size_t{last.firstTriangle} + last.triangleCount);
     const auto indices = in.take(in.takeVarint());
     if (in.remaining() == 0) throw Damage{"the bytes end too early"};
     thread_local EdgeWords edges;
     decodeConnectivity(codes, indices, page, edges);
-    decodeVertices(in, edges, page);
+    decodeVertices(in, edges, page, fields);
 }
 
 } // namespace gnomon::hierarchy

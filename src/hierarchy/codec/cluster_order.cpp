@@ -93,7 +93,7 @@ std::vector<Triangle> walk(std::span<const Triangle> triangles) {
 }
 
 /// Renumbers vertices by first use; those that no triangle uses come last.
-void renumber(std::span<Triangle> triangles, std::span<Vertex> vertices) {
+void renumber(std::span<Triangle> triangles, std::span<Vertex> vertices, std::span<std::uint32_t> fields) {
     constexpr int kUnused = -1;
     std::array<int, 256> place{};
     place.fill(kUnused);
@@ -104,19 +104,24 @@ void renumber(std::span<Triangle> triangles, std::span<Vertex> vertices) {
             corner = static_cast<std::uint8_t>(place[corner]);
         }
     const std::vector<Vertex> before(vertices.begin(), vertices.end());
+    const std::vector<std::uint32_t> fieldsBefore(fields.begin(), fields.end());
     for (std::size_t v = 0; v < before.size(); ++v) {
         if (place[v] == kUnused) place[v] = next++;
         vertices[static_cast<std::size_t>(place[v])] = before[v];
+        if (!fields.empty()) fields[static_cast<std::size_t>(place[v])] = fieldsBefore[v];
     }
 }
 
 } // namespace
 
-void orderForCoding(Page& page) {
+void orderForCoding(Page& page, PageFields& fields) {
     for (const Cluster& cluster : page.clusters) {
         const auto triangles = std::span(page.triangles).subspan(cluster.firstTriangle, cluster.triangleCount);
         std::ranges::copy(walk(triangles), triangles.begin());
-        renumber(triangles, std::span(page.vertices).subspan(cluster.firstVertex, cluster.vertexCount));
+        const auto words = fields.words.empty()
+                               ? std::span<std::uint32_t>()
+                               : std::span(fields.words).subspan(cluster.firstVertex, cluster.vertexCount);
+        renumber(triangles, std::span(page.vertices).subspan(cluster.firstVertex, cluster.vertexCount), words);
     }
 }
 

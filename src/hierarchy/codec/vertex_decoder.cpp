@@ -86,15 +86,86 @@ private:
     std::array<Vertex, kMaxClusterVertices> stored_{};
 };
 
+FieldLayout takeFieldLayout(ByteReader& in) {
+    const auto count = in.take<std::uint8_t>();
+    if (count < 1 || count > kMostFields) throw Damage{"vertices have " + std::to_string(count) + " fields"};
+    FieldLayout layout;
+    unsigned sum = 0;
+    for (std::size_t field = 0; field < count; ++field) {
+        layout.bits[field] = in.take<std::uint8_t>();
+        sum += layout.bits[field];
+        if (layout.bits[field] < 1 || layout.bits[field] > 16) throw Damage{"a field has too many bits, or none"};
+    }
+    if (sum > 32) throw Damage{"fields have more than 32 bits together"};
+    return layout;
+}
+
+/// Takes the differences of one field after the other and adds them to what they are predicted from, the mean of the
+/// edge's ends or the vertex before; `numbers` says which vertices are references, and to which.
+class FieldDecoder {
+public:
+    FieldDecoder(ByteReader& in, const VertexNumbers& numbers, PageFields& fields)
+        : numbers_(numbers), fields_(fields) {
+        fields_.layout = takeFieldLayout(in);
+        for (std::size_t field = 0; field < fields_.layout.count(); ++field) {
+            const Planes planes = takePlanes(in, numbers.fresh.size());
+            differences_[field].resize(numbers.fresh.size() + kMostLanes);
+            decodeNumbers(planes, differences_[field].data());
+        }
+    }
+
+    void decode(const Page& page, const EdgeWords& edges) {
+        fields_.words.assign(page.vertices.size(), 0);
+        for (const Cluster& cluster : page.clusters) {
+            std::uint32_t expected = cluster.firstVertex;
+            for (std::uint32_t v = 0; v < cluster.vertexCount; ++v) {
+                const std::uint32_t at = cluster.firstVertex + v;
+                if (const std::uint32_t reference = numbers_.references[at]; reference != 0) {
+                    const std::uint32_t earlier = expected + unzigzag(reference - 1); // checked with the vertices
+                    expected = earlier + 1;
+                    fields_.words[at] = fields_.words[earlier];
+                } else {
+                    fields_.words[at] = next(std::span(fields_.words).subspan(cluster.firstVertex), v, edges[at]);
+                }
+            }
+        }
+    }
+
+private:
+    /// The word of the next vertex that is no reference, number `v` of its cluster, new across `edge`.
+    std::uint32_t next(std::span<const std::uint32_t> words, std::uint32_t v, std::uint32_t edge) {
+        const std::uint32_t from = edge & 0xFFU;
+        const std::uint32_t to = edge >> 8U & 0xFFU;
+        const bool isAcross = std::max({from, to, edge >> 16U}) < v;
+        const std::uint32_t before = v == 0 ? 0 : words[v - 1];
+        const std::uint32_t a = isAcross ? words[from] : before;
+        const std::uint32_t b = isAcross ? words[to] : before;
+        std::uint32_t word = 0;
+        for (std::size_t field = 0; field < fields_.layout.count(); ++field) {
+            const std::uint32_t mean = (fields_.layout.number(a, field) + fields_.layout.number(b, field)) / 2;
+            const std::uint32_t number = mean + unzigzag(differences_[field][next_]);
+            word |= (number & fields_.layout.greatest(field)) << fields_.layout.shift(field);
+        }
+        ++next_;
+        return word;
+    }
+
+    const VertexNumbers& numbers_;
+    PageFields& fields_;
+    std::array<std::vector<std::uint32_t>, kMostFields> differences_;
+    std::size_t next_ = 0; // of the vertices that are no references
+};
+
 } // namespace
 
-void decodeVertices(ByteReader& in, const EdgeWords& edges, Page& page) {
+void decodeVertices(ByteReader& in, const EdgeWords& edges, Page& page, PageFields* fields) {
     thread_local VertexNumbers numbers;
     const Cluster& last = page.clusters.back();
     VertexDecoder decoder(in, std::size_t{last.firstVertex} + last.vertexCount, page, edges, numbers);
     for (Cluster& cluster : page.clusters)
         decoder.decode(cluster);
     decoder.expectEnd();
+    if (fields != nullptr) FieldDecoder(in, numbers, *fields).decode(page, edges);
 }
 
 } // namespace gnomon::hierarchy

@@ -4,13 +4,6 @@ namespace gnomon::hierarchy {
 
 namespace {
 
-Planes takePlanes(ByteReader& in, std::size_t numbers) {
-    const auto count = in.take<std::uint8_t>();
-    if (count > 4) throw Damage{"a value has more than four bytes"};
-    const auto bytes = in.take(numbers * count);
-    return {reinterpret_cast<const std::uint8_t*>(bytes.data()), count, numbers};
-}
-
 /// Lists the vertices that are references and those that are not.
 void splitVertices(std::size_t vertices, VertexNumbers& numbers) {
     numbers.referring.resize(vertices);
@@ -29,6 +22,13 @@ void splitVertices(std::size_t vertices, VertexNumbers& numbers) {
 }
 
 } // namespace
+
+Planes takePlanes(ByteReader& in, std::size_t numbers) {
+    const auto count = in.take<std::uint8_t>();
+    if (count > 4) throw Damage{"a value has more than four bytes"};
+    const auto bytes = in.take(numbers * count);
+    return {reinterpret_cast<const std::uint8_t*>(bytes.data()), count, numbers};
+}
 
 void takeVertexNumbers(ByteReader& in, std::size_t vertices, const AttributeLayout& layout, VertexNumbers& numbers) {
     const Planes references = takePlanes(in, vertices);

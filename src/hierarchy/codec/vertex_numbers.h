@@ -20,6 +20,9 @@ struct VertexNumbers {
     std::vector<std::uint32_t> colors;     // differences, a byte each; nothing if there are none
 };
 
+/// One channel of numbers of vertices. Throws Damage.
+Planes takePlanes(ByteReader& in, std::size_t numbers);
+
 /// Takes what is stored of `vertices` vertices, but for what stands before the references. Nothing is allocated that
 /// the bytes cannot fill. Throws Damage.
 void takeVertexNumbers(ByteReader& in, std::size_t vertices, const AttributeLayout& layout, VertexNumbers& numbers);

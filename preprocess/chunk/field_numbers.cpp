@@ -1,0 +1,69 @@
+#include "preprocess/chunk/field_numbers.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gnomon::chunk {
+
+namespace {
+
+/// Widens the fields by the values of a vertex.
+void add(
+    read::MeshSource& source,
+    std::uint64_t vertex,
+    std::span<const double> values,
+    std::vector<hierarchy::Field>& fields) {
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        if (!std::isfinite(values[i]))
+            throw Error(
+                source.whereIs(vertex),
+                "field " + fields[i].name + " of vertex " + std::to_string(vertex) + " is not finite");
+        fields[i].least = std::min(fields[i].least, values[i]);
+        fields[i].greatest = std::max(fields[i].greatest, values[i]);
+    }
+}
+
+} // namespace
+
+std::vector<hierarchy::Field> measuredFields(
+    read::MeshSource& source, const std::vector<std::uint8_t>& valence, Progress& progress) {
+    const read::MeshSummary& summary = source.summary();
+    if (summary.fields.size() > hierarchy::kMostFields)
+        throw Error(
+            summary.path,
+            "too many fields",
+            "at most " + std::to_string(hierarchy::kMostFields),
+            std::to_string(summary.fields.size()));
+    std::vector<hierarchy::Field> fields;
+    if (summary.fields.empty()) return fields;
+    const hierarchy::FieldLayout layout = hierarchy::FieldLayout::of(summary.fields.size());
+    for (const std::string& name : summary.fields)
+        fields.push_back({name, HUGE_VAL, -HUGE_VAL, layout.bits[fields.size()]});
+    progress.stage("fields", "vertices", summary.vertexCount);
+    source.readVertices([&](const read::VertexBlock& block) {
+        for (std::size_t i = 0; i < block.positions.size(); ++i)
+            if (valence[block.firstVertex + i] > 0)
+                add(source, block.firstVertex + i, block.fields.subspan(i * fields.size(), fields.size()), fields);
+        progress.advance(block.positions.size());
+    });
+    for (hierarchy::Field& field : fields) {
+        if (field.least > field.greatest) field.least = field.greatest = 0; // no triangle uses any vertex
+        if (!std::isfinite(field.greatest - field.least))
+            throw Error(summary.path, "the values of field " + field.name + " lie too far apart");
+    }
+    return fields;
+}
+
+std::uint32_t packedFields(std::span<const double> values, std::span<const hierarchy::Field> fields) {
+    const hierarchy::FieldLayout layout = hierarchy::FieldLayout::of(fields.size());
+    std::uint32_t word = 0;
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        const double range = fields[i].greatest - fields[i].least;
+        const double part = range > 0 ? (values[i] - fields[i].least) / range : 0;
+        const double number = std::clamp(part, 0.0, 1.0) * layout.greatest(i) + 0.5;
+        word |= static_cast<std::uint32_t>(number) << layout.shift(i);
+    }
+    return word;
+}
+
+} // namespace gnomon::chunk

@@ -1,0 +1,138 @@
+#include "preprocess/levels/channel_fit.h"
+
+namespace gnomon::levels {
+
+namespace {
+
+/// Where a triangle is looked at: between its middle and each corner, so that what lies on a seam has one word.
+constexpr std::array<std::array<float, 3>, 3> kSampleWeights = {
+    {{2.0F / 3, 1.0F / 6, 1.0F / 6}, {1.0F / 6, 2.0F / 3, 1.0F / 6}, {1.0F / 6, 1.0F / 6, 2.0F / 3}}};
+
+} // namespace
+
+ChannelFit::ChannelFit(
+    const simplify::Patch& patch,
+    const simplify::SimplifiedPatch& simplified,
+    std::vector<std::uint32_t> words,
+    const hierarchy::FieldLayout& layout)
+    : patch_(patch),
+      simplified_(simplified),
+      layout_(layout),
+      surface_(patch, simplified),
+      words_(std::move(words)),
+      reach_(patch.positions.size(), 0),
+      residual_(patch.vertices.size()),
+      weight_(patch.vertices.size(), 0),
+      plainWeight_(patch.positions.size(), 0) {
+    channels_.reserve(words_.size());
+    for (const std::uint32_t word : words_)
+        channels_.push_back(channelsOf(word));
+    for (std::uint32_t p = 0; p < reach_.size(); ++p) {
+        const std::uint32_t q = simplified.movedTo[p];
+        const double moved = glm::length(patch.positions[p] - patch.positions[q]);
+        reach_[q] = std::max(reach_[q], moved);
+    }
+}
+
+std::vector<TransferredWord> ChannelFit::run() {
+    for (std::uint32_t t = 0; t < patch_.triangles.size(); ++t)
+        compare(t);
+    std::vector<TransferredWord> transferred;
+    for (std::uint32_t v = 0; v < channels_.size(); ++v) {
+        if (!(weight_[v] > 0) || patch_.isLocked[patch_.positionOf[v]] != 0) continue;
+        for (std::size_t i = 0; i < channels_[v].size(); ++i)
+            channels_[v][i] += residual_[v][i] / (weight_[v] + plainWeight_[patch_.positionOf[v]]);
+        const std::uint32_t word = packed(channels_[v]);
+        channels_[v] = channelsOf(word);
+        if (word != words_[v]) transferred.push_back({v, word});
+    }
+    return transferred;
+}
+
+ChannelFit::Channels ChannelFit::channelsOf(std::uint32_t word) const {
+    Channels channels{};
+    for (std::size_t i = 0; i < channels.size() && layout_.bits[i] > 0; ++i)
+        channels[i] = static_cast<float>(layout_.number(word, i));
+    return channels;
+}
+
+std::uint32_t ChannelFit::packed(const Channels& channels) const {
+    std::uint32_t word = 0;
+    for (std::size_t i = 0; i < channels.size() && layout_.bits[i] > 0; ++i) {
+        const float channel = std::clamp(channels[i], 0.0F, static_cast<float>(layout_.greatest(i)));
+        word |= static_cast<std::uint32_t>(std::lround(channel)) << layout_.shift(i);
+    }
+    return word;
+}
+
+ChannelFit::Channels ChannelFit::mixed(const simplify::Triangle& t, const Weights& weights) const {
+    Channels result{};
+    for (std::size_t corner = 0; corner < t.size(); ++corner)
+        for (std::size_t i = 0; i < result.size(); ++i)
+            result[i] += channels_[t[corner]][i] * weights[corner];
+    return result;
+}
+
+/// The simplified triangles around what the corners of triangle `t` were collapsed into, each once; whether all of
+/// them have one word, that of `t`, at all corners.
+bool ChannelFit::gatherCandidates(const simplify::Triangle& t) {
+    candidates_.clear();
+    for (const std::uint32_t v : t)
+        for (const std::uint32_t candidate : surface_.around(patch_.positionOf[v]))
+            candidates_.push_back(candidate);
+    std::sort(candidates_.begin(), candidates_.end());
+    candidates_.erase(std::unique(candidates_.begin(), candidates_.end()), candidates_.end());
+    const std::uint32_t word = words_[t[0]];
+    const auto isOfWord = [&](const simplify::Triangle& other) {
+        return std::ranges::all_of(other, [&](std::uint32_t v) { return words_[v] == word; });
+    };
+    return isOfWord(t) && std::ranges::all_of(candidates_, [&](std::uint32_t candidate) {
+               return isOfWord(simplified_.triangles[candidate]);
+           });
+}
+
+/// How far the corners of a triangle moved; where none did, how far what was collapsed into them did.
+double ChannelFit::lengthOf(const simplify::Triangle& t) const {
+    double moved = 0;
+    double reach = 0;
+    for (const std::uint32_t v : t) {
+        const std::uint32_t p = patch_.positionOf[v];
+        moved = std::max(moved, glm::length(patch_.positions[p] - patch_.positions[simplified_.movedTo[p]]));
+        reach = std::max(reach, reach_[p]);
+    }
+    return moved > 0 ? moved : reach;
+}
+
+/// Looks at points of triangle `number` of the patch, and divides what is off there among the corners of the
+/// simplified triangle there.
+void ChannelFit::compare(std::uint32_t number) {
+    const simplify::Triangle& t = patch_.triangles[number];
+    const bool isPlain = gatherCandidates(t);
+    if (candidates_.empty()) return;
+    const std::array<glm::dvec3, 3> places = surface_.placesOf(t);
+    const auto area = static_cast<float>(glm::length(glm::cross(places[1] - places[0], places[2] - places[0])));
+    if (isPlain) { // nothing is off, but that counts
+        for (const std::uint32_t v : t)
+            plainWeight_[simplified_.movedTo[patch_.positionOf[v]]] += area;
+        return;
+    }
+    const double length = lengthOf(t);
+    for (const Weights& at : kSampleWeights) {
+        const glm::dvec3 p = places[0] * static_cast<double>(at[0]) + places[1] * static_cast<double>(at[1]) +
+                             places[2] * static_cast<double>(at[2]);
+        const std::uint32_t triangle = surface_.nearest(p, candidates_);
+        const simplify::Triangle& coarse = simplified_.triangles[triangle];
+        const glm::vec3 weights(weightsAt(p, surface_.placesOf(coarse)));
+        Sample sample{mixed(t, at), {weights.x, weights.y, weights.z}, triangle, length};
+        const Channels there = found(sample);
+        for (std::size_t corner = 0; corner < coarse.size(); ++corner) {
+            const float share = area * sample.weights[corner];
+            weight_[coarse[corner]] += share;
+            for (std::size_t i = 0; i < there.size(); ++i)
+                residual_[coarse[corner]][i] += share * (sample.channels[i] - there[i]);
+        }
+        samples_.push_back(sample);
+    }
+}
+
+} // namespace gnomon::levels

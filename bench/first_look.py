@@ -2,7 +2,7 @@
 """What a stranger's first picture of a model is like: how much of it is neither black nor burnt out, how much its
 lightness varies, and how much of the picture it fills.
 
-usage: bench/first_look.py GNOMON [--bars] [--out FOLDER] MODEL.gnm[,OPTION...] ...
+usage: bench/first_look.py GNOMON [--bars] [--out FOLDER] "MODEL.gnm[ OPTION...]" ...
 """
 import argparse
 import array
@@ -15,6 +15,7 @@ import tempfile
 import zlib
 
 LEAST, MOST = 0.05 * 255, 0.95 * 255  # beyond, shapes are lost in the dark or in the light
+FRAMED = 0.85, 0.90  # of the picture's width or height, by a view of the whole
 
 
 def read_png(path):
@@ -87,7 +88,7 @@ def measure(picture, depth):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("gnomon", type=pathlib.Path)
-    parser.add_argument("models", nargs="+", help="MODEL.gnm, or MODEL.gnm,OPTION,... for a view of its own")
+    parser.add_argument("models", nargs="+", help="MODEL.gnm, or 'MODEL.gnm OPTION ...' for a view of its own")
     parser.add_argument("--bars", action="store_true", help="exit 1 where a picture misses what is asked of it")
     parser.add_argument("--out", type=pathlib.Path, help="keep the pictures in this folder")
     options = parser.parse_args()
@@ -106,6 +107,8 @@ def main():
                   f"{found['deviation']:7.1%} {found['fill']:7.1%} {found['x']:.3f} {found['y']:.3f}", flush=True)  # fmt: skip
             if found["dark"] + found["burnt"] > 0.05:
                 missed.append(f"{name}: {found['dark'] + found['burnt']:.1%} of the model is black or burnt out")
+            if not {"--camera", "--eye"} & set(more) and not FRAMED[0] <= found["fill"] <= FRAMED[1]:
+                missed.append(f"{name}: fills {found['fill']:.1%} of the picture")
     if options.bars and missed:
         sys.exit("\n".join(missed))
 

@@ -142,7 +142,7 @@ std::vector<measure::BenchRun> runsOf(const BenchOptions& options) {
     if (options.shadowMaps || proof::isOfMaps(options.walk.oracle)) settings::askForMaps(fixed);
     requireNoWindow(fixed);
     if (settings::isPosed(fixed))
-        throw settings::UsageError{"--path and --camera, --eye, --target, --up, --fov-y contradict each other"};
+        throw settings::UsageError{"--path and --camera, --eye, --target, --view, --fov-y contradict each other"};
     std::vector<measure::BenchRun> runs =
         measure::runsOf(settings::combinations(fixed, options.settings.axes(options.shadowMaps)));
     if (runs.size() == 1 && !options.report.empty()) runs = measure::reportRuns(runs.front().settings, options.isQuick);

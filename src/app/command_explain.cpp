@@ -30,8 +30,7 @@ void runExplain(const ExplainOptions& options) {
         quality.mapsBecause = plan::ShadowReason::ExecutorHasMaps;
     settings.backend = settings::Backend::Software; // nothing is drawn, so no context is made
     measure::Session session(options.model, settings, printWarning);
-    const plan::FramePlan plan =
-        session.renderer().plan(settings::viewOf(settings, session.model().summary()), quality);
+    const plan::FramePlan plan = session.renderer().plan(settings::viewOf(settings, session.model()), quality);
     const std::string text = options.json ? telemetry::jsonText(planJson(plan), 1) + "\n" : planText(plan);
     std::fputs(text.c_str(), stdout);
 }

@@ -35,7 +35,7 @@ std::optional<path::CameraPath> pathOfTime(const RenderOptions& options, setting
     if (settings.cameraFile.empty()) throw settings::UsageError{"--time is of a path: --camera PATH.json --time T"};
     const std::string file = std::exchange(settings.cameraFile, {});
     if (settings::isPosed(settings))
-        throw settings::UsageError{"--camera and --eye, --target, --up, --fov-y contradict each other"};
+        throw settings::UsageError{"--camera and --eye, --target, --view, --fov-y contradict each other"};
     return path::readCameraPath(file);
 }
 

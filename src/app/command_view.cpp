@@ -36,7 +36,7 @@ std::string keysForPeople() {
 void requireSound(const viewer::ViewerOptions& options) {
     const settings::Settings& settings = options.settings;
     settings::qualityOf(settings);
-    settings::viewOf(settings, {});
+    settings::viewOf(settings, hierarchy::ModelSummary());
     requireApart(
         {{"MODEL", options.file}, {"--path", options.path}, {"--camera", settings.cameraFile}},
         {{"--csv", options.csv}});

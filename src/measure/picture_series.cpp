@@ -6,6 +6,7 @@
 #include "executor/picture_series.h"
 #include "measure/finished_picture.h"
 #include "path/camera_path.h"
+#include "path/outline.h"
 #include "settings/resolve.h"
 #include "settings/samples.h"
 
@@ -18,6 +19,15 @@ constexpr double kUsualRate = 25; // frames a second, where no path says
 
 std::string nameOf(const settings::PictureSeries& series, int number) {
     return executor::numberedName(series.output, number).value_or(series.output);
+}
+
+/// The view that a series begins with: of a path without framing anything, of a turntable so that every turn of it is
+/// in the picture.
+plan::View firstView(const SeriesTask& task, const hierarchy::ModelFile& model, bool isWalked) {
+    if (isWalked || !settings::isFramed(task.settings)) return settings::viewOf(task.settings, model.summary());
+    const glm::dvec3 up = task.settings.up.value_or(model.summary().up.direction);
+    const glm::dvec3 center = model.summary().bounds.center();
+    return settings::viewOf(task.settings, model.summary(), path::sweptOutline(path::outlineOf(model), center, up));
 }
 
 } // namespace
@@ -35,7 +45,7 @@ void drawSeries(const settings::PictureSeries& series, const SeriesTask& task, P
     const bool isStream = series.output == "-";
     const plan::Quality quality = settings::qualityOf(task.settings);
     Session session(task.model, task.settings, task.warn);
-    plan::View view = settings::viewOf(task.settings, session.model().summary());
+    plan::View view = firstView(task, session.model(), walked.has_value());
     const Camera start = view.camera;
     if (isStream)
         task.stream(
@@ -47,7 +57,7 @@ void drawSeries(const settings::PictureSeries& series, const SeriesTask& task, P
     progress.stage("render", "frames", static_cast<std::uint64_t>(frames) * static_cast<std::uint64_t>(samples));
     for (int i = 0; i < frames; ++i) {
         view.camera = walked ? path::cameraAt(*walked, path::frameTime(*walked, i, frames))
-                             : path::turnedAround(start, 2 * kPi * i / frames);
+                             : path::turnedAround(start, view.up, 2 * kPi * i / frames);
         const FinishedPicture drawn = drawFinished(session, view, quality, frameOptions, samples, progress);
         if (isStream)
             task.stream(executor::y4mFrame(drawn.picture));

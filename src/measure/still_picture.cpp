@@ -47,7 +47,7 @@ void drawStill(const StillTask& task, Progress& progress) {
     const plan::Quality quality = settings::qualityOf(task.settings);
     settings::requireLegendShown(task.settings, beside.overlay);
     Session session(task.model, task.settings, task.warn);
-    plan::View view = settings::viewOf(task.settings, session.model().summary());
+    plan::View view = settings::viewOf(task.settings, session.model());
     view.camera = task.camera.value_or(view.camera);
     std::optional<executor::Picture> reference;
     if (!task.reference.empty()) reference = executor::readPng(task.reference);

@@ -112,13 +112,16 @@ double frameTime(const CameraPath& path, int frame, int frames) {
     return path.keyframes.front().time + path.duration() * fraction;
 }
 
-Camera turnedAround(const Camera& camera, double radians) {
-    const glm::dvec3 axis = glm::normalize(camera.up);
-    const glm::dvec3 arm = camera.eye - camera.target;
-    const glm::dvec3 along = axis * glm::dot(axis, arm);
-    Camera turned = camera;
-    turned.eye = camera.target + along + std::cos(radians) * (arm - along) + std::sin(radians) * glm::cross(axis, arm);
-    return turned;
+Camera turnedAround(const Camera& camera, const glm::dvec3& up, double radians) {
+    const glm::dvec3 axis = glm::normalize(up);
+    const auto turned = [&](const glm::dvec3& arm) {
+        const glm::dvec3 along = axis * glm::dot(axis, arm);
+        return along + std::cos(radians) * (arm - along) + std::sin(radians) * glm::cross(axis, arm);
+    };
+    Camera result = camera;
+    result.eye = camera.target + turned(camera.eye - camera.target);
+    if (camera.up != up) result.up = turned(camera.up);
+    return result;
 }
 
 Camera readCamera(const std::string& path) {

@@ -32,8 +32,8 @@ Camera cameraAt(const CameraPath& path, double time);
 /// The time of frame `frame` of `frames` that are spread evenly over `path`, both ends included.
 double frameTime(const CameraPath& path, int frame, int frames);
 
-/// `camera` with its eye turned about its target, about its up axis and against the clock as seen from above.
-Camera turnedAround(const Camera& camera, double radians);
+/// `camera` turned about its target, about the direction `up` and against the clock as seen from there.
+Camera turnedAround(const Camera& camera, const glm::dvec3& up, double radians);
 
 /// Reads one keyframe `{"eye", "target", "up", "fov_y"}`; up and fov_y may be missing. Throws Error with path and
 /// place.

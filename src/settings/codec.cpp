@@ -1,5 +1,7 @@
 #include "settings/codec.h"
 
+#include "hierarchy/world_frame.h"
+
 #include <charconv>
 #include <cmath>
 #include <utility>
@@ -128,6 +130,20 @@ Codec<glm::dvec3> direction() {
         },
         vectorText,
         "x,y,z, a direction of a finite length above 0"};
+}
+
+Codec<glm::dvec3> upDirection() {
+    return {
+        [](const std::string& text) -> std::optional<glm::dvec3> {
+            if (const auto axis = hierarchy::upAxisNamed(text)) return axis->direction;
+            return direction().read(text);
+        },
+        [](const glm::dvec3& value) {
+            for (const char* const name : {"x", "y", "z", "-x", "-y", "-z"})
+                if (hierarchy::upAxisNamed(name)->direction == value) return std::string(name);
+            return direction().write(value);
+        },
+        "x, y, z, -x, -y, -z or " + direction().expected};
 }
 
 Codec<std::array<int, 2>> size(const std::string& limit, bool (*isAllowed)(const std::array<int, 2>& size)) {

@@ -60,6 +60,9 @@ Codec<glm::dvec3> vector();
 /// "x,y,z" of a length that is finite and above 0.
 Codec<glm::dvec3> direction();
 
+/// A direction, or the name of an axis: "z", "-x".
+Codec<glm::dvec3> upDirection();
+
 /// "WxH", both at least 1, that `isAllowed`; `limit` says what of them is, behind a comma.
 Codec<std::array<int, 2>> size(const std::string& limit, bool (*isAllowed)(const std::array<int, 2>& size));
 

@@ -12,7 +12,7 @@ void requireSound(const PictureSeries& series, const Settings& settings, bool is
     if (series.path.empty() && series.frames)
         throw UsageError{"--frames is of a path: --path FILE.json --frames N, or --turntable N"};
     if (!series.path.empty() && isPosed(settings))
-        throw UsageError{"--path and --camera, --eye, --target, --up, --fov-y contradict each other"};
+        throw UsageError{"--path and --camera, --eye, --target, --view, --fov-y contradict each other"};
     if (isStream && isTransparent)
         throw UsageError{"--background transparent and -o - contradict each other: YUV4MPEG2 has no alpha"};
     if (!isStream && !isNumbered)

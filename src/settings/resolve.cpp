@@ -2,10 +2,10 @@
 
 #include "core/angle.h"
 #include "path/camera_path.h"
+#include "path/outline.h"
 #include "settings/table.h"
 
-#include <algorithm>
-#include <cmath>
+#include <vector>
 
 namespace gnomon::settings {
 
@@ -21,7 +21,7 @@ std::string written(const char* name, const Settings& settings) {
 
 /// Whether there is more or less of a camera beside a camera file.
 bool hasPose(const Settings& settings) {
-    return settings.eye || settings.target || settings.up || settings.fovYDegrees;
+    return settings.eye || settings.target || settings.side || settings.fovYDegrees;
 }
 
 shadow::Warp warpOf(const Settings& settings) {
@@ -85,35 +85,48 @@ bool isPosed(const Settings& settings) {
     return !settings.cameraFile.empty() || hasPose(settings);
 }
 
-Camera framingCamera(const Box& bounds, double aspect, const glm::dvec3& up, double fovYRadians) {
-    const double radius = std::max(glm::length(bounds.extent()) * 0.5, 1e-12);
-    const double tanHalf = std::tan(fovYRadians / 2) * std::min(aspect, 1.0);
-    const double distanceToCenter = radius / std::sin(std::atan(tanHalf));
-    // Towards the viewer: up, and as far from up as an axis can be, so that any --up frames the model from its side.
-    const glm::dvec3 side = std::abs(up.z) <= std::abs(up.y) ? glm::dvec3(0.45, 0, 1) : glm::dvec3(0.45, -1, 0);
-    const glm::dvec3 level = glm::normalize(side - up * (glm::dot(side, up) / glm::dot(up, up)));
-    const glm::dvec3 from = glm::normalize(level + 0.45 * glm::normalize(up));
-    return {bounds.center() + from * distanceToCenter, bounds.center(), up, fovYRadians};
+namespace {
+
+void requireOneCamera(const Settings& settings) {
+    if (!settings.cameraFile.empty() && hasPose(settings))
+        throw UsageError{"--camera and --eye, --target, --view, --fov-y contradict each other"};
+    if (settings.side && (settings.eye || settings.target))
+        throw UsageError{"--view and --eye, --target contradict each other: it frames the model from a side"};
 }
 
-plan::View viewOf(const Settings& settings, const hierarchy::ModelSummary& summary) {
+} // namespace
+
+bool isFramed(const Settings& settings) {
+    return settings.cameraFile.empty() && !settings.eye;
+}
+
+plan::View viewOf(
+    const Settings& settings, const hierarchy::ModelSummary& summary, std::span<const glm::dvec3> outline) {
+    requireOneCamera(settings);
     plan::View view;
     view.width = settings.imageSize[0];
     view.height = settings.imageSize[1];
-    view.towardsLight = settings.towardsLight;
-    view.up = settings.up.value_or(glm::dvec3(0, 1, 0));
+    view.up = settings.up.value_or(summary.up.direction);
+    view.towardsLight = settings.isLightGiven ? settings.towardsLight : path::usualLight(view.up);
     if (!settings.cameraFile.empty()) {
-        if (hasPose(settings)) throw UsageError{"--camera and --eye, --target, --up, --fov-y contradict each other"};
         view.camera = path::readCamera(settings.cameraFile);
         return view;
     }
-    const glm::dvec3 up = settings.up.value_or(glm::dvec3(0, 1, 0));
-    const double degrees = settings.fovYDegrees.value_or(kUsualFovYDegrees);
-    view.camera = framingCamera(summary.bounds, view.aspect(), up, radiansFromDegrees(degrees));
-    view.camera.eye = settings.eye.value_or(view.camera.eye);
-    view.camera.target = settings.target.value_or(view.camera.target);
+    const double fovY = radiansFromDegrees(settings.fovYDegrees.value_or(kUsualFovYDegrees));
+    const path::Vantage vantage = path::vantageOf(settings.side, view.up);
+    const std::vector<glm::dvec3> corners = path::cornersOf(summary.bounds);
+    view.camera = path::framingCamera(outline.empty() ? corners : outline, vantage, view.aspect(), fovY);
+    if (settings.eye || settings.target) {
+        view.camera.eye = settings.eye.value_or(view.camera.eye);
+        view.camera.target = settings.target.value_or(0.5 * (corners.front() + corners.back()));
+    }
     if (view.camera.eye == view.camera.target) throw UsageError{"--eye and --target are the same point"};
     return view;
+}
+
+plan::View viewOf(const Settings& settings, const hierarchy::ModelFile& model) {
+    const std::vector<glm::dvec3> outline = isFramed(settings) ? path::outlineOf(model) : std::vector<glm::dvec3>();
+    return viewOf(settings, model.summary(), outline);
 }
 
 plan::Quality qualityOf(const Settings& settings) {

@@ -1,22 +1,29 @@
 // From settings to the view and the quality that they ask for together, contradictions refused.
 #pragma once
 
-#include "hierarchy/model.h"
+#include "hierarchy/model_file.h"
 #include "settings/settings.h"
+
+#include <span>
 
 namespace gnomon::settings {
 
 /// Whether the settings say where the camera is or what it is like.
 bool isPosed(const Settings& settings);
 
-/// The view that is asked for; a model of `summary` is framed where no camera is given. Reads the camera file, if there
-/// is one. Throws UsageError for contradictions, Error for a file that is no camera.
-plan::View viewOf(const Settings& settings, const hierarchy::ModelSummary& summary);
+/// Whether the eye is where it sees the whole model, for nothing says where else.
+bool isFramed(const Settings& settings);
+
+/// The view that is asked for; where no camera is given, `outline` (path/outline.h) is framed, or the bounds of
+/// `summary` where it is empty. Reads the camera file, if there is one. Throws UsageError for contradictions, Error for
+/// a file that is no camera.
+plan::View viewOf(
+    const Settings& settings, const hierarchy::ModelSummary& summary, std::span<const glm::dvec3> outline = {});
+
+/// The same with the outline of `model`, whose coarse pages it reads where it has to frame it.
+plan::View viewOf(const Settings& settings, const hierarchy::ModelFile& model);
 
 /// The quality that is asked for. Throws UsageError for contradictions.
 plan::Quality qualityOf(const Settings& settings);
-
-/// The camera that shows all of `bounds`, looked at slightly from above.
-Camera framingCamera(const Box& bounds, double aspect, const glm::dvec3& up, double fovYRadians);
 
 } // namespace gnomon::settings

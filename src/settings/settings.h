@@ -3,6 +3,7 @@
 
 #include "core/units.h"
 #include "core/words.h"
+#include "path/framing.h"
 #include "plan/frame_plan.h"
 
 #include <array>
@@ -36,7 +37,9 @@ struct Settings {
     std::optional<glm::dvec3> target;
     std::optional<glm::dvec3> up;
     std::optional<double> fovYDegrees;
+    std::optional<path::ViewSide> side; // nothing: a three-quarter view
     glm::dvec3 towardsLight{0.4, 1, 0.3};
+    bool isLightGiven = false; // towardsLight was asked for; else it stands in a world with y up
     plan::Quality quality = openQuality();
     bool isWarpGiven = false;       // quality.warp.rule was asked for
     std::optional<double> eta;      // takes the place of quality.warp.rule

@@ -63,8 +63,17 @@ std::vector<Setting> cameraSettings() {
             ifGiven(vector())),
         plain(
             &Settings::up,
-            {.name = "up", .form = "x,y,z", .help = "What is up; 0,1,0 if not given"},
-            ifGiven(direction())),
+            {.name = "up",
+             .form = "AXIS|x,y,z",
+             .help = "What is up: x, y, z, -x, -y, -z or a direction; as stored in the "
+                     "model if not given"},
+            ifGiven(upDirection())),
+        plain(
+            &Settings::side,
+            {.name = "view",
+             .form = enumerated(path::kViewSides, "|", "|"),
+             .help = "The side from which the model is framed; from the front, a little right and above if not given"},
+            ifGiven(oneOf(path::kViewSides))),
         plain(
             &Settings::fovYDegrees,
             {.name = "fov-y",
@@ -73,6 +82,22 @@ std::vector<Setting> cameraSettings() {
              .quantity = "vertical angle"},
             ifGiven(number("an angle above 0 and below 180 degrees", [](double v) { return v > 0 && v < 180; }))),
     };
+}
+
+Setting lightSetting() {
+    return {
+        {.name = "light",
+         .form = "x,y,z",
+         .help =
+             "Direction towards the light, x,y,z; 0.4,1,0.3 of a model with y up, the same turned with it of others",
+         .statedAs = "light",
+         .quantity = "light direction"},
+        direction(),
+        [](const Settings& settings) { return settings.towardsLight; },
+        [](Settings& settings, const glm::dvec3& value) {
+            settings.towardsLight = value;
+            settings.isLightGiven = true;
+        }};
 }
 
 /// For which depths and light shadows are promised, and how much is drawn at most.
@@ -101,14 +126,7 @@ std::vector<Setting> sceneSettings() {
              .help = "The least automatic near; far/10000 if not given",
              .statedAs = "near_floor"},
             ifGiven(distance())),
-        plain(
-            &Settings::towardsLight,
-            {.name = "light",
-             .form = "x,y,z",
-             .help = "Direction towards the light, x,y,z",
-             .statedAs = "light",
-             .quantity = "light direction"},
-            direction()),
+        lightSetting(),
         quality(
             &Quality::maxTriangles,
             {.name = "max-triangles",

@@ -84,7 +84,9 @@ void WindowSession::open(const std::string& file) {
 
 void WindowSession::enter(const Scene& scene) {
     const hierarchy::ModelFile& model = scene.model();
-    walk_.enter(settings::viewOf(options_.settings, model.summary()).camera, model.summary().bounds);
+    FramedModel framed(options_.settings, model);
+    framed.enter(walk_, settings_.asked, framebufferSize());
+    framed_ = std::move(framed);
     caps_.pages = model.pages().size();
     saved_ = SavedFiles(model.path());
     glfwSetWindowTitle(window_.handle(), ("Gnomon - " + model.path()).c_str());
@@ -146,7 +148,7 @@ Shot WindowSession::shot(const glm::ivec2& size) const {
     shot.view.width = size.x;
     shot.view.height = size.y;
     shot.view.towardsLight = settings_.asked.towardsLight;
-    shot.view.up = settings_.asked.up.value_or(shot.view.up);
+    shot.view.up = framed_->up();
     shot.view.camera = walk_.culledBy();
     shot.quality = settings_.asked.quality;
     if (settings_.targetMs > 0 && !walk_.playsFixed()) {

@@ -2,8 +2,8 @@
 
 namespace gnomon::viewer {
 
-void Walk::enter(const Camera& home, const Box& bounds) {
-    control_ = CameraControl(home, bounds);
+void Walk::enter(const Camera& home, const glm::dvec3& up) {
+    control_ = CameraControl(home, up);
     frozen_.reset();
     player_.reset();
     recorder_.reset();

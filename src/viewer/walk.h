@@ -19,8 +19,8 @@ public:
     Walk(Messages& messages, Clock now, std::optional<path::CameraPath> path, std::optional<int> frames)
         : messages_(&messages), now_(std::move(now)), path_(std::move(path)), frames_(frames) {}
 
-    /// Begins at `home` in a model within `bounds`. Throws Error if `home` is impossible; then all stays as it was.
-    void enter(const Camera& home, const Box& bounds);
+    /// Begins at `home` in a world with this `up`. Throws Error if `home` is impossible; then all stays as it was.
+    void enter(const Camera& home, const glm::dvec3& up);
 
     bool hasEntered() const { return control_.has_value(); }
 

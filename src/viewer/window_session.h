@@ -4,6 +4,7 @@
 #include "core/progress.h"
 #include "gl/window.h"
 #include "viewer/frame_log.h"
+#include "viewer/framed_model.h"
 #include "viewer/input/input.h"
 #include "viewer/input/steering.h"
 #include "viewer/open_file.h"
@@ -68,6 +69,7 @@ private:
     StoragePad pad_;
     SavedFiles saved_;
     std::optional<FrameLog> log_;
+    std::optional<FramedModel> framed_;
     Caps caps_;
     double lastFrame_ = 0; // seconds on GLFW's clock
     double lastWindowMs_ = 0;

@@ -43,7 +43,7 @@ void WindowSession::takeDrag(const Drag& drag) {
     if (walk_.isPlaying() && !turnsLight) return;
     pace_.wakeScene();
     if (turnsLight)
-        settings_.asked.towardsLight = turnedLight(walk_.control().camera(), settings_.asked.towardsLight, drag.moved);
+        turnLight(settings_.asked, walk_.control().camera(), drag.moved);
     else
         steering_.drag(drag, underCursor(), walk_.control());
 }
@@ -80,9 +80,9 @@ void WindowSession::actOnModel(const Binding& binding) {
     case Action::Focus:
         return focus();
     case Action::LookFrom:
-        return walk_.control().goTo(static_cast<Side>(binding.value));
+        return walk_.control().goTo(framed_->from(static_cast<path::ViewSide>(binding.value), framebufferSize()));
     case Action::GoHome:
-        return walk_.control().goHome();
+        return walk_.control().goTo(framed_->home(framebufferSize()).camera);
     case Action::Freeze:
         return walk_.toggleFreeze();
     case Action::Record:

@@ -18,7 +18,7 @@ WORDS = ["on", "off", "auto", "none", "maps", "rays", "lspsm", "psm", "tsm", "mi
 MEMORY = ["1", "0", "64M", "1G", "-1", "1e3", "", "junk", "16k"]
 
 VIEW = {
-    "--size": SIZES, "--eye": VECTORS, "--target": VECTORS, "--up": VECTORS, "--fov-y": NUMBERS + ["60", "179.9"],
+    "--size": SIZES, "--eye": VECTORS, "--target": VECTORS, "--up": VECTORS + ["z", "-x"], "--view": WORDS + ["left", "iso"], "--fov-y": NUMBERS + ["60", "179.9"],
     "--near": NUMBERS, "--far": NUMBERS, "--near-floor": NUMBERS, "--light": VECTORS, "--error-pixels": NUMBERS,
     "--max-triangles": NUMBERS + ["1k"], "--shadows": WORDS, "--warp": WORDS, "--eta": NUMBERS, "--tsm-focus": NUMBERS,
     "--z-partitions": WORDS, "--split-lambda": NUMBERS, "--face-partitions": WORDS, "--shadow-texels": SIZES + ["512x512"],

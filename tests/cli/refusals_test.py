@@ -220,7 +220,7 @@ class Refusals(ProgramTest):
         self.bench(2, "--budget-ms", "--budget-ms", "0")
 
     def test_a_path_is_the_only_camera_of_a_bench(self):
-        for option in (("--eye", "1,2,3"), ("--target", "1,2,3"), ("--up", "0,1,0"), ("--fov-y", "40"),
+        for option in (("--eye", "1,2,3"), ("--target", "1,2,3"), ("--view", "top"), ("--fov-y", "40"),
                        ("--camera", DATA / "cameras/sundial_low.json")):  # fmt: skip
             self.bench(2, option[0], *option)
 
@@ -291,6 +291,10 @@ class Refusals(ProgramTest):
             ("--build-memory", "x"),
             ("--fov-y", "200"),
             ("--up", "0,0,0"),
+            ("--up", "w"),
+            ("--view", "inside"),
+            ("--view", "top", "--eye", "1,2,3"),
+            ("--view", "top", "--camera", camera),
             ("--eye", "1,2,3", "--target", "1,2,3"),
             ("--size", "0x4"),
             ("--warp", "wavy"),

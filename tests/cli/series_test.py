@@ -66,13 +66,17 @@ class Series(ProgramTest):
                 for plane, value in enumerate(yuv(*pixel)):
                     self.assertLessEqual(abs(planes[plane * 48 * 32 + place] - value), 0.51, pixel)
 
-    def test_a_turntable_begins_at_the_usual_view_and_goes_around(self):
+    def test_a_turntable_goes_around_and_begins_where_it_is_told(self):
         self.expect(0, "", "render", self.sundial, *SIZE, "--turntable", "4", "-o", self.place / "turn%d.png")
-        self.expect(0, "", "render", self.sundial, *SIZE, "-o", self.place / "usual.png")
+        self.expect(0, "", "render", self.sundial, *SIZE, "--turntable", "2", "-o", self.place / "half%d.png")
         turned = self.pictures("turn")
         self.assertEqual(len(turned), 4)
         self.assertEqual(len(set(turned)), 4)
-        self.assertEqual(turned[0], (self.place / "usual.png").read_bytes())
+        self.assertEqual(turned[::2], self.pictures("half"), "framed for the whole turn, not for the first picture")
+        pose = ("--eye", "3,9,20", "--target", "0,1,0")
+        self.expect(0, "", "render", self.sundial, *SIZE, *pose, "--turntable", "2", "-o", self.place / "posed%d.png")
+        self.expect(0, "", "render", self.sundial, *SIZE, *pose, "-o", self.place / "alone.png")
+        self.assertEqual(self.pictures("posed")[0], (self.place / "alone.png").read_bytes())
 
     def test_a_camera_of_a_path_is_that_of_its_frame(self):
         times = [key["time"] for key in json.loads(PATH.read_text())["keyframes"]]
@@ -95,9 +99,9 @@ class Series(ProgramTest):
         drawn("again.png", "--samples", "16", "--reference", self.place / "usual.png", "--reference-threshold", "0")
         row = json.loads((self.place / "s.json").read_text())
         self.assertEqual((row["image_width_drawn"], row["samples_per_pixel"]), (48, 1))
-        self.expect(0, "", "render", self.sundial, *SIZE, "--turntable", "1", "-o", self.place / "turn%d.png", "--samples",
-                    "3")  # fmt: skip
-        self.assertEqual(self.pictures("turn")[0], drawn("three.png", "--samples", "3"))
+        three = ("--samples", "3", "--eye", "3,9,20")
+        self.expect(0, "", "render", self.sundial, *SIZE, "--turntable", "1", "-o", self.place / "turn%d.png", *three)
+        self.assertEqual(self.pictures("turn")[0], drawn("three.png", *three))
 
     def test_what_contradicts_itself_is_refused(self):
         out = ("-o", self.place / "no%d.png")

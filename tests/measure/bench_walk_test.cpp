@@ -286,6 +286,7 @@ TEST(BenchWalk, DrawsAroundDamageAndNamesItOnce) {
 TEST(BenchWalk, DrawsWhatRunsShowThatDrawAlikeOnce) {
     settings::Settings plain = smallSettings();
     plain.towardsLight = {1, 0.3, 0.2}; // low: the hills throw shadows
+    plain.isLightGiven = true;
     settings::Settings unculled = plain;
     unculled.quality.cullCasters = plan::CasterCulling::Off;
     unculled.gpuMemory = mebibytes(64);

@@ -64,20 +64,23 @@ TEST(TurnedAround, KeepsDistanceAndHeightAndComesBack) {
         camera.target = vector();
         camera.up = vector();
         const glm::dvec3 up = glm::normalize(camera.up);
-        const Camera turned = path::turnedAround(camera, random.uniform(-7, 7));
+        const Camera turned = path::turnedAround(camera, camera.up, random.uniform(-7, 7));
         EXPECT_NEAR(glm::distance(turned.eye, turned.target), glm::distance(camera.eye, camera.target), 1e-9);
         EXPECT_NEAR(glm::dot(turned.eye - camera.eye, up), 0, 1e-9);
         EXPECT_EQ(turned.target, camera.target);
         EXPECT_EQ(turned.up, camera.up);
-        EXPECT_LT(glm::distance(path::turnedAround(camera, 2 * kPi).eye, camera.eye), 1e-9);
-        const Camera half = path::turnedAround(camera, kPi);
+        EXPECT_LT(glm::distance(path::turnedAround(camera, camera.up, 2 * kPi).eye, camera.eye), 1e-9);
+        const Camera half = path::turnedAround(camera, camera.up, kPi);
         const glm::dvec3 level = half.eye + camera.eye - 2.0 * camera.target;
         EXPECT_LT(glm::length(level - up * glm::dot(up, level)), 1e-9) << "on the other side";
     }
     Camera camera;
     camera.eye = {0, 1, 1};
     camera.target = {0, 0, 0};
-    EXPECT_LT(glm::distance(path::turnedAround(camera, kPi / 2).eye, glm::dvec3(1, 1, 0)), 1e-12);
+    camera.up = {0, 0, -1}; // as of a view from the top
+    EXPECT_LT(glm::distance(path::turnedAround(camera, {0, 1, 0}, kPi / 2).up, glm::dvec3(-1, 0, 0)), 1e-12);
+    camera.up = {0, 1, 0};
+    EXPECT_LT(glm::distance(path::turnedAround(camera, camera.up, kPi / 2).eye, glm::dvec3(1, 1, 0)), 1e-12);
 }
 
 TEST(PictureSeries, RefusesWhatContradictsItself) {

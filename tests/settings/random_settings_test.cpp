@@ -263,31 +263,5 @@ TEST(RandomSteps, OfWordsComeBackTheWayTheyWent) {
     }
 }
 
-// The framing camera by its promise: the ball around the bounds is within the picture, and touches its border.
-TEST(RandomFraming, HasTheWholeModelInViewAndNoMoreThanThat) {
-    Random random(11);
-    for (int i = 0; i < 500; ++i) {
-        glm::dvec3 corner;
-        glm::dvec3 extent;
-        glm::dvec3 up;
-        for (int axis = 0; axis < 3; ++axis) {
-            corner[axis] = random.uniform(-100, 100);
-            extent[axis] = random.uniform(0.1, 50);
-            up[axis] = random.uniform(-1, 1);
-        }
-        if (glm::length(up) < 0.1) continue;
-        const Box bounds{corner, corner + extent};
-        const double aspect = random.uniform(0.2, 5);
-        const double angle = random.uniform(0.1, 2.5);
-        const Camera camera = framingCamera(bounds, aspect, up, angle);
-        EXPECT_EQ(camera.target, bounds.center());
-        EXPECT_GT(glm::dot(camera.eye - camera.target, up), 0) << "from above";
-        const double tangent = std::tan(angle / 2) * std::min(aspect, 1.0);
-        const double sine = tangent / std::sqrt(1 + tangent * tangent);
-        const double radius = glm::length(extent) / 2;
-        EXPECT_NEAR(glm::distance(camera.eye, camera.target) * sine, radius, 1e-9 * radius);
-    }
-}
-
 } // namespace
 } // namespace gnomon::settings

@@ -15,7 +15,7 @@ namespace {
 std::string objection(const Settings& settings) {
     try {
         qualityOf(settings);
-        viewOf(settings, {});
+        viewOf(settings, hierarchy::ModelSummary());
         return {};
     } catch (const UsageError& error) {
         return error.message;
@@ -101,10 +101,10 @@ TEST(Resolve, TheViewHasOneCameraAndADepthRange) {
     EXPECT_EQ(objection(settings), "--eye and --target are the same point");
     EXPECT_TRUE(isPosed(settings));
     settings.cameraFile = "camera.json";
-    EXPECT_EQ(objection(settings), "--camera and --eye, --target, --up, --fov-y contradict each other");
+    EXPECT_EQ(objection(settings), "--camera and --eye, --target, --view, --fov-y contradict each other");
     settings.eye = settings.target = std::nullopt;
     EXPECT_TRUE(isPosed(settings));
-    EXPECT_THROW(viewOf(settings, {}), Error) << "there is no such file";
+    EXPECT_THROW(viewOf(settings, hierarchy::ModelSummary()), Error) << "there is no such file";
     EXPECT_FALSE(isPosed(Settings()));
 }
 
@@ -119,10 +119,50 @@ TEST(Resolve, AModelIsFramedFromWhateverIsUp) {
         const plan::View view = viewOf(settings, summary);
         EXPECT_EQ(view.width, 300);
         EXPECT_EQ(view.height, 200);
-        EXPECT_EQ(view.camera.target, glm::dvec3(0));
+        const glm::dvec3 aside = view.camera.target - up * glm::dot(view.camera.target, up) / glm::dot(up, up);
+        EXPECT_LT(glm::length(aside), 1.5) << "near the upright line through the middle";
+        EXPECT_EQ(view.up, up);
+        EXPECT_GT(glm::dot(view.light().unit(), glm::normalize(up)), 0.8) << "the sun follows";
+        EXPECT_GT(glm::dot(view.towardsLight, view.camera.eye - view.camera.target), 0) << "lit from the front";
         EXPECT_DOUBLE_EQ(view.camera.fovYRadians, std::numbers::pi / 2);
         EXPECT_GT(glm::dot(view.camera.eye, up), 0) << "from a little above";
     }
+}
+
+TEST(Resolve, ASideFramesTheModelAndContradictsAnotherCamera) {
+    Settings settings;
+    settings.side = path::ViewSide::Left;
+    hierarchy::ModelSummary summary;
+    summary.bounds = {{-1, -2, -3}, {1, 2, 3}};
+    summary.up.direction = {0, 0, 1};
+    const plan::View view = viewOf(settings, summary);
+    EXPECT_LT(view.camera.eye.x, -1);
+    EXPECT_EQ(view.camera.up, glm::dvec3(0, 0, 1)) << "as the model says";
+    EXPECT_EQ(view.towardsLight, glm::dvec3(0.4, -0.3, 1)) << "likewise";
+    settings.towardsLight = {1, 2, 3};
+    settings.isLightGiven = true;
+    EXPECT_EQ(viewOf(settings, summary).towardsLight, glm::dvec3(1, 2, 3)) << "in the source's axes";
+    settings.eye = glm::dvec3(5);
+    EXPECT_EQ(objection(settings), "--view and --eye, --target contradict each other: it frames the model from a side");
+    settings.eye.reset();
+    settings.cameraFile = "camera.json";
+    EXPECT_EQ(objection(settings), "--camera and --eye, --target, --view, --fov-y contradict each other");
+    EXPECT_FALSE(isFramed(settings));
+}
+
+// A light and a way up outlast the model's own, and a camera's target is the middle where only the eye is given.
+TEST(Resolve, WhatIsGivenStands) {
+    hierarchy::ModelSummary summary;
+    summary.bounds = {{0, 0, 0}, {2, 4, 6}};
+    summary.up.direction = {0, 0, 1};
+    Settings settings;
+    settings.up = glm::dvec3(1, 0, 0);
+    settings.eye = glm::dvec3(9, 9, 9);
+    const plan::View view = viewOf(settings, summary);
+    EXPECT_EQ(view.camera.target, glm::dvec3(1, 2, 3));
+    EXPECT_EQ(view.camera.eye, glm::dvec3(9, 9, 9));
+    EXPECT_EQ(view.camera.up, glm::dvec3(1, 0, 0));
+    EXPECT_EQ(view.up, glm::dvec3(1, 0, 0));
 }
 
 } // namespace

@@ -44,7 +44,7 @@ TEST(KeyTable, EveryOverlaySideAndWayHasAKey) {
     const std::size_t withKeys = std::min<std::size_t>(executor::kOverlays.size(), 8); // F9 opens the model again
     EXPECT_EQ(overlays.size(), withKeys);
     EXPECT_EQ(*overlays.rbegin(), static_cast<int>(withKeys) - 1);
-    EXPECT_EQ(sides.size(), static_cast<std::size_t>(Side::Bottom) + 1);
+    EXPECT_EQ(sides.size(), static_cast<std::size_t>(path::ViewSide::Bottom) + 1);
     EXPECT_EQ(ways.size(), static_cast<std::size_t>(Way::Up) + 1);
 }
 

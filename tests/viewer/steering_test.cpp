@@ -19,7 +19,7 @@ Flight flightWith(const std::set<int>& held) {
 }
 
 CameraControl control() {
-    return {{{0, 1, 8}, {0, 0, 0}, {0, 1, 0}, 1}, {{-2, -2, -2}, {2, 2, 2}}};
+    return {{{0, 1, 8}, {0, 0, 0}, {0, 1, 0}, 1}, {0, 1, 0}};
 }
 
 Drag dragBy(int button, const glm::dvec2& moved, int modifiers = 0, bool hasBegun = true) {

@@ -12,7 +12,7 @@ namespace gnomon::viewer {
 namespace {
 
 const Camera kHome{{0, 1, 8}, {0, 0, 0}, {0, 1, 0}, 1};
-const Box kBounds{{-2, -2, -2}, {2, 2, 2}};
+const glm::dvec3 kUp{0, 1, 0};
 
 path::CameraPath pathAlongX() {
     path::CameraPath path;
@@ -41,7 +41,7 @@ protected:
     Walk walkWith(std::optional<path::CameraPath> path, std::optional<int> frames = std::nullopt) {
         Walk walk(
             messages, [this] { return now; }, std::move(path), frames);
-        walk.enter(kHome, kBounds);
+        walk.enter(kHome, kUp);
         return walk;
     }
 
@@ -115,7 +115,7 @@ TEST_F(WalkTest, WhatIsRecordedIsSavedAndPlayedNext) {
         walk.record(walk.camera());
     }
     const glm::dvec3 last = walk.camera().eye;
-    walk.control().goHome();
+    walk.control().goTo(kHome);
     walk.toggleRecording(saved);
     ASSERT_TRUE(walk.togglePlaying(saved));
     EXPECT_EQ(told.back(), "saved model_path1.json");
@@ -134,12 +134,12 @@ TEST_F(WalkTest, AnotherModelEndsAllButThePath) {
     Walk walk = walkWith(pathAlongX());
     walk.toggleFreeze();
     walk.togglePlaying(saved);
-    walk.enter(kHome, kBounds);
+    walk.enter(kHome, kUp);
     EXPECT_FALSE(walk.isFrozen() || walk.isPlaying() || walk.isRecording());
     EXPECT_TRUE(walk.togglePlaying(saved));
     Camera impossible = kHome;
     impossible.target = impossible.eye;
-    EXPECT_THROW(walk.enter(impossible, kBounds), Error);
+    EXPECT_THROW(walk.enter(impossible, kUp), Error);
     EXPECT_TRUE(walk.isPlaying());
 }
 

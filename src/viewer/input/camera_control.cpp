@@ -1,6 +1,7 @@
 #include "viewer/input/camera_control.h"
 
 #include "core/angle.h"
+#include "hierarchy/upright_frame.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,6 +18,7 @@ constexpr double kSpeedSeconds = 0.3;    // in which the speed follows what is i
 constexpr double kSpeedOfDistance = 0.5; // distances a second
 constexpr double kNotchesPerOctave = 4;
 constexpr double kStill = 1e-3; // of the speed
+constexpr double kAlong = 1e-9; // the sine below which a view counts as along an axis
 
 /// `angle` plus the whole turns that bring it nearest to `reference`.
 double nearestTurn(double angle, double reference) {
@@ -26,29 +28,17 @@ double nearestTurn(double angle, double reference) {
 
 } // namespace
 
-CameraControl::CameraControl(const Camera& home, const Box& bounds) : bounds_(bounds), fovYRadians_(home.fovYRadians) {
+CameraControl::CameraControl(const Camera& home, const glm::dvec3& up) : fovYRadians_(home.fovYRadians) {
     const CameraBasis basis = cameraBasis(home);
-    const bool hasUp = glm::length(glm::cross(basis.view, home.up)) > 1e-9 * glm::length(home.up);
-    up_ = hasUp ? glm::normalize(home.up) : basis.up;
-    // Front is the world axis across `up` that is nearest to where home looks.
-    double best = -1;
-    for (int axis = 0; axis < 3; ++axis)
-        for (const double sign : {1.0, -1.0}) {
-            glm::dvec3 candidate(0);
-            candidate[axis] = sign;
-            candidate -= up_ * glm::dot(candidate, up_);
-            const double length = glm::length(candidate);
-            if (!(length > 0.5)) continue;
-            const double cosine = glm::dot(candidate / length, basis.view);
-            if (cosine > best + 1e-9) {
-                best = cosine;
-                front_ = candidate / length;
-            }
-        }
-    right_ = glm::cross(front_, up_);
-    home_ = poseOf(home);
-    pose_ = home_;
-    sceneDistance_ = home_.distance;
+    const auto isAcross = [&](const glm::dvec3& axis) {
+        return glm::length(glm::cross(basis.view, axis)) > kAlong * glm::length(axis);
+    };
+    up_ = glm::normalize(isAcross(up) && isAcross(home.up) ? home.up : up);
+    const hierarchy::UprightFrame frame = hierarchy::uprightFrame(up_);
+    front_ = -frame.front;
+    right_ = frame.right;
+    pose_ = poseOf(home);
+    sceneDistance_ = pose_.distance;
 }
 
 CameraControl::Pose CameraControl::poseOf(const Camera& camera) const {
@@ -57,7 +47,11 @@ CameraControl::Pose CameraControl::poseOf(const Camera& camera) const {
     const glm::dvec3 to = ahead / distance;
     Pose pose;
     pose.eye = camera.eye;
-    pose.yaw = std::atan2(glm::dot(to, right_), glm::dot(to, front_));
+    // Straight up or down it is where the picture's lower or upper border lies that says how it is turned.
+    const double rise = glm::dot(to, up_);
+    const bool isUpright = glm::length(to - rise * up_) > kAlong;
+    const glm::dvec3 level = isUpright ? to : rise < 0 ? camera.up : -camera.up;
+    pose.yaw = std::atan2(glm::dot(level, right_), glm::dot(level, front_));
     pose.pitch = std::clamp(std::asin(std::clamp(glm::dot(to, up_), -1.0, 1.0)), -kMostPitch, kMostPitch);
     pose.distance = distance;
     return pose;
@@ -136,36 +130,8 @@ void CameraControl::focusOn(const glm::dvec3& point) {
     glideTo({pose_.eye + ahead * 0.5, turned.yaw, turned.pitch, turned.distance * 0.5});
 }
 
-CameraControl::Pose CameraControl::framing(double yaw, double pitch) const {
-    const double radius = std::max(glm::length(bounds_.extent()) * 0.5, 1e-12);
-    Pose pose;
-    pose.yaw = yaw;
-    pose.pitch = pitch;
-    pose.distance = radius / std::sin(fovYRadians_ / 2);
-    pose.eye = bounds_.center() - direction(pose) * pose.distance;
-    return pose;
-}
-
-void CameraControl::goTo(Side side) {
-    constexpr double kQuarter = kPi / 2;
-    switch (side) {
-    case Side::Front:
-        return glideTo(framing(0, 0));
-    case Side::Back:
-        return glideTo(framing(2 * kQuarter, 0));
-    case Side::Left:
-        return glideTo(framing(kQuarter, 0));
-    case Side::Right:
-        return glideTo(framing(-kQuarter, 0));
-    case Side::Top:
-        return glideTo(framing(0, -kMostPitch));
-    case Side::Bottom:
-        return glideTo(framing(0, kMostPitch));
-    }
-}
-
-void CameraControl::goHome() {
-    glideTo(home_);
+void CameraControl::goTo(const Camera& camera) {
+    glideTo(poseOf(camera));
 }
 
 void CameraControl::jumpTo(const Camera& camera) {

@@ -1,15 +1,11 @@
 // User input to camera: flying, looking, orbiting, gliding to where a key says. Knows nothing of windows or clocks.
 #pragma once
 
-#include "core/box.h"
 #include "core/camera.h"
 
 #include <optional>
 
 namespace gnomon::viewer {
-
-/// The six views along the axes, named by the side from which they see the model.
-enum class Side : std::uint8_t { Front, Back, Left, Right, Top, Bottom };
 
 /// Which way to fly: right, up and forward in camera axes, each from -1 to 1.
 struct Flight {
@@ -23,11 +19,12 @@ struct SceneDepths {
     double far = 0;  // above near
 };
 
-/// A camera that is moved by hand. `camera().up` stays what it was at the start; the view never tips over it.
+/// A camera that is moved by hand. `camera().up` is that of the world; the view never tips over it.
 class CameraControl {
 public:
-    /// `home` is where `goHome` goes, `bounds` are the model's. Throws Error if `home` is impossible.
-    CameraControl(const Camera& home, const Box& bounds);
+    /// At `home`, in a world whose up is that of `home` or, where `home` looks along `up` (of any length above 0),
+    /// this. Throws Error if `home` is impossible.
+    CameraControl(const Camera& home, const glm::dvec3& up);
 
     Camera camera() const;
 
@@ -54,12 +51,10 @@ public:
     /// Glides to look at `point` from half as far.
     void focusOn(const glm::dvec3& point);
 
-    /// Glides to where the whole model is seen from `side`. Front looks along the axis that `home` is nearest to.
-    void goTo(Side side);
+    /// Glides to `camera`, whose up is this one's unless it looks along that.
+    void goTo(const Camera& camera);
 
-    void goHome();
-
-    /// Takes over `camera` at once; its up must be the one of the start.
+    /// Takes over `camera` at once, likewise.
     void jumpTo(const Camera& camera);
 
     /// What is in view now, for the speed; the speed follows within some tenths of a second.
@@ -90,16 +85,13 @@ private:
     };
 
     Pose poseOf(const Camera& camera) const;
-    Pose framing(double yaw, double pitch) const;
     glm::dvec3 direction(const Pose& pose) const;
     void glideTo(const Pose& pose);
 
-    Box bounds_;
     glm::dvec3 right_{1, 0, 0};
     glm::dvec3 up_{0, 1, 0};
     glm::dvec3 front_{0, 0, -1};
     double fovYRadians_ = 1;
-    Pose home_;
     Pose pose_;
     std::optional<Glide> glide_;
     glm::dvec3 velocity_{0}; // camera axes, in units of speed()

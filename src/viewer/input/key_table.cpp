@@ -1,7 +1,7 @@
 #include "viewer/input/key_table.h"
 
 #include "executor/executor.h"
-#include "viewer/input/camera_control.h"
+#include "path/framing.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -19,7 +19,7 @@ constexpr int of(Way way) {
     return static_cast<int>(way);
 }
 
-constexpr int of(Side side) {
+constexpr int of(path::ViewSide side) {
     return static_cast<int>(side);
 }
 
@@ -35,12 +35,12 @@ std::vector<Binding> cameraAndSettingKeys() {
         Binding{GLFW_KEY_Q, false, Action::Fly, of(Way::Down), "Q", "fly down"},
         Binding{GLFW_KEY_E, false, Action::Fly, of(Way::Up), "E", "fly up"},
         Binding{GLFW_KEY_SPACE, false, Action::Focus, 0, "Space", "look at what is under the cursor, nearer"},
-        Binding{GLFW_KEY_1, false, Action::LookFrom, of(Side::Front), "1", "view from the front"},
-        Binding{GLFW_KEY_2, false, Action::LookFrom, of(Side::Back), "2", "from the back"},
-        Binding{GLFW_KEY_3, false, Action::LookFrom, of(Side::Left), "3", "from the left"},
-        Binding{GLFW_KEY_4, false, Action::LookFrom, of(Side::Right), "4", "from the right"},
-        Binding{GLFW_KEY_5, false, Action::LookFrom, of(Side::Top), "5", "from above"},
-        Binding{GLFW_KEY_6, false, Action::LookFrom, of(Side::Bottom), "6", "from below"},
+        Binding{GLFW_KEY_1, false, Action::LookFrom, of(path::ViewSide::Front), "1", "view from the front"},
+        Binding{GLFW_KEY_2, false, Action::LookFrom, of(path::ViewSide::Back), "2", "from the back"},
+        Binding{GLFW_KEY_3, false, Action::LookFrom, of(path::ViewSide::Left), "3", "from the left"},
+        Binding{GLFW_KEY_4, false, Action::LookFrom, of(path::ViewSide::Right), "4", "from the right"},
+        Binding{GLFW_KEY_5, false, Action::LookFrom, of(path::ViewSide::Top), "5", "from above"},
+        Binding{GLFW_KEY_6, false, Action::LookFrom, of(path::ViewSide::Bottom), "6", "from below"},
         Binding{GLFW_KEY_HOME, false, Action::GoHome, 0, "Home", "back to the start"},
         Binding{GLFW_KEY_N, false, Action::StepScheme, 1, "N", "next scheme: none, one map, slices, faces, rays"},
         Binding{GLFW_KEY_N, true, Action::StepScheme, -1, "Shift+N", "previous scheme"},

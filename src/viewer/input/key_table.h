@@ -12,7 +12,7 @@ namespace gnomon::viewer {
 enum class Action : std::uint8_t {
     Fly, // while it is held: value is a Way
     Focus,
-    LookFrom, // value is a Side
+    LookFrom, // value is a path::ViewSide
     GoHome,
     StepScheme,
     StepSetting, // value is how many steps, of the setting that the binding names

@@ -56,6 +56,11 @@ glm::dvec3 turnedLight(const Camera& camera, const glm::dvec3& towardsLight, con
     return disc.direction(point);
 }
 
+void turnLight(settings::Settings& asked, const Camera& camera, const glm::dvec2& moved) {
+    asked.towardsLight = turnedLight(camera, asked.towardsLight, moved);
+    asked.isLightGiven = true;
+}
+
 std::string turnWheel(double notches, bool withControl, const DragScene& scene, CameraControl& control) {
     if (withControl) {
         control.changeSpeed(notches);

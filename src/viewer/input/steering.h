@@ -1,6 +1,7 @@
 // From keys and mouse to the camera and the light: which keys fly where, and what each drag turns.
 #pragma once
 
+#include "settings/settings.h"
 #include "viewer/input/camera_control.h"
 #include "viewer/input/input.h"
 
@@ -15,6 +16,9 @@ Flight heldFlight(const std::function<bool(int key)>& isHeld);
 /// The direction towards the light after a drag by `moved` pixels: the light moves over the pad of the window's panel,
 /// on the side of the horizon that it is on.
 glm::dvec3 turnedLight(const Camera& camera, const glm::dvec3& towardsLight, const glm::dvec2& moved);
+
+/// Asks for the light after such a drag.
+void turnLight(settings::Settings& asked, const Camera& camera, const glm::dvec2& moved);
 
 /// What is under the cursor during a drag.
 struct DragScene {

@@ -180,7 +180,8 @@ OverlayAnswer drawPanel(const OverlayContent& content, ViewSettings& settings, S
         answer.hasChanged |= drawQuality(settings.asked);
         answer.hasChanged |= drawViewSettings(content, settings, answer);
         ImGui::Separator();
-        answer.hasChanged |= drawLightPad(content.scene->frame(), content.camera, pad, settings.asked.towardsLight);
+        if (drawLightPad(content.scene->frame(), content.camera, pad, settings.asked.towardsLight))
+            answer.hasChanged = settings.asked.isLightGiven = true;
         answer.isUnfinished = !pad.isComplete();
         ImGui::PopItemWidth();
     }

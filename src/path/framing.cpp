@@ -1,0 +1,135 @@
+#include "path/framing.h"
+
+#include "core/box.h"
+#include "hierarchy/upright_frame.h"
+
+#include <cmath>
+#include <vector>
+
+namespace gnomon::path {
+
+namespace {
+
+constexpr glm::dvec3 kUprightLight(0.4, 1, 0.3);
+constexpr double kAside = 0.45;     // of a three-quarter view, as a tangent
+constexpr double kFromAbove = 0.45; // likewise
+constexpr double kClosest = 0.02;   // of the model's size: how near the eye may come to it
+
+/// What lies in the picture between the least and the greatest tangent, along one of its axes.
+struct Extent {
+    double least = std::numeric_limits<double>::infinity();
+    double most = -std::numeric_limits<double>::infinity();
+
+    void add(double tangent) {
+        least = std::min(least, tangent);
+        most = std::max(most, tangent);
+    }
+
+    double middle() const { return 0.5 * (least + most); }
+};
+
+/// How far back the eye must be, along the view, and how far aside, to have `points` (camera space) within `tangent` of
+/// one axis of the picture and touching it on both sides.
+struct Fit {
+    double depth = 0;
+    double aside = 0;
+};
+
+Fit fitAlong(std::span<const glm::dvec3> points, int axis, double tangent) {
+    // A point is within the border while x - tx z <= ex - tx ez, and -x - tx z <= -ex - tx ez of the other one.
+    double right = -std::numeric_limits<double>::infinity();
+    double left = right;
+    for (const glm::dvec3& p : points) {
+        right = std::max(right, p[axis] - tangent * p.z);
+        left = std::max(left, -p[axis] - tangent * p.z);
+    }
+    return {-(right + left) / (2 * tangent), 0.5 * (right - left)};
+}
+
+/// How far aside an eye at `depth` must be for the points to lie in the middle of an axis.
+double centerAlong(std::span<const glm::dvec3> points, int axis, double depth) {
+    Extent sides;
+    for (const glm::dvec3& p : points)
+        sides.add(p[axis]);
+    double low = sides.least;
+    double high = sides.most;
+    constexpr int kHalvings = 40;
+    for (int i = 0; i < kHalvings; ++i) {
+        const double aside = 0.5 * (low + high);
+        Extent seen;
+        for (const glm::dvec3& p : points)
+            seen.add((p[axis] - aside) / (p.z - depth));
+        (seen.middle() > 0 ? low : high) = aside;
+    }
+    return 0.5 * (low + high);
+}
+
+/// `direction` of upright space, at unit length.
+glm::dvec3 unit(const hierarchy::UprightFrame& frame, const glm::dvec3& direction) {
+    return glm::normalize(frame.toWorld(direction));
+}
+
+} // namespace
+
+Vantage vantageOf(const std::optional<ViewSide>& side, const glm::dvec3& up) {
+    const hierarchy::UprightFrame frame = hierarchy::uprightFrame(up);
+    if (!side) {
+        const glm::dvec3 level = glm::normalize(glm::dvec3(kAside, 0, 1));
+        return {unit(frame, level + glm::dvec3(0, kFromAbove, 0)), frame.up};
+    }
+    switch (*side) {
+    case ViewSide::Front:
+        return {frame.front, frame.up};
+    case ViewSide::Back:
+        return {-frame.front, frame.up};
+    case ViewSide::Left:
+        return {-frame.right, frame.up};
+    case ViewSide::Right:
+        return {frame.right, frame.up};
+    case ViewSide::Top:
+        return {frame.up, -frame.front};
+    case ViewSide::Bottom:
+        return {-frame.up, frame.front};
+    case ViewSide::Iso:
+        break;
+    }
+    return {unit(frame, glm::dvec3(1)), frame.up};
+}
+
+glm::dvec3 usualLight(const glm::dvec3& up) {
+    return hierarchy::uprightFrame(up).toWorld(kUprightLight);
+}
+
+Camera framingCamera(std::span<const glm::dvec3> points, const Vantage& vantage, double aspect, double fovYRadians) {
+    Box box;
+    for (const glm::dvec3& point : points)
+        box.add(point);
+    const glm::dvec3 center = box.center();
+    const CameraBasis basis = cameraBasis({center + vantage.from, center, vantage.up, fovYRadians});
+    std::vector<glm::dvec3> seen;
+    seen.reserve(points.size());
+    double nearest = 0;
+    for (const glm::dvec3& point : points) {
+        seen.push_back(toCamera(basis, point - center));
+        nearest = std::min(nearest, seen.back().z);
+    }
+    const double tangentY = kFramedPart * std::tan(fovYRadians / 2);
+    const Fit wide = fitAlong(seen, 0, aspect * tangentY);
+    const Fit high = fitAlong(seen, 1, tangentY);
+    // The tip of something slender would touch the eye before the rest fills the picture.
+    const double closest = nearest - kClosest * std::max(glm::length(box.extent()), 1e-12);
+    const double depth = std::min({wide.depth, high.depth, closest});
+    const glm::dvec3 eye(
+        depth == wide.depth ? wide.aside : centerAlong(seen, 0, depth),
+        depth == high.depth ? high.aside : centerAlong(seen, 1, depth),
+        depth);
+    // The point of the line of sight that is nearest to the upright line through the middle, unless it lies far off.
+    const glm::dvec3 upright = toCamera(basis, vantage.up);
+    const double along = 1 - upright.z * upright.z;
+    const double beyond = (glm::dot(eye, upright) * upright.z - depth) / along;
+    const bool isNear = beyond > -0.25 * depth && beyond < -4 * depth;
+    const glm::dvec3 target = eye + glm::dvec3(0, 0, isNear ? beyond : -depth);
+    return {center + toWorld(basis, eye), center + toWorld(basis, target), vantage.up, fovYRadians};
+}
+
+} // namespace gnomon::path

@@ -1,0 +1,90 @@
+#include "path/outline.h"
+
+#include "core/angle.h"
+#include "hierarchy/cut_rule.h"
+
+#include <cmath>
+
+namespace gnomon::path {
+
+namespace {
+
+constexpr double kErrorPart = 1.0 / 400;
+constexpr std::uint64_t kMostBytes = std::uint64_t{16} << 20U;
+
+bool holdsRoot(const hierarchy::PageInfo& info) {
+    return info.maxError == std::numeric_limits<double>::infinity();
+}
+
+/// What a cut of `error` reads; its coarsest level it always does.
+std::uint64_t bytesRead(const hierarchy::ModelFile& model, double error) {
+    std::uint64_t bytes = 0;
+    for (const hierarchy::PageInfo& info : model.pages())
+        if (!holdsRoot(info) && info.maxError > error) bytes += decodedPageBytes(info);
+    return bytes;
+}
+
+/// Adds what a cut of `error` draws of a page.
+void addVertices(
+    const hierarchy::Page& page, const hierarchy::Grid& grid, double error, std::vector<glm::dvec3>& points) {
+    const auto isRefined = [error](double groupError, const Sphere&) { return groupError > error; };
+    hierarchy::forEachDrawn(page, isRefined, [&](const hierarchy::Group&, const hierarchy::Cluster& cluster) {
+        for (std::uint32_t v = cluster.firstVertex; v < cluster.firstVertex + cluster.vertexCount; ++v)
+            points.push_back(grid.world(page.vertices[v].position));
+    });
+}
+
+} // namespace
+
+std::vector<glm::dvec3> cornersOf(const Box& box) {
+    const Box solid = box.isEmpty() ? Box{glm::dvec3(0), glm::dvec3(0)} : box;
+    std::vector<glm::dvec3> corners;
+    corners.reserve(8);
+    for (int corner = 0; corner < 8; ++corner)
+        corners.emplace_back(
+            (corner & 1) != 0 ? solid.max.x : solid.min.x,
+            (corner & 2) != 0 ? solid.max.y : solid.min.y,
+            (corner & 4) != 0 ? solid.max.z : solid.min.z);
+    return corners;
+}
+
+std::vector<glm::dvec3> outlineOf(const hierarchy::ModelFile& model) {
+    const hierarchy::ModelSummary& summary = model.summary();
+    double error = kErrorPart * glm::length(summary.bounds.extent());
+    while (bytesRead(model, error) > kMostBytes)
+        error *= 1.25;
+    std::vector<glm::dvec3> points;
+    for (std::uint32_t id = 0; id < model.pages().size(); ++id) {
+        const hierarchy::PageInfo& info = model.pages()[id];
+        if (!holdsRoot(info) && info.maxError <= error) continue; // none of its groups is drawn
+        try {
+            addVertices(model.readPage(id), summary.grid, error, points);
+        } catch (const hierarchy::PageDamage&) {
+            const Box local = summary.grid.local(info.box);
+            const std::vector<glm::dvec3> corners =
+                cornersOf({local.min + summary.grid.origin, local.max + summary.grid.origin});
+            points.insert(points.end(), corners.begin(), corners.end());
+        }
+    }
+    return points.empty() ? cornersOf(summary.bounds) : points;
+}
+
+std::vector<glm::dvec3> sweptOutline(
+    const std::vector<glm::dvec3>& outline, const glm::dvec3& center, const glm::dvec3& up) {
+    constexpr int kTurns = 48; // a circle is no more than 1/400 of its radius beyond their corners
+    const glm::dvec3 axis = glm::normalize(up);
+    std::vector<glm::dvec3> points;
+    points.reserve(outline.size() * kTurns);
+    for (int turn = 0; turn < kTurns; ++turn) {
+        const double cosine = std::cos(2 * kPi * turn / kTurns);
+        const double sine = std::sin(2 * kPi * turn / kTurns);
+        for (const glm::dvec3& point : outline) {
+            const glm::dvec3 from = point - center;
+            const glm::dvec3 along = axis * glm::dot(axis, from);
+            points.push_back(center + along + (from - along) * cosine + glm::cross(axis, from) * sine);
+        }
+    }
+    return points;
+}
+
+} // namespace gnomon::path

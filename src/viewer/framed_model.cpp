@@ -1,0 +1,33 @@
+#include "viewer/framed_model.h"
+
+#include "path/outline.h"
+#include "settings/resolve.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace gnomon::viewer {
+
+FramedModel::FramedModel(settings::Settings settings, const hierarchy::ModelFile& model)
+    : settings_(std::move(settings)), summary_(model.summary()), outline_(path::outlineOf(model)) {}
+
+plan::View FramedModel::view(settings::Settings settings, const glm::ivec2& size) const {
+    settings.imageSize = {std::max(size.x, 1), std::max(size.y, 1)};
+    return settings::viewOf(settings, summary_, outline_);
+}
+
+Camera FramedModel::from(path::ViewSide side, const glm::ivec2& size) const {
+    settings::Settings settings = settings_;
+    settings.cameraFile.clear();
+    settings.eye = settings.target = std::nullopt;
+    settings.side = side;
+    return view(settings, size).camera;
+}
+
+void FramedModel::enter(Walk& walk, settings::Settings& asked, const glm::ivec2& size) const {
+    const plan::View first = home(size);
+    walk.enter(first.camera, first.up);
+    if (!asked.isLightGiven) asked.towardsLight = first.towardsLight;
+}
+
+} // namespace gnomon::viewer

@@ -1,11 +1,33 @@
-# gnomon_layer(<name> SOURCES <file>... [NEEDS <target>...] [USES <target>...])
+# gnomon_layer(<name> [LIGHT] SOURCES <file>... [NEEDS <target>...] [USES <target>...])
 # One static library per layer, from the folder that calls it. NEEDS are public, USES stay inside the layer.
+# LIGHT: nothing in the layer runs long; it is optimised less, which compiles faster.
 function(gnomon_layer name)
-    cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;NEEDS;USES")
+    cmake_parse_arguments(PARSE_ARGV 1 arg "LIGHT" "" "SOURCES;NEEDS;USES")
     add_library(gnomon_${name} STATIC ${arg_SOURCES})
     add_library(gnomon::${name} ALIAS gnomon_${name})
     target_include_directories(gnomon_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR})
     target_link_libraries(gnomon_${name} PUBLIC ${arg_NEEDS} PRIVATE gnomon_options ${arg_USES})
+    if(arg_LIGHT)
+        gnomon_compile_light(gnomon_${name})
+        gnomon_reuse_headers(gnomon_${name} gnomon_light_headers)
+    else()
+        gnomon_reuse_headers(gnomon_${name} gnomon_headers)
+    endif()
+endfunction()
+
+function(gnomon_compile_light target)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
+
+# Compiles a target with the headers that `from` has parsed. gcc 12 then no longer knows which of them are the system's,
+# and warns of copies past the end of small strings that do not happen (its bug 105651); builds without precompiled
+# headers, those of clang and the sanitizers, keep these warnings.
+function(gnomon_reuse_headers target from)
+    target_precompile_headers(${target} REUSE_FROM ${from})
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
+        target_compile_options(${target} PRIVATE
+            -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread)
+    endif()
 endfunction()
 
 # What precompiled headers and the tests that take them have to be compiled with alike.
@@ -28,7 +50,7 @@ function(gnomon_tests name)
     target_include_directories(${name}_tests PRIVATE ${PROJECT_SOURCE_DIR})
     target_link_libraries(${name}_tests PRIVATE ${arg_NEEDS} gnomon_options GTest::gtest_main)
     gnomon_compile_as_test(${name}_tests)
-    target_precompile_headers(${name}_tests REUSE_FROM gnomon_test_support)
+    gnomon_reuse_headers(${name}_tests gnomon_test_support)
     if(arg_LABEL STREQUAL threads)
         add_dependencies(threaded_tests ${name}_tests)
     endif()

@@ -1,0 +1,1 @@
+// A target of precompiled headers needs a source; the headers are all that it is for.

@@ -63,7 +63,11 @@ void addViewCommand(CLI::App& program) {
     auto options = std::make_shared<Options>();
     viewer::ViewerOptions& viewer = options->viewer;
     command->add_option("MODEL", viewer.file, "A .gnm, or a mesh: it is built into MESH.gnm beside it")->required();
-    command->add_option("--target-ms", viewer.targetMs, "Give up detail and maps to hold this frame time; 0 is none")
+    command
+        ->add_option(
+            "--target-ms",
+            viewer.targetMs,
+            "Hold this frame time in motion by less detail, maps, texels, resolution; 0 is none")
         ->check(CLI::Range(0.0, 10000.0))
         ->capture_default_str();
     command->add_option("--samples", viewer.samples, "At rest, frames that the picture becomes the mean of")

@@ -1,6 +1,10 @@
-// The time target: gives up detail and maps while frames take too long, and takes them back when there is time.
+// The time target: what is given up while frames take too long, and taken back when there is time.
 #pragma once
 
+#include "plan/frame_plan.h"
+#include "telemetry/frame_row.h"
+
+#include <array>
 #include <optional>
 #include <string>
 
@@ -8,18 +12,54 @@ namespace gnomon::viewer {
 
 /// What a frame is drawn with.
 struct Effort {
-    double errorPixels = 1;
+    double errorPixels = 1;        // pixels of the window
     std::optional<int> slices = 4; // nothing: as many as the plan finds
+    int texelsWidth = 2048;        // of all maps together
+    int texelsHeight = 2048;
+    double resolution = 1;  // pixels that are drawn over those of the window, along a side
+    bool mayBeExact = true; // shadows whose mode is left open may be decided exactly
     bool operator==(const Effort&) const = default;
 };
 
-/// One number, the strain, says how much is given up: 0 is nothing, each unit doubles the error in pixels, and from the
-/// first on each takes one slice. It moves by the ratio of measured and wanted time, a little every frame, so nothing
-/// jumps; a dead band and a margin before a slice comes back keep it from swinging.
+/// What can be given up.
+enum class Lever : std::uint8_t { Detail, Slices, Texels, Resolution, Exactness };
+inline constexpr std::size_t kLevers = 5;
+
+/// What the plan of a frame says of its errors, in pixels that are drawn; nothing where there are no maps, or no fewer.
+struct ShadowErrors {
+    std::optional<double> promised;    // perspective aliasing
+    std::optional<double> fewerSlices; // with one slice less
+    std::optional<double> fewerTexels; // with half the texels
+    std::optional<double> asMaps;      // of shadows that are exact, by a choice of the plan's own
+    double texelShare = 0;             // of the counted cost of its maps; the rest is their casters'
+};
+
+/// The figures of `plan`; with `withLess` also of the plans that the same scene would have with less.
+ShadowErrors shadowErrors(const plan::FramePlan& plan, const plan::SceneFacts& facts, bool withLess);
+
+/// What a frame took and drew.
+struct FrameLoad {
+    double milliseconds = 0; // all of it
+    double imageMs = 0;
+    double shadowMs = 0;
+    double planMs = 0;
+    double triangles = 0; // of the image
+    double pixels = 0;
+    bool decidesPoints = false; // shadows are decided at the image's points, by no maps
+    ShadowErrors errors;
+};
+
+/// Gives up, a step at a time, what costs the least error for the time that it saves: detail by half octaves of the
+/// error in pixels, a slice, half the texels, half the pixels (down to half the resolution), exact shadows for maps.
+/// Errors are the plan's figures in pixels of the window: those of detail and resolution are known, those of maps
+/// promised. Savings follow from what the frame's stages took and counted; how far fewer triangles a coarser cut has is
+/// learned, since parts that are many and small do not get fewer. A step is taken where two frames on end are over the
+/// target, and back where twelve would hold it: one slow frame moves nothing. A pure function of what is measured,
+/// without a clock.
 class DetailBudget {
 public:
-    /// Takes in a frame that took `milliseconds` under `effort()`. `target` is in milliseconds, above 0.
-    void measure(double milliseconds, double target);
+    /// Takes in a frame that was drawn under `effort(wanted)`. `target` is in milliseconds, above 0.
+    void measure(const FrameLoad& load, double target, const Effort& wanted);
 
     /// Forgets what was given up.
     void relax();
@@ -27,17 +67,46 @@ public:
     /// What to draw with where the user asked for `wanted`.
     Effort effort(const Effort& wanted) const;
 
-    /// "detail 1 -> 2.3 px, maps 4 -> 3"; empty if nothing is given up.
+    /// "detail 1 -> 2.8 px, slices 4 -> 3, texels 2048x2048 -> 1448x1448, resolution 71%"; empty if nothing is.
     std::string givenUp(const Effort& wanted) const;
 
-    double strain() const { return strain_; }
-
-    /// Whether everything that can be given up is, so that the target may be missed.
-    bool isExhausted() const;
+    /// Whether nothing is left to be given up that would save time, and the last frames missed the target.
+    bool isExhausted() const { return isExhausted_; }
 
 private:
-    double strain_ = 0;
-    int slicesTaken_ = 0;
+    using Steps = std::array<int, kLevers>;
+
+    /// A step of a lever and what it changes: more error when given up, more time when taken back.
+    struct Change {
+        Lever lever = Lever::Detail;
+        double error = 0;        // pixels
+        double milliseconds = 0; // above 0
+    };
+
+    static int most(Lever lever, const Effort& wanted);
+    static Effort effortOf(const Steps& steps, const Effort& wanted);
+
+    Change giveUp(Lever lever, const FrameLoad& load, const Effort& now) const;
+    Change takeBack(Lever lever, const FrameLoad& load, const Effort& now) const;
+    std::optional<Change> cheapest(const FrameLoad& load, const Effort& wanted) const;
+    std::optional<Change> dearest(const FrameLoad& load, double target, const Effort& wanted) const;
+    double detailMs(const FrameLoad& load) const;
+    double pixelMs(const FrameLoad& load) const;
+    void learn(const FrameLoad& load);
+    void shed(FrameLoad load, double target, const Effort& wanted);
+    void restore(FrameLoad load, double target, const Effort& wanted);
+
+    int& step(Lever lever) { return steps_[static_cast<std::size_t>(lever)]; }
+
+    int step(Lever lever) const { return steps_[static_cast<std::size_t>(lever)]; }
+
+    Steps steps_{};
+    double elasticity_ = 0.5;       // of triangles to the error: T ~ error^-elasticity
+    double trianglesBefore_ = 0;    // of the last frame
+    int detailBefore_ = 0;          // its steps
+    double millisecondsBefore_ = 0; // likewise; 0 where levers have moved since
+    bool isExhausted_ = false;
+    int framesWithTime_ = 0; // on end, that would hold the target with a step taken back
 };
 
 } // namespace gnomon::viewer

@@ -3,6 +3,7 @@
 namespace gnomon::viewer {
 
 void Pace::see(const telemetry::FrameRow& row) {
+    millisecondsSinceWoken_ += row.totalMs.value_or(0);
     const std::int64_t bytesRead = row.bytesRead.value_or(0);
     unanswered_ = bytesRead != bytesRead_ ? 0 : unanswered_ + 1;
     bytesRead_ = bytesRead;

@@ -12,7 +12,11 @@ namespace gnomon::viewer {
 class Pace {
 public:
     /// Something has changed that the next frames of the scene must show.
-    void wakeScene() { sceneFrames_ = kSettlingFrames; }
+    void wakeScene() {
+        sceneFrames_ = kSettlingFrames;
+        framesSinceWoken_ = 0;
+        millisecondsSinceWoken_ = 0;
+    }
 
     /// Something has changed in what lies over the scene.
     void wakeWindow() { windowFrames_ = kLayoutFrames; }
@@ -26,7 +30,19 @@ public:
     bool isLastOfScene() const { return sceneFrames_ == 1; }
 
     /// The scene is drawn once more.
-    void countScene() { sceneFrames_ = std::max(sceneFrames_ - 1, 0); }
+    void countScene() {
+        sceneFrames_ = std::max(sceneFrames_ - 1, 0);
+        ++framesSinceWoken_;
+    }
+
+    /// Whether nothing has changed for so long that frames may take their time: for all but one of the frames until the
+    /// scene has come to rest, or for 0.3 s of frames where it `hurries`, whose next frame is then the last.
+    bool isSettled(bool hurries) const {
+        return framesSinceWoken_ >= kSettlingFrames - 1 || (hurries && millisecondsSinceWoken_ >= kSettlingMs);
+    }
+
+    /// Leaves out what is to be drawn of the scene before its last frame.
+    void settle() { sceneFrames_ = std::min(sceneFrames_, 1); }
 
     /// Takes in what became of a frame of the scene. Pages on their way will change the picture, unless nothing has
     /// come for long.
@@ -42,12 +58,15 @@ public:
     void keepWindow() { windowFrames_ = std::max(windowFrames_, 1); }
 
 private:
-    static constexpr int kSettlingFrames = 16;   // until the depth range has come to rest
+    static constexpr int kSettlingFrames = 16; // until the depth range has come to rest
+    static constexpr double kSettlingMs = 300;
     static constexpr int kUnansweredFrames = 60; // with pages missing of which none comes
     static constexpr int kLayoutFrames = 3;      // Dear ImGui needs more than one to lay out what is new
 
     int sceneFrames_ = kSettlingFrames;
     int windowFrames_ = kLayoutFrames;
+    int framesSinceWoken_ = 0;
+    double millisecondsSinceWoken_ = 0;
     int unanswered_ = 0;
     std::int64_t bytesRead_ = 0;
 };

@@ -1,5 +1,6 @@
 #include "viewer/scene.h"
 
+#include "executor/overlay/upscaled.h"
 #include "executor/software_executor.h"
 #include "proof/frame_proof.h"
 #include "viewer/input/picking.h"
@@ -83,11 +84,18 @@ executor::Picture Scene::picture() const {
     return samples() > 1 ? accumulation_.picture() : executor_->picture();
 }
 
-ShownPicture Scene::shown() {
+ShownPicture Scene::shown(const glm::ivec2& size) {
     if (!frame_) return {};
-    if (textures_ != nullptr && samples() <= 1) return {textures_->texture().id(), true};
+    if (textures_ != nullptr && samples() <= 1) {
+        // Software OpenGL would take longer for that than for all the rest of the window.
+        const GLint filter = context_->isHardware() ? GL_LINEAR : GL_NEAREST;
+        context_->api().textureParameteri(textures_->texture().id(), GL_TEXTURE_MAG_FILTER, filter);
+        return {textures_->texture().id(), true};
+    }
     if (!isUploaded_) {
-        const executor::Picture picture = this->picture();
+        executor::Picture picture = this->picture();
+        const bool isLess = picture.width < size.x && picture.height < size.y;
+        if (isLess) picture = executor::upscaled(picture, size.x, size.y);
         if (uploaded_.width() != picture.width || uploaded_.height() != picture.height)
             uploaded_ = gl::Texture(context_->api(), GL_RGBA8, picture.width, picture.height);
         uploaded_.write(GL_RGB, GL_UNSIGNED_BYTE, std::as_bytes(std::span(picture.pixels)));

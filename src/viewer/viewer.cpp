@@ -9,6 +9,7 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace gnomon::viewer {
 
@@ -20,6 +21,25 @@ constexpr int kPadSide = 33;
 
 double now() {
     return glfwGetTime();
+}
+
+int drawnSide(int pixels, double resolution) {
+    return std::max(static_cast<int>(std::lround(pixels * resolution)), 1);
+}
+
+/// What the target's controller is told of a frame that was drawn.
+FrameLoad loadOf(const frame::Frame& frame, double milliseconds, double targetMs) {
+    const telemetry::FrameRow& row = frame.row;
+    FrameLoad load;
+    load.milliseconds = milliseconds;
+    load.imageMs = row.imageMs.value_or(0);
+    load.shadowMs = row.shadowMs.value_or(0);
+    load.planMs = row.planMs.value_or(0);
+    load.triangles = static_cast<double>(row.imageTriangles.value_or(0));
+    load.pixels = static_cast<double>(frame.plan.view.width) * frame.plan.view.height;
+    load.decidesPoints = frame.hasOneCasterList();
+    load.errors = shadowErrors(frame.plan, frame.facts, milliseconds > targetMs);
+    return load;
 }
 
 } // namespace
@@ -140,22 +160,33 @@ void WindowSession::refine() {
 }
 
 Effort WindowSession::wantedEffort() const {
-    return {settings_.asked.quality.errorPixels, settings_.asked.quality.zPartitions};
+    const plan::Quality& quality = settings_.asked.quality;
+    Effort effort{quality.errorPixels, quality.zPartitions, quality.shadowTexelsWidth, quality.shadowTexelsHeight};
+    effort.mayBeExact = quality.shadows == plan::ShadowMode::Auto && !quality.mapsBecause;
+    return effort;
+}
+
+/// Whether frames have to keep to the time target: not at rest, and not where a path says what is drawn.
+bool WindowSession::isHurried() const {
+    const bool rests = !walk_.isUnderWay() && pace_.isSettled(true);
+    return settings_.targetMs > 0 && !walk_.playsFixed() && !rests;
 }
 
 Shot WindowSession::shot(const glm::ivec2& size) const {
     Shot shot;
-    shot.view.width = size.x;
-    shot.view.height = size.y;
     shot.view.towardsLight = settings_.asked.towardsLight;
     shot.view.up = framed_->up();
     shot.view.camera = walk_.culledBy();
     shot.quality = settings_.asked.quality;
-    if (settings_.targetMs > 0 && !walk_.playsFixed()) {
-        const Effort effort = budget_.effort(wantedEffort());
-        shot.quality.errorPixels = effort.errorPixels;
-        shot.quality.zPartitions = effort.slices;
-    }
+    const Effort effort = isHurried() ? budget_.effort(wantedEffort()) : wantedEffort();
+    shot.view.width = drawnSide(size.x, effort.resolution);
+    shot.view.height = drawnSide(size.y, effort.resolution);
+    shot.quality.errorPixels = effort.errorPixels * effort.resolution;
+    shot.quality.zPartitions = effort.slices;
+    shot.quality.shadowTexelsWidth = effort.texelsWidth;
+    shot.quality.shadowTexelsHeight = effort.texelsHeight;
+    if (!effort.mayBeExact && shot.quality.shadows == plan::ShadowMode::Auto)
+        shot.quality.shadows = plan::ShadowMode::Maps;
     shot.options.overlay = settings_.overlay;
     shot.measuresAliasing = comesToRest();
     shot.options.isAccumulated = comesToRest() && options_.samples > 1 && settings_.overlay == executor::Overlay::None;
@@ -172,7 +203,7 @@ bool WindowSession::drawFrame() {
     }
     const Scene* scene = file_.scene();
     const frame::Frame* frame = scene != nullptr ? scene->frame() : nullptr;
-    if (frame != nullptr && (frame->plan.view.width != size.x || frame->plan.view.height != size.y)) pace_.wakeScene();
+    if (frame != nullptr && drawnFor_ != size) pace_.wakeScene();
     const bool drawsScene = scene != nullptr && !isIdle();
     if (drawsScene)
         drawScene(size);
@@ -186,24 +217,30 @@ bool WindowSession::drawFrame() {
 }
 
 void WindowSession::drawScene(const glm::ivec2& size) {
+    if (settings_.targetMs > 0 && !walk_.isUnderWay() && pace_.isSettled(true)) pace_.settle();
+    const bool isMeasured = isHurried();
     const Shot shot = this->shot(size);
+    drawnFor_ = size;
     pace_.countScene();
-    if (messages_.attempt([&] { file_.scene()->draw(shot); })) return afterScene(shot);
+    if (messages_.attempt([&] { file_.scene()->draw(shot); })) return afterScene(shot, isMeasured);
     pace_.stopScene();
     pace_.wakeWindow();
     walk_.stop();
 }
 
-void WindowSession::afterScene(const Shot& shot) {
+void WindowSession::afterScene(const Shot& shot, bool isMeasured) {
     Scene& scene = *file_.scene();
     const plan::FramePlan& plan = scene.frame()->plan;
     telemetry::FrameRow row = scene.frame()->row;
     history_.add(stageTimes(row, lastWindowMs_));
-    if (settings_.targetMs > 0 && !walk_.playsFixed())
-        budget_.measure(row.totalMs.value_or(0) + lastWindowMs_, settings_.targetMs);
+    const double milliseconds = row.totalMs.value_or(0) + lastWindowMs_;
+    if (isMeasured)
+        budget_.measure(loadOf(*scene.frame(), milliseconds, settings_.targetMs), settings_.targetMs, wantedEffort());
     walk_.control().see({plan.near, plan.far}, 1.0 / 30);
     pace_.see(row);
     row.run = "view";
+    row.width = drawnFor_.x;
+    row.height = drawnFor_.y;
     row.frame = frameCount_++;
     row.timeS = now();
     row.sinceStartMs = telemetry::sinceProcessStart().count;
@@ -214,7 +251,8 @@ void WindowSession::afterScene(const Shot& shot) {
 }
 
 void WindowSession::savePictureOnceDone() {
-    const bool getsBetter = options_.samples > 1 && !walk_.isUnderWay() && (!isIdle() || isRefining());
+    const bool getsBetter =
+        (options_.samples > 1 || settings_.targetMs > 0) && !walk_.isUnderWay() && (!isIdle() || isRefining());
     if (!savesPicture_ || getsBetter) return;
     savesPicture_ = false;
     messages_.attempt([&] { messages_.note("saved " + saved_.savePicture(file_.scene()->picture())); });
@@ -228,8 +266,8 @@ OverlayContent WindowSession::content() const {
         content.flyingSpeed = walk_.control().speed();
     }
     content.history = &history_;
-    content.budget = &budget_;
-    content.wanted = wantedEffort();
+    content.givenUp = isHurried() ? budget_.givenUp(wantedEffort()) : "";
+    content.isExhausted = budget_.isExhausted();
     content.caps = caps_;
     content.mostSamples = options_.samples;
     content.isFrozen = walk_.isFrozen();
@@ -251,7 +289,7 @@ void WindowSession::drawWindow(const glm::ivec2& size) {
     const std::array<float, 4> background = {0.13F, 0.14F, 0.16F, 1};
     gl.clearNamedFramebufferfv(0, GL_COLOR, 0, background.data());
     imgui_.beginFrame();
-    if (file_.scene() != nullptr) drawPicture(file_.scene()->shown());
+    if (file_.scene() != nullptr) drawPicture(file_.scene()->shown(size));
     const OverlayAnswer answer = drawOverlay(content(), settings_, pad_);
     imgui_.endFrame();
     if (savesWindow_) {

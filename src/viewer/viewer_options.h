@@ -14,7 +14,7 @@ struct ViewerOptions {
     settings::Settings settings;
     std::string file; // a model, or a mesh to be built into the cache beside it
     int threads = 0;
-    double targetMs = 0;              // 0: none
+    double targetMs = 33;             // 0: none
     int samples = 64;                 // frames that the picture of a standing view is the mean of; 1: the last alone
     std::string path;                 // to play from the start; empty: none
     std::optional<int> frames;        // of the path, at a fixed step; nothing: by the clock

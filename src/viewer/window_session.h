@@ -3,6 +3,7 @@
 
 #include "core/progress.h"
 #include "gl/window.h"
+#include "viewer/detail_budget.h"
 #include "viewer/frame_log.h"
 #include "viewer/framed_model.h"
 #include "viewer/input/input.h"
@@ -34,6 +35,7 @@ private:
     void waitForEvents();
     void takeInput(double seconds);
     void takeDrag(const Drag& drag);
+    std::optional<glm::dvec3> pick(const glm::ivec2& at) const;
     DragScene underCursor() const;
     void act(const Binding& binding);
     void actOnModel(const Binding& binding);
@@ -47,10 +49,11 @@ private:
     void refine();
     void savePictureOnceDone();
     Effort wantedEffort() const;
+    bool isHurried() const;
     Shot shot(const glm::ivec2& size) const;
     bool drawFrame(); // whether the scene was drawn
     void drawScene(const glm::ivec2& size);
-    void afterScene(const Shot& shot);
+    void afterScene(const Shot& shot, bool isMeasured);
     OverlayContent content() const;
     void drawWindow(const glm::ivec2& size);
 
@@ -73,6 +76,7 @@ private:
     Caps caps_;
     double lastFrame_ = 0; // seconds on GLFW's clock
     double lastWindowMs_ = 0;
+    glm::ivec2 drawnFor_{0}; // the window that the last frame was for
     std::int64_t frameCount_ = 0;
     bool savesPicture_ = false; // once all input until now is drawn, and at rest once it is as good as it gets
     bool savesWindow_ = false;

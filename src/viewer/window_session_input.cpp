@@ -9,7 +9,7 @@ namespace gnomon::viewer {
 
 namespace {
 
-constexpr double kDefaultTargetMs = 33;
+constexpr double kDefaultTargetMs = 33; // where it was asked to have none
 
 } // namespace
 
@@ -48,12 +48,21 @@ void WindowSession::takeDrag(const Drag& drag) {
         steering_.drag(drag, underCursor(), walk_.control());
 }
 
+/// The world point under a pixel of the window.
+std::optional<glm::dvec3> WindowSession::pick(const glm::ivec2& at) const {
+    Scene& scene = *file_.scene();
+    if (scene.frame() == nullptr) return std::nullopt;
+    const plan::View& view = scene.frame()->plan.view; // of fewer pixels while time is short
+    const glm::dvec2 scale = glm::dvec2(view.width, view.height) / glm::dvec2(glm::max(drawnFor_, glm::ivec2(1)));
+    return scene.pick(glm::ivec2(glm::dvec2(at) * scale));
+}
+
 DragScene WindowSession::underCursor() const {
-    return {input_.cursor(), framebufferSize().y, [this](const glm::ivec2& at) { return file_.scene()->pick(at); }};
+    return {input_.cursor(), framebufferSize().y, [this](const glm::ivec2& at) { return pick(at); }};
 }
 
 void WindowSession::focus() {
-    if (const auto point = file_.scene()->pick(glm::ivec2(input_.cursor())))
+    if (const auto point = pick(glm::ivec2(input_.cursor())))
         walk_.control().focusOn(*point);
     else
         messages_.show("nothing under the cursor");
@@ -67,9 +76,9 @@ void WindowSession::toggleTarget() {
 }
 
 void WindowSession::act(const Binding& binding) {
+    if (binding.action == Action::Leave) return glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE);
     if (binding.action != Action::Screenshot) pace_.wakeScene();
     if (changeShown(binding, settings_)) return;
-    if (binding.action == Action::Leave) return glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE);
     if (binding.action == Action::ToggleTarget) return toggleTarget();
     if (file_.scene() != nullptr) actOnModel(binding);
 }

@@ -1,7 +1,10 @@
-// The colours of overlays as people see them who have no green cones and as grey prints show them, and their legends.
+// The colours of overlays as people see them who have no green cones and as grey prints show them, and their legends;
+// pictures that are shown larger than they were drawn.
+#include "core/random.h"
 #include "executor/overlay/bitmap_font.h"
 #include "executor/overlay/legend.h"
 #include "executor/overlay/overlay_colors.h"
+#include "executor/overlay/upscaled.h"
 
 #include <gtest/gtest.h>
 
@@ -188,6 +191,35 @@ TEST(BitmapFont, LettersDifferAndStayInThePicture) {
     drawText(picture, -4, -4, 2, "Wide", {255, 255, 255}); // ends well
     fillRectangle(picture, -100, 3, 1000, 1, {1, 2, 3});
     EXPECT_EQ(picture.at(6, 3), (Rgb{1, 2, 3}));
+}
+
+TEST(Upscaled, IsTheMixOfTheNearestFourByTheirDistances) {
+    Random random(5);
+    for (int round = 0; round < 40; ++round) {
+        Picture small(static_cast<int>(1 + random.below(40)), static_cast<int>(1 + random.below(40)));
+        for (Rgb& pixel : small.pixels)
+            for (std::uint8_t& channel : pixel)
+                channel = static_cast<std::uint8_t>(random.below(256));
+        const int width = small.width + static_cast<int>(random.below(60));
+        const int height = small.height + static_cast<int>(random.below(60));
+        const Picture large = upscaled(small, width, height);
+        ASSERT_TRUE(large.width == width && large.height == height);
+        const auto at = [&](int x, int y, std::size_t c) {
+            return small.at(std::clamp(x, 0, small.width - 1), std::clamp(y, 0, small.height - 1))[c];
+        };
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x)
+                for (std::size_t c = 0; c < 3; ++c) {
+                    const double u = (x + 0.5) * small.width / width - 0.5;
+                    const double v = (y + 0.5) * small.height / height - 0.5;
+                    const int left = static_cast<int>(std::floor(u));
+                    const int top = static_cast<int>(std::floor(v));
+                    const double upper = std::lerp(at(left, top, c), at(left + 1, top, c), u - left);
+                    const double lower = std::lerp(at(left, top + 1, c), at(left + 1, top + 1, c), u - left);
+                    ASSERT_NEAR(large.at(x, y)[c], std::lerp(upper, lower, v - top), 2) << x << " " << y;
+                }
+        EXPECT_TRUE(upscaled(small, small.width, small.height).pixels == small.pixels);
+    }
 }
 
 } // namespace

@@ -40,6 +40,29 @@ TEST(Pace, TheSceneComesToRestAfterAChangeAndTellsWhichFrameIsTheLast) {
     EXPECT_FALSE(pace.isSceneAwake());
 }
 
+TEST(Pace, SettlesAfterSoManyFramesOrWhereItHurriesAfterAThirdOfASecondOfThem) {
+    Pace pace;
+    telemetry::FrameRow row = rowOf(0, 1000);
+    row.totalMs = 40;
+    int frames = 0;
+    for (; !pace.isSettled(true); ++frames) {
+        EXPECT_FALSE(pace.isSettled(false));
+        pace.countScene();
+        pace.see(row);
+    }
+    EXPECT_EQ(frames, 8);
+    pace.settle();
+    EXPECT_TRUE(pace.isLastOfScene());
+    pace.countScene();
+    pace.settle();
+    EXPECT_FALSE(pace.isSceneAwake()) << "nothing is drawn for it";
+    pace.wakeScene();
+    EXPECT_FALSE(pace.isSettled(true)) << "all begins anew";
+    for (frames = 0; !pace.isSettled(false); ++frames)
+        pace.countScene();
+    EXPECT_TRUE(pace.isLastOfScene()) << "the last frame takes its time";
+}
+
 TEST(Pace, PagesOnTheirWayKeepTheSceneAwakeUntilTheyAreThereOrNoneHasComeForLong) {
     const auto arriving = [](int frame) { return rowOf(frame < 300 ? 1 : 0, frame); };
     Pace pace;

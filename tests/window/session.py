@@ -43,14 +43,15 @@ class Display:
 class Session:
     """One `gnomon view`. What it says on stderr is what it shows as messages."""
 
-    def __init__(self, display, program, folder, *arguments, samples=1):
-        """`samples` as in --samples: with one, a picture is done as soon as its frame is."""
+    def __init__(self, display, program, folder, *arguments, samples=1, target=0):
+        """`samples` and `target` as in --samples and --target-ms: by these each frame is drawn in full, and done."""
         self.display = display
         self.folder = pathlib.Path(folder)
         self.lines = []
         self.heard = threading.Condition()
         self.started = time.monotonic()
-        self.process = subprocess.Popen([program, "view", *map(str, arguments), "--samples", str(samples)], cwd=folder, env=display.environment,
+        words = [program, "view", *arguments, "--samples", samples, "--target-ms", target]
+        self.process = subprocess.Popen(list(map(str, words)), cwd=folder, env=display.environment,
                                         stderr=subprocess.PIPE, text=True)
         threading.Thread(target=self._listen, daemon=True).start()
         self.window = self._find_window()

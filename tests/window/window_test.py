@@ -21,6 +21,7 @@ import tempfile
 import threading
 import time
 
+from rest_checks import check_rest, check_target
 from session import PATIENCE, Display, Session, keys_of_help, rows_of, size_of
 from x_client import XClient
 
@@ -99,30 +100,6 @@ def check_mouse(display, program, folder, model):
     session.press("Tab")
     session.leave()
     assert session.complaints() == [], session.complaints()
-
-
-def check_rest(display, program, folder, model):
-    """A standing picture becomes what `render` makes of as many frames; the mouse over it stops nothing, a key does."""
-    session = Session(display, program, folder, model, "--shadows", "exact", samples=12)
-    session.shot()
-    display.do("mousemove", 300, 420)
-    smooth = session.shot()
-    session.shot("shift+F12")
-    session.press("g")
-    session.shot("shift+F12")
-    session.press("g", "w")
-    assert changed(smooth, session.shot())
-    session.press("Home")
-    time.sleep(1)
-    again = session.shot()
-    session.leave()
-    assert session.complaints() == [], session.complaints()
-    rendered = session.folder / "rendered.png"
-    common = ("render", model, "-o", rendered, "--size", "800x800", "--shadows", "exact")
-    for samples, is_same in (("12", True), ("1", False)):
-        subprocess.run([program, *map(str, common), "--samples", samples], cwd=folder, check=True, capture_output=True)
-        assert filecmp.cmp(rendered, smooth, shallow=False) == is_same, samples
-        assert filecmp.cmp(rendered, again, shallow=False) == is_same, samples
 
 
 def check_going_away(display, program, folder, model):
@@ -368,6 +345,7 @@ def main():
             "every key of the help": lambda: check_every_key(display, program, folder, model),
             "the mouse": lambda: check_mouse(display, program, folder, model),
             "a view at rest": lambda: check_rest(display, program, folder, model),
+            "a time target": lambda: check_target(display, program, folder, model),
             "losing focus, minimised": lambda: check_going_away(display, program, folder, model),
             "sizes from 1x1 to 4000x3000": lambda: check_sizes(display, program, folder, model),
             "paths": lambda: check_paths(display, program, folder, model),

@@ -102,11 +102,11 @@ void drawFacts(const OverlayContent& content, const ViewSettings& settings) {
         ImGui::PopTextWrapPos();
         std::array<char, 96> text{};
         if (settings.targetMs > 0) {
-            const std::string given = content.budget->givenUp(content.wanted);
+            const std::string& given = content.givenUp;
             std::snprintf(text.data(), text.size(), "target %.3g ms: ", settings.targetMs);
             drawLine(
                 text.data() + (given.empty() ? std::string("nothing given up") : "given up " + given) +
-                    (content.budget->isExhausted() ? "; no more can be" : ""),
+                    (content.isExhausted ? "; no more can be" : ""),
                 kWarning);
         }
         if (content.scene->samples() > 0)
@@ -126,7 +126,7 @@ void drawStatus(const OverlayContent& content) {
     state.frameMs = total(content.history->medians(15));
     state.samples = content.scene->samples();
     state.mostSamples = content.mostSamples;
-    state.givenUp = content.budget->givenUp(content.wanted);
+    state.givenUp = content.givenUp;
     const std::string text = statusInWords(frame.plan, frame.row, state);
     const float widest = std::max(ImGui::GetIO().DisplaySize.x - 2 * unit(), 8 * unit());
     ImGui::SetNextWindowContentSize(ImGui::CalcTextSize(text.c_str(), nullptr, false, widest)); // else that of before

@@ -1,7 +1,6 @@
 // What is told over the picture, and what was done there with the mouse.
 #pragma once
 
-#include "viewer/detail_budget.h"
 #include "viewer/input/key_table.h"
 #include "viewer/messages.h"
 #include "viewer/model_cache.h"
@@ -22,8 +21,8 @@ struct OverlayContent {
     const Scene* scene = nullptr; // null: no model is open
     Camera camera;                // who sees the picture
     const FrameHistory* history = nullptr;
-    const DetailBudget* budget = nullptr;
-    Effort wanted; // before the budget
+    std::string givenUp; // for the time target; empty: nothing
+    bool isExhausted = false;
     Caps caps;
     int mostSamples = 1;    // frames that a standing picture becomes the mean of
     double flyingSpeed = 0; // world units a second

@@ -3,9 +3,9 @@
 #include "app/command_line.h"
 #include "app/commands.h"
 #include "app/console.h"
-#include "app/plan_json.h"
 #include "app/thread_limit.h"
 #include "measure/session.h"
+#include "settings/plan_json.h"
 #include "settings/resolve.h"
 #include "telemetry/json_text.h"
 
@@ -31,7 +31,8 @@ void runExplain(const ExplainOptions& options) {
     settings.backend = settings::Backend::Software; // nothing is drawn, so no context is made
     measure::Session session(options.model, settings, printWarning);
     const plan::FramePlan plan = session.renderer().plan(settings::viewOf(settings, session.model()), quality);
-    const std::string text = options.json ? telemetry::jsonText(planJson(plan), 1) + "\n" : planText(plan);
+    const std::string text =
+        options.json ? telemetry::jsonText(settings::planJson(plan), 1) + "\n" : settings::planText(plan);
     std::fputs(text.c_str(), stdout);
 }
 

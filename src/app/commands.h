@@ -35,6 +35,7 @@ void addInfoCommand(CLI::App& program);
 void addMakeCommand(CLI::App& program);
 void addPathCommand(CLI::App& program);
 void addRenderCommand(CLI::App& program);
+void addSunCommand(CLI::App& program);
 void addTheoryCommand(CLI::App& program);
 void addVerifyCommand(CLI::App& program);
 void addViewCommand(CLI::App& program);

@@ -31,6 +31,7 @@ constexpr std::array kCommands{
     AddCommand{gnomon::app::addExplainCommand},
     AddCommand{gnomon::app::addBenchCommand},
     AddCommand{gnomon::app::addViewCommand},
+    AddCommand{gnomon::app::addSunCommand},
     AddCommand{gnomon::app::addTheoryCommand},
 };
 

@@ -32,6 +32,8 @@ FILES = {
 ROWS = [
     (2, "gnomon --help lists them", "rendr sundial.gnm -o a.png"),
     (2, "gnomon --help lists them", "sundial.gnm"),
+    (2, "--at: expected LAT,LON in degrees", "sun position --at 95,0 --time 2026-06-21T12:00Z"),
+    (2, "with its offset from UTC, such as 2026-06-21T12:00+02:00", "sun position --at 50,10 --time 2026-06-21T12:00"),
     (2, "--help", ""),
     (2, "MODEL is required; see gnomon render --help", "render"),
     (2, "--output is required; see gnomon render --help", "render sundial.gnm"),

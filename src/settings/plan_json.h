@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace gnomon::app {
+namespace gnomon::settings {
 
 /// The document that CONTRACT.md lays down. Matrices and planes are in world space: a plane (x, y, z, offset) holds
 /// what has a product of at least 0 with (point, 1).
@@ -16,4 +16,4 @@ nlohmann::ordered_json planJson(const plan::FramePlan& plan);
 /// The same for a reader.
 std::string planText(const plan::FramePlan& plan);
 
-} // namespace gnomon::app
+} // namespace gnomon::settings

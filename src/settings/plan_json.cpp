@@ -1,4 +1,4 @@
-#include "app/plan_json.h"
+#include "settings/plan_json.h"
 
 #include "core/angle.h"
 #include "settings/plan_sentences.h"
@@ -8,7 +8,7 @@
 #include <cstdarg>
 #include <cstdio>
 
-namespace gnomon::app {
+namespace gnomon::settings {
 
 namespace {
 
@@ -103,13 +103,13 @@ ordered_json planJson(const plan::FramePlan& plan) {
     ordered_json json;
     json["near"] = plan.near;
     json["far"] = plan.far;
-    json["near_from"] = settings::sourceInWords(plan.nearFrom);
-    json["far_from"] = settings::sourceInWords(plan.farFrom);
+    json["near_from"] = sourceInWords(plan.nearFrom);
+    json["far_from"] = sourceInWords(plan.farFrom);
     json["light_angle"] = degreesFromRadians(plan.lightAngleRadians);
     json["promise_kept"] = plan.promiseKept;
     json["scheme"] = plan::schemeName(plan);
     json["shadows"] = wordOf(plan::kShadowModes, plan.quality.shadows);
-    json["shadows_because"] = settings::reasonInWords(plan.shadowReason);
+    json["shadows_because"] = reasonInWords(plan.shadowReason);
     json["predicted"] = predictedJson(plan);
     json["cost"] = plan.cost;
     json["passes"] = ordered_json::array();
@@ -117,16 +117,15 @@ ordered_json planJson(const plan::FramePlan& plan) {
         json["passes"].push_back(passJson(plan, pass));
     json["omitted"] = ordered_json::array();
     for (const plan::Omission& omission : plan.omitted)
-        json["omitted"].push_back(
-            {{"effect", settings::effectInWords(omission)}, {"reason", settings::reasonInWords(omission)}});
+        json["omitted"].push_back({{"effect", effectInWords(omission)}, {"reason", reasonInWords(omission)}});
     json["texels_that_would_do"] = nullptr; // no maps, or no number of texels would
     if (plan.texelsThatWouldDo > 0) json["texels_that_would_do"] = plan.texelsThatWouldDo;
     return json;
 }
 
 std::string planText(const plan::FramePlan& plan) {
-    std::string text = line("near   %-12g %s\n", plan.near, settings::sourceInWords(plan.nearFrom).c_str());
-    text += line("far    %-12g %s\n", plan.far, settings::sourceInWords(plan.farFrom).c_str());
+    std::string text = line("near   %-12g %s\n", plan.near, sourceInWords(plan.nearFrom).c_str());
+    text += line("far    %-12g %s\n", plan.far, sourceInWords(plan.farFrom).c_str());
     if (plan.shown != DepthSpan{plan.near, plan.far})
         text += line("shown  %g to %g: beyond the range nothing is promised\n", plan.shown.near, plan.shown.far);
     text += line("light  %.2f degrees from the view\n", degreesFromRadians(plan.lightAngleRadians));
@@ -137,7 +136,7 @@ std::string planText(const plan::FramePlan& plan) {
         plan.textureWidth,
         plan.textureHeight,
         static_cast<unsigned long long>(plan.cost));
-    text += settings::shadowsInWords(plan);
+    text += shadowsInWords(plan);
     if (!plan.passes.empty()) {
         text += line(
             "promise x %.3g, z %.3g over [near, far]%s; %s texels would do for %g\n",
@@ -177,9 +176,8 @@ std::string planText(const plan::FramePlan& plan) {
     }
     if (!plan.omitted.empty()) text += "\nleft out\n";
     for (const plan::Omission& omission : plan.omitted)
-        text +=
-            line("  %-18s %s\n", settings::effectInWords(omission).c_str(), settings::reasonInWords(omission).c_str());
+        text += line("  %-18s %s\n", effectInWords(omission).c_str(), reasonInWords(omission).c_str());
     return text;
 }
 
-} // namespace gnomon::app
+} // namespace gnomon::settings

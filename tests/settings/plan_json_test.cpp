@@ -1,7 +1,7 @@
 // What `gnomon explain` prints, against the plan that it is of: points go where the matrices and planes say.
-#include "app/plan_json.h"
 #include "core/random.h"
 #include "plan/plan_frame.h"
+#include "settings/plan_json.h"
 #include "settings/plan_sentences.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 #include <numbers>
 #include <sstream>
 
-namespace gnomon::app {
+namespace gnomon::settings {
 namespace {
 
 using nlohmann::ordered_json;
@@ -75,8 +75,8 @@ TEST(PlanJson, HasEveryFieldOfTheContract) {
     forPlans(random, [&](const plan::FramePlan& plan, const ordered_json& json) {
         EXPECT_EQ(json["near"], plan.near);
         EXPECT_EQ(json["far"], plan.far);
-        EXPECT_EQ(json["near_from"], settings::sourceInWords(plan.nearFrom));
-        EXPECT_EQ(json["far_from"], settings::sourceInWords(plan.farFrom));
+        EXPECT_EQ(json["near_from"], sourceInWords(plan.nearFrom));
+        EXPECT_EQ(json["far_from"], sourceInWords(plan.farFrom));
         EXPECT_NEAR(json["light_angle"].get<double>(), plan.lightAngleRadians * 180 / std::numbers::pi, 1e-9);
         EXPECT_EQ(json["promise_kept"], plan.promiseKept);
         EXPECT_EQ(json["scheme"], plan::schemeName(plan));
@@ -86,9 +86,7 @@ TEST(PlanJson, HasEveryFieldOfTheContract) {
         for (std::size_t i = 0; i < plan.omitted.size(); ++i)
             EXPECT_EQ(
                 json["omitted"][i],
-                (ordered_json{
-                    {"effect", settings::effectInWords(plan.omitted[i])},
-                    {"reason", settings::reasonInWords(plan.omitted[i])}}));
+                (ordered_json{{"effect", effectInWords(plan.omitted[i])}, {"reason", reasonInWords(plan.omitted[i])}}));
         ASSERT_EQ(json["passes"].size(), plan.passes.size());
         for (std::size_t i = 0; i < plan.passes.size(); ++i) {
             const ordered_json& told = json["passes"][i];
@@ -198,8 +196,8 @@ TEST(PlanText, HasALineForEachMapAndEachOmission) {
         EXPECT_EQ(maps, plan.passes.size()) << text;
         EXPECT_EQ(omitted, plan.omitted.size()) << text;
         for (const plan::Omission& omission : plan.omitted)
-            EXPECT_NE(text.find(settings::reasonInWords(omission)), std::string::npos) << text;
-        EXPECT_NE(text.find(settings::sourceInWords(plan.nearFrom)), std::string::npos);
+            EXPECT_NE(text.find(reasonInWords(omission)), std::string::npos) << text;
+        EXPECT_NE(text.find(sourceInWords(plan.nearFrom)), std::string::npos);
         EXPECT_EQ(text.find("promise x") != std::string::npos, !plan.passes.empty());
     }
 }
@@ -221,4 +219,4 @@ TEST(PlanText, SaysWhereAPromiseIsNotKept) {
 }
 
 } // namespace
-} // namespace gnomon::app
+} // namespace gnomon::settings

@@ -1,0 +1,89 @@
+// `gnomon sun`: what the sky of a place and a date says of light.
+
+#include "app/commands.h"
+#include "app/console.h"
+#include "settings/sun_codecs.h"
+#include "sun/sun_day.h"
+#include "telemetry/json_text.h"
+
+#include <cstdio>
+#include <memory>
+
+#include <nlohmann/json.hpp>
+
+namespace gnomon::app {
+
+namespace {
+
+struct PositionOptions {
+    std::string at;
+    std::string time;
+    double height = 0;
+    sun::Air air;
+    bool json = false;
+    CommonOptions common;
+};
+
+using nlohmann::ordered_json;
+
+void printPosition(const ordered_json& json, const sun::Air& air, bool upAtNoon) {
+    const auto text = [&json, upAtNoon](const char* name) {
+        return json[name].is_null() ? std::string(upAtNoon ? "none: the sun stays up" : "none: the sun stays down")
+                                    : json[name].get<std::string>();
+    };
+    std::printf("azimuth    %9.4f  degrees from north by east\n", json["azimuth"].get<double>());
+    std::printf("elevation  %9.4f  degrees, without refraction\n", json["elevation"].get<double>());
+    std::printf(
+        "           %9.4f  as seen through air of %g hPa and %g degrees Celsius\n",
+        json["elevation_refracted"].get<double>(),
+        air.pressure,
+        air.temperature);
+    for (const char* name : {"sunrise", "noon", "sunset"})
+        std::printf("%-10s %s\n", name, text(name).c_str());
+}
+
+void runPosition(const PositionOptions& options) {
+    sun::Place place = settings::parsed(settings::place(), "--at", options.at);
+    place.height = options.height;
+    const sun::CivilTime time = settings::parsed(settings::moment(), "--time", options.time);
+    if (time.year < 1600 || time.year > 2600)
+        printWarning("--time: outside the years from 1600 to 2600 the Earth's turn is not known to a degree");
+    const sun::SunPosition position = sun::sunPosition(sun::julianDate(time), place, options.air);
+    const sun::SunDay day = sun::sunDay(time, place, options.air);
+    const auto moment = [&time](const std::optional<sun::JulianDate>& date) {
+        return date ? ordered_json(sun::written(*date, time.offsetMinutes)) : ordered_json();
+    };
+    const ordered_json json = {
+        {"azimuth", position.azimuth},
+        {"elevation", position.elevation},
+        {"elevation_refracted", position.elevationRefracted},
+        {"sunrise", moment(day.sunrise)},
+        {"noon", moment(day.noon)},
+        {"sunset", moment(day.sunset)}};
+    if (options.json)
+        std::printf("%s\n", telemetry::jsonText(json, 1).c_str());
+    else
+        printPosition(json, options.air, day.upAtNoon);
+}
+
+} // namespace
+
+void addSunCommand(CLI::App& program) {
+    auto options = std::make_shared<PositionOptions>();
+    CLI::App* group = program.add_subcommand("sun", "Tell where the sun stands");
+    group->require_subcommand(1);
+    CLI::App* command = group->add_subcommand("position", "Where the sun stands at a time, when it rises and sets");
+    command->add_option("--at", options->at, "LAT,LON in degrees, north and east positive")->required();
+    command->add_option("--time", options->time, "ISO 8601 with an offset: 2026-06-21T12:00+02:00")->required();
+    command->add_option("--height", options->height, "Metres above the ellipsoid of WGS 84, default 0")
+        ->check(CLI::Range(-11000.0, 100000.0));
+    command->add_option("--pressure", options->air.pressure, "Hectopascals, default 1010; 0: no refraction")
+        ->check(CLI::Range(0.0, 2000.0));
+    command->add_option("--temperature", options->air.temperature, "Degrees Celsius, default 10")
+        ->check(CLI::Range(-100.0, 100.0));
+    command->add_flag("--json", options->json, "Print one JSON document");
+    addCommonOptions(*command, options->common);
+    command->callback([options] { runPosition(*options); });
+}
+
+} // namespace gnomon::app

@@ -2,7 +2,7 @@
 
 #include "app/commands.h"
 #include "app/console.h"
-#include "settings/sun_codecs.h"
+#include "settings/sun_settings.h"
 #include "sun/sun_day.h"
 #include "telemetry/json_text.h"
 
@@ -47,7 +47,8 @@ void runPosition(const PositionOptions& options) {
     place.height = options.height;
     const sun::CivilTime time = settings::parsed(settings::moment(), "--time", options.time);
     if (time.year < 1600 || time.year > 2600)
-        printWarning("--time: outside the years from 1600 to 2600 the Earth's turn is not known to a degree");
+        printWarning(
+            "--time: outside the years from 1600 to 2600 how far the Earth's turn lags behind clocks is a guess");
     const sun::SunPosition position = sun::sunPosition(sun::julianDate(time), place, options.air);
     const sun::SunDay day = sun::sunDay(time, place, options.air);
     const auto moment = [&time](const std::optional<sun::JulianDate>& date) {

@@ -48,7 +48,7 @@ void requireComparable(const Baseline& baseline, const std::map<std::string, std
     };
     const auto requireStated = [&](const std::string& key) {
         const auto before = baseline.context.find(key);
-        requireAlike(key, context.at(key), before == baseline.context.end() ? "none" : before->second);
+        requireAlike(key, context.at(key), before == baseline.context.end() ? "not given" : before->second);
     };
     for (const char* key : kAlike)
         requireStated(key);

@@ -3,6 +3,7 @@
 #include "core/angle.h"
 #include "path/camera_path.h"
 #include "path/outline.h"
+#include "settings/sun_settings.h"
 #include "settings/table.h"
 
 #include <vector>
@@ -96,6 +97,17 @@ void requireOneCamera(const Settings& settings) {
 
 } // namespace
 
+namespace {
+
+glm::dvec3 lightOf(const Settings& settings, const glm::dvec3& up) {
+    if (settings.sun && settings.isLightGiven) throw UsageError{"--light and --sun contradict each other"};
+    if (settings.north && !settings.sun) throw UsageError{"--north is of --sun LAT,LON,TIME"};
+    if (settings.sun) return towardsSun(*settings.sun, settings.north.value_or(0), up);
+    return settings.isLightGiven ? settings.towardsLight : path::usualLight(up);
+}
+
+} // namespace
+
 bool isFramed(const Settings& settings) {
     return settings.cameraFile.empty() && !settings.eye;
 }
@@ -107,7 +119,7 @@ plan::View viewOf(
     view.width = settings.imageSize[0];
     view.height = settings.imageSize[1];
     view.up = settings.up.value_or(summary.up.direction);
-    view.towardsLight = settings.isLightGiven ? settings.towardsLight : path::usualLight(view.up);
+    view.towardsLight = lightOf(settings, view.up);
     if (!settings.cameraFile.empty()) {
         view.camera = path::readCamera(settings.cameraFile);
         return view;

@@ -5,6 +5,8 @@
 #include "core/words.h"
 #include "path/framing.h"
 #include "plan/frame_plan.h"
+#include "sun/civil_time.h"
+#include "sun/sun_position.h"
 
 #include <array>
 #include <optional>
@@ -29,6 +31,12 @@ inline plan::Quality openQuality() {
     return quality;
 }
 
+/// Where and when the Sun is asked for.
+struct SunTime {
+    sun::Place place;
+    sun::CivilTime time;
+};
+
 /// What a person can ask for of a view and its quality. What stands in `quality` the plan takes as it is.
 struct Settings {
     std::array<int, 2> imageSize{800, 800}; // pixels
@@ -39,7 +47,9 @@ struct Settings {
     std::optional<double> fovYDegrees;
     std::optional<path::ViewSide> side; // nothing: a three-quarter view
     glm::dvec3 towardsLight{0.4, 1, 0.3};
-    bool isLightGiven = false; // towardsLight was asked for; else it stands in a world with y up
+    bool isLightGiven = false;   // towardsLight was asked for; else it stands in a world with y up
+    std::optional<SunTime> sun;  // takes the place of towardsLight
+    std::optional<double> north; // degrees; see --north
     plan::Quality quality = openQuality();
     bool isWarpGiven = false;       // quality.warp.rule was asked for
     std::optional<double> eta;      // takes the place of quality.warp.rule

@@ -4,6 +4,7 @@
 #include "settings/limits.h"
 #include "settings/look_settings.h"
 #include "settings/setting_place.h"
+#include "settings/sun_settings.h"
 
 #include <algorithm>
 
@@ -352,6 +353,7 @@ std::span<const Setting> table() {
         std::vector<Setting> settings = cameraSettings();
         for (const auto& more :
              {sceneSettings(),
+              sunSettings(),
               lookSettings(),
               fixedMapSettings(),
               machineSettings(),

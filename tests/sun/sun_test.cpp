@@ -71,8 +71,7 @@ TEST(CivilTime, RefusesWhatIsNoMoment) {
           "2003-10-17T12:30+01:60",
           "0000-01-01T00:00Z",
           "-003-10-17T12:30Z",
-          "2003-10-17T12:30\xe2\x88\x92"
-          "01:00"})
+          "2003-10-17T12:30*01:00"})
         EXPECT_FALSE(parseCivilTime(text)) << text;
     EXPECT_TRUE(parseCivilTime("2000-02-29T00:00Z"));
 }

@@ -59,6 +59,8 @@ glm::dvec3 turnedLight(const Camera& camera, const glm::dvec3& towardsLight, con
 void turnLight(settings::Settings& asked, const Camera& camera, const glm::dvec2& moved) {
     asked.towardsLight = turnedLight(camera, asked.towardsLight, moved);
     asked.isLightGiven = true;
+    asked.sun = std::nullopt;
+    asked.north = std::nullopt;
 }
 
 std::string turnWheel(double notches, bool withControl, const DragScene& scene, CameraControl& control) {

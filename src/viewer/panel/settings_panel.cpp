@@ -180,8 +180,11 @@ OverlayAnswer drawPanel(const OverlayContent& content, ViewSettings& settings, S
         answer.hasChanged |= drawQuality(settings.asked);
         answer.hasChanged |= drawViewSettings(content, settings, answer);
         ImGui::Separator();
-        if (drawLightPad(content.scene->frame(), content.camera, pad, settings.asked.towardsLight))
+        if (drawLightPad(content.scene->frame(), content.camera, pad, settings.asked.towardsLight)) {
             answer.hasChanged = settings.asked.isLightGiven = true;
+            settings.asked.sun = std::nullopt;
+            settings.asked.north = std::nullopt;
+        }
         answer.isUnfinished = !pad.isComplete();
         ImGui::PopItemWidth();
     }

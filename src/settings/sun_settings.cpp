@@ -1,0 +1,95 @@
+#include "settings/sun_settings.h"
+
+#include "core/angle.h"
+#include "core/formatted.h"
+#include "hierarchy/upright_frame.h"
+#include "settings/setting_place.h"
+#include "sun/sun_day.h"
+
+#include <cmath>
+
+namespace gnomon::settings {
+namespace {
+
+std::optional<sun::Place> placeOf(const std::string& text) {
+    const std::size_t comma = text.find(',');
+    if (comma == std::string::npos) return std::nullopt;
+    const Codec<double> degrees = anyNumber();
+    const std::optional<double> latitude = degrees.read(text.substr(0, comma));
+    const std::optional<double> longitude = degrees.read(text.substr(comma + 1));
+    if (!latitude || !longitude || std::abs(*latitude) > 90 || std::abs(*longitude) > 180) return std::nullopt;
+    return sun::Place{.latitude = *latitude, .longitude = *longitude};
+}
+
+std::optional<SunTime> sunTimeOf(const std::string& text) {
+    const std::size_t comma = text.rfind(',');
+    if (comma == std::string::npos) return std::nullopt;
+    const auto where = placeOf(text.substr(0, comma));
+    const auto when = sun::parseCivilTime(text.substr(comma + 1));
+    return where && when ? std::optional(SunTime{*where, *when}) : std::nullopt;
+}
+
+std::string upTimes(const SunTime& asked) {
+    const sun::SunDay day = sun::sunDay(asked.time, asked.place, {});
+    if (!day.sunrise || !day.sunset) return "and stays so that day";
+    const int offset = asked.time.offsetMinutes;
+    return "it is up from " + sun::written(*day.sunrise, offset) + " to " + sun::written(*day.sunset, offset);
+}
+
+} // namespace
+
+Codec<sun::Place> place() {
+    return {
+        placeOf,
+        [](const sun::Place& place) { return shortest(place.latitude) + "," + shortest(place.longitude); },
+        "LAT,LON in degrees, north and east positive, up to 90 and 180"};
+}
+
+Codec<sun::CivilTime> moment() {
+    return {
+        [](const std::string& text) { return sun::parseCivilTime(text); },
+        [](const sun::CivilTime& time) { return sun::written(sun::julianDate(time), time.offsetMinutes); },
+        "a date and time with its offset from UTC, such as 2026-06-21T12:00+02:00"};
+}
+
+Codec<SunTime> sunTime() {
+    return {
+        sunTimeOf,
+        [](const SunTime& value) { return place().write(value.place) + "," + moment().write(value.time); },
+        "LAT,LON,TIME, such as 47.4,8.5,2026-06-21T12:00+02:00"};
+}
+
+std::vector<Setting> sunSettings() {
+    return {
+        plain(
+            &Settings::sun,
+            {.name = "sun",
+             .form = "LAT,LON,TIME",
+             .help = "The light is the sun's at a place, in degrees, and a time, ISO 8601 with an offset: "
+                     "47.4,8.5,2026-06-21T12:00+02:00",
+             .statedAs = "sun"},
+            ifGiven(sunTime())),
+        plain(
+            &Settings::north,
+            {.name = "north",
+             .form = "DEG",
+             .help =
+                 "Of --sun: where true north is, in degrees clockwise, seen from above, from the model's, which is -z "
+                 "where y is up and y where z is; 0 if not given",
+             .statedAs = "north"},
+            ifGiven(number("an angle from -360 to 360 degrees", [](double v) { return std::abs(v) <= 360; }))),
+    };
+}
+
+glm::dvec3 towardsSun(const SunTime& asked, double north, const glm::dvec3& up) {
+    const sun::SunPosition sun = sun::sunPosition(sun::julianDate(asked.time), asked.place, {});
+    if (sun.elevationRefracted <= 0)
+        throw UsageError{formatted("--sun: the sun is down then, at %.1f degrees; ", sun.elevation) + upTimes(asked)};
+    const double azimuth = radiansFromDegrees(sun.azimuth + north);
+    const double elevation = radiansFromDegrees(sun.elevationRefracted);
+    const double level = std::cos(elevation);
+    return hierarchy::uprightFrame(up).toWorld(
+        {level * std::sin(azimuth), std::sin(elevation), -level * std::cos(azimuth)});
+}
+
+} // namespace gnomon::settings

@@ -1,0 +1,25 @@
+// The Sun as a light: how its place and time are written, and which way it lies.
+#pragma once
+
+#include "settings/setting.h"
+
+namespace gnomon::settings {
+
+/// "LAT,LON", degrees; the height stays 0.
+Codec<sun::Place> place();
+
+/// "2026-06-21T12:00+02:00", ISO 8601 with an offset, in the years from 1 to 9999.
+Codec<sun::CivilTime> moment();
+
+/// Both, "LAT,LON,TIME".
+Codec<SunTime> sunTime();
+
+/// `--sun` and `--north`, the rows of the table of settings about them.
+std::vector<Setting> sunSettings();
+
+/// The direction towards the Sun, of unit length, as the usual air shows it, in a world in which `up` is up. True north
+/// lies `north` degrees clockwise, seen from above, of the world's own, which is opposite its front: -z where y is up,
+/// y where z is. Throws UsageError where the Sun is down, and says when it is up.
+glm::dvec3 towardsSun(const SunTime& asked, double north, const glm::dvec3& up);
+
+} // namespace gnomon::settings

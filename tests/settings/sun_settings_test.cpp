@@ -1,0 +1,63 @@
+#include "settings/sun_settings.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace gnomon::settings {
+namespace {
+
+TEST(PlaceCodec, ReadsLatitudeAndLongitudeAndWritesThemBack) {
+    const auto found = place().read("39.742476,-105.1786");
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->latitude, 39.742476);
+    EXPECT_EQ(found->longitude, -105.1786);
+    EXPECT_EQ(place().write(*found), "39.742476,-105.1786");
+    for (const char* text :
+         {"", "1", "1,", ",1", "91,0", "-90.1,0", "0,181", "0,-180.5", "1,2,3", "a,b", "nan,0", "1 ,2"})
+        EXPECT_FALSE(place().read(text)) << text;
+}
+
+TEST(MomentCodec, WritesWhatItReads) {
+    const auto found = moment().read("2026-06-21T12:00+02:00");
+    ASSERT_TRUE(found);
+    EXPECT_EQ(moment().write(*found), "2026-06-21T12:00:00+02:00");
+    EXPECT_FALSE(moment().read("2026-06-21 12:00"));
+}
+
+// The shadow of a pole points away from the Sun, whatever is up, and true north turns with --north.
+TEST(TowardsSun, StandsWhereTheSkyHasItInEveryWorld) {
+    const SunTime asked{{.latitude = 47.4, .longitude = 8.5}, sun::parseCivilTime("2026-06-21T16:00+02:00").value()};
+    const sun::SunPosition sky = sun::sunPosition(sun::julianDate(asked.time), asked.place, {});
+    const double kDegree = 3.14159265358979323846 / 180;
+
+    struct World {
+        glm::dvec3 up, north, east;
+    };
+
+    for (const World& world :
+         {World{{0, 1, 0}, {0, 0, -1}, {1, 0, 0}},
+          World{{0, 0, 1}, {0, 1, 0}, {1, 0, 0}},
+          World{{0, 0, 2}, {0, 1, 0}, {1, 0, 0}}})
+        for (const double turned : {0.0, 90.0, -33.0}) {
+            const glm::dvec3 light = towardsSun(asked, turned, world.up);
+            EXPECT_NEAR(glm::length(light), 1, 1e-12);
+            const double elevation = std::asin(glm::dot(light, glm::normalize(world.up))) / kDegree;
+            EXPECT_NEAR(elevation, sky.elevationRefracted, 1e-9);
+            const double azimuth = std::atan2(glm::dot(light, world.east), glm::dot(light, world.north)) / kDegree;
+            EXPECT_NEAR(std::remainder(azimuth - sky.azimuth - turned, 360), 0, 1e-9);
+        }
+}
+
+TEST(TowardsSun, AtNightIsRefusedWithTheHoursOfTheDay) {
+    const SunTime night{{.latitude = 47.4, .longitude = 8.5}, sun::parseCivilTime("2026-06-21T02:00+02:00").value()};
+    try {
+        towardsSun(night, 0, {0, 1, 0});
+        FAIL() << "taken";
+    } catch (const UsageError& error) {
+        EXPECT_NE(error.message.find("it is up from 2026-06-21T05:"), std::string::npos) << error.message;
+    }
+}
+
+} // namespace
+} // namespace gnomon::settings

@@ -147,15 +147,17 @@ bool WindowSession::isRefining() const {
     return scene != nullptr && isIdle() && scene->samples() > 0 && scene->samples() < options_.samples;
 }
 
-/// Adds as many frames as a window may stand still for.
+/// Adds as many frames as a window may stand still for. Showing them takes time too, so that is not done for each.
 void WindowSession::refine() {
     constexpr double kSeconds = 0.02;
+    constexpr double kBetweenShown = 0.12;
     const double end = now() + kSeconds;
     messages_.attempt([&] {
         do
             file_.scene()->addSample();
         while (isRefining() && now() < end);
     });
+    if (isRefining() && now() < lastShown_ + kBetweenShown) return;
     pace_.keepWindow();
 }
 
@@ -298,7 +300,8 @@ void WindowSession::drawWindow(const glm::ivec2& size) {
     }
     glfwSwapBuffers(window_.handle());
     messages_.attempt([&] { window_.context().check("window"); });
-    lastWindowMs_ = (now() - start) * 1000;
+    lastShown_ = now();
+    lastWindowMs_ = (lastShown_ - start) * 1000;
     if (answer.hasChanged) pace_.wakeScene();
     if (answer.isUnfinished) pace_.keepWindow();
     for (const Action action : answer.actions)

@@ -74,7 +74,8 @@ private:
     std::optional<FrameLog> log_;
     std::optional<FramedModel> framed_;
     Caps caps_;
-    double lastFrame_ = 0; // seconds on GLFW's clock
+    double lastFrame_ = 0; // seconds on GLFW's clock, as is:
+    double lastShown_ = 0; // when the window was last drawn
     double lastWindowMs_ = 0;
     glm::ivec2 drawnFor_{0}; // the window that the last frame was for
     std::int64_t frameCount_ = 0;

@@ -192,6 +192,9 @@ TEST(MapReuseByReceivers, EndsWhereAnotherImageAsks) {
     EXPECT_EQ(reused(options), 0);
     quality.filter = 2;
     EXPECT_EQ(reused(options), 0);
+    EXPECT_GT(reused(options), 0);
+    options.subpixel = {0.25, -0.375};
+    EXPECT_EQ(reused(options), 0) << "its pixels are sampled elsewhere";
 }
 
 TEST_P(MapReuse, OtherCastersEndIt) {

@@ -142,6 +142,12 @@ TEST(DetailBudget, TakesWhatCostsTheLeastErrorForItsTime) {
     EXPECT_LT(texels.effort({}).texelsWidth, 2048);
     EXPECT_EQ(texels.effort({}).errorPixels, 1);
     EXPECT_EQ(texels.effort({}).resolution, 1);
+
+    DetailBudget coarse; // half the texels would save more than fewer pixels, at many times the error
+    const Machine aliased{.triangles = 50e3, .msPerPixel = 17.5e-6, .msPerTexel = 4.5e-6, .promised = 8};
+    play(coarse, aliased, 30);
+    EXPECT_EQ(coarse.effort({}).texelsWidth, 2048) << coarse.givenUp({});
+    EXPECT_LT(coarse.effort({}).resolution, 1);
 }
 
 TEST(DetailBudget, TakesMapsForExactShadowsWhereThoseTakeTheTime) {

@@ -20,6 +20,8 @@ constexpr std::size_t kMostCuts = 8;
 constexpr std::size_t kPointSamples = 60'000; // each way and cut, by area; as many corners
 constexpr std::size_t kDenseGroups = 150;     // a cut
 constexpr std::uint32_t kDensePoints = 4;     // a triangle, besides its corners
+constexpr std::size_t kDenseCorners =
+    150'000; // of the finest level, below the groups of a cut that are sampled densely
 
 /// Distances that differ by rounding are the same: coordinates are below 2^31 steps.
 constexpr double kRounding = 1e-9;
@@ -96,6 +98,8 @@ public:
                 for (std::uint32_t c = 0; c < page.groups[g].clusterCount; ++c)
                     groupOfCluster_.push_back(
                         model.firstGroup[static_cast<std::size_t>(&page - model.pages.data())] + g);
+        for (const UniformCut::Part& part : finest_.parts)
+            finestPart_[model.firstCluster[part.page] + part.cluster] = part.firstTriangle;
         sourceSamples_ = drawSamples(source, random_);
         finestNearest_ = nearestTo(sourceSamples_, TriangleTree(finest_.soup));
     }
@@ -107,6 +111,7 @@ public:
         compareCut(cut, drawSamples(cut.soup, random_), limit);
         compareSource(cut, limit);
         compareCut(cut, denseSamples(cut), limit);
+        compareBelow(cut);
         for (const std::uint32_t group : dense_)
             if (const double sampled = largest_[group]; sampled > 0) ratios_.push_back(errorOf_[group] / sampled);
     }
@@ -171,6 +176,51 @@ private:
         if (!nearest.empty()) check_.cuts.back().sampledRms = std::sqrt(squares / static_cast<double>(nearest.size()));
     }
 
+    /// The triangles of the finest level that stand below the densely sampled groups, as parts of the soup of that cut.
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> partsBelow() const {
+        std::vector<std::pair<std::uint32_t, std::uint32_t>> parts; // first triangle and how many
+        std::vector<std::uint32_t> open = dense_;
+        std::vector<bool> isKnown(model_.firstGroup.back());
+        while (!open.empty()) {
+            const std::uint32_t number = open.back();
+            open.pop_back();
+            if (isKnown[number]) continue;
+            isKnown[number] = true;
+            const auto above = std::upper_bound(model_.firstGroup.begin(), model_.firstGroup.end(), number);
+            const auto p = static_cast<std::size_t>(above - model_.firstGroup.begin()) - 1;
+            const Page& page = model_.pages[p];
+            const Group& group = page.groups[number - model_.firstGroup[p]];
+            for (std::uint32_t c = group.firstCluster; c < group.firstCluster + group.clusterCount; ++c) {
+                const Cluster& cluster = page.clusters[c];
+                if (cluster.refinement != kNone)
+                    open.push_back(model_.groupNumber(page.refinements[cluster.refinement].group));
+                else if (const auto part = finestPart_.find(model_.firstCluster[p] + c); part != finestPart_.end())
+                    parts.emplace_back(part->second, cluster.triangleCount);
+            }
+        }
+        std::sort(parts.begin(), parts.end());
+        return parts;
+    }
+
+    /// What of the source, whose vertices the finest level has, is how far from the cut, where groups are sampled
+    /// densely: a part that vanished is no point of the cut, and points of the source at random seldom meet it.
+    void compareBelow(const UniformCut& cut) {
+        std::size_t corners = 0;
+        const auto parts = partsBelow();
+        for (const auto& [first, count] : parts)
+            corners += std::size_t{3} * count;
+        const std::size_t stride = corners / kDenseCorners + 1;
+        std::vector<Sample> samples;
+        std::size_t corner = 0;
+        for (const auto& [first, count] : parts)
+            for (std::uint32_t k = 0; k < 3 * count; ++k)
+                if (corner++ % stride == 0)
+                    samples.push_back({first + k / 3, finest_.soup.corner(first + k / 3, k % 3)});
+        const auto nearest = nearestTo(samples, TriangleTree(cut.soup));
+        for (std::size_t i = 0; i < nearest.size(); ++i)
+            note(refinedGroup(cut.partOf(nearest[i].triangle)), nearest[i].distance - model_.summary.grid.snapError());
+    }
+
     void note(std::uint32_t group, double distance) {
         if (group == kNone) return;
         double& largest = largest_[group];
@@ -213,7 +263,8 @@ private:
     TriangleTree sourceTree_;
     UniformCut finest_;
     Random random_;
-    std::vector<std::uint32_t> groupOfCluster_; // across pages
+    std::map<std::uint32_t, std::uint32_t> finestPart_; // by cluster across pages: its first triangle in `finest_`
+    std::vector<std::uint32_t> groupOfCluster_;         // across pages
     std::vector<Sample> sourceSamples_;
     std::vector<TriangleTree::Nearest> finestNearest_; // of the source's samples
     std::map<std::uint32_t, double> errorOf_;          // stored, by group

@@ -26,6 +26,16 @@ ConvexVolume imageVolume(selection::DetailView detail, const CutView& cutView) {
     return selection::viewPyramid(detail);
 }
 
+/// Leaves of `receivers` what lies in the model, whose local space begins at `origin`: nothing is shadowed beyond it.
+void clipToModel(const Box& model, const glm::dvec3& origin, ConvexVolume& receivers) {
+    for (int axis = 0; axis < 3; ++axis) {
+        glm::dvec3 inward(0);
+        inward[axis] = 1;
+        receivers.planes.push_back({inward, origin[axis] - model.min[axis]});
+        receivers.planes.push_back({-inward, model.max[axis] - origin[axis]});
+    }
+}
+
 } // namespace
 
 selection::CutQuery cutQuery(const Residency& residency, const PreparedFrame& frame) {
@@ -71,6 +81,8 @@ void cutPartitions(PreparedFrame& frame, const Residency& residency) {
         casters.push_back(rayCasterDetail(frame));
         frame.volumes.push_back(casters.back().casters);
     }
+    for (selection::CasterDetail& caster : casters)
+        clipToModel(frame.facts.bounds, frame.plan.view.camera.eye - view.eye, caster.receivers);
     frame.rule = std::make_shared<selection::ErrorRule>(view, std::move(casters));
     cut(frame, frame.plan.quality, residency);
 }

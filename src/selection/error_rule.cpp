@@ -13,12 +13,6 @@ bool touches(const ConvexVolume& volume, const Sphere& sphere) {
     });
 }
 
-bool isWithin(const ConvexVolume& volume, const Sphere& sphere) {
-    return std::all_of(volume.planes.begin(), volume.planes.end(), [&](const Plane& plane) {
-        return plane.signedDistance(sphere.center) >= sphere.radius;
-    });
-}
-
 /// Parameters of a line.
 struct Interval {
     double first = 0;
@@ -94,12 +88,9 @@ double ErrorRule::viewPixels(const Sphere& bounds, double error) const {
 
 double ErrorRule::casterPixels(const Sphere& bounds, double error, double floor) const {
     if (casters_.empty() || !(error > 0)) return 0;
-    bool isOffScreen = false; // looked at only when it matters
     double pixels = floor;
     for (const CasterDetail& caster : casters_) {
         if (error * pixelsPerUnit_ / caster.receiverNear <= pixels) continue; // the most that it can give
-        if (!isOffScreen && isWithin(pyramid_, bounds)) return 0;
-        isOffScreen = true;
         pixels = std::max(pixels, oneCasterPixels(caster, bounds, error));
     }
     return pixels;

@@ -40,10 +40,10 @@ struct TexelWidth {
     double smallerSide(double zeta) const;
 };
 
-/// What an off-screen caster of one partition must be exact enough for.
+/// What a caster of one partition must be exact enough for.
 struct CasterDetail {
     ConvexVolume casters;             // all that can throw a shadow into the partition; unit normals, local space
-    ConvexVolume receivers;           // the partition's frustum, local space
+    ConvexVolume receivers;           // the partition's frustum, or what of it the model reaches; local space
     double receiverNear = 1e-6;       // the least view depth in `receivers`, above 0
     glm::dvec3 towardsLight{0, 1, 0}; // unit, local space
     TexelWidth texel;
@@ -58,9 +58,10 @@ struct CasterDetail {
 /// phi. The rule takes the least z and the largest phi that the sphere reaches, each no further than the image's
 /// corner, so corners are not under-reported and the centre is not charged for them.
 ///
-/// Off screen (the sphere is not wholly in the pyramid), for each partition whose caster volume it touches: nothing if
-/// the error is at most half a texel where the sphere's shadow falls, else e pixelsPerUnit / z at the least view depth
-/// z of the partition's receivers on the light rays through the sphere.
+/// As a caster, in view or not, for each partition whose caster volume it touches: nothing if the error is at most half
+/// a texel where the sphere's shadow falls, else e pixelsPerUnit / z at the least view depth z of the partition's
+/// receivers on the light rays through the sphere. Exact where the light meets these head-on; where it meets them at an
+/// angle a, the edge moves up to 1 / sin a times as far.
 class ErrorRule {
 public:
     /// The rule of a view that casts no shadows.
@@ -86,7 +87,7 @@ public:
     /// The part that the screen shows.
     double viewPixels(const Sphere& bounds, double error) const;
 
-    /// The part that off-screen casters show at the edges of their shadows; any number up to `floor` if it is not more.
+    /// The part that shows at the edges of shadows; any number up to `floor` if it is not more.
     double casterPixels(const Sphere& bounds, double error, double floor = 0) const;
 
 private:

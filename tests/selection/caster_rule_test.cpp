@@ -1,4 +1,4 @@
-// What the rule charges an off-screen caster, against marching along its ray of light; no less and no more.
+// What the rule charges a caster, against marching along its ray of light; no less and no more.
 #include "model_views.h"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,6 @@ TEST(CasterRule, ChargesAPointWhatItsRayOfLightMeets) {
         const CasterDetail& caster = casters[0];
         const ErrorRule rule(view, casters);
         const glm::dvec3 point = view.eye + randomPoint(random, 20);
-        if (contains(viewPyramid(view), point)) continue;
         const double error = std::exp(random.uniform(-6, 0));
         const double reported = rule.casterPixels({point, 0}, error);
         const double step = caster.receiverNear * 0.01;
@@ -92,8 +91,18 @@ TEST(CasterRule, StraightFromAboveIsTheErrorOverTheDepthBelow) {
     EXPECT_EQ(scene.pixels({{0, 100, -1}, 0.5}, 0.3), 0) << "in front of the receivers";
     EXPECT_EQ(scene.pixels({{0, 100, -9}, 0.5}, 0.3), 0) << "behind them";
     EXPECT_EQ(scene.pixels({{0, 100, -5}, 1}, 0), 0);
-    EXPECT_EQ(scene.pixels({{0, 0, -5}, 0.1}, 0.3), 0) << "in view it is drawn as it is seen";
-    EXPECT_GT(scene.pixels({{0, 5, -5}, 0.1}, 0.3), 0) << "half in view it is not wholly seen";
+    EXPECT_NEAR(scene.pixels({{0, 0, -5}, 0}, 0.3), 0.3 * 100 / 5, 1e-9) << "in view as out of it";
+}
+
+TEST(CasterRule, ACasterInViewIsChargedWhereItsShadowFallsNearTheEye) {
+    ByHand scene; // the sun is beyond what is looked at
+    scene.caster.towardsLight = glm::normalize(glm::dvec3(0, 1, -1));
+    const Sphere farAway{{0, 3, -7}, 0};
+    const double seen = ErrorRule(scene.view).pixels(farAway, 0.3);
+    EXPECT_LT(seen, 0.3 * 100 / 6);
+    EXPECT_NEAR(scene.pixels(farAway, 0.3), 0.3 * 100 / 2, 1e-9) << "its ray of light reaches depth 2 in view";
+    scene.caster.receivers.planes.push_back({{0, 1, 0}, -1}); // the model ends at y = 1, where the ray is at depth 5
+    EXPECT_NEAR(scene.pixels(farAway, 0.3), 0.3 * 100 / 5, 1e-9) << "nothing is shadowed beyond the model";
 }
 
 TEST(CasterRule, HalfATexelIsForFree) {

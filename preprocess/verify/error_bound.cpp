@@ -217,8 +217,8 @@ private:
                 if (corner++ % stride == 0)
                     samples.push_back({first + k / 3, finest_.soup.corner(first + k / 3, k % 3)});
         const auto nearest = nearestTo(samples, TriangleTree(cut.soup));
-        for (std::size_t i = 0; i < nearest.size(); ++i)
-            note(refinedGroup(cut.partOf(nearest[i].triangle)), nearest[i].distance - model_.summary.grid.snapError());
+        for (const TriangleTree::Nearest& found : nearest)
+            note(refinedGroup(cut.partOf(found.triangle)), found.distance - model_.summary.grid.snapError());
     }
 
     void note(std::uint32_t group, double distance) {

@@ -142,6 +142,7 @@ std::string page(const Report& report) {
     std::string text(kPageHtml);
     substitute(text, "/*CSS*/", kPageCss);
     substitute(text, "/*CHART*/", kChartJs);
+    substitute(text, "/*PICTURES*/", kPicturesJs);
     substitute(text, "/*JS*/", kPageJs);
     substitute(text, "/*DATA*/", scriptSafe(pageData(report))); // last: its names may hold any of the marks
     return text;

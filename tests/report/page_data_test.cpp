@@ -199,7 +199,7 @@ TEST(Page, EndsItsDataOnlyWhereTheDataEndsWhateverNamesSay) {
 
 TEST(Page, HasAllItsPartsWhole) {
     const std::string html = page(Report());
-    for (const std::string_view part : {kPageCss, kPageJs, kChartJs}) {
+    for (const std::string_view part : {kPageCss, kPicturesJs, kPageJs, kChartJs}) {
         EXPECT_GT(part.size(), 100U);
         EXPECT_NE(html.find(part), std::string::npos);
     }

@@ -275,35 +275,6 @@ function drawPath() {
   });
 }
 
-/// Shows the picture of a run on the left and what it should be on the right, where the page holds them.
-function lookAt(run) {
-  const place = (kind) => data.pictures.findIndex((picture) => run && picture.run === run.name && picture.kind === kind);
-  for (const [side, index] of [["left", place("picture")], ["right", place("reference")]]) {
-    if (index < 0) continue;
-    element(`${side}-picture`).value = index;
-    element(`${side}-picture`).dispatchEvent(new Event("change"));
-  }
-}
-
-function showPictures() {
-  if (data.pictures.length === 0) return void element("pictures-section").remove();
-  for (const side of ["left", "right"]) {
-    const select = element(`${side}-picture`);
-    data.pictures.forEach((picture, i) => select.add(new Option(`${picture.run}: ${picture.kind}`, i)));
-    select.value = side === "left" ? 0 : data.pictures.length - 1;
-    const show = () => { element(`${side}-image`).src = data.pictures[select.value].src; };
-    select.addEventListener("change", show);
-    show();
-  }
-  const slide = () => {
-    const percent = element("slider").value;
-    element("left-image").style.clipPath = `inset(0 ${100 - percent}% 0 0)`;
-    element("divider").style.left = `${percent}%`;
-  };
-  element("slider").addEventListener("input", slide);
-  slide();
-}
-
 function showTable() {
   const settings = [...new Set(data.runs.flatMap((run) => Object.keys(run.settings)))];
   const columns = [
@@ -395,6 +366,7 @@ drawStorage();
 drawPromises();
 drawStages();
 drawPath();
+showPrices();
 showPictures();
 showTable();
 document.documentElement.dataset.ready = "yes";

@@ -149,8 +149,8 @@ BenchRun runOf(const settings::Settings& own, const std::vector<settings::Settin
         const std::string value = setting.text(own);
         const bool varies = std::any_of(
             all.begin(), all.end(), [&](const settings::Settings& other) { return setting.text(other) != value; });
-        if (varies) run.name = joined(run.name, "/", setting.column() + ":" + value);
         if (!settings::appliesTo(setting, own)) continue;
+        if (varies) run.name = joined(run.name, "/", setting.column() + ":" + value);
         if (varies || !setting.isDefault(own)) run.options = joined(run.options, " ", setting.option() + " " + value);
     }
     if (own.quality.cellScheme != plan::Quality().cellScheme)
@@ -160,13 +160,25 @@ BenchRun runOf(const settings::Settings& own, const std::vector<settings::Settin
     return run;
 }
 
+/// Whether `a` and `b` draw exact shadows alike: they differ at most in how shadow maps would be.
+bool areTheSameExact(const settings::Settings& a, const settings::Settings& b) {
+    if (a.quality.shadows != plan::ShadowMode::Exact || b.quality.shadows != plan::ShadowMode::Exact) return false;
+    if (a.quality.cellScheme != b.quality.cellScheme) return false;
+    const auto table = settings::table();
+    return std::all_of(table.begin(), table.end(), [&](const settings::Setting& setting) {
+        return !settings::appliesTo(setting, a) || setting.text(a) == setting.text(b);
+    });
+}
+
 } // namespace
 
 std::vector<BenchRun> runsOf(const std::vector<settings::Settings>& settings) {
     std::vector<BenchRun> runs;
     runs.reserve(settings.size());
-    for (const settings::Settings& each : settings)
-        runs.push_back(runOf(each, settings));
+    for (const settings::Settings& each : settings) {
+        const auto isThere = [&](const BenchRun& run) { return areTheSameExact(run.settings, each); };
+        if (std::none_of(runs.begin(), runs.end(), isThere)) runs.push_back(runOf(each, settings));
+    }
     return runs;
 }
 

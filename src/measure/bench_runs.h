@@ -42,7 +42,7 @@ struct RunResult {
     double firstFrameMs = 0; // from the start of the process to the end of the run's first frame, warm-up or not
 };
 
-/// One run for each of `settings`, in their order.
+/// One run for each of `settings`, in their order; one for all that draw exact shadows and differ in their maps alone.
 std::vector<BenchRun> runsOf(const std::vector<settings::Settings>& settings);
 
 /// Walks every run along `path`: warm-up frames, then `frames` frames evenly over the path, as often as asked. Each

@@ -27,6 +27,23 @@ TEST(BenchRuns, AreCalledByWhatVaries) {
     EXPECT_EQ(runsOf({settings::Settings()})[0].options, "");
 }
 
+TEST(BenchRuns, DrawExactShadowsOnceForAllNumbersOfMaps) {
+    const std::array axes = {
+        settings::parseAxis(settings::named("error-pixels"), "--error-pixels", "1,2"),
+        settings::parseAxis(settings::named("shadows"), "--shadows", "maps,exact"),
+        settings::parseAxis(settings::named("z-partitions"), "--shadow-maps", "1,4,8")};
+    std::vector<std::string> names;
+    for (const BenchRun& run : runsOf(settings::combinations({}, axes)))
+        names.push_back(run.name);
+    std::vector<std::string> expected;
+    for (const std::string error : {"error_pixels:1/", "error_pixels:2/"}) {
+        for (const char* maps : {"1", "4", "8"})
+            expected.push_back(error + "shadows:maps/z_partitions:" + maps);
+        expected.push_back(error + "shadows:exact");
+    }
+    EXPECT_EQ(names, expected);
+}
+
 TEST(ReportRuns, ContradictNoWarpThatIsAskedFor) {
     settings::Settings warped;
     warped.quality.warp.rule = shadow::WarpRule::Lspsm;

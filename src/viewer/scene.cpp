@@ -1,5 +1,6 @@
 #include "viewer/scene.h"
 
+#include "executor/light/eye_dome.h"
 #include "executor/overlay/upscaled.h"
 #include "executor/software_executor.h"
 #include "proof/frame_proof.h"
@@ -84,9 +85,9 @@ executor::Picture Scene::picture() const {
     return samples() > 1 ? accumulation_.picture() : executor_->picture();
 }
 
-ShownPicture Scene::shown(const glm::ivec2& size) {
+ShownPicture Scene::shown(const glm::ivec2& size, bool darkensHollows) {
     if (!frame_) return {};
-    if (textures_ != nullptr && samples() <= 1) {
+    if (textures_ != nullptr && samples() <= 1 && !darkensHollows) {
         // Software OpenGL would take longer for that than for all the rest of the window.
         const GLint filter = context_->isHardware() ? GL_LINEAR : GL_NEAREST;
         context_->api().textureParameteri(textures_->texture().id(), GL_TEXTURE_MAG_FILTER, filter);
@@ -94,6 +95,7 @@ ShownPicture Scene::shown(const glm::ivec2& size) {
     }
     if (!isUploaded_) {
         executor::Picture picture = this->picture();
+        if (darkensHollows) executor::darkenHollows(picture, executor_->viewDepth());
         const bool isLess = picture.width < size.x && picture.height < size.y;
         if (isLess) picture = executor::upscaled(picture, size.x, size.y);
         if (uploaded_.width() != picture.width || uploaded_.height() != picture.height)

@@ -67,8 +67,8 @@ public:
     /// The last frame's, or the mean, as `gnomon render` would write it.
     executor::Picture picture() const;
 
-    /// The same as a texture, to be shown with `size` pixels.
-    ShownPicture shown(const glm::ivec2& size);
+    /// The same as a texture, to be shown with `size` pixels, its hollows darkened if that is wanted.
+    ShownPicture shown(const glm::ivec2& size, bool darkensHollows);
 
     /// Whether the last frame had anything to draw.
     bool isAnythingInView() const { return !frame_ || !frame_->facts.visible || frame_->facts.visible->anything; }

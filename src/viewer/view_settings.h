@@ -30,6 +30,7 @@ struct ViewSettings {
     executor::Overlay overlay = executor::Overlay::None;
     double targetMs = 0;     // 0: none
     bool showsFacts = false; // all of them; else a line
+    bool darkensHollows = false;
     bool showsPanel = false;
     bool showsHelp = false;
 };

@@ -1,5 +1,6 @@
 // Light: the curves against their definitions, and what each shading shows of surfaces that lie differently.
 #include "executor/light/background.h"
+#include "executor/light/eye_dome.h"
 #include "executor/light/light_model.h"
 #include "executor/light/picture_sum.h"
 #include "tests/executor/field.h"
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace gnomon::executor {
 namespace {
@@ -35,6 +37,45 @@ TEST(Transfer, NeverFalls) {
         EXPECT_LE(displayFromLinear(value(i - 1)), displayFromLinear(value(i)));
         EXPECT_LE(linearFromDisplay(value(i - 1)), linearFromDisplay(value(i)));
     }
+}
+
+TEST(EyeDome, DarkensWhatLiesBehindItsSurroundingsAndNoPlane) {
+    const Picture grey(40, 30, {150, 120, 90});
+    const auto shown = [&](const auto& depthAt) {
+        FloatPicture depth(grey.width, grey.height);
+        for (int y = 0; y < depth.height; ++y)
+            for (int x = 0; x < depth.width; ++x)
+                depth.at(x, y) = static_cast<float>(depthAt(x, y));
+        Picture picture = grey;
+        darkenHollows(picture, depth);
+        return picture;
+    };
+    const auto inside = [&](const Picture& picture, const auto& expect) {
+        for (int y = 2; y + 2 < picture.height; ++y)
+            for (int x = 2; x + 2 < picture.width; ++x)
+                expect(x, y, picture.at(x, y));
+    };
+    // A floor that runs to the horizon: 1/depth falls evenly.
+    inside(shown([](int /*x*/, int y) { return 1 / (0.001 + 0.01 * y); }), [&](int x, int y, const Rgb& pixel) {
+        EXPECT_EQ(pixel, (Rgb{150, 120, 90})) << x << " " << y;
+    });
+    // A corner of two walls is dark where they meet, a ridge is not.
+    inside(
+        shown([](int x, int /*y*/) { return 1 / (0.1 + 0.01 * std::abs(x - 20)); }),
+        [&](int x, int y, const Rgb& pixel) { EXPECT_EQ(pixel[0] < 150, std::abs(x - 20) < 2) << x << " " << y; });
+    inside(
+        shown([](int x, int /*y*/) { return 1 / (0.5 - 0.01 * std::abs(x - 20)); }),
+        [&](int x, int y, const Rgb& pixel) { EXPECT_EQ(pixel[0], 150) << x << " " << y; });
+    // What stands before another thing outlines it; nothing is drawn where nothing is.
+    constexpr double kNothing = std::numeric_limits<double>::infinity();
+    inside(
+        shown([](int x, int /*y*/) { return x < 10   ? 1
+                                            : x < 20 ? 5
+                                                     : kNothing; }),
+        [&](int x, int y, const Rgb& pixel) {
+            const bool isBehind = x == 10 || x == 11;
+            EXPECT_EQ(pixel[0] < 150, isBehind) << x << " " << y;
+        });
 }
 
 TEST(PictureSum, OfEqualPicturesIsEachOfThem) {

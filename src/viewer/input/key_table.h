@@ -22,6 +22,7 @@ enum class Action : std::uint8_t {
     TogglePanel,
     ToggleFacts,
     ToggleHelp,
+    ToggleHollows,
     Record,
     Play,
     Screenshot, // value 1: with what is drawn over it

@@ -10,6 +10,9 @@ bool changeShown(const Binding& binding, ViewSettings& settings) {
     case Action::ToggleHelp:
         settings.showsHelp = !settings.showsHelp;
         return true;
+    case Action::ToggleHollows:
+        settings.darkensHollows = !settings.darkensHollows;
+        return true;
     case Action::TogglePanel:
         settings.showsPanel = !settings.showsPanel;
         return true;

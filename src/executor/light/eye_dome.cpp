@@ -1,0 +1,47 @@
+#include "executor/light/eye_dome.h"
+
+#include "core/check.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace gnomon::executor {
+
+namespace {
+
+constexpr float kStrength = 24;
+constexpr float kDarkest = 0.3F;
+/// One of each two opposite neighbours, at the distances of pixels that lines of two are drawn with.
+constexpr std::array<std::array<int, 2>, 4> kAround = {{{2, 0}, {0, 2}, {1, 1}, {1, -1}}};
+
+} // namespace
+
+void darkenHollows(Picture& picture, const FloatPicture& depth) {
+    GNOMON_CHECK(picture.width == depth.width && picture.height == depth.height);
+    const int width = picture.width;
+    const int height = picture.height;
+    const auto inverse = [&](int x, int y) {
+        return 1 / depth.at(std::clamp(x, 0, width - 1), std::clamp(y, 0, height - 1)); // 0 where nothing is
+    };
+    tbb::parallel_for(tbb::blocked_range<int>(0, height, 16), [&](const auto& rows) {
+        for (int y = rows.begin(); y < rows.end(); ++y)
+            for (int x = 0; x < width; ++x) {
+                const float own = inverse(x, y);
+                if (!(own > 0)) continue;
+                float hollow = 0;
+                for (const auto& [right, down] : kAround) {
+                    const float around = 0.5F * (inverse(x + right, y + down) + inverse(x - right, y - down));
+                    hollow += std::clamp(around / own - 1, 0.0F, 1.0F);
+                }
+                const float light = std::max(1 / (1 + kStrength / 4 * hollow), kDarkest);
+                for (std::uint8_t& channel : picture.at(x, y))
+                    channel = static_cast<std::uint8_t>(std::lround(light * static_cast<float>(channel)));
+            }
+    });
+}
+
+} // namespace gnomon::executor

@@ -98,7 +98,10 @@ telemetry::FrameRow frameRow(
     row.depthRatio = plan.far / plan.near;
     row.lightAngle = degreesFromRadians(plan.lightAngleRadians);
     row.occlusion = plan.skipsHidden ? "on" : "off";
-    if (drawn.image.occlusion) row.clustersHidden = toCount(drawn.image.occlusion->clustersHidden);
+    if (drawn.image.occlusion) {
+        row.clustersHidden = toCount(drawn.image.occlusion->clustersHidden);
+        row.trianglesSetUp = toCount(drawn.image.occlusion->trianglesSetUp);
+    }
     row.shadows = wordOf(plan::kShadowModes, quality.shadows);
     if (drawn.exact) setExact(*drawn.exact, row);
     if (plan.predicted) row.predictedSampleTests = std::llround(plan.predicted->sampleTests);

@@ -63,6 +63,10 @@ void OcclusionPass::prepare(
     boundClusters(boxes);
     snapped.addCuts();
     orderItems(viewport);
+    const std::size_t words = snapped.all().size() * TriangleBits().size();
+    setUpBits_ = setUp_.reserve(words);
+    for (std::size_t i = 0; i < words; ++i)
+        setUpBits_[i].store(0, std::memory_order_relaxed);
 }
 
 void OcclusionPass::boundClusters(std::span<const CellBox> boxes) {
@@ -115,6 +119,12 @@ void OcclusionPass::requireSnapped(std::uint32_t cluster) {
         std::this_thread::yield();
 }
 
+/// Of the tiles that a cluster lies in, each may hide others of its triangles.
+void OcclusionPass::noteSetUp(std::uint32_t cluster, const TriangleBits& bits) {
+    for (std::size_t i = 0; i < bits.size(); ++i)
+        if (bits[i] != 0) setUpBits_[cluster * bits.size() + i].fetch_or(bits[i], std::memory_order_relaxed);
+}
+
 template <class Depths>
 std::uint64_t OcclusionPass::drawOver(
     const PixelBox& tile, std::span<const std::uint32_t> indices, typename Depths::Pixel* pixels) {
@@ -135,7 +145,7 @@ std::uint64_t OcclusionPass::drawOver(
             covered += drawDepthTile(work, pixels);
         } else {
             if (depths.hides(box, reversedNearness(clampedDepth(cluster.mostZ)))) continue;
-            drawVisibilityTile(work, pixels);
+            noteSetUp(drawn.cluster, drawVisibilityTile(work, pixels, &depths));
         }
         depths.noteDrawn(box);
     }
@@ -152,6 +162,9 @@ std::uint64_t OcclusionPass::drawTile(const PixelBox& tile, std::span<const std:
 
 OcclusionCounts OcclusionPass::counts() const {
     OcclusionCounts counts;
+    for (std::size_t i = 0; i < snapped_->all().size() * TriangleBits().size(); ++i)
+        counts.trianglesSetUp +=
+            static_cast<std::uint64_t>(std::popcount(setUpBits_[i].load(std::memory_order_relaxed)));
     for (const Drawn& drawn : drawn_) {
         const std::uint32_t i = drawn.cluster;
         if (!isBounded(i) || stages_[i].load(std::memory_order_relaxed) == Stage::Snapped) continue;

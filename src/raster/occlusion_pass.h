@@ -6,6 +6,7 @@
 #include "raster/buffer.h"
 #include "raster/farthest_depths.h"
 #include "raster/snapped_clusters.h"
+#include "raster/tile_work.h"
 
 #include <atomic>
 #include <vector>
@@ -63,6 +64,7 @@ private:
     void boundClusters(std::span<const CellBox> boxes);
     void orderItems(const PixelBox& viewport);
     void requireSnapped(std::uint32_t cluster);
+    void noteSetUp(std::uint32_t cluster, const TriangleBits& bits);
 
     std::span<const Cluster> input_;
     Projection projection_;
@@ -74,7 +76,9 @@ private:
     std::vector<std::uint64_t> keys_;      // above how far behind the near plane, below the cluster
     std::vector<std::uint64_t> scratch_;
     std::vector<BinItem> items_;
-    std::vector<Drawn> drawn_; // of each item
+    std::vector<Drawn> drawn_;                 // of each item
+    Buffer<std::atomic<std::uint64_t>> setUp_; // TriangleBits of each of snapped_'s clusters
+    std::atomic<std::uint64_t>* setUpBits_ = nullptr;
 };
 
 } // namespace gnomon::raster

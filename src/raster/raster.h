@@ -39,6 +39,7 @@ struct CellBox {
 struct OcclusionCounts {
     std::uint64_t clustersHidden = 0;  // whose boxes touch the viewport, and whose vertices were not looked at
     std::uint64_t trianglesHidden = 0; // of these
+    std::uint64_t trianglesSetUp = 0;  // of a visibility pass: given edge functions
     bool operator==(const OcclusionCounts&) const = default;
 };
 
@@ -145,8 +146,9 @@ public:
 
     /// The same words as `drawVisibility` leaves, to the bit, without looking at what lies behind what is seen: draws
     /// each tile from the front to the back, and tests `boxes`, each of which holds the positions of its cluster,
-    /// against the farthest depths of what is drawn there (Greene, Kass, Miller 1993). What was left out depends
-    /// neither on the number of threads nor on the instruction set.
+    /// against the farthest depths of what is drawn there (Greene, Kass, Miller 1993); of clusters that are not
+    /// hidden, each triangle against the pixels between its extremes. What was left out depends neither on the number
+    /// of threads nor on the instruction set.
     OcclusionCounts drawVisible(
         std::span<const Cluster> clusters,
         std::span<const CellBox> boxes,

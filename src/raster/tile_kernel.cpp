@@ -11,6 +11,7 @@
 #define HWY_TARGET_INCLUDE "raster/tile_kernel.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
+#include "raster/hidden_lanes-inl.h"
 #include "raster/stored_lanes-inl.h"
 #include "raster/tile_target-inl.h"
 #include "raster/triangle_lanes-inl.h"
@@ -68,47 +69,50 @@ HWY_INLINE void packTriangles(std::span<const Triangle> triangles, PackedTriangl
     std::fill_n(packed.data() + count, kMostLanes, 0U);
 }
 
-/// Leaves out the triangles that no pixel centre of the tile can be inside of, and sorts the rest by size.
-template <bool isCompact>
-HWY_INLINE void sortTriangles(const SnappedCluster& cluster, const PixelBox& tile, SortedCluster& sorted) {
+HWY_INLINE TriangleBits bitsOf(const SortedCluster& sorted) {
+    TriangleBits bits{};
+    for (const Sorted* some : {&sorted.tiny, &sorted.small, &sorted.narrow, &sorted.wide})
+        for (std::uint32_t i = 0; i < some->count; ++i)
+            bits[some->packed[i] >> 30U] |= std::uint64_t{1} << (some->packed[i] >> 24U & 63U);
+    return bits;
+}
+
+/// Leaves out the triangles that no pixel centre of the tile can be inside of, and those that are hidden by what the
+/// target holds, where it says that they are to be; sorts the rest by size.
+template <bool isCompact, class Target>
+HWY_INLINE void sortTriangles(
+    const SnappedCluster& cluster, const PixelBox& tile, Target& target, SortedCluster& sorted) {
     PackedTriangles packed; // NOLINT(cppcoreguidelines-pro-type-member-init): packTriangles fills it
     packTriangles(cluster.triangles, packed);
     sorted.tiny.count = sorted.small.count = sorted.narrow.count = sorted.wide.count = 0;
     const CornerSource<isCompact> cornerAt(cluster, tile);
-    const auto round = hn::Set(kInts, kSubpixels - 1);
-    const auto one = hn::Set(kInts, kSubpixels);
     const auto lanes = static_cast<std::uint32_t>(hn::Lanes(kInts));
+    bool skipsHidden = false;
+    if constexpr (Target::kHasIds)
+        skipsHidden = target.farthest != nullptr && mayHideSome<isCompact>(cluster, tile, target);
     for (std::uint32_t first = 0; first < cluster.triangles.size(); first += lanes) {
         const auto corners = hn::BitCast(kInts, hn::LoadU(kUints, packed.data() + first));
-        const PointLanes a = cornerAt(cornerIndex<0>(corners));
-        const PointLanes b = cornerAt(cornerIndex<1>(corners));
-        const PointLanes c = cornerAt(cornerIndex<2>(corners));
-        const auto minX = least(a.x, b.x, c.x);
-        const auto maxX = largest(a.x, b.x, c.x);
-        const auto minY = least(a.y, b.y, c.y);
-        const auto maxY = largest(a.y, b.y, c.y);
-        const auto firstX = hn::ShiftRight<kSubpixelBits>(hn::Add(minX, round));
-        const auto firstY = hn::ShiftRight<kSubpixelBits>(hn::Add(minY, round));
-        const auto endX = hn::ShiftRight<kSubpixelBits>(hn::Add(maxX, one));
-        const auto endY = hn::ShiftRight<kSubpixelBits>(hn::Add(maxY, one));
-        const auto overlaps = hn::And(
-            hn::Lt(hn::Max(firstX, hn::Zero(kInts)), hn::Min(endX, hn::Set(kInts, tile.width()))),
-            hn::Lt(hn::Max(firstY, hn::Zero(kInts)), hn::Min(endY, hn::Set(kInts, tile.height()))));
-        const auto extent = hn::Max(hn::Sub(maxX, minX), hn::Sub(maxY, minY));
-        const auto pixels = hn::Max(hn::Sub(endX, firstX), hn::Sub(endY, firstY));
-        const auto isTiny = hn::Lt(pixels, hn::Set(kInts, 3));
-        const auto isSmall = hn::Lt(pixels, hn::Set(kInts, 5));
-        const auto isNarrow = hn::Lt(extent, hn::Set(kInts, kNarrowExtent));
-        sorted.tiny.add(corners, hn::And(overlaps, isTiny));
-        sorted.small.add(corners, hn::And(overlaps, hn::AndNot(isTiny, isSmall)));
-        const auto larger = hn::AndNot(isSmall, overlaps);
+        const ExtentLanes extent = extentLanes(
+            cornerAt(cornerIndex<0>(corners)),
+            cornerAt(cornerIndex<1>(corners)),
+            cornerAt(cornerIndex<2>(corners)),
+            tile);
+        auto drawn = extent.overlaps;
+        if constexpr (Target::kHasIds) {
+            if (skipsHidden && !hn::AllFalse(kInts, drawn))
+                drawn = hn::AndNot(isHidden(cluster, corners, extent, target), drawn);
+        }
+        sorted.tiny.add(corners, hn::And(drawn, extent.isTiny));
+        sorted.small.add(corners, hn::And(drawn, hn::AndNot(extent.isTiny, extent.isSmall)));
+        const auto larger = hn::AndNot(extent.isSmall, drawn);
         if (hn::AllFalse(kInts, larger)) continue;
-        sorted.narrow.add(corners, hn::And(larger, isNarrow));
-        sorted.wide.add(corners, hn::AndNot(isNarrow, larger));
+        sorted.narrow.add(corners, hn::And(larger, extent.isNarrow));
+        sorted.wide.add(corners, hn::AndNot(extent.isNarrow, larger));
     }
     sorted.tiny.pad();
     sorted.small.pad();
     sorted.narrow.pad();
+    if constexpr (Target::kHasIds) target.setUp = bitsOf(sorted);
 }
 
 /// Whether a cluster reaches over the right or the upper edge of the tile, into its memory's margin.
@@ -226,7 +230,7 @@ HWY_INLINE void drawWide(const SnappedCluster& cluster, std::uint32_t packed, co
 template <bool isCompact, class Target>
 HWY_INLINE void drawCluster(
     const SnappedCluster& cluster, const PixelBox& tile, SortedCluster& sorted, Target& target) {
-    sortTriangles<isCompact>(cluster, tile, sorted);
+    sortTriangles<isCompact>(cluster, tile, target, sorted);
     drawSmall<isCompact, 2>(cluster, sorted.tiny, tile, target);
     drawSmall<isCompact, 4>(cluster, sorted.small, tile, target);
     drawNarrow<isCompact>(cluster, sorted.narrow, tile, target);
@@ -260,9 +264,10 @@ std::uint64_t drawDepthInLanes(const TileWork& work, float* depths) {
     return tile.covered;
 }
 
-void drawVisibilityInLanes(const TileWork& work, std::uint64_t* words) {
-    VisibilityTile tile{words};
+TriangleBits drawVisibilityInLanes(const TileWork& work, std::uint64_t* words, FarthestDepths<WordDepths>* farthest) {
+    VisibilityTile tile{words, farthest};
     drawTile(work, tile);
+    return tile.setUp;
 }
 
 } // namespace gnomon::raster::HWY_NAMESPACE
@@ -279,8 +284,8 @@ std::uint64_t drawDepthTile(const TileWork& work, float* depths) {
     return HWY_DYNAMIC_DISPATCH(drawDepthInLanes)(work, depths);
 }
 
-void drawVisibilityTile(const TileWork& work, std::uint64_t* words) {
-    HWY_DYNAMIC_DISPATCH(drawVisibilityInLanes)(work, words);
+TriangleBits drawVisibilityTile(const TileWork& work, std::uint64_t* words, FarthestDepths<WordDepths>* farthest) {
+    return HWY_DYNAMIC_DISPATCH(drawVisibilityInLanes)(work, words, farthest);
 }
 
 } // namespace gnomon::raster

@@ -7,6 +7,7 @@
 #define GNOMON_RASTER_TILE_TARGET_INL_H
 #endif
 
+#include "raster/farthest_depths.h"
 #include "raster/triangle_lanes-inl.h"
 
 #include <hwy/highway.h>
@@ -69,7 +70,16 @@ struct DepthTile {
 struct VisibilityTile {
     static constexpr bool kHasIds = true;
     static constexpr bool kCounts = false;
-    std::uint64_t* words;
+    std::uint64_t* words = nullptr;
+    FarthestDepths<WordDepths>* farthest = nullptr; // of the words, where triangles are held against them
+    TriangleBits setUp{};                           // of the cluster that was drawn last
+
+    /// The nearness of what each lane's pixel holds; a float's bits order as it does.
+    HWY_INLINE Ints nearness(Ints address) const {
+        constexpr int kUpperHalf = std::endian::native == std::endian::little ? 1 : 0;
+        const auto* halves = reinterpret_cast<const std::int32_t*>(words);
+        return hn::GatherIndex(kInts, halves, hn::Add(hn::ShiftLeft<1>(address), hn::Set(kInts, kUpperHalf)));
+    }
 
     HWY_INLINE void takeHits(const Hits& hits) const {
         for (std::size_t i = 0; i < hits.count; ++i) {

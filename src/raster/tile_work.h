@@ -3,6 +3,9 @@
 
 #include "raster/vertex_kernel.h"
 
+#include <array>
+#include <cstdint>
+
 namespace gnomon::raster {
 
 /// Tiles are squares of at most this many pixels.
@@ -24,6 +27,9 @@ struct SnappedCluster {
     PixelBox box;                               // holds every pixel that it can cover
     float mostZ = 0;                            // of its vertices
 };
+
+/// Triangles of a cluster by their places, a bit each.
+using TriangleBits = std::array<std::uint64_t, kMaxClusterTriangles / 64>;
 
 /// A tile and the clusters that touch it.
 struct TileWork {

@@ -142,6 +142,7 @@ constexpr std::array kColumns = {
     Column{"samples_per_pixel", read<&R::samplesPerPixel>},
     Column{"sun_angle", read<&R::sunAngle>},
     Column{"light_error", read<&R::lightError>},
+    Column{"triangles_set_up", read<&R::trianglesSetUp>},
 };
 
 } // namespace

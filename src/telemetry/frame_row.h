@@ -87,6 +87,7 @@ struct FrameRow {
     std::optional<std::int64_t> samplesPerPixel;
     std::optional<double> sunAngle;
     std::optional<double> lightError;
+    std::optional<std::int64_t> trianglesSetUp; // given edge functions in an image without what is hidden
 };
 
 /// The value of a column; nothing if it was not measured.

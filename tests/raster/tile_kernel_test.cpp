@@ -1,4 +1,5 @@
 // One tile drawn by itself, against plain code over the tile's pixels, on every instruction set.
+#include "core/random.h"
 #include "raster/prefetch.h"
 #include "raster/tile_kernel.h"
 #include "raster/tile_work.h"
@@ -9,8 +10,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
+#include <cmath>
 #include <deque>
+#include <optional>
 
 namespace gnomon::raster {
 namespace {
@@ -109,6 +114,103 @@ TEST(TileKernel, DrawsOneTileAsPlainlyOnEveryInstructionSet) {
                 compareTile(snapped, view, box);
         }
     });
+}
+
+/// Triangles of about `size` pixels around (x, y), at any depth near `depth`.
+void addHeap(Scene& scene, Random& random, double x, double y, double size) {
+    const double depth = random.uniform(0.1, 0.9);
+    const auto cells = [](double at) {
+        return static_cast<std::uint32_t>(static_cast<std::int64_t>(kSceneCenter) + std::llround(at));
+    };
+    std::vector<std::array<std::uint32_t, 3>> positions;
+    std::vector<Triangle> triangles;
+    for (std::uint8_t t = 0; t < 40; ++t) {
+        const double left = x + random.uniform(-2, 2) * size;
+        const double low = y + random.uniform(-2, 2) * size;
+        for (int corner = 0; corner < 3; ++corner)
+            positions.push_back(
+                {cells((left + random.uniform(-1, 1) * size) * kFlatPixel),
+                 cells((low + random.uniform(-1, 1) * size) * kFlatPixel),
+                 cells((depth + random.uniform(-0.05, 0.05)) * 0x1p20)});
+        const auto first = static_cast<std::uint8_t>(3 * t);
+        triangles.push_back({first, static_cast<std::uint8_t>(first + 1), static_cast<std::uint8_t>(first + 2)});
+    }
+    scene.add(std::move(positions), std::move(triangles));
+}
+
+/// Whether a pixel of `tile` between the extremes of a triangle holds nothing nearer than it could be.
+bool mayBeSeen(
+    const SnappedCluster& cluster,
+    const Triangle& triangle,
+    const PixelBox& tile,
+    const std::vector<std::uint64_t>& words) {
+    std::array<int, 2> least = {1 << 30, 1 << 30};
+    std::array<int, 2> most = {-(1 << 30), -(1 << 30)};
+    float nearest = 0;
+    for (const std::uint8_t index : triangle) {
+        int x = cluster.vertices.x[index];
+        int y = cluster.isCompact ? 0 : cluster.vertices.y[index];
+        if (cluster.isCompact) {
+            const auto both = static_cast<std::uint32_t>(x);
+            x = static_cast<int>(both & 0xFFFFU) + (cluster.box.x0 - 1) * kSubpixels;
+            y = static_cast<int>(both >> 16U) + (cluster.box.y0 - 1) * kSubpixels;
+        }
+        least = {std::min(least[0], x), std::min(least[1], y)};
+        most = {std::max(most[0], x), std::max(most[1], y)};
+        nearest = std::max(nearest, std::min(cluster.vertices.z[index], 1.0F));
+    }
+    for (int y = tile.y0; y < tile.y1; ++y)
+        for (int x = tile.x0; x < tile.x1; ++x) {
+            const bool isBetween = x * kSubpixels >= least[0] && x * kSubpixels <= most[0] &&
+                                   y * kSubpixels >= least[1] && y * kSubpixels <= most[1];
+            if (isBetween && visibleDepth(words[inTile(x - tile.x0, y - tile.y0)]) <= nearest) return true;
+        }
+    return false;
+}
+
+/// Draws a scene's clusters one after another; how many triangles over the tile were passed by, none of which may be
+/// seen.
+int passedBy(const SnappedScene& snapped, const PixelBox& tile, std::vector<std::uint64_t>& words) {
+    const std::vector<std::uint64_t> nothing(kTilePixels, 0);
+    FarthestDepths<WordDepths> farthest(words.data(), tile.width(), tile.height());
+    int count = 0;
+    for (const std::uint32_t& index : snapped.indices) {
+        const std::vector<std::uint64_t> before = words;
+        const SnappedCluster& cluster = snapped.all[index];
+        const TriangleBits setUp = drawVisibilityTile({tile, snapped.all, {&index, 1}}, words.data(), &farthest);
+        for (std::size_t t = 0; t < cluster.triangles.size(); ++t) {
+            if ((setUp[t / 64] >> (t % 64) & 1U) != 0) continue;
+            EXPECT_FALSE(mayBeSeen(cluster, cluster.triangles[t], tile, before)) << index << ' ' << t;
+            count += mayBeSeen(cluster, cluster.triangles[t], tile, nothing) ? 1 : 0;
+        }
+        farthest.noteDrawn({0, 0, tile.width(), tile.height()});
+    }
+    return count;
+}
+
+TEST(TileKernel, PassesByTrianglesThatAreHiddenAndNoOthers) {
+    const View view = flatView(kViewport);
+    const PixelBox tile{20, 10, 120, 110};
+    for (const std::uint64_t seed : {1U, 2U, 3U}) {
+        Random random(seed);
+        Scene scene;
+        for (int i = 0; i < 60; ++i)
+            addHeap(scene, random, random.uniform(0, 300), random.uniform(0, 250), std::exp2(random.uniform(0, 7)));
+        const SnappedScene snapped(scene.clusters(), projection(view, true));
+        const PlainTile plain(snapped.kept, view, tile);
+        std::optional<int> passed;
+        tests::onEachTarget([&](const char* name) {
+            SCOPED_TRACE(name);
+            std::vector<std::uint64_t> words(kTilePixels, 0);
+            const int count = passedBy(snapped, tile, words);
+            EXPECT_EQ(count, passed.value_or(count));
+            passed = count;
+            for (int y = 0; y < tile.height(); ++y)
+                EXPECT_TRUE(
+                    std::equal(&words[inTile(0, y)], &words[inTile(tile.width(), y)], &plain.words[inTile(0, y)]));
+        });
+        EXPECT_GT(passed.value_or(0), 30);
+    }
 }
 
 TEST(TileKernel, TakesNamesFromAListWhereThereIsOne) {

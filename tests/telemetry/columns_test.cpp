@@ -35,7 +35,8 @@ void fillMeasured(FrameRow& row) {
                                                &row.predictedSampleTests,
                                                &row.clustersHidden,
                                                &row.imageWidthDrawn,
-                                               &row.samplesPerPixel})
+                                               &row.samplesPerPixel,
+                                               &row.trianglesSetUp})
         *field = ++whole;
     double real = 0.5;
     for (std::optional<double>* field :

@@ -23,7 +23,8 @@ TEST(FrameRow, ColumnsAreThoseOfTheContractInItsOrder) {
         "promised_aliasing_z,measured_aliasing,promise_kept,wrong_shadow_fraction,shadow_edge_p99_px,"
         "image_difference,crawl,since_start_ms,missed_shadow_fraction,unexplained_shadow_fraction,"
         "shadows,shadow_samples,shadow_cells,sample_tests,exact_decisions,touching_pixels,predicted_sample_tests,"
-        "occlusion,clusters_hidden,wrong_pixels_all,image_width_drawn,samples_per_pixel,sun_angle,light_error");
+        "occlusion,clusters_hidden,wrong_pixels_all,image_width_drawn,samples_per_pixel,sun_angle,light_error,"
+        "triangles_set_up");
 }
 
 TEST(FrameRow, EveryRowHasEveryCell) {

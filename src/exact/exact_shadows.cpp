@@ -127,7 +127,9 @@ ExactStatistics ExactShadows::decide(const ExactQuestion& question) {
         coordinateError,
         mostTolerance(samples_),
         {&sorted_[0], samples_.size()}};
-    for (std::size_t round = 0; round < kRounds.size() && grid_.size() > 0; ++round) {
+    for (std::size_t round = 0; round < kRounds.size(); ++round) {
+        statistics.endedEarly = grid_.size() == 0;
+        if (statistics.endedEarly) break;
         statistics.cast += castRound(context, kRounds[round]);
         if (round + 1 < kRounds.size()) removeDark();
     }

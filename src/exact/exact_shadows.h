@@ -13,6 +13,7 @@ struct ExactStatistics {
     std::uint64_t cells = 0;   // of all maps
     std::uint64_t dark = 0;
     std::uint64_t darkWithoutTolerance = 0; // were every tolerance 0
+    bool endedEarly = false;                // all samples were dark before the last round of casters
     std::uint64_t touching = 0; // samples whose verdict hangs on the tolerance, or on the rule for ties at an edge
     CastCounts cast;
 };

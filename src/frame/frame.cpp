@@ -31,6 +31,8 @@ Frame Renderer::render(const plan::View& view, const plan::Quality& quality, con
         drawn = draw(frame, options);
     }
     wasSunless_ = frame.isSunless;
+    if (drawn.exact && drawn.exact->endedEarly)
+        frame.plan.omitted.push_back({plan::Effect::LateCasters, plan::OmissionReason::AllAreDark});
     frame.row =
         frameRow(frame, drawn, {model_->path(), executor_->name(), residency_.statistics(), residency_.rayTreeBytes()});
     frame.row.totalMs = watch.elapsed().count;

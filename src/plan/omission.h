@@ -22,6 +22,7 @@ enum class Effect : std::uint8_t {
     PartitionCulling,
     ReceiverMasks,
     OcclusionCulling,
+    LateCasters, // of exact shadows: what was still to be cast
 };
 
 enum class OmissionReason : std::uint8_t {
@@ -45,6 +46,7 @@ enum class OmissionReason : std::uint8_t {
     FewCasters,         // beside the pixels: finding out who receives light would cost more than they do
     ExecutorDrawsAll,   // whatever hides it
     FewLayers,          // of clusters over a pixel
+    AllAreDark,         // the visible points that face the light, before all casters were looked at
 };
 
 /// Something that this view does not call for.

@@ -69,6 +69,8 @@ std::string effectInWords(const plan::Omission& omission) {
         return "receiver masks";
     case Effect::OcclusionCulling:
         return "occlusion culling";
+    case Effect::LateCasters:
+        return "the casters that were left";
     }
     return "";
 }
@@ -119,6 +121,8 @@ std::string reasonInWords(const plan::Omission& omission) {
         return "only the software executor leaves out what is hidden";
     case OmissionReason::FewLayers:
         return "few clusters lie behind one another, so little is hidden";
+    case OmissionReason::AllAreDark:
+        return "all that is seen and faces the light was dark before they were looked at";
     }
     return "";
 }

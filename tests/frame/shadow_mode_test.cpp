@@ -183,10 +183,16 @@ TEST(ShadowMode, CastersStopWhereTheLastSampleIsDark) {
     EXPECT_GT(*frame.row.shadowSamples, 1000);
     EXPECT_GT(frame.cut.lists[1].clusters, 40U);
     EXPECT_LT(*frame.row.castersTested, static_cast<std::int64_t>(frame.cut.lists[1].clusters) / 4);
+    const plan::Omission late{Effect::LateCasters, OmissionReason::AllAreDark};
+    EXPECT_EQ(std::count(frame.plan.omitted.begin(), frame.plan.omitted.end(), late), 1);
     quality.shadows = ShadowMode::Off;
     const executor::Picture dark = model.executor().picture();
     model.draw(view, quality);
     EXPECT_FALSE(model.executor().picture().pixels == dark.pixels) << "nothing was dark: this tests nothing";
+    quality.shadows = ShadowMode::Exact;
+    view.towardsLight = {1, 0.02, 0.01}; // from below the slabs
+    const std::vector<plan::Omission> all = model.draw(view, quality).plan.omitted;
+    EXPECT_EQ(std::count(all.begin(), all.end(), late), 0);
 }
 
 /// Views from around and within `bounds`, each with a light above the horizon.

@@ -71,8 +71,18 @@ Totals totalsOf(const CheckpointLog& log, std::map<std::string, std::string> opt
     return totals;
 }
 
+std::vector<std::span<const PageInfo>> pagesOf(const CheckpointLog& log) {
+    std::vector<std::span<const PageInfo>> pages;
+    forEachLevel(log, [&](const NodeRecord::LevelOfNode& level, std::size_t) { pages.emplace_back(level.pages); });
+    return pages;
+}
+
 void writePages(
-    const CheckpointLog& log, const scratch::ScratchFile& pages, hierarchy::ModelWriter& writer, Progress& progress) {
+    const CheckpointLog& log,
+    const scratch::ScratchFile& pages,
+    hierarchy::ModelWriter& writer,
+    Progress& progress,
+    const std::function<void(const hierarchy::EncodedPage&)>& onPage) {
     std::vector<std::vector<const NodeRecord::LevelOfNode*>> levels(log.pageCounts().size());
     forEachLevel(
         log, [&](const NodeRecord::LevelOfNode& level, std::size_t number) { levels[number].push_back(&level); });
@@ -90,6 +100,7 @@ void writePages(
                 page.bytes.resize(info.storedBytes);
                 pages.read(info.offset, page.bytes);
                 writer.append(page);
+                onPage(page);
                 progress.advance(1);
             }
 }

@@ -7,6 +7,9 @@
 #include "preprocess/pipeline/checkpoint_log.h"
 #include "preprocess/scratch/scratch_file.h"
 
+#include <functional>
+#include <span>
+
 namespace gnomon::pipeline {
 
 /// What the records of all nodes add up to.
@@ -22,8 +25,15 @@ std::array<std::uint64_t, 3> droppedTriangles(const CheckpointLog& log);
 /// `options` are those of the build that change bytes.
 Totals totalsOf(const CheckpointLog& log, std::map<std::string, std::string> options);
 
-/// Appends all pages to `writer`, coarsest level first, each level in the order of the nodes.
+/// The rows of all pages, in parts.
+std::vector<std::span<const hierarchy::PageInfo>> pagesOf(const CheckpointLog& log);
+
+/// Appends all pages to `writer`, coarsest level first, each level in the order of the nodes; `onPage` sees each.
 void writePages(
-    const CheckpointLog& log, const scratch::ScratchFile& pages, hierarchy::ModelWriter& writer, Progress& progress);
+    const CheckpointLog& log,
+    const scratch::ScratchFile& pages,
+    hierarchy::ModelWriter& writer,
+    Progress& progress,
+    const std::function<void(const hierarchy::EncodedPage&)>& onPage);
 
 } // namespace gnomon::pipeline

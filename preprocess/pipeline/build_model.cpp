@@ -15,6 +15,7 @@
 #include "preprocess/pipeline/memory_plan.h"
 #include "preprocess/pipeline/round_bins.h"
 #include "preprocess/pipeline/rounds.h"
+#include "preprocess/pipeline/upright_model.h"
 #include "preprocess/pipeline/work_directory.h"
 
 #include <tbb/global_control.h>
@@ -307,14 +308,17 @@ private:
 
     /// Writes the model.
     void assemble() {
-        const Totals totals = totalsOf(log(), optionsOf(options_));
-        const hierarchy::ModelSummary& summary = totals.summary;
+        Totals totals = totalsOf(log(), optionsOf(options_));
+        hierarchy::ModelSummary& summary = totals.summary;
         if (options_.maxStuckPercent)
             requireFewStuck(
                 options_.output, totals.stuckTriangles, summary.levels.front().triangles, *options_.maxStuckPercent);
         hierarchy::ModelWriter writer(options_.output);
-        writePages(log(), *pagesFile_, writer, progress_);
+        UprightModel upright(options_, summary, pagesOf(log()));
+        writePages(
+            log(), *pagesFile_, writer, progress_, [&](const hierarchy::EncodedPage& page) { upright.see(page); });
         source_.requireUnchanged();
+        report_.upBecause = upright.tell(summary);
         report_.contentHash = writer.finish(summary);
         report_.fileBytes = writer.bytesWritten();
         report_.pages = totals.pages;

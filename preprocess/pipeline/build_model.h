@@ -36,6 +36,7 @@ struct BuildReport {
     std::vector<BuildPhase> phases;
     std::vector<RoundReport> rounds;
     std::string contentHash;
+    std::string upBecause; // why the summary's up is what it is
 };
 
 /// Builds `options.output` from `source`, out of core: whatever the source's size, memory stays below `memory`. The

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/units.h"
+#include "hierarchy/world_frame.h"
 #include "preprocess/levels/level.h"
 
 #include <cstdint>
@@ -23,9 +24,12 @@ struct BuildOptions {
     levels::LevelOptions level;
     std::uint32_t chunkTriangles = kChunkTriangles;
     std::optional<double> maxStuckPercent;
-    int threads = 0;                 // 0: all
-    std::string temporaryFolder;     // for temporary files; empty: beside the output
-    bool isInMemory = false;         // temporary files in memory
+    int threads = 0;                     // 0: all
+    std::string temporaryFolder;         // for temporary files; empty: beside the output
+    bool isInMemory = false;             // temporary files in memory
+    std::optional<hierarchy::UpAxis> up; // nothing: guessed from the mesh's shape (hierarchy/up_guess.h)
+    std::string upBecause = "as asked";  // where it is given: who says so
+    hierarchy::Unit unit = hierarchy::Unit::Metre;
     std::vector<std::string> fields; // that the source was opened with, in order
     bool isResumed = false;          // go on with what a killed build left, if anything
     std::string inputKey;            // what tells this input from others, for a build that resumes (fingerprint.h)

@@ -45,6 +45,9 @@ nlohmann::ordered_json reportJson(
         {"rounds", rounds},
         {"triangles_per_second", report.seconds > 0 ? triangles / report.seconds : 0},
         {"content_hash", report.contentHash},
+        {"up", hierarchy::upAxisText(report.summary.up)},
+        {"up_because", report.upBecause},
+        {"unit", hierarchy::rowOf(report.summary.unit).name},
     };
 }
 

@@ -8,7 +8,9 @@
 #include "preprocess/pipeline/build_model.h"
 #include "preprocess/pipeline/fingerprint.h"
 #include "preprocess/pipeline/report_json.h"
+#include "preprocess/pipeline/source_up.h"
 #include "preprocess/read/open_mesh_sources.h"
+#include "settings/codec.h"
 #include "telemetry/json_text.h"
 
 #include <cstdio>
@@ -27,6 +29,8 @@ struct BuildCommand {
     CommonOptions common;
     std::vector<std::string> inputs;
     std::vector<std::string> fields;
+    std::string up = "auto";
+    std::string unit = "m";
     std::string output;
     std::string memory = "2G";
     std::string temporary;
@@ -61,6 +65,7 @@ void printForPeople(const BuildReport& report, const read::MeshSummary& source, 
         if (count > 0) std::printf("dropped: %s %llu\n", reason.c_str(), static_cast<unsigned long long>(count));
     for (const auto& [name, count] : source.attributesDropped)
         std::printf("not kept: %s (%llu)\n", printable(name).c_str(), static_cast<unsigned long long>(count));
+    std::printf("up %s, %s\n", hierarchy::upAxisText(report.summary.up).c_str(), printable(report.upBecause).c_str());
     std::printf(
         "%.2f s, %s triangles/s, peak %s\n",
         report.seconds,
@@ -110,7 +115,16 @@ BuildReport built(read::MeshSource& source, const pipeline::BuildOptions& option
     }
 }
 
+/// Asks for `up`; where it is auto, for what the inputs say of themselves, if anything.
+void takeUp(const glm::dvec3& up, const std::vector<std::string>& inputs, pipeline::BuildOptions& options) {
+    if (up != settings::kAutoUp)
+        options.up = hierarchy::UpAxis{glm::normalize(up)};
+    else
+        pipeline::askForUpOfSources(options, inputs);
+}
+
 void run(const BuildCommand& command) {
+    const glm::dvec3 up = settings::parsed(settings::upDirection(), "--up", command.up);
     std::vector<NamedFile> inputs;
     for (const std::string& input : command.inputs)
         inputs.push_back({"INPUT", input});
@@ -138,6 +152,8 @@ void run(const BuildCommand& command) {
     if (command.maxStuckPercent < 100) options.maxStuckPercent = command.maxStuckPercent;
     options.inputKey = pipeline::fingerprintOf(command.inputs);
     options.fields = command.fields;
+    options.unit = *hierarchy::unitNamed(command.unit);
+    takeUp(up, command.inputs, options);
     const auto source = read::openMeshSources(command.inputs, options.memory, command.fields);
     const BuildReport report = built(*source, options, command.common);
     warnOfCoarsest(report, command.output);
@@ -209,6 +225,13 @@ void addBuildCommand(CLI::App& program) {
     command
         ->add_option("--max-stuck", options->maxStuckPercent, "Fail if more percent of the triangles never get coarser")
         ->check(CLI::Range(0.0, 100.0))
+        ->capture_default_str();
+    command
+        ->add_option(
+            "--up", options->up, "x, y, z, -x, -y, -z, X,Y,Z or auto: what the source's comments say, else a guess")
+        ->capture_default_str();
+    command->add_option("--unit", options->unit, "The length of a coordinate of 1")
+        ->check(CLI::IsMember({"m", "cm", "mm", "ft", "in"}))
         ->capture_default_str();
     command->add_flag("--json", options->isJson, "Print a JSON report on stdout");
     addCommonOptions(*command, options->common);

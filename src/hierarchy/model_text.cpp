@@ -25,6 +25,12 @@ void putVector(std::ostream& out, const glm::dvec3& v) {
     out << v.x << ',' << v.y << ',' << v.z;
 }
 
+/// In brackets, why up is what it is, if the model says so.
+std::string upReason(const ModelSummary& summary) {
+    const auto found = summary.options.find("up");
+    return found == summary.options.end() ? "" : " (" + printable(found->second) + ")";
+}
+
 void putSource(std::ostream& out, const ModelSummary& summary) {
     out << "source     " << summary.sourceTriangles << " triangles, " << summary.sourceVertices << " vertices";
     for (const auto& [reason, count] : summary.dropped)
@@ -33,7 +39,8 @@ void putSource(std::ostream& out, const ModelSummary& summary) {
     putVector(out, summary.bounds.min);
     out << " to ";
     putVector(out, summary.bounds.max);
-    out << std::setprecision(6) << "\naxes       up " << upAxisText(summary.up) << ", in " << rowOf(summary.unit).name;
+    out << std::setprecision(6) << "\naxes       up " << upAxisText(summary.up) << upReason(summary) << ", in "
+        << rowOf(summary.unit).name;
     for (const Field& field : summary.fields)
         out << "\nfield      " << printable(field.name) << ' ' << field.least << " to " << field.greatest << " in "
             << field.bits << " bits";

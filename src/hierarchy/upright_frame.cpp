@@ -4,6 +4,31 @@
 
 namespace gnomon::hierarchy {
 
+namespace {
+
+/// The least box that holds the turned corners of another.
+template <class Turn>
+Box turnedBox(const Box& box, const Turn& turn) {
+    Box turned;
+    if (box.isEmpty()) return turned;
+    for (int corner = 0; corner < 8; ++corner)
+        turned.add(turn(glm::dvec3(
+            (corner & 1) != 0 ? box.max.x : box.min.x,
+            (corner & 2) != 0 ? box.max.y : box.min.y,
+            (corner & 4) != 0 ? box.max.z : box.min.z)));
+    return turned;
+}
+
+} // namespace
+
+Box uprightBox(const UprightFrame& frame, const Box& box) {
+    return turnedBox(box, [&](const glm::dvec3& corner) { return frame.toUpright(corner); });
+}
+
+Box worldBox(const UprightFrame& frame, const Box& box) {
+    return turnedBox(box, [&](const glm::dvec3& corner) { return frame.toWorld(corner); });
+}
+
 UprightFrame uprightFrame(const glm::dvec3& up) {
     UprightFrame frame;
     frame.up = up / glm::length(up);

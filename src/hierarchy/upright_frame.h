@@ -1,7 +1,7 @@
 // The axes of a model's world as someone sees them who stands on its ground.
 #pragma once
 
-#include <glm/glm.hpp>
+#include "core/box.h"
 
 namespace gnomon::hierarchy {
 
@@ -25,5 +25,9 @@ struct UprightFrame {
 /// The frame in which `up`, of any length above 0, is up: a turn of the world by quarters where `up` is an axis, which
 /// moves no digit of a number. The front is that which the usual programs have: +z where y is up, -y where z is.
 UprightFrame uprightFrame(const glm::dvec3& up);
+
+/// The least box along upright axes that holds `box` of the world, and the other way round; empty stays empty.
+Box uprightBox(const UprightFrame& frame, const Box& box);
+Box worldBox(const UprightFrame& frame, const Box& box);
 
 } // namespace gnomon::hierarchy

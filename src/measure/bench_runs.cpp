@@ -34,7 +34,7 @@ public:
           path_(path),
           options_(options),
           result_(result),
-          view_(settings::viewOf(result.run.settings, session.model().summary())),
+          view_(settings::viewOf(settings::uprightIn(result.run.settings, session.model()), session.model().summary())),
           quality_(settings::qualityOf(result.run.settings)) {
         frameOptions_.waiting = options.isRealTime ? frame::Waiting::Never : frame::Waiting::UntilComplete;
     }

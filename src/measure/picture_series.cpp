@@ -24,10 +24,11 @@ std::string nameOf(const settings::PictureSeries& series, int number) {
 /// The view that a series begins with: of a path without framing anything, of a turntable so that every turn of it is
 /// in the picture.
 plan::View firstView(const SeriesTask& task, const hierarchy::ModelFile& model, bool isWalked) {
-    if (isWalked || !settings::isFramed(task.settings)) return settings::viewOf(task.settings, model.summary());
-    const glm::dvec3 up = task.settings.up.value_or(model.summary().up.direction);
+    const settings::Settings settings = settings::uprightIn(task.settings, model);
+    if (isWalked || !settings::isFramed(settings)) return settings::viewOf(settings, model.summary());
+    const glm::dvec3 up = settings.up.value_or(model.summary().up.direction);
     const glm::dvec3 center = model.summary().bounds.center();
-    return settings::viewOf(task.settings, model.summary(), path::sweptOutline(path::outlineOf(model), center, up));
+    return settings::viewOf(settings, model.summary(), path::sweptOutline(path::outlineOf(model), center, up));
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "path/model_floor.h"
 
 #include "core/error.h"
+#include "hierarchy/upright_frame.h"
 #include "path/drawn_triangles.h"
 
 #include <cmath>
@@ -73,6 +74,10 @@ std::vector<double> worthOfColumns(const WalkableFloor& floor, const HeightBand&
 
 } // namespace
 
+Box uprightBounds(const hierarchy::ModelFile& model) {
+    return hierarchy::uprightBox(hierarchy::uprightFrame(model.summary().up.direction), model.summary().bounds);
+}
+
 WalkableFloor floorOf(const hierarchy::ModelFile& model, const Box& region, const WalkBody& body, double cell) {
     const ColumnGrid grid(region, cell, std::min(0.2 * cell, 0.06 * body.eyeHeight));
     if (region.extent().y / grid.rise > 1e9)
@@ -82,11 +87,15 @@ WalkableFloor floorOf(const hierarchy::ModelFile& model, const Box& region, cons
             "a millionth of its height or more",
             std::to_string(body.eyeHeight));
     const glm::dvec3 origin = model.summary().grid.origin;
-    RegionRule isRefined{{region.min - origin, region.max - origin}, 0.2 * cell};
+    const hierarchy::UprightFrame frame = hierarchy::uprightFrame(model.summary().up.direction);
+    const Box world = hierarchy::worldBox(frame, region);
+    RegionRule isRefined{{world.min - origin, world.max - origin}, 0.2 * cell};
     while (trianglesRead(model, isRefined) > kMostTriangles)
         isRefined.error *= 1.5;
     SolidSpans solid(grid, static_cast<std::int32_t>(body.headroom / grid.rise), isRefined.error);
-    forEachTriangle(model, isRefined, [&](const TriangleCorners& corners) { solid.add(corners); });
+    forEachTriangle(model, isRefined, [&](const TriangleCorners& corners) {
+        solid.add({frame.toUpright(corners[0]), frame.toUpright(corners[1]), frame.toUpright(corners[2])});
+    });
     return {solid, body};
 }
 

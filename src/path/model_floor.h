@@ -14,9 +14,12 @@ struct HeightBand {
     bool holds(double height) const { return height >= low && height <= high; }
 };
 
-/// The floor of what of `model` lies in `region`, over columns of side `cell`. It is that of a cut whose error is a
-/// fifth of a cell, or as much more as it takes to read no more than about 12 million triangles, and all that may be
-/// nearer than this error counts as solid: who keeps clear of the cut keeps clear of the model.
+/// The bounds of `model` in upright space (hierarchy/upright_frame.h), in which floors and walks are.
+Box uprightBounds(const hierarchy::ModelFile& model);
+
+/// The floor of what of `model` lies in `region`, upright space, over columns of side `cell`. It is that of a cut whose
+/// error is a fifth of a cell, or as much more as it takes to read no more than about 12 million triangles, and all
+/// that may be nearer than this error counts as solid: who keeps clear of the cut keeps clear of the model.
 WalkableFloor floorOf(const hierarchy::ModelFile& model, const Box& region, const WalkBody& body, double cell);
 
 /// The side of the columns over which a floor is found finely.

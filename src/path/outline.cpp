@@ -1,28 +1,15 @@
 #include "path/outline.h"
 
 #include "core/angle.h"
+#include "hierarchy/coarse_cut.h"
 #include "hierarchy/cut_rule.h"
 
+#include <array>
 #include <cmath>
 
 namespace gnomon::path {
 
 namespace {
-
-constexpr double kErrorPart = 1.0 / 400;
-constexpr std::uint64_t kMostBytes = std::uint64_t{16} << 20U;
-
-bool holdsRoot(const hierarchy::PageInfo& info) {
-    return info.maxError == std::numeric_limits<double>::infinity();
-}
-
-/// What a cut of `error` reads; its coarsest level it always does.
-std::uint64_t bytesRead(const hierarchy::ModelFile& model, double error) {
-    std::uint64_t bytes = 0;
-    for (const hierarchy::PageInfo& info : model.pages())
-        if (!holdsRoot(info) && info.maxError > error) bytes += decodedPageBytes(info);
-    return bytes;
-}
 
 /// Adds what a cut of `error` draws of a page.
 void addVertices(
@@ -32,6 +19,10 @@ void addVertices(
         for (std::uint32_t v = cluster.firstVertex; v < cluster.firstVertex + cluster.vertexCount; ++v)
             points.push_back(grid.world(page.vertices[v].position));
     });
+}
+
+double coarseErrorOf(const hierarchy::ModelFile& model) {
+    return hierarchy::coarseError(std::array{model.pages()}, glm::length(model.summary().bounds.extent()));
 }
 
 } // namespace
@@ -50,13 +41,11 @@ std::vector<glm::dvec3> cornersOf(const Box& box) {
 
 std::vector<glm::dvec3> outlineOf(const hierarchy::ModelFile& model) {
     const hierarchy::ModelSummary& summary = model.summary();
-    double error = kErrorPart * glm::length(summary.bounds.extent());
-    while (bytesRead(model, error) > kMostBytes)
-        error *= 1.25;
+    const double error = coarseErrorOf(model);
     std::vector<glm::dvec3> points;
     for (std::uint32_t id = 0; id < model.pages().size(); ++id) {
         const hierarchy::PageInfo& info = model.pages()[id];
-        if (!holdsRoot(info) && info.maxError <= error) continue; // none of its groups is drawn
+        if (!hierarchy::isDrawnOf(info, error)) continue;
         try {
             addVertices(model.readPage(id), summary.grid, error, points);
         } catch (const hierarchy::PageDamage&) {
@@ -67,6 +56,14 @@ std::vector<glm::dvec3> outlineOf(const hierarchy::ModelFile& model) {
         }
     }
     return points.empty() ? cornersOf(summary.bounds) : points;
+}
+
+hierarchy::UpGuess guessedUp(const hierarchy::ModelFile& model) {
+    const double error = coarseErrorOf(model);
+    hierarchy::UpSurvey survey(model.summary().grid, model.summary().bounds);
+    for (std::uint32_t id = 0; id < model.pages().size(); ++id)
+        if (hierarchy::isDrawnOf(model.pages()[id], error)) survey.add(model.readPage(id), error);
+    return survey.guess();
 }
 
 std::vector<glm::dvec3> sweptOutline(

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "hierarchy/model_file.h"
+#include "hierarchy/up_guess.h"
 
 #include <vector>
 
@@ -11,6 +12,10 @@ namespace gnomon::path {
 /// more as it takes to read 16 MiB of pages at most. Every vertex of a cut lies on the source's surface, and the
 /// surface no further beyond them than that error. Of a page that is damaged it takes the corners of its box.
 std::vector<glm::dvec3> outlineOf(const hierarchy::ModelFile& model);
+
+/// Which way is up in `model` by its shape, from the same pages, as a build that is told nothing guesses it. Throws
+/// Error for a page that is damaged.
+hierarchy::UpGuess guessedUp(const hierarchy::ModelFile& model);
 
 /// The corners of a box, of any if it is empty.
 std::vector<glm::dvec3> cornersOf(const Box& box);

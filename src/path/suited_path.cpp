@@ -1,6 +1,8 @@
 #include "path/suited_path.h"
 
+#include "hierarchy/upright_frame.h"
 #include "path/drawn_triangles.h"
+#include "path/model_floor.h"
 
 #include <algorithm>
 #include <array>
@@ -102,7 +104,8 @@ glm::dvec3 coarseVertexTowards(
 /// before its middle or, where nothing does, towards what of it is nearest to that line.
 CameraPath approach(const hierarchy::ModelFile& model) {
     const Box& bounds = model.summary().bounds;
-    const glm::dvec3 from = glm::normalize(glm::dvec3(0.35, 0.25, 1));
+    const hierarchy::UprightFrame frame = hierarchy::uprightFrame(model.summary().up.direction);
+    const glm::dvec3 from = glm::normalize(frame.toWorld({0.35, 0.25, 1}));
     const glm::dvec3 start = bounds.center() + 2.5 * glm::length(bounds.extent()) * from;
     glm::dvec3 direction = -from;
     double surface = surfaceDistance(model, start, direction);
@@ -118,6 +121,17 @@ CameraPath approach(const hierarchy::ModelFile& model) {
     for (int i = 0; i <= kKeys; ++i) {
         const double distance = surface * std::pow(kNearest, static_cast<double>(i) / kKeys);
         path.keyframes.push_back(keyframe(kDuration * i / kKeys, target - distance * direction, target));
+        path.keyframes.back().camera.up = frame.up;
+    }
+    return path;
+}
+
+/// A path of upright space in the world.
+CameraPath inWorld(CameraPath path, const hierarchy::UprightFrame& frame) {
+    for (Keyframe& key : path.keyframes) {
+        key.camera.eye = frame.toWorld(key.camera.eye);
+        key.camera.target = frame.toWorld(key.camera.target);
+        key.camera.up = frame.toWorld(key.camera.up);
     }
     return path;
 }
@@ -125,11 +139,11 @@ CameraPath approach(const hierarchy::ModelFile& model) {
 } // namespace
 
 CameraPath suitedPath(const hierarchy::ModelFile& model, const std::string& kind, const WalkOptions& walkOptions) {
-    const Box& bounds = model.summary().bounds;
-    if (kind == "orbit") return orbit(bounds);
-    if (kind == "flyby") return flyby(bounds);
     if (kind == "approach") return approach(model);
-    return walk(model, walkOptions);
+    const hierarchy::UprightFrame frame = hierarchy::uprightFrame(model.summary().up.direction);
+    if (kind == "orbit") return inWorld(orbit(uprightBounds(model)), frame);
+    if (kind == "flyby") return inWorld(flyby(uprightBounds(model)), frame);
+    return inWorld(walk(model, walkOptions), frame);
 }
 
 } // namespace gnomon::path

@@ -7,7 +7,7 @@
 
 namespace gnomon::path {
 
-/// A path of kind "walk", "orbit", "flyby" or "approach"; y is up, twelve seconds but for a walk.
+/// A path of kind "walk", "orbit", "flyby" or "approach"; what is up in the model is up, twelve seconds but for a walk.
 /// An approach ends a thousandth of the way before the surface. A walk goes over the model's floors as `walk` says,
 /// and throws Error where there are none.
 CameraPath suitedPath(const hierarchy::ModelFile& model, const std::string& kind, const WalkOptions& walkOptions = {});

@@ -151,12 +151,12 @@ public:
     Ground(const hierarchy::ModelFile& model, const WalkBody& body, const std::optional<int>& storey)
         : model_(model),
           body_(body),
-          isWhole_(widthOf(model.summary().bounds) <= kRegionSide * body.eyeHeight),
+          isWhole_(widthOf(uprightBounds(model)) <= kRegionSide * body.eyeHeight),
           whole_(floorOf(
               model,
-              model.summary().bounds,
+              uprightBounds(model),
               body,
-              isWhole_ ? fineCell(body) : widthOf(model.summary().bounds) / kCoarseCells)) {
+              isWhole_ ? fineCell(body) : widthOf(uprightBounds(model)) / kCoarseCells)) {
         if (!storey) return;
         const std::vector<Storey> storeys = findStoreys(whole_);
         if (storeys.empty()) throw noFloor(model, kLevelPlace);
@@ -170,8 +170,8 @@ public:
         if (isWhole_) return walkOver(whole_);
         std::optional<CameraPath> longest;
         for (Box region : bestRegions(whole_, band_, kRegionSide * body_.eyeHeight, kRegions)) {
-            region.min.y = model_.summary().bounds.min.y;
-            region.max.y = model_.summary().bounds.max.y;
+            region.min.y = uprightBounds(model_).min.y;
+            region.max.y = uprightBounds(model_).max.y;
             std::optional<CameraPath> path = walkOver(floorOf(model_, region, body_, fineCell(body_)));
             if (path && (!longest || path->duration() > longest->duration())) longest = std::move(path);
             if (longest && longest->duration() * body_.pace > kGoodLength * body_.eyeHeight) break;
@@ -198,9 +198,10 @@ private:
 } // namespace
 
 CameraPath walk(const hierarchy::ModelFile& model, const WalkOptions& options) {
-    const Box& bounds = model.summary().bounds;
-    const bool isInMetres = options.eyeHeight || metresFit(bounds);
-    const WalkBody body = WalkBody::ofEyeHeight(options.eyeHeight.value_or(WalkBody{}.eyeHeight));
+    const Box bounds = uprightBounds(model);
+    const double metre = 1 / hierarchy::rowOf(model.summary().unit).metres;
+    const bool isInMetres = options.eyeHeight || metresFit({bounds.min / metre, bounds.max / metre});
+    const WalkBody body = WalkBody::ofEyeHeight(options.eyeHeight.value_or(WalkBody{}.eyeHeight * metre));
     if (isInMetres)
         if (const auto path = Ground(model, body, options.storey).walk()) return *path;
     if (!options.storey && (!isInMetres || widthOf(bounds) < 12 * body.eyeHeight))

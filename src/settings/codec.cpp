@@ -135,15 +135,16 @@ Codec<glm::dvec3> direction() {
 Codec<glm::dvec3> upDirection() {
     return {
         [](const std::string& text) -> std::optional<glm::dvec3> {
+            if (text == "auto") return kAutoUp;
             if (const auto axis = hierarchy::upAxisNamed(text)) return axis->direction;
             return direction().read(text);
         },
         [](const glm::dvec3& value) {
             for (const char* const name : {"x", "y", "z", "-x", "-y", "-z"})
                 if (hierarchy::upAxisNamed(name)->direction == value) return std::string(name);
-            return direction().write(value);
+            return value == kAutoUp ? std::string("auto") : direction().write(value);
         },
-        "x, y, z, -x, -y, -z or " + direction().expected};
+        "auto, x, y, z, -x, -y, -z or " + direction().expected};
 }
 
 Codec<std::array<int, 2>> size(const std::string& limit, bool (*isAllowed)(const std::array<int, 2>& size)) {

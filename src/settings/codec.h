@@ -60,7 +60,10 @@ Codec<glm::dvec3> vector();
 /// "x,y,z" of a length that is finite and above 0.
 Codec<glm::dvec3> direction();
 
-/// A direction, or the name of an axis: "z", "-x".
+/// Stands for "auto" where a direction is asked for.
+constexpr glm::dvec3 kAutoUp{0};
+
+/// A direction, the name of an axis ("z", "-x"), or "auto".
 Codec<glm::dvec3> upDirection();
 
 /// "WxH", both at least 1, that `isAllowed`; `limit` says what of them is, behind a comma.

@@ -3,6 +3,7 @@
 #include "core/angle.h"
 #include "path/camera_path.h"
 #include "path/outline.h"
+#include "settings/codec.h"
 #include "settings/sun_settings.h"
 #include "settings/table.h"
 
@@ -118,7 +119,8 @@ plan::View viewOf(
     plan::View view;
     view.width = settings.imageSize[0];
     view.height = settings.imageSize[1];
-    view.up = settings.up.value_or(summary.up.direction);
+    view.up = settings.up.value_or(kAutoUp);
+    if (view.up == kAutoUp) view.up = summary.up.direction;
     view.towardsLight = lightOf(settings, view.up);
     if (!settings.cameraFile.empty()) {
         view.camera = path::readCamera(settings.cameraFile);
@@ -136,9 +138,15 @@ plan::View viewOf(
     return view;
 }
 
+Settings uprightIn(const Settings& settings, const hierarchy::ModelFile& model) {
+    Settings upright = settings;
+    if (settings.up == kAutoUp) upright.up = path::guessedUp(model).up.direction;
+    return upright;
+}
+
 plan::View viewOf(const Settings& settings, const hierarchy::ModelFile& model) {
     const std::vector<glm::dvec3> outline = isFramed(settings) ? path::outlineOf(model) : std::vector<glm::dvec3>();
-    return viewOf(settings, model.summary(), outline);
+    return viewOf(uprightIn(settings, model), model.summary(), outline);
 }
 
 plan::Quality qualityOf(const Settings& settings) {

@@ -15,12 +15,15 @@ bool isPosed(const Settings& settings);
 bool isFramed(const Settings& settings);
 
 /// The view that is asked for; where no camera is given, `outline` (path/outline.h) is framed, or the bounds of
-/// `summary` where it is empty. Reads the camera file, if there is one. Throws UsageError for contradictions, Error for
-/// a file that is no camera.
+/// `summary` where it is empty. An up that is auto is the model's own. Reads the camera file, if there is one. Throws
+/// UsageError for contradictions, Error for a file that is no camera.
 plan::View viewOf(
     const Settings& settings, const hierarchy::ModelSummary& summary, std::span<const glm::dvec3> outline = {});
 
-/// The same with the outline of `model`, whose coarse pages it reads where it has to frame it.
+/// `settings` with the up that they ask for: by the shape of `model` where it is auto, for which coarse pages are read.
+Settings uprightIn(const Settings& settings, const hierarchy::ModelFile& model);
+
+/// The same with that up and the outline of `model`, whose coarse pages it reads where it has to frame it.
 plan::View viewOf(const Settings& settings, const hierarchy::ModelFile& model);
 
 /// The quality that is asked for. Throws UsageError for contradictions.

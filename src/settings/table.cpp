@@ -66,7 +66,7 @@ std::vector<Setting> cameraSettings() {
             &Settings::up,
             {.name = "up",
              .form = "AXIS|x,y,z",
-             .help = "What is up: x, y, z, -x, -y, -z or a direction; as stored in the "
+             .help = "What is up: x, y, z, -x, -y, -z, a direction, or auto: guessed; as stored in the "
                      "model if not given"},
             ifGiven(upDirection())),
         plain(

@@ -4,12 +4,11 @@
 #include "settings/resolve.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace gnomon::viewer {
 
-FramedModel::FramedModel(settings::Settings settings, const hierarchy::ModelFile& model)
-    : settings_(std::move(settings)), summary_(model.summary()), outline_(path::outlineOf(model)) {}
+FramedModel::FramedModel(const settings::Settings& settings, const hierarchy::ModelFile& model)
+    : settings_(settings::uprightIn(settings, model)), summary_(model.summary()), outline_(path::outlineOf(model)) {}
 
 plan::View FramedModel::view(settings::Settings settings, const glm::ivec2& size) const {
     settings.imageSize = {std::max(size.x, 1), std::max(size.y, 1)};

@@ -13,7 +13,7 @@ namespace gnomon::viewer {
 class FramedModel {
 public:
     /// Reads the model's outline. Throws Error.
-    FramedModel(settings::Settings settings, const hierarchy::ModelFile& model);
+    FramedModel(const settings::Settings& settings, const hierarchy::ModelFile& model);
 
     /// The view that was asked for, in a picture of `size` pixels (at least 1); it frames the model where nothing else
     /// was. Throws Error for a camera file that is none.

@@ -5,6 +5,7 @@
 #include "core/stopwatch.h"
 #include "hierarchy/model_file.h"
 #include "preprocess/pipeline/build_model.h"
+#include "preprocess/pipeline/source_up.h"
 #include "preprocess/read/open_mesh_sources.h"
 #include "preprocess/read/ply_source.h"
 
@@ -97,6 +98,7 @@ void CacheBuild::run(Bytes memory, int threads) {
         options.output = cachePath(meshPath_);
         options.memory = memory;
         options.threads = threads;
+        pipeline::askForUpOfSources(options, {meshPath_});
         const auto source = read::openMeshSources({meshPath_}, memory);
         pipeline::buildModel(*source, options, watch);
     } catch (const Interrupted&) {

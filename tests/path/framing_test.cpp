@@ -89,6 +89,30 @@ TEST(Framing, FillsAPictureOfAnyShapeFromAnySideAndLiesInItsMiddle) {
     EXPECT_GT(framed, 250);
 }
 
+// The picture of a world is the same whichever of its axes is up: camera and light turn with it.
+TEST(Framing, TurnsWithTheWorld) {
+    Random random(12);
+    for (int trial = 0; trial < 50; ++trial) {
+        std::vector<glm::dvec3> points;
+        for (int i = 0; i < 20; ++i)
+            points.emplace_back(random.uniform(-3, 3), random.uniform(-1, 1), random.uniform(-2, 2));
+        for (const glm::dvec3& up : kAxes) {
+            const hierarchy::UprightFrame frame = hierarchy::uprightFrame(up);
+            std::vector<glm::dvec3> turned;
+            for (const glm::dvec3& point : points)
+                turned.push_back(frame.toWorld(point));
+            std::optional<ViewSide> side;
+            if (trial % 8 > 0) side = kViewSides.at(static_cast<std::size_t>(trial % 8 - 1)).value;
+            const Camera plain = framingCamera(points, vantageOf(side, {0, 1, 0}), 1.3, 0.9);
+            const Camera camera = framingCamera(turned, vantageOf(side, up), 1.3, 0.9);
+            EXPECT_LT(glm::distance(camera.eye, frame.toWorld(plain.eye)), 1e-9);
+            EXPECT_LT(glm::distance(camera.target, frame.toWorld(plain.target)), 1e-9);
+            EXPECT_LT(glm::distance(camera.up, frame.toWorld(plain.up)), 1e-12);
+            EXPECT_EQ(usualLight(up), frame.toWorld(usualLight({0, 1, 0})));
+        }
+    }
+}
+
 TEST(Framing, APointAndALineAreSeenTooFromOutside) {
     for (const auto& [side, word] : kViewSides) {
         const std::vector<glm::dvec3> line = {{1, 2, 3}, {1, 2, 9}};

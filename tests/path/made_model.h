@@ -43,12 +43,11 @@ inline double clearanceOf(
 class MadeModel {
 public:
     template <class Write>
-    explicit MadeModel(const Write& write) {
+    explicit MadeModel(const Write& write, pipeline::BuildOptions options = {}) {
         const std::string stem =
             (std::filesystem::temp_directory_path() / ("gnomon_path_test_" + std::to_string(::getpid()))).string();
         write(stem + ".ply");
         NoProgress progress;
-        pipeline::BuildOptions options;
         options.output = stem + ".gnm";
         const auto source = read::openMeshSources({stem + ".ply"}, gibibytes(1));
         pipeline::buildModel(*source, options, progress);

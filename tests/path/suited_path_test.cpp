@@ -1,5 +1,6 @@
 // The paths that `gnomon path` finds, but for walks: where they lead.
 #include "hierarchy/temporary_model.h"
+#include "hierarchy/upright_frame.h"
 #include "path/boxes.h"
 #include "path/made_model.h"
 #include "path/suited_path.h"
@@ -96,6 +97,43 @@ TEST(SuitedPath, OrbitAndFlybyStayOutsideAndLookAtTheModel) {
             if (path.loop) {
                 EXPECT_GT(glm::dot(towards, glm::normalize(middle)), 0.99) << kind;
             }
+        }
+    }
+}
+
+/// A room with a wall in it, in metres and y up; in millimetres and z up.
+void writeRoom(const std::string& path, bool isTurned) {
+    Boxes boxes;
+    boxes.add({0, -0.3, 0}, {12, 0, 9});
+    boxes.add({0, 2.7, 0}, {12, 3, 9});
+    boxes.add({-0.3, -0.3, 0}, {0, 3, 9});
+    boxes.add({12, -0.3, 0}, {12.3, 3, 9});
+    boxes.add({0, -0.3, -0.3}, {12, 3, 0});
+    boxes.add({0, -0.3, 9}, {12, 3, 9.3});
+    boxes.add({5, 0, 2}, {5.3, 2.7, 9});
+    if (isTurned)
+        for (glm::dvec3& corner : boxes.corners)
+            corner = 1000.0 * hierarchy::uprightFrame({0, 0, 1}).toWorld(corner);
+    boxes.write(path);
+}
+
+TEST(SuitedPath, FollowsWhatIsUpAndTheUnit) {
+    const MadeModel plain([](const std::string& path) { writeRoom(path, false); });
+    pipeline::BuildOptions options;
+    options.up = hierarchy::upAxisNamed("z");
+    options.unit = hierarchy::Unit::Millimetre;
+    const MadeModel turned([](const std::string& path) { writeRoom(path, true); }, options);
+    const hierarchy::UprightFrame frame = hierarchy::uprightFrame({0, 0, 1});
+    for (const char* kind : {"walk", "orbit", "flyby", "approach"}) {
+        const CameraPath expected = suitedPath(plain.file(), kind);
+        const CameraPath found = suitedPath(turned.file(), kind);
+        EXPECT_NEAR(found.duration(), expected.duration(), 0.1 * expected.duration()) << kind;
+        for (int sample = 0; sample < kSamples; sample += 20) {
+            const Camera is = cameraAt(found, timeAt(found, sample));
+            const Camera be = cameraAt(expected, timeAt(expected, sample));
+            EXPECT_EQ(is.up, glm::dvec3(0, 0, 1)) << kind;
+            EXPECT_LT(glm::distance(frame.toUpright(is.eye) / 1000.0, be.eye), 0.5) << kind << " at " << sample;
+            EXPECT_NEAR(frame.toUpright(is.eye).y / 1000, be.eye.y, 0.1) << kind << " at " << sample;
         }
     }
 }

@@ -213,7 +213,7 @@ TEST(Summary, OfFormat3HasTheDefaultsOfWhatItDidNotSay) {
     summary.fields.clear();
     std::vector<std::byte> bytes = encodeSummary(summary);
     EXPECT_EQ(damageOf([&] { decodeSummary(bytes, 3); }), "42 bytes too many");
-    bytes.resize(bytes.size() - worldFrameBytes(2));
+    bytes.erase(bytes.end() - static_cast<std::ptrdiff_t>(worldFrameBytes(2)), bytes.end());
     const ModelSummary back = decodeSummary(bytes, 3);
     EXPECT_EQ(back.levels[1].maxError, 0.5);
     EXPECT_EQ(back.attributeError(), 0);

@@ -66,6 +66,7 @@ TEST(Framing, FillsAPictureOfAnyShapeFromAnySideAndLiesInItsMiddle) {
             std::exp2(random.uniform(-6, 6)), std::exp2(random.uniform(-6, 6)), std::exp2(random.uniform(-6, 6)));
         const glm::dvec3 middle(random.uniform(-99, 99), random.uniform(-99, 99), random.uniform(-99, 99));
         std::vector<glm::dvec3> points;
+        points.reserve(30);
         for (int i = 0; i < 30; ++i)
             points.push_back(
                 middle + size * glm::dvec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)));
@@ -94,11 +95,13 @@ TEST(Framing, TurnsWithTheWorld) {
     Random random(12);
     for (int trial = 0; trial < 50; ++trial) {
         std::vector<glm::dvec3> points;
+        points.reserve(20);
         for (int i = 0; i < 20; ++i)
             points.emplace_back(random.uniform(-3, 3), random.uniform(-1, 1), random.uniform(-2, 2));
         for (const glm::dvec3& up : kAxes) {
             const hierarchy::UprightFrame frame = hierarchy::uprightFrame(up);
             std::vector<glm::dvec3> turned;
+            turned.reserve(points.size());
             for (const glm::dvec3& point : points)
                 turned.push_back(frame.toWorld(point));
             std::optional<ViewSide> side;
@@ -168,6 +171,7 @@ TEST(Outline, FramesTheModelAtFullDetail) {
 TEST(Outline, SweptStaysInThePictureThroughAWholeTurn) {
     Random random(5);
     std::vector<glm::dvec3> points;
+    points.reserve(40);
     for (int i = 0; i < 40; ++i)
         points.emplace_back(random.uniform(-9, 9), random.uniform(-1, 1), random.uniform(-2, 2));
     Box box;

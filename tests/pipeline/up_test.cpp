@@ -24,30 +24,34 @@ struct Shape {
     read::CodeMesh source() const { return {positions, triangles}; }
 };
 
+/// Adds one side of the box, across `axis`, in a grid of squares.
+void addSide(Shape& mesh, const glm::dvec3& low, const glm::dvec3& high, int axis, bool isHigh, int squares) {
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    const int u = (axis + 1) % 3;
+    const int v = (axis + 2) % 3;
+    for (int j = 0; j <= squares; ++j)
+        for (int i = 0; i <= squares; ++i) {
+            glm::dvec3 p = isHigh ? high : low;
+            p[u] = low[u] + (high[u] - low[u]) * i / squares;
+            p[v] = low[v] + (high[v] - low[v]) * j / squares;
+            mesh.positions.push_back(p);
+        }
+    const auto row = static_cast<std::uint32_t>(squares + 1);
+    for (std::uint32_t j = 0; j + 1 < row; ++j)
+        for (std::uint32_t i = 0; i + 1 < row; ++i) {
+            const std::uint32_t a = first + j * row + i;
+            const std::uint32_t b = isHigh ? a + 1 : a + row;
+            const std::uint32_t c = isHigh ? a + row : a + 1;
+            mesh.triangles.push_back({a, b, c});
+            mesh.triangles.push_back({b, a + row + 1, c});
+        }
+}
+
 /// Adds a closed box, each side in a grid of squares.
 void addBox(Shape& mesh, const glm::dvec3& low, const glm::dvec3& high, int squares = 3) {
     for (int axis = 0; axis < 3; ++axis)
-        for (const bool isHigh : {false, true}) {
-            const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-            const int u = (axis + 1) % 3;
-            const int v = (axis + 2) % 3;
-            for (int j = 0; j <= squares; ++j)
-                for (int i = 0; i <= squares; ++i) {
-                    glm::dvec3 p = isHigh ? high : low;
-                    p[u] = low[u] + (high[u] - low[u]) * i / squares;
-                    p[v] = low[v] + (high[v] - low[v]) * j / squares;
-                    mesh.positions.push_back(p);
-                }
-            const auto row = static_cast<std::uint32_t>(squares + 1);
-            for (std::uint32_t j = 0; j + 1 < row; ++j)
-                for (std::uint32_t i = 0; i + 1 < row; ++i) {
-                    const std::uint32_t a = first + j * row + i;
-                    const std::uint32_t b = isHigh ? a + 1 : a + row;
-                    const std::uint32_t c = isHigh ? a + row : a + 1;
-                    mesh.triangles.push_back({a, b, c});
-                    mesh.triangles.push_back({b, a + row + 1, c});
-                }
-        }
+        for (const bool isHigh : {false, true})
+            addSide(mesh, low, high, axis, isHigh, squares);
 }
 
 /// A heap of boxes, smaller the higher they lie, y up, of a seeded shape.

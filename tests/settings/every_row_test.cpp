@@ -40,8 +40,9 @@ struct Row {
     const char* expected; // of a text, in the words of the refusal
 };
 
-const std::vector<Row>& rows() {
-    static const std::vector<Row> all = {
+/// Of the settings that say what is seen, and in which light.
+std::vector<Row> sceneRows() {
+    return {
         {"size",
          "800x800",
          {"1x1", "16384x16384", "16384x1"},
@@ -86,6 +87,12 @@ const std::vector<Row>& rows() {
          {"sky", "white", "transparent", "#000000", "#12ab9f"},
          {"blue", "#fff", "#12345g", "123456", "#1234567", ""},
          "sky, white, transparent or a colour such as #336699"},
+    };
+}
+
+/// Of all others.
+std::vector<Row> qualityRows() {
+    return {
         {"eta", "", {"-1", "0", "0.25", "1"}, {"1.001", "-1.001", "auto", "nan"}, "a number from -1 to 1"},
         {"tsm-focus", "", {"auto", "2.5"}, {"0", "-1", "1e16"}, "auto or a distance from 1e-15 to 1e15"},
         {"split-lambda", "1", {"0", "0.5", "1"}, {"-0.1", "1.1", "self"}, "a number from 0 to 1"},
@@ -108,6 +115,15 @@ const std::vector<Row>& rows() {
         {"occlusion", "auto", {"on", "off", "auto"}, {"true", "yes"}, nullptr},
         {"stabilize", "off", {"on", "off"}, {"0", ""}, "on or off"},
     };
+}
+
+const std::vector<Row>& rows() {
+    static const std::vector<Row> all = [] {
+        std::vector<Row> both = sceneRows();
+        const std::vector<Row> more = qualityRows();
+        both.insert(both.end(), more.begin(), more.end());
+        return both;
+    }();
     return all;
 }
 

@@ -153,6 +153,7 @@ TEST(CameraControl, GlidesToTheCameraOfAnySideOfAnyWorld) {
     for (const glm::dvec3 up : {glm::dvec3(0, 1, 0), {0, 0, 1}, {-1, 0, 0}, {0.3, -0.5, 0.2}})
         for (const auto& [side, word] : path::kViewSides) {
             std::vector<glm::dvec3> points;
+            points.reserve(20);
             for (int i = 0; i < 20; ++i)
                 points.push_back(glm::dvec3(10, 20, 30) + randomPoint(random, 4));
             const Camera home = path::framingCamera(points, path::vantageOf({}, up), 1, 0.9);

@@ -2,9 +2,11 @@
 // pictures that are shown larger than they were drawn.
 #include "core/random.h"
 #include "executor/overlay/bitmap_font.h"
+#include "executor/overlay/color_map.h"
 #include "executor/overlay/legend.h"
 #include "executor/overlay/overlay_colors.h"
 #include "executor/overlay/upscaled.h"
+#include "plan/color_map.h"
 
 #include <gtest/gtest.h>
 
@@ -91,6 +93,49 @@ TEST(HeatColor, EndsAtAQuarterAndSixteen) {
     EXPECT_LT(glm::distance(heatColor(2), (heatColor(1) + heatColor(4)) * 0.5F), 1e-6F);
 }
 
+TEST(ColorMap, GrowsLighterEvenlyForEveryEye) {
+    for (const auto& map : plan::kColorMaps)
+        for (const Eye& eye : kEyes) {
+            const auto lightness = [&](int step) { return eye(mapColor(map.value, static_cast<float>(step) / 100)).x; };
+            const double mean = (lightness(100) - lightness(0)) / 100;
+            EXPECT_GE(mean, 0.7) << map.word;
+            for (int step = 0; step < 100; ++step) {
+                EXPECT_GT(lightness(step + 1) - lightness(step), 0.3 * mean) << map.word << " at " << step;
+                EXPECT_LT(lightness(step + 1) - lightness(step), 1.9 * mean) << map.word << " at " << step;
+            }
+            for (int step = 0; step + 10 <= 100; step += 10)
+                EXPECT_GE(lightness(step + 10) - lightness(step), 4) << map.word << " a tenth from " << step;
+        }
+}
+
+TEST(ColorMap, HoldsItsEndsAndTakesNoNumberForTheFirst) {
+    for (const auto& map : plan::kColorMaps) {
+        EXPECT_EQ(mapColor(map.value, -3), mapColor(map.value, 0));
+        EXPECT_EQ(mapColor(map.value, 7), mapColor(map.value, 1));
+        EXPECT_EQ(mapColor(map.value, std::nanf("")), mapColor(map.value, 0));
+    }
+    EXPECT_EQ(mapColor(plan::ColorMap::Viridis, 1), glm::vec3(0xFD, 0xE7, 0x25) / 255.0F);
+}
+
+TEST(ColorScale, HasFiguresAtRoundValuesWithinItsEnds) {
+    Random random(41);
+    for (int i = 0; i < 500; ++i) {
+        const double least = random.uniform(-1e6, 1e6) * std::pow(10, random.uniform(-6, 3));
+        const ValueScale values{plan::ColorMap::Viridis, least, least + std::pow(10, random.uniform(-3, 6))};
+        const ColorScale scale = colorScale(values);
+        ASSERT_GE(scale.ticks.size(), 2U) << values.least << " to " << values.most;
+        ASSERT_LE(scale.ticks.size(), 7U);
+        for (const ColorScale::Tick& tick : scale.ticks) {
+            EXPECT_GE(tick.place, -1e-4);
+            EXPECT_LE(tick.place, 1 + 1e-4);
+        }
+    }
+    const ColorScale hours = colorScale({plan::ColorMap::Cividis, 0, 16});
+    ASSERT_EQ(hours.ticks.size(), 4U);
+    EXPECT_EQ(hours.ticks[0].text + " " + hours.ticks[1].text + " " + hours.ticks[3].text, "0 5 15");
+    EXPECT_EQ((ValueScale{plan::ColorMap::Grey, 2, 4}.color(3)), mapColor(plan::ColorMap::Grey, 0.5F));
+}
+
 TEST(OverlayColors, PartCategoriesForEveryEye) {
     for (const Eye& eye : kEyes)
         for (const float light : {kDimCategory, 1.0F}) {
@@ -139,8 +184,8 @@ TEST(Legend, SaysWhatEachOverlayShowsInLettersThatThereAre) {
     EXPECT_EQ(partitions.entries[1].text, "2: 2 to 3, 640x480 texels");
     EXPECT_EQ(partitions.entries[1].color, indexColor(1));
     EXPECT_TRUE(partitions.entries[2].isStriped);
-    EXPECT_EQ(legendOf(Overlay::Aliasing, plan).mark, 2.25);
-    EXPECT_EQ(legendOf(Overlay::Aliasing, plan::FramePlan()).mark, std::nullopt);
+    EXPECT_EQ(legendOf(Overlay::Aliasing, plan).scale->mark, (std::log2(2.25) + 2) / 6);
+    EXPECT_EQ(legendOf(Overlay::Aliasing, plan::FramePlan()).scale->mark, std::nullopt);
     EXPECT_EQ(legendOf(Overlay::Partitions, planOfMaps(20)).entries.size(), kIndexColors + 1);
 }
 
@@ -166,7 +211,7 @@ TEST(Legend, IsDrawnIntoTheLowerLeftCornerAlone) {
         EXPECT_LT(right, 4 * 800 / 5) << overlay.word;
         EXPECT_GE(top, 300) << overlay.word;
         EXPECT_GE(colors.size(), 2) << overlay.word << ": ink on paper";
-        if (legendOf(overlay.value, {}).hasHeatScale) {
+        if (legendOf(overlay.value, {}).scale) {
             EXPECT_GT(colors.size(), 100) << overlay.word;
         }
     }

@@ -2,6 +2,7 @@
 
 #include "core/formatted.h"
 #include "executor/overlay/bitmap_font.h"
+#include "executor/overlay/color_map.h"
 #include "executor/overlay/overlay_colors.h"
 
 #include <algorithm>
@@ -57,11 +58,11 @@ Size sizeInDots(const Legend& legend) {
     for (const std::string& line : legend.title)
         letters = std::max(letters, line.size());
     int width = static_cast<int>(letters) * kLetterDots;
-    if (legend.hasHeatScale) width = std::max(width, kBarWidth);
+    if (legend.scale) width = std::max(width, kBarWidth);
     for (const LegendEntry& entry : legend.entries)
         width = std::max(width, kSwatch + kMargin + static_cast<int>(entry.text.size()) * kLetterDots);
     const std::size_t lines = legend.title.size() + legend.entries.size();
-    const int scale = legend.hasHeatScale ? kBarHeight + kLineDots + kMargin : 0;
+    const int scale = legend.scale ? kBarHeight + kLineDots + kMargin : 0;
     return {width + 2 * kMargin, static_cast<int>(lines) * kLineDots + scale + 2 * kMargin};
 }
 
@@ -84,27 +85,23 @@ private:
     int dot_;
 };
 
-/// Where `value` lies on the scale, in dots from its left end.
-int barPlace(double value) {
-    const double part = (std::log2(value) - kLowest) / (kHighest - kLowest);
-    return static_cast<int>(std::lround(std::clamp(part, 0.0, 1.0) * (kBarWidth - 1)));
+/// Where a place on the scale lies, in dots from its left end.
+int barPlace(double place) {
+    return static_cast<int>(std::lround(std::clamp(place, 0.0, 1.0) * (kBarWidth - 1)));
 }
 
-void drawScale(const Pen& pen, int y, const std::optional<double>& mark) {
-    for (int x = 0; x < kBarWidth; ++x) {
-        const double exponent = kLowest + (kHighest - kLowest) * x / (kBarWidth - 1);
-        pen.fill(kMargin + x, y, 1, kBarHeight, bytes(heatColor(static_cast<float>(std::exp2(exponent)))));
+void drawScale(const Pen& pen, int y, const ColorScale& scale) {
+    for (int x = 0; x < kBarWidth; ++x)
+        pen.fill(kMargin + x, y, 1, kBarHeight, bytes(scale.color(static_cast<float>(x) / (kBarWidth - 1))));
+    for (const ColorScale::Tick& tick : scale.ticks) {
+        const int width = static_cast<int>(tick.text.size()) * kLetterDots - 1;
+        const int left = std::clamp(barPlace(tick.place) - width / 2, 0, std::max(kBarWidth - width, 0));
+        pen.write(kMargin + left, y + kBarHeight + 3, tick.text);
+        pen.fill(kMargin + barPlace(tick.place), y + kBarHeight, 1, 2, kInk);
     }
-    for (const double value : {0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0}) {
-        const std::string figure = value < 1 ? formatted("1/%g", 1 / value) : formatted("%g", value);
-        const int width = static_cast<int>(figure.size()) * kLetterDots - 1;
-        const int left = std::clamp(barPlace(value) - width / 2, 0, kBarWidth - width);
-        pen.write(kMargin + left, y + kBarHeight + 3, figure);
-        pen.fill(kMargin + barPlace(value), y + kBarHeight, 1, 2, kInk);
-    }
-    if (mark) {
-        pen.fill(kMargin + barPlace(*mark) - 1, y - 2, 3, kBarHeight + 4, kPaper);
-        pen.fill(kMargin + barPlace(*mark), y - 2, 1, kBarHeight + 4, kInk);
+    if (scale.mark) {
+        pen.fill(kMargin + barPlace(*scale.mark) - 1, y - 2, 3, kBarHeight + 4, kPaper);
+        pen.fill(kMargin + barPlace(*scale.mark), y - 2, 1, kBarHeight + 4, kInk);
     }
 }
 
@@ -115,7 +112,44 @@ void drawSwatch(const Pen& pen, int y, const LegendEntry& entry) {
             pen.fill(kMargin + x, y + row, 1, 1, bytes(entry.color * kWithoutMap[(x + row) / 4 % 2 == 0 ? 0 : 1]));
 }
 
+/// The power of ten times 1, 2 or 5 by which `span` has at most `most` steps.
+double roundStep(double span, int most) {
+    const double least = span / most;
+    const double power = std::pow(10.0, std::floor(std::log10(least)));
+    for (const double factor : {1.0, 2.0, 5.0})
+        if (factor * power >= least * (1 - 1e-9)) return factor * power;
+    return 10 * power;
+}
+
 } // namespace
+
+ColorScale heatScale(std::optional<double> markedFactor) {
+    const auto place = [](double factor) { return (std::log2(factor) - kLowest) / (kHighest - kLowest); };
+    ColorScale scale;
+    scale.color = [](float at) {
+        return heatColor(static_cast<float>(std::exp2(kLowest + (kHighest - kLowest) * double{at})));
+    };
+    for (const double factor : {0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0})
+        scale.ticks.push_back({place(factor), factor < 1 ? formatted("1/%g", 1 / factor) : formatted("%g", factor)});
+    if (markedFactor) scale.mark = place(*markedFactor);
+    return scale;
+}
+
+glm::vec3 ValueScale::color(double value) const {
+    return mapColor(map, place(value));
+}
+
+ColorScale colorScale(const ValueScale& values) {
+    ColorScale scale;
+    scale.color = [map = values.map](float at) { return mapColor(map, at); };
+    constexpr int kMostSteps = 6;
+    const double step = roundStep(values.most - values.least, kMostSteps);
+    const double first = std::ceil(values.least / step - 1e-6);
+    for (int i = 0; i <= kMostSteps && (first + i) * step <= values.most + 1e-6 * step; ++i)
+        scale.ticks.push_back(
+            {double{values.place((first + i) * step)}, formatted("%.7g", (first + i) * step + 0.0)}); // no -0
+    return scale;
+}
 
 Legend legendOf(Overlay overlay, const plan::FramePlan& plan) {
     Legend legend;
@@ -133,10 +167,10 @@ Legend legendOf(Overlay overlay, const plan::FramePlan& plan) {
         break;
     case Overlay::Aliasing:
         legend.title = {"perspective aliasing:", "pixels across a shadow texel"};
-        legend.hasHeatScale = true;
+        legend.scale = heatScale();
         if (!plan.passes.empty()) {
-            legend.mark = plan.promised.worst();
-            legend.title.push_back(formatted("mark: promised at most %.3g", *legend.mark));
+            legend.scale = heatScale(plan.promised.worst());
+            legend.title.push_back(formatted("mark: promised at most %.3g", plan.promised.worst()));
         }
         addWithoutMap(legend);
         break;
@@ -144,7 +178,7 @@ Legend legendOf(Overlay overlay, const plan::FramePlan& plan) {
         legend.title = {
             "level of detail: error on the screen",
             formatted("1 on the scale: the threshold, %.3g pixels", plan.quality.errorPixels)};
-        legend.hasHeatScale = true;
+        legend.scale = heatScale();
         break;
     case Overlay::Clusters:
         legend.title = {
@@ -152,7 +186,7 @@ Legend legendOf(Overlay overlay, const plan::FramePlan& plan) {
         break;
     case Overlay::Projection:
         legend.title = {"projection aliasing: cosine to the eye", "over cosine to the light"};
-        legend.hasHeatScale = true;
+        legend.scale = heatScale();
         addWithoutMap(legend);
         break;
     case Overlay::Residency:
@@ -180,8 +214,8 @@ void drawLegend(Picture& picture, const Legend& legend) {
         pen.write(kMargin, y, line);
         y += kLineDots;
     }
-    if (legend.hasHeatScale) {
-        drawScale(pen, y + 1, legend.mark);
+    if (legend.scale) {
+        drawScale(pen, y + 1, *legend.scale);
         y += kBarHeight + kLineDots + kMargin;
     }
     for (const LegendEntry& entry : legend.entries) {

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "executor/executor.h"
+#include "plan/color_map.h"
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,11 +18,40 @@ struct LegendEntry {
     bool isStriped = false; // as what has no map is painted
 };
 
+/// A bar of colours with figures below it; places along it go from 0, its left end, to 1.
+struct ColorScale {
+    struct Tick {
+        double place = 0;
+        std::string text;
+    };
+
+    std::function<glm::vec3(float place)> color;
+    std::vector<Tick> ticks;
+    std::optional<double> mark; // a place that is pointed at
+};
+
+/// The scale of heatColor, the factors from 1/4 to 16, with a mark at one of them.
+ColorScale heatScale(std::optional<double> markedFactor = std::nullopt);
+
+/// What values are shown in: colours from `least` to `most`, both finite and the first less.
+struct ValueScale {
+    plan::ColorMap map = plan::ColorMap::Viridis;
+    double least = 0;
+    double most = 1;
+
+    /// Where `value` lies between them, 0 to 1 within.
+    float place(double value) const { return static_cast<float>((value - least) / (most - least)); }
+
+    glm::vec3 color(double value) const;
+};
+
+/// The scale of `values`, with figures at round values.
+ColorScale colorScale(const ValueScale& values);
+
 /// The legend of one picture.
 struct Legend {
     std::vector<std::string> title; // lines
-    bool hasHeatScale = false;      // the colours of the factors from 1/4 to 16
-    std::optional<double> mark;     // on that scale, what was promised
+    std::optional<ColorScale> scale;
     std::vector<LegendEntry> entries;
 };
 

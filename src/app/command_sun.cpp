@@ -1,7 +1,11 @@
 // `gnomon sun`: what the sky of a place and a date says of light.
 
+#include "app/command_line.h"
 #include "app/commands.h"
 #include "app/console.h"
+#include "app/named_files.h"
+#include "app/thread_limit.h"
+#include "measure/sun_hours.h"
 #include "settings/sun_settings.h"
 #include "sun/sun_day.h"
 #include "telemetry/json_text.h"
@@ -67,11 +71,68 @@ void runPosition(const PositionOptions& options) {
         printPosition(json, options.air, day.upAtNoon);
 }
 
+struct HoursOptions {
+    std::string at, from, to, step;
+    SettingOptions settings;
+    measure::SunHoursTask task;
+    CommonOptions common;
+};
+
+void runHours(const HoursOptions& options) {
+    const ThreadLimit threads(options.common);
+    measure::SunHoursTask task = options.task;
+    task.settings = options.settings.settings();
+    task.warn = printWarning;
+    task.period.place = settings::parsed(settings::place(), "--at", options.at);
+    task.period.from = settings::parsed(settings::moment(), "--from", options.from);
+    task.period.to = settings::parsed(settings::moment(), "--to", options.to);
+    task.period.stepSeconds = settings::parsed(settings::duration(), "--step", options.step);
+    task.period.northDegrees = task.settings.north.value_or(0);
+    if ((task.output + task.pfm + task.csv).empty())
+        throw settings::UsageError{"sun hours writes nothing: say -o IMAGE.png, --pfm FILE or --csv FILE"};
+    requireExtension("--output", task.output, ".png");
+    requireApart(
+        {{"MODEL", task.model}, {"--camera", task.settings.cameraFile}},
+        {{"--output", task.output}, {"--pfm", task.pfm}, {"--csv", task.csv}});
+    const measure::SunHoursSummary done = measure::computeSunHours(task, *makeProgress(options.common));
+    std::fprintf(
+        stderr,
+        "%zu points of %zu pixels, sun up in %u of %zu steps; %llu of %llu verdicts hang on the tolerance; drawn to "
+        "%.3g pixels; each time the light comes or goes errs by up to half a step of %g s\n",
+        done.receivers,
+        static_cast<std::size_t>(task.settings.imageSize[0]) * static_cast<std::size_t>(task.settings.imageSize[1]),
+        done.stepsUp,
+        done.steps,
+        static_cast<unsigned long long>(done.touching),
+        static_cast<unsigned long long>(done.samples),
+        done.errorPixels,
+        task.period.stepSeconds);
+}
+
+void addHoursCommand(CLI::App& group) {
+    auto options = std::make_shared<HoursOptions>();
+    CLI::App* command = group.add_subcommand("hours", "Count the hours of sun over a period, by exact shadows");
+    measure::SunHoursTask& task = options->task;
+    command->add_option("MODEL", task.model, "A .gnm file")->required();
+    command->add_option("--at", options->at, "LAT,LON in degrees, north and east positive")->required();
+    command->add_option("--from", options->from, "ISO 8601 with an offset: 2026-06-21T00:00+02:00")->required();
+    command->add_option("--to", options->to, "The period's end, likewise")->required();
+    command->add_option("--step", options->step, "How often it is looked, such as 5m, 90s or 1h")->required();
+    command->add_option("-o,--output", task.output, "Hours as colours, with a legend")->type_name("FILE.png");
+    command->add_option("--pfm", task.pfm, "Hours of each pixel; -1 where nothing is")->type_name("FILE.pfm");
+    command->add_option("--csv", task.csv, "Each point: where, steps, hours, first and last sun")
+        ->type_name("FILE.csv");
+    command->add_flag("--resume", task.isResumed, "Go on with what a killed run left");
+    options->settings.addTo(*command);
+    addCommonOptions(*command, options->common);
+    command->callback([options] { runHours(*options); });
+}
+
 } // namespace
 
 void addSunCommand(CLI::App& program) {
     auto options = std::make_shared<PositionOptions>();
-    CLI::App* group = program.add_subcommand("sun", "Tell where the sun stands");
+    CLI::App* group = program.add_subcommand("sun", "Tell where the sun stands, and how long it shines on what");
     group->require_subcommand(1);
     CLI::App* command = group->add_subcommand("position", "Where the sun stands at a time, when it rises and sets");
     command->add_option("--at", options->at, "LAT,LON in degrees, north and east positive")->required();
@@ -85,6 +146,7 @@ void addSunCommand(CLI::App& program) {
     command->add_flag("--json", options->json, "Print one JSON document");
     addCommonOptions(*command, options->common);
     command->callback([options] { runPosition(*options); });
+    addHoursCommand(*group);
 }
 
 } // namespace gnomon::app

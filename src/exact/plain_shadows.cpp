@@ -92,7 +92,10 @@ std::uint8_t plainStatus(const SampleList& samples, std::size_t i, const PlainSc
 } // namespace
 
 std::vector<std::uint8_t> plainStatuses(
-    const SampleList& samples, std::span<const Caster> casters, const glm::uvec3& originCell) {
+    const SampleList& samples,
+    std::span<const Caster> casters,
+    const glm::uvec3& originCell,
+    std::span<const std::uint8_t> isAsked) {
     std::vector<std::uint8_t> statuses(samples.size(), kLit);
     if (samples.size() == 0) return statuses;
     glm::dvec2 least(samples.u[0], samples.v[0]);
@@ -115,8 +118,9 @@ std::vector<std::uint8_t> plainStatuses(
             triangles.push_back(triangle);
         }
     const PlainScene scene{context, casters, triangles, buckets};
-    tbb::parallel_for(
-        std::size_t{0}, samples.size(), [&](std::size_t i) { statuses[i] = plainStatus(samples, i, scene); });
+    tbb::parallel_for(std::size_t{0}, samples.size(), [&](std::size_t i) {
+        if (isAsked.empty() || isAsked[i] != 0) statuses[i] = plainStatus(samples, i, scene);
+    });
     return statuses;
 }
 

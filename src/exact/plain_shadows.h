@@ -9,8 +9,12 @@
 namespace gnomon::exact {
 
 /// The status of each of `samples`, as ExactShadows finds them, by `meet` with every triangle whose box on the light
-/// plane comes near the sample's. Takes as much memory as the triangles' boxes, 40 bytes each and more.
+/// plane comes near the sample's; where `isAsked` is not empty, of those samples that it has no 0 for, the others are
+/// lit. Takes as much memory as the triangles' boxes, 40 bytes each and more.
 std::vector<std::uint8_t> plainStatuses(
-    const SampleList& samples, std::span<const Caster> casters, const glm::uvec3& originCell);
+    const SampleList& samples,
+    std::span<const Caster> casters,
+    const glm::uvec3& originCell,
+    std::span<const std::uint8_t> isAsked = {});
 
 } // namespace gnomon::exact

@@ -84,6 +84,16 @@ std::optional<raster::OcclusionCounts> drawUndecided(
     return occlusion;
 }
 
+void drawPoints(const FrameDrawing& frame, const ImageBuffers& buffers, exact::VisiblePoints& points) {
+    drawVisible(frame, buffers);
+    points.reset(buffers.picture->pixels.size());
+    UndecidedPixels undecided;
+    undecided.points = &points;
+    const FloatPicture noMaps;
+    const Shading shading(frame, imageClipFromDraw(frame), noMaps, buffers.pass->drawn(), Verdict::Undecided);
+    shadeVisible(shading, *buffers.words, {buffers.picture, nullptr, &undecided});
+}
+
 void gatherExactCasters(const FrameDrawing& frame, const SoftwarePass& image, std::vector<exact::Caster>& casters) {
     casters.clear();
     casters.reserve(image.drawn().size());

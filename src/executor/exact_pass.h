@@ -2,6 +2,7 @@
 #pragma once
 
 #include "exact/exact_shadows.h"
+#include "exact/visible_points.h"
 #include "executor/image_pass.h"
 
 #include <vector>
@@ -19,6 +20,9 @@ std::uint32_t tolerance(const IntegerLight& light);
 /// drawVisible does.
 std::optional<raster::OcclusionCounts> drawUndecided(
     const FrameDrawing& frame, const ImageBuffers& buffers, exact::SampleList& samples, UndecidedPixels& undecided);
+
+/// Draws the image of `frame` in shadow, and collects in `points` all that is visible, to be asked of any light.
+void drawPoints(const FrameDrawing& frame, const ImageBuffers& buffers, exact::VisiblePoints& points);
 
 /// All that can cast: the clusters of the image's pass in their order, then those of `frame.exactCasters` that are not
 /// among them. What `casters` held is overwritten.

@@ -208,7 +208,10 @@ void Shading::leaveUndecided(Work& work, const ShadingTarget& target) const {
     points.triangle = work.triangles.data();
     points.tolerance = work.tolerances.data();
     points.color = batch.litColor.data();
-    undecided.samples->add(points);
+    if (undecided.points != nullptr)
+        undecided.points->add(points);
+    else
+        undecided.samples->add(points);
 }
 
 void Shading::leaveAwaited(Work& work, const ShadingTarget& target) const {

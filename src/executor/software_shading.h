@@ -3,6 +3,7 @@
 
 #include "exact/lookup_mask.h"
 #include "exact/sample_list.h"
+#include "exact/visible_points.h"
 #include "executor/shading_kernel.h"
 #include "executor/software_overlay.h"
 
@@ -23,6 +24,8 @@ struct UndecidedPixels {
     exact::SampleList* samples = nullptr; // get those that face the light, by their pixels, and their colours in it
     std::uint32_t tolerance = 0;          // as exact::meet takes it
     std::vector<float> sliceEnds;         // view depths where the slices of cell maps end, nearest first
+    exact::VisiblePoints* points =
+        nullptr; // gets all of them in place of `samples`, whether they face the light or not
 };
 
 /// Pixels whose maps are still to be drawn: `mask` gets what will be looked up. Where `isLitLater` they are listed too,

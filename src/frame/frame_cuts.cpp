@@ -26,7 +26,8 @@ ConvexVolume imageVolume(selection::DetailView detail, const CutView& cutView) {
     return selection::viewPyramid(detail);
 }
 
-/// Leaves of `receivers` what lies in the model, whose local space begins at `origin`: nothing is shadowed beyond it.
+} // namespace
+
 void clipToModel(const Box& model, const glm::dvec3& origin, ConvexVolume& receivers) {
     for (int axis = 0; axis < 3; ++axis) {
         glm::dvec3 inward(0);
@@ -35,8 +36,6 @@ void clipToModel(const Box& model, const glm::dvec3& origin, ConvexVolume& recei
         receivers.planes.push_back({-inward, model.max[axis] - origin[axis]});
     }
 }
-
-} // namespace
 
 selection::CutQuery cutQuery(const Residency& residency, const PreparedFrame& frame) {
     selection::CutQuery query = residency.query();

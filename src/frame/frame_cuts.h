@@ -27,6 +27,10 @@ void cutImage(
     const Residency& residency,
     const hierarchy::Grid& grid);
 
+/// Leaves of `receivers`, local space, what lies in the model, whose local space begins at `origin`: nothing is
+/// shadowed beyond it.
+void clipToModel(const Box& model, const glm::dvec3& origin, ConvexVolume& receivers);
+
 /// Cuts the image of a planned frame again with the casters of each of its passes, culled to its partition. Casters
 /// that want more detail than the image may raise `errorPixels` under a cap.
 void cutPartitions(PreparedFrame& frame, const Residency& residency);

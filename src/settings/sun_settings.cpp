@@ -21,6 +21,17 @@ std::optional<sun::Place> placeOf(const std::string& text) {
     return sun::Place{.latitude = *latitude, .longitude = *longitude};
 }
 
+constexpr double kSecondsOfMinute = 60;
+constexpr double kSecondsOfHour = 3600;
+
+std::optional<double> secondsOf(const std::string& text) {
+    if (text.empty()) return std::nullopt;
+    const char unit = text.back();
+    const double seconds = unit == 'h' ? kSecondsOfHour : unit == 'm' ? kSecondsOfMinute : unit == 's' ? 1 : 0;
+    const std::optional<double> count = positiveNumber().read(text.substr(0, text.size() - 1));
+    return count && seconds > 0 ? std::optional(*count * seconds) : std::nullopt;
+}
+
 std::optional<SunTime> sunTimeOf(const std::string& text) {
     const std::size_t comma = text.rfind(',');
     if (comma == std::string::npos) return std::nullopt;
@@ -52,6 +63,10 @@ Codec<sun::CivilTime> moment() {
         "a date and time with its offset from UTC, such as 2026-06-21T12:00+02:00"};
 }
 
+Codec<double> duration() {
+    return {secondsOf, [](double seconds) { return shortest(seconds) + "s"; }, "a time such as 5m, 90s or 1h"};
+}
+
 Codec<SunTime> sunTime() {
     return {
         sunTimeOf,
@@ -81,15 +96,19 @@ std::vector<Setting> sunSettings() {
     };
 }
 
-glm::dvec3 towardsSun(const SunTime& asked, double north, const glm::dvec3& up) {
-    const sun::SunPosition sun = sun::sunPosition(sun::julianDate(asked.time), asked.place, {});
-    if (sun.elevationRefracted <= 0)
-        throw UsageError{formatted("--sun: the sun is down then, at %.1f degrees; ", sun.elevation) + upTimes(asked)};
+glm::dvec3 towardsSun(const sun::SunPosition& sun, double north, const glm::dvec3& up) {
     const double azimuth = radiansFromDegrees(sun.azimuth + north);
     const double elevation = radiansFromDegrees(sun.elevationRefracted);
     const double level = std::cos(elevation);
     return hierarchy::uprightFrame(up).toWorld(
         {level * std::sin(azimuth), std::sin(elevation), -level * std::cos(azimuth)});
+}
+
+glm::dvec3 towardsSun(const SunTime& asked, double north, const glm::dvec3& up) {
+    const sun::SunPosition sun = sun::sunPosition(sun::julianDate(asked.time), asked.place, {});
+    if (sun.elevationRefracted <= 0)
+        throw UsageError{formatted("--sun: the sun is down then, at %.1f degrees; ", sun.elevation) + upTimes(asked)};
+    return towardsSun(sun, north, up);
 }
 
 } // namespace gnomon::settings

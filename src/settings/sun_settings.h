@@ -2,6 +2,7 @@
 #pragma once
 
 #include "settings/setting.h"
+#include "sun/sun_position.h"
 
 namespace gnomon::settings {
 
@@ -11,11 +12,18 @@ Codec<sun::Place> place();
 /// "2026-06-21T12:00+02:00", ISO 8601 with an offset, in the years from 1 to 9999.
 Codec<sun::CivilTime> moment();
 
+/// "5m", "90s", "1.5h": a time above 0, in seconds.
+Codec<double> duration();
+
 /// Both, "LAT,LON,TIME".
 Codec<SunTime> sunTime();
 
 /// `--sun` and `--north`, the rows of the table of settings about them.
 std::vector<Setting> sunSettings();
+
+/// The direction towards a Sun that stands there, of unit length, as the air shows it, above the horizon or below, in a
+/// world as below.
+glm::dvec3 towardsSun(const sun::SunPosition& sun, double north, const glm::dvec3& up);
 
 /// The direction towards the Sun, of unit length, as the usual air shows it, in a world in which `up` is up. True north
 /// lies `north` degrees clockwise, seen from above, of the world's own, which is opposite its front: -z where y is up,

@@ -1,0 +1,40 @@
+// The hours of sun of a view as files.
+#pragma once
+
+#include "daylight/sun_hours.h"
+#include "daylight/sun_view.h"
+
+#include <string>
+
+namespace gnomon::measure {
+
+/// What was computed; all must outlive it. Every file appears when it is complete. Throws Error.
+class SunHoursFiles {
+public:
+    SunHoursFiles(
+        const daylight::SunView& view,
+        const daylight::LitSteps& lit,
+        const std::vector<daylight::SunStep>& steps,
+        const settings::SunPeriod& period);
+
+    /// A PNG, from no hours to all that the Sun is up, with its legend.
+    void writePicture(const std::string& path) const;
+
+    /// Hours; -1 where nothing is.
+    void writePfm(const std::string& path) const;
+
+    /// A row for each pixel that sees the model, from the upper left on: column and row from there, the point in the
+    /// source's coordinates, steps and hours with sun, the middle of the first and of the last of these steps.
+    void writeCsv(const std::string& path) const;
+
+private:
+    double hours(std::uint32_t steps) const { return steps * period_->stepSeconds / 3600; }
+
+    const daylight::SunView* view_;
+    const daylight::LitSteps* lit_;
+    const std::vector<daylight::SunStep>* steps_;
+    const settings::SunPeriod* period_;
+    std::vector<std::uint32_t> pointOf_; // by pixel; kNever where nothing is
+};
+
+} // namespace gnomon::measure

@@ -1,0 +1,40 @@
+#include "settings/sun_period.h"
+
+#include "settings/resolve.h"
+#include "settings/usage_error.h"
+
+#include <cmath>
+
+namespace gnomon::settings {
+
+std::size_t stepCount(const SunPeriod& period) {
+    constexpr double kSecondsOfDay = 86400;
+    const sun::JulianDate from = sun::julianDate(period.from);
+    const sun::JulianDate to = sun::julianDate(period.to);
+    const double seconds = ((to.midnight - from.midnight) + (to.fraction - from.fraction)) * kSecondsOfDay;
+    if (!(seconds > 0)) throw UsageError{"--to has to be later than --from"};
+    // A microsecond more or less is the rounding of dates.
+    const double steps = std::ceil(seconds / period.stepSeconds - 0.5 - 1e-6 / period.stepSeconds);
+    if (steps < 1) throw UsageError{"--step is more than twice the time from --from to --to"};
+    if (steps > kMostSunSteps) throw UsageError{"--step is too short: more than a million steps from --from to --to"};
+    return static_cast<std::size_t>(steps);
+}
+
+Settings sunHoursSettings(const Settings& settings) {
+    Settings result = settings;
+    if (result.sun) throw UsageError{"--sun is of one picture: sun hours has --at, --from and --to"};
+    if (result.isLightGiven) throw UsageError{"--light contradicts --at: the light is the sun's"};
+    if (result.quality.shadows != plan::ShadowMode::Auto && result.quality.shadows != plan::ShadowMode::Exact)
+        throw UsageError{"--shadows: hours of sun are counted by exact shadows alone"};
+    if (result.backend != Backend::Auto && result.backend != Backend::Software)
+        throw UsageError{"--backend: hours of sun are counted by the software executor alone"};
+    if (result.quality.mapsBecause)
+        throw UsageError{"hours of sun are counted by exact shadows: no option of maps goes with them"};
+    result.north.reset();
+    if (!isPosed(result)) result.side = path::ViewSide::Top;
+    result.quality.shadows = plan::ShadowMode::Exact;
+    result.backend = Backend::Software;
+    return result;
+}
+
+} // namespace gnomon::settings

@@ -1,0 +1,86 @@
+"""`sun hours`: its files agree with each other and with pictures, a killed run goes on, and what is refused."""
+import array
+import csv
+import os
+import signal
+import subprocess
+import time
+
+from program import GNOMON, ProgramTest, run
+
+DAY = ("--at", "47,8", "--from", "2026-06-21T00:00+02:00", "--to", "2026-06-22T00:00+02:00")
+SIZE = ("--size", "96x64")
+
+
+def pfm(path):
+    """Rows from the top."""
+    head, size, _, values = path.read_bytes().split(b"\n", 3)
+    assert head == b"Pf"
+    width, height = map(int, size.split())
+    numbers = array.array("f", values)
+    return [numbers[width * (height - 1 - row) : width * (height - row)] for row in range(height)]
+
+
+class SunHours(ProgramTest):
+    def hours(self, name, *words):
+        """The bytes of the three files."""
+        paths = [self.place / f"{name}.{kind}" for kind in ("png", "pfm", "csv")]
+        told = self.expect(0, "of 96 steps", "sun", "hours", self.sundial, *DAY, "--step", "15m", *SIZE,
+                           "-o", paths[0], "--pfm", paths[1], "--csv", paths[2], *words)  # fmt: skip
+        self.assertFalse((self.place / f"{name}.png.steps").exists())
+        return paths, [path.read_bytes() for path in paths], told.stderr
+
+    def test_files_agree_whatever_the_threads(self):
+        paths, written, told = self.hours("plan")
+        self.assertEqual(self.hours("again", "--threads", "1")[1], written)
+        with open(paths[2], newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertIn(f"{len(rows)} points of 6144 pixels, sun up in 64 of 96 steps", told)
+        image = pfm(paths[1])
+        covered = sum(value >= 0 for row in image for value in row)
+        self.assertEqual(covered, len(rows))
+        self.assertGreater(covered, 1000)
+        for row in rows:
+            steps = int(row["steps"])
+            self.assertEqual(float(row["hours"]), steps / 4)
+            self.assertEqual(image[int(row["row"])][int(row["column"])], steps / 4)
+            self.assertEqual(row["first_sun"] == "", steps == 0)
+            self.assertLessEqual(row["first_sun"], row["last_sun"])
+        self.assertGreater(len({row["steps"] for row in rows}), 10)
+
+    def test_a_killed_run_goes_on(self):
+        whole = self.hours("whole")[1]
+        words = ["sun", "hours", self.sundial, *DAY, *SIZE]
+        outputs = ["-o", self.place / "cut.png", "--pfm", self.place / "cut.pfm", "--csv", self.place / "cut.csv"]
+        log = self.place / "cut.png.steps"
+        slowed = [GNOMON, *map(str, words + outputs), "--step", "15m", "--threads", "1"]
+        process = subprocess.Popen(slowed, stderr=subprocess.DEVNULL)
+        while process.poll() is None and not (log.exists() and log.stat().st_size > 3000):
+            time.sleep(0.001)
+        if process.poll() is None:
+            os.kill(process.pid, signal.SIGKILL)
+        killed = process.wait() != 0
+        self.assertEqual(log.exists(), killed)
+        if killed:
+            other = run(*words, *outputs, "--resume", "--step", "10m")
+            self.assertEqual((other.returncode, "cannot resume" in other.stderr), (1, True), other.stderr)
+        self.assertEqual(self.hours("cut", "--resume")[1], whole)
+
+    def test_what_is_refused(self):
+        picture = self.place / "refused.png"
+        asked = ("sun", "hours", self.sundial, *DAY, "--step", "15m", *SIZE)
+        self.expect(2, "writes nothing", *asked)
+        for words, said in (
+            (("--light", "1,1,1"), "--light"),
+            (("--sun", "47,8,2026-06-21T12:00Z"), "--sun"),
+            (("--shadows", "maps"), "--shadows"),
+            (("--z-partitions", "2"), "exact shadows"),
+            (("--backend", "egl"), "--backend"),
+        ):
+            self.expect(2, said, *asked, "-o", picture, *words)
+        start = ("sun", "hours", self.sundial, "-o", picture, "--at", "47,8", "--from", "2026-06-21T00:00+02:00")
+        self.expect(2, "--to has to be later", *start, "--to", "2026-06-20T00:00+02:00", "--step", "1h")
+        self.expect(2, "--step: expected a time such as", *start, "--to", "2026-06-22T00:00+02:00", "--step", "15")
+        self.expect(2, "--step is more than twice", *start, "--to", "2026-06-21T01:00+02:00", "--step", "3h")
+        self.expect(1, "the sun is down", *start, "--to", "2026-06-21T02:00+02:00", "--step", "10m")
+        self.assertEqual(list(self.place.path.glob("refused*")), [])

@@ -1,0 +1,289 @@
+// Hours of sun: a period in steps, light after light on one view, and the log that a killed run goes on with.
+#include "core/error.h"
+#include "core/random.h"
+#include "daylight/lit_log.h"
+#include "daylight/receivers.h"
+#include "daylight/sun_hours.h"
+#include "daylight/sun_steps.h"
+#include "daylight/sun_view.h"
+#include "exact/visible_points.h"
+#include "frame/drawn_model.h"
+#include "hierarchy/scene_mesh.h"
+#include "settings/sun_period.h"
+#include "settings/sun_settings.h"
+#include "sun/sun_day.h"
+
+#include <gtest/gtest.h>
+#include <tbb/task_arena.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace gnomon::daylight {
+namespace {
+
+sun::CivilTime momentAt(const std::string& text) {
+    return *sun::parseCivilTime(text);
+}
+
+settings::SunPeriod midsummerDay() {
+    return {{47, 8}, momentAt("2026-06-21T00:00+02:00"), momentAt("2026-06-22T00:00+02:00"), 900};
+}
+
+TEST(SunSteps, StandForTheMiddlesOfTheirPartsOfThePeriod) {
+    const std::vector<SunStep> steps = sunSteps(midsummerDay());
+    ASSERT_EQ(steps.size(), 96U);
+    EXPECT_EQ(steps.front().time, "2026-06-21T00:07:30+02:00");
+    EXPECT_EQ(steps.back().time, "2026-06-21T23:52:30+02:00");
+    const sun::SunDay day = sun::sunDay(midsummerDay().from, midsummerDay().place, {});
+    for (const SunStep& step : steps) {
+        const settings::SunPeriod period = midsummerDay();
+        const sun::SunPosition sun = sun::sunPosition(sun::julianDate(momentAt(step.time)), period.place, {});
+        EXPECT_EQ(step.isUp, sun.elevationRefracted > 0) << step.time;
+        if (!step.isUp) continue;
+        const glm::dvec3 light = step.light.unit();
+        EXPECT_NEAR(std::asin(light.y) * 180 / 3.14159265358979, sun.elevationRefracted, 1e-5) << step.time;
+        EXPECT_GT(light.x * (sun.azimuth < 180 ? 1 : -1), 0) << "in the east before noon";
+    }
+    const double hoursUp =
+        24 * ((day.sunset->midnight - day.sunrise->midnight) + day.sunset->fraction - day.sunrise->fraction);
+    EXPECT_NEAR(static_cast<double>(lightsOf(steps).size()) / 4, hoursUp, 0.5)
+        << "but for half a step and the disc's half at both ends";
+}
+
+TEST(SunSteps, TakeAHalfStepMoreOrLessAndRefuseTooFewAndTooMany) {
+    settings::SunPeriod period = midsummerDay();
+    period.to = momentAt("2026-06-21T01:00+02:00");
+    const auto count = [&](double seconds) {
+        period.stepSeconds = seconds;
+        return sunSteps(period).size();
+    };
+    EXPECT_EQ(count(1800), 2U);
+    EXPECT_EQ(count(1000), 4U); // 3.6 of them
+    EXPECT_EQ(count(1100), 3U); // 3.27
+    EXPECT_EQ(count(5400), 1U);
+    EXPECT_EQ(count(300), 12U);
+    EXPECT_THROW(count(7300), settings::UsageError);
+    EXPECT_THROW(count(1e-3), settings::UsageError);
+    std::swap(period.from, period.to);
+    EXPECT_THROW(count(300), settings::UsageError);
+}
+
+/// Boxes over a plain, and lights from all sides of the sky.
+struct BoxYard {
+    explicit BoxYard(std::uint64_t seed) : random(seed) {
+        tests::SceneMesh scene;
+        scene.addGround(40, 8);
+        for (int i = 0; i < 12; ++i) {
+            const glm::dvec3 low(random.uniform(-12, 10), random.uniform(-0.5, 4), random.uniform(-12, 10));
+            scene.addBox(low, low + glm::dvec3(random.uniform(0.2, 4), random.uniform(0.2, 4), random.uniform(0.2, 4)));
+        }
+        model = std::make_unique<frame::DrawnModel>(scene.model());
+        view.width = 120;
+        view.height = 90;
+        view.camera = {{random.uniform(-9, 9), random.uniform(8, 30), random.uniform(-9, 9)}, {0, 0, 0}, {0, 0, 1}, 1};
+        for (int i = 0; i < 12; ++i) {
+            const double angle = random.uniform(0, 6.28);
+            lights.push_back(roundedLight({std::cos(angle), random.uniform(0.02, 3), std::sin(angle)}));
+        }
+    }
+
+    Random random;
+    std::unique_ptr<frame::DrawnModel> model;
+    plan::View view;
+    std::vector<IntegerLight> lights;
+};
+
+/// Which pixels a frame by itself has in the light.
+std::vector<std::uint8_t> litByFrame(BoxYard& yard, const IntegerLight& light) {
+    plan::View view = yard.view;
+    view.towardsLight = glm::dvec3(light.direction);
+    plan::Quality quality;
+    quality.shadows = plan::ShadowMode::Exact;
+    frame::FrameOptions options;
+    options.wantsSurfaces = true;
+    yard.model->draw(view, quality, options);
+    std::vector<std::uint8_t> lit;
+    for (const executor::SurfaceSample& surface : yard.model->executor().surfaces().pixels)
+        lit.push_back(surface.isLitSide() && surface.litFraction() >= 0.5F ? 1 : 0);
+    return lit;
+}
+
+TEST(SunView, LightsWhatFramesAndPlainIntegersDo) {
+    std::size_t litPixels = 0;
+    std::size_t darkPoints = 0;
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+        BoxYard yard(seed);
+        std::vector<std::vector<std::uint8_t>> expected;
+        for (const IntegerLight& light : yard.lights)
+            expected.push_back(litByFrame(yard, light));
+        SunView receivers(yard.model->renderer(), yard.view, {}, yard.lights);
+        ASSERT_EQ(receivers.count(), expected.front().size());
+        std::vector<std::uint8_t> lit(receivers.count(), 7);
+        std::vector<std::uint8_t> plain(receivers.count(), 7);
+        const std::vector<std::uint8_t> all(receivers.count(), 1);
+        for (std::size_t i = 0; i < yard.lights.size(); ++i) {
+            const exact::ExactStatistics statistics = receivers.decide(yard.lights[i], lit);
+            receivers.decidePlainly(yard.lights[i], all, plain);
+            EXPECT_EQ(lit, plain) << "seed " << seed << ", light " << i;
+            EXPECT_EQ(lit, expected[i]) << "seed " << seed << ", light " << i;
+            litPixels += static_cast<std::size_t>(std::count(lit.begin(), lit.end(), 1));
+            darkPoints += statistics.dark;
+        }
+    }
+    EXPECT_GT(litPixels, 20000U);
+    EXPECT_GT(darkPoints, 5000U);
+}
+
+TEST(SunView, HangsOnNoThreadsAndNoLightBefore) {
+    BoxYard yard(9);
+    std::vector<std::vector<std::uint8_t>> before;
+    for (const int threads : {1, 2, 4})
+        tbb::task_arena(threads).execute([&] {
+            SunView receivers(yard.model->renderer(), yard.view, {}, yard.lights);
+            std::vector<std::vector<std::uint8_t>> lit(
+                yard.lights.size(), std::vector<std::uint8_t>(receivers.count()));
+            for (std::size_t i = 0; i < lit.size(); ++i) {
+                const std::size_t at = threads == 2 ? lit.size() - 1 - i : i;
+                receivers.decide(yard.lights[at], lit[at]);
+            }
+            if (before.empty()) before = lit;
+            EXPECT_EQ(lit, before) << threads << " threads";
+        });
+}
+
+TEST(SunView, SaysWhereItsPointsLie) {
+    BoxYard yard(3);
+    const SunView receivers(yard.model->renderer(), yard.view, {}, yard.lights);
+    const CameraBasis basis = cameraBasis(yard.view.camera);
+    ASSERT_GT(receivers.points().size(), 1000U);
+    for (std::size_t i = 0; i < receivers.points().size(); ++i) {
+        const glm::dvec3 d = receivers.position(i) - yard.view.camera.eye;
+        const double depth = glm::dot(d, basis.view);
+        const std::uint32_t pixel = receivers.points().pixel(i);
+        const double x = (glm::dot(d, basis.right) / depth / yard.view.tanHalfX() + 1) / 2 * yard.view.width;
+        const double y = (1 - glm::dot(d, basis.up) / depth / yard.view.tanHalfY()) / 2 * yard.view.height;
+        EXPECT_NEAR(x, pixel % 120 + 0.5, 0.01);
+        EXPECT_NEAR(y, static_cast<int>(pixel / 120) + 0.5, 0.01);
+    }
+}
+
+/// Receivers that light of a given direction reaches or not, by chance.
+class Dice final : public Receivers {
+public:
+    std::size_t count() const override { return 1000; }
+
+    exact::ExactStatistics decide(const IntegerLight& light, std::span<std::uint8_t> isLit) override {
+        ++decided;
+        for (std::size_t i = 0; i < isLit.size(); ++i)
+            isLit[i] = mix64(i ^ mix64(static_cast<std::uint64_t>(light.direction.x))) % 3 == 0 ? 1 : 0;
+        exact::ExactStatistics statistics;
+        statistics.samples = isLit.size();
+        return statistics;
+    }
+
+    std::size_t decided = 0;
+};
+
+/// Ends the work after so many lights.
+class Stopping final : public Progress {
+public:
+    explicit Stopping(std::uint64_t after) : left_(after) {}
+
+    void stage(std::string_view /*name*/, std::string_view /*unit*/, std::uint64_t /*total*/) override {}
+
+    void advance(std::uint64_t count) override {
+        if (left_ <= count) throw Interrupted{};
+        left_ -= count;
+    }
+
+private:
+    std::uint64_t left_;
+};
+
+/// A name for a log, which goes with it.
+struct LogName {
+    LogName() { std::filesystem::remove(path); }
+
+    ~LogName() { std::filesystem::remove(path); }
+
+    LogName(const LogName&) = delete;
+    LogName& operator=(const LogName&) = delete;
+    LogName(LogName&&) = delete;
+    LogName& operator=(LogName&&) = delete;
+
+    std::string path =
+        (std::filesystem::temp_directory_path() / ("gnomon_sun_log_" + std::to_string(::getpid()))).string();
+};
+
+TEST(LitSteps, CountEachStepAndKeepTheFirstAndTheLast) {
+    const std::vector<SunStep> steps = sunSteps(midsummerDay());
+    const LogName name;
+    LitLog log(name.path, "a", Dice().count(), false);
+    Dice dice;
+    NoProgress silent;
+    const LitSteps found = litSteps(dice, steps, log, silent);
+    EXPECT_EQ(found.stepsUp, lightsOf(steps).size());
+    EXPECT_EQ(found.samples, 1000U * found.stepsUp);
+    std::vector<std::uint8_t> lit(dice.count());
+    LitSteps expected;
+    expected.count.assign(dice.count(), 0);
+    expected.first = expected.last = std::vector<std::uint32_t>(dice.count(), LitSteps::kNever);
+    for (std::uint32_t s = 0; s < steps.size(); ++s) {
+        if (!steps[s].isUp) continue;
+        dice.decide(steps[s].light, lit);
+        for (std::size_t i = 0; i < lit.size(); ++i) {
+            expected.count[i] += lit[i];
+            if (lit[i] != 0 && expected.first[i] == LitSteps::kNever) expected.first[i] = s;
+            if (lit[i] != 0) expected.last[i] = s;
+        }
+    }
+    EXPECT_EQ(found.count, expected.count);
+    EXPECT_EQ(found.first, expected.first);
+    EXPECT_EQ(found.last, expected.last);
+}
+
+TEST(LitSteps, GoOnWhereAKilledRunStopped) {
+    const std::vector<SunStep> steps = sunSteps(midsummerDay());
+    const std::size_t lights = lightsOf(steps).size();
+    const LogName name;
+    Dice dice;
+    NoProgress silent;
+    LitSteps whole;
+    {
+        LitLog log(name.path, "a", dice.count(), false);
+        whole = litSteps(dice, steps, log, silent);
+        log.remove();
+    }
+    for (const int cut : {0, 1, 50, 136}) { // bytes that a kill leaves of a record more
+        Stopping stopping(20);
+        {
+            LitLog log(name.path, "a", dice.count(), false);
+            EXPECT_THROW(litSteps(dice, steps, log, stopping), Interrupted);
+        }
+        std::ofstream(name.path, std::ios::app | std::ios::binary) << std::string(static_cast<std::size_t>(cut), 'x');
+        EXPECT_THROW(LitLog(name.path, "b", dice.count(), true), Error);
+        LitLog log(name.path, "a", dice.count(), true);
+        EXPECT_EQ(log.size(), 20U);
+        EXPECT_THROW(LitLog(name.path, "a", dice.count(), true), Error) << "one process at a time";
+        dice.decided = 0;
+        const LitSteps resumed = litSteps(dice, steps, log, silent);
+        EXPECT_EQ(dice.decided, lights - 20);
+        EXPECT_EQ(resumed.count, whole.count);
+        EXPECT_EQ(resumed.first, whole.first);
+        EXPECT_EQ(resumed.last, whole.last);
+        log.remove();
+    }
+}
+
+TEST(LitLog, LeavesWhatIsNoLogAlone) {
+    const LogName name;
+    std::ofstream(name.path) << "a text of some length that is nobody's log";
+    EXPECT_THROW(LitLog(name.path, "a", 64, true), Error);
+    EXPECT_GT(std::filesystem::file_size(name.path), 0U);
+    std::filesystem::remove(name.path);
+    EXPECT_EQ(LitLog(name.path, "a", 64, true).size(), 0U) << "nothing to resume is a beginning";
+}
+
+} // namespace
+} // namespace gnomon::daylight

@@ -17,7 +17,7 @@ namespace gnomon {
 namespace {
 
 using exact::Corners;
-using exact::Random;
+using exact::RandomWholes;
 
 bool isLit(const executor::SurfaceSample& surface) {
     return surface.isLitSide() && surface.litFraction() >= 0.5F;
@@ -107,7 +107,7 @@ public:
 };
 
 /// A point of a triangle times 2^24: inside, on an edge, or a corner, for 0, 1 and 2.
-glm::i64vec3 pointOf(const Corners& corners, int kind, Random& random) {
+glm::i64vec3 pointOf(const Corners& corners, int kind, RandomWholes& random) {
     constexpr std::int64_t kOne = std::int64_t{1} << exact::kWeightBits;
     const std::int64_t b = kind == 2 ? 0 : random.whole(1, kOne - 2);
     const std::int64_t c = kind == 0 ? random.whole(1, kOne - 1 - b) : 0;
@@ -141,7 +141,10 @@ bool isSameAround(const Surface& surface, const IntegerLight& light, const glm::
 /// Traces rays towards random lights through points of a group's triangles, inside, on edges and in corners, from 16 to
 /// 65,536 cells before them, and counts them by these kinds.
 void compareTies(
-    const Surface& surface, const hierarchy::GridPoint& origin, Random& random, std::array<TieCounts, 3>& counts) {
+    const Surface& surface,
+    const hierarchy::GridPoint& origin,
+    RandomWholes& random,
+    std::array<TieCounts, 3>& counts) {
     raycast::KeptTrees trees;
     const hierarchy::Grid cells;
     const raycast::CutScene scene(trees, {&surface.clusters, 1}, cells, origin);
@@ -168,7 +171,7 @@ void compareTies(
 }
 
 void compareAllTies(const hierarchy::ModelFile& model, const std::int64_t away) {
-    Random random(7);
+    RandomWholes random(7);
     std::array<TieCounts, 3> counts{};
     std::vector<std::uint32_t> finest;
     for (std::uint32_t p = 0; p < model.pages().size(); ++p)

@@ -19,7 +19,7 @@ struct Items {
     std::vector<std::uint32_t> members;
 };
 
-struct Input {
+struct ClusterInput {
     std::span<const simplify::Triangle> triangles;
     std::span<const std::uint32_t> positionOf;
     Positions positions;
@@ -31,7 +31,7 @@ struct Input {
 };
 
 /// For each triangle the number of its connected piece, counted in the order of first appearance.
-std::vector<std::uint32_t> pieces(const Input& input, std::uint32_t& count) {
+std::vector<std::uint32_t> pieces(const ClusterInput& input, std::uint32_t& count) {
     simplify::UnionFind sets(static_cast<std::uint32_t>(input.positions.size()));
     for (const simplify::Triangle& t : input.triangles) {
         sets.unite(input.positionOf[t[0]], input.positionOf[t[1]]);
@@ -48,7 +48,7 @@ std::vector<std::uint32_t> pieces(const Input& input, std::uint32_t& count) {
     return pieceOf;
 }
 
-Items itemsOf(const Input& input, std::uint32_t maxTriangles) {
+Items itemsOf(const ClusterInput& input, std::uint32_t maxTriangles) {
     std::uint32_t pieceCount = 0;
     const std::vector<std::uint32_t> pieceOf = pieces(input, pieceCount);
     std::vector<std::uint32_t> size(pieceCount, 0);
@@ -81,7 +81,7 @@ Items itemsOf(const Input& input, std::uint32_t maxTriangles) {
     return result;
 }
 
-std::uint32_t vertexCount(const Input& input, std::span<const std::uint32_t> cluster, LocalNumbers& numbers) {
+std::uint32_t vertexCount(const ClusterInput& input, std::span<const std::uint32_t> cluster, LocalNumbers& numbers) {
     numbers.begin();
     for (const std::uint32_t t : cluster)
         for (const std::uint32_t v : input.triangles[t])
@@ -90,7 +90,8 @@ std::uint32_t vertexCount(const Input& input, std::span<const std::uint32_t> clu
 }
 
 /// Appends `cluster`, halved until its vertices fit.
-void appendFitting(const Input& input, std::span<const std::uint32_t> cluster, LocalNumbers& numbers, Clustering& out) {
+void appendFitting(
+    const ClusterInput& input, std::span<const std::uint32_t> cluster, LocalNumbers& numbers, Clustering& out) {
     if (const std::uint32_t vertices = vertexCount(input, cluster, numbers); vertices <= kMaxClusterVertices) {
         out.order.insert(out.order.end(), cluster.begin(), cluster.end());
         out.ends.push_back(static_cast<std::uint32_t>(out.order.size()));
@@ -116,7 +117,7 @@ Clustering clusterTriangles(
     std::span<const std::uint32_t> positionOf,
     std::span<const glm::vec3> positions,
     std::uint32_t maxTriangles) {
-    const Input input{triangles, positionOf, positions};
+    const ClusterInput input{triangles, positionOf, positions};
     const Items items = itemsOf(input, maxTriangles);
     const KdParts parts = kdSplit(items.items, maxTriangles, 0.5);
     Clustering result;

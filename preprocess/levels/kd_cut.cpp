@@ -46,7 +46,7 @@ private:
     std::size_t count_;
 };
 
-struct Input {
+struct CutInput {
     std::span<KdPoint> points;
     std::span<KdPoint> spare;
     std::span<const std::uint32_t> weights;
@@ -58,7 +58,7 @@ struct Input {
 /// many they are.
 template <int kAxis>
 std::size_t narrow(
-    const Input& input, std::span<const KdPoint> candidates, const KdBounds& bounds, std::uint64_t& before) {
+    const CutInput& input, std::span<const KdPoint> candidates, const KdBounds& bounds, std::uint64_t& before) {
     const Buckets buckets(bounds.low[kAxis], bounds.high[kAxis], candidates.size());
     std::array<std::uint64_t, Buckets::kMost> weight{};
     for (const KdPoint& point : candidates)
@@ -76,7 +76,7 @@ std::size_t narrow(
 
 /// A copy of `candidates`, in the spare points, in the order in which points are cut.
 template <int kAxis>
-std::span<const KdPoint> sorted(const Input& input, std::span<const KdPoint> candidates) {
+std::span<const KdPoint> sorted(const CutInput& input, std::span<const KdPoint> candidates) {
     const std::span<KdPoint> copies = input.spare.first(candidates.size());
     if (candidates.data() != copies.data()) std::copy(candidates.begin(), candidates.end(), copies.begin());
     std::sort(copies.begin(), copies.end(), [](const KdPoint& a, const KdPoint& b) {
@@ -88,7 +88,7 @@ std::span<const KdPoint> sorted(const Input& input, std::span<const KdPoint> can
 /// Narrows the points down to those of the bucket in which the target is reached, these to those of a narrower one,
 /// until they are so few that they can be looked at in their order.
 template <int kAxis>
-Place findPlace(const Input& input, KdBounds bounds) {
+Place findPlace(const CutInput& input, KdBounds bounds) {
     constexpr std::size_t kFew = 16;
     std::span<const KdPoint> candidates = input.points;
     std::uint64_t before = 0;
@@ -110,7 +110,7 @@ Place findPlace(const Input& input, KdBounds bounds) {
 /// Brings the points before `place` to the front and returns how many they are. Every point is written to both sides,
 /// and stays on the one that grows by it.
 template <int kAxis>
-std::size_t part(const Input& input, const Place place) {
+std::size_t part(const CutInput& input, const Place place) {
     KdPoint* const low = input.points.data();
     KdPoint* const high = input.spare.data();
     const std::size_t count = input.points.size();
@@ -127,7 +127,7 @@ std::size_t part(const Input& input, const Place place) {
 
 /// The axis is known to the compiler, since the inner loops are short.
 template <int kAxis>
-KdSide cutAcross(const Input& input, const KdBounds& bounds) {
+KdSide cutAcross(const CutInput& input, const KdBounds& bounds) {
     const Place place = findPlace<kAxis>(input, bounds);
     return {part<kAxis>(input, place), place.weightBefore};
 }
@@ -151,7 +151,7 @@ int widestAxis(const KdBounds& bounds) {
 
 KdSide cutPoints(
     std::span<KdPoint> points, std::span<KdPoint> spare, std::span<const std::uint32_t> weights, std::uint64_t target) {
-    const Input input{points, spare, weights, target};
+    const CutInput input{points, spare, weights, target};
     const KdBounds bounds = boundsOf(points);
     switch (widestAxis(bounds)) {
     case 0:

@@ -11,7 +11,6 @@ namespace gnomon::frame {
 
 namespace {
 
-constexpr int kCells = plan::kCellSide;
 constexpr std::size_t kMostClusters = 4096; // that are looked at
 constexpr double kPickedClusters = 160;
 constexpr std::uint32_t kTrianglesOfCluster = 16;
@@ -89,7 +88,7 @@ double ExactEstimate::Slice::texelsOfCell() const {
 /// Tells the masks of a point in cell (x, y), which stands for others around it.
 void ExactEstimate::lowerMasks(const Point& point, int x, int y) {
     Slice& slice = slices_[point.slice];
-    const auto block = [](int cell) { return std::clamp(cell, 0, kCells - 1) >> kBlockBits; };
+    const auto block = [](int cell) { return std::clamp(cell, 0, plan::kCellSide - 1) >> kBlockBits; };
     const auto first = [&](int cell) { return block(cell - kReachCells) << kBlockBits; };
     const auto last = [&](int cell) { return block(cell + kReachCells) << kBlockBits | (kBlockSide - 1); };
     slice.cells = {
@@ -126,21 +125,21 @@ void ExactEstimate::sortPoints(const executor::FrameDrawing& frame) {
         fit();
     }
     leastW_ /= 2;
-    const glm::dvec2 scale = kCells * 0.998 / glm::max(high - low, glm::dvec2(1e-300));
-    const glm::dvec2 offset = glm::dvec2(kCells * 0.001) - low * scale;
+    const glm::dvec2 scale = plan::kCellSide * 0.998 / glm::max(high - low, glm::dvec2(1e-300));
+    const glm::dvec2 offset = glm::dvec2(plan::kCellSide * 0.001) - low * scale;
     cells_ = glm::dmat3(glm::dvec3(scale.x, 0, 0), glm::dvec3(0, scale.y, 0), glm::dvec3(offset, 1)) * cells_;
-    first_.assign(kCells * kCells + 1, 0);
+    first_.assign(plan::kCellSide * plan::kCellSide + 1, 0);
     cellOf_.clear();
-    mask_.reset(kCells, kCells);
+    mask_.reset(plan::kCellSide, plan::kCellSide);
     for (Slice& slice : slices_) {
-        slice.mask.reset(kCells, kCells);
-        slice.cells = {kCells, kCells, -1, -1};
+        slice.mask.reset(plan::kCellSide, plan::kCellSide);
+        slice.cells = {plan::kCellSide, plan::kCellSide, -1, -1};
     }
     for (const Point& point : points_) {
         const glm::dvec3 p = cells_ * glm::dvec3(point.u, point.v, 1);
-        const int x = exact::cellAt(p.x / p.z, kCells);
-        const int y = exact::cellAt(p.y / p.z, kCells);
-        cellOf_.push_back(static_cast<std::uint32_t>(y * kCells + x));
+        const int x = exact::cellAt(p.x / p.z, plan::kCellSide);
+        const int y = exact::cellAt(p.y / p.z, plan::kCellSide);
+        cellOf_.push_back(static_cast<std::uint32_t>(y * plan::kCellSide + x));
         ++first_[cellOf_.back() + 1];
         lowerMasks(point, x, y);
     }
@@ -161,25 +160,25 @@ void ExactEstimate::sortPoints(const executor::FrameDrawing& frame) {
 }
 
 void ExactEstimate::Sums::add(const std::vector<std::uint32_t>& first, const std::vector<double>& shares) {
-    constexpr std::size_t kCorners = std::size_t{kCells} + 1;
+    constexpr std::size_t kCorners = std::size_t{plan::kCellSide} + 1;
     below.assign(kCorners * kCorners, 0);
-    for (std::size_t y = 0; y < kCells; ++y) {
+    for (std::size_t y = 0; y < plan::kCellSide; ++y) {
         float sum = 0;
-        for (std::size_t x = 0; x < kCells; ++x) {
-            const auto points = static_cast<float>(first[y * kCells + x + 1] - first[y * kCells + x]);
+        for (std::size_t x = 0; x < plan::kCellSide; ++x) {
+            const auto points = static_cast<float>(first[y * plan::kCellSide + x + 1] - first[y * plan::kCellSide + x]);
             const std::size_t block = (y >> kBlockBits) * kBlocks + (x >> kBlockBits);
             sum += shares.empty() ? points : points * static_cast<float>(shares[block]);
-            below[(y + 1) * (kCells + 1) + x + 1] = below[y * (kCells + 1) + x + 1] + sum;
+            below[(y + 1) * (plan::kCellSide + 1) + x + 1] = below[y * (plan::kCellSide + 1) + x + 1] + sum;
         }
     }
 }
 
 void ExactEstimate::Sums::addBlocks(const exact::ReceiverMask& mask) {
-    constexpr std::size_t kCorners = std::size_t{kCells} + 1;
+    constexpr std::size_t kCorners = std::size_t{plan::kCellSide} + 1;
     below.assign(kCorners * kCorners, 0);
-    for (int y = 0; y < kCells; ++y) {
+    for (int y = 0; y < plan::kCellSide; ++y) {
         float sum = 0;
-        for (int x = 0; x < kCells; ++x) {
+        for (int x = 0; x < plan::kCellSide; ++x) {
             if (mask.lowest(x >> kBlockBits, y >> kBlockBits) < exact::ReceiverMask::kNone) ++sum;
             const std::size_t corner = (static_cast<std::size_t>(y) + 1) * kCorners + static_cast<std::size_t>(x) + 1;
             below[corner] = below[corner - kCorners] + sum;
@@ -190,7 +189,7 @@ void ExactEstimate::Sums::addBlocks(const exact::ReceiverMask& mask) {
 double ExactEstimate::Sums::in(const exact::CellBox& box) const {
     if (box.empty()) return 0;
     const auto at = [&](int x, int y) {
-        return double{below[static_cast<std::size_t>(y) * (kCells + 1) + static_cast<std::size_t>(x)]};
+        return double{below[static_cast<std::size_t>(y) * (plan::kCellSide + 1) + static_cast<std::size_t>(x)]};
     };
     return std::max(
         0.0, at(box.x1 + 1, box.y1 + 1) + at(box.x0, box.y0) - at(box.x0, box.y1 + 1) - at(box.x1 + 1, box.y0));
@@ -258,7 +257,7 @@ void ExactEstimate::hold(
     for (int row = box.y0; row <= box.y1; ++row) {
         const exact::CellBox span = isNarrowed ? rowSpan(outline, box, row) : exact::CellBox{box.x0, row, box.x1, row};
         if (span.empty()) continue;
-        const std::size_t rowStart = static_cast<std::size_t>(row) * kCells;
+        const std::size_t rowStart = static_cast<std::size_t>(row) * plan::kCellSide;
         const std::uint32_t begin = first_[rowStart + static_cast<std::size_t>(span.x0)];
         const std::uint32_t end = first_[rowStart + static_cast<std::size_t>(span.x1) + 1];
         for (; picked.points + (end - begin) > next; next += stride) {
@@ -283,7 +282,9 @@ bool ExactEstimate::isCovered(const Point& point, const std::array<glm::dvec3, 3
 
 std::size_t ExactEstimate::blockOf(const Point& point) const {
     const glm::dvec3 p = cells_ * glm::dvec3(point.u, point.v, 1);
-    const auto block = [](double x) { return static_cast<std::size_t>(exact::cellAt(x, kCells) >> kBlockBits); };
+    const auto block = [](double x) {
+        return static_cast<std::size_t>(exact::cellAt(x, plan::kCellSide) >> kBlockBits);
+    };
     return block(p.y / p.z) * kBlocks + block(p.x / p.z);
 }
 
@@ -307,8 +308,8 @@ void ExactEstimate::addRound(const Sums& left, double share, double perPoint, pl
         const exact::CellBox known{
             box.x0 >> kBlockBits << kBlockBits,
             box.y0 >> kBlockBits << kBlockBits,
-            std::min(kCells - 1, box.x1 | (kBlockSide - 1)),
-            std::min(kCells - 1, box.y1 | (kBlockSide - 1))};
+            std::min(plan::kCellSide - 1, box.x1 | (kBlockSide - 1)),
+            std::min(plan::kCellSide - 1, box.y1 | (kBlockSide - 1))};
         const double points = all_.in(box);
         const double ofBlocks = all_.in(known);
         const double isKept = ofBlocks > 0 ? 1 - std::exp(-perPoint * left.in(known)) : 1;
@@ -366,7 +367,7 @@ plan::ExactWork ExactEstimate::estimate(const executor::FrameDrawing& frame) {
     keepClusters(frame, stride);
     pickClusters(frame, static_cast<double>(stride));
     addKept(static_cast<double>(stride), work);
-    const exact::CellBox whole{0, 0, kCells - 1, kCells - 1};
+    const exact::CellBox whole{0, 0, plan::kCellSide - 1, plan::kCellSide - 1};
     left_ = all_;
     double cast = 0;
     for (const double share : kRounds) {

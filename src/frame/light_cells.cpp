@@ -11,8 +11,6 @@ namespace gnomon::frame {
 
 namespace {
 
-constexpr int kCells = plan::kCellSide;
-
 /// The cells that a polygon on the light plane reaches: the part of it that has w enough to cover a point.
 struct Reach {
     glm::dvec2 low{std::numeric_limits<double>::infinity()};
@@ -24,8 +22,8 @@ struct Reach {
     }
 
     exact::CellBox cells() const {
-        if (!(high.x >= 0 && high.y >= 0 && low.x <= kCells && low.y <= kCells)) return {};
-        const auto cell = [](double x) { return exact::cellAt(x, kCells); };
+        if (!(high.x >= 0 && high.y >= 0 && low.x <= plan::kCellSide && low.y <= plan::kCellSide)) return {};
+        const auto cell = [](double x) { return exact::cellAt(x, plan::kCellSide); };
         return {cell(low.x), cell(low.y), cell(high.x), cell(high.y)};
     }
 };
@@ -109,7 +107,11 @@ exact::CellBox rowSpan(const std::array<glm::dvec2, 3>& p, const exact::CellBox&
         }
     }
     if (!(least <= most)) return {};
-    return {std::max(box.x0, exact::cellAt(least, kCells)), row, std::min(box.x1, exact::cellAt(most, kCells)), row};
+    return {
+        std::max(box.x0, exact::cellAt(least, plan::kCellSide)),
+        row,
+        std::min(box.x1, exact::cellAt(most, plan::kCellSide)),
+        row};
 }
 
 } // namespace gnomon::frame

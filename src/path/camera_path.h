@@ -14,6 +14,11 @@ struct Keyframe {
     Camera camera;
 };
 
+/// A keyframe that looks from `eye` at `target`, y up, with a camera's usual angle.
+inline Keyframe keyframeAt(double time, const glm::dvec3& eye, const glm::dvec3& target) {
+    return {time, {eye, target}};
+}
+
 enum class Interpolation { Linear, CatmullRom };
 
 /// Keyframes in the order of their times.

@@ -14,12 +14,7 @@ namespace gnomon::path {
 namespace {
 
 constexpr double kDuration = 12; // seconds
-constexpr double kFovYRadians = 1.0471975511965976;
 constexpr double kTwoPi = 6.283185307179586;
-
-Keyframe keyframe(double time, const glm::dvec3& eye, const glm::dvec3& target) {
-    return {time, {eye, target, {0, 1, 0}, kFovYRadians}};
-}
 
 /// A circle around the model, a little from above.
 CameraPath orbit(const Box& bounds) {
@@ -32,7 +27,7 @@ CameraPath orbit(const Box& bounds) {
     for (int i = 0; i <= kKeys; ++i) {
         const double angle = kTwoPi * i / kKeys;
         const glm::dvec3 from(std::sin(angle), 0.35, std::cos(angle));
-        path.keyframes.push_back(keyframe(kDuration * i / kKeys, center + radius * from, center));
+        path.keyframes.push_back(keyframeAt(kDuration * i / kKeys, center + radius * from, center));
     }
     return path;
 }
@@ -44,7 +39,7 @@ CameraPath flyby(const Box& bounds) {
     const glm::dvec3 from(bounds.min.x - 0.1 * extent.x, height, bounds.min.z - 0.1 * extent.z);
     const glm::dvec3 to(bounds.max.x - 0.2 * extent.x, height, bounds.max.z - 0.2 * extent.z);
     const glm::dvec3 ahead = 0.35 * (to - from) - glm::dvec3(0, height - bounds.center().y, 0);
-    return {false, Interpolation::Linear, {keyframe(0, from, from + ahead), keyframe(kDuration, to, to + ahead)}};
+    return {false, Interpolation::Linear, {keyframeAt(0, from, from + ahead), keyframeAt(kDuration, to, to + ahead)}};
 }
 
 /// How far from `origin` along `direction` the triangle is met; infinite if it is not (Moeller, Trumbore 1997).
@@ -120,7 +115,7 @@ CameraPath approach(const hierarchy::ModelFile& model) {
     CameraPath path;
     for (int i = 0; i <= kKeys; ++i) {
         const double distance = surface * std::pow(kNearest, static_cast<double>(i) / kKeys);
-        path.keyframes.push_back(keyframe(kDuration * i / kKeys, target - distance * direction, target));
+        path.keyframes.push_back(keyframeAt(kDuration * i / kKeys, target - distance * direction, target));
         path.keyframes.back().camera.up = frame.up;
     }
     return path;

@@ -14,17 +14,12 @@ namespace gnomon::path {
 
 namespace {
 
-constexpr double kFovYRadians = 1.0471975511965976;
 constexpr double kLongest = 60;    // seconds
 constexpr double kRegionSide = 47; // in heights of the eye: 80 m
 constexpr double kCoarseCells = 1024;
 constexpr std::size_t kRegions = 4; // that are tried
 constexpr double kShortest = 1.2;   // of a walk, in heights of the eye
 constexpr double kGoodLength = 18;  // with which no other region is tried
-
-Keyframe keyframe(double time, const glm::dvec3& eye, const glm::dvec3& target) {
-    return {time, {eye, target, {0, 1, 0}, kFovYRadians}};
-}
 
 double widthOf(const Box& bounds) {
     return std::max(bounds.extent().x, bounds.extent().z);
@@ -59,7 +54,7 @@ CameraPath walkAround(const Box& bounds, const std::optional<double>& toldEyeHei
         const double radius = circle * (2.2 - 1.0 * share) + 0.3 * eyeHeight;
         const glm::dvec3 eye(target.x + radius * std::sin(angle), eyeY, target.z + radius * std::cos(angle));
         if (i > 0) length += glm::distance(eye, path.keyframes.back().camera.eye);
-        path.keyframes.push_back(keyframe(length, eye, target));
+        path.keyframes.push_back(keyframeAt(length, eye, target));
     }
     const double pace = std::max(WalkBody::ofEyeHeight(eyeHeight).pace, length / kLongest);
     for (Keyframe& key : path.keyframes)
@@ -127,7 +122,7 @@ CameraPath walkAlong(const WalkableFloor& floor, const std::vector<WayPoint>& wa
         if (glm::length(gaze) < 0.1) gaze = gazes[i]; // it turns round
         if (i > 0) length += glm::distance(eyes[i], eyes[i - 1]);
         path.keyframes.push_back(
-            keyframe(length / body.pace, eyes[i], eyes[i] + 4 * body.eyeHeight * glm::normalize(gaze)));
+            keyframeAt(length / body.pace, eyes[i], eyes[i] + 4 * body.eyeHeight * glm::normalize(gaze)));
     }
     return path;
 }

@@ -8,7 +8,6 @@ namespace gnomon::path {
 
 namespace {
 
-constexpr std::uint32_t kNone = FloorCell::kNone;
 constexpr double kHighestCeiling = 8; // in heights of the eye: of a hall, not of the sky
 constexpr std::array<std::int32_t, 4> kStepX{-1, 0, 1, 0};
 constexpr std::array<std::int32_t, 4> kStepZ{0, -1, 0, 1};
@@ -49,17 +48,17 @@ glm::dvec3 WalkableFloor::position(std::uint32_t cell) const {
 
 std::uint32_t WalkableFloor::around(std::uint32_t cell, std::size_t first, std::size_t second) const {
     const std::uint32_t beside = cells_[cell].next[first];
-    return beside == kNone ? kNone : cells_[beside].next[second];
+    return beside == FloorCell::kNone ? FloorCell::kNone : cells_[beside].next[second];
 }
 
 std::uint32_t WalkableFloor::nearest(std::int32_t x, std::int32_t z, std::int32_t floor, std::int32_t most) const {
-    if (x < 0 || z < 0 || x >= grid_.width || z >= grid_.depth) return kNone;
+    if (x < 0 || z < 0 || x >= grid_.width || z >= grid_.depth) return FloorCell::kNone;
     const std::size_t column =
         static_cast<std::size_t>(z) * static_cast<std::size_t>(grid_.width) + static_cast<std::size_t>(x);
-    std::uint32_t found = kNone;
+    std::uint32_t found = FloorCell::kNone;
     for (std::uint32_t i = firstOfColumn_[column]; i < firstOfColumn_[column + 1]; ++i) {
         const std::int32_t away = std::abs(cells_[i].floor - floor);
-        if (away > most || (found != kNone && away >= std::abs(cells_[found].floor - floor))) continue;
+        if (away > most || (found != FloorCell::kNone && away >= std::abs(cells_[found].floor - floor))) continue;
         found = i;
     }
     return found;
@@ -120,7 +119,7 @@ bool WalkableFloor::isBar(std::uint32_t cell, const glm::ivec2& outwards) const 
     const glm::ivec2 place = placeOf(cells_[cell].column);
     for (int i = 1; i <= broad; ++i) {
         const glm::ivec2 at = place + i * outwards;
-        if (nearest(at.x, at.y, cells_[cell].floor, steps(body_.step)) == kNone) return true;
+        if (nearest(at.x, at.y, cells_[cell].floor, steps(body_.step)) == FloorCell::kNone) return true;
     }
     return false;
 }
@@ -133,13 +132,13 @@ void WalkableFloor::bridgeFrom(
     const auto reach = static_cast<std::int32_t>(body_.barStep / grid_.cell);
     const std::int32_t step = steps(body_.step);
     std::int32_t gap = 0; // columns between
-    std::uint32_t to = kNone;
+    std::uint32_t to = FloorCell::kNone;
     for (; gap <= reach; ++gap) {
         const glm::ivec2 at = place + (gap + 1) * along;
         to = nearest(at.x, at.y, from.floor, step);
-        if (to != kNone) break;
+        if (to != FloorCell::kNone) break;
     }
-    if (to == kNone || gap < 1 || std::abs(cells_[to].floor - from.floor) > step / 3) return;
+    if (to == FloorCell::kNone || gap < 1 || std::abs(cells_[to].floor - from.floor) > step / 3) return;
     if (gap * grid_.cell > body_.longStep && !isBar(cell, -along) && !isBar(to, along)) return;
     FloorCell bridge;
     bridge.floor = std::max(from.floor, cells_[to].floor);
@@ -167,7 +166,7 @@ void WalkableFloor::connect() {
         const glm::ivec2 at = placeOf(cell.column);
         for (std::size_t i = 0; i < cell.next.size(); ++i) {
             const std::uint32_t found = nearest(at.x + kStepX.at(i), at.y + kStepZ.at(i), cell.floor, step);
-            if (found == kNone) continue;
+            if (found == FloorCell::kNone) continue;
             const FloorCell& other = cells_[found];
             const std::int32_t ceiling = std::min(cell.ceiling, other.ceiling);
             if (ceiling == FloorCell::kSky || ceiling - std::max(cell.floor, other.floor) >= headroom)
@@ -177,7 +176,7 @@ void WalkableFloor::connect() {
     for (std::uint32_t i = 0; i < cells_.size(); ++i) // one way only is no way: the other stands nearer to a third
         for (std::size_t side = 0; side < 4; ++side) {
             std::uint32_t& next = cells_[i].next.at(side);
-            if (next != kNone && cells_[next].next.at((side + 2) % 4) != i) next = kNone;
+            if (next != FloorCell::kNone && cells_[next].next.at((side + 2) % 4) != i) next = FloorCell::kNone;
         }
 }
 
@@ -189,7 +188,8 @@ bool WalkableFloor::isSteep(std::uint32_t cell) const {
         std::array<std::uint32_t, 2> ends{cell, cell};
         int taken = 0;
         for (std::size_t side = 0; side < 2; ++side)
-            for (int i = 0; i < reach && cells_[ends.at(side)].next.at(axis + 2 * side) != kNone; ++i, ++taken)
+            for (int i = 0; i < reach && cells_[ends.at(side)].next.at(axis + 2 * side) != FloorCell::kNone;
+                 ++i, ++taken)
                 ends.at(side) = cells_[ends.at(side)].next.at(axis + 2 * side);
         const double rise = std::abs(cells_[ends[0]].floor - cells_[ends[1]].floor) * grid_.rise;
         const double beyondAStep = std::max(0.0, rise - 0.7 * body_.step);
@@ -205,8 +205,8 @@ void WalkableFloor::leaveSteepOnes() {
     for (const std::uint32_t i : steep)
         for (std::size_t side = 0; side < 4; ++side) {
             std::uint32_t& next = cells_[i].next.at(side);
-            if (next != kNone) cells_[next].next.at((side + 2) % 4) = kNone;
-            next = kNone;
+            if (next != FloorCell::kNone) cells_[next].next.at((side + 2) % 4) = FloorCell::kNone;
+            next = FloorCell::kNone;
         }
 }
 
@@ -214,7 +214,7 @@ bool WalkableFloor::isBorder(std::uint32_t cell) const {
     for (std::size_t side = 0; side < 4; ++side) {
         const std::size_t turned = (side + 1) % 4;
         const std::uint32_t corner = around(cell, side, turned);
-        if (corner == kNone || corner != around(cell, turned, side)) return true;
+        if (corner == FloorCell::kNone || corner != around(cell, turned, side)) return true;
     }
     return false;
 }
@@ -224,7 +224,7 @@ void WalkableFloor::measureClearance() {
     for (std::uint32_t i = 0; i < cells_.size(); ++i)
         cells_[i].clearance = isBorder(i) ? 0 : FloorCell::kMostClearance;
     const auto lower = [&](FloorCell& cell, std::uint32_t other, int cost) {
-        if (other == kNone) return;
+        if (other == FloorCell::kNone) return;
         cell.clearance = static_cast<std::uint16_t>(std::min<int>(cell.clearance, cells_[other].clearance + cost));
     };
     const auto sweep = [&](std::uint32_t i, std::size_t x, std::size_t z) {

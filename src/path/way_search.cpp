@@ -9,7 +9,6 @@ namespace gnomon::path {
 
 namespace {
 
-constexpr std::uint32_t kNone = FloorCell::kNone;
 constexpr std::size_t kRegions = 12; // that are searched
 constexpr int kStarts = 3;           // in each
 constexpr int kLegs = 4;             // of a way
@@ -35,7 +34,7 @@ public:
     WaySearch(const WalkableFloor& floor, const WayBounds& bounds) : floor_(floor) {
         const std::size_t count = floor.cells().size();
         tree_.before.resize(count);
-        tree_.cost.assign(count, kNone);
+        tree_.cost.assign(count, FloorCell::kNone);
         tree_.length.resize(count);
         tree_.interest.resize(count);
         weights_.resize(count);
@@ -79,7 +78,7 @@ std::vector<Region> WaySearch::regions() const {
         for (std::size_t i = 0; i < region.cells.size(); ++i) {
             region.worth += floor_.isInside(region.cells[i]) ? 3 : 1;
             for (const std::uint32_t next : floor_.cells()[region.cells[i]].next) {
-                if (next == kNone || weights_[next] == 0 || isSeen[next]) continue;
+                if (next == FloorCell::kNone || weights_[next] == 0 || isSeen[next]) continue;
                 isSeen[next] = true;
                 region.cells.push_back(next);
             }
@@ -107,7 +106,7 @@ void WaySearch::relax(std::uint32_t from, std::uint32_t to, bool isDiagonal) {
     const double run = isDiagonal ? std::sqrt(2.0) * cell : cell;
     const double length = tree_.length[from] + run;
     if (length > longest_) return;
-    if (tree_.cost[to] == kNone) reached_.push_back(to);
+    if (tree_.cost[to] == FloorCell::kNone) reached_.push_back(to);
     tree_.cost[to] = cost;
     tree_.before[to] = from;
     tree_.length[to] = static_cast<float>(length);
@@ -118,10 +117,10 @@ void WaySearch::relax(std::uint32_t from, std::uint32_t to, bool isDiagonal) {
 
 void WaySearch::spread(std::uint32_t start) {
     for (const std::uint32_t cell : reached_)
-        tree_.cost[cell] = kNone;
+        tree_.cost[cell] = FloorCell::kNone;
     reached_.assign(1, start);
     tree_.cost[start] = 0;
-    tree_.before[start] = kNone;
+    tree_.before[start] = FloorCell::kNone;
     tree_.length[start] = tree_.interest[start] = 0;
     buckets_[0].assign(1, start);
     std::uint32_t lastUsed = 0;
@@ -138,7 +137,7 @@ void WaySearch::spread(std::uint32_t start) {
 
 void WaySearch::stepFrom(std::uint32_t cell) {
     const auto& next = floor_.cells()[cell].next;
-    const auto isOpen = [&](std::uint32_t other) { return other != kNone && weights_[other] != 0; };
+    const auto isOpen = [&](std::uint32_t other) { return other != FloorCell::kNone && weights_[other] != 0; };
     for (std::size_t side = 0; side < next.size(); ++side) {
         if (!isOpen(next.at(side))) continue;
         relax(cell, next.at(side), false);
@@ -162,12 +161,12 @@ FoundWay WaySearch::bestFrom(std::uint32_t start, double longest) {
     }
     const float halfAsInteresting = 0.5F * tree_.interest[best] / std::max(tree_.length[best], 1e-30F);
     const auto worth = [&](std::uint32_t i) { return tree_.interest[i] - halfAsInteresting * tree_.length[i]; };
-    for (std::uint32_t cell = best; cell != kNone; cell = tree_.before[cell])
+    for (std::uint32_t cell = best; cell != FloorCell::kNone; cell = tree_.before[cell])
         if (worth(cell) > worth(best)) best = cell; // what comes behind it is not worth the way
     FoundWay way;
     way.length = tree_.length[best];
     way.interest = tree_.interest[best];
-    for (std::uint32_t cell = best; cell != kNone; cell = tree_.before[cell])
+    for (std::uint32_t cell = best; cell != FloorCell::kNone; cell = tree_.before[cell])
         way.cells.push_back(cell);
     std::reverse(way.cells.begin(), way.cells.end());
     return way;
@@ -185,7 +184,7 @@ void WaySearch::close(const std::vector<std::uint32_t>& way) {
                 const glm::ivec2 at = placeOf(cell) + glm::ivec2(x, z);
                 if (x * x + z * z > aside * aside || glm::distance(glm::dvec2(at), glm::dvec2(end)) <= aside) continue;
                 const std::uint32_t beside = floor_.nearest(at.x, at.y, floor_.cells()[cell].floor, height);
-                if (beside != kNone) weights_[beside] = 0;
+                if (beside != FloorCell::kNone) weights_[beside] = 0;
             }
 }
 

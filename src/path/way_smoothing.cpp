@@ -7,7 +7,6 @@ namespace gnomon::path {
 
 namespace {
 
-constexpr std::uint32_t kNone = FloorCell::kNone;
 constexpr int kRoundings = 120;
 
 WayPoint middleOf(const WalkableFloor& floor, std::uint32_t cell) {
@@ -44,7 +43,7 @@ std::vector<WayPoint> resampled(const WalkableFloor& floor, const std::vector<Wa
         for (int part = 1; part < parts; ++part) {
             const glm::dvec2 at = glm::mix(way[i - 1].at, way[i].at, static_cast<double>(part) / parts);
             const std::uint32_t cell = runStraight(floor, points.back(), at).end;
-            if (cell != kNone) points.push_back({at, cell});
+            if (cell != FloorCell::kNone) points.push_back({at, cell});
         }
         points.push_back(way[i]);
     }
@@ -60,7 +59,7 @@ void roundOff(const WalkableFloor& floor, std::vector<WayPoint>& points) {
         WayPoint moved;
         moved.at = 0.5 * points[i].at + 0.25 * (before.at + after.at);
         moved.cell = runStraight(floor, points[i], moved.at).end;
-        if (moved.cell == kNone) continue;
+        if (moved.cell == FloorCell::kNone) continue;
         if (floor.clearance(moved.cell) < std::min(comfort, floor.clearance(points[i].cell))) continue;
         if (runStraight(floor, before, moved.at).end != moved.cell) continue;
         if (runStraight(floor, moved, after.at).end != after.cell) continue;
@@ -89,7 +88,7 @@ StraightRun runStraight(const WalkableFloor& floor, const WayPoint& from, const 
         run.free = entered * length;
         const bool isForward = last[axis] > at[axis];
         cell = floor.cells()[cell].next.at(static_cast<std::size_t>(axis) + (isForward ? 2U : 0U));
-        if (cell == kNone || !floor.isWalkable(cell)) return run;
+        if (cell == FloorCell::kNone || !floor.isWalkable(cell)) return run;
         at[axis] += isForward ? 1 : -1;
     }
     run.cost += (1 - entered) * length * wayWeight(floor, cell);

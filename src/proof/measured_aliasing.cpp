@@ -10,9 +10,6 @@ namespace gnomon::proof {
 
 namespace {
 
-/// Of a pixel's width: far below any texel that matters, far above what doubles lose.
-constexpr double kStepOverPixel = 1e-3;
-
 void keepLarger(MeasuredAliasing& all, const MeasuredAliasing& part) {
     all.x = std::max(all.x, part.x);
     all.z = std::max(all.z, part.z);

@@ -14,7 +14,6 @@ namespace {
 
 using raycast::Light;
 
-constexpr double kStepOverPixel = 1e-3;
 constexpr double kLeastCosine = 0.1; // where the bias of a lookup stops growing
 constexpr double kContactFootprints = 1.5;
 

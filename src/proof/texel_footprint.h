@@ -6,6 +6,10 @@
 
 namespace gnomon::proof {
 
+/// The length over which a texel's differences are taken, of a pixel's width: far below any texel that matters, far
+/// above what doubles lose.
+constexpr double kStepOverPixel = 1e-3;
+
 /// How far a texel reaches at a point, measured across the light: world units, without the receiver's slope.
 struct TexelWidths {
     double x = 0; // along the light frame's x

@@ -11,8 +11,6 @@
 namespace gnomon::sun {
 namespace {
 
-constexpr double kSecondsInADay = 86400;
-
 // Reads one thing after another from the front of a text; what does not fit empties `good`.
 struct Reader {
     std::string_view rest;

@@ -7,6 +7,8 @@
 
 namespace gnomon::sun {
 
+constexpr double kSecondsInADay = 86400; // leap seconds aside
+
 /// Date and time of day by a clock that is `offsetMinutes` ahead of UTC, in the Gregorian calendar, for years before
 /// it began too.
 struct CivilTime {

@@ -12,7 +12,6 @@
 namespace gnomon::sun {
 namespace {
 
-constexpr double kSecondsInADay = 86400;
 constexpr double kDegree = ERFA_DPI / 180;
 
 constexpr double kAstronomicalUnitsADayOfLight = kSecondsInADay / ERFA_AULT;

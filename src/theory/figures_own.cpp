@@ -16,7 +16,6 @@ namespace {
 using namespace gnomon::shadow;
 using Kind = Figure::Kind;
 
-constexpr double kDegree = 0.017453292519943295;
 const ViewFrustum kFrustum{1, 1000, 20 * kDegree, 1};
 
 Scheme schemeOf(WarpRule rule, int slices) {

@@ -15,7 +15,6 @@ using namespace gnomon::shadow;
 using Kind = Figure::Kind;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kDegree = 0.017453292519943295;
 
 /// The image of a point of the ground one unit below the eye, or a break (NaN) where it is outside of the image.
 std::array<double, 2> groundInImage(const ViewFrustum& frustum, double x, double z) {

@@ -7,6 +7,8 @@
 
 namespace gnomon::theory {
 
+constexpr double kDegree = 0.017453292519943295; // radians
+
 /// A square grid over the disc of light directions above the viewer, as seen from overhead.
 std::vector<glm::dvec3> hemisphereGrid();
 

@@ -10,16 +10,16 @@
 namespace gnomon::bvh {
 namespace {
 
-glm::dvec3 randomPoint(Random& random, double reach) {
+glm::dvec3 pointWithin(Random& random, double reach) {
     return {random.uniform(-reach, reach), random.uniform(-reach, reach), random.uniform(-reach, reach)};
 }
 
 std::vector<Item> randomItems(Random& random, std::size_t count, const glm::dvec3& offset) {
     std::vector<Item> items(count);
     for (Item& item : items) {
-        const glm::dvec3 corner = offset + randomPoint(random, 100);
+        const glm::dvec3 corner = offset + pointWithin(random, 100);
         item.box.add(corner);
-        item.box.add(corner + glm::abs(randomPoint(random, 4)));
+        item.box.add(corner + glm::abs(pointWithin(random, 4)));
         item.bounds = {item.box.center(), glm::length(item.box.extent()) * random.uniform(0.5, 2)};
         item.error = random.below(50) == 0 ? std::numeric_limits<double>::infinity() : random.uniform(0, 0.1);
     }
@@ -30,7 +30,7 @@ ConvexVolume randomVolume(Random& random, const glm::dvec3& offset) {
     ConvexVolume volume;
     const std::uint64_t count = random.below(9);
     for (std::uint64_t i = 0; i < count; ++i) {
-        const glm::dvec3 normal = glm::normalize(randomPoint(random, 1) + glm::dvec3(1e-9));
+        const glm::dvec3 normal = glm::normalize(pointWithin(random, 1) + glm::dvec3(1e-9));
         volume.planes.push_back({normal, random.uniform(-20, 60) - glm::dot(normal, offset)});
     }
     return volume;
@@ -51,7 +51,7 @@ void compareWithBruteForce(Random& random, std::size_t count, const glm::dvec3& 
     std::vector<ConvexVolume> volumes(1 + random.below(6));
     for (ConvexVolume& volume : volumes)
         volume = randomVolume(random, offset);
-    const glm::dvec3 eye = offset + randomPoint(random, 150);
+    const glm::dvec3 eye = offset + pointWithin(random, 150);
     const double threshold = random.uniform(0, 0.01);
     const auto matters = [&](const Sphere& bounds, double error) { return error > threshold * distance(bounds, eye); };
     const std::vector<std::uint64_t> truth = touchedByEach(items, volumes);
@@ -83,7 +83,7 @@ TEST(Tree, TraversalFindsWhatBruteForceFinds) {
 TEST(Tree, TraversalFindsWhatBruteForceFindsFarFromTheOrigin) {
     Random random(12);
     for (int trial = 0; trial < 100; ++trial)
-        compareWithBruteForce(random, 1 + random.below(600), randomPoint(random, 1e5));
+        compareWithBruteForce(random, 1 + random.below(600), pointWithin(random, 1e5));
 }
 
 TEST(Tree, HoldsEveryItemOnceAndBoundsItsChildren) {

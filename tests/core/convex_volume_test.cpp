@@ -8,7 +8,7 @@
 namespace gnomon {
 namespace {
 
-glm::dvec3 randomPoint(Random& random) {
+glm::dvec3 pointInOrOut(Random& random) {
     return {random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-2, 2)};
 }
 
@@ -18,12 +18,12 @@ TEST(ConvexVolume, ClassificationIsConservative) {
     for (int trial = 0; trial < 2000; ++trial) {
         ConvexVolume volume;
         for (int i = 0; i < 5; ++i) {
-            const glm::dvec3 normal = glm::normalize(randomPoint(random) + glm::dvec3(1e-9));
+            const glm::dvec3 normal = glm::normalize(pointInOrOut(random) + glm::dvec3(1e-9));
             volume.planes.push_back({normal, random.uniform(-0.5, 1.5)});
         }
         Box box;
-        box.add(randomPoint(random));
-        box.add(randomPoint(random));
+        box.add(pointInOrOut(random));
+        box.add(pointInOrOut(random));
         const Containment answer = classify(volume, box);
         for (int sample = 0; sample < 20; ++sample) {
             const glm::dvec3 t(random.unit(), random.unit(), random.unit());
@@ -52,10 +52,10 @@ TEST(ConvexVolume, OnePlaneIsClassifiedExactly) {
     Random random(8);
     std::array<int, 3> seen{};
     for (int trial = 0; trial < 3000; ++trial) {
-        const ConvexVolume volume{{{glm::normalize(randomPoint(random) + glm::dvec3(1e-9)), random.uniform(-2, 2)}}};
+        const ConvexVolume volume{{{glm::normalize(pointInOrOut(random) + glm::dvec3(1e-9)), random.uniform(-2, 2)}}};
         Box box;
-        box.add(randomPoint(random));
-        box.add(randomPoint(random));
+        box.add(pointInOrOut(random));
+        box.add(pointInOrOut(random));
         const int inside = cornersInside(volume, box);
         const Containment expected = inside == 0   ? Containment::Outside
                                      : inside == 8 ? Containment::Inside

@@ -12,7 +12,7 @@
 namespace gnomon::culling {
 namespace {
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr double kEndless = std::numeric_limits<double>::infinity();
 
 double missingError(const selection::CutQuery& query, const hierarchy::Page& page, const hierarchy::Cluster& cluster) {
     if (cluster.refinement == hierarchy::kNone) return 0;
@@ -28,8 +28,8 @@ TEST(Receivers, DepthRangeIsThatOfAllTriangles) {
     for (int trial = 0; trial < 150; ++trial) {
         const Seen scene(random);
         TriangleClipper clipper(scene.volumes[0]);
-        double least = kInfinite;
-        double greatest = -kInfinite;
+        double least = kEndless;
+        double greatest = -kEndless;
         forEveryTriangle(
             scene.query(), scene.cut.lists[0], [&](const auto& corners, const auto& page, const auto& cluster) {
                 const double margin = missingError(scene.query(), page, cluster);
@@ -40,7 +40,7 @@ TEST(Receivers, DepthRangeIsThatOfAllTriangles) {
                 }
             });
         const std::optional<VisibleDepths> range = visibleDepthRange(scene.query(), scene.cut.lists[0]);
-        ASSERT_EQ(range.has_value(), least != kInfinite);
+        ASSERT_EQ(range.has_value(), least != kEndless);
         if (!range) continue;
         ++seen;
         EXPECT_EQ(range->span.near, least);

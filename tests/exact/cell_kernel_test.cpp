@@ -13,7 +13,7 @@ namespace gnomon::exact {
 namespace {
 
 /// A list of `count` samples at random places, or at none, of `maps` maps.
-void scatter(SampleList& samples, Random& random, std::size_t count, int maps) {
+void scatter(SampleList& samples, RandomWholes& random, std::size_t count, int maps) {
     SampleSpace space;
     space.maps = maps;
     samples.reset(space, count);
@@ -24,7 +24,7 @@ void scatter(SampleList& samples, Random& random, std::size_t count, int maps) {
     }
 }
 
-glm::dmat3 somePlane(Random& random) {
+glm::dmat3 somePlane(RandomWholes& random) {
     glm::dmat3 plane;
     for (int column = 0; column < 3; ++column)
         for (int row = 0; row < 3; ++row)
@@ -50,7 +50,7 @@ Extent plainExtent(const glm::dmat3& plane, std::size_t map, const SampleRun& ru
 TEST(CellKernel, FindsWhatALookAtEachFinds) {
     for (std::uint64_t seed = 0; seed < 100; ++seed) {
         SCOPED_TRACE(seed);
-        Random random(seed);
+        RandomWholes random(seed);
         const auto count = static_cast<std::size_t>(random.whole(1, 99));
         const int maps = static_cast<int>(random.whole(1, 3));
         const int side = static_cast<int>(random.whole(1, 300));

@@ -17,7 +17,7 @@ constexpr std::int64_t kTieLight = std::int64_t{1} << 22;
 
 /// A homography of the light plane: none, a mild warp, a strong one, or one whose centre lies among coordinates up to
 /// `reach`.
-glm::dmat3 somePlane(Random& random, double reach) {
+glm::dmat3 somePlane(RandomWholes& random, double reach) {
     const std::int64_t kind = random.whole(0, 3);
     if (kind == 0) return glm::dmat3(1);
     const double angle = random.real(0, 6.3);
@@ -34,7 +34,7 @@ glm::dmat3 somePlane(Random& random, double reach) {
         {offset, -offset, 1}};
 }
 
-std::vector<glm::dmat3> somePlanes(Random& random, std::size_t count, double reach) {
+std::vector<glm::dmat3> somePlanes(RandomWholes& random, std::size_t count, double reach) {
     std::vector<glm::dmat3> planes;
     for (std::size_t i = 0; i < count; ++i)
         planes.push_back(somePlane(random, reach));
@@ -42,7 +42,7 @@ std::vector<glm::dmat3> somePlanes(Random& random, std::size_t count, double rea
 }
 
 /// Weights at which points lie on whole and half cells and their rays meet corners and edges, or any.
-void somePlace(Random& random, bool isTied, ScenePoint& point) {
+void somePlace(RandomWholes& random, bool isTied, ScenePoint& point) {
     if (isTied) {
         point.second = static_cast<float>(random.whole(1, 2)) / 4;
         point.third = static_cast<float>(random.whole(1, 2)) / 4 - (point.second > 0.25F ? 0.25F : 0.F);
@@ -54,7 +54,7 @@ void somePlace(Random& random, bool isTied, ScenePoint& point) {
 }
 
 /// Triangles of all shapes on whole cells from 0 to `most`: copies in one place, slivers, ones that share edges.
-std::vector<Corners> someTriangles(Random& random, int count, std::int64_t most) {
+std::vector<Corners> someTriangles(RandomWholes& random, int count, std::int64_t most) {
     std::vector<Corners> triangles;
     while (static_cast<int>(triangles.size()) < count) {
         Corners corners{random.point(0, most), random.point(0, most), random.point(0, most)};
@@ -70,7 +70,7 @@ std::vector<Corners> someTriangles(Random& random, int count, std::int64_t most)
     return triangles;
 }
 
-void addPoints(Random& random, Scene& scene, int count, int maps, bool isTied) {
+void addPoints(RandomWholes& random, Scene& scene, int count, int maps, bool isTied) {
     for (int i = 0; i < count; ++i) {
         ScenePoint point;
         point.triangle = scene.names()[static_cast<std::size_t>(
@@ -82,7 +82,7 @@ void addPoints(Random& random, Scene& scene, int count, int maps, bool isTied) {
     }
 }
 
-IntegerLight someTieLight(Random& random) {
+IntegerLight someTieLight(RandomWholes& random) {
     glm::i64vec3 direction(0);
     while (direction == glm::i64vec3(0))
         direction = random.point(-3, 3);
@@ -95,7 +95,7 @@ TEST(ExactShadows, EqualThePlainLoopWhereTiesAbound) {
     std::uint64_t lit = 0;
     for (std::uint64_t seed = 0; seed < 150; ++seed) {
         SCOPED_TRACE(seed);
-        Random random(seed);
+        RandomWholes random(seed);
         Scene scene;
         for (std::int64_t clusters = random.whole(1, 4); clusters > 0; --clusters)
             scene.add(someTriangles(random, static_cast<int>(random.whole(1, 20)), 6));
@@ -116,7 +116,7 @@ TEST(ExactShadows, EqualThePlainLoopWhereTiesAbound) {
 TEST(ExactShadows, EqualThePlainLoopAtAnyLightAndSize) {
     for (std::uint64_t seed = 0; seed < 60; ++seed) {
         SCOPED_TRACE(seed);
-        Random random(seed + 1000);
+        RandomWholes random(seed + 1000);
         Scene scene;
         const std::int64_t most = std::int64_t{1} << random.whole(3, 30);
         for (int clusters = 0; clusters < 3; ++clusters)
@@ -142,7 +142,7 @@ glm::dmat3 planeThroughSamples(const SampleList& samples) {
 }
 
 /// Points on whole cells of one small triangle, and casters each of which has a corner straight before one of them.
-Scene sceneOfCornersOnRays(Random& random, const IntegerLight& light, std::int64_t most) {
+Scene sceneOfCornersOnRays(RandomWholes& random, const IntegerLight& light, std::int64_t most) {
     Scene scene;
     const glm::i64vec3 at = random.point(-most, most) / random.whole(1, most);
     const glm::i64vec3 b = random.point(-9, 9) * 4L;
@@ -165,7 +165,7 @@ TEST(ExactShadows, CellsAreNeverSmallerThanARounding) {
     std::uint64_t touching = 0;
     for (std::uint64_t seed = 0; seed < 400; ++seed) {
         SCOPED_TRACE(seed);
-        Random random(seed + 2000);
+        RandomWholes random(seed + 2000);
         const IntegerLight light = roundedLight(glm::dvec3(random.real(-1, 1), random.real(-1, 1), random.real(-1, 1)));
         const Scene scene = sceneOfCornersOnRays(random, light, std::int64_t{1} << 28);
         SampleSpace space = spaceOf(light, glm::dvec3(scene.corners(0)[0]) + glm::dvec3(light.direction) * 0x1p-10);
@@ -201,7 +201,7 @@ TEST(ExactShadows, SmallGenericScenesNeedFewIntegers) {
     std::uint64_t tests = 0;
     std::uint64_t decisions = 0;
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
-        Random random(seed + 3000);
+        RandomWholes random(seed + 3000);
         Scene scene;
         for (int clusters = 0; clusters < 3; ++clusters) {
             std::vector<Corners> triangles;
@@ -252,7 +252,7 @@ TEST(ExactShadows, CountsAddUp) {
 }
 
 TEST(ExactShadows, CoplanarTrianglesOfAnySizeCastNothing) {
-    Random random(5);
+    RandomWholes random(5);
     for (int i = 0; i < 200; ++i) {
         const std::int64_t most = std::int64_t{1} << random.whole(3, 27);
         const Corners corners{random.point(-most, most), random.point(-most, most), random.point(-most, most)};
@@ -275,7 +275,7 @@ TEST(ExactShadows, CoplanarTrianglesOfAnySizeCastNothing) {
 TEST(ExactShadows, ClustersAsLargeAsTheyGet) {
     // A field of hills as one cluster of 242 triangles, points on all of them.
     constexpr int kQuads = 11;
-    Random random(6);
+    RandomWholes random(6);
     std::vector<glm::i64vec3> vertices;
     std::vector<raster::Triangle> triangles;
     for (int y = 0; y <= kQuads; ++y)
@@ -306,7 +306,7 @@ TEST(ExactShadows, SamplesOnTheBordersOfCells) {
     // Cells a cell of the grid wide: x is u + 1. Points whose u is whole, but not in doubles, and before each a corner.
     constexpr std::int64_t kWide = 998;
     const IntegerLight light{glm::i64vec3(3, 0, 11) * (std::int64_t{1} << 20)};
-    Random random(7);
+    RandomWholes random(7);
     Scene scene;
     for (int i = 0; i < 300; ++i) {
         const std::int64_t u = i == 0 ? 0 : i == 1 ? kWide : random.whole(1, kWide - 1);

@@ -192,7 +192,7 @@ void trianglesThroughTheWarpsCentre() {
 
 void aThousandSamplesInOneCell() {
     // All but two lie within a millionth of the grid's width.
-    Random random(1);
+    RandomWholes random(1);
     Scene scene;
     scene.add(std::vector<Corners>{{Vec(0, 0, 0), Vec(1 << 20, 0, 0), Vec(0, 1 << 20, 0)}});
     for (int i = 0; i < 1000; ++i)
@@ -212,7 +212,7 @@ void aSampleThatChangesItsMap() {
     const std::vector<glm::dmat3> planes{{{1, 0, 0.01}, {0, 1, 0}, {0, 0, 1}}, {{0, 3, 0}, {3, 0, 0.01}, {0, 0, 1}}};
     std::vector<std::uint64_t> dark;
     for (int kind = 0; kind < 3; ++kind) {
-        Random random(1);
+        RandomWholes random(1);
         Scene scene;
         scene.add(sheet(0, 0, 16, 16, 0));
         addPoints(scene, 0);

@@ -10,7 +10,7 @@
 namespace gnomon::exact {
 namespace {
 
-glm::dvec3 someDirection(Random& random) {
+glm::dvec3 someDirection(RandomWholes& random) {
     glm::dvec3 direction(random.real(-1, 1), random.real(-1, 1), random.real(-1, 1));
     // Now and then nearly or quite along an axis or a diagonal.
     if (random.whole(0, 3) == 0) direction[static_cast<int>(random.whole(0, 2))] *= 1e-9;
@@ -20,7 +20,7 @@ glm::dvec3 someDirection(Random& random) {
 }
 
 TEST(LightShear, MakesTheLightUpright) {
-    Random random(2);
+    RandomWholes random(2);
     for (int i = 0; i < 5000; ++i) {
         const glm::dvec3 direction = someDirection(random);
         if (direction == glm::dvec3(0)) continue;
@@ -37,7 +37,7 @@ TEST(LightShear, MakesTheLightUpright) {
 }
 
 TEST(LightShear, KeepsDeterminantsUpToItsSign) {
-    Random random(3);
+    RandomWholes random(3);
     for (int i = 0; i < 5000; ++i) {
         const glm::dvec3 direction = someDirection(random);
         if (direction == glm::dvec3(0)) continue;

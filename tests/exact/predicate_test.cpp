@@ -24,7 +24,7 @@ int signOf(std::int64_t value) {
 }
 
 TEST(Predicate, EqualsCramersRuleWhereTiesAbound) {
-    Random random(1);
+    RandomWholes random(1);
     std::array<int, 3> meetings{};
     int ties = 0;
     for (int i = 0; i < 20000; ++i) {
@@ -44,7 +44,7 @@ TEST(Predicate, EqualsCramersRuleWhereTiesAbound) {
 }
 
 TEST(Predicate, HoldsTheLargestCoordinates) {
-    Random random(2);
+    RandomWholes random(2);
     constexpr std::int64_t kMost = (std::int64_t{1} << 31) - 1;
     constexpr std::int64_t kMostLight = (std::int64_t{1} << kLightBits) - 1;
     // Corners of the cube of all coordinates, of points there, or anything between.
@@ -91,7 +91,7 @@ TEST(Predicate, ARayThroughAFanMeetsOneOfItsTriangles) {
 }
 
 TEST(Predicate, ARayEntersATetrahedronAsOftenAsItLeaves) {
-    Random random(3);
+    RandomWholes random(3);
     int ties = 0;
     int inside = 0;
     for (int i = 0; i < 20000; ++i) {
@@ -125,7 +125,7 @@ TEST(Predicate, ARayEntersATetrahedronAsOftenAsItLeaves) {
 }
 
 TEST(Predicate, ItsOwnPlaneAndTheLightsPlaneCastNothing) {
-    Random random(4);
+    RandomWholes random(4);
     for (int i = 0; i < 5000; ++i) {
         const Corners corners{random.point(-99, 99), random.point(-99, 99), random.point(-99, 99)};
         const auto second = static_cast<std::uint32_t>(random.whole(1, kScale - 2));
@@ -146,7 +146,7 @@ TEST(Predicate, ItsOwnPlaneAndTheLightsPlaneCastNothing) {
 }
 
 TEST(Predicate, KnowsWhatLiesInAPlane) {
-    Random random(6);
+    RandomWholes random(6);
     std::array<int, 2> found{};
     for (int i = 0; i < 5000; ++i) {
         const Corners corners{random.point(-9, 9), random.point(-9, 9), random.point(-9, 9)};

@@ -8,9 +8,9 @@
 
 namespace gnomon::exact {
 
-class Random {
+class RandomWholes {
 public:
-    explicit Random(std::uint64_t seed) : engine_(seed) {}
+    explicit RandomWholes(std::uint64_t seed) : engine_(seed) {}
 
     /// From least to most, both included.
     std::int64_t whole(std::int64_t least, std::int64_t most) {

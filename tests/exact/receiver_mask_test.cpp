@@ -21,7 +21,7 @@ float plainLowest(const ReceiverMask& mask, const CellBox& box) {
 }
 
 TEST(ReceiverMask, NeverLosesWhatABoxHolds) {
-    Random random(1);
+    RandomWholes random(1);
     int culled = 0;
     int small = 0;
     for (int i = 0; i < 300; ++i) {

@@ -14,7 +14,7 @@ namespace {
 const double kError = coordinateErrorFor(100);
 
 /// Upright triangles within 100 cells of the origin, a point on each.
-Scene someScene(Random& random, std::size_t count, int maps) {
+Scene someScene(RandomWholes& random, std::size_t count, int maps) {
     Scene scene;
     while (scene.points.size() < count) {
         const glm::i64vec3 a = random.point(-90, 90);
@@ -113,7 +113,7 @@ void expectSorted(const SampleGrid& grid, const Listed& listed) {
 }
 
 /// Planes of the kinds that a plan makes, and others: scaled, warped, turned about.
-std::vector<glm::dmat3> somePlanes(Random& random, int count) {
+std::vector<glm::dmat3> somePlanes(RandomWholes& random, int count) {
     std::vector<glm::dmat3> planes;
     for (int i = 0; i < count; ++i) {
         const double scale = std::exp2(random.real(-10, 10));
@@ -127,7 +127,7 @@ std::vector<glm::dmat3> somePlanes(Random& random, int count) {
 TEST(SampleGrid, HoldsEverySampleOnceInItsCell) {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
         SCOPED_TRACE(seed);
-        Random random(seed);
+        RandomWholes random(seed);
         const int maps = static_cast<int>(random.whole(1, 3));
         const Scene scene = someScene(random, static_cast<std::size_t>(random.whole(1, 400)), maps);
         Listed listed(scene, maps);
@@ -144,7 +144,7 @@ TEST(SampleGrid, HoldsEverySampleOnceInItsCell) {
 }
 
 TEST(SampleGrid, SortsMoreThanOnePiece) {
-    Random random(1);
+    RandomWholes random(1);
     Scene scene = someScene(random, 50, 2);
     for (std::size_t i = 0; scene.points.size() < 40000; ++i) {
         ScenePoint point = scene.points[i];
@@ -164,7 +164,7 @@ bool isUnwarped(const CellMap& map) {
 }
 
 TEST(SampleGrid, LeavesOutWarpsThatCannotBeTrusted) {
-    Random random(2);
+    RandomWholes random(2);
     const Scene scene = someScene(random, 200, 1);
     Listed listed(scene, 1);
     double leastU = 0;

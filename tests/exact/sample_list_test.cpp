@@ -16,7 +16,7 @@ namespace {
 constexpr std::int64_t kScale = std::int64_t{1} << kWeightBits;
 
 /// Triangles of coordinates up to `most`, a third of them nearly or quite in the plane of the eye or of the light.
-Scene someScene(Random& random, std::int64_t most, const IntegerLight& light, const glm::i64vec3& eye) {
+Scene someScene(RandomWholes& random, std::int64_t most, const IntegerLight& light, const glm::i64vec3& eye) {
     Scene scene;
     for (int cluster = 0; cluster < 4; ++cluster) {
         std::vector<Corners> triangles;
@@ -44,7 +44,7 @@ bool facesBoth(const Corners& corners, const IntegerLight& light, const glm::i64
 }
 
 TEST(SampleList, KeepsWhatFacesEyeAndLightByExactSigns) {
-    Random random(1);
+    RandomWholes random(1);
     int unsure = 0;
     int kept = 0;
     for (int i = 0; i < 40; ++i) {
@@ -79,7 +79,7 @@ TEST(SampleList, KeepsWhatFacesEyeAndLightByExactSigns) {
 }
 
 TEST(SampleList, FewTrianglesNeedIntegersToFace) {
-    Random random(2);
+    RandomWholes random(2);
     Scene scene;
     std::vector<Corners> triangles;
     triangles.reserve(85);
@@ -94,7 +94,7 @@ TEST(SampleList, FewTrianglesNeedIntegersToFace) {
 }
 
 TEST(SampleList, PointsLieWhereTheirWeightsSay) {
-    Random random(3);
+    RandomWholes random(3);
     for (int i = 0; i < 40; ++i) {
         const std::int64_t most = std::int64_t{1} << random.whole(0, 29);
         const IntegerLight light = roundedLight({random.real(-1, 1), random.real(-1, 1), random.real(-1, 1)});
@@ -134,7 +134,7 @@ TEST(SampleList, PointsLieWhereTheirWeightsSay) {
 }
 
 TEST(SampleList, WeightsStayWithinTheTriangle) {
-    Random random(4);
+    RandomWholes random(4);
     std::vector<std::array<float, 2>> weights = {
         {0, 0}, {1, 0}, {0, 1}, {0.5F, 0.5F}, {1, 1}, {-1, 2}, {0x1p-30F, 1}, {1 - 0x1p-24F, 0x1p-24F}};
     for (int i = 0; i < 80; ++i) {
@@ -167,7 +167,7 @@ TEST(SampleList, WeightsStayWithinTheTriangle) {
 }
 
 TEST(SampleList, BatchesOfManyThreadsGiveTheSameSet) {
-    Random random(5);
+    RandomWholes random(5);
     const IntegerLight light = roundedLight({1, -2, 3});
     const Scene scene = someScene(random, 1000, light, glm::i64vec3(500));
     const SampleSpace space = spaceOf(light, glm::dvec3(500));

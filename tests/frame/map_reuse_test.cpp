@@ -15,7 +15,7 @@ namespace gnomon::frame {
 namespace {
 
 /// Hills far from the origin, as a renderer opens them.
-const hierarchy::ModelFile& hills() {
+const hierarchy::ModelFile& farHills() {
     static const auto file = [] {
         tests::TinyModelOptions options;
         options.gridExponent = 6;
@@ -32,7 +32,7 @@ const hierarchy::ModelFile& hills() {
 }
 
 plan::View view() {
-    const Box& bounds = hills().summary().bounds;
+    const Box& bounds = farHills().summary().bounds;
     plan::View view;
     view.width = view.height = 96;
     view.camera.eye = bounds.min + bounds.extent() * glm::dvec3(0.1, 1.3, 0.1);
@@ -71,8 +71,8 @@ public:
     explicit Twins(std::unique_ptr<executor::Executor> (*make)())
         : executor_(make()),
           redrawer_(make()),
-          renderer_(hills(), *executor_, {}),
-          redrawing_(hills(), *redrawer_, {}) {}
+          renderer_(farHills(), *executor_, {}),
+          redrawing_(farHills(), *redrawer_, {}) {}
 
     /// Draws the frame twice; how many maps the first of them reused.
     int draw(const plan::View& view, const plan::Quality& quality) {
@@ -161,8 +161,8 @@ TEST_P(MapReuse, WarpedMapsStayWhileNothingMoves) {
 TEST(MapReuseByReceivers, EndsWhereAnotherImageAsks) {
     const auto executor = executor::makeSoftwareExecutor();
     const auto fresh = executor::makeSoftwareExecutor();
-    Renderer renderer(hills(), *executor, {});
-    Renderer redrawing(hills(), *fresh, {});
+    Renderer renderer(farHills(), *executor, {});
+    Renderer redrawing(farHills(), *fresh, {});
     plan::Quality quality = warped(plan::CasterCulling::Receivers);
     const auto reused = [&](const FrameOptions& options) {
         const Frame frame = renderer.render(view(), quality, options);
@@ -285,12 +285,12 @@ TEST_P(MapReuse, ASeededWalkShowsTheSamePictures) {
     EXPECT_GT(reused, 30) << "this tests nothing";
 }
 
-std::unique_ptr<executor::Executor> osmesa() {
+std::unique_ptr<executor::Executor> reuseOnOsmesa() {
     return executor::makeGlExecutor(gl::Platform::Osmesa, gl::ShaderLibrary(std::nullopt), mebibytes(64));
 }
 
 INSTANTIATE_TEST_SUITE_P(Software, MapReuse, testing::Values(&executor::makeSoftwareExecutor));
-INSTANTIATE_TEST_SUITE_P(Osmesa, MapReuse, testing::Values(&osmesa));
+INSTANTIATE_TEST_SUITE_P(Osmesa, MapReuse, testing::Values(&reuseOnOsmesa));
 
 } // namespace
 } // namespace gnomon::frame

@@ -121,12 +121,12 @@ TEST_P(ResidencyOverlay, IsDarkRedWherePagesAreDamaged) {
     EXPECT_EQ(found.waiting, 0);
 }
 
-std::unique_ptr<executor::Executor> osmesa() {
+std::unique_ptr<executor::Executor> residencyOnOsmesa() {
     return executor::makeGlExecutor(gl::Platform::Osmesa, gl::ShaderLibrary(std::nullopt), mebibytes(64));
 }
 
 INSTANTIATE_TEST_SUITE_P(Software, ResidencyOverlay, testing::Values(&executor::makeSoftwareExecutor));
-INSTANTIATE_TEST_SUITE_P(Osmesa, ResidencyOverlay, testing::Values(&osmesa));
+INSTANTIATE_TEST_SUITE_P(Osmesa, ResidencyOverlay, testing::Values(&residencyOnOsmesa));
 
 } // namespace
 } // namespace gnomon::frame

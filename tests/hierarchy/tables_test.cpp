@@ -48,7 +48,7 @@ Footer footerOf(std::span<const PageInfo> pages) {
 }
 
 template <class Change>
-std::string damageAfter(const Change& change) {
+std::string damageOfTablesAfter(const Change& change) {
     std::vector<PageInfo> pages = threePages();
     Footer footer = footerOf(pages);
     change(pages, footer);
@@ -83,9 +83,9 @@ TEST(PageTable, EachLieIsNamed) {
     using Pages = std::vector<PageInfo>;
     constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
     constexpr double kInfinite = std::numeric_limits<double>::infinity();
-    EXPECT_EQ(damageAfter([](Pages&, Footer&) {}), "");
+    EXPECT_EQ(damageOfTablesAfter([](Pages&, Footer&) {}), "");
     const auto isNamed = [](const char* what, auto&& change) {
-        const std::string damage = damageAfter(change);
+        const std::string damage = damageOfTablesAfter(change);
         EXPECT_EQ(damage.find(std::string("page 1: ") + what), 0U) << damage;
     };
     for (const double wrong : {kNan, kInfinite, -1.0})
@@ -95,33 +95,43 @@ TEST(PageTable, EachLieIsNamed) {
     isNamed("its errors: expected ", [](Pages& p, Footer&) { p[1].minError = kNan; });
     isNamed("its errors: expected ", [](Pages& p, Footer&) { p[1].maxError = 0.1; }); // below the least
     isNamed("pages that its 0 refinements name", [](Pages& p, Footer&) { p[1].children = {2}; });
-    EXPECT_EQ(damageAfter([](Pages& p, Footer&) { p[0].children = {2, 1}; }), "a page's children do not ascend");
-    EXPECT_EQ(damageAfter([](Pages& p, Footer&) { p[0].children = {1, 1}; }), "a page's children do not ascend");
-    EXPECT_EQ(damageAfter([](Pages& p, Footer&) { p[2] = p[0]; }), "pages are not coarsest first");
+    EXPECT_EQ(
+        damageOfTablesAfter([](Pages& p, Footer&) {
+            p[0].children = {2, 1};
+        }),
+        "a page's children do not ascend");
+    EXPECT_EQ(
+        damageOfTablesAfter([](Pages& p, Footer&) {
+            p[0].children = {1, 1};
+        }),
+        "a page's children do not ascend");
+    EXPECT_EQ(damageOfTablesAfter([](Pages& p, Footer&) { p[2] = p[0]; }), "pages are not coarsest first");
     const std::string notFiner = "a page is refined by one that is not finer";
-    EXPECT_EQ(damageAfter([](Pages& p, Footer&) { p[0].children = {1, 3}; }), notFiner);
-    EXPECT_EQ(damageAfter([](Pages& p, Footer&) { p[0].children = {0}; }), notFiner);
+    EXPECT_EQ(damageOfTablesAfter([](Pages& p, Footer&) { p[0].children = {1, 3}; }), notFiner);
+    EXPECT_EQ(damageOfTablesAfter([](Pages& p, Footer&) { p[0].children = {0}; }), notFiner);
     const auto ofItsOwnLevel = [](Pages& p, Footer&) {
         p[1].level = p[1].refinementCount = 1;
         p[1].children = {2};
     };
-    EXPECT_EQ(damageAfter(ofItsOwnLevel), notFiner);
+    EXPECT_EQ(damageOfTablesAfter(ofItsOwnLevel), notFiner);
     const std::string gap = "the pages do not end where their table begins";
-    EXPECT_EQ(damageAfter([](Pages& p, Footer&) { p[2].storedBytes += 1; }), gap);
-    EXPECT_EQ(damageAfter([](Pages&, Footer& f) { f.pageTable.offset -= 1; }), gap);
-    EXPECT_EQ(damageAfter([](Pages&, Footer& f) { f.pageCount = 4; }), "the bytes end too early");
-    EXPECT_NE(damageAfter([](Pages&, Footer& f) { f.pageCount = 2; }).find("bytes too many"), std::string::npos);
-    EXPECT_EQ(damageAfter([](Pages&, Footer& f) { f.pageCount = ~std::uint64_t{0}; }), "the bytes end too early");
+    EXPECT_EQ(damageOfTablesAfter([](Pages& p, Footer&) { p[2].storedBytes += 1; }), gap);
+    EXPECT_EQ(damageOfTablesAfter([](Pages&, Footer& f) { f.pageTable.offset -= 1; }), gap);
+    EXPECT_EQ(damageOfTablesAfter([](Pages&, Footer& f) { f.pageCount = 4; }), "the bytes end too early");
+    EXPECT_NE(
+        damageOfTablesAfter([](Pages&, Footer& f) { f.pageCount = 2; }).find("bytes too many"), std::string::npos);
+    EXPECT_EQ(
+        damageOfTablesAfter([](Pages&, Footer& f) { f.pageCount = ~std::uint64_t{0}; }), "the bytes end too early");
 }
 
 TEST(PageTable, TheLargestSphereAndTheLeastErrorsAreSound) {
     using Pages = std::vector<PageInfo>;
-    EXPECT_EQ(damageAfter([](Pages& p, Footer&) { p[1].bounds = {{0, 0, 0}, 0}; }), "");
-    EXPECT_EQ(damageAfter([](Pages& p, Footer&) { p[1].minError = p[1].maxError = 0; }), "");
-    EXPECT_EQ(damageAfter([](Pages& p, Footer&) { p[1].minError = p[1].maxError; }), "");
-    EXPECT_EQ(damageAfter([](Pages& p, Footer&) { p[1].bounds = {{0, 0, 0}, 0x1p44}; }), "");
-    EXPECT_EQ(damageAfter([](Pages& p, Footer&) { p[1].bounds = {{0x1p42, -0x1p42, 0x1p42}, 0x1p42}; }), "");
-    EXPECT_NE(damageAfter([](Pages& p, Footer&) { p[1].bounds = {{0, 1, 0}, 0x1p44}; }), "");
+    EXPECT_EQ(damageOfTablesAfter([](Pages& p, Footer&) { p[1].bounds = {{0, 0, 0}, 0}; }), "");
+    EXPECT_EQ(damageOfTablesAfter([](Pages& p, Footer&) { p[1].minError = p[1].maxError = 0; }), "");
+    EXPECT_EQ(damageOfTablesAfter([](Pages& p, Footer&) { p[1].minError = p[1].maxError; }), "");
+    EXPECT_EQ(damageOfTablesAfter([](Pages& p, Footer&) { p[1].bounds = {{0, 0, 0}, 0x1p44}; }), "");
+    EXPECT_EQ(damageOfTablesAfter([](Pages& p, Footer&) { p[1].bounds = {{0x1p42, -0x1p42, 0x1p42}, 0x1p42}; }), "");
+    EXPECT_NE(damageOfTablesAfter([](Pages& p, Footer&) { p[1].bounds = {{0, 1, 0}, 0x1p44}; }), "");
 }
 
 TEST(PageTable, EachCountAddsWhatItMayTakeInPlainBytes) {

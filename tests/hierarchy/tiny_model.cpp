@@ -18,7 +18,7 @@ using namespace hierarchy;
 
 namespace {
 
-constexpr int kStepExponent = -8;
+constexpr int kTinyStepExponent = -8;
 constexpr std::uint32_t kCellSteps = 256; // one world unit
 
 /// A cluster of the build, before it is laid into a page.
@@ -95,7 +95,7 @@ Ground makeGround(const TinyModelOptions& options) {
             const auto y = static_cast<std::uint32_t>(std::lround(heightOf(options, x, z) * kCellSteps));
             const GridPoint p{x * kCellSteps, y, z * kCellSteps};
             ground.points.push_back(p);
-            ground.positions.push_back(Grid{glm::dvec3(0), kStepExponent}.local(p));
+            ground.positions.push_back(Grid{glm::dvec3(0), kTinyStepExponent}.local(p));
             if (x == 0 || z == 0 || x == cells || z == cells) ground.border.insert(id(x, z));
         }
     for (std::uint32_t x = 0; x < cells; ++x)
@@ -213,7 +213,7 @@ Level coarser(const Ground& ground, Level& level, const Level* finer, const Tiny
             ground.positions,
             [&locked](std::uint32_t v) { return locked.count(v) != 0; },
             triangles.size() / 2);
-        double before = Grid{glm::dvec3(0), kStepExponent}.snapError();
+        double before = Grid{glm::dvec3(0), kTinyStepExponent}.snapError();
         if (finer != nullptr)
             for (const std::uint32_t piece : group.pieces)
                 before = std::max(before, finer->groups[level.pieces[piece].refinement].error);
@@ -299,7 +299,7 @@ void layGroup(const Ground& ground, const Level& level, const Level* finer, cons
 
 ModelSummary summarize(const Ground& ground, const std::vector<Level>& levels, const TinyModelOptions& options) {
     ModelSummary summary;
-    summary.grid = {options.origin, kStepExponent};
+    summary.grid = {options.origin, kTinyStepExponent};
     for (const glm::dvec3& p : ground.positions)
         summary.bounds.add(options.origin + p);
     summary.sourceTriangles = ground.triangles.size();

@@ -10,16 +10,16 @@
 namespace gnomon::make {
 namespace {
 
-constexpr std::uint64_t kSeed = 1;
+constexpr std::uint64_t kStatueSeed = 1;
 
 /// Shared by all tests, since it is the slow part.
 std::shared_ptr<const StatueSurface> surface() {
-    static const auto made = std::make_shared<const StatueSurface>(kSeed);
+    static const auto made = std::make_shared<const StatueSurface>(kStatueSeed);
     return made;
 }
 
 double heightOfFinestOctave(std::uint64_t triangles, double& edge) {
-    Statue statue(triangles, kSeed, surface());
+    Statue statue(triangles, kStatueSeed, surface());
     const MadeMesh with = collect(statue);
     statue.dropFinestOctaves(1);
     const MadeMesh without = collect(statue);
@@ -38,13 +38,13 @@ double heightOfFinestOctave(std::uint64_t triangles, double& edge) {
 TEST(Statue, HasTheTrianglesAskedForWithinTwoPercent) {
     for (const std::uint64_t wanted :
          {2'000ULL, 2'999ULL, 5'000ULL, 12'345ULL, 100'000ULL, 1'000'000ULL, 372'000'000ULL, 7'000'000'000ULL}) {
-        const auto got = static_cast<double>(modelSize(Statue(wanted, kSeed, surface())).triangles);
+        const auto got = static_cast<double>(modelSize(Statue(wanted, kStatueSeed, surface())).triangles);
         EXPECT_NEAR(got, static_cast<double>(wanted), 0.02 * static_cast<double>(wanted));
     }
 }
 
 TEST(Statue, IsOneClosedSurfaceThatFacesOutwards) {
-    const MadeMesh mesh = collect(Statue(30'000, kSeed, surface()));
+    const MadeMesh mesh = collect(Statue(30'000, kStatueSeed, surface()));
     const auto uses = edgeUses(mesh);
     for (const auto& [edge, use] : uses) {
         ASSERT_EQ(use.upwards, 1) << edge.first << " to " << edge.second;
@@ -63,7 +63,7 @@ TEST(Statue, IsOneClosedSurfaceThatFacesOutwards) {
 }
 
 TEST(Statue, HasNoDegenerateTriangleAndNoDoubledVertex) {
-    const MadeMesh mesh = collect(Statue(200'000, kSeed, surface()));
+    const MadeMesh mesh = collect(Statue(200'000, kStatueSeed, surface()));
     EXPECT_EQ(welded(mesh).vertices.size(), mesh.vertices.size());
     const double edge = meanEdge(mesh);
     for (const MadeTriangle& t : mesh.triangles)
@@ -79,8 +79,8 @@ TEST(Statue, ItsFinestOctaveIsAtLeastThreeTenthsOfAnEdgeHigh) {
 }
 
 TEST(Statue, CoarserStatuesHaveTheFirstOctavesOfFinerOnes) {
-    const Statue coarse(50'000, kSeed, surface());
-    const Statue fine(372'000'000, kSeed, surface());
+    const Statue coarse(50'000, kStatueSeed, surface());
+    const Statue fine(372'000'000, kStatueSeed, surface());
     ASSERT_LT(coarse.octaves().size(), fine.octaves().size());
     for (std::size_t i = 0; i < coarse.octaves().size(); ++i) {
         EXPECT_EQ(coarse.octaves()[i].spacing, fine.octaves()[i].spacing);
@@ -91,8 +91,8 @@ TEST(Statue, CoarserStatuesHaveTheFirstOctavesOfFinerOnes) {
 }
 
 TEST(Statue, IsTheSameShapeAtEveryNumberOfTriangles) {
-    const MadeMesh coarse = collect(Statue(30'000, kSeed, surface()));
-    const MadeMesh fine = collect(Statue(300'000, kSeed, surface()));
+    const MadeMesh coarse = collect(Statue(30'000, kStatueSeed, surface()));
+    const MadeMesh fine = collect(Statue(300'000, kStatueSeed, surface()));
     Random random(5);
     double sum = 0;
     constexpr int kSamples = 150;

@@ -22,7 +22,7 @@ Camera anyCamera(Random& random) {
 }
 
 /// A path of one to seven keyframes, some of them at the same time.
-CameraPath anyPath(Random& random) {
+CameraPath anyTimes(Random& random) {
     CameraPath path;
     path.interpolation = random.below(2) == 0 ? Interpolation::Linear : Interpolation::CatmullRom;
     path.loop = random.below(3) == 0;
@@ -93,7 +93,7 @@ std::vector<double> twin(const CameraPath& path, double time) {
 TEST(RandomPath, LeadsWhereItsSlowTwinLeads) {
     Random random(1);
     for (int trial = 0; trial < 1500; ++trial) {
-        const CameraPath path = anyPath(random);
+        const CameraPath path = anyTimes(random);
         for (int i = 0; i < 20; ++i) {
             const double time = path.keyframes.front().time + random.uniform(-0.5, 1.5) * (path.duration() + 1);
             const std::vector<double> found = numbersOf(cameraAt(path, time));
@@ -107,7 +107,7 @@ TEST(RandomPath, LeadsWhereItsSlowTwinLeads) {
 TEST(RandomPath, PassesThroughItsKeyframesAndIsHeldAtItsEnds) {
     Random random(2);
     for (int trial = 0; trial < 300; ++trial) {
-        CameraPath path = anyPath(random);
+        CameraPath path = anyTimes(random);
         path.loop = false;
         const std::vector<Keyframe>& keys = path.keyframes;
         for (std::size_t i = 0; i < keys.size(); ++i) {
@@ -146,7 +146,7 @@ TEST(RandomPath, WalksAStraightLineEvenlyInEitherWay) {
 TEST(RandomPath, GoesRoundWithoutEnd) {
     Random random(4);
     for (int trial = 0; trial < 200; ++trial) {
-        CameraPath path = anyPath(random);
+        CameraPath path = anyTimes(random);
         path.loop = true;
         if (path.duration() <= 0) continue;
         const double time = path.keyframes.front().time + random.unit() * path.duration();
@@ -159,7 +159,7 @@ TEST(RandomPath, GoesRoundWithoutEnd) {
 TEST(RandomPath, HasItsFramesEvenlyWithBothEndsAmongThem) {
     Random random(5);
     for (int trial = 0; trial < 200; ++trial) {
-        const CameraPath path = anyPath(random);
+        const CameraPath path = anyTimes(random);
         const int frames = 2 + static_cast<int>(random.below(50));
         EXPECT_DOUBLE_EQ(frameTime(path, 0, frames), path.keyframes.front().time);
         EXPECT_DOUBLE_EQ(frameTime(path, frames - 1, frames), path.keyframes.front().time + path.duration());

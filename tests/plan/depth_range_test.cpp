@@ -9,7 +9,7 @@
 namespace gnomon::plan {
 namespace {
 
-struct Row {
+struct DepthRow {
     const char* what;
     std::optional<double> near;
     std::optional<double> far;
@@ -23,7 +23,7 @@ struct Row {
 
 TEST(DepthRange, LiesWhereItsTableSays) {
     using Source = DepthSource;
-    const std::vector<Row> table{
+    const std::vector<DepthRow> table{
         {"a step of 2^(1/4)", {}, {}, {}, {8, 100, true}, 8, 100, Source::NearestSurface, Source::FarthestSurface},
         {"between steps", {}, {}, {}, {9, 100, true}, 8, 100, Source::NearestSurface, Source::FarthestSurface},
         {"just under a step",
@@ -56,7 +56,7 @@ TEST(DepthRange, LiesWhereItsTableSays) {
         {"all at one depth", {}, {}, {}, {8, 8, true}, 8, 8.008, Source::NearestSurface, Source::FarthestSurface},
         {"a far before all there is", {}, 4, {}, {8, 9, true}, 4 / 1.001, 4, Source::NearestSurface, Source::Given},
     };
-    for (const Row& row : table) {
+    for (const DepthRow& row : table) {
         SCOPED_TRACE(row.what);
         Quality quality;
         quality.near = row.near;

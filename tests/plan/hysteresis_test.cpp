@@ -23,7 +23,7 @@ SceneFacts surfaces(double nearest, double farthest) {
     return facts;
 }
 
-struct Row {
+struct HysteresisRow {
     const char* what;
     std::function<void(Quality&)> with;
     SceneFacts before;
@@ -50,10 +50,10 @@ SceneFacts gapInTheSecondSlice() {
     return facts;
 }
 
-const std::vector<Row>& table() {
+const std::vector<HysteresisRow>& table() {
     const auto stable = [](Quality& quality) { quality.stabilize = true; };
     const auto plain = [](Quality&) {};
-    static const std::vector<Row> rows{
+    static const std::vector<HysteresisRow> rows{
         {"near falls", plain, surfaces(8, 100), surfaces(2, 100), nearOf, 0},
         {"near rises", plain, surfaces(2, 100), surfaces(8, 100), nearOf, kFramesBeforeNearRises - 1},
         {"far falls", plain, surfaces(2, 100), surfaces(2, 30), farOf, 0},
@@ -72,7 +72,7 @@ const std::vector<Row>& table() {
 }
 
 TEST(Hysteresis, HoldsForExactlyAsManyFramesAsItsTableSays) {
-    for (const Row& row : table()) {
+    for (const HysteresisRow& row : table()) {
         SCOPED_TRACE(row.what);
         Quality quality;
         row.with(quality);

@@ -11,7 +11,7 @@
 namespace gnomon::raster {
 namespace {
 
-constexpr PixelBox kViewport = {0, 0, 256, 128};
+constexpr PixelBox kClipViewport = {0, 0, 256, 128};
 
 ClipPosition randomClip(Random& random) {
     const auto value = [&](double scale) {
@@ -58,7 +58,7 @@ TEST(Clip, WhatIsInsideStaysAndNothingElseComes) {
     int checked = 0;
     for (int trial = 0; trial < 4000; ++trial) {
         const bool cutsDepth = trial % 2 == 0;
-        const Projection pass = projection(flatView(kViewport), cutsDepth);
+        const Projection pass = projection(flatView(kClipViewport), cutsDepth);
         const std::array<ClipPosition, 3> triangle{randomClip(random), randomClip(random), randomClip(random)};
         const ClippedPolygon polygon = clipTriangle(pass, triangle);
         ASSERT_LE(polygon.count, 9U);
@@ -90,7 +90,7 @@ TEST(Clip, WhatNeedsNoCutKeepsItsBits) {
     Random random(2);
     int whole = 0;
     for (int trial = 0; trial < 2000; ++trial) {
-        const Projection pass = projection(flatView(kViewport), true);
+        const Projection pass = projection(flatView(kClipViewport), true);
         std::array<ClipPosition, 3> triangle;
         for (ClipPosition& p : triangle) {
             const auto w = static_cast<float>(random.uniform(0.1, 4));
@@ -120,7 +120,7 @@ TEST(Clip, BothSidesOfAnEdgeAreCutAtTheSamePoint) {
     Random random(3);
     int shared = 0;
     for (int trial = 0; trial < 2000; ++trial) {
-        const Projection pass = projection(flatView(kViewport), true);
+        const Projection pass = projection(flatView(kClipViewport), true);
         ClipPosition inside{0, 0, 0.5F, 1};
         inside.x = static_cast<float>(random.uniform(-1, 1));
         const ClipPosition outside = randomClip(random);
@@ -143,14 +143,14 @@ TEST(Clip, BothSidesOfAnEdgeAreCutAtTheSamePoint) {
 }
 
 TEST(Clip, BehindTheEyeAndEdgeOnNothingIsLeft) {
-    const Projection pass = projection(flatView(kViewport), true);
+    const Projection pass = projection(flatView(kClipViewport), true);
     const ClipPosition behind{0, 0, 0, -1};
     EXPECT_LT(clipTriangle(pass, {behind, {1, 0, 0, -1}, {0, 1, 0, -2}}).count, 3U);
     const ClipPosition eye{0, 0, 0, 0};
     EXPECT_EQ(clipTriangle(pass, {eye, {0.5F, 0, 0.5F, 1}, {0, 0.5F, 0.5F, 1}}).count, 0U) << "seen edge on";
     EXPECT_LT(clipTriangle(pass, {ClipPosition{0, 0, 2, 1}, {1, 0, 2, 1}, {0, 1, 2, 1}}).count, 3U) << "too near";
     EXPECT_LT(clipTriangle(pass, {ClipPosition{0, 0, -1, 1}, {1, 0, -1, 1}, {0, 1, -1, 1}}).count, 3U) << "too far";
-    const Projection plain = projection(flatView(kViewport), false);
+    const Projection plain = projection(flatView(kClipViewport), false);
     EXPECT_EQ(clipTriangle(plain, {ClipPosition{0, 0, 2, 1}, {1, 0, 2, 1}, {0, 1, 2, 1}}).count, 3U)
         << "depth is not cut";
     const float huge = std::numeric_limits<float>::infinity();

@@ -11,8 +11,8 @@
 namespace gnomon::raster {
 namespace {
 
-constexpr int kSide = 96;
-constexpr PixelBox kViewport = {0, 0, kSide, kSide};
+constexpr int kCoverageSide = 96;
+constexpr PixelBox kCoverageViewport = {0, 0, kCoverageSide, kCoverageSide};
 using Position = std::array<std::uint32_t, 3>;
 
 std::uint32_t cells(double pixels) {
@@ -42,13 +42,13 @@ std::vector<Position> fanPositions(Random& random, bool onCentres) {
     return positions;
 }
 
-std::size_t pixelIndex(int x, int y) {
-    return static_cast<std::size_t>(y) * kSide + static_cast<std::size_t>(x);
+std::size_t coverageIndex(int x, int y) {
+    return static_cast<std::size_t>(y) * kCoverageSide + static_cast<std::size_t>(x);
 }
 
 /// How often each pixel is covered, drawing one triangle at a time.
 std::vector<int> covers(const std::vector<Position>& positions, const View& view, bool cutsDepth) {
-    std::vector<int> count(std::size_t{kSide} * kSide);
+    std::vector<int> count(std::size_t{kCoverageSide} * kCoverageSide);
     Rasterizer rasterizer;
     const std::size_t outer = positions.size() - 1;
     for (std::size_t i = 0; i < outer; ++i) {
@@ -61,9 +61,9 @@ std::vector<int> covers(const std::vector<Position>& positions, const View& view
         std::vector<std::uint64_t> words(count.size());
         std::vector<float> depths(count.size());
         if (cutsDepth)
-            rasterizer.drawVisibility(scene.clusters(), view, {words.data(), kSide, kSide});
+            rasterizer.drawVisibility(scene.clusters(), view, {words.data(), kCoverageSide, kCoverageSide});
         else
-            rasterizer.drawDepth(scene.clusters(), view, {depths.data(), kSide, kSide});
+            rasterizer.drawDepth(scene.clusters(), view, {depths.data(), kCoverageSide, kCoverageSide});
         for (std::size_t p = 0; p < count.size(); ++p)
             count[p] += (cutsDepth ? words[p] != 0 : depths[p] < 1) ? 1 : 0;
     }
@@ -96,7 +96,7 @@ bool isFolded(const SnappedVertex& hub, const std::vector<SnappedVertex>& outlin
 TEST(Coverage, EachPixelOfAClosedFanIsCoveredOnce) {
     Random random(11);
     int fans = 0;
-    const View view = flatView(kViewport);
+    const View view = flatView(kCoverageViewport);
     const Projection pass = projection(view, false);
     int inside = 0;
     for (int fan = 0; fan < 300; ++fan) {
@@ -107,10 +107,10 @@ TEST(Coverage, EachPixelOfAClosedFanIsCoveredOnce) {
         if (isFolded(snapped(pass, clipPosition(pass, positions[0].data())), outline)) continue;
         ++fans;
         const std::vector<int> count = covers(positions, view, false);
-        for (int y = 0; y < kSide; ++y)
-            for (int x = 0; x < kSide; ++x) {
+        for (int y = 0; y < kCoverageSide; ++y)
+            for (int x = 0; x < kCoverageSide; ++x) {
                 const int winding = doubleWinding(outline, std::int64_t{x} * 256, std::int64_t{y} * 256);
-                const int covered = count[pixelIndex(x, y)];
+                const int covered = count[coverageIndex(x, y)];
                 ASSERT_LE(covered, (winding + 1) / 2) << fan << ": " << x << ", " << y;
                 ASSERT_GE(covered, winding / 2) << fan << ": " << x << ", " << y;
                 inside += covered;
@@ -126,8 +126,8 @@ int coveredNearby(const std::vector<HomogeneousTriangle>& triangles, int x, int 
     for (const double dx : {-1.0, 0.0, 1.0})
         for (const double dy : {-1.0, 0.0, 1.0})
             covered += std::any_of(triangles.begin(), triangles.end(), [&](const HomogeneousTriangle& triangle) {
-                const auto depth =
-                    triangle.depth((x + 0.5 + dx / 64) * 2 / kSide - 1, (y + 0.5 + dy / 64) * 2 / kSide - 1);
+                const auto depth = triangle.depth(
+                    (x + 0.5 + dx / 64) * 2 / kCoverageSide - 1, (y + 0.5 + dy / 64) * 2 / kCoverageSide - 1);
                 return depth && (cutsDepth ? *depth >= 0 && *depth <= 1 : *depth < 1);
             });
     return covered;
@@ -139,7 +139,7 @@ TEST(Coverage, EachPixelOfACutFanIsCoveredOnce) {
     Random random(12);
     int inside = 0;
     for (std::uint64_t fan = 0; fan < 120; ++fan) {
-        const View view = insideView(kViewport, fan);
+        const View view = insideView(kCoverageViewport, fan);
         std::vector<Position> positions = fanPositions(random, false);
         for (Position& position : positions)
             position[2] = positions[0][2];
@@ -155,11 +155,13 @@ TEST(Coverage, EachPixelOfACutFanIsCoveredOnce) {
             exact.emplace_back(clusters.front(), i, view);
         for (const bool cutsDepth : {false, true}) {
             const std::vector<int> count = covers(positions, view, cutsDepth);
-            for (int p = 0; p < kSide * kSide; ++p) {
-                const int expected = coveredNearby(exact, p % kSide, p / kSide, cutsDepth);
+            for (int p = 0; p < kCoverageSide * kCoverageSide; ++p) {
+                const int expected = coveredNearby(exact, p % kCoverageSide, p / kCoverageSide, cutsDepth);
                 const int covered = count[static_cast<std::size_t>(p)];
-                ASSERT_LE(covered, expected == 0 ? 0 : 1) << fan << ": " << p % kSide << ", " << p / kSide;
-                ASSERT_GE(covered, expected == 9 ? 1 : 0) << fan << ": " << p % kSide << ", " << p / kSide;
+                ASSERT_LE(covered, expected == 0 ? 0 : 1)
+                    << fan << ": " << p % kCoverageSide << ", " << p / kCoverageSide;
+                ASSERT_GE(covered, expected == 9 ? 1 : 0)
+                    << fan << ": " << p % kCoverageSide << ", " << p / kCoverageSide;
                 inside += covered;
             }
         }

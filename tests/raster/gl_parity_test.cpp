@@ -10,8 +10,8 @@
 namespace gnomon::raster {
 namespace {
 
-constexpr int kSide = 512;
-constexpr PixelBox kViewport = {0, 0, kSide, kSide};
+constexpr int kGlSide = 512;
+constexpr PixelBox kGlViewport = {0, 0, kGlSide, kGlSide};
 
 struct Difference {
     int covered = 0;         // by either
@@ -38,10 +38,10 @@ Difference difference(std::span<const float> ours, std::span<const float> theirs
 
 Difference depthDifference(const gl::Context& context, const Scene& scene) {
     const std::vector<Cluster> clusters = scene.clusters();
-    const GlDepth gl(context, clusters, kSide);
-    gl.draw(flatView(kViewport), false);
-    std::vector<float> depths(std::size_t{kSide} * kSide);
-    Rasterizer().drawDepth(clusters, flatView(kViewport), {depths.data(), kSide, kSide});
+    const GlDepth gl(context, clusters, kGlSide);
+    gl.draw(flatView(kGlViewport), false);
+    std::vector<float> depths(std::size_t{kGlSide} * kGlSide);
+    Rasterizer().drawDepth(clusters, flatView(kGlViewport), {depths.data(), kGlSide, kGlSide});
     return difference(depths, gl.depths(), 1);
 }
 
@@ -49,7 +49,7 @@ TEST(GlParity, SheetsOfEverySizeOfTriangle) {
     const gl::Context context(gl::Platform::Osmesa);
     for (const double spacing : {1.4, 4.0, 14.0, 100.0}) {
         // Seven tenths of the target, so that there is an outline.
-        const int quads = static_cast<int>(0.7 * kSide / spacing);
+        const int quads = static_cast<int>(0.7 * kGlSide / spacing);
         const Difference found = depthDifference(context, sheet(quads, quads, spacing, 5));
         EXPECT_GT(found.covered, 80000) << spacing;
         EXPECT_LE(found.coverage, 2) << spacing;
@@ -82,11 +82,11 @@ TEST(GlParity, PerspectiveThroughNear) {
     for (std::uint64_t seed = 0; seed < 8; ++seed) {
         const Scene scene = soup(120, seed);
         const std::vector<Cluster> clusters = scene.clusters();
-        const View view = insideView(kViewport, seed);
-        const GlDepth gl(context, clusters, kSide);
+        const View view = insideView(kGlViewport, seed);
+        const GlDepth gl(context, clusters, kGlSide);
         gl.draw(view, true);
-        std::vector<std::uint64_t> words(std::size_t{kSide} * kSide);
-        Rasterizer().drawVisibility(clusters, view, {words.data(), kSide, kSide});
+        std::vector<std::uint64_t> words(std::size_t{kGlSide} * kGlSide);
+        Rasterizer().drawVisibility(clusters, view, {words.data(), kGlSide, kGlSide});
         std::vector<float> depths(words.size());
         std::transform(words.begin(), words.end(), depths.begin(), visibleDepth);
         const Difference found = difference(depths, gl.depths(), 0);

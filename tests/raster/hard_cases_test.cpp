@@ -1,5 +1,6 @@
 // The hard cases of rasterising, one check each; docs/hard_cases.md shows this table.
 #include "tests/hard_cases.h"
+#include "tests/raster/flat_depths.h"
 #include "tests/raster/homogeneous_triangle.h"
 #include "tests/raster/scenes.h"
 
@@ -11,43 +12,15 @@
 namespace gnomon::raster {
 namespace {
 
-constexpr int kSide = 64;
-constexpr PixelBox kViewport = {0, 0, kSide, kSide};
-using Position = std::array<std::uint32_t, 3>;
-
-/// A point in pixels of the flat view, and depth.
-Position at(double x, double y, double depth) {
-    const auto cells = [](double units) {
-        return static_cast<std::uint32_t>(static_cast<std::int64_t>(kSceneCenter) + std::llround(units));
-    };
-    return {cells(x * kFlatPixel), cells(y * kFlatPixel), cells(depth * 0x1p20)};
-}
-
-std::vector<float> depthsOf(const Scene& scene, const View& view = flatView(kViewport)) {
-    std::vector<float> depths(std::size_t{kSide} * kSide);
-    Rasterizer().drawDepth(scene.clusters(), view, {depths.data(), kSide, kSide});
-    return depths;
-}
-
-std::vector<float> depthsOf(const Position& a, const Position& b, const Position& c) {
-    Scene scene;
-    scene.add({a, b, c}, {{0, 1, 2}});
-    return depthsOf(scene);
-}
-
-std::size_t covered(const std::vector<float>& depths) {
-    return static_cast<std::size_t>(std::count_if(depths.begin(), depths.end(), [](float d) { return d < 1; }));
-}
-
 /// How often the triangles of a scene cover each pixel, each drawn alone.
 std::vector<int> covers(const Scene& scene, const View& view) {
-    std::vector<int> count(std::size_t{kSide} * kSide);
+    std::vector<int> count(std::size_t{kFlatSide} * kFlatSide);
     for (const Cluster& cluster : scene.clusters())
         for (std::size_t i = 0; i < cluster.triangles.size(); ++i) {
             Cluster one = cluster;
             one.triangles = cluster.triangles.subspan(i, 1);
             std::vector<float> depths(count.size());
-            Rasterizer().drawDepth({&one, 1}, view, {depths.data(), kSide, kSide});
+            Rasterizer().drawDepth({&one, 1}, view, {depths.data(), kFlatSide, kFlatSide});
             for (std::size_t p = 0; p < count.size(); ++p)
                 count[p] += depths[p] < 1 ? 1 : 0;
         }
@@ -74,7 +47,7 @@ int hitsAround(const std::vector<HomogeneousTriangle>& triangles, double x, doub
     for (const double dx : {-1.0, 0.0, 1.0})
         for (const double dy : {-1.0, 0.0, 1.0})
             hits += std::any_of(triangles.begin(), triangles.end(), [&](const HomogeneousTriangle& triangle) {
-                const auto depth = triangle.depth((x + dx / 64) * 2 / kSide - 1, (y + dy / 64) * 2 / kSide - 1);
+                const auto depth = triangle.depth((x + dx / 64) * 2 / kFlatSide - 1, (y + dy / 64) * 2 / kFlatSide - 1);
                 return depth && *depth < 1;
             });
     return hits;
@@ -82,17 +55,17 @@ int hitsAround(const std::vector<HomogeneousTriangle>& triangles, double x, doub
 
 /// Pixels that differ from the triangles' coverage in homogeneous space, away from their edges; not a number counts.
 std::size_t wrongPixels(const Scene& scene, const View& view) {
-    const std::vector<float> depths = depthsOf(scene, view);
+    const std::vector<float> depths = flatDepths(scene, view);
     std::vector<HomogeneousTriangle> exact;
     const std::vector<Cluster> clusters = scene.clusters();
     for (const Cluster& cluster : clusters)
         for (std::uint32_t i = 0; i < cluster.triangles.size(); ++i)
             exact.emplace_back(cluster, i, view);
     std::size_t wrong = 0;
-    for (int y = 0; y < kSide; ++y)
-        for (int x = 0; x < kSide; ++x) {
+    for (int y = 0; y < kFlatSide; ++y)
+        for (int x = 0; x < kFlatSide; ++x) {
             const int hits = hitsAround(exact, x + 0.5, y + 0.5);
-            const float depth = depths[static_cast<std::size_t>(y) * kSide + static_cast<std::size_t>(x)];
+            const float depth = depths[static_cast<std::size_t>(y) * kFlatSide + static_cast<std::size_t>(x)];
             const bool isWrong = (hits == 9 && depth == 1) || (hits == 0 && depth < 1);
             wrong += isWrong || !(depth >= 0 && depth <= 1) ? 1U : 0U;
         }
@@ -100,30 +73,30 @@ std::size_t wrongPixels(const Scene& scene, const View& view) {
 }
 
 void noArea() {
-    EXPECT_EQ(covered(depthsOf(at(1, 1, 0.5), at(30, 30, 0.5), at(60, 60, 0.5))), 0U);
-    EXPECT_EQ(covered(depthsOf(at(5.5, 5.5, 0.5), at(5.5, 5.5, 0.1), at(5.5, 5.5, 0.9))), 0U);
+    EXPECT_EQ(covered(flatDepths(at(1, 1, 0.5), at(30, 30, 0.5), at(60, 60, 0.5))), 0U);
+    EXPECT_EQ(covered(flatDepths(at(5.5, 5.5, 0.5), at(5.5, 5.5, 0.1), at(5.5, 5.5, 0.9))), 0U);
 }
 
 void onePixel() {
-    EXPECT_EQ(covered(depthsOf(at(7.3, 9.3, 0.25), at(7.9, 9.4, 0.25), at(7.4, 9.9, 0.25))), 1U);
-    EXPECT_EQ(covered(depthsOf(at(7.6, 9.6, 0.25), at(8.4, 9.7, 0.25), at(8.1, 10.4, 0.25))), 0U);
+    EXPECT_EQ(covered(flatDepths(at(7.3, 9.3, 0.25), at(7.9, 9.4, 0.25), at(7.4, 9.9, 0.25))), 1U);
+    EXPECT_EQ(covered(flatDepths(at(7.6, 9.6, 0.25), at(8.4, 9.7, 0.25), at(8.1, 10.4, 0.25))), 0U);
 }
 
 void largerThanTheScreen() {
     for (const double size : {200.0, 30000.0, 500000.0}) {
-        const auto depths = depthsOf(at(-size, -size, 0.5), at(3 * size, -size, 0.5), at(-size, 3 * size, 0.5));
+        const auto depths = flatDepths(at(-size, -size, 0.5), at(3 * size, -size, 0.5), at(-size, 3 * size, 0.5));
         EXPECT_EQ(covered(depths), depths.size()) << size;
     }
 }
 
 void behindTheEye() {
     for (std::uint64_t seed = 0; seed < 4; ++seed)
-        EXPECT_EQ(wrongPixels(soup(24, seed), insideView(kViewport, seed)), 0U) << seed;
+        EXPECT_EQ(wrongPixels(soup(24, seed), insideView(kFlatViewport, seed)), 0U) << seed;
 }
 
 void throughNear() {
     // One corner before the eye, two behind it: what is left is no triangle.
-    View view = flatView(kViewport);
+    View view = flatView(kFlatViewport);
     view.clipFromCell = glm::mat4(0);
     view.clipFromCell[0][0] = view.clipFromCell[1][1] = 0x1p-12F;
     view.clipFromCell[2][3] = 0x1p-20F;
@@ -135,7 +108,7 @@ void throughNear() {
 
 void behindAWarp() {
     for (std::uint64_t seed = 0; seed < 4; ++seed) {
-        View view = flatView(kViewport);
+        View view = flatView(kFlatViewport);
         view.clipFromCell[1][3] = 1.0F / static_cast<float>(40U * kFlatPixel);
         view.clipFromCell[3][3] = 1;
         view.clipFromCell[3][1] = -0.5F;
@@ -144,21 +117,21 @@ void behindAWarp() {
 }
 
 void cornersOnCentres() {
-    const std::vector<int> count = covers(wideFan(at(20.5, 31.5, 0.5), 8), flatView(kViewport));
-    EXPECT_EQ(std::count(count.begin(), count.end(), 1), kSide * kSide);
+    const std::vector<int> count = covers(wideFan(at(20.5, 31.5, 0.5), 8), flatView(kFlatViewport));
+    EXPECT_EQ(std::count(count.begin(), count.end(), 1), kFlatSide * kFlatSide);
 }
 
 void manyShareACorner() {
     for (const double offset : {0.0, 0.5, 0.25, 1.0 / 256, 0.3}) {
-        const std::vector<int> count = covers(wideFan(at(32 + offset, 32 - offset, 0.5), 85), flatView(kViewport));
-        EXPECT_EQ(std::count(count.begin(), count.end(), 1), kSide * kSide) << offset;
+        const std::vector<int> count = covers(wideFan(at(32 + offset, 32 - offset, 0.5), 85), flatView(kFlatViewport));
+        EXPECT_EQ(std::count(count.begin(), count.end(), 1), kFlatSide * kFlatSide) << offset;
     }
 }
 
 void clampedDepth() {
-    constexpr std::size_t kMiddle = std::size_t{32} * kSide;
+    constexpr std::size_t kMiddle = std::size_t{32} * kFlatSide;
     // From depth -1 on the left to 2 on the right: the middle third keeps its slope.
-    const auto depths = depthsOf(at(0, -64, -1), at(0, 128, -1), at(192, 32, 8));
+    const auto depths = flatDepths(at(0, -64, -1), at(0, 128, -1), at(192, 32, 8));
     EXPECT_EQ(depths[kMiddle], 0.0F);
     EXPECT_NEAR(depths[kMiddle + 31], -1 + 3 * 31.5 / 64, 1e-5);
     EXPECT_EQ(depths[kMiddle + 63], 1.0F);
@@ -169,15 +142,15 @@ void steepSlope() {
     const auto depthAt = [](double x) { return 0.1 + 0.09 * x; };
     const double x0 = 1 + 1.0 / 1024;
     const double x1 = 9 + 513.0 / 1024;
-    const auto depths = depthsOf(at(x0, 1, depthAt(x0)), at(x0, 60, depthAt(x0)), at(x1, 30, depthAt(x1)));
-    EXPECT_NEAR(depths[30 * kSide + 4], depthAt(4.5), 5e-6);
-    EXPECT_NEAR(depths[20 * kSide + 3], depthAt(3.5), 5e-6);
+    const auto depths = flatDepths(at(x0, 1, depthAt(x0)), at(x0, 60, depthAt(x0)), at(x1, 30, depthAt(x1)));
+    EXPECT_NEAR(depths[30 * kFlatSide + 4], depthAt(4.5), 5e-6);
+    EXPECT_NEAR(depths[20 * kFlatSide + 3], depthAt(3.5), 5e-6);
 }
 
 void sliverOfSnapping() {
     // Less than 1/256 pixel wide, snapped to a whole one: the plane through its own corners would be arbitrary.
     for (double width = 0; width < 1.0 / 256; width += 1.0 / 4096) {
-        const auto depths = depthsOf(
+        const auto depths = flatDepths(
             at(10.5 - 1.0 / 512, 2, 0.25), at(10.5 - 1.0 / 512 + width, 60, 0.75), at(10.5 + 0.0021, 61, 0.75));
         for (const float depth : depths)
             ASSERT_TRUE(depth == 1 || (depth >= 0.25F && depth <= 0.75F)) << width;
@@ -199,13 +172,13 @@ std::vector<CellBox> boxesOf(const Scene& scene) {
 }
 
 /// How many clusters go undrawn; the words are those of all.
-std::uint64_t hiddenIn(const Scene& scene, const View& view = flatView(kViewport)) {
-    std::vector<std::uint64_t> all(std::size_t{kSide} * kSide);
+std::uint64_t hiddenIn(const Scene& scene, const View& view = flatView(kFlatViewport)) {
+    std::vector<std::uint64_t> all(std::size_t{kFlatSide} * kFlatSide);
     std::vector<std::uint64_t> seen(all.size());
     Rasterizer rasterizer;
-    rasterizer.drawVisibility(scene.clusters(), view, {all.data(), kSide, kSide});
+    rasterizer.drawVisibility(scene.clusters(), view, {all.data(), kFlatSide, kFlatSide});
     const OcclusionCounts counts =
-        rasterizer.drawVisible(scene.clusters(), boxesOf(scene), view, {seen.data(), kSide, kSide});
+        rasterizer.drawVisible(scene.clusters(), boxesOf(scene), view, {seen.data(), kFlatSide, kFlatSide});
     EXPECT_TRUE(seen == all);
     return counts.clustersHidden;
 }
@@ -235,7 +208,7 @@ void asFarAsWhatIsDrawn() {
 }
 
 void aroundTheEye() {
-    const View view = insideView(kViewport, 3);
+    const View view = insideView(kFlatViewport, 3);
     const auto cell = [&](int axis, double pixels) {
         return static_cast<std::uint32_t>(view.eyeCell[axis] + std::llround(pixels * kFlatPixel));
     };

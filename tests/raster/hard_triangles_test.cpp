@@ -1,4 +1,5 @@
 // Triangles that a careless rasteriser draws wrongly, against coverage in homogeneous space.
+#include "tests/raster/flat_depths.h"
 #include "tests/raster/homogeneous_triangle.h"
 #include "tests/raster/plain_raster.h"
 #include "tests/raster/scenes.h"
@@ -11,30 +12,6 @@
 namespace gnomon::raster {
 namespace {
 
-constexpr int kSide = 64;
-constexpr PixelBox kViewport = {0, 0, kSide, kSide};
-
-std::size_t pixelIndex(int x, int y) {
-    return static_cast<std::size_t>(y) * kSide + static_cast<std::size_t>(x);
-}
-
-std::size_t covered(const std::vector<float>& depths) {
-    return static_cast<std::size_t>(std::count_if(depths.begin(), depths.end(), [](float d) { return d < 1; }));
-}
-
-std::vector<float> depthsOf(const Scene& scene, const View& view) {
-    std::vector<float> depths(std::size_t{kSide} * kSide);
-    Rasterizer().drawDepth(scene.clusters(), view, {depths.data(), kSide, kSide});
-    return depths;
-}
-
-std::array<std::uint32_t, 3> at(double x, double y, double depth) {
-    const auto cells = [](double units) {
-        return static_cast<std::uint32_t>(static_cast<std::int64_t>(kSceneCenter) + std::llround(units));
-    };
-    return {cells(x * kFlatPixel), cells(y * kFlatPixel), cells(depth * 0x1p20)};
-}
-
 Scene triangle(std::array<std::uint32_t, 3> a, std::array<std::uint32_t, 3> b, std::array<std::uint32_t, 3> c) {
     Scene scene;
     scene.add({a, b, c}, {{0, 1, 2}});
@@ -42,23 +19,24 @@ Scene triangle(std::array<std::uint32_t, 3> a, std::array<std::uint32_t, 3> b, s
 }
 
 TEST(HardTriangles, NoAreaDrawsNothing) {
-    const View view = flatView(kViewport);
-    EXPECT_EQ(covered(depthsOf(triangle(at(1, 1, 0.5), at(30, 30, 0.5), at(60, 60, 0.5)), view)), 0U);
-    EXPECT_EQ(covered(depthsOf(triangle(at(1.5, 9.5, 0.5), at(60.5, 9.5, 0.5), at(30.5, 9.5, 0.5)), view)), 0U);
-    EXPECT_EQ(covered(depthsOf(triangle(at(5.5, 5.5, 0.5), at(5.5, 5.5, 0.1), at(5.5, 5.5, 0.9)), view)), 0U);
+    const View view = flatView(kFlatViewport);
+    EXPECT_EQ(covered(flatDepths(triangle(at(1, 1, 0.5), at(30, 30, 0.5), at(60, 60, 0.5)), view)), 0U);
+    EXPECT_EQ(covered(flatDepths(triangle(at(1.5, 9.5, 0.5), at(60.5, 9.5, 0.5), at(30.5, 9.5, 0.5)), view)), 0U);
+    EXPECT_EQ(covered(flatDepths(triangle(at(5.5, 5.5, 0.5), at(5.5, 5.5, 0.1), at(5.5, 5.5, 0.9)), view)), 0U);
 }
 
 TEST(HardTriangles, OnePixel) {
     const auto depths =
-        depthsOf(triangle(at(7.3, 9.3, 0.25), at(7.9, 9.4, 0.25), at(7.4, 9.9, 0.25)), flatView(kViewport));
+        flatDepths(triangle(at(7.3, 9.3, 0.25), at(7.9, 9.4, 0.25), at(7.4, 9.9, 0.25)), flatView(kFlatViewport));
     EXPECT_EQ(covered(depths), 1U);
     EXPECT_FLOAT_EQ(depths[pixelIndex(7, 9)], 0.25F);
 }
 
 TEST(HardTriangles, LargerThanTheScreenCoversAllOfIt) {
     for (const double size : {200.0, 2000.0, 30000.0, 500000.0}) {
-        const auto depths = depthsOf(
-            triangle(at(-size, -size, 0.5), at(3 * size, -size, 0.5), at(-size, 3 * size, 0.5)), flatView(kViewport));
+        const auto depths = flatDepths(
+            triangle(at(-size, -size, 0.5), at(3 * size, -size, 0.5), at(-size, 3 * size, 0.5)),
+            flatView(kFlatViewport));
         EXPECT_EQ(covered(depths), depths.size()) << size;
         for (const float depth : depths)
             ASSERT_NEAR(depth, 0.5F, 1e-6F) << size;
@@ -67,7 +45,7 @@ TEST(HardTriangles, LargerThanTheScreenCoversAllOfIt) {
 
 TEST(HardTriangles, DepthIsClampedAtPixelsNotAtCorners) {
     // From depth -1 on the left to 2 on the right: the middle third lies in the range and must keep its slope.
-    const auto depths = depthsOf(triangle(at(0, -64, -1), at(0, 128, -1), at(192, 32, 8)), flatView(kViewport));
+    const auto depths = flatDepths(triangle(at(0, -64, -1), at(0, 128, -1), at(192, 32, 8)), flatView(kFlatViewport));
     EXPECT_EQ(depths[pixelIndex(0, 32)], 0.0F);
     EXPECT_NEAR(depths[pixelIndex(31, 32)], -1 + 3 * 31.5 / 64, 1e-5);
     EXPECT_EQ(depths[pixelIndex(63, 32)], 1.0F);
@@ -87,15 +65,15 @@ TEST(HardTriangles, SharedCornersOnPixelCentresBelongToOne) {
             triangles.push_back({id(x, y), id(x + 1, y + 1), id(x, y + 1)});
         }
     scene.add(positions, triangles);
-    std::vector<int> count(std::size_t{kSide} * kSide);
-    visitPixels(scene.clusters(), flatView(kViewport), false, [&](int x, int y, float, std::uint32_t) {
+    std::vector<int> count(std::size_t{kFlatSide} * kFlatSide);
+    visitPixels(scene.clusters(), flatView(kFlatViewport), false, [&](int x, int y, float, std::uint32_t) {
         ++count[pixelIndex(x, y)];
     });
     // Left and lowest edges belong to the square: pixels 4 to 43.
-    for (int y = 0; y < kSide; ++y)
-        for (int x = 0; x < kSide; ++x)
+    for (int y = 0; y < kFlatSide; ++y)
+        for (int x = 0; x < kFlatSide; ++x)
             EXPECT_EQ(count[pixelIndex(x, y)], x >= 4 && x < 44 && y >= 4 && y < 44 ? 1 : 0);
-    EXPECT_EQ(covered(depthsOf(scene, flatView(kViewport))), 1600U);
+    EXPECT_EQ(covered(flatDepths(scene, flatView(kFlatViewport))), 1600U);
 }
 
 /// Whether a triangle is there at all points within 1/64 pixel of a centre, at none, or (nothing) at some.
@@ -110,7 +88,8 @@ Nearby nearby(const HomogeneousTriangle& triangle, int x, int y, bool cutsDepth)
     Nearby result;
     for (const double dx : {-1.0, 0.0, 1.0})
         for (const double dy : {-1.0, 0.0, 1.0}) {
-            const auto depth = triangle.depth((x + 0.5 + dx / 64) * 2 / kSide - 1, (y + 0.5 + dy / 64) * 2 / kSide - 1);
+            const auto depth =
+                triangle.depth((x + 0.5 + dx / 64) * 2 / kFlatSide - 1, (y + 0.5 + dy / 64) * 2 / kFlatSide - 1);
             const bool there = depth && (!cutsDepth || (*depth >= 0 && *depth <= 1));
             result.all = result.all && there;
             result.none = result.none && !there;
@@ -135,16 +114,16 @@ bool isRight(const Nearby& expected, float depth, bool isDrawn, bool cutsDepth) 
 
 /// Counts the pixels that are wrong when `cluster`, of one triangle, is drawn alone.
 int wrongPixels(const Cluster& cluster, const View& view, bool cutsDepth, int& checked) {
-    std::vector<float> depths(std::size_t{kSide} * kSide);
+    std::vector<float> depths(std::size_t{kFlatSide} * kFlatSide);
     std::vector<std::uint64_t> words(depths.size());
     if (cutsDepth)
-        Rasterizer().drawVisibility({&cluster, 1}, view, {words.data(), kSide, kSide});
+        Rasterizer().drawVisibility({&cluster, 1}, view, {words.data(), kFlatSide, kFlatSide});
     else
-        Rasterizer().drawDepth({&cluster, 1}, view, {depths.data(), kSide, kSide});
+        Rasterizer().drawDepth({&cluster, 1}, view, {depths.data(), kFlatSide, kFlatSide});
     const HomogeneousTriangle exact(cluster, 0, view);
     int wrong = 0;
-    for (int y = 0; y < kSide; ++y)
-        for (int x = 0; x < kSide; ++x) {
+    for (int y = 0; y < kFlatSide; ++y)
+        for (int x = 0; x < kFlatSide; ++x) {
             const Nearby expected = nearby(exact, x, y, cutsDepth);
             if (expected.all == expected.none) continue;
             const std::size_t i = pixelIndex(x, y);
@@ -170,7 +149,7 @@ TEST(HardTriangles, BehindTheEyeAndThroughNearAsInHomogeneousSpace) {
     int checked = 0;
     for (std::uint64_t seed = 0; seed < 12; ++seed)
         for (const bool cutsDepth : {false, true})
-            EXPECT_EQ(wrongPixels(soup(24, seed), insideView(kViewport, seed), cutsDepth, checked), 0) << seed;
+            EXPECT_EQ(wrongPixels(soup(24, seed), insideView(kFlatViewport, seed), cutsDepth, checked), 0) << seed;
     EXPECT_GT(checked, 100000);
 }
 
@@ -179,7 +158,7 @@ TEST(HardTriangles, BehindAWarpsCentreOfProjectionAsInHomogeneousSpace) {
     // behind. Every warp is of this form, from next to none to a centre of projection amid the map.
     int checked = 0;
     for (std::uint64_t seed = 0; seed < 12; ++seed) {
-        View view = flatView(kViewport);
+        View view = flatView(kFlatViewport);
         constexpr std::array<unsigned, 4> kCentres = {400U, 120U, 40U, 12U}; // pixels behind the map
         const float kappa = 1.0F / static_cast<float>(kCentres[seed % 4] * kFlatPixel);
         view.clipFromCell[seed / 4 % 2 == 0 ? 1 : 0][3] = seed < 8 ? kappa : -kappa;
@@ -191,15 +170,15 @@ TEST(HardTriangles, BehindAWarpsCentreOfProjectionAsInHomogeneousSpace) {
 }
 
 TEST(HardTriangles, BehindTheEyeDrawsNothing) {
-    View view = insideView(kViewport, 1);
+    View view = insideView(kFlatViewport, 1);
     view.eyeCell = glm::ivec3(static_cast<int>(kSceneCenter));
     view.clipFromCell = glm::mat4(0);
     view.clipFromCell[0][0] = view.clipFromCell[1][1] = 1;
     view.clipFromCell[2][3] = 1;
     view.clipFromCell[3][2] = 1;
-    EXPECT_EQ(covered(depthsOf(triangle(at(-50, -50, -0.1), at(50, -50, -0.2), at(0, 50, -0.3)), view)), 0U);
+    EXPECT_EQ(covered(flatDepths(triangle(at(-50, -50, -0.1), at(50, -50, -0.2), at(0, 50, -0.3)), view)), 0U);
     // Edge-on through the eye itself.
-    EXPECT_EQ(covered(depthsOf(triangle(at(0, 0, 0), at(50, -50, 0.2), at(50, -50, 0.3)), view)), 0U);
+    EXPECT_EQ(covered(flatDepths(triangle(at(0, 0, 0), at(50, -50, 0.2), at(50, -50, 0.3)), view)), 0U);
 }
 
 } // namespace

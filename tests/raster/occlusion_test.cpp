@@ -24,7 +24,7 @@ namespace {
 
 constexpr int kWidth = 333; // no multiple of anything
 constexpr int kHeight = 290;
-constexpr PixelBox kViewport = {7, 5, 330, 281};
+constexpr PixelBox kOcclusionViewport = {7, 5, 330, 281};
 
 CellBox boxOf(const Cluster& cluster) {
     CellBox box;
@@ -115,7 +115,7 @@ TEST(Occlusion, SheetsOfEverySizeOfTriangle) {
         SCOPED_TRACE(spacing);
         const int quads = static_cast<int>(std::min(120.0, std::ceil(kWidth / spacing) + 1));
         const Scene scene = sheet(quads, quads, spacing, 3);
-        expectSameAsPlain(scene.clusters(), flatView(kViewport));
+        expectSameAsPlain(scene.clusters(), flatView(kOcclusionViewport));
     }
 }
 
@@ -155,9 +155,9 @@ TEST(Occlusion, CrowdsSeenFromAmongThem) {
     for (std::uint64_t seed = 0; seed < 8; ++seed) {
         SCOPED_TRACE(seed);
         const Scene scene = crowd(seed);
-        hidden += expectSameAsPlain(scene.clusters(), insideView(kViewport, seed)).clustersHidden;
-        hiddenInMaps += expectSameDepths(scene.clusters(), insideView(kViewport, seed)).clustersHidden;
-        hiddenInMaps += expectSameDepths(scene.clusters(), flatView(kViewport)).clustersHidden;
+        hidden += expectSameAsPlain(scene.clusters(), insideView(kOcclusionViewport, seed)).clustersHidden;
+        hiddenInMaps += expectSameDepths(scene.clusters(), insideView(kOcclusionViewport, seed)).clustersHidden;
+        hiddenInMaps += expectSameDepths(scene.clusters(), flatView(kOcclusionViewport)).clustersHidden;
     }
     EXPECT_GT(hidden, 50U);
     EXPECT_GT(hiddenInMaps, 50U);
@@ -167,8 +167,8 @@ TEST(Occlusion, SoupsSeenFromAmongThem) {
     for (std::uint64_t seed = 0; seed < 3; ++seed) {
         SCOPED_TRACE(seed);
         const Scene scene = soup(1500, seed);
-        expectSameAsPlain(scene.clusters(), insideView(kViewport, seed));
-        expectSameDepths(scene.clusters(), insideView(kViewport, seed));
+        expectSameAsPlain(scene.clusters(), insideView(kOcclusionViewport, seed));
+        expectSameDepths(scene.clusters(), insideView(kOcclusionViewport, seed));
     }
 }
 
@@ -177,8 +177,8 @@ TEST(SlowOcclusion, CrowdsAndSoupsSeenFromAmongThem) {
     for (std::uint64_t seed = 100; seed < 300; ++seed) {
         SCOPED_TRACE(seed);
         const Scene scene = seed % 4 == 0 ? soup(1000, seed) : crowd(seed);
-        hidden += expectSameAsPlain(scene.clusters(), insideView(kViewport, seed)).clustersHidden;
-        expectSameDepths(scene.clusters(), insideView(kViewport, seed));
+        hidden += expectSameAsPlain(scene.clusters(), insideView(kOcclusionViewport, seed)).clustersHidden;
+        expectSameDepths(scene.clusters(), insideView(kOcclusionViewport, seed));
     }
     EXPECT_GT(hidden, 1000U);
 }
@@ -208,7 +208,7 @@ TEST(Occlusion, LeavesOutAllThatAWallHides) {
     for (int i = 0; i < 50; ++i) // behind: depths are reversed
         addSquare(scene, 20 + 5 * i, 10 + 3 * i, 40, 0.1 + 0.01 * i);
     addSquare(scene, -50, -50, 500, 0.75, 1);
-    const OcclusionCounts counts = expectSameAsPlain(scene.clusters(), flatView(kViewport));
+    const OcclusionCounts counts = expectSameAsPlain(scene.clusters(), flatView(kOcclusionViewport));
     EXPECT_EQ(counts.clustersHidden, 50U);
     EXPECT_EQ(counts.trianglesHidden, 50U * 128U);
 }
@@ -223,9 +223,9 @@ TEST(Occlusion, OfMapsLeavesOutAllThatASlabHides) {
             addSquare(scene, 20 + 5 * i, 10 + 3 * i, 40, -0.1 - 0.01 * i);
         addSquare(scene, -50, -50, 500, slab, 1);
         std::vector<Cluster> clusters = scene.clusters();
-        EXPECT_EQ(expectSameDepths(clusters, flatView(kViewport)).clustersHidden, 50U) << slab;
+        EXPECT_EQ(expectSameDepths(clusters, flatView(kOcclusionViewport)).clustersHidden, 50U) << slab;
         std::rotate(clusters.begin(), clusters.end() - 1, clusters.end());
-        EXPECT_EQ(expectSameDepths(clusters, flatView(kViewport)).clustersHidden, slab < 0 ? 55U : 50U)
+        EXPECT_EQ(expectSameDepths(clusters, flatView(kOcclusionViewport)).clustersHidden, slab < 0 ? 55U : 50U)
             << "whoever comes first of those before the map hides the others";
     }
 }
@@ -240,8 +240,8 @@ TEST(Occlusion, AHoleOfOnePixelIsSeenThrough) {
             addSquare(scene, hole + 1, -300, 600, 0.75, 1);
             addSquare(scene, hole - 100, hole + 1, 300, 0.75, 1);
             addSquare(scene, hole - 100, hole - 300, 300, 0.75, 1); // between them is one pixel
-            EXPECT_EQ(expectSameAsPlain(scene.clusters(), flatView(kViewport)).clustersHidden, 0U);
-            expectSameDepths(scene.clusters(), flatView(kViewport));
+            EXPECT_EQ(expectSameAsPlain(scene.clusters(), flatView(kOcclusionViewport)).clustersHidden, 0U);
+            expectSameDepths(scene.clusters(), flatView(kOcclusionViewport));
         }
 }
 
@@ -250,22 +250,22 @@ TEST(Occlusion, EqualDepthsGoToTheFirstInTheListWhateverIsDrawnFirst) {
     addSquare(scene, 100, 100, 60, 0.5); // larger boxes are no nearer, and do not win
     addSquare(scene, 0, 0, 300, 0.5);
     addSquare(scene, 90, 90, 100, 0.5, 2);
-    expectSameAsPlain(scene.clusters(), flatView(kViewport));
+    expectSameAsPlain(scene.clusters(), flatView(kOcclusionViewport));
     std::vector<Cluster> reversed = scene.clusters();
     std::reverse(reversed.begin(), reversed.end());
-    expectSameAsPlain(reversed, flatView(kViewport));
+    expectSameAsPlain(reversed, flatView(kOcclusionViewport));
 }
 
 TEST(Occlusion, NothingAtAll) {
-    EXPECT_EQ(expectSameAsPlain({}, flatView(kViewport)), OcclusionCounts());
-    EXPECT_EQ(expectSameDepths({}, flatView(kViewport)), OcclusionCounts());
+    EXPECT_EQ(expectSameAsPlain({}, flatView(kOcclusionViewport)), OcclusionCounts());
+    EXPECT_EQ(expectSameDepths({}, flatView(kOcclusionViewport)), OcclusionCounts());
 }
 
 TEST(BoxBound, HoldsEveryPixelAndDepthOfVerticesInTheBox) {
     Random random(5);
     std::size_t wholeBoxes = 0;
     for (int trial = 0; trial < 4000; ++trial) {
-        const Projection pass = projection(insideView(kViewport, static_cast<std::uint64_t>(trial)), true);
+        const Projection pass = projection(insideView(kOcclusionViewport, static_cast<std::uint64_t>(trial)), true);
         CellBox box;
         const double size = kFlatPixel * std::exp2(random.uniform(-4, 10));
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -307,7 +307,7 @@ TEST(BoxBound, HoldsEveryPixelAndDepthOfVerticesInTheBox) {
 }
 
 TEST(BoxBound, IsCloseAroundWhatIsFarFromTheEye) {
-    const View view = flatView(kViewport);
+    const View view = flatView(kOcclusionViewport);
     CellBox box;
     box.min = {kSceneCenter + 100 * kFlatPixel, kSceneCenter + 40 * kFlatPixel, kSceneCenter + (1U << 18U)};
     box.max = {kSceneCenter + 120 * kFlatPixel, kSceneCenter + 43 * kFlatPixel, kSceneCenter + (1U << 19U)};
@@ -380,7 +380,7 @@ TEST(SnappedClusters, AreSnappedOneByOneAndTheOthersEmpty) {
     const std::vector<Cluster> clusters = scene.clusters();
     SnappedClusters snapped;
     snapped.reset(clusters);
-    EXPECT_EQ(snapped.snap(clusters, 3, projection(flatView(kViewport), true)), ClusterPlace::Inside);
+    EXPECT_EQ(snapped.snap(clusters, 3, projection(flatView(kOcclusionViewport), true)), ClusterPlace::Inside);
     snapped.addCuts();
     ASSERT_EQ(snapped.all().size(), clusters.size());
     for (std::size_t i = 0; i < clusters.size(); ++i)

@@ -11,7 +11,7 @@
 namespace gnomon::raster {
 namespace {
 
-constexpr PixelBox kViewport = {7, 5, 330, 281};
+constexpr PixelBox kProjectionViewport = {7, 5, 330, 281};
 
 glm::dvec4 exactClip(const View& view, const std::array<std::uint32_t, 3>& position) {
     glm::dvec4 cell(1);
@@ -31,7 +31,7 @@ TEST(Projection, PixelsAreThoseOfTheMatrixInDoubles) {
     Random random(1);
     int compared = 0;
     for (std::uint64_t seed = 0; seed < 40; ++seed) {
-        const View view = seed % 4 == 0 ? flatView(kViewport) : insideView(kViewport, seed);
+        const View view = seed % 4 == 0 ? flatView(kProjectionViewport) : insideView(kProjectionViewport, seed);
         const Projection pass = projection(view, true);
         for (int i = 0; i < 200; ++i) {
             const std::array<std::uint32_t, 3> position = randomPosition(random);
@@ -42,8 +42,8 @@ TEST(Projection, PixelsAreThoseOfTheMatrixInDoubles) {
             if (exact.w < 0.05 * reach || outsideBits(pass, p) != 0) continue; // no pixel, or one that rounding moves
             const SnappedVertex vertex = snapped(pass, p);
             // One pixel is a twentieth of a thousandth of the vertex's distance from the eye's cell, in floats.
-            const double x = kViewport.x0 + (p.x / double{p.w} + 1) * kViewport.width() / 2 - 0.5;
-            const double y = kViewport.y0 + (p.y / double{p.w} + 1) * kViewport.height() / 2 - 0.5;
+            const double x = kProjectionViewport.x0 + (p.x / double{p.w} + 1) * kProjectionViewport.width() / 2 - 0.5;
+            const double y = kProjectionViewport.y0 + (p.y / double{p.w} + 1) * kProjectionViewport.height() / 2 - 0.5;
             EXPECT_NEAR((vertex.x + double{restOf(vertex.restX)}) / kSubpixels, x, 1e-3);
             EXPECT_NEAR((vertex.y + double{restOf(vertex.restY)}) / kSubpixels, y, 1e-3);
             EXPECT_NEAR(vertex.z, p.z / double{p.w}, 1e-6);
@@ -54,7 +54,7 @@ TEST(Projection, PixelsAreThoseOfTheMatrixInDoubles) {
 }
 
 TEST(Projection, ThePixelCentresOfTheCornersLieHalfAPixelInside) {
-    const Projection pass = projection(flatView(kViewport), false);
+    const Projection pass = projection(flatView(kProjectionViewport), false);
     const auto at = [&](float x, float y) { return snapped(pass, {x, y, 0, 1}); };
     EXPECT_EQ(at(-1, -1).x, 7 * kSubpixels - kSubpixels / 2) << "centres at whole pixels";
     EXPECT_EQ(at(-1, -1).y, 5 * kSubpixels - kSubpixels / 2);
@@ -67,7 +67,7 @@ TEST(Projection, ThePixelCentresOfTheCornersLieHalfAPixelInside) {
 }
 
 TEST(Projection, DepthIsHeldFiniteAndHasNoNegativeZero) {
-    const Projection pass = projection(flatView(kViewport), false);
+    const Projection pass = projection(flatView(kProjectionViewport), false);
     EXPECT_EQ(snapped(pass, {0, 0, 1e30F, 1e-5F}).z, kDepthLimit);
     EXPECT_EQ(snapped(pass, {0, 0, -1e30F, 1e-5F}).z, -kDepthLimit);
     EXPECT_FALSE(std::signbit(snapped(pass, {0, 0, -0.0F, 1}).z));
@@ -94,8 +94,8 @@ TEST(Projection, SnappingKeepsWhatItCutsOff) {
 }
 
 TEST(Projection, EachPlaneHasItsBitAndThePlaneItselfIsInside) {
-    const Projection plain = projection(flatView(kViewport), false);
-    const Projection cut = projection(flatView(kViewport), true);
+    const Projection plain = projection(flatView(kProjectionViewport), false);
+    const Projection cut = projection(flatView(kProjectionViewport), true);
 
     struct Case {
         ClipPosition p;

@@ -20,7 +20,7 @@
 namespace gnomon::raster {
 namespace {
 
-constexpr PixelBox kViewport = {0, 0, 400, 300};
+constexpr PixelBox kTileViewport = {0, 0, 400, 300};
 
 /// The clusters of a scene that need no cutting, snapped as the rasteriser snaps them.
 struct SnappedScene {
@@ -101,7 +101,7 @@ void compareTile(const SnappedScene& scene, const View& view, const PixelBox& bo
 TEST(TileKernel, DrawsOneTileAsPlainlyOnEveryInstructionSet) {
     tests::onEachTarget([](const char* name) {
         SCOPED_TRACE(name);
-        const View view = flatView(kViewport);
+        const View view = flatView(kTileViewport);
         const Projection pass = projection(view, true);
         for (const double spacing : {0.4, 1.5, 3.0, 7.0, 30.0, 90.0}) {
             const Scene scene = sheet(24, 24, spacing, 7);
@@ -189,7 +189,7 @@ int passedBy(const SnappedScene& snapped, const PixelBox& tile, std::vector<std:
 }
 
 TEST(TileKernel, PassesByTrianglesThatAreHiddenAndNoOthers) {
-    const View view = flatView(kViewport);
+    const View view = flatView(kTileViewport);
     const PixelBox tile{20, 10, 120, 110};
     for (const std::uint64_t seed : {1U, 2U, 3U}) {
         Random random(seed);
@@ -214,7 +214,7 @@ TEST(TileKernel, PassesByTrianglesThatAreHiddenAndNoOthers) {
 }
 
 TEST(TileKernel, TakesNamesFromAListWhereThereIsOne) {
-    const View view = flatView(kViewport);
+    const View view = flatView(kTileViewport);
     const Scene scene = sheet(8, 8, 12, 3);
     SnappedScene snapped(scene.clusters(), projection(view, true));
     ASSERT_EQ(snapped.all.size(), 1U);
@@ -241,7 +241,7 @@ TEST(TileKernel, TakesNamesFromAListWhereThereIsOne) {
 }
 
 TEST(TileKernel, LeavesOutClustersThatItIsNotGiven) {
-    const View view = flatView(kViewport);
+    const View view = flatView(kTileViewport);
     const Scene scene = sheet(24, 24, 4, 3);
     const SnappedScene snapped(scene.clusters(), projection(view, true));
     std::vector<float> depths(kTilePixels, 1);

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kWidth = 333; // no multiple of anything
 constexpr int kHeight = 290;
-constexpr PixelBox kViewport = {7, 5, 330, 281};
+constexpr PixelBox kTwinViewport = {7, 5, 330, 281};
 
 /// Runs `draw` on every instruction set that this machine has, with one thread and with two.
 template <class Draw>
@@ -75,7 +75,7 @@ TEST(Twin, SheetsOfEverySizeOfTriangle) {
         SCOPED_TRACE(spacing);
         const int quads = static_cast<int>(std::min(120.0, std::ceil(kWidth / spacing) + 1));
         const Scene scene = sheet(quads, quads, spacing, 3);
-        expectSameAsPlain(scene.clusters(), flatView(kViewport));
+        expectSameAsPlain(scene.clusters(), flatView(kTwinViewport));
     }
 }
 
@@ -83,7 +83,7 @@ TEST(Twin, TrianglesOfAllSizesThroughEachOther) {
     for (std::uint64_t seed = 0; seed < 6; ++seed) {
         SCOPED_TRACE(seed);
         const Scene scene = soup(600, seed);
-        expectSameAsPlain(scene.clusters(), flatView(kViewport));
+        expectSameAsPlain(scene.clusters(), flatView(kTwinViewport));
     }
 }
 
@@ -91,7 +91,7 @@ TEST(Twin, PerspectiveThroughNearAndBehindTheEye) {
     for (std::uint64_t seed = 0; seed < 12; ++seed) {
         SCOPED_TRACE(seed);
         const Scene scene = soup(300, seed);
-        expectSameAsPlain(scene.clusters(), insideView(kViewport, seed));
+        expectSameAsPlain(scene.clusters(), insideView(kTwinViewport, seed));
     }
 }
 
@@ -111,14 +111,14 @@ TEST(Twin, StridesNamesAndEmptyClusters) {
         cluster.firstTriangleId = 0xFFFFFFFFU - cluster.firstTriangleId - 256;
     }
     clusters.push_back({});
-    expectSameAsPlain(clusters, flatView(kViewport));
+    expectSameAsPlain(clusters, flatView(kTwinViewport));
 }
 
 TEST(Twin, NothingToDrawClearsTheViewportAlone) {
     std::vector<float> depths(std::size_t{kWidth} * kHeight, -7);
-    Rasterizer().drawDepth({}, flatView(kViewport), {depths.data(), kWidth, kHeight});
+    Rasterizer().drawDepth({}, flatView(kTwinViewport), {depths.data(), kWidth, kHeight});
     const auto cleared = static_cast<int>(std::count(depths.begin(), depths.end(), 1.0F));
-    EXPECT_EQ(cleared, kViewport.width() * kViewport.height());
+    EXPECT_EQ(cleared, kTwinViewport.width() * kTwinViewport.height());
 }
 
 TEST(Twin, TheLeastNameWinsATie) {

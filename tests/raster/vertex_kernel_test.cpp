@@ -12,7 +12,7 @@
 namespace gnomon::raster {
 namespace {
 
-constexpr PixelBox kViewport = {7, 5, 330, 281};
+constexpr PixelBox kVertexViewport = {7, 5, 330, 281};
 
 /// Room for a cluster's snapped vertices.
 struct Room {
@@ -93,7 +93,7 @@ TEST(VertexKernel, IsTheVertexStageOneByOneOnEveryInstructionSet) {
         std::array<int, 3> places{};
         int compact = 0;
         for (std::uint64_t seed = 0; seed < 30; ++seed) {
-            const View view = seed % 3 == 0 ? flatView(kViewport) : insideView(kViewport, seed);
+            const View view = seed % 3 == 0 ? flatView(kVertexViewport) : insideView(kVertexViewport, seed);
             for (const bool cutsDepth : {false, true}) {
                 const Projection pass = projection(view, cutsDepth);
                 const Scene large = soup(200, seed);
@@ -111,7 +111,7 @@ TEST(VertexKernel, IsTheVertexStageOneByOneOnEveryInstructionSet) {
 }
 
 TEST(VertexKernel, DividesByNoWBelowTwoToTheMinusHundred) {
-    Projection pass = projection(flatView(kViewport), true);
+    Projection pass = projection(flatView(kVertexViewport), true);
     pass.clipFromCell = {}; // every vertex in the middle, at the same w
     const std::array<std::uint32_t, 3> position{};
     Cluster cluster;
@@ -132,7 +132,7 @@ TEST(VertexKernel, TakesClustersOfAnySizeAndStride) {
     const Scene scene = sheet(8, 8, 4, 1);
     const std::vector<Cluster> clusters = scene.clusters();
     ASSERT_EQ(clusters.size(), 1U);
-    const Projection pass = projection(flatView(kViewport), true);
+    const Projection pass = projection(flatView(kVertexViewport), true);
     std::vector<std::uint32_t> wide;
     for (std::uint32_t i = 0; i < clusters[0].vertexCount; ++i) {
         wide.insert(

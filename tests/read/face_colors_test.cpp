@@ -15,13 +15,13 @@
 namespace gnomon::read {
 namespace {
 
-std::string scratch(const std::string& name) {
+std::string scratchFaces(const std::string& name) {
     return testing::TempDir() + "gnomon_face_colors_" + std::to_string(::getpid()) + "_" + name + ".ply";
 }
 
 std::unique_ptr<MeshSource> opened(const std::string& name, const std::string& text, Bytes limit = gibibytes(1)) {
-    writeScratch(scratch(name), text);
-    return openMeshSources({scratch(name)}, limit);
+    writeScratch(scratchFaces(name), text);
+    return openMeshSources({scratchFaces(name)}, limit);
 }
 
 struct Face {
@@ -29,14 +29,14 @@ struct Face {
     std::array<std::uint8_t, 3> color{};
 };
 
-constexpr std::int32_t kVertices = 60;
+constexpr std::int32_t kFaceVertices = 60;
 
 std::vector<Face> randomFaces(std::uint64_t seed) {
     Random random(seed);
     std::vector<Face> faces(200);
     for (Face& face : faces) {
         for (std::uint64_t i = 0; i < 3 + random.below(3); ++i)
-            face.corners.push_back(static_cast<std::int32_t>(random.below(kVertices)));
+            face.corners.push_back(static_cast<std::int32_t>(random.below(kFaceVertices)));
         face.color = {static_cast<std::uint8_t>(random.below(3) * 100), 7, 255};
     }
     return faces;
@@ -52,13 +52,13 @@ void put(std::string& text, T value) {
 /// Vertex v lies at (v, 2 v, 0).
 std::string plyOf(const std::vector<Face>& faces, bool isBinary) {
     std::ostringstream head;
-    head << "ply\nformat " << (isBinary ? "binary_little_endian" : "ascii") << " 1.0\nelement vertex " << kVertices
+    head << "ply\nformat " << (isBinary ? "binary_little_endian" : "ascii") << " 1.0\nelement vertex " << kFaceVertices
          << "\nproperty float x\nproperty float y\nproperty float z\nelement face " << faces.size()
          << "\nproperty uchar red\nproperty list uchar int vertex_indices\nproperty uchar green\nproperty uchar blue\n"
             "end_header\n";
     std::string text = head.str();
     std::ostringstream rows;
-    for (std::int32_t v = 0; v < kVertices; ++v) {
+    for (std::int32_t v = 0; v < kFaceVertices; ++v) {
         rows << v << ' ' << 2 * v << " 0\n";
         if (!isBinary) continue;
         put(text, static_cast<float>(v));
@@ -145,13 +145,14 @@ TEST(FaceColors, GiveWayToColoursOfVerticesAndAreCounted) {
 
 TEST(FaceColors, TooManyForTheMemoryAreRefused) {
     const std::string text = plyOf(randomFaces(1), true);
-    EXPECT_EQ(errorAbout(scratch("limit"), [&] { opened("limit", text); }), "no error");
+    EXPECT_EQ(errorAbout(scratchFaces("limit"), [&] { opened("limit", text); }), "no error");
     EXPECT_EQ(
-        errorAbout(scratch("limit"), [&] { opened("limit", text, {4096}); })
+        errorAbout(scratchFaces("limit"), [&] { opened("limit", text, {4096}); })
             .find(": too large for faces with colours, which are read whole (colours of vertices are streamed): "),
         0U);
     EXPECT_NE(
-        errorAbout(scratch("short"), [&] { opened("short", text.substr(0, text.size() - 1)); }).find("ends too early"),
+        errorAbout(scratchFaces("short"), [&] { opened("short", text.substr(0, text.size() - 1)); })
+            .find("ends too early"),
         std::string::npos);
 }
 

@@ -13,21 +13,21 @@
 namespace gnomon::read {
 namespace {
 
-std::string scratch(const std::string& name) {
+std::string scratchFields(const std::string& name) {
     return testing::TempDir() + "gnomon_fields_" + std::to_string(::getpid()) + "_" + name;
 }
 
 /// What of each row a reader may be asked for; `label` is an integer of two bytes.
-struct Row {
+struct FieldRow {
     float quality = 0;
     double time = 0;
     std::int16_t label = 0;
 };
 
-std::vector<Row> randomRows(std::uint64_t seed, std::size_t count) {
+std::vector<FieldRow> randomRows(std::uint64_t seed, std::size_t count) {
     Random random(seed);
-    std::vector<Row> rows(count);
-    for (Row& row : rows) {
+    std::vector<FieldRow> rows(count);
+    for (FieldRow& row : rows) {
         row.quality = static_cast<float>(random.uniform(-5, 5));
         row.time = random.uniform(1e9, 1e9 + 1);
         row.label = static_cast<std::int16_t>(random.below(1000));
@@ -38,14 +38,14 @@ std::vector<Row> randomRows(std::uint64_t seed, std::size_t count) {
 enum class Form { Ascii, Binary, Swapped, WithList };
 
 template <class T>
-void put(std::string& text, T value, bool isSwapped = false) {
+void putField(std::string& text, T value, bool isSwapped = false) {
     std::array<char, sizeof(T)> bytes{};
     std::memcpy(bytes.data(), &value, sizeof(T));
     if (isSwapped) std::reverse(bytes.begin(), bytes.end());
     text.append(bytes.data(), bytes.size());
 }
 
-std::string plyOf(const std::vector<Row>& rows, Form form, bool hasFaceColor = false) {
+std::string plyOf(const std::vector<FieldRow>& rows, Form form, bool hasFaceColor = false) {
     const std::string format = form == Form::Ascii     ? "ascii"
                                : form == Form::Swapped ? "binary_big_endian"
                                                        : "binary_little_endian";
@@ -63,18 +63,18 @@ std::string plyOf(const std::vector<Row>& rows, Form form, bool hasFaceColor = f
         const auto x = static_cast<float>(v);
         ascii << x << ' ' << rows[v].quality << " 7 " << rows[v].time << " 9 " << rows[v].label << '\n';
         if (form == Form::Ascii) continue;
-        put(text, x, isSwapped);
-        put(text, rows[v].quality, isSwapped);
-        put(text, 7.0F, isSwapped);
-        put(text, rows[v].time, isSwapped);
-        if (form == Form::WithList) put(text, std::uint8_t{0});
-        put(text, 9.0F, isSwapped);
-        put(text, rows[v].label, isSwapped);
+        putField(text, x, isSwapped);
+        putField(text, rows[v].quality, isSwapped);
+        putField(text, 7.0F, isSwapped);
+        putField(text, rows[v].time, isSwapped);
+        if (form == Form::WithList) putField(text, std::uint8_t{0});
+        putField(text, 9.0F, isSwapped);
+        putField(text, rows[v].label, isSwapped);
     }
     if (form == Form::Ascii) return text + ascii.str() + "3 0 1 2" + (hasFaceColor ? " 1 2 3\n" : "\n");
-    put(text, std::uint8_t{3});
+    putField(text, std::uint8_t{3});
     for (const std::int32_t corner : {0, 1, 2})
-        put(text, corner, isSwapped);
+        putField(text, corner, isSwapped);
     return text + (hasFaceColor ? "\x01\x02\x03" : "");
 }
 
@@ -87,15 +87,16 @@ std::vector<double> fieldsOf(MeshSource& source) {
     return values;
 }
 
-std::unique_ptr<MeshSource> opened(const std::string& text, const std::vector<std::string>& fields) {
-    writeScratch(scratch("one.ply"), text);
-    return openMeshSources({scratch("one.ply")}, gibibytes(1), fields);
+std::unique_ptr<MeshSource> openedFields(const std::string& text, const std::vector<std::string>& fields) {
+    writeScratch(scratchFields("one.ply"), text);
+    return openMeshSources({scratchFields("one.ply")}, gibibytes(1), fields);
 }
 
 TEST(Fields, AreReadByNameInTheOrderAskedForWhateverTheLayout) {
     for (std::uint64_t seed = 1; seed <= 12; ++seed) {
-        const std::vector<Row> rows = randomRows(seed, seed % 3 == 0 ? 40000 : 20); // several blocks, or part of one
-        const auto source = opened(plyOf(rows, static_cast<Form>(seed % 4)), {"label", "quality", "time"});
+        const std::vector<FieldRow> rows =
+            randomRows(seed, seed % 3 == 0 ? 40000 : 20); // several blocks, or part of one
+        const auto source = openedFields(plyOf(rows, static_cast<Form>(seed % 4)), {"label", "quality", "time"});
         EXPECT_EQ(source->summary().fields, (std::vector<std::string>{"label", "quality", "time"}));
         const std::vector<double> values = fieldsOf(*source);
         ASSERT_EQ(values.size(), 3 * rows.size());
@@ -111,34 +112,36 @@ TEST(Fields, AreNotAmongWhatIsDropped) {
     const std::string text = plyOf(randomRows(1, 3), Form::Ascii);
     using Counts = std::map<std::string, std::uint64_t>;
     EXPECT_EQ(
-        opened(text, {})->summary().attributesDropped,
+        openedFields(text, {})->summary().attributesDropped,
         (Counts{{"vertex label", 3}, {"vertex quality", 3}, {"vertex time", 3}}));
     EXPECT_EQ(
-        opened(text, {"time"})->summary().attributesDropped, (Counts{{"vertex label", 3}, {"vertex quality", 3}}));
+        openedFields(text, {"time"})->summary().attributesDropped,
+        (Counts{{"vertex label", 3}, {"vertex quality", 3}}));
 }
 
 TEST(Fields, GoWithVerticesThatFacesOfSeveralColoursSplit) {
-    const std::vector<Row> rows = randomRows(3, 5); // two of no face are left out
-    const std::vector<double> values = fieldsOf(*opened(plyOf(rows, Form::Binary, true), {"time"}));
+    const std::vector<FieldRow> rows = randomRows(3, 5); // two of no face are left out
+    const std::vector<double> values = fieldsOf(*openedFields(plyOf(rows, Form::Binary, true), {"time"}));
     EXPECT_EQ(values, (std::vector<double>{rows[0].time, rows[1].time, rows[2].time}));
 }
 
 TEST(Fields, OfSeveralInputsFollowOneAnother) {
-    const std::vector<Row> a = randomRows(4, 3);
-    const std::vector<Row> b = randomRows(5, 4);
-    writeScratch(scratch("a.ply"), plyOf(a, Form::Ascii));
-    writeScratch(scratch("b.ply"), plyOf(b, Form::Swapped));
-    const auto source = openMeshSources({scratch("a.ply"), scratch("b.ply")}, gibibytes(1), {"label"});
+    const std::vector<FieldRow> a = randomRows(4, 3);
+    const std::vector<FieldRow> b = randomRows(5, 4);
+    writeScratch(scratchFields("a.ply"), plyOf(a, Form::Ascii));
+    writeScratch(scratchFields("b.ply"), plyOf(b, Form::Swapped));
+    const auto source = openMeshSources({scratchFields("a.ply"), scratchFields("b.ply")}, gibibytes(1), {"label"});
     std::vector<double> labels;
-    for (const std::vector<Row>& rows : {a, b})
-        for (const Row& row : rows)
+    for (const std::vector<FieldRow>& rows : {a, b})
+        for (const FieldRow& row : rows)
             labels.push_back(row.label);
     EXPECT_EQ(fieldsOf(*source), labels);
 }
 
 TEST(Fields, ThatAreNotThereAreRefusedWithAListOfThoseThatAre) {
     const auto messageFor = [](const std::vector<std::string>& fields) {
-        return errorAbout(scratch("one.ply"), [&] { opened(plyOf(randomRows(1, 3), Form::WithList), fields); });
+        return errorAbout(
+            scratchFields("one.ply"), [&] { openedFields(plyOf(randomRows(1, 3), Form::WithList), fields); });
     };
     const std::string list = ": no such field: expected one of quality, time, label, found ";
     EXPECT_EQ(messageFor({"intensity"}), list + "intensity");
@@ -146,9 +149,10 @@ TEST(Fields, ThatAreNotThereAreRefusedWithAListOfThoseThatAre) {
     EXPECT_EQ(messageFor({"x"}), list + "x") << "kept anyway";
     EXPECT_EQ(messageFor({"more"}), list + "more") << "a list";
     EXPECT_EQ(messageFor({"time", "time"}), ": a field is named twice: expected each once, found time");
-    writeScratch(scratch("two.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    writeScratch(scratchFields("two.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     EXPECT_EQ(
-        errorAbout(scratch("two.obj"), [] { openMeshSources({scratch("two.obj")}, gibibytes(1), {"quality"}); }),
+        errorAbout(
+            scratchFields("two.obj"), [] { openMeshSources({scratchFields("two.obj")}, gibibytes(1), {"quality"}); }),
         ": only a PLY has fields: expected none, found quality");
 }
 

@@ -17,22 +17,22 @@
 namespace gnomon::read {
 namespace {
 
-std::string scratch(const std::string& name) {
+std::string scratchPly(const std::string& name) {
     return testing::TempDir() + "gnomon_read_ply_" + std::to_string(::getpid()) + "_" + name + ".ply";
 }
 
-CollectedMesh readText(const std::string& name, const std::string& text) {
-    writeScratch(scratch(name), text);
-    return collect(*openPly(scratch(name)));
+CollectedMesh readPlyText(const std::string& name, const std::string& text) {
+    writeScratch(scratchPly(name), text);
+    return collect(*openPly(scratchPly(name)));
 }
 
 std::string errorOf(const std::string& name, const std::string& text) {
-    return errorAbout(scratch(name), [&] { readText(name, text); });
+    return errorAbout(scratchPly(name), [&] { readPlyText(name, text); });
 }
 
 void expectSame(const PlyLayout& layout, std::uint64_t seed, std::size_t vertices, std::size_t faces) {
     const KnownMesh mesh = randomMesh(seed, vertices, faces, layout);
-    EXPECT_EQ(readText("same", plyText(mesh, layout)), expected(mesh))
+    EXPECT_EQ(readPlyText("same", plyText(mesh, layout)), expected(mesh))
         << layout.format << " " << layout.position << " " << layout.normal << " " << layout.color << " " << layout.count
         << " " << layout.index << " " << layout.hasExtras << layout.facesFirst;
 }
@@ -124,7 +124,7 @@ TEST(ReadPly, APolygonLargerThanABlockComesInOnePiece) {
         for (std::size_t i = 0; i < large.size(); ++i)
             large[i] = i;
         mesh.faces.insert(mesh.faces.begin() + 7, large);
-        EXPECT_EQ(readText("large", plyText(mesh, layout)), expected(mesh)) << format;
+        EXPECT_EQ(readPlyText("large", plyText(mesh, layout)), expected(mesh)) << format;
     }
 }
 
@@ -133,8 +133,8 @@ TEST(ReadPly, PassesCanBeRepeatedInAnyOrder) {
     layout.hasExtras = true;
     layout.facesFirst = true;
     const KnownMesh mesh = randomMesh(6, 90, 90, layout);
-    writeScratch(scratch("repeat"), plyText(mesh, layout));
-    const auto source = openPly(scratch("repeat"));
+    writeScratch(scratchPly("repeat"), plyText(mesh, layout));
+    const auto source = openPly(scratchPly("repeat"));
     std::uint64_t triangles = 0;
     source->readTriangles([&](const TriangleBlock& block) { triangles += block.triangles.size(); });
     EXPECT_EQ(triangles, expected(mesh).triangles.size());
@@ -147,18 +147,18 @@ TEST(ReadPly, AFileThatShrinksIsRefusedAndSoIsOneThatChanges) {
     const PlyLayout layout;
     const std::string text = plyText(randomMesh(6, 90, 90, layout), layout);
     for (const std::size_t left : {text.size() - 1, text.size() / 2, std::size_t{0}}) {
-        writeScratch(scratch("shrinks"), text);
-        const auto source = openPly(scratch("shrinks"));
+        writeScratch(scratchPly("shrinks"), text);
+        const auto source = openPly(scratchPly("shrinks"));
         collect(*source);
-        std::filesystem::resize_file(scratch("shrinks"), left);
+        std::filesystem::resize_file(scratchPly("shrinks"), left);
         EXPECT_THROW(collect(*source), Error) << left;
         EXPECT_THROW(source->requireUnchanged(), Error) << left;
     }
-    writeScratch(scratch("changes"), text);
-    const auto source = openPly(scratch("changes"));
+    writeScratch(scratchPly("changes"), text);
+    const auto source = openPly(scratchPly("changes"));
     EXPECT_NO_THROW(source->requireUnchanged());
-    const auto before = std::filesystem::last_write_time(scratch("changes"));
-    std::filesystem::last_write_time(scratch("changes"), before + std::chrono::seconds(1));
+    const auto before = std::filesystem::last_write_time(scratchPly("changes"));
+    std::filesystem::last_write_time(scratchPly("changes"), before + std::chrono::seconds(1));
     EXPECT_THROW(source->requireUnchanged(), Error);
 }
 
@@ -167,8 +167,8 @@ TEST(ReadPly, TheSummarySaysWhatTheHeaderSays) {
     layout.normal = "float";
     layout.position = "double";
     const KnownMesh mesh = randomMesh(7, 33, 10, layout);
-    writeScratch(scratch("summary"), plyText(mesh, layout));
-    const auto source = openPly(scratch("summary"));
+    writeScratch(scratchPly("summary"), plyText(mesh, layout));
+    const auto source = openPly(scratchPly("summary"));
     EXPECT_EQ(source->summary().vertexCount, 33U);
     EXPECT_EQ(source->summary().faceCount, 11U);
     EXPECT_EQ(source->summary().stripCount, 0U);
@@ -183,8 +183,8 @@ TEST(ReadPly, TheSummaryKnowsTheTrianglesOfPolygonsWhereTheBytesTell) {
     KnownMesh mesh = randomMesh(7, 33, 10, layout);
     mesh.faces.assign(20, {0, 1, 2, 3, 4});
     const auto likely = [&] {
-        writeScratch(scratch("likely"), plyText(mesh, layout));
-        return openPly(scratch("likely"))->summary().likelyTriangles;
+        writeScratch(scratchPly("likely"), plyText(mesh, layout));
+        return openPly(scratchPly("likely"))->summary().likelyTriangles;
     };
     EXPECT_EQ(likely(), 60U);
     layout.hasExtras = true; // other lists, like texture coordinates: their bytes are no corners
@@ -194,7 +194,7 @@ TEST(ReadPly, TheSummaryKnowsTheTrianglesOfPolygonsWhereTheBytesTell) {
     EXPECT_EQ(likely(), 20U);
 }
 
-const std::string kVertices = "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n";
+const std::string kVertexHeader = "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n";
 const std::string kFaces = "element face 1\nproperty list uchar int vertex_indices\n";
 const std::string kFour = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
 
@@ -205,7 +205,7 @@ std::string ascii(const std::string& header, const std::string& body) {
 TEST(ReadPly, StripsAlternateAndRestart) {
     const std::string strips = "element tristrips 2\nproperty list int int vertex_indices\n";
     const CollectedMesh mesh =
-        readText("strips", ascii(kVertices + strips, kFour + "9 0 1 2 3 -1 3 2 1 0\n7 0 1 2 2 3 1 -1\n"));
+        readPlyText("strips", ascii(kVertexHeader + strips, kFour + "9 0 1 2 3 -1 3 2 1 0\n7 0 1 2 2 3 1 -1\n"));
     const std::vector<TriangleCorners> expectedTriangles = {
         {0, 1, 2}, {2, 1, 3}, {3, 2, 1}, {1, 2, 0}, {0, 1, 2}, {3, 2, 1}};
     EXPECT_EQ(mesh.triangles, expectedTriangles);
@@ -214,32 +214,33 @@ TEST(ReadPly, StripsAlternateAndRestart) {
 TEST(ReadPly, DiffuseNamesAndMissingAlpha) {
     const std::string colors =
         "property uchar diffuse_red\nproperty uchar diffuse_green\nproperty uchar diffuse_blue\n";
-    const CollectedMesh mesh = readText(
+    const CollectedMesh mesh = readPlyText(
         "diffuse",
-        ascii(kVertices + colors + kFaces, "0 0 0 1 2 3\n1 0 0 255 0 0\n1 1 0 0 0 0\n0 1 0 9 9 9\n3 0 1 2\n"));
+        ascii(kVertexHeader + colors + kFaces, "0 0 0 1 2 3\n1 0 0 255 0 0\n1 1 0 0 0 0\n0 1 0 9 9 9\n3 0 1 2\n"));
     EXPECT_EQ(mesh.colors, (std::vector<std::uint32_t>{0xFF030201, 0xFF0000FF, 0xFF000000, 0xFF090909}));
 }
 
 TEST(ReadPly, NormalsThatAreNoNumbersAreNone) {
     const std::string normals = "property float nx\nproperty float ny\nproperty float nz\n";
-    const CollectedMesh mesh = readText(
+    const CollectedMesh mesh = readPlyText(
         "nannormal",
-        ascii(kVertices + normals + kFaces, "0 0 0 0 0 1\n1 0 0 nan 0 0\n1 1 0 0 inf 0\n0 1 0 1 0 0\n3 0 1 2\n"));
+        ascii(kVertexHeader + normals + kFaces, "0 0 0 0 0 1\n1 0 0 nan 0 0\n1 1 0 0 inf 0\n0 1 0 1 0 0\n3 0 1 2\n"));
     EXPECT_EQ(mesh.normals, (std::vector<glm::vec3>{{0, 0, 1}, {0, 0, 0}, {0, 0, 0}, {1, 0, 0}}));
 }
 
 TEST(ReadPly, DoublesStayDoubles) {
     const std::string vertices = "element vertex 3\nproperty double x\nproperty double y\nproperty double z\n";
     const CollectedMesh mesh =
-        readText("doubles", ascii(vertices + kFaces, "10000000.123456789 0 0\n1 0 0\n1 1 0\n3 0 1 2\n"));
+        readPlyText("doubles", ascii(vertices + kFaces, "10000000.123456789 0 0\n1 0 0\n1 1 0\n3 0 1 2\n"));
     EXPECT_EQ(mesh.positions[0].x, 10000000.123456789);
 }
 
 TEST(ReadPly, RowsMayWrapButNotShareALine) {
     EXPECT_EQ(
-        readText("wrap", ascii(kVertices + kFaces, "0 0\n0\n1 0 0\n\n1 1 0\n0 1 0\n3 0\n1 2")).triangles.size(), 1U);
+        readPlyText("wrap", ascii(kVertexHeader + kFaces, "0 0\n0\n1 0 0\n\n1 1 0\n0 1 0\n3 0\n1 2")).triangles.size(),
+        1U);
     EXPECT_EQ(
-        errorOf("share", ascii(kVertices + kFaces, "0 0 0 1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n")),
+        errorOf("share", ascii(kVertexHeader + kFaces, "0 0 0 1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n")),
         ":10: more values in a row than the header declares");
 }
 
@@ -255,14 +256,14 @@ TEST(ReadPly, HeaderErrorsNameTheLine) {
     EXPECT_EQ(
         errorOf("h6", ascii("element vertex 3\nproprety float x\n", "")), R"(:4: unknown header keyword "proprety")");
     EXPECT_EQ(errorOf("h7", ascii("property float x\n", "")), ":3: a property before any element");
-    EXPECT_EQ(errorOf("h8", "ply\n" + kVertices + kFaces + "end_header\n"), ":8: the header names no format");
-    EXPECT_EQ(errorOf("h9", ascii(kVertices, kFour)), ": no faces: this is a point cloud; make a mesh of it first");
+    EXPECT_EQ(errorOf("h8", "ply\n" + kVertexHeader + kFaces + "end_header\n"), ":8: the header names no format");
+    EXPECT_EQ(errorOf("h9", ascii(kVertexHeader, kFour)), ": no faces: this is a point cloud; make a mesh of it first");
     EXPECT_EQ(errorOf("h10", ascii(kFaces, "3 0 0 0\n")), ": the header declares no vertices");
     EXPECT_EQ(
         errorOf("h11", ascii("element vertex 1\nproperty float x\nproperty float y\n" + kFaces, "0 0\n3 0 0 0\n")),
         ": the vertices have no x, y and z");
     EXPECT_EQ(
-        errorOf("h12", ascii(kVertices + kVertices + kFaces, kFour + kFour + "3 0 1 2\n")),
+        errorOf("h12", ascii(kVertexHeader + kVertexHeader + kFaces, kFour + kFour + "3 0 1 2\n")),
         ": the header declares vertices twice");
 }
 
@@ -299,35 +300,35 @@ TEST(ReadPly, CountsBeyondTheFileAreRefusedAtOnce) {
 
 TEST(ReadPly, BodyErrorsNameTheLine) {
     EXPECT_EQ(
-        errorOf("b1", ascii(kVertices + kFaces, kFour + "3 0 1 4\n")),
+        errorOf("b1", ascii(kVertexHeader + kFaces, kFour + "3 0 1 4\n")),
         ":14: vertex index out of range: expected 0 to less than 4, found 4");
     EXPECT_EQ(
-        errorOf("b2", ascii(kVertices + kFaces, kFour + "3 0 1 -1\n")),
+        errorOf("b2", ascii(kVertexHeader + kFaces, kFour + "3 0 1 -1\n")),
         ":14: vertex index out of range: expected 0 to less than 4, found -1");
     EXPECT_EQ(
-        errorOf("b3", ascii(kVertices + kFaces, "0 0 0\n1 nan 0\n1 1 0\n0 1 0\n3 0 1 2\n")),
+        errorOf("b3", ascii(kVertexHeader + kFaces, "0 0 0\n1 nan 0\n1 1 0\n0 1 0\n3 0 1 2\n")),
         ":11: a coordinate of vertex 1 is not finite");
     EXPECT_EQ(
-        errorOf("b4", ascii(kVertices + kFaces, "0 0 0\n1 0 0\n1 1 0\n0 -1e999 0\n3 3 1 2\n")),
+        errorOf("b4", ascii(kVertexHeader + kFaces, "0 0 0\n1 0 0\n1 1 0\n0 -1e999 0\n3 3 1 2\n")),
         ":13: a coordinate of vertex 3 is not finite");
     EXPECT_EQ(
-        errorOf("b5", ascii(kVertices + kFaces, kFour + "99999 0 1 2\n")),
+        errorOf("b5", ascii(kVertexHeader + kFaces, kFour + "99999 0 1 2\n")),
         ":14: the file ends too early: expected a list of 99999 values in row 1 of 1 of element \"face\", found room "
         "for at most 4");
     EXPECT_EQ(
-        errorOf("b6", ascii(kVertices + kFaces, kFour + "-3 0 1 2\n")),
+        errorOf("b6", ascii(kVertexHeader + kFaces, kFour + "-3 0 1 2\n")),
         ":14: absurd list count: expected none below 0, found -3");
     EXPECT_EQ(
-        errorOf("b7", ascii(kVertices + kFaces, kFour + "3 0 1")),
+        errorOf("b7", ascii(kVertexHeader + kFaces, kFour + "3 0 1")),
         ":14: the file ends too early: expected 1 rows of element \"face\", found 0");
     EXPECT_EQ(
-        errorOf("b8", ascii(kVertices + kFaces, kFour + "3 0 1 x\n")),
+        errorOf("b8", ascii(kVertexHeader + kFaces, kFour + "3 0 1 x\n")),
         ":14: not a whole number: expected an index or a count, found \"x\"");
     EXPECT_EQ(
-        errorOf("b9", ascii(kVertices + kFaces, kFour + "3 0 1 2\n3 0 1 2\n")),
+        errorOf("b9", ascii(kVertexHeader + kFaces, kFour + "3 0 1 2\n3 0 1 2\n")),
         ":15: data after the last element: the header's counts are too small");
     EXPECT_EQ(
-        errorOf("b10", ascii(kVertices + kFaces, kFour + "2 0 1\n")), ": no triangles: no face has three corners");
+        errorOf("b10", ascii(kVertexHeader + kFaces, kFour + "2 0 1\n")), ": no triangles: no face has three corners");
 }
 
 TEST(ReadPly, BinaryBodyErrorsNameTheByte) {

@@ -9,7 +9,7 @@
 namespace gnomon::read {
 namespace {
 
-std::string scratch(const std::string& name) {
+std::string scratchPart(const std::string& name) {
     return testing::TempDir() + "gnomon_several_" + std::to_string(::getpid()) + "_" + name + ".ply";
 }
 
@@ -26,9 +26,9 @@ TEST(SeveralInputs, MakeOneModel) {
     colored.color = "uchar";
     const KnownMesh first = randomMesh(8, 40, 30, plain);
     const KnownMesh second = randomMesh(9, 20'000, 30'000, colored);
-    writeScratch(scratch("join1"), plyText(first, plain));
-    writeScratch(scratch("join2"), plyText(second, colored));
-    const auto source = openMeshSources({scratch("join1"), scratch("join2")}, mebibytes(1));
+    writeScratch(scratchPart("join1"), plyText(first, plain));
+    writeScratch(scratchPart("join2"), plyText(second, colored));
+    const auto source = openMeshSources({scratchPart("join1"), scratchPart("join2")}, mebibytes(1));
     EXPECT_TRUE(source->summary().hasColors);
     const CollectedMesh both = collect(*source);
     const CollectedMesh a = expected(first);
@@ -46,22 +46,22 @@ TEST(SeveralInputs, HaveNormalsOnlyIfAllHaveSome) {
     PlyLayout plain;
     PlyLayout smooth;
     smooth.normal = "float";
-    writeScratch(scratch("bare"), plyText(randomMesh(8, 40, 30, plain), plain));
-    writeScratch(scratch("smooth"), plyText(randomMesh(9, 40, 30, smooth), smooth));
-    EXPECT_TRUE(openMeshSources({scratch("smooth"), scratch("smooth")}, mebibytes(1))->summary().hasNormals);
-    const auto mixed = openMeshSources({scratch("smooth"), scratch("bare")}, mebibytes(1));
+    writeScratch(scratchPart("bare"), plyText(randomMesh(8, 40, 30, plain), plain));
+    writeScratch(scratchPart("smooth"), plyText(randomMesh(9, 40, 30, smooth), smooth));
+    EXPECT_TRUE(openMeshSources({scratchPart("smooth"), scratchPart("smooth")}, mebibytes(1))->summary().hasNormals);
+    const auto mixed = openMeshSources({scratchPart("smooth"), scratchPart("bare")}, mebibytes(1));
     EXPECT_FALSE(mixed->summary().hasNormals);
     mixed->readVertices([](const VertexBlock& block) { EXPECT_TRUE(block.normals.empty()); });
 }
 
 TEST(SeveralInputs, AnErrorNamesTheOneThatHasIt) {
-    writeScratch(scratch("good"), square("3 0 1 2\n"));
-    writeScratch(scratch("bad"), square("3 0 1 7\n"));
+    writeScratch(scratchPart("good"), square("3 0 1 2\n"));
+    writeScratch(scratchPart("bad"), square("3 0 1 7\n"));
     try {
-        collect(*openMeshSources({scratch("good"), scratch("bad")}, mebibytes(1)));
+        collect(*openMeshSources({scratchPart("good"), scratchPart("bad")}, mebibytes(1)));
         FAIL() << "a bad index passed";
     } catch (const Error& error) {
-        EXPECT_TRUE(std::string(error.what()).starts_with(scratch("bad") + ":14: ")) << error.what();
+        EXPECT_TRUE(std::string(error.what()).starts_with(scratchPart("bad") + ":14: ")) << error.what();
     }
 }
 

@@ -14,17 +14,17 @@
 namespace gnomon::read {
 namespace {
 
-std::string scratch(const std::string& name) {
+std::string scratchWhole(const std::string& name) {
     return testing::TempDir() + "gnomon_read_whole_" + std::to_string(::getpid()) + "_" + name;
 }
 
-CollectedMesh readText(const std::string& name, const std::string& text) {
-    writeScratch(scratch(name), text);
-    return collect(*openMeshSources({scratch(name)}, mebibytes(64)));
+CollectedMesh readWholeText(const std::string& name, const std::string& text) {
+    writeScratch(scratchWhole(name), text);
+    return collect(*openMeshSources({scratchWhole(name)}, mebibytes(64)));
 }
 
 std::string errorOf(const std::string& name, const std::string& text) {
-    return errorAbout(scratch(name), [&] { readText(name, text); });
+    return errorAbout(scratchWhole(name), [&] { readWholeText(name, text); });
 }
 
 std::string binaryStl(const std::vector<float>& coordinates) {
@@ -56,7 +56,7 @@ const std::string kStl = "solid outerwall\n"
 const std::string kOff = "OFF 4 2 0\n# points\n0 0 0\n1 0 0\n\n1 1 0\n0 1 0\n3 0 1 2\n4 0 1 2 3";
 
 TEST(ReadWholeFile, ObjFaces) {
-    const CollectedMesh mesh = readText("a.obj", kObj);
+    const CollectedMesh mesh = readWholeText("a.obj", kObj);
     EXPECT_EQ(mesh.positions, (std::vector<glm::dvec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}));
     EXPECT_EQ(mesh.triangles, (std::vector<TriangleCorners>{{0, 1, 2}, {0, 2, 3}, {0, 1, 2}}));
     ASSERT_EQ(mesh.polygons.size(), 1U);
@@ -64,13 +64,13 @@ TEST(ReadWholeFile, ObjFaces) {
 }
 
 TEST(ReadWholeFile, ObjFacesThatNoHalfEdgeMeshTakes) {
-    const CollectedMesh mesh = readText(
+    const CollectedMesh mesh = readWholeText(
         "b.OBJ", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\nf 1 2 3\nf 1 2 4\nf 1 2 5\nf 2 1 3\nf 1 2 3\n");
     EXPECT_EQ(mesh.triangles.size(), 5U);
 }
 
 TEST(ReadWholeFile, ObjNormalsStayPerCornerWhereTheyDiffer) {
-    const CollectedMesh mesh = readText(
+    const CollectedMesh mesh = readWholeText(
         "c.obj",
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvn 0 0 1\nvn 1 0 0\n"
         "f 1//1 2//1 3//1\nf 1//2 4//2 3//2\nf 1//1 2//1 4//2\nf 1//2 2//2 3//2\nf 1 2 3\n");
@@ -93,13 +93,13 @@ TEST(ReadWholeFile, ObjNormalsStayPerCornerWhereTheyDiffer) {
 }
 
 TEST(ReadWholeFile, ObjFacesOfTooFewCornersAreCounted) {
-    const CollectedMesh mesh = readText("d.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\nf 1 1 2\nf 1 2 3\nf\n");
+    const CollectedMesh mesh = readWholeText("d.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\nf 1 1 2\nf 1 2 3\nf\n");
     EXPECT_EQ(mesh.triangles.size(), 1U);
     EXPECT_EQ(mesh.notAPolygon, 3U);
 }
 
 TEST(ReadWholeFile, ObjLinesMayContinue) {
-    EXPECT_EQ(readText("e.obj", "v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 \\\r\n 3\r\n").triangles.size(), 1U);
+    EXPECT_EQ(readWholeText("e.obj", "v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 \\\r\n 3\r\n").triangles.size(), 1U);
 }
 
 TEST(ReadWholeFile, ObjErrorsNameTheLine) {
@@ -119,15 +119,17 @@ TEST(ReadWholeFile, ObjErrorsNameTheLine) {
 }
 
 TEST(ReadWholeFile, StlAsciiAndBinaryAgree) {
-    const CollectedMesh text = readText("a.stl", kStl);
+    const CollectedMesh text = readWholeText("a.stl", kStl);
     EXPECT_EQ(text.triangles.size(), 2U);
     EXPECT_EQ(text.positions.size(), 4U);
-    const CollectedMesh binary = readText("b.stl", binaryStl({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 0, 0, 1, 1, 0, 0, 1, 0}));
+    const CollectedMesh binary =
+        readWholeText("b.stl", binaryStl({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 0, 0, 1, 1, 0, 0, 1, 0}));
     EXPECT_EQ(binary, text);
 }
 
 TEST(ReadWholeFile, StlFacetsWithEqualCornersAreCounted) {
-    const CollectedMesh mesh = readText("c.stl", binaryStl({0, 0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 1, 0, 0, 1, 0}));
+    const CollectedMesh mesh =
+        readWholeText("c.stl", binaryStl({0, 0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 1, 0, 0, 1, 0}));
     EXPECT_EQ(mesh.triangles.size(), 1U);
     EXPECT_EQ(mesh.notAPolygon, 1U);
 }
@@ -149,15 +151,16 @@ TEST(ReadWholeFile, StlErrorsNameThePlace) {
 }
 
 TEST(ReadWholeFile, OffFaces) {
-    const CollectedMesh mesh = readText("a.off", kOff);
+    const CollectedMesh mesh = readWholeText("a.off", kOff);
     EXPECT_EQ(mesh.positions.size(), 4U);
     EXPECT_EQ(mesh.triangles, (std::vector<TriangleCorners>{{0, 1, 2}, {0, 1, 2}, {0, 2, 3}}));
     EXPECT_EQ(
-        readText("a.off", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 0\n3 0 2 1 0.5 0 0 1").triangles.size(), 2U);
+        readWholeText("a.off", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 0\n3 0 2 1 0.5 0 0 1").triangles.size(),
+        2U);
 }
 
 TEST(ReadWholeFile, OffNormalsAndColors) {
-    const CollectedMesh mesh = readText(
+    const CollectedMesh mesh = readWholeText(
         "b.off", "CNOFF\n3 1 0\n0 0 0 0 0 1 255 0 0 255\n1 0 0 0 1 0 0 255 0 255\n0 1 0 1 0 0 0 0 255 128\n3 0 1 2\n");
     EXPECT_EQ(mesh.normals, (std::vector<glm::vec3>{{0, 0, 1}, {0, 1, 0}, {1, 0, 0}}));
     EXPECT_EQ(mesh.colors, (std::vector<std::uint32_t>{0xFF0000FF, 0xFF00FF00, 0x80FF0000}));
@@ -183,15 +186,15 @@ TEST(ReadWholeFile, OffErrorsNameTheLine) {
 }
 
 TEST(ReadWholeFile, TooLargeForTheMemoryIsSaidBeforeReading) {
-    std::ofstream(scratch("big.obj")) << kObj;
-    std::filesystem::resize_file(scratch("big.obj"), std::uint64_t{1} << 32U);
+    std::ofstream(scratchWhole("big.obj")) << kObj;
+    std::filesystem::resize_file(scratchWhole("big.obj"), std::uint64_t{1} << 32U);
     try {
-        openMeshSources({scratch("big.obj")}, gibibytes(2));
+        openMeshSources({scratchWhole("big.obj")}, gibibytes(2));
         FAIL() << "a file of 4 GiB passed";
     } catch (const Error& error) {
         EXPECT_NE(std::string(error.what()).find("too large for a format that is read whole"), std::string::npos);
     }
-    std::filesystem::remove(scratch("big.obj"));
+    std::filesystem::remove(scratchWhole("big.obj"));
 }
 
 TEST(ReadWholeFile, MutatedFilesGiveAMeshOrAnError) {

@@ -17,8 +17,8 @@ using tests::sharedModel;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-struct Scene {
-    explicit Scene(Random& random)
+struct BlockedScene {
+    explicit BlockedScene(Random& random)
         : resident(tests::randomResidency(random, sharedModel())),
           view(tests::randomView(random, sharedModel().bounds)),
           rule(view, tests::randomCasters(random, view)),
@@ -72,7 +72,7 @@ TEST(BlockedGroups, StayUnrefinedAndLeaveNoHole) {
     const Chains chains(sharedModel());
     std::size_t coarser = 0;
     for (int trial = 0; trial < 60; ++trial) {
-        Scene scene(random);
+        BlockedScene scene(random);
         const std::set<ClusterId> free = clustersOf(cut(scene.query()).lists[0]);
         scene.blocked = randomBlocked(random);
         const std::set<ClusterId> drawn = clustersOf(cut(scene.query()).lists[0]);
@@ -91,7 +91,7 @@ TEST(BlockedGroups, StayUnrefinedAndLeaveNoHole) {
 TEST(BlockedGroups, AreAskedForAllTheSame) {
     Random random(42);
     for (int trial = 0; trial < 30; ++trial) {
-        Scene scene(random);
+        BlockedScene scene(random);
         const auto pages = [&] {
             std::map<std::uint32_t, double> result;
             for (const hierarchy::PageDemand& used : demand(scene.query()))
@@ -105,7 +105,7 @@ TEST(BlockedGroups, AreAskedForAllTheSame) {
 }
 
 /// The most pixels of anything in view or in shadow that resident pages know of each page.
-std::map<std::uint32_t, double> slowDemand(const Scene& scene) {
+std::map<std::uint32_t, double> slowDemand(const BlockedScene& scene) {
     std::map<std::uint32_t, double> result;
     for (std::uint32_t p = 0; p < scene.resident.size(); ++p) {
         if (sharedModel().table[p].maxError == kInfinite) result[p] = kInfinite;
@@ -121,7 +121,7 @@ std::map<std::uint32_t, double> slowDemand(const Scene& scene) {
 TEST(Demand, NamesEachPageOnceInOrderWithItsPixels) {
     Random random(43);
     for (int trial = 0; trial < 60; ++trial) {
-        const Scene scene(random);
+        const BlockedScene scene(random);
         const std::map<std::uint32_t, double> expected = slowDemand(scene);
         const Cut now = cut(scene.query());
         std::size_t named = 0;
@@ -171,7 +171,7 @@ TEST(PageTrees, HoldEveryPageOnceCoarsestLevelFirst) {
 TEST(CutPart, PartsOfAnySizeMakeTheSameCut) {
     Random random(44);
     for (int trial = 0; trial < 20; ++trial) {
-        const Scene scene(random);
+        const BlockedScene scene(random);
         std::vector<std::uint32_t> missing;
         const CutQuery query = scene.query();
         const std::vector<PageVisit> visits = visitedPages(query, missing);

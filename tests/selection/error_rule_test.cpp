@@ -11,7 +11,7 @@ namespace {
 using tests::randomCasters;
 using tests::randomView;
 
-const Box kSpace{{-10, -3, -10}, {10, 5, 10}};
+const Box kErrorSpace{{-10, -3, -10}, {10, 5, 10}};
 
 glm::dvec3 randomPointIn(Random& random, const Sphere& sphere) {
     while (true) {
@@ -34,7 +34,7 @@ TEST(ErrorRule, NestedSpheresNeverGetMorePixels) {
     Random random(21);
     int positive = 0;
     for (int trial = 0; trial < 100000; ++trial) {
-        const DetailView view = randomView(random, kSpace);
+        const DetailView view = randomView(random, kErrorSpace);
         const ErrorRule rule(view, randomCasters(random, view));
         const Sphere outer = randomSphere(random);
         const double radius = outer.radius * random.unit();
@@ -68,7 +68,7 @@ TEST(ErrorRule, NoPointInViewMovesFurtherThanReported) {
     int shown = 0;
     double tightest = 1e9;
     for (int trial = 0; trial < 200000; ++trial) {
-        const DetailView view = randomView(random, kSpace);
+        const DetailView view = randomView(random, kErrorSpace);
         const ErrorRule rule(view);
         const Sphere sphere = randomSphere(random);
         const glm::dvec3 point = randomPointIn(random, sphere);
@@ -107,7 +107,7 @@ TEST(ErrorRule, NoShadowEdgeMovesFurtherThanReported) {
     int cast = 0;
     int inView = 0;
     for (int trial = 0; trial < 30000; ++trial) {
-        const DetailView view = randomView(random, kSpace);
+        const DetailView view = randomView(random, kErrorSpace);
         const std::vector<CasterDetail> casters = randomCasters(random, view);
         const ErrorRule rule(view, casters);
         const Sphere sphere = randomSphere(random);

@@ -14,7 +14,7 @@ using hierarchy::kNone;
 using tests::ModelInMemory;
 using tests::sharedModel;
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
 /// A cluster in view and the thresholds from which and up to which it is drawn.
 struct Drawn {
@@ -37,8 +37,8 @@ DetailView wideView(Random& random, const Box& bounds) {
     return view;
 }
 
-struct Scene {
-    explicit Scene(Random& random)
+struct CapScene {
+    explicit CapScene(Random& random)
         : view(wideView(random, sharedModel().bounds)),
           rule(view),
           volumes{viewPyramid(view)},
@@ -62,7 +62,10 @@ struct Scene {
 
 /// When a cluster of a group that may be refined is drawn.
 Drawn drawnOf(
-    const Scene& scene, const hierarchy::Page& page, const hierarchy::Group& group, const hierarchy::Cluster& cluster) {
+    const CapScene& scene,
+    const hierarchy::Page& page,
+    const hierarchy::Group& group,
+    const hierarchy::Cluster& cluster) {
     Drawn drawn{0, scene.rule.pixels(group.bounds, tests::largerError(group)), cluster.triangleCount};
     if (cluster.refinement == kNone) return drawn;
     const hierarchy::Refinement& finer = page.refinements[cluster.refinement];
@@ -72,7 +75,7 @@ Drawn drawnOf(
 }
 
 /// Every cluster of every resident page, no tree: when it is drawn, if its box is in view.
-std::vector<Drawn> allDrawn(const Scene& scene) {
+std::vector<Drawn> allDrawn(const CapScene& scene) {
     std::vector<Drawn> result;
     for (std::uint32_t p = 0; p < scene.resident.size(); ++p) {
         const hierarchy::Page* page = scene.resident[p];
@@ -100,7 +103,7 @@ std::vector<double> stepsFrom(std::span<const Drawn> clusters, double least) {
     std::vector<double> steps{least};
     for (const Drawn& drawn : clusters)
         for (const double pixels : {drawn.from, drawn.to})
-            if (pixels > least && pixels < kInfinite) steps.push_back(pixels);
+            if (pixels > least && pixels < kNoLimit) steps.push_back(pixels);
     std::sort(steps.begin(), steps.end());
     steps.erase(std::unique(steps.begin(), steps.end()), steps.end());
     return steps;
@@ -108,7 +111,7 @@ std::vector<double> stepsFrom(std::span<const Drawn> clusters, double least) {
 
 /// What a capped error must be, given the truth at every step: small enough to be drawn within the cap, and a
 /// thousandth lower it is either too much or what was asked for.
-void checkCap(const Scene& scene, std::span<const Drawn> clusters, std::uint64_t cap) {
+void checkCap(const CapScene& scene, std::span<const Drawn> clusters, std::uint64_t cap) {
     const double found = cappedErrorPixels(scene.query(), cap);
     const std::uint64_t finest = countAt(clusters, scene.errorPixels);
     const std::uint64_t kept = scene.trianglesAt(found);
@@ -130,7 +133,7 @@ void checkCap(const Scene& scene, std::span<const Drawn> clusters, std::uint64_t
 TEST(TriangleCap, IsKeptByTheLeastErrorThatKeepsIt) {
     Random random(35);
     for (int trial = 0; trial < 12; ++trial) {
-        const Scene scene(random);
+        const CapScene scene(random);
         const std::vector<Drawn> clusters = allDrawn(scene);
         const std::uint64_t finest = countAt(clusters, scene.errorPixels);
         const std::uint64_t coarsest = countAt(clusters, 1e30);
@@ -149,7 +152,7 @@ TEST(TriangleCap, IsNearlyUsedUp) {
     double used = 0;
     int count = 0;
     for (int trial = 0; trial < 12; ++trial) {
-        const Scene scene(random);
+        const CapScene scene(random);
         const std::uint64_t finest = scene.trianglesAt(scene.errorPixels);
         for (const double share : {0.2, 0.5, 0.8}) {
             const auto cap = static_cast<std::uint64_t>(share * static_cast<double>(finest));
@@ -165,7 +168,7 @@ TEST(TriangleCap, IsNearlyUsedUp) {
 TEST(TriangleCap, CountsWhatResidencyAndDamageLeaveToBeDrawn) {
     Random random(37);
     for (int trial = 0; trial < 12; ++trial) {
-        Scene scene(random);
+        CapScene scene(random);
         scene.resident = tests::randomResidency(random, sharedModel());
         for (std::uint32_t p = 0; p < scene.resident.size(); ++p)
             if (sharedModel().all[p]->level == 1 && random.below(4) == 0) scene.blocked.insert({p, 0});
@@ -182,7 +185,7 @@ TEST(TriangleCap, CountsWhatResidencyAndDamageLeaveToBeDrawn) {
 
 TEST(TriangleCap, OfAnErrorOfZeroStillFindsOne) {
     Random random(38);
-    Scene scene(random);
+    CapScene scene(random);
     scene.errorPixels = 0;
     const std::vector<Drawn> clusters = allDrawn(scene);
     const std::uint64_t finest = countAt(clusters, 0);

@@ -32,7 +32,7 @@ std::map<std::string, std::string> allTexts(const Settings& settings) {
 }
 
 /// What each row may be, beside what no row may be; texts as they are written back.
-struct Row {
+struct EveryRow {
     const char* name;
     const char* byDefault;
     std::vector<const char*> taken;
@@ -41,7 +41,7 @@ struct Row {
 };
 
 /// Of the settings that say what is seen, and in which light.
-std::vector<Row> sceneRows() {
+std::vector<EveryRow> sceneRows() {
     return {
         {"size",
          "800x800",
@@ -91,7 +91,7 @@ std::vector<Row> sceneRows() {
 }
 
 /// Of all others.
-std::vector<Row> qualityRows() {
+std::vector<EveryRow> qualityRows() {
     return {
         {"eta", "", {"-1", "0", "0.25", "1"}, {"1.001", "-1.001", "auto", "nan"}, "a number from -1 to 1"},
         {"tsm-focus", "", {"auto", "2.5"}, {"0", "-1", "1e16"}, "auto or a distance from 1e-15 to 1e15"},
@@ -117,10 +117,10 @@ std::vector<Row> qualityRows() {
     };
 }
 
-const std::vector<Row>& rows() {
-    static const std::vector<Row> all = [] {
-        std::vector<Row> both = sceneRows();
-        const std::vector<Row> more = qualityRows();
+const std::vector<EveryRow>& rows() {
+    static const std::vector<EveryRow> all = [] {
+        std::vector<EveryRow> both = sceneRows();
+        const std::vector<EveryRow> more = qualityRows();
         both.insert(both.end(), more.begin(), more.end());
         return both;
     }();
@@ -130,13 +130,13 @@ const std::vector<Row>& rows() {
 TEST(EveryRow, IsListedHere) {
     std::vector<std::string> unlisted;
     for (const Setting& each : table())
-        if (std::none_of(rows().begin(), rows().end(), [&](const Row& row) { return each.name() == row.name; }))
+        if (std::none_of(rows().begin(), rows().end(), [&](const EveryRow& row) { return each.name() == row.name; }))
             unlisted.push_back(each.name());
     EXPECT_EQ(unlisted, (std::vector<std::string>{"camera", "shaders"})) << "names of files, which may be any text";
 }
 
 TEST(EveryRow, HasItsDefaultAndReadsItBack) {
-    for (const Row& row : rows()) {
+    for (const EveryRow& row : rows()) {
         const Setting& setting = named(row.name);
         EXPECT_EQ(setting.text(Settings()), row.byDefault) << row.name;
         EXPECT_TRUE(setting.isDefault(Settings())) << row.name;
@@ -149,7 +149,7 @@ TEST(EveryRow, HasItsDefaultAndReadsItBack) {
 }
 
 TEST(EveryRow, TakesItsEndsAndWritesThemAsTheyWere) {
-    for (const Row& row : rows())
+    for (const EveryRow& row : rows())
         for (const char* text : row.taken) {
             ASSERT_EQ(refusal(row.name, text), "") << row.name;
             const Setting& setting = named(row.name);
@@ -158,7 +158,7 @@ TEST(EveryRow, TakesItsEndsAndWritesThemAsTheyWere) {
 }
 
 TEST(EveryRow, RefusesWhatLiesBeyondInWordsThatNameTheOptionAndTheText) {
-    for (const Row& row : rows())
+    for (const EveryRow& row : rows())
         for (const char* text : row.refused) {
             const std::string message = refusal(row.name, text);
             const std::string option = std::string("--") + row.name;
@@ -179,7 +179,7 @@ TEST(EveryRow, OfWordsNamesAllOfThemToWhomItRefuses) {
 }
 
 TEST(EveryRow, ChangesItselfAlone) {
-    for (const Row& row : rows())
+    for (const EveryRow& row : rows())
         for (const char* text : row.taken) {
             Settings settings;
             named(row.name).set(settings, named(row.name).parse(text));

@@ -16,7 +16,7 @@
 namespace gnomon::simplify {
 namespace {
 
-constexpr std::uint32_t kPositions = 24;
+constexpr std::uint32_t kCostPositions = 24;
 
 struct Kind {
     bool hasNormals;
@@ -33,7 +33,7 @@ glm::dvec3 randomVector(Random& random) {
 /// Triangles strewn among positions of one vertex each, of which some have no normal and some no triangle.
 Patch randomPatch(Random& random, const Kind& kind) {
     Patch patch;
-    for (std::uint32_t p = 0; p < kPositions; ++p) {
+    for (std::uint32_t p = 0; p < kCostPositions; ++p) {
         patch.positions.push_back(kind.isFlat ? glm::dvec3(p, 0, 0) : randomVector(random) * 100.0);
         patch.isLocked.push_back(0);
         patch.positionOf.push_back(p);
@@ -43,9 +43,9 @@ Patch randomPatch(Random& random, const Kind& kind) {
         vertex.color = kind.hasColors ? static_cast<std::uint32_t>(random.below(1U << 24U)) : 0;
     }
     while (patch.triangles.size() < 30) {
-        const auto a = static_cast<std::uint32_t>(random.below(kPositions - 2));
-        const auto b = static_cast<std::uint32_t>(random.below(kPositions - 2));
-        const auto c = static_cast<std::uint32_t>(random.below(kPositions - 2));
+        const auto a = static_cast<std::uint32_t>(random.below(kCostPositions - 2));
+        const auto b = static_cast<std::uint32_t>(random.below(kCostPositions - 2));
+        const auto c = static_cast<std::uint32_t>(random.below(kCostPositions - 2));
         if (a != b && b != c && c != a) patch.triangles.push_back({a, b, c});
     }
     return patch;
@@ -55,10 +55,10 @@ void expectSame(std::uint64_t seed, const Kind& kind) {
     Random random(seed);
     const Patch patch = randomPatch(random, kind);
     CostEstimate estimate(patch, SimplificationMesh(patch));
-    for (std::uint32_t from = 0; from < kPositions; ++from) {
+    for (std::uint32_t from = 0; from < kCostPositions; ++from) {
         std::vector<std::uint32_t> to(random.below(20));
         for (std::uint32_t& q : to)
-            q = static_cast<std::uint32_t>(random.below(kPositions));
+            q = static_cast<std::uint32_t>(random.below(kCostPositions));
         const std::span<const double> squares = estimate.squares(from, to);
         ASSERT_EQ(squares.size(), to.size());
         for (std::size_t i = 0; i < to.size(); ++i)
@@ -73,10 +73,6 @@ TEST(CostEstimate, GivesToTheBitForManyWhatItGivesForOneAfterTheOther) {
                  {Kind{true, false, false}, {true, true, false}, {false, true, false}, {true, true, true}})
                 expectSame(seed, kind);
     });
-}
-
-bool has(const Triangle& t, std::uint32_t corner) {
-    return std::find(t.begin(), t.end(), corner) != t.end();
 }
 
 /// What lies across edge `i` of triangle `t`, found by a look at all triangles.

@@ -9,16 +9,16 @@
 namespace gnomon::simplify {
 namespace {
 
-constexpr std::uint32_t kPositions = 9;
+constexpr std::uint32_t kStarPositions = 9;
 
 Patch randomPatch(Random& random) {
     std::vector<Triangle> triangles(6 + random.below(10));
     for (Triangle& t : triangles)
         do {
             for (std::uint32_t& corner : t)
-                corner = static_cast<std::uint32_t>(random.below(kPositions));
+                corner = static_cast<std::uint32_t>(random.below(kStarPositions));
         } while (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]);
-    Patch patch = plainPatch(std::vector<glm::dvec3>(kPositions), std::move(triangles));
+    Patch patch = plainPatch(std::vector<glm::dvec3>(kStarPositions), std::move(triangles));
     for (std::uint8_t& isLocked : patch.isLocked)
         isLocked = random.below(2) == 0 ? 1 : 0;
     return patch;
@@ -54,7 +54,7 @@ TEST(LockedEdges, AreKeptIfEachHasAsManyFacesAsBefore) {
             std::swap(triangles[changed][0], triangles[changed][2]);
             break;
         default:
-            triangles[changed][0] = static_cast<std::uint32_t>(random.below(kPositions));
+            triangles[changed][0] = static_cast<std::uint32_t>(random.below(kStarPositions));
             if (triangles[changed][0] == triangles[changed][1] || triangles[changed][0] == triangles[changed][2])
                 continue;
         }
@@ -70,9 +70,9 @@ TEST(LockedEdges, TheRingAroundThemIsEveryPositionOfATriangleWithALockedOne) {
     Random random(2);
     for (int run = 0; run < 500; ++run) {
         Patch patch = randomPatch(random);
-        if (run % 3 == 0) patch.isLocked.assign(kPositions, 0);
+        if (run % 3 == 0) patch.isLocked.assign(kStarPositions, 0);
         const std::vector<std::uint8_t> found = lockedWithRing(patch);
-        for (std::uint32_t p = 0; p < kPositions; ++p) {
+        for (std::uint32_t p = 0; p < kStarPositions; ++p) {
             bool expected = patch.isLocked[p] != 0;
             for (const Triangle& t : patch.triangles)
                 for (std::size_t i = 0; i < 3; ++i)

@@ -2,6 +2,7 @@
 
 #include "preprocess/proximity/triangle_distance.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace gnomon::simplify {
@@ -67,6 +68,10 @@ glm::dvec3 randomPoint(const Patch& patch, const Triangle& triangle, Random& ran
     }
     const glm::dvec3& a = patch.positions[t[0]];
     return a + (patch.positions[t[1]] - a) * u + (patch.positions[t[2]] - a) * v;
+}
+
+bool has(const Triangle& triangle, std::uint32_t corner) {
+    return std::find(triangle.begin(), triangle.end(), corner) != triangle.end();
 }
 
 double distanceTo(const Patch& patch, const glm::dvec3& p, const Triangle& triangle) {

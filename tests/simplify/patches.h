@@ -19,6 +19,9 @@ Patch plainPatch(std::vector<glm::dvec3> positions, std::vector<Triangle> triang
 /// A point of `triangle` (vertices of `patch`), uniform over it.
 glm::dvec3 randomPoint(const Patch& patch, const Triangle& triangle, Random& random);
 
+/// Whether `corner` is one of the three of `triangle`.
+bool has(const Triangle& triangle, std::uint32_t corner);
+
 /// The distance of `p` from `triangle` (vertices of `patch`).
 double distanceTo(const Patch& patch, const glm::dvec3& p, const Triangle& triangle);
 

@@ -2,6 +2,7 @@
 #include "core/random.h"
 #include "preprocess/simplify/collapse_star.h"
 #include "preprocess/simplify/simplification_mesh.h"
+#include "tests/simplify/patches.h"
 
 #include <gtest/gtest.h>
 
@@ -107,10 +108,6 @@ void expectSame(SimplificationMesh& mesh, const Plain& plain, const Patch& patch
             doubled.emplace(pair.kept, pair.removed);
         EXPECT_EQ(doubled, doubledIn(plain, patch, p));
     }
-}
-
-bool has(const Triangle& t, std::uint32_t corner) {
-    return std::find(t.begin(), t.end(), corner) != t.end();
 }
 
 EdgeKind edgeIn(const Patch& patch, std::uint32_t triangle, std::uint32_t a, std::uint32_t b) {

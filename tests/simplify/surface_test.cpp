@@ -13,10 +13,6 @@ namespace {
 
 using hierarchy::kNone;
 
-bool has(const Triangle& t, std::uint32_t p) {
-    return std::find(t.begin(), t.end(), p) != t.end();
-}
-
 TEST(Surface, AcrossAnEdgeIsTheFirstOtherTriangleThatHasIt) {
     const Patch patch = patchOf(mixedMesh());
     const Surface surface(patch.positions, patch.triangles);

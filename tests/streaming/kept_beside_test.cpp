@@ -60,7 +60,7 @@ struct FullDemand {
     std::vector<PageDemand> all;
 };
 
-std::uint64_t wholeModel() {
+std::uint64_t decodedModelBytes() {
     const auto& table = sharedModel().table;
     return std::accumulate(table.begin(), table.end(), std::uint64_t{0}, [](std::uint64_t sum, const auto& page) {
         return sum + decodedBytes(page).count;
@@ -68,15 +68,15 @@ std::uint64_t wholeModel() {
 }
 
 TEST(KeptBeside, TakesRoomFromPagesAndGivesItBack) {
-    FullDemand demand({wholeModel()});
+    FullDemand demand({decodedModelBytes()});
     demand.load();
-    EXPECT_EQ(demand.residentBytes(), wholeModel());
+    EXPECT_EQ(demand.residentBytes(), decodedModelBytes());
     EXPECT_TRUE(demand.evicted.empty());
     demand.store.keepBeside(beside);
     demand.load();
     const std::uint64_t kept = demand.residentBytes();
-    EXPECT_LE((1 + kTimes) * kept, wholeModel());
-    EXPECT_GT((1 + kTimes) * kept, wholeModel() / 2);
+    EXPECT_LE((1 + kTimes) * kept, decodedModelBytes());
+    EXPECT_GT((1 + kTimes) * kept, decodedModelBytes() / 2);
     EXPECT_EQ(demand.store.statistics().resident.count, kept);
     EXPECT_EQ(demand.store.statistics().committed.count, (1 + kTimes) * kept);
     for (std::uint32_t page = 0; page < demand.all.size(); ++page)
@@ -84,18 +84,18 @@ TEST(KeptBeside, TakesRoomFromPagesAndGivesItBack) {
     demand.evicted.clear();
     demand.store.keepBeside({});
     demand.load();
-    EXPECT_EQ(demand.residentBytes(), wholeModel());
-    EXPECT_EQ(demand.store.statistics().committed.count, wholeModel());
+    EXPECT_EQ(demand.residentBytes(), decodedModelBytes());
+    EXPECT_EQ(demand.store.statistics().committed.count, decodedModelBytes());
     EXPECT_TRUE(demand.evicted.empty());
 }
 
 // The residency of a demand depends on the demand and on what is kept, not on what was there before.
 TEST(KeptBeside, LeavesTheSamePagesWhateverCameBefore) {
-    FullDemand late({wholeModel()});
+    FullDemand late({decodedModelBytes()});
     late.load();
     late.store.keepBeside(beside);
     late.load();
-    FullDemand early({wholeModel()});
+    FullDemand early({decodedModelBytes()});
     early.store.keepBeside(beside);
     early.load();
     for (std::uint32_t page = 0; page < late.all.size(); ++page)
@@ -104,25 +104,25 @@ TEST(KeptBeside, LeavesTheSamePagesWhateverCameBefore) {
 
 // Frames that never wait: what the last one drew goes no sooner than the next begins.
 TEST(KeptBeside, EvictsWhenTheNextFrameBegins) {
-    FullDemand demand({wholeModel()});
+    FullDemand demand({decodedModelBytes()});
     demand.load();
     std::vector<PageDemand> used = demand.all;
     demand.store.request({used, {}});
     demand.store.keepBeside(beside);
-    EXPECT_EQ(demand.residentBytes(), wholeModel());
+    EXPECT_EQ(demand.residentBytes(), decodedModelBytes());
     demand.store.admitLoaded();
     for (int frame = 0; frame < 3; ++frame) {
         std::erase_if(used, [&](const PageDemand& page) { return demand.store.resident()[page.page] == nullptr; });
         demand.store.request({used, {}});
         demand.store.admitLoaded();
     }
-    EXPECT_LE(demand.store.statistics().committed.count, wholeModel());
+    EXPECT_LE(demand.store.statistics().committed.count, decodedModelBytes());
     EXPECT_GT(demand.residentBytes(), 0U);
 }
 
 TEST(KeptBeside, MustFitBesideWhatAlwaysStays) {
-    FullDemand demand({wholeModel()});
-    const auto whole = [](const hierarchy::PageInfo&) { return Bytes{wholeModel()}; };
+    FullDemand demand({decodedModelBytes()});
+    const auto whole = [](const hierarchy::PageInfo&) { return Bytes{decodedModelBytes()}; };
     EXPECT_THROW(demand.store.keepBeside(whole), Error);
 }
 

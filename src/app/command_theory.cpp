@@ -189,6 +189,7 @@ void printTable(const TableOptions& options) {
              {"k", row.slices},
              {"maps", row.maps},
              {"storage_factor", row.storageFactor},
+             {"storage_factor_sheared", row.shearedStorageFactor},
              {"M_x", row.worstX},
              {"M_z", row.worstZ}});
     }
@@ -208,7 +209,8 @@ void addTable(CLI::App& theory) {
     command->add_option("--aspect", options->frustum.aspect, "Width over height of the image")->capture_default_str();
     command->add_flag("--json", options->asJson, "One JSON document on stdout");
     command->footer(
-        "auto* is auto in the orientation about the light that costs least; the others are in the plain one.");
+        "auto* is auto in the orientation about the light that costs least; the others are in the plain one. log is "
+        "logarithmic rows; on faces (FP) they need the least that maps can.");
     addCommonOptions(*command, options->common);
     command->callback([options] {
         const ThreadLimit limit(options->common);

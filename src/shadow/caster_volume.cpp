@@ -98,19 +98,8 @@ Plane planeOf(const SweepSide& side, const LightFrame& frame) {
     return {glm::normalize(frame.x * side.normalX + frame.z * side.normalZ), side.offset};
 }
 
-/// The light-space point of the map coordinates (s, t); nothing from the vanishing line on.
-std::optional<Seen> unmapped(const WarpedMap& map, double s, double t) {
-    const double warp = map.kappa * map.length;
-    const double divisor = 1 + warp * (1 - t);
-    if (!(divisor > 0)) return std::nullopt;
-    const double zeta = t * map.length / divisor;
-    const double w = 1 + map.kappa * zeta;
-    if (!(w > 0)) return std::nullopt;
-    return Seen{(map.uMin + s * map.width) * w, zeta + map.zMin};
-}
-
-/// Corners of all within `outline`, moved by `growS` and `growT` in the map; nothing where that has no end. A linear
-/// function of light space is linear over linear in the map, so its least value lies at one of them.
+/// Corners of all within `outline`, moved by `growS` and `growT` in the map; nothing where that has no end. What they
+/// move to is within the hull of these (lightPlanePoint).
 std::optional<std::vector<Seen>> grown(
     std::span<const Seen> outline, const WarpedMap& map, double growS, double growT) {
     std::vector<Seen> corners;
@@ -120,9 +109,9 @@ std::optional<std::vector<Seen>> grown(
         for (const int corner : {0, 1, 2, 3}) {
             const double s = at.s + ((corner & 1) != 0 ? growS : -growS);
             const double t = at.t + ((corner & 2) != 0 ? growT : -growT);
-            const std::optional<Seen> reached = unmapped(map, s, t);
+            const std::optional<glm::dvec2> reached = lightPlanePoint(map, s, t);
             if (!reached) return std::nullopt;
-            corners.push_back(*reached);
+            corners.push_back({reached->x, reached->y});
         }
     }
     return corners;

@@ -1,18 +1,28 @@
 #include "shadow/scheme.h"
 
+#include <cmath>
+
 namespace gnomon::shadow {
 
 namespace {
 
-SchemeMap schemeMap(std::size_t sliceIndex, Face face, const LightFit& fit, const Warp& warp) {
-    const double kappa = face == Face::Near ? 0 : kappaOf(warp, fit);
-    return {sliceIndex, face, fit, kappa, worstAliasing(fit, kappa)};
+SchemeMap schemeMap(std::size_t sliceIndex, Face face, LightFit fit, const Warp& warp) {
+    fit.rows = rowsOf(warp.rule);
+    const double kappa = kappaOfMap(warp, fit, face);
+    // In a frame that is not orthogonal a step along s leans as well.
+    const double lean = std::hypot(1, glm::dot(fit.frame.x, fit.frame.z));
+    return {sliceIndex, face, fit, kappa, worstAliasing(fit, kappa), worstShearedAliasing(fit, kappa) * lean};
 }
 
 } // namespace
 
+Bisector bisectorOf(const Scheme& scheme) {
+    return scheme.warp.rule == WarpRule::Log ? Bisector::NearEdge : scheme.bisector;
+}
+
 std::vector<SchemeMap> schemeMaps(const ViewFrustum& frustum, const glm::dvec3& towardsLight, const Scheme& scheme) {
     const std::vector<double> splits = practicalSplits(frustum.near, frustum.far, scheme.slices, scheme.splitLambda);
+    const Bisector bisector = bisectorOf(scheme);
     std::vector<SchemeMap> maps;
     for (std::size_t i = 0; i + 1 < splits.size(); ++i) {
         const ViewFrustum part = slice(frustum, splits[i], splits[i + 1]);
@@ -22,9 +32,9 @@ std::vector<SchemeMap> schemeMaps(const ViewFrustum& frustum, const glm::dvec3& 
             continue;
         }
         for (const Face face : sideFaces(frustum, towardsLight))
-            maps.push_back(schemeMap(i, face, fitFace(part, towardsLight, face, scheme.bisector), warp));
+            maps.push_back(schemeMap(i, face, fitFace(part, towardsLight, face, bisector), warp));
         if (scheme.nearFace == NearFace::OwnMap)
-            maps.push_back(schemeMap(i, Face::Near, fitFace(part, towardsLight, Face::Near, scheme.bisector), warp));
+            maps.push_back(schemeMap(i, Face::Near, fitFace(part, towardsLight, Face::Near, bisector), warp));
     }
     return maps;
 }
@@ -33,6 +43,13 @@ double storageFactor(const std::vector<SchemeMap>& maps) {
     double sum = 0;
     for (const SchemeMap& map : maps)
         sum += map.storageFactor();
+    return sum;
+}
+
+double shearedStorageFactor(const std::vector<SchemeMap>& maps) {
+    double sum = 0;
+    for (const SchemeMap& map : maps)
+        sum += map.shearedStorageFactor();
     return sum;
 }
 

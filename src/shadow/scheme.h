@@ -26,6 +26,9 @@ struct Scheme {
     NearFace nearFace = NearFace::OwnMap;
 };
 
+/// Which direction the frames of its faces follow: faces with logarithmic rows follow their near edges.
+Bisector bisectorOf(const Scheme& scheme);
+
 /// One map of a scheme with what it costs at unit resolutions.
 struct SchemeMap {
     std::size_t slice = 0;
@@ -34,7 +37,11 @@ struct SchemeMap {
     double kappa = 0;
     Aliasing unit; // M_x and M_z with res_i = res_s = res_t = 1
 
+    double sheared = 0; // M_t with the shear of the texel
+
     double storageFactor() const { return unit.x * unit.z; }
+
+    double shearedStorageFactor() const { return unit.x * sheared; }
 };
 
 /// The maps of `scheme` in the plain orientation, slice by slice; faces in the order top, bottom, left, right, near.
@@ -42,5 +49,8 @@ std::vector<SchemeMap> schemeMaps(const ViewFrustum& frustum, const glm::dvec3& 
 
 /// The storage factor of the scheme: the sum over its maps.
 double storageFactor(const std::vector<SchemeMap>& maps);
+
+/// The same with the shear of texels counted: what keeps even a sheared step in t within a pixel.
+double shearedStorageFactor(const std::vector<SchemeMap>& maps);
 
 } // namespace gnomon::shadow

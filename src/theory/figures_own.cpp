@@ -167,6 +167,50 @@ Figure effectOfOrientation() {
     return figure;
 }
 
+/// Over the angle between light and view, the worst of the lights about the view.
+Figure logarithmicMaps() {
+    Figure figure{
+        "own6_logarithmic", Kind::Lines, "Logarithmic maps against the warps, over the light's angle", {}, {}, {}};
+    figure.caption =
+        "Worst S of 90 lights at each angle to the view; far/near 1000, theta 20 degrees. Faces with logarithmic rows"
+        " are the least that any maps can do.";
+    figure.xLabel = "angle between light and view, degrees";
+    figure.yLabel = "storage factor S";
+    figure.logY = true;
+    figure.columns = {
+        "angle",
+        "four warped slices",
+        "sixteen",
+        "faces and four slices",
+        "one log map",
+        "log faces",
+        "log faces sheared"};
+    Scheme logFaces = schemeOf(WarpRule::Log, 1);
+    logFaces.faces = true;
+    Scheme warpedFaces = schemeOf(WarpRule::Auto, 4);
+    warpedFaces.faces = true;
+    for (int degrees = 0; degrees <= 90; degrees += 2) {
+        std::vector<double> worst(6, 0.0);
+        for (int i = 0; i < 90; ++i) {
+            const double across = std::sin(degrees * kDegree);
+            const double turn = 4 * i * kDegree;
+            const glm::dvec3 light(across * std::cos(turn), across * std::sin(turn), -std::cos(degrees * kDegree));
+            const std::array<double, 6> found{
+                storageAt(light, schemeOf(WarpRule::Auto, 4)),
+                storageAt(light, schemeOf(WarpRule::Auto, 16)),
+                storageAt(light, warpedFaces),
+                storageAt(light, schemeOf(WarpRule::Log, 1)),
+                storageAt(light, logFaces),
+                shearedStorageFactor(schemeMaps(kFrustum, light, logFaces))};
+            for (std::size_t k = 0; k < found.size(); ++k)
+                worst[k] = std::max(worst[k], found[k]);
+        }
+        worst.insert(worst.begin(), degrees);
+        figure.rows.push_back(std::move(worst));
+    }
+    return figure;
+}
+
 } // namespace
 
 std::vector<glm::dvec3> hemisphereGrid() {
@@ -194,7 +238,7 @@ std::vector<glm::dvec3> evenHemisphere(int count) {
 }
 
 std::vector<Figure> ownFigures() {
-    return {warpRules(), exactForms(), storageToTwenty(), effectOfLambda(), effectOfOrientation()};
+    return {warpRules(), exactForms(), storageToTwenty(), effectOfLambda(), effectOfOrientation(), logarithmicMaps()};
 }
 
 std::string csvOf(const Figure& figure) {

@@ -91,7 +91,7 @@ struct Row {
 
     Warp warp() const {
         const std::string policy = text("policy");
-        constexpr std::array<std::pair<std::string_view, WarpRule>, 12> kPolicies{{
+        constexpr std::array<std::pair<std::string_view, WarpRule>, 13> kPolicies{{
             {"minmz", WarpRule::Minimax},
             {"minimax", WarpRule::Minimax},
             {"ortho", WarpRule::None},
@@ -104,6 +104,7 @@ struct Row {
             {"tsm", WarpRule::Tsm},
             {"eta", WarpRule::Eta},
             {"given", WarpRule::Given},
+            {"log", WarpRule::Log},
         }};
         for (const auto& [word, rule] : kPolicies) {
             if (policy != word) continue;

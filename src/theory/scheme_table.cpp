@@ -20,7 +20,7 @@ struct NamedScheme {
     bool faces;
 };
 
-constexpr std::array<NamedScheme, 8> kSchemes{{
+constexpr std::array<NamedScheme, 10> kSchemes{{
     {"ZP", "none", WarpRule::None, false},
     {"ZP+W", "psm", WarpRule::Psm, false},
     {"ZP+W", "lspsm", WarpRule::Lspsm, false},
@@ -29,10 +29,13 @@ constexpr std::array<NamedScheme, 8> kSchemes{{
     {"FP+ZP", "none", WarpRule::None, true},
     {"FP+ZP+W", "minimax", WarpRule::Minimax, true},
     {"FP+ZP+W", "auto", WarpRule::Auto, true},
+    {"ZP", "log", WarpRule::Log, false},
+    {"FP", "log", WarpRule::Log, true},
 }};
 
-void add(SchemeRow& row, const Aliasing& unit) {
+void add(SchemeRow& row, const Aliasing& unit, double sheared) {
     row.storageFactor += unit.x * unit.z;
+    row.shearedStorageFactor += unit.x * sheared;
     row.worstX = std::max(row.worstX, unit.x);
     row.worstZ = std::max(row.worstZ, unit.z);
 }
@@ -45,7 +48,7 @@ SchemeRow schemeRow(const ViewFrustum& frustum, const glm::dvec3& light, const N
     const std::vector<SchemeMap> maps = schemeMaps(frustum, light, scheme);
     SchemeRow row{named.scheme, named.warp, slices, maps.size()};
     for (const SchemeMap& map : maps)
-        add(row, map.unit);
+        add(row, map.unit, map.sheared);
     return row;
 }
 
@@ -58,9 +61,10 @@ std::array<SchemeRow, 2> sliceRows(const ViewFrustum& frustum, const glm::dvec3&
     for (std::size_t i = 0; i < count; ++i) {
         const ViewFrustum part = slice(frustum, splits[i], splits[i + 1]);
         const LightFit fit = fitSlice(frame, part);
-        add(rows[0], worstAliasing(fit, kappaAuto(fit)));
+        const double kappa = kappaAuto(fit);
+        add(rows[0], worstAliasing(fit, kappa), worstShearedAliasing(fit, kappa));
         const double stable = stableExtent(part) / imageBeamWidth(part, part.near, 1);
-        add(rows[1], {stable, stable});
+        add(rows[1], {stable, stable}, stable);
     }
     return rows;
 }

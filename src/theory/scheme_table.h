@@ -10,12 +10,13 @@ namespace gnomon::theory {
 
 /// One row: a scheme at k slices.
 struct SchemeRow {
-    std::string scheme{}; // ZP, ZP+W, FP+ZP+W, ZP stable
+    std::string scheme{}; // ZP, ZP+W, FP+ZP, FP+ZP+W, FP, ZP stable
     std::string warp{};   // as the option --warp says it; auto* is auto in the chosen orientation
     int slices = 1;
     std::size_t maps = 1;
     double storageFactor = 0;
-    double worstX = 0; // M_x and M_z with res_i = res_s = res_t = 1, the largest of all maps
+    double shearedStorageFactor = 0; // with the shear of texels counted
+    double worstX = 0;               // M_x and M_z with res_i = res_s = res_t = 1, the largest of all maps
     double worstZ = 0;
 };
 

@@ -80,7 +80,8 @@ TEST(FramePlanNames, SayTheWarpRule) {
         {WarpRule::Auto, "auto"},
         {WarpRule::LeastStorage, "sopt"},
         {WarpRule::Eta, "eta"},
-        {WarpRule::Given, "given"}};
+        {WarpRule::Given, "given"},
+        {WarpRule::Log, "log"}};
     for (const auto& [rule, name] : table)
         EXPECT_EQ(shadow::name(rule), name);
 }

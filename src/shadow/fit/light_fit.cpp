@@ -77,6 +77,11 @@ LightFit rolled(const LightFit& fit, double radians) {
     return result;
 }
 
+double rowLength(double kappa, double length, RowSpacing rows) {
+    if (rows == RowSpacing::Even || kappa == 0) return length / (1 + kappa * length);
+    return std::log1p(kappa * length) / kappa;
+}
+
 WarpedExtent warpedExtent(const LightFit& fit, double kappa) {
     WarpedExtent extent{kInfinity, -kInfinity};
     for (const FitPoint& point : fit.points()) {
@@ -90,7 +95,7 @@ WarpedExtent warpedExtent(const LightFit& fit, double kappa) {
 Aliasing worstAliasing(const LightFit& fit, double kappa) {
     WarpedExtent extent{kInfinity, -kInfinity};
     double worstX = 0; // of (1 + kappa zeta) / depth
-    double worstZ = 0; // of (1 + kappa zeta)^2 / depth
+    double worstZ = 0; // of (1 + kappa zeta)^2 / depth, or of (1 + kappa zeta) / depth
     for (const FitPoint& point : fit.points()) {
         const double w = 1 + kappa * point.zeta;
         const double u = point.x / w;
@@ -99,10 +104,10 @@ Aliasing worstAliasing(const LightFit& fit, double kappa) {
         if (point.end == DepthEnd::Unpromised) continue;
         const double ratio = w / point.depth;
         worstX = std::max(worstX, ratio);
-        worstZ = std::max(worstZ, ratio * w);
+        worstZ = std::max(worstZ, fit.rows == RowSpacing::Even ? ratio * w : ratio);
     }
     const double twoTan = 2 * tanHalfY(fit.slice);
-    return {extent.width() * worstX / twoTan, fit.length * worstZ / ((1 + kappa * fit.length) * twoTan)};
+    return {extent.width() * worstX / twoTan, rowLength(kappa, fit.length, fit.rows) * worstZ / twoTan};
 }
 
 double storageFactor(const LightFit& fit, double kappa) {
@@ -114,15 +119,16 @@ double worstShearedAliasing(const LightFit& fit, double kappa) {
     const WarpedExtent extent = warpedExtent(fit, kappa);
     const double shear = kappa * std::max(std::abs(extent.min), std::abs(extent.max));
     const double straight = worstAliasing(fit, kappa).z;
-    if (shear > std::sqrt(2.0)) return straight * std::sqrt(1 + shear * shear);
+    const bool isEven = fit.rows == RowSpacing::Even;
+    if (isEven && shear > std::sqrt(2.0)) return straight * std::sqrt(1 + shear * shear);
     double worst = 0;
     for (const FitPoint& point : fit.points()) {
         if (point.end == DepthEnd::Unpromised) continue;
         const double w = 1 + kappa * point.zeta;
         const double tilt = kappa * point.x / w;
-        worst = std::max(worst, w * w / point.depth * std::sqrt(1 + tilt * tilt));
+        worst = std::max(worst, (isEven ? w * w : w) / point.depth * std::sqrt(1 + tilt * tilt));
     }
-    return fit.length * worst / ((1 + kappa * fit.length) * 2 * tanHalfY(fit.slice));
+    return rowLength(kappa, fit.length, fit.rows) * worst / (2 * tanHalfY(fit.slice));
 }
 
 } // namespace gnomon::shadow

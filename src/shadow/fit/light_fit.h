@@ -36,14 +36,21 @@ struct FitPoint {
     DepthEnd end = DepthEnd::Between;
 };
 
+/// How the rows of a map lie along its t axis.
+enum class RowSpacing : std::uint8_t {
+    Even,        // in the plane that the warp projects to
+    Logarithmic, // evenly in ln w: each is by the same factor further from the warp's centre than the one before
+};
+
 /// A fitted region: what all warp rules and error measures need to know of it.
 struct LightFit {
     static constexpr std::size_t kCapacity = 48;
 
     LightFrame frame;
     ViewFrustum slice;
-    double zMin = 0;   // the light-space z where zeta is 0
-    double length = 0; // d: the largest zeta
+    RowSpacing rows = RowSpacing::Even; // of the map that the region is fitted for
+    double zMin = 0;                    // the light-space z where zeta is 0
+    double length = 0;                  // d: the largest zeta
     std::size_t count = 0;
     std::array<FitPoint, kCapacity> storage{};
 
@@ -72,6 +79,10 @@ struct WarpedExtent {
 
 WarpedExtent warpedExtent(const LightFit& fit, double kappa);
 
+/// w_lz where w is 1, of a map of one row over the length `length`: d / (1 + kappa d) of even rows, whose w_lz grows
+/// with w^2, and ln(1 + kappa d) / kappa of logarithmic ones, whose w_lz grows with w.
+double rowLength(double kappa, double length, RowSpacing rows);
+
 /// M_x and M_z over the region's promised part at unit resolutions (res_i = res_s = res_t = 1). The vertices suffice:
 /// both measures are quasi-convex over the region (affine over affine, and affine squared over affine).
 Aliasing worstAliasing(const LightFit& fit, double kappa);
@@ -81,7 +92,8 @@ double storageFactor(const LightFit& fit, double kappa);
 
 /// The largest m_t over the region's promised part when the shear of the texel is counted: m_z sqrt(1 + (kappa u)^2).
 /// It lies at a vertex as long as |kappa u| <= sqrt(2) (then w sqrt(w^2 + (kappa x)^2) is convex); beyond that the
-/// product of the two maxima is returned, which is never too small.
+/// product of the two maxima is returned, which is never too small. With logarithmic rows it always lies at a vertex:
+/// m_t is sqrt(w^2 + (kappa x)^2) / depth, a norm of something affine over something affine.
 double worstShearedAliasing(const LightFit& fit, double kappa);
 
 } // namespace gnomon::shadow

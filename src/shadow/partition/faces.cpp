@@ -29,6 +29,24 @@ std::array<std::size_t, 2> nearCorners(Face face) {
     return {};
 }
 
+/// The frame in which the near square is a rectangle; the plain convention where the light sees it edge-on.
+LightFrame squareFrame(const glm::dvec3& towardsLight) {
+    const glm::dvec3 up(0, 1, 0);
+    if (!(glm::length(glm::cross(towardsLight, up)) > 1e-12)) return lightFrame(towardsLight);
+    LightFrame frame = lightFrameAlong(towardsLight, up);
+    if (std::abs(frame.x.x) > 1e-12) frame.z -= frame.x * (frame.z.x / frame.x.x);
+    return frame;
+}
+
+/// The frame of a side face across its near edge, from `left` to `right`.
+LightFrame edgeFrame(const glm::dvec3& towardsLight, const glm::dvec3& left, const glm::dvec3& right) {
+    const glm::dvec3 guide = glm::cross(towardsLight, right - left);
+    // A light along the edge sees the face edge-on, and all of it on one line.
+    if (!(glm::length(guide) > 1e-12 * glm::length(right - left))) return lightFrame(towardsLight);
+    const LightFrame frame = lightFrameAlong(towardsLight, guide);
+    return glm::dot(frame.z, left + right) < 0 ? LightFrame{-frame.x, frame.y, -frame.z} : frame;
+}
+
 } // namespace
 
 const char* name(Face face) {
@@ -93,8 +111,10 @@ std::array<FitVertex, 4> faceVertices(const ViewFrustum& slice, Face face) {
 }
 
 LightFrame faceFrame(const ViewFrustum& slice, const glm::dvec3& towardsLight, Face face, Bisector bisector) {
+    if (face == Face::Near && bisector == Bisector::NearEdge) return squareFrame(towardsLight);
     if (face == Face::Near || face == Face::Whole) return lightFrame(towardsLight);
     const std::array<FitVertex, 4> vertices = faceVertices(slice, face);
+    if (bisector == Bisector::NearEdge) return edgeFrame(towardsLight, vertices[0].position, vertices[1].position);
     const auto projectedEdge = [&](std::size_t side) {
         const glm::dvec3 edge = vertices[side + 2].position - vertices[side].position;
         const glm::dvec3 flat = edge - towardsLight * glm::dot(edge, towardsLight);

@@ -19,6 +19,8 @@ const char* name(Face face);
 enum class Bisector : std::uint8_t {
     Normalized, // of the edges' directions: the right one
     Literal,    // e0' + e1' as the paper prints it, which the longer edge pulls to itself
+    NearEdge,   // of neither: across the face's near edge, so that with its centre at the eye a warp makes the face a
+                // rectangle on which m_x is constant; the near square's map is as oblique as the light sees the square
 };
 
 /// The outward unit normal of a side face or of the near face.
@@ -33,6 +35,8 @@ std::vector<Face> sideFaces(const ViewFrustum& frustum, const glm::dvec3& toward
 std::array<FitVertex, 4> faceVertices(const ViewFrustum& slice, Face face);
 
 /// The light frame of a face's map: z along the bisector of its side edges; the near face takes the plain convention.
+/// By its near edge, z is across that, and away from the eye. The near face's frame is then not orthogonal: z is across
+/// the image's horizontal, so that the face is a rectangle in (x, z); a step along x alone is sqrt(1 + (x.z)^2) long.
 LightFrame faceFrame(const ViewFrustum& slice, const glm::dvec3& towardsLight, Face face, Bisector bisector);
 
 /// A face's region as its map sees it: its four corners, whose projection along the light is that of its partition.

@@ -86,7 +86,8 @@ LightFrame chosenFrame(
     const glm::dvec3& towardsLight,
     const Warp& warp,
     const std::optional<OrientationState>& previous) {
-    const LightFit plain = fitSlice(lightFrame(towardsLight), slice);
+    LightFit plain = fitSlice(lightFrame(towardsLight), slice);
+    plain.rows = rowsOf(warp.rule);
     if (!previous) return rolled(plain.frame, bestLightRoll(plain, warp));
     const glm::dvec3 z = carried(*previous, towardsLight);
     const double now = std::atan2(glm::dot(z, plain.frame.x), glm::dot(z, plain.frame.z));

@@ -123,6 +123,40 @@ double kappaLeastStorage(const LightFit& fit) {
     return kappaOfLog(fit, leastOf(storage, std::max(0.0, bestAt - step), bestAt + step, 1e-12));
 }
 
+std::optional<double> kappaAtEye(const LightFit& fit) {
+    constexpr double kMostRatio = 1e8;
+    if (!(fit.zMin * kMostRatio > fit.length)) return std::nullopt;
+    return 1 / fit.zMin;
+}
+
+double kappaLog(const LightFit& fit) {
+    if (!(fit.length > 0)) return 0;
+    const auto storage = [&](double logGrowth) { return storageFactor(fit, kappaOfLog(fit, logGrowth)); };
+    constexpr int kSteps = 32;
+    const double step = std::log1p(kMostWarp) / kSteps;
+    double best = storage(0);
+    double bestAt = 0;
+    for (int i = 1; i <= kSteps; ++i) {
+        const double found = storage(i * step);
+        if (found < best) {
+            best = found;
+            bestAt = i * step;
+        }
+    }
+    const double sought = leastOf(storage, std::max(0.0, bestAt - step), bestAt + step, 1e-5);
+    // The least S often lies where two vertices are as bad as each other, a kink that a search only comes near to.
+    const std::optional<double> atEye = kappaAtEye(fit);
+    if (atEye && storageFactor(fit, *atEye) <= storage(sought)) return *atEye;
+    return kappaOfLog(fit, sought);
+}
+
+double kappaOfMap(const Warp& warp, const LightFit& fit, Face face) {
+    if (face == Face::Near) return 0;
+    if (warp.rule == WarpRule::Log && face != Face::Whole)
+        if (const std::optional<double> atEye = kappaAtEye(fit)) return *atEye;
+    return kappaOf(warp, fit);
+}
+
 double kappaOf(const Warp& warp, const LightFit& fit) {
     switch (warp.rule) {
     case WarpRule::None:
@@ -145,6 +179,8 @@ double kappaOf(const Warp& warp, const LightFit& fit) {
         return 1 / nPrimeOfEta(fit.slice, warp.eta);
     case WarpRule::Given:
         return warp.kappa;
+    case WarpRule::Log:
+        return kappaLog(fit);
     }
     GNOMON_CHECK(false && "a warp rule without a kappa");
     return 0;

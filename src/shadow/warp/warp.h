@@ -4,6 +4,7 @@
 
 #include "core/words.h"
 #include "shadow/fit/light_fit.h"
+#include "shadow/partition/faces.h"
 
 #include <array>
 #include <cstdint>
@@ -22,6 +23,7 @@ enum class WarpRule : std::uint8_t {
     LeastStorage, // the least S over every kappa >= 0
     Eta,          // n' from eta by Eq 11
     Given,        // kappa itself
+    Log,          // logarithmic rows (Lloyd 2007), and of kappa the least S with them
 };
 
 /// Those that are asked for by a word.
@@ -40,6 +42,7 @@ constexpr std::string_view name(WarpRule rule) {
         Word<WarpRule>{WarpRule::LeastStorage, "sopt"},
         Word<WarpRule>{WarpRule::Eta, "eta"},
         Word<WarpRule>{WarpRule::Given, "given"},
+        Word<WarpRule>{WarpRule::Log, "log"},
     };
     const std::string_view word = wordOf(kWarpRules, rule);
     return word.empty() ? wordOf(kOthers, rule) : word;
@@ -81,7 +84,25 @@ double kappaAuto(const LightFit& fit);
 /// The kappa >= 0 of least S, by a scan and golden sections: slow, for comparison only.
 double kappaLeastStorage(const LightFit& fit);
 
+/// The rows of the maps that `rule` warps.
+constexpr RowSpacing rowsOf(WarpRule rule) {
+    return rule == WarpRule::Log ? RowSpacing::Logarithmic : RowSpacing::Even;
+}
+
+/// The kappa of a warp about the eye: one over its distance in front of the region's least z; nothing where that is not
+/// in front.
+std::optional<double> kappaAtEye(const LightFit& fit);
+
+/// The kappa of least S with logarithmic rows. About the eye with the light overhead, where neither `auto` nor minimax
+/// may choose it: S = ln(f/n) / (2 tan theta) there, and 9 times that already with 0.3 of that kappa. Elsewhere it is
+/// sought between no warp and far behind the eye.
+double kappaLog(const LightFit& fit);
+
 /// The kappa that `warp` chooses for `fit`.
 double kappaOf(const Warp& warp, const LightFit& fit);
+
+/// The kappa that `warp` chooses for the map of `face`: none for a near square, and about the eye for a side face with
+/// logarithmic rows, which then are a rectangle of constant m_x and m_z.
+double kappaOfMap(const Warp& warp, const LightFit& fit, Face face);
 
 } // namespace gnomon::shadow

@@ -31,6 +31,7 @@ WarpedMap warpedMap(const LightFit& fit, double kappa, double bias) {
     const double least = 1e-9 * fit.slice.near;
     WarpedMap map;
     map.frame = fit.frame;
+    map.rows = kappa > 0 ? fit.rows : RowSpacing::Even;
     map.kappa = kappa;
     map.zMin = fit.zMin;
     map.length = std::max(fit.length, least);
@@ -55,9 +56,27 @@ MapPoint mapPoint(const WarpedMap& map, const glm::dvec3& p) {
     MapPoint result;
     result.w = 1 + map.kappa * zeta;
     result.s = (light.x / result.w - map.uMin) / map.width;
-    result.t = zeta * (1 + map.kappa * map.length) / (map.length * result.w);
+    if (map.rows == RowSpacing::Even)
+        result.t = zeta * (1 + map.kappa * map.length) / (map.length * result.w);
+    else
+        result.t = std::log1p(map.kappa * zeta) / std::log1p(map.kappa * map.length);
     result.depth = (-light.y / result.w - map.rawMin) / map.rawRange;
     return result;
+}
+
+std::optional<glm::dvec2> lightPlanePoint(const WarpedMap& map, double s, double t) {
+    const double warp = map.kappa * map.length;
+    double zeta = 0;
+    if (map.rows == RowSpacing::Even) {
+        const double divisor = 1 + warp * (1 - t);
+        if (!(divisor > 0)) return std::nullopt;
+        zeta = t * map.length / divisor;
+    } else {
+        zeta = std::expm1(t * std::log1p(warp)) / map.kappa;
+    }
+    const double w = 1 + map.kappa * zeta;
+    if (!(w > 0)) return std::nullopt;
+    return glm::dvec2((map.uMin + s * map.width) * w, zeta + map.zMin);
 }
 
 MapJacobian mapJacobian(const WarpedMap& map, const glm::dvec3& p) {
@@ -66,7 +85,8 @@ MapJacobian mapJacobian(const WarpedMap& map, const glm::dvec3& p) {
     const glm::dvec3 gradientOfW = map.frame.z * map.kappa;
     MapJacobian result;
     result.s = (map.frame.x - gradientOfW * (light.x / w)) / (w * map.width);
-    result.t = map.frame.z * ((1 + map.kappa * map.length) / (map.length * w * w));
+    const double growth = map.rows == RowSpacing::Even ? w * w : w;
+    result.t = map.frame.z / (rowLength(map.kappa, map.length, map.rows) * growth);
     result.depth = (-map.frame.y + gradientOfW * (light.y / w)) / (w * map.rawRange);
     return result;
 }
@@ -77,7 +97,8 @@ LightBeam lightBeam(const WarpedMap& map, const glm::dvec3& p, const Resolution&
     const double shear = map.kappa * light.x / w;
     LightBeam beam;
     beam.x = map.width * w / resolution.s;
-    beam.z = map.length * w * w / ((1 + map.kappa * map.length) * resolution.t);
+    const double growth = map.rows == RowSpacing::Even ? w * w : w;
+    beam.z = rowLength(map.kappa, map.length, map.rows) * growth / resolution.t;
     beam.sheared = beam.z * std::sqrt(1 + shear * shear);
     return beam;
 }

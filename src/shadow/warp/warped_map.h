@@ -3,14 +3,18 @@
 
 #include "shadow/fit/light_fit.h"
 
+#include <optional>
+
 namespace gnomon::shadow {
 
 /// Everything that places a point in one shadow map, s, t and depth in [0, 1] over the fitted region:
 /// u = x / w, s = (u - uMin) / width, t = zeta (1 + kappa d) / (d w), depth = (rawDepth - rawMin) / rawRange with
-/// w = 1 + kappa zeta and rawDepth = -y / w: 0 is nearest to the light. A later warp may have no matrix, so what uses a
-/// map should use point and jacobian below.
+/// w = 1 + kappa zeta and rawDepth = -y / w: 0 is nearest to the light. With logarithmic rows t = ln w / ln(1 + kappa
+/// d) instead, which no matrix gives: the matrix below then gives the t of even rows, 1 - 1 / w up to a factor, of
+/// which that is a function. What uses a map should use point and Jacobian.
 struct WarpedMap {
     LightFrame frame;
+    RowSpacing rows = RowSpacing::Even;
     double kappa = 0;
     double zMin = 0;
     double length = 0; // d
@@ -34,6 +38,11 @@ struct MapPoint {
 
 MapPoint mapPoint(const WarpedMap& map, const glm::dvec3& p);
 
+/// The inverse of mapPoint without its depth: where (s, t) lies in light space, x and z; nothing from the warp's
+/// vanishing line on, which logarithmic rows never reach. A grown or shrunk rectangle of the map is the hull of what
+/// its corners come to: even rows are linear over linear, and a step in ln w is linear in (x, w).
+std::optional<glm::dvec2> lightPlanePoint(const WarpedMap& map, double s, double t);
+
 /// The derivatives of (s, t, depth) by camera-space position: rows are the gradients of s, t and depth.
 struct MapJacobian {
     glm::dvec3 s{0};
@@ -44,7 +53,8 @@ struct MapJacobian {
 MapJacobian mapJacobian(const WarpedMap& map, const glm::dvec3& p);
 
 /// The widths of a texel's light beam at `p` along x and along z, world units (section 4.1, without the shear term):
-/// w_lx = W w / res_s and w_lz = d w^2 / ((1 + kappa d) res_t); `sheared` is the length of a whole step in t.
+/// w_lx = W w / res_s and w_lz = d w^2 / ((1 + kappa d) res_t), with logarithmic rows w ln(1 + kappa d) / (kappa
+/// res_t); `sheared` is the length of a whole step in t.
 struct LightBeam {
     double x = 0;
     double z = 0;
@@ -53,7 +63,7 @@ struct LightBeam {
 
 LightBeam lightBeam(const WarpedMap& map, const glm::dvec3& p, const Resolution& resolution);
 
-/// The matrix whose product with (p, 1) is (s w, t w, depth w, w).
+/// The matrix whose product with (p, 1) is (s w, t w, depth w, w), t of even rows.
 glm::dmat4 textureFromCamera(const WarpedMap& map);
 
 /// `textureFromCamera` for points given relative to `origin` in camera space. Below a depth ratio of 1.1 or a half

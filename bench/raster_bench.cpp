@@ -1,4 +1,7 @@
-// How many triangles a second the rasteriser draws, by their size in pixels, on one thread and two; and llvmpipe.
+// How many triangles a second the rasteriser draws, by their size in pixels, on one thread and two; on even rows and on
+// logarithmic ones, far/near 1000; and llvmpipe. What logarithmic rows cost, whatever else the machine does:
+// raster_bench --benchmark_filter='^(depth|logDepth)/1000/1' --benchmark_repetitions=20
+//     --benchmark_enable_random_interleaving=true --benchmark_report_aggregates_only=true
 #include "raster/raster.h"
 #include "tests/raster/gl_depth.h"
 #include "tests/raster/scenes.h"
@@ -26,10 +29,38 @@ const Scene& sheetOf(double pixelsPerTriangle) {
     return scenes.emplace(pixelsPerTriangle, sheet(quads, quads, spacing, 1)).first->second;
 }
 
+constexpr double kDepthRatio = 1000;
+
+/// Row `row` of logarithmic ones, in y / w.
+double logRow(double row) {
+    return -std::pow(kDepthRatio, -row / kSide);
+}
+
+/// The same sheet, its rows of pixels where logarithmic rows lie.
+const Scene& logSheetOf(double pixelsPerTriangle) {
+    static std::map<double, Scene> scenes;
+    const auto found = scenes.find(pixelsPerTriangle);
+    if (found != scenes.end()) return found->second;
+    Scene scene;
+    for (const Cluster& cluster : sheetOf(pixelsPerTriangle).clusters()) {
+        std::vector<std::array<std::uint32_t, 3>> positions;
+        for (std::uint32_t i = 0; i < cluster.vertexCount; ++i) {
+            const std::uint32_t* p = cluster.positions + std::size_t{3} * i;
+            const double row = (static_cast<double>(p[1]) - kSceneCenter) / kFlatPixel;
+            const double pixels = (logRow(row) + 1) / 2 * kSide;
+            positions.push_back(
+                {p[0], kSceneCenter + static_cast<std::uint32_t>(std::lround(pixels * kFlatPixel)), p[2]});
+        }
+        scene.add(std::move(positions), {cluster.triangles.begin(), cluster.triangles.end()});
+    }
+    return scenes.emplace(pixelsPerTriangle, std::move(scene)).first->second;
+}
+
 /// Arguments: thousandths of a pixel a triangle, threads.
 template <class Draw>
-void run(benchmark::State& state, const Draw& draw) {
-    const Scene& scene = sheetOf(static_cast<double>(state.range(0)) / 1000);
+void run(benchmark::State& state, const Draw& draw, bool isLog = false) {
+    const double size = static_cast<double>(state.range(0)) / 1000;
+    const Scene& scene = isLog ? logSheetOf(size) : sheetOf(size);
     const std::vector<Cluster> clusters = scene.clusters();
     tbb::task_arena arena(static_cast<int>(state.range(1)));
     for (auto _ : state)
@@ -45,6 +76,22 @@ void depth(benchmark::State& state) {
     run(state, [&](std::span<const Cluster> clusters) {
         rasterizer.drawDepth(clusters, flatView({0, 0, kSide, kSide}), {depths.data(), kSide, kSide});
     });
+}
+
+void logDepth(benchmark::State& state) {
+    Rasterizer rasterizer;
+    std::vector<float> depths(std::size_t{kSide} * kSide);
+    std::vector<float> rows;
+    for (int row = 0; row < kSide; ++row)
+        rows.push_back(static_cast<float>(logRow(row + 0.5)));
+    View view = flatView({0, 0, kSide, kSide});
+    view.rowPositions = rows;
+    run(
+        state,
+        [&](std::span<const Cluster> clusters) {
+            rasterizer.drawDepth(clusters, view, {depths.data(), kSide, kSide});
+        },
+        true);
 }
 
 void visibility(benchmark::State& state) {
@@ -68,6 +115,7 @@ void sizesAndThreads(benchmark::internal::Benchmark* bench) {
 
 BENCHMARK(llvmpipeDepth)->ArgsProduct({{1000, 10000, 100000}, {1}})->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(depth)->Apply(sizesAndThreads);
+BENCHMARK(logDepth)->Apply(sizesAndThreads);
 BENCHMARK(visibility)->Apply(sizesAndThreads);
 
 } // namespace

@@ -63,11 +63,16 @@ Polygon cutByPlane(const Projection& projection, int plane, const Polygon& polyg
 }
 
 SnappedVertex snappedCut(const Projection& projection, const Corner& p) {
+    // A cut corner may lie an ulp outside of the band.
+    constexpr double kLimit = 2.0 * kGuardPixels;
     const double x = p.x / p.w * projection.scaleX + projection.translateX - 0.5;
     const double y = p.y / p.w * projection.scaleY + projection.translateY - 0.5;
     const double z = std::clamp(p.z / p.w, -double{kDepthLimit}, double{kDepthLimit});
-    // A cut corner may lie an ulp outside of the band.
-    constexpr double kLimit = 2.0 * kGuardPixels;
+    if (projection.rows != nullptr) {
+        const double yOverW = std::clamp(p.y / p.w, -double{projection.guardY}, double{projection.guardY});
+        return unevenTo(
+            std::clamp(x, -kLimit, kLimit) * kSubpixels, static_cast<float>(yOverW), static_cast<float>(z) + 0.0F);
+    }
     return snappedTo(
         std::clamp(x, -kLimit, kLimit) * kSubpixels,
         std::clamp(y, -kLimit, kLimit) * kSubpixels,

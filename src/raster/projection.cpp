@@ -1,6 +1,9 @@
 #include "raster/projection.h"
 
+#include "raster/uneven/row_bands.h"
+
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace gnomon::raster {
@@ -17,7 +20,7 @@ float row(const Projection& projection, std::size_t i, const std::array<float, 3
 
 } // namespace
 
-Projection projection(const View& view, bool cutsDepth) {
+Projection projection(const View& view, bool cutsDepth, const RowBands* rows) {
     Projection p;
     for (int column = 0; column < 4; ++column)
         for (int i = 0; i < 4; ++i)
@@ -32,6 +35,12 @@ Projection projection(const View& view, bool cutsDepth) {
     p.translateX = static_cast<float>(view.viewport.x0) + p.scaleX;
     p.translateY = static_cast<float>(view.viewport.y0) + p.scaleY;
     p.cutsDepth = cutsDepth;
+    p.rows = rows;
+    if (rows != nullptr) {
+        p.guardY = rows->guard();
+        p.lowY = rows->lowest();
+        p.highY = rows->highest();
+    }
     return p;
 }
 
@@ -45,9 +54,11 @@ ClipPosition clipPosition(const Projection& projection, const std::uint32_t* pos
 SnappedVertex snapped(const Projection& projection, const ClipPosition& p) {
     const float inverseW = 1.0F / p.w;
     const float x = (p.x * inverseW) * projection.scaleX + projection.translateX;
-    const float y = (p.y * inverseW) * projection.scaleY + projection.translateY;
+    const float yOverW = p.y * inverseW;
+    const float y = yOverW * projection.scaleY + projection.translateY;
     // Adding +0 turns a depth of -0 into +0, whose bits sort.
     const float z = std::min(std::max(p.z * inverseW, -kDepthLimit), kDepthLimit) + 0.0F;
+    if (projection.rows != nullptr) return unevenTo(double{(x - 0.5F) * static_cast<float>(kSubpixels)}, yOverW, z);
     return snappedTo(
         double{(x - 0.5F) * static_cast<float>(kSubpixels)}, double{(y - 0.5F) * static_cast<float>(kSubpixels)}, z);
 }
@@ -63,9 +74,15 @@ SnappedVertex snappedTo(double x, double y, float z) {
     return vertex;
 }
 
+SnappedVertex unevenTo(double x, float yOverW, float z) {
+    SnappedVertex vertex = snappedTo(x, 0, z);
+    vertex.y = std::bit_cast<std::int32_t>(yOverW);
+    return vertex;
+}
+
 std::uint32_t outsideBits(const Projection& projection, const ClipPosition& p) {
-    std::uint32_t bits =
-        (p.x < -p.w ? 1U : 0U) | (p.x > p.w ? 2U : 0U) | (p.y < -p.w ? 4U : 0U) | (p.y > p.w ? 8U : 0U);
+    std::uint32_t bits = (p.x < -p.w ? 1U : 0U) | (p.x > p.w ? 2U : 0U) | (p.y < projection.lowY * p.w ? 4U : 0U) |
+                         (p.y > projection.highY * p.w ? 8U : 0U);
     if (projection.cutsDepth) bits |= (p.z > p.w ? 16U : 0U) | (p.z < 0 ? 32U : 0U);
     return bits;
 }

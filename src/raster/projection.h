@@ -6,6 +6,8 @@
 
 namespace gnomon::raster {
 
+class RowBands;
+
 /// Subpixels of a pixel. Snapped coordinates are multiples of 1/256 pixel, with pixel centres at whole pixels.
 constexpr int kSubpixelBits = 8;
 constexpr int kSubpixels = 1 << kSubpixelBits;
@@ -30,6 +32,9 @@ struct Projection {
     float translateX = 0;
     float translateY = 0;
     bool cutsDepth = false; // at 0 and at w
+    float lowY = -1;        // what is below lowY w or above highY w is outside
+    float highY = 1;
+    const RowBands* rows = nullptr; // where rows lie unevenly; y of snapped vertices then holds the bits of y / w
 };
 
 struct ClipPosition {
@@ -59,7 +64,8 @@ constexpr float restOf(std::int16_t rest) {
     return static_cast<float>(rest) * (1.0F / (1 << kRestBits));
 }
 
-Projection projection(const View& view, bool cutsDepth);
+/// `rows` are those of `view` where they lie unevenly.
+Projection projection(const View& view, bool cutsDepth, const RowBands* rows = nullptr);
 
 ClipPosition clipPosition(const Projection& projection, const std::uint32_t* position);
 
@@ -68,6 +74,9 @@ SnappedVertex snapped(const Projection& projection, const ClipPosition& p);
 
 /// The vertex at (x, y) in 1/256 pixel.
 SnappedVertex snappedTo(double x, double y, float z);
+
+/// The vertex at x in 1/256 pixel where rows lie unevenly.
+SnappedVertex unevenTo(double x, float yOverW, float z);
 
 /// Bits of the frustum's planes that a vertex is outside of: left, right, lower, upper, and where depth is cut near,
 /// far.

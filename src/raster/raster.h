@@ -70,6 +70,8 @@ struct View {
     glm::ivec3 eyeCell{0};     // subtracted from each position first; the differences must fit an int32
     glm::mat4 clipFromCell{1}; // of the difference
     PixelBox viewport;         // pixels of the target; its first row is GL's lowest, pixel centres are at halves
+    /// Where the rows of the viewport lie, y / w of their samples, strictly increasing; nothing: evenly, as above.
+    std::span<const float> rowPositions{};
 };
 
 /// Whether any pixel of a part of the target is asked for.
@@ -126,7 +128,8 @@ public:
     /// The least depth of each pixel of the viewport, 1 where nothing is drawn. Nothing is cut at depth 0 or 1: depth
     /// is clamped to that range at each pixel (GL_DEPTH_CLAMP), so casters before and behind the range still cast.
     /// Pixels outside the viewport are left alone. Answers how many fragments that took: the pixels of the viewport
-    /// that each triangle covers, summed.
+    /// that each triangle covers, summed. Where the view's rows lie unevenly, y is snapped to at most 1/256 of the gaps
+    /// between rows around it, and all else is as above: a sample on an edge belongs to one of its sides.
     std::uint64_t drawDepth(std::span<const Cluster> clusters, const View& view, const DepthTarget& target);
 
     /// The same depths as `drawDepth` leaves, to the bit, without looking at what lies behind what is drawn:

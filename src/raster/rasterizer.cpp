@@ -5,6 +5,7 @@
 #include "raster/prefetch.h"
 #include "raster/snapped_clusters.h"
 #include "raster/tile_kernel.h"
+#include "raster/uneven/row_bands.h"
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
@@ -62,6 +63,7 @@ struct TileMemory {
 struct Rasterizer::Memory {
     SnappedClusters clusters;
     OcclusionPass occlusion;
+    RowBands rows; // of this pass where they lie unevenly
     std::vector<BinItem> items;
     Bins bins;
     tbb::enumerable_thread_specific<TileMemory> tiles;
@@ -83,6 +85,8 @@ struct Rasterizer::Memory {
         typename Kind::Pixel* target,
         int width,
         const TileVisitor& onTile);
+
+    void drawUneven(std::span<const Cluster> input, const View& view, const DepthTarget& target);
 };
 
 /// First step: every vertex once.
@@ -147,6 +151,17 @@ void Rasterizer::Memory::draw(
     });
 }
 
+/// `drawDepth` on rows from an array.
+void Rasterizer::Memory::drawUneven(std::span<const Cluster> input, const View& view, const DepthTarget& target) {
+    GNOMON_CHECK_OP(view.rowPositions.size(), ==, static_cast<std::size_t>(view.viewport.height()));
+    rows.reset(view.rowPositions, view.viewport.y0);
+    snapClusters(input, projection(view, false, &rows));
+    binClusters(view.viewport, DepthKind::kSide);
+    drawTiles<DepthKind>(target.depths, target.width, {}, [this](const TileBin& tile, float* depths) {
+        return drawUnevenTile({tile.box, clusters.all(), bins.of(tile)}, rows, depths);
+    });
+}
+
 Rasterizer::Rasterizer() : memory_(std::make_unique<Memory>()) {}
 
 Rasterizer::~Rasterizer() = default;
@@ -156,6 +171,10 @@ Rasterizer& Rasterizer::operator=(Rasterizer&&) noexcept = default;
 std::uint64_t Rasterizer::drawDepth(std::span<const Cluster> clusters, const View& view, const DepthTarget& target) {
     checkViewport(view.viewport, target.width, target.height);
     memory_->isWanted = target.isWanted;
+    if (!view.rowPositions.empty()) {
+        memory_->drawUneven(clusters, view, target);
+        return memory_->fragments;
+    }
     memory_->draw<DepthKind>(clusters, projection(view, false), view.viewport, target.depths, target.width, {});
     return memory_->fragments;
 }

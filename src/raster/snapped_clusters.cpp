@@ -2,8 +2,10 @@
 
 #include "core/check.h"
 #include "raster/clip.h"
+#include "raster/uneven/row_bands.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace gnomon::raster {
 namespace {
@@ -18,17 +20,25 @@ constexpr std::array<Triangle, CutCluster::kMostTriangles> unsharedTriangles() {
 
 constexpr std::array<Triangle, CutCluster::kMostTriangles> kUnsharedTriangles = unsharedTriangles();
 
-void addTriangle(CutCluster& cut, const std::array<SnappedVertex, 3>& corners, std::uint32_t id) {
+/// The rows that a corner can touch, half-open.
+std::array<int, 2> rowsOf(const RowBands* rows, const SnappedVertex& corner) {
+    if (rows == nullptr) return {(corner.y + kSubpixels - 1) >> kSubpixelBits, (corner.y >> kSubpixelBits) + 1};
+    const auto position = std::bit_cast<float>(corner.y);
+    return rows->rowsBetween(position, position);
+}
+
+void addTriangle(CutCluster& cut, const std::array<SnappedVertex, 3>& corners, std::uint32_t id, const RowBands* rows) {
     for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t vertex = 3 * cut.count + k;
         cut.x[vertex] = corners[k].x;
         cut.y[vertex] = corners[k].y;
         cut.z[vertex] = corners[k].z;
         cut.rests[vertex] = packedRests(corners[k]);
+        const auto [firstRow, endRow] = rowsOf(rows, corners[k]);
         cut.box.x0 = std::min(cut.box.x0, (corners[k].x + kSubpixels - 1) >> kSubpixelBits);
-        cut.box.y0 = std::min(cut.box.y0, (corners[k].y + kSubpixels - 1) >> kSubpixelBits);
+        cut.box.y0 = std::min(cut.box.y0, firstRow);
         cut.box.x1 = std::max(cut.box.x1, (corners[k].x >> kSubpixelBits) + 1);
-        cut.box.y1 = std::max(cut.box.y1, (corners[k].y >> kSubpixelBits) + 1);
+        cut.box.y1 = std::max(cut.box.y1, endRow);
     }
     cut.ids[cut.count++] = id;
 }
@@ -67,7 +77,10 @@ void SnappedClusters::cutTriangles(const Projection& projection, const Cluster& 
         for (std::size_t k = 2; k < polygon.count; ++k) {
             if (cut->count == CutCluster::kMostTriangles) cut = &cuts.next();
             addTriangle(
-                *cut, {polygon.corners[0], polygon.corners[k - 1], polygon.corners[k]}, cluster.firstTriangleId + i);
+                *cut,
+                {polygon.corners[0], polygon.corners[k - 1], polygon.corners[k]},
+                cluster.firstTriangleId + i,
+                projection.rows);
         }
     }
 }

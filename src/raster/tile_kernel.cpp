@@ -12,6 +12,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 #include "raster/hidden_lanes-inl.h"
+#include "raster/sorted_triangles-inl.h"
 #include "raster/stored_lanes-inl.h"
 #include "raster/tile_target-inl.h"
 #include "raster/triangle_lanes-inl.h"
@@ -20,54 +21,6 @@
 HWY_BEFORE_NAMESPACE();
 
 namespace gnomon::raster::HWY_NAMESPACE {
-
-/// Triangles of a cluster sorted by how they are drawn: corner indices in three bytes, the triangle's place above.
-struct Sorted { // NOLINT(cppcoreguidelines-pro-type-member-init): filled up to its count
-    std::array<std::uint32_t, kMaxClusterTriangles + 3 * kMostLanes> packed;
-    std::uint32_t count = 0;
-
-    HWY_INLINE void add(Ints lanes, hn::Mask<IntTag> mask) {
-        hn::StoreU(hn::BitCast(kUints, hn::Compress(lanes, mask)), kUints, packed.data() + count);
-        count += static_cast<std::uint32_t>(hn::CountTrue(kInts, mask));
-    }
-
-    /// Fills up the last vector with triangles of no area.
-    HWY_INLINE void pad() { std::fill_n(packed.data() + count, kMostLanes, 0U); }
-};
-
-struct SortedCluster {
-    Sorted tiny;   // at most 2 x 2 pixel centres between its extremes
-    Sorted small;  // at most 4 x 4
-    Sorted narrow; // less than kNarrowExtent
-    Sorted wide;
-};
-
-/// Corner indices and place of each triangle, padded with triangles of no area.
-using PackedTriangles = std::array<std::uint32_t, kMaxClusterTriangles + kMostLanes>;
-
-HWY_INLINE void packTriangles(std::span<const Triangle> triangles, PackedTriangles& packed) {
-    const std::size_t count = triangles.size();
-    std::size_t i = 0;
-#if HWY_TARGET != HWY_SCALAR
-    // Four triangles are twelve bytes; a load of sixteen must end inside the array.
-    constexpr hn::FixedTag<std::uint8_t, 16> kBytes;
-    constexpr hn::FixedTag<std::uint32_t, 4> kFour;
-    constexpr std::uint8_t kZero = 0x80;
-    alignas(16) static constexpr std::array<std::uint8_t, 16> kSpread = {
-        0, 1, 2, kZero, 3, 4, 5, kZero, 6, 7, 8, kZero, 9, 10, 11, kZero};
-    const auto spread = hn::Load(kBytes, kSpread.data());
-    const std::uint8_t* bytes = triangles.empty() ? nullptr : triangles.front().data();
-    for (; 3 * i + 16 <= 3 * count; i += 4) {
-        const auto corners = hn::TableLookupBytesOr0(hn::LoadU(kBytes, bytes + 3 * i), spread);
-        const auto places = hn::ShiftLeft<24>(hn::Iota(kFour, static_cast<std::uint32_t>(i)));
-        hn::StoreU(hn::Or(hn::BitCast(kFour, corners), places), kFour, packed.data() + i);
-    }
-#endif
-    for (; i < count; ++i)
-        packed[i] = triangles[i][0] | std::uint32_t{triangles[i][1]} << 8U | std::uint32_t{triangles[i][2]} << 16U |
-                    static_cast<std::uint32_t>(i) << 24U;
-    std::fill_n(packed.data() + count, kMostLanes, 0U);
-}
 
 HWY_INLINE TriangleBits bitsOf(const SortedCluster& sorted) {
     TriangleBits bits{};
@@ -84,7 +37,7 @@ HWY_INLINE void sortTriangles(
     const SnappedCluster& cluster, const PixelBox& tile, Target& target, SortedCluster& sorted) {
     PackedTriangles packed; // NOLINT(cppcoreguidelines-pro-type-member-init): packTriangles fills it
     packTriangles(cluster.triangles, packed);
-    sorted.tiny.count = sorted.small.count = sorted.narrow.count = sorted.wide.count = 0;
+    sorted.clear();
     const CornerSource<isCompact> cornerAt(cluster, tile);
     const auto lanes = static_cast<std::uint32_t>(hn::Lanes(kInts));
     bool skipsHidden = false;
@@ -109,9 +62,7 @@ HWY_INLINE void sortTriangles(
         sorted.narrow.add(corners, hn::And(larger, extent.isNarrow));
         sorted.wide.add(corners, hn::AndNot(extent.isNarrow, larger));
     }
-    sorted.tiny.pad();
-    sorted.small.pad();
-    sorted.narrow.pad();
+    sorted.pad();
     if constexpr (Target::kHasIds) target.setUp = bitsOf(sorted);
 }
 

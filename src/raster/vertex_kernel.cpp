@@ -1,5 +1,7 @@
 #include "raster/vertex_kernel.h"
 
+#include "raster/uneven/row_bands.h"
+
 #include <algorithm>
 
 #undef HWY_TARGET_INCLUDE
@@ -120,7 +122,9 @@ HWY_INLINE Ints bitWhere(hn::Mask<FloatTag> mask, std::int32_t bit) {
 HWY_INLINE Ints outside(const Projection& projection, const Positions& p) {
     const auto minusW = hn::Neg(p.w);
     auto bits = hn::Or(bitWhere(hn::Lt(p.x, minusW), 1), bitWhere(hn::Gt(p.x, p.w), 2));
-    bits = hn::Or(bits, hn::Or(bitWhere(hn::Lt(p.y, minusW), 4), bitWhere(hn::Gt(p.y, p.w), 8)));
+    const auto low = hn::Mul(hn::Set(kFloats, projection.lowY), p.w);
+    const auto high = hn::Mul(hn::Set(kFloats, projection.highY), p.w);
+    bits = hn::Or(bits, hn::Or(bitWhere(hn::Lt(p.y, low), 4), bitWhere(hn::Gt(p.y, high), 8)));
     if (projection.cutsDepth)
         bits = hn::Or(bits, hn::Or(bitWhere(hn::Gt(p.z, p.w), 16), bitWhere(hn::Lt(p.z, hn::Zero(kFloats)), 32)));
     return bits;
@@ -146,6 +150,28 @@ HWY_INLINE Floats snappedDepth(Floats z, Floats inverseW) {
     const auto limit = hn::Set(kFloats, kDepthLimit);
     return hn::Add(hn::Min(hn::Max(hn::Mul(z, inverseW), hn::Neg(limit)), limit), hn::Zero(kFloats));
 }
+
+/// What a pass keeps of y where rows lie unevenly, and its extremes in the vertices so far.
+struct UnevenAxis {
+    Floats lowest, highest;
+
+    HWY_INLINE UnevenAxis()
+        : lowest(hn::Set(kFloats, hwy::HighestValue<float>())), highest(hn::Set(kFloats, hwy::LowestValue<float>())) {}
+
+    HWY_INLINE SnappedAxis take(Floats y, Floats inverseW) {
+        const auto position = hn::Mul(y, inverseW);
+        lowest = hn::Min(lowest, position);
+        highest = hn::Max(highest, position);
+        return {hn::BitCast(kInts, position), hn::Zero(kInts)};
+    }
+
+    HWY_INLINE void setRows(const RowBands& rows, PixelBox& box) const {
+        const auto [first, end] = rows.rowsBetween(
+            hn::GetLane(hn::MinOfLanes(kFloats, lowest)), hn::GetLane(hn::MaxOfLanes(kFloats, highest)));
+        box.y0 = first;
+        box.y1 = end;
+    }
+};
 
 /// Joins x (in place) and y to words where the box allows it, else lays down y.
 HWY_INLINE bool join(const SnappedArrays& snapped, const std::int32_t* y, std::uint32_t count, const PixelBox& box) {
@@ -174,13 +200,16 @@ VertexStage snapVerticesInLanes(const Projection& projection, const Cluster& clu
     auto maxX = hn::Set(kInts, hwy::LowestValue<std::int32_t>());
     auto maxY = maxX;
     auto maxZ = hn::Set(kFloats, -kDepthLimit);
+    const bool isUneven = projection.rows != nullptr;
+    UnevenAxis uneven;
     for (std::uint32_t first = 0; first < cluster.vertexCount; first += lanes) {
         const Positions p = clipPositions(projection, cellsOf(cluster, first));
         allInside = hn::And(allInside, insideGuard(projection, p));
         allOutside = hn::And(allOutside, outside(projection, p));
         const auto inverseW = hn::Div(hn::Set(kFloats, 1.0F), p.w);
         const auto [x, restX] = snappedAxis(p.x, inverseW, projection.scaleX, projection.translateX);
-        const auto [y, restY] = snappedAxis(p.y, inverseW, projection.scaleY, projection.translateY);
+        const auto [y, restY] = isUneven ? uneven.take(p.y, inverseW)
+                                         : snappedAxis(p.y, inverseW, projection.scaleY, projection.translateY);
         const auto rests = hn::Or(hn::And(restX, hn::Set(kInts, 0xFFFF)), hn::ShiftLeft<16>(restY));
         hn::StoreU(hn::BitCast(kUints, rests), kUints, snapped.rests + first);
         hn::StoreU(x, kInts, snapped.x + first);
@@ -209,6 +238,11 @@ VertexStage snapVerticesInLanes(const Projection& projection, const Cluster& clu
         (hn::GetLane(hn::MaxOfLanes(kInts, maxX)) >> kSubpixelBits) + 1,
         (hn::GetLane(hn::MaxOfLanes(kInts, maxY)) >> kSubpixelBits) + 1};
     stage.mostZ = hn::GetLane(hn::MaxOfLanes(kFloats, maxZ));
+    if (isUneven) {
+        uneven.setRows(*projection.rows, stage.box);
+        std::copy_n(allY.data(), paddedVertexCount(cluster.vertexCount), snapped.y);
+        return stage;
+    }
     stage.isCompact = join(snapped, allY.data(), cluster.vertexCount, stage.box);
     return stage;
 }

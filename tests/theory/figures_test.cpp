@@ -101,7 +101,7 @@ TEST(TheoryFigures, AreDrawnForTheFrustaOfThePaper) {
 
 TEST(SlowTheoryFigures, OwnOnesHoldTheTheorysNumbers) {
     const std::vector<Figure> figures = ownFigures();
-    EXPECT_EQ(figures.size(), 5U);
+    EXPECT_EQ(figures.size(), 6U);
     const Figure& slices = named(figures, "own3");
     EXPECT_NEAR(slices.rows[3][3], 253, 2); // k = 4, minimax: worst and mean over all lights
     EXPECT_NEAR(slices.rows[3][4], 62, 2);
@@ -111,6 +111,13 @@ TEST(SlowTheoryFigures, OwnOnesHoldTheTheorysNumbers) {
     EXPECT_NEAR(lambda.rows[100][2], 126, 1);
     EXPECT_NEAR(lambda.rows[95][2], 367, 1);
     EXPECT_NEAR(lambda.rows[50][2], 16440, 20);
+    const Figure& logarithmic = named(figures, "own6");
+    EXPECT_NEAR(logarithmic.rows[0][5], 2 * std::log(1000.0) + 1, 1e-6)
+        << "light behind: four faces and the near square";
+    for (const std::vector<double>& row : logarithmic.rows) {
+        EXPECT_LE(row[5], 15.6);
+        EXPECT_LE(row[5], row[1]);
+    }
 }
 
 TEST(TheoryTable, HasEverySchemeForEveryK) {

@@ -1,0 +1,67 @@
+// Rows of samples that lie unevenly, in bands of rows that vertices are snapped alike for.
+#pragma once
+
+#include "raster/raster.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace gnomon::raster {
+
+/// Rows of a band are found by buckets of 256 units.
+constexpr int kBucketBits = 8;
+
+/// A band has at most this many rows, and its widest gap between rows is at most this many times its narrowest.
+constexpr int kMostBandRows = 256;
+constexpr float kMostGapRatio = 16;
+
+/// Rows first to end - 1 of the target. In the band y / w is snapped to whole units: the distance from `base` times
+/// `scale`, rounded to the nearest even. There are at least 256 units between two rows, so that the finest are as
+/// fine as those of an even grid, and at most one row in a bucket of 256.
+struct RowBand {
+    int first = 0;
+    int end = 0;
+    float base = 0;                           // of the first row
+    float scale = 1;                          // a power of two
+    std::vector<std::int32_t> rows;           // in units; behind them one that nothing reaches
+    std::vector<std::int32_t> rowsFromBucket; // the first row, from the band's first, of 256 b units or more
+
+    int count() const { return end - first; }
+
+    /// The units of `position`, before they are rounded.
+    float units(float position) const { return (position - base) * scale; }
+};
+
+/// The rows of a viewport.
+class RowBands {
+public:
+    /// `positions` of the rows from `firstRow` of the target on, in y / w, strictly increasing. Narrower gaps than
+    /// 2^-27 of the largest |y / w| leave no room for exact edges.
+    void reset(std::span<const float> positions, int firstRow);
+
+    std::span<const RowBand> bands() const { return bands_; }
+
+    /// What lies below or above these touches no row.
+    float lowest() const { return lowest_; }
+
+    float highest() const { return highest_; }
+
+    /// A power of two that no |y / w| of a row is above.
+    float guard() const { return guard_; }
+
+    /// The rows, half-open, that something from `low` to `high` can touch once it is snapped: one more on each side.
+    std::array<int, 2> rowsBetween(float low, float high) const;
+
+private:
+    void addBand(std::size_t first, std::size_t end, float narrowest);
+
+    std::vector<float> positions_;
+    std::vector<RowBand> bands_;
+    int firstRow_ = 0;
+    float guard_ = 1;
+    float lowest_ = 0;
+    float highest_ = 0;
+};
+
+} // namespace gnomon::raster

@@ -1,0 +1,66 @@
+// A triangle of any size on rows that lie unevenly: which samples of a row are inside, in 64-bit integers, and the
+// plane of its depth.
+#pragma once
+
+#include "raster/uneven/row_bands.h"
+#include "raster/wide_triangle.h"
+
+namespace gnomon::raster {
+
+/// A vertex snapped for one band.
+struct UnevenVertex {
+    std::int32_t x = 0; // 1/256 pixel
+    std::int64_t y = 0; // units of the band
+    double restX = 0;   // unsnapped less snapped
+    double unsnappedY = 0;
+    float z = 0;
+};
+
+/// `vertex`, whose y holds the bits of y / w, in `band`.
+UnevenVertex unevenVertex(const RowBand& band, const SnappedVertex& vertex);
+
+/// The largest power of two up to which a quotient of samples is told apart; all of a target lies below.
+constexpr double kFarSamples = 0x1p30;
+
+/// A triangle turned counter-clockwise, with y up. Corners may be in either order.
+class UnevenTriangle {
+public:
+    explicit UnevenTriangle(std::array<UnevenVertex, 3> corners);
+
+    bool hasArea() const { return hasArea_; }
+
+    /// The samples of row `y` of the target, which is of `band`, in columns from x0 to x1 - 1; depth as WideRow has it.
+    WideRow row(const RowBand& band, int y, int x0, int x1) const;
+
+    int referenceX() const { return corners_[0].x >> kSubpixelBits; }
+
+    float depthPerX() const { return static_cast<float>(depthPerX_); }
+
+    float leastDepth() const { return leastDepth_; }
+
+    float largestDepth() const { return largestDepth_; }
+
+private:
+    /// Inside where dx (Y - y) - dy (X - x) >= own.
+    struct Edge {
+        std::int64_t x = 0;
+        std::int64_t y = 0;
+        std::int64_t dx = 0;
+        std::int64_t dy = 0;
+        std::int64_t own = 0;
+    };
+
+    void setPlane(bool isTrue);
+
+    std::array<UnevenVertex, 3> corners_;
+    std::array<Edge, 3> edges_;
+    bool hasArea_ = false;
+    double depthPerX_ = 0; // per pixel
+    double depthPerY_ = 0; // per unit
+    double startX_ = 0;    // of corner 0, in 1/256 pixel and units, as the plane takes it
+    double startY_ = 0;
+    float leastDepth_ = 0; // of the corners, within 0 to 1
+    float largestDepth_ = 0;
+};
+
+} // namespace gnomon::raster

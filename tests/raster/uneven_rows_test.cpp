@@ -1,0 +1,220 @@
+// Depth passes on rows that lie unevenly: against plain code, exact coverage on every instruction set, no hole and no
+// double, depths of the plane.
+#include "raster/raster.h"
+#include "raster/uneven/row_bands.h"
+#include "tests/raster/plain_uneven.h"
+#include "tests/raster/scenes.h"
+
+#include <gtest/gtest.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <hwy/highway.h>
+
+namespace gnomon::raster {
+namespace {
+
+/// Rows evenly in the logarithm of -y / w, from -1 to -1 / ratio.
+std::vector<float> logarithmicRows(int count, double ratio) {
+    std::vector<float> rows;
+    for (int i = 0; i < count; ++i)
+        rows.push_back(static_cast<float>(-std::pow(ratio, -(i + 0.5) / count)));
+    return rows;
+}
+
+std::vector<float> evenRows(int count) {
+    std::vector<float> rows;
+    for (int i = 0; i < count; ++i)
+        rows.push_back(static_cast<float>((2 * i + 1.0) / count - 1));
+    return rows;
+}
+
+/// Gaps at random, up to 5.7 times as wide as a neighbour, whose density grows by about `ratio`.
+std::vector<float> randomRows(int count, double ratio, std::uint64_t seed) {
+    Random random(seed);
+    const double mean = std::log(ratio) / count;
+    std::vector<float> rows;
+    double at = 1;
+    for (int i = 0; i < count; ++i) {
+        at *= std::exp(-mean * random.uniform(0.3, 1.7));
+        rows.push_back(static_cast<float>(-at));
+    }
+    return rows;
+}
+
+/// The rows of a film seen from both ends: gaps that fall and rise.
+std::vector<float> mirroredRows(int count, double ratio) {
+    std::vector<float> rows = logarithmicRows(count / 2, ratio);
+    for (int i = count / 2; i-- > 0;)
+        rows.push_back(-rows[static_cast<std::size_t>(i)]);
+    return rows;
+}
+
+/// Names the kinds of rows that every scene is drawn on.
+std::vector<std::pair<const char*, std::vector<float>>> kindsOfRows(int count) {
+    return {
+        {"even", evenRows(count)},
+        {"logarithmic, 1e3", logarithmicRows(count, 1e3)},
+        {"logarithmic, 1e6", logarithmicRows(count, 1e6)},
+        {"random, 2e5", randomRows(count, 2e5, 5)},
+        {"mirrored, 1e4", mirroredRows(count, 1e4)}};
+}
+
+struct DrawnDepths {
+    std::vector<float> depths;
+    std::uint64_t fragments = 0;
+};
+
+DrawnDepths drawn(std::span<const Cluster> clusters, const View& view, int width, int height) {
+    DrawnDepths result{std::vector<float>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), -7), 0};
+    result.fragments = Rasterizer().drawDepth(clusters, view, {result.depths.data(), width, height});
+    return result;
+}
+
+/// The plain answer: least depths, and how often each sample is covered.
+struct PlainDepths {
+    std::vector<double> depths;
+    std::vector<int> covers;
+    std::uint64_t fragments = 0;
+};
+
+PlainDepths plainly(std::span<const Cluster> clusters, const View& view, int width, int height) {
+    const std::size_t samples = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    PlainDepths result{std::vector<double>(samples, 1), std::vector<int>(samples), 0};
+    visitUnevenSamples(clusters, view, [&](int x, int y, double depth, std::uint32_t /*id*/) {
+        const std::size_t at =
+            static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+        result.depths[at] = std::min(result.depths[at], depth);
+        ++result.covers[at];
+        ++result.fragments;
+    });
+    return result;
+}
+
+void expectAsPlain(std::span<const Cluster> clusters, const View& view, int width, int height, double slack) {
+    const PlainDepths plain = plainly(clusters, view, width, height);
+    EXPECT_GT(plain.fragments, 0U);
+    std::vector<float> first;
+    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+        hwy::SetSupportedTargetsForTest(target);
+        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+        for (const int threads : {1, 2}) {
+            SCOPED_TRACE(std::string(hwy::TargetName(target)) + ", threads " + std::to_string(threads));
+            DrawnDepths found;
+            tbb::task_arena(threads).execute([&] { found = drawn(clusters, view, width, height); });
+            EXPECT_EQ(found.fragments, plain.fragments);
+            std::size_t apart = 0;
+            double worst = 0;
+            for (int y = view.viewport.y0; y < view.viewport.y1; ++y)
+                for (int x = view.viewport.x0; x < view.viewport.x1; ++x) {
+                    const std::size_t at =
+                        static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+                    if (plain.covers[at] == 0 && found.depths[at] != 1) ++apart;
+                    worst = std::max(worst, std::abs(found.depths[at] - plain.depths[at]));
+                }
+            EXPECT_EQ(apart, 0U);
+            EXPECT_LE(worst, slack);
+            if (first.empty()) first = found.depths;
+            EXPECT_TRUE(first == found.depths) << "the same on all";
+        }
+    }
+    hwy::SetSupportedTargetsForTest(0);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+}
+
+TEST(UnevenRows, AreCoveredAsPlainCodeCoversThem) {
+    constexpr int kWidth = 133;
+    constexpr int kHeight = 300;
+    const PixelBox viewport{5, 9, 121, 289};
+    for (const auto& [name, rows] : kindsOfRows(viewport.height())) {
+        SCOPED_TRACE(name);
+        for (const double spacing : {0.7, 3.0, 90.0}) {
+            SCOPED_TRACE(spacing);
+            const int columns = static_cast<int>(std::min(60.0, std::ceil(kWidth / spacing) + 1));
+            const int quads = static_cast<int>(std::min(60.0, std::ceil(kHeight / spacing) + 1));
+            View view = flatView(viewport);
+            view.rowPositions = rows;
+            expectAsPlain(sheet(columns, quads, spacing, 3).clusters(), view, kWidth, kHeight, 1e-3);
+        }
+        for (std::uint64_t seed = 0; seed < 3; ++seed) {
+            SCOPED_TRACE(seed);
+            View view = insideView(viewport, seed);
+            view.rowPositions = rows;
+            const Scene scene = soup(300, seed);
+            std::vector<float> depths(std::size_t{kWidth} * kHeight, -7);
+            const std::uint64_t fragments =
+                Rasterizer().drawDepth(scene.clusters(), view, {depths.data(), kWidth, kHeight});
+            const PlainDepths plain = plainly(scene.clusters(), view, kWidth, kHeight);
+            EXPECT_EQ(fragments, plain.fragments);
+            std::size_t apart = 0;
+            for (std::size_t i = 0; i < depths.size(); ++i)
+                apart += depths[i] == 1 && plain.covers[i] > 0 && plain.depths[i] < 1 ? 1 : 0;
+            EXPECT_EQ(apart, 0U);
+        }
+    }
+}
+
+/// A closed fan about `hub` of the viewport, in pixels of an even grid, far beyond it everywhere.
+Scene fanAround(double hubX, double hubY, double radius, int triangles) {
+    const auto at = [](double x, double y) -> std::array<std::uint32_t, 3> {
+        const auto cells = [](double pixels) {
+            return static_cast<std::uint32_t>(std::int64_t{kSceneCenter} + std::llround(pixels * kFlatPixel));
+        };
+        return {cells(x), cells(y), kSceneCenter + (1U << 19U)};
+    };
+    std::vector<std::array<std::uint32_t, 3>> positions = {at(hubX, hubY)};
+    std::vector<Triangle> fan;
+    for (int i = 0; i < triangles; ++i) {
+        const double angle = 6.283185307 * i / triangles;
+        positions.push_back(at(hubX + radius * std::cos(angle), hubY + radius * std::sin(angle)));
+        fan.push_back({0, static_cast<std::uint8_t>(1 + i), static_cast<std::uint8_t>(1 + (i + 1) % triangles)});
+    }
+    Scene scene;
+    scene.add(positions, fan);
+    return scene;
+}
+
+TEST(UnevenRows, AFanOf85TrianglesHasNoHoleAndNoDouble) {
+    constexpr int kSide = 2048;
+    const PixelBox viewport{0, 0, kSide, kSide};
+    for (const auto& [name, rows] : kindsOfRows(kSide)) {
+        SCOPED_TRACE(name);
+        for (const double hubY : {1023.9995, 700.3, 1.7}) {
+            View view = flatView(viewport);
+            view.rowPositions = rows;
+            const Scene scene = fanAround(1000.3, hubY, 4000, 85);
+            const Cluster whole = scene.clusters().front();
+            std::vector<float> depths(std::size_t{kSide} * kSide);
+            const std::uint64_t fragments = Rasterizer().drawDepth({&whole, 1}, view, {depths.data(), kSide, kSide});
+            // As many fragments as samples, and none without: each is covered once.
+            EXPECT_EQ(fragments, depths.size()) << "each sample once";
+            EXPECT_EQ(std::count(depths.begin(), depths.end(), 1.0F), 0) << "no hole";
+        }
+    }
+}
+
+TEST(UnevenRows, BandsKeepTheirRowsABucketApart) {
+    for (const auto& [name, rows] : kindsOfRows(1000)) {
+        SCOPED_TRACE(name);
+        RowBands bands;
+        bands.reset(rows, 7);
+        int next = 7;
+        for (const RowBand& band : bands.bands()) {
+            EXPECT_EQ(band.first, next);
+            next = band.end;
+            EXPECT_LE(band.count(), kMostBandRows);
+            for (int i = 0; i + 1 < band.count(); ++i) {
+                const auto at = static_cast<std::size_t>(i);
+                const std::int32_t gap = band.rows[at + 1] - band.rows[at];
+                EXPECT_GE(gap, 256);
+                EXPECT_LE(gap, 2 * 16 * 520);
+            }
+        }
+        EXPECT_EQ(next, 1007);
+    }
+}
+
+} // namespace
+} // namespace gnomon::raster

@@ -1,5 +1,6 @@
 // The lit image. A surface turned from the light is dark without asking a map; lighting is two-sided.
 // SHADOWS: 0 none, 1 maps, 2 a mask that was computed elsewhere.
+// AUXILIARY: 1 if surfaces are wanted, LIGHT: 1 if what they reflect is.
 // MANY_PARTITIONS: 1 if there are more than the first block holds. OVERLAY: 0 none, see overlay.glsl.
 #include "shared/frame_block.h"
 #include "image/light.glsl"
@@ -23,6 +24,10 @@ layout(location = 0) out vec4 pixel;
 #if AUXILIARY
 layout(location = 1) out vec4 auxiliary; // flat normal towards the viewer; w: partition + lit fraction / 2, or -1
 layout(location = 2) out vec4 auxiliaryPosition; // w: 1
+#endif
+
+#if LIGHT
+layout(location = 1) out vec4 reflected; // linear, before the shoulder; a: 1
 #endif
 
 void main() {
@@ -49,11 +54,15 @@ void main() {
 #endif
     }
     float direct = lit * max(dot(smoothNormal, towardsLight), 0.0);
-    vec3 shaded = displayedInLight(color, smoothNormal, normalize(towardsEye), direct);
+    vec3 light = linearFromDisplay(color) * lightOf(smoothNormal, normalize(towardsEye), direct);
+    vec3 shaded = displayFromLinear(shoulder(light));
 #if OVERLAY
     shaded = overlay(shaded, position, flatNormal, depth, index, error, cluster);
 #endif
     pixel = vec4(shaded, lit > 0.0 && cosine > 1e-3 ? kLitAlpha : 1.0);
+#if LIGHT
+    reflected = vec4(light, 1.0);
+#endif
 #if AUXILIARY
     auxiliary = vec4(flatNormal, cosine > 0.0 ? float(index + 1) + 0.5 * lit : -1.0);
     auxiliaryPosition = vec4(position, 1.0);

@@ -79,7 +79,11 @@ std::optional<raster::OcclusionCounts> drawUndecided(
     const glm::dmat4 clipFromDraw = imageClipFromDraw(frame);
     const FloatPicture noMaps;
     const Shading shading(frame, clipFromDraw, noMaps, buffers.pass->drawn(), Verdict::Undecided);
-    const ShadingTarget target{buffers.picture, nullptr, &undecided};
+    ShadingTarget target;
+    target.picture = buffers.picture;
+    target.undecided = &undecided;
+    target.light = buffers.light;
+    target.undecidedLight = buffers.undecidedLight;
     shadeVisible(shading, *buffers.words, target);
     return occlusion;
 }
@@ -136,6 +140,7 @@ Raster<std::uint8_t> litByIntegers(const FrameDrawing& frame) {
     whole.skipsHidden = false; // the truth takes no short cut
     FrameDrawing drawing = frame;
     drawing.plan = &whole;
+    drawing.wantsLight = false;
     drawUndecided(drawing, {&rasterizer, &pass, &words, &picture}, samples, undecided);
     const hierarchy::GridPoint origin = frame.space.originCell;
     std::vector<exact::Caster> casters;

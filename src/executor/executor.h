@@ -94,6 +94,17 @@ struct LodSubstitute {
     Residence residence = Residence::Pending;
 };
 
+/// What of a surface's light an image shows, where a picture is the sum of several.
+enum class LightPart : std::uint8_t {
+    All,
+    WithoutSky,   // sun, ground and what comes from the eye
+    SkyDirection, // what comes from the direction of the plan's light alone, as part of the sky
+};
+
+/// The light that a pixel's surface reflects towards the eye, linear RGB before the shoulder, 1 being full scale; below
+/// 0 where no surface is.
+using LightPicture = Raster<std::array<float, 3>>;
+
 /// One frame, ready to be drawn.
 struct FrameDrawing {
     const plan::FramePlan* plan = nullptr;
@@ -106,10 +117,13 @@ struct FrameDrawing {
     std::optional<Camera> observerCamera; // sees the image in place of the plan's camera: from outside its frustum
     glm::dvec2 subpixel{0};               // where the image samples its pixels: from their middles, right and up
     Overlay overlay = Overlay::None;
-    plan::Shading shading = plan::Shading::Lit;    // never Auto
-    std::vector<LodSubstitute> substitutes;        // of the image, by page and cluster; for Overlay::Residency alone
-    bool wantsSurfaces = false;                    // keep what `surfaces` returns
-    const Raster<std::uint8_t>* litMask = nullptr; // 255 where the light reaches, instead of maps
+    plan::Shading shading = plan::Shading::Lit; // never Auto
+    std::vector<LodSubstitute> substitutes;     // of the image, by page and cluster; for Overlay::Residency alone
+    bool wantsSurfaces = false;                 // keep what `surfaces` returns
+    bool wantsLight = false;                    // keep what `light` returns; not both
+    LightPart lightPart = LightPart::All;
+    double skyWeight = 0;                              // of SkyDirection: what it counts for, as light_model.h has it
+    const Raster<std::uint8_t>* litMask = nullptr;     // 255 where the light reaches, instead of maps
     const selection::DrawList* exactCasters = nullptr; // of drawExactly, besides the image's own clusters
     const raycast::CutScene* rays = nullptr;           // of both: decide what drawExactly else does by casting
     bool cullsByReceivers = false; // maps need not hold what no pixel of the image asks for; where `drawsImageFirst`
@@ -194,6 +208,8 @@ public:
     virtual DrawStatistics draw(const FrameDrawing& frame);
 
     virtual Picture picture() = 0;
+    /// Only after a frame with `wantsLight`; what `picture` shows is made of it.
+    virtual LightPicture light() = 0;
     /// The pixels of the image that the light reaches, at least in part; nothing where finding out would hold up the
     /// frames to come, as it would a GPU's: those say so now and then.
     virtual std::optional<std::uint64_t> litPixels() = 0;

@@ -130,6 +130,8 @@ block::Frame frameBlock(const FrameDrawing& frame, const DrawSpace& space, const
     result.hasOwnNear = plan.selector.ownNear ? 1 : 0;
     result.errorPixels = static_cast<float>(plan.quality.errorPixels);
     setLight(view, plan.quality.look, frame.shading, result);
+    if (frame.lightPart == LightPart::WithoutSky) takeSkyOut(plan.quality.look, result);
+    if (frame.lightPart == LightPart::SkyDirection) leaveSkyDirection(plan.quality.look, frame.skyWeight, result);
     return result;
 }
 

@@ -14,6 +14,8 @@ struct ImageBuffers {
     SoftwarePass* pass = nullptr;
     std::vector<std::uint64_t>* words = nullptr;
     Picture* picture = nullptr;
+    LightPicture* light = nullptr; // these two may be missing, unless the frame wants its light
+    LightPicture* undecidedLight = nullptr;
 };
 
 /// Gathers the clusters of the image into the pass and fills the words: which triangle each pixel sees. Answers what

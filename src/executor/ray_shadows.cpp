@@ -65,6 +65,7 @@ raycast::CutScene cutScene(const FrameDrawing& frame, raycast::KeptTrees& trees)
 /// Where the light reaches in the image of `frame`, 255 there and else 0; draws that, and counts the calls.
 Raster<std::uint8_t> litBySurfaces(Executor& executor, FrameDrawing frame, std::uint64_t& drawCalls) {
     frame.wantsSurfaces = true;
+    frame.wantsLight = false;
     frame.overlay = Overlay::None;
     drawCalls += executor.drawImage(frame).drawCalls;
     const Raster<SurfaceSample> surfaces = executor.surfaces();

@@ -39,6 +39,9 @@ struct PixelBatch {
     Values<std::uint32_t> color{}; // shaded as 8-bit RGB, red in the low byte
     // With LitSource::Undecided and Awaited, besides: the colour in the light, `color` being that in shadow.
     Values<std::uint32_t> litColor{};
+    // With `wantsLight` what is reflected, linear RGB: that of `color` with LitSource::Undecided and Awaited is
+    // `shadowLight`, and `light` that of `litColor`.
+    Vectors<float> light{}, shadowLight{};
     // With Undecided the weights of corners 1 and 2.
     Values<float> second{}, third{};
     // With Awaited what is to be looked up in `pass`, once it is drawn: the first and the last texel of the kernel,
@@ -67,6 +70,7 @@ struct ShadingFrame {
     const float* shadowDepth = nullptr; // texels row by row; only with LitSource::Maps
     int shadowWidth = 0;                // texels
     LitSource litSource = LitSource::Everywhere;
+    bool wantsLight = false;
     // Rays start where the image is seen from (grid cells from draw space's origin); the one through the image point
     // (x, y) in pixels has the direction first + x perX + y perY, of view depth 1.
     std::array<float, 3> rayOriginCells{};

@@ -201,13 +201,17 @@ HWY_INLINE void shadeLanes(const ShadingFrame& f, PixelBatch& batch, std::size_t
     const Vec3 ambient = ambientLight(frame, smooth, eyeDirection);
     const Vec3 albedo = linearFromDisplay(
         {channel<0>(batch, i, weights), channel<8>(batch, i, weights), channel<16>(batch, i, weights)});
-    const Vec3 shaded = displayed(frame, albedo, add(ambient, scale(constant(&frame.sun.x), direct)));
+    const Vec3 inLight = reflected(albedo, add(ambient, scale(constant(&frame.sun.x), direct)));
+    const Vec3 shaded = displayed(frame, inLight);
+    if (f.wantsLight) store(inLight, batch.light, i);
     auto color = packed(shaded);
     if (f.litSource == LitSource::Undecided || f.litSource == LitSource::Awaited) {
         hn::StoreU(hn::BitCast(kUints, color), kUints, batch.litColor.data() + i);
         hn::StoreU(weights.second, kFloats, batch.second.data() + i);
         hn::StoreU(weights.third, kFloats, batch.third.data() + i);
-        color = packed(displayed(frame, albedo, ambient));
+        const Vec3 inShadow = reflected(albedo, ambient);
+        if (f.wantsLight) store(inShadow, batch.shadowLight, i);
+        color = packed(displayed(frame, inShadow));
     }
 
     store(position, batch.position, i);

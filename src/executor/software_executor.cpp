@@ -1,5 +1,6 @@
 #include "executor/software_executor.h"
 
+#include "core/check.h"
 #include "core/stopwatch.h"
 #include "executor/exact_pass.h"
 #include "executor/frame_block.h"
@@ -38,10 +39,12 @@ public:
     Bytes deviceMemory() const override {
         return {
             shadowDepth_.pixels.size() * sizeof(float) + words_.size() * sizeof(std::uint64_t) + exact_.bytes() +
-            receivers_.bytes()};
+            receivers_.bytes() + (light_.pixels.size() + undecidedLight_.pixels.size()) * sizeof(light_.pixels[0])};
     }
 
     Picture picture() override { return picture_; }
+
+    LightPicture light() override { return light_; }
 
     std::optional<std::uint64_t> litPixels() override { return litPixels_; }
 
@@ -69,6 +72,7 @@ private:
 
     CulledCasters drawCulledMaps(const FrameDrawing& frame, PassStatistics& statistics);
     void sizeTargets(const FrameDrawing& frame);
+    ImageBuffers imageBuffers(const FrameDrawing& frame);
     void shade(const FrameDrawing& frame);
     void lightDecided(const FrameDrawing& frame, std::span<const std::uint8_t> statuses);
 
@@ -78,6 +82,7 @@ private:
     std::vector<std::uint64_t> words_; // the visibility buffer, rows from bottom to top
     FloatPicture shadowDepth_;         // may hold more pixels than it has rows of: it grows alone
     Picture picture_;
+    LightPicture light_, undecidedLight_; // empty unless a frame wants its light
     Raster<SurfaceSample> surfaces_;
     double clipNear_ = 1;
     std::atomic<std::uint64_t> litPixels_{0};
@@ -188,7 +193,8 @@ DrawStatistics SoftwareExecutor::draw(const FrameDrawing& frame) {
     DrawStatistics statistics;
     sizeTargets(frame);
     sizeShadowDepth(*frame.plan);
-    const ImageBuffers buffers = {&rasterizer_, &pass_, &words_, &picture_};
+    GNOMON_CHECK(!frame.wantsLight); // it comes from maps that are there before the image
+    const ImageBuffers buffers = imageBuffers(frame);
     const auto occlusion = drawVisible(frame, buffers);
     litPixels_ = receivers_.collect(frame, buffers, shadowDepth_);
     const Milliseconds before = watch.elapsed();
@@ -214,20 +220,36 @@ void SoftwareExecutor::sizeTargets(const FrameDrawing& frame) {
     else if (surfaces_.width != view.width || surfaces_.height != view.height)
         surfaces_ = Raster<SurfaceSample>(view.width, view.height);
     words_.resize(picture_.pixels.size());
+    if (!frame.wantsLight)
+        light_ = undecidedLight_ = {};
+    else if (light_.width != view.width || light_.height != view.height)
+        light_ = undecidedLight_ = LightPicture(view.width, view.height);
+}
+
+ImageBuffers SoftwareExecutor::imageBuffers(const FrameDrawing& frame) {
+    ImageBuffers buffers = {&rasterizer_, &pass_, &words_, &picture_};
+    if (!frame.wantsLight) return buffers;
+    buffers.light = &light_;
+    buffers.undecidedLight = &undecidedLight_;
+    return buffers;
 }
 
 /// From the words of the image to its colours, and to the surfaces where they are wanted.
 void SoftwareExecutor::shade(const FrameDrawing& frame) {
     const Shading shading(frame, imageClipFromDraw(frame), shadowDepth_, pass_.drawn());
     litPixels_ = 0;
-    shadeVisible(
-        shading, words_, {&picture_, frame.wantsSurfaces ? &surfaces_ : nullptr, nullptr, nullptr, &litPixels_});
+    ShadingTarget target;
+    target.picture = &picture_;
+    target.surfaces = frame.wantsSurfaces ? &surfaces_ : nullptr;
+    target.litPixels = &litPixels_;
+    target.light = frame.wantsLight ? &light_ : nullptr;
+    shadeVisible(shading, words_, target);
 }
 
 PassStatistics SoftwareExecutor::drawImage(const FrameDrawing& frame) {
     const Stopwatch watch;
     sizeTargets(frame);
-    const auto occlusion = drawVisible(frame, {&rasterizer_, &pass_, &words_, &picture_});
+    const auto occlusion = drawVisible(frame, imageBuffers(frame));
     shade(frame);
     return {watch.elapsed(), frame.image->ranges.size(), std::nullopt, occlusion};
 }
@@ -245,6 +267,7 @@ void SoftwareExecutor::lightDecided(const FrameDrawing& frame, std::span<const s
             for (std::size_t i = range.begin(); i < range.end(); ++i) {
                 if (exact::isDark(statuses[i])) continue;
                 picture_.pixels[samples.pixel[i]] = unpacked(samples.color[i]);
+                if (frame.wantsLight) light_.pixels[samples.pixel[i]] = undecidedLight_.pixels[samples.pixel[i]];
                 ++lit;
             }
             litPixels_.fetch_add(lit, std::memory_order_relaxed);
@@ -264,8 +287,7 @@ DrawStatistics SoftwareExecutor::drawExactly(const FrameDrawing& frame) {
     DrawStatistics statistics;
     shadowDepth_ = {};
     sizeTargets(frame);
-    const auto occlusion =
-        drawUndecided(frame, {&rasterizer_, &pass_, &words_, &picture_}, exact_.samples(), undecided_);
+    const auto occlusion = drawUndecided(frame, imageBuffers(frame), exact_.samples(), undecided_);
     statistics.image = {watch.elapsed(), frame.image->ranges.size(), std::nullopt, occlusion};
     const Stopwatch shadowWatch;
     if (frame.rays != nullptr) {

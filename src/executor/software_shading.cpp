@@ -59,6 +59,7 @@ Shading::Shading(
     shared_.shadows = &shadows_;
     shared_.shadowDepth = shadowDepth.pixels.data();
     shared_.shadowWidth = shadowDepth.width;
+    shared_.wantsLight = frame.wantsLight;
     if (verdict != Verdict::Known)
         shared_.litSource = verdict == Verdict::Undecided ? LitSource::Undecided : LitSource::Awaited;
     else if (frame.litMask != nullptr)
@@ -90,6 +91,7 @@ void Shading::shade(
             if (row[x] == 0) {
                 colors[x] = background;
                 if (target.surfaces != nullptr) target.surfaces->at(x, picture.height - 1 - y) = {};
+                if (target.light != nullptr) target.light->at(x, picture.height - 1 - y) = {-1, -1, -1};
                 continue;
             }
             const std::size_t i = work.batch.count++;
@@ -151,6 +153,7 @@ void Shading::flush(Work& work, const ShadingTarget& target) const {
     if (target.undecided != nullptr) leaveUndecided(work, target);
     if (target.awaited != nullptr) leaveAwaited(work, target);
     if (target.litPixels != nullptr) countLit(batch, target);
+    if (target.light != nullptr) keepLight(work, target);
     Picture& picture = *target.picture;
     const bool isPainted = frame_->overlay != Overlay::None;
     for (std::size_t i = 0; i < batch.count; ++i) {
@@ -165,6 +168,17 @@ void Shading::flush(Work& work, const ShadingTarget& target) const {
             1};
     }
     batch.count = 0;
+}
+
+void Shading::keepLight(const Work& work, const ShadingTarget& target) const {
+    const PixelBatch& batch = work.batch;
+    const bool isUndecided = target.undecided != nullptr;
+    const auto& shown = isUndecided ? batch.shadowLight : batch.light;
+    for (std::size_t i = 0; i < batch.count; ++i) {
+        const std::size_t at = target.picture->index(work.columns[i], target.picture->height - 1 - work.rows[i]);
+        target.light->pixels[at] = {shown[0][i], shown[1][i], shown[2][i]};
+        if (isUndecided) target.undecidedLight->pixels[at] = {batch.light[0][i], batch.light[1][i], batch.light[2][i]};
+    }
 }
 
 void Shading::countLit(const PixelBatch& batch, const ShadingTarget& target) const {

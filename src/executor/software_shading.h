@@ -46,6 +46,8 @@ struct ShadingTarget {
     UndecidedPixels* undecided = nullptr;            // shades each pixel in shadow, and leaves to this what is lit
     AwaitedPixels* awaited = nullptr;                // likewise; where no map is asked, pixels get their colour at once
     std::atomic<std::uint64_t>* litPixels = nullptr; // counts those that are known to be lit at least in part
+    LightPicture* light = nullptr;                   // both with a frame's `wantsLight`: the light of `picture`,
+    LightPicture* undecidedLight = nullptr;          // and of undecided pixels that in which they are lit
 };
 
 /// What the verdict of a shading hangs on where neither the plan nor a mask tells.
@@ -84,6 +86,7 @@ private:
     void leaveUndecided(Work& work, const ShadingTarget& target) const;
     void leaveAwaited(Work& work, const ShadingTarget& target) const;
     Rgb painted(const Work& work, std::size_t i) const;
+    void keepLight(const Work& work, const ShadingTarget& target) const;
 
     void countLit(const PixelBatch& batch, const ShadingTarget& target) const;
 

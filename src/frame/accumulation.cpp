@@ -1,5 +1,9 @@
 #include "frame/accumulation.h"
 
+#include "core/check.h"
+#include "plan/light_directions.h"
+
+#include <algorithm>
 #include <cmath>
 
 namespace gnomon::frame {
@@ -30,26 +34,55 @@ glm::dvec2 subpixelOffset(int sample) {
     return {aroundMiddle(x), aroundMiddle(y)};
 }
 
-void Accumulation::begin(Renderer& renderer, const Frame& frame, bool keepsCoverage) {
+void Accumulation::begin(Renderer& renderer, const Frame& frame, int samples) {
     renderer_ = &renderer;
     frame_ = &frame;
-    keepsCoverage_ = keepsCoverage;
+    wanted_ = std::max(samples, plan::lightFrames(plan()));
+    shown_ = executor::shownAs(renderer.drawing(frame, frame.options));
     sum_.reset();
-    take();
+    if (plan().sky.directions > 0) {
+        FrameOptions options = frame.options;
+        options.lightPart = executor::LightPart::WithoutSky;
+        renderer.drawSample(frame, options);
+    }
+    take(0);
 }
 
 void Accumulation::add() {
-    FrameOptions options = frame_->options;
-    options.subpixel = subpixelOffset(samples());
-    renderer_->drawSample(*frame_, options);
-    take();
+    GNOMON_CHECK_OP(samples(), <, wanted_);
+    drawSunlit(samples());
+    take(samples());
 }
 
-void Accumulation::take() {
+void Accumulation::drawSunlit(int sample) {
+    FrameOptions options = frame_->options;
+    options.subpixel = subpixelOffset(sample);
+    const bool hasSky = plan().sky.directions > 0;
+    if (hasSky) options.lightPart = executor::LightPart::WithoutSky;
+    const plan::View& view = plan().view;
+    if (plan().penumbra.directions > 1) {
+        const glm::dvec2 point = plan::discPoint(sample, wanted_);
+        renderer_->drawTowards(*frame_, plan::towardsDisc(view.towardsLight, view.sunAngleRadians, point), options);
+    } else if (hasSky) { // the part of the sky before took the place of the frame
+        renderer_->drawTowards(*frame_, view.towardsLight, options);
+    } else {
+        renderer_->drawSample(*frame_, options);
+    }
+}
+
+/// Adds what was drawn last, with a part of the sky.
+void Accumulation::take(int sample) {
     executor::Executor& executor = renderer_->executor();
-    std::optional<executor::Coverage> coverage;
-    if (keepsCoverage_) coverage = executor::coverageOf(executor.viewDepth());
-    sum_.add(executor.picture(), coverage);
+    if (plan().sky.directions == 0) return sum_.add(executor.light());
+    executor::LightPicture light = executor.light();
+    const plan::SkyPart part = plan::skyPart(sample, wanted_, plan().sky.model, plan().view.up);
+    FrameOptions options = frame_->options;
+    options.subpixel = subpixelOffset(sample);
+    options.lightPart = executor::LightPart::SkyDirection;
+    options.skyWeight = part.weight;
+    renderer_->drawTowards(*frame_, part.direction, options);
+    executor::addLight(light, executor.light());
+    sum_.add(light);
 }
 
 } // namespace gnomon::frame

@@ -1,7 +1,8 @@
-// A picture as the mean of frames that sample their pixels at other places: antialiasing.
+// A picture as the mean of frames, each of which samples its pixels elsewhere and takes its light from elsewhere:
+// antialiasing, penumbrae and the light of the sky, in one sum of linear light.
 #pragma once
 
-#include "executor/light/picture_sum.h"
+#include "executor/light/light_sum.h"
 #include "frame/renderer.h"
 
 namespace gnomon::frame {
@@ -11,34 +12,49 @@ namespace gnomon::frame {
 /// middle, and of the first 2^m each rectangle of the area 2^-m whose sides are powers of two holds one.
 glm::dvec2 subpixelOffset(int sample);
 
-/// The frames of a standing view, one after another, and the mean of their pictures.
+/// The frames of a standing view, one after another, and the mean of their pictures. Where the plan of the first calls
+/// for directions of the light's disc each has one, and where it calls for those of the sky each is the sum of two
+/// drawings: in the light of the sun, of the ground and from the eye, and in that of a part of the sky.
 class Accumulation {
 public:
-    /// Begins anew with `frame`, the last that `renderer` rendered, with `isAccumulated` and no offset. Both must
-    /// outlive what is added. With `keepsCoverage` only what a surface covers counts, and how much of a pixel that is.
-    void begin(Renderer& renderer, const Frame& frame, bool keepsCoverage);
+    /// Begins anew with `frame`, the last that `renderer` drew, with `isAccumulated` and no offset. Both must outlive
+    /// what is added. There are to be `samples` frames, at least 1, or as many as the directions that its plan calls
+    /// for, if those are more.
+    void begin(Renderer& renderer, const Frame& frame, int samples);
 
     /// Forgets all of it.
     void clear() { sum_.reset(); }
 
-    /// Draws one more frame and adds it.
+    /// Draws one more frame and adds it; there are less than `wanted`.
     void add();
 
     /// How many frames there are.
     int samples() const { return sum_.count(); }
 
-    executor::Picture picture() const { return sum_.mean(); }
+    /// How many there are to be: the directions are spread over so many.
+    int wanted() const { return wanted_; }
 
-    /// Nothing unless it is kept.
-    std::optional<executor::Coverage> coverage() const { return sum_.coverage(); }
+    /// The mean, before it is shown.
+    executor::LightPicture light() const { return sum_.mean(); }
+
+    executor::Picture picture() const { return sum_.picture(shown_); }
+
+    /// Nothing unless the background is transparent.
+    std::optional<executor::Coverage> coverage() const {
+        return shown_.isTransparent ? std::optional(sum_.coverage()) : std::nullopt;
+    }
 
 private:
-    void take();
+    void drawSunlit(int sample);
+    void take(int sample);
+
+    const plan::FramePlan& plan() const { return frame_->plan; }
 
     Renderer* renderer_ = nullptr;
     const Frame* frame_ = nullptr;
-    bool keepsCoverage_ = false;
-    executor::PictureSum sum_;
+    int wanted_ = 1;
+    executor::Shown shown_;
+    executor::LightSum sum_;
 };
 
 } // namespace gnomon::frame

@@ -31,6 +31,7 @@ Frame Renderer::render(const plan::View& view, const plan::Quality& quality, con
         drawn = draw(frame, options);
     }
     wasSunless_ = frame.isSunless;
+    if (frame.isSunless) plan::leaveLightSamplingOut(frame.plan);
     if (drawn.exact && drawn.exact->endedEarly)
         frame.plan.omitted.push_back({plan::Effect::LateCasters, plan::OmissionReason::AllAreDark});
     frame.row =
@@ -104,6 +105,14 @@ executor::DrawStatistics Renderer::draw(const PreparedFrame& frame, const FrameO
     if (frame.plan.quality.shadows == plan::ShadowMode::Exact) statistics.exact.emplace(); // nothing to decide
     rememberMaps(frame, options, statistics.culled.has_value());
     return statistics;
+}
+
+void Renderer::drawTowards(const Frame& frame, const glm::dvec3& towardsLight, const FrameOptions& options) {
+    plan::View view = frame.plan.view;
+    view.towardsLight = towardsLight;
+    PreparedFrame turned = prepareAs(view, frame.plan.quality, Waiting::UntilComplete, nullptr);
+    turned.isSunless = frame.isSunless;
+    draw(turned, options);
 }
 
 void Renderer::drawSample(const PreparedFrame& frame, const FrameOptions& options) {

@@ -97,6 +97,9 @@ executor::FrameDrawing Renderer::drawing(const PreparedFrame& frame, const Frame
                 return residency_.isDamaged(page);
             });
     drawing.wantsSurfaces = options.wantsSurfaces;
+    drawing.lightPart = options.lightPart;
+    drawing.skyWeight = options.skyWeight;
+    drawing.wantsLight = options.isAccumulated && !options.wantsSurfaces;
     drawing.cullsByReceivers = cullsByReceivers(frame, options);
     return drawing;
 }

@@ -25,7 +25,9 @@ struct FrameOptions {
     std::optional<Camera> observerCamera; // sees the frame of the view from outside: its cut, its casters, its maps
     glm::dvec2 subpixel{0};               // where pixels are sampled, as FrameDrawing has it; at most half a pixel off
     bool isAccumulated = false;           // `drawSample` is to follow: the cut reaches half a pixel beyond the image,
-                                          // and maps are whole
+                                          // maps are whole, and the executor keeps the light
+    executor::LightPart lightPart = executor::LightPart::All;
+    double skyWeight = 0; // as FrameDrawing has it
 };
 
 /// A frame that was drawn once.
@@ -78,6 +80,11 @@ public:
     /// its pixels: by the same cut and the same maps, as the frame left them.
     void drawSample(const PreparedFrame& frame, const FrameOptions& options);
 
+    /// Draws the view of `frame` in light from another direction, of any length above 0, planned and cut anew with the
+    /// same kind of shadows, once all of that is resident; `options` say of which light. No frame to come knows of it;
+    /// `frame` itself cannot be drawn again.
+    void drawTowards(const Frame& frame, const glm::dvec3& towardsLight, const FrameOptions& options);
+
     /// What the executor gets to draw `frame`, which must outlive it.
     executor::FrameDrawing drawing(const PreparedFrame& frame, const FrameOptions& options) const;
 
@@ -90,6 +97,13 @@ public:
     executor::Executor& executor() const { return *executor_; }
 
 private:
+    /// `prepare`, but for what the plan says of penumbrae and sky.
+    PreparedFrame prepareShadows(
+        const plan::View& view,
+        const plan::Quality& quality,
+        Waiting waiting,
+        const std::shared_ptr<const plan::PlannedFrame>& before);
+
     /// `prepare` with shadows whose mode is not left open.
     PreparedFrame prepareAs(
         const plan::View& view,

@@ -1,5 +1,6 @@
 #include "core/stopwatch.h"
 #include "frame/exact_forecast.h"
+#include "frame/light_plan.h"
 #include "frame/renderer.h"
 
 // Whether a frame whose shadows are left open gets exact ones or maps. Exact ones are prepared to be asked: where they
@@ -26,6 +27,16 @@ void addPreparation(PreparedFrame& frame, const PreparedFrame& other) {
 } // namespace
 
 PreparedFrame Renderer::prepare(
+    const plan::View& view,
+    const plan::Quality& quality,
+    Waiting waiting,
+    const std::shared_ptr<const plan::PlannedFrame>& before) {
+    PreparedFrame frame = prepareShadows(view, quality, waiting, before);
+    addTime(frame.planMs, [&] { planLightSampling(frame, residency_); });
+    return frame;
+}
+
+PreparedFrame Renderer::prepareShadows(
     const plan::View& view,
     const plan::Quality& quality,
     Waiting waiting,

@@ -17,7 +17,8 @@ struct FinishedPicture {
     std::optional<executor::Coverage> coverage; // where the background is transparent
 };
 
-/// Draws `view` `samples` times, at least once. `progress` advances by one for each; its stage is the caller's.
+/// Draws `view` `samples` times, at least once; where that is more than once and its plan calls for more directions of
+/// light, so many times. `progress` advances by `samples` in all; its stage is the caller's.
 FinishedPicture drawFinished(
     Session& session,
     const plan::View& view,

@@ -37,6 +37,8 @@ void drawSeries(const settings::PictureSeries& series, const SeriesTask& task, P
     const bool isNumbered = executor::numberedName(series.output, 0).has_value();
     settings::BesideSamples beside;
     beside.overlay = task.overlay != executor::Overlay::None;
+    beside.sunAngle = task.settings.sunAngleDegrees.value_or(0) > 0;
+    beside.sky = task.settings.quality.sky.directions > 0;
     settings::requireSound(series, task.settings, isNumbered, beside.overlay);
     const int samples = settings::samplesOf(task.samples, beside);
     std::optional<path::CameraPath> walked;

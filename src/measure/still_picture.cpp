@@ -17,6 +17,8 @@ namespace {
 settings::BesideSamples besideSamples(const StillTask& task) {
     settings::BesideSamples beside;
     beside.overlay = task.overlay != executor::Overlay::None;
+    beside.sunAngle = task.settings.sunAngleDegrees.value_or(0) > 0;
+    beside.sky = task.settings.quality.sky.directions > 0;
     beside.statistics = !task.statistics.empty();
     beside.oracle = task.oracle != proof::Oracle::None;
     beside.depth = !task.depth.empty();

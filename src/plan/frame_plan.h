@@ -6,6 +6,7 @@
 #include "core/convex_volume.h"
 #include "core/depth_span.h"
 #include "core/integer_light.h"
+#include "plan/light_sampling.h"
 #include "plan/look.h"
 #include "plan/omission.h"
 #include "plan/shadow_choice.h"
@@ -28,6 +29,7 @@ struct View {
     int height = 800;
     glm::dvec3 towardsLight{0.4, 1, 0.3}; // world space, any length above 0; light() is drawn by
     glm::dvec3 up{0, 1, 0};               // towards the sky, likewise of any length above 0
+    double sunAngleRadians = 0;           // across the disc of the light; 0: a point
 
     /// The light that is drawn by: rounded here, and nowhere else.
     IntegerLight light() const { return roundedLight(towardsLight); }
@@ -88,6 +90,8 @@ struct Quality {
     std::optional<std::uint64_t> maxTriangles;
     Choice occlusion = Choice::Auto; // the image is drawn without what it hides; Auto: where that pays
     Look look;
+    double lightError = 0.05; // of the share of the light's disc that reaches a point, at most
+    SkyLight sky;
 };
 
 /// What is known of the scene in this view before its geometry was asked, and after.
@@ -156,6 +160,8 @@ struct FramePlan {
     bool promiseKept = true;                         // only `auto` promises anything: at most quality.maxAliasing
     std::uint64_t texelsThatWouldDo = 0; // for that; with several schemes to choose from the least of them; 0: none
     std::uint64_t cost = 0;              // counted: estimated caster triangles + texels / 16
+    Penumbra penumbra;                   // of pictures that are the mean of frames
+    SkyLight sky;                        // likewise
     std::vector<Omission> omitted;
     bool skipsHidden = false; // the image is drawn without what it hides: the same picture
     int textureWidth = 0;     // of the depth texture; 0 without maps

@@ -23,6 +23,8 @@ enum class Effect : std::uint8_t {
     ReceiverMasks,
     OcclusionCulling,
     LateCasters, // of exact shadows: what was still to be cast
+    Penumbra,    // of the light's disc
+    SkyLight,    // direction by direction
 };
 
 enum class OmissionReason : std::uint8_t {
@@ -47,6 +49,10 @@ enum class OmissionReason : std::uint8_t {
     ExecutorDrawsAll,   // whatever hides it
     FewLayers,          // of clusters over a pixel
     AllAreDark,         // the visible points that face the light, before all casters were looked at
+    NarrowPenumbrae,    // of at most Omission::pixels
+    NoShadows,          // are asked for
+    NoSun,              // the shading has none
+    NothingHidesTheSky, // from what is seen
 };
 
 /// Something that this view does not call for.
@@ -55,6 +61,7 @@ struct Omission {
     OmissionReason reason = OmissionReason::SwitchedOff;
     std::size_t slice = 0; // of MapOfSlice
     double gain = 0;       // of GainTooSmall: the share by which it would lower the promise
+    double pixels = 0;     // of NarrowPenumbrae: a width
 
     bool operator==(const Omission&) const = default;
 };

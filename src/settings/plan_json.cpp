@@ -111,6 +111,9 @@ ordered_json planJson(const plan::FramePlan& plan) {
     json["shadows"] = wordOf(plan::kShadowModes, plan.quality.shadows);
     json["shadows_because"] = reasonInWords(plan.shadowReason);
     json["predicted"] = predictedJson(plan);
+    json["light_directions"] = plan.penumbra.directions;
+    json["penumbra_pixels"] = plan.penumbra.widestPixels;
+    json["sky_directions"] = plan.sky.directions;
     json["cost"] = plan.cost;
     json["passes"] = ordered_json::array();
     for (const plan::ShadowPass& pass : plan.passes)
@@ -136,7 +139,7 @@ std::string planText(const plan::FramePlan& plan) {
         plan.textureWidth,
         plan.textureHeight,
         static_cast<unsigned long long>(plan.cost));
-    text += shadowsInWords(plan);
+    text += shadowsInWords(plan) + lightInWords(plan);
     if (!plan.passes.empty()) {
         text += line(
             "promise x %.3g, z %.3g over [near, far]%s; %s texels would do for %g\n",

@@ -19,6 +19,12 @@ std::string percent(double share, int decimals) {
     return text.data();
 }
 
+std::string decimal(double value, int decimals) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
+    return text.data();
+}
+
 /// The least gain that an effect has to bring.
 std::string leastGain() {
     return percent(1 - plan::kWorthwhile, 0);
@@ -71,6 +77,10 @@ std::string effectInWords(const plan::Omission& omission) {
         return "occlusion culling";
     case Effect::LateCasters:
         return "the casters that were left";
+    case Effect::Penumbra:
+        return "penumbrae";
+    case Effect::SkyLight:
+        return "the sky's shadows";
     }
     return "";
 }
@@ -123,6 +133,15 @@ std::string reasonInWords(const plan::Omission& omission) {
         return "few clusters lie behind one another, so little is hidden";
     case OmissionReason::AllAreDark:
         return "all that is seen and faces the light was dark before they were looked at";
+    case OmissionReason::NarrowPenumbrae:
+        return "none in view is wider than " + decimal(omission.pixels, 2) +
+               " pixels across the beam: the light is a point";
+    case OmissionReason::NoShadows:
+        return "shadows are switched off";
+    case OmissionReason::NoSun:
+        return "the shading has no sun";
+    case OmissionReason::NothingHidesTheSky:
+        return "nothing stands between what is seen and the sky";
     }
     return "";
 }
@@ -157,6 +176,19 @@ std::string shadowsInWords(const plan::FramePlan& plan) {
            count(plan.predicted->castTriangles) + " triangles cast, " + count(plan.predicted->sampleTests) +
            " sample tests; of four maps: " + count(plan.predicted->keptTriangles) + " triangles, " +
            count(plan.predicted->mapFragments) + " fragments\n";
+}
+
+std::string lightInWords(const plan::FramePlan& plan) {
+    std::string text;
+    if (plan.penumbra.directions > 1)
+        text += "penumbrae of at most " + decimal(plan.penumbra.widestPixels, 2) +
+                " pixels across the beam: " + std::to_string(plan.penumbra.directions) +
+                " directions over the light's disc, for a lit share within " + decimal(plan.quality.lightError, 3) +
+                "\n";
+    if (plan.sky.directions > 0)
+        text += "the sky's light from " + std::to_string(plan.sky.directions) + " directions, " +
+                std::string(wordOf(plan::kSkyModels, plan.sky.model)) + "\n";
+    return text;
 }
 
 std::string sourceInWords(plan::DepthSource source) {

@@ -19,6 +19,9 @@ std::string reasonInWords(plan::ShadowReason reason);
 /// Which shadows a plan has, why, and what exact ones are predicted to take where that was asked; whole lines.
 std::string shadowsInWords(const plan::FramePlan& plan);
 
+/// From how many directions the light of the plan's pictures comes, a line each; empty where one will do.
+std::string lightInWords(const plan::FramePlan& plan);
+
 /// Where an end of the depth range comes from: "the nearest surface in view".
 std::string sourceInWords(plan::DepthSource source);
 

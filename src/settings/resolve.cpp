@@ -122,6 +122,7 @@ plan::View viewOf(
     view.up = settings.up.value_or(kAutoUp);
     if (view.up == kAutoUp) view.up = summary.up.direction;
     view.towardsLight = lightOf(settings, view.up);
+    view.sunAngleRadians = lightDiameter(settings);
     if (!settings.cameraFile.empty()) {
         view.camera = path::readCamera(settings.cameraFile);
         return view;

@@ -25,7 +25,13 @@ int samplesOf(const std::optional<int>& asked, const BesideSamples& beside) {
                 "--samples " + std::to_string(*asked) + " and " + option +
                 " contradict each other: it is of one frame; --samples 1, or a picture without it"};
     }
-    return asked.value_or(isOne ? 1 : kUsualSamples);
+    const int samples = asked.value_or(isOne ? 1 : kUsualSamples);
+    if (samples == 1 && (beside.sunAngle || beside.sky))
+        throw UsageError{
+            std::string(beside.sky ? "--sky" : "--sun-angle") +
+            " is of pictures that are the mean of several frames, and " +
+            (asked ? "--samples 1 asks" : "what is asked beside it calls") + " for one"};
+    return samples;
 }
 
 } // namespace gnomon::settings

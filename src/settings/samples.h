@@ -16,11 +16,13 @@ struct BesideSamples {
     bool depth = false;
     bool shadowDepth = false;
     bool reference = false;
+    bool sunAngle = false; // asked for, and no point
+    bool sky = false;
 };
 
 /// As many as `asked` for; else kUsualSamples, but 1 beside options whose figures or colours are those of one frame,
 /// and beside --reference, which may have been one. Throws UsageError where several frames are asked for beside the
-/// former.
+/// former, or one beside what one frame cannot show.
 int samplesOf(const std::optional<int>& asked, const BesideSamples& beside);
 
 } // namespace gnomon::settings

@@ -47,9 +47,10 @@ struct Settings {
     std::optional<double> fovYDegrees;
     std::optional<path::ViewSide> side; // nothing: a three-quarter view
     glm::dvec3 towardsLight{0.4, 1, 0.3};
-    bool isLightGiven = false;   // towardsLight was asked for; else it stands in a world with y up
-    std::optional<SunTime> sun;  // takes the place of towardsLight
-    std::optional<double> north; // degrees; see --north
+    bool isLightGiven = false;             // towardsLight was asked for; else it stands in a world with y up
+    std::optional<SunTime> sun;            // takes the place of towardsLight
+    std::optional<double> north;           // degrees; see --north
+    std::optional<double> sunAngleDegrees; // across the light's disc; nothing: the sun's with `sun`, else a point
     plan::Quality quality = openQuality();
     bool isWarpGiven = false;       // quality.warp.rule was asked for
     std::optional<double> eta;      // takes the place of quality.warp.rule

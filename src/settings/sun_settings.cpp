@@ -74,6 +74,25 @@ Codec<SunTime> sunTime() {
         "LAT,LON,TIME, such as 47.4,8.5,2026-06-21T12:00+02:00"};
 }
 
+Codec<plan::SkyLight> skyLight() {
+    constexpr int kMost = 4096;
+    return {
+        [](const std::string& text) -> std::optional<plan::SkyLight> {
+            const std::size_t comma = text.find(',');
+            const auto directions = whole(0, kMost).read(text.substr(0, comma));
+            if (!directions) return std::nullopt;
+            if (comma == std::string::npos) return plan::SkyLight{*directions};
+            const auto model = valueOf(plan::kSkyModels, text.substr(comma + 1));
+            return model ? std::optional(plan::SkyLight{*directions, *model}) : std::nullopt;
+        },
+        [](const plan::SkyLight& value) {
+            return std::to_string(value.directions) + (value.model == plan::SkyModel::Uniform
+                                                           ? ""
+                                                           : "," + std::string(wordOf(plan::kSkyModels, value.model)));
+        },
+        "a whole number of directions from 0 to " + std::to_string(kMost) + ", with ,uniform or ,overcast behind it"};
+}
+
 std::vector<Setting> sunSettings() {
     return {
         plain(
@@ -93,6 +112,29 @@ std::vector<Setting> sunSettings() {
                  "where y is up and y where z is; 0 if not given",
              .statedAs = "north"},
             ifGiven(number("an angle from -360 to 360 degrees", [](double v) { return std::abs(v) <= 360; }))),
+        plain(
+            &Settings::sunAngleDegrees,
+            {.name = "sun-angle",
+             .form = "DEG",
+             .help =
+                 "How wide the light's disc is seen, in degrees, for penumbrae in pictures of several frames; 0 is a "
+                 "point; the sun's with --sun, else 0, if not given"},
+            ifGiven(number("an angle from 0 to 90 degrees", [](double v) { return v >= 0 && v <= 90; }))),
+        quality(
+            &plan::Quality::lightError,
+            {.name = "light-error",
+             .form = "E",
+             .help = "Of --sun-angle: largest error of the share of the disc that reaches a point beside a straight "
+                     "edge; says how many frames"},
+            number("a number from 0.003 to 0.5", [](double v) { return v >= 0.003 && v <= 0.5; })),
+        quality(
+            &plan::Quality::sky,
+            {.name = "sky",
+             .form = "N[,uniform|overcast]",
+             .help =
+                 "Light of the sky from so many directions, each with its shadows, in pictures of several frames; 0: "
+                 "nothing hides it"},
+            skyLight()),
     };
 }
 
@@ -109,6 +151,12 @@ glm::dvec3 towardsSun(const SunTime& asked, double north, const glm::dvec3& up) 
     if (sun.elevationRefracted <= 0)
         throw UsageError{formatted("--sun: the sun is down then, at %.1f degrees; ", sun.elevation) + upTimes(asked)};
     return towardsSun(sun, north, up);
+}
+
+double lightDiameter(const Settings& settings) {
+    if (settings.sunAngleDegrees) return radiansFromDegrees(*settings.sunAngleDegrees);
+    if (!settings.sun) return 0;
+    return radiansFromDegrees(sun::sunPosition(sun::julianDate(settings.sun->time), settings.sun->place, {}).diameter);
 }
 
 } // namespace gnomon::settings

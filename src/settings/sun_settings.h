@@ -18,7 +18,10 @@ Codec<double> duration();
 /// Both, "LAT,LON,TIME".
 Codec<SunTime> sunTime();
 
-/// `--sun` and `--north`, the rows of the table of settings about them.
+/// "N", uniform, or "N,MODEL": directions of a sky.
+Codec<plan::SkyLight> skyLight();
+
+/// `--sun`, `--north` and what else says where light comes from: rows of the table of settings.
 std::vector<Setting> sunSettings();
 
 /// The direction towards a Sun that stands there, of unit length, as the air shows it, above the horizon or below, in a
@@ -29,5 +32,9 @@ glm::dvec3 towardsSun(const sun::SunPosition& sun, double north, const glm::dvec
 /// lies `north` degrees clockwise, seen from above, of the world's own, which is opposite its front: -z where y is up,
 /// y where z is. Throws UsageError where the Sun is down, and says when it is up.
 glm::dvec3 towardsSun(const SunTime& asked, double north, const glm::dvec3& up);
+
+/// How wide the light's disc is seen, radians: what was asked for; else the Sun's at its place and time (0.5331 degrees
+/// over its distance), and 0, a point, where the light is not the Sun's.
+double lightDiameter(const Settings& settings);
 
 } // namespace gnomon::settings

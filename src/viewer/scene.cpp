@@ -60,6 +60,8 @@ const frame::Frame& Scene::draw(const Shot& shot) {
         quality.shadows = plan::ShadowMode::Rays; // as exact as this executor can be
     accumulation_.clear();
     frame_ = renderer_.render(shot.view, quality, shot.options);
+    if (shot.options.isAccumulated)
+        accumulation_.begin(renderer_, *frame_, shot.samples); // before anything is drawn once more
     if (shot.measuresAliasing) {
         proof::ProofOptions options;
         options.measuresAliasing = true;
@@ -67,7 +69,6 @@ const frame::Frame& Scene::draw(const Shot& shot) {
     }
     seenBy_ = shot.seenBy();
     isUploaded_ = false;
-    if (shot.options.isAccumulated) accumulation_.begin(renderer_, *frame_, false);
     return *frame_;
 }
 

@@ -21,6 +21,7 @@ struct Shot {
     plan::Quality quality;
     frame::FrameOptions options;
     bool measuresAliasing = false; // once the frame is drawn; takes a second drawing
+    int samples = 1;               // with `isAccumulated`: frames that the picture is to be the mean of
 
     /// Who sees the picture.
     const Camera& seenBy() const { return options.observerCamera ? *options.observerCamera : view.camera; }
@@ -63,6 +64,9 @@ public:
 
     /// Frames that the picture is the mean of; 0 where the last one was drawn without `isAccumulated`.
     int samples() const { return accumulation_.samples(); }
+
+    /// Frames that it is to be the mean of: those asked for, or as many as its light takes.
+    int wantedSamples() const { return accumulation_.wanted(); }
 
     /// The last frame's, or the mean, as `gnomon render` would write it.
     executor::Picture picture() const;

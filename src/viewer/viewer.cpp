@@ -2,6 +2,7 @@
 
 #include "path/camera_path.h"
 #include "settings/resolve.h"
+#include "settings/sun_settings.h"
 #include "telemetry/process_clock.h"
 #include "viewer/window_session.h"
 
@@ -144,7 +145,7 @@ bool WindowSession::comesToRest() const {
 /// Whether more frames are to be added to the picture of a view that stands.
 bool WindowSession::isRefining() const {
     const Scene* scene = file_.scene();
-    return scene != nullptr && isIdle() && scene->samples() > 0 && scene->samples() < options_.samples;
+    return scene != nullptr && isIdle() && scene->samples() > 0 && scene->samples() < scene->wantedSamples();
 }
 
 /// Adds as many frames as a window may stand still for. Showing them takes time too, so that is not done for each.
@@ -177,6 +178,7 @@ bool WindowSession::isHurried() const {
 Shot WindowSession::shot(const glm::ivec2& size) const {
     Shot shot;
     shot.view.towardsLight = settings_.asked.towardsLight;
+    shot.view.sunAngleRadians = settings::lightDiameter(settings_.asked);
     shot.view.up = framed_->up();
     shot.view.camera = walk_.culledBy();
     shot.quality = settings_.asked.quality;
@@ -192,6 +194,7 @@ Shot WindowSession::shot(const glm::ivec2& size) const {
     shot.options.overlay = settings_.overlay;
     shot.measuresAliasing = comesToRest();
     shot.options.isAccumulated = comesToRest() && options_.samples > 1 && settings_.overlay == executor::Overlay::None;
+    shot.samples = options_.samples;
     shot.options.waiting = walk_.playsFixed() ? frame::Waiting::UntilComplete : frame::Waiting::Never;
     if (walk_.isFrozen()) shot.options.observerCamera = walk_.camera();
     return shot;
@@ -271,7 +274,7 @@ OverlayContent WindowSession::content() const {
     content.givenUp = isHurried() ? budget_.givenUp(wantedEffort()) : "";
     content.isExhausted = budget_.isExhausted();
     content.caps = caps_;
-    content.mostSamples = options_.samples;
+    content.mostSamples = content.scene != nullptr ? content.scene->wantedSamples() : 1;
     content.isFrozen = walk_.isFrozen();
     content.isRecording = walk_.isRecording();
     content.playedPart = walk_.playedPart();

@@ -2,7 +2,7 @@
 #include "executor/light/background.h"
 #include "executor/light/eye_dome.h"
 #include "executor/light/light_model.h"
-#include "executor/light/picture_sum.h"
+#include "executor/light/light_sum.h"
 #include "tests/executor/field.h"
 
 #include <gtest/gtest.h>
@@ -78,38 +78,75 @@ TEST(EyeDome, DarkensWhatLiesBehindItsSurroundingsAndNoPlane) {
         });
 }
 
-TEST(PictureSum, OfEqualPicturesIsEachOfThem) {
-    Picture all(256, 1);
-    for (std::size_t i = 0; i < all.pixels.size(); ++i)
-        all.pixels[i] = {
+constexpr std::array<float, 3> kNoSurface = {-1, -1, -1};
+
+/// Light by which a surface is shown as `color`, without a shoulder.
+std::array<float, 3> lightShownAs(const Rgb& color) {
+    std::array<float, 3> light{};
+    for (std::size_t c = 0; c < color.size(); ++c)
+        light[c] = linearFromDisplay(static_cast<float>(color[c]) / 255);
+    return light;
+}
+
+TEST(LightSum, OfEqualFramesIsWhatEachOfThemShows) {
+    LightPicture all(256, 1);
+    Picture wanted(256, 1);
+    for (std::size_t i = 0; i < all.pixels.size(); ++i) {
+        wanted.pixels[i] = {
             static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(255 - i), static_cast<std::uint8_t>(i * 7 % 256)};
-    PictureSum sum;
-    for (int count = 1; count <= PictureSum::kMost; ++count) {
+        all.pixels[i] = lightShownAs(wanted.pixels[i]);
+    }
+    const Shown unlit{false, false, {Rgb{1, 2, 3}}};
+    LightSum sum;
+    for (int count = 1; count <= LightSum::kMost; ++count) {
         sum.add(all);
-        if (count < 70 || count == PictureSum::kMost) {
-            ASSERT_TRUE(sum.mean().pixels == all.pixels) << count;
+        if (count < 70 || count == LightSum::kMost) {
+            ASSERT_TRUE(sum.picture(unlit).pixels == wanted.pixels) << count;
         }
     }
     sum.reset();
-    sum.add(Picture(3, 2, {9, 8, 7}));
+    sum.add(LightPicture(3, 2, kNoSurface));
     EXPECT_EQ(sum.count(), 1);
-    EXPECT_TRUE(sum.mean().pixels == Picture(3, 2, Rgb{9, 8, 7}).pixels) << "of another size, and nothing is left";
-    EXPECT_FALSE(sum.coverage());
+    const Picture behind = sum.picture({true, false, {Rgb{9, 8, 7}, Rgb{6, 5, 4}}});
+    EXPECT_EQ(behind.at(2, 0), (Rgb{9, 8, 7})) << "of another size, and nothing is left";
+    EXPECT_EQ(behind.at(0, 1), (Rgb{6, 5, 4}));
 }
 
-TEST(PictureSum, HoldsTheLightOfHalfAnEdgeAndWhatCoversIt) {
-    PictureSum sum;
-    const Picture white(1, 1, {255, 255, 255});
-    const Picture black(1, 1, {0, 0, 0});
-    sum.add(white);
-    sum.add(black);
-    EXPECT_EQ(sum.mean().pixels[0], (Rgb{188, 188, 188})) << "half the light, not half the level";
-    sum.reset();
-    sum.add(white, Coverage(1, 1, 255));
-    sum.add(black, Coverage(1, 1, 0));
-    sum.add(black, Coverage(1, 1, 0));
-    EXPECT_EQ(sum.mean().pixels[0], white.pixels[0]) << "what covers nothing has no colour";
-    EXPECT_EQ(sum.coverage()->pixels[0], 85);
+TEST(LightSum, HoldsTheBrightestLightAsOftenAsThereCanBeFrames) {
+    LightSum sum;
+    const LightPicture brightest(1, 1, {4096, 1e30F, 4095.5F});
+    for (int count = 1; count <= LightSum::kMost; ++count)
+        sum.add(brightest);
+    EXPECT_EQ(sum.picture({true, false, {Rgb{}}}).pixels[0], (Rgb{255, 255, 255}));
+}
+
+// What makes the mean one of light, not of what is shown of it: the sun on half of a surface in the shade.
+TEST(LightSum, TakesTheMeanBeforeTheShoulder) {
+    LightSum sum;
+    sum.add(LightPicture(1, 1, {3, 0.25F, 3}));
+    sum.add(LightPicture(1, 1, {0, 0.25F, 1}));
+    const Picture mean = sum.picture({true, false, {Rgb{}}});
+    const auto level = [](double light) { return 255 * srgbOf(light / (1 + light)); };
+    EXPECT_NEAR(mean.pixels[0][0], level(1.5), 0.9) << "not " << level(3) << " and black, mixed";
+    EXPECT_NEAR(mean.pixels[0][1], level(0.25), 0.9);
+    EXPECT_NEAR(mean.pixels[0][2], level(2), 0.9);
+}
+
+// An edge before a background that is as bright as a screen can be: half of either, as the screen's light goes.
+TEST(LightSum, MixesTheBackgroundByWhatItCovers) {
+    LightSum sum;
+    sum.add(LightPicture(1, 1, {0, 1, 3}));
+    sum.add(LightPicture(1, 1, kNoSurface));
+    sum.add(LightPicture(1, 1, kNoSurface));
+    const Rgb white = {255, 255, 255};
+    const Picture edge = sum.picture({true, false, {white}});
+    for (std::size_t c = 0; c < 3; ++c) {
+        const double surface = std::array{0.0, 0.5, 0.75}[c];
+        EXPECT_NEAR(edge.pixels[0][c], 255 * srgbOf((surface + 2) / 3), 0.9) << c;
+    }
+    EXPECT_EQ(sum.coverage().pixels[0], 85);
+    const Picture alone = sum.picture({true, true, {Rgb{}}});
+    EXPECT_NEAR(alone.pixels[0][2], 255 * srgbOf(0.75), 0.9) << "what covers nothing has no colour";
 }
 
 block::Frame lightOf(plan::Shading shading, double ambient = 1) {

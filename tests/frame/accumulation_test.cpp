@@ -1,6 +1,7 @@
 // Pictures of several frames against the plain mean, in doubles, of frames that are rendered one by one.
 #include "core/random.h"
 #include "executor/gl/gl_executor.h"
+#include "executor/light/background.h"
 #include "executor/software_executor.h"
 #include "frame/accumulation.h"
 #include "frame/drawn_model.h"
@@ -41,8 +42,7 @@ plan::View randomView(Random& random, int width, int height) {
     return view;
 }
 
-double linearOf(std::uint8_t byte) {
-    const double display = byte / 255.0;
+double linearOf(double display) {
     return display <= 0.04045 ? display / 12.92 : std::pow((display + 0.055) / 1.055, 2.4);
 }
 
@@ -50,34 +50,35 @@ double levelOf(double linear) {
     return 255 * (linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055);
 }
 
-/// The same by a renderer that knows no accumulation: each frame planned and drawn by itself.
+/// The same by a renderer that knows no accumulation: each frame planned and drawn by itself, in doubles.
 class PlainMean {
 public:
-    PlainMean(executor::Executor& executor, bool isTransparent)
-        : executor_(&executor), renderer_(hills(), executor, {}), isTransparent_(isTransparent) {}
+    explicit PlainMean(executor::Executor& executor) : executor_(&executor), renderer_(hills(), executor, {}) {}
 
     void draw(const plan::View& view, const plan::Quality& quality, int samples) {
         const std::size_t pixels = static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height);
         sums_.assign(3 * pixels, 0);
         covered_.assign(pixels, 0);
+        samples_ = samples;
+        isTransparent_ = quality.look.background.kind == plan::Background::Kind::Transparent;
         for (int sample = 0; sample < samples; ++sample) {
             renderer_.forget();
             FrameOptions options;
+            options.isAccumulated = true;
             options.subpixel = subpixelOffset(sample);
-            renderer_.render(view, quality, options);
-            const executor::Picture picture = executor_->picture();
-            const executor::FloatPicture depth = executor_->viewDepth();
-            for (std::size_t i = 0; i < pixels; ++i) {
-                if (isTransparent_ && !std::isfinite(depth.pixels[i])) continue;
-                ++covered_[i];
-                for (std::size_t c = 0; c < 3; ++c)
-                    sums_[3 * i + c] += linearOf(picture.pixels[i][c]);
-            }
+            const Frame frame = renderer_.render(view, quality, options);
+            background_ = executor::backgroundRows(renderer_.drawing(frame, options));
+            add(executor_->light());
         }
     }
 
+    /// Of the mean in the frames that cover the pixel, beyond the shoulder; mixed with the background by their share.
     double level(std::size_t pixel, std::size_t channel) const {
-        return covered_[pixel] == 0 ? 0 : levelOf(sums_[3 * pixel + channel] / covered_[pixel]);
+        const double covered = covered_[pixel];
+        const double light = covered == 0 ? 0 : sums_[3 * pixel + channel] / covered;
+        const double share = isTransparent_ ? 1 : covered / samples_;
+        const std::size_t row = pixel / (covered_.size() / background_.size());
+        return levelOf(share * light / (1 + light) + (1 - share) * linearOf(background_[row][channel] / 255.0));
     }
 
     int covered(std::size_t pixel) const { return covered_[pixel]; }
@@ -85,7 +86,27 @@ public:
 private:
     executor::Executor* executor_;
     Renderer renderer_;
-    bool isTransparent_;
+
+    void add(const executor::LightPicture& light) {
+        const executor::FloatPicture depth = executor_->viewDepth();
+        const executor::Picture picture = executor_->picture();
+        std::size_t apart = 0;
+        for (std::size_t i = 0; i < light.pixels.size(); ++i) {
+            ASSERT_EQ(light.pixels[i][0] >= 0, std::isfinite(depth.pixels[i]));
+            if (light.pixels[i][0] < 0) continue;
+            ++covered_[i];
+            for (std::size_t c = 0; c < 3; ++c) {
+                const double reflected = light.pixels[i][c];
+                sums_[3 * i + c] += reflected;
+                apart += std::abs(levelOf(reflected / (1 + reflected)) - picture.pixels[i][c]) > 0.9 ? 1 : 0;
+            }
+        }
+        EXPECT_EQ(apart, 0U) << "the picture shows another light";
+    }
+
+    bool isTransparent_ = false;
+    int samples_ = 1;
+    std::vector<executor::Rgb> background_;
     std::vector<double> sums_;
     std::vector<int> covered_;
 };
@@ -100,10 +121,10 @@ protected:
         renderer_.forget();
         const Frame frame = renderer_.render(view, quality, options);
         Accumulation accumulation;
-        accumulation.begin(renderer_, frame, isTransparent);
+        accumulation.begin(renderer_, frame, samples);
         while (accumulation.samples() < samples)
             accumulation.add();
-        PlainMean plain(*other_, isTransparent);
+        PlainMean plain(*other_);
         plain.draw(view, quality, samples);
         const executor::Picture picture = accumulation.picture();
         const auto coverage = accumulation.coverage();
@@ -170,7 +191,7 @@ TEST_P(AccumulationTwins, DrawWholeMapsOnce) {
     const executor::FloatPicture maps = executor->shadowDepth();
     ASSERT_GT(maps.width, 0);
     Accumulation accumulation;
-    accumulation.begin(renderer, frame, false);
+    accumulation.begin(renderer, frame, 5);
     for (int sample = 1; sample < 5; ++sample)
         accumulation.add();
     EXPECT_EQ(executor->shadowDepth().pixels, maps.pixels);

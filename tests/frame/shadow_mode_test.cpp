@@ -53,6 +53,8 @@ public:
 
     executor::Picture picture() override { return own_->picture(); }
 
+    executor::LightPicture light() override { return own_->light(); }
+
     std::optional<std::uint64_t> litPixels() override { return own_->litPixels(); }
 
     executor::FloatPicture viewDepth() override { return own_->viewDepth(); }

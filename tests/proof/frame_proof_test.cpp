@@ -31,6 +31,8 @@ public:
 
     executor::Picture picture() override { return inner_->picture(); }
 
+    executor::LightPicture light() override { return inner_->light(); }
+
     std::optional<std::uint64_t> litPixels() override { return inner_->litPixels(); }
 
     executor::FloatPicture viewDepth() override { return inner_->viewDepth(); }

@@ -71,6 +71,14 @@ TEST(PlanSentences, NameEffectAndReason) {
         {{Effect::OcclusionCulling, Reason::ExecutorDrawsAll},
          "occlusion culling",
          "only the software executor leaves out what is hidden"},
+        {{Effect::Penumbra, Reason::NarrowPenumbrae, 0, 0, 0.4712},
+         "penumbrae",
+         "none in view is wider than 0.47 pixels across the beam: the light is a point"},
+        {{Effect::Penumbra, Reason::NoShadows}, "penumbrae", "shadows are switched off"},
+        {{Effect::SkyLight, Reason::NoSun}, "the sky's shadows", "the shading has no sun"},
+        {{Effect::SkyLight, Reason::NothingHidesTheSky},
+         "the sky's shadows",
+         "nothing stands between what is seen and the sky"},
     };
     for (const Row& row : table) {
         EXPECT_EQ(effectInWords(row.omission), row.effect);
@@ -104,6 +112,17 @@ TEST(PlanSentences, SayWhichShadowsAndWhyAndThatWhatIsPredictedIs) {
     const Omission nothing{Effect::ExactShadows, OmissionReason::NothingFacesLight};
     EXPECT_EQ(
         effectInWords(nothing) + ": " + reasonInWords(nothing), "exact shadows: no visible surface faces the light");
+}
+
+TEST(PlanSentences, SayFromHowManyDirectionsLightComes) {
+    plan::FramePlan plan;
+    EXPECT_EQ(lightInWords(plan), "");
+    plan.penumbra = {3.125, 0.47, 80};
+    plan.sky = {64, plan::SkyModel::Overcast};
+    EXPECT_EQ(
+        lightInWords(plan),
+        "penumbrae of at most 3.12 pixels across the beam: 80 directions over the light's disc, for a lit share within "
+        "0.050\nthe sky's light from 64 directions, overcast\n");
 }
 
 TEST(PlanSentences, NameEverySourceOfADepthApart) {

@@ -57,6 +57,18 @@ TEST(Samples, AreOneBesideWhatIsOfOneFrame) {
     }
 }
 
+TEST(Samples, AreSeveralBesideWhatOneFrameCannotShow) {
+    for (bool BesideSamples::*option : {&BesideSamples::sunAngle, &BesideSamples::sky}) {
+        BesideSamples beside;
+        beside.*option = true;
+        EXPECT_EQ(samplesOf({}, beside), kUsualSamples);
+        EXPECT_EQ(samplesOf(2, beside), 2);
+        EXPECT_THROW(samplesOf(1, beside), UsageError);
+        beside.statistics = true;
+        EXPECT_THROW(samplesOf({}, beside), UsageError);
+    }
+}
+
 TEST(Resolve, EtaAndTheFocusSettleTheWarp) {
     Settings settings;
     settings.eta = 0.25;

@@ -59,5 +59,32 @@ TEST(TowardsSun, AtNightIsRefusedWithTheHoursOfTheDay) {
     }
 }
 
+TEST(SkyLightCodec, ReadsDirectionsAndTheirSkyAndWritesThemBack) {
+    EXPECT_EQ(skyLight().read("64"), (plan::SkyLight{64, plan::SkyModel::Uniform}));
+    EXPECT_EQ(skyLight().read("7,overcast"), (plan::SkyLight{7, plan::SkyModel::Overcast}));
+    EXPECT_EQ(skyLight().write({7, plan::SkyModel::Overcast}), "7,overcast");
+    EXPECT_EQ(skyLight().write(*skyLight().read("64,uniform")), "64");
+    for (const char* text : {"", "-1", "4097", "64,", "64,blue", ",uniform", "64,uniform,overcast", "6.5"})
+        EXPECT_FALSE(skyLight().read(text)) << text;
+}
+
+// Between its farthest, in July, and its nearest, in January, the Sun's disc is 0.524 to 0.542 degrees wide.
+TEST(LightDiameter, IsTheSunsWhereTheSunIsAskedForAndElseAPoint) {
+    const double kDegree = 3.14159265358979323846 / 180;
+    Settings settings;
+    EXPECT_EQ(lightDiameter(settings), 0);
+    const auto at = [&](const char* time) {
+        settings.sun = {{.latitude = 10, .longitude = 8.5}, sun::parseCivilTime(time).value()};
+        return lightDiameter(settings) / kDegree;
+    };
+    EXPECT_NEAR(at("2026-01-03T12:00+01:00"), 0.5422, 0.0003);
+    EXPECT_NEAR(at("2026-07-06T12:00+01:00"), 0.5244, 0.0003);
+    settings.sunAngleDegrees = 0;
+    EXPECT_EQ(lightDiameter(settings), 0);
+    settings = {};
+    settings.sunAngleDegrees = 2;
+    EXPECT_NEAR(lightDiameter(settings), 2 * kDegree, 1e-15);
+}
+
 } // namespace
 } // namespace gnomon::settings

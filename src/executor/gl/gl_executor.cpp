@@ -74,6 +74,8 @@ public:
 
     Picture picture() override { return targets().picture(); }
 
+    LightPicture light() override { return targets().light(); }
+
     std::optional<std::uint64_t> litPixels() override;
 
     FloatPicture viewDepth() override { return targets().viewDepth(clipNear_); }
@@ -240,10 +242,10 @@ void GlExecutor::drawMaps(const FrameDrawing& frame) {
 const gl::Program& GlExecutor::surfaceProgram(const FrameDrawing& frame) {
     const int shadows = frame.litMask != nullptr ? 2 : (targets_.hasShadowMaps() ? 1 : 0);
     const bool hasMany = frame.plan->passes.size() > GNOMON_FIRST_PARTITIONS;
-    const std::string defines = "#define MANY_PARTITIONS " + std::to_string(hasMany ? 1 : 0) + "\n#define SHADOWS " +
-                                std::to_string(shadows) + "\n#define OVERLAY " +
-                                std::to_string(static_cast<int>(frame.overlay)) + "\n#define AUXILIARY " +
-                                (frame.wantsSurfaces ? "1\n" : "0\n");
+    const std::string defines =
+        "#define MANY_PARTITIONS " + std::to_string(hasMany ? 1 : 0) + "\n#define SHADOWS " + std::to_string(shadows) +
+        "\n#define OVERLAY " + std::to_string(static_cast<int>(frame.overlay)) + "\n#define AUXILIARY " +
+        (frame.wantsSurfaces ? "1" : "0") + "\n#define LIGHT " + (frame.wantsLight ? "1\n" : "0\n");
     const auto found = surfacePrograms_.find(defines);
     if (found != surfacePrograms_.end()) return found->second;
     return surfacePrograms_
@@ -295,6 +297,7 @@ void GlExecutor::drawSurfaces(const FrameDrawing& frame) {
     if (frame.wantsSurfaces)
         for (const GLint target : {1, 2})
             gl.clearNamedFramebufferfv(targets_.imageFramebuffer(), GL_COLOR, target, nothing.data());
+    if (frame.wantsLight) gl.clearNamedFramebufferfv(targets_.imageFramebuffer(), GL_COLOR, 1, nothing.data());
     gl.clearNamedFramebufferfv(targets_.imageFramebuffer(), GL_DEPTH, 0, &farthest);
     gl.enable(GL_DEPTH_TEST);
     gl.depthFunc(GL_GREATER);

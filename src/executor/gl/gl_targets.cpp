@@ -1,5 +1,6 @@
 #include "executor/gl/gl_targets.h"
 
+#include "core/check.h"
 #include "core/error.h"
 
 namespace gnomon::executor {
@@ -16,9 +17,10 @@ Bytes GlTargets::bytes(const FrameDrawing& frame) const {
     };
     constexpr std::uint64_t kColorAndDepth = 4 + 4;
     constexpr std::uint64_t kSurfaces = 16 + 16;
+    constexpr std::uint64_t kLight = 16;
     const plan::FramePlan& plan = *frame.plan;
-    const std::uint64_t perPixel =
-        kColorAndDepth + (frame.wantsSurfaces ? kSurfaces : 0) + (frame.litMask != nullptr ? 1 : 0);
+    const std::uint64_t perPixel = kColorAndDepth + (frame.wantsSurfaces ? kSurfaces : 0) +
+                                   (frame.wantsLight ? kLight : 0) + (frame.litMask != nullptr ? 1 : 0);
     const glm::ivec2 shadow = shadowSize(plan);
     const std::uint64_t shadows = sizeof(float) * texels(shadow.x, shadow.y);
     return {perPixel * texels(plan.view.width, plan.view.height) + shadows};
@@ -41,9 +43,11 @@ void GlTargets::prepareImage(const gl::Api& api, const FrameDrawing& frame) {
     const int width = frame.plan->view.width;
     const int height = frame.plan->view.height;
     const bool hasSurfaces = image_ && image_->normals.id() != 0;
+    const bool hasLight = image_ && image_->light.id() != 0;
     if (image_ && image_->color.width() == width && image_->color.height() == height &&
-        hasSurfaces == frame.wantsSurfaces)
+        hasSurfaces == frame.wantsSurfaces && hasLight == frame.wantsLight)
         return;
+    GNOMON_CHECK(!frame.wantsSurfaces || !frame.wantsLight);
     Image image;
     image.color = gl::Texture(api, GL_RGBA8, width, height);
     image.depth = gl::Texture(api, GL_DEPTH_COMPONENT32F, width, height);
@@ -53,6 +57,10 @@ void GlTargets::prepareImage(const gl::Api& api, const FrameDrawing& frame) {
         image.positions = gl::Texture(api, GL_RGBA32F, width, height);
         colors.push_back(&image.normals);
         colors.push_back(&image.positions);
+    }
+    if (frame.wantsLight) {
+        image.light = gl::Texture(api, GL_RGBA32F, width, height);
+        colors.push_back(&image.light);
     }
     image.framebuffer = gl::Framebuffer(api, colors, image.depth);
     image_ = std::move(image);
@@ -86,6 +94,19 @@ glm::ivec2 GlTargets::shadowSize(const plan::FramePlan& plan) const {
 Picture GlTargets::picture() const {
     Picture result(image_->color.width(), image_->color.height());
     image_->color.read(GL_RGB, GL_UNSIGNED_BYTE, std::as_writable_bytes(std::span(result.pixels)));
+    flipRows(result);
+    return result;
+}
+
+LightPicture GlTargets::light() const {
+    Raster<glm::vec4> light(image_->light.width(), image_->light.height());
+    image_->light.read(GL_RGBA, GL_FLOAT, std::as_writable_bytes(std::span(light.pixels)));
+    LightPicture result(light.width, light.height);
+    for (std::size_t i = 0; i < result.pixels.size(); ++i) {
+        const glm::vec4& pixel = light.pixels[i];
+        result.pixels[i] = {pixel.r, pixel.g, pixel.b};
+        if (pixel.a == 0) result.pixels[i] = {-1, -1, -1};
+    }
     flipRows(result);
     return result;
 }

@@ -46,6 +46,9 @@ public:
 
     Picture picture() const;
 
+    /// Of a frame that wants it.
+    LightPicture light() const;
+
     /// Those that the image's shader marked as lit.
     std::uint64_t litPixels() const;
 
@@ -62,6 +65,7 @@ private:
         gl::Texture color;
         gl::Texture normals; // these two are empty unless surfaces are wanted
         gl::Texture positions;
+        gl::Texture light; // empty unless that is
         gl::Texture depth;
         gl::Framebuffer framebuffer;
     };

@@ -43,12 +43,16 @@ HWY_INLINE Floats shoulder(const block::Frame& frame, Floats light) {
     return hn::Min(shown, constant(1));
 }
 
-/// What a screen shows of a surface in that light.
-HWY_INLINE Vec3 displayed(const block::Frame& frame, const Vec3& albedo, const Vec3& light) {
+HWY_INLINE Vec3 reflected(const Vec3& albedo, const Vec3& light) {
+    return {hn::Mul(albedo.x, light.x), hn::Mul(albedo.y, light.y), hn::Mul(albedo.z, light.z)};
+}
+
+/// What a screen shows of a surface that reflects that light.
+HWY_INLINE Vec3 displayed(const block::Frame& frame, const Vec3& light) {
     return {
-        displayFromLinear(shoulder(frame, hn::Mul(albedo.x, light.x))),
-        displayFromLinear(shoulder(frame, hn::Mul(albedo.y, light.y))),
-        displayFromLinear(shoulder(frame, hn::Mul(albedo.z, light.z)))};
+        displayFromLinear(shoulder(frame, light.x)),
+        displayFromLinear(shoulder(frame, light.y)),
+        displayFromLinear(shoulder(frame, light.z))};
 }
 
 /// The light from everywhere but the sun.

@@ -74,4 +74,16 @@ void setLight(const plan::View& view, const plan::Look& look, plan::Shading shad
     }
 }
 
+void takeSkyOut(const plan::Look& look, block::Frame& block) {
+    const auto ambient = static_cast<float>(look.ambient);
+    block.ambientMean = 0.5F * ambient * kGround;
+    block.ambientTilt = -0.5F * ambient * kGround;
+}
+
+void leaveSkyDirection(const plan::Look& look, double weight, block::Frame& block) {
+    block.ambientMean = block.ambientTilt = glm::vec3(0);
+    block.headlight = 0;
+    block.sun = static_cast<float>(look.ambient * weight) * kSky;
+}
+
 } // namespace gnomon::executor

@@ -34,4 +34,12 @@ float shoulder(const block::Frame& block, float light);
 /// Fills the part of `block` that says how surfaces are lit; `shading` is never Auto.
 void setLight(const plan::View& view, const plan::Look& look, plan::Shading shading, block::Frame& block);
 
+/// Takes the light of the sky out of what setLight put into `block`, so that its directions make it up one by one.
+void takeSkyOut(const plan::Look& look, block::Frame& block);
+
+/// Leaves of the light in `block` what the sky sends from the direction of the light, one of many over the half sphere
+/// about up, whose mean is to be the sky's: each counts `weight`, twice what is bright there (the mean over the half
+/// sphere of twice the cosine is 1).
+void leaveSkyDirection(const plan::Look& look, double weight, block::Frame& block);
+
 } // namespace gnomon::executor

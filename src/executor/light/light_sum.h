@@ -1,0 +1,64 @@
+// Frames added up in linear light, and the picture of their mean: what antialiasing, penumbrae and sky light, and all
+// else that is a mean of frames, come to.
+#pragma once
+
+#include "executor/executor.h"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace gnomon::executor {
+
+/// How the mean of light becomes a picture.
+struct Shown {
+    bool isShouldered = true;        // as block::Frame has it
+    bool isTransparent = false;      // the background is: a pixel has the colour of what covers it
+    std::vector<Rgb> backgroundRows; // from top to bottom
+};
+
+/// How `frame` shows light.
+Shown shownAs(const FrameDrawing& frame);
+
+/// Adds `other` light of the same surfaces to `light`, where both have some.
+void addLight(LightPicture& light, const LightPicture& other);
+
+/// A sum of the light of frames of one size, as it reaches the eye: before the shoulder. It counts in 2^-20 of full
+/// scale and, above 4,096 times that, as 4,096 times, so sums are whole numbers below 2^48: no order and no number of
+/// threads changes them. Only what is shown of their mean is rounded to a screen's levels.
+///
+/// What lies behind the model is no light of it. A pixel's surfaces are shown by the mean of the frames in which they
+/// cover it, and mixed with the background by the share of these frames in the linear light of the screen: the
+/// brightest of backgrounds takes no more of an edge than it covers.
+class LightSum {
+public:
+    static constexpr int kMost = 65535;
+
+    /// Begins anew with nothing.
+    void reset();
+
+    /// Adds one more, at most kMost in all and of the size of the first.
+    void add(const LightPicture& light);
+
+    int count() const { return count_; }
+
+    /// The mean over the frames that cover a pixel.
+    LightPicture mean() const;
+
+    /// At least one frame; the rows of the background are as many as the frames'. Of equal frames it is what each of
+    /// them shows.
+    Picture picture(const Shown& shown) const;
+
+    /// The share of the frames that cover each pixel.
+    Coverage coverage() const;
+
+private:
+    using Sums = std::array<std::uint64_t, 3>;
+
+    int count_ = 0;
+    Raster<Sums> sums_;
+    Raster<std::uint16_t> covered_; // by how many
+};
+
+} // namespace gnomon::executor

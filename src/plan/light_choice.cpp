@@ -1,0 +1,62 @@
+#include "plan/frame_plan.h"
+#include "plan/light_directions.h"
+#include "plan/light_sampling.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace gnomon::plan {
+
+namespace {
+
+/// Why there is no shadow whose edge could be soft; nothing if there is.
+std::optional<OmissionReason> reasonForNoSoftness(const Quality& quality) {
+    if (isWithoutSun(quality.look.shading)) return OmissionReason::NoSun;
+    if (quality.shadows == ShadowMode::Off) return OmissionReason::NoShadows;
+    return std::nullopt;
+}
+
+} // namespace
+
+void planPenumbra(FramePlan& plan, double widestPixels) {
+    plan.penumbra = {};
+    if (!(plan.view.sunAngleRadians > 0)) return;
+    if (const auto reason = reasonForNoSoftness(plan.quality)) {
+        plan.omitted.push_back({Effect::Penumbra, *reason});
+        return;
+    }
+    plan.penumbra.widestPixels = widestPixels;
+    plan.penumbra.leastPixels = leastPenumbra(plan.quality.lightError);
+    if (widestPixels < plan.penumbra.leastPixels) {
+        Omission omission{Effect::Penumbra, OmissionReason::NarrowPenumbrae};
+        omission.pixels = plan.penumbra.leastPixels;
+        plan.omitted.push_back(omission);
+        return;
+    }
+    plan.penumbra.directions = directionsFor(plan.quality.lightError);
+}
+
+void planSky(FramePlan& plan, bool isAnythingHidden) {
+    plan.sky = {};
+    if (plan.quality.sky.directions == 0) return;
+    if (const auto reason = reasonForNoSoftness(plan.quality)) {
+        plan.omitted.push_back({Effect::SkyLight, *reason});
+    } else if (!isAnythingHidden) {
+        plan.omitted.push_back({Effect::SkyLight, OmissionReason::NothingHidesTheSky});
+    } else {
+        plan.sky = plan.quality.sky;
+    }
+}
+
+void leaveLightSamplingOut(FramePlan& plan) {
+    if (plan.penumbra.directions > 1) plan.omitted.push_back({Effect::Penumbra, OmissionReason::NoSun});
+    if (plan.sky.directions > 0) plan.omitted.push_back({Effect::SkyLight, OmissionReason::NoSun});
+    plan.penumbra.directions = 1;
+    plan.sky = {};
+}
+
+int lightFrames(const FramePlan& plan) {
+    return std::max(plan.penumbra.directions, plan.sky.directions);
+}
+
+} // namespace gnomon::plan

@@ -1,0 +1,102 @@
+#include "plan/light_directions.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numeric>
+
+namespace gnomon::plan {
+
+namespace {
+
+using UnitTurn = std::complex<double>;
+
+/// `times` golden angles, pi (3 - sqrt 5), by products alone: no library's cosine has a part in a direction.
+UnitTurn goldenTurn(int times) {
+    UnitTurn power(-0.7373688780783197, 0.6754902942615238);
+    UnitTurn turn(1, 0);
+    for (auto bits = static_cast<unsigned>(times); bits != 0; bits >>= 1U) {
+        if ((bits & 1U) != 0) turn *= power;
+        power *= power;
+    }
+    return turn;
+}
+
+/// The place of number `i` in an order in which neighbours lie a golden section of all apart; the first stays.
+int spreadPlace(int i, int count) {
+    constexpr double kGolden = 0.61803398874989485;
+    auto stride = std::max(static_cast<std::int64_t>(std::llround(kGolden * count)), std::int64_t{1});
+    while (std::gcd(stride, std::int64_t{count}) != 1)
+        ++stride;
+    return static_cast<int>(i * stride % count);
+}
+
+struct AxesAcross {
+    glm::dvec3 right, up;
+};
+
+/// Two directions across `axis`, which is of unit length, and each other.
+AxesAcross axesAcross(const glm::dvec3& axis) {
+    glm::dvec3 other(0);
+    other[std::abs(axis.x) < 0.5 ? 0 : 1] = 1;
+    const glm::dvec3 right = glm::normalize(glm::cross(other, axis));
+    return {right, glm::cross(axis, right)};
+}
+
+} // namespace
+
+const std::array<DiscSampling, 23> kDiscSamplings = {{
+    {4, 0.3569},    {8, 0.2501},    {12, 0.1706},   {16, 0.1502},   {24, 0.1091},   {32, 0.0827},
+    {48, 0.0647},   {64, 0.0543},   {80, 0.0447},   {96, 0.0379},   {128, 0.0362},  {160, 0.0283},
+    {192, 0.0257},  {256, 0.0224},  {320, 0.0177},  {384, 0.0162},  {512, 0.0133},  {768, 0.0100},
+    {1024, 0.0078}, {1536, 0.0062}, {2048, 0.0048}, {3072, 0.0032}, {4096, 0.0027},
+}};
+
+int directionsFor(double lightError) {
+    constexpr double kOfDisc = 0.85;
+    for (const DiscSampling& sampling : kDiscSamplings)
+        if (sampling.error <= kOfDisc * lightError) return sampling.directions;
+    return kDiscSamplings.back().directions;
+}
+
+double leastPenumbra(double lightError) {
+    constexpr double kPi = 3.14159265358979323846;
+    return lightError * 3 * kPi;
+}
+
+glm::dvec2 discPoint(int i, int count) {
+    if (count == 1) return glm::dvec2(0);
+    const int place = spreadPlace(i, count);
+    const double radius = std::sqrt(place / (count - 0.5));
+    const UnitTurn turn = goldenTurn(place);
+    return {radius * turn.real(), radius * turn.imag()};
+}
+
+glm::dvec3 towardsDisc(const glm::dvec3& middle, double angleRadians, const glm::dvec2& point) {
+    const glm::dvec3 axis = glm::normalize(middle);
+    const auto [right, up] = axesAcross(axis);
+    const double radius = std::tan(angleRadians / 2);
+    return glm::normalize(axis + radius * (point.x * right + point.y * up));
+}
+
+SkyPart skyPart(int i, int count, SkyModel model, const glm::dvec3& up) {
+    const int place = spreadPlace(i, count);
+    const double height = 1 - (place + 0.5) / count;
+    const double level = std::sqrt(1 - height * height);
+    const UnitTurn turn = goldenTurn(place);
+    const glm::dvec3 axis = glm::normalize(up);
+    const auto [right, other] = axesAcross(axis);
+    SkyPart part;
+    part.direction = height * axis + level * (turn.real() * right + turn.imag() * other);
+    if (model == SkyModel::Overcast) part.weight = 2 * (3 + 6 * height) / 7;
+    return part;
+}
+
+double skyError(int parts, SkyModel model) {
+    const double brightest = model == SkyModel::Overcast ? 9.0 / 7 : 1;
+    return 1.4 * brightest * std::pow(parts, -0.75);
+}
+
+} // namespace gnomon::plan

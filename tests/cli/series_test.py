@@ -85,6 +85,27 @@ class Series(ProgramTest):
         self.expect(0, "", "render", self.sundial, *SIZE, "--camera", PATH, "--time", middle, "-o", self.place / "at.png")
         self.assertEqual((self.place / "at.png").read_bytes(), (self.place / "of1.png").read_bytes())
 
+    def test_light_has_as_many_directions_as_show(self):
+        def drawn(name, *words):
+            self.expect(0, "", "render", self.sundial, *SIZE, "--samples", "4", "-o", self.place / name, *words)
+            return (self.place / name).read_bytes()
+
+        def planned(*words):
+            return json.loads(self.expect(0, "", "explain", self.sundial, *SIZE, "--json", *words).stdout)
+
+        point, soft = drawn("point.png"), ("--sun-angle", "20", "--light-error", "0.2")
+        self.assertEqual(point, drawn("off.png", "--sun-angle", "0", "--sky", "0"))
+        self.assertEqual(planned(*soft)["light_directions"], 16)
+        self.assertNotEqual(point, drawn("soft.png", *soft))
+        self.assertEqual(drawn("soft.png", *soft), drawn("again.png", *soft, "--threads", "1"))
+        self.assertEqual(point, drawn("narrow.png", "--sun-angle", "0.001"))
+        omitted = planned("--sun-angle", "0.001")["omitted"]
+        self.assertIn("0.47 pixels", {each["effect"]: each["reason"] for each in omitted}["penumbrae"])
+        sky = ("--sky", "6,overcast")
+        self.assertEqual(planned(*sky)["sky_directions"], 6)
+        self.assertEqual(drawn("sky.png", *sky), drawn("again.png", *sky, "--threads", "1"))
+        self.assertNotEqual(drawn("sky.png", *sky), point)
+
     def test_samples_are_sixteen_where_nothing_is_said(self):
         def drawn(name, *words):
             self.expect(0, "", "render", self.sundial, *SIZE, "-o", self.place / name, *words)

@@ -65,6 +65,9 @@ struct Partition {
     float unevenZ;   // the same along z, where the map's w is 1
     vec2 firstTexel; // of the partition, gutters included: column and row
     vec2 endTexel;   // one past the last
+    float logRows;   // 1 where rows lie logarithmically, as shadow::MapImage says; OpenGL is never given such maps
+    float unusedX;
+    vec2 unusedY;
 };
 
 struct Slice {

@@ -18,7 +18,9 @@ selection::CasterDetail casterDetail(const selection::DetailView& view, const sh
     texel.depth = warped.length;
     texel.kappa = warped.kappa;
     texel.width = warped.width / texels.s;
-    texel.length = warped.length / texels.t;
+    texel.isLog = warped.rows == shadow::RowSpacing::Logarithmic;
+    const double length = texel.isLog ? shadow::rowLength(warped.kappa, warped.length, warped.rows) : warped.length;
+    texel.length = length / texels.t;
     return detail;
 }
 

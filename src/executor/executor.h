@@ -194,6 +194,9 @@ public:
     /// Whether it can carry out a plan's `skipsHidden`.
     virtual bool skipsHidden() const { return false; }
 
+    /// Whether it can draw and look up maps with logarithmic rows.
+    virtual bool drawsLogRows() const { return false; }
+
     /// Draws the image of a frame whose plan asks for exact shadows or for rays: what is visible first, then who stands
     /// in its light. Throws Error where the executor cannot.
     virtual DrawStatistics drawExactly(const FrameDrawing& frame);

@@ -158,6 +158,7 @@ block::Shadows shadowsBlock(const FrameDrawing& frame) {
         out.clipFromOffset = image.clipFromOffset;
         out.origin = image.origin;
         out.reach = image.reach;
+        out.logRows = image.logRows;
         out.texelScale = image.texelScale;
         out.texelOffset = image.texelOffset;
         out.byColumn = image.byColumn;

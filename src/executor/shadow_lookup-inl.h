@@ -70,6 +70,7 @@ constexpr int kUnevenX = GNOMON_PARTITION_FLOAT(unevenX);
 constexpr int kUnevenZ = GNOMON_PARTITION_FLOAT(unevenZ);
 constexpr int kFirstTexel = GNOMON_PARTITION_FLOAT(firstTexel);
 constexpr int kEndTexel = GNOMON_PARTITION_FLOAT(endTexel);
+constexpr int kLogRows = GNOMON_PARTITION_FLOAT(logRows);
 #undef GNOMON_PARTITION_FLOAT
 static_assert(offsetof(block::Partition, clipFromOffset) == 0);
 
@@ -101,21 +102,40 @@ HWY_INLINE Floats clipCoordinate(const Partition& part, int row, const Vec3& off
         hn::Add(hn::Mul(part(8 + row), offset.z), part(12 + row)));
 }
 
+/// Whose rows lie logarithmically; false at once where no map's do.
+template <class Partition>
+HWY_INLINE Mask hasLogRows(const Partition& part) {
+    return hn::Gt(part(kLogRows), hn::Zero(kFloats));
+}
+
 /// The bias that a flat receiver, and a neighbour somewhat steeper, needs over half a texel and the kernel; `w` is the
 /// map's at `offset`.
 template <class Partition>
-HWY_INLINE Floats receiverBias(const Partition& part, const Vec3& offset, const Vec3& normal, Floats cosine, Floats w) {
+HWY_INLINE Floats
+receiverBias(const Partition& part, const Vec3& offset, const Vec3& normal, Floats cosine, Floats w, Floats inverseW) {
     const auto distance = hn::Neg(dot(normal, offset));
     const auto withPlane = [&](int k) HWY_ATTR {
         return hn::Add(dot(normal, {part(k), part(k + 1), part(k + 2)}), hn::Mul(distance, part(k + 3)));
     };
     const auto across = hn::Max(hn::Abs(withPlane(kByDepth)), constant(1e-30F));
-    const auto slope = hn::Div(hn::Add(hn::Abs(withPlane(kByColumn)), hn::Abs(withPlane(kByRow))), across);
+    const auto isLog = hasLogRows(part);
+    const auto one = constant(1);
+    const auto byRow = hn::Mul(hn::Abs(withPlane(kByRow)), hn::IfThenElse(isLog, inverseW, one));
+    const auto slope = hn::Div(hn::Add(hn::Abs(withPlane(kByColumn)), byRow), across);
     const auto grazing = hn::Min(constant(1), hn::Mul(cosine, constant(10)));
     const auto unevenX = part(kUnevenX);
-    const auto unevenZ = hn::Mul(part(kUnevenZ), w);
+    const auto unevenZ = hn::Mul(part(kUnevenZ), hn::IfThenElse(isLog, one, w));
     const auto uneven = hn::Sqrt(hn::Add(hn::Mul(unevenX, unevenX), hn::Mul(unevenZ, unevenZ)));
     return hn::Add(hn::Mul(hn::Add(hn::Mul(slope, grazing), uneven), part(kReach)), constant(6e-7F));
+}
+
+/// What a row is counted by: y / w, or the logarithm of w.
+template <class Partition>
+HWY_INLINE Floats alongRows(const Partition& part, Floats yOverW, Floats w) {
+    const auto isLog = hasLogRows(part);
+    if (hn::AllFalse(kFloats, isLog)) return yOverW;
+    const auto logarithm = naturalLog(hn::Max(w, constant(1e-30F)));
+    return hn::IfThenElse(isLog, logarithm, yOverW);
 }
 
 HWY_INLINE Floats between(Floats a, Floats b, Floats fraction) {
@@ -138,12 +158,15 @@ lookupAt(const ShadingFrame& f, const Partition& part, const Vec3& p, const Vec3
     const auto inverseW = inverse(hn::IfThenElse(isFinite, w, constant(1e-30F)));
     // Clamped as casters are: behind the map's far end nothing is in the way but what it shows.
     const auto depth = hn::Min(
-        hn::Sub(hn::Mul(clipCoordinate(part, 2, offset), inverseW), receiverBias(part, offset, normal, cosine, w)),
+        hn::Sub(
+            hn::Mul(clipCoordinate(part, 2, offset), inverseW),
+            receiverBias(part, offset, normal, cosine, w, inverseW)),
         constant(1));
     const auto half = constant(0.5F * static_cast<float>(std::max(f.frame->filterTexels, 1) - 1));
     const auto far = constant(1e6F);
     const auto startOf = [&](int row) HWY_ATTR {
-        const auto clip = hn::Mul(clipCoordinate(part, row, offset), inverseW);
+        auto clip = hn::Mul(clipCoordinate(part, row, offset), inverseW);
+        if (row == 1) clip = alongRows(part, clip, w);
         const auto texel = hn::Add(hn::Mul(clip, part(kTexelScale + row)), part(kTexelOffset + row));
         return hn::Min(hn::Max(hn::Sub(texel, half), hn::Neg(far)), far);
     };

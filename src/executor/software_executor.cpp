@@ -34,6 +34,8 @@ public:
 
     bool skipsHidden() const override { return true; }
 
+    bool drawsLogRows() const override { return true; }
+
     DrawStatistics drawExactly(const FrameDrawing& frame) override;
 
     Bytes deviceMemory() const override {
@@ -92,12 +94,19 @@ private:
     ReceiverPass receivers_;
 };
 
-/// How the casters of `map` are seen.
-raster::View mapView(const FrameDrawing& frame, const shadow::ShadowMap& map) {
-    const shadow::TexelRectangle& r = map.rectangle;
-    const MapDrawing drawing = mapDrawing(frame, map);
-    return rasterView(drawing.space, drawing.clipFromDraw(), {r.x, r.y, r.x + r.width, r.y + r.height});
-}
+/// How the casters of a map are seen, with the rows that the view borrows.
+struct MapView {
+    std::vector<float> rows; // empty: they lie evenly
+    raster::View view;
+
+    MapView(const FrameDrawing& frame, const shadow::ShadowMap& map) {
+        const shadow::TexelRectangle& r = map.rectangle;
+        const MapDrawing drawing = mapDrawing(frame, map);
+        rows = shadow::rowPositions(drawing.image, r.y, r.height);
+        view = rasterView(drawing.space, drawing.clipFromDraw(), {r.x, r.y, r.x + r.width, r.y + r.height});
+        view.rowPositions = rows;
+    }
+};
 
 /// What no map covers is 1; each map clears its own texels as it is drawn.
 void SoftwareExecutor::clearBetweenMaps(const plan::FramePlan& plan) {
@@ -147,6 +156,10 @@ raster::OcclusionCounts SoftwareExecutor::drawWantedMap(
     statistics.drawCalls += casters.ranges.size();
     raster::DepthTarget target = depthTarget();
     target.isWanted = [this](const raster::PixelBox& box) { return !receivers_.isUnseen(box); };
+    if (!view.rowPositions.empty()) {
+        *statistics.fragments += rasterizer_.drawDepth(mapPass_.clusters(), view, target);
+        return {};
+    }
     const raster::NearestDepths drawn =
         rasterizer_.drawNearestDepth(mapPass_.clusters(), mapPass_.boxes(), view, target);
     *statistics.fragments += drawn.fragments;
@@ -165,7 +178,8 @@ PassStatistics SoftwareExecutor::drawShadowMaps(const FrameDrawing& frame) {
     sizeShadowDepth(plan);
     clearBetweenMaps(plan);
     for (std::size_t p = 0; p < plan.passes.size(); ++p)
-        if (!plan.passes[p].isReused) drawMap(frame, *frame.casters[p], mapView(frame, plan.passes[p].map), statistics);
+        if (!plan.passes[p].isReused)
+            drawMap(frame, *frame.casters[p], MapView(frame, plan.passes[p].map).view, statistics);
     statistics.time = watch.elapsed();
     return statistics;
 }
@@ -175,7 +189,8 @@ CulledCasters SoftwareExecutor::drawCulledMaps(const FrameDrawing& frame, PassSt
     CulledCasters culled;
     for (std::size_t p = 0; p < frame.plan->passes.size(); ++p) {
         if (frame.plan->passes[p].isReused) continue;
-        const raster::View view = mapView(frame, frame.plan->passes[p].map);
+        const MapView map(frame, frame.plan->passes[p].map);
+        const raster::View& view = map.view;
         if (receivers_.isUnseen(view.viewport)) continue;
         const selection::DrawList& casters = receivers_.casters(frame, p, view);
         const raster::OcclusionCounts hidden = drawWantedMap(frame, casters, view, statistics);

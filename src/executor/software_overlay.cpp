@@ -21,7 +21,8 @@ glm::vec4 clipOf(const block::Partition& part, const glm::vec3& p) {
 }
 
 glm::vec2 texelOf(const block::Partition& part, const glm::vec4& clip) {
-    return glm::vec2(clip) / clip.w * part.texelScale + part.texelOffset;
+    const float up = part.logRows == 0 ? clip.y / clip.w : std::log(std::max(clip.w, 1e-30F));
+    return glm::vec2(clip.x / clip.w, up) * part.texelScale + part.texelOffset;
 }
 
 } // namespace
@@ -51,8 +52,12 @@ float SoftwareOverlay::aliasing(const block::Partition& part, const glm::vec3& p
     const glm::vec4 clip = clipOf(part, position);
     const glm::vec4 dx = part.clipFromOffset * glm::vec4(part.axisX, 0);
     const glm::vec4 dz = part.clipFromOffset * glm::vec4(part.axisZ, 0);
-    const glm::vec2 perX = glm::abs(glm::vec2(dx) * clip.w - glm::vec2(clip) * dx.w) * part.texelScale;
-    const glm::vec2 perZ = glm::abs(glm::vec2(dz) * clip.w - glm::vec2(clip) * dz.w) * part.texelScale;
+    glm::vec2 perX = glm::abs(glm::vec2(dx) * clip.w - glm::vec2(clip) * dx.w) * part.texelScale;
+    glm::vec2 perZ = glm::abs(glm::vec2(dz) * clip.w - glm::vec2(clip) * dz.w) * part.texelScale;
+    if (part.logRows != 0) { // rows change as w does, over w
+        perX.y = std::abs(dx.w) * clip.w * part.texelScale.y;
+        perZ.y = std::abs(dz.w) * clip.w * part.texelScale.y;
+    }
     const float texels = std::min(std::max(perX.x, perX.y), perX.y > perX.x ? perZ.x : perZ.y) / (clip.w * clip.w);
     return 1 / (std::max(texels, 1e-30F) * block_->pixelSlope * depth);
 }

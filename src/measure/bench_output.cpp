@@ -81,6 +81,7 @@ std::vector<report::StoragePoint> storagePoints(const plan::FramePlan& plan) {
     add("slices", shadow::WarpRule::None, false);
     add("slices + warp", shadow::WarpRule::Auto, false);
     add("faces + slices + warp", shadow::WarpRule::Auto, true);
+    add("faces + logarithmic rows", shadow::WarpRule::Log, true);
     return points;
 }
 

@@ -83,6 +83,8 @@ std::vector<BenchRun> reportRuns(const Settings& asked, bool isQuick) {
     oneMap.quality.zPartitions = 1;
     Settings stable = withWarp(base, WarpRule::None); // it has none, and a warp that is asked for contradicts it
     stable.quality.stabilize = true;
+    Settings logarithmic = withWarp(oneMap, WarpRule::Log);
+    logarithmic.quality.facePartitions = Choice::On;
     DistinctSettings runs;
     if (isQuick) {
         runs.vary(base, &Quality::zPartitions, {1, 2, 4, 8});
@@ -92,7 +94,10 @@ std::vector<BenchRun> reportRuns(const Settings& asked, bool isQuick) {
             runs.add(withWarp(base, WarpRule::None));
             runs.add(withWarp(oneMap, WarpRule::None));
         }
-        if (decidesExactly(base)) runs.addExact(base);
+        if (decidesExactly(base)) {
+            if (isWarpOpen) runs.add(logarithmic);
+            runs.addExact(base);
+        }
         return runsOf(runs.all());
     }
     runs.vary(base, &Quality::zPartitions, {1, 2, 3, 4, 6, 8});
@@ -107,7 +112,10 @@ std::vector<BenchRun> reportRuns(const Settings& asked, bool isQuick) {
     runs.add(withTexels(base, 4096));
     if (isWarpOpen) runs.add(stable);
     runs.vary(base, &Quality::facePartitions, {Choice::On});
-    if (decidesExactly(base)) runs.addExact(base);
+    if (decidesExactly(base)) {
+        if (isWarpOpen) runs.add(logarithmic);
+        runs.addExact(base);
+    }
     return runsOf(runs.all());
 }
 

@@ -22,6 +22,7 @@ std::unique_ptr<executor::Executor> makeExecutor(const settings::Settings& setti
 bool decidesExactly(const settings::Settings& settings) {
     using settings::Backend;
     const bool wantsSoftware = settings.quality.shadows == plan::ShadowMode::Exact ||
+                               settings.quality.warp.rule == shadow::WarpRule::Log ||
                                settings.quality.cullCasters == plan::CasterCulling::Receivers ||
                                settings.quality.occlusion == plan::Choice::On;
     return settings.backend == Backend::Software ||

@@ -14,7 +14,8 @@ TexelProbe::TexelProbe(const executor::FrameDrawing& frame, const shadow::Shadow
 
 glm::dvec2 TexelProbe::texel(const glm::dvec3& p) const {
     const glm::dvec4 clip = glm::dmat4(image_.clipFromOffset) * glm::dvec4(p - glm::dvec3(image_.origin), 1);
-    return glm::dvec2(clip) / clip.w * glm::dvec2(image_.texelScale) + glm::dvec2(image_.texelOffset);
+    const double up = image_.logRows == 0 ? clip.y / clip.w : std::log(clip.w);
+    return glm::dvec2(clip.x / clip.w, up) * glm::dvec2(image_.texelScale) + glm::dvec2(image_.texelOffset);
 }
 
 TexelProbe::Derivatives TexelProbe::derivatives(const glm::dvec3& p, double step) const {

@@ -57,7 +57,8 @@ ConvexVolume viewPyramid(const DetailView& view) {
 
 double TexelWidth::smallerSide(double zeta) const {
     const double stretch = 1 + kappa * std::clamp(zeta, 0.0, depth);
-    return std::min(width * stretch, length * stretch * stretch / (1 + kappa * depth));
+    const double along = isLog ? length * stretch : length * stretch * stretch / (1 + kappa * depth);
+    return std::min(width * stretch, along);
 }
 
 ErrorRule::ErrorRule(const DetailView& view) : ErrorRule(view, {}) {}

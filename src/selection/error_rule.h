@@ -34,7 +34,8 @@ struct TexelWidth {
     double depth = 0;         // d
     double kappa = 0;         // of the warp
     double width = 0;         // W / res_s: across, at zeta 0
-    double length = 0;        // d / res_t: along, without a warp
+    double length = 0;        // along: d / res_t, without a warp; of logarithmic rows at zeta 0
+    bool isLog = false;       // logarithmic rows: the length grows as the width does, else with its square
 
     /// The smaller side of the texel at `zeta`, world units. It grows with zeta.
     double smallerSide(double zeta) const;

@@ -3,6 +3,7 @@
 #include "core/angle.h"
 #include "settings/plan_sentences.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdarg>
@@ -66,6 +67,8 @@ ordered_json passJson(const plan::FramePlan& plan, const plan::ShadowPass& pass)
         matrixJson(glClipFromLightClip() * map.lightClipFromCamera() * cameraFromWorld(plan));
     json["rectangle"] = {r.x, r.y, r.width, r.height};
     json["kappa"] = map.warped.kappa;
+    // Rows up from the rectangle's lower edge: this times ln(w), w of the matrix; 0: rows lie evenly in y / w.
+    json["rows_per_log"] = map.warped.rows == shadow::RowSpacing::Even ? 0.0 : map.rowsPerLog();
     json["promised_aliasing_x"] = map.promised.x;
     json["promised_aliasing_z"] = map.promised.z;
     json["promised_aliasing_z_sheared"] = map.promised.sheared;
@@ -177,6 +180,11 @@ std::string planText(const plan::FramePlan& plan) {
             map.promised.sheared,
             static_cast<unsigned long long>(pass.estimatedTriangles));
     }
+    const auto isLog = [](const plan::ShadowPass& pass) {
+        return pass.map.warped.rows == shadow::RowSpacing::Logarithmic;
+    };
+    if (std::any_of(plan.passes.begin(), plan.passes.end(), isLog))
+        text += "rows of warped maps lie evenly in the logarithm of w; z is promised sheared\n";
     if (!plan.omitted.empty()) text += "\nleft out\n";
     for (const plan::Omission& omission : plan.omitted)
         text += line("  %-18s %s\n", effectInWords(omission).c_str(), reasonInWords(omission).c_str());

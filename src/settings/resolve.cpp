@@ -56,6 +56,10 @@ void requireSoftwareIfNeeded(const Settings& settings) {
         throw UsageError{
             written("backend", settings) + " and " + written("shadows", settings) +
             " contradict each other: only the software executor decides shadows exactly"};
+    if (isGl && settings.quality.warp.rule == shadow::WarpRule::Log)
+        throw UsageError{
+            written("backend", settings) + " and " + written("warp", settings) +
+            " contradict each other: only the software executor draws rows that lie unevenly"};
     if (isGl && settings.quality.cullCasters == plan::CasterCulling::Receivers)
         throw UsageError{
             written("backend", settings) + " and " + written("cull-casters", settings) +

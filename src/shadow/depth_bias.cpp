@@ -20,7 +20,11 @@ double largestRawBias(const LightFit& fit, double kappa, const Resolution& texel
     for (const FitPoint& point : fit.points())
         raw = std::max(raw, std::abs(point.y) / (1 + kappa * point.zeta));
     const double stepS = extent.width() / texels.s;
-    const double stepT = fit.length / texels.t;
+    // With logarithmic rows the last is the same everywhere, but for what it grows by over the reach.
+    const bool isEven = fit.rows == RowSpacing::Even || kappa == 0;
+    const double steps = reachTexels(filterTexels) * std::log1p(kappa * fit.length) / texels.t;
+    const double stepT =
+        (isEven ? fit.length : rowLength(kappa, fit.length, fit.rows) * std::expm1(steps) / steps) / texels.t;
     const double perTexel = kSteepest * (stepS + (1 + kappa * u) * stepT) + kappa * raw * stepT;
     return reachTexels(filterTexels) * (perTexel + kUnevenSlope * std::hypot(stepS, stepT));
 }
@@ -28,7 +32,7 @@ double largestRawBias(const LightFit& fit, double kappa, const Resolution& texel
 TexelDepth texelDepth(const WarpedMap& map, const Resolution& texels) {
     // A texel is W w / res_s wide and d w^2 / ((1 + kappa d) res_t) long; depth changes by 1 / (w range) a unit of
     // length along the light.
-    const double stepT = map.length / (1 + map.kappa * map.length) / texels.t;
+    const double stepT = rowLength(map.kappa, map.length, map.rows) / texels.t;
     return {map.width / texels.s / map.rawRange, stepT / map.rawRange};
 }
 

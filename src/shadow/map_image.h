@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace gnomon::shadow {
 
@@ -34,6 +35,9 @@ struct MapImage {
     Number unevenX = 0; // depth that kUnevenSlope changes over a texel along x
     Number unevenZ = 0; // and along z where w is 1: times w; the unevenness is the length of both
     Number reach = 0;   // reachTexels
+    /// 1 where rows lie logarithmically, else 0. The row is then ln(clip.w) * texelScale.y + texelOffset.y, clip.y is
+    /// -1 everywhere, byRow is what it is where w is 1, to be divided by w, and unevenZ is the same everywhere.
+    Number logRows = 0;
 };
 
 using DoubleMapImage = MapImage<double>;
@@ -52,9 +56,10 @@ struct MapTexel {
 template <typename Number>
 MapTexel<Number> texelAt(const MapImage<Number>& image, const glm::vec<3, Number, glm::defaultp>& p) {
     const auto clip = image.clipFromOffset * typename MapImage<Number>::Vec4(p - image.origin, 1);
+    const Number up = image.logRows == 0 ? clip.y / clip.w : std::log(clip.w);
     return {
         clip.x / clip.w * image.texelScale.x + image.texelOffset.x,
-        clip.y / clip.w * image.texelScale.y + image.texelOffset.y,
+        up * image.texelScale.y + image.texelOffset.y,
         clip.z / clip.w,
         clip.w};
 }
@@ -72,12 +77,18 @@ Number receiverBias(
     const auto offset = p - image.origin;
     const Vec4 plane(normal, -glm::dot(normal, offset));
     const Number across = std::max(std::abs(glm::dot(plane, image.byDepth)), kLeastDivisor);
-    const Number steep = std::abs(glm::dot(plane, image.byColumn)) + std::abs(glm::dot(plane, image.byRow));
-    const Number slope = steep / across * std::min(Number{1}, cosine / static_cast<Number>(kLeastCosine));
     const Number w = (image.clipFromOffset * Vec4(offset, 1)).w;
-    const Number uneven = std::hypot(image.unevenX, image.unevenZ * w);
+    const bool isEven = image.logRows == 0;
+    const Number byRow = std::abs(glm::dot(plane, image.byRow)) / (isEven ? Number{1} : w);
+    const Number steep = std::abs(glm::dot(plane, image.byColumn)) + byRow;
+    const Number slope = steep / across * std::min(Number{1}, cosine / static_cast<Number>(kLeastCosine));
+    const Number uneven = std::hypot(image.unevenX, image.unevenZ * (isEven ? w : Number{1}));
     return (slope + uneven) * image.reach + static_cast<Number>(kDepthRounding);
 }
+
+/// Where the rows of the texture that `image` fills from `firstRow` on lie, y / w of their middles, if logarithmically;
+/// else nothing.
+std::vector<float> rowPositions(const FloatMapImage& image, int firstRow, int count);
 
 /// The image in single precision, each number rounded once.
 FloatMapImage rounded(const DoubleMapImage& image);

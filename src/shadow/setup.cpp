@@ -15,7 +15,8 @@ namespace {
 /// numbers kappa d times as large. Only a TSM with its focus on the near side, and a PSM of a depth ratio above this,
 /// ask for more.
 double mostKappa(const LightFit& fit) {
-    constexpr double kMostWarp = 1e4; // of kappa d
+    // Logarithmic rows are counted from the vanishing line, and lose less.
+    const double kMostWarp = fit.rows == RowSpacing::Even ? 1e4 : 1e6; // of kappa d
     return fit.length > 0 ? kMostWarp / fit.length : std::numeric_limits<double>::infinity();
 }
 
@@ -37,7 +38,9 @@ int gutterTexels(const ShadowOptions& options) {
 }
 
 TexelLimits limitsOf(const ShadowOptions& options) {
-    return {options.texels, gutterTexels(options), options.minSide, options.maxSide, options.stabilized ? 1 : 0};
+    const bool isLog = options.scheme.warp.rule == WarpRule::Log && !options.stabilized;
+    return {
+        options.texels, gutterTexels(options), options.minSide, options.maxSide, options.stabilized ? 1 : 0, !isLog};
 }
 
 /// A view so thin that float positions relative to the eye do not resolve its texels.
@@ -66,12 +69,18 @@ Draft draftOf(const ShadowView& view, const ShadowOptions& options, Region regio
     if (region.face == Face::Near)
         frame = nearFrame(view.towardsLight);
     else if (region.face != Face::Whole)
-        frame = faceFrame(region.frustum, view.towardsLight, region.face, options.scheme.bisector);
+        frame = faceFrame(region.frustum, view.towardsLight, region.face, bisectorOf(options.scheme));
     draft.fit = fitRegion(frame, region.frustum, region.vertices);
     const Warp warp = warpOfSlice(options.scheme.warp, view.frustum, region.frustum);
-    draft.kappa = region.face == Face::Near ? 0 : std::min(kappaOf(warp, draft.fit), mostKappa(draft.fit));
+    draft.fit.rows = rowsOf(warp.rule);
+    draft.kappa = std::min(kappaOfMap(warp, draft.fit, region.face), mostKappa(draft.fit));
+    // Rows that are all but even are drawn evenly: so near the vanishing line lies far, and floats tell few apart.
+    constexpr double kLeastLogWarp = 0.05; // of kappa d
+    if (draft.fit.rows == RowSpacing::Logarithmic && draft.kappa * draft.fit.length < kLeastLogWarp) draft.kappa = 0;
     draft.unit = worstAliasing(draft.fit, draft.kappa);
     draft.sheared = worstShearedAliasing(draft.fit, draft.kappa);
+    // A face that the light grazes has texels far longer than wide of the t axis alone, so t is sized by what they are.
+    if (draft.fit.rows == RowSpacing::Logarithmic) draft.unit.z = draft.sheared;
     draft.region = std::move(region);
     return draft;
 }

@@ -1,5 +1,7 @@
 #include "shadow/shadow_map.h"
 
+#include <cmath>
+
 namespace gnomon::shadow {
 
 TexelRectangle ShadowMap::innerRectangle() const {
@@ -29,7 +31,21 @@ glm::dmat4 ShadowMap::lightClipFromMap() const {
     clip[0] = rectangle.transposed ? alongY : alongX;
     clip[1] = rectangle.transposed ? alongX : alongY;
     clip[3] = {-scaleX, -scaleY, 0, 1};
+    if (warped.rows == RowSpacing::Even) return clip;
+    // t w = (1 + kappa d) / (kappa d) (w - 1), so that y is -1.
+    const double warp = warped.kappa * warped.length;
+    for (glm::length_t column = 0; column < 4; ++column)
+        clip[column].y = 0;
+    clip[1].y = warp / (1 + warp);
+    clip[3].y = -1;
+    const double wAtEdge = std::exp(-gutter / rowsPerLog());
+    for (glm::length_t column = 0; column < 4; ++column)
+        clip[column] /= glm::dvec4(wAtEdge, 1, wAtEdge, wAtEdge);
     return clip;
+}
+
+double ShadowMap::rowsPerLog() const {
+    return texels().t / std::log1p(warped.kappa * warped.length);
 }
 
 DoubleMapImage mapImage(const ShadowMap& map, const glm::dmat4& lightClipFromOffset, const glm::dvec3& origin) {
@@ -47,7 +63,26 @@ DoubleMapImage mapImage(const ShadowMap& map, const glm::dmat4& lightClipFromOff
     image.unevenX = kUnevenSlope * texel.x;
     image.unevenZ = kUnevenSlope * texel.z;
     image.reach = reachTexels(map.filterTexels);
+    if (map.warped.rows == RowSpacing::Even) return image;
+    image.logRows = 1;
+    image.texelScale.y = map.rowsPerLog();
+    image.texelOffset.y = r.y;
+    // A step of `reach` rows towards the light's near end is the longest: 1 / w grows by e^(reach / rowsPerLog).
+    const double steps = image.reach / map.rowsPerLog();
+    image.byRow = offsetFromClip[1] * (std::expm1(steps) / image.reach);
+    image.unevenZ *= std::expm1(steps) / steps;
     return image;
+}
+
+std::vector<float> rowPositions(const FloatMapImage& image, int firstRow, int count) {
+    std::vector<float> positions;
+    if (image.logRows == 0) return positions;
+    positions.reserve(static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i) {
+        const double row = firstRow + i + 0.5 - double{image.texelOffset.y};
+        positions.push_back(static_cast<float>(-std::exp(-row / double{image.texelScale.y})));
+    }
+    return positions;
 }
 
 DoubleMapImage cameraImage(const ShadowMap& map) {
@@ -66,6 +101,7 @@ FloatMapImage rounded(const DoubleMapImage& image) {
     result.unevenX = static_cast<float>(image.unevenX);
     result.unevenZ = static_cast<float>(image.unevenZ);
     result.reach = static_cast<float>(image.reach);
+    result.logRows = static_cast<float>(image.logRows);
     return result;
 }
 

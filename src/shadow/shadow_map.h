@@ -38,8 +38,12 @@ struct ShadowMap {
     /// Texels along s and t without gutters, whichever way the map lies in the depth texture; `image` is 1.
     Resolution texels() const;
 
-    /// (s, t, depth) over the map, times w -> clip space over the rectangle, as MapImage has it.
+    /// (s, t, depth) over the map, times w -> clip space over the rectangle, as MapImage has it. With logarithmic rows
+    /// t is that of even ones, and w is 1 on the rectangle's lowest edge.
     glm::dmat4 lightClipFromMap() const;
+
+    /// Rows of the texture by which w grows e times, where they are logarithmic.
+    double rowsPerLog() const;
 
     glm::dmat4 lightClipFromCamera() const { return lightClipFromMap() * textureFromCamera(warped); }
 };

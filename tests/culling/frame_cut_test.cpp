@@ -69,7 +69,8 @@ TEST(CasterDetail, TexelsAreThoseOfTheMap) {
         shadow::ShadowMap map;
         const glm::dvec3 light(random.uniform(-1, 1), random.uniform(0.2, 1), random.uniform(-1, 1));
         map.warped.frame = shadow::lightFrame(glm::normalize(light));
-        map.warped.kappa = random.uniform(0, 3);
+        map.warped.kappa = random.uniform(0.01, 3);
+        map.warped.rows = random.below(2) == 0 ? shadow::RowSpacing::Even : shadow::RowSpacing::Logarithmic;
         map.warped.zMin = random.uniform(-2, 2);
         map.warped.length = random.uniform(1, 50);
         map.warped.width = random.uniform(1, 50);

@@ -99,4 +99,13 @@ plan::Quality fieldQuality(std::uint64_t seed) {
     return quality;
 }
 
+plan::Quality softwareQuality(std::uint64_t seed) {
+    plan::Quality quality = fieldQuality(seed);
+    if (seed % 3 == 1 && !quality.stabilize) {
+        quality.warp.rule = shadow::WarpRule::Log;
+        quality.facePartitions = seed % 2 == 0 ? plan::Choice::On : plan::Choice::Off;
+    }
+    return quality;
+}
+
 } // namespace gnomon::executor

@@ -34,4 +34,7 @@ private:
 /// Warps, slices, faces, stabilised slices, filters, shadings and backgrounds in turn; every eleventh without shadows.
 plan::Quality fieldQuality(std::uint64_t seed);
 
+/// The same, with logarithmic rows where `seed` is one of every three that are not stabilised.
+plan::Quality softwareQuality(std::uint64_t seed);
+
 } // namespace gnomon::executor

@@ -3,6 +3,7 @@
 #include "executor/light/light_model.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace gnomon::executor {
@@ -170,6 +171,18 @@ int plainPassOf(const ShadingFrame& f, const vec3& p, float z) {
     return f.shadows->passOfPartition[index / 4][index % 4];
 }
 
+/// The logarithm by powers of (m - 1) / (m + 1), m between sqrt(1/2) and sqrt 2.
+float plainLog(float value) {
+    constexpr std::int32_t kRootOfHalf = 0x3F3504F3;
+    const std::int32_t bits = std::bit_cast<std::int32_t>(value) - kRootOfHalf;
+    const auto exponent = static_cast<float>(bits >> 23);
+    const auto m = std::bit_cast<float>((bits & 0x7FFFFF) + kRootOfHalf);
+    const float s = (m - 1) / (m + 1);
+    const float square = s * s;
+    const float series = (((2.0F / 9 * square + 2.0F / 7) * square + 2.0F / 5) * square + 2.0F / 3) * square + 2.0F;
+    return exponent * 0.693359375F + (s * series + exponent * -2.12194440e-4F);
+}
+
 float plainLitFraction(const ShadingFrame& f, int pass, const vec3& p, const vec3& normal, float cosine) {
     const block::Partition& part = f.shadows->partitions[pass];
     const vec3 offset = p - part.origin;
@@ -183,13 +196,17 @@ float plainLitFraction(const ShadingFrame& f, int pass, const vec3& p, const vec
         return std::abs(dot(normal, vec3(by)) + -dot(normal, offset) * by.w);
     };
     const int width = std::max(f.frame->filterTexels, 1);
-    const float slope = (withPlane(part.byColumn) + withPlane(part.byRow)) / std::max(withPlane(part.byDepth), 1e-30F);
-    const float unevenZ = part.unevenZ * w;
+    const bool isLog = part.logRows > 0;
+    const float byRow = withPlane(part.byRow) * (isLog ? inverseW : 1.0F);
+    const float slope = (withPlane(part.byColumn) + byRow) / std::max(withPlane(part.byDepth), 1e-30F);
+    const float unevenZ = part.unevenZ * (isLog ? 1.0F : w);
     const float uneven = std::sqrt(part.unevenX * part.unevenX + unevenZ * unevenZ);
     const float bias = (slope * std::min(1.0F, cosine * 10) + uneven) * part.reach + 6e-7F;
     const float depth = std::min(coordinate(2) * inverseW - bias, 1.0F);
     const auto start = [&](int row) {
-        const float texel = (coordinate(row) * inverseW) * part.texelScale[row] + part.texelOffset[row];
+        const float even = coordinate(row) * inverseW;
+        const float along = row == 1 && isLog ? plainLog(std::max(w, 1e-30F)) : even;
+        const float texel = along * part.texelScale[row] + part.texelOffset[row];
         return std::min(std::max(texel - 0.5F * static_cast<float>(width - 1), -1e6F), 1e6F);
     };
     const auto isLit = [&](int x, int y) {

@@ -90,7 +90,7 @@ TEST(ShadingTwin, RandomTrianglesUnderEveryScheme) {
     std::size_t partitions = 0;
     for (std::uint64_t seed = 1; seed <= 14; ++seed) {
         SCOPED_TRACE(seed);
-        const plan::FramePlan plan = field.plan(field.view(seed), fieldQuality(seed));
+        const plan::FramePlan plan = field.plan(field.view(seed), softwareQuality(seed));
         FrameDrawing frame = field.drawing(plan);
         executor->draw(frame);
         const FloatPicture maps = executor->shadowDepth();
@@ -140,7 +140,7 @@ TEST(ShadingTwin, FramesAreTheSameEverywhere) {
     const Field field;
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
         SCOPED_TRACE(seed);
-        const plan::FramePlan plan = field.plan(field.view(seed), fieldQuality(seed));
+        const plan::FramePlan plan = field.plan(field.view(seed), softwareQuality(seed));
         FrameDrawing frame = field.drawing(plan);
         frame.wantsSurfaces = true;
         frame.overlay = static_cast<Overlay>(seed % 8);

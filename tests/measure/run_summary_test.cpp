@@ -280,11 +280,12 @@ TEST(StoragePoints, AreThoseOfTheDepthRangeAndNoneWithoutOne) {
     plan.view.camera.fovYRadians = 0.6981317007977318; // the frustum of the theory's figures
     plan.towardsLight = {0, 1, 0};
     const std::vector<report::StoragePoint> points = storagePoints(plan);
-    ASSERT_EQ(points.size(), 24U);
+    ASSERT_EQ(points.size(), 32U);
     EXPECT_NEAR(points[8].storageFactor, 1372, 1);
     EXPECT_NEAR(points[11].storageFactor, 25.4, 0.05);
     EXPECT_EQ(points[11].maps, 4);
     EXPECT_EQ(points[11].scheme, "slices + warp");
+    EXPECT_NEAR(points[24].storageFactor, 9.489, 1e-3) << "logarithmic rows";
     for (std::size_t i = 0; i + 1 < points.size(); ++i)
         EXPECT_TRUE(points[i].scheme != points[i + 1].scheme || points[i].maps < points[i + 1].maps);
     for (const auto& [near, far] : std::vector<std::pair<double, double>>{{0, 10}, {5, 5}, {6, 5}, {-1, 2}}) {

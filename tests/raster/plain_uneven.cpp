@@ -48,6 +48,44 @@ double planeAt(const BandCorners& c, double x, double y) {
     return area > 0.25 * snapped ? solved(trueX, trueY, area) : solved(snappedX, snappedY, snapped);
 }
 
+using SampleVisit = std::function<void(int, int, double, std::uint32_t)>;
+using SnappedCorners = std::array<SnappedVertex, 3>;
+
+/// The corners in the units of `band`, counter-clockwise.
+BandCorners cornersIn(const RowBand& band, const SnappedCorners& corners) {
+    BandCorners c{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const float units = (std::bit_cast<float>(corners[k].y) - band.base) * band.scale;
+        c[k] = {corners[k].x, std::llrint(units), corners[k].x + double{restOf(corners[k].restX)}, units, corners[k].z};
+    }
+    if (twiceArea(c[0], c[1], c[2].x, c[2].y) < 0) std::swap(c[1], c[2]);
+    return c;
+}
+
+bool isInTriangle(const BandCorners& c, std::int64_t x, std::int64_t y) {
+    return isWithin(c[0], c[1], x, y) && isWithin(c[1], c[2], x, y) && isWithin(c[2], c[0], x, y);
+}
+
+void visitBand(
+    const View& view, const RowBand& band, const SnappedCorners& corners, std::uint32_t id, const SampleVisit& visit) {
+    const BandCorners c = cornersIn(band, corners);
+    if (twiceArea(c[0], c[1], c[2].x, c[2].y) == 0) return;
+    const auto [minX, maxX] = std::minmax({c[0].x, c[1].x, c[2].x});
+    const auto [minZ, maxZ] = std::minmax({c[0].z, c[1].z, c[2].z});
+    const auto x0 = static_cast<int>(std::max<std::int64_t>(view.viewport.x0, minX >> 8));
+    const auto x1 = static_cast<int>(std::min<std::int64_t>(view.viewport.x1, (maxX >> 8) + 1));
+    for (int y = band.first; y < band.end; ++y) {
+        const float position = view.rowPositions[static_cast<std::size_t>(y - view.viewport.y0)];
+        const std::int64_t up = std::llrint((position - band.base) * band.scale);
+        for (int x = x0; x < x1; ++x) {
+            const std::int64_t along = std::int64_t{256} * x;
+            if (!isInTriangle(c, along, up)) continue;
+            const double depth = planeAt(c, static_cast<double>(along), static_cast<double>(up));
+            visit(x, y, std::clamp(std::clamp(depth, minZ, maxZ), 0.0, 1.0), id);
+        }
+    }
+}
+
 } // namespace
 
 void visitUnevenSamples(
@@ -57,32 +95,6 @@ void visitUnevenSamples(
     RowBands rows;
     rows.reset(view.rowPositions, view.viewport.y0);
     const Projection pass = projection(view, false, &rows);
-    const auto visitIn = [&](const RowBand& band, const std::array<SnappedVertex, 3>& corners, std::uint32_t id) {
-        BandCorners c{};
-        for (std::size_t k = 0; k < 3; ++k) {
-            const float units = (std::bit_cast<float>(corners[k].y) - band.base) * band.scale;
-            c[k] = {
-                corners[k].x, std::llrint(units), corners[k].x + double{restOf(corners[k].restX)}, units, corners[k].z};
-        }
-        if (twiceArea(c[0], c[1], c[2].x, c[2].y) == 0) return;
-        if (twiceArea(c[0], c[1], c[2].x, c[2].y) < 0) std::swap(c[1], c[2]);
-        const auto [minX, maxX] = std::minmax({c[0].x, c[1].x, c[2].x});
-        const auto [minZ, maxZ] = std::minmax({c[0].z, c[1].z, c[2].z});
-        const auto x0 = static_cast<int>(std::max<std::int64_t>(view.viewport.x0, minX >> 8));
-        const auto x1 = static_cast<int>(std::min<std::int64_t>(view.viewport.x1, (maxX >> 8) + 1));
-        for (int y = band.first; y < band.end; ++y) {
-            const auto up = static_cast<std::int64_t>(std::llrint(
-                (view.rowPositions[static_cast<std::size_t>(y - view.viewport.y0)] - band.base) * band.scale));
-            for (int x = x0; x < x1; ++x) {
-                const std::int64_t along = std::int64_t{256} * x;
-                if (!isWithin(c[0], c[1], along, up) || !isWithin(c[1], c[2], along, up) ||
-                    !isWithin(c[2], c[0], along, up))
-                    continue;
-                const double depth = planeAt(c, static_cast<double>(along), static_cast<double>(up));
-                visit(x, y, std::clamp(std::clamp(depth, minZ, maxZ), 0.0, 1.0), id);
-            }
-        }
-    };
     for (const Cluster& cluster : clusters)
         for (std::uint32_t i = 0; i < cluster.triangles.size(); ++i) {
             std::array<ClipPosition, 3> corners;
@@ -92,10 +104,12 @@ void visitUnevenSamples(
             const ClippedPolygon polygon = clipTriangle(pass, corners);
             for (std::size_t k = 2; k < polygon.count; ++k)
                 for (const RowBand& band : rows.bands())
-                    visitIn(
+                    visitBand(
+                        view,
                         band,
                         {polygon.corners[0], polygon.corners[k - 1], polygon.corners[k]},
-                        cluster.firstTriangleId + i);
+                        cluster.firstTriangleId + i,
+                        visit);
         }
 }
 

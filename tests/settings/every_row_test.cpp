@@ -109,7 +109,7 @@ std::vector<EveryRow> qualityRows() {
         {"gpu-memory", "1G", {"64M"}, {"0", "G"}, "a memory size such as 512M or 2G"},
         {"error-pixels", "1", {"0.125", "64", "1000"}, {"0", "-1", "1px"}, "a number above 0"},
         {"shadows", "auto", {"off", "maps", "exact", "rays", "auto"}, {"on", "Maps", "ray"}, nullptr},
-        {"warp", "auto", {"none", "lspsm", "psm", "tsm", "minimax", "auto"}, {"eta", "given", ""}, nullptr},
+        {"warp", "auto", {"none", "lspsm", "psm", "tsm", "minimax", "auto", "log"}, {"eta", "given", ""}, nullptr},
         {"z-partitions", "4", {"auto", "1", "12"}, {"0", "13", "2.0", "-1"}, "auto or a whole number from 1 to 12"},
         {"face-partitions", "off", {"on", "off", "auto"}, {"yes", "1"}, nullptr},
         {"shadow-texels",

@@ -85,6 +85,19 @@ TEST(Resolve, EtaAndTheFocusSettleTheWarp) {
     EXPECT_EQ(qualityOf(settings).warp.tsmFocus, 2);
 }
 
+TEST(Resolve, RowsThatLieUnevenlyAreOfTheSoftwareExecutor) {
+    Settings settings;
+    settings.quality.warp.rule = shadow::WarpRule::Log;
+    for (const Backend backend : {Backend::Auto, Backend::Software}) {
+        settings.backend = backend;
+        EXPECT_EQ(objection(settings), "");
+    }
+    settings.backend = Backend::Egl;
+    EXPECT_EQ(
+        objection(settings),
+        "--backend egl and --warp log contradict each other: only the software executor draws rows that lie unevenly");
+}
+
 TEST(Resolve, StabilisedSlicesHaveNoWarp) {
     Settings settings;
     settings.quality.stabilize = true;

@@ -116,7 +116,9 @@ std::optional<glm::dvec3> readBeside(
     const DoubleMapImage& image, const glm::dvec3& p, const glm::dvec2& reach, double z) {
     glm::dvec4 at = image.clipFromOffset * glm::dvec4(p - image.origin, 1);
     at /= at.w;
-    at += glm::dvec4(reach / image.texelScale, 0, 0);
+    const glm::dvec2 further = reach / image.texelScale;
+    at.x += further.x;
+    at.y = image.logRows == 0 ? at.y + further.y : at.y * std::exp(-further.y);
     at.z = z;
     const glm::dvec4 offset = glm::inverse(image.clipFromOffset) * at;
     if (!(offset.w > 0)) return std::nullopt;

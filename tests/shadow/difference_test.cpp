@@ -34,7 +34,7 @@ void checkSeed(std::uint64_t seed) {
     const ViewFrustum frustum = randomFrustum(random);
     const LightFrame frame = rolled(lightFrame(randomLight(random)), random.below(2) == 0 ? 0 : random.uniform(-3, 3));
     const LightFit fit = fitSlice(frame, frustum);
-    const double kappa = kappaOf(randomWarp(random, frustum), fit);
+    const double kappa = kappaOf(randomWarp(random, frustum), fit); // even rows: the matrix's
     const WarpedMap map = warpedMap(fit, kappa);
     const glm::dmat4 matrix = textureFromCamera(map);
     const glm::dvec3 p = randomPointIn(random, frustum);

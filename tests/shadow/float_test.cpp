@@ -130,8 +130,24 @@ TEST(Float, TheImageIsTheMapToTheLastTexelOfItsRectangle) {
                 EXPECT_NEAR(at.depth, mapPoint(map.warped, vertex.position).depth, 1e-8);
             }
             // Clip space from -1 to 1 is the rectangle, gutters included: the viewport that casters are drawn with.
-            EXPECT_EQ(image.texelOffset - image.texelScale, glm::dvec2(map.rectangle.x, map.rectangle.y));
-            EXPECT_EQ(2.0 * image.texelScale, glm::dvec2(map.rectangle.width, map.rectangle.height));
+            EXPECT_EQ(image.texelOffset.x - image.texelScale.x, map.rectangle.x);
+            EXPECT_EQ(2.0 * image.texelScale.x, map.rectangle.width);
+            if (image.logRows == 0) {
+                EXPECT_EQ(image.texelOffset.y - image.texelScale.y, map.rectangle.y);
+                EXPECT_EQ(2.0 * image.texelScale.y, map.rectangle.height);
+                EXPECT_TRUE(rowPositions(rounded(image), map.rectangle.y, map.rectangle.height).empty());
+                continue;
+            }
+            // Logarithmic rows: casters are drawn where a lookup of theirs would read the middle of a row.
+            const std::vector<float> rows = rowPositions(rounded(image), map.rectangle.y, map.rectangle.height);
+            const glm::dvec4 clip =
+                image.clipFromOffset * glm::dvec4(map.region.vertices[0].position - image.origin, 1);
+            EXPECT_NEAR(clip.y, -1, 1e-9);
+            for (std::size_t i = 0; i < rows.size(); i += 7) {
+                const double read = std::log(-1 / rows[i]) * image.texelScale.y + image.texelOffset.y;
+                EXPECT_NEAR(read, map.rectangle.y + static_cast<double>(i) + 0.5, 1e-2);
+                EXPECT_GT(rows[i], -1);
+            }
         }
     }
 }

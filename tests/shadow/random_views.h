@@ -68,7 +68,7 @@ inline glm::dvec2 exactTexel(const ShadowMap& map, const glm::dvec3& p) {
 
 inline Warp randomWarp(Random& random, const ViewFrustum& frustum) {
     Warp warp;
-    warp.rule = std::array<WarpRule, 8>{
+    warp.rule = std::array<WarpRule, 9>{
         WarpRule::None,
         WarpRule::Psm,
         WarpRule::Lspsm,
@@ -76,7 +76,8 @@ inline Warp randomWarp(Random& random, const ViewFrustum& frustum) {
         WarpRule::Minimax,
         WarpRule::Auto,
         WarpRule::Eta,
-        WarpRule::Given}[random.below(8)];
+        WarpRule::Given,
+        WarpRule::Log}[random.below(9)];
     warp.eta = random.uniform(-1, 1);
     warp.tsmFocus = (frustum.far - frustum.near) * random.uniform(0.001, 1);
     warp.kappa = random.uniform(0, 2) / frustum.near;

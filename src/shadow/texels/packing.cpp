@@ -156,7 +156,7 @@ Packing packed(std::span<const TexelRectangle> rectangles, const PackingStrategy
     return width > maxSide ? Packing{} : skyline(transposed, order, width, maxSide);
 }
 
-PackingStrategy bestStrategy(std::span<const TexelRectangle> rectangles, int maxSide) {
+PackingStrategy bestStrategy(std::span<const TexelRectangle> rectangles, int maxSide, bool mayTranspose) {
     if (rectangles.empty()) return {};
     if (allAlike(rectangles)) return bestGrid(rectangles, maxSide);
     using Transposition = PackingStrategy::Transposition;
@@ -164,6 +164,7 @@ PackingStrategy bestStrategy(std::span<const TexelRectangle> rectangles, int max
     PackingStrategy best;
     Packing least;
     for (const Transposition transposition : {Transposition::AsGiven, Transposition::AllTall, Transposition::AllWide}) {
+        if (transposition != Transposition::AsGiven && !mayTranspose) break;
         const std::vector<TexelRectangle> transposed = transposedAs(rectangles, transposition);
         for (const Order order : {Order::Height, Order::Area}) {
             const std::vector<std::size_t> sorted = orderOf(transposed, order);
@@ -199,8 +200,8 @@ void growIntoGaps(Packing& packing, int maxSide) {
     }
 }
 
-Packing packed(std::span<const TexelRectangle> rectangles, int maxSide) {
-    return packed(rectangles, bestStrategy(rectangles, maxSide), maxSide);
+Packing packed(std::span<const TexelRectangle> rectangles, int maxSide, bool mayTranspose) {
+    return packed(rectangles, bestStrategy(rectangles, maxSide, mayTranspose), maxSide);
 }
 
 } // namespace gnomon::shadow

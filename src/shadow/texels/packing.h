@@ -42,8 +42,8 @@ struct PackingStrategy {
 
 /// The strategy of the least area for `rectangles` (their x, y and transposition are ignored) with sides of at most
 /// `maxSide`: a grid where all are alike, else a skyline (bottom-left) over the strips in which a whole number of them
-/// stand side by side. At most a few hundred rectangles.
-PackingStrategy bestStrategy(std::span<const TexelRectangle> rectangles, int maxSide);
+/// stand side by side; upright all, if none may be transposed. At most a few hundred rectangles.
+PackingStrategy bestStrategy(std::span<const TexelRectangle> rectangles, int maxSide, bool mayTranspose = true);
 
 /// `rectangles` laid out by `strategy`; nothing (width 0) if a side would exceed `maxSide`.
 Packing packed(std::span<const TexelRectangle> rectangles, const PackingStrategy& strategy, int maxSide);
@@ -52,6 +52,6 @@ Packing packed(std::span<const TexelRectangle> rectangles, const PackingStrategy
 void growIntoGaps(Packing& packing, int maxSide);
 
 /// `rectangles` laid out by their best strategy.
-Packing packed(std::span<const TexelRectangle> rectangles, int maxSide);
+Packing packed(std::span<const TexelRectangle> rectangles, int maxSide, bool mayTranspose = true);
 
 } // namespace gnomon::shadow

@@ -60,7 +60,7 @@ TexelLayout equalSquares(std::size_t count, const TexelLimits& limits) {
     // A row always holds the squares unless the texture's sides are bounded; then a few sizes have to be tried.
     for (; side >= least; side -= std::max(1, side / 64)) {
         const std::vector<TexelRectangle> squares(count, TexelRectangle{0, 0, side, side, false});
-        layout.packing = packed(squares, limits.maxSide);
+        layout.packing = packed(squares, limits.maxSide, limits.mayTranspose);
         if (layout.packing.width > 0 && layout.packing.area() <= limits.texels) return layout;
     }
     throw Error(
@@ -107,7 +107,7 @@ TexelLayout splitTexels(std::span<const TexelDemand> demands, const TexelLimits&
     double bestError = worstError(best, demands);
     const double bound = errorOfAreas(demands, limits);
     if (!(bound > 0)) return best;
-    PackingStrategy strategy = bestStrategy(sizesFor(demands, bound, limits), limits.maxSide);
+    PackingStrategy strategy = bestStrategy(sizesFor(demands, bound, limits), limits.maxSide, limits.mayTranspose);
     // Up from the bound in steps that the excess area asks for, then halving what was jumped over.
     double tooSmall = 0;
     double enough = 0;
@@ -118,7 +118,8 @@ TexelLayout splitTexels(std::span<const TexelDemand> demands, const TexelLimits&
             tooSmall = error;
         } else {
             // Limits on the sides may have spoilt the strategy at the bound: choose again where everything fits.
-            if (enough == 0) strategy = bestStrategy(sizesFor(demands, error, limits), limits.maxSide);
+            if (enough == 0)
+                strategy = bestStrategy(sizesFor(demands, error, limits), limits.maxSide, limits.mayTranspose);
             if (enough == 0) tooSmall = bound;
             enough = error;
             const double reached = worstError(attempt.layout, demands);
@@ -136,7 +137,7 @@ TexelLayout splitTexels(std::span<const TexelDemand> demands, const TexelLimits&
 
 std::uint64_t texelsThatWouldDo(std::span<const TexelDemand> demands, double aliasing, const TexelLimits& limits) {
     GNOMON_CHECK_OP(aliasing, >, 0.0);
-    const Packing rectangles = packed(sizesFor(demands, aliasing, limits), limits.maxSide);
+    const Packing rectangles = packed(sizesFor(demands, aliasing, limits), limits.maxSide, limits.mayTranspose);
     if (rectangles.width == 0) return 0;
     const std::uint64_t leastSide = static_cast<std::uint32_t>(limits.minSide + 2 * limits.gutter);
     TexelLimits enough = limits;

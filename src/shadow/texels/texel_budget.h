@@ -22,6 +22,7 @@ struct TexelLimits {
     int minSide = 4;                // of a map without its gutters
     int maxSide = 16384;            // of a map with its gutters, and of the texture
     int margin = 0;                 // texels along each axis of a map that do not refine it: what snapping takes
+    bool mayTranspose = true;       // maps may lie on their sides
 };
 
 /// The maps in one texture.

@@ -34,6 +34,7 @@ inline constexpr std::array kWarpRules = {
     Word<WarpRule>{WarpRule::Tsm, "tsm"},
     Word<WarpRule>{WarpRule::Minimax, "minimax"},
     Word<WarpRule>{WarpRule::Auto, "auto"},
+    Word<WarpRule>{WarpRule::Log, "log"},
 };
 
 /// The word for `rule`, also where it is asked for in another way.
@@ -42,7 +43,6 @@ constexpr std::string_view name(WarpRule rule) {
         Word<WarpRule>{WarpRule::LeastStorage, "sopt"},
         Word<WarpRule>{WarpRule::Eta, "eta"},
         Word<WarpRule>{WarpRule::Given, "given"},
-        Word<WarpRule>{WarpRule::Log, "log"},
     };
     const std::string_view word = wordOf(kWarpRules, rule);
     return word.empty() ? wordOf(kOthers, rule) : word;

@@ -47,9 +47,11 @@ glm::dvec3 onFloor(const plan::View& view, const glm::dvec2& place) {
 template <class Of>
 double overPixel(const plan::View& view, int x, int y, const Of& of) {
     constexpr int kSide = 8;
+    const auto place = [](int i) { return (i + 0.5) / kSide; };
     double sum = 0;
-    for (int i = 0; i < kSide * kSide; ++i)
-        sum += of(onFloor(view, {x + (i % kSide + 0.5) / kSide, y + (i / kSide + 0.5) / kSide}));
+    for (int row = 0; row < kSide; ++row)
+        for (int column = 0; column < kSide; ++column)
+            sum += of(onFloor(view, {x + place(column), y + place(row)}));
     return sum / (kSide * kSide);
 }
 
@@ -277,10 +279,40 @@ TEST(SkyLight, IsLeftOutWhereNothingHidesAnyOfIt) {
     }
 }
 
+/// The mean of light in doubles, over the frames that cover a pixel.
+class PlainLightMean {
+public:
+    explicit PlainLightMean(std::size_t pixels) : sums_(pixels), covered_(pixels) {}
+
+    void add(const executor::LightPicture& sun, const executor::LightPicture& sky) {
+        for (std::size_t p = 0; p < sums_.size(); ++p) {
+            if (sun.pixels[p][0] < 0) continue;
+            ++covered_[p];
+            for (std::size_t c = 0; c < 3; ++c)
+                sums_[p][c] += static_cast<double>(sun.pixels[p][c]) + static_cast<double>(sky.pixels[p][c]);
+        }
+    }
+
+    /// How many values of `found` are not its.
+    std::size_t apartFrom(const executor::LightPicture& found) const {
+        std::size_t apart = 0;
+        for (std::size_t p = 0; p < sums_.size(); ++p) {
+            apart += (found.pixels[p][0] >= 0) != (covered_[p] > 0) ? 1 : 0;
+            for (std::size_t c = 0; c < 3 && covered_[p] > 0; ++c)
+                apart += std::abs(found.pixels[p][c] - sums_[p][c] / covered_[p]) > 2e-6 ? 1 : 0;
+        }
+        return apart;
+    }
+
+private:
+    std::vector<std::array<double, 3>> sums_;
+    std::vector<int> covered_;
+};
+
 // Directions, offsets and parts of light in one loop: the sum of frames that are drawn one by one, each from its own
 // direction, with maps, exact shadows and rays.
 TEST(LightFrames, AreTheMeanOfFramesDrawnOneByOne) {
-    tests::SceneMesh scene = crateOnGround();
+    const tests::SceneMesh scene = crateOnGround();
     for (const plan::ShadowMode shadows : {plan::ShadowMode::Maps, plan::ShadowMode::Exact, plan::ShadowMode::Rays}) {
         DrawnModel model(scene.model());
         plan::View view = overGround();
@@ -293,37 +325,25 @@ TEST(LightFrames, AreTheMeanOfFramesDrawnOneByOne) {
         int frames = 0;
         const executor::LightPicture found = meanLight(model, view, quality, 9, &frames);
         ASSERT_EQ(frames, 9);
-        std::vector<std::array<double, 3>> sums(found.pixels.size());
-        std::vector<int> covered(found.pixels.size());
+        PlainLightMean mean(found.pixels.size());
         for (int i = 0; i < frames; ++i) {
             FrameOptions options;
             options.isAccumulated = true;
             options.subpixel = subpixelOffset(i);
-            options.lightPart = executor::LightPart::WithoutSky;
-            plan::View turned = view;
-            turned.towardsLight = plan::towardsDisc(view.towardsLight, 0.2, plan::discPoint(i, frames));
-            model.draw(turned, quality, options);
-            const executor::LightPicture sun = model.executor().light();
+            const auto lightFrom = [&](const glm::dvec3& direction, executor::LightPart part, double weight) {
+                plan::View turned = view;
+                turned.towardsLight = direction;
+                options.lightPart = part;
+                options.skyWeight = weight;
+                model.draw(turned, quality, options);
+                return model.executor().light();
+            };
+            const glm::dvec3 towards = plan::towardsDisc(view.towardsLight, 0.2, plan::discPoint(i, frames));
+            const executor::LightPicture sun = lightFrom(towards, executor::LightPart::WithoutSky, 0);
             const plan::SkyPart part = plan::skyPart(i, frames, quality.sky.model, view.up);
-            turned.towardsLight = part.direction;
-            options.lightPart = executor::LightPart::SkyDirection;
-            options.skyWeight = part.weight;
-            model.draw(turned, quality, options);
-            const executor::LightPicture sky = model.executor().light();
-            for (std::size_t p = 0; p < sums.size(); ++p) {
-                if (sun.pixels[p][0] < 0) continue;
-                ++covered[p];
-                for (std::size_t c = 0; c < 3; ++c)
-                    sums[p][c] += static_cast<double>(sun.pixels[p][c]) + static_cast<double>(sky.pixels[p][c]);
-            }
+            mean.add(sun, lightFrom(part.direction, executor::LightPart::SkyDirection, part.weight));
         }
-        std::size_t apart = 0;
-        for (std::size_t p = 0; p < sums.size(); ++p) {
-            ASSERT_EQ(found.pixels[p][0] >= 0, covered[p] > 0);
-            for (std::size_t c = 0; c < 3 && covered[p] > 0; ++c)
-                apart += std::abs(found.pixels[p][c] - sums[p][c] / covered[p]) > 2e-6 ? 1 : 0;
-        }
-        EXPECT_EQ(apart, 0U) << static_cast<int>(shadows);
+        EXPECT_EQ(mean.apartFrom(found), 0U) << static_cast<int>(shadows);
     }
 }
 

@@ -21,17 +21,6 @@ using namespace hierarchy;
 
 namespace {
 
-using Corners = std::array<std::uint32_t, 3>;
-
-/// A uniform cut as one mesh without doubled vertices.
-struct Mesh {
-    std::vector<Vertex> vertices;
-    std::vector<Corners> triangles;
-    PageFields fields; // of the vertices
-
-    std::uint32_t fieldsOf(std::uint32_t vertex) const { return fields.words.empty() ? 0 : fields.words[vertex]; }
-};
-
 /// How the number of triangles changes where the limit of a uniform cut passes `error`.
 struct Step {
     double error = 0;
@@ -137,14 +126,11 @@ CutLimit limitOf(const ModelFile& file, double error) {
         std::to_string(error));
 }
 
-struct Collected {
-    Mesh mesh;
-    double error = 0;
-};
-
-void addCluster(const Page& page, const PageFields& fields, const Cluster& cluster, double snapError, Collected& cut) {
+void addCluster(const Page& page, const PageFields& fields, const Cluster& cluster, double snapError, UniformCut& cut) {
     cut.error = std::max(cut.error, storedError(page, cluster, snapError));
     const auto first = static_cast<std::uint32_t>(cut.mesh.vertices.size());
+    cut.clusters.push_back(
+        {first, cluster.vertexCount, static_cast<std::uint32_t>(cut.mesh.triangles.size()), cluster.triangleCount});
     const auto begin = page.vertices.begin() + cluster.firstVertex;
     cut.mesh.vertices.insert(cut.mesh.vertices.end(), begin, begin + cluster.vertexCount);
     for (std::uint32_t v = 0; v < cluster.vertexCount && !fields.words.empty(); ++v)
@@ -162,7 +148,7 @@ void addGroup(
     const Group& group,
     const CutLimit& limit,
     double snapError,
-    Collected& cut) {
+    UniformCut& cut) {
     for (std::uint32_t c = group.firstCluster; c < group.firstCluster + group.clusterCount; ++c) {
         const Cluster& cluster = page.clusters[c];
         if (cluster.refinement != kNone) {
@@ -173,8 +159,8 @@ void addGroup(
     }
 }
 
-Collected collect(const ModelFile& file, const CutLimit& limit, Progress& progress) {
-    Collected cut;
+UniformCut collect(const ModelFile& file, const CutLimit& limit, Progress& progress) {
+    UniformCut cut;
     PageFields fields;
     progress.stage("cut", "pages", file.pages().size());
     for (std::uint32_t p = 0; p < file.pages().size(); ++p) {
@@ -193,7 +179,7 @@ Collected collect(const ModelFile& file, const CutLimit& limit, Progress& progre
 }
 
 /// The vertices such that equal ones follow each other, each first one before its copies.
-std::vector<std::uint32_t> sortedVertices(const Mesh& mesh) {
+std::vector<std::uint32_t> sortedVertices(const CutMesh& mesh) {
     std::vector<std::uint32_t> order(mesh.vertices.size());
     for (std::uint32_t i = 0; i < order.size(); ++i)
         order[i] = i;
@@ -202,29 +188,6 @@ std::vector<std::uint32_t> sortedVertices(const Mesh& mesh) {
         return mesh.fieldsOf(a) != mesh.fieldsOf(b) ? mesh.fieldsOf(a) < mesh.fieldsOf(b) : a < b;
     });
     return order;
-}
-
-/// Makes equal vertices one, in the order of their first use.
-void weld(Mesh& mesh) {
-    const std::vector<std::uint32_t> order = sortedVertices(mesh);
-    std::vector<std::uint32_t> first(order.size()); // the first vertex equal to each
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        const bool isNew = i == 0 || mesh.vertices[order[i]] != mesh.vertices[order[i - 1]] ||
-                           mesh.fieldsOf(order[i]) != mesh.fieldsOf(order[i - 1]);
-        first[order[i]] = isNew ? order[i] : first[order[i - 1]];
-    }
-    std::uint32_t next = 0;
-    std::vector<std::uint32_t> place(order.size());
-    for (std::uint32_t v = 0; v < first.size(); ++v) {
-        if (first[v] == v) mesh.vertices[next] = mesh.vertices[v];
-        if (first[v] == v && !mesh.fields.words.empty()) mesh.fields.words[next] = mesh.fields.words[v];
-        place[v] = first[v] == v ? next++ : place[first[v]];
-    }
-    mesh.vertices.resize(next);
-    if (!mesh.fields.words.empty()) mesh.fields.words.resize(next);
-    for (Corners& triangle : mesh.triangles)
-        for (std::uint32_t& corner : triangle)
-            corner = place[corner];
 }
 
 /// Writes a PLY body or header in runs.
@@ -258,7 +221,7 @@ private:
     std::vector<std::byte> buffer_;
 };
 
-bool fitsFloats(const Mesh& mesh, const Grid& grid) {
+bool fitsFloats(const CutMesh& mesh, const Grid& grid) {
     return std::all_of(mesh.vertices.begin(), mesh.vertices.end(), [&grid](const Vertex& vertex) {
         const glm::dvec3 p = grid.world(vertex.position);
         return glm::dvec3(glm::vec3(p)) == p;
@@ -271,14 +234,18 @@ bool fitsFloats(const Field& field) {
     return std::max(std::abs(field.least), std::abs(field.greatest)) * 0x1p-24 <= step / 64;
 }
 
-/// Throws Error for a name that a header of a PLY cannot have: it is the file's, and may be anything.
-void requirePlyNames(const std::string& model, const std::vector<Field>& fields) {
-    for (const Field& field : fields)
+/// Throws Error for a name that a header of a PLY cannot have, or not again: it is the file's, and may be anything.
+void requirePlyNames(const std::string& model, const std::vector<Field>& fields, std::span<const VertexValues> values) {
+    for (const Field& field : fields) {
+        for (const VertexValues& property : values)
+            if (property.name == field.name) throw Error(model, "has a field of that name already: " + field.name);
         if (!std::ranges::all_of(field.name, [](char c) { return c > ' ' && c < 0x7F; }))
             throw Error(model, "a field's name is no name of a property", "letters without blanks", field.name);
+    }
 }
 
-std::string headerOf(const Mesh& mesh, const ModelSummary& summary, bool asFloats) {
+std::string headerOf(
+    const CutMesh& mesh, const ModelSummary& summary, std::span<const VertexValues> values, bool asFloats) {
     const std::string real = asFloats ? "float" : "double";
     std::string text = "ply\nformat binary_little_endian 1.0\ncomment gnomon export\nelement vertex " +
                        std::to_string(mesh.vertices.size()) + "\n";
@@ -289,6 +256,8 @@ std::string headerOf(const Mesh& mesh, const ModelSummary& summary, bool asFloat
         text += "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty uchar alpha\n";
     for (const Field& field : summary.fields)
         text += (fitsFloats(field) ? "property float " : "property double ") + field.name + "\n";
+    for (const VertexValues& property : values)
+        text += "property float " + property.name + "\n";
     return text + "element face " + std::to_string(mesh.triangles.size()) +
            "\nproperty list uchar int vertex_indices\nend_header\n";
 }
@@ -321,17 +290,49 @@ void putFields(PlyWriter& out, std::uint32_t word, const ModelSummary& summary, 
     }
 }
 
-void writePly(const Mesh& mesh, const ModelSummary& summary, const std::string& path, Progress& progress) {
+} // namespace
+
+void weld(CutMesh& mesh) {
+    const std::vector<std::uint32_t> order = sortedVertices(mesh);
+    std::vector<std::uint32_t> first(order.size()); // the first vertex equal to each
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const bool isNew = i == 0 || mesh.vertices[order[i]] != mesh.vertices[order[i - 1]] ||
+                           mesh.fieldsOf(order[i]) != mesh.fieldsOf(order[i - 1]);
+        first[order[i]] = isNew ? order[i] : first[order[i - 1]];
+    }
+    std::uint32_t next = 0;
+    std::vector<std::uint32_t> place(order.size());
+    for (std::uint32_t v = 0; v < first.size(); ++v) {
+        if (first[v] == v) mesh.vertices[next] = mesh.vertices[v];
+        if (first[v] == v && !mesh.fields.words.empty()) mesh.fields.words[next] = mesh.fields.words[v];
+        place[v] = first[v] == v ? next++ : place[first[v]];
+    }
+    mesh.vertices.resize(next);
+    if (!mesh.fields.words.empty()) mesh.fields.words.resize(next);
+    for (auto& triangle : mesh.triangles)
+        for (std::uint32_t& corner : triangle)
+            corner = place[corner];
+}
+
+void writePly(
+    const CutMesh& mesh,
+    const ModelSummary& summary,
+    std::span<const VertexValues> values,
+    const std::string& path,
+    Progress& progress) {
+    requirePlyNames(path, summary.fields, values);
     AtomicFile output(path);
     PlyWriter out(output.file());
     const bool asFloats = fitsFloats(mesh, summary.grid);
     progress.stage("write", "triangles", mesh.triangles.size());
-    out.put(headerOf(mesh, summary, asFloats));
+    out.put(headerOf(mesh, summary, values, asFloats));
     for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
         putVertex(out, mesh.vertices[v], summary, asFloats);
         putFields(out, mesh.fieldsOf(v), summary, mesh.fields.layout);
+        for (const VertexValues& property : values)
+            out.putValue(property.values[v]);
     }
-    for (const Corners& triangle : mesh.triangles) {
+    for (const auto& triangle : mesh.triangles) {
         out.putValue(std::uint8_t{3});
         for (const std::uint32_t corner : triangle)
             out.putValue(static_cast<std::int32_t>(corner));
@@ -341,16 +342,17 @@ void writePly(const Mesh& mesh, const ModelSummary& summary, const std::string& 
     output.commit();
 }
 
-} // namespace
+UniformCut uniformCut(const ModelFile& file, const ExportLimit& limit, Progress& progress) {
+    const CutLimit refined = limit.triangles ? limitFor(file, *limit.triangles, progress) : limitOf(file, *limit.error);
+    return collect(file, refined, progress);
+}
 
 ExportedCut exportCut(
     const std::string& model, const ExportLimit& limit, const std::string& output, Progress& progress) {
     const ModelFile file(model);
-    requirePlyNames(model, file.summary().fields);
-    const CutLimit refined = limit.triangles ? limitFor(file, *limit.triangles, progress) : limitOf(file, *limit.error);
-    Collected cut = collect(file, refined, progress);
+    UniformCut cut = uniformCut(file, limit, progress);
     weld(cut.mesh);
-    writePly(cut.mesh, file.summary(), output, progress);
+    writePly(cut.mesh, file.summary(), {}, output, progress);
     return {cut.error, cut.mesh.triangles.size(), cut.mesh.vertices.size()};
 }
 

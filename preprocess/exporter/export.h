@@ -2,10 +2,14 @@
 #pragma once
 
 #include "core/progress.h"
+#include "hierarchy/model_file.h"
 
+#include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace gnomon::exporter {
 
@@ -14,6 +18,50 @@ struct ExportLimit {
     std::optional<std::uint64_t> triangles; // at most
     std::optional<double> error;            // at most, world units
 };
+
+/// A cut as a mesh.
+struct CutMesh {
+    std::vector<hierarchy::Vertex> vertices;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    hierarchy::PageFields fields; // of the vertices
+
+    std::uint32_t fieldsOf(std::uint32_t vertex) const { return fields.words.empty() ? 0 : fields.words[vertex]; }
+};
+
+/// Which vertices and triangles of a cut are a cluster's.
+struct CutCluster {
+    std::uint32_t firstVertex = 0;
+    std::uint32_t vertexCount = 0;
+    std::uint32_t firstTriangle = 0;
+    std::uint32_t triangleCount = 0;
+};
+
+/// A uniform cut in memory, cluster by cluster; vertices on borders are there once for each cluster.
+struct UniformCut {
+    CutMesh mesh;
+    std::vector<CutCluster> clusters;
+    double error = 0; // the largest stored error in it, world units
+};
+
+/// The cut that `limit` asks for, as exportCut has it. Throws Error as that does.
+UniformCut uniformCut(const hierarchy::ModelFile& file, const ExportLimit& limit, Progress& progress);
+
+/// Makes vertices with the same position, normal, colour and fields one, in the order of their first use.
+void weld(CutMesh& mesh);
+
+/// A value more of each vertex of a mesh.
+struct VertexValues {
+    std::string name;
+    std::vector<float> values;
+};
+
+/// Writes `mesh` of the model of `summary` as a binary PLY. Throws Error, as for a name that its header cannot have.
+void writePly(
+    const CutMesh& mesh,
+    const hierarchy::ModelSummary& summary,
+    std::span<const VertexValues> values,
+    const std::string& path,
+    Progress& progress);
 
 struct ExportedCut {
     double error = 0; // the largest stored error in it, world units

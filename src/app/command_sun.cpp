@@ -72,7 +72,7 @@ void runPosition(const PositionOptions& options) {
 }
 
 struct HoursOptions {
-    std::string at, from, to, step;
+    std::string at, from, to, step, error;
     SettingOptions settings;
     measure::SunHoursTask task;
     CommonOptions common;
@@ -88,24 +88,33 @@ void runHours(const HoursOptions& options) {
     task.period.to = settings::parsed(settings::moment(), "--to", options.to);
     task.period.stepSeconds = settings::parsed(settings::duration(), "--step", options.step);
     task.period.northDegrees = task.settings.north.value_or(0);
-    if ((task.output + task.pfm + task.csv).empty())
-        throw settings::UsageError{"sun hours writes nothing: say -o IMAGE.png, --pfm FILE or --csv FILE"};
-    requireExtension("--output", task.output, ".png");
+    if (!options.error.empty()) task.error = settings::parsed(settings::positiveNumber(), "--error", options.error);
+    const bool isOfView = task.points.empty() && !task.isOfVertices;
+    if (isOfView && task.error)
+        throw settings::UsageError{"--error is of --points and --vertices; of a view --error-pixels"};
+    if (!isOfView && !(task.pfm + task.report).empty()) throw settings::UsageError{"--pfm and --report are of a view"};
+    if (!task.points.empty() && (task.csv.empty() || !task.output.empty()))
+        throw settings::UsageError{"--points writes --csv FILE, and nothing else"};
+    if (task.isOfVertices && (task.output.empty() || !task.csv.empty()))
+        throw settings::UsageError{"--vertices writes -o OUT.ply, and nothing else"};
+    if ((task.output + task.pfm + task.csv + task.report).empty())
+        throw settings::UsageError{
+            "sun hours writes nothing: say -o IMAGE.png, --pfm FILE, --csv FILE or --report DIR"};
+    requireExtension("--output", task.output, task.isOfVertices ? ".ply" : ".png");
     requireApart(
-        {{"MODEL", task.model}, {"--camera", task.settings.cameraFile}},
+        {{"MODEL", task.model}, {"--camera", task.settings.cameraFile}, {"--points", task.points}},
         {{"--output", task.output}, {"--pfm", task.pfm}, {"--csv", task.csv}});
     const measure::SunHoursSummary done = measure::computeSunHours(task, *makeProgress(options.common));
     std::fprintf(
         stderr,
-        "%zu points of %zu pixels, sun up in %u of %zu steps; %llu of %llu verdicts hang on the tolerance; drawn to "
-        "%.3g pixels; each time the light comes or goes errs by up to half a step of %g s\n",
+        "%zu points, sun up in %u of %zu steps; %llu of %llu verdicts hang on the tolerance; detail errs by up to %s; "
+        "each time the light comes or goes errs by up to half a step of %g s\n",
         done.receivers,
-        static_cast<std::size_t>(task.settings.imageSize[0]) * static_cast<std::size_t>(task.settings.imageSize[1]),
         done.stepsUp,
         done.steps,
         static_cast<unsigned long long>(done.touching),
         static_cast<unsigned long long>(done.samples),
-        done.errorPixels,
+        done.detail.c_str(),
         task.period.stepSeconds);
 }
 
@@ -122,6 +131,13 @@ void addHoursCommand(CLI::App& group) {
     command->add_option("--pfm", task.pfm, "Hours of each pixel; -1 where nothing is")->type_name("FILE.pfm");
     command->add_option("--csv", task.csv, "Each point: where, steps, hours, first and last sun")
         ->type_name("FILE.csv");
+    command->add_option("--report", task.report, "A page with a slider over the times")->type_name("DIR");
+    CLI::Option* points =
+        command->add_option("--points", task.points, "Of points instead: lines that begin with x,y,z");
+    points->type_name("FILE.csv");
+    command->add_flag("--vertices", task.isOfVertices, "Of all vertices of a level of detail; -o is a PLY")
+        ->excludes(points);
+    command->add_option("--error", options->error, "Of --points, --vertices: the level's error, world units [finest]");
     command->add_flag("--resume", task.isResumed, "Go on with what a killed run left");
     options->settings.addTo(*command);
     addCommonOptions(*command, options->common);

@@ -33,12 +33,13 @@ constexpr std::size_t kGrain = 16384; // samples
 constexpr std::size_t kStride = 8;
 constexpr std::array kRounds = {Round{0, 1}, Round{1, 4}, Round{4, kStride}};
 
-CastCounts castRound(const CastContext& context, const Round& round) {
+/// Of the casters the first `casting`.
+CastCounts castRound(const CastContext& context, std::size_t casting, const Round& round) {
     tbb::combinable<CastCounts> counts;
-    const std::size_t strides = (context.casters.size() + kStride - 1) / kStride;
+    const std::size_t strides = (casting + kStride - 1) / kStride;
     tbb::parallel_for(std::size_t{0}, strides, [&](std::size_t stride) {
         CastCounts& local = counts.local();
-        const std::size_t end = std::min(stride * kStride + round.end, context.casters.size());
+        const std::size_t end = std::min(stride * kStride + round.end, casting);
         for (std::size_t i = stride * kStride + round.first; i < end; ++i)
             castCluster(context, i, local);
     });
@@ -130,7 +131,7 @@ ExactStatistics ExactShadows::decide(const ExactQuestion& question) {
     for (std::size_t round = 0; round < kRounds.size(); ++round) {
         statistics.endedEarly = grid_.size() == 0;
         if (statistics.endedEarly) break;
-        statistics.cast += castRound(context, kRounds[round]);
+        statistics.cast += castRound(context, question.casters.size() - question.holders, kRounds[round]);
         if (round + 1 < kRounds.size()) removeDark();
     }
     takeStatuses(statistics);

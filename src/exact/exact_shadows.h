@@ -24,6 +24,7 @@ struct ExactQuestion {
     glm::uvec3 originCell{0};           // of the grid: the frame's origin
     std::span<const glm::dmat3> planes; // a map each: see SampleGrid::sort
     int side = 512;                     // cells of a map, on each side
+    std::size_t holders = 0;            // the last so many casters only hold samples, and cast nothing
 };
 
 /// Decides the samples of one frame after another; keeps its memory.

@@ -59,6 +59,10 @@ public:
     /// signs. From any thread; the order of samples means nothing. At most as many as `reset` made room for.
     void add(const PointBatch& batch);
 
+    /// Makes `count` samples more and answers the first's place; the caller fills their u, v, h, pixel, triangle,
+    /// second, third and tolerance. Within the room that `reset` made, of a space of one map.
+    std::size_t append(std::size_t count) { return size_.fetch_add(count, std::memory_order_relaxed); }
+
     std::size_t size() const { return size_.load(std::memory_order_relaxed); }
 
     /// The most samples that there is room for.

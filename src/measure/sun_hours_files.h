@@ -1,8 +1,9 @@
 // The hours of sun of a view as files.
 #pragma once
 
-#include "daylight/sun_hours.h"
 #include "daylight/sun_view.h"
+#include "executor/overlay/legend.h"
+#include "measure/sun_hours_run.h"
 
 #include <string>
 
@@ -14,7 +15,7 @@ public:
     SunHoursFiles(
         const daylight::SunView& view,
         const daylight::LitSteps& lit,
-        const std::vector<daylight::SunStep>& steps,
+        const SunHoursRun& run,
         const settings::SunPeriod& period);
 
     /// A PNG, from no hours to all that the Sun is up, with its legend.
@@ -27,12 +28,18 @@ public:
     /// source's coordinates, steps and hours with sun, the middle of the first and of the last of these steps.
     void writeCsv(const std::string& path) const;
 
+    /// index.html: hours as colours, darkened where the Sun does not reach at the time that a slider names; up to 400
+    /// of the steps in which it is up, evenly taken. `errors` are sentences on what the hours are off by.
+    void writePage(const std::string& folder, const std::string& model, const std::vector<std::string>& errors) const;
+
 private:
-    double hours(std::uint32_t steps) const { return steps * period_->stepSeconds / 3600; }
+    executor::ValueScale scale() const;
+    executor::Picture coloured() const;
+    std::string periodText() const;
 
     const daylight::SunView* view_;
     const daylight::LitSteps* lit_;
-    const std::vector<daylight::SunStep>* steps_;
+    const SunHoursRun* run_;
     const settings::SunPeriod* period_;
     std::vector<std::uint32_t> pointOf_; // by pixel; kNever where nothing is
 };

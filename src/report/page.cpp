@@ -2,8 +2,8 @@
 
 #include "report/accuracy_cost.h"
 #include "report/page_assets.h"
+#include "report/self_contained.h"
 #include "report/sentences.h"
-#include "telemetry/json_text.h"
 
 #include <algorithm>
 #include <cctype>
@@ -11,20 +11,6 @@
 namespace gnomon::report {
 
 namespace {
-
-std::string base64(std::span<const std::uint8_t> bytes) {
-    constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    text.reserve((bytes.size() + 2) / 3 * 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        std::uint32_t word = 0;
-        for (std::size_t j = 0; j < 3; ++j)
-            word = (word << 8U) | (i + j < bytes.size() ? bytes[i + j] : 0U);
-        for (std::size_t j = 0; j < 4; ++j)
-            text += i + j > bytes.size() ? '=' : kDigits[(word >> (18U - 6U * j)) & 63U];
-    }
-    return text;
-}
 
 nlohmann::json runData(const RunSummary& run) {
     nlohmann::json errors = nlohmann::json::object();
@@ -83,26 +69,6 @@ nlohmann::json recommendation(const Report& report) {
         {"command",
          "gnomon render " + shellWord(model == report.context.end() ? "MODEL" : model->second) + " -o picture.png" +
              (options.empty() ? "" : " ") + options}};
-}
-
-/// Puts `value` where `mark` stands in `text`.
-void substitute(std::string& text, std::string_view mark, std::string_view value) {
-    const auto place = text.find(mark);
-    if (place != std::string::npos) text.replace(place, mark.size(), value);
-}
-
-/// JSON that may stand inside a script element: no "</" and no "<!--".
-std::string scriptSafe(const nlohmann::json& data) {
-    std::string text = telemetry::jsonText(data);
-    std::string safe;
-    safe.reserve(text.size());
-    for (const char c : text) {
-        if (c == '<')
-            safe += "\\u003c";
-        else
-            safe += c;
-    }
-    return safe;
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 namespace gnomon::report {
 
 extern const std::string_view kPageHtml;
+extern const std::string_view kSunPageHtml;
 extern const std::string_view kPageCss;
 extern const std::string_view kPicturesJs;
 extern const std::string_view kPageJs;

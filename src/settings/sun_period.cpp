@@ -37,4 +37,10 @@ Settings sunHoursSettings(const Settings& settings) {
     return result;
 }
 
+void requirePointHours(const Settings& settings) {
+    sunHoursSettings(settings);
+    if (isPosed(settings))
+        throw UsageError{"--points and --vertices have no view: no --camera, --eye or --view goes with them"};
+}
+
 } // namespace gnomon::settings

@@ -26,4 +26,7 @@ std::size_t stepCount(const SunPeriod& period);
 /// Throws UsageError for what contradicts that.
 Settings sunHoursSettings(const Settings& settings);
 
+/// Throws UsageError where `settings` ask for a light or a view, which hours of sun of points have none of.
+void requirePointHours(const Settings& settings);
+
 } // namespace gnomon::settings

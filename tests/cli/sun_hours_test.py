@@ -35,7 +35,7 @@ class SunHours(ProgramTest):
         self.assertEqual(self.hours("again", "--threads", "1")[1], written)
         with open(paths[2], newline="") as file:
             rows = list(csv.DictReader(file))
-        self.assertIn(f"{len(rows)} points of 6144 pixels, sun up in 64 of 96 steps", told)
+        self.assertIn(f"{len(rows)} points, sun up in 64 of 96 steps", told)
         image = pfm(paths[1])
         covered = sum(value >= 0 for row in image for value in row)
         self.assertEqual(covered, len(rows))
@@ -47,6 +47,39 @@ class SunHours(ProgramTest):
             self.assertEqual(row["first_sun"] == "", steps == 0)
             self.assertLessEqual(row["first_sun"], row["last_sun"])
         self.assertGreater(len({row["steps"] for row in rows}), 10)
+
+    def test_points_and_vertices(self):
+        points = self.place / "points.csv"
+        points.write_text("x,y,z,name\n0,50,0,far above\n\n  0 , 0.02 , 0 \r\n1e0,2.5,1,beside\n")
+        table = self.place / "table.csv"
+        asked = ("sun", "hours", self.sundial, *DAY, "--step", "15m")
+        self.expect(0, "3 points, sun up in 64 of 96 steps", *asked, "--points", points, "--csv", table)
+        with open(table, newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([row["steps"] for row in rows][:2], ["64", "0"])
+        self.assertEqual((rows[0]["x"], rows[0]["y"], rows[0]["first_sun"]), ("0", "50", "2026-06-21T05:37:30+02:00"))
+        points.write_text("1,2,3\n1,2\n")
+        told = self.expect(1, "three numbers x,y,z", *asked, "--points", points, "--csv", table)
+        self.assertIn("points.csv:2", told.stderr)
+        mesh = self.place / "hours.ply"
+        self.expect(0, "sun up in 64", *asked, "--vertices", "-o", mesh)
+        plain = self.place / "plain.ply"
+        self.expect(0, "", "export", self.sundial, "--error", "1e-3", "-o", plain)
+        head = mesh.read_bytes().split(b"end_header\n")[0].decode().split("\n")
+        self.assertIn("property float hours", head)
+        self.assertEqual([line for line in head if "element" in line],
+                         [line for line in plain.read_bytes().split(b"end_header\n")[0].decode().split("\n") if "element" in line])  # fmt: skip
+        again = self.place / "again.ply"
+        self.expect(0, "", *asked, "--vertices", "-o", again, "--threads", "1")
+        self.assertEqual(again.read_bytes(), mesh.read_bytes())
+        for words, said in (
+            (("--points", points, "--vertices"), "excludes"),
+            (("--points", points, "-o", again), "--points writes --csv"),
+            (("--vertices", "--csv", table), "--vertices writes -o"),
+            (("--vertices", "-o", again, "--view", "top"), "have no view"),
+            (("-o", self.place / "x.png", "--error", "1"), "--error is of --points"),
+        ):
+            self.expect(2, said, *asked, *words)
 
     def test_a_killed_run_goes_on(self):
         whole = self.hours("whole")[1]

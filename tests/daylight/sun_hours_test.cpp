@@ -2,10 +2,12 @@
 #include "core/error.h"
 #include "core/random.h"
 #include "daylight/lit_log.h"
+#include "daylight/point_receivers.h"
 #include "daylight/receivers.h"
 #include "daylight/sun_hours.h"
 #include "daylight/sun_steps.h"
 #include "daylight/sun_view.h"
+#include "exact/predicate.h"
 #include "exact/visible_points.h"
 #include "frame/drawn_model.h"
 #include "hierarchy/scene_mesh.h"
@@ -166,6 +168,64 @@ TEST(SunView, SaysWhereItsPointsLie) {
         EXPECT_NEAR(x, pixel % 120 + 0.5, 0.01);
         EXPECT_NEAR(y, static_cast<int>(pixel / 120) + 0.5, 0.01);
     }
+}
+
+/// Whether no triangle of `cut` by itself stands ahead of a point, in integers.
+bool isLitPlainly(const exporter::UniformCut& cut, const glm::i64vec3& point, const IntegerLight& light) {
+    const auto& vertices = cut.mesh.vertices;
+    for (const auto& triangle : cut.mesh.triangles) {
+        exact::Corners corners;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const hierarchy::GridPoint& p = vertices[triangle[k]].position;
+            corners[k] = glm::i64vec3(p.x, p.y, p.z) - point;
+        }
+        if (exact::meet(corners, light, glm::i64vec3(0), executor::tolerance(light)).meeting == exact::Meeting::Ahead)
+            return false;
+    }
+    return true;
+}
+
+TEST(PointReceivers, AreLitUnlessATriangleByItselfStandsAhead) {
+    std::size_t dark = 0;
+    std::size_t lit = 0;
+    for (const std::uint64_t seed : {21U, 22U}) {
+        BoxYard yard(seed);
+        const hierarchy::ModelFile& file = yard.model->file();
+        const hierarchy::Grid& grid = file.summary().grid;
+        NoProgress silent;
+        exporter::ExportLimit limit;
+        limit.error = grid.snapError();
+        const exporter::UniformCut cut = exporter::uniformCut(file, limit, silent);
+        std::vector<glm::i64vec3> points;
+        for (const hierarchy::Vertex& vertex : cut.mesh.vertices)
+            points.emplace_back(vertex.position.x, vertex.position.y, vertex.position.z);
+        for (int i = 0; i < 300; ++i) // some beside the grid, some where no cell is
+            points.push_back(cellOf(
+                grid, {yard.random.uniform(-30, 30), yard.random.uniform(-3, 12), yard.random.uniform(-30, 30)}));
+        PointReceivers receivers(cut, points);
+        ASSERT_EQ(receivers.count(), points.size());
+        std::vector<std::uint8_t> isLit(points.size());
+        for (const IntegerLight& light : yard.lights) {
+            receivers.decide(light, isLit);
+            for (std::size_t i = 0; i < points.size(); ++i) {
+                ASSERT_EQ(isLit[i] != 0, isLitPlainly(cut, points[i], light)) << "seed " << seed << ", point " << i;
+                ++(isLit[i] != 0 ? lit : dark);
+            }
+        }
+    }
+    EXPECT_GT(dark, 500U);
+    EXPECT_GT(lit, 500U);
+}
+
+TEST(PointReceivers, RefuseWhatIsTooFarAway) {
+    BoxYard yard(1);
+    const hierarchy::Grid& grid = yard.model->file().summary().grid;
+    NoProgress silent;
+    exporter::ExportLimit limit;
+    limit.error = grid.snapError();
+    const exporter::UniformCut cut = exporter::uniformCut(yard.model->file(), limit, silent);
+    EXPECT_THROW(PointReceivers(cut, {cellOf(grid, {0, 1e300, 0})}), Error);
+    EXPECT_EQ(cellOf(grid, grid.world({5, 6, 7}) + glm::dvec3(0.4 * grid.step())), glm::i64vec3(5, 6, 7));
 }
 
 /// Receivers that light of a given direction reaches or not, by chance.

@@ -4,6 +4,7 @@
 #include "report/page.h"
 #include "report/page_assets.h"
 #include "report/sentences.h"
+#include "report/sun_page.h"
 
 #include <gtest/gtest.h>
 
@@ -226,6 +227,39 @@ TEST(ErrorKinds, HaveAKeyAndALabelEach) {
                 c == '_' || std::islower(static_cast<unsigned char>(c)) || std::isdigit(static_cast<unsigned char>(c)));
         EXPECT_NE(label(kind).find('('), std::string_view::npos) << "its unit";
     }
+}
+
+TEST(SunPage, RunsOfLitPixelsReadBackAndFitTheirScript) {
+    Random random(5);
+    for (int i = 0; i < 300; ++i) {
+        std::vector<std::uint8_t> isLit;
+        const std::size_t size = random.below(4000);
+        while (isLit.size() < size)
+            isLit.insert(isLit.end(), random.below(random.below(3) == 0 ? 900 : 5) + 1, random.below(2) == 0 ? 0 : 1);
+        std::vector<std::uint8_t> read; // as the page's script reads it
+        const std::vector<std::uint8_t> runs = litRuns(isLit);
+        std::uint8_t value = 0;
+        for (std::size_t at = 0; at < runs.size(); value ^= 1U) {
+            std::size_t length = 0;
+            std::size_t scale = 1;
+            for (; runs[at] >= 128; scale *= 128)
+                length += (runs[at++] - 128U) * scale;
+            length += runs[at++] * scale;
+            read.insert(read.end(), length, value);
+        }
+        ASSERT_EQ(read, isLit);
+    }
+}
+
+TEST(SunPage, HoldsAllItsDataAndNothingThatEndsItsScript) {
+    SunPage shown;
+    shown.about = "</script><b>";
+    shown.width = shown.height = 2;
+    shown.steps = {{"2026-06-21T12:00", litRuns({0, 1, 1, 0})}};
+    const std::string text = sunPage(shown);
+    EXPECT_EQ(text.find("</script><b>"), std::string::npos);
+    EXPECT_NE(text.find("\"lit\":\"AQIB\""), std::string::npos) << "runs of 1, 2 and 1";
+    EXPECT_EQ(text.find("http"), std::string::npos) << "asks nothing of any network";
 }
 
 } // namespace

@@ -1,0 +1,45 @@
+// Points anywhere in a model as receivers, before one uniform cut of it.
+#pragma once
+
+#include "daylight/receivers.h"
+#include "hierarchy/grid.h"
+#include "preprocess/exporter/export.h"
+
+#include <vector>
+
+namespace gnomon::daylight {
+
+/// A point is lit unless a triangle of the cut stands ahead of it, farther than the tolerance (docs/exact_shadows.md):
+/// it belongs to no surface, so nothing has to face the light. A triangle that holds the point, as do those around a
+/// vertex, meets the ray at distance 0 and casts nothing on it: what darkens the far side of a body is the body's
+/// nearer side.
+class PointReceivers final : public Receivers {
+public:
+    /// Points in cells of the model's grid, as cellsOf rounds them. Throws Error if a point is farther than 2^30 cells
+    /// from the middle of the cut.
+    PointReceivers(const exporter::UniformCut& cut, std::vector<glm::i64vec3> points);
+
+    std::size_t count() const override { return points_.size(); }
+
+    exact::ExactStatistics decide(const IntegerLight& light, std::span<std::uint8_t> isLit) override;
+
+private:
+    void addCasters(const exporter::UniformCut& cut);
+    void addHolders();
+    void collect(const IntegerLight& light);
+
+    using Position = std::array<std::uint32_t, 3>;
+
+    std::vector<glm::i64vec3> points_; // from the origin
+    glm::i64vec3 origin_{0};
+    std::vector<Position> positions_; // the cut's, and then the points'
+    std::vector<hierarchy::Triangle> triangles_;
+    std::vector<exact::Caster> casters_; // those of the cut; then those that hold the points
+    std::size_t castersOfCut_ = 0;
+    exact::ExactShadows exact_;
+};
+
+/// The cell of `grid` that is nearest to a point of the world, at most half a cell's diagonal off.
+glm::i64vec3 cellOf(const hierarchy::Grid& grid, const glm::dvec3& point);
+
+} // namespace gnomon::daylight

@@ -1,0 +1,12 @@
+// Hours of sun of points and of vertices.
+#pragma once
+
+#include "core/progress.h"
+#include "measure/sun_hours_task.h"
+
+namespace gnomon::measure {
+
+/// Hours of sun of a task's points or vertices.
+SunHoursSummary computePointHours(const SunHoursTask& task, Progress& progress);
+
+} // namespace gnomon::measure

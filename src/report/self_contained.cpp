@@ -1,0 +1,39 @@
+#include "report/self_contained.h"
+
+#include "telemetry/json_text.h"
+
+namespace gnomon::report {
+
+std::string base64(std::span<const std::uint8_t> bytes) {
+    constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    text.reserve((bytes.size() + 2) / 3 * 4);
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        std::uint32_t word = 0;
+        for (std::size_t j = 0; j < 3; ++j)
+            word = (word << 8U) | (i + j < bytes.size() ? bytes[i + j] : 0U);
+        for (std::size_t j = 0; j < 4; ++j)
+            text += i + j > bytes.size() ? '=' : kDigits[(word >> (18U - 6U * j)) & 63U];
+    }
+    return text;
+}
+
+std::string scriptSafe(const nlohmann::json& data) {
+    std::string text = telemetry::jsonText(data);
+    std::string safe;
+    safe.reserve(text.size());
+    for (const char c : text) {
+        if (c == '<')
+            safe += "\\u003c";
+        else
+            safe += c;
+    }
+    return safe;
+}
+
+void substitute(std::string& text, std::string_view mark, std::string_view value) {
+    const auto place = text.find(mark);
+    if (place != std::string::npos) text.replace(place, mark.size(), value);
+}
+
+} // namespace gnomon::report

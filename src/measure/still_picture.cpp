@@ -4,6 +4,7 @@
 #include "core/prepared_output.h"
 #include "executor/shadow_depth_files.h"
 #include "measure/finished_picture.h"
+#include "measure/value_picture.h"
 #include "settings/picture_series.h"
 #include "settings/resolve.h"
 #include "settings/samples.h"
@@ -19,6 +20,7 @@ settings::BesideSamples besideSamples(const StillTask& task) {
     beside.overlay = task.overlay != executor::Overlay::None;
     beside.sunAngle = task.settings.sunAngleDegrees.value_or(0) > 0;
     beside.sky = task.settings.quality.sky.directions > 0;
+    beside.values = task.colors.by != settings::ColorBy::None;
     beside.statistics = !task.statistics.empty();
     beside.oracle = task.oracle != proof::Oracle::None;
     beside.depth = !task.depth.empty();
@@ -47,7 +49,7 @@ void drawStill(const StillTask& task, Progress& progress) {
     const settings::BesideSamples beside = besideSamples(task);
     const int samples = settings::samplesOf(task.samples, beside);
     const plan::Quality quality = settings::qualityOf(task.settings);
-    settings::requireLegendShown(task.settings, beside.overlay);
+    settings::requireLegendShown(task.settings, beside.overlay || beside.values);
     Session session(task.model, task.settings, task.warn);
     plan::View view = settings::viewOf(task.settings, session.model());
     view.camera = task.camera.value_or(view.camera);
@@ -58,9 +60,11 @@ void drawStill(const StillTask& task, Progress& progress) {
     const PreparedFolder shadowDepth(task.shadowDepth);
     frame::FrameOptions options;
     options.overlay = task.overlay;
+    options.wantsSurfaces = beside.values;
     options.wantsWholeMaps = !task.shadowDepth.empty();
     progress.stage("render", samples > 1 ? "frames" : "pictures", static_cast<std::uint64_t>(samples));
     FinishedPicture drawn = drawFinished(session, view, quality, options, samples, progress);
+    if (beside.values) colorByValues(task.colors, session.renderer(), drawn.frame, drawn.picture);
     if (samples == 1) setAccuracy(task, session, drawn.frame);
     executor::writePng(task.output, drawn.picture, drawn.coverage);
     if (!task.depth.empty()) executor::writePfm(task.depth, session.executor().viewDepth());

@@ -5,6 +5,7 @@
 #include "executor/executor.h"
 #include "proof/frame_proof.h"
 #include "settings/settings.h"
+#include "settings/value_colors.h"
 
 #include <functional>
 #include <optional>
@@ -18,6 +19,7 @@ struct StillTask {
     settings::Settings settings;
     std::function<void(const std::string&)> warn;
     executor::Overlay overlay = executor::Overlay::None;
+    settings::ValueColors colors; // in place of the model's own, at one sample
     std::optional<int> samples;   // frames that it is the mean of; nothing: the usual number, 1 beside what is of one
     std::optional<Camera> camera; // in place of the settings'
     proof::Oracle oracle = proof::Oracle::None;

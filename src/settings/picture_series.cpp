@@ -23,7 +23,7 @@ void requireSound(const PictureSeries& series, const Settings& settings, bool is
 void requireLegendShown(const Settings& settings, bool hasOverlay) {
     if (hasOverlay && settings.quality.look.background.kind == plan::Background::Kind::Transparent)
         throw UsageError{
-            "--background transparent and --overlay contradict each other: an overlay's legend lies on the background"};
+            "--background transparent contradicts --overlay and --color-by: their legend lies on the background"};
 }
 
 } // namespace gnomon::settings

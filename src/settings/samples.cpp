@@ -9,8 +9,9 @@
 namespace gnomon::settings {
 
 int samplesOf(const std::optional<int>& asked, const BesideSamples& beside) {
-    const std::array<std::pair<const char*, bool>, 5> ofOneFrame = {{
+    const std::array<std::pair<const char*, bool>, 6> ofOneFrame = {{
         {"--overlay", beside.overlay},
+        {"--color-by", beside.values},
         {"--stats", beside.statistics},
         {"--oracle", beside.oracle},
         {"--depth", beside.depth},

@@ -11,6 +11,7 @@ inline constexpr int kMostSamples = 65535;
 /// What was asked for beside --samples that has to do with it.
 struct BesideSamples {
     bool overlay = false;
+    bool values = false;
     bool statistics = false;
     bool oracle = false;
     bool depth = false;

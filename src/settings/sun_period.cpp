@@ -30,6 +30,8 @@ Settings sunHoursSettings(const Settings& settings) {
         throw UsageError{"--backend: hours of sun are counted by the software executor alone"};
     if (result.quality.mapsBecause)
         throw UsageError{"hours of sun are counted by exact shadows: no option of maps goes with them"};
+    if (result.sunAngleDegrees.value_or(0) > 0 || result.quality.sky.directions > 0)
+        throw UsageError{"--sun-angle and --sky are of pictures: hours of sun are counted for a sun that is a point"};
     result.north.reset();
     if (!isPosed(result)) result.side = path::ViewSide::Top;
     result.quality.shadows = plan::ShadowMode::Exact;

@@ -109,6 +109,8 @@ class SunHours(ProgramTest):
             (("--shadows", "maps"), "--shadows"),
             (("--z-partitions", "2"), "exact shadows"),
             (("--backend", "egl"), "--backend"),
+            (("--sky", "16"), "--sky"),
+            (("--sun-angle", "0.5"), "--sun-angle"),
         ):
             self.expect(2, said, *asked, "-o", picture, *words)
         start = ("sun", "hours", self.sundial, "-o", picture, "--at", "47,8", "--from", "2026-06-21T00:00+02:00")

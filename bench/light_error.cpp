@@ -126,7 +126,7 @@ void printDisc(Bench& bench, double degrees) {
         point.milliseconds);
     for (const double error : {0.1, 0.05, 0.02}) {
         quality.lightError = error;
-        const Drawn drawn = bench.draw(view, quality, 1);
+        const Drawn drawn = bench.draw(view, quality, 16);
         const Apart off = apart(drawn.light, truth.light, full.light, error);
         std::printf(
             "disc error %.2f: %4d frames %7.0f ms, off by %.4f in the mean, p99 %.4f, worst %.3f, beyond %.3f%%\n",

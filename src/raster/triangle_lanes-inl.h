@@ -114,12 +114,15 @@ struct RestLanes {
     Floats x, y;
 };
 
-HWY_INLINE RestLanes restLanes(const SnappedCluster& cluster, Ints index) {
-    const auto both = hn::GatherIndex(kInts, reinterpret_cast<const std::int32_t*>(cluster.vertices.rests), index);
+HWY_INLINE RestLanes unpackedRests(Ints both) {
     const auto scale = hn::Set(kFloats, 1.0F / (1 << kRestBits));
     return {
         hn::Mul(hn::ConvertTo(kFloats, hn::ShiftRight<16>(hn::ShiftLeft<16>(both))), scale),
         hn::Mul(hn::ConvertTo(kFloats, hn::ShiftRight<16>(both)), scale)};
+}
+
+HWY_INLINE RestLanes restLanes(const SnappedCluster& cluster, Ints index) {
+    return unpackedRests(hn::GatherIndex(kInts, reinterpret_cast<const std::int32_t*>(cluster.vertices.rests), index));
 }
 
 /// An edge from corner 0, unsnapped where `isTrue`.

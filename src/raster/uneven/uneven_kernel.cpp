@@ -45,80 +45,78 @@ struct BandLanes {
     }
 };
 
-/// A corner of each lane's triangle: x from the tile's first column, y in the band's units, with what snapping cut off.
-struct UnevenCorner {
-    PointLanes at;
-    RestLanes rest;
+/// The vertices of a cluster snapped for a band: y in its units, and what snapping cut off, packed as of even rows.
+/// Each serves about six corners, twice.
+struct BandVertices { // NOLINT(cppcoreguidelines-pro-type-member-init): filled up to the cluster's count
+    alignas(64) std::array<std::int32_t, kMaxClusterVertices> y;
+    alignas(64) std::array<std::uint32_t, kMaxClusterVertices> rests;
+
+    HWY_INLINE void take(const SnappedCluster& cluster, const RowBand& band) {
+        const auto base = hn::Set(kFloats, band.base);
+        const auto scale = hn::Set(kFloats, band.scale);
+        const auto far = hn::Set(kFloats, kFarUnits);
+        const auto lanes = static_cast<std::uint32_t>(hn::Lanes(kInts));
+        for (std::uint32_t i = 0; i < cluster.vertexCount; i += lanes) {
+            const auto position = hn::BitCast(kFloats, hn::LoadU(kInts, cluster.vertices.y + i));
+            const auto units = hn::Min(hn::Max(hn::Mul(hn::Sub(position, base), scale), hn::Neg(far)), far);
+            const auto snapped = hn::NearestInt(units);
+            const auto rest = hn::Mul(
+                hn::Sub(units, hn::ConvertTo(kFloats, snapped)), hn::Set(kFloats, static_cast<float>(1 << kRestBits)));
+            const auto restY = hn::NearestInt(hn::Min(rest, hn::Set(kFloats, 32767.0F)));
+            const auto restX = hn::And(hn::LoadU(kUints, cluster.vertices.rests + i), hn::Set(kUints, 0xFFFFU));
+            hn::StoreU(snapped, kInts, y.data() + i);
+            hn::StoreU(hn::Or(restX, hn::BitCast(kUints, hn::ShiftLeft<16>(restY))), kUints, rests.data() + i);
+        }
+    }
 };
 
+/// Loads corners of a cluster's triangles: x from the tile's first column, y in the band's units.
 class UnevenSource {
 public:
-    HWY_INLINE UnevenSource(const SnappedCluster& cluster, const BandLanes& rows)
-        : cluster_(cluster),
-          originX_(hn::Set(kInts, -rows.tile->x0 * kSubpixels)),
-          base_(hn::Set(kFloats, rows.band->base)),
-          scale_(hn::Set(kFloats, rows.band->scale)) {}
-
-    HWY_INLINE Floats unitsAt(Ints index) const {
-        const auto y = hn::BitCast(kFloats, hn::GatherIndex(kInts, cluster_.vertices.y, index));
-        const auto units = hn::Mul(hn::Sub(y, base_), scale_);
-        const auto far = hn::Set(kFloats, kFarUnits);
-        return hn::Min(hn::Max(units, hn::Neg(far)), far);
-    }
+    HWY_INLINE UnevenSource(const SnappedCluster& cluster, const BandVertices& vertices, const BandLanes& rows)
+        : x_(cluster.vertices.x),
+          y_(vertices.y.data()),
+          rests_(reinterpret_cast<const std::int32_t*>(vertices.rests.data())),
+          originX_(hn::Set(kInts, -rows.tile->x0 * kSubpixels)) {}
 
     HWY_INLINE PointLanes pointAt(Ints index) const {
-        return {hn::Add(hn::GatherIndex(kInts, cluster_.vertices.x, index), originX_), hn::NearestInt(unitsAt(index))};
+        return {hn::Add(hn::GatherIndex(kInts, x_, index), originX_), hn::GatherIndex(kInts, y_, index)};
     }
 
-    HWY_INLINE UnevenCorner operator()(Ints index) const {
-        const auto units = unitsAt(index);
-        const auto y = hn::NearestInt(units);
-        const auto x = hn::Add(hn::GatherIndex(kInts, cluster_.vertices.x, index), originX_);
-        return {{x, y}, {restLanes(cluster_, index).x, hn::Sub(units, hn::ConvertTo(kFloats, y))}};
-    }
+    HWY_INLINE RestLanes restAt(Ints index) const { return unpackedRests(hn::GatherIndex(kInts, rests_, index)); }
 
 private:
-    const SnappedCluster& cluster_;
+    const std::int32_t* x_;
+    const std::int32_t* y_;
+    const std::int32_t* rests_;
     Ints originX_;
-    Floats base_;
-    Floats scale_;
 };
-
-/// The samples of the tile between the extremes of each lane's triangle; rows from the band's first.
-struct SampleLanes {
-    Ints firstX, lastX, firstRow, lastRow;
-};
-
-HWY_INLINE SampleLanes
-samplesBetween(const BandLanes& rows, const PointLanes& a, const PointLanes& b, const PointLanes& c) {
-    const PixelBox& tile = *rows.tile;
-    const int above = rows.band->first;
-    const auto round = hn::Set(kInts, kSubpixels - 1);
-    const auto one = hn::Set(kInts, 1);
-    return {
-        hn::Max(hn::ShiftRight<kSubpixelBits>(hn::Add(least(a.x, b.x, c.x), round)), hn::Zero(kInts)),
-        hn::Min(hn::ShiftRight<kSubpixelBits>(largest(a.x, b.x, c.x)), hn::Set(kInts, tile.width() - 1)),
-        hn::Max(rows.firstRow(least(a.y, b.y, c.y)), hn::Set(kInts, tile.y0 - above)),
-        hn::Min(
-            hn::Sub(rows.firstRow(hn::Add(largest(a.y, b.y, c.y), one)), one), hn::Set(kInts, tile.y1 - 1 - above))};
-}
 
 /// Leaves out the triangles that no sample of the tile can be inside of; sorts the rest by how many they may cover.
-HWY_INLINE void sortUneven(const SnappedCluster& cluster, const BandLanes& rows, SortedCluster& sorted) {
+HWY_INLINE void sortUneven(
+    const SnappedCluster& cluster, const UnevenSource& source, const BandLanes& rows, SortedCluster& sorted) {
     PackedTriangles packed; // NOLINT(cppcoreguidelines-pro-type-member-init): packTriangles fills it
     packTriangles(cluster.triangles, packed);
     sorted.clear();
-    const UnevenSource source(cluster, rows);
     const auto lanes = static_cast<std::uint32_t>(hn::Lanes(kInts));
     const auto narrow = hn::Set(kInts, kNarrowExtent);
+    const auto one = hn::Set(kInts, 1);
+    const auto round = hn::Set(kInts, kSubpixels - 1);
+    const auto lastColumn = hn::Set(kInts, rows.tile->width() - 1);
+    const auto firstOfTile = hn::Set(kInts, rows.tile->y0 - rows.band->first);
+    const auto lastOfTile = hn::Set(kInts, rows.tile->y1 - 1 - rows.band->first);
     for (std::uint32_t first = 0; first < cluster.triangles.size(); first += lanes) {
         const auto corners = hn::BitCast(kInts, hn::LoadU(kUints, packed.data() + first));
         const PointLanes a = source.pointAt(cornerIndex<0>(corners));
         const PointLanes b = source.pointAt(cornerIndex<1>(corners));
         const PointLanes c = source.pointAt(cornerIndex<2>(corners));
-        const SampleLanes samples = samplesBetween(rows, a, b, c);
-        const auto columns = hn::Sub(samples.lastX, samples.firstX);
-        const auto rowCount = hn::Sub(samples.lastRow, samples.firstRow);
+        // The samples of the tile between the extremes; rows from the band's first.
+        const auto firstX = hn::ShiftRight<kSubpixelBits>(hn::Add(least(a.x, b.x, c.x), round));
+        const auto lastX = hn::Min(hn::ShiftRight<kSubpixelBits>(largest(a.x, b.x, c.x)), lastColumn);
+        const auto lastRow = hn::Sub(rows.firstRow(hn::Add(largest(a.y, b.y, c.y), one)), one);
+        const auto columns = hn::Sub(lastX, hn::Max(firstX, hn::Zero(kInts)));
+        const auto rowCount =
+            hn::Sub(hn::Min(lastRow, lastOfTile), hn::Max(rows.firstRow(least(a.y, b.y, c.y)), firstOfTile));
         const auto drawn = hn::Gt(hn::Min(columns, rowCount), hn::Set(kInts, -1));
         const auto isNarrow = hn::And(
             hn::Lt(hn::Sub(largest(a.x, b.x, c.x), least(a.x, b.x, c.x)), narrow),
@@ -136,10 +134,12 @@ HWY_INLINE void sortUneven(const SnappedCluster& cluster, const BandLanes& rows,
     sorted.pad();
 }
 
-/// Set-up triangles: their first samples, the units of the first row, and the row that depth is counted from.
+/// Set-up triangles: their first samples, the units of the first row and of the highest corner, and the row that depth
+/// is counted from.
 struct UnevenLanes {
-    TriangleLanes t; // its rows from the band's first
+    TriangleLanes t; // its rows from the band's first; the last one is the tile's
     Ints firstUnits;
+    Ints highestUnits;
     Ints referenceUnits;
 };
 
@@ -150,56 +150,54 @@ HWY_INLINE Floats fromReference(Ints units, Ints referenceUnits) {
 }
 
 /// Sets up a narrow triangle in each lane, turned counter-clockwise.
-HWY_INLINE UnevenLanes unevenLanes(const SnappedCluster& cluster, Ints packed, const BandLanes& rows) {
-    const UnevenSource source(cluster, rows);
+HWY_INLINE UnevenLanes
+unevenLanes(const SnappedCluster& cluster, const UnevenSource& source, Ints packed, const BandLanes& rows) {
     const auto i0 = cornerIndex<0>(packed);
     auto i1 = cornerIndex<1>(packed);
     auto i2 = cornerIndex<2>(packed);
-    const UnevenCorner a = source(i0);
-    UnevenCorner b = source(i1);
-    UnevenCorner c = source(i2);
-    auto area = hn::Sub(
-        hn::Mul(hn::Sub(b.at.x, a.at.x), hn::Sub(c.at.y, a.at.y)),
-        hn::Mul(hn::Sub(c.at.x, a.at.x), hn::Sub(b.at.y, a.at.y)));
+    const PointLanes a = source.pointAt(i0);
+    PointLanes b = source.pointAt(i1);
+    PointLanes c = source.pointAt(i2);
+    auto area = hn::Sub(hn::Mul(hn::Sub(b.x, a.x), hn::Sub(c.y, a.y)), hn::Mul(hn::Sub(c.x, a.x), hn::Sub(b.y, a.y)));
     const auto turned = hn::Lt(area, hn::Zero(kInts));
-    const auto turnedFloats = hn::RebindMask(kFloats, turned);
     area = hn::Abs(area);
-    const auto swap = [&](auto& p, auto& q, auto mask) HWY_ATTR {
+    const auto swapTurned = [&](Ints& p, Ints& q) HWY_ATTR {
         const auto old = p;
-        p = hn::IfThenElse(mask, q, p);
-        q = hn::IfThenElse(mask, old, q);
+        p = hn::IfThenElse(turned, q, p);
+        q = hn::IfThenElse(turned, old, q);
     };
-    swap(b.at.x, c.at.x, turned);
-    swap(b.at.y, c.at.y, turned);
-    swap(b.rest.x, c.rest.x, turnedFloats);
-    swap(b.rest.y, c.rest.y, turnedFloats);
-    swap(i1, i2, turned);
+    swapTurned(b.x, c.x);
+    swapTurned(b.y, c.y);
+    swapTurned(i1, i2);
 
-    const SampleLanes samples = samplesBetween(rows, a.at, b.at, c.at);
+    const PixelBox& tile = *rows.tile;
+    const int above = rows.band->first;
     UnevenLanes lanes;
     TriangleLanes& t = lanes.t;
     t.hasArea = hn::Gt(area, hn::Zero(kInts));
-    t.firstX = samples.firstX;
-    t.lastX = samples.lastX;
+    const auto round = hn::Set(kInts, kSubpixels - 1);
+    t.firstX = hn::Max(hn::ShiftRight<kSubpixelBits>(hn::Add(least(a.x, b.x, c.x), round)), hn::Zero(kInts));
+    t.lastX = hn::Min(hn::ShiftRight<kSubpixelBits>(largest(a.x, b.x, c.x)), hn::Set(kInts, tile.width() - 1));
     // What fills up the last vector may lie anywhere.
-    const auto lastOfBand = hn::Set(kInts, rows.band->count() - 1);
-    t.firstY = hn::Min(samples.firstRow, lastOfBand);
-    t.lastY = hn::Max(samples.lastRow, hn::Zero(kInts));
+    t.lastY = hn::Set(kInts, tile.y1 - 1 - above);
+    t.firstY = hn::Min(hn::Max(rows.firstRow(least(a.y, b.y, c.y)), hn::Set(kInts, tile.y0 - above)), t.lastY);
     lanes.firstUnits = rows.row(t.firstY);
+    lanes.highestUnits = largest(a.y, b.y, c.y);
     const PointLanes first = {hn::ShiftLeft<kSubpixelBits>(t.firstX), lanes.firstUnits};
-    setEdge(b.at, c.at, first, t.edges.e0, t.perX.e0, t.perY.e0);
-    setEdge(c.at, a.at, first, t.edges.e1, t.perX.e1, t.perY.e1);
-    setEdge(a.at, b.at, first, t.edges.e2, t.perX.e2, t.perY.e2);
+    setEdge(b, c, first, t.edges.e0, t.perX.e0, t.perY.e0);
+    setEdge(c, a, first, t.edges.e1, t.perX.e1, t.perY.e1);
+    setEdge(a, b, first, t.edges.e2, t.perX.e2, t.perY.e2);
     // Of a unit, not of a pixel.
     t.perY.e0 = hn::ShiftRight<kSubpixelBits>(t.perY.e0);
     t.perY.e1 = hn::ShiftRight<kSubpixelBits>(t.perY.e1);
     t.perY.e2 = hn::ShiftRight<kSubpixelBits>(t.perY.e2);
-    lanes.referenceUnits = hn::ShiftLeft<kSubpixelBits>(hn::ShiftRight<kSubpixelBits>(a.at.y));
-    SideLanes side1(a.at, b.at, a.rest, b.rest);
-    SideLanes side2(a.at, c.at, a.rest, c.rest);
+    lanes.referenceUnits = hn::ShiftLeft<kSubpixelBits>(hn::ShiftRight<kSubpixelBits>(a.y));
+    const RestLanes rest = source.restAt(i0);
+    SideLanes side1(a, b, rest, source.restAt(i1));
+    SideLanes side2(a, c, rest, source.restAt(i2));
     setDepth(
-        a.at,
-        a.rest,
+        a,
+        rest,
         side1,
         side2,
         hn::ConvertTo(kFloats, area),
@@ -220,20 +218,25 @@ HWY_INLINE Edges atUnits(const TriangleLanes& t, Ints unitsFromFirst) {
 /// Tests `side` x `side` samples of each lane's triangle.
 template <int side>
 HWY_INLINE void drawSmallUneven(
-    const SnappedCluster& cluster, const Sorted& sorted, const BandLanes& rows, DepthTile& target) {
+    const SnappedCluster& cluster,
+    const UnevenSource& source,
+    const Sorted& sorted,
+    const BandLanes& rows,
+    DepthTile& target) {
     const auto lanes = static_cast<std::uint32_t>(hn::Lanes(kInts));
     const auto firstRow = hn::Set(kInts, rows.tile->y0 - rows.band->first);
     Hits hits; // NOLINT(cppcoreguidelines-pro-type-member-init): filled up to its count
     for (std::uint32_t first = 0; first < sorted.count; first += lanes) {
         const auto corners = hn::BitCast(kInts, hn::LoadU(kUints, sorted.packed.data() + first));
-        const UnevenLanes triangle = unevenLanes(cluster, corners, rows);
+        const UnevenLanes triangle = unevenLanes(cluster, source, corners, rows);
         const TriangleLanes& t = triangle.t;
         hits.count = 0;
         for (int y = 0; y < side; ++y) {
             const auto row = hn::Add(t.firstY, hn::Set(kInts, y));
-            const auto isRow = hn::And(t.hasArea, isAtMost(row, t.lastY));
-            if (hn::AllFalse(kInts, isRow)) break;
             const auto units = rows.row(hn::Min(row, t.lastY));
+            const auto isOfTile = hn::And(t.hasArea, isAtMost(row, t.lastY));
+            const auto isRow = hn::And(isOfTile, isAtMost(units, triangle.highestUnits));
+            if (hn::AllFalse(kInts, isRow)) break;
             Edges e = atUnits(t, hn::Sub(units, triangle.firstUnits));
             const auto rowDepth = depthOfRow(t.depth, fromReference(units, triangle.referenceUnits));
             const auto rowAddress = hn::Mul(hn::Sub(row, firstRow), hn::Set(kInts, kTileStride));
@@ -255,7 +258,12 @@ HWY_INLINE void drawSmallUneven(
 
 /// Draws the triangle of one lane, a vector of samples at a time.
 HWY_INLINE void drawStoredUneven(
-    const StoredLanes& s, std::uint32_t lane, std::int32_t referenceUnits, const BandLanes& rows, DepthTile& target) {
+    const StoredLanes& s,
+    std::uint32_t lane,
+    std::int32_t referenceUnits,
+    std::int32_t highestUnits,
+    const BandLanes& rows,
+    DepthTile& target) {
     const auto lanes = static_cast<std::int32_t>(hn::Lanes(kInts));
     const std::int32_t firstRow = rows.tile->y0 - rows.band->first;
     const std::int32_t* units = rows.band->rows.data();
@@ -264,7 +272,7 @@ HWY_INLINE void drawStoredUneven(
     const auto value = [&](std::size_t k) HWY_ATTR { return hn::Set(kFloats, s.depth[k][lane]); };
     const DepthLanes depth = {value(0), value(1), value(2), value(3), value(4), value(5), value(6)};
     const auto lastX = hn::Set(kInts, s.box[2][lane]);
-    for (std::int32_t y = s.box[1][lane]; y <= s.box[3][lane]; ++y) {
+    for (std::int32_t y = s.box[1][lane]; y <= s.box[3][lane] && units[y] <= highestUnits; ++y) {
         const std::int32_t up = units[y] - units[s.box[1][lane]];
         const auto at = [&](Ints edge, std::size_t k, std::int32_t x) HWY_ATTR {
             return hn::Add(edge, hn::Set(kInts, s.perY[k][lane] * up + s.perX[k][lane] * (x - s.box[0][lane])));
@@ -283,18 +291,25 @@ HWY_INLINE void drawStoredUneven(
 }
 
 HWY_INLINE void drawNarrowUneven(
-    const SnappedCluster& cluster, const Sorted& sorted, const BandLanes& rows, DepthTile& target) {
+    const SnappedCluster& cluster,
+    const UnevenSource& source,
+    const Sorted& sorted,
+    const BandLanes& rows,
+    DepthTile& target) {
     const auto lanes = static_cast<std::uint32_t>(hn::Lanes(kInts));
     for (std::uint32_t first = 0; first < sorted.count; first += lanes) {
         const auto corners = hn::BitCast(kInts, hn::LoadU(kUints, sorted.packed.data() + first));
-        const UnevenLanes triangle = unevenLanes(cluster, corners, rows);
+        const UnevenLanes triangle = unevenLanes(cluster, source, corners, rows);
         StoredLanes stored; // NOLINT(cppcoreguidelines-pro-type-member-init): `take` fills it
         stored.take(triangle.t);
         alignas(64) StoredLanes::Lanes<std::int32_t> references;
+        alignas(64) StoredLanes::Lanes<std::int32_t> highest;
         hn::Store(triangle.referenceUnits, kInts, references.data());
+        hn::Store(triangle.highestUnits, kInts, highest.data());
         const std::uint32_t end = std::min(lanes, sorted.count - first);
         for (std::uint32_t lane = 0; lane < end; ++lane)
-            if (stored.hasArea[lane] != 0) drawStoredUneven(stored, lane, references[lane], rows, target);
+            if (stored.hasArea[lane] != 0)
+                drawStoredUneven(stored, lane, references[lane], highest[lane], rows, target);
     }
 }
 
@@ -336,15 +351,18 @@ HWY_INLINE void drawWideUneven(
 
 std::uint64_t drawUnevenInLanes(const TileWork& work, const RowBand& band, float* depths) {
     DepthTile target{depths};
-    SortedCluster sorted; // NOLINT(cppcoreguidelines-pro-type-member-init): sortUneven fills it
+    SortedCluster sorted;  // NOLINT(cppcoreguidelines-pro-type-member-init): sortUneven fills it
+    BandVertices vertices; // NOLINT(cppcoreguidelines-pro-type-member-init): filled for each cluster
     const BandLanes rows{&band, &work.box};
     for (const std::uint32_t index : work.indices) {
         const SnappedCluster& cluster = work.clusters[index];
         if (cluster.box.y1 <= work.box.y0 || cluster.box.y0 >= work.box.y1) continue;
-        sortUneven(cluster, rows, sorted);
-        drawSmallUneven<2>(cluster, sorted.tiny, rows, target);
-        drawSmallUneven<4>(cluster, sorted.small, rows, target);
-        drawNarrowUneven(cluster, sorted.narrow, rows, target);
+        vertices.take(cluster, band);
+        const UnevenSource source(cluster, vertices, rows);
+        sortUneven(cluster, source, rows, sorted);
+        drawSmallUneven<2>(cluster, source, sorted.tiny, rows, target);
+        drawSmallUneven<4>(cluster, source, sorted.small, rows, target);
+        drawNarrowUneven(cluster, source, sorted.narrow, rows, target);
         for (std::uint32_t i = 0; i < sorted.wide.count; ++i)
             drawWideUneven(cluster, sorted.wide.packed[i], rows, target);
     }

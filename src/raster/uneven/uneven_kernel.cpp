@@ -334,7 +334,10 @@ HWY_INLINE void drawWideUneven(
     const auto perX = hn::Set(kFloats, triangle.depthPerX());
     const auto referenceX = hn::Set(kInts, triangle.referenceX());
     const PixelBox& tile = *rows.tile;
+    const auto [lowest, highest] = std::minmax({corners[0].y, corners[1].y, corners[2].y});
     for (int y = tile.y0; y < tile.y1; ++y) {
+        const std::int64_t units = rows.band->rows[static_cast<std::size_t>(y - rows.band->first)];
+        if (units < lowest || units > highest) continue;
         const WideRow row = triangle.row(*rows.band, y, tile.x0, tile.x1);
         if (row.x0 >= row.x1) continue;
         const auto reference = hn::Set(kFloats, row.depthAtReference);

@@ -167,7 +167,7 @@ public:
         : options_(options),
           bounds_(boundsOf(options)),
           runs_(runsOf(options)),
-          path_(path::readCameraPath(options.path)),
+          path_(path::projected(path::readCameraPath(options.path), runs_.front().settings.projection)),
           baseline_(options.baseline.empty() ? std::nullopt : std::optional(measure::readBaseline(options.baseline))),
           session_(options.model, executorSettings(runs_), printWarning),
           csv_(options.csv),

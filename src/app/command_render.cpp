@@ -37,7 +37,7 @@ std::optional<path::CameraPath> pathOfTime(const RenderOptions& options, setting
     const std::string file = std::exchange(settings.cameraFile, {});
     if (settings::isPosed(settings))
         throw settings::UsageError{"--camera and --eye, --target, --view, --fov-y contradict each other"};
-    return path::readCameraPath(file);
+    return path::projected(path::readCameraPath(file), settings.projection);
 }
 
 /// Pictures in number, which none of the options of a single one is for.

@@ -34,6 +34,10 @@ CameraBasis cameraBasis(const Camera& camera) {
     return basis;
 }
 
+double halfHeightAtTarget(const Camera& camera) {
+    return glm::length(camera.target - camera.eye) * std::tan(camera.fovYRadians / 2);
+}
+
 glm::dvec3 toCamera(const CameraBasis& basis, const glm::dvec3& vector) {
     return {glm::dot(vector, basis.right), glm::dot(vector, basis.up), glm::dot(vector, basis.view)};
 }

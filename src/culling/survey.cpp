@@ -16,15 +16,19 @@ namespace {
 /// A range of depth in steps.
 class DepthQuantization {
 public:
-    explicit DepthQuantization(const DepthSpan& depths)
-        : depths_(depths),
-          count_(static_cast<std::size_t>(std::floor(std::log2(depths.far / depths.near) * kSpansPerOctave)) + 1) {}
+    explicit DepthQuantization(const DepthSpan& depths) : depths_(depths) {
+        const double steps = std::floor(std::log2(depths.far / depths.near) * kSpansPerOctave);
+        isEven_ = steps < 1 && depths.far > depths.near;
+        count_ = isEven_ ? std::size_t{kSpansPerOctave} : static_cast<std::size_t>(steps) + 1;
+    }
 
     std::size_t count() const { return count_; }
 
     std::size_t step(double depth) const {
         if (!(depth > depths_.near)) return 0;
-        const double step = std::floor(std::log2(depth / depths_.near) * kSpansPerOctave);
+        const double part =
+            isEven_ ? (depth - depths_.near) / (depths_.far - depths_.near) : std::log2(depth / depths_.near);
+        const double step = std::floor(part * kSpansPerOctave);
         return static_cast<std::size_t>(std::min(step, static_cast<double>(count_ - 1)));
     }
 
@@ -33,11 +37,13 @@ public:
 private:
     double edge(std::size_t i) const {
         if (i == count_) return depths_.far;
-        return depths_.near * std::exp2(static_cast<double>(i) / kSpansPerOctave);
+        const double part = static_cast<double>(i) / kSpansPerOctave;
+        return isEven_ ? depths_.near + (depths_.far - depths_.near) * part : depths_.near * std::exp2(part);
     }
 
     DepthSpan depths_;
-    std::size_t count_;
+    bool isEven_ = false; // the range is less than a step: it is divided anyway
+    std::size_t count_ = 1;
 };
 
 /// Steps of depth, each found to hold something lit or not. Marks only ever come, from any thread, so the result does

@@ -10,7 +10,8 @@
 
 namespace gnomon::culling {
 
-/// Depth spans are whole steps of this ratio: the price of not looking at every triangle.
+/// Depth spans are whole steps of this ratio, or as many even ones where all lies within one of these, as from far
+/// away: the price of not looking at every triangle.
 constexpr int kSpansPerOctave = 16;
 
 /// What of an image a light could reach.

@@ -6,6 +6,7 @@
 #include "frame/ray_casters.h"
 #include "frame/scene_facts.h"
 #include "plan/cell_maps.h"
+#include "plan/distant_view.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -40,7 +41,9 @@ SunView::SunView(
     const plan::View& view,
     const plan::Quality& quality,
     std::span<const IntegerLight> lights)
-    : view_(view), quality_(quality), picture_(view.width, view.height) {
+    : view_(plan::distantView(view, renderer.model().summary().bounds)),
+      quality_(quality),
+      picture_(view.width, view.height) {
     quality_.shadows = plan::ShadowMode::Exact;
     prepare(renderer, lights);
     drawing_ = renderer.drawing(frame_, {});

@@ -49,13 +49,22 @@ exact::Caster casterOf(const FrameDrawing& frame, const hierarchy::Page& page, s
     return caster;
 }
 
+/// The eye in cells. A distant one's may lie further off than integers of 2^-24 of them reach, and may be any that is
+/// far enough along the view.
+glm::dvec3 eyeCell(const FrameDrawing& frame) {
+    constexpr double kFarthest = 0x1p36;
+    const glm::dvec3 eye = frame.space.eye / frame.space.step;
+    const double beyond = glm::length(eye) - kFarthest;
+    return frame.plan->view.camera.isParallel() && beyond > 0 ? eye + frame.plan->basis.view * beyond : eye;
+}
+
 } // namespace
 
 exact::SampleSpace sampleSpace(const FrameDrawing& frame) {
     exact::SampleSpace space;
     space.light = frame.plan->light;
     space.shear = exact::shearAlong(space.light);
-    space.eye = frame.space.eye / frame.space.step;
+    space.eye = eyeCell(frame);
     space.maps = std::max(static_cast<int>(frame.plan->cellMaps.size()), 1); // none where maps are held to the truth
     return space;
 }

@@ -114,6 +114,7 @@ struct FrameDrawing {
     std::vector<const selection::DrawList*> casters; // one a pass
     PageLookup pages;
     double clipNear = 1e-3;               // view depth of the near clip plane: nothing that is drawn lies before it
+    double clipFar = 0;                   // nor behind this; of an orthographic image, and anything of others
     std::optional<Camera> observerCamera; // sees the image in place of the plan's camera: from outside its frustum
     glm::dvec2 subpixel{0};               // where the image samples its pixels: from their middles, right and up
     Overlay overlay = Overlay::None;
@@ -216,7 +217,7 @@ public:
     /// The pixels of the image that the light reaches, at least in part; nothing where finding out would hold up the
     /// frames to come, as it would a GPU's: those say so now and then.
     virtual std::optional<std::uint64_t> litPixels() = 0;
-    /// View depth per pixel; infinity where nothing is.
+    /// View depth per pixel, from the eye that was asked for; infinity where nothing is.
     virtual FloatPicture viewDepth() = 0;
     /// The whole depth texture of the shadow maps, rows from top to bottom as they lie in memory (row 0 first).
     virtual FloatPicture shadowDepth() = 0;

@@ -2,6 +2,7 @@
 
 #include "core/check.h"
 #include "executor/light/light_model.h"
+#include "executor/view/lens.h"
 #include "shadow/depth_bias.h"
 
 #include <algorithm>
@@ -85,16 +86,10 @@ double pixelWidth(const plan::FramePlan& plan, const DrawSpace& space, const glm
 
 glm::dmat4 imageClipFromDraw(const FrameDrawing& frame) {
     const plan::View& view = frame.plan->view;
+    const Lens lens = lensOf(frame);
     // What is sampled beside the middle of a pixel is moved there.
     const glm::dvec2 moved = glm::dvec2(0) - 2.0 * frame.subpixel / glm::dvec2(view.width, view.height);
-    const glm::dmat4 clipFromCamera = fromRows(
-        {1 / view.tanHalfX(), 0, moved.x, 0},
-        {0, 1 / view.tanHalfY(), moved.y, 0},
-        {0, 0, 0, frame.clipNear},
-        {0, 0, 1, 0});
-    if (!frame.observerCamera) return clipFromCamera * frame.space.cameraFromDraw;
-    const glm::dvec3 eye = frame.space.eye + (frame.observerCamera->eye - view.camera.eye);
-    return clipFromCamera * cameraFromDraw(cameraBasis(*frame.observerCamera), eye);
+    return lens.clipFromCamera(moved) * cameraFromDraw(lens.basis, lens.eye);
 }
 
 MapDrawing mapDrawing(const FrameDrawing& frame, const shadow::ShadowMap& map) {

@@ -7,7 +7,7 @@
 namespace gnomon::executor {
 
 /// Clip space of the image, as the plan's camera or the observer camera sees it: reversed z with an infinite far plane,
-/// so that clipping loses nothing behind the near one.
+/// or one behind all there is, so that clipping loses nothing behind the near one.
 glm::dmat4 imageClipFromDraw(const FrameDrawing& frame);
 
 /// How a map is drawn and looked up: where the casters' positions are taken from, and the map's image for offsets in

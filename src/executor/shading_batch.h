@@ -77,6 +77,10 @@ struct ShadingFrame {
     std::array<float, 3> rayFirst{};
     std::array<float, 3> rayPerX{};
     std::array<float, 3> rayPerY{};
+    // Where lines of sight are parallel they begin there for the image point (0, 0) and move with it, cells a pixel.
+    bool isParallel = false;
+    std::array<float, 3> originPerX{};
+    std::array<float, 3> originPerY{};
 };
 
 } // namespace gnomon::executor

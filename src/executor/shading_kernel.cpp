@@ -49,10 +49,10 @@ struct Weights {
 /// The point of an edge that is seen nearest to a ray.
 struct NearestOnEdge {
     Floats along;  // from its first end, in edges
-    Floats beside; // the square of the sine of its angle to the ray, times the ray's square
+    Floats beside; // the square of the sine of its angle to the ray, or of how far it is off, times the ray's square
 };
 
-HWY_INLINE NearestOnEdge nearestOnEdge(const Vec3& ray, const Vec3& end, const Vec3& edge) {
+HWY_INLINE NearestOnEdge nearestOnEdge(const Vec3& ray, bool isParallel, const Vec3& end, const Vec3& edge) {
     const auto tiny = constant(1e-30F);
     const Vec3 endBeside = cross(end, ray);
     const Vec3 edgeBeside = cross(edge, ray);
@@ -60,17 +60,19 @@ HWY_INLINE NearestOnEdge nearestOnEdge(const Vec3& ray, const Vec3& end, const V
     const auto along = hn::Min(hn::Max(wanted, hn::Zero(kFloats)), constant(1));
     const Vec3 point = add(end, scale(edge, along));
     const Vec3 beside = add(endBeside, scale(edgeBeside, along));
+    if (isParallel) return {along, dot(beside, beside)};
     return {along, hn::Div(dot(beside, beside), hn::Max(dot(point, point), tiny))};
 }
 
 /// The point of the triangle's outline that is seen nearest to the ray.
-HWY_INLINE Weights nearestOnOutline(const Vec3& ray, const Vec3& fromCorner, const Vec3& e1, const Vec3& e2) {
+HWY_INLINE Weights
+nearestOnOutline(const Vec3& ray, bool isParallel, const Vec3& fromCorner, const Vec3& e1, const Vec3& e2) {
     const auto zero = hn::Zero(kFloats);
     const auto one = constant(1);
     const Vec3 corner = {hn::Neg(fromCorner.x), hn::Neg(fromCorner.y), hn::Neg(fromCorner.z)};
-    const NearestOnEdge first = nearestOnEdge(ray, corner, e1);
-    const NearestOnEdge second = nearestOnEdge(ray, corner, e2);
-    const NearestOnEdge opposite = nearestOnEdge(ray, add(corner, e1), subtract(e2, e1));
+    const NearestOnEdge first = nearestOnEdge(ray, isParallel, corner, e1);
+    const NearestOnEdge second = nearestOnEdge(ray, isParallel, corner, e2);
+    const NearestOnEdge opposite = nearestOnEdge(ray, isParallel, add(corner, e1), subtract(e2, e1));
     const auto isSecond = hn::Lt(second.beside, first.beside);
     const auto isOpposite = hn::Lt(opposite.beside, hn::Min(first.beside, second.beside));
     const auto w1 =
@@ -82,8 +84,8 @@ HWY_INLINE Weights nearestOnOutline(const Vec3& ray, const Vec3& fromCorner, con
 /// Where the pixel's ray meets the triangle (after Möller and Trumbore 1997). Where it passes beside, since snapping
 /// put the pixel's centre inside, or sees the triangle so nearly edge-on that floats do not tell where it meets, the
 /// nearest point of the outline: always a point of the triangle, seen at this pixel. `normal` is across the edges.
-HWY_INLINE Weights
-weightsAt(const Vec3& ray, const Vec3& fromCorner, const Vec3& e1, const Vec3& e2, const Vec3& normal) {
+HWY_INLINE Weights weightsAt(
+    const Vec3& ray, bool isParallel, const Vec3& fromCorner, const Vec3& e1, const Vec3& e2, const Vec3& normal) {
     const auto zero = hn::Zero(kFloats);
     const auto one = constant(1);
     const auto across = cross(fromCorner, ray);
@@ -98,7 +100,7 @@ weightsAt(const Vec3& ray, const Vec3& fromCorner, const Vec3& e1, const Vec3& e
     const auto isMet = hn::And(isOpen, isWithin);
     const Weights met = {hn::Sub(hn::Sub(one, second), third), second, third};
     if (hn::AllTrue(kFloats, isMet)) return met;
-    const Weights nearest = nearestOnOutline(ray, fromCorner, e1, e2);
+    const Weights nearest = nearestOnOutline(ray, isParallel, fromCorner, e1, e2);
     return {
         hn::IfThenElse(isMet, met.first, nearest.first),
         hn::IfThenElse(isMet, met.second, nearest.second),
@@ -180,7 +182,10 @@ HWY_INLINE void shadeLanes(const ShadingFrame& f, PixelBatch& batch, std::size_t
     const Vec3 e1 = loadFloats(batch.edge1, i);
     const Vec3 e2 = loadFloats(batch.edge2, i);
     const Vec3 across = cross(e1, e2);
-    const Weights weights = weightsAt(ray, subtract(constant(f.rayOriginCells.data()), corner), e1, e2, across);
+    Vec3 origin = constant(f.rayOriginCells.data());
+    if (f.isParallel)
+        origin = add(add(origin, scale(constant(f.originPerX.data()), x)), scale(constant(f.originPerY.data()), y));
+    const Weights weights = weightsAt(ray, f.isParallel, subtract(origin, corner), e1, e2, across);
     const Vec3 inCells = add(add(corner, scale(e1, weights.second)), scale(e2, weights.third));
     const Vec3 position = scale(inCells, constant(frame.gridStep));
 

@@ -6,6 +6,7 @@
 #include "executor/frame_block.h"
 #include "executor/ray_pass.h"
 #include "executor/software/receiver_pass.h"
+#include "executor/view/lens.h"
 #include "plan/cell_maps.h"
 
 #include <tbb/blocked_range.h>
@@ -86,7 +87,7 @@ private:
     Picture picture_;
     LightPicture light_, undecidedLight_; // empty unless a frame wants its light
     Raster<SurfaceSample> surfaces_;
-    double clipNear_ = 1;
+    ImageDepth depth_;
     std::atomic<std::uint64_t> litPixels_{0};
     exact::ExactShadows exact_;
     std::vector<exact::Caster> casters_; // of them
@@ -227,7 +228,7 @@ DrawStatistics SoftwareExecutor::draw(const FrameDrawing& frame) {
 }
 
 void SoftwareExecutor::sizeTargets(const FrameDrawing& frame) {
-    clipNear_ = frame.clipNear;
+    depth_ = lensOf(frame).depth;
     const plan::View& view = frame.plan->view;
     if (picture_.width != view.width || picture_.height != view.height) picture_ = Picture(view.width, view.height);
     if (!frame.wantsSurfaces)
@@ -336,7 +337,7 @@ FloatPicture SoftwareExecutor::viewDepth() {
         for (int column = 0; column < result.width; ++column) {
             const std::uint64_t word = words_[result.index(column, result.height - 1 - row)];
             // Infinite where nothing was drawn.
-            result.at(column, row) = static_cast<float>(clipNear_ / static_cast<double>(raster::visibleDepth(word)));
+            result.at(column, row) = static_cast<float>(depth_.asked(raster::visibleDepth(word)));
         }
     return result;
 }

@@ -68,15 +68,17 @@ glm::vec3 SoftwareOverlay::residence(const DrawnCluster& cluster) const {
 }
 
 float SoftwareOverlay::texelGrid(const block::Partition& part, const PaintedPixel& pixel) const {
-    const glm::dvec3 fromOrigin = glm::dvec3(pixel.position) - pixel.rayOrigin;
-    const double distance = glm::dot(glm::dvec3(pixel.normal), fromOrigin);
     const auto at = [&](int column, int row) {
         // Where the pixel's ray meets the face's plane.
+        const glm::dvec3 origin =
+            pixel.rayOrigin + double(column - pixel.x) * pixel.originPerX + double(row - pixel.y) * pixel.originPerY;
+        const glm::dvec3 fromOrigin = glm::dvec3(pixel.position) - origin;
+        const double distance = glm::dot(glm::dvec3(pixel.normal), fromOrigin);
         const glm::dvec3 ray = glm::dvec3(pixel.ray) + double(column - pixel.x) * glm::dvec3(pixel.rayPerX) +
                                double(row - pixel.y) * glm::dvec3(pixel.rayPerY);
         const double across = glm::dot(glm::dvec3(pixel.normal), ray);
         const glm::dvec3 met = across == 0 ? fromOrigin : ray * (distance / across);
-        return (texelOf(part, clipOf(part, glm::vec3(met + pixel.rayOrigin))) - part.firstTexel) / 5.0F;
+        return (texelOf(part, clipOf(part, glm::vec3(met + origin))) - part.firstTexel) / 5.0F;
     };
     // Differences within squares of two by two pixels, as GL takes them.
     const int left = pixel.x & ~1;

@@ -12,11 +12,13 @@ namespace gnomon::executor {
 /// A shaded pixel that is painted over.
 struct PaintedPixel {
     glm::vec3 shaded{0};
-    glm::vec3 position{0}; // draw space
-    float depth = 0;       // along the view
-    int pass = -1;         // the map that shows it; -1: none
-    glm::dvec3 rayOrigin{0};
-    glm::vec3 ray{0}; // through the pixel's centre, and what it changes by from pixel to pixel
+    glm::vec3 position{0};   // draw space
+    float depth = 0;         // along the view
+    int pass = -1;           // the map that shows it; -1: none
+    glm::dvec3 rayOrigin{0}; // of the ray through the pixel's centre, and what it changes by from pixel to pixel
+    glm::dvec3 originPerX{0};
+    glm::dvec3 originPerY{0};
+    glm::vec3 ray{0}; // its direction, likewise
     glm::vec3 rayPerX{0};
     glm::vec3 rayPerY{0};
     glm::vec3 normal{0}; // of the face

@@ -1,8 +1,8 @@
 #include "executor/software_shading.h"
 
-#include "core/camera.h"
 #include "executor/frame_block.h"
 #include "executor/light/background.h"
+#include "executor/view/lens.h"
 
 #include <algorithm>
 
@@ -67,16 +67,27 @@ Shading::Shading(
     else if (!frame.plan->passes.empty())
         shared_.litSource = LitSource::Maps;
     const plan::View& view = frame.plan->view;
-    const Camera camera = frame.observerCamera.value_or(view.camera);
-    const CameraBasis basis = cameraBasis(camera);
-    rayOrigin_ = frame.space.eye + (camera.eye - view.camera.eye);
-    shared_.rayOriginCells = toArray(rayOrigin_ / frame.space.step);
-    const glm::dvec3 right = basis.right * view.tanHalfX();
-    const glm::dvec3 up = basis.up * view.tanHalfY();
+    const Lens lens = lensOf(frame);
+    rayOrigin_ = lens.eye;
+    const glm::dvec3 right = lens.basis.right * lens.half.x;
+    const glm::dvec3 up = lens.basis.up * lens.half.y;
     const glm::dvec2 first = 2.0 * frame.subpixel / glm::dvec2(view.width, view.height) - 1.0;
-    shared_.rayFirst = toArray(basis.view + first.x * right + first.y * up);
-    shared_.rayPerX = toArray(right * (2.0 / view.width));
-    shared_.rayPerY = toArray(up * (2.0 / view.height));
+    const glm::dvec3 perX = right * (2.0 / view.width);
+    const glm::dvec3 perY = up * (2.0 / view.height);
+    if (lens.depth.isParallel) {
+        rayOrigin_ += lens.basis.view * lens.depth.clip.near + first.x * right + first.y * up;
+        shared_.isParallel = true;
+        shared_.rayFirst = toArray(lens.basis.view);
+        shared_.originPerX = toArray(perX / frame.space.step);
+        shared_.originPerY = toArray(perY / frame.space.step);
+        originPerX_ = perX;
+        originPerY_ = perY;
+    } else {
+        shared_.rayFirst = toArray(lens.basis.view + first.x * right + first.y * up);
+        shared_.rayPerX = toArray(perX);
+        shared_.rayPerY = toArray(perY);
+    }
+    shared_.rayOriginCells = toArray(rayOrigin_ / frame.space.step);
 }
 
 void Shading::shade(
@@ -263,7 +274,9 @@ Rgb Shading::painted(const Work& work, std::size_t i) const {
          toVector(batch.position, i),
          batch.depth[i],
          batch.pass[i],
-         rayOrigin_,
+         rayOrigin_ + double{batch.x[i]} * originPerX_ + double{batch.y[i]} * originPerY_,
+         originPerX_,
+         originPerY_,
          toVector(shared_.rayFirst) + batch.x[i] * rayPerX + batch.y[i] * rayPerY,
          rayPerX,
          rayPerY,

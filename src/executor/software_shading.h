@@ -95,7 +95,9 @@ private:
     block::Frame block_;
     block::Shadows shadows_;
     ShadingFrame shared_;
-    glm::dvec3 rayOrigin_{0}; // draw space
+    glm::dvec3 rayOrigin_{0}; // draw space; of the image point (0, 0)
+    glm::dvec3 originPerX_{0};
+    glm::dvec3 originPerY_{0};
     SoftwareOverlay overlay_;
     std::vector<Rgb> background_; // by row, from the top
 };

@@ -1,6 +1,7 @@
 #include "frame/exact_estimate.h"
 
 #include "executor/frame_block.h"
+#include "executor/view/lens.h"
 #include "frame/light_cells.h"
 
 #include <algorithm>
@@ -57,6 +58,7 @@ void ExactEstimate::drawPoints(const executor::FrameDrawing& frame) {
         {words_.data(), size.x, size.y});
     const glm::dvec3 light = plan.light.unit();
     const double perDepth = kErrorPixels * 2 * plan.view.tanHalfY() / size.y;
+    const executor::Lens lens = executor::lensOf(frame);
     points_.clear();
     for (std::size_t i = 0; i < words_.size(); ++i) {
         if (words_[i] == 0) continue;
@@ -72,11 +74,12 @@ void ExactEstimate::drawPoints(const executor::FrameDrawing& frame) {
         const auto width = static_cast<std::size_t>(size.x);
         const std::size_t column = i % width;
         const std::size_t line = i / width;
-        const double x = (2 * (static_cast<double>(column) + 0.5) / size.x - 1) * plan.view.tanHalfX();
-        const double y = (2 * (static_cast<double>(line) + 0.5) / size.y - 1) * plan.view.tanHalfY();
-        const double depth = frame.clipNear / static_cast<double>(raster::visibleDepth(words_[i])) / frame.space.step;
-        const glm::dvec3 p = sheared(shear_, eye + toWorld(plan.basis, glm::dvec3(x, y, 1) * depth));
-        points_.push_back({p.x, p.y, p.z, depth * perDepth, sliceAt(plan, depth * frame.space.step)});
+        const glm::dvec2 at(
+            2 * (static_cast<double>(column) + 0.5) / size.x - 1, 2 * (static_cast<double>(line) + 0.5) / size.y - 1);
+        const double worldDepth = lens.depth.fromEye(raster::visibleDepth(words_[i]));
+        const double depth = worldDepth / frame.space.step;
+        const glm::dvec3 p = sheared(shear_, eye + toWorld(plan.basis, lens.seenAt(at, worldDepth) / frame.space.step));
+        points_.push_back({p.x, p.y, p.z, depth * perDepth, sliceAt(plan, worldDepth)});
     }
 }
 

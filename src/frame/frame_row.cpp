@@ -93,8 +93,8 @@ telemetry::FrameRow frameRow(
     row.pagesMissing = toCount(frame.residency.pagesMissing);
     row.pagesDamaged = toCount(source.residency.pagesDamaged);
     row.achievedErrorPixels = frame.cut.achievedErrorPixels;
-    row.near = plan.near;
-    row.far = plan.far;
+    row.near = plan::depthFromAskedEye(plan, plan.near);
+    row.far = plan::depthFromAskedEye(plan, plan.far);
     row.depthRatio = plan.far / plan.near;
     row.lightAngle = degreesFromRadians(plan.lightAngleRadians);
     row.occlusion = plan.skipsHidden ? "on" : "off";

@@ -15,6 +15,17 @@ bool cullsByReceivers(const PreparedFrame& frame, const FrameOptions& options) {
     return frame.plan.casterCulling == plan::CasterCulling::Receivers && !wantsWhole;
 }
 
+/// Clips nothing within `bounds` that the parallel lines of sight of `camera` meet.
+void clipAround(const Camera& camera, const Box& bounds, executor::FrameDrawing& drawing) {
+    constexpr double kBeyond = 1.01;
+    const glm::dvec3 view = cameraBasis(camera).view;
+    const double middle = glm::dot(view, bounds.center() - camera.eye);
+    const double reach = std::max(
+        kBeyond * 0.5 * glm::dot(glm::abs(view), bounds.extent()), drawing.grid.step() + 1e-9 * std::abs(middle));
+    drawing.clipNear = middle - reach;
+    drawing.clipFar = middle + reach;
+}
+
 } // namespace
 
 Renderer::Renderer(const hierarchy::ModelFile& model, executor::Executor& executor, ResidencyOptions options)
@@ -86,6 +97,8 @@ executor::FrameDrawing Renderer::drawing(const PreparedFrame& frame, const Frame
         drawing.observerCamera = options.observerCamera;
         drawing.clipNear = std::max(distance(summary.bounds, options.observerCamera->eye) * 0.99, least);
     }
+    const Camera camera = options.observerCamera.value_or(frame.plan.view.camera);
+    if (camera.isParallel()) clipAround(camera, summary.bounds, drawing);
     drawing.subpixel = options.subpixel;
     drawing.overlay = options.overlay;
     const plan::Shading shading = frame.plan.quality.look.shading;

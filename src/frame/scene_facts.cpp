@@ -3,6 +3,7 @@
 #include "culling/frame_cut.h"
 #include "culling/lit_side.h"
 #include "culling/survey.h"
+#include "plan/distant_view.h"
 #include "plan/plan_frame.h"
 
 #include <algorithm>
@@ -38,7 +39,8 @@ selection::DetailView detailView(const plan::View& view, const glm::dvec3& eye) 
     detail.basis = cameraBasis(view.camera);
     detail.tanHalfX = view.tanHalfX();
     detail.tanHalfY = view.tanHalfY();
-    detail.heightPixels = view.height;
+    // A distant eye counts pixels where the model ends for the largest, and no pixel may get more error than is asked.
+    detail.heightPixels = view.camera.isParallel() ? view.height * plan::kDistantGrowth : view.height;
     return detail;
 }
 

@@ -2,6 +2,7 @@
 #include "frame/exact_forecast.h"
 #include "frame/light_plan.h"
 #include "frame/renderer.h"
+#include "plan/distant_view.h"
 
 // Whether a frame whose shadows are left open gets exact ones or maps. Exact ones are prepared to be asked: where they
 // are chosen nothing was done in vain but the prediction.
@@ -27,10 +28,12 @@ void addPreparation(PreparedFrame& frame, const PreparedFrame& other) {
 } // namespace
 
 PreparedFrame Renderer::prepare(
-    const plan::View& view,
-    const plan::Quality& quality,
+    const plan::View& asked,
+    const plan::Quality& askedQuality,
     Waiting waiting,
     const std::shared_ptr<const plan::PlannedFrame>& before) {
+    const plan::View view = plan::distantView(asked, model_->summary().bounds);
+    const plan::Quality quality = plan::distantQuality(askedQuality, asked, view);
     PreparedFrame frame = prepareShadows(view, quality, waiting, before);
     addTime(frame.planMs, [&] { planLightSampling(frame, residency_); });
     return frame;

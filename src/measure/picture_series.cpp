@@ -42,7 +42,7 @@ void drawSeries(const settings::PictureSeries& series, const SeriesTask& task, P
     settings::requireSound(series, task.settings, isNumbered, beside.overlay);
     const int samples = settings::samplesOf(task.samples, beside);
     std::optional<path::CameraPath> walked;
-    if (!series.path.empty()) walked = path::readCameraPath(series.path);
+    if (!series.path.empty()) walked = path::projected(path::readCameraPath(series.path), task.settings.projection);
     const int frames = walked ? series.frames.value_or(kUsualFrames) : series.turntable;
     const bool takesTime = walked && walked->duration() > 0 && frames > 1;
     const bool isStream = series.output == "-";

@@ -50,8 +50,27 @@ Camera cameraOf(const ordered_json& object, const std::string& where) {
     if (!(camera.fovYRadians > 0 && camera.fovYRadians < kPi))
         throw Error(
             where, "\"fov_y\" is impossible", "above 0 and below 180 degrees", telemetry::jsonText(object["fov_y"]));
+    if (object.contains("projection")) {
+        const ordered_json& word = object["projection"];
+        const auto projection = valueOf(kProjections, word.is_string() ? word.get<std::string>() : "");
+        if (!projection)
+            throw Error(
+                where, "unknown \"projection\"", enumerated(kProjections, ", ", " or "), telemetry::jsonText(word));
+        camera.projection = *projection;
+    }
     cameraBasis(camera); // throws where eye and target coincide
     return camera;
+}
+
+ordered_json jsonOf(const Camera& camera) {
+    const auto list = [](const glm::dvec3& v) { return ordered_json{v.x, v.y, v.z}; };
+    ordered_json object;
+    object["eye"] = list(camera.eye);
+    object["target"] = list(camera.target);
+    object["up"] = list(camera.up);
+    object["fov_y"] = degreesOf(camera.fovYRadians);
+    if (camera.isParallel()) object["projection"] = wordOf(kProjections, camera.projection);
+    return object;
 }
 
 /// The cubic through b and c with the slopes of a, b, c, d over their times (Catmull and Rom 1974).
@@ -99,6 +118,7 @@ Camera cameraAt(const CameraPath& path, double time) {
     camera.eye = blend(&Camera::eye);
     camera.target = blend(&Camera::target);
     camera.up = blend(&Camera::up);
+    camera.projection = b.camera.projection;
     camera.fovYRadians = blend(&Camera::fovYRadians);
     if (path.interpolation == Interpolation::CatmullRom) { // a cubic overshoots, and an angle soon is none any more
         const auto [least, most] = std::minmax(b.camera.fovYRadians, c.camera.fovYRadians);
@@ -147,6 +167,8 @@ CameraPath readCameraPath(const std::string& path) {
         const double time = numberOf(key, "time", where);
         if (!result.keyframes.empty() && time < result.keyframes.back().time)
             throw Error(where, "keyframes must be in the order of their times");
+        if (!result.keyframes.empty() && camera.projection != result.keyframes.front().camera.projection)
+            throw Error(where, "all keyframes of a path must have the same \"projection\"");
         result.keyframes.push_back({time, camera});
     }
     return result;
@@ -157,17 +179,23 @@ std::string toJson(const CameraPath& path) {
     document["loop"] = path.loop;
     document["interpolation"] = path.interpolation == Interpolation::Linear ? "linear" : "catmull-rom";
     document["keyframes"] = ordered_json::array();
-    const auto list = [](const glm::dvec3& v) { return ordered_json{v.x, v.y, v.z}; };
     for (const Keyframe& key : path.keyframes) {
         ordered_json entry;
         entry["time"] = key.time;
-        entry["eye"] = list(key.camera.eye);
-        entry["target"] = list(key.camera.target);
-        entry["up"] = list(key.camera.up);
-        entry["fov_y"] = degreesOf(key.camera.fovYRadians);
+        entry.update(jsonOf(key.camera));
         document["keyframes"].push_back(entry);
     }
     return telemetry::jsonText(document, 1) + "\n";
+}
+
+CameraPath projected(CameraPath path, const std::optional<Projection>& projection) {
+    for (Keyframe& key : path.keyframes)
+        key.camera.projection = projection.value_or(key.camera.projection);
+    return path;
+}
+
+std::string toJson(const Camera& camera) {
+    return telemetry::jsonText(jsonOf(camera), 1) + "\n";
 }
 
 std::string contentHash(const CameraPath& path) {

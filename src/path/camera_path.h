@@ -3,6 +3,7 @@
 
 #include "core/camera.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,12 +41,18 @@ double frameTime(const CameraPath& path, int frame, int frames);
 /// `camera` turned about its target, about the direction `up` and against the clock as seen from there.
 Camera turnedAround(const Camera& camera, const glm::dvec3& up, double radians);
 
-/// Reads one keyframe `{"eye", "target", "up", "fov_y"}`; up and fov_y may be missing. Throws Error with path and
-/// place.
+/// Reads one keyframe `{"eye", "target", "up", "fov_y", "projection"}`; all but eye and target may be missing. Throws
+/// Error with path and place.
 Camera readCamera(const std::string& path);
 
-/// Reads a path. Throws Error with path and place.
+/// Reads a path, all of whose keyframes have the same projection. Throws Error with path and place.
 CameraPath readCameraPath(const std::string& path);
+
+/// `path` with every keyframe of that projection, where one is given.
+CameraPath projected(CameraPath path, const std::optional<Projection>& projection);
+
+/// The text of a camera file.
+std::string toJson(const Camera& camera);
 
 /// The text of a path file.
 std::string toJson(const CameraPath& path);

@@ -132,4 +132,21 @@ Camera framingCamera(std::span<const glm::dvec3> points, const Vantage& vantage,
     return {center + toWorld(basis, eye), center + toWorld(basis, target), vantage.up, fovYRadians};
 }
 
+Camera orthographicFraming(
+    std::span<const glm::dvec3> points, const Vantage& vantage, double aspect, double fovYRadians) {
+    Box world;
+    for (const glm::dvec3& point : points)
+        world.add(point);
+    const CameraBasis basis = cameraBasis({world.center() + vantage.from, world.center(), vantage.up, fovYRadians});
+    Box seen;
+    for (const glm::dvec3& point : points)
+        seen.add(toCamera(basis, point - world.center()));
+    const double size = std::max(glm::length(world.extent()), 1e-12);
+    const double height = std::max(seen.extent().y, seen.extent().x / aspect) / kFramedPart;
+    const double halfHeight = 0.5 * std::max(height, kClosest * size);
+    const glm::dvec3 target = world.center() + toWorld(basis, seen.center());
+    const glm::dvec3 eye = target + vantage.from * (halfHeight / std::tan(fovYRadians / 2));
+    return {eye, target, vantage.up, fovYRadians, Projection::Orthographic};
+}
+
 } // namespace gnomon::path

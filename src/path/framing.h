@@ -40,10 +40,15 @@ glm::dvec3 usualLight(const glm::dvec3& up);
 /// What part of the picture's width or height a framed model fills, of that which it fills more.
 inline constexpr double kFramedPart = 0.875;
 
-/// The camera at `vantage` in whose picture `points` (at least one) fill that part and lie in the middle, both ways;
-/// less where the eye would come nearer to them than a fiftieth of their size. Its target lies where the line of sight
-/// passes the points' vertical middle, so that one can turn about it. `aspect` is width by height, `fovYRadians` in
-/// (0, pi).
+/// The perspective camera at `vantage` in whose picture `points` (at least one) fill that part and lie in the middle,
+/// both ways; less where the eye would come nearer to them than a fiftieth of their size. Its target lies where the
+/// line of sight passes the points' vertical middle, so that one can turn about it. `aspect` is width by height,
+/// `fovYRadians` in (0, pi).
 Camera framingCamera(std::span<const glm::dvec3> points, const Vantage& vantage, double aspect, double fovYRadians);
+
+/// Likewise by parallel lines of sight, which fill that part always. The points lie before the eye, and the target is
+/// their middle.
+Camera orthographicFraming(
+    std::span<const glm::dvec3> points, const Vantage& vantage, double aspect, double fovYRadians);
 
 } // namespace gnomon::path

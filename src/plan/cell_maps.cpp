@@ -20,7 +20,8 @@ std::vector<shadow::ShadowMap> cellMaps(const FramePlan& plan) {
     view.anchor = {plan.basis, plan.view.camera.eye};
     shadow::ShadowOptions options;
     const CellScheme scheme = plan.quality.cellScheme;
-    const bool isWarped = scheme == CellScheme::WarpedMap || scheme == CellScheme::WarpedSlices;
+    const bool isWarped =
+        !plan.view.camera.isParallel() && (scheme == CellScheme::WarpedMap || scheme == CellScheme::WarpedSlices);
     const bool isSliced = scheme == CellScheme::Slices || scheme == CellScheme::WarpedSlices;
     options.scheme.slices = isSliced ? 4 : 1;
     options.scheme.warp.rule = isWarped ? shadow::WarpRule::Lspsm : shadow::WarpRule::None;

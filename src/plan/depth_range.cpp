@@ -1,6 +1,7 @@
 #include "plan/depth_range.h"
 
 #include "core/error.h"
+#include "plan/distant_view.h"
 #include "plan/hysteresis.h"
 
 #include <algorithm>
@@ -100,6 +101,21 @@ void setShown(DepthRange& range, const SceneFacts::Visible& visible, const std::
         shownEnd(range.depths.near, visible.nearest, range.shown.far / kDefaultFloorRatio, now.shownNear);
 }
 
+/// The range of parallel lines of sight: just what is seen, since no depth is worth more than another; of stabilised
+/// slices, whose texels must keep their size, all that the model can reach, so that it has no hysteresis.
+void setParallelRange(DepthRange& range, const View& view, const Quality& quality, const SceneFacts::Visible& visible) {
+    constexpr double kLeastRatio = 1 + 1e-5;
+    const double nearest = glm::length(view.camera.target - view.camera.eye); // of the model
+    const double near = quality.stabilize ? nearest : visible.nearest * (1 - 1e-9);
+    const double far = quality.stabilize ? nearest * kDistantGrowth : visible.farthest * (1 + 1e-9);
+    range.depths.near = quality.near.value_or(std::min(near, quality.far.value_or(far) / kLeastRatio));
+    range.depths.far = quality.far.value_or(std::max(far, range.depths.near * kLeastRatio));
+    if (quality.near) range.nearFrom = DepthSource::Given;
+    keepApart(range.depths, quality);
+    range.shown = {std::min(range.depths.near, near), std::max(range.depths.far, far)};
+    range.memory.reset();
+}
+
 } // namespace
 
 DepthRange depthRange(
@@ -117,6 +133,10 @@ DepthRange depthRange(
     range.nearFrom = scene.visible ? DepthSource::NearestSurface : DepthSource::ModelBounds;
     range.farFrom = scene.visible ? DepthSource::FarthestSurface : DepthSource::ModelBounds;
     if (quality.far) range.farFrom = DepthSource::Given;
+    if (view.camera.isParallel()) {
+        setParallelRange(range, view, quality, visible);
+        return range;
+    }
     if (quality.near) {
         range.depths.near = *quality.near;
         range.nearFrom = DepthSource::Given;

@@ -30,6 +30,7 @@ struct View {
     glm::dvec3 towardsLight{0.4, 1, 0.3}; // world space, any length above 0; light() is drawn by
     glm::dvec3 up{0, 1, 0};               // towards the sky, likewise of any length above 0
     double sunAngleRadians = 0;           // across the disc of the light; 0: a point
+    std::optional<double> eyeMovedBack;   // by distantView, world units
 
     /// The light that is drawn by: rounded here, and nowhere else.
     IntegerLight light() const { return roundedLight(towardsLight); }
@@ -167,6 +168,11 @@ struct FramePlan {
     int textureWidth = 0;     // of the depth texture; 0 without maps
     int textureHeight = 0;
 };
+
+/// `depth`, from the eye that `plan` is made for, as it is from the eye that was asked for.
+inline double depthFromAskedEye(const FramePlan& plan, double depth) {
+    return depth - plan.view.eyeMovedBack.value_or(0);
+}
 
 /// The word for the scheme in the log: "off", "rays", "map", "zp4", "fp", "fp+zp4", with "+w" where a map is warped.
 std::string schemeName(const FramePlan& plan);

@@ -48,6 +48,7 @@ enum class OmissionReason : std::uint8_t {
     FewCasters,         // beside the pixels: finding out who receives light would cost more than they do
     ExecutorDrawsAll,   // whatever hides it
     FewLayers,          // of clusters over a pixel
+    ParallelSight,      // lines of sight are: nothing is nearer than anything else, and no perspective is to be matched
     AllAreDark,         // the visible points that face the light, before all casters were looked at
     NarrowPenumbrae,    // of at most Omission::pixels
     NoShadows,          // are asked for

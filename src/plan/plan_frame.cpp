@@ -53,6 +53,13 @@ shadow::ViewFrustum frustumOf(const View& view, const DepthSpan& range) {
     return {range.near, range.far, view.camera.fovYRadians / 2, view.aspect()};
 }
 
+/// What parallel lines of sight leave of the quality: all their pixels are alike, so the limit of every warp is none,
+/// and that of each face the whole.
+void unwarp(Quality& quality) {
+    quality.warp.rule = shadow::WarpRule::None;
+    quality.facePartitions = Choice::Off;
+}
+
 glm::dvec3 cameraLight(const View& view, const CameraBasis& basis) {
     return glm::normalize(toCamera(basis, view.light().unit()));
 }
@@ -83,6 +90,7 @@ PlannedFrame planFrame(const View& view, const Quality& quality, const SceneFact
     plan.view = view;
     plan.quality = quality;
     if (quality.shadows == ShadowMode::Auto) plan.quality.shadows = ShadowMode::Maps; // without costs to choose by
+    if (view.camera.isParallel()) unwarp(plan.quality);
     plan.basis = cameraBasis(view.camera);
     plan.light = view.light();
     plan.towardsLight = cameraLight(view, plan.basis);

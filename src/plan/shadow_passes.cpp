@@ -20,7 +20,9 @@ bool reachesBefore(const ShadowPass& pass, const CameraBasis& basis, const Scene
     return trianglesIn(before, basis, scene.light->casters) > 0;
 }
 
-OmissionReason warpReason(const Quality& quality) {
+OmissionReason warpReason(const FramePlan& plan) {
+    const Quality& quality = plan.quality;
+    if (plan.view.camera.isParallel()) return OmissionReason::ParallelSight;
     if (quality.stabilize) return OmissionReason::SlicesStabilized;
     if (quality.warp.rule == shadow::WarpRule::None) return OmissionReason::SwitchedOff;
     return OmissionReason::NoGain;
@@ -32,7 +34,9 @@ void explainOmissions(FramePlan& plan, std::uint64_t emptySlices) {
     const Quality& quality = plan.quality;
     for (std::size_t i = 0; i + 1 < plan.splits.size(); ++i)
         if ((emptySlices >> i & 1U) != 0) omitted.push_back({Effect::MapOfSlice, OmissionReason::NothingFacesLight, i});
-    if (quality.facePartitions != Choice::Off && quality.stabilize)
+    if (plan.view.camera.isParallel())
+        omitted.push_back({Effect::FacePartitions, OmissionReason::ParallelSight});
+    else if (quality.facePartitions != Choice::Off && quality.stabilize)
         omitted.push_back({Effect::FacePartitions, OmissionReason::SlicesStabilized});
     else if (quality.facePartitions == Choice::Off)
         omitted.push_back({Effect::FacePartitions, OmissionReason::SwitchedOff});
@@ -44,7 +48,7 @@ void explainOmissions(FramePlan& plan, std::uint64_t emptySlices) {
              quality.zPartitions ? OmissionReason::SwitchedOff : OmissionReason::OneSliceSuffices});
     const auto isWarped = [](const ShadowPass& pass) { return pass.map.warped.kappa > 0; };
     if (std::none_of(plan.passes.begin(), plan.passes.end(), isWarped))
-        omitted.push_back({Effect::Warp, warpReason(quality)});
+        omitted.push_back({Effect::Warp, warpReason(plan)});
     if (!quality.stabilize) {
         omitted.push_back({Effect::Stabilization, OmissionReason::SwitchedOff});
         omitted.push_back({Effect::MapReuse, OmissionReason::NotStabilized});

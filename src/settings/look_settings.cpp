@@ -59,6 +59,13 @@ Codec<Background> background() {
 
 std::vector<Setting> lookSettings() {
     return {
+        plain(
+            &Settings::projection,
+            {.name = "projection",
+             .form = enumerated(kProjections, "|", "|"),
+             .help = "Lines of sight from the eye, or parallel ones, by which all is as large as at the target; as the "
+                     "camera file or path says, else perspective, if not given"},
+            ifGiven(oneOf(kProjections))),
         look(
             &plan::Look::shading,
             {.name = "shading",

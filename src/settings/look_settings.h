@@ -7,7 +7,7 @@
 
 namespace gnomon::settings {
 
-/// Shading, ambient light and background. No bench sweeps them.
+/// Projection, shading, ambient light and background. No bench sweeps them.
 std::vector<Setting> lookSettings();
 
 /// "sky", "transparent", "white", or a colour as "#rrggbb", which is sRGB.

@@ -59,10 +59,10 @@ ordered_json passJson(const plan::FramePlan& plan, const plan::ShadowPass& pass)
     json["kind"] = "shadow_map";
     json["slice"] = map.region.slice;
     json["face"] = shadow::name(map.region.face);
-    json["near"] = map.region.frustum.near;
-    json["far"] = map.region.frustum.far;
-    json["covered_near"] = map.region.covered.near;
-    json["covered_far"] = map.region.covered.far;
+    json["near"] = depthFromAskedEye(plan, map.region.frustum.near);
+    json["far"] = depthFromAskedEye(plan, map.region.frustum.far);
+    json["covered_near"] = depthFromAskedEye(plan, map.region.covered.near);
+    json["covered_far"] = depthFromAskedEye(plan, map.region.covered.far);
     json["light_clip_from_world"] =
         matrixJson(glClipFromLightClip() * map.lightClipFromCamera() * cameraFromWorld(plan));
     json["rectangle"] = {r.x, r.y, r.width, r.height};
@@ -104,8 +104,9 @@ std::string line(const char* format, ...) {
 
 ordered_json planJson(const plan::FramePlan& plan) {
     ordered_json json;
-    json["near"] = plan.near;
-    json["far"] = plan.far;
+    json["projection"] = wordOf(kProjections, plan.view.camera.projection);
+    json["near"] = depthFromAskedEye(plan, plan.near);
+    json["far"] = depthFromAskedEye(plan, plan.far);
     json["near_from"] = sourceInWords(plan.nearFrom);
     json["far_from"] = sourceInWords(plan.farFrom);
     json["light_angle"] = degreesFromRadians(plan.lightAngleRadians);
@@ -130,10 +131,15 @@ ordered_json planJson(const plan::FramePlan& plan) {
 }
 
 std::string planText(const plan::FramePlan& plan) {
-    std::string text = line("near   %-12g %s\n", plan.near, sourceInWords(plan.nearFrom).c_str());
-    text += line("far    %-12g %s\n", plan.far, sourceInWords(plan.farFrom).c_str());
+    const auto asked = [&](double depth) { return depthFromAskedEye(plan, depth); };
+    std::string text;
+    if (plan.view.camera.isParallel())
+        text += "orthographic: the limit of a small angle, so one density of texels for each slice and no warp\n";
+    text += line("near   %-12g %s\n", asked(plan.near), sourceInWords(plan.nearFrom).c_str());
+    text += line("far    %-12g %s\n", asked(plan.far), sourceInWords(plan.farFrom).c_str());
     if (plan.shown != DepthSpan{plan.near, plan.far})
-        text += line("shown  %g to %g: beyond the range nothing is promised\n", plan.shown.near, plan.shown.far);
+        text += line(
+            "shown  %g to %g: beyond the range nothing is promised\n", asked(plan.shown.near), asked(plan.shown.far));
     text += line("light  %.2f degrees from the view\n", degreesFromRadians(plan.lightAngleRadians));
     text += line(
         "plan   %s: %zu maps in %dx%d texels, cost %llu\n",
@@ -171,8 +177,8 @@ std::string planText(const plan::FramePlan& plan) {
             "%-5zu %-6s %10.4g %10.4g %22s %10.4g %9.3g %9.3g %9.3g %12llu\n",
             map.region.slice,
             shadow::name(map.region.face),
-            map.region.frustum.near,
-            map.region.frustum.far,
+            asked(map.region.frustum.near),
+            asked(map.region.frustum.far),
             line("%dx%d at %d,%d", r.width, r.height, r.x, r.y).c_str(),
             map.warped.kappa,
             map.promised.x,

@@ -131,6 +131,8 @@ std::string reasonInWords(const plan::Omission& omission) {
         return "only the software executor leaves out what is hidden";
     case OmissionReason::FewLayers:
         return "few clusters lie behind one another, so little is hidden";
+    case OmissionReason::ParallelSight:
+        return "lines of sight are parallel: pixels are alike at every depth, and so are texels without it";
     case OmissionReason::AllAreDark:
         return "all that is seen and faces the light was dark before they were looked at";
     case OmissionReason::NarrowPenumbrae:

@@ -129,12 +129,15 @@ plan::View viewOf(
     view.sunAngleRadians = lightDiameter(settings);
     if (!settings.cameraFile.empty()) {
         view.camera = path::readCamera(settings.cameraFile);
+        view.camera.projection = settings.projection.value_or(view.camera.projection);
         return view;
     }
     const double fovY = radiansFromDegrees(settings.fovYDegrees.value_or(kUsualFovYDegrees));
     const path::Vantage vantage = path::vantageOf(settings.side, view.up);
     const std::vector<glm::dvec3> corners = path::cornersOf(summary.bounds);
-    view.camera = path::framingCamera(outline.empty() ? corners : outline, vantage, view.aspect(), fovY);
+    const auto frame =
+        settings.projection == Projection::Orthographic ? path::orthographicFraming : path::framingCamera;
+    view.camera = frame(outline.empty() ? corners : outline, vantage, view.aspect(), fovY);
     if (settings.eye || settings.target) {
         view.camera.eye = settings.eye.value_or(view.camera.eye);
         view.camera.target = settings.target.value_or(0.5 * (corners.front() + corners.back()));

@@ -45,7 +45,8 @@ struct Settings {
     std::optional<glm::dvec3> target;
     std::optional<glm::dvec3> up;
     std::optional<double> fovYDegrees;
-    std::optional<path::ViewSide> side; // nothing: a three-quarter view
+    std::optional<path::ViewSide> side;   // nothing: a three-quarter view
+    std::optional<Projection> projection; // nothing: the camera file's or the path's, else perspective
     glm::dvec3 towardsLight{0.4, 1, 0.3};
     bool isLightGiven = false;             // towardsLight was asked for; else it stands in a world with y up
     std::optional<SunTime> sun;            // takes the place of towardsLight

@@ -15,8 +15,15 @@ plan::View FramedModel::view(settings::Settings settings, const glm::ivec2& size
     return settings::viewOf(settings, summary_, outline_);
 }
 
-Camera FramedModel::from(path::ViewSide side, const glm::ivec2& size) const {
+Camera FramedModel::home(const glm::ivec2& size, Projection projection) const {
     settings::Settings settings = settings_;
+    settings.projection = projection;
+    return view(settings, size).camera;
+}
+
+Camera FramedModel::from(path::ViewSide side, const glm::ivec2& size, Projection projection) const {
+    settings::Settings settings = settings_;
+    settings.projection = projection;
     settings.cameraFile.clear();
     settings.eye = settings.target = std::nullopt;
     settings.side = side;

@@ -19,8 +19,11 @@ public:
     /// was. Throws Error for a camera file that is none.
     plan::View home(const glm::ivec2& size) const { return view(settings_, size); }
 
+    /// Its camera with another projection.
+    Camera home(const glm::ivec2& size, Projection projection) const;
+
     /// The camera of such a picture that has the model framed from a side.
-    Camera from(path::ViewSide side, const glm::ivec2& size) const;
+    Camera from(path::ViewSide side, const glm::ivec2& size, Projection projection) const;
 
     /// What is up in the model's world.
     glm::dvec3 up() const { return settings_.up.value_or(summary_.up.direction); }

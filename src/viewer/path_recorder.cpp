@@ -9,7 +9,8 @@ namespace {
 constexpr double kLeastInterval = 1.0 / 30; // seconds
 
 bool isSame(const Camera& a, const Camera& b) {
-    return a.eye == b.eye && a.target == b.target && a.up == b.up && a.fovYRadians == b.fovYRadians;
+    return a.eye == b.eye && a.target == b.target && a.up == b.up && a.fovYRadians == b.fovYRadians &&
+           a.projection == b.projection;
 }
 
 } // namespace

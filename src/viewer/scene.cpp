@@ -98,7 +98,10 @@ ShownPicture Scene::shown(const glm::ivec2& size, bool darkensHollows) {
     }
     if (!isUploaded_) {
         executor::Picture picture = this->picture();
-        if (darkensHollows) executor::darkenHollows(picture, executor_->viewDepth());
+        if (darkensHollows) {
+            const double distance = seenBy_.isParallel() ? glm::length(seenBy_.target - seenBy_.eye) : 0;
+            executor::darkenHollows(picture, executor_->viewDepth(), distance);
+        }
         const bool isLess = picture.width < size.x && picture.height < size.y;
         if (isLess) picture = executor::upscaled(picture, size.x, size.y);
         if (uploaded_.width() != picture.width || uploaded_.height() != picture.height)

@@ -58,7 +58,9 @@ WindowSession::WindowSession(const ViewerOptions& options)
       walk_(
           messages_,
           now,
-          options.path.empty() ? std::nullopt : std::optional(path::readCameraPath(options.path)),
+          options.path.empty()
+              ? std::nullopt
+              : std::optional(path::projected(path::readCameraPath(options.path), options.settings.projection)),
           options.frames),
       history_(kHistory),
       pad_(kPadSide) {
@@ -241,7 +243,9 @@ void WindowSession::afterScene(const Shot& shot, bool isMeasured) {
     const double milliseconds = row.totalMs.value_or(0) + lastWindowMs_;
     if (isMeasured)
         budget_.measure(loadOf(*scene.frame(), milliseconds, settings_.targetMs), settings_.targetMs, wantedEffort());
-    walk_.control().see({plan.near, plan.far}, 1.0 / 30);
+    const double distance = walk_.control().distance(); // parallel lines of sight have no other
+    const bool isParallel = plan.view.camera.isParallel();
+    walk_.control().see(isParallel ? SceneDepths{distance, distance} : SceneDepths{plan.near, plan.far}, 1.0 / 30);
     pace_.see(row);
     row.run = "view";
     row.width = drawnFor_.x;

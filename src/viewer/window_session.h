@@ -42,6 +42,8 @@ private:
     void toggleTarget();
     void focus();
 
+    Projection projection() const { return walk_.control().camera().projection; }
+
     bool isIdle() const { return !pace_.isSceneAwake() && !walk_.isUnderWay(); }
 
     bool comesToRest() const;

@@ -89,9 +89,14 @@ void WindowSession::actOnModel(const Binding& binding) {
     case Action::Focus:
         return focus();
     case Action::LookFrom:
-        return walk_.control().goTo(framed_->from(static_cast<path::ViewSide>(binding.value), framebufferSize()));
+        return walk_.control().goTo(
+            framed_->from(static_cast<path::ViewSide>(binding.value), framebufferSize(), projection()));
     case Action::GoHome:
-        return walk_.control().goTo(framed_->home(framebufferSize()).camera);
+        return walk_.control().goTo(framed_->home(framebufferSize(), projection()));
+    case Action::ToggleProjection:
+        walk_.control().toggleProjection();
+        file_.scene()->forget();
+        return messages_.show(std::string(wordOf(kProjections, projection())));
     case Action::Freeze:
         return walk_.toggleFreeze();
     case Action::Record:

@@ -1,12 +1,29 @@
 #include "tests/executor/field.h"
 
 #include "core/random.h"
+#include "plan/distant_view.h"
 #include "plan/plan_frame.h"
 
 #include <algorithm>
 #include <array>
 
 namespace gnomon::executor {
+
+namespace {
+
+struct Depths {
+    double nearest = 1;
+    double farthest = 120;
+};
+
+/// Of all of the field that a view can show.
+Depths depthsOf(const plan::View& view) {
+    if (!view.camera.isParallel()) return {};
+    const double nearest = glm::length(view.camera.target - view.camera.eye);
+    return {nearest, nearest * plan::kDistantGrowth};
+}
+
+} // namespace
 
 Field::Field() {
     tests::TinyModelOptions options;
@@ -39,7 +56,8 @@ plan::View Field::view(std::uint64_t seed) const {
     view.camera.target = inside(below);
     for (int axis = 0; axis < 3; ++axis)
         view.towardsLight[axis] = axis == 1 ? random.uniform(0.15, 1) : random.uniform(-1, 1);
-    return view;
+    if (seed % 6 == 5) view.camera.projection = Projection::Orthographic;
+    return plan::distantView(view, bounds);
 }
 
 FrameDrawing Field::drawing(const plan::FramePlan& plan) const {
@@ -50,7 +68,9 @@ FrameDrawing Field::drawing(const plan::FramePlan& plan) const {
     frame.image = &all_;
     frame.casters.assign(plan.passes.size(), &all_);
     frame.pages = [this](std::uint32_t page) -> const hierarchy::Page& { return model_.pages[page]; };
-    frame.clipNear = 0.05;
+    const Depths depths = depthsOf(plan.view);
+    frame.clipNear = plan.view.camera.isParallel() ? depths.nearest : 0.05;
+    frame.clipFar = depths.farthest;
     frame.shading = plan.quality.look.shading;
     return frame;
 }
@@ -69,7 +89,8 @@ std::vector<LodSubstitute> Field::someSubstitutes() const {
 plan::FramePlan Field::plan(const plan::View& view, const plan::Quality& quality) const {
     plan::SceneFacts facts;
     facts.bounds = model_.summary.bounds;
-    facts.visible = {1, 120, true};
+    const Depths depths = depthsOf(view);
+    facts.visible = {depths.nearest, depths.farthest, true};
     return plan::planFrame(view, quality, facts).plan;
 }
 

@@ -13,7 +13,7 @@ class Field {
 public:
     Field();
 
-    /// A view from over or amid the hills.
+    /// A view from over or amid the hills; every sixth is orthographic.
     plan::View view(std::uint64_t seed) const;
 
     plan::FramePlan plan(const plan::View& view, const plan::Quality& quality) const;

@@ -59,17 +59,18 @@ vec3 octahedral(std::uint32_t bits) {
 }
 
 /// How far along an edge lies its point that is seen nearest to the ray, and how far beside the ray.
-std::pair<float, float> nearestOnEdge(const vec3& ray, const vec3& end, const vec3& edge) {
+std::pair<float, float> nearestOnEdge(const vec3& ray, bool isParallel, const vec3& end, const vec3& edge) {
     const vec3 u = cross(end, ray);
     const vec3 v = cross(edge, ray);
     const float along = std::min(std::max(-dot(u, v) / std::max(dot(v, v), 1e-30F), 0.0F), 1.0F);
     const vec3 point = end + edge * along;
     const vec3 beside = u + v * along;
+    if (isParallel) return {along, dot(beside, beside)};
     return {along, dot(beside, beside) / std::max(dot(point, point), 1e-30F)};
 }
 
 /// Of corner 0, 1 and 2: where the ray meets the triangle, or the outline's nearest point.
-vec3 weights(const vec3& ray, const vec3& fromCorner, const vec3& e1, const vec3& e2) {
+vec3 weights(const vec3& ray, bool isParallel, const vec3& fromCorner, const vec3& e1, const vec3& e2) {
     const vec3 across = cross(fromCorner, ray);
     const vec3 normal = cross(e1, e2);
     const float determinant = dot(ray, normal);
@@ -80,9 +81,9 @@ vec3 weights(const vec3& ray, const vec3& fromCorner, const vec3& e1, const vec3
         const float third = dot(e1, across) * scaling;
         if (second >= 0 && third >= 0 && second + third <= 1) return {(1 - second) - third, second, third};
     }
-    const auto [first, besideFirst] = nearestOnEdge(ray, -fromCorner, e1);
-    const auto [second, besideSecond] = nearestOnEdge(ray, -fromCorner, e2);
-    const auto [opposite, besideOpposite] = nearestOnEdge(ray, -fromCorner + e1, e2 - e1);
+    const auto [first, besideFirst] = nearestOnEdge(ray, isParallel, -fromCorner, e1);
+    const auto [second, besideSecond] = nearestOnEdge(ray, isParallel, -fromCorner, e2);
+    const auto [opposite, besideOpposite] = nearestOnEdge(ray, isParallel, -fromCorner + e1, e2 - e1);
     if (besideOpposite < std::min(besideFirst, besideSecond)) {
         const float w = 1 - opposite;
         return {(1 - w) - opposite, w, opposite};
@@ -116,7 +117,9 @@ void shadeOne(const ShadingFrame& f, PixelBatch& batch, std::size_t i) {
     const vec3 corner = at(batch.corner, i);
     const vec3 e1 = at(batch.edge1, i);
     const vec3 e2 = at(batch.edge2, i);
-    const vec3 w = weights(ray, at(f.rayOriginCells) - corner, e1, e2);
+    vec3 origin = at(f.rayOriginCells);
+    if (f.isParallel) origin = (origin + at(f.originPerX) * batch.x[i]) + at(f.originPerY) * batch.y[i];
+    const vec3 w = weights(ray, f.isParallel, origin - corner, e1, e2);
     const vec3 position = ((corner + e1 * w.y) + e2 * w.z) * f.frame->gridStep;
     const vec3 towardsEye = f.frame->eye - position;
     const vec3 eyeDirection = normalizedOr(towardsEye, vec3(0));

@@ -89,7 +89,7 @@ TEST(Onlooker, SeesTheFramesGeometryFromWhereItStands) {
     const std::unique_ptr<Executor> gl = makeGlExecutor(gl::Platform::Osmesa, gl::ShaderLibrary(), mebibytes(64));
     for (std::uint64_t seed = 0; seed < 4; ++seed) {
         const plan::FramePlan watched = field.plan(field.view(seed), fieldQuality(seed));
-        const plan::FramePlan watching = field.plan(field.view(seed + 100), fieldQuality(seed));
+        const plan::FramePlan watching = field.plan(field.view(seed + 102), fieldQuality(seed));
         FrameDrawing fromOutside = field.drawing(watched);
         fromOutside.observerCamera = watching.view.camera;
         for (Executor* executor : {ours.get(), gl.get()}) {

@@ -168,6 +168,26 @@ TEST(CameraFiles, ReadBackWhatWasWrittenToTheLastBit) {
     }
 }
 
+TEST(CameraFiles, HoldTheProjection) {
+    Random random(3);
+    CameraPath path = anyPath(random);
+    EXPECT_EQ(toJson(path).find("projection"), std::string::npos) << "perspective files stay as they were";
+    const CameraPath parallel = projected(path, Projection::Orthographic);
+    EXPECT_EQ(toJson(projected(parallel, std::nullopt)), toJson(parallel));
+    EXPECT_NE(contentHash(parallel), contentHash(path));
+    const CameraPath read = fromText(toJson(parallel), readCameraPath);
+    EXPECT_EQ(toJson(read), toJson(parallel));
+    const double middle = read.keyframes.front().time + 0.5 * read.duration();
+    EXPECT_TRUE(cameraAt(read, middle).isParallel());
+    const Camera& camera = parallel.keyframes.front().camera;
+    EXPECT_EQ(toJson(fromText(toJson(camera), readCamera)), toJson(camera));
+    EXPECT_TRUE(
+        objection(changed([](ordered_json& frame) { frame["projection"] = "orthographic"; })).starts_with(kPlace))
+        << "one of three";
+    for (const ordered_json& wrong : {ordered_json(3), ordered_json("isometric"), ordered_json(nullptr)})
+        EXPECT_TRUE(objection(changed([&](ordered_json& frame) { frame["projection"] = wrong; })).starts_with(kPlace));
+}
+
 TEST(CameraFiles, HashToWhatTheySayAndNotToHowTheyAreWritten) {
     Random random(2);
     std::set<std::string> hashes;

@@ -90,6 +90,32 @@ TEST(Framing, FillsAPictureOfAnyShapeFromAnySideAndLiesInItsMiddle) {
     EXPECT_GT(framed, 250);
 }
 
+TEST(Framing, FillsAPictureByParallelLinesToo) {
+    Random random(17);
+    for (int trial = 0; trial < 200; ++trial) {
+        std::vector<glm::dvec3> points;
+        const glm::dvec3 middle(random.uniform(-99, 99), random.uniform(-99, 99), random.uniform(-99, 99));
+        for (int i = 0; i < 30; ++i)
+            points.push_back(
+                middle + glm::dvec3(random.uniform(-9, 9), random.uniform(-1, 1), random.uniform(-0.1, 0.1)));
+        const glm::dvec3 up(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+        const double aspect = std::exp2(random.uniform(-3, 3));
+        const Vantage vantage = vantageOf(kViewSides.at(static_cast<std::size_t>(trial) % 7).value, up);
+        const Camera camera = orthographicFraming(points, vantage, aspect, random.uniform(0.1, 2.5));
+        EXPECT_TRUE(camera.isParallel());
+        const CameraBasis basis = cameraBasis(camera);
+        glm::dvec2 least(1e9);
+        glm::dvec2 most(-1e9);
+        for (const glm::dvec3& point : points) {
+            const glm::dvec3 p = toCamera(basis, point - camera.eye) / halfHeightAtTarget(camera);
+            least = glm::min(least, {p.x / aspect, p.y});
+            most = glm::max(most, {p.x / aspect, p.y});
+        }
+        EXPECT_NEAR(std::max(most.x - least.x, most.y - least.y) / 2, kFramedPart, 1e-9);
+        EXPECT_LT(glm::length(most + least), 1e-9);
+    }
+}
+
 // The picture of a world is the same whichever of its axes is up: camera and light turn with it.
 TEST(Framing, TurnsWithTheWorld) {
     Random random(12);

@@ -85,6 +85,24 @@ const std::vector<ExactView>& views() {
          }},
         {"a wide angle", [](const B&, V& v, Q&, O&) { v.camera.fovYRadians = 2.8; }},
         {"a narrow angle", [](const B&, V& v, Q&, O&) { v.camera.fovYRadians = 0.02; }},
+        {"parallel lines", [](const B&, V& v, Q&, O&) { v.camera.projection = Projection::Orthographic; }},
+        {"parallel lines from inside",
+         [](const B& b, V& v, Q&, O&) {
+             v.camera.projection = Projection::Orthographic;
+             v.camera.eye = b.min + b.extent() * glm::dvec3(0.45, 0.3, 0.55);
+             v.camera.target = b.min + b.extent() * glm::dvec3(0.46, 0.29, 0.54);
+         }},
+        {"parallel lines apart by as much as the model is large",
+         [](const B& b, V& v, Q&, O&) {
+             v.camera.projection = Projection::Orthographic;
+             v.camera.eye = b.center() + 60 * glm::length(b.extent()) * glm::dvec3(1, 1, 0);
+         }},
+        {"parallel lines and a range",
+         [](const B& b, V& v, Q& q, O&) {
+             v.camera.projection = Projection::Orthographic;
+             q.near = 0.09 * glm::length(b.extent());
+             q.far = 0.1 * glm::length(b.extent());
+         }},
         {"a cap on triangles", [](const B&, V& v, Q& q, O&) { v.width = v.height = 300, q.maxTriangles = 3000; }},
         {"the finest level", [](const B&, V&, Q& q, O&) { q.errorPixels = 0; }},
         {"a coarse level", [](const B&, V&, Q& q, O&) { q.errorPixels = 30; }},

@@ -61,6 +61,7 @@ std::vector<EveryRow> sceneRows() {
          {"", "side", "Front"},
          "front, back, left, right, top, bottom or iso"},
         {"fov-y", "", {"60", "0.001", "179.999"}, {"0", "180", "-60", "nan"}, "an angle above 0 and below 180 degrees"},
+        {"projection", "", {"perspective", "orthographic"}, {"", "isometric"}, "perspective or orthographic"},
         {"near", "auto", {"auto", "0.5", "1e-15", "1e+15"}, {"0", "-1", "1e16", "inf", "Auto"}, nullptr},
         {"far", "auto", {"auto", "90"}, {"0", "1e-16", "far"}, nullptr},
         {"near-floor", "", {"0.01"}, {"auto", "0", "-0.01"}, "a distance from 1e-15 to 1e15"},

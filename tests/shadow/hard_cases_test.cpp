@@ -1,5 +1,6 @@
 // The hard cases of the shadow theory; docs/hard_cases.md shows this table.
 #include "core/error.h"
+#include "float_error.h"
 #include "random_views.h"
 #include "shadow/quantized_near.h"
 #include "tests/hard_cases.h"
@@ -30,39 +31,6 @@ void expectSound(const ShadowView& view) {
             EXPECT_LE(std::max(std::abs(clip.x), std::abs(clip.y)), clip.w);
         }
     }
-}
-
-/// By how many texels of 4096 `p` lands elsewhere in the image that executors get than its (s, t) in double say, where
-/// positions are floats relative to `origin`.
-double texelsOff(const ShadowMap& map, const glm::dvec3& origin, const glm::dvec3& p) {
-    const FloatMapImage image = rounded(mapImage(map, relativeTo(map.lightClipFromCamera(), origin), glm::dvec3(0)));
-    const MapTexel<float> found = texelAt(image, glm::vec3(p - origin));
-    const glm::dvec2 off = glm::dvec2(found.column, found.row) - exactTexel(map, p);
-    return glm::length(off / glm::dvec2(map.rectangle.width, map.rectangle.height)) * 4096;
-}
-
-struct FloatError {
-    double fromTheOrigin = 0; // texels of 4096, positions relative to the maps' origins
-    double fromTheEye = 0;    // and relative to the eye
-};
-
-/// The worst of points in `frustum` under random lights.
-FloatError floatError(const ViewFrustum& frustum) {
-    Random random(1);
-    FloatError worst;
-    for (int round = 0; round < 200; ++round) {
-        ShadowView view;
-        view.frustum = frustum;
-        view.towardsLight = randomLight(random);
-        const ShadowMapSetup setup = shadowMapSetup(view, {});
-        for (int i = 0; i < 50; ++i) {
-            const glm::dvec3 p = randomPointIn(random, frustum);
-            const ShadowMap& map = setup.maps.at(setup.mapOf(p));
-            worst.fromTheOrigin = std::max(worst.fromTheOrigin, texelsOff(map, map.origin, p));
-            worst.fromTheEye = std::max(worst.fromTheEye, texelsOff(map, glm::dvec3(0), p));
-        }
-    }
-    return worst;
 }
 
 ShadowView viewWithLight(const glm::dvec3& towardsLight) {
@@ -175,6 +143,25 @@ void tinyAngle() {
     const FloatError error = floatError(view.frustum);
     EXPECT_LT(error.fromTheOrigin, 0.01);
     EXPECT_GT(error.fromTheEye, 1); // or the case is none
+}
+
+/// What an orthographic view is planned as: an eye 256 sizes away. The limit of every warp is none.
+void parallelSight() {
+    for (const double degrees : {0.2, 1e-3, 1e-6}) {
+        ShadowView view;
+        view.frustum = {255.5, 256.5, degrees * kPi / 180, 1};
+        expectSound(view);
+        EXPECT_LT(floatError(view.frustum).fromTheOrigin, 0.01);
+        Random random(2);
+        for (int i = 0; i < 50; ++i) {
+            view.towardsLight = randomLight(random);
+            ShadowOptions options;
+            options.scheme.warp.rule = WarpRule::None;
+            const double plain = shadowMapSetup(view, options).worst().worst();
+            options.scheme.warp.rule = WarpRule::Minimax;
+            EXPECT_GE(shadowMapSetup(view, options).worst().worst(), plain * (1 - 2e-2));
+        }
+    }
 }
 
 void otherShapes() {
@@ -359,6 +346,9 @@ constexpr std::array<HardCase, 24> kCases{{
      "q - 1 from pow cancels; float positions relative to the eye are off by 400 texels",
      tinyRatio},
     {"half angle 0.005 degrees", "float positions relative to the eye do not resolve a texel", tinyAngle},
+    {"parallel lines of sight",
+     "no depth ratio and no angle to divide by; a warp for them gains nothing, an eye put far away loses whole texels",
+     parallelSight},
     {"images ten times as wide as high, or as high as wide",
      "the square frustum's forms and bisectors do not hold",
      otherShapes},

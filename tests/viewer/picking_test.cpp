@@ -64,7 +64,7 @@ TEST(Picking, FindsThePointThatARayThroughThePixelMeets) {
     quality.errorPixels = 1e-6; // the finest level
     Random random(5);
     const Box& bounds = model.summary().bounds;
-    for (int i = 0; i < 6; ++i) {
+    for (int i = 0; i < 12; ++i) {
         plan::View view;
         view.width = 160;
         view.height = 120;
@@ -73,7 +73,8 @@ TEST(Picking, FindsThePointThatARayThroughThePixelMeets) {
             bounds.center() + 30.0 * glm::dvec3(std::cos(angle), 0.6, std::sin(angle)),
             bounds.center(),
             {0, 1, 0},
-            0.9};
+            0.9,
+            i < 6 ? Projection::Perspective : Projection::Orthographic};
         renderer.render(view, quality, {});
         const executor::FloatPicture depth = executor->viewDepth();
         const CameraBasis basis = cameraBasis(view.camera);
@@ -84,8 +85,11 @@ TEST(Picking, FindsThePointThatARayThroughThePixelMeets) {
         for (int y = 3; y < 120; y += 7)
             for (int x = 3; x < 160; x += 7) {
                 const double tangent = view.tanHalfY() / 60;
-                const glm::dvec3 ray = toWorld(basis, {(x + 0.5 - 80) * tangent, (60 - y - 0.5) * tangent, 1});
-                const auto expected = firstHit(tiny, view.camera.eye, glm::normalize(ray));
+                const glm::dvec3 at((x + 0.5 - 80) * tangent, (60 - y - 0.5) * tangent, 0);
+                const glm::dvec3 aside = toWorld(basis, at * glm::length(view.camera.target - view.camera.eye));
+                const auto expected =
+                    i < 6 ? firstHit(tiny, view.camera.eye, glm::normalize(basis.view + toWorld(basis, at)))
+                          : firstHit(tiny, view.camera.eye + aside, basis.view);
                 const auto found = pointUnder(depth, view.camera, {x, y}, 0);
                 hits += expected ? 1 : 0;
                 const bool isSame = expected.has_value() == found.has_value() &&

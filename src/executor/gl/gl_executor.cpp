@@ -78,7 +78,7 @@ public:
 
     std::optional<std::uint64_t> litPixels() override;
 
-    FloatPicture viewDepth() override { return targets().viewDepth(clipNear_); }
+    FloatPicture viewDepth() override { return targets().viewDepth(depth_); }
 
     FloatPicture shadowDepth() override { return targets().shadowDepth(); }
 
@@ -126,7 +126,7 @@ private:
     GlTargets targets_;
     gl::Texture litMask_;
     Bytes targetMemory_;
-    double clipNear_ = 1;
+    ImageDepth depth_;
     std::uint64_t drawCalls_ = 0; // of the current pass
 };
 
@@ -144,7 +144,7 @@ PassStatistics GlExecutor::drawShadowMaps(const FrameDrawing& frame) {
 PassStatistics GlExecutor::drawImage(const FrameDrawing& frame) {
     prepareTargets(frame);
     drawCalls_ = 0;
-    clipNear_ = frame.clipNear;
+    depth_ = lensOf(frame).depth;
     const Stopwatch watch;
     if (imageTimer_) imageTimer_->begin();
     drawSurfaces(frame);

@@ -119,11 +119,11 @@ std::uint64_t GlTargets::litPixels() const {
         std::count_if(pixels.begin(), pixels.end(), [](const auto& pixel) { return pixel[3] == kLitAlpha; }));
 }
 
-FloatPicture GlTargets::viewDepth(double clipNear) const {
+FloatPicture GlTargets::viewDepth(const ImageDepth& meaning) const {
     FloatPicture result(image_->depth.width(), image_->depth.height());
     image_->depth.read(GL_DEPTH_COMPONENT, GL_FLOAT, std::as_writable_bytes(std::span(result.pixels)));
     for (float& depth : result.pixels)
-        depth = static_cast<float>(clipNear / static_cast<double>(depth));
+        depth = static_cast<float>(meaning.asked(depth));
     flipRows(result);
     return result;
 }

@@ -3,6 +3,7 @@
 
 #include "core/units.h"
 #include "executor/executor.h"
+#include "executor/view/lens.h"
 #include "gl/context.h"
 #include "gl/objects.h"
 
@@ -52,8 +53,8 @@ public:
     /// Those that the image's shader marked as lit.
     std::uint64_t litPixels() const;
 
-    /// Depths along the view, of an image whose depth is `clipNear` over them; infinite where nothing was drawn.
-    FloatPicture viewDepth(double clipNear) const;
+    /// Depths along the view, of an image whose depths have this `meaning`; infinite where nothing was drawn.
+    FloatPicture viewDepth(const ImageDepth& meaning) const;
 
     /// As drawn, the lowest row first; empty without shadow maps.
     FloatPicture shadowDepth() const;

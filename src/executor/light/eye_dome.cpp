@@ -20,22 +20,26 @@ constexpr std::array<std::array<int, 2>, 4> kAround = {{{2, 0}, {0, 2}, {1, 1}, 
 
 } // namespace
 
-void darkenHollows(Picture& picture, const FloatPicture& depth) {
+void darkenHollows(Picture& picture, const FloatPicture& depth, double parallelDistance) {
     GNOMON_CHECK(picture.width == depth.width && picture.height == depth.height);
     const int width = picture.width;
     const int height = picture.height;
-    const auto inverse = [&](int x, int y) {
-        return 1 / depth.at(std::clamp(x, 0, width - 1), std::clamp(y, 0, height - 1)); // 0 where nothing is
+    // How much nearer than other things, linear over a plane: 1/depth, which is 0 where nothing is, or minus depth.
+    const bool isParallel = parallelDistance > 0;
+    const auto perDepth = static_cast<float>(isParallel ? -1 / parallelDistance : 0);
+    const auto nearness = [&](int x, int y) {
+        const float own = depth.at(std::clamp(x, 0, width - 1), std::clamp(y, 0, height - 1));
+        return isParallel ? own * perDepth : 1 / own;
     };
     tbb::parallel_for(tbb::blocked_range<int>(0, height, 16), [&](const auto& rows) {
         for (int y = rows.begin(); y < rows.end(); ++y)
             for (int x = 0; x < width; ++x) {
-                const float own = inverse(x, y);
-                if (!(own > 0)) continue;
+                if (!std::isfinite(depth.at(x, y))) continue;
+                const float own = nearness(x, y);
                 float hollow = 0;
                 for (const auto& [right, down] : kAround) {
-                    const float around = 0.5F * (inverse(x + right, y + down) + inverse(x - right, y - down));
-                    hollow += std::clamp(around / own - 1, 0.0F, 1.0F);
+                    const float around = 0.5F * (nearness(x + right, y + down) + nearness(x - right, y - down));
+                    hollow += std::clamp(isParallel ? around - own : around / own - 1, 0.0F, 1.0F);
                 }
                 const float light = std::max(1 / (1 + kStrength / 4 * hollow), kDarkest);
                 for (std::uint8_t& channel : picture.at(x, y))

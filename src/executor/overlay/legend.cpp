@@ -34,7 +34,10 @@ void addMaps(const plan::FramePlan& plan, Legend& legend) {
         std::string line = formatted("%zu: ", i + 1);
         if (map.region.face != shadow::Face::Whole) line += std::string(shadow::name(map.region.face)) + ", ";
         if (map.region.slice + 1 < plan.splits.size())
-            line += formatted("%.3g to %.3g, ", plan.splits[map.region.slice], plan.splits[map.region.slice + 1]);
+            line += formatted(
+                "%.3g to %.3g, ",
+                depthFromAskedEye(plan, plan.splits[map.region.slice]),
+                depthFromAskedEye(plan, plan.splits[map.region.slice + 1]));
         legend.entries.push_back(
             {indexColor(static_cast<int>(i)),
              line + formatted("%dx%d texels", map.rectangle.width, map.rectangle.height),

@@ -28,7 +28,8 @@ double nearestTurn(double angle, double reference) {
 
 } // namespace
 
-CameraControl::CameraControl(const Camera& home, const glm::dvec3& up) : fovYRadians_(home.fovYRadians) {
+CameraControl::CameraControl(const Camera& home, const glm::dvec3& up)
+    : fovYRadians_(home.fovYRadians), projection_(home.projection) {
     const CameraBasis basis = cameraBasis(home);
     const auto isAcross = [&](const glm::dvec3& axis) {
         return glm::length(glm::cross(basis.view, axis)) > kAlong * glm::length(axis);
@@ -63,7 +64,11 @@ glm::dvec3 CameraControl::direction(const Pose& pose) const {
 }
 
 Camera CameraControl::camera() const {
-    return {pose_.eye, pose_.eye + direction(pose_) * pose_.distance, up_, fovYRadians_};
+    return {pose_.eye, pose_.eye + direction(pose_) * pose_.distance, up_, fovYRadians_, projection_};
+}
+
+void CameraControl::toggleProjection() {
+    projection_ = projection_ == Projection::Perspective ? Projection::Orthographic : Projection::Perspective;
 }
 
 void CameraControl::advance(const Flight& flight, double seconds) {
@@ -90,7 +95,13 @@ void CameraControl::advance(const Flight& flight, double seconds) {
     velocity_ = wanted + (velocity_ - wanted) * decay;
     if (!flies && glm::length(velocity_) < kStill) velocity_ = glm::dvec3(0);
     const CameraBasis basis = cameraBasis(camera());
-    pose_.eye += toWorld(basis, way) * speed();
+    glm::dvec3 moved = way * speed();
+    if (projection_ == Projection::Orthographic) {
+        const double nearer = std::exp(-moved.z / pose_.distance);
+        moved.z = pose_.distance * (1 - nearer);
+        pose_.distance *= nearer;
+    }
+    pose_.eye += toWorld(basis, moved);
 }
 
 bool CameraControl::isMoving() const {
@@ -138,6 +149,7 @@ void CameraControl::jumpTo(const Camera& camera) {
     glide_.reset();
     velocity_ = glm::dvec3(0);
     fovYRadians_ = camera.fovYRadians;
+    projection_ = camera.projection;
     pose_ = poseOf(camera);
 }
 

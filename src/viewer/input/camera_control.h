@@ -29,7 +29,8 @@ public:
     Camera camera() const;
 
     /// Moves on by `seconds`: along `flight`, with a little inertia, or along the glide that is under way, which any
-    /// flight ends. Seconds above a tenth count as a tenth, so that a slow frame does not throw the eye far.
+    /// flight ends. Where lines of sight are parallel flying ahead comes nearer to the target, and so enlarges. Seconds
+    /// above a tenth count as a tenth, so that a slow frame does not throw the eye far.
     void advance(const Flight& flight, double seconds);
 
     /// Whether `advance` without a flight would still move the camera.
@@ -56,6 +57,9 @@ public:
 
     /// Takes over `camera` at once, likewise.
     void jumpTo(const Camera& camera);
+
+    /// Between lines of sight that part and parallel ones; what is as far as the target keeps its size.
+    void toggleProjection();
 
     /// What is in view now, for the speed; the speed follows within some tenths of a second.
     void see(const SceneDepths& depths, double seconds);
@@ -92,6 +96,7 @@ private:
     glm::dvec3 up_{0, 1, 0};
     glm::dvec3 front_{0, 0, -1};
     double fovYRadians_ = 1;
+    Projection projection_ = Projection::Perspective;
     Pose pose_;
     std::optional<Glide> glide_;
     glm::dvec3 velocity_{0}; // camera axes, in units of speed()

@@ -41,6 +41,7 @@ std::vector<Binding> cameraAndSettingKeys() {
         Binding{GLFW_KEY_4, false, Action::LookFrom, of(path::ViewSide::Right), "4", "from the right"},
         Binding{GLFW_KEY_5, false, Action::LookFrom, of(path::ViewSide::Top), "5", "from above"},
         Binding{GLFW_KEY_6, false, Action::LookFrom, of(path::ViewSide::Bottom), "6", "from below"},
+        Binding{GLFW_KEY_O, false, Action::ToggleProjection, 0, "O", "orthographic or perspective"},
         Binding{GLFW_KEY_HOME, false, Action::GoHome, 0, "Home", "back to the start"},
         Binding{GLFW_KEY_N, false, Action::StepScheme, 1, "N", "next scheme: none, one map, slices, faces, rays"},
         Binding{GLFW_KEY_N, true, Action::StepScheme, -1, "Shift+N", "previous scheme"},

@@ -13,6 +13,7 @@ enum class Action : std::uint8_t {
     Fly, // while it is held: value is a Way
     Focus,
     LookFrom, // value is a path::ViewSide
+    ToggleProjection,
     GoHome,
     StepScheme,
     StepSetting, // value is how many steps, of the setting that the binding names

@@ -18,11 +18,11 @@ std::optional<glm::dvec3> pointUnder(
         }
     if (!best) return std::nullopt;
     const double depth = viewDepth.at(best->x, best->y);
-    const double perPixel = 2 * std::tan(camera.fovYRadians / 2) / viewDepth.height;
+    const double halfHeight =
+        camera.isParallel() ? halfHeightAtTarget(camera) : std::tan(camera.fovYRadians / 2) * depth;
+    const double perPixel = 2 * halfHeight / viewDepth.height;
     const glm::dvec3 inCamera(
-        (best->x + 0.5 - viewDepth.width * 0.5) * perPixel * depth,
-        (viewDepth.height * 0.5 - best->y - 0.5) * perPixel * depth,
-        depth);
+        (best->x + 0.5 - viewDepth.width * 0.5) * perPixel, (viewDepth.height * 0.5 - best->y - 0.5) * perPixel, depth);
     return camera.eye + toWorld(cameraBasis(camera), inCamera);
 }
 

@@ -55,7 +55,11 @@ std::string statusInWords(const plan::FramePlan& plan, const telemetry::FrameRow
 std::vector<std::string> planInWords(const plan::FramePlan& plan, const telemetry::FrameRow& row) {
     std::vector<std::string> lines = {mapsInWords(plan)};
     if (plan.far > plan.near && plan.near > 0)
-        lines.push_back(formatted("depths %.4g to %.4g, ratio %.3g", plan.near, plan.far, plan.far / plan.near));
+        lines.push_back(formatted(
+            "depths %.4g to %.4g, ratio %.3g",
+            depthFromAskedEye(plan, plan.near),
+            depthFromAskedEye(plan, plan.far),
+            plan.far / plan.near));
     lines.push_back(formatted("light %.0f\xC2\xB0 from the view", row.lightAngle.value_or(0)));
     if (row.promisedAliasingX) {
         lines.back() += formatted(", storage factor %.3g", row.storageFactor.value_or(0));

@@ -75,7 +75,7 @@ ConvexVolume inWorld(const ConvexVolume& volume, const Camera& camera) {
 std::vector<PlanVolume> planVolumes(const plan::FramePlan& plan, const Box& bounds) {
     const Camera& camera = plan.view.camera;
     Box limit = bounds;
-    limit.add(camera.eye);
+    if (!camera.isParallel()) limit.add(camera.eye);
     const glm::dvec3 margin = limit.extent() * 0.02;
     const ConvexVolume within = volumeOf({limit.min - margin, limit.max + margin});
     std::vector<PlanVolume> result;
@@ -97,15 +97,22 @@ std::vector<PlanVolume> planVolumes(const plan::FramePlan& plan, const Box& boun
 
 std::vector<PixelSegment> onPicture(std::span<const Segment> segments, const PictureFrame& frame) {
     const CameraBasis basis = cameraBasis(frame.camera);
-    const double pixels = frame.height / (2 * std::tan(frame.camera.fovYRadians / 2));
+    const bool isParallel = frame.camera.isParallel();
+    const double half = isParallel ? halfHeightAtTarget(frame.camera) : std::tan(frame.camera.fovYRadians / 2);
+    const double pixels = frame.height / (2 * half);
     const double nearest = 1e-6 * glm::length(frame.camera.target - frame.camera.eye);
     const auto pixel = [&](const glm::dvec3& p) {
-        return glm::dvec2(frame.width * 0.5 + pixels * p.x / p.z, frame.height * 0.5 - pixels * p.y / p.z);
+        const double scale = isParallel ? pixels : pixels / p.z;
+        return glm::dvec2(frame.width * 0.5 + scale * p.x, frame.height * 0.5 - scale * p.y);
     };
     std::vector<PixelSegment> result;
     for (const Segment& segment : segments) {
         glm::dvec3 a = toCamera(basis, segment[0] - frame.camera.eye);
         glm::dvec3 b = toCamera(basis, segment[1] - frame.camera.eye);
+        if (isParallel) {
+            result.push_back({pixel(a), pixel(b)});
+            continue;
+        }
         if (a.z < nearest && b.z < nearest) continue;
         if (a.z < nearest) a = glm::mix(a, b, (nearest - a.z) / (b.z - a.z));
         if (b.z < nearest) b = glm::mix(b, a, (nearest - b.z) / (a.z - b.z));

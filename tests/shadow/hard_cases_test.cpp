@@ -324,7 +324,7 @@ void nearOnAStep() {
     }
 }
 
-constexpr std::array<HardCase, 24> kCases{{
+constexpr std::array<HardCase, 25> kCases{{
     {"light exactly parallel to the view", "L x v is 0 and normalising it gives NaN", lightParallel},
     {"light 1e-15 to 1e-3 radians from the view",
      "sin gamma as sqrt(1 - dot^2) has no digits left; n' runs to infinity, kappa to 0",

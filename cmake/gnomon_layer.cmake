@@ -17,12 +17,14 @@ function(gnomon_layer name)
 endfunction()
 
 # Where several files are compiled as one (CMAKE_UNITY_BUILD): files that Highway compiles once for each instruction set
-# stay alone, since they include themselves; and gcc takes a file that is included for a header, of whose unnamed namespaces
-# it warns. Other builds and clang-tidy keep that warning.
+# stay alone, since they include themselves, and generated ones, which clang-tidy does not wait for; and gcc takes a file
+# that is included for a header, of whose unnamed namespaces it warns. Other builds and clang-tidy keep that warning.
 function(gnomon_prepare_unity target)
     get_target_property(sources ${target} SOURCES)
     foreach(source IN LISTS sources)
-        if(source MATCHES "\\.cpp$" AND EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${source})
+        if(source MATCHES "^${PROJECT_BINARY_DIR}/")
+            set_source_files_properties(${source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+        elseif(source MATCHES "\\.cpp$" AND EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${source})
             file(STRINGS ${source} many_targets REGEX "foreach_target\\.h")
             if(many_targets)
                 set_source_files_properties(${source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)

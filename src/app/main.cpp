@@ -33,6 +33,7 @@ constexpr std::array kCommands{
     AddCommand{gnomon::app::addViewCommand},
     AddCommand{gnomon::app::addSunCommand},
     AddCommand{gnomon::app::addTheoryCommand},
+    AddCommand{gnomon::app::addManualCommand},
 };
 
 /// What is wrong with the command line and whose help says what is right, in one line.

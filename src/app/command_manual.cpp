@@ -1,0 +1,37 @@
+#include "app/commands.h"
+#include "manual/completion.h"
+#include "manual/man_page.h"
+
+#include <cstdio>
+
+namespace gnomon::app {
+
+void addManualCommand(CLI::App& program) {
+    struct Options {
+        std::string format;
+        std::vector<std::string> names;
+    };
+
+    auto options = std::make_shared<Options>();
+    CLI::App* command = program.add_subcommand("manual", "Print a manual page, or what a shell completes");
+    command->group(""); // for those who make packages
+    command->add_option("FORMAT", options->format, "What to print")
+        ->required()
+        ->check(CLI::IsMember({"man", "bash", "zsh", "fish"}));
+    command->add_option("COMMAND", options->names, "The command whose page is printed");
+    command->callback([options, &program] {
+        const manual::CommandWords words = manual::commandWords(program);
+        std::string text;
+        if (options->format == "man")
+            text = manual::manPage(manual::commandAt(words, options->names), GNOMON_VERSION);
+        else if (options->format == "bash")
+            text = manual::bashCompletion(words);
+        else if (options->format == "zsh")
+            text = manual::zshCompletion(words);
+        else
+            text = manual::fishCompletion(words);
+        std::fputs(text.c_str(), stdout);
+    });
+}
+
+} // namespace gnomon::app

@@ -1,0 +1,97 @@
+#include "manual/man_page.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace gnomon::manual {
+
+namespace {
+
+/// `text` so that roff shows it as it is: one paragraph, nothing in it a request or an escape.
+std::string plain(const std::string& text) {
+    std::string out;
+    for (const char c : text) {
+        const bool startsLine = out.empty() || out.back() == '\n';
+        if (c == '\\') {
+            out += "\\e";
+        } else if (c == '-') {
+            out += "\\-";
+        } else {
+            if (startsLine && (c == '.' || c == '\'')) out += "\\&";
+            out += c;
+        }
+    }
+    return out;
+}
+
+std::string upper(std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::toupper(c); });
+    return text;
+}
+
+std::string choicesOf(const OptionWords& option) {
+    std::string all;
+    for (const std::string& choice : option.choices)
+        all += (all.empty() ? "" : "|") + choice;
+    return all;
+}
+
+void addOption(std::string& out, const OptionWords& option, bool isArgument) {
+    out += ".TP\n";
+    std::string line;
+    for (const std::string& name : option.names)
+        line += (line.empty() ? "" : ", ") + ("\\fB" + plain(name) + "\\fR");
+    const bool isBare = option.choices.empty() || option.value.find('|') != std::string::npos;
+    const std::string value = isBare ? option.value : choicesOf(option);
+    if (!isArgument && !value.empty()) line += " \\fI" + plain(value) + "\\fR";
+    out += line + "\n" + plain(option.description);
+    if (out.back() != '.') out += ".";
+    if (!option.byDefault.empty()) out += "\nDefault: " + plain(option.byDefault) + ".";
+    if (option.isRequired && !isArgument) out += "\nRequired.";
+    out += "\n";
+}
+
+/// The first line of a description, as the line of NAME, which may hold no other.
+std::string firstLine(const std::string& text) {
+    std::string line = text.substr(0, text.find('\n'));
+    if (!line.empty() && line.back() == '.') line.pop_back();
+    return line;
+}
+
+} // namespace
+
+std::string manPage(const CommandWords& command, const std::string& version) {
+    const std::string name = joinedPath(command, "gnomon", "-");
+    std::string out = ".TH \"" + upper(plain(name)) + "\" 1 \"\" \"gnomon " + version + "\" \"User Commands\"\n";
+    out += ".SH NAME\n" + plain(name) + " \\- " + plain(firstLine(command.description)) + "\n";
+    out += ".SH SYNOPSIS\n.B " + plain(joinedPath(command, "gnomon", " ")) + "\n";
+    if (!command.options.empty()) out += "[\\fIOPTIONS\\fR]\n";
+    for (const OptionWords& argument : command.arguments) {
+        const std::string words = "\\fI" + plain(argument.names.front()) + "\\fR";
+        out += argument.isRequired ? words + "\n" : "[" + words + "]\n";
+    }
+    if (!command.commands.empty()) out += "\\fICOMMAND\\fR ...\n";
+    out += ".SH DESCRIPTION\n" + plain(command.description) + "\n";
+    if (!command.arguments.empty()) {
+        out += ".SH ARGUMENTS\n";
+        for (const OptionWords& argument : command.arguments)
+            addOption(out, argument, true);
+    }
+    if (!command.commands.empty()) {
+        out += ".SH COMMANDS\n";
+        for (const CommandWords& below : command.commands)
+            out += ".TP\n\\fB" + plain(below.path.back()) + "\\fR\n" + plain(below.description) + "\n";
+    }
+    out += ".SH OPTIONS\n";
+    for (const OptionWords& option : command.options)
+        addOption(out, option, false);
+    out += ".SH EXIT STATUS\n0 on success, 1 where the work failed, 2 where the command line is wrong.\n";
+    std::string also;
+    if (!command.path.empty()) also += ".BR gnomon (1)";
+    for (const CommandWords& below : command.commands)
+        also += (also.empty() ? "" : ",\n") + (".BR " + plain(joinedPath(below, "gnomon", "-")) + " (1)");
+    if (!also.empty()) out += ".SH SEE ALSO\n" + also + "\n";
+    return out;
+}
+
+} // namespace gnomon::manual

@@ -30,10 +30,9 @@ void SettingOptions::addTo(CLI::App& command) {
         const settings::Description& description = setting.description();
         // CLI11 takes empty text for no text where it parses it itself.
         const auto take = [this, &setting](const std::string& text) { texts_[setting.name()] = text; };
-        command.add_option_function<std::string>(setting.option(), take, description.help)
-            ->group("View and quality")
-            ->type_name(description.form)
-            ->default_str(setting.text(defaults));
+        CLI::Option* option = command.add_option_function<std::string>(setting.option(), take, description.help);
+        if (description.isRepeated) option->join(';');
+        option->group("View and quality")->type_name(description.form)->default_str(setting.text(defaults));
     }
     command.get_option(settings::named("shaders").option())->check(shaderFolder());
 }

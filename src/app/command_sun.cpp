@@ -6,6 +6,7 @@
 #include "app/named_files.h"
 #include "app/thread_limit.h"
 #include "measure/sun_hours.h"
+#include "settings/resolve.h"
 #include "settings/sun_settings.h"
 #include "sun/sun_day.h"
 #include "telemetry/json_text.h"
@@ -82,6 +83,7 @@ void runHours(const HoursOptions& options) {
     const ThreadLimit threads(options.common);
     measure::SunHoursTask task = options.task;
     task.settings = options.settings.settings();
+    settings::requireNoSections(task.settings, "sun hours");
     task.warn = printWarning;
     task.period.place = settings::parsed(settings::place(), "--at", options.at);
     task.period.from = settings::parsed(settings::moment(), "--from", options.from);

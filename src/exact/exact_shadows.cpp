@@ -33,6 +33,11 @@ constexpr std::size_t kGrain = 16384; // samples
 constexpr std::size_t kStride = 8;
 constexpr std::array kRounds = {Round{0, 1}, Round{1, 4}, Round{4, kStride}};
 
+/// Whether it is more than the triangles that samples name.
+bool castsAnything(const Caster& caster) {
+    return caster.geometry.vertexCount > 0;
+}
+
 /// Of the casters the first `casting`.
 CastCounts castRound(const CastContext& context, std::size_t casting, const Round& round) {
     tbb::combinable<CastCounts> counts;
@@ -41,7 +46,7 @@ CastCounts castRound(const CastContext& context, std::size_t casting, const Roun
         CastCounts& local = counts.local();
         const std::size_t end = std::min(stride * kStride + round.end, casting);
         for (std::size_t i = stride * kStride + round.first; i < end; ++i)
-            castCluster(context, i, local);
+            if (castsAnything(context.casters[i])) castCluster(context, i, local);
     });
     CastCounts sum;
     counts.combine_each([&](const CastCounts& part) { sum += part; });

@@ -15,6 +15,7 @@ struct PlainTriangle {
     Corners corners{};
     glm::dvec2 least{std::numeric_limits<double>::infinity()};
     glm::dvec2 most{-std::numeric_limits<double>::infinity()};
+    std::uint32_t name = 0;
 };
 
 /// Triangles by square buckets of the light plane; those beyond the outermost are in these.
@@ -80,6 +81,7 @@ std::uint8_t plainStatus(const SampleList& samples, std::size_t i, const PlainSc
     std::uint8_t status = kLit;
     for (const std::uint32_t t : scene.buckets.at(u, v)) {
         const PlainTriangle& triangle = scene.triangles[t];
+        if (triangle.name == own) continue; // it holds the point; a piece of it may lie off by a rounding
         if (u < triangle.least.x || v < triangle.least.y || u > triangle.most.x || v > triangle.most.y) continue;
         const RayMeeting met = meet(triangle.corners, samples.space().light, scaled, samples.tolerance[i]);
         if (met.meeting == Meeting::None) continue;
@@ -108,15 +110,18 @@ std::vector<std::uint8_t> plainStatuses(
     context.originCell = originCell;
     std::vector<PlainTriangle> triangles;
     Buckets buckets(least, most);
-    for (const Caster& caster : casters)
+    for (const Caster& caster : casters) {
+        if (caster.geometry.vertexCount == 0) continue; // it lends its triangles to the samples that name them
         for (std::size_t t = 0; t < caster.geometry.triangles.size(); ++t) {
-            const PlainTriangle triangle = plainTriangle(cornersOf(context, caster, t), samples.space().shear);
+            PlainTriangle triangle = plainTriangle(cornersOf(context, caster, t), samples.space().shear);
+            triangle.name = caster.geometry.firstTriangleId + static_cast<std::uint32_t>(t);
             if (triangle.most.x < least.x || triangle.most.y < least.y || triangle.least.x > most.x ||
                 triangle.least.y > most.y)
                 continue;
             buckets.add(triangle, static_cast<std::uint32_t>(triangles.size()));
             triangles.push_back(triangle);
         }
+    }
     const PlainScene scene{context, casters, triangles, buckets};
     tbb::parallel_for(std::size_t{0}, samples.size(), [&](std::size_t i) {
         if (isAsked.empty() || isAsked[i] != 0) statuses[i] = plainStatus(samples, i, scene);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <unordered_map>
 
 namespace gnomon::executor {
@@ -14,8 +15,9 @@ namespace {
 /// The clusters of the image, to be asked for by page and cluster.
 class ClusterSet {
 public:
-    explicit ClusterSet(std::span<const DrawnCluster> clusters) {
+    ClusterSet(std::span<const DrawnCluster> clusters, bool withPieces) {
         for (const DrawnCluster& drawn : clusters) {
+            if (drawn.isPiece && !withPieces) continue;
             std::vector<bool>& page = pages_[drawn.pageId];
             if (page.empty()) page.resize(drawn.page->clusters.size());
             page[drawn.cluster] = true;
@@ -34,8 +36,9 @@ private:
 exact::Caster casterOf(const FrameDrawing& frame, const hierarchy::Page& page, std::uint32_t index, std::size_t place) {
     const hierarchy::Cluster& cluster = page.clusters[index];
     const hierarchy::GridPoint origin = frame.space.originCell;
+    // As 32 bits, in which what lies beside the grid is right too.
     const auto fromOrigin = [&](const hierarchy::GridPoint& p) {
-        return glm::i64vec3(p.x, p.y, p.z) - glm::i64vec3(origin.x, origin.y, origin.z);
+        return glm::i64vec3(glm::ivec3(glm::uvec3(p.x, p.y, p.z) - glm::uvec3(origin.x, origin.y, origin.z)));
     };
     exact::Caster caster;
     caster.geometry = {
@@ -46,6 +49,23 @@ exact::Caster casterOf(const FrameDrawing& frame, const hierarchy::Page& page, s
         static_cast<std::uint32_t>(place) << kTriangleBits};
     caster.least = fromOrigin(cluster.box.min);
     caster.most = fromOrigin(cluster.box.max);
+    return caster;
+}
+
+/// Of a piece of a cluster, by its own corners.
+exact::Caster casterOfPiece(const FrameDrawing& frame, const raster::Cluster& piece) {
+    const hierarchy::GridPoint origin = frame.space.originCell;
+    exact::Caster caster;
+    caster.geometry = piece;
+    caster.least = glm::i64vec3(std::numeric_limits<std::int64_t>::max());
+    caster.most = glm::i64vec3(std::numeric_limits<std::int64_t>::min());
+    const std::size_t stride = piece.positionStride / sizeof(std::uint32_t);
+    for (std::size_t v = 0; v < piece.vertexCount; ++v) {
+        const std::uint32_t* p = piece.positions + v * stride;
+        const glm::i64vec3 cell = glm::i64vec3(p[0], p[1], p[2]) - glm::i64vec3(origin.x, origin.y, origin.z);
+        caster.least = glm::min(caster.least, cell);
+        caster.most = glm::max(caster.most, cell);
+    }
     return caster;
 }
 
@@ -107,16 +127,61 @@ void drawPoints(const FrameDrawing& frame, const ImageBuffers& buffers, exact::V
     shadeVisible(shading, *buffers.words, {buffers.picture, nullptr, &undecided});
 }
 
-void gatherExactCasters(const FrameDrawing& frame, const SoftwarePass& image, std::vector<exact::Caster>& casters) {
+namespace {
+
+/// Those of the image's pass, at their places; what casts nothing itself has no vertices, and lends its triangles to
+/// the samples that name them.
+void addDrawnCasters(const FrameDrawing& frame, const SoftwarePass& image, std::vector<exact::Caster>& casters) {
+    for (std::size_t place = 0; place < image.drawn().size(); ++place) {
+        const DrawnCluster& cluster = image.drawn()[place];
+        casters.push_back(casterOf(frame, *cluster.page, cluster.cluster, place));
+        if (!cluster.isGround && !cluster.isPiece) continue;
+        raster::Cluster& geometry = casters.back().geometry;
+        geometry.vertexCount = 0;
+        geometry.triangles = {cluster.triangles, image.clusters()[place].triangles.size()};
+    }
+}
+
+/// The pieces in the pass from `first` on. They bear the names of their triangles, which they do not shade.
+void addPieceCasters(
+    const FrameDrawing& frame, const SoftwarePass& image, std::size_t first, std::vector<exact::Caster>& casters) {
+    for (std::size_t place = first; place < image.drawn().size(); ++place)
+        if (image.drawn()[place].isPiece) casters.push_back(casterOfPiece(frame, image.clusters()[place]));
+}
+
+/// What sections leave of a cluster.
+void addCutCaster(
+    const FrameDrawing& frame,
+    SoftwarePass& image,
+    std::uint32_t page,
+    std::uint32_t cluster,
+    std::vector<exact::Caster>& casters) {
+    const std::size_t first = image.drawn().size();
+    image.addCut(frame, {page, cluster, 1});
+    const bool isWhole = image.drawn().size() == first + 1 && !image.drawn().back().isPiece;
+    if (isWhole)
+        casters.push_back(casterOf(frame, frame.pages(page), cluster, casters.size()));
+    else
+        addPieceCasters(frame, image, first, casters);
+}
+
+} // namespace
+
+void gatherExactCasters(const FrameDrawing& frame, SoftwarePass& image, std::vector<exact::Caster>& casters) {
     casters.clear();
-    casters.reserve(image.drawn().size());
-    for (const DrawnCluster& drawn : image.drawn())
-        casters.push_back(casterOf(frame, *drawn.page, drawn.cluster, casters.size()));
-    const ClusterSet drawn(image.drawn());
+    const bool isCut = frame.plan->view.cutsCasters && !frame.plan->view.sections.empty();
+    const ClusterSet drawn(image.drawn(), isCut);
+    addDrawnCasters(frame, image, casters);
+    if (isCut) addPieceCasters(frame, image, 0, casters);
     for (const selection::ClusterRange& range : frame.exactCasters->ranges) {
         const hierarchy::Page& page = frame.pages(range.page);
-        for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c)
-            if (!drawn.contains(range.page, c)) casters.push_back(casterOf(frame, page, c, casters.size()));
+        for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c) {
+            if (drawn.contains(range.page, c)) continue;
+            if (isCut)
+                addCutCaster(frame, image, range.page, c, casters);
+            else
+                casters.push_back(casterOf(frame, page, c, casters.size()));
+        }
     }
 }
 
@@ -150,6 +215,7 @@ Raster<std::uint8_t> litByIntegers(const FrameDrawing& frame) {
     FrameDrawing drawing = frame;
     drawing.plan = &whole;
     drawing.wantsLight = false;
+    drawing.ground = nullptr; // no pixel of the model
     drawUndecided(drawing, {&rasterizer, &pass, &words, &picture}, samples, undecided);
     const hierarchy::GridPoint origin = frame.space.originCell;
     std::vector<exact::Caster> casters;

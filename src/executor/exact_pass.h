@@ -25,8 +25,9 @@ std::optional<raster::OcclusionCounts> drawUndecided(
 void drawPoints(const FrameDrawing& frame, const ImageBuffers& buffers, exact::VisiblePoints& points);
 
 /// All that can cast: the clusters of the image's pass in their order, then those of `frame.exactCasters` that are not
-/// among them. What `casters` held is overwritten.
-void gatherExactCasters(const FrameDrawing& frame, const SoftwarePass& image, std::vector<exact::Caster>& casters);
+/// among them. What `casters` held is overwritten. Where sections cut casters, pieces of the latter are added to the
+/// pass; where they do not, the clusters that pieces are of cast whole.
+void gatherExactCasters(const FrameDrawing& frame, SoftwarePass& image, std::vector<exact::Caster>& casters);
 
 /// From the light plane to the cells of each of the plan's cell maps.
 std::vector<glm::dmat3> cellPlanes(const FrameDrawing& frame, const exact::LightShear& shear);

@@ -101,8 +101,8 @@ enum class LightPart : std::uint8_t {
     SkyDirection, // what comes from the direction of the plan's light alone, as part of the sky
 };
 
-/// The light that a pixel's surface reflects towards the eye, linear RGB before the shoulder, 1 being full scale; below
-/// 0 where no surface is.
+/// The light that a pixel's surface reflects towards the eye, linear RGB before the shoulder, 1 being full scale. Below
+/// 0 where no surface is: minus what is left of the background's light, -1 but where a shadow lies on the ground.
 using LightPicture = Raster<std::array<float, 3>>;
 
 /// One frame, ready to be drawn.
@@ -124,6 +124,8 @@ struct FrameDrawing {
     bool wantsLight = false;                    // keep what `light` returns; not both
     LightPart lightPart = LightPart::All;
     double skyWeight = 0;                              // of SkyDirection: what it counts for, as light_model.h has it
+    std::vector<const selection::DrawList*> sections;  // by plane of the view's: all clusters that lie near it
+    const hierarchy::Page* ground = nullptr;           // one cluster, on which nothing but shadows is seen
     const Raster<std::uint8_t>* litMask = nullptr;     // 255 where the light reaches, instead of maps
     const selection::DrawList* exactCasters = nullptr; // of drawExactly, besides the image's own clusters
     const raycast::CutScene* rays = nullptr;           // of both: decide what drawExactly else does by casting
@@ -219,6 +221,10 @@ public:
     virtual std::optional<std::uint64_t> litPixels() = 0;
     /// View depth per pixel, from the eye that was asked for; infinity where nothing is.
     virtual FloatPicture viewDepth() = 0;
+
+    /// How much of each pixel what was drawn covers; of a transparent background with a ground, how dark that is.
+    virtual Coverage coverage() { return coverageOf(viewDepth()); }
+
     /// The whole depth texture of the shadow maps, rows from top to bottom as they lie in memory (row 0 first).
     virtual FloatPicture shadowDepth() = 0;
     /// Only after a frame with `wantsSurfaces`.

@@ -1,6 +1,7 @@
 #include "executor/image_pass.h"
 
 #include "executor/frame_block.h"
+#include "executor/view/section_caps.h"
 
 #include <tbb/parallel_for.h>
 
@@ -11,12 +12,17 @@ namespace gnomon::executor {
 std::optional<raster::OcclusionCounts> drawVisible(const FrameDrawing& frame, const ImageBuffers& buffers) {
     const plan::View& view = frame.plan->view;
     SoftwarePass& pass = *buffers.pass;
-    pass.gather(frame, *frame.image);
+    pass.gather(frame, *frame.image, Cutting::BySections);
+    if (frame.ground != nullptr) pass.addGround(*frame.ground);
     const raster::View seen = rasterView(frame.space, imageClipFromDraw(frame), {0, 0, view.width, view.height});
     const raster::VisibilityTarget target{buffers.words->data(), view.width, view.height};
-    if (frame.plan->skipsHidden) return buffers.rasterizer->drawVisible(pass.clusters(), pass.boxes(), seen, target);
-    buffers.rasterizer->drawVisibility(pass.clusters(), seen, target);
-    return std::nullopt;
+    std::optional<raster::OcclusionCounts> hidden;
+    if (frame.plan->skipsHidden)
+        hidden = buffers.rasterizer->drawVisible(pass.clusters(), pass.boxes(), seen, target);
+    else
+        buffers.rasterizer->drawVisibility(pass.clusters(), seen, target);
+    if (!frame.sections.empty()) drawCaps(frame, *buffers.words);
+    return hidden;
 }
 
 void shadeVisible(const Shading& shading, std::span<const std::uint64_t> words, const ShadingTarget& target) {

@@ -1,5 +1,7 @@
 #include "executor/ray_pass.h"
 
+#include "executor/view/section_cut.h"
+
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -16,7 +18,11 @@ exact::Corners cornersOf(
     exact::Corners corners;
     for (std::size_t k = 0; k < corners.size(); ++k) {
         const hierarchy::GridPoint& p = vertices[triangle[k]].position;
-        corners[k] = glm::i64vec3(p.x, p.y, p.z) - glm::i64vec3(origin.x, origin.y, origin.z);
+        // As 32 bits, in which what lies beside the grid is right too.
+        corners[k] = glm::ivec3(
+            static_cast<std::int32_t>(p.x - origin.x),
+            static_cast<std::int32_t>(p.y - origin.y),
+            static_cast<std::int32_t>(p.z - origin.z));
     }
     return corners;
 }
@@ -48,7 +54,7 @@ private:
 };
 
 /// The ray of sample `i`, in cells: its direction is the light's without a rounding, its parameter 2^24 a direction.
-raycast::Ray rayOf(const exact::SampleList& samples, std::size_t i) {
+raycast::Ray rayOf(const exact::SampleList& samples, std::size_t i, std::span<const Plane> sections) {
     const exact::SampleSpace& space = samples.space();
     const exact::LightShear& shear = space.shear;
     const double along = shear.sign * samples.h[i];
@@ -60,6 +66,13 @@ raycast::Ray rayOf(const exact::SampleList& samples, std::size_t i) {
     ray.origin = glm::vec3(origin);
     ray.direction = glm::vec3(glm::dvec3(space.light.direction) * std::ldexp(1.0, -kLightBits));
     ray.least = static_cast<float>(samples.tolerance[i]);
+    const glm::dvec3 direction(ray.direction);
+    for (const Plane& plane : sections) { // what is cut away casts nothing
+        const double slope = glm::dot(plane.normal, direction);
+        if (slope >= 0) continue;
+        const double end = std::max(plane.signedDistance(origin), 0.0) / -slope;
+        ray.greatest = std::min(ray.greatest, static_cast<float>(end));
+    }
     return ray;
 }
 
@@ -72,10 +85,12 @@ std::vector<std::uint8_t> tracedStatuses(
     std::span<const DrawnCluster> drawn) {
     constexpr std::size_t kPerTask = 1024;
     const PlaneRule rule(frame, samples, drawn);
+    const std::vector<Plane> sections = frame.plan->view.cutsCasters ? sectionPlanes(frame) : std::vector<Plane>();
     std::vector<std::uint8_t> statuses(samples.size(), exact::kLit);
     tbb::parallel_for(std::size_t{0}, (samples.size() + kPerTask - 1) / kPerTask, [&](std::size_t task) {
         for (std::size_t i = task * kPerTask; i < std::min(samples.size(), (task + 1) * kPerTask); ++i)
-            if (scene.isStopped(rayOf(samples, i), static_cast<std::uint32_t>(i), rule)) statuses[i] = exact::kDark;
+            if (scene.isStopped(rayOf(samples, i, sections), static_cast<std::uint32_t>(i), rule))
+                statuses[i] = exact::kDark;
     });
     return statuses;
 }

@@ -4,9 +4,11 @@
 #include "core/stopwatch.h"
 #include "executor/exact_pass.h"
 #include "executor/frame_block.h"
+#include "executor/light/background.h"
 #include "executor/ray_pass.h"
 #include "executor/software/receiver_pass.h"
 #include "executor/view/lens.h"
+#include "executor/view/section_caps.h"
 #include "plan/cell_maps.h"
 
 #include <tbb/blocked_range.h>
@@ -45,7 +47,9 @@ public:
             receivers_.bytes() + (light_.pixels.size() + undecidedLight_.pixels.size()) * sizeof(light_.pixels[0])};
     }
 
-    Picture picture() override { return picture_; }
+    Picture picture() override;
+
+    Coverage coverage() override;
 
     LightPicture light() override { return light_; }
 
@@ -87,13 +91,20 @@ private:
     Picture picture_;
     LightPicture light_, undecidedLight_; // empty unless a frame wants its light
     Raster<SurfaceSample> surfaces_;
+    bool isOnGround(std::size_t wordAt) const;
+
     ImageDepth depth_;
+    bool isTransparent_ = false;
     std::atomic<std::uint64_t> litPixels_{0};
     exact::ExactShadows exact_;
     std::vector<exact::Caster> casters_; // of them
     UndecidedPixels undecided_;
     ReceiverPass receivers_;
 };
+
+Cutting castersCutting(const FrameDrawing& frame) {
+    return frame.plan->view.cutsCasters ? Cutting::BySections : Cutting::Whole;
+}
 
 /// How the casters of a map are seen, with the rows that the view borrows.
 struct MapView {
@@ -142,7 +153,7 @@ void SoftwareExecutor::drawMap(
     const selection::DrawList& casters,
     const raster::View& view,
     PassStatistics& statistics) {
-    mapPass_.gather(frame, casters);
+    mapPass_.gather(frame, casters, castersCutting(frame));
     statistics.drawCalls += casters.ranges.size();
     *statistics.fragments += rasterizer_.drawDepth(mapPass_.clusters(), view, depthTarget());
 }
@@ -153,7 +164,7 @@ raster::OcclusionCounts SoftwareExecutor::drawWantedMap(
     const selection::DrawList& casters,
     const raster::View& view,
     PassStatistics& statistics) {
-    mapPass_.gather(frame, casters);
+    mapPass_.gather(frame, casters, castersCutting(frame));
     statistics.drawCalls += casters.ranges.size();
     raster::DepthTarget target = depthTarget();
     target.isWanted = [this](const raster::PixelBox& box) { return !receivers_.isUnseen(box); };
@@ -229,6 +240,7 @@ DrawStatistics SoftwareExecutor::draw(const FrameDrawing& frame) {
 
 void SoftwareExecutor::sizeTargets(const FrameDrawing& frame) {
     depth_ = lensOf(frame).depth;
+    isTransparent_ = isTransparent(frame);
     const plan::View& view = frame.plan->view;
     if (picture_.width != view.width || picture_.height != view.height) picture_ = Picture(view.width, view.height);
     if (!frame.wantsSurfaces)
@@ -331,13 +343,42 @@ FloatPicture SoftwareExecutor::shadowDepth() {
     return result;
 }
 
+/// Whether the pixel of a word of the visibility buffer shows the ground.
+bool SoftwareExecutor::isOnGround(std::size_t wordAt) const {
+    const std::uint64_t word = words_[wordAt];
+    if (word == 0 || isCapName(raster::visibleTriangle(word))) return false;
+    return pass_.drawn()[raster::visibleTriangle(word) >> kTriangleBits].isGround;
+}
+
+/// A transparent ground is drawn as its shadow on white, which is all of its coverage and none of its colour.
+Picture SoftwareExecutor::picture() {
+    Picture result = picture_;
+    if (!isTransparent_ || !pass_.hasGround()) return result;
+    for (int row = 0; row < result.height; ++row)
+        for (int column = 0; column < result.width; ++column)
+            if (isOnGround(result.index(column, result.height - 1 - row))) result.at(column, row) = {};
+    return result;
+}
+
+Coverage SoftwareExecutor::coverage() {
+    Coverage result = coverageOf(viewDepth());
+    if (!pass_.hasGround()) return result;
+    for (int row = 0; row < result.height; ++row)
+        for (int column = 0; column < result.width; ++column)
+            if (isOnGround(result.index(column, result.height - 1 - row)))
+                result.at(column, row) = static_cast<std::uint8_t>(255 - picture_.at(column, row)[0]);
+    return result;
+}
+
 FloatPicture SoftwareExecutor::viewDepth() {
     FloatPicture result(picture_.width, picture_.height);
     for (int row = 0; row < result.height; ++row)
         for (int column = 0; column < result.width; ++column) {
-            const std::uint64_t word = words_[result.index(column, result.height - 1 - row)];
-            // Infinite where nothing was drawn.
-            result.at(column, row) = static_cast<float>(depth_.asked(raster::visibleDepth(word)));
+            const std::size_t at = result.index(column, result.height - 1 - row);
+            // Infinite where nothing of the model was drawn.
+            const bool isShown = !pass_.hasGround() || !isOnGround(at);
+            result.at(column, row) =
+                static_cast<float>(depth_.asked(isShown ? raster::visibleDepth(words_[at]) : 0.0F));
         }
     return result;
 }

@@ -1,25 +1,74 @@
 #include "executor/software_pass.h"
 
+#include "executor/view/section_cut.h"
+
 namespace gnomon::executor {
 
-void SoftwarePass::gather(const FrameDrawing& frame, const selection::DrawList& list) {
+namespace {
+
+DrawnCluster drawnCluster(const hierarchy::Page& page, std::uint32_t id, std::uint32_t index) {
+    const hierarchy::Cluster& cluster = page.clusters[index];
+    return {
+        page.vertices.data() + cluster.firstVertex, page.triangles.data() + cluster.firstTriangle, &page, id, index};
+}
+
+} // namespace
+
+SoftwarePass::SoftwarePass() = default;
+SoftwarePass::~SoftwarePass() = default;
+SoftwarePass::SoftwarePass(SoftwarePass&&) noexcept = default;
+SoftwarePass& SoftwarePass::operator=(SoftwarePass&&) noexcept = default;
+
+void SoftwarePass::gather(const FrameDrawing& frame, const selection::DrawList& list, Cutting cutting) {
     clusters_.clear();
     drawn_.clear();
-    for (const selection::ClusterRange& range : list.ranges) {
-        const hierarchy::Page& page = frame.pages(range.page);
-        for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c) {
-            const hierarchy::Cluster& cluster = page.clusters[c];
-            const hierarchy::Vertex* vertices = page.vertices.data() + cluster.firstVertex;
-            const hierarchy::Triangle* triangles = page.triangles.data() + cluster.firstTriangle;
-            clusters_.push_back(
-                {&vertices->position.x,
-                 sizeof(hierarchy::Vertex),
-                 cluster.vertexCount,
-                 {triangles, cluster.triangleCount},
-                 static_cast<std::uint32_t>(drawn_.size()) << kTriangleBits});
-            drawn_.push_back({vertices, triangles, &page, range.page, c});
-        }
+    hasGround_ = false;
+    const bool isCut = cutting == Cutting::BySections && !frame.plan->view.sections.empty();
+    if (isCut) {
+        if (!cut_) cut_ = std::make_unique<SectionCut>();
+        cut_->reset(frame);
     }
+    for (const selection::ClusterRange& range : list.ranges) {
+        if (isCut) {
+            addCut(frame, range);
+            continue;
+        }
+        const hierarchy::Page& page = frame.pages(range.page);
+        for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c)
+            addWhole(drawnCluster(page, range.page, c));
+    }
+}
+
+void SoftwarePass::addCut(const FrameDrawing& frame, const selection::ClusterRange& range) {
+    const hierarchy::Page& page = frame.pages(range.page);
+    for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c) {
+        const Containment place = cut_->place(page.clusters[c].box);
+        if (place == Containment::Inside) addWhole(drawnCluster(page, range.page, c));
+        if (place == Containment::Intersecting) cut_->addPieces(drawnCluster(page, range.page, c), clusters_, drawn_);
+    }
+}
+
+void SoftwarePass::addWhole(const DrawnCluster& drawn) {
+    const hierarchy::Cluster& cluster = drawn.page->clusters[drawn.cluster];
+    clusters_.push_back(
+        {&drawn.vertices->position.x,
+         sizeof(hierarchy::Vertex),
+         cluster.vertexCount,
+         {drawn.triangles, cluster.triangleCount},
+         static_cast<std::uint32_t>(drawn_.size()) << kTriangleBits});
+    drawn_.push_back(drawn);
+}
+
+void SoftwarePass::addGround(const hierarchy::Page& ground) {
+    const auto name = static_cast<std::uint32_t>(drawn_.size()) << kTriangleBits;
+    clusters_.push_back(
+        {&ground.vertices.front().position.x,
+         sizeof(hierarchy::Vertex),
+         static_cast<std::uint32_t>(ground.vertices.size()),
+         ground.triangles,
+         name});
+    drawn_.push_back({ground.vertices.data(), ground.triangles.data(), &ground, hierarchy::kNone, 0, true, false});
+    hasGround_ = true;
 }
 
 std::span<const raster::CellBox> SoftwarePass::boxes() {

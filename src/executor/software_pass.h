@@ -2,30 +2,40 @@
 #pragma once
 
 #include "executor/executor.h"
+#include "executor/view/drawn_cluster.h"
 #include "raster/raster.h"
+
+#include <memory>
 
 namespace gnomon::executor {
 
-/// A triangle's name in the visibility buffer: the drawn cluster's place above, the triangle's place in it below.
-constexpr unsigned kTriangleBits = 8;
-static_assert(raster::kMaxClusterTriangles == 1U << kTriangleBits);
+/// Which clusters of a list a pass takes.
+enum class Cutting : std::uint8_t { Whole, BySections };
 
-/// A cluster of a pass, as shading wants it.
-struct DrawnCluster {
-    const hierarchy::Vertex* vertices = nullptr;
-    const hierarchy::Triangle* triangles = nullptr;
-    const hierarchy::Page* page = nullptr;
-    std::uint32_t pageId = 0;
-    std::uint32_t cluster = 0; // in the page
-};
+class SectionCut;
 
 /// The clusters of one draw list; keeps its memory from pass to pass.
 class SoftwarePass {
 public:
-    /// Takes the clusters of `list`, whose pages must outlive the pass.
-    void gather(const FrameDrawing& frame, const selection::DrawList& list);
+    SoftwarePass();
+    ~SoftwarePass();
+    SoftwarePass(const SoftwarePass&) = delete;
+    SoftwarePass& operator=(const SoftwarePass&) = delete;
+    SoftwarePass(SoftwarePass&&) noexcept;
+    SoftwarePass& operator=(SoftwarePass&&) noexcept;
+
+    /// Takes the clusters of `list`, whose pages must outlive the pass, or what the frame's sections leave of them.
+    void gather(const FrameDrawing& frame, const selection::DrawList& list, Cutting cutting);
+
+    /// Takes more of them, by the sections of the last `gather` with these.
+    void addCut(const FrameDrawing& frame, const selection::ClusterRange& range);
+
+    /// Adds the one cluster of `ground`, likewise.
+    void addGround(const hierarchy::Page& ground);
 
     std::span<const raster::Cluster> clusters() const { return clusters_; }
+
+    bool hasGround() const { return hasGround_; }
 
     /// The boxes of these, made anew.
     std::span<const raster::CellBox> boxes();
@@ -34,9 +44,13 @@ public:
     std::span<const DrawnCluster> drawn() const { return drawn_; }
 
 private:
+    void addWhole(const DrawnCluster& drawn);
+
     std::vector<raster::Cluster> clusters_;
     std::vector<DrawnCluster> drawn_;
     std::vector<raster::CellBox> boxes_;
+    std::unique_ptr<SectionCut> cut_;
+    bool hasGround_ = false;
 };
 
 /// A viewport of the target seen through `clipFromDraw`: the shaders' matrix with the grid's step inside.

@@ -2,7 +2,9 @@
 
 #include "executor/frame_block.h"
 #include "executor/light/background.h"
+#include "executor/light/light_model.h"
 #include "executor/view/lens.h"
+#include "executor/view/section_caps.h"
 
 #include <algorithm>
 
@@ -55,6 +57,11 @@ Shading::Shading(
       shadows_(shadowsBlock(frame)),
       overlay_(frame, block_, shadows_, clusters),
       background_(backgroundRows(frame)) {
+    if (frame.ground != nullptr) {
+        if (isTransparent(frame)) background_.assign(background_.size(), {255, 255, 255}); // see the executor
+        leftInShadow_ = leftInShadow(frame);
+        shadowed_ = shadowedRows(background_, leftInShadow_);
+    }
     shared_.frame = &block_;
     shared_.shadows = &shadows_;
     shared_.shadowDepth = shadowDepth.pixels.data();
@@ -90,6 +97,40 @@ Shading::Shading(
     shared_.rayOriginCells = toArray(rayOrigin_ / frame.space.step);
 }
 
+bool Shading::isGround(const Work& work, std::size_t i) const {
+    return clusters_[work.triangles[i] >> kTriangleBits].isGround;
+}
+
+/// What is seen through the ground is the background, and as much darker as the sun leaves it.
+void Shading::colorGround(Work& work) const {
+    PixelBatch& batch = work.batch;
+    const auto packed = [](const Rgb& c) {
+        return std::uint32_t{c[0]} | std::uint32_t{c[1]} << 8U | std::uint32_t{c[2]} << 16U;
+    };
+    for (std::size_t i = 0; i < batch.count; ++i) {
+        if (!isGround(work, i)) continue;
+        const auto row = static_cast<std::size_t>(frame_->plan->view.height - 1 - work.rows[i]);
+        const Rgb& bright = background_[row];
+        Rgb dark = shadowed_[row];
+        batch.litColor[i] = packed(bright);
+        const bool isKnown = shared_.litSource != LitSource::Undecided && shared_.litSource != LitSource::Awaited;
+        if (isKnown)
+            for (std::size_t c = 0; c < 3; ++c)
+                dark[c] = static_cast<std::uint8_t>(std::lround(
+                    static_cast<float>(dark[c]) +
+                    batch.lit[i] * (static_cast<float>(bright[c]) - static_cast<float>(dark[c]))));
+        batch.color[i] = packed(dark);
+    }
+}
+
+/// Of the pixel `at`, whose colour is there: of the background, or of a cap.
+void Shading::leaveUnshaded(std::size_t at, bool isCap, const ShadingTarget& target) const {
+    if (target.surfaces != nullptr) target.surfaces->pixels[at] = {};
+    if (target.light == nullptr) return;
+    target.light->pixels[at] = {-1, -1, -1};
+    if (isCap) target.light->pixels[at] = lightOfCap(target.picture->pixels[at]);
+}
+
 void Shading::shade(
     const raster::PixelBox& box, std::span<const std::uint64_t> words, const ShadingTarget& target) const {
     Work work;
@@ -99,14 +140,14 @@ void Shading::shade(
         Rgb* colors = &target.picture->at(0, picture.height - 1 - y);
         const Rgb background = background_[static_cast<std::size_t>(picture.height - 1 - y)];
         for (int x = box.x0; x < box.x1; ++x) {
-            if (row[x] == 0) {
-                colors[x] = background;
-                if (target.surfaces != nullptr) target.surfaces->at(x, picture.height - 1 - y) = {};
-                if (target.light != nullptr) target.light->at(x, picture.height - 1 - y) = {-1, -1, -1};
+            const std::uint32_t name = raster::visibleTriangle(row[x]);
+            if (row[x] == 0 || isCapName(name)) {
+                colors[x] = row[x] == 0 ? background : capColor(*frame_, name);
+                leaveUnshaded(picture.index(x, picture.height - 1 - y), row[x] != 0, target);
                 continue;
             }
             const std::size_t i = work.batch.count++;
-            work.triangles[i] = raster::visibleTriangle(row[x]);
+            work.triangles[i] = name;
             work.columns[i] = x;
             work.rows[i] = y;
             const DrawnCluster& cluster = clusters_[work.triangles[i] >> kTriangleBits];
@@ -161,16 +202,22 @@ void Shading::flush(Work& work, const ShadingTarget& target) const {
     if (batch.count == 0) return;
     gatherTriangles(work);
     shadePixels(shared_, batch);
+    if (frame_->ground != nullptr) colorGround(work);
     if (target.undecided != nullptr) leaveUndecided(work, target);
     if (target.awaited != nullptr) leaveAwaited(work, target);
-    if (target.litPixels != nullptr) countLit(batch, target);
+    if (target.litPixels != nullptr) countLit(work, target);
     if (target.light != nullptr) keepLight(work, target);
     Picture& picture = *target.picture;
     const bool isPainted = frame_->overlay != Overlay::None;
     for (std::size_t i = 0; i < batch.count; ++i) {
         const std::size_t at = picture.index(work.columns[i], picture.height - 1 - work.rows[i]);
-        picture.pixels[at] = isPainted ? painted(work, i) : unpacked(batch.color[i]);
+        const bool isOnGround = isGround(work, i);
+        picture.pixels[at] = isPainted && !isOnGround ? painted(work, i) : unpacked(batch.color[i]);
         if (target.surfaces == nullptr) continue;
+        if (isOnGround) {
+            target.surfaces->pixels[at] = {};
+            continue;
+        }
         const float partitionAndLit = static_cast<float>(batch.pass[i] + 1) + 0.5F * batch.lit[i];
         target.surfaces->pixels[at] = {
             toVector(batch.flatNormal, i),
@@ -181,19 +228,44 @@ void Shading::flush(Work& work, const ShadingTarget& target) const {
     batch.count = 0;
 }
 
+/// What is shown as that colour; a cap has no part in the sky's directions.
+std::array<float, 3> Shading::lightOfCap(const Rgb& color) const {
+    std::array<float, 3> light{};
+    if (frame_->lightPart == LightPart::SkyDirection) return light;
+    for (std::size_t c = 0; c < 3; ++c) {
+        const float shown = linearFromDisplay(static_cast<float>(color[c]) / 255);
+        light[c] = block_.isShouldered != 0 ? shown / std::max(1 - shown, 1e-3F) : shown;
+    }
+    return light;
+}
+
+/// What is left of the background's light on the ground, as a LightPicture has it.
+std::array<float, 3> Shading::lightOfGround(float lit) const {
+    std::array<float, 3> light{};
+    for (int c = 0; c < 3; ++c)
+        light[static_cast<std::size_t>(c)] = -(leftInShadow_[c] + lit * (1 - leftInShadow_[c]));
+    return light;
+}
+
 void Shading::keepLight(const Work& work, const ShadingTarget& target) const {
     const PixelBatch& batch = work.batch;
     const bool isUndecided = target.undecided != nullptr;
     const auto& shown = isUndecided ? batch.shadowLight : batch.light;
     for (std::size_t i = 0; i < batch.count; ++i) {
         const std::size_t at = target.picture->index(work.columns[i], target.picture->height - 1 - work.rows[i]);
+        if (isGround(work, i)) {
+            target.light->pixels[at] = lightOfGround(isUndecided ? 0 : batch.lit[i]);
+            if (isUndecided) target.undecidedLight->pixels[at] = lightOfGround(1);
+            continue;
+        }
         target.light->pixels[at] = {shown[0][i], shown[1][i], shown[2][i]};
         if (isUndecided) target.undecidedLight->pixels[at] = {batch.light[0][i], batch.light[1][i], batch.light[2][i]};
     }
 }
 
-void Shading::countLit(const PixelBatch& batch, const ShadingTarget& target) const {
+void Shading::countLit(const Work& work, const ShadingTarget& target) const {
     if (target.undecided != nullptr) return;
+    const PixelBatch& batch = work.batch;
     // What grazes the light gets none that is seen, and faces it or not by a rounding.
     constexpr float kLeastCosine = 1e-3F;
     std::uint64_t count = 0;
@@ -201,7 +273,7 @@ void Shading::countLit(const PixelBatch& batch, const ShadingTarget& target) con
         const bool isKnown = target.awaited == nullptr || batch.pass[i] < 0;
         const bool isLit =
             batch.lit[i] > 0 && glm::dot(toVector(batch.flatNormal, i), block_.towardsLight) > kLeastCosine;
-        count += isKnown && isLit ? 1U : 0U;
+        count += isKnown && isLit && !isGround(work, i) ? 1U : 0U;
     }
     target.litPixels->fetch_add(count, std::memory_order_relaxed);
 }

@@ -87,8 +87,14 @@ private:
     void leaveAwaited(Work& work, const ShadingTarget& target) const;
     Rgb painted(const Work& work, std::size_t i) const;
     void keepLight(const Work& work, const ShadingTarget& target) const;
+    void colorGround(Work& work) const;
+    void leaveUnshaded(std::size_t at, bool isCap, const ShadingTarget& target) const;
+    std::array<float, 3> lightOfCap(const Rgb& color) const;
+    std::array<float, 3> lightOfGround(float lit) const;
 
-    void countLit(const PixelBatch& batch, const ShadingTarget& target) const;
+    bool isGround(const Work& work, std::size_t i) const;
+
+    void countLit(const Work& work, const ShadingTarget& target) const;
 
     const FrameDrawing* frame_;
     std::span<const DrawnCluster> clusters_;
@@ -100,6 +106,8 @@ private:
     glm::dvec3 originPerY_{0};
     SoftwareOverlay overlay_;
     std::vector<Rgb> background_; // by row, from the top
+    std::vector<Rgb> shadowed_;   // the same where a shadow lies on the ground
+    glm::vec3 leftInShadow_{1};
 };
 
 } // namespace gnomon::executor

@@ -39,7 +39,7 @@ void Accumulation::begin(Renderer& renderer, const Frame& frame, int samples) {
     frame_ = &frame;
     wanted_ = std::max(samples, plan::lightFrames(plan()));
     shown_ = executor::shownAs(renderer.drawing(frame, frame.options));
-    sum_.reset();
+    sum_.reset(shown_.hasGround);
     if (plan().sky.directions > 0) {
         FrameOptions options = frame.options;
         options.lightPart = executor::LightPart::WithoutSky;

@@ -51,7 +51,7 @@ void ExactEstimate::drawPoints(const executor::FrameDrawing& frame) {
     const plan::FramePlan& plan = *frame.plan;
     const glm::ivec2 size = sizeFor(plan.view);
     words_.resize(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
-    pass_.gather(frame, *frame.image);
+    pass_.gather(frame, *frame.image, executor::Cutting::BySections);
     rasterizer_.drawVisibility(
         pass_.clusters(),
         executor::rasterView(frame.space, executor::imageClipFromDraw(frame), {0, 0, size.x, size.y}),

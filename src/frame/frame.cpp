@@ -3,6 +3,7 @@
 #include "executor/ray_shadows.h"
 #include "frame/frame_cuts.h"
 #include "frame/frame_row.h"
+#include "frame/ground.h"
 #include "frame/renderer.h"
 #include "frame/scene_facts.h"
 #include "plan/caster_culling.h"
@@ -63,7 +64,8 @@ PreparedFrame Renderer::prepareAs(
         PreparedFrame frame;
         frame.before = before;
         frame.space = executor::drawSpace(view, model.grid, model.bounds);
-        const std::optional<DepthSpan> range = plan::widestRange(view, quality, model.bounds);
+        const std::optional<DepthSpan> range =
+            plan::widestRange(view, quality, withGround(model.bounds, ground_.get()));
         frame.errorPixels = quality.errorPixels;
         double surveyedPixels = 0;
         do { // once, but for a cap that casters raise the error under: what is surveyed has to be what is drawn
@@ -74,6 +76,7 @@ PreparedFrame Renderer::prepareAs(
                     sceneFacts(view, model.bounds, cutQuery(residency_, frame), frame.cut, range, depthScratch_);
                 if (quality.shadows == plan::ShadowMode::Exact)
                     frame.facts.isTurnedFromLight = isTurnedFromLight(view, cutQuery(residency_, frame), frame.cut);
+                frame.ground = seenGround(ground_, view, model.grid.step(), frame.facts);
             });
             addTime(frame.planMs, [&] {
                 const plan::PlanMemory memory = before ? before->memory : plan::PlanMemory{};
@@ -110,6 +113,10 @@ executor::DrawStatistics Renderer::draw(const PreparedFrame& frame, const FrameO
 void Renderer::drawTowards(const Frame& frame, const glm::dvec3& towardsLight, const FrameOptions& options) {
     plan::View view = frame.plan.view;
     view.towardsLight = towardsLight;
+    const hierarchy::ModelSummary& model = model_->summary();
+    ground_ = nullptr; // no part of the sky is seen on it
+    if (options.lightPart != executor::LightPart::SkyDirection)
+        ground_ = groundOf(view, frame.plan.quality.look, {model.bounds, model.grid, model_->pages()});
     PreparedFrame turned = prepareAs(view, frame.plan.quality, Waiting::UntilComplete, nullptr);
     turned.isSunless = frame.isSunless;
     draw(turned, options);

@@ -1,5 +1,6 @@
 #include "frame/frame_cuts.h"
 
+#include "core/error.h"
 #include "culling/caster_detail.h"
 #include "culling/frame_cut.h"
 #include "frame/ray_casters.h"
@@ -24,6 +25,33 @@ ConvexVolume imageVolume(selection::DetailView detail, const CutView& cutView) {
     detail.tanHalfX *= 1 + 2 * cutView.margin / cutView.view.width;
     detail.tanHalfY *= 1 + 2 * cutView.margin / cutView.view.height;
     return selection::viewPyramid(detail);
+}
+
+/// The section planes of a view in local space, whose origin is `origin`.
+std::vector<Plane> localSections(const plan::View& view, const glm::dvec3& origin) {
+    std::vector<Plane> planes;
+    for (const Plane& plane : view.sections)
+        planes.push_back({plane.normal, plane.signedDistance(origin)});
+    return planes;
+}
+
+/// Leaves of `volume` what the sections leave.
+void clipBySections(const plan::View& view, const glm::dvec3& origin, ConvexVolume& volume) {
+    for (const Plane& plane : localSections(view, origin))
+        volume.planes.push_back(plane);
+}
+
+/// Adds the neighbourhood of each section plane, of a few cells to each side, to the volumes of `frame`.
+void addSectionVolumes(PreparedFrame& frame, const glm::dvec3& origin) {
+    const double slack = 4 * frame.space.step;
+    for (const Plane& plane : localSections(frame.plan.view, origin))
+        frame.volumes.push_back({{{plane.normal, plane.offset + slack}, {-plane.normal, slack - plane.offset}}});
+    if (frame.volumes.size() > bvh::kMaxVolumes)
+        throw Error(
+            "sections",
+            "there are too many shadow maps beside them",
+            "at most " + std::to_string(bvh::kMaxVolumes - 1) + " maps and planes",
+            std::to_string(frame.volumes.size() - 1));
 }
 
 } // namespace
@@ -58,13 +86,18 @@ void cutImage(
     if (std::isfinite(nearest)) detail.nearestDepth = std::max(detail.nearestDepth, nearest);
     frame.rule = std::make_shared<selection::ErrorRule>(detail);
     frame.volumes = {imageVolume(detail, cutView)};
-    if (range) frame.volumes.push_back(culling::localVolume(plan::sweptView(view, *range), detail));
+    clipBySections(view, grid.origin, frame.volumes.front());
+    if (range) {
+        frame.volumes.push_back(culling::localVolume(plan::sweptView(view, *range), detail));
+        if (view.cutsCasters) clipBySections(view, grid.origin, frame.volumes.back());
+    }
     cut(frame, quality, residency);
 }
 
 void cutPartitions(PreparedFrame& frame, const Residency& residency) {
     frame.volumes.resize(1);
-    if (frame.plan.passes.empty() && !frame.hasOneCasterList()) {
+    const plan::View& seen = frame.plan.view;
+    if (frame.plan.passes.empty() && !frame.hasOneCasterList() && seen.sections.empty()) {
         frame.cut.lists.resize(1);
         return;
     }
@@ -80,8 +113,12 @@ void cutPartitions(PreparedFrame& frame, const Residency& residency) {
         casters.push_back(rayCasterDetail(frame));
         frame.volumes.push_back(casters.back().casters);
     }
-    for (selection::CasterDetail& caster : casters)
-        clipToModel(frame.facts.bounds, frame.plan.view.camera.eye - view.eye, caster.receivers);
+    const glm::dvec3 origin = seen.camera.eye - view.eye;
+    for (std::size_t i = 0; i < casters.size(); ++i) {
+        if (seen.cutsCasters) clipBySections(seen, origin, frame.volumes[i + 1]);
+        clipToModel(frame.facts.bounds, origin, casters[i].receivers);
+    }
+    addSectionVolumes(frame, origin);
     frame.rule = std::make_shared<selection::ErrorRule>(view, std::move(casters));
     cut(frame, frame.plan.quality, residency);
 }

@@ -3,10 +3,30 @@
 #include "culling/open_sky.h"
 #include "culling/penumbra_width.h"
 #include "frame/frame_cuts.h"
+#include "frame/ground.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <span>
 
 namespace gnomon::frame {
+
+namespace {
+
+/// The same bound for the ground: of the longest way of a shadow, seen as near as anything is.
+double onGround(const PreparedFrame& frame, const culling::DiscLight& light) {
+    if (!frame.ground || !frame.facts.visible) return 0;
+    const selection::DetailView& view = frame.rule->view();
+    const double aslant = std::sqrt(1 + view.tanHalfX * view.tanHalfX + view.tanHalfY * view.tanHalfY);
+    const double pixelSlope = 2 * view.tanHalfY / view.heightPixels;
+    const double depth = std::max(frame.facts.visible->nearest, view.nearestDepth);
+    if (!(depth > 0)) return std::numeric_limits<double>::max();
+    return light.slope * aslant / (pixelSlope * depth) *
+           longestShadow(*frame.ground, frame.plan.view, frame.facts.bounds);
+}
+
+} // namespace
 
 void planLightSampling(PreparedFrame& frame, const Residency& residency) {
     plan::FramePlan& plan = frame.plan;
@@ -15,8 +35,12 @@ void planLightSampling(PreparedFrame& frame, const Residency& residency) {
     if (plan.view.sunAngleRadians > 0) {
         const culling::DiscLight light{plan.light.unit(), 2 * std::tan(plan.view.sunAngleRadians / 2)};
         const double nearest = frame.facts.visible ? frame.facts.visible->nearest : 0;
-        const std::span casters = std::span<const selection::DrawList>(frame.cut.lists).subspan(1);
-        plan::planPenumbra(plan, culling::widestPenumbra(query, image, casters, light, nearest));
+        const std::span<const selection::DrawList> lists(frame.cut.lists);
+        const std::size_t behindImage = lists.size() - 1;
+        // The last lists are what lies near the sections.
+        const auto casters = lists.subspan(1, behindImage - std::min(behindImage, plan.view.sections.size()));
+        const double onModel = culling::widestPenumbra(query, image, casters, light, nearest);
+        plan::planPenumbra(plan, std::max(onModel, onGround(frame, light)));
     }
     if (plan.quality.sky.directions > 0) {
         const glm::dvec3 origin = residency.query().trees->grid().origin;

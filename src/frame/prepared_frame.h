@@ -2,6 +2,7 @@
 #pragma once
 
 #include "executor/executor.h"
+#include "frame/ground.h"
 #include "plan/plan_frame.h"
 #include "selection/cut.h"
 #include "streaming/page_store.h"
@@ -17,6 +18,7 @@ struct PreparedFrame {
     plan::PlanMemory memory;                          // for the plan of the next frame
     std::shared_ptr<const plan::PlannedFrame> before; // the frame before, for hysteresis; null if there was none
     plan::SceneFacts facts;
+    std::shared_ptr<const Ground> ground; // null where none of it is in view
     executor::DrawSpace space;
     std::shared_ptr<const selection::ErrorRule> rule; // of the cut, as are the volumes
     std::vector<ConvexVolume> volumes;

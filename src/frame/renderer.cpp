@@ -86,6 +86,9 @@ executor::FrameDrawing Renderer::drawing(const PreparedFrame& frame, const Frame
     drawing.image = &frame.cut.lists[0];
     for (std::size_t p = 0; p < frame.plan.passes.size(); ++p)
         drawing.casters.push_back(&frame.cut.lists[p + 1]);
+    const std::size_t planes = frame.plan.view.sections.size();
+    for (std::size_t i = frame.cut.lists.size() - planes; i < frame.cut.lists.size(); ++i)
+        drawing.sections.push_back(&frame.cut.lists[i]);
     drawing.pages = [resident = residency_.resident()](std::uint32_t page) -> const hierarchy::Page& {
         return *resident[page];
     };
@@ -98,9 +101,10 @@ executor::FrameDrawing Renderer::drawing(const PreparedFrame& frame, const Frame
         drawing.clipNear = std::max(distance(summary.bounds, options.observerCamera->eye) * 0.99, least);
     }
     const Camera camera = options.observerCamera.value_or(frame.plan.view.camera);
-    if (camera.isParallel()) clipAround(camera, summary.bounds, drawing);
+    if (camera.isParallel()) clipAround(camera, frame.facts.bounds, drawing);
     drawing.subpixel = options.subpixel;
     drawing.overlay = options.overlay;
+    if (frame.ground && !options.observerCamera && !frame.isSunless) drawing.ground = &frame.ground->page;
     const plan::Shading shading = frame.plan.quality.look.shading;
     const plan::Shading automatic = frame.isSunless ? plan::Shading::Headlight : plan::Shading::Lit;
     drawing.shading = shading == plan::Shading::Auto ? automatic : shading;

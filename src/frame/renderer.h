@@ -124,6 +124,7 @@ private:
     double margin_ = 0;       // pixels around the image that the cut reaches
     std::optional<HeldMaps> heldMaps_;
     std::vector<culling::DepthCandidate> depthScratch_;
+    std::shared_ptr<const Ground> ground_;    // of the view that is prepared
     std::shared_ptr<ExactEstimate> estimate_; // its memory; made when first needed
 };
 

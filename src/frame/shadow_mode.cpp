@@ -28,13 +28,14 @@ void addPreparation(PreparedFrame& frame, const PreparedFrame& other) {
 } // namespace
 
 PreparedFrame Renderer::prepare(
-    const plan::View& asked,
-    const plan::Quality& askedQuality,
+    const plan::View& view,
+    const plan::Quality& quality,
     Waiting waiting,
     const std::shared_ptr<const plan::PlannedFrame>& before) {
-    const plan::View view = plan::distantView(asked, model_->summary().bounds);
-    const plan::Quality quality = plan::distantQuality(askedQuality, asked, view);
-    PreparedFrame frame = prepareShadows(view, quality, waiting, before);
+    const hierarchy::ModelSummary& model = model_->summary();
+    ground_ = groundOf(view, quality.look, {model.bounds, model.grid, model_->pages()});
+    const plan::View distant = plan::distantView(view, withGround(model.bounds, ground_.get()));
+    PreparedFrame frame = prepareShadows(distant, plan::distantQuality(quality, view, distant), waiting, before);
     addTime(frame.planMs, [&] { planLightSampling(frame, residency_); });
     return frame;
 }

@@ -37,7 +37,7 @@ FinishedPicture drawFinished(
     progress.advance(1);
     finished.picture = session.executor().picture();
     executor::drawLegend(finished.picture, executor::legendOf(options.overlay, finished.frame.plan));
-    if (isTransparent) finished.coverage = executor::coverageOf(session.executor().viewDepth());
+    if (isTransparent) finished.coverage = session.executor().coverage();
     return finished;
 }
 

@@ -31,6 +31,8 @@ struct View {
     glm::dvec3 up{0, 1, 0};               // towards the sky, likewise of any length above 0
     double sunAngleRadians = 0;           // across the disc of the light; 0: a point
     std::optional<double> eyeMovedBack;   // by distantView, world units
+    std::vector<Plane> sections;          // world space; only what lies on the inner side of all of them is seen
+    bool cutsCasters = true;              // nor does anything else cast shadows
 
     /// The light that is drawn by: rounded here, and nowhere else.
     IntegerLight light() const { return roundedLight(towardsLight); }

@@ -1,5 +1,5 @@
-// What the picture looks like besides its shadows: where the light of a surface comes from, and what lies behind it.
-// No plan depends on it.
+// What the picture looks like besides its shadows: where the light of a surface comes from, what lies behind it and
+// under it. Of all this a plan depends on the ground alone.
 #pragma once
 
 #include "core/words.h"
@@ -38,6 +38,7 @@ struct Look {
     Shading shading = Shading::Auto;
     double ambient = 1; // of the light of sky and ground, as a multiple of the usual
     Background background;
+    bool ground = false; // the model's shadow on a plane under it is seen, and nothing else of that
 };
 
 } // namespace gnomon::plan

@@ -18,6 +18,14 @@ bool isSameTexture(const FramePlan& a, const FramePlan& b) {
                });
 }
 
+bool hasSameSections(const FramePlan& a, const FramePlan& b) {
+    const auto isSame = [](const Plane& p, const Plane& q) { return p.normal == q.normal && p.offset == q.offset; };
+    const std::vector<Plane>& planes = a.view.sections;
+    const std::vector<Plane>& others = b.view.sections;
+    return a.view.cutsCasters == b.view.cutsCasters &&
+           std::equal(planes.begin(), planes.end(), others.begin(), others.end(), isSame);
+}
+
 bool isSameCamera(const FramePlan& a, const FramePlan& b) {
     return a.view.camera.eye == b.view.camera.eye && a.basis.right == b.basis.right && a.basis.up == b.basis.up &&
            a.basis.view == b.basis.view;
@@ -34,7 +42,7 @@ bool isSamePlace(
 } // namespace
 
 bool isSameMap(const FramePlan& now, const FramePlan& before, std::size_t pass) {
-    if (!isSameTexture(now, before) || now.light != before.light) return false;
+    if (!isSameTexture(now, before) || now.light != before.light || !hasSameSections(now, before)) return false;
     const ShadowPass& a = now.passes[pass];
     const ShadowPass& b = before.passes[pass];
     return isSamePlace(now, before, a.map, b.map) && a.map.gutter == b.map.gutter && a.clampsDepth == b.clampsDepth;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <sstream>
 
 namespace gnomon::settings {
 
@@ -57,6 +58,32 @@ Codec<Background> background() {
         enumerated(kBackgrounds, ", ", ", ") + " or a colour such as #336699"};
 }
 
+Codec<std::vector<Section>> sections() {
+    return {
+        [](const std::string& text) -> std::optional<std::vector<Section>> {
+            std::vector<Section> all;
+            std::istringstream parts(text);
+            for (std::string part; std::getline(parts, part, ';');) {
+                const auto comma = [&](std::size_t from) { return part.find(',', from); };
+                const std::size_t third = comma(comma(comma(0) + 1) + 1);
+                if (std::count(part.begin(), part.end(), ',') != 5) return std::nullopt;
+                const auto point = vector().read(part.substr(0, third));
+                const auto normal = direction().read(part.substr(third + 1));
+                if (!point || !normal || all.size() == kMostSections) return std::nullopt;
+                all.push_back({*point, *normal});
+            }
+            return all.empty() ? std::nullopt : std::optional(all);
+        },
+        [](const std::vector<Section>& all) {
+            std::string text;
+            for (const Section& section : all)
+                text +=
+                    (text.empty() ? "" : ";") + vector().write(section.point) + "," + vector().write(section.normal);
+            return text;
+        },
+        "PX,PY,PZ,NX,NY,NZ, a point and a direction of a length above 0, at most six times"};
+}
+
 std::vector<Setting> lookSettings() {
     return {
         plain(
@@ -90,6 +117,28 @@ std::vector<Setting> lookSettings() {
              .form = "COLOUR|sky|white|transparent",
              .help = "What is seen where no model is; COLOUR as #rrggbb, transparent as the PNG's alpha"},
             background()),
+        look(
+            &plan::Look::ground,
+            {.name = "ground",
+             .form = {},
+             .help = "A plane under the model that shows its shadow and nothing else (software executor)",
+             .offer = {.title = "shadow on the ground"}},
+            onOff()),
+        plain(
+            &Settings::sections,
+            {.name = "section",
+             .form = "PX,PY,PZ,NX,NY,NZ",
+             .help = "Cut away what lies beyond the plane through this point, along this direction; up to six times "
+                     "(software executor)",
+             .isRepeated = true},
+            sections()),
+        plain(
+            &Settings::sectionCasters,
+            {.name = "section-casters",
+             .form = {},
+             .help = "Whether what sections cut away still casts its shadow: cut, it does not",
+             .offer = {.title = "casters of sections"}},
+            oneOf(kSectionCasters)),
     };
 }
 

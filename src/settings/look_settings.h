@@ -10,6 +10,9 @@ namespace gnomon::settings {
 /// Projection, shading, ambient light and background. No bench sweeps them.
 std::vector<Setting> lookSettings();
 
+/// "PX,PY,PZ,NX,NY,NZ", several with semicolons between.
+Codec<std::vector<Section>> sections();
+
 /// "sky", "transparent", "white", or a colour as "#rrggbb", which is sRGB.
 Codec<plan::Background> background();
 

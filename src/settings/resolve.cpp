@@ -68,6 +68,14 @@ void requireSoftwareIfNeeded(const Settings& settings) {
         throw UsageError{
             written("backend", settings) + " and " + written("occlusion", settings) +
             " contradict each other: only the software executor leaves out what is hidden"};
+    if (isGl && !settings.sections.empty())
+        throw UsageError{
+            written("backend", settings) +
+            " and --section contradict each other: only the software executor draws sections"};
+    if (isGl && settings.quality.look.ground)
+        throw UsageError{
+            written("backend", settings) + " and " + written("ground", settings) +
+            " contradict each other: only the software executor shows the ground"};
 }
 
 /// Whether options ask for shadows, or for maps of them.
@@ -127,6 +135,7 @@ plan::View viewOf(
     if (view.up == kAutoUp) view.up = summary.up.direction;
     view.towardsLight = lightOf(settings, view.up);
     view.sunAngleRadians = lightDiameter(settings);
+    setSections(settings, view);
     if (!settings.cameraFile.empty()) {
         view.camera = path::readCamera(settings.cameraFile);
         view.camera.projection = settings.projection.value_or(view.camera.projection);
@@ -144,6 +153,20 @@ plan::View viewOf(
     }
     if (view.camera.eye == view.camera.target) throw UsageError{"--eye and --target are the same point"};
     return view;
+}
+
+void setSections(const Settings& settings, plan::View& view) {
+    view.sections.clear();
+    for (const Section& section : settings.sections) {
+        const glm::dvec3 normal = glm::normalize(section.normal);
+        view.sections.push_back({-normal, glm::dot(normal, section.point)});
+    }
+    view.cutsCasters = settings.sectionCasters == SectionCasters::Cut;
+}
+
+void requireNoSections(const Settings& settings, const std::string& option) {
+    if (!settings.sections.empty())
+        throw UsageError{"--section and " + option + " contradict each other: it is not drawn with sections"};
 }
 
 Settings uprightIn(const Settings& settings, const hierarchy::ModelFile& model) {

@@ -26,6 +26,12 @@ Settings uprightIn(const Settings& settings, const hierarchy::ModelFile& model);
 /// The same with that up and the outline of `model`, whose coarse pages it reads where it has to frame it.
 plan::View viewOf(const Settings& settings, const hierarchy::ModelFile& model);
 
+/// Gives `view` the sections that are asked for.
+void setSections(const Settings& settings, plan::View& view);
+
+/// Throws UsageError where sections are asked for beside `option`, for which none are drawn.
+void requireNoSections(const Settings& settings, const std::string& option);
+
 /// The quality that is asked for. Throws UsageError for contradictions.
 plan::Quality qualityOf(const Settings& settings);
 

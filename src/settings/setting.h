@@ -34,6 +34,7 @@ struct Description {
     std::string name; // "error-pixels"
     std::string form; // of its text, for the help: "T"; empty: its words
     std::string help;
+    bool isRepeated = false;    // may be given several times; its text is all of them with semicolons between
     bool isSwept = false;       // a bench takes a list of values
     bool isOfMaps = false;      // it says how shadow maps are, and contradicts shadows without them
     bool changesPicture = true; // else the picture is the same for all its values, but for the time that it takes

@@ -11,6 +11,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace gnomon::settings {
 
@@ -37,6 +38,24 @@ struct SunTime {
     sun::CivilTime time;
 };
 
+/// A plane by a point and a direction; what lies on that side of it is cut away.
+struct Section {
+    glm::dvec3 point{0};
+    glm::dvec3 normal{0, 1, 0}; // of a finite length above 0
+
+    bool operator==(const Section&) const = default;
+};
+
+/// How many sections a picture may have.
+inline constexpr std::size_t kMostSections = 6;
+
+/// Whether what sections cut away casts shadows.
+enum class SectionCasters : std::uint8_t { Cut, Keep };
+inline constexpr std::array kSectionCasters = {
+    Word<SectionCasters>{SectionCasters::Cut, "cut"},
+    Word<SectionCasters>{SectionCasters::Keep, "keep"},
+};
+
 /// What a person can ask for of a view and its quality. What stands in `quality` the plan takes as it is.
 struct Settings {
     std::array<int, 2> imageSize{800, 800}; // pixels
@@ -52,6 +71,8 @@ struct Settings {
     std::optional<SunTime> sun;            // takes the place of towardsLight
     std::optional<double> north;           // degrees; see --north
     std::optional<double> sunAngleDegrees; // across the light's disc; nothing: the sun's with `sun`, else a point
+    std::vector<Section> sections;
+    SectionCasters sectionCasters = SectionCasters::Cut;
     plan::Quality quality = openQuality();
     bool isWarpGiven = false;       // quality.warp.rule was asked for
     std::optional<double> eta;      // takes the place of quality.warp.rule

@@ -25,6 +25,8 @@ public:
     /// The camera of such a picture that has the model framed from a side.
     Camera from(path::ViewSide side, const glm::ivec2& size, Projection projection) const;
 
+    const Box& bounds() const { return summary_.bounds; }
+
     /// What is up in the model's world.
     glm::dvec3 up() const { return settings_.up.value_or(summary_.up.direction); }
 

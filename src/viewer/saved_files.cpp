@@ -41,6 +41,12 @@ std::string SavedFiles::savePath(const path::CameraPath& path) const {
     return name;
 }
 
+std::string SavedFiles::saveCamera(const Camera& camera) const {
+    std::string name = freeName("camera", ".json");
+    writeTextFile(name, path::toJson(camera));
+    return name;
+}
+
 void SavedFiles::savePlayed(const std::string& folder, int frame, const executor::Picture& picture) const {
     std::filesystem::create_directories(folder);
     std::array<char, 32> name{};

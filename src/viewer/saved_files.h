@@ -25,6 +25,9 @@ public:
 
     std::string savePath(const path::CameraPath& path) const;
 
+    /// A file that `gnomon render --camera` reads.
+    std::string saveCamera(const Camera& camera) const;
+
     /// Frame `frame` of a played path into `folder`, which is made if need be: "frame0000.png".
     void savePlayed(const std::string& folder, int frame, const executor::Picture& picture) const;
 

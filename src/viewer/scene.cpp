@@ -15,8 +15,9 @@ constexpr int kPickReach = 6; // pixels around the cursor
 /// The window's executor where its OpenGL is worth it; null for the software one.
 std::unique_ptr<executor::TextureExecutor> windowExecutor(
     const settings::Settings& settings, const gl::Context& context) {
-    const bool wantsSoftware =
-        settings.quality.shadows == plan::ShadowMode::Exact || settings.quality.occlusion == plan::Choice::On;
+    const bool wantsSoftware = settings.quality.shadows == plan::ShadowMode::Exact ||
+                               settings.quality.occlusion == plan::Choice::On || settings.quality.look.ground ||
+                               !settings.sections.empty();
     const bool isSoftware = settings.backend == settings::Backend::Software ||
                             (settings.backend == settings::Backend::Auto && (wantsSoftware || !context.isHardware()));
     if (isSoftware) return nullptr;

@@ -82,6 +82,9 @@ public:
 
     FileFate fate() const;
 
+    /// Whether the executor can cut a model by planes.
+    bool drawsSections() const { return textures_ == nullptr; }
+
 private:
     hierarchy::ModelFile model_;
     std::filesystem::file_time_type written_;

@@ -182,6 +182,7 @@ Shot WindowSession::shot(const glm::ivec2& size) const {
     shot.view.towardsLight = settings_.asked.towardsLight;
     shot.view.sunAngleRadians = settings::lightDiameter(settings_.asked);
     shot.view.up = framed_->up();
+    settings::setSections(settings_.asked, shot.view);
     shot.view.camera = walk_.culledBy();
     shot.quality = settings_.asked.quality;
     const Effort effort = isHurried() ? budget_.effort(wantedEffort()) : wantedEffort();

@@ -85,6 +85,11 @@ void WindowSession::act(const Binding& binding) {
 
 void WindowSession::actOnModel(const Binding& binding) {
     if (const auto set = changeQuality(binding, settings_.asked)) return messages_.show(*set);
+    const bool isOfSections = binding.action == Action::ToggleSection || binding.action == Action::MoveSection;
+    if (isOfSections && !file_.scene()->drawsSections())
+        return messages_.show("only the software executor draws sections");
+    if (const auto set = changeSection(binding, settings_.asked, framed_->bounds(), framed_->up()))
+        return messages_.show(*set);
     switch (binding.action) {
     case Action::Focus:
         return focus();
@@ -97,6 +102,9 @@ void WindowSession::actOnModel(const Binding& binding) {
         walk_.control().toggleProjection();
         file_.scene()->forget();
         return messages_.show(std::string(wordOf(kProjections, projection())));
+    case Action::SaveCamera:
+        messages_.attempt([&] { messages_.note("saved " + saved_.saveCamera(walk_.camera())); });
+        return;
     case Action::Freeze:
         return walk_.toggleFreeze();
     case Action::Record:

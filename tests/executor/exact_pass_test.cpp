@@ -65,7 +65,7 @@ TEST(ExactPass, EachCasterIsThereOnceAndTheImagesComeFirst) {
             image.ranges.push_back({all.ranges[i].page, 1, all.ranges[i].clusterCount - 2});
     frame.drawing().image = &image;
     SoftwarePass pass;
-    pass.gather(frame.drawing(), image);
+    pass.gather(frame.drawing(), image, Cutting::Whole);
     std::vector<exact::Caster> casters;
     gatherExactCasters(frame.drawing(), pass, casters);
     ASSERT_GT(pass.drawn().size(), 10U);

@@ -132,6 +132,26 @@ TEST(LightSum, TakesTheMeanBeforeTheShoulder) {
     EXPECT_NEAR(mean.pixels[0][2], level(2), 0.9);
 }
 
+// A shadow on the ground in one frame of two, and a surface before it in a third.
+TEST(LightSum, LeavesOfTheBackgroundWhatShadowsOnItDo) {
+    LightSum sum;
+    sum.reset(true);
+    sum.add(LightPicture(1, 1, {-0.25F, -0.5F, -1}));
+    sum.add(LightPicture(1, 1, kNoSurface));
+    const Shown shown{true, false, {Rgb{255, 255, 255}}, true};
+    const Picture half = sum.picture(shown);
+    for (std::size_t c = 0; c < 3; ++c)
+        EXPECT_NEAR(half.pixels[0][c], 255 * srgbOf(std::array{0.625, 0.75, 1.0}[c]), 0.9) << c;
+    EXPECT_NEAR(sum.coverage().pixels[0], 255 * (1 - srgbOf(0.625)), 0.9);
+    sum.add(LightPicture(1, 1, {1, 1, 1}));
+    const Picture edge = sum.picture(shown);
+    for (std::size_t c = 0; c < 3; ++c)
+        EXPECT_NEAR(edge.pixels[0][c], 255 * srgbOf((0.5 + 2 * std::array{0.625, 0.75, 1.0}[c]) / 3), 0.9) << c;
+    sum.reset();
+    sum.add(LightPicture(1, 1, kNoSurface));
+    EXPECT_EQ(sum.picture({true, false, {Rgb{9, 8, 7}}}).pixels[0], (Rgb{9, 8, 7})) << "no ground, and none is left";
+}
+
 // An edge before a background that is as bright as a screen can be: half of either, as the screen's light goes.
 TEST(LightSum, MixesTheBackgroundByWhatItCovers) {
     LightSum sum;

@@ -236,7 +236,7 @@ TEST(SoftwarePass, HasTheClustersOfTheListInItsOrder) {
     selection::DrawList list;
     list.ranges = {{2, 1, 2}, {0, 0, 1}};
     SoftwarePass pass;
-    pass.gather(frame, list);
+    pass.gather(frame, list, Cutting::Whole);
     ASSERT_EQ(pass.clusters().size(), 3U);
     ASSERT_EQ(pass.drawn().size(), 3U);
     const std::array<std::pair<std::uint32_t, std::uint32_t>, 3> expected{{{2, 1}, {2, 2}, {0, 0}}};
@@ -253,7 +253,7 @@ TEST(SoftwarePass, HasTheClustersOfTheListInItsOrder) {
         EXPECT_EQ(pass.clusters()[i].triangles.size(), cluster.triangleCount);
         EXPECT_EQ(pass.clusters()[i].firstTriangleId, i << kTriangleBits);
     }
-    pass.gather(frame, {});
+    pass.gather(frame, {}, Cutting::Whole);
     EXPECT_TRUE(pass.clusters().empty()) << "a pass holds what was gathered last";
 }
 

@@ -40,6 +40,22 @@ struct EveryRow {
     const char* expected; // of a text, in the words of the refusal
 };
 
+constexpr const char* kSevenSections =
+    "0,0,0,0,1,0;0,0,0,0,1,0;0,0,0,0,1,0;0,0,0,0,1,0;0,0,0,0,1,0;0,0,0,0,1,0;0,0,0,0,1,0";
+
+/// Of those that say what is cut away and what lies under the model.
+std::vector<EveryRow> sectionRows() {
+    return {
+        {"ground", "off", {"on", "off"}, {"", "plane"}, "on or off"},
+        {"section",
+         "",
+         {"0,1.5,0,0,1,0", "0,0,0,0,0,1;1,2,3,-1,0,0.5"},
+         {"", "0,0,0", "0,0,0,0,0,0", "0,0,0,0,1", "0,0,0,0,1,0,7", "a,0,0,0,1,0", kSevenSections},
+         "PX,PY,PZ,NX,NY,NZ, a point and a direction of a length above 0, at most six times"},
+        {"section-casters", "cut", {"cut", "keep"}, {"", "whole"}, "cut or keep"},
+    };
+}
+
 /// Of the settings that say what is seen, and in which light.
 std::vector<EveryRow> sceneRows() {
     return {
@@ -128,6 +144,8 @@ std::vector<EveryRow> qualityRows() {
 const std::vector<EveryRow>& rows() {
     static const std::vector<EveryRow> all = [] {
         std::vector<EveryRow> both = sceneRows();
+        const std::vector<EveryRow> sections = sectionRows();
+        both.insert(both.end(), sections.begin(), sections.end());
         const std::vector<EveryRow> more = qualityRows();
         both.insert(both.end(), more.begin(), more.end());
         return both;

@@ -66,5 +66,20 @@ TEST(KeyTable, ShiftCountsOnlyWhereItIsNamed) {
     EXPECT_EQ(bindingOf(GLFW_KEY_PAUSE, false), nullptr);
 }
 
+TEST(KeyTable, ALevelSectionComesMovesAndGoes) {
+    const Box bounds{{-1, 2, 0}, {1, 10, 4}};
+    settings::Settings settings;
+    const auto press = [&](Action action, int value) {
+        return changeSection({.action = action, .value = value}, settings, bounds, {0, 2, 0});
+    };
+    EXPECT_FALSE(press(Action::Focus, 1));
+    EXPECT_EQ(press(Action::ToggleSection, 0), "section: 4 above the lowest point");
+    EXPECT_EQ(settings.sections, (std::vector<settings::Section>{{{0, 6, 2}, {0, 1, 0}}}));
+    EXPECT_EQ(press(Action::MoveSection, 50), "section: 5 above the lowest point");
+    EXPECT_EQ(press(Action::ToggleSection, 0), "section: none");
+    EXPECT_TRUE(settings.sections.empty());
+    EXPECT_EQ(press(Action::MoveSection, -50), "section: 3 above the lowest point");
+}
+
 } // namespace
 } // namespace gnomon::viewer

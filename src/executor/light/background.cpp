@@ -59,4 +59,29 @@ std::vector<Rgb> backgroundRows(const FrameDrawing& frame) {
     return rows;
 }
 
+bool isTransparent(const FrameDrawing& frame) {
+    return frame.plan->quality.look.background.kind == plan::Background::Kind::Transparent;
+}
+
+glm::vec3 leftInShadow(const FrameDrawing& frame) {
+    block::Frame block{};
+    setLight(frame.plan->view, frame.plan->quality.look, frame.shading, block);
+    const glm::vec3 up(glm::normalize(frame.plan->view.up));
+    const glm::vec3 sky = block.ambientMean + block.ambientTilt * glm::dot(up, block.skyAxis);
+    const glm::vec3 towardsLight(frame.plan->light.unit());
+    const glm::vec3 sun = block.sun * std::max(glm::dot(up, towardsLight), 0.0F);
+    constexpr float kLeast = 1.0F / (1 << 20);
+    return glm::max(sky / (sky + sun), glm::vec3(kLeast));
+}
+
+std::vector<Rgb> shadowedRows(std::vector<Rgb> rows, const glm::vec3& left) {
+    for (Rgb& row : rows)
+        for (int c = 0; c < 3; ++c) {
+            std::uint8_t& level = row[static_cast<std::size_t>(c)];
+            const float light = linearFromDisplay(static_cast<float>(level) / 255) * left[c];
+            level = static_cast<std::uint8_t>(std::lround(displayFromLinear(light) * 255));
+        }
+    return rows;
+}
+
 } // namespace gnomon::executor

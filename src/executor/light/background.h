@@ -26,4 +26,13 @@ std::optional<SkyRows> skyRows(const FrameDrawing& frame);
 /// The displayed colour of the sky in a direction whose sine to the horizon is `sine`, in [-1, 1].
 Rgb skyColor(double sine);
 
+/// Whether nothing lies behind the model.
+bool isTransparent(const FrameDrawing& frame);
+
+/// The share of the light of sun, sky and ground, each above 0, that a shadow on level ground leaves.
+glm::vec3 leftInShadow(const FrameDrawing& frame);
+
+/// `rows` with that share of their light.
+std::vector<Rgb> shadowedRows(std::vector<Rgb> rows, const glm::vec3& left);
+
 } // namespace gnomon::executor

@@ -44,6 +44,7 @@ Shown shownAs(const FrameDrawing& frame) {
     Shown shown;
     shown.isShouldered = frame.shading != plan::Shading::Unlit;
     shown.isTransparent = frame.plan->quality.look.background.kind == plan::Background::Kind::Transparent;
+    shown.hasGround = frame.ground != nullptr;
     shown.backgroundRows = backgroundRows(frame);
     return shown;
 }
@@ -57,8 +58,9 @@ void addLight(LightPicture& light, const LightPicture& other) {
     });
 }
 
-void LightSum::reset() {
+void LightSum::reset(bool hasGround) {
     count_ = 0;
+    hasGround_ = hasGround;
 }
 
 void LightSum::add(const LightPicture& light) {
@@ -66,11 +68,17 @@ void LightSum::add(const LightPicture& light) {
     if (count_ == 0) {
         sums_ = Raster<Sums>(light.width, light.height);
         covered_ = Raster<std::uint16_t>(light.width, light.height);
+        shadows_ = hasGround_ ? Raster<Sums>(light.width, light.height) : Raster<Sums>();
     }
     GNOMON_CHECK(light.width == sums_.width && light.height == sums_.height);
     forAllPixels(light.pixels.size(), [&](std::size_t i) {
         const std::array<float, 3>& pixel = light.pixels[i];
-        if (pixel[0] < 0) return;
+        if (pixel[0] < 0) {
+            if (hasGround_)
+                for (std::size_t c = 0; c < 3; ++c)
+                    shadows_.pixels[i][c] += lightSteps(1 + pixel[c]);
+            return;
+        }
         ++covered_.pixels[i];
         for (std::size_t c = 0; c < 3; ++c)
             sums_.pixels[i][c] += lightSteps(pixel[c]);
@@ -89,6 +97,21 @@ LightPicture LightSum::mean() const {
     return mean;
 }
 
+/// Of its light, in the mean of the frames that show it; all of it where none does.
+std::array<float, 3> LightSum::leftOfBackground(std::size_t i) const {
+    std::array<float, 3> left = {1, 1, 1};
+    const int open = count_ - covered_.pixels[i];
+    if (!hasGround_ || open == 0) return left;
+    for (std::size_t c = 0; c < 3; ++c)
+        left[c] = static_cast<float>(1 - static_cast<double>(shadows_.pixels[i][c]) / (open * kLightSteps));
+    return left;
+}
+
+/// By how dark white is in that shadow, as a screen counts.
+float LightSum::groundCoverage(std::size_t i) const {
+    return 1 - displayFromLinear(leftOfBackground(i)[0]);
+}
+
 Picture LightSum::picture(const Shown& shown) const {
     GNOMON_CHECK(count_ > 0);
     GNOMON_CHECK(shown.backgroundRows.size() == static_cast<std::size_t>(sums_.height));
@@ -99,16 +122,25 @@ Picture LightSum::picture(const Shown& shown) const {
     forAllPixels(picture.pixels.size(), [&](std::size_t i) {
         const Rgb& behind = shown.backgroundRows[i / static_cast<std::size_t>(sums_.width)];
         const int covered = covered_.pixels[i];
+        const std::array<float, 3> left = leftOfBackground(i);
+        const auto background = [&](std::size_t c) {
+            return left[c] * linearFromDisplay(static_cast<float>(behind[c]) / 255);
+        };
         if (covered == 0) {
             picture.pixels[i] = shown.isTransparent ? Rgb{} : behind;
+            if (hasGround_ && !shown.isTransparent)
+                for (std::size_t c = 0; c < 3; ++c)
+                    picture.pixels[i][c] = screenLevel(background(c));
             return;
         }
         const bool isMixed = covered < count_ && !shown.isTransparent;
         const float share = static_cast<float>(covered) / static_cast<float>(count_);
+        const float ofSurface =
+            hasGround_ && shown.isTransparent ? share / (share + (1 - share) * groundCoverage(i)) : 1;
         for (std::size_t c = 0; c < 3; ++c) {
             float linear = shoulder(curve, mean.pixels[i][c]);
-            if (isMixed) linear = share * linear + (1 - share) * linearFromDisplay(static_cast<float>(behind[c]) / 255);
-            picture.pixels[i][c] = screenLevel(linear);
+            if (isMixed) linear = share * linear + (1 - share) * background(c);
+            picture.pixels[i][c] = screenLevel(ofSurface * linear);
         }
     });
     return picture;
@@ -119,6 +151,10 @@ Coverage LightSum::coverage() const {
     Coverage coverage(covered_.width, covered_.height);
     forAllPixels(coverage.pixels.size(), [&](std::size_t i) {
         coverage.pixels[i] = static_cast<std::uint8_t>((255 * std::uint32_t{covered_.pixels[i]} + count / 2) / count);
+        if (!hasGround_) return;
+        const float open = static_cast<float>(count - covered_.pixels[i]) * groundCoverage(i);
+        const float covered = (static_cast<float>(covered_.pixels[i]) + open) / static_cast<float>(count);
+        coverage.pixels[i] = static_cast<std::uint8_t>(std::lround(255 * covered));
     });
     return coverage;
 }

@@ -16,6 +16,7 @@ struct Shown {
     bool isShouldered = true;        // as block::Frame has it
     bool isTransparent = false;      // the background is: a pixel has the colour of what covers it
     std::vector<Rgb> backgroundRows; // from top to bottom
+    bool hasGround = false;          // shadows may lie on the background
 };
 
 /// How `frame` shows light.
@@ -30,13 +31,14 @@ void addLight(LightPicture& light, const LightPicture& other);
 ///
 /// What lies behind the model is no light of it. A pixel's surfaces are shown by the mean of the frames in which they
 /// cover it, and mixed with the background by the share of these frames in the linear light of the screen: the
-/// brightest of backgrounds takes no more of an edge than it covers.
+/// brightest of backgrounds takes no more of an edge than it covers. A shadow on the ground takes as much of the
+/// background's light as the mean of the frames has it; a transparent one is black, and covers by how dark it is.
 class LightSum {
 public:
     static constexpr int kMost = 65535;
 
-    /// Begins anew with nothing.
-    void reset();
+    /// Begins anew with nothing. With `hasGround` it counts what shadows leave of the background.
+    void reset(bool hasGround = false);
 
     /// Adds one more, at most kMost in all and of the size of the first.
     void add(const LightPicture& light);
@@ -56,9 +58,14 @@ public:
 private:
     using Sums = std::array<std::uint64_t, 3>;
 
+    std::array<float, 3> leftOfBackground(std::size_t i) const;
+    float groundCoverage(std::size_t i) const;
+
     int count_ = 0;
     Raster<Sums> sums_;
     Raster<std::uint16_t> covered_; // by how many
+    bool hasGround_ = false;
+    Raster<Sums> shadows_; // what is missing of the background where it shows; empty without a ground
 };
 
 } // namespace gnomon::executor

@@ -22,6 +22,11 @@ struct ImageDepth {
         return isParallel ? clip.far - double{stored} * (clip.far - clip.near) : clip.near / double{stored};
     }
 
+    /// What is stored of a depth from the eye that draws.
+    float stored(double depth) const {
+        return static_cast<float>(isParallel ? (clip.far - depth) / (clip.far - clip.near) : clip.near / depth);
+    }
+
     /// From the eye that was asked for; likewise.
     double asked(float stored) const { return fromEye(stored) - eyeMovedBack; }
 };

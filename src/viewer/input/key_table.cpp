@@ -83,6 +83,13 @@ std::vector<Binding> windowKeys() {
         Binding{GLFW_KEY_H, false, Action::ToggleHelp, 0, "H", "this help"},
         Binding{GLFW_KEY_R, false, Action::Record, 0, "R", "record a path; again saves it"},
         Binding{GLFW_KEY_P, false, Action::Play, 0, "P", "play the last path; again stops"},
+        Binding{GLFW_KEY_J, false, Action::ToggleSection, 0, "J", "level section: cut off what is above; again: none"},
+        Binding{GLFW_KEY_PAGE_UP, false, Action::MoveSection, 8, "PageUp", "section upwards; with Shift a little"},
+        Binding{GLFW_KEY_PAGE_UP, true, Action::MoveSection, 1, "Shift+PageUp", "section a little upwards"},
+        Binding{GLFW_KEY_PAGE_DOWN, false, Action::MoveSection, -8, "PageDown", "section downwards"},
+        Binding{GLFW_KEY_PAGE_DOWN, true, Action::MoveSection, -1, "Shift+PageDown", "section a little downwards"},
+        Binding{
+            GLFW_KEY_I, false, Action::SaveCamera, 0, "I", "save the camera as JSON, for pictures without the window"},
         Binding{GLFW_KEY_F9, false, Action::Reload, 0, "F9", "open the model again"},
         Binding{GLFW_KEY_F12, false, Action::Screenshot, 0, "F12", "save the picture"},
         Binding{GLFW_KEY_F12, true, Action::Screenshot, 1, "Shift+F12", "save the window with its overlays"},

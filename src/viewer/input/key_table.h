@@ -26,6 +26,9 @@ enum class Action : std::uint8_t {
     ToggleHollows,
     Record,
     Play,
+    ToggleSection,
+    MoveSection, // value is by how many 400ths of the model's height
+    SaveCamera,
     Screenshot, // value 1: with what is drawn over it
     Reload,
     Leave,

@@ -1,5 +1,6 @@
 #include "viewer/input/setting_keys.h"
 
+#include "core/formatted.h"
 #include "settings/step.h"
 #include "settings/table.h"
 
@@ -37,6 +38,24 @@ std::optional<std::string> changeQuality(const Binding& binding, settings::Setti
     settings::step(setting, settings, binding.value);
     if (settings::asksForMaps(setting)) settings::askForMaps(settings);
     return settings::inWords(setting, settings);
+}
+
+std::optional<std::string> changeSection(
+    const Binding& binding, settings::Settings& settings, const Box& bounds, const glm::dvec3& up) {
+    constexpr double kStepsOfHeight = 400;
+    if (binding.action != Action::ToggleSection && binding.action != Action::MoveSection) return std::nullopt;
+    std::vector<settings::Section>& sections = settings.sections;
+    if (binding.action == Action::ToggleSection && !sections.empty()) {
+        sections.clear();
+        return "section: none";
+    }
+    const glm::dvec3 axis = glm::normalize(up);
+    const double height = glm::dot(glm::abs(axis), bounds.extent());
+    if (sections.empty()) sections.push_back({bounds.center(), axis});
+    settings::Section& moved = sections.back();
+    if (binding.action == Action::MoveSection) moved.point += axis * (binding.value / kStepsOfHeight * height);
+    const double above = glm::dot(axis, moved.point - bounds.center()) + 0.5 * height;
+    return formatted("section: %.4g above the lowest point", above);
 }
 
 } // namespace gnomon::viewer

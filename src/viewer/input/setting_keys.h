@@ -1,6 +1,7 @@
 // What the keys change of the settings.
 #pragma once
 
+#include "core/box.h"
 #include "viewer/input/key_table.h"
 #include "viewer/view_settings.h"
 
@@ -15,5 +16,11 @@ bool changeShown(const Binding& binding, ViewSettings& settings);
 /// Takes the step in quality that `binding` is, and returns what is now set, for people; nothing if it is about
 /// something else.
 std::optional<std::string> changeQuality(const Binding& binding, settings::Settings& settings);
+
+/// Takes the level section away, puts one half way up a model within `bounds` (world space), or moves it along `up`,
+/// which it is across: what is above it is cut away. Returns what is now set, for people; nothing if `binding` is about
+/// something else.
+std::optional<std::string> changeSection(
+    const Binding& binding, settings::Settings& settings, const Box& bounds, const glm::dvec3& up);
 
 } // namespace gnomon::viewer

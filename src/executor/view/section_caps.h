@@ -1,0 +1,45 @@
+// The caps of section planes: where what is solid is cut through, and the lines of what is not closed.
+#pragma once
+
+#include "executor/executor.h"
+
+#include <span>
+
+namespace gnomon::executor {
+
+/// What a section plane shows at a pixel.
+enum class CapKind : std::uint8_t {
+    None,
+    Solid,    // the inside of a closed surface
+    Outline,  // where the plane meets that surface
+    OpenEdge, // where it meets one that is not closed
+};
+
+/// Names in the visibility buffer from here on are those of caps, no triangles.
+constexpr std::uint32_t kFirstCapName = 0xFFFFFF00U;
+
+constexpr bool isCapName(std::uint32_t name) {
+    return name >= kFirstCapName;
+}
+
+/// Writes the section planes of `frame` into the words of its image, over what is kept behind them. A plane shows the
+/// inside of closed surfaces, those whose cuts by it are closed lines, whatever they overlap: each pixel counts how
+/// often such lines go around it (the winding number). Of all others it shows the lines alone.
+void drawCaps(const FrameDrawing& frame, std::span<std::uint64_t> words);
+
+/// The colour of what a cap's name stands for.
+Rgb capColor(const FrameDrawing& frame, std::uint32_t name);
+
+/// A directed line in which a plane meets a triangle, what is solid to its left as seen from where the plane's normal
+/// points to. Cells from draw space's origin.
+struct SectionLine {
+    glm::dvec3 from{0};
+    glm::dvec3 to{0};
+    bool isClosed = false; // it is part of closed lines
+};
+
+/// Marks those of `lines` that belong to closed ones: each end, within two cells of others, is left as often as it is
+/// reached, all along what it is connected with.
+void markClosed(std::vector<SectionLine>& lines);
+
+} // namespace gnomon::executor

@@ -1,0 +1,289 @@
+// Sections and the ground: pictures against plain lines of sight that meet every triangle, caps against how often a
+// line comes out of what is solid, shadows against rays.
+#include "core/random.h"
+#include "executor/software_executor.h"
+#include "executor/view/drawn_cluster.h"
+#include "executor/view/lens.h"
+#include "executor/view/section_caps.h"
+#include "executor/view/section_cut.h"
+#include "frame/ground.h"
+#include "frame/made_model.h"
+#include "frame/renderer.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace gnomon::proof {
+namespace {
+
+constexpr int kSectionSide = 128;
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+/// A model, its renderer and all triangles of its finest level.
+class SectionStage {
+public:
+    SectionStage(const std::string& kind, std::uint64_t triangles) : model_(kind, triangles) {}
+
+    const Box& bounds() const { return model_.file().summary().bounds; }
+
+    frame::Frame render(const plan::View& view, plan::Quality quality) {
+        quality.errorPixels = 0;
+        renderer_.forget();
+        return renderer_.render(view, quality, {});
+    }
+
+    executor::Executor& executor() { return *executor_; }
+
+    frame::Renderer& renderer() { return renderer_; }
+
+private:
+    tests::BuiltFile model_;
+    std::unique_ptr<executor::Executor> executor_ = executor::makeSoftwareExecutor();
+    frame::Renderer renderer_{model_.file(), *executor_, {}};
+};
+
+using Corners = std::array<glm::dvec3, 3>;
+
+/// The finest triangles, world space.
+std::vector<Corners> trianglesOf(SectionStage& stage) {
+    plan::View view; // from where all is seen
+    view.camera.target = stage.bounds().center();
+    view.camera.eye = view.camera.target + 4 * glm::length(stage.bounds().extent()) * glm::dvec3(0.5, 0.6, 0.7);
+    view.width = view.height = 16;
+    plan::Quality quality;
+    quality.shadows = plan::ShadowMode::Off;
+    const frame::Frame frame = stage.render(view, quality);
+    const executor::FrameDrawing drawing = stage.renderer().drawing(frame, {});
+    std::vector<Corners> triangles;
+    for (const selection::ClusterRange& range : drawing.image->ranges) {
+        const hierarchy::Page& page = drawing.pages(range.page);
+        for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c) {
+            const hierarchy::Cluster& cluster = page.clusters[c];
+            for (std::uint32_t t = 0; t < cluster.triangleCount; ++t) {
+                Corners corners{};
+                for (std::size_t k = 0; k < 3; ++k)
+                    corners.at(k) = drawing.grid.world(
+                        page.vertices[cluster.firstVertex + page.triangles[cluster.firstTriangle + t].at(k)].position);
+                triangles.push_back(corners);
+            }
+        }
+    }
+    return triangles;
+}
+
+/// Where the line from `eye` along `way` meets a triangle; never where it does not.
+double meetingOf(const Corners& p, const glm::dvec3& eye, const glm::dvec3& way) {
+    const glm::dvec3 a = p[1] - p[0];
+    const glm::dvec3 b = p[2] - p[0];
+    const glm::dvec3 h = glm::cross(way, b);
+    const double determinant = glm::dot(a, h);
+    if (determinant == 0) return kNever;
+    const glm::dvec3 s = eye - p[0];
+    const double u = glm::dot(s, h) / determinant;
+    const glm::dvec3 q = glm::cross(s, a);
+    const double v = glm::dot(way, q) / determinant;
+    return u >= 0 && v >= 0 && u + v <= 1 ? glm::dot(b, q) / determinant : kNever;
+}
+
+bool isKept(const plan::View& view, const glm::dvec3& p) {
+    return std::all_of(
+        view.sections.begin(), view.sections.end(), [&](const Plane& plane) { return plane.signedDistance(p) >= 0; });
+}
+
+/// A view of a model with one to three sections through it.
+plan::View sectionedView(const Box& bounds, Random& random) {
+    plan::View view;
+    view.width = view.height = kSectionSide;
+    view.camera.target = bounds.center();
+    const glm::dvec3 aside(random.uniform(-1, 1), random.uniform(0.1, 1), random.uniform(-1, 1));
+    view.camera.eye = bounds.center() + 0.9 * glm::length(bounds.extent()) * glm::normalize(aside);
+    view.towardsLight = {random.uniform(-1, 1), random.uniform(0.3, 1), random.uniform(-1, 1)};
+    if (random.below(3) == 0) view.camera.projection = Projection::Orthographic;
+    for (std::uint64_t i = 0; i <= random.below(3); ++i) {
+        glm::dvec3 normal(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+        normal = glm::normalize(i == 0 ? view.camera.eye - view.camera.target + 0.7 * normal : normal);
+        const glm::dvec3 point = bounds.center() + 0.15 * bounds.extent() * random.uniform(-1, 1);
+        view.sections.push_back({-normal, glm::dot(normal, point)});
+    }
+    return view;
+}
+
+/// What a line of sight sees of a model with sections.
+struct PlainSight {
+    double depth = kNever; // of the nearest kept triangle
+    double enters = 0;     // where the last plane lets it in
+    int around = 0; // how often what is solid lies around there: the surfaces that it leaves less those it enters
+};
+
+PlainSight plainSight(
+    const plan::View& view, const std::vector<Corners>& triangles, const glm::dvec3& eye, const glm::dvec3& way) {
+    PlainSight sight;
+    for (const Plane& plane : view.sections)
+        if (const double slope = glm::dot(plane.normal, way); slope > 0)
+            sight.enters = std::max(sight.enters, -plane.signedDistance(eye) / slope);
+    for (const Corners& p : triangles) {
+        const double at = meetingOf(p, eye, way);
+        if (!(at >= sight.enters) || at == kNever) continue;
+        sight.around += glm::dot(glm::cross(p[1] - p[0], p[2] - p[0]), way) > 0 ? 1 : -1;
+        if (isKept(view, eye + way * (at * (1 + 1e-12)))) sight.depth = std::min(sight.depth, at);
+    }
+    if (!isKept(view, eye + way * (sight.enters * (1 + 1e-9) + 1e-12))) sight.around = 0;
+    return sight;
+}
+
+PlainSight sightOfPixel(const plan::View& view, const std::vector<Corners>& triangles, int x, int y) {
+    const CameraBasis basis = cameraBasis(view.camera);
+    const double half = halfHeightAtTarget(view.camera);
+    const glm::dvec2 at((2 * x + 1.0) / kSectionSide - 1, 1 - (2 * y + 1.0) / kSectionSide);
+    const double distance = glm::length(view.camera.target - view.camera.eye);
+    const glm::dvec3 aside = toWorld(basis, {at.x * half, at.y * half, 0});
+    // Lines begin before the model, whatever lies behind the eye.
+    if (view.camera.isParallel()) return plainSight(view, triangles, view.camera.eye + aside, basis.view);
+    return plainSight(view, triangles, view.camera.eye, basis.view + aside / distance);
+}
+
+bool isSameDepth(double found, double wanted, double tolerance) {
+    return std::isfinite(wanted) ? std::abs(found - wanted) < tolerance : std::isinf(found);
+}
+
+void expectPlainSections(const char* kind, std::uint64_t triangleCount, bool isClosed) {
+    SectionStage stage(kind, triangleCount);
+    const std::vector<Corners> triangles = trianglesOf(stage);
+    const double size = glm::length(stage.bounds().extent());
+    Random random(8);
+    int capped = 0;
+    for (int trial = 0; trial < 8; ++trial) {
+        const plan::View view = sectionedView(stage.bounds(), random);
+        plan::Quality quality;
+        quality.shadows = plan::ShadowMode::Off;
+        quality.look.shading = plan::Shading::Unlit;
+        const frame::Frame frame = stage.render(view, quality);
+        const executor::FloatPicture depth = stage.executor().viewDepth();
+        int unlike = 0;
+        int looked = 0;
+        for (int y = 1; y < kSectionSide; y += 3)
+            for (int x = 1; x < kSectionSide; x += 3) {
+                const PlainSight sight = sightOfPixel(view, triangles, x, y);
+                const bool isCap = isClosed && sight.around != 0 && sight.enters > 0;
+                const double wanted = isCap ? sight.enters : sight.depth;
+                const double found = depth.at(x, y);
+                capped += static_cast<int>(isCap);
+                ++looked;
+                unlike += static_cast<int>(!isSameDepth(found, wanted, 2e-3 * size));
+            }
+        // At edges, and on lines that are drawn a pixel wide.
+        EXPECT_LE(unlike, looked / 12) << trial;
+    }
+    EXPECT_TRUE(!isClosed || capped > 500) << capped;
+}
+
+TEST(Sections, ShowWhatPlainLinesMeetAndCapWhatIsSolid) {
+    expectPlainSections("statue", 3000, true);
+}
+
+TEST(Sections, ShadowsOfExactDecisionsAreThoseOfRays) {
+    SectionStage stage("statue", 20000);
+    Random random(9);
+    double changed = 0;
+    for (int trial = 0; trial < 8; ++trial) {
+        plan::View view = sectionedView(stage.bounds(), random);
+        if (trial % 2 == 1) view.sections = {{{0, -1, 0}, stage.bounds().center().y}}; // what is above is gone
+        view.cutsCasters = trial % 2 == 0;
+        plan::Quality quality;
+        quality.look.shading = plan::Shading::Lit;
+        quality.shadows = plan::ShadowMode::Exact;
+        stage.render(view, quality);
+        const executor::Picture exact = stage.executor().picture();
+        quality.shadows = plan::ShadowMode::Rays;
+        stage.render(view, quality);
+        EXPECT_LE(executor::difference(stage.executor().picture(), exact).changedFraction, 2e-3) << trial;
+        quality.shadows = plan::ShadowMode::Maps;
+        stage.render(view, quality);
+        EXPECT_LE(executor::difference(stage.executor().picture(), exact).changedFraction, 0.06) << trial;
+        plan::View other = view;
+        other.cutsCasters = !view.cutsCasters;
+        quality.shadows = plan::ShadowMode::Exact;
+        stage.render(other, quality);
+        changed += executor::difference(stage.executor().picture(), exact).changedFraction;
+    }
+    EXPECT_GT(changed, 1e-3) << "what is cut away casts, or does not";
+}
+
+TEST(Sections, LinesAreClosedWhereEachEndIsLeftAsOftenAsReached) {
+    using executor::SectionLine;
+    const glm::dvec3 a(0);
+    const glm::dvec3 b(100, 0, 0);
+    const glm::dvec3 c(0, 100, 0);
+    const glm::dvec3 beside(1, 1, 0); // as near as a weld
+    std::vector<SectionLine> closed = {{a, b}, {b + beside, c}, {c, a}};
+    executor::markClosed(closed);
+    EXPECT_TRUE(closed[0].isClosed && closed[1].isClosed && closed[2].isClosed);
+    std::vector<SectionLine> open = {{a, b}, {b, c}, {glm::dvec3(900), glm::dvec3(990)}, {c, a}};
+    executor::markClosed(open);
+    EXPECT_TRUE(open[0].isClosed && !open[2].isClosed);
+    std::vector<SectionLine> turned = {{a, b}, {c, b}, {c, a}};
+    executor::markClosed(turned);
+    EXPECT_FALSE(turned[0].isClosed || turned[1].isClosed || turned[2].isClosed);
+}
+
+/// Whether the level plane at the height `lowest` is in shadow where that pixel shows it.
+bool isGroundShadowed(const plan::View& view, const std::vector<Corners>& triangles, double lowest, int x, int y) {
+    const glm::dvec3 way = toWorld(
+        cameraBasis(view.camera),
+        {((2 * x + 1.0) / kSectionSide - 1) * view.tanHalfX(),
+         (1 - (2 * y + 1.0) / kSectionSide) * view.tanHalfY(),
+         1});
+    const double at = (lowest - view.camera.eye.y) / way.y;
+    if (!(at > 0)) return false;
+    const glm::dvec3 light = view.light().unit();
+    return std::any_of(triangles.begin(), triangles.end(), [&](const Corners& p) {
+        const double met = meetingOf(p, view.camera.eye + way * at, light);
+        return met > 0 && met != kNever;
+    });
+}
+
+TEST(Ground, ShowsTheShadowThatPlainRaysFind) {
+    SectionStage stage("statue", 3000);
+    const std::vector<Corners> triangles = trianglesOf(stage);
+    const double lowest = stage.bounds().min.y;
+    Random random(10);
+    int shadowed = 0;
+    for (int trial = 0; trial < 6; ++trial) {
+        plan::View view = sectionedView(stage.bounds(), random);
+        view.sections.clear();
+        view.camera.projection = Projection::Perspective;
+        plan::Quality quality;
+        quality.look.background = {plan::Background::Kind::Color, {200, 200, 200}};
+        quality.shadows = trial % 2 == 0 ? plan::ShadowMode::Exact : plan::ShadowMode::Maps;
+        stage.render(view, quality);
+        const executor::Picture without = stage.executor().picture();
+        const executor::FloatPicture depth = stage.executor().viewDepth();
+        quality.look.ground = true;
+        stage.render(view, quality);
+        const executor::Picture with = stage.executor().picture();
+        quality.look.background = {plan::Background::Kind::Transparent, {}};
+        stage.render(view, quality);
+        const executor::Coverage coverage = stage.executor().coverage();
+        int unlike = 0;
+        int looked = 0;
+        for (int y = 0; y < kSectionSide; y += 2)
+            for (int x = 0; x < kSectionSide; x += 2) {
+                if (std::isfinite(depth.at(x, y))) continue;
+                ++looked;
+                const bool isDark = isGroundShadowed(view, triangles, lowest, x, y);
+                shadowed += static_cast<int>(isDark);
+                const bool isDrawnDark = with.at(x, y)[0] < 200;
+                unlike += static_cast<int>(isDark != isDrawnDark || isDrawnDark != (coverage.at(x, y) > 0));
+                EXPECT_EQ(without.at(x, y)[0], 200);
+            }
+        EXPECT_LE(unlike, looked / 50) << trial;
+    }
+    EXPECT_GT(shadowed, 500);
+}
+
+} // namespace
+} // namespace gnomon::proof

@@ -81,9 +81,9 @@ void depth(benchmark::State& state) {
 void logDepth(benchmark::State& state) {
     Rasterizer rasterizer;
     std::vector<float> depths(std::size_t{kSide} * kSide);
-    std::vector<float> rows;
+    std::vector<float> rows(kSide);
     for (int row = 0; row < kSide; ++row)
-        rows.push_back(static_cast<float>(logRow(row + 0.5)));
+        rows[static_cast<std::size_t>(row)] = static_cast<float>(logRow(row + 0.5));
     View view = flatView({0, 0, kSide, kSide});
     view.rowPositions = rows;
     run(

@@ -88,20 +88,26 @@ std::string bashCompletion(const CommandWords& program) {
     std::string values;
     std::string words;
     visit(program, [&](const CommandWords& command) {
-        const std::string path = spaced(command.path);
+        const auto atPath = [path = spaced(command.path)](const std::string& word) {
+            std::string text = "'";
+            return text.append(path).append(":").append(word).append("'");
+        };
         for (const std::string& below : namesBelow(command))
-            paths += (paths.empty() ? "" : "|") + ("'" + path + ":" + below + "'");
+            paths.append(paths.empty() ? "" : "|").append(atPath(below));
         std::vector<std::string> options;
         for (const OptionWords& option : command.options)
             for (const std::string& name : option.names) {
                 options.push_back(name);
                 if (!option.choices.empty())
-                    values +=
-                        "        '" + path + ":" + name + "') choices=" + shellQuoted(spaced(option.choices)) + " ;;\n";
+                    values.append("        ")
+                        .append(atPath(name))
+                        .append(") choices=")
+                        .append(shellQuoted(spaced(option.choices)))
+                        .append(" ;;\n");
                 else if (!option.value.empty())
-                    values += "        '" + path + ":" + name + "') files=yes ;;\n";
+                    values.append("        ").append(atPath(name)).append(") files=yes ;;\n");
             }
-        words += "        '" + path + "') options=" + shellQuoted(spaced(options)) +
+        words += "        '" + spaced(command.path) + "') options=" + shellQuoted(spaced(options)) +
                  " commands=" + shellQuoted(spaced(namesBelow(command))) + " ;;\n";
     });
     return R"(_gnomon() {

@@ -24,6 +24,10 @@ std::string plain(const std::string& text) {
     return out;
 }
 
+std::string italic(const std::string& words) {
+    return "\\fI" + words + "\\fR";
+}
+
 std::string upper(std::string text) {
     std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::toupper(c); });
     return text;
@@ -63,11 +67,11 @@ std::string firstLine(const std::string& text) {
 std::string manPage(const CommandWords& command, const std::string& version) {
     const std::string name = joinedPath(command, "gnomon", "-");
     std::string out = ".TH \"" + upper(plain(name)) + "\" 1 \"\" \"gnomon " + version + "\" \"User Commands\"\n";
-    out += ".SH NAME\n" + plain(name) + " \\- " + plain(firstLine(command.description)) + "\n";
+    out += ".SH NAME\n" + plain(name) + R"( \- )" + plain(firstLine(command.description)) + "\n";
     out += ".SH SYNOPSIS\n.B " + plain(joinedPath(command, "gnomon", " ")) + "\n";
-    if (!command.options.empty()) out += "[\\fIOPTIONS\\fR]\n";
+    if (!command.options.empty()) out += "[" + italic("OPTIONS") + "]\n";
     for (const OptionWords& argument : command.arguments) {
-        const std::string words = "\\fI" + plain(argument.names.front()) + "\\fR";
+        const std::string words = italic(plain(argument.names.front()));
         out += argument.isRequired ? words + "\n" : "[" + words + "]\n";
     }
     if (!command.commands.empty()) out += "\\fICOMMAND\\fR ...\n";

@@ -130,46 +130,31 @@ ordered_json planJson(const plan::FramePlan& plan) {
     return json;
 }
 
-std::string planText(const plan::FramePlan& plan) {
+namespace {
+
+/// What the maps promise, and a line for each.
+std::string mapsText(const plan::FramePlan& plan) {
     const auto asked = [&](double depth) { return depthFromAskedEye(plan, depth); };
     std::string text;
-    if (plan.view.camera.isParallel())
-        text += "orthographic: the limit of a small angle, so one density of texels for each slice and no warp\n";
-    text += line("near   %-12g %s\n", asked(plan.near), sourceInWords(plan.nearFrom).c_str());
-    text += line("far    %-12g %s\n", asked(plan.far), sourceInWords(plan.farFrom).c_str());
-    if (plan.shown != DepthSpan{plan.near, plan.far})
-        text += line(
-            "shown  %g to %g: beyond the range nothing is promised\n", asked(plan.shown.near), asked(plan.shown.far));
-    text += line("light  %.2f degrees from the view\n", degreesFromRadians(plan.lightAngleRadians));
     text += line(
-        "plan   %s: %zu maps in %dx%d texels, cost %llu\n",
-        plan::schemeName(plan).c_str(),
-        plan.passes.size(),
-        plan.textureWidth,
-        plan.textureHeight,
-        static_cast<unsigned long long>(plan.cost));
-    text += shadowsInWords(plan) + lightInWords(plan);
-    if (!plan.passes.empty()) {
-        text += line(
-            "promise x %.3g, z %.3g over [near, far]%s; %s texels would do for %g\n",
-            plan.promised.x,
-            plan.promised.z,
-            plan.promiseKept ? "" : ", which is NOT what was asked for",
-            plan.texelsThatWouldDo > 0 ? std::to_string(plan.texelsThatWouldDo).c_str() : "no number of",
-            plan.quality.maxAliasing);
-        text += line(
-            "\n%-5s %-6s %10s %10s %22s %10s %9s %9s %9s %12s\n",
-            "slice",
-            "face",
-            "near",
-            "far",
-            "texels",
-            "kappa",
-            "promise x",
-            "z",
-            "sheared",
-            "triangles");
-    }
+        "promise x %.3g, z %.3g over [near, far]%s; %s texels would do for %g\n",
+        plan.promised.x,
+        plan.promised.z,
+        plan.promiseKept ? "" : ", which is NOT what was asked for",
+        plan.texelsThatWouldDo > 0 ? std::to_string(plan.texelsThatWouldDo).c_str() : "no number of",
+        plan.quality.maxAliasing);
+    text += line(
+        "\n%-5s %-6s %10s %10s %22s %10s %9s %9s %9s %12s\n",
+        "slice",
+        "face",
+        "near",
+        "far",
+        "texels",
+        "kappa",
+        "promise x",
+        "z",
+        "sheared",
+        "triangles");
     for (const plan::ShadowPass& pass : plan.passes) {
         const shadow::ShadowMap& map = pass.map;
         const shadow::TexelRectangle& r = map.rectangle;
@@ -191,6 +176,31 @@ std::string planText(const plan::FramePlan& plan) {
     };
     if (std::any_of(plan.passes.begin(), plan.passes.end(), isLog))
         text += "rows of warped maps lie evenly in the logarithm of w; z is promised sheared\n";
+    return text;
+}
+
+} // namespace
+
+std::string planText(const plan::FramePlan& plan) {
+    const auto asked = [&](double depth) { return depthFromAskedEye(plan, depth); };
+    std::string text;
+    if (plan.view.camera.isParallel())
+        text += "orthographic: the limit of a small angle, so one density of texels for each slice and no warp\n";
+    text += line("near   %-12g %s\n", asked(plan.near), sourceInWords(plan.nearFrom).c_str());
+    text += line("far    %-12g %s\n", asked(plan.far), sourceInWords(plan.farFrom).c_str());
+    if (plan.shown != DepthSpan{plan.near, plan.far})
+        text += line(
+            "shown  %g to %g: beyond the range nothing is promised\n", asked(plan.shown.near), asked(plan.shown.far));
+    text += line("light  %.2f degrees from the view\n", degreesFromRadians(plan.lightAngleRadians));
+    text += line(
+        "plan   %s: %zu maps in %dx%d texels, cost %llu\n",
+        plan::schemeName(plan).c_str(),
+        plan.passes.size(),
+        plan.textureWidth,
+        plan.textureHeight,
+        static_cast<unsigned long long>(plan.cost));
+    text += shadowsInWords(plan) + lightInWords(plan);
+    if (!plan.passes.empty()) text += mapsText(plan);
     if (!plan.omitted.empty()) text += "\nleft out\n";
     for (const plan::Omission& omission : plan.omitted)
         text += line("  %-18s %s\n", effectInWords(omission).c_str(), reasonInWords(omission).c_str());

@@ -43,6 +43,23 @@ const char* whyStabilized(Effect effect) {
     return "stabilised slices are whole";
 }
 
+/// Why light is not summed over directions.
+std::string reasonOfLight(const plan::Omission& omission) {
+    switch (omission.reason) {
+    case OmissionReason::NarrowPenumbrae:
+        return "none in view is wider than " + decimal(omission.pixels, 2) +
+               " pixels across the beam: the light is a point";
+    case OmissionReason::NoShadows:
+        return "shadows are switched off";
+    case OmissionReason::NoSun:
+        return "the shading has no sun";
+    case OmissionReason::NothingHidesTheSky:
+        return "nothing stands between what is seen and the sky";
+    default:
+        return "";
+    }
+}
+
 } // namespace
 
 std::string effectInWords(const plan::Omission& omission) {
@@ -135,17 +152,9 @@ std::string reasonInWords(const plan::Omission& omission) {
         return "lines of sight are parallel: pixels are alike at every depth, and so are texels without it";
     case OmissionReason::AllAreDark:
         return "all that is seen and faces the light was dark before they were looked at";
-    case OmissionReason::NarrowPenumbrae:
-        return "none in view is wider than " + decimal(omission.pixels, 2) +
-               " pixels across the beam: the light is a point";
-    case OmissionReason::NoShadows:
-        return "shadows are switched off";
-    case OmissionReason::NoSun:
-        return "the shading has no sun";
-    case OmissionReason::NothingHidesTheSky:
-        return "nothing stands between what is seen and the sky";
+    default:
+        return reasonOfLight(omission);
     }
-    return "";
 }
 
 std::string reasonInWords(plan::ShadowReason reason) {

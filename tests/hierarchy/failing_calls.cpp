@@ -33,32 +33,30 @@ Call* next(const char* name) {
 
 } // namespace gnomon::tests
 
-using gnomon::tests::failingCalls;
-
 extern "C" {
 
 // NOLINTBEGIN(readability-identifier-naming, readability-inconsistent-declaration-parameter-name)
 ssize_t pread(int file, void* to, size_t count, off_t offset) {
     auto* const real = gnomon::tests::next<ssize_t(int, void*, size_t, off_t)>("pread");
-    if (!gnomon::tests::takeOne(failingCalls().reads)) return real(file, to, count, offset);
+    if (!gnomon::tests::takeOne(gnomon::tests::failingCalls().reads)) return real(file, to, count, offset);
     errno = EIO;
     return -1;
 }
 
 ZSTD_CCtx* ZSTD_createCCtx(void) {
     auto* const real = gnomon::tests::next<ZSTD_CCtx*()>("ZSTD_createCCtx");
-    return gnomon::tests::takeOne(failingCalls().contexts) ? nullptr : real();
+    return gnomon::tests::takeOne(gnomon::tests::failingCalls().contexts) ? nullptr : real();
 }
 
 ZSTD_DCtx* ZSTD_createDCtx(void) {
     auto* const real = gnomon::tests::next<ZSTD_DCtx*()>("ZSTD_createDCtx");
-    return gnomon::tests::takeOne(failingCalls().contexts) ? nullptr : real();
+    return gnomon::tests::takeOne(gnomon::tests::failingCalls().contexts) ? nullptr : real();
 }
 
 size_t ZSTD_compressStream2(ZSTD_CCtx* context, ZSTD_outBuffer* out, ZSTD_inBuffer* in, ZSTD_EndDirective then) {
     auto* const real = gnomon::tests::next<size_t(ZSTD_CCtx*, ZSTD_outBuffer*, ZSTD_inBuffer*, ZSTD_EndDirective)>(
         "ZSTD_compressStream2");
-    if (!gnomon::tests::takeOne(failingCalls().compressions)) return real(context, out, in, then);
+    if (!gnomon::tests::takeOne(gnomon::tests::failingCalls().compressions)) return real(context, out, in, then);
     return static_cast<size_t>(-ZSTD_error_memory_allocation);
 }
 

@@ -93,11 +93,10 @@ TEST(Framing, FillsAPictureOfAnyShapeFromAnySideAndLiesInItsMiddle) {
 TEST(Framing, FillsAPictureByParallelLinesToo) {
     Random random(17);
     for (int trial = 0; trial < 200; ++trial) {
-        std::vector<glm::dvec3> points;
+        std::vector<glm::dvec3> points(30);
         const glm::dvec3 middle(random.uniform(-99, 99), random.uniform(-99, 99), random.uniform(-99, 99));
-        for (int i = 0; i < 30; ++i)
-            points.push_back(
-                middle + glm::dvec3(random.uniform(-9, 9), random.uniform(-1, 1), random.uniform(-0.1, 0.1)));
+        for (glm::dvec3& point : points)
+            point = middle + glm::dvec3(random.uniform(-9, 9), random.uniform(-1, 1), random.uniform(-0.1, 0.1));
         const glm::dvec3 up(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
         const double aspect = std::exp2(random.uniform(-3, 3));
         const Vantage vantage = vantageOf(kViewSides.at(static_cast<std::size_t>(trial) % 7).value, up);

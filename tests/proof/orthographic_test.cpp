@@ -57,6 +57,27 @@ tests::ShadowTriple parallelTriple(const Box& bounds, std::uint64_t index) {
     return triple;
 }
 
+/// A triangle with corners in pixels and depths, by the three sides of each pixel's middle.
+void drawPlainly(const std::array<glm::dvec3, 3>& p, executor::FloatPicture& depths) {
+    const double area = (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[2].x - p[0].x) * (p[1].y - p[0].y);
+    if (area == 0) return;
+    const glm::dvec3 low = glm::min(p[0], glm::min(p[1], p[2]));
+    const glm::dvec3 high = glm::max(p[0], glm::max(p[1], p[2]));
+    for (int y = std::max(0, static_cast<int>(low.y)); y <= std::min(depths.height - 1.0, high.y); ++y)
+        for (int x = std::max(0, static_cast<int>(low.x)); x <= std::min(depths.width - 1.0, high.x); ++x) {
+            const glm::dvec2 at(x + 0.5, y + 0.5);
+            const auto side = [&](const glm::dvec3& a, const glm::dvec3& b) {
+                return ((b.x - a.x) * (at.y - a.y) - (b.y - a.y) * (at.x - a.x)) / area;
+            };
+            const double w0 = side(p[1], p[2]);
+            const double w1 = side(p[2], p[0]);
+            const double w2 = side(p[0], p[1]);
+            if (std::min({w0, w1, w2}) < 0) continue;
+            float& depth = depths.at(x, y);
+            depth = std::min(depth, static_cast<float>(w0 * p[0].z + w1 * p[1].z + w2 * p[2].z));
+        }
+}
+
 /// View depths by lines that run through the middles of pixels, along the view and apart by what a pixel of the asked
 /// camera is wide: each triangle of the cut by itself, in doubles. Infinite where none is met.
 executor::FloatPicture plainDepths(
@@ -65,41 +86,24 @@ executor::FloatPicture plainDepths(
     const double perUnit = asked.height / (2 * halfHeightAtTarget(asked.camera));
     const executor::FrameDrawing drawing = renderer.drawing(frame, {});
     executor::FloatPicture depths(asked.width, asked.height, std::numeric_limits<float>::infinity());
-    const auto drawTriangle = [&](const std::array<glm::dvec3, 3>& p) {
-        const double area = (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[2].x - p[0].x) * (p[1].y - p[0].y);
-        if (area == 0) return;
-        const glm::dvec3 low = glm::min(p[0], glm::min(p[1], p[2]));
-        const glm::dvec3 high = glm::max(p[0], glm::max(p[1], p[2]));
-        for (int y = std::max(0, static_cast<int>(low.y)); y <= std::min(asked.height - 1.0, high.y); ++y)
-            for (int x = std::max(0, static_cast<int>(low.x)); x <= std::min(asked.width - 1.0, high.x); ++x) {
-                const glm::dvec2 at(x + 0.5, y + 0.5);
-                const auto side = [&](const glm::dvec3& a, const glm::dvec3& b) {
-                    return ((b.x - a.x) * (at.y - a.y) - (b.y - a.y) * (at.x - a.x)) / area;
-                };
-                const double w0 = side(p[1], p[2]);
-                const double w1 = side(p[2], p[0]);
-                const double w2 = side(p[0], p[1]);
-                if (std::min({w0, w1, w2}) < 0) continue;
-                float& depth = depths.at(x, y);
-                depth = std::min(depth, static_cast<float>(w0 * p[0].z + w1 * p[1].z + w2 * p[2].z));
+    const auto inPixels = [&](const hierarchy::GridPoint& cell) {
+        const glm::dvec3 p = toCamera(basis, drawing.grid.origin + drawing.grid.local(cell) - asked.camera.eye);
+        return glm::dvec3(0.5 * asked.width + p.x * perUnit, 0.5 * asked.height - p.y * perUnit, p.z);
+    };
+    const auto drawCluster = [&](const hierarchy::Page& page, const hierarchy::Cluster& cluster) {
+        for (std::uint32_t t = 0; t < cluster.triangleCount; ++t) {
+            std::array<glm::dvec3, 3> corners{};
+            for (std::size_t k = 0; k < 3; ++k) {
+                const auto vertex = page.triangles[cluster.firstTriangle + t][k];
+                corners.at(k) = inPixels(page.vertices[cluster.firstVertex + vertex].position);
             }
+            drawPlainly(corners, depths);
+        }
     };
     for (const selection::ClusterRange& range : drawing.image->ranges) {
         const hierarchy::Page& page = drawing.pages(range.page);
-        for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c) {
-            const hierarchy::Cluster& cluster = page.clusters[c];
-            for (std::uint32_t t = 0; t < cluster.triangleCount; ++t) {
-                std::array<glm::dvec3, 3> corners{};
-                for (std::size_t k = 0; k < 3; ++k) {
-                    const auto vertex = page.triangles[cluster.firstTriangle + t][k];
-                    const hierarchy::GridPoint& cell = page.vertices[cluster.firstVertex + vertex].position;
-                    const glm::dvec3 p =
-                        toCamera(basis, drawing.grid.origin + drawing.grid.local(cell) - asked.camera.eye);
-                    corners.at(k) = {0.5 * asked.width + p.x * perUnit, 0.5 * asked.height - p.y * perUnit, p.z};
-                }
-                drawTriangle(corners);
-            }
-        }
+        for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c)
+            drawCluster(page, page.clusters[c]);
     }
     return depths;
 }

@@ -19,6 +19,7 @@ namespace {
 /// Rows evenly in the logarithm of -y / w, from -1 to -1 / ratio.
 std::vector<float> logarithmicRows(int count, double ratio) {
     std::vector<float> rows;
+    rows.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i)
         rows.push_back(static_cast<float>(-std::pow(ratio, -(i + 0.5) / count)));
     return rows;
@@ -26,6 +27,7 @@ std::vector<float> logarithmicRows(int count, double ratio) {
 
 std::vector<float> evenRows(int count) {
     std::vector<float> rows;
+    rows.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i)
         rows.push_back(static_cast<float>((2 * i + 1.0) / count - 1));
     return rows;

@@ -69,7 +69,8 @@ TEST(LogWarp, OnFacesEveryLightTakesTheClosedForm) {
     }
     EXPECT_LE(worst, 15.6);
     EXPECT_GE(worst, 15.57);
-    EXPECT_NEAR(sum / (kLights - kLights / 4), 14.05, 0.02);
+    constexpr int kSummed = kLights - kLights / 4;
+    EXPECT_NEAR(sum / kSummed, 14.05, 0.02);
     EXPECT_LE(worstSheared, 29.7);
     EXPECT_GE(worstSheared, 29.4);
     EXPECT_EQ(most, 5U);

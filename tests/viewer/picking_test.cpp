@@ -49,6 +49,20 @@ std::optional<glm::dvec3> firstHit(const tests::TinyModel& model, const glm::dve
     return eye + direction * nearest;
 }
 
+plan::View viewAround(const glm::dvec3& center, double angle, Projection projection) {
+    plan::View view;
+    view.width = 160;
+    view.height = 120;
+    view.camera = {
+        center + 30.0 * glm::dvec3(std::cos(angle), 0.6, std::sin(angle)), center, {0, 1, 0}, 0.9, projection};
+    return view;
+}
+
+bool isNear(const std::optional<glm::dvec3>& a, const std::optional<glm::dvec3>& b, double distance) {
+    if (!a || !b) return a.has_value() == b.has_value();
+    return glm::length(*a - *b) < distance;
+}
+
 TEST(Picking, FindsThePointThatARayThroughThePixelMeets) {
     tests::TinyModelOptions made;
     made.height = 6;
@@ -65,16 +79,9 @@ TEST(Picking, FindsThePointThatARayThroughThePixelMeets) {
     Random random(5);
     const Box& bounds = model.summary().bounds;
     for (int i = 0; i < 12; ++i) {
-        plan::View view;
-        view.width = 160;
-        view.height = 120;
-        const double angle = random.uniform(0, 6.28);
-        view.camera = {
-            bounds.center() + 30.0 * glm::dvec3(std::cos(angle), 0.6, std::sin(angle)),
-            bounds.center(),
-            {0, 1, 0},
-            0.9,
-            i < 6 ? Projection::Perspective : Projection::Orthographic};
+        const bool isParallel = i >= 6;
+        const plan::View view = viewAround(
+            bounds.center(), random.uniform(0, 6.28), isParallel ? Projection::Orthographic : Projection::Perspective);
         renderer.render(view, quality, {});
         const executor::FloatPicture depth = executor->viewDepth();
         const CameraBasis basis = cameraBasis(view.camera);
@@ -88,13 +95,11 @@ TEST(Picking, FindsThePointThatARayThroughThePixelMeets) {
                 const glm::dvec3 at((x + 0.5 - 80) * tangent, (60 - y - 0.5) * tangent, 0);
                 const glm::dvec3 aside = toWorld(basis, at * glm::length(view.camera.target - view.camera.eye));
                 const auto expected =
-                    i < 6 ? firstHit(tiny, view.camera.eye, glm::normalize(basis.view + toWorld(basis, at)))
-                          : firstHit(tiny, view.camera.eye + aside, basis.view);
+                    isParallel ? firstHit(tiny, view.camera.eye + aside, basis.view)
+                               : firstHit(tiny, view.camera.eye, glm::normalize(basis.view + toWorld(basis, at)));
                 const auto found = pointUnder(depth, view.camera, {x, y}, 0);
                 hits += expected ? 1 : 0;
-                const bool isSame = expected.has_value() == found.has_value() &&
-                                    (!expected || glm::length(*expected - *found) < kAllowance);
-                unlike += isSame ? 0 : 1;
+                unlike += isNear(expected, found, kAllowance) ? 0 : 1;
             }
         EXPECT_GT(hits, 50);
         EXPECT_LE(unlike, 2); // on silhouettes, where one is as right as the other

@@ -18,6 +18,11 @@ constexpr float kDarkest = 0.3F;
 /// One of each two opposite neighbours, at the distances of pixels that lines of two are drawn with.
 constexpr std::array<std::array<int, 2>, 4> kAround = {{{2, 0}, {0, 2}, {1, 1}, {1, -1}}};
 
+void darken(Rgb& pixel, float light) {
+    for (std::uint8_t& channel : pixel)
+        channel = static_cast<std::uint8_t>(std::lround(light * static_cast<float>(channel)));
+}
+
 } // namespace
 
 void darkenHollows(Picture& picture, const FloatPicture& depth, double parallelDistance) {
@@ -31,20 +36,19 @@ void darkenHollows(Picture& picture, const FloatPicture& depth, double parallelD
         const float own = depth.at(std::clamp(x, 0, width - 1), std::clamp(y, 0, height - 1));
         return isParallel ? own * perDepth : 1 / own;
     };
+    const auto lightAt = [&](int x, int y) {
+        const float own = nearness(x, y);
+        float hollow = 0;
+        for (const auto& [right, down] : kAround) {
+            const float around = 0.5F * (nearness(x + right, y + down) + nearness(x - right, y - down));
+            hollow += std::clamp(isParallel ? around - own : around / own - 1, 0.0F, 1.0F);
+        }
+        return std::max(1 / (1 + kStrength / 4 * hollow), kDarkest);
+    };
     tbb::parallel_for(tbb::blocked_range<int>(0, height, 16), [&](const auto& rows) {
         for (int y = rows.begin(); y < rows.end(); ++y)
-            for (int x = 0; x < width; ++x) {
-                if (!std::isfinite(depth.at(x, y))) continue;
-                const float own = nearness(x, y);
-                float hollow = 0;
-                for (const auto& [right, down] : kAround) {
-                    const float around = 0.5F * (nearness(x + right, y + down) + nearness(x - right, y - down));
-                    hollow += std::clamp(isParallel ? around - own : around / own - 1, 0.0F, 1.0F);
-                }
-                const float light = std::max(1 / (1 + kStrength / 4 * hollow), kDarkest);
-                for (std::uint8_t& channel : picture.at(x, y))
-                    channel = static_cast<std::uint8_t>(std::lround(light * static_cast<float>(channel)));
-            }
+            for (int x = 0; x < width; ++x)
+                if (std::isfinite(depth.at(x, y))) darken(picture.at(x, y), lightAt(x, y));
     });
 }
 

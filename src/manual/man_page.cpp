@@ -66,7 +66,7 @@ std::string firstLine(const std::string& text) {
 
 std::string manPage(const CommandWords& command, const std::string& version) {
     const std::string name = joinedPath(command, "gnomon", "-");
-    std::string out = ".TH \"" + upper(plain(name)) + "\" 1 \"\" \"gnomon " + version + "\" \"User Commands\"\n";
+    std::string out = ".TH \"" + upper(plain(name)) + R"(" 1 "" "gnomon )" + version + "\" \"User Commands\"\n";
     out += ".SH NAME\n" + plain(name) + R"( \- )" + plain(firstLine(command.description)) + "\n";
     out += ".SH SYNOPSIS\n.B " + plain(joinedPath(command, "gnomon", " ")) + "\n";
     if (!command.options.empty()) out += "[" + italic("OPTIONS") + "]\n";

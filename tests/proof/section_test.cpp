@@ -213,23 +213,6 @@ TEST(Sections, ShadowsOfExactDecisionsAreThoseOfRays) {
     EXPECT_GT(changed, 1e-3) << "what is cut away casts, or does not";
 }
 
-TEST(Sections, LinesAreClosedWhereEachEndIsLeftAsOftenAsReached) {
-    using executor::SectionLine;
-    const glm::dvec3 a(0);
-    const glm::dvec3 b(100, 0, 0);
-    const glm::dvec3 c(0, 100, 0);
-    const glm::dvec3 beside(1, 1, 0); // as near as a weld
-    std::vector<SectionLine> closed = {{a, b}, {b + beside, c}, {c, a}};
-    executor::markClosed(closed);
-    EXPECT_TRUE(closed[0].isClosed && closed[1].isClosed && closed[2].isClosed);
-    std::vector<SectionLine> open = {{a, b}, {b, c}, {glm::dvec3(900), glm::dvec3(990)}, {c, a}};
-    executor::markClosed(open);
-    EXPECT_TRUE(open[0].isClosed && !open[2].isClosed);
-    std::vector<SectionLine> turned = {{a, b}, {c, b}, {c, a}};
-    executor::markClosed(turned);
-    EXPECT_FALSE(turned[0].isClosed || turned[1].isClosed || turned[2].isClosed);
-}
-
 /// Whether the level plane at the height `lowest` is in shadow where that pixel shows it.
 bool isGroundShadowed(const plan::View& view, const std::vector<Corners>& triangles, double lowest, int x, int y) {
     const glm::dvec3 way = toWorld(

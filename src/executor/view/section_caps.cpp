@@ -1,6 +1,7 @@
 #include "executor/view/section_caps.h"
 
 #include "executor/frame_block.h"
+#include "executor/view/closed_lines.h"
 #include "executor/view/lens.h"
 #include "executor/view/section_cut.h"
 
@@ -9,9 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <optional>
-#include <unordered_map>
 
 namespace gnomon::executor {
 
@@ -20,7 +19,6 @@ namespace {
 constexpr glm::vec3 kSolid{0.71F, 0.36F, 0.24F};    // of the displayed values
 constexpr glm::vec3 kOutline{0.22F, 0.10F, 0.07F};  //
 constexpr glm::vec3 kOpenEdge{0.83F, 0.21F, 0.13F}; //
-constexpr double kWeld = 2;                         // cells: how far ends of one line may lie apart
 
 /// A point on the edge from `a` to `b` where a plane is met; the same for both directions.
 glm::dvec3 meeting(glm::dvec3 a, double atA, glm::dvec3 b, double atB) {
@@ -88,71 +86,6 @@ std::vector<SectionLine> linesIn(const FrameDrawing& frame, const selection::Dra
     return lines;
 }
 
-/// Sets of things that are joined two by two.
-class Joined {
-public:
-    explicit Joined(std::size_t count) : parents_(count) {
-        std::iota(parents_.begin(), parents_.end(), std::size_t{0});
-    }
-
-    std::size_t find(std::size_t i) {
-        while (parents_[i] != i)
-            i = parents_[i] = parents_[parents_[i]];
-        return i;
-    }
-
-    void join(std::size_t a, std::size_t b) { parents_[find(a)] = find(b); }
-
-private:
-    std::vector<std::size_t> parents_;
-};
-
-using WeldKey = std::array<std::int64_t, 3>;
-
-template <class Use>
-void forAllKeys(const WeldKey& low, const WeldKey& high, const Use& use) {
-    for (WeldKey key = low; key[0] <= high[0]; ++key[0])
-        for (key[1] = low[1]; key[1] <= high[1]; ++key[1])
-            for (key[2] = low[2]; key[2] <= high[2]; ++key[2])
-                use(key);
-}
-
-/// Which of `points` lie within kWeld of each other, by the number of one of them.
-std::vector<std::size_t> welded(const std::vector<glm::dvec3>& points) {
-    constexpr double kSide = 16 * kWeld; // so that few points lie near a border
-    const auto keyOf = [](const glm::dvec3& p) {
-        return WeldKey{
-            static_cast<std::int64_t>(std::floor(p.x / kSide)),
-            static_cast<std::int64_t>(std::floor(p.y / kSide)),
-            static_cast<std::int64_t>(std::floor(p.z / kSide))};
-    };
-    const auto hashOf = [](const WeldKey& key) {
-        std::uint64_t hash = 0;
-        for (const std::int64_t k : key)
-            hash = (hash ^ static_cast<std::uint64_t>(k)) * 0x9E3779B97F4A7C15U;
-        return static_cast<std::size_t>(hash ^ hash >> 29U);
-    };
-    std::unordered_map<WeldKey, std::vector<std::size_t>, decltype(hashOf)> cells(points.size(), hashOf);
-    Joined joined(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const WeldKey key = keyOf(points[i]);
-        // The cells that a point within kWeld may lie in: mostly this one alone.
-        const WeldKey low = keyOf(points[i] - kWeld);
-        const WeldKey high = keyOf(points[i] + kWeld);
-        forAllKeys(low, high, [&](const WeldKey& near) {
-            const auto found = cells.find(near);
-            if (found == cells.end()) return;
-            for (const std::size_t other : found->second)
-                if (glm::length(points[i] - points[other]) <= kWeld) joined.join(i, other);
-        });
-        cells[key].push_back(i);
-    }
-    std::vector<std::size_t> result(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i)
-        result[i] = joined.find(i);
-    return result;
-}
-
 Rgb byteColor(const glm::vec3& color, float light) {
     Rgb rgb{};
     for (std::size_t c = 0; c < rgb.size(); ++c)
@@ -185,8 +118,10 @@ public:
     }
 
     CapKind at(int x, int y) const {
-        if (kinds_.at(x, y) != CapKind::None) return kinds_.at(x, y);
-        return windings_.at(x, y) != 0 ? CapKind::Solid : CapKind::None;
+        const bool isInside = windings_.at(x, y) != 0;
+        const CapKind line = kinds_.at(x, y);
+        if (line == CapKind::None) return isInside ? CapKind::Solid : CapKind::None;
+        return isInside ? CapKind::Outline : line; // what is open within what is solid ends nothing
     }
 
 private:
@@ -276,28 +211,6 @@ std::optional<double> capDepth(
 }
 
 } // namespace
-
-void markClosed(std::vector<SectionLine>& lines) {
-    std::vector<glm::dvec3> ends;
-    ends.reserve(2 * lines.size());
-    for (const SectionLine& line : lines) {
-        ends.push_back(line.from);
-        ends.push_back(line.to);
-    }
-    const std::vector<std::size_t> places = welded(ends);
-    std::vector<int> surplus(ends.size());
-    Joined joined(ends.size());
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        ++surplus[places[2 * i]];
-        --surplus[places[2 * i + 1]];
-        joined.join(places[2 * i], places[2 * i + 1]);
-    }
-    std::vector<bool> isOpen(ends.size());
-    for (std::size_t i = 0; i < ends.size(); ++i)
-        if (surplus[i] != 0) isOpen[joined.find(i)] = true;
-    for (std::size_t i = 0; i < lines.size(); ++i)
-        lines[i].isClosed = !isOpen[joined.find(places[2 * i])];
-}
 
 void drawCaps(const FrameDrawing& frame, std::span<std::uint64_t> words) {
     const plan::View& view = frame.plan->view;

@@ -30,16 +30,4 @@ void drawCaps(const FrameDrawing& frame, std::span<std::uint64_t> words);
 /// The colour of what a cap's name stands for.
 Rgb capColor(const FrameDrawing& frame, std::uint32_t name);
 
-/// A directed line in which a plane meets a triangle, what is solid to its left as seen from where the plane's normal
-/// points to. Cells from draw space's origin.
-struct SectionLine {
-    glm::dvec3 from{0};
-    glm::dvec3 to{0};
-    bool isClosed = false; // it is part of closed lines
-};
-
-/// Marks those of `lines` that belong to closed ones: each end, within two cells of others, is left as often as it is
-/// reached, all along what it is connected with.
-void markClosed(std::vector<SectionLine>& lines);
-
 } // namespace gnomon::executor

@@ -1,0 +1,305 @@
+#include "executor/view/closed_lines.h"
+
+#include "core/index_table.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace gnomon::executor {
+
+namespace {
+
+constexpr double kWeld = 2;   // cells: how far ends at one place may lie apart
+constexpr double kBridge = 8; // cells: how far two ends may lie apart that a line of its own joins
+
+/// Sets of things that are joined two by two.
+class Joined {
+public:
+    explicit Joined(std::size_t count) : parents_(count) { std::iota(parents_.begin(), parents_.end(), 0U); }
+
+    std::uint32_t find(std::uint32_t i) {
+        while (parents_[i] != i)
+            i = parents_[i] = parents_[parents_[i]];
+        return i;
+    }
+
+    void join(std::uint32_t a, std::uint32_t b) { parents_[find(a)] = find(b); }
+
+private:
+    std::vector<std::uint32_t> parents_;
+};
+
+std::uint64_t hashOfPoint(const glm::dvec3& p) {
+    const auto bits = [](double v) { return std::bit_cast<std::uint64_t>(v + 0.0); }; // one zero
+    return mix64(bits(p.x) + 3 * mix64(bits(p.y) + 3 * mix64(bits(p.z))));
+}
+
+/// The ends of lines by place: two of a line, its beginning first.
+struct Places {
+    std::vector<std::uint32_t> ofEnds;
+    std::vector<glm::dvec3> points; // of each place
+};
+
+/// Ends are at one place where they agree to the bit.
+Places samePlaces(const std::vector<SectionLine>& lines) {
+    Places places;
+    places.ofEnds.reserve(2 * lines.size());
+    places.points.reserve(lines.size() + 1);
+    IndexTable table(2 * lines.size());
+    const auto add = [&](const glm::dvec3& p) {
+        const auto next = static_cast<std::uint32_t>(places.points.size());
+        places.ofEnds.push_back(
+            table.findOrInsert(hashOfPoint(p), next, [&](std::uint32_t other) { return places.points[other] == p; }));
+        if (places.ofEnds.back() == next) places.points.push_back(p);
+    };
+    for (const SectionLine& line : lines) {
+        add(line.from);
+        add(line.to);
+    }
+    return places;
+}
+
+using PointKey = std::array<std::int64_t, 3>;
+
+template <class Use>
+void forAllKeys(const PointKey& low, const PointKey& high, const Use& use) {
+    for (PointKey key = low; key[0] <= high[0]; ++key[0])
+        for (key[1] = low[1]; key[1] <= high[1]; ++key[1])
+            for (key[2] = low[2]; key[2] <= high[2]; ++key[2])
+                use(key);
+}
+
+/// Calls `use` with each two of `points` that lie within `reach` of each other, the later one first.
+template <class Use>
+void forAllPairs(const std::vector<glm::dvec3>& points, double reach, const Use& use) {
+    const double side = 16 * reach; // so that few points lie near a border
+    const auto keyOf = [&](const glm::dvec3& p) {
+        const glm::dvec3 cell = glm::floor(p / side);
+        return PointKey{
+            static_cast<std::int64_t>(cell.x), static_cast<std::int64_t>(cell.y), static_cast<std::int64_t>(cell.z)};
+    };
+    const auto hashOfKey = [](const PointKey& key) {
+        const auto bits = [&](std::size_t axis) { return static_cast<std::uint64_t>(key.at(axis)); };
+        return mix64(bits(0) + 3 * mix64(bits(1) + 3 * mix64(bits(2))));
+    };
+    constexpr std::uint32_t kLast = IndexTable::kAbsent;
+    IndexTable firsts(points.size());               // by cell
+    std::vector<std::uint32_t> next(points.size()); // in the same cell
+    std::vector<PointKey> keys(points.size());
+    for (std::uint32_t i = 0; i < points.size(); ++i) {
+        keys[i] = keyOf(points[i]);
+        // The cells that a point within reach may lie in: mostly this one alone.
+        forAllKeys(keyOf(points[i] - reach), keyOf(points[i] + reach), [&](const PointKey& near) {
+            const auto isThere = [&](std::uint32_t other) { return keys[other] == near; };
+            for (std::uint32_t k = firsts.find(hashOfKey(near), isThere); k != kLast; k = next[k])
+                if (glm::length(points[i] - points[k]) <= reach) use(i, k);
+        });
+        const std::uint32_t first =
+            firsts.findOrInsert(hashOfKey(keys[i]), i, [&](std::uint32_t other) { return keys[other] == keys[i]; });
+        next[i] = kLast;
+        if (first != i) next[i] = std::exchange(next[first], i);
+    }
+}
+
+/// How often more each place is left than reached.
+std::vector<int> surplusOf(const std::vector<std::uint32_t>& ends, std::size_t placeCount) {
+    std::vector<int> surplus(placeCount);
+    for (std::size_t i = 0; i < ends.size(); i += 2) {
+        ++surplus[ends[i]];
+        --surplus[ends[i + 1]];
+    }
+    return surplus;
+}
+
+/// Marks the lines that are connected with no place that is left more or less often than reached.
+void markBalanced(const Places& places, std::vector<SectionLine>& lines) {
+    Joined joined(places.points.size());
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        joined.join(places.ofEnds[2 * i], places.ofEnds[2 * i + 1]);
+    const std::vector<int> surplus = surplusOf(places.ofEnds, places.points.size());
+    std::vector<bool> isOpen(places.points.size());
+    for (std::uint32_t i = 0; i < surplus.size(); ++i)
+        if (surplus[i] != 0) isOpen[joined.find(i)] = true;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        lines[i].isClosed = !isOpen[joined.find(places.ofEnds[2 * i])];
+}
+
+/// A graph of lines between places; the last ones may be left out any number of times.
+struct LineGraph {
+    std::vector<std::uint32_t> ends;   // two of a line, by place
+    std::vector<std::int64_t> lengths; // by line
+    std::vector<int> surplus;          // by place: how often more it is left than reached
+    std::size_t onceCount = 0;         // lines that may be left out once
+};
+
+/// Leaves out of a graph the least length of lines by which each place loses its surplus.
+class LeastOpening {
+public:
+    explicit LeastOpening(LineGraph graph)
+        : ends_(std::move(graph.ends)),
+          lengths_(std::move(graph.lengths)),
+          surplus_(std::move(graph.surplus)),
+          onceCount_(graph.onceCount),
+          leftOut_(lengths_.size()),
+          firstAt_(surplus_.size() + 1),
+          potentials_(surplus_.size()),
+          reached_(surplus_.size()) {
+        for (const std::uint32_t place : ends_)
+            ++firstAt_[place + 1];
+        std::partial_sum(firstAt_.begin(), firstAt_.end(), firstAt_.begin());
+        linesAt_.resize(ends_.size());
+        std::vector<std::uint32_t> to(firstAt_.begin(), firstAt_.end() - 1);
+        for (std::uint32_t i = 0; i < ends_.size(); ++i)
+            linesAt_[to[ends_[i]]++] = i;
+    }
+
+    void run() {
+        for (std::uint32_t place = 0; place < surplus_.size(); ++place)
+            while (surplus_[place] > 0)
+                leaveOutFrom(place);
+    }
+
+    /// How often a line is left out.
+    int leftOut(std::size_t line) const { return leftOut_[line]; }
+
+private:
+    static constexpr std::int64_t kFar = std::numeric_limits<std::int64_t>::max();
+    static constexpr std::uint32_t kNoEnd = 0xFFFFFFFFU;
+
+    struct Reached {
+        std::int64_t length = kFar;
+        std::uint32_t byEnd = kNoEnd; // of the line that leads here: the end at the place before
+    };
+
+    struct Waiting {
+        std::int64_t length;
+        std::uint32_t place;
+
+        bool operator<(const Waiting& other) const { // the nearest first out of a heap
+            return length != other.length ? length > other.length : place > other.place;
+        }
+    };
+
+    /// Appends what is reached from a place whose distance is known: along lines that are there, and back along those
+    /// that are left out, which then are there again.
+    void spread(const Waiting& from) {
+        for (std::uint32_t k = firstAt_[from.place]; k < firstAt_[from.place + 1]; ++k) {
+            const std::uint32_t end = linesAt_[k];
+            const std::size_t line = end / 2;
+            const bool isForth = end % 2 == 0;
+            const bool canGo = isForth ? leftOut_[line] == 0 || line >= onceCount_ : leftOut_[line] > 0;
+            if (!canGo) continue;
+            const std::uint32_t place = ends_[end ^ 1U];
+            const std::int64_t length = from.length + (isForth ? lengths_[line] : -lengths_[line]) +
+                                        potentials_[from.place] - potentials_[place];
+            if (length >= reached_[place].length) continue;
+            if (reached_[place].byEnd == kNoEnd) touched_.push_back(place);
+            reached_[place] = {length, end};
+            waiting_.push_back({length, place});
+            std::push_heap(waiting_.begin(), waiting_.end());
+        }
+    }
+
+    /// Leaves out the shortest way from `start` to a place that is reached too often.
+    void leaveOutFrom(std::uint32_t start) {
+        touched_.assign(1, start);
+        waiting_.assign(1, {0, start});
+        reached_[start] = {0, kNoEnd};
+        // What is left too often has a way to a place that is reached too often: lines that are there go on until then.
+        Waiting nearest = waiting_.front();
+        while (true) {
+            std::pop_heap(waiting_.begin(), waiting_.end());
+            nearest = waiting_.back();
+            waiting_.pop_back();
+            if (nearest.length > reached_[nearest.place].length) continue;
+            if (surplus_[nearest.place] < 0) break;
+            spread(nearest);
+        }
+        for (std::uint32_t at = nearest.place; at != start;) {
+            const std::uint32_t end = reached_[at].byEnd;
+            leftOut_[end / 2] += end % 2 == 0 ? 1 : -1;
+            at = ends_[end];
+        }
+        --surplus_[start];
+        ++surplus_[nearest.place];
+        for (const std::uint32_t place : touched_) { // no way back is of a length below 0, and no place left twice
+            potentials_[place] += std::min<std::int64_t>(reached_[place].length - nearest.length, 0);
+            reached_[place] = {};
+        }
+    }
+
+    std::vector<std::uint32_t> ends_;
+    std::vector<std::int64_t> lengths_;
+    std::vector<int> surplus_;
+    std::size_t onceCount_;
+    std::vector<int> leftOut_;
+    std::vector<std::uint32_t> firstAt_; // of linesAt_, by place
+    std::vector<std::uint32_t> linesAt_; // their ends there
+    std::vector<std::int64_t> potentials_;
+    std::vector<Reached> reached_;
+    std::vector<Waiting> waiting_;
+    std::vector<std::uint32_t> touched_;
+};
+
+std::int64_t lengthOf(const glm::dvec3& a, const glm::dvec3& b) {
+    return 1 + std::llround(glm::length(b - a));
+}
+
+/// Adds lines to `graph` that stand for those that would join what is reached too often with what is left too often,
+/// where they lie near each other: to leave one out is to join its ends once more.
+void addBridges(const std::vector<glm::dvec3>& points, LineGraph& graph) {
+    std::vector<std::uint32_t> places;
+    std::vector<glm::dvec3> positions;
+    for (std::uint32_t i = 0; i < points.size(); ++i) {
+        if (graph.surplus[i] == 0) continue;
+        places.push_back(i);
+        positions.push_back(points[i]);
+    }
+    forAllPairs(positions, kBridge, [&](std::uint32_t a, std::uint32_t b) {
+        if (graph.surplus[places[a]] < 0) std::swap(a, b);
+        if (graph.surplus[places[a]] < 0 || graph.surplus[places[b]] > 0) return;
+        graph.ends.insert(graph.ends.end(), {places[a], places[b]});
+        graph.lengths.push_back(lengthOf(positions[a], positions[b]));
+    });
+}
+
+} // namespace
+
+void markClosed(std::vector<SectionLine>& lines) {
+    markBalanced(samePlaces(lines), lines);
+    std::vector<std::uint32_t> rest;
+    std::vector<SectionLine> others;
+    for (std::uint32_t i = 0; i < lines.size(); ++i) {
+        if (lines[i].isClosed) continue;
+        rest.push_back(i);
+        others.push_back(lines[i]);
+    }
+    const Places places = samePlaces(others);
+    Joined joined(places.points.size());
+    forAllPairs(places.points, kWeld, [&](std::uint32_t a, std::uint32_t b) { joined.join(a, b); });
+    LineGraph graph{places.ofEnds, {}, {}, 0};
+    for (std::uint32_t& end : graph.ends)
+        end = joined.find(end);
+    graph.surplus = surplusOf(graph.ends, places.points.size());
+    for (const SectionLine& line : others)
+        graph.lengths.push_back(lengthOf(line.from, line.to));
+    graph.onceCount = graph.lengths.size();
+    addBridges(places.points, graph);
+    const std::vector<std::uint32_t> ends = graph.ends;
+    LeastOpening opening(std::move(graph));
+    opening.run();
+    for (std::size_t i = 0; i < rest.size(); ++i)
+        lines[rest[i]].isClosed = opening.leftOut(i) == 0;
+    for (std::size_t i = rest.size(); i < ends.size() / 2; ++i)
+        for (int k = 0; k < opening.leftOut(i); ++k)
+            lines.push_back({places.points[ends[2 * i + 1]], places.points[ends[2 * i]], true});
+}
+
+} // namespace gnomon::executor

@@ -14,8 +14,8 @@
 #include "theory/figures_script.h"
 #include "theory/rows.h"
 #include "theory/scheme_table.h"
+#include "theory/theory_json.h"
 
-#include <array>
 #include <cerrno>
 #include <cmath>
 #include <csignal>
@@ -93,21 +93,6 @@ std::optional<std::string> plottingPython() {
     return std::nullopt;
 }
 
-json describe(const theory::Figure& figure) {
-    constexpr std::array<const char*, 3> kKinds{"lines", "curves", "maps"};
-    return {
-        {"name", figure.name},
-        {"kind", kKinds[static_cast<std::size_t>(figure.kind)]},
-        {"title", figure.title},
-        {"caption", figure.caption},
-        {"x", figure.xLabel},
-        {"y", figure.yLabel},
-        {"log_x", figure.logX},
-        {"log_y", figure.logY},
-        {"panels", figure.panels},
-        {"columns", figure.columns}};
-}
-
 void writeFigures(const std::string& folder) {
     const PreparedFolder prepared(folder);
     const std::string shown = printable(folder);
@@ -117,7 +102,7 @@ void writeFigures(const std::string& folder) {
     json list = json::array();
     for (const theory::Figure& figure : figures) {
         writeTextFile(folder + "/" + figure.name + ".csv", theory::csvOf(figure));
-        list.push_back(describe(figure));
+        list.push_back(theory::describe(figure));
         std::printf("%s/%s.csv\n", shown.c_str(), figure.name.c_str());
     }
     writeTextFile(folder + "/figures.json", telemetry::jsonText(list, 1) + "\n");
@@ -169,31 +154,21 @@ void printTable(const TableOptions& options) {
     }
     const glm::dvec3 light = glm::normalize(settings::parsed(settings::direction(), "--light", options.light));
     const std::vector<theory::SchemeRow> table = theory::schemeTable(frustum, light);
-    if (!options.asJson)
-        std::printf("%-10s %-8s %2s %5s %14s %12s %12s\n", "scheme", "warp", "k", "maps", "S", "M_x", "M_z");
-    json rows = json::array();
-    for (const theory::SchemeRow& row : table) {
-        if (!options.asJson)
-            std::printf(
-                "%-10s %-8s %2d %5zu %14.6g %12.6g %12.6g\n",
-                row.scheme.c_str(),
-                row.warp.c_str(),
-                row.slices,
-                row.maps,
-                row.storageFactor,
-                row.worstX,
-                row.worstZ);
-        rows.push_back(
-            {{"scheme", row.scheme},
-             {"warp", row.warp},
-             {"k", row.slices},
-             {"maps", row.maps},
-             {"storage_factor", row.storageFactor},
-             {"storage_factor_sheared", row.shearedStorageFactor},
-             {"M_x", row.worstX},
-             {"M_z", row.worstZ}});
+    if (options.asJson) {
+        std::printf("%s\n", telemetry::jsonText(theory::tableJson(table), 1).c_str());
+        return;
     }
-    if (options.asJson) std::printf("%s\n", telemetry::jsonText(json({{"rows", rows}}), 1).c_str());
+    std::printf("%-10s %-8s %2s %5s %14s %12s %12s\n", "scheme", "warp", "k", "maps", "S", "M_x", "M_z");
+    for (const theory::SchemeRow& row : table)
+        std::printf(
+            "%-10s %-8s %2d %5zu %14.6g %12.6g %12.6g\n",
+            row.scheme.c_str(),
+            row.warp.c_str(),
+            row.slices,
+            row.maps,
+            row.storageFactor,
+            row.worstX,
+            row.worstZ);
 }
 
 void addTable(CLI::App& theory) {

@@ -17,21 +17,6 @@ namespace gnomon::app {
 
 namespace {
 
-/// The keys and what the mouse does, for the end of the help.
-std::string keysForPeople() {
-    std::string text = "Keys:\n";
-    const auto add = [&](std::string name, const std::string& help) {
-        name.resize(std::max<std::size_t>(name.size() + 2, 14), ' ');
-        text += "  " + name + help + "\n";
-    };
-    for (const viewer::Binding& binding : viewer::bindings())
-        add(binding.keyName, binding.help);
-    text += "Mouse:\n";
-    for (const viewer::MouseUse& use : viewer::mouseUses())
-        add(use.gesture, use.help);
-    return text;
-}
-
 /// Throws what is wrong with the options, before a window opens or a mesh is built.
 void requireSound(const viewer::ViewerOptions& options) {
     const settings::Settings& settings = options.settings;
@@ -83,7 +68,7 @@ void addViewCommand(CLI::App& program) {
     options->settings.addTo(*command);
     addCommonOptions(*command, options->common);
     frames->needs("--path");
-    command->footer(keysForPeople());
+    command->footer(viewer::keysForPeople());
     command->callback([options] {
         viewer::ViewerOptions& chosen = options->viewer;
         if (!options->frames.empty())

@@ -34,6 +34,7 @@ void addExportCommand(CLI::App& program);
 void addInfoCommand(CLI::App& program);
 void addMakeCommand(CLI::App& program);
 void addManualCommand(CLI::App& program);
+void addMeasureCommand(CLI::App& program);
 void addPathCommand(CLI::App& program);
 void addRenderCommand(CLI::App& program);
 void addSunCommand(CLI::App& program);

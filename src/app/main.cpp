@@ -28,6 +28,7 @@ constexpr std::array kCommands{
     AddCommand{gnomon::app::addExportCommand},
     AddCommand{gnomon::app::addPathCommand},
     AddCommand{gnomon::app::addRenderCommand},
+    AddCommand{gnomon::app::addMeasureCommand},
     AddCommand{gnomon::app::addExplainCommand},
     AddCommand{gnomon::app::addBenchCommand},
     AddCommand{gnomon::app::addViewCommand},

@@ -143,10 +143,4 @@ exact::ExactStatistics PointReceivers::decide(const IntegerLight& light, std::sp
     return statistics;
 }
 
-glm::i64vec3 cellOf(const hierarchy::Grid& grid, const glm::dvec3& point) {
-    constexpr double kMost = 0x1p60;
-    const glm::dvec3 cells = glm::clamp((point - grid.origin) / grid.step(), -kMost, kMost);
-    return {std::llround(cells.x), std::llround(cells.y), std::llround(cells.z)};
-}
-
 } // namespace gnomon::daylight

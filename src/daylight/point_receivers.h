@@ -39,7 +39,4 @@ private:
     exact::ExactShadows exact_;
 };
 
-/// The cell of `grid` that is nearest to a point of the world, at most half a cell's diagonal off.
-glm::i64vec3 cellOf(const hierarchy::Grid& grid, const glm::dvec3& point);
-
 } // namespace gnomon::daylight

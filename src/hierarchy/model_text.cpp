@@ -8,9 +8,17 @@
 #include <iomanip>
 #include <sstream>
 
+#include <nlohmann/json.hpp>
+
 namespace gnomon::hierarchy {
 
 namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json vectorJson(const glm::dvec3& v) {
+    return {v.x, v.y, v.z};
+}
 
 /// The digits that tell apart two coordinates of `summary` that are a step of its grid from each other; six at least.
 int coordinateDigits(const ModelSummary& summary) {
@@ -82,6 +90,44 @@ std::string modelText(const ModelFile& file) {
     for (const auto& [name, value] : summary.options)
         out << "option   " << printable(name) << ' ' << printable(value) << '\n';
     return out.str();
+}
+
+std::string modelJson(const ModelFile& file) {
+    const ModelSummary& summary = file.summary();
+    ordered_json json;
+    json["format_version"] = file.formatVersion();
+    json["source_triangles"] = summary.sourceTriangles;
+    json["source_vertices"] = summary.sourceVertices;
+    json["dropped"] = summary.dropped;
+    json["levels"] = ordered_json::array();
+    for (const LevelInfo& level : summary.levels)
+        json["levels"].push_back(
+            {{"triangles", level.triangles},
+             {"clusters", level.clusters},
+             {"groups", level.groups},
+             {"max_error", level.maxError},
+             {"max_attribute_error", level.maxAttributeError}});
+    json["coarsest_triangles"] = summary.coarsestTriangles;
+    json["bounds"] = {{"min", vectorJson(summary.bounds.min)}, {"max", vectorJson(summary.bounds.max)}};
+    json["grid_step"] = summary.grid.step();
+    json["has_normals"] = summary.hasNormals;
+    json["has_colors"] = summary.hasColors;
+    json["attribute_error"] = summary.attributeError();
+    json["fields"] = ordered_json::array();
+    for (const Field& field : summary.fields)
+        json["fields"].push_back(
+            {{"name", field.name},
+             {"min", field.least},
+             {"max", field.greatest},
+             {"bits", field.bits},
+             {"error", field.error()}});
+    json["up"] = upAxisText(summary.up);
+    json["unit"] = rowOf(summary.unit).name;
+    json["pages"] = file.pages().size();
+    json["file_bytes"] = file.fileBytes();
+    json["content_hash"] = file.contentHash();
+    json["options"] = summary.options;
+    return json.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
 } // namespace gnomon::hierarchy

@@ -9,6 +9,7 @@
 #include "measure/text_runs.h"
 #include "settings/codec.h"
 #include "settings/resolve.h"
+#include "survey/cells.h"
 
 #include <charconv>
 #include <cmath>
@@ -116,7 +117,7 @@ SunHoursSummary computePointHours(const SunHoursTask& task, Progress& progress) 
             cells.emplace_back(vertex.position.x, vertex.position.y, vertex.position.z);
     } else {
         for (const glm::dvec3& point : points)
-            cells.push_back(daylight::cellOf(summary.grid, point));
+            cells.push_back(survey::cellOf(summary.grid, point));
     }
     SunHoursRun run(
         task,

@@ -8,7 +8,7 @@ import unittest
 
 from program import DATA, ProgramTest, run
 
-COMMANDS = ("make", "build", "info", "verify", "export", "path", "render", "explain", "bench", "view", "theory")
+COMMANDS = ("make", "build", "info", "verify", "export", "path", "render", "explain", "bench", "view", "theory", "measure")
 
 
 class CommandLine(ProgramTest):

@@ -14,6 +14,7 @@
 #include "settings/sun_period.h"
 #include "settings/sun_settings.h"
 #include "sun/sun_day.h"
+#include "survey/cells.h"
 
 #include <gtest/gtest.h>
 #include <tbb/task_arena.h>
@@ -200,7 +201,7 @@ TEST(PointReceivers, AreLitUnlessATriangleByItselfStandsAhead) {
         for (const hierarchy::Vertex& vertex : cut.mesh.vertices)
             points.emplace_back(vertex.position.x, vertex.position.y, vertex.position.z);
         for (int i = 0; i < 300; ++i) // some beside the grid, some where no cell is
-            points.push_back(cellOf(
+            points.push_back(survey::cellOf(
                 grid, {yard.random.uniform(-30, 30), yard.random.uniform(-3, 12), yard.random.uniform(-30, 30)}));
         PointReceivers receivers(cut, points);
         ASSERT_EQ(receivers.count(), points.size());
@@ -224,8 +225,8 @@ TEST(PointReceivers, RefuseWhatIsTooFarAway) {
     exporter::ExportLimit limit;
     limit.error = grid.snapError();
     const exporter::UniformCut cut = exporter::uniformCut(yard.model->file(), limit, silent);
-    EXPECT_THROW(PointReceivers(cut, {cellOf(grid, {0, 1e300, 0})}), Error);
-    EXPECT_EQ(cellOf(grid, grid.world({5, 6, 7}) + glm::dvec3(0.4 * grid.step())), glm::i64vec3(5, 6, 7));
+    EXPECT_THROW(PointReceivers(cut, {survey::cellOf(grid, {0, 1e300, 0})}), Error);
+    EXPECT_EQ(survey::cellOf(grid, grid.world({5, 6, 7}) + glm::dvec3(0.4 * grid.step())), glm::i64vec3(5, 6, 7));
 }
 
 /// Receivers that light of a given direction reaches or not, by chance.

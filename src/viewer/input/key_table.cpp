@@ -124,6 +124,20 @@ std::span<const MouseUse> mouseUses() {
     return kMouseUses;
 }
 
+std::string keysForPeople() {
+    std::string text = "Keys:\n";
+    const auto add = [&](std::string name, const std::string& help) {
+        name.resize(std::max<std::size_t>(name.size() + 2, 14), ' ');
+        text += "  " + name + help + "\n";
+    };
+    for (const Binding& binding : bindings())
+        add(binding.keyName, binding.help);
+    text += "Mouse:\n";
+    for (const MouseUse& use : mouseUses())
+        add(use.gesture, use.help);
+    return text;
+}
+
 const Binding* bindingOf(int key, bool withShift) {
     const Binding* plain = nullptr;
     for (const Binding& binding : bindings()) {

@@ -59,6 +59,9 @@ struct MouseUse {
 
 std::span<const MouseUse> mouseUses();
 
+/// Both in lines, for a help that is text.
+std::string keysForPeople();
+
 /// The binding of `key`. Where a key has none with Shift, the one without counts: Shift also hastens flights.
 const Binding* bindingOf(int key, bool withShift);
 

@@ -1,0 +1,79 @@
+// `gnomon measure`: distances, heights, angles and areas of points, as the window measures them.
+
+#include "app/command_line.h"
+#include "app/commands.h"
+#include "app/console.h"
+#include "app/thread_limit.h"
+#include "measure/measured_points.h"
+#include "settings/codec.h"
+
+#include <cstdio>
+
+namespace gnomon::app {
+
+namespace {
+
+struct MeasureOptions {
+    CommonOptions common;
+    SettingOptions settings;
+    measure::PointTask task;
+    std::vector<std::string> points, pixels;
+    bool json = false, csv = false;
+};
+
+glm::ivec2 pixelOf(const std::string& text, const std::array<int, 2>& size) {
+    const std::vector<std::string> items = settings::listItems("--pixel", text);
+    if (items.size() != 2) settings::refuse("--pixel", text, "X,Y, column and row from the upper left");
+    return {
+        settings::parsed(settings::whole(0, size[0] - 1), "--pixel", items[0]),
+        settings::parsed(settings::whole(0, size[1] - 1), "--pixel", items[1])};
+}
+
+void runMeasure(const MeasureOptions& options) {
+    const ThreadLimit limit(options.common);
+    measure::PointTask task = options.task;
+    task.settings = options.settings.settings();
+    task.warn = printWarning;
+    requireNoWindow(task.settings);
+    for (const std::string& point : options.points)
+        task.points.push_back(settings::parsed(settings::vector(), "--point", point));
+    for (const std::string& pixel : options.pixels)
+        task.pixels.push_back(pixelOf(pixel, task.settings.imageSize));
+    if (task.points.empty() == task.pixels.empty())
+        throw settings::UsageError{"say what to measure: --point X,Y,Z or --pixel X,Y, once for each point"};
+    if (task.takesVertices && task.pixels.empty()) throw settings::UsageError{"--vertices is of --pixel"};
+    const auto [of, measure] = measure::measurePoints(task);
+    std::string text;
+    for (const std::string& line : survey::inWords(measure, of))
+        text += line + "\n";
+    if (options.json) text = survey::jsonOf(std::span(&measure, 1), of);
+    if (options.csv) text = survey::csvOf(std::span(&measure, 1), of);
+    std::fputs(text.c_str(), stdout);
+}
+
+} // namespace
+
+void addMeasureCommand(CLI::App& program) {
+    CLI::App* command = program.add_subcommand("measure", "Measure lengths, heights, angles and areas between points");
+    auto options = std::make_shared<MeasureOptions>();
+    command->add_option("MODEL", options->task.model, "A .gnm file")->required();
+    command->add_option("--point", options->points, "The next point, in the source's coordinates; repeat it")
+        ->type_name("X,Y,Z")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    command->add_option("--pixel", options->pixels, "The next point: what this pixel of the view shows; repeat it")
+        ->type_name("X,Y")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    command->add_flag("--vertices", options->task.takesVertices, "Of --pixel: the nearest vertex of what is drawn");
+    CLI::Option* json = command->add_flag("--json", options->json, "Print one JSON document");
+    command->add_flag("--csv", options->csv, "Print a row of CSV a point")->excludes(json);
+    options->settings.addTo(*command);
+    addCommonOptions(*command, options->common);
+    command->footer(
+        "Points lie on the model's grid, whose step `gnomon info` says. `within` is how far at most a point "
+        "is from the source's surface, or from the coordinates that were given.");
+    command->callback([options] { runMeasure(*options); });
+}
+
+} // namespace gnomon::app

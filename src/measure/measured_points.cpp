@@ -1,0 +1,67 @@
+#include "measure/measured_points.h"
+
+#include "core/error.h"
+#include "core/formatted.h"
+#include "frame/drawn_point.h"
+#include "measure/session.h"
+#include "settings/resolve.h"
+#include "survey/cells.h"
+
+#include <cmath>
+
+namespace gnomon::measure {
+
+namespace {
+
+survey::Point givenPoint(const glm::dvec3& point, const hierarchy::Grid& grid) {
+    const glm::i64vec3 cell = survey::cellOf(grid, point);
+    for (int axis = 0; axis < 3; ++axis)
+        if (std::abs(cell[axis]) > survey::kMostSteps / 2)
+            throw Error(
+                formatted("point %g,%g,%g", point.x, point.y, point.z),
+                "it lies too far from the model to be measured on its grid",
+                formatted("at most %g away", std::ldexp(grid.step(), 39)),
+                formatted("%g", glm::distance(point, grid.origin)));
+    return {cell, grid.snapError()};
+}
+
+/// The points that pixels of the view of `session` show. What casts shadows there changes none of them.
+survey::Measure shownPoints(const PointTask& task, Session& session) {
+    plan::Quality quality = settings::qualityOf(task.settings);
+    quality.shadows = plan::ShadowMode::Off;
+    const frame::FrameOptions options;
+    const frame::Frame frame =
+        session.renderer().render(settings::viewOf(task.settings, session.model()), quality, options);
+    survey::Measure measure;
+    for (const glm::ivec2& pixel : task.pixels) {
+        const auto drawn = frame::drawnPoint(session.renderer(), frame, options, pixel);
+        if (!drawn)
+            throw Error(
+                formatted("pixel %d,%d", pixel.x, pixel.y), "it shows nothing of the model", "a surface", "background");
+        const frame::GridPlace place = task.takesVertices ? drawn->vertex.value_or(drawn->point) : drawn->point;
+        measure.push_back({place.cell, place.within});
+    }
+    return measure;
+}
+
+} // namespace
+
+MeasuredPoints measurePoints(const PointTask& task) {
+    MeasuredPoints result;
+    const auto take = [&](const hierarchy::ModelFile& model) {
+        result.of = survey::surveyedOf(task.model, model.summary());
+        result.of.up = settings::uprightIn(task.settings, model).up.value_or(result.of.up);
+    };
+    if (task.pixels.empty()) { // nothing is drawn, so no executor is made
+        take(hierarchy::ModelFile(task.model, task.settings.memory));
+        for (const glm::dvec3& point : task.points)
+            result.measure.push_back(givenPoint(point, result.of.grid));
+        return result;
+    }
+    Session session(task.model, task.settings, task.warn);
+    take(session.model());
+    result.measure = shownPoints(task, session);
+    return result;
+}
+
+} // namespace gnomon::measure

@@ -3,7 +3,7 @@
 #include "core/file.h"
 #include "core/random.h"
 #include "hierarchy/file_layout.h"
-#include "preprocess/read/open_mesh_sources.h"
+#include "preprocess/read/input_file.h"
 
 #include <algorithm>
 #include <array>

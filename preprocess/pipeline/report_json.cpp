@@ -29,6 +29,8 @@ nlohmann::ordered_json reportJson(
         {"source_vertices", report.summary.sourceVertices},
         {"dropped", report.summary.dropped},
         {"attributes_dropped", source.attributesDropped},
+        {"texels_per_edge",
+         source.texelsPerEdge ? nlohmann::ordered_json(*source.texelsPerEdge) : nlohmann::ordered_json()},
         {"fields", source.fields},
         {"clusters", clusters},
         {"groups", groups},

@@ -1,6 +1,7 @@
 #include "preprocess/pipeline/source_up.h"
 
 #include "core/file.h"
+#include "preprocess/read/words.h"
 
 #include <algorithm>
 
@@ -83,6 +84,10 @@ std::optional<UpAxis> upOfSources(const std::vector<std::string>& paths) {
     std::optional<UpAxis> said;
     bool isOne = true;
     for (const std::string& path : paths) {
+        if (const std::string suffix = read::loweredSuffix(path); suffix == ".gltf" || suffix == ".glb") {
+            agree(said, hierarchy::upAxisNamed("y"), isOne); // by the format
+            continue;
+        }
         const std::string header = headerOf(path);
         for (std::size_t begin = 0; begin < header.size();) {
             const std::size_t end = std::min(header.find_first_of("\r\n", begin), header.size());

@@ -14,8 +14,8 @@ namespace gnomon::pipeline {
 /// several.
 std::optional<hierarchy::UpAxis> upOfComment(std::string_view comment);
 
-/// That of the comments in the headers of those of `paths` that are PLY files; nothing where two contradict each other
-/// or none says a word. Throws Error for a file that cannot be read.
+/// That of the comments in the headers of those of `paths` that are PLY files, and y of those that are glTF; nothing
+/// where two contradict each other or none says a word. Throws Error for a file that cannot be read.
 std::optional<hierarchy::UpAxis> upOfSources(const std::vector<std::string>& paths);
 
 /// Asks for that up, if there is one.

@@ -3,6 +3,7 @@
 #include "core/error.h"
 
 #include <algorithm>
+#include <filesystem>
 
 namespace gnomon::read {
 
@@ -10,7 +11,28 @@ namespace {
 
 constexpr const char* kChanged = "the input changed while it was read";
 
+const char* nameOf(std::filesystem::file_type type) {
+    switch (type) {
+    case std::filesystem::file_type::fifo:
+        return "a pipe";
+    case std::filesystem::file_type::socket:
+        return "a socket";
+    default:
+        return "a device";
+    }
+}
+
 } // namespace
+
+void requireRereadable(const std::string& path) {
+    using Type = std::filesystem::file_type;
+    std::error_code ignored;
+    const Type type = std::filesystem::status(path, ignored).type();
+    // A file that cannot be opened says so itself, and so does a folder.
+    const bool isSomethingElse =
+        type == Type::fifo || type == Type::socket || type == Type::character || type == Type::block;
+    if (isSomethingElse) throw Error(path, "a source is read several times", "a file", nameOf(type));
+}
 
 InputFile::InputFile(const std::string& path)
     : file_(path, File::Mode::Read), size_(file_.size()), changeTime_(file_.changeTime()) {}

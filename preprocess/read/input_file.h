@@ -11,6 +11,10 @@
 
 namespace gnomon::read {
 
+/// Throws Error where `path` leads to something that cannot be read several times: a pipe, a socket or a device. What
+/// is not there at all is left to the one who opens it.
+void requireRereadable(const std::string& path);
+
 /// An input that is read several times. Another process may change it meanwhile; nobody may build from a mix of both.
 class InputFile {
 public:

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -27,10 +28,12 @@ struct MeshSummary {
     std::uint64_t likelyTriangles = 0; ///< what the faces and strips come to if their bytes are what they seem
     bool hasNormals = false;
     bool hasColors = false;
-    bool isDouble = false;                                  ///< positions need more than a float
-    std::vector<std::string> fields;                        ///< scalar properties of the vertices that are read
-    std::uint64_t heldBytes = 0;                            ///< of memory that the source keeps as long as it lives
+    bool isDouble = false;                 ///< positions need more than a float
+    std::vector<std::string> fields;       ///< scalar properties of the vertices that are read
+    std::uint64_t heldBytes = 0;           ///< of memory that the source keeps as long as it lives
+    std::vector<std::string> filesBesides; ///< that an input refers to and that were read: buffers, images
     std::map<std::string, std::uint64_t> attributesDropped; ///< what the input has besides, and how many have it
+    std::optional<double> texelsPerEdge; ///< of textures that were looked up at vertices: what is between is lost
 };
 
 /// Consecutive vertices. Valid only during the call of the sink.

@@ -3,18 +3,26 @@
 #include "core/check.h"
 #include "core/error.h"
 #include "core/file.h"
+#include "preprocess/read/gltf/gltf_source.h"
+#include "preprocess/read/input_file.h"
 #include "preprocess/read/ply_source.h"
 #include "preprocess/read/whole_file_source.h"
+#include "preprocess/read/words.h"
 
 #include <algorithm>
 #include <array>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <string_view>
 
 namespace gnomon::read {
 
 namespace {
+
+std::optional<double> mostOf(const std::optional<double>& a, const std::optional<double>& b) {
+    return a && b ? std::max(*a, *b) : a ? a : b;
+}
 
 class JoinedSource final : public MeshSource {
 public:
@@ -33,6 +41,9 @@ public:
             summary_.hasColors |= more.hasColors;
             summary_.isDouble |= more.isDouble;
             summary_.heldBytes += more.heldBytes;
+            summary_.texelsPerEdge = mostOf(summary_.texelsPerEdge, more.texelsPerEdge);
+            summary_.filesBesides.insert(
+                summary_.filesBesides.end(), more.filesBesides.begin(), more.filesBesides.end());
             for (const auto& [name, count] : more.attributesDropped)
                 summary_.attributesDropped[name] += count;
         }
@@ -102,52 +113,63 @@ bool startsWith(const std::string& path, std::string_view magic) {
     return count >= magic.size() && std::memcmp(begin.data(), magic.data(), magic.size()) == 0;
 }
 
-/// Opens `path` by what it begins with, else by the end of its name.
-std::unique_ptr<MeshSource> openByFormat(const std::string& path, Bytes room, const std::vector<std::string>& fields) {
-    const bool isPly = startsWith(path, "ply");
-    if (File(path, File::Mode::Read).size() == 0) throw Error(path, "the file is empty");
-    if (isWholeFileFormat(path) && !isPly) {
-        if (!fields.empty()) throw Error(path, "only a PLY has fields", "none", fields.front());
-        return readWholeFile(path, room);
-    }
-    if (isPly || std::filesystem::path(path).extension() == ".ply") return openPlyWithFaceColors(path, room, fields);
+/// What is known of a format that is not read, to say what to do instead.
+struct OtherFormat {
+    std::string_view suffix;
+    const char* advice;
+};
+
+constexpr std::array kOtherFormats = {
+    OtherFormat{".las", "LAS is points, not triangles: make a mesh of it first (CloudCompare, PDAL)"},
+    OtherFormat{".laz", "LAZ is points, not triangles: make a mesh of it first (CloudCompare, PDAL)"},
+    OtherFormat{".e57", "E57 is points, not triangles: make a mesh of it first (CloudCompare)"},
+    OtherFormat{".fbx", "FBX is not read: convert it to glTF (Blender)"},
+    OtherFormat{".3mf", "3MF is not read: convert it to STL or OBJ (PrusaSlicer, Blender)"},
+    OtherFormat{".usd", "USD is not read: convert it to glTF (Blender)"},
+    OtherFormat{".usda", "USD is not read: convert it to glTF (Blender)"},
+    OtherFormat{".usdc", "USD is not read: convert it to glTF (Blender)"},
+    OtherFormat{".usdz", "USD is not read: convert it to glTF (Blender)"},
+    OtherFormat{".dae", "COLLADA is not read: convert it to glTF (Blender)"},
+    OtherFormat{".ifc", "IFC is not read: convert it to glTF (IfcConvert)"},
+    OtherFormat{".blend", "a scene of Blender is not read: export it as glTF"},
+};
+
+[[noreturn]] void refuse(const std::string& path, const std::string& suffix) {
     if (startsWith(path, "\x89GNM"))
         throw Error(path, "a built model already, not a mesh: render, view and info take it as it is");
-    throw Error(path, "not a mesh that can be read", "PLY, OBJ, STL or OFF", "something else");
+    for (const OtherFormat& format : kOtherFormats)
+        if (format.suffix == suffix) throw Error(path, format.advice);
+    throw Error(path, "not a mesh that can be read", "PLY, OBJ, STL, OFF or glTF", "something else");
 }
 
-const char* nameOf(std::filesystem::file_type type) {
-    switch (type) {
-    case std::filesystem::file_type::fifo:
-        return "a pipe";
-    case std::filesystem::file_type::socket:
-        return "a socket";
-    default:
-        return "a device";
-    }
+/// Opens `path` by what it begins with, else by the end of its name.
+std::unique_ptr<MeshSource> openByFormat(
+    const std::string& path, Bytes room, const std::vector<std::string>& fields, Textures textures) {
+    const bool isPly = startsWith(path, "ply");
+    if (File(path, File::Mode::Read).size() == 0) throw Error(path, "the file is empty");
+    const std::string suffix = loweredSuffix(path);
+    if (isPly || suffix == ".ply") return openPlyWithFaceColors(path, room, fields);
+    const bool isGltf = suffix == ".gltf" || suffix == ".glb" || startsWith(path, "glTF");
+    if (!isGltf && !isWholeFileFormat(path)) refuse(path, suffix);
+    if (!fields.empty()) throw Error(path, "only a PLY has fields", "none", fields.front());
+    if (isGltf) return readGltf(path, room, textures == Textures::Bake);
+    return readWholeFile(path, room);
 }
 
 } // namespace
 
-void requireRereadable(const std::string& path) {
-    using Type = std::filesystem::file_type;
-    std::error_code ignored;
-    const Type type = std::filesystem::status(path, ignored).type();
-    // A file that cannot be opened says so itself, and so does a folder.
-    const bool isSomethingElse =
-        type == Type::fifo || type == Type::socket || type == Type::character || type == Type::block;
-    if (isSomethingElse) throw Error(path, "a source is read several times", "a file", nameOf(type));
-}
-
 std::unique_ptr<MeshSource> openMeshSources(
-    const std::vector<std::string>& paths, Bytes memoryLimit, const std::vector<std::string>& fields) {
+    const std::vector<std::string>& paths,
+    Bytes memoryLimit,
+    const std::vector<std::string>& fields,
+    Textures textures) {
     GNOMON_CHECK(!paths.empty());
     std::vector<std::unique_ptr<MeshSource>> parts;
     parts.reserve(paths.size());
     Bytes room = memoryLimit;
     for (const std::string& path : paths) {
         requireRereadable(path);
-        parts.push_back(openByFormat(path, room, fields));
+        parts.push_back(openByFormat(path, room, fields, textures));
         room.count -= std::min(room.count, parts.back()->summary().heldBytes);
     }
     if (parts.size() == 1) return std::move(parts.front());

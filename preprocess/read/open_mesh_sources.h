@@ -10,20 +10,22 @@
 
 namespace gnomon::read {
 
-/// Throws Error where `path` leads to something that cannot be read several times: a pipe, a socket or a device. What
-/// is not there at all is left to the one who opens it.
-void requireRereadable(const std::string& path);
+/// What becomes of a texture: its colours at the vertices, or nothing.
+enum class Textures { Bake, Off };
 
 /// Opens every path and joins them into one model: vertices and triangles follow one another in the order of `paths`,
 /// indices are shifted accordingly. A block of a joined model holds vertices of one input only, so it lacks normals or
 /// colours where that input has none, even if the summary has them because another does.
 ///
-/// PLY files are known by their first line, whatever their name; the others by their suffix. PLY is streamed, unless
-/// its faces have colours; that, OBJ, STL and OFF are read whole and throw Error if that could take more than
-/// `memoryLimit`. All errors name the file.
+/// PLY files and .glb are known by their first bytes, whatever their name; the others by their suffix. PLY is streamed,
+/// unless its faces have colours; that, glTF, OBJ, STL and OFF are read whole and throw Error if that could take more
+/// than `memoryLimit`. All errors name the file.
 ///
 /// `fields` are scalar properties of the vertices to read besides, which every input must be a PLY for and must have.
 std::unique_ptr<MeshSource> openMeshSources(
-    const std::vector<std::string>& paths, Bytes memoryLimit, const std::vector<std::string>& fields = {});
+    const std::vector<std::string>& paths,
+    Bytes memoryLimit,
+    const std::vector<std::string>& fields = {},
+    Textures textures = Textures::Bake);
 
 } // namespace gnomon::read

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "preprocess/read/face_importer.h"
 #include "preprocess/read/line_guards.h"
+#include "preprocess/read/words.h"
 
 #include <OpenMesh/Core/IO/reader/OBJReader.hh>
 #include <OpenMesh/Core/IO/reader/OFFReader.hh>
@@ -26,14 +27,6 @@ constexpr std::uint64_t kBytesPerFileByte = 12;
 
 constexpr std::uint64_t kStlHeader = 84;
 constexpr std::uint64_t kStlFacet = 50;
-
-std::string suffixOf(const std::string& path) {
-    const std::size_t dot = path.find_last_of("./");
-    std::string suffix = dot == std::string::npos || path[dot] == '/' ? "" : path.substr(dot);
-    for (char& c : suffix)
-        c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-    return suffix;
-}
 
 // OpenMesh's own messages would be output below `app`; what they say comes out as an Error.
 class QuietOpenMesh {
@@ -149,7 +142,7 @@ MemoryMesh readStl(const InputFile& file) {
 } // namespace
 
 bool isWholeFileFormat(const std::string& path) {
-    const std::string suffix = suffixOf(path);
+    const std::string suffix = loweredSuffix(path);
     return suffix == ".obj" || suffix == ".stl" || suffix == ".off";
 }
 
@@ -163,7 +156,7 @@ std::unique_ptr<MeshSource> readWholeFile(const std::string& path, Bytes memoryL
             "at most " + readableBytes(memoryLimit) + " of memory",
             "a need for up to " + readableBytes(needed));
     const QuietOpenMesh quiet;
-    const std::string suffix = suffixOf(path);
+    const std::string suffix = loweredSuffix(path);
     MemoryMesh mesh = suffix == ".obj" ? readObj(file) : suffix == ".stl" ? readStl(file) : readOff(file);
     file.requireUnchanged();
     return memorySource(path, file.size(), std::move(mesh));

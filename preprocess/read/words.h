@@ -21,6 +21,15 @@ inline std::vector<std::string_view> wordsOf(std::string_view line) {
     return result;
 }
 
+/// The last suffix of the file name in `path`, with its dot, in lower case; empty if it has none.
+inline std::string loweredSuffix(std::string_view path) {
+    const std::size_t dot = path.find_last_of("./");
+    std::string suffix(dot == std::string_view::npos || path[dot] == '/' ? "" : path.substr(dot));
+    for (char& c : suffix)
+        c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+    return suffix;
+}
+
 /// The beginning of `text` in quotes with unprintable bytes as "?": a file can hold anything, an error is one line.
 inline std::string quotedForMessage(std::string_view text) {
     constexpr std::size_t kShown = 40;

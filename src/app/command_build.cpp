@@ -8,6 +8,7 @@
 #include "preprocess/pipeline/build_model.h"
 #include "preprocess/pipeline/fingerprint.h"
 #include "preprocess/pipeline/report_json.h"
+#include "preprocess/pipeline/report_text.h"
 #include "preprocess/pipeline/source_up.h"
 #include "preprocess/read/open_mesh_sources.h"
 #include "settings/codec.h"
@@ -31,6 +32,7 @@ struct BuildCommand {
     std::vector<std::string> fields;
     std::string up = "auto";
     std::string unit = "m";
+    std::string textures = "bake";
     std::string output;
     std::string memory = "2G";
     std::string temporary;
@@ -49,47 +51,6 @@ std::uint64_t peakResidentBytes() {
     rusage usage{};
     ::getrusage(RUSAGE_SELF, &usage);
     return static_cast<std::uint64_t>(usage.ru_maxrss) << 10U;
-}
-
-void printForPeople(const BuildReport& report, const read::MeshSummary& source, const std::string& output) {
-    const auto triangles = static_cast<double>(report.summary.sourceTriangles);
-    std::printf(
-        "%s: %s triangles in %llu levels, %s, %.1f bytes a triangle, coarsest %llu\n",
-        printable(output).c_str(),
-        readableCount(report.summary.sourceTriangles).c_str(),
-        static_cast<unsigned long long>(report.summary.levels.size()),
-        readableBytes({report.fileBytes}).c_str(),
-        static_cast<double>(report.fileBytes) / triangles,
-        static_cast<unsigned long long>(report.summary.coarsestTriangles));
-    for (const auto& [reason, count] : report.summary.dropped)
-        if (count > 0) std::printf("dropped: %s %llu\n", reason.c_str(), static_cast<unsigned long long>(count));
-    for (const auto& [name, count] : source.attributesDropped)
-        std::printf("not kept: %s (%llu)\n", printable(name).c_str(), static_cast<unsigned long long>(count));
-    std::printf("up %s, %s\n", hierarchy::upAxisText(report.summary.up).c_str(), printable(report.upBecause).c_str());
-    std::printf(
-        "%.2f s, %s triangles/s, peak %s\n",
-        report.seconds,
-        readableCount(static_cast<std::uint64_t>(report.seconds > 0 ? triangles / report.seconds : 0)).c_str(),
-        readableBytes({peakResidentBytes()}).c_str());
-}
-
-/// Says so where a model does not get coarse enough to be drawn from far away.
-void warnOfCoarsest(const BuildReport& report, const std::string& output) {
-    constexpr std::uint64_t kManyTriangles = 1000; // a well-behaved mesh ends in less, whatever its size
-    constexpr double kManyStuckPercent = 1;
-    const double stuckPercent =
-        100 * static_cast<double>(report.stuckTriangles) / static_cast<double>(report.summary.sourceTriangles);
-    if (report.summary.coarsestTriangles <= kManyTriangles && stuckPercent <= kManyStuckPercent) return;
-    std::fprintf(
-        stderr,
-        "gnomon: warning: %s: the coarsest level has %llu of %llu triangles, expected at most %llu; stuck are %.3g "
-        "percent, expected at most %g\n",
-        printable(output).c_str(),
-        static_cast<unsigned long long>(report.summary.coarsestTriangles),
-        static_cast<unsigned long long>(report.summary.sourceTriangles),
-        static_cast<unsigned long long>(kManyTriangles),
-        stuckPercent,
-        kManyStuckPercent);
 }
 
 /// `error` in the words of the command line.
@@ -150,17 +111,24 @@ void run(const BuildCommand& command) {
         {"openmesh", Simplifier::OpenMesh}};
     options.level.simplifier = simplifiers.at(command.simplifier);
     if (command.maxStuckPercent < 100) options.maxStuckPercent = command.maxStuckPercent;
-    options.inputKey = pipeline::fingerprintOf(command.inputs);
     options.fields = command.fields;
     options.unit = *hierarchy::unitNamed(command.unit);
     takeUp(up, command.inputs, options);
-    const auto source = read::openMeshSources(command.inputs, options.memory, command.fields);
+    const auto textures = command.textures == "bake" ? read::Textures::Bake : read::Textures::Off;
+    const auto source = read::openMeshSources(command.inputs, options.memory, command.fields, textures);
+    std::vector<std::string> read = command.inputs;
+    read.insert(read.end(), source->summary().filesBesides.begin(), source->summary().filesBesides.end());
+    options.inputKey = pipeline::fingerprintOf(read) + (command.textures == "bake" ? "" : ", textures off");
     const BuildReport report = built(*source, options, command.common);
-    warnOfCoarsest(report, command.output);
+    if (const std::string warning = pipeline::warningOfCoarsest(report); !warning.empty())
+        printWarning(command.output + ": " + warning);
     if (command.isJson)
         std::printf("%s\n", telemetry::jsonText(reportJson(report, source->summary(), peakResidentBytes()), 1).c_str());
     else
-        printForPeople(report, source->summary(), command.output);
+        std::printf(
+            "%s: %s",
+            printable(command.output).c_str(),
+            pipeline::reportText(report, source->summary(), peakResidentBytes()).c_str());
     requirePrinted("the model " + command.output + " is complete");
 }
 
@@ -187,12 +155,16 @@ CLI::Validator chunkSize() {
 void addBuildCommand(CLI::App& program) {
     auto options = std::make_shared<BuildCommand>();
     CLI::App* command = program.add_subcommand("build", "Turn a mesh into a level-of-detail model (.gnm)");
-    command->add_option("INPUT", options->inputs, "PLY, OBJ, STL or OFF; several make one model")->required();
+    command->add_option("INPUT", options->inputs, "PLY, OBJ, STL, OFF or glTF; several make one model")->required();
     command->add_option("-o,--output", options->output, "The .gnm to write")->required();
     command
         ->add_option("--fields", options->fields, "Scalar properties of a PLY's vertices to keep, up to four: NAME,...")
         ->delimiter(',')
         ->allow_extra_args(false);
+    command
+        ->add_option("--textures", options->textures, "The base colours of a glTF's textures, as they are at vertices")
+        ->check(CLI::IsMember({"bake", "off"}))
+        ->capture_default_str();
     command->add_option("--memory", options->memory, "Peak resident size of the process")
         ->check(memorySize())
         ->capture_default_str();

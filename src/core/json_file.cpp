@@ -69,9 +69,13 @@ private:
 
 } // namespace
 
+void requireJsonLimits(const std::string& path, const std::string& text) {
+    Limits(path, text).require();
+}
+
 nlohmann::ordered_json readJsonFile(const std::string& path) {
     const std::string text = readTextFile(path, {kJsonBytes});
-    Limits(path, text).require();
+    requireJsonLimits(path, text);
     try {
         return nlohmann::ordered_json::parse(text);
     } catch (const nlohmann::ordered_json::parse_error& error) {

@@ -23,7 +23,7 @@ CollectedMesh readWholeText(const std::string& name, const std::string& text) {
     return collect(*openMeshSources({scratchWhole(name)}, mebibytes(64)));
 }
 
-std::string errorOf(const std::string& name, const std::string& text) {
+std::string errorOfWhole(const std::string& name, const std::string& text) {
     return errorAbout(scratchWhole(name), [&] { readWholeText(name, text); });
 }
 
@@ -103,19 +103,21 @@ TEST(ReadWholeFile, ObjLinesMayContinue) {
 }
 
 TEST(ReadWholeFile, ObjErrorsNameTheLine) {
-    EXPECT_EQ(errorOf("f.obj", "v 0 0 0\nv 1 x 0\n"), R"(:2: bad number: expected a finite one, found "x")");
-    EXPECT_EQ(errorOf("f.obj", "v 0 0 0\nv 1 0\n"), ":2: too few numbers: expected 3, found 2");
-    EXPECT_EQ(errorOf("f.obj", "v 0 0 1e99\n"), R"(:1: bad number: expected a finite one, found "1e99")");
-    EXPECT_EQ(errorOf("f.obj", "v 0 0 nan\n"), R"(:1: bad number: expected a finite one, found "nan")");
+    EXPECT_EQ(errorOfWhole("f.obj", "v 0 0 0\nv 1 x 0\n"), R"(:2: bad number: expected a finite one, found "x")");
+    EXPECT_EQ(errorOfWhole("f.obj", "v 0 0 0\nv 1 0\n"), ":2: too few numbers: expected 3, found 2");
+    EXPECT_EQ(errorOfWhole("f.obj", "v 0 0 1e99\n"), R"(:1: bad number: expected a finite one, found "1e99")");
+    EXPECT_EQ(errorOfWhole("f.obj", "v 0 0 nan\n"), R"(:1: bad number: expected a finite one, found "nan")");
     EXPECT_EQ(
-        errorOf("f.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n"),
+        errorOfWhole("f.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n"),
         ":4: vertex index out of range: expected one of 3 vertices, found index 3 counted from 0");
-    EXPECT_NE(errorOf("f.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -1 -2 -4\n").find(":4: vertex index"), std::string::npos);
-    EXPECT_NE(errorOf("f.obj", "v 0 0 0\nvn 0 0 1\nf //1 //1 //1\n").find(":3: bad corner"), std::string::npos);
-    EXPECT_NE(errorOf("f.obj", "v 0 0 0\nf 0 1 1\n").find(":2: bad corner"), std::string::npos);
-    EXPECT_NE(errorOf("f.obj", "v 0 0 0\nf 1 1 99999999999\n").find(":2: bad corner"), std::string::npos);
-    EXPECT_EQ(errorOf("f.obj", "v 0 0 0\nv 1 0 0\n"), ": no faces: this is a point cloud; make a mesh of it first");
-    EXPECT_EQ(errorOf("f.obj", ""), ": the file is empty");
+    EXPECT_NE(
+        errorOfWhole("f.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -1 -2 -4\n").find(":4: vertex index"), std::string::npos);
+    EXPECT_NE(errorOfWhole("f.obj", "v 0 0 0\nvn 0 0 1\nf //1 //1 //1\n").find(":3: bad corner"), std::string::npos);
+    EXPECT_NE(errorOfWhole("f.obj", "v 0 0 0\nf 0 1 1\n").find(":2: bad corner"), std::string::npos);
+    EXPECT_NE(errorOfWhole("f.obj", "v 0 0 0\nf 1 1 99999999999\n").find(":2: bad corner"), std::string::npos);
+    EXPECT_EQ(
+        errorOfWhole("f.obj", "v 0 0 0\nv 1 0 0\n"), ": no faces: this is a point cloud; make a mesh of it first");
+    EXPECT_EQ(errorOfWhole("f.obj", ""), ": the file is empty");
 }
 
 TEST(ReadWholeFile, StlAsciiAndBinaryAgree) {
@@ -137,17 +139,18 @@ TEST(ReadWholeFile, StlFacetsWithEqualCornersAreCounted) {
 TEST(ReadWholeFile, StlErrorsNameThePlace) {
     const std::string binary = binaryStl({0, 0, 0, 1, 0, 0, 1, 1, 0});
     EXPECT_EQ(
-        errorOf("d.stl", binary.substr(0, 120)),
+        errorOfWhole("d.stl", binary.substr(0, 120)),
         ": byte 120: neither ascii nor binary STL: expected 134 bytes for 1 facets, found 120");
     const float nan = std::numeric_limits<float>::quiet_NaN();
-    EXPECT_EQ(errorOf("d.stl", binaryStl({0, 0, 0, 1, 0, nan, 1, 1, 0})), ": byte 120: a coordinate is not finite");
-    EXPECT_EQ(errorOf("d.stl", kStl.substr(0, kStl.size() - 9)), ":15: the file ends too early: no endsolid");
     EXPECT_EQ(
-        errorOf("d.stl", kStl.substr(0, kStl.find("  vertex 1 0 0"))), ":4: the file ends too early: no endsolid");
+        errorOfWhole("d.stl", binaryStl({0, 0, 0, 1, 0, nan, 1, 1, 0})), ": byte 120: a coordinate is not finite");
+    EXPECT_EQ(errorOfWhole("d.stl", kStl.substr(0, kStl.size() - 9)), ":15: the file ends too early: no endsolid");
     EXPECT_EQ(
-        errorOf("d.stl", "solid x\nouter loop\nvertex 0 0 0\nendloop\nendsolid\n"),
+        errorOfWhole("d.stl", kStl.substr(0, kStl.find("  vertex 1 0 0"))), ":4: the file ends too early: no endsolid");
+    EXPECT_EQ(
+        errorOfWhole("d.stl", "solid x\nouter loop\nvertex 0 0 0\nendloop\nendsolid\n"),
         R"(:4: bad loop: expected three vertices, found "endloop")");
-    EXPECT_EQ(errorOf("d.stl", "solid x\nendsolid\n"), ": empty: it has no vertices and no faces");
+    EXPECT_EQ(errorOfWhole("d.stl", "solid x\nendsolid\n"), ": empty: it has no vertices and no faces");
 }
 
 TEST(ReadWholeFile, OffFaces) {
@@ -167,22 +170,24 @@ TEST(ReadWholeFile, OffNormalsAndColors) {
 }
 
 TEST(ReadWholeFile, OffErrorsNameTheLine) {
-    EXPECT_EQ(errorOf("c.off", "OF\n1 1 0\n"), ":1: not an OFF file with three coordinates a vertex");
+    EXPECT_EQ(errorOfWhole("c.off", "OF\n1 1 0\n"), ":1: not an OFF file with three coordinates a vertex");
     EXPECT_EQ(
-        errorOf("c.off", kOff.substr(0, kOff.find("4 0 1"))),
+        errorOfWhole("c.off", kOff.substr(0, kOff.find("4 0 1"))),
         ":8: the file ends too early: expected 0 more vertices and 1 more faces, found the end");
     EXPECT_EQ(
-        errorOf("c.off", kOff.substr(0, kOff.size() - 1)),
+        errorOfWhole("c.off", kOff.substr(0, kOff.size() - 1)),
         ":9: bad face: expected a number of corners and as many indices, found 4 words");
-    EXPECT_EQ(errorOf("c.off", kOff + "\n3 0 1 2"), ":10: data after the last face: the counts are too small");
+    EXPECT_EQ(errorOfWhole("c.off", kOff + "\n3 0 1 2"), ":10: data after the last face: the counts are too small");
     EXPECT_EQ(
-        errorOf("c.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n1 1 0\n3 0 1 3\n"),
+        errorOfWhole("c.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n1 1 0\n3 0 1 3\n"),
         ":6: vertex index out of range: expected one of 3 vertices, found index 3 counted from 0");
     EXPECT_NE(
-        errorOf("c.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n1 1 0\n3 0 1 -1\n").find(":6: vertex index"), std::string::npos);
-    EXPECT_NE(errorOf("c.off", "OFF\n3 1 0\n0 0 0\n1 x 0\n1 1 0\n3 0 1 2\n").find(":4: bad number"), std::string::npos);
-    EXPECT_NE(errorOf("c.off", "OFF\n3 4000000000 0\n0 0 0\n1 0 0\n1 1 0\n3 0 1 2\n"), "no error");
-    EXPECT_NE(errorOf("c.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n1 1 0\n4000000000 0 1 2\n"), "no error");
+        errorOfWhole("c.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n1 1 0\n3 0 1 -1\n").find(":6: vertex index"),
+        std::string::npos);
+    EXPECT_NE(
+        errorOfWhole("c.off", "OFF\n3 1 0\n0 0 0\n1 x 0\n1 1 0\n3 0 1 2\n").find(":4: bad number"), std::string::npos);
+    EXPECT_NE(errorOfWhole("c.off", "OFF\n3 4000000000 0\n0 0 0\n1 0 0\n1 1 0\n3 0 1 2\n"), "no error");
+    EXPECT_NE(errorOfWhole("c.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n1 1 0\n4000000000 0 1 2\n"), "no error");
 }
 
 TEST(ReadWholeFile, TooLargeForTheMemoryIsSaidBeforeReading) {
@@ -215,10 +220,10 @@ TEST(ReadWholeFile, MutatedFilesGiveAMeshOrAnError) {
         for (std::uint64_t n = random.below(4); n > 0 && !text.empty(); --n)
             text[random.below(text.size())] = static_cast<char>(
                 random.below(2) == 0 ? random.bits() : static_cast<unsigned char>("/ -0.9\n#"[random.below(8)]));
-        errorOf(name, text);
+        errorOfWhole(name, text);
     }
     for (const auto& [name, good] : seeds)
-        EXPECT_EQ(errorOf(name, good), "no error") << name;
+        EXPECT_EQ(errorOfWhole(name, good), "no error") << name;
 }
 
 TEST(WholeFile, IsToldByItsSuffixInAnyCase) {

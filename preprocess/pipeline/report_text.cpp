@@ -1,0 +1,41 @@
+#include "preprocess/pipeline/report_text.h"
+
+#include "core/formatted.h"
+#include "core/printable.h"
+#include "core/units.h"
+
+namespace gnomon::pipeline {
+
+std::string reportText(const BuildReport& report, const read::MeshSummary& source, std::uint64_t peakResidentBytes) {
+    const hierarchy::ModelSummary& model = report.summary;
+    const auto triangles = static_cast<double>(model.sourceTriangles);
+    std::string text = readableCount(model.sourceTriangles) + " triangles in " + std::to_string(model.levels.size()) +
+                       " levels, " + readableBytes({report.fileBytes}) + ", " +
+                       formatted("%.1f", static_cast<double>(report.fileBytes) / triangles) +
+                       " bytes a triangle, coarsest " + std::to_string(model.coarsestTriangles) + "\n";
+    for (const auto& [reason, count] : model.dropped)
+        if (count > 0) text += "dropped: " + reason + " " + std::to_string(count) + "\n";
+    for (const auto& [name, count] : source.attributesDropped)
+        text += "not kept: " + printable(name) + " (" + std::to_string(count) + ")\n";
+    if (source.texelsPerEdge)
+        text += "textures: their colours at vertices, " + formatted("%.1f", *source.texelsPerEdge) +
+                " texels apart; what is between them is lost\n";
+    text += "up " + hierarchy::upAxisText(model.up) + ", " + printable(report.upBecause) + "\n";
+    const double rate = report.seconds > 0 ? triangles / report.seconds : 0;
+    return text + formatted("%.2f", report.seconds) + " s, " + readableCount(static_cast<std::uint64_t>(rate)) +
+           " triangles/s, peak " + readableBytes({peakResidentBytes}) + "\n";
+}
+
+std::string warningOfCoarsest(const BuildReport& report) {
+    constexpr std::uint64_t kManyTriangles = 1000; // a well-behaved mesh ends in less, whatever its size
+    constexpr double kManyStuckPercent = 1;
+    const std::uint64_t source = report.summary.sourceTriangles;
+    const double stuckPercent = 100 * static_cast<double>(report.stuckTriangles) / static_cast<double>(source);
+    const std::uint64_t coarsest = report.summary.coarsestTriangles;
+    if (coarsest <= kManyTriangles && stuckPercent <= kManyStuckPercent) return "";
+    return "the coarsest level has " + std::to_string(coarsest) + " of " + std::to_string(source) +
+           " triangles, expected at most " + std::to_string(kManyTriangles) + "; stuck are " +
+           formatted("%.3g", stuckPercent) + " percent, expected at most " + formatted("%g", kManyStuckPercent);
+}
+
+} // namespace gnomon::pipeline

@@ -1,0 +1,122 @@
+#include "preprocess/read/gltf/base_color.h"
+
+#include "core/error.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gnomon::read {
+
+namespace {
+
+/// IEC 61966-2-1, both ways.
+double linearOf(double display) {
+    return display <= 0.04045 ? display / 12.92 : std::pow((display + 0.055) / 1.055, 2.4);
+}
+
+double displayOf(double linear) {
+    return linear <= 0.0031308 ? linear * 12.92 : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+}
+
+const std::array<double, 256>& linearBytes() {
+    static const std::array<double, 256> table = [] {
+        std::array<double, 256> values{};
+        for (std::size_t i = 0; i < values.size(); ++i)
+            values[i] = linearOf(static_cast<double>(i) / 255);
+        return values;
+    }();
+    return table;
+}
+
+/// The texel that a texture of `size` texels shows at texel `at` of its endless plane.
+int wrapped(double at, int size, int wrap) {
+    if (!(std::abs(at) < 1e9)) return 0;
+    const auto texel = static_cast<std::int64_t>(at);
+    if (wrap == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE)
+        return static_cast<int>(std::clamp<std::int64_t>(texel, 0, size - 1));
+    const std::int64_t period = wrap == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT ? std::int64_t{2} * size : size;
+    const std::int64_t inPeriod = (texel % period + period) % period;
+    return static_cast<int>(inPeriod < size ? inPeriod : period - 1 - inPeriod);
+}
+
+/// A pair of numbers that an extension may give, 0 to 2 of them.
+glm::dvec2 pairOf(const tinygltf::Value& object, const char* key, glm::dvec2 otherwise) {
+    if (!object.Has(key) || !object.Get(key).IsArray() || object.Get(key).ArrayLen() != 2) return otherwise;
+    return {object.Get(key).Get(0).GetNumberAsDouble(), object.Get(key).Get(1).GetNumberAsDouble()};
+}
+
+/// By KHR_texture_transform: scaled, turned, then moved.
+glm::dmat3x2 transformOf(const tinygltf::ExtensionMap& extensions) {
+    const auto found = extensions.find("KHR_texture_transform");
+    if (found == extensions.end() || !found->second.IsObject()) return {1, 0, 0, 1, 0, 0};
+    const glm::dvec2 offset = pairOf(found->second, "offset", {0, 0});
+    const glm::dvec2 scale = pairOf(found->second, "scale", {1, 1});
+    const bool isTurned = found->second.Has("rotation") && found->second.Get("rotation").IsNumber();
+    const double turn = isTurned ? found->second.Get("rotation").GetNumberAsDouble() : 0;
+    const double c = std::cos(turn);
+    const double s = std::sin(turn);
+    return {scale.x * c, -scale.x * s, scale.y * s, scale.y * c, offset.x, offset.y};
+}
+
+} // namespace
+
+BaseColor baseColorOf(const GltfFile& file, int material) {
+    BaseColor color;
+    if (material < 0) return color;
+    const tinygltf::Material& from = file.elementOf(file.model().materials, material, "material");
+    const tinygltf::PbrMetallicRoughness& surface = from.pbrMetallicRoughness;
+    for (std::size_t i = 0; i < 4 && i < surface.baseColorFactor.size(); ++i)
+        color.factor[static_cast<int>(i)] = surface.baseColorFactor[i];
+    color.isClear = from.alphaMode != "OPAQUE";
+    color.texture = surface.baseColorTexture.index;
+    color.texCoord = surface.baseColorTexture.texCoord;
+    color.toImage = transformOf(surface.baseColorTexture.extensions);
+    return color;
+}
+
+std::optional<BaseTexture> baseTextureOf(GltfFile& file, int texture) {
+    const tinygltf::Texture& from = file.elementOf(file.model().textures, texture, "texture");
+    if (from.source < 0) return std::nullopt; // in a format of an extension
+    const std::vector<std::byte> encoded = file.image(from.source);
+    if (encoded.empty()) return std::nullopt;
+    BaseTexture result;
+    result.image = decodedImage(encoded, file.room(), file.where("image", static_cast<std::uint64_t>(from.source)));
+    if (from.sampler >= 0 && from.sampler < static_cast<int>(file.model().samplers.size())) {
+        const tinygltf::Sampler& sampler = file.model().samplers[static_cast<std::size_t>(from.sampler)];
+        result.wraps = {sampler.wrapS, sampler.wrapT};
+    }
+    return result;
+}
+
+glm::dvec4 BaseTexture::at(glm::dvec2 uv) const {
+    const glm::dvec2 place = uv * glm::dvec2(image.width, image.height) - 0.5;
+    const glm::dvec2 low = glm::floor(place);
+    const glm::dvec2 part = place - low;
+    glm::dvec4 sum(0);
+    for (int j = 0; j < 2; ++j)
+        for (int i = 0; i < 2; ++i) {
+            const int x = wrapped(low.x + i, image.width, wraps[0]);
+            const int y = wrapped(low.y + j, image.height, wraps[1]);
+            const std::size_t texel =
+                (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x)) * 4;
+            const double share = (i == 0 ? 1 - part.x : part.x) * (j == 0 ? 1 - part.y : part.y);
+            const auto& linear = linearBytes();
+            sum += share * glm::dvec4(
+                               linear[image.pixels[texel]],
+                               linear[image.pixels[texel + 1]],
+                               linear[image.pixels[texel + 2]],
+                               image.pixels[texel + 3] / 255.0);
+        }
+    return sum;
+}
+
+std::uint32_t packedColor(const glm::dvec4& linear) {
+    std::uint32_t packed = 0;
+    for (int i = 3; i >= 0; --i) {
+        const double value = linear[i] > 0 ? std::min(linear[i], 1.0) : 0; // no number at all becomes 0
+        packed = packed << 8U | static_cast<std::uint32_t>(std::lround(255 * (i < 3 ? displayOf(value) : value)));
+    }
+    return packed;
+}
+
+} // namespace gnomon::read

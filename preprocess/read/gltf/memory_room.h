@@ -1,0 +1,41 @@
+// How much of the memory that a reader was given it may still take.
+#pragma once
+
+#include "core/error.h"
+#include "core/units.h"
+
+#include <string>
+
+namespace gnomon::read {
+
+/// Memory is asked for here before it is taken: a file of a few bytes may claim any number of values.
+class MemoryRoom {
+public:
+    MemoryRoom(std::string path, Bytes limit) : path_(std::move(path)), limit_(limit) {}
+
+    /// Throws Error that names the file if `count` values of `bytes` each do not fit beside what was taken before.
+    void take(std::uint64_t count, std::uint64_t bytes = 1) {
+        if (bytes == 0 || count <= (limit_.count - taken_) / bytes) {
+            taken_ += count * bytes;
+            return;
+        }
+        throw Error(
+            path_,
+            "too large for a format that is read whole (convert it to PLY, which is streamed)",
+            "at most " + readableBytes(limit_) + " of memory",
+            "a need for " + std::to_string(count) + " values of " + std::to_string(bytes) + " bytes besides " +
+                readableBytes({taken_}));
+    }
+
+    /// Gives back what was taken.
+    void give(std::uint64_t bytes) { taken_ -= bytes; }
+
+    Bytes taken() const { return {taken_}; }
+
+private:
+    std::string path_;
+    Bytes limit_;
+    std::uint64_t taken_ = 0; // never more than the limit
+};
+
+} // namespace gnomon::read

@@ -72,6 +72,16 @@ void setTexels(const QuotientRange& range, int first, int end, int& low, int& hi
     high = clampedTexel(std::floor(most) + 1, first, end);
 }
 
+/// The rows whose samples may lie in `range` of y / w; snapping moves an edge by less than the way to the next.
+void setUnevenRows(const QuotientRange& range, const raster::View& view, int& low, int& high) {
+    const std::span<const float> rows = view.rowPositions;
+    const auto margin = [](double quotient) { return std::abs(quotient) * kQuotientError; };
+    const auto first = std::lower_bound(rows.begin(), rows.end(), range.least - margin(range.least));
+    const auto end = std::upper_bound(first, rows.end(), range.most + margin(range.most));
+    low = std::max(view.viewport.y0 + static_cast<int>(first - rows.begin()) - 1, view.viewport.y0);
+    high = std::min(view.viewport.y0 + static_cast<int>(end - rows.begin()) + 1, view.viewport.y1);
+}
+
 } // namespace
 
 CasterBound casterBound(const raster::View& view, const raster::CellBox& box) {
@@ -99,7 +109,10 @@ CasterBound casterBound(const raster::View& view, const raster::CellBox& box) {
     }
     CasterBound bound;
     setTexels(rangeX, view.viewport.x0, view.viewport.x1, bound.texels.x0, bound.texels.x1);
-    setTexels(rangeY, view.viewport.y0, view.viewport.y1, bound.texels.y0, bound.texels.y1);
+    if (view.rowPositions.empty())
+        setTexels(rangeY, view.viewport.y0, view.viewport.y1, bound.texels.y0, bound.texels.y1);
+    else
+        setUnevenRows(rangeY, view, bound.texels.y0, bound.texels.y1);
     const double nearest = std::clamp(rangeZ.least - std::abs(rangeZ.least) * kQuotientError, 0.0, 1.0);
     bound.nearest = std::nextafter(static_cast<float>(nearest), -1.0F);
     return bound;

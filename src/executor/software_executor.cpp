@@ -168,10 +168,6 @@ raster::OcclusionCounts SoftwareExecutor::drawWantedMap(
     statistics.drawCalls += casters.ranges.size();
     raster::DepthTarget target = depthTarget();
     target.isWanted = [this](const raster::PixelBox& box) { return !receivers_.isUnseen(box); };
-    if (!view.rowPositions.empty()) {
-        *statistics.fragments += rasterizer_.drawDepth(mapPass_.clusters(), view, target);
-        return {};
-    }
     const raster::NearestDepths drawn =
         rasterizer_.drawNearestDepth(mapPass_.clusters(), mapPass_.boxes(), view, target);
     *statistics.fragments += drawn.fragments;

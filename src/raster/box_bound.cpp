@@ -1,5 +1,7 @@
 #include "raster/box_bound.h"
 
+#include "raster/uneven/row_bands.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -158,7 +160,7 @@ public:
         rangeX_.reduce(least, most);
         const PixelRange x = pixelsWithin(least, most, error(x_, least, most, leastW), {p.scaleX, p.translateX});
         rangeY_.reduce(least, most);
-        const PixelRange y = pixelsWithin(least, most, error(y_, least, most, leastW), {p.scaleY, p.translateY});
+        const PixelRange y = rowsWithin(least, most, error(y_, least, most, leastW));
         bound.box = {x.first, y.first, x.end, y.end};
         rangeZ_.reduce(least, most);
         const float off = error(z_, least, most, leastW);
@@ -168,6 +170,13 @@ public:
     }
 
 private:
+    PixelRange rowsWithin(float least, float most, float error) const {
+        const Projection& p = *projection_;
+        if (p.rows == nullptr) return pixelsWithin(least, most, error, {p.scaleY, p.translateY});
+        const auto [first, end] = p.rows->rowsBetween(least - error, most + error);
+        return {first, end};
+    }
+
     /// Of a quotient, which is between least and most.
     float error(const ClipRow& row, float least, float most, float leastW) const {
         const float largest = std::max(std::abs(least), std::abs(most));

@@ -86,6 +86,7 @@ struct Rasterizer::Memory {
         int width,
         const TileVisitor& onTile);
 
+    Projection depthProjection(const View& view);
     void drawUneven(std::span<const Cluster> input, const View& view, const DepthTarget& target);
 };
 
@@ -151,11 +152,17 @@ void Rasterizer::Memory::draw(
     });
 }
 
-/// `drawDepth` on rows from an array.
-void Rasterizer::Memory::drawUneven(std::span<const Cluster> input, const View& view, const DepthTarget& target) {
+/// Of a map; takes the view's rows where they lie unevenly.
+Projection Rasterizer::Memory::depthProjection(const View& view) {
+    if (view.rowPositions.empty()) return projection(view, false);
     GNOMON_CHECK_OP(view.rowPositions.size(), ==, static_cast<std::size_t>(view.viewport.height()));
     rows.reset(view.rowPositions, view.viewport.y0);
-    snapClusters(input, projection(view, false, &rows));
+    return projection(view, false, &rows);
+}
+
+/// `drawDepth` on rows from an array.
+void Rasterizer::Memory::drawUneven(std::span<const Cluster> input, const View& view, const DepthTarget& target) {
+    snapClusters(input, depthProjection(view));
     binClusters(view.viewport, DepthKind::kSide);
     drawTiles<DepthKind>(target.depths, target.width, {}, [this](const TileBin& tile, float* depths) {
         return drawUnevenTile({tile.box, clusters.all(), bins.of(tile)}, rows, depths);
@@ -184,7 +191,7 @@ NearestDepths Rasterizer::drawNearestDepth(
     checkViewport(view.viewport, target.width, target.height);
     Memory& memory = *memory_;
     memory.occlusion.prepare(
-        clusters, boxes, projection(view, false), view.viewport, DepthOrder::Plain, memory.clusters);
+        clusters, boxes, memory.depthProjection(view), view.viewport, DepthOrder::Plain, memory.clusters);
     binWanted(memory.occlusion.items(), view.viewport, target.isWanted, DepthKind::kSide, kLeastTileSide, memory.bins);
     memory.drawTiles<DepthKind>(target.depths, target.width, {}, [&memory](const TileBin& tile, float* depths) {
         return memory.occlusion.drawTile(tile.box, memory.bins.of(tile), depths);

@@ -29,6 +29,8 @@ struct Sorted { // NOLINT(cppcoreguidelines-pro-type-member-init): filled up to 
         count += static_cast<std::uint32_t>(hn::CountTrue(kInts, mask));
     }
 
+    HWY_INLINE Ints at(std::uint32_t i) const { return hn::BitCast(kInts, hn::LoadU(kUints, packed.data() + i)); }
+
     /// Fills up the last vector with triangles of no area.
     HWY_INLINE void pad() { std::fill_n(packed.data() + count, kMostLanes, 0U); }
 };

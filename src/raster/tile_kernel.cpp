@@ -91,7 +91,7 @@ HWY_INLINE void drawSmall(const SnappedCluster& cluster, const Sorted& sorted, c
     const bool reachesOver = reachesOverEdge(cluster, tile);
     Hits hits; // NOLINT(cppcoreguidelines-pro-type-member-init): filled up to its count
     for (std::uint32_t first = 0; first < sorted.count; first += lanes) {
-        const auto corners = hn::BitCast(kInts, hn::LoadU(kUints, sorted.packed.data() + first));
+        const auto corners = sorted.at(first);
         TriangleLanes t = triangleLanes<isCompact>(cluster, corners, tile);
         const auto ids = Target::kHasIds ? triangleIds(cluster, corners) : corners;
         hits.count = 0;
@@ -122,7 +122,7 @@ template <bool isCompact, class Target>
 HWY_INLINE void drawNarrow(const SnappedCluster& cluster, const Sorted& sorted, const PixelBox& tile, Target& target) {
     const auto lanes = static_cast<std::uint32_t>(hn::Lanes(kInts));
     for (std::uint32_t first = 0; first < sorted.count; first += lanes) {
-        const auto corners = hn::BitCast(kInts, hn::LoadU(kUints, sorted.packed.data() + first));
+        const auto corners = sorted.at(first);
         StoredLanes stored; // NOLINT(cppcoreguidelines-pro-type-member-init): `take` fills it
         stored.take(triangleLanes<isCompact>(cluster, corners, tile));
         hn::Store(hn::BitCast(kUints, triangleIds(cluster, corners)), kUints, stored.ids.data());

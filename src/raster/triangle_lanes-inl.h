@@ -179,9 +179,30 @@ private:
     Ints originY_;
 };
 
+/// Twice the area of each lane's triangle; corners 1 and 2 of those that turn clockwise change places.
+HWY_INLINE Ints turnedArea(const PointLanes& a, PointLanes& b, PointLanes& c, Ints& i1, Ints& i2) {
+    const auto area =
+        hn::Sub(hn::Mul(hn::Sub(b.x, a.x), hn::Sub(c.y, a.y)), hn::Mul(hn::Sub(c.x, a.x), hn::Sub(b.y, a.y)));
+    const auto isTurned = hn::Lt(area, hn::Zero(kInts));
+    const auto swapTurned = [isTurned](Ints& p, Ints& q) HWY_ATTR {
+        const auto old = p;
+        p = hn::IfThenElse(isTurned, q, p);
+        q = hn::IfThenElse(isTurned, old, q);
+    };
+    swapTurned(b.x, c.x);
+    swapTurned(b.y, c.y);
+    swapTurned(i1, i2);
+    return hn::Abs(area);
+}
+
 struct CornerDepths {
     Floats z0, z1, z2;
 };
+
+HWY_INLINE CornerDepths cornerDepths(const SnappedCluster& cluster, Ints i0, Ints i1, Ints i2) {
+    const float* z = cluster.vertices.z;
+    return {hn::GatherIndex(kFloats, z, i0), hn::GatherIndex(kFloats, z, i1), hn::GatherIndex(kFloats, z, i2)};
+}
 
 /// Sets the plane of depth of `t`, whose first pixel is set, from corner 0 and the sides to the others.
 // NOLINTNEXTLINE(readability-function-size): a struct of these would be put together once and taken apart at once.
@@ -236,15 +257,7 @@ HWY_INLINE TriangleLanes triangleLanes(const SnappedCluster& cluster, Ints packe
     const PointLanes a = cornerAt(i0);
     PointLanes b = cornerAt(i1);
     PointLanes c = cornerAt(i2);
-    auto area = hn::Sub(hn::Mul(hn::Sub(b.x, a.x), hn::Sub(c.y, a.y)), hn::Mul(hn::Sub(c.x, a.x), hn::Sub(b.y, a.y)));
-    const auto turned = hn::Lt(area, hn::Zero(kInts));
-    area = hn::Abs(area);
-    const PointLanes oldB = b;
-    b = {hn::IfThenElse(turned, c.x, b.x), hn::IfThenElse(turned, c.y, b.y)};
-    c = {hn::IfThenElse(turned, oldB.x, c.x), hn::IfThenElse(turned, oldB.y, c.y)};
-    const auto oldI1 = i1;
-    i1 = hn::IfThenElse(turned, i2, i1);
-    i2 = hn::IfThenElse(turned, oldI1, i2);
+    const auto area = turnedArea(a, b, c, i1, i2);
 
     TriangleLanes t;
     t.hasArea = hn::Gt(area, hn::Zero(kInts));
@@ -261,16 +274,7 @@ HWY_INLINE TriangleLanes triangleLanes(const SnappedCluster& cluster, Ints packe
     RestLanes rest = restLanes(cluster, i0);
     SideLanes side1(a, b, rest, restLanes(cluster, i1));
     SideLanes side2(a, c, rest, restLanes(cluster, i2));
-    setDepth(
-        a,
-        rest,
-        side1,
-        side2,
-        hn::ConvertTo(kFloats, area),
-        {hn::GatherIndex(kFloats, cluster.vertices.z, i0),
-         hn::GatherIndex(kFloats, cluster.vertices.z, i1),
-         hn::GatherIndex(kFloats, cluster.vertices.z, i2)},
-        t);
+    setDepth(a, rest, side1, side2, hn::ConvertTo(kFloats, area), cornerDepths(cluster, i0, i1, i2), t);
     return t;
 }
 

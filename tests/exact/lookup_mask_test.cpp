@@ -137,6 +137,16 @@ BoxOfTriangles randomTriangles(Random& random) {
     return result;
 }
 
+/// Rows over about -1 to 1 whose gaps grow, or shrink, up to a thousandfold.
+std::vector<float> unevenRows(Random& random, int count) {
+    const double growth = random.uniform(-7, 7);
+    std::vector<float> rows;
+    rows.reserve(static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i)
+        rows.push_back(static_cast<float>(2 * std::expm1(growth * (i + 0.5) / count) / std::expm1(growth) - 1));
+    return rows;
+}
+
 TEST(CasterBound, HoldsWhateverIsDrawnOfABox) {
     raster::Rasterizer rasterizer;
     Random random(8);
@@ -144,7 +154,9 @@ TEST(CasterBound, HoldsWhateverIsDrawnOfABox) {
     int bounded = 0;
     for (int trial = 0; trial < 400; ++trial) {
         SCOPED_TRACE(trial);
-        const raster::View view = randomView(random);
+        raster::View view = randomView(random);
+        const std::vector<float> rows = unevenRows(random, view.viewport.height());
+        if (trial % 2 == 1) view.rowPositions = rows;
         const BoxOfTriangles made = randomTriangles(random);
         std::vector<float> depths(std::size_t{kWidth} * kHeight, 1);
         const raster::Cluster cluster = {made.positions.data(), 12, 60, made.triangles, 0};

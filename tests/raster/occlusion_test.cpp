@@ -26,26 +26,6 @@ constexpr int kWidth = 333; // no multiple of anything
 constexpr int kHeight = 290;
 constexpr PixelBox kOcclusionViewport = {7, 5, 330, 281};
 
-CellBox boxOf(const Cluster& cluster) {
-    CellBox box;
-    box.min.fill(0xFFFFFFFFU);
-    for (std::size_t i = 0; i < cluster.vertexCount; ++i)
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const std::uint32_t at = cluster.positions[i * cluster.positionStride / 4 + axis];
-            box.min[axis] = std::min(box.min[axis], at);
-            box.max[axis] = std::max(box.max[axis], at);
-        }
-    return box;
-}
-
-std::vector<CellBox> boxesOf(const std::vector<Cluster>& clusters) {
-    std::vector<CellBox> boxes;
-    boxes.reserve(clusters.size());
-    for (const Cluster& cluster : clusters)
-        boxes.push_back(boxOf(cluster));
-    return boxes;
-}
-
 /// How many clusters own a pixel.
 std::size_t seenClusters(const std::vector<Cluster>& clusters, const std::vector<std::uint64_t>& words) {
     std::set<std::size_t> seen;
@@ -117,36 +97,6 @@ TEST(Occlusion, SheetsOfEverySizeOfTriangle) {
         const Scene scene = sheet(quads, quads, spacing, 3);
         expectSameAsPlain(scene.clusters(), flatView(kOcclusionViewport));
     }
-}
-
-/// Small heaps of triangles, and walls of one large triangle that hide some of them.
-Scene crowd(std::uint64_t seed) {
-    Random random(seed);
-    Scene scene;
-    for (int i = 0; i < 150; ++i) {
-        const bool isWall = i % 4 == 0;
-        const double size = isWall ? 300 : std::exp2(random.uniform(1, 5));
-        const std::array<double, 3> center = {
-            random.uniform(-100, 400) * kFlatPixel,
-            random.uniform(-100, 400) * kFlatPixel,
-            random.uniform(0, 1) * 0x1p20};
-        std::vector<std::array<std::uint32_t, 3>> positions;
-        std::vector<Triangle> triangles;
-        const std::uint8_t count = isWall ? 1 : 20;
-        for (std::uint8_t t = 0; t < count; ++t) {
-            for (int corner = 0; corner < 3; ++corner) {
-                auto& position = positions.emplace_back();
-                for (std::size_t axis = 0; axis < 3; ++axis)
-                    position[axis] = static_cast<std::uint32_t>(
-                        static_cast<std::int64_t>(kSceneCenter) +
-                        std::llround(center[axis] + random.uniform(-1, 1) * size * kFlatPixel));
-            }
-            const auto first = static_cast<std::uint8_t>(3 * t);
-            triangles.push_back({first, static_cast<std::uint8_t>(first + 1), static_cast<std::uint8_t>(first + 2)});
-        }
-        scene.add(std::move(positions), std::move(triangles));
-    }
-    return scene;
 }
 
 TEST(Occlusion, CrowdsSeenFromAmongThem) {

@@ -45,6 +45,12 @@ Scene sheet(int columns, int rows, double spacing, std::uint64_t seed);
 /// Unconnected triangles around kSceneCenter, from less than a pixel to larger than the screen, with some of no area.
 Scene soup(int triangles, std::uint64_t seed);
 
+/// Small heaps of triangles, and walls of one large triangle that hide some of them.
+Scene crowd(std::uint64_t seed);
+
+/// The boxes of the clusters' vertices.
+std::vector<CellBox> boxesOf(const std::vector<Cluster>& clusters);
+
 /// A random perspective (depth reversed, near and far both inside the scene) from amid the triangles of a soup.
 View insideView(const PixelBox& viewport, std::uint64_t seed);
 

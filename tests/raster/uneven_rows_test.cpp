@@ -2,6 +2,7 @@
 // double, depths of the plane.
 #include "raster/raster.h"
 #include "raster/uneven/row_bands.h"
+#include "tests/each_target.h"
 #include "tests/raster/plain_uneven.h"
 #include "tests/raster/scenes.h"
 
@@ -195,6 +196,43 @@ TEST(UnevenRows, AFanOf85TrianglesHasNoHoleAndNoDouble) {
             EXPECT_EQ(std::count(depths.begin(), depths.end(), 1.0F), 0) << "no hole";
         }
     }
+}
+
+/// From -1 to 1, with gaps that grow 300 times.
+std::vector<float> fanningRows(int count) {
+    std::vector<float> rows;
+    rows.reserve(static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i)
+        rows.push_back(static_cast<float>(2 * (std::pow(300, (i + 0.5) / count) - 1) / 299 - 1));
+    return rows;
+}
+
+TEST(UnevenRows, KeepTheirDepthsWithoutWhatIsHidden) {
+    constexpr int kWidth = 333;
+    constexpr int kHeight = 290;
+    constexpr PixelBox viewport{7, 5, 330, 281};
+    const std::vector<float> rows = fanningRows(viewport.height());
+    const std::size_t pixels = std::size_t{kWidth} * kHeight;
+    std::uint64_t hidden = 0;
+    Rasterizer rasterizer;
+    for (std::uint64_t seed = 0; seed < 8; ++seed) {
+        SCOPED_TRACE(seed);
+        const Scene scene = crowd(seed);
+        const std::vector<CellBox> boxes = boxesOf(scene.clusters());
+        for (View view : {flatView(viewport), insideView(viewport, seed)}) {
+            view.rowPositions = rows;
+            std::vector<float> whole(pixels, 2);
+            rasterizer.drawDepth(scene.clusters(), view, {whole.data(), kWidth, kHeight});
+            tests::onEachTarget([&](const char* target) {
+                SCOPED_TRACE(target);
+                std::vector<float> depths(pixels, 2);
+                const DepthTarget map = {depths.data(), kWidth, kHeight};
+                hidden += rasterizer.drawNearestDepth(scene.clusters(), boxes, view, map).hidden.clustersHidden;
+                EXPECT_TRUE(depths == whole);
+            });
+        }
+    }
+    EXPECT_GT(hidden, 50U);
 }
 
 TEST(UnevenRows, BandsKeepTheirRowsABucketApart) {

@@ -70,8 +70,6 @@ std::uint64_t ReceiverPass::collect(
 const selection::DrawList& ReceiverPass::casters(
     const FrameDrawing& frame, std::size_t pass, const raster::View& view) {
     const selection::DrawList& all = *frame.casters[pass];
-    // What a box covers is known for even rows alone; tiles that nobody reads are left out of all maps.
-    if (!view.rowPositions.empty()) return all;
     clustersTested_ += all.clusters;
     places_.clear();
     std::size_t count = 0;

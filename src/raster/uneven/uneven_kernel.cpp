@@ -15,121 +15,66 @@
 #include "raster/stored_lanes-inl.h"
 #include "raster/tile_target-inl.h"
 #include "raster/triangle_lanes-inl.h"
+#include "raster/uneven/band_vertices-inl.h"
 // clang-format on
 
 HWY_BEFORE_NAMESPACE();
 
 namespace gnomon::raster::HWY_NAMESPACE {
 
-/// Units further from a band than this are as good as this far: only the extremes of a triangle that is too large for
-/// 32-bit edges are asked about there.
-constexpr float kFarUnits = 0x1p29F; // so that differences fit an int
-
-HWY_INLINE IntMask isAtMost(Ints a, Ints b) {
-    return hn::Lt(a, hn::Add(b, hn::Set(kInts, 1)));
+/// Whose edges fit 32 bits.
+HWY_INLINE IntMask isNarrow(const UnevenSource& source, Ints corners) {
+    const PointLanes a = source.pointAt(cornerIndex<0>(corners));
+    const PointLanes b = source.pointAt(cornerIndex<1>(corners));
+    const PointLanes c = source.pointAt(cornerIndex<2>(corners));
+    const auto narrow = hn::Set(kInts, kNarrowExtent);
+    return hn::And(
+        hn::Lt(hn::Sub(largest(a.x, b.x, c.x), least(a.x, b.x, c.x)), narrow),
+        hn::Lt(hn::Sub(largest(a.y, b.y, c.y), least(a.y, b.y, c.y)), narrow));
 }
-
-/// A band as its tiles see it.
-struct BandLanes {
-    const RowBand* band;
-    const PixelBox* tile; // within the band
-
-    HWY_INLINE Ints row(Ints index) const { return hn::GatherIndex(kInts, band->rows.data(), index); }
-
-    /// The first row of `units` or more, from the band's first.
-    HWY_INLINE Ints firstRow(Ints units) const {
-        const auto last = hn::Set(kInts, static_cast<std::int32_t>(band->rowsFromBucket.size()) - 1);
-        const auto bucket = hn::Min(hn::ShiftRight<kBucketBits>(hn::Max(units, hn::Zero(kInts))), last);
-        const auto found = hn::GatherIndex(kInts, band->rowsFromBucket.data(), bucket);
-        return hn::Sub(found, hn::VecFromMask(kInts, hn::Lt(row(found), units)));
-    }
-};
-
-/// The vertices of a cluster snapped for a band: y in its units, and what snapping cut off, packed as of even rows.
-/// Each serves about six corners, twice.
-struct BandVertices { // NOLINT(cppcoreguidelines-pro-type-member-init): filled up to the cluster's count
-    alignas(64) std::array<std::int32_t, kMaxClusterVertices> y;
-    alignas(64) std::array<std::uint32_t, kMaxClusterVertices> rests;
-
-    HWY_INLINE void take(const SnappedCluster& cluster, const RowBand& band) {
-        const auto base = hn::Set(kFloats, band.base);
-        const auto scale = hn::Set(kFloats, band.scale);
-        const auto far = hn::Set(kFloats, kFarUnits);
-        const auto lanes = static_cast<std::uint32_t>(hn::Lanes(kInts));
-        for (std::uint32_t i = 0; i < cluster.vertexCount; i += lanes) {
-            const auto position = hn::BitCast(kFloats, hn::LoadU(kInts, cluster.vertices.y + i));
-            const auto units = hn::Min(hn::Max(hn::Mul(hn::Sub(position, base), scale), hn::Neg(far)), far);
-            const auto snapped = hn::NearestInt(units);
-            const auto rest = hn::Mul(
-                hn::Sub(units, hn::ConvertTo(kFloats, snapped)), hn::Set(kFloats, static_cast<float>(1 << kRestBits)));
-            const auto restY = hn::NearestInt(hn::Min(rest, hn::Set(kFloats, 32767.0F)));
-            const auto restX = hn::And(hn::LoadU(kUints, cluster.vertices.rests + i), hn::Set(kUints, 0xFFFFU));
-            hn::StoreU(snapped, kInts, y.data() + i);
-            hn::StoreU(hn::Or(restX, hn::BitCast(kUints, hn::ShiftLeft<16>(restY))), kUints, rests.data() + i);
-        }
-    }
-};
-
-/// Loads corners of a cluster's triangles: x from the tile's first column, y in the band's units.
-class UnevenSource {
-public:
-    HWY_INLINE UnevenSource(const SnappedCluster& cluster, const BandVertices& vertices, const BandLanes& rows)
-        : x_(cluster.vertices.x),
-          y_(vertices.y.data()),
-          rests_(reinterpret_cast<const std::int32_t*>(vertices.rests.data())),
-          originX_(hn::Set(kInts, -rows.tile->x0 * kSubpixels)) {}
-
-    HWY_INLINE PointLanes pointAt(Ints index) const {
-        return {hn::Add(hn::GatherIndex(kInts, x_, index), originX_), hn::GatherIndex(kInts, y_, index)};
-    }
-
-    HWY_INLINE RestLanes restAt(Ints index) const { return unpackedRests(hn::GatherIndex(kInts, rests_, index)); }
-
-private:
-    const std::int32_t* x_;
-    const std::int32_t* y_;
-    const std::int32_t* rests_;
-    Ints originX_;
-};
 
 /// Leaves out the triangles that no sample of the tile can be inside of; sorts the rest by how many they may cover.
 HWY_INLINE void sortUneven(
-    const SnappedCluster& cluster, const UnevenSource& source, const BandLanes& rows, SortedCluster& sorted) {
+    const SnappedCluster& cluster,
+    const BandVertices& vertices,
+    const UnevenSource& source,
+    const BandLanes& rows,
+    SortedCluster& sorted) {
     PackedTriangles packed; // NOLINT(cppcoreguidelines-pro-type-member-init): packTriangles fills it
     packTriangles(cluster.triangles, packed);
     sorted.clear();
     const auto lanes = static_cast<std::uint32_t>(hn::Lanes(kInts));
-    const auto narrow = hn::Set(kInts, kNarrowExtent);
-    const auto one = hn::Set(kInts, 1);
     const auto round = hn::Set(kInts, kSubpixels - 1);
     const auto lastColumn = hn::Set(kInts, rows.tile->width() - 1);
     const auto firstOfTile = hn::Set(kInts, rows.tile->y0 - rows.band->first);
-    const auto lastOfTile = hn::Set(kInts, rows.tile->y1 - 1 - rows.band->first);
+    const auto endOfTile = hn::Set(kInts, rows.tile->y1 - rows.band->first);
+    using Place = VertexPlace;
     for (std::uint32_t first = 0; first < cluster.triangles.size(); first += lanes) {
         const auto corners = hn::BitCast(kInts, hn::LoadU(kUints, packed.data() + first));
-        const PointLanes a = source.pointAt(cornerIndex<0>(corners));
-        const PointLanes b = source.pointAt(cornerIndex<1>(corners));
-        const PointLanes c = source.pointAt(cornerIndex<2>(corners));
+        const auto a = hn::GatherIndex(kInts, vertices.places.data(), cornerIndex<0>(corners));
+        const auto b = hn::GatherIndex(kInts, vertices.places.data(), cornerIndex<1>(corners));
+        const auto c = hn::GatherIndex(kInts, vertices.places.data(), cornerIndex<2>(corners));
         // The samples of the tile between the extremes; rows from the band's first.
-        const auto firstX = hn::ShiftRight<kSubpixelBits>(hn::Add(least(a.x, b.x, c.x), round));
-        const auto lastX = hn::Min(hn::ShiftRight<kSubpixelBits>(largest(a.x, b.x, c.x)), lastColumn);
-        const auto lastRow = hn::Sub(rows.firstRow(hn::Add(largest(a.y, b.y, c.y), one)), one);
+        const auto leastX = least(Place::x(a), Place::x(b), Place::x(c));
+        const auto largestX = largest(Place::x(a), Place::x(b), Place::x(c));
+        const auto firstX = hn::ShiftRight<kSubpixelBits>(hn::Add(leastX, round));
+        const auto lastX = hn::Min(hn::ShiftRight<kSubpixelBits>(largestX), lastColumn);
+        const auto firstRow = hn::Max(least(Place::row(a), Place::row(b), Place::row(c)), firstOfTile);
+        const auto endRow = hn::Min(largest(Place::rowAbove(a), Place::rowAbove(b), Place::rowAbove(c)), endOfTile);
         const auto columns = hn::Sub(lastX, hn::Max(firstX, hn::Zero(kInts)));
-        const auto rowCount =
-            hn::Sub(hn::Min(lastRow, lastOfTile), hn::Max(rows.firstRow(least(a.y, b.y, c.y)), firstOfTile));
+        const auto rowCount = hn::Sub(hn::Sub(endRow, firstRow), hn::Set(kInts, 1));
         const auto drawn = hn::Gt(hn::Min(columns, rowCount), hn::Set(kInts, -1));
-        const auto isNarrow = hn::And(
-            hn::Lt(hn::Sub(largest(a.x, b.x, c.x), least(a.x, b.x, c.x)), narrow),
-            hn::Lt(hn::Sub(largest(a.y, b.y, c.y), least(a.y, b.y, c.y)), narrow));
+        if (hn::AllFalse(kInts, drawn)) continue;
+        const auto isOfNarrow = vertices.isNarrow ? drawn : hn::And(drawn, isNarrow(source, corners));
         const auto reach = hn::Max(columns, rowCount);
-        const auto isTiny = hn::And(isNarrow, hn::Lt(reach, hn::Set(kInts, 2)));
-        const auto isSmall = hn::And(isNarrow, hn::Lt(reach, hn::Set(kInts, 4)));
-        sorted.tiny.add(corners, hn::And(drawn, isTiny));
-        sorted.small.add(corners, hn::And(drawn, hn::AndNot(isTiny, isSmall)));
+        const auto isTiny = hn::And(isOfNarrow, hn::Lt(reach, hn::Set(kInts, 2)));
+        const auto isSmall = hn::And(isOfNarrow, hn::Lt(reach, hn::Set(kInts, 4)));
+        sorted.tiny.add(corners, isTiny);
+        sorted.small.add(corners, hn::AndNot(isTiny, isSmall));
         const auto larger = hn::AndNot(isSmall, drawn);
         if (hn::AllFalse(kInts, larger)) continue;
-        sorted.narrow.add(corners, hn::And(larger, isNarrow));
-        sorted.wide.add(corners, hn::AndNot(isNarrow, larger));
+        sorted.narrow.add(corners, hn::And(larger, isOfNarrow));
+        sorted.wide.add(corners, hn::AndNot(isOfNarrow, larger));
     }
     sorted.pad();
 }
@@ -158,17 +103,7 @@ unevenLanes(const SnappedCluster& cluster, const UnevenSource& source, Ints pack
     const PointLanes a = source.pointAt(i0);
     PointLanes b = source.pointAt(i1);
     PointLanes c = source.pointAt(i2);
-    auto area = hn::Sub(hn::Mul(hn::Sub(b.x, a.x), hn::Sub(c.y, a.y)), hn::Mul(hn::Sub(c.x, a.x), hn::Sub(b.y, a.y)));
-    const auto turned = hn::Lt(area, hn::Zero(kInts));
-    area = hn::Abs(area);
-    const auto swapTurned = [&](Ints& p, Ints& q) HWY_ATTR {
-        const auto old = p;
-        p = hn::IfThenElse(turned, q, p);
-        q = hn::IfThenElse(turned, old, q);
-    };
-    swapTurned(b.x, c.x);
-    swapTurned(b.y, c.y);
-    swapTurned(i1, i2);
+    const auto area = turnedArea(a, b, c, i1, i2);
 
     const PixelBox& tile = *rows.tile;
     const int above = rows.band->first;
@@ -195,16 +130,7 @@ unevenLanes(const SnappedCluster& cluster, const UnevenSource& source, Ints pack
     const RestLanes rest = source.restAt(i0);
     SideLanes side1(a, b, rest, source.restAt(i1));
     SideLanes side2(a, c, rest, source.restAt(i2));
-    setDepth(
-        a,
-        rest,
-        side1,
-        side2,
-        hn::ConvertTo(kFloats, area),
-        {hn::GatherIndex(kFloats, cluster.vertices.z, i0),
-         hn::GatherIndex(kFloats, cluster.vertices.z, i1),
-         hn::GatherIndex(kFloats, cluster.vertices.z, i2)},
-        t);
+    setDepth(a, rest, side1, side2, hn::ConvertTo(kFloats, area), cornerDepths(cluster, i0, i1, i2), t);
     return lanes;
 }
 
@@ -227,7 +153,7 @@ HWY_INLINE void drawSmallUneven(
     const auto firstRow = hn::Set(kInts, rows.tile->y0 - rows.band->first);
     Hits hits; // NOLINT(cppcoreguidelines-pro-type-member-init): filled up to its count
     for (std::uint32_t first = 0; first < sorted.count; first += lanes) {
-        const auto corners = hn::BitCast(kInts, hn::LoadU(kUints, sorted.packed.data() + first));
+        const auto corners = sorted.at(first);
         const UnevenLanes triangle = unevenLanes(cluster, source, corners, rows);
         const TriangleLanes& t = triangle.t;
         hits.count = 0;
@@ -298,7 +224,7 @@ HWY_INLINE void drawNarrowUneven(
     DepthTile& target) {
     const auto lanes = static_cast<std::uint32_t>(hn::Lanes(kInts));
     for (std::uint32_t first = 0; first < sorted.count; first += lanes) {
-        const auto corners = hn::BitCast(kInts, hn::LoadU(kUints, sorted.packed.data() + first));
+        const auto corners = sorted.at(first);
         const UnevenLanes triangle = unevenLanes(cluster, source, corners, rows);
         StoredLanes stored; // NOLINT(cppcoreguidelines-pro-type-member-init): `take` fills it
         stored.take(triangle.t);
@@ -328,16 +254,19 @@ HWY_INLINE void drawWideUneven(
              std::int16_t{0}});
     }
     const UnevenTriangle triangle(corners);
-    if (!triangle.hasArea()) return;
+    if (!triangle.hasArea() || !triangle.mayTouch(*rows.band, *rows.tile)) return;
     const auto leastDepth = hn::Set(kFloats, triangle.leastDepth());
     const auto largestDepth = hn::Set(kFloats, triangle.largestDepth());
     const auto perX = hn::Set(kFloats, triangle.depthPerX());
     const auto referenceX = hn::Set(kInts, triangle.referenceX());
     const PixelBox& tile = *rows.tile;
     const auto [lowest, highest] = std::minmax({corners[0].y, corners[1].y, corners[2].y});
-    for (int y = tile.y0; y < tile.y1; ++y) {
-        const std::int64_t units = rows.band->rows[static_cast<std::size_t>(y - rows.band->first)];
-        if (units < lowest || units > highest) continue;
+    const std::span<const std::int32_t> units(
+        rows.band->rows.data() + (tile.y0 - rows.band->first), static_cast<std::size_t>(tile.height()));
+    const auto first = std::lower_bound(units.begin(), units.end(), lowest);
+    const auto after = std::upper_bound(first, units.end(), highest);
+    const auto rowAt = [&](auto place) { return tile.y0 + static_cast<int>(place - units.begin()); };
+    for (int y = rowAt(first); y < rowAt(after); ++y) {
         const WideRow row = triangle.row(*rows.band, y, tile.x0, tile.x1);
         if (row.x0 >= row.x1) continue;
         const auto reference = hn::Set(kFloats, row.depthAtReference);
@@ -360,9 +289,9 @@ std::uint64_t drawUnevenInLanes(const TileWork& work, const RowBand& band, float
     for (const std::uint32_t index : work.indices) {
         const SnappedCluster& cluster = work.clusters[index];
         if (cluster.box.y1 <= work.box.y0 || cluster.box.y0 >= work.box.y1) continue;
-        vertices.take(cluster, band);
+        vertices.take(cluster, rows);
         const UnevenSource source(cluster, vertices, rows);
-        sortUneven(cluster, source, rows, sorted);
+        sortUneven(cluster, vertices, source, rows, sorted);
         drawSmallUneven<2>(cluster, source, sorted.tiny, rows, target);
         drawSmallUneven<4>(cluster, source, sorted.small, rows, target);
         drawNarrowUneven(cluster, source, sorted.narrow, rows, target);

@@ -1,5 +1,6 @@
 #include "raster/uneven/uneven_triangle.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <utility>
@@ -7,10 +8,10 @@
 namespace gnomon::raster {
 namespace {
 
-/// The floor of a / b, b above 0; at least kFarSamples from 0 where the quotient is. An estimate that is off by one at
-/// most, and its correction.
-std::int64_t flooredSamples(std::int64_t a, std::int64_t b) {
-    const double quotient = static_cast<double>(a) / static_cast<double>(b);
+/// The floor of a / b, b above 0 with that `inverse`; at least kFarSamples from 0 where the quotient is. An estimate
+/// that is off by one at most, and its correction.
+std::int64_t flooredSamples(std::int64_t a, std::int64_t b, double inverse) {
+    const double quotient = static_cast<double>(a) * inverse;
     if (std::abs(quotient) >= kFarSamples) return static_cast<std::int64_t>(std::copysign(kFarSamples, quotient));
     const auto estimate = static_cast<std::int64_t>(quotient);
     const std::int64_t rest = a - estimate * b;
@@ -38,7 +39,9 @@ UnevenTriangle::UnevenTriangle(std::array<UnevenVertex, 3> corners) : corners_(c
         const std::int64_t dx = to.x - from.x;
         const std::int64_t dy = to.y - from.y;
         const bool ownsEdge = dy < 0 || (dy == 0 && dx > 0);
-        edges_[i] = {from.x, from.y, dx, dy, ownsEdge ? 0 : 1};
+        const std::int64_t perPixel = -dy * kSubpixels;
+        const double inverse = perPixel == 0 ? 0 : 1 / std::abs(static_cast<double>(perPixel));
+        edges_[i] = {from.x, from.y, dx, dy, ownsEdge ? 0 : 1, perPixel, inverse};
     }
     const auto& [a, b, c] = corners_;
     leastDepth_ = std::clamp(std::min({a.z, b.z, c.z}), 0.0F, 1.0F);
@@ -70,6 +73,16 @@ void UnevenTriangle::setPlane(bool isTrue) {
     startY_ = y(a);
 }
 
+bool UnevenTriangle::mayTouch(const RowBand& band, const PixelBox& box) const {
+    const std::int64_t low = band.rows[static_cast<std::size_t>(box.y0 - band.first)];
+    const std::int64_t high = band.rows[static_cast<std::size_t>(box.y1 - 1 - band.first)];
+    return std::all_of(edges_.begin(), edges_.end(), [&](const Edge& edge) {
+        const std::int64_t y = edge.dx > 0 ? high : low;
+        const std::int64_t x = std::int64_t{edge.perPixel > 0 ? box.x1 - 1 : box.x0} * kSubpixels;
+        return edge.dx * (y - edge.y) - edge.dy * (x - edge.x) >= edge.own;
+    });
+}
+
 WideRow UnevenTriangle::row(const RowBand& band, int y, int x0, int x1) const {
     const std::int64_t units = band.rows[static_cast<std::size_t>(y - band.first)];
     std::int64_t first = x0;
@@ -77,11 +90,10 @@ WideRow UnevenTriangle::row(const RowBand& band, int y, int x0, int x1) const {
     for (const Edge& edge : edges_) {
         // At the column X this is less by dy (X - x), 256 dy for each.
         const std::int64_t at = edge.dx * (units - edge.y) + edge.dy * edge.x - edge.own;
-        const std::int64_t perPixel = -edge.dy * kSubpixels;
-        if (perPixel > 0)
-            first = std::max(first, -flooredSamples(at, perPixel));
-        else if (perPixel < 0)
-            end = std::min(end, flooredSamples(at, -perPixel) + 1);
+        if (edge.perPixel > 0)
+            first = std::max(first, -flooredSamples(at, edge.perPixel, edge.inverse));
+        else if (edge.perPixel < 0)
+            end = std::min(end, flooredSamples(at, -edge.perPixel, edge.inverse) + 1);
         else if (at < 0)
             end = x0;
     }

@@ -29,6 +29,9 @@ public:
 
     bool hasArea() const { return hasArea_; }
 
+    /// Whether a sample of `box` may be inside; `box` is of rows of `band`.
+    bool mayTouch(const RowBand& band, const PixelBox& box) const;
+
     /// The samples of row `y` of the target, which is of `band`, in columns from x0 to x1 - 1; depth as WideRow has it.
     WideRow row(const RowBand& band, int y, int x0, int x1) const;
 
@@ -48,6 +51,8 @@ private:
         std::int64_t dx = 0;
         std::int64_t dy = 0;
         std::int64_t own = 0;
+        std::int64_t perPixel = 0; // -256 dy, what it grows by from a column to the next
+        double inverse = 0;        // of its magnitude
     };
 
     void setPlane(bool isTrue);

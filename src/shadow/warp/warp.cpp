@@ -54,6 +54,28 @@ double kappaOfLog(const LightFit& fit, double logGrowth) {
     return fit.length > 0 ? std::expm1(logGrowth) / fit.length : 0.0;
 }
 
+/// S by the logarithm of what w grows by over the map.
+auto storageOfGrowth(const LightFit& fit) {
+    return [&fit](double logGrowth) { return storageFactor(fit, kappaOfLog(fit, logGrowth)); };
+}
+
+/// The growth of least S, from no warp to kMostWarp: the best of so many even steps, then golden sections between its
+/// neighbours.
+double growthOfLeastStorage(const LightFit& fit, int steps, double tolerance) {
+    const auto storage = storageOfGrowth(fit);
+    const double step = std::log1p(kMostWarp) / steps;
+    double best = storage(0);
+    double bestAt = 0;
+    for (int i = 1; i <= steps; ++i) {
+        const double found = storage(i * step);
+        if (found < best) {
+            best = found;
+            bestAt = i * step;
+        }
+    }
+    return leastOf(storage, std::max(0.0, bestAt - step), bestAt + step, tolerance);
+}
+
 } // namespace
 
 double kappaLspsm(const LightFit& fit) {
@@ -102,25 +124,11 @@ double kappaMinimax(const LightFit& fit) {
 double kappaAuto(const LightFit& fit) {
     const double most = kappaMinimax(fit);
     if (!(most > 0)) return 0;
-    const auto storage = [&](double logGrowth) { return storageFactor(fit, kappaOfLog(fit, logGrowth)); };
-    return std::min(most, kappaOfLog(fit, leastOf(storage, 0, std::log1p(most * fit.length), 1e-5)));
+    return std::min(most, kappaOfLog(fit, leastOf(storageOfGrowth(fit), 0, std::log1p(most * fit.length), 1e-5)));
 }
 
 double kappaLeastStorage(const LightFit& fit) {
-    if (!(fit.length > 0)) return 0;
-    const auto storage = [&](double logGrowth) { return storageFactor(fit, kappaOfLog(fit, logGrowth)); };
-    constexpr int kSteps = 2000;
-    const double step = std::log1p(kMostWarp) / kSteps;
-    double best = storage(0);
-    double bestAt = 0;
-    for (int i = 1; i <= kSteps; ++i) {
-        const double found = storage(i * step);
-        if (found < best) {
-            best = found;
-            bestAt = i * step;
-        }
-    }
-    return kappaOfLog(fit, leastOf(storage, std::max(0.0, bestAt - step), bestAt + step, 1e-12));
+    return fit.length > 0 ? kappaOfLog(fit, growthOfLeastStorage(fit, 2000, 1e-12)) : 0.0;
 }
 
 std::optional<double> kappaAtEye(const LightFit& fit) {
@@ -129,24 +137,13 @@ std::optional<double> kappaAtEye(const LightFit& fit) {
     return 1 / fit.zMin;
 }
 
-double kappaLog(const LightFit& fit) {
+double kappaLog(const LightFit& fit, Search search) {
     if (!(fit.length > 0)) return 0;
-    const auto storage = [&](double logGrowth) { return storageFactor(fit, kappaOfLog(fit, logGrowth)); };
-    constexpr int kSteps = 32;
-    const double step = std::log1p(kMostWarp) / kSteps;
-    double best = storage(0);
-    double bestAt = 0;
-    for (int i = 1; i <= kSteps; ++i) {
-        const double found = storage(i * step);
-        if (found < best) {
-            best = found;
-            bestAt = i * step;
-        }
-    }
-    const double sought = leastOf(storage, std::max(0.0, bestAt - step), bestAt + step, 1e-5);
+    const double sought =
+        search == Search::Fine ? growthOfLeastStorage(fit, 32, 1e-5) : growthOfLeastStorage(fit, 10, 0.1);
     // The least S often lies where two vertices are as bad as each other, a kink that a search only comes near to.
     const std::optional<double> atEye = kappaAtEye(fit);
-    if (atEye && storageFactor(fit, *atEye) <= storage(sought)) return *atEye;
+    if (atEye && storageFactor(fit, *atEye) <= storageOfGrowth(fit)(sought)) return *atEye;
     return kappaOfLog(fit, sought);
 }
 

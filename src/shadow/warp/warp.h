@@ -95,8 +95,9 @@ std::optional<double> kappaAtEye(const LightFit& fit);
 
 /// The kappa of least S with logarithmic rows. About the eye with the light overhead, where neither `auto` nor minimax
 /// may choose it: S = ln(f/n) / (2 tan theta) there, and 9 times that already with 0.3 of that kappa. Elsewhere it is
-/// sought between no warp and far behind the eye.
-double kappaLog(const LightFit& fit);
+/// sought between no warp and far behind the eye; roughly, where many fits are compared.
+enum class Search : std::uint8_t { Fine, Rough };
+double kappaLog(const LightFit& fit, Search search = Search::Fine);
 
 /// The kappa that `warp` chooses for `fit`.
 double kappaOf(const Warp& warp, const LightFit& fit);

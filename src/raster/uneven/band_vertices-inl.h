@@ -1,0 +1,149 @@
+// The vertices of a cluster as a band of rows has them: snapped, and where they lie among its samples. Included once
+// for each instruction set.
+#if defined(GNOMON_RASTER_BAND_VERTICES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef GNOMON_RASTER_BAND_VERTICES_INL_H
+#undef GNOMON_RASTER_BAND_VERTICES_INL_H
+#else
+#define GNOMON_RASTER_BAND_VERTICES_INL_H
+#endif
+
+#include "raster/triangle_lanes-inl.h"
+#include "raster/uneven/row_bands.h"
+
+#include <array>
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+
+namespace gnomon::raster::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Units further from a band than this are as good as this far: only the extremes of a triangle that is too large for
+/// 32-bit edges are asked about there.
+constexpr float kFarUnits = 0x1p29F; // so that differences fit an int
+
+HWY_INLINE IntMask isAtMost(Ints a, Ints b) {
+    return hn::Lt(a, hn::Add(b, hn::Set(kInts, 1)));
+}
+
+/// A band as its tiles see it.
+struct BandLanes {
+    const RowBand* band;
+    const PixelBox* tile; // within the band
+
+    HWY_INLINE Ints row(Ints index) const { return hn::GatherIndex(kInts, band->rows.data(), index); }
+
+    /// The first row of `units` or more, from the band's first.
+    HWY_INLINE Ints firstRow(Ints units) const {
+        const auto last = hn::Set(kInts, static_cast<std::int32_t>(band->rowsFromBucket.size()) - 1);
+        const auto bucket = hn::Min(hn::ShiftRight<kBucketBits>(hn::Max(units, hn::Zero(kInts))), last);
+        const auto found = hn::GatherIndex(kInts, band->rowsFromBucket.data(), bucket);
+        return hn::Sub(found, hn::VecFromMask(kInts, hn::Lt(row(found), units)));
+    }
+};
+
+/// Where a vertex lies among the samples of a tile, in a word: x, held within a tile's width beside it, the first row
+/// that is not below it, and whether that is at its very height.
+struct VertexPlace {
+    static constexpr int kColumnBits = 18;
+    static constexpr int kRowBits = 9;
+    static constexpr std::int32_t kBeside = kTileSide * kSubpixels;
+    static_assert(3 * kBeside <= 1 << kColumnBits);
+    static_assert(kMostBandRows < 1 << kRowBits);
+
+    static HWY_INLINE Ints packed(Ints x, Ints row, IntMask isAtRow) {
+        const auto beside = hn::Set(kInts, kBeside);
+        const auto held = hn::Min(hn::Max(hn::Add(x, beside), hn::Zero(kInts)), hn::Set(kInts, 3 * kBeside - 1));
+        const auto rows = hn::Or(row, hn::And(hn::VecFromMask(kInts, isAtRow), hn::Set(kInts, 1 << kRowBits)));
+        return hn::Or(held, hn::ShiftLeft<kColumnBits>(rows));
+    }
+
+    static HWY_INLINE Ints x(Ints place) {
+        return hn::Sub(hn::And(place, hn::Set(kInts, (1 << kColumnBits) - 1)), hn::Set(kInts, kBeside));
+    }
+
+    /// The first row that is not below the vertex; and the first that is above it.
+    static HWY_INLINE Ints row(Ints place) {
+        return hn::And(hn::ShiftRight<kColumnBits>(place), hn::Set(kInts, (1 << kRowBits) - 1));
+    }
+
+    static HWY_INLINE Ints rowAbove(Ints place) {
+        return hn::Add(row(place), hn::ShiftRight<kColumnBits + kRowBits>(place));
+    }
+};
+
+/// The vertices of a cluster snapped for a band: y in its units, what snapping cut off, packed as of even rows, and
+/// their places. Each serves about six corners, twice.
+struct BandVertices { // NOLINT(cppcoreguidelines-pro-type-member-init): filled up to the cluster's count
+    alignas(64) std::array<std::int32_t, kMaxClusterVertices> y;
+    alignas(64) std::array<std::uint32_t, kMaxClusterVertices> rests;
+    alignas(64) std::array<std::int32_t, kMaxClusterVertices> places;
+    bool isNarrow; // every triangle of the cluster
+
+    HWY_INLINE void take(const SnappedCluster& cluster, const BandLanes& rows) {
+        const RowBand& band = *rows.band;
+        const auto base = hn::Set(kFloats, band.base);
+        const auto scale = hn::Set(kFloats, band.scale);
+        const auto far = hn::Set(kFloats, kFarUnits);
+        const auto originX = hn::Set(kInts, -rows.tile->x0 * kSubpixels);
+        auto minX = hn::Set(kInts, hwy::HighestValue<std::int32_t>());
+        auto minY = minX;
+        auto maxX = hn::Set(kInts, hwy::LowestValue<std::int32_t>());
+        auto maxY = maxX;
+        const auto lanes = static_cast<std::uint32_t>(hn::Lanes(kInts));
+        for (std::uint32_t i = 0; i < cluster.vertexCount; i += lanes) {
+            const auto position = hn::BitCast(kFloats, hn::LoadU(kInts, cluster.vertices.y + i));
+            const auto units = hn::Min(hn::Max(hn::Mul(hn::Sub(position, base), scale), hn::Neg(far)), far);
+            const auto snapped = hn::NearestInt(units);
+            const auto rest = hn::Mul(
+                hn::Sub(units, hn::ConvertTo(kFloats, snapped)), hn::Set(kFloats, static_cast<float>(1 << kRestBits)));
+            const auto restY = hn::NearestInt(hn::Min(rest, hn::Set(kFloats, 32767.0F)));
+            const auto restX = hn::And(hn::LoadU(kUints, cluster.vertices.rests + i), hn::Set(kUints, 0xFFFFU));
+            hn::StoreU(snapped, kInts, y.data() + i);
+            hn::StoreU(hn::Or(restX, hn::BitCast(kUints, hn::ShiftLeft<16>(restY))), kUints, rests.data() + i);
+            const auto x = hn::LoadU(kInts, cluster.vertices.x + i);
+            const auto row = rows.firstRow(snapped);
+            const auto place = VertexPlace::packed(hn::Add(x, originX), row, hn::Eq(rows.row(row), snapped));
+            hn::StoreU(place, kInts, places.data() + i);
+            minX = hn::Min(minX, x);
+            maxX = hn::Max(maxX, x);
+            minY = hn::Min(minY, snapped);
+            maxY = hn::Max(maxY, snapped);
+        }
+        isNarrow = extent(minX, maxX) < kNarrowExtent && extent(minY, maxY) < kNarrowExtent;
+    }
+
+private:
+    static HWY_INLINE std::int64_t extent(Ints low, Ints high) {
+        return std::int64_t{hn::GetLane(hn::MaxOfLanes(kInts, high))} - hn::GetLane(hn::MinOfLanes(kInts, low));
+    }
+};
+
+/// Loads corners of a cluster's triangles: x from the tile's first column, y in the band's units.
+class UnevenSource {
+public:
+    HWY_INLINE UnevenSource(const SnappedCluster& cluster, const BandVertices& vertices, const BandLanes& rows)
+        : x_(cluster.vertices.x),
+          y_(vertices.y.data()),
+          rests_(reinterpret_cast<const std::int32_t*>(vertices.rests.data())),
+          originX_(hn::Set(kInts, -rows.tile->x0 * kSubpixels)) {}
+
+    HWY_INLINE PointLanes pointAt(Ints index) const {
+        return {hn::Add(hn::GatherIndex(kInts, x_, index), originX_), hn::GatherIndex(kInts, y_, index)};
+    }
+
+    HWY_INLINE RestLanes restAt(Ints index) const { return unpackedRests(hn::GatherIndex(kInts, rests_, index)); }
+
+private:
+    const std::int32_t* x_;
+    const std::int32_t* y_;
+    const std::int32_t* rests_;
+    Ints originX_;
+};
+
+} // namespace gnomon::raster::HWY_NAMESPACE
+
+HWY_AFTER_NAMESPACE();
+
+#endif // include guard

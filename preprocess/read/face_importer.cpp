@@ -21,7 +21,8 @@ glm::vec3 finiteOrZero(const glm::vec3& normal) {
 
 } // namespace
 
-FaceImporter::FaceImporter(std::function<std::string()> where) : where_(std::move(where)) {}
+FaceImporter::FaceImporter(std::function<std::string()> where, FaceHints hints)
+    : where_(std::move(where)), hints_(std::move(hints)) {}
 
 MemoryMesh FaceImporter::take() {
     const std::uint64_t first = mesh_.positions.size();
@@ -59,21 +60,32 @@ void FaceImporter::set_point(OpenMesh::VertexHandle vertex, const OpenMesh::Vec3
 }
 
 OpenMesh::FaceHandle FaceImporter::add_face(const VHandles& corners) {
-    for (const OpenMesh::VertexHandle corner : corners)
-        mesh_.corners.push_back(cornerOf(checked(corner)));
-    mesh_.faceSizes.push_back(static_cast<std::uint32_t>(corners.size()));
+    const std::span<const std::uint64_t> all = hints_.corners ? hints_.corners() : std::span<const std::uint64_t>();
+    if (all.size() > corners.size()) {
+        for (const std::uint64_t corner : all)
+            mesh_.corners.push_back(cornerOf(checkedPlace(corner)));
+    } else {
+        for (const OpenMesh::VertexHandle corner : corners)
+            mesh_.corners.push_back(cornerOf(checked(corner)));
+    }
+    mesh_.faceSizes.push_back(static_cast<std::uint32_t>(std::max(all.size(), corners.size())));
+    if (hints_.color) faceColors_.push_back(hints_.color());
     otherNormals_.clear();
     return OpenMesh::FaceHandle(static_cast<int>(mesh_.faceSizes.size() - 1));
 }
 
 std::uint64_t FaceImporter::checked(OpenMesh::VertexHandle vertex) const {
-    if (vertex.idx() < 0 || static_cast<std::size_t>(vertex.idx()) >= mesh_.positions.size())
+    return checkedPlace(static_cast<std::uint64_t>(static_cast<std::int64_t>(vertex.idx())));
+}
+
+std::uint64_t FaceImporter::checkedPlace(std::uint64_t vertex) const {
+    if (vertex >= mesh_.positions.size())
         throw Error(
             where_(),
             "vertex index out of range",
             "one of " + std::to_string(mesh_.positions.size()) + " vertices",
-            "index " + std::to_string(vertex.idx()) + " counted from 0");
-    return static_cast<std::uint64_t>(vertex.idx());
+            "index " + std::to_string(static_cast<std::int64_t>(vertex)) + " counted from 0");
+    return vertex;
 }
 
 std::uint64_t FaceImporter::cornerOf(std::uint64_t vertex) {

@@ -6,6 +6,7 @@
 #include <OpenMesh/Core/IO/importer/BaseImporter.hh>
 
 #include <functional>
+#include <span>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -17,7 +18,18 @@ namespace gnomon::read {
 /// coordinates that are not finite, out of the reader that called.
 class FaceImporter final : public OpenMesh::IO::BaseImporter {
 public:
-    explicit FaceImporter(std::function<std::string()> where);
+    /// What is known of the face that a reader adds next, where it is known.
+    struct FaceHints {
+        std::function<std::uint32_t()> color; ///< RGBA8
+        /// All its corners: OpenMesh's reader of OBJ leaves out those that repeat another, as where a polygon with a
+        /// hole goes there and back.
+        std::function<std::span<const std::uint64_t>()> corners;
+    };
+
+    explicit FaceImporter(std::function<std::string()> where, FaceHints hints = {});
+
+    /// As the hints had them at each face, in their order; empty without hints.
+    std::vector<std::uint32_t> takeFaceColors() { return std::move(faceColors_); }
 
     /// What was collected; afterwards the importer is empty.
     MemoryMesh take();
@@ -103,6 +115,7 @@ public:
 
 private:
     std::uint64_t checked(OpenMesh::VertexHandle vertex) const;
+    std::uint64_t checkedPlace(std::uint64_t vertex) const;
     std::uint64_t cornerOf(std::uint64_t vertex);
     void setColor(OpenMesh::VertexHandle vertex, const glm::vec4& rgba);
 
@@ -115,6 +128,8 @@ private:
     static constexpr std::uint64_t kTwinBit = std::uint64_t{1} << 63U;
 
     std::function<std::string()> where_;
+    FaceHints hints_;
+    std::vector<std::uint32_t> faceColors_;
     MemoryMesh mesh_;
     std::vector<bool> hasNormal_;                               ///< by vertex of the file
     std::unordered_map<std::uint64_t, glm::vec3> otherNormals_; ///< set since the last face, unlike the first one

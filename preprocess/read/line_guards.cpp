@@ -73,7 +73,9 @@ void expectCorners(const std::vector<std::string_view>& line, const std::string&
 } // namespace
 
 void ObjGuard::begin() {
+    materials_.begin();
     faceLines_ = 0;
+    vertexLines_ = 0;
     continued_.clear();
     leftOut_.clear();
 }
@@ -90,19 +92,38 @@ std::optional<std::string> ObjGuard::pass(std::string_view line, const std::stri
     const std::vector<std::string_view> words = wordsOf(whole);
     if (words.empty()) return std::nullopt;
     if (words[0] == "f") {
-        expectCorners(words, where);
-        ++faceLines_;
+        takeFace(words, where);
         return whole;
     }
     if (words[0] != "v" && words[0] != "vn" && words[0] != "vc") {
-        constexpr std::array<std::pair<std::string_view, const char*>, 4> kNamed = {
-            {{"vt", "texture coordinates"}, {"usemtl", "materials"}, {"l", "lines"}, {"p", "points"}}};
+        constexpr std::array<std::pair<std::string_view, const char*>, 3> kNamed = {
+            {{"vt", "texture coordinates"}, {"l", "lines"}, {"p", "points"}}};
         for (const auto& [keyword, name] : kNamed)
             if (words[0] == keyword) ++leftOut_[name];
+        tellMaterials(
+            std::string_view(words[0].data(), static_cast<std::size_t>(whole.data() + whole.size() - words[0].data())));
         return std::nullopt;
     }
     expectNumbers(words, 1, 3, where);
+    if (words[0] == "v") ++vertexLines_;
     return whole;
+}
+
+void ObjGuard::takeFace(const std::vector<std::string_view>& words, const std::string& where) {
+    expectCorners(words, where);
+    ++faceLines_;
+    corners_.clear();
+    for (std::size_t i = 1; i < words.size(); ++i) {
+        const std::int64_t index = parsed<std::int32_t>(words[i].substr(0, words[i].find('/'))).value_or(0);
+        // Below 0 it counts back from the last vertex so far; what goes back too far wraps, and is beyond any end.
+        corners_.push_back(
+            index > 0 ? static_cast<std::uint64_t>(index - 1) : vertexLines_ + static_cast<std::uint64_t>(index));
+    }
+}
+
+void ObjGuard::tellMaterials(std::string_view line) {
+    if (line.starts_with("mtllib ")) materials_.addLibraries(line.substr(7));
+    if (line.starts_with("usemtl ")) materials_.use(line.substr(7));
 }
 
 void ObjGuard::end(const std::string& where) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "preprocess/read/guarded_stream.h"
+#include "preprocess/read/obj/obj_materials.h"
 
 #include <cstdint>
 #include <map>
@@ -9,13 +10,22 @@
 
 namespace gnomon::read {
 
-/// Wavefront OBJ: passes `v`, `vn`, `vc` and `f`, joins continued lines, leaves the rest out (materials would make the
-/// reader open other files). Indices are checked for form only: their range is known when all vertices are.
+/// Wavefront OBJ: passes `v`, `vn`, `vc` and `f`, joins continued lines, reads the materials, leaves the rest out.
+/// Indices are checked for form only: their range is known when all vertices are.
 class ObjGuard final : public LineGuard {
 public:
+    /// Of the OBJ `path`, in whose folder its materials lie.
+    explicit ObjGuard(const std::string& path = {}) : materials_(path) {}
+
+    /// As they are at the line in hand.
+    const ObjMaterials& materials() const { return materials_; }
+
     void begin() override;
     std::optional<std::string> pass(std::string_view line, const std::string& where) override;
     void end(const std::string& where) override;
+
+    /// The vertices of the face of the line in hand, counted from 0; one that the file does not have is beyond its end.
+    const std::vector<std::uint64_t>& corners() const { return corners_; }
 
     /// Lines that declare a face, in the pass that is running or over.
     std::uint64_t faceLines() const { return faceLines_; }
@@ -24,8 +34,14 @@ public:
     const std::map<std::string, std::uint64_t>& leftOut() const { return leftOut_; }
 
 private:
+    void takeFace(const std::vector<std::string_view>& words, const std::string& where);
+    void tellMaterials(std::string_view line);
+
+    ObjMaterials materials_;
     std::string continued_;
     std::map<std::string, std::uint64_t> leftOut_;
+    std::vector<std::uint64_t> corners_;
+    std::uint64_t vertexLines_ = 0;
     std::uint64_t faceLines_ = 0;
 };
 

@@ -35,6 +35,7 @@ public:
         const auto needsDouble = [](const glm::dvec3& p) { return glm::dvec3(glm::vec3(p)) != p; };
         summary_.isDouble = std::any_of(mesh_.positions.begin(), mesh_.positions.end(), needsDouble);
         summary_.attributesDropped = mesh_.attributesDropped;
+        summary_.filesBesides = mesh_.filesBesides;
         requireFaces(summary_);
     }
 

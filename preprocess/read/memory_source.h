@@ -18,6 +18,7 @@ struct MemoryMesh {
     std::map<std::string, std::uint64_t> attributesDropped{}; ///< as in MeshSummary
     std::vector<std::string> fieldNames{};                    ///< as in MeshSummary
     std::vector<double> fields{};                             ///< of all vertices, as in VertexBlock
+    std::vector<std::string> filesBesides{};                  ///< as in MeshSummary
     std::uint64_t notAPolygon = 0; ///< faces that never came this far, besides those of faceSizes below 3
 };
 

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "preprocess/read/face_importer.h"
 #include "preprocess/read/line_guards.h"
+#include "preprocess/read/ply_face_colors.h"
 #include "preprocess/read/words.h"
 
 #include <OpenMesh/Core/IO/reader/OBJReader.hh>
@@ -65,14 +66,37 @@ void readWith(
     }
 }
 
-MemoryMesh readObj(const InputFile& file) {
-    ObjGuard guard;
+/// `mesh` with the colours of its faces; a vertex is split where they differ.
+MemoryMesh withFaceColors(
+    MemoryMesh mesh, const std::vector<std::uint32_t>& colors, const std::string& path, Bytes memoryLimit) {
+    FaceColorSplitter splitter(path, memoryLimit, {});
+    splitter.addVertices({0, mesh.positions, mesh.normals, {}, {}});
+    std::size_t first = 0;
+    for (std::size_t face = 0; face < mesh.faceSizes.size(); ++face) {
+        splitter.addFace(std::span(mesh.corners).subspan(first, mesh.faceSizes[face]), colors[face]);
+        first += mesh.faceSizes[face];
+    }
+    return splitter.take();
+}
+
+MemoryMesh readObj(const InputFile& file, Bytes memoryLimit) {
+    ObjGuard guard(file.path());
+    const ObjMaterials& materials = guard.materials();
     GuardedLines lines(file, guard);
-    FaceImporter importer([&] { return lines.where(); });
+    FaceImporter importer(
+        [&] { return lines.where(); }, {[&] { return materials.color(); }, [&] { return std::span(guard.corners()); }});
     readWith(OpenMesh::IO::OBJReader(), lines, importer, everythingOfVertices(), std::ios::goodbit);
     MemoryMesh mesh = importer.take();
-    mesh.notAPolygon = guard.faceLines() - mesh.faceSizes.size();
-    mesh.attributesDropped = guard.leftOut();
+    const std::uint64_t notAPolygon = guard.faceLines() - mesh.faceSizes.size();
+    std::map<std::string, std::uint64_t> leftOut = guard.leftOut();
+    leftOut.insert(materials.leftOut().begin(), materials.leftOut().end());
+    if (materials.hasColors() && mesh.colors.empty())
+        mesh = withFaceColors(std::move(mesh), importer.takeFaceColors(), file.path(), memoryLimit);
+    else if (materials.hasColors())
+        leftOut["colours of materials, beside those of vertices"] = mesh.faceSizes.size();
+    mesh.notAPolygon = notAPolygon;
+    mesh.attributesDropped = std::move(leftOut);
+    mesh.filesBesides = materials.files();
     return mesh;
 }
 
@@ -157,7 +181,7 @@ std::unique_ptr<MeshSource> readWholeFile(const std::string& path, Bytes memoryL
             "a need for up to " + readableBytes(needed));
     const QuietOpenMesh quiet;
     const std::string suffix = loweredSuffix(path);
-    MemoryMesh mesh = suffix == ".obj" ? readObj(file) : suffix == ".stl" ? readStl(file) : readOff(file);
+    MemoryMesh mesh = suffix == ".obj" ? readObj(file, memoryLimit) : suffix == ".stl" ? readStl(file) : readOff(file);
     file.requireUnchanged();
     return memorySource(path, file.size(), std::move(mesh));
 }

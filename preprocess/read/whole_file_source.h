@@ -15,9 +15,9 @@ bool isWholeFileFormat(const std::string& path);
 /// Reads the file into memory. Throws Error with line or byte for what is not such a file, is truncated, has indices
 /// out of range or numbers that are none; and before reading if that could take more than `memoryLimit`.
 ///
-/// What OpenMesh's readers make of a file: coordinates are rounded to float; a corner that repeats another of its face
-/// is left out, and a face (or a facet with two equal corners) of which fewer than three remain counts as not a
-/// polygon; vertices of an STL are joined where their positions are equal.
+/// What OpenMesh's readers make of a file: coordinates are rounded to float; a face (or a facet) with fewer than three
+/// different corners counts as not a polygon, and of an OFF a corner that repeats another of its face is left out;
+/// vertices of an STL are joined where their positions are equal.
 std::unique_ptr<MeshSource> readWholeFile(const std::string& path, Bytes memoryLimit);
 
 } // namespace gnomon::read

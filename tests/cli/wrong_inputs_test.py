@@ -187,7 +187,8 @@ class WrongInputs(ProgramTest):
         (self.place / "rich.off").write_text("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 0\n")
         for mesh, kept in (
             ("rich.ply", {"alpha (3)", "vertex quality (3)", "face colours (1)"}),
-            ("rich.obj", {"texture coordinates (2)", "materials (1)"}),
+            ("rich.obj", {"texture coordinates (2)", "material libraries that are not there (1)",
+                          "materials that no library has (1)"}),
             ("rich.off", {"face colours (1)"}),
             ("sundial.ply", set()),
         ):

@@ -1,0 +1,188 @@
+// Materials of an OBJ: libraries by names with blanks, colours of faces, and what is missing.
+#include "core/random.h"
+#include "preprocess/read/obj/obj_materials.h"
+#include "preprocess/read/open_mesh_sources.h"
+#include "preprocess/read/polygon.h"
+#include "tests/read/collect.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <set>
+
+#include <unistd.h>
+
+namespace gnomon::read {
+namespace {
+
+constexpr std::uint32_t kRed = 0xFF0000FF;
+constexpr std::uint32_t kGreen = 0xFF00FF00;
+constexpr std::uint32_t kUncolored = 0xFFFFFFFF;
+
+class ObjWithMaterials : public testing::Test {
+protected:
+    void SetUp() override { std::filesystem::create_directories(folder); }
+
+    void TearDown() override { std::filesystem::remove_all(folder); }
+
+    CollectedMesh meshOf(const std::string& obj) {
+        writeScratch(path, obj);
+        return collect(*openMeshSources({path}, mebibytes(64)));
+    }
+
+    std::map<std::string, std::uint64_t> leftOutOf(const std::string& obj) {
+        writeScratch(path, obj);
+        return openMeshSources({path}, mebibytes(64))->summary().attributesDropped;
+    }
+
+    const std::string folder = testing::TempDir() + "gnomon_obj_" +
+                               testing::UnitTest::GetInstance()->current_test_info()->name() +
+                               std::to_string(::getpid());
+    const std::string path = folder + "/a.obj";
+};
+
+const std::string kSquare = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+TEST_F(ObjWithMaterials, FacesHaveTheDiffuseColourAndSplitVerticesWhereItChanges) {
+    writeScratch(folder + "/a.mtl", "# two\nnewmtl red\nKa 1 1 1\n  Kd 1 0 0\r\n\nnewmtl dark  green\nKd 0 0.5 0\n");
+    const CollectedMesh mesh =
+        meshOf("mtllib a.mtl\n" + kSquare + "usemtl red\nf 1 2 3\nusemtl dark  green\nf 1 3 4\n");
+    EXPECT_EQ(
+        mesh.positions, (std::vector<glm::dvec3>{{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, 0}, {0, 1, 0}}));
+    const auto colorsAt = [&](std::size_t triangle) {
+        std::set<std::uint32_t> colors;
+        for (const std::uint64_t corner : mesh.triangles[triangle])
+            colors.insert(mesh.colors[corner]);
+        return colors;
+    };
+    EXPECT_EQ(colorsAt(0), std::set{kRed});
+    EXPECT_EQ(colorsAt(1), std::set<std::uint32_t>{0xFF008000});
+    EXPECT_EQ(
+        openMeshSources({path}, mebibytes(64))->summary().filesBesides, std::vector<std::string>{folder + "/a.mtl"});
+}
+
+TEST_F(ObjWithMaterials, NamesOfLibrariesMayHaveBlanks) {
+    writeScratch(folder + "/my red.mtl", "newmtl Red\nKd 1 0 0\n");
+    writeScratch(folder + "/my", "newmtl Red\nKd 0 0 1\n");
+    writeScratch(folder + "/green.mtl", "newmtl Green\nKd 0 1 0\n");
+    const CollectedMesh mesh =
+        meshOf("mtllib gone.mtl my red.mtl green.mtl \n" + kSquare + "usemtl Red\nf 1 2 3\nusemtl Green\nf 1 3 4\n");
+    EXPECT_EQ((std::set<std::uint32_t>(mesh.colors.begin(), mesh.colors.end())), (std::set{kRed, kGreen}));
+    EXPECT_EQ(
+        leftOutOf("mtllib gone.mtl my red.mtl\n" + kSquare + "f 1 2 3\n").at("material libraries that are not there"),
+        1U);
+}
+
+TEST_F(ObjWithMaterials, WhatIsMissingIsToldAndLeavesTheSurface) {
+    writeScratch(folder + "/a.mtl", "Kd 0 0 1\nnewmtl red\nKd 1 0 0\nmap_Kd wood.png\nnewmtl plain\n");
+    const std::string text = "mtllib a.mtl\nmtllib /etc/passwd\nmtllib ../a.mtl\n" + kSquare +
+                             "usemtl red\nf 1 2 3\nusemtl blue\nf 1 3 4\nusemtl plain\nf 1 2 4\n";
+    const CollectedMesh mesh = meshOf(text);
+    EXPECT_EQ(mesh.triangles.size(), 3U);
+    EXPECT_EQ((std::set<std::uint32_t>(mesh.colors.begin(), mesh.colors.end())), (std::set{kRed, kUncolored}));
+    const std::map<std::string, std::uint64_t> expected = {
+        {"material libraries that are not there", 2}, {"materials that no library has", 1}, {"textures", 1}};
+    EXPECT_EQ(leftOutOf(text), expected);
+}
+
+TEST_F(ObjWithMaterials, ColoursOfVerticesComeFirst) {
+    writeScratch(folder + "/a.mtl", "newmtl red\nKd 1 0 0\n");
+    const std::string text = "mtllib a.mtl\nusemtl red\nv 0 0 0 0 1 0\nv 1 0 0 0 1 0\nv 1 1 0 0 1 0\nf 1 2 3\n";
+    EXPECT_EQ(meshOf(text).colors, std::vector<std::uint32_t>(3, kGreen));
+    EXPECT_EQ(leftOutOf(text).at("colours of materials, beside those of vertices"), 1U);
+    EXPECT_TRUE(meshOf(kSquare + "f 1 2 3\n").colors.empty());
+}
+
+TEST_F(ObjWithMaterials, BadColoursAreRefusedWithTheirLine) {
+    const std::string library = folder + "/a.mtl";
+    for (const char* const color : {"1 0 x", "nan 0 0", "1 inf 0"}) {
+        writeScratch(library, std::string("newmtl red\nKd ") + color + "\n");
+        const std::string message = errorAbout(library, [&] { meshOf("mtllib a.mtl\n" + kSquare + "f 1 2 3\n"); });
+        EXPECT_TRUE(message.starts_with(":2: bad colour of a material")) << message;
+    }
+    writeScratch(library, "newmtl red\nKd 7 -3 0\nnewmtl other\nKd spectral a.rfl\n");
+    EXPECT_EQ(meshOf("mtllib a.mtl\n" + kSquare + "usemtl red\nf 1 2 3\n").colors, std::vector<std::uint32_t>(3, kRed));
+}
+
+std::vector<std::uint32_t> randomReds(Random& random) {
+    std::vector<std::uint32_t> colors(1 + random.below(5));
+    for (std::uint32_t& color : colors)
+        color = 0xFF000000U | static_cast<std::uint32_t>(random.below(256));
+    return colors;
+}
+
+/// Materials m0, m1 and so on of these colours.
+std::string libraryOf(const std::vector<std::uint32_t>& reds) {
+    std::string text;
+    for (std::size_t i = 0; i < reds.size(); ++i)
+        text += "newmtl m" + std::to_string(i) + "\nKd " + std::to_string((reds[i] & 255U) / 255.0) + " 0 0\n";
+    return text;
+}
+
+// The slow, obviously right reading: each face looked up in a list of what its lines said.
+TEST_F(ObjWithMaterials, RandomFilesAgreeWithAPlainReading) {
+    Random random(31);
+    for (int round = 0; round < 60; ++round) {
+        const std::vector<std::uint32_t> colors = randomReds(random);
+        writeScratch(folder + "/a.mtl", libraryOf(colors));
+        std::string text = "mtllib a.mtl\nusemtl m0\n";
+        std::uint64_t used = 0;
+        std::vector<std::uint32_t> expected;
+        std::uint64_t vertices = 0;
+        for (int face = 0; face < 30; ++face) {
+            if (vertices < 3 || random.below(3) == 0) {
+                for (int k = 0; k < 3; ++k)
+                    text += "v " + std::to_string(vertices++) + " " + std::to_string(random.below(9)) + " 0\n";
+            }
+            if (random.below(2) == 0) {
+                used = random.below(colors.size());
+                text += "usemtl m" + std::to_string(used) + "\n";
+            }
+            const std::uint64_t first = 1 + random.below(vertices - 2);
+            text +=
+                "f " + std::to_string(first) + " " + std::to_string(first + 1) + " " + std::to_string(first + 2) + "\n";
+            expected.push_back(colors[used]);
+        }
+        const CollectedMesh mesh = meshOf(text);
+        ASSERT_EQ(mesh.triangles.size(), expected.size());
+        for (std::size_t i = 0; i < expected.size(); ++i)
+            for (const std::uint64_t corner : mesh.triangles[i])
+                EXPECT_EQ(mesh.colors.at(corner), expected[i]) << text;
+    }
+}
+
+TEST(ObjFiles, RealOnesHaveTheCountsAndColoursOfTheirReadme) {
+    const char* given = std::getenv("GNOMON_MODELS");
+    const std::string files =
+        (given != nullptr ? given : GNOMON_SOURCE_DIR "/../shared/models") + std::string("/formats/obj/");
+    if (!std::filesystem::exists(files)) GTEST_SKIP() << "no files in " << files << " (set GNOMON_MODELS)";
+    const auto trianglesByColor = [&](const std::string& name) {
+        const CollectedMesh mesh = collect(*openMeshSources({files + name}, mebibytes(64)));
+        std::map<std::uint32_t, std::uint64_t> counts;
+        for (const TriangleCorners& triangle : mesh.triangles)
+            ++counts[mesh.colors.empty() ? kUncolored : mesh.colors[triangle[0]]];
+        std::multiset<std::uint64_t> sorted;
+        for (const auto& [color, count] : counts)
+            sorted.insert(count);
+        return sorted;
+    };
+    // Two materials of the box, and two of the spider, have one colour.
+    EXPECT_EQ(trianglesByColor("cornell_box.obj"), (std::multiset<std::uint64_t>{2, 2, 32}));
+    EXPECT_EQ(trianglesByColor("box-mtllib-spaces/box mtllib.obj"), (std::multiset<std::uint64_t>{4, 4, 4}));
+    EXPECT_EQ(trianglesByColor("box-missing-mtllib.obj"), (std::multiset<std::uint64_t>{12}));
+    EXPECT_EQ(trianglesByColor("concave_polygon.obj"), (std::multiset<std::uint64_t>{64}));
+    CollectedMesh ring = collect(*openMeshSources({files + "concave_polygon.obj"}, mebibytes(64)));
+    NoProgress progress;
+    ASSERT_EQ(ring.polygons.size(), 1U);
+    PolygonRefiner(progress).refine(std::span(ring.triangles), [&](std::uint64_t i) { return ring.positions[i]; });
+    double area = 0;
+    for (const auto& [a, b, c] : ring.triangles)
+        area +=
+            glm::length(glm::cross(ring.positions[b] - ring.positions[a], ring.positions[c] - ring.positions[a])) / 2;
+    EXPECT_NEAR(area, 0.245497, 1e-6) << "the ring has a hole, to which a bridge goes there and back";
+    EXPECT_EQ(trianglesByColor("spider/spider.obj"), (std::multiset<std::uint64_t>{80, 260, 1028}));
+    EXPECT_EQ(collect(*openMeshSources({files + "cube_with_vertexcolors.obj"}, mebibytes(64))).triangles.size(), 12U);
+}
+
+} // namespace
+} // namespace gnomon::read

@@ -49,8 +49,8 @@ survey::Measure shownPoints(const PointTask& task, Session& session) {
 MeasuredPoints measurePoints(const PointTask& task) {
     MeasuredPoints result;
     const auto take = [&](const hierarchy::ModelFile& model) {
-        result.of = survey::surveyedOf(task.model, model.summary());
-        result.of.up = settings::uprightIn(task.settings, model).up.value_or(result.of.up);
+        const settings::Settings upright = settings::uprightIn(task.settings, model);
+        result.of = survey::surveyedOf(task.model, model.summary(), upright.up.value_or(model.summary().up.direction));
     };
     if (task.pixels.empty()) { // nothing is drawn, so no executor is made
         take(hierarchy::ModelFile(task.model, task.settings.memory));

@@ -85,8 +85,8 @@ std::string csvRow(std::size_t number, const Measure& measure, const Surveyed& o
 
 } // namespace
 
-Surveyed surveyedOf(const std::string& path, const hierarchy::ModelSummary& model) {
-    return {path, model.grid, model.unit, model.up.direction};
+Surveyed surveyedOf(const std::string& path, const hierarchy::ModelSummary& model, const glm::dvec3& up) {
+    return {path, model.grid, model.unit, up};
 }
 
 Figures figuresOf(const Measure& measure, const Surveyed& of) {

@@ -27,8 +27,8 @@ struct Surveyed {
     glm::dvec3 up{0, 1, 0}; // any length above 0
 };
 
-/// What `model`, in the file `path`, is measured by.
-Surveyed surveyedOf(const std::string& path, const hierarchy::ModelSummary& model);
+/// What `model`, in the file `path`, is measured by; `up` is what is up there, of any length above 0.
+Surveyed surveyedOf(const std::string& path, const hierarchy::ModelSummary& model, const glm::dvec3& up);
 
 /// The figures of a measure.
 Figures figuresOf(const Measure& measure, const Surveyed& of);

@@ -9,7 +9,9 @@
 
 namespace gnomon::viewer {
 
-SavedFiles::SavedFiles(const std::string& modelPath) : stem_(std::filesystem::path(modelPath).stem().string()) {}
+SavedFiles::SavedFiles(const std::string& modelPath)
+    : stem_(std::filesystem::path(modelPath).stem().string()),
+      folder_(std::filesystem::path(modelPath).parent_path().string()) {}
 
 std::string SavedFiles::freeName(const std::string& kind, const std::string& suffix) const {
     for (int number = 1;; ++number) {
@@ -45,6 +47,21 @@ std::string SavedFiles::saveCamera(const Camera& camera) const {
     std::string name = freeName("camera", ".json");
     writeTextFile(name, path::toJson(camera));
     return name;
+}
+
+std::string SavedFiles::saveMeasures(const std::string& json, const std::string& csv) const {
+    const std::string place = (std::filesystem::path(folder_) / (stem_ + "_measures")).string();
+    for (int number = 1;; ++number) {
+        std::string jsonName = place;
+        jsonName += std::to_string(number);
+        std::string csvName = jsonName;
+        jsonName += ".json";
+        csvName += ".csv";
+        if (std::filesystem::exists(jsonName) || std::filesystem::exists(csvName)) continue;
+        writeTextFile(jsonName, json);
+        writeTextFile(csvName, csv);
+        return jsonName.append(" and ").append(csvName);
+    }
 }
 
 void SavedFiles::savePlayed(const std::string& folder, int frame, const executor::Picture& picture) const {

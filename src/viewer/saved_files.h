@@ -1,4 +1,5 @@
-// What a session saves: pictures and camera paths, numbered, in the current folder, over no file that is there.
+// What a session saves: pictures and camera paths, numbered, in the current folder, over no file that is there; what it
+// measures of a model, beside that.
 #pragma once
 
 #include "executor/picture.h"
@@ -28,6 +29,9 @@ public:
     /// A file that `gnomon render --camera` reads.
     std::string saveCamera(const Camera& camera) const;
 
+    /// "bunny_measures1.json" and "bunny_measures1.csv", in the model's folder; both names.
+    std::string saveMeasures(const std::string& json, const std::string& csv) const;
+
     /// Frame `frame` of a played path into `folder`, which is made if need be: "frame0000.png".
     void savePlayed(const std::string& folder, int frame, const executor::Picture& picture) const;
 
@@ -35,6 +39,7 @@ private:
     std::string freeName(const std::string& kind, const std::string& suffix) const;
 
     std::string stem_ = "gnomon";
+    std::string folder_; // the model's
 };
 
 } // namespace gnomon::viewer

@@ -118,6 +118,15 @@ std::optional<glm::dvec3> Scene::pick(const glm::ivec2& pixel) {
     return pointUnder(executor_->viewDepth(), seenBy_, pixel, kPickReach);
 }
 
+std::optional<frame::DrawnPoint> Scene::drawnPoint(const glm::ivec2& pixel) {
+    if (!frame_) return std::nullopt;
+    const std::optional<glm::ivec2> drawn = drawnPixel(executor_->viewDepth(), pixel, kPickReach);
+    if (!drawn) return std::nullopt;
+    frame::FrameOptions options = frame_->options;
+    options.overlay = executor::Overlay::None; // it asks for nothing of what an overlay shows
+    return frame::drawnPoint(renderer_, *frame_, options, *drawn);
+}
+
 FileFate Scene::fate() const {
     std::error_code error;
     const auto now = std::filesystem::last_write_time(model_.path(), error);

@@ -3,6 +3,7 @@
 
 #include "executor/gl/gl_executor.h"
 #include "frame/accumulation.h"
+#include "frame/drawn_point.h"
 #include "gl/context.h"
 #include "gl/objects.h"
 #include "hierarchy/model_file.h"
@@ -79,6 +80,9 @@ public:
 
     /// The world point under a pixel of the last frame.
     std::optional<glm::dvec3> pick(const glm::ivec2& pixel);
+
+    /// The same on the triangle that is drawn there.
+    std::optional<frame::DrawnPoint> drawnPoint(const glm::ivec2& pixel);
 
     FileFate fate() const;
 

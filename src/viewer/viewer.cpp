@@ -93,6 +93,7 @@ void WindowSession::run(Progress& interrupt) {
         lastFrame_ = now();
         takeInput(seconds);
         watch();
+        if (file_.scene() != nullptr && !walk_.isUnderWay()) recentViews().see(walk_.control().camera(), now());
         if (!drawFrame() || walk_.advance(now() - lastFrame_)) continue;
         pace_.wakeScene();
         if (!options_.path.empty() && !options_.images.empty()) break; // all that was asked for is there
@@ -112,6 +113,7 @@ void WindowSession::enter(const Scene& scene) {
     framed_ = std::move(framed);
     caps_.pages = model.pages().size();
     saved_ = SavedFiles(model.path());
+    measuring_ = Measuring(survey::surveyedOf(model.path(), model.summary(), framed_->up()));
     glfwSetWindowTitle(window_.handle(), ("Gnomon - " + model.path()).c_str());
     pace_.wakeScene();
     if (!options_.path.empty() && frameCount_ == 0) walk_.togglePlaying(saved_);
@@ -280,6 +282,7 @@ OverlayContent WindowSession::content() const {
     content.isExhausted = budget_.isExhausted();
     content.caps = caps_;
     content.mostSamples = content.scene != nullptr ? content.scene->wantedSamples() : 1;
+    content.measuring = measuring_.isOn() ? &measuring_ : nullptr;
     content.isFrozen = walk_.isFrozen();
     content.isRecording = walk_.isRecording();
     content.playedPart = walk_.playedPart();

@@ -8,12 +8,17 @@
 #include "viewer/framed_model.h"
 #include "viewer/input/input.h"
 #include "viewer/input/steering.h"
+#include "viewer/measuring.h"
 #include "viewer/open_file.h"
 #include "viewer/pace.h"
 #include "viewer/panel/imgui_layer.h"
 #include "viewer/panel/overlay.h"
+#include "viewer/recent_views.h"
 #include "viewer/viewer_options.h"
 #include "viewer/walk.h"
+
+#include <map>
+#include <string>
 
 namespace gnomon::viewer {
 
@@ -41,6 +46,11 @@ private:
     void actOnModel(const Binding& binding);
     void toggleTarget();
     void focus();
+    glm::ivec2 inFrame(const glm::ivec2& at) const;
+    void measure(const Click& click);
+    bool actOnMeasures(const Binding& binding);
+    RecentViews& recentViews();
+    void goToRecent(int step);
 
     Projection projection() const { return walk_.control().camera().projection; }
 
@@ -73,6 +83,8 @@ private:
     FrameHistory history_;
     StoragePad pad_;
     SavedFiles saved_;
+    Measuring measuring_;
+    std::map<std::string, RecentViews> recent_; // by the model's file
     std::optional<FrameLog> log_;
     std::optional<FramedModel> framed_;
     Caps caps_;

@@ -23,6 +23,9 @@ void WindowSession::takeInput(double seconds) {
     if (!walk_.hasEntered()) return;
     for (const Drag& drag : input_.drags())
         takeDrag(drag);
+    if (measuring_.isOn())
+        for (const Click& click : input_.clicks())
+            measure(click);
     CameraControl& control = walk_.control();
     if (walk_.isPlaying()) return; // the path has the camera
     if (input_.wheel() != 0) {
@@ -30,7 +33,7 @@ void WindowSession::takeInput(double seconds) {
         if (!said.empty()) messages_.show(said);
         pace_.wakeScene();
     }
-    if (input_.hasDoubleClicked()) focus();
+    if (input_.hasDoubleClicked() && !measuring_.isOn()) focus();
     const Flight flight = imgui_.wantsKeys() ? Flight{} : heldFlight([this](int key) { return input_.isHeld(key); });
     if (flight.direction != glm::dvec3(0) || control.isMoving()) {
         control.advance(flight, seconds);
@@ -41,20 +44,73 @@ void WindowSession::takeInput(double seconds) {
 void WindowSession::takeDrag(const Drag& drag) {
     const bool turnsLight = useOf(drag) == DragUse::Light;
     if (walk_.isPlaying() && !turnsLight) return;
-    pace_.wakeScene();
+    if (drag.moved != glm::dvec2(0)) pace_.wakeScene(); // a press by itself changes nothing that is drawn
     if (turnsLight)
         turnLight(settings_.asked, walk_.control().camera(), drag.moved);
     else
         steering_.drag(drag, underCursor(), walk_.control());
 }
 
+/// The pixel of the last frame, of fewer ones while time is short, at one of the window.
+glm::ivec2 WindowSession::inFrame(const glm::ivec2& at) const {
+    const plan::View& view = file_.scene()->frame()->plan.view;
+    const glm::dvec2 scale = glm::dvec2(view.width, view.height) / glm::dvec2(glm::max(drawnFor_, glm::ivec2(1)));
+    return {glm::dvec2(at) * scale};
+}
+
 /// The world point under a pixel of the window.
 std::optional<glm::dvec3> WindowSession::pick(const glm::ivec2& at) const {
     Scene& scene = *file_.scene();
     if (scene.frame() == nullptr) return std::nullopt;
-    const plan::View& view = scene.frame()->plan.view; // of fewer pixels while time is short
-    const glm::dvec2 scale = glm::dvec2(view.width, view.height) / glm::dvec2(glm::max(drawnFor_, glm::ivec2(1)));
-    return scene.pick(glm::ivec2(glm::dvec2(at) * scale));
+    return scene.pick(inFrame(at));
+}
+
+void WindowSession::measure(const Click& click) {
+    Scene& scene = *file_.scene();
+    if (scene.frame() == nullptr) return;
+    const std::optional<frame::DrawnPoint> drawn = scene.drawnPoint(inFrame(glm::ivec2(click.at)));
+    if (!drawn) return messages_.show("nothing to measure here");
+    const frame::GridPlace place = click.withShift ? drawn->vertex.value_or(drawn->point) : drawn->point;
+    measuring_.take({place.cell, place.within});
+}
+
+/// Whether the binding is about measures.
+bool WindowSession::actOnMeasures(const Binding& binding) {
+    switch (binding.action) {
+    case Action::Measure:
+        measuring_.toggle();
+        return true;
+    case Action::DropPoint:
+        if (!measuring_.isOn() || !measuring_.dropLast()) messages_.show("no point to drop");
+        return true;
+    case Action::NextMeasure:
+        if (!measuring_.isOn() || !measuring_.beginNext()) messages_.show("no measure to end");
+        return true;
+    case Action::SaveMeasures:
+        if (measuring_.isEmpty())
+            messages_.show("no measures yet: U takes them");
+        else
+            messages_.attempt(
+                [&] { messages_.note("saved " + saved_.saveMeasures(measuring_.json(), measuring_.csv())); });
+        return true;
+    default:
+        return false;
+    }
+}
+
+RecentViews& WindowSession::recentViews() {
+    return recent_[file_.scene()->model().path()];
+}
+
+void WindowSession::goToRecent(int step) {
+    RecentViews& views = recentViews();
+    const std::optional<Camera> camera = step < 0 ? views.back() : views.forth();
+    if (!camera) return messages_.show(step < 0 ? "no view before" : "no view behind");
+    if (camera->projection != projection()) {
+        walk_.control().toggleProjection();
+        file_.scene()->forget();
+    }
+    walk_.control().goTo(*camera);
 }
 
 DragScene WindowSession::underCursor() const {
@@ -77,6 +133,7 @@ void WindowSession::toggleTarget() {
 
 void WindowSession::act(const Binding& binding) {
     if (binding.action == Action::Leave) return glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE);
+    if (file_.scene() != nullptr && actOnMeasures(binding)) return pace_.wakeWindow();
     if (binding.action != Action::Screenshot) pace_.wakeScene();
     if (changeShown(binding, settings_)) return;
     if (binding.action == Action::ToggleTarget) return toggleTarget();
@@ -90,7 +147,10 @@ void WindowSession::actOnModel(const Binding& binding) {
         return messages_.show("only the software executor draws sections");
     if (const auto set = changeSection(binding, settings_.asked, framed_->bounds(), framed_->up()))
         return messages_.show(*set);
+    if (!walk_.isUnderWay()) recentViews().stay(walk_.camera()); // which the key may be about to leave
     switch (binding.action) {
+    case Action::RecentView:
+        return goToRecent(binding.value);
     case Action::Focus:
         return focus();
     case Action::LookFrom:

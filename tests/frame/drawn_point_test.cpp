@@ -2,9 +2,13 @@
 #include "core/random.h"
 #include "frame/drawn_model.h"
 #include "frame/drawn_point.h"
+#include "hierarchy/scene_mesh.h"
 #include "survey/cells.h"
 
 #include <gtest/gtest.h>
+
+#include <map>
+#include <set>
 
 namespace gnomon::frame {
 namespace {
@@ -213,6 +217,121 @@ TEST(DrawnPoint, SaysHowFarTheSourceMayBe) {
             }
     }
     EXPECT_GT(most, 0.3); // else the bound says little
+}
+
+/// A box that stands by itself, whose hits are known: the first slab plane that the line meets on the kept side.
+struct SolidBox {
+    Box box;
+    std::vector<Plane> sections;
+
+    bool isKept(const glm::dvec3& point) const {
+        return std::all_of(
+            sections.begin(), sections.end(), [&](const Plane& plane) { return plane.signedDistance(point) >= 0; });
+    }
+
+    /// The part of a line that runs in what sections leave of the box; empty where it misses that.
+    std::array<double, 2> inside(const PixelLine& line) const {
+        std::array<double, 2> part = {-1e9, 1e9};
+        const auto cut = [&](double distance, double along) { // keeps distance + t along >= 0
+            if (along > 0)
+                part[0] = std::max(part[0], -distance / along);
+            else if (along < 0)
+                part[1] = std::min(part[1], -distance / along);
+            else if (distance < 0)
+                part[1] = -1e300;
+        };
+        for (int axis = 0; axis < 3; ++axis) {
+            cut(line.start[axis] - box.min[axis], line.direction[axis]);
+            cut(box.max[axis] - line.start[axis], -line.direction[axis]);
+        }
+        for (const Plane& plane : sections)
+            cut(plane.signedDistance(line.start), glm::dot(plane.normal, line.direction));
+        return part;
+    }
+
+    /// Whether `point` lies on the plane of a section rather than on a side.
+    bool isOnCap(const glm::dvec3& point) const {
+        return std::any_of(sections.begin(), sections.end(), [&](const Plane& plane) {
+            return std::abs(plane.signedDistance(point)) < 1e-6;
+        });
+    }
+};
+
+plan::View viewOfBox(Random& random, const SolidBox& solid, int round) {
+    plan::View view;
+    view.width = 96;
+    view.height = 64;
+    view.sections = solid.sections;
+    view.camera.target = solid.box.center();
+    const glm::dvec3 from(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+    view.camera.eye = solid.box.center() + glm::normalize(from) * 30.0;
+    view.camera.fovYRadians = 0.6;
+    if (round % 2 == 1) view.camera.projection = Projection::Orthographic;
+    return view;
+}
+
+SolidBox randomBox(Random& random, const glm::dvec3& origin, int round) {
+    SolidBox solid;
+    for (int axis = 0; axis < 3; ++axis) { // on the grid, so that nothing is rounded
+        const double half = std::round(random.uniform(2, 6) * 64) / 64;
+        solid.box.min[axis] = origin[axis] - half;
+        solid.box.max[axis] = origin[axis] + half;
+    }
+    for (int i = 0; i < round % 3; ++i) {
+        const glm::dvec3 normal(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+        Plane plane{glm::normalize(normal), 0};
+        plane.offset = -glm::dot(plane.normal, origin) + random.uniform(-0.5, 1.5);
+        solid.sections.push_back(plane);
+    }
+    return solid;
+}
+
+/// What a pixel of a view of `solid` shows.
+enum class Shown : std::uint8_t { Nothing, Side, Cap, Edge };
+
+/// Of the middle of a pixel; Edge where its neighbours show something else, since the picture rounds outlines.
+Shown shownAt(const SolidBox& solid, const plan::View& view, const glm::ivec2& pixel) {
+    std::set<Shown> kinds;
+    for (const glm::ivec2& aside : {glm::ivec2(0), {1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+        const PixelLine line = lineOf(view, pixel + aside);
+        const auto [from, to] = solid.inside(line);
+        const bool isCap = solid.isOnCap(line.start + line.direction * from);
+        kinds.insert(!(from < to) ? Shown::Nothing : isCap ? Shown::Cap : Shown::Side);
+    }
+    return kinds.size() == 1 ? *kinds.begin() : Shown::Edge;
+}
+
+TEST(DrawnPoint, OfASolidIsOnItsSidesAndOnItsCaps) {
+    Random random(13);
+    const glm::dvec3 origin(500000, 300, 5200000);
+    std::map<Shown, int> counts;
+    for (int round = 0; round < 24; ++round) {
+        const SolidBox solid = randomBox(random, origin, round);
+        tests::SceneMesh mesh(origin);
+        mesh.addBox(solid.box.min - origin, solid.box.max - origin);
+        DrawnModel model(mesh.model());
+        const plan::View view = viewOfBox(random, solid, round);
+        plan::Quality quality;
+        quality.shadows = plan::ShadowMode::Off;
+        const Frame frame = model.draw(view, quality);
+        const hierarchy::Grid& grid = model.file().summary().grid;
+        for (int i = 0; i < 250; ++i) {
+            const glm::ivec2 pixel = randomPixel(random);
+            const Shown shown = shownAt(solid, view, pixel);
+            ++counts[shown];
+            const auto found = drawnPoint(model.renderer(), frame, {}, pixel);
+            if (shown == Shown::Edge) continue;
+            ASSERT_EQ(found.has_value(), shown != Shown::Nothing) << round << ", " << pixel.x << ", " << pixel.y;
+            if (!found) continue;
+            ASSERT_EQ(found->vertex.has_value(), shown == Shown::Side) << round << ", " << pixel.x << ", " << pixel.y;
+            const PixelLine line = lineOf(view, pixel);
+            const glm::dvec3 expected = line.start + line.direction * solid.inside(line)[0];
+            ASSERT_LE(glm::distance(survey::worldOf(grid, found->point.cell), expected), 0.9 * grid.step());
+        }
+    }
+    EXPECT_GT(counts[Shown::Side], 500);
+    EXPECT_GT(counts[Shown::Cap], 60);
+    EXPECT_GT(counts[Shown::Nothing], 1000);
 }
 
 } // namespace

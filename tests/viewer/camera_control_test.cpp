@@ -135,6 +135,35 @@ TEST(CameraControl, FocusLooksAtThePointFromHalfAsFar) {
     }
 }
 
+/// Where a camera with parallel lines of sight shows `point`: from the middle, in halves of the picture's height.
+glm::dvec2 shownAt(const Camera& camera, const glm::dvec3& point) {
+    return glm::dvec2(toCamera(cameraBasis(camera), point - camera.eye)) / halfHeightAtTarget(camera);
+}
+
+TEST(CameraControl, ParallelLinesOfSightKeepThePivotAndTheSizeOfAll) {
+    Random random(9);
+    for (int i = 0; i < 200; ++i) {
+        CameraControl control = randomControl(random);
+        control.toggleProjection();
+        const Camera before = control.camera();
+        const double half = halfHeightAtTarget(before);
+        const glm::dvec3 point = before.target + randomPoint(random, half);
+        const glm::dvec2 place = shownAt(before, point);
+        control.orbit(point, random.uniform(-1, 1), random.uniform(-0.5, 0.5));
+        EXPECT_NEAR(halfHeightAtTarget(control.camera()), half, 1e-9 * half);
+        EXPECT_LT(glm::distance(shownAt(control.camera(), point), place), 1e-6);
+        const double notches = random.uniform(-8, 8);
+        control.zoomTo(point, notches);
+        EXPECT_NEAR(halfHeightAtTarget(control.camera()), half * std::exp2(-notches / 5), 1e-6 * half);
+        EXPECT_LT(glm::distance(shownAt(control.camera(), point), place), 1e-6);
+        const double zoomed = halfHeightAtTarget(control.camera());
+        control.focusOn(point);
+        settle(control);
+        EXPECT_NEAR(halfHeightAtTarget(control.camera()), zoomed / 2, 1e-6 * zoomed);
+        EXPECT_LT(glm::length(shownAt(control.camera(), point)), 1e-6);
+    }
+}
+
 TEST(CameraControl, AFlightEndsAGlide) {
     Random random(7);
     CameraControl control = randomControl(random);

@@ -71,6 +71,18 @@ TEST_F(SessionFilesTest, PicturesAreNumberedOverNoneThatIsThere) {
     EXPECT_EQ(SavedFiles().savePicture(pictures[0]), "gnomon_view1.png") << "before any model";
 }
 
+TEST_F(SessionFilesTest, MeasuresLieBesideTheModelUnderANumberThatIsFreeForBoth) {
+    fs::create_directory("site");
+    std::ofstream("site/bunny_measures1.csv") << "mine";
+    const SavedFiles saved("site/bunny.gnm");
+    EXPECT_EQ(saved.saveMeasures("{}", "a,b\n"), "site/bunny_measures2.json and site/bunny_measures2.csv");
+    EXPECT_EQ(read("site/bunny_measures2.json"), "{}");
+    EXPECT_EQ(read("site/bunny_measures2.csv"), "a,b\n");
+    EXPECT_EQ(read("site/bunny_measures1.csv"), "mine");
+    EXPECT_FALSE(fs::exists("site/bunny_measures1.json"));
+    EXPECT_THROW((void)SavedFiles("nowhere/bunny.gnm").saveMeasures("", ""), Error);
+}
+
 TEST_F(SessionFilesTest, PathsReadBackAndCountForThemselves) {
     const SavedFiles saved("bunny.ply.gnm");
     path::CameraPath path;

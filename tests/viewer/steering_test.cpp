@@ -127,5 +127,21 @@ TEST(Wheel, GoesTowardsWhatIsUnderTheCursorAndBack) {
     EXPECT_GT(hand.speed(), speed);
 }
 
+TEST(Steering, APressByItselfChangesNoCamera) {
+    for (const int button : {GLFW_MOUSE_BUTTON_LEFT, GLFW_MOUSE_BUTTON_MIDDLE, GLFW_MOUSE_BUTTON_RIGHT})
+        for (const bool isParallel : {false, true}) {
+            CameraControl pressed = control();
+            if (isParallel) pressed.toggleProjection();
+            const Camera before = pressed.camera();
+            Steering steering;
+            const DragScene scene{{5, 5}, 10, [](const glm::ivec2&) { return glm::dvec3(1, 1, 1); }};
+            steering.drag(dragBy(button, {0, 0}), scene, pressed);
+            EXPECT_EQ(pressed.camera().eye, before.eye);
+            EXPECT_EQ(pressed.camera().target, before.target);
+            steering.drag(dragBy(button, {7, 3}, 0, false), scene, pressed);
+            EXPECT_NE(pressed.camera().target, before.target);
+        }
+}
+
 } // namespace
 } // namespace gnomon::viewer

@@ -1,5 +1,7 @@
-// Who has the camera after each key of a walk: user input, path or recorder.
+// Who has the camera after each key of a walk: user input, path or recorder; where it was, and what was measured there.
 #include "core/error.h"
+#include "viewer/measuring.h"
+#include "viewer/recent_views.h"
 #include "viewer/walk.h"
 
 #include <gtest/gtest.h>
@@ -141,6 +143,78 @@ TEST_F(WalkTest, AnotherModelEndsAllButThePath) {
     impossible.target = impossible.eye;
     EXPECT_THROW(walk.enter(impossible, kUp), Error);
     EXPECT_TRUE(walk.isPlaying());
+}
+
+Camera cameraAtX(double x) {
+    return {{x, 1, 8}, {x, 0, 0}, {0, 1, 0}, 1};
+}
+
+TEST(RecentViews, GoBackAndForthThroughWhereTheCameraStayed) {
+    RecentViews views;
+    EXPECT_FALSE(views.back() || views.forth());
+    for (int x = 0; x < 4; ++x)
+        views.stay(cameraAtX(x));
+    views.stay(cameraAtX(3.01)); // the same but for a trifle
+    EXPECT_EQ(views.back()->eye.x, 2);
+    EXPECT_EQ(views.back()->eye.x, 1);
+    EXPECT_EQ(views.forth()->eye.x, 2);
+    views.stay(cameraAtX(2));
+    EXPECT_EQ(views.forth()->eye.x, 3);
+    EXPECT_FALSE(views.forth());
+    views.back();
+    views.stay(cameraAtX(9)); // what lay ahead is gone
+    EXPECT_FALSE(views.forth());
+    EXPECT_EQ(views.back()->eye.x, 2);
+    Camera other = cameraAtX(2);
+    other.projection = Projection::Orthographic;
+    views.stay(other);
+    EXPECT_EQ(views.back()->projection, Projection::Perspective);
+}
+
+TEST(RecentViews, KeepTheLastHundredOfThoseThatStoodForHalfASecond) {
+    RecentViews views;
+    for (int x = 0; x < 150; ++x) {
+        views.see(cameraAtX(x), x);
+        views.see(cameraAtX(x + 0.3), x + 0.3); // moves on
+        views.see(cameraAtX(x + 0.3), x + (x % 50 == 7 ? 0.7 : 0.85));
+    }
+    int count = 1;
+    double last = 149.3;
+    for (auto camera = views.back(); camera; camera = views.back(), ++count)
+        EXPECT_LT(std::exchange(last, camera->eye.x), 149.4);
+    EXPECT_EQ(count, static_cast<int>(RecentViews::kMost));
+    EXPECT_NEAR(last, 48.3, 1e-9); // 57.3 and 107.3 went too soon
+}
+
+TEST(Measuring, TakesDropsAndEndsMeasures) {
+    survey::Surveyed of;
+    of.grid.stepExponent = -3;
+    Measuring measuring(of);
+    EXPECT_FALSE(measuring.isOn());
+    measuring.toggle();
+    EXPECT_TRUE(measuring.isOn());
+    EXPECT_TRUE(measuring.isEmpty());
+    EXPECT_FALSE(measuring.dropLast());
+    EXPECT_FALSE(measuring.beginNext());
+    EXPECT_EQ(measuring.inWords().size(), 1U);
+    measuring.take({{0, 0, 0}, 0});
+    measuring.take({{8, 0, 0}, 0});
+    EXPECT_TRUE(measuring.beginNext());
+    EXPECT_FALSE(measuring.beginNext());
+    measuring.take({{0, 8, 0}, 0});
+    EXPECT_EQ(measuring.measures().size(), 2U);
+    EXPECT_EQ(measuring.inWords()[0], "measure 2");
+    const std::string csv = measuring.csv();
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 4);
+    EXPECT_TRUE(measuring.dropLast());
+    const std::string fewer = measuring.csv();
+    EXPECT_EQ(std::count(fewer.begin(), fewer.end(), '\n'), 3);
+    EXPECT_NE(measuring.json().find("\"straight\": 1.0"), std::string::npos);
+    EXPECT_TRUE(measuring.dropLast()); // of the measure before, which takes points again
+    EXPECT_EQ(measuring.measures().size(), 1U);
+    EXPECT_TRUE(measuring.dropLast());
+    EXPECT_FALSE(measuring.dropLast());
+    EXPECT_TRUE(measuring.isEmpty());
 }
 
 } // namespace

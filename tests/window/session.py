@@ -127,7 +127,7 @@ def keys_of_help(program):
     text = subprocess.run([program, "view", "--help"], check=True, capture_output=True, text=True).stdout
     names = re.findall(r"^  (\S+) {2,}", text[text.index("Keys:"):], re.MULTILINE)
     translated = {"]": "bracketright", "[": "bracketleft", ".": "period", ",": "comma", "Space": "space",
-                  "Esc": "Escape"}
+                  "Esc": "Escape", "Enter": "Return", "Backspace": "BackSpace"}
     keys = []
     for name in names:
         modifier, _, key = name.rpartition("+")

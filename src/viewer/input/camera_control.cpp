@@ -119,13 +119,15 @@ void CameraControl::orbit(const glm::dvec3& pivot, double yawRadians, double pit
     const glm::dvec3 toPivot = toCamera(before, pivot - pose_.eye);
     look(yawRadians, pitchRadians);
     pose_.eye = pivot - toWorld(cameraBasis(camera()), toPivot);
-    pose_.distance = std::max(glm::length(pivot - pose_.eye), 1e-12);
+    if (projection_ == Projection::Perspective) pose_.distance = std::max(glm::length(pivot - pose_.eye), 1e-12);
 }
 
 void CameraControl::zoomTo(const glm::dvec3& point, double notches) {
     glide_.reset();
-    pose_.eye = point + (pose_.eye - point) * std::exp2(-notches / 5);
-    pose_.distance = std::max(glm::length(point - pose_.eye), 1e-12);
+    const double nearer = std::exp2(-notches / 5);
+    pose_.eye = point + (pose_.eye - point) * nearer;
+    const bool isParallel = projection_ == Projection::Orthographic;
+    pose_.distance = std::max(isParallel ? pose_.distance * nearer : glm::length(point - pose_.eye), 1e-12);
 }
 
 void CameraControl::shift(double right, double up) {
@@ -138,7 +140,8 @@ void CameraControl::focusOn(const glm::dvec3& point) {
     const glm::dvec3 ahead = point - pose_.eye;
     if (!(glm::length(ahead) > 0)) return;
     const Pose turned = poseOf({pose_.eye, point, up_, fovYRadians_});
-    glideTo({pose_.eye + ahead * 0.5, turned.yaw, turned.pitch, turned.distance * 0.5});
+    const double distance = 0.5 * (projection_ == Projection::Orthographic ? pose_.distance : turned.distance);
+    glideTo({point - glm::normalize(ahead) * distance, turned.yaw, turned.pitch, distance});
 }
 
 void CameraControl::goTo(const Camera& camera) {

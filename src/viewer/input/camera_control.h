@@ -39,7 +39,8 @@ public:
     /// Turns the view: yaw to the right, pitch upwards, radians.
     void look(double yawRadians, double pitchRadians);
 
-    /// Turns the eye about `pivot` with everything it sees, so that the pivot keeps its place on the screen.
+    /// Turns the eye about `pivot` with everything it sees, so that the pivot keeps its place on the screen; where
+    /// lines of sight are parallel all keeps its size.
     void orbit(const glm::dvec3& pivot, double yawRadians, double pitchRadians);
 
     /// Moves the eye sideways: right and up, world units.

@@ -48,6 +48,7 @@ void Input::beginFrame() {
     presses_.clear();
     tapped_.clear();
     drags_.clear();
+    clicks_.clear();
     dropped_.clear();
     wheel_ = 0;
     hasDoubleClicked_ = false;
@@ -73,18 +74,22 @@ void Input::onKey(int key, int action, int modifiers) {
 }
 
 void Input::onButton(int button, int action, int modifiers) {
+    constexpr double kOnePlace = 5; // pixels
     hasHappened_ = true;
     if (action == GLFW_RELEASE) {
-        if (button == dragButton_) dragButton_ = -1;
+        if (button != dragButton_) return;
+        dragButton_ = -1;
+        if (button == GLFW_MOUSE_BUTTON_LEFT && glm::distance(cursor_, pressedAt_) < kOnePlace)
+            clicks_.push_back({pressedAt_, (dragModifiers_ & GLFW_MOD_SHIFT) != 0});
         return;
     }
     if (isMouseTaken_ || dragButton_ != -1) return;
     dragButton_ = button;
     dragModifiers_ = modifiers;
+    pressedAt_ = cursor_;
     drags_.push_back({button, modifiers, glm::dvec2(0), true});
     if (button != GLFW_MOUSE_BUTTON_LEFT) return;
     constexpr double kBetweenClicks = 0.35; // seconds
-    constexpr double kOnePlace = 5;         // pixels
     const double time = glfwGetTime();
     hasDoubleClicked_ = time - lastClick_ < kBetweenClicks && glm::distance(cursor_, lastClickAt_) < kOnePlace;
     lastClick_ = hasDoubleClicked_ ? -1 : time; // a third click begins anew

@@ -25,6 +25,12 @@ struct Drag {
     bool hasBegun = false; // this frame
 };
 
+/// A press of the left button that was let go where it was.
+struct Click {
+    glm::dvec2 at{0}; // pixels of the framebuffer
+    bool withShift = false;
+};
+
 /// The keys and the mouse of one window. It must outlive the window's callbacks; make it before Dear ImGui's, which
 /// hand on to it.
 class Input {
@@ -50,6 +56,8 @@ public:
     bool isHeldControl() const;
 
     const std::vector<Drag>& drags() const { return drags_; }
+
+    const std::vector<Click>& clicks() const { return clicks_; }
 
     double wheel() const { return wheel_; }
 
@@ -87,6 +95,8 @@ private:
     double lastClick_ = -1; // seconds, of the left button
     glm::dvec2 lastClickAt_{0};
     std::vector<Drag> drags_;
+    glm::dvec2 pressedAt_{0}; // where the drag at hand began
+    std::vector<Click> clicks_;
     double wheel_ = 0;
     glm::dvec2 cursor_{0};
     std::vector<std::string> dropped_;

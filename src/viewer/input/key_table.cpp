@@ -41,6 +41,8 @@ std::vector<Binding> cameraAndSettingKeys() {
         Binding{GLFW_KEY_4, false, Action::LookFrom, of(path::ViewSide::Right), "4", "from the right"},
         Binding{GLFW_KEY_5, false, Action::LookFrom, of(path::ViewSide::Top), "5", "from above"},
         Binding{GLFW_KEY_6, false, Action::LookFrom, of(path::ViewSide::Bottom), "6", "from below"},
+        Binding{GLFW_KEY_LEFT, false, Action::RecentView, -1, "Left", "the view before, of those at which you stayed"},
+        Binding{GLFW_KEY_RIGHT, false, Action::RecentView, 1, "Right", "the view behind it"},
         Binding{GLFW_KEY_O, false, Action::ToggleProjection, 0, "O", "orthographic or perspective"},
         Binding{GLFW_KEY_HOME, false, Action::GoHome, 0, "Home", "back to the start"},
         Binding{GLFW_KEY_N, false, Action::StepScheme, 1, "N", "next scheme: none, one map, slices, faces, rays"},
@@ -90,6 +92,12 @@ std::vector<Binding> windowKeys() {
         Binding{GLFW_KEY_PAGE_DOWN, true, Action::MoveSection, -1, "Shift+PageDown", "section a little downwards"},
         Binding{
             GLFW_KEY_I, false, Action::SaveCamera, 0, "I", "save the camera as JSON, for pictures without the window"},
+        Binding{
+            GLFW_KEY_U, false, Action::Measure, 0, "U", "measure: a click is a point, Shift+click the nearest vertex"},
+        Binding{GLFW_KEY_BACKSPACE, false, Action::DropPoint, 0, "Backspace", "drop the last point measured"},
+        Binding{GLFW_KEY_ENTER, false, Action::NextMeasure, 0, "Enter", "begin another measure"},
+        Binding{
+            GLFW_KEY_U, true, Action::SaveMeasures, 0, "Shift+U", "save the measures, JSON and CSV beside the model"},
         Binding{GLFW_KEY_F9, false, Action::Reload, 0, "F9", "open the model again"},
         Binding{GLFW_KEY_F12, false, Action::Screenshot, 0, "F12", "save the picture"},
         Binding{GLFW_KEY_F12, true, Action::Screenshot, 1, "Shift+F12", "save the window with its overlays"},

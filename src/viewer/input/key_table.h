@@ -29,6 +29,11 @@ enum class Action : std::uint8_t {
     ToggleSection,
     MoveSection, // value is by how many 400ths of the model's height
     SaveCamera,
+    Measure,
+    NextMeasure,
+    DropPoint,
+    SaveMeasures,
+    RecentView, // value is -1 for that before, 1 for that behind it
     Screenshot, // value 1: with what is drawn over it
     Reload,
     Leave,

@@ -4,8 +4,7 @@
 
 namespace gnomon::viewer {
 
-std::optional<glm::dvec3> pointUnder(
-    const executor::FloatPicture& viewDepth, const Camera& camera, const glm::ivec2& pixel, int reach) {
+std::optional<glm::ivec2> drawnPixel(const executor::FloatPicture& viewDepth, const glm::ivec2& pixel, int reach) {
     std::optional<glm::ivec2> best;
     int bestDistance2 = reach * reach + 1;
     for (int y = std::max(pixel.y - reach, 0); y <= std::min(pixel.y + reach, viewDepth.height - 1); ++y)
@@ -16,6 +15,12 @@ std::optional<glm::dvec3> pointUnder(
             bestDistance2 = distance2;
             best = glm::ivec2(x, y);
         }
+    return best;
+}
+
+std::optional<glm::dvec3> pointUnder(
+    const executor::FloatPicture& viewDepth, const Camera& camera, const glm::ivec2& pixel, int reach) {
+    const std::optional<glm::ivec2> best = drawnPixel(viewDepth, pixel, reach);
     if (!best) return std::nullopt;
     const double depth = viewDepth.at(best->x, best->y);
     const double halfHeight =

@@ -8,9 +8,11 @@
 
 namespace gnomon::viewer {
 
-/// The world point that is drawn at a pixel (column, row from the upper left) of the picture whose view depths, seen by
-/// `camera`, are given. Where nothing is, the drawn pixel nearest to it counts, within `reach` pixels, so that wires
-/// and railings can be hit; nothing beyond.
+/// A pixel (column, row from the upper left) of the picture whose view depths are given, or where nothing is drawn at
+/// it the drawn one nearest to it within `reach` pixels, so that wires and railings can be hit; nothing beyond.
+std::optional<glm::ivec2> drawnPixel(const executor::FloatPicture& viewDepth, const glm::ivec2& pixel, int reach);
+
+/// The world point that is drawn there, seen by `camera`.
 std::optional<glm::dvec3> pointUnder(
     const executor::FloatPicture& viewDepth, const Camera& camera, const glm::ivec2& pixel, int reach);
 

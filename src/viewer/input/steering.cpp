@@ -93,7 +93,7 @@ void Steering::drag(const Drag& drag, const DragScene& scene, CameraControl& con
     }
     if (use == DragUse::Look) return control.look(angle.x, -angle.y);
     if (drag.hasBegun || !pivot_) pivot_ = scene.pick(glm::ivec2(scene.cursor)).value_or(control.camera().target);
-    control.orbit(*pivot_, angle.x, -angle.y);
+    if (drag.moved != glm::dvec2(0)) control.orbit(*pivot_, angle.x, -angle.y);
 }
 
 } // namespace gnomon::viewer

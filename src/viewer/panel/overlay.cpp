@@ -2,6 +2,8 @@
 
 #include "core/formatted.h"
 #include "executor/overlay/overlay_colors.h"
+#include "viewer/panel/measure_note.h"
+#include "viewer/panel/notes.h"
 #include "viewer/panel/settings_panel.h"
 
 #include <algorithm>
@@ -10,14 +12,12 @@
 #include <utility>
 #include <vector>
 
-#include <imgui/imgui.h>
-
 namespace gnomon::viewer {
 
 namespace {
 
+constexpr std::size_t kMessagesShown = 6; // the last of them
 constexpr ImU32 kFaint = IM_COL32(190, 195, 205, 255);
-constexpr ImU32 kWarning = IM_COL32(255, 190, 90, 255);
 constexpr ImU32 kFailure = IM_COL32(255, 120, 110, 255);
 
 constexpr std::array<ImU32, kStages> kStageColors = {
@@ -29,28 +29,9 @@ constexpr std::array<ImU32, kStages> kStageColors = {
     IM_COL32(245, 130, 70, 255),
     IM_COL32(180, 180, 180, 255)};
 
-float unit() {
-    return ImGui::GetFontSize();
-}
-
-/// A window that takes nothing from the mouse, at a corner.
-bool beginNote(const char* name, const ImVec2& at, const ImVec2& pivot) {
-    ImGui::SetNextWindowPos(at, ImGuiCond_Always, pivot);
-    constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
-                                        ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing |
-                                        ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav;
-    return ImGui::Begin(name, nullptr, kFlags);
-}
-
-void drawLine(const std::string& text, ImU32 color = IM_COL32_WHITE) {
-    ImGui::PushStyleColor(ImGuiCol_Text, color);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopStyleColor();
-}
-
 /// The last frames as stacked bars, and under them what each stage takes.
 void drawGraph(const FrameHistory& history, double targetMs) {
-    const ImVec2 size(29 * unit(), 5 * unit());
+    const ImVec2 size(29 * letterHeight(), 5 * letterHeight());
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::Dummy(size);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -73,21 +54,21 @@ void drawGraph(const FrameHistory& history, double targetMs) {
     }
     if (targetMs > 0) {
         const float y = at.y + size.y * static_cast<float>(1 - targetMs / top);
-        draw.AddLine({at.x, y}, {at.x + size.x, y}, kWarning);
+        draw.AddLine({at.x, y}, {at.x + size.x, y}, kWarningColor);
     }
     std::array<char, 64> text{};
     const double ms = total(medians);
     std::snprintf(text.data(), text.size(), "%.1f ms a frame, %.0f a second", ms, ms > 0 ? 1000 / ms : 0.0);
     drawLine(text.data());
     for (std::size_t stage = 0; stage < kStages; ++stage) {
-        if (stage % 4 != 0) ImGui::SameLine(static_cast<float>(stage % 4) * 7.4F * unit());
+        if (stage % 4 != 0) ImGui::SameLine(static_cast<float>(stage % 4) * 7.4F * letterHeight());
         std::snprintf(text.data(), text.size(), "%s %.1f", kStageNames[stage], medians[stage]);
         drawLine(text.data(), kStageColors[stage]);
     }
 }
 
 void drawFacts(const OverlayContent& content, const ViewSettings& settings) {
-    const ImVec2 corner(0.5F * unit(), 0.5F * unit());
+    const ImVec2 corner(0.5F * letterHeight(), 0.5F * letterHeight());
     if (beginNote("facts", corner, {0, 0})) {
         drawGraph(*content.history, settings.targetMs);
         const frame::Frame* frame = content.scene->frame();
@@ -96,7 +77,7 @@ void drawFacts(const OverlayContent& content, const ViewSettings& settings) {
              loadInWords(frame->row, frame->plan.quality, content.caps, frame->cut.used.size()))
             drawLine(line);
         ImGui::Separator();
-        ImGui::PushTextWrapPos(29 * unit());
+        ImGui::PushTextWrapPos(29 * letterHeight());
         for (const std::string& line : planInWords(frame->plan, frame->row))
             drawLine(line);
         ImGui::PopTextWrapPos();
@@ -107,7 +88,7 @@ void drawFacts(const OverlayContent& content, const ViewSettings& settings) {
             drawLine(
                 text.data() + (given.empty() ? std::string("nothing given up") : "given up " + given) +
                     (content.isExhausted ? "; no more can be" : ""),
-                kWarning);
+                kWarningColor);
         }
         if (content.scene->samples() > 0)
             drawLine(formatted("sample %d of %d", content.scene->samples(), content.mostSamples));
@@ -128,9 +109,9 @@ void drawStatus(const OverlayContent& content) {
     state.mostSamples = content.mostSamples;
     state.givenUp = content.givenUp;
     const std::string text = statusInWords(frame.plan, frame.row, state);
-    const float widest = std::max(ImGui::GetIO().DisplaySize.x - 2 * unit(), 8 * unit());
+    const float widest = std::max(ImGui::GetIO().DisplaySize.x - 2 * letterHeight(), 8 * letterHeight());
     ImGui::SetNextWindowContentSize(ImGui::CalcTextSize(text.c_str(), nullptr, false, widest)); // else that of before
-    if (beginNote("status", {0.5F * unit(), 0.5F * unit()}, {0, 0})) {
+    if (beginNote("status", {0.5F * letterHeight(), 0.5F * letterHeight()}, {0, 0})) {
         ImGui::PushTextWrapPos(widest);
         drawLine(text);
         ImGui::PopTextWrapPos();
@@ -141,7 +122,7 @@ void drawStatus(const OverlayContent& content) {
 void drawNothingInView() {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     if (beginNote("nothing", {screen.x * 0.5F, screen.y * 0.5F}, {0.5F, 0.5F}))
-        drawLine("nothing in view, Home brings it back", kWarning);
+        drawLine("nothing in view, Home brings it back", kWarningColor);
     ImGui::End();
 }
 
@@ -157,26 +138,29 @@ std::vector<std::pair<std::string, std::string>> helpLines() {
 
 /// In as many columns as it takes to fit the window's height, and in letters small enough to fit its width.
 void drawHelp() {
-    constexpr float kKeyUnits = 6.6F;
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const auto lines = helpLines();
     const float fit = std::max(1.0F, screen.y / ImGui::GetTextLineHeightWithSpacing() - 4);
     const int columns = std::clamp(static_cast<int>(std::ceil(static_cast<float>(lines.size()) / fit)), 1, 3);
     const std::size_t perColumn =
         (lines.size() + static_cast<std::size_t>(columns) - 1) / static_cast<std::size_t>(columns);
+    float keyWidest = 0;
     float widest = 0;
-    for (const auto& [key, help] : lines)
+    for (const auto& [key, help] : lines) {
+        keyWidest = std::max(keyWidest, ImGui::CalcTextSize(key.c_str()).x);
         widest = std::max(widest, ImGui::CalcTextSize(help.c_str()).x);
-    const float wide = static_cast<float>(columns) * ((kKeyUnits + 1) * unit() + widest) + unit();
+    }
+    const float wide = static_cast<float>(columns) * (keyWidest + 2 * letterHeight() + widest) + letterHeight();
     ImGui::SetNextWindowBgAlpha(0.95F);
     if (beginNote("help", {screen.x * 0.5F, screen.y * 0.5F}, {0.5F, 0.5F})) {
-        ImGui::SetWindowFontScale(std::min(1.0F, screen.x / wide));
+        const float scale = std::min(1.0F, screen.x / wide);
+        ImGui::SetWindowFontScale(scale);
         for (std::size_t first = 0; first < lines.size(); first += perColumn) {
-            if (first > 0) ImGui::SameLine(0, unit());
+            if (first > 0) ImGui::SameLine(0, letterHeight());
             ImGui::BeginGroup();
             for (std::size_t i = first; i < std::min(first + perColumn, lines.size()); ++i) {
-                drawLine(lines[i].first, kWarning);
-                ImGui::SameLine(kKeyUnits * unit());
+                drawLine(lines[i].first, kWarningColor);
+                ImGui::SameLine(scale * (keyWidest + letterHeight()));
                 drawLine(lines[i].second);
             }
             ImGui::EndGroup();
@@ -188,11 +172,10 @@ void drawHelp() {
 void drawMessages(const OverlayContent& content) {
     if (content.messages->empty()) return;
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    if (beginNote("messages", {screen.x * 0.5F, screen.y - 0.5F * unit()}, {0.5F, 1})) {
-        ImGui::PushTextWrapPos(std::max(screen.x - 2 * unit(), 10 * unit()));
-        constexpr std::size_t kShown = 6; // the last of them
+    if (beginNote("messages", {screen.x * 0.5F, screen.y - 0.5F * letterHeight()}, {0.5F, 1})) {
+        ImGui::PushTextWrapPos(std::max(screen.x - 2 * letterHeight(), 10 * letterHeight()));
         const std::vector<Message>& all = *content.messages;
-        for (std::size_t i = all.size() - std::min(all.size(), kShown); i < all.size(); ++i)
+        for (std::size_t i = all.size() - std::min(all.size(), kMessagesShown); i < all.size(); ++i)
             drawLine(all[i].text, all[i].isError ? kFailure : IM_COL32_WHITE);
         ImGui::PopTextWrapPos();
     }
@@ -207,7 +190,7 @@ void drawBuild(const BuildStatus& status, const std::string& mesh) {
             status.total > 0 ? static_cast<double>(status.done) / static_cast<double>(status.total) : 0.0;
         const std::string text = status.stage + ": " + readableCount(status.done) +
                                  (status.total > 0 ? " of " + readableCount(status.total) : "") + " " + status.unit;
-        ImGui::ProgressBar(static_cast<float>(std::min(part, 1.0)), {24 * unit(), 0}, "");
+        ImGui::ProgressBar(static_cast<float>(std::min(part, 1.0)), {24 * letterHeight(), 0}, "");
         drawLine(text);
         std::array<char, 32> seconds{};
         std::snprintf(seconds.data(), seconds.size(), "%.0f s", status.seconds);
@@ -222,35 +205,12 @@ ImU32 indexColor(std::size_t index, float alpha) {
     return ImGui::ColorConvertFloat4ToU32({color.r, color.g, color.b, alpha});
 }
 
-void drawSegments(std::span<const PixelSegment> segments, ImU32 color, float thickness) {
-    const ImGuiIO& io = ImGui::GetIO();
-    const double x = io.DisplayFramebufferScale.x;
-    const double y = io.DisplayFramebufferScale.y;
-    // A line from just before the eye may end anywhere; what is far outside is beyond floats.
-    constexpr double kFar = 1e5;
-    ImDrawList& draw = *ImGui::GetBackgroundDrawList();
-    for (const PixelSegment& segment : segments) {
-        glm::dvec2 a = segment[0];
-        glm::dvec2 b = segment[1];
-        if (std::max(std::abs(a.x), std::abs(a.y)) > kFar) a = glm::mix(b, a, kFar / glm::length(a - b));
-        if (std::max(std::abs(b.x), std::abs(b.y)) > kFar) b = glm::mix(a, b, kFar / glm::length(a - b));
-        draw.AddLine(
-            {static_cast<float>(a.x / x), static_cast<float>(a.y / y)},
-            {static_cast<float>(b.x / x), static_cast<float>(b.y / y)},
-            color,
-            thickness);
-    }
-}
-
 /// The volumes of a frozen frame: each partition in its colour, its casters fainter, and the depth range in white.
 void drawVolumes(const OverlayContent& content) {
     const plan::FramePlan& plan = content.scene->frame()->plan;
-    const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
-    const PictureFrame frame{
-        content.camera, static_cast<int>(screen.x * scale.x), static_cast<int>(screen.y * scale.y)};
+    const PictureFrame frame = windowFrame(content.camera);
     if (frame.width < 1 || frame.height < 1) return;
-    const float thick = unit() / 8;
+    const float thick = letterHeight() / 8;
     for (const PlanVolume& volume : planVolumes(plan, content.scene->model().summary().bounds)) {
         const auto lines = onPicture(volume.edges, frame);
         switch (volume.kind) {
@@ -282,6 +242,8 @@ OverlayAnswer drawOverlay(const OverlayContent& content, ViewSettings& settings,
     OverlayAnswer answer;
     const bool hasFrame = content.scene != nullptr && content.scene->frame() != nullptr;
     if (hasFrame && content.isFrozen) drawVolumes(content);
+    if (hasFrame && content.measuring != nullptr)
+        drawMeasures(*content.measuring, content.camera, std::min(content.messages->size(), kMessagesShown));
     if (hasFrame && settings.showsFacts) drawFacts(content, settings);
     if (hasFrame && !settings.showsFacts) drawStatus(content);
     if (hasFrame && !content.scene->isAnythingInView() && !settings.showsHelp) drawNothingInView();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "viewer/input/key_table.h"
+#include "viewer/measuring.h"
 #include "viewer/messages.h"
 #include "viewer/model_cache.h"
 #include "viewer/panel/frame_history.h"
@@ -24,8 +25,9 @@ struct OverlayContent {
     std::string givenUp; // for the time target; empty: nothing
     bool isExhausted = false;
     Caps caps;
-    int mostSamples = 1;    // frames that a standing picture becomes the mean of
-    double flyingSpeed = 0; // world units a second
+    int mostSamples = 1;                  // frames that a standing picture becomes the mean of
+    double flyingSpeed = 0;               // world units a second
+    const Measuring* measuring = nullptr; // null: nothing is measured
     bool isFrozen = false;
     bool isRecording = false;
     double playedPart = -1; // below 0: nothing is played

@@ -1,0 +1,101 @@
+"""What a person measures with the mouse, and the views that a key goes back to."""
+import csv
+import json
+import subprocess
+import time
+
+from session import Session
+
+ORIGIN = (500000.1, 5200000.7, 431.3)  # as UTM coordinates are
+SIZE = (12.5, 7.3, 3.1)
+SIDES = ((0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5))
+
+
+def make_box(program, folder):
+    """A box whose corner `i` has bit 0 of `i` for x, bit 1 for y, bit 2 for z."""
+    corners = [[ORIGIN[axis] + SIZE[axis] * (i >> axis & 1) for axis in range(3)] for i in range(8)]
+    mesh = folder / "box.ply"
+    mesh.write_text("ply\nformat ascii 1.0\nelement vertex 8\n" + "".join(f"property double {axis}\n" for axis in "xyz") +
+                    "element face 6\nproperty list uchar int vertex_indices\nend_header\n" +
+                    "".join(" ".join(map(repr, corner)) + "\n" for corner in corners) +
+                    "".join(" ".join(map(str, (4, *side))) + "\n" for side in SIDES))
+    model = folder / "sites" / "box.gnm"
+    model.parent.mkdir()
+    subprocess.run([program, "build", mesh, "-o", model, "--up", "z"], check=True, capture_output=True)
+    return corners, model
+
+
+def click(display, x, y, *held):
+    display.do("mousemove", x, y)
+    for key in held:
+        display.do("keydown", key)
+    time.sleep(0.4)  # two quick clicks would be a double one
+    display.do("click", 1)
+    for key in held:
+        display.do("keyup", key)
+
+
+def check_measures(display, program, folder):
+    """A box is measured from above, corner by corner and on its top, exactly; then saved, over nothing."""
+    corners, model = make_box(program, folder)
+    session = Session(display, program, folder, model, "--view", "top", "--projection", "orthographic")
+    session.shot()
+    plain = session.shot("shift+F12")
+    session.press("u")
+    for x, y in ((80, 580), (720, 580), (720, 220)):
+        click(display, x, y, "shift")
+    click(display, 20, 20)  # beside the box
+    click(display, 400, 400)
+    session.press("BackSpace", "Return")
+    click(display, 300, 390)
+    click(display, 500, 420)
+    shown = session.shot("shift+F12")
+    assert shown.read_bytes() != plain.read_bytes()
+    session.press("shift+u")
+    saved = session.expect(r"saved (\S+)\.json and \S+\.csv").group(1)
+    assert saved == str(model.parent / "box_measures1"), saved
+    since = len(session.lines)
+    session.press("shift+u")
+    session.expect(r"box_measures2\.json", since)
+    session.leave()
+    assert session.complaints() == [], session.complaints()
+    document = json.loads((model.parent / "box_measures1.json").read_text())
+    step = document["grid_step"]
+    vertices, top = document["measures"]
+    for point, corner in zip(vertices["points"], (corners[4], corners[5], corners[7]), strict=True):
+        for found, expected in zip(point["position"], corner):
+            assert abs(found - expected) <= step / 2 + 1e-9, (point, corner)
+    for leg, expected in zip(vertices["legs"], SIZE[:2], strict=True):
+        assert abs(leg - expected) <= step, vertices
+    assert abs(vertices["angles_degrees"][0] - 90) < 1e-4 and abs(vertices["area"] - SIZE[0] * SIZE[1] / 2) < 20 * step
+    assert [point["position"][2] for point in top["points"]] == [vertices["points"][0]["position"][2]] * 2
+    assert top["height"] == 0 and 2 < top["straight"] < 5, top
+    with open(model.parent / "box_measures1.csv", newline="") as file:
+        assert [row["measure"] for row in csv.DictReader(file)] == ["1", "1", "1", "2", "2"]
+
+
+def camera(session):
+    since = len(session.lines)
+    session.shot()  # all has come to rest
+    time.sleep(0.5)
+    session.press("i")
+    return json.loads((session.folder / session.expect(r"saved (\S+camera\S+)", since).group(1)).read_text())
+
+
+def check_recent_views(display, program, folder, model):
+    """Left and Right go through the views at which the camera stood, back and forth."""
+    session = Session(display, program, folder, model)
+    views = [camera(session)]
+    for key in ("1", "3", "5"):
+        session.press(key)
+        time.sleep(1)
+        views.append(camera(session))
+    for key, expected in (("Left", 2), ("Left", 1), ("Left", 0), ("Left", 0), ("Right", 1), ("Right", 2)):
+        session.press(key)
+        time.sleep(1)
+        found = camera(session)
+        for which in ("eye", "target"):
+            far = max(abs(a - b) for a, b in zip(found[which], views[expected][which]))
+            assert far < 1e-3 * max(map(abs, views[0]["eye"])), (key, expected, found, views)
+    session.leave()
+    assert session.complaints() == [], session.complaints()

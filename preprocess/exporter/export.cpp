@@ -3,15 +3,13 @@
 #include "core/error.h"
 #include "hierarchy/cut_rule.h"
 #include "hierarchy/model_file.h"
-#include "hierarchy/octahedral.h"
+#include "preprocess/exporter/glb_writer.h"
+#include "preprocess/exporter/ply_writer.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstring>
 #include <limits>
 #include <map>
-#include <string_view>
 #include <tuple>
 #include <vector>
 
@@ -190,106 +188,6 @@ std::vector<std::uint32_t> sortedVertices(const CutMesh& mesh) {
     return order;
 }
 
-/// Writes a PLY body or header in runs.
-class PlyWriter {
-public:
-    explicit PlyWriter(File& file) : file_(file) {}
-
-    void put(std::string_view text) { append(text.data(), text.size()); }
-
-    template <class T>
-    void putValue(T value) {
-        append(&value, sizeof(T));
-    }
-
-    void flush() {
-        file_.writeAt(offset_, buffer_);
-        offset_ += buffer_.size();
-        buffer_.clear();
-    }
-
-private:
-    void append(const void* data, std::size_t size) {
-        const auto* bytes = static_cast<const std::byte*>(data);
-        buffer_.insert(buffer_.end(), bytes, bytes + size);
-        constexpr std::size_t kRunBytes = std::size_t{1} << 20U;
-        if (buffer_.size() >= kRunBytes) flush();
-    }
-
-    File& file_;
-    std::uint64_t offset_ = 0;
-    std::vector<std::byte> buffer_;
-};
-
-bool fitsFloats(const CutMesh& mesh, const Grid& grid) {
-    return std::all_of(mesh.vertices.begin(), mesh.vertices.end(), [&grid](const Vertex& vertex) {
-        const glm::dvec3 p = grid.world(vertex.position);
-        return glm::dvec3(glm::vec3(p)) == p;
-    });
-}
-
-/// Whether floats tell the numbers of a field apart as well as doubles do.
-bool fitsFloats(const Field& field) {
-    const double step = (field.greatest - field.least) / ((1U << field.bits) - 1U);
-    return std::max(std::abs(field.least), std::abs(field.greatest)) * 0x1p-24 <= step / 64;
-}
-
-/// Throws Error for a name that a header of a PLY cannot have, or not again: it is the file's, and may be anything.
-void requirePlyNames(const std::string& model, const std::vector<Field>& fields, std::span<const VertexValues> values) {
-    for (const Field& field : fields) {
-        for (const VertexValues& property : values)
-            if (property.name == field.name) throw Error(model, "has a field of that name already: " + field.name);
-        if (!std::ranges::all_of(field.name, [](char c) { return c > ' ' && c < 0x7F; }))
-            throw Error(model, "a field's name is no name of a property", "letters without blanks", field.name);
-    }
-}
-
-std::string headerOf(
-    const CutMesh& mesh, const ModelSummary& summary, std::span<const VertexValues> values, bool asFloats) {
-    const std::string real = asFloats ? "float" : "double";
-    std::string text = "ply\nformat binary_little_endian 1.0\ncomment gnomon export\nelement vertex " +
-                       std::to_string(mesh.vertices.size()) + "\n";
-    for (const char* axis : {"x", "y", "z"})
-        text += "property " + real + " " + axis + "\n";
-    if (summary.hasNormals) text += "property float nx\nproperty float ny\nproperty float nz\n";
-    if (summary.hasColors)
-        text += "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty uchar alpha\n";
-    for (const Field& field : summary.fields)
-        text += (fitsFloats(field) ? "property float " : "property double ") + field.name + "\n";
-    for (const VertexValues& property : values)
-        text += "property float " + property.name + "\n";
-    return text + "element face " + std::to_string(mesh.triangles.size()) +
-           "\nproperty list uchar int vertex_indices\nend_header\n";
-}
-
-void putVertex(PlyWriter& out, const Vertex& vertex, const ModelSummary& summary, bool asFloats) {
-    const glm::dvec3 p = summary.grid.world(vertex.position);
-    for (int axis = 0; axis < 3; ++axis) {
-        if (asFloats)
-            out.putValue(static_cast<float>(p[axis]));
-        else
-            out.putValue(p[axis]);
-    }
-    if (summary.hasNormals) {
-        const glm::vec3 n(unpackNormal(vertex.normal));
-        for (int axis = 0; axis < 3; ++axis)
-            out.putValue(n[axis]);
-    }
-    if (summary.hasColors) out.putValue(vertex.color);
-}
-
-void putFields(PlyWriter& out, std::uint32_t word, const ModelSummary& summary, const FieldLayout& layout) {
-    for (std::size_t i = 0; i < summary.fields.size(); ++i) {
-        const Field& field = summary.fields[i];
-        const double part = static_cast<double>(layout.number(word, i)) / layout.greatest(i);
-        const double value = field.least + part * (field.greatest - field.least);
-        if (fitsFloats(field))
-            out.putValue(static_cast<float>(value));
-        else
-            out.putValue(value);
-    }
-}
-
 } // namespace
 
 void weld(CutMesh& mesh) {
@@ -314,45 +212,24 @@ void weld(CutMesh& mesh) {
             corner = place[corner];
 }
 
-void writePly(
-    const CutMesh& mesh,
-    const ModelSummary& summary,
-    std::span<const VertexValues> values,
-    const std::string& path,
-    Progress& progress) {
-    requirePlyNames(path, summary.fields, values);
-    AtomicFile output(path);
-    PlyWriter out(output.file());
-    const bool asFloats = fitsFloats(mesh, summary.grid);
-    progress.stage("write", "triangles", mesh.triangles.size());
-    out.put(headerOf(mesh, summary, values, asFloats));
-    for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
-        putVertex(out, mesh.vertices[v], summary, asFloats);
-        putFields(out, mesh.fieldsOf(v), summary, mesh.fields.layout);
-        for (const VertexValues& property : values)
-            out.putValue(property.values[v]);
-    }
-    for (const auto& triangle : mesh.triangles) {
-        out.putValue(std::uint8_t{3});
-        for (const std::uint32_t corner : triangle)
-            out.putValue(static_cast<std::int32_t>(corner));
-    }
-    out.flush();
-    progress.advance(mesh.triangles.size());
-    output.commit();
-}
-
 UniformCut uniformCut(const ModelFile& file, const ExportLimit& limit, Progress& progress) {
     const CutLimit refined = limit.triangles ? limitFor(file, *limit.triangles, progress) : limitOf(file, *limit.error);
     return collect(file, refined, progress);
 }
 
 ExportedCut exportCut(
-    const std::string& model, const ExportLimit& limit, const std::string& output, Progress& progress) {
+    const std::string& model,
+    const ExportLimit& limit,
+    const std::string& output,
+    Progress& progress,
+    ExportFormat format) {
     const ModelFile file(model);
     UniformCut cut = uniformCut(file, limit, progress);
     weld(cut.mesh);
-    writePly(cut.mesh, file.summary(), {}, output, progress);
+    if (format == ExportFormat::Glb)
+        writeGlb(cut.mesh, file.summary(), output, progress);
+    else
+        writePly(cut.mesh, file.summary(), {}, output, progress);
     return {cut.error, cut.mesh.triangles.size(), cut.mesh.vertices.size()};
 }
 

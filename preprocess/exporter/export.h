@@ -1,8 +1,9 @@
-// `gnomon export`: one uniform cut of a model as a PLY.
+// `gnomon export`: one uniform cut of a model as a PLY or a glTF.
 #pragma once
 
 #include "core/progress.h"
 #include "hierarchy/model_file.h"
+#include "preprocess/exporter/cut_mesh.h"
 
 #include <array>
 #include <cstdint>
@@ -13,19 +14,12 @@
 
 namespace gnomon::exporter {
 
+enum class ExportFormat { Ply, Glb };
+
 /// What to cut at: exactly one of both.
 struct ExportLimit {
     std::optional<std::uint64_t> triangles; // at most
     std::optional<double> error;            // at most, world units
-};
-
-/// A cut as a mesh.
-struct CutMesh {
-    std::vector<hierarchy::Vertex> vertices;
-    std::vector<std::array<std::uint32_t, 3>> triangles;
-    hierarchy::PageFields fields; // of the vertices
-
-    std::uint32_t fieldsOf(std::uint32_t vertex) const { return fields.words.empty() ? 0 : fields.words[vertex]; }
 };
 
 /// Which vertices and triangles of a cut are a cluster's.
@@ -49,20 +43,6 @@ UniformCut uniformCut(const hierarchy::ModelFile& file, const ExportLimit& limit
 /// Makes vertices with the same position, normal, colour and fields one, in the order of their first use.
 void weld(CutMesh& mesh);
 
-/// A value more of each vertex of a mesh.
-struct VertexValues {
-    std::string name;
-    std::vector<float> values;
-};
-
-/// Writes `mesh` of the model of `summary` as a binary PLY. Throws Error, as for a name that its header cannot have.
-void writePly(
-    const CutMesh& mesh,
-    const hierarchy::ModelSummary& summary,
-    std::span<const VertexValues> values,
-    const std::string& path,
-    Progress& progress);
-
 struct ExportedCut {
     double error = 0; // the largest stored error in it, world units
     std::uint64_t triangles = 0;
@@ -70,10 +50,13 @@ struct ExportedCut {
 };
 
 /// Writes the finest uniform cut of `model` with at most `limit.triangles`, or the coarsest whose error is at most
-/// `limit.error`, to the binary PLY `output`. Corners with the same position, normal, colour and fields are one vertex;
-/// positions are floats where all of them fit, else doubles; so are the values of a field. Holds the cut in memory.
-/// Throws Error if no cut is that small or that exact, or a page is damaged.
+/// `limit.error`, to `output`. Corners with the same position, normal, colour and fields are one vertex. Holds the cut
+/// in memory. Throws Error if no cut is that small or that exact, or a page is damaged.
 ExportedCut exportCut(
-    const std::string& model, const ExportLimit& limit, const std::string& output, Progress& progress);
+    const std::string& model,
+    const ExportLimit& limit,
+    const std::string& output,
+    Progress& progress,
+    ExportFormat format = ExportFormat::Ply);
 
 } // namespace gnomon::exporter

@@ -1,4 +1,4 @@
-// `gnomon export`: one uniform cut of a model as a PLY.
+// `gnomon export`: one uniform cut of a model as a PLY or a glTF.
 
 #include "app/commands.h"
 #include "app/named_files.h"
@@ -18,6 +18,7 @@ namespace {
 struct ExportOptions {
     std::string model;
     std::string output;
+    std::string format;
     std::string triangles;
     std::string error;
     CommonOptions common;
@@ -43,9 +44,11 @@ exporter::ExportLimit limitOf(const ExportOptions& options) {
 
 void addExportCommand(CLI::App& program) {
     auto options = std::make_shared<ExportOptions>();
-    CLI::App* command = program.add_subcommand("export", "Write one uniform level of detail as a PLY");
+    CLI::App* command = program.add_subcommand("export", "Write one uniform level of detail as a PLY or a glTF");
     command->add_option("MODEL", options->model, "A .gnm file")->required();
-    command->add_option("-o,--output", options->output, "The PLY to write")->required();
+    command->add_option("-o,--output", options->output, "The .ply or .glb to write")->required();
+    command->add_option("--format", options->format, "ply or glb; without it by the name of the output")
+        ->check(CLI::IsMember({"ply", "glb"}));
     auto* triangles = command->add_option("--triangles", options->triangles, "At most so many; 13M is a count too");
     command->add_option("--error", options->error, "Error of at most so many world units")->excludes(triangles);
     addCommonOptions(*command, options->common);
@@ -53,9 +56,15 @@ void addExportCommand(CLI::App& program) {
         const ThreadLimit threads(options->common);
         const exporter::ExportLimit limit = limitOf(*options);
         requireApart({{"MODEL", options->model}}, {{"--output", options->output}});
-        requireExtension("--output", options->output, ".ply");
+        const bool isGlb = options->format.empty() ? options->output.ends_with(".glb") : options->format == "glb";
+        requireExtension("--output", options->output, isGlb ? ".glb" : ".ply");
         const auto progress = makeProgress(options->common);
-        const auto cut = exporter::exportCut(options->model, limit, options->output, *progress);
+        const auto cut = exporter::exportCut(
+            options->model,
+            limit,
+            options->output,
+            *progress,
+            isGlb ? exporter::ExportFormat::Glb : exporter::ExportFormat::Ply);
         std::fprintf(
             stderr,
             "%s: %llu triangles, %llu vertices, error at most %g\n",

@@ -7,6 +7,7 @@
 #include "daylight/point_receivers.h"
 #include "measure/sun_hours_run.h"
 #include "measure/text_runs.h"
+#include "preprocess/exporter/ply_writer.h"
 #include "settings/codec.h"
 #include "settings/resolve.h"
 #include "survey/cells.h"

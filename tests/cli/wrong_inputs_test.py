@@ -136,6 +136,8 @@ ROWS = [
     (2, "either --triangles or --error", "export sundial.gnm -o b.ply"),
     (2, "--triangles", "export sundial.gnm -o b.ply --triangles few"),
     (2, "a name ending in .ply", "export sundial.gnm -o b.stl --error 1"),
+    (2, "a name ending in .glb", "export sundial.gnm -o b.ply --format glb --error 1"),
+    (2, "--format: obj not in {ply,glb}", "export sundial.gnm -o b.ply --format obj --error 1"),
     (2, "walk, orbit, flyby or approach", "path sundial.gnm --kind dance -o p.json"),
     (2, "--path is required", "bench sundial.gnm"),
     (1, "No such file", "bench sundial.gnm --path missing.json"),

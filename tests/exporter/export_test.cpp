@@ -168,6 +168,59 @@ TEST(Export, FarFromTheOriginPositionsAreDoubles) {
     EXPECT_EQ(box.max, model.summary.bounds.max);
 }
 
+/// The same cut as a PLY, which keeps the source's axes, and as a .glb.
+struct BothExports {
+    Read ply, glb;
+};
+
+BothExports bothExports(const std::string& model, std::uint64_t most) {
+    NoProgress progress;
+    const ExportLimit limit{most, {}};
+    const ExportedCut cut = exportCut(model, limit, pathFor("out.ply"), progress);
+    const ExportedCut again = exportCut(model, limit, pathFor("out.glb"), progress, ExportFormat::Glb);
+    EXPECT_EQ(cut.triangles, again.triangles);
+    EXPECT_EQ(cut.vertices, again.vertices);
+    return {readBack(pathFor("out.ply")), readBack(pathFor("out.glb"))};
+}
+
+TEST(Export, AGlbIsThePlyOfTheSameCut) {
+    for (const bool hasColors : {false, true})
+        for (const bool hasNormals : {false, true}) {
+            tests::TinyModelOptions options;
+            options.normals = hasNormals;
+            options.colors = hasColors;
+            tests::writeModel(tests::makeTinyModel(options), pathFor("m.gnm"));
+            const auto [ply, glb] = bothExports(pathFor("m.gnm"), 1000);
+            EXPECT_EQ(glb.triangles, ply.triangles);
+            EXPECT_EQ(glb.positions, ply.positions);
+            EXPECT_EQ(glb.colors, ply.colors);
+            ASSERT_EQ(glb.normals.size(), ply.normals.size());
+            for (std::size_t i = 0; i < glb.normals.size(); ++i)
+                EXPECT_LT(glm::length(glb.normals[i] - ply.normals[i]), 1e-5F);
+        }
+}
+
+TEST(Export, AGlbIsUprightInMetresAndNearItsOwnOrigin) {
+    tests::TinyModelOptions options;
+    options.origin = {500'000, 5'200'000, 400};
+    tests::TinyModel model = tests::makeTinyModel(options);
+    model.summary.up = {{0, 0, 1}};
+    model.summary.unit = hierarchy::Unit::Foot;
+    tests::writeModel(model, pathFor("m.gnm"));
+    const auto [ply, glb] = bothExports(pathFor("m.gnm"), 1000);
+    ASSERT_EQ(glb.positions.size(), ply.positions.size());
+    Box box;
+    for (const glm::dvec3& p : ply.positions)
+        box.add(p);
+    const double within = 0.3048 * glm::length(box.max - box.min) * 0x1p-24 + 5'200'000 * 0x1p-50;
+    for (std::size_t i = 0; i < glb.positions.size(); ++i) {
+        const glm::dvec3 p = ply.positions[i] * 0.3048;
+        const glm::dvec3 expected(p.x, p.z, -p.y); // z goes up, what was north goes away from the viewer
+        EXPECT_LT(glm::length(glb.positions[i] - expected), within) << i;
+    }
+    EXPECT_EQ(glb.triangles, ply.triangles);
+}
+
 TEST(Octahedral, UnpacksTheAxesAndTheFold) {
     using hierarchy::unpackNormal;
     const auto near = [](const glm::dvec3& a, const glm::dvec3& b) { return glm::length(a - b) < 1e-4; };

@@ -1,0 +1,22 @@
+// A cut as a mesh.
+#pragma once
+
+#include "hierarchy/model.h"
+#include "hierarchy/page_fields.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace gnomon::exporter {
+
+/// Vertices and triangles of one level of detail.
+struct CutMesh {
+    std::vector<hierarchy::Vertex> vertices;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    hierarchy::PageFields fields; // of the vertices
+
+    std::uint32_t fieldsOf(std::uint32_t vertex) const { return fields.words.empty() ? 0 : fields.words[vertex]; }
+};
+
+} // namespace gnomon::exporter

@@ -1,0 +1,220 @@
+#include "preprocess/exporter/glb_writer.h"
+
+#include "core/box.h"
+#include "core/error.h"
+#include "core/units.h"
+#include "hierarchy/octahedral.h"
+#include "hierarchy/upright_frame.h"
+#include "preprocess/exporter/field_value.h"
+#include "preprocess/exporter/run_writer.h"
+
+#include <cmath>
+#include <limits>
+
+#include <nlohmann/json.hpp>
+
+namespace gnomon::exporter {
+
+using namespace hierarchy;
+using nlohmann::ordered_json;
+
+namespace {
+
+// Numbers of the format: glTF 2.0, sections 3.6.2.2, 3.6.1 and 4.4.
+constexpr int kFloat = 5126;
+constexpr int kUnsignedShort = 5123;
+constexpr int kUnsignedInt = 5125;
+constexpr int kVertices = 34962;
+constexpr int kIndices = 34963;
+
+/// A level of sRGB in 16 bits of linear light, which still tells all levels apart (IEC 61966-2-1).
+std::uint16_t linearOf(std::uint32_t level) {
+    const double display = level / 255.0;
+    const double linear = display <= 0.04045 ? display / 12.92 : std::pow((display + 0.055) / 1.055, 2.4);
+    return static_cast<std::uint16_t>(std::lround(linear * 65535));
+}
+
+/// "_QUALITY", as glTF wants names that are not its own.
+std::string attributeName(const std::string& field) {
+    std::string name = "_";
+    for (const char c : field) {
+        const bool isLower = c >= 'a' && c <= 'z';
+        const bool isKept = (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+        name += isLower ? static_cast<char>(c - 'a' + 'A') : isKept ? c : '_';
+    }
+    return name;
+}
+
+class GlbWriter {
+public:
+    GlbWriter(const CutMesh& mesh, const ModelSummary& summary) : mesh_(mesh), summary_(summary) {
+        Box bounds;
+        for (const Vertex& vertex : mesh.vertices)
+            bounds.add(summary.grid.world(vertex.position));
+        if (!fitsFloats(mesh, summary.grid)) origin_ = (bounds.min + bounds.max) / 2.0;
+        if (summary.hasNormals) addNormals();
+    }
+
+    void write(const std::string& path) {
+        const std::string text = document(path);
+        AtomicFile output(path);
+        RunWriter out(output.file());
+        out.put("glTF");
+        out.putValue(std::uint32_t{2});
+        out.putValue(static_cast<std::uint32_t>(28 + text.size() + bytes_));
+        out.putValue(static_cast<std::uint32_t>(text.size()));
+        out.put("JSON");
+        out.put(text);
+        out.putValue(static_cast<std::uint32_t>(bytes_));
+        out.put(std::string_view("BIN\0", 4));
+        for (const auto& triangle : mesh_.triangles)
+            for (const std::uint32_t corner : triangle)
+                out.putValue(corner);
+        putVertices(out);
+        out.flush();
+        output.commit();
+    }
+
+private:
+    glm::vec3 local(const Vertex& vertex) const { return {summary_.grid.world(vertex.position) - origin_}; }
+
+    /// Unit vectors, which glTF wants: as stored, else of the faces around, else up.
+    void addNormals() {
+        std::vector<glm::dvec3> sums(mesh_.vertices.size(), glm::dvec3(0));
+        for (const auto& [a, b, c] : mesh_.triangles) {
+            const auto at = [&](std::uint32_t v) { return summary_.grid.world(mesh_.vertices[v].position); };
+            const glm::dvec3 normal = glm::cross(at(b) - at(a), at(c) - at(a));
+            for (const std::uint32_t corner : {a, b, c})
+                sums[corner] += normal;
+        }
+        for (std::size_t v = 0; v < sums.size(); ++v) {
+            const glm::dvec3 stored = unpackNormal(mesh_.vertices[v].normal);
+            const glm::dvec3 normal = stored != glm::dvec3(0) ? stored : sums[v];
+            const double length = glm::length(normal);
+            normals_.push_back(length > 0 ? glm::vec3(normal / length) : glm::vec3(summary_.up.direction));
+        }
+    }
+
+    /// A view of `count` elements of `type`, and an accessor of it; its number.
+    std::size_t add(std::uint64_t count, const char* type, int component, std::uint64_t bytesEach, int target) {
+        views_.push_back(
+            {{"buffer", 0}, {"byteOffset", bytes_}, {"byteLength", count * bytesEach}, {"target", target}});
+        accessors_.push_back(
+            {{"bufferView", views_.size() - 1}, {"componentType", component}, {"count", count}, {"type", type}});
+        bytes_ += count * bytesEach;
+        return accessors_.size() - 1;
+    }
+
+    ordered_json primitive() {
+        const std::uint64_t vertices = mesh_.vertices.size();
+        const std::size_t indices = add(mesh_.triangles.size() * 3, "SCALAR", kUnsignedInt, 4, kIndices);
+        ordered_json attributes;
+        const std::size_t positions = add(vertices, "VEC3", kFloat, 12, kVertices);
+        attributes["POSITION"] = positions;
+        glm::vec3 low(std::numeric_limits<float>::infinity());
+        glm::vec3 high = -low;
+        for (const Vertex& vertex : mesh_.vertices) {
+            low = glm::min(low, local(vertex));
+            high = glm::max(high, local(vertex));
+        }
+        accessors_[positions]["min"] = {low.x, low.y, low.z};
+        accessors_[positions]["max"] = {high.x, high.y, high.z};
+        if (summary_.hasNormals) attributes["NORMAL"] = add(vertices, "VEC3", kFloat, 12, kVertices);
+        if (summary_.hasColors) {
+            const std::size_t colors = add(vertices, "VEC4", kUnsignedShort, 8, kVertices);
+            accessors_[colors]["normalized"] = true;
+            attributes["COLOR_0"] = colors;
+        }
+        for (const Field& field : summary_.fields)
+            attributes[attributeName(field.name)] = add(vertices, "SCALAR", kFloat, 4, kVertices);
+        return {{"attributes", attributes}, {"indices", indices}, {"material", 0}};
+    }
+
+    /// The node's matrix, column by column: up to +y, the unit to metres, the origin back to where it was.
+    ordered_json matrix() const {
+        const UprightFrame upright = uprightFrame(summary_.up.direction);
+        const double metres = rowOf(summary_.unit).metres;
+        ordered_json values = ordered_json::array();
+        const auto put = [&](const glm::dvec3& column, int last) {
+            for (int i = 0; i < 3; ++i)
+                values.push_back(column[i]);
+            values.push_back(last);
+        };
+        for (int axis = 0; axis < 3; ++axis) {
+            glm::dvec3 unit(0);
+            unit[axis] = metres;
+            put(upright.toUpright(unit), 0);
+        }
+        put(metres * upright.toUpright(origin_), 1);
+        return values;
+    }
+
+    /// The JSON, padded. Knows how many bytes follow.
+    std::string document(const std::string& path) {
+        const ordered_json triangles = primitive();
+        ordered_json node = {{"mesh", 0}, {"matrix", matrix()}};
+        const ordered_json identity = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+        if (node["matrix"] == identity) node.erase("matrix");
+        const ordered_json all = {
+            {"asset", {{"version", "2.0"}, {"generator", "gnomon"}}},
+            {"scene", 0},
+            {"scenes", {{{"nodes", {0}}}}},
+            {"nodes", ordered_json::array({node})},
+            {"meshes", {{{"primitives", ordered_json::array({triangles})}}}},
+            {"materials",
+             {{{"pbrMetallicRoughness", {{"metallicFactor", 0}, {"roughnessFactor", 1}}}, {"doubleSided", true}}}},
+            {"accessors", accessors_},
+            {"bufferViews", views_},
+            {"buffers", {{{"byteLength", bytes_}}}}};
+        std::string text = all.dump();
+        text.resize((text.size() + 3) / 4 * 4, ' ');
+        const std::uint64_t whole = 28 + text.size() + bytes_;
+        if (whole > std::numeric_limits<std::uint32_t>::max())
+            throw Error(
+                path,
+                "too large for one .glb: write fewer triangles, or a PLY",
+                "less than 4 GiB",
+                readableBytes({whole}));
+        return text;
+    }
+
+    void putVertices(RunWriter& out) const {
+        const auto putVector = [&](const glm::vec3& v) {
+            for (int i = 0; i < 3; ++i)
+                out.putValue(v[i]);
+        };
+        for (const Vertex& vertex : mesh_.vertices)
+            putVector(local(vertex));
+        if (summary_.hasNormals)
+            for (const glm::vec3& normal : normals_)
+                putVector(normal);
+        if (summary_.hasColors)
+            for (const Vertex& vertex : mesh_.vertices)
+                for (std::uint32_t i = 0; i < 4; ++i) {
+                    const std::uint32_t level = vertex.color >> 8 * i & 255U;
+                    out.putValue(i < 3 ? linearOf(level) : static_cast<std::uint16_t>(level * 257));
+                }
+        for (std::size_t i = 0; i < summary_.fields.size(); ++i)
+            for (std::uint32_t v = 0; v < mesh_.vertices.size(); ++v)
+                out.putValue(
+                    static_cast<float>(fieldValue(summary_.fields[i], mesh_.fields.layout, mesh_.fieldsOf(v), i)));
+    }
+
+    const CutMesh& mesh_;
+    const ModelSummary& summary_;
+    glm::dvec3 origin_{0};
+    std::vector<glm::vec3> normals_;
+    std::uint64_t bytes_ = 0; // of the buffer
+    ordered_json views_ = ordered_json::array();
+    ordered_json accessors_ = ordered_json::array();
+};
+
+} // namespace
+
+void writeGlb(const CutMesh& mesh, const ModelSummary& summary, const std::string& path, Progress& progress) {
+    progress.stage("write", "triangles", mesh.triangles.size());
+    GlbWriter(mesh, summary).write(path);
+    progress.advance(mesh.triangles.size());
+}
+
+} // namespace gnomon::exporter

@@ -129,7 +129,7 @@ public:
     /// is clamped to that range at each pixel (GL_DEPTH_CLAMP), so casters before and behind the range still cast.
     /// Pixels outside the viewport are left alone. Answers how many fragments that took: the pixels of the viewport
     /// that each triangle covers, summed. Where the view's rows lie unevenly, y is snapped to at most 1/256 of the gaps
-    /// between rows around it, and all else is as above: a sample on an edge belongs to one of its sides.
+    /// between rows around it (1/16 below 2^-27 of all y), and all else is as above: an edge is of one of its sides.
     std::uint64_t drawDepth(std::span<const Cluster> clusters, const View& view, const DepthTarget& target);
 
     /// The same depths as `drawDepth` leaves, to the bit, without looking at what lies behind what is drawn:

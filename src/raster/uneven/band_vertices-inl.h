@@ -37,7 +37,7 @@ struct BandLanes {
     /// The first row of `units` or more, from the band's first.
     HWY_INLINE Ints firstRow(Ints units) const {
         const auto last = hn::Set(kInts, static_cast<std::int32_t>(band->rowsFromBucket.size()) - 1);
-        const auto bucket = hn::Min(hn::ShiftRight<kBucketBits>(hn::Max(units, hn::Zero(kInts))), last);
+        const auto bucket = hn::Min(hn::ShiftRightSame(hn::Max(units, hn::Zero(kInts)), band->bucketBits), last);
         const auto found = hn::GatherIndex(kInts, band->rowsFromBucket.data(), bucket);
         return hn::Sub(found, hn::VecFromMask(kInts, hn::Lt(row(found), units)));
     }

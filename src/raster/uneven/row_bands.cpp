@@ -9,14 +9,16 @@
 namespace gnomon::raster {
 namespace {
 
-/// Between rows, so that none comes nearer than a bucket to another when it is rounded.
-constexpr float kLeastUnits = (1 << kBucketBits) + 2;
-
 /// Largest |y / w| times scale: with columns within 2^24 of each other an edge then stays under 2^63.
 constexpr float kMostUnits = 0x1p36F;
 
 float powerOfTwoFrom(float value) {
     return std::exp2(std::ceil(std::log2(value)));
+}
+
+/// Units of y / w 1, so that rows with the narrowest gap do not come nearer than a bucket when they are rounded.
+float scaleFor(int bucketBits, float narrowest) {
+    return powerOfTwoFrom(static_cast<float>((1 << bucketBits) + 2) / narrowest);
 }
 
 } // namespace
@@ -58,14 +60,16 @@ void RowBands::addBand(std::size_t first, std::size_t end, float narrowest) {
     band.first = firstRow_ + static_cast<int>(first);
     band.end = firstRow_ + static_cast<int>(end);
     band.base = positions_[first];
-    band.scale = powerOfTwoFrom(kLeastUnits / narrowest);
+    while (band.bucketBits > kLeastBucketBits && scaleFor(band.bucketBits, narrowest) * guard_ > kMostUnits)
+        --band.bucketBits;
+    band.scale = scaleFor(band.bucketBits, narrowest);
     GNOMON_CHECK_OP(band.scale * guard_, <=, kMostUnits);
     for (std::size_t i = first; i < end; ++i)
         band.rows.push_back(static_cast<std::int32_t>(std::lrint(band.units(positions_[i]))));
     const std::int32_t last = band.rows.back();
     std::int32_t row = 0;
-    for (std::int32_t bucket = 0; bucket <= (last + 1) >> kBucketBits; ++bucket) {
-        while (row < band.count() && band.rows[static_cast<std::size_t>(row)] < bucket << kBucketBits)
+    for (std::int32_t bucket = 0; bucket <= (last + 1) >> band.bucketBits; ++bucket) {
+        while (row < band.count() && band.rows[static_cast<std::size_t>(row)] < bucket << band.bucketBits)
             ++row;
         band.rowsFromBucket.push_back(row);
     }

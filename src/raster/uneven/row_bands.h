@@ -9,23 +9,26 @@
 
 namespace gnomon::raster {
 
-/// Rows of a band are found by buckets of 256 units.
-constexpr int kBucketBits = 8;
+/// Rows of a band are found by buckets of so many units, as powers of two: the fewest where gaps are so narrow that
+/// more would leave no room for exact edges.
+constexpr int kMostBucketBits = 8;
+constexpr int kLeastBucketBits = 4;
 
 /// A band has at most this many rows, and its widest gap between rows is at most this many times its narrowest.
 constexpr int kMostBandRows = 256;
 constexpr float kMostGapRatio = 16;
 
 /// Rows first to end - 1 of the target. In the band y / w is snapped to whole units: the distance from `base` times
-/// `scale`, rounded to the nearest even. There are at least 256 units between two rows, so that the finest are as
-/// fine as those of an even grid, and at most one row in a bucket of 256.
+/// `scale`, rounded to the nearest even. There is more than a bucket between two rows, so at most one row in a bucket:
+/// of 256 units, so that the finest rows are snapped as finely as those of an even grid, or of fewer.
 struct RowBand {
     int first = 0;
     int end = 0;
-    float base = 0;                           // of the first row
-    float scale = 1;                          // a power of two
+    float base = 0;  // of the first row
+    float scale = 1; // a power of two
+    int bucketBits = kMostBucketBits;
     std::vector<std::int32_t> rows;           // in units; behind them one that nothing reaches
-    std::vector<std::int32_t> rowsFromBucket; // the first row, from the band's first, of 256 b units or more
+    std::vector<std::int32_t> rowsFromBucket; // the first row, from the band's first, of b buckets or more
 
     int count() const { return end - first; }
 
@@ -37,7 +40,7 @@ struct RowBand {
 class RowBands {
 public:
     /// `positions` of the rows from `firstRow` of the target on, in y / w, strictly increasing. Narrower gaps than
-    /// 2^-27 of the largest |y / w| leave no room for exact edges.
+    /// 2^-30 of the largest |y / w| leave no room for exact edges.
     void reset(std::span<const float> positions, int firstRow);
 
     std::span<const RowBand> bands() const { return bands_; }

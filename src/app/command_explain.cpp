@@ -26,10 +26,11 @@ struct ExplainOptions {
 void runExplain(const ExplainOptions& options) {
     settings::Settings settings = options.settings.settings();
     plan::Quality quality = settings::qualityOf(settings);
-    if (!quality.mapsBecause && !measure::decidesExactly(settings))
-        quality.mapsBecause = plan::ShadowReason::ExecutorHasMaps;
+    const bool isSoftware = measure::decidesExactly(settings);
+    if (!quality.mapsBecause && !isSoftware) quality.mapsBecause = plan::ShadowReason::ExecutorHasMaps;
     settings.backend = settings::Backend::Software; // nothing is drawn, so no context is made
     measure::Session session(options.model, settings, printWarning);
+    session.renderer().planFor({.drawsLogRows = isSoftware});
     const plan::FramePlan plan = session.renderer().plan(settings::viewOf(settings, session.model()), quality);
     const std::string text =
         options.json ? telemetry::jsonText(settings::planJson(plan), 1) + "\n" : settings::planText(plan);

@@ -80,7 +80,12 @@ PreparedFrame Renderer::prepareAs(
             });
             addTime(frame.planMs, [&] {
                 const plan::PlanMemory memory = before ? before->memory : plan::PlanMemory{};
-                plan::PlannedFrame planned = plan::planFrame(view, quality, frame.facts, memory);
+                plan::PlannedFrame planned = plan::planFrame(
+                    view,
+                    quality,
+                    frame.facts,
+                    memory,
+                    plannedFor_.value_or(plan::ExecutorFacts{executor_->drawsLogRows()}));
                 frame.plan = std::move(planned.plan);
                 frame.memory = std::move(planned.memory);
                 plan::chooseCasterCulling(

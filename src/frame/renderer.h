@@ -58,6 +58,9 @@ public:
     /// The plan alone, refined with what the hierarchy answers; nothing is drawn.
     plan::FramePlan plan(const plan::View& view, const plan::Quality& quality);
 
+    /// Plans from now on for an executor that can do so much, which is not the one that draws.
+    void planFor(const plan::ExecutorFacts& executor) { plannedFor_ = executor; }
+
     /// Forgets the frames before, so that the next plan depends on its view alone.
     void forget() {
         previous_.reset();
@@ -118,6 +121,7 @@ private:
 
     const hierarchy::ModelFile* model_;
     executor::Executor* executor_;
+    std::optional<plan::ExecutorFacts> plannedFor_;
     Residency residency_;
     std::shared_ptr<const plan::PlannedFrame> previous_;
     bool wasSunless_ = false; // the frame before

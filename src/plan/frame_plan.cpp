@@ -14,9 +14,12 @@ std::string schemeName(const FramePlan& plan) {
     if (plan.hasFaces) name = slices > 1 ? "fp+" : "fp";
     if (slices > 1) name += "zp" + std::to_string(slices);
     if (name.empty()) name = "map";
-    const bool isWarped = std::any_of(
-        plan.passes.begin(), plan.passes.end(), [](const ShadowPass& pass) { return pass.map.warped.kappa > 0; });
-    return isWarped ? name + "+w" : name;
+    const auto isAny = [&](auto is) {
+        return std::any_of(
+            plan.passes.begin(), plan.passes.end(), [&](const ShadowPass& pass) { return is(pass.map.warped); });
+    };
+    if (isAny(shadow::hasLogRows)) return name + "+log";
+    return isAny([](const shadow::WarpedMap& map) { return map.kappa > 0; }) ? name + "+w" : name;
 }
 
 } // namespace gnomon::plan

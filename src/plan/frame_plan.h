@@ -128,6 +128,11 @@ struct SceneFacts {
     bool isTurnedFromLight = false; // all that is in view, for sure
 };
 
+/// What the executor that a plan is made for can do.
+struct ExecutorFacts {
+    bool drawsLogRows = false; // maps with logarithmic rows
+};
+
 /// One shadow map and how this frame draws it.
 struct ShadowPass {
     shadow::ShadowMap map;
@@ -140,6 +145,7 @@ struct ShadowPass {
 struct FramePlan {
     View view;
     Quality quality; // its shadows are those that are drawn, never Auto
+    ExecutorFacts executor;
     ShadowReason shadowReason = ShadowReason::AskedFor;
     std::optional<ExactWork> predicted; // of exact shadows, where that was asked
     CameraBasis basis;
@@ -176,7 +182,8 @@ inline double depthFromAskedEye(const FramePlan& plan, double depth) {
     return depth - plan.view.eyeMovedBack.value_or(0);
 }
 
-/// The word for the scheme in the log: "off", "rays", "map", "zp4", "fp", "fp+zp4", with "+w" where a map is warped.
+/// The word for the scheme in the log: "off", "rays", "map", "zp4", "fp", "fp+zp4", with "+w" where a map is warped,
+/// "+log" where its rows are logarithmic.
 std::string schemeName(const FramePlan& plan);
 
 } // namespace gnomon::plan

@@ -83,12 +83,18 @@ std::optional<DepthSpan> widestRange(const View& view, const Quality& quality, c
     return range.shown;
 }
 
-PlannedFrame planFrame(const View& view, const Quality& quality, const SceneFacts& scene, const PlanMemory& memory) {
+PlannedFrame planFrame(
+    const View& view,
+    const Quality& quality,
+    const SceneFacts& scene,
+    const PlanMemory& memory,
+    const ExecutorFacts& executor) {
     requireValid(view);
     PlannedFrame result;
     FramePlan& plan = result.plan;
     plan.view = view;
     plan.quality = quality;
+    plan.executor = executor;
     if (quality.shadows == ShadowMode::Auto) plan.quality.shadows = ShadowMode::Maps; // without costs to choose by
     if (view.camera.isParallel()) unwarp(plan.quality);
     plan.basis = cameraBasis(view.camera);

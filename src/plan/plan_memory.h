@@ -33,6 +33,7 @@ struct SchemeChoice {
     int slices = 1;
     bool faces = false;
     bool lightRoll = true; // the maps are rolled about the light for the least storage
+    bool logRows = false;  // where `auto` chose the warp
     bool operator==(const SchemeChoice&) const = default;
 };
 

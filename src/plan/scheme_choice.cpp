@@ -37,6 +37,7 @@ shadow::ShadowOptions optionsOf(const SchemeContext& context, const SchemeChoice
     const Quality& quality = context.quality;
     shadow::ShadowOptions options;
     options.scheme.warp = quality.warp;
+    if (choice.logRows) options.scheme.warp.rule = shadow::WarpRule::Log;
     options.scheme.slices = choice.slices;
     options.scheme.splitLambda = quality.splitLambda;
     options.scheme.faces = choice.faces;
@@ -66,7 +67,7 @@ void completeCandidate(const SchemeContext& context, SchemeCandidate& candidate)
         const std::uint64_t triangles =
             context.scene->light ? trianglesIn(volume, context.basis, context.scene->light->casters) : 0;
         candidate.casterTriangles.push_back(triangles);
-        candidate.cost += triangles;
+        candidate.cost += shadow::hasLogRows(map.warped) ? triangles * kHalvesOfLogTriangle / 2 : triangles;
     }
 }
 
@@ -127,7 +128,7 @@ std::optional<SchemeCandidate> held(
     if (!context.before || context.receivers.haveArrived) return std::nullopt;
     const SchemeChoice& before = context.before->choice;
     const auto same = std::find_if(candidates.begin(), candidates.end(), [&](const SchemeCandidate& a) {
-        return a.choice.slices == before.slices && a.choice.faces == before.faces;
+        return a.choice.slices == before.slices && a.choice.faces == before.faces && a.choice.logRows == before.logRows;
     });
     if (same == candidates.end() || same->keepsPromise != best.keepsPromise) return std::nullopt;
     SchemeCandidate result = *same;
@@ -254,10 +255,16 @@ std::vector<SchemeChoice> openChoices(const SchemeContext& context) {
     const int first = quality.zPartitions.value_or(1);
     const int last = quality.zPartitions.value_or(kMostSlices);
     const Choice faces = quality.stabilize ? Choice::Off : quality.facePartitions;
+    const bool areRowsOpen = !quality.zPartitions && quality.warp.rule == shadow::WarpRule::Auto &&
+                             context.executor.drawsLogRows && !quality.stabilize;
     std::vector<SchemeChoice> choices;
+    const auto add = [&](int slices, bool hasFaces) {
+        choices.push_back({slices, hasFaces, true});
+        if (areRowsOpen && slices == 1) choices.push_back({slices, hasFaces, true, true});
+    };
     for (int slices = first; slices <= last; ++slices) {
-        if (faces != Choice::On) choices.push_back({slices, false, true});
-        if (faces != Choice::Off) choices.push_back({slices, true, true});
+        if (faces != Choice::On) add(slices, false);
+        if (faces != Choice::Off) add(slices, true);
     }
     return choices;
 }
@@ -266,7 +273,8 @@ bool isBetter(const SchemeCandidate& a, const SchemeCandidate& b) {
     if (a.keepsPromise != b.keepsPromise) return a.keepsPromise;
     if (a.keepsPromise) return a.cost < b.cost;
     const auto asked = [](const SchemeCandidate& candidate) {
-        return candidate.promise() / (candidate.choice.faces ? kWorthwhile : 1);
+        const SchemeChoice& choice = candidate.choice;
+        return candidate.promise() / (choice.faces ? kWorthwhile : 1) / (choice.logRows ? kWorthwhile : 1);
     };
     return asked(a) < asked(b);
 }

@@ -28,6 +28,12 @@ OmissionReason warpReason(const FramePlan& plan) {
     return OmissionReason::NoGain;
 }
 
+/// Why rows are even where the warp is left open.
+OmissionReason rowsReason(const FramePlan& plan) {
+    if (!plan.executor.drawsLogRows) return OmissionReason::ExecutorHasEvenRows;
+    return plan.quality.zPartitions ? OmissionReason::SlicesGiven : OmissionReason::BetterWithout;
+}
+
 /// A line for each effect that the maps go without and that no choice has spoken of.
 void explainOmissions(FramePlan& plan, std::uint64_t emptySlices) {
     std::vector<Omission>& omitted = plan.omitted;
@@ -47,8 +53,11 @@ void explainOmissions(FramePlan& plan, std::uint64_t emptySlices) {
             {Effect::ZPartitions,
              quality.zPartitions ? OmissionReason::SwitchedOff : OmissionReason::OneSliceSuffices});
     const auto isWarped = [](const ShadowPass& pass) { return pass.map.warped.kappa > 0; };
+    const auto isLog = [](const ShadowPass& pass) { return shadow::hasLogRows(pass.map.warped); };
     if (std::none_of(plan.passes.begin(), plan.passes.end(), isWarped))
         omitted.push_back({Effect::Warp, warpReason(plan)});
+    else if (quality.warp.rule == shadow::WarpRule::Auto && std::none_of(plan.passes.begin(), plan.passes.end(), isLog))
+        omitted.push_back({Effect::LogRows, rowsReason(plan)});
     if (!quality.stabilize) {
         omitted.push_back({Effect::Stabilization, OmissionReason::SwitchedOff});
         omitted.push_back({Effect::MapReuse, OmissionReason::NotStabilized});
@@ -73,6 +82,7 @@ SchemeMemory planShadowPasses(FramePlan& plan, const SceneFacts& scene, const st
     if (scene.light) context.view.seen = scene.light->seen;
     context.basis = plan.basis;
     context.quality = plan.quality;
+    context.executor = plan.executor;
     context.scene = &scene;
     context.before = before;
     context.receivers = receiversOf(context);

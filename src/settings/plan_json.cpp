@@ -171,9 +171,7 @@ std::string mapsText(const plan::FramePlan& plan) {
             map.promised.sheared,
             static_cast<unsigned long long>(pass.estimatedTriangles));
     }
-    const auto isLog = [](const plan::ShadowPass& pass) {
-        return pass.map.warped.rows == shadow::RowSpacing::Logarithmic;
-    };
+    const auto isLog = [](const plan::ShadowPass& pass) { return shadow::hasLogRows(pass.map.warped); };
     if (std::any_of(plan.passes.begin(), plan.passes.end(), isLog))
         text += "rows of warped maps lie evenly in the logarithm of w; z is promised sheared\n";
     return text;

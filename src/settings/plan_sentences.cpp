@@ -43,8 +43,8 @@ const char* whyStabilized(Effect effect) {
     return "stabilised slices are whole";
 }
 
-/// Why light is not summed over directions.
-std::string reasonOfLight(const plan::Omission& omission) {
+/// Why light is not summed over directions, or rows of maps lie evenly.
+std::string otherReason(const plan::Omission& omission) {
     switch (omission.reason) {
     case OmissionReason::NarrowPenumbrae:
         return "none in view is wider than " + decimal(omission.pixels, 2) +
@@ -53,6 +53,10 @@ std::string reasonOfLight(const plan::Omission& omission) {
         return "shadows are switched off";
     case OmissionReason::NoSun:
         return "the shading has no sun";
+    case OmissionReason::ExecutorHasEvenRows:
+        return "only the software executor draws rows that lie unevenly";
+    case OmissionReason::SlicesGiven:
+        return "--z-partitions gives the slices, and with them a scheme of even rows";
     case OmissionReason::NothingHidesTheSky:
         return "nothing stands between what is seen and the sky";
     default:
@@ -76,6 +80,8 @@ std::string effectInWords(const plan::Omission& omission) {
         return "z-partitions";
     case Effect::Warp:
         return "warp";
+    case Effect::LogRows:
+        return "logarithmic rows";
     case Effect::Orientation:
         return "orientation";
     case Effect::Stabilization:
@@ -153,7 +159,7 @@ std::string reasonInWords(const plan::Omission& omission) {
     case OmissionReason::AllAreDark:
         return "all that is seen and faces the light was dark before they were looked at";
     default:
-        return reasonOfLight(omission);
+        return otherReason(omission);
     }
 }
 

@@ -47,6 +47,22 @@ class AutoShadows(ProgramTest):
         for count in ("shadow_samples", "cast_triangles", "sample_tests"):
             self.assertGreater(plan["predicted"][count], 0)
 
+    def test_the_warp_that_is_left_open_has_logarithmic_rows_where_they_can_be_drawn(self):
+        far_apart = ("--warp", "auto", "--eye", "-3,0.3,0.2", "--target", "5,0.2,0", "--near", "0.05", "--far", "50")
+
+        def told(*words, slices="auto"):
+            return self.expect(0, "", "explain", self.sundial, *SIZE, *far_apart, "--z-partitions", slices, *words).stdout
+
+        self.assertIn("+log", told(*SOFTWARE))
+        self.assertNotIn("+log", told("--backend", "osmesa"))
+        self.assertIn("only the software executor draws rows that lie unevenly", told("--backend", "osmesa"))
+        self.assertNotIn("+log", told(*SOFTWARE, slices="4"))
+        self.assertIn("--z-partitions gives the slices", told(*SOFTWARE, slices="4"))
+        stats = self.place / "log.json"
+        self.expect(0, "", "render", self.sundial, "-o", self.place / "log.png", *SIZE, *SOFTWARE, "--stats", stats, *far_apart,
+                    "--z-partitions", "auto")  # fmt: skip
+        self.assertIn("+log", json.loads(stats.read_text())["scheme"])
+
     def test_it_means_maps_beside_each_option_of_them_even_at_its_default(self):
         for option, value in OF_MAPS:
             for named in ((), ("--shadows", "auto")):

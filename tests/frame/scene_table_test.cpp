@@ -211,15 +211,25 @@ const std::vector<Row>& rows() { // NOLINT(readability-function-size): a table
          },
          {Effect::ShadowMaps},
          {Effect::ZPartitions, Effect::FacePartitions}},
-        {"a long row of crates, and a promise that one map cannot keep",
+        {"a long row of crates, and a promise that one map of even rows cannot keep",
+         rowOfCrates,
+         [](View& view, Quality& quality) {
+             view.towardsLight = {0.3, 1, 0.2};
+             quality.zPartitions.reset();
+             quality.warp.rule = shadow::WarpRule::Lspsm;
+             quality.maxAliasing = 4;
+         },
+         {Effect::ShadowMaps, Effect::ZPartitions, Effect::Warp},
+         {}},
+        {"the same with the warp left open: one map of logarithmic rows keeps it",
          rowOfCrates,
          [](View& view, Quality& quality) {
              view.towardsLight = {0.3, 1, 0.2};
              quality.zPartitions.reset();
              quality.maxAliasing = 4;
          },
-         {Effect::ShadowMaps, Effect::ZPartitions, Effect::Warp},
-         {}}};
+         {Effect::ShadowMaps, Effect::Warp, Effect::LogRows},
+         {Effect::ZPartitions}}};
     return table;
 }
 

@@ -43,18 +43,20 @@ SchemeContext contextOf(const FramePlan& plan, const SceneFacts& facts) {
     context.basis = plan.basis;
     context.quality = plan.quality;
     context.scene = &facts;
+    context.executor = plan.executor;
     return context;
 }
 
 /// `slices` and `faces` worked out with the least quantised step of texels that keeps the promise, found by trying them
 /// all; the whole budget if none does.
-Tally tallied(const SchemeContext& context, int slices, bool faces) {
+Tally tallied(const SchemeContext& context, int slices, bool faces, bool logRows) {
     SchemeContext given = context;
     given.quality.zPartitions = slices;
     const std::uint64_t budget = static_cast<std::uint64_t>(context.quality.shadowTexelsWidth) *
                                  static_cast<std::uint64_t>(context.quality.shadowTexelsHeight);
-    const SchemeCandidate whole = evaluate(given, {slices, faces, true});
-    Tally result{{slices, faces, true}, whole.promise(), 0, whole.texelsThatWouldDo, budget, whole.setup.maps.size()};
+    const SchemeCandidate whole = evaluate(given, {slices, faces, true, logRows});
+    Tally result{
+        {slices, faces, true, logRows}, whole.promise(), 0, whole.texelsThatWouldDo, budget, whole.setup.maps.size()};
     shadow::ShadowMapSetup setup = whole.setup;
     if (whole.texelsThatWouldDo > 0 && whole.texelsThatWouldDo <= budget) {
         std::uint64_t step = budget;
@@ -69,10 +71,25 @@ Tally tallied(const SchemeContext& context, int slices, bool faces) {
         result.promise = setup.worst().worst();
     }
     result.cost = static_cast<std::uint64_t>(setup.textureWidth) * static_cast<std::uint64_t>(setup.textureHeight) / 16;
-    for (const shadow::ShadowMap& map : setup.maps)
+    for (const shadow::ShadowMap& map : setup.maps) {
+        std::uint64_t triangles = 0;
         for (const SceneFacts::CasterBlock& block : context.scene->light->casters)
-            if (touches(map.casterVolume, context.basis, block.box)) result.cost += block.triangles;
+            if (touches(map.casterVolume, context.basis, block.box)) triangles += block.triangles;
+        result.cost += shadow::hasLogRows(map.warped) ? triangles * 3 / 2 : triangles;
+    }
     return result;
+}
+
+/// Every scheme of even rows, and of logarithmic ones those of one slice where they can be drawn.
+std::vector<SchemeChoice> choicesOf(const SchemeContext& context) {
+    std::vector<SchemeChoice> choices;
+    for (int slices = 1; slices <= kMostSlices; ++slices)
+        for (const bool faces : {false, true}) {
+            if (faces && context.quality.facePartitions != Choice::Auto) continue;
+            choices.push_back({slices, faces, true, false});
+            if (slices == 1 && context.executor.drawsLogRows) choices.push_back({slices, faces, true, true});
+        }
+    return choices;
 }
 
 /// What the words of the promise ask for, tried one after the other.
@@ -80,14 +97,13 @@ Tally bestOfAll(const SchemeContext& context) {
     std::optional<Tally> cheapest;
     std::optional<Tally> lowest;
     const double most = context.quality.maxAliasing;
-    const auto asked = [](const Tally& one) { return one.promise / (one.choice.faces ? 0.95 : 1); };
-    for (int slices = 1; slices <= kMostSlices; ++slices) {
-        for (const bool faces : {false, true}) {
-            if (faces && context.quality.facePartitions != Choice::Auto) continue;
-            const Tally candidate = tallied(context, slices, faces);
-            if (candidate.promise <= most && (!cheapest || candidate.cost < cheapest->cost)) cheapest = candidate;
-            if (!lowest || asked(candidate) < asked(*lowest)) lowest = candidate;
-        }
+    const auto asked = [](const Tally& one) {
+        return one.promise / (one.choice.faces ? 0.95 : 1) / (one.choice.logRows ? 0.95 : 1);
+    };
+    for (const SchemeChoice& choice : choicesOf(context)) {
+        const Tally candidate = tallied(context, choice.slices, choice.faces, choice.logRows);
+        if (candidate.promise <= most && (!cheapest || candidate.cost < cheapest->cost)) cheapest = candidate;
+        if (!lowest || asked(candidate) < asked(*lowest)) lowest = candidate;
     }
     return cheapest ? *cheapest : *lowest;
 }
@@ -106,6 +122,7 @@ struct Outcome {
     int planned = 0;
     int kept = 0;
     int several = 0;
+    int logRows = 0;
 };
 
 void expectTheBest(std::uint64_t first, std::uint64_t count, Outcome& outcome) {
@@ -114,12 +131,13 @@ void expectTheBest(std::uint64_t first, std::uint64_t count, Outcome& outcome) {
         const MadeScene scene(seed % 20);
         const View view = madeView(seed);
         const SceneFacts facts = scene.facts(view);
-        const auto [plan, memory] = planFrame(view, autoQuality(seed), facts);
+        const auto [plan, memory] = planFrame(view, autoQuality(seed), facts, {}, {seed % 3 != 0});
         if (plan.passes.empty()) continue;
         const Tally best = bestOfAll(contextOf(plan, facts));
         ASSERT_TRUE(memory.scheme);
         EXPECT_EQ(memory.scheme->choice.slices, best.choice.slices);
         EXPECT_EQ(memory.scheme->choice.faces, best.choice.faces);
+        EXPECT_EQ(memory.scheme->choice.logRows, best.choice.logRows);
         EXPECT_EQ(plan.promiseKept, best.promise <= plan.quality.maxAliasing);
         const std::uint64_t budget = static_cast<std::uint64_t>(plan.quality.shadowTexelsWidth) *
                                      static_cast<std::uint64_t>(plan.quality.shadowTexelsHeight);
@@ -128,6 +146,8 @@ void expectTheBest(std::uint64_t first, std::uint64_t count, Outcome& outcome) {
         ++outcome.planned;
         outcome.kept += plan.promiseKept ? 1 : 0;
         outcome.several += plan.passes.size() > 1 ? 1 : 0;
+        outcome.logRows += best.choice.logRows ? 1 : 0;
+        EXPECT_TRUE(plan.executor.drawsLogRows || !best.choice.logRows);
     }
 }
 
@@ -138,6 +158,8 @@ TEST(AutoPlan, IsTheBestOfAllPlans) {
     EXPECT_GT(outcome.kept, 5);
     EXPECT_LT(outcome.kept, outcome.planned - 2);
     EXPECT_GT(outcome.several, 5);
+    EXPECT_GT(outcome.logRows, 3);
+    EXPECT_LT(outcome.logRows, outcome.planned - 15);
 }
 
 TEST(SlowAutoPlan, IsTheBestOfAllPlansOnAThousandViews) {

@@ -11,8 +11,9 @@ namespace gnomon::plan {
 namespace {
 
 TEST(SchemeChoice, OpensWhatTheQualityLeavesOpen) {
-    const auto open = [](std::optional<int> slices, Choice faces, bool stabilize) {
+    const auto open = [](std::optional<int> slices, Choice faces, bool stabilize, bool drawsLogRows = false) {
         SchemeContext context;
+        context.executor.drawsLogRows = drawsLogRows;
         context.quality.zPartitions = slices;
         context.quality.facePartitions = faces;
         context.quality.stabilize = stabilize;
@@ -26,6 +27,12 @@ TEST(SchemeChoice, OpensWhatTheQualityLeavesOpen) {
     ASSERT_EQ(all.size(), 2U * kMostSlices);
     EXPECT_EQ(all.front(), (SchemeChoice{1, false, true}));
     EXPECT_EQ(all.back(), (SchemeChoice{kMostSlices, true, true}));
+    EXPECT_EQ(open(4, Choice::Auto, false, true), open(4, Choice::Auto, false)) << "slices that are given are even";
+    EXPECT_EQ(open({}, Choice::Auto, true, true), open({}, Choice::Auto, true));
+    const std::vector<SchemeChoice> withLog = open({}, Choice::Auto, false, true);
+    EXPECT_EQ(withLog.size(), all.size() + 2);
+    for (const bool faces : {false, true})
+        EXPECT_EQ(std::count(withLog.begin(), withLog.end(), SchemeChoice{1, faces, true, true}), 1);
 }
 
 /// A candidate of one map with a promise and a cost.

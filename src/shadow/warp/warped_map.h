@@ -24,6 +24,10 @@ struct WarpedMap {
     double rawRange = 1;
 };
 
+inline bool hasLogRows(const WarpedMap& map) {
+    return map.rows == RowSpacing::Logarithmic;
+}
+
 /// The map with warp `kappa` of `fit`, whose depth is fitted to its vertices, grown by `bias` (in rawDepth) at both
 /// ends. Extents of zero are widened to 1e-9 of the slice's near depth, so that nothing divides by zero.
 WarpedMap warpedMap(const LightFit& fit, double kappa, double bias = 0);

@@ -4,13 +4,16 @@
 #include "app/console.h"
 #include "app/interruption.h"
 #include "core/error.h"
+#include "manual/version.h"
 #include "settings/table.h"
 
 #include <algorithm>
 #include <array>
 #include <exception>
+#include <iostream>
 #include <new>
 #include <string>
+#include <string_view>
 
 namespace {
 
@@ -49,16 +52,23 @@ std::string usage(const CLI::App& program, const CLI::ParseError& error, const s
 
 int run(int argc, char** argv) {
     CLI::App program("Low-error shadow maps for meshes of a million to a billion triangles.", "gnomon");
-    program.set_version_flag("--version", "gnomon " GNOMON_VERSION);
+    CLI::Option* version = program.set_version_flag("--version", "gnomon " GNOMON_VERSION, "Print the version");
+    bool isJson = false;
+    program.add_flag("--json", isJson, "Beside --version: how the program was compiled, as JSON")->needs(version);
     program.require_subcommand(1);
     program.get_formatter()->column_width(38);
     for (const AddCommand add : kCommands)
         add(program);
     try {
         program.parse(argc, argv);
+    } catch (const CLI::CallForVersion&) {
+        // Which of two flags is looked at first is the library's business.
+        isJson =
+            std::any_of(argv + 1, argv + argc, [](const char* word) { return std::string_view(word) == "--json"; });
+        std::cout << (isJson ? gnomon::manual::versionJson(GNOMON_VERSION) : "gnomon " GNOMON_VERSION) << '\n';
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() != 0) throw UsageError{usage(program, error, argc > 1 ? argv[1] : "")};
-        program.exit(error); // prints what --help and --version ask for
+        program.exit(error); // prints what --help asks for
     }
     gnomon::app::requirePrinted();
     return 0;

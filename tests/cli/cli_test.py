@@ -21,6 +21,10 @@ class CommandLine(ProgramTest):
             self.assertEqual(own.returncode, 0)
             self.assertIn(f"Usage: gnomon {command}", own.stdout)
         self.assertRegex(run("--version").stdout, r"^gnomon \d+\.\d+\.\d+\n$")
+        told = json.loads(run("--version", "--json").stdout)
+        self.assertEqual("gnomon " + told["version"] + "\n", run("--version").stdout)
+        self.assertIn("glb", told["writes"])
+        self.assertEqual(run("--json", "info", "x").returncode, 2)
 
     def test_wrong_usage_is_exit_2(self):
         picture = self.place / "wrong.png"

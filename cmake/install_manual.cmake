@@ -1,0 +1,26 @@
+# Run by `cmake --install` after the program is there: its manual pages and changelog, packed, and what shells complete.
+set(root $ENV{DESTDIR}${CMAKE_INSTALL_PREFIX})
+set(program ${root}/bin/gnomon)
+set(share ${root}/share)
+
+function(print_manual words file)
+    get_filename_component(folder ${file} DIRECTORY)
+    file(MAKE_DIRECTORY ${folder})
+    execute_process(COMMAND ${program} manual ${words} OUTPUT_FILE ${file} COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+
+# A page for the program and one for each of its commands: gnomon-sun-hours is that of `gnomon sun hours`.
+foreach(command IN ITEMS "" make build info verify export path render measure explain bench view
+        sun "sun position" "sun hours" theory "theory eval" "theory figures" "theory table")
+    string(REPLACE " " "-" name "gnomon ${command}")
+    string(REGEX REPLACE "-$" "" name ${name})
+    string(REPLACE " " ";" words "man ${command}")
+    list(REMOVE_ITEM words "")
+    set(page ${share}/man/man1/${name}.1)
+    print_manual("${words}" ${page})
+    execute_process(COMMAND gzip -9nf ${page} COMMAND_ERROR_IS_FATAL ANY)
+endforeach()
+print_manual(bash ${share}/bash-completion/completions/gnomon)
+print_manual(zsh ${share}/zsh/vendor-completions/_gnomon)
+print_manual(fish ${share}/fish/vendor_completions.d/gnomon.fish)
+execute_process(COMMAND gzip -9nf ${share}/doc/gnomon/changelog COMMAND_ERROR_IS_FATAL ANY)

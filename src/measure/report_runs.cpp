@@ -70,6 +70,20 @@ Settings withTexels(Settings settings, int side) {
     return settings;
 }
 
+/// Logarithmic rows in one map and in one on each face; for a curve of their own with less and with more texels.
+void addLogarithmic(DistinctSettings& runs, const Settings& oneMap, bool isQuick) {
+    const Settings whole = withWarp(oneMap, WarpRule::Log);
+    Settings faces = whole;
+    faces.quality.facePartitions = Choice::On;
+    runs.add(whole);
+    runs.add(faces);
+    if (isQuick) return;
+    for (const int side : {1024, 4096}) {
+        runs.add(withTexels(whole, side));
+        runs.add(withTexels(faces, side));
+    }
+}
+
 } // namespace
 
 std::vector<BenchRun> reportRuns(const Settings& asked, bool isQuick) {
@@ -83,8 +97,6 @@ std::vector<BenchRun> reportRuns(const Settings& asked, bool isQuick) {
     oneMap.quality.zPartitions = 1;
     Settings stable = withWarp(base, WarpRule::None); // it has none, and a warp that is asked for contradicts it
     stable.quality.stabilize = true;
-    Settings logarithmic = withWarp(oneMap, WarpRule::Log);
-    logarithmic.quality.facePartitions = Choice::On;
     DistinctSettings runs;
     if (isQuick) {
         runs.vary(base, &Quality::zPartitions, {1, 2, 4, 8});
@@ -95,7 +107,7 @@ std::vector<BenchRun> reportRuns(const Settings& asked, bool isQuick) {
             runs.add(withWarp(oneMap, WarpRule::None));
         }
         if (decidesExactly(base)) {
-            if (isWarpOpen) runs.add(logarithmic);
+            if (isWarpOpen) addLogarithmic(runs, oneMap, isQuick);
             runs.addExact(base);
         }
         return runsOf(runs.all());
@@ -113,7 +125,7 @@ std::vector<BenchRun> reportRuns(const Settings& asked, bool isQuick) {
     if (isWarpOpen) runs.add(stable);
     runs.vary(base, &Quality::facePartitions, {Choice::On});
     if (decidesExactly(base)) {
-        if (isWarpOpen) runs.add(logarithmic);
+        if (isWarpOpen) addLogarithmic(runs, oneMap, isQuick);
         runs.addExact(base);
     }
     return runsOf(runs.all());

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 namespace gnomon::measure {
@@ -72,6 +73,11 @@ TEST(ReportRuns, ContradictNoWarpThatIsAskedFor) {
                 EXPECT_TRUE(hasMaps || run.options.find("warp") == std::string::npos) << run.options;
             }
             EXPECT_GT(runs.size(), 5U);
+            const auto isLog = [](const BenchRun& run) {
+                return run.settings.quality.warp.rule == shadow::WarpRule::Log;
+            };
+            const auto logarithmic = std::count_if(runs.begin(), runs.end(), isLog);
+            EXPECT_EQ(logarithmic, isWarpOpen && decidesExactly(base) ? (isQuick ? 2 : 6) : 0);
             EXPECT_EQ(exact, decidesExactly(base) ? plan::kCellSchemes.size() : 0U);
             EXPECT_EQ(cells.size(), decidesExactly(base) ? plan::kCellSchemes.size() : 1U);
         }

@@ -1,6 +1,8 @@
 #include "exact/caster_kernel.h"
 
 #include "exact/float_rounding.h"
+#include "exact/point_predicate.h"
+#include "exact/pyramid_clip.h"
 
 #include <algorithm>
 #include <array>
@@ -13,145 +15,40 @@
 #define HWY_TARGET_INCLUDE "exact/caster_kernel.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
-#include "exact/span_test-inl.h"
+#include "exact/cluster_caster-inl.h"
 // clang-format on
 
 HWY_BEFORE_NAMESPACE();
 
 namespace gnomon::exact::HWY_NAMESPACE {
 
-using FloatTag = hn::ScalableTag<float>;
-using IntTag = hn::ScalableTag<std::int32_t>;
-using Floats = hn::Vec<FloatTag>;
-using Ints = hn::Vec<IntTag>;
-constexpr FloatTag kFloats;
-constexpr IntTag kInts;
-
-constexpr std::size_t kMostVertices = raster::kMaxClusterVertices;
-constexpr std::size_t kMostTriangles = raster::kMaxClusterTriangles;
-
-/// One cluster in the shear of the light, and over the cells of one map.
-class ClusterCaster {
-public:
-    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): zeros first would cost more than most casts
-    ClusterCaster(const CastContext& context, std::size_t caster, CastCounts& counts)
-        : context_(context), caster_(context.casters[caster]), counts_(counts) {}
-
-    void cast() {
-        ++counts_.clustersTested;
-        bool isSheared = false;
-        for (std::size_t map = 0; map < context_.grid->maps().size(); ++map) {
-            if (context_.grid->maps()[map].isEmpty || !mayShadow(map)) continue;
-            if (!isSheared) {
-                shear();
-                ++counts_.clustersKept;
-            }
-            isSheared = true;
-            counts_.triangles += caster_.geometry.triangles.size();
-            castOver(map);
-        }
-    }
-
-private:
-    bool mayShadow(std::size_t map) const;
-    void shear();
-    void castOver(std::size_t map);
-    void castWhole(std::size_t map);
-    void castClipped(std::size_t map);
-    bool prepare(std::size_t triangle, TriangleTest& test) const;
-    void castTriangle(std::size_t map, std::size_t triangle, const CellBox& box, bool isNarrowed);
-    CellBox rowSpan(std::size_t triangle, const CellBox& box, int row) const;
-
-    const CastContext& context_;
-    const Caster& caster_;
-    CastCounts& counts_;
-    std::array<std::array<double, 3>, kMostVertices> sheared_; // u, v, h
-    std::array<double, kMostVertices> x_, y_, w_;              // cells of the map; where w is large enough
-    alignas(64) std::array<float, kMostVertices> floatX_, floatY_, floatH_;
-    alignas(64) std::array<std::int32_t, kMostTriangles> corner_[3];
-};
-
-/// The box's shadow on the light plane, over the cells: its four corners are enough, since w is above 0 in all or none.
-bool ClusterCaster::mayShadow(std::size_t map) const {
-    const LightShear& shear = context_.samples->space().shear;
-    const glm::dvec3 least(caster_.least);
-    const glm::dvec3 most(caster_.most);
-    const auto span = [&](int axis, double ratio) {
-        const double p = ratio * least[shear.along];
-        const double q = ratio * most[shear.along];
-        return std::array{least[axis] - std::max(p, q), most[axis] - std::min(p, q)};
-    };
-    const double error = context_.coordinateError;
-    const auto u = span(shear.first, shear.firstRatio);
-    const auto v = span(shear.second, shear.secondRatio);
-    const double h = (shear.sign > 0 ? most[shear.along] : -least[shear.along]) + error;
-    const CellMap& cells = context_.grid->maps()[map];
-    glm::dvec2 low(std::numeric_limits<double>::infinity());
-    glm::dvec2 high(-std::numeric_limits<double>::infinity());
-    for (int i = 0; i < 4; ++i) {
-        const glm::dvec3 p = cells.cellsFromLightPlane *
-                             glm::dvec3(u[static_cast<std::size_t>(i & 1)], v[static_cast<std::size_t>(i >> 1)], 1);
-        if (p.z < cells.leastW) return true;
-        low = glm::min(low, glm::dvec2(p) / p.z);
-        high = glm::max(high, glm::dvec2(p) / p.z);
-    }
-    const double side = context_.grid->side();
-    if (high.x < -kCellSlack || high.y < -kCellSlack || low.x > side + kCellSlack || low.y > side + kCellSlack)
-        return false;
-    const auto cell = [&](double x) { return cellAt(x, context_.grid->side()); };
-    const CellBox box{
-        cell(low.x - kCellSlack), cell(low.y - kCellSlack), cell(high.x + kCellSlack), cell(high.y + kCellSlack)};
-    return context_.grid->mask(map).mayShadow(box, roundedUp(h));
-}
-
-void ClusterCaster::shear() {
-    const LightShear& shear = context_.samples->space().shear;
-    const raster::Cluster& geometry = caster_.geometry;
-    const std::size_t stride = geometry.positionStride / sizeof(std::uint32_t);
-    const auto along = shear.along;
-    for (std::size_t i = 0; i < geometry.vertexCount; ++i) {
-        const std::uint32_t* position = geometry.positions + i * stride;
-        const auto cell = [&](int axis) {
-            return static_cast<double>(static_cast<std::int32_t>(position[axis] - context_.originCell[axis]));
-        };
-        const double p = cell(along);
-        sheared_[i] = {
-            cell(shear.first) - shear.firstRatio * p, cell(shear.second) - shear.secondRatio * p, shear.sign * p};
-        floatH_[i] = roundedUp(sheared_[i][2] + context_.coordinateError);
-    }
-    for (std::size_t t = 0; t < geometry.triangles.size(); ++t)
-        for (std::size_t k = 0; k < 3; ++k)
-            corner_[k][t] = geometry.triangles[t][k];
-    const std::size_t padded = (geometry.triangles.size() + 15) / 16 * 16;
-    for (auto& corners : corner_)
-        std::fill(
-            corners.begin() + static_cast<std::ptrdiff_t>(geometry.triangles.size()),
-            corners.begin() + static_cast<std::ptrdiff_t>(padded),
-            0);
-}
-
 void ClusterCaster::castOver(std::size_t map) {
     const CellMap& cells = context_.grid->maps()[map];
-    const glm::dmat3& m = cells.cellsFromLightPlane;
+    const bool isPoint = context_.samples->space().pointLight.has_value();
+    if (isPoint) findNearness(cells);
+    const glm::dmat4x3& m = cells.cellsFromLight;
     double leastW = std::numeric_limits<double>::infinity();
     double mostW = -leastW;
     for (std::size_t i = 0; i < caster_.geometry.vertexCount; ++i) {
         const double u = sheared_[i][0];
         const double v = sheared_[i][1];
-        const double w = m[0][2] * u + m[1][2] * v + m[2][2];
+        const double h = sheared_[i][2];
+        const double w = m[0][2] * u + m[1][2] * v + m[2][2] * h + m[3][2];
         w_[i] = w;
         leastW = std::min(leastW, w);
         mostW = std::max(mostW, w);
-        x_[i] = (m[0][0] * u + m[1][0] * v + m[2][0]) / w;
-        y_[i] = (m[0][1] * u + m[1][1] * v + m[2][1]) / w;
+        x_[i] = (m[0][0] * u + m[1][0] * v + m[2][0] * h + m[3][0]) / w;
+        y_[i] = (m[0][1] * u + m[1][1] * v + m[2][1] * h + m[3][1]) / w;
         floatX_[i] = static_cast<float>(x_[i]);
         floatY_[i] = static_cast<float>(y_[i]);
     }
-    if (mostW < cells.leastW) return;
-    if (leastW < cells.leastW)
-        castClipped(map);
-    else
+    if (isPoint ? mostW <= 0 : mostW < cells.leastW) return;
+    if (leastW >= cells.leastW)
         castWhole(map);
+    else if (isPoint)
+        castBesideLight(map);
+    else
+        castClipped(map);
 }
 
 /// Boxes of triangles and what the mask holds there, several triangles at once.
@@ -204,7 +101,6 @@ void ClusterCaster::castWhole(std::size_t map) {
 /// Triangles of which a part lies behind the warp's centre: only what has w enough can cover a sample.
 void ClusterCaster::castClipped(std::size_t map) {
     const CellMap& cells = context_.grid->maps()[map];
-    const glm::dmat3& m = cells.cellsFromLightPlane;
     const int side = context_.grid->side();
     for (std::size_t t = 0; t < caster_.geometry.triangles.size(); ++t) {
         glm::dvec2 low(std::numeric_limits<double>::infinity());
@@ -215,10 +111,8 @@ void ClusterCaster::castClipped(std::size_t map) {
         };
         float highest = -std::numeric_limits<float>::infinity();
         for (std::size_t k = 0; k < 3; ++k) {
-            const auto& from = sheared_[static_cast<std::size_t>(corner_[k][t])];
-            const auto& to = sheared_[static_cast<std::size_t>(corner_[(k + 1) % 3][t])];
-            const glm::dvec3 p = m * glm::dvec3(from[0], from[1], 1);
-            const glm::dvec3 q = m * glm::dvec3(to[0], to[1], 1);
+            const glm::dvec3 p = place(cells, static_cast<std::size_t>(corner_[k][t]));
+            const glm::dvec3 q = place(cells, static_cast<std::size_t>(corner_[(k + 1) % 3][t]));
             highest = std::max(highest, floatH_[static_cast<std::size_t>(corner_[k][t])]);
             if (p.z >= cells.leastW) add(p);
             if ((p.z >= cells.leastW) == (q.z >= cells.leastW)) continue;
@@ -233,6 +127,29 @@ void ClusterCaster::castClipped(std::size_t map) {
             cellAt(low.y - kCellSlack, side),
             cellAt(high.x + kCellSlack, side),
             cellAt(high.y + kCellSlack, side)};
+        if (context_.grid->mask(map).mayShadow(box, highest)) castTriangle(map, t, box, false);
+    }
+}
+
+/// Triangles of a cluster that reaches beside the point light, or behind it.
+void ClusterCaster::castBesideLight(std::size_t map) {
+    const CellMap& cells = context_.grid->maps()[map];
+    const int side = context_.grid->side();
+    for (std::size_t t = 0; t < caster_.geometry.triangles.size(); ++t) {
+        std::array<glm::dvec3, 3> places{};
+        float highest = -std::numeric_limits<float>::infinity();
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto vertex = static_cast<std::size_t>(corner_[k][t]);
+            places[k] = place(cells, vertex);
+            highest = std::max(highest, floatH_[vertex]);
+        }
+        const std::optional<CellReach> reach = reachOfPyramid(places, side, 2 * kCellSlack, cells.leastW);
+        if (!reach) continue;
+        const CellBox box{
+            cellAt(reach->leastX - kCellSlack, side),
+            cellAt(reach->leastY - kCellSlack, side),
+            cellAt(reach->mostX + kCellSlack, side),
+            cellAt(reach->mostY + kCellSlack, side)};
         if (context_.grid->mask(map).mayShadow(box, highest)) castTriangle(map, t, box, false);
     }
 }
@@ -274,10 +191,27 @@ bool ClusterCaster::prepare(std::size_t triangle, TriangleTest& test) const {
     return test.set(corner(0), corner(1), corner(2), context_.coordinateError, orientation);
 }
 
+bool ClusterCaster::prepare(std::size_t triangle, PointTriangleTest& test) const {
+    const auto corner = [&](std::size_t k) { return sheared_[static_cast<std::size_t>(corner_[k][triangle])].data(); };
+    const glm::i64vec3& light = *context_.samples->space().pointLight;
+    // On the light's other side n . (A - L) has the other sign.
+    const auto orientation = [&] { return -facingPoint(cornersOf(context_, caster_, triangle), light); };
+    test.name = caster_.geometry.firstTriangleId + static_cast<std::uint32_t>(triangle);
+    return test.set(corner(0), corner(1), corner(2), glm::dvec3(light), context_.coordinateError, orientation);
+}
+
 void ClusterCaster::castTriangle(std::size_t map, std::size_t triangle, const CellBox& box, bool isNarrowed) {
     ++counts_.trianglesCast;
+    if (context_.samples->space().pointLight)
+        castTriangleAs<PointTriangleTest>(map, triangle, box, isNarrowed);
+    else
+        castTriangleAs<TriangleTest>(map, triangle, box, isNarrowed);
+}
+
+template <class Test>
+void ClusterCaster::castTriangleAs(std::size_t map, std::size_t triangle, const CellBox& box, bool isNarrowed) {
     const SampleGrid& grid = *context_.grid;
-    TriangleTest test;
+    Test test;
     bool isSet = false;
     for (int row = box.y0; row <= box.y1; ++row) {
         std::size_t begin = grid.first(map, box.x0, row);
@@ -348,8 +282,10 @@ std::uint8_t decideExactly(const CastContext& context, const Caster& caster, std
         cornersOf(context, context.casters[own >> kTriangleBits], own & (raster::kMaxClusterTriangles - 1)),
         samples.second[sample],
         samples.third[sample]};
-    const RayMeeting met = meet(
-        cornersOf(context, caster, triangle), samples.space().light, scaledPoint(point), samples.tolerance[sample]);
+    const Corners corners = cornersOf(context, caster, triangle);
+    const SampleSpace& space = samples.space();
+    const RayMeeting met = space.pointLight ? meetTowards(corners, *space.pointLight, scaledPoint(point))
+                                            : meet(corners, space.light, scaledPoint(point), samples.tolerance[sample]);
     if (met.meeting == Meeting::None) return kLit;
     if (met.meeting == Meeting::Touching) return kTouched;
     return met.isOnEdge ? kDarkByEdge : kDark;

@@ -23,11 +23,12 @@ constexpr IntTag kInts;
 
 /// A matrix that is held against points of the light plane.
 struct PlaneLanes {
-    const glm::dmat3& m;
+    const glm::dmat4x3& m;
 
-    HWY_INLINE Doubles row(int k, Doubles u, Doubles v) const {
-        const auto linear = hn::Add(hn::Mul(hn::Set(kDoubles, m[0][k]), u), hn::Mul(hn::Set(kDoubles, m[1][k]), v));
-        return hn::Add(linear, hn::Set(kDoubles, m[2][k]));
+    HWY_INLINE Doubles row(int k, Doubles u, Doubles v, Doubles h) const {
+        auto linear = hn::Add(hn::Mul(hn::Set(kDoubles, m[0][k]), u), hn::Mul(hn::Set(kDoubles, m[1][k]), v));
+        if (m[2][k] != 0) linear = hn::Add(linear, hn::Mul(hn::Set(kDoubles, m[2][k]), h));
+        return hn::Add(linear, hn::Set(kDoubles, m[3][k]));
     }
 };
 
@@ -44,9 +45,10 @@ struct PlaceLanes {
     HWY_INLINE PlaceLanes(const PlaneLanes& plane, const SampleList& samples, std::size_t i) {
         const auto u = hn::LoadU(kDoubles, &samples.u[i]);
         const auto v = hn::LoadU(kDoubles, &samples.v[i]);
-        w = plane.row(2, u, v);
-        x = hn::Div(plane.row(0, u, v), w);
-        y = hn::Div(plane.row(1, u, v), w);
+        const auto h = hn::LoadU(kDoubles, &samples.h[i]);
+        w = plane.row(2, u, v, h);
+        x = hn::Div(plane.row(0, u, v, h), w);
+        y = hn::Div(plane.row(1, u, v, h), w);
     }
 
     Doubles x, y, w;
@@ -66,7 +68,7 @@ struct RangeLanes {
     Doubles least, most;
 };
 
-Extent extentInLanes(const glm::dmat3& plane, std::size_t map, const SampleRun& run) {
+Extent extentInLanes(const glm::dmat4x3& plane, std::size_t map, const SampleRun& run) {
     RangeLanes x;
     RangeLanes y;
     RangeLanes w;
@@ -101,7 +103,7 @@ HWY_INLINE hn::Vec<IntTag> cellLanes(Doubles x, int side) {
 }
 
 void findCellsInLanes(
-    const glm::dmat3& matrix, std::size_t map, int side, const SampleRun& run, std::span<std::uint32_t> cells) {
+    const glm::dmat4x3& matrix, std::size_t map, int side, const SampleRun& run, std::span<std::uint32_t> cells) {
     for (std::size_t i = run.begin; i < run.end; i += hn::Lanes(kDoubles)) {
         const auto isOfMap = ofMap(run, i, map);
         if (hn::AllFalse(kDoubles, isOfMap)) continue;
@@ -140,12 +142,12 @@ void Extent::add(const Extent& other) {
     most = glm::max(most, other.most);
 }
 
-Extent extentOn(const glm::dmat3& plane, std::size_t map, const SampleRun& run) {
+Extent extentOn(const glm::dmat4x3& plane, std::size_t map, const SampleRun& run) {
     return HWY_DYNAMIC_DISPATCH(extentInLanes)(plane, map, run);
 }
 
 void findCells(
-    const glm::dmat3& matrix, std::size_t map, int side, const SampleRun& run, std::span<std::uint32_t> cells) {
+    const glm::dmat4x3& matrix, std::size_t map, int side, const SampleRun& run, std::span<std::uint32_t> cells) {
     HWY_DYNAMIC_DISPATCH(findCellsInLanes)(matrix, map, side, run, cells);
 }
 

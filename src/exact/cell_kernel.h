@@ -3,8 +3,9 @@
 
 #include "exact/sample_list.h"
 
-#include <glm/mat3x3.hpp>
+#include <glm/mat4x3.hpp>
 #include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
 
 #include <limits>
 #include <span>
@@ -29,14 +30,15 @@ struct SampleRun {
     std::size_t end = 0;
 };
 
-/// What those samples of `run` span that belong to `map`, on a plane x/w, y/w of (x, y, w) = plane * (u, v, 1). What is
-/// no number there counts for nothing. The result does not depend on the instruction set.
-Extent extentOn(const glm::dmat3& plane, std::size_t map, const SampleRun& run);
+/// What those samples of `run` span that belong to `map`, on a plane x/w, y/w of (x, y, w) = plane * (u, v, h, 1). What
+/// is no number there counts for nothing. The result does not depend on the instruction set.
+Extent extentOn(const glm::dmat4x3& plane, std::size_t map, const SampleRun& run);
 
-/// The cell of each sample of `run`, y * side + x where (x, y) = matrix * (u, v, 1), held to [0, side): by place in the
-/// run, of those that belong to `map`. The others are left alone. The result does not depend on the instruction set.
+/// The cell of each sample of `run`, y * side + x where (x, y) w = matrix * (u, v, h, 1), held to [0, side): by place
+/// in the run, of those that belong to `map`. The others are left alone. The result does not depend on the instruction
+/// set.
 void findCells(
-    const glm::dmat3& matrix, std::size_t map, int side, const SampleRun& run, std::span<std::uint32_t> cells);
+    const glm::dmat4x3& matrix, std::size_t map, int side, const SampleRun& run, std::span<std::uint32_t> cells);
 
 /// The cell coordinate `x` falls into, in [0, side).
 inline int cellAt(double x, int side) {

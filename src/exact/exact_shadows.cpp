@@ -120,7 +120,7 @@ ExactStatistics ExactShadows::decide(const ExactQuestion& question) {
     const double coordinateError = coordinateErrorFor(reachOf(question.casters));
     grid_.sort(samples_, question.planes, question.side, coordinateError);
     const auto side = static_cast<std::uint64_t>(question.side);
-    statistics.cells = side * side * question.planes.size();
+    statistics.cells = side * side * grid_.maps().size();
     if (samples_.size() == 0) return statistics;
     sorted_.makeRoom(samples_.room());
     statuses_.makeRoom(samples_.room());

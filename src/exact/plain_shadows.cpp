@@ -98,6 +98,7 @@ std::vector<std::uint8_t> plainStatuses(
     std::span<const Caster> casters,
     const glm::uvec3& originCell,
     std::span<const std::uint8_t> isAsked) {
+    if (samples.space().pointLight) return plainPointStatuses(samples, casters, originCell, isAsked);
     std::vector<std::uint8_t> statuses(samples.size(), kLit);
     if (samples.size() == 0) return statuses;
     glm::dvec2 least(samples.u[0], samples.v[0]);

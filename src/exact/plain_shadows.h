@@ -17,4 +17,12 @@ std::vector<std::uint8_t> plainStatuses(
     const glm::uvec3& originCell,
     std::span<const std::uint8_t> isAsked = {});
 
+/// The same of samples whose space has a point light: by `meetTowards` with every triangle whose box, seen from the
+/// light through the faces of a cube, comes near the sample's place there.
+std::vector<std::uint8_t> plainPointStatuses(
+    const SampleList& samples,
+    std::span<const Caster> casters,
+    const glm::uvec3& originCell,
+    std::span<const std::uint8_t> isAsked = {});
+
 } // namespace gnomon::exact

@@ -47,6 +47,10 @@ HWY_INLINE Vec3 cross(const Vec3& a, const Vec3& b) {
         hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
 }
 
+HWY_INLINE Vec3 subtract(const Vec3& a, const Vec3& b) {
+    return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
+
 HWY_INLINE Vec3 constant(const glm::dvec3& v) {
     return {constant(v.x), constant(v.y), constant(v.z)};
 }
@@ -75,14 +79,14 @@ HWY_INLINE WeightLanes weightLanes(const PointBatch& batch, std::size_t i) {
 /// make a side's value are at most 6 times the sizes' product, with at most ten roundings each.
 HWY_INLINE hn::Vec<LongTag> facesLight(const SampleSpace& space, const Vec3& corner, const Vec3& e1, const Vec3& e2) {
     const Vec3 normal = cross(e1, e2);
-    const Vec3 light = constant(glm::dvec3(space.light.direction));
-    const Vec3 eye = constant(space.eye);
-    const Vec3 towardsEye = {hn::Sub(eye.x, corner.x), hn::Sub(eye.y, corner.y), hn::Sub(eye.z, corner.z)};
+    const Vec3 light = space.pointLight ? subtract(constant(glm::dvec3(*space.pointLight)), corner)
+                                        : constant(glm::dvec3(space.light.direction));
+    const Vec3 towardsEye = subtract(constant(space.eye), corner);
     const auto lightSide = dot(normal, light);
     const auto eyeSide = dot(normal, towardsEye);
     const auto edges = hn::Mul(hn::Mul(size(e1), size(e2)), constant(0x1p-46));
     const auto isSure = hn::And(
-        hn::Gt(hn::Abs(lightSide), hn::Mul(edges, constant(0x1p24))),
+        hn::Gt(hn::Abs(lightSide), hn::Mul(edges, space.pointLight ? size(light) : constant(0x1p24))),
         hn::Gt(hn::Abs(eyeSide), hn::Mul(edges, size(towardsEye))));
     const auto zero = hn::Zero(kDoubles);
     const auto isSame =

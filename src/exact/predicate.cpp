@@ -1,5 +1,7 @@
 #include "exact/predicate.h"
 
+#include <cmath>
+
 namespace gnomon::exact {
 
 namespace {
@@ -53,6 +55,12 @@ glm::i64vec3 scaledPoint(const PointOnTriangle& point) {
 
 int facing(const Corners& corners, const IntegerLight& light) {
     return signOf(dot(normalOf(corners), light.direction));
+}
+
+std::uint32_t twoSteps(const IntegerLight& light) {
+    constexpr double kSteps = 2;
+    return static_cast<std::uint32_t>(
+        std::floor(kSteps * std::ldexp(1.0, kLightBits) / glm::length(glm::dvec3(light.direction))));
 }
 
 int seenSide(const Corners& corners, const glm::i64vec3& scaledEye) {

@@ -30,6 +30,9 @@ glm::i64vec3 scaledPoint(const PointOnTriangle& point);
 /// plane.
 int facing(const Corners& corners, const IntegerLight& light);
 
+/// How far ahead along `light` a triangle may lie and still only touch: two grid steps, as `meet` takes it.
+std::uint32_t twoSteps(const IntegerLight& light);
+
 /// The sign of n . (eye - A) for the eye in 2^-24 cells: which side is seen; 0 from within the plane.
 int seenSide(const Corners& corners, const glm::i64vec3& scaledEye);
 

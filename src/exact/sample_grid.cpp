@@ -25,7 +25,7 @@ void forChunks(std::size_t size, const Visit& visit) {
     });
 }
 
-std::vector<Extent> extentsOf(const SampleList& samples, std::span<const glm::dmat3> planes) {
+std::vector<Extent> extentsOf(const SampleList& samples, std::span<const glm::dmat4x3> planes) {
     std::vector<std::vector<Extent>> parts((samples.size() + kChunk - 1) / kChunk);
     forChunks(samples.size(), [&](std::size_t begin, std::size_t end, std::size_t chunk) {
         for (std::size_t map = 0; map < planes.size(); ++map)
@@ -52,33 +52,67 @@ Stretch stretchOf(const Extent& extent, int side, double most) {
     return stretch;
 }
 
-CellMap mapOf(const glm::dmat3& plane, const Stretch& stretch, double leastW) {
+glm::dmat3 matrixOf(const Stretch& stretch) {
     const glm::dvec2& scale = stretch.scale;
-    const glm::dmat3 matrix(
-        glm::dvec3(scale.x, 0, 0), glm::dvec3(0, scale.y, 0), glm::dvec3(stretch.offset.x, stretch.offset.y, 1));
-    return {matrix * plane, leastW / 2, false};
+    return {glm::dvec3(scale.x, 0, 0), glm::dvec3(0, scale.y, 0), glm::dvec3(stretch.offset.x, stretch.offset.y, 1)};
 }
 
-/// How far a x + b y + c w may be off, where x, y and w are the plane's of a point whose (u, v) is `coordinateError`
-/// off. That is at least 2^-50 of |u| and |v|, so seven roundings of each term stay below once more as much.
-double errorOf(const glm::dmat3& plane, const glm::dvec3& weights, double coordinateError) {
+CellMap mapOf(const glm::dmat4x3& plane, const Stretch& stretch, double leastW) {
+    return {matrixOf(stretch) * plane, leastW / 2, false};
+}
+
+/// How far a x + b y + c w may be off, where x, y and w are the plane's of a point whose (u, v, h) is `coordinateError`
+/// off. That is at least 2^-50 of |u|, |v| and |h|, so seven roundings of each term stay below once more as much.
+double errorOf(const glm::dmat4x3& plane, const glm::dvec3& weights, double coordinateError) {
     const auto size = [&](int column) {
         const glm::dvec3 terms = weights * plane[column];
         return std::abs(terms.x) + std::abs(terms.y) + std::abs(terms.z);
     };
-    return 2 * coordinateError * (size(0) + size(1)) + 0x1p-50 * size(2);
+    return 2 * coordinateError * (size(0) + size(1) + size(2)) + 0x1p-50 * size(3);
 }
 
-/// Whether cells spread evenly enough for the warp to be of use, and x and y of what covers a sample are exact to an
-/// eighth of the slack: samples, corners and their floats share it.
-bool isUsable(const glm::dmat3& plane, const Extent& extent, const Stretch& stretch, int side, double coordinateError) {
-    constexpr double kMostVariation = 1 << 20;
-    if (!(extent.leastW > 0 && extent.mostW <= kMostVariation * extent.leastW)) return false;
+/// From which w on x and y of what covers a sample are exact to an eighth of the slack: samples, corners and their
+/// floats share it. Infinite where an extent of 0 makes a scale none.
+double leastUsableW(const glm::dmat4x3& plane, const Stretch& stretch, int side, double coordinateError) {
     const double w = errorOf(plane, {0, 0, 1}, coordinateError);
     const double x = errorOf(plane, {stretch.scale.x, 0, stretch.offset.x}, coordinateError);
     const double y = errorOf(plane, {0, stretch.scale.y, stretch.offset.y}, coordinateError);
-    const double most = kCellSlack / 8 * (extent.leastW / 2);
-    return x + side * w <= most && y + side * w <= most; // not so where an extent of 0 makes either no number
+    return x == x && y == y ? (std::max(x, y) + side * w) * (8 / kCellSlack) : std::numeric_limits<double>::infinity();
+}
+
+/// Whether cells spread evenly enough for the warp to be of use, and x and y of what covers a sample are exact enough.
+bool isUsable(
+    const glm::dmat4x3& plane, const Extent& extent, const Stretch& stretch, int side, double coordinateError) {
+    constexpr double kMostVariation = 1 << 20;
+    if (!(extent.leastW > 0 && extent.mostW <= kMostVariation * extent.leastW)) return false;
+    const double least = leastUsableW(plane, stretch, side, coordinateError);
+    return std::isfinite(least) && least <= extent.leastW / 2;
+}
+
+/// Of a homography of the light plane.
+glm::dmat4x3 withoutHeight(const glm::dmat3& plane) {
+    return {plane[0], plane[1], glm::dvec3(0), plane[2]};
+}
+
+/// What a point light at `light` sees through a face of its cube: x / w and y / w from -1 to 1, w the distance along
+/// the face's axis, which is (map / 2) % 3.
+glm::dmat4x3 facePlane(const glm::dvec3& light, int map) {
+    const int along = map / 2 % 3;
+    const int first = (along + 1) % 3;
+    const int second = (along + 2) % 3;
+    const double sign = map % 2 == 0 ? 1 : -1;
+    glm::dmat4x3 plane(0);
+    plane[first].x = plane[second].y = 1;
+    plane[along].z = sign;
+    plane[3] = -glm::dvec3(light[first], light[second], sign * light[along]);
+    return plane;
+}
+
+/// How near to the light the farthest sample of a run is.
+double leastNearness(const SampleList& samples, const CellMap& map, std::size_t begin, std::size_t end) {
+    const FrameArray<double>& values = map.nearAxis == 0 ? samples.u : map.nearAxis == 1 ? samples.v : samples.h;
+    if (map.nearSign > 0) return *std::min_element(&values[begin], &values[end]);
+    return -*std::max_element(&values[begin], &values[end]);
 }
 
 } // namespace
@@ -97,7 +131,11 @@ void SampleGrid::sort(SampleList& samples, std::span<const glm::dmat3> planes, i
 
 void SampleGrid::fitMaps(const SampleList& samples, std::span<const glm::dmat3> planes, double coordinateError) {
     constexpr double kInfinite = std::numeric_limits<double>::infinity();
-    std::vector<glm::dmat3> used(planes.begin(), planes.end());
+    if (samples.space().pointLight) return fitPointMaps(samples, coordinateError);
+    std::vector<glm::dmat4x3> used;
+    used.reserve(planes.size());
+    for (const glm::dmat3& plane : planes)
+        used.push_back(withoutHeight(plane));
     const std::vector<Extent> extents = extentsOf(samples, used);
     maps_.assign(used.size(), {});
     bool isUnwarped = false;
@@ -107,7 +145,7 @@ void SampleGrid::fitMaps(const SampleList& samples, std::span<const glm::dmat3> 
         if (isUsable(used[map], extents[map], stretch, side_, coordinateError)) {
             maps_[map] = mapOf(used[map], stretch, extents[map].leastW);
         } else {
-            used[map] = glm::dmat3(1);
+            used[map] = withoutHeight(glm::dmat3(1));
             isUnwarped = true;
         }
     }
@@ -120,6 +158,36 @@ void SampleGrid::fitMaps(const SampleList& samples, std::span<const glm::dmat3> 
             maps_[map] = mapOf(used[map], stretchOf(plainExtents[map], side_, most), 1);
 }
 
+/// No cell is so small that x or y of a sample could be off by more than its share of the slack; where even cells as
+/// large as the face would be, all of its samples lie in one.
+void SampleGrid::fitPointMaps(const SampleList& samples, double coordinateError) {
+    const glm::dvec3 light(*samples.space().pointLight);
+    const double farthestAlong = std::max({std::abs(light.x), std::abs(light.y), std::abs(light.z)});
+    std::vector<glm::dmat4x3> used;
+    used.reserve(kPointMaps);
+    for (int map = 0; map < kPointMaps; ++map)
+        used.push_back(facePlane(light, map));
+    const std::vector<Extent> extents = extentsOf(samples, used);
+    maps_.assign(used.size(), {});
+    for (std::size_t map = 0; map < used.size(); ++map) {
+        const Extent& extent = extents[map];
+        if (extent.samples == 0) continue;
+        const double error = 2 * coordinateError + 0x1p-50 * farthestAlong;
+        const Stretch stretch = stretchOf(extent, side_, kCellSlack / 128 * extent.leastW / error);
+        // What a triangle's slopes are taken from must not lie so far beside the face that doubles lose cells.
+        const double farthest =
+            std::max(stretch.scale.x, stretch.scale.y) * (coordinateError * 0x1p49 + farthestAlong) * 0x1p-36;
+        const double leastW = std::max(leastUsableW(used[map], stretch, side_, coordinateError), farthest);
+        CellMap& fitted = maps_[map];
+        if (extent.leastW > 0 && std::isfinite(leastW) && leastW <= extent.leastW)
+            fitted = {matrixOf(stretch) * used[map], leastW, false};
+        else
+            fitted = {{glm::dvec3(0), glm::dvec3(0), glm::dvec3(0), glm::dvec3(0.5, 0.5, 1)}, 0.5, false};
+        fitted.nearAxis = static_cast<int>(map) / 2 % 3;
+        fitted.nearSign = map % 2 == 0 ? -1 : 1;
+    }
+}
+
 void SampleGrid::countCells(const SampleList& samples) {
     constexpr std::size_t kRun = 512;
     constexpr std::size_t kPadding = 16;
@@ -130,7 +198,7 @@ void SampleGrid::countCells(const SampleList& samples) {
         for (std::size_t i = begin; i < end; i += kRun) {
             const SampleRun run{&samples, i, std::min(end, i + kRun)};
             for (std::size_t map = 0; map < maps_.size(); ++map)
-                findCells(maps_[map].cellsFromLightPlane, map, side_, run, found);
+                findCells(maps_[map].cellsFromLight, map, side_, run, found);
             for (std::size_t k = i; k < run.end; ++k) {
                 const std::size_t at = cell(samples.mapOf(k), 0, 0) + found[k - i];
                 const std::uint64_t rank = std::atomic_ref(first_[at]).fetch_add(1, std::memory_order_relaxed);
@@ -179,7 +247,7 @@ void SampleGrid::maskReceivers(const SampleList& samples) {
                     const int next = std::min(side_, (block + 1) << ReceiverMask::kBlockBits);
                     const std::size_t end = first_[cell(map, next, y)];
                     if (begin == end) continue;
-                    const double least = *std::min_element(&samples.h[begin], &samples.h[end]);
+                    const double least = leastNearness(samples, maps_[map], begin, end);
                     float& lowest = mask.lowest(block, row);
                     lowest = std::min(lowest, roundedDown(least));
                 }

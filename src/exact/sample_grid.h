@@ -5,15 +5,20 @@
 #include "exact/cell_kernel.h"
 #include "exact/receiver_mask.h"
 
+#include <glm/mat3x3.hpp>
+
 #include <vector>
 
 namespace gnomon::exact {
 
-/// The cells of one map: a homography of the light plane, (u, v, 1) -> (x, y, 1) w. Which one only changes the time.
+/// The cells of one map: of the light plane, (u, v, 1) -> (x, y, 1) w, or of what a point light sees through a face of
+/// a cube, (u, v, h, 1) -> (x, y, 1) w. Which one only changes the time.
 struct CellMap {
-    glm::dmat3 cellsFromLightPlane{1};
-    double leastW = 0; // samples have at least twice that
+    glm::dmat4x3 cellsFromLight{0}; // columns of u, v, h and 1
+    double leastW = 0;              // corners with less are too near or behind; of a direction samples have twice that
     bool isEmpty = true;
+    int nearAxis = 2;    // of u, v and h that which, times `nearSign`, grows towards the light
+    double nearSign = 1; // 1 or -1
 };
 
 /// Cells by which a triangle's box has to grow: more than x and y of corners and samples can be off together.
@@ -27,7 +32,8 @@ public:
     /// warp where w is not above 0 at each of its samples, varies by more than 2^20 among them, or where coordinates
     /// that are `coordinateError` off (see coordinateErrorFor) could move a point by more than a share of kCellSlack;
     /// without a warp cells stay so large that they cannot. Puts `samples`' u, v and h in the order of the cells; what
-    /// else they have stays where it is, and `source` says where.
+    /// else they have stays where it is, and `source` says where. Of a point light it takes the faces of its cube for
+    /// `planes`.
     void sort(SampleList& samples, std::span<const glm::dmat3> planes, int side, double coordinateError);
 
     /// Takes out the samples that `leaves(place)` names and makes the masks anew; the others keep their order. Calls
@@ -62,6 +68,7 @@ private:
     }
 
     void fitMaps(const SampleList& samples, std::span<const glm::dmat3> planes, double coordinateError);
+    void fitPointMaps(const SampleList& samples, double coordinateError);
     void countCells(const SampleList& samples);
     void order(SampleList& samples);
     void maskReceivers(const SampleList& samples);

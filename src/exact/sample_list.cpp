@@ -1,5 +1,7 @@
 #include "exact/sample_list.h"
 
+#include "exact/point_predicate.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -19,6 +21,23 @@ Corners cornersOf(const PointBatch& batch, std::size_t i) {
 }
 
 } // namespace
+
+SampleSpace pointSpace(const glm::i64vec3& light, const glm::dvec3& eye) {
+    SampleSpace space;
+    space.shear = {2, 0, 1, 0, 0, 1, 1};
+    space.eye = eye;
+    space.maps = kPointMaps;
+    space.pointLight = light;
+    return space;
+}
+
+int pointMap(const glm::dvec3& fromLight) {
+    int axis = 0;
+    for (int i = 1; i < 3; ++i)
+        if (std::abs(fromLight[i]) > std::abs(fromLight[axis])) axis = i;
+    const int face = 2 * axis + (fromLight[axis] < 0 ? 1 : 0);
+    return std::abs(fromLight[axis]) < kNearPointLight ? kPointMaps / 2 + face : face;
+}
 
 double coordinateErrorFor(double reach) {
     return reach * 0x1p-49;
@@ -56,7 +75,9 @@ void SampleList::add(const PointBatch& batch) {
     for (std::size_t i = 0; i < batch.count; ++i) {
         if (points.faces[i] == 2) {
             const Corners corners = cornersOf(batch, i);
-            points.faces[i] = facing(corners, space_.light) * seenSide(corners, scaledEye_) > 0 ? 1 : 0;
+            const int side =
+                space_.pointLight ? facingPoint(corners, *space_.pointLight) : facing(corners, space_.light);
+            points.faces[i] = side * seenSide(corners, scaledEye_) > 0 ? 1 : 0;
         }
         chosen[count] = static_cast<std::uint8_t>(i);
         count += points.faces[i];
@@ -80,6 +101,12 @@ void SampleList::add(const PointBatch& batch) {
     keep(tolerance, batch.tolerance);
     if (batch.color != nullptr) keep(color, batch.color);
     if (space_.maps == 1) return;
+    if (space_.pointLight) {
+        const glm::dvec3 light(*space_.pointLight);
+        for (std::size_t i = first; i < first + count; ++i)
+            map[i] = pointMap(glm::dvec3(u[i], v[i], h[i]) - light);
+        return;
+    }
     for (std::size_t i = 0; i < count; ++i)
         map[first + i] = std::clamp(batch.map[chosen[i]], 0, space_.maps - 1);
 }

@@ -9,6 +9,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 namespace gnomon::exact {
 
@@ -33,7 +34,22 @@ struct SampleSpace {
     LightShear shear;
     glm::dvec3 eye{0}; // cells from the frame's origin; a list rounds it to 2^-24 cells
     int maps = 1;
+    std::optional<glm::i64vec3> pointLight; // takes the place of `light`: a grid point, cells from the frame's origin;
+                                            // each coordinate is below 2^52 in size
 };
+
+/// The maps of a point light: one a face of the cube about it, and one more of each for what lies near it, which else
+/// would have the others' cells large.
+constexpr int kPointMaps = 12;
+
+/// The space of a point light: no shear, so that u, v and h are x, y and z.
+SampleSpace pointSpace(const glm::i64vec3& light, const glm::dvec3& eye);
+
+/// The map of a point light that holds what lies so many cells from it.
+int pointMap(const glm::dvec3& fromLight);
+
+/// Between the maps of what is near and the others: cells along the axis of the face.
+constexpr double kNearPointLight = 32;
 
 /// An upper bound of how far u, v and h of a sample or a corner may be off, for triangles within `reach` cells of the
 /// origin on each axis: 16 roundings of a number of that size, of which a sample's u takes 14 (5 each for the point's

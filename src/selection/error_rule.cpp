@@ -91,7 +91,8 @@ double ErrorRule::casterPixels(const Sphere& bounds, double error, double floor)
     if (casters_.empty() || !(error > 0)) return 0;
     double pixels = floor;
     for (const CasterDetail& caster : casters_) {
-        if (error * pixelsPerUnit_ / caster.receiverNear <= pixels) continue; // the most that it can give
+        const bool isBounded = !caster.point; // by the most that it can give
+        if (isBounded && error * pixelsPerUnit_ / caster.receiverNear <= pixels) continue;
         pixels = std::max(pixels, oneCasterPixels(caster, bounds, error));
     }
     return pixels;
@@ -99,6 +100,12 @@ double ErrorRule::casterPixels(const Sphere& bounds, double error, double floor)
 
 double ErrorRule::oneCasterPixels(const CasterDetail& caster, const Sphere& bounds, double error) const {
     if (!touches(caster.casters, bounds)) return 0;
+    if (caster.point) {
+        constexpr double kNearest = 1e-6; // of the way to the farthest receiver
+        const double from = glm::length(bounds.center - caster.point->at) - bounds.radius;
+        const double growth = std::max(1.0, caster.point->farthest / std::max(from, kNearest * caster.point->farthest));
+        return error * growth * pixelsPerUnit_ / caster.receiverNear;
+    }
     const TexelWidth& texel = caster.texel;
     const double zeta = glm::dot(texel.axis, bounds.center) - texel.origin;
     if (error <= 0.5 * texel.smallerSide(zeta - bounds.radius)) return 0;

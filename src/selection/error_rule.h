@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace gnomon::selection {
@@ -41,6 +42,12 @@ struct TexelWidth {
     double smallerSide(double zeta) const;
 };
 
+/// A point light in place of a direction, and the distance of the farthest receiver from it.
+struct PointReach {
+    glm::dvec3 at{0}; // local space
+    double farthest = 0;
+};
+
 /// What a caster of one partition must be exact enough for.
 struct CasterDetail {
     ConvexVolume casters;             // all that can throw a shadow into the partition; unit normals, local space
@@ -48,6 +55,7 @@ struct CasterDetail {
     double receiverNear = 1e-6;       // the least view depth in `receivers`, above 0
     glm::dvec3 towardsLight{0, 1, 0}; // unit, local space
     TexelWidth texel;
+    std::optional<PointReach> point; // in place of towardsLight
 };
 
 /// Pixels of error as a monotone function of (bounds, error): a sphere within another, with an error no larger, never
@@ -61,8 +69,9 @@ struct CasterDetail {
 ///
 /// As a caster, in view or not, for each partition whose caster volume it touches: nothing if the error is at most half
 /// a texel where the sphere's shadow falls, else e pixelsPerUnit / z at the least view depth z of the partition's
-/// receivers on the light rays through the sphere. Exact where the light meets these head-on; where it meets them at an
-/// angle a, the edge moves up to 1 / sin a times as far.
+/// receivers on the light rays through the sphere; from a point light what that is where all receivers are as near as
+/// the nearest and as far from the light as the farthest, whose shadows the light throws so much larger. Exact where
+/// the light meets these head-on; where it meets them at an angle a, the edge moves up to 1 / sin a times as far.
 class ErrorRule {
 public:
     /// The rule of a view that casts no shadows.

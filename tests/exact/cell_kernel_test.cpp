@@ -20,23 +20,24 @@ void scatter(SampleList& samples, RandomWholes& random, std::size_t count, int m
     for (std::size_t i = 0; i < count; ++i) {
         samples.u[i] = random.whole(0, 20) == 0 ? std::nan("") : random.real(-100, 100);
         samples.v[i] = random.real(-100, 100);
+        samples.h[i] = random.real(-100, 100);
         if (maps > 1) samples.map[i] = static_cast<std::int32_t>(random.whole(0, maps - 1));
     }
 }
 
-glm::dmat3 somePlane(RandomWholes& random) {
-    glm::dmat3 plane;
-    for (int column = 0; column < 3; ++column)
+glm::dmat4x3 somePlane(RandomWholes& random) {
+    glm::dmat4x3 plane;
+    for (int column = 0; column < 4; ++column)
         for (int row = 0; row < 3; ++row)
             plane[column][row] = random.whole(0, 9) == 0 ? 0 : random.real(-1, 1);
     return plane;
 }
 
-Extent plainExtent(const glm::dmat3& plane, std::size_t map, const SampleRun& run) {
+Extent plainExtent(const glm::dmat4x3& plane, std::size_t map, const SampleRun& run) {
     Extent extent;
     for (std::size_t i = run.begin; i < run.end; ++i) {
         if (run.samples->mapOf(i) != map) continue;
-        const glm::dvec3 p = plane * glm::dvec3(run.samples->u[i], run.samples->v[i], 1);
+        const glm::dvec3 p = plane * glm::dvec4(run.samples->u[i], run.samples->v[i], run.samples->h[i], 1);
         const glm::dvec2 place = glm::dvec2(p) / p.z;
         ++extent.samples;
         extent.leastW = std::min(extent.leastW, p.z);
@@ -56,7 +57,7 @@ TEST(CellKernel, FindsWhatALookAtEachFinds) {
         const int side = static_cast<int>(random.whole(1, 300));
         SampleList samples;
         scatter(samples, random, count, maps);
-        const glm::dmat3 plane = somePlane(random);
+        const glm::dmat4x3 plane = somePlane(random);
         const auto map = static_cast<std::size_t>(random.whole(0, maps - 1));
         const SampleRun run{&samples, static_cast<std::size_t>(random.whole(0, 3)) % count, count};
         const Extent plain = plainExtent(plane, map, run);
@@ -71,7 +72,7 @@ TEST(CellKernel, FindsWhatALookAtEachFinds) {
             std::vector<std::uint32_t> cells(count + 16, 12345678);
             findCells(plane, map, side, run, cells);
             for (std::size_t i = run.begin; i < count; ++i) {
-                const glm::dvec3 p = plane * glm::dvec3(samples.u[i], samples.v[i], 1);
+                const glm::dvec3 p = plane * glm::dvec4(samples.u[i], samples.v[i], samples.h[i], 1);
                 const int cell = cellAt(p.y / p.z, side) * side + cellAt(p.x / p.z, side);
                 EXPECT_EQ(cells[i - run.begin], samples.mapOf(i) == map ? static_cast<std::uint32_t>(cell) : 12345678U);
             }

@@ -1,5 +1,6 @@
 #include "tests/exact/plain_meeting.h"
 
+#include "exact/point_predicate.h"
 #include "tests/exact/wide_integer.h"
 
 namespace gnomon::exact {
@@ -76,6 +77,34 @@ RayMeeting plainMeeting(
     const bool isOnEdge = x[0].sign() == 0 || y[0].sign() == 0 || z[0].sign() == 0;
     const bool isFar = (ahead - size * WideInteger(tolerance)).sign() > 0;
     return {isFar ? Meeting::Ahead : Meeting::Touching, isOnEdge};
+}
+
+RayMeeting plainPointMeeting(const Corners& caster, const glm::i64vec3& light, const glm::i64vec3& scaledPoint) {
+    const WideInteger scale = std::int64_t{1} << kWeightBits;
+    const WideVector a = wide(caster[0]);
+    const WideVector b = wide(caster[1]) - a;
+    const WideVector c = wide(caster[2]) - a;
+    const WideVector l = (wide(light) - a) * scale;
+    const WideVector f = wide(scaledPoint) - a * scale;
+    // f + t (l - f) = y b + z c: y whole = det(f, c, l), z whole = det(b, f, l), t whole = -det(b, c, f); of f alone
+    // the others come near or far as it moves.
+    Polynomial whole = movedDeterminant(f, b, c, true);
+    for (std::size_t i = 0; i < whole.size(); ++i)
+        whole[i] = (i == 0 ? determinant(b, c, l) : WideInteger(0)) - whole[i];
+    const Polynomial y = movedDeterminant(f, c, l, true);
+    const Polynomial z = movedDeterminant(f, b, l, false);
+    Polynomial x;
+    for (std::size_t i = 0; i < x.size(); ++i)
+        x[i] = whole[i] * scale - y[i] - z[i];
+    const int side = determinant(b, c, l).sign();
+    const WideInteger ahead = side < 0 ? determinant(b, c, f) : -determinant(b, c, f);
+    if (side == 0 || ahead.sign() <= 0) return {};
+    if (signOf(whole) != side || signOf(x) != side || signOf(y) != side || signOf(z) != side) return {};
+    const bool isOnEdge = x[0].sign() == 0 || y[0].sign() == 0 || z[0].sign() == 0;
+    const PointRay ray = *rayToPoint(light, scaledPoint);
+    const WideInteger along = determinant(b, c, wide(ray.direction.direction));
+    const WideInteger reach = (along.sign() < 0 ? -along : along) * WideInteger(ray.tolerance);
+    return {(ahead - reach).sign() > 0 ? Meeting::Ahead : Meeting::Touching, isOnEdge};
 }
 
 } // namespace gnomon::exact

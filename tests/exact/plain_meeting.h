@@ -6,6 +6,9 @@
 
 namespace gnomon::exact {
 
+/// Answers as `meetTowards` does: the line through point and light is cut with the triangle likewise.
+RayMeeting plainPointMeeting(const Corners& caster, const glm::i64vec3& light, const glm::i64vec3& scaledPoint);
+
 /// Answers as `meet` does.
 RayMeeting plainMeeting(
     const Corners& caster, const IntegerLight& light, const glm::i64vec3& scaledPoint, std::uint32_t tolerance);

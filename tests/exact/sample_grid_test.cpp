@@ -56,7 +56,7 @@ struct Listed {
 /// The cell of sample `i` of the list, by the map's matrix.
 std::array<int, 2> cellOf(const SampleGrid& grid, const Listed& listed, std::size_t i) {
     const CellMap& map = grid.maps()[listed.samples.mapOf(i)];
-    const glm::dvec3 p = map.cellsFromLightPlane * glm::dvec3(listed.places[i].x, listed.places[i].y, 1);
+    const glm::dvec3 p = map.cellsFromLight * glm::dvec4(listed.places[i], 1);
     EXPECT_GE(p.z, 2 * map.leastW);
     EXPECT_TRUE(p.x / p.z >= 0 && p.x / p.z <= grid.side()) << p.x / p.z;
     EXPECT_TRUE(p.y / p.z >= 0 && p.y / p.z <= grid.side()) << p.y / p.z;
@@ -159,8 +159,8 @@ TEST(SampleGrid, SortsMoreThanOnePiece) {
 
 /// Whether the map's cells are those of a plane without a warp.
 bool isUnwarped(const CellMap& map) {
-    const glm::dmat3& m = map.cellsFromLightPlane;
-    return m[0][2] == 0 && m[1][2] == 0 && m[2][2] == 1 && m[1][0] == 0 && m[0][1] == 0;
+    const glm::dmat4x3& m = map.cellsFromLight;
+    return m[0][2] == 0 && m[1][2] == 0 && m[3][2] == 1 && m[1][0] == 0 && m[0][1] == 0;
 }
 
 TEST(SampleGrid, LeavesOutWarpsThatCannotBeTrusted) {

@@ -1,6 +1,7 @@
 #include "tests/exact/scenes.h"
 
 #include "exact/plain_shadows.h"
+#include "exact/point_predicate.h"
 #include "tests/each_target.h"
 
 #include <gtest/gtest.h>
@@ -114,7 +115,7 @@ void fill(SampleList& samples, const Scene& scene, const SampleSpace& space) {
 }
 
 SampleSpace spaceOf(const IntegerLight& light, const glm::dvec3& eye, int maps) {
-    return {light, shearAlong(light), eye, maps};
+    return {light, shearAlong(light), eye, maps, std::nullopt};
 }
 
 std::vector<std::uint8_t> plainStatuses(const SampleList& samples, const Scene& scene) {
@@ -123,7 +124,10 @@ std::vector<std::uint8_t> plainStatuses(const SampleList& samples, const Scene& 
         const glm::i64vec3 point =
             scaledPoint({scene.corners(samples.triangle[i]), samples.second[i], samples.third[i]});
         for (const std::uint32_t name : scene.names()) {
-            const RayMeeting met = meet(scene.corners(name), samples.space().light, point, samples.tolerance[i]);
+            const SampleSpace& space = samples.space();
+            const RayMeeting met = space.pointLight
+                                       ? meetTowards(scene.corners(name), *space.pointLight, point)
+                                       : meet(scene.corners(name), space.light, point, samples.tolerance[i]);
             if (met.meeting == Meeting::None) continue;
             statuses[i] |= met.meeting == Meeting::Touching ? kTouched : met.isOnEdge ? kDarkByEdge : kDark;
         }

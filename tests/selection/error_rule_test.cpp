@@ -35,7 +35,10 @@ TEST(ErrorRule, NestedSpheresNeverGetMorePixels) {
     int positive = 0;
     for (int trial = 0; trial < 100000; ++trial) {
         const DetailView view = randomView(random, kErrorSpace);
-        const ErrorRule rule(view, randomCasters(random, view));
+        std::vector<CasterDetail> casters = randomCasters(random, view);
+        for (CasterDetail& caster : casters)
+            if (random.below(3) == 0) caster.point = {randomSphere(random).center, std::exp(random.uniform(0, 4))};
+        const ErrorRule rule(view, std::move(casters));
         const Sphere outer = randomSphere(random);
         const double radius = outer.radius * random.unit();
         const Sphere inner{randomPointIn(random, {outer.center, outer.radius - radius}), radius * (1 - 1e-12)};
@@ -47,6 +50,19 @@ TEST(ErrorRule, NestedSpheresNeverGetMorePixels) {
         EXPECT_LE(rule.casterPixels(inner, innerError), rule.casterPixels(outer, outerError) * (1 + 1e-12));
     }
     EXPECT_GT(positive, 10000);
+}
+
+TEST(ErrorRule, APointLightMagnifiesWhatIsNearIt) {
+    DetailView view;
+    view.basis = cameraBasis({view.eye, {0, 0, 1}, {0, 1, 0}, 1});
+    CasterDetail caster; // anywhere; receivers 4 deep and more, up to 12 from the light
+    caster.receiverNear = 4;
+    caster.point = {{0, 3, 0}, 12};
+    const ErrorRule rule(view, {caster});
+    const double perUnit = view.pixelsPerUnit() / 4;
+    EXPECT_DOUBLE_EQ(rule.casterPixels({{0, 0, 0}, 1}, 0.01), 0.01 * perUnit * 6) << "from 2 away";
+    EXPECT_DOUBLE_EQ(rule.casterPixels({{0, -20, 0}, 1}, 0.01), 0.01 * perUnit) << "farther than what it could shadow";
+    EXPECT_GT(rule.casterPixels({{0, 2.5, 0}, 1}, 0.01), 1e4 * 0.01 * perUnit) << "about the light";
 }
 
 TEST(ErrorRule, AShadowThatMeetsItsReceiversInOnePointIsSeen) {

@@ -1,0 +1,194 @@
+// One cluster of casters: where its corners lie in the shear of the light or about a point light, and which maps' masks
+// hold anything that it may shadow. Included once for each instruction set.
+#if defined(GNOMON_EXACT_CLUSTER_CASTER_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef GNOMON_EXACT_CLUSTER_CASTER_INL_H
+#undef GNOMON_EXACT_CLUSTER_CASTER_INL_H
+#else
+#define GNOMON_EXACT_CLUSTER_CASTER_INL_H
+#endif
+
+#include "exact/cast_context.h"
+#include "exact/float_rounding.h"
+#include "exact/point_span_test-inl.h"
+#include "exact/span_test-inl.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+
+namespace gnomon::exact::HWY_NAMESPACE {
+
+using FloatTag = hn::ScalableTag<float>;
+using IntTag = hn::ScalableTag<std::int32_t>;
+using Floats = hn::Vec<FloatTag>;
+using Ints = hn::Vec<IntTag>;
+constexpr FloatTag kFloats;
+constexpr IntTag kInts;
+
+constexpr std::size_t kMostVertices = raster::kMaxClusterVertices;
+constexpr std::size_t kMostTriangles = raster::kMaxClusterTriangles;
+
+/// One cluster in the shear of the light, and over the cells of one map.
+class ClusterCaster {
+public:
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): zeros first would cost more than most casts
+    ClusterCaster(const CastContext& context, std::size_t caster, CastCounts& counts)
+        : context_(context), caster_(context.casters[caster]), counts_(counts) {}
+
+    void cast() {
+        ++counts_.clustersTested;
+        bool isSheared = false;
+        for (std::size_t map = 0; map < context_.grid->maps().size(); ++map) {
+            if (context_.grid->maps()[map].isEmpty || !mayShadow(map)) continue;
+            if (!isSheared) {
+                shear();
+                ++counts_.clustersKept;
+            }
+            isSheared = true;
+            counts_.triangles += caster_.geometry.triangles.size();
+            castOver(map);
+        }
+    }
+
+private:
+    bool mayShadow(std::size_t map) const;
+    bool mayShadowFromPoint(std::size_t map) const;
+    bool isUnmasked(std::size_t map, const glm::dvec2& low, const glm::dvec2& high, double h) const;
+    void shear();
+    void findNearness(const CellMap& cells);
+    void castOver(std::size_t map);
+    void castWhole(std::size_t map);
+    void castClipped(std::size_t map);
+    void castBesideLight(std::size_t map);
+    glm::dvec3 place(const CellMap& cells, std::size_t vertex) const;
+    bool prepare(std::size_t triangle, TriangleTest& test) const;
+    bool prepare(std::size_t triangle, PointTriangleTest& test) const;
+    template <class Test>
+    void castTriangleAs(std::size_t map, std::size_t triangle, const CellBox& box, bool isNarrowed);
+    void castTriangle(std::size_t map, std::size_t triangle, const CellBox& box, bool isNarrowed);
+    CellBox rowSpan(std::size_t triangle, const CellBox& box, int row) const;
+
+    const CastContext& context_;
+    const Caster& caster_;
+    CastCounts& counts_;
+    std::array<std::array<double, 3>, kMostVertices> sheared_; // u, v, h
+    std::array<double, kMostVertices> x_, y_, w_;              // cells of the map; where w is large enough
+    alignas(64) std::array<float, kMostVertices> floatX_, floatY_, floatH_;
+    alignas(64) std::array<std::int32_t, kMostTriangles> corner_[3];
+};
+
+/// What may be covered from `low` to `high` by something that comes as near to the light as `h`.
+inline bool ClusterCaster::isUnmasked(std::size_t map, const glm::dvec2& low, const glm::dvec2& high, double h) const {
+    const int side = context_.grid->side();
+    if (high.x < -kCellSlack || high.y < -kCellSlack || low.x > side + kCellSlack || low.y > side + kCellSlack)
+        return false;
+    const CellBox box{
+        cellAt(low.x - kCellSlack, side),
+        cellAt(low.y - kCellSlack, side),
+        cellAt(high.x + kCellSlack, side),
+        cellAt(high.y + kCellSlack, side)};
+    return context_.grid->mask(map).mayShadow(box, roundedUp(h));
+}
+
+/// A box that reaches behind the light, or nearly there, may cover any cell.
+inline bool ClusterCaster::mayShadowFromPoint(std::size_t map) const {
+    const CellMap& cells = context_.grid->maps()[map];
+    glm::dvec2 low(std::numeric_limits<double>::infinity());
+    glm::dvec2 high(-std::numeric_limits<double>::infinity());
+    int beside = 0;
+    int behind = 0;
+    for (unsigned i = 0; i < 8; ++i) {
+        const glm::dvec3 corner(
+            (i & 1U) != 0 ? caster_.most.x : caster_.least.x,
+            (i & 2U) != 0 ? caster_.most.y : caster_.least.y,
+            (i & 4U) != 0 ? caster_.most.z : caster_.least.z);
+        const glm::dvec3 p = cells.cellsFromLight * glm::dvec4(corner, 1);
+        behind += p.z <= 0 ? 1 : 0;
+        beside += p.z < cells.leastW ? 1 : 0;
+        low = glm::min(low, glm::dvec2(p) / p.z);
+        high = glm::max(high, glm::dvec2(p) / p.z);
+    }
+    if (behind == 8) return false;
+    const int axis = cells.nearAxis;
+    const double h =
+        cells.nearSign * static_cast<double>(cells.nearSign > 0 ? caster_.most[axis] : caster_.least[axis]);
+    if (beside == 0) return isUnmasked(map, low, high, h + context_.coordinateError);
+    return isUnmasked(map, glm::dvec2(0), glm::dvec2(context_.grid->side()), h + context_.coordinateError);
+}
+
+/// The box's shadow on the light plane, over the cells: its four corners are enough, since w is above 0 in all or none.
+inline bool ClusterCaster::mayShadow(std::size_t map) const {
+    if (context_.samples->space().pointLight) return mayShadowFromPoint(map);
+    const LightShear& shear = context_.samples->space().shear;
+    const glm::dvec3 least(caster_.least);
+    const glm::dvec3 most(caster_.most);
+    const auto span = [&](int axis, double ratio) {
+        const double p = ratio * least[shear.along];
+        const double q = ratio * most[shear.along];
+        return std::array{least[axis] - std::max(p, q), most[axis] - std::min(p, q)};
+    };
+    const double error = context_.coordinateError;
+    const auto u = span(shear.first, shear.firstRatio);
+    const auto v = span(shear.second, shear.secondRatio);
+    const double h = (shear.sign > 0 ? most[shear.along] : -least[shear.along]) + error;
+    const CellMap& cells = context_.grid->maps()[map];
+    glm::dvec2 low(std::numeric_limits<double>::infinity());
+    glm::dvec2 high(-std::numeric_limits<double>::infinity());
+    for (int i = 0; i < 4; ++i) {
+        const glm::dvec3 p = cells.cellsFromLight *
+                             glm::dvec4(u[static_cast<std::size_t>(i & 1)], v[static_cast<std::size_t>(i >> 1)], 0, 1);
+        if (p.z < cells.leastW) return true;
+        low = glm::min(low, glm::dvec2(p) / p.z);
+        high = glm::max(high, glm::dvec2(p) / p.z);
+    }
+    return isUnmasked(map, low, high, h);
+}
+
+inline void ClusterCaster::shear() {
+    const LightShear& shear = context_.samples->space().shear;
+    const raster::Cluster& geometry = caster_.geometry;
+    const std::size_t stride = geometry.positionStride / sizeof(std::uint32_t);
+    const auto along = shear.along;
+    for (std::size_t i = 0; i < geometry.vertexCount; ++i) {
+        const std::uint32_t* position = geometry.positions + i * stride;
+        const auto cell = [&](int axis) {
+            return static_cast<double>(static_cast<std::int32_t>(position[axis] - context_.originCell[axis]));
+        };
+        const double p = cell(along);
+        sheared_[i] = {
+            cell(shear.first) - shear.firstRatio * p, cell(shear.second) - shear.secondRatio * p, shear.sign * p};
+        floatH_[i] = roundedUp(sheared_[i][2] + context_.coordinateError);
+    }
+    for (std::size_t t = 0; t < geometry.triangles.size(); ++t)
+        for (std::size_t k = 0; k < 3; ++k)
+            corner_[k][t] = geometry.triangles[t][k];
+    const std::size_t padded = (geometry.triangles.size() + 15) / 16 * 16;
+    for (auto& corners : corner_)
+        std::fill(
+            corners.begin() + static_cast<std::ptrdiff_t>(geometry.triangles.size()),
+            corners.begin() + static_cast<std::ptrdiff_t>(padded),
+            0);
+}
+
+/// Towards a point light that is along the axis of the map's face.
+inline void ClusterCaster::findNearness(const CellMap& cells) {
+    const auto axis = static_cast<std::size_t>(cells.nearAxis);
+    for (std::size_t i = 0; i < caster_.geometry.vertexCount; ++i)
+        floatH_[i] = roundedUp(cells.nearSign * sheared_[i][axis] + context_.coordinateError);
+}
+
+inline glm::dvec3 ClusterCaster::place(const CellMap& cells, std::size_t vertex) const {
+    const auto& [u, v, h] = sheared_[vertex];
+    return cells.cellsFromLight * glm::dvec4(u, v, h, 1);
+}
+
+} // namespace gnomon::exact::HWY_NAMESPACE
+
+HWY_AFTER_NAMESPACE();
+
+#endif // include guard

@@ -1,0 +1,121 @@
+#include "exact/plain_shadows.h"
+#include "exact/point_predicate.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gnomon::exact {
+
+namespace {
+
+struct SeenTriangle {
+    Corners corners{};
+    std::uint32_t name = 0;
+};
+
+/// Triangles by square buckets of the six faces of a cube about the light.
+class CubeBuckets {
+public:
+    explicit CubeBuckets(const glm::i64vec3& light) : light_(light), lists_(6 * kSide * kSide) {}
+
+    /// By the box of its corners: an upper bound of what it covers.
+    void add(const Corners& corners, std::uint32_t index) {
+        const glm::dvec3 least(glm::min(glm::min(corners[0], corners[1]), corners[2]) - light_);
+        const glm::dvec3 most(glm::max(glm::max(corners[0], corners[1]), corners[2]) - light_);
+        for (int face = 0; face < 6; ++face) {
+            const int axis = face / 2;
+            const double near = face % 2 == 0 ? least[axis] : -most[axis];
+            const double far = face % 2 == 0 ? most[axis] : -least[axis];
+            if (far <= 0) continue;
+            const auto span = [&](int k) {
+                if (near <= 0) return std::array<std::size_t, 2>{0, kSide - 1};
+                const double low = least[k] / (least[k] < 0 ? near : far);
+                const double high = most[k] / (most[k] > 0 ? near : far);
+                return std::array{bucket(low - kSlack), bucket(high + kSlack)};
+            };
+            const auto [x0, x1] = span((axis + 1) % 3);
+            const auto [y0, y1] = span((axis + 2) % 3);
+            for (std::size_t y = y0; y <= y1; ++y)
+                for (std::size_t x = x0; x <= x1; ++x)
+                    lists_[place(face, x, y)].push_back(index);
+        }
+    }
+
+    const std::vector<std::uint32_t>& at(const glm::dvec3& fromLight) const {
+        int axis = 0;
+        for (int i = 1; i < 3; ++i)
+            if (std::abs(fromLight[i]) > std::abs(fromLight[axis])) axis = i;
+        const double far = std::abs(fromLight[axis]);
+        const int face = 2 * axis + (fromLight[axis] < 0 ? 1 : 0);
+        return lists_[place(face, bucket(fromLight[(axis + 1) % 3] / far), bucket(fromLight[(axis + 2) % 3] / far))];
+    }
+
+private:
+    static constexpr std::size_t kSide = 128;
+    static constexpr double kSlack = 1e-9; // more than rounding can move what is seen
+
+    /// Of a place from -1 to 1; those beyond are in the outermost.
+    static std::size_t bucket(double x) {
+        const double cells = std::floor((x + 1) / 2 * static_cast<double>(kSide));
+        return static_cast<std::size_t>(std::clamp(cells, 0.0, static_cast<double>(kSide - 1)));
+    }
+
+    static std::size_t place(int face, std::size_t x, std::size_t y) {
+        return (static_cast<std::size_t>(face) * kSide + y) * kSide + x;
+    }
+
+    glm::i64vec3 light_;
+    std::vector<std::vector<std::uint32_t>> lists_;
+};
+
+} // namespace
+
+std::vector<std::uint8_t> plainPointStatuses(
+    const SampleList& samples,
+    std::span<const Caster> casters,
+    const glm::uvec3& originCell,
+    std::span<const std::uint8_t> isAsked) {
+    constexpr unsigned kTriangleBits = 8;
+    const glm::i64vec3 light = *samples.space().pointLight;
+    CastContext context;
+    context.originCell = originCell;
+    std::vector<SeenTriangle> triangles;
+    CubeBuckets buckets(light);
+    for (const Caster& caster : casters) {
+        if (caster.geometry.vertexCount == 0) continue; // it lends its triangles to the samples that name them
+        for (std::size_t t = 0; t < caster.geometry.triangles.size(); ++t) {
+            const Corners corners = cornersOf(context, caster, t);
+            buckets.add(corners, static_cast<std::uint32_t>(triangles.size()));
+            triangles.push_back({corners, caster.geometry.firstTriangleId + static_cast<std::uint32_t>(t)});
+        }
+    }
+    const auto statusOf = [&](std::size_t i) {
+        const std::uint32_t own = samples.triangle[i];
+        const PointOnTriangle point{
+            cornersOf(context, casters[own >> kTriangleBits], own & (raster::kMaxClusterTriangles - 1)),
+            samples.second[i],
+            samples.third[i]};
+        const glm::i64vec3 scaled = scaledPoint(point);
+        const std::optional<PointRay> ray = rayToPoint(light, scaled);
+        if (!ray) return kLit;
+        const glm::dvec3 fromLight = glm::dvec3(scaled) * 0x1p-24 - glm::dvec3(light);
+        std::uint8_t status = kLit;
+        for (const std::uint32_t t : buckets.at(fromLight)) {
+            if (triangles[t].name == own) continue; // it holds the point; a piece of it may lie off by a rounding
+            const RayMeeting met = meetTowards(triangles[t].corners, light, scaled, *ray);
+            if (met.meeting == Meeting::None) continue;
+            status |= met.meeting == Meeting::Touching ? kTouched : met.isOnEdge ? kDarkByEdge : kDark;
+            if ((status & kDark) != 0) return kDark;
+        }
+        return status;
+    };
+    std::vector<std::uint8_t> statuses(samples.size(), kLit);
+    tbb::parallel_for(std::size_t{0}, samples.size(), [&](std::size_t i) {
+        if (isAsked.empty() || isAsked[i] != 0) statuses[i] = statusOf(i);
+    });
+    return statuses;
+}
+
+} // namespace gnomon::exact

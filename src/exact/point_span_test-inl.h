@@ -1,0 +1,173 @@
+// One triangle against samples that lie side by side, seen from a point light: in doubles where their error bounds
+// allow, else in integers. Included once for each instruction set.
+#if defined(GNOMON_EXACT_POINT_SPAN_TEST_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef GNOMON_EXACT_POINT_SPAN_TEST_INL_H
+#undef GNOMON_EXACT_POINT_SPAN_TEST_INL_H
+#else
+#define GNOMON_EXACT_POINT_SPAN_TEST_INL_H
+#endif
+
+#include "exact/span_test-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+
+namespace gnomon::exact::HWY_NAMESPACE {
+
+/// A triangle and a point light, ready to be held against samples.
+///
+/// With A the first corner from the light, b and c the edges from there, d = sample - corner A and n = b x c: the edge
+/// functions over AB and CA are (A x b) . d and -(A x c) . d, the one over BC is what they leave of n . (A + d), all
+/// turned by the sign of n . A; then n . d above 0 says that the plane lies between.
+///
+/// The bounds, for samples that are e off along each axis, corners and the light whole numbers below 2^53, |x| the sum
+/// of the sizes of x's components, R = |A|, s the larger of |b| and |c|, and u = 2^-53: d is e off and rounded once.
+/// - A component of A x b is at most R s and 3 u R s off, so its product with d is R s (3 e + 7 u |d|) off.
+/// - Likewise n . d is s^2 (3 e + 7 u |d|) off, and n . A 7 u s^2 R.
+/// - The third edge function adds those three up, of sizes R s |d|, R s |d|, s^2 |d| and s^2 R, with three roundings:
+///   e (6 R s + 3 s^2) + u |d| (20 R s + 10 s^2) + 10 u s^2 R.
+/// All is doubled: that pays for R, s, |d| and the bounds being rounded themselves.
+struct PointTriangleTest {
+    double a[3] = {};         // corner A, as samples count
+    double fromLight[3] = {}; // the same from the light
+    double ab[3] = {};        // A x b, turned
+    double ca[3] = {};        // -(A x c), turned
+    double normal[3] = {};    // n, turned
+    double volume = 0;        // n . A, turned: above 0
+    double size = 0;          // of n
+    double edgeError[2] = {};
+    double heightError[2] = {}; // of n . d
+    std::uint32_t name = 0;
+
+    /// False where the triangle's plane holds the light: it casts nothing. `orientation` gives the exact sign of n . A.
+    template <class Orientation>
+    HWY_INLINE bool set(
+        const double* pa,
+        const double* pb,
+        const double* pc,
+        const glm::dvec3& light,
+        double error,
+        const Orientation& orientation);
+};
+
+HWY_INLINE void crossOf(const double* a, const double* b, double* result) {
+    result[0] = a[1] * b[2] - a[2] * b[1];
+    result[1] = a[2] * b[0] - a[0] * b[2];
+    result[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+HWY_INLINE double sumOfSizes(const double* a) {
+    return std::abs(a[0]) + std::abs(a[1]) + std::abs(a[2]);
+}
+
+template <class Orientation>
+HWY_INLINE bool PointTriangleTest::set(
+    const double* pa,
+    const double* pb,
+    const double* pc,
+    const glm::dvec3& light,
+    double error,
+    const Orientation& orientation) {
+    constexpr double kRounding = 0x1p-52; // twice a double's
+    double b[3];
+    double c[3];
+    for (int i = 0; i < 3; ++i) {
+        a[i] = pa[i];
+        fromLight[i] = pa[i] - light[i];
+        b[i] = pb[i] - pa[i];
+        c[i] = pc[i] - pa[i];
+    }
+    const double reach = sumOfSizes(fromLight);
+    const double s = std::max(sumOfSizes(b), sumOfSizes(c));
+    crossOf(fromLight, b, ab);
+    crossOf(c, fromLight, ca);
+    crossOf(b, c, normal);
+    size = sumOfSizes(normal);
+    volume = normal[0] * fromLight[0] + normal[1] * fromLight[1] + normal[2] * fromLight[2];
+    edgeError[0] = 2 * error * (6 * reach * s + 3 * s * s) + 10 * kRounding * s * s * reach;
+    edgeError[1] = kRounding * (20 * reach * s + 10 * s * s);
+    heightError[0] = 2 * error * 3 * s * s;
+    heightError[1] = 7 * kRounding * s * s;
+    double turn = volume < 0 ? -1 : 1;
+    if (std::abs(volume) <= 7 * kRounding * s * s * reach) {
+        turn = orientation();
+        if (turn == 0) return false;
+    }
+    for (int i = 0; i < 3; ++i) {
+        ab[i] *= turn;
+        ca[i] *= turn;
+        normal[i] *= turn;
+    }
+    volume *= turn;
+    return true;
+}
+
+HWY_INLINE Doubles dotLanes(const double* a, Doubles x, Doubles y, Doubles z) {
+    return hn::MulAdd(constant(a[0]), x, hn::MulAdd(constant(a[1]), y, hn::Mul(constant(a[2]), z)));
+}
+
+/// The height at which a plane is just a cell ahead, along the ways to the light from samples `d` beyond corner A that
+/// it is `height` ahead of. Less sure than `slack` of the normal's size by the rounding of directions; where the light
+/// is near, as much as it can be at all.
+struct CellAheadLanes {
+    Doubles least, most;
+
+    HWY_INLINE CellAheadLanes(const PointTriangleTest& t, Doubles height, Doubles dx, Doubles dy, Doubles dz) {
+        constexpr double kSlack = 1e-6;
+        constexpr double kNear = 64; // cells
+        const auto x = hn::Add(dx, constant(t.fromLight[0]));
+        const auto y = hn::Add(dy, constant(t.fromLight[1]));
+        const auto z = hn::Add(dz, constant(t.fromLight[2]));
+        const auto length = hn::Sqrt(hn::MulAdd(x, x, hn::MulAdd(y, y, hn::Mul(z, z))));
+        const auto slant = hn::Div(hn::Abs(hn::Add(constant(t.volume), height)), length);
+        const auto isNear = hn::Lt(length, constant(kNear));
+        const auto slack = constant(kSlack * t.size);
+        least = hn::IfThenElse(isNear, hn::Zero(kDoubles), hn::Sub(slant, slack));
+        most = hn::IfThenElse(isNear, constant(t.size), hn::Add(slant, slack));
+    }
+};
+
+/// As the other testSamples: marks what is sure and calls `decide(place, mayCast)` for what only integers can decide. A
+/// tolerance of two steps, in whole 2^-24 of a direction, is one to two cells.
+template <class Decide>
+HWY_INLINE void testSamples(
+    const PointTriangleTest& t, const CastContext& context, std::size_t begin, std::size_t end, const Decide& decide) {
+    const SampleList& samples = *context.samples;
+    constexpr double kLeastTolerance = 0.999; // cells
+    constexpr double kMostTolerance = 2.001;
+    const auto zero = hn::Zero(kDoubles);
+    for (std::size_t i = begin; i < end; i += hn::Lanes(kDoubles)) {
+        const auto dx = hn::Sub(hn::LoadU(kDoubles, &samples.u[i]), constant(t.a[0]));
+        const auto dy = hn::Sub(hn::LoadU(kDoubles, &samples.v[i]), constant(t.a[1]));
+        const auto dz = hn::Sub(hn::LoadU(kDoubles, &samples.h[i]), constant(t.a[2]));
+        const auto first = dotLanes(t.ab, dx, dy, dz);
+        const auto third = dotLanes(t.ca, dx, dy, dz);
+        const auto height = dotLanes(t.normal, dx, dy, dz);
+        const auto second = hn::Sub(hn::Sub(hn::Add(constant(t.volume), height), first), third);
+        const auto least = hn::Min(hn::Min(first, second), third);
+        const auto size = hn::Add(hn::Add(hn::Abs(dx), hn::Abs(dy)), hn::Abs(dz));
+        const auto edgeError = hn::MulAdd(size, constant(t.edgeError[1]), constant(t.edgeError[0]));
+        const auto heightError = hn::MulAdd(size, constant(t.heightError[1]), constant(t.heightError[0]));
+        const auto mayCover = hn::And(hn::FirstN(kDoubles, end - i), hn::Ge(hn::Add(least, edgeError), zero));
+        const auto mayBeAhead = hn::And(mayCover, hn::Ge(hn::Add(height, heightError), zero));
+        if (hn::AllFalse(kDoubles, mayBeAhead)) continue;
+        const CellAheadLanes cell(t, height, dx, dy, dz);
+        const auto covers = hn::And(mayBeAhead, hn::Gt(least, edgeError));
+        const auto isFar = hn::Gt(height, hn::MulAdd(cell.most, constant(kMostTolerance), heightError));
+        const auto isDark = hn::And(covers, isFar);
+        forLanes(isDark, [&](std::size_t lane) { mark(context.statuses[i + lane], kDark); });
+        const auto isNear = hn::Lt(hn::Add(height, heightError), hn::Mul(cell.least, constant(kLeastTolerance)));
+        const auto touches = hn::And(hn::And(covers, isNear), hn::Gt(height, heightError));
+        forLanes(touches, [&](std::size_t lane) {
+            if (context.grid->triangle[i + lane] != t.name) mark(context.statuses[i + lane], kTouched);
+        });
+        forLanes(hn::AndNot(hn::Or(isDark, touches), mayBeAhead), [&](std::size_t lane) {
+            if (context.grid->triangle[i + lane] != t.name) decide(i + lane, true);
+        });
+    }
+}
+
+} // namespace gnomon::exact::HWY_NAMESPACE
+
+HWY_AFTER_NAMESPACE();
+
+#endif // include guard

@@ -59,12 +59,17 @@ double share(Count part, Count whole) {
 
 class Proof {
 public:
-    Proof(const std::string& model, int width, int height)
-        : model_(model, Bytes{Count{1} << 30U}), width_(width), height_(height), renderer_(model_, *executor_, {}) {}
+    Proof(const std::string& model, int width, int height, bool hasLamps)
+        : hasLamps_(hasLamps),
+          model_(model, Bytes{Count{1} << 30U}),
+          width_(width),
+          height_(height),
+          renderer_(model_, *executor_, {}) {}
 
     void add(Count index) {
         tests::ShadowTriple triple = tests::shadowTriple(model_.summary().bounds, index, width_, 256);
         triple.view.height = height_;
+        if (hasLamps_) triple.view.pointLight = tests::lampFor(model_.summary().bounds, triple.view, index);
         plan::Quality quality;
         quality.shadows = plan::ShadowMode::Exact;
         const frame::PreparedFrame frame =
@@ -123,6 +128,7 @@ private:
         tally_.wrong += wrong;
     }
 
+    bool hasLamps_;
     hierarchy::ModelFile model_;
     int width_;
     int height_;
@@ -158,14 +164,16 @@ void print(const std::string& name, const Tally& t) {
 
 int run(int count, char** arguments) {
     if (count < 4) {
-        std::fprintf(stderr, "usage: %s VIEWS WxH MODEL.gnm...\n", arguments[0]);
+        std::fprintf(stderr, "usage: %s VIEWS WxH [lamps] MODEL.gnm...\n", arguments[0]);
         return 2;
     }
     const auto views = static_cast<Count>(std::atoi(arguments[1]));
     const std::string size = arguments[2];
+    const bool hasLamps = std::string(arguments[3]) == "lamps";
     Tally all;
-    for (int i = 3; i < count; ++i) {
-        Proof proof(arguments[i], std::atoi(size.c_str()), std::atoi(size.substr(size.find('x') + 1).c_str()));
+    for (int i = hasLamps ? 4 : 3; i < count; ++i) {
+        Proof proof(
+            arguments[i], std::atoi(size.c_str()), std::atoi(size.substr(size.find('x') + 1).c_str()), hasLamps);
         for (Count view = 0; view < views; ++view)
             proof.add(view);
         print(arguments[i], proof.tally());

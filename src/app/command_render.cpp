@@ -77,7 +77,7 @@ void runRender(const RenderOptions& options) {
     task.overlay = valueOf(executor::kOverlays, options.overlay).value_or(executor::Overlay::None);
     task.colors = valueColors(options);
     task.oracle = options.oracle.mode();
-    if (proof::isOfMaps(task.oracle)) settings::requireNoSections(task.settings, "--oracle");
+    if (proof::isOfMaps(task.oracle)) settings::requireWholeInSun(task.settings, "--oracle");
     requireNoWindow(task.settings);
     if (options.series.isAsked() || options.series.frames) return runSeries(options, task);
     if (!task.shadowDepth.empty()) options.settings.requireMapsFor("--shadow-depth");

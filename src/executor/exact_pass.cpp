@@ -81,6 +81,12 @@ glm::dvec3 eyeCell(const FrameDrawing& frame) {
 } // namespace
 
 exact::SampleSpace sampleSpace(const FrameDrawing& frame) {
+    if (const auto& light = frame.plan->view.pointLight) {
+        const glm::dvec3 cell = (light->at - frame.grid.origin) / frame.space.step;
+        const hierarchy::GridPoint origin = frame.space.originCell;
+        const glm::i64vec3 whole(std::llround(cell.x), std::llround(cell.y), std::llround(cell.z));
+        return exact::pointSpace(whole - glm::i64vec3(origin.x, origin.y, origin.z), eyeCell(frame));
+    }
     exact::SampleSpace space;
     space.light = frame.plan->light;
     space.shear = exact::shearAlong(space.light);
@@ -90,9 +96,7 @@ exact::SampleSpace sampleSpace(const FrameDrawing& frame) {
 }
 
 std::uint32_t tolerance(const IntegerLight& light) {
-    constexpr double kSteps = 2;
-    return static_cast<std::uint32_t>(
-        std::floor(kSteps * std::ldexp(1.0, kLightBits) / glm::length(glm::dvec3(light.direction))));
+    return exact::twoSteps(light);
 }
 
 std::optional<raster::OcclusionCounts> drawUndecided(
@@ -187,6 +191,7 @@ void gatherExactCasters(const FrameDrawing& frame, SoftwarePass& image, std::vec
 
 std::vector<glm::dmat3> cellPlanes(const FrameDrawing& frame, const exact::LightShear& shear) {
     std::vector<glm::dmat3> planes;
+    if (frame.plan->view.pointLight) return planes; // the faces of a cube about it are its maps
     for (const shadow::ShadowMap& map : frame.plan->cellMaps) {
         const glm::dmat4 clip = map.lightClipFromCamera() * frame.space.cameraFromDraw;
         const auto column = [&](const glm::dvec4& p) {

@@ -29,7 +29,7 @@ void drawPoints(const FrameDrawing& frame, const ImageBuffers& buffers, exact::V
 /// pass; where they do not, the clusters that pieces are of cast whole.
 void gatherExactCasters(const FrameDrawing& frame, SoftwarePass& image, std::vector<exact::Caster>& casters);
 
-/// From the light plane to the cells of each of the plan's cell maps.
+/// From the light plane to the cells of each of the plan's cell maps; none of a point light.
 std::vector<glm::dmat3> cellPlanes(const FrameDrawing& frame, const exact::LightShear& shear);
 
 /// Where the light reaches in the image of `frame`, 255 there and else 0, by the plain loops of exact::plainStatuses:

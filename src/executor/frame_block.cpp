@@ -119,6 +119,10 @@ block::Frame frameBlock(const FrameDrawing& frame, const DrawSpace& space, const
     result.viewDirection = glm::vec3(basis.view);
     result.originDepth = static_cast<float>(-glm::dot(basis.view, space.eye));
     result.towardsLight = glm::vec3(toDraw(basis, plan.towardsLight));
+    if (view.pointLight) {
+        result.towardsLight = glm::vec3(view.pointLight->at - frame.grid.origin - frame.grid.local(space.originCell));
+        result.pointReach = static_cast<float>(view.pointLight->reach);
+    }
     result.pixelSlope = static_cast<float>(2 * view.tanHalfY() / view.height);
     result.sliceCount = static_cast<int>(std::max<std::size_t>(plan.splits.size(), 2)) - 1;
     result.sideFaceCount = static_cast<int>(plan.selector.faces.size());

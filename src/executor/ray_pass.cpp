@@ -53,7 +53,8 @@ private:
     std::span<const DrawnCluster> drawn_;
 };
 
-/// The ray of sample `i`, in cells: its direction is the light's without a rounding, its parameter 2^24 a direction.
+/// The ray of sample `i`, in cells: its direction is the light's without a rounding, its parameter 2^24 a direction; to
+/// a point light, it is of length 1, and ends there.
 raycast::Ray rayOf(const exact::SampleList& samples, std::size_t i, std::span<const Plane> sections) {
     const exact::SampleSpace& space = samples.space();
     const exact::LightShear& shear = space.shear;
@@ -64,8 +65,16 @@ raycast::Ray rayOf(const exact::SampleList& samples, std::size_t i, std::span<co
     origin[shear.second] = samples.v[i] + shear.secondRatio * along;
     raycast::Ray ray;
     ray.origin = glm::vec3(origin);
-    ray.direction = glm::vec3(glm::dvec3(space.light.direction) * std::ldexp(1.0, -kLightBits));
-    ray.least = static_cast<float>(samples.tolerance[i]);
+    if (space.pointLight) {
+        const glm::dvec3 towards = glm::dvec3(*space.pointLight) - origin;
+        constexpr double kTolerance = 2; // cells
+        ray.direction = glm::vec3(glm::normalize(towards));
+        ray.least = static_cast<float>(kTolerance);
+        ray.greatest = static_cast<float>(glm::length(towards));
+    } else {
+        ray.direction = glm::vec3(glm::dvec3(space.light.direction) * std::ldexp(1.0, -kLightBits));
+        ray.least = static_cast<float>(samples.tolerance[i]);
+    }
     const glm::dvec3 direction(ray.direction);
     for (const Plane& plane : sections) { // what is cut away casts nothing
         const double slope = glm::dot(plane.normal, direction);

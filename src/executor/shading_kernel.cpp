@@ -171,6 +171,20 @@ HWY_INLINE void leaveLookups(
     hn::StoreU(awaited.depth, kFloats, batch.lookupDepth.data() + i);
 }
 
+/// The direction to the point light, of unit length.
+HWY_INLINE Vec3 towardsPoint(const block::Frame& frame, const Vec3& position) {
+    const auto zero = hn::Zero(kFloats);
+    return normalizedOr(subtract(constant(&frame.towardsLight.x), position), {zero, zero, zero});
+}
+
+/// How bright the point light is there, of the sun: the inverse square of the distance, held to what sums have room
+/// for.
+HWY_INLINE Floats pointStrength(const block::Frame& frame, const Vec3& position) {
+    const Vec3 towards = scale(subtract(constant(&frame.towardsLight.x), position), constant(1 / frame.pointReach));
+    constexpr float kLeast = 1.0F / 1024;
+    return hn::Div(constant(1), hn::Max(dot(towards, towards), constant(kLeast)));
+}
+
 HWY_INLINE void shadeLanes(const ShadingFrame& f, PixelBatch& batch, std::size_t i) {
     const block::Frame& frame = *f.frame;
     const auto zero = hn::Zero(kFloats);
@@ -194,7 +208,8 @@ HWY_INLINE void shadeLanes(const ShadingFrame& f, PixelBatch& batch, std::size_t
     const Vec3 flat = turned(normalizedOr(across, eyeDirection), towardsEye);
     const Vec3 smooth = frame.isFaceted != 0 ? flat : smoothNormal(batch, i, weights, flat);
     const auto depth = hn::Add(dot(constant(&frame.viewDirection.x), position), constant(frame.originDepth));
-    const Vec3 light = constant(&frame.towardsLight.x);
+    Vec3 light = constant(&frame.towardsLight.x);
+    if (frame.pointReach > 0) light = towardsPoint(frame, position);
     const auto cosine = dot(flat, light);
     const auto faces = hn::Gt(cosine, zero);
     auto pass = hn::Set(kInts, -1);
@@ -202,7 +217,8 @@ HWY_INLINE void shadeLanes(const ShadingFrame& f, PixelBatch& batch, std::size_t
     if (f.litSource == LitSource::Maps) lit = litByMaps(f, {position, flat, depth, cosine, faces}, pass);
     if (f.litSource == LitSource::Awaited) leaveLookups(f, {position, flat, depth, cosine, faces}, pass, batch, i);
 
-    const auto direct = hn::Mul(lit, hn::Max(dot(smooth, light), zero));
+    auto direct = hn::Mul(lit, hn::Max(dot(smooth, light), zero));
+    if (frame.pointReach > 0) direct = hn::Mul(direct, pointStrength(frame, position));
     const Vec3 ambient = ambientLight(frame, smooth, eyeDirection);
     const Vec3 albedo = linearFromDisplay(
         {channel<0>(batch, i, weights), channel<8>(batch, i, weights), channel<16>(batch, i, weights)});

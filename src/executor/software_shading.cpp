@@ -271,8 +271,10 @@ void Shading::countLit(const Work& work, const ShadingTarget& target) const {
     std::uint64_t count = 0;
     for (std::size_t i = 0; i < batch.count; ++i) {
         const bool isKnown = target.awaited == nullptr || batch.pass[i] < 0;
-        const bool isLit =
-            batch.lit[i] > 0 && glm::dot(toVector(batch.flatNormal, i), block_.towardsLight) > kLeastCosine;
+        const glm::vec3 towardsLight = block_.pointReach > 0
+                                           ? glm::normalize(block_.towardsLight - toVector(batch.position, i))
+                                           : block_.towardsLight;
+        const bool isLit = batch.lit[i] > 0 && glm::dot(toVector(batch.flatNormal, i), towardsLight) > kLeastCosine;
         count += isKnown && isLit && !isGround(work, i) ? 1U : 0U;
     }
     target.litPixels->fetch_add(count, std::memory_order_relaxed);

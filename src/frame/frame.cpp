@@ -21,7 +21,7 @@ namespace gnomon::frame {
 Frame Renderer::render(const plan::View& view, const plan::Quality& quality, const FrameOptions& options) {
     const Stopwatch watch;
     plan::Quality meant = quality;
-    if (executor::isOfMaps(options.overlay)) meant.mapsBecause = plan::ShadowReason::MapsAskedFor;
+    if (executor::isOfMaps(options.overlay) && !view.pointLight) meant.mapsBecause = plan::ShadowReason::MapsAskedFor;
     margin_ = options.isAccumulated ? 0.5 : 0;
     Frame frame{prepare(view, meant, options.waiting, previous_), options, {}};
     if (options.reusesMaps) markReusedMaps(frame, options);
@@ -119,6 +119,7 @@ void Renderer::drawTowards(const Frame& frame, const glm::dvec3& towardsLight, c
     plan::View view = frame.plan.view;
     view.towardsLight = towardsLight;
     const hierarchy::ModelSummary& model = model_->summary();
+    if (options.lightPart == executor::LightPart::SkyDirection) view.pointLight.reset();
     ground_ = nullptr; // no part of the sky is seen on it
     if (options.lightPart != executor::LightPart::SkyDirection)
         ground_ = groundOf(view, frame.plan.quality.look, {model.bounds, model.grid, model_->pages()});

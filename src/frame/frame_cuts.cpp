@@ -109,15 +109,18 @@ void cutPartitions(PreparedFrame& frame, const Residency& residency) {
         const bool isCulled = frame.plan.quality.cullCasters != plan::CasterCulling::Off;
         frame.volumes.push_back(isCulled ? casters.back().casters : ConvexVolume{});
     }
-    if (frame.hasOneCasterList()) {
+    if (frame.hasOneCasterList() && seen.pointLight) {
+        casters = pointCasterDetails(frame);
+        frame.volumes.push_back(rayCasterVolume(frame));
+    } else if (frame.hasOneCasterList()) {
         casters.push_back(rayCasterDetail(frame));
         frame.volumes.push_back(casters.back().casters);
     }
     const glm::dvec3 origin = seen.camera.eye - view.eye;
-    for (std::size_t i = 0; i < casters.size(); ++i) {
-        if (seen.cutsCasters) clipBySections(seen, origin, frame.volumes[i + 1]);
-        clipToModel(frame.facts.bounds, origin, casters[i].receivers);
-    }
+    for (std::size_t i = 1; i < frame.volumes.size(); ++i)
+        if (seen.cutsCasters) clipBySections(seen, origin, frame.volumes[i]);
+    for (selection::CasterDetail& caster : casters)
+        clipToModel(frame.facts.bounds, origin, caster.receivers);
     addSectionVolumes(frame, origin);
     frame.rule = std::make_shared<selection::ErrorRule>(view, std::move(casters));
     cut(frame, frame.plan.quality, residency);

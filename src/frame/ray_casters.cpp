@@ -28,10 +28,44 @@ shadow::Region wholeRegion(const plan::FramePlan& plan, const plan::SceneFacts& 
     return shadow::partitionRegion(frustum, selector, 0);
 }
 
+/// The corners of what is seen between two depths, camera space.
+std::vector<glm::dvec3> cornersBetween(const plan::View& view, double near, double far) {
+    std::vector<glm::dvec3> corners;
+    for (const double depth : {near, far})
+        for (const double x : {-1.0, 1.0})
+            for (const double y : {-1.0, 1.0})
+                corners.push_back(depth * glm::dvec3(x * view.tanHalfX(), y * view.tanHalfY(), 1));
+    return corners;
+}
+
+/// Where the point light of a view is, camera space.
+glm::dvec3 pointInCamera(const plan::FramePlan& plan) {
+    return toCamera(plan.basis, plan.view.pointLight->at - plan.view.camera.eye);
+}
+
+/// What casts from a point light onto what is seen between two depths.
+selection::CasterDetail slabDetail(const PreparedFrame& frame, double near, double far) {
+    const plan::FramePlan& plan = frame.plan;
+    const std::vector<glm::dvec3> corners = cornersBetween(plan.view, near, far);
+    const glm::dvec3 light = pointInCamera(plan);
+    selection::CasterDetail detail;
+    detail.casters = culling::localVolume(shadow::pointCasterVolume(corners, light), frame.rule->view());
+    detail.receiverNear = near;
+    detail.point.emplace();
+    detail.point->at = frame.rule->view().eye + (plan.view.pointLight->at - plan.view.camera.eye);
+    for (const glm::dvec3& corner : corners)
+        detail.point->farthest = std::max(detail.point->farthest, glm::length(corner - light));
+    return detail;
+}
+
 } // namespace
 
 ConvexVolume rayCasterVolume(const PreparedFrame& frame) {
     const plan::FramePlan& plan = frame.plan;
+    if (plan.view.pointLight) {
+        const shadow::ViewFrustum frustum = visibleFrustum(plan, frame.facts);
+        return slabDetail(frame, frustum.near, frustum.far).casters;
+    }
     const shadow::Region region = wholeRegion(plan, frame.facts);
     return culling::localVolume(
         shadow::casterVolume(region, shadow::lightFrame(plan.towardsLight)), frame.rule->view());
@@ -46,6 +80,19 @@ selection::CasterDetail rayCasterDetail(const PreparedFrame& frame) {
     detail.receiverNear = region.frustum.near;
     detail.towardsLight = plan.light.unit();
     return detail;
+}
+
+std::vector<selection::CasterDetail> pointCasterDetails(const PreparedFrame& frame) {
+    constexpr int kMostSlabs = 12;
+    const shadow::ViewFrustum frustum = visibleFrustum(frame.plan, frame.facts);
+    std::vector<selection::CasterDetail> details;
+    double far = frustum.far;
+    while (static_cast<int>(details.size()) + 1 < kMostSlabs && far / 2 > frustum.near) {
+        details.push_back(slabDetail(frame, far / 2, far));
+        far /= 2;
+    }
+    details.push_back(slabDetail(frame, frustum.near, far));
+    return details;
 }
 
 } // namespace gnomon::frame

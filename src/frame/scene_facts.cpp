@@ -65,6 +65,7 @@ plan::SceneFacts sceneFacts(
 }
 
 bool isTurnedFromLight(const plan::View& view, const selection::CutQuery& query, const selection::Cut& cut) {
+    if (view.pointLight) return false; // nobody has looked
     return !culling::mayFaceLight(query, cut.lists[0], view.light().unit());
 }
 

@@ -1,3 +1,4 @@
+#include "core/error.h"
 #include "core/stopwatch.h"
 #include "frame/exact_forecast.h"
 #include "frame/light_plan.h"
@@ -40,6 +41,23 @@ PreparedFrame Renderer::prepare(
     return frame;
 }
 
+PreparedFrame Renderer::prepareForPoint(
+    const plan::View& view,
+    const plan::Quality& quality,
+    Waiting waiting,
+    const std::shared_ptr<const plan::PlannedFrame>& before) {
+    using plan::ShadowMode;
+    if (!executor_->decidesExactly())
+        throw Error("point light", "this executor cannot shade by it", "the software executor", executor_->name());
+    const bool isWithout = plan::isWithoutSun(quality.look.shading);
+    const bool isAsked = quality.shadows == ShadowMode::Off || quality.shadows == ShadowMode::Rays;
+    const ShadowMode mode = isAsked ? quality.shadows : isWithout ? ShadowMode::Off : ShadowMode::Exact;
+    PreparedFrame frame = prepareAs(view, with(quality, mode), waiting, before);
+    if (mode != quality.shadows)
+        frame.plan.shadowReason = isWithout ? plan::ShadowReason::NoSun : plan::ShadowReason::PointLight;
+    return frame;
+}
+
 PreparedFrame Renderer::prepareShadows(
     const plan::View& view,
     const plan::Quality& quality,
@@ -59,6 +77,7 @@ PreparedFrame Renderer::prepareShadows(
         frame.plan.shadowReason = reason;
         return frame;
     };
+    if (view.pointLight) return prepareForPoint(view, quality, waiting, before);
     if (quality.shadows != ShadowMode::Auto) {
         PreparedFrame frame = prepared(quality.shadows);
         if (quality.shadows == ShadowMode::Exact) predict(frame);

@@ -22,6 +22,12 @@
 
 namespace gnomon::plan {
 
+/// A lamp: light from one point, that falls off with the square of the distance.
+struct PointLight {
+    glm::dvec3 at{0}; // world space, on the model's grid
+    double reach = 1; // world units, above 0: so far away it is as bright as the sun
+};
+
 /// What is looked at, from where, towards which light.
 struct View {
     Camera camera;
@@ -29,6 +35,7 @@ struct View {
     int height = 800;
     glm::dvec3 towardsLight{0.4, 1, 0.3}; // world space, any length above 0; light() is drawn by
     glm::dvec3 up{0, 1, 0};               // towards the sky, likewise of any length above 0
+    std::optional<PointLight> pointLight; // in place of what towardsLight says, which then is roughly where it is
     double sunAngleRadians = 0;           // across the disc of the light; 0: a point
     std::optional<double> eyeMovedBack;   // by distantView, world units
     std::vector<Plane> sections;          // world space; only what lies on the inner side of all of them is seen

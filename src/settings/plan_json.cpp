@@ -109,6 +109,7 @@ ordered_json planJson(const plan::FramePlan& plan) {
     json["far"] = depthFromAskedEye(plan, plan.far);
     json["near_from"] = sourceInWords(plan.nearFrom);
     json["far_from"] = sourceInWords(plan.farFrom);
+    if (const auto& lamp = plan.view.pointLight) json["light_at"] = {lamp->at.x, lamp->at.y, lamp->at.z};
     json["light_angle"] = degreesFromRadians(plan.lightAngleRadians);
     json["promise_kept"] = plan.promiseKept;
     json["scheme"] = plan::schemeName(plan);
@@ -189,7 +190,15 @@ std::string planText(const plan::FramePlan& plan) {
     if (plan.shown != DepthSpan{plan.near, plan.far})
         text += line(
             "shown  %g to %g: beyond the range nothing is promised\n", asked(plan.shown.near), asked(plan.shown.far));
-    text += line("light  %.2f degrees from the view\n", degreesFromRadians(plan.lightAngleRadians));
+    if (const auto& lamp = plan.view.pointLight)
+        text += line(
+            "light  a point at %.6g, %.6g, %.6g, as bright as the sun at %.6g\n",
+            lamp->at.x,
+            lamp->at.y,
+            lamp->at.z,
+            lamp->reach);
+    else
+        text += line("light  %.2f degrees from the view\n", degreesFromRadians(plan.lightAngleRadians));
     text += line(
         "plan   %s: %zu maps in %dx%d texels, cost %llu\n",
         plan::schemeName(plan).c_str(),

@@ -178,6 +178,8 @@ std::string reasonInWords(plan::ShadowReason reason) {
         return "exact shadows are predicted to cost no more than maps";
     case ShadowReason::MapsCostLess:
         return "maps are predicted to cost less than exact shadows";
+    case ShadowReason::PointLight:
+        return "there are no maps of a point light";
     case ShadowReason::Held:
         return "held from the frame before: the other kind is not predicted to be cheaper by enough, for long enough";
     }

@@ -121,6 +121,33 @@ glm::dvec3 lightOf(const Settings& settings, const glm::dvec3& up) {
 
 } // namespace
 
+namespace {
+
+/// As seen from the middle of the model; up, where it is there.
+glm::dvec3 towardsPoint(const plan::PointLight& light, const Box& bounds, const glm::dvec3& up) {
+    const glm::dvec3 towards = light.at - 0.5 * (bounds.min + bounds.max);
+    return towards == glm::dvec3(0) ? up : towards;
+}
+
+/// Shadow maps and the ground's shadow are of a direction, and OpenGL knows no other light.
+void requireNoneIfPoint(const Settings& settings) {
+    if (!settings.lightAt) return;
+    const plan::Quality& quality = settings.quality;
+    const bool isOfMaps =
+        quality.shadows == plan::ShadowMode::Maps || (quality.shadows == plan::ShadowMode::Auto && quality.mapsBecause);
+    if (isOfMaps)
+        throw UsageError{"--light-at and shadow maps contradict each other: those are of a direction; --shadows exact "
+                         "and rays are of a point, too"};
+    if (settings.backend != Backend::Auto && settings.backend != Backend::Software)
+        throw UsageError{
+            written("backend", settings) +
+            " and --light-at contradict each other: only the software executor shades by a point light"};
+    if (quality.look.ground)
+        throw UsageError{"--ground and --light-at contradict each other: the ground shows the shadow of a direction"};
+}
+
+} // namespace
+
 bool isFramed(const Settings& settings) {
     return settings.cameraFile.empty() && !settings.eye;
 }
@@ -133,7 +160,9 @@ plan::View viewOf(
     view.height = settings.imageSize[1];
     view.up = settings.up.value_or(kAutoUp);
     if (view.up == kAutoUp) view.up = summary.up.direction;
-    view.towardsLight = lightOf(settings, view.up);
+    view.pointLight = pointLightOf(settings, summary);
+    view.towardsLight =
+        view.pointLight ? towardsPoint(*view.pointLight, summary.bounds, view.up) : lightOf(settings, view.up);
     view.sunAngleRadians = lightDiameter(settings);
     setSections(settings, view);
     if (!settings.cameraFile.empty()) {
@@ -164,9 +193,11 @@ void setSections(const Settings& settings, plan::View& view) {
     view.cutsCasters = settings.sectionCasters == SectionCasters::Cut;
 }
 
-void requireNoSections(const Settings& settings, const std::string& option) {
+void requireWholeInSun(const Settings& settings, const std::string& option) {
     if (!settings.sections.empty())
         throw UsageError{"--section and " + option + " contradict each other: it is not drawn with sections"};
+    if (settings.lightAt)
+        throw UsageError{"--light-at and " + option + " contradict each other: it is of a light that is a direction"};
 }
 
 Settings uprightIn(const Settings& settings, const hierarchy::ModelFile& model) {
@@ -188,6 +219,8 @@ plan::Quality qualityOf(const Settings& settings) {
     requireNoWarpIfStable(settings);
     requireSoftwareIfNeeded(settings);
     requireSunIfShadowed(settings);
+    requireNoneIfPoint(settings);
+    if (settings.lightAt && quality.look.shading == plan::Shading::Auto) quality.look.shading = plan::Shading::Lit;
     return quality;
 }
 

@@ -68,6 +68,7 @@ struct Settings {
     std::optional<Projection> projection; // nothing: the camera file's or the path's, else perspective
     glm::dvec3 towardsLight{0.4, 1, 0.3};
     bool isLightGiven = false;             // towardsLight was asked for; else it stands in a world with y up
+    std::optional<glm::dvec3> lightAt;     // a point light there takes the place of towardsLight
     std::optional<SunTime> sun;            // takes the place of towardsLight
     std::optional<double> north;           // degrees; see --north
     std::optional<double> sunAngleDegrees; // across the light's disc; nothing: the sun's with `sun`, else a point

@@ -104,6 +104,15 @@ std::vector<Setting> sunSettings() {
              .statedAs = "sun"},
             ifGiven(sunTime())),
         plain(
+            &Settings::lightAt,
+            {.name = "light-at",
+             .form = "x,y,z",
+             .help =
+                 "The light is a lamp at a point of the model, which falls off with the square of the distance; its "
+                 "shadows are exact or by rays",
+             .statedAs = "light_at"},
+            ifGiven(vector())),
+        plain(
             &Settings::north,
             {.name = "north",
              .form = "DEG",
@@ -151,6 +160,35 @@ glm::dvec3 towardsSun(const SunTime& asked, double north, const glm::dvec3& up) 
     if (sun.elevationRefracted <= 0)
         throw UsageError{formatted("--sun: the sun is down then, at %.1f degrees; ", sun.elevation) + upTimes(asked)};
     return towardsSun(sun, north, up);
+}
+
+namespace {
+
+/// At the nearest point of the grid of a model.
+glm::dvec3 onGrid(const glm::dvec3& at, const hierarchy::Grid& grid) {
+    constexpr double kMostCells = 0x1p51; // half of what exact shadows have room for: those count from near the eye
+    const glm::dvec3 cell = glm::round((at - grid.origin) / grid.step());
+    for (int axis = 0; axis < 3; ++axis)
+        if (!(std::abs(cell[axis]) < kMostCells))
+            throw UsageError{
+                "--light-at: it is too far away for a point; --light " + direction().write(at) + " is as good"};
+    return grid.origin + cell * grid.step();
+}
+
+} // namespace
+
+std::optional<plan::PointLight> pointLightOf(const Settings& settings, const hierarchy::ModelSummary& model) {
+    if (!settings.lightAt) return std::nullopt;
+    if (settings.isLightGiven) throw UsageError{"--light-at and --light contradict each other"};
+    if (settings.sun) throw UsageError{"--light-at and --sun contradict each other"};
+    if (settings.sunAngleDegrees)
+        throw UsageError{"--light-at and --sun-angle contradict each other: a lamp is a point"};
+    plan::PointLight light;
+    light.at = onGrid(*settings.lightAt, model.grid);
+    constexpr double kOfDiagonal = 1.0 / 16;
+    const double within = std::max(kOfDiagonal * glm::length(model.bounds.extent()), model.grid.step());
+    light.reach = std::hypot(distance(model.bounds, light.at), within);
+    return light;
 }
 
 double lightDiameter(const Settings& settings) {

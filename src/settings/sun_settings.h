@@ -1,6 +1,7 @@
 // The Sun as a light: how its place and time are written, and which way it lies.
 #pragma once
 
+#include "hierarchy/model.h"
 #include "settings/setting.h"
 #include "sun/sun_position.h"
 
@@ -32,6 +33,11 @@ glm::dvec3 towardsSun(const sun::SunPosition& sun, double north, const glm::dvec
 /// lies `north` degrees clockwise, seen from above, of the world's own, which is opposite its front: -z where y is up,
 /// y where z is. Throws UsageError where the Sun is down, and says when it is up.
 glm::dvec3 towardsSun(const SunTime& asked, double north, const glm::dvec3& up);
+
+/// The lamp that is asked for, at the nearest point of the model's grid; nothing where there is none. It is as bright
+/// as the sun at the distance d with d^2 = a^2 + b^2, a that of the model's box and b a sixteenth of its diagonal: from
+/// far away it lights the model as the sun does. Throws UsageError beside another light, or beyond 2^51 cells.
+std::optional<plan::PointLight> pointLightOf(const Settings& settings, const hierarchy::ModelSummary& model);
 
 /// How wide the light's disc is seen, radians: what was asked for; else the Sun's at its place and time (0.5331 degrees
 /// over its distance), and 0, a point, where the light is not the Sun's.

@@ -1,6 +1,7 @@
 #include "shadow/caster_volume.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -127,6 +128,48 @@ ConvexVolume casterVolume(const Region& region, const LightFrame& frame) {
         if (glm::dot(plane.normal, frame.y) > 1e-12) volume.planes.push_back(plane);
     for (const SweepSide& side : sweepOf(positionsOf(region), frame).sides)
         volume.planes.push_back(planeOf(side, frame));
+    return volume;
+}
+
+namespace {
+
+/// The plane of `normal` that has all of `points` on its inner side and one of them on it; offsets from `origin`.
+Plane touchingPlane(std::span<const glm::dvec3> points, const glm::dvec3& normal, const glm::dvec3& origin) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const glm::dvec3& point : points)
+        least = std::min(least, glm::dot(normal, point - origin));
+    return {normal, -least - glm::dot(normal, origin)};
+}
+
+/// Adds the plane through three of `points` to `volume`, for each side of it that has all of them.
+void addFace(
+    std::span<const glm::dvec3> points, const std::array<std::size_t, 3>& three, double size, ConvexVolume& volume) {
+    const glm::dvec3& a = points[three[0]];
+    const glm::dvec3 across = glm::cross(points[three[1]] - a, points[three[2]] - a);
+    const double length = glm::length(across);
+    if (!(length > 0)) return;
+    for (const glm::dvec3& normal : {across / length, across / -length}) {
+        const Plane plane = touchingPlane(points, normal, points.back());
+        const bool isKnown = std::any_of(volume.planes.begin(), volume.planes.end(), [&](const Plane& other) {
+            return glm::dot(other.normal, normal) > 1 - 1e-12;
+        });
+        if (plane.signedDistance(a) <= 1e-9 * size && !isKnown) volume.planes.push_back(plane);
+    }
+}
+
+} // namespace
+
+ConvexVolume pointCasterVolume(std::span<const glm::dvec3> corners, const glm::dvec3& light) {
+    std::vector<glm::dvec3> points(corners.begin(), corners.end());
+    points.push_back(light);
+    double size = 0;
+    for (const glm::dvec3& point : points)
+        size = std::max(size, glm::length(point - light));
+    ConvexVolume volume; // few points: every three of them are tried
+    for (std::size_t i = 0; i < points.size(); ++i)
+        for (std::size_t j = i + 1; j < points.size(); ++j)
+            for (std::size_t k = j + 1; k < points.size(); ++k)
+                addFace(points, {i, j, k}, size, volume);
     return volume;
 }
 

@@ -11,6 +11,10 @@ namespace gnomon::shadow {
 /// Every plane touches a vertex of the region, so none can be moved in.
 ConvexVolume casterVolume(const Region& region, const LightFrame& frame);
 
+/// The convex hull of `corners` and `light`, in any one space: all that can stand between a point within these and a
+/// point light. May be larger where corners nearly coincide, never smaller.
+ConvexVolume pointCasterVolume(std::span<const glm::dvec3> corners, const glm::dvec3& light);
+
 /// All that can change what a lookup within the convex hull of `receivers` (camera space) reads: its sweep, with each
 /// side moved out by `growS` and `growT` (fractions of the map) through the map itself, and with the map's far end of
 /// depth as floor, so that depth that a lookup can read is the same with and without culling. A side that the growth

@@ -38,7 +38,7 @@ ShadowErrors shadowErrors(const plan::FramePlan& plan, const plan::SceneFacts& f
     ShadowErrors errors;
     errors.promised = largest(plan);
     if (withLess && plan.quality.shadows == plan::ShadowMode::Exact &&
-        plan.shadowReason != plan::ShadowReason::AskedFor) {
+        plan.shadowReason != plan::ShadowReason::AskedFor && !plan.view.pointLight) {
         plan::Quality maps = plan.quality;
         maps.shadows = plan::ShadowMode::Maps;
         errors.asMaps = largest(plan::planFrame(plan.view, maps, facts, {}, plan.executor).plan);

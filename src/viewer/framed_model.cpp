@@ -2,6 +2,7 @@
 
 #include "path/outline.h"
 #include "settings/resolve.h"
+#include "settings/sun_settings.h"
 
 #include <algorithm>
 
@@ -28,6 +29,10 @@ Camera FramedModel::from(path::ViewSide side, const glm::ivec2& size, Projection
     settings.eye = settings.target = std::nullopt;
     settings.side = side;
     return view(settings, size).camera;
+}
+
+std::optional<plan::PointLight> FramedModel::pointLight(const settings::Settings& asked) const {
+    return settings::pointLightOf(asked, summary_);
 }
 
 void FramedModel::enter(Walk& walk, settings::Settings& asked, const glm::ivec2& size) const {

@@ -30,6 +30,9 @@ public:
     /// What is up in the model's world.
     glm::dvec3 up() const { return settings_.up.value_or(summary_.up.direction); }
 
+    /// The lamp that `asked` asks for.
+    std::optional<plan::PointLight> pointLight(const settings::Settings& asked) const;
+
     /// Begins `walk` at home, and lights it as its up asks for where nobody gave `asked` a light. Throws Error as home
     /// does; then nothing has changed.
     void enter(Walk& walk, settings::Settings& asked, const glm::ivec2& size) const;

@@ -182,6 +182,7 @@ bool WindowSession::isHurried() const {
 Shot WindowSession::shot(const glm::ivec2& size) const {
     Shot shot;
     shot.view.towardsLight = settings_.asked.towardsLight;
+    shot.view.pointLight = framed_->pointLight(settings_.asked);
     shot.view.sunAngleRadians = settings::lightDiameter(settings_.asked);
     shot.view.up = framed_->up();
     settings::setSections(settings_.asked, shot.view);

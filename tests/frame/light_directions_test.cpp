@@ -347,5 +347,54 @@ TEST(LightFrames, AreTheMeanOfFramesDrawnOneByOne) {
     }
 }
 
+// A lamp 10^6 sizes of the scene away is the directional light towards it, in shadow and brightness; with a sky as
+// well.
+TEST(Lamp, FarAwayLightsAsADirectionDoes) {
+    DrawnModel model(crateOnGround().model());
+    for (const int directions : {0, 5}) {
+        plan::View view = overGround();
+        view.width = view.height = 48;
+        plan::Quality quality = exactQuality();
+        quality.sky.directions = directions;
+        const executor::LightPicture sun = meanLight(model, view, quality, 4);
+        plan::View lit = view;
+        const double distance = 64e6;
+        lit.pointLight = {distance * glm::normalize(view.towardsLight), distance};
+        const executor::LightPicture lamp = meanLight(model, lit, quality, 4);
+        int different = 0;
+        for (std::size_t i = 0; i < sun.pixels.size(); ++i)
+            for (std::size_t c = 0; c < 3; ++c)
+                different += std::abs(sun.pixels[i][c] - lamp.pixels[i][c]) > 1e-4F * (1 + std::abs(sun.pixels[i][c]));
+        EXPECT_EQ(different, 0) << directions;
+    }
+}
+
+// On a floor that nothing shades a lamp at height h gives h / r^3 of its strength.
+TEST(Lamp, FallsOffWithTheSquareOfTheDistance) {
+    tests::SceneMesh scene;
+    scene.addGround(64, 16);
+    DrawnModel model(scene.model());
+    plan::View view = viewAboveFloor({0, 12, 0}, {0, 0, 0.01});
+    view.pointLight = {{2, 4, 1}, 3};
+    for (const plan::ShadowMode mode : {plan::ShadowMode::Exact, plan::ShadowMode::Rays, plan::ShadowMode::Off}) {
+        plan::Quality quality = exactQuality();
+        quality.shadows = mode;
+        quality.look.ambient = 0;
+        const executor::LightPicture light = meanLight(model, view, quality, 1);
+        const auto relative = [&](int x, int y) {
+            const glm::dvec3 way = view.pointLight->at - onFloor(view, {x + 0.5, y + 0.5});
+            return light.pixels[light.index(x, y)][1] * std::pow(glm::length(way), 3) / way.y;
+        };
+        const double first = relative(0, 0);
+        for (int y = 0; y < view.height; y += 7)
+            for (int x = 0; x < view.width; x += 5)
+                EXPECT_NEAR(relative(x, y) / first, 1, 1e-4) << x << " " << y;
+        plan::View sunlit = view;
+        sunlit.pointLight.reset();
+        const executor::LightPicture sun = meanLight(model, sunlit, quality, 1);
+        EXPECT_NEAR(first / sun.pixels[0][1], 9, 1e-3) << "as bright as the sun 3 away";
+    }
+}
+
 } // namespace
 } // namespace gnomon::frame

@@ -47,6 +47,45 @@ TEST(RayCasters, HoldEveryRayFromWhatIsSeenToTheLightAndNotTheOthers) {
     EXPECT_GT(outside, 3000) << "away from the light it ends";
 }
 
+TEST(RayCasters, OfAPointLightHoldEveryWayToIt) {
+    DrawnModel model(crateOnGround().model());
+    Random random(2);
+    int outside = 0;
+    for (int trial = 0; trial < 20; ++trial) {
+        plan::View view = overGround();
+        view.camera.eye = {random.uniform(-12, 12), random.uniform(2, 10), random.uniform(8, 16)};
+        const double reach = trial % 4 == 0 ? 1000 : 12;
+        view.pointLight = {
+            {random.uniform(-reach, reach), random.uniform(-1, 1) * reach, random.uniform(-reach, reach)}, 1};
+        plan::Quality quality;
+        quality.shadows = plan::ShadowMode::Exact;
+        const PreparedFrame frame = model.renderer().prepare(view, quality, Waiting::UntilComplete, nullptr);
+        const ConvexVolume casters = rayCasterVolume(frame);
+        const std::vector<selection::CasterDetail> details = pointCasterDetails(frame);
+        const glm::dvec3 origin = model.file().summary().grid.origin;
+        const glm::dvec3 light = view.pointLight->at - origin;
+        const plan::SceneFacts::Visible& seen = *frame.facts.visible;
+        for (int i = 0; i < 200; ++i) {
+            const double depth = random.uniform(seen.nearest, seen.farthest);
+            const double x = random.uniform(-1, 1) * depth * view.tanHalfX();
+            const double y = random.uniform(-1, 1) * depth * view.tanHalfY();
+            const glm::dvec3 surface =
+                view.camera.eye + toWorld(frame.plan.basis, {x, y, depth}) - origin; // local space
+            const glm::dvec3 between = surface + random.uniform(0, 1) * (light - surface);
+            EXPECT_TRUE(isInside(casters, between, 1e-9 * reach)) << trial;
+            // Of the slab that the surface lies in: near enough, far enough from the light, and it holds the way.
+            EXPECT_TRUE(std::any_of(details.begin(), details.end(), [&](const selection::CasterDetail& detail) {
+                return detail.receiverNear <= depth * (1 + 1e-9) && detail.receiverNear > depth / 2.1 &&
+                       detail.point->farthest >= glm::length(light - surface) * (1 - 1e-9) &&
+                       isInside(detail.casters, between, 1e-9 * reach) &&
+                       glm::length(detail.point->at - light) < 1e-9 * reach;
+            })) << trial;
+            outside += isInside(casters, light + 1.5 * (light - surface), 0) ? 0 : 1;
+        }
+    }
+    EXPECT_GT(outside, 3000) << "behind the light it ends";
+}
+
 TEST(PreparedFrame, IsRayTracedWhereRaysAreAskedForAndAnythingIsSeen) {
     PreparedFrame frame;
     EXPECT_FALSE(frame.isRayTraced());

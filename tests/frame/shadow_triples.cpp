@@ -90,6 +90,22 @@ ShadowTriple shadowTriple(const Box& bounds, std::uint64_t index, int side, int 
     return triple;
 }
 
+plan::PointLight lampFor(const Box& bounds, const plan::View& view, std::uint64_t index) {
+    Random random(index * 6367 + 5);
+    const glm::dvec3 extent = bounds.extent();
+    plan::PointLight lamp;
+    lamp.reach = glm::length(extent) / 4;
+    lamp.at = bounds.min + extent * glm::dvec3(random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1));
+    constexpr std::uint64_t kKinds = 6;
+    if (index % kKinds == 1) lamp.at = bounds.max;
+    if (index % kKinds == 2) lamp.at.y = bounds.min.y;
+    if (index % kKinds == 3) lamp.at = view.camera.eye;
+    if (index % kKinds == 4) lamp.at = bounds.center() + 2.0 * (lamp.at - bounds.center());
+    if (index % kKinds == 5)
+        lamp.at = bounds.center() + std::pow(10, random.uniform(0, 6)) * (lamp.at - bounds.center());
+    return lamp;
+}
+
 ShadowTriple withDefaults(const ShadowTriple& triple) {
     ShadowTriple result = triple;
     result.quality = plan::Quality();

@@ -20,6 +20,10 @@ struct ShadowTriple {
 /// `texels` on each side of the budget. The same bounds give the same triples on any machine.
 ShadowTriple shadowTriple(const Box& bounds, std::uint64_t index, int side, int texels);
 
+/// A lamp for the view of triple `index`: within the model, at a corner of its box, on the box's floor, at the eye, or
+/// outside, up to 10^6 sizes away.
+plan::PointLight lampFor(const Box& bounds, const plan::View& view, std::uint64_t index);
+
 /// The pose and the light of triple `index`, drawn with the default settings.
 ShadowTriple withDefaults(const ShadowTriple& triple);
 

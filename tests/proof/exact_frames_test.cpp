@@ -38,6 +38,7 @@ tests::ShadowTriple exactTriple(const Box& bounds, std::uint64_t index) {
     triple.view.width = 61 + static_cast<int>(index * 17 % 50);
     triple.view.height = 61 + static_cast<int>(index * 29 % 50);
     triple.quality = exactQuality();
+    if (index % 3 == 1) triple.view.pointLight = tests::lampFor(bounds, triple.view, index / 3);
     if (index % 6 == 5) triple.quality.maxTriangles = 3000;
     return triple;
 }
@@ -46,7 +47,7 @@ TEST_P(ExactFrames, AreTrueAtEveryPixel) {
     Stage stage(GetParam()());
     std::uint64_t dark = 0;
     std::uint64_t lit = 0;
-    for (std::uint64_t i = 0; i < 16; ++i) {
+    for (std::uint64_t i = 0; i < 24; ++i) {
         SCOPED_TRACE(i);
         const tests::ShadowTriple triple = exactTriple(stage.bounds(), i);
         const frame::PreparedFrame frame = stage.prepare(triple.view, triple.quality);

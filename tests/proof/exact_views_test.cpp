@@ -56,6 +56,30 @@ const std::vector<ExactView>& views() {
         {"light from behind the viewer",
          [](const B&, V& v, Q&, O&) { v.towardsLight = v.camera.eye - v.camera.target; }},
         {"light towards the viewer", [](const B&, V& v, Q&, O&) { v.towardsLight = v.camera.target - v.camera.eye; }},
+        {"lamp in the middle",
+         [](const B& b, V& v, Q&, O&) {
+             v.pointLight = {b.center(), 1};
+         }},
+        {"lamp at the eye",
+         [](const B&, V& v, Q&, O&) {
+             v.pointLight = {v.camera.eye, 1};
+         }},
+        {"lamp on the floor",
+         [](const B& b, V& v, Q&, O&) {
+             v.pointLight = {{b.center().x, b.min.y, b.center().z}, 1};
+         }},
+        {"lamp beneath",
+         [](const B& b, V& v, Q&, O&) {
+             v.pointLight = {b.center() - glm::dvec3(0, 9, 0) * b.extent(), 1};
+         }},
+        {"lamp behind all",
+         [](const B& b, V& v, Q&, O&) {
+             v.pointLight = {2.0 * b.center() - v.camera.eye, 1};
+         }},
+        {"lamp a million sizes away",
+         [](const B& b, V& v, Q&, O&) {
+             v.pointLight = {b.center() + 1e6 * glm::length(b.extent()) * v.towardsLight, 1};
+         }},
         {"light along the ground",
          [](const B&, V& v, Q&, O&) {
              v.towardsLight = {1, 0, 0};

@@ -31,6 +31,30 @@ TEST(Resolve, TakesTheQualityAsItIs) {
     EXPECT_EQ(qualityOf(settings).warp.rule, shadow::WarpRule::Auto);
 }
 
+TEST(Resolve, APointLightHasNoMapsNoGroundAndNoOpenGl) {
+    Settings settings;
+    settings.lightAt = glm::dvec3(1, 2, 3);
+    EXPECT_EQ(objection(settings), "");
+    EXPECT_EQ(qualityOf(settings).look.shading, plan::Shading::Lit);
+    for (const plan::ShadowMode mode : {plan::ShadowMode::Exact, plan::ShadowMode::Rays, plan::ShadowMode::Off}) {
+        settings.quality.shadows = mode;
+        EXPECT_EQ(objection(settings), "");
+    }
+    EXPECT_THROW(requireWholeInSun(settings, "--oracle"), UsageError);
+    for (const auto& change : std::vector<void (*)(Settings&)>{
+             [](Settings& s) { s.quality.shadows = plan::ShadowMode::Maps; },
+             [](Settings& s) {
+                 s.quality.shadows = plan::ShadowMode::Auto;
+                 s.quality.mapsBecause = plan::ShadowReason::MapsAskedFor;
+             },
+             [](Settings& s) { s.quality.look.ground = true; },
+             [](Settings& s) { s.backend = Backend::Osmesa; }}) {
+        Settings other = settings;
+        change(other);
+        EXPECT_NE(objection(other).find("--light-at"), std::string::npos);
+    }
+}
+
 TEST(Samples, AreOneBesideWhatIsOfOneFrame) {
     EXPECT_EQ(samplesOf({}, {}), kUsualSamples);
     BesideSamples beside;

@@ -86,5 +86,29 @@ TEST(LightDiameter, IsTheSunsWhereTheSunIsAskedForAndElseAPoint) {
     EXPECT_NEAR(lightDiameter(settings), 2 * kDegree, 1e-15);
 }
 
+TEST(PointLight, LiesOnTheGridAndIsAsBrightAsTheSunFromAfar) {
+    hierarchy::ModelSummary model;
+    model.grid = {{-1, 0, 0}, -4};
+    model.bounds = {{0, 0, 0}, {12, 16, 15}}; // a diagonal of 25
+    Settings settings;
+    EXPECT_FALSE(pointLightOf(settings, model));
+    settings.lightAt = glm::dvec3(1.03, 5, 2.46);
+    EXPECT_EQ(pointLightOf(settings, model)->at, glm::dvec3(1, 5, 2.4375));
+    EXPECT_NEAR(pointLightOf(settings, model)->reach, 25.0 / 16, 1e-12);
+    settings.lightAt = glm::dvec3(1e7, 5, 2);
+    EXPECT_NEAR(pointLightOf(settings, model)->reach / (1e7 - 12), 1, 1e-12);
+    settings.lightAt = glm::dvec3(0x1p50, 0, 0);
+    EXPECT_THROW(pointLightOf(settings, model), UsageError);
+    settings.lightAt = glm::dvec3(1, 2, 3);
+    for (const auto& change : std::vector<void (*)(Settings&)>{
+             [](Settings& s) { s.isLightGiven = true; },
+             [](Settings& s) { s.sun.emplace(); },
+             [](Settings& s) { s.sunAngleDegrees = 0; }}) {
+        Settings other = settings;
+        change(other);
+        EXPECT_THROW(pointLightOf(other, model), UsageError);
+    }
+}
+
 } // namespace
 } // namespace gnomon::settings

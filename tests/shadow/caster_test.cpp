@@ -110,6 +110,47 @@ TEST(Casters, NoPlaneCanBeMovedIn) {
     }
 }
 
+TEST(PointCasters, AreTheHullOfCornersAndLight) {
+    Random random(12);
+    int outside = 0;
+    for (int trial = 0; trial < 300; ++trial) {
+        // What is seen between two depths, however thin or near; the light anywhere, within too.
+        const double far = std::exp(random.uniform(-3, 6));
+        const double near = far * std::exp(random.uniform(-12, -0.01));
+        std::vector<glm::dvec3> points;
+        for (const double depth : {near, far})
+            for (const glm::dvec2 side : {glm::dvec2(-1, -1), {-1, 1}, {1, -1}, {1, 1}})
+                points.push_back(depth * glm::dvec3(0.7 * side.x, 0.5 * side.y, 1));
+        const double reach = far * std::exp(random.uniform(-3, 5));
+        const glm::dvec3 light =
+            reach * glm::dvec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+        const ConvexVolume hull = pointCasterVolume(points, light);
+        points.push_back(light);
+        EXPECT_GE(hull.planes.size(), 5U);
+        const double size = far + reach;
+        for (const Plane& plane : hull.planes) {
+            double least = std::numeric_limits<double>::infinity();
+            for (const glm::dvec3& point : points)
+                least = std::min(least, plane.signedDistance(point));
+            EXPECT_NEAR(least / size, 0, 1e-12) << "a plane that can be moved in, or cuts";
+        }
+        for (int i = 0; i < 50; ++i) {
+            glm::dvec3 mixed(0);
+            double sum = 0;
+            for (const glm::dvec3& point : points) {
+                const double weight = -std::log(random.uniform(1e-9, 1));
+                mixed += weight * point;
+                sum += weight;
+            }
+            EXPECT_GE(depthInside(hull, mixed / sum) / size, -1e-12);
+            // Beyond the light nothing stands between it and what is seen.
+            const glm::dvec3 beyond = light + 0.1 * (light - points[static_cast<std::size_t>(i) % 8]);
+            outside += depthInside(hull, beyond) < 0 ? 1 : 0;
+        }
+    }
+    EXPECT_GT(outside, 12000);
+}
+
 /// What of the map of `image` lies `reach` from where `p` (camera space) is looked up, in texels, at depth `z` of its
 /// clip space; nothing where that is past the vanishing line.
 std::optional<glm::dvec3> readBeside(

@@ -59,6 +59,7 @@ glm::dvec3 turnedLight(const Camera& camera, const glm::dvec3& towardsLight, con
 void turnLight(settings::Settings& asked, const Camera& camera, const glm::dvec2& moved) {
     asked.towardsLight = turnedLight(camera, asked.towardsLight, moved);
     asked.isLightGiven = true;
+    asked.lightAt = std::nullopt;
     asked.sun = std::nullopt;
     asked.north = std::nullopt;
 }

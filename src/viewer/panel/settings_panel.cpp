@@ -182,6 +182,7 @@ OverlayAnswer drawPanel(const OverlayContent& content, ViewSettings& settings, S
         ImGui::Separator();
         if (drawLightPad(content.scene->frame(), content.camera, pad, settings.asked.towardsLight)) {
             answer.hasChanged = settings.asked.isLightGiven = true;
+            settings.asked.lightAt = std::nullopt;
             settings.asked.sun = std::nullopt;
             settings.asked.north = std::nullopt;
         }

@@ -84,6 +84,15 @@ std::vector<settings::Axis> SettingOptions::axes(const std::optional<std::string
     return axes;
 }
 
+void addColorOptions(CLI::App& command, settings::ValueColorWords& words) {
+    command.add_option("--color-by", words.by, "A value of the surface as its colour, with a legend [none]")
+        ->type_name(enumerated(settings::kColorBys, "|", "|") + "|FIELD");
+    command.add_option("--colormap", words.map, "The colours of --color-by [viridis]")
+        ->type_name(enumerated(plan::kColorMaps, "|", "|"));
+    command.add_option("--color-range", words.range, "Values of the map's ends [all that there can be]")
+        ->type_name("LO,HI");
+}
+
 void requireNoWindow(const settings::Settings& settings) {
     if (settings.backend == settings::Backend::Window)
         throw settings::UsageError{"--backend window is for gnomon view"};

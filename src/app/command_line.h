@@ -3,6 +3,7 @@
 
 #include "settings/axes.h"
 #include "settings/settings.h"
+#include "settings/value_colors.h"
 
 #include <map>
 #include <optional>
@@ -37,6 +38,9 @@ private:
 
     std::map<std::string, std::string> texts_; // of the settings that were given, by their names
 };
+
+/// Adds --color-by, --colormap and --color-range to `command`; `words` must outlive the parsing.
+void addColorOptions(CLI::App& command, settings::ValueColorWords& words);
 
 /// Throws UsageError where `settings` ask for the window, in which only `gnomon view` draws.
 void requireNoWindow(const settings::Settings& settings);

@@ -24,7 +24,7 @@ struct RenderOptions {
     SettingOptions settings;
     measure::StillTask task;
     std::string overlay = "none";
-    std::string colorBy = "none", colorMap = "viridis", colorRange;
+    settings::ValueColorWords colors;
     OracleOption oracle;
     settings::PictureSeries series;
     std::optional<double> time;
@@ -55,27 +55,15 @@ void runSeries(const RenderOptions& options, const measure::StillTask& still) {
     requirePrinted();
 }
 
-/// What of --color-by, --colormap and --color-range is asked for.
-settings::ValueColors valueColors(const RenderOptions& options) {
-    using settings::ColorBy;
-    settings::ValueColors colors;
-    colors.by = valueOf(settings::kColorBys, options.colorBy).value_or(ColorBy::None);
-    colors.map = valueOf(plan::kColorMaps, options.colorMap).value_or(plan::ColorMap::Viridis);
-    if (!options.colorRange.empty())
-        colors.range = settings::parsed(settings::valueRange(), "--color-range", options.colorRange);
-    if (colors.by == ColorBy::None && colors.range) throw settings::UsageError{"--color-range is of --color-by"};
-    if (colors.by != ColorBy::None && (options.overlay != "none" || options.series.isAsked()))
-        throw settings::UsageError{"--color-by is of one picture without an overlay"};
-    return colors;
-}
-
 void runRender(const RenderOptions& options) {
     const ThreadLimit limit(options.common);
     measure::StillTask task = options.task;
     task.settings = options.settings.settings();
     task.warn = printWarning;
     task.overlay = valueOf(executor::kOverlays, options.overlay).value_or(executor::Overlay::None);
-    task.colors = valueColors(options);
+    task.colors = settings::valueColors(options.colors);
+    if (task.colors.by != settings::ColorBy::None && (options.overlay != "none" || options.series.isAsked()))
+        throw settings::UsageError{"--color-by is of one picture without an overlay"};
     task.oracle = options.oracle.mode();
     if (proof::isOfMaps(task.oracle)) settings::requireWholeInSun(task.settings, "--oracle");
     requireNoWindow(task.settings);
@@ -111,14 +99,7 @@ void addRenderCommand(CLI::App& program) {
     command->add_option("--overlay", options->overlay, "What is painted over the picture")
         ->check(CLI::IsMember(wordsOf(executor::kOverlays)))
         ->capture_default_str();
-    command->add_option("--color-by", options->colorBy, "A value of the surface as its colour, with a legend")
-        ->check(CLI::IsMember(wordsOf(settings::kColorBys)))
-        ->capture_default_str();
-    command->add_option("--colormap", options->colorMap, "The colours of --color-by")
-        ->check(CLI::IsMember(wordsOf(plan::kColorMaps)))
-        ->capture_default_str();
-    command->add_option("--color-range", options->colorRange, "Values of the map's ends [all that there can be]")
-        ->type_name("LO,HI");
+    addColorOptions(*command, options->colors);
     command->add_option("--stats", task.statistics, "Write the frame's row of the log here, as JSON")
         ->type_name("FILE.json");
     command->add_option("--reference", task.reference, "Compare with this PNG; exit 1 if it differs more")

@@ -40,6 +40,7 @@ void addViewCommand(CLI::App& program) {
         CommonOptions common;
         viewer::ViewerOptions viewer;
         SettingOptions settings;
+        settings::ValueColorWords colors;
         std::string frames;
         std::string buildMemory = "2G";
     };
@@ -65,6 +66,7 @@ void addViewCommand(CLI::App& program) {
     command->add_option("--csv", viewer.csv, "Write a row per frame here, in the columns of bench");
     command->add_option("--build-memory", options->buildMemory, "Peak resident size while a mesh is built")
         ->capture_default_str();
+    addColorOptions(*command, options->colors);
     options->settings.addTo(*command);
     addCommonOptions(*command, options->common);
     frames->needs("--path");
@@ -75,6 +77,8 @@ void addViewCommand(CLI::App& program) {
             chosen.frames = settings::parsed(settings::whole(1, 1000000), "--frames", options->frames);
         chosen.buildMemory = settings::parsed(settings::memory(), "--build-memory", options->buildMemory);
         chosen.settings = options->settings.settings();
+        chosen.colors = settings::valueColors(options->colors);
+        chosen.settings = settings::fitToColors(chosen.settings, chosen.colors);
         chosen.tell = printMessage;
         chosen.threads = options->common.threads;
         const ThreadLimit limit(options->common);

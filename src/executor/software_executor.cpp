@@ -61,6 +61,10 @@ public:
 
     Raster<SurfaceSample> surfaces() override { return surfaces_; }
 
+    Raster<SeenTriangle> seenTriangles() const {
+        return executor::seenTriangles(picture_.width, picture_.height, words_, pass_.drawn());
+    }
+
 private:
     void sizeShadowDepth(const plan::FramePlan& plan);
     void clearBetweenMaps(const plan::FramePlan& plan);
@@ -380,6 +384,11 @@ FloatPicture SoftwareExecutor::viewDepth() {
 }
 
 } // namespace
+
+Raster<SeenTriangle> seenTriangles(const Executor& executor) {
+    const auto* software = dynamic_cast<const SoftwareExecutor*>(&executor);
+    return software != nullptr ? software->seenTriangles() : Raster<SeenTriangle>();
+}
 
 std::unique_ptr<Executor> makeSoftwareExecutor() {
     return std::make_unique<SoftwareExecutor>();

@@ -4,11 +4,11 @@
 #include "core/prepared_output.h"
 #include "executor/shadow_depth_files.h"
 #include "measure/finished_picture.h"
-#include "measure/value_picture.h"
 #include "settings/picture_series.h"
 #include "settings/resolve.h"
 #include "settings/samples.h"
 #include "telemetry/process_clock.h"
+#include "values/value_picture.h"
 
 namespace gnomon::measure {
 
@@ -50,7 +50,7 @@ void drawStill(const StillTask& task, Progress& progress) {
     const int samples = settings::samplesOf(task.samples, beside);
     const plan::Quality quality = settings::qualityOf(task.settings);
     settings::requireLegendShown(task.settings, beside.overlay || beside.values);
-    Session session(task.model, task.settings, task.warn);
+    Session session(task.model, settings::fitToColors(task.settings, task.colors), task.warn);
     plan::View view = settings::viewOf(task.settings, session.model());
     view.camera = task.camera.value_or(view.camera);
     std::optional<executor::Picture> reference;
@@ -64,7 +64,7 @@ void drawStill(const StillTask& task, Progress& progress) {
     options.wantsWholeMaps = !task.shadowDepth.empty();
     progress.stage("render", samples > 1 ? "frames" : "pictures", static_cast<std::uint64_t>(samples));
     FinishedPicture drawn = drawFinished(session, view, quality, options, samples, progress);
-    if (beside.values) colorByValues(task.colors, session.renderer(), drawn.frame, drawn.picture);
+    if (beside.values) values::colorByValues(task.colors, session.renderer(), drawn.frame, drawn.picture);
     if (samples == 1) setAccuracy(task, session, drawn.frame);
     executor::writePng(task.output, drawn.picture, drawn.coverage);
     if (!task.depth.empty()) executor::writePfm(task.depth, session.executor().viewDepth());

@@ -14,6 +14,31 @@ std::optional<std::array<double, 2>> rangeOf(const std::string& text) {
 
 } // namespace
 
+ValueColors valueColors(const ValueColorWords& words) {
+    ValueColors colors;
+    if (!words.by.empty()) {
+        const std::optional<ColorBy> by = valueOf(kColorBys, words.by);
+        colors.by = by.value_or(ColorBy::Field);
+        if (!by) colors.field = words.by;
+    }
+    if (!words.map.empty()) colors.map = parsed(oneOf(plan::kColorMaps), "--colormap", words.map);
+    if (!words.range.empty()) colors.range = parsed(valueRange(), "--color-range", words.range);
+    const bool hasScale = colors.by != ColorBy::None && colors.by != ColorBy::Vertex;
+    if (!hasScale && colors.range)
+        throw UsageError{"--color-range is of --color-by height, slope, error or a field: what else is shown has none"};
+    return colors;
+}
+
+Settings fitToColors(Settings settings, const ValueColors& colors) {
+    if (!isOfTriangles(colors.by)) return settings;
+    if (settings.backend == Backend::Auto) settings.backend = Backend::Software;
+    if (settings.backend == Backend::Software) return settings;
+    const std::string by = colors.by == ColorBy::Field ? colors.field : std::string(wordOf(kColorBys, colors.by));
+    throw UsageError{
+        "--backend " + std::string(wordOf(kBackends, settings.backend)) + " and --color-by " + by +
+        " contradict each other: only the software executor knows what it shows"};
+}
+
 Codec<std::array<double, 2>> valueRange() {
     return {
         rangeOf,

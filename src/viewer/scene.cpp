@@ -4,6 +4,7 @@
 #include "executor/overlay/upscaled.h"
 #include "executor/software_executor.h"
 #include "proof/frame_proof.h"
+#include "values/value_picture.h"
 #include "viewer/input/picking.h"
 
 namespace gnomon::viewer {
@@ -63,8 +64,13 @@ const frame::Frame& Scene::draw(const Shot& shot) {
         quality.warp.rule = shadow::WarpRule::Auto; // the least that even rows promise
     accumulation_.clear();
     frame_ = renderer_.render(shot.view, quality, shot.options);
-    if (shot.options.isAccumulated)
-        accumulation_.begin(renderer_, *frame_, shot.samples); // before anything is drawn once more
+    colored_.reset();
+    if (shot.colors.by != settings::ColorBy::None) { // before anything is drawn once more, as is:
+        executor::Picture colored = executor_->picture();
+        values::colorByValues(shot.colors, renderer_, *frame_, colored);
+        colored_ = std::move(colored);
+    }
+    if (shot.options.isAccumulated) accumulation_.begin(renderer_, *frame_, shot.samples);
     if (shot.measuresAliasing) {
         proof::ProofOptions options;
         options.measuresAliasing = true;
@@ -86,12 +92,13 @@ void Scene::addSample() {
 }
 
 executor::Picture Scene::picture() const {
+    if (colored_) return *colored_;
     return samples() > 1 ? accumulation_.picture() : executor_->picture();
 }
 
 ShownPicture Scene::shown(const glm::ivec2& size, bool darkensHollows) {
     if (!frame_) return {};
-    if (textures_ != nullptr && samples() <= 1 && !darkensHollows) {
+    if (textures_ != nullptr && samples() <= 1 && !darkensHollows && !colored_) {
         // Software OpenGL would take longer for that than for all the rest of the window.
         const GLint filter = context_->isHardware() ? GL_LINEAR : GL_NEAREST;
         context_->api().textureParameteri(textures_->texture().id(), GL_TEXTURE_MAG_FILTER, filter);

@@ -8,6 +8,7 @@
 #include "gl/objects.h"
 #include "hierarchy/model_file.h"
 #include "settings/settings.h"
+#include "settings/value_colors.h"
 
 #include <filesystem>
 #include <functional>
@@ -21,6 +22,7 @@ struct Shot {
     plan::View view;
     plan::Quality quality;
     frame::FrameOptions options;
+    settings::ValueColors colors;  // in place of the surfaces' own, of one frame; its options keep the surfaces then
     bool measuresAliasing = false; // once the frame is drawn; takes a second drawing
     int samples = 1;               // with `isAccumulated`: frames that the picture is to be the mean of
 
@@ -86,8 +88,9 @@ public:
 
     FileFate fate() const;
 
-    /// Whether the executor can cut a model by planes.
-    bool drawsSections() const { return textures_ == nullptr; }
+    /// Whether the software executor draws, which alone cuts models by planes and knows what vertices and clusters
+    /// carry.
+    bool isSoftware() const { return textures_ == nullptr; }
 
 private:
     hierarchy::ModelFile model_;
@@ -99,7 +102,8 @@ private:
     std::optional<frame::Frame> frame_;
     frame::Accumulation accumulation_;
     Camera seenBy_;
-    gl::Texture uploaded_; // the picture of an executor without textures, or the mean
+    std::optional<executor::Picture> colored_; // the last frame's, if it is coloured by a value
+    gl::Texture uploaded_;                     // the picture of an executor without textures, or the mean
     bool isUploaded_ = false;
 };
 

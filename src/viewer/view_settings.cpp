@@ -1,5 +1,7 @@
 #include "viewer/view_settings.h"
 
+#include "core/printable.h"
+
 #include <algorithm>
 
 namespace gnomon::viewer {
@@ -38,6 +40,44 @@ const char* name(Scheme scheme) {
         return "auto: exact or maps";
     }
     return "";
+}
+
+namespace {
+
+bool areBySame(const settings::ValueColors& a, const settings::ValueColors& b) {
+    return a.by == b.by && a.field == b.field;
+}
+
+} // namespace
+
+std::vector<settings::ValueColors> colorChoices(const hierarchy::ModelSummary& model, bool isSoftware) {
+    using settings::ColorBy;
+    std::vector<settings::ValueColors> choices;
+    for (const auto& each : settings::kColorBys) {
+        if (each.value == ColorBy::Vertex && !(model.hasColors && isSoftware)) continue;
+        if (each.value == ColorBy::Error && !isSoftware) continue;
+        choices.push_back({each.value});
+    }
+    if (isSoftware)
+        for (const hierarchy::Field& field : model.fields)
+            choices.push_back({ColorBy::Field, field.name});
+    return choices;
+}
+
+bool isAmong(std::span<const settings::ValueColors> choices, const settings::ValueColors& colors) {
+    return std::any_of(choices.begin(), choices.end(), [&](const auto& choice) { return areBySame(choice, colors); });
+}
+
+std::string stepColors(std::span<const settings::ValueColors> choices, int step, settings::ValueColors& colors) {
+    std::size_t at = 0; // of what none of them is, as of nothing
+    for (std::size_t i = 0; i < choices.size(); ++i)
+        if (areBySame(choices[i], colors)) at = i;
+    const auto count = static_cast<std::ptrdiff_t>(choices.size());
+    const plan::ColorMap map = colors.map;
+    colors = choices[static_cast<std::size_t>(((static_cast<std::ptrdiff_t>(at) + step) % count + count) % count)];
+    colors.map = map;
+    const bool isField = colors.by == settings::ColorBy::Field;
+    return "colours: " + (isField ? printable(colors.field) : std::string(wordOf(settings::kColorBys, colors.by)));
 }
 
 Scheme schemeOf(const plan::Quality& quality) {

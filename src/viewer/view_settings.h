@@ -2,9 +2,14 @@
 #pragma once
 
 #include "executor/executor.h"
+#include "hierarchy/model.h"
 #include "settings/settings.h"
+#include "settings/value_colors.h"
 
 #include <array>
+#include <span>
+#include <string>
+#include <vector>
 
 namespace gnomon::viewer {
 
@@ -28,12 +33,24 @@ const char* name(Scheme scheme);
 struct ViewSettings {
     settings::Settings asked; // contradictions are resolved: what `quality` says is what is drawn
     executor::Overlay overlay = executor::Overlay::None;
-    double targetMs = 0;     // 0: none
-    bool showsFacts = false; // all of them; else a line
+    settings::ValueColors colors; // of pictures without an overlay
+    double targetMs = 0;          // 0: none
+    bool showsFacts = false;      // all of them; else a line
     bool darkensHollows = false;
     bool showsPanel = false;
     bool showsHelp = false;
 };
+
+/// What a picture of `model` can be coloured by, nothing first; `isSoftware`: by an executor that knows what vertices
+/// and clusters carry.
+std::vector<settings::ValueColors> colorChoices(const hierarchy::ModelSummary& model, bool isSoftware);
+
+/// Whether one of the choices is by the same value.
+bool isAmong(std::span<const settings::ValueColors> choices, const settings::ValueColors& colors);
+
+/// Asks for the choice that lies `step` behind that of `colors`, around, in the same map; returns what is now set, for
+/// people.
+std::string stepColors(std::span<const settings::ValueColors> choices, int step, settings::ValueColors& colors);
 
 /// The scheme that `quality` asks for.
 Scheme schemeOf(const plan::Quality& quality);

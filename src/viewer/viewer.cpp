@@ -67,6 +67,7 @@ WindowSession::WindowSession(const ViewerOptions& options)
     settings_.asked = options_.settings;
     settings_.asked.quality = settings::qualityOf(options_.settings);
     settings_.targetMs = options_.targetMs;
+    settings_.colors = options_.colors;
     caps_.memoryBytes = options_.settings.memory.count;
     caps_.gpuMemoryBytes = options_.settings.gpuMemory.count;
     if (!options_.csv.empty()) log_.emplace(options_.csv);
@@ -112,6 +113,10 @@ void WindowSession::enter(const Scene& scene) {
     framed.enter(walk_, settings_.asked, framebufferSize());
     framed_ = std::move(framed);
     caps_.pages = model.pages().size();
+    if (!isAmong(colorChoices(model.summary(), scene.isSoftware()), settings_.colors)) {
+        messages_.fail(model.path() + ": it has no such value to be coloured by");
+        settings_.colors = {};
+    }
     saved_ = SavedFiles(model.path());
     measuring_ = Measuring(survey::surveyedOf(model.path(), model.summary(), framed_->up()));
     glfwSetWindowTitle(window_.handle(), ("Gnomon - " + model.path()).c_str());
@@ -198,8 +203,12 @@ Shot WindowSession::shot(const glm::ivec2& size) const {
     if (!effort.mayBeExact && shot.quality.shadows == plan::ShadowMode::Auto)
         shot.quality.shadows = plan::ShadowMode::Maps;
     shot.options.overlay = settings_.overlay;
+    if (settings_.overlay == executor::Overlay::None) shot.colors = settings_.colors;
+    const bool isColored = shot.colors.by != settings::ColorBy::None;
+    shot.options.wantsSurfaces = isColored;
     shot.measuresAliasing = comesToRest();
-    shot.options.isAccumulated = comesToRest() && options_.samples > 1 && settings_.overlay == executor::Overlay::None;
+    shot.options.isAccumulated =
+        comesToRest() && options_.samples > 1 && settings_.overlay == executor::Overlay::None && !isColored;
     shot.samples = options_.samples;
     shot.options.waiting = walk_.playsFixed() ? frame::Waiting::UntilComplete : frame::Waiting::Never;
     if (walk_.isFrozen()) shot.options.observerCamera = walk_.camera();

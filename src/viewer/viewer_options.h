@@ -2,6 +2,7 @@
 #pragma once
 
 #include "settings/settings.h"
+#include "settings/value_colors.h"
 
 #include <functional>
 #include <optional>
@@ -12,7 +13,8 @@ namespace gnomon::viewer {
 /// What `gnomon view` was asked for.
 struct ViewerOptions {
     settings::Settings settings;
-    std::string file; // a model, or a mesh to be built into the cache beside it
+    settings::ValueColors colors; // at the start; by a key later
+    std::string file;             // a model, or a mesh to be built into the cache beside it
     int threads = 0;
     double targetMs = 33;             // 0: none
     int samples = 64;                 // frames that the picture of a standing view is the mean of; 1: the last alone

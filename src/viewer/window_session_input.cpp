@@ -143,12 +143,18 @@ void WindowSession::act(const Binding& binding) {
 void WindowSession::actOnModel(const Binding& binding) {
     if (const auto set = changeQuality(binding, settings_.asked)) return messages_.show(*set);
     const bool isOfSections = binding.action == Action::ToggleSection || binding.action == Action::MoveSection;
-    if (isOfSections && !file_.scene()->drawsSections())
+    if (isOfSections && !file_.scene()->isSoftware())
         return messages_.show("only the software executor draws sections");
     if (const auto set = changeSection(binding, settings_.asked, framed_->bounds(), framed_->up()))
         return messages_.show(*set);
     if (!walk_.isUnderWay()) recentViews().stay(walk_.camera()); // which the key may be about to leave
     switch (binding.action) {
+    case Action::StepColors:
+        settings_.overlay = executor::Overlay::None;
+        return messages_.show(stepColors(
+            colorChoices(file_.scene()->model().summary(), file_.scene()->isSoftware()),
+            binding.value,
+            settings_.colors));
     case Action::RecentView:
         return goToRecent(binding.value);
     case Action::Focus:

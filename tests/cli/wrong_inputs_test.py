@@ -102,7 +102,7 @@ ROWS = [
     (2, "--light-error", "render sundial.gnm -o a.png --light-error 0.001"),
     (2, "--samples 4 and --overlay contradict", "render sundial.gnm -o a.png --samples 4 --overlay lod"),
     (2, "--samples 4 and --color-by contradict", "render sundial.gnm -o a.png --samples 4 --color-by slope"),
-    (2, "height", "render sundial.gnm -o a.png --color-by depth"),
+    (1, "vertex, height, slope, error", "render sundial.gnm -o a.png --color-by depth"),
     (2, "viridis", "render sundial.gnm -o a.png --color-by slope --colormap jet"),
     (2, "LO,HI", "render sundial.gnm -o a.png --color-by slope --color-range 9,1"),
     (2, "--color-range is of --color-by", "render sundial.gnm -o a.png --color-range 1,9"),

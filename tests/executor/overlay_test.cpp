@@ -189,6 +189,62 @@ TEST(Legend, SaysWhatEachOverlayShowsInLettersThatThereAre) {
     EXPECT_EQ(legendOf(Overlay::Partitions, planOfMaps(20)).entries.size(), kIndexColors + 1);
 }
 
+/// The colours of the entries of `legend` that are not striped.
+std::vector<glm::vec3> entryColors(const Legend& legend) {
+    std::vector<glm::vec3> colors;
+    for (const LegendEntry& entry : legend.entries)
+        if (!entry.isStriped) colors.push_back(entry.color);
+    return colors;
+}
+
+void expectApart(const std::vector<glm::vec3>& colors, const Eye& eye, float light, const char* word) {
+    for (std::size_t a = 0; a < colors.size(); ++a)
+        for (std::size_t b = 0; b < a; ++b)
+            EXPECT_GE(glm::distance(eye(colors[a] * light), eye(colors[b] * light)), kApart) << word;
+}
+
+/// Of a bar from 1/4 to 16: factors of two are apart, and the greater is the lighter.
+void expectReadable(const ColorScale& scale, const Eye& eye, float light, const char* word) {
+    constexpr double kOctave = 1.0 / 6;
+    for (double place = 0; place + kOctave <= 1; place += 0.01) {
+        const glm::dvec3 here = eye(scale.color(static_cast<float>(place)) * light);
+        const glm::dvec3 twice = eye(scale.color(static_cast<float>(place + kOctave)) * light);
+        EXPECT_GE(glm::distance(here, twice), kApart) << word << " at " << place;
+        EXPECT_GT(twice.x, here.x) << word << " at " << place;
+    }
+}
+
+/// Whatever an overlay shows stands in its legend: each that there is, and each that will be, is looked at by every
+/// eye.
+TEST(Legend, OfEveryOverlayIsReadByEveryEye) {
+    int scales = 0, categories = 0;
+    for (const NamedOverlay& overlay : kOverlays) {
+        const Legend legend = legendOf(overlay.value, planOfMaps(kIndexColors));
+        scales += legend.scale ? 1 : 0;
+        categories += legend.entries.size() > 1 ? 1 : 0;
+        for (const Eye& eye : kEyes)
+            for (const float light : {kDimHeat, 1.0F}) {
+                expectApart(entryColors(legend), eye, light, overlay.word);
+                if (legend.scale) expectReadable(*legend.scale, eye, light, overlay.word);
+            }
+    }
+    EXPECT_GE(scales, 3);
+    EXPECT_GE(categories, 2);
+}
+
+TEST(ColorMap, PartsValuesAFactorOfTwoApartForEveryEyeInLightAndShadow) {
+    constexpr float kShadow = 0.7F; // as values are painted there
+    for (const auto& map : plan::kColorMaps)
+        for (const Eye& eye : kEyes)
+            for (const float light : {kShadow, 1.0F})
+                for (float part = 0.15F; part <= 0.5F; part += 0.005F) { // a line as even parts less below
+                    const glm::dvec3 here = eye(mapColor(map.value, part) * light);
+                    const glm::dvec3 twice = eye(mapColor(map.value, 2 * part) * light);
+                    EXPECT_GE(glm::distance(here, twice), kApart) << map.word << " at " << part << " in " << light;
+                    EXPECT_GT(twice.x, here.x) << map.word << " at " << part << " in " << light;
+                }
+}
+
 TEST(Legend, IsDrawnIntoTheLowerLeftCornerAlone) {
     const Rgb grey{77, 77, 77};
     for (const NamedOverlay& overlay : kOverlays) {

@@ -113,5 +113,33 @@ TEST(PlanWords, SayWhatIsPlannedAndWhatIsLeftOut) {
     EXPECT_EQ(statusInWords(plan, row, {5, 64, 64, ""}).find("sample"), std::string::npos) << "it is done";
 }
 
+TEST(ColorChoices, AreWhatTheModelAndTheExecutorHave) {
+    using settings::ColorBy;
+    hierarchy::ModelSummary model;
+    EXPECT_EQ(colorChoices(model, false).size(), 3U); // none, height, slope
+    EXPECT_EQ(colorChoices(model, true).size(), 4U);  // and the error
+    model.hasColors = true;
+    model.fields = {{"rain", 0, 1}, {"wind", 0, 1}};
+    EXPECT_EQ(colorChoices(model, false).size(), 3U);
+    const std::vector<settings::ValueColors> all = colorChoices(model, true);
+    ASSERT_EQ(all.size(), 7U);
+    EXPECT_EQ(all[0].by, ColorBy::None);
+    settings::ValueColors colors;
+    colors.map = plan::ColorMap::Cividis;
+    std::vector<std::string> said;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        EXPECT_TRUE(isAmong(all, colors));
+        said.push_back(stepColors(all, 1, colors));
+    }
+    EXPECT_EQ(said.front(), "colours: vertex");
+    EXPECT_EQ(said[5], "colours: wind");
+    EXPECT_EQ(said.back(), "colours: none");
+    EXPECT_EQ(stepColors(all, -1, colors), "colours: wind");
+    EXPECT_EQ(colors.map, plan::ColorMap::Cividis);
+    colors.field = "snow";
+    EXPECT_FALSE(isAmong(all, colors));
+    EXPECT_EQ(stepColors(all, 1, colors), "colours: vertex");
+}
+
 } // namespace
 } // namespace gnomon::viewer

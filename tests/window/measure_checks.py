@@ -99,3 +99,20 @@ def check_recent_views(display, program, folder, model):
             assert far < 1e-3 * max(map(abs, views[0]["eye"])), (key, expected, found, views)
     session.leave()
     assert session.complaints() == [], session.complaints()
+
+
+def check_colors(display, program, folder, model):
+    """Y goes through the values that colour the surface; the window's picture is that of `render`."""
+    session = Session(display, program, folder, model, "--backend", "software", "--color-by", "error")
+    shots = {}
+    for value in ("error", "none", "height", "slope"):
+        shots[value] = session.shot()
+        session.press("y")
+    session.press("shift+y")
+    assert session.shot().read_bytes() == shots["slope"].read_bytes()
+    session.leave()
+    assert session.complaints() == [], session.complaints()
+    rendered = session.folder / "colored.png"
+    for value in ("error", "height", "slope"):
+        subprocess.run([program, "render", model, "-o", rendered, "--color-by", value], check=True, capture_output=True)
+        assert rendered.read_bytes() == shots[value].read_bytes(), value

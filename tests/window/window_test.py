@@ -21,7 +21,7 @@ import tempfile
 import threading
 import time
 
-from measure_checks import check_measures, check_recent_views
+from measure_checks import check_colors, check_measures, check_recent_views
 from rest_checks import check_rest, check_target
 from session import PATIENCE, Display, Session, keys_of_help, rows_of, size_of
 from x_client import XClient
@@ -351,6 +351,7 @@ def main():
             "a time target": lambda: check_target(display, program, folder, model),
             "measures": lambda: check_measures(display, program, pathlib.Path(folder)),
             "recent views": lambda: check_recent_views(display, program, folder, model),
+            "colours by value": lambda: check_colors(display, program, folder, model),
             "losing focus, minimised": lambda: check_going_away(display, program, folder, model),
             "sizes from 1x1 to 4000x3000": lambda: check_sizes(display, program, folder, model),
             "paths": lambda: check_paths(display, program, folder, model),

@@ -79,6 +79,9 @@ std::vector<Binding> overlayKeys() {
 
 std::vector<Binding> windowKeys() {
     return {
+        Binding{
+            GLFW_KEY_Y, false, Action::StepColors, 1, "Y", "colours by value: stored, height, slope, error, fields"},
+        Binding{GLFW_KEY_Y, true, Action::StepColors, -1, "Shift+Y", "colours by the value before"},
         Binding{GLFW_KEY_TAB, false, Action::TogglePanel, 0, "Tab", "panel of settings"},
         Binding{GLFW_KEY_G, false, Action::ToggleFacts, 0, "G", "graph and figures, or a line"},
         Binding{GLFW_KEY_L, false, Action::ToggleHollows, 0, "L", "dark hollows and outlines, by depth alone"},

@@ -18,6 +18,7 @@ enum class Action : std::uint8_t {
     StepScheme,
     StepSetting, // value is how many steps, of the setting that the binding names
     ToggleTarget,
+    StepColors, // value is how many steps, among what the model can be coloured by
     SetOverlay, // value is an index of executor::kOverlays
     Freeze,
     TogglePanel,

@@ -5,7 +5,7 @@
 #include "frame/renderer.h"
 #include "settings/value_colors.h"
 
-namespace gnomon::measure {
+namespace gnomon::values {
 
 /// The heights of a model's lowest and highest place along `up`, which has any length above 0; source coordinates.
 std::array<double, 2> heightRange(const Box& bounds, const glm::dvec3& up);
@@ -15,11 +15,12 @@ std::array<double, 2> heightRange(const Box& bounds, const glm::dvec3& up);
 double valueOf(settings::ColorBy by, const glm::dvec3& position, const glm::dvec3& normal, const glm::dvec3& up);
 
 /// Gives the surfaces of `frame`, the last that `renderer` rendered, with `wantsSurfaces`, the colours of their values
-/// in `picture`, darker where the light does not reach, and draws the legend. `colors.by` is not None.
+/// in `picture`, darker where the light does not reach, and draws the legend, which stored colours have none of.
+/// `colors.by` is not None. Throws Error as seen_values.h says.
 void colorByValues(
     const settings::ValueColors& colors,
     const frame::Renderer& renderer,
     const frame::Frame& frame,
     executor::Picture& picture);
 
-} // namespace gnomon::measure
+} // namespace gnomon::values

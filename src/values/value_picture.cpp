@@ -1,0 +1,133 @@
+#include "values/value_picture.h"
+
+#include "core/printable.h"
+#include "executor/overlay/legend.h"
+#include "hierarchy/world_frame.h"
+#include "values/seen_values.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gnomon::values {
+
+namespace {
+
+constexpr double kDegrees = 57.29577951308232;
+constexpr float kInShadow = 0.7F; // the light that is left there
+
+/// Between which ends the values of a picture are shown where nobody says.
+std::array<double, 2> usualRange(
+    const settings::ValueColors& colors,
+    const hierarchy::ModelSummary& model,
+    const glm::dvec3& up,
+    const ValuePicture& values) {
+    if (colors.by == settings::ColorBy::Height) return heightRange(model.bounds, up);
+    if (colors.by == settings::ColorBy::Slope) return {0, 90};
+    for (const hierarchy::Field& field : model.fields)
+        if (colors.by == settings::ColorBy::Field && field.name == colors.field) return {field.least, field.greatest};
+    std::array<double, 2> range = {0, 0}; // errors: up to the largest that is seen
+    for (const double value : values.pixels)
+        if (value > range[1]) range[1] = value;
+    return range;
+}
+
+executor::ValueScale scaleOf(const settings::ValueColors& colors, std::array<double, 2> range) {
+    if (colors.range) range = *colors.range;
+    if (!(range[0] < range[1])) range[1] = range[0] + 1; // all is level
+    return {colors.map, range[0], range[1]};
+}
+
+std::string titleOf(const settings::ValueColors& colors, std::string_view unit) {
+    switch (colors.by) {
+    case settings::ColorBy::Height:
+        return "height in " + std::string(unit);
+    case settings::ColorBy::Slope:
+        return "slope in degrees";
+    case settings::ColorBy::Error:
+        return "stored error in " + std::string(unit);
+    default:
+        return printable(colors.field);
+    }
+}
+
+/// Heights or slopes of what a picture shows.
+ValuePicture geometricValues(settings::ColorBy by, const frame::Renderer& renderer, const frame::Frame& frame) {
+    const glm::dvec3 origin = renderer.model().summary().grid.world(frame.space.originCell);
+    const executor::Raster<executor::SurfaceSample> surfaces = renderer.executor().surfaces();
+    ValuePicture values(surfaces.width, surfaces.height, std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t i = 0; i < values.pixels.size(); ++i) {
+        const executor::SurfaceSample& surface = surfaces.pixels[i];
+        if (!(surface.isSurface > 0)) continue;
+        values.pixels[i] = valueOf(
+            by, origin + glm::dvec3(surface.position), glm::normalize(glm::dvec3(surface.normal)), frame.plan.view.up);
+    }
+    return values;
+}
+
+ValuePicture valuesOf(const settings::ValueColors& colors, const frame::Renderer& renderer, const frame::Frame& frame) {
+    if (colors.by == settings::ColorBy::Error) return seenErrors(renderer, frame);
+    if (colors.by == settings::ColorBy::Field) return seenField(renderer, frame, colors.field);
+    return geometricValues(colors.by, renderer, frame);
+}
+
+executor::Rgb inLight(const glm::vec3& color, float lit) {
+    const auto level = [&](float channel) {
+        return static_cast<std::uint8_t>(std::lround(255 * channel * (kInShadow + (1 - kInShadow) * lit)));
+    };
+    return {level(color.r), level(color.g), level(color.b)};
+}
+
+} // namespace
+
+std::array<double, 2> heightRange(const Box& bounds, const glm::dvec3& up) {
+    const glm::dvec3 axis = glm::normalize(up);
+    std::array<double, 2> range = {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 p(
+            (corner & 1) != 0 ? bounds.max.x : bounds.min.x,
+            (corner & 2) != 0 ? bounds.max.y : bounds.min.y,
+            (corner & 4) != 0 ? bounds.max.z : bounds.min.z);
+        range = {std::min(range[0], glm::dot(axis, p)), std::max(range[1], glm::dot(axis, p))};
+    }
+    return range;
+}
+
+double valueOf(settings::ColorBy by, const glm::dvec3& position, const glm::dvec3& normal, const glm::dvec3& up) {
+    const glm::dvec3 axis = glm::normalize(up);
+    if (by == settings::ColorBy::Height) return glm::dot(axis, position);
+    const double along = glm::dot(axis, normal);
+    return kDegrees * std::atan2(glm::length(normal - along * axis), std::abs(along));
+}
+
+void colorByValues(
+    const settings::ValueColors& colors,
+    const frame::Renderer& renderer,
+    const frame::Frame& frame,
+    executor::Picture& picture) {
+    const hierarchy::ModelSummary& model = renderer.model().summary();
+    const executor::Raster<executor::SurfaceSample> surfaces = renderer.executor().surfaces();
+    const bool hasShadows = frame.plan.quality.shadows != plan::ShadowMode::Off;
+    const auto paint = [&](std::size_t i, const glm::vec3& color) {
+        const executor::SurfaceSample& surface = surfaces.pixels[i];
+        const float lit = !hasShadows ? 1 : surface.isLitSide() ? surface.litFraction() : 0;
+        picture.pixels[i] = inLight(color, lit);
+    };
+    if (colors.by == settings::ColorBy::Vertex) {
+        const executor::Picture stored = seenColors(renderer, frame);
+        for (std::size_t i = 0; i < stored.pixels.size(); ++i)
+            if (surfaces.pixels[i].isSurface > 0)
+                paint(i, glm::vec3(stored.pixels[i][0], stored.pixels[i][1], stored.pixels[i][2]) / 255.0F);
+        return;
+    }
+    const ValuePicture values = valuesOf(colors, renderer, frame);
+    const executor::ValueScale scale = scaleOf(colors, usualRange(colors, model, frame.plan.view.up, values));
+    for (std::size_t i = 0; i < values.pixels.size(); ++i)
+        if (!std::isnan(values.pixels[i])) paint(i, scale.color(values.pixels[i]));
+    executor::Legend legend;
+    legend.title = {titleOf(colors, hierarchy::rowOf(model.unit).name) + (hasShadows ? ", darker in the shadow" : "")};
+    legend.scale = executor::colorScale(scale);
+    executor::drawLegend(picture, legend);
+}
+
+} // namespace gnomon::values

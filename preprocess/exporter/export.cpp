@@ -1,6 +1,7 @@
 #include "preprocess/exporter/export.h"
 
 #include "core/error.h"
+#include "core/formatted.h"
 #include "hierarchy/cut_rule.h"
 #include "hierarchy/model_file.h"
 #include "preprocess/exporter/glb_writer.h"
@@ -215,6 +216,14 @@ void weld(CutMesh& mesh) {
 UniformCut uniformCut(const ModelFile& file, const ExportLimit& limit, Progress& progress) {
     const CutLimit refined = limit.triangles ? limitFor(file, *limit.triangles, progress) : limitOf(file, *limit.error);
     return collect(file, refined, progress);
+}
+
+std::string cutText(const ExportedCut& cut) {
+    return formatted(
+        "%llu triangles, %llu vertices, error at most %g",
+        static_cast<unsigned long long>(cut.triangles),
+        static_cast<unsigned long long>(cut.vertices),
+        cut.error);
 }
 
 ExportedCut exportCut(

@@ -49,6 +49,9 @@ struct ExportedCut {
     std::uint64_t vertices = 0;
 };
 
+/// One line for people.
+std::string cutText(const ExportedCut& cut);
+
 /// Writes the finest uniform cut of `model` with at most `limit.triangles`, or the coarsest whose error is at most
 /// `limit.error`, to `output`. Corners with the same position, normal, colour and fields are one vertex. Holds the cut
 /// in memory. Throws Error if no cut is that small or that exact, or a page is damaged.

@@ -47,11 +47,12 @@ std::string attributeName(const std::string& field) {
 
 class GlbWriter {
 public:
-    GlbWriter(const CutMesh& mesh, const ModelSummary& summary) : mesh_(mesh), summary_(summary) {
+    GlbWriter(const CutMesh& mesh, const ModelSummary& summary, const std::optional<glm::dvec3>& anchor)
+        : mesh_(mesh), summary_(summary), anchor_(anchor.value_or(glm::dvec3(0))) {
         Box bounds;
         for (const Vertex& vertex : mesh.vertices)
             bounds.add(summary.grid.world(vertex.position));
-        if (!fitsFloats(mesh, summary.grid)) origin_ = (bounds.min + bounds.max) / 2.0;
+        if (anchor || !fitsFloats(mesh, summary.grid)) origin_ = (bounds.min + bounds.max) / 2.0;
         if (summary.hasNormals) addNormals();
     }
 
@@ -145,7 +146,7 @@ private:
             unit[axis] = metres;
             put(upright.toUpright(unit), 0);
         }
-        put(metres * upright.toUpright(origin_), 1);
+        put(metres * upright.toUpright(origin_ - anchor_), 1);
         return values;
     }
 
@@ -202,6 +203,7 @@ private:
 
     const CutMesh& mesh_;
     const ModelSummary& summary_;
+    glm::dvec3 anchor_;
     glm::dvec3 origin_{0};
     std::vector<glm::vec3> normals_;
     std::uint64_t bytes_ = 0; // of the buffer
@@ -211,9 +213,14 @@ private:
 
 } // namespace
 
-void writeGlb(const CutMesh& mesh, const ModelSummary& summary, const std::string& path, Progress& progress) {
+void writeGlb(
+    const CutMesh& mesh,
+    const ModelSummary& summary,
+    const std::string& path,
+    Progress& progress,
+    const std::optional<glm::dvec3>& anchor) {
     progress.stage("write", "triangles", mesh.triangles.size());
-    GlbWriter(mesh, summary).write(path);
+    GlbWriter(mesh, summary, anchor).write(path);
     progress.advance(mesh.triangles.size());
 }
 

@@ -4,6 +4,7 @@
 #include "core/progress.h"
 #include "preprocess/exporter/cut_mesh.h"
 
+#include <optional>
 #include <string>
 
 namespace gnomon::exporter {
@@ -13,6 +14,14 @@ namespace gnomon::exporter {
 /// an origin of the model's own unless all of them are floats as they are; the node turns what is up to +y, makes
 /// metres of the unit and puts the origin back, so that survey coordinates lose no more than 2^-24 of the model's
 /// extent. Throws Error if it would not fit the 4 GiB of a .glb.
-void writeGlb(const CutMesh& mesh, const hierarchy::ModelSummary& summary, const std::string& path, Progress& progress);
+///
+/// With an `anchor`, of world space, that place becomes the file's origin instead of the source's, and positions always
+/// have an origin of their own.
+void writeGlb(
+    const CutMesh& mesh,
+    const hierarchy::ModelSummary& summary,
+    const std::string& path,
+    Progress& progress,
+    const std::optional<glm::dvec3>& anchor = std::nullopt);
 
 } // namespace gnomon::exporter

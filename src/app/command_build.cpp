@@ -132,14 +132,6 @@ void run(const BuildCommand& command) {
     requirePrinted("the model " + command.output + " is complete");
 }
 
-CLI::Validator memorySize() {
-    return {
-        [](std::string& text) {
-            return parseBytes(text) ? std::string() : "not a memory size (like 512M or 2G): " + text;
-        },
-        "SIZE"};
-}
-
 CLI::Validator chunkSize() {
     return {
         [](std::string& text) {

@@ -6,6 +6,7 @@
 #include "core/printable.h"
 #include "core/units.h"
 #include "preprocess/exporter/export.h"
+#include "preprocess/exporter/tiles/tileset.h"
 #include "settings/codec.h"
 
 #include <cstdio>
@@ -19,6 +20,8 @@ struct ExportOptions {
     std::string model;
     std::string output;
     std::string format;
+    std::string place;
+    std::string memory = "2G";
     std::string triangles;
     std::string error;
     CommonOptions common;
@@ -40,38 +43,53 @@ exporter::ExportLimit limitOf(const ExportOptions& options) {
     return limit;
 }
 
+void runTiles(const ExportOptions& options) {
+    if (!options.triangles.empty() || !options.error.empty())
+        throw settings::UsageError{"export: tiles have every level of detail: no --triangles and no --error"};
+    exporter::TilesetOptions tiles;
+    tiles.memory = *parseBytes(options.memory);
+    if (!options.place.empty()) tiles.place = settings::parsed(settings::vector(), "--ecef", options.place);
+    const auto progress = makeProgress(options.common);
+    const auto done = exporter::exportTileset(options.model, tiles, options.output, *progress);
+    std::fprintf(stderr, "%s: %s\n", printable(options.output).c_str(), exporter::tilesetText(done).c_str());
+}
+
+void runCut(const ExportOptions& options) {
+    const exporter::ExportLimit limit = limitOf(options);
+    requireApart({{"MODEL", options.model}}, {{"--output", options.output}});
+    const bool isGlb = options.format.empty() ? options.output.ends_with(".glb") : options.format == "glb";
+    requireExtension("--output", options.output, isGlb ? ".glb" : ".ply");
+    const auto progress = makeProgress(options.common);
+    const auto cut = exporter::exportCut(
+        options.model,
+        limit,
+        options.output,
+        *progress,
+        isGlb ? exporter::ExportFormat::Glb : exporter::ExportFormat::Ply);
+    std::fprintf(stderr, "%s: %s\n", printable(options.output).c_str(), exporter::cutText(cut).c_str());
+}
+
 } // namespace
 
 void addExportCommand(CLI::App& program) {
     auto options = std::make_shared<ExportOptions>();
-    CLI::App* command = program.add_subcommand("export", "Write one uniform level of detail as a PLY or a glTF");
+    CLI::App* command = program.add_subcommand(
+        "export", "Write one uniform level of detail as a PLY or a glTF, or all of them as 3D Tiles");
     command->add_option("MODEL", options->model, "A .gnm file")->required();
-    command->add_option("-o,--output", options->output, "The .ply or .glb to write")->required();
-    command->add_option("--format", options->format, "ply or glb; without it by the name of the output")
-        ->check(CLI::IsMember({"ply", "glb"}));
+    command->add_option("-o,--output", options->output, "The .ply or .glb to write, or the folder of tiles")
+        ->required();
+    command->add_option("--format", options->format, "ply, glb or 3dtiles; without it by the name of the output")
+        ->check(CLI::IsMember({"ply", "glb", "3dtiles"}));
+    command->add_option("--ecef", options->place, "Of 3D Tiles: where on the earth the model stands, LAT,LON,HEIGHT");
+    command->add_option("--memory", options->memory, "Of 3D Tiles: for decoded pages")
+        ->check(memorySize())
+        ->capture_default_str();
     auto* triangles = command->add_option("--triangles", options->triangles, "At most so many; 13M is a count too");
     command->add_option("--error", options->error, "Error of at most so many world units")->excludes(triangles);
     addCommonOptions(*command, options->common);
     command->callback([options] {
         const ThreadLimit threads(options->common);
-        const exporter::ExportLimit limit = limitOf(*options);
-        requireApart({{"MODEL", options->model}}, {{"--output", options->output}});
-        const bool isGlb = options->format.empty() ? options->output.ends_with(".glb") : options->format == "glb";
-        requireExtension("--output", options->output, isGlb ? ".glb" : ".ply");
-        const auto progress = makeProgress(options->common);
-        const auto cut = exporter::exportCut(
-            options->model,
-            limit,
-            options->output,
-            *progress,
-            isGlb ? exporter::ExportFormat::Glb : exporter::ExportFormat::Ply);
-        std::fprintf(
-            stderr,
-            "%s: %llu triangles, %llu vertices, error at most %g\n",
-            printable(options->output).c_str(),
-            static_cast<unsigned long long>(cut.triangles),
-            static_cast<unsigned long long>(cut.vertices),
-            cut.error);
+        options->format == "3dtiles" ? runTiles(*options) : runCut(*options);
     });
 }
 

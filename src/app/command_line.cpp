@@ -1,5 +1,7 @@
 #include "app/command_line.h"
 
+#include "app/commands.h"
+#include "core/units.h"
 #include "gl/shader_library.h"
 #include "settings/table.h"
 
@@ -105,6 +107,14 @@ CLI::Validator seedText() {
                                                : "expected " + settings::seed().expected + ", found '" + text + "'";
         },
         "SEED"};
+}
+
+CLI::Validator memorySize() {
+    return {
+        [](std::string& text) {
+            return parseBytes(text) ? std::string() : "not a memory size (like 512M or 2G): " + text;
+        },
+        "SIZE"};
 }
 
 } // namespace gnomon::app

@@ -27,6 +27,9 @@ enum class Polling : std::uint8_t { No, Yes };
 /// gnomon::Interrupted.
 std::unique_ptr<Progress> makeProgress(const CommonOptions& options, Polling polling = Polling::Yes);
 
+/// What an option for memory takes: 512M, 2G.
+CLI::Validator memorySize();
+
 void addBenchCommand(CLI::App& program);
 void addBuildCommand(CLI::App& program);
 void addExplainCommand(CLI::App& program);

@@ -1,0 +1,247 @@
+#include "preprocess/exporter/tiles/tileset.h"
+
+#include "core/angle.h"
+#include "core/box.h"
+#include "core/error.h"
+#include "core/file.h"
+#include "hierarchy/model_file.h"
+#include "hierarchy/upright_frame.h"
+#include "preprocess/exporter/glb_writer.h"
+#include "preprocess/exporter/tiles/tile_levels.h"
+#include "preprocess/exporter/tiles/tile_mesh.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include <nlohmann/json.hpp>
+
+namespace gnomon::exporter {
+
+using namespace hierarchy;
+using nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A cell of the octree: its level and its place there.
+using CellKey = std::array<std::uint32_t, 3>;
+
+struct Tile {
+    Box box; // upright space about the anchor, metres; empty where nothing is in it
+    bool isFinest = false;
+};
+
+using TileLevel = std::map<CellKey, Tile>;
+
+CellKey parentOf(const CellKey& key) {
+    return {key[0] / 2, key[1] / 2, key[2] / 2};
+}
+
+std::string contentOf(std::size_t level, const CellKey& key) {
+    return "tiles/" + std::to_string(level) + "/" + std::to_string(key[0]) + "_" + std::to_string(key[1]) + "_" +
+           std::to_string(key[2]) + ".glb";
+}
+
+class TilesetWriter {
+public:
+    TilesetWriter(const ModelFile& file, const TilesetOptions& options, const std::string& folder)
+        : file_(file), options_(options), folder_(folder), upright_(uprightFrame(file.summary().up.direction)) {
+        const Box bounds = uprightBox(upright_, file.summary().bounds);
+        const glm::dvec3 middle = (bounds.min + bounds.max) / 2.0;
+        anchor_ = upright_.toWorld({middle.x, bounds.min.y, middle.z});
+    }
+
+    ExportedTileset write(Progress& progress) {
+        const std::vector<TileCluster> clusters = clustersOf(file_, progress);
+        const std::vector<double> limits = limitsOf(clusters, options_.tileTriangles);
+        std::uint64_t extent = 0;
+        for (const TileCluster& cluster : clusters)
+            extent = std::max<std::uint64_t>({extent, cluster.box.max.x, cluster.box.max.y, cluster.box.max.z});
+        side_ = std::bit_ceil(extent + 1);
+        PageCache pages(file_, {options_.memory.count / 2});
+        progress.stage("tiles", "levels", limits.size());
+        for (std::size_t level = 0; level < limits.size() && (side_ >> level) > 1; ++level) {
+            const bool isLast = level + 1 == limits.size() || (side_ >> (level + 1)) <= 1;
+            const double limit = isLast ? 0 : limits[level];
+            errors_.push_back(limit);
+            const double above = level == 0 ? limit : errors_[level - 1];
+            writeLevel(clusters, level, limit, above, pages);
+            progress.advance(1);
+        }
+        writeDocument();
+        done_.levels = static_cast<std::uint32_t>(levels_.size());
+        return done_;
+    }
+
+private:
+    double metres() const { return rowOf(file_.summary().unit).metres; }
+
+    /// Every cell that a cluster of the cut may reach, without those below a tile that is finest already.
+    std::map<CellKey, std::vector<const TileCluster*>> cellsOf(
+        const std::vector<TileCluster>& clusters, std::size_t level, double limit) const {
+        std::map<CellKey, std::vector<const TileCluster*>> cells;
+        const auto shift = static_cast<unsigned>(std::countr_zero(side_ >> level));
+        for (const TileCluster& cluster : clusters) {
+            if (!cluster.isInCut(limit)) continue;
+            const GridBox& box = cluster.box;
+            for (std::uint32_t x = box.min.x >> shift; x <= box.max.x >> shift; ++x)
+                for (std::uint32_t y = box.min.y >> shift; y <= box.max.y >> shift; ++y)
+                    for (std::uint32_t z = box.min.z >> shift; z <= box.max.z >> shift; ++z)
+                        if (isBelowCoarser({x, y, z}, level)) cells[{x, y, z}].push_back(&cluster);
+        }
+        return cells;
+    }
+
+    /// Whether no tile above a cell is finest.
+    bool isBelowCoarser(CellKey key, std::size_t level) const {
+        while (level-- > 0) {
+            key = parentOf(key);
+            const auto found = levels_[level].find(key);
+            if (found != levels_[level].end() && found->second.isFinest) return false;
+        }
+        return true;
+    }
+
+    void writeLevel(
+        const std::vector<TileCluster>& clusters, std::size_t level, double limit, double above, PageCache& pages) {
+        TileLevel tiles;
+        const double skirt = options_.hasSkirts ? (above + limit) / file_.summary().grid.step() : 0;
+        for (const auto& [key, members] : cellsOf(clusters, level, limit)) {
+            TileCell cell;
+            cell.side = side_ >> level;
+            for (std::size_t i = 0; i < 3; ++i)
+                cell.low[i] = key[i] * cell.side;
+            const CutMesh mesh = tileMesh(members, cell, skirt, file_.summary(), pages);
+            if (mesh.triangles.empty()) continue;
+            Tile& tile = tiles[key];
+            tile.isFinest = limit == 0 || std::all_of(members.begin(), members.end(), [](const TileCluster* member) {
+                                return member->isFinest();
+                            });
+            for (const Vertex& vertex : mesh.vertices)
+                tile.box.add(metres() * upright_.toUpright(file_.summary().grid.world(vertex.position) - anchor_));
+            const std::string path = folder_ + "/" + contentOf(level, key);
+            fs::create_directories(fs::path(path).parent_path());
+            NoProgress unwatched;
+            ModelSummary summary = file_.summary();
+            summary.fields.clear();
+            writeGlb(mesh, summary, path, unwatched, anchor_);
+            ++done_.tiles;
+            done_.triangles += mesh.triangles.size();
+            done_.bytes += fs::file_size(path);
+        }
+        levels_.push_back(std::move(tiles));
+    }
+
+    /// Gives every tile those above it, without a content where they had none, and boxes that hold what is below.
+    void closeTree() {
+        for (std::size_t level = levels_.size(); level-- > 1;)
+            for (const auto& [key, tile] : levels_[level])
+                levels_[level - 1][parentOf(key)]; // made where it is missing
+        held_.resize(levels_.size());
+        for (std::size_t level = levels_.size(); level-- > 0;)
+            for (const auto& [key, tile] : levels_[level]) {
+                held_[level][key].add(tile.box);
+                if (level > 0) held_[level - 1][parentOf(key)].add(held_[level][key]);
+            }
+    }
+
+    /// Upright x, y, z is x, -z, y of a tileset, whose z is up.
+    static ordered_json volumeOf(const Box& box) {
+        const glm::dvec3 middle = (box.min + box.max) / 2.0;
+        const glm::dvec3 half = (box.max - box.min) / 2.0;
+        return {{"box", {middle.x, -middle.z, middle.y, half.x, 0, 0, 0, half.z, 0, 0, 0, half.y}}};
+    }
+
+    // As deep as the octree, which is at most 31 levels.
+    ordered_json nodeOf(std::size_t level, const CellKey& key) const { // NOLINT(misc-no-recursion)
+        const Tile& tile = levels_[level].at(key);
+        ordered_json node = {
+            {"boundingVolume", volumeOf(held_[level].at(key))},
+            {"geometricError", tile.isFinest ? 0 : errors_[level] * metres()}};
+        if (!tile.box.isEmpty()) node["content"] = {{"uri", contentOf(level, key)}};
+        ordered_json children = ordered_json::array();
+        for (std::uint32_t i = 0; i < 8 && level + 1 < levels_.size(); ++i) {
+            const CellKey child{2 * key[0] + (i & 1U), 2 * key[1] + (i >> 1U & 1U), 2 * key[2] + (i >> 2U)};
+            if (levels_[level + 1].count(child) > 0) children.push_back(nodeOf(level + 1, child));
+        }
+        if (!children.empty()) node["children"] = std::move(children);
+        return node;
+    }
+
+    /// From the tileset, whose origin is the anchor, to the model's own coordinates, or to the earth's.
+    ordered_json transform() const {
+        std::array<glm::dvec3, 4> columns{glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1), glm::dvec3(0)};
+        if (options_.place) {
+            // East, north and up at the place; WGS84, NIMA TR8350.2.
+            constexpr double kA = 6378137;
+            constexpr double kE2 = 6.69437999014e-3;
+            const double latitude = radiansFromDegrees(options_.place->x);
+            const double longitude = radiansFromDegrees(options_.place->y);
+            const double sinLat = std::sin(latitude);
+            const double cosLat = std::cos(latitude);
+            const double n = kA / std::sqrt(1 - kE2 * sinLat * sinLat);
+            const glm::dvec3 up(cosLat * std::cos(longitude), cosLat * std::sin(longitude), sinLat);
+            const glm::dvec3 east(-std::sin(longitude), std::cos(longitude), 0);
+            columns = {east, glm::cross(up, east), up, (n + options_.place->z) * up};
+            columns[3].z -= n * kE2 * sinLat;
+        } else {
+            const glm::dvec3 at = metres() * upright_.toUpright(anchor_);
+            columns[3] = {at.x, -at.z, at.y};
+        }
+        ordered_json values = ordered_json::array();
+        for (std::size_t i = 0; i < 4; ++i) {
+            for (int k = 0; k < 3; ++k)
+                values.push_back(columns[i][k]);
+            values.push_back(i == 3 ? 1 : 0);
+        }
+        return values;
+    }
+
+    void writeDocument() {
+        closeTree();
+        ordered_json root = nodeOf(0, {0, 0, 0});
+        root["refine"] = "REPLACE";
+        root["transform"] = transform();
+        const Box& all = held_[0].at({0, 0, 0});
+        const ordered_json document = {
+            {"asset", {{"version", "1.1"}, {"generator", "gnomon"}}},
+            {"geometricError", glm::length(all.max - all.min)}, // of drawing nothing
+            {"root", root}};
+        writeTextFile(folder_ + "/tileset.json", document.dump() + "\n");
+    }
+
+    const ModelFile& file_;
+    const TilesetOptions& options_;
+    const std::string& folder_;
+    UprightFrame upright_;
+    glm::dvec3 anchor_{0};       // world space
+    std::uint64_t side_ = 1;     // of the root cell, grid steps: a power of two
+    std::vector<double> errors_; // of levels, world units
+    std::vector<TileLevel> levels_;
+    std::vector<std::map<CellKey, Box>> held_; // of a tile and all below it
+    ExportedTileset done_;
+};
+
+} // namespace
+
+std::string tilesetText(const ExportedTileset& done) {
+    return std::to_string(done.tiles) + " tiles in " + std::to_string(done.levels) + " levels, " +
+           readableCount(done.triangles) + " triangles, " + readableBytes({done.bytes});
+}
+
+ExportedTileset exportTileset(
+    const std::string& model, const TilesetOptions& options, const std::string& folder, Progress& progress) {
+    std::error_code missing;
+    if (fs::exists(folder, missing) && !(fs::is_directory(folder, missing) && fs::is_empty(folder, missing)))
+        throw Error(folder, "tiles go into a folder of their own", "an empty folder or a new one", "something in it");
+    if (options.place && !(std::abs(options.place->x) <= 90))
+        throw Error("a place on the earth", "bad latitude", "-90 to 90", std::to_string(options.place->x));
+    const ModelFile file(model);
+    return TilesetWriter(file, options, folder).write(progress);
+}
+
+} // namespace gnomon::exporter

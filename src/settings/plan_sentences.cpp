@@ -158,9 +158,15 @@ std::string reasonInWords(const plan::Omission& omission) {
         return "lines of sight are parallel: pixels are alike at every depth, and so are texels without it";
     case OmissionReason::AllAreDark:
         return "all that is seen and faces the light was dark before they were looked at";
-    default:
-        return otherReason(omission);
+    case OmissionReason::NarrowPenumbrae:
+    case OmissionReason::NoShadows:
+    case OmissionReason::NoSun:
+    case OmissionReason::ExecutorHasEvenRows:
+    case OmissionReason::SlicesGiven:
+    case OmissionReason::NothingHidesTheSky:
+        break; // named one by one, so that the compiler tells of a new reason without words
     }
+    return otherReason(omission);
 }
 
 std::string reasonInWords(plan::ShadowReason reason) {

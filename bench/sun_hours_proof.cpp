@@ -1,5 +1,8 @@
-// Hours of sun against the plain integer loops: the steps that sampled pixels of a plan from above count over a day.
+// Hours of sun against the plain integer loops: the steps that sampled pixels of a plan from above count over a day, or
+// sampled vertices of the finest cut.
 #include "core/random.h"
+#include "core/stopwatch.h"
+#include "daylight/point_receivers.h"
 #include "daylight/sun_hours.h"
 #include "daylight/sun_view.h"
 #include "executor/software_executor.h"
@@ -27,29 +30,36 @@ std::vector<std::uint8_t> sampledPixels(const daylight::SunView& view, std::size
     return isAsked;
 }
 
-int compare(const std::string& path, std::size_t pixels, int stepSeconds) {
-    const hierarchy::ModelFile model(path, gibibytes(1));
-    const auto executor = executor::makeSoftwareExecutor();
-    frame::Renderer renderer(model, *executor, {});
-    settings::Settings settings;
-    settings.side = path::ViewSide::Top;
-    const plan::View view = settings::viewOf(settings, model);
+sun::CivilTime timeOf(const char* text) {
+    return *sun::parseCivilTime(text);
+}
+
+std::vector<IntegerLight> lightsOfADay(const glm::dvec3& up, int stepSeconds) {
     settings::SunPeriod period;
     period.place = {47, 8};
-    period.from = *sun::parseCivilTime("2026-06-21T00:00+02:00");
-    period.to = *sun::parseCivilTime("2026-06-22T00:00+02:00");
+    period.from = timeOf("2026-06-21T00:00+02:00");
+    period.to = timeOf("2026-06-22T00:00+02:00");
     period.stepSeconds = stepSeconds;
-    period.up = view.up;
-    const std::vector<daylight::SunStep> steps = daylight::sunSteps(period);
-    const std::vector<IntegerLight> lights = daylight::lightsOf(steps);
-    daylight::SunView receivers(renderer, view, {}, lights);
-    const std::vector<std::uint8_t> isAsked = sampledPixels(receivers, pixels);
+    period.up = up;
+    return daylight::lightsOf(daylight::sunSteps(period));
+}
+
+/// Counts the lit steps of what `isAsked` of `receivers`, both ways, and prints how many differ.
+template <class Receivers>
+int compare(
+    const std::string& what,
+    Receivers& receivers,
+    const std::vector<std::uint8_t>& isAsked,
+    const std::vector<IntegerLight>& lights) {
     std::vector<std::uint8_t> isLit(receivers.count());
     std::vector<std::uint8_t> isTrulyLit(receivers.count());
     std::vector<std::uint32_t> counted(receivers.count());
     std::vector<std::uint32_t> truth(receivers.count());
+    double milliseconds = 0;
     for (const IntegerLight& light : lights) {
+        const Stopwatch watch;
         receivers.decide(light, isLit);
+        milliseconds += watch.elapsed().count;
         receivers.decidePlainly(light, isAsked, isTrulyLit);
         for (std::size_t i = 0; i < isLit.size(); ++i) {
             counted[i] += isAsked[i] != 0 ? isLit[i] : 0U;
@@ -63,13 +73,49 @@ int compare(const std::string& path, std::size_t pixels, int stepSeconds) {
         sum += truth[i];
     }
     std::printf(
-        "%s: %zu directions, %td pixels, %llu lit steps, %zu pixels with another count\n",
-        path.c_str(),
+        "%s: %zu directions in %.0f ms, %td of %zu sampled, %llu lit steps, %zu with another count\n",
+        what.c_str(),
         lights.size(),
+        milliseconds,
         std::count(isAsked.begin(), isAsked.end(), 1),
+        receivers.count(),
         static_cast<unsigned long long>(sum),
         wrong);
     return wrong == 0 ? 0 : 1;
+}
+
+int comparePixels(const std::string& path, std::size_t pixels, int stepSeconds) {
+    const hierarchy::ModelFile model(path, gibibytes(1));
+    const auto executor = executor::makeSoftwareExecutor();
+    frame::Renderer renderer(model, *executor, {});
+    settings::Settings settings;
+    settings.side = path::ViewSide::Top;
+    const plan::View view = settings::viewOf(settings, model);
+    const std::vector<IntegerLight> lights = lightsOfADay(view.up, stepSeconds);
+    daylight::SunView receivers(renderer, view, {}, lights);
+    return compare(path, receivers, sampledPixels(receivers, pixels), lights);
+}
+
+int compareVertices(const std::string& path, std::size_t vertices, int stepSeconds) {
+    const hierarchy::ModelFile model(path, gibibytes(1));
+    NoProgress progress;
+    exporter::ExportLimit limit;
+    limit.error = model.summary().grid.snapError();
+    const exporter::UniformCut cut = exporter::uniformCut(model, limit, progress);
+    exporter::CutMesh mesh = cut.mesh;
+    exporter::weld(mesh);
+    std::vector<glm::i64vec3> cells;
+    for (const hierarchy::Vertex& vertex : mesh.vertices)
+        cells.emplace_back(vertex.position.x, vertex.position.y, vertex.position.z);
+    std::vector<std::uint8_t> isAsked(cells.size());
+    Random random(1);
+    for (std::size_t i = 0; i < std::min(vertices, cells.size());) {
+        std::uint8_t& asked = isAsked[random.below(cells.size())];
+        i += asked == 0 ? 1 : 0;
+        asked = 1;
+    }
+    daylight::PointReceivers receivers(cut, std::move(cells));
+    return compare(path + ", vertices", receivers, isAsked, lightsOfADay(model.summary().up.direction, stepSeconds));
 }
 
 } // namespace
@@ -77,10 +123,12 @@ int compare(const std::string& path, std::size_t pixels, int stepSeconds) {
 
 int main(int argc, char** argv) {
     if (argc < 2) {
-        std::fprintf(stderr, "usage: sun_hours_proof MODEL.gnm [PIXELS [STEP_SECONDS]]\n");
+        std::fprintf(stderr, "usage: sun_hours_proof MODEL.gnm [SAMPLES [STEP_SECONDS [vertices]]]\n");
         return 2;
     }
     const int pixels = argc > 2 ? std::atoi(argv[2]) : gnomon::kDefaultPixels;
     const int seconds = argc > 3 ? std::atoi(argv[3]) : gnomon::kDefaultStepSeconds;
-    return gnomon::compare(argv[1], static_cast<std::size_t>(pixels), seconds);
+    const auto samples = static_cast<std::size_t>(pixels);
+    return argc > 4 ? gnomon::compareVertices(argv[1], samples, seconds)
+                    : gnomon::comparePixels(argv[1], samples, seconds);
 }

@@ -1,6 +1,7 @@
 #include "daylight/point_receivers.h"
 
 #include "core/error.h"
+#include "exact/plain_shadows.h"
 #include "executor/exact_pass.h"
 
 #include <tbb/blocked_range.h>
@@ -125,16 +126,27 @@ void PointReceivers::collect(const IntegerLight& light) {
     });
 }
 
+glm::uvec3 PointReceivers::originCell() const {
+    return {
+        static_cast<std::uint32_t>(origin_.x),
+        static_cast<std::uint32_t>(origin_.y),
+        static_cast<std::uint32_t>(origin_.z)};
+}
+
+void PointReceivers::decidePlainly(
+    const IntegerLight& light, std::span<const std::uint8_t> isAsked, std::span<std::uint8_t> isLit) {
+    collect(light);
+    const std::vector<std::uint8_t> statuses = exact::plainStatuses(exact_.samples(), casters_, originCell(), isAsked);
+    for (std::size_t i = 0; i < points_.size(); ++i)
+        isLit[i] = isAsked[i] != 0 && !exact::isDark(statuses[i]) ? 1 : 0;
+}
+
 exact::ExactStatistics PointReceivers::decide(const IntegerLight& light, std::span<std::uint8_t> isLit) {
     collect(light);
     constexpr int kSide = 512;
     const std::array planes = {glm::dmat3(1)}; // as the light sees them: nobody looks from nearer by
-    const glm::uvec3 origin(
-        static_cast<std::uint32_t>(origin_.x),
-        static_cast<std::uint32_t>(origin_.y),
-        static_cast<std::uint32_t>(origin_.z));
     const exact::ExactStatistics statistics =
-        exact_.decide({casters_, origin, planes, kSide, casters_.size() - castersOfCut_});
+        exact_.decide({casters_, originCell(), planes, kSide, casters_.size() - castersOfCut_});
     const std::span<const std::uint8_t> statuses = exact_.statuses();
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points_.size(), kGrain), [&](const auto& range) {
         for (std::size_t i = range.begin(); i < range.end(); ++i)

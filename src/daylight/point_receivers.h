@@ -23,7 +23,11 @@ public:
 
     exact::ExactStatistics decide(const IntegerLight& light, std::span<std::uint8_t> isLit) override;
 
+    /// The same by the plain integer loops, of those that `isAsked` has no 0 for; 0 of the others. To be checked by.
+    void decidePlainly(const IntegerLight& light, std::span<const std::uint8_t> isAsked, std::span<std::uint8_t> isLit);
+
 private:
+    glm::uvec3 originCell() const;
     void addCasters(const exporter::UniformCut& cut);
     void addHolders();
     void collect(const IntegerLight& light);

@@ -206,8 +206,15 @@ TEST(PointReceivers, AreLitUnlessATriangleByItselfStandsAhead) {
         PointReceivers receivers(cut, points);
         ASSERT_EQ(receivers.count(), points.size());
         std::vector<std::uint8_t> isLit(points.size());
+        std::vector<std::uint8_t> isTrulyLit(points.size());
+        std::vector<std::uint8_t> isAsked(points.size());
+        for (std::size_t i = 0; i < points.size(); i += 3)
+            isAsked[i] = 1;
         for (const IntegerLight& light : yard.lights) {
             receivers.decide(light, isLit);
+            receivers.decidePlainly(light, isAsked, isTrulyLit);
+            for (std::size_t i = 0; i < points.size(); ++i)
+                ASSERT_EQ(isTrulyLit[i], isAsked[i] != 0 ? isLit[i] : 0) << "seed " << seed << ", point " << i;
             for (std::size_t i = 0; i < points.size(); ++i) {
                 ASSERT_EQ(isLit[i] != 0, isLitPlainly(cut, points[i], light)) << "seed " << seed << ", point " << i;
                 ++(isLit[i] != 0 ? lit : dark);

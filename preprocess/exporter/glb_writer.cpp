@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 
+#include <meshoptimizer.h>
 #include <nlohmann/json.hpp>
 
 namespace gnomon::exporter {
@@ -45,14 +46,34 @@ std::string attributeName(const std::string& field) {
     return name;
 }
 
+/// What a view of the buffer holds.
+struct Content {
+    enum Kind { Indices, Positions, Normals, Colors, OfField };
+
+    Kind kind = Indices;
+    std::size_t stride = 0; // bytes
+    std::size_t field = 0;  // of OfField
+};
+
+/// Values in memory.
+struct MemoryWriter {
+    std::vector<std::byte> bytes;
+
+    template <class T>
+    void putValue(T value) {
+        const auto* const begin = reinterpret_cast<const std::byte*>(&value);
+        bytes.insert(bytes.end(), begin, begin + sizeof value);
+    }
+};
+
 class GlbWriter {
 public:
-    GlbWriter(const CutMesh& mesh, const ModelSummary& summary, const std::optional<glm::dvec3>& anchor)
-        : mesh_(mesh), summary_(summary), anchor_(anchor.value_or(glm::dvec3(0))) {
+    GlbWriter(const CutMesh& mesh, const ModelSummary& summary, const std::optional<GlbTile>& tile)
+        : mesh_(mesh), summary_(summary), tile_(tile.value_or(GlbTile())) {
         Box bounds;
         for (const Vertex& vertex : mesh.vertices)
             bounds.add(summary.grid.world(vertex.position));
-        if (anchor || !fitsFloats(mesh, summary.grid)) origin_ = (bounds.min + bounds.max) / 2.0;
+        if (tile || !fitsFloats(mesh, summary.grid)) origin_ = (bounds.min + bounds.max) / 2.0;
         if (summary.hasNormals) addNormals();
     }
 
@@ -62,16 +83,18 @@ public:
         RunWriter out(output.file());
         out.put("glTF");
         out.putValue(std::uint32_t{2});
-        out.putValue(static_cast<std::uint32_t>(28 + text.size() + bytes_));
+        out.putValue(static_cast<std::uint32_t>(28 + text.size() + writtenBytes()));
         out.putValue(static_cast<std::uint32_t>(text.size()));
         out.put("JSON");
         out.put(text);
-        out.putValue(static_cast<std::uint32_t>(bytes_));
+        out.putValue(static_cast<std::uint32_t>(writtenBytes()));
         out.put(std::string_view("BIN\0", 4));
-        for (const auto& triangle : mesh_.triangles)
-            for (const std::uint32_t corner : triangle)
-                out.putValue(corner);
-        putVertices(out);
+        if (tile_.isPacked) {
+            out.put({reinterpret_cast<const char*>(packed_.data()), packed_.size()});
+        } else {
+            for (std::size_t view = 0; view < contents_.size(); ++view)
+                putView(out, view);
+        }
         out.flush();
         output.commit();
     }
@@ -97,7 +120,10 @@ private:
     }
 
     /// A view of `count` elements of `type`, and an accessor of it; its number.
-    std::size_t add(std::uint64_t count, const char* type, int component, std::uint64_t bytesEach, int target) {
+    std::size_t add(const Content& content, std::uint64_t count, const char* type, int component) {
+        const std::uint64_t bytesEach = content.stride;
+        const int target = content.kind == Content::Indices ? kIndices : kVertices;
+        contents_.push_back(content);
         views_.push_back(
             {{"buffer", 0}, {"byteOffset", bytes_}, {"byteLength", count * bytesEach}, {"target", target}});
         accessors_.push_back(
@@ -108,9 +134,9 @@ private:
 
     ordered_json primitive() {
         const std::uint64_t vertices = mesh_.vertices.size();
-        const std::size_t indices = add(mesh_.triangles.size() * 3, "SCALAR", kUnsignedInt, 4, kIndices);
+        const std::size_t indices = add({Content::Indices, 4}, mesh_.triangles.size() * 3, "SCALAR", kUnsignedInt);
         ordered_json attributes;
-        const std::size_t positions = add(vertices, "VEC3", kFloat, 12, kVertices);
+        const std::size_t positions = add({Content::Positions, 12}, vertices, "VEC3", kFloat);
         attributes["POSITION"] = positions;
         glm::vec3 low(std::numeric_limits<float>::infinity());
         glm::vec3 high = -low;
@@ -120,14 +146,15 @@ private:
         }
         accessors_[positions]["min"] = {low.x, low.y, low.z};
         accessors_[positions]["max"] = {high.x, high.y, high.z};
-        if (summary_.hasNormals) attributes["NORMAL"] = add(vertices, "VEC3", kFloat, 12, kVertices);
+        if (summary_.hasNormals) attributes["NORMAL"] = add({Content::Normals, 12}, vertices, "VEC3", kFloat);
         if (summary_.hasColors) {
-            const std::size_t colors = add(vertices, "VEC4", kUnsignedShort, 8, kVertices);
+            const std::size_t colors = add({Content::Colors, 8}, vertices, "VEC4", kUnsignedShort);
             accessors_[colors]["normalized"] = true;
             attributes["COLOR_0"] = colors;
         }
-        for (const Field& field : summary_.fields)
-            attributes[attributeName(field.name)] = add(vertices, "SCALAR", kFloat, 4, kVertices);
+        for (std::size_t i = 0; i < summary_.fields.size(); ++i)
+            attributes[attributeName(summary_.fields[i].name)] =
+                add({Content::OfField, 4, i}, vertices, "SCALAR", kFloat);
         return {{"attributes", attributes}, {"indices", indices}, {"material", 0}};
     }
 
@@ -146,17 +173,18 @@ private:
             unit[axis] = metres;
             put(upright.toUpright(unit), 0);
         }
-        put(metres * upright.toUpright(origin_ - anchor_), 1);
+        put(metres * upright.toUpright(origin_ - tile_.anchor), 1);
         return values;
     }
 
     /// The JSON, padded. Knows how many bytes follow.
     std::string document(const std::string& path) {
         const ordered_json triangles = primitive();
+        if (tile_.isPacked) pack();
         ordered_json node = {{"mesh", 0}, {"matrix", matrix()}};
         const ordered_json identity = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
         if (node["matrix"] == identity) node.erase("matrix");
-        const ordered_json all = {
+        ordered_json all = {
             {"asset", {{"version", "2.0"}, {"generator", "gnomon"}}},
             {"scene", 0},
             {"scenes", {{{"nodes", {0}}}}},
@@ -166,10 +194,16 @@ private:
              {{{"pbrMetallicRoughness", {{"metallicFactor", 0}, {"roughnessFactor", 1}}}, {"doubleSided", true}}}},
             {"accessors", accessors_},
             {"bufferViews", views_},
-            {"buffers", {{{"byteLength", bytes_}}}}};
+            {"buffers", {{{"byteLength", writtenBytes()}}}}};
+        if (tile_.isPacked) {
+            // What a reader that does not know the extension would read is not there.
+            all["buffers"].push_back(
+                {{"byteLength", bytes_}, {"extensions", {{"EXT_meshopt_compression", {{"fallback", true}}}}}});
+            all["extensionsUsed"] = all["extensionsRequired"] = {"EXT_meshopt_compression"};
+        }
         std::string text = all.dump();
         text.resize((text.size() + 3) / 4 * 4, ' ');
-        const std::uint64_t whole = 28 + text.size() + bytes_;
+        const std::uint64_t whole = 28 + text.size() + writtenBytes();
         if (whole > std::numeric_limits<std::uint32_t>::max())
             throw Error(
                 path,
@@ -179,34 +213,90 @@ private:
         return text;
     }
 
-    void putVertices(RunWriter& out) const {
+    /// Puts the bytes of a view into a file or into memory.
+    template <class Out>
+    void putView(Out& out, std::size_t view) const {
         const auto putVector = [&](const glm::vec3& v) {
             for (int i = 0; i < 3; ++i)
                 out.putValue(v[i]);
         };
-        for (const Vertex& vertex : mesh_.vertices)
-            putVector(local(vertex));
-        if (summary_.hasNormals)
+        switch (contents_[view].kind) {
+        case Content::Indices:
+            for (const auto& triangle : mesh_.triangles)
+                for (const std::uint32_t corner : triangle)
+                    out.putValue(corner);
+            break;
+        case Content::Positions:
+            for (const Vertex& vertex : mesh_.vertices)
+                putVector(local(vertex));
+            break;
+        case Content::Normals:
             for (const glm::vec3& normal : normals_)
                 putVector(normal);
-        if (summary_.hasColors)
+            break;
+        case Content::Colors:
             for (const Vertex& vertex : mesh_.vertices)
-                for (std::uint32_t i = 0; i < 4; ++i) {
-                    const std::uint32_t level = vertex.color >> 8 * i & 255U;
-                    out.putValue(i < 3 ? linearOf(level) : static_cast<std::uint16_t>(level * 257));
-                }
-        for (std::size_t i = 0; i < summary_.fields.size(); ++i)
-            for (std::uint32_t v = 0; v < mesh_.vertices.size(); ++v)
-                out.putValue(
-                    static_cast<float>(fieldValue(summary_.fields[i], mesh_.fields.layout, mesh_.fieldsOf(v), i)));
+                putColor(out, vertex.color);
+            break;
+        case Content::OfField:
+            putField(out, contents_[view].field);
+        }
     }
+
+    template <class Out>
+    static void putColor(Out& out, std::uint32_t color) {
+        for (std::uint32_t i = 0; i < 4; ++i) {
+            const std::uint32_t level = color >> 8 * i & 255U;
+            out.putValue(i < 3 ? linearOf(level) : static_cast<std::uint16_t>(level * 257));
+        }
+    }
+
+    template <class Out>
+    void putField(Out& out, std::size_t field) const {
+        for (std::uint32_t v = 0; v < mesh_.vertices.size(); ++v)
+            out.putValue(
+                static_cast<float>(fieldValue(summary_.fields[field], mesh_.fields.layout, mesh_.fieldsOf(v), field)));
+    }
+
+    /// Packs all views one after the other, each from a multiple of 4 bytes on.
+    void pack() {
+        for (std::size_t view = 0; view < contents_.size(); ++view) {
+            MemoryWriter raw;
+            putView(raw, view);
+            const std::size_t stride = contents_[view].stride;
+            const std::size_t count = raw.bytes.size() / stride;
+            const bool isOfIndices = contents_[view].kind == Content::Indices;
+            std::vector<unsigned char> bytes(
+                isOfIndices ? meshopt_encodeIndexBufferBound(count, mesh_.vertices.size())
+                            : meshopt_encodeVertexBufferBound(count, stride));
+            const auto* const indices = reinterpret_cast<const std::uint32_t*>(raw.bytes.data());
+            bytes.resize(
+                isOfIndices ? meshopt_encodeIndexBuffer(bytes.data(), bytes.size(), indices, count)
+                            : meshopt_encodeVertexBuffer(bytes.data(), bytes.size(), raw.bytes.data(), count, stride));
+            views_[view]["buffer"] = 1;
+            if (!isOfIndices) views_[view]["byteStride"] = stride;
+            views_[view]["extensions"]["EXT_meshopt_compression"] = {
+                {"buffer", 0},
+                {"byteOffset", packed_.size()},
+                {"byteLength", bytes.size()},
+                {"byteStride", stride},
+                {"mode", isOfIndices ? "TRIANGLES" : "ATTRIBUTES"},
+                {"count", count}};
+            packed_.insert(packed_.end(), bytes.begin(), bytes.end());
+            packed_.resize((packed_.size() + 3) / 4 * 4);
+        }
+    }
+
+    std::uint64_t writtenBytes() const { return tile_.isPacked ? packed_.size() : bytes_; }
 
     const CutMesh& mesh_;
     const ModelSummary& summary_;
-    glm::dvec3 anchor_;
+    GlbTile tile_;
     glm::dvec3 origin_{0};
     std::vector<glm::vec3> normals_;
-    std::uint64_t bytes_ = 0; // of the buffer
+    std::uint64_t bytes_ = 0;       // of the buffer
+    std::vector<Content> contents_; // of views
+    std::vector<unsigned char> packed_;
     ordered_json views_ = ordered_json::array();
     ordered_json accessors_ = ordered_json::array();
 };
@@ -218,9 +308,9 @@ void writeGlb(
     const ModelSummary& summary,
     const std::string& path,
     Progress& progress,
-    const std::optional<glm::dvec3>& anchor) {
+    const std::optional<GlbTile>& tile) {
     progress.stage("write", "triangles", mesh.triangles.size());
-    GlbWriter(mesh, summary, anchor).write(path);
+    GlbWriter(mesh, summary, tile).write(path);
     progress.advance(mesh.triangles.size());
 }
 

@@ -21,6 +21,7 @@ struct ExportOptions {
     std::string output;
     std::string format;
     std::string place;
+    bool isUncompressed = false;
     std::string memory = "2G";
     std::string triangles;
     std::string error;
@@ -48,6 +49,7 @@ void runTiles(const ExportOptions& options) {
         throw settings::UsageError{"export: tiles have every level of detail: no --triangles and no --error"};
     exporter::TilesetOptions tiles;
     tiles.memory = *parseBytes(options.memory);
+    tiles.isPacked = !options.isUncompressed;
     if (!options.place.empty()) tiles.place = settings::parsed(settings::vector(), "--ecef", options.place);
     const auto progress = makeProgress(options.common);
     const auto done = exporter::exportTileset(options.model, tiles, options.output, *progress);
@@ -81,6 +83,7 @@ void addExportCommand(CLI::App& program) {
     command->add_option("--format", options->format, "ply, glb or 3dtiles; without it by the name of the output")
         ->check(CLI::IsMember({"ply", "glb", "3dtiles"}));
     command->add_option("--ecef", options->place, "Of 3D Tiles: where on the earth the model stands, LAT,LON,HEIGHT");
+    command->add_flag("--uncompressed", options->isUncompressed, "Of 3D Tiles: without EXT_meshopt_compression");
     command->add_option("--memory", options->memory, "Of 3D Tiles: for decoded pages")
         ->check(memorySize())
         ->capture_default_str();

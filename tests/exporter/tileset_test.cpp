@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <functional>
@@ -267,6 +268,45 @@ TEST_F(Tiles, AreTheSameBytesForAnyMemory) {
         return files;
     };
     EXPECT_EQ(filesOf(place + "/a", {1}), filesOf(place + "/b", gibibytes(1)));
+}
+
+/// The triangles of a .glb as places, each from its least corner on.
+std::multiset<std::array<std::array<double, 3>, 3>> trianglesOf(const std::string& path) {
+    const auto source = read::openMeshSources({path}, mebibytes(64));
+    std::vector<std::array<double, 3>> positions;
+    source->readVertices([&](const read::VertexBlock& block) {
+        for (const glm::dvec3& p : block.positions)
+            positions.push_back({p.x, p.y, p.z});
+    });
+    std::multiset<std::array<std::array<double, 3>, 3>> triangles;
+    source->readTriangles([&](const read::TriangleBlock& block) {
+        for (const auto& [a, b, c] : block.triangles) {
+            std::array<std::array<double, 3>, 3> corners{positions[a], positions[b], positions[c]};
+            std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+            triangles.insert(corners);
+        }
+    });
+    return triangles;
+}
+
+TEST_F(Tiles, PackedOnesHoldTheSame) {
+    const std::string model = written(5);
+    TilesetOptions options;
+    options.tileTriangles = 500;
+    const ExportedTileset packed = exportTileset(model, options, place + "/p", progress);
+    options.isPacked = false;
+    const ExportedTileset plain = exportTileset(model, options, place + "/u", progress);
+    EXPECT_EQ(packed.triangles, plain.triangles);
+    EXPECT_LT(packed.bytes, plain.bytes);
+    EXPECT_EQ(readTextFile(place + "/p/tileset.json"), readTextFile(place + "/u/tileset.json"));
+    std::size_t compared = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(place + "/p/tiles")) {
+        if (!entry.is_regular_file()) continue;
+        const std::string other = place + "/u/tiles/" + fs::relative(entry.path(), place + "/p/tiles").string();
+        EXPECT_EQ(trianglesOf(entry.path().string()), trianglesOf(other));
+        ++compared;
+    }
+    EXPECT_EQ(compared, packed.tiles);
 }
 
 TEST_F(Tiles, StandUprightInMetresAtTheirPlace) {

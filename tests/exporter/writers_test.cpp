@@ -140,6 +140,32 @@ TEST_F(Writers, AGlbIsWhatItsFormatAsksFor) {
     EXPECT_EQ(all["accessors"][place("POSITION")]["min"], nlohmann::json(low));
 }
 
+TEST_F(Writers, APackedGlbNeedsItsExtensionAndLeavesNothingElse) {
+    Random random(6);
+    const CutMesh mesh = randomMesh(random, 300, 500);
+    writeGlb(mesh, fullSummary(), path, progress, GlbTile{{0, 0, 0}, true});
+    const Container glb = containerOf(path);
+    const nlohmann::json& all = glb.document;
+    EXPECT_EQ(all["extensionsRequired"], nlohmann::json({"EXT_meshopt_compression"}));
+    EXPECT_EQ(all["buffers"][0]["byteLength"], glb.binary.size());
+    EXPECT_FALSE(all["buffers"][1].contains("uri"));
+    std::size_t end = 0;
+    std::size_t unpacked = 0;
+    for (const auto& view : all["bufferViews"]) {
+        const auto& how = view["extensions"]["EXT_meshopt_compression"];
+        EXPECT_EQ(view["buffer"], 1);
+        EXPECT_EQ(how["buffer"], 0);
+        EXPECT_EQ(how["byteOffset"].get<std::size_t>(), (end + 3) / 4 * 4) << "one after the other";
+        EXPECT_EQ(
+            how["count"].get<std::size_t>() * how["byteStride"].get<std::size_t>(),
+            view["byteLength"].get<std::size_t>());
+        end = how["byteOffset"].get<std::size_t>() + how["byteLength"].get<std::size_t>();
+        unpacked += view["byteLength"].get<std::size_t>();
+    }
+    EXPECT_LE(end, glb.binary.size());
+    EXPECT_EQ(all["buffers"][1]["byteLength"], unpacked);
+}
+
 TEST_F(Writers, AVertexWithoutANormalHasThatOfItsFaces) {
     CutMesh mesh;
     mesh.vertices = {{{0, 0, 0}}, {{16, 0, 0}}, {{0, 16, 0}}, {{7, 7, 7}}};

@@ -19,6 +19,7 @@ struct TilesetOptions {
     Bytes memory{std::uint64_t{2} << 30U};
     std::uint32_t tileTriangles = 40'000; // about, of a tile
     bool hasSkirts = true;
+    bool isPacked = true; // by EXT_meshopt_compression
 };
 
 struct ExportedTileset {
@@ -34,7 +35,8 @@ std::string tilesetText(const ExportedTileset& done);
 /// Writes tileset.json, last, and tiles/LEVEL/X_Y_Z.glb into `folder`, which must be empty or not there. Level k is a
 /// uniform cut of four times the triangles of level k - 1, cut off at the sides of cells of half the length; a tile is
 /// replaced by those below it (REPLACE), and its geometricError is the limit of its cut in metres, 0 where it is the
-/// finest detail. Skirts are as deep as the error of the level above. Fields are left out. Throws Error.
+/// finest detail. Skirts
+/// are as deep as the error of their level, and a quarter of that above at least. Fields are left out. Throws Error.
 ExportedTileset exportTileset(
     const std::string& model, const TilesetOptions& options, const std::string& folder, Progress& progress);
 

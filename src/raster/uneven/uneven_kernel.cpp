@@ -197,19 +197,24 @@ HWY_INLINE void drawStoredUneven(
     const Edges first = {edgeAlong(0), edgeAlong(1), edgeAlong(2)};
     const auto value = [&](std::size_t k) HWY_ATTR { return hn::Set(kFloats, s.depth[k][lane]); };
     const DepthLanes depth = {value(0), value(1), value(2), value(3), value(4), value(5), value(6)};
-    const auto lastX = hn::Set(kInts, s.box[2][lane]);
-    for (std::int32_t y = s.box[1][lane]; y <= s.box[3][lane] && units[y] <= highestUnits; ++y) {
-        const std::int32_t up = units[y] - units[s.box[1][lane]];
-        const auto at = [&](Ints edge, std::size_t k, std::int32_t x) HWY_ATTR {
-            return hn::Add(edge, hn::Set(kInts, s.perY[k][lane] * up + s.perX[k][lane] * (x - s.box[0][lane])));
-        };
+    // Read once: what is written to the tile might be any of them, as far as a compiler knows.
+    const auto [x0, y0, x1, y1] =
+        std::array<std::int32_t, 4>{s.box[0][lane], s.box[1][lane], s.box[2][lane], s.box[3][lane]};
+    const std::array<std::int32_t, 3> perY = {s.perY[0][lane], s.perY[1][lane], s.perY[2][lane]};
+    const auto perVector = [&](std::size_t k) HWY_ATTR { return hn::Set(kInts, s.perX[k][lane] * lanes); };
+    const Edges perX = {perVector(0), perVector(1), perVector(2)};
+    const auto lastX = hn::Set(kInts, x1);
+    const std::int32_t firstUnits = units[y0];
+    for (std::int32_t y = y0; y <= y1 && units[y] <= highestUnits; ++y) {
+        const std::int32_t up = units[y] - firstUnits;
+        const auto at = [&](Ints edge, std::size_t k) HWY_ATTR { return hn::Add(edge, hn::Set(kInts, perY[k] * up)); };
+        Edges e = {at(first.e0, 0), at(first.e1, 1), at(first.e2, 2)};
         const auto rowDepth =
             depthOfRow(depth, hn::Set(kFloats, static_cast<float>(units[y] - referenceUnits) * (1.0F / kSubpixels)));
-        for (std::int32_t x = s.box[0][lane]; x <= s.box[2][lane]; x += lanes) {
-            const Edges e = {at(first.e0, 0, x), at(first.e1, 1, x), at(first.e2, 2, x)};
+        for (std::int32_t x = x0; x <= x1; x += lanes, step(e, perX)) {
             const auto inside = hn::And(isInside(e), isAtMost(hn::Iota(kInts, x), lastX));
             if (hn::AllFalse(kInts, inside)) continue;
-            const auto fromX = hn::Add(depth.fromX, hn::Iota(kFloats, static_cast<float>(x - s.box[0][lane])));
+            const auto fromX = hn::Add(depth.fromX, hn::Iota(kFloats, static_cast<float>(x - x0)));
             target.takeRow((y - firstRow) * kTileStride + x, inside, depthAt(depth, rowDepth, fromX), 0);
             target.count(hn::CountTrue(kInts, inside));
         }

@@ -5,6 +5,9 @@
 #include "raster/uneven/row_bands.h"
 #include "raster/wide_triangle.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace gnomon::raster {
 
 /// A vertex snapped for one band.
@@ -44,13 +47,11 @@ public:
     float largestDepth() const { return largestDepth_; }
 
 private:
-    /// Inside where dx (Y - y) - dy (X - x) >= own.
+    /// Inside where dx Y - dy X + atOrigin >= 0.
     struct Edge {
-        std::int64_t x = 0;
-        std::int64_t y = 0;
         std::int64_t dx = 0;
         std::int64_t dy = 0;
-        std::int64_t own = 0;
+        std::int64_t atOrigin = 0;
         std::int64_t perPixel = 0; // -256 dy, what it grows by from a column to the next
         double inverse = 0;        // of its magnitude
     };
@@ -67,5 +68,39 @@ private:
     float leastDepth_ = 0; // of the corners, within 0 to 1
     float largestDepth_ = 0;
 };
+
+/// The floor of a / b, b above 0 with that `inverse`; at least kFarSamples from 0 where the quotient is. An estimate
+/// that is off by one at most, and its correction.
+inline std::int64_t flooredSamples(std::int64_t a, std::int64_t b, double inverse) {
+    const double quotient = static_cast<double>(a) * inverse;
+    if (std::abs(quotient) >= kFarSamples) return static_cast<std::int64_t>(std::copysign(kFarSamples, quotient));
+    const auto estimate = static_cast<std::int64_t>(quotient);
+    const std::int64_t rest = a - estimate * b;
+    return estimate - (rest < 0 ? 1 : 0) + (rest >= b ? 1 : 0);
+}
+
+inline WideRow UnevenTriangle::row(const RowBand& band, int y, int x0, int x1) const {
+    const std::int64_t units = band.rows[static_cast<std::size_t>(y - band.first)];
+    std::int64_t first = x0;
+    std::int64_t end = x1;
+    for (const Edge& edge : edges_) {
+        // At the column X this is less by 256 dy for each.
+        const std::int64_t at = edge.dx * units + edge.atOrigin;
+        if (edge.perPixel > 0)
+            first = std::max(first, -flooredSamples(at, edge.perPixel, edge.inverse));
+        else if (edge.perPixel < 0)
+            end = std::min(end, flooredSamples(at, -edge.perPixel, edge.inverse) + 1);
+        else if (at < 0)
+            end = x0;
+    }
+    WideRow row;
+    row.y = y;
+    row.x0 = static_cast<int>(std::min<std::int64_t>(first, x1));
+    row.x1 = static_cast<int>(std::max<std::int64_t>(end, x0));
+    row.depthAtReference = static_cast<float>(
+        corners_[0].z + depthPerX_ * (referenceX() - startX_ / kSubpixels) +
+        depthPerY_ * (static_cast<double>(units) - startY_));
+    return row;
+}
 
 } // namespace gnomon::raster

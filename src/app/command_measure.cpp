@@ -42,7 +42,10 @@ void runMeasure(const MeasureOptions& options) {
     if (task.points.empty() == task.pixels.empty())
         throw settings::UsageError{"say what to measure: --point X,Y,Z or --pixel X,Y, once for each point"};
     if (task.takesVertices && task.pixels.empty()) throw settings::UsageError{"--vertices is of --pixel"};
+    const auto progress = makeProgress(options.common, Polling::No);
+    progress->stage("measure", "points", task.points.size() + task.pixels.size());
     const auto [of, measure] = measure::measurePoints(task);
+    progress->advance(measure.size());
     std::string text;
     for (const std::string& line : survey::inWords(measure, of))
         text += line + "\n";
@@ -57,22 +60,19 @@ void addMeasureCommand(CLI::App& program) {
     CLI::App* command = program.add_subcommand("measure", "Measure lengths, heights, angles and areas between points");
     auto options = std::make_shared<MeasureOptions>();
     command->add_option("MODEL", options->task.model, "A .gnm file")->required();
-    command->add_option("--point", options->points, "The next point, in the source's coordinates; repeat it")
-        ->type_name("X,Y,Z")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    command->add_option("--pixel", options->pixels, "The next point: what this pixel of the view shows; repeat it")
-        ->type_name("X,Y")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    const auto addPlaces = [&](const char* name, std::vector<std::string>& places, const char* help) {
+        return command->add_option(name, places, help)
+            ->expected(1)
+            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    };
+    addPlaces("--point", options->points, "The next point, source's coordinates; repeat it")->type_name("X,Y,Z");
+    addPlaces("--pixel", options->pixels, "The next point: what this pixel shows; repeat it")->type_name("X,Y");
     command->add_flag("--vertices", options->task.takesVertices, "Of --pixel: the nearest vertex of what is drawn");
     CLI::Option* json = command->add_flag("--json", options->json, "Print one JSON document");
     command->add_flag("--csv", options->csv, "Print a row of CSV a point")->excludes(json);
     options->settings.addTo(*command);
     addCommonOptions(*command, options->common);
-    command->footer(
-        "Points lie on the model's grid, whose step `gnomon info` says. `within` is how far at most a point "
-        "is from the source's surface, or from the coordinates that were given.");
+    command->footer("Points lie on the model's grid; `within` is how far one may be from the source's surface.");
     command->callback([options] { runMeasure(*options); });
 }
 

@@ -39,6 +39,7 @@ private:
 
     void waitForEvents();
     void takeInput(double seconds);
+    void takePressesAndClicks();
     void takeDrag(const Drag& drag);
     std::optional<glm::dvec3> pick(const glm::ivec2& at) const;
     DragScene underCursor() const;

@@ -17,15 +17,10 @@ void WindowSession::takeInput(double seconds) {
     for (const std::string& file : input_.dropped())
         open(file);
     if (input_.hasNewScale()) imgui_.rescale();
-    if (!imgui_.wantsKeys())
-        for (const KeyPress& press : input_.presses())
-            if (const Binding* binding = bindingOf(press.key, press.withShift)) act(*binding);
+    takePressesAndClicks();
     if (!walk_.hasEntered()) return;
     for (const Drag& drag : input_.drags())
         takeDrag(drag);
-    if (measuring_.isOn())
-        for (const Click& click : input_.clicks())
-            measure(click);
     CameraControl& control = walk_.control();
     if (walk_.isPlaying()) return; // the path has the camera
     if (input_.wheel() != 0) {
@@ -39,6 +34,22 @@ void WindowSession::takeInput(double seconds) {
         control.advance(flight, seconds);
         pace_.wakeScene();
     }
+}
+
+/// In the order in which they came: a key may drop or save what a click has measured.
+void WindowSession::takePressesAndClicks() {
+    std::size_t clicked = 0;
+    const auto measureBefore = [&](std::size_t presses) {
+        for (; clicked < input_.clicks().size() && input_.clicks()[clicked].pressesBefore <= presses; ++clicked)
+            if (measuring_.isOn() && file_.scene() != nullptr) measure(input_.clicks()[clicked]);
+    };
+    for (std::size_t i = 0; i < input_.presses().size(); ++i) {
+        measureBefore(i);
+        const KeyPress& press = input_.presses()[i];
+        const Binding* binding = imgui_.wantsKeys() ? nullptr : bindingOf(press.key, press.withShift);
+        if (binding != nullptr) act(*binding);
+    }
+    measureBefore(input_.presses().size());
 }
 
 void WindowSession::takeDrag(const Drag& drag) {

@@ -217,6 +217,7 @@ class WrongInputs(ProgramTest):
             ("path", f"{made}.gnm", "--kind", "walk", "-o", f"{made}.json"),
             ("render", f"{made}.gnm", "-o", f"{made}.png", "--size", "64x64"),
             ("explain", f"{made}.gnm"),
+            ("measure", f"{made}.gnm", "--point", "0,0,0", "--point", "1,0,0"),
             ("bench", f"{made}.gnm", "--path", f"{made}.json", "--frames", "2", "--size", "64x64"),
             ("theory", "table", "--near", "1", "--far", "10", "--fov-y", "60", "--light", "1,2,3"),
         ):

@@ -80,7 +80,7 @@ void Input::onButton(int button, int action, int modifiers) {
         if (button != dragButton_) return;
         dragButton_ = -1;
         if (button == GLFW_MOUSE_BUTTON_LEFT && glm::distance(cursor_, pressedAt_) < kOnePlace)
-            clicks_.push_back({pressedAt_, (dragModifiers_ & GLFW_MOD_SHIFT) != 0});
+            clicks_.push_back({pressedAt_, (dragModifiers_ & GLFW_MOD_SHIFT) != 0, presses_.size()});
         return;
     }
     if (isMouseTaken_ || dragButton_ != -1) return;

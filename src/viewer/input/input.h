@@ -29,6 +29,7 @@ struct Drag {
 struct Click {
     glm::dvec2 at{0}; // pixels of the framebuffer
     bool withShift = false;
+    std::size_t pressesBefore = 0; // keys that went down before it, since the last frame
 };
 
 /// The keys and the mouse of one window. It must outlive the window's callbacks; make it before Dear ImGui's, which

@@ -7,6 +7,7 @@
 #include "viewer/frame_log.h"
 #include "viewer/framed_model.h"
 #include "viewer/input/input.h"
+#include "viewer/input/section_drag.h"
 #include "viewer/input/steering.h"
 #include "viewer/measuring.h"
 #include "viewer/open_file.h"
@@ -41,6 +42,7 @@ private:
     void takeInput(double seconds);
     void takePressesAndClicks();
     void takeDrag(const Drag& drag);
+    void dragSection(const Drag& drag);
     std::optional<glm::dvec3> pick(const glm::ivec2& at) const;
     DragScene underCursor() const;
     void act(const Binding& binding);
@@ -79,6 +81,7 @@ private:
     OpenFile file_;
     Walk walk_;
     Steering steering_;
+    SectionDrag sectionDrag_;
     Pace pace_;
     DetailBudget budget_;
     FrameHistory history_;

@@ -53,6 +53,7 @@ void WindowSession::takePressesAndClicks() {
 }
 
 void WindowSession::takeDrag(const Drag& drag) {
+    if (useOf(drag) == DragUse::Section) return dragSection(drag);
     const bool turnsLight = useOf(drag) == DragUse::Light;
     if (walk_.isPlaying() && !turnsLight) return;
     if (drag.moved != glm::dvec2(0)) pace_.wakeScene(); // a press by itself changes nothing that is drawn
@@ -60,6 +61,15 @@ void WindowSession::takeDrag(const Drag& drag) {
         turnLight(settings_.asked, walk_.control().camera(), drag.moved);
     else
         steering_.drag(drag, underCursor(), walk_.control());
+}
+
+void WindowSession::dragSection(const Drag& drag) {
+    std::vector<settings::Section>& sections = settings_.asked.sections;
+    if (sections.empty()) return messages_.show("no section to drag: J makes one");
+    if (!file_.scene()->isSoftware()) return messages_.show("only the software executor draws sections");
+    sectionDrag_.drag(drag, underCursor(), walk_.control().camera(), framebufferSize(), framed_->bounds(), sections);
+    messages_.show(sectionInWords(sections[sectionDrag_.held()], framed_->bounds()));
+    pace_.wakeScene();
 }
 
 /// The pixel of the last frame, of fewer ones while time is short, at one of the window.

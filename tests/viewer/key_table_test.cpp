@@ -79,6 +79,12 @@ TEST(KeyTable, ALevelSectionComesMovesAndGoes) {
     EXPECT_EQ(press(Action::ToggleSection, 0), "section: none");
     EXPECT_TRUE(settings.sections.empty());
     EXPECT_EQ(press(Action::MoveSection, -50), "section: 3 above the lowest point");
+    EXPECT_TRUE(press(Action::ToggleSection, 0) && press(Action::ToggleSection, 1));
+    ASSERT_EQ(settings.sections.size(), settings::kMostSections);
+    const double top = bounds.max.y;
+    EXPECT_TRUE(press(Action::MoveSection, -100)); // of a box its lid
+    EXPECT_EQ(settings.sections.back().normal, glm::dvec3(0, 1, 0));
+    EXPECT_LT(settings.sections.back().point.y, top - 1.9);
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 // Keys and drags against what the help says of them.
 #include "core/random.h"
+#include "viewer/input/section_drag.h"
 #include "viewer/input/steering.h"
 #include "viewer/panel/storage_pad.h"
 
@@ -141,6 +142,66 @@ TEST(Steering, APressByItselfChangesNoCamera) {
             steering.drag(dragBy(button, {7, 3}, 0, false), scene, pressed);
             EXPECT_NE(pressed.camera().target, before.target);
         }
+}
+
+TEST(SectionDrag, KeepsWhatWasTakenHoldOfUnderTheCursor) {
+    constexpr int kSide = 600;
+    Random random(5);
+    const Box bounds{{-2, -3, -4}, {2, 3, 4}};
+    int moved = 0;
+    for (int trial = 0; trial < 300; ++trial) {
+        const auto within = [&](double most) {
+            return glm::dvec3(random.uniform(-most, most), random.uniform(-most, most), random.uniform(-most, most));
+        };
+        Camera camera{12.0 * glm::normalize(within(1)), within(0.5), {0, 1, 0}, 1};
+        std::vector<settings::Section> sections = {{within(1), within(2)}, {within(1), within(2)}};
+        const std::size_t aimed = random.below(2);
+        const glm::dvec3 normal = glm::normalize(sections[aimed].normal);
+        glm::dvec3 grip = sections[aimed].point + glm::cross(normal, within(1)); // on the plane
+        SectionDrag section;
+        DragScene scene{pixelOf(camera, grip, kSide), kSide, [&](const glm::ivec2&) { return std::optional(grip); }};
+        const std::vector<settings::Section> before = sections;
+        const Drag begin = dragBy(GLFW_MOUSE_BUTTON_LEFT, {0, 0}, GLFW_MOD_CONTROL | GLFW_MOD_SHIFT);
+        ASSERT_EQ(useOf(begin), DragUse::Section);
+        section.drag(begin, scene, camera, {kSide, kSide}, bounds, sections);
+        EXPECT_EQ(section.held(), aimed) << trial;
+        // The cursor goes where the grip is to be, along the normal, in steps.
+        const double way = random.uniform(-1, 1);
+        const glm::dvec2 start = scene.cursor;
+        for (int step = 1; step <= 4; ++step) {
+            const glm::dvec2 next = pixelOf(camera, grip + normal * (way * step / 4), kSide);
+            const Drag on = dragBy(GLFW_MOUSE_BUTTON_LEFT, next - scene.cursor, begin.modifiers, false);
+            scene.cursor = next;
+            section.drag(on, scene, camera, {kSide, kSide}, bounds, sections);
+        }
+        EXPECT_EQ(sections[1 - aimed], before[1 - aimed]);
+        const bool isSeenAhead = glm::length(scene.cursor - start) < 12;
+        if (isSeenAhead) continue;
+        ++moved;
+        EXPECT_NEAR(glm::length(sections[aimed].point - before[aimed].point - normal * way), 0, 1e-6) << trial;
+    }
+    EXPECT_GT(moved, 150);
+}
+
+TEST(SectionDrag, ABoxCutsNothingOffAndStaysWithinReach) {
+    const Box bounds{{-2, -3, -4}, {2, 3, 5}};
+    std::vector<settings::Section> sections = sectionBox(bounds);
+    ASSERT_EQ(sections.size(), settings::kMostSections);
+    for (const settings::Section& section : sections) {
+        EXPECT_GT(glm::dot(section.normal, section.point), glm::dot(glm::abs(section.normal), bounds.extent()) * 0.4);
+        EXPECT_EQ(sectionInWords(section, bounds).find("section: "), 0U);
+    }
+    const Camera camera{{0, 0, 20}, {0, 0, 0}, {0, 1, 0}, 1};
+    SectionDrag drag;
+    DragScene scene{{300, 300}, 600, [](const glm::ivec2&) { return std::optional(glm::dvec3(2, 0, 0)); }};
+    const Drag begin = dragBy(GLFW_MOUSE_BUTTON_LEFT, {0, 0}, GLFW_MOD_CONTROL | GLFW_MOD_SHIFT);
+    drag.drag(begin, scene, camera, {600, 600}, bounds, sections);
+    scene.cursor.x -= 400;
+    drag.drag(
+        dragBy(GLFW_MOUSE_BUTTON_LEFT, {-400, 0}, begin.modifiers, false), scene, camera, {600, 600}, bounds, sections);
+    EXPECT_EQ(sections[drag.held()].normal, glm::dvec3(1, 0, 0));
+    EXPECT_NEAR(sections[drag.held()].point.x, -2.04, 1e-9);
+    EXPECT_EQ(sectionInWords(sections[drag.held()], bounds), "section: 0 of 4 left");
 }
 
 } // namespace

@@ -82,6 +82,7 @@ def check_mouse(display, program, folder, model):
     time.sleep(1)
     for gesture, act in enumerate((lambda: session.drag(1, 150, 40), lambda: session.drag(1, 150, 40, "alt"),
                 lambda: session.drag(1, 80, 30, "shift"), lambda: session.drag(1, 200, -60, "ctrl"),
+                lambda: (session.press("shift+j"), session.drag(1, 0, -200, "ctrl", "shift")),
                 lambda: session.drag(2, 80, 30), lambda: session.drag(3, 100, -30),
                 lambda: display.do("click", 4), lambda: display.do("click", "--repeat", 2, "--delay", 60, 1),
                 lambda: (display.do("keydown", "ctrl"), display.do("click", 4), display.do("keyup", "ctrl"),

@@ -27,8 +27,8 @@ enum class Action : std::uint8_t {
     ToggleHollows,
     Record,
     Play,
-    ToggleSection,
-    MoveSection, // value is by how many 400ths of the model's height
+    ToggleSection, // value 1: six of them
+    MoveSection,   // value is by how many 400ths of the model's height
     SaveCamera,
     Measure,
     NextMeasure,

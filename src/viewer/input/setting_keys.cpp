@@ -3,6 +3,9 @@
 #include "core/formatted.h"
 #include "settings/step.h"
 #include "settings/table.h"
+#include "viewer/input/section_drag.h"
+
+#include <algorithm>
 
 namespace gnomon::viewer {
 
@@ -49,9 +52,19 @@ std::optional<std::string> changeSection(
         sections.clear();
         return "section: none";
     }
+    if (binding.action == Action::ToggleSection && binding.value == 1) {
+        sections = sectionBox(bounds);
+        return "section: a box of six; Ctrl + Shift + drag moves its sides";
+    }
     const glm::dvec3 axis = glm::normalize(up);
     const double height = glm::dot(glm::abs(axis), bounds.extent());
     if (sections.empty()) sections.push_back({bounds.center(), axis});
+    if (binding.action == Action::MoveSection && sections.size() > 1) { // that which is most level
+        const auto level = [&](const settings::Section& s) { return glm::dot(glm::normalize(s.normal), axis); };
+        const auto top = std::max_element(
+            sections.begin(), sections.end(), [&](const auto& a, const auto& b) { return level(a) < level(b); });
+        std::swap(*top, sections.back());
+    }
     settings::Section& moved = sections.back();
     if (binding.action == Action::MoveSection) moved.point += axis * (binding.value / kStepsOfHeight * height);
     const double above = glm::dot(axis, moved.point - bounds.center()) + 0.5 * height;

@@ -17,9 +17,9 @@ bool changeShown(const Binding& binding, ViewSettings& settings);
 /// something else.
 std::optional<std::string> changeQuality(const Binding& binding, settings::Settings& settings);
 
-/// Takes the level section away, puts one half way up a model within `bounds` (world space), or moves it along `up`,
-/// which it is across: what is above it is cut away. Returns what is now set, for people; nothing if `binding` is about
-/// something else.
+/// Takes the sections away, puts a level one half way up a model within `bounds` (world space) or six around it, or
+/// moves the most level one along `up`: what is above it is cut away. Returns what is now set, for people; nothing if
+/// `binding` is about something else.
 std::optional<std::string> changeSection(
     const Binding& binding, settings::Settings& settings, const Box& bounds, const glm::dvec3& up);
 

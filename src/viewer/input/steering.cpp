@@ -78,8 +78,9 @@ std::string turnWheel(double notches, bool withControl, const DragScene& scene, 
 DragUse useOf(const Drag& drag) {
     if (drag.button == GLFW_MOUSE_BUTTON_MIDDLE) return DragUse::Pan;
     if (drag.button == GLFW_MOUSE_BUTTON_RIGHT) return DragUse::Look;
-    if ((drag.modifiers & GLFW_MOD_CONTROL) != 0) return DragUse::Light;
-    if ((drag.modifiers & GLFW_MOD_SHIFT) != 0) return DragUse::Pan;
+    const bool withShift = (drag.modifiers & GLFW_MOD_SHIFT) != 0;
+    if ((drag.modifiers & GLFW_MOD_CONTROL) != 0) return withShift ? DragUse::Section : DragUse::Light;
+    if (withShift) return DragUse::Pan;
     return (drag.modifiers & GLFW_MOD_ALT) != 0 ? DragUse::Look : DragUse::Orbit;
 }
 

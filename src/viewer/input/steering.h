@@ -28,10 +28,10 @@ struct DragScene {
 };
 
 /// What a drag does.
-enum class DragUse : std::uint8_t { Orbit, Look, Pan, Light };
+enum class DragUse : std::uint8_t { Orbit, Look, Pan, Light, Section };
 
 /// Left: orbits; middle, or Shift with the left: pans; right, or Alt with the left: looks around; Ctrl with the left:
-/// turns the light.
+/// turns the light; Ctrl and Shift with the left: moves a section.
 DragUse useOf(const Drag& drag);
 
 /// Moves towards what is under the cursor, or ahead where nothing is; with Ctrl it changes the flying speed and returns

@@ -2,6 +2,7 @@
 
 #include "exact/plain_shadows.h"
 #include "executor/frame_block.h"
+#include "executor/view/section_memory.h"
 
 #include <algorithm>
 #include <cmath>
@@ -174,6 +175,7 @@ void addCutCaster(
 void gatherExactCasters(const FrameDrawing& frame, SoftwarePass& image, std::vector<exact::Caster>& casters) {
     casters.clear();
     const bool isCut = frame.plan->view.cutsCasters && !frame.plan->view.sections.empty();
+    if (isCut) frame.sectionMemory->cut.cut(frame, frame.exactCasters->ranges);
     const ClusterSet drawn(image.drawn(), isCut);
     addDrawnCasters(frame, image, casters);
     if (isCut) addPieceCasters(frame, image, 0, casters);

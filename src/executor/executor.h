@@ -105,6 +105,8 @@ enum class LightPart : std::uint8_t {
 /// 0 where no surface is: minus what is left of the background's light, -1 but where a shadow lies on the ground.
 using LightPicture = Raster<std::array<float, 3>>;
 
+struct SectionMemory;
+
 /// One frame, ready to be drawn.
 struct FrameDrawing {
     const plan::FramePlan* plan = nullptr;
@@ -125,6 +127,7 @@ struct FrameDrawing {
     LightPart lightPart = LightPart::All;
     double skyWeight = 0;                              // of SkyDirection: what it counts for, as light_model.h has it
     std::vector<const selection::DrawList*> sections;  // by plane of the view's: all clusters that lie near it
+    SectionMemory* sectionMemory = nullptr;            // of these and of the model
     const hierarchy::Page* ground = nullptr;           // one cluster, on which nothing but shadows is seen
     const Raster<std::uint8_t>* litMask = nullptr;     // 255 where the light reaches, instead of maps
     const selection::DrawList* exactCasters = nullptr; // of drawExactly, besides the image's own clusters

@@ -2,8 +2,10 @@
 
 #include "executor/frame_block.h"
 #include "executor/view/section_caps.h"
+#include "executor/view/section_memory.h"
 
 #include <tbb/parallel_for.h>
+#include <tbb/task_group.h>
 
 #include <algorithm>
 
@@ -17,10 +19,13 @@ std::optional<raster::OcclusionCounts> drawVisible(const FrameDrawing& frame, co
     const raster::View seen = rasterView(frame.space, imageClipFromDraw(frame), {0, 0, view.width, view.height});
     const raster::VisibilityTarget target{buffers.words->data(), view.width, view.height};
     std::optional<raster::OcclusionCounts> hidden;
+    tbb::task_group lines; // finding them is hard to share out
+    if (!frame.sections.empty()) lines.run([&] { frame.sectionMemory->lines.find(frame); });
     if (frame.plan->skipsHidden)
         hidden = buffers.rasterizer->drawVisible(pass.clusters(), pass.boxes(), seen, target);
     else
         buffers.rasterizer->drawVisibility(pass.clusters(), seen, target);
+    lines.wait();
     if (!frame.sections.empty()) drawCaps(frame, *buffers.words);
     return hidden;
 }

@@ -1,33 +1,15 @@
 #include "executor/software_pass.h"
 
-#include "executor/view/section_cut.h"
+#include "executor/view/section_memory.h"
 
 namespace gnomon::executor {
-
-namespace {
-
-DrawnCluster drawnCluster(const hierarchy::Page& page, std::uint32_t id, std::uint32_t index) {
-    const hierarchy::Cluster& cluster = page.clusters[index];
-    return {
-        page.vertices.data() + cluster.firstVertex, page.triangles.data() + cluster.firstTriangle, &page, id, index};
-}
-
-} // namespace
-
-SoftwarePass::SoftwarePass() = default;
-SoftwarePass::~SoftwarePass() = default;
-SoftwarePass::SoftwarePass(SoftwarePass&&) noexcept = default;
-SoftwarePass& SoftwarePass::operator=(SoftwarePass&&) noexcept = default;
 
 void SoftwarePass::gather(const FrameDrawing& frame, const selection::DrawList& list, Cutting cutting) {
     clusters_.clear();
     drawn_.clear();
     hasGround_ = false;
     const bool isCut = cutting == Cutting::BySections && !frame.plan->view.sections.empty();
-    if (isCut) {
-        if (!cut_) cut_ = std::make_unique<SectionCut>();
-        cut_->reset(frame);
-    }
+    if (isCut) frame.sectionMemory->cut.cut(frame, list.ranges);
     for (const selection::ClusterRange& range : list.ranges) {
         if (isCut) {
             addCut(frame, range);
@@ -40,11 +22,12 @@ void SoftwarePass::gather(const FrameDrawing& frame, const selection::DrawList& 
 }
 
 void SoftwarePass::addCut(const FrameDrawing& frame, const selection::ClusterRange& range) {
+    SectionCut& cut = frame.sectionMemory->cut;
     const hierarchy::Page& page = frame.pages(range.page);
     for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c) {
-        const Containment place = cut_->place(page.clusters[c].box);
+        const Containment place = cut.place(page.clusters[c].box);
         if (place == Containment::Inside) addWhole(drawnCluster(page, range.page, c));
-        if (place == Containment::Intersecting) cut_->addPieces(drawnCluster(page, range.page, c), clusters_, drawn_);
+        if (place == Containment::Intersecting) cut.addPieces(drawnCluster(page, range.page, c), clusters_, drawn_);
     }
 }
 

@@ -5,29 +5,18 @@
 #include "executor/view/drawn_cluster.h"
 #include "raster/raster.h"
 
-#include <memory>
-
 namespace gnomon::executor {
 
 /// Which clusters of a list a pass takes.
 enum class Cutting : std::uint8_t { Whole, BySections };
 
-class SectionCut;
-
 /// The clusters of one draw list; keeps its memory from pass to pass.
 class SoftwarePass {
 public:
-    SoftwarePass();
-    ~SoftwarePass();
-    SoftwarePass(const SoftwarePass&) = delete;
-    SoftwarePass& operator=(const SoftwarePass&) = delete;
-    SoftwarePass(SoftwarePass&&) noexcept;
-    SoftwarePass& operator=(SoftwarePass&&) noexcept;
-
     /// Takes the clusters of `list`, whose pages must outlive the pass, or what the frame's sections leave of them.
     void gather(const FrameDrawing& frame, const selection::DrawList& list, Cutting cutting);
 
-    /// Takes more of them, by the sections of the last `gather` with these.
+    /// Takes more of them, cut by sections.
     void addCut(const FrameDrawing& frame, const selection::ClusterRange& range);
 
     /// Adds the one cluster of `ground`, likewise.
@@ -49,7 +38,6 @@ private:
     std::vector<raster::Cluster> clusters_;
     std::vector<DrawnCluster> drawn_;
     std::vector<raster::CellBox> boxes_;
-    std::unique_ptr<SectionCut> cut_;
     bool hasGround_ = false;
 };
 

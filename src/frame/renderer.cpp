@@ -1,6 +1,7 @@
 #include "frame/renderer.h"
 
 #include "executor/lod_substitutes.h"
+#include "executor/view/section_memory.h"
 #include "frame/frame_cuts.h"
 #include "plan/map_reuse.h"
 
@@ -29,7 +30,10 @@ void clipAround(const Camera& camera, const Box& bounds, executor::FrameDrawing&
 } // namespace
 
 Renderer::Renderer(const hierarchy::ModelFile& model, executor::Executor& executor, ResidencyOptions options)
-    : model_(&model), executor_(&executor), residency_(model, std::move(options)) {}
+    : model_(&model),
+      executor_(&executor),
+      residency_(model, std::move(options)),
+      sections_(std::make_shared<executor::SectionMemory>()) {}
 
 plan::FramePlan Renderer::plan(const plan::View& view, const plan::Quality& quality) {
     return prepare(view, quality, Waiting::UntilComplete, previous_).plan;
@@ -89,6 +93,8 @@ executor::FrameDrawing Renderer::drawing(const PreparedFrame& frame, const Frame
     const std::size_t planes = frame.plan.view.sections.size();
     for (std::size_t i = frame.cut.lists.size() - planes; i < frame.cut.lists.size(); ++i)
         drawing.sections.push_back(&frame.cut.lists[i]);
+    drawing.sectionMemory = sections_.get();
+    sections_->cut.begin(drawing);
     drawing.pages = [resident = residency_.resident()](std::uint32_t page) -> const hierarchy::Page& {
         return *resident[page];
     };

@@ -138,6 +138,7 @@ private:
     std::vector<culling::DepthCandidate> depthScratch_;
     std::shared_ptr<const Ground> ground_;    // of the view that is prepared
     std::shared_ptr<ExactEstimate> estimate_; // its memory; made when first needed
+    std::shared_ptr<executor::SectionMemory> sections_;
 };
 
 } // namespace gnomon::frame

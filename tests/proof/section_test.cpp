@@ -2,10 +2,13 @@
 // line comes out of what is solid, shadows against rays.
 #include "core/random.h"
 #include "executor/software_executor.h"
+#include "executor/view/cap_buffers.h"
 #include "executor/view/drawn_cluster.h"
 #include "executor/view/lens.h"
 #include "executor/view/section_caps.h"
 #include "executor/view/section_cut.h"
+#include "executor/view/section_lines.h"
+#include "executor/view/section_memory.h"
 #include "frame/ground.h"
 #include "frame/made_model.h"
 #include "frame/renderer.h"
@@ -34,6 +37,14 @@ public:
         quality.errorPixels = 0;
         renderer_.forget();
         return renderer_.render(view, quality, {});
+    }
+
+    /// A picture by a renderer that has drawn nothing before, or by the one that has drawn all the others.
+    executor::Picture picture(const plan::View& view, const plan::Quality& quality, bool isFresh) {
+        frame::Renderer fresh(model_.file(), *executor_, {});
+        renderer_.forget();
+        (isFresh ? fresh : renderer_).render(view, quality, {});
+        return executor_->picture();
     }
 
     executor::Executor& executor() { return *executor_; }
@@ -211,6 +222,23 @@ TEST(Sections, ShadowsOfExactDecisionsAreThoseOfRays) {
         changed += executor::difference(stage.executor().picture(), exact).changedFraction;
     }
     EXPECT_GT(changed, 1e-3) << "what is cut away casts, or does not";
+}
+
+TEST(Sections, DrawTheSameWhateverWasCutBefore) {
+    SectionStage stage("statue", 20000);
+    Random random(14);
+    plan::View view = sectionedView(stage.bounds(), random);
+    for (int trial = 0; trial < 24; ++trial) {
+        const plan::View other = sectionedView(stage.bounds(), random);
+        if (trial % 2 == 0) view.camera = other.camera; // the planes stay, and what is near them is another detail
+        if (trial % 3 == 0) view.sections = other.sections;
+        if (trial % 5 == 0) view.width = view.height = kSectionSide / 2 + static_cast<int>(random.below(100));
+        plan::Quality quality;
+        quality.shadows = trial % 4 < 2 ? plan::ShadowMode::Maps : plan::ShadowMode::Exact;
+        quality.errorPixels = random.uniform(0.3, 8);
+        const executor::Picture kept = stage.picture(view, quality, false);
+        EXPECT_EQ(executor::difference(stage.picture(view, quality, true), kept).changedFraction, 0) << trial;
+    }
 }
 
 /// Whether the level plane at the height `lowest` is in shadow where that pixel shows it.

@@ -36,9 +36,13 @@ private:
     std::vector<std::uint32_t> parents_;
 };
 
+std::uint64_t hashOfThree(std::uint64_t a, std::uint64_t b, std::uint64_t c) {
+    return mix64(a * 0x9E3779B97F4A7C15U + b * 0xC2B2AE3D27D4EB4FU + c * 0x165667B19E3779F9U);
+}
+
 std::uint64_t hashOfPoint(const glm::dvec3& p) {
     const auto bits = [](double v) { return std::bit_cast<std::uint64_t>(v + 0.0); }; // one zero
-    return mix64(bits(p.x) + 3 * mix64(bits(p.y) + 3 * mix64(bits(p.z))));
+    return hashOfThree(bits(p.x), bits(p.y), bits(p.z));
 }
 
 /// The ends of lines by place: two of a line, its beginning first.
@@ -79,24 +83,28 @@ void forAllKeys(const PointKey& low, const PointKey& high, const Use& use) {
 /// Calls `use` with each two of `points` that lie within `reach` of each other, the later one first.
 template <class Use>
 void forAllPairs(const std::vector<glm::dvec3>& points, double reach, const Use& use) {
-    const double side = 16 * reach; // so that few points lie near a border
+    const double perCell = 1 / (16 * reach); // so that few points lie near a border
     const auto keyOf = [&](const glm::dvec3& p) {
-        const glm::dvec3 cell = glm::floor(p / side);
+        constexpr double kBeyondAll = 0x1p40; // so that what is cut off is always below
         return PointKey{
-            static_cast<std::int64_t>(cell.x), static_cast<std::int64_t>(cell.y), static_cast<std::int64_t>(cell.z)};
+            static_cast<std::int64_t>(p.x * perCell + kBeyondAll),
+            static_cast<std::int64_t>(p.y * perCell + kBeyondAll),
+            static_cast<std::int64_t>(p.z * perCell + kBeyondAll)};
     };
     const auto hashOfKey = [](const PointKey& key) {
         const auto bits = [&](std::size_t axis) { return static_cast<std::uint64_t>(key.at(axis)); };
-        return mix64(bits(0) + 3 * mix64(bits(1) + 3 * mix64(bits(2))));
+        return hashOfThree(bits(0), bits(1), bits(2));
     };
     constexpr std::uint32_t kLast = IndexTable::kAbsent;
     IndexTable firsts(points.size());               // by cell
     std::vector<std::uint32_t> next(points.size()); // in the same cell
     std::vector<PointKey> keys(points.size());
     for (std::uint32_t i = 0; i < points.size(); ++i) {
-        keys[i] = keyOf(points[i]);
         // The cells that a point within reach may lie in: mostly this one alone.
-        forAllKeys(keyOf(points[i] - reach), keyOf(points[i] + reach), [&](const PointKey& near) {
+        const PointKey low = keyOf(points[i] - reach);
+        const PointKey high = keyOf(points[i] + reach);
+        keys[i] = low == high ? low : keyOf(points[i]);
+        forAllKeys(low, high, [&](const PointKey& near) {
             const auto isThere = [&](std::uint32_t other) { return keys[other] == near; };
             for (std::uint32_t k = firsts.find(hashOfKey(near), isThere); k != kLast; k = next[k])
                 if (glm::length(points[i] - points[k]) <= reach) use(i, k);
@@ -120,15 +128,39 @@ std::vector<int> surplusOf(const std::vector<std::uint32_t>& ends, std::size_t p
 
 /// Marks the lines that are connected with no place that is left more or less often than reached.
 void markBalanced(const Places& places, std::vector<SectionLine>& lines) {
+    const std::vector<int> surplus = surplusOf(places.ofEnds, places.points.size());
     Joined joined(places.points.size());
     for (std::size_t i = 0; i < lines.size(); ++i)
         joined.join(places.ofEnds[2 * i], places.ofEnds[2 * i + 1]);
-    const std::vector<int> surplus = surplusOf(places.ofEnds, places.points.size());
     std::vector<bool> isOpen(places.points.size());
     for (std::uint32_t i = 0; i < surplus.size(); ++i)
         if (surplus[i] != 0) isOpen[joined.find(i)] = true;
     for (std::size_t i = 0; i < lines.size(); ++i)
         lines[i].isClosed = !isOpen[joined.find(places.ofEnds[2 * i])];
+}
+
+/// The lines of `lines` that are not marked, by number, and their places.
+struct OpenLines {
+    std::vector<std::uint32_t> numbers;
+    Places places;
+};
+
+OpenLines openLines(const std::vector<SectionLine>& lines, const Places& places) {
+    OpenLines open;
+    std::vector<std::uint32_t> newPlaces(places.points.size(), IndexTable::kAbsent);
+    for (std::uint32_t i = 0; i < lines.size(); ++i) {
+        if (lines[i].isClosed) continue;
+        open.numbers.push_back(i);
+        for (const std::uint32_t end : {2 * i, 2 * i + 1}) {
+            std::uint32_t& place = newPlaces[places.ofEnds[end]];
+            if (place == IndexTable::kAbsent) {
+                place = static_cast<std::uint32_t>(open.places.points.size());
+                open.places.points.push_back(places.points[places.ofEnds[end]]);
+            }
+            open.places.ofEnds.push_back(place);
+        }
+    }
+    return open;
 }
 
 /// A graph of lines between places; the last ones may be left out any number of times.
@@ -273,31 +305,24 @@ void addBridges(const std::vector<glm::dvec3>& points, LineGraph& graph) {
 } // namespace
 
 void markClosed(std::vector<SectionLine>& lines) {
-    markBalanced(samePlaces(lines), lines);
-    std::vector<std::uint32_t> rest;
-    std::vector<SectionLine> others;
-    for (std::uint32_t i = 0; i < lines.size(); ++i) {
-        if (lines[i].isClosed) continue;
-        rest.push_back(i);
-        others.push_back(lines[i]);
-    }
-    const Places places = samePlaces(others);
+    const Places all = samePlaces(lines);
+    markBalanced(all, lines);
+    const auto [numbers, places] = openLines(lines, all);
     Joined joined(places.points.size());
     forAllPairs(places.points, kWeld, [&](std::uint32_t a, std::uint32_t b) { joined.join(a, b); });
-    LineGraph graph{places.ofEnds, {}, {}, 0};
+    LineGraph graph{places.ofEnds, {}, {}, numbers.size()};
     for (std::uint32_t& end : graph.ends)
         end = joined.find(end);
     graph.surplus = surplusOf(graph.ends, places.points.size());
-    for (const SectionLine& line : others)
-        graph.lengths.push_back(lengthOf(line.from, line.to));
-    graph.onceCount = graph.lengths.size();
+    for (const std::uint32_t i : numbers)
+        graph.lengths.push_back(lengthOf(lines[i].from, lines[i].to));
     addBridges(places.points, graph);
     const std::vector<std::uint32_t> ends = graph.ends;
     LeastOpening opening(std::move(graph));
     opening.run();
-    for (std::size_t i = 0; i < rest.size(); ++i)
-        lines[rest[i]].isClosed = opening.leftOut(i) == 0;
-    for (std::size_t i = rest.size(); i < ends.size() / 2; ++i)
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        lines[numbers[i]].isClosed = opening.leftOut(i) == 0;
+    for (std::size_t i = numbers.size(); i < ends.size() / 2; ++i)
         for (int k = 0; k < opening.leftOut(i); ++k)
             lines.push_back({places.points[ends[2 * i + 1]], places.points[ends[2 * i]], true});
 }

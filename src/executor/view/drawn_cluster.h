@@ -21,4 +21,11 @@ struct DrawnCluster {
     bool isPiece = false; // triangles are those of the cluster that pieces of them are drawn for, one a piece
 };
 
+/// A cluster of a page, whole.
+inline DrawnCluster drawnCluster(const hierarchy::Page& page, std::uint32_t id, std::uint32_t index) {
+    const hierarchy::Cluster& cluster = page.clusters[index];
+    return {
+        page.vertices.data() + cluster.firstVertex, page.triangles.data() + cluster.firstTriangle, &page, id, index};
+}
+
 } // namespace gnomon::executor

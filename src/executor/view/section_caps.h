@@ -2,18 +2,11 @@
 #pragma once
 
 #include "executor/executor.h"
+#include "executor/view/cap_buffers.h"
 
 #include <span>
 
 namespace gnomon::executor {
-
-/// What a section plane shows at a pixel.
-enum class CapKind : std::uint8_t {
-    None,
-    Solid,    // the inside of a closed surface
-    Outline,  // where the plane meets that surface
-    OpenEdge, // where it meets one that is not closed
-};
 
 /// Names in the visibility buffer from here on are those of caps, no triangles.
 constexpr std::uint32_t kFirstCapName = 0xFFFFFF00U;

@@ -1,118 +1,205 @@
 #include "executor/view/section_cut.h"
 
+#include "core/check.h"
+
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace gnomon::executor {
 
 namespace {
 
-/// A point on the way from `a` to `b` where a plane is met, at the distances from it; the same for both directions.
-glm::i64vec3 crossing(glm::i64vec3 a, double atA, glm::i64vec3 b, double atB) {
-    const bool isTurned = std::array{b.x, b.y, b.z} < std::array{a.x, a.y, a.z};
-    if (isTurned) {
-        std::swap(a, b);
-        std::swap(atA, atB);
-    }
-    const glm::dvec3 from(a);
-    const glm::i64vec3 met(glm::round(from + (glm::dvec3(b) - from) * (atA / (atA - atB))));
-    return met;
+constexpr std::size_t kMostPlanes = 6;
+constexpr std::size_t kMostCorners = 3 + kMostPlanes; // of a triangle that as many planes cut
+
+glm::dvec3 cellOf(const hierarchy::GridPoint& point) {
+    return {point.x, point.y, point.z};
 }
 
-} // namespace
+/// A point on the way from `a` to `b` where a plane is met, at the distances from it, rounded to the grid; the same for
+/// both directions.
+glm::dvec3 crossing(const glm::dvec3& a, double atA, const glm::dvec3& b, double atB) {
+    const bool isTurned = a.x != b.x ? b.x < a.x : a.y != b.y ? b.y < a.y : b.z < a.z;
+    const glm::dvec3 met = isTurned ? b + (a - b) * (atB / (atB - atA)) : a + (b - a) * (atA / (atA - atB));
+    const glm::u64vec3 nearest(met + 0.5); // they are not below 0
+    return {nearest.x, nearest.y, nearest.z};
+}
 
-std::vector<Plane> sectionPlanes(const FrameDrawing& frame) {
+/// A convex polygon of points of the grid.
+struct GridPolygon {
+    std::array<glm::dvec3, kMostCorners> corners{};
+    std::size_t size = 0;
+
+    void add(const glm::dvec3& corner) { corners[size++] = corner; }
+};
+
+/// What a plane keeps of it.
+GridPolygon clipped(const GridPolygon& polygon, const Plane& plane) {
+    std::array<double, kMostCorners> sides{};
+    for (std::size_t i = 0; i < polygon.size; ++i)
+        sides[i] = plane.signedDistance(polygon.corners[i]);
+    GridPolygon rest;
+    for (std::size_t i = 0; i < polygon.size; ++i) {
+        const std::size_t next = i + 1 < polygon.size ? i + 1 : 0;
+        if (sides[i] >= 0) rest.add(polygon.corners[i]);
+        if ((sides[i] >= 0) != (sides[next] >= 0))
+            rest.add(crossing(polygon.corners[i], sides[i], polygon.corners[next], sides[next]));
+    }
+    return rest;
+}
+
+std::uint64_t keyOf(const DrawnCluster& drawn) {
+    return std::uint64_t{drawn.pageId} << 32U | drawn.cluster;
+}
+
+std::vector<Plane> planesFrom(const FrameDrawing& frame, const glm::dvec3& origin) {
     std::vector<Plane> planes;
-    const glm::dvec3 origin = frame.grid.world(frame.space.originCell);
     for (const Plane& plane : frame.plan->view.sections)
         planes.push_back({plane.normal, plane.signedDistance(origin) / frame.space.step});
     return planes;
 }
 
-void SectionCut::reset(const FrameDrawing& frame) {
-    planes_ = sectionPlanes(frame);
-    origin_ = frame.space.originCell;
-    pieces_.clear();
+} // namespace
+
+std::vector<Plane> sectionPlanes(const FrameDrawing& frame) {
+    return planesFrom(frame, frame.grid.world(frame.space.originCell));
 }
 
-SectionCut::Cell SectionCut::cellOf(const hierarchy::GridPoint& point) const {
-    const auto from = [](std::uint32_t a, std::uint32_t b) {
-        return static_cast<std::int64_t>(a) - static_cast<std::int64_t>(b);
-    };
-    return {from(point.x, origin_.x), from(point.y, origin_.y), from(point.z, origin_.z)};
+std::vector<Plane> sectionPlanesOfGrid(const FrameDrawing& frame) {
+    return planesFrom(frame, frame.grid.origin);
+}
+
+void SectionCut::begin(const FrameDrawing& frame) {
+    constexpr std::size_t kMost = std::size_t{32} << 20U;
+    const auto isSame = [](const Plane& a, const Plane& b) { return a.normal == b.normal && a.offset == b.offset; };
+    std::vector<Plane> planes = sectionPlanesOfGrid(frame);
+    GNOMON_CHECK(planes.size() <= kMostPlanes);
+    const bool areSame = std::equal(planes.begin(), planes.end(), planes_.begin(), planes_.end(), isSame);
+    planes_ = std::move(planes);
+    if (areSame && bytes_ <= kMost) return;
+    cuts_.clear();
+    bytes_ = 0;
 }
 
 Containment SectionCut::place(const hierarchy::GridBox& box) const {
-    const Box cells{glm::dvec3(cellOf(box.min)), glm::dvec3(cellOf(box.max))};
-    return classify(ConvexVolume{planes_}, cells);
-}
-
-std::vector<SectionCut::Cell> SectionCut::kept(std::array<Cell, 3> corners) const {
-    std::vector<Cell> polygon(corners.begin(), corners.end());
+    const glm::dvec3 center = (cellOf(box.min) + cellOf(box.max)) * 0.5;
+    const glm::dvec3 half = (cellOf(box.max) - cellOf(box.min)) * 0.5;
+    Containment result = Containment::Inside;
     for (const Plane& plane : planes_) {
-        std::vector<Cell> rest;
-        for (std::size_t i = 0; i < polygon.size(); ++i) {
-            const Cell& a = polygon[i];
-            const Cell& b = polygon[(i + 1) % polygon.size()];
-            const double atA = plane.signedDistance(glm::dvec3(a));
-            const double atB = plane.signedDistance(glm::dvec3(b));
-            if (atA >= 0) rest.push_back(a);
-            if ((atA >= 0) != (atB >= 0)) rest.push_back(crossing(a, atA, b, atB));
-        }
-        polygon = std::move(rest);
-        if (polygon.size() < 3) return {};
+        const double reach = glm::dot(glm::abs(plane.normal), half);
+        const double middle = plane.signedDistance(center);
+        if (middle < -reach) return Containment::Outside;
+        if (middle < reach) result = Containment::Intersecting;
     }
-    return polygon;
+    return result;
 }
 
-void SectionCut::flush(
-    const DrawnCluster& whole,
-    const Pieces& pieces,
-    std::vector<raster::Cluster>& clusters,
-    std::vector<DrawnCluster>& drawn) {
-    if (pieces.triangles.empty()) return;
-    clusters.push_back(
-        {pieces.positions.front().data(),
-         sizeof(pieces.positions.front()),
-         static_cast<std::uint32_t>(pieces.positions.size()),
-         pieces.triangles,
-         static_cast<std::uint32_t>(clusters.size()) << kTriangleBits});
-    drawn.push_back(whole);
-    drawn.back().triangles = pieces.wholes.data();
-    drawn.back().isPiece = true;
+/// Room for what is left of a cluster; nothing where that is known.
+SectionCut::CutCluster* SectionCut::insert(const DrawnCluster& whole) {
+    const auto [place, isNew] = cuts_.try_emplace(keyOf(whole));
+    return isNew ? &place->second : nullptr;
+}
+
+std::size_t SectionCut::bytesOf(const CutCluster& cut) {
+    const auto sizeOf = [](const auto& all) { return all.capacity() * sizeof(all.front()); };
+    return sizeof(CutCluster) + sizeOf(cut.untouched) + sizeOf(cut.positions) + sizeOf(cut.triangles) +
+           sizeOf(cut.wholes) + sizeOf(cut.parts);
+}
+
+void SectionCut::cut(const FrameDrawing& frame, std::span<const selection::ClusterRange> ranges) {
+    std::vector<std::pair<DrawnCluster, CutCluster*>> work;
+    for (const selection::ClusterRange& range : ranges) {
+        const hierarchy::Page& page = frame.pages(range.page);
+        for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c) {
+            if (place(page.clusters[c].box) != Containment::Intersecting) continue;
+            const DrawnCluster whole = drawnCluster(page, range.page, c);
+            if (CutCluster* cut = insert(whole)) work.emplace_back(whole, cut);
+        }
+    }
+    tbb::parallel_for(std::size_t{0}, work.size(), [&](std::size_t i) { cutCluster(work[i].first, *work[i].second); });
+    for (const auto& [whole, cut] : work)
+        bytes_ += bytesOf(*cut);
+}
+
+/// `beyond` are the planes that go through it.
+void SectionCut::cutTriangle(
+    const DrawnCluster& whole, const hierarchy::Triangle& triangle, unsigned beyond, CutCluster& cut) const {
+    GridPolygon polygon;
+    for (const std::uint8_t corner : triangle)
+        polygon.add(cellOf(whole.vertices[corner].position));
+    for (std::size_t plane = 0; plane < planes_.size(); ++plane)
+        if ((beyond >> plane & 1U) != 0) polygon = clipped(polygon, planes_[plane]);
+    if (polygon.size < 3) return;
+    const auto isFull = [&](const CutCluster::Part& part) {
+        return cut.positions.size() - part.firstPosition + polygon.size > raster::kMaxClusterVertices ||
+               cut.triangles.size() - part.firstTriangle + polygon.size - 2 > raster::kMaxClusterTriangles;
+    };
+    if (cut.parts.empty() || isFull(cut.parts.back()))
+        cut.parts.push_back({cut.positions.size(), cut.triangles.size()});
+    const std::size_t first = cut.positions.size() - cut.parts.back().firstPosition;
+    const auto at = [&](std::size_t corner) { return static_cast<std::uint8_t>(first + corner); };
+    for (std::size_t i = 0; i < polygon.size; ++i) {
+        const glm::u64vec3 p(polygon.corners.at(i));
+        cut.positions.push_back(
+            {static_cast<std::uint32_t>(p.x), static_cast<std::uint32_t>(p.y), static_cast<std::uint32_t>(p.z)});
+    }
+    for (std::size_t i = 2; i < polygon.size; ++i) {
+        cut.triangles.push_back({at(0), at(i - 1), at(i)});
+        cut.wholes.push_back(triangle);
+    }
+}
+
+void SectionCut::cutCluster(const DrawnCluster& whole, CutCluster& cut) const {
+    const hierarchy::Cluster& cluster = whole.page->clusters[whole.cluster];
+    std::array<std::uint8_t, raster::kMaxClusterVertices> beyond{}; // by vertex: the planes that cut it away
+    for (std::size_t plane = 0; plane < planes_.size(); ++plane)
+        for (std::uint32_t v = 0; v < cluster.vertexCount; ++v)
+            if (planes_[plane].signedDistance(cellOf(whole.vertices[v].position)) < 0)
+                beyond[v] |= static_cast<std::uint8_t>(1U << plane);
+    for (std::uint32_t t = 0; t < cluster.triangleCount; ++t) {
+        const hierarchy::Triangle& triangle = whole.triangles[t];
+        const unsigned a = beyond[triangle[0]];
+        const unsigned b = beyond[triangle[1]];
+        const unsigned c = beyond[triangle[2]];
+        if ((a & b & c) != 0) continue;
+        if ((a | b | c) == 0)
+            cut.untouched.push_back(triangle);
+        else
+            cutTriangle(whole, triangle, a | b | c, cut);
+    }
 }
 
 void SectionCut::addPieces(
     const DrawnCluster& whole, std::vector<raster::Cluster>& clusters, std::vector<DrawnCluster>& drawn) {
-    const hierarchy::Cluster& cluster = whole.page->clusters[whole.cluster];
-    Pieces* pieces = &pieces_.emplace_back();
-    for (std::uint32_t t = 0; t < cluster.triangleCount; ++t) {
-        const hierarchy::Triangle& triangle = whole.triangles[t];
-        std::array<Cell, 3> corners{};
-        for (std::size_t k = 0; k < 3; ++k)
-            corners.at(k) = cellOf(whole.vertices[triangle.at(k)].position);
-        const std::vector<Cell> polygon = kept(corners);
-        if (polygon.empty()) continue;
-        const bool isFull = pieces->positions.size() + polygon.size() > raster::kMaxClusterVertices ||
-                            pieces->triangles.size() + polygon.size() - 2 > raster::kMaxClusterTriangles;
-        if (isFull) {
-            flush(whole, *pieces, clusters, drawn);
-            pieces = &pieces_.emplace_back();
-        }
-        const auto first = static_cast<std::uint8_t>(pieces->positions.size());
-        for (const Cell& cell : polygon)
-            pieces->positions.push_back(
-                {static_cast<std::uint32_t>(cell.x + origin_.x),
-                 static_cast<std::uint32_t>(cell.y + origin_.y),
-                 static_cast<std::uint32_t>(cell.z + origin_.z)});
-        for (std::size_t i = 2; i < polygon.size(); ++i) {
-            const auto at = [&](std::size_t place) { return static_cast<std::uint8_t>(first + place); };
-            pieces->triangles.push_back({at(0), at(i - 1), at(i)});
-            pieces->wholes.push_back(triangle);
-        }
+    const CutCluster& cut = cuts_.at(keyOf(whole));
+    const auto add = [&](raster::Cluster cluster, const hierarchy::Triangle* wholes) {
+        cluster.firstTriangleId = static_cast<std::uint32_t>(clusters.size()) << kTriangleBits;
+        clusters.push_back(cluster);
+        drawn.push_back(whole);
+        drawn.back().triangles = wholes;
+        drawn.back().isPiece = true;
+    };
+    if (!cut.untouched.empty()) {
+        const std::uint32_t vertexCount = whole.page->clusters[whole.cluster].vertexCount;
+        add({&whole.vertices->position.x, sizeof(hierarchy::Vertex), vertexCount, cut.untouched, 0},
+            cut.untouched.data());
     }
-    flush(whole, *pieces, clusters, drawn);
+    for (std::size_t i = 0; i < cut.parts.size(); ++i) {
+        const CutCluster::Part& part = cut.parts[i];
+        const bool isLast = i + 1 == cut.parts.size();
+        const std::size_t positions =
+            (isLast ? cut.positions.size() : cut.parts[i + 1].firstPosition) - part.firstPosition;
+        const std::size_t triangles =
+            (isLast ? cut.triangles.size() : cut.parts[i + 1].firstTriangle) - part.firstTriangle;
+        add({cut.positions[part.firstPosition].data(),
+             sizeof(cut.positions.front()),
+             static_cast<std::uint32_t>(positions),
+             {&cut.triangles[part.firstTriangle], triangles},
+             0},
+            &cut.wholes[part.firstTriangle]);
+    }
 }
 
 } // namespace gnomon::executor

@@ -135,7 +135,7 @@ struct NearLanes {
 
 /// Holds the triangle against the samples at [begin, end) of the grid. Calls `decide(place, mayCast)` for those that
 /// only integers can decide; `mayCast` is false where it can touch at most. What is ahead of the largest tolerance is
-/// dark whatever the sample's own is, which so is looked up for few.
+/// dark whatever the sample's own tolerance is, which so is looked up for few.
 template <class Decide>
 HWY_INLINE void testSamples(
     const TriangleTest& t, const CastContext& context, std::size_t begin, std::size_t end, const Decide& decide) {
@@ -163,7 +163,10 @@ HWY_INLINE void testSamples(
         if (hn::AllFalse(kDoubles, mayBeAhead)) continue;
         const auto beyond = hn::NegMulAdd(constant(t.area), tolerance, height);
         const auto isDark = hn::And(mayBeAhead, hn::And(hn::Gt(least, edgeError), hn::Gt(beyond, heightError)));
-        forLanes(isDark, [&](std::size_t lane) { mark(context.statuses[i + lane], kDark); });
+        forLanes(isDark, [&](std::size_t lane) {
+            // A piece of what a section cut may lie off the triangle that it is of, which holds the sample.
+            if (context.grid->triangle[i + lane] != t.name) mark(context.statuses[i + lane], kDark);
+        });
         const auto isOpen = hn::AndNot(isDark, mayBeAhead);
         if (hn::AllFalse(kDoubles, isOpen)) continue;
         NearLanes near; // NOLINT(cppcoreguidelines-pro-type-member-init): stored at once

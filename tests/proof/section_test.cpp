@@ -1,6 +1,7 @@
 // Sections and the ground: pictures against plain lines of sight that meet every triangle, caps against how often a
 // line comes out of what is solid, shadows against rays.
 #include "core/random.h"
+#include "executor/exact_pass.h"
 #include "executor/software_executor.h"
 #include "executor/view/cap_buffers.h"
 #include "executor/view/drawn_cluster.h"
@@ -45,6 +46,17 @@ public:
         renderer_.forget();
         (isFresh ? fresh : renderer_).render(view, quality, {});
         return executor_->picture();
+    }
+
+    /// How much of the picture of an exact frame, the last one, changes where integers decide its shadows one by one.
+    double changedByIntegers(const frame::Frame& frame) {
+        const executor::Picture exact = executor_->picture();
+        executor::FrameDrawing drawing = renderer_.drawing(frame, {});
+        drawing.exactCasters = &frame.cut.lists[1];
+        const executor::Raster<std::uint8_t> lit = executor::litByIntegers(drawing);
+        drawing.litMask = &lit;
+        executor_->drawImage(drawing);
+        return executor::difference(executor_->picture(), exact).changedFraction;
     }
 
     executor::Executor& executor() { return *executor_; }
@@ -207,8 +219,9 @@ TEST(Sections, ShadowsOfExactDecisionsAreThoseOfRays) {
         plan::Quality quality;
         quality.look.shading = plan::Shading::Lit;
         quality.shadows = plan::ShadowMode::Exact;
-        stage.render(view, quality);
+        const frame::Frame frame = stage.render(view, quality);
         const executor::Picture exact = stage.executor().picture();
+        EXPECT_EQ(stage.changedByIntegers(frame), 0) << trial;
         quality.shadows = plan::ShadowMode::Rays;
         stage.render(view, quality);
         EXPECT_LE(executor::difference(stage.executor().picture(), exact).changedFraction, 2e-3) << trial;

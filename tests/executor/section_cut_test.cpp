@@ -188,6 +188,18 @@ TEST(SectionCut, KeepsToWhatAClusterCanHoldAndNamesItByPlace) {
     EXPECT_GT(parts, 2U);
 }
 
+/// How long the line is in which a plane meets a triangle.
+double metLength(const PlainTriangle& corners, const Plane& plane) {
+    std::vector<glm::dvec3> ends;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const glm::dvec3& next = corners.at((k + 1) % 3);
+        const double a = plane.signedDistance(corners.at(k));
+        const double b = plane.signedDistance(next);
+        if ((a >= 0) != (b >= 0)) ends.push_back(glm::mix(corners.at(k), next, a / (a - b)));
+    }
+    return ends.size() == 2 ? glm::length(ends[1] - ends[0]) : 0;
+}
+
 TEST(SectionCut, LinesAreThoseInWhichThePlaneMeetsTriangles) {
     Random random(23);
     for (int trial = 0; trial < 60; ++trial) {
@@ -195,17 +207,8 @@ TEST(SectionCut, LinesAreThoseInWhichThePlaneMeetsTriangles) {
         for (std::size_t plane = 0; plane < stage.planes().size(); ++plane) {
             const Plane& cut = stage.planes()[plane];
             double wanted = 0;
-            for (const hierarchy::Triangle& triangle : stage.page().triangles) {
-                const PlainTriangle corners = stage.corners(triangle);
-                std::vector<glm::dvec3> ends;
-                for (std::size_t k = 0; k < 3; ++k) {
-                    const double a = cut.signedDistance(corners.at(k));
-                    const double b = cut.signedDistance(corners.at((k + 1) % 3));
-                    if ((a >= 0) != (b >= 0))
-                        ends.push_back(glm::mix(corners.at(k), corners.at((k + 1) % 3), a / (a - b)));
-                }
-                if (ends.size() == 2) wanted += glm::length(ends[1] - ends[0]);
-            }
+            for (const hierarchy::Triangle& triangle : stage.page().triangles)
+                wanted += metLength(stage.corners(triangle), cut);
             double found = 0;
             for (const SectionLine& line : stage.lines(plane)) {
                 EXPECT_NEAR(cut.signedDistance(line.from), 0, 10) << "but for bridges, which join ends a little apart";

@@ -24,23 +24,8 @@ public:
     void add(const Corners& corners, std::uint32_t index) {
         const glm::dvec3 least(glm::min(glm::min(corners[0], corners[1]), corners[2]) - light_);
         const glm::dvec3 most(glm::max(glm::max(corners[0], corners[1]), corners[2]) - light_);
-        for (int face = 0; face < 6; ++face) {
-            const int axis = face / 2;
-            const double near = face % 2 == 0 ? least[axis] : -most[axis];
-            const double far = face % 2 == 0 ? most[axis] : -least[axis];
-            if (far <= 0) continue;
-            const auto span = [&](int k) {
-                if (near <= 0) return std::array<std::size_t, 2>{0, kSide - 1};
-                const double low = least[k] / (least[k] < 0 ? near : far);
-                const double high = most[k] / (most[k] > 0 ? near : far);
-                return std::array{bucket(low - kSlack), bucket(high + kSlack)};
-            };
-            const auto [x0, x1] = span((axis + 1) % 3);
-            const auto [y0, y1] = span((axis + 2) % 3);
-            for (std::size_t y = y0; y <= y1; ++y)
-                for (std::size_t x = x0; x <= x1; ++x)
-                    lists_[place(face, x, y)].push_back(index);
-        }
+        for (int face = 0; face < 6; ++face)
+            addToFace(face, least, most, index);
     }
 
     const std::vector<std::uint32_t>& at(const glm::dvec3& fromLight) const {
@@ -56,6 +41,24 @@ private:
     static constexpr std::size_t kSide = 128;
     static constexpr double kSlack = 1e-9; // more than rounding can move what is seen
 
+    void addToFace(int face, const glm::dvec3& least, const glm::dvec3& most, std::uint32_t index) {
+        const int axis = face / 2;
+        const double near = face % 2 == 0 ? least[axis] : -most[axis];
+        const double far = face % 2 == 0 ? most[axis] : -least[axis];
+        if (far <= 0) return;
+        const auto span = [&](int k) {
+            if (near <= 0) return std::array<std::size_t, 2>{0, kSide - 1};
+            const double low = least[k] / (least[k] < 0 ? near : far);
+            const double high = most[k] / (most[k] > 0 ? near : far);
+            return std::array{bucket(low - kSlack), bucket(high + kSlack)};
+        };
+        const auto [x0, x1] = span((axis + 1) % 3);
+        const auto [y0, y1] = span((axis + 2) % 3);
+        for (std::size_t y = y0; y <= y1; ++y)
+            for (std::size_t x = x0; x <= x1; ++x)
+                lists_[place(face, x, y)].push_back(index);
+    }
+
     /// Of a place from -1 to 1; those beyond are in the outermost.
     static std::size_t bucket(double x) {
         const double cells = std::floor((x + 1) / 2 * static_cast<double>(kSide));
@@ -70,33 +73,21 @@ private:
     std::vector<std::vector<std::uint32_t>> lists_;
 };
 
-} // namespace
+/// All triangles that cast.
+struct SeenScene {
+    explicit SeenScene(const glm::i64vec3& from) : light(from), buckets(from) {}
 
-std::vector<std::uint8_t> plainPointStatuses(
-    const SampleList& samples,
-    std::span<const Caster> casters,
-    const glm::uvec3& originCell,
-    std::span<const std::uint8_t> isAsked) {
-    constexpr unsigned kTriangleBits = 8;
-    const glm::i64vec3 light = *samples.space().pointLight;
-    CastContext context;
-    context.originCell = originCell;
-    std::vector<SeenTriangle> triangles;
-    CubeBuckets buckets(light);
-    for (const Caster& caster : casters) {
-        if (caster.geometry.vertexCount == 0) continue; // it lends its triangles to the samples that name them
+    void add(const Caster& caster, const CastContext& context) {
+        if (caster.geometry.vertexCount == 0) return; // it lends its triangles to the samples that name them
         for (std::size_t t = 0; t < caster.geometry.triangles.size(); ++t) {
             const Corners corners = cornersOf(context, caster, t);
             buckets.add(corners, static_cast<std::uint32_t>(triangles.size()));
             triangles.push_back({corners, caster.geometry.firstTriangleId + static_cast<std::uint32_t>(t)});
         }
     }
-    const auto statusOf = [&](std::size_t i) {
-        const std::uint32_t own = samples.triangle[i];
-        const PointOnTriangle point{
-            cornersOf(context, casters[own >> kTriangleBits], own & (raster::kMaxClusterTriangles - 1)),
-            samples.second[i],
-            samples.third[i]};
+
+    /// Of a point of the triangle named `own`.
+    std::uint8_t statusOf(const PointOnTriangle& point, std::uint32_t own) const {
         const glm::i64vec3 scaled = scaledPoint(point);
         const std::optional<PointRay> ray = rayToPoint(light, scaled);
         if (!ray) return kLit;
@@ -110,10 +101,33 @@ std::vector<std::uint8_t> plainPointStatuses(
             if ((status & kDark) != 0) return kDark;
         }
         return status;
-    };
+    }
+
+    glm::i64vec3 light;
+    std::vector<SeenTriangle> triangles;
+    CubeBuckets buckets;
+};
+
+} // namespace
+
+std::vector<std::uint8_t> plainPointStatuses(
+    const SampleList& samples,
+    std::span<const Caster> casters,
+    const glm::uvec3& originCell,
+    std::span<const std::uint8_t> isAsked) {
+    constexpr unsigned kTriangleBits = 8;
+    CastContext context;
+    context.originCell = originCell;
+    SeenScene scene(*samples.space().pointLight);
+    for (const Caster& caster : casters)
+        scene.add(caster, context);
     std::vector<std::uint8_t> statuses(samples.size(), kLit);
     tbb::parallel_for(std::size_t{0}, samples.size(), [&](std::size_t i) {
-        if (isAsked.empty() || isAsked[i] != 0) statuses[i] = statusOf(i);
+        if (!isAsked.empty() && isAsked[i] == 0) return;
+        const std::uint32_t own = samples.triangle[i];
+        const Corners corners =
+            cornersOf(context, casters[own >> kTriangleBits], own & (raster::kMaxClusterTriangles - 1));
+        statuses[i] = scene.statusOf({corners, samples.second[i], samples.third[i]}, own);
     });
     return statuses;
 }

@@ -289,6 +289,35 @@ std::multiset<std::array<std::array<double, 3>, 3>> trianglesOf(const std::strin
     return triangles;
 }
 
+TEST_F(Tiles, LeaveNothingWhereTheyAreInterrupted) {
+    class Stop final : public Progress {
+    public:
+        void stage(std::string_view, std::string_view, std::uint64_t) override {}
+
+        void advance(std::uint64_t) override {
+            if (--left == 0) throw Interrupted();
+        }
+
+        int left = 0;
+    };
+
+    const std::string model = written(6);
+    TilesetOptions options;
+    options.tileTriangles = 300;
+    bool isWhole = false;
+    for (int steps = 1; !isWhole; steps += 7) {
+        Stop stop;
+        stop.left = steps;
+        try {
+            exportTileset(model, options, place + "/t", stop);
+            isWhole = true;
+        } catch (const Interrupted&) {
+            EXPECT_FALSE(fs::exists(place + "/t")) << steps;
+        }
+    }
+    EXPECT_TRUE(fs::exists(place + "/t/tileset.json"));
+}
+
 TEST_F(Tiles, PackedOnesHoldTheSame) {
     const std::string model = written(5);
     TilesetOptions options;

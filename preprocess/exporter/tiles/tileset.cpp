@@ -69,7 +69,7 @@ public:
             const double limit = isLast ? 0 : limits[level];
             errors_.push_back(limit);
             const double above = level == 0 ? limit : errors_[level - 1];
-            writeLevel(clusters, level, limit, above, pages);
+            writeLevel(clusters, level, limit, above, pages, progress);
             progress.advance(1);
         }
         writeDocument();
@@ -107,13 +107,19 @@ private:
     }
 
     void writeLevel(
-        const std::vector<TileCluster>& clusters, std::size_t level, double limit, double above, PageCache& pages) {
+        const std::vector<TileCluster>& clusters,
+        std::size_t level,
+        double limit,
+        double above,
+        PageCache& pages,
+        Progress& progress) {
         TileLevel tiles;
         // A quarter of what the level above may be off by: stored errors are bounds, some four times what is measured,
         // and deeper skirts come out on the other side of thin parts.
         const double depth = std::max(limit, above / 4);
         const double skirt = options_.hasSkirts ? depth / file_.summary().grid.step() : 0;
         for (const auto& [key, members] : cellsOf(clusters, level, limit)) {
+            progress.advance(0); // asks whether to go on
             TileCell cell;
             cell.side = side_ >> level;
             for (std::size_t i = 0; i < 3; ++i)
@@ -244,7 +250,14 @@ ExportedTileset exportTileset(
     if (options.place && !(std::abs(options.place->x) <= 90))
         throw Error("a place on the earth", "bad latitude", "-90 to 90", std::to_string(options.place->x));
     const ModelFile file(model);
-    return TilesetWriter(file, options, folder).write(progress);
+    const bool isNew = !fs::exists(folder, missing);
+    try {
+        return TilesetWriter(file, options, folder).write(progress);
+    } catch (...) { // without its tileset.json nothing finds a tile, and the folder has to be empty for another try
+        fs::remove_all(folder + "/tiles", missing);
+        if (isNew) fs::remove(folder, missing);
+        throw;
+    }
 }
 
 } // namespace gnomon::exporter

@@ -32,7 +32,8 @@ struct ExportedTileset {
 /// One line for people.
 std::string tilesetText(const ExportedTileset& done);
 
-/// Writes tileset.json, last, and tiles/LEVEL/X_Y_Z.glb into `folder`, which must be empty or not there. Level k is a
+/// Writes tileset.json, last, and tiles/LEVEL/X_Y_Z.glb into `folder`, which must be empty or not there; nothing stays
+/// of tiles that fail or are interrupted. Level k is a
 /// uniform cut of four times the triangles of level k - 1, cut off at the sides of cells of half the length; a tile is
 /// replaced by those below it (REPLACE), and its geometricError is the limit of its cut in metres, 0 where it is the
 /// finest detail. Skirts

@@ -140,7 +140,8 @@ Bounds boundsOf(const BenchOptions& options) {
 std::vector<measure::BenchRun> runsOf(const BenchOptions& options) {
     settings::Settings fixed = options.settings.fixedSettings();
     if (options.shadowMaps || proof::isOfMaps(options.walk.oracle)) settings::askForMaps(fixed);
-    if (proof::isOfMaps(options.walk.oracle)) settings::requireWholeInSun(fixed, "--oracle or --report");
+    const auto requireDrawable = options.report.empty() ? settings::requireWhole : settings::requireWholeInSun;
+    if (proof::isOfMaps(options.walk.oracle)) requireDrawable(fixed, "--oracle or --report");
     requireNoWindow(fixed);
     if (settings::isPosed(fixed))
         throw settings::UsageError{"--path and --camera, --eye, --target, --view, --fov-y contradict each other"};

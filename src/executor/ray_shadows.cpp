@@ -28,24 +28,25 @@ raycast::Scene rayScene(const FrameDrawing& frame, std::span<const selection::Dr
     return {spans, frame.grid, frame.grid.local(frame.space.originCell)};
 }
 
-glm::vec3 towardsLight(const plan::FramePlan& plan) {
-    return plan.light.unit();
+raycast::LightSource lightSource(const FrameDrawing& frame) {
+    const std::optional<plan::PointLight>& lamp = frame.plan->view.pointLight;
+    if (!lamp) return {frame.plan->light.unit(), false};
+    return {lamp->at - frame.grid.origin - frame.grid.local(frame.space.originCell), true};
 }
 
 std::vector<raycast::Light> lightByRays(
     const raycast::Occluders& scene,
-    const plan::FramePlan& plan,
-    const DrawSpace& space,
+    const FrameDrawing& frame,
     const Raster<SurfaceSample>& surfaces,
     double offsetPixels) {
     std::vector<raycast::SurfacePoint> points(surfaces.pixels.size());
     tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t i) {
         const SurfaceSample& surface = surfaces.pixels[i];
         if (surface.isSurface == 0) return;
-        const double pixel = pixelWidth(plan, space, glm::dvec3(surface.position));
+        const double pixel = pixelWidth(*frame.plan, frame.space, glm::dvec3(surface.position));
         points[i] = {surface.position, surface.normal, static_cast<float>(offsetPixels * pixel)};
     });
-    std::vector<raycast::Light> light = raycast::litByRays(scene, points, towardsLight(plan));
+    std::vector<raycast::Light> light = raycast::litByRays(scene, points, lightSource(frame));
     // Where the two disagree about which side a surface shows, by the last bit of a cosine, the picture is right.
     for (std::size_t i = 0; i < light.size(); ++i)
         if (surfaces.pixels[i].isSurface != 0 && !surfaces.pixels[i].isLitSide()) light[i] = raycast::Light::Turned;
@@ -69,8 +70,7 @@ Raster<std::uint8_t> litBySurfaces(Executor& executor, FrameDrawing frame, std::
     frame.overlay = Overlay::None;
     drawCalls += executor.drawImage(frame).drawCalls;
     const Raster<SurfaceSample> surfaces = executor.surfaces();
-    const std::vector<raycast::Light> light =
-        lightByRays(*frame.rays, *frame.plan, frame.space, surfaces, kTouchingPixels);
+    const std::vector<raycast::Light> light = lightByRays(*frame.rays, frame, surfaces, kTouchingPixels);
     Raster<std::uint8_t> lit(surfaces.width, surfaces.height);
     for (std::size_t i = 0; i < light.size(); ++i)
         lit.pixels[i] = light[i] == raycast::Light::Lit ? 255 : 0;

@@ -16,8 +16,8 @@ std::vector<selection::ClusterRange> distinctClusters(std::span<const selection:
 /// The clusters of `lists`, each once, as rays meet them in the frame's draw space.
 raycast::Scene rayScene(const FrameDrawing& frame, std::span<const selection::DrawList* const> lists);
 
-/// The direction towards the light in draw space.
-glm::vec3 towardsLight(const plan::FramePlan& plan);
+/// Where the light of `frame` comes from, in draw space.
+raycast::LightSource lightSource(const FrameDrawing& frame);
 
 /// How far from a surface a ray towards the light begins, in widths of the pixel: what is nearer touches it. Surfaces
 /// that coincide but for the grid and the level of detail would else shadow each other in specks.
@@ -27,8 +27,7 @@ inline constexpr double kTouchingPixels = 0.25;
 /// error of the surface where the scene is of another level of detail.
 std::vector<raycast::Light> lightByRays(
     const raycast::Occluders& scene,
-    const plan::FramePlan& plan,
-    const DrawSpace& space,
+    const FrameDrawing& frame,
     const Raster<SurfaceSample>& surfaces,
     double offsetPixels);
 

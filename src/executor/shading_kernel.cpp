@@ -255,7 +255,9 @@ void lookUpShadowsInLanes(const ShadingFrame& f, PointBatch& batch) {
         const Vec3 position = loadVec3(batch.position, i);
         const Vec3 normal = loadVec3(batch.normal, i);
         const auto depth = hn::Add(dot(constant(&f.frame->viewDirection.x), position), constant(f.frame->originDepth));
-        const auto cosine = dot(normal, constant(&f.frame->towardsLight.x));
+        Vec3 light = constant(&f.frame->towardsLight.x);
+        if (isFromPoint(f)) light = towardsPoint(*f.frame, position);
+        const auto cosine = dot(normal, light);
         auto pass = hn::Set(kInts, -1);
         const auto lit = litByMaps(f, {position, normal, depth, cosine, hn::Gt(cosine, hn::Zero(kFloats))}, pass);
         hn::StoreU(lit, kFloats, batch.lit.data() + i);

@@ -102,6 +102,11 @@ HWY_INLINE Floats clipCoordinate(const Partition& part, int row, const Vec3& off
         hn::Add(hn::Mul(part(8 + row), offset.z), part(12 + row)));
 }
 
+/// Whether the maps are those of a point light, a partition for each face of the cube about it.
+HWY_INLINE bool isFromPoint(const ShadingFrame& f) {
+    return f.frame->pointReach > 0;
+}
+
 /// Whose rows lie logarithmically; false at once where no map's do.
 template <class Partition>
 HWY_INLINE Mask hasLogRows(const Partition& part) {
@@ -111,8 +116,14 @@ HWY_INLINE Mask hasLogRows(const Partition& part) {
 /// The bias that a flat receiver, and a neighbour somewhat steeper, needs over half a texel and the kernel; `w` is the
 /// map's at `offset`.
 template <class Partition>
-HWY_INLINE Floats
-receiverBias(const Partition& part, const Vec3& offset, const Vec3& normal, Floats cosine, Floats w, Floats inverseW) {
+HWY_INLINE Floats receiverBias(
+    const ShadingFrame& f,
+    const Partition& part,
+    const Vec3& offset,
+    const Vec3& normal,
+    Floats cosine,
+    Floats w,
+    Floats inverseW) {
     const auto distance = hn::Neg(dot(normal, offset));
     const auto withPlane = [&](int k) HWY_ATTR {
         return hn::Add(dot(normal, {part(k), part(k + 1), part(k + 2)}), hn::Mul(distance, part(k + 3)));
@@ -124,8 +135,10 @@ receiverBias(const Partition& part, const Vec3& offset, const Vec3& normal, Floa
     const auto slope = hn::Div(hn::Add(hn::Abs(withPlane(kByColumn)), byRow), across);
     const auto grazing = hn::Min(constant(1), hn::Mul(cosine, constant(10)));
     const auto unevenX = part(kUnevenX);
-    const auto unevenZ = hn::Mul(part(kUnevenZ), hn::IfThenElse(isLog, one, w));
-    const auto uneven = hn::Sqrt(hn::Add(hn::Mul(unevenX, unevenX), hn::Mul(unevenZ, unevenZ)));
+    const bool isPoint = isFromPoint(f);
+    const auto unevenZ = isPoint ? part(kUnevenZ) : hn::Mul(part(kUnevenZ), hn::IfThenElse(isLog, one, w));
+    auto uneven = hn::Sqrt(hn::Add(hn::Mul(unevenX, unevenX), hn::Mul(unevenZ, unevenZ)));
+    if (isPoint) uneven = hn::Mul(uneven, inverseW);
     return hn::Add(hn::Mul(hn::Add(hn::Mul(slope, grazing), uneven), part(kReach)), constant(6e-7F));
 }
 
@@ -160,7 +173,7 @@ lookupAt(const ShadingFrame& f, const Partition& part, const Vec3& p, const Vec3
     const auto depth = hn::Min(
         hn::Sub(
             hn::Mul(clipCoordinate(part, 2, offset), inverseW),
-            receiverBias(part, offset, normal, cosine, w, inverseW)),
+            receiverBias(f, part, offset, normal, cosine, w, inverseW)),
         constant(1));
     const auto half = constant(0.5F * static_cast<float>(std::max(f.frame->filterTexels, 1) - 1));
     const auto far = constant(1e6F);
@@ -220,10 +233,26 @@ struct SurfaceLanes {
     Mask faces;    // whether that is above 0
 };
 
+/// The map of the cube's face that a surface is lit through.
+HWY_INLINE Ints passOfCubeFace(const ShadingFrame& f, const Vec3& fromLight) {
+    const auto x = hn::Abs(fromLight.x);
+    const auto y = hn::Abs(fromLight.y);
+    const auto z = hn::Abs(fromLight.z);
+    const auto isX = hn::And(hn::Ge(x, y), hn::Ge(x, z));
+    const auto isY = hn::Ge(y, z);
+    const auto along = hn::IfThenElse(isX, fromLight.x, hn::IfThenElse(isY, fromLight.y, fromLight.z));
+    const auto number = [&](int i) HWY_ATTR { return hn::Set(kInts, i); };
+    const auto plus = hn::IfThenElse(
+        hn::RebindMask(kInts, isX), number(0), hn::IfThenElse(hn::RebindMask(kInts, isY), number(2), number(4)));
+    const auto isMinus = hn::RebindMask(kInts, hn::Lt(along, hn::Zero(kFloats)));
+    const auto face = hn::Add(plus, hn::IfThenElse(isMinus, number(1), number(0)));
+    return hn::GatherIndex(kInts, &f.shadows->passOfPartition[0].x, face);
+}
+
 /// The map that each surface looks up; -1 where there is none, or where it is turned from the light.
 HWY_INLINE Ints passOfSurface(const ShadingFrame& f, const SurfaceLanes& surface) {
-    const auto relative = subtract(surface.position, constant(&f.frame->eye.x));
-    const auto pass = passOf(f, relative, surface.depth);
+    const auto pass = isFromPoint(f) ? passOfCubeFace(f, subtract(surface.position, constant(&f.frame->towardsLight.x)))
+                                     : passOf(f, subtract(surface.position, constant(&f.frame->eye.x)), surface.depth);
     return hn::IfThenElse(hn::RebindMask(kInts, surface.faces), pass, hn::Set(kInts, -1));
 }
 

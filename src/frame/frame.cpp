@@ -21,7 +21,7 @@ namespace gnomon::frame {
 Frame Renderer::render(const plan::View& view, const plan::Quality& quality, const FrameOptions& options) {
     const Stopwatch watch;
     plan::Quality meant = quality;
-    if (executor::isOfMaps(options.overlay) && !view.pointLight) meant.mapsBecause = plan::ShadowReason::MapsAskedFor;
+    if (executor::isOfMaps(options.overlay)) meant.mapsBecause = plan::ShadowReason::MapsAskedFor;
     margin_ = options.isAccumulated ? 0.5 : 0;
     Frame frame{prepare(view, meant, options.waiting, previous_), options, {}};
     if (options.reusesMaps) markReusedMaps(frame, options);

@@ -104,14 +104,14 @@ void cutPartitions(PreparedFrame& frame, const Residency& residency) {
     const selection::DetailView view = frame.rule->view();
     std::vector<selection::CasterDetail> casters;
     for (const plan::ShadowPass& pass : frame.plan.passes) {
-        casters.push_back(culling::casterDetail(view, pass.map));
+        if (!seen.pointLight) casters.push_back(culling::casterDetail(view, pass.map));
         // Without culling every map draws all there is, at the detail that the maps call for.
         const bool isCulled = frame.plan.quality.cullCasters != plan::CasterCulling::Off;
-        frame.volumes.push_back(isCulled ? casters.back().casters : ConvexVolume{});
+        frame.volumes.push_back(isCulled ? culling::localVolume(pass.map.casterVolume, view) : ConvexVolume{});
     }
-    if (frame.hasOneCasterList() && seen.pointLight) {
+    if (seen.pointLight) {
         casters = pointCasterDetails(frame);
-        frame.volumes.push_back(rayCasterVolume(frame));
+        if (frame.hasOneCasterList()) frame.volumes.push_back(rayCasterVolume(frame));
     } else if (frame.hasOneCasterList()) {
         casters.push_back(rayCasterDetail(frame));
         frame.volumes.push_back(casters.back().casters);

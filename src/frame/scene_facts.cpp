@@ -24,10 +24,14 @@ plan::SceneFacts::Light lightFacts(
         casters.add(block.box);
         light.casters.push_back({{block.box.min - detail.eye, block.box.max - detail.eye}, block.triangles});
     }
+    light.seen = culling::seenParts(query, cut.lists[0], seen);
+    if (view.pointLight) { // nobody has looked for surfaces that are turned from it
+        light.lit = {seen};
+        return light;
+    }
     const culling::LitSurfaces surfaces = culling::litSurfaces(query, cut.lists[0], view.light().unit(), casters, seen);
     light.lit = surfaces.spans;
     light.canBeShadowed = surfaces.canBeShadowed;
-    light.seen = culling::seenParts(query, cut.lists[0], seen);
     return light;
 }
 

@@ -50,12 +50,15 @@ PreparedFrame Renderer::prepareForPoint(
     if (!executor_->decidesExactly())
         throw Error("point light", "this executor cannot shade by it", "the software executor", executor_->name());
     const bool isWithout = plan::isWithoutSun(quality.look.shading);
-    const bool isAsked = quality.shadows == ShadowMode::Off || quality.shadows == ShadowMode::Rays;
-    const ShadowMode mode = isAsked ? quality.shadows : isWithout ? ShadowMode::Off : ShadowMode::Exact;
-    PreparedFrame frame = prepareAs(view, with(quality, mode), waiting, before);
-    if (mode != quality.shadows)
-        frame.plan.shadowReason = isWithout ? plan::ShadowReason::NoSun : plan::ShadowReason::PointLight;
-    return frame;
+    const auto prepared = [&](ShadowMode mode, plan::ShadowReason reason) {
+        PreparedFrame frame = prepareAs(view, with(quality, mode), waiting, before);
+        frame.plan.shadowReason = reason;
+        return frame;
+    };
+    if (quality.shadows != ShadowMode::Auto) return prepared(quality.shadows, plan::ShadowReason::AskedFor);
+    if (isWithout) return prepared(ShadowMode::Off, plan::ShadowReason::NoSun);
+    if (quality.mapsBecause) return prepared(ShadowMode::Maps, *quality.mapsBecause);
+    return prepared(ShadowMode::Exact, plan::ShadowReason::PointLight);
 }
 
 PreparedFrame Renderer::prepareShadows(

@@ -9,6 +9,7 @@ std::string schemeName(const FramePlan& plan) {
     if (plan.quality.shadows == ShadowMode::Rays) return "rays";
     if (plan.quality.shadows == ShadowMode::Exact) return "exact";
     if (plan.passes.empty()) return "none";
+    if (plan.view.pointLight) return "cube";
     const std::size_t slices = plan.splits.size() - 1;
     std::string name;
     if (plan.hasFaces) name = slices > 1 ? "fp+" : "fp";

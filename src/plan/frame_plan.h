@@ -167,7 +167,7 @@ struct FramePlan {
     std::vector<double> splits; // of the slices; empty without maps
     bool hasFaces = false;
     shadow::PartitionSelector selector; // which partition owns a point
-    std::vector<int> passOfPartition;   // by the selector's index; -1: no map
+    std::vector<int> passOfPartition;   // by the selector's index, of a lamp by shadow::cubeFaceOf; -1: no map
     std::vector<ShadowPass> passes;
     std::vector<shadow::ShadowMap> cellMaps; // of exact shadows: their matrices lay out the cells of the samples
     shadow::Aliasing promised;               // the largest over all passes
@@ -190,7 +190,7 @@ inline double depthFromAskedEye(const FramePlan& plan, double depth) {
 }
 
 /// The word for the scheme in the log: "off", "rays", "map", "zp4", "fp", "fp+zp4", with "+w" where a map is warped,
-/// "+log" where its rows are logarithmic.
+/// "+log" where its rows are logarithmic; "cube" of a lamp.
 std::string schemeName(const FramePlan& plan);
 
 } // namespace gnomon::plan

@@ -57,6 +57,7 @@ enum class OmissionReason : std::uint8_t {
     NoShadows,          // are asked for
     NoSun,              // the shading has none
     NothingHidesTheSky, // from what is seen
+    FacesOfCube,        // about a lamp are its maps
 };
 
 /// Something that this view does not call for.

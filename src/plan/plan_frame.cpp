@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "plan/cell_maps.h"
 #include "plan/depth_range.h"
+#include "plan/lamp/lamp_passes.h"
 #include "plan/shadow_passes.h"
 #include "shadow/caster_volume.h"
 
@@ -68,6 +69,7 @@ glm::dvec3 cameraLight(const View& view, const CameraBasis& basis) {
 
 ConvexVolume sweptView(const View& view, const DepthSpan& range) {
     const shadow::ViewFrustum frustum = frustumOf(view, range);
+    if (view.pointLight) return shadow::pointCasterVolume(shadow::corners(frustum), lampInCamera(view));
     const glm::dvec3 towardsLight = cameraLight(view, cameraBasis(view.camera));
     const shadow::PartitionSelector selector =
         shadow::partitionSelector(frustum, towardsLight, {range.near, range.far}, shadow::FaceMaps::None);
@@ -110,6 +112,8 @@ PlannedFrame planFrame(
     result.memory.depth = range.memory;
     if (const auto reason = reasonForNoMaps(plan.quality, scene, range))
         plan.omitted.push_back({Effect::ShadowMaps, *reason});
+    else if (view.pointLight)
+        planLampPasses(plan, scene);
     else
         result.memory.scheme = planShadowPasses(plan, scene, memory.scheme);
     if (quality.shadows == ShadowMode::Exact) {

@@ -29,7 +29,7 @@ enum class ShadowReason : std::uint8_t {
     ExecutorHasMaps,  // and cannot decide exactly
     ExactCostsNoMore, // than maps, as predicted
     MapsCostLess,     // than exact shadows, as predicted
-    PointLight,       // of which there are no maps
+    PointLight,       // which is exact unless maps or rays are asked for
     Held,             // from the frame before: the other mode is not cheaper by enough, or not for long enough
 };
 

@@ -42,8 +42,8 @@ ShadowTruth truthOfFullDetail(
     const RayMemory memory(renderer, fine);
     const raycast::Scene scene = executor::rayScene(drawing, listsOf(fine));
     // The true surface may lie as far from the drawn one as the cut allows.
-    const auto light = executor::lightByRays(
-        scene, frame.plan, drawing.space, surfaces, std::max(executor::kTouchingPixels, frame.errorPixels));
+    const auto light =
+        executor::lightByRays(scene, drawing, surfaces, std::max(executor::kTouchingPixels, frame.errorPixels));
     return shadowTruth(scene, drawing, surfaces, light);
 }
 
@@ -58,7 +58,7 @@ ShadowTruth truthOfSameDetail(
     const selection::Cut cut = selection::cut(wider);
     const std::array lists = {drawing.image, &cut.lists[1]};
     const raycast::Scene scene = executor::rayScene(drawing, lists);
-    const auto light = executor::lightByRays(scene, frame.plan, drawing.space, surfaces, executor::kTouchingPixels);
+    const auto light = executor::lightByRays(scene, drawing, surfaces, executor::kTouchingPixels);
     return shadowTruth(scene, drawing, surfaces, light);
 }
 

@@ -49,7 +49,7 @@ public:
           plan_(frame.plan),
           space_(&frame.space),
           surfaces_(&surfaces),
-          light_(executor::towardsLight(*frame.plan)),
+          source_(executor::lightSource(frame)),
           offsets_(neighbourhood()) {
         for (const plan::ShadowPass& pass : frame.plan->passes)
             probes_.emplace_back(frame, pass.map);
@@ -85,7 +85,8 @@ private:
         glm::vec3 normal{0};
         glm::vec3 column{0}; // a texel's footprint on the receiver's plane
         glm::vec3 row{0};
-        float offset = 0; // of rays from the surface
+        glm::vec3 light{0, 1, 0}; // towards it, of unit length
+        float offset = 0;         // of rays from the surface
     };
 
     Receiver receiverOf(const executor::SurfaceSample& surface) const {
@@ -94,16 +95,18 @@ private:
         const double kernel = std::max(1, plan_->quality.filter);
         const double pixel = executor::pixelWidth(*plan_, *space_, p);
         const TexelFootprint texel = probes_[partition].footprint(p, kStepOverPixel * pixel);
-        const float cosine = std::max(glm::dot(surface.normal, light_), static_cast<float>(kLeastCosine));
+        const glm::vec3 light = source_.from(surface.position);
+        const float cosine = std::max(glm::dot(surface.normal, light), static_cast<float>(kLeastCosine));
         const auto onPlane = [&](const glm::dvec3& across) {
             const glm::vec3 a(kernel * across);
-            return a - light_ * (glm::dot(surface.normal, a) / cosine);
+            return a - light * (glm::dot(surface.normal, a) / cosine);
         };
         return {
             surface.position,
             surface.normal,
             onPlane(texel.column),
             onPlane(texel.row),
+            light,
             static_cast<float>(executor::kTouchingPixels * pixel)};
     }
 
@@ -112,17 +115,22 @@ private:
         const glm::vec3 moved = receiver.position + static_cast<float>(offset.column) * receiver.column +
                                 static_cast<float>(offset.row) * receiver.row;
         const float reach = 0.5F * (glm::length(receiver.column) + glm::length(receiver.row));
-        const auto hit = scene_->firstHit({moved + reach * light_, -light_, 0, 2 * reach});
+        const auto hit = scene_->firstHit({moved + reach * receiver.light, -receiver.light, 0, 2 * reach});
         if (!hit) return Light::Nothing;
-        const raycast::SurfacePoint point{moved + (reach - hit->distance) * light_, hit->normal, receiver.offset};
-        return raycast::litByRay(*scene_, point, light_);
+        const raycast::SurfacePoint point{
+            moved + (reach - hit->distance) * receiver.light, hit->normal, receiver.offset};
+        return raycast::litByRay(*scene_, point, source_);
     }
 
     /// Whether the caster is nearer to the receiver than one and a half footprints, along the light.
     bool isTouched(const Receiver& receiver) const {
         const float footprint = std::max(glm::length(receiver.column), glm::length(receiver.row));
         const glm::vec3 from = receiver.position + receiver.offset * receiver.normal;
-        return scene_->isOccluded({from, light_, 0, static_cast<float>(kContactFootprints) * footprint});
+        return scene_->isOccluded(
+            {from,
+             receiver.light,
+             0,
+             std::min(static_cast<float>(kContactFootprints) * footprint, source_.distance(from))});
     }
 
     /// Whether a shadow is narrower than a texel along columns or along rows: the light reaches both sides, less than a
@@ -138,7 +146,7 @@ private:
                     const float along = static_cast<float>(sign == 0 ? -step : step) / kSteps;
                     const raycast::SurfacePoint point{
                         receiver.position + along * side, receiver.normal, receiver.offset};
-                    if (raycast::litByRay(*scene_, point, light_) != other) continue;
+                    if (raycast::litByRay(*scene_, point, source_) != other) continue;
                     nearest[static_cast<std::size_t>(sign)] = step;
                     break;
                 }
@@ -151,19 +159,20 @@ private:
     const plan::FramePlan* plan_;
     const executor::DrawSpace* space_;
     const executor::Raster<executor::SurfaceSample>* surfaces_;
-    glm::vec3 light_;
+    raycast::LightSource source_;
     std::vector<Offset> offsets_;
     std::vector<TexelProbe> probes_;
 };
 
 /// Counts `truth.verdicts`; a surface that the light only grazes is not judged.
 void countVerdicts(
-    const executor::Raster<executor::SurfaceSample>& surfaces, const glm::vec3& towards, ShadowTruth& truth) {
+    const executor::Raster<executor::SurfaceSample>& surfaces, const raycast::LightSource& source, ShadowTruth& truth) {
     for (std::size_t i = 0; i < truth.verdicts.size(); ++i) {
         const ShadowVerdict verdict = truth.verdicts[i];
         if (verdict == ShadowVerdict::Unasked) continue;
         if (verdict == ShadowVerdict::Missed) ++truth.missedPixels;
-        if (!(glm::dot(surfaces.pixels[i].normal, towards) > static_cast<float>(kLeastCosine))) continue;
+        const executor::SurfaceSample& surface = surfaces.pixels[i];
+        if (!(glm::dot(surface.normal, source.from(surface.position)) > static_cast<float>(kLeastCosine))) continue;
         ++truth.judgedPixels;
         const bool isUnexplained = verdict == ShadowVerdict::FalseShadow || verdict == ShadowVerdict::Leak;
         truth.unexplainedPixels += isUnexplained ? 1U : 0U;
@@ -206,7 +215,7 @@ ShadowTruth shadowTruth(
         if (truth.verdicts[i] == ShadowVerdict::Missed || (isEdge[i] != 0 && judge.isTooFine(i, light[i])))
             apart[i] = 1;
     });
-    countVerdicts(surfaces, executor::towardsLight(*frame.plan), truth);
+    countVerdicts(surfaces, executor::lightSource(frame), truth);
     truth.shadows = raycast::compareShadows(light, isLit, width);
     truth.answerable = raycast::compareShadows(light, isLit, width, apart);
     return truth;

@@ -82,21 +82,21 @@ double percentile(std::vector<float>& sorted, double fraction) {
 
 } // namespace
 
-Light litByRay(const Occluders& scene, const SurfacePoint& point, const glm::vec3& towardsLight) {
+Light litByRay(const Occluders& scene, const SurfacePoint& point, const LightSource& source) {
     if (point.normal == glm::vec3(0)) return Light::Nothing;
-    if (glm::dot(point.normal, towardsLight) <= 0) return Light::Turned;
+    if (!(glm::dot(point.normal, source.from(point.position)) > 0)) return Light::Turned;
     const float off = point.offset + kRelativeOffset * glm::length(point.position);
-    const Ray ray{point.position + off * point.normal, towardsLight};
+    const glm::vec3 start = point.position + off * point.normal;
+    const Ray ray{start, source.from(start), 0, source.distance(start)};
     return scene.isOccluded(ray) ? Light::Dark : Light::Lit;
 }
 
-std::vector<Light> litByRays(
-    const Occluders& scene, std::span<const SurfacePoint> points, const glm::vec3& towardsLight) {
+std::vector<Light> litByRays(const Occluders& scene, std::span<const SurfacePoint> points, const LightSource& source) {
     std::vector<Light> result(points.size());
     constexpr std::size_t kPerTask = 1024;
     tbb::parallel_for(std::size_t{0}, (points.size() + kPerTask - 1) / kPerTask, [&](std::size_t task) {
         for (std::size_t i = task * kPerTask; i < std::min(points.size(), (task + 1) * kPerTask); ++i)
-            result[i] = litByRay(scene, points[i], towardsLight);
+            result[i] = litByRay(scene, points[i], source);
     });
     return result;
 }

@@ -3,7 +3,10 @@
 
 #include "raycast/scene.h"
 
+#include <glm/geometric.hpp>
+
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -24,12 +27,25 @@ enum class Light : std::uint8_t {
     Lit
 };
 
-/// Whether the light reaches one point. `towardsLight` has unit length.
-Light litByRay(const Occluders& scene, const SurfacePoint& point, const glm::vec3& towardsLight);
+/// Where light comes from: a direction, or a point, in which rays end.
+struct LightSource {
+    glm::vec3 at{0, 1, 0}; // of a direction that, of unit length
+    bool isPoint = false;
 
-/// What the light reaches, point by point, on all cores. `towardsLight` has unit length.
-std::vector<Light> litByRays(
-    const Occluders& scene, std::span<const SurfacePoint> points, const glm::vec3& towardsLight);
+    /// The direction from `position` to the light, of unit length.
+    glm::vec3 from(const glm::vec3& position) const { return isPoint ? glm::normalize(at - position) : at; }
+
+    /// How far from `position` that is.
+    float distance(const glm::vec3& position) const {
+        return isPoint ? glm::length(at - position) : std::numeric_limits<float>::infinity();
+    }
+};
+
+/// Whether the light reaches one point.
+Light litByRay(const Occluders& scene, const SurfacePoint& point, const LightSource& source);
+
+/// What the light reaches, point by point, on all cores.
+std::vector<Light> litByRays(const Occluders& scene, std::span<const SurfacePoint> points, const LightSource& source);
 
 /// How far a picture's shadows are from the reference, over its lit-side pixels: those that show a surface turned
 /// towards the light.

@@ -59,6 +59,8 @@ std::string otherReason(const plan::Omission& omission) {
         return "--z-partitions gives the slices, and with them a scheme of even rows";
     case OmissionReason::NothingHidesTheSky:
         return "nothing stands between what is seen and the sky";
+    case OmissionReason::FacesOfCube:
+        return "a lamp's maps are the faces of a cube about it";
     default:
         return "";
     }
@@ -164,6 +166,7 @@ std::string reasonInWords(const plan::Omission& omission) {
     case OmissionReason::ExecutorHasEvenRows:
     case OmissionReason::SlicesGiven:
     case OmissionReason::NothingHidesTheSky:
+    case OmissionReason::FacesOfCube:
         break; // named one by one, so that the compiler tells of a new reason without words
     }
     return otherReason(omission);
@@ -185,7 +188,7 @@ std::string reasonInWords(plan::ShadowReason reason) {
     case ShadowReason::MapsCostLess:
         return "maps are predicted to cost less than exact shadows";
     case ShadowReason::PointLight:
-        return "there are no maps of a point light";
+        return "those of a lamp are exact, unless maps or rays are asked for";
     case ShadowReason::Held:
         return "held from the frame before: the other kind is not predicted to be cheaper by enough, for long enough";
     }

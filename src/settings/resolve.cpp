@@ -129,15 +129,27 @@ glm::dvec3 towardsPoint(const plan::PointLight& light, const Box& bounds, const 
     return towards == glm::dvec3(0) ? up : towards;
 }
 
-/// Shadow maps and the ground's shadow are of a direction, and OpenGL knows no other light.
+/// The maps of a lamp are the faces of a cube: neither cut nor warped as the view is.
+void requireCubeMaps(const Settings& settings) {
+    const plan::Quality usual;
+    const plan::Quality& quality = settings.quality;
+    std::string option;
+    if (settings.isWarpGiven && quality.warp.rule != shadow::WarpRule::None) option = written("warp", settings);
+    if (settings.eta) option = written("eta", settings);
+    if (quality.zPartitions != usual.zPartitions) option = written("z-partitions", settings);
+    if (quality.splitLambda != usual.splitLambda) option = written("split-lambda", settings);
+    if (quality.facePartitions != usual.facePartitions) option = written("face-partitions", settings);
+    if (quality.stabilize) option = written("stabilize", settings);
+    if (!option.empty())
+        throw UsageError{
+            "--light-at and " + option + " contradict each other: a lamp's maps are the faces of a cube about it"};
+}
+
+/// The ground's shadow is of a direction, and OpenGL knows no other light.
 void requireNoneIfPoint(const Settings& settings) {
     if (!settings.lightAt) return;
     const plan::Quality& quality = settings.quality;
-    const bool isOfMaps =
-        quality.shadows == plan::ShadowMode::Maps || (quality.shadows == plan::ShadowMode::Auto && quality.mapsBecause);
-    if (isOfMaps)
-        throw UsageError{"--light-at and shadow maps contradict each other: those are of a direction; --shadows exact "
-                         "and rays are of a point, too"};
+    requireCubeMaps(settings);
     if (settings.backend != Backend::Auto && settings.backend != Backend::Software)
         throw UsageError{
             written("backend", settings) +
@@ -193,9 +205,13 @@ void setSections(const Settings& settings, plan::View& view) {
     view.cutsCasters = settings.sectionCasters == SectionCasters::Cut;
 }
 
-void requireWholeInSun(const Settings& settings, const std::string& option) {
+void requireWhole(const Settings& settings, const std::string& option) {
     if (!settings.sections.empty())
         throw UsageError{"--section and " + option + " contradict each other: it is not drawn with sections"};
+}
+
+void requireWholeInSun(const Settings& settings, const std::string& option) {
+    requireWhole(settings, option);
     if (settings.lightAt)
         throw UsageError{"--light-at and " + option + " contradict each other: it is of a light that is a direction"};
 }

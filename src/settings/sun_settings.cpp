@@ -109,7 +109,7 @@ std::vector<Setting> sunSettings() {
              .form = "x,y,z",
              .help =
                  "The light is a lamp at a point of the model, which falls off with the square of the distance; its "
-                 "shadows are exact or by rays",
+                 "shadows are exact, by rays or, with --shadows maps, by a map for each face of a cube",
              .statedAs = "light_at"},
             ifGiven(vector())),
         plain(

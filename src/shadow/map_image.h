@@ -38,6 +38,9 @@ struct MapImage {
     /// 1 where rows lie logarithmically, else 0. The row is then ln(clip.w) * texelScale.y + texelOffset.y, clip.y is
     /// -1 everywhere, byRow is what it is where w is 1, to be divided by w, and unevenZ is the same everywhere.
     Number logRows = 0;
+    /// 1 where the map is a point light's, else 0. What unevenness changes in depth over a texel, along x and along z,
+    /// is then `unevenX` and `unevenZ` over w, the distance along the axis.
+    Number fromPoint = 0;
 };
 
 using DoubleMapImage = MapImage<double>;
@@ -82,7 +85,8 @@ Number receiverBias(
     const Number byRow = std::abs(glm::dot(plane, image.byRow)) / (isEven ? Number{1} : w);
     const Number steep = std::abs(glm::dot(plane, image.byColumn)) + byRow;
     const Number slope = steep / across * std::min(Number{1}, cosine / static_cast<Number>(kLeastCosine));
-    const Number uneven = std::hypot(image.unevenX, image.unevenZ * (isEven ? w : Number{1}));
+    const Number uneven = image.fromPoint == 0 ? std::hypot(image.unevenX, image.unevenZ * (isEven ? w : Number{1}))
+                                               : std::hypot(image.unevenX, image.unevenZ) / w;
     return (slope + uneven) * image.reach + static_cast<Number>(kDepthRounding);
 }
 

@@ -33,16 +33,6 @@ double filterWidth(const ShadowOptions& options) {
     return std::max(1.0, options.filterTexels);
 }
 
-int gutterTexels(const ShadowOptions& options) {
-    return static_cast<int>(std::ceil(options.filterTexels / 2)) + 1;
-}
-
-TexelLimits limitsOf(const ShadowOptions& options) {
-    const bool isLog = options.scheme.warp.rule == WarpRule::Log && !options.stabilized;
-    return {
-        options.texels, gutterTexels(options), options.minSide, options.maxSide, options.stabilized ? 1 : 0, !isLog};
-}
-
 /// A view so thin that float positions relative to the eye do not resolve its texels.
 bool isThin(const ViewFrustum& frustum) {
     constexpr double kDegree = 0.017453292519943295;
@@ -186,6 +176,12 @@ void requireValid(const ShadowView& view, const ShadowOptions& options) {
 }
 
 } // namespace
+
+TexelLimits limitsOf(const ShadowOptions& options) {
+    const bool isLog = options.scheme.warp.rule == WarpRule::Log && !options.stabilized;
+    const int gutter = static_cast<int>(std::ceil(options.filterTexels / 2)) + 1;
+    return {options.texels, gutter, options.minSide, options.maxSide, options.stabilized ? 1 : 0, !isLog};
+}
 
 PromisedAliasing ShadowMapSetup::worst() const {
     PromisedAliasing result;

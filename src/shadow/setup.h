@@ -63,6 +63,9 @@ ShadowMapSetup shadowMapSetup(
     const ShadowOptions& options,
     const std::optional<OrientationState>& previous = std::nullopt);
 
+/// What the split of texels has to keep to under `options`.
+TexelLimits limitsOf(const ShadowOptions& options);
+
 /// The texels that would let `setup` promise `aliasing`; 0 if no number would, or if it has no maps.
 std::uint64_t texelsThatWouldDo(const ShadowMapSetup& setup, const ShadowOptions& options, double aliasing);
 

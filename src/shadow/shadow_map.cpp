@@ -63,6 +63,13 @@ DoubleMapImage mapImage(const ShadowMap& map, const glm::dmat4& lightClipFromOff
     image.unevenX = kUnevenSlope * texel.x;
     image.unevenZ = kUnevenSlope * texel.z;
     image.reach = reachTexels(map.filterTexels);
+    if (map.cubeFace) {
+        const Resolution texels = map.texels();
+        image.unevenX = kUnevenSlope * map.cubeFace->sRange / texels.s * map.cubeFace->depthSlope();
+        image.unevenZ = kUnevenSlope * map.cubeFace->tRange / texels.t * map.cubeFace->depthSlope();
+        image.fromPoint = 1;
+        return image;
+    }
     if (map.warped.rows == RowSpacing::Even) return image;
     image.logRows = 1;
     image.texelScale.y = map.rowsPerLog();
@@ -102,6 +109,7 @@ FloatMapImage rounded(const DoubleMapImage& image) {
     result.unevenZ = static_cast<float>(image.unevenZ);
     result.reach = static_cast<float>(image.reach);
     result.logRows = static_cast<float>(image.logRows);
+    result.fromPoint = static_cast<float>(image.fromPoint);
     return result;
 }
 

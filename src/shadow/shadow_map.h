@@ -1,6 +1,7 @@
 // One shadow map of a frame: the value that plan, executors, proofs and tests share.
 #pragma once
 
+#include "shadow/cube/cube_face.h"
 #include "shadow/map_image.h"
 #include "shadow/partition/region.h"
 #include "shadow/stable_slice.h"
@@ -28,8 +29,10 @@ struct ShadowMap {
     ConvexVolume casterVolume; // all that can throw a shadow into the region, grown by the lookup's reach
     PromisedAliasing promised;
     std::optional<StablePlace> stable; // of a stabilised slice's map
+    /// Of a point light's map, in place of `warped`, of which the frame alone holds then.
+    std::optional<CubeFaceProjection> cubeFace;
     /// For views so thin (depth ratio under 1.1 or half angle under a degree) that float positions must be relative to
-    /// a point inside the slice: that point; else 0.
+    /// a point inside the slice: that point; of a point light's map the light; else 0.
     glm::dvec3 origin{0};
 
     /// What a lookup reads without a kernel: the rectangle without its gutters.
@@ -45,7 +48,9 @@ struct ShadowMap {
     /// Rows of the texture by which w grows e times, where they are logarithmic.
     double rowsPerLog() const;
 
-    glm::dmat4 lightClipFromCamera() const { return lightClipFromMap() * textureFromCamera(warped); }
+    glm::dmat4 lightClipFromCamera() const {
+        return lightClipFromMap() * (cubeFace ? textureFromCamera(*cubeFace) : textureFromCamera(warped));
+    }
 };
 
 /// The image of `map` for positions of which `lightClipFromOffset` makes clip space once `origin` is subtracted.

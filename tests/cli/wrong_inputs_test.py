@@ -108,7 +108,7 @@ ROWS = [
     (2, "--color-range is of --color-by", "render sundial.gnm -o a.png --color-range 1,9"),
     (2, "without an overlay", "render sundial.gnm -o a.png --color-by slope --overlay lod"),
     (2, "--light-at and --light", "render sundial.gnm -o a.png --light-at 0,9,0 --light 1,1,1"),
-    (2, "--light-at and shadow maps", "bench sundial.gnm --path a.json --light-at 0,9,0 --warp lspsm"),
+    (2, "--light-at and --warp lspsm", "bench sundial.gnm --path a.json --light-at 0,9,0 --warp lspsm"),
     (2, "--light-at and sun hours", "sun hours sundial.gnm -o a.png --at 47,8 --from 2026-06-21T00:00+02:00 --to 2026-06-22T00:00+02:00 --step 1h --light-at 0,9,0"),
     (2, "--color-by", "render sundial.gnm -o a.png --color-by slope --background transparent"),
     (2, "see gnomon render --help", "render sundial.gnm -o a.png --colour red"),

@@ -121,8 +121,18 @@ TEST(RayShadows, TheLightIsWhereTheViewHasIt) {
         view.towardsLight = {random.uniform(-1, 1), random.uniform(0.1, 1), random.uniform(-1, 1)};
         plan::SceneFacts facts;
         facts.bounds = {{-10, 0, -10}, {10, 2, 10}};
-        const glm::vec3 found = towardsLight(plan::planFrame(view, {}, facts).plan);
-        EXPECT_EQ(found, glm::vec3(view.light().unit()));
+        plan::FramePlan plan = plan::planFrame(view, {}, facts).plan;
+        FrameDrawing drawing;
+        drawing.plan = &plan;
+        drawing.grid = {{-1, -2, -3}, -4};
+        drawing.space.originCell = {16, 32, 48};
+        const glm::vec3 somewhere(random.uniform(-9, 9), 1, 2);
+        EXPECT_EQ(lightSource(drawing).from(somewhere), glm::vec3(view.light().unit()));
+        EXPECT_FALSE(lightSource(drawing).distance(somewhere) < 1e30F);
+        plan.view.pointLight = {{3, 4, 12}, 1}; // from the origin of draw space, at 0, 0, 0
+        const raycast::LightSource lamp = lightSource(drawing);
+        EXPECT_LT(glm::length(lamp.from(glm::vec3(0)) - glm::vec3(3, 4, 12) / 13.0F), 1e-6F);
+        EXPECT_EQ(lamp.distance(glm::vec3(3, 4, 2)), 10);
     }
 }
 

@@ -1,6 +1,7 @@
 // The passes of a plan: the maps of the setup as they are, which partition asks which, and which have casters before
 // them.
 #include "made_scene.h"
+#include "plan/lamp/lamp_passes.h"
 #include "plan/shadow_passes.h"
 
 #include <gtest/gtest.h>
@@ -74,6 +75,48 @@ TEST(ShadowPasses, AreAskedByThePartitionsThatTheyAreOf) {
     EXPECT_TRUE(memory.choice.faces);
     EXPECT_EQ(memory.framesDominated, 0);
     EXPECT_EQ(memory.emptySlices, 0U);
+}
+
+TEST(LampPasses, AreAMapForEachFaceOfTheCubeThatAnythingIsSeenThrough) {
+    const MadeScene scene(3);
+    int passes = 0;
+    for (std::uint64_t seed = 0; seed < 40; ++seed) {
+        View view = madeView(seed);
+        Random random(seed);
+        view.pointLight = {{random.uniform(-200, 200), random.uniform(0, 40), random.uniform(-200, 200)}, 10};
+        SceneFacts facts = scene.facts(view);
+        if (!facts.visible->anything) continue;
+        for (const SceneFacts::CasterBlock& block : facts.light->casters)
+            facts.light->seen.push_back({{facts.visible->nearest, facts.visible->farthest}, block.box});
+        Quality quality;
+        quality.shadows = ShadowMode::Maps;
+        quality.cullCasters = seed % 2 == 0 ? CasterCulling::On : CasterCulling::Off;
+        const FramePlan plan = planFrame(view, quality, facts, {}).plan;
+        EXPECT_NEAR(glm::length(lampInCamera(view)), glm::length(view.pointLight->at - view.camera.eye), 1e-9);
+        if (plan.passes.empty()) continue;
+        passes += static_cast<int>(plan.passes.size());
+        EXPECT_EQ(schemeName(plan), "cube");
+        ASSERT_EQ(plan.passOfPartition.size(), 6U);
+        for (std::size_t face = 0; face < 6; ++face) {
+            const int pass = plan.passOfPartition[face];
+            if (pass < 0) continue;
+            EXPECT_EQ(plan.passes.at(static_cast<std::size_t>(pass)).map.region.face, shadow::kCubeFaces[face]);
+        }
+        std::uint64_t cost =
+            static_cast<std::uint64_t>(plan.textureWidth) * static_cast<std::uint64_t>(plan.textureHeight) / 16;
+        std::uint64_t all = 0;
+        for (const SceneFacts::CasterBlock& block : facts.light->casters)
+            all += block.triangles;
+        for (const ShadowPass& pass : plan.passes) {
+            EXPECT_LE(std::max(pass.map.promised.x, pass.map.promised.z), plan.promised.worst());
+            EXPECT_EQ(pass.estimatedTriangles == all, quality.cullCasters == CasterCulling::Off) << seed;
+            cost += pass.estimatedTriangles;
+        }
+        EXPECT_EQ(plan.cost, cost);
+        const Omission noWarp{Effect::Warp, OmissionReason::FacesOfCube};
+        EXPECT_EQ(std::count(plan.omitted.begin(), plan.omitted.end(), noWarp), 1);
+    }
+    EXPECT_GT(passes, 40);
 }
 
 } // namespace

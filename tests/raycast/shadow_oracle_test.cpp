@@ -49,14 +49,14 @@ TEST(ShadowOracle, KnowsARoofsShadow) {
     }
     points.push_back({});                                              // nothing there
     const glm::vec3 towardsLight = glm::normalize(glm::vec3(1, 1, 0)); // the roof's edge falls on x = 400
-    const std::vector<Light> light = litByRays(scene, points, towardsLight);
+    const std::vector<Light> light = litByRays(scene, points, {towardsLight});
     for (std::size_t i = 0; i < 2000; ++i) {
         const float x = points[i].position.x + 500;
         if (std::abs(x - 400) < 0.01F) continue;
         EXPECT_EQ(light[i], x < 400 ? Light::Dark : Light::Lit) << x;
     }
     EXPECT_EQ(light.back(), Light::Nothing);
-    for (const Light turned : litByRays(scene, std::span(points).first(10), -towardsLight))
+    for (const Light turned : litByRays(scene, std::span(points).first(10), {-towardsLight}))
         EXPECT_EQ(turned, Light::Turned);
 }
 

@@ -31,21 +31,27 @@ TEST(Resolve, TakesTheQualityAsItIs) {
     EXPECT_EQ(qualityOf(settings).warp.rule, shadow::WarpRule::Auto);
 }
 
-TEST(Resolve, APointLightHasNoMapsNoGroundAndNoOpenGl) {
+TEST(Resolve, APointLightHasMapsOfACubeNoGroundAndNoOpenGl) {
     Settings settings;
     settings.lightAt = glm::dvec3(1, 2, 3);
     EXPECT_EQ(objection(settings), "");
     EXPECT_EQ(qualityOf(settings).look.shading, plan::Shading::Lit);
-    for (const plan::ShadowMode mode : {plan::ShadowMode::Exact, plan::ShadowMode::Rays, plan::ShadowMode::Off}) {
+    for (const plan::ShadowMode mode :
+         {plan::ShadowMode::Exact, plan::ShadowMode::Rays, plan::ShadowMode::Off, plan::ShadowMode::Maps}) {
         settings.quality.shadows = mode;
         EXPECT_EQ(objection(settings), "");
     }
-    EXPECT_THROW(requireWholeInSun(settings, "--oracle"), UsageError);
+    EXPECT_THROW(requireWholeInSun(settings, "sun hours"), UsageError);
+    requireWhole(settings, "--oracle");
     for (const auto& change : std::vector<void (*)(Settings&)>{
-             [](Settings& s) { s.quality.shadows = plan::ShadowMode::Maps; },
+             [](Settings& s) { s.quality.zPartitions = 2; },
+             [](Settings& s) { s.quality.splitLambda = 0.5; },
+             [](Settings& s) { s.quality.facePartitions = plan::Choice::On; },
+             [](Settings& s) { s.quality.stabilize = true; },
+             [](Settings& s) { s.eta = 0.5; },
              [](Settings& s) {
-                 s.quality.shadows = plan::ShadowMode::Auto;
-                 s.quality.mapsBecause = plan::ShadowReason::MapsAskedFor;
+                 s.isWarpGiven = true;
+                 s.quality.warp.rule = shadow::WarpRule::Lspsm;
              },
              [](Settings& s) { s.quality.look.ground = true; },
              [](Settings& s) { s.backend = Backend::Osmesa; }}) {

@@ -21,8 +21,7 @@ std::array<std::size_t, 2> nearCorners(Face face) {
         return {0, 2};
     case Face::Right:
         return {1, 3};
-    case Face::Whole:
-    case Face::Near:
+    default:
         break;
     }
     GNOMON_CHECK(false && "not a side face");
@@ -63,6 +62,18 @@ const char* name(Face face) {
         return "right";
     case Face::Near:
         return "near";
+    case Face::PlusX:
+        return "+x";
+    case Face::MinusX:
+        return "-x";
+    case Face::PlusY:
+        return "+y";
+    case Face::MinusY:
+        return "-y";
+    case Face::PlusZ:
+        return "+z";
+    case Face::MinusZ:
+        return "-z";
     }
     return "";
 }
@@ -79,10 +90,10 @@ glm::dvec3 outwardNormal(const ViewFrustum& frustum, Face face) {
         return glm::normalize(glm::dvec3(1, 0, -tanHalfX(frustum)));
     case Face::Near:
         return {0, 0, -1};
-    case Face::Whole:
+    default:
         break;
     }
-    GNOMON_CHECK(false && "the whole has no normal");
+    GNOMON_CHECK(false && "the whole and the faces of a cube have no normal of the view");
     return {};
 }
 

@@ -9,10 +9,10 @@
 
 namespace gnomon::shadow {
 
-/// A face of a slice, or the whole of it where it is not cut along its faces.
-enum class Face : std::uint8_t { Whole, Top, Bottom, Left, Right, Near };
+/// A face of a slice, or the whole of it where it is not cut along its faces; or one of a cube about a point light.
+enum class Face : std::uint8_t { Whole, Top, Bottom, Left, Right, Near, PlusX, MinusX, PlusY, MinusY, PlusZ, MinusZ };
 
-/// "whole", "top", "bottom", "left", "right" or "near".
+/// "whole", "top", "bottom", "left", "right" or "near"; "+x", "-x", "+y", "-y", "+z" or "-z".
 const char* name(Face face);
 
 /// Which bisector of a face's two side edges, projected along the light, the map's z axis follows.

@@ -1,0 +1,225 @@
+#include "shadow/cube/cube_maps.h"
+
+#include "core/error.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gnomon::shadow {
+
+namespace {
+
+/// The least and the greatest of dot(axis, p) over a box.
+struct Interval {
+    double least = 0;
+    double greatest = 0;
+};
+
+Interval along(const glm::dvec3& axis, const Box& box) {
+    const double middle = glm::dot(axis, box.center());
+    const double reach = glm::dot(glm::abs(axis), box.extent() * 0.5);
+    return {middle - reach, middle + reach};
+}
+
+double leastSize(const Interval& values) {
+    return std::max({values.least, -values.greatest, 0.0});
+}
+
+/// Of values over distances from `near` (0 where the quotient has no bound) to `far`, within what a face shows.
+Interval tangents(const Interval& values, double near, double far) {
+    const auto quotient = [&](double value, double nearer, double farther) {
+        const double over = value < 0 ? nearer : farther;
+        return over > 0 ? std::clamp(value / over, -1.0, 1.0) : (value < 0 ? -1.0 : 1.0);
+    };
+    return {quotient(values.least, near, far), quotient(values.greatest, far, near)};
+}
+
+/// All that is seen through one face.
+struct FaceReceivers {
+    Interval s{2, -2}; // tangents
+    Interval t{2, -2};
+    Interval w{std::numeric_limits<double>::infinity(), 0}; // distances along the axis
+    double ratio = 0;                                       // the largest of w over view depth, within [near, far]
+    double ratioBeyond = 0;                                 // likewise outside
+
+    bool isAny() const { return w.greatest > 0; }
+};
+
+/// The view between two depths, world axes, relative to the eye.
+Box slabBox(const LampView& view, const DepthSpan& depths) {
+    Box box;
+    for (const glm::dvec3& corner : corners(slice(view.frustum, depths.near, depths.far)))
+        box.add(toWorld(view.basis, corner));
+    return box;
+}
+
+Box common(const Box& a, const Box& b) {
+    return {glm::max(a.min, b.min), glm::min(a.max, b.max)};
+}
+
+/// What is seen, or, where that is not known, all that may be.
+std::vector<SeenPart> seenParts(const LampView& view) {
+    std::vector<SeenPart> parts;
+    for (SeenPart part : view.seen) {
+        part.depths.near = std::max(part.depths.near, view.shown.near);
+        part.depths.far = std::max(part.depths.far, part.depths.near * (1 + 1e-9));
+        constexpr double kSlack = 1e-9; // of a ground without height
+        const glm::dvec3 slack(kSlack * part.depths.far);
+        const Box box = common({part.box.min - slack, part.box.max + slack}, slabBox(view, part.depths));
+        if (!box.isEmpty()) parts.push_back({part.depths, box});
+    }
+    if (!view.seen.empty()) return parts;
+    constexpr double kStep = 1.0442737824274138; // a sixteenth of an octave
+    for (double near = view.shown.near; near < view.shown.far; near *= kStep) {
+        const DepthSpan depths{near, std::min(near * kStep, view.shown.far)};
+        parts.push_back({depths, slabBox(view, depths)});
+    }
+    return parts;
+}
+
+void addPart(
+    const LampView& view, const LightFrame& axes, const glm::dvec3& light, const SeenPart& part, FaceReceivers& face) {
+    const Box box{part.box.min - light, part.box.max - light};
+    const Interval x = along(axes.x, box);
+    const Interval z = along(axes.z, box);
+    Interval w = along(-axes.y, box);
+    constexpr double kSeam = 1 - 1e-6; // what rounding may take for either face has a map in both
+    w.least = std::max({w.least, leastSize(x) * kSeam, leastSize(z) * kSeam});
+    if (!(w.greatest > 0) || w.least > w.greatest) return;
+    const Interval s = tangents(x, w.least, w.greatest);
+    const Interval t = tangents(z, w.least, w.greatest);
+    face.s = {std::min(face.s.least, s.least), std::max(face.s.greatest, s.greatest)};
+    face.t = {std::min(face.t.least, t.least), std::max(face.t.greatest, t.greatest)};
+    face.w = {std::min(face.w.least, w.least), std::max(face.w.greatest, w.greatest)};
+    face.ratioBeyond = std::max(face.ratioBeyond, w.greatest / part.depths.near);
+    if (part.depths.far >= view.frustum.near && part.depths.near <= view.frustum.far)
+        face.ratio = std::max(face.ratio, w.greatest / std::max(part.depths.near, view.frustum.near));
+}
+
+/// A face without its texels.
+struct FaceDraft {
+    std::size_t index = 0;
+    FaceReceivers receivers;
+    TexelDemand demand;
+};
+
+FaceDraft draftOf(const LampView& view, double kernel, std::size_t index, FaceReceivers receivers) {
+    constexpr double kLeastTangent = 1e-6; // of a map of next to nothing
+    for (Interval* range : {&receivers.s, &receivers.t}) {
+        const double missing = std::max(kLeastTangent - (range->greatest - range->least), 0.0);
+        range->least -= missing / 2;
+        range->greatest += missing / 2;
+    }
+    // What is not promised for gets texels, too, where the face shows nothing else.
+    const double ratio = receivers.ratio > 0 ? receivers.ratio : receivers.ratioBeyond;
+    const double pixels = view.imageHeight / (2 * tanHalfY(view.frustum)) * kernel * ratio;
+    return {
+        index,
+        receivers,
+        {(receivers.s.greatest - receivers.s.least) * pixels, (receivers.t.greatest - receivers.t.least) * pixels}};
+}
+
+/// The face's planes in camera space, each side moved out by so many tangents.
+ConvexVolume pyramid(const CubeFaceProjection& face, double growS, double growT) {
+    ConvexVolume volume;
+    const auto add = [&](const glm::dvec3& normal) {
+        const glm::dvec3 unit = glm::normalize(normal);
+        volume.planes.push_back({unit, -glm::dot(unit, face.light)});
+    };
+    const glm::dvec3 outward = -face.frame.y;
+    add(face.frame.x - outward * (face.sMin - growS));
+    add(outward * (face.sMin + face.sRange + growS) - face.frame.x);
+    add(face.frame.z - outward * (face.tMin - growT));
+    add(outward * (face.tMin + face.tRange + growT) - face.frame.z);
+    volume.planes.push_back({-outward, glm::dot(outward, face.light) + face.far});
+    return volume;
+}
+
+/// What is seen through the face, within the depths of what is shown.
+Region regionOf(const LampView& view, const CubeFaceProjection& face, std::size_t index) {
+    Region region;
+    region.face = kCubeFaces[index];
+    region.frustum = view.frustum;
+    region.covered = slice(view.frustum, view.shown.near, view.shown.far);
+    region.volume = pyramid(face, 0, 0);
+    region.volume.planes.push_back({{0, 0, 1}, -view.shown.near});
+    region.volume.planes.push_back({{0, 0, -1}, view.shown.far});
+    return region;
+}
+
+/// Depths begin where a receiver's bias cannot lead before them, but not so near to the light that floats could not
+/// tell depths apart: what is nearer than that is lit.
+void setDepths(CubeFaceProjection& face, const Interval& w, double texelS, double texelT, double filterTexels) {
+    constexpr double kMostRatio = 1000;
+    const double steepest = (texelS + texelT) / kLeastCosine + kUnevenSlope * std::hypot(texelS, texelT);
+    face.far = w.greatest * (1 + 1e-6);
+    face.near = std::max(w.least / (1 + reachTexels(filterTexels) * steepest), face.far / kMostRatio);
+    face.near = std::min(face.near, face.far * (1 - 1e-6));
+}
+
+ShadowMap finished(
+    const LampView& view,
+    const ShadowOptions& options,
+    const FaceDraft& draft,
+    const TexelLayout& layout,
+    std::size_t i) {
+    ShadowMap map;
+    map.rectangle = layout.packing.rectangles[i];
+    map.gutter = layout.gutter;
+    map.filterTexels = options.filterTexels;
+    CubeFaceProjection face;
+    face.light = view.light;
+    const LightFrame axes = cubeFaceAxes(draft.index);
+    face.frame = {
+        gnomon::toCamera(view.basis, axes.x),
+        gnomon::toCamera(view.basis, axes.y),
+        gnomon::toCamera(view.basis, axes.z)};
+    const FaceReceivers& receivers = draft.receivers;
+    face.sMin = receivers.s.least;
+    face.sRange = receivers.s.greatest - receivers.s.least;
+    face.tMin = receivers.t.least;
+    face.tRange = receivers.t.greatest - receivers.t.least;
+    const double texelS = face.sRange / layout.texelsS(i);
+    const double texelT = face.tRange / layout.texelsT(i);
+    setDepths(face, receivers.w, texelS, texelT, options.filterTexels);
+    map.casterVolume = pyramid(face, layout.gutter * texelS, layout.gutter * texelT);
+    map.warped.frame = face.frame;
+    map.origin = view.light;
+    map.region = regionOf(view, face, draft.index);
+    if (receivers.ratio > 0) {
+        map.promised.x = draft.demand.s / layout.texelsS(i);
+        map.promised.z = map.promised.sheared = draft.demand.t / layout.texelsT(i);
+    }
+    map.cubeFace = face;
+    return map;
+}
+
+} // namespace
+
+ShadowMapSetup cubeMapSetup(const LampView& view, const ShadowOptions& options) {
+    requireValid(view.frustum);
+    ShadowMapSetup setup;
+    setup.selector.splits = {view.frustum.near, view.frustum.far};
+    setup.mapOfPartition.assign(kCubeFaces.size(), ShadowMapSetup::kNoMap);
+    const std::vector<SeenPart> parts = seenParts(view);
+    const glm::dvec3 light = gnomon::toWorld(view.basis, view.light);
+    std::vector<FaceDraft> drafts;
+    for (std::size_t index = 0; index < kCubeFaces.size(); ++index) {
+        FaceReceivers receivers;
+        for (const SeenPart& part : parts)
+            addPart(view, cubeFaceAxes(index), light, part, receivers);
+        if (!receivers.isAny()) continue;
+        setup.mapOfPartition[index] = drafts.size();
+        drafts.push_back(draftOf(view, std::max(1.0, options.filterTexels), index, receivers));
+        setup.demands.push_back(drafts.back().demand);
+    }
+    if (drafts.empty()) return setup;
+    const TexelLayout layout = splitTexels(setup.demands, limitsOf(options));
+    setup.textureWidth = layout.packing.width;
+    setup.textureHeight = layout.packing.height;
+    for (std::size_t i = 0; i < drafts.size(); ++i)
+        setup.maps.push_back(finished(view, options, drafts[i], layout, i));
+    return setup;
+}
+
+} // namespace gnomon::shadow

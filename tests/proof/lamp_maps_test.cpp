@@ -1,0 +1,104 @@
+// Maps of a lamp against their promise, against rays and against themselves with all there is drawn into them.
+#include "executor/software_executor.h"
+#include "frame/made_model.h"
+#include "frame/renderer.h"
+#include "frame/shadow_triples.h"
+#include "proof/frame_proof.h"
+
+#include <gtest/gtest.h>
+
+namespace gnomon::proof {
+namespace {
+
+/// What a lamp's frames came to, together.
+struct LampTally {
+    int drawn = 0;
+    double overPromise = 0;
+    std::uint64_t litSide = 0;
+    std::uint64_t wrong = 0;
+    std::uint64_t judged = 0;
+    std::uint64_t unexplained = 0;
+};
+
+class LampStage {
+public:
+    LampStage(const std::string& kind, std::uint64_t triangles) : model_(kind, triangles) {}
+
+    plan::View view(std::uint64_t index) const {
+        const Box& bounds = model_.file().summary().bounds;
+        plan::View view = tests::shadowTriple(bounds, index, 160, 512).view;
+        view.pointLight = tests::lampFor(bounds, view, index);
+        return view;
+    }
+
+    frame::Frame render(std::uint64_t index, const plan::Quality& quality) {
+        renderer_.forget();
+        return renderer_.render(view(index), quality, {});
+    }
+
+    void add(std::uint64_t index, LampTally& tally) {
+        plan::Quality quality;
+        quality.shadowTexelsWidth = quality.shadowTexelsHeight = 512;
+        const frame::Frame frame = render(index, quality);
+        if (frame.plan.passes.empty()) return;
+        EXPECT_EQ(plan::schemeName(frame.plan), "cube");
+        const executor::Picture picture = executor_->picture();
+        ProofOptions options;
+        options.oracle = Oracle::SameDetail;
+        options.measuresAliasing = true;
+        const FrameProof proof = prove(renderer_, frame, options);
+        ++tally.drawn;
+        tally.overPromise = std::max(tally.overPromise, proof.aliasing->overPromise);
+        for (const plan::CasterCulling culling : {plan::CasterCulling::Off, plan::CasterCulling::Receivers}) {
+            quality.cullCasters = culling;
+            render(index, quality);
+            EXPECT_EQ(executor_->picture().pixels, picture.pixels) << index;
+        }
+        if (!isHigh(frame.plan.view)) return;
+        tally.litSide += proof.truth->shadows.litSidePixels;
+        tally.wrong += proof.truth->shadows.wrongPixels;
+        tally.judged += proof.truth->judgedPixels;
+        tally.unexplained += proof.truth->unexplainedPixels;
+    }
+
+private:
+    /// Whether the lamp does not graze the floor, where neither bias nor texels hold, as those of a low sun do not.
+    bool isHigh(const plan::View& view) const {
+        const glm::dvec3 towards = view.pointLight->at - model_.file().summary().bounds.center();
+        return towards.y > 0.5 * std::hypot(towards.x, towards.z);
+    }
+
+    tests::BuiltFile model_;
+    std::unique_ptr<executor::Executor> executor_ = executor::makeSoftwareExecutor();
+    frame::Renderer renderer_{model_.file(), *executor_, {}};
+};
+
+void expectLampsKept(LampStage& stage, std::uint64_t lamps, double mostWrong) {
+    LampTally tally;
+    for (std::uint64_t i = 0; i < lamps; ++i)
+        stage.add(i, tally);
+    EXPECT_GE(tally.drawn * 3, static_cast<int>(lamps));
+    EXPECT_LE(tally.overPromise, 1 + 1e-3);
+    EXPECT_GE(tally.overPromise, 0.5);
+    EXPECT_GT(tally.judged, 1000U);
+    EXPECT_LE(static_cast<double>(tally.unexplained), 5e-4 * static_cast<double>(tally.judged));
+    EXPECT_LE(static_cast<double>(tally.wrong), mostWrong * static_cast<double>(tally.litSide));
+}
+
+TEST(LampMaps, KeepTheirPromiseAndTheShadowsOfRaysInAPlant) {
+    LampStage stage("plant", 20000);
+    expectLampsKept(stage, 24, 0.02);
+}
+
+TEST(LampMaps, KeepTheirPromiseAndTheShadowsOfRaysOnAStatue) {
+    LampStage stage("statue", 10000);
+    expectLampsKept(stage, 12, 0.005);
+}
+
+TEST(SlowLampMaps, KeepTheirPromiseOverManyLamps) {
+    LampStage stage("plant", 300000);
+    expectLampsKept(stage, 150, 0.02);
+}
+
+} // namespace
+} // namespace gnomon::proof

@@ -4,6 +4,7 @@
 #include "app/console.h"
 #include "app/interruption.h"
 #include "core/error.h"
+#include "core/printable.h"
 #include "manual/version.h"
 #include "settings/table.h"
 
@@ -95,7 +96,7 @@ int main(int argc, char** argv) {
         printMessage("out of memory");
         return 1;
     } catch (const std::exception& error) {
-        printMessage(error.what());
+        printMessage(gnomon::inWords(error));
         return 1;
     }
 }

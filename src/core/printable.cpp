@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 
 namespace gnomon {
 
@@ -65,6 +66,17 @@ std::string printable(std::string_view text) {
         }
     }
     return shown;
+}
+
+std::string inWords(const std::exception& error) {
+    const auto* const file = dynamic_cast<const std::filesystem::filesystem_error*>(&error);
+    if (file == nullptr) return error.what();
+    // "filesystem error: OPERATION: REASON [PATH]", as both standard libraries have it.
+    constexpr std::string_view kBefore = "filesystem error: ";
+    std::string_view operation = error.what();
+    if (operation.substr(0, kBefore.size()) == kBefore) operation.remove_prefix(kBefore.size());
+    operation = operation.substr(0, operation.find(':'));
+    return file->path1().string() + ": " + std::string(operation) + ": " + file->code().message();
 }
 
 } // namespace gnomon

@@ -55,7 +55,8 @@ bool LitLog::hasLog() const {
     const std::size_t found = file_.readSomeAt(0, std::as_writable_bytes(std::span(head)));
     if (found >= sizeof(std::uint64_t) && head[0] != kMagic)
         throw Error(path_, "is no log of hours of sun, so it is left alone");
-    return found == kHeadWords * sizeof(std::uint64_t); // else a kill came before anything was there
+    const std::uint64_t headBytes = kHeadWords * sizeof(std::uint64_t);
+    return found == headBytes && file_.size() - headBytes >= head[1]; // else a kill came before the key was there
 }
 
 /// Counts the whole records of the log that is there.

@@ -2,9 +2,12 @@
 #include "core/check.h"
 #include "core/error.h"
 #include "core/limit_error.h"
+#include "core/printable.h"
 #include "core/progress.h"
 
 #include <gtest/gtest.h>
+
+#include <filesystem>
 
 namespace gnomon {
 namespace {
@@ -15,6 +18,18 @@ TEST(Error, SaysWhatWhereExpectedAndFound) {
     EXPECT_STREQ(Error("a.ply", "wrong count", "3", "4").what(), "a.ply: wrong count: expected 3, found 4");
     EXPECT_EQ(atByte("a.gnm", 18446744073709551615ULL), "a.gnm: byte 18446744073709551615");
     EXPECT_EQ(atLine("a.obj", 1), "a.obj:1");
+}
+
+TEST(Error, TellsTheStandardLibrarysInTheSameOrder) {
+    try {
+        std::filesystem::create_directories("/dev/null/folder");
+        FAIL() << "a folder within a device";
+    } catch (const std::exception& error) {
+        EXPECT_EQ(inWords(error), "/dev/null/folder: cannot create directories: Not a directory");
+    }
+    EXPECT_EQ(inWords(std::runtime_error("filesystem error: x: y")), "filesystem error: x: y")
+        << "whose words are its own";
+    EXPECT_EQ(inWords(Error("a.ply", "no faces")), "a.ply: no faces");
 }
 
 TEST(LimitError, IsAnErrorThatKnowsItsParts) {

@@ -344,6 +344,19 @@ TEST(LitSteps, GoOnWhereAKilledRunStopped) {
     }
 }
 
+TEST(LitLog, BeginsAnewAfterAKillWithinItsHead) {
+    const LogName name;
+    const std::string key = "a key of some length";
+    LitLog(name.path, key, 64, false).add(std::vector<std::uint8_t>(64, 1));
+    for (std::uintmax_t bytes = 0; bytes < 2 * sizeof(std::uint64_t) + key.size(); ++bytes) {
+        std::filesystem::resize_file(name.path, bytes);
+        LitLog log(name.path, key, 64, true);
+        EXPECT_EQ(log.size(), 0U) << bytes;
+        log.add(std::vector<std::uint8_t>(64, 1));
+    }
+    EXPECT_EQ(LitLog(name.path, key, 64, true).size(), 1U);
+}
+
 TEST(LitLog, LeavesWhatIsNoLogAlone) {
     const LogName name;
     std::ofstream(name.path) << "a text of some length that is nobody's log";

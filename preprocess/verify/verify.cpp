@@ -1,12 +1,15 @@
 #include "preprocess/verify/verify.h"
 
 #include "core/error.h"
-#include "core/file.h"
 #include "preprocess/read/open_mesh_sources.h"
 #include "preprocess/verify/cracks.h"
 #include "preprocess/verify/error_bound.h"
 #include "preprocess/verify/rules.h"
 #include "preprocess/verify/source_soup.h"
+#include "storage/open_source.h"
+
+#include <memory>
+#include <utility>
 
 namespace gnomon::verify {
 
@@ -41,12 +44,12 @@ void leaveOut(Verification& verification, const std::vector<std::string>& names,
 
 Verification verifyModel(const VerifyOptions& options, Progress& progress) {
     Verification verification;
-    const File readable(options.model, File::Mode::Read);
+    std::unique_ptr<storage::Source> source = storage::openSource(options.model);
     std::vector<std::string> rest = {"structure", "nesting", "monotone_error", "cracks"};
     if (!options.source.empty()) rest.emplace_back("error_bound");
     std::optional<hierarchy::ModelFile> file;
     try {
-        file.emplace(options.model);
+        file.emplace(std::move(source));
     } catch (const Error& error) {
         verification.checks.push_back({"checksums", 1, 1, 0, error.what()});
         leaveOut(verification, rest, "the tables are damaged");
@@ -71,9 +74,9 @@ Verification verifyModel(const VerifyOptions& options, Progress& progress) {
     verification.checks.push_back(checkMonotoneError(model));
     verification.checks.push_back(checkCracks(model, options.cuts, options.seed, progress));
     if (options.source.empty()) return verification;
-    const auto source = read::openMeshSources(options.source, gibibytes(64));
-    progress.stage("read the source", "triangles", source->summary().faceCount);
-    const TriangleSoup soup = readSoup(*source, model.summary.grid, progress);
+    const auto mesh = read::openMeshSources(options.source, gibibytes(64));
+    progress.stage("read the source", "triangles", mesh->summary().faceCount);
+    const TriangleSoup soup = readSoup(*mesh, model.summary.grid, progress);
     verification.checks.push_back(checkErrorBound(model, soup, options.seed, progress));
     return verification;
 }

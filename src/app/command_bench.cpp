@@ -1,7 +1,6 @@
 #include "app/command_line.h"
 #include "app/commands.h"
 #include "app/console.h"
-#include "app/named_files.h"
 #include "app/oracle_option.h"
 #include "app/thread_limit.h"
 #include "core/error.h"
@@ -15,6 +14,7 @@
 #include "report/accuracy_cost.h"
 #include "report/page.h"
 #include "settings/codec.h"
+#include "settings/files/named_files.h"
 #include "settings/resolve.h"
 #include "settings/table.h"
 
@@ -282,7 +282,7 @@ private:
 
 void runBench(BenchOptions options) {
     const ThreadLimit limit(options.common);
-    requireApart(
+    settings::requireApart(
         {{"MODEL", options.model}, {"--path", options.path}, {"--baseline", options.baseline}},
         {{"--csv", options.csv}, {"--json-file", options.json}});
     options.walk = walkOf(options);
@@ -297,7 +297,7 @@ void addBenchCommand(CLI::App& program) {
         "Walk a camera path for every combination of settings and log every frame.\n"
         "A promise is perspective aliasing over [near, far]: texel width over pixel width, projection aside.");
     auto options = std::make_shared<BenchOptions>();
-    command->add_option("MODEL", options->model, "A .gnm file")->required();
+    addModel(*command, options->model);
     command->add_option("--path", options->path, "A camera path")->required();
     const auto count = [&](const char* flag, int& value, const char* help, int least) {
         command->add_option(flag, value, help)->check(CLI::Range(least, 1000000))->capture_default_str();

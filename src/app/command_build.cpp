@@ -1,6 +1,5 @@
 #include "app/commands.h"
 #include "app/console.h"
-#include "app/named_files.h"
 #include "core/error.h"
 #include "core/limit_error.h"
 #include "core/printable.h"
@@ -12,6 +11,7 @@
 #include "preprocess/pipeline/source_up.h"
 #include "preprocess/read/open_mesh_sources.h"
 #include "settings/codec.h"
+#include "settings/files/named_files.h"
 #include "telemetry/json_text.h"
 
 #include <cstdio>
@@ -86,11 +86,11 @@ void takeUp(const glm::dvec3& up, const std::vector<std::string>& inputs, pipeli
 
 void run(const BuildCommand& command) {
     const glm::dvec3 up = settings::parsed(settings::upDirection(), "--up", command.up);
-    std::vector<NamedFile> inputs;
+    std::vector<settings::NamedFile> inputs;
     for (const std::string& input : command.inputs)
         inputs.push_back({"INPUT", input});
-    requireApart(inputs, {{"--output", command.output}});
-    requireExtension("--output", command.output, ".gnm");
+    settings::requireApart(inputs, {{"--output", command.output}});
+    settings::requireExtension("--output", command.output, ".gnm");
     pipeline::BuildOptions options;
     options.output = command.output;
     options.memory = *parseBytes(command.memory);

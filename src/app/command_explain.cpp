@@ -43,7 +43,7 @@ void addExplainCommand(CLI::App& program) {
     CLI::App* command =
         program.add_subcommand("explain", "Show the plan of one frame, and why it leaves out what it leaves out");
     auto options = std::make_shared<ExplainOptions>();
-    command->add_option("MODEL", options->model, "A .gnm file")->required();
+    addModel(*command, options->model);
     command->add_flag("--json", options->json, "Print one JSON document");
     options->settings.addTo(*command);
     addCommonOptions(*command, options->common);

@@ -1,13 +1,13 @@
 // `gnomon export`: one uniform cut of a model as a PLY or a glTF.
 
 #include "app/commands.h"
-#include "app/named_files.h"
 #include "app/thread_limit.h"
 #include "core/printable.h"
 #include "core/units.h"
 #include "preprocess/exporter/export.h"
 #include "preprocess/exporter/tiles/tileset.h"
 #include "settings/codec.h"
+#include "settings/files/named_files.h"
 
 #include <cstdio>
 #include <memory>
@@ -58,9 +58,9 @@ void runTiles(const ExportOptions& options) {
 
 void runCut(const ExportOptions& options) {
     const exporter::ExportLimit limit = limitOf(options);
-    requireApart({{"MODEL", options.model}}, {{"--output", options.output}});
+    settings::requireApart({{"MODEL", options.model}}, {{"--output", options.output}});
     const bool isGlb = options.format.empty() ? options.output.ends_with(".glb") : options.format == "glb";
-    requireExtension("--output", options.output, isGlb ? ".glb" : ".ply");
+    settings::requireExtension("--output", options.output, isGlb ? ".glb" : ".ply");
     const auto progress = makeProgress(options.common);
     const auto cut = exporter::exportCut(
         options.model,
@@ -77,7 +77,7 @@ void addExportCommand(CLI::App& program) {
     auto options = std::make_shared<ExportOptions>();
     CLI::App* command = program.add_subcommand(
         "export", "Write one uniform level of detail as a PLY or a glTF, or all of them as 3D Tiles");
-    command->add_option("MODEL", options->model, "A .gnm file")->required();
+    addModel(*command, options->model);
     command->add_option("-o,--output", options->output, "The .ply or .glb to write, or the folder of tiles")
         ->required();
     command->add_option("--format", options->format, "ply, glb or 3dtiles; without it by the name of the output")

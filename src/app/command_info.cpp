@@ -17,7 +17,7 @@ void addInfoCommand(CLI::App& program) {
 
     auto options = std::make_shared<Options>();
     CLI::App* command = program.add_subcommand("info", "Show what a model holds: levels, errors, bounds, size, hash");
-    command->add_option("MODEL", options->model, "A .gnm file")->required();
+    addModel(*command, options->model);
     command->add_flag("--json", options->json, "Print one JSON document");
     addCommonOptions(*command, options->common);
     command->callback([options] {

@@ -4,6 +4,7 @@
 #include "core/units.h"
 #include "gl/shader_library.h"
 #include "settings/table.h"
+#include "storage/access.h"
 
 #include <filesystem>
 
@@ -107,6 +108,25 @@ CLI::Validator seedText() {
                                                : "expected " + settings::seed().expected + ", found '" + text + "'";
         },
         "SEED"};
+}
+
+void addServerOptions(CLI::App& command) {
+    storage::Access& access = storage::commonAccess();
+    command.add_option("--cacert", access.authorityFile, "Of https://: the certificates to trust, not the system's")
+        ->type_name("FILE.pem")
+        ->check(CLI::ExistingFile);
+    command
+        .add_option_function<std::string>(
+            "--http-cache",
+            [&access](const std::string& text) { access.cache = *parseBytes(text); },
+            "What is kept on disk of models on servers, all together; 0: nothing")
+        ->check(memorySize())
+        ->default_str("1G");
+}
+
+void addModel(CLI::App& command, std::string& model) {
+    command.add_option("MODEL", model, "A .gnm file, or the http:// or https:// address of one")->required();
+    addServerOptions(command);
 }
 
 CLI::Validator memorySize() {

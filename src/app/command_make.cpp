@@ -2,12 +2,12 @@
 
 #include "app/command_line.h"
 #include "app/commands.h"
-#include "app/named_files.h"
 #include "core/error.h"
 #include "core/printable.h"
 #include "core/units.h"
 #include "preprocess/make/model_file.h"
 #include "preprocess/make/named_model.h"
+#include "settings/files/named_files.h"
 #include "settings/usage_error.h"
 
 #include <cstdio>
@@ -35,7 +35,7 @@ std::unique_ptr<make::MadeModel> modelOf(const MakeOptions& options, std::uint64
 }
 
 void runMake(const MakeOptions& options) {
-    requireExtension("--output", options.output, ".ply");
+    settings::requireExtension("--output", options.output, ".ply");
     std::uint64_t triangles = make::defaultTriangles(options.kind);
     if (!options.triangles.empty()) {
         const auto count = parseCount(options.triangles);

@@ -59,7 +59,7 @@ void runMeasure(const MeasureOptions& options) {
 void addMeasureCommand(CLI::App& program) {
     CLI::App* command = program.add_subcommand("measure", "Measure lengths, heights, angles and areas between points");
     auto options = std::make_shared<MeasureOptions>();
-    command->add_option("MODEL", options->task.model, "A .gnm file")->required();
+    addModel(*command, options->task.model);
     const auto addPlaces = [&](const char* name, std::vector<std::string>& places, const char* help) {
         return command->add_option(name, places, help)
             ->expected(1)

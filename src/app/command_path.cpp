@@ -1,8 +1,8 @@
 #include "app/commands.h"
-#include "app/named_files.h"
 #include "app/thread_limit.h"
 #include "core/file.h"
 #include "path/suited_path.h"
+#include "settings/files/named_files.h"
 #include "settings/path_options.h"
 
 #include <memory>
@@ -19,7 +19,7 @@ void addPathCommand(CLI::App& program) {
 
     CLI::App* command = program.add_subcommand("path", "Find a camera path that suits a model");
     auto options = std::make_shared<Options>();
-    command->add_option("MODEL", options->model, "A .gnm file")->required();
+    addModel(*command, options->model);
     command->add_option("--kind", options->path.kind, settings::kPathKindHelp)->required();
     command->add_option("-o,--output", options->output, "The path, JSON")->required();
     command->add_option("--storey", options->path.walk.storey, "Of a walk: only there; 0 is the lowest");
@@ -28,7 +28,7 @@ void addPathCommand(CLI::App& program) {
     command->callback([options] {
         settings::checkPathOptions(options->path);
         const ThreadLimit limit(options->common);
-        requireApart({{"MODEL", options->model}}, {{"--output", options->output}});
+        settings::requireApart({{"MODEL", options->model}}, {{"--output", options->output}});
         const hierarchy::ModelFile model(options->model);
         const auto progress = makeProgress(options->common, Polling::No);
         progress->stage("path", "paths", 1);

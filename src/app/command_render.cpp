@@ -1,12 +1,12 @@
 #include "app/command_line.h"
 #include "app/commands.h"
 #include "app/console.h"
-#include "app/named_files.h"
 #include "app/oracle_option.h"
 #include "app/thread_limit.h"
 #include "measure/picture_series.h"
 #include "measure/still_picture.h"
 #include "path/camera_path.h"
+#include "settings/files/named_files.h"
 #include "settings/resolve.h"
 #include "settings/samples.h"
 #include "settings/table.h"
@@ -46,7 +46,7 @@ void runSeries(const RenderOptions& options, const measure::StillTask& still) {
         still.oracle != proof::Oracle::None)
         throw settings::UsageError{
             "--stats, --reference, --depth, --shadow-depth, --oracle, --time are of one picture"};
-    if (still.output != "-") requireExtension("--output", still.output, ".png");
+    if (still.output != "-") settings::requireExtension("--output", still.output, ".png");
     measure::SeriesTask task{still.model, still.overlay, still.settings, printWarning, {}, still.samples};
     task.stream = [](const std::string& bytes) {
         if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size()) requirePrinted();
@@ -71,8 +71,8 @@ void runRender(const RenderOptions& options) {
     if (!task.shadowDepth.empty()) options.settings.requireMapsFor("--shadow-depth");
     if (!task.shadowDepth.empty() || proof::isOfMaps(task.oracle) || executor::isOfMaps(task.overlay))
         settings::askForMaps(task.settings);
-    requireExtension("--output", task.output, ".png");
-    requireApart(
+    settings::requireExtension("--output", task.output, ".png");
+    settings::requireApart(
         {{"MODEL", task.model}, {"--camera", task.settings.cameraFile}, {"--reference", task.reference}},
         {{"--output", task.output}, {"--stats", task.statistics}, {"--depth", task.depth}});
     if (const auto timed = pathOfTime(options, task.settings)) task.camera = path::cameraAt(*timed, *options.time);
@@ -85,7 +85,7 @@ void addRenderCommand(CLI::App& program) {
     CLI::App* command = program.add_subcommand("render", "Draw one picture of a model with its shadows");
     auto options = std::make_shared<RenderOptions>();
     measure::StillTask& task = options->task;
-    command->add_option("MODEL", task.model, "A .gnm file")->required();
+    addModel(*command, task.model);
     command->add_option("-o,--output", task.output, "The picture, a PNG; of many frame%04d.png, or - for a y4m stream")
         ->required()
         ->type_name("FILE.png");

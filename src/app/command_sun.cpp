@@ -3,9 +3,9 @@
 #include "app/command_line.h"
 #include "app/commands.h"
 #include "app/console.h"
-#include "app/named_files.h"
 #include "app/thread_limit.h"
 #include "measure/sun_hours.h"
+#include "settings/files/named_files.h"
 #include "settings/resolve.h"
 #include "settings/sun_settings.h"
 #include "sun/sun_day.h"
@@ -102,8 +102,8 @@ void runHours(const HoursOptions& options) {
     if ((task.output + task.pfm + task.csv + task.report).empty())
         throw settings::UsageError{
             "sun hours writes nothing: say -o IMAGE.png, --pfm FILE, --csv FILE or --report DIR"};
-    requireExtension("--output", task.output, task.isOfVertices ? ".ply" : ".png");
-    requireApart(
+    settings::requireExtension("--output", task.output, task.isOfVertices ? ".ply" : ".png");
+    settings::requireApart(
         {{"MODEL", task.model}, {"--camera", task.settings.cameraFile}, {"--points", task.points}},
         {{"--output", task.output}, {"--pfm", task.pfm}, {"--csv", task.csv}});
     const measure::SunHoursSummary done = measure::computeSunHours(task, *makeProgress(options.common));
@@ -124,7 +124,7 @@ void addHoursCommand(CLI::App& group) {
     auto options = std::make_shared<HoursOptions>();
     CLI::App* command = group.add_subcommand("hours", "Count the hours of sun over a period, by exact shadows");
     measure::SunHoursTask& task = options->task;
-    command->add_option("MODEL", task.model, "A .gnm file")->required();
+    addModel(*command, task.model);
     command->add_option("--at", options->at, "LAT,LON in degrees, north and east positive")->required();
     command->add_option("--from", options->from, "ISO 8601 with an offset: 2026-06-21T00:00+02:00")->required();
     command->add_option("--to", options->to, "The period's end, likewise")->required();

@@ -1,6 +1,5 @@
 #include "app/commands.h"
 #include "app/console.h"
-#include "app/named_files.h"
 #include "app/thread_limit.h"
 #include "core/angle.h"
 #include "core/error.h"
@@ -9,6 +8,7 @@
 #include "core/prepared_output.h"
 #include "core/printable.h"
 #include "settings/codec.h"
+#include "settings/files/named_files.h"
 #include "telemetry/json_text.h"
 #include "theory/figures.h"
 #include "theory/figures_script.h"
@@ -49,7 +49,7 @@ void addEval(CLI::App& theory) {
     addCommonOptions(*command, options->common);
     command->callback([options] {
         const ThreadLimit limit(options->common);
-        requireApart({{"ROWS.json", options->rows}}, {{"--output", options->output}});
+        settings::requireApart({{"ROWS.json", options->rows}}, {{"--output", options->output}});
         const std::string text =
             telemetry::jsonText(theory::evaluateRows(readJsonFile(options->rows), options->rows), 1) + "\n";
         if (options->output.empty())

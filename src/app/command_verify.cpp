@@ -76,7 +76,7 @@ void addVerifyCommand(CLI::App& program) {
 
     auto options = std::make_shared<Options>();
     CLI::App* command = program.add_subcommand("verify", "Check a model: checksums, structure, errors, cracks");
-    command->add_option("MODEL", options->verify.model, "A .gnm file")->required();
+    addModel(*command, options->verify.model);
     command->add_option(
         "--source", options->verify.source, "What the model was built from: compare distances with stored errors");
     command->add_option("--cuts", options->verify.cuts, "Random view-dependent cuts to look at for cracks")

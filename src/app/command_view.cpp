@@ -1,9 +1,9 @@
 #include "app/command_line.h"
 #include "app/commands.h"
 #include "app/console.h"
-#include "app/named_files.h"
 #include "app/thread_limit.h"
 #include "core/error.h"
+#include "settings/files/named_files.h"
 #include "settings/resolve.h"
 #include "settings/samples.h"
 #include "settings/table.h"
@@ -22,7 +22,7 @@ void requireSound(const viewer::ViewerOptions& options) {
     const settings::Settings& settings = options.settings;
     settings::qualityOf(settings);
     settings::viewOf(settings, hierarchy::ModelSummary());
-    requireApart(
+    settings::requireApart(
         {{"MODEL", options.file}, {"--path", options.path}, {"--camera", settings.cameraFile}},
         {{"--csv", options.csv}});
     if (settings.backend == settings::Backend::Osmesa || settings.backend == settings::Backend::Egl)
@@ -48,7 +48,11 @@ void addViewCommand(CLI::App& program) {
     CLI::App* command = program.add_subcommand("view", "Walk through a model in a window; H there lists the keys");
     auto options = std::make_shared<Options>();
     viewer::ViewerOptions& viewer = options->viewer;
-    command->add_option("MODEL", viewer.file, "A .gnm, or a mesh: it is built into MESH.gnm beside it")->required();
+    command
+        ->add_option(
+            "MODEL", viewer.file, "A .gnm or its http(s):// address, or a mesh: it is built into MESH.gnm beside it")
+        ->required();
+    addServerOptions(*command);
     command
         ->add_option(
             "--target-ms",

@@ -30,6 +30,12 @@ std::unique_ptr<Progress> makeProgress(const CommonOptions& options, Polling pol
 /// What an option for memory takes: 512M, 2G.
 CLI::Validator memorySize();
 
+/// Adds --cacert and --http-cache, by which the process reads what lies on servers.
+void addServerOptions(CLI::App& command);
+
+/// Adds MODEL, the name of a .gnm that is read, and those.
+void addModel(CLI::App& command, std::string& model);
+
 void addBenchCommand(CLI::App& program);
 void addBuildCommand(CLI::App& program);
 void addExplainCommand(CLI::App& program);

@@ -10,7 +10,7 @@ namespace gnomon::frame {
 
 namespace {
 
-constexpr unsigned kLoaderThreads = 4; // measured: enough to keep a disk busy while two of them decode
+constexpr Milliseconds kUnreadPause{2000}; // before a server is asked again for what it did not give
 
 /// How far ahead pages are prefetched. At 30 frames a second a third of a second: longer than it takes to load a page
 /// with all that it hangs from.
@@ -50,13 +50,14 @@ Residency::Residency(const hierarchy::ModelFile& model, ResidencyOptions options
       store_(
           source_,
           {.budget = pageMemory(model, options.memory),
-           .loaderThreads = kLoaderThreads,
+           .loaderThreads = model.source().parallelReads(),
            .onDamaged = std::move(options.onDamaged),
            .onEvicted =
                [this](std::uint32_t page) {
                    if (rayTrees_) rayTrees_->drop(page);
                },
-           .drawsWithoutUnread = options.drawsWithoutUnread}),
+           .drawsWithoutUnread = options.drawsWithoutUnread,
+           .unreadPause = model.source().isRemote() ? std::optional(kUnreadPause) : std::nullopt}),
       trees_(model.pages(), model.summary().grid) {}
 
 selection::CutQuery Residency::query() const {

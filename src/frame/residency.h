@@ -23,7 +23,9 @@ enum class Waiting : std::uint8_t {
 struct ResidencyOptions {
     Bytes memory = gibibytes(1); // tables and decoded pages
     std::function<void(const streaming::DamagedPage&)> onDamaged;
-    bool drawsWithoutUnread = false; // a page that cannot be read counts as damaged; else that is an error
+    /// A page that cannot be read counts as damaged, or on a server as missing, and is asked for again; else that is an
+    /// error.
+    bool drawsWithoutUnread = false;
 };
 
 /// What the tables of `model` and all that is made of them at run time take, about.

@@ -3,11 +3,11 @@
 #include "hierarchy/file_layout.h"
 #include "hierarchy/page_codec.h"
 #include "hierarchy/validation.h"
+#include "storage/open_source.h"
 
 #include <algorithm>
-#include <chrono>
 #include <memory>
-#include <thread>
+#include <utility>
 
 #include <xxhash.h>
 
@@ -15,26 +15,17 @@ namespace gnomon::hierarchy {
 
 namespace {
 
-/// Fills `bytes` from `offset`; tries again where a read fails, for what fails once on a network or a disk that wakes
-/// up is there a little later. Throws Error if the last try fails, too.
-void readPatiently(const File& file, std::uint64_t offset, std::span<std::byte> bytes) {
-    constexpr int kRetries = 3;
-    std::chrono::milliseconds pause(1);
-    for (int retry = 0; retry < kRetries; ++retry, pause *= 4) {
-        try {
-            return file.readAt(offset, bytes);
-        } catch (const Error&) {
-            std::this_thread::sleep_for(pause);
-        }
-    }
-    file.readAt(offset, bytes);
+/// `count` must be known to lie within the file.
+std::vector<std::byte> readBytes(const storage::Source& source, std::uint64_t offset, std::uint64_t count) {
+    std::vector<std::byte> bytes(count);
+    source.readAt(offset, bytes);
+    return bytes;
 }
 
-/// `count` must be known to lie within the file.
-std::vector<std::byte> readBytes(const File& file, std::uint64_t offset, std::uint64_t count) {
-    std::vector<std::byte> bytes(count);
-    readPatiently(file, offset, bytes);
-    return bytes;
+/// Whether `bytes` have the checksum of `place`, if need be once they are read again from behind all caches.
+bool isAsWritten(const storage::Source& source, const TablePlace& place, std::span<std::byte> bytes) {
+    const auto isRight = [&] { return checksum64(bytes) == place.checksum; };
+    return isRight() || (source.readAnew(place.offset, bytes) && isRight());
 }
 
 struct Header {
@@ -46,37 +37,37 @@ struct Header {
 constexpr const char* kNoModel = "not a model (gnomon build MESH -o MODEL.gnm makes one)";
 
 /// The header after its checks.
-Header readHeader(const File& file, std::uint64_t fileBytes) {
+Header readHeader(const storage::Source& source, std::uint64_t fileBytes) {
     if (fileBytes < kHeaderBytes + kFooterBytes)
         throw Error(
-            atByte(file.path(), fileBytes),
+            atByte(source.name(), fileBytes),
             kNoModel + std::string(", or one cut off"),
             "at least " + std::to_string(kHeaderBytes + kFooterBytes) + " bytes",
             std::to_string(fileBytes));
-    const std::vector<std::byte> bytes = readBytes(file, 0, kHeaderBytes);
+    const std::vector<std::byte> bytes = readBytes(source, 0, kHeaderBytes);
     if (!std::ranges::equal(std::span(bytes).first(kMagic.size()), std::as_bytes(std::span(kMagic))))
-        throw Error(atByte(file.path(), 0), kNoModel, "the magic of a .gnm", "something else");
+        throw Error(atByte(source.name(), 0), kNoModel, "the magic of a .gnm", "something else");
     ByteReader in{std::span(bytes).subspan(kMagic.size())};
     Header header;
     header.version = in.take<std::uint32_t>();
     if (header.version < kOldestFormatVersion || header.version > kFormatVersion)
         throw Error(
-            atByte(file.path(), kMagic.size()),
+            atByte(source.name(), kMagic.size()),
             "made by another version of gnomon; build it again from its source",
             "format version " + std::to_string(kOldestFormatVersion) + " to " + std::to_string(kFormatVersion),
             std::to_string(header.version));
     header.flags = in.take<std::uint32_t>();
     std::ranges::copy(std::span(bytes).subspan(kHashOffset), header.hash.begin());
     if (encodeHeader(header.flags, header.hash, header.version) != bytes)
-        throw Error(atByte(file.path(), 0), "damaged header: wrong checksum");
+        throw Error(atByte(source.name(), 0), "damaged header: wrong checksum");
     return header;
 }
 
 /// The footer, whose tables lie within the file and take no more than `tableMemory` while they are read.
-Footer readFooter(const File& file, std::uint64_t fileBytes, Bytes tableMemory) {
+Footer readFooter(const storage::Source& source, std::uint64_t fileBytes, Bytes tableMemory) {
     const std::uint64_t offset = fileBytes - kFooterBytes;
     try {
-        const Footer footer = decodeFooter(readBytes(file, offset, kFooterBytes));
+        const Footer footer = decodeFooter(readBytes(source, offset, kFooterBytes));
         if (footer.fileBytes != fileBytes)
             throw Damage{
                 "the file should have " + std::to_string(footer.fileBytes) + " bytes and has " +
@@ -93,25 +84,25 @@ Footer readFooter(const File& file, std::uint64_t fileBytes, Bytes tableMemory) 
                 std::to_string(footer.summary.bytes)};
         if (needed > tableMemory)
             throw Error(
-                atByte(file.path(), footer.pageTable.offset),
+                atByte(source.name(), footer.pageTable.offset),
                 "the page table alone takes more than the page memory",
                 "at most " + readableBytes(tableMemory),
                 readableBytes(needed));
         return footer;
     } catch (const Damage& damage) {
-        throw Error(atByte(file.path(), offset), "damaged footer, or a file cut off: " + damage.what);
+        throw Error(atByte(source.name(), offset), "damaged footer, or a file cut off: " + damage.what);
     }
 }
 
 /// Reads the table at `place` and decodes it.
 template <class Decode>
-auto readTable(const File& file, const TablePlace& place, const char* name, Decode decode) {
-    const std::vector<std::byte> bytes = readBytes(file, place.offset, place.bytes);
+auto readTable(const storage::Source& source, const TablePlace& place, const char* name, Decode decode) {
+    std::vector<std::byte> bytes = readBytes(source, place.offset, place.bytes);
     try {
-        if (checksum64(bytes) != place.checksum) throw Damage{"wrong checksum"};
+        if (!isAsWritten(source, place, bytes)) throw Damage{"wrong checksum"};
         return decode(std::span<const std::byte>(bytes));
     } catch (const Damage& damage) {
-        throw Error(atByte(file.path(), place.offset), std::string("damaged ") + name + ": " + damage.what);
+        throw Error(atByte(source.name(), place.offset), std::string("damaged ") + name + ": " + damage.what);
     }
 }
 
@@ -125,22 +116,24 @@ bool hasLayoutOf(const FieldLayout& layout, const std::vector<Field>& fields) {
 
 } // namespace
 
-ModelFile::ModelFile(const std::string& path, Bytes tableMemory)
-    : file_(path, File::Mode::Read), fileBytes_(file_.size()) {
-    const Header header = readHeader(file_, fileBytes_);
+ModelFile::ModelFile(const std::string& path, Bytes tableMemory) : ModelFile(storage::openSource(path), tableMemory) {}
+
+ModelFile::ModelFile(std::unique_ptr<storage::Source> source, Bytes tableMemory)
+    : source_(std::move(source)), fileBytes_(source_->size()) {
+    const Header header = readHeader(*source_, fileBytes_);
     formatVersion_ = header.version;
     contentHash_ = hexText(header.hash);
-    const Footer footer = readFooter(file_, fileBytes_, tableMemory);
-    summary_ = readTable(file_, footer.summary, "summary", [&](std::span<const std::byte> bytes) {
+    const Footer footer = readFooter(*source_, fileBytes_, tableMemory);
+    summary_ = readTable(*source_, footer.summary, "summary", [&](std::span<const std::byte> bytes) {
         return decodeSummary(bytes, header.version);
     });
     if (flagsOf(summary_) != header.flags)
-        throw Error(atByte(path, footer.summary.offset), "damaged summary: its flags are not the header's");
-    pages_ = readTable(file_, footer.pageTable, "page table", [&](std::span<const std::byte> bytes) {
+        throw Error(atByte(path(), footer.summary.offset), "damaged summary: its flags are not the header's");
+    pages_ = readTable(*source_, footer.pageTable, "page table", [&](std::span<const std::byte> bytes) {
         return decodePageTable(bytes, footer, summary_.grid);
     });
     if (const auto fault = modelFault(pages_, summary_))
-        throw Error(atByte(path, footer.pageTable.offset), "page table and summary contradict each other: " + *fault);
+        throw Error(atByte(path(), footer.pageTable.offset), "page table and summary contradict each other: " + *fault);
 }
 
 std::string ModelFile::computedContentHash() const {
@@ -150,7 +143,7 @@ std::string ModelFile::computedContentHash() const {
     std::vector<std::byte> buffer(std::size_t{1} << 20U);
     for (std::uint64_t offset = kHeaderBytes; offset < fileBytes_; offset += buffer.size()) {
         const auto part = std::span(buffer).first(std::min<std::uint64_t>(buffer.size(), fileBytes_ - offset));
-        readPatiently(file_, offset, part);
+        source_->readAt(offset, part);
         XXH3_128bits_update(state.get(), part.data(), part.size());
     }
     XXH128_canonical_t canonical;
@@ -169,15 +162,15 @@ Page ModelFile::readPage(std::uint32_t page, PageFields& fields) const {
     const PageInfo& info = pages_.at(page);
     thread_local std::vector<std::byte> bytes; // kept from page to page, as what decoding needs is
     bytes.resize(info.storedBytes);
-    readPatiently(file_, info.offset, bytes);
+    source_->readAt(info.offset, bytes);
     try {
-        if (checksum64(bytes) != info.checksum) throw Damage{"wrong checksum"};
+        if (!isAsWritten(*source_, {info.offset, info.storedBytes, info.checksum}, bytes))
+            throw Damage{"wrong checksum"};
         Page decoded = decodePageBytes(bytes, info, fields);
         if (!hasLayoutOf(fields.layout, summary_.fields)) throw Damage{"its fields are not those of the summary"};
         return decoded;
     } catch (const Damage& damage) {
-        throw PageDamage(
-            atByte(file_.path(), info.offset), "damaged page " + std::to_string(page) + ": " + damage.what);
+        throw PageDamage(atByte(path(), info.offset), "damaged page " + std::to_string(page) + ": " + damage.what);
     }
 }
 

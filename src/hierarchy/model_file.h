@@ -2,10 +2,12 @@
 #pragma once
 
 #include "core/error.h"
-#include "core/file.h"
+#include "core/units.h"
 #include "hierarchy/model.h"
 #include "hierarchy/page_fields.h"
+#include "storage/source.h"
 
+#include <memory>
 #include <span>
 
 namespace gnomon::hierarchy {
@@ -20,10 +22,16 @@ public:
 /// first, so the root groups are in the first pages.
 class ModelFile {
 public:
-    /// Throws Error if `path` is no whole model, or if its tables would take more than `tableMemory` while it opens.
+    /// Throws Error if at `path`, or at such an address, is no whole model, or if its tables would take more than
+    /// `tableMemory` while it opens.
     explicit ModelFile(const std::string& path, Bytes tableMemory = {kMostTableBytes});
 
-    const std::string& path() const { return file_.path(); }
+    /// The same of what `source` reads.
+    explicit ModelFile(std::unique_ptr<storage::Source> source, Bytes tableMemory = {kMostTableBytes});
+
+    const std::string& path() const { return source_->name(); }
+
+    const storage::Source& source() const { return *source_; }
 
     std::uint32_t formatVersion() const { return formatVersion_; }
 
@@ -48,7 +56,7 @@ public:
     Page readPage(std::uint32_t page, PageFields& fields) const;
 
 private:
-    File file_;
+    std::unique_ptr<storage::Source> source_;
     std::uint64_t fileBytes_ = 0;
     std::uint32_t formatVersion_ = kFormatVersion;
     std::string contentHash_;

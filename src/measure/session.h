@@ -27,6 +27,14 @@ public:
         const settings::Settings& settings,
         const std::function<void(const std::string&)>& warn);
 
+    /// What is being read of a server is given up.
+    ~Session() { model_.source().stop(); }
+
+    Session(const Session&) = delete;
+    Session& operator=(const Session&) = delete;
+    Session(Session&&) = delete;
+    Session& operator=(Session&&) = delete;
+
     const hierarchy::ModelFile& model() const { return model_; }
 
     executor::Executor& executor() { return *executor_; }

@@ -2,10 +2,10 @@
 
 #include "core/check.h"
 #include "core/error.h"
-#include "core/file.h"
 #include "core/formatted.h"
 #include "core/random.h"
 #include "settings/codec.h"
+#include "storage/open_source.h"
 
 #include <utility>
 
@@ -15,16 +15,14 @@ namespace {
 
 /// What of a run the model, the lights and the steps decide: a run that is resumed must have the same.
 std::string keyOfRun(const SunHoursTask& task, const std::vector<daylight::SunStep>& steps) {
-    const File model(task.model, File::Mode::Read);
     const std::vector<IntegerLight> lights = daylight::lightsOf(steps);
     std::uint64_t sum = steps.size();
     for (const IntegerLight& light : lights)
         for (int axis = 0; axis < 3; ++axis)
             sum = mix64(sum ^ static_cast<std::uint64_t>(light.direction[axis]));
     return formatted(
-        "model of %llu bytes, changed at %lld; lights %zu %016llx; ",
-        static_cast<unsigned long long>(model.size()),
-        static_cast<long long>(model.changeTime()),
+        "model of %s; lights %zu %016llx; ",
+        storage::openSource(task.model)->stamp().c_str(),
         lights.size(),
         static_cast<unsigned long long>(sum));
 }

@@ -1,4 +1,4 @@
-// Where pages come from: today a file.
+// Where pages come from: a file, or a server.
 #pragma once
 
 #include "hierarchy/model_file.h"

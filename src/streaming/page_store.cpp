@@ -15,11 +15,6 @@ constexpr double kPrefetchScale = 1e-30;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-/// Whether `outer` may hold all of `inner`; errs towards yes by a part in a million.
-bool mayEnclose(const Sphere& outer, const Sphere& inner) {
-    return glm::distance(outer.center, inner.center) + inner.radius <= outer.radius * (1 + 1e-6);
-}
-
 } // namespace
 
 Bytes decodedBytes(const hierarchy::PageInfo& info) {
@@ -195,7 +190,7 @@ void PageStore::requestKept() {
     std::vector<std::uint32_t> requests;
     for (const std::uint32_t page : requested_) {
         Entry& entry = entries_[page];
-        if (!entry.isKept() || entry.state != State::Absent) continue;
+        if (!entry.isKept() || entry.state != State::Absent || isPausing(entry)) continue;
         if (!makeRoom(entry.bytes)) break;
         hold(page);
         requests.push_back(page);
@@ -259,8 +254,9 @@ bool PageStore::takeFinished() {
     std::exception_ptr failure;
     for (LoadedPage& loaded : loaders_.finished()) {
         ++statistics_.pagesRead;
-        statistics_.read.count += source_->pages()[loaded.page].storedBytes;
+        if (!loaded.failure) statistics_.read.count += source_->pages()[loaded.page].storedBytes;
         if (loaded.content) {
+            isUnreadTold_ = false;
             waiting_.push_back(std::move(loaded));
         } else if (const std::exception_ptr thrown = leaveOut(loaded); !failure) {
             failure = thrown;
@@ -284,6 +280,9 @@ bool PageStore::admitWaiting() {
         if (std::all_of(entry.parents.begin(), entry.parents.end(), isDecided)) {
             admit(std::move(loaded));
             hasMoved = true;
+        } else if (isUnrequested(loaded.page)) {
+            release(loaded.page);
+            hasMoved = true;
         } else {
             still.push_back(std::move(loaded));
         }
@@ -298,42 +297,28 @@ std::exception_ptr PageStore::leaveOut(const LoadedPage& loaded) {
     const bool isUnread = loaded.failure != nullptr;
     if (isUnread && !options_.drawsWithoutUnread) return loaded.failure;
     if (entries_[loaded.page].isRoot) return std::make_exception_ptr(Error(loaded.fault));
+    if (isUnread && options_.unreadPause) {
+        entries_[loaded.page].unreadSince = Stopwatch();
+        if (options_.onDamaged && !isUnreadTold_) options_.onDamaged({loaded.page, loaded.fault, isUnread, true});
+        isUnreadTold_ = true;
+        return nullptr;
+    }
     ++statistics_.pagesDamaged;
     entries_[loaded.page].state = State::Damaged;
     if (options_.onDamaged) options_.onDamaged({loaded.page, loaded.fault, isUnread});
     return nullptr;
 }
 
-/// A group may be refined only if every group that holds a part of what replaces it is. Which groups a damaged page
-/// refines nobody can tell, but its bounds enclose theirs; what its bounds do not enclose it has nothing to do with.
-void PageStore::blockGroups(std::uint32_t page) {
-    const hierarchy::Page& content = *entries_[page].content;
-    const auto block = [&](std::uint32_t group) {
-        if (content.groups[group].error < kInfinite) blocked_.insert({page, group}); // a root hangs from nothing
-    };
-    for (const std::uint32_t parent : entries_[page].parents) {
-        if (entries_[parent].state != State::Damaged) {
-            blockBelow(parent, page, block);
-            continue;
-        }
-        for (std::uint32_t group = 0; group < content.groups.size(); ++group)
-            if (mayEnclose(source_->pages()[parent].bounds, content.groups[group].bounds)) block(group);
-    }
+bool PageStore::isPausing(const Entry& entry) const {
+    return entry.unreadSince && entry.unreadSince->elapsed() < *options_.unreadPause;
 }
 
-/// Calls `block` for the groups of `page` that blocked groups of `parent` refine.
-template <class Block>
-void PageStore::blockBelow(std::uint32_t parent, std::uint32_t page, const Block& block) const {
-    const hierarchy::Page& above = *entries_[parent].content;
-    for (auto blocked = blocked_.lower_bound({parent, 0}); blocked != blocked_.end() && blocked->page == parent;
-         ++blocked) {
-        const hierarchy::Group& group = above.groups[blocked->group];
-        for (std::uint32_t c = group.firstCluster; c < group.firstCluster + group.clusterCount; ++c) {
-            if (above.clusters[c].refinement == hierarchy::kNone) continue;
-            const hierarchy::GroupRef& finer = above.refinements[above.clusters[c].refinement].group;
-            if (finer.page == page) block(finer.group);
-        }
-    }
+/// Whether one of the parents that `page` waits for could not be read and is not being loaded again.
+bool PageStore::isUnrequested(std::uint32_t page) const {
+    const std::vector<std::uint32_t>& parents = entries_[page].parents;
+    return std::any_of(parents.begin(), parents.end(), [this](std::uint32_t parent) {
+        return entries_[parent].state == State::Absent;
+    });
 }
 
 void PageStore::admit(LoadedPage loaded) {

@@ -2,12 +2,14 @@
 #pragma once
 
 #include "core/error.h"
+#include "core/stopwatch.h"
 #include "core/units.h"
 #include "hierarchy/residency.h"
 #include "streaming/loaders.h"
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -17,8 +19,9 @@ namespace gnomon::streaming {
 /// A page in whose place its parents are drawn.
 struct DamagedPage {
     std::uint32_t page = 0;
-    std::string reason;    // one line, with path and byte offset
-    bool isUnread = false; // no damage: it could not be read, or there was no memory for it
+    std::string reason;     // one line, with path and byte offset
+    bool isUnread = false;  // no damage: it could not be read, or there was no memory for it
+    bool isRetried = false; // it is not given up, and it is the first of those since a page was read
 };
 
 struct PageStoreOptions {
@@ -28,6 +31,9 @@ struct PageStoreOptions {
     std::function<void(std::uint32_t page)> onEvicted = {}; // as its memory is given back, on the store's thread
     /// Whether a page that cannot be read counts as damaged; else that is an error: `admitLoaded` and `load` throw it.
     bool drawsWithoutUnread = false;
+    /// If given: such a page is none, but missing, and requested again no earlier than so long after. `onDamaged` then
+    /// hears of the first only until another one has been read.
+    std::optional<Milliseconds> unreadPause = std::nullopt;
 };
 
 /// What a cut requests of the store. Pages that are not in it may be evicted.
@@ -139,6 +145,7 @@ private:
         std::uint32_t heldChildren = 0; // resident or loading
         bool isRoot = false;            // holds a root group
         State state = State::Absent;
+        std::optional<Stopwatch> unreadSince{}; // could not be read then
         Need need = Need::None;
         Retention retention = Retention::None;
 
@@ -162,6 +169,8 @@ private:
     void release(std::uint32_t page);
     void hold(std::uint32_t page);
     void evict(std::uint32_t page);
+    bool isPausing(const Entry& entry) const;
+    bool isUnrequested(std::uint32_t page) const;
     void blockGroups(std::uint32_t page);
     template <class Block>
     void blockBelow(std::uint32_t parent, std::uint32_t page, const Block& block) const;
@@ -176,6 +185,7 @@ private:
     std::vector<std::uint32_t> requested_; // by urgency, coarser first; the current demand
     std::vector<std::uint32_t> victims_;   // resident pages that may go, the next one last; the current demand
     bool areVictimsKnown_ = false;
+    bool isUnreadTold_ = false;       // and no page was read since
     std::vector<LoadedPage> waiting_; // decoded before one of their parents
     hierarchy::BlockedGroups blocked_;
     Bytes pinned_;

@@ -8,6 +8,7 @@
 #include "preprocess/pipeline/source_up.h"
 #include "preprocess/read/open_mesh_sources.h"
 #include "preprocess/read/ply_source.h"
+#include "storage/open_source.h"
 
 #include <array>
 #include <filesystem>
@@ -39,7 +40,7 @@ private:
 };
 
 bool isModelPath(const std::string& path) {
-    return std::filesystem::path(path).extension() == ".gnm";
+    return storage::isAddress(path) || std::filesystem::path(path).extension() == ".gnm";
 }
 
 std::string cachePath(const std::string& meshPath) {

@@ -1,5 +1,7 @@
 #include "viewer/open_file.h"
 
+#include <utility>
+
 namespace gnomon::viewer {
 
 namespace {
@@ -24,7 +26,7 @@ void OpenFile::openModel(const std::string& path) {
         });
     onOpen_(*scene);
     scene_ = std::move(scene);
-    fate_ = FileFate::Same;
+    fate_ = storage::Fate::Same;
 }
 
 void OpenFile::watchBuild() {
@@ -38,16 +40,18 @@ void OpenFile::watchBuild() {
         messages_->note("built " + model);
 }
 
-void OpenFile::watchFile() {
-    if (!scene_ || now_() - lastWatch_ < kWatchSeconds) return;
+bool OpenFile::watchFile() {
+    using storage::Fate;
+    if (!scene_ || now_() - lastWatch_ < kWatchSeconds) return false;
     lastWatch_ = now_();
-    const FileFate fate = scene_->fate();
-    if (fate == fate_) return;
-    fate_ = fate;
-    const std::string& path = scene_->model().path();
-    if (fate == FileFate::Gone) messages_->fail(path + ": the model has vanished from disk; what is open stays open");
-    if (fate == FileFate::Changed) messages_->fail(path + ": the model has changed on disk; F9 opens it again");
-    if (fate == FileFate::Same) messages_->note(path + ": the model is back");
+    const Fate fate = scene_->fate();
+    if (fate != std::exchange(fate_, fate)) {
+        const std::string& path = scene_->model().path();
+        if (fate == Fate::Gone) messages_->fail(path + ": the model has vanished; what is open stays open");
+        if (fate == Fate::Changed) messages_->fail(path + ": the model has changed; F9 opens it again");
+        if (fate == Fate::Same) messages_->note(path + ": the model is back");
+    }
+    return scene_->isAwaiting();
 }
 
 } // namespace gnomon::viewer

@@ -36,7 +36,8 @@ public:
     void watchBuild();
 
     /// Looks once a second whether the model's file has changed or vanished, and tells it; to be called each frame.
-    void watchFile();
+    /// True if a frame should be drawn to see what a server has sent.
+    bool watchFile();
 
     /// The model; null before the first one.
     Scene* scene() const { return scene_.get(); }
@@ -54,7 +55,7 @@ private:
     std::function<void(const Scene&)> onOpen_;
     std::unique_ptr<Scene> scene_;
     std::unique_ptr<CacheBuild> build_;
-    FileFate fate_ = FileFate::Same;
+    storage::Fate fate_ = storage::Fate::Same;
     double lastWatch_ = 0;
 };
 

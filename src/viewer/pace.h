@@ -26,6 +26,9 @@ public:
 
     bool isWindowAwake() const { return windowFrames_ > 0; }
 
+    /// The scene is to be drawn at least once more.
+    void keepScene() { sceneFrames_ = std::max(sceneFrames_, 1); }
+
     /// Whether only one more frame of the scene is to be drawn, as far as is known.
     bool isLastOfScene() const { return sceneFrames_ == 1; }
 

@@ -35,7 +35,6 @@ Scene::Scene(
     const gl::Context& context,
     std::function<void(const std::string&)> onDamaged)
     : model_(path, settings.memory),
-      written_(std::filesystem::last_write_time(path)),
       context_(&context),
       executor_([&]() -> std::unique_ptr<executor::Executor> {
           std::unique_ptr<executor::TextureExecutor> ours = windowExecutor(settings, context);
@@ -50,8 +49,9 @@ Scene::Scene(
            .onDamaged =
                [onDamaged = std::move(onDamaged)](const streaming::DamagedPage& page) {
                    onDamaged(
-                       (page.isUnread ? "a page could not be read, its parents are drawn: "
-                                      : "a page is damaged, its parents are drawn: ") +
+                       (page.isRetried  ? "pages could not be read, their parents are drawn and it is tried again: "
+                        : page.isUnread ? "a page could not be read, its parents are drawn: "
+                                        : "a page is damaged, its parents are drawn: ") +
                        page.reason);
                },
            .drawsWithoutUnread = true}) {}
@@ -134,11 +134,8 @@ std::optional<frame::DrawnPoint> Scene::drawnPoint(const glm::ivec2& pixel) {
     return frame::drawnPoint(renderer_, *frame_, options, *drawn);
 }
 
-FileFate Scene::fate() const {
-    std::error_code error;
-    const auto now = std::filesystem::last_write_time(model_.path(), error);
-    if (error) return FileFate::Gone;
-    return now == written_ ? FileFate::Same : FileFate::Changed;
+bool Scene::isAwaiting() const {
+    return model_.source().isRemote() && frame_ && frame_->row.pagesMissing.value_or(0) > 0;
 }
 
 } // namespace gnomon::viewer

@@ -9,8 +9,8 @@
 #include "hierarchy/model_file.h"
 #include "settings/settings.h"
 #include "settings/value_colors.h"
+#include "storage/source.h"
 
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -36,9 +36,6 @@ struct ShownPicture {
     bool isBottomUp = false; // its first row is the lowest
 };
 
-/// What became of the file since it was opened.
-enum class FileFate : std::uint8_t { Same, Changed, Gone };
-
 /// A model in a window's context, which must outlive it.
 class Scene {
 public:
@@ -49,6 +46,14 @@ public:
         const settings::Settings& settings,
         const gl::Context& context,
         std::function<void(const std::string&)> onDamaged);
+
+    /// What is being read of a server is given up.
+    ~Scene() { model_.source().stop(); }
+
+    Scene(const Scene&) = delete;
+    Scene& operator=(const Scene&) = delete;
+    Scene(Scene&&) = delete;
+    Scene& operator=(Scene&&) = delete;
 
     const hierarchy::ModelFile& model() const { return model_; }
 
@@ -86,7 +91,11 @@ public:
     /// The same on the triangle that is drawn there.
     std::optional<frame::DrawnPoint> drawnPoint(const glm::ivec2& pixel);
 
-    FileFate fate() const;
+    /// What became of the model's file since it was opened.
+    storage::Fate fate() const { return model_.source().fate(); }
+
+    /// Whether the last frame lacks pages that a server may yet send.
+    bool isAwaiting() const;
 
     /// Whether the software executor draws, which alone cuts models by planes and knows what vertices and clusters
     /// carry.
@@ -94,7 +103,6 @@ public:
 
 private:
     hierarchy::ModelFile model_;
-    std::filesystem::file_time_type written_;
     const gl::Context* context_;
     executor::TextureExecutor* textures_ = nullptr; // the executor, if it draws into textures
     std::unique_ptr<executor::Executor> executor_;

@@ -127,7 +127,7 @@ void WindowSession::enter(const Scene& scene) {
 void WindowSession::watch() {
     if (file_.build() != nullptr) pace_.wakeWindow();
     file_.watchBuild();
-    file_.watchFile();
+    if (file_.watchFile()) pace_.keepScene();
     if (messages_.expire()) pace_.wakeWindow();
 }
 

@@ -1,7 +1,7 @@
 // The files of a command line: which names are the same file, which outputs are made sure of, and what is left of them.
-#include "app/named_files.h"
 #include "core/error.h"
 #include "core/prepared_output.h"
+#include "settings/files/named_files.h"
 #include "settings/usage_error.h"
 
 #include <gtest/gtest.h>
@@ -20,6 +20,9 @@ namespace gnomon::app {
 namespace {
 
 namespace fs = std::filesystem;
+using settings::NamedFile;
+using settings::requireApart;
+using settings::requireExtension;
 
 /// A folder of its own, in which the test stands.
 class FilesTest : public testing::Test {

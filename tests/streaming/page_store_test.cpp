@@ -1,6 +1,7 @@
 // The cache keeps its budget, stays closed upwards, survives damage and gives the same residency twice.
 #include "cluster_chains.h"
 #include "core/error.h"
+#include "fake_source.h"
 #include "hierarchy/residency.h"
 #include "hierarchy/validation.h"
 #include "streaming/page_store.h"
@@ -19,39 +20,8 @@ namespace gnomon::streaming {
 namespace {
 
 using hierarchy::PageDemand;
-using tests::ModelInMemory;
+using tests::FakeSource;
 using tests::sharedModel;
-
-/// A source in memory that can be slow and damaged.
-class FakeSource final : public PageSource {
-public:
-    explicit FakeSource(const ModelInMemory& model) : model_(&model) {}
-
-    std::string name() const override { return "fake.gnm"; }
-
-    std::span<const hierarchy::PageInfo> pages() const override { return model_->table; }
-
-    hierarchy::Page readPage(std::uint32_t page) const override {
-        ++reads;
-        isHeld.wait(true);
-        if (delay.count() > 0) std::this_thread::sleep_for(delay);
-        if (damaged.contains(page))
-            throw hierarchy::PageDamage("fake.gnm: byte " + std::to_string(page), "page checksum");
-        if (unread.contains(page)) throw Error("fake.gnm: byte " + std::to_string(page), "cannot read");
-        if (hasNoMemory) throw std::bad_alloc();
-        return *model_->all[page];
-    }
-
-    std::set<std::uint32_t> damaged;
-    std::set<std::uint32_t> unread;
-    std::atomic<bool> hasNoMemory{false};
-    std::chrono::microseconds delay{0};
-    std::atomic<bool> isHeld{false}; // readers wait until it is false and they are notified
-    mutable std::atomic<int> reads{0};
-
-private:
-    const ModelInMemory* model_;
-};
 
 Bytes wholeModel() {
     Bytes total;
@@ -344,6 +314,49 @@ TEST(PageStore, AWindowDrawsOnWithoutAPageThatCannotBeRead) {
     EXPECT_EQ(named[0].page, last);
     EXPECT_TRUE(named[0].isUnread);
     EXPECT_NE(named[0].reason.find("cannot read"), std::string::npos);
+}
+
+/// A server's page that did not come, what hangs from it, and the pause before it is asked for again.
+TEST(PageStore, APageThatDoesNotComeIsMissingAndAskedForAgain) {
+    FakeSource source(sharedModel());
+    const auto& table = sharedModel().table;
+    const auto last = static_cast<std::uint32_t>(table.size() - 1);
+    std::vector<DamagedPage> named;
+    PageStoreOptions options = withBudget(wholeModel());
+    options.drawsWithoutUnread = true;
+    options.unreadPause = Milliseconds{0};
+    options.onDamaged = [&](const DamagedPage& page) { named.push_back(page); };
+    PageStore store(source, options);
+    const std::set<std::uint32_t> roots = residentSet(store);
+    for (std::uint32_t page = 0; page < table.size(); ++page)
+        if (!roots.contains(page)) source.unread.insert(page);
+    const std::vector<PageDemand> wanted{{last, 1}};
+    for (int again = 0; again < 3; ++again) {
+        const int reads = source.reads;
+        EXPECT_EQ(store.load({{}, wanted}).pagesMissing, 1U);
+        EXPECT_GT(source.reads, reads);
+        EXPECT_EQ(residentSet(store), roots);
+        expectWithinBudget(store, wholeModel());
+    }
+    ASSERT_EQ(named.size(), 1U) << "of a server that is away it is told once";
+    EXPECT_TRUE(named[0].isRetried && named[0].isUnread);
+    // A parent that fails while its children come keeps neither them nor their room.
+    source.unread.erase(last);
+    EXPECT_EQ(store.load({{}, wanted}).pagesMissing, 1U);
+    EXPECT_EQ(residentSet(store), roots);
+    EXPECT_EQ(store.statistics().committed, store.statistics().resident);
+    source.unread.clear();
+    EXPECT_EQ(store.load({{}, wanted}).pagesMissing, 0U);
+    EXPECT_EQ(store.statistics().pagesDamaged, 0U);
+    expectClosedUpwards(store.resident());
+
+    options.unreadPause = Milliseconds{1e9};
+    PageStore patient(source, options);
+    source.unread.insert(last);
+    patient.load({{}, wanted});
+    const int reads = source.reads;
+    patient.load({{}, wanted});
+    EXPECT_EQ(source.reads, reads);
 }
 
 TEST(PageStore, ADamagedRootIsAnError) {

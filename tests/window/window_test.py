@@ -203,7 +203,7 @@ def check_files(display, program, folder, mesh, model):
     session.expect("copy.gnm: .*(cannot be opened|No such file)")
     session.shot("shift+F12")
     shutil.copy(model, copy)
-    session.expect("has changed on disk|is back")
+    session.expect("has changed|is back")
     session.press("F9")
     session.shot()
     session.leave()

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace gnomon::app {
+namespace gnomon::settings {
 
 /// A file and the option that names it; an empty path is an option that was not given.
 struct NamedFile {
@@ -20,4 +20,4 @@ void requireApart(const std::vector<NamedFile>& inputs, const std::vector<NamedF
 /// format; a name without one, like a device's, promises nothing.
 void requireExtension(const std::string& option, const std::string& path, const std::string& extension);
 
-} // namespace gnomon::app
+} // namespace gnomon::settings

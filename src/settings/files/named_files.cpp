@@ -1,13 +1,12 @@
-#include "app/named_files.h"
+#include "settings/files/named_files.h"
 
-#include "app/commands.h"
 #include "settings/usage_error.h"
 
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
 
-namespace gnomon::app {
+namespace gnomon::settings {
 
 namespace {
 
@@ -33,19 +32,18 @@ void requireApart(const std::vector<NamedFile>& inputs, const std::vector<NamedF
     for (auto output = outputs.begin(); output != outputs.end(); ++output) {
         for (const NamedFile& input : inputs)
             if (isSameFile(input.path, output->path))
-                throw settings::UsageError{
+                throw UsageError{
                     output->option + " would replace " + input.option + ", which is read: " + output->path};
         for (auto other = outputs.begin(); other != output; ++other)
             if (isSameFile(other->path, output->path))
-                throw settings::UsageError{
-                    other->option + " and " + output->option + " name the same file: " + output->path};
+                throw UsageError{other->option + " and " + output->option + " name the same file: " + output->path};
     }
 }
 
 void requireExtension(const std::string& option, const std::string& path, const std::string& extension) {
     std::string found = fs::path(path).extension().string();
     std::transform(found.begin(), found.end(), found.begin(), [](unsigned char c) { return std::tolower(c); });
-    if (!found.empty() && found != extension) settings::refuse(option, path, "a name ending in " + extension);
+    if (!found.empty() && found != extension) refuse(option, path, "a name ending in " + extension);
 }
 
-} // namespace gnomon::app
+} // namespace gnomon::settings

@@ -1,0 +1,65 @@
+// A model on a server, read by ranges.
+#pragma once
+
+#include "storage/access.h"
+#include "storage/range_cache.h"
+#include "storage/range_request.h"
+#include "storage/source.h"
+
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+namespace gnomon::storage {
+
+/// What lies at an address of any server that knows byte ranges (RFC 9110, section 14). What is asked for once is kept
+/// in a cache on disk; the start and the end, where a model's tables are, come in one piece each.
+class HttpSource final : public Source {
+public:
+    /// Asks for the start. Throws Error if `address` cannot be read by ranges.
+    HttpSource(const std::string& address, const Access& access);
+
+    const std::string& name() const override { return name_; }
+
+    std::uint64_t size() const override { return identity_.size; }
+
+    void readAt(std::uint64_t offset, std::span<std::byte> out) const override;
+
+    bool readAnew(std::uint64_t offset, std::span<std::byte> out) const override;
+
+    /// By what the server said last.
+    Fate fate() const override { return fate_; }
+
+    std::string stamp() const override;
+
+    unsigned parallelReads() const override { return 8; } // which hide from one another how long an answer takes
+
+    bool isRemote() const override { return true; }
+
+    void stop() const override;
+
+private:
+    void open(std::chrono::milliseconds patience);
+    void fetch(std::uint64_t offset, std::span<std::byte> out) const;
+    bool waitFor(std::chrono::milliseconds pause) const;
+    std::uint64_t tailOffset() const;
+    void readTail(std::uint64_t offset, std::span<std::byte> out) const;
+    void takeTail(std::vector<std::byte> tail, std::uint64_t offset, std::span<std::byte> out) const;
+    void copyTail(std::uint64_t offset, std::span<std::byte> out) const;
+    void fetchKept(std::uint64_t offset, std::span<std::byte> out) const;
+    void readKept(std::uint64_t offset, std::span<std::byte> out) const;
+
+    std::string name_;
+    Access access_;
+    Connections connections_;
+    Identity identity_;
+    std::vector<std::byte> head_;
+    std::optional<RangeCache> cache_;
+    mutable std::atomic<Fate> fate_{Fate::Same};
+    mutable std::mutex mutex_; // of what follows
+    mutable std::condition_variable stopped_;
+    mutable std::vector<std::byte> tail_; // empty until it is asked for
+};
+
+} // namespace gnomon::storage

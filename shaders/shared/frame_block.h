@@ -67,8 +67,9 @@ struct Partition {
     vec2 firstTexel; // of the partition, gutters included: column and row
     vec2 endTexel;   // one past the last
     float logRows;   // 1 where rows lie logarithmically, as shadow::MapImage says; OpenGL is never given such maps
+    float rowTable;  // 0, or 1 + which table fits its rows to the view, as shadow::RowParts says; likewise
+    float partsPerRow;
     float unusedX;
-    vec2 unusedY;
 };
 
 struct Slice {

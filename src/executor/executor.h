@@ -200,8 +200,12 @@ public:
     /// Whether it can carry out a plan's `skipsHidden`.
     virtual bool skipsHidden() const { return false; }
 
-    /// Whether it can draw and look up maps with logarithmic rows.
+    /// Whether it can draw and look up maps with logarithmic rows, and such as are fitted to a view.
     virtual bool drawsLogRows() const { return false; }
+
+    /// Where each pixel of the image lies whose surface faces the light, relative to the eye in camera space: where
+    /// `frame` is going to look up its maps. Nothing where `drawsLogRows` says no.
+    virtual std::vector<glm::vec3> seenPoints(const FrameDrawing& /*frame*/) { return {}; }
 
     /// Draws the image of a frame whose plan asks for exact shadows or for rays: what is visible first, then who stands
     /// in its light. Throws Error where the executor cannot.

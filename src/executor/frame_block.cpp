@@ -134,6 +134,17 @@ block::Frame frameBlock(const FrameDrawing& frame, const DrawSpace& space, const
     return result;
 }
 
+std::vector<float> rowTables(const FrameDrawing& frame) {
+    std::vector<float> tables;
+    for (const plan::ShadowPass& pass : frame.plan->passes) {
+        const auto parts = mapDrawing(frame, pass.map).image.rowParts;
+        if (!parts) continue;
+        for (const auto* values : {&parts->start, &parts->density, &parts->longest})
+            tables.insert(tables.end(), values->begin(), values->end());
+    }
+    return tables;
+}
+
 block::Shadows shadowsBlock(const FrameDrawing& frame) {
     const plan::FramePlan& plan = *frame.plan;
     GNOMON_CHECK_OP(plan.passes.size(), <=, std::size_t{GNOMON_MAX_PARTITIONS});
@@ -150,6 +161,7 @@ block::Shadows shadowsBlock(const FrameDrawing& frame) {
         result.passOfPartition[i / 4][static_cast<int>(i % 4)] = plan.passOfPartition[i];
     for (std::size_t i = 0; i + 1 < plan.splits.size(); ++i)
         result.slices[i] = {static_cast<float>(plan.splits[i]), static_cast<float>(plan.splits[i + 1]), glm::vec2(0)};
+    float tables = 0;
     for (std::size_t p = 0; p < plan.passes.size(); ++p) {
         const shadow::ShadowMap& map = plan.passes[p].map;
         const shadow::FloatMapImage image = mapDrawing(frame, map).image;
@@ -158,12 +170,16 @@ block::Shadows shadowsBlock(const FrameDrawing& frame) {
         out.origin = image.origin;
         out.reach = image.reach;
         out.logRows = image.logRows;
+        if (image.rowParts) {
+            out.rowTable = ++tables;
+            out.partsPerRow = image.rowParts->partsPerRow;
+        }
         out.texelScale = image.texelScale;
         out.texelOffset = image.texelOffset;
         out.byColumn = image.byColumn;
         out.byRow = image.byRow;
         out.byDepth = image.byDepth;
-        out.axisX = glm::vec3(toDraw(plan.basis, map.warped.frame.x));
+        out.axisX = glm::vec3(toDraw(plan.basis, shadow::alongX(map.warped.frame)));
         out.unevenX = image.unevenX;
         out.axisZ = glm::vec3(toDraw(plan.basis, map.warped.frame.z));
         out.unevenZ = image.unevenZ;

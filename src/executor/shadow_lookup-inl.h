@@ -9,6 +9,7 @@
 
 #include "executor/shading_batch.h"
 #include "executor/vector_lanes-inl.h"
+#include "shadow/warp/fitted_rows.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -71,6 +72,8 @@ constexpr int kUnevenZ = GNOMON_PARTITION_FLOAT(unevenZ);
 constexpr int kFirstTexel = GNOMON_PARTITION_FLOAT(firstTexel);
 constexpr int kEndTexel = GNOMON_PARTITION_FLOAT(endTexel);
 constexpr int kLogRows = GNOMON_PARTITION_FLOAT(logRows);
+constexpr int kRowTable = GNOMON_PARTITION_FLOAT(rowTable);
+constexpr int kPartsPerRow = GNOMON_PARTITION_FLOAT(partsPerRow);
 #undef GNOMON_PARTITION_FLOAT
 static_assert(offsetof(block::Partition, clipFromOffset) == 0);
 
@@ -113,8 +116,36 @@ HWY_INLINE Mask hasLogRows(const Partition& part) {
     return hn::Gt(part(kLogRows), hn::Zero(kFloats));
 }
 
-/// The bias that a flat receiver, and a neighbour somewhat steeper, needs over half a texel and the kernel; `w` is the
-/// map's at `offset`.
+/// Where a lookup lies along the rows of the texture, and how much longer these are around it than without a fit.
+struct RowLanes {
+    Floats row, longest;
+};
+
+template <class Partition>
+HWY_INLINE RowLanes fittedRow(const ShadingFrame& f, const Partition& part, Floats unfitted) {
+    const auto table = part(kRowTable);
+    const auto isFitted = hn::Gt(table, hn::Zero(kFloats));
+    if (hn::AllFalse(kFloats, isFitted)) return {unfitted, constant(1)};
+    const auto perRow = part(kPartsPerRow);
+    const auto last = constant(static_cast<float>(shadow::kFittedParts - 1));
+    const auto place = hn::Min(hn::Max(hn::Floor(hn::Mul(unfitted, perRow)), hn::Zero(kFloats)), last);
+    // Lanes without a table read the first for nothing.
+    const auto which = hn::Max(hn::Sub(table, constant(1)), hn::Zero(kFloats));
+    const auto at = hn::ConvertTo(kInts, hn::Add(hn::Mul(which, constant(3.0F * shadow::kFittedParts)), place));
+    const auto entry = [&](int k) HWY_ATTR {
+        return hn::GatherIndex(kFloats, f.rowTables + std::ptrdiff_t{k} * shadow::kFittedParts, at);
+    };
+    const auto row = hn::Add(entry(0), hn::Mul(hn::Sub(unfitted, hn::Div(place, perRow)), entry(1)));
+    return {hn::IfThenElse(isFitted, row, unfitted), hn::IfThenElse(isFitted, entry(2), constant(1))};
+}
+
+/// A point as a map has it: w, its inverse, and how much longer rows are around it than without a fit.
+struct MapLanes {
+    Floats w, inverseW, longest;
+};
+
+/// The bias that a flat receiver, and a neighbour somewhat steeper, needs over half a texel and the kernel; `at` is at
+/// `offset`.
 template <class Partition>
 HWY_INLINE Floats receiverBias(
     const ShadingFrame& f,
@@ -122,8 +153,7 @@ HWY_INLINE Floats receiverBias(
     const Vec3& offset,
     const Vec3& normal,
     Floats cosine,
-    Floats w,
-    Floats inverseW) {
+    const MapLanes& at) {
     const auto distance = hn::Neg(dot(normal, offset));
     const auto withPlane = [&](int k) HWY_ATTR {
         return hn::Add(dot(normal, {part(k), part(k + 1), part(k + 2)}), hn::Mul(distance, part(k + 3)));
@@ -131,14 +161,16 @@ HWY_INLINE Floats receiverBias(
     const auto across = hn::Max(hn::Abs(withPlane(kByDepth)), constant(1e-30F));
     const auto isLog = hasLogRows(part);
     const auto one = constant(1);
-    const auto byRow = hn::Mul(hn::Abs(withPlane(kByRow)), hn::IfThenElse(isLog, inverseW, one));
+    const auto byRow =
+        hn::Mul(hn::Mul(hn::Abs(withPlane(kByRow)), at.longest), hn::IfThenElse(isLog, at.inverseW, one));
     const auto slope = hn::Div(hn::Add(hn::Abs(withPlane(kByColumn)), byRow), across);
     const auto grazing = hn::Min(constant(1), hn::Mul(cosine, constant(10)));
     const auto unevenX = part(kUnevenX);
     const bool isPoint = isFromPoint(f);
-    const auto unevenZ = isPoint ? part(kUnevenZ) : hn::Mul(part(kUnevenZ), hn::IfThenElse(isLog, one, w));
+    const auto alongZ = hn::Mul(part(kUnevenZ), at.longest);
+    const auto unevenZ = isPoint ? part(kUnevenZ) : hn::Mul(alongZ, hn::IfThenElse(isLog, one, at.w));
     auto uneven = hn::Sqrt(hn::Add(hn::Mul(unevenX, unevenX), hn::Mul(unevenZ, unevenZ)));
-    if (isPoint) uneven = hn::Mul(uneven, inverseW);
+    if (isPoint) uneven = hn::Mul(uneven, at.inverseW);
     return hn::Add(hn::Mul(hn::Add(hn::Mul(slope, grazing), uneven), part(kReach)), constant(6e-7F));
 }
 
@@ -169,21 +201,23 @@ lookupAt(const ShadingFrame& f, const Partition& part, const Vec3& p, const Vec3
     // No receiver lies in the plane of w = 0; should one, it must not become a NaN.
     const auto isFinite = hn::Gt(hn::Abs(w), constant(1e-30F));
     const auto inverseW = inverse(hn::IfThenElse(isFinite, w, constant(1e-30F)));
+    const auto texelOf = [&](int row) HWY_ATTR {
+        auto clip = hn::Mul(clipCoordinate(part, row, offset), inverseW);
+        if (row == 1) clip = alongRows(part, clip, w);
+        return hn::Add(hn::Mul(clip, part(kTexelScale + row)), part(kTexelOffset + row));
+    };
+    const RowLanes along = fittedRow(f, part, texelOf(1));
     // Clamped as casters are: behind the map's far end nothing is in the way but what it shows.
     const auto depth = hn::Min(
         hn::Sub(
             hn::Mul(clipCoordinate(part, 2, offset), inverseW),
-            receiverBias(f, part, offset, normal, cosine, w, inverseW)),
+            receiverBias(f, part, offset, normal, cosine, {w, inverseW, along.longest})),
         constant(1));
     const auto half = constant(0.5F * static_cast<float>(std::max(f.frame->filterTexels, 1) - 1));
     const auto far = constant(1e6F);
-    const auto startOf = [&](int row) HWY_ATTR {
-        auto clip = hn::Mul(clipCoordinate(part, row, offset), inverseW);
-        if (row == 1) clip = alongRows(part, clip, w);
-        const auto texel = hn::Add(hn::Mul(clip, part(kTexelScale + row)), part(kTexelOffset + row));
-        return hn::Min(hn::Max(hn::Sub(texel, half), hn::Neg(far)), far);
-    };
-    return {startOf(0), startOf(1), depth};
+    const auto startOf = [&](Floats texel)
+                             HWY_ATTR { return hn::Min(hn::Max(hn::Sub(texel, half), hn::Neg(far)), far); };
+    return {startOf(texelOf(0)), startOf(along.row), depth};
 }
 
 template <bool isUniform>

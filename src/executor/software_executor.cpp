@@ -7,6 +7,7 @@
 #include "executor/light/background.h"
 #include "executor/ray_pass.h"
 #include "executor/software/receiver_pass.h"
+#include "executor/software/seen_points.h"
 #include "executor/view/lens.h"
 #include "executor/view/section_caps.h"
 #include "plan/cell_maps.h"
@@ -38,6 +39,11 @@ public:
     bool skipsHidden() const override { return true; }
 
     bool drawsLogRows() const override { return true; }
+
+    std::vector<glm::vec3> seenPoints(const FrameDrawing& frame) override {
+        sizeTargets(frame);
+        return drawSeenPoints(frame, imageBuffers(frame));
+    }
 
     DrawStatistics drawExactly(const FrameDrawing& frame) override;
 
@@ -334,12 +340,8 @@ DrawStatistics SoftwareExecutor::drawExactly(const FrameDrawing& frame) {
 }
 
 FloatPicture SoftwareExecutor::shadowDepth() {
-    FloatPicture result;
-    result.width = shadowDepth_.width;
-    result.height = shadowDepth_.height;
-    const std::size_t texels = shadowDepth_.index(0, shadowDepth_.height);
-    result.pixels.assign(
-        shadowDepth_.pixels.begin(), shadowDepth_.pixels.begin() + static_cast<std::ptrdiff_t>(texels));
+    FloatPicture result = shadowDepth_;
+    result.pixels.resize(result.index(0, result.height));
     return result;
 }
 

@@ -1,5 +1,6 @@
 #include "executor/software_overlay.h"
 
+#include "executor/frame_block.h"
 #include "executor/gl/geometry_pool.h"
 #include "executor/lod_substitutes.h"
 #include "executor/overlay/overlay_colors.h"
@@ -20,7 +21,8 @@ glm::vec4 clipOf(const block::Partition& part, const glm::vec3& p) {
     return part.clipFromOffset * glm::vec4(p - part.origin, 1);
 }
 
-glm::vec2 texelOf(const block::Partition& part, const glm::vec4& clip) {
+/// Before rows are fitted to the view.
+glm::vec2 unfittedTexel(const block::Partition& part, const glm::vec4& clip) {
     const float up = part.logRows == 0 ? clip.y / clip.w : std::log(std::max(clip.w, 1e-30F));
     return glm::vec2(clip.x / clip.w, up) * part.texelScale + part.texelOffset;
 }
@@ -33,6 +35,9 @@ SoftwareOverlay::SoftwareOverlay(
     const block::Shadows& shadows,
     std::span<const DrawnCluster> clusters)
     : frame_(&frame), block_(&block), shadows_(&shadows) {
+    if (isOfMaps(frame.overlay))
+        for (const plan::ShadowPass& pass : frame.plan->passes)
+            rowParts_.push_back(mapDrawing(frame, pass.map).image.rowParts);
     if (frame.overlay != Overlay::Lod && frame.overlay != Overlay::Clusters) return;
     for (const DrawnCluster& cluster : clusters) {
         std::vector<ClusterMark>& marks = marks_[cluster.pageId];
@@ -48,7 +53,8 @@ SoftwareOverlay::SoftwareOverlay(
     }
 }
 
-float SoftwareOverlay::aliasing(const block::Partition& part, const glm::vec3& position, float depth) const {
+float SoftwareOverlay::aliasing(int pass, const glm::vec3& position, float depth) const {
+    const block::Partition& part = shadows_->partitions[pass];
     const glm::vec4 clip = clipOf(part, position);
     const glm::vec4 dx = part.clipFromOffset * glm::vec4(part.axisX, 0);
     const glm::vec4 dz = part.clipFromOffset * glm::vec4(part.axisZ, 0);
@@ -57,6 +63,11 @@ float SoftwareOverlay::aliasing(const block::Partition& part, const glm::vec3& p
     if (part.logRows != 0) { // rows change as w does, over w
         perX.y = std::abs(dx.w) * clip.w * part.texelScale.y;
         perZ.y = std::abs(dz.w) * clip.w * part.texelScale.y;
+    }
+    if (const auto& rows = rowParts_[static_cast<std::size_t>(pass)]) {
+        const int at = rows->partOf(unfittedTexel(part, clip).y);
+        perX.y *= rows->density[static_cast<std::size_t>(at)];
+        perZ.y *= rows->density[static_cast<std::size_t>(at)];
     }
     const float texels = std::min(std::max(perX.x, perX.y), perX.y > perX.x ? perZ.x : perZ.y) / (clip.w * clip.w);
     return 1 / (std::max(texels, 1e-30F) * block_->pixelSlope * depth);
@@ -67,7 +78,9 @@ glm::vec3 SoftwareOverlay::residence(const DrawnCluster& cluster) const {
     return kResidenceColors[static_cast<std::size_t>(why)];
 }
 
-float SoftwareOverlay::texelGrid(const block::Partition& part, const PaintedPixel& pixel) const {
+float SoftwareOverlay::texelGrid(const PaintedPixel& pixel) const {
+    const block::Partition& part = shadows_->partitions[pixel.pass];
+    const auto& rows = rowParts_[static_cast<std::size_t>(pixel.pass)];
     const auto at = [&](int column, int row) {
         // Where the pixel's ray meets the face's plane.
         const glm::dvec3 origin =
@@ -78,7 +91,9 @@ float SoftwareOverlay::texelGrid(const block::Partition& part, const PaintedPixe
                                double(row - pixel.y) * glm::dvec3(pixel.rayPerY);
         const double across = glm::dot(glm::dvec3(pixel.normal), ray);
         const glm::dvec3 met = across == 0 ? fromOrigin : ray * (distance / across);
-        return (texelOf(part, clipOf(part, glm::vec3(met + origin))) - part.firstTexel) / 5.0F;
+        glm::vec2 texel = unfittedTexel(part, clipOf(part, glm::vec3(met + origin)));
+        if (rows) texel.y = rows->rowAt(texel.y);
+        return (texel - part.firstTexel) / 5.0F;
     };
     // Differences within squares of two by two pixels, as GL takes them.
     const int left = pixel.x & ~1;
@@ -104,10 +119,10 @@ glm::vec3 SoftwareOverlay::painted(const PaintedPixel& pixel) const {
         return glm::mix(
             glm::mix(shaded, indexColor(pixel.pass) * (0.3F + light), 0.25F),
             glm::vec3(0, 0.05F, 0.1F),
-            0.85F * texelGrid(*part, pixel));
+            0.85F * texelGrid(pixel));
     case Overlay::Aliasing:
         if (part == nullptr) return withoutMap(pixel, light);
-        return heatColor(aliasing(*part, pixel.position, pixel.depth)) * (0.8F + 0.2F * light);
+        return heatColor(aliasing(pixel.pass, pixel.position, pixel.depth)) * (0.8F + 0.2F * light);
     case Overlay::Lod:
         return heatColor(
                    mark(pixel).error / (block_->pixelSlope * pixel.depth) / std::max(block_->errorPixels, 1e-6F)) *

@@ -40,9 +40,9 @@ public:
     glm::vec3 painted(const PaintedPixel& pixel) const;
 
 private:
-    float aliasing(const block::Partition& part, const glm::vec3& position, float depth) const;
+    float aliasing(int pass, const glm::vec3& position, float depth) const;
     glm::vec3 residence(const DrawnCluster& cluster) const;
-    float texelGrid(const block::Partition& part, const PaintedPixel& pixel) const;
+    float texelGrid(const PaintedPixel& pixel) const;
 
     /// A cluster's error (world units) and colour as the shaders are told them.
     struct ClusterMark {
@@ -57,6 +57,7 @@ private:
     const FrameDrawing* frame_;
     const block::Frame* block_;
     const block::Shadows* shadows_;
+    std::vector<std::shared_ptr<const shadow::RowParts<float>>> rowParts_; // by pass, of overlays of maps
     std::unordered_map<std::uint32_t, std::vector<ClusterMark>> marks_; // by page; overlays of clusters alone need it
 };
 

@@ -55,6 +55,7 @@ Shading::Shading(
       clusters_(clusters),
       block_(frameBlock(frame, frame.space, clipFromDraw)),
       shadows_(shadowsBlock(frame)),
+      rowTables_(rowTables(frame)),
       overlay_(frame, block_, shadows_, clusters),
       background_(backgroundRows(frame)) {
     if (frame.ground != nullptr) {
@@ -66,6 +67,7 @@ Shading::Shading(
     shared_.shadows = &shadows_;
     shared_.shadowDepth = shadowDepth.pixels.data();
     shared_.shadowWidth = shadowDepth.width;
+    shared_.rowTables = rowTables_.data();
     shared_.wantsLight = frame.wantsLight;
     if (verdict != Verdict::Known)
         shared_.litSource = verdict == Verdict::Undecided ? LitSource::Undecided : LitSource::Awaited;
@@ -213,6 +215,8 @@ void Shading::flush(Work& work, const ShadingTarget& target) const {
         const std::size_t at = picture.index(work.columns[i], picture.height - 1 - work.rows[i]);
         const bool isOnGround = isGround(work, i);
         picture.pixels[at] = isPainted && !isOnGround ? painted(work, i) : unpacked(batch.color[i]);
+        if (target.facing != nullptr)
+            (*target.facing)[at] = {toVector(batch.position, i), batch.faces[i] != 0 ? 1.0F : 0.0F};
         if (target.surfaces == nullptr) continue;
         if (isOnGround) {
             target.surfaces->pixels[at] = {};

@@ -48,6 +48,9 @@ struct ShadingTarget {
     std::atomic<std::uint64_t>* litPixels = nullptr; // counts those that are known to be lit at least in part
     LightPicture* light = nullptr;                   // both with a frame's `wantsLight`: the light of `picture`,
     LightPicture* undecidedLight = nullptr;          // and of undecided pixels that in which they are lit
+    /// Gets where each pixel lies (draw space), and 1 if it faces the light; it has room for all, and what shows
+    /// nothing is left as it is.
+    std::vector<glm::vec4>* facing = nullptr;
 };
 
 /// What the verdict of a shading hangs on where neither the plan nor a mask tells.
@@ -100,6 +103,7 @@ private:
     std::span<const DrawnCluster> clusters_;
     block::Frame block_;
     block::Shadows shadows_;
+    std::vector<float> rowTables_;
     ShadingFrame shared_;
     glm::dvec3 rayOrigin_{0}; // draw space; of the image point (0, 0)
     glm::dvec3 originPerX_{0};

@@ -50,6 +50,36 @@ void Renderer::chooseOcclusion(PreparedFrame& frame) const {
     plan::chooseOcclusion(frame.plan, layers, canSkip);
 }
 
+void Renderer::planAnew(PreparedFrame& frame, const plan::View& view, const plan::Quality& quality) const {
+    const plan::PlanMemory memory = frame.before ? frame.before->memory : plan::PlanMemory{};
+    const plan::ExecutorFacts executor = plannedFor_.value_or(plan::ExecutorFacts{executor_->drawsLogRows()});
+    plan::PlannedFrame planned = plan::planFrame(view, quality, frame.facts, memory, executor);
+    frame.plan = std::move(planned.plan);
+    frame.memory = std::move(planned.memory);
+    plan::chooseCasterCulling(
+        frame.plan, executor_->drawsImageFirst() ? plan::MapOrder::ImageFirst : plan::MapOrder::MapsFirst);
+    chooseOcclusion(frame);
+}
+
+void Renderer::fitToView(PreparedFrame& frame, const plan::View& view, const plan::Quality& quality) {
+    const bool isFitted = frame.plan.quality.warp.rule == shadow::WarpRule::Fitted && executor_->drawsLogRows();
+    if (!isFitted || view.pointLight || !frame.facts.light) return;
+    // Casters call for detail by the texels of their maps, and that is seen: so few pixels show something else now.
+    constexpr int kRounds = 4;
+    for (int round = 0; round < kRounds && !frame.plan.passes.empty(); ++round) {
+        plan::SceneFacts::Light& light = *frame.facts.light;
+        light.fits = frame.memory.scheme->fits;
+        addTime(frame.planMs, [&] {
+            light.points = std::make_shared<const std::vector<glm::vec3>>(executor_->seenPoints(drawing(frame, {})));
+            planAnew(frame, view, quality);
+        });
+        if (frame.memory.scheme->fits == light.fits) return;
+        const std::vector<selection::ClusterRange> seen = frame.cut.lists[0].ranges;
+        addTime(frame.cullMs, [&] { cutPartitions(frame, residency_); });
+        if (frame.cut.lists[0].ranges == seen) return;
+    }
+}
+
 PreparedFrame Renderer::prepareAs(
     const plan::View& view,
     const plan::Quality& quality,
@@ -78,21 +108,9 @@ PreparedFrame Renderer::prepareAs(
                     frame.facts.isTurnedFromLight = isTurnedFromLight(view, cutQuery(residency_, frame), frame.cut);
                 frame.ground = seenGround(ground_, view, model.grid.step(), frame.facts);
             });
-            addTime(frame.planMs, [&] {
-                const plan::PlanMemory memory = before ? before->memory : plan::PlanMemory{};
-                plan::PlannedFrame planned = plan::planFrame(
-                    view,
-                    quality,
-                    frame.facts,
-                    memory,
-                    plannedFor_.value_or(plan::ExecutorFacts{executor_->drawsLogRows()}));
-                frame.plan = std::move(planned.plan);
-                frame.memory = std::move(planned.memory);
-                plan::chooseCasterCulling(
-                    frame.plan, executor_->drawsImageFirst() ? plan::MapOrder::ImageFirst : plan::MapOrder::MapsFirst);
-                chooseOcclusion(frame);
-            });
+            addTime(frame.planMs, [&] { planAnew(frame, view, quality); });
             addTime(frame.cullMs, [&] { cutPartitions(frame, residency_); });
+            fitToView(frame, view, quality);
         } while (frame.errorPixels > surveyedPixels);
         const double cutMs = round.elapsed().count;
         frame.residency = residency_.serve(cutQuery(residency_, frame), frame.cut, waiting);

@@ -122,6 +122,13 @@ private:
         Waiting waiting,
         const std::shared_ptr<const plan::PlannedFrame>& before);
 
+    /// Plans `frame` by its facts.
+    void planAnew(PreparedFrame& frame, const plan::View& view, const plan::Quality& quality) const;
+
+    /// Fits the maps of `frame`, which is planned and cut without having looked, to what it shows: draws that, plans
+    /// and cuts again, until what is cut is what was looked at.
+    void fitToView(PreparedFrame& frame, const plan::View& view, const plan::Quality& quality);
+
     bool hasSunWrong(const Frame& frame) const;
     void chooseOcclusion(PreparedFrame& frame) const;
     void markReusedMaps(PreparedFrame& frame, const FrameOptions& options) const;

@@ -21,10 +21,11 @@ std::unique_ptr<executor::Executor> makeExecutor(const settings::Settings& setti
 
 bool decidesExactly(const settings::Settings& settings) {
     using settings::Backend;
-    const bool wantsSoftware =
-        settings.quality.shadows == plan::ShadowMode::Exact || settings.quality.warp.rule == shadow::WarpRule::Log ||
-        settings.quality.cullCasters == plan::CasterCulling::Receivers ||
-        settings.quality.occlusion == plan::Choice::On || settings.quality.look.ground || !settings.sections.empty();
+    const bool wantsSoftware = settings.quality.shadows == plan::ShadowMode::Exact ||
+                               shadow::rowsOf(settings.quality.warp.rule) == shadow::RowSpacing::Logarithmic ||
+                               settings.quality.cullCasters == plan::CasterCulling::Receivers ||
+                               settings.quality.occlusion == plan::Choice::On || settings.quality.look.ground ||
+                               !settings.sections.empty();
     return settings.backend == Backend::Software ||
            (settings.backend == Backend::Auto && (wantsSoftware || !gl::hasGpu()));
 }

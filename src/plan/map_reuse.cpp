@@ -36,7 +36,10 @@ bool isSameCamera(const FramePlan& a, const FramePlan& b) {
 bool isSamePlace(
     const FramePlan& now, const FramePlan& before, const shadow::ShadowMap& a, const shadow::ShadowMap& b) {
     if (a.stable || b.stable) return a.stable == b.stable;
-    return isSameCamera(now, before) && a.origin == b.origin && a.lightClipFromCamera() == b.lightClipFromCamera();
+    const bool hasSameRows = a.warped.fitted == b.warped.fitted ||
+                             (a.warped.fitted && b.warped.fitted && *a.warped.fitted == *b.warped.fitted);
+    return isSameCamera(now, before) && hasSameRows && a.origin == b.origin &&
+           a.lightClipFromCamera() == b.lightClipFromCamera();
 }
 
 } // namespace

@@ -9,13 +9,19 @@ namespace gnomon::proof {
 
 TexelProbe::TexelProbe(const executor::FrameDrawing& frame, const shadow::ShadowMap& map)
     : image_(executor::mapDrawing(frame, map).image),
-      x_(toWorld(frame.plan->basis, map.warped.frame.x)),
+      x_(toWorld(frame.plan->basis, shadow::alongX(map.warped.frame))),
       z_(toWorld(frame.plan->basis, map.warped.frame.z)) {}
 
 glm::dvec2 TexelProbe::texel(const glm::dvec3& p) const {
     const glm::dvec4 clip = glm::dmat4(image_.clipFromOffset) * glm::dvec4(p - glm::dvec3(image_.origin), 1);
     const double up = image_.logRows == 0 ? clip.y / clip.w : std::log(clip.w);
-    return glm::dvec2(clip.x / clip.w, up) * glm::dvec2(image_.texelScale) + glm::dvec2(image_.texelOffset);
+    glm::dvec2 texel = glm::dvec2(clip.x / clip.w, up) * glm::dvec2(image_.texelScale) + glm::dvec2(image_.texelOffset);
+    if (const auto& rows = image_.rowParts) {
+        const auto part = static_cast<std::size_t>(rows->partOf(static_cast<float>(texel.y)));
+        const double begins = static_cast<double>(part) / double{rows->partsPerRow};
+        texel.y = double{rows->start[part]} + (texel.y - begins) * double{rows->density[part]};
+    }
+    return texel;
 }
 
 TexelProbe::Derivatives TexelProbe::derivatives(const glm::dvec3& p, double step) const {

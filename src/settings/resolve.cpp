@@ -56,7 +56,7 @@ void requireSoftwareIfNeeded(const Settings& settings) {
         throw UsageError{
             written("backend", settings) + " and " + written("shadows", settings) +
             " contradict each other: only the software executor decides shadows exactly"};
-    if (isGl && settings.quality.warp.rule == shadow::WarpRule::Log)
+    if (isGl && shadow::rowsOf(settings.quality.warp.rule) == shadow::RowSpacing::Logarithmic)
         throw UsageError{
             written("backend", settings) + " and " + written("warp", settings) +
             " contradict each other: only the software executor draws rows that lie unevenly"};

@@ -96,7 +96,9 @@ Sweep sweepOf(std::span<const glm::dvec3> points, const LightFrame& frame) {
 }
 
 Plane planeOf(const SweepSide& side, const LightFrame& frame) {
-    return {glm::normalize(frame.x * side.normalX + frame.z * side.normalZ), side.offset};
+    const glm::dvec3 normal = frame.x * side.normalX + frame.z * side.normalZ;
+    const double length = glm::length(normal);
+    return {normal / length, side.offset / length};
 }
 
 /// Corners of all within `outline`, moved by `growS` and `growT` in the map; nothing where that has no end. What they
@@ -106,7 +108,7 @@ std::optional<std::vector<Seen>> grown(
     std::vector<Seen> corners;
     corners.reserve(outline.size() * 4);
     for (const Seen& point : outline) {
-        const MapPoint at = mapPoint(map, map.frame.x * point.x + map.frame.z * point.z);
+        const MapPoint at = mapPoint(map, toCamera(map.frame, {point.x, 0, point.z}));
         for (const int corner : {0, 1, 2, 3}) {
             const double s = at.s + ((corner & 1) != 0 ? growS : -growS);
             const double t = at.t + ((corner & 2) != 0 ? growT : -growT);

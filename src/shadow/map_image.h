@@ -6,10 +6,32 @@
 #include "shadow/texels/packing.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <memory>
 #include <vector>
 
 namespace gnomon::shadow {
+
+/// Rows fitted to a view, in texels: what is added up to count them is counted from their lower end without a fit.
+template <typename Number>
+struct RowParts {
+    Number partsPerRow = 1;                     // of the rows without a fit
+    std::array<Number, kFittedParts> start{};   // the row of the texture where the part begins
+    std::array<Number, kFittedParts> density{}; // rows for one without a fit
+    std::array<Number, kFittedParts> longest{}; // unfitted rows, as the bias counts them, in the longest that a kernel
+                                                // reads around a point of the part
+
+    int partOf(Number unfitted) const {
+        const Number place = std::floor(unfitted * partsPerRow);
+        return static_cast<int>(std::clamp(place, Number{0}, static_cast<Number>(kFittedParts - 1)));
+    }
+
+    Number rowAt(Number unfitted) const {
+        const auto part = static_cast<std::size_t>(partOf(unfitted));
+        return start[part] + (unfitted - static_cast<Number>(part) / partsPerRow) * density[part];
+    }
+};
 
 /// One map for positions in a space of world units, whose axes may be any. Shaders repeat texelAt and receiverBias.
 template <typename Number>
@@ -41,6 +63,8 @@ struct MapImage {
     /// 1 where the map is a point light's, else 0. What unevenness changes in depth over a texel, along x and along z,
     /// is then `unevenX` and `unevenZ` over w, the distance along the axis.
     Number fromPoint = 0;
+    /// Of maps fitted to a view: rows come of what is said above by `rowAt`, byRow and unevenZ grow by `longest`.
+    std::shared_ptr<const RowParts<Number>> rowParts;
 };
 
 using DoubleMapImage = MapImage<double>;
@@ -55,14 +79,20 @@ struct MapTexel {
     Number w = 1;
 };
 
+/// The row of what lies at `clip`, before rows are fitted.
+template <typename Number>
+Number unfittedRow(const MapImage<Number>& image, const glm::vec<4, Number, glm::defaultp>& clip) {
+    const Number up = image.logRows == 0 ? clip.y / clip.w : std::log(clip.w);
+    return up * image.texelScale.y + image.texelOffset.y;
+}
+
 /// Where `p` lies in the map. Only meaningful where w > 0.
 template <typename Number>
 MapTexel<Number> texelAt(const MapImage<Number>& image, const glm::vec<3, Number, glm::defaultp>& p) {
     const auto clip = image.clipFromOffset * typename MapImage<Number>::Vec4(p - image.origin, 1);
-    const Number up = image.logRows == 0 ? clip.y / clip.w : std::log(clip.w);
     return {
         clip.x / clip.w * image.texelScale.x + image.texelOffset.x,
-        up * image.texelScale.y + image.texelOffset.y,
+        image.rowParts ? image.rowParts->rowAt(unfittedRow(image, clip)) : unfittedRow(image, clip),
         clip.z / clip.w,
         clip.w};
 }
@@ -80,18 +110,23 @@ Number receiverBias(
     const auto offset = p - image.origin;
     const Vec4 plane(normal, -glm::dot(normal, offset));
     const Number across = std::max(std::abs(glm::dot(plane, image.byDepth)), kLeastDivisor);
-    const Number w = (image.clipFromOffset * Vec4(offset, 1)).w;
+    const Vec4 clip = image.clipFromOffset * Vec4(offset, 1);
+    const Number w = clip.w;
     const bool isEven = image.logRows == 0;
-    const Number byRow = std::abs(glm::dot(plane, image.byRow)) / (isEven ? Number{1} : w);
+    Number longest = 1;
+    if (image.rowParts)
+        longest = image.rowParts->longest[static_cast<std::size_t>(image.rowParts->partOf(unfittedRow(image, clip)))];
+    const Number byRow = std::abs(glm::dot(plane, image.byRow)) * longest / (isEven ? Number{1} : w);
     const Number steep = std::abs(glm::dot(plane, image.byColumn)) + byRow;
     const Number slope = steep / across * std::min(Number{1}, cosine / static_cast<Number>(kLeastCosine));
-    const Number uneven = image.fromPoint == 0 ? std::hypot(image.unevenX, image.unevenZ * (isEven ? w : Number{1}))
-                                               : std::hypot(image.unevenX, image.unevenZ) / w;
+    const Number alongZ = image.unevenZ * longest * (isEven ? w : Number{1});
+    const Number uneven =
+        image.fromPoint == 0 ? std::hypot(image.unevenX, alongZ) : std::hypot(image.unevenX, image.unevenZ) / w;
     return (slope + uneven) * image.reach + static_cast<Number>(kDepthRounding);
 }
 
-/// Where the rows of the texture that `image` fills from `firstRow` on lie, y / w of their middles, if logarithmically;
-/// else nothing.
+/// Where the rows of the texture that `image` fills from `firstRow` on lie, y / w of their middles, if logarithmically
+/// or fitted; else nothing.
 std::vector<float> rowPositions(const FloatMapImage& image, int firstRow, int count);
 
 /// The image in single precision, each number rounded once.

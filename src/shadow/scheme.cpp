@@ -1,7 +1,5 @@
 #include "shadow/scheme.h"
 
-#include <cmath>
-
 namespace gnomon::shadow {
 
 namespace {
@@ -9,15 +7,13 @@ namespace {
 SchemeMap schemeMap(std::size_t sliceIndex, Face face, LightFit fit, const Warp& warp) {
     fit.rows = rowsOf(warp.rule);
     const double kappa = kappaOfMap(warp, fit, face);
-    // In a frame that is not orthogonal a step along s leans as well.
-    const double lean = std::hypot(1, glm::dot(fit.frame.x, fit.frame.z));
-    return {sliceIndex, face, fit, kappa, worstAliasing(fit, kappa), worstShearedAliasing(fit, kappa) * lean};
+    return {sliceIndex, face, fit, kappa, worstAliasing(fit, kappa), worstShearedAliasing(fit, kappa)};
 }
 
 } // namespace
 
 Bisector bisectorOf(const Scheme& scheme) {
-    return scheme.warp.rule == WarpRule::Log ? Bisector::NearEdge : scheme.bisector;
+    return rowsOf(scheme.warp.rule) == RowSpacing::Logarithmic ? Bisector::NearEdge : scheme.bisector;
 }
 
 std::vector<SchemeMap> schemeMaps(const ViewFrustum& frustum, const glm::dvec3& towardsLight, const Scheme& scheme) {

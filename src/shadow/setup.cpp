@@ -14,9 +14,10 @@ namespace {
 /// The steepest warp whose matrix still keeps its promise to a thousandth as floats: its derivatives are differences of
 /// numbers kappa d times as large. Only a TSM with its focus on the near side, and a PSM of a depth ratio above this,
 /// ask for more.
-double mostKappa(const LightFit& fit) {
-    // Logarithmic rows are counted from the vanishing line, and lose less.
-    const double kMostWarp = fit.rows == RowSpacing::Even ? 1e4 : 1e6; // of kappa d
+double mostKappa(const LightFit& fit, WarpRule rule) {
+    // Logarithmic rows are counted from the vanishing line, and lose less; unless they are made denser yet.
+    const bool losesLess = fit.rows == RowSpacing::Logarithmic && rule != WarpRule::Fitted;
+    const double kMostWarp = losesLess ? 1e6 : 1e4; // of kappa d
     return fit.length > 0 ? kMostWarp / fit.length : std::numeric_limits<double>::infinity();
 }
 
@@ -27,6 +28,7 @@ struct Draft {
     double kappa = 0;
     Aliasing unit;      // at unit resolutions and a single lookup
     double sheared = 0; // likewise
+    std::optional<MapFit> viewFit;
 };
 
 double filterWidth(const ShadowOptions& options) {
@@ -48,22 +50,22 @@ ViewFrustum leadingSlice(const ViewFrustum& frustum, const std::vector<double>& 
     return slice(frustum, splits[leading], splits[leading + 1]);
 }
 
-/// The frame of a near square's map: along the square's own edges.
-LightFrame nearFrame(const glm::dvec3& towardsLight) {
-    return lightFrameAlong(towardsLight, glm::dvec3(0, 1, 0));
+/// The frame of a face's map: a near square's is along one of the square's own edges, or along both.
+LightFrame frameOf(const Region& region, const glm::dvec3& towardsLight, const Scheme& scheme) {
+    const Bisector bisector = bisectorOf(scheme);
+    if (region.face == Face::Near && bisector != Bisector::NearEdge)
+        return lightFrameAlong(towardsLight, glm::dvec3(0, 1, 0));
+    return faceFrame(region.frustum, towardsLight, region.face, bisector);
 }
 
 Draft draftOf(const ShadowView& view, const ShadowOptions& options, Region region, const LightFrame& sliceFrame) {
     Draft draft;
-    LightFrame frame = sliceFrame;
-    if (region.face == Face::Near)
-        frame = nearFrame(view.towardsLight);
-    else if (region.face != Face::Whole)
-        frame = faceFrame(region.frustum, view.towardsLight, region.face, bisectorOf(options.scheme));
+    const LightFrame frame =
+        region.face == Face::Whole ? sliceFrame : frameOf(region, view.towardsLight, options.scheme);
     draft.fit = fitRegion(frame, region.frustum, region.vertices);
     const Warp warp = warpOfSlice(options.scheme.warp, view.frustum, region.frustum);
     draft.fit.rows = rowsOf(warp.rule);
-    draft.kappa = std::min(kappaOfMap(warp, draft.fit, region.face), mostKappa(draft.fit));
+    draft.kappa = std::min(kappaOfMap(warp, draft.fit, region.face), mostKappa(draft.fit, warp.rule));
     // Rows that are all but even are drawn evenly: so near the vanishing line lies far, and floats tell few apart.
     constexpr double kLeastLogWarp = 0.05; // of kappa d
     if (draft.fit.rows == RowSpacing::Logarithmic && draft.kappa * draft.fit.length < kLeastLogWarp) draft.kappa = 0;
@@ -96,9 +98,11 @@ StablePlace placeOf(
     return stablePlace(view.anchor, draft.fit.frame, draft.region.covered, texels, bias);
 }
 
-WarpedMap fittedMap(const ShadowOptions& options, const Draft& draft, int texelsS, int texelsT) {
+WarpedMap regionMap(const ShadowOptions& options, const Draft& draft, int texelsS, int texelsT) {
     const Resolution texels{1, static_cast<double>(texelsS), static_cast<double>(texelsT)};
-    const double bias = largestRawBias(draft.fit, draft.kappa, texels, options.filterTexels);
+    Resolution least = texels;
+    if (draft.viewFit) least.t *= draft.viewFit->rows.leastDensity();
+    const double bias = largestRawBias(draft.fit, draft.kappa, least, options.filterTexels);
     return warpedMap(draft.fit, draft.kappa, bias);
 }
 
@@ -153,17 +157,42 @@ ShadowMap finished(
         result.warped =
             stableMap(*result.stable, frame, toLight(frame, gnomon::toCamera(view.anchor.basis, view.anchor.eye)));
     } else {
-        result.warped = fittedMap(options, draft, texelsS, texelsT);
+        result.warped = regionMap(options, draft, texelsS, texelsT);
     }
+    // Where rows are fitted, those that a lookup reaches are at most the longest.
     const double reach = layout.gutter;
+    const double longest = draft.viewFit ? 1 / draft.viewFit->rows.leastDensity() : 1;
     // A stabilised map stays from frame to frame while its casters do, so what is seen must not choose among them.
     const std::vector<glm::dvec3> receivers =
         options.stabilized ? cornersOf(draft.region) : receiversOf(view, draft.region);
-    result.casterVolume = grownCasterVolume(receivers, result.warped, reach / texelsS, reach / texelsT);
+    result.casterVolume = grownCasterVolume(receivers, result.warped, reach / texelsS, reach * longest / texelsT);
+    if (draft.viewFit) result.warped = fitted(result.warped, *draft.viewFit);
     result.promised = promiseOf(view, options, draft, result.warped, texelsS, texelsT);
     if (isThin(view.frustum)) result.origin = originOf(draft.region);
     result.region = std::move(draft.region);
     return result;
+}
+
+/// Fits the drafts to the view's samples.
+void fitToSamples(const ShadowView& view, std::vector<Draft>& drafts, ShadowMapSetup& setup) {
+    std::vector<SampleNeeds> needs;
+    std::vector<Aliasing> bounds;
+    for (const Draft& draft : drafts) {
+        needs.emplace_back(warpedMap(draft.fit, draft.kappa), draft.region.frustum);
+        bounds.push_back(draft.unit);
+    }
+    if (view.samples)
+        for (const glm::vec3& sample : *view.samples) {
+            const std::size_t map = setup.mapOf(sample);
+            if (map != ShadowMapSetup::kNoMap) needs[map].add(sample);
+        }
+    setup.fits = view.samples ? fitsOf(needs, bounds, view.fitsBefore) : view.fitsBefore;
+    for (std::size_t i = 0; i < drafts.size(); ++i) {
+        drafts[i].viewFit = setup.fits[i];
+        const SampleNeeds::Found found = needs[i].under(setup.fits[i]);
+        drafts[i].unit = {found.x, found.sheared};
+        drafts[i].sheared = found.sheared;
+    }
 }
 
 void requireValid(const ShadowView& view, const ShadowOptions& options) {
@@ -178,9 +207,9 @@ void requireValid(const ShadowView& view, const ShadowOptions& options) {
 } // namespace
 
 TexelLimits limitsOf(const ShadowOptions& options) {
-    const bool isLog = options.scheme.warp.rule == WarpRule::Log && !options.stabilized;
+    const bool hasRows = rowsOf(options.scheme.warp.rule) == RowSpacing::Logarithmic && !options.stabilized;
     const int gutter = static_cast<int>(std::ceil(options.filterTexels / 2)) + 1;
-    return {options.texels, gutter, options.minSide, options.maxSide, options.stabilized ? 1 : 0, !isLog};
+    return {options.texels, gutter, options.minSide, options.maxSide, options.stabilized ? 1 : 0, !hasRows};
 }
 
 PromisedAliasing ShadowMapSetup::worst() const {
@@ -226,9 +255,13 @@ ShadowMapSetup shadowMapSetup(
                                : draftOf(view, options, std::move(region), frame));
     }
     if (drafts.empty()) return setup;
+    const bool canFit = view.samples || view.fitsBefore.size() == drafts.size();
+    if (scheme.warp.rule == WarpRule::Fitted && canFit && !options.stabilized) fitToSamples(view, drafts, setup);
     const double pixels = view.imageHeight * filterWidth(options);
-    for (const Draft& draft : drafts)
-        setup.demands.push_back({draft.unit.x * pixels, draft.unit.z * pixels});
+    for (std::size_t i = 0; i < drafts.size(); ++i) {
+        const Aliasing& unit = setup.fits.empty() ? drafts[i].unit : setup.fits[i].unit;
+        setup.demands.push_back({unit.x * pixels, unit.z * pixels});
+    }
     const TexelLayout layout = splitTexels(setup.demands, limitsOf(options));
     setup.textureWidth = layout.packing.width;
     setup.textureHeight = layout.packing.height;

@@ -1,5 +1,6 @@
 #include "shadow/shadow_map.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace gnomon::shadow {
@@ -48,6 +49,41 @@ double ShadowMap::rowsPerLog() const {
     return texels().t / std::log1p(warped.kappa * warped.length);
 }
 
+namespace {
+
+/// The longest rows, in unfitted ones, of those that a kernel reads within `reach` rows of a point of each part.
+std::array<double, kFittedParts> longestRows(const FittedRows& rows, double reach) {
+    std::array<double, kFittedParts> longest{};
+    for (std::size_t i = 0; i < kFittedParts; ++i) {
+        const double from = rows.start(i) - reach;
+        const double to = rows.start(i + 1) + reach;
+        for (std::size_t k = 0; k < kFittedParts; ++k)
+            if (rows.start(k + 1) >= from && rows.start(k) <= to) longest[i] = std::max(longest[i], 1 / rows.ofPart(k));
+    }
+    return longest;
+}
+
+/// Counts the unfitted rows of `image` from where the fitted ones begin.
+void fitRows(const ShadowMap& map, DoubleMapImage& image) {
+    const FittedRows& rows = *map.warped.fitted;
+    const double count = map.texels().t;
+    const double first = map.rectangle.y + map.gutter;
+    image.texelOffset.y -= first + rows.low() * count;
+    RowParts<double> parts;
+    parts.partsPerRow = kFittedParts / (count * (rows.high() - rows.low()));
+    parts.longest = longestRows(rows, image.reach / count);
+    for (std::size_t i = 0; i < kFittedParts; ++i) {
+        parts.start[i] = first + rows.start(i) * count;
+        parts.density[i] = rows.ofPart(i);
+        if (image.logRows == 0) continue;
+        const double steps = image.reach / image.texelScale.y;
+        parts.longest[i] = std::expm1(steps * parts.longest[i]) / steps;
+    }
+    image.rowParts = std::make_shared<const RowParts<double>>(parts);
+}
+
+} // namespace
+
 DoubleMapImage mapImage(const ShadowMap& map, const glm::dmat4& lightClipFromOffset, const glm::dvec3& origin) {
     const TexelRectangle& r = map.rectangle;
     DoubleMapImage image;
@@ -70,24 +106,43 @@ DoubleMapImage mapImage(const ShadowMap& map, const glm::dmat4& lightClipFromOff
         image.fromPoint = 1;
         return image;
     }
-    if (map.warped.rows == RowSpacing::Even) return image;
+    if (map.warped.rows == RowSpacing::Even) {
+        if (map.warped.fitted) fitRows(map, image);
+        return image;
+    }
     image.logRows = 1;
     image.texelScale.y = map.rowsPerLog();
     image.texelOffset.y = r.y;
     // A step of `reach` rows towards the light's near end is the longest: 1 / w grows by e^(reach / rowsPerLog).
     const double steps = image.reach / map.rowsPerLog();
-    image.byRow = offsetFromClip[1] * (std::expm1(steps) / image.reach);
-    image.unevenZ *= std::expm1(steps) / steps;
+    const double longer = map.warped.fitted ? 1 : std::expm1(steps) / steps; // else it is the parts'
+    image.byRow = offsetFromClip[1] * (longer / map.rowsPerLog());
+    image.unevenZ *= longer;
+    if (map.warped.fitted) fitRows(map, image);
     return image;
 }
 
+namespace {
+
+/// The inverse of `rowAt`.
+double unfittedFrom(const RowParts<float>& parts, double row) {
+    const auto after = std::upper_bound(parts.start.begin() + 1, parts.start.end(), row);
+    const auto i = static_cast<std::size_t>(after - parts.start.begin()) - 1;
+    return static_cast<double>(i) / double{parts.partsPerRow} +
+           (row - double{parts.start[i]}) / double{parts.density[i]};
+}
+
+} // namespace
+
 std::vector<float> rowPositions(const FloatMapImage& image, int firstRow, int count) {
     std::vector<float> positions;
-    if (image.logRows == 0) return positions;
+    if (image.logRows == 0 && !image.rowParts) return positions;
     positions.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) {
-        const double row = firstRow + i + 0.5 - double{image.texelOffset.y};
-        positions.push_back(static_cast<float>(-std::exp(-row / double{image.texelScale.y})));
+        const double row = firstRow + i + 0.5;
+        const double unfitted = image.rowParts ? unfittedFrom(*image.rowParts, row) : row;
+        const double up = (unfitted - double{image.texelOffset.y}) / double{image.texelScale.y};
+        positions.push_back(static_cast<float>(image.logRows == 0 ? up : -std::exp(-up)));
     }
     return positions;
 }
@@ -110,6 +165,15 @@ FloatMapImage rounded(const DoubleMapImage& image) {
     result.reach = static_cast<float>(image.reach);
     result.logRows = static_cast<float>(image.logRows);
     result.fromPoint = static_cast<float>(image.fromPoint);
+    if (!image.rowParts) return result;
+    RowParts<float> parts;
+    parts.partsPerRow = static_cast<float>(image.rowParts->partsPerRow);
+    for (std::size_t i = 0; i < kFittedParts; ++i) {
+        parts.start[i] = static_cast<float>(image.rowParts->start[i]);
+        parts.density[i] = static_cast<float>(image.rowParts->density[i]);
+        parts.longest[i] = static_cast<float>(image.rowParts->longest[i]);
+    }
+    result.rowParts = std::make_shared<const RowParts<float>>(parts);
     return result;
 }
 

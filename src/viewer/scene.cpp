@@ -60,7 +60,7 @@ const frame::Frame& Scene::draw(const Shot& shot) {
     plan::Quality quality = shot.quality;
     if (quality.shadows == plan::ShadowMode::Exact && !executor_->decidesExactly())
         quality.shadows = plan::ShadowMode::Rays; // as exact as this executor can be
-    if (quality.warp.rule == shadow::WarpRule::Log && !executor_->drawsLogRows())
+    if (shadow::rowsOf(quality.warp.rule) == shadow::RowSpacing::Logarithmic && !executor_->drawsLogRows())
         quality.warp.rule = shadow::WarpRule::Auto; // the least that even rows promise
     accumulation_.clear();
     frame_ = renderer_.render(shot.view, quality, shot.options);

@@ -200,16 +200,26 @@ float plainLitFraction(const ShadingFrame& f, int pass, const vec3& p, const vec
     };
     const int width = std::max(f.frame->filterTexels, 1);
     const bool isLog = part.logRows > 0;
-    const float byRow = withPlane(part.byRow) * (isLog ? inverseW : 1.0F);
+    const float along = isLog ? plainLog(std::max(w, 1e-30F)) : coordinate(1) * inverseW;
+    float unclampedRow = along * part.texelScale.y + part.texelOffset.y;
+    float longest = 1;
+    if (part.rowTable > 0) {
+        const float* starts = f.rowTables + static_cast<std::ptrdiff_t>(part.rowTable - 1) * 3 * shadow::kFittedParts;
+        const float place = std::min(
+            std::max(std::floor(unclampedRow * part.partsPerRow), 0.0F), static_cast<float>(shadow::kFittedParts - 1));
+        const auto at = static_cast<std::ptrdiff_t>(place);
+        unclampedRow = starts[at] + (unclampedRow - place / part.partsPerRow) * starts[shadow::kFittedParts + at];
+        longest = starts[2 * shadow::kFittedParts + at];
+    }
+    const float byRow = withPlane(part.byRow) * longest * (isLog ? inverseW : 1.0F);
     const float slope = (withPlane(part.byColumn) + byRow) / std::max(withPlane(part.byDepth), 1e-30F);
-    const float unevenZ = part.unevenZ * (isLog ? 1.0F : w);
+    const float unevenZ = part.unevenZ * longest * (isLog ? 1.0F : w);
     const float uneven = std::sqrt(part.unevenX * part.unevenX + unevenZ * unevenZ);
     const float bias = (slope * std::min(1.0F, cosine * 10) + uneven) * part.reach + 6e-7F;
     const float depth = std::min(coordinate(2) * inverseW - bias, 1.0F);
     const auto start = [&](int row) {
-        const float even = coordinate(row) * inverseW;
-        const float along = row == 1 && isLog ? plainLog(std::max(w, 1e-30F)) : even;
-        const float texel = along * part.texelScale[row] + part.texelOffset[row];
+        const float column = coordinate(0) * inverseW * part.texelScale.x + part.texelOffset.x;
+        const float texel = row == 0 ? column : unclampedRow;
         return std::min(std::max(texel - 0.5F * static_cast<float>(width - 1), -1e6F), 1e6F);
     };
     const auto isLit = [&](int x, int y) {

@@ -81,7 +81,8 @@ TEST(FramePlanNames, SayTheWarpRule) {
         {WarpRule::LeastStorage, "sopt"},
         {WarpRule::Eta, "eta"},
         {WarpRule::Given, "given"},
-        {WarpRule::Log, "log"}};
+        {WarpRule::Log, "log"},
+        {WarpRule::Fitted, "fitted"}};
     for (const auto& [rule, name] : table)
         EXPECT_EQ(shadow::name(rule), name);
 }

@@ -35,12 +35,13 @@ Measured measuredAt(const ShadowMap& map, const ShadowView& view, const glm::dve
         const MapTexel<double> read = texelAt(image, q);
         return map.rectangle.transposed ? glm::dvec2(read.row, read.column) : glm::dvec2(read.column, read.row);
     };
-    const glm::dvec2 alongX = (texel(p + map.warped.frame.x * h) - texel(p - map.warped.frame.x * h)) / (2 * h);
-    const glm::dvec2 alongZ = (texel(p + map.warped.frame.z * h) - texel(p - map.warped.frame.z * h)) / (2 * h);
+    const glm::dvec3 x = alongX(map.warped.frame);
+    const glm::dvec2 perX = (texel(p + x * h) - texel(p - x * h)) / (2 * h);
+    const glm::dvec2 perZ = (texel(p + map.warped.frame.z * h) - texel(p - map.warped.frame.z * h)) / (2 * h);
     const double pixel = imageBeamWidth(view.frustum, p.z, view.imageHeight);
     // The world step that keeps s and moves t by a texel: z with as much x as undoes its shear.
-    const double shear = -alongZ.x / alongX.x;
-    return {1 / alongX.x / pixel, 1 / alongZ.y / pixel, std::sqrt(1 + shear * shear) / alongZ.y / pixel};
+    const double shear = -perZ.x / perX.x;
+    return {1 / perX.x / pixel, 1 / perZ.y / pixel, std::sqrt(1 + shear * shear) / perZ.y / pixel};
 }
 
 enum class Warps : std::uint8_t { Any, Logarithmic };

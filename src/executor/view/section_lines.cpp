@@ -21,19 +21,19 @@ glm::dvec3 meeting(glm::dvec3 a, double atA, glm::dvec3 b, double atB) {
     return a + (b - a) * (atA / (atA - atB));
 }
 
-glm::dvec3 cellsOf(const hierarchy::GridPoint& p) {
+glm::dvec3 cellsOfPoint(const hierarchy::GridPoint& p) {
     return {p.x, p.y, p.z};
 }
 
 /// Whether the plane goes through a box, or touches it.
 bool isMet(const hierarchy::GridBox& box, const Plane& plane) {
-    const glm::dvec3 half = (cellsOf(box.max) - cellsOf(box.min)) * 0.5;
-    return std::abs(plane.signedDistance(cellsOf(box.min) + half)) <= glm::dot(glm::abs(plane.normal), half) + 1;
+    const glm::dvec3 half = (cellsOfPoint(box.max) - cellsOfPoint(box.min)) * 0.5;
+    return std::abs(plane.signedDistance(cellsOfPoint(box.min) + half)) <= glm::dot(glm::abs(plane.normal), half) + 1;
 }
 
 /// The lines in which `plane` meets a cluster's triangles.
 std::vector<SectionLine> linesIn(const hierarchy::Page& page, const hierarchy::Cluster& cluster, const Plane& plane) {
-    const auto cellOf = [&](std::size_t v) { return cellsOf(page.vertices[cluster.firstVertex + v].position); };
+    const auto cellOf = [&](std::size_t v) { return cellsOfPoint(page.vertices[cluster.firstVertex + v].position); };
     std::array<double, raster::kMaxClusterVertices> sides{};
     for (std::uint32_t v = 0; v < cluster.vertexCount; ++v)
         sides.at(v) = plane.signedDistance(cellOf(v));

@@ -117,7 +117,8 @@ double storageFactor(const LightFit& fit, double kappa) {
 
 double worstShearedAliasing(const LightFit& fit, double kappa) {
     const WarpedExtent extent = warpedExtent(fit, kappa);
-    const double shear = kappa * std::max(std::abs(extent.min), std::abs(extent.max));
+    const double leaning = lean(fit.frame);
+    const double shear = std::max(std::abs(kappa * extent.min + leaning), std::abs(kappa * extent.max + leaning));
     const double straight = worstAliasing(fit, kappa).z;
     const bool isEven = fit.rows == RowSpacing::Even;
     if (isEven && shear > std::sqrt(2.0)) return straight * std::sqrt(1 + shear * shear);
@@ -125,7 +126,7 @@ double worstShearedAliasing(const LightFit& fit, double kappa) {
     for (const FitPoint& point : fit.points()) {
         if (point.end == DepthEnd::Unpromised) continue;
         const double w = 1 + kappa * point.zeta;
-        const double tilt = kappa * point.x / w;
+        const double tilt = kappa * point.x / w + leaning;
         worst = std::max(worst, (isEven ? w * w : w) / point.depth * std::sqrt(1 + tilt * tilt));
     }
     return rowLength(kappa, fit.length, fit.rows) * worst / (2 * tanHalfY(fit.slice));

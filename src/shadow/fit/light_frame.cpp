@@ -34,12 +34,25 @@ LightFrame rolled(const LightFrame& frame, double radians) {
     return {frame.x * c - frame.z * s, frame.y, frame.z * c + frame.x * s};
 }
 
+glm::dvec3 alongX(const LightFrame& frame) {
+    return glm::cross(frame.y, frame.z);
+}
+
+LightFrame leant(const LightFrame& frame, const glm::dvec3& side) {
+    const glm::dvec3 x = alongX(frame);
+    return {x - frame.z * (glm::dot(x, side) / glm::dot(frame.z, side)), frame.y, frame.z};
+}
+
+double lean(const LightFrame& frame) {
+    return -glm::dot(frame.x, frame.z);
+}
+
 glm::dvec3 toLight(const LightFrame& frame, const glm::dvec3& p) {
     return {glm::dot(frame.x, p), glm::dot(frame.y, p), glm::dot(frame.z, p)};
 }
 
 glm::dvec3 toCamera(const LightFrame& frame, const glm::dvec3& p) {
-    return frame.x * p.x + frame.y * p.y + frame.z * p.z;
+    return alongX(frame) * (p.x + lean(frame) * p.z) + frame.y * p.y + frame.z * p.z;
 }
 
 } // namespace gnomon::shadow

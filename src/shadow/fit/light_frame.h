@@ -5,7 +5,8 @@
 
 namespace gnomon::shadow {
 
-/// An orthonormal frame in camera space. `y` is the unit vector TOWARDS the light, and z = x cross y.
+/// A frame in camera space. `y` is the unit vector TOWARDS the light, z is across it and of unit length, and x is
+/// y cross z unless the frame leans: then lines of equal x lie obliquely, as the sides of a parallelogram.
 struct LightFrame {
     glm::dvec3 x{1, 0, 0};
     glm::dvec3 y{0, 1, 0};
@@ -26,6 +27,15 @@ LightFrame lightFrame(const glm::dvec3& towardsLight);
 
 /// `frame` rolled about the light by `radians`, from z towards x.
 LightFrame rolled(const LightFrame& frame, double radians);
+
+/// The unit vector along which x grows while y and z stay.
+glm::dvec3 alongX(const LightFrame& frame);
+
+/// `frame` leant so that x stays along `side`, whose z is not 0.
+LightFrame leant(const LightFrame& frame, const glm::dvec3& side);
+
+/// How far a line of equal x moves along alongX while z grows by 1; 0 unless the frame leans.
+double lean(const LightFrame& frame);
 
 /// A position or direction of camera space in light space.
 glm::dvec3 toLight(const LightFrame& frame, const glm::dvec3& p);

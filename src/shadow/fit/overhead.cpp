@@ -7,7 +7,7 @@ namespace gnomon::shadow {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNoWarp = std::numeric_limits<double>::infinity();
 
 /// n' / (n' + c) and (n' + c) / n', which an infinite n' must not turn into a NaN.
 double overFar(double nPrime, double length) {
@@ -59,7 +59,7 @@ double storageFactorOverhead(const ViewFrustum& frustum, double nPrime) {
 double nPrimeOfEta(const ViewFrustum& frustum, double eta) {
     const double alpha = frustum.depthRatio();
     const double root = std::sqrt(alpha);
-    if (eta <= -1) return kInfinity;
+    if (eta <= -1) return kNoWarp;
     if (eta <= 0) return frustum.near * (root + 1 - eta * (alpha - 1)) / (eta + 1);
     return frustum.near * (root + 1) / (eta * root + 1);
 }
@@ -68,7 +68,7 @@ double etaOfNPrime(const ViewFrustum& frustum, double nPrime) {
     const double least = nPrimeLspsm(frustum);
     const double atLeast = worstZ(frustum, least);
     if (nPrime > least) {
-        const double unwarped = worstZ(frustum, kInfinity);
+        const double unwarped = worstZ(frustum, kNoWarp);
         return (worstZ(frustum, nPrime) - atLeast) / (atLeast - unwarped);
     }
     return (worstZ(frustum, nPrime) - atLeast) / (worstZ(frustum, frustum.near) - atLeast);
@@ -77,7 +77,7 @@ double etaOfNPrime(const ViewFrustum& frustum, double nPrime) {
 double nPrimeTsm(const ViewFrustum& frustum, double focus, double fraction) {
     const double length = frustum.far - frustum.near;
     const double room = fraction * length - focus;
-    return room > 0 ? (1 - fraction) * length * focus / room : kInfinity;
+    return room > 0 ? (1 - fraction) * length * focus / room : kNoWarp;
 }
 
 BudgetOverhead budgetOverhead(const ViewFrustum& frustum, double nPrime, double texels, double imagePixels) {

@@ -28,13 +28,14 @@ std::array<std::size_t, 2> nearCorners(Face face) {
     return {};
 }
 
-/// The frame in which the near square is a rectangle; the plain convention where the light sees it edge-on.
+/// The frame in which the near square is a rectangle, its rows along the image's; the plain convention where the light
+/// sees it edge-on.
 LightFrame squareFrame(const glm::dvec3& towardsLight) {
+    const glm::dvec3 guide = glm::cross(glm::dvec3(1, 0, 0), towardsLight);
+    if (!(glm::length(guide) > 1e-12)) return lightFrame(towardsLight);
+    const LightFrame frame = lightFrameAlong(towardsLight, guide);
     const glm::dvec3 up(0, 1, 0);
-    if (!(glm::length(glm::cross(towardsLight, up)) > 1e-12)) return lightFrame(towardsLight);
-    LightFrame frame = lightFrameAlong(towardsLight, up);
-    if (std::abs(frame.x.x) > 1e-12) frame.z -= frame.x * (frame.z.x / frame.x.x);
-    return frame;
+    return std::abs(glm::dot(frame.z, up)) > 1e-12 ? leant(frame, up) : frame;
 }
 
 /// The frame of a side face across its near edge, from `left` to `right`.

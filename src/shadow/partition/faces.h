@@ -35,8 +35,8 @@ std::vector<Face> sideFaces(const ViewFrustum& frustum, const glm::dvec3& toward
 std::array<FitVertex, 4> faceVertices(const ViewFrustum& slice, Face face);
 
 /// The light frame of a face's map: z along the bisector of its side edges; the near face takes the plain convention.
-/// By its near edge, z is across that, and away from the eye. The near face's frame is then not orthogonal: z is across
-/// the image's horizontal, so that the face is a rectangle in (x, z); a step along x alone is sqrt(1 + (x.z)^2) long.
+/// By its near edge, z is across that, and away from the eye. The near face's frame then leans, so that the face is a
+/// rectangle in (x, z).
 LightFrame faceFrame(const ViewFrustum& slice, const glm::dvec3& towardsLight, Face face, Bisector bisector);
 
 /// A face's region as its map sees it: its four corners, whose projection along the light is that of its partition.

@@ -18,7 +18,7 @@ constexpr double kLowerMinimum = 0.95; // another minimum of S has to be this mu
 /// S in the orientation `radians` from the plain one, quick and slightly high: for `auto` the least over four warps.
 double roughStorage(const LightFit& plain, const Warp& warp, double radians) {
     const LightFit fit = rolled(plain, radians);
-    if (warp.rule == WarpRule::Log) return storageFactor(fit, kappaLog(fit, Search::Rough));
+    if (rowsOf(warp.rule) == RowSpacing::Logarithmic) return storageFactor(fit, kappaLog(fit, Search::Rough));
     if (warp.rule != WarpRule::Auto) return storageFactor(fit, kappaOf(warp, fit));
     const double most = kappaMinimax(fit);
     double least = storageFactor(fit, 0);

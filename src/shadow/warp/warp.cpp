@@ -10,7 +10,7 @@ namespace gnomon::shadow {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kMostWarp = 1e6; // of kappa d: what a rule with a pole may ask for
 
 /// The least of `value` on [low, high], where it is unimodal, by golden section down to `tolerance`; the better end
@@ -113,10 +113,10 @@ double kappaMinimax(const LightFit& fit) {
     const double d = fit.length;
     if (d <= 2 * a) return 0;
     const double root = std::sqrt(fit.slice.depthRatio());
-    const double nearStops = a > 0 ? (d - 2 * a) / (a * d) : kInfinity;
-    const double farOvertakes = b > root * a ? (root - 1) / (b - root * a) : kInfinity;
+    const double nearStops = a > 0 ? (d - 2 * a) / (a * d) : kNever;
+    const double farOvertakes = b > root * a ? (root - 1) / (b - root * a) : kNever;
     // Where the map covers far more than its slice the far side's error may still fall once it has overtaken.
-    const double farStops = b > 0 ? (d - 2 * b) / (b * d) : kInfinity;
+    const double farStops = b > 0 ? (d - 2 * b) / (b * d) : kNever;
     const double kappa = nearStops < farOvertakes ? nearStops : std::max(farOvertakes, farStops);
     return std::isfinite(kappa) ? std::min(kappa, kMostWarp / d) : 0.0;
 }
@@ -149,7 +149,7 @@ double kappaLog(const LightFit& fit, Search search) {
 
 double kappaOfMap(const Warp& warp, const LightFit& fit, Face face) {
     if (face == Face::Near) return 0;
-    if (warp.rule == WarpRule::Log && face != Face::Whole)
+    if (rowsOf(warp.rule) == RowSpacing::Logarithmic && face != Face::Whole)
         if (const std::optional<double> atEye = kappaAtEye(fit)) return *atEye;
     return kappaOf(warp, fit);
 }
@@ -177,6 +177,7 @@ double kappaOf(const Warp& warp, const LightFit& fit) {
     case WarpRule::Given:
         return warp.kappa;
     case WarpRule::Log:
+    case WarpRule::Fitted:
         return kappaLog(fit);
     }
     GNOMON_CHECK(false && "a warp rule without a kappa");

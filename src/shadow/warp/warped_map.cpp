@@ -50,16 +50,21 @@ WarpedMap warpedMap(const LightFit& fit, double kappa, double bias) {
     return map;
 }
 
+double unfittedT(const WarpedMap& map, const glm::dvec3& p) {
+    const double zeta = toLight(map.frame, p).z - map.zMin;
+    if (map.rows == RowSpacing::Even)
+        return zeta * (1 + map.kappa * map.length) / (map.length * (1 + map.kappa * zeta));
+    return std::log1p(map.kappa * zeta) / std::log1p(map.kappa * map.length);
+}
+
 MapPoint mapPoint(const WarpedMap& map, const glm::dvec3& p) {
     const glm::dvec3 light = toLight(map.frame, p);
     const double zeta = light.z - map.zMin;
     MapPoint result;
     result.w = 1 + map.kappa * zeta;
     result.s = (light.x / result.w - map.uMin) / map.width;
-    if (map.rows == RowSpacing::Even)
-        result.t = zeta * (1 + map.kappa * map.length) / (map.length * result.w);
-    else
-        result.t = std::log1p(map.kappa * zeta) / std::log1p(map.kappa * map.length);
+    result.t = unfittedT(map, p);
+    if (map.fitted) result.t = map.fitted->at(result.t);
     result.depth = (-light.y / result.w - map.rawMin) / map.rawRange;
     return result;
 }
@@ -67,6 +72,7 @@ MapPoint mapPoint(const WarpedMap& map, const glm::dvec3& p) {
 std::optional<glm::dvec2> lightPlanePoint(const WarpedMap& map, double s, double t) {
     const double warp = map.kappa * map.length;
     double zeta = 0;
+    if (map.fitted) t = map.fitted->inverse(t);
     if (map.rows == RowSpacing::Even) {
         const double divisor = 1 + warp * (1 - t);
         if (!(divisor > 0)) return std::nullopt;
@@ -87,6 +93,7 @@ MapJacobian mapJacobian(const WarpedMap& map, const glm::dvec3& p) {
     result.s = (map.frame.x - gradientOfW * (light.x / w)) / (w * map.width);
     const double growth = map.rows == RowSpacing::Even ? w * w : w;
     result.t = map.frame.z / (rowLength(map.kappa, map.length, map.rows) * growth);
+    if (map.fitted) result.t *= map.fitted->density(unfittedT(map, p));
     result.depth = (-map.frame.y + gradientOfW * (light.y / w)) / (w * map.rawRange);
     return result;
 }
@@ -94,11 +101,12 @@ MapJacobian mapJacobian(const WarpedMap& map, const glm::dvec3& p) {
 LightBeam lightBeam(const WarpedMap& map, const glm::dvec3& p, const Resolution& resolution) {
     const glm::dvec3 light = toLight(map.frame, p);
     const double w = 1 + map.kappa * (light.z - map.zMin);
-    const double shear = map.kappa * light.x / w;
+    const double shear = map.kappa * light.x / w + lean(map.frame);
     LightBeam beam;
     beam.x = map.width * w / resolution.s;
     const double growth = map.rows == RowSpacing::Even ? w * w : w;
     beam.z = rowLength(map.kappa, map.length, map.rows) * growth / resolution.t;
+    if (map.fitted) beam.z /= map.fitted->density(unfittedT(map, p));
     beam.sheared = beam.z * std::sqrt(1 + shear * shear);
     return beam;
 }

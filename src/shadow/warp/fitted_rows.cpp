@@ -1,0 +1,69 @@
+#include "shadow/warp/fitted_rows.h"
+
+#include "core/check.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gnomon::shadow {
+
+namespace {
+
+FittedRows::Densities evenDensities() {
+    FittedRows::Densities densities{};
+    densities.fill(1);
+    return densities;
+}
+
+/// The part that holds `place`, counted in parts.
+std::size_t heldPart(double place) {
+    return static_cast<std::size_t>(std::clamp(std::floor(place), 0.0, kFittedParts - 1.0));
+}
+
+} // namespace
+
+FittedRows::FittedRows() : FittedRows(0, 1, evenDensities()) {}
+
+FittedRows::FittedRows(double low, double high, const Densities& densities)
+    : low_(low), high_(high), densities_(densities) {
+    GNOMON_CHECK(low < high);
+    double sum = 0;
+    for (const double density : densities) {
+        GNOMON_CHECK(density > 0);
+        sum += density;
+    }
+    double at = 0;
+    for (std::size_t i = 0; i < kFittedParts; ++i) {
+        starts_[i] = at / sum;
+        at += densities[i];
+        densities_[i] = densities[i] * kFittedParts / sum;
+    }
+    starts_[kFittedParts] = 1;
+}
+
+std::size_t FittedRows::part(double t) const {
+    return heldPart((t - low_) / (high_ - low_) * kFittedParts);
+}
+
+double FittedRows::at(double t) const {
+    const double place = (t - low_) / (high_ - low_) * kFittedParts;
+    const std::size_t i = heldPart(place);
+    return starts_[i] + (place - static_cast<double>(i)) * densities_[i] / kFittedParts;
+}
+
+double FittedRows::inverse(double row) const {
+    const auto after = std::upper_bound(starts_.begin() + 1, starts_.end() - 1, row);
+    const auto i = static_cast<std::size_t>(after - starts_.begin()) - 1;
+    const double place = static_cast<double>(i) + (row - starts_[i]) * kFittedParts / densities_[i];
+    return low_ + place / kFittedParts * (high_ - low_);
+}
+
+double FittedRows::leastDensity() const {
+    return *std::min_element(densities_.begin(), densities_.end()) / (high_ - low_);
+}
+
+double FittedRows::greatestDensity() const {
+    return *std::max_element(densities_.begin(), densities_.end()) / (high_ - low_);
+}
+
+} // namespace gnomon::shadow

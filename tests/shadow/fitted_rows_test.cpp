@@ -1,0 +1,142 @@
+// Rows fitted to a view: that they are monotone and can be inverted, and what a slow walk does to them.
+#include "random_samples.h"
+#include "shadow/setup.h"
+#include "shadow/warp/fitted_rows.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+namespace gnomon::shadow {
+namespace {
+
+FittedRows randomRows(Random& random) {
+    FittedRows::Densities densities{};
+    for (double& density : densities)
+        density = std::pow(10.0, random.uniform(-1.2, 0.9));
+    const double low = static_cast<double>(random.below(7)) / 8;
+    return {low, low + static_cast<double>(1 + random.below(8 - static_cast<std::uint64_t>(low * 8))) / 8, densities};
+}
+
+TEST(FittedRows, GoFromZeroToOneStrictlyUpAndBack) {
+    for (std::uint64_t seed = 0; seed < 300; ++seed) {
+        Random random(seed);
+        const FittedRows rows = randomRows(random);
+        ASSERT_NEAR(rows.at(rows.low()), 0, 1e-12);
+        ASSERT_NEAR(rows.at(rows.high()), 1, 1e-12);
+        double before = rows.at(-0.25);
+        for (int i = 1; i <= 600; ++i) {
+            const double t = -0.25 + 1.5 * i / 600;
+            const double row = rows.at(t);
+            ASSERT_GT(row, before) << seed << " " << t;
+            ASSERT_NEAR(rows.inverse(row), t, 1e-9) << seed;
+            before = row;
+        }
+    }
+}
+
+TEST(FittedRows, HaveTheDensityOfTheirDifferences) {
+    for (std::uint64_t seed = 0; seed < 300; ++seed) {
+        Random random(seed);
+        const FittedRows rows = randomRows(random);
+        double least = 1e9;
+        double most = 0;
+        double covered = 0;
+        for (std::size_t i = 0; i < kFittedParts; ++i) {
+            const double width = (rows.high() - rows.low()) / kFittedParts;
+            const double middle = rows.low() + (static_cast<double>(i) + 0.5) * width;
+            const double h = 0.25 * width;
+            const double slope = (rows.at(middle + h) - rows.at(middle - h)) / (2 * h);
+            ASSERT_NEAR(rows.density(middle) / slope, 1, 1e-9) << seed;
+            ASSERT_EQ(rows.density(middle), rows.ofPart(i));
+            least = std::min(least, slope);
+            most = std::max(most, slope);
+            covered += slope * width;
+            ASSERT_NEAR(rows.start(i), rows.at(middle - 2 * h), 1e-9);
+        }
+        ASSERT_NEAR(covered, 1, 1e-9);
+        ASSERT_NEAR(rows.leastDensity() / least, 1, 1e-9);
+        ASSERT_NEAR(rows.greatestDensity() / most, 1, 1e-9);
+    }
+}
+
+TEST(FittedRows, WithoutDensitiesAreThoseOfTheMap) {
+    const FittedRows even;
+    for (const double t : {-0.3, 0.0, 0.2, 0.77, 1.0, 1.4}) {
+        EXPECT_NEAR(even.at(t), t, 1e-12);
+        EXPECT_NEAR(even.inverse(t), t, 1e-12);
+        EXPECT_NEAR(even.density(t), 1, 1e-12);
+    }
+    EXPECT_TRUE(
+        even == FittedRows(
+                    0,
+                    1,
+                    [] {
+                        FittedRows::Densities densities{};
+                        densities.fill(5);
+                        return densities;
+                    }()))
+        << "only proportions count";
+}
+
+/// What fits did on a walk through fixed surfaces.
+struct Walked {
+    int changes = 0;              // frames whose rows are not those of the one before
+    double worstAgainstFresh = 0; // what is promised over what a fit to the frame alone promises
+};
+
+Walked walked(std::uint64_t seed, int frames) {
+    Random random(seed);
+    ShadowView view;
+    view.frustum = {0.5, 500, 0.4, 1};
+    view.towardsLight = glm::normalize(glm::dvec3(0.3, 1, random.uniform(-0.6, 0.6)));
+    std::vector<glm::dvec3> world;
+    for (int i = 0; i < 4000; ++i) { // a ground, and some walls on it
+        const double depth = std::pow(10.0, random.uniform(-0.2, 2.5));
+        const double aside = random.uniform(-1, 1) * depth;
+        world.emplace_back(
+            i % 3 == 0 ? 5 * std::round(aside / 5) : aside, i % 3 == 0 ? random.uniform(-2, 6) : -2, depth);
+    }
+    ShadowOptions options;
+    options.scheme.warp.rule = WarpRule::Fitted;
+    options.scheme.slices = 1;
+    options.chosenOrientation = false;
+    Walked result;
+    std::vector<MapFit> before;
+    for (int frame = 0; frame < frames; ++frame) {
+        auto samples = std::make_shared<std::vector<glm::vec3>>();
+        for (const glm::dvec3& p : world) {
+            const glm::dvec3 q = p - glm::dvec3(0, 0, frame * 0.02);
+            const double most = q.z * tanHalfY(view.frustum);
+            const bool isSeen = q.z >= view.frustum.near && std::abs(q.x) <= most && std::abs(q.y) <= most;
+            if (isSeen) samples->emplace_back(q);
+        }
+        view.samples = samples;
+        view.fitsBefore = before;
+        const ShadowMapSetup setup = shadowMapSetup(view, options);
+        view.fitsBefore.clear();
+        const double fresh = shadowMapSetup(view, options).worst().worst();
+        result.worstAgainstFresh = std::max(result.worstAgainstFresh, setup.worst().worst() / fresh);
+        if (frame > 0 && setup.fits[0].rows != before[0].rows) ++result.changes;
+        before = setup.fits;
+    }
+    return result;
+}
+
+TEST(FittedMaps, StayOnASlowWalkUntilTheyAreWorthMoving) {
+    int changes = 0;
+    double worst = 0;
+    constexpr int kFrames = 60;
+    for (std::uint64_t seed = 0; seed < 8; ++seed) {
+        const Walked walk = walked(seed, kFrames);
+        changes += walk.changes;
+        worst = std::max(worst, walk.worstAgainstFresh);
+    }
+    std::printf("%d changes in %d frames, at most %g of a fresh fit's promise\n", changes, 8 * kFrames, worst);
+    EXPECT_LE(changes, 8 * kFrames / 10);
+    EXPECT_GT(changes, 0) << "a fit that never moves is none";
+    EXPECT_LE(worst, kRefit * 1.05);
+}
+
+} // namespace
+} // namespace gnomon::shadow

@@ -208,6 +208,17 @@ void ClusterCaster::castTriangle(std::size_t map, std::size_t triangle, const Ce
         castTriangleAs<TriangleTest>(map, triangle, box, isNarrowed);
 }
 
+/// Whether a sample surely lies in the triangle's plane, in which nothing casts.
+bool ClusterCaster::isMetAtOnce(const PointTriangleTest& test, std::size_t place) const {
+    return test.surelyHolds(ownCorners(context_, place));
+}
+
+void ClusterCaster::decide(std::size_t triangle, std::size_t place, bool mayCast) {
+    counts_.exactDecisions += static_cast<std::uint64_t>(mayCast);
+    const std::uint8_t bits = decideExactly(context_, caster_, triangle, place);
+    if (bits != kLit) mark(context_.statuses[place], bits);
+}
+
 template <class Test>
 void ClusterCaster::castTriangleAs(std::size_t map, std::size_t triangle, const CellBox& box, bool isNarrowed) {
     const SampleGrid& grid = *context_.grid;
@@ -228,9 +239,7 @@ void ClusterCaster::castTriangleAs(std::size_t map, std::size_t triangle, const 
         isSet = true;
         counts_.sampleTests += end - begin;
         testSamples(test, context_, begin, end, [&](std::size_t place, bool mayCast) {
-            counts_.exactDecisions += static_cast<std::uint64_t>(mayCast);
-            const std::uint8_t bits = decideExactly(context_, caster_, triangle, place);
-            if (bits != kLit) mark(context_.statuses[place], bits);
+            if (!isMetAtOnce(test, place)) decide(triangle, place, mayCast);
         });
     }
 }
@@ -273,15 +282,16 @@ Corners cornersOf(const CastContext& context, const Caster& caster, std::size_t 
     return corners;
 }
 
-std::uint8_t decideExactly(const CastContext& context, const Caster& caster, std::size_t triangle, std::size_t place) {
+Corners ownCorners(const CastContext& context, std::size_t place) {
     constexpr unsigned kTriangleBits = 8;
+    const std::uint32_t own = context.grid->triangle[place];
+    return cornersOf(context, context.casters[own >> kTriangleBits], own & (raster::kMaxClusterTriangles - 1));
+}
+
+std::uint8_t decideExactly(const CastContext& context, const Caster& caster, std::size_t triangle, std::size_t place) {
     const SampleList& samples = *context.samples;
     const std::size_t sample = context.grid->source[place];
-    const std::uint32_t own = context.grid->triangle[place];
-    const PointOnTriangle point{
-        cornersOf(context, context.casters[own >> kTriangleBits], own & (raster::kMaxClusterTriangles - 1)),
-        samples.second[sample],
-        samples.third[sample]};
+    const PointOnTriangle point{ownCorners(context, place), samples.second[sample], samples.third[sample]};
     const Corners corners = cornersOf(context, caster, triangle);
     const SampleSpace& space = samples.space();
     const RayMeeting met = space.pointLight ? meetTowards(corners, *space.pointLight, scaledPoint(point))

@@ -11,6 +11,9 @@ void castCluster(const CastContext& context, std::size_t caster, CastCounts& cou
 /// The corners of triangle `triangle` of a caster, cells from the origin.
 Corners cornersOf(const CastContext& context, const Caster& caster, std::size_t triangle);
 
+/// The corners of the triangle that the sample at `place` in the grid lies on.
+Corners ownCorners(const CastContext& context, std::size_t place);
+
 /// What triangle `triangle` of `caster` does to the sample at `place` in the grid, in integers: bits of its status.
 std::uint8_t decideExactly(const CastContext& context, const Caster& caster, std::size_t triangle, std::size_t place);
 

@@ -68,6 +68,11 @@ private:
     glm::dvec3 place(const CellMap& cells, std::size_t vertex) const;
     bool prepare(std::size_t triangle, TriangleTest& test) const;
     bool prepare(std::size_t triangle, PointTriangleTest& test) const;
+
+    static bool isMetAtOnce(const TriangleTest& /*test*/, std::size_t /*place*/) { return false; }
+
+    bool isMetAtOnce(const PointTriangleTest& test, std::size_t place) const;
+    void decide(std::size_t triangle, std::size_t place, bool mayCast);
     template <class Test>
     void castTriangleAs(std::size_t map, std::size_t triangle, const CellBox& box, bool isNarrowed);
     void castTriangle(std::size_t map, std::size_t triangle, const CellBox& box, bool isNarrowed);

@@ -36,6 +36,8 @@ struct PointTriangleTest {
     double size = 0;          // of n
     double edgeError[2] = {};
     double heightError[2] = {}; // of n . d
+    bool isWhole = false;       // all sums that make up n are below 2^53, so that it is exact
+    int flat = -1;              // the axis along which all corners are alike
     std::uint32_t name = 0;
 
     /// False where the triangle's plane holds the light: it casts nothing. `orientation` gives the exact sign of n . A.
@@ -47,6 +49,11 @@ struct PointTriangleTest {
         const glm::dvec3& light,
         double error,
         const Orientation& orientation);
+
+    /// Whether doubles are sure that all of the triangle of `corners`, as samples count, lies in this one's plane, as
+    /// do doubled ones and what overlaps on a floor: both are flat along an axis, or all that is added up is whole and
+    /// below 2^53.
+    HWY_INLINE bool surelyHolds(const Corners& corners) const;
 };
 
 HWY_INLINE void crossOf(const double* a, const double* b, double* result) {
@@ -75,6 +82,7 @@ HWY_INLINE bool PointTriangleTest::set(
         fromLight[i] = pa[i] - light[i];
         b[i] = pb[i] - pa[i];
         c[i] = pc[i] - pa[i];
+        if (b[i] == 0 && c[i] == 0) flat = i;
     }
     const double reach = sumOfSizes(fromLight);
     const double s = std::max(sumOfSizes(b), sumOfSizes(c));
@@ -82,6 +90,7 @@ HWY_INLINE bool PointTriangleTest::set(
     crossOf(c, fromLight, ca);
     crossOf(b, c, normal);
     size = sumOfSizes(normal);
+    isWhole = 2 * s * s < 0x1p53;
     volume = normal[0] * fromLight[0] + normal[1] * fromLight[1] + normal[2] * fromLight[2];
     edgeError[0] = 2 * error * (6 * reach * s + 3 * s * s) + 10 * kRounding * s * s * reach;
     edgeError[1] = kRounding * (20 * reach * s + 10 * s * s);
@@ -98,6 +107,21 @@ HWY_INLINE bool PointTriangleTest::set(
         normal[i] *= turn;
     }
     volume *= turn;
+    return true;
+}
+
+HWY_INLINE bool PointTriangleTest::surelyHolds(const Corners& corners) const {
+    for (const glm::i64vec3& corner : corners) {
+        double d[3];
+        for (int i = 0; i < 3; ++i)
+            d[i] = static_cast<double>(corner[i]) - a[i];
+        if (flat >= 0) {
+            if (d[flat] != 0) return false;
+            continue;
+        }
+        if (!isWhole || size * sumOfSizes(d) >= 0x1p53) return false;
+        if (normal[0] * d[0] + normal[1] * d[1] + normal[2] * d[2] != 0) return false;
+    }
     return true;
 }
 

@@ -233,6 +233,52 @@ TEST(PointLight, ManySamplesNearTheLightAndFewIntegers) {
     EXPECT_LT(decisions, tests / 100);
 }
 
+// Doubled triangles, and a wall of pieces over one another: all that a sample lies in the plane of covers it at the
+// distance 0. What lies a few cells beside is left to the integers.
+TEST(PointLight, WhatSharesAPlaneNeedsNoIntegers) {
+    std::uint64_t tests = 0;
+    std::uint64_t decisions = 0;
+    std::uint64_t dark = 0;
+    std::uint64_t touching = 0;
+    for (std::uint64_t seed = 0; seed < 12; ++seed) {
+        RandomWholes random(seed + 900);
+        const std::int64_t reach = seed % 4 == 3 ? std::int64_t{1} << 28 : 30000; // the last are too large for doubles
+        const glm::i64vec3 light = random.point(-reach, reach);
+        Scene scene;
+        for (int walls = 0; walls < 6; ++walls) {
+            glm::i64vec3 across = random.point(-9, 9);
+            glm::i64vec3 along = random.point(-9, 9);
+            const glm::length_t flat = walls % 4; // a floor, or a wall aslant
+            if (flat < 3) across[flat] = along[flat] = 0;
+            const glm::i64vec3 at = random.point(-reach, reach);
+            const auto onWall = [&] {
+                return at + random.whole(-reach / 9, reach / 9) * across + random.whole(-reach / 9, reach / 9) * along;
+            };
+            std::vector<Corners> triangles;
+            for (int i = 0; i < 10; ++i) {
+                triangles.push_back({onWall(), onWall(), onWall()});
+                glm::i64vec3 beside(0); // of some a few cells: it touches, or casts
+                beside[flat % 3] = seed % 4 == 2 ? random.whole(-4, 4) : 0;
+                const Corners first = triangles.back();
+                triangles.push_back({first[1] + beside, first[0] + beside, first[2] + beside});
+            }
+            scene.add(triangles);
+        }
+        addPointsOn(random, scene, 400, false);
+        const auto found =
+            expectSameAsPlain(scene, pointSpace(light, glm::dvec3(random.point(-reach, reach)) + 0.5), {}, 32);
+        dark += found.dark;
+        touching += found.touching;
+        if (seed % 4 >= 2) continue;
+        tests += found.cast.sampleTests;
+        decisions += found.cast.exactDecisions;
+    }
+    EXPECT_GT(tests, 10000U);
+    EXPECT_GT(dark, 100U);
+    EXPECT_GT(touching, 5U);
+    EXPECT_LE(decisions, tests / 1000);
+}
+
 TEST(PointLight, FarAwayIsADirection) {
     // At 2^20 times the scene's size ways differ by 2^-20 in direction; verdicts that do not hang on that are the same.
     RandomWholes random(9);

@@ -2,9 +2,11 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <vector>
 
 namespace gnomon::culling {
 
@@ -22,6 +24,9 @@ struct SeenPlane {
     bool holds(const glm::dvec3& point) const { return glm::dot(normal, point) > offset; }
 };
 
+/// Where all else lies of a triangle: behind it, none before it, or before it, none behind.
+enum class Beside : std::uint8_t { Behind, Before, Both };
+
 class OpenSkySearch {
 public:
     OpenSkySearch(const selection::CutQuery& query, const selection::DrawList& image, const Box& bounds)
@@ -37,7 +42,9 @@ public:
         }
     }
 
-    bool isFound(const selection::ClusterRange& range) const {
+    /// Whether something may lie before a triangle of `range`; where the solid is not whole or not closed all that lies
+    /// before one does.
+    bool isFound(const selection::ClusterRange& range, Solids solids) {
         const hierarchy::Page& page = *query_->resident[range.page];
         for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c) {
             const hierarchy::Cluster& cluster = page.clusters[c];
@@ -45,27 +52,69 @@ public:
                 std::array<glm::dvec3, 3> corners{};
                 for (std::size_t i = 0; i < 3; ++i)
                     corners[i] = grid_.local(page.vertices[cluster.firstVertex + page.triangles[t][i]].position);
-                if (isFoundBefore(corners)) return true;
+                const Beside beside = besideOf(corners);
+                if (beside == Beside::Both || (beside == Beside::Before && solids == Solids::MayBeCut)) return true;
+                if (beside == Beside::Before) hasFarSides_.store(true, std::memory_order_relaxed);
+                if (beside == Beside::Behind) hasNearSides_.store(true, std::memory_order_relaxed);
             }
         }
         return false;
     }
 
+    /// Whether what was found has no far sides, or is a solid that hides them: closed, and seen from outside.
+    bool hidesFarSides() const { return !hasFarSides_.load() || (hasNearSides_.load() && isClosed()); }
+
 private:
-    bool isFoundBefore(const std::array<glm::dvec3, 3>& corners) const {
-        SeenPlane plane;
-        plane.normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
-        const double length = glm::length(plane.normal);
-        if (!(length > 0)) return false;
-        const bool isTurned = glm::dot(plane.normal, query_->rule->view().eye - corners[0]) < 0;
-        plane.normal *= (isTurned ? -1 : 1) / length;
+    Beside besideOf(const std::array<glm::dvec3, 3>& corners) const {
+        const glm::dvec3 across = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+        const double length = glm::length(across);
+        if (!(length > 0)) return Beside::Behind;
+        const bool isTurned = glm::dot(across, query_->rule->view().eye - corners[0]) < 0;
+        const glm::dvec3 normal = across * ((isTurned ? -1 : 1) / length);
+        if (!isAnyBefore(normal, corners[0])) return Beside::Behind;
+        return isAllInView_ && !isAnyBefore(-normal, corners[0]) ? Beside::Before : Beside::Both;
+    }
+
+    /// Whether anything lies on the side of the plane through `point` that `normal` points to.
+    bool isAnyBefore(const glm::dvec3& normal, const glm::dvec3& point) const {
         constexpr double kSteps = 2;
-        plane.offset = glm::dot(plane.normal, corners[0]) + kSteps * grid_.step();
+        const SeenPlane plane{normal, glm::dot(normal, point) + kSteps * grid_.step()};
         if (!plane.mayHold(bounds_)) return false;
         if (!isAllInView_) return true;
         for (std::size_t i = 0; i < rangeBoxes_.size(); ++i)
             if (plane.mayHold(rangeBoxes_[i]) && holds(plane, image_->ranges[i])) return true;
         return false;
+    }
+
+    /// Whether each edge belongs to two triangles.
+    bool isClosed() const {
+        std::vector<std::array<hierarchy::GridPoint, 2>> edges;
+        for (const selection::ClusterRange& range : image_->ranges)
+            addEdges(range, edges);
+        std::sort(edges.begin(), edges.end());
+        for (std::size_t i = 0; i < edges.size();) {
+            std::size_t end = i;
+            while (end < edges.size() && edges[end] == edges[i])
+                ++end;
+            if (end - i != 2) return false;
+            i = end;
+        }
+        return !edges.empty();
+    }
+
+    void addEdges(const selection::ClusterRange& range, std::vector<std::array<hierarchy::GridPoint, 2>>& edges) const {
+        const hierarchy::Page& page = *query_->resident[range.page];
+        for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c) {
+            const hierarchy::Cluster& cluster = page.clusters[c];
+            const auto place = [&](std::uint32_t triangle, std::size_t corner) {
+                return page.vertices[cluster.firstVertex + page.triangles[triangle][corner]].position;
+            };
+            for (std::uint32_t t = cluster.firstTriangle; t < cluster.firstTriangle + cluster.triangleCount; ++t)
+                for (std::size_t k = 0; k < 3; ++k) {
+                    const auto [first, last] = std::minmax({place(t, k), place(t, (k + 1) % 3)});
+                    edges.push_back({first, last});
+                }
+        }
     }
 
     bool holds(const SeenPlane& plane, const selection::ClusterRange& range) const {
@@ -85,18 +134,20 @@ private:
     Box bounds_;
     bool isAllInView_ = false;
     std::vector<Box> rangeBoxes_;
+    std::atomic<bool> hasFarSides_ = false;
+    std::atomic<bool> hasNearSides_ = false;
 };
 
 } // namespace
 
-bool mayHideSky(const selection::CutQuery& query, const selection::DrawList& image, const Box& bounds) {
-    const OpenSkySearch search(query, image, bounds);
+bool mayHideSky(const selection::CutQuery& query, const selection::DrawList& image, const Box& bounds, Solids solids) {
+    OpenSkySearch search(query, image, bounds);
     std::atomic<bool> isFound = false;
     tbb::parallel_for(std::size_t{0}, image.ranges.size(), [&](std::size_t i) {
         if (isFound.load(std::memory_order_relaxed)) return;
-        if (search.isFound(image.ranges[i])) isFound.store(true, std::memory_order_relaxed);
+        if (search.isFound(image.ranges[i], solids)) isFound.store(true, std::memory_order_relaxed);
     });
-    return isFound.load();
+    return isFound.load() || !search.hidesFarSides();
 }
 
 } // namespace gnomon::culling

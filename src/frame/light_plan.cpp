@@ -45,7 +45,8 @@ void planLightSampling(PreparedFrame& frame, const Residency& residency) {
     if (plan.quality.sky.directions > 0) {
         const glm::dvec3 origin = residency.query().trees->grid().origin;
         const Box bounds{frame.facts.bounds.min - origin, frame.facts.bounds.max - origin};
-        plan::planSky(plan, culling::mayHideSky(query, image, bounds));
+        const auto solids = plan.view.sections.empty() ? culling::Solids::Whole : culling::Solids::MayBeCut;
+        plan::planSky(plan, culling::mayHideSky(query, image, bounds, solids));
     }
 }
 

@@ -112,9 +112,9 @@ TEST(MayHideSky, IsSureOnlyWhereNothingLiesBeforeAnyTriangle) {
         });
         // Where the box of all that there is lies behind every triangle nothing is hidden; a wavy ground may hide some.
         if (!isHidden) {
-            EXPECT_FALSE(mayHideSky(query, seen.cut.lists[0], bounds));
+            EXPECT_FALSE(mayHideSky(query, seen.cut.lists[0], bounds, Solids::Whole));
         }
-        if (mayHideSky(query, seen.cut.lists[0], bounds)) ++hidden;
+        if (mayHideSky(query, seen.cut.lists[0], bounds, Solids::Whole)) ++hidden;
     }
     EXPECT_GT(hidden, 0);
 }

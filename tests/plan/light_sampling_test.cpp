@@ -113,6 +113,31 @@ double skyLightOf(const SeenSlope& slope, int parts, SkyModel model) {
     return sum / parts;
 }
 
+// What more edges than one do: a shadow that fills just a pixel, all of whose four edges lie along its sides, is off by
+// four times as much as one along a side, and no bound of one edge holds for it. Of each point of the disc the shadow
+// is the same square, moved.
+TEST(LeastPenumbra, IsOfOneEdgeAndFourAroundAPixelAddUp) {
+    constexpr double kError = 0.05;
+    const double half = leastPenumbra(kError) / 2;
+    constexpr int kPoints = 4096;
+    double one = 0;
+    double two = 0;
+    double four = 0;
+    for (int i = 0; i < kPoints; ++i) {
+        const glm::dvec2 moved = half * discPoint(i, kPoints);
+        const double x = std::abs(moved.x);
+        const double y = std::abs(moved.y);
+        one += std::max(moved.x, 0.0) / kPoints; // the shadow of a half-plane that ends where the pixel does
+        two += x / kPoints;                      // that of a strip as wide as the pixel
+        four += (1 - (1 - x) * (1 - y)) / kPoints;
+    }
+    EXPECT_NEAR(one, kError, 1e-3);
+    EXPECT_NEAR(two, 2 * kError, 2e-3);
+    EXPECT_NEAR(four, 4 * kError, 0.1 * 4 * kError); // what their corners share goes with the width's square
+    EXPECT_LT(four, 4 * kError);
+    EXPECT_GT(four, 3.5 * kError);
+}
+
 TEST(SkyParts, AreAsBrightAsTheirSky) {
     for (const SkyModel model : {SkyModel::Uniform, SkyModel::Overcast}) {
         EXPECT_NEAR(skyLightOf({{0, 1, 0}, {0, 1, 0}}, 4096, model), 1, 1e-5);

@@ -1,6 +1,6 @@
 """Every call that can fail, fails: opens, reads, writes, syncs, renames, unlinks, sizes and allocations, each in turn.
 
-usage: faults.py [--every] [--seed S] [--seconds T] [COMMAND...]
+usage: faults.py [--every] [--seed S] [--seconds T] [--allocations N] [COMMAND...] [--ways WAY...]
 
 The program runs with a preloaded library (failing_calls.cpp) that counts its calls on the files of a folder and makes
 the Nth fail. After each run: no crash and no hang; with exit 0 the outputs are those of an undisturbed run; with exit 1
@@ -41,7 +41,7 @@ HOWS = {
 }
 INVISIBLE = ("EINTR", "short")
 KILLED = ("kill", "killed")
-NOT_OURS = "failed to register TLS destructor"  # the C library ends the program there
+NOT_OURS = ("failed to register TLS destructor", "Could not allocate dispatch index array")  # libc, libEGL end it there
 OLD = b"what was there before\n"
 SMALL = ("--size", "48x32", "--shadow-texels", "128x128", "--samples", "1")
 SECONDS_OF_A_RUN = 60
@@ -149,7 +149,7 @@ def complaint(bench, command, right, how, done):
     if how in KILLED and done.returncode == -9:
         return half_written(bench, command, right)
     if done.returncode not in (0, 1):
-        return None if NOT_OURS in done.stderr else f"exit {done.returncode}"
+        return None if any(words in done.stderr for words in NOT_OURS) else f"exit {done.returncode}"
     found = bench.outputs(command)
     if any(bench.inputs[name] != (bench.place / name).read_bytes() for name in command.reads):
         return "an input was changed"
@@ -224,6 +224,7 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--seconds", type=float, default=60)
     parser.add_argument("--allocations", type=int, default=200, help="with --every, so many allocations of a command")
+    parser.add_argument("--ways", nargs="*", help="only these, such as kill and killed")
     parser.add_argument("commands", nargs="*")
     given = parser.parse_args()
     chance = random.Random(given.seed)
@@ -242,6 +243,7 @@ def main():
             if given.every:
                 kept = [case for case in cases if case[0] == "allocation"][: given.allocations]
                 cases = [case for case in cases if case[0] != "allocation"] + kept
+            cases = [case for case in cases if not given.ways or case[2] in given.ways]
             share = started + given.seconds * (index + 1) / len(wanted)
             before = runs
             for case in cases:

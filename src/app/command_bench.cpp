@@ -140,8 +140,8 @@ Bounds boundsOf(const BenchOptions& options) {
 std::vector<measure::BenchRun> runsOf(const BenchOptions& options) {
     settings::Settings fixed = options.settings.fixedSettings();
     if (options.shadowMaps || proof::isOfMaps(options.walk.oracle)) settings::askForMaps(fixed);
-    const auto requireDrawable = options.report.empty() ? settings::requireWhole : settings::requireWholeInSun;
-    if (proof::isOfMaps(options.walk.oracle)) requireDrawable(fixed, "--oracle or --report");
+    if (proof::isOfMaps(options.walk.oracle) && !options.report.empty())
+        settings::requireDirectionalLight(fixed, "--report");
     requireNoWindow(fixed);
     if (settings::isPosed(fixed))
         throw settings::UsageError{"--path and --camera, --eye, --target, --view, --fov-y contradict each other"};

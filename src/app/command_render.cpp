@@ -65,7 +65,6 @@ void runRender(const RenderOptions& options) {
     if (task.colors.by != settings::ColorBy::None && (options.overlay != "none" || options.series.isAsked()))
         throw settings::UsageError{"--color-by is of one picture without an overlay"};
     task.oracle = options.oracle.mode();
-    if (proof::isOfMaps(task.oracle)) settings::requireWhole(task.settings, "--oracle");
     requireNoWindow(task.settings);
     if (options.series.isAsked() || options.series.frames) return runSeries(options, task);
     if (!task.shadowDepth.empty()) options.settings.requireMapsFor("--shadow-depth");

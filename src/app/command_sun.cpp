@@ -83,7 +83,7 @@ void runHours(const HoursOptions& options) {
     const ThreadLimit threads(options.common);
     measure::SunHoursTask task = options.task;
     task.settings = options.settings.settings();
-    settings::requireWholeInSun(task.settings, "sun hours");
+    settings::requireDirectionalLight(task.settings, "sun hours");
     task.warn = printWarning;
     task.period.place = settings::parsed(settings::place(), "--at", options.at);
     task.period.from = settings::parsed(settings::moment(), "--from", options.from);

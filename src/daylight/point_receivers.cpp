@@ -1,6 +1,7 @@
 #include "daylight/point_receivers.h"
 
 #include "core/error.h"
+#include "daylight/sectioned_cut.h"
 #include "exact/plain_shadows.h"
 #include "executor/exact_pass.h"
 
@@ -27,7 +28,8 @@ hierarchy::GridBox boxOf(const exporter::CutMesh& mesh) {
 
 } // namespace
 
-PointReceivers::PointReceivers(const exporter::UniformCut& cut, std::vector<glm::i64vec3> points)
+PointReceivers::PointReceivers(
+    const exporter::UniformCut& cut, std::vector<glm::i64vec3> points, std::span<const Plane> sections)
     : points_(std::move(points)) {
     const hierarchy::GridBox box = boxOf(cut.mesh);
     for (int axis = 0; axis < 3; ++axis)
@@ -39,7 +41,10 @@ PointReceivers::PointReceivers(const exporter::UniformCut& cut, std::vector<glm:
         if (std::max({p.x, p.y, p.z}) > kFarthest || std::min({p.x, p.y, p.z}) < -kFarthest)
             throw Error("point " + std::to_string(i + 1) + " lies too far from the model to be held against it");
     }
-    addCasters(cut);
+    if (sections.empty())
+        addCasters(cut);
+    else
+        addCasters(sectionedCut(cut, sections));
     addHolders();
 }
 

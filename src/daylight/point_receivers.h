@@ -1,6 +1,7 @@
 // Points anywhere in a model as receivers, before one uniform cut of it.
 #pragma once
 
+#include "core/convex_volume.h"
 #include "daylight/receivers.h"
 #include "hierarchy/grid.h"
 #include "preprocess/exporter/export.h"
@@ -15,9 +16,11 @@ namespace gnomon::daylight {
 /// nearer side.
 class PointReceivers final : public Receivers {
 public:
-    /// Points in cells of the model's grid, as cellsOf rounds them. Throws Error if a point is farther than 2^30 cells
-    /// from the middle of the cut.
-    PointReceivers(const exporter::UniformCut& cut, std::vector<glm::i64vec3> points);
+    /// Points in cells of the model's grid, as cellsOf rounds them; of `cut` casts what lies on the inner side of all
+    /// `sections`, which are in cells too. Throws Error if a point is farther than 2^30 cells from the middle of the
+    /// cut.
+    PointReceivers(
+        const exporter::UniformCut& cut, std::vector<glm::i64vec3> points, std::span<const Plane> sections = {});
 
     std::size_t count() const override { return points_.size(); }
 

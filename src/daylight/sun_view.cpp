@@ -64,7 +64,7 @@ plan::FramePlan SunView::planFor(const IntegerLight& light) const {
 void SunView::cutCasters(const frame::Residency& residency, std::span<const IntegerLight> lights) {
     if (!frame_.facts.visible->anything) {
         frame_.plan = planFor(lights.front());
-        frame_.cut.lists.resize(2);
+        frame_.cut.lists.resize(2 + view_.sections.size());
         return;
     }
     std::vector<selection::CasterDetail> details;
@@ -76,6 +76,7 @@ void SunView::cutCasters(const frame::Residency& residency, std::span<const Inte
     frame_.volumes.resize(1);
     frame_.volumes.push_back(sweptTowards(details.front().receivers, lights));
     const selection::DetailView detail = frame_.rule->view();
+    frame::addSections(frame_, view_.camera.eye - detail.eye);
     for (selection::CasterDetail& caster : details)
         frame::clipToModel(frame_.facts.bounds, view_.camera.eye - detail.eye, caster.receivers);
     frame_.rule = std::make_shared<selection::ErrorRule>(detail, std::move(details));

@@ -5,6 +5,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace gnomon::executor {
 
@@ -25,7 +26,14 @@ raycast::Scene rayScene(const FrameDrawing& frame, std::span<const selection::Dr
     spans.reserve(clusters.size());
     for (const selection::ClusterRange& cluster : clusters)
         spans.push_back({&frame.pages(cluster.page), cluster.firstCluster, 1});
-    return {spans, frame.grid, frame.grid.local(frame.space.originCell)};
+    raycast::Scene scene(spans, frame.grid, frame.grid.local(frame.space.originCell));
+    const plan::View& view = frame.plan->view;
+    if (view.sections.empty()) return scene;
+    std::vector<Plane> planes;
+    for (const Plane& plane : view.sections)
+        planes.push_back({plane.normal, plane.signedDistance(frame.grid.world(frame.space.originCell))});
+    scene.cutBy(std::move(planes), view.cutsCasters);
+    return scene;
 }
 
 raycast::LightSource lightSource(const FrameDrawing& frame) {

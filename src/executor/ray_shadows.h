@@ -13,7 +13,8 @@ namespace gnomon::executor {
 /// The clusters of `lists`, each once and as a range of its own, by page.
 std::vector<selection::ClusterRange> distinctClusters(std::span<const selection::DrawList* const> lists);
 
-/// The clusters of `lists`, each once, as rays meet them in the frame's draw space.
+/// The clusters of `lists`, each once, as rays meet them in the frame's draw space, cut by its sections: what rays are
+/// stopped by only where those cut casters.
 raycast::Scene rayScene(const FrameDrawing& frame, std::span<const selection::DrawList* const> lists);
 
 /// Where the light of `frame` comes from, in draw space.

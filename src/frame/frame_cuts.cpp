@@ -41,10 +41,14 @@ void clipBySections(const plan::View& view, const glm::dvec3& origin, ConvexVolu
         volume.planes.push_back(plane);
 }
 
-/// Adds the neighbourhood of each section plane, of a few cells to each side, to the volumes of `frame`.
-void addSectionVolumes(PreparedFrame& frame, const glm::dvec3& origin) {
+} // namespace
+
+void addSections(PreparedFrame& frame, const glm::dvec3& origin) {
+    const plan::View& seen = frame.plan.view;
+    for (std::size_t i = 1; i < frame.volumes.size() && seen.cutsCasters; ++i)
+        clipBySections(seen, origin, frame.volumes[i]);
     const double slack = 4 * frame.space.step;
-    for (const Plane& plane : localSections(frame.plan.view, origin))
+    for (const Plane& plane : localSections(seen, origin))
         frame.volumes.push_back({{{plane.normal, plane.offset + slack}, {-plane.normal, slack - plane.offset}}});
     if (frame.volumes.size() > bvh::kMaxVolumes)
         throw Error(
@@ -53,8 +57,6 @@ void addSectionVolumes(PreparedFrame& frame, const glm::dvec3& origin) {
             "at most " + std::to_string(bvh::kMaxVolumes - 1) + " maps and planes",
             std::to_string(frame.volumes.size() - 1));
 }
-
-} // namespace
 
 void clipToModel(const Box& model, const glm::dvec3& origin, ConvexVolume& receivers) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -117,11 +119,9 @@ void cutPartitions(PreparedFrame& frame, const Residency& residency) {
         frame.volumes.push_back(casters.back().casters);
     }
     const glm::dvec3 origin = seen.camera.eye - view.eye;
-    for (std::size_t i = 1; i < frame.volumes.size(); ++i)
-        if (seen.cutsCasters) clipBySections(seen, origin, frame.volumes[i]);
     for (selection::CasterDetail& caster : casters)
         clipToModel(frame.facts.bounds, origin, caster.receivers);
-    addSectionVolumes(frame, origin);
+    addSections(frame, origin);
     frame.rule = std::make_shared<selection::ErrorRule>(view, std::move(casters));
     cut(frame, frame.plan.quality, residency);
 }

@@ -31,6 +31,11 @@ void cutImage(
 /// shadowed beyond it.
 void clipToModel(const Box& model, const glm::dvec3& origin, ConvexVolume& receivers);
 
+/// Leaves of the volumes of `frame` behind the image's what the sections of its plan's view leave, where those cut
+/// casters, and adds the neighbourhood of each section plane, a few cells to each side; local space begins at `origin`.
+/// Throws Error if that is more volumes than a cut takes.
+void addSections(PreparedFrame& frame, const glm::dvec3& origin);
+
 /// Cuts the image of a planned frame again with the casters of each of its passes, culled to its partition. Casters
 /// that want more detail than the image may raise `errorPixels` under a cap.
 void cutPartitions(PreparedFrame& frame, const Residency& residency);

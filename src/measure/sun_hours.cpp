@@ -20,7 +20,7 @@ std::string keyOfView(const plan::View& view, const plan::Quality& quality) {
                       textOf(camera.target) + " " + textOf(camera.up) + " " + settings::shortest(camera.fovYRadians) +
                       "; error " + settings::shortest(quality.errorPixels);
     if (quality.maxTriangles) key += "; triangles " + std::to_string(*quality.maxTriangles);
-    return key;
+    return key + keyOfSections(view);
 }
 
 SunHoursSummary computeViewHours(const SunHoursTask& task, Progress& progress) {

@@ -95,6 +95,15 @@ std::uint64_t cellSum(const std::vector<glm::i64vec3>& cells) {
     return sum;
 }
 
+/// The sections by which casters are cut, in cells of the grid.
+std::vector<Plane> cutsOfCasters(const plan::View& view, const hierarchy::Grid& grid) {
+    std::vector<Plane> planes;
+    if (view.cutsCasters)
+        for (const Plane& plane : view.sections)
+            planes.push_back({plane.normal, plane.signedDistance(grid.origin) / grid.step()});
+    return planes;
+}
+
 } // namespace
 
 SunHoursSummary computePointHours(const SunHoursTask& task, Progress& progress) {
@@ -103,6 +112,8 @@ SunHoursSummary computePointHours(const SunHoursTask& task, Progress& progress) 
     const hierarchy::ModelSummary& summary = model.summary();
     const std::vector<glm::dvec3> points = task.points.empty() ? std::vector<glm::dvec3>() : readPoints(task.points);
     const settings::Settings upright = settings::uprightIn(task.settings, model);
+    plan::View view;
+    settings::setSections(task.settings, view);
     std::vector<daylight::SunStep> steps = stepsOf(task, upright.up.value_or(summary.up.direction));
     for (const std::string& path : {task.output, task.csv})
         requireWritable(path);
@@ -123,8 +134,9 @@ SunHoursSummary computePointHours(const SunHoursTask& task, Progress& progress) 
     SunHoursRun run(
         task,
         std::move(steps),
-        formatted("points %016llx; error %.17g", static_cast<unsigned long long>(cellSum(cells)), *limit.error));
-    daylight::PointReceivers receivers(cut, std::move(cells));
+        formatted("points %016llx; error %.17g", static_cast<unsigned long long>(cellSum(cells)), *limit.error) +
+            keyOfSections(view));
+    daylight::PointReceivers receivers(cut, std::move(cells), cutsOfCasters(view, summary.grid));
     const double error = cut.error;
     cut = {};
     const daylight::LitSteps& lit = run.decide(receivers, progress);

@@ -43,6 +43,13 @@ std::string textOf(const glm::dvec3& point) {
     return settings::shortest(point.x) + "," + settings::shortest(point.y) + "," + settings::shortest(point.z);
 }
 
+std::string keyOfSections(const plan::View& view) {
+    std::string key;
+    for (const Plane& plane : view.sections)
+        key += "; section " + textOf(plane.normal) + "," + settings::shortest(plane.offset);
+    return key + (!view.sections.empty() && view.cutsCasters ? "; cut casters" : "");
+}
+
 std::vector<daylight::SunStep> stepsOf(const SunHoursTask& task, const glm::dvec3& up) {
     settings::SunPeriod period = task.period;
     period.up = up;

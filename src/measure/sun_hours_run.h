@@ -3,6 +3,7 @@
 
 #include "daylight/sun_hours.h"
 #include "measure/sun_hours_task.h"
+#include "plan/frame_plan.h"
 
 namespace gnomon::measure {
 
@@ -11,6 +12,9 @@ std::string textOf(const glm::dvec3& point);
 
 /// The steps of a task's period in a world in which `up` is up. Throws Error if the Sun is down in all of them.
 std::vector<daylight::SunStep> stepsOf(const SunHoursTask& task, const glm::dvec3& up);
+
+/// What tells the sections of a view from others; empty without any.
+std::string keyOfSections(const plan::View& view);
 
 /// One run through all steps.
 class SunHoursRun {

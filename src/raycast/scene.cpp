@@ -5,6 +5,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace gnomon::raycast {
 namespace {
@@ -52,7 +53,24 @@ struct Scene::State {
     std::vector<Origin> origins;
     std::uint64_t triangles = 0;
     std::uint64_t vertices = 0;
+    std::vector<Plane> planes; // of what is seen
+    bool cutsOccluders = false;
 };
+
+std::optional<Ray> keptPart(Ray ray, std::span<const Plane> planes) {
+    for (const Plane& plane : planes) {
+        const double distance = plane.signedDistance(ray.origin);
+        const double slope = glm::dot(plane.normal, glm::dvec3(ray.direction));
+        const auto met = static_cast<float>(-distance / slope);
+        if (slope > 0)
+            ray.least = std::max(ray.least, met);
+        else if (slope < 0)
+            ray.greatest = std::min(ray.greatest, met);
+        else if (distance < 0)
+            return std::nullopt;
+    }
+    return ray.least <= ray.greatest ? std::optional(ray) : std::nullopt;
+}
 
 void Scene::State::count(std::span<const ClusterSpan> spans) {
     for (std::uint32_t s = 0; s < spans.size(); ++s) {
@@ -107,11 +125,18 @@ std::uint64_t Scene::triangleCount() const {
     return state_->triangles;
 }
 
+void Scene::cutBy(std::vector<Plane> planes, bool cutsOccluders) {
+    state_->planes = std::move(planes);
+    state_->cutsOccluders = cutsOccluders;
+}
+
 std::optional<Hit> Scene::firstHit(const Ray& ray) const {
+    const std::optional<Ray> kept = keptPart(ray, state_->planes);
+    if (!kept) return std::nullopt;
     RTCIntersectContext context{};
     rtcInitIntersectContext(&context);
     RTCRayHit found{};
-    found.ray = embreeRay(ray);
+    found.ray = embreeRay(*kept);
     found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(state_->scene, &context, &found);
     if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
@@ -134,9 +159,11 @@ std::optional<Hit> Scene::firstHit(const Ray& ray) const {
 }
 
 bool Scene::isOccluded(const Ray& ray) const {
+    const std::optional<Ray> kept = state_->cutsOccluders ? keptPart(ray, state_->planes) : ray;
+    if (!kept) return false;
     RTCIntersectContext context{};
     rtcInitIntersectContext(&context);
-    RTCRay found = embreeRay(ray);
+    RTCRay found = embreeRay(*kept);
     rtcOccluded1(state_->scene, &context, &found);
     return found.tfar < 0;
 }

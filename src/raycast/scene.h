@@ -1,6 +1,7 @@
 // The geometry of given clusters as rays see it: exact hits and exact occlusion, relative to the eye.
 #pragma once
 
+#include "core/convex_volume.h"
 #include "core/units.h"
 #include "hierarchy/page.h"
 #include "raycast/ray.h"
@@ -31,6 +32,9 @@ struct Hit {
     glm::vec3 normal{0}; // geometric, unit length, towards the ray's origin
 };
 
+/// The part of `ray` on the inner side of all `planes`; nothing where there is none.
+std::optional<Ray> keptPart(Ray ray, std::span<const Plane> planes);
+
 /// What a scene takes at most while it is built, a triangle.
 inline constexpr Bytes kSceneBytesPerTriangle{83};
 
@@ -47,6 +51,10 @@ public:
     Scene& operator=(const Scene&) = delete;
 
     std::uint64_t triangleCount() const;
+
+    /// From now on rays see only what lies on the inner side of all `planes`, relative to the eye, as if the triangles
+    /// had been cut there; what is only asked for being in the way is whole unless `cutsOccluders`.
+    void cutBy(std::vector<Plane> planes, bool cutsOccluders);
 
     std::optional<Hit> firstHit(const Ray& ray) const;
 

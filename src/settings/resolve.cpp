@@ -205,13 +205,7 @@ void setSections(const Settings& settings, plan::View& view) {
     view.cutsCasters = settings.sectionCasters == SectionCasters::Cut;
 }
 
-void requireWhole(const Settings& settings, const std::string& option) {
-    if (!settings.sections.empty())
-        throw UsageError{"--section and " + option + " contradict each other: it is not drawn with sections"};
-}
-
-void requireWholeInSun(const Settings& settings, const std::string& option) {
-    requireWhole(settings, option);
+void requireDirectionalLight(const Settings& settings, const std::string& option) {
     if (settings.lightAt)
         throw UsageError{"--light-at and " + option + " contradict each other: it is of a light that is a direction"};
 }

@@ -29,11 +29,8 @@ plan::View viewOf(const Settings& settings, const hierarchy::ModelFile& model);
 /// Gives `view` the sections that are asked for.
 void setSections(const Settings& settings, plan::View& view);
 
-/// Throws UsageError where sections are asked for beside `option`, which is not drawn with them.
-void requireWhole(const Settings& settings, const std::string& option);
-
-/// Throws UsageError where sections or a point light are asked for beside `option`, which knows neither.
-void requireWholeInSun(const Settings& settings, const std::string& option);
+/// Throws UsageError where a point light is asked for beside `option`, which knows none.
+void requireDirectionalLight(const Settings& settings, const std::string& option);
 
 /// The quality that is asked for. Throws UsageError for contradictions.
 plan::Quality qualityOf(const Settings& settings);

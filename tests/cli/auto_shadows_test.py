@@ -103,6 +103,7 @@ class AutoShadows(ProgramTest):
             self.assertEqual(self.drawn("--overlay", overlay), "exact", overlay)
         for oracle, shadows in (("same", "maps"), ("full", "maps"), ("exact", "exact")):
             self.assertEqual(self.drawn("--oracle", oracle), shadows, oracle)
+            self.assertEqual(self.drawn("--oracle", oracle, "--section", "0,1,0,0,1,0"), shadows, oracle)
         self.assertEqual({row["shadows"] for row in self.logged("--oracle", "same")}, {"maps"})
 
     def test_gl_keeps_maps(self):

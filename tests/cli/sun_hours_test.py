@@ -48,6 +48,27 @@ class SunHours(ProgramTest):
             self.assertLessEqual(row["first_sun"], row["last_sun"])
         self.assertGreater(len({row["steps"] for row in rows}), 10)
 
+    def test_sections_cut_what_is_seen_and_what_casts(self):
+        section = ("--section", "0,1,0,0,1,0")
+        whole, cut, kept = (pfm(self.hours(name, *words)[0][1]) for name, words in (
+            ("whole", ()), ("cut", section), ("kept", (*section, "--section-casters", "keep"))))
+        both = [(a, b, c) for rows in zip(whole, cut, kept) for a, b, c in zip(*rows) if b >= 0]
+        self.assertGreater(len(both), 500)
+        self.assertTrue(all(b >= c for _, b, c in both), "what is cut away takes no sun")
+        self.assertGreater(sum(b > c for _, b, c in both), 50)
+        self.assertGreater(sum(a < 0 <= b or a != b for a, b, _ in both), 50)
+        points, table = self.place / "under.csv", self.place / "hours.csv"
+        points.write_text("".join(f"{x / 2},0.5,{z / 2}\n" for x in range(-6, 7) for z in range(-6, 7)))
+        asked = ("sun", "hours", self.sundial, *DAY, "--step", "15m", "--points", points, "--csv", table)
+        steps = []
+        for words in ((), section, (*section, "--section-casters", "keep")):
+            self.expect(0, "169 points", *asked, *words)
+            with open(table, newline="") as file:
+                steps.append([int(row["steps"]) for row in csv.DictReader(file)])
+        self.assertEqual(steps[0], steps[2])
+        self.assertTrue(all(a >= b for a, b in zip(steps[1], steps[0])), steps)
+        self.assertGreater(sum(steps[1]), sum(steps[0]) + 20)
+
     def test_points_and_vertices(self):
         points = self.place / "points.csv"
         points.write_text("x,y,z,name\n0,50,0,far above\n\n  0 , 0.02 , 0 \r\n1e0,2.5,1,beside\n")

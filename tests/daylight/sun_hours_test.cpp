@@ -1,20 +1,16 @@
 // Hours of sun: a period in steps, light after light on one view, and the log that a killed run goes on with.
 #include "core/error.h"
 #include "core/random.h"
+#include "daylight/box_yard.h"
 #include "daylight/lit_log.h"
-#include "daylight/point_receivers.h"
 #include "daylight/receivers.h"
 #include "daylight/sun_hours.h"
 #include "daylight/sun_steps.h"
 #include "daylight/sun_view.h"
-#include "exact/predicate.h"
 #include "exact/visible_points.h"
-#include "frame/drawn_model.h"
-#include "hierarchy/scene_mesh.h"
 #include "settings/sun_period.h"
 #include "settings/sun_settings.h"
 #include "sun/sun_day.h"
-#include "survey/cells.h"
 
 #include <gtest/gtest.h>
 #include <tbb/task_arena.h>
@@ -72,31 +68,6 @@ TEST(SunSteps, TakeAHalfStepMoreOrLessAndRefuseTooFewAndTooMany) {
     EXPECT_THROW(count(300), settings::UsageError);
 }
 
-/// Boxes over a plain, and lights from all sides of the sky.
-struct BoxYard {
-    explicit BoxYard(std::uint64_t seed) : random(seed) {
-        tests::SceneMesh scene;
-        scene.addGround(40, 8);
-        for (int i = 0; i < 12; ++i) {
-            const glm::dvec3 low(random.uniform(-12, 10), random.uniform(-0.5, 4), random.uniform(-12, 10));
-            scene.addBox(low, low + glm::dvec3(random.uniform(0.2, 4), random.uniform(0.2, 4), random.uniform(0.2, 4)));
-        }
-        model = std::make_unique<frame::DrawnModel>(scene.model());
-        view.width = 120;
-        view.height = 90;
-        view.camera = {{random.uniform(-9, 9), random.uniform(8, 30), random.uniform(-9, 9)}, {0, 0, 0}, {0, 0, 1}, 1};
-        for (int i = 0; i < 12; ++i) {
-            const double angle = random.uniform(0, 6.28);
-            lights.push_back(roundedLight({std::cos(angle), random.uniform(0.02, 3), std::sin(angle)}));
-        }
-    }
-
-    Random random;
-    std::unique_ptr<frame::DrawnModel> model;
-    plan::View view;
-    std::vector<IntegerLight> lights;
-};
-
 /// Which pixels a frame by itself has in the light.
 std::vector<std::uint8_t> litByFrame(BoxYard& yard, const IntegerLight& light) {
     plan::View view = yard.view;
@@ -117,6 +88,8 @@ TEST(SunView, LightsWhatFramesAndPlainIntegersDo) {
     std::size_t darkPoints = 0;
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
         BoxYard yard(seed);
+        if (seed > 2) yard.view.sections = {{{0, -1, 0}, 2.5}, {{-0.8, 0, 0.6}, 6}};
+        yard.view.cutsCasters = seed == 3;
         std::vector<std::vector<std::uint8_t>> expected;
         for (const IntegerLight& light : yard.lights)
             expected.push_back(litByFrame(yard, light));
@@ -169,71 +142,6 @@ TEST(SunView, SaysWhereItsPointsLie) {
         EXPECT_NEAR(x, pixel % 120 + 0.5, 0.01);
         EXPECT_NEAR(y, static_cast<int>(pixel / 120) + 0.5, 0.01);
     }
-}
-
-/// Whether no triangle of `cut` by itself stands ahead of a point, in integers.
-bool isLitPlainly(const exporter::UniformCut& cut, const glm::i64vec3& point, const IntegerLight& light) {
-    const auto& vertices = cut.mesh.vertices;
-    for (const auto& triangle : cut.mesh.triangles) {
-        exact::Corners corners;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const hierarchy::GridPoint& p = vertices[triangle[k]].position;
-            corners[k] = glm::i64vec3(p.x, p.y, p.z) - point;
-        }
-        if (exact::meet(corners, light, glm::i64vec3(0), executor::tolerance(light)).meeting == exact::Meeting::Ahead)
-            return false;
-    }
-    return true;
-}
-
-TEST(PointReceivers, AreLitUnlessATriangleByItselfStandsAhead) {
-    std::size_t dark = 0;
-    std::size_t lit = 0;
-    for (const std::uint64_t seed : {21U, 22U}) {
-        BoxYard yard(seed);
-        const hierarchy::ModelFile& file = yard.model->file();
-        const hierarchy::Grid& grid = file.summary().grid;
-        NoProgress silent;
-        exporter::ExportLimit limit;
-        limit.error = grid.snapError();
-        const exporter::UniformCut cut = exporter::uniformCut(file, limit, silent);
-        std::vector<glm::i64vec3> points;
-        for (const hierarchy::Vertex& vertex : cut.mesh.vertices)
-            points.emplace_back(vertex.position.x, vertex.position.y, vertex.position.z);
-        for (int i = 0; i < 300; ++i) // some beside the grid, some where no cell is
-            points.push_back(survey::cellOf(
-                grid, {yard.random.uniform(-30, 30), yard.random.uniform(-3, 12), yard.random.uniform(-30, 30)}));
-        PointReceivers receivers(cut, points);
-        ASSERT_EQ(receivers.count(), points.size());
-        std::vector<std::uint8_t> isLit(points.size());
-        std::vector<std::uint8_t> isTrulyLit(points.size());
-        std::vector<std::uint8_t> isAsked(points.size());
-        for (std::size_t i = 0; i < points.size(); i += 3)
-            isAsked[i] = 1;
-        for (const IntegerLight& light : yard.lights) {
-            receivers.decide(light, isLit);
-            receivers.decidePlainly(light, isAsked, isTrulyLit);
-            for (std::size_t i = 0; i < points.size(); ++i)
-                ASSERT_EQ(isTrulyLit[i], isAsked[i] != 0 ? isLit[i] : 0) << "seed " << seed << ", point " << i;
-            for (std::size_t i = 0; i < points.size(); ++i) {
-                ASSERT_EQ(isLit[i] != 0, isLitPlainly(cut, points[i], light)) << "seed " << seed << ", point " << i;
-                ++(isLit[i] != 0 ? lit : dark);
-            }
-        }
-    }
-    EXPECT_GT(dark, 500U);
-    EXPECT_GT(lit, 500U);
-}
-
-TEST(PointReceivers, RefuseWhatIsTooFarAway) {
-    BoxYard yard(1);
-    const hierarchy::Grid& grid = yard.model->file().summary().grid;
-    NoProgress silent;
-    exporter::ExportLimit limit;
-    limit.error = grid.snapError();
-    const exporter::UniformCut cut = exporter::uniformCut(yard.model->file(), limit, silent);
-    EXPECT_THROW(PointReceivers(cut, {survey::cellOf(grid, {0, 1e300, 0})}), Error);
-    EXPECT_EQ(survey::cellOf(grid, grid.world({5, 6, 7}) + glm::dvec3(0.4 * grid.step())), glm::i64vec3(5, 6, 7));
 }
 
 /// Receivers that light of a given direction reaches or not, by chance.

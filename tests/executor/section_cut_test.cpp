@@ -1,5 +1,6 @@
 // What sections leave of clusters, triangle by triangle, against plain clipping; their lines against plain meetings.
 #include "core/random.h"
+#include "executor/view/grid_polygon.h"
 #include "executor/view/section_memory.h"
 
 #include <glm/geometric.hpp>
@@ -13,10 +14,6 @@ namespace gnomon::executor {
 namespace {
 
 using PlainTriangle = std::array<glm::dvec3, 3>;
-
-glm::dvec3 gridPlace(const hierarchy::GridPoint& p) {
-    return {p.x, p.y, p.z};
-}
 
 /// A page of one cluster of triangles between random points of the grid.
 hierarchy::Page randomPage(Random& random, std::uint32_t vertices, std::uint32_t triangles) {
@@ -76,7 +73,7 @@ public:
     PlainTriangle corners(const hierarchy::Triangle& triangle) const {
         PlainTriangle result{};
         for (std::size_t k = 0; k < 3; ++k)
-            result.at(k) = gridPlace(page_.vertices[triangle.at(k)].position);
+            result.at(k) = gridCellOf(page_.vertices[triangle.at(k)].position);
         return result;
     }
 

@@ -2,6 +2,7 @@
 // line comes out of what is solid, shadows against rays.
 #include "core/random.h"
 #include "executor/exact_pass.h"
+#include "executor/ray_shadows.h"
 #include "executor/software_executor.h"
 #include "executor/view/cap_buffers.h"
 #include "executor/view/drawn_cluster.h"
@@ -13,6 +14,7 @@
 #include "frame/ground.h"
 #include "frame/made_model.h"
 #include "frame/renderer.h"
+#include "proof/frame_proof.h"
 
 #include <gtest/gtest.h>
 
@@ -34,10 +36,12 @@ public:
 
     const Box& bounds() const { return model_.file().summary().bounds; }
 
-    frame::Frame render(const plan::View& view, plan::Quality quality) {
+    frame::Frame render(const plan::View& view, plan::Quality quality, bool wantsSurfaces = false) {
         quality.errorPixels = 0;
         renderer_.forget();
-        return renderer_.render(view, quality, {});
+        frame::FrameOptions options;
+        options.wantsSurfaces = wantsSurfaces;
+        return renderer_.render(view, quality, options);
     }
 
     /// A picture by a renderer that has drawn nothing before, or by the one that has drawn all the others.
@@ -235,6 +239,55 @@ TEST(Sections, ShadowsOfExactDecisionsAreThoseOfRays) {
         changed += executor::difference(stage.executor().picture(), exact).changedFraction;
     }
     EXPECT_GT(changed, 1e-3) << "what is cut away casts, or does not";
+}
+
+constexpr double kNearlyTouchingPixels = 0.02; // for rays beside integers, which begin two cells off
+
+/// How many of the pixels of the last frame that face the light get another verdict from rays than from integers, a
+/// share.
+double raysUnlikeIntegers(SectionStage& stage, const frame::Frame& frame) {
+    executor::FrameDrawing drawing = stage.renderer().drawing(frame, {});
+    drawing.exactCasters = &frame.cut.lists[1];
+    const executor::Raster<executor::SurfaceSample> surfaces = stage.executor().surfaces();
+    const std::array lists = {drawing.image, drawing.exactCasters};
+    const std::vector<raycast::Light> light = executor::lightByRays(
+        executor::rayScene(drawing, lists), frame.plan, drawing.space, surfaces, kNearlyTouchingPixels);
+    const executor::Raster<std::uint8_t> lit = executor::litByIntegers(drawing);
+    double unlike = 0;
+    double looked = 1;
+    for (std::size_t i = 0; i < light.size(); ++i) {
+        if (light[i] != raycast::Light::Lit && light[i] != raycast::Light::Dark) continue;
+        ++looked;
+        unlike += (light[i] == raycast::Light::Lit) != (lit.pixels[i] != 0) ? 1 : 0;
+    }
+    EXPECT_GT(looked, 100);
+    return unlike / looked;
+}
+
+// What maps are held against: rays through what the sections leave, at the frame's detail and at the finest.
+TEST(Sections, AreCutForTheRaysOfOraclesToo) {
+    SectionStage stage("statue", 20000);
+    Random random(17);
+    for (int trial = 0; trial < 4; ++trial) {
+        plan::View view = sectionedView(stage.bounds(), random);
+        view.width = view.height = 2 * kSectionSide;
+        if (trial % 2 == 1) view.sections = {{{0, -1, 0}, stage.bounds().center().y}};
+        view.cutsCasters = trial % 3 != 2;
+        plan::Quality quality;
+        quality.look.shading = plan::Shading::Lit;
+        quality.shadows = plan::ShadowMode::Exact;
+        EXPECT_LE(raysUnlikeIntegers(stage, stage.render(view, quality, true)), 0.01) << trial;
+        quality.shadows = plan::ShadowMode::Maps;
+        for (const Oracle oracle : {Oracle::SameDetail, Oracle::FullDetail}) {
+            ProofOptions options;
+            options.oracle = oracle;
+            const FrameProof proof = prove(stage.renderer(), stage.render(view, quality), options);
+            ASSERT_TRUE(proof.truth) << trial;
+            EXPECT_GT(proof.truth->shadows.litSidePixels, 100U) << trial;
+            EXPECT_LE(proof.truth->shadows.wrongFraction, 0.12) << trial;
+            EXPECT_LE(proof.truth->unexplainedFraction(), 0.01) << trial;
+        }
+    }
 }
 
 TEST(Sections, DrawTheSameWhateverWasCutBefore) {

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -123,6 +124,78 @@ TEST(Scene, HitsWhatBruteForceHits) {
         EXPECT_LT(hits[i]->triangle, cluster.firstTriangle + cluster.triangleCount);
     }
     EXPECT_GT(compared, 1500);
+}
+
+bool isInside(const std::vector<Plane>& planes, const glm::dvec3& p) {
+    return std::all_of(planes.begin(), planes.end(), [&](const Plane& plane) { return plane.signedDistance(p) >= 0; });
+}
+
+// Point by point along rays, inside all planes or not.
+TEST(KeptPart, IsWhatLiesOnTheInnerSideOfAllPlanes) {
+    Random random(73);
+    const auto inSphere = [&] {
+        return glm::dvec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+    };
+    int kept = 0;
+    for (int trial = 0; trial < 2000; ++trial) {
+        std::vector<Plane> planes;
+        for (std::uint64_t i = 0; i < random.below(4); ++i)
+            planes.push_back(
+                {trial % 5 == 0 ? glm::dvec3(0, 1, 0) : glm::normalize(inSphere()), random.uniform(-1, 1)});
+        Ray ray{glm::vec3(2.0 * inSphere()), glm::vec3(glm::normalize(inSphere())), 0.25F, 6};
+        if (trial % 7 == 0) ray.direction = {1, 0, 0};
+        const std::optional<Ray> part = keptPart(ray, planes);
+        for (float at = 0.3F; at < 6; at += 0.1F) {
+            const glm::dvec3 p(ray.origin + at * ray.direction);
+            const bool isNearBorder = std::any_of(planes.begin(), planes.end(), [&](const Plane& plane) {
+                return std::abs(plane.signedDistance(p)) < 1e-5;
+            });
+            if (isNearBorder) continue;
+            EXPECT_EQ(part && at >= part->least && at <= part->greatest, isInside(planes, p)) << trial << " at " << at;
+            kept += isInside(planes, p) ? 1 : 0;
+        }
+        if (!part) continue;
+        EXPECT_GE(part->least, ray.least);
+        EXPECT_LE(part->greatest, ray.greatest);
+        EXPECT_EQ(part->origin, ray.origin);
+    }
+    EXPECT_GT(kept, 20000);
+}
+
+// As if the triangles had been cut: what lies beyond is not met, and is in the way only where occluders are whole.
+TEST(Scene, IsCutByPlanes) {
+    tests::TinyModelOptions options;
+    options.gridExponent = 4;
+    const tests::TinyModel model = tests::makeTinyModel(options);
+    const std::vector<ClusterSpan> spans = finestLevel(model);
+    const glm::dvec3 eye(3, 7, 2);
+    const Scene whole(spans, model.summary.grid, eye);
+    Scene cut(spans, model.summary.grid, eye);
+    Random random(74);
+    int changed = 0;
+    for (int trial = 0; trial < 1500; ++trial) {
+        const glm::dvec3 normal(random.uniform(-1, 1), random.uniform(-0.2, 0.2), random.uniform(-1, 1));
+        const std::vector<Plane> planes = {{glm::normalize(normal), random.uniform(-4, 4)}};
+        cut.cutBy(planes, trial % 2 == 0);
+        const glm::dvec3 from(random.uniform(-5, 20), random.uniform(-2, 10), random.uniform(-5, 20));
+        const glm::dvec3 to(random.uniform(0, 16), random.uniform(0, 3), random.uniform(0, 16));
+        const Ray ray{glm::vec3(from - eye), glm::vec3(glm::normalize(to - from))};
+        // The next hit of the whole that is kept.
+        std::optional<Hit> truth = whole.firstHit(ray);
+        while (truth && !isInside(planes, glm::dvec3(ray.origin + truth->distance * ray.direction))) {
+            Ray behind = ray;
+            behind.least = truth->distance + 1e-3F;
+            truth = whole.firstHit(behind);
+            ++changed;
+        }
+        const std::optional<Hit> hit = cut.firstHit(ray);
+        ASSERT_EQ(hit.has_value(), truth.has_value()) << trial;
+        if (hit) {
+            EXPECT_NEAR(static_cast<double>(hit->distance), static_cast<double>(truth->distance), 1e-4) << trial;
+        }
+        EXPECT_EQ(cut.isOccluded(ray), trial % 2 == 0 ? truth.has_value() : whole.isOccluded(ray)) << trial;
+    }
+    EXPECT_GT(changed, 200);
 }
 
 TEST(Scene, WithoutClustersIsEmpty) {

@@ -1,6 +1,7 @@
 #include "executor/view/section_cut.h"
 
 #include "core/check.h"
+#include "executor/view/grid_polygon.h"
 
 #include <tbb/parallel_for.h>
 
@@ -10,45 +11,6 @@
 namespace gnomon::executor {
 
 namespace {
-
-constexpr std::size_t kMostPlanes = 6;
-constexpr std::size_t kMostCorners = 3 + kMostPlanes; // of a triangle that as many planes cut
-
-glm::dvec3 cellOf(const hierarchy::GridPoint& point) {
-    return {point.x, point.y, point.z};
-}
-
-/// A point on the way from `a` to `b` where a plane is met, at the distances from it, rounded to the grid; the same for
-/// both directions.
-glm::dvec3 crossing(const glm::dvec3& a, double atA, const glm::dvec3& b, double atB) {
-    const bool isTurned = a.x != b.x ? b.x < a.x : a.y != b.y ? b.y < a.y : b.z < a.z;
-    const glm::dvec3 met = isTurned ? b + (a - b) * (atB / (atB - atA)) : a + (b - a) * (atA / (atA - atB));
-    const glm::u64vec3 nearest(met + 0.5); // they are not below 0
-    return {nearest.x, nearest.y, nearest.z};
-}
-
-/// A convex polygon of points of the grid.
-struct GridPolygon {
-    std::array<glm::dvec3, kMostCorners> corners{};
-    std::size_t size = 0;
-
-    void add(const glm::dvec3& corner) { corners[size++] = corner; }
-};
-
-/// What a plane keeps of it.
-GridPolygon clipped(const GridPolygon& polygon, const Plane& plane) {
-    std::array<double, kMostCorners> sides{};
-    for (std::size_t i = 0; i < polygon.size; ++i)
-        sides[i] = plane.signedDistance(polygon.corners[i]);
-    GridPolygon rest;
-    for (std::size_t i = 0; i < polygon.size; ++i) {
-        const std::size_t next = i + 1 < polygon.size ? i + 1 : 0;
-        if (sides[i] >= 0) rest.add(polygon.corners[i]);
-        if ((sides[i] >= 0) != (sides[next] >= 0))
-            rest.add(crossing(polygon.corners[i], sides[i], polygon.corners[next], sides[next]));
-    }
-    return rest;
-}
 
 std::uint64_t keyOf(const DrawnCluster& drawn) {
     return std::uint64_t{drawn.pageId} << 32U | drawn.cluster;
@@ -75,7 +37,7 @@ void SectionCut::begin(const FrameDrawing& frame) {
     constexpr std::size_t kMost = std::size_t{32} << 20U;
     const auto isSame = [](const Plane& a, const Plane& b) { return a.normal == b.normal && a.offset == b.offset; };
     std::vector<Plane> planes = sectionPlanesOfGrid(frame);
-    GNOMON_CHECK(planes.size() <= kMostPlanes);
+    GNOMON_CHECK(planes.size() <= kMostSections);
     const bool areSame = std::equal(planes.begin(), planes.end(), planes_.begin(), planes_.end(), isSame);
     planes_ = std::move(planes);
     if (areSame && bytes_ <= kMost) return;
@@ -84,8 +46,8 @@ void SectionCut::begin(const FrameDrawing& frame) {
 }
 
 Containment SectionCut::place(const hierarchy::GridBox& box) const {
-    const glm::dvec3 center = (cellOf(box.min) + cellOf(box.max)) * 0.5;
-    const glm::dvec3 half = (cellOf(box.max) - cellOf(box.min)) * 0.5;
+    const glm::dvec3 center = (gridCellOf(box.min) + gridCellOf(box.max)) * 0.5;
+    const glm::dvec3 half = (gridCellOf(box.max) - gridCellOf(box.min)) * 0.5;
     Containment result = Containment::Inside;
     for (const Plane& plane : planes_) {
         const double reach = glm::dot(glm::abs(plane.normal), half);
@@ -128,7 +90,7 @@ void SectionCut::cutTriangle(
     const DrawnCluster& whole, const hierarchy::Triangle& triangle, unsigned beyond, CutCluster& cut) const {
     GridPolygon polygon;
     for (const std::uint8_t corner : triangle)
-        polygon.add(cellOf(whole.vertices[corner].position));
+        polygon.add(gridCellOf(whole.vertices[corner].position));
     for (std::size_t plane = 0; plane < planes_.size(); ++plane)
         if ((beyond >> plane & 1U) != 0) polygon = clipped(polygon, planes_[plane]);
     if (polygon.size < 3) return;
@@ -156,7 +118,7 @@ void SectionCut::cutCluster(const DrawnCluster& whole, CutCluster& cut) const {
     std::array<std::uint8_t, raster::kMaxClusterVertices> beyond{}; // by vertex: the planes that cut it away
     for (std::size_t plane = 0; plane < planes_.size(); ++plane)
         for (std::uint32_t v = 0; v < cluster.vertexCount; ++v)
-            if (planes_[plane].signedDistance(cellOf(whole.vertices[v].position)) < 0)
+            if (planes_[plane].signedDistance(gridCellOf(whole.vertices[v].position)) < 0)
                 beyond[v] |= static_cast<std::uint8_t>(1U << plane);
     for (std::uint32_t t = 0; t < cluster.triangleCount; ++t) {
         const hierarchy::Triangle& triangle = whole.triangles[t];

@@ -1,5 +1,6 @@
 #include "executor/view/section_lines.h"
 
+#include "executor/view/grid_polygon.h"
 #include "executor/view/section_cut.h"
 
 #include <tbb/parallel_for.h>
@@ -21,22 +22,18 @@ glm::dvec3 meeting(glm::dvec3 a, double atA, glm::dvec3 b, double atB) {
     return a + (b - a) * (atA / (atA - atB));
 }
 
-glm::dvec3 cellsOfPoint(const hierarchy::GridPoint& p) {
-    return {p.x, p.y, p.z};
-}
-
 /// Whether the plane goes through a box, or touches it.
 bool isMet(const hierarchy::GridBox& box, const Plane& plane) {
-    const glm::dvec3 half = (cellsOfPoint(box.max) - cellsOfPoint(box.min)) * 0.5;
-    return std::abs(plane.signedDistance(cellsOfPoint(box.min) + half)) <= glm::dot(glm::abs(plane.normal), half) + 1;
+    const glm::dvec3 half = (gridCellOf(box.max) - gridCellOf(box.min)) * 0.5;
+    return std::abs(plane.signedDistance(gridCellOf(box.min) + half)) <= glm::dot(glm::abs(plane.normal), half) + 1;
 }
 
 /// The lines in which `plane` meets a cluster's triangles.
 std::vector<SectionLine> linesIn(const hierarchy::Page& page, const hierarchy::Cluster& cluster, const Plane& plane) {
-    const auto cellOf = [&](std::size_t v) { return cellsOfPoint(page.vertices[cluster.firstVertex + v].position); };
+    const auto placeOf = [&](std::size_t v) { return gridCellOf(page.vertices[cluster.firstVertex + v].position); };
     std::array<double, raster::kMaxClusterVertices> sides{};
     for (std::uint32_t v = 0; v < cluster.vertexCount; ++v)
-        sides.at(v) = plane.signedDistance(cellOf(v));
+        sides.at(v) = plane.signedDistance(placeOf(v));
     std::vector<SectionLine> lines;
     for (std::uint32_t t = 0; t < cluster.triangleCount; ++t) {
         const hierarchy::Triangle& corners = page.triangles[cluster.firstTriangle + t];
@@ -49,7 +46,7 @@ std::vector<SectionLine> linesIn(const hierarchy::Page& page, const hierarchy::C
             const std::size_t b = corners[(i + 1) % 3];
             if ((sides.at(a) >= 0) == (sides.at(b) >= 0)) continue;
             // Around a triangle, against the clock as seen from outside, the plane is entered once and left once.
-            (sides.at(a) >= 0 ? line.from : line.to) = meeting(cellOf(a), sides.at(a), cellOf(b), sides.at(b));
+            (sides.at(a) >= 0 ? line.from : line.to) = meeting(placeOf(a), sides.at(a), placeOf(b), sides.at(b));
         }
     }
     return lines;

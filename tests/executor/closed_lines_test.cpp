@@ -129,6 +129,17 @@ std::vector<glm::dvec3> addPolygon(
     return corners;
 }
 
+/// Whether closed lines leave each point as often as they reach it, to the bit: a row of pixels leaks through less.
+bool isTight(const std::vector<SectionLine>& lines) {
+    std::map<std::array<double, 3>, int> surplus;
+    for (const SectionLine& line : lines) {
+        if (!line.isClosed) continue;
+        ++surplus[{line.from.x, line.from.y, line.from.z}];
+        --surplus[{line.to.x, line.to.y, line.to.z}];
+    }
+    return std::all_of(surplus.begin(), surplus.end(), [](const auto& at) { return at.second == 0; });
+}
+
 TEST(SectionLines, KeepClosedPartsClosedWhateverOpenOnesTouchThem) {
     Random random(12);
     for (int trial = 0; trial < 200; ++trial) {
@@ -153,6 +164,7 @@ TEST(SectionLines, KeepClosedPartsClosedWhateverOpenOnesTouchThem) {
         ASSERT_EQ(marked.size(), lines.size()) << trial;
         for (std::size_t i = 0; i < marked.size(); ++i)
             EXPECT_EQ(marked[i].isClosed, i < closed) << trial << " " << i;
+        EXPECT_TRUE(isTight(marked)) << trial;
     }
 }
 
@@ -171,6 +183,7 @@ TEST(SectionLines, CloseTwoPartsOfWhichOneOfTwoEqualFacesIsKept) {
         markClosed(lines);
         for (std::size_t i = 0; i < lines.size(); ++i)
             EXPECT_EQ(lines[i].isClosed, i != 0) << trial << " " << i;
+        EXPECT_TRUE(isTight(lines)) << trial;
     }
 }
 

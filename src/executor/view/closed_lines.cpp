@@ -320,8 +320,11 @@ void markClosed(std::vector<SectionLine>& lines) {
     const std::vector<std::uint32_t> ends = graph.ends;
     LeastOpening opening(std::move(graph));
     opening.run();
-    for (std::size_t i = 0; i < numbers.size(); ++i)
-        lines[numbers[i]].isClosed = opening.leftOut(i) == 0;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        if (opening.leftOut(i) != 0) continue;
+        // Ends that are one place meet to the bit from now on: through a gap between them a row of pixels would leak.
+        lines[numbers[i]] = {places.points[ends[2 * i]], places.points[ends[2 * i + 1]], true};
+    }
     for (std::size_t i = numbers.size(); i < ends.size() / 2; ++i)
         for (int k = 0; k < opening.leftOut(i); ++k)
             lines.push_back({places.points[ends[2 * i + 1]], places.points[ends[2 * i]], true});

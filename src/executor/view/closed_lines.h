@@ -19,7 +19,8 @@ struct SectionLine {
 /// ends agree to the bit are joined first: what is closed by itself stays so, whatever it touches. Of the others, ends
 /// within two cells of each other are one, and those lines are left out, and ends up to eight cells apart joined by
 /// lines that are appended, that are of the least length in all: an open part that touches a closed one takes nothing
-/// of it along, and parts of which the model keeps one of two equal faces are closed around both. A minimum cost flow,
+/// of it along, and parts of which the model keeps one of two equal faces are closed around both. The ends of closed
+/// lines are moved to where the others are that they are one with, so that they meet to the bit. A minimum cost flow,
 /// by shortest paths with potentials (Edmonds, Karp 1972); among equal lengths the order of `lines` decides.
 void markClosed(std::vector<SectionLine>& lines);
 

@@ -1,6 +1,7 @@
 #include "executor/view/section_caps.h"
 
 #include "executor/frame_block.h"
+#include "executor/view/grid_polygon.h"
 #include "executor/view/lens.h"
 #include "executor/view/section_cut.h"
 #include "executor/view/section_memory.h"
@@ -23,10 +24,6 @@ constexpr glm::vec3 kSolid{0.71F, 0.36F, 0.24F};    // of the displayed values
 constexpr glm::vec3 kOutline{0.22F, 0.10F, 0.07F};  //
 constexpr glm::vec3 kOpenEdge{0.83F, 0.21F, 0.13F}; //
 
-glm::dvec3 cellsOf(const hierarchy::GridPoint& p) {
-    return {p.x, p.y, p.z};
-}
-
 Rgb byteColor(const glm::vec3& color, float light) {
     Rgb rgb{};
     for (std::size_t c = 0; c < rgb.size(); ++c)
@@ -39,7 +36,7 @@ class LineImage {
 public:
     LineImage(const FrameDrawing& frame, const glm::dmat4& clipFromCell)
         : clipFromCell_(clipFromCell),
-          originCell_(cellsOf(frame.space.originCell)),
+          originCell_(gridCellOf(frame.space.originCell)),
           width_(frame.plan->view.width),
           height_(frame.plan->view.height),
           windings_(&frame.sectionMemory->caps.windings),
@@ -50,6 +47,7 @@ public:
     }
 
     void add(const SectionLine& line) {
+        if (line.from == line.to) return; // what markClosed found to be one place goes around nothing
         const End a = seen(line.from);
         const End b = seen(line.to);
         if (line.isClosed) wind(a, b);

@@ -102,8 +102,11 @@ enum class LightPart : std::uint8_t {
 };
 
 /// The light that a pixel's surface reflects towards the eye, linear RGB before the shoulder, 1 being full scale. Below
-/// 0 where no surface is: minus what is left of the background's light, -1 but where a shadow lies on the ground.
+/// 0 where no surface is: -1, and more by kGroundShade of what a shadow on the ground takes of the background's light.
 using LightPicture = Raster<std::array<float, 3>>;
+
+/// What a shadow on the ground takes may count several times where it is one direction of many.
+inline constexpr float kGroundShade = 1.0F / 16;
 
 struct SectionMemory;
 
@@ -125,10 +128,11 @@ struct FrameDrawing {
     bool wantsSurfaces = false;                 // keep what `surfaces` returns
     bool wantsLight = false;                    // keep what `light` returns; not both
     LightPart lightPart = LightPart::All;
-    double skyWeight = 0;                              // of SkyDirection: what it counts for, as light_model.h has it
-    std::vector<const selection::DrawList*> sections;  // by plane of the view's: all clusters that lie near it
-    SectionMemory* sectionMemory = nullptr;            // of these and of the model
-    const hierarchy::Page* ground = nullptr;           // one cluster, on which nothing but shadows is seen
+    double skyWeight = 0;                             // of SkyDirection: what it counts for, as light_model.h has it
+    std::vector<const selection::DrawList*> sections; // by plane of the view's: all clusters that lie near it
+    SectionMemory* sectionMemory = nullptr;           // of these and of the model
+    const hierarchy::Page* ground = nullptr;          // one cluster, on which nothing but shadows is seen
+    std::optional<glm::vec3> groundShade; // what a shadow takes of its background's light; else as much as the sun's
     const Raster<std::uint8_t>* litMask = nullptr;     // 255 where the light reaches, instead of maps
     const selection::DrawList* exactCasters = nullptr; // of drawExactly, besides the image's own clusters
     const raycast::CutScene* rays = nullptr;           // of both: decide what drawExactly else does by casting

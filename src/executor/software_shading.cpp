@@ -243,11 +243,11 @@ std::array<float, 3> Shading::lightOfCap(const Rgb& color) const {
     return light;
 }
 
-/// What is left of the background's light on the ground, as a LightPicture has it.
+/// What a shadow takes of the background's light on the ground, as a LightPicture has it.
 std::array<float, 3> Shading::lightOfGround(float lit) const {
     std::array<float, 3> light{};
     for (int c = 0; c < 3; ++c)
-        light[static_cast<std::size_t>(c)] = -(leftInShadow_[c] + lit * (1 - leftInShadow_[c]));
+        light[static_cast<std::size_t>(c)] = -1 + kGroundShade * (1 - leftInShadow_[c]) * (1 - lit);
     return light;
 }
 

@@ -38,11 +38,14 @@ void Accumulation::begin(Renderer& renderer, const Frame& frame, int samples) {
     renderer_ = &renderer;
     frame_ = &frame;
     wanted_ = std::max(samples, plan::lightFrames(plan()));
-    shown_ = executor::shownAs(renderer.drawing(frame, frame.options));
+    const executor::FrameDrawing drawing = renderer.drawing(frame, frame.options);
+    shown_ = executor::shownAs(drawing);
     sum_.reset(shown_.hasGround);
     if (plan().sky.directions > 0) {
+        onGround_ = executor::groundShares(drawing);
+        onGround_.sky /= static_cast<float>(plan::levelSkyLight(wanted_, plan().sky.model));
         FrameOptions options = frame.options;
-        options.lightPart = executor::LightPart::WithoutSky;
+        leaveSkyOut(options);
         renderer.drawSample(frame, options);
     }
     take(0);
@@ -54,11 +57,16 @@ void Accumulation::add() {
     take(samples());
 }
 
+void Accumulation::leaveSkyOut(FrameOptions& options) const {
+    options.lightPart = executor::LightPart::WithoutSky;
+    options.groundShade = onGround_.sun;
+}
+
 void Accumulation::drawSunlit(int sample) {
     FrameOptions options = frame_->options;
     options.subpixel = subpixelOffset(sample);
     const bool hasSky = plan().sky.directions > 0;
-    if (hasSky) options.lightPart = executor::LightPart::WithoutSky;
+    if (hasSky) leaveSkyOut(options);
     const plan::View& view = plan().view;
     if (plan().penumbra.directions > 1) {
         const glm::dvec2 point = plan::discPoint(sample, wanted_);
@@ -80,6 +88,8 @@ void Accumulation::take(int sample) {
     options.subpixel = subpixelOffset(sample);
     options.lightPart = executor::LightPart::SkyDirection;
     options.skyWeight = part.weight;
+    const double level = part.weight * glm::dot(part.direction, glm::normalize(plan().view.up));
+    options.groundShade = static_cast<float>(level) * onGround_.sky;
     renderer_->drawTowards(*frame_, part.direction, options);
     executor::addLight(light, executor.light());
     sum_.add(light);

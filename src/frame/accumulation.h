@@ -2,6 +2,7 @@
 // antialiasing, penumbrae and the light of the sky, in one sum of linear light.
 #pragma once
 
+#include "executor/light/background.h"
 #include "executor/light/light_sum.h"
 #include "frame/renderer.h"
 
@@ -45,6 +46,7 @@ public:
     }
 
 private:
+    void leaveSkyOut(FrameOptions& options) const;
     void drawSunlit(int sample);
     void take(int sample);
 
@@ -53,6 +55,7 @@ private:
     Renderer* renderer_ = nullptr;
     const Frame* frame_ = nullptr;
     int wanted_ = 1;
+    executor::GroundShares onGround_;
     executor::Shown shown_;
     executor::LightSum sum_;
 };

@@ -138,9 +138,10 @@ void Renderer::drawTowards(const Frame& frame, const glm::dvec3& towardsLight, c
     view.towardsLight = towardsLight;
     const hierarchy::ModelSummary& model = model_->summary();
     if (options.lightPart == executor::LightPart::SkyDirection) view.pointLight.reset();
-    ground_ = nullptr; // no part of the sky is seen on it
-    if (options.lightPart != executor::LightPart::SkyDirection)
-        ground_ = groundOf(view, frame.plan.quality.look, {model.bounds, model.grid, model_->pages()});
+    // Where the sky's light is a sum of directions, all of them are seen on the same ground.
+    const bool hasSky = frame.plan.sky.directions > 0;
+    ground_ = groundOf(
+        hasSky ? frame.plan.view : view, frame.plan.quality.look, {model.bounds, model.grid, model_->pages()}, hasSky);
     PreparedFrame turned = prepareAs(view, frame.plan.quality, Waiting::UntilComplete, nullptr);
     turned.isSunless = frame.isSunless;
     draw(turned, options);

@@ -2,9 +2,11 @@
 
 #include "frame/scene_facts.h"
 #include "hierarchy/upright_frame.h"
+#include "plan/light_directions.h"
 #include "selection/error_rule.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -14,6 +16,7 @@ namespace {
 
 constexpr double kMostShadow = 16;   // of the model's diagonal
 constexpr double kLeastLight = 1e-4; // the sine of its height
+constexpr double kSkyReach = 8;      // of the model's height: beyond, even a wide wall takes under 0.4% of the sky
 
 using Polygon = std::vector<glm::dvec3>;
 
@@ -79,16 +82,21 @@ Polygon hullOf(Polygon points, const glm::dvec3& up) {
     return hull;
 }
 
-/// What the model's box throws onto the plane `up` . p = `height`, and no further than the longest shadow.
-Polygon shadowOf(const ModelExtent& model, const glm::dvec3& up, double height, const glm::dvec3& towardsLight) {
-    const Box& bounds = model.bounds;
-    const double longest = kMostShadow * glm::length(bounds.extent());
-    Polygon points;
-    for (unsigned corner = 0; corner < 8; ++corner) {
-        const glm::dvec3 p(
+std::array<glm::dvec3, 8> cornersOf(const Box& bounds) {
+    std::array<glm::dvec3, 8> corners{};
+    for (unsigned corner = 0; corner < corners.size(); ++corner)
+        corners.at(corner) = {
             (corner & 1U) != 0 ? bounds.max.x : bounds.min.x,
             (corner & 2U) != 0 ? bounds.max.y : bounds.min.y,
-            (corner & 4U) != 0 ? bounds.max.z : bounds.min.z);
+            (corner & 4U) != 0 ? bounds.max.z : bounds.min.z};
+    return corners;
+}
+
+/// Adds what the model's box throws onto the plane `up` . p = `height`, and no further than the longest shadow.
+void addShadow(
+    const Box& bounds, const glm::dvec3& up, double height, const glm::dvec3& towardsLight, Polygon& points) {
+    const double longest = kMostShadow * glm::length(bounds.extent());
+    for (const glm::dvec3& p : cornersOf(bounds)) {
         const double above = std::max(glm::dot(up, p) - height, 0.0);
         const glm::dvec3 under = p - up * (glm::dot(up, p) - height);
         const glm::dvec3 level = towardsLight - up * glm::dot(up, towardsLight);
@@ -97,6 +105,29 @@ Polygon shadowOf(const ModelExtent& model, const glm::dvec3& up, double height, 
         points.push_back(under - level * (part * above / glm::dot(up, towardsLight)));
         points.push_back(under);
     }
+}
+
+/// Adds what lies within kSkyReach of its heights around the box, and its shadow from all over the sun's disc.
+void addSkyReach(const plan::View& view, const Box& bounds, const glm::dvec3& up, double height, Polygon& points) {
+    const hierarchy::UprightFrame frame = hierarchy::uprightFrame(up);
+    const double aslant = std::sqrt(0.5);
+    for (const glm::dvec3& p : cornersOf(bounds)) {
+        const double above = glm::dot(up, p) - height;
+        const double reach = kSkyReach * above;
+        for (const glm::dvec2 way : {glm::dvec2(1, 0), glm::dvec2(aslant, aslant), glm::dvec2(0, 1)})
+            for (const glm::dvec2 sign : {glm::dvec2(1, 1), glm::dvec2(-1, 1), glm::dvec2(1, -1), glm::dvec2(-1, -1)})
+                points.push_back(
+                    p - up * above + reach * (sign.x * way.x * frame.right + sign.y * way.y * frame.front));
+    }
+    for (const glm::dvec2 rim : {glm::dvec2(1, 0), glm::dvec2(-1, 0), glm::dvec2(0, 1), glm::dvec2(0, -1)}) {
+        const glm::dvec3 light = glm::normalize(plan::towardsDisc(view.towardsLight, view.sunAngleRadians, rim));
+        if (glm::dot(up, light) > kLeastLight) addShadow(bounds, up, height, light, points);
+    }
+}
+
+/// The hull of points of the plane across `up`, as far as the grid reaches.
+Polygon outlineOf(const ModelExtent& model, const glm::dvec3& up, Polygon points) {
+    const Box& bounds = model.bounds;
     // Differences of the grid's coordinates are 32 bits wide.
     const double widest = std::max({bounds.extent().x, bounds.extent().y, bounds.extent().z});
     const double reach = 0.99 * model.grid.step() * hierarchy::kMaxGridCoordinate - widest;
@@ -146,7 +177,8 @@ bool isSeenFromAbove(const plan::View& view, const glm::dvec3& up, double height
 
 } // namespace
 
-std::shared_ptr<const Ground> groundOf(const plan::View& view, const plan::Look& look, const ModelExtent& model) {
+std::shared_ptr<const Ground> groundOf(
+    const plan::View& view, const plan::Look& look, const ModelExtent& model, bool reachesSky) {
     const glm::dvec3 up = glm::normalize(view.up);
     const glm::dvec3 towardsLight = view.light().unit();
     const bool isLit = glm::dot(up, towardsLight) > kLeastLight && !plan::isWithoutSun(look.shading);
@@ -154,7 +186,10 @@ std::shared_ptr<const Ground> groundOf(const plan::View& view, const plan::Look&
     const double height = lowestPoint(model, up);
     if (!isSeenFromAbove(view, up, height)) return nullptr;
     auto ground = std::make_shared<Ground>();
-    ground->outline = shadowOf(model, up, height, towardsLight);
+    Polygon points;
+    addShadow(model.bounds, up, height, towardsLight, points);
+    if (reachesSky) addSkyReach(view, model.bounds, up, height, points);
+    ground->outline = outlineOf(model, up, std::move(points));
     if (ground->outline.size() < 3) return nullptr;
     ground->page = pageOf(ground->outline, model.grid, up);
     return ground;

@@ -26,7 +26,10 @@ struct ModelExtent {
 /// The ground of `view`; null where none is asked for or no shadow can be seen on it: from below, or with the light at
 /// the horizon or under it. The plane lies under the least corner along up of any page's box, which is the model's
 /// lowest point where up is an axis. A shadow longer than 16 times the model ends there, or where the grid does.
-std::shared_ptr<const Ground> groundOf(const plan::View& view, const plan::Look& look, const ModelExtent& model);
+/// With `reachesSky` it is as much wider as it takes to hold what the model hides of the sky but for a level of a
+/// screen.
+std::shared_ptr<const Ground> groundOf(
+    const plan::View& view, const plan::Look& look, const ModelExtent& model, bool reachesSky = false);
 
 /// `facts` of a frame of `view`, a distant one if it is orthographic, that shows `ground` too: what of it is in the
 /// frustum can be shadowed at any depth. False, and nothing changed, where that is none of it.

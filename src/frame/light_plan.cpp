@@ -46,7 +46,7 @@ void planLightSampling(PreparedFrame& frame, const Residency& residency) {
         const glm::dvec3 origin = residency.query().trees->grid().origin;
         const Box bounds{frame.facts.bounds.min - origin, frame.facts.bounds.max - origin};
         const auto solids = plan.view.sections.empty() ? culling::Solids::Whole : culling::Solids::MayBeCut;
-        plan::planSky(plan, culling::mayHideSky(query, image, bounds, solids));
+        plan::planSky(plan, frame.ground || culling::mayHideSky(query, image, bounds, solids));
     }
 }
 

@@ -122,6 +122,7 @@ executor::FrameDrawing Renderer::drawing(const PreparedFrame& frame, const Frame
     drawing.wantsSurfaces = options.wantsSurfaces;
     drawing.lightPart = options.lightPart;
     drawing.skyWeight = options.skyWeight;
+    drawing.groundShade = options.groundShade;
     drawing.wantsLight = options.isAccumulated && !options.wantsSurfaces;
     drawing.cullsByReceivers = cullsByReceivers(frame, options);
     return drawing;

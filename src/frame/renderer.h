@@ -27,7 +27,8 @@ struct FrameOptions {
     bool isAccumulated = false;           // `drawSample` is to follow: the cut reaches half a pixel beyond the image,
                                           // maps are whole, and the executor keeps the light
     executor::LightPart lightPart = executor::LightPart::All;
-    double skyWeight = 0; // as FrameDrawing has it
+    double skyWeight = 0;                 // as FrameDrawing has it
+    std::optional<glm::vec3> groundShade; // likewise
 };
 
 /// A frame that was drawn once.

@@ -34,7 +34,7 @@ PreparedFrame Renderer::prepare(
     Waiting waiting,
     const std::shared_ptr<const plan::PlannedFrame>& before) {
     const hierarchy::ModelSummary& model = model_->summary();
-    ground_ = groundOf(view, quality.look, {model.bounds, model.grid, model_->pages()});
+    ground_ = groundOf(view, quality.look, {model.bounds, model.grid, model_->pages()}, quality.sky.directions > 0);
     const plan::View distant = plan::distantView(view, withGround(model.bounds, ground_.get()));
     PreparedFrame frame = prepareShadows(distant, plan::distantQuality(quality, view, distant), waiting, before);
     addTime(frame.planMs, [&] { planLightSampling(frame, residency_); });

@@ -94,6 +94,15 @@ SkyPart skyPart(int i, int count, SkyModel model, const glm::dvec3& up) {
     return part;
 }
 
+double levelSkyLight(int count, SkyModel model) {
+    double sum = 0;
+    for (int i = 0; i < count; ++i) {
+        const SkyPart part = skyPart(i, count, model, {0, 0, 1});
+        sum += part.weight * part.direction.z;
+    }
+    return sum / count;
+}
+
 double skyError(int parts, SkyModel model) {
     const double brightest = model == SkyModel::Overcast ? 9.0 / 7 : 1;
     return 1.4 * brightest * std::pow(parts, -0.75);

@@ -46,6 +46,9 @@ struct SkyPart {
 /// Part `i` of `count`, of equal solid angles (a Fibonacci lattice), around `up`, of any length above 0.
 SkyPart skyPart(int i, int count, SkyModel model, const glm::dvec3& up);
 
+/// That mean: the lattice of `count` parts has it nearly.
+double levelSkyLight(int count, SkyModel model);
+
 /// How far the light of a surface may be off that is the mean over so many parts, 1 being that of a level one that sees
 /// all of the sky: where straight edges, up to two, hide some of it. More, in as much as parts of an overcast sky are
 /// brighter.

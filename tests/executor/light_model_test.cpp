@@ -136,7 +136,7 @@ TEST(LightSum, TakesTheMeanBeforeTheShoulder) {
 TEST(LightSum, LeavesOfTheBackgroundWhatShadowsOnItDo) {
     LightSum sum;
     sum.reset(true);
-    sum.add(LightPicture(1, 1, {-0.25F, -0.5F, -1}));
+    sum.add(LightPicture(1, 1, {-1 + 0.75F * kGroundShade, -1 + 0.5F * kGroundShade, -1}));
     sum.add(LightPicture(1, 1, kNoSurface));
     const Shown shown{true, false, {Rgb{255, 255, 255}}, true};
     const Picture half = sum.picture(shown);

@@ -63,15 +63,40 @@ bool isTransparent(const FrameDrawing& frame) {
     return frame.plan->quality.look.background.kind == plan::Background::Kind::Transparent;
 }
 
+namespace {
+
+/// What the lights of `block` but the sun's send to level ground.
+glm::vec3 ambientOf(const block::Frame& block, const glm::vec3& up) {
+    return block.ambientMean + block.ambientTilt * glm::dot(up, block.skyAxis);
+}
+
+glm::vec3 sunOf(const FrameDrawing& frame, const block::Frame& block, const glm::vec3& up) {
+    return block.sun * std::max(glm::dot(up, glm::vec3(frame.plan->light.unit())), 0.0F);
+}
+
+} // namespace
+
 glm::vec3 leftInShadow(const FrameDrawing& frame) {
+    if (frame.groundShade) return 1.0F - *frame.groundShade;
     block::Frame block{};
     setLight(frame.plan->view, frame.plan->quality.look, frame.shading, block);
     const glm::vec3 up(glm::normalize(frame.plan->view.up));
-    const glm::vec3 sky = block.ambientMean + block.ambientTilt * glm::dot(up, block.skyAxis);
-    const glm::vec3 towardsLight(frame.plan->light.unit());
-    const glm::vec3 sun = block.sun * std::max(glm::dot(up, towardsLight), 0.0F);
+    const glm::vec3 sky = ambientOf(block, up);
     constexpr float kLeast = 1.0F / (1 << 20);
-    return glm::max(sky / (sky + sun), glm::vec3(kLeast));
+    return glm::max(sky / (sky + sunOf(frame, block, up)), glm::vec3(kLeast));
+}
+
+GroundShares groundShares(const FrameDrawing& frame) {
+    const plan::Look& look = frame.plan->quality.look;
+    block::Frame block{};
+    setLight(frame.plan->view, look, frame.shading, block);
+    const glm::vec3 up(glm::normalize(frame.plan->view.up));
+    const glm::vec3 sun = sunOf(frame, block, up);
+    takeSkyOut(look, block);
+    const glm::vec3 rest = ambientOf(block, up);
+    leaveSkyDirection(look, 1, block);
+    const glm::vec3 all = glm::max(rest + block.sun + sun, glm::vec3(1e-6F));
+    return {sun / all, block.sun / all};
 }
 
 std::vector<Rgb> shadowedRows(std::vector<Rgb> rows, const glm::vec3& left) {

@@ -32,6 +32,15 @@ bool isTransparent(const FrameDrawing& frame);
 /// The share of the light of sun, sky and ground, each above 0, that a shadow on level ground leaves.
 glm::vec3 leftInShadow(const FrameDrawing& frame);
 
+/// The parts that the sun and the sky have in the light of level ground that sees all of both, where the sky's light
+/// comes from directions.
+struct GroundShares {
+    glm::vec3 sun{0};
+    glm::vec3 sky{0};
+};
+
+GroundShares groundShares(const FrameDrawing& frame);
+
 /// `rows` with that share of their light.
 std::vector<Rgb> shadowedRows(std::vector<Rgb> rows, const glm::vec3& left);
 

@@ -52,9 +52,10 @@ Shown shownAs(const FrameDrawing& frame) {
 void addLight(LightPicture& light, const LightPicture& other) {
     GNOMON_CHECK(light.width == other.width && light.height == other.height);
     forAllPixels(light.pixels.size(), [&](std::size_t i) {
-        if (light.pixels[i][0] < 0 || other.pixels[i][0] < 0) return;
+        const bool isSurface = light.pixels[i][0] >= 0;
+        if (isSurface != (other.pixels[i][0] >= 0)) return;
         for (std::size_t c = 0; c < 3; ++c)
-            light.pixels[i][c] += other.pixels[i][c];
+            light.pixels[i][c] += isSurface ? other.pixels[i][c] : 1 + other.pixels[i][c];
     });
 }
 
@@ -76,7 +77,7 @@ void LightSum::add(const LightPicture& light) {
         if (pixel[0] < 0) {
             if (hasGround_)
                 for (std::size_t c = 0; c < 3; ++c)
-                    shadows_.pixels[i][c] += lightSteps(1 + pixel[c]);
+                    shadows_.pixels[i][c] += lightSteps((1 + pixel[c]) / kGroundShade);
             return;
         }
         ++covered_.pixels[i];
@@ -103,7 +104,8 @@ std::array<float, 3> LightSum::leftOfBackground(std::size_t i) const {
     const int open = count_ - covered_.pixels[i];
     if (!hasGround_ || open == 0) return left;
     for (std::size_t c = 0; c < 3; ++c)
-        left[c] = static_cast<float>(1 - static_cast<double>(shadows_.pixels[i][c]) / (open * kLightSteps));
+        left[c] =
+            static_cast<float>(std::max(1 - static_cast<double>(shadows_.pixels[i][c]) / (open * kLightSteps), 0.0));
     return left;
 }
 

@@ -22,7 +22,7 @@ struct Shown {
 /// How `frame` shows light.
 Shown shownAs(const FrameDrawing& frame);
 
-/// Adds `other` light of the same surfaces to `light`, where both have some.
+/// Adds `other` light of the same surfaces to `light`, where both have some, and what shadows on the ground take.
 void addLight(LightPicture& light, const LightPicture& other);
 
 /// A sum of the light of frames of one size, as it reaches the eye: before the shoulder. It counts in 2^-20 of full

@@ -26,16 +26,16 @@ std::array<double, 2> usualRange(
     if (colors.by == settings::ColorBy::Slope) return {0, 90};
     for (const hierarchy::Field& field : model.fields)
         if (colors.by == settings::ColorBy::Field && field.name == colors.field) return {field.least, field.greatest};
-    std::array<double, 2> range = {0, 0}; // errors: up to the largest that is seen
+    double largest = 0; // of the errors that are seen
     for (const double value : values.pixels)
-        if (value > range[1]) range[1] = value;
-    return range;
+        if (value > largest) largest = value;
+    return {largest / executor::kScaleSpan, largest};
 }
 
 executor::ValueScale scaleOf(const settings::ValueColors& colors, std::array<double, 2> range) {
     if (colors.range) range = *colors.range;
     if (!(range[0] < range[1])) range[1] = range[0] + 1; // all is level
-    return {colors.map, range[0], range[1]};
+    return {colors.map, range[0], range[1], colors.by == settings::ColorBy::Error && range[0] > 0};
 }
 
 std::string titleOf(const settings::ValueColors& colors, std::string_view unit) {

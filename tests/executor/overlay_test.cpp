@@ -245,6 +245,40 @@ TEST(ColorMap, PartsValuesAFactorOfTwoApartForEveryEyeInLightAndShadow) {
                 }
 }
 
+TEST(ColorMap, PartsAllFactorsOfTwoOfAScaleByTheLogarithm) {
+    constexpr float kShadow = 0.7F;
+    for (const auto& map : plan::kColorMaps) {
+        const ValueScale values{map.value, 0.003, 0.003 * kScaleSpan, true};
+        for (const Eye& eye : kEyes)
+            for (const float light : {kShadow, 1.0F})
+                for (double value = values.least; 2 * value <= values.most; value *= 1.02) {
+                    const glm::dvec3 here = eye(values.color(value) * light);
+                    const glm::dvec3 twice = eye(values.color(2 * value) * light);
+                    EXPECT_GE(glm::distance(here, twice), kApart) << map.word << " at " << value << " in " << light;
+                    EXPECT_GT(twice.x, here.x) << map.word << " at " << value << " in " << light;
+                }
+        EXPECT_EQ(values.color(0), values.color(values.least / 2));
+        EXPECT_EQ(values.color(-1), values.color(values.least));
+    }
+}
+
+TEST(ColorScale, ByTheLogarithmHasFiguresAtRoundValuesWithinItsEnds) {
+    Random random(5);
+    for (int trial = 0; trial < 300; ++trial) {
+        const double least = std::exp2(random.uniform(-40, 40));
+        const ValueScale values{plan::ColorMap::Grey, least, least * std::exp2(random.uniform(2, 40)), true};
+        const std::vector<ColorScale::Tick> ticks = colorScale(values).ticks;
+        ASSERT_GE(ticks.size(), values.most > 100 * least ? 2U : 1U) << least << " to " << values.most;
+        for (std::size_t i = 1; i < ticks.size(); ++i) // six dots a letter, of 192
+            EXPECT_GE((ticks[i].place - ticks[i - 1].place) * 192, 3.0 * static_cast<double>(ticks[i].text.size()));
+        for (const ColorScale::Tick& tick : ticks) {
+            EXPECT_GE(tick.place, -1e-4);
+            EXPECT_LE(tick.place, 1 + 1e-4);
+            EXPECT_NEAR(std::stod(tick.text) / (least * std::pow(values.most / least, tick.place)), 1, 0.01);
+        }
+    }
+}
+
 TEST(Legend, IsDrawnIntoTheLowerLeftCornerAlone) {
     const Rgb grey{77, 77, 77};
     for (const NamedOverlay& overlay : kOverlays) {
@@ -303,7 +337,7 @@ TEST(Upscaled, IsTheMixOfTheNearestFourByTheirDistances) {
                 channel = static_cast<std::uint8_t>(random.below(256));
         const int width = small.width + static_cast<int>(random.below(60));
         const int height = small.height + static_cast<int>(random.below(60));
-        const Picture large = upscaled(small, width, height);
+        const WindowPicture large = upscaled(small, width, height);
         ASSERT_TRUE(large.width == width && large.height == height);
         const auto at = [&](int x, int y, std::size_t c) {
             return small.at(std::clamp(x, 0, small.width - 1), std::clamp(y, 0, small.height - 1))[c];
@@ -319,7 +353,11 @@ TEST(Upscaled, IsTheMixOfTheNearestFourByTheirDistances) {
                     const double lower = std::lerp(at(left, top + 1, c), at(left + 1, top + 1, c), u - left);
                     ASSERT_NEAR(large.at(x, y)[c], std::lerp(upper, lower, v - top), 2) << x << " " << y;
                 }
-        EXPECT_TRUE(upscaled(small, small.width, small.height).pixels == small.pixels);
+        const WindowPicture same = upscaled(small, small.width, small.height);
+        for (std::size_t i = 0; i < same.pixels.size(); ++i) {
+            const Rgb& p = small.pixels[i];
+            ASSERT_EQ(same.pixels[i], (std::array<std::uint8_t, 4>{p[0], p[1], p[2], 255}));
+        }
     }
 }
 

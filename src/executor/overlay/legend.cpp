@@ -138,13 +138,57 @@ ColorScale heatScale(std::optional<double> markedFactor) {
     return scale;
 }
 
+float ValueScale::place(double value) const {
+    if (!isLogarithmic) return static_cast<float>((value - least) / (most - least));
+    return value > 0 ? static_cast<float>(std::log2(value / least) / std::log2(most / least)) : -1;
+}
+
 glm::vec3 ValueScale::color(double value) const {
     return mapColor(map, place(value));
 }
 
+namespace {
+
+/// Whether figures stand clear of each other below a bar.
+bool areClear(const std::vector<ColorScale::Tick>& ticks) {
+    const auto reach = [](const ColorScale::Tick& tick) {
+        return 0.5 * static_cast<double>(kLetterDots) * static_cast<double>(tick.text.size() + 1);
+    };
+    for (std::size_t i = 1; i < ticks.size(); ++i)
+        if ((ticks[i].place - ticks[i - 1].place) * kBarWidth < reach(ticks[i]) + reach(ticks[i - 1])) return false;
+    return true;
+}
+
+/// Figures at 1, 2 and 5 times powers of ten, or at fewer of these where they would run into each other.
+std::vector<ColorScale::Tick> logarithmicTicks(const ValueScale& values) {
+    const int first = static_cast<int>(std::floor(std::log10(values.least)));
+    const int last = static_cast<int>(std::ceil(std::log10(values.most)));
+    std::vector<ColorScale::Tick> ticks;
+    const auto place = [&](const std::vector<int>& digits, int stride) {
+        ticks.clear();
+        for (int exponent = first; exponent <= last; exponent += stride)
+            for (const int digit : digits) {
+                const double value = digit * std::pow(10.0, exponent);
+                const float at = values.place(value);
+                if (at >= -1e-6F && at <= 1 + 1e-6F) ticks.push_back({double{at}, formatted("%.3g", value)});
+            }
+        return areClear(ticks);
+    };
+    if (place({1, 2, 5}, 1) || place({1, 3}, 1)) return ticks;
+    for (int stride = 1; !place({1}, stride); ++stride) {
+    }
+    return ticks;
+}
+
+} // namespace
+
 ColorScale colorScale(const ValueScale& values) {
     ColorScale scale;
     scale.color = [map = values.map](float at) { return mapColor(map, at); };
+    if (values.isLogarithmic) {
+        scale.ticks = logarithmicTicks(values);
+        return scale;
+    }
     constexpr int kMostSteps = 6;
     const double step = roundStep(values.most - values.least, kMostSteps);
     const double first = std::ceil(values.least / step - 1e-6);

@@ -33,17 +33,22 @@ struct ColorScale {
 /// The scale of heatColor, the factors from 1/4 to 16, with a mark at one of them.
 ColorScale heatScale(std::optional<double> markedFactor = std::nullopt);
 
-/// What values are shown in: colours from `least` to `most`, both finite and the first less.
+/// What values are shown in: colours from `least` to `most`, both finite and the first less; where they go by the
+/// logarithm it is above 0.
 struct ValueScale {
     plan::ColorMap map = plan::ColorMap::Viridis;
     double least = 0;
     double most = 1;
+    bool isLogarithmic = false;
 
-    /// Where `value` lies between them, 0 to 1 within.
-    float place(double value) const { return static_cast<float>((value - least) / (most - least)); }
+    /// Where `value` lies between them, 0 to 1 within; below 0 where it has no logarithm.
+    float place(double value) const;
 
     glm::vec3 color(double value) const;
 };
+
+/// What a scale that goes by the logarithm usually spans: by its maps each eye parts each of its factors of two.
+inline constexpr double kScaleSpan = 64;
 
 /// The scale of `values`, with figures at round values.
 ColorScale colorScale(const ValueScale& values);

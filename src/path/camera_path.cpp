@@ -194,6 +194,26 @@ CameraPath projected(CameraPath path, const std::optional<Projection>& projectio
     return path;
 }
 
+SavedViews readViews(const std::string& path) {
+    const ordered_json document = readJsonFile(path);
+    const bool isOne = document.is_object() && document.value("model", ordered_json()).is_string() &&
+                       document.value("views", ordered_json()).is_array();
+    if (!isOne) throw Error(path, "no views of a model", R"({"model": ..., "views": [...]})", "something else");
+    SavedViews result{document["model"].get<std::string>(), {}};
+    for (const ordered_json& view : document["views"])
+        result.cameras.push_back(cameraOf(view, path + ": view " + std::to_string(result.cameras.size())));
+    return result;
+}
+
+std::string toJson(const SavedViews& views) {
+    ordered_json document;
+    document["model"] = views.model;
+    document["views"] = ordered_json::array();
+    for (const Camera& camera : views.cameras)
+        document["views"].push_back(jsonOf(camera));
+    return telemetry::jsonText(document, 1) + "\n";
+}
+
 std::string toJson(const Camera& camera) {
     return telemetry::jsonText(jsonOf(camera), 1) + "\n";
 }

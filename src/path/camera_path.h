@@ -51,6 +51,17 @@ CameraPath readCameraPath(const std::string& path);
 /// `path` with every keyframe of that projection, where one is given.
 CameraPath projected(CameraPath path, const std::optional<Projection>& projection);
 
+/// Cameras at which someone looked at a model.
+struct SavedViews {
+    std::string model; // what it is called
+    std::vector<Camera> cameras;
+};
+
+/// Reads what toJson writes of them. Throws Error with path and place.
+SavedViews readViews(const std::string& path);
+
+std::string toJson(const SavedViews& views);
+
 /// The text of a camera file.
 std::string toJson(const Camera& camera);
 

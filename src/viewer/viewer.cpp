@@ -86,6 +86,7 @@ void WindowSession::run(Progress& interrupt) {
         try {
             interrupt.advance(0);
         } catch (const Interrupted&) {
+            keepViews();
             if (log_) log_->finish();
             throw;
         }
@@ -99,10 +100,12 @@ void WindowSession::run(Progress& interrupt) {
         pace_.wakeScene();
         if (!options_.path.empty() && !options_.images.empty()) break; // all that was asked for is there
     }
+    keepViews();
     if (log_) log_->finish();
 }
 
 void WindowSession::open(const std::string& file) {
+    keepViews();
     file_.open(file);
     pace_.wakeScene();
 }

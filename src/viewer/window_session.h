@@ -14,7 +14,8 @@
 #include "viewer/pace.h"
 #include "viewer/panel/imgui_layer.h"
 #include "viewer/panel/overlay.h"
-#include "viewer/recent_views.h"
+#include "viewer/recent/kept_views.h"
+#include "viewer/recent/recent_views.h"
 #include "viewer/viewer_options.h"
 #include "viewer/walk.h"
 
@@ -54,6 +55,7 @@ private:
     bool actOnMeasures(const Binding& binding);
     RecentViews& recentViews();
     void goToRecent(int step);
+    void keepViews();
 
     Projection projection() const { return walk_.control().camera().projection; }
 
@@ -89,6 +91,7 @@ private:
     SavedFiles saved_;
     Measuring measuring_;
     std::map<std::string, RecentViews> recent_; // by the model's file
+    KeptViews keptViews_ = KeptViews::ofUser();
     std::optional<FrameLog> log_;
     std::optional<FramedModel> framed_;
     Caps caps_;

@@ -119,8 +119,21 @@ bool WindowSession::actOnMeasures(const Binding& binding) {
     }
 }
 
+/// Those of the model that is open; the first time, as they were kept.
 RecentViews& WindowSession::recentViews() {
-    return recent_[file_.scene()->model().path()];
+    const std::string& model = file_.scene()->model().path();
+    const auto [found, isNew] = recent_.try_emplace(model);
+    if (isNew) messages_.attempt([&, &views = found->second] { views = RecentViews(keptViews_.load(model)); });
+    return found->second;
+}
+
+/// On disk; where that fails, it is said once, and none are kept any more.
+void WindowSession::keepViews() {
+    const bool areKept = messages_.attempt([&] {
+        for (const auto& [model, views] : recent_)
+            keptViews_.save(model, views.cameras());
+    });
+    if (!areKept) keptViews_ = KeptViews("");
 }
 
 void WindowSession::goToRecent(int step) {

@@ -168,6 +168,28 @@ TEST(CameraFiles, ReadBackWhatWasWrittenToTheLastBit) {
     }
 }
 
+TEST(CameraFiles, OfSavedViewsMixProjectionsAndAreRefusedWithTheirPlace) {
+    Random random(4);
+    SavedViews views{"/a \"model\".gnm", {}};
+    EXPECT_TRUE(fromText(toJson(views), readViews).cameras.empty());
+    for (const Keyframe& key : anyPath(random).keyframes)
+        views.cameras.push_back(key.camera);
+    views.cameras.push_back(views.cameras.front());
+    views.cameras.back().projection = Projection::Orthographic;
+    const SavedViews read = fromText(toJson(views), readViews);
+    EXPECT_EQ(read.model, views.model);
+    EXPECT_EQ(read.cameras.size(), views.cameras.size());
+    EXPECT_EQ(toJson(read), toJson(views));
+    ordered_json wrong = ordered_json::parse(toJson(views));
+    wrong["views"][1].erase("eye");
+    try {
+        fromText(wrong.dump(), readViews);
+        ADD_FAILURE() << "a view without an eye";
+    } catch (const Error& error) {
+        EXPECT_TRUE(std::string(error.what()).starts_with(filePath() + ": view 1")) << error.what();
+    }
+}
+
 TEST(CameraFiles, HoldTheProjection) {
     Random random(3);
     CameraPath path = anyPath(random);

@@ -1,7 +1,9 @@
 // Who has the camera after each key of a walk: user input, path or recorder; where it was, and what was measured there.
 #include "core/error.h"
+#include "core/file.h"
 #include "viewer/measuring.h"
-#include "viewer/recent_views.h"
+#include "viewer/recent/kept_views.h"
+#include "viewer/recent/recent_views.h"
 #include "viewer/walk.h"
 
 #include <gtest/gtest.h>
@@ -184,6 +186,91 @@ TEST(RecentViews, KeepTheLastHundredOfThoseThatStoodForHalfASecond) {
         EXPECT_LT(std::exchange(last, camera->eye.x), 149.4);
     EXPECT_EQ(count, static_cast<int>(RecentViews::kMost));
     EXPECT_NEAR(last, 48.3, 1e-9); // 57.3 and 107.3 went too soon
+}
+
+/// A folder that goes with what is in it.
+class ViewsFolder {
+public:
+    ViewsFolder() { std::filesystem::remove_all(path_); }
+
+    ~ViewsFolder() { std::filesystem::remove_all(path_); }
+
+    ViewsFolder(const ViewsFolder&) = delete;
+    ViewsFolder& operator=(const ViewsFolder&) = delete;
+    ViewsFolder(ViewsFolder&&) = delete;
+    ViewsFolder& operator=(ViewsFolder&&) = delete;
+
+    std::string views() const { return (path_ / "state" / "views").string(); }
+
+    /// Writes `text` in place of all that is kept.
+    void overwrite(const std::string& text) const {
+        for (const auto& entry : std::filesystem::directory_iterator(views()))
+            writeTextFile(entry.path().string(), text);
+    }
+
+    std::size_t fileCount() const {
+        const auto all = std::filesystem::directory_iterator(views());
+        return static_cast<std::size_t>(std::distance(begin(all), end(all)));
+    }
+
+private:
+    std::filesystem::path path_ =
+        std::filesystem::temp_directory_path() / ("gnomon_views_" + std::to_string(::getpid()));
+};
+
+TEST(KeptViews, ComeBackInTheNextWindow) {
+    const ViewsFolder folder;
+    RecentViews views;
+    for (int x = 0; x < 3; ++x)
+        views.stay(cameraAtX(x));
+    Camera parallel = cameraAtX(2);
+    parallel.projection = Projection::Orthographic;
+    views.stay(parallel);
+    KeptViews(folder.views()).save("a.gnm", views.cameras());
+    KeptViews next(folder.views());
+    EXPECT_TRUE(next.load("b.gnm").empty());
+    RecentViews again(next.load("./x/../a.gnm"));
+    again.stay(cameraAtX(9));
+    EXPECT_TRUE(again.back()->isParallel());
+    EXPECT_EQ(again.back()->eye, cameraAtX(2).eye);
+    EXPECT_EQ(again.back()->target, cameraAtX(1).target);
+    EXPECT_EQ(RecentViews(std::vector<Camera>(130, cameraAtX(1))).cameras().size(), RecentViews::kMost);
+    KeptViews nowhere("");
+    nowhere.save("a.gnm", views.cameras());
+    EXPECT_TRUE(nowhere.load("a.gnm").empty());
+}
+
+TEST(KeptViews, TakeNothingFromWhatIsNoViews) {
+    const ViewsFolder folder;
+    KeptViews kept(folder.views());
+    kept.save("a.gnm", {cameraAtX(1)});
+    const std::string model = std::filesystem::weakly_canonical(std::filesystem::absolute("a.gnm")).string();
+    for (const std::string& text :
+         {std::string(),
+          std::string("{}"),
+          std::string("[1]"),
+          std::string(R"({"model": 1, "views": []})"),
+          R"({"model": ")" + model + R"(", "views": [{"eye": [0, 0, 0], "target": [0, 0, 0]}]})",
+          R"({"model": ")" + model + R"(", "views": [{"eye": [0, 1e999, 0], "target": [0, 0, 0]}]})",
+          std::string(KeptViews::kMostBytes + 1, ' '),
+          std::string(100000, '[')}) {
+        folder.overwrite(text);
+        EXPECT_THROW(kept.load("a.gnm"), Error) << text.substr(0, 80);
+    }
+    folder.overwrite(R"({"model": "/another", "views": [{"eye": [0, 0, 0], "target": [0, 0, 1]}]})");
+    EXPECT_TRUE(kept.load("a.gnm").empty());
+    KeptViews(folder.views()).save("a.gnm", {cameraAtX(4)});
+    EXPECT_EQ(kept.load("a.gnm").size(), 1U);
+}
+
+TEST(KeptViews, AreOfTheLastModelsAndFailWhereNothingCanBeWritten) {
+    const ViewsFolder folder;
+    KeptViews kept(folder.views());
+    for (std::size_t i = 0; i < KeptViews::kMostModels + 5; ++i)
+        kept.save(std::to_string(i) + ".gnm", {cameraAtX(1)});
+    EXPECT_EQ(folder.fileCount(), KeptViews::kMostModels);
+    EXPECT_EQ(kept.load(std::to_string(KeptViews::kMostModels + 4) + ".gnm").size(), 1U);
+    EXPECT_THROW(KeptViews("/dev/null/views").save("a.gnm", {cameraAtX(1)}), Error);
 }
 
 TEST(Measuring, TakesDropsAndEndsMeasures) {

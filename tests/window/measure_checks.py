@@ -1,6 +1,8 @@
 """What a person measures with the mouse, and the views that a key goes back to."""
 import csv
 import json
+import pathlib
+import re
 import subprocess
 import time
 
@@ -82,8 +84,9 @@ def camera(session):
 
 
 def check_recent_views(display, program, folder, model):
-    """Left and Right go through the views at which the camera stood, back and forth."""
-    session = Session(display, program, folder, model)
+    """Left and Right go through the views at which the camera stood, back and forth, in the next window too."""
+    state = pathlib.Path(folder) / "state"
+    session = Session(display, program, folder, model, state=state)
     views = [camera(session)]
     for key in ("1", "3", "5"):
         session.press(key)
@@ -98,6 +101,31 @@ def check_recent_views(display, program, folder, model):
             assert far < 1e-3 * max(map(abs, views[0]["eye"])), (key, expected, found, views)
     session.leave()
     assert session.complaints() == [], session.complaints()
+    kept, = (state / "gnomon" / "views").glob("*.json")
+    assert json.loads(kept.read_text())["model"] == str(pathlib.Path(model).resolve()), kept.read_text()
+
+    again = Session(display, program, folder, model, state=state)
+    time.sleep(2)  # at home, as the first view was
+    again.press("Left")
+    time.sleep(1)
+    found = camera(again)
+    assert any(max(abs(a - b) for a, b in zip(found["eye"], view["eye"])) < 1e-3 * max(map(abs, view["eye"]))
+               for view in views[1:]), (found, views)
+    again.leave()
+    assert again.complaints() == [], again.complaints()
+
+    for broken in ("no JSON", '{"model": "a", "views": [{"eye": 1}]}'):
+        kept.write_text(broken)
+        session = Session(display, program, folder, model, state=state)
+        session.expect(re.escape(kept.name))
+        time.sleep(1)
+        session.leave()
+        json.loads(kept.read_text())
+    state.joinpath("blocked").write_text("a file")
+    session = Session(display, program, folder, model, state=state / "blocked")
+    time.sleep(1)
+    session.leave()
+    session.expect("recent views cannot be kept")
 
 
 def settled_shot(session):

@@ -4,6 +4,7 @@ import os
 import pathlib
 import re
 import subprocess
+import tempfile
 import threading
 import time
 
@@ -26,6 +27,8 @@ class Display:
         with os.fdopen(read) as answer:
             self.name = ":" + answer.readline().strip()
         self.environment = dict(os.environ, DISPLAY=self.name)
+        self.state = tempfile.TemporaryDirectory(prefix="gnomon_state_")
+        self.environment["XDG_STATE_HOME"] = self.state.name  # of what runs without a Session
         self.environment["LSAN_OPTIONS"] = f"suppressions={SUPPRESSIONS}:print_suppressions=0"
         if dots_per_inch:
             with XClient(self.name) as client:
@@ -38,21 +41,24 @@ class Display:
     def close(self):
         self.server.terminate()
         self.server.wait()
+        self.state.cleanup()
 
 
 class Session:
     """One `gnomon view`. What it says on stderr is what it shows as messages."""
 
-    def __init__(self, display, program, folder, *arguments, samples=1, target=0):
-        """`samples` and `target` as in --samples and --target-ms: by these each frame is drawn in full, and done."""
+    def __init__(self, display, program, folder, *arguments, samples=1, target=0, state=None):
+        """`samples` and `target` as in --samples and --target-ms: by these each frame is drawn in full, and done.
+        `state` is where it keeps what it keeps, else a folder of its own."""
         self.display = display
         self.folder = pathlib.Path(folder)
         self.lines = []
         self.heard = threading.Condition()
         self.started = time.monotonic()
         words = [program, "view", *arguments, "--samples", samples, "--target-ms", target]
-        self.process = subprocess.Popen(list(map(str, words)), cwd=folder, env=display.environment,
-                                        stderr=subprocess.PIPE, text=True)
+        state = state or tempfile.mkdtemp(dir=display.state.name)
+        self.process = subprocess.Popen(list(map(str, words)), cwd=folder, stderr=subprocess.PIPE, text=True,
+                                        env=dict(display.environment, XDG_STATE_HOME=str(state)))
         threading.Thread(target=self._listen, daemon=True).start()
         self.window = self._find_window()
         display.do("mousemove", 400, 400)

@@ -11,6 +11,14 @@ namespace gnomon::viewer {
 /// The last cameras of one model, oldest first, and which of them is the one at hand.
 class RecentViews {
 public:
+    RecentViews() = default;
+
+    /// As they were kept, oldest first; of more than kMost the last.
+    explicit RecentViews(std::vector<Camera> cameras);
+
+    /// All of them, oldest first.
+    const std::vector<Camera>& cameras() const { return cameras_; }
+
     /// Takes in where the camera is at a time, seconds on any clock: where it has not moved for half a second, it
     /// stays.
     void see(const Camera& camera, double seconds);

@@ -1,6 +1,7 @@
-#include "viewer/recent_views.h"
+#include "viewer/recent/recent_views.h"
 
 #include <cmath>
+#include <utility>
 
 namespace gnomon::viewer {
 
@@ -16,6 +17,11 @@ bool isElsewhere(const Camera& here, const Camera& camera) {
 }
 
 } // namespace
+
+RecentViews::RecentViews(std::vector<Camera> cameras) : cameras_(std::move(cameras)) {
+    if (cameras_.size() > kMost) cameras_.erase(cameras_.begin(), cameras_.end() - kMost);
+    if (!cameras_.empty()) at_ = cameras_.size() - 1;
+}
 
 void RecentViews::see(const Camera& camera, double seconds) {
     constexpr double kStay = 0.5; // seconds

@@ -1,0 +1,89 @@
+#include "viewer/recent/kept_views.h"
+
+#include "core/error.h"
+#include "core/file.h"
+#include "core/formatted.h"
+#include "hierarchy/file_layout.h"
+#include "path/camera_path.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <span>
+#include <system_error>
+
+namespace gnomon::viewer {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// An absolute path in the environment, or nothing: the XDG Base Directory Specification has others ignored.
+std::string placeInEnvironment(const char* name) {
+    const char* value = std::getenv(name); // NOLINT(concurrency-mt-unsafe): nothing here sets any
+    return value != nullptr && *value == '/' ? value : "";
+}
+
+/// What tells a model from others: its file by whatever name, an address as it is.
+std::string nameOf(const std::string& model) {
+    if (model.find("://") != std::string::npos) return model;
+    std::error_code failure;
+    const fs::path place = fs::weakly_canonical(fs::absolute(model, failure), failure);
+    return failure ? model : place.string();
+}
+
+} // namespace
+
+KeptViews KeptViews::ofUser() {
+    const std::string state = placeInEnvironment("XDG_STATE_HOME");
+    const std::string home = placeInEnvironment("HOME");
+    if (state.empty() && home.empty()) return KeptViews("");
+    return KeptViews((state.empty() ? home + "/.local/state" : state) + "/gnomon/views");
+}
+
+std::string KeptViews::fileOf(const std::string& model) const {
+    const std::string name = nameOf(model);
+    const std::uint64_t hash = hierarchy::checksum64(std::as_bytes(std::span(name)));
+    return folder_ + formatted("/%016llx.json", static_cast<unsigned long long>(hash));
+}
+
+std::vector<Camera> KeptViews::load(const std::string& model) const {
+    if (folder_.empty()) return {};
+    const std::string file = fileOf(model);
+    std::error_code failure;
+    const fs::file_status status = fs::status(file, failure);
+    if (!fs::exists(status)) return {};
+    if (!fs::is_regular_file(status)) throw Error(file, "recent views are in a file", "a file", "something else");
+    const std::uintmax_t bytes = fs::file_size(file, failure);
+    if (failure || bytes > kMostBytes)
+        throw Error(file, "too long for recent views", formatted("at most %llu bytes", 0ULL + kMostBytes), "more");
+    const path::SavedViews views = path::readViews(file);
+    return views.model == nameOf(model) ? views.cameras : std::vector<Camera>(); // another of the same hash
+}
+
+void KeptViews::save(const std::string& model, const std::vector<Camera>& cameras) {
+    if (folder_.empty() || cameras.empty()) return;
+    std::string text = path::toJson(path::SavedViews{nameOf(model), cameras});
+    std::string& last = saved_[model];
+    if (last == text) return;
+    std::error_code failure;
+    fs::create_directories(folder_, failure);
+    if (failure) throw Error(folder_, "recent views cannot be kept: " + failure.message());
+    writeTextFile(fileOf(model), text);
+    last = std::move(text);
+    dropOldest();
+}
+
+void KeptViews::dropOldest() const {
+    std::error_code failure;
+    std::vector<std::pair<fs::file_time_type, fs::path>> files;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder_, failure))
+        if (entry.path().extension() == ".json" && entry.is_regular_file(failure))
+            files.emplace_back(entry.last_write_time(failure), entry.path());
+    if (files.size() <= kMostModels) return;
+    std::sort(files.begin(), files.end());
+    for (std::size_t i = 0; i + kMostModels < files.size(); ++i)
+        fs::remove(files[i].second, failure);
+}
+
+} // namespace gnomon::viewer

@@ -102,7 +102,7 @@ ShownPicture Scene::shown(const glm::ivec2& size, bool darkensHollows) {
         // Software OpenGL would take longer for that than for all the rest of the window.
         const GLint filter = context_->isHardware() ? GL_LINEAR : GL_NEAREST;
         context_->api().textureParameteri(textures_->texture().id(), GL_TEXTURE_MAG_FILTER, filter);
-        return {textures_->texture().id(), true};
+        return {textures_->texture().id(), true, false};
     }
     if (!isUploaded_) {
         executor::Picture picture = this->picture();
@@ -111,13 +111,14 @@ ShownPicture Scene::shown(const glm::ivec2& size, bool darkensHollows) {
             executor::darkenHollows(picture, executor_->viewDepth(), distance);
         }
         const bool isLess = picture.width < size.x && picture.height < size.y;
-        if (isLess) picture = executor::upscaled(picture, size.x, size.y);
-        if (uploaded_.width() != picture.width || uploaded_.height() != picture.height)
-            uploaded_ = gl::Texture(context_->api(), GL_RGBA8, picture.width, picture.height);
-        uploaded_.write(GL_RGB, GL_UNSIGNED_BYTE, std::as_bytes(std::span(picture.pixels)));
+        const executor::WindowPicture shown =
+            executor::upscaled(picture, isLess ? size.x : picture.width, isLess ? size.y : picture.height);
+        if (uploaded_.width() != shown.width || uploaded_.height() != shown.height)
+            uploaded_ = gl::Texture(context_->api(), GL_RGBA8, shown.width, shown.height);
+        uploaded_.write(GL_RGBA, GL_UNSIGNED_BYTE, std::as_bytes(std::span(shown.pixels)));
         isUploaded_ = true;
     }
-    return {uploaded_.id(), false};
+    return {uploaded_.id(), false, true};
 }
 
 std::optional<glm::dvec3> Scene::pick(const glm::ivec2& pixel) {

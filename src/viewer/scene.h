@@ -34,6 +34,7 @@ struct Shot {
 struct ShownPicture {
     GLuint texture = 0;
     bool isBottomUp = false; // its first row is the lowest
+    bool isOpaque = false;   // its alpha is 1 all over
 };
 
 /// A model in a window's context, which must outlive it.

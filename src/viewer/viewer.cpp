@@ -315,7 +315,7 @@ void WindowSession::drawWindow(const glm::ivec2& size) {
     const std::array<float, 4> background = {0.13F, 0.14F, 0.16F, 1};
     gl.clearNamedFramebufferfv(0, GL_COLOR, 0, background.data());
     imgui_.beginFrame();
-    if (file_.scene() != nullptr) drawPicture(file_.scene()->shown(size, settings_.darkensHollows));
+    if (file_.scene() != nullptr) drawPicture(file_.scene()->shown(size, settings_.darkensHollows), gl);
     const OverlayAnswer answer = drawOverlay(content(), settings_, pad_);
     imgui_.endFrame();
     if (savesWindow_) {

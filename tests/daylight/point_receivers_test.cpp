@@ -98,6 +98,7 @@ TEST(PointReceivers, SeePastWhatSectionsCutAway) {
     const hierarchy::Grid& grid = yard.model->file().summary().grid;
     const exporter::UniformCut cut = finestCut(yard.model->file());
     std::vector<glm::i64vec3> points;
+    points.reserve(600);
     for (int i = 0; i < 600; ++i)
         points.push_back(survey::cellOf(
             grid, {yard.random.uniform(-12, 12), yard.random.uniform(-1, 3), yard.random.uniform(-12, 12)}));

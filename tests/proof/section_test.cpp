@@ -250,8 +250,8 @@ double raysUnlikeIntegers(SectionStage& stage, const frame::Frame& frame) {
     drawing.exactCasters = &frame.cut.lists[1];
     const executor::Raster<executor::SurfaceSample> surfaces = stage.executor().surfaces();
     const std::array lists = {drawing.image, drawing.exactCasters};
-    const std::vector<raycast::Light> light = executor::lightByRays(
-        executor::rayScene(drawing, lists), frame.plan, drawing.space, surfaces, kNearlyTouchingPixels);
+    const std::vector<raycast::Light> light =
+        executor::lightByRays(executor::rayScene(drawing, lists), drawing, surfaces, kNearlyTouchingPixels);
     const executor::Raster<std::uint8_t> lit = executor::litByIntegers(drawing);
     double unlike = 0;
     double looked = 1;

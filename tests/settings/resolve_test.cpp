@@ -41,8 +41,7 @@ TEST(Resolve, APointLightHasMapsOfACubeNoGroundAndNoOpenGl) {
         settings.quality.shadows = mode;
         EXPECT_EQ(objection(settings), "");
     }
-    EXPECT_THROW(requireWholeInSun(settings, "sun hours"), UsageError);
-    requireWhole(settings, "--oracle");
+    EXPECT_THROW(requireDirectionalLight(settings, "sun hours"), UsageError);
     for (const auto& change : std::vector<void (*)(Settings&)>{
              [](Settings& s) { s.quality.zPartitions = 2; },
              [](Settings& s) { s.quality.splitLambda = 0.5; },

@@ -6,7 +6,7 @@
 namespace gnomon::viewer {
 
 /// Fills the window with `picture`.
-void drawPicture(const ShownPicture& picture);
+void drawPicture(const ShownPicture& picture, const gl::Api& gl);
 
 /// Describes all that `settings` show, between ImGuiLayer's beginFrame and endFrame.
 OverlayAnswer drawOverlay(const OverlayContent& content, ViewSettings& settings, StoragePad& pad);

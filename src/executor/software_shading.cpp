@@ -209,14 +209,13 @@ void Shading::flush(Work& work, const ShadingTarget& target) const {
     if (target.awaited != nullptr) leaveAwaited(work, target);
     if (target.litPixels != nullptr) countLit(work, target);
     if (target.light != nullptr) keepLight(work, target);
+    if (target.facing != nullptr) keepFacing(work, target);
     Picture& picture = *target.picture;
     const bool isPainted = frame_->overlay != Overlay::None;
     for (std::size_t i = 0; i < batch.count; ++i) {
         const std::size_t at = picture.index(work.columns[i], picture.height - 1 - work.rows[i]);
         const bool isOnGround = isGround(work, i);
         picture.pixels[at] = isPainted && !isOnGround ? painted(work, i) : unpacked(batch.color[i]);
-        if (target.facing != nullptr)
-            (*target.facing)[at] = {toVector(batch.position, i), batch.faces[i] != 0 ? 1.0F : 0.0F};
         if (target.surfaces == nullptr) continue;
         if (isOnGround) {
             target.surfaces->pixels[at] = {};
@@ -230,6 +229,14 @@ void Shading::flush(Work& work, const ShadingTarget& target) const {
             1};
     }
     batch.count = 0;
+}
+
+void Shading::keepFacing(const Work& work, const ShadingTarget& target) const {
+    const PixelBatch& batch = work.batch;
+    for (std::size_t i = 0; i < batch.count; ++i) {
+        const std::size_t at = target.picture->index(work.columns[i], target.picture->height - 1 - work.rows[i]);
+        (*target.facing)[at] = {toVector(batch.position, i), batch.faces[i] != 0 ? 1.0F : 0.0F};
+    }
 }
 
 /// What is shown as that colour; a cap has no part in the sky's directions.

@@ -90,6 +90,7 @@ private:
     void leaveAwaited(Work& work, const ShadingTarget& target) const;
     Rgb painted(const Work& work, std::size_t i) const;
     void keepLight(const Work& work, const ShadingTarget& target) const;
+    void keepFacing(const Work& work, const ShadingTarget& target) const;
     void colorGround(Work& work) const;
     void leaveUnshaded(std::size_t at, bool isCap, const ShadingTarget& target) const;
     std::array<float, 3> lightOfCap(const Rgb& color) const;

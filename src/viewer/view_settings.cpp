@@ -1,6 +1,7 @@
 #include "viewer/view_settings.h"
 
 #include "core/printable.h"
+#include "values/value_picture.h"
 
 #include <algorithm>
 
@@ -64,6 +65,22 @@ std::vector<settings::ValueColors> colorChoices(const hierarchy::ModelSummary& m
     return choices;
 }
 
+std::string nameOf(const settings::ValueColors& colors) {
+    const bool isField = colors.by == settings::ColorBy::Field;
+    return isField ? printable(colors.field) : std::string(wordOf(settings::kColorBys, colors.by));
+}
+
+std::array<double, 2> widestEnds(
+    const settings::ValueColors& colors, const hierarchy::ModelSummary& model, const glm::dvec3& up) {
+    if (colors.by == settings::ColorBy::Height) return values::heightRange(model.bounds, up);
+    if (colors.by == settings::ColorBy::Error && !model.levels.empty())
+        return {
+            model.levels.front().maxError, std::max(model.levels.back().maxError, 2 * model.levels.front().maxError)};
+    for (const hierarchy::Field& field : model.fields)
+        if (colors.by == settings::ColorBy::Field && field.name == colors.field) return {field.least, field.greatest};
+    return {0, 90};
+}
+
 bool isAmong(std::span<const settings::ValueColors> choices, const settings::ValueColors& colors) {
     return std::any_of(choices.begin(), choices.end(), [&](const auto& choice) { return areBySame(choice, colors); });
 }
@@ -76,8 +93,7 @@ std::string stepColors(std::span<const settings::ValueColors> choices, int step,
     const plan::ColorMap map = colors.map;
     colors = choices[static_cast<std::size_t>(((static_cast<std::ptrdiff_t>(at) + step) % count + count) % count)];
     colors.map = map;
-    const bool isField = colors.by == settings::ColorBy::Field;
-    return "colours: " + (isField ? printable(colors.field) : std::string(wordOf(settings::kColorBys, colors.by)));
+    return "colours: " + nameOf(colors);
 }
 
 Scheme schemeOf(const plan::Quality& quality) {

@@ -45,6 +45,14 @@ struct ViewSettings {
 /// and clusters carry.
 std::vector<settings::ValueColors> colorChoices(const hierarchy::ModelSummary& model, bool isSoftware);
 
+/// "height", or the name of a field, for people.
+std::string nameOf(const settings::ValueColors& colors);
+
+/// Ends for the map of `colors`, from which a person may move them: all that `model` has of it, of errors all above the
+/// finest. `up` has any length above 0.
+std::array<double, 2> widestEnds(
+    const settings::ValueColors& colors, const hierarchy::ModelSummary& model, const glm::dvec3& up);
+
 /// Whether one of the choices is by the same value.
 bool isAmong(std::span<const settings::ValueColors> choices, const settings::ValueColors& colors);
 

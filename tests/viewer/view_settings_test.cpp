@@ -136,6 +136,18 @@ TEST(ColorChoices, AreWhatTheModelAndTheExecutorHave) {
     EXPECT_EQ(said.back(), "colours: none");
     EXPECT_EQ(stepColors(all, -1, colors), "colours: wind");
     EXPECT_EQ(colors.map, plan::ColorMap::Cividis);
+    model.fields = {{"rain", 0, 1}, {"wind", -2, 7}};
+    model.bounds = {{0, -3, 0}, {1, 5, 1}};
+    model.levels = {{10, 1, 1, 0.001, 0}, {5, 1, 1, 0.5, 0}};
+    const auto ends = [&](const settings::ValueColors& of) { return widestEnds(of, model, {0, 2, 0}); };
+    using Ends = std::array<double, 2>;
+    EXPECT_EQ(ends(colors), (Ends{-2, 7})) << "of the wind";
+    EXPECT_EQ(ends({ColorBy::Height}), (Ends{-3, 5}));
+    EXPECT_EQ(ends({ColorBy::Slope}), (Ends{0, 90}));
+    EXPECT_EQ(ends({ColorBy::Error}), (Ends{0.001, 0.5}));
+    model.levels.pop_back();
+    EXPECT_EQ(ends({ColorBy::Error}), (Ends{0.001, 0.002})) << "there is but one level";
+    EXPECT_EQ(nameOf(colors), "wind");
     colors.field = "snow";
     EXPECT_FALSE(isAmong(all, colors));
     EXPECT_EQ(stepColors(all, 1, colors), "colours: vertex");

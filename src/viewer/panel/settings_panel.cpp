@@ -3,9 +3,11 @@
 #include "settings/step.h"
 #include "settings/table.h"
 #include "viewer/panel/light_pad.h"
+#include "viewer/scene.h"
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -135,6 +137,50 @@ bool drawQuality(settings::Settings& settings) {
     return hasChanged;
 }
 
+/// Where the map of `colors` ends: as far as values go, or where a person drags them.
+bool drawEnds(const Scene& scene, settings::ValueColors& colors) {
+    bool isOwn = colors.range.has_value();
+    const bool isToggled = ImGui::Checkbox("ends of one's own", &isOwn);
+    if (isToggled) colors.range.reset();
+    const auto widest = widestEnds(colors, scene.model().summary(), scene.frame()->plan.view.up);
+    if (isToggled && isOwn) colors.range = widest;
+    if (!colors.range) return isToggled;
+    auto least = static_cast<float>((*colors.range)[0]);
+    auto most = static_cast<float>((*colors.range)[1]);
+    const auto speed = static_cast<float>((widest[1] - widest[0]) / 500);
+    if (!ImGui::DragFloatRange2("ends", &least, &most, speed, 0, 0, "%.4g") || !(least < most)) return isToggled;
+    colors.range = {double{least}, double{most}};
+    return true;
+}
+
+/// What surfaces are coloured by, in which map.
+bool drawColors(const Scene& scene, ViewSettings& settings) {
+    const std::vector<settings::ValueColors> choices = colorChoices(scene.model().summary(), scene.isSoftware());
+    std::vector<std::string> names;
+    names.reserve(choices.size());
+    int current = 0;
+    for (const settings::ValueColors& choice : choices) {
+        if (isAmong(std::span(&choice, 1), settings.colors)) current = static_cast<int>(names.size());
+        names.push_back(nameOf(choice));
+    }
+    int chosen = current;
+    const auto shown = [&](int i) { return names[static_cast<std::size_t>(i)].c_str(); };
+    bool hasChanged = chooseFrom("colours", static_cast<int>(names.size()), chosen, shown);
+    if (hasChanged) {
+        stepColors(choices, chosen - current, settings.colors);
+        settings.overlay = executor::Overlay::None;
+    }
+    using settings::ColorBy;
+    if (settings.colors.by == ColorBy::None || settings.colors.by == ColorBy::Vertex) return hasChanged;
+    int map = static_cast<int>(settings.colors.map);
+    const auto mapName = [](int i) { return plan::kColorMaps.at(static_cast<std::size_t>(i)).word; };
+    if (chooseFrom("colour map", static_cast<int>(plan::kColorMaps.size()), map, mapName)) {
+        settings.colors.map = plan::kColorMaps.at(static_cast<std::size_t>(map)).value;
+        hasChanged = true;
+    }
+    return drawEnds(scene, settings.colors) || hasChanged;
+}
+
 bool drawViewSettings(const OverlayContent& content, ViewSettings& settings, OverlayAnswer& answer) {
     bool hasChanged = false;
     const auto& overlays = executor::kOverlays;
@@ -147,6 +193,7 @@ bool drawViewSettings(const OverlayContent& content, ViewSettings& settings, Ove
         settings.overlay = overlays[static_cast<std::size_t>(overlay)].value;
         hasChanged = true;
     }
+    hasChanged |= drawColors(*content.scene, settings);
     auto target = static_cast<float>(settings.targetMs);
     if (ImGui::SliderFloat("target ms", &target, 0, 200, target > 0 ? "%.0f" : "none")) {
         settings.targetMs = target < 1 ? 0 : static_cast<double>(target);

@@ -46,7 +46,8 @@ struct CastContext {
     const SampleGrid* grid = nullptr;
     std::span<const Caster> casters;  // those that hold samples' triangles stand where the names say
     glm::uvec3 originCell{0};         // subtracted from each position
-    double coordinateError = 0;       // coordinateErrorFor all casters, as `grid` was sorted with
+    double reach = 0;                 // the largest coordinate of all casters, cells from the origin
+    double coordinateError = 0;       // coordinateErrorFor that, as `grid` was sorted with
     double mostTolerance = 0;         // of all samples, cells along h
     std::span<std::uint8_t> statuses; // by the grid's order of samples, at least; written without a lock
 };

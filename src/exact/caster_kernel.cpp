@@ -8,6 +8,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <type_traits>
 
 // The order matters: foreach_target.h includes this file again for each instruction set.
 // clang-format off
@@ -219,10 +221,29 @@ void ClusterCaster::decide(std::size_t triangle, std::size_t place, bool mayCast
     if (bits != kLit) mark(context_.statuses[place], bits);
 }
 
+/// Holds the triangle against the samples at [begin, end); `blocks` is its test by blocks, once there is one.
+template <class Test>
+void ClusterCaster::castSpan(
+    std::size_t triangle, const Test& test, std::optional<BlockTest>& blocks, std::size_t begin, std::size_t end) {
+    constexpr std::size_t kLeastInBlocks = 32; // fewer samples are sooner looked at one by one
+    counts_.sampleTests += end - begin;
+    const auto decideOpen = [&](std::size_t place, bool mayCast) {
+        if (!isMetAtOnce(test, place)) decide(triangle, place, mayCast);
+    };
+    if constexpr (std::is_same_v<Test, TriangleTest>) {
+        if (end - begin >= kLeastInBlocks) {
+            if (!blocks) blocks.emplace(test, context_);
+            return testBlocks(*blocks, test, context_, begin, end, decideOpen);
+        }
+    }
+    testSamples(test, context_, begin, end, decideOpen);
+}
+
 template <class Test>
 void ClusterCaster::castTriangleAs(std::size_t map, std::size_t triangle, const CellBox& box, bool isNarrowed) {
     const SampleGrid& grid = *context_.grid;
     Test test;
+    std::optional<BlockTest> blocks;
     bool isSet = false;
     for (int row = box.y0; row <= box.y1; ++row) {
         std::size_t begin = grid.first(map, box.x0, row);
@@ -237,10 +258,7 @@ void ClusterCaster::castTriangleAs(std::size_t map, std::size_t triangle, const 
         }
         if (!isSet && !prepare(triangle, test)) return;
         isSet = true;
-        counts_.sampleTests += end - begin;
-        testSamples(test, context_, begin, end, [&](std::size_t place, bool mayCast) {
-            if (!isMetAtOnce(test, place)) decide(triangle, place, mayCast);
-        });
+        castSpan(triangle, test, blocks, begin, end);
     }
 }
 

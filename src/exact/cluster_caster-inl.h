@@ -7,6 +7,7 @@
 #define GNOMON_EXACT_CLUSTER_CASTER_INL_H
 #endif
 
+#include "exact/blocks/block_test-inl.h"
 #include "exact/cast_context.h"
 #include "exact/float_rounding.h"
 #include "exact/point_span_test-inl.h"
@@ -16,6 +17,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include <hwy/highway.h>
 
@@ -73,6 +75,9 @@ private:
 
     bool isMetAtOnce(const PointTriangleTest& test, std::size_t place) const;
     void decide(std::size_t triangle, std::size_t place, bool mayCast);
+    template <class Test>
+    void castSpan(
+        std::size_t triangle, const Test& test, std::optional<BlockTest>& blocks, std::size_t begin, std::size_t end);
     template <class Test>
     void castTriangleAs(std::size_t map, std::size_t triangle, const CellBox& box, bool isNarrowed);
     void castTriangle(std::size_t map, std::size_t triangle, const CellBox& box, bool isNarrowed);

@@ -90,11 +90,7 @@ void ExactShadows::removeDark() {
         return count;
     });
     if (dark * kWorthwhile < grid_.size()) return;
-    grid_.remove(
-        samples_,
-        isDecided,
-        [&](std::size_t place) { statuses_[grid_.source[place]] = kDark; },
-        [&](std::size_t from, std::size_t to) { sorted_[to] = sorted_[from]; });
+    grid_.remove(samples_, sorted_, isDecided, [&](std::size_t place) { statuses_[grid_.source[place]] = kDark; });
 }
 
 /// The statuses of those that are still in the grid, and what there is of each kind.
@@ -103,21 +99,38 @@ void ExactShadows::takeStatuses(ExactStatistics& statistics) {
         for (std::size_t i = range.begin(); i < range.end(); ++i)
             statuses_[grid_.source[i]] = (sorted_[i] & kDark) != 0 ? std::uint8_t{kDark} : sorted_[i];
     });
-    const auto count = [&](const auto& isCounted) {
-        return sumOver(samples_.size(), [&](std::size_t begin, std::size_t end) {
-            return static_cast<std::size_t>(std::count_if(&statuses_[begin], &statuses_[end], isCounted));
-        });
+
+    struct Counts {
+        std::uint64_t dark = 0;
+        std::uint64_t notLit = 0;
+        std::uint64_t touching = 0;
     };
-    statistics.dark = count(isDark);
-    statistics.darkWithoutTolerance = count([](std::uint8_t status) { return status != kLit; });
-    statistics.touching = count([](std::uint8_t status) { return status != kLit && status != kDark; });
+
+    const Counts counts = tbb::parallel_reduce(
+        tbb::blocked_range<std::size_t>(0, samples_.size(), kGrain),
+        Counts(),
+        [&](const auto& range, Counts sum) {
+            for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                sum.dark += isDark(statuses_[i]) ? 1 : 0;
+                sum.notLit += statuses_[i] != kLit ? 1 : 0;
+                sum.touching += (statuses_[i] & ~kDark) != 0 ? 1 : 0;
+            }
+            return sum;
+        },
+        [](const Counts& a, const Counts& b) {
+            return Counts{a.dark + b.dark, a.notLit + b.notLit, a.touching + b.touching};
+        });
+    statistics.dark = counts.dark;
+    statistics.darkWithoutTolerance = counts.notLit;
+    statistics.touching = counts.touching;
 }
 
 ExactStatistics ExactShadows::decide(const ExactQuestion& question) {
     ExactStatistics statistics;
     statistics.samples = samples_.size();
     mostSamples_ = std::max(mostSamples_, samples_.size());
-    const double coordinateError = coordinateErrorFor(reachOf(question.casters));
+    const double reach = reachOf(question.casters);
+    const double coordinateError = coordinateErrorFor(reach);
     grid_.sort(samples_, question.planes, question.side, coordinateError);
     const auto side = static_cast<std::uint64_t>(question.side);
     statistics.cells = side * side * grid_.maps().size();
@@ -130,6 +143,7 @@ ExactStatistics ExactShadows::decide(const ExactQuestion& question) {
         &grid_,
         question.casters,
         question.originCell,
+        reach,
         coordinateError,
         mostTolerance(samples_),
         {&sorted_[0], samples_.size()}};

@@ -178,7 +178,7 @@ HWY_INLINE void testSamples(
         const auto covers = hn::And(mayBeAhead, hn::Gt(least, edgeError));
         const auto isFar = hn::Gt(height, hn::MulAdd(cell.most, constant(kMostTolerance), heightError));
         const auto isDark = hn::And(covers, isFar);
-        forLanes(isDark, [&](std::size_t lane) { mark(context.statuses[i + lane], kDark); });
+        forLanes(isDark, [&](std::size_t lane) { markDark(context.statuses[i + lane]); });
         const auto isNear = hn::Lt(hn::Add(height, heightError), hn::Mul(cell.least, constant(kLeastTolerance)));
         const auto touches = hn::And(hn::And(covers, isNear), hn::Gt(height, heightError));
         forLanes(touches, [&](std::size_t lane) {

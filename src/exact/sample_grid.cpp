@@ -3,6 +3,7 @@
 #include "exact/float_rounding.h"
 
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <array>
@@ -121,12 +122,12 @@ void SampleGrid::sort(SampleList& samples, std::span<const glm::dmat3> planes, i
     side_ = side;
     size_ = samples.size();
     for (auto* values : {&triangle, &source})
-        values->makeRoom(samples.room());
-    spare_.makeRoom(samples.u.size()); // they change places
+        values->makeRoom(samples.u.size()); // padded, too
+    spare_.makeRoom(samples.u.size());      // they change places
     fitMaps(samples, planes, coordinateError);
     countCells(samples);
     order(samples);
-    maskReceivers(samples);
+    maskAndBox(samples);
 }
 
 void SampleGrid::fitMaps(const SampleList& samples, std::span<const glm::dmat3> planes, double coordinateError) {
@@ -233,7 +234,45 @@ void SampleGrid::order(SampleList& samples) {
     }
 }
 
-void SampleGrid::maskReceivers(const SampleList& samples) {
+/// Calls `visit` for pieces of all samples in parallel.
+void SampleGrid::forPieces(const std::function<void(Piece&)>& visit) {
+    pieces_.clear();
+    for (std::size_t begin = 0; begin < size_; begin += kChunk) {
+        const auto cell = std::lower_bound(first_.begin(), first_.end(), begin);
+        pieces_.push_back({begin, std::min(size_, begin + kChunk), static_cast<std::size_t>(cell - first_.begin()), 0});
+    }
+    tbb::parallel_for(std::size_t{0}, pieces_.size(), [&](std::size_t i) { visit(pieces_[i]); });
+}
+
+/// Of pieces that keep less than they had, and of which cells begin as if the ones before kept all.
+void SampleGrid::closeGaps(SampleList& samples, FrameArray<std::uint8_t>& statuses) {
+    std::size_t size = 0;
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+        const std::size_t endCell = i + 1 < pieces_.size() ? pieces_[i + 1].firstCell : first_.size();
+        const auto gap = static_cast<std::uint32_t>(pieces_[i].begin - size);
+        for (std::size_t cell = pieces_[i].firstCell; cell < endCell; ++cell)
+            if (first_[cell] < size_) first_[cell] -= gap;
+        size += pieces_[i].kept;
+    }
+    const auto close = [&](auto& values) {
+        auto* to = &values[0];
+        for (const Piece& piece : pieces_)
+            to = std::copy_n(&values[piece.begin], piece.kept, to);
+    };
+    tbb::parallel_invoke(
+        [&] { close(samples.u); },
+        [&] { close(samples.v); },
+        [&] { close(samples.h); },
+        [&] { close(triangle); },
+        [&] { close(source); },
+        [&] { close(statuses); });
+    for (std::size_t cell = first_.size(); cell > 0 && first_[cell - 1] >= size_; --cell)
+        first_[cell - 1] = static_cast<std::uint32_t>(size);
+    size_ = size;
+}
+
+void SampleGrid::maskAndBox(const SampleList& samples) {
+    if (!samples.space().pointLight) blocks_.fit(samples, size_);
     masks_.resize(maps_.size());
     for (std::size_t map = 0; map < maps_.size(); ++map) {
         ReceiverMask& mask = masks_[map];

@@ -2,11 +2,13 @@
 // lie side by side (the irregular z-buffer of Johnson et al. 2005; alias-free shadow maps of Aila and Laine 2004).
 #pragma once
 
+#include "exact/blocks/sample_blocks.h"
 #include "exact/cell_kernel.h"
 #include "exact/receiver_mask.h"
 
 #include <glm/mat3x3.hpp>
 
+#include <functional>
 #include <vector>
 
 namespace gnomon::exact {
@@ -36,10 +38,11 @@ public:
     /// `planes`.
     void sort(SampleList& samples, std::span<const glm::dmat3> planes, int side, double coordinateError);
 
-    /// Takes out the samples that `leaves(place)` names and makes the masks anew; the others keep their order. Calls
-    /// `leave(place)` for each that goes, and `move(from, to)` for each that stays. `samples` as `sort` left them.
-    template <class Leaves, class Leave, class Move>
-    void remove(SampleList& samples, const Leaves& leaves, const Leave& leave, const Move& move);
+    /// Takes out the samples that `leaves(place)` names and makes the masks anew; the others keep their order, and so
+    /// do their `statuses`, which lie by place. Calls `leave(place)` for each that goes, from any thread. `samples` as
+    /// `sort` left them. Runs in the caller's TBB arena.
+    template <class Leaves, class Leave>
+    void remove(SampleList& samples, FrameArray<std::uint8_t>& statuses, const Leaves& leaves, const Leave& leave);
 
     int side() const { return side_; }
 
@@ -50,13 +53,17 @@ public:
     /// The first sample of cell (x, y) of `map`; its last is before the next cell's first.
     std::uint32_t first(std::size_t map, int x, int y) const { return first_[cell(map, x, y)]; }
 
+    /// Boxes of samples side by side, but about a point light.
+    const SampleBlocks& blocks() const { return blocks_; }
+
     /// Of each sample: its triangle and its place in the list.
     FrameArray<std::uint32_t> triangle, source;
 
     std::size_t size() const { return size_; }
 
     /// What the arrays take of memory a sample.
-    static constexpr std::uint64_t kBytesPerSample = 2 * sizeof(std::uint32_t) + sizeof(double);
+    static constexpr std::uint64_t kBytesPerSample =
+        2 * sizeof(std::uint32_t) + sizeof(double) + SampleBlocks::kBytesPerSample;
 
     /// What the cells take of memory, without the masks.
     std::uint64_t cellBytes() const { return first_.size() * sizeof(std::uint32_t); }
@@ -67,28 +74,41 @@ private:
         return (map * side + static_cast<std::size_t>(y)) * side + static_cast<std::size_t>(x);
     }
 
+    /// A run of samples that one thread takes care of.
+    struct Piece {
+        std::size_t begin = 0;
+        std::size_t end = 0;
+        std::size_t firstCell = 0; // that begins within it
+        std::size_t kept = 0;      // samples: its first
+    };
+
+    void forPieces(const std::function<void(Piece&)>& visit);
+    void closeGaps(SampleList& samples, FrameArray<std::uint8_t>& statuses);
     void fitMaps(const SampleList& samples, std::span<const glm::dmat3> planes, double coordinateError);
     void fitPointMaps(const SampleList& samples, double coordinateError);
     void countCells(const SampleList& samples);
     void order(SampleList& samples);
-    void maskReceivers(const SampleList& samples);
+    void maskAndBox(const SampleList& samples);
 
     int side_ = 0;
     std::size_t size_ = 0;
     std::vector<CellMap> maps_;
     std::vector<ReceiverMask> masks_;
     std::vector<std::uint32_t> first_; // by cell, and the end
-    FrameArray<double> spare_;         // of a sample its cell and its rank there, and then the next array to be sorted
+    std::vector<Piece> pieces_;        // of what is being removed
+    SampleBlocks blocks_;
+    FrameArray<double> spare_; // of a sample its cell and its rank there, and then the next array to be sorted
 };
 
-template <class Leaves, class Leave, class Move>
-void SampleGrid::remove(SampleList& samples, const Leaves& leaves, const Leave& leave, const Move& move) {
-    std::uint32_t to = 0;
-    std::uint32_t from = 0;
-    for (std::size_t cell = 0; cell + 1 < first_.size(); ++cell) {
-        const std::uint32_t end = first_[cell + 1];
-        first_[cell] = to;
-        for (; from < end; ++from) {
+template <class Leaves, class Leave>
+void SampleGrid::remove(
+    SampleList& samples, FrameArray<std::uint8_t>& statuses, const Leaves& leaves, const Leave& leave) {
+    forPieces([&](Piece& piece) {
+        std::size_t to = piece.begin;
+        std::size_t cell = piece.firstCell;
+        for (std::size_t from = piece.begin; from < piece.end; ++from) {
+            for (; first_[cell] == from; ++cell)
+                first_[cell] = static_cast<std::uint32_t>(to);
             if (leaves(from)) {
                 leave(from);
                 continue;
@@ -98,13 +118,13 @@ void SampleGrid::remove(SampleList& samples, const Leaves& leaves, const Leave& 
             samples.h[to] = samples.h[from];
             triangle[to] = triangle[from];
             source[to] = source[from];
-            move(from, to);
+            statuses[to] = statuses[from];
             ++to;
         }
-    }
-    first_.back() = to;
-    size_ = to;
-    maskReceivers(samples);
+        piece.kept = to - piece.begin;
+    });
+    closeGaps(samples, statuses);
+    maskAndBox(samples);
 }
 
 } // namespace gnomon::exact

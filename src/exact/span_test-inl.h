@@ -22,6 +22,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 using DoubleTag = hn::ScalableTag<double>;
 using Doubles = hn::Vec<DoubleTag>;
 constexpr DoubleTag kDoubles;
+constexpr hn::Rebind<std::int64_t, DoubleTag> kWides;
+constexpr hn::Rebind<std::int32_t, DoubleTag> kNarrows;
 
 HWY_INLINE Doubles constant(double value) {
     return hn::Set(kDoubles, value);
@@ -46,6 +48,7 @@ struct TriangleTest {
     double ca[2] = {};
     double area = 0;
     double normal[2] = {};      // N's u and v; its h is the area
+    double size = 0;            // s
     double edgeError[2] = {};   // of an edge function: [0] + [1] * |d|
     double heightError[2] = {}; // of N . d - area * a tolerance: [0] + [1] * (|d| + the largest tolerance)
     std::uint32_t name = 0;     // samples of this triangle itself are left alone: it holds them
@@ -70,7 +73,7 @@ HWY_INLINE bool TriangleTest::set(
     }
     const double sizeB = std::abs(b[0]) + std::abs(b[1]) + std::abs(b[2]);
     const double sizeC = std::abs(c[0]) + std::abs(c[1]) + std::abs(c[2]);
-    const double size = std::max(sizeB, sizeC);
+    size = std::max(sizeB, sizeC);
     area = b[0] * c[1] - b[1] * c[0];
     normal[0] = b[1] * c[2] - b[2] * c[1];
     normal[1] = b[2] * c[0] - b[0] * c[2];
@@ -97,6 +100,12 @@ HWY_INLINE void mark(std::uint8_t& status, std::uint8_t bits) {
     if ((shared.load(std::memory_order_relaxed) & bits) != bits) shared.fetch_or(bits, std::memory_order_relaxed);
 }
 
+/// With kDark no other bit means anything, so none need be kept.
+HWY_INLINE void markDark(std::uint8_t& status) {
+    std::atomic_ref<std::uint8_t> shared(status);
+    if ((shared.load(std::memory_order_relaxed) & kDark) == 0) shared.store(kDark, std::memory_order_relaxed);
+}
+
 /// Calls `visit(lane)` for each lane of the mask.
 template <class Visit>
 HWY_INLINE void forLanes(hn::Mask<DoubleTag> mask, const Visit& visit) {
@@ -104,6 +113,14 @@ HWY_INLINE void forLanes(hn::Mask<DoubleTag> mask, const Visit& visit) {
     hn::StoreMaskBits(kDoubles, mask, bytes);
     for (unsigned bits = bytes[0]; bits != 0; bits &= bits - 1)
         visit(static_cast<std::size_t>(__builtin_ctz(bits)));
+}
+
+/// The lanes of samples from `place` on that lie on the triangle of that name.
+HWY_INLINE hn::Mask<DoubleTag> ownLanes(const SampleGrid& grid, std::size_t place, std::uint32_t name) {
+    const hn::Rebind<std::uint32_t, DoubleTag> names;
+    const auto own = hn::Eq(hn::LoadU(names, &grid.triangle[place]), hn::Set(names, name));
+    return hn::MaskFromVec(
+        hn::BitCast(kDoubles, hn::PromoteTo(kWides, hn::BitCast(kNarrows, hn::VecFromMask(names, own)))));
 }
 
 /// Lanes of samples that a triangle may cover, ahead of them: what only their own tolerances decide.
@@ -118,14 +135,13 @@ struct NearLanes {
     HWY_INLINE void decideLane(
         const TriangleTest& t, const CastContext& context, std::size_t lane, std::size_t place, const Decide& decide)
         const {
-        if (context.grid->triangle[place] == t.name) return;
         const SampleList& samples = *context.samples;
         const double tolerance = samples.tolerance[context.grid->source[place]] * samples.perTolerance();
         const double beyond = height[lane] - t.area * tolerance;
         const bool covers = least[lane] > edgeError[lane];
         const bool mayCast = beyond + heightError[lane] >= 0;
         if (covers && beyond > heightError[lane])
-            mark(context.statuses[place], kDark);
+            markDark(context.statuses[place]);
         else if (covers && !mayCast && height[lane] > heightError[lane])
             mark(context.statuses[place], kTouched);
         else
@@ -162,12 +178,12 @@ HWY_INLINE void testSamples(
         const auto mayBeAhead = hn::And(mayCover, hn::Ge(hn::Add(height, heightError), hn::Zero(kDoubles)));
         if (hn::AllFalse(kDoubles, mayBeAhead)) continue;
         const auto beyond = hn::NegMulAdd(constant(t.area), tolerance, height);
-        const auto isDark = hn::And(mayBeAhead, hn::And(hn::Gt(least, edgeError), hn::Gt(beyond, heightError)));
-        forLanes(isDark, [&](std::size_t lane) {
-            // A piece of what a section cut may lie off the triangle that it is of, which holds the sample.
-            if (context.grid->triangle[i + lane] != t.name) mark(context.statuses[i + lane], kDark);
-        });
-        const auto isOpen = hn::AndNot(isDark, mayBeAhead);
+        // The triangle that holds a sample meets it just there, whatever doubles say; and a piece of what a section cut
+        // may lie off the triangle that it is of.
+        const auto mayCast = hn::AndNot(ownLanes(*context.grid, i, t.name), mayBeAhead);
+        const auto isDark = hn::And(mayCast, hn::And(hn::Gt(least, edgeError), hn::Gt(beyond, heightError)));
+        forLanes(isDark, [&](std::size_t lane) { markDark(context.statuses[i + lane]); });
+        const auto isOpen = hn::AndNot(isDark, mayCast);
         if (hn::AllFalse(kDoubles, isOpen)) continue;
         NearLanes near; // NOLINT(cppcoreguidelines-pro-type-member-init): stored at once
         hn::Store(least, kDoubles, near.least);

@@ -135,7 +135,18 @@ void Shading::leaveUnshaded(std::size_t at, bool isCap, const ShadingTarget& tar
 
 void Shading::shade(
     const raster::PixelBox& box, std::span<const std::uint64_t> words, const ShadingTarget& target) const {
+    // Squares again: what lies side by side in a list of samples is held against triangles together.
+    constexpr int kSide = 8;
     Work work;
+    for (int y = box.y0; y < box.y1; y += kSide)
+        for (int x = box.x0; x < box.x1; x += kSide)
+            shadeSquare({x, y, std::min(box.x1, x + kSide), std::min(box.y1, y + kSide)}, words, target, work);
+    flush(work, target);
+}
+
+/// What is left in `work` is still to be flushed.
+void Shading::shadeSquare(
+    const raster::PixelBox& box, std::span<const std::uint64_t> words, const ShadingTarget& target, Work& work) const {
     const Picture& picture = *target.picture;
     for (int y = box.y0; y < box.y1; ++y) {
         const std::uint64_t* row = &words[picture.index(0, y)];
@@ -157,7 +168,6 @@ void Shading::shade(
             if (work.batch.count == PixelBatch::kMost) flush(work, target);
         }
     }
-    flush(work, target);
 }
 
 /// Corners lie scattered over pages, so they are prefetched.

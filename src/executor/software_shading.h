@@ -84,6 +84,11 @@ public:
 private:
     struct Work;
 
+    void shadeSquare(
+        const raster::PixelBox& box,
+        std::span<const std::uint64_t> words,
+        const ShadingTarget& target,
+        Work& work) const;
     void gatherTriangles(Work& work) const;
     void flush(Work& work, const ShadingTarget& target) const;
     void leaveUndecided(Work& work, const ShadingTarget& target) const;

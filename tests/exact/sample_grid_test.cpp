@@ -157,6 +157,87 @@ TEST(SampleGrid, SortsMoreThanOnePiece) {
     expectSorted(grid, listed);
 }
 
+/// What a grid holds, by place.
+struct Places {
+    std::vector<std::uint32_t> source, triangle;
+    std::vector<glm::dvec3> at;
+    std::vector<std::uint32_t> first; // of each cell, and the end
+
+    Places(const SampleGrid& grid, const SampleList& samples) {
+        for (std::size_t i = 0; i < grid.size(); ++i) {
+            source.push_back(grid.source[i]);
+            triangle.push_back(grid.triangle[i]);
+            at.emplace_back(samples.u[i], samples.v[i], samples.h[i]);
+        }
+        for (std::size_t map = 0; map < grid.maps().size(); ++map)
+            for (int y = 0; y < grid.side(); ++y)
+                for (int x = 0; x < grid.side(); ++x)
+                    first.push_back(grid.first(map, x, y));
+        first.push_back(static_cast<std::uint32_t>(grid.size()));
+    }
+
+    /// Takes out those that leave, one after the other.
+    void remove(const std::vector<bool>& leaves) {
+        std::vector<std::uint32_t> kept(leaves.size() + 1);
+        for (std::size_t i = 0; i < leaves.size(); ++i) {
+            kept[i + 1] = kept[i] + (leaves[i] ? 0U : 1U);
+            source[kept[i]] = source[i];
+            triangle[kept[i]] = triangle[i];
+            at[kept[i]] = at[i];
+        }
+        source.resize(kept.back());
+        triangle.resize(kept.back());
+        at.resize(kept.back());
+        for (std::uint32_t& cell : first)
+            cell = kept[cell];
+    }
+
+    bool operator==(const Places&) const = default;
+};
+
+/// Which samples leave: none, all, any, or long runs.
+std::vector<bool> someLeaving(RandomWholes& random, std::size_t count, int kind) {
+    std::vector<bool> leaves(count);
+    const double from = random.real(0, 0.7);
+    for (std::size_t i = 0; i < count; ++i) {
+        const double share = static_cast<double>(i) / static_cast<double>(count);
+        leaves[i] = kind == 1 || (kind == 2 && random.whole(0, 2) == 0) || (kind == 3 && share > from && share < 0.9);
+    }
+    return leaves;
+}
+
+TEST(SampleGrid, RemovesWhatLeavesAndKeepsTheOrder) {
+    RandomWholes random(7);
+    Scene scene = someScene(random, 50, 2);
+    for (std::size_t i = 0; scene.points.size() < 70000; ++i)
+        scene.points.push_back(scene.points[i]);
+    Listed listed(scene, 2);
+    const std::vector<glm::dmat3> planes = somePlanes(random, 2);
+    for (const int kind : {0, 1, 2, 3, 3, 3}) {
+        SCOPED_TRACE(kind);
+        listed.restore();
+        SampleGrid grid;
+        grid.sort(listed.samples, planes, 37, kError);
+        Places expected(grid, listed.samples);
+        const std::vector<bool> leaves = someLeaving(random, grid.size(), kind);
+        FrameArray<std::uint8_t> statuses;
+        statuses.makeRoom(grid.size());
+        for (std::size_t i = 0; i < grid.size(); ++i)
+            statuses[i] = static_cast<std::uint8_t>(grid.source[i]);
+        std::vector<std::uint8_t> left(grid.size());
+        grid.remove(
+            listed.samples,
+            statuses,
+            [&](std::size_t place) { return leaves[place]; },
+            [&](std::size_t place) { left[place] = 1; });
+        EXPECT_TRUE(std::equal(leaves.begin(), leaves.end(), left.begin()));
+        expected.remove(leaves);
+        EXPECT_TRUE(Places(grid, listed.samples) == expected);
+        for (std::size_t i = 0; i < grid.size(); ++i)
+            ASSERT_EQ(statuses[i], static_cast<std::uint8_t>(grid.source[i]));
+    }
+}
+
 /// Whether the map's cells are those of a plane without a warp.
 bool isUnwarped(const CellMap& map) {
     const glm::dmat4x3& m = map.cellsFromLight;

@@ -145,6 +145,7 @@ ExactStatistics expectSameAsPlain(
     EXPECT_EQ(plainStatuses(shadows.samples(), casters, scene.originCell), plain) << "by buckets";
     ExactStatistics last;
     tests::onEachTarget([&](const char* target) {
+        std::uint64_t decisions = 0; // depend on the instruction set
         for (const int threads : {1, 2}) {
             SCOPED_TRACE(std::string(target) + ", threads " + std::to_string(threads));
             fill(shadows.samples(), scene, space);
@@ -160,6 +161,8 @@ ExactStatistics expectSameAsPlain(
             EXPECT_EQ(found.dark, countOf(plain, kDark | kDarkByEdge));
             EXPECT_EQ(found.darkWithoutTolerance, countOf(plain, kDark | kDarkByEdge | kTouched));
             EXPECT_EQ(found.touching, touchingOf(plain));
+            if (threads == 1) decisions = found.cast.exactDecisions;
+            EXPECT_EQ(found.cast.exactDecisions, decisions);
             if (last.cast.clustersTested > 0) {
                 EXPECT_EQ(found.cast.triangles, last.cast.triangles);
                 EXPECT_EQ(found.cast.trianglesCast, last.cast.trianglesCast);

@@ -1,0 +1,182 @@
+// One triangle against blocks of samples that lie side by side, several blocks at once. Included once for each
+// instruction set.
+#if defined(GNOMON_EXACT_BLOCK_TEST_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef GNOMON_EXACT_BLOCK_TEST_INL_H
+#undef GNOMON_EXACT_BLOCK_TEST_INL_H
+#else
+#define GNOMON_EXACT_BLOCK_TEST_INL_H
+#endif
+
+#include "exact/span_test-inl.h"
+
+#include <algorithm>
+
+#include <hwy/cache_control.h>
+
+HWY_BEFORE_NAMESPACE();
+
+namespace gnomon::exact::HWY_NAMESPACE {
+
+using BlockTag = hn::CappedTag<float, 16>;
+using BlockFloats = hn::Vec<BlockTag>;
+constexpr BlockTag kBlockFloats;
+
+HWY_INLINE BlockFloats blockConstant(float value) {
+    return hn::Set(kBlockFloats, value);
+}
+
+/// A value that is linear over a block: what it is in the middle, and how far from that it can be.
+struct BlockRange {
+    BlockFloats middle, reach;
+
+    HWY_INLINE BlockFloats least() const { return hn::Sub(middle, reach); }
+
+    HWY_INLINE BlockFloats most() const { return hn::Add(middle, reach); }
+};
+
+/// A triangle, ready to be held against boxes of samples in floats. A box is left out, or dark as a whole, only where
+/// each sample in it would be so by itself with room to spare; so what doubles leave open for one sample stays open for
+/// its block, and integers decide the same samples with blocks and without.
+///
+/// The bounds, with U = 2^-24, R the largest size of a coordinate of corners, s and |d| as in TriangleTest, |d| for the
+/// box's farthest corner: a corner's u, v or h, at most 2 R, is 2 U R off as a float, and a difference from it 2 U R +
+/// U |d|. Coefficients are U of themselves off, and sums of products round thrice more. So the edge functions are at
+/// most s (2 U R + 5 U |d|) off, and 2 U s^2 more where the area comes in; what is N . d is s^2 (2 U R + 5 U |d|) off.
+/// Bounds here are at least three times that, which pays for what doubles are off themselves.
+class BlockTest {
+public:
+    BlockTest(const TriangleTest& triangle, const CastContext& context);
+
+    /// Looks at as many blocks from `block` on as vectors have lanes: bits of those that hold samples which need a look
+    /// each, and of those that are dark altogether.
+    HWY_INLINE void look(const SampleBlocks& blocks, std::size_t block, unsigned& open, unsigned& dark) const;
+
+private:
+    static HWY_INLINE BlockFloats load(const FrameArray<float>& values, std::size_t i) {
+        return hn::LoadU(kBlockFloats, &values[i]);
+    }
+
+    static HWY_INLINE unsigned bits(hn::Mask<BlockTag> mask) {
+        alignas(8) std::uint8_t bytes[8] = {};
+        hn::StoreMaskBits(kBlockFloats, mask, bytes);
+        return bytes[0] | static_cast<unsigned>(bytes[1]) << 8U;
+    }
+
+    float a_[3], ab_[2], bc_[2], ca_[2], normal_[2];
+    float area_, tolerance_;
+    float edgeError_[2], heightError_[2]; // [0] + [1] * |d|
+};
+
+// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): each is set below
+inline BlockTest::BlockTest(const TriangleTest& triangle, const CastContext& context) {
+    const auto asFloats = [](const double* from, float* to, int count) {
+        for (int i = 0; i < count; ++i)
+            to[i] = static_cast<float>(from[i]);
+    };
+    const double bc[2] = {-(triangle.ab[0] + triangle.ca[0]), -(triangle.ab[1] + triangle.ca[1])};
+    asFloats(triangle.a, a_, 3);
+    asFloats(triangle.ab, ab_, 2);
+    asFloats(bc, bc_, 2);
+    asFloats(triangle.ca, ca_, 2);
+    asFloats(triangle.normal, normal_, 2);
+    area_ = static_cast<float>(triangle.area);
+    tolerance_ = static_cast<float>(context.mostTolerance);
+    constexpr double kRounding = 0x1p-20; // of floats, 16 times
+    const double size = triangle.size;
+    const double corner = kRounding * context.reach / 2;
+    edgeError_[0] = static_cast<float>(size * (corner + kRounding * size));
+    edgeError_[1] = static_cast<float>(size * kRounding);
+    heightError_[0] = static_cast<float>(size * size * (corner + kRounding * context.mostTolerance));
+    heightError_[1] = static_cast<float>(size * size * kRounding);
+}
+
+HWY_INLINE void BlockTest::look(const SampleBlocks& blocks, std::size_t block, unsigned& open, unsigned& dark) const {
+    const auto zero = hn::Zero(kBlockFloats);
+    const auto hu = load(blocks.half[0], block);
+    const auto hv = load(blocks.half[1], block);
+    const auto du = hn::Sub(load(blocks.middle[0], block), blockConstant(a_[0]));
+    const auto dv = hn::Sub(load(blocks.middle[1], block), blockConstant(a_[1]));
+    const auto flatSize = hn::Add(hn::Add(hn::Abs(du), hu), hn::Add(hn::Abs(dv), hv));
+    const auto edgeError = hn::MulAdd(flatSize, blockConstant(edgeError_[1]), blockConstant(edgeError_[0]));
+    const auto over = [&](const float* edge) HWY_ATTR {
+        return BlockRange{
+            hn::NegMulAdd(blockConstant(edge[1]), du, hn::Mul(blockConstant(edge[0]), dv)),
+            hn::MulAdd(blockConstant(std::abs(edge[0])), hv, hn::Mul(blockConstant(std::abs(edge[1])), hu))};
+    };
+    const BlockRange first = over(ab_);
+    const BlockRange third = over(ca_);
+    BlockRange second = over(bc_);
+    second.middle = hn::Add(second.middle, blockConstant(area_));
+    const auto mostOf = hn::Min(hn::Min(first.most(), second.most()), third.most());
+    const auto mayCover = hn::Ge(hn::Add(mostOf, edgeError), zero);
+    open = dark = 0;
+    if (hn::AllFalse(kBlockFloats, mayCover)) return;
+    const auto hh = load(blocks.half[2], block);
+    const auto dh = hn::Sub(load(blocks.middle[2], block), blockConstant(a_[2]));
+    const auto size = hn::Add(flatSize, hn::Add(hn::Abs(dh), hh));
+    const auto heightError = hn::MulAdd(size, blockConstant(heightError_[1]), blockConstant(heightError_[0]));
+    const auto area = blockConstant(area_);
+    const auto linear = [&](BlockFloats u, BlockFloats v, BlockFloats h, float byU, float byV) HWY_ATTR {
+        return hn::MulAdd(blockConstant(byU), u, hn::MulAdd(blockConstant(byV), v, hn::Mul(area, h)));
+    };
+    const BlockRange height{
+        hn::Neg(linear(du, dv, dh, normal_[0], normal_[1])),
+        linear(hu, hv, hh, std::abs(normal_[0]), std::abs(normal_[1]))};
+    const auto mayBeAhead = hn::And(mayCover, hn::Ge(hn::Add(height.most(), heightError), zero));
+    const auto leastOf = hn::Min(hn::Min(first.least(), second.least()), third.least());
+    const auto beyond = hn::NegMulAdd(area, blockConstant(tolerance_), height.least());
+    const auto isDark = hn::And(hn::Gt(leastOf, edgeError), hn::Gt(beyond, heightError));
+    open = bits(hn::AndNot(isDark, mayBeAhead));
+    dark = bits(hn::And(isDark, mayBeAhead));
+}
+
+/// Whether one of the samples lies on the triangle itself: see TriangleTest::name.
+HWY_INLINE bool holdsOwn(const CastContext& context, std::size_t begin, std::size_t end, std::uint32_t name) {
+    unsigned found = 0;
+    for (std::size_t i = begin; i < end; ++i)
+        found |= context.grid->triangle[i] == name ? 1U : 0U;
+    return found != 0;
+}
+
+HWY_INLINE void prefetchSamples(const CastContext& context, std::size_t place) {
+    hwy::Prefetch(&context.samples->u[place]);
+    hwy::Prefetch(&context.samples->v[place]);
+    hwy::Prefetch(&context.samples->h[place]);
+}
+
+/// As testSamples, by blocks first; `test` is that of `t`.
+template <class Decide>
+HWY_INLINE void testBlocks(
+    const BlockTest& test,
+    const TriangleTest& t,
+    const CastContext& context,
+    std::size_t begin,
+    std::size_t end,
+    const Decide& decide) {
+    constexpr std::size_t kSamples = SampleBlocks::kSamples;
+    const std::size_t last = (end + kSamples - 1) / kSamples;
+    for (std::size_t block = begin / kSamples; block < last; block += hn::Lanes(kBlockFloats)) {
+        unsigned open = 0;
+        unsigned dark = 0;
+        test.look(context.grid->blocks(), block, open, dark);
+        const auto listed = static_cast<unsigned>((std::size_t{1} << std::min<std::size_t>(last - block, 16)) - 1);
+        for (unsigned left = open & listed; left != 0; left &= left - 1)
+            prefetchSamples(context, (block + static_cast<std::size_t>(__builtin_ctz(left))) * kSamples);
+        for (unsigned left = (open | dark) & listed; left != 0; left &= left - 1) {
+            const auto lane = static_cast<std::size_t>(__builtin_ctz(left));
+            const std::size_t from = std::max(begin, (block + lane) * kSamples);
+            const std::size_t to = std::min(end, (block + lane + 1) * kSamples);
+            if ((dark >> lane & 1U) == 0 || holdsOwn(context, from, to, t.name))
+                testSamples(t, context, from, to, decide);
+            else
+                for (std::size_t i = from; i < to; ++i)
+                    markDark(context.statuses[i]);
+        }
+    }
+}
+
+} // namespace gnomon::exact::HWY_NAMESPACE
+
+HWY_AFTER_NAMESPACE();
+
+#endif // include guard

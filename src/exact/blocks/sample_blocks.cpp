@@ -1,0 +1,69 @@
+#include "exact/blocks/sample_blocks.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "exact/blocks/sample_blocks.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+
+namespace gnomon::exact::HWY_NAMESPACE {
+
+/// Of whole blocks that lie side by side, along one axis.
+void boxWholeBlocksInLanes(const double* values, std::size_t blocks, float* middle, float* half) {
+    namespace hn = hwy::HWY_NAMESPACE;
+    constexpr float kUp = 1 + 0x1p-22F; // more than the rounding to a float takes away
+    const hn::CappedTag<double, 4> tag; // halves and then lanes: shorter vectors are added up in fewer steps
+    for (std::size_t b = 0; b < blocks; ++b, values += SampleBlocks::kSamples) {
+        auto low = hn::LoadU(tag, values);
+        auto high = low;
+        for (std::size_t i = hn::Lanes(tag); i < SampleBlocks::kSamples; i += hn::Lanes(tag)) {
+            const auto more = hn::LoadU(tag, values + i);
+            low = hn::Min(low, more);
+            high = hn::Max(high, more);
+        }
+        const double least = hn::GetLane(hn::MinOfLanes(tag, low));
+        const double most = hn::GetLane(hn::MaxOfLanes(tag, high));
+        middle[b] = static_cast<float>(0.5 * (least + most));
+        half[b] = static_cast<float>(std::max(most - middle[b], middle[b] - least)) * kUp;
+    }
+}
+
+} // namespace gnomon::exact::HWY_NAMESPACE
+
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace gnomon::exact {
+
+HWY_EXPORT(boxWholeBlocksInLanes);
+
+void SampleBlocks::fit(const SampleList& samples, std::size_t size) {
+    constexpr std::size_t kPadding = 16;
+    constexpr std::size_t kGrain = 2048; // blocks
+    const std::size_t whole = size / kSamples;
+    const std::array axes = {&samples.u, &samples.v, &samples.h};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const FrameArray<double>& values = *axes[axis];
+        middle[axis].makeRoom(samples.room() / kSamples + kPadding);
+        half[axis].makeRoom(samples.room() / kSamples + kPadding);
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, whole, kGrain), [&](const auto& range) {
+            const std::size_t b = range.begin();
+            HWY_DYNAMIC_DISPATCH(boxWholeBlocksInLanes)
+            (&values[b * kSamples], range.size(), &middle[axis][b], &half[axis][b]);
+        });
+        if (whole * kSamples == size) continue;
+        std::array<double, kSamples> rest{};
+        rest.fill(values[whole * kSamples]);
+        std::copy(&values[whole * kSamples], &values[size], rest.begin());
+        HWY_DYNAMIC_DISPATCH(boxWholeBlocksInLanes)(rest.data(), 1, &middle[axis][whole], &half[axis][whole]);
+    }
+}
+
+} // namespace gnomon::exact
+#endif

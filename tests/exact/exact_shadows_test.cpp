@@ -53,23 +53,6 @@ void somePlace(RandomWholes& random, bool isTied, ScenePoint& point) {
     point.third = static_cast<float>(random.real(0, 1 - point.second));
 }
 
-/// Triangles of all shapes on whole cells from 0 to `most`: copies in one place, slivers, ones that share edges.
-std::vector<Corners> someTriangles(RandomWholes& random, int count, std::int64_t most) {
-    std::vector<Corners> triangles;
-    while (static_cast<int>(triangles.size()) < count) {
-        Corners corners{random.point(0, most), random.point(0, most), random.point(0, most)};
-        const std::int64_t kind = random.whole(0, 5);
-        if (kind == 0) corners[2] = corners[1] + glm::i64vec3(0, 0, 1);
-        if (kind == 1 && !triangles.empty()) {
-            corners[0] = triangles.back()[1];
-            corners[1] = triangles.back()[0];
-        }
-        if (kind == 2 && !triangles.empty()) corners = triangles.back();
-        triangles.push_back(corners);
-    }
-    return triangles;
-}
-
 void addPoints(RandomWholes& random, Scene& scene, int count, int maps, bool isTied) {
     for (int i = 0; i < count; ++i) {
         ScenePoint point;
@@ -159,63 +142,6 @@ Scene sceneOfCornersOnRays(RandomWholes& random, const IntegerLight& light, std:
     scene.add(triangles);
     scene.points.resize(static_cast<std::size_t>(random.whole(1, 4)));
     return scene;
-}
-
-/// A floor of two triangles, crowded with points in a few places, a sheet of small triangles on it, and what hangs over
-/// it: near enough to touch, or anywhere.
-Scene someCrowd(RandomWholes& random, std::int64_t most) {
-    Scene scene;
-    const glm::i64vec3 a(0);
-    const glm::i64vec3 b(most, 0, random.whole(0, most / 8));
-    const glm::i64vec3 c(0, most, random.whole(0, most / 8));
-    std::vector<Corners> floor{{a, b, c}, {b, b + c, c}};
-    std::vector<Corners> over = someTriangles(random, 12, most);
-    for (int i = 0; i < 20; ++i) {
-        Corners corners = floor[static_cast<std::size_t>(i % 2)];
-        const glm::i64vec3 up(0, 0, i < 8 ? random.whole(-1, 3) : random.whole(0, most / 4));
-        const std::int64_t part = random.whole(1, 16);
-        const glm::i64vec3 to = corners[0] + (corners[1] - corners[0]) / part;
-        const glm::i64vec3 beside = corners[0] + (corners[2] - corners[0]) / part;
-        over.push_back({corners[0] + up, to + up, beside + up});
-    }
-    scene.add(floor);
-    scene.add(over);
-    for (int crowd = 0; crowd < 6; ++crowd) {
-        const double second = random.real(0, 0.6);
-        const double third = random.real(0, 0.3);
-        const double spread = std::exp2(random.real(-12, -3));
-        const std::uint32_t name = scene.names()[static_cast<std::size_t>(random.whole(0, crowd < 4 ? 1 : 30))];
-        for (int i = 0; i < 200; ++i) {
-            ScenePoint point;
-            point.triangle = name;
-            point.second = static_cast<float>(second + random.real(0, spread));
-            point.third = static_cast<float>(third + random.real(0, 0.5 * spread));
-            point.tolerance = static_cast<std::uint32_t>(random.whole(0, 3)) << 23U;
-            scene.points.push_back(point);
-        }
-    }
-    return scene;
-}
-
-/// Cells that hold hundreds of samples, which are looked at in blocks.
-TEST(ExactShadows, CrowdsEqualThePlainLoop) {
-    std::size_t touching = 0;
-    std::size_t dark = 0;
-    for (std::uint64_t seed = 0; seed < 24; ++seed) {
-        SCOPED_TRACE(seed);
-        RandomWholes random(seed);
-        const std::int64_t most = std::int64_t{1} << random.whole(5, 20);
-        const Scene scene = someCrowd(random, most);
-        const glm::dvec3 towards(random.real(-1, 1), random.real(-1, 1), random.real(0.2, 1));
-        const SampleSpace space = spaceOf(roundedLight(glm::normalize(towards)), {1, 2, 4.0 * double(most)}, 1);
-        const int side = static_cast<int>(random.whole(1, 12));
-        const ExactStatistics found = expectSameAsPlain(scene, space, {glm::dmat3(1)}, side);
-        EXPECT_GT(found.cast.sampleTests, 32 * found.cast.trianglesCast);
-        touching += found.touching;
-        dark += found.dark;
-    }
-    EXPECT_GT(touching, 100U);
-    EXPECT_GT(dark, 3000U);
 }
 
 TEST(ExactShadows, CellsAreNeverSmallerThanARounding) {

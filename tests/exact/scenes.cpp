@@ -174,4 +174,20 @@ ExactStatistics expectSameAsPlain(
     return last;
 }
 
+std::vector<Corners> someTriangles(RandomWholes& random, int count, std::int64_t most) {
+    std::vector<Corners> triangles;
+    while (static_cast<int>(triangles.size()) < count) {
+        Corners corners{random.point(0, most), random.point(0, most), random.point(0, most)};
+        const std::int64_t kind = random.whole(0, 5);
+        if (kind == 0) corners[2] = corners[1] + glm::i64vec3(0, 0, 1);
+        if (kind == 1 && !triangles.empty()) {
+            corners[0] = triangles.back()[1];
+            corners[1] = triangles.back()[0];
+        }
+        if (kind == 2 && !triangles.empty()) corners = triangles.back();
+        triangles.push_back(corners);
+    }
+    return triangles;
+}
+
 } // namespace gnomon::exact

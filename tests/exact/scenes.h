@@ -8,6 +8,9 @@
 
 namespace gnomon::exact {
 
+/// Triangles of all shapes on whole cells from 0 to `most`: copies in one place, slivers, ones that share edges.
+std::vector<Corners> someTriangles(RandomWholes& random, int count, std::int64_t most);
+
 /// A visible point: a place on a triangle.
 struct ScenePoint {
     std::uint32_t triangle = 0; // as samples name it

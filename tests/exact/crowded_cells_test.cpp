@@ -1,0 +1,94 @@
+// Exact shadows of crowds: cells that hold hundreds of samples, which are looked at in boxes of eight.
+#include "exact/exact_shadows.h"
+#include "tests/exact/scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gnomon::exact {
+namespace {
+
+/// A floor of two triangles, crowded with points in a few places, a sheet of small triangles on it, and what hangs over
+/// it: near enough to touch, or anywhere.
+Scene someCrowd(RandomWholes& random, std::int64_t most) {
+    Scene scene;
+    const glm::i64vec3 a(0);
+    const glm::i64vec3 b(most, 0, random.whole(0, most / 8));
+    const glm::i64vec3 c(0, most, random.whole(0, most / 8));
+    std::vector<Corners> floor{{a, b, c}, {b, b + c, c}};
+    std::vector<Corners> over = someTriangles(random, 12, most);
+    for (int i = 0; i < 20; ++i) {
+        Corners corners = floor[static_cast<std::size_t>(i % 2)];
+        const glm::i64vec3 up(0, 0, i < 8 ? random.whole(-1, 3) : random.whole(0, most / 4));
+        const std::int64_t part = random.whole(1, 16);
+        const glm::i64vec3 to = corners[0] + (corners[1] - corners[0]) / part;
+        const glm::i64vec3 beside = corners[0] + (corners[2] - corners[0]) / part;
+        over.push_back({corners[0] + up, to + up, beside + up});
+    }
+    scene.add(floor);
+    scene.add(over);
+    for (int crowd = 0; crowd < 6; ++crowd) {
+        const double second = random.real(0, 0.6);
+        const double third = random.real(0, 0.3);
+        const double spread = std::exp2(random.real(-12, -3));
+        const std::uint32_t name = scene.names()[static_cast<std::size_t>(random.whole(0, crowd < 4 ? 1 : 30))];
+        for (int i = 0; i < 200; ++i) {
+            ScenePoint point;
+            point.triangle = name;
+            point.second = static_cast<float>(second + random.real(0, spread));
+            point.third = static_cast<float>(third + random.real(0, 0.5 * spread));
+            point.tolerance = static_cast<std::uint32_t>(random.whole(0, 3)) << 23U;
+            scene.points.push_back(point);
+        }
+    }
+    return scene;
+}
+
+/// Adds crowds within a rounding or so of where the light lets edges of triangles, or what they bound, fall onto the
+/// floor's first triangle, of triangles from `first` on: floats cannot tell on which side of an edge each lies, nor
+/// of a sheet that all but touches the floor.
+void crowdOnEdges(RandomWholes& random, Scene& scene, const glm::dvec3& light, std::size_t first) {
+    const Corners floor = scene.corners(scene.names()[0]);
+    const glm::dmat3 toFloor = glm::inverse(glm::dmat3(floor[1] - floor[0], floor[2] - floor[0], -light));
+    for (std::size_t i = first; i < scene.names().size(); ++i) {
+        const Corners corners = scene.corners(scene.names()[i]);
+        const glm::dvec3 edge(corners[1] - corners[0]);
+        const glm::dvec3 within = random.whole(0, 1) == 0 ? glm::dvec3(0) : glm::dvec3(corners[2] - corners[0]) * 0.1;
+        const glm::dvec3 place = toFloor * (glm::dvec3(corners[0] - floor[0]) + random.real(0.1, 0.9) * edge + within);
+        if (std::min(place.x, place.y) < 0.01 || place.x + place.y > 0.99) continue;
+        for (int k = 0; k < 64; ++k) {
+            ScenePoint point;
+            point.triangle = scene.names()[0];
+            point.second = static_cast<float>(place.x * (1 + random.real(-0x1p-23, 0x1p-23)));
+            point.third = static_cast<float>(place.y * (1 + random.real(-0x1p-23, 0x1p-23)));
+            scene.points.push_back(point);
+        }
+    }
+}
+
+TEST(CrowdedCells, EqualThePlainLoop) {
+    std::size_t touching = 0;
+    std::size_t dark = 0;
+    for (std::uint64_t seed = 0; seed < 24; ++seed) {
+        SCOPED_TRACE(seed);
+        RandomWholes random(seed);
+        const std::int64_t most = std::int64_t{1} << random.whole(5, 27);
+        Scene scene = someCrowd(random, most);
+        const glm::dvec3 towards(random.real(-1, 1), random.real(-1, 1), random.real(0.2, 1));
+        const IntegerLight light = roundedLight(glm::normalize(towards));
+        const SampleSpace space = spaceOf(light, {1, 2, 4.0 * double(most)}, 1);
+        crowdOnEdges(random, scene, glm::dvec3(light.direction), 2);
+        const int side = static_cast<int>(random.whole(1, 12));
+        const ExactStatistics found = expectSameAsPlain(scene, space, {glm::dmat3(1)}, side);
+        EXPECT_GT(found.cast.sampleTests, 32 * found.cast.trianglesCast);
+        touching += found.touching;
+        dark += found.dark;
+    }
+    EXPECT_GT(touching, 100U);
+    EXPECT_GT(dark, 3000U);
+}
+
+} // namespace
+} // namespace gnomon::exact

@@ -91,7 +91,8 @@ std::shared_ptr<const std::vector<glm::vec3>> somePoints(const plan::View& view,
     auto points = std::make_shared<std::vector<glm::vec3>>();
     for (int i = 0; i < 400; ++i) {
         const double depth = std::max(nearest, 0.05) + (farthest - nearest) * (i % 20) / 20;
-        const double up = -1 + 2.0 * (i / 20) / (i % 3 == 0 ? 20 : 40);
+        const int row = i / 20;
+        const double up = -1 + 2.0 * row / (i % 3 == 0 ? 20 : 40);
         points->emplace_back((i * 7 % 20 / 10.0 - 1) * view.tanHalfX() * depth, up * view.tanHalfY() * depth, depth);
     }
     return points;
@@ -103,8 +104,10 @@ plan::FramePlan Field::plan(const plan::View& view, const plan::Quality& quality
     const Depths depths = depthsOf(view);
     facts.visible = {depths.nearest, depths.farthest, true};
     if (quality.warp.rule == shadow::WarpRule::Fitted) {
-        facts.light.emplace().lit = {{depths.nearest, depths.farthest}};
-        facts.light->points = somePoints(view, depths.nearest, depths.farthest);
+        plan::SceneFacts::Light light;
+        light.lit = {{depths.nearest, depths.farthest}};
+        light.points = somePoints(view, depths.nearest, depths.farthest);
+        facts.light = light;
     }
     return plan::planFrame(view, quality, facts).plan;
 }

@@ -186,6 +186,26 @@ float plainLog(float value) {
     return exponent * 0.693359375F + (s * series + exponent * -2.12194440e-4F);
 }
 
+namespace {
+
+/// Where a row lies on the map, and how many rows of it one may be at most.
+struct FittedRow {
+    float row = 0;
+    float longest = 1;
+};
+
+FittedRow fittedRow(const ShadingFrame& f, const block::Partition& part, float row) {
+    if (part.rowTable <= 0) return {row};
+    constexpr std::ptrdiff_t kParts = shadow::kFittedParts;
+    const float* starts = f.rowTables + (static_cast<std::ptrdiff_t>(part.rowTable) - 1) * 3 * kParts;
+    const float place =
+        std::min(std::max(std::floor(row * part.partsPerRow), 0.0F), static_cast<float>(shadow::kFittedParts - 1));
+    const auto at = static_cast<std::ptrdiff_t>(place);
+    return {starts[at] + (row - place / part.partsPerRow) * starts[kParts + at], starts[2 * kParts + at]};
+}
+
+} // namespace
+
 float plainLitFraction(const ShadingFrame& f, int pass, const vec3& p, const vec3& normal, float cosine) {
     const block::Partition& part = f.shadows->partitions[pass];
     const vec3 offset = p - part.origin;
@@ -201,16 +221,8 @@ float plainLitFraction(const ShadingFrame& f, int pass, const vec3& p, const vec
     const int width = std::max(f.frame->filterTexels, 1);
     const bool isLog = part.logRows > 0;
     const float along = isLog ? plainLog(std::max(w, 1e-30F)) : coordinate(1) * inverseW;
-    float unclampedRow = along * part.texelScale.y + part.texelOffset.y;
-    float longest = 1;
-    if (part.rowTable > 0) {
-        const float* starts = f.rowTables + static_cast<std::ptrdiff_t>(part.rowTable - 1) * 3 * shadow::kFittedParts;
-        const float place = std::min(
-            std::max(std::floor(unclampedRow * part.partsPerRow), 0.0F), static_cast<float>(shadow::kFittedParts - 1));
-        const auto at = static_cast<std::ptrdiff_t>(place);
-        unclampedRow = starts[at] + (unclampedRow - place / part.partsPerRow) * starts[shadow::kFittedParts + at];
-        longest = starts[2 * shadow::kFittedParts + at];
-    }
+    const FittedRow fitted = fittedRow(f, part, along * part.texelScale.y + part.texelOffset.y);
+    const float longest = fitted.longest;
     const float byRow = withPlane(part.byRow) * longest * (isLog ? inverseW : 1.0F);
     const float slope = (withPlane(part.byColumn) + byRow) / std::max(withPlane(part.byDepth), 1e-30F);
     const float unevenZ = part.unevenZ * longest * (isLog ? 1.0F : w);
@@ -219,7 +231,7 @@ float plainLitFraction(const ShadingFrame& f, int pass, const vec3& p, const vec
     const float depth = std::min(coordinate(2) * inverseW - bias, 1.0F);
     const auto start = [&](int row) {
         const float column = coordinate(0) * inverseW * part.texelScale.x + part.texelOffset.x;
-        const float texel = row == 0 ? column : unclampedRow;
+        const float texel = row == 0 ? column : fitted.row;
         return std::min(std::max(texel - 0.5F * static_cast<float>(width - 1), -1e6F), 1e6F);
     };
     const auto isLit = [&](int x, int y) {

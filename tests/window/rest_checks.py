@@ -1,9 +1,20 @@
 """What a window draws while something moves and once nothing does: refinement at rest, and the time target."""
 import filecmp
+import pathlib
 import subprocess
+import sys
 import time
 
-from session import PATIENCE, Session, rows_of
+from session import Session, rows_of
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "torture"))
+from instances import pixels  # noqa: E402
+
+
+def differing(one, other):
+    """The share of pixels in which two pictures differ."""
+    rows = list(zip(pixels(one)[3], pixels(other)[3]))
+    return sum(a[x : x + 3] != b[x : x + 3] for a, b in rows for x in range(0, len(a), 3)) / (len(rows) * len(rows[0][0]) / 3)
 
 
 def check_rest(display, program, folder, model):
@@ -40,10 +51,9 @@ def check_target(display, program, folder, model):
     display.do("keyup", "w")
     session.expect(r"saved \S+window\S+\.png")
     session.press("Home")
-    end = time.monotonic() + PATIENCE  # how soon it is back is for a bench to say: machines are busy
-    while not filecmp.cmp(full, session.shot(), shallow=False):
-        assert time.monotonic() < end, "the full picture does not come back"
-        time.sleep(0.2)
+    time.sleep(1.5)
+    # What a frame remembers of those before it (depth range, choice of shadows) may move edges of shadows by a texel.
+    assert differing(full, session.shot()) <= 0.01
     session.leave()
     assert session.complaints() == [], session.complaints()
     rows = rows_of(session.folder / "target.csv")

@@ -48,11 +48,7 @@ void addViewCommand(CLI::App& program) {
     CLI::App* command = program.add_subcommand("view", "Walk through a model in a window; H there lists the keys");
     auto options = std::make_shared<Options>();
     viewer::ViewerOptions& viewer = options->viewer;
-    command
-        ->add_option(
-            "MODEL", viewer.file, "A .gnm or its http(s):// address, or a mesh: it is built into MESH.gnm beside it")
-        ->required();
-    addServerOptions(*command);
+    command->add_option("MODEL", viewer.file, "A .gnm, or a mesh: it is built into MESH.gnm beside it")->required();
     command
         ->add_option(
             "--target-ms",

@@ -90,5 +90,54 @@ TEST(CrowdedCells, EqualThePlainLoop) {
     EXPECT_GT(dark, 3000U);
 }
 
+/// Crowds of points in one place on a floor, each under a sheet that lies a few cells over it, as steep as it is: where
+/// the sheet's first corner lies, floats are up to four cells off, and so would be its height over the crowd.
+Scene sheetsFarFromTheOrigin(RandomWholes& random) {
+    constexpr std::int64_t kFar = std::int64_t{1} << 26;
+    constexpr std::int64_t kSide = std::int64_t{1} << 24; // a weight of a point is a place along it
+    constexpr std::int64_t kRounding = 8;                 // what floats are apart from kFar on
+    Scene scene;
+    const glm::i64vec3 corner(kFar, 0, 0);
+    const std::uint32_t floor =
+        scene.add({{corner, corner + glm::i64vec3(kSide, 0, kSide), corner + glm::i64vec3(0, kSide, 0)}});
+    std::vector<Corners> sheets;
+    for (int i = 0; i < 20; ++i) {
+        const std::int64_t size = std::int64_t{1} << random.whole(6, 16);
+        const glm::i64vec3 a = corner + glm::i64vec3(random.whole(1, kSide / 4), random.whole(1, kSide / 4), 0);
+        const glm::i64vec3 up(0, 0, a.x - kFar + random.whole(-1, 5));
+        sheets.push_back({a + up, a + up + glm::i64vec3(size, 0, size), a + up + glm::i64vec3(0, size, 0)});
+        const auto within = [&](std::int64_t from) {
+            const std::int64_t place = (from + size / 4) / kRounding * kRounding;
+            return static_cast<float>(place) / static_cast<float>(kSide);
+        };
+        ScenePoint point;
+        point.triangle = floor;
+        point.second = within(a.x - kFar);
+        point.third = within(a.y);
+        point.tolerance = static_cast<std::uint32_t>(random.whole(0, 3));
+        scene.points.insert(scene.points.end(), 64, point);
+    }
+    scene.add(sheets);
+    return scene;
+}
+
+// Floats would have some of them lie under a sheet that touches them, and others above one that casts on them.
+TEST(CrowdedCells, LieUnderSheetsThatFloatsCannotPlace) {
+    std::size_t touching = 0;
+    std::size_t dark = 0;
+    for (std::uint64_t seed = 0; seed < 8; ++seed) {
+        SCOPED_TRACE(seed);
+        RandomWholes random(seed);
+        const Scene scene = sheetsFarFromTheOrigin(random);
+        const SampleSpace space = spaceOf(roundedLight({0, 0, 1}), {1, 2, std::exp2(28)}, 1);
+        const ExactStatistics found =
+            expectSameAsPlain(scene, space, {glm::dmat3(1)}, static_cast<int>(random.whole(1, 12)));
+        touching += found.touching;
+        dark += found.dark;
+    }
+    EXPECT_GT(touching, 500U);
+    EXPECT_GT(dark, 1000U);
+}
+
 } // namespace
 } // namespace gnomon::exact

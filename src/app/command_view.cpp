@@ -7,6 +7,7 @@
 #include "settings/resolve.h"
 #include "settings/samples.h"
 #include "settings/table.h"
+#include "storage/open_source.h"
 #include "viewer/input/key_table.h"
 #include "viewer/viewer.h"
 
@@ -29,7 +30,7 @@ void requireSound(const viewer::ViewerOptions& options) {
         throw settings::UsageError{
             "--backend " + settings::named("backend").text(settings) +
             " draws into no window; take auto, software or window"};
-    if (!std::filesystem::exists(options.file))
+    if (!storage::isAddress(options.file) && !std::filesystem::exists(options.file))
         throw Error(options.file, "this model cannot be opened", "a file", "none");
 }
 
@@ -48,7 +49,11 @@ void addViewCommand(CLI::App& program) {
     CLI::App* command = program.add_subcommand("view", "Walk through a model in a window; H there lists the keys");
     auto options = std::make_shared<Options>();
     viewer::ViewerOptions& viewer = options->viewer;
-    command->add_option("MODEL", viewer.file, "A .gnm, or a mesh: it is built into MESH.gnm beside it")->required();
+    command
+        ->add_option(
+            "MODEL", viewer.file, "A .gnm or its http(s):// address, or a mesh: it is built into MESH.gnm beside it")
+        ->required();
+    addServerOptions(*command);
     command
         ->add_option(
             "--target-ms",

@@ -80,8 +80,10 @@ void Residency::admitLoaded(Waiting waiting) {
 
 streaming::DemandOutcome Residency::serve(
     const selection::CutQuery& query, const selection::Cut& cut, Waiting waiting) {
+    // A frame that waits takes level after level and nothing that it may not need: it is there no later, even over a
+    // network, and a sixth less is read.
+    if (waiting == Waiting::UntilComplete) return store_.load({cut.used, cut.wanted});
     const std::vector<hierarchy::PageDemand> foreseen = selection::foreseenPages(query, cut, model_->pages());
-    if (waiting == Waiting::UntilComplete) return store_.load({cut.used, cut.wanted, foreseen});
     return store_.request({cut.used, cut.wanted, foreseen, alongTheMotion(query)});
 }
 

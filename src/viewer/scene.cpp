@@ -4,14 +4,25 @@
 #include "executor/overlay/upscaled.h"
 #include "executor/software_executor.h"
 #include "proof/frame_proof.h"
+#include "storage/open_source.h"
 #include "values/value_picture.h"
 #include "viewer/input/picking.h"
+
+#include <chrono>
+#include <utility>
 
 namespace gnomon::viewer {
 
 namespace {
 
 constexpr int kPickReach = 6; // pixels around the cursor
+
+/// A server that is away is soon given up, so that it is told; the page store asks it again.
+std::unique_ptr<storage::Source> sourceOf(const std::string& path) {
+    storage::Access access = storage::commonAccess();
+    access.patience = std::chrono::seconds(1);
+    return storage::openSource(path, access);
+}
 
 /// The window's executor where its OpenGL is worth it; null for the software one.
 std::unique_ptr<executor::TextureExecutor> windowExecutor(
@@ -34,7 +45,7 @@ Scene::Scene(
     const settings::Settings& settings,
     const gl::Context& context,
     std::function<void(const std::string&)> onDamaged)
-    : model_(path, settings.memory),
+    : model_(sourceOf(path), settings.memory),
       context_(&context),
       executor_([&]() -> std::unique_ptr<executor::Executor> {
           std::unique_ptr<executor::TextureExecutor> ours = windowExecutor(settings, context);

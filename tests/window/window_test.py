@@ -23,6 +23,7 @@ import time
 
 from measure_checks import check_colors, check_measures, check_recent_views
 from rest_checks import check_rest, check_target
+from server_checks import check_server
 from session import PATIENCE, Display, Session, keys_of_help, rows_of, size_of
 from x_client import XClient
 
@@ -357,6 +358,7 @@ def main():
             "sizes from 1x1 to 4000x3000": lambda: check_sizes(display, program, folder, model),
             "paths": lambda: check_paths(display, program, folder, model),
             "files": lambda: check_files(display, program, folder, mesh, model),
+            "a server": lambda: check_server(display, program, folder, model),
             "a screen of twice the dots": lambda: check_scaled_screen(program, folder, model),
         }.items():
             print(f"window: {name}", flush=True)

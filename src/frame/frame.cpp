@@ -23,6 +23,7 @@ Frame Renderer::render(const plan::View& view, const plan::Quality& quality, con
     plan::Quality meant = quality;
     if (executor::isOfMaps(options.overlay)) meant.mapsBecause = plan::ShadowReason::MapsAskedFor;
     margin_ = options.isAccumulated ? 0.5 : 0;
+    forgetIfJumped(view);
     Frame frame{prepare(view, meant, options.waiting, previous_), options, {}};
     if (options.reusesMaps) markReusedMaps(frame, options);
     frame.isSunless = wasSunless_ && meant.look.shading == plan::Shading::Auto;
@@ -39,6 +40,8 @@ Frame Renderer::render(const plan::View& view, const plan::Quality& quality, con
         frameRow(frame, drawn, {model_->path(), executor_->name(), residency_.statistics(), residency_.rayTreeBytes()});
     frame.row.totalMs = watch.elapsed().count;
     previous_ = std::make_shared<const plan::PlannedFrame>(plan::PlannedFrame{frame.plan, frame.memory});
+    viewBefore_ = view;
+    farthestBefore_ = frame.facts.visible ? frame.facts.visible->farthest : 0;
     return frame;
 }
 

@@ -4,6 +4,7 @@
 #include "executor/view/section_memory.h"
 #include "frame/frame_cuts.h"
 #include "plan/map_reuse.h"
+#include "plan/view_jump.h"
 
 #include <algorithm>
 
@@ -37,6 +38,13 @@ Renderer::Renderer(const hierarchy::ModelFile& model, executor::Executor& execut
 
 plan::FramePlan Renderer::plan(const plan::View& view, const plan::Quality& quality) {
     return prepare(view, quality, Waiting::UntilComplete, previous_).plan;
+}
+
+/// What the frames before drew is still there to be told of.
+void Renderer::forgetIfJumped(const plan::View& view) {
+    if (!previous_ || !plan::hasJumped(*viewBefore_, farthestBefore_, view)) return;
+    previous_ = std::make_shared<const plan::PlannedFrame>(plan::PlannedFrame{previous_->plan, {}});
+    wasSunless_ = false;
 }
 
 /// Whether so much of the frame that was just drawn is lit, or so little, that it has to be drawn the other way. Where

@@ -53,7 +53,8 @@ public:
     /// tables take.
     Renderer(const hierarchy::ModelFile& model, executor::Executor& executor, ResidencyOptions options);
 
-    /// The frame of a view; the executor holds its picture.
+    /// The frame of a view; the executor holds its picture. Its plan is steadied by that of the frame before, unless
+    /// the view is a jump from that one's (plan/view_jump.h).
     Frame render(const plan::View& view, const plan::Quality& quality, const FrameOptions& options);
 
     /// The plan alone, refined with what the hierarchy answers; nothing is drawn.
@@ -130,6 +131,9 @@ private:
     /// and cuts again, until what is cut is what was looked at.
     void fitToView(PreparedFrame& frame, const plan::View& view, const plan::Quality& quality);
 
+    /// Keeps nothing of the frames before that steadies a plan if `view` is a jump from the last one's.
+    void forgetIfJumped(const plan::View& view);
+
     bool hasSunWrong(const Frame& frame) const;
     void chooseOcclusion(PreparedFrame& frame) const;
     void markReusedMaps(PreparedFrame& frame, const FrameOptions& options) const;
@@ -140,8 +144,10 @@ private:
     std::optional<plan::ExecutorFacts> plannedFor_;
     Residency residency_;
     std::shared_ptr<const plan::PlannedFrame> previous_;
-    bool wasSunless_ = false; // the frame before
-    double margin_ = 0;       // pixels around the image that the cut reaches
+    std::optional<plan::View> viewBefore_; // as it was asked for; that of the frame before, as is:
+    double farthestBefore_ = 0;            // depth that was seen
+    bool wasSunless_ = false;              // the frame before
+    double margin_ = 0;                    // pixels around the image that the cut reaches
     std::optional<HeldMaps> heldMaps_;
     std::vector<culling::DepthCandidate> depthScratch_;
     std::shared_ptr<const Ground> ground_;    // of the view that is prepared

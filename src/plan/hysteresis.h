@@ -34,4 +34,11 @@ inline constexpr double kWorthwhile = 0.95;
 /// And is kept from frame to frame while it lowers it to this share.
 inline constexpr double kStillWorthwhile = 0.99;
 
+/// Views one after the other that differ by more than one of these are no motion but a jump, behind which nothing is
+/// kept (plan/view_jump.h): the way of the eye, as a share of the farthest depth that was seen; the turn of the view,
+/// of what is up in it, or of the light; and the factor between the sizes at which things are seen.
+inline constexpr double kJumpShare = 0.25;
+inline constexpr double kJumpDegrees = 30;
+inline constexpr double kJumpZoom = 1.25;
+
 } // namespace gnomon::plan

@@ -61,7 +61,7 @@ public:
     void keepWindow() { windowFrames_ = std::max(windowFrames_, 1); }
 
 private:
-    static constexpr int kSettlingFrames = 16; // until the depth range has come to rest
+    static constexpr int kSettlingFrames = 16; // more than near takes to rise: what it was held at is not shown at rest
     static constexpr double kSettlingMs = 300;
     static constexpr int kUnansweredFrames = 60; // with pages missing of which none comes
     static constexpr int kLayoutFrames = 3;      // Dear ImGui needs more than one to lay out what is new

@@ -242,6 +242,7 @@ bool WindowSession::drawFrame() {
 void WindowSession::drawScene(const glm::ivec2& size) {
     if (settings_.targetMs > 0 && !walk_.isUnderWay() && pace_.isSettled(true)) pace_.settle();
     const bool isMeasured = isHurried();
+    if (comesToRest()) file_.scene()->forget(); // what stands is what `gnomon render` makes of the view
     const Shot shot = this->shot(size);
     drawnFor_ = size;
     pace_.countScene();

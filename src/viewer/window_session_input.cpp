@@ -140,10 +140,7 @@ void WindowSession::goToRecent(int step) {
     RecentViews& views = recentViews();
     const std::optional<Camera> camera = step < 0 ? views.back() : views.forth();
     if (!camera) return messages_.show(step < 0 ? "no view before" : "no view behind");
-    if (camera->projection != projection()) {
-        walk_.control().toggleProjection();
-        file_.scene()->forget();
-    }
+    if (camera->projection != projection()) walk_.control().toggleProjection();
     walk_.control().goTo(*camera);
 }
 
@@ -200,7 +197,6 @@ void WindowSession::actOnModel(const Binding& binding) {
         return walk_.control().goTo(framed_->home(framebufferSize(), projection()));
     case Action::ToggleProjection:
         walk_.control().toggleProjection();
-        file_.scene()->forget();
         return messages_.show(std::string(wordOf(kProjections, projection())));
     case Action::SaveCamera:
         messages_.attempt([&] { messages_.note("saved " + saved_.saveCamera(walk_.camera())); });

@@ -22,7 +22,7 @@ import threading
 import time
 
 from measure_checks import check_colors, check_measures, check_recent_views
-from rest_checks import check_rest, check_target
+from rest_checks import check_rest, check_rest_after_motion, check_target
 from server_checks import check_server
 from session import PATIENCE, Display, Session, keys_of_help, rows_of, size_of
 from x_client import XClient
@@ -350,6 +350,7 @@ def main():
             "every key of the help": lambda: check_every_key(display, program, folder, model),
             "the mouse": lambda: check_mouse(display, program, folder, model),
             "a view at rest": lambda: check_rest(display, program, folder, model),
+            "a view at rest after motion": lambda: check_rest_after_motion(display, program, folder, model),
             "a time target": lambda: check_target(display, program, folder, model),
             "measures": lambda: check_measures(display, program, pathlib.Path(folder)),
             "recent views": lambda: check_recent_views(display, program, folder, model),

@@ -30,6 +30,19 @@ def check_rest(display, program, folder, model):
         assert filecmp.cmp(rendered, again, shallow=False) == is_same, samples
 
 
+def standing_camera(session):
+    """The file of the camera once nothing glides any more: a picture then waits for the rest."""
+    saved = None
+    while True:
+        since = len(session.lines)
+        session.press("i")
+        camera = session.folder / session.expect(r"saved (\S+\.json)", since).group(1)
+        if saved and filecmp.cmp(camera, saved, shallow=False):
+            return camera
+        saved = camera
+        time.sleep(0.3)
+
+
 def check_rest_after_motion(display, program, folder, model):
     """Where a window comes to rest, what it shows depends on nothing that it has shown before: `render` makes the same."""
     for shadows in (("--shadows", "maps"), ("--shadows", "maps", "--warp", "fitted"), ("--shadows", "auto", "--z-partitions", "auto")):
@@ -40,10 +53,8 @@ def check_rest_after_motion(display, program, folder, model):
             display.do("keyup", key)
         for _ in range(3):
             session.drag(1, 150, 30)
-        time.sleep(1)  # until it glides no more; the picture then waits for the rest
+        camera = standing_camera(session)
         stood = session.shot()
-        session.press("i")
-        camera = session.folder / session.expect(r"saved (\S+\.json)").group(1)
         session.leave()
         assert session.complaints() == [], session.complaints()
         rendered = session.folder / "rendered.png"

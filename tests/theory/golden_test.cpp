@@ -1,6 +1,8 @@
-// The golden rows: 269 candidates of an independent double-precision reference, each within its own tolerance.
+// The golden rows: 269 candidates of an independent double-precision reference, each within its own tolerance. What
+// they expect is written as the doubles nearest to what 200 bits give, which a twin finds anew.
 #include "core/error.h"
 #include "core/file.h"
+#include "tests/theory/exact_rows.h"
 #include "theory/rows.h"
 
 #include <gtest/gtest.h>
@@ -67,6 +69,15 @@ TEST(Golden, EveryRowIsWithinItsTolerance) {
         worst = std::max(worst, found);
     }
     RecordProperty("worst_in_tolerances", std::to_string(worst));
+}
+
+TEST(Golden, EveryExpectedNumberIsCorrectlyRounded) {
+    const json document = json::parse(readTextFile(kRows));
+    for (const json& row : document["rows"]) {
+        const json exact = exactRow(row);
+        for (const auto& [key, value] : row["expect"].items())
+            EXPECT_EQ(exact.at(key), value) << row["id"] << ": " << key;
+    }
 }
 
 TEST(Golden, RowsNeedNeitherExpectationNorId) {

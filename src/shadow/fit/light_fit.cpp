@@ -45,9 +45,16 @@ LightFit fitRegion(const LightFrame& frame, const ViewFrustum& slice, std::span<
     LightFit fit;
     fit.frame = frame;
     fit.slice = slice;
+    const auto least = std::min_element(vertices.begin(), vertices.end(), [&](const FitVertex& a, const FitVertex& b) {
+        return glm::dot(frame.z, a.position) < glm::dot(frame.z, b.position);
+    });
+    fit.zMin = glm::dot(frame.z, least->position);
     for (const FitVertex& vertex : vertices) {
         const glm::dvec3 p = toLight(frame, vertex.position);
-        fit.storage[fit.count++] = {p.x, p.y, p.z, vertex.position.z, vertex.end};
+        // Of the difference, and not the other way round: near corners of a thin view lie side by side, far from the
+        // eye.
+        const double zeta = glm::dot(frame.z, vertex.position - least->position);
+        fit.storage[fit.count++] = {p.x, p.y, zeta, vertex.position.z, vertex.end};
     }
     startZetaAtZero(fit);
     return fit;

@@ -65,13 +65,11 @@ double nPrimeOfEta(const ViewFrustum& frustum, double eta) {
 }
 
 double etaOfNPrime(const ViewFrustum& frustum, double nPrime) {
+    // Differences of M_z, as the paper has it, have no digits left where the depth ratio is near 1.
+    if (std::isinf(nPrime)) return -1;
     const double least = nPrimeLspsm(frustum);
-    const double atLeast = worstZ(frustum, least);
-    if (nPrime > least) {
-        const double unwarped = worstZ(frustum, kNoWarp);
-        return (worstZ(frustum, nPrime) - atLeast) / (atLeast - unwarped);
-    }
-    return (worstZ(frustum, nPrime) - atLeast) / (worstZ(frustum, frustum.near) - atLeast);
+    if (nPrime > least) return (least - nPrime) / (nPrime + (frustum.far - frustum.near));
+    return (least - nPrime) / (nPrime * std::sqrt(frustum.depthRatio()));
 }
 
 double nPrimeTsm(const ViewFrustum& frustum, double focus, double fraction) {

@@ -7,10 +7,19 @@
 
 namespace gnomon::shadow {
 
+namespace {
+
+/// ln(f/n), also where that is near 0.
+double logDepthRatio(const ViewFrustum& frustum) {
+    return std::log1p((frustum.far - frustum.near) / frustum.near);
+}
+
+} // namespace
+
 double logStorageFactor(const ViewFrustum& frustum, const glm::dvec3& towardsLight) {
     const double tanX = tanHalfX(frustum);
     const double tanY = tanHalfY(frustum);
-    const double growth = std::log(frustum.depthRatio());
+    const double growth = logDepthRatio(frustum);
     double sum = frustum.aspect * std::abs(towardsLight.z);
     for (const Face face : sideFaces(frustum, towardsLight)) {
         const bool isLevel = face == Face::Top || face == Face::Bottom;
@@ -30,7 +39,7 @@ double logShearedStorageFactor(const ViewFrustum& frustum, const glm::dvec3& tow
         const std::array<FitVertex, 4> vertices = faceVertices(frustum, face);
         const glm::dvec3 left = vertices[0].position / frustum.near;
         const glm::dvec3 right = vertices[1].position / frustum.near;
-        const double growth = std::log(frustum.depthRatio()) / (4 * tanY * tanY);
+        const double growth = logDepthRatio(frustum) / (4 * tanY * tanY);
         sum += growth * seen(right - left) * std::max(seen(left), seen(right));
     }
     return sum;

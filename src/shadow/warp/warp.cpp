@@ -113,8 +113,10 @@ double kappaMinimax(const LightFit& fit) {
     const double d = fit.length;
     if (d <= 2 * a) return 0;
     const double root = std::sqrt(fit.slice.depthRatio());
+    // root - 1, also where the depth ratio is near 1
+    const double rootLessOne = (fit.slice.far - fit.slice.near) / (fit.slice.near * (root + 1));
     const double nearStops = a > 0 ? (d - 2 * a) / (a * d) : kNever;
-    const double farOvertakes = b > root * a ? (root - 1) / (b - root * a) : kNever;
+    const double farOvertakes = b > root * a ? rootLessOne / (b - root * a) : kNever;
     // Where the map covers far more than its slice the far side's error may still fall once it has overtaken.
     const double farStops = b > 0 ? (d - 2 * b) / (b * d) : kNever;
     const double kappa = nearStops < farOvertakes ? nearStops : std::max(farOvertakes, farStops);

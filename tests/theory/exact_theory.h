@@ -1,0 +1,107 @@
+// The closed forms of src/shadow once more, at 200 bits and as the theory writes them: by definition where there is one
+// (a maximum over vertices, a root of two equations), never by what the code makes of it.
+#pragma once
+
+#include "tests/theory/real.h"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace gnomon::theory::exact {
+
+struct Vector {
+    Real x, y, z;
+};
+
+struct Frustum {
+    Real n, f, theta;
+    Real aspect = 1;
+};
+
+struct Pair {
+    Real x, z;
+};
+
+// One map, light overhead (Lloyd et al. 2006, 4.1 to 4.3); n' may be infinite.
+Real imageBeamWidth(const Frustum& v, const Real& depth, const Real& pixels);
+Real nPrimeLspsm(const Frustum& v);
+Pair aliasingOverhead(const Frustum& v, const Real& nPrime, const Real& depth);
+Pair worstOverhead(const Frustum& v, const Real& nPrime);
+Real storageOverhead(const Frustum& v, const Real& nPrime);
+Real nPrimeOfEta(const Frustum& v, const Real& eta);
+Real etaOfNPrime(const Frustum& v, const Real& nPrime);
+Real nPrimeTsm(const Frustum& v, const Real& focus, const Real& fraction);
+
+// Slices.
+Real sliceRatio(const Real& n, const Real& f, int count);
+Real split(const Real& n, const Real& f, int count, int index, const Real& lambda);
+std::array<Real, 7> closedForms(const Frustum& v, int count); // in the order of shadow::ClosedForms
+
+/// The longest diagonal of a slice: of its far square, or from a near corner to the far one opposite.
+Real stableExtent(const Frustum& v);
+
+// Any light.
+struct Frame {
+    Vector x, y, z;
+};
+
+enum class Side { Top, Bottom, Left, Right, Near };
+inline constexpr std::array kSides{Side::Top, Side::Bottom, Side::Left, Side::Right};
+
+Real sinLightAngle(const Vector& light);
+Frame plainFrame(const Vector& light);
+Vector outward(const Frustum& v, Side side);
+bool bearsMap(const Frustum& v, const Vector& light, Side side);
+Real logStorage(const Frustum& v, const Vector& light);
+Real logShearedStorage(const Frustum& v, const Vector& light);
+
+struct Point {
+    Real x, y, zeta, depth;
+    bool isNear;
+};
+
+/// The vertices of a slice or of one of its faces in light space.
+struct Fit {
+    Frustum slice;
+    Frame frame;
+    std::vector<Point> points;
+    Real zMin, d;
+    bool hasLogRows = false;
+};
+
+Fit fitSlice(const Frustum& v, const Vector& light);
+Fit fitFace(const Frustum& v, const Vector& light, Side side, bool isNormalized);
+
+/// What a map with the warp `kappa` has over its fit.
+struct Measures {
+    Real width, mx, mz, sheared;
+};
+
+Measures measures(const Fit& fit, const Real& kappa);
+Real kappaLspsm(const Fit& fit);
+Real kappaTsm(const Fit& fit, const Real& focusZeta, const Real& fraction);
+Real kappaMinimax(const Fit& fit);
+
+/// The same where the ends of the slice reach to `near` and `far` in zeta.
+Real kappaMinimax(const Real& near, const Real& far, const Real& d, const Real& depthRatio);
+
+/// The least S for kappa from 0 to `most`, where it is unimodal; for all kappa if there is none.
+Real leastStorage(const Fit& fit, const std::optional<Real>& most);
+
+/// The map of a fit, with the names of shadow::WarpedMap.
+struct Map {
+    Frame frame;
+    Real kappa, zMin, length, uMin, width, rawMin, rawRange;
+    bool hasLogRows = false;
+};
+
+Map mapOf(const Fit& fit, const Real& kappa);
+
+/// s, t, depth and the widths of a texel's beam along x, along z and along t with its shear.
+std::array<Real, 6> pointOf(const Map& map, const Vector& p);
+
+/// shadow::largestRawBias with as many texels a side.
+Real largestRawBias(const Fit& fit, const Real& kappa, const Real& texels, const Real& filterTexels);
+
+} // namespace gnomon::theory::exact

@@ -5,11 +5,13 @@
 
 // X(type, member, name): one line a function.
 #define GNOMON_GL_FUNCTIONS(X)                                                                                         \
+    X(PFNGLACTIVETEXTUREPROC, activeTexture, "glActiveTexture")                                                        \
     X(PFNGLATTACHSHADERPROC, attachShader, "glAttachShader")                                                           \
     X(PFNGLBINDBUFFERPROC, bindBuffer, "glBindBuffer")                                                                 \
     X(PFNGLBINDBUFFERRANGEPROC, bindBufferRange, "glBindBufferRange")                                                  \
     X(PFNGLBINDFRAMEBUFFERPROC, bindFramebuffer, "glBindFramebuffer")                                                  \
     X(PFNGLBINDSAMPLERPROC, bindSampler, "glBindSampler")                                                              \
+    X(PFNGLBINDTEXTUREPROC, bindTexture, "glBindTexture")                                                              \
     X(PFNGLBINDTEXTUREUNITPROC, bindTextureUnit, "glBindTextureUnit")                                                  \
     X(PFNGLBINDVERTEXARRAYPROC, bindVertexArray, "glBindVertexArray")                                                  \
     X(PFNGLCHECKNAMEDFRAMEBUFFERSTATUSPROC, checkNamedFramebufferStatus, "glCheckNamedFramebufferStatus")              \
@@ -69,6 +71,7 @@
     X(PFNGLREADPIXELSPROC, readPixels, "glReadPixels")                                                                 \
     X(PFNGLSCISSORPROC, scissor, "glScissor")                                                                          \
     X(PFNGLSHADERSOURCEPROC, shaderSource, "glShaderSource")                                                           \
+    X(PFNGLTEXIMAGE2DPROC, texImage2D, "glTexImage2D")                                                                 \
     X(PFNGLTEXTUREPARAMETERIPROC, textureParameteri, "glTextureParameteri")                                            \
     X(PFNGLTEXTURESTORAGE2DPROC, textureStorage2D, "glTextureStorage2D")                                               \
     X(PFNGLTEXTURESUBIMAGE2DPROC, textureSubImage2D, "glTextureSubImage2D")                                            \

@@ -39,16 +39,32 @@ void Buffer::copy(std::size_t offset, GLuint source, std::size_t sourceOffset, s
         static_cast<GLsizeiptr>(bytes));
 }
 
-Texture::Texture(const Api& api, GLenum internalFormat, int width, int height)
-    : api_(&api), width_(width), height_(height) {
+Texture::Texture(const Api& api, GLenum internalFormat, int width, int height) : Texture(api, width, height) {
+    api.textureStorage2D(id(), 1, internalFormat, width, height);
+}
+
+Texture Texture::ofWindowPictures(const Api& api, int width, int height) {
+    Texture texture(api, width, height);
+    // Only an internal format without sizes leaves the order of the bytes to what is written.
+    api.activeTexture(GL_TEXTURE0);
+    api.bindTexture(GL_TEXTURE_2D, texture.id());
+    api.texImage2D(GL_TEXTURE_2D, 0, GL_RGBA, width, height, 0, GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV, nullptr);
+    api.bindTexture(GL_TEXTURE_2D, 0);
+    return texture;
+}
+
+Texture::Texture(const Api& api, int width, int height) : api_(&api), width_(width), height_(height) {
     GLuint name = 0;
     api.createTextures(GL_TEXTURE_2D, 1, &name);
     object_ = {name, api.deleteTextures};
-    api.textureStorage2D(name, 1, internalFormat, width, height);
-    api.textureParameteri(name, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    api.textureParameteri(name, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    setFilter(GL_NEAREST);
     api.textureParameteri(name, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     api.textureParameteri(name, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+}
+
+void Texture::setFilter(GLint filter) const {
+    api_->textureParameteri(id(), GL_TEXTURE_MIN_FILTER, filter);
+    api_->textureParameteri(id(), GL_TEXTURE_MAG_FILTER, filter);
 }
 
 void Texture::read(GLenum format, GLenum type, std::span<std::byte> out) const {

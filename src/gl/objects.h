@@ -75,6 +75,11 @@ public:
     Texture() = default;
     Texture(const Api& api, GLenum internalFormat, int width, int height);
 
+    /// One of GL_BGRA in GL_UNSIGNED_INT_8_8_8_8_REV, stored in that order, which is that of windows: what
+    /// PictureFill draws fast. Leaves texture unit 0 of the context
+    /// without a texture.
+    static Texture ofWindowPictures(const Api& api, int width, int height);
+
     GLuint id() const { return object_.id(); }
 
     int width() const { return width_; }
@@ -84,10 +89,15 @@ public:
     /// All texels, bottom row first; `out` must have width * height * bytes of a texel in `format` and `type`.
     void read(GLenum format, GLenum type, std::span<std::byte> out) const;
 
+    /// How both smaller and larger ones are made of it: GL_NEAREST, which it begins with, or GL_LINEAR.
+    void setFilter(GLint filter) const;
+
     /// Replaces all texels.
     void write(GLenum format, GLenum type, std::span<const std::byte> texels) const;
 
 private:
+    Texture(const Api& api, int width, int height);
+
     const Api* api_ = nullptr;
     Object object_;
     int width_ = 0;

@@ -1,7 +1,6 @@
 #include "viewer/scene.h"
 
 #include "executor/light/eye_dome.h"
-#include "executor/overlay/upscaled.h"
 #include "executor/software_executor.h"
 #include "proof/frame_proof.h"
 #include "storage/open_source.h"
@@ -121,12 +120,12 @@ ShownPicture Scene::shown(const glm::ivec2& size, bool darkensHollows) {
             const double distance = seenBy_.isParallel() ? glm::length(seenBy_.target - seenBy_.eye) : 0;
             executor::darkenHollows(picture, executor_->viewDepth(), distance);
         }
-        const bool isLess = picture.width < size.x && picture.height < size.y;
-        const executor::WindowPicture shown =
-            executor::upscaled(picture, isLess ? size.x : picture.width, isLess ? size.y : picture.height);
-        if (uploaded_.width() != shown.width || uploaded_.height() != shown.height)
-            uploaded_ = gl::Texture(context_->api(), GL_RGBA8, shown.width, shown.height);
-        uploaded_.write(GL_RGBA, GL_UNSIGNED_BYTE, std::as_bytes(std::span(shown.pixels)));
+        executor::takePicture(picture, words_);
+        if (uploaded_.width() != words_.width || uploaded_.height() != words_.height)
+            uploaded_ = gl::Texture::ofWindowPictures(context_->api(), words_.width, words_.height);
+        uploaded_.write(GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV, std::as_bytes(std::span(words_.pixels)));
+        const bool isLess = picture.width < size.x || picture.height < size.y;
+        uploaded_.setFilter(isLess ? GL_LINEAR : GL_NEAREST);
         isUploaded_ = true;
     }
     return {uploaded_.id(), false, true};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "executor/gl/gl_executor.h"
+#include "executor/overlay/window_picture.h"
 #include "frame/accumulation.h"
 #include "frame/drawn_point.h"
 #include "gl/context.h"
@@ -112,6 +113,7 @@ private:
     frame::Accumulation accumulation_;
     Camera seenBy_;
     std::optional<executor::Picture> colored_; // the last frame's, if it is coloured by a value
+    executor::WindowPicture words_;            // of it, as is:
     gl::Texture uploaded_;                     // the picture of an executor without textures, or the mean
     bool isUploaded_ = false;
 };

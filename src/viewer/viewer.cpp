@@ -53,6 +53,7 @@ WindowSession::WindowSession(const ViewerOptions& options)
       }()),
       input_(window_.handle()),
       imgui_(window_.handle()),
+      fill_(window_.context().api(), gl::ShaderLibrary()),
       messages_(now, options_.tell),
       file_(options_, window_.context(), messages_, now, [this](const Scene& scene) { enter(scene); }),
       walk_(
@@ -313,10 +314,15 @@ void WindowSession::drawWindow(const glm::ivec2& size) {
     const gl::Api& gl = window_.context().api();
     gl.bindFramebuffer(GL_FRAMEBUFFER, 0);
     gl.viewport(0, 0, size.x, size.y);
+    const ShownPicture picture =
+        file_.scene() != nullptr ? file_.scene()->shown(size, settings_.darkensHollows) : ShownPicture();
     const std::array<float, 4> background = {0.13F, 0.14F, 0.16F, 1};
-    gl.clearNamedFramebufferfv(0, GL_COLOR, 0, background.data());
+    if (picture.isOpaque)
+        fill_.draw(picture.texture);
+    else
+        gl.clearNamedFramebufferfv(0, GL_COLOR, 0, background.data());
     imgui_.beginFrame();
-    if (file_.scene() != nullptr) drawPicture(file_.scene()->shown(size, settings_.darkensHollows), gl);
+    if (file_.scene() != nullptr && !picture.isOpaque) drawPicture(picture);
     const OverlayAnswer answer = drawOverlay(content(), settings_, pad_);
     imgui_.endFrame();
     if (savesWindow_) {

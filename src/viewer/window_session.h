@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/progress.h"
+#include "gl/picture_fill.h"
 #include "gl/window.h"
 #include "viewer/detail_budget.h"
 #include "viewer/frame_log.h"
@@ -79,6 +80,7 @@ private:
     gl::Window window_;
     Input input_;
     ImGuiLayer imgui_;
+    gl::PictureFill fill_;
     Messages messages_;
     OpenFile file_;
     Walk walk_;

@@ -5,7 +5,7 @@
 #include "executor/overlay/color_map.h"
 #include "executor/overlay/legend.h"
 #include "executor/overlay/overlay_colors.h"
-#include "executor/overlay/upscaled.h"
+#include "executor/overlay/window_picture.h"
 #include "plan/color_map.h"
 
 #include <gtest/gtest.h>
@@ -328,35 +328,20 @@ TEST(BitmapFont, LettersDifferAndStayInThePicture) {
     EXPECT_EQ(picture.at(6, 3), (Rgb{1, 2, 3}));
 }
 
-TEST(Upscaled, IsTheMixOfTheNearestFourByTheirDistances) {
+TEST(WindowPicture, HasEachPixelInAWord) {
     Random random(5);
+    WindowPicture words;
     for (int round = 0; round < 40; ++round) {
-        Picture small(static_cast<int>(1 + random.below(40)), static_cast<int>(1 + random.below(40)));
-        for (Rgb& pixel : small.pixels)
+        Picture picture(static_cast<int>(1 + random.below(400)), static_cast<int>(1 + random.below(400)));
+        for (Rgb& pixel : picture.pixels)
             for (std::uint8_t& channel : pixel)
                 channel = static_cast<std::uint8_t>(random.below(256));
-        const int width = small.width + static_cast<int>(random.below(60));
-        const int height = small.height + static_cast<int>(random.below(60));
-        const WindowPicture large = upscaled(small, width, height);
-        ASSERT_TRUE(large.width == width && large.height == height);
-        const auto at = [&](int x, int y, std::size_t c) {
-            return small.at(std::clamp(x, 0, small.width - 1), std::clamp(y, 0, small.height - 1))[c];
-        };
-        for (int y = 0; y < height; ++y)
-            for (int x = 0; x < width; ++x)
-                for (std::size_t c = 0; c < 3; ++c) {
-                    const double u = (x + 0.5) * small.width / width - 0.5;
-                    const double v = (y + 0.5) * small.height / height - 0.5;
-                    const int left = static_cast<int>(std::floor(u));
-                    const int top = static_cast<int>(std::floor(v));
-                    const double upper = std::lerp(at(left, top, c), at(left + 1, top, c), u - left);
-                    const double lower = std::lerp(at(left, top + 1, c), at(left + 1, top + 1, c), u - left);
-                    ASSERT_NEAR(large.at(x, y)[c], std::lerp(upper, lower, v - top), 2) << x << " " << y;
-                }
-        const WindowPicture same = upscaled(small, small.width, small.height);
-        for (std::size_t i = 0; i < same.pixels.size(); ++i) {
-            const Rgb& p = small.pixels[i];
-            ASSERT_EQ(same.pixels[i], (std::array<std::uint8_t, 4>{p[0], p[1], p[2], 255}));
+        takePicture(picture, words);
+        ASSERT_TRUE(words.width == picture.width && words.height == picture.height);
+        ASSERT_EQ(words.pixels.size(), picture.pixels.size());
+        for (std::size_t i = 0; i < words.pixels.size(); ++i) {
+            const Rgb& p = picture.pixels[i];
+            ASSERT_EQ(words.pixels[i], 255U * 0x1000000 + p[0] * 0x10000U + p[1] * 0x100U + p[2]);
         }
     }
 }

@@ -229,21 +229,13 @@ void drawVolumes(const OverlayContent& content) {
 
 } // namespace
 
-void drawPicture(const ShownPicture& picture, const gl::Api& gl) {
+void drawPicture(const ShownPicture& picture) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const auto id = reinterpret_cast<ImTextureID>( // NOLINT(performance-no-int-to-ptr): Dear ImGui's way
         static_cast<std::uintptr_t>(picture.texture));
     const ImVec2 first(0, picture.isBottomUp ? 1.0F : 0.0F);
     const ImVec2 last(1, picture.isBottomUp ? 0.0F : 1.0F);
-    ImDrawList* list = ImGui::GetBackgroundDrawList();
-    if (picture.isOpaque) // to mix it takes software OpenGL as long as all the rest of the window
-        list->AddCallback(
-            [](const ImDrawList*, const ImDrawCmd* command) {
-                static_cast<const gl::Api*>(command->UserCallbackData)->disable(GL_BLEND);
-            },
-            const_cast<gl::Api*>(&gl)); // NOLINT(cppcoreguidelines-pro-type-const-cast): Dear ImGui's way
-    list->AddImage(id, {0, 0}, screen, first, last);
-    if (picture.isOpaque) list->AddCallback(ImDrawCallback_ResetRenderState, nullptr);
+    ImGui::GetBackgroundDrawList()->AddImage(id, {0, 0}, screen, first, last);
 }
 
 OverlayAnswer drawOverlay(const OverlayContent& content, ViewSettings& settings, StoragePad& pad) {

@@ -5,8 +5,8 @@
 
 namespace gnomon::viewer {
 
-/// Fills the window with `picture`.
-void drawPicture(const ShownPicture& picture, const gl::Api& gl);
+/// Fills the window with `picture`, mixed with what is there, between ImGuiLayer's beginFrame and endFrame.
+void drawPicture(const ShownPicture& picture);
 
 /// Describes all that `settings` show, between ImGuiLayer's beginFrame and endFrame.
 OverlayAnswer drawOverlay(const OverlayContent& content, ViewSettings& settings, StoragePad& pad);

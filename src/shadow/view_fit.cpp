@@ -226,6 +226,14 @@ Outcome outcomeOf(std::span<const SampleNeeds> needs, std::span<const MapFit> fi
     return {std::sqrt(storage) * excess, std::sqrt(storage) * sum};
 }
 
+/// What logarithmic rows promise of the same budget.
+double unfittedWorst(std::span<const Aliasing> bounds) {
+    double storage = 0;
+    for (const Aliasing& bound : bounds)
+        storage += bound.x * bound.z;
+    return std::sqrt(storage);
+}
+
 bool areWithin(std::span<const SampleNeeds> needs, std::span<const MapFit> fits) {
     for (std::size_t i = 0; i < needs.size(); ++i)
         if (!needs[i].areWithin(fits[i])) return false;
@@ -243,6 +251,17 @@ std::vector<MapFit> newFits(
     return fits;
 }
 
+/// Maps as they are without a fit, which nothing that comes into view makes promise more; they remember what `fresh`
+/// do.
+std::vector<MapFit> withoutFits(std::span<const Aliasing> bounds, std::span<const MapFit> fresh) {
+    std::vector<MapFit> fits(fresh.size());
+    for (std::size_t i = 0; i < fits.size(); ++i) {
+        fits[i].unit = bounds[i];
+        fits[i].ofLate = fresh[i].ofLate;
+    }
+    return fits;
+}
+
 } // namespace
 
 std::vector<MapFit> fitsOf(
@@ -250,14 +269,15 @@ std::vector<MapFit> fitsOf(
     std::vector<MapFit> fresh = newFits(needs, bounds, {});
     if (before.size() != needs.size()) return fresh;
     const Outcome least = outcomeOf(needs, fresh);
-    if (areWithin(needs, before)) {
-        const Outcome held = outcomeOf(needs, before);
-        if (held.worst <= kRefit * least.worst && held.mean <= kRefit * least.mean)
-            return {before.begin(), before.end()};
-    }
+    const double unfitted = unfittedWorst(bounds);
+    const auto isWorthKeeping = [&](std::span<const MapFit> fits, double factor) {
+        const Outcome found = outcomeOf(needs, fits);
+        return found.worst <= std::min(factor * least.worst, unfitted) && found.mean <= factor * least.mean;
+    };
+    if (areWithin(needs, before) && isWorthKeeping(before, kRefit)) return {before.begin(), before.end()};
+    if (kRemembering * least.worst > unfitted) return withoutFits(bounds, fresh);
     std::vector<MapFit> ready = newFits(needs, bounds, before);
-    const Outcome found = outcomeOf(needs, ready);
-    return found.worst <= kRemembering * least.worst && found.mean <= kRemembering * least.mean ? ready : fresh;
+    return isWorthKeeping(ready, kRemembering) ? ready : fresh;
 }
 
 } // namespace gnomon::shadow

@@ -98,7 +98,7 @@ private:
 WarpedMap fitted(WarpedMap map, const MapFit& fit);
 
 /// One fit for each of `needs`; `bounds` as SampleNeeds::fit has them. Those of `before`, the frame before's, are kept
-/// all together as long as they cover the samples and kRefit allows.
+/// all together as long as they cover the samples, kRefit allows, and they promise no more than the maps without a fit.
 std::vector<MapFit> fitsOf(
     std::span<const SampleNeeds> needs, std::span<const Aliasing> bounds, std::span<const MapFit> before);
 

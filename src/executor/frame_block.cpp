@@ -134,13 +134,14 @@ block::Frame frameBlock(const FrameDrawing& frame, const DrawSpace& space, const
     return result;
 }
 
-std::vector<float> rowTables(const FrameDrawing& frame) {
+std::vector<float> fitTables(const FrameDrawing& frame) {
     std::vector<float> tables;
     for (const plan::ShadowPass& pass : frame.plan->passes) {
-        const auto parts = mapDrawing(frame, pass.map).image.rowParts;
-        if (!parts) continue;
-        for (const auto* values : {&parts->start, &parts->density, &parts->longest})
-            tables.insert(tables.end(), values->begin(), values->end());
+        const auto grid = mapDrawing(frame, pass.map).image.fitted;
+        if (!grid) continue;
+        for (const auto* parts : {&grid->columns, &grid->rows})
+            for (const auto* values : {&parts->start, &parts->density, &parts->longest})
+                tables.insert(tables.end(), values->begin(), values->end());
     }
     return tables;
 }
@@ -170,9 +171,9 @@ block::Shadows shadowsBlock(const FrameDrawing& frame) {
         out.origin = image.origin;
         out.reach = image.reach;
         out.logRows = image.logRows;
-        if (image.rowParts) {
-            out.rowTable = ++tables;
-            out.partsPerRow = image.rowParts->partsPerRow;
+        if (image.fitted) {
+            out.fitTable = ++tables;
+            out.partsPerTexel = {image.fitted->columns.partsPerTexel, image.fitted->rows.partsPerTexel};
         }
         out.texelScale = image.texelScale;
         out.texelOffset = image.texelOffset;

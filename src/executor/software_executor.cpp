@@ -116,20 +116,6 @@ Cutting castersCutting(const FrameDrawing& frame) {
     return frame.plan->view.cutsCasters ? Cutting::BySections : Cutting::Whole;
 }
 
-/// How the casters of a map are seen, with the rows that the view borrows.
-struct MapView {
-    std::vector<float> rows; // empty: they lie evenly
-    raster::View view;
-
-    MapView(const FrameDrawing& frame, const shadow::ShadowMap& map) {
-        const shadow::TexelRectangle& r = map.rectangle;
-        const MapDrawing drawing = mapDrawing(frame, map);
-        rows = shadow::rowPositions(drawing.image, r.y, r.height);
-        view = rasterView(drawing.space, drawing.clipFromDraw(), {r.x, r.y, r.x + r.width, r.y + r.height});
-        view.rowPositions = rows;
-    }
-};
-
 /// What no map covers is 1; each map clears its own texels as it is drawn.
 void SoftwareExecutor::clearBetweenMaps(const plan::FramePlan& plan) {
     std::vector<shadow::TexelRectangle> row;

@@ -1,5 +1,6 @@
 #include "executor/software_pass.h"
 
+#include "executor/frame_block.h"
 #include "executor/view/section_memory.h"
 
 namespace gnomon::executor {
@@ -71,6 +72,17 @@ raster::View rasterView(const DrawSpace& space, const glm::dmat4& clipFromDraw, 
         view.clipFromCell[axis] *= static_cast<float>(space.step); // a power of two: exact
     view.viewport = viewport;
     return view;
+}
+
+MapView::MapView(const FrameDrawing& frame, const shadow::ShadowMap& map) {
+    const shadow::TexelRectangle& r = map.rectangle;
+    const MapDrawing drawing = mapDrawing(frame, map);
+    view = rasterView(drawing.space, drawing.clipFromDraw(), {r.x, r.y, r.x + r.width, r.y + r.height});
+    rows = shadow::rowPositions(drawing.image, r.y, r.height);
+    for (const shadow::EvenColumns& run : shadow::columnRuns(drawing.image, r.x, r.width))
+        columns.push_back({run.end, run.scale, run.offset});
+    view.rowPositions = rows;
+    view.columnRuns = columns;
 }
 
 } // namespace gnomon::executor

@@ -55,7 +55,7 @@ Shading::Shading(
       clusters_(clusters),
       block_(frameBlock(frame, frame.space, clipFromDraw)),
       shadows_(shadowsBlock(frame)),
-      rowTables_(rowTables(frame)),
+      fitTables_(fitTables(frame)),
       overlay_(frame, block_, shadows_, clusters),
       background_(backgroundRows(frame)) {
     if (frame.ground != nullptr) {
@@ -67,7 +67,7 @@ Shading::Shading(
     shared_.shadows = &shadows_;
     shared_.shadowDepth = shadowDepth.pixels.data();
     shared_.shadowWidth = shadowDepth.width;
-    shared_.rowTables = rowTables_.data();
+    shared_.fitTables = fitTables_.data();
     shared_.wantsLight = frame.wantsLight;
     if (verdict != Verdict::Known)
         shared_.litSource = verdict == Verdict::Undecided ? LitSource::Undecided : LitSource::Awaited;

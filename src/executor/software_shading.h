@@ -109,7 +109,7 @@ private:
     std::span<const DrawnCluster> clusters_;
     block::Frame block_;
     block::Shadows shadows_;
-    std::vector<float> rowTables_;
+    std::vector<float> fitTables_;
     ShadingFrame shared_;
     glm::dvec3 rayOrigin_{0}; // draw space; of the image point (0, 0)
     glm::dvec3 originPerX_{0};

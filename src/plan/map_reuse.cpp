@@ -36,9 +36,9 @@ bool isSameCamera(const FramePlan& a, const FramePlan& b) {
 bool isSamePlace(
     const FramePlan& now, const FramePlan& before, const shadow::ShadowMap& a, const shadow::ShadowMap& b) {
     if (a.stable || b.stable) return a.stable == b.stable;
-    const bool hasSameRows = a.warped.fitted == b.warped.fitted ||
+    const bool hasSameGrid = a.warped.fitted == b.warped.fitted ||
                              (a.warped.fitted && b.warped.fitted && *a.warped.fitted == *b.warped.fitted);
-    return isSameCamera(now, before) && hasSameRows && a.origin == b.origin &&
+    return isSameCamera(now, before) && hasSameGrid && a.origin == b.origin &&
            a.lightClipFromCamera() == b.lightClipFromCamera();
 }
 

@@ -1,5 +1,6 @@
 #include "raster/box_bound.h"
 
+#include "raster/uneven/column_runs.h"
 #include "raster/uneven/row_bands.h"
 
 #include <algorithm>
@@ -154,11 +155,10 @@ public:
         bound.isWhole = hn::AllTrue(kCornerTag, isWhole_);
         if (!bound.isWhole) return bound;
         const float leastW = hn::GetLane(hn::MinOfLanes(kCornerTag, leastW_));
-        const Projection& p = *projection_;
         float least = 0;
         float most = 0;
         rangeX_.reduce(least, most);
-        const PixelRange x = pixelsWithin(least, most, error(x_, least, most, leastW), {p.scaleX, p.translateX});
+        const PixelRange x = columnsWithin(least, most, error(x_, least, most, leastW));
         rangeY_.reduce(least, most);
         const PixelRange y = rowsWithin(least, most, error(y_, least, most, leastW));
         bound.box = {x.first, y.first, x.end, y.end};
@@ -170,6 +170,13 @@ public:
     }
 
 private:
+    PixelRange columnsWithin(float least, float most, float error) const {
+        const Projection& p = *projection_;
+        if (p.columns == nullptr) return pixelsWithin(least, most, error, {p.scaleX, p.translateX});
+        const auto [first, end] = p.columns->columnsBetween(least - error, most + error);
+        return {first, end};
+    }
+
     PixelRange rowsWithin(float least, float most, float error) const {
         const Projection& p = *projection_;
         if (p.rows == nullptr) return pixelsWithin(least, most, error, {p.scaleY, p.translateY});

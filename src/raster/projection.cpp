@@ -1,5 +1,6 @@
 #include "raster/projection.h"
 
+#include "raster/uneven/column_runs.h"
 #include "raster/uneven/row_bands.h"
 
 #include <algorithm>
@@ -20,7 +21,7 @@ float row(const Projection& projection, std::size_t i, const std::array<float, 3
 
 } // namespace
 
-Projection projection(const View& view, bool cutsDepth, const RowBands* rows) {
+Projection projection(const View& view, bool cutsDepth, const RowBands* rows, const ColumnRuns* columns) {
     Projection p;
     for (int column = 0; column < 4; ++column)
         for (int i = 0; i < 4; ++i)
@@ -41,6 +42,12 @@ Projection projection(const View& view, bool cutsDepth, const RowBands* rows) {
         p.lowY = rows->lowest();
         p.highY = rows->highest();
     }
+    p.columns = columns;
+    if (columns != nullptr) {
+        p.guardX = columns->guard();
+        p.lowX = columns->lowest();
+        p.highX = columns->highest();
+    }
     return p;
 }
 
@@ -53,11 +60,13 @@ ClipPosition clipPosition(const Projection& projection, const std::uint32_t* pos
 
 SnappedVertex snapped(const Projection& projection, const ClipPosition& p) {
     const float inverseW = 1.0F / p.w;
-    const float x = (p.x * inverseW) * projection.scaleX + projection.translateX;
+    const float xOverW = p.x * inverseW;
+    const float x = xOverW * projection.scaleX + projection.translateX;
     const float yOverW = p.y * inverseW;
     const float y = yOverW * projection.scaleY + projection.translateY;
     // Adding +0 turns a depth of -0 into +0, whose bits sort.
     const float z = std::min(std::max(p.z * inverseW, -kDepthLimit), kDepthLimit) + 0.0F;
+    if (projection.columns != nullptr) return unevenTo(xOverW, yOverW, z);
     if (projection.rows != nullptr) return unevenTo(double{(x - 0.5F) * static_cast<float>(kSubpixels)}, yOverW, z);
     return snappedTo(
         double{(x - 0.5F) * static_cast<float>(kSubpixels)}, double{(y - 0.5F) * static_cast<float>(kSubpixels)}, z);
@@ -80,9 +89,13 @@ SnappedVertex unevenTo(double x, float yOverW, float z) {
     return vertex;
 }
 
+SnappedVertex unevenTo(float xOverW, float yOverW, float z) {
+    return {std::bit_cast<std::int32_t>(xOverW), std::bit_cast<std::int32_t>(yOverW), z, 0, 0};
+}
+
 std::uint32_t outsideBits(const Projection& projection, const ClipPosition& p) {
-    std::uint32_t bits = (p.x < -p.w ? 1U : 0U) | (p.x > p.w ? 2U : 0U) | (p.y < projection.lowY * p.w ? 4U : 0U) |
-                         (p.y > projection.highY * p.w ? 8U : 0U);
+    std::uint32_t bits = (p.x < projection.lowX * p.w ? 1U : 0U) | (p.x > projection.highX * p.w ? 2U : 0U) |
+                         (p.y < projection.lowY * p.w ? 4U : 0U) | (p.y > projection.highY * p.w ? 8U : 0U);
     if (projection.cutsDepth) bits |= (p.z > p.w ? 16U : 0U) | (p.z < 0 ? 32U : 0U);
     return bits;
 }

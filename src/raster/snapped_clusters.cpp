@@ -2,6 +2,7 @@
 
 #include "core/check.h"
 #include "raster/clip.h"
+#include "raster/uneven/column_runs.h"
 #include "raster/uneven/row_bands.h"
 
 #include <algorithm>
@@ -27,17 +28,25 @@ std::array<int, 2> rowsOf(const RowBands* rows, const SnappedVertex& corner) {
     return rows->rowsBetween(position, position);
 }
 
-void addTriangle(CutCluster& cut, const std::array<SnappedVertex, 3>& corners, std::uint32_t id, const RowBands* rows) {
+std::array<int, 2> columnsOf(const ColumnRuns* columns, const SnappedVertex& corner) {
+    if (columns == nullptr) return {(corner.x + kSubpixels - 1) >> kSubpixelBits, (corner.x >> kSubpixelBits) + 1};
+    const auto position = std::bit_cast<float>(corner.x);
+    return columns->columnsBetween(position, position);
+}
+
+void addTriangle(
+    CutCluster& cut, const std::array<SnappedVertex, 3>& corners, std::uint32_t id, const Projection& projection) {
     for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t vertex = 3 * cut.count + k;
         cut.x[vertex] = corners[k].x;
         cut.y[vertex] = corners[k].y;
         cut.z[vertex] = corners[k].z;
         cut.rests[vertex] = packedRests(corners[k]);
-        const auto [firstRow, endRow] = rowsOf(rows, corners[k]);
-        cut.box.x0 = std::min(cut.box.x0, (corners[k].x + kSubpixels - 1) >> kSubpixelBits);
+        const auto [firstRow, endRow] = rowsOf(projection.rows, corners[k]);
+        const auto [firstColumn, endColumn] = columnsOf(projection.columns, corners[k]);
+        cut.box.x0 = std::min(cut.box.x0, firstColumn);
         cut.box.y0 = std::min(cut.box.y0, firstRow);
-        cut.box.x1 = std::max(cut.box.x1, (corners[k].x >> kSubpixelBits) + 1);
+        cut.box.x1 = std::max(cut.box.x1, endColumn);
         cut.box.y1 = std::max(cut.box.y1, endRow);
     }
     cut.ids[cut.count++] = id;
@@ -80,7 +89,7 @@ void SnappedClusters::cutTriangles(const Projection& projection, const Cluster& 
                 *cut,
                 {polygon.corners[0], polygon.corners[k - 1], polygon.corners[k]},
                 cluster.firstTriangleId + i,
-                projection.rows);
+                projection);
         }
     }
 }

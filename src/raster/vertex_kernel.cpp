@@ -1,5 +1,6 @@
 #include "raster/vertex_kernel.h"
 
+#include "raster/uneven/column_runs.h"
 #include "raster/uneven/row_bands.h"
 
 #include <algorithm>
@@ -120,8 +121,9 @@ HWY_INLINE Ints bitWhere(hn::Mask<FloatTag> mask, std::int32_t bit) {
 }
 
 HWY_INLINE Ints outside(const Projection& projection, const Positions& p) {
-    const auto minusW = hn::Neg(p.w);
-    auto bits = hn::Or(bitWhere(hn::Lt(p.x, minusW), 1), bitWhere(hn::Gt(p.x, p.w), 2));
+    const auto left = hn::Mul(hn::Set(kFloats, projection.lowX), p.w);
+    const auto right = hn::Mul(hn::Set(kFloats, projection.highX), p.w);
+    auto bits = hn::Or(bitWhere(hn::Lt(p.x, left), 1), bitWhere(hn::Gt(p.x, right), 2));
     const auto low = hn::Mul(hn::Set(kFloats, projection.lowY), p.w);
     const auto high = hn::Mul(hn::Set(kFloats, projection.highY), p.w);
     bits = hn::Or(bits, hn::Or(bitWhere(hn::Lt(p.y, low), 4), bitWhere(hn::Gt(p.y, high), 8)));
@@ -151,27 +153,35 @@ HWY_INLINE Floats snappedDepth(Floats z, Floats inverseW) {
     return hn::Add(hn::Min(hn::Max(hn::Mul(z, inverseW), hn::Neg(limit)), limit), hn::Zero(kFloats));
 }
 
-/// What a pass keeps of y where rows lie unevenly, and its extremes in the vertices so far.
+/// What a pass keeps of y where rows lie unevenly, or of x where columns do, and its extremes in the vertices so far.
 struct UnevenAxis {
     Floats lowest, highest;
 
     HWY_INLINE UnevenAxis()
         : lowest(hn::Set(kFloats, hwy::HighestValue<float>())), highest(hn::Set(kFloats, hwy::LowestValue<float>())) {}
 
-    HWY_INLINE SnappedAxis take(Floats y, Floats inverseW) {
-        const auto position = hn::Mul(y, inverseW);
+    HWY_INLINE SnappedAxis take(Floats coordinate, Floats inverseW) {
+        const auto position = hn::Mul(coordinate, inverseW);
         lowest = hn::Min(lowest, position);
         highest = hn::Max(highest, position);
         return {hn::BitCast(kInts, position), hn::Zero(kInts)};
     }
 
-    HWY_INLINE void setRows(const RowBands& rows, PixelBox& box) const {
-        const auto [first, end] = rows.rowsBetween(
-            hn::GetLane(hn::MinOfLanes(kFloats, lowest)), hn::GetLane(hn::MaxOfLanes(kFloats, highest)));
-        box.y0 = first;
-        box.y1 = end;
-    }
+    HWY_INLINE float least() const { return hn::GetLane(hn::MinOfLanes(kFloats, lowest)); }
+
+    HWY_INLINE float most() const { return hn::GetLane(hn::MaxOfLanes(kFloats, highest)); }
 };
+
+HWY_INLINE void setUnevenBox(
+    const Projection& projection, const UnevenAxis& alongX, const UnevenAxis& alongY, PixelBox& box) {
+    const auto [firstRow, endRow] = projection.rows->rowsBetween(alongY.least(), alongY.most());
+    box.y0 = firstRow;
+    box.y1 = endRow;
+    if (projection.columns == nullptr) return;
+    const auto [firstColumn, endColumn] = projection.columns->columnsBetween(alongX.least(), alongX.most());
+    box.x0 = firstColumn;
+    box.x1 = endColumn;
+}
 
 /// Joins x (in place) and y to words where the box allows it, else lays down y.
 HWY_INLINE bool join(const SnappedArrays& snapped, const std::int32_t* y, std::uint32_t count, const PixelBox& box) {
@@ -201,14 +211,17 @@ VertexStage snapVerticesInLanes(const Projection& projection, const Cluster& clu
     auto maxY = maxX;
     auto maxZ = hn::Set(kFloats, -kDepthLimit);
     const bool isUneven = projection.rows != nullptr;
-    UnevenAxis uneven;
+    const bool hasRuns = projection.columns != nullptr;
+    UnevenAxis alongX;
+    UnevenAxis alongY;
     for (std::uint32_t first = 0; first < cluster.vertexCount; first += lanes) {
         const Positions p = clipPositions(projection, cellsOf(cluster, first));
         allInside = hn::And(allInside, insideGuard(projection, p));
         allOutside = hn::And(allOutside, outside(projection, p));
         const auto inverseW = hn::Div(hn::Set(kFloats, 1.0F), p.w);
-        const auto [x, restX] = snappedAxis(p.x, inverseW, projection.scaleX, projection.translateX);
-        const auto [y, restY] = isUneven ? uneven.take(p.y, inverseW)
+        const auto [x, restX] =
+            hasRuns ? alongX.take(p.x, inverseW) : snappedAxis(p.x, inverseW, projection.scaleX, projection.translateX);
+        const auto [y, restY] = isUneven ? alongY.take(p.y, inverseW)
                                          : snappedAxis(p.y, inverseW, projection.scaleY, projection.translateY);
         const auto rests = hn::Or(hn::And(restX, hn::Set(kInts, 0xFFFF)), hn::ShiftLeft<16>(restY));
         hn::StoreU(hn::BitCast(kUints, rests), kUints, snapped.rests + first);
@@ -239,7 +252,7 @@ VertexStage snapVerticesInLanes(const Projection& projection, const Cluster& clu
         (hn::GetLane(hn::MaxOfLanes(kInts, maxY)) >> kSubpixelBits) + 1};
     stage.mostZ = hn::GetLane(hn::MaxOfLanes(kFloats, maxZ));
     if (isUneven) {
-        uneven.setRows(*projection.rows, stage.box);
+        setUnevenBox(projection, alongX, alongY, stage.box);
         std::copy_n(allY.data(), paddedVertexCount(cluster.vertexCount), snapped.y);
         return stage;
     }

@@ -52,15 +52,15 @@ ordered_json planesJson(const plan::FramePlan& plan, const ConvexVolume& volume)
     return planes;
 }
 
-/// How rows are fitted to the view: over a part of the map, from low to high, so many for one without; null: they are
-/// not.
-ordered_json fittedJson(const shadow::ShadowMap& map) {
+/// How rows, or columns, are fitted to the view: over a part of the map, from low to high, so many for one without;
+/// null: they are not.
+ordered_json fittedJson(const shadow::ShadowMap& map, shadow::FittedAxis shadow::FittedGrid::*axis) {
     if (!map.warped.fitted) return nullptr;
-    const shadow::FittedRows& rows = *map.warped.fitted;
+    const shadow::FittedAxis& fitted = (*map.warped.fitted).*axis;
     ordered_json densities = ordered_json::array();
     for (std::size_t part = 0; part < shadow::kFittedParts; ++part)
-        densities.push_back(rows.ofPart(part));
-    return {{"low", rows.low()}, {"high", rows.high()}, {"densities", densities}};
+        densities.push_back(fitted.ofPart(part));
+    return {{"low", fitted.low()}, {"high", fitted.high()}, {"densities", densities}};
 }
 
 ordered_json passJson(const plan::FramePlan& plan, const plan::ShadowPass& pass) {
@@ -80,7 +80,8 @@ ordered_json passJson(const plan::FramePlan& plan, const plan::ShadowPass& pass)
     json["kappa"] = map.warped.kappa;
     // Rows up from the rectangle's lower edge: this times ln(w), w of the matrix; 0: rows lie evenly in y / w.
     json["rows_per_log"] = map.warped.rows == shadow::RowSpacing::Even ? 0.0 : map.rowsPerLog();
-    json["fitted_rows"] = fittedJson(map);
+    json["fitted_rows"] = fittedJson(map, &shadow::FittedGrid::rows);
+    json["fitted_columns"] = fittedJson(map, &shadow::FittedGrid::columns);
     json["promised_for"] = map.warped.fitted ? "view" : "frustum";
     json["promised_aliasing_x"] = map.promised.x;
     json["promised_aliasing_z"] = map.promised.z;

@@ -101,7 +101,10 @@ StablePlace placeOf(
 WarpedMap regionMap(const ShadowOptions& options, const Draft& draft, int texelsS, int texelsT) {
     const Resolution texels{1, static_cast<double>(texelsS), static_cast<double>(texelsT)};
     Resolution least = texels;
-    if (draft.viewFit) least.t *= draft.viewFit->rows.leastDensity();
+    if (draft.viewFit) {
+        least.s *= draft.viewFit->columns.leastDensity();
+        least.t *= draft.viewFit->rows.leastDensity();
+    }
     const double bias = largestRawBias(draft.fit, draft.kappa, least, options.filterTexels);
     return warpedMap(draft.fit, draft.kappa, bias);
 }
@@ -159,13 +162,15 @@ ShadowMap finished(
     } else {
         result.warped = regionMap(options, draft, texelsS, texelsT);
     }
-    // Where rows are fitted, those that a lookup reaches are at most the longest.
+    // Where they are fitted, columns and rows that a lookup reaches are at most the longest.
     const double reach = layout.gutter;
+    const double widest = draft.viewFit ? 1 / draft.viewFit->columns.leastDensity() : 1;
     const double longest = draft.viewFit ? 1 / draft.viewFit->rows.leastDensity() : 1;
     // A stabilised map stays from frame to frame while its casters do, so what is seen must not choose among them.
     const std::vector<glm::dvec3> receivers =
         options.stabilized ? cornersOf(draft.region) : receiversOf(view, draft.region);
-    result.casterVolume = grownCasterVolume(receivers, result.warped, reach / texelsS, reach * longest / texelsT);
+    result.casterVolume =
+        grownCasterVolume(receivers, result.warped, reach * widest / texelsS, reach * longest / texelsT);
     if (draft.viewFit) result.warped = fitted(result.warped, *draft.viewFit);
     result.promised = promiseOf(view, options, draft, result.warped, texelsS, texelsT);
     if (isThin(view.frustum)) result.origin = originOf(draft.region);
@@ -190,8 +195,8 @@ void fitToSamples(const ShadowView& view, std::vector<Draft>& drafts, ShadowMapS
     for (std::size_t i = 0; i < drafts.size(); ++i) {
         drafts[i].viewFit = setup.fits[i];
         const SampleNeeds::Found found = needs[i].under(setup.fits[i]);
-        drafts[i].unit = {found.x, found.sheared};
-        drafts[i].sheared = found.sheared;
+        drafts[i].unit = {found.x.most, found.sheared.most};
+        drafts[i].sheared = found.sheared.most;
     }
 }
 

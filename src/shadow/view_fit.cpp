@@ -7,11 +7,9 @@ namespace gnomon::shadow {
 
 namespace {
 
-constexpr int kSteps = 8;        // that the ends of t are rounded to: of an eighth of the map each
-constexpr int kColumnSteps = 32; // likewise of s
-constexpr int kSlack = 4;        // bins on each side of a sample that are as dense as it asks
+constexpr AxisNeeds::Limits kRowLimits{};
+constexpr AxisNeeds::Limits kColumnLimits{32, 8, kColumnParts, kMostColumnDensity, 1};
 constexpr float kFading = 0.9F;
-constexpr double kColumnSlack = 1.0 / 128;
 constexpr double kUnseen = 1.0 / 64; // what a map that no sample asks has of the resolution that its region calls for
 
 /// The largest value up to `high` at which `mean`, which grows, is at most 1.
@@ -26,39 +24,133 @@ double largestWithin(const Function& mean, double high) {
     return low;
 }
 
-double meanOf(const FittedRows::Densities& values) {
-    double sum = 0;
-    for (const double value : values)
-        sum += value;
-    return sum / kFittedParts;
-}
-
-/// A part of the rows that are to be spaced: the largest need in it and the sum of all.
+/// A part of an axis that is to be spaced: the largest need in it and the sum of all.
 struct Part {
     double need = 0;
     double sum = 0;
 };
 
-using Parts = std::array<Part, kFittedParts>;
+/// The mean over `parts` of what `value` makes of each.
+template <class Function>
+double meanOver(const std::vector<Part>& parts, const Function& value) {
+    double sum = 0;
+    for (const Part& part : parts)
+        sum += value(part);
+    return sum / static_cast<double>(parts.size());
+}
 
 /// Densities of mean 1 that keep every need over its density at `promise` or below and lower the mean with what is
 /// left: the sum of sum / density is least where densities are as the square roots.
-FittedRows::Densities spaced(const Parts& parts, double promise) {
-    const auto densities = [&](double scale) {
-        FittedRows::Densities result{};
-        for (std::size_t i = 0; i < kFittedParts; ++i)
-            result[i] = std::min(
-                kMostDensity, std::max({kLeastDensity, parts[i].need / promise, scale * std::sqrt(parts[i].sum)}));
-        return result;
+FittedAxis::Densities spaced(const std::vector<Part>& parts, double promise, double mostDensity) {
+    const auto density = [&](const Part& part, double scale) {
+        return std::min(mostDensity, std::max({kLeastDensity, part.need / promise, scale * std::sqrt(part.sum)}));
     };
     double most = 0;
     for (const Part& part : parts)
         most = std::max(most, std::sqrt(part.sum));
     const double high = most > 0 ? 1e6 / most : 1;
-    return densities(largestWithin([&](double scale) { return meanOf(densities(scale)); }, high));
+    const double scale = largestWithin(
+        [&](double tried) { return meanOver(parts, [&](const Part& part) { return density(part, tried); }); }, high);
+    FittedAxis::Densities result{};
+    for (std::size_t i = 0; i < result.size(); ++i)
+        result[i] = density(parts[i * parts.size() / result.size()], scale);
+    return result;
 }
 
 } // namespace
+
+void AxisNeeds::add(double at, double need) {
+    Bin& bin = bins_[static_cast<std::size_t>(std::clamp(at * kBins, 0.0, kBins - 1.0))];
+    bin.isUsed = true;
+    bin.need = std::max(bin.need, need);
+    bin.sum += need;
+}
+
+bool AxisNeeds::areWithin(const FittedAxis& axis) const {
+    for (int i = 0; i < kBins; ++i) {
+        const bool isInside = i >= axis.low() * kBins && i < axis.high() * kBins;
+        if (bins_[static_cast<std::size_t>(i)].isUsed && !isInside) return false;
+    }
+    return true;
+}
+
+AxisNeeds::Found AxisNeeds::under(const FittedAxis& axis) const {
+    constexpr double kRounding = 1 + 1e-4; // what maps in single precision lose
+    Found found;
+    for (int i = 0; i < kBins; ++i) {
+        const Bin& bin = bins_[static_cast<std::size_t>(i)];
+        if (!(bin.need > 0)) continue;
+        const auto density = [&](int k) { return axis.density((k + 0.5) / kBins); };
+        const double least = std::min({density(std::max(i - 1, 0)), density(i), density(std::min(i + 1, kBins - 1))});
+        found.most = std::max(found.most, bin.need / least * kRounding);
+        found.sum += bin.sum / density(i);
+    }
+    return found;
+}
+
+NeedsOfLate AxisNeeds::ofLate(const NeedsOfLate* before) const {
+    NeedsOfLate needs{};
+    if (before != nullptr)
+        for (std::size_t i = 0; i < kFittedParts; ++i)
+            needs[i] = (*before)[i] * kFading;
+    for (std::size_t i = 0; i < bins_.size(); ++i) {
+        float& need = needs[i / (kBins / kFittedParts)];
+        need = std::max(need, static_cast<float>(bins_[i].need));
+    }
+    return needs;
+}
+
+std::vector<double> AxisNeeds::widened(int slack, const NeedsOfLate* before) const {
+    const NeedsOfLate late = ofLate(before);
+    std::vector<double> needs(kBins);
+    for (int i = 0; i < kBins; ++i) {
+        double& need = needs[static_cast<std::size_t>(i)];
+        if (before != nullptr) need = double{late[static_cast<std::size_t>(i) / (kBins / kFittedParts)]};
+        for (int k = std::max(0, i - slack); k <= std::min(kBins - 1, i + slack); ++k)
+            need = std::max(need, bins_[static_cast<std::size_t>(k)].need);
+    }
+    return needs;
+}
+
+FittedAxis AxisNeeds::fit(const Limits& limits, double bound, const NeedsOfLate* before) const {
+    const std::vector<double> needs = widened(limits.slack, before);
+    int first = kBins;
+    int last = 0;
+    for (int i = 0; i < kBins; ++i)
+        if (bins_[static_cast<std::size_t>(i)].isUsed || needs[static_cast<std::size_t>(i)] > 0) {
+            first = std::min(first, i);
+            last = i;
+        }
+    const int step = kBins / limits.steps;
+    const int low = std::max(0, first - limits.slack) / step;
+    const int high = std::min(kBins - 1, last + limits.slack) / step + 1;
+    std::vector<Part> parts(static_cast<std::size_t>(limits.parts));
+    const int binsAPart = (high - low) * step / limits.parts;
+    double most = 0;
+    for (int i = low * step; i < high * step; ++i) {
+        Part& part = parts[static_cast<std::size_t>((i - low * step) / binsAPart)];
+        const auto bin = static_cast<std::size_t>(i);
+        part.need = std::max(part.need, needs[bin]);
+        part.sum += bins_[bin].sum;
+        most = std::max(most, part.need);
+    }
+    const auto ends = [&](int at) { return static_cast<double>(at) / limits.steps; };
+    FittedAxis::Densities densities{};
+    densities.fill(1);
+    if (most > 0) {
+        const auto mean = [&](double perNeed) {
+            return meanOver(parts, [&](const Part& part) {
+                return std::clamp(part.need * perNeed, kLeastDensity, limits.mostDensity);
+            });
+        };
+        // In the texels of [low, high], of which there are as many as of all.
+        const double share = ends(high - low);
+        const double perNeed = largestWithin(mean, limits.mostDensity / most);
+        const double promise = std::max(1 / perNeed, std::min(bound / share, limits.promiseSlack / perNeed));
+        densities = spaced(parts, promise, limits.mostDensity);
+    }
+    return {ends(low), ends(high), densities};
+}
 
 SampleNeeds::SampleNeeds(const WarpedMap& base, const ViewFrustum& slice)
     : base_(base),
@@ -67,8 +159,7 @@ SampleNeeds::SampleNeeds(const WarpedMap& base, const ViewFrustum& slice)
       pixelSlope_(2 * tanHalfY(slice)),
       rowLength_(rowLength(base.kappa, base.length, base.rows)),
       lean_(lean(base.frame)),
-      perGrowth_(hasLogRows(base) ? 1 / std::log1p(base.kappa * base.length) : 0),
-      bins_(kBins) {}
+      perGrowth_(hasLogRows(base) ? 1 / std::log1p(base.kappa * base.length) : 0) {}
 
 void SampleNeeds::add(const glm::dvec3& p) {
     ++count_;
@@ -76,130 +167,48 @@ void SampleNeeds::add(const glm::dvec3& p) {
     const double zeta = light.z - base_.zMin;
     const double w = std::max(1 + base_.kappa * zeta, 1e-12);
     const double u = light.x / w;
-    const double s = std::clamp((u - base_.uMin) / base_.width, 0.0, 1.0); // rounding apart it is
-    sLeast_ = std::min(sLeast_, s);
-    sMost_ = std::max(sMost_, s);
+    const double s = (u - base_.uMin) / base_.width;
     const bool isLog = perGrowth_ > 0;
     const double t = isLog ? std::log(w) * perGrowth_ : zeta * (1 + base_.kappa * base_.length) / (base_.length * w);
-    Bin& bin = bins_[static_cast<std::size_t>(std::clamp(t * kBins, 0.0, kBins - 1.0))];
-    bin.isUsed = true;
-    if (p.z < near_ || p.z > far_) return;
-    const double perPixel = 1 / (pixelSlope_ * p.z);
-    const double z = rowLength_ * (isLog ? w : w * w) * perPixel;
+    const bool isPromised = p.z >= near_ && p.z <= far_;
+    const double perPixel = isPromised ? 1 / (pixelSlope_ * p.z) : 0;
     const double shear = base_.kappa * u + lean_;
-    const double sheared = z * std::sqrt(1 + shear * shear);
-    bin.z = std::max(bin.z, z);
-    bin.sheared = std::max(bin.sheared, sheared);
-    bin.sum += sheared;
-    x_ = std::max(x_, base_.width * w * perPixel);
+    alongS_.add(s, base_.width * w * perPixel);
+    const double z = rowLength_ * (isLog ? w : w * w) * perPixel;
+    alongT_.add(t, z * std::sqrt(1 + shear * shear));
+    unsheared_.add(t, z);
 }
 
-NeedsOfLate SampleNeeds::ofLate(const MapFit* before) const {
-    NeedsOfLate needs{};
-    if (before != nullptr)
-        for (std::size_t i = 0; i < kFittedParts; ++i)
-            needs[i] = before->ofLate[i] * kFading;
-    for (std::size_t i = 0; i < bins_.size(); ++i) {
-        float& need = needs[i / (kBins / kFittedParts)];
-        need = std::max(need, static_cast<float>(bins_[i].sheared));
-    }
-    return needs;
-}
-
-std::vector<double> SampleNeeds::widened(const MapFit* before) const {
-    const NeedsOfLate late = ofLate(before);
-    std::vector<double> needs(kBins);
-    for (int i = 0; i < kBins; ++i) {
-        double& need = needs[static_cast<std::size_t>(i)];
-        if (before != nullptr) need = double{late[static_cast<std::size_t>(i) / (kBins / kFittedParts)]};
-        for (int k = std::max(0, i - kSlack); k <= std::min(kBins - 1, i + kSlack); ++k)
-            need = std::max(need, bins_[static_cast<std::size_t>(k)].sheared);
-    }
-    return needs;
-}
-
-MapFit SampleNeeds::fit(double bound, const MapFit* before) const {
-    const std::vector<double> needs = widened(before);
-    int first = kBins;
-    int last = 0;
-    for (int i = 0; i < kBins; ++i)
-        if (bins_[static_cast<std::size_t>(i)].isUsed || needs[static_cast<std::size_t>(i)] > 0) {
-            first = std::min(first, i);
-            last = i;
-        }
-    constexpr int kStep = kBins / kSteps;
-    const int low = std::max(0, first - kSlack) / kStep;
-    const int high = std::min(kBins - 1, last + kSlack) / kStep + 1;
-    Parts parts{};
-    const int binsAPart = (high - low) * kStep / kFittedParts;
-    for (int i = low * kStep; i < high * kStep; ++i) {
-        Part& part = parts[static_cast<std::size_t>((i - low * kStep) / binsAPart)];
-        const auto bin = static_cast<std::size_t>(i);
-        part.need = std::max(part.need, needs[bin]);
-        part.sum += bins_[bin].sum;
-    }
-    // In the rows of [low, high], of which there are as many as of all.
-    const double share = static_cast<double>(high - low) / kSteps;
-    double most = 0;
-    for (const Part& part : parts)
-        most = std::max(most, part.need);
-    const auto mean = [&](double perNeed) {
-        double sum = 0;
-        for (const Part& part : parts)
-            sum += std::clamp(part.need * perNeed, kLeastDensity, kMostDensity);
-        return sum / kFittedParts;
-    };
+MapFit SampleNeeds::fit(const Aliasing& bound, const MapFit* before) const {
+    const NeedsOfLate* columnsBefore = before == nullptr ? nullptr : &before->columnsOfLate;
+    const NeedsOfLate* rowsBefore = before == nullptr ? nullptr : &before->rowsOfLate;
     MapFit result;
-    result.sLow = std::max(0.0, std::floor((sLeast_ - kColumnSlack) * kColumnSteps) / kColumnSteps);
-    result.sHigh = std::min(1.0, std::ceil((sMost_ + kColumnSlack) * kColumnSteps) / kColumnSteps);
-    result.sHigh = std::max(result.sHigh, result.sLow + 1.0 / kColumnSteps);
-    if (before != nullptr) {
-        result.sLow = std::min(result.sLow, before->sLow + 1.0 / kColumnSteps);
-        result.sHigh = std::max(result.sHigh, before->sHigh - 1.0 / kColumnSteps);
-    }
-    result.ofLate = ofLate(before);
-    if (!(most > 0)) return result;
-    const double perNeed = largestWithin(mean, kMostDensity / most);
-    const double promise = std::max(1 / perNeed, std::min(bound / share, kPromiseSlack / perNeed));
-    result.rows =
-        FittedRows(static_cast<double>(low) / kSteps, static_cast<double>(high) / kSteps, spaced(parts, promise));
+    result.columnsOfLate = alongS_.ofLate(columnsBefore);
+    result.rowsOfLate = alongT_.ofLate(rowsBefore);
+    result.columns = alongS_.fit(kColumnLimits, bound.x, columnsBefore);
+    FittedAxis::Densities even{};
+    even.fill(1);
+    const FittedAxis evenColumns(result.columns.low(), result.columns.high(), even);
+    if (alongS_.under(result.columns).most * kWorthColumns > alongS_.under(evenColumns).most)
+        result.columns = evenColumns;
+    result.rows = alongT_.fit(kRowLimits, bound.z, rowsBefore);
     const Found found = under(result);
-    result.unit = {found.x, found.sheared};
+    result.unit = {found.x.most, found.sheared.most};
     return result;
 }
 
 bool SampleNeeds::areWithin(const MapFit& fit) const {
-    if (isEmpty()) return true;
-    if (sLeast_ < fit.sLow || sMost_ > fit.sHigh) return false;
-    for (int i = 0; i < kBins; ++i) {
-        const bool isInside = i >= fit.rows.low() * kBins && i < fit.rows.high() * kBins;
-        if (bins_[static_cast<std::size_t>(i)].isUsed && !isInside) return false;
-    }
-    return true;
+    return alongS_.areWithin(fit.columns) && alongT_.areWithin(fit.rows);
 }
 
 SampleNeeds::Found SampleNeeds::under(const MapFit& fit) const {
-    constexpr double kRounding = 1 + 1e-4; // what maps in single precision lose
-    Found found;
-    found.x = x_ * (fit.sHigh - fit.sLow) * kRounding;
-    // A texel of a sample may reach into the bins beside it.
-    for (int i = 0; i < kBins; ++i) {
-        const Bin& bin = bins_[static_cast<std::size_t>(i)];
-        if (!(bin.sheared > 0)) continue;
-        const auto density = [&](int k) { return fit.rows.density((k + 0.5) / kBins); };
-        const double least =
-            std::min({density(std::max(i - 1, 0)), density(i), density(std::min(i + 1, kBins - 1))}) / kRounding;
-        found.z = std::max(found.z, bin.z / least);
-        found.sheared = std::max(found.sheared, bin.sheared / least);
-        found.sum += bin.sum / density(i);
-    }
-    return found;
+    return {alongS_.under(fit.columns), alongT_.under(fit.rows), unsheared_.under(fit.rows).most};
 }
 
 WarpedMap fitted(WarpedMap map, const MapFit& fit) {
-    map.uMin += fit.sLow * map.width;
-    map.width *= fit.sHigh - fit.sLow;
-    map.fitted = std::make_shared<const FittedRows>(fit.rows);
+    map.uMin += fit.columns.low() * map.width;
+    map.width *= fit.columns.high() - fit.columns.low();
+    map.fitted = std::make_shared<const FittedGrid>(FittedGrid{fit.columns.overAll(), fit.rows});
     return map;
 }
 
@@ -220,8 +229,8 @@ Outcome outcomeOf(std::span<const SampleNeeds> needs, std::span<const MapFit> fi
         const Aliasing& unit = fits[i].unit;
         storage += unit.x * unit.z;
         const SampleNeeds::Found found = needs[i].under(fits[i]);
-        excess = std::max({excess, found.x / unit.x, found.sheared / unit.z});
-        sum += found.sum / unit.z;
+        excess = std::max({excess, found.x.most / unit.x, found.sheared.most / unit.z});
+        sum += found.x.sum / unit.x + found.sheared.sum / unit.z;
     }
     return {std::sqrt(storage) * excess, std::sqrt(storage) * sum};
 }
@@ -244,7 +253,7 @@ std::vector<MapFit> newFits(
     std::span<const SampleNeeds> needs, std::span<const Aliasing> bounds, std::span<const MapFit> before) {
     std::vector<MapFit> fits;
     for (std::size_t i = 0; i < needs.size(); ++i) {
-        MapFit fit = needs[i].isEmpty() ? MapFit{} : needs[i].fit(bounds[i].z, before.empty() ? nullptr : &before[i]);
+        MapFit fit = needs[i].isEmpty() ? MapFit{} : needs[i].fit(bounds[i], before.empty() ? nullptr : &before[i]);
         if (!(fit.unit.z > 0)) fit.unit = {bounds[i].x * kUnseen, bounds[i].z * kUnseen};
         fits.push_back(fit);
     }
@@ -257,7 +266,8 @@ std::vector<MapFit> withoutFits(std::span<const Aliasing> bounds, std::span<cons
     std::vector<MapFit> fits(fresh.size());
     for (std::size_t i = 0; i < fits.size(); ++i) {
         fits[i].unit = bounds[i];
-        fits[i].ofLate = fresh[i].ofLate;
+        fits[i].columnsOfLate = fresh[i].columnsOfLate;
+        fits[i].rowsOfLate = fresh[i].rowsOfLate;
     }
     return fits;
 }

@@ -62,7 +62,7 @@ SampleNeeds::Found ofWholeRegion(const SchemeMap& map) {
                 const bool isTurned = vertices[i].depth > vertices[j].depth;
                 needs.add(glm::mix(at(vertices[isTurned ? j : i]), at(vertices[isTurned ? i : j]), along));
             }
-    return needs.under(needs.fit(map.sheared));
+    return needs.under(needs.fit({map.unit.x, map.sheared}));
 }
 
 SchemeRow schemeRow(const ViewFrustum& frustum, const glm::dvec3& light, const NamedScheme& named, int slices) {
@@ -78,7 +78,7 @@ SchemeRow schemeRow(const ViewFrustum& frustum, const glm::dvec3& light, const N
             continue;
         }
         const SampleNeeds::Found found = ofWholeRegion(map);
-        add(row, {found.x, found.z}, found.sheared);
+        add(row, {found.x.most, found.z}, found.sheared.most);
     }
     return row;
 }

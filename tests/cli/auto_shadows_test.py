@@ -69,9 +69,10 @@ class AutoShadows(ProgramTest):
         self.assertEqual(plan["scheme"], "map+fitted")
         (shadow,) = [one for one in plan["passes"] if one["kind"] == "shadow_map"]
         self.assertEqual(shadow["promised_for"], "view")
-        rows = shadow["fitted_rows"]
-        self.assertEqual(len(rows["densities"]), 64)
-        self.assertAlmostEqual(sum(rows["densities"]) * (rows["high"] - rows["low"]) / 64, 1)
+        for axis in ("fitted_rows", "fitted_columns"):
+            fit = shadow[axis]
+            self.assertEqual(len(fit["densities"]), 64)
+            self.assertAlmostEqual(sum(fit["densities"]) * (fit["high"] - fit["low"]) / 64, 1)
         text = self.expect(0, "", "explain", self.sundial, *SIZE, *SOFTWARE, *fitted).stdout
         self.assertIn("what is promised is of what it shows", text)
         self.assertEqual({row["scheme"] for row in self.logged(*fitted)}, {"map+fitted"})

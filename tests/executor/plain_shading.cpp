@@ -188,20 +188,21 @@ float plainLog(float value) {
 
 namespace {
 
-/// Where a row lies on the map, and how many rows of it one may be at most.
-struct FittedRow {
-    float row = 0;
+/// Where a column or a row lies on the map, and how many of it one may be at most.
+struct FittedTexel {
+    float texel = 0;
     float longest = 1;
 };
 
-FittedRow fittedRow(const ShadingFrame& f, const block::Partition& part, float row) {
-    if (part.rowTable <= 0) return {row};
+FittedTexel fittedTexel(const ShadingFrame& f, const block::Partition& part, int axis, float texel) {
+    if (part.fitTable <= 0) return {texel};
     constexpr std::ptrdiff_t kParts = shadow::kFittedParts;
-    const float* starts = f.rowTables + (static_cast<std::ptrdiff_t>(part.rowTable) - 1) * 3 * kParts;
+    const float* starts = f.fitTables + ((static_cast<std::ptrdiff_t>(part.fitTable) - 1) * 2 + axis) * 3 * kParts;
+    const float perTexel = part.partsPerTexel[axis];
     const float place =
-        std::min(std::max(std::floor(row * part.partsPerRow), 0.0F), static_cast<float>(shadow::kFittedParts - 1));
+        std::min(std::max(std::floor(texel * perTexel), 0.0F), static_cast<float>(shadow::kFittedParts - 1));
     const auto at = static_cast<std::ptrdiff_t>(place);
-    return {starts[at] + (row - place / part.partsPerRow) * starts[kParts + at], starts[2 * kParts + at]};
+    return {starts[at] + (texel - place / perTexel) * starts[kParts + at], starts[2 * kParts + at]};
 }
 
 } // namespace
@@ -221,17 +222,18 @@ float plainLitFraction(const ShadingFrame& f, int pass, const vec3& p, const vec
     const int width = std::max(f.frame->filterTexels, 1);
     const bool isLog = part.logRows > 0;
     const float along = isLog ? plainLog(std::max(w, 1e-30F)) : coordinate(1) * inverseW;
-    const FittedRow fitted = fittedRow(f, part, along * part.texelScale.y + part.texelOffset.y);
-    const float longest = fitted.longest;
+    const FittedTexel row = fittedTexel(f, part, 1, along * part.texelScale.y + part.texelOffset.y);
+    const FittedTexel column =
+        fittedTexel(f, part, 0, coordinate(0) * inverseW * part.texelScale.x + part.texelOffset.x);
+    const float longest = row.longest;
     const float byRow = withPlane(part.byRow) * longest * (isLog ? inverseW : 1.0F);
-    const float slope = (withPlane(part.byColumn) + byRow) / std::max(withPlane(part.byDepth), 1e-30F);
+    const float slope = (withPlane(part.byColumn) * column.longest + byRow) / std::max(withPlane(part.byDepth), 1e-30F);
     const float unevenZ = part.unevenZ * longest * (isLog ? 1.0F : w);
-    const float uneven = std::sqrt(part.unevenX * part.unevenX + unevenZ * unevenZ);
+    const float uneven = std::hypot(part.unevenX * column.longest, unevenZ);
     const float bias = (slope * std::min(1.0F, cosine * 10) + uneven) * part.reach + 6e-7F;
     const float depth = std::min(coordinate(2) * inverseW - bias, 1.0F);
-    const auto start = [&](int row) {
-        const float column = coordinate(0) * inverseW * part.texelScale.x + part.texelOffset.x;
-        const float texel = row == 0 ? column : fitted.row;
+    const auto start = [&](int axis) {
+        const float texel = axis == 0 ? column.texel : row.texel;
         return std::min(std::max(texel - 0.5F * static_cast<float>(width - 1), -1e6F), 1e6F);
     };
     const auto isLit = [&](int x, int y) {

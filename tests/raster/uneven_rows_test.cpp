@@ -3,129 +3,16 @@
 #include "raster/raster.h"
 #include "raster/uneven/row_bands.h"
 #include "tests/each_target.h"
-#include "tests/raster/plain_uneven.h"
 #include "tests/raster/scenes.h"
+#include "tests/raster/uneven_scenes.h"
 
 #include <gtest/gtest.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include <hwy/highway.h>
-
 namespace gnomon::raster {
 namespace {
-
-/// Rows evenly in the logarithm of -y / w, from -1 to -1 / ratio.
-std::vector<float> logarithmicRows(int count, double ratio) {
-    std::vector<float> rows;
-    rows.reserve(static_cast<std::size_t>(count));
-    for (int i = 0; i < count; ++i)
-        rows.push_back(static_cast<float>(-std::pow(ratio, -(i + 0.5) / count)));
-    return rows;
-}
-
-std::vector<float> evenRows(int count) {
-    std::vector<float> rows;
-    rows.reserve(static_cast<std::size_t>(count));
-    for (int i = 0; i < count; ++i)
-        rows.push_back(static_cast<float>((2 * i + 1.0) / count - 1));
-    return rows;
-}
-
-/// Gaps at random, up to 5.7 times as wide as a neighbour, whose density grows by about `ratio`.
-std::vector<float> randomRows(int count, double ratio, std::uint64_t seed) {
-    Random random(seed);
-    const double mean = std::log(ratio) / count;
-    std::vector<float> rows;
-    double at = 1;
-    for (int i = 0; i < count; ++i) {
-        at *= std::exp(-mean * random.uniform(0.3, 1.7));
-        rows.push_back(static_cast<float>(-at));
-    }
-    return rows;
-}
-
-/// The rows of a film seen from both ends: gaps that fall and rise.
-std::vector<float> mirroredRows(int count, double ratio) {
-    std::vector<float> rows = logarithmicRows(count / 2, ratio);
-    for (int i = count / 2; i-- > 0;)
-        rows.push_back(-rows[static_cast<std::size_t>(i)]);
-    return rows;
-}
-
-/// Names the kinds of rows that every scene is drawn on.
-std::vector<std::pair<const char*, std::vector<float>>> kindsOfRows(int count) {
-    return {
-        {"even", evenRows(count)},
-        {"logarithmic, 1e3", logarithmicRows(count, 1e3)},
-        {"logarithmic, 1e6", logarithmicRows(count, 1e6)},
-        {"random, 2e5", randomRows(count, 2e5, 5)},
-        {"mirrored, 1e4", mirroredRows(count, 1e4)}};
-}
-
-struct DrawnDepths {
-    std::vector<float> depths;
-    std::uint64_t fragments = 0;
-};
-
-DrawnDepths drawn(std::span<const Cluster> clusters, const View& view, int width, int height) {
-    DrawnDepths result{std::vector<float>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), -7), 0};
-    result.fragments = Rasterizer().drawDepth(clusters, view, {result.depths.data(), width, height});
-    return result;
-}
-
-/// The plain answer: least depths, and how often each sample is covered.
-struct PlainDepths {
-    std::vector<double> depths;
-    std::vector<int> covers;
-    std::uint64_t fragments = 0;
-};
-
-PlainDepths plainly(std::span<const Cluster> clusters, const View& view, int width, int height) {
-    const std::size_t samples = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-    PlainDepths result{std::vector<double>(samples, 1), std::vector<int>(samples), 0};
-    visitUnevenSamples(clusters, view, [&](int x, int y, double depth, std::uint32_t /*id*/) {
-        const std::size_t at =
-            static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
-        result.depths[at] = std::min(result.depths[at], depth);
-        ++result.covers[at];
-        ++result.fragments;
-    });
-    return result;
-}
-
-void expectAsPlain(std::span<const Cluster> clusters, const View& view, int width, int height, double slack) {
-    const PlainDepths plain = plainly(clusters, view, width, height);
-    EXPECT_GT(plain.fragments, 0U);
-    std::vector<float> first;
-    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-        hwy::SetSupportedTargetsForTest(target);
-        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-        for (const int threads : {1, 2}) {
-            SCOPED_TRACE(std::string(hwy::TargetName(target)) + ", threads " + std::to_string(threads));
-            DrawnDepths found;
-            tbb::task_arena(threads).execute([&] { found = drawn(clusters, view, width, height); });
-            EXPECT_EQ(found.fragments, plain.fragments);
-            std::size_t apart = 0;
-            double worst = 0;
-            for (int y = view.viewport.y0; y < view.viewport.y1; ++y)
-                for (int x = view.viewport.x0; x < view.viewport.x1; ++x) {
-                    const std::size_t at =
-                        static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
-                    if (plain.covers[at] == 0 && found.depths[at] != 1) ++apart;
-                    worst = std::max(worst, std::abs(found.depths[at] - plain.depths[at]));
-                }
-            EXPECT_EQ(apart, 0U);
-            EXPECT_LE(worst, slack);
-            if (first.empty()) first = found.depths;
-            EXPECT_TRUE(first == found.depths) << "the same on all";
-        }
-    }
-    hwy::SetSupportedTargetsForTest(0);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-}
 
 TEST(UnevenRows, AreCoveredAsPlainCodeCoversThem) {
     constexpr int kWidth = 133;
@@ -190,10 +77,15 @@ TEST(UnevenRows, AFanOf85TrianglesHasNoHoleAndNoDouble) {
             const Scene scene = fanAround(1000.3, hubY, 4000, 85);
             const Cluster whole = scene.clusters().front();
             std::vector<float> depths(std::size_t{kSide} * kSide);
-            const std::uint64_t fragments = Rasterizer().drawDepth({&whole, 1}, view, {depths.data(), kSide, kSide});
-            // As many fragments as samples, and none without: each is covered once.
-            EXPECT_EQ(fragments, depths.size()) << "each sample once";
-            EXPECT_EQ(std::count(depths.begin(), depths.end(), 1.0F), 0) << "no hole";
+            const std::vector<ColumnRun> runs = runsOf(viewport, kSpreadDensities);
+            for (const std::span<const ColumnRun> columns : {std::span<const ColumnRun>(), std::span(runs)}) {
+                view.columnRuns = columns;
+                const std::uint64_t fragments =
+                    Rasterizer().drawDepth({&whole, 1}, view, {depths.data(), kSide, kSide});
+                // As many fragments as samples, and none without: each is covered once.
+                EXPECT_EQ(fragments, depths.size()) << "each sample once";
+                EXPECT_EQ(std::count(depths.begin(), depths.end(), 1.0F), 0) << "no hole";
+            }
         }
     }
 }
@@ -212,6 +104,7 @@ TEST(UnevenRows, KeepTheirDepthsWithoutWhatIsHidden) {
     constexpr int kHeight = 290;
     constexpr PixelBox kViewport{7, 5, 330, 281};
     const std::vector<float> rows = fanningRows(kViewport.height());
+    const std::vector<ColumnRun> runs = runsOf(kViewport, kSpreadDensities);
     const std::size_t pixels = std::size_t{kWidth} * kHeight;
     std::uint64_t hidden = 0;
     Rasterizer rasterizer;
@@ -221,6 +114,7 @@ TEST(UnevenRows, KeepTheirDepthsWithoutWhatIsHidden) {
         const std::vector<CellBox> boxes = boxesOf(scene.clusters());
         for (View view : {flatView(kViewport), insideView(kViewport, seed)}) {
             view.rowPositions = rows;
+            if (seed % 2 == 1) view.columnRuns = runs;
             std::vector<float> whole(pixels, 2);
             rasterizer.drawDepth(scene.clusters(), view, {whole.data(), kWidth, kHeight});
             tests::onEachTarget([&](const char* target) {
@@ -373,9 +267,11 @@ TEST(SlowUnevenRows, HardCasesAreCoveredAsPlainCodeCoversThemAt2048Square) {
     View view = logMapView();
     const std::vector<float> logarithmic = logarithmicRows(kMapSide, kDensityRatio);
     const std::vector<float> random = randomRows(kMapSide, kDensityRatio, 9);
+    const std::vector<ColumnRun> runs = runsOf(view.viewport, kSpreadDensities);
     for (const auto& hardCase : hardCasesInMap())
         for (const std::vector<float>* rows : {&logarithmic, &random}) {
             SCOPED_TRACE(hardCase.first);
+            view.columnRuns = rows == &random ? std::span(runs) : std::span<const ColumnRun>();
             const std::vector<Cluster> clusters = hardCase.second.clusters();
             view.rowPositions = *rows;
             const PlainDepths plain = plainly(clusters, view, kMapSide, kMapSide);

@@ -3,7 +3,7 @@
 #include "random_samples.h"
 #include "shadow/setup.h"
 #include "shadow/view_fit.h"
-#include "shadow/warp/fitted_rows.h"
+#include "shadow/warp/fitted_axis.h"
 
 #include <gtest/gtest.h>
 
@@ -36,6 +36,13 @@ bool isSteep(const WarpedMap& map) {
     return map.kappa * map.length > 3e3;
 }
 
+/// Where a difference may be of two parts of `axis`.
+bool isNearEndOfPart(const FittedAxis& axis, double at) {
+    const double part = (at - axis.low()) / (axis.high() - axis.low()) * kFittedParts;
+    const double inPart = part - std::floor(part);
+    return inPart < 0.01 || inPart > 0.99;
+}
+
 TEST(FittedMaps, FiniteDifferencesAreTheJacobianAndTheBeamsAndPointsComeBack) {
     int tested = 0;
     for (std::uint64_t seed = 0; seed < 1500 && !testing::Test::HasFatalFailure(); ++seed) {
@@ -47,10 +54,8 @@ TEST(FittedMaps, FiniteDifferencesAreTheJacobianAndTheBeamsAndPointsComeBack) {
         const glm::dvec3 p = asked.samples[random.below(asked.samples.size())];
         const MapPoint at = mapPoint(map, p);
         const double step = 1e-6 * at.w / std::max(map.kappa, 1 / map.length);
-        // Within a part of the rows alone.
-        const double part = (unfittedT(map, p) - map.fitted->low()) / (map.fitted->high() - map.fitted->low());
-        const double inPart = part * kFittedParts - std::floor(part * kFittedParts);
-        if (inPart < 0.01 || inPart > 0.99) continue;
+        if (isNearEndOfPart(map.fitted->rows, unfittedT(map, p))) continue;
+        if (isNearEndOfPart(map.fitted->columns, unfittedS(map, p))) continue;
         const MapJacobian jacobian = mapJacobian(map, p);
         for (const glm::dvec3& axis : {alongX(map.frame), map.frame.z, randomDirection(random)}) {
             const MapPoint high = mapPoint(map, p + axis * step);
@@ -105,23 +110,53 @@ TEST(FittedMaps, DrawRowsWhereLookupsReadThem) {
             ASSERT_LT(i > 0 ? rows[i - 1] : rows[i] - 1, rows[i]) << seed;
             const double up = image.logRows == 0 ? double{rows[i]} : -std::log(-double{rows[i]});
             const double unfitted = up * double{image.texelScale.y} + double{image.texelOffset.y};
-            const double read = image.rowParts->rowAt(static_cast<float>(unfitted));
+            const double read = image.fitted->rows.texelAt(static_cast<float>(unfitted));
             ASSERT_NEAR(read, r.y + static_cast<double>(i) + 0.5, 0.02 + 1e-5 * r.height) << seed << " " << i;
         }
     }
 }
 
+TEST(FittedMaps, DrawColumnsWhereLookupsReadThem) {
+    int uneven = 0;
+    for (std::uint64_t seed = 0; seed < 400; ++seed) {
+        Random random(seed);
+        const AskedMap asked = randomAskedMap(random, 60);
+        const TexelRectangle& r = asked.map->rectangle;
+        const FloatMapImage image = rounded(cameraImage(*asked.map));
+        std::vector<EvenColumns> runs = columnRuns(image, r.x, r.width);
+        uneven += runs.empty() ? 0 : 1;
+        if (runs.empty())
+            runs.push_back({r.x + r.width, image.texelScale.x, static_cast<float>(r.x) + image.texelScale.x});
+        int column = r.x;
+        double before = -1e9;
+        for (const EvenColumns& run : runs)
+            for (; column < run.end; ++column) {
+                const double across = (column + 0.5 - double{run.offset}) / double{run.scale};
+                ASSERT_GT(across, before) << seed;
+                before = across;
+                const double unfitted = across * double{image.texelScale.x} + double{image.texelOffset.x};
+                const double read = image.fitted->columns.texelAt(static_cast<float>(unfitted));
+                ASSERT_NEAR(read, column + 0.5, 0.02 + 1e-5 * r.width) << seed;
+            }
+        ASSERT_EQ(column, r.x + r.width);
+    }
+    EXPECT_GT(uneven, 200);
+}
+
 /// Where in clip space, over w, what is looked up at `texel` of the texture lies, at depth `z`: the inverse of texelAt
 /// by halving.
 glm::dvec4 clipOfTexel(const DoubleMapImage& image, const glm::dvec2& texel, double z) {
-    double low = -1e5;
-    double high = 1e5;
-    for (int i = 0; i < 80; ++i) {
-        const double middle = (low + high) / 2;
-        (image.rowParts->rowAt(middle) <= texel.y ? low : high) = middle;
-    }
-    const double up = (low - image.texelOffset.y) / image.texelScale.y;
-    const double x = (texel.x - image.texelOffset.x) / image.texelScale.x;
+    const auto unfitted = [](const AxisParts<double>& parts, double fitted) {
+        double low = -1e5;
+        double high = 1e5;
+        for (int i = 0; i < 80; ++i) {
+            const double middle = (low + high) / 2;
+            (parts.texelAt(middle) <= fitted ? low : high) = middle;
+        }
+        return low;
+    };
+    const double up = (unfitted(image.fitted->rows, texel.y) - image.texelOffset.y) / image.texelScale.y;
+    const double x = (unfitted(image.fitted->columns, texel.x) - image.texelOffset.x) / image.texelScale.x;
     return {x, image.logRows == 0 ? up : -std::exp(-up), z, 1};
 }
 
@@ -160,7 +195,9 @@ TEST(FittedMaps, AreBiasedByWhatTheReceiversPlaneRisesOverTheirOwnRows) {
             largestRawBias(
                 fitRegion(asked.map->warped.frame, asked.map->region.frustum, asked.map->region.vertices),
                 asked.map->warped.kappa,
-                {1, asked.map->texels().s, asked.map->texels().t * asked.map->warped.fitted->leastDensity()},
+                {1,
+                 asked.map->texels().s * asked.map->warped.fitted->columns.leastDensity(),
+                 asked.map->texels().t * asked.map->warped.fitted->rows.leastDensity()},
                 asked.from.options.filterTexels) /
                     asked.map->warped.rawRange * 1.5 +
                 kDepthRounding)
@@ -307,6 +344,7 @@ TEST(FittedMaps, AreWithinTheirSlackOfTheLeastPromise) {
         SampleNeeds needs(base, made.view.frustum);
         std::array<double, kFittedParts> most{};
         double all = 0;
+        double x = 0;
         for (const glm::vec3& sample : *made.view.samples) {
             needs.add(sample);
             const double need =
@@ -315,16 +353,18 @@ TEST(FittedMaps, AreWithinTheirSlackOfTheLeastPromise) {
             double& part = most[static_cast<std::size_t>(std::clamp(t * kFittedParts, 0.0, kFittedParts - 1.0))];
             part = std::max(part, need);
             all = std::max(all, need);
+            x = std::max(x, lightBeam(base, sample, {}).x / imageBeamWidth(made.view.frustum, double{sample.z}, 1));
         }
         // Rows over all of t, as many to a part as its need asks for: so many are called for in all.
         double least = 0;
         for (const double need : most)
             least += need / kFittedParts;
-        const MapFit fit = needs.fit(all * 2);
+        const MapFit fit = needs.fit({x * 2, all * 2});
         const SampleNeeds::Found found = needs.under(fit);
         // Parts lie elsewhere, are as dense as what lies beside them asks, and those that nobody sees take some too.
-        EXPECT_LE(found.sheared, std::max(4.5 * least, all / kMostDensity * 1.5)) << seed;
-        EXPECT_LE(found.sheared, all * 2 * (1 + 1e-9)) << seed;
+        EXPECT_LE(found.sheared.most, std::max(4.5 * least, all / kMostRowDensity * 1.5)) << seed;
+        EXPECT_LE(found.sheared.most, all * 2 * (1 + 1e-9)) << seed;
+        EXPECT_LE(found.x.most, x * (1 + 1e-3)) << "columns that are no better lie evenly " << seed;
         EXPECT_TRUE(needs.areWithin(fit));
     }
 }

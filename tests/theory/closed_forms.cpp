@@ -262,9 +262,9 @@ Doubles drawRows(Random& random) {
 }
 
 Doubles oursRows(const Doubles& in) {
-    shadow::FittedRows::Densities densities{};
+    shadow::FittedAxis::Densities densities{};
     std::copy(in.begin() + 4, in.end(), densities.begin());
-    const shadow::FittedRows rows(in[0], in[1], densities);
+    const shadow::FittedAxis rows(in[0], in[1], densities);
     return {rows.at(in[3]), rows.inverse(in[2])};
 }
 

@@ -8,6 +8,7 @@
 #endif
 
 #include "raster/triangle_lanes-inl.h"
+#include "raster/uneven/column_runs.h"
 #include "raster/uneven/row_bands.h"
 
 #include <array>
@@ -30,7 +31,8 @@ HWY_INLINE IntMask isAtMost(Ints a, Ints b) {
 /// A band as its tiles see it.
 struct BandLanes {
     const RowBand* band;
-    const PixelBox* tile; // within the band
+    const ColumnBand* run; // null: columns are those that vertices are snapped to already
+    const PixelBox* tile;  // within the band, and the run
 
     HWY_INLINE Ints row(Ints index) const { return hn::GatherIndex(kInts, band->rows.data(), index); }
 
@@ -73,16 +75,19 @@ struct VertexPlace {
     }
 };
 
-/// The vertices of a cluster snapped for a band: y in its units, what snapping cut off, packed as of even rows, and
-/// their places. Each serves about six corners, twice.
+/// The vertices of a cluster snapped for a band: y in its units, x in the target, what snapping cut off, packed as of
+/// even rows, and their places. Each serves about six corners, twice.
 struct BandVertices { // NOLINT(cppcoreguidelines-pro-type-member-init): filled up to the cluster's count
     alignas(64) std::array<std::int32_t, kMaxClusterVertices> y;
     alignas(64) std::array<std::uint32_t, kMaxClusterVertices> rests;
     alignas(64) std::array<std::int32_t, kMaxClusterVertices> places;
-    bool isNarrow; // every triangle of the cluster
+    alignas(64) std::array<std::int32_t, kMaxClusterVertices> ownX; // in a run
+    const std::int32_t* x;                                          // these, or the cluster's
+    bool isNarrow;                                                  // every triangle of the cluster
 
     HWY_INLINE void take(const SnappedCluster& cluster, const BandLanes& rows) {
         const RowBand& band = *rows.band;
+        x = rows.run == nullptr ? cluster.vertices.x : ownX.data();
         const auto base = hn::Set(kFloats, band.base);
         const auto scale = hn::Set(kFloats, band.scale);
         const auto far = hn::Set(kFloats, kFarUnits);
@@ -99,15 +104,15 @@ struct BandVertices { // NOLINT(cppcoreguidelines-pro-type-member-init): filled 
             const auto rest = hn::Mul(
                 hn::Sub(units, hn::ConvertTo(kFloats, snapped)), hn::Set(kFloats, static_cast<float>(1 << kRestBits)));
             const auto restY = hn::NearestInt(hn::Min(rest, hn::Set(kFloats, 32767.0F)));
-            const auto restX = hn::And(hn::LoadU(kUints, cluster.vertices.rests + i), hn::Set(kUints, 0xFFFFU));
+            const auto [column, restX] = snappedX(cluster, rows, i);
             hn::StoreU(snapped, kInts, y.data() + i);
-            hn::StoreU(hn::Or(restX, hn::BitCast(kUints, hn::ShiftLeft<16>(restY))), kUints, rests.data() + i);
-            const auto x = hn::LoadU(kInts, cluster.vertices.x + i);
+            const auto low = hn::And(restX, hn::Set(kInts, 0xFFFF));
+            hn::StoreU(hn::BitCast(kUints, hn::Or(low, hn::ShiftLeft<16>(restY))), kUints, rests.data() + i);
             const auto row = rows.firstRow(snapped);
-            const auto place = VertexPlace::packed(hn::Add(x, originX), row, hn::Eq(rows.row(row), snapped));
+            const auto place = VertexPlace::packed(hn::Add(column, originX), row, hn::Eq(rows.row(row), snapped));
             hn::StoreU(place, kInts, places.data() + i);
-            minX = hn::Min(minX, x);
-            maxX = hn::Max(maxX, x);
+            minX = hn::Min(minX, column);
+            maxX = hn::Max(maxX, column);
             minY = hn::Min(minY, snapped);
             maxY = hn::Max(maxY, snapped);
         }
@@ -115,16 +120,36 @@ struct BandVertices { // NOLINT(cppcoreguidelines-pro-type-member-init): filled 
     }
 
 private:
+    struct SnappedLanes {
+        Ints snapped, rest;
+    };
+
+    /// The x of vertices i and on: in a run snapped for it, and kept.
+    HWY_INLINE SnappedLanes snappedX(const SnappedCluster& cluster, const BandLanes& rows, std::uint32_t i) {
+        const auto held = hn::LoadU(kInts, cluster.vertices.x + i);
+        if (rows.run == nullptr) return {held, hn::BitCast(kInts, hn::LoadU(kUints, cluster.vertices.rests + i))};
+        const auto pixels = hn::Add(
+            hn::Mul(hn::BitCast(kFloats, held), hn::Set(kFloats, rows.run->scale)), hn::Set(kFloats, rows.run->offset));
+        const auto whole =
+            hn::Mul(hn::Sub(pixels, hn::Set(kFloats, 0.5F)), hn::Set(kFloats, static_cast<float>(kSubpixels)));
+        const auto snapped = hn::NearestInt(whole);
+        hn::StoreU(snapped, kInts, ownX.data() + i);
+        const auto rest = hn::Mul(
+            hn::Sub(whole, hn::ConvertTo(kFloats, snapped)), hn::Set(kFloats, static_cast<float>(1 << kRestBits)));
+        return {snapped, hn::NearestInt(hn::Min(rest, hn::Set(kFloats, 32767.0F)))};
+    }
+
     static HWY_INLINE std::int64_t extent(Ints low, Ints high) {
         return std::int64_t{hn::GetLane(hn::MaxOfLanes(kInts, high))} - hn::GetLane(hn::MinOfLanes(kInts, low));
     }
 };
 
-/// Loads corners of a cluster's triangles: x from the tile's first column, y in the band's units.
+/// Loads corners of a cluster's triangles as `vertices` has them: x from the tile's first column, y in the band's
+/// units.
 class UnevenSource {
 public:
-    HWY_INLINE UnevenSource(const SnappedCluster& cluster, const BandVertices& vertices, const BandLanes& rows)
-        : x_(cluster.vertices.x),
+    HWY_INLINE UnevenSource(const BandVertices& vertices, const BandLanes& rows)
+        : x_(vertices.x),
           y_(vertices.y.data()),
           rests_(reinterpret_cast<const std::int32_t*>(vertices.rests.data())),
           originX_(hn::Set(kInts, -rows.tile->x0 * kSubpixels)) {}

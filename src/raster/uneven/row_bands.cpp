@@ -9,9 +9,6 @@
 namespace gnomon::raster {
 namespace {
 
-/// Largest |y / w| times scale: with columns within 2^24 of each other an edge then stays under 2^63.
-constexpr float kMostUnits = 0x1p36F;
-
 float powerOfTwoFrom(float value) {
     return std::exp2(std::ceil(std::log2(value)));
 }
@@ -23,7 +20,7 @@ float scaleFor(int bucketBits, float narrowest) {
 
 } // namespace
 
-void RowBands::reset(std::span<const float> positions, int firstRow) {
+void RowBands::reset(std::span<const float> positions, int firstRow, float mostUnits) {
     GNOMON_CHECK(!positions.empty());
     positions_.assign(positions.begin(), positions.end());
     bands_.clear();
@@ -50,20 +47,20 @@ void RowBands::reset(std::span<const float> positions, int firstRow) {
             least = std::min(least, next);
             most = std::max(most, next);
         }
-        addBand(first, end, end - first > 1 ? least : narrowest);
+        addBand(first, end, end - first > 1 ? least : narrowest, mostUnits);
         first = end;
     }
 }
 
-void RowBands::addBand(std::size_t first, std::size_t end, float narrowest) {
+void RowBands::addBand(std::size_t first, std::size_t end, float narrowest, float mostUnits) {
     RowBand& band = bands_.emplace_back();
     band.first = firstRow_ + static_cast<int>(first);
     band.end = firstRow_ + static_cast<int>(end);
     band.base = positions_[first];
-    while (band.bucketBits > kLeastBucketBits && scaleFor(band.bucketBits, narrowest) * guard_ > kMostUnits)
+    while (band.bucketBits > kLeastBucketBits && scaleFor(band.bucketBits, narrowest) * guard_ > mostUnits)
         --band.bucketBits;
     band.scale = scaleFor(band.bucketBits, narrowest);
-    GNOMON_CHECK_OP(band.scale * guard_, <=, kMostUnits);
+    GNOMON_CHECK_OP(band.scale * guard_, <=, mostUnits);
     for (std::size_t i = first; i < end; ++i)
         band.rows.push_back(static_cast<std::int32_t>(std::lrint(band.units(positions_[i]))));
     const std::int32_t last = band.rows.back();

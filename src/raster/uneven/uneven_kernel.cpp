@@ -1,4 +1,5 @@
 #include "raster/tile_kernel.h"
+#include "raster/uneven/column_runs.h"
 #include "raster/uneven/row_bands.h"
 #include "raster/uneven/uneven_triangle.h"
 
@@ -245,17 +246,21 @@ HWY_INLINE void drawNarrowUneven(
 }
 
 HWY_INLINE void drawWideUneven(
-    const SnappedCluster& cluster, std::uint32_t packed, const BandLanes& rows, DepthTile& target) {
+    const SnappedCluster& cluster,
+    const BandVertices& vertices,
+    std::uint32_t packed,
+    const BandLanes& rows,
+    DepthTile& target) {
     std::array<UnevenVertex, 3> corners;
     for (std::uint32_t i = 0; i < 3; ++i) {
         const std::uint32_t index = packed >> (8 * i) & 0xFFU;
         const SnappedArrays& from = cluster.vertices;
         corners[i] = unevenVertex(
             *rows.band,
-            {from.x[index],
+            {vertices.x[index],
              from.y[index],
              from.z[index],
-             static_cast<std::int16_t>(from.rests[index] & 0xFFFFU),
+             static_cast<std::int16_t>(vertices.rests[index] & 0xFFFFU),
              std::int16_t{0}});
     }
     const UnevenTriangle triangle(corners);
@@ -286,22 +291,23 @@ HWY_INLINE void drawWideUneven(
     }
 }
 
-std::uint64_t drawUnevenInLanes(const TileWork& work, const RowBand& band, float* depths) {
+std::uint64_t drawUnevenInLanes(const TileWork& work, const RowBand& band, const ColumnBand* run, float* depths) {
     DepthTile target{depths};
     SortedCluster sorted;  // NOLINT(cppcoreguidelines-pro-type-member-init): sortUneven fills it
     BandVertices vertices; // NOLINT(cppcoreguidelines-pro-type-member-init): filled for each cluster
-    const BandLanes rows{&band, &work.box};
+    const BandLanes rows{&band, run, &work.box};
     for (const std::uint32_t index : work.indices) {
         const SnappedCluster& cluster = work.clusters[index];
         if (cluster.box.y1 <= work.box.y0 || cluster.box.y0 >= work.box.y1) continue;
+        if (cluster.box.x1 <= work.box.x0 || cluster.box.x0 >= work.box.x1) continue;
         vertices.take(cluster, rows);
-        const UnevenSource source(cluster, vertices, rows);
+        const UnevenSource source(vertices, rows);
         sortUneven(cluster, vertices, source, rows, sorted);
         drawSmallUneven<2>(cluster, source, sorted.tiny, rows, target);
         drawSmallUneven<4>(cluster, source, sorted.small, rows, target);
         drawNarrowUneven(cluster, source, sorted.narrow, rows, target);
         for (std::uint32_t i = 0; i < sorted.wide.count; ++i)
-            drawWideUneven(cluster, sorted.wide.packed[i], rows, target);
+            drawWideUneven(cluster, vertices, sorted.wide.packed[i], rows, target);
     }
     return target.covered;
 }
@@ -315,7 +321,10 @@ namespace gnomon::raster {
 
 HWY_EXPORT(drawUnevenInLanes);
 
-std::uint64_t drawUnevenTile(const TileWork& work, const RowBands& rows, float* depths) {
+namespace {
+
+/// A tile, or the part of it in one run of columns.
+std::uint64_t drawUnevenRun(const TileWork& work, const RowBands& rows, const ColumnBand* run, float* depths) {
     std::uint64_t covered = 0;
     for (const RowBand& band : rows.bands()) {
         const int y0 = std::max(band.first, work.box.y0);
@@ -323,7 +332,22 @@ std::uint64_t drawUnevenTile(const TileWork& work, const RowBands& rows, float* 
         if (y0 >= y1) continue;
         const TileWork part{{work.box.x0, y0, work.box.x1, y1}, work.clusters, work.indices};
         float* from = depths + static_cast<std::size_t>(y0 - work.box.y0) * kTileStride;
-        covered += HWY_DYNAMIC_DISPATCH(drawUnevenInLanes)(part, band, from);
+        covered += HWY_DYNAMIC_DISPATCH(drawUnevenInLanes)(part, band, run, from);
+    }
+    return covered;
+}
+
+} // namespace
+
+std::uint64_t drawUnevenTile(const TileWork& work, const RowBands& rows, const ColumnRuns* columns, float* depths) {
+    if (columns == nullptr) return drawUnevenRun(work, rows, nullptr, depths);
+    std::uint64_t covered = 0;
+    for (const ColumnBand& run : columns->bands()) {
+        const int x0 = std::max(run.first, work.box.x0);
+        const int x1 = std::min(run.end, work.box.x1);
+        if (x0 >= x1) continue;
+        const TileWork part{{x0, work.box.y0, x1, work.box.y1}, work.clusters, work.indices};
+        covered += drawUnevenRun(part, rows, &run, depths + (x0 - work.box.x0));
     }
     return covered;
 }

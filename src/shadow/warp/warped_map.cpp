@@ -50,6 +50,11 @@ WarpedMap warpedMap(const LightFit& fit, double kappa, double bias) {
     return map;
 }
 
+double unfittedS(const WarpedMap& map, const glm::dvec3& p) {
+    const glm::dvec3 light = toLight(map.frame, p);
+    return (light.x / (1 + map.kappa * (light.z - map.zMin)) - map.uMin) / map.width;
+}
+
 double unfittedT(const WarpedMap& map, const glm::dvec3& p) {
     const double zeta = toLight(map.frame, p).z - map.zMin;
     if (map.rows == RowSpacing::Even)
@@ -64,7 +69,10 @@ MapPoint mapPoint(const WarpedMap& map, const glm::dvec3& p) {
     result.w = 1 + map.kappa * zeta;
     result.s = (light.x / result.w - map.uMin) / map.width;
     result.t = unfittedT(map, p);
-    if (map.fitted) result.t = map.fitted->at(result.t);
+    if (map.fitted) {
+        result.s = map.fitted->columns.at(result.s);
+        result.t = map.fitted->rows.at(result.t);
+    }
     result.depth = (-light.y / result.w - map.rawMin) / map.rawRange;
     return result;
 }
@@ -72,7 +80,10 @@ MapPoint mapPoint(const WarpedMap& map, const glm::dvec3& p) {
 std::optional<glm::dvec2> lightPlanePoint(const WarpedMap& map, double s, double t) {
     const double warp = map.kappa * map.length;
     double zeta = 0;
-    if (map.fitted) t = map.fitted->inverse(t);
+    if (map.fitted) {
+        s = map.fitted->columns.inverse(s);
+        t = map.fitted->rows.inverse(t);
+    }
     if (map.rows == RowSpacing::Even) {
         const double divisor = 1 + warp * (1 - t);
         if (!(divisor > 0)) return std::nullopt;
@@ -93,7 +104,10 @@ MapJacobian mapJacobian(const WarpedMap& map, const glm::dvec3& p) {
     result.s = (map.frame.x - gradientOfW * (light.x / w)) / (w * map.width);
     const double growth = map.rows == RowSpacing::Even ? w * w : w;
     result.t = map.frame.z / (rowLength(map.kappa, map.length, map.rows) * growth);
-    if (map.fitted) result.t *= map.fitted->density(unfittedT(map, p));
+    if (map.fitted) {
+        result.s *= map.fitted->columns.density(unfittedS(map, p));
+        result.t *= map.fitted->rows.density(unfittedT(map, p));
+    }
     result.depth = (-map.frame.y + gradientOfW * (light.y / w)) / (w * map.rawRange);
     return result;
 }
@@ -106,7 +120,10 @@ LightBeam lightBeam(const WarpedMap& map, const glm::dvec3& p, const Resolution&
     beam.x = map.width * w / resolution.s;
     const double growth = map.rows == RowSpacing::Even ? w * w : w;
     beam.z = rowLength(map.kappa, map.length, map.rows) * growth / resolution.t;
-    if (map.fitted) beam.z /= map.fitted->density(unfittedT(map, p));
+    if (map.fitted) {
+        beam.x /= map.fitted->columns.density(unfittedS(map, p));
+        beam.z /= map.fitted->rows.density(unfittedT(map, p));
+    }
     beam.sheared = beam.z * std::sqrt(1 + shear * shear);
     return beam;
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "shadow/fit/light_fit.h"
-#include "shadow/warp/fitted_rows.h"
+#include "shadow/warp/fitted_axis.h"
 
 #include <memory>
 #include <optional>
@@ -13,8 +13,8 @@ namespace gnomon::shadow {
 /// u = x / w, s = (u - uMin) / width, t = zeta (1 + kappa d) / (d w), depth = (rawDepth - rawMin) / rawRange with
 /// w = 1 + kappa zeta and rawDepth = -y / w: 0 is nearest to the light. With logarithmic rows t = ln w / ln(1 + kappa
 /// d) instead, which no matrix gives: the matrix below then gives the t of even rows, 1 - 1 / w up to a factor, of
-/// which that is a function; fitted rows make of either t what they are a function for. What uses a map should use
-/// point and Jacobian.
+/// which that is a function; a fitted grid makes of s and of either t what it is a function for. What uses a map should
+/// use point and Jacobian.
 struct WarpedMap {
     LightFrame frame;
     RowSpacing rows = RowSpacing::Even;
@@ -25,7 +25,7 @@ struct WarpedMap {
     double width = 0; // W
     double rawMin = 0;
     double rawRange = 1;
-    std::shared_ptr<const FittedRows> fitted; // null: rows lie as `rows` says
+    std::shared_ptr<const FittedGrid> fitted; // null: columns lie evenly, rows as `rows` says
 };
 
 inline bool hasLogRows(const WarpedMap& map) {
@@ -51,11 +51,12 @@ struct MapPoint {
 
 MapPoint mapPoint(const WarpedMap& map, const glm::dvec3& p);
 
-/// The t of `p` before rows are fitted.
+/// The s and the t of `p` before columns and rows are fitted.
+double unfittedS(const WarpedMap& map, const glm::dvec3& p);
 double unfittedT(const WarpedMap& map, const glm::dvec3& p);
 
 /// The inverse of mapPoint without its depth: where (s, t) lies in light space, x and z; nothing from the warp's
-/// vanishing line on, which logarithmic rows never reach. A grown or shrunk rectangle of a map whose rows are not
+/// vanishing line on, which logarithmic rows never reach. A grown or shrunk rectangle of a map that is not
 /// fitted is the hull of what its corners come to: even rows are linear over linear, and a step in ln w is linear in
 /// (x, w).
 std::optional<glm::dvec2> lightPlanePoint(const WarpedMap& map, double s, double t);
@@ -71,7 +72,7 @@ MapJacobian mapJacobian(const WarpedMap& map, const glm::dvec3& p);
 
 /// The widths of a texel's light beam at `p` along x and along z, world units (section 4.1, without the shear term):
 /// w_lx = W w / res_s and w_lz = d w^2 / ((1 + kappa d) res_t), with logarithmic rows w ln(1 + kappa d) / (kappa
-/// res_t), both over the density of fitted rows; `sheared` is the length of a whole step in t.
+/// res_t), all over the densities of a fitted grid; `sheared` is the length of a whole step in t.
 struct LightBeam {
     double x = 0;
     double z = 0;

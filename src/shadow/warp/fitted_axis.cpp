@@ -1,4 +1,4 @@
-#include "shadow/warp/fitted_rows.h"
+#include "shadow/warp/fitted_axis.h"
 
 #include "core/check.h"
 
@@ -9,8 +9,8 @@ namespace gnomon::shadow {
 
 namespace {
 
-FittedRows::Densities evenDensities() {
-    FittedRows::Densities densities{};
+FittedAxis::Densities evenDensities() {
+    FittedAxis::Densities densities{};
     densities.fill(1);
     return densities;
 }
@@ -22,9 +22,9 @@ std::size_t heldPart(double place) {
 
 } // namespace
 
-FittedRows::FittedRows() : FittedRows(0, 1, evenDensities()) {}
+FittedAxis::FittedAxis() : FittedAxis(0, 1, evenDensities()) {}
 
-FittedRows::FittedRows(double low, double high, const Densities& densities)
+FittedAxis::FittedAxis(double low, double high, const Densities& densities)
     : low_(low), high_(high), densities_(densities) {
     GNOMON_CHECK(low < high);
     // Sums with what each addition loses (Knuth's two-sum): over a sparse part that is up to 128 times as much.
@@ -47,28 +47,28 @@ FittedRows::FittedRows(double low, double high, const Densities& densities)
     starts_[kFittedParts] = 1;
 }
 
-std::size_t FittedRows::part(double t) const {
+std::size_t FittedAxis::part(double t) const {
     return heldPart((t - low_) / (high_ - low_) * kFittedParts);
 }
 
-double FittedRows::at(double t) const {
+double FittedAxis::at(double t) const {
     const double place = (t - low_) / (high_ - low_) * kFittedParts;
     const std::size_t i = heldPart(place);
     return starts_[i] + (place - static_cast<double>(i)) * densities_[i] / kFittedParts;
 }
 
-double FittedRows::inverse(double row) const {
+double FittedAxis::inverse(double row) const {
     const auto after = std::upper_bound(starts_.begin() + 1, starts_.end() - 1, row);
     const auto i = static_cast<std::size_t>(after - starts_.begin()) - 1;
     const double place = static_cast<double>(i) + (row - starts_[i]) * kFittedParts / densities_[i];
     return low_ + place / kFittedParts * (high_ - low_);
 }
 
-double FittedRows::leastDensity() const {
+double FittedAxis::leastDensity() const {
     return *std::min_element(densities_.begin(), densities_.end()) / (high_ - low_);
 }
 
-double FittedRows::greatestDensity() const {
+double FittedAxis::greatestDensity() const {
     return *std::max_element(densities_.begin(), densities_.end()) / (high_ - low_);
 }
 

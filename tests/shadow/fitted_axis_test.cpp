@@ -1,7 +1,7 @@
 // Rows fitted to a view: that they are monotone and can be inverted, and what a slow walk does to them.
 #include "random_samples.h"
 #include "shadow/setup.h"
-#include "shadow/warp/fitted_rows.h"
+#include "shadow/warp/fitted_axis.h"
 
 #include <gtest/gtest.h>
 
@@ -10,18 +10,18 @@
 namespace gnomon::shadow {
 namespace {
 
-FittedRows randomRows(Random& random) {
-    FittedRows::Densities densities{};
+FittedAxis randomRows(Random& random) {
+    FittedAxis::Densities densities{};
     for (double& density : densities)
         density = std::pow(10.0, random.uniform(-1.2, 0.9));
     const double low = static_cast<double>(random.below(7)) / 8;
     return {low, low + static_cast<double>(1 + random.below(8 - static_cast<std::uint64_t>(low * 8))) / 8, densities};
 }
 
-TEST(FittedRows, GoFromZeroToOneStrictlyUpAndBack) {
+TEST(FittedAxis, GoFromZeroToOneStrictlyUpAndBack) {
     for (std::uint64_t seed = 0; seed < 300; ++seed) {
         Random random(seed);
-        const FittedRows rows = randomRows(random);
+        const FittedAxis rows = randomRows(random);
         ASSERT_NEAR(rows.at(rows.low()), 0, 1e-12);
         ASSERT_NEAR(rows.at(rows.high()), 1, 1e-12);
         double before = rows.at(-0.25);
@@ -35,10 +35,10 @@ TEST(FittedRows, GoFromZeroToOneStrictlyUpAndBack) {
     }
 }
 
-TEST(FittedRows, HaveTheDensityOfTheirDifferences) {
+TEST(FittedAxis, HaveTheDensityOfTheirDifferences) {
     for (std::uint64_t seed = 0; seed < 300; ++seed) {
         Random random(seed);
-        const FittedRows rows = randomRows(random);
+        const FittedAxis rows = randomRows(random);
         double least = 1e9;
         double most = 0;
         double covered = 0;
@@ -60,19 +60,19 @@ TEST(FittedRows, HaveTheDensityOfTheirDifferences) {
     }
 }
 
-TEST(FittedRows, WithoutDensitiesAreThoseOfTheMap) {
-    const FittedRows even;
+TEST(FittedAxis, WithoutDensitiesAreThoseOfTheMap) {
+    const FittedAxis even;
     for (const double t : {-0.3, 0.0, 0.2, 0.77, 1.0, 1.4}) {
         EXPECT_NEAR(even.at(t), t, 1e-12);
         EXPECT_NEAR(even.inverse(t), t, 1e-12);
         EXPECT_NEAR(even.density(t), 1, 1e-12);
     }
     EXPECT_TRUE(
-        even == FittedRows(
+        even == FittedAxis(
                     0,
                     1,
                     [] {
-                        FittedRows::Densities densities{};
+                        FittedAxis::Densities densities{};
                         densities.fill(5);
                         return densities;
                     }()))
@@ -81,7 +81,7 @@ TEST(FittedRows, WithoutDensitiesAreThoseOfTheMap) {
 
 /// What fits did on a walk through fixed surfaces.
 struct Walked {
-    int changes = 0;              // frames whose rows are not those of the one before
+    int changes = 0;              // frames whose rows or columns are not those of the one before
     double worstAgainstFresh = 0; // what is promised over what a fit to the frame alone promises
     double worstAgainstLog = 0;   // and over what logarithmic rows promise of the frame
     double meanAgainstLog = 0;
@@ -90,11 +90,7 @@ struct Walked {
 /// What is seen: a few surfaces, far less than what is promised for, or all of the frustum.
 enum class Shown : std::uint8_t { Little, Most, All };
 
-Walked walked(std::uint64_t seed, int frames, Shown shown) {
-    Random random(seed);
-    ShadowView view;
-    view.frustum = {0.5, 500, 0.4, 1};
-    view.towardsLight = glm::normalize(glm::dvec3(0.3, 1, random.uniform(-0.6, 0.6)));
+std::vector<glm::dvec3> surfaces(Random& random, Shown shown) {
     std::vector<glm::dvec3> world;
     for (int i = 0; i < 4000; ++i) { // a ground, and some walls on it
         const double depth = shown == Shown::Little
@@ -104,6 +100,28 @@ Walked walked(std::uint64_t seed, int frames, Shown shown) {
         world.emplace_back(
             i % 3 == 0 ? 5 * std::round(aside / 5) : aside, i % 3 == 0 ? random.uniform(-2, 6) : -2, depth);
     }
+    return world;
+}
+
+/// What of `world` is seen from `forward` along the view.
+std::shared_ptr<const std::vector<glm::vec3>> seen(
+    const std::vector<glm::dvec3>& world, const ViewFrustum& frustum, double forward) {
+    std::vector<glm::vec3> samples;
+    for (const glm::dvec3& p : world) {
+        const glm::dvec3 q = p - glm::dvec3(0, 0, forward);
+        const double most = q.z * tanHalfY(frustum);
+        const bool isSeen = q.z >= frustum.near && std::abs(q.x) <= most && std::abs(q.y) <= most;
+        if (isSeen) samples.emplace_back(q);
+    }
+    return std::make_shared<const std::vector<glm::vec3>>(std::move(samples));
+}
+
+Walked walked(std::uint64_t seed, int frames, Shown shown) {
+    Random random(seed);
+    ShadowView view;
+    view.frustum = {0.5, 500, 0.4, 1};
+    view.towardsLight = glm::normalize(glm::dvec3(0.3, 1, random.uniform(-0.6, 0.6)));
+    const std::vector<glm::dvec3> world = surfaces(random, shown);
     ShadowOptions options;
     options.scheme.warp.rule = WarpRule::Fitted;
     options.scheme.slices = 1;
@@ -111,14 +129,7 @@ Walked walked(std::uint64_t seed, int frames, Shown shown) {
     Walked result;
     std::vector<MapFit> before;
     for (int frame = 0; frame < frames; ++frame) {
-        auto samples = std::make_shared<std::vector<glm::vec3>>();
-        for (const glm::dvec3& p : world) {
-            const glm::dvec3 q = p - glm::dvec3(0, 0, frame * 0.02);
-            const double most = q.z * tanHalfY(view.frustum);
-            const bool isSeen = q.z >= view.frustum.near && std::abs(q.x) <= most && std::abs(q.y) <= most;
-            if (isSeen) samples->emplace_back(q);
-        }
-        view.samples = samples;
+        view.samples = seen(world, view.frustum, frame * 0.02);
         view.fitsBefore = before;
         const ShadowMapSetup setup = shadowMapSetup(view, options);
         view.fitsBefore.clear();
@@ -129,7 +140,9 @@ Walked walked(std::uint64_t seed, int frames, Shown shown) {
         result.worstAgainstLog = std::max(result.worstAgainstLog, setup.worst().worst() / log);
         result.meanAgainstLog += setup.worst().worst() / log / frames;
         result.worstAgainstFresh = std::max(result.worstAgainstFresh, setup.worst().worst() / fresh);
-        if (frame > 0 && setup.fits[0].rows != before[0].rows) ++result.changes;
+        const bool isMoved =
+            frame > 0 && (setup.fits[0].rows != before[0].rows || setup.fits[0].columns != before[0].columns);
+        result.changes += isMoved ? 1 : 0;
         before = setup.fits;
     }
     return result;

@@ -1,5 +1,5 @@
-// Rows of a map spaced by what one view needs (rectilinear texture warping, Rosen 2012): a monotone, piecewise linear
-// function of where they would lie without.
+// Rows or columns of a map spaced by what one view needs (rectilinear texture warping, Rosen 2012): a monotone,
+// piecewise linear function of where they would lie without.
 #pragma once
 
 #include <array>
@@ -7,23 +7,19 @@
 
 namespace gnomon::shadow {
 
-/// So many equal parts of a map's t are each given a density of rows.
+/// So many equal parts of a map's s or t are each given a density of columns or rows.
 inline constexpr int kFittedParts = 64;
 
-/// The densest part over the mean, and the sparsest: what a lookup in single precision resolves, and what rows are
-/// wasted on parts that nothing is seen in.
-inline constexpr double kMostDensity = 8;
-inline constexpr double kLeastDensity = 1.0 / 16;
-
-/// Rows over t from `low` to `high`, evenly within each part of that. Beyond both ends they go on as at the ends.
-class FittedRows {
+/// Rows or columns over t or s, here t, from `low` to `high`, evenly within each part of that. Beyond both ends they go
+/// on as at the ends.
+class FittedAxis {
 public:
     using Densities = std::array<double, kFittedParts>;
 
-    FittedRows();
+    FittedAxis();
 
     /// `densities`, above 0, in proportion; 0 <= low < high <= 1.
-    FittedRows(double low, double high, const Densities& densities);
+    FittedAxis(double low, double high, const Densities& densities);
 
     double low() const { return low_; }
 
@@ -46,7 +42,10 @@ public:
     double leastDensity() const;
     double greatestDensity() const;
 
-    bool operator==(const FittedRows&) const = default;
+    /// The same over all of t: what was from low to high is from 0 to 1.
+    FittedAxis overAll() const { return {0, 1, densities_}; }
+
+    bool operator==(const FittedAxis&) const = default;
 
 private:
     std::size_t part(double t) const;
@@ -55,6 +54,14 @@ private:
     double high_ = 1;
     Densities densities_{}; // of mean 1
     std::array<double, kFittedParts + 1> starts_{};
+};
+
+/// Where the texels of a map lie: columns over its s, rows over its t.
+struct FittedGrid {
+    FittedAxis columns;
+    FittedAxis rows;
+
+    bool operator==(const FittedGrid&) const = default;
 };
 
 } // namespace gnomon::shadow

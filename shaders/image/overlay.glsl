@@ -37,7 +37,7 @@ float aliasing(Partition part, vec3 position, float depth) {
 
 // The projection part of the aliasing: cosine to the eye over cosine to the light (Lloyd et al. 2006, Eq 1).
 float projection(vec3 position, vec3 normal) {
-    return max(dot(normal, normalize(eye - position)), 0.0) / max(dot(normal, towardsLight), 1e-6);
+    return max(dot(normal, normalize(eye - position)), 0.0) / max(dot(normal, lightAt(position).xyz), 1e-6);
 }
 
 // 1 on the lines of a grid five texels apart, antialiased where a texel is smaller than a pixel.

@@ -18,7 +18,20 @@ int faceOf(vec3 p, int slice) {
     return inNear ? sideFaceCount : face;
 }
 
-int partitionOf(vec3 p, float z) {
+// The face of the cube about a point light that is seen through along `offset` from it. Word for word
+// shadow::cubeFaceOf.
+int cubeFaceOf(vec3 offset) {
+    vec3 size = abs(offset);
+    int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    return 2 * axis + (offset[axis] < 0.0 ? 1 : 0);
+}
+
+int partitionOf(vec3 position, float z) {
+    if (pointReach > 0.0) {
+        int cubeFace = cubeFaceOf(position - towardsLight);
+        return passOfPartition[cubeFace / 4][cubeFace % 4];
+    }
+    vec3 p = position - eye;
     int slice = sliceOf(z);
     int facesPerSlice = max(sideFaceCount, 1) + hasOwnNear;
     int index = slice * facesPerSlice + (sideFaceCount == 0 ? 0 : faceOf(p, slice));
@@ -39,7 +52,9 @@ float receiverBias(Partition part, vec4 plane, float cosine, float w) {
     float across = max(abs(dot(plane, part.byDepth)), 1e-30);
     float slope = (abs(dot(plane, part.byColumn)) + abs(dot(plane, part.byRow))) / across;
     slope *= min(1.0, cosine / 0.1); // grazing receivers would ask for any bias
-    float uneven = length(vec2(part.unevenX, part.unevenZ * w));
+    // Of a point light both go with the inverse of w.
+    float uneven = pointReach > 0.0 ? length(vec2(part.unevenX, part.unevenZ)) / w
+                                    : length(vec2(part.unevenX, part.unevenZ * w));
     return (slope + uneven) * part.reach + 6e-7;
 }
 

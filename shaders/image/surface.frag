@@ -40,12 +40,13 @@ void main() {
     if (dot(smoothNormal, flatNormal) < 0.0) smoothNormal = -smoothNormal;
 
     float depth = dot(viewDirection, position) + originDepth;
-    float cosine = dot(flatNormal, towardsLight);
+    vec4 incoming = lightAt(position);
+    float cosine = dot(flatNormal, incoming.xyz);
     float lit = 0.0;
     int index = -1;
     if (cosine > 0.0) {
 #if SHADOWS == 1
-        index = partitionOf(position - eye, depth);
+        index = partitionOf(position, depth);
         lit = litFraction(index, position, flatNormal, cosine);
 #elif SHADOWS == 2
         lit = texelFetch(litMask, ivec2(gl_FragCoord.xy), 0).r;
@@ -53,7 +54,7 @@ void main() {
         lit = 1.0;
 #endif
     }
-    float direct = lit * max(dot(smoothNormal, towardsLight), 0.0);
+    float direct = lit * max(dot(smoothNormal, incoming.xyz), 0.0) * incoming.w;
     vec3 light = linearFromDisplay(color) * lightOf(smoothNormal, normalize(towardsEye), direct);
     vec3 shaded = displayFromLinear(shoulder(light));
 #if OVERLAY

@@ -42,8 +42,7 @@ GNOMON_BLOCK(0, Frame) {
     vec3 ambientMean;
     float headlight;
     vec3 ambientTilt;
-    float pointReach; // 0; else the light is a point at towardsLight, as bright as the sun so far away, which the
-                      // software executor alone is given
+    float pointReach; // 0; else the light is a point at towardsLight, as bright as the sun so far away
     vec3 sun;
     float unusedY;
     vec3 skyAxis; // draw space

@@ -133,7 +133,9 @@ glm::vec3 SoftwareOverlay::painted(const PaintedPixel& pixel) const {
     case Overlay::Projection: {
         if (part == nullptr) return withoutMap(pixel, light);
         const glm::vec3 towardsEye = glm::normalize(block_->eye - pixel.position);
-        const float toLight = glm::dot(pixel.normal, block_->towardsLight);
+        const glm::vec3 towardsLight =
+            block_->pointReach > 0 ? glm::normalize(block_->towardsLight - pixel.position) : block_->towardsLight;
+        const float toLight = glm::dot(pixel.normal, towardsLight);
         const float projection = std::max(glm::dot(pixel.normal, towardsEye), 0.0F) / std::max(toLight, 1e-6F);
         return heatColor(projection) * (0.8F + 0.2F * light);
     }

@@ -109,8 +109,7 @@ private:
         Waiting waiting,
         const std::shared_ptr<const plan::PlannedFrame>& before);
 
-    /// The same for a view that a point light shines on, of which there are exact shadows, those by rays, or none.
-    /// Throws Error where the executor cannot shade by one.
+    /// The same for a view that a point light shines on.
     PreparedFrame prepareForPoint(
         const plan::View& view,
         const plan::Quality& quality,

@@ -1,4 +1,3 @@
-#include "core/error.h"
 #include "core/stopwatch.h"
 #include "frame/exact_forecast.h"
 #include "frame/light_plan.h"
@@ -47,8 +46,6 @@ PreparedFrame Renderer::prepareForPoint(
     Waiting waiting,
     const std::shared_ptr<const plan::PlannedFrame>& before) {
     using plan::ShadowMode;
-    if (!executor_->decidesExactly())
-        throw Error("point light", "this executor cannot shade by it", "the software executor", executor_->name());
     const bool isWithout = plan::isWithoutSun(quality.look.shading);
     const auto prepared = [&](ShadowMode mode, plan::ShadowReason reason) {
         PreparedFrame frame = prepareAs(view, with(quality, mode), waiting, before);
@@ -58,6 +55,7 @@ PreparedFrame Renderer::prepareForPoint(
     if (quality.shadows != ShadowMode::Auto) return prepared(quality.shadows, plan::ShadowReason::AskedFor);
     if (isWithout) return prepared(ShadowMode::Off, plan::ShadowReason::NoSun);
     if (quality.mapsBecause) return prepared(ShadowMode::Maps, *quality.mapsBecause);
+    if (!executor_->decidesExactly()) return prepared(ShadowMode::Maps, plan::ShadowReason::ExecutorHasMaps);
     return prepared(ShadowMode::Exact, plan::ShadowReason::PointLight);
 }
 

@@ -145,15 +145,11 @@ void requireCubeMaps(const Settings& settings) {
             "--light-at and " + option + " contradict each other: a lamp's maps are the faces of a cube about it"};
 }
 
-/// The ground's shadow is of a direction, and OpenGL knows no other light.
+/// The ground's shadow is of a direction, and so are slices, warps and what else is of a direction's maps.
 void requireNoneIfPoint(const Settings& settings) {
     if (!settings.lightAt) return;
     const plan::Quality& quality = settings.quality;
     requireCubeMaps(settings);
-    if (settings.backend != Backend::Auto && settings.backend != Backend::Software)
-        throw UsageError{
-            written("backend", settings) +
-            " and --light-at contradict each other: only the software executor shades by a point light"};
     if (quality.look.ground)
         throw UsageError{"--ground and --light-at contradict each other: the ground shows the shadow of a direction"};
 }

@@ -31,7 +31,7 @@ TEST(Resolve, TakesTheQualityAsItIs) {
     EXPECT_EQ(qualityOf(settings).warp.rule, shadow::WarpRule::Auto);
 }
 
-TEST(Resolve, APointLightHasMapsOfACubeNoGroundAndNoOpenGl) {
+TEST(Resolve, APointLightHasMapsOfACubeThroughOpenGlTooAndNoGround) {
     Settings settings;
     settings.lightAt = glm::dvec3(1, 2, 3);
     EXPECT_EQ(objection(settings), "");
@@ -40,6 +40,9 @@ TEST(Resolve, APointLightHasMapsOfACubeNoGroundAndNoOpenGl) {
          {plan::ShadowMode::Exact, plan::ShadowMode::Rays, plan::ShadowMode::Off, plan::ShadowMode::Maps}) {
         settings.quality.shadows = mode;
         EXPECT_EQ(objection(settings), "");
+        Settings throughGl = settings;
+        throughGl.backend = Backend::Osmesa;
+        EXPECT_EQ(objection(throughGl).empty(), mode != plan::ShadowMode::Exact);
     }
     EXPECT_THROW(requireDirectionalLight(settings, "sun hours"), UsageError);
     for (const auto& change : std::vector<void (*)(Settings&)>{
@@ -52,8 +55,7 @@ TEST(Resolve, APointLightHasMapsOfACubeNoGroundAndNoOpenGl) {
                  s.isWarpGiven = true;
                  s.quality.warp.rule = shadow::WarpRule::Lspsm;
              },
-             [](Settings& s) { s.quality.look.ground = true; },
-             [](Settings& s) { s.backend = Backend::Osmesa; }}) {
+             [](Settings& s) { s.quality.look.ground = true; }}) {
         Settings other = settings;
         change(other);
         EXPECT_NE(objection(other).find("--light-at"), std::string::npos);

@@ -1,5 +1,6 @@
 #include "core/stopwatch.h"
 #include "culling/layers.h"
+#include "executor/light/light_sum.h"
 #include "executor/ray_shadows.h"
 #include "frame/frame_cuts.h"
 #include "frame/frame_row.h"
@@ -18,12 +19,23 @@
 
 namespace gnomon::frame {
 
+namespace {
+
+Bytes sumBytes(const plan::View& view, const plan::Quality& quality) {
+    const auto pixels = static_cast<std::uint64_t>(view.width) * static_cast<std::uint64_t>(view.height);
+    const bool hasSky = quality.sky.directions > 0;
+    return executor::LightSum::bytes(pixels, quality.look.ground, hasSky);
+}
+
+} // namespace
+
 Frame Renderer::render(const plan::View& view, const plan::Quality& quality, const FrameOptions& options) {
     const Stopwatch watch;
     plan::Quality meant = quality;
     if (executor::isOfMaps(options.overlay)) meant.mapsBecause = plan::ShadowReason::MapsAskedFor;
     margin_ = options.isAccumulated ? 0.5 : 0;
     forgetIfJumped(view);
+    residency_.reserveSums(options.isAccumulated ? sumBytes(view, quality) : Bytes());
     Frame frame{prepare(view, meant, options.waiting, previous_), options, {}};
     if (options.reusesMaps) markReusedMaps(frame, options);
     frame.isSunless = wasSunless_ && meant.look.shading == plan::Shading::Auto;

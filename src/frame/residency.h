@@ -66,7 +66,18 @@ public:
     Bytes memory() const { return memory_; }
 
     /// Keeps `bytes` of the memory for something else than pages; what the last frame that waited needs stays resident.
-    void reserve(Bytes bytes) { store_.reserve(bytes); }
+    void reserve(Bytes bytes) {
+        store_.reserve({bytes.count + sums_.count});
+        reserved_ = bytes;
+    }
+
+    /// Likewise for the sums of a picture of several frames, besides. Throws Error if they do not fit beside the pages
+    /// that always stay.
+    void reserveSums(Bytes bytes) {
+        if (bytes == sums_) return;
+        store_.reserve({bytes.count + reserved_.count});
+        sums_ = bytes;
+    }
 
     /// Keeps room for trees of rays beside each page, in the same memory, or forgets the trees and gives that back.
     /// Throws Error if they do not fit beside the pages that always stay.
@@ -88,6 +99,8 @@ private:
 
     const hierarchy::ModelFile* model_;
     Bytes memory_;
+    Bytes reserved_;
+    Bytes sums_;
     streaming::FilePageSource source_;
     std::unique_ptr<raycast::KeptTrees> rayTrees_; // null while none are kept
     streaming::PageStore store_;

@@ -190,7 +190,7 @@ std::vector<Setting> machineSettings() {
             &Settings::memory,
             {.name = "memory",
              .form = "SIZE",
-             .help = "Tables and page cache",
+             .help = "Tables, page cache and the sums of pictures of several frames",
              .statedAs = "memory_cap",
              .quantity = "page memory"},
             memory()),

@@ -165,7 +165,7 @@ Error PageStore::tooSmall(const std::string& what, Bytes least) const {
 
 /// Most urgent first, and everything that is certain before anything that is not; so parents before children.
 void PageStore::chooseKept(DemandOutcome& outcome) {
-    Bytes total = pinned_;
+    Bytes total{pinned_.count + reserved_.count};
     for (const std::uint32_t page : requested_) {
         Entry& entry = entries_[page];
         if (entry.need != Need::Certain || keep(entry, total)) continue;
@@ -199,6 +199,8 @@ void PageStore::requestKept() {
 }
 
 void PageStore::reserve(Bytes bytes) {
+    const Bytes least{pinned_.count + bytes.count};
+    if (least > options_.budget) throw tooSmall("the coarsest level and what is held beside pages", least);
     reserved_ = bytes;
     makeRoom({0});
 }

@@ -105,7 +105,8 @@ public:
     DemandOutcome load(const Demand& demand);
 
     /// Takes `bytes` of the budget for something else than pages, in place of what was taken before, and evicts what
-    /// the last `load` does not need; 0 gives all back.
+    /// the last `load` does not need; 0 gives all back. Throws Error if that does not fit beside the pages that always
+    /// stay.
     void reserve(Bytes bytes);
 
     /// Makes room beside each resident page for what its owner makes of it, `bytes` of the page (null: nothing), in

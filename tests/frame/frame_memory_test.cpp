@@ -1,6 +1,8 @@
 // What a renderer allocates while a camera turns where it has turned before. Every large allocation of this program is
 // counted.
+#include "core/error.h"
 #include "executor/software_executor.h"
+#include "frame/accumulation.h"
 #include "frame/made_model.h"
 #include "frame/renderer.h"
 
@@ -13,6 +15,8 @@
 #include <new>
 #include <string>
 
+#include <malloc.h>
+
 namespace {
 
 constexpr std::size_t kLarge = std::size_t{64} << 10U;
@@ -20,11 +24,17 @@ constexpr std::size_t kLarge = std::size_t{64} << 10U;
 // NOLINTBEGIN(cppcoreguidelines-avoid-non-const-global-variables): allocations of the whole program
 std::atomic<std::size_t> largeAllocations{0};
 std::atomic<std::size_t> largestBytes{0};
+std::atomic<std::size_t> liveBytes{0}; // of all allocations, as large as they were made
+std::atomic<std::size_t> mostBytes{0}; // that these were
 
 // NOLINTEND(cppcoreguidelines-avoid-non-const-global-variables)
 
 void* counted(void* memory, std::size_t size) {
     if (memory == nullptr) throw std::bad_alloc();
+    const std::size_t live = liveBytes += malloc_usable_size(memory);
+    std::size_t most = mostBytes;
+    while (live > most && !mostBytes.compare_exchange_weak(most, live)) {
+    }
     if (size <= kLarge) return memory;
     ++largeAllocations;
     std::size_t largest = largestBytes;
@@ -35,6 +45,7 @@ void* counted(void* memory, std::size_t size) {
 
 /// Kept apart: inlined, it would seem to free what another operator made.
 [[gnu::noinline]] void release(void* memory) {
+    liveBytes -= malloc_usable_size(memory);
     std::free(memory);
 }
 
@@ -123,6 +134,62 @@ TEST(FrameMemory, TheHookCounts) {
 TEST(FrameMemory, ASecondTurnAllocatesNothingLarge) {
     const tests::BuiltFile model("plant", 20000);
     tbb::task_arena(1).execute([&] { expectNoneInTheSecondTurn(model.file(), 200); });
+}
+
+/// Draws all frames of a picture after one of one frame; how many bytes more that held.
+std::size_t bytesOfSeveralFrames(Renderer& renderer, const plan::View& view, const plan::Quality& quality) {
+    FrameOptions options;
+    renderer.render(view, quality, options);
+    const std::size_t before = liveBytes;
+    mostBytes = before;
+    options.isAccumulated = true;
+    const Frame frame = renderer.render(view, quality, options);
+    Accumulation accumulation;
+    accumulation.begin(renderer, frame, 3);
+    while (accumulation.samples() < accumulation.wanted())
+        accumulation.add();
+    EXPECT_EQ(accumulation.picture().width, view.width);
+    return mostBytes - before;
+}
+
+ResidencyOptions within(Bytes memory) {
+    ResidencyOptions options;
+    options.memory = memory;
+    return options;
+}
+
+// What --memory counts of a picture of several frames is what it takes, and pages leave that room.
+TEST(FrameMemory, OfSeveralFramesIsCounted) {
+    const tests::BuiltFile model("statue", 20000);
+    plan::View view;
+    view.width = 1024;
+    view.height = 512;
+    view.camera.target = model.file().summary().bounds.center();
+    view.camera.eye = view.camera.target + 1.2 * model.file().summary().bounds.extent();
+    for (const bool hasSky : {false, true}) {
+        plan::Quality quality;
+        quality.shadows = plan::ShadowMode::Exact;
+        quality.look.shading = plan::Shading::Lit;
+        if (hasSky) quality.sky.directions = 3;
+        const Bytes counted = executor::LightSum::bytes(std::uint64_t{1024} * 512, false, hasSky);
+        const auto executor = executor::makeSoftwareExecutor();
+        Renderer renderer(model.file(), *executor, {});
+        const std::size_t taken = bytesOfSeveralFrames(renderer, view, quality);
+        EXPECT_LE(static_cast<double>(taken), 1.05 * static_cast<double>(counted.count)) << hasSky;
+        EXPECT_GE(static_cast<double>(taken), 0.8 * static_cast<double>(counted.count)) << hasSky;
+        const Bytes pages = renderer.residency().statistics().committed;
+        const Bytes tight{tableBytes(model.file()).count + counted.count + pages.count / 2};
+        Renderer narrow(model.file(), *executor, within(tight));
+        bytesOfSeveralFrames(narrow, view, quality);
+        EXPECT_LE(narrow.residency().statistics().committed.count, pages.count / 2);
+        narrow.render(view, quality, {});
+        EXPECT_EQ(narrow.residency().statistics().committed, pages) << "given back";
+        Renderer none(model.file(), *executor, within({tableBytes(model.file()).count + counted.count}));
+        FrameOptions several;
+        several.isAccumulated = true;
+        none.render(view, quality, {});
+        EXPECT_THROW(none.render(view, quality, several), Error);
+    }
 }
 
 // Lists of clusters grow with the model.

@@ -59,7 +59,18 @@ void addLight(LightPicture& light, const LightPicture& other) {
     });
 }
 
+Bytes LightSum::bytes(std::uint64_t pixels, bool hasGround, bool hasSky) {
+    constexpr std::uint64_t kLight = sizeof(LightPicture::pixels[0]);
+    constexpr std::uint64_t kHeld = sizeof(Sums) + sizeof(std::uint16_t) + 2 * kLight;
+    constexpr std::uint64_t kShown = kLight + sizeof(Rgb); // no less than the copy of a frame's light
+    const std::uint64_t ofGround = hasGround ? sizeof(Sums) : 0;
+    const std::uint64_t ofSky = hasSky ? kLight : 0;
+    return {pixels * (kHeld + kShown + ofGround + ofSky)};
+}
+
 void LightSum::reset(bool hasGround) {
+    sums_ = shadows_ = {};
+    covered_ = {};
     count_ = 0;
     hasGround_ = hasGround;
 }

@@ -37,7 +37,11 @@ class LightSum {
 public:
     static constexpr int kMost = 65535;
 
-    /// Begins anew with nothing. With `hasGround` it counts what shadows leave of the background.
+    /// What an image of so many pixels holds at once while frames are added and shown: the sums, the light of a frame
+    /// in and out of the shadow, and their copies; of a ground and of a sky that are summed, too.
+    static Bytes bytes(std::uint64_t pixels, bool hasGround, bool hasSky);
+
+    /// Begins anew with nothing, and gives back what there was. With `hasGround` it counts what shadows leave of the background.
     void reset(bool hasGround = false);
 
     /// Adds one more, at most kMost in all and of the size of the first.

@@ -1,8 +1,13 @@
 #include "culling/penumbra_width.h"
 
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace gnomon::culling {
@@ -106,8 +111,7 @@ private:
     std::vector<BeamBox> nodes_;
 };
 
-template <class Use>
-void forEachClusterBox(const selection::CutQuery& query, const selection::DrawList& list, const Use& use) {
+void forEachClusterBox(const selection::CutQuery& query, const selection::DrawList& list, const auto& use) {
     const hierarchy::Grid& grid = query.trees->grid();
     for (const selection::ClusterRange& range : list.ranges) {
         const hierarchy::Page& page = *query.resident[range.page];
@@ -116,14 +120,204 @@ void forEachClusterBox(const selection::CutQuery& query, const selection::DrawLi
     }
 }
 
+/// A rectangle, of the image in pixels from its lower left corner.
+struct SeenRectangle {
+    glm::dvec2 least{std::numeric_limits<double>::infinity()};
+    glm::dvec2 most{-std::numeric_limits<double>::infinity()};
+
+    void add(const glm::dvec2& point) {
+        least = glm::min(least, point);
+        most = glm::max(most, point);
+    }
+};
+
+/// Where the part of `box` that is at least `depth` deep may be seen: between its corners, or, where it reaches nearer,
+/// wherever any offset across the view may be at any of its depths.
+SeenRectangle seenRectangle(const selection::DetailView& view, const TiledView& seen, const Box& box, double depth) {
+    const glm::dvec2 size(seen.tiles.width, seen.tiles.height);
+    SeenRectangle offsets; // across the view, world units
+    SeenRectangle rectangle;
+    const auto add = [&](const glm::dvec2& across, double at) {
+        rectangle.add((across / (seen.half * at) + 1.0) / 2.0 * size);
+    };
+    bool reachesNearer = false;
+    double deepest = depth;
+    for (unsigned corner = 0; corner < 8; ++corner) {
+        glm::dvec3 point = box.min;
+        for (int axis = 0; axis < 3; ++axis)
+            if ((corner >> static_cast<unsigned>(axis) & 1U) != 0) point[axis] = box.max[axis];
+        const glm::dvec3 way = point - view.eye;
+        const double at = glm::dot(view.basis.view, way);
+        reachesNearer |= at < depth * (1 - 1e-9);
+        deepest = std::max(deepest, at);
+        const glm::dvec2 across(glm::dot(view.basis.right, way), glm::dot(view.basis.up, way));
+        offsets.add(across);
+        add(across, seen.isParallel ? 1 : at);
+    }
+    if (seen.isParallel || !reachesNearer) return rectangle;
+    rectangle = {};
+    for (const glm::dvec2& across : {offsets.least, offsets.most})
+        for (const double at : {depth, deepest})
+            add(across, at);
+    return rectangle;
+}
+
+/// Some tiles of an image, a rectangle of them; half-open.
+struct TileBox {
+    glm::ivec2 least{0};
+    glm::ivec2 most{0};
+};
+
+/// The tiles that may show any of `box`, whose nearest point is `depth` deep.
+TileBox tilesOf(const selection::DetailView& view, const TiledView& seen, const Box& box, double depth) {
+    constexpr double kBeside = 1; // pixels: half of one, and more than any rounding
+    const SeenRectangle rectangle = seenRectangle(view, seen, box, depth);
+    const glm::ivec2 tiles(seen.tiles.columns(), seen.tiles.rows());
+    const auto tileAt = [&](const glm::dvec2& pixel) {
+        const glm::dvec2 tile = glm::floor(pixel / double{shadow::ImageTiles::kSide});
+        return glm::ivec2(glm::clamp(tile, glm::dvec2(-1), glm::dvec2(tiles)));
+    };
+    return {
+        glm::clamp(tileAt(rectangle.least - kBeside), glm::ivec2(0), tiles),
+        glm::clamp(tileAt(rectangle.most + kBeside) + 1, glm::ivec2(0), tiles)};
+}
+
+/// The widest of each tile.
+class TileWidths {
+public:
+    explicit TileWidths(const shadow::ImageTiles& tiles) : tiles_(tiles), widths_(tiles.count()) {}
+
+    /// Infinite of no tiles.
+    double least(const TileBox& box) const {
+        double least = std::numeric_limits<double>::infinity();
+        forEach(box, [&](std::size_t i) { least = std::min(least, widths_[i]); });
+        return least;
+    }
+
+    void raise(const TileBox& box, double width) {
+        forEach(box, [&](std::size_t i) { widths_[i] = std::max(widths_[i], width); });
+    }
+
+    void add(const TileWidths& other) {
+        for (std::size_t i = 0; i < widths_.size(); ++i)
+            widths_[i] = std::max(widths_[i], other.widths_[i]);
+    }
+
+    std::vector<double> take() { return std::move(widths_); }
+
+private:
+    template <class Use>
+    void forEach(const TileBox& box, const Use& use) const {
+        for (int y = box.least.y; y < box.most.y; ++y)
+            for (int x = box.least.x; x < box.most.x; ++x)
+                use(static_cast<std::size_t>(y) * static_cast<std::size_t>(tiles_.columns()) +
+                    static_cast<std::size_t>(x));
+    }
+
+    shadow::ImageTiles tiles_;
+    std::vector<double> widths_;
+};
+
+/// Bounds the widths on what is seen, cluster by cluster and, where that says too little, triangle by triangle.
+class WidthSearch {
+public:
+    WidthSearch(
+        const selection::CutQuery& query, const BeamBoxTree& casters, const DiscLight& light, const TiledView& seen)
+        : query_(&query),
+          view_(&query.rule->view()),
+          casters_(&casters),
+          light_(&light),
+          seen_(&seen),
+          space_(light.towards),
+          pyramid_(selection::viewPyramid(*view_)) {
+        // How much longer a length may be seen than at the middle of the image.
+        const double aslant = std::sqrt(1 + view_->tanHalfX * view_->tanHalfX + view_->tanHalfY * view_->tanHalfY);
+        perDistance_ = light.slope * aslant * view_->heightPixels / (2 * view_->tanHalfY);
+    }
+
+    void look(const selection::ClusterRange& range, TileWidths& widths) const {
+        const hierarchy::Page& page = *query_->resident[range.page];
+        const hierarchy::Grid& grid = query_->trees->grid();
+        for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c) {
+            const hierarchy::Cluster& cluster = page.clusters[c];
+            const Box box = grid.local(cluster.box);
+            if (classify(pyramid_, box) == Containment::Outside) continue;
+            if (!isWider(box, widths)) continue;
+            for (std::uint32_t t = cluster.firstTriangle; t < cluster.firstTriangle + cluster.triangleCount; ++t) {
+                std::array<glm::dvec3, 3> corners{};
+                for (std::size_t i = 0; i < 3; ++i)
+                    corners[i] = grid.local(page.vertices[cluster.firstVertex + page.triangles[t][i]].position);
+                if (mayShowLight(corners)) take(corners, widths);
+            }
+        }
+    }
+
+private:
+    /// Where a receiver lies, to the eye and in beams.
+    struct Receiver {
+        TileBox tiles;
+        BeamBox beam;
+        double perDistance = 0; // pixels of penumbra a unit of distance; 0: it is not seen
+    };
+
+    Receiver receiver(const Box& box) const {
+        const double reach = glm::dot(glm::abs(view_->basis.view), 0.5 * box.extent());
+        const double middle = glm::dot(view_->basis.view, box.center() - view_->eye);
+        const double depth = std::max(middle - reach, seen_->nearest);
+        if (!(depth > 0) || middle + reach < depth * (1 - 1e-9)) return {};
+        return {tilesOf(*view_, *seen_, box, depth), space_.boxOf(box), perDistance_ / depth};
+    }
+
+    /// Whether a penumbra may fall on `box` that is wider than one that its tiles have.
+    bool isWider(const Box& box, const TileWidths& widths) const {
+        const Receiver found = receiver(box);
+        if (found.perDistance == 0) return false;
+        const double known = widths.least(found.tiles) / found.perDistance;
+        return casters_->farthestBefore(found.beam, light_->slope, known) > known;
+    }
+
+    void take(const std::array<glm::dvec3, 3>& corners, TileWidths& widths) const {
+        Box box;
+        for (const glm::dvec3& corner : corners)
+            box.add(corner);
+        const Receiver found = receiver(box);
+        if (found.perDistance == 0) return;
+        const double known = widths.least(found.tiles) / found.perDistance;
+        const double before = casters_->farthestBefore(found.beam, light_->slope, known);
+        if (before > known) widths.raise(found.tiles, before * found.perDistance);
+    }
+
+    /// Whether a triangle may show the eye a side that any of the light's disc reaches.
+    bool mayShowLight(const std::array<glm::dvec3, 3>& corners) const {
+        constexpr double kGrazing = 1e-6; // a sine that these products may have wrong
+        const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+        const glm::dvec3 towardsEye = seen_->isParallel ? -view_->basis.view : view_->eye - corners[0];
+        const double light = glm::dot(normal, light_->towards);
+        const double eye = glm::dot(normal, towardsEye);
+        const double size = glm::length(normal);
+        if (std::abs(light) <= (0.5 * light_->slope + kGrazing) * size) return true;
+        if (std::abs(eye) <= kGrazing * size * glm::length(towardsEye)) return true;
+        return (light > 0) == (eye > 0);
+    }
+
+    const selection::CutQuery* query_;
+    const selection::DetailView* view_;
+    const BeamBoxTree* casters_;
+    const DiscLight* light_;
+    const TiledView* seen_;
+    BeamSpace space_;
+    ConvexVolume pyramid_;
+    double perDistance_ = 0; // at depth 1
+};
+
 } // namespace
 
-double widestPenumbra(
+std::vector<double> penumbraWidths(
     const selection::CutQuery& query,
     const selection::DrawList& image,
     std::span<const selection::DrawList> casters,
     const DiscLight& light,
-    double nearest) {
+    const TiledView& seen) {
     const BeamSpace space(light.towards);
     std::vector<BeamBox> boxes;
     const auto keep = [&](const Box& box) { boxes.push_back(space.boxOf(box)); };
@@ -131,21 +325,15 @@ double widestPenumbra(
     for (const selection::DrawList& list : casters)
         forEachClusterBox(query, list, keep);
     const BeamBoxTree tree(std::move(boxes));
-    const selection::DetailView& view = query.rule->view();
-    // How much longer a length may be seen than at the middle of the image.
-    const double aslant = std::sqrt(1 + view.tanHalfX * view.tanHalfX + view.tanHalfY * view.tanHalfY);
-    const double pixelSlope = 2 * view.tanHalfY / view.heightPixels;
-    const ConvexVolume pyramid = selection::viewPyramid(view);
-    double widest = 0;
-    forEachClusterBox(query, image, [&](const Box& box) {
-        if (classify(pyramid, box) == Containment::Outside) return;
-        const double reach = glm::dot(glm::abs(view.basis.view), 0.5 * box.extent());
-        const double depth = std::max(glm::dot(view.basis.view, box.center() - view.eye) - reach, nearest);
-        if (!(depth > 0)) return;
-        const double perDistance = light.slope * aslant / (pixelSlope * depth);
-        widest = perDistance * tree.farthestBefore(space.boxOf(box), light.slope, widest / perDistance);
-    });
-    return widest;
+    const WidthSearch search(query, tree, light, seen);
+    // Each finds the largest of what it looks at, so that it does not matter who looks at what.
+    tbb::enumerable_thread_specific<TileWidths> widths(seen.tiles);
+    tbb::parallel_for(
+        std::size_t{0}, image.ranges.size(), [&](std::size_t i) { search.look(image.ranges[i], widths.local()); });
+    TileWidths all(seen.tiles);
+    for (const TileWidths& each : widths)
+        all.add(each);
+    return all.take();
 }
 
 } // namespace gnomon::culling

@@ -118,6 +118,7 @@ std::optional<raster::OcclusionCounts> drawUndecided(
     target.undecided = &undecided;
     target.light = buffers.light;
     target.undecidedLight = buffers.undecidedLight;
+    target.tiles = frame.tiles;
     shadeVisible(shading, *buffers.words, target);
     return occlusion;
 }

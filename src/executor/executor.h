@@ -8,6 +8,7 @@
 #include "plan/frame_plan.h"
 #include "raster/raster.h"
 #include "selection/cut.h"
+#include "shadow/image_tiles.h"
 
 #include <array>
 #include <cmath>
@@ -136,6 +137,7 @@ struct FrameDrawing {
     const Raster<std::uint8_t>* litMask = nullptr;     // 255 where the light reaches, instead of maps
     const selection::DrawList* exactCasters = nullptr; // of drawExactly, besides the image's own clusters
     const raycast::CutScene* rays = nullptr;           // of both: decide what drawExactly else does by casting
+    const shadow::TileMask* tiles = nullptr; // of the image, where alone it is drawn, if the executor can; null: all
     bool cullsByReceivers = false; // maps need not hold what no pixel of the image asks for; where `drawsImageFirst`
 };
 

@@ -17,7 +17,11 @@ std::optional<raster::OcclusionCounts> drawVisible(const FrameDrawing& frame, co
     pass.gather(frame, *frame.image, Cutting::BySections);
     if (frame.ground != nullptr) pass.addGround(*frame.ground);
     const raster::View seen = rasterView(frame.space, imageClipFromDraw(frame), {0, 0, view.width, view.height});
-    const raster::VisibilityTarget target{buffers.words->data(), view.width, view.height};
+    raster::VisibilityTarget target{buffers.words->data(), view.width, view.height};
+    if (frame.tiles != nullptr)
+        target.isWanted = [&tiles = *frame.tiles](const raster::PixelBox& box) {
+            return tiles.holdsAny(box.x0, box.y0, box.x1, box.y1);
+        };
     std::optional<raster::OcclusionCounts> hidden;
     tbb::task_group lines; // finding them is hard to share out
     if (!frame.sections.empty()) lines.run([&] { frame.sectionMemory->lines.find(frame); });
@@ -30,16 +34,37 @@ std::optional<raster::OcclusionCounts> drawVisible(const FrameDrawing& frame, co
     return hidden;
 }
 
+namespace {
+
+/// Shades what of `square`, which begins with a tile, lies in the wanted tiles.
+void shadeTiles(
+    const Shading& shading,
+    const raster::PixelBox& square,
+    std::span<const std::uint64_t> words,
+    const ShadingTarget& target) {
+    constexpr int kSide = shadow::ImageTiles::kSide;
+    for (int y = square.y0; y < square.y1; y += kSide)
+        for (int x = square.x0; x < square.x1; x += kSide)
+            if (target.tiles->holds(x, y))
+                shading.shade({x, y, std::min(square.x1, x + kSide), std::min(square.y1, y + kSide)}, words, target);
+}
+
+} // namespace
+
 void shadeVisible(const Shading& shading, std::span<const std::uint64_t> words, const ShadingTarget& target) {
     // Squares, since neighbours in both directions see the same triangles; small enough to share out evenly.
-    constexpr int kSide = 64;
+    constexpr int kSide = 2 * shadow::ImageTiles::kSide;
     const Picture& picture = *target.picture;
     const int columns = (picture.width + kSide - 1) / kSide;
     const int rows = (picture.height + kSide - 1) / kSide;
     tbb::parallel_for(0, columns * rows, [&](int i) {
         const int x = i % columns * kSide;
         const int y = i / columns * kSide;
-        shading.shade({x, y, std::min(picture.width, x + kSide), std::min(picture.height, y + kSide)}, words, target);
+        const raster::PixelBox square{x, y, std::min(picture.width, x + kSide), std::min(picture.height, y + kSide)};
+        if (target.tiles == nullptr)
+            shading.shade(square, words, target);
+        else
+            shadeTiles(shading, square, words, target);
     });
 }
 

@@ -19,10 +19,10 @@ struct ImageBuffers {
 };
 
 /// Gathers the clusters of the image into the pass and fills the words: which triangle each pixel sees. Answers what
-/// was left out, where the plan skips what is hidden.
+/// was left out, where the plan skips what is hidden. Where the frame is of some tiles the other words are as before.
 std::optional<raster::OcclusionCounts> drawVisible(const FrameDrawing& frame, const ImageBuffers& buffers);
 
-/// Shades every pixel of `target` by `words`, on all cores.
+/// Shades every pixel of `target` by `words`, on all cores; those of its tiles, where it has some.
 void shadeVisible(const Shading& shading, std::span<const std::uint64_t> words, const ShadingTarget& target);
 
 } // namespace gnomon::executor

@@ -263,6 +263,7 @@ void SoftwareExecutor::shade(const FrameDrawing& frame) {
     target.surfaces = frame.wantsSurfaces ? &surfaces_ : nullptr;
     target.litPixels = &litPixels_;
     target.light = frame.wantsLight ? &light_ : nullptr;
+    target.tiles = frame.tiles;
     shadeVisible(shading, words_, target);
 }
 

@@ -48,6 +48,7 @@ struct ShadingTarget {
     std::atomic<std::uint64_t>* litPixels = nullptr; // counts those that are known to be lit at least in part
     LightPicture* light = nullptr;                   // both with a frame's `wantsLight`: the light of `picture`,
     LightPicture* undecidedLight = nullptr;          // and of undecided pixels that in which they are lit
+    const shadow::TileMask* tiles = nullptr;         // which pixels are shaded; null: all
     /// Gets where each pixel lies (draw space), and 1 if it faces the light; it has room for all, and what shows
     /// nothing is left as it is.
     std::vector<glm::vec4>* facing = nullptr;

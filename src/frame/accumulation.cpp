@@ -38,10 +38,12 @@ void Accumulation::begin(Renderer& renderer, const Frame& frame, int samples) {
     renderer_ = &renderer;
     frame_ = &frame;
     wanted_ = std::max(samples, plan::lightFrames(plan()));
+    const bool hasSky = plan().sky.directions > 0; // which is seen from everywhere
+    whole_ = hasSky ? wanted_ : std::max(samples, plan::leastFirstPoints(wanted_));
     const executor::FrameDrawing drawing = renderer.drawing(frame, frame.options);
     shown_ = executor::shownAs(drawing);
     sum_.reset(shown_.hasGround);
-    if (plan().sky.directions > 0) {
+    if (hasSky) {
         onGround_ = executor::groundShares(drawing);
         onGround_.sky /= static_cast<float>(plan::levelSkyLight(wanted_, plan().sky.model));
         FrameOptions options = frame.options;
@@ -62,9 +64,15 @@ void Accumulation::leaveSkyOut(FrameOptions& options) const {
     options.groundShade = onGround_.sun;
 }
 
+/// Where frame `sample` is drawn; null: everywhere.
+const std::shared_ptr<const shadow::TileMask>& Accumulation::tilesOf(int sample) const {
+    return sample < whole_ ? frame_->options.tiles : plan().penumbra.tiles;
+}
+
 void Accumulation::drawSunlit(int sample) {
     FrameOptions options = frame_->options;
     options.subpixel = subpixelOffset(sample);
+    options.tiles = tilesOf(sample);
     const bool hasSky = plan().sky.directions > 0;
     if (hasSky) leaveSkyOut(options);
     const plan::View& view = plan().view;
@@ -81,7 +89,7 @@ void Accumulation::drawSunlit(int sample) {
 /// Adds what was drawn last, with a part of the sky.
 void Accumulation::take(int sample) {
     executor::Executor& executor = renderer_->executor();
-    if (plan().sky.directions == 0) return sum_.add(executor.light());
+    if (plan().sky.directions == 0) return sum_.add(executor.light(), tilesOf(sample).get());
     executor::LightPicture light = executor.light();
     const plan::SkyPart part = plan::skyPart(sample, wanted_, plan().sky.model, plan().view.up);
     FrameOptions options = frame_->options;

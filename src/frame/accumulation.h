@@ -15,12 +15,14 @@ glm::dvec2 subpixelOffset(int sample);
 
 /// The frames of a standing view, one after another, and the mean of their pictures. Where the plan of the first calls
 /// for directions of the light's disc each has one, and where it calls for those of the sky each is the sum of two
-/// drawings: in the light of the sun, of the ground and from the eye, and in that of a part of the sky.
+/// drawings: in the light of the sun, of the ground and from the eye, and in that of a part of the sky. Frames that
+/// there are for the disc alone are drawn in the tiles of the plan's penumbrae alone.
 class Accumulation {
 public:
     /// Begins anew with `frame`, the last that `renderer` drew, with `isAccumulated` and no offset. Both must outlive
     /// what is added. There are to be `samples` frames, at least 1, or as many as the directions that its plan calls
-    /// for, if those are more.
+    /// for, if those are more; without sky, the first `samples`, and
+    /// at least plan::leastFirstPoints, are of all tiles.
     void begin(Renderer& renderer, const Frame& frame, int samples);
 
     /// Forgets all of it.
@@ -47,6 +49,7 @@ public:
 
 private:
     void leaveSkyOut(FrameOptions& options) const;
+    const std::shared_ptr<const shadow::TileMask>& tilesOf(int sample) const;
     void drawSunlit(int sample);
     void take(int sample);
 
@@ -55,6 +58,7 @@ private:
     Renderer* renderer_ = nullptr;
     const Frame* frame_ = nullptr;
     int wanted_ = 1;
+    int whole_ = 1; // of them, the first: those of all tiles
     executor::GroundShares onGround_;
     executor::Shown shown_;
     executor::LightSum sum_;

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <vector>
 
 namespace gnomon::frame {
 
@@ -26,6 +27,17 @@ double onGround(const PreparedFrame& frame, const culling::DiscLight& light) {
            longestShadow(*frame.ground, frame.plan.view, frame.facts.bounds);
 }
 
+culling::TiledView tiledView(const PreparedFrame& frame) {
+    const plan::View& view = frame.plan.view;
+    culling::TiledView seen;
+    seen.tiles = {view.width, view.height};
+    seen.isParallel = view.camera.isParallel();
+    const double half = seen.isParallel ? halfHeightAtTarget(view.camera) : view.tanHalfY();
+    seen.half = {view.aspect() * half, half};
+    seen.nearest = frame.facts.visible ? frame.facts.visible->nearest : 0;
+    return seen;
+}
+
 } // namespace
 
 void planLightSampling(PreparedFrame& frame, const Residency& residency) {
@@ -34,13 +46,17 @@ void planLightSampling(PreparedFrame& frame, const Residency& residency) {
     const selection::DrawList& image = frame.cut.lists[0];
     if (plan.view.sunAngleRadians > 0) {
         const culling::DiscLight light{plan.light.unit(), 2 * std::tan(plan.view.sunAngleRadians / 2)};
-        const double nearest = frame.facts.visible ? frame.facts.visible->nearest : 0;
         const std::span<const selection::DrawList> lists(frame.cut.lists);
         const std::size_t behindImage = lists.size() - 1;
         // The last lists are what lies near the sections.
         const auto casters = lists.subspan(1, behindImage - std::min(behindImage, plan.view.sections.size()));
-        const double onModel = culling::widestPenumbra(query, image, casters, light, nearest);
-        plan::planPenumbra(plan, std::max(onModel, onGround(frame, light)));
+        const culling::TiledView seen = tiledView(frame);
+        const std::vector<double> byTile = culling::penumbraWidths(query, image, casters, light, seen);
+        plan::PenumbraBound bound{*std::max_element(byTile.begin(), byTile.end()), seen.tiles, byTile};
+        bound.widest = std::max(bound.widest, onGround(frame, light));
+        // Neither the ground nor what sections cut open is among the clusters whose tiles are known.
+        if (frame.ground || !plan.view.sections.empty()) bound.byTile = {};
+        plan::planPenumbra(plan, bound);
     }
     if (plan.quality.sky.directions > 0) {
         const glm::dvec3 origin = residency.query().trees->grid().origin;

@@ -131,6 +131,7 @@ executor::FrameDrawing Renderer::drawing(const PreparedFrame& frame, const Frame
     drawing.lightPart = options.lightPart;
     drawing.skyWeight = options.skyWeight;
     drawing.groundShade = options.groundShade;
+    drawing.tiles = options.tiles.get();
     drawing.wantsLight = options.isAccumulated && !options.wantsSurfaces;
     drawing.cullsByReceivers = cullsByReceivers(frame, options);
     return drawing;

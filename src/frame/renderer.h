@@ -27,8 +27,9 @@ struct FrameOptions {
     bool isAccumulated = false;           // `drawSample` is to follow: the cut reaches half a pixel beyond the image,
                                           // maps are whole, and the executor keeps the light
     executor::LightPart lightPart = executor::LightPart::All;
-    double skyWeight = 0;                 // as FrameDrawing has it
-    std::optional<glm::vec3> groundShade; // likewise
+    double skyWeight = 0;                          // as FrameDrawing has it
+    std::optional<glm::vec3> groundShade;          // likewise
+    std::shared_ptr<const shadow::TileMask> tiles; // likewise
 };
 
 /// A frame that was drawn once.

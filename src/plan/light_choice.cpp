@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace gnomon::plan {
 
@@ -16,24 +17,34 @@ std::optional<OmissionReason> reasonForNoSoftness(const Quality& quality) {
     return std::nullopt;
 }
 
+/// The tiles whose bound is at least `least`; null if all are.
+std::shared_ptr<const shadow::TileMask> softTiles(const PenumbraBound& bound, double least) {
+    shadow::TileMask mask{bound.tiles, {}};
+    for (const double width : bound.byTile)
+        mask.wanted.push_back(!(width < least));
+    if (mask.count() == mask.wanted.size()) return nullptr;
+    return std::make_shared<const shadow::TileMask>(std::move(mask));
+}
+
 } // namespace
 
-void planPenumbra(FramePlan& plan, double widestPixels) {
+void planPenumbra(FramePlan& plan, const PenumbraBound& bound) {
     plan.penumbra = {};
     if (!(plan.view.sunAngleRadians > 0)) return;
     if (const auto reason = reasonForNoSoftness(plan.quality)) {
         plan.omitted.push_back({Effect::Penumbra, *reason});
         return;
     }
-    plan.penumbra.widestPixels = widestPixels;
+    plan.penumbra.widestPixels = bound.widest;
     plan.penumbra.leastPixels = leastPenumbra(plan.quality.lightError);
-    if (widestPixels < plan.penumbra.leastPixels) {
+    if (bound.widest < plan.penumbra.leastPixels) {
         Omission omission{Effect::Penumbra, OmissionReason::NarrowPenumbrae};
         omission.pixels = plan.penumbra.leastPixels;
         plan.omitted.push_back(omission);
         return;
     }
     plan.penumbra.directions = directionsFor(plan.quality.lightError);
+    plan.penumbra.tiles = softTiles(bound, plan.penumbra.leastPixels);
 }
 
 void planSky(FramePlan& plan, bool isAnythingHidden) {
@@ -52,6 +63,7 @@ void leaveLightSamplingOut(FramePlan& plan) {
     if (plan.penumbra.directions > 1) plan.omitted.push_back({Effect::Penumbra, OmissionReason::NoSun});
     if (plan.sky.directions > 0) plan.omitted.push_back({Effect::SkyLight, OmissionReason::NoSun});
     plan.penumbra.directions = 1;
+    plan.penumbra.tiles.reset();
     plan.sky = {};
 }
 

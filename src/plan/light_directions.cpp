@@ -48,10 +48,10 @@ AxesAcross axesAcross(const glm::dvec3& axis) {
 } // namespace
 
 const std::array<DiscSampling, 23> kDiscSamplings = {{
-    {4, 0.3569},    {8, 0.2501},    {12, 0.1706},   {16, 0.1502},   {24, 0.1091},   {32, 0.0827},
-    {48, 0.0647},   {64, 0.0543},   {80, 0.0447},   {96, 0.0379},   {128, 0.0362},  {160, 0.0283},
-    {192, 0.0257},  {256, 0.0224},  {320, 0.0177},  {384, 0.0162},  {512, 0.0133},  {768, 0.0100},
-    {1024, 0.0078}, {1536, 0.0062}, {2048, 0.0048}, {3072, 0.0032}, {4096, 0.0027},
+    {4, 0.3569, 4},    {8, 0.2501, 7},    {12, 0.1706, 9},    {16, 0.1502, 7},   {24, 0.1091, 6},    {32, 0.0827, 8},
+    {48, 0.0647, 4},   {64, 0.0543, 38},  {80, 0.0447, 53},   {96, 0.0379, 7},   {128, 0.0362, 5},   {160, 0.0283, 5},
+    {192, 0.0257, 7},  {256, 0.0224, 7},  {320, 0.0177, 7},   {384, 0.0162, 6},  {512, 0.0133, 5},   {768, 0.0100, 4},
+    {1024, 0.0078, 4}, {1536, 0.0062, 9}, {2048, 0.0048, 10}, {3072, 0.0032, 7}, {4096, 0.0027, 16},
 }};
 
 int directionsFor(double lightError) {
@@ -59,6 +59,12 @@ int directionsFor(double lightError) {
     for (const DiscSampling& sampling : kDiscSamplings)
         if (sampling.error <= kOfDisc * lightError) return sampling.directions;
     return kDiscSamplings.back().directions;
+}
+
+int leastFirstPoints(int directions) {
+    for (const DiscSampling& sampling : kDiscSamplings)
+        if (sampling.directions == directions) return sampling.first;
+    return directions;
 }
 
 double leastPenumbra(double lightError) {

@@ -3,9 +3,12 @@
 #pragma once
 
 #include "core/words.h"
+#include "shadow/image_tiles.h"
 
 #include <array>
 #include <cstdint>
+#include <memory>
+#include <span>
 
 namespace gnomon::plan {
 
@@ -30,13 +33,23 @@ struct Penumbra {
     double widestPixels = 0; // none in view is wider, across the beam
     double leastPixels = 0;  // under that the light is a point
     int directions = 1;      // over the disc of the light; 1: a point
+    /// Where they may be at least so wide, of more than one direction; null: anywhere.
+    std::shared_ptr<const shadow::TileMask> tiles{};
+};
+
+/// How wide penumbrae are in the tiles of an image, at most, across the beam, in its pixels. Without tiles no penumbra
+/// is wider than `widest`, wherever it is.
+struct PenumbraBound {
+    double widest = 0;
+    shadow::ImageTiles tiles;
+    std::span<const double> byTile{};
 };
 
 struct FramePlan;
 
 /// What the frame calls for that `plan` plans, whose view and quality are set, if no penumbra in it is wider than
-/// `widestPixels` across the beam, of pixels of the image. Says in `plan` what is left out.
-void planPenumbra(FramePlan& plan, double widestPixels);
+/// `bound` says. Says in `plan` what is left out.
+void planPenumbra(FramePlan& plan, const PenumbraBound& bound);
 
 /// Likewise for the sky; `isAnythingHidden` is whether anything may stand between a visible surface and a part of it.
 void planSky(FramePlan& plan, bool isAnythingHidden);

@@ -100,6 +100,7 @@ struct VisibilityTarget {
     std::uint64_t* words = nullptr; // row by row
     int width = 0;
     int height = 0;
+    BoxFilter isWanted{}; // as a DepthTarget's
 };
 
 /// A word of a visibility buffer: depth above, the complement of the name below, so that the largest word is the

@@ -211,7 +211,7 @@ NearestDepths Rasterizer::drawNearestDepth(
 void Rasterizer::drawVisibility(
     std::span<const Cluster> clusters, const View& view, const VisibilityTarget& target, const TileVisitor& onTile) {
     checkViewport(view.viewport, target.width, target.height);
-    memory_->isWanted = {};
+    memory_->isWanted = target.isWanted;
     memory_->draw<VisibilityKind>(clusters, projection(view, true), view.viewport, target.words, target.width, onTile);
 }
 
@@ -224,7 +224,8 @@ OcclusionCounts Rasterizer::drawVisible(
     Memory& memory = *memory_;
     memory.occlusion.prepare(
         clusters, boxes, projection(view, true), view.viewport, DepthOrder::Reversed, memory.clusters);
-    binItems(memory.occlusion.items(), view.viewport, VisibilityKind::kSide, kLeastTileSide, memory.bins);
+    binWanted(
+        memory.occlusion.items(), view.viewport, target.isWanted, VisibilityKind::kSide, kLeastTileSide, memory.bins);
     memory.drawTiles<VisibilityKind>(
         target.words, target.width, {}, [&memory](const TileBin& tile, std::uint64_t* words) {
             memory.occlusion.drawTile(tile.box, memory.bins.of(tile), words);

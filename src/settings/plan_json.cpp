@@ -132,6 +132,7 @@ ordered_json planJson(const plan::FramePlan& plan) {
     json["predicted"] = predictedJson(plan);
     json["light_directions"] = plan.penumbra.directions;
     json["penumbra_pixels"] = plan.penumbra.widestPixels;
+    json["penumbra_tiles"] = plan.penumbra.tiles ? ordered_json(plan.penumbra.tiles->count()) : ordered_json(nullptr);
     json["sky_directions"] = plan.sky.directions;
     json["cost"] = plan.cost;
     json["passes"] = ordered_json::array();

@@ -213,6 +213,10 @@ std::string lightInWords(const plan::FramePlan& plan) {
                 " pixels across the beam: " + std::to_string(plan.penumbra.directions) +
                 " directions over the light's disc, for a lit share within " + decimal(plan.quality.lightError, 3) +
                 "\n";
+    if (const auto& soft = plan.penumbra.tiles)
+        text += "in " + std::to_string(soft->count()) + " of " + std::to_string(soft->wanted.size()) +
+                " tiles of 32 pixels; in the others none is wider than " + decimal(plan.penumbra.leastPixels, 2) +
+                " pixels, and frames beyond those of --samples are not drawn\n";
     if (plan.sky.directions > 0)
         text += "the sky's light from " + std::to_string(plan.sky.directions) + " directions, " +
                 std::string(wordOf(plan::kSkyModels, plan.sky.model)) + "\n";

@@ -2,10 +2,13 @@
 #include "culling/open_sky.h"
 #include "culling/penumbra_width.h"
 #include "seen_scene.h"
+#include "shadow/image_tiles.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <optional>
 
 namespace gnomon::culling {
 namespace {
@@ -41,8 +44,15 @@ std::vector<Box> drawnBoxes(const selection::CutQuery& query, const selection::D
     return boxes;
 }
 
-/// The widest penumbra of all pairs of `boxes`, one by one.
-double widestOfPairs(const Seen& seen, const std::vector<Box>& boxes, const DiscLight& light, double nearest) {
+/// A receiver and the widest penumbra that can fall on it.
+struct WidthOfBox {
+    Box box;
+    double width = 0;
+};
+
+/// Of all triangles of the image that may be seen and lit, by all pairs with `boxes`.
+std::vector<WidthOfBox> widthsOfPairs(
+    const Seen& seen, const std::vector<Box>& boxes, const DiscLight& light, const TiledView& image) {
     // Two directions across the light, the same as those whose overlap is asked for.
     glm::dvec3 other(0);
     other[std::abs(light.towards.x) < 0.5 ? 0 : 1] = 1;
@@ -59,39 +69,127 @@ double widestOfPairs(const Seen& seen, const std::vector<Box>& boxes, const Disc
     const selection::DetailView& view = seen.view;
     const double aslant = std::sqrt(1 + view.tanHalfX * view.tanHalfX + view.tanHalfY * view.tanHalfY);
     const ConvexVolume pyramid = selection::viewPyramid(view);
-    double widest = 0;
-    for (const Box& receiver : boxes) {
-        if (classify(pyramid, receiver) == Containment::Outside) continue;
-        const double least = reachAlong(receiver, view.basis.view).low - glm::dot(view.basis.view, view.eye);
-        const double pixel = 2 * view.tanHalfY / view.heightPixels * std::max(least, nearest);
+    std::vector<WidthOfBox> found;
+    forEveryTriangle(seen.query(), seen.cut.lists[0], [&](const auto& corners, const auto&, const auto& cluster) {
+        if (classify(pyramid, seen.query().trees->grid().local(cluster.box)) == Containment::Outside) return;
+        Box receiver;
+        for (const glm::dvec3& corner : corners)
+            receiver.add(corner);
+        const glm::dvec3 normal = glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
+        const glm::dvec3 towardsEye = image.isParallel ? -view.basis.view : view.eye - corners[0];
+        const double side = glm::dot(normal, towardsEye) < 0 ? -1 : 1;
+        if (side * glm::dot(normal, light.towards) < -light.slope / 2 - 2e-6) return; // in the dark
+        const AxisReach depths = reachAlong(receiver, view.basis.view);
+        const double eyeDepth = glm::dot(view.basis.view, view.eye);
+        if (depths.high - eyeDepth < image.nearest) return;
+        const double pixel = 2 * view.tanHalfY / view.heightPixels * std::max(depths.low - eyeDepth, image.nearest);
+        found.push_back({receiver});
         for (const Box& caster : boxes) {
             const double before = reachAlong(caster, light.towards).high - reachAlong(receiver, light.towards).low;
             const double width = light.slope * before * aslant / pixel;
-            if (width > widest && shareABeam(caster, receiver, before)) widest = width;
+            if (width > found.back().width && shareABeam(caster, receiver, before)) found.back().width = width;
         }
-    }
-    return widest;
+    });
+    return found;
 }
 
-TEST(WidestPenumbra, IsThatOfTheFarthestPairThatShareABeam) {
+/// Where a point is seen, in pixels from the lower left corner; nothing if nearer than `seen` shows.
+std::optional<glm::dvec2> seenPixel(const selection::DetailView& view, const TiledView& seen, const glm::dvec3& point) {
+    const glm::dvec3 way = point - view.eye;
+    const double depth = glm::dot(view.basis.view, way);
+    if (depth < seen.nearest) return std::nullopt;
+    const glm::dvec2 across(glm::dot(view.basis.right, way), glm::dot(view.basis.up, way));
+    const glm::dvec2 place = across / (seen.half * (seen.isParallel ? 1 : depth));
+    return (place + 1.0) / 2.0 * glm::dvec2(seen.tiles.width, seen.tiles.height);
+}
+
+/// Between the corners of a box, in pixels; everywhere, where one of them is nearer than is shown.
+struct CornerReach {
+    glm::dvec2 least{1e9};
+    glm::dvec2 most{-1e9};
+
+    CornerReach(const selection::DetailView& view, const TiledView& seen, const Box& box) {
+        for (const glm::dvec3& corner : boxCornersOf(box)) {
+            const auto pixel = seenPixel(view, seen, corner);
+            least = pixel ? glm::min(least, *pixel) : glm::dvec2(-1e9);
+            most = pixel ? glm::max(most, *pixel) : glm::dvec2(1e9);
+        }
+    }
+
+    /// Whether it reaches within two pixels of a tile.
+    bool touches(int x, int y) const {
+        constexpr int kSide = shadow::ImageTiles::kSide;
+        return most.x >= x - 2 && most.y >= y - 2 && least.x <= x + kSide + 2 && least.y <= y + kSide + 2;
+    }
+};
+
+/// Holds the tiles to a box that points of are seen in them.
+void expectReached(
+    Random& random,
+    const Seen& seen,
+    const TiledView& image,
+    const WidthOfBox& receiver,
+    const std::vector<double>& widths) {
+    for (int i = 0; i < 8; ++i) {
+        const glm::dvec3 part(random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1));
+        const auto pixel = seenPixel(seen.view, image, receiver.box.min + receiver.box.extent() * part);
+        if (!pixel) continue;
+        const glm::dvec2 sampled = *pixel + glm::dvec2(random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5));
+        const glm::ivec2 at(glm::floor(sampled));
+        if (at.x < 0 || at.y < 0 || at.x >= image.tiles.width || at.y >= image.tiles.height) continue;
+        EXPECT_GE(widths[image.tiles.at(at.x, at.y)], receiver.width * (1 - 1e-9));
+    }
+}
+
+/// Holds each tile to the widest of the boxes that it may show.
+void expectNoMore(
+    const Seen& seen,
+    const TiledView& image,
+    const std::vector<WidthOfBox>& receivers,
+    const std::vector<double>& widths) {
+    std::vector<double> most(image.tiles.count());
+    for (const WidthOfBox& each : receivers) {
+        const CornerReach reach(seen.view, image, each.box);
+        for (int y = 0; y < image.tiles.height; y += shadow::ImageTiles::kSide)
+            for (int x = 0; x < image.tiles.width; x += shadow::ImageTiles::kSide) {
+                double& width = most[image.tiles.at(x, y)];
+                if (reach.touches(x, y)) width = std::max(width, each.width);
+            }
+    }
+    for (std::size_t i = 0; i < most.size(); ++i)
+        EXPECT_LE(widths[i], most[i] * (1 + 1e-9)) << i;
+}
+
+TEST(PenumbraWidths, AreThoseOfTheFarthestPairsThatShareABeamTileByTile) {
     Random random(31);
     int found = 0;
-    for (int round = 0; round < 8; ++round) {
+    int apart = 0;
+    for (int round = 0; round < 16; ++round) {
         const Seen seen(random);
         const selection::CutQuery query = seen.query();
         const DiscLight light{
             glm::normalize(glm::dvec3(random.uniform(-1, 1), random.uniform(0.1, 1), random.uniform(-1, 1))),
             random.uniform(0.005, 0.2)};
-        const double nearest = random.uniform(0.5, 2);
-        const selection::DrawList& image = seen.cut.lists[0];
-        const double wanted = widestOfPairs(seen, drawnBoxes(query, image), light, nearest);
-        const double widest = widestPenumbra(query, image, {}, light, nearest);
-        EXPECT_NEAR(widest, wanted, 1e-9 * wanted);
-        EXPECT_EQ(widestPenumbra(query, image, std::span(&image, 1), light, nearest), widest)
+        TiledView image;
+        image.tiles = {300, 200};
+        image.isParallel = round % 4 == 3;
+        image.half = {seen.view.tanHalfX, seen.view.tanHalfY};
+        if (image.isParallel) image.half *= glm::length(tests::sharedModel().bounds.center() - seen.view.eye);
+        image.nearest = random.uniform(0.5, 2);
+        const selection::DrawList& list = seen.cut.lists[0];
+        const auto receivers = widthsOfPairs(seen, drawnBoxes(query, list), light, image);
+        const std::vector<double> widths = penumbraWidths(query, list, {}, light, image);
+        for (const WidthOfBox& receiver : receivers)
+            expectReached(random, seen, image, receiver, widths);
+        expectNoMore(seen, image, receivers, widths);
+        EXPECT_EQ(penumbraWidths(query, list, std::span(&list, 1), light, image), widths)
             << "a caster that is seen, too, is one";
-        found += wanted > 0 ? 1 : 0;
+        const auto [least, most] = std::minmax_element(widths.begin(), widths.end());
+        found += *most > 0 ? 1 : 0;
+        apart += *least < 0.5 * *most ? 1 : 0;
     }
-    EXPECT_GT(found, 3);
+    EXPECT_GT(found, 6);
+    EXPECT_GT(apart, 3);
 }
 
 TEST(MayHideSky, IsSureOnlyWhereNothingLiesBeforeAnyTriangle) {

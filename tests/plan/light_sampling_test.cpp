@@ -41,6 +41,54 @@ double worstShareError(int directions, int bearings) {
     return worst;
 }
 
+/// What lies beyond `place` of places along a line, summed: of each its distance.
+double reachBeyond(const std::vector<double>& places, double place) {
+    double sum = 0;
+    for (const double each : places)
+        sum += std::max(each - place, 0.0);
+    return sum / static_cast<double>(places.size());
+}
+
+/// The same of a disc of radius 1.
+double discReachBeyond(double place) {
+    const double height = std::sqrt(1 - place * place);
+    return 2 / (3 * kHalfTurn) * height * height * height - place * discShareBeyond(place);
+}
+
+/// The most that the first of all points are off beside a penumbra narrower than a pixel, whose edge lies along its
+/// border: the mean over the pixel is that reach in units of half the width, wherever the border cuts the penumbra.
+double worstOfFirst(int first, int all) {
+    double worst = 0;
+    std::vector<double> places(static_cast<std::size_t>(first));
+    for (int bearing = 0; bearing < 60; ++bearing) {
+        const double turn = 2 * kHalfTurn * bearing / 60;
+        for (int i = 0; i < first; ++i) {
+            const glm::dvec2 point = discPoint(i, all);
+            places[static_cast<std::size_t>(i)] = point.x * std::cos(turn) + point.y * std::sin(turn);
+        }
+        for (int step = -20; step <= 20; ++step)
+            worst = std::max(worst, std::abs(reachBeyond(places, step / 20.0) - discReachBeyond(step / 20.0)) / 2);
+    }
+    return worst;
+}
+
+TEST(DiscPoints, TheFirstOnesStandForAllBesideAPenumbraWithinAPixel) {
+    EXPECT_NEAR(discReachBeyond(0), 2 / (3 * kHalfTurn), 1e-12);
+    int fewer = 0;
+    for (const DiscSampling& sampling : kDiscSamplings) {
+        EXPECT_EQ(leastFirstPoints(sampling.directions), sampling.first);
+        for (const int more : {0, 1, 2, 5, 9, 16, 32, 64}) {
+            const int first = std::min(sampling.first + more, sampling.directions);
+            EXPECT_LE(worstOfFirst(first, sampling.directions), 0.1061) << first << " of " << sampling.directions;
+        }
+        fewer += worstOfFirst(sampling.first - 1, sampling.directions) <= 0.1 ? 1 : 0;
+    }
+    EXPECT_EQ(fewer, 0) << "would do";
+    EXPECT_EQ(leastFirstPoints(100), 100);
+    EXPECT_LE(worstOfFirst(16, 96), 0.017);
+    EXPECT_LE(worstOfFirst(16, 384), 0.051);
+}
+
 TEST(DiscPoints, KeepTheirPromiseBesideEveryStraightEdge) {
     double errorBefore = 1;
     for (const DiscSampling& sampling : kDiscSamplings) {
@@ -183,11 +231,11 @@ FramePlan lightAskedFor(double angle, ShadowMode shadows = ShadowMode::Exact, Sh
 
 TEST(LightSampling, IsPlannedWhereItShowsAndElseSaysWhyNot) {
     FramePlan plan = lightAskedFor(0);
-    planPenumbra(plan, 9);
+    planPenumbra(plan, {9, {}, {}});
     EXPECT_EQ(lightFrames(plan), 1);
     EXPECT_TRUE(plan.omitted.empty()) << "nobody asked";
     plan = lightAskedFor(0.01);
-    planPenumbra(plan, 9);
+    planPenumbra(plan, {9, {}, {}});
     planSky(plan, true);
     EXPECT_EQ(plan.penumbra.directions, 96);
     EXPECT_EQ(plan.sky.directions, 64);
@@ -196,7 +244,7 @@ TEST(LightSampling, IsPlannedWhereItShowsAndElseSaysWhyNot) {
     EXPECT_EQ(lightFrames(plan), 1);
     EXPECT_EQ(plan.omitted.size(), 2U);
     plan = lightAskedFor(0.01);
-    planPenumbra(plan, 0.47);
+    planPenumbra(plan, {0.47, {}, {}});
     planSky(plan, false);
     EXPECT_EQ(lightFrames(plan), 1);
     ASSERT_EQ(plan.omitted.size(), 2U);
@@ -207,13 +255,31 @@ TEST(LightSampling, IsPlannedWhereItShowsAndElseSaysWhyNot) {
          {std::tuple(ShadowMode::Off, Shading::Lit, OmissionReason::NoShadows),
           std::tuple(ShadowMode::Exact, Shading::Headlight, OmissionReason::NoSun)}) {
         plan = lightAskedFor(0.01, shadows, shading);
-        planPenumbra(plan, 9);
+        planPenumbra(plan, {9, {}, {}});
         planSky(plan, true);
         EXPECT_EQ(lightFrames(plan), 1);
         ASSERT_EQ(plan.omitted.size(), 2U);
         EXPECT_EQ(plan.omitted[0].reason, reason);
         EXPECT_EQ(plan.omitted[1].reason, reason);
     }
+}
+
+TEST(LightSampling, TakesTheTilesWhosePenumbraeAreAsWideAsShows) {
+    FramePlan plan = lightAskedFor(0.01);
+    const std::vector<double> byTile = {9, 0.1, 0.47, 0.48};
+    const PenumbraBound bound{9, {64, 33}, byTile};
+    planPenumbra(plan, bound);
+    ASSERT_TRUE(plan.penumbra.tiles);
+    EXPECT_EQ(plan.penumbra.tiles->tiles, bound.tiles);
+    EXPECT_EQ(plan.penumbra.tiles->wanted, (std::vector<bool>{true, false, false, true}));
+    EXPECT_TRUE(plan.penumbra.tiles->holdsAny(31, 31, 32, 33));
+    EXPECT_FALSE(plan.penumbra.tiles->holdsAny(32, 0, 64, 32));
+    leaveLightSamplingOut(plan);
+    EXPECT_FALSE(plan.penumbra.tiles);
+    const std::vector<double> wide(4, 0.48);
+    planPenumbra(plan, {0.48, {64, 33}, wide});
+    EXPECT_EQ(plan.penumbra.directions, 96);
+    EXPECT_FALSE(plan.penumbra.tiles) << "all of them";
 }
 
 } // namespace

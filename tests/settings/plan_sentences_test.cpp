@@ -129,6 +129,14 @@ TEST(PlanSentences, SayFromHowManyDirectionsLightComes) {
         lightInWords(plan),
         "penumbrae of at most 3.12 pixels across the beam: 80 directions over the light's disc, for a lit share within "
         "0.050\nthe sky's light from 64 directions, overcast\n");
+    plan.sky = {};
+    const shadow::TileMask soft{{64, 64}, {true, false, true, true}};
+    plan.penumbra.tiles = std::make_shared<const shadow::TileMask>(soft);
+    const std::string words = lightInWords(plan);
+    EXPECT_EQ(
+        words.substr(words.find('\n') + 1),
+        "in 3 of 4 tiles of 32 pixels; in the others none is wider than 0.47 pixels, and frames beyond those of "
+        "--samples are not drawn\n");
 }
 
 TEST(PlanSentences, NameEverySourceOfADepthApart) {

@@ -71,11 +71,24 @@ Bytes LightSum::bytes(std::uint64_t pixels, bool hasGround, bool hasSky) {
 void LightSum::reset(bool hasGround) {
     sums_ = shadows_ = {};
     covered_ = {};
-    count_ = 0;
+    count_ = whole_ = 0;
+    tiles_.reset();
     hasGround_ = hasGround;
 }
 
-void LightSum::add(const LightPicture& light) {
+void LightSum::addPixel(std::size_t i, const std::array<float, 3>& pixel) {
+    if (pixel[0] < 0) {
+        if (hasGround_)
+            for (std::size_t c = 0; c < 3; ++c)
+                shadows_.pixels[i][c] += lightSteps((1 + pixel[c]) / kGroundShade);
+        return;
+    }
+    ++covered_.pixels[i];
+    for (std::size_t c = 0; c < 3; ++c)
+        sums_.pixels[i][c] += lightSteps(pixel[c]);
+}
+
+void LightSum::add(const LightPicture& light, const shadow::TileMask* tiles) {
     GNOMON_CHECK(count_ < kMost);
     if (count_ == 0) {
         sums_ = Raster<Sums>(light.width, light.height);
@@ -83,19 +96,30 @@ void LightSum::add(const LightPicture& light) {
         shadows_ = hasGround_ ? Raster<Sums>(light.width, light.height) : Raster<Sums>();
     }
     GNOMON_CHECK(light.width == sums_.width && light.height == sums_.height);
-    forAllPixels(light.pixels.size(), [&](std::size_t i) {
-        const std::array<float, 3>& pixel = light.pixels[i];
-        if (pixel[0] < 0) {
-            if (hasGround_)
-                for (std::size_t c = 0; c < 3; ++c)
-                    shadows_.pixels[i][c] += lightSteps((1 + pixel[c]) / kGroundShade);
-            return;
+    GNOMON_CHECK(!tiles_ || (tiles != nullptr && *tiles == *tiles_));
+    if (tiles == nullptr) {
+        forAllPixels(light.pixels.size(), [&](std::size_t i) { addPixel(i, light.pixels[i]); });
+        whole_ = ++count_;
+        return;
+    }
+    if (!tiles_) tiles_ = *tiles;
+    tbb::parallel_for(0, light.height, [&](int row) {
+        for (int x = 0; x < light.width; x += shadow::ImageTiles::kSide) {
+            if (!tiles->holds(x, light.height - 1 - row)) continue;
+            const int end = std::min(x + shadow::ImageTiles::kSide, light.width);
+            for (std::size_t i = light.index(x, row); i < light.index(end, row); ++i)
+                addPixel(i, light.pixels[i]);
         }
-        ++covered_.pixels[i];
-        for (std::size_t c = 0; c < 3; ++c)
-            sums_.pixels[i][c] += lightSteps(pixel[c]);
     });
     ++count_;
+}
+
+/// That show the pixel.
+int LightSum::framesOf(std::size_t i) const {
+    if (!tiles_) return count_;
+    const auto width = static_cast<std::size_t>(sums_.width);
+    const int row = static_cast<int>(i / width);
+    return tiles_->holds(static_cast<int>(i % width), sums_.height - 1 - row) ? count_ : whole_;
 }
 
 LightPicture LightSum::mean() const {
@@ -112,7 +136,7 @@ LightPicture LightSum::mean() const {
 /// Of its light, in the mean of the frames that show it; all of it where none does.
 std::array<float, 3> LightSum::leftOfBackground(std::size_t i) const {
     std::array<float, 3> left = {1, 1, 1};
-    const int open = count_ - covered_.pixels[i];
+    const int open = framesOf(i) - covered_.pixels[i];
     if (!hasGround_ || open == 0) return left;
     for (std::size_t c = 0; c < 3; ++c)
         left[c] =
@@ -146,8 +170,9 @@ Picture LightSum::picture(const Shown& shown) const {
                     picture.pixels[i][c] = screenLevel(background(c));
             return;
         }
-        const bool isMixed = covered < count_ && !shown.isTransparent;
-        const float share = static_cast<float>(covered) / static_cast<float>(count_);
+        const int frames = framesOf(i);
+        const bool isMixed = covered < frames && !shown.isTransparent;
+        const float share = static_cast<float>(covered) / static_cast<float>(frames);
         const float ofSurface =
             hasGround_ && shown.isTransparent ? share / (share + (1 - share) * groundCoverage(i)) : 1;
         for (std::size_t c = 0; c < 3; ++c) {
@@ -160,9 +185,9 @@ Picture LightSum::picture(const Shown& shown) const {
 }
 
 Coverage LightSum::coverage() const {
-    const auto count = static_cast<std::uint32_t>(count_);
     Coverage coverage(covered_.width, covered_.height);
     forAllPixels(coverage.pixels.size(), [&](std::size_t i) {
+        const auto count = static_cast<std::uint32_t>(framesOf(i));
         coverage.pixels[i] = static_cast<std::uint8_t>((255 * std::uint32_t{covered_.pixels[i]} + count / 2) / count);
         if (!hasGround_) return;
         const float open = static_cast<float>(count - covered_.pixels[i]) * groundCoverage(i);

@@ -41,12 +41,15 @@ public:
     /// in and out of the shadow, and their copies; of a ground and of a sky that are summed, too.
     static Bytes bytes(std::uint64_t pixels, bool hasGround, bool hasSky);
 
-    /// Begins anew with nothing, and gives back what there was. With `hasGround` it counts what shadows leave of the background.
+    /// Begins anew with nothing, and gives back what there was. With `hasGround` it counts what shadows leave of the
+    /// background.
     void reset(bool hasGround = false);
 
-    /// Adds one more, at most kMost in all and of the size of the first.
-    void add(const LightPicture& light);
+    /// Adds one more, at most kMost in all and of the size of the first; where it is of some tiles, only what lies in
+    /// them. All frames from the first such on are of these.
+    void add(const LightPicture& light, const shadow::TileMask* tiles = nullptr);
 
+    /// How many frames; those of some tiles count.
     int count() const { return count_; }
 
     /// The mean over the frames that cover a pixel.
@@ -62,10 +65,14 @@ public:
 private:
     using Sums = std::array<std::uint64_t, 3>;
 
+    void addPixel(std::size_t i, const std::array<float, 3>& pixel);
+    int framesOf(std::size_t i) const;
     std::array<float, 3> leftOfBackground(std::size_t i) const;
     float groundCoverage(std::size_t i) const;
 
     int count_ = 0;
+    int whole_ = 0;                         // the frames before the first of some tiles
+    std::optional<shadow::TileMask> tiles_; // of those from there on
     Raster<Sums> sums_;
     Raster<std::uint16_t> covered_; // by how many
     bool hasGround_ = false;

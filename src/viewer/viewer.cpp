@@ -243,11 +243,17 @@ bool WindowSession::drawFrame() {
 void WindowSession::drawScene(const glm::ivec2& size) {
     if (settings_.targetMs > 0 && !walk_.isUnderWay() && pace_.isSettled(true)) pace_.settle();
     const bool isMeasured = isHurried();
-    if (comesToRest()) file_.scene()->forget(); // what stands is what `gnomon render` makes of the view
+    const bool rests = comesToRest();
+    if (rests) file_.scene()->forget(); // what stands is what `gnomon render` makes of the view
     const Shot shot = this->shot(size);
     drawnFor_ = size;
     pace_.countScene();
-    if (messages_.attempt([&] { file_.scene()->draw(shot); })) return afterScene(shot, isMeasured);
+    if (messages_.attempt([&] { file_.scene()->draw(shot); })) {
+        afterScene(shot, isMeasured);
+        // The last page may have come just now: what it completes has still to be drawn as what stands.
+        if (!rests && file_.scene()->frame()->row.pagesMissing.value_or(0) == 0) pace_.keepScene();
+        return;
+    }
     pace_.stopScene();
     pace_.wakeWindow();
     walk_.stop();

@@ -37,16 +37,18 @@ def check_rest(display, program, folder, model):
         assert filecmp.cmp(rendered, again, shallow=False) == is_same, samples
 
 
-def standing_camera(session):
-    """The file of the camera once nothing glides any more: a picture then waits for the rest."""
-    saved = None
+def standing(session):
+    """Picture and camera once neither changes any more: a picture that is asked for while something glides is taken at
+    once."""
+    before = None
     while True:
         since = len(session.lines)
         session.press("i")
         camera = session.folder / session.expect(r"saved (\S+\.json)", since).group(1)
-        if saved and filecmp.cmp(camera, saved, shallow=False):
-            return camera
-        saved = camera
+        picture = session.shot()
+        if before and all(filecmp.cmp(a, b, shallow=False) for a, b in zip(before, (picture, camera))):
+            return picture, camera
+        before = (picture, camera)
         time.sleep(0.3)
 
 
@@ -60,8 +62,7 @@ def check_rest_after_motion(display, program, folder, model):
             display.do("keyup", key)
         for _ in range(3):
             session.drag(1, 150, 30)
-        camera = standing_camera(session)
-        stood = session.shot()
+        stood, camera = standing(session)
         session.leave()
         assert session.complaints() == [], session.complaints()
         rendered = session.folder / "rendered.png"

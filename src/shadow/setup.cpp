@@ -2,6 +2,7 @@
 
 #include "core/check.h"
 #include "core/error.h"
+#include "shadow/partition/grazing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -98,6 +99,10 @@ StablePlace placeOf(
     return stablePlace(view.anchor, draft.fit.frame, draft.region.covered, texels, bias);
 }
 
+bool isLogFace(const Draft& draft) {
+    return draft.fit.rows == RowSpacing::Logarithmic && draft.kappa > 0;
+}
+
 WarpedMap regionMap(const ShadowOptions& options, const Draft& draft, int texelsS, int texelsT) {
     const Resolution texels{1, static_cast<double>(texelsS), static_cast<double>(texelsT)};
     Resolution least = texels;
@@ -105,7 +110,11 @@ WarpedMap regionMap(const ShadowOptions& options, const Draft& draft, int texels
         least.s *= draft.viewFit->columns.leastDensity();
         least.t *= draft.viewFit->rows.leastDensity();
     }
-    const double bias = largestRawBias(draft.fit, draft.kappa, least, options.filterTexels);
+    // The width of a kernel with so much more reach on each side.
+    const double missed =
+        isLogFace(draft) ? 2 * rowsMissed(draft.region.frustum, draft.region.face, draft.fit.frame.y, texelsT) : 0;
+    const double width = std::max(1.0, options.filterTexels) + missed;
+    const double bias = largestRawBias(draft.fit, draft.kappa, least, missed > 0 ? width : options.filterTexels);
     return warpedMap(draft.fit, draft.kappa, bias);
 }
 
@@ -239,7 +248,8 @@ ShadowMapSetup shadowMapSetup(
         view.frustum,
         view.towardsLight,
         practicalSplits(view.frustum.near, view.frustum.far, scheme.slices, scheme.splitLambda),
-        faceMaps);
+        faceMaps,
+        leastGrazing(view.frustum, rowsOf(scheme.warp.rule)));
     LightFrame frame = lightFrame(view.towardsLight);
     if (options.stabilized)
         frame = stableFrame(view.anchor, view.towardsLight);

@@ -1,5 +1,7 @@
 #include "shadow/shadow_map.h"
 
+#include "shadow/partition/grazing.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -121,6 +123,7 @@ DoubleMapImage mapImage(const ShadowMap& map, const glm::dmat4& lightClipFromOff
         return image;
     }
     image.logRows = 1;
+    image.reach += rowsMissed(map.region.frustum, map.region.face, map.warped.frame.y, map.texels().t);
     image.texelScale.y = map.rowsPerLog();
     image.texelOffset.y = r.y;
     // A step of `reach` rows towards the light's near end is the longest: 1 / w grows by e^(reach / rowsPerLog).

@@ -1,6 +1,7 @@
 // Logarithmic rows: the closed forms against the maps, against an integral and against finite differences; what a light
 // that turns does to them.
 #include "random_views.h"
+#include "shadow/partition/grazing.h"
 #include "shadow/scheme.h"
 #include "shadow/setup.h"
 #include "shadow/warp/log_forms.h"
@@ -77,48 +78,109 @@ TEST(LogWarp, OnFacesEveryLightTakesTheClosedForm) {
     EXPECT_EQ(most, 5U);
 }
 
-/// Whether a light sees a face so thin that a setup gives it no map.
-bool isGrazing(const ViewFrustum& frustum, const glm::dvec3& light) {
-    const std::array<Face, 5> faces{Face::Top, Face::Bottom, Face::Left, Face::Right, Face::Near};
-    return std::any_of(faces.begin(), faces.end(), [&](Face face) {
-        return std::abs(glm::dot(outwardNormal(frustum, face), light)) <= 1e-3;
+constexpr std::array kAllFaces{Face::Top, Face::Bottom, Face::Left, Face::Right, Face::Near};
+
+/// The least sine of the angle from `light` to a face.
+double leastSine(const ViewFrustum& frustum, const glm::dvec3& light) {
+    double least = 1;
+    for (const Face face : kAllFaces)
+        least = std::min(least, std::abs(glm::dot(outwardNormal(frustum, face), light)));
+    return least;
+}
+
+/// Whether a face or the near square of `frustum` has no map.
+bool isLeftToNeighbours(const ViewFrustum& frustum, const glm::dvec3& light) {
+    return std::any_of(kAllFaces.begin(), kAllFaces.end(), [&](Face face) {
+        const double least = face == Face::Near ? kGrazing : leastGrazing(frustum, RowSpacing::Logarithmic);
+        return std::abs(glm::dot(outwardNormal(frustum, face), light)) <= least;
     });
 }
 
-/// The maps of a setup and not those of the theory: near squares lean, so that nothing around them is covered.
-TEST(LogWarp, DrawnMapsTakeTheClosedFormToo) {
+/// A light within 2e-3 of the plane of a face.
+glm::dvec3 grazingLight(Random& random, const ViewFrustum& frustum) {
+    const glm::dvec3 normal = outwardNormal(frustum, kAllFaces[random.below(kAllFaces.size())]);
+    const glm::dvec3 any = randomDirection(random);
+    const double sine = random.uniform(-2e-3, 2e-3);
+    return glm::normalize(glm::normalize(any - normal * glm::dot(any, normal)) + normal * sine);
+}
+
+/// S of the maps of a setup and not those of the theory: near squares lean, so that nothing around them is covered.
+Aliasing drawnStorage(const ShadowMapSetup& setup) {
+    Aliasing sum; // S, and with the shear
+    for (const ShadowMap& map : setup.maps) {
+        LightFit fit = fitRegion(map.warped.frame, map.region.frustum, map.region.vertices);
+        fit.rows = map.warped.rows;
+        const Aliasing unit = worstAliasing(fit, map.warped.kappa);
+        sum.x += unit.x * unit.z;
+        sum.z += unit.x * worstShearedAliasing(fit, map.warped.kappa);
+    }
+    return sum;
+}
+
+/// Holds the maps of so many lights, each second of which grazes a face, to the bars.
+void checkDrawnStorage(std::uint64_t seed, int lights) {
     ShadowView view;
     view.frustum = squareFrustum(1000, 20);
     ShadowOptions options;
     options.scheme = logScheme(1, true);
-    Random random(2);
-    double worst = 0;
-    double worstSheared = 0;
+    Random random(seed);
+    Aliasing worst;
     int leaning = 0;
-    for (int i = 0; i < 4000; ++i) {
-        view.towardsLight = i == 0 ? glm::normalize(glm::dvec3(-0.592, -0.628, -0.504)) : randomDirection(random);
-        double sum = 0;
-        double sheared = 0;
+    int leftToNeighbours = 0;
+    for (int i = 0; i < lights; ++i) {
+        view.towardsLight = i % 2 == 0 ? randomDirection(random) : grazingLight(random, view.frustum);
+        if (i == 0) view.towardsLight = glm::normalize(glm::dvec3(-0.592, -0.628, -0.504));
         const ShadowMapSetup setup = shadowMapSetup(view, options);
         ASSERT_LE(setup.maps.size(), 5U);
-        for (const ShadowMap& map : setup.maps) {
-            LightFit fit = fitRegion(map.warped.frame, map.region.frustum, map.region.vertices);
-            fit.rows = map.warped.rows;
-            const Aliasing unit = worstAliasing(fit, map.warped.kappa);
-            sum += unit.x * unit.z;
-            sheared += unit.x * worstShearedAliasing(fit, map.warped.kappa);
+        const Aliasing found = drawnStorage(setup);
+        for (const ShadowMap& map : setup.maps)
             leaning += std::abs(lean(map.warped.frame)) > 0.1 ? 1 : 0;
+        worst = {std::max(worst.x, found.x), std::max(worst.z, found.z)};
+        // Faces that are left to their neighbours make these cover more.
+        if (isLeftToNeighbours(view.frustum, view.towardsLight)) {
+            ++leftToNeighbours;
+            continue;
         }
-        // Faces that the light grazes are left to their neighbours, whose maps then cover far more.
-        if (isGrazing(view.frustum, view.towardsLight)) continue;
-        ASSERT_NEAR(sum / logStorageFactor(view.frustum, view.towardsLight), 1, 1e-6) << i;
-        worst = std::max(worst, sum);
-        worstSheared = std::max(worstSheared, sheared);
+        const double rounding = 1e-6 + 1e-7 / leastSine(view.frustum, view.towardsLight);
+        ASSERT_NEAR(found.x / logStorageFactor(view.frustum, view.towardsLight), 1, rounding) << i;
     }
-    EXPECT_LE(worst, 15.6);
-    EXPECT_GE(worst, 15.57);
-    EXPECT_LE(worstSheared, 29.7);
-    EXPECT_GT(leaning, 1000);
+    std::printf("worst %g, sheared %g\n", worst.x, worst.z);
+    EXPECT_LE(worst.x, 15.6);
+    EXPECT_GE(worst.x, 15.57);
+    EXPECT_LE(worst.z, 29.7);
+    EXPECT_GT(leaning, lights / 4);
+    EXPECT_GT(leftToNeighbours, lights / 200);
+}
+
+TEST(LogWarp, DrawnMapsTakeTheClosedFormToo) {
+    checkDrawnStorage(2, 8000);
+}
+
+TEST(SlowLogWarp, DrawnMapsTakeTheClosedFormOver100000Lights) {
+    checkDrawnStorage(3, 100000);
+}
+
+/// Where the light grazes a face floats miss rows by more than a subpixel, which the bias of its map reckons with.
+TEST(LogWarp, GrazedFacesAreLookedUpWithinTheirReach) {
+    ShadowView view;
+    view.frustum = squareFrustum(1000, 20);
+    ShadowOptions options;
+    options.scheme = logScheme(1, true);
+    Random random(4);
+    double missed = 0;
+    for (int i = 0; i < 4000; ++i) {
+        view.towardsLight = grazingLight(random, view.frustum);
+        const ShadowMapSetup setup = shadowMapSetup(view, options);
+        for (int k = 0; k < 20; ++k) {
+            const glm::vec3 p(randomPointIn(random, view.frustum));
+            const ShadowMap& map = setup.maps.at(setup.mapOf(p));
+            const DoubleMapImage image = cameraImage(map);
+            const double apart = std::abs(double{texelAt(rounded(image), p).row} - texelAt(image, glm::dvec3(p)).row);
+            ASSERT_LE(apart, image.reach - 0.5 + 0.04) << i;
+            missed = std::max(missed, apart);
+        }
+    }
+    EXPECT_GT(missed, 0.05) << "they do, or nothing is tested";
 }
 
 TEST(LogWarp, OnFacesIsContinuousInTheLight) {

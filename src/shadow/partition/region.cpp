@@ -10,7 +10,6 @@ namespace gnomon::shadow {
 
 namespace {
 
-constexpr double kGrazing = 1e-3; // sine of the angle below which a face is left to its neighbours
 constexpr double kRounding = 1e-9;
 
 /// The sides in cyclic order, each with the signs of the corner that it shares with the next one.
@@ -279,11 +278,15 @@ void addShared(
 } // namespace
 
 PartitionSelector partitionSelector(
-    const ViewFrustum& frustum, const glm::dvec3& towardsLight, std::vector<double> splits, FaceMaps faceMaps) {
+    const ViewFrustum& frustum,
+    const glm::dvec3& towardsLight,
+    std::vector<double> splits,
+    FaceMaps faceMaps,
+    double grazing) {
     PartitionSelector selector;
     selector.splits = std::move(splits);
     if (faceMaps == FaceMaps::None) return selector;
-    const std::vector<Face> counting = sideFaces(frustum, towardsLight, kGrazing);
+    const std::vector<Face> counting = sideFaces(frustum, towardsLight, grazing);
     const auto counts = [&](std::size_t i) {
         return std::find(counting.begin(), counting.end(), kCycle[i % 4].face) != counting.end();
     };

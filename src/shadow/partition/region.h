@@ -40,11 +40,17 @@ enum class FaceMaps : std::uint8_t {
     SidesAndNear, // the side faces and the near square
 };
 
-/// The selector of `splits` and of the faces that bear maps. Faces and near squares that the light grazes (the sine of
-/// their angle to it below 1e-3) are too thin for a map in single precision: their neighbours take them over, so
-/// nothing is left out.
+/// The sine of the light's angle to a face below which its map is too thin for single precision.
+inline constexpr double kGrazing = 1e-3;
+
+/// The selector of `splits` and of the faces that bear maps. Faces whose angle to the light has a sine below
+/// `grazing`, and near squares below kGrazing, are left to their neighbours, so nothing is left out.
 PartitionSelector partitionSelector(
-    const ViewFrustum& frustum, const glm::dvec3& towardsLight, std::vector<double> splits, FaceMaps faceMaps);
+    const ViewFrustum& frustum,
+    const glm::dvec3& towardsLight,
+    std::vector<double> splits,
+    FaceMaps faceMaps,
+    double grazing = kGrazing);
 
 /// The partition that owns `p`: slice * facesPerSlice + face, the near face last. The slice by splits, then the first
 /// face whose two tests hold, the last face needing none, then the near face's test.

@@ -1,12 +1,12 @@
-# Run by `cmake --install` after the program is there: its manual pages and changelog, packed, and what shells complete.
+# Run by `cmake --install` after the program is there: its manual pages, packed, and what shells complete.
 set(root $ENV{DESTDIR}${CMAKE_INSTALL_PREFIX})
-set(program ${root}/bin/gnomon)
+set(installed ${root}/bin/gnomon)
 set(share ${root}/share)
 
 function(print_manual words file)
     get_filename_component(folder ${file} DIRECTORY)
     file(MAKE_DIRECTORY ${folder})
-    execute_process(COMMAND ${program} manual ${words} OUTPUT_FILE ${file} COMMAND_ERROR_IS_FATAL ANY)
+    execute_process(COMMAND ${installed} manual ${words} OUTPUT_FILE ${file} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
 
 # A page for the program and one for each of its commands: gnomon-sun-hours is that of `gnomon sun hours`.
@@ -23,4 +23,3 @@ endforeach()
 print_manual(bash ${share}/bash-completion/completions/gnomon)
 print_manual(zsh ${share}/zsh/vendor-completions/_gnomon)
 print_manual(fish ${share}/fish/vendor_completions.d/gnomon.fish)
-execute_process(COMMAND gzip -9nf ${share}/doc/gnomon/changelog COMMAND_ERROR_IS_FATAL ANY)

@@ -125,21 +125,6 @@ CutLimit limitOf(const ModelFile& file, double error) {
         std::to_string(error));
 }
 
-void addCluster(const Page& page, const PageFields& fields, const Cluster& cluster, double snapError, UniformCut& cut) {
-    cut.error = std::max(cut.error, storedError(page, cluster, snapError));
-    const auto first = static_cast<std::uint32_t>(cut.mesh.vertices.size());
-    cut.clusters.push_back(
-        {first, cluster.vertexCount, static_cast<std::uint32_t>(cut.mesh.triangles.size()), cluster.triangleCount});
-    const auto begin = page.vertices.begin() + cluster.firstVertex;
-    cut.mesh.vertices.insert(cut.mesh.vertices.end(), begin, begin + cluster.vertexCount);
-    for (std::uint32_t v = 0; v < cluster.vertexCount && !fields.words.empty(); ++v)
-        cut.mesh.fields.words.push_back(fields.words[cluster.firstVertex + v]);
-    for (std::uint32_t t = 0; t < cluster.triangleCount; ++t) {
-        const Triangle& triangle = page.triangles[cluster.firstTriangle + t];
-        cut.mesh.triangles.push_back({first + triangle[0], first + triangle[1], first + triangle[2]});
-    }
-}
-
 /// Adds what the cut draws of `group`, which it refines.
 void addGroup(
     const Page& page,
@@ -190,6 +175,21 @@ std::vector<std::uint32_t> sortedVertices(const CutMesh& mesh) {
 }
 
 } // namespace
+
+void addCluster(const Page& page, const PageFields& fields, const Cluster& cluster, double snapError, UniformCut& cut) {
+    cut.error = std::max(cut.error, storedError(page, cluster, snapError));
+    const auto first = static_cast<std::uint32_t>(cut.mesh.vertices.size());
+    cut.clusters.push_back(
+        {first, cluster.vertexCount, static_cast<std::uint32_t>(cut.mesh.triangles.size()), cluster.triangleCount});
+    const auto begin = page.vertices.begin() + cluster.firstVertex;
+    cut.mesh.vertices.insert(cut.mesh.vertices.end(), begin, begin + cluster.vertexCount);
+    for (std::uint32_t v = 0; v < cluster.vertexCount && !fields.words.empty(); ++v)
+        cut.mesh.fields.words.push_back(fields.words[cluster.firstVertex + v]);
+    for (std::uint32_t t = 0; t < cluster.triangleCount; ++t) {
+        const Triangle& triangle = page.triangles[cluster.firstTriangle + t];
+        cut.mesh.triangles.push_back({first + triangle[0], first + triangle[1], first + triangle[2]});
+    }
+}
 
 void weld(CutMesh& mesh) {
     const std::vector<std::uint32_t> order = sortedVertices(mesh);

@@ -30,12 +30,20 @@ struct CutCluster {
     std::uint32_t triangleCount = 0;
 };
 
-/// A uniform cut in memory, cluster by cluster; vertices on borders are there once for each cluster.
+/// A cut in memory, cluster by cluster; vertices on borders are there once for each cluster.
 struct UniformCut {
     CutMesh mesh;
     std::vector<CutCluster> clusters;
     double error = 0; // the largest stored error in it, world units
 };
+
+/// Appends `cluster` of `page` to `cut`; `fields` are those of the page's vertices, or none.
+void addCluster(
+    const hierarchy::Page& page,
+    const hierarchy::PageFields& fields,
+    const hierarchy::Cluster& cluster,
+    double snapError,
+    UniformCut& cut);
 
 /// The cut that `limit` asks for, as exportCut has it. Throws Error as that does.
 UniformCut uniformCut(const hierarchy::ModelFile& file, const ExportLimit& limit, Progress& progress);

@@ -41,31 +41,15 @@ void SettingOptions::addTo(CLI::App& command) {
 }
 
 void SettingOptions::requireMapsFor(const std::string& option) const {
-    const auto shadows = texts_.find("shadows");
-    if (shadows != texts_.end() && shadows->second == wordOf(plan::kShadowModes, plan::ShadowMode::Exact))
-        throw settings::UsageError{
-            "--shadows exact and " + option + " contradict each other: exact shadows have no maps"};
-}
-
-settings::Settings SettingOptions::parsed(bool withSwept) const {
-    for (const settings::Setting& setting : settings::table())
-        if (setting.description().isOfMaps && texts_.contains(setting.name())) requireMapsFor(setting.option());
-    settings::Settings result;
-    for (const settings::Setting& setting : settings::table()) {
-        const auto text = texts_.find(setting.name());
-        if (text != texts_.end() && settings::asksForMaps(setting)) settings::askForMaps(result);
-        if (text == texts_.end() || (setting.description().isSwept && !withSwept)) continue;
-        setting.set(result, setting.parse(text->second));
-    }
-    return result;
+    settings::requireMapsFor(option, texts_);
 }
 
 settings::Settings SettingOptions::settings() const {
-    return parsed(true);
+    return settings::settingsOf(texts_);
 }
 
 settings::Settings SettingOptions::fixedSettings() const {
-    return parsed(false);
+    return settings::settingsOf(texts_, false);
 }
 
 std::vector<settings::Axis> SettingOptions::axes(const std::optional<std::string>& shadowMaps) const {

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "settings/axes.h"
+#include "settings/resolve.h"
 #include "settings/settings.h"
 #include "settings/value_colors.h"
 
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,9 +34,7 @@ public:
     void requireMapsFor(const std::string& option) const;
 
 private:
-    settings::Settings parsed(bool withSwept) const;
-
-    std::map<std::string, std::string> texts_; // of the settings that were given, by their names
+    settings::SettingTexts texts_; // of the settings that were given
 };
 
 /// Adds --color-by, --colormap and --color-range to `command`; `words` must outlive the parsing.

@@ -7,6 +7,7 @@
 #include "settings/sun_settings.h"
 #include "settings/table.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace gnomon::settings {
@@ -228,6 +229,34 @@ plan::Quality qualityOf(const Settings& settings) {
     requireNoneIfPoint(settings);
     if (settings.lightAt && quality.look.shading == plan::Shading::Auto) quality.look.shading = plan::Shading::Lit;
     return quality;
+}
+
+void requireMapsFor(const std::string& option, const SettingTexts& texts) {
+    const auto shadows = texts.find("shadows");
+    if (shadows != texts.end() && shadows->second == wordOf(plan::kShadowModes, plan::ShadowMode::Exact))
+        throw UsageError{"--shadows exact and " + option + " contradict each other: exact shadows have no maps"};
+}
+
+Settings settingsOf(const SettingTexts& texts, bool withSwept) {
+    std::size_t known = 0;
+    for (const Setting& setting : table()) {
+        if (!texts.contains(setting.name())) continue;
+        ++known;
+        if (setting.description().isOfMaps) requireMapsFor(setting.option(), texts);
+    }
+    if (known != texts.size()) // first of all that are none of the table's
+        for (const auto& given : texts)
+            if (std::none_of(
+                    table().begin(), table().end(), [&](const Setting& each) { return each.name() == given.first; }))
+                throw UsageError{"--" + given.first + ": there is no such option"};
+    Settings result;
+    for (const Setting& setting : table()) {
+        const auto text = texts.find(setting.name());
+        if (text != texts.end() && asksForMaps(setting)) askForMaps(result);
+        if (text == texts.end() || (setting.description().isSwept && !withSwept)) continue;
+        setting.set(result, setting.parse(text->second));
+    }
+    return result;
 }
 
 } // namespace gnomon::settings

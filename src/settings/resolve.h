@@ -4,9 +4,22 @@
 #include "hierarchy/model_file.h"
 #include "settings/settings.h"
 
+#include <map>
 #include <span>
+#include <string>
 
 namespace gnomon::settings {
+
+/// What is written behind options, by the names of their settings.
+using SettingTexts = std::map<std::string, std::string>;
+
+/// Those settings, the others as they are by default; likewise those that a bench sweeps, but `withSwept`. Throws
+/// UsageError for texts that are no value, for names that are none of a setting, and for maps asked for beside exact
+/// shadows.
+Settings settingsOf(const SettingTexts& texts, bool withSwept = true);
+
+/// Throws UsageError if `texts` ask for exact shadows beside `option`, which is about shadow maps.
+void requireMapsFor(const std::string& option, const SettingTexts& texts);
 
 /// Whether the settings say where the camera is or what it is like.
 bool isPosed(const Settings& settings);

@@ -1,4 +1,4 @@
-"""The Debian package: what is in it, and that what it holds works from where it is put."""
+"""The Debian packages: what is in them, and that what they hold works from where it is put."""
 import os
 import pathlib
 import re
@@ -7,7 +7,7 @@ import subprocess
 import tempfile
 import unittest
 
-from program import run
+from program import DATA, run
 
 BUILD = pathlib.Path(os.environ["GNOMON"]).resolve().parent
 
@@ -24,15 +24,17 @@ def commands():
 
 
 @unittest.skipUnless(shutil.which("dpkg-shlibdeps"), "dpkg-dev is not installed")
-class Package(unittest.TestCase):
+class Packages(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.place = tempfile.TemporaryDirectory()
         cls.root = pathlib.Path(cls.place.name) / "root"
         made = subprocess.run(["cpack", "-G", "DEB", "-B", cls.place.name], cwd=BUILD, capture_output=True, text=True)
         assert made.returncode == 0, made.stdout + made.stderr
-        (cls.file,) = pathlib.Path(cls.place.name).glob("*.deb")
-        subprocess.run(["dpkg-deb", "-x", cls.file, cls.root], check=True)
+        files = list(pathlib.Path(cls.place.name).glob("*.deb"))
+        cls.names = {file.name.split("_")[0] for file in files}
+        for file in files:
+            subprocess.run(["dpkg-deb", "-x", file, cls.root], check=True)
 
     @classmethod
     def tearDownClass(cls):
@@ -41,6 +43,24 @@ class Package(unittest.TestCase):
     def test_it_runs_from_where_it_is_put(self):
         done = subprocess.run([self.root / "usr/bin/gnomon", "--version"], capture_output=True, text=True)
         self.assertEqual(done.stdout, run("--version").stdout)
+
+    def test_there_is_one_for_each_use(self):
+        self.assertLessEqual({"gnomon", "libgnomon0", "libgnomon-dev"}, self.names)
+        for package in self.names:
+            self.assertTrue((self.root / "usr/share/doc" / package / "copyright").exists(), package)
+
+    def test_the_example_compiles_against_what_is_installed(self):
+        place = pathlib.Path(self.place.name)
+        source = pathlib.Path(__file__).resolve().parents[2] / "examples/cut_and_shadow"
+        for words in (["cmake", "-S", source, "-B", place / "example", f"-DCMAKE_PREFIX_PATH={self.root / 'usr'}"],
+                      ["cmake", "--build", place / "example"]):
+            done = subprocess.run(words, capture_output=True, text=True)
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        made = subprocess.run([place / "example/cut_and_shadow", DATA / "models/sundial.ply", place / "example.gnm",
+                               place / "example.ppm"], capture_output=True, text=True)
+        self.assertEqual((made.returncode, made.stderr), (0, ""))
+        self.assertRegex(made.stdout, r"cut: \d+ triangles, off by at most .*\n(.* maps: .* texels a pixel\n)+")
+        self.assertEqual((place / "example.ppm").stat().st_size, len("P6 320 240 255\n") + 3 * 320 * 240)
 
     def test_every_command_has_its_page(self):
         pages = {path.name for path in (self.root / "usr/share/man/man1").iterdir()}

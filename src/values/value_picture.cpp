@@ -1,7 +1,6 @@
 #include "values/value_picture.h"
 
 #include "core/printable.h"
-#include "executor/overlay/legend.h"
 #include "hierarchy/world_frame.h"
 #include "values/seen_values.h"
 
@@ -14,6 +13,7 @@ namespace gnomon::values {
 namespace {
 
 constexpr double kDegrees = 57.29577951308232;
+constexpr double kDecade = 10;
 constexpr float kInShadow = 0.7F; // the light that is left there
 
 /// Between which ends the values of a picture are shown where nobody says.
@@ -30,12 +30,6 @@ std::array<double, 2> usualRange(
     for (const double value : values.pixels)
         if (value > largest) largest = value;
     return {largest / executor::kScaleSpan, largest};
-}
-
-executor::ValueScale scaleOf(const settings::ValueColors& colors, std::array<double, 2> range) {
-    if (colors.range) range = *colors.range;
-    if (!(range[0] < range[1])) range[1] = range[0] + 1; // all is level
-    return {colors.map, range[0], range[1], colors.by == settings::ColorBy::Error && range[0] > 0};
 }
 
 std::string titleOf(const settings::ValueColors& colors, std::string_view unit) {
@@ -80,6 +74,15 @@ executor::Rgb inLight(const glm::vec3& color, float lit) {
 
 } // namespace
 
+executor::ValueScale valueScale(const settings::ValueColors& colors, const std::array<double, 2>& usual) {
+    std::array<double, 2> range = colors.range.value_or(usual);
+    if (!(range[0] < range[1])) range[1] = range[0] + 1; // all is level
+    const bool isWide = colors.by == settings::ColorBy::Field && range[1] > kDecade * range[0];
+    const bool isLogarithmic = range[0] > 0 && (colors.by == settings::ColorBy::Error || isWide);
+    if (isLogarithmic && !colors.range) range[0] = std::max(range[0], range[1] / executor::kScaleSpan);
+    return {colors.map, range[0], range[1], isLogarithmic};
+}
+
 std::array<double, 2> heightRange(const Box& bounds, const glm::dvec3& up) {
     const glm::dvec3 axis = glm::normalize(up);
     std::array<double, 2> range = {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
@@ -121,11 +124,13 @@ void colorByValues(
         return;
     }
     const ValuePicture values = valuesOf(colors, renderer, frame);
-    const executor::ValueScale scale = scaleOf(colors, usualRange(colors, model, frame.plan.view.up, values));
+    const executor::ValueScale scale = valueScale(colors, usualRange(colors, model, frame.plan.view.up, values));
     for (std::size_t i = 0; i < values.pixels.size(); ++i)
         if (!std::isnan(values.pixels[i])) paint(i, scale.color(values.pixels[i]));
     executor::Legend legend;
-    legend.title = {titleOf(colors, hierarchy::rowOf(model.unit).name) + (hasShadows ? ", darker in the shadow" : "")};
+    legend.title = {
+        titleOf(colors, hierarchy::rowOf(model.unit).name) + (scale.isLogarithmic ? ", logarithmic" : "") +
+        (hasShadows ? ", darker in the shadow" : "")};
     legend.scale = executor::colorScale(scale);
     executor::drawLegend(picture, legend);
 }

@@ -31,6 +31,33 @@ TEST(ValueColors, ReadTheirRange) {
     EXPECT_EQ(range.write({-1.5, 2000}), "-1.5,2000");
 }
 
+// Factors of two of a field that spans more than a decade are as far apart as those of errors.
+TEST(ValueColors, OfWideFieldsGoByTheirLogarithm) {
+    settings::ValueColors colors;
+    colors.by = settings::ColorBy::Field;
+    colors.field = "intensity";
+    const auto expect = [&](std::array<double, 2> usual, bool isLogarithmic, double least) {
+        const executor::ValueScale scale = valueScale(colors, usual);
+        EXPECT_EQ(scale.isLogarithmic, isLogarithmic) << usual[0] << " to " << usual[1];
+        EXPECT_EQ(scale.least, least);
+        EXPECT_EQ(scale.most, colors.range ? (*colors.range)[1] : usual[1]);
+    };
+    expect({1, 9}, false, 1);
+    expect({1, 11}, true, 1);
+    expect({1, 640}, true, 10);
+    expect({0, 640}, false, 0);
+    expect({-1, 640}, false, -1);
+    colors.range = {{2, 2000}};
+    expect({0, 1}, true, 2);
+    colors.range = {{0, 2000}};
+    expect({1, 640}, false, 0);
+    colors.range.reset();
+    colors.by = settings::ColorBy::Height;
+    expect({1, 640}, false, 1);
+    colors.by = settings::ColorBy::Error;
+    expect({1, 2}, true, 1);
+}
+
 TEST(ValueColors, SlopeAndHeightAreThoseOfTheWorldsUp) {
     const glm::dvec3 up(0, 0, 7);
     EXPECT_DOUBLE_EQ(valueOf(ColorBy::Height, {1, 2, 3}, {1, 0, 0}, up), 3);

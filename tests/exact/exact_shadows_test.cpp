@@ -4,6 +4,7 @@
 #include "exact/caster_kernel.h"
 #include "exact/exact_shadows.h"
 #include "tests/exact/scenes.h"
+#include "tests/rounding.h"
 
 #include <gtest/gtest.h>
 
@@ -94,6 +95,23 @@ TEST(ExactShadows, EqualThePlainLoopWhereTiesAbound) {
     EXPECT_GT(touching, 100U);
     EXPECT_GT(dark, 1000U);
     EXPECT_GT(lit, 1000U);
+}
+
+/// The cells that samples fall into hang on rounding, and no verdict does.
+TEST(ExactShadows, EqualThePlainLoopInEveryRoundingMode) {
+    for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO})
+        for (std::uint64_t seed = 0; seed < 10; ++seed) {
+            SCOPED_TRACE(testing::Message() << "rounding " << mode << ", seed " << seed);
+            RandomWholes random(seed + 5000);
+            Scene scene;
+            for (int clusters = 0; clusters < 3; ++clusters)
+                scene.add(someTriangles(random, 15, seed % 2 == 0 ? 6 : 1 << 20));
+            addPoints(random, scene, 150, 2, seed % 2 == 0);
+            const SampleSpace space = spaceOf(someTieLight(random), glm::dvec3(random.point(-20, 20)) + 0.5, 2);
+            const std::vector<glm::dmat3> planes = somePlanes(random, 2, seed % 2 == 0 ? 6 : 1 << 20);
+            const tests::RoundingMode rounding(mode);
+            expectSameAsPlain(scene, space, planes, 32);
+        }
 }
 
 TEST(ExactShadows, EqualThePlainLoopAtAnyLightAndSize) {

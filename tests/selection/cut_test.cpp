@@ -1,5 +1,6 @@
 // The cut that the trees find against the one that looking at every group finds, and what every cut must keep.
 #include "cluster_chains.h"
+#include "tests/rounding.h"
 
 #include <gtest/gtest.h>
 
@@ -127,6 +128,26 @@ TEST(Cut, TreesFindWhatBruteForceFinds) {
     }
     EXPECT_GT(drawn, 10000U);
     EXPECT_GT(tested, 1000U);
+}
+
+TEST(Cut, IsTheSameInEveryRoundingMode) {
+    Random random(47);
+    for (int trial = 0; trial < 40; ++trial) {
+        const Scene scene(random, sharedModel(), tests::randomResidency(random, sharedModel()));
+        const Cut usual = cut(scene.query());
+        for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+            const tests::RoundingMode rounding(mode);
+            const ErrorRule rule(scene.view, scene.casters);
+            CutQuery query = scene.query();
+            query.rule = &rule;
+            const Cut other = cut(query);
+            ASSERT_EQ(other.lists.size(), usual.lists.size());
+            for (std::size_t v = 0; v < usual.lists.size(); ++v)
+                EXPECT_EQ(other.lists[v].ranges, usual.lists[v].ranges) << "rounding " << mode << ", volume " << v;
+            EXPECT_EQ(pagesOf(other.wanted), pagesOf(usual.wanted));
+            EXPECT_NEAR(other.achievedErrorPixels, usual.achievedErrorPixels, usual.achievedErrorPixels * 0x1p-24);
+        }
+    }
 }
 
 TEST(Cut, ABoxThatAVolumeMeetsInAFaceAloneIsTouched) {

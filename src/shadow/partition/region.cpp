@@ -63,12 +63,17 @@ Outline imageOutline(const ViewFrustum& frustum) {
 
 /// The part of `outline` with dot(normal, ray) >= 0; a zero normal keeps everything.
 Outline clipped(const Outline& outline, const glm::dvec3& normal) {
+    // Each corner is asked once: one on the plane that is in for one of its edges and out for the other one is lost.
+    std::vector<double> at;
+    for (const glm::dvec3& ray : outline)
+        at.push_back(glm::dot(normal, ray));
     Outline result;
     for (std::size_t i = 0; i < outline.size(); ++i) {
+        const std::size_t next = (i + 1) % outline.size();
         const glm::dvec3& a = outline[i];
-        const glm::dvec3& b = outline[(i + 1) % outline.size()];
-        const double atA = glm::dot(normal, a);
-        const double atB = glm::dot(normal, b);
+        const glm::dvec3& b = outline[next];
+        const double atA = at[i];
+        const double atB = at[next];
         if (atA >= 0) result.push_back(a);
         if ((atA > 0 && atB < 0) || (atA < 0 && atB > 0)) {
             const double fraction = atA / (atA - atB);

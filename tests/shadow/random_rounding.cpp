@@ -1,0 +1,71 @@
+// Theory and set-up where chance rounds: a program of its own, in which each function of src/shadow, inlined or not,
+// sets a rounding mode drawn from a seeded sequence where it begins and where it ends. An addition of vectors is a
+// function.
+#include "rounding_cases.h"
+
+#include <gtest/gtest.h>
+
+#include <cfenv>
+
+namespace gnomon::shadow {
+namespace {
+
+std::uint64_t roundingState = 0;
+std::uint64_t roundingsSet = 0;
+bool isRandomRounding = false;
+
+__attribute__((no_instrument_function)) void roundByChance() {
+    if (!isRandomRounding) return;
+    roundingState ^= roundingState << 13U; // Marsaglia's xorshift
+    roundingState ^= roundingState >> 7U;
+    roundingState ^= roundingState << 17U;
+    // No std::array: its functions would be counted, too.
+    static const int kModes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}; // NOLINT(*-c-arrays)
+    std::fesetround(kModes[roundingState >> 62U]);
+    ++roundingsSet;
+}
+
+class RandomRounding {
+public:
+    explicit RandomRounding(std::uint64_t seed) {
+        roundingState = mix64(seed) | 1U;
+        isRandomRounding = true;
+    }
+
+    ~RandomRounding() {
+        isRandomRounding = false;
+        std::fesetround(FE_TONEAREST);
+    }
+
+    static bool isSymmetric(std::uint64_t /*seed*/) { return false; }
+
+    RandomRounding(const RandomRounding&) = delete;
+    RandomRounding& operator=(const RandomRounding&) = delete;
+    RandomRounding(RandomRounding&&) = delete;
+    RandomRounding& operator=(RandomRounding&&) = delete;
+};
+
+TEST(Rounding, ChanceChangesNoSetUpUnreported) {
+    Random random(asked("GNOMON_ROUNDING_SEED", 1));
+    RoundingCounts counts;
+    counts.mayChangeLayout = true;
+    for (std::uint64_t i = asked("GNOMON_ROUNDING_VIEWS", 1000); i > 0 && !testing::Test::HasFailure(); --i) {
+        SCOPED_TRACE(counts.views);
+        expectSame<RandomRounding>(random, {i}, counts);
+    }
+    report(counts);
+    EXPECT_GT(roundingsSet, counts.views * 100);
+}
+
+} // namespace
+} // namespace gnomon::shadow
+
+extern "C" {
+__attribute__((no_instrument_function)) void __cyg_profile_func_enter(void* /*function*/, void* /*caller*/) {
+    gnomon::shadow::roundByChance();
+}
+
+__attribute__((no_instrument_function)) void __cyg_profile_func_exit(void* /*function*/, void* /*caller*/) {
+    gnomon::shadow::roundByChance();
+}
+}

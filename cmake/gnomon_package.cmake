@@ -26,7 +26,8 @@ gnomon_document(program gnomon)
 
 set(config ${CMAKE_INSTALL_LIBDIR}/cmake/gnomon)
 install(TARGETS gnomon_library gnomon_part_hierarchy gnomon_part_selection gnomon_part_shadow gnomon_part_build
-    EXPORT gnomon LIBRARY COMPONENT library NAMELINK_COMPONENT development)
+    EXPORT gnomon LIBRARY COMPONENT library NAMELINK_COMPONENT development
+    INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(FILES ${source}/src/api/gnomon.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gnomon COMPONENT development)
 install(EXPORT gnomon FILE gnomonConfig.cmake NAMESPACE gnomon:: DESTINATION ${config} COMPONENT development)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/gnomonConfigVersion.cmake COMPATIBILITY SameMinorVersion)

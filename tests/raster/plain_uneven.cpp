@@ -109,6 +109,21 @@ void visitBand(
     }
 }
 
+/// A triangle as it is clipped, in all bands and runs of columns.
+void visitPolygon(
+    const View& view,
+    const RowBands& rows,
+    const std::vector<Columns>& columns,
+    const ClippedPolygon& polygon,
+    std::uint32_t id,
+    const SampleVisit& visit) {
+    for (std::size_t k = 2; k < polygon.count; ++k)
+        for (const RowBand& band : rows.bands())
+            for (const Columns& part : columns)
+                visitBand(
+                    view, band, part, {polygon.corners[0], polygon.corners[k - 1], polygon.corners[k]}, id, visit);
+}
+
 } // namespace
 
 void visitUnevenSamples(
@@ -130,17 +145,7 @@ void visitUnevenSamples(
             for (std::size_t k = 0; k < 3; ++k)
                 corners[k] = clipPosition(
                     pass, cluster.positions + std::size_t{cluster.triangles[i][k]} * cluster.positionStride / 4);
-            const ClippedPolygon polygon = clipTriangle(pass, corners);
-            for (std::size_t k = 2; k < polygon.count; ++k)
-                for (const RowBand& band : rows.bands())
-                    for (const Columns& part : columns)
-                        visitBand(
-                            view,
-                            band,
-                            part,
-                            {polygon.corners[0], polygon.corners[k - 1], polygon.corners[k]},
-                            cluster.firstTriangleId + i,
-                            visit);
+            visitPolygon(view, rows, columns, clipTriangle(pass, corners), cluster.firstTriangleId + i, visit);
         }
 }
 

@@ -10,30 +10,38 @@
 namespace gnomon::shadow {
 namespace {
 
-std::uint64_t roundingState = 0;
-std::uint64_t roundingsSet = 0;
-bool isRandomRounding = false;
+struct Chance {
+    std::uint64_t state = 0;
+    std::uint64_t roundingsSet = 0;
+    bool isRounding = false;
+};
+
+__attribute__((no_instrument_function)) Chance& chance() {
+    static Chance ofTheProgram;
+    return ofTheProgram;
+}
 
 __attribute__((no_instrument_function)) void roundByChance() {
-    if (!isRandomRounding) return;
-    roundingState ^= roundingState << 13U; // Marsaglia's xorshift
-    roundingState ^= roundingState >> 7U;
-    roundingState ^= roundingState << 17U;
+    Chance& now = chance();
+    if (!now.isRounding) return;
+    now.state ^= now.state << 13U; // Marsaglia's xorshift
+    now.state ^= now.state >> 7U;
+    now.state ^= now.state << 17U;
     // No std::array: its functions would be counted, too.
     static const int kModes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}; // NOLINT(*-c-arrays)
-    std::fesetround(kModes[roundingState >> 62U]);
-    ++roundingsSet;
+    std::fesetround(kModes[now.state >> 62U]);
+    ++now.roundingsSet;
 }
 
 class RandomRounding {
 public:
     explicit RandomRounding(std::uint64_t seed) {
-        roundingState = mix64(seed) | 1U;
-        isRandomRounding = true;
+        chance().state = mix64(seed) | 1U;
+        chance().isRounding = true;
     }
 
     ~RandomRounding() {
-        isRandomRounding = false;
+        chance().isRounding = false;
         std::fesetround(FE_TONEAREST);
     }
 
@@ -54,12 +62,14 @@ TEST(Rounding, ChanceChangesNoSetUpUnreported) {
         expectSame<RandomRounding>(random, {i}, counts);
     }
     report(counts);
-    EXPECT_GT(roundingsSet, counts.views * 100);
+    EXPECT_GT(chance().roundingsSet, counts.views * 100);
 }
 
 } // namespace
 } // namespace gnomon::shadow
 
+// What the compiler calls, by its names.
+// NOLINTBEGIN(readability-identifier-naming, bugprone-reserved-identifier)
 extern "C" {
 __attribute__((no_instrument_function)) void __cyg_profile_func_enter(void* /*function*/, void* /*caller*/) {
     gnomon::shadow::roundByChance();
@@ -69,3 +79,4 @@ __attribute__((no_instrument_function)) void __cyg_profile_func_exit(void* /*fun
     gnomon::shadow::roundByChance();
 }
 }
+// NOLINTEND(readability-identifier-naming, bugprone-reserved-identifier)

@@ -10,18 +10,11 @@
 #include "settings/codec.h"
 #include "settings/files/named_files.h"
 #include "telemetry/json_text.h"
-
-#include <sys/resource.h>
+#include "telemetry/process_clock.h"
 
 namespace gnomon::api {
 
 namespace {
-
-std::uint64_t peakResidentBytesNow() {
-    rusage usage{};
-    ::getrusage(RUSAGE_SELF, &usage);
-    return static_cast<std::uint64_t>(usage.ru_maxrss) << 10U;
-}
 
 pipeline::BuildOptions buildOptionsOf(
     const std::vector<std::string>& inputs, const std::string& output, const BuildOptions& asked) {
@@ -65,7 +58,7 @@ std::string build(
     const auto source = read::openMeshSources(inputs, asked.memory, asked.fields);
     Watched progress(onProgress);
     const pipeline::BuildReport report = pipeline::buildModel(*source, asked, progress);
-    return telemetry::jsonText(pipeline::reportJson(report, source->summary(), peakResidentBytesNow()), 1);
+    return telemetry::jsonText(pipeline::reportJson(report, source->summary(), telemetry::peakResident().count), 1);
 }
 
 } // namespace gnomon::api

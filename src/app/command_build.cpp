@@ -13,11 +13,10 @@
 #include "settings/codec.h"
 #include "settings/files/named_files.h"
 #include "telemetry/json_text.h"
+#include "telemetry/process_clock.h"
 
 #include <cstdio>
 #include <map>
-
-#include <sys/resource.h>
 
 namespace gnomon::app {
 
@@ -45,13 +44,6 @@ struct BuildCommand {
     bool isResumed = false;
     bool isJson = false;
 };
-
-/// The peak resident size of this process.
-std::uint64_t peakResidentBytes() {
-    rusage usage{};
-    ::getrusage(RUSAGE_SELF, &usage);
-    return static_cast<std::uint64_t>(usage.ru_maxrss) << 10U;
-}
 
 /// `error` in the words of the command line.
 Error inOptions(const LimitError& error) {
@@ -123,12 +115,14 @@ void run(const BuildCommand& command) {
     if (const std::string warning = pipeline::warningOfCoarsest(report); !warning.empty())
         printWarning(command.output + ": " + warning);
     if (command.isJson)
-        std::printf("%s\n", telemetry::jsonText(reportJson(report, source->summary(), peakResidentBytes()), 1).c_str());
+        std::printf(
+            "%s\n",
+            telemetry::jsonText(reportJson(report, source->summary(), telemetry::peakResident().count), 1).c_str());
     else
         std::printf(
             "%s: %s",
             printable(command.output).c_str(),
-            pipeline::reportText(report, source->summary(), peakResidentBytes()).c_str());
+            pipeline::reportText(report, source->summary(), telemetry::peakResident().count).c_str());
     requirePrinted("the model " + command.output + " is complete");
 }
 

@@ -5,6 +5,7 @@
 #include <sstream>
 #include <string>
 
+#include <sys/resource.h>
 #include <unistd.h>
 
 namespace gnomon::telemetry {
@@ -43,6 +44,12 @@ Milliseconds sinceProcessStart() {
 
 Milliseconds processorTime() {
     return now(CLOCK_PROCESS_CPUTIME_ID);
+}
+
+Bytes peakResident() {
+    rusage usage{};
+    ::getrusage(RUSAGE_SELF, &usage);
+    return {static_cast<std::uint64_t>(usage.ru_maxrss) << 10U};
 }
 
 } // namespace gnomon::telemetry

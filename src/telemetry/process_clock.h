@@ -1,4 +1,4 @@
-// The clocks of this process: what its user waited since it was started, and what its threads computed.
+// What this process took: how long its user waited since it was started, what its threads computed, and memory.
 #pragma once
 
 #include "core/units.h"
@@ -10,5 +10,8 @@ Milliseconds sinceProcessStart();
 
 /// Processor time of all threads since the process was started.
 Milliseconds processorTime();
+
+/// The peak of its resident size so far.
+Bytes peakResident();
 
 } // namespace gnomon::telemetry

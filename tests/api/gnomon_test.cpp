@@ -62,6 +62,7 @@ TEST_F(Library, FailsInOneLineThatSaysWhatAndWhere) {
     says("error", [&] { model.cutByError(-1); });
     says("error", [&] { model.cutByError(std::nan("")); });
     says("no cut is that small", [&] { model.cutByTriangles(1); });
+    says("memory", [] { build({mesh()}, folder() / "x.gnm", {.memory = 1}); });
     says("unit", [] { build({mesh()}, folder() / "x.gnm", {.unit = "yard"}); });
     says("up", [] { build({mesh()}, folder() / "x.gnm", {.up = "w"}); });
     says("input", [] { build({mesh()}, mesh()); });

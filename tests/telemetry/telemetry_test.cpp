@@ -96,5 +96,14 @@ TEST(ProcessClock, CountsFromTheStartOfTheProcess) {
     EXPECT_GE(sinceProcessStart().count, before);
 }
 
+TEST(ProcessPeak, GrowsByWhatIsTouched) {
+    constexpr std::size_t kBytes = std::size_t{64} << 20U;
+    const std::uint64_t before = peakResident().count;
+    const std::vector<char> touched(kBytes, 1);
+    EXPECT_EQ(touched.back(), 1);
+    EXPECT_GE(peakResident().count, kBytes);
+    EXPECT_LT(peakResident().count, before + 2 * kBytes) << "bytes, and not another unit";
+}
+
 } // namespace
 } // namespace gnomon::telemetry

@@ -4,6 +4,8 @@
 #include "core/error.h"
 #include "shadow/partition/grazing.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -187,6 +189,23 @@ ShadowMap finished(
     return result;
 }
 
+/// Adds what `samples` need of the maps that they lie in. They are shared out in as many parts whatever the threads,
+/// and the parts added in order, so that the sums are the same to the bit.
+void addSamples(const std::vector<glm::vec3>& samples, const ShadowMapSetup& setup, std::vector<SampleNeeds>& needs) {
+    const std::size_t count = std::clamp<std::size_t>(samples.size() / 4096, 1, 16);
+    std::vector<std::vector<SampleNeeds>> parts(count, needs);
+    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t part) {
+        const std::size_t end = samples.size() * (part + 1) / count;
+        for (std::size_t i = samples.size() * part / count; i < end; ++i) {
+            const std::size_t map = setup.mapOf(samples[i]);
+            if (map != ShadowMapSetup::kNoMap) parts[part][map].add(samples[i]);
+        }
+    });
+    for (const std::vector<SampleNeeds>& part : parts)
+        for (std::size_t map = 0; map < needs.size(); ++map)
+            needs[map].add(part[map]);
+}
+
 /// Fits the drafts to the view's samples.
 void fitToSamples(const ShadowView& view, std::vector<Draft>& drafts, ShadowMapSetup& setup) {
     std::vector<SampleNeeds> needs;
@@ -195,11 +214,7 @@ void fitToSamples(const ShadowView& view, std::vector<Draft>& drafts, ShadowMapS
         needs.emplace_back(warpedMap(draft.fit, draft.kappa), draft.region.frustum);
         bounds.push_back(draft.unit);
     }
-    if (view.samples)
-        for (const glm::vec3& sample : *view.samples) {
-            const std::size_t map = setup.mapOf(sample);
-            if (map != ShadowMapSetup::kNoMap) needs[map].add(sample);
-        }
+    if (view.samples) addSamples(*view.samples, setup, needs);
     setup.fits = view.samples ? fitsOf(needs, bounds, view.fitsBefore) : view.fitsBefore;
     for (std::size_t i = 0; i < drafts.size(); ++i) {
         drafts[i].viewFit = setup.fits[i];

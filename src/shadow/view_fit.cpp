@@ -66,6 +66,15 @@ void AxisNeeds::add(double at, double need) {
     bin.sum += need;
 }
 
+void AxisNeeds::add(const AxisNeeds& other) {
+    for (std::size_t i = 0; i < bins_.size(); ++i) {
+        const Bin& more = other.bins_[i];
+        bins_[i].isUsed = bins_[i].isUsed || more.isUsed;
+        bins_[i].need = std::max(bins_[i].need, more.need);
+        bins_[i].sum += more.sum;
+    }
+}
+
 bool AxisNeeds::areWithin(const FittedAxis& axis) const {
     for (int i = 0; i < kBins; ++i) {
         const bool isInside = i >= axis.low() * kBins && i < axis.high() * kBins;
@@ -177,6 +186,13 @@ void SampleNeeds::add(const glm::dvec3& p) {
     const double z = rowLength_ * (isLog ? w : w * w) * perPixel;
     alongT_.add(t, z * std::sqrt(1 + shear * shear));
     unsheared_.add(t, z);
+}
+
+void SampleNeeds::add(const SampleNeeds& other) {
+    count_ += other.count_;
+    alongS_.add(other.alongS_);
+    alongT_.add(other.alongT_);
+    unsheared_.add(other.unsheared_);
 }
 
 MapFit SampleNeeds::fit(const Aliasing& bound, const MapFit* before) const {

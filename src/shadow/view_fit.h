@@ -52,6 +52,9 @@ public:
     /// `need` 0 asks for nothing but to be covered.
     void add(double at, double need);
 
+    /// Adds what was added to `other`.
+    void add(const AxisNeeds& other);
+
     /// Whether all that was added lies in what `axis` covers.
     bool areWithin(const FittedAxis& axis) const;
 
@@ -101,6 +104,9 @@ public:
 
     /// Adds what lies at `p` in camera space. Outside the slice's depths nothing is promised, but the map covers it.
     void add(const glm::dvec3& p);
+
+    /// Adds the samples of `other`, which is of the same map.
+    void add(const SampleNeeds& other);
 
     bool isEmpty() const { return count_ == 0; }
 

@@ -6,6 +6,7 @@
 #include "shadow/warp/fitted_axis.h"
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include <algorithm>
 
@@ -326,6 +327,20 @@ TEST(FittedMaps, WithoutSamplesAreLogarithmic) {
             EXPECT_FALSE(fitted.maps[i].warped.fitted);
         }
     }
+}
+
+/// Samples by the ten thousand are counted by several threads: none is left out, and their number changes nothing.
+TEST(FittedMaps, OfManySamplesAreTheSameForAnyNumberOfThreads) {
+    double nearest = 0;
+    for (std::uint64_t seed = 0; seed < 6 && !HasFatalFailure(); ++seed) {
+        checkPromise(seed, 20000, nearest);
+        Random random(seed);
+        const FittedCase made = randomFittedCase(random, 20000);
+        const ShadowMapSetup setup = shadowMapSetup(made.view, made.options);
+        const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+        EXPECT_EQ(shadowMapSetup(made.view, made.options).fits, setup.fits) << seed;
+    }
+    EXPECT_GT(nearest, 0.99);
 }
 
 /// The best rows that there are: a twin that knows the needs of each part and nothing else, by trying promises.

@@ -1,0 +1,55 @@
+#!/usr/bin/env python3
+"""How far pictures of few frames are off those of many, in the mean over all values, and what they take.
+
+usage: bench/samples.py GNOMON [--runs N] "MODEL.gnm[ OPTION...]" ...
+"""
+import argparse
+import pathlib
+import statistics
+import subprocess
+import tempfile
+import time
+
+from first_look import read_png
+
+MANY = 1024
+FEW = 1, 4, 16, 64
+
+
+def mean_difference(path, other):
+    """Of two pictures of one size, in percent of full scale."""
+    rows, theirs = read_png(path)[2], read_png(other)[2]
+    apart = sum(abs(a - b) for row, their in zip(rows, theirs) for p, q in zip(row, their) for a, b in zip(p, q))
+    return 100 * apart / (255 * sum(len(p) for row in rows for p in row))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("gnomon")
+    parser.add_argument("--runs", type=int, default=5, help="of which the median's time is told [5]")
+    parser.add_argument("views", nargs="+")
+    options = parser.parse_args()
+    print(f"| model | {', '.join(map(str, FEW))} samples against {MANY} | times of one: {', '.join(map(str, FEW[1:]))} |")
+    for view in options.views:
+        model, *arguments = view.split()
+        with tempfile.TemporaryDirectory() as folder:
+
+            def picture(samples):
+                path = pathlib.Path(folder) / f"{samples}.png"
+                command = [options.gnomon, "render", model, "-o", path, "--samples", str(samples), *arguments]
+                begin = time.monotonic()
+                subprocess.run(command, check=True, capture_output=True)
+                return path, time.monotonic() - begin
+
+            most = picture(MANY)[0]
+            apart, times = [], []
+            for samples in FEW:
+                runs = [picture(samples) for _ in range(options.runs)]
+                apart.append(mean_difference(runs[0][0], most))
+                times.append(statistics.median(seconds for _, seconds in runs))
+        shares = ", ".join(f"{a:.3f}%" for a in apart)
+        print(f"| {pathlib.Path(model).stem} | {shares} | {', '.join(f'{t / times[0]:.1f}' for t in times[1:])} |", flush=True)
+
+
+if __name__ == "__main__":
+    main()

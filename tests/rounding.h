@@ -13,9 +13,6 @@ public:
 
     ~RoundingMode() { std::fesetround(FE_TONEAREST); }
 
-    /// Whether -a rounds to what a does with the other sign.
-    static bool isSymmetric(int mode) { return mode == FE_TONEAREST || mode == FE_TOWARDZERO; }
-
     RoundingMode(const RoundingMode&) = delete;
     RoundingMode& operator=(const RoundingMode&) = delete;
     RoundingMode(RoundingMode&&) = delete;

@@ -13,7 +13,13 @@ int sliceOf(float z) {
 // face's test. Word for word shadow::ownerOf.
 int faceOf(vec3 p, int slice) {
     int face = 0;
-    while (face + 1 < sideFaceCount && !(dot(faceFirst[face].xyz, p) >= 0.0 && dot(faceSecond[face].xyz, p) >= 0.0)) ++face;
+    float inside = dot(faceFirst[0].xyz, p);
+    while (face + 1 < sideFaceCount) {
+        float beyond = dot(faceSecond[face].xyz, p);
+        if (inside >= 0.0 && beyond >= 0.0) break;
+        inside = -beyond; // the same number for both neighbours, so no rounding makes both deny the point
+        ++face;
+    }
     bool inNear = hasOwnNear == 1 && dot(faceEdge[face].xyz, p) < faceEdge[face].w * slices[slice].near;
     return inNear ? sideFaceCount : face;
 }

@@ -1,5 +1,6 @@
 // The depth bias: enough for the receiver's own plane, no more than that and its uneven neighbours ask for, and with
 // room in the map's depth.
+#include "measured_map.h"
 #include "random_views.h"
 #include "shadow/depth_bias.h"
 #include "shadow/map_image.h"
@@ -8,17 +9,6 @@
 
 namespace gnomon::shadow {
 namespace {
-
-/// A receiver in one map of a random setup.
-struct Receiver {
-    ShadowMap map;
-    double filterTexels = 0;
-    glm::dvec3 p{0};
-    glm::dvec3 normal{0};
-    double cosine = 0;
-
-    double bias() const { return receiverBias(cameraImage(map), p, normal, cosine); }
-};
 
 std::optional<Receiver> randomReceiver(Random& random, double leastCosine) {
     const ShadowView view = randomView(random);
@@ -33,29 +23,6 @@ std::optional<Receiver> randomReceiver(Random& random, double leastCosine) {
     result.cosine = glm::dot(result.normal, view.towardsLight);
     if (result.cosine < leastCosine) return std::nullopt;
     return result;
-}
-
-/// The depth in the map of the receiver's plane where the light's ray through a place of the texture meets it.
-double planeDepth(const Receiver& receiver, const glm::dvec2& texel) {
-    const DoubleMapImage image = cameraImage(receiver.map);
-    const glm::dmat4 offsetFromClip = glm::inverse(image.clipFromOffset);
-    glm::dvec2 clip = (texel - image.texelOffset) / image.texelScale;
-    if (image.logRows != 0) clip.y = -std::exp(-clip.y);
-    const glm::dvec4 plane(receiver.normal, -glm::dot(receiver.normal, receiver.p - image.origin));
-    const double atZero = glm::dot(plane, offsetFromClip * glm::dvec4(clip, 0, 1));
-    const double change = glm::dot(plane, offsetFromClip[2]);
-    return -atZero / change;
-}
-
-/// How much nearer to the light than at `p` the plane is at the middle of the furthest texel that a kernel reads.
-double largestRise(const Receiver& receiver) {
-    const MapTexel<double> at = texelAt(cameraImage(receiver.map), receiver.p);
-    const double reach = std::max(1.0, receiver.filterTexels) / 2;
-    double rise = 0;
-    for (const double dx : {-reach, reach})
-        for (const double dy : {-reach, reach})
-            rise = std::max(rise, at.depth - planeDepth(receiver, {at.column + dx, at.row + dy}));
-    return rise;
 }
 
 TEST(Bias, ReachesTheMiddleOfEveryTexelThatAKernelReads) {

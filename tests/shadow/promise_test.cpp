@@ -1,4 +1,5 @@
 // The promise: the largest aliasing lies at the vertices, and what a setup promises holds at every point of its maps.
+#include "measured_map.h"
 #include "random_views.h"
 #include "shadow/setup.h"
 
@@ -6,12 +7,6 @@
 
 namespace gnomon::shadow {
 namespace {
-
-struct Measured {
-    double x = 0;
-    double z = 0;
-    double sheared = 0;
-};
 
 /// A random convex combination of the region's vertices, biased towards its corners and edges.
 glm::dvec3 randomPointOf(Random& random, const Region& region) {
@@ -24,24 +19,6 @@ glm::dvec3 randomPointOf(Random& random, const Region& region) {
         total += weight;
     }
     return sum / total;
-}
-
-/// The aliasing at `p` by finite differences of the matrix that textures are looked up with, in real texels and pixels.
-Measured measuredAt(const ShadowMap& map, const ShadowView& view, const glm::dvec3& p) {
-    const MapPoint at = mapPoint(map.warped, p);
-    const double h = 1e-4 * at.w / std::max(map.warped.kappa, 1 / map.warped.length);
-    const DoubleMapImage image = cameraImage(map);
-    const auto texel = [&](const glm::dvec3& q) {
-        const MapTexel<double> read = texelAt(image, q);
-        return map.rectangle.transposed ? glm::dvec2(read.row, read.column) : glm::dvec2(read.column, read.row);
-    };
-    const glm::dvec3 x = alongX(map.warped.frame);
-    const glm::dvec2 perX = (texel(p + x * h) - texel(p - x * h)) / (2 * h);
-    const glm::dvec2 perZ = (texel(p + map.warped.frame.z * h) - texel(p - map.warped.frame.z * h)) / (2 * h);
-    const double pixel = imageBeamWidth(view.frustum, p.z, view.imageHeight);
-    // The world step that keeps s and moves t by a texel: z with as much x as undoes its shear.
-    const double shear = -perZ.x / perX.x;
-    return {1 / perX.x / pixel, 1 / perZ.y / pixel, std::sqrt(1 + shear * shear) / perZ.y / pixel};
 }
 
 enum class Warps : std::uint8_t { Any, Logarithmic };

@@ -1,4 +1,5 @@
 // Seeded random frusta, lights and schemes for the tests of the shadow theory, with the awkward ones well represented.
+// A source of numbers is Random, or what searches among them (tests/torture/genes.h).
 #pragma once
 
 #include "core/angle.h"
@@ -10,7 +11,8 @@
 
 namespace gnomon::shadow {
 
-inline glm::dvec3 randomDirection(Random& random) {
+template <class Source>
+glm::dvec3 randomDirection(Source& random) {
     const double z = random.uniform(-1, 1);
     const double angle = random.uniform(0, 2 * kPi);
     const double radius = std::sqrt(std::max(0.0, 1 - z * z));
@@ -18,13 +20,15 @@ inline glm::dvec3 randomDirection(Random& random) {
 }
 
 /// A direction `angle` radians from `axis`, in a random direction around it.
-inline glm::dvec3 directionNear(Random& random, const glm::dvec3& axis, double angle) {
+template <class Source>
+glm::dvec3 directionNear(Source& random, const glm::dvec3& axis, double angle) {
     const glm::dvec3 across = glm::normalize(glm::cross(axis, randomDirection(random)));
     return glm::normalize(axis * std::cos(angle) + across * std::sin(angle));
 }
 
 /// Uniform two times in three; else exactly along or across an axis of the camera, or very near to one.
-inline glm::dvec3 randomLight(Random& random) {
+template <class Source>
+glm::dvec3 randomLight(Source& random) {
     if (random.below(3) != 0) return randomDirection(random);
     const std::array<glm::dvec3, 6> axes{{{0, 0, 1}, {0, 0, -1}, {0, 1, 0}, {0, -1, 0}, {1, 0, 0}, {-1, 0, 0}}};
     const glm::dvec3 axis = axes[random.below(axes.size())];
@@ -34,7 +38,8 @@ inline glm::dvec3 randomLight(Random& random) {
 }
 
 /// Depth ratios from 1.2 to 1e6, half angles from 5 to 70 degrees, images from portrait to panorama.
-inline ViewFrustum randomFrustum(Random& random) {
+template <class Source>
+ViewFrustum randomFrustum(Source& random) {
     ViewFrustum frustum;
     frustum.near = std::pow(10.0, random.uniform(-2, 1));
     frustum.far = frustum.near * std::pow(10.0, random.uniform(0.08, 6));
@@ -44,7 +49,8 @@ inline ViewFrustum randomFrustum(Random& random) {
 }
 
 /// A point of the frustum: uniform in depth or in its logarithm, now and then exactly on a side or in a corner.
-inline glm::dvec3 randomPointIn(Random& random, const ViewFrustum& frustum) {
+template <class Source>
+glm::dvec3 randomPointIn(Source& random, const ViewFrustum& frustum) {
     const double part = random.unit();
     const double depth = random.below(2) == 0 ? frustum.near + (frustum.far - frustum.near) * part
                                               : frustum.near * std::pow(frustum.depthRatio(), part);
@@ -66,7 +72,8 @@ inline glm::dvec2 exactTexel(const ShadowMap& map, const glm::dvec3& p) {
     return {inner.x + along * inner.width, inner.y + up * inner.height};
 }
 
-inline Warp randomWarp(Random& random, const ViewFrustum& frustum) {
+template <class Source>
+Warp randomWarp(Source& random, const ViewFrustum& frustum) {
     Warp warp;
     warp.rule = std::array<WarpRule, 9>{
         WarpRule::None,
@@ -84,7 +91,8 @@ inline Warp randomWarp(Random& random, const ViewFrustum& frustum) {
     return warp;
 }
 
-inline ShadowOptions randomOptions(Random& random, const ViewFrustum& frustum) {
+template <class Source>
+ShadowOptions randomOptions(Source& random, const ViewFrustum& frustum) {
     ShadowOptions options;
     options.scheme.warp = randomWarp(random, frustum);
     options.scheme.slices = 1 + static_cast<int>(random.below(8));
@@ -100,14 +108,16 @@ inline ShadowOptions randomOptions(Random& random, const ViewFrustum& frustum) {
 }
 
 /// Depths that go past one end of `frustum` or both, by up to ten times.
-inline DepthSpan shownBeyond(Random& random, const ViewFrustum& frustum) {
+template <class Source>
+DepthSpan shownBeyond(Source& random, const ViewFrustum& frustum) {
     const std::uint64_t ends = 1 + random.below(3);
     const double nearer = (ends & 1U) != 0 ? std::pow(10.0, random.unit()) : 1;
     const double further = (ends & 2U) != 0 ? std::pow(10.0, random.unit()) : 1;
     return {frustum.near / nearer, frustum.far * further};
 }
 
-inline ShadowView randomView(Random& random) {
+template <class Source>
+ShadowView randomView(Source& random) {
     ShadowView view;
     view.frustum = randomFrustum(random);
     view.towardsLight = randomLight(random);

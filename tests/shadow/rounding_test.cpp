@@ -21,6 +21,48 @@ TEST(Rounding, ModesChangeNoSetUpUnreported) {
     EXPECT_LT(counts.undecided * 10, counts.points);
 }
 
+/// The ray of the corner that two side faces share, camera space, at depth 1.
+glm::dvec3 sharedCorner(const ViewFrustum& frustum, Face a, Face b) {
+    glm::dvec3 ray(0, 0, 1);
+    for (const Face face : {a, b}) {
+        const glm::dvec3 normal = outwardNormal(frustum, face);
+        if (normal.x != 0) ray.x = std::copysign(tanHalfX(frustum), normal.x);
+        if (normal.y != 0) ray.y = std::copysign(tanHalfY(frustum), normal.y);
+    }
+    return ray;
+}
+
+TEST(Rounding, APointBetweenTwoFacesBelongsToOneOfThem) {
+    Random random(7);
+    int tested = 0;
+    for (int trial = 0; trial < 2000; ++trial) {
+        const ViewFrustum frustum = randomFrustum(random);
+        const glm::dvec3 towardsLight = randomDirection(random);
+        const PartitionSelector selector =
+            partitionSelector(frustum, towardsLight, {frustum.near, frustum.far}, FaceMaps::Sides);
+        for (std::size_t i = 0; i < selector.faces.size(); ++i) {
+            if (selector.faces[i].second == glm::dvec3(0)) continue;
+            const std::size_t next = (i + 1) % selector.faces.size();
+            ASSERT_EQ(selector.faces[next].first, -selector.faces[i].second);
+            const glm::dvec3 ray = sharedCorner(frustum, selector.faces[i].face, selector.faces[next].face);
+            // From the edge that they share along the light, to the side where the frustum is.
+            const bool isInward = glm::dot(outwardNormal(frustum, selector.faces[i].face), towardsLight) < 0;
+            const double depth = random.uniform(frustum.near, frustum.far);
+            const glm::dvec3 p = ray * depth + towardsLight * ((isInward ? 1 : -1) * depth * random.uniform(0, 1e-3));
+            for (const int mode : {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+                std::size_t owner = 0;
+                {
+                    const tests::RoundingMode rounding(mode);
+                    owner = ownerOf(selector, p);
+                }
+                EXPECT_TRUE(owner == i || owner == next) << "view " << trial << ", rounding " << mode;
+                ++tested;
+            }
+        }
+    }
+    EXPECT_GT(tested, 4000);
+}
+
 #ifdef __FAST_MATH__
 #error "fast math: the compiler may take NaN and infinity for impossible, and sums for associative"
 #endif

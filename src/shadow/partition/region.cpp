@@ -305,8 +305,14 @@ PartitionSelector partitionSelector(
         FaceSelector face;
         face.face = kCycle[i % 4].face;
         const glm::dvec3 middle = middleRay(frustum, face.face);
-        if (counts(i + 3)) face.first = separator(cornerRay(frustum, kCycle[(i + 3) % 4]), towardsLight, middle);
-        if (counts(i + 1)) face.second = separator(cornerRay(frustum, kCycle[i % 4]), towardsLight, middle);
+        // A plane between neighbours is found once: it is the one's second and, turned, the other one's first.
+        if (counts(i + 3))
+            face.first = selector.faces.empty()
+                             ? separator(cornerRay(frustum, kCycle[(i + 3) % 4]), towardsLight, middle)
+                             : -selector.faces.back().second;
+        if (counts(i + 1))
+            face.second = i == start + 3 ? -selector.faces.front().first
+                                         : separator(cornerRay(frustum, kCycle[i % 4]), towardsLight, middle);
         if (selector.ownNear) addNearEdge(face, frustum, towardsLight);
         selector.faces.push_back(face);
     }
@@ -318,9 +324,11 @@ std::size_t ownerOf(const PartitionSelector& selector, const glm::dvec3& p) {
     const std::size_t first = slice * selector.facesPerSlice();
     if (selector.faces.empty()) return first;
     std::size_t face = 0;
+    double inside = glm::dot(selector.faces.front().first, p);
     while (face + 1 < selector.faces.size()) {
-        const FaceSelector& candidate = selector.faces[face];
-        if (glm::dot(candidate.first, p) >= 0 && glm::dot(candidate.second, p) >= 0) break;
+        const double beyond = glm::dot(selector.faces[face].second, p);
+        if (inside >= 0 && beyond >= 0) break;
+        inside = -beyond; // the same number for both neighbours, so no rounding makes both deny the point
         ++face;
     }
     const FaceSelector& owner = selector.faces[face];

@@ -17,7 +17,8 @@ namespace gnomon::shadow {
 struct FaceSelector {
     Face face = Face::Top;
     glm::dvec3 first{0};   // the face owns p only if dot(first, p) >= 0 and dot(second, p) >= 0: planes through the
-    glm::dvec3 second{0};  // eye that part it from its neighbours; 0 where there is none, which every p passes
+    glm::dvec3 second{0};  // eye that part it from its neighbours, whose first is -second; 0 where there is none,
+                           // which every p passes
     glm::dvec3 edge{0};    // with an own near map: p belongs to the near face where dot(edge, p) < edgeOffset * n_i,
     double edgeOffset = 0; // n_i the near depth of p's slice
 };

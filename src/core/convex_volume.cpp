@@ -9,14 +9,12 @@ bool contains(const ConvexVolume& volume, const glm::dvec3& point) {
 }
 
 Containment classify(const ConvexVolume& volume, const Box& box) {
-    const glm::dvec3 center = box.center();
-    const glm::dvec3 half = (box.max - box.min) * 0.5;
+    const BoxAgainstPlanes against(box);
     Containment result = Containment::Inside;
     for (const Plane& plane : volume.planes) {
-        const double reach = glm::dot(glm::abs(plane.normal), half);
-        const double middle = plane.signedDistance(center);
-        if (middle < -reach) return Containment::Outside;
-        if (middle < reach) result = Containment::Intersecting;
+        const Containment one = against.classify(plane.normal, plane.offset);
+        if (one == Containment::Outside) return one;
+        if (one == Containment::Intersecting) result = one;
     }
     return result;
 }

@@ -131,15 +131,13 @@ std::uint64_t CutPart::narrowed(
     if (planes.empty()) return touching;
     const glm::dvec3 min = glm::dvec3(box.min.x, box.min.y, box.min.z) * step_;
     const glm::dvec3 max = glm::dvec3(box.max.x, box.max.y, box.max.z) * step_;
-    const glm::dvec3 center = (min + max) * 0.5;
-    const glm::dvec3 half = (max - min) * 0.5;
+    const BoxAgainstPlanes against(Box{min, max});
     for (const CutPlane& plane : planes) {
-        const double reach = glm::dot(glm::abs(plane.normal), half);
-        const double middle = glm::dot(plane.normal, center) + plane.offset;
-        if (middle < -reach) {
+        const Containment how = against.classify(plane.normal, plane.offset);
+        if (how == Containment::Outside) {
             touching &= ~plane.volume;
             if (touching == 0) return 0;
-        } else if (still != nullptr && middle < reach) {
+        } else if (still != nullptr && how == Containment::Intersecting) {
             still->push_back(plane);
         }
     }

@@ -1,6 +1,7 @@
 #include "api/gnomon.h"
 #include "api/plain_errors.h"
 #include "api/watched.h"
+#include "core/process/floating_point.h"
 #include "core/units.h"
 #include "preprocess/pipeline/build_model.h"
 #include "preprocess/pipeline/fingerprint.h"
@@ -53,6 +54,7 @@ std::string build(
     const std::string& output,
     const BuildOptions& options,
     const OnProgress& onProgress) {
+    requireUsualFloatingPoint();
     if (inputs.empty()) throw Error("build", "nothing to build of", "at least one mesh", "none");
     const pipeline::BuildOptions asked = withPlainErrors([&] { return buildOptionsOf(inputs, output, options); });
     const auto source = read::openMeshSources(inputs, asked.memory, asked.fields);

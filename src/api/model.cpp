@@ -1,5 +1,6 @@
 #include "api/gnomon.h"
 #include "api/plain_errors.h"
+#include "core/process/floating_point.h"
 #include "core/units.h"
 #include "hierarchy/model_text.h"
 #include "hierarchy/octahedral.h"
@@ -29,6 +30,7 @@ settings::Settings askedFor(const Options& options, const settings::Settings& of
 }
 
 settings::Settings settingsFor(std::uint64_t memory) {
+    requireUsualFloatingPoint();
     settings::Settings result;
     result.memory = {memory};
     result.backend = settings::Backend::Software;

@@ -5,6 +5,7 @@
 #include "app/interruption.h"
 #include "core/error.h"
 #include "core/printable.h"
+#include "core/process/floating_point.h"
 #include "manual/version.h"
 #include "settings/table.h"
 
@@ -81,6 +82,7 @@ int main(int argc, char** argv) {
     gnomon::app::occupyStandardDescriptors();
     gnomon::app::endCleanlyOnSignals();
     try {
+        gnomon::requireUsualFloatingPoint();
         return run(argc, argv);
     } catch (const UsageError& error) {
         printMessage(error.message);

@@ -1,6 +1,7 @@
 """What a process meets that is no file of ours: closed descriptors, hostile names and texts, a full stdout."""
 import lzma
 import os
+import pathlib
 import signal
 import subprocess
 import time
@@ -8,6 +9,7 @@ import unittest
 
 from program import DATA, GNOMON, ProgramTest, run
 
+IS_SANITIZED = any(name in pathlib.Path(GNOMON).read_bytes() for name in (b"__asan_init", b"__tsan_init"))
 CAMERA = (DATA / "cameras/sundial_low.json").read_text()
 PATH = DATA / "paths/sundial_orbit.json"
 SMALL = ("--size", "8x8", "--shadow-texels", "16x16")
@@ -35,6 +37,19 @@ class Process(ProgramTest):
         self.assertEqual((told.returncode, told.stderr.count("\n")), (1, 1), told.stderr)
         self.assertEqual(model.read_bytes(), whole)
         made.unlink()
+
+    @unittest.skipIf(IS_SANITIZED, "a sanitizer's library has to come first")
+    def test_a_library_that_changed_floating_point_is_refused(self):
+        library = os.environ["CHANGED_FLOATS_LIBRARY"]
+        for how, said in (("", None), ("upward", "to nearest"), ("flushed", "subnormal numbers")):
+            environment = dict(os.environ, LD_PRELOAD=library, CHANGED_FLOATS=how)
+            told = subprocess.run([GNOMON, "info", self.sundial], capture_output=True, text=True, env=environment)
+            if said is None:
+                self.assertEqual((told.returncode, told.stderr), (0, ""))
+                continue
+            self.assertEqual((told.returncode, told.stderr.count("\n"), told.stdout), (1, 1, ""), told.stderr)
+            self.assertIn("gnomon: floating point: a library loaded with this program", told.stderr)
+            self.assertIn(said, told.stderr)
 
     def test_a_full_stdout_does_not_hide_that_the_model_is_complete(self):
         model, log = self.place / "full.gnm", self.place / "full.csv"

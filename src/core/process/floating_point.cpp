@@ -1,0 +1,39 @@
+#include "core/process/floating_point.h"
+
+#include "core/error.h"
+
+#include <cfenv>
+#include <limits>
+
+#ifdef __FAST_MATH__
+#error "fast math: the compiler may take NaN and infinity for impossible, and sums for associative"
+#endif
+
+namespace gnomon {
+
+namespace {
+
+/// Whether half of the least normal number is there, and twice that the number again.
+template <class Number>
+bool keepsSubnormals() {
+    volatile Number value = std::numeric_limits<Number>::min(); // a compiler knows the answer by its own arithmetic
+    volatile Number half = value / 2;
+    volatile Number whole = half * 2;
+    return half > 0 && whole == value;
+}
+
+} // namespace
+
+void requireUsualFloatingPoint() {
+    const char* const kWhere = "floating point";
+    if (std::fegetround() != FE_TONEAREST)
+        throw Error(kWhere, "a library loaded with this program changed how it rounds", "to nearest", "another mode");
+    if (!keepsSubnormals<float>() || !keepsSubnormals<double>())
+        throw Error(
+            kWhere,
+            "a library loaded with this program, perhaps one compiled with fast math, changed it",
+            "subnormal numbers",
+            "zeros in their place");
+}
+
+} // namespace gnomon

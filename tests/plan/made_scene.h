@@ -55,8 +55,8 @@ struct MadeScene {
 };
 
 /// A view at eye height or from a crane, and a light from anywhere, the awkward directions included.
-inline View madeView(std::uint64_t seed) {
-    Random random(seed);
+template <class Source>
+View madeViewFrom(Source& random) {
     View view;
     view.camera.eye.x = random.uniform(-150, 150);
     view.camera.eye.y = random.below(3) == 0 ? random.uniform(10, 60) : 1.7;
@@ -71,6 +71,11 @@ inline View madeView(std::uint64_t seed) {
     view.towardsLight.y = random.uniform(0.02, 1);
     view.towardsLight.z = random.uniform(-1, 1);
     return view;
+}
+
+inline View madeView(std::uint64_t seed) {
+    Random random(seed);
+    return madeViewFrom(random);
 }
 
 } // namespace gnomon::plan

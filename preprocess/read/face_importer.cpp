@@ -15,11 +15,15 @@ std::uint32_t channel(float value) {
     return static_cast<std::uint32_t>(value > 0 ? std::min(value, 1.0F) * 255.0F + 0.5F : 0.0F);
 }
 
+} // namespace
+
+std::uint32_t packedChannels(const glm::vec4& rgba) {
+    return channel(rgba.r) | channel(rgba.g) << 8U | channel(rgba.b) << 16U | channel(rgba.a) << 24U;
+}
+
 glm::vec3 finiteOrZero(const glm::vec3& normal) {
     return std::isfinite(normal.x + normal.y + normal.z) ? normal : glm::vec3(0);
 }
-
-} // namespace
 
 FaceImporter::FaceImporter(std::function<std::string()> where, FaceHints hints)
     : where_(std::move(where)), hints_(std::move(hints)) {}
@@ -135,7 +139,7 @@ void FaceImporter::set_color(OpenMesh::VertexHandle vertex, const OpenMesh::Vec4
 void FaceImporter::setColor(OpenMesh::VertexHandle vertex, const glm::vec4& rgba) {
     const std::uint64_t index = checked(vertex);
     mesh_.colors.resize(mesh_.positions.size(), 0xFFFFFFFF);
-    mesh_.colors[index] = channel(rgba.r) | channel(rgba.g) << 8U | channel(rgba.b) << 16U | channel(rgba.a) << 24U;
+    mesh_.colors[index] = packedChannels(rgba);
 }
 
 } // namespace gnomon::read

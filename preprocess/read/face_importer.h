@@ -13,6 +13,12 @@
 
 namespace gnomon::read {
 
+/// RGBA8 of channels from 0 to 1, red in the lowest byte; what is none is 0.
+std::uint32_t packedChannels(const glm::vec4& rgba);
+
+/// `normal`, or zero where it is not finite.
+glm::vec3 finiteOrZero(const glm::vec3& normal);
+
 /// Collects what an OpenMesh reader finds. A normal or colour that is set again to another value for the next face is
 /// kept per corner: the vertex gets a twin. Throws Error, placed by `where()`, for indices out of range and
 /// coordinates that are not finite, out of the reader that called.

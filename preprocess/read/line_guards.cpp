@@ -1,11 +1,11 @@
 #include "preprocess/read/line_guards.h"
 
 #include "core/error.h"
+#include "preprocess/read/obj/obj_words.h"
 #include "preprocess/read/words.h"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
@@ -15,15 +15,6 @@ namespace {
 
 std::string_view withoutComment(std::string_view line) {
     return line.substr(0, line.find('#'));
-}
-
-template <class Number>
-std::optional<Number> parsed(std::string_view word) {
-    Number value{};
-    const char* end = word.data() + word.size();
-    const auto [stop, error] = std::from_chars(word.data() + (word.starts_with('+') ? 1 : 0), end, value);
-    if (stop != end || error != std::errc()) return std::nullopt;
-    return value;
 }
 
 // `count` words from `first` on must be numbers that a float can hold.
@@ -36,7 +27,7 @@ void expectNumbers(
             std::to_string(count),
             std::to_string(words.size() - std::min(first, words.size())));
     for (std::size_t i = first; i < first + count; ++i) {
-        const std::optional<float> number = parsed<float>(words[i]);
+        const std::optional<float> number = numberIn<float>(words[i]);
         if (!number || !std::isfinite(*number))
             throw Error(where, "bad number", "a finite one", quotedForMessage(words[i]));
     }
@@ -51,21 +42,8 @@ std::string joined(const std::vector<std::string_view>& words, std::size_t first
     return line;
 }
 
-// V, V/T, V//N or V/T/N; V is the one that must be there.
-bool isCorner(std::string_view word) {
-    for (int part = 0; part < 3; ++part) {
-        const std::size_t slash = word.find('/');
-        const std::string_view index = word.substr(0, slash);
-        const bool mayBeEmpty = part == 1 || (part == 2 && slash == std::string_view::npos);
-        if (!(index.empty() && mayBeEmpty) && parsed<std::int32_t>(index).value_or(0) == 0) return false;
-        if (slash == std::string_view::npos) return true;
-        word = word.substr(slash + 1);
-    }
-    return false;
-}
-
 void expectCorners(const std::vector<std::string_view>& line, const std::string& where) {
-    const auto bad = std::find_if(line.begin() + 1, line.end(), [](std::string_view word) { return !isCorner(word); });
+    const auto bad = std::find_if(line.begin() + 1, line.end(), [](std::string_view word) { return !cornerIn(word); });
     if (bad != line.end())
         throw Error(where, "bad corner of a face", "V, V/T, V//N or V/T/N with V not 0", quotedForMessage(*bad));
 }
@@ -114,7 +92,7 @@ void ObjGuard::takeFace(const std::vector<std::string_view>& words, const std::s
     ++faceLines_;
     corners_.clear();
     for (std::size_t i = 1; i < words.size(); ++i) {
-        const std::int64_t index = parsed<std::int32_t>(words[i].substr(0, words[i].find('/'))).value_or(0);
+        const std::int64_t index = numberIn<std::int32_t>(words[i].substr(0, words[i].find('/'))).value_or(0);
         // Below 0 it counts back from the last vertex so far; what goes back too far wraps, and is beyond any end.
         corners_.push_back(
             index > 0 ? static_cast<std::uint64_t>(index - 1) : vertexLines_ + static_cast<std::uint64_t>(index));
@@ -183,9 +161,9 @@ std::optional<std::string> OffGuard::pass(std::string_view line, const std::stri
 }
 
 void OffGuard::readCounts(const std::vector<std::string_view>& words, const std::string& where) {
-    const bool areThree = words.size() == 3 && parsed<std::uint32_t>(words[2]);
-    const auto vertices = parsed<std::uint32_t>(words[0]);
-    const auto faces = parsed<std::uint32_t>(words.size() > 1 ? words[1] : "");
+    const bool areThree = words.size() == 3 && numberIn<std::uint32_t>(words[2]);
+    const auto vertices = numberIn<std::uint32_t>(words[0]);
+    const auto faces = numberIn<std::uint32_t>(words.size() > 1 ? words[1] : "");
     if (!areThree || !vertices || !faces)
         throw Error(
             where, "bad counts", "the numbers of vertices, faces and edges", quotedForMessage(words[0]) + "...");
@@ -207,12 +185,12 @@ std::string OffGuard::vertex(const std::vector<std::string_view>& words, const s
 
 std::string OffGuard::face(const std::vector<std::string_view>& words, const std::string& where) {
     --facesToCome_;
-    const auto size = parsed<std::uint32_t>(words[0]);
+    const auto size = numberIn<std::uint32_t>(words[0]);
     if (!size || *size >= words.size())
         throw Error(
             where, "bad face", "a number of corners and as many indices", std::to_string(words.size()) + " words");
     for (std::size_t i = 1; i <= *size; ++i)
-        if (!parsed<std::int32_t>(words[i])) throw Error(where, "bad face", "an index", quotedForMessage(words[i]));
+        if (!numberIn<std::int32_t>(words[i])) throw Error(where, "bad face", "an index", quotedForMessage(words[i]));
     if (words.size() > *size + 1) ++coloredFaces_;
     return joined(words, 0, *size + 1);
 }

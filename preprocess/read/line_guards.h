@@ -27,6 +27,9 @@ public:
     /// The vertices of the face of the line in hand, counted from 0; one that the file does not have is beyond its end.
     const std::vector<std::uint64_t>& corners() const { return corners_; }
 
+    /// Whether the line in hand goes on in the next.
+    bool isContinued() const { return !continued_.empty(); }
+
     /// Lines that declare a face, in the pass that is running or over.
     std::uint64_t faceLines() const { return faceLines_; }
 

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "preprocess/read/face_importer.h"
 #include "preprocess/read/line_guards.h"
+#include "preprocess/read/obj/obj_source.h"
 #include "preprocess/read/ply_face_colors.h"
 #include "preprocess/read/words.h"
 
@@ -25,6 +26,9 @@ using OpenMesh::IO::Options;
 // Arrays of ours, what the readers hold beside them, and the slack of growing vectors: an OBJ of the shortest lines is
 // the worst, 8 bytes for a vertex or a triangle.
 constexpr std::uint64_t kBytesPerFileByte = 12;
+
+// An OBJ that would take more than that part of the memory is streamed instead: a build needs room beside it.
+constexpr std::uint64_t kStreamedShare = 4;
 
 constexpr std::uint64_t kStlHeader = 84;
 constexpr std::uint64_t kStlFacet = 50;
@@ -173,6 +177,8 @@ bool isWholeFileFormat(const std::string& path) {
 std::unique_ptr<MeshSource> readWholeFile(const std::string& path, Bytes memoryLimit) {
     const InputFile file(path);
     const Bytes needed{file.size() * kBytesPerFileByte};
+    const std::string suffix = loweredSuffix(path);
+    if (suffix == ".obj" && needed.count > memoryLimit.count / kStreamedShare) return streamObj(path, memoryLimit);
     if (needed > memoryLimit)
         throw Error(
             path,
@@ -180,7 +186,6 @@ std::unique_ptr<MeshSource> readWholeFile(const std::string& path, Bytes memoryL
             "at most " + readableBytes(memoryLimit) + " of memory",
             "a need for up to " + readableBytes(needed));
     const QuietOpenMesh quiet;
-    const std::string suffix = loweredSuffix(path);
     MemoryMesh mesh = suffix == ".obj" ? readObj(file, memoryLimit) : suffix == ".stl" ? readStl(file) : readOff(file);
     file.requireUnchanged();
     return memorySource(path, file.size(), std::move(mesh));

@@ -191,15 +191,15 @@ TEST(ReadWholeFile, OffErrorsNameTheLine) {
 }
 
 TEST(ReadWholeFile, TooLargeForTheMemoryIsSaidBeforeReading) {
-    std::ofstream(scratchWhole("big.obj")) << kObj;
-    std::filesystem::resize_file(scratchWhole("big.obj"), std::uint64_t{1} << 32U);
+    std::ofstream(scratchWhole("big.off")) << kOff;
+    std::filesystem::resize_file(scratchWhole("big.off"), std::uint64_t{1} << 32U);
     try {
-        openMeshSources({scratchWhole("big.obj")}, gibibytes(2));
+        openMeshSources({scratchWhole("big.off")}, gibibytes(2));
         FAIL() << "a file of 4 GiB passed";
     } catch (const Error& error) {
         EXPECT_NE(std::string(error.what()).find("too large for a format that is read whole"), std::string::npos);
     }
-    std::filesystem::remove(scratchWhole("big.obj"));
+    std::filesystem::remove(scratchWhole("big.off"));
 }
 
 TEST(ReadWholeFile, MutatedFilesGiveAMeshOrAnError) {

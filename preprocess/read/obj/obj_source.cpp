@@ -1,0 +1,233 @@
+#include "preprocess/read/obj/obj_source.h"
+
+#include "core/error.h"
+#include "preprocess/read/block_buffers.h"
+#include "preprocess/read/face_importer.h"
+#include "preprocess/read/obj/obj_lines.h"
+#include "preprocess/read/obj/obj_vertices.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace gnomon::read {
+
+namespace {
+
+/// What one pass over all lines tells.
+struct ObjCounts {
+    std::uint64_t vertices = 0;
+    std::uint64_t normals = 0;
+    std::uint64_t coloredVertices = 0;
+    std::uint64_t colorLines = 0;
+    std::uint64_t faces = 0;
+    std::uint64_t notAPolygon = 0;
+    std::uint64_t triangles = 0;
+    std::uint64_t vertexEnd = 0; ///< one past the largest that a face names
+    bool namesNormals = false;
+    bool isAligned = true; ///< each corner with a normal has that of its vertex's number
+    bool hasFaceColors = false;
+};
+
+/// Whether the vertex of a corner has to be there: a line of too few corners is no face, and nothing asks for its
+/// vertices but its normals.
+bool isLookedUp(const ObjLine& face, const ObjCorner& corner) {
+    return corner.normal != ObjCorner::kNoNormal || isObjFace(face.corners);
+}
+
+class ObjSource final : public MeshSource {
+public:
+    ObjSource(const std::string& path, Bytes memoryLimit) : file_(path), memoryLimit_(memoryLimit) {
+        summary_.path = path;
+        summary_.fileBytes = file_.size();
+        survey();
+        if (counts_.vertexEnd > counts_.vertices) findBadFace();
+        requireFaces(summary_);
+        if (counts_.coloredVertices + counts_.colorLines > 0 && counts_.coloredVertices != counts_.vertices)
+            throw Error(
+                path,
+                "too large to be read whole, as an OBJ is of whose vertices some have colours (convert it to PLY)",
+                "colours at all vertices or at none",
+                std::to_string(counts_.coloredVertices) + " of " + std::to_string(counts_.vertices));
+        findVertices();
+        summary_.vertexCount = vertices_ ? vertices_->count() : counts_.vertices;
+        summary_.hasNormals = vertices_ && vertices_->hasNormals();
+        summary_.hasColors = counts_.coloredVertices > 0 || counts_.hasFaceColors;
+        summary_.heldBytes = stretches_.capacity() * sizeof(ObjStretch) + (vertices_ ? vertices_->heldBytes() : 0);
+        file_.requireUnchanged();
+    }
+
+    const MeshSummary& summary() const override { return summary_; }
+
+    void readVertices(const VertexSink& sink) override {
+        VertexBuffer out(sink, {summary_.hasNormals, summary_.hasColors, 0});
+        forEachVertex([&](std::uint64_t vertex, const ObjLine& line, const glm::vec3& normal) {
+            if (vertices_ && !vertices_->isThere(vertex)) return;
+            put(out, line, normal, line.vertexColor || !vertices_ ? 0xFFFFFFFF : vertices_->ownColor(vertex));
+        });
+        if (vertices_ && !vertices_->variants().empty()) readVariants(out);
+        out.flush();
+    }
+
+    void readTriangles(const TriangleSink& sink) override {
+        TriangleBuffer out(sink);
+        if (vertices_) vertices_->begin();
+        ObjLines lines(file_, stretches_, kindBit(ObjKind::Face));
+        ObjLine line;
+        std::vector<std::uint64_t> corners;
+        while (lines.next(line)) {
+            if (vertices_) {
+                out.addPolygon(vertices_->cornersOf(line));
+                continue;
+            }
+            corners.clear();
+            for (const ObjCorner& corner : line.corners)
+                corners.push_back(corner.vertex);
+            out.addPolygon(
+                isObjFace(line.corners) ? std::span<const std::uint64_t>(corners) : std::span<const std::uint64_t>());
+        }
+        out.flush();
+    }
+
+    void pollWith(Progress& progress) override { file_.pollWith(progress); }
+
+    void requireUnchanged() const override { file_.requireUnchanged(); }
+
+private:
+    void survey() {
+        ObjLines lines(file_, &stretches_);
+        ObjLine line;
+        while (lines.next(line)) {
+            if (line.kind == ObjKind::Vertex) counts_.coloredVertices += line.vertexColor ? 1 : 0;
+            if (line.kind == ObjKind::Face) surveyFace(line);
+        }
+        counts_.vertices = lines.vertices();
+        counts_.normals = lines.normals();
+        counts_.colorLines = lines.colorLines();
+        counts_.hasFaceColors = lines.materials().hasColors() && counts_.coloredVertices == 0;
+        summary_.vertexCount = counts_.vertices;
+        summary_.faceCount = counts_.faces;
+        summary_.likelyTriangles = counts_.triangles;
+        summary_.attributesDropped = lines.leftOut();
+        summary_.attributesDropped.insert(lines.materials().leftOut().begin(), lines.materials().leftOut().end());
+        if (lines.materials().hasColors() && !counts_.hasFaceColors)
+            summary_.attributesDropped["colours of materials, beside those of vertices"] = counts_.faces;
+        summary_.filesBesides = lines.materials().files();
+    }
+
+    void surveyFace(const ObjLine& face) {
+        for (const ObjCorner& corner : face.corners) {
+            if (isLookedUp(face, corner))
+                counts_.vertexEnd = std::max({counts_.vertexEnd, corner.vertex, corner.vertex + 1}); // may wrap
+            if (corner.normal == ObjCorner::kNoNormal) continue;
+            counts_.namesNormals = true;
+            counts_.isAligned = counts_.isAligned && corner.normal == corner.vertex;
+        }
+        if (!isObjFace(face.corners)) {
+            ++counts_.notAPolygon;
+            return;
+        }
+        ++counts_.faces;
+        counts_.triangles += face.corners.size() - 2;
+    }
+
+    /// Names the line of the first face whose vertices are not all there.
+    void findBadFace() {
+        ObjLines lines(file_, stretches_, kindBit(ObjKind::Face));
+        ObjLine line;
+        while (lines.next(line))
+            for (const ObjCorner& corner : line.corners)
+                if (corner.vertex >= counts_.vertices && isLookedUp(line, corner))
+                    throw Error(
+                        lines.where(),
+                        "vertex index out of range",
+                        "one of " + std::to_string(counts_.vertices) + " vertices",
+                        "index " + std::to_string(static_cast<std::int64_t>(corner.vertex)) + " counted from 0");
+    }
+
+    void findVertices() {
+        if (!(counts_.namesNormals && counts_.normals > 0) && !counts_.hasFaceColors) return;
+        const bool isAligned = counts_.isAligned;
+        const std::uint64_t needed = counts_.vertices * (isAligned ? 1 : 4) + counts_.vertices * 5 +
+                                     (isAligned ? 0 : counts_.normals * sizeof(glm::vec3));
+        if (needed > memoryLimit_.count)
+            throw Error(
+                file_.path(),
+                "too large: what faces say of its vertices is held (convert it to PLY, which is streamed)",
+                "at most " + readableBytes(memoryLimit_) + " of memory",
+                "a need for up to " + readableBytes({needed}));
+        vertices_.emplace(
+            ObjVertices::Options{file_.path(), memoryLimit_, counts_.vertices, isAligned, counts_.hasFaceColors},
+            isAligned ? std::vector<glm::vec3>() : allNormals(),
+            counts_.normals);
+        ObjLines lines(file_, stretches_, kindBit(ObjKind::Face));
+        ObjLine line;
+        while (lines.next(line))
+            vertices_->add(line);
+        vertices_->finish();
+    }
+
+    std::vector<glm::vec3> allNormals() {
+        std::vector<glm::vec3> normals;
+        normals.reserve(static_cast<std::size_t>(counts_.normals));
+        ObjLines lines(file_, stretches_, kindBit(ObjKind::Normal));
+        ObjLine line;
+        while (lines.next(line))
+            normals.push_back(finiteOrZero(line.vector));
+        return normals;
+    }
+
+    /// Calls `use` with each vertex of the file, its line and its own normal.
+    template <class Use>
+    void forEachVertex(const Use& use) {
+        const bool isAligned = vertices_ && vertices_->hasNormals() && counts_.isAligned;
+        ObjLines lines(file_, stretches_, kindBit(ObjKind::Vertex));
+        std::optional<ObjLines> normals;
+        if (isAligned) normals.emplace(file_, stretches_, kindBit(ObjKind::Normal));
+        ObjLine line;
+        ObjLine normalLine;
+        for (std::uint64_t vertex = 0; lines.next(line); ++vertex) {
+            const bool isRead = normals && normals->next(normalLine);
+            const std::uint32_t own = vertices_ ? vertices_->ownNormal(vertex) : ObjVertices::kOwn;
+            glm::vec3 normal(0);
+            if (own != ObjVertices::kOwn) normal = isRead ? finiteOrZero(normalLine.vector) : vertices_->normal(own);
+            use(vertex, line, normal);
+        }
+    }
+
+    void readVariants(VertexBuffer& out) {
+        std::size_t next = 0;
+        const std::span<const ObjVariant> variants = vertices_->variants();
+        forEachVertex([&](std::uint64_t vertex, const ObjLine& line, const glm::vec3& normal) {
+            for (; next < variants.size() && variants[next].vertex == vertex; ++next) {
+                const ObjVariant& variant = variants[next];
+                put(out,
+                    line,
+                    variant.normal == ObjVertices::kOwn ? normal : vertices_->normal(variant.normal),
+                    variant.color);
+            }
+        });
+    }
+
+    void put(VertexBuffer& out, const ObjLine& line, const glm::vec3& normal, std::uint32_t color) const {
+        const VertexBuffer::Rows rows = out.append(1);
+        rows.positions[0] = line.vector;
+        if (summary_.hasNormals) rows.normals[0] = normal;
+        if (summary_.hasColors) rows.colors[0] = line.vertexColor ? packedChannels({*line.vertexColor, 1}) : color;
+        out.flushIfFull();
+    }
+
+    InputFile file_;
+    Bytes memoryLimit_;
+    MeshSummary summary_;
+    ObjCounts counts_;
+    std::vector<ObjStretch> stretches_;
+    std::optional<ObjVertices> vertices_;
+};
+
+} // namespace
+
+std::unique_ptr<MeshSource> streamObj(const std::string& path, Bytes memoryLimit) {
+    return std::make_unique<ObjSource>(path, memoryLimit);
+}
+
+} // namespace gnomon::read

@@ -8,6 +8,7 @@
 #include "preprocess/exporter/field_value.h"
 #include "preprocess/exporter/run_writer.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -102,15 +103,23 @@ public:
 private:
     glm::vec3 local(const Vertex& vertex) const { return {summary_.grid.world(vertex.position) - origin_}; }
 
-    /// Unit vectors, which glTF wants: as stored, else of the faces around, else up.
-    void addNormals() {
+    /// For each vertex what the faces around it are turned to, by area; for none where all have normals of their own.
+    std::vector<glm::dvec3> faceNormals() const {
+        const auto isMissing = [](const Vertex& vertex) { return vertex.normal == kNoNormal; };
         std::vector<glm::dvec3> sums(mesh_.vertices.size(), glm::dvec3(0));
+        if (std::none_of(mesh_.vertices.begin(), mesh_.vertices.end(), isMissing)) return sums;
         for (const auto& [a, b, c] : mesh_.triangles) {
             const auto at = [&](std::uint32_t v) { return summary_.grid.world(mesh_.vertices[v].position); };
             const glm::dvec3 normal = glm::cross(at(b) - at(a), at(c) - at(a));
             for (const std::uint32_t corner : {a, b, c})
                 sums[corner] += normal;
         }
+        return sums;
+    }
+
+    /// Unit vectors, which glTF wants: as stored, else of the faces around, else up.
+    void addNormals() {
+        const std::vector<glm::dvec3> sums = faceNormals();
         for (std::size_t v = 0; v < sums.size(); ++v) {
             const glm::dvec3 stored = unpackNormal(mesh_.vertices[v].normal);
             const glm::dvec3 normal = stored != glm::dvec3(0) ? stored : sums[v];
@@ -262,8 +271,9 @@ private:
     void pack() {
         for (std::size_t view = 0; view < contents_.size(); ++view) {
             MemoryWriter raw;
-            putView(raw, view);
             const std::size_t stride = contents_[view].stride;
+            raw.bytes.reserve(views_[view]["byteLength"].get<std::size_t>());
+            putView(raw, view);
             const std::size_t count = raw.bytes.size() / stride;
             const bool isOfIndices = contents_[view].kind == Content::Indices;
             std::vector<unsigned char> bytes(

@@ -11,8 +11,10 @@
 #include "preprocess/read/open_mesh_sources.h"
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <filesystem>
 #include <functional>
@@ -248,7 +250,7 @@ TEST_F(Tiles, LeavesHaveTheSurfaceOfTheSource) {
     EXPECT_NEAR(area, 32.0 * 32.0, 0.05) << "a height field over a square";
 }
 
-TEST_F(Tiles, AreTheSameBytesForAnyMemory) {
+TEST_F(Tiles, AreTheSameBytesForAnyMemoryAndThreads) {
     const std::string model = written(6);
     const auto filesOf = [&](const std::string& folder, Bytes memory) {
         TilesetOptions options;
@@ -267,7 +269,11 @@ TEST_F(Tiles, AreTheSameBytesForAnyMemory) {
         EXPECT_EQ(bytes, done.bytes);
         return files;
     };
-    EXPECT_EQ(filesOf(place + "/a", {1}), filesOf(place + "/b", gibibytes(1)));
+    const auto expected = filesOf(place + "/a", {1});
+    for (const std::size_t threads : {1, 5}) {
+        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+        EXPECT_EQ(filesOf(place + "/b" + std::to_string(threads), gibibytes(1)), expected);
+    }
 }
 
 /// The triangles of a .glb as places, each from its least corner on.
@@ -298,7 +304,7 @@ TEST_F(Tiles, LeaveNothingWhereTheyAreInterrupted) {
             if (--left == 0) throw Interrupted();
         }
 
-        int left = 0;
+        std::atomic<int> left{0};
     };
 
     const std::string model = written(6);

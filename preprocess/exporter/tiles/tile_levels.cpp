@@ -1,5 +1,7 @@
 #include "preprocess/exporter/tiles/tile_levels.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -8,19 +10,36 @@ namespace gnomon::exporter {
 
 using namespace hierarchy;
 
-std::vector<TileCluster> clustersOf(const ModelFile& file, Progress& progress) {
+namespace {
+
+std::vector<TileCluster> clustersOfPage(const ModelFile& file, std::uint32_t p) {
     std::vector<TileCluster> clusters;
-    progress.stage("survey", "pages", file.pages().size());
-    for (std::uint32_t p = 0; p < file.pages().size(); ++p) {
-        const Page page = file.readPage(p);
-        for (const Group& group : page.groups)
-            for (std::uint32_t c = group.firstCluster; c < group.firstCluster + group.clusterCount; ++c) {
-                const Cluster& cluster = page.clusters[c];
-                const double from =
-                    cluster.refinement == kNone ? -1 : page.refinements[cluster.refinement].drawnError();
-                clusters.push_back({p, c, cluster.triangleCount, cluster.box, from, group.drawnError()});
-            }
-        progress.advance(1);
+    const Page page = file.readPage(p);
+    for (const Group& group : page.groups)
+        for (std::uint32_t c = group.firstCluster; c < group.firstCluster + group.clusterCount; ++c) {
+            const Cluster& cluster = page.clusters[c];
+            const double from = cluster.refinement == kNone ? -1 : page.refinements[cluster.refinement].drawnError();
+            clusters.push_back({p, c, cluster.triangleCount, cluster.box, from, group.drawnError()});
+        }
+    return clusters;
+}
+
+} // namespace
+
+std::vector<TileCluster> clustersOf(const ModelFile& file, Progress& progress) {
+    constexpr std::size_t kPagesAtOnce = 256;
+    const std::size_t pageCount = file.pages().size();
+    std::vector<TileCluster> clusters;
+    std::vector<std::vector<TileCluster>> some(std::min(kPagesAtOnce, pageCount));
+    progress.stage("survey", "pages", pageCount);
+    for (std::size_t first = 0; first < pageCount; first += some.size()) {
+        const std::size_t count = std::min(some.size(), pageCount - first);
+        tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+            some[i] = clustersOfPage(file, static_cast<std::uint32_t>(first + i));
+            progress.advance(1);
+        });
+        for (std::size_t i = 0; i < count; ++i)
+            clusters.insert(clusters.end(), some[i].begin(), some[i].end());
     }
     return clusters;
 }

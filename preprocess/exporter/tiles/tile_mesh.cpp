@@ -33,6 +33,7 @@ public:
         : cell_(cell), skirt_(skirt), hasNormals_(summary.hasNormals) {}
 
     void add(const Page& page, const Cluster& cluster) {
+        known_.assign(cluster.vertexCount, kNone);
         for (std::uint32_t t = 0; t < cluster.triangleCount; ++t) {
             const Triangle& triangle = page.triangles[cluster.firstTriangle + t];
             std::array<const Vertex*, 3> vertices{};
@@ -45,9 +46,17 @@ public:
             const glm::dvec3 across = glm::cross(places[1] - places[0], places[2] - places[0]);
             const double length = glm::length(across);
             if (!(length > 0)) continue;
+            const glm::dvec3 normal = across / length;
+            if (std::all_of(vertices.begin(), vertices.end(), [this](const Vertex* v) { return isWithin(*v); })) {
+                std::array<std::uint32_t, 3> made{}; // in the order of the corners, whatever that of arguments is
+                for (std::size_t k = 0; k < 3; ++k)
+                    made[k] = knownVertex(triangle[k], *vertices[k], normal);
+                addTriangle(made[0], made[1], made[2]);
+                continue;
+            }
             std::array<ClippedCorner, 3> corners{};
             for (std::size_t k = 0; k < 3; ++k)
-                corners[k] = cornerOf(*vertices[k], across / length);
+                corners[k] = cornerOf(*vertices[k], normal);
             addPolygon(clipped(corners, cell_));
         }
     }
@@ -58,6 +67,24 @@ public:
     }
 
 private:
+    /// Whether `vertex` lies in the cell and on none of its sides: what has such corners alone is neither cut nor gets
+    /// a skirt.
+    bool isWithin(const Vertex& vertex) const {
+        const GridPoint& p = vertex.position;
+        const auto isBetween = [this](std::size_t axis, std::uint32_t value) {
+            return value > cell_.low[axis] && value < cell_.low[axis] + cell_.side;
+        };
+        return isBetween(0, p.x) && isBetween(1, p.y) && isBetween(2, p.z);
+    }
+
+    /// The vertex `number` of the cluster in hand, made once unless it takes its normal from each face.
+    std::uint32_t knownVertex(std::uint8_t number, const Vertex& vertex, const glm::dvec3& faceNormal) {
+        if (known_[number] != kNone) return known_[number];
+        const std::uint32_t made = addVertex(cornerOf(vertex, faceNormal), 0);
+        if (!hasNormals_ || vertex.normal != kNoNormal) known_[number] = made;
+        return made;
+    }
+
     std::uint32_t addVertex(const ClippedCorner& corner, double down) {
         const glm::dvec3 normal(corner.normal[0], corner.normal[1], corner.normal[2]);
         const double length = glm::length(normal);
@@ -102,6 +129,7 @@ private:
     double skirt_;
     bool hasNormals_;
     CutMesh mesh_;
+    std::vector<std::uint32_t> known_; // of the cluster in hand: vertices of the mesh, or kNone
 };
 
 std::uint64_t bytesOf(const Page& page) {

@@ -10,6 +10,11 @@
 #include "preprocess/exporter/tiles/tile_levels.h"
 #include "preprocess/exporter/tiles/tile_mesh.h"
 
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -46,10 +51,47 @@ std::string contentOf(std::size_t level, const CellKey& key) {
            std::to_string(key[2]) + ".glb";
 }
 
+/// A cell of a level, what may reach it, and what became of that.
+struct CellContent {
+    CellKey key{};
+    std::vector<const TileCluster*> members;
+    Tile tile;
+    std::uint64_t triangles = 0;
+    std::uint64_t bytes = 0;
+};
+
+/// Cells in an order in which neighbours are close, so that they find each other's pages still decoded: along Morton's
+/// curve, whichever axis differs in the highest bit first.
+std::vector<CellContent> inSpace(std::map<CellKey, std::vector<const TileCluster*>> cells) {
+    std::vector<CellContent> ordered;
+    ordered.reserve(cells.size());
+    for (auto& cell : cells)
+        ordered.push_back({cell.first, std::move(cell.second), {}, 0, 0});
+    std::sort(ordered.begin(), ordered.end(), [](const CellContent& a, const CellContent& b) {
+        std::size_t axis = 0;
+        for (std::size_t i = 1; i < 3; ++i)
+            if (std::bit_width(a.key[i] ^ b.key[i]) > std::bit_width(a.key[axis] ^ b.key[axis])) axis = i;
+        return a.key[axis] < b.key[axis];
+    });
+    return ordered;
+}
+
+/// How many tiles are made at once: as many as threads, while a quarter of the memory holds them.
+int threadsFor(Bytes memory) {
+    constexpr std::uint64_t kTileBytes = std::uint64_t{32} << 20U; // of its mesh and of the file, some times over
+    const auto most =
+        static_cast<std::uint64_t>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+    return static_cast<int>(std::clamp<std::uint64_t>(memory.count / 4 / kTileBytes, 1, most));
+}
+
 class TilesetWriter {
 public:
     TilesetWriter(const ModelFile& file, const TilesetOptions& options, const std::string& folder)
-        : file_(file), options_(options), folder_(folder), upright_(uprightFrame(file.summary().up.direction)) {
+        : file_(file),
+          options_(options),
+          folder_(folder),
+          upright_(uprightFrame(file.summary().up.direction)),
+          threads_(threadsFor(options.memory)) {
         const Box bounds = uprightBox(upright_, file.summary().bounds);
         const glm::dvec3 middle = (bounds.min + bounds.max) / 2.0;
         anchor_ = upright_.toWorld({middle.x, bounds.min.y, middle.z});
@@ -62,14 +104,14 @@ public:
         for (const TileCluster& cluster : clusters)
             extent = std::max<std::uint64_t>({extent, cluster.box.max.x, cluster.box.max.y, cluster.box.max.z});
         side_ = std::bit_ceil(extent + 1);
-        PageCache pages(file_, {options_.memory.count / 2});
+        tbb::task_arena arena(threads_);
         progress.stage("tiles", "levels", limits.size());
         for (std::size_t level = 0; level < limits.size() && (side_ >> level) > 1; ++level) {
             const bool isLast = level + 1 == limits.size() || (side_ >> (level + 1)) <= 1;
             const double limit = isLast ? 0 : limits[level];
             errors_.push_back(limit);
             const double above = level == 0 ? limit : errors_[level - 1];
-            writeLevel(clusters, level, limit, above, pages, progress);
+            arena.execute([&] { writeLevel(clusters, level, limit, above, progress); });
             progress.advance(1);
         }
         writeDocument();
@@ -107,42 +149,50 @@ private:
     }
 
     void writeLevel(
-        const std::vector<TileCluster>& clusters,
-        std::size_t level,
-        double limit,
-        double above,
-        PageCache& pages,
-        Progress& progress) {
-        TileLevel tiles;
+        const std::vector<TileCluster>& clusters, std::size_t level, double limit, double above, Progress& progress) {
         // A quarter of what the level above may be off by: stored errors are bounds, some four times what is measured,
         // and deeper skirts come out on the other side of thin parts.
         const double depth = std::max(limit, above / 4);
         const double skirt = options_.hasSkirts ? depth / file_.summary().grid.step() : 0;
-        for (const auto& [key, members] : cellsOf(clusters, level, limit)) {
+        std::vector<CellContent> cells = inSpace(cellsOf(clusters, level, limit));
+        if (!cells.empty()) fs::create_directories(fs::path(folder_ + "/" + contentOf(level, {})).parent_path());
+        tbb::enumerable_thread_specific<PageCache> caches(
+            [this] { return PageCache(file_, {options_.memory.count / 2 / static_cast<unsigned>(threads_)}); });
+        tbb::parallel_for(std::size_t{0}, cells.size(), [&](std::size_t i) {
             progress.advance(0); // asks whether to go on
-            TileCell cell;
-            cell.side = side_ >> level;
-            for (std::size_t i = 0; i < 3; ++i)
-                cell.low[i] = key[i] * cell.side;
-            const CutMesh mesh = tileMesh(members, cell, skirt, file_.summary(), pages);
-            if (mesh.triangles.empty()) continue;
-            Tile& tile = tiles[key];
-            tile.isFinest = limit == 0 || std::all_of(members.begin(), members.end(), [](const TileCluster* member) {
-                                return member->isFinest();
-                            });
-            for (const Vertex& vertex : mesh.vertices)
-                tile.box.add(metres() * upright_.toUpright(file_.summary().grid.world(vertex.position) - anchor_));
-            const std::string path = folder_ + "/" + contentOf(level, key);
-            fs::create_directories(fs::path(path).parent_path());
-            NoProgress unwatched;
-            ModelSummary summary = file_.summary();
-            summary.fields.clear();
-            writeGlb(mesh, summary, path, unwatched, GlbTile{anchor_, options_.isPacked});
+            writeTile(cells[i], level, limit, skirt, caches.local());
+        });
+        TileLevel tiles;
+        for (const CellContent& cell : cells) {
+            if (cell.triangles == 0) continue;
+            tiles[cell.key] = cell.tile;
             ++done_.tiles;
-            done_.triangles += mesh.triangles.size();
-            done_.bytes += fs::file_size(path);
+            done_.triangles += cell.triangles;
+            done_.bytes += cell.bytes;
         }
         levels_.push_back(std::move(tiles));
+    }
+
+    void writeTile(CellContent& content, std::size_t level, double limit, double skirt, PageCache& pages) const {
+        const std::vector<const TileCluster*> members = std::move(content.members);
+        TileCell cell;
+        cell.side = side_ >> level;
+        for (std::size_t i = 0; i < 3; ++i)
+            cell.low[i] = content.key[i] * cell.side;
+        const CutMesh mesh = tileMesh(members, cell, skirt, file_.summary(), pages);
+        content.triangles = mesh.triangles.size();
+        if (mesh.triangles.empty()) return;
+        content.tile.isFinest =
+            limit == 0 ||
+            std::all_of(members.begin(), members.end(), [](const TileCluster* member) { return member->isFinest(); });
+        for (const Vertex& vertex : mesh.vertices)
+            content.tile.box.add(metres() * upright_.toUpright(file_.summary().grid.world(vertex.position) - anchor_));
+        const std::string path = folder_ + "/" + contentOf(level, content.key);
+        NoProgress unwatched;
+        ModelSummary summary = file_.summary();
+        summary.fields.clear();
+        writeGlb(mesh, summary, path, unwatched, GlbTile{anchor_, options_.isPacked});
+        content.bytes = fs::file_size(path);
     }
 
     /// Gives every tile those above it, without a content where they had none, and boxes that hold what is below.
@@ -227,7 +277,8 @@ private:
     const TilesetOptions& options_;
     const std::string& folder_;
     UprightFrame upright_;
-    glm::dvec3 anchor_{0};       // world space
+    glm::dvec3 anchor_{0}; // world space
+    int threads_ = 1;
     std::uint64_t side_ = 1;     // of the root cell, grid steps: a power of two
     std::vector<double> errors_; // of levels, world units
     std::vector<TileLevel> levels_;

@@ -143,6 +143,29 @@ class HttpTest(ProgramTest):
         self.faults.status = lambda number: setattr(self.faults, "body", "whole" if number % 3 else "short")
         self.assertEqual(self.render()[0::2], (self.picture, ""))
 
+    def test_a_view_over_a_slow_line_sharpens_until_it_is_complete(self):
+        framed = json.loads((DATA / "paths/sundial_orbit.json").read_text())
+        bounds = json.loads(run("info", self.disk, "--json").stdout)["bounds"]
+        middle = [(a + b) / 2 for a, b in zip(bounds["min"], bounds["max"])]
+        still = {**framed["keyframes"][0], "target": middle, "eye": [
+            m + f * (b - a) for m, a, b, f in zip(middle, bounds["min"], bounds["max"], (0.3, 1, 1))]}
+        path = self.place / "still.json"
+        path.write_text(json.dumps({**framed, "loop": False, "interpolation": "linear",
+                                    "keyframes": [{**still, "time": 0}, {**still, "time": 4}]}))
+        words = ("--path", path, "--frames", "40", "--warmup", "0", *VIEW)
+        self.expect(0, "", "bench", self.disk, *words, "--csv", self.place / "disk.csv")
+        self.faults.mbit, self.faults.latency = 2, 0.05
+        self.expect(0, "", "bench", self.address, *words, "--real-time", "--csv", self.place / "slow.csv")
+        with open(self.place / "disk.csv", newline="") as disk, open(self.place / "slow.csv", newline="") as slow:
+            whole, rows = next(csv.DictReader(disk)), list(csv.DictReader(slow))
+        # The nearest point that is drawn, from which the rule measures, comes out the same but for the last digits.
+        errors = [round(float(row["achieved_error_pixels"]), 6) for row in rows]
+        self.assertGreater(int(rows[0]["pages_missing"]), 0, "the first picture does not wait")
+        self.assertEqual(errors, sorted(errors, reverse=True), "it never gets coarser")
+        self.assertGreater(len(set(errors)), 3, "it sharpens in steps")
+        for name in ("pages_missing", "image_triangles", "achieved_error_pixels"):
+            self.assertAlmostEqual(float(rows[-1][name]), float(whole[name]), 6, "in the end it is what disk gives")
+
     def pages_asked_for(self):
         self.render()
         shutil.rmtree(self.place / "cache")

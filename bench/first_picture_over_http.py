@@ -1,0 +1,68 @@
+"""When a model on a server shows first, and when it is complete: a still view, frames that do not wait for pages.
+
+    python3 bench/first_picture_over_http.py build/release/gnomon --mbit 10 --latency-ms 50 MODEL.gnm ...
+
+The server is tests/storage/range_server.py, beside the program; without a cache. Prints for each model seconds since the
+program began to its first picture and to the first of which no page is missing, the bytes that were fetched until then
+and the error of some pictures between.
+"""
+import argparse
+import csv
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "tests/storage"))
+from range_server import RangeServer  # noqa: E402
+
+
+def still_path(gnomon, model, folder, seconds):
+    """A path that stays at the middle of an orbit's first view for so long."""
+    orbit, still = folder / "orbit.json", folder / "still.json"
+    subprocess.run([gnomon, "path", model, "--kind", "orbit", "-o", orbit], check=True, capture_output=True)
+    first = json.loads(orbit.read_text())["keyframes"][0]
+    still.write_text(json.dumps({"loop": False, "interpolation": "linear",
+                                 "keyframes": [{**first, "time": 0}, {**first, "time": seconds}]}))
+    return still
+
+
+def watch(gnomon, model, options):
+    with tempfile.TemporaryDirectory() as place, RangeServer(model.parent) as server:
+        place = pathlib.Path(place)
+        path = still_path(gnomon, model, place, options.seconds)
+        server.faults.mbit, server.faults.latency = options.mbit, options.latency_ms / 1000
+        rows = place / "rows.csv"
+        subprocess.run(
+            [gnomon, "bench", server.address(model.name), "--path", path, "--frames", str(options.seconds * 5),
+             "--warmup", "0", "--real-time", "--http-cache", "0", "--size", options.size, "--csv", rows],
+            check=True, stdout=subprocess.DEVNULL, env={**os.environ, "NO_PROXY": "127.0.0.1", "no_proxy": "127.0.0.1"})
+        with open(rows, newline="") as file:
+            return list(csv.DictReader(file)), server.body_bytes
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("gnomon")
+    parser.add_argument("models", nargs="+", type=pathlib.Path)
+    parser.add_argument("--mbit", type=float, default=10)
+    parser.add_argument("--latency-ms", type=float, default=50)
+    parser.add_argument("--seconds", type=int, default=30)
+    parser.add_argument("--size", default="800x800")
+    options = parser.parse_args()
+    for model in options.models:
+        rows, sent = watch(options.gnomon, model.resolve(), options)
+        seconds = [float(row["since_start_ms"]) / 1000 for row in rows]
+        errors = [float(row["achieved_error_pixels"]) for row in rows]
+        done = next((i for i, row in enumerate(rows) if int(row["pages_missing"]) == 0), None)
+        complete = "not complete" if done is None else f"complete after {seconds[done]:.1f} s"
+        print(f"{model.name}: first picture after {seconds[0]:.1f} s, {complete}, {sent / 1e6:.1f} MB sent, "
+              f"{rows[-1]['image_triangles']} triangles")
+        print("  error in pixels: " + ", ".join(f"{errors[i]:.3g} at {seconds[i]:.1f} s" for i in range(
+            0, len(rows) if done is None else done + 1, max(1, (done or len(rows)) // 8))))
+
+
+if __name__ == "__main__":
+    main()

@@ -3,7 +3,6 @@
 #include "core/check.h"
 #include "core/index_table.h"
 #include "preprocess/chunk/chunk_mesh.h"
-#include "preprocess/chunk/in_order.h"
 #include "preprocess/chunk/survey.h"
 #include "preprocess/levels/smooth_normals.h"
 
@@ -13,41 +12,10 @@ namespace gnomon::chunk {
 
 namespace {
 
-/// Bytes for the streams of other chunks.
-struct Message {
-    std::uint32_t chunk = 0;
-    std::vector<std::byte> bytes;
-};
-
-using Messages = std::vector<Message>;
-
 /// The message to `chunk`, which is the last or a new one: messages come by ascending chunk.
 std::vector<std::byte>& messageTo(Messages& messages, std::uint32_t chunk) {
     if (messages.empty() || messages.back().chunk != chunk) messages.push_back({chunk, {}});
     return messages.back().bytes;
-}
-
-Messages answerVertices(const BinnedSource& source, std::uint32_t chunk) {
-    auto requests = source.bins.readAs<VertexRequest>(streamOf(BinStream::Requests, chunk));
-    for (VertexRequest& request : requests)
-        request.isOwner = 0;
-    std::sort(requests.begin(), requests.end());
-    requests.erase(std::unique(requests.begin(), requests.end()), requests.end());
-    std::vector<ChunkVertex> vertices;
-    appendVertices(source.bins, streamOf(BinStream::Vertices, chunk), source.format, vertices);
-    Messages messages;
-    VertexBytes storage{};
-    for (const VertexRequest& request : requests) {
-        const auto found = std::lower_bound(
-            vertices.begin(), vertices.end(), request.vertex, [](const ChunkVertex& vertex, std::uint32_t index) {
-                return vertex.index < index;
-            });
-        GNOMON_CHECK(found != vertices.end() && found->index == request.vertex);
-        const auto record = encodeVertex(*found, source.format, storage);
-        std::vector<std::byte>& bytes = messageTo(messages, request.chunk);
-        bytes.insert(bytes.end(), record.begin(), record.end());
-    }
-    return messages;
 }
 
 /// What the answers of a chunk depend on.
@@ -136,6 +104,31 @@ std::vector<std::uint32_t> normalsOf(const Surroundings& around) {
             keptTriangles(around.vertices, around.triangles.ghosts, ignored)));
 }
 
+} // namespace
+
+Messages answerVertices(const BinnedSource& source, std::uint32_t chunk) {
+    auto requests = source.bins.readAs<VertexRequest>(streamOf(BinStream::Requests, chunk));
+    for (VertexRequest& request : requests)
+        request.isOwner = 0;
+    std::sort(requests.begin(), requests.end());
+    requests.erase(std::unique(requests.begin(), requests.end()), requests.end());
+    std::vector<ChunkVertex> vertices;
+    appendVertices(source.bins, streamOf(BinStream::Vertices, chunk), source.format, vertices);
+    Messages messages;
+    VertexBytes storage{};
+    for (const VertexRequest& request : requests) {
+        const auto found = std::lower_bound(
+            vertices.begin(), vertices.end(), request.vertex, [](const ChunkVertex& vertex, std::uint32_t index) {
+                return vertex.index < index;
+            });
+        GNOMON_CHECK(found != vertices.end() && found->index == request.vertex);
+        const auto record = encodeVertex(*found, source.format, storage);
+        std::vector<std::byte>& bytes = messageTo(messages, request.chunk);
+        bytes.insert(bytes.end(), record.begin(), record.end());
+    }
+    return messages;
+}
+
 Messages answerNormals(
     const BinnedSource& source, const scratch::StreamStore& borders, std::uint32_t chunk, Progress& progress) {
     auto requests = source.bins.readAs<VertexRequest>(streamOf(BinStream::Requests, chunk));
@@ -153,34 +146,6 @@ Messages answerNormals(
         bytes.insert(bytes.end(), record.begin(), record.end());
     }
     return messages;
-}
-
-} // namespace
-
-void shareBorders(const BinnedSource& source, scratch::StreamStore& borders, std::size_t atOnce, Progress& progress) {
-    progress.stage("borders", "chunks", std::uint64_t{2} * source.chunkCount);
-    const auto deliver = [&](BorderStream kind) {
-        return [&, kind](std::size_t, const Messages& messages) {
-            for (const Message& message : messages)
-                borders.append(streamOf(kind, message.chunk), message.bytes);
-            progress.advance(1);
-        };
-    };
-    makeInOrder(
-        0,
-        source.chunkCount,
-        atOnce,
-        [&](std::size_t chunk) { return answerVertices(source, static_cast<std::uint32_t>(chunk)); },
-        deliver(BorderStream::Vertices));
-    borders.flush();
-    if (source.format.hasNormals) return progress.advance(source.chunkCount);
-    makeInOrder(
-        0,
-        source.chunkCount,
-        atOnce,
-        [&](std::size_t chunk) { return answerNormals(source, borders, static_cast<std::uint32_t>(chunk), progress); },
-        deliver(BorderStream::Normals));
-    borders.flush();
 }
 
 } // namespace gnomon::chunk

@@ -4,30 +4,25 @@
 #include "core/limit_error.h"
 #include "core/stopwatch.h"
 #include "preprocess/chunk/binning.h"
-#include "preprocess/chunk/borders.h"
-#include "preprocess/chunk/chunk_mesh.h"
-#include "preprocess/chunk/in_order.h"
-#include "preprocess/levels/level_clusters.h"
-#include "preprocess/levels/node.h"
 #include "preprocess/pipeline/assemble.h"
 #include "preprocess/pipeline/build_key.h"
 #include "preprocess/pipeline/counted_memory.h"
 #include "preprocess/pipeline/memory_plan.h"
 #include "preprocess/pipeline/round_bins.h"
 #include "preprocess/pipeline/rounds.h"
+#include "preprocess/pipeline/tasks/task_work.h"
 #include "preprocess/pipeline/upright_model.h"
 #include "preprocess/pipeline/work_directory.h"
 
 #include <tbb/global_control.h>
 
 #include <cstdio>
+#include <numeric>
 #include <utility>
 
 namespace gnomon::pipeline {
 
 namespace {
-
-using hierarchy::kNone;
 
 /// Seconds since the last lap, or since `watch` was made; begins the next.
 double lap(Stopwatch& watch) {
@@ -57,12 +52,19 @@ RoundReport reportOf(const RoundRecord& record) {
 /// One build, phase after phase. A phase that the checkpoint log has as finished is skipped.
 class Build {
 public:
-    Build(read::MeshSource& source, const BuildOptions& options, Progress& progress)
+    /// `team` is null where there are no other processes.
+    Build(
+        read::MeshSource& source,
+        const BuildOptions& options,
+        std::size_t threads,
+        ProcessTeam* team,
+        Progress& progress)
         : source_(source),
           options_(options),
+          team_(team),
           progress_(progress),
           needs_(affordableNeeds()),
-          threads_(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism)),
+          threads_(threads),
           workDirectory_(
               {options.output,
                options.temporaryFolder,
@@ -74,15 +76,29 @@ public:
 
     BuildReport run() {
         source_.pollWith(progress_);
-        bin();
-        shareBorders();
-        buildRounds();
-        assemble();
+        try {
+            if (team_ != nullptr) team_->gather(options_, threads_, progress_);
+            runPhases();
+        } catch (...) {
+            // What many machines have done is worth more than the space that it takes.
+            if (team_ != nullptr && log().binned()) workDirectory_.leave();
+            throw;
+        }
         report_.temporaryBytes = workDirectory_.space().peakBytes();
+        report_.scratchRead = workDirectory_.space().bytesRead();
+        report_.scratchWritten = workDirectory_.space().bytesWritten();
         return std::move(report_);
     }
 
 private:
+    void runPhases() {
+        bin();
+        beginTasks();
+        shareBorders();
+        buildRounds();
+        assemble();
+    }
+
     /// Before anything is touched.
     MemoryNeeds affordableNeeds() const {
         const MemoryNeeds needs{source_.summary(), options_.chunkTriangles, options_.isInMemory};
@@ -109,19 +125,20 @@ private:
 
     void endPhase(const std::string& name, std::uint64_t sourceBytes) {
         scratch::TemporarySpace& space = workDirectory_.space();
+        const TeamShare team = team_ != nullptr ? team_->endPhase() : TeamShare{};
         report_.phases.push_back(
             {name,
              lap(watch_),
-             sourceBytes + space.bytesRead() - std::exchange(bytesRead_, space.bytesRead()),
-             space.bytesWritten() - std::exchange(bytesWritten_, space.bytesWritten())});
+             team.bytesRead + sourceBytes + space.bytesRead() - std::exchange(bytesRead_, space.bytesRead()),
+             team.bytesWritten + space.bytesWritten() - std::exchange(bytesWritten_, space.bytesWritten()),
+             team});
     }
 
     /// Sorts the source into chunks.
     void bin() {
         const bool isResumed = log().binned().has_value();
         if (isResumed) {
-            binsFile_ = workDirectory_.scratch("bins", log().binned()->scratchEnd);
-            bins_.emplace(*binsFile_, log().binned()->directory);
+            bins_.emplace(workDirectory_.scratch(), log().binned()->directory);
         } else {
             chunk::SourceSurvey survey = chunk::surveySource(source_, progress_);
             endPhase("count", source_.summary().fileBytes);
@@ -136,10 +153,9 @@ private:
             record.vertices = survey.vertices;
             record.notAPolygon = survey.notAPolygon;
             record.chunkCount = tree.chunkCount();
-            binsFile_ = workDirectory_.scratch("bins");
             const Bytes room = roomBeside(needs_.binning());
             bins_.emplace(
-                *binsFile_,
+                workDirectory_.scratch(),
                 chunk::binStreams(tree.chunkCount()),
                 blockBytes({room.count / 2}, std::uint64_t{3} * tree.chunkCount()));
             const chunk::BinnedSize size =
@@ -147,7 +163,6 @@ private:
             record.largestChunk = size.largestChunk;
             record.dropped = {size.dropped.degenerate, size.dropped.doubled, size.dropped.collapsedByGrid};
             source_.requireUnchanged(); // it is not read again
-            record.scratchEnd = binsFile_->end();
             record.directory = bins_->directory();
             workDirectory_.finish(std::move(record));
             endPhase("bin", source_.summary().fileBytes);
@@ -160,26 +175,72 @@ private:
             returnFreedMemoryAtOnce(); // memory is tight
     }
 
+    /// From here on all is done in tasks, by whichever process.
+    void beginTasks() {
+        const TaskFacts facts{log().binned()->grid, log().binned()->format};
+        work_.emplace(facts, options_.level, workDirectory_.scratch(), progress_);
+        perform_ = [this](TaskKind kind, std::span<const std::byte> input) { return work_->perform(kind, input); };
+        if (team_ == nullptr) return;
+        workDirectory_.expectProcesses(team_->processCount());
+        workDirectory_.scratch().handOver();
+        team_->begin(facts, workDirectory_.scratchPlace(), progress_);
+    }
+
+    TaskRunner& runner() { return team_ != nullptr ? static_cast<TaskRunner&>(*team_) : localTasks_; }
+
     /// Lets the chunks exchange what they share.
     void shareBorders() {
-        const std::uint32_t chunks = log().binned()->chunkCount;
         if (log().bordered()) {
-            bordersFile_ = workDirectory_.scratch("borders", log().bordered()->scratchEnd);
-            borders_.emplace(*bordersFile_, log().bordered()->directory);
+            borders_.emplace(workDirectory_.scratch(), log().bordered()->directory);
             return;
         }
-        bordersFile_ = workDirectory_.scratch("borders");
-        const Bytes room = roomBeside(needs_.base());
-        const BorderShare share = borderShare(room, MemoryNeeds::borders(log().binned()->largestChunk), threads_);
-        borders_.emplace(
-            *bordersFile_, chunk::borderStreams(chunks), blockBytes(share.blocks, chunk::borderStreams(chunks)));
-        chunk::shareBorders(binnedSource(), *borders_, share.chunksAtOnce, progress_);
-        workDirectory_.finish(BorderedRecord{bordersFile_->end(), borders_->directory()});
+        const std::uint32_t chunks = log().binned()->chunkCount;
+        progress_.stage("borders", "chunks", std::uint64_t{2} * chunks);
+        borders_.emplace(workDirectory_.scratch(), chunk::borderStreams(chunks), 1);
+        exchange(TaskKind::AnswerVertices, chunk::BorderStream::Vertices);
+        if (log().binned()->format.hasNormals)
+            progress_.advance(chunks);
+        else
+            exchange(TaskKind::AnswerNormals, chunk::BorderStream::Normals);
+        workDirectory_.finish(BorderedRecord{borders_->directory()});
         endPhase("borders", 0);
     }
 
+    void exchange(TaskKind kind, chunk::BorderStream stream) {
+        TaskPhase phase;
+        phase.kind = kind;
+        phase.tasks.resize(log().binned()->chunkCount);
+        std::iota(phase.tasks.begin(), phase.tasks.end(), 0U);
+        phase.atOnce = atOnce(MemoryNeeds::borders(log().binned()->largestChunk));
+        phase.weight = [this](std::uint32_t chunk) { return chunkBytes(chunk); };
+        phase.input = [this](std::uint32_t chunk) { return chunkInput(streamsOfChunk(*bins_, &*borders_, chunk)); };
+        std::vector<Mail> mail(phase.tasks.size());
+        phase.take = [&](std::uint32_t chunk, std::span<const std::byte> result) {
+            hierarchy::ByteReader in(result);
+            mail[chunk] = takeMail(in);
+            progress_.advance(1);
+        };
+        runner().run(phase, perform_);
+        for (const Mail& answers : mail) // in the order of the chunks, whichever answered first
+            for (const auto& [chunk, block] : answers)
+                borders_->adopt(chunk::streamOf(stream, chunk), block);
+    }
+
+    /// How much there is to read of a chunk.
+    std::uint64_t chunkBytes(std::uint32_t chunk) const {
+        std::uint64_t bytes = 0;
+        for (std::uint32_t kind = 0; kind < static_cast<std::uint32_t>(chunk::BinStream::Count); ++kind)
+            bytes += bins_->bytes(chunk::streamOf(static_cast<chunk::BinStream>(kind), chunk));
+        return bytes;
+    }
+
+    /// How many tasks that take `each` fit into memory, at least one, which does.
+    std::size_t atOnce(const Bytes& each) const {
+        return std::max<std::size_t>(countAtOnce(roomBeside(needs_.base()), each, threads_), 1);
+    }
+
     void buildRounds() {
-        reopenResults();
+        roundBins_.emplace(workDirectory_, progress_);
         progress_.stage("build", "triangles", 2 * log().binned()->triangles);
         Round round = firstRound(log().binned()->chunkCount);
         for (;;) {
@@ -187,110 +248,59 @@ private:
             endPhase("round " + std::to_string(round.number), 0);
             if (round.number == 0) requireTriangles();
             if (round.isLast) break;
-            round = roundBins_->next(round, {roomBeside(needs_.base()), threads_, options_.chunkTriangles});
+            round = roundBins_->next(
+                round, {roomBeside(needs_.base()), threads_, options_.chunkTriangles, runner(), perform_});
             endPhase("bin round " + std::to_string(round.number), 0);
             report_.rounds.push_back(reportOf(*log().binnedRound(round.number)));
         }
     }
 
-    /// The scratch files of pages and of what rounds leave, as far as the checkpoint log tells of them.
-    void reopenResults() {
-        std::uint64_t pagesEnd = 0;
-        for (std::uint32_t round = 0; round < log().roundCount(); ++round)
-            for (const NodeRecord& node : log().nodes(round))
-                for (const NodeRecord::LevelOfNode& level : node.levels)
-                    for (const hierarchy::PageInfo& page : level.pages)
-                        pagesEnd = std::max(pagesEnd, page.offset + page.storedBytes);
-        pagesFile_ =
-            log().roundCount() > 0 ? workDirectory_.scratch("pages", pagesEnd) : workDirectory_.scratch("pages");
-        roundBins_.emplace(workDirectory_, progress_);
-    }
-
     void buildRound(const Round& round) {
         workDirectory_.beginRound(round.number);
-        const std::size_t finished = log().nodes(round.number).size();
-        for (std::size_t node = 0; node < finished; ++node) {
-            releaseInputs(round, node);
-            for (const NodeRecord::LevelOfNode& level : log().nodes(round.number)[node].levels)
-                progress_.advance(level.info.triangles);
-        }
-        const chunk::PartSize& most = round.number == 0 ? log().binned()->largestChunk : round.largestNode;
-        const std::size_t atOnce = countAtOnce(roomBeside(needs_.base()), MemoryNeeds::node(most), threads_);
-        chunk::makeInOrder(
-            finished,
-            round.nodeCount,
-            std::max<std::size_t>(atOnce, 1),
-            [&](std::size_t node) { return make(round, node); },
-            [&](std::size_t node, Made made) {
-                finish(round, std::move(made));
+        TaskPhase phase;
+        phase.kind = TaskKind::BuildNode;
+        for (std::uint32_t node = 0; node < round.nodeCount; ++node) {
+            if (log().isBuilt(round.number, node))
                 releaseInputs(round, node);
-            });
+            else
+                phase.tasks.push_back(node);
+        }
+        progress_.advance(log().builtTriangles(round.number));
+        phase.atOnce = atOnce(MemoryNeeds::node(round.number == 0 ? log().binned()->largestChunk : round.largestNode));
+        phase.weight = [&](std::uint32_t node) {
+            return round.number == 0 ? chunkBytes(node) : log().binnedRound(round.number)->nodes[node].triangles;
+        };
+        phase.input = [&](std::uint32_t node) { return encoded(inputOf(round, node)); };
+        phase.take = [&](std::uint32_t node, std::span<const std::byte> result) {
+            workDirectory_.finish(decodedNode(result));
+            releaseInputs(round, node);
+        };
+        runner().run(phase, perform_);
     }
 
-    struct Made {
-        levels::BuiltNode node;
-        NodeRecord record; // what is known before the node has its place
-    };
-
-    Made make(const Round& round, std::size_t node) const {
-        Made made;
-        made.record.round = round.number;
-        made.record.firstLevel = round.firstLevel;
-        const levels::NodePlan plan{round.firstLevel, round.isLast ? kNone : kLevelsPerRound};
-        if (round.number == 0) {
-            chunk::ChunkMesh chunk =
-                chunk::loadChunk(binnedSource(), *borders_, static_cast<std::uint32_t>(node), progress_);
-            made.record.dropped = {chunk.dropped.degenerate, chunk.dropped.doubled, chunk.dropped.collapsedByGrid};
-            made.record.bounds = chunk.bounds;
-            made.record.hasNormals = chunk.hasNormals;
-            made.node = levels::buildNode(
-                chunk.mesh, levels::firstLevel(chunk.mesh, options_.level), plan, options_.level, progress_);
-        } else {
-            levels::PendingLevel pending = roundBins_->load(static_cast<std::uint32_t>(node));
-            made.node = levels::buildNode(pending.mesh, std::move(pending.level), plan, options_.level, progress_);
-        }
-        return made;
-    }
-
-    /// Stores what was made and enters it into the log.
-    void finish(const Round& round, Made made) {
-        NodeRecord& record = made.record;
-        const std::vector<std::uint32_t>& pageCounts = log().pageCounts();
-        for (levels::NodeLevel& level : made.node.levels) {
-            NodeRecord::LevelOfNode& own = record.levels.emplace_back();
-            own.info = level.info;
-            for (hierarchy::EncodedPage& page : level.pages) {
-                page.info.offset = pagesFile_->append(page.bytes);
-                for (std::uint32_t& child : page.info.children) {
-                    // Pages of this node's levels were counted from its own first.
-                    const levels::PageOfLevel place = levels::placeOfProvisional(child);
-                    if (place.level >= round.firstLevel && place.level < pageCounts.size())
-                        child = levels::provisionalId(place.level, place.page + pageCounts[place.level]);
-                }
-                own.pages.push_back(std::move(page.info));
-            }
-        }
-        roundBins_->keep(made.node.pending, record);
-        record.rootTriangles = made.node.rootTriangles;
-        record.stuckTriangles = made.node.stuckTriangles;
-        workDirectory_.finish(std::move(record));
+    NodeInput inputOf(const Round& round, std::uint32_t node) const {
+        if (round.number > 0) return roundBins_->input(round, node);
+        NodeInput input;
+        input.node = node;
+        input.isLast = round.isLast;
+        input.chunk = streamsOfChunk(*bins_, &*borders_, node);
+        return input;
     }
 
     /// Gives the space of what a finished node was made from back.
-    void releaseInputs(const Round& round, std::size_t node) {
+    void releaseInputs(const Round& round, std::uint32_t node) {
         if (round.number == 0) {
-            const auto chunk = static_cast<std::uint32_t>(node);
             for (const chunk::BinStream kind :
                  {chunk::BinStream::Vertices,
                   chunk::BinStream::Triangles,
                   chunk::BinStream::Ghosts,
                   chunk::BinStream::Requests})
-                bins_->release(chunk::streamOf(kind, chunk));
+                bins_->release(chunk::streamOf(kind, node));
             for (const chunk::BorderStream kind : {chunk::BorderStream::Vertices, chunk::BorderStream::Normals})
-                borders_->release(chunk::streamOf(kind, chunk));
+                borders_->release(chunk::streamOf(kind, node));
             return;
         }
-        roundBins_->release(static_cast<std::uint32_t>(node));
+        roundBins_->release(node);
     }
 
     void requireTriangles() const {
@@ -314,9 +324,11 @@ private:
             requireFewStuck(
                 options_.output, totals.stuckTriangles, summary.levels.front().triangles, *options_.maxStuckPercent);
         hierarchy::ModelWriter writer(options_.output);
+        workDirectory_.scratch().reopenOthers();
         UprightModel upright(options_, summary, pagesOf(log()));
-        writePages(
-            log(), *pagesFile_, writer, progress_, [&](const hierarchy::EncodedPage& page) { upright.see(page); });
+        writePages(log(), workDirectory_.scratch(), writer, progress_, [&](const hierarchy::EncodedPage& page) {
+            upright.see(page);
+        });
         source_.requireUnchanged();
         report_.upBecause = upright.tell(summary);
         report_.contentHash = writer.finish(summary);
@@ -330,15 +342,11 @@ private:
 
     const CheckpointLog& log() const { return workDirectory_.log(); }
 
-    chunk::BinnedSource binnedSource() const {
-        const BinnedRecord& binned = *log().binned();
-        return {*bins_, binned.grid, binned.format, binned.chunkCount};
-    }
-
     static constexpr std::uint64_t kBytesPerPolygonCorner = 96;
 
     read::MeshSource& source_;
     const BuildOptions& options_;
+    ProcessTeam* team_;
     Progress& progress_;
     MemoryNeeds needs_;
     std::size_t threads_;
@@ -347,25 +355,34 @@ private:
     Stopwatch watch_;
     std::uint64_t bytesRead_ = 0;
     std::uint64_t bytesWritten_ = 0;
-    std::unique_ptr<scratch::ScratchFile> binsFile_;
-    std::unique_ptr<scratch::ScratchFile> bordersFile_;
-    std::unique_ptr<scratch::ScratchFile> pagesFile_;
     std::optional<scratch::StreamStore> bins_;
     std::optional<scratch::StreamStore> borders_;
     std::optional<RoundBins> roundBins_;
+    LocalTasks localTasks_;
+    std::optional<TaskWork> work_;
+    Perform perform_;
 };
+
+BuildReport built(read::MeshSource& source, const BuildOptions& options, ProcessTeam* team, Progress& progress) {
+    constexpr auto kLimit = tbb::global_control::max_allowed_parallelism;
+    const std::size_t threads =
+        options.threads > 0 ? static_cast<std::size_t>(options.threads) : tbb::global_control::active_value(kLimit);
+    // The thread that leads other processes waits for them, and works little.
+    const tbb::global_control limit(kLimit, threads + (team != nullptr ? 1 : 0));
+    Stopwatch watch;
+    BuildReport report = Build(source, options, threads, team, progress).run();
+    report.seconds = lap(watch); // with the temporary files gone
+    return report;
+}
 
 } // namespace
 
 BuildReport buildModel(read::MeshSource& source, const BuildOptions& options, Progress& progress) {
-    const tbb::global_control threads(
-        tbb::global_control::max_allowed_parallelism,
-        options.threads > 0 ? static_cast<std::size_t>(options.threads)
-                            : tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
-    Stopwatch watch;
-    BuildReport report = Build(source, options, progress).run();
-    report.seconds = lap(watch); // with the temporary files gone
-    return report;
+    return built(source, options, nullptr, progress);
+}
+
+BuildReport buildModel(read::MeshSource& source, const BuildOptions& options, ProcessTeam& team, Progress& progress) {
+    return built(source, options, &team, progress);
 }
 
 } // namespace gnomon::pipeline

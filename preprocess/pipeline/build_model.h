@@ -4,6 +4,7 @@
 #include "core/progress.h"
 #include "hierarchy/model.h"
 #include "preprocess/pipeline/build_options.h"
+#include "preprocess/pipeline/tasks/process_team.h"
 #include "preprocess/read/mesh_source.h"
 
 #include <string>
@@ -16,6 +17,7 @@ struct BuildPhase {
     double seconds = 0;
     std::uint64_t bytesRead = 0;
     std::uint64_t bytesWritten = 0;
+    TeamShare team; // where many processes build
 };
 
 /// What was binned for a round after the first.
@@ -32,11 +34,14 @@ struct BuildReport {
     std::uint64_t stuckTriangles = 0;
     std::uint64_t fileBytes = 0;
     std::uint64_t temporaryBytes = 0; // at their peak
+    std::uint64_t scratchRead = 0;    // bytes of temporary files, by this process
+    std::uint64_t scratchWritten = 0;
     double seconds = 0;
     std::vector<BuildPhase> phases;
     std::vector<RoundReport> rounds;
     std::string contentHash;
-    std::string upBecause; // why the summary's up is what it is
+    std::vector<ProcessReport> processes; // where they are many
+    std::string upBecause;                // why the summary's up is what it is
 };
 
 /// Builds `options.output` from `source`, out of core: whatever the source's size, memory stays below `memory`. The
@@ -45,5 +50,8 @@ struct BuildReport {
 /// that would do), for a resumed build of another input or with other options, and where more than `maxStuckPercent` of
 /// the triangles stay stuck at full detail; then nothing is left under the output's name.
 BuildReport buildModel(read::MeshSource& source, const BuildOptions& options, Progress& progress);
+
+/// The same by many processes.
+BuildReport buildModel(read::MeshSource& source, const BuildOptions& options, ProcessTeam& team, Progress& progress);
 
 } // namespace gnomon::pipeline

@@ -2,7 +2,10 @@
 
 #include "core/check.h"
 #include "hierarchy/file_layout.h"
+#include "preprocess/levels/page_layout.h"
+#include "preprocess/scratch/parted_scratch.h"
 
+#include <algorithm>
 #include <bit>
 
 namespace gnomon::pipeline {
@@ -114,13 +117,11 @@ void binnedFields(Fields& fields, Record& record) {
     fields.field(record.largestChunk.vertices);
     for (auto& count : record.dropped)
         fields.field(count);
-    fields.field(record.scratchEnd);
     fields.bytes(record.directory);
 }
 
 template <class Fields, class Record>
 void borderedFields(Fields& fields, Record& record) {
-    fields.field(record.scratchEnd);
     fields.bytes(record.directory);
 }
 
@@ -140,13 +141,13 @@ void roundFields(Fields& fields, Record& record) {
         sumFields(fields, node);
     fields.field(record.locks.locked);
     fields.field(record.locks.lockedBefore);
-    fields.field(record.scratchEnd);
     fields.bytes(record.directory);
 }
 
 template <class Fields, class Record>
 void nodeFields(Fields& fields, Record& record) {
     fields.field(record.round);
+    fields.field(record.node);
     fields.field(record.firstLevel);
     fields.count(record.levels);
     for (auto& level : record.levels) {
@@ -188,6 +189,7 @@ void CheckpointLog::beginRound(std::uint32_t round) {
     GNOMON_CHECK_OP(round, <=, rounds_.size());
     if (round < rounds_.size()) return;
     rounds_.emplace_back();
+    early_.emplace_back();
     firstPages_.emplace_back();
 }
 
@@ -200,8 +202,43 @@ void CheckpointLog::add(RoundRecord record) {
     binnedRounds_.push_back(std::move(record));
 }
 
+bool CheckpointLog::isBuilt(std::uint32_t round, std::uint32_t node) const {
+    return round < rounds_.size() && (node < rounds_[round].size() || early_[round].contains(node));
+}
+
+std::uint64_t CheckpointLog::builtTriangles(std::uint32_t round) const {
+    std::uint64_t triangles = 0;
+    const auto take = [&](const NodeRecord& node) {
+        for (const NodeRecord::LevelOfNode& level : node.levels)
+            triangles += level.info.triangles;
+    };
+    if (round < rounds_.size()) {
+        std::for_each(rounds_[round].begin(), rounds_[round].end(), take);
+        for (const auto& [number, node] : early_[round])
+            take(node);
+    }
+    return triangles;
+}
+
 void CheckpointLog::add(NodeRecord record) {
+    if (record.round > rounds_.size()) throw hierarchy::Damage{"a node of a round that does not follow"};
     beginRound(record.round);
+    if (isBuilt(record.round, record.node)) throw hierarchy::Damage{"a node that was built before"};
+    std::map<std::uint32_t, NodeRecord>& early = early_[record.round];
+    const std::vector<NodeRecord>& inOrder = rounds_[record.round];
+    early.emplace(record.node, std::move(record));
+    while (!early.empty() && early.begin()->first == inOrder.size())
+        append(std::move(early.extract(early.begin()).mapped()));
+}
+
+void CheckpointLog::append(NodeRecord record) {
+    for (NodeRecord::LevelOfNode& level : record.levels)
+        for (PageInfo& page : level.pages)
+            for (std::uint32_t& child : page.children) {
+                const levels::PageOfLevel place = levels::placeOfProvisional(child);
+                if (place.level >= record.firstLevel && place.level < pageCounts_.size())
+                    child = levels::provisionalId(place.level, place.page + pageCounts_[place.level]);
+            }
     const std::size_t end = record.firstLevel + record.levels.size();
     if (pageCounts_.size() < end) pageCounts_.resize(end, 0);
     std::vector<std::uint32_t> first(
@@ -210,6 +247,36 @@ void CheckpointLog::add(NodeRecord record) {
         pageCounts_[record.firstLevel + i] += static_cast<std::uint32_t>(record.levels[i].pages.size());
     firstPages_[record.round].push_back(std::move(first));
     rounds_[record.round].push_back(std::move(record));
+}
+
+std::map<std::uint32_t, std::uint64_t> CheckpointLog::scratchBytes() const {
+    std::map<std::uint32_t, std::uint64_t> bytes;
+    const auto take = [&](std::uint64_t place, std::uint64_t size) {
+        if (size == 0) return;
+        const std::uint32_t part = scratch::partOf(place);
+        bytes[part] = std::max(bytes[part], place - scratch::placeOf(part, 0) + size);
+    };
+    const auto takeDirectory = [&](std::span<const std::byte> directory) {
+        for (const auto& blocks : scratch::StreamStore::blocksOf(directory))
+            for (const scratch::StreamStore::Block& block : blocks)
+                take(block.offset, block.bytes);
+    };
+    const auto takeNode = [&](const NodeRecord& node) {
+        take(node.pendingOffset, node.pendingBytes);
+        for (const NodeRecord::LevelOfNode& level : node.levels)
+            for (const PageInfo& page : level.pages)
+                take(page.offset, page.storedBytes);
+    };
+    if (binned_) takeDirectory(binned_->directory);
+    if (bordered_) takeDirectory(bordered_->directory);
+    for (const RoundRecord& round : binnedRounds_)
+        takeDirectory(round.directory);
+    for (std::size_t round = 0; round < rounds_.size(); ++round) {
+        std::for_each(rounds_[round].begin(), rounds_[round].end(), takeNode);
+        for (const auto& [number, node] : early_[round])
+            takeNode(node);
+    }
+    return bytes;
 }
 
 void CheckpointLog::addEncoded(std::span<const std::byte> record) {
@@ -235,16 +302,23 @@ void CheckpointLog::addEncoded(std::span<const std::byte> record) {
         add(std::move(round));
         break;
     }
-    case Kind::Node: {
-        NodeRecord node;
-        nodeFields(fields, node);
-        add(std::move(node));
-        break;
-    }
+    case Kind::Node:
+        return add(decodedNode(record));
     default:
         throw hierarchy::Damage{"a record of unknown kind"};
     }
     in.expectEnd();
+}
+
+NodeRecord decodedNode(std::span<const std::byte> record) {
+    if (record.empty() || static_cast<Kind>(record.back()) != Kind::Node)
+        throw hierarchy::Damage{"not the record of a node"};
+    ByteReader in(record.first(record.size() - 1));
+    Taker fields{in};
+    NodeRecord node;
+    nodeFields(fields, node);
+    in.expectEnd();
+    return node;
 }
 
 std::vector<std::byte> encoded(const BinnedRecord& record) {

@@ -7,6 +7,7 @@
 #include "preprocess/pipeline/cluster_routing.h"
 
 #include <array>
+#include <map>
 #include <optional>
 #include <span>
 #include <variant>
@@ -15,7 +16,7 @@
 namespace gnomon::pipeline {
 
 /// Counts up when the records change: a build can go on only with those of its own kind.
-constexpr int kCheckpointVersion = 6;
+constexpr int kCheckpointVersion = 7;
 
 /// The source is in chunks.
 struct BinnedRecord {
@@ -29,13 +30,11 @@ struct BinnedRecord {
     std::uint32_t chunkCount = 0;
     chunk::PartSize largestChunk;
     std::array<std::uint64_t, 3> dropped{}; // before the chunks: degenerate, doubled, collapsed by the grid
-    std::uint64_t scratchEnd = 0;
-    std::vector<std::byte> directory; // of the store
+    std::vector<std::byte> directory;       // of the store
 };
 
 /// The chunks know their borders.
 struct BorderedRecord {
-    std::uint64_t scratchEnd = 0;
     std::vector<std::byte> directory;
 };
 
@@ -43,10 +42,13 @@ struct BorderedRecord {
 struct NodeRecord {
     struct LevelOfNode {
         hierarchy::LevelInfo info;
-        std::vector<hierarchy::PageInfo> pages; // offsets in the scratch file of pages, children as provisional ids
+        /// Offsets in the scratch file, children as provisional ids: of this node's levels, pages are counted from the
+        /// node's own first until the record is among `nodes`, then from the level's.
+        std::vector<hierarchy::PageInfo> pages;
     };
 
     std::uint32_t round = 0;
+    std::uint32_t node = 0;
     std::uint32_t firstLevel = 0;
     std::vector<LevelOfNode> levels;
     std::uint64_t pendingOffset = 0;
@@ -65,7 +67,6 @@ struct RoundRecord {
     bool isLast = false;
     std::vector<ClusterSums> nodes;
     LockCounts locks;
-    std::uint64_t scratchEnd = 0;
     std::vector<std::byte> directory;
 };
 
@@ -79,8 +80,14 @@ public:
     /// That of `round`, if it is there: they come in order, without gaps.
     const RoundRecord* binnedRound(std::uint32_t round) const;
 
-    /// The nodes that are built of `round`, in order.
+    /// The nodes that are built of `round`, in order, up to the first that is not.
     const std::vector<NodeRecord>& nodes(std::uint32_t round) const;
+
+    /// Whether a node is built, be it that others before it are not.
+    bool isBuilt(std::uint32_t round, std::uint32_t node) const;
+
+    /// The triangles of all levels that the built nodes of `round` have.
+    std::uint64_t builtTriangles(std::uint32_t round) const;
 
     std::uint32_t roundCount() const { return static_cast<std::uint32_t>(rounds_.size()); }
 
@@ -101,16 +108,23 @@ public:
 
     void add(RoundRecord record);
 
+    /// In any order within a round. Throws Damage for a node that is there already.
     void add(NodeRecord record);
+
+    /// How many bytes of each part of the scratch file the records tell of, counted from its begin.
+    std::map<std::uint32_t, std::uint64_t> scratchBytes() const;
 
     /// Adds what `encoded` returned. Throws Damage.
     void addEncoded(std::span<const std::byte> record);
 
 private:
+    void append(NodeRecord record);
+
     std::optional<BinnedRecord> binned_;
     std::optional<BorderedRecord> bordered_;
     std::vector<RoundRecord> binnedRounds_; // from round 1 on
     std::vector<std::vector<NodeRecord>> rounds_;
+    std::vector<std::map<std::uint32_t, NodeRecord>> early_; // of each round: those that wait for nodes before them
     std::vector<std::vector<std::vector<std::uint32_t>>> firstPages_;
     std::vector<std::uint32_t> pageCounts_;
 };
@@ -119,5 +133,8 @@ std::vector<std::byte> encoded(const BinnedRecord& record);
 std::vector<std::byte> encoded(const BorderedRecord& record);
 std::vector<std::byte> encoded(const RoundRecord& record);
 std::vector<std::byte> encoded(const NodeRecord& record);
+
+/// What `encoded` made of a node's record. Throws Damage.
+NodeRecord decodedNode(std::span<const std::byte> record);
 
 } // namespace gnomon::pipeline

@@ -80,7 +80,7 @@ private:
 
 } // namespace
 
-RoutedClusters routed(const LeftClusters& left, std::uint32_t nodeCount) {
+RoutedClusters routed(const LeftClusters& left, std::uint32_t borderStreams) {
     RoutedClusters result;
     const std::vector<levels::ClusterPlace> places =
         levels::clusterPlaces(left.bytes.first(levels::placeBytes(left.nodeOf.size())));
@@ -113,7 +113,7 @@ RoutedClusters routed(const LeftClusters& left, std::uint32_t nodeCount) {
         for (const std::uint32_t node : nodes)
             if (isBorder)
                 put(result.borders,
-                    static_cast<std::uint32_t>(hashOf(position) % nodeCount),
+                    static_cast<std::uint32_t>(hashOf(position) % borderStreams),
                     BorderUse{position, node});
             else if (nodes.size() > 1)
                 put(result.locks, node, position);

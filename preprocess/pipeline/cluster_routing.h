@@ -29,7 +29,7 @@ struct LockCounts {
 struct RoutedClusters {
     StreamBytes records; // by new node
     StreamBytes locks;   // by new node: positions that were no borders and that several new nodes use now
-    StreamBytes borders; // BorderUse by the hash of the position, modulo the number of nodes
+    StreamBytes borders; // BorderUse by the hash of the position, modulo the number of streams
     LockCounts counts;   // of `locks`
 };
 
@@ -41,8 +41,8 @@ struct LeftClusters {
     std::span<const std::uint32_t> firstPages; // ... the number of its first page of each level
 };
 
-/// Parts what a node left by the new nodes, of which there are `nodeCount`.
-RoutedClusters routed(const LeftClusters& left, std::uint32_t nodeCount);
+/// Parts what a node left by the new nodes, and what these share by `borderStreams` streams.
+RoutedClusters routed(const LeftClusters& left, std::uint32_t borderStreams);
 
 /// The positions that several nodes use of one stream of BorderUse, by node.
 StreamBytes sharedBorders(std::vector<BorderUse> uses, LockCounts& counts);

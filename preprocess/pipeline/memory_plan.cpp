@@ -1,7 +1,5 @@
 #include "preprocess/pipeline/memory_plan.h"
 
-#include "core/check.h"
-
 #include <algorithm>
 
 namespace gnomon::pipeline {
@@ -80,12 +78,6 @@ std::size_t blockBytes(Bytes room, std::uint64_t streams) {
 std::size_t countAtOnce(Bytes room, Bytes each, std::size_t threads) {
     return static_cast<std::size_t>(
         std::min<std::uint64_t>(room.count / std::max<std::uint64_t>(each.count, 1), threads + 1));
-}
-
-BorderShare borderShare(Bytes room, Bytes chunk, std::size_t threads) {
-    GNOMON_CHECK_OP(chunk.count, <=, room.count);
-    const Bytes blocks = {std::min(room.count / 4, room.count - chunk.count)};
-    return {blocks, countAtOnce({room.count - blocks.count}, chunk, threads)};
 }
 
 } // namespace gnomon::pipeline

@@ -41,15 +41,6 @@ struct MemoryNeeds {
 /// The size of the streams' blocks when `streams` are written side by side in `room`.
 std::size_t blockBytes(Bytes room, std::uint64_t streams);
 
-/// How the exchange of borders divides its memory.
-struct BorderShare {
-    Bytes blocks; // of the streams, all together
-    std::size_t chunksAtOnce = 1;
-};
-
-/// A quarter of `room` for blocks, or what one chunk leaves of it, which takes `chunk`; that one must fit.
-BorderShare borderShare(Bytes room, Bytes chunk, std::size_t threads);
-
 /// How many pieces of work that take `each` fit into `room` at once; 0 if none does. At most one more than `threads`.
 std::size_t countAtOnce(Bytes room, Bytes each, std::size_t threads);
 

@@ -13,18 +13,23 @@ nlohmann::ordered_json reportJson(
         groups += level.groups;
     }
     nlohmann::ordered_json phases = nlohmann::ordered_json::array();
-    for (const BuildPhase& phase : report.phases)
+    for (const BuildPhase& phase : report.phases) {
         phases.push_back(
             {{"name", phase.name},
              {"seconds", phase.seconds},
              {"bytes_read", phase.bytesRead},
              {"bytes_written", phase.bytesWritten}});
+        if (report.processes.empty()) continue;
+        phases.back()["tasks"] = phase.team.tasks;
+        phases.back()["idle_share"] = phase.team.idle;
+        phases.back()["slowest_rank"] = phase.team.slowest;
+    }
     nlohmann::ordered_json rounds = nlohmann::ordered_json::array();
     for (const auto& [nodes, roundTriangles, locked, before] : report.rounds)
         rounds.push_back(
             {{"nodes", nodes}, {"triangles", roundTriangles}, {"locked", locked}, {"locked_before", before}});
     const auto triangles = static_cast<double>(report.summary.sourceTriangles);
-    return {
+    nlohmann::ordered_json json = {
         {"source_triangles", report.summary.sourceTriangles},
         {"source_vertices", report.summary.sourceVertices},
         {"dropped", report.summary.dropped},
@@ -51,6 +56,18 @@ nlohmann::ordered_json reportJson(
         {"up_because", report.upBecause},
         {"unit", hierarchy::rowOf(report.summary.unit).name},
     };
+    for (const ProcessReport& process : report.processes)
+        json["ranks"].push_back(
+            {{"rank", process.rank},
+             {"host", process.host},
+             {"threads", process.threads},
+             {"tasks", process.tasks},
+             {"busy_seconds", process.busySeconds},
+             {"peak_rss_bytes", process.peakResidentBytes},
+             {"bytes_sent", process.bytesSent},
+             {"scratch_bytes_read", process.bytesRead},
+             {"scratch_bytes_written", process.bytesWritten}});
+    return json;
 }
 
 } // namespace gnomon::pipeline

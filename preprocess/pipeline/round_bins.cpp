@@ -1,30 +1,24 @@
 #include "preprocess/pipeline/round_bins.h"
 
-#include "preprocess/chunk/in_order.h"
 #include "preprocess/pipeline/memory_plan.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace gnomon::pipeline {
 
-RoundBins::RoundBins(WorkDirectory& workDirectory, Progress& progress)
-    : workDirectory_(workDirectory), progress_(progress) {
-    std::optional<std::uint64_t> leftEnd;
-    for (std::uint32_t round = 0; round < log().roundCount(); ++round)
-        for (const NodeRecord& node : log().nodes(round))
-            leftEnd = std::max(leftEnd.value_or(0), node.pendingOffset + node.pendingBytes);
-    leftFile_ = workDirectory_.scratch("pending", leftEnd);
-    std::optional<std::uint64_t> binsEnd;
-    for (std::uint32_t round = 1; const RoundRecord* record = log().binnedRound(round); ++round)
-        binsEnd = record->scratchEnd;
-    binsFile_ = workDirectory_.scratch("rounds", binsEnd);
+namespace {
+
+/// How many streams what nodes share is parted into, where these left `bytes`: each old node has a block in each of
+/// them, and one is in memory at a time.
+std::uint32_t borderStreamsFor(std::uint64_t bytes, std::uint32_t nodeCount) {
+    constexpr std::uint64_t kLeast = 16;
+    constexpr std::uint64_t kMost = 256;
+    const std::uint64_t wanted = std::clamp(bytes / mebibytes(16).count, kLeast, kMost);
+    return static_cast<std::uint32_t>(std::clamp<std::uint64_t>(nodeCount, 1, wanted));
 }
 
-void RoundBins::keep(const levels::EncodedPendingLevel& left, NodeRecord& record) {
-    record.pendingBytes = left.bytes.size();
-    record.pendingOffset = leftFile_->append(left.bytes);
-    record.pending = {left.clusters, left.triangles, left.vertices};
-}
+} // namespace
 
 Round RoundBins::next(const Round& round, const BinningMeans& means) {
     const RoundRecord* record = log().binnedRound(round.number + 1);
@@ -32,8 +26,7 @@ Round RoundBins::next(const Round& round, const BinningMeans& means) {
         workDirectory_.finish(bin(round, means));
         record = log().binnedRound(round.number + 1);
     }
-    bins_.emplace(*binsFile_, record->directory);
-    round_ = record->round;
+    bins_.emplace(workDirectory_.scratch(), record->directory);
     releaseLeft(round);
     return roundAfter(round, log().nodes(round.number), *record);
 }
@@ -44,10 +37,11 @@ std::vector<levels::ClusterPlace> RoundBins::placesOf(const Round& round) const 
     for (const NodeRecord& node : log().nodes(round.number))
         count += node.pending.clusters;
     places.reserve(count);
+    workDirectory_.scratch().reopenOthers();
     std::vector<std::byte> bytes;
     for (const NodeRecord& node : log().nodes(round.number)) {
         bytes.resize(levels::placeBytes(node.pending.clusters));
-        leftFile_->read(node.pendingOffset, bytes);
+        if (!bytes.empty()) workDirectory_.scratch().read(node.pendingOffset, bytes);
         const std::vector<levels::ClusterPlace> own = levels::clusterPlaces(bytes);
         places.insert(places.end(), own.begin(), own.end());
         progress_.advance(0);
@@ -72,7 +66,6 @@ RoundRecord RoundBins::bin(const Round& round, const BinningMeans& means) {
             before += node.triangles;
     record.isLast = isLastRound(plan.nodes.size(), left, before);
     routeAll(round, means, plan, record.locks);
-    record.scratchEnd = binsFile_->end();
     record.directory = bins_->directory();
     return record;
 }
@@ -80,84 +73,86 @@ RoundRecord RoundBins::bin(const Round& round, const BinningMeans& means) {
 void RoundBins::routeAll(const Round& round, const BinningMeans& means, const ClusterPlan& plan, LockCounts& locks) {
     const std::vector<NodeRecord>& nodes = log().nodes(round.number);
     const auto nodeCount = static_cast<std::uint32_t>(plan.nodes.size());
-    const std::uint32_t streams = nodeCount * static_cast<std::uint32_t>(Stream::Count);
     std::vector<std::size_t> firstCluster(1, 0); // of each old node
     Bytes most;
+    std::uint64_t leftBytes = 0;
+    TaskPhase phase;
+    phase.kind = TaskKind::RouteClusters;
     for (const NodeRecord& node : nodes) {
         firstCluster.push_back(firstCluster.back() + node.pending.clusters);
         most = std::max(most, MemoryNeeds::routing(node.pendingBytes, node.pending.vertices));
+        leftBytes += node.pendingBytes;
+        phase.tasks.push_back(node.node);
     }
-    const BorderShare share = borderShare(std::max(means.room, most), most, means.threads);
-    bins_.emplace(*binsFile_, streams, blockBytes(share.blocks, std::max(streams, 1U)));
-    const auto append = [&](Stream kind, const StreamBytes& messages) {
-        for (const auto& [node, bytes] : messages)
-            bins_->append(chunk::streamOf(kind, node), bytes);
+    const std::uint32_t borderStreams = borderStreamsFor(leftBytes, nodeCount);
+    phase.atOnce = std::max<std::size_t>(countAtOnce(means.room, most, means.threads), 1);
+    phase.weight = [&](std::uint32_t node) { return nodes[node].pendingBytes; };
+    phase.input = [&](std::uint32_t node) {
+        const auto begin = plan.nodeOf.begin() + static_cast<std::ptrdiff_t>(firstCluster[node]);
+        return encoded(RouteInput{
+            nodes[node].pendingOffset,
+            nodes[node].pendingBytes,
+            nodes[node].firstLevel,
+            borderStreams,
+            log().firstPages(round.number, node),
+            {begin, begin + static_cast<std::ptrdiff_t>(nodes[node].pending.clusters)}});
     };
-    chunk::makeInOrder(
-        0,
-        nodes.size(),
-        share.chunksAtOnce,
-        [&](std::size_t node) {
-            std::vector<std::byte> bytes(nodes[node].pendingBytes);
-            if (!bytes.empty()) leftFile_->read(nodes[node].pendingOffset, bytes);
-            return routed(
-                {bytes,
-                 std::span(plan.nodeOf).subspan(firstCluster[node], nodes[node].pending.clusters),
-                 nodes[node].firstLevel,
-                 log().firstPages(round.number, node)},
-                nodeCount);
-        },
-        [&](std::size_t, const RoutedClusters& clusters) {
-            append(Stream::Records, clusters.records);
-            append(Stream::Locks, clusters.locks);
-            append(Stream::Borders, clusters.borders);
-            locks.locked += clusters.counts.locked;
-            progress_.advance(0);
-        });
-    bins_->flush();
-    shareBorders(nodeCount, share.chunksAtOnce, locks);
+    std::vector<RoutedMail> mail(nodes.size());
+    phase.take = [&](std::uint32_t node, std::span<const std::byte> result) {
+        mail[node] = decodedRoutedMail(result);
+        locks.locked += mail[node].counts.locked;
+        progress_.advance(0);
+    };
+    means.runner.run(phase, means.perform);
+    bins_.emplace(workDirectory_.scratch(), nodeCount * static_cast<std::uint32_t>(Stream::Count), 1);
+    for (const RoutedMail& routed : mail) { // in the order of the old nodes, whichever was routed first
+        deliver(Stream::Records, routed.records);
+        deliver(Stream::Locks, routed.locks);
+        deliver(Stream::Borders, routed.borders);
+    }
+    shareBorders(borderStreams, phase.atOnce, means, locks);
 }
 
-void RoundBins::shareBorders(std::uint32_t nodeCount, std::size_t atOnce, LockCounts& locks) {
-    struct Shared {
-        StreamBytes locks;
-        LockCounts counts;
-    };
-
-    chunk::makeInOrder(
-        0,
-        nodeCount,
-        atOnce,
-        [&](std::size_t stream) {
-            Shared shared;
-            shared.locks = sharedBorders(
-                bins_->readAs<BorderUse>(chunk::streamOf(Stream::Borders, static_cast<std::uint32_t>(stream))),
-                shared.counts);
-            return shared;
-        },
-        [&](std::size_t, const Shared& shared) {
-            for (const auto& [node, bytes] : shared.locks)
-                bins_->append(chunk::streamOf(Stream::Locks, node), bytes);
-            locks.locked += shared.counts.locked;
-            locks.lockedBefore += shared.counts.lockedBefore;
-            progress_.advance(0);
-        });
-    bins_->flush();
-    for (std::uint32_t node = 0; node < nodeCount; ++node)
-        bins_->release(chunk::streamOf(Stream::Borders, node));
+void RoundBins::deliver(Stream kind, const Mail& mail) {
+    for (const auto& [node, block] : mail)
+        bins_->adopt(chunk::streamOf(kind, node), block);
 }
 
-levels::PendingLevel RoundBins::load(std::uint32_t node) const {
-    const ClusterSums& sums = log().binnedRound(round_)->nodes[node];
-    levels::PendingLevelMerger merger(
-        log().binned()->grid, sums.clusters, sums.vertices, log().binned()->format.fields);
-    bins_->readBlocks(
-        chunk::streamOf(Stream::Records, node), [&](std::span<const std::byte> records) { merger.add(records); });
-    bins_->readBlocks(chunk::streamOf(Stream::Locks, node), [&](std::span<const std::byte> locks) {
-        for (const hierarchy::GridPoint& position : levels::positionsFrom(locks))
-            merger.lock(position);
-    });
-    return merger.take();
+void RoundBins::shareBorders(std::uint32_t streams, std::size_t atOnce, const BinningMeans& means, LockCounts& locks) {
+    TaskPhase phase;
+    phase.kind = TaskKind::ShareLocks;
+    phase.tasks.resize(streams);
+    std::iota(phase.tasks.begin(), phase.tasks.end(), 0U);
+    phase.atOnce = atOnce;
+    phase.weight = [&](std::uint32_t stream) { return bins_->bytes(chunk::streamOf(Stream::Borders, stream)); };
+    phase.input = [&](std::uint32_t stream) {
+        return locksInput(bins_->blocks(chunk::streamOf(Stream::Borders, stream)));
+    };
+    std::vector<Mail> mail(streams);
+    phase.take = [&](std::uint32_t stream, std::span<const std::byte> result) {
+        RoutedMail shared = decodedRoutedMail(result);
+        mail[stream] = std::move(shared.locks);
+        locks.locked += shared.counts.locked;
+        locks.lockedBefore += shared.counts.lockedBefore;
+        progress_.advance(0);
+    };
+    means.runner.run(phase, means.perform);
+    for (const Mail& locked : mail)
+        deliver(Stream::Locks, locked);
+    for (std::uint32_t stream = 0; stream < streams; ++stream)
+        bins_->release(chunk::streamOf(Stream::Borders, stream));
+}
+
+NodeInput RoundBins::input(const Round& round, std::uint32_t node) const {
+    NodeInput input;
+    input.round = round.number;
+    input.node = node;
+    input.firstLevel = round.firstLevel;
+    input.isLast = round.isLast;
+    input.sums = log().binnedRound(round.number)->nodes[node];
+    input.records = bins_->blocks(chunk::streamOf(Stream::Records, node));
+    input.locks = bins_->blocks(chunk::streamOf(Stream::Locks, node));
+    return input;
 }
 
 void RoundBins::release(std::uint32_t node) {
@@ -167,7 +162,7 @@ void RoundBins::release(std::uint32_t node) {
 
 void RoundBins::releaseLeft(const Round& round) {
     for (const NodeRecord& node : log().nodes(round.number))
-        leftFile_->release(node.pendingOffset, node.pendingBytes);
+        workDirectory_.scratch().release(node.pendingOffset, node.pendingBytes);
 }
 
 } // namespace gnomon::pipeline

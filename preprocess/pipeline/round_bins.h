@@ -3,6 +3,7 @@
 
 #include "preprocess/levels/pending_level.h"
 #include "preprocess/pipeline/rounds.h"
+#include "preprocess/pipeline/tasks/task_bytes.h"
 #include "preprocess/pipeline/work_directory.h"
 #include "preprocess/scratch/stream_store.h"
 
@@ -13,22 +14,21 @@ struct BinningMeans {
     Bytes room; // of memory
     std::size_t threads = 1;
     std::uint32_t chunkTriangles = 0;
+    TaskRunner& runner;
+    const Perform& perform;
 };
 
 class RoundBins {
 public:
-    /// With the scratch files as far as the checkpoint log tells of them. Both must outlive this.
-    RoundBins(WorkDirectory& workDirectory, Progress& progress);
-
-    /// Stores what a node of the round leaves, and enters into `record` where it lies.
-    void keep(const levels::EncodedPendingLevel& left, NodeRecord& record);
+    /// All must outlive this.
+    RoundBins(WorkDirectory& workDirectory, Progress& progress) : workDirectory_(workDirectory), progress_(progress) {}
 
     /// The round after `round`, whose nodes are all finished: bins their clusters, or takes up what the checkpoint log
     /// has as binned. What the nodes left is gone afterwards.
     Round next(const Round& round, const BinningMeans& means);
 
-    /// The clusters of a node of the round that `next` returned; safe from many threads.
-    levels::PendingLevel load(std::uint32_t node) const;
+    /// What builds a node of `round`, which `next` returned; safe from many threads.
+    NodeInput input(const Round& round, std::uint32_t node) const;
 
     /// Gives the space of a finished node's clusters back.
     void release(std::uint32_t node);
@@ -42,15 +42,13 @@ private:
     std::vector<levels::ClusterPlace> placesOf(const Round& round) const;
     RoundRecord bin(const Round& round, const BinningMeans& means);
     void routeAll(const Round& round, const BinningMeans& means, const ClusterPlan& plan, LockCounts& locks);
-    void shareBorders(std::uint32_t nodeCount, std::size_t atOnce, LockCounts& locks);
+    void shareBorders(std::uint32_t streams, std::size_t atOnce, const BinningMeans& means, LockCounts& locks);
+    void deliver(Stream kind, const Mail& mail);
     void releaseLeft(const Round& round);
 
     WorkDirectory& workDirectory_;
     Progress& progress_;
-    std::unique_ptr<scratch::ScratchFile> leftFile_;
-    std::unique_ptr<scratch::ScratchFile> binsFile_;
     std::optional<scratch::StreamStore> bins_; // of the round that is under way
-    std::uint32_t round_ = 0;
 };
 
 } // namespace gnomon::pipeline

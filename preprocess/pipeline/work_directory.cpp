@@ -34,7 +34,7 @@ std::string folderFor(const WorkDirectoryOptions& options) {
         .string();
 }
 
-constexpr std::array kScratchNames{"bins", "borders", "pages", "pending", "rounds"};
+constexpr const char* kScratchStem = "scratch.";
 
 bool isAlive(const std::string& process) {
     return ::kill(static_cast<pid_t>(std::strtol(process.c_str(), nullptr, 10)), 0) == 0 || errno == EPERM;
@@ -128,14 +128,13 @@ void WorkDirectory::Names::make(const std::string& folder) {
 
 void WorkDirectory::Names::takeOver(const std::string& folder) {
     if (held_.size() > 1) return;
-    const auto take = [this](const std::string& path) {
-        held_.push_back(std::make_unique<TemporaryName>(path, [] { return true; }));
-    };
     if (held_.empty()) take(folder);
-    for (const char* name : kScratchNames)
-        take(folder + "/" + name);
     for (const char* name : {"checkpoints", "lock"})
         take(folder + "/" + name);
+}
+
+void WorkDirectory::Names::take(const std::string& path) {
+    held_.push_back(std::make_unique<TemporaryName>(path, [] { return true; }));
 }
 
 void WorkDirectory::Names::leave() {
@@ -146,7 +145,10 @@ void WorkDirectory::Names::leave() {
 
 WorkDirectory::WorkDirectory(const WorkDirectoryOptions& options, Progress& progress)
     : space_(progress), names_(options.onKept) {
-    if (options.isInMemory) return;
+    if (options.isInMemory) {
+        scratch_ = scratch::scratchInMemory(space_);
+        return;
+    }
     folder_ = folderFor(options);
     names_.make(folder_);
     lock_.emplace(folder_ + "/lock", File::Mode::Lock);
@@ -155,12 +157,49 @@ WorkDirectory::WorkDirectory(const WorkDirectoryOptions& options, Progress& prog
         throw Error(folder_, "another build is at work there");
     }
     removeLeftovers(options.output);
-    if (options.isResumed && hasResumed(options.key)) return;
-    names_.takeOver(folder_);
-    for (const char* name : kScratchNames)
-        remove(name);
-    recordLog_ = scratch::RecordLog::create(folder_ + "/checkpoints");
-    recordLog_->append(bytesOf(options.key));
+    if (!options.isResumed || !hasResumed(options.key)) {
+        names_.takeOver(folder_);
+        recordLog_ = scratch::RecordLog::create(folder_ + "/checkpoints");
+        recordLog_->append(bytesOf(options.key));
+    }
+    makeScratch();
+}
+
+void WorkDirectory::makeScratch() {
+    std::map<std::uint32_t, std::uint64_t> known;
+    try {
+        known = log_.scratchBytes();
+    } catch (const hierarchy::Damage& damage) {
+        throw Error(folder_ + "/checkpoints", damage.what);
+    }
+    place_ = {folder_ + "/" + kScratchStem, known.empty() ? 0 : known.rbegin()->first + 1};
+    std::error_code ignored;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder_, ignored)) {
+        const std::string name = entry.path().filename().string();
+        if (!name.starts_with(kScratchStem)) continue;
+        const std::string number = name.substr(std::strlen(kScratchStem));
+        if (number.empty() || number.size() > 5 || number.find_first_not_of("0123456789") != std::string::npos)
+            continue;
+        if (!known.contains(static_cast<std::uint32_t>(std::stoul(number)))) fs::remove(entry.path(), ignored);
+    }
+    for (const auto& [part, bytes] : known)
+        names_.take(scratch::partPath(place_.stem, part));
+    expectProcesses(1);
+    auto scratch = std::make_unique<scratch::PartedScratch>(place_.stem, place_.firstPart, space_);
+    for (const auto& [part, bytes] : known)
+        scratch->resume(part, bytes);
+    scratch_ = std::move(scratch);
+}
+
+void WorkDirectory::expectProcesses(std::uint32_t count) {
+    if (place_.firstPart + count >= scratch::kMostParts)
+        throw Error(
+            folder_,
+            "too many processes have worked there",
+            "fewer than " + std::to_string(scratch::kMostParts),
+            std::to_string(place_.firstPart + count));
+    for (; expected_ < count; ++expected_)
+        names_.take(scratch::partPath(place_.stem, place_.firstPart + expected_));
 }
 
 bool WorkDirectory::hasResumed(const std::string& key) {
@@ -178,19 +217,6 @@ bool WorkDirectory::hasResumed(const std::string& key) {
     }
     names_.takeOver(folder_);
     return true;
-}
-
-std::unique_ptr<scratch::ScratchFile> WorkDirectory::scratch(
-    const std::string& name, std::optional<std::uint64_t> keep) {
-    if (folder_.empty()) return scratch::scratchInMemory(space_);
-    const std::string path = folder_ + "/" + name;
-    return keep ? scratch::reopenedScratch(path, *keep, space_) : scratch::scratchOnDisk(path, space_);
-}
-
-void WorkDirectory::remove(const std::string& name) {
-    if (folder_.empty()) return;
-    std::error_code ignored;
-    fs::remove(folder_ + "/" + name, ignored);
 }
 
 } // namespace gnomon::pipeline

@@ -3,8 +3,8 @@
 
 #include "core/temporary_name.h"
 #include "preprocess/pipeline/checkpoint_log.h"
+#include "preprocess/scratch/parted_scratch.h"
 #include "preprocess/scratch/record_log.h"
-#include "preprocess/scratch/scratch_file.h"
 
 #include <functional>
 #include <memory>
@@ -21,6 +21,12 @@ struct WorkDirectoryOptions {
     bool isInMemory = false; // no files at all
     bool isResumed = false;  // go on with what is there, if anything
     std::function<void(const std::string&)> onKept = {}; // told the folder if it stays for what no build has put there
+};
+
+/// Where a build's scratch files are.
+struct ScratchPlace {
+    std::string stem;            // of their names
+    std::uint32_t firstPart = 0; // of this run
 };
 
 /// What builds write is removed with the object, unless the process is killed, and nothing else. Only one process at a
@@ -43,14 +49,18 @@ public:
 
     scratch::TemporarySpace& space() { return space_; }
 
-    /// A scratch file, "bins", "borders", "pages", "pending" or "rounds": new, or cut after its first `keep` bytes.
-    std::unique_ptr<scratch::ScratchFile> scratch(const std::string& name, std::optional<std::uint64_t> keep = {});
+    /// All temporary bytes but the log's: those that the log tells of and new ones.
+    scratch::ScratchFile& scratch() { return *scratch_; }
+
+    /// Where the parts of `scratch` are, for other processes; only on disk.
+    const ScratchPlace& scratchPlace() const { return place_; }
+
+    /// From now on the scratch files of `count` processes go with this; their parts follow each other, this one's
+    /// first.
+    void expectProcesses(std::uint32_t count);
 
     /// Lets everything stay where it is when the object goes, for another process to go on with.
     void leave() { names_.leave(); }
-
-    /// Gives all the space of a scratch file back, which must be closed.
-    void remove(const std::string& name);
 
     /// Adds `record` to the checkpoint log; what it tells of must have been written.
     template <class Record>
@@ -77,6 +87,9 @@ private:
         /// From now on what builds write into the folder goes with this.
         void takeOver(const std::string& folder);
 
+        /// So does the file at `path`.
+        void take(const std::string& path);
+
         void leave();
 
     private:
@@ -87,11 +100,17 @@ private:
     /// Resumes from the checkpoint log that is there; whether there is one. Throws Error if it is of another build.
     bool hasResumed(const std::string& key);
 
+    /// Makes the scratch file of this process after those that the log tells of, and removes all others.
+    void makeScratch();
+
     scratch::TemporarySpace space_;
     std::string folder_; // empty: in memory
+    ScratchPlace place_;
+    std::uint32_t expected_ = 0; // processes
     std::optional<File> lock_;
     std::optional<scratch::RecordLog> recordLog_;
     CheckpointLog log_;
+    std::unique_ptr<scratch::ScratchFile> scratch_;
     Names names_; // last, so that all is removed before the lock is free
 };
 

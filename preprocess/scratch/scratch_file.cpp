@@ -1,7 +1,6 @@
 #include "preprocess/scratch/scratch_file.h"
 
 #include "core/check.h"
-#include "core/error.h"
 
 #include <cstring>
 #include <map>
@@ -16,15 +15,6 @@ namespace {
 class DiskScratch final : public ScratchFile {
 public:
     DiskScratch(const std::string& path, TemporarySpace& space) : ScratchFile(space), file_(path, File::Mode::Create) {}
-
-    DiskScratch(const std::string& path, std::uint64_t end, TemporarySpace& space)
-        : ScratchFile(space), file_(path, File::Mode::Update) {
-        if (file_.size() < end)
-            throw Error(
-                path, "the temporary file was cut off", std::to_string(end) + " bytes", std::to_string(file_.size()));
-        file_.resize(end);
-        resumeAt(end);
-    }
 
 private:
     void load(std::uint64_t offset, std::span<std::byte> out) const override { file_.readAt(offset, out); }
@@ -83,9 +73,8 @@ void TemporarySpace::giveBack(std::uint64_t bytes) {
 std::uint64_t ScratchFile::append(std::span<const std::byte> bytes) {
     if (bytes.empty()) return end_;
     space_.take(bytes.size());
-    const std::uint64_t offset = end_;
+    const std::uint64_t offset = end_.fetch_add(bytes.size());
     store(offset, bytes);
-    end_ += bytes.size();
     return offset;
 }
 
@@ -100,17 +89,8 @@ void ScratchFile::release(std::uint64_t offset, std::uint64_t bytes) {
     space_.giveBack(bytes);
 }
 
-void ScratchFile::resumeAt(std::uint64_t end) {
-    space_.take(end - end_);
-    end_ = end;
-}
-
 std::unique_ptr<ScratchFile> scratchOnDisk(const std::string& path, TemporarySpace& space) {
     return std::make_unique<DiskScratch>(path, space);
-}
-
-std::unique_ptr<ScratchFile> reopenedScratch(const std::string& path, std::uint64_t end, TemporarySpace& space) {
-    return std::make_unique<DiskScratch>(path, end, space);
 }
 
 std::unique_ptr<ScratchFile> scratchInMemory(TemporarySpace& space) {

@@ -40,10 +40,11 @@ private:
     std::atomic<std::uint64_t> written_{0};
 };
 
-/// Appended to by one thread at a time; read from many, also meanwhile.
+/// Appended to and read by any number of threads at once.
 class ScratchFile {
 public:
-    explicit ScratchFile(TemporarySpace& space) : space_(space) {}
+    /// The first byte that is appended lies at `begin`.
+    explicit ScratchFile(TemporarySpace& space, std::uint64_t begin = 0) : space_(space), end_(begin) {}
 
     virtual ~ScratchFile() = default;
     ScratchFile(const ScratchFile&) = delete;
@@ -57,10 +58,16 @@ public:
     /// Fills `out` with what was appended at `offset`; in memory never across two calls of `append`.
     void read(std::uint64_t offset, std::span<std::byte> out) const;
 
+    /// Lets processes on other hosts read what this one has appended, where there are any.
+    virtual void handOver() const {}
+
+    /// Lets this process read what others have handed over.
+    virtual void reopenOthers() {}
+
     /// Gives the space of one `append` back; its bytes are lost.
     void release(std::uint64_t offset, std::uint64_t bytes);
 
-    /// The bytes that were ever appended: where the next ones go.
+    /// Where the next bytes go.
     std::uint64_t end() const { return end_; }
 
 protected:
@@ -68,20 +75,15 @@ protected:
     virtual void store(std::uint64_t offset, std::span<const std::byte> bytes) = 0;
     virtual void forget(std::uint64_t offset, std::uint64_t bytes) = 0;
 
-    /// Takes over `end` bytes that an earlier process appended.
-    void resumeAt(std::uint64_t end);
+    TemporarySpace& space() { return space_; }
 
 private:
     TemporarySpace& space_;
-    std::uint64_t end_ = 0;
+    std::atomic<std::uint64_t> end_;
 };
 
 /// A new file at `path`.
 std::unique_ptr<ScratchFile> scratchOnDisk(const std::string& path, TemporarySpace& space);
-
-/// The first `end` bytes of the file that an earlier process left at `path`; what it wrote after them is cut off.
-/// Throws Error if the file is shorter.
-std::unique_ptr<ScratchFile> reopenedScratch(const std::string& path, std::uint64_t end, TemporarySpace& space);
 
 std::unique_ptr<ScratchFile> scratchInMemory(TemporarySpace& space);
 

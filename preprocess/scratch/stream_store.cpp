@@ -11,16 +11,29 @@ StreamStore::StreamStore(ScratchFile& file, std::uint32_t streamCount, std::size
     : file_(file), blockBytes_(blockBytes), streams_(streamCount) {}
 
 StreamStore::StreamStore(ScratchFile& file, std::span<const std::byte> directory) : file_(file), blockBytes_(1) {
+    std::vector<std::vector<Block>> blocks = blocksOf(directory);
+    streams_.resize(blocks.size());
+    for (std::size_t i = 0; i < blocks.size(); ++i)
+        streams_[i].blocks = std::move(blocks[i]);
+}
+
+std::vector<std::vector<StreamStore::Block>> StreamStore::blocksOf(std::span<const std::byte> directory) {
     hierarchy::ByteReader in(directory);
-    streams_.resize(in.takeVarint());
-    for (Stream& stream : streams_) {
-        stream.blocks.resize(in.takeVarint());
-        for (Block& block : stream.blocks) {
+    const auto count = [&in] {
+        const std::uint64_t values = in.takeVarint();
+        if (values > in.remaining()) throw hierarchy::Damage{"the bytes end too early"}; // each has a byte or more
+        return values;
+    };
+    std::vector<std::vector<Block>> streams(count());
+    for (std::vector<Block>& stream : streams) {
+        stream.resize(count());
+        for (Block& block : stream) {
             block.offset = in.takeVarint();
             block.bytes = in.takeVarint();
         }
     }
     in.expectEnd();
+    return streams;
 }
 
 void StreamStore::append(std::uint32_t stream, std::span<const std::byte> bytes) {

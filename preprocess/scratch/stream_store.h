@@ -29,6 +29,19 @@ public:
     /// Writes what is in memory and frees it.
     void flush();
 
+    /// Bytes of a stream that lie one after the other in the scratch file.
+    struct Block {
+        std::uint64_t offset = 0;
+        std::uint64_t bytes = 0;
+    };
+
+    /// Appends what somebody else has written to the scratch file; what was appended before must be flushed.
+    void adopt(std::uint32_t stream, const Block& block) { streams_[stream].blocks.push_back(block); }
+
+    const std::vector<Block>& blocks(std::uint32_t stream) const { return streams_[stream].blocks; }
+
+    std::uint32_t streamCount() const { return static_cast<std::uint32_t>(streams_.size()); }
+
     std::uint64_t bytes(std::uint32_t stream) const;
 
     /// All of a stream; safe from many threads once flushed.
@@ -86,12 +99,10 @@ public:
     /// Where everything lies, for another process; after `flush`.
     std::vector<std::byte> directory() const;
 
-private:
-    struct Block {
-        std::uint64_t offset = 0;
-        std::uint64_t bytes = 0;
-    };
+    /// The blocks of each stream of a `directory`. Throws hierarchy::Damage.
+    static std::vector<std::vector<Block>> blocksOf(std::span<const std::byte> directory);
 
+private:
     struct Stream {
         std::vector<std::byte> open;
         std::vector<Block> blocks;

@@ -213,6 +213,13 @@ bool File::tryLock() {
     return uninterrupted([&] { return ::flock(descriptor_, LOCK_EX | LOCK_NB); }) == 0;
 }
 
+void File::handOver() const {
+    // Each close of a file flushes what a network file system's client holds, that of a copy of the descriptor, too.
+    const int copy = ::fcntl(descriptor_, F_DUPFD_CLOEXEC, 0);
+    if (copy < 0) throwSystemError(path_, "cannot copy its descriptor");
+    if (::close(copy) != 0 && errno != EINTR) throwSystemError(path_, "cannot write");
+}
+
 void File::sync() {
     if (uninterrupted([&] { return ::fsync(descriptor_); }) != 0 && errno != EINVAL && errno != EROFS)
         throwSystemError(path_, "cannot flush");

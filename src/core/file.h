@@ -69,6 +69,10 @@ public:
     /// none.
     void resemble(const std::string& path);
 
+    /// Lets others who open the file after this read what was written, on network file systems that promise no more
+    /// than that ("close-to-open"). Nothing is flushed to a device of this machine.
+    void handOver() const;
+
     /// Flushes to the device, so that a rename after it is safe.
     void sync();
 

@@ -3,9 +3,9 @@
 #include "hierarchy/octahedral.h"
 #include "preprocess/chunk/binned_source.h"
 #include "preprocess/chunk/binning.h"
-#include "preprocess/chunk/borders.h"
 #include "preprocess/chunk/chunk_mesh.h"
 #include "preprocess/levels/smooth_normals.h"
+#include "tests/chunk/shared_borders.h"
 #include "tests/read/code_mesh.h"
 
 #include <gtest/gtest.h>
@@ -106,7 +106,7 @@ Chunked chunked(read::CodeMesh mesh, std::uint32_t chunkTriangles, std::size_t b
     const auto bordersFile = scratch::scratchInMemory(space);
     scratch::StreamStore borders(*bordersFile, borderStreams(tree.chunkCount()), block);
     const BinnedSource source{bins, result.survey.grid, formatOf(mesh.summary()), tree.chunkCount()};
-    shareBorders(source, borders, 2, progress);
+    shareBorders(source, borders, progress);
     for (std::uint32_t chunk = 0; chunk < tree.chunkCount(); ++chunk)
         result.chunks.push_back(loadChunk(source, borders, chunk, progress));
     return result;
@@ -359,7 +359,7 @@ TEST(Chunks, PolygonsAcrossChunksAreCutLikeThoseWithin) {
         const auto bordersFile = scratch::scratchInMemory(space);
         scratch::StreamStore borders(*bordersFile, borderStreams(tree.chunkCount()), 100);
         const BinnedSource inChunks{bins, survey.grid, formatOf(source.summary()), tree.chunkCount()};
-        shareBorders(inChunks, borders, 3, progress);
+        shareBorders(inChunks, borders, progress);
         std::vector<std::uint64_t> triangles; // as hashes of their points
         for (std::uint32_t c = 0; c < tree.chunkCount(); ++c) {
             const simplify::Mesh mesh = loadChunk(inChunks, borders, c, progress).mesh;

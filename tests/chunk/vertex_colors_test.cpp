@@ -2,8 +2,8 @@
 #include "core/angle.h"
 #include "core/random.h"
 #include "preprocess/chunk/binning.h"
-#include "preprocess/chunk/borders.h"
 #include "preprocess/chunk/chunk_mesh.h"
+#include "tests/chunk/shared_borders.h"
 
 #include <gtest/gtest.h>
 
@@ -64,7 +64,7 @@ TEST(Chunks, HaveEachColourAtAPlaceOnceAndTrianglesKeepTheirs) {
     const auto bordersFile = scratch::scratchInMemory(space);
     scratch::StreamStore borders(*bordersFile, borderStreams(1), 4096);
     const BinnedSource source{bins, survey.grid, formatOf(fan.summary()), 1};
-    shareBorders(source, borders, 2, progress);
+    shareBorders(source, borders, progress);
     const simplify::Mesh mesh = loadChunk(source, borders, 0, progress).mesh;
 
     ASSERT_EQ(mesh.triangles.size(), kCount);

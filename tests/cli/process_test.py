@@ -188,7 +188,7 @@ class Process(ProgramTest):
         folder = self.place / "shared.gnm.building"
         folder.mkdir()
         (folder / "notes.txt").write_text("mine")
-        (folder / "bins").write_text("left by a killed build")
+        (folder / "scratch.0").write_text("left by a killed build")
         told = self.expect(0, "shared.gnm.building: it stays", "build", mesh, "-o", model)
         self.assertEqual(told.stderr.count("\n"), 1)
         self.assertEqual([path.name for path in folder.iterdir()], ["notes.txt"])
@@ -204,7 +204,7 @@ class Process(ProgramTest):
         folder.symlink_to(self.place.path)
         self.expect(1, "this is no place for temporary files", "build", mesh, "-o", model)
         folder.unlink()
-        for name in ("bins", "borders", "pages", "pending", "rounds", "checkpoints"):
+        for name in ("scratch.0", "checkpoints"):
             folder.mkdir(exist_ok=True)
             (folder / name).symlink_to(victim)
             self.expect(0, "", "build", mesh, "-o", model)

@@ -39,7 +39,9 @@ TEST(Assemble, AddsUpWhatTheNodesHave) {
     binned.dropped = {10, 20, 30};
     log.add(binned);
     log.add(nodeWith(1, 0, 0, 2));
-    log.add(nodeWith(2, 0, 0, 2));
+    NodeRecord second = nodeWith(2, 0, 0, 2);
+    second.node = 1;
+    log.add(second);
     log.add(nodeWith(3, 1, 2, 1));
     EXPECT_EQ(droppedTriangles(log), (std::array<std::uint64_t, 3>{13, 26, 39})) << "of the first round";
     const Totals totals = totalsOf(log, {{"simplifier", "own"}});

@@ -2,9 +2,9 @@
 // program is counted.
 #include "core/random.h"
 #include "preprocess/chunk/binning.h"
-#include "preprocess/chunk/borders.h"
 #include "preprocess/chunk/chunk_mesh.h"
 #include "preprocess/pipeline/memory_plan.h"
+#include "tests/chunk/shared_borders.h"
 #include "tests/pipeline/test_folder.h"
 #include "tests/read/code_mesh.h"
 
@@ -106,7 +106,7 @@ void expectCountedMemory(read::CodeMesh mesh, std::uint32_t chunkTriangles) {
     const auto bordersFile = scratch::scratchOnDisk(folder.file("borders"), space);
     scratch::StreamStore borders(*bordersFile, chunk::borderStreams(tree.chunkCount()), 512);
     const chunk::BinnedSource source{bins, survey.grid, chunk::formatOf(mesh.summary()), tree.chunkCount()};
-    EXPECT_LE(peakOf([&] { chunk::shareBorders(source, borders, 1, progress); }), MemoryNeeds::borders(largest).count)
+    EXPECT_LE(peakOf([&] { chunk::shareBorders(source, borders, progress); }), MemoryNeeds::borders(largest).count)
         << "for " << largest.triangles << " triangles and " << largest.vertices << " vertices";
     EXPECT_LE(MemoryNeeds::borders(largest), MemoryNeeds::node(largest));
     for (std::uint32_t c = 0; c < tree.chunkCount(); ++c)

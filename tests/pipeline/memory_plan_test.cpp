@@ -6,19 +6,6 @@
 namespace gnomon::pipeline {
 namespace {
 
-TEST(MemoryPlan, BordersAreSharedInAnyRoomThatHoldsAChunk) {
-    Random random(5);
-    for (int i = 0; i < 2000; ++i) {
-        const Bytes chunk = MemoryNeeds::borders({random.below(2'000'000), 1 + random.below(3'000'000)});
-        const Bytes room = {chunk.count + (random.below(4) == 0 ? 0 : random.below(3 * chunk.count))};
-        const std::size_t threads = 1 + random.below(16);
-        const BorderShare share = borderShare(room, chunk, threads);
-        ASSERT_GE(share.chunksAtOnce, 1U);
-        ASSERT_LE(share.chunksAtOnce, threads + 1);
-        ASSERT_LE(share.blocks.count + share.chunksAtOnce * chunk.count, room.count);
-    }
-}
-
 read::MeshSummary sourceOf(std::uint64_t triangles, std::uint64_t vertices) {
     read::MeshSummary source;
     source.faceCount = triangles;

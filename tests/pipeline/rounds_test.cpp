@@ -1,9 +1,11 @@
 // Which nodes join in which round, what of a build is remembered, and by which words two builds are the same.
 #include "core/random.h"
 #include "hierarchy/bytes.h"
+#include "preprocess/levels/page_layout.h"
 #include "preprocess/pipeline/build_key.h"
 #include "preprocess/pipeline/checkpoint_log.h"
 #include "preprocess/pipeline/rounds.h"
+#include "preprocess/scratch/parted_scratch.h"
 
 #include <gtest/gtest.h>
 
@@ -63,7 +65,6 @@ BinnedRecord someBinned() {
     record.chunkCount = 99;
     record.largestChunk = {5, 6};
     record.dropped = {17, 18, 19};
-    record.scratchEnd = 8;
     record.directory = {std::byte{1}, std::byte{2}};
     record.furthest = {1, 0x7FFFFFFF, 3};
     return record;
@@ -75,14 +76,14 @@ RoundRecord someRound(std::uint32_t round) {
     record.isLast = true;
     record.nodes = {{1, 2, 3}, {4, 5, 6}};
     record.locks = {7, 8};
-    record.scratchEnd = 9;
     record.directory = {std::byte{10}};
     return record;
 }
 
-NodeRecord someNode(std::uint32_t round, std::uint32_t firstLevel) {
+NodeRecord someNode(std::uint32_t round, std::uint32_t firstLevel, std::uint32_t number = 0) {
     NodeRecord node = nodeOf(321, 2);
     node.round = round;
+    node.node = number;
     node.firstLevel = firstLevel;
     node.levels[0].info = {10, 20, 30, 0.5};
     node.levels[0].pages.resize(3);
@@ -108,7 +109,7 @@ NodeRecord someNode(std::uint32_t round, std::uint32_t firstLevel) {
 TEST(CheckpointLog, EveryRecordComesBackFromItsBytes) {
     CheckpointLog log;
     log.addEncoded(encoded(someBinned()));
-    log.addEncoded(encoded(BorderedRecord{55, {std::byte{9}}}));
+    log.addEncoded(encoded(BorderedRecord{{std::byte{9}}}));
     log.addEncoded(encoded(someNode(0, 0)));
     EXPECT_EQ(log.binnedRound(1), nullptr);
     log.addEncoded(encoded(someRound(1)));
@@ -131,10 +132,8 @@ TEST(CheckpointLog, EveryRecordComesBackFromItsBytes) {
     EXPECT_EQ(log.binned()->chunkCount, 99U);
     EXPECT_EQ(log.binned()->largestChunk.triangles, 5U);
     EXPECT_EQ(log.binned()->largestChunk.vertices, 6U);
-    EXPECT_EQ(log.binned()->scratchEnd, 8U);
     EXPECT_EQ(log.binned()->directory, someBinned().directory);
     ASSERT_TRUE(log.bordered());
-    EXPECT_EQ(log.bordered()->scratchEnd, 55U);
     EXPECT_EQ(log.bordered()->directory, std::vector<std::byte>{std::byte{9}});
     ASSERT_EQ(log.nodes(0).size(), 1U);
     // A record of the same bytes has the same fields.
@@ -151,7 +150,7 @@ TEST(CheckpointLog, CountsThePagesBeforeEachNode) {
     EXPECT_EQ(log.roundCount(), 0U);
     EXPECT_TRUE(log.nodes(7).empty());
     log.add(someNode(0, 0)); // three pages of level 0, one of level 1
-    log.add(someNode(0, 0));
+    log.add(someNode(0, 0, 1));
     log.beginRound(1);
     EXPECT_EQ(log.roundCount(), 2U);
     log.add(someNode(1, 1)); // three of level 1, one of level 2
@@ -159,6 +158,42 @@ TEST(CheckpointLog, CountsThePagesBeforeEachNode) {
     EXPECT_EQ(log.firstPages(0, 0), (std::vector<std::uint32_t>{0, 0}));
     EXPECT_EQ(log.firstPages(0, 1), (std::vector<std::uint32_t>{3, 1}));
     EXPECT_EQ(log.firstPages(1, 0), (std::vector<std::uint32_t>{2, 0}));
+}
+
+TEST(CheckpointLog, NodesInAnyOrderComeToTheSame) {
+    const auto logOf = [](const std::vector<std::uint32_t>& order) {
+        CheckpointLog log;
+        for (const std::uint32_t number : order) {
+            NodeRecord node = someNode(0, 0, number);
+            node.levels[0].pages[2].offset = scratch::placeOf(number, 100);
+            node.levels[0].pages[2].storedBytes = 10;
+            node.levels[1].pages[0].children = {levels::provisionalId(0, 2), levels::provisionalId(0, 0)};
+            log.addEncoded(encoded(node));
+        }
+        return log;
+    };
+    const CheckpointLog plain = logOf({0, 1, 2, 3});
+    EXPECT_EQ(
+        plain.nodes(0)[2].levels[1].pages[0].children,
+        (std::vector<std::uint32_t>{levels::provisionalId(0, 8), levels::provisionalId(0, 6)}))
+        << "behind the three pages of each node before it";
+    const CheckpointLog other = logOf({2, 0, 3, 1});
+    EXPECT_EQ(other.pageCounts(), plain.pageCounts());
+    EXPECT_EQ(other.scratchBytes(), plain.scratchBytes());
+    EXPECT_EQ(plain.scratchBytes().at(3), 110U);
+    ASSERT_EQ(other.nodes(0).size(), 4U);
+    for (std::uint32_t node = 0; node < 4; ++node) {
+        EXPECT_EQ(encoded(other.nodes(0)[node]), encoded(plain.nodes(0)[node]));
+        EXPECT_EQ(other.firstPages(0, node), plain.firstPages(0, node));
+    }
+    const CheckpointLog holed = logOf({2, 0});
+    EXPECT_EQ(holed.nodes(0).size(), 1U) << "up to the first that is not built";
+    EXPECT_TRUE(holed.isBuilt(0, 2) && holed.isBuilt(0, 0));
+    EXPECT_FALSE(holed.isBuilt(0, 1) || holed.isBuilt(0, 3) || holed.isBuilt(1, 0));
+    EXPECT_EQ(holed.builtTriangles(0), plain.builtTriangles(0) / 2);
+    EXPECT_EQ(holed.scratchBytes().at(2), 110U);
+    EXPECT_THROW(logOf({2, 0, 2}), hierarchy::Damage) << "built twice";
+    EXPECT_THROW(logOf({0, 0}), hierarchy::Damage);
 }
 
 TEST(CheckpointLog, DamagedRecordsAreRefused) {

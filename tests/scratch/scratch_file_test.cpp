@@ -1,5 +1,4 @@
 // Temporary bytes on disk and in memory behave alike, and the space that they take is counted.
-#include "core/error.h"
 #include "core/random.h"
 #include "preprocess/scratch/scratch_file.h"
 
@@ -117,36 +116,6 @@ TEST_P(Scratch, IsReadFromManyThreadsWhileItGrows) {
 INSTANTIATE_TEST_SUITE_P(OnDiskAndInMemory, Scratch, testing::Bool(), [](const auto& name) {
     return name.param ? "OnDisk" : "InMemory";
 });
-
-TEST(ReopenedScratch, TakesOverWhatWasThereAndCutsTheRest) {
-    const std::string path = testing::TempDir() + "gnomon_reopened_" + std::to_string(::getpid());
-    Random random(4);
-    NoProgress progress;
-    const std::vector<std::byte> bytes = randomBytes(random, 1000);
-    {
-        TemporarySpace space(progress);
-        scratchOnDisk(path, space)->append(bytes);
-    }
-    TemporarySpace space(progress);
-    {
-        const std::unique_ptr<ScratchFile> file = reopenedScratch(path, 600, space);
-        EXPECT_EQ(file->end(), 600U);
-        EXPECT_EQ(space.bytes(), 600U);
-        EXPECT_EQ(file->append(std::span(bytes).first(50)), 600U);
-        std::vector<std::byte> out(650);
-        file->read(0, out);
-        EXPECT_TRUE(std::equal(out.begin(), out.begin() + 600, bytes.begin()));
-        EXPECT_TRUE(std::equal(out.begin() + 600, out.end(), bytes.begin()));
-    }
-    EXPECT_EQ(std::filesystem::file_size(path), 650U);
-    try {
-        reopenedScratch(path, 651, space);
-        ADD_FAILURE() << "a file of 650 bytes";
-    } catch (const Error& error) {
-        EXPECT_EQ(std::string(error.what()), path + ": the temporary file was cut off: expected 651 bytes, found 650");
-    }
-    std::filesystem::remove(path);
-}
 
 } // namespace
 } // namespace gnomon::scratch

@@ -1,0 +1,169 @@
+#include "preprocess/pipeline/tasks/task_work.h"
+
+#include "core/error.h"
+#include "preprocess/chunk/borders.h"
+#include "preprocess/chunk/chunk_mesh.h"
+#include "preprocess/levels/level_clusters.h"
+#include "preprocess/levels/node.h"
+
+namespace gnomon::pipeline {
+
+namespace {
+
+using hierarchy::ByteReader;
+using hierarchy::ByteWriter;
+
+/// A store of the one chunk that a task is about.
+class OneChunk {
+public:
+    OneChunk(const ChunkStreams& streams, const TaskFacts& facts, scratch::ScratchFile& scratch)
+        : bins_(scratch, chunk::binStreams(1), 1),
+          borders_(scratch, chunk::borderStreams(1), 1),
+          source_{bins_, facts.grid, facts.format, 1} {
+        adopt(bins_, streams.bins);
+        adopt(borders_, streams.borders);
+    }
+
+    const chunk::BinnedSource& source() const { return source_; }
+
+    const scratch::StreamStore& borders() const { return borders_; }
+
+private:
+    template <class Kinds>
+    static void adopt(scratch::StreamStore& store, const Kinds& kinds) {
+        for (std::uint32_t kind = 0; kind < kinds.size(); ++kind)
+            for (const scratch::StreamStore::Block& block : kinds[kind])
+                store.adopt(kind, block);
+    }
+
+    scratch::StreamStore bins_;
+    scratch::StreamStore borders_;
+    chunk::BinnedSource source_;
+};
+
+levels::PendingLevel pendingLevel(const NodeInput& input, const TaskFacts& facts, scratch::ScratchFile& scratch) {
+    scratch::StreamStore store(scratch, 2, 1);
+    for (const scratch::StreamStore::Block& block : input.records)
+        store.adopt(0, block);
+    for (const scratch::StreamStore::Block& block : input.locks)
+        store.adopt(1, block);
+    levels::PendingLevelMerger merger(facts.grid, input.sums.clusters, input.sums.vertices, facts.format.fields);
+    store.readBlocks(0, [&](std::span<const std::byte> records) { merger.add(records); });
+    store.readBlocks(1, [&](std::span<const std::byte> locks) {
+        for (const hierarchy::GridPoint& position : levels::positionsFrom(locks))
+            merger.lock(position);
+    });
+    return merger.take();
+}
+
+/// Appends each message to the scratch file.
+Mail posted(const StreamBytes& messages, scratch::ScratchFile& scratch) {
+    Mail mail;
+    for (const auto& [stream, bytes] : messages)
+        if (!bytes.empty()) mail.push_back({stream, {scratch.append(bytes), bytes.size()}});
+    return mail;
+}
+
+/// Stores what was made of a node.
+void store(levels::BuiltNode& made, NodeRecord& record, scratch::ScratchFile& scratch) {
+    for (levels::NodeLevel& level : made.levels) {
+        NodeRecord::LevelOfNode& own = record.levels.emplace_back();
+        own.info = level.info;
+        for (hierarchy::EncodedPage& page : level.pages) {
+            page.info.offset = scratch.append(page.bytes);
+            own.pages.push_back(std::move(page.info));
+        }
+    }
+    record.pendingBytes = made.pending.bytes.size();
+    record.pendingOffset = scratch.append(made.pending.bytes);
+    record.pending = {made.pending.clusters, made.pending.triangles, made.pending.vertices};
+    record.rootTriangles = made.rootTriangles;
+    record.stuckTriangles = made.stuckTriangles;
+}
+
+} // namespace
+
+std::vector<std::byte> TaskWork::perform(TaskKind kind, std::span<const std::byte> input) const {
+    ByteReader in(input);
+    scratch_.reopenOthers();
+    std::vector<std::byte> result = resultOf(kind, in);
+    scratch_.handOver();
+    return result;
+}
+
+std::vector<std::byte> TaskWork::resultOf(TaskKind kind, ByteReader& in) const {
+    switch (kind) {
+    case TaskKind::AnswerVertices:
+    case TaskKind::AnswerNormals:
+        return answer(kind, in);
+    case TaskKind::BuildNode:
+        return buildNode(in);
+    case TaskKind::RouteClusters:
+        return routeClusters(in);
+    case TaskKind::ShareLocks:
+        return shareLocks(in);
+    }
+    throw hierarchy::Damage{"a task of unknown kind"};
+}
+
+std::vector<std::byte> TaskWork::answer(TaskKind kind, ByteReader& in) const {
+    const OneChunk chunk(takeChunk(in), facts_, scratch_);
+    in.expectEnd();
+    const chunk::Messages messages = kind == TaskKind::AnswerVertices
+                                         ? chunk::answerVertices(chunk.source(), 0)
+                                         : chunk::answerNormals(chunk.source(), chunk.borders(), 0, progress_);
+    Mail mail;
+    for (const chunk::Message& message : messages) // none is empty
+        mail.push_back({message.chunk, {scratch_.append(message.bytes), message.bytes.size()}});
+    ByteWriter out;
+    putMail(out, mail);
+    return out.take();
+}
+
+std::vector<std::byte> TaskWork::buildNode(ByteReader& in) const {
+    const NodeInput input = takeNode(in);
+    NodeRecord record;
+    record.round = input.round;
+    record.node = input.node;
+    record.firstLevel = input.firstLevel;
+    const levels::NodePlan plan{input.firstLevel, input.isLast ? hierarchy::kNone : kLevelsPerRound};
+    levels::BuiltNode made;
+    if (input.round == 0) {
+        const OneChunk one(input.chunk, facts_, scratch_);
+        chunk::ChunkMesh chunk = chunk::loadChunk(one.source(), one.borders(), 0, progress_);
+        record.dropped = {chunk.dropped.degenerate, chunk.dropped.doubled, chunk.dropped.collapsedByGrid};
+        record.bounds = chunk.bounds;
+        record.hasNormals = chunk.hasNormals;
+        made = levels::buildNode(chunk.mesh, levels::firstLevel(chunk.mesh, options_), plan, options_, progress_);
+    } else {
+        levels::PendingLevel pending = pendingLevel(input, facts_, scratch_);
+        made = levels::buildNode(pending.mesh, std::move(pending.level), plan, options_, progress_);
+    }
+    store(made, record, scratch_);
+    return encoded(record);
+}
+
+std::vector<std::byte> TaskWork::routeClusters(ByteReader& in) const {
+    const RouteInput input = takeRoute(in);
+    std::vector<std::byte> bytes(input.bytes);
+    if (!bytes.empty()) scratch_.read(input.offset, bytes);
+    const RoutedClusters clusters =
+        routed({bytes, input.nodeOf, input.firstLevel, input.firstPages}, input.borderStreams);
+    return encoded(RoutedMail{
+        posted(clusters.records, scratch_),
+        posted(clusters.locks, scratch_),
+        posted(clusters.borders, scratch_),
+        clusters.counts});
+}
+
+std::vector<std::byte> TaskWork::shareLocks(ByteReader& in) const {
+    scratch::StreamStore store(scratch_, 1, 1);
+    for (const scratch::StreamStore::Block& block : takeBlocks(in))
+        store.adopt(0, block);
+    in.expectEnd();
+    RoutedMail shared;
+    shared.locks = posted(sharedBorders(store.readAs<BorderUse>(0), shared.counts), scratch_);
+    return encoded(shared);
+}
+
+} // namespace gnomon::pipeline

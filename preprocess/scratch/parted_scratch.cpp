@@ -1,0 +1,74 @@
+#include "preprocess/scratch/parted_scratch.h"
+
+#include "core/check.h"
+#include "core/error.h"
+
+namespace gnomon::scratch {
+
+namespace {
+
+constexpr std::uint64_t kOffsetMask = (std::uint64_t{1} << kPartShift) - 1;
+
+std::uint64_t offsetOf(std::uint64_t place) {
+    return place & kOffsetMask;
+}
+
+} // namespace
+
+std::string partPath(const std::string& stem, std::uint32_t part) {
+    return stem + std::to_string(part);
+}
+
+PartedScratch::PartedScratch(std::string stem, std::uint32_t ownPart, TemporarySpace& space)
+    : ScratchFile(space, placeOf(ownPart, 0)),
+      stem_(std::move(stem)),
+      ownPart_(ownPart),
+      own_(partPath(stem_, ownPart), File::Mode::Create) {
+    GNOMON_CHECK_OP(ownPart, <, kMostParts);
+}
+
+void PartedScratch::resume(std::uint32_t part, std::uint64_t bytes) {
+    File file(partPath(stem_, part), File::Mode::Update);
+    if (const std::uint64_t found = file.size(); found < bytes)
+        throw Error(
+            file.path(), "the temporary file was cut off", std::to_string(bytes) + " bytes", std::to_string(found));
+    file.resize(bytes);
+    space().take(bytes);
+}
+
+void PartedScratch::handOver() const {
+    own_.handOver();
+}
+
+void PartedScratch::reopenOthers() {
+    const std::scoped_lock lock(mutex_);
+    others_.clear(); // who reads one now keeps it until that is done
+}
+
+std::shared_ptr<File> PartedScratch::other(std::uint32_t part) const {
+    const std::scoped_lock lock(mutex_);
+    std::shared_ptr<File>& file = others_[part];
+    if (!file) file = std::make_shared<File>(partPath(stem_, part), File::Mode::Update);
+    return file;
+}
+
+void PartedScratch::load(std::uint64_t place, std::span<std::byte> out) const {
+    if (partOf(place) == ownPart_)
+        own_.readAt(offsetOf(place), out);
+    else
+        other(partOf(place))->readAt(offsetOf(place), out);
+}
+
+void PartedScratch::store(std::uint64_t place, std::span<const std::byte> bytes) {
+    GNOMON_CHECK_OP(partOf(place), ==, ownPart_);
+    own_.writeAt(offsetOf(place), bytes);
+}
+
+void PartedScratch::forget(std::uint64_t place, std::uint64_t bytes) {
+    if (partOf(place) == ownPart_)
+        own_.release(offsetOf(place), bytes);
+    else
+        other(partOf(place))->release(offsetOf(place), bytes);
+}
+
+} // namespace gnomon::scratch

@@ -4,7 +4,6 @@
 #include "core/limit_error.h"
 #include "core/printable.h"
 #include "core/units.h"
-#include "preprocess/pipeline/build_model.h"
 #include "preprocess/pipeline/fingerprint.h"
 #include "preprocess/pipeline/report_json.h"
 #include "preprocess/pipeline/report_text.h"
@@ -59,10 +58,14 @@ Error inOptions(const LimitError& error) {
     return {parts.where, parts.what, parts.expected, parts.found};
 }
 
-BuildReport built(read::MeshSource& source, const pipeline::BuildOptions& options, const CommonOptions& common) {
+std::optional<BuildReport> built(
+    read::MeshSource& source,
+    const pipeline::BuildOptions& options,
+    const CommonOptions& common,
+    const BuildBy& buildBy) {
     const auto progress = makeProgress(common);
     try {
-        return buildModel(source, options, *progress);
+        return buildBy ? buildBy(source, options, *progress) : buildModel(source, options, *progress);
     } catch (const LimitError& error) {
         throw inOptions(error);
     }
@@ -76,7 +79,7 @@ void takeUp(const glm::dvec3& up, const std::vector<std::string>& inputs, pipeli
         pipeline::askForUpOfSources(options, inputs);
 }
 
-void run(const BuildCommand& command) {
+void run(const BuildCommand& command, const BuildBy& buildBy) {
     const glm::dvec3 up = settings::parsed(settings::upDirection(), "--up", command.up);
     std::vector<settings::NamedFile> inputs;
     for (const std::string& input : command.inputs)
@@ -111,7 +114,9 @@ void run(const BuildCommand& command) {
     std::vector<std::string> read = command.inputs;
     read.insert(read.end(), source->summary().filesBesides.begin(), source->summary().filesBesides.end());
     options.inputKey = pipeline::fingerprintOf(read) + (command.textures == "bake" ? "" : ", textures off");
-    const BuildReport report = built(*source, options, command.common);
+    const std::optional<BuildReport> done = built(*source, options, command.common, buildBy);
+    if (!done) return;
+    const BuildReport& report = *done;
     if (const std::string warning = pipeline::warningOfCoarsest(report); !warning.empty())
         printWarning(command.output + ": " + warning);
     if (command.isJson)
@@ -138,7 +143,7 @@ CLI::Validator chunkSize() {
 
 } // namespace
 
-void addBuildCommand(CLI::App& program) {
+void addBuildCommand(CLI::App& program, const BuildBy& buildBy) {
     auto options = std::make_shared<BuildCommand>();
     CLI::App* command = program.add_subcommand("build", "Turn a mesh into a level-of-detail model (.gnm)");
     command->add_option("INPUT", options->inputs, "PLY, OBJ, STL, OFF or glTF; several make one model")->required();
@@ -193,7 +198,7 @@ void addBuildCommand(CLI::App& program) {
         ->capture_default_str();
     command->add_flag("--json", options->isJson, "Print a JSON report on stdout");
     addCommonOptions(*command, options->common);
-    command->callback([options] { run(*options); });
+    command->callback([options, buildBy] { run(*options, buildBy); });
 }
 
 } // namespace gnomon::app

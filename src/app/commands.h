@@ -2,9 +2,12 @@
 #pragma once
 
 #include "core/progress.h"
+#include "preprocess/pipeline/build_model.h"
 
 #include <algorithm>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -37,7 +40,13 @@ void addServerOptions(CLI::App& command);
 void addModel(CLI::App& command, std::string& model);
 
 void addBenchCommand(CLI::App& program);
-void addBuildCommand(CLI::App& program);
+
+/// How a command builds: nothing comes back to a process that only helped another.
+using BuildBy = std::function<std::optional<pipeline::BuildReport>(
+    read::MeshSource& source, const pipeline::BuildOptions& options, Progress& progress)>;
+
+/// Without `buildBy` by this process alone.
+void addBuildCommand(CLI::App& program, const BuildBy& buildBy = {});
 void addExplainCommand(CLI::App& program);
 void addExportCommand(CLI::App& program);
 void addInfoCommand(CLI::App& program);

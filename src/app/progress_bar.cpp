@@ -58,7 +58,7 @@ public:
         if (isInterrupted()) throw Interrupted{};
         const std::scoped_lock lock(mutex_);
         done_ += count;
-        if (sinceShown_.elapsed() < kBetweenShown) return;
+        if (name_.empty() || sinceShown_.elapsed() < kBetweenShown) return;
         sinceShown_ = {};
         show();
     }

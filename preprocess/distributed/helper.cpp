@@ -1,0 +1,155 @@
+#include "preprocess/distributed/helper.h"
+
+#include "core/error.h"
+#include "preprocess/distributed/task_pool.h"
+#include "preprocess/pipeline/build_key.h"
+#include "preprocess/pipeline/tasks/task_work.h"
+#include "telemetry/process_clock.h"
+
+#include <tbb/global_control.h>
+
+#include <atomic>
+#include <exception>
+#include <new>
+#include <optional>
+#include <utility>
+
+namespace gnomon::distributed {
+
+namespace {
+
+/// Counts what tasks tell of their progress, and ends them once it is told to.
+class CountedProgress final : public Progress {
+public:
+    void stage(std::string_view /*name*/, std::string_view /*unit*/, std::uint64_t /*total*/) override {}
+
+    void advance(std::uint64_t count) override {
+        if (isStopped_) throw Interrupted{};
+        done_ += count;
+    }
+
+    void stop() { isStopped_ = true; }
+
+    /// What was done since the last call.
+    std::uint64_t take() { return done_.exchange(0); }
+
+private:
+    std::atomic<bool> isStopped_{false};
+    std::atomic<std::uint64_t> done_{0};
+};
+
+std::string textOf(const std::exception_ptr& error) {
+    try {
+        std::rethrow_exception(error);
+    } catch (const std::bad_alloc&) {
+        return "out of memory";
+    } catch (const std::exception& known) {
+        return known.what();
+    } catch (const hierarchy::Damage& damage) {
+        return damage.what;
+    } catch (const Interrupted&) {
+        return "interrupted";
+    }
+}
+
+} // namespace
+
+/// What the tasks of a helper need.
+class Helper::Work {
+public:
+    explicit Work(std::size_t threads) : space_(progress_), pool_(threads) {}
+
+    void begin(const Beginning& beginning, std::uint32_t rank, const levels::LevelOptions& options) {
+        const pipeline::ScratchPlace& place = beginning.place;
+        scratch_.emplace(place.stem, place.firstPart + rank, space_);
+        tasks_.emplace(beginning.facts, options, *scratch_, progress_);
+    }
+
+    void start(Assignment assignment) {
+        pool_.start(assignment.task, [this, assignment = std::move(assignment)] {
+            if (!tasks_) throw Error("a task before the build began");
+            return tasks_->perform(assignment.kind, assignment.input);
+        });
+    }
+
+    std::optional<Finished> finished() { return pool_.finished(); }
+
+    Outcome outcomeOf(Finished finished) {
+        Outcome outcome;
+        outcome.task = finished.task;
+        outcome.seconds = finished.seconds;
+        outcome.progress = progress_.take();
+        outcome.bytesRead = space_.bytesRead() - std::exchange(bytesRead_, space_.bytesRead());
+        outcome.bytesWritten = space_.bytesWritten() - std::exchange(bytesWritten_, space_.bytesWritten());
+        outcome.result = std::move(finished.result);
+        return outcome;
+    }
+
+    void stop() {
+        progress_.stop();
+        pool_.drain();
+    }
+
+private:
+    CountedProgress progress_;
+    scratch::TemporarySpace space_;
+    std::optional<scratch::PartedScratch> scratch_;
+    std::optional<pipeline::TaskWork> tasks_;
+    std::uint64_t bytesRead_ = 0;
+    std::uint64_t bytesWritten_ = 0;
+    TaskPool pool_; // last, so that it ends first
+};
+
+void Helper::fail(const std::string& why) {
+    if (!std::exchange(hasFailed_, true)) mailbox_.send(0, Subject::Failed, encoded(why));
+}
+
+void Helper::serve(const pipeline::BuildOptions& options, Progress& progress) {
+    constexpr auto kLimit = tbb::global_control::max_allowed_parallelism;
+    const std::size_t threads =
+        options.threads > 0 ? static_cast<std::size_t>(options.threads) : tbb::global_control::active_value(kLimit);
+    const tbb::global_control limit(kLimit, threads + 1); // this one only waits
+    Work work(threads);
+    mailbox_.send(
+        0, Subject::Hello, encoded(Hello{mailbox_.host(), static_cast<std::uint32_t>(threads), keyOf(options)}));
+    Patience patience;
+    while (!isStopped_) {
+        try {
+            if (const std::optional<Letter> letter = mailbox_.receive()) {
+                patience.restart();
+                if (letter->subject == Subject::Stop) isStopped_ = true;
+                if (letter->subject == Subject::Task) work.start(decodedAssignment(letter->bytes));
+                if (letter->subject == Subject::Begin) {
+                    work.begin(decodedBeginning(letter->bytes), mailbox_.rank(), options.level);
+                    mailbox_.send(0, Subject::Ready, {});
+                }
+            } else if (std::optional<Finished> finished = work.finished()) {
+                patience.restart();
+                if (finished->error)
+                    fail(textOf(finished->error));
+                else
+                    mailbox_.send(0, Subject::Result, encoded(work.outcomeOf(std::move(*finished))));
+            } else {
+                patience.wait();
+            }
+            if (!hasFailed_) progress.advance(0);
+        } catch (...) {
+            fail(textOf(std::current_exception()));
+        }
+    }
+    work.stop();
+}
+
+void Helper::leave() {
+    Patience patience;
+    while (!isStopped_) {
+        const std::optional<Letter> letter = mailbox_.receive();
+        if (letter && letter->subject == Subject::Stop) isStopped_ = true;
+        if (!letter) patience.wait();
+    }
+    mailbox_.send(0, Subject::Bye, encoded(Farewell{telemetry::peakResident().count, mailbox_.bytesSent()}));
+    while (!mailbox_.hasSentAll())
+        patience.wait();
+}
+
+} // namespace gnomon::distributed

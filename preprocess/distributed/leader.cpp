@@ -1,0 +1,226 @@
+#include "preprocess/distributed/leader.h"
+
+#include "core/error.h"
+#include "core/stopwatch.h"
+#include "preprocess/pipeline/build_key.h"
+#include "telemetry/process_clock.h"
+
+#include <algorithm>
+
+namespace gnomon::distributed {
+
+namespace {
+
+/// Leaves no task behind that refers to what goes.
+struct DrainAtEnd {
+    explicit DrainAtEnd(TaskPool& drained) : pool(drained) {}
+
+    ~DrainAtEnd() { pool.drain(); }
+
+    DrainAtEnd(const DrainAtEnd&) = delete;
+    DrainAtEnd& operator=(const DrainAtEnd&) = delete;
+    DrainAtEnd(DrainAtEnd&&) = delete;
+    DrainAtEnd& operator=(DrainAtEnd&&) = delete;
+
+    TaskPool& pool;
+};
+
+} // namespace
+
+Leader::Leader(Mailbox& mailbox) : mailbox_(mailbox), members_(mailbox.count()) {
+    for (std::uint32_t rank = 0; rank < members_.size(); ++rank)
+        members_[rank].report.rank = rank;
+    Member& own = members_.front();
+    own.report.host = mailbox.host();
+    own.isThere = own.isReady = own.isGone = true;
+}
+
+std::string Leader::nameOf(std::uint32_t rank) const {
+    const std::string& host = members_[rank].report.host;
+    return "rank " + std::to_string(rank) + (host.empty() ? "" : " on " + host);
+}
+
+template <class IsDone>
+void Leader::waitForAll(const IsDone& isDone, Progress& progress) {
+    Patience patience;
+    while (!std::all_of(members_.begin(), members_.end(), isDone)) {
+        if (const std::optional<Letter> letter = mailbox_.receive()) {
+            take(*letter);
+            patience.restart();
+        } else {
+            patience.wait();
+        }
+        progress.advance(0);
+    }
+}
+
+void Leader::take(const Letter& letter) {
+    Member& member = members_[letter.from];
+    switch (letter.subject) {
+    case Subject::Hello: {
+        const Hello hello = decodedHello(letter.bytes);
+        member.report.host = hello.host;
+        member.report.threads = hello.threads;
+        member.isThere = true;
+        if (hello.key != key_) throw Error(nameOf(letter.from), "it builds something else", key_, hello.key);
+        break;
+    }
+    case Subject::Ready:
+        member.isReady = true;
+        break;
+    case Subject::Failed:
+        throw Error(nameOf(letter.from), decodedText(letter.bytes));
+    case Subject::Bye: {
+        const Farewell farewell = decodedFarewell(letter.bytes);
+        member.report.peakResidentBytes = farewell.peakResidentBytes;
+        member.report.bytesSent = farewell.bytesSent;
+        member.isGone = true;
+        break;
+    }
+    default:
+        throw Error(nameOf(letter.from), "it sends what it should not");
+    }
+}
+
+void Leader::gather(const pipeline::BuildOptions& options, std::size_t threads, Progress& progress) {
+    members_.front().report.threads = static_cast<std::uint32_t>(threads);
+    key_ = pipeline::keyOf(options);
+    pool_.emplace(threads);
+    waitForAll([](const Member& member) { return member.isThere; }, progress);
+}
+
+void Leader::begin(const pipeline::TaskFacts& facts, const pipeline::ScratchPlace& place, Progress& progress) {
+    progress_ = &progress;
+    for (std::uint32_t rank = 1; rank < members_.size(); ++rank)
+        mailbox_.send(rank, Subject::Begin, encoded(Beginning{facts, place}));
+    waitForAll([](const Member& member) { return member.isReady; }, progress);
+}
+
+Leader::Member* Leader::freeMember(std::size_t atOnce) {
+    Member* best = nullptr;
+    for (Member& member : members_) {
+        if (member.running >= std::min<std::size_t>(member.report.threads, atOnce)) continue;
+        // The last of equals: the leader has other things to do, too.
+        if (best == nullptr || member.running <= best->running) best = &member;
+    }
+    return best;
+}
+
+bool Leader::handOut(Queue& queue, const pipeline::TaskPhase& phase, const pipeline::Perform& perform) {
+    const std::size_t first = queue.next;
+    while (queue.next < queue.tasks.size()) {
+        Member* const member = freeMember(phase.atOnce);
+        if (member == nullptr) break;
+        const std::uint32_t task = queue.tasks[queue.next++];
+        ++member->running;
+        std::vector<std::byte> input = phase.input(task);
+        if (member->report.rank > 0)
+            mailbox_.send(member->report.rank, Subject::Task, encoded(Assignment{phase.kind, task, std::move(input)}));
+        else
+            pool_->start(
+                task, [&perform, kind = phase.kind, input = std::move(input)] { return perform(kind, input); });
+    }
+    return queue.next > first;
+}
+
+void Leader::count(Member& member, double seconds) {
+    --member.running;
+    ++member.report.tasks;
+    member.report.busySeconds += seconds;
+    member.busySeconds += seconds;
+    ++share_.tasks;
+}
+
+std::optional<Outcome> Leader::receiveOutcome() {
+    while (const std::optional<Letter> letter = mailbox_.receive()) {
+        if (letter->subject != Subject::Result) {
+            take(*letter);
+            continue;
+        }
+        Outcome outcome = decodedOutcome(letter->bytes);
+        Member& member = members_[letter->from];
+        count(member, outcome.seconds);
+        member.report.bytesRead += outcome.bytesRead;
+        member.report.bytesWritten += outcome.bytesWritten;
+        share_.bytesRead += outcome.bytesRead;
+        share_.bytesWritten += outcome.bytesWritten;
+        progress_->advance(outcome.progress);
+        return outcome;
+    }
+    return {};
+}
+
+void Leader::run(const pipeline::TaskPhase& phase, const pipeline::Perform& perform) {
+    const Stopwatch watch;
+    const DrainAtEnd drain(*pool_);
+    Queue queue{phase.tasks, 0};
+    std::stable_sort(queue.tasks.begin(), queue.tasks.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return phase.weight(a) > phase.weight(b);
+    });
+    Patience patience;
+    for (std::size_t taken = 0; taken < queue.tasks.size();) {
+        bool isBusy = handOut(queue, phase, perform);
+        if (const std::optional<Finished> own = pool_->finished()) {
+            if (own->error) std::rethrow_exception(own->error);
+            count(members_.front(), own->seconds);
+            phase.take(own->task, own->result);
+            ++taken;
+            isBusy = true;
+        }
+        if (const std::optional<Outcome> outcome = receiveOutcome()) {
+            phase.take(outcome->task, outcome->result);
+            ++taken;
+            isBusy = true;
+        }
+        if (isBusy)
+            patience.restart();
+        else
+            patience.wait();
+        progress_->advance(0);
+    }
+    phaseSeconds_ += watch.elapsed().count / 1000;
+}
+
+pipeline::TeamShare Leader::endPhase() {
+    double busy = 0;
+    double available = 0;
+    for (Member& member : members_) {
+        busy += member.busySeconds;
+        available += phaseSeconds_ * member.report.threads;
+        if (member.busySeconds > members_[share_.slowest].busySeconds) share_.slowest = member.report.rank;
+    }
+    // Tasks share the threads of their process, so their times may overlap and come to more than there is.
+    share_.idle = available > 0 ? std::clamp(1 - busy / available, 0.0, 1.0) : 0;
+    for (Member& member : members_)
+        member.busySeconds = 0;
+    phaseSeconds_ = 0;
+    return std::exchange(share_, {});
+}
+
+void Leader::dismiss() {
+    constexpr double kMostSeconds = 60;
+    for (std::uint32_t rank = 1; rank < members_.size(); ++rank)
+        mailbox_.send(rank, Subject::Stop, {});
+    const Stopwatch watch;
+    Patience patience;
+    const auto isGone = [](const Member& member) { return member.isGone; };
+    while (!std::all_of(members_.begin(), members_.end(), isGone) || !mailbox_.hasSentAll()) {
+        if (watch.elapsed().count / 1000 > kMostSeconds) mailbox_.abort();
+        const std::optional<Letter> letter = mailbox_.receive();
+        if (letter && letter->subject == Subject::Bye)
+            take(*letter);
+        else if (!letter) // what else is still on its way no longer matters
+            patience.wait();
+    }
+    members_.front().report.peakResidentBytes = telemetry::peakResident().count;
+    members_.front().report.bytesSent = mailbox_.bytesSent();
+}
+
+std::vector<pipeline::ProcessReport> Leader::reports() const {
+    std::vector<pipeline::ProcessReport> reports;
+    for (const Member& member : members_)
+        reports.push_back(member.report);
+    return reports;
+}
+
+} // namespace gnomon::distributed

@@ -1,0 +1,82 @@
+#include "app/program.h"
+
+#include "app/console.h"
+#include "app/interruption.h"
+#include "core/error.h"
+#include "core/printable.h"
+#include "core/process/floating_point.h"
+#include "manual/version.h"
+#include "settings/table.h"
+
+#include <algorithm>
+#include <exception>
+#include <iostream>
+#include <new>
+#include <string_view>
+
+namespace gnomon::app {
+
+namespace {
+
+/// What is wrong with the command line and whose help says what is right, in one line.
+std::string usage(const CLI::App& program, const CLI::ParseError& error, const std::string& first) {
+    const auto chosen = program.get_subcommands();
+    if (chosen.empty() && !first.empty() && first.front() != '-')
+        return "there is no command '" + first + "'; " + program.get_name() + " --help lists them";
+    std::string text = error.what();
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    return text + "; see " + program.get_name() + " " + (chosen.empty() ? "" : chosen.front()->get_name() + " ") +
+           "--help";
+}
+
+} // namespace
+
+void runProgram(const Program& about, int argc, char** argv) {
+    requireUsualFloatingPoint();
+    CLI::App program(about.description, about.name);
+    const std::string versionLine = std::string(about.name) + " " GNOMON_VERSION;
+    CLI::Option* version = program.set_version_flag("--version", versionLine, "Print the version");
+    bool isJson = false;
+    program.add_flag("--json", isJson, "Beside --version: how the program was compiled, as JSON")->needs(version);
+    program.require_subcommand(1);
+    program.get_formatter()->column_width(38);
+    for (const auto& add : about.commands)
+        add(program);
+    try {
+        program.parse(argc, argv);
+    } catch (const CLI::CallForVersion&) {
+        // Which of two flags is looked at first is the library's business.
+        isJson =
+            std::any_of(argv + 1, argv + argc, [](const char* word) { return std::string_view(word) == "--json"; });
+        if (!about.isSilent) std::cout << (isJson ? gnomon::manual::versionJson(GNOMON_VERSION) : versionLine) << '\n';
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() != 0) throw settings::UsageError{usage(program, error, argc > 1 ? argv[1] : "")};
+        if (!about.isSilent) program.exit(error); // prints what --help asks for
+    }
+    requirePrinted();
+}
+
+int exitCodeOf(const std::function<void()>& work) {
+    try {
+        work();
+        return 0;
+    } catch (const settings::UsageError& error) {
+        printMessage(error.message);
+        return 2;
+    } catch (const Interrupted&) {
+        printMessage(kInterrupted);
+        return 1;
+    } catch (const Error& error) {
+        const std::string options = settings::optionsOf(error.what());
+        printMessage(error.what() + (options.empty() ? "" : "; see " + options));
+        return 1;
+    } catch (const std::bad_alloc&) {
+        printMessage("out of memory");
+        return 1;
+    } catch (const std::exception& error) {
+        printMessage(inWords(error));
+        return 1;
+    }
+}
+
+} // namespace gnomon::app

@@ -1,0 +1,72 @@
+// The program `gnomon-mpi`: commands of `gnomon` by the processes of an MPI job, as one.
+
+#include "app/commands.h"
+#include "app/console.h"
+#include "app/interruption.h"
+#include "app/program.h"
+#include "core/error.h"
+#include "core/printable.h"
+#include "preprocess/distributed/helper.h"
+#include "preprocess/distributed/leader.h"
+#include "settings/table.h"
+
+namespace {
+
+using namespace gnomon;
+
+app::Program programOf(const app::BuildBy& buildBy, bool isSilent) {
+    return {
+        "gnomon-mpi",
+        "What gnomon does, by the processes of an MPI job: mpirun -n N gnomon-mpi COMMAND",
+        {[buildBy](CLI::App& program) { app::addBuildCommand(program, buildBy); }},
+        isSilent};
+}
+
+int lead(distributed::Mailbox& mailbox, int argc, char** argv) {
+    distributed::Leader leader(mailbox);
+    bool isDismissed = false;
+    const auto build = [&](read::MeshSource& source, const pipeline::BuildOptions& options, Progress& progress) {
+        if (options.isInMemory)
+            throw settings::UsageError{"a build without temporary files is of one process: others read what it writes"};
+        pipeline::BuildReport report = buildModel(source, options, leader, progress);
+        leader.dismiss();
+        isDismissed = true;
+        report.processes = leader.reports();
+        report.processes.front().bytesRead = report.scratchRead;
+        report.processes.front().bytesWritten = report.scratchWritten;
+        return std::optional(std::move(report));
+    };
+    const int code = app::exitCodeOf([&] { app::runProgram(programOf(build, false), argc, argv); });
+    if (!isDismissed) leader.dismiss();
+    return code;
+}
+
+/// Its exit code is 0 in any case: the leader tells what fails, and fails once.
+int help(distributed::Mailbox& mailbox, int argc, char** argv) {
+    const app::PolledInterruption quiet; // of a signal, too, the leader tells
+    distributed::Helper helper(mailbox);
+    const auto build = [&](read::MeshSource&, const pipeline::BuildOptions& options, Progress& progress) {
+        helper.serve(options, progress);
+        return std::optional<pipeline::BuildReport>();
+    };
+    try {
+        app::runProgram(programOf(build, true), argc, argv);
+    } catch (const settings::UsageError& error) {
+        helper.fail(error.message);
+    } catch (const Interrupted&) {
+        helper.fail("interrupted");
+    } catch (const std::exception& error) {
+        helper.fail(inWords(error));
+    }
+    helper.leave();
+    return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    app::occupyStandardDescriptors();
+    distributed::Mailbox mailbox(&argc, &argv);
+    app::endCleanlyOnSignals();
+    return mailbox.rank() == 0 ? lead(mailbox, argc, argv) : help(mailbox, argc, argv);
+}

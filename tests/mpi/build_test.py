@@ -1,0 +1,46 @@
+"""Any number of processes builds the bytes of one."""
+import json
+import unittest
+
+from job import DATA, JobTest, run
+
+SMALL = ("--chunk-triangles", "4k")
+
+
+class Build(JobTest):
+    def report(self, processes, *words):
+        model = self.place / "m.gnm"
+        told = run(processes, "build", *words, "-o", model, "--json")
+        self.assertEqual((told.returncode, told.stderr), (0, ""))
+        self.assertEqual(self.left(), ["m.gnm"])
+        model.unlink()
+        return json.loads(told.stdout)
+
+    def test_same_bytes_for_any_number_of_processes_and_threads(self):
+        for words in ((self.made("plant", "60k"), *SMALL), (self.made("statue", "40k"), *SMALL),
+                      (DATA / "models/colonnade.obj",)):  # fmt: skip
+            expected = self.hash_alone(*words)
+            for processes in (1, 2, 3):
+                for threads in (1, 2):
+                    told = self.report(processes, *words, "--threads", threads)
+                    self.assertEqual(told["content_hash"], expected, f"{words}: {processes} processes of {threads}")
+
+    def test_the_report_tells_who_did_what(self):
+        told = self.report(3, self.made("plant", "60k"), *SMALL, "--threads", "1")
+        self.assertEqual([rank["rank"] for rank in told["ranks"]], [0, 1, 2])
+        self.assertEqual(sum(rank["tasks"] for rank in told["ranks"]), sum(phase["tasks"] for phase in told["phases"]))
+        for rank in told["ranks"]:
+            self.assertGreater(rank["tasks"], 0)
+            self.assertGreater(rank["busy_seconds"], 0)
+            self.assertGreater(rank["peak_rss_bytes"], 1 << 20)
+            self.assertGreater(rank["scratch_bytes_written"], 0)
+            self.assertEqual(rank["threads"], 1)
+            self.assertTrue(rank["host"])
+        for phase in told["phases"]:
+            self.assertTrue(0 <= phase["idle_share"] <= 1, phase)
+            self.assertIn(phase["slowest_rank"], (0, 1, 2))
+        self.assertGreater(told["source_triangles"] * 2, sum(rank["bytes_sent"] for rank in told["ranks"]))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,80 @@
+"""MPI jobs of $GNOMON_MPI on this machine, beside $GNOMON, which is one process."""
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+GNOMON, GNOMON_MPI = os.environ["GNOMON"], os.environ["GNOMON_MPI"]
+MPIEXEC = os.environ.get("MPIEXEC") or "mpirun"
+DATA = pathlib.Path(__file__).resolve().parents[2] / "data"
+# More processes than processors, none of which spins; as any user; without a remote shell; messages through memory that
+# needs no permission to look into other processes.
+SETTINGS = {
+    "OMPI_ALLOW_RUN_AS_ROOT": "1",
+    "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
+    "OMPI_MCA_rmaps_base_oversubscribe": "1",
+    "OMPI_MCA_mpi_yield_when_idle": "1",
+    "OMPI_MCA_plm": "isolated",
+    "OMPI_MCA_btl_vader_single_copy_mechanism": "none",
+    "OMPI_MCA_hwloc_base_binding_policy": "none",
+}
+
+
+def command(processes, *words, program=GNOMON_MPI):
+    return [MPIEXEC, "-n", str(processes), str(program), *map(str, words)]
+
+
+def start(processes, *words, program=GNOMON_MPI, settings=None, **options):
+    environment = {**os.environ, **SETTINGS, **(settings or {})}
+    return subprocess.Popen(command(processes, *words, program=program), env=environment, stdin=subprocess.DEVNULL,
+                            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **options)  # fmt: skip
+
+
+class Told:
+    """What came of a job. Its own lines alone: mpirun says things, too, when a rank fails."""
+
+    def __init__(self, job, timeout=120):
+        self.stdout, self.stderr = job.communicate(timeout=timeout)
+        self.returncode = job.returncode
+        self.lines = [line for line in self.stderr.splitlines() if line.startswith("gnomon")]
+
+
+def run(processes, *words, **options):
+    return Told(start(processes, *words, **options))
+
+
+def alone(*words):
+    done = subprocess.run([GNOMON, *map(str, words)], capture_output=True, text=True, timeout=120)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+class JobTest(unittest.TestCase):
+    """In a folder of its own, `place`."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory(prefix="gnomon_mpi_")
+        cls.place = pathlib.Path(cls.folder.name)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def made(self, kind, triangles):
+        mesh = self.place / f"{kind}_{triangles}.ply"
+        if not mesh.exists():
+            alone("make", kind, "--triangles", triangles, "-o", mesh)
+        return mesh
+
+    def left(self):
+        """What is in the folder beside meshes."""
+        return sorted(path.name for path in self.place.iterdir() if path.suffix != ".ply")
+
+    def hash_alone(self, *words):
+        model = self.place / "alone.gnm"
+        told = json.loads(alone("build", *words, "-o", model, "--json"))
+        model.unlink()
+        return told["content_hash"]

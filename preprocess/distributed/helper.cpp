@@ -57,7 +57,9 @@ std::string textOf(const std::exception_ptr& error) {
 /// What the tasks of a helper need.
 class Helper::Work {
 public:
-    explicit Work(std::size_t threads) : space_(progress_), pool_(threads) {}
+    Work(std::size_t threads, std::uint64_t bytesPerSecond) : space_(progress_), pool_(threads) {
+        space_.limitRate(bytesPerSecond);
+    }
 
     void begin(const Beginning& beginning, std::uint32_t rank, const levels::LevelOptions& options) {
         const pipeline::ScratchPlace& place = beginning.place;
@@ -109,7 +111,7 @@ void Helper::serve(const pipeline::BuildOptions& options, Progress& progress) {
     const std::size_t threads =
         options.threads > 0 ? static_cast<std::size_t>(options.threads) : tbb::global_control::active_value(kLimit);
     const tbb::global_control limit(kLimit, threads + 1); // this one only waits
-    Work work(threads);
+    Work work(threads, options.scratchBytesPerSecond);
     mailbox_.send(
         0, Subject::Hello, encoded(Hello{mailbox_.host(), static_cast<std::uint32_t>(threads), keyOf(options)}));
     Patience patience;

@@ -71,7 +71,8 @@ public:
                keyOf(options),
                options.isInMemory,
                options.isResumed,
-               options.onKeptFolder},
+               options.onKeptFolder,
+               options.scratchBytesPerSecond},
               progress) {}
 
     BuildReport run() {

@@ -34,6 +34,8 @@ struct BuildOptions {
     bool isResumed = false;          // go on with what a killed build left, if anything
     std::string inputKey;            // what tells this input from others, for a build that resumes (fingerprint.h)
 
+    std::uint64_t scratchBytesPerSecond = 0; // each process reads and writes no more of temporary files; 0: no limit
+
     /// Told the folder of temporary files if it stays, for what no build has written into it.
     std::function<void(const std::string&)> onKeptFolder = {};
 };

@@ -145,6 +145,7 @@ void WorkDirectory::Names::leave() {
 
 WorkDirectory::WorkDirectory(const WorkDirectoryOptions& options, Progress& progress)
     : space_(progress), names_(options.onKept) {
+    space_.limitRate(options.bytesPerSecond);
     if (options.isInMemory) {
         scratch_ = scratch::scratchInMemory(space_);
         return;

@@ -21,6 +21,7 @@ struct WorkDirectoryOptions {
     bool isInMemory = false; // no files at all
     bool isResumed = false;  // go on with what is there, if anything
     std::function<void(const std::string&)> onKept = {}; // told the folder if it stays for what no build has put there
+    std::uint64_t bytesPerSecond = 0;                    // read and written at most; 0: no limit
 };
 
 /// Where a build's scratch files are.

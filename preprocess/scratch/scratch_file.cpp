@@ -2,10 +2,12 @@
 
 #include "core/check.h"
 
+#include <algorithm>
 #include <cstring>
 #include <map>
 #include <mutex>
 #include <shared_mutex>
+#include <thread>
 #include <vector>
 
 namespace gnomon::scratch {
@@ -66,6 +68,19 @@ void TemporarySpace::take(std::uint64_t bytes) {
     progress_.temporarySpace(now);
 }
 
+void TemporarySpace::pace(std::uint64_t bytes) {
+    if (bytesPerSecond_ == 0) return;
+    using Clock = std::chrono::steady_clock;
+    const std::chrono::duration<double> takes(static_cast<double>(bytes) / static_cast<double>(bytesPerSecond_));
+    Clock::time_point end;
+    {
+        const std::scoped_lock lock(paceMutex_);
+        free_ = std::max(free_, Clock::now()) + std::chrono::duration_cast<Clock::duration>(takes);
+        end = free_;
+    }
+    std::this_thread::sleep_until(end);
+}
+
 void TemporarySpace::giveBack(std::uint64_t bytes) {
     progress_.temporarySpace(bytes_ -= bytes);
 }
@@ -73,6 +88,7 @@ void TemporarySpace::giveBack(std::uint64_t bytes) {
 std::uint64_t ScratchFile::append(std::span<const std::byte> bytes) {
     if (bytes.empty()) return end_;
     space_.take(bytes.size());
+    space_.pace(bytes.size());
     const std::uint64_t offset = end_.fetch_add(bytes.size());
     store(offset, bytes);
     return offset;
@@ -80,6 +96,7 @@ std::uint64_t ScratchFile::append(std::span<const std::byte> bytes) {
 
 void ScratchFile::read(std::uint64_t offset, std::span<std::byte> out) const {
     space_.countRead(out.size());
+    space_.pace(out.size());
     load(offset, out);
 }
 

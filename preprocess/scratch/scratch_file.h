@@ -5,9 +5,11 @@
 #include "core/progress.h"
 
 #include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <span>
 #include <string>
 
@@ -27,6 +29,13 @@ public:
 
     void countRead(std::uint64_t bytes) { read_ += bytes; }
 
+    /// From now on no more bytes a second are read and written, all files and threads together: what a slower disk or
+    /// network would do, for those who want to know.
+    void limitRate(std::uint64_t bytesPerSecond) { bytesPerSecond_ = bytesPerSecond; }
+
+    /// Waits until the limit, if there is one, lets `bytes` more through.
+    void pace(std::uint64_t bytes);
+
     std::uint64_t bytesRead() const { return read_; }
 
     /// All that was ever taken.
@@ -38,6 +47,9 @@ private:
     std::atomic<std::uint64_t> peak_{0};
     std::atomic<std::uint64_t> read_{0};
     std::atomic<std::uint64_t> written_{0};
+    std::uint64_t bytesPerSecond_ = 0;
+    std::mutex paceMutex_;
+    std::chrono::steady_clock::time_point free_; // when what was let through is through
 };
 
 /// Appended to and read by any number of threads at once.

@@ -34,6 +34,7 @@ struct BuildCommand {
     std::string output;
     std::string memory = "2G";
     std::string temporary;
+    std::string scratchRate = "0";
     std::string simplifier = "quadric";
     std::string error = "measured";
     std::uint32_t clusterTriangles = 128;
@@ -94,6 +95,7 @@ void run(const BuildCommand& command, const BuildBy& buildBy) {
     options.level.isErrorMeasured = command.error == "measured";
     options.chunkTriangles = static_cast<std::uint32_t>(*parseCount(command.chunkTriangles));
     options.temporaryFolder = command.temporary;
+    options.scratchBytesPerSecond = parseBytes(command.scratchRate)->count;
     options.isInMemory = command.isInMemory;
     options.isResumed = command.isResumed;
     options.onKeptFolder = [](const std::string& folder) {
@@ -196,6 +198,9 @@ void addBuildCommand(CLI::App& program, const BuildBy& buildBy) {
     command->add_option("--unit", options->unit, "The length of a coordinate of 1")
         ->check(CLI::IsMember({"m", "cm", "mm", "ft", "in"}))
         ->capture_default_str();
+    command->add_option("--scratch-rate", options->scratchRate, "What a slower disk would do: bytes a second")
+        ->check(memorySize())
+        ->group(""); // for measurements, in no help
     command->add_flag("--json", options->isJson, "Print a JSON report on stdout");
     addCommonOptions(*command, options->common);
     command->callback([options, buildBy] { run(*options, buildBy); });

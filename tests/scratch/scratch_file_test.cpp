@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <filesystem>
 #include <thread>
 
@@ -116,6 +117,27 @@ TEST_P(Scratch, IsReadFromManyThreadsWhileItGrows) {
 INSTANTIATE_TEST_SUITE_P(OnDiskAndInMemory, Scratch, testing::Bool(), [](const auto& name) {
     return name.param ? "OnDisk" : "InMemory";
 });
+
+TEST(TemporarySpace, KeepsToItsRateOverAllThreads) {
+    NoProgress progress;
+    TemporarySpace space(progress);
+    const std::unique_ptr<ScratchFile> file = scratchInMemory(space);
+    const std::vector<std::byte> bytes(10'000);
+    file->append(bytes); // without a limit
+    space.limitRate(1'000'000);
+    const auto start = std::chrono::steady_clock::now();
+    std::vector<std::thread> threads;
+    for (int t = 0; t < 4; ++t)
+        threads.emplace_back([&] {
+            std::vector<std::byte> out(10'000);
+            file->append(bytes);
+            file->read(0, out);
+        });
+    for (std::thread& thread : threads)
+        thread.join();
+    // 80,000 bytes; a busy machine may take longer.
+    EXPECT_GE(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(79));
+}
 
 } // namespace
 } // namespace gnomon::scratch

@@ -76,7 +76,7 @@ class Failures(JobTest):
     def test_a_job_that_is_told_to_end_keeps_what_it_has(self):
         mesh = self.made("plant", "150k")
         expected = self.hash_alone(mesh, *SMALL)
-        job = start(2, "build", mesh, "-o", self.model, *SMALL)
+        job = start(2, "build", mesh, "-o", self.model, *SMALL, "--scratch-rate", "2M")  # long enough to be ended
         for _ in range(4000):  # until tasks run
             if (self.place / "m.gnm.building/scratch.1").exists() or job.poll() is not None:
                 break

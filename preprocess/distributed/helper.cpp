@@ -68,9 +68,10 @@ public:
     }
 
     void start(Assignment assignment) {
-        pool_.start(assignment.task, [this, assignment = std::move(assignment)] {
+        const std::uint32_t task = assignment.task;
+        pool_.start(task, [this, kind = assignment.kind, input = std::move(assignment.input)] {
             if (!tasks_) throw Error("a task before the build began");
-            return tasks_->perform(assignment.kind, assignment.input);
+            return tasks_->perform(kind, input);
         });
     }
 
@@ -117,29 +118,33 @@ void Helper::serve(const pipeline::BuildOptions& options, Progress& progress) {
     Patience patience;
     while (!isStopped_) {
         try {
-            if (const std::optional<Letter> letter = mailbox_.receive()) {
+            if (isBusy(work, options))
                 patience.restart();
-                if (letter->subject == Subject::Stop) isStopped_ = true;
-                if (letter->subject == Subject::Task) work.start(decodedAssignment(letter->bytes));
-                if (letter->subject == Subject::Begin) {
-                    work.begin(decodedBeginning(letter->bytes), mailbox_.rank(), options.level);
-                    mailbox_.send(0, Subject::Ready, {});
-                }
-            } else if (std::optional<Finished> finished = work.finished()) {
-                patience.restart();
-                if (finished->error)
-                    fail(textOf(finished->error));
-                else
-                    mailbox_.send(0, Subject::Result, encoded(work.outcomeOf(std::move(*finished))));
-            } else {
+            else
                 patience.wait();
-            }
             if (!hasFailed_) progress.advance(0);
         } catch (...) {
             fail(textOf(std::current_exception()));
         }
     }
     work.stop();
+}
+
+bool Helper::isBusy(Work& work, const pipeline::BuildOptions& options) {
+    if (const std::optional<Letter> letter = mailbox_.receive()) {
+        if (letter->subject == Subject::Stop) isStopped_ = true;
+        if (letter->subject == Subject::Task) work.start(decodedAssignment(letter->bytes));
+        if (letter->subject == Subject::Begin) {
+            work.begin(decodedBeginning(letter->bytes), mailbox_.rank(), options.level);
+            mailbox_.send(0, Subject::Ready, {});
+        }
+        return true;
+    }
+    std::optional<Finished> finished = work.finished();
+    if (!finished) return false;
+    if (finished->error) std::rethrow_exception(finished->error);
+    mailbox_.send(0, Subject::Result, encoded(work.outcomeOf(std::move(*finished))));
+    return true;
 }
 
 void Helper::leave() {

@@ -23,6 +23,9 @@ public:
 private:
     class Work;
 
+    /// Takes a letter or what a task came to; false if there was neither. Throws what failed.
+    bool isBusy(Work& work, const pipeline::BuildOptions& options);
+
     Mailbox& mailbox_;
     bool hasFailed_ = false;
     bool isStopped_ = false;

@@ -5,6 +5,7 @@
 #include "core/error.h"
 #include "core/printable.h"
 #include "core/process/floating_point.h"
+#include "core/progress.h"
 #include "manual/version.h"
 #include "settings/table.h"
 

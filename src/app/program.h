@@ -16,7 +16,7 @@ struct Program {
 };
 
 /// Runs what the command line asks for. Throws UsageError and what commands throw.
-void runProgram(const Program& program, int argc, char** argv);
+void runProgram(const Program& about, int argc, char** argv);
 
 /// Runs `work`; what it throws is told in one line.
 int exitCodeOf(const std::function<void()>& work);

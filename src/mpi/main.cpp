@@ -66,7 +66,11 @@ int help(distributed::Mailbox& mailbox, int argc, char** argv) {
 
 int main(int argc, char** argv) {
     app::occupyStandardDescriptors();
-    distributed::Mailbox mailbox(&argc, &argv);
-    app::endCleanlyOnSignals();
-    return mailbox.rank() == 0 ? lead(mailbox, argc, argv) : help(mailbox, argc, argv);
+    int code = 1;
+    const int failed = app::exitCodeOf([&] {
+        distributed::Mailbox mailbox(&argc, &argv);
+        app::endCleanlyOnSignals();
+        code = mailbox.rank() == 0 ? lead(mailbox, argc, argv) : help(mailbox, argc, argv);
+    });
+    return failed != 0 ? failed : code;
 }

@@ -13,40 +13,56 @@
 namespace gnomon::distributed {
 namespace {
 
+/// How many are at it together, at most.
+class Together {
+public:
+    void enter() {
+        const int together = ++now_;
+        int before = most_;
+        while (before < together && !most_.compare_exchange_weak(before, together)) {
+        }
+    }
+
+    void leave() { --now_; }
+
+    int most() const { return most_; }
+
+private:
+    std::atomic<int> now_{0};
+    std::atomic<int> most_{0};
+};
+
+void expectAllOnce(TaskPool& pool, std::size_t tasks, int expectedToFail) {
+    std::set<std::uint32_t> seen;
+    int failed = 0;
+    while (pool.running() > 0) {
+        const std::optional<Finished> finished = pool.finished();
+        if (!finished) continue;
+        EXPECT_TRUE(seen.insert(finished->task).second);
+        EXPECT_GE(finished->seconds, 0.001);
+        EXPECT_EQ(finished->result.size(), finished->error ? 0 : finished->task);
+        failed += finished->error ? 1 : 0;
+    }
+    EXPECT_EQ(seen.size(), tasks);
+    EXPECT_EQ(failed, expectedToFail);
+}
+
 TEST(TaskPool, RunsAllAndHasNoMoreThreadsThanItSays) {
     for (const std::size_t threads : {1U, 3U}) {
         const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads + 1);
         TaskPool pool(threads);
-        std::atomic<int> now{0};
-        std::atomic<int> most{0};
+        Together together;
         for (std::uint32_t task = 0; task < 40; ++task)
-            pool.start(task, [&, task] {
-                const int together = ++now;
-                int before = most;
-                while (before < together && !most.compare_exchange_weak(before, together)) {
-                }
+            pool.start(task, [&together, task] {
+                together.enter();
                 std::this_thread::sleep_for(std::chrono::milliseconds(1));
-                --now;
+                together.leave();
                 if (task % 10 == 9) throw Error("the tenth");
                 return std::vector<std::byte>(task);
             });
         EXPECT_EQ(pool.running(), 40U);
-        std::set<std::uint32_t> seen;
-        int failed = 0;
-        while (pool.running() > 0) {
-            const std::optional<Finished> finished = pool.finished();
-            if (!finished) continue;
-            EXPECT_TRUE(seen.insert(finished->task).second);
-            EXPECT_GE(finished->seconds, 0.001);
-            failed += finished->error ? 1 : 0;
-            if (!finished->error) {
-                EXPECT_EQ(finished->result.size(), finished->task);
-            }
-        }
-        EXPECT_EQ(seen.size(), 40U);
-        EXPECT_EQ(failed, 4);
-        EXPECT_LE(most, static_cast<int>(threads));
-        EXPECT_GE(most, 1);
+        expectAllOnce(pool, 40, 4);
+        EXPECT_LE(together.most(), static_cast<int>(threads));
     }
 }
 

@@ -116,16 +116,21 @@ TEST(TaskBytes, RoutesAndMailComeBack) {
     expectExact(encoded(mail), decodedRoutedMail);
 }
 
-TEST(LocalTasks, RunsEachTaskOnceAndTakesOneAtATime) {
+TaskPhase someTasks() {
     TaskPhase phase;
     for (std::uint32_t task = 3; task < 200; task += 2)
         phase.tasks.push_back(task);
     phase.atOnce = 3;
     phase.input = [](std::uint32_t task) { return std::vector<std::byte>(task); };
+    return phase;
+}
+
+TEST(LocalTasks, RunsEachTaskOnceAndTakesOneAtATime) {
+    TaskPhase phase = someTasks();
     std::set<std::uint32_t> taken;
     std::mutex one;
     phase.take = [&](std::uint32_t task, std::span<const std::byte> result) {
-        ASSERT_TRUE(one.try_lock());
+        EXPECT_TRUE(one.try_lock());
         EXPECT_EQ(result.size(), 2 * task);
         EXPECT_TRUE(taken.insert(task).second);
         one.unlock();
@@ -133,9 +138,15 @@ TEST(LocalTasks, RunsEachTaskOnceAndTakesOneAtATime) {
     LocalTasks().run(
         phase, [](TaskKind, std::span<const std::byte> input) { return std::vector<std::byte>(2 * input.size()); });
     EXPECT_EQ(taken.size(), phase.tasks.size());
-    EXPECT_THROW(
-        LocalTasks().run(phase, [](TaskKind, auto) -> std::vector<std::byte> { throw hierarchy::Damage{"of a task"}; }),
-        hierarchy::Damage);
+}
+
+TEST(LocalTasks, ThrowsWhatATaskThrows) {
+    TaskPhase phase = someTasks();
+    phase.take = [](std::uint32_t, std::span<const std::byte>) {};
+    const Perform fails = [](TaskKind, std::span<const std::byte>) -> std::vector<std::byte> {
+        throw hierarchy::Damage{"of a task"};
+    };
+    EXPECT_THROW(LocalTasks().run(phase, fails), hierarchy::Damage);
 }
 
 } // namespace

@@ -127,6 +127,7 @@ TEST(TemporarySpace, KeepsToItsRateOverAllThreads) {
     space.limitRate(1'000'000);
     const auto start = std::chrono::steady_clock::now();
     std::vector<std::thread> threads;
+    threads.reserve(4);
     for (int t = 0; t < 4; ++t)
         threads.emplace_back([&] {
             std::vector<std::byte> out(10'000);

@@ -23,13 +23,15 @@ struct Measured {
 inline Measured measuredAt(const ShadowMap& map, const ShadowView& view, const glm::dvec3& p) {
     const MapPoint at = mapPoint(map.warped, p);
     const double h = 1e-4 * at.w / std::max(map.warped.kappa, 1 / map.warped.length);
+    const double across =
+        1e-4 * at.w * map.warped.width; // s goes evenly with x: any step will do, and a large one best
     const DoubleMapImage image = cameraImage(map);
     const auto texel = [&](const glm::dvec3& q) {
         const MapTexel<double> read = texelAt(image, q);
         return map.rectangle.transposed ? glm::dvec2(read.row, read.column) : glm::dvec2(read.column, read.row);
     };
     const glm::dvec3 x = alongX(map.warped.frame);
-    const glm::dvec2 perX = (texel(p + x * h) - texel(p - x * h)) / (2 * h);
+    const glm::dvec2 perX = (texel(p + x * across) - texel(p - x * across)) / (2 * across);
     const glm::dvec2 perZ = (texel(p + map.warped.frame.z * h) - texel(p - map.warped.frame.z * h)) / (2 * h);
     const double pixel = imageBeamWidth(view.frustum, p.z, view.imageHeight);
     // The world step that keeps s and moves t by a texel: z with as much x as undoes its shear.

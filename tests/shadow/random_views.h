@@ -22,7 +22,9 @@ glm::dvec3 randomDirection(Source& random) {
 /// A direction `angle` radians from `axis`, in a random direction around it.
 template <class Source>
 glm::dvec3 directionNear(Source& random, const glm::dvec3& axis, double angle) {
-    const glm::dvec3 across = glm::normalize(glm::cross(axis, randomDirection(random)));
+    glm::dvec3 across = glm::cross(axis, randomDirection(random));
+    if (across == glm::dvec3(0)) across = glm::cross(axis, glm::dvec3(axis.y, axis.z, axis.x));
+    across = glm::normalize(across);
     return glm::normalize(axis * std::cos(angle) + across * std::sin(angle));
 }
 

@@ -45,7 +45,9 @@ Found shrunk(const Objective& objective, Found found) {
             Found simpler = found;
             simpler.genes[i] = simple;
             simpler.value = scoreOf(objective, simpler.genes);
-            if (!(simpler.value > objective.bar)) continue;
+            // Half of what it is above the bar has to stay, or it would turn into another, smaller find.
+            if (!(simpler.value > objective.bar && simpler.value - objective.bar >= (found.value - objective.bar) / 2))
+                continue;
             found = std::move(simpler);
             break;
         }

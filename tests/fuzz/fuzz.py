@@ -1,0 +1,121 @@
+"""Runs the fuzzers of the preset `fuzz`, says what they found, and which lines of readers and decoders they reach.
+
+usage: fuzz.py [--seconds S] [--seed N] [--coverage] [--keep] [HARNESS...]
+
+Each harness runs for its share of S seconds under the sanitizers, 10 seconds and 1 GiB an input at most, from the kept
+corpus and what earlier runs found (build/fuzz/found). --keep takes of that what reaches more into the corpus.
+"""
+import argparse
+import os
+import pathlib
+import re
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+BUILD = ROOT / "build/fuzz"
+CORPUS = ROOT / "tests/fuzz/corpus"
+FOUND = BUILD / "found"
+LONGEST = {"ply": 4096, "lines": 4096, "gltf": 8192, "model": 16384, "page": 8192, "json": 4096}  # bytes
+KEPT = 40  # inputs of a harness, the shortest first
+
+# What is claimed to be covered: all that reads a file from outside.
+READERS = ("preprocess/read/", "src/hierarchy/codec/", "src/hierarchy/file_layout", "src/hierarchy/model_file", "src/hierarchy/page_codec",
+           "src/hierarchy/table_validation", "src/hierarchy/validation", "src/core/json_file", "src/path/camera_path", "src/measure/baseline",
+           "src/theory/rows")  # fmt: skip
+
+
+def environment(**more):
+    options = "abort_on_error=0:detect_leaks=1:allocator_may_return_null=0"
+    suppressed = f"suppressions={ROOT}/tests/sanitizers/lsan.supp:print_suppressions=0"
+    return dict(os.environ, ASAN_OPTIONS=options, UBSAN_OPTIONS="print_stacktrace=1", LSAN_OPTIONS=suppressed, **more)
+
+
+def program(name):
+    return BUILD / "tests/fuzz" / f"fuzz_{name}"
+
+
+def fuzz(name, seconds, seed):
+    """Whether nothing was found."""
+    found, artifacts = FOUND / name, BUILD / "artifacts" / name
+    found.mkdir(parents=True, exist_ok=True)
+    artifacts.mkdir(parents=True, exist_ok=True)
+    done = subprocess.run(
+        [program(name), found, CORPUS / name, f"-max_total_time={seconds}", f"-seed={seed}", "-timeout=10", "-rss_limit_mb=1024",
+         f"-max_len={LONGEST[name]}", "-print_final_stats=1", "-use_value_profile=1", f"-artifact_prefix={artifacts}/"],
+        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace", env=environment(LLVM_PROFILE_FILE="/dev/null"))  # fmt: skip
+    (BUILD / f"{name}.log").write_text(done.stdout)
+    executed = re.findall(r"number_of_executed_units: (\d+)", done.stdout) or ["?"]
+    reached = re.findall(r" cov: (\d+) ft: (\d+) corp: (\d+)", done.stdout) or [("?", "?", "?")]
+    print(f"{name}: {seconds} s, {executed[-1]} inputs, {reached[-1][0]} edges, corpus of {reached[-1][2]}, "
+          f"{'nothing found' if done.returncode == 0 else 'FOUND SOMETHING'}", flush=True)  # fmt: skip
+    if done.returncode != 0:
+        told = [line for line in done.stdout.splitlines() if re.search(r"ERROR|SUMMARY|runtime error|Test unit|terminate", line)]
+        print("\n".join("  " + line for line in told[-8:]), flush=True)
+    return done.returncode == 0
+
+
+def keep(name):
+    """Takes what reaches more than the kept corpus into it."""
+    merged = BUILD / "merged" / name
+    merged.mkdir(parents=True, exist_ok=True)
+    before = set(path.name for path in (CORPUS / name).iterdir())
+    subprocess.run([program(name), "-merge=1", "-timeout=10", "-rss_limit_mb=1024", CORPUS / name, FOUND / name],
+                   check=True, capture_output=True, env=environment(LLVM_PROFILE_FILE="/dev/null"))  # fmt: skip
+    new = sorted((path for path in (CORPUS / name).iterdir() if path.name not in before), key=lambda path: path.stat().st_size)
+    for path in new[KEPT:]:
+        path.unlink()
+    for path in new[:KEPT]:
+        path.rename(path.with_name(path.name[:16] + ".seed"))
+    print(f"{name}: {min(len(new), KEPT)} of {len(new)} inputs kept besides {len(before)}")
+
+
+def coverage(names):
+    """The share of lines of the readers that corpora reach."""
+    profiles = []
+    for name in names:
+        profile = BUILD / f"{name}.profraw"
+        subprocess.run([program(name), "-runs=0", CORPUS / name, *([FOUND / name] if (FOUND / name).exists() else [])],
+                       check=True, capture_output=True, env=environment(LLVM_PROFILE_FILE=str(profile)))  # fmt: skip
+        profiles.append(profile)
+    merged = BUILD / "all.profdata"
+    subprocess.run(["llvm-profdata-14", "merge", "-sparse", *profiles, "-o", merged], check=True)
+    objects = [word for name in names for word in ("-object", program(name))][1:]
+    told = subprocess.run(["llvm-cov-14", "export", "-summary-only", f"-instr-profile={merged}", *objects],
+                          check=True, capture_output=True, text=True).stdout  # fmt: skip
+    rows = {}
+    for path, count, covered in re.findall(
+        r'"filename":"([^"]+)".*?"lines":\{"count":(\d+),"covered":(\d+)', told.replace(" ", "")
+    ):
+        relative = path.removeprefix(str(ROOT) + "/")
+        if relative.startswith(READERS) and int(count) > 0:
+            rows[relative] = (int(covered), int(count))
+    for path, (covered, count) in sorted(rows.items(), key=lambda row: row[1][0] / row[1][1]):
+        print(f"{covered / count:7.1%} {covered:5} of {count:5} {path}")
+    covered, count = (sum(row[i] for row in rows.values()) for i in (0, 1))
+    print(f"{covered / count:7.1%} {covered:5} of {count:5} lines of all")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--seconds", type=int, default=0)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--coverage", action="store_true")
+    parser.add_argument("--keep", action="store_true")
+    parser.add_argument("harness", nargs="*", choices=[*LONGEST, []])
+    given = parser.parse_args()
+    names = given.harness or list(LONGEST)
+    passed = True
+    if given.seconds > 0:
+        for name in names:
+            passed &= fuzz(name, max(1, given.seconds // len(names)), given.seed)
+    if given.keep:
+        for name in names:
+            keep(name)
+    if given.coverage:
+        coverage(names)
+    sys.exit(0 if passed else 1)
+
+
+if __name__ == "__main__":
+    main()

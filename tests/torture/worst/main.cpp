@@ -1,8 +1,8 @@
 // A machine that looks for the worst: climbs towards cases that break what is promised, and prints each as one that can
 // be run again.
 // usage: worst_search [OBJECTIVE] [--steps N] [--seconds S] [--seed S] [--replay GENE,GENE,...]
-//        All objectives unless one is named. --seconds: seeds from S on, N steps each, until the time is over.
-//        Exit 1 where something broke.
+//        All objectives unless one is named. N steps each, of slow ones fewer. --seconds: seeds from S on until the
+//        time is over. Exit 1 where something broke.
 #include "search.h"
 
 #include <chrono>
@@ -100,7 +100,9 @@ int run(const Asked& asked) {
     do {
         for (const Objective& objective : objectives) {
             if (asked.replay.empty()) {
-                isBroken |= searchOnce(objective, options);
+                SearchOptions own = options;
+                own.steps = std::max<std::uint64_t>(options.steps / objective.slowness, 1);
+                isBroken |= searchOnce(objective, own);
                 continue;
             }
             const std::vector<double> genes = genesFrom(asked.replay);

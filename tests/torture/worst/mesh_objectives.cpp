@@ -179,8 +179,8 @@ Score modelScore(Genes genes, Words words) {
 
 std::vector<Objective> meshObjectives() {
     return {
-        {"patch", "distance over the stored error of a simplified patch", 16, 1, patchScore},
-        {"model", "distance over the stored error of a cut, and 10 for each crack", 16, 1, modelScore},
+        {"patch", "distance over the stored error of a simplified patch", 16, 1, 2, patchScore},
+        {"model", "distance over the stored error of a cut, and 10 for each crack", 16, 1, 100, modelScore},
     };
 }
 

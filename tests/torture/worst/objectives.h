@@ -21,7 +21,8 @@ struct Objective {
     const char* name = "";
     const char* meaning = ""; // of a value
     std::size_t genes = 0;
-    double bar = 1; // a find is above it
+    double bar = 1;             // a find is above it
+    std::uint64_t slowness = 1; // how many steps of the others one of these stands for
     Score (*score)(Genes genes, Words words) = nullptr;
 };
 

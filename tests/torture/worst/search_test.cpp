@@ -17,7 +17,7 @@ Score peak(Genes genes, Words /*words*/) {
     return {2 / (1 + std::hypot(x, y) * 1e6)};
 }
 
-const Objective kPeak{"peak", "", 6, 1, peak};
+const Objective kPeak{"peak", "", 6, 1, 1, peak};
 
 TEST(WorstSearch, ClimbsANarrowPeakAndTellsItSimply) {
     SearchOptions options;

@@ -191,10 +191,10 @@ Score jumpScore(Genes genes, Words words) {
 
 std::vector<Objective> viewObjectives() {
     return {
-        {"promise", "measured over promised aliasing", 70, 1 + 1e-5, promiseScore},
-        {"bias", "rise of the receiver's plane over its bias", 70, 1 + 1e-6, biasScore},
-        {"lookup", "1 and the texels by which a lookup leaves its map", 90, 1, lookupScore},
-        {"jump", "promises of views beside each other, and 10 for each change of the plan", 26, 1.001, jumpScore},
+        {"promise", "measured over promised aliasing", 70, 1 + 1e-5, 1, promiseScore},
+        {"bias", "rise of the receiver's plane over its bias", 70, 1 + 1e-6, 1, biasScore},
+        {"lookup", "1 and the texels by which a lookup leaves its map", 90, 1, 1, lookupScore},
+        {"jump", "promises of views beside each other, and 10 for each change of the plan", 26, 1.001, 50, jumpScore},
     };
 }
 

@@ -7,21 +7,22 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace gnomon::frame {
 
 namespace {
 
 constexpr std::size_t kMostClusters = 4096; // that are looked at
-constexpr double kPickedClusters = 160;
-constexpr std::uint32_t kTrianglesOfCluster = 16;
+constexpr double kPickedClusters = 240;
+constexpr double kPickedTriangles = 4096;     // shared by the clusters that are picked
+constexpr std::uint32_t kLeastTriangles = 12; // of each
 
 /// What stands before a point by less than so many of the small image's pixels may be its own surface.
 constexpr double kErrorPixels = 2;
 
-/// How far around a point the samples lie that it stands for, about, in cells, and how much lower, in its errors.
+/// How far around a point the samples lie that it stands for, about, in cells.
 constexpr int kReachCells = 1;
-constexpr double kReachError = 0.25;
 
 /// The points that a picked triangle is held against, at most.
 constexpr double kPointsOfTriangle = 48;
@@ -36,6 +37,28 @@ std::size_t sliceAt(const plan::FramePlan& plan, double depth) {
     if (!(plan.near > 0 && plan.far > plan.near)) return 0;
     return static_cast<std::size_t>(
         std::clamp(4 * std::log(depth / plan.near) / std::log(plan.far / plan.near), 0.0, 3.0));
+}
+
+/// The clusters that one of the lists has, or both.
+std::vector<selection::ClusterRange> ofEither(
+    const std::vector<selection::ClusterRange>& a, const std::vector<selection::ClusterRange>& b) {
+    std::vector<selection::ClusterRange> all(a);
+    all.insert(all.end(), b.begin(), b.end());
+    std::sort(all.begin(), all.end());
+    std::vector<selection::ClusterRange> result;
+    for (const selection::ClusterRange& range : all) {
+        const bool isNext = result.empty() || range.page != result.back().page ||
+                            range.firstCluster > result.back().firstCluster + result.back().clusterCount;
+        if (isNext) {
+            result.push_back(range);
+            continue;
+        }
+        selection::ClusterRange& last = result.back();
+        const std::uint32_t end =
+            std::max(last.firstCluster + last.clusterCount, range.firstCluster + range.clusterCount);
+        last.clusterCount = end - last.firstCluster;
+    }
+    return result;
 }
 
 } // namespace
@@ -103,7 +126,7 @@ void ExactEstimate::lowerMasks(const Point& point, int x, int y) {
         for (const int j : {-kReachCells, kReachCells})
             for (exact::ReceiverMask* mask : {&mask_, &slice.mask}) {
                 float& lowest = mask->lowest(block(x + i), block(y + j));
-                lowest = std::min(lowest, static_cast<float>(point.h - kReachError * point.error));
+                lowest = std::min(lowest, static_cast<float>(point.h));
             }
 }
 
@@ -148,7 +171,7 @@ void ExactEstimate::sortPoints(const executor::FrameDrawing& frame) {
     }
     for (Slice& slice : slices_) {
         slice.mask.finish();
-        slice.asked.addBlocks(slice.mask);
+        slice.asked.add(slice.mask);
     }
     mask_.finish();
     for (std::size_t i = 1; i < first_.size(); ++i)
@@ -162,50 +185,15 @@ void ExactEstimate::sortPoints(const executor::FrameDrawing& frame) {
     coverers_.assign(kBlocks * kBlocks, 0);
 }
 
-void ExactEstimate::Sums::add(const std::vector<std::uint32_t>& first, const std::vector<double>& shares) {
-    constexpr std::size_t kCorners = std::size_t{plan::kCellSide} + 1;
-    below.assign(kCorners * kCorners, 0);
-    for (std::size_t y = 0; y < plan::kCellSide; ++y) {
-        float sum = 0;
-        for (std::size_t x = 0; x < plan::kCellSide; ++x) {
-            const auto points = static_cast<float>(first[y * plan::kCellSide + x + 1] - first[y * plan::kCellSide + x]);
-            const std::size_t block = (y >> kBlockBits) * kBlocks + (x >> kBlockBits);
-            sum += shares.empty() ? points : points * static_cast<float>(shares[block]);
-            below[(y + 1) * (plan::kCellSide + 1) + x + 1] = below[y * (plan::kCellSide + 1) + x + 1] + sum;
-        }
-    }
-}
-
-void ExactEstimate::Sums::addBlocks(const exact::ReceiverMask& mask) {
-    constexpr std::size_t kCorners = std::size_t{plan::kCellSide} + 1;
-    below.assign(kCorners * kCorners, 0);
-    for (int y = 0; y < plan::kCellSide; ++y) {
-        float sum = 0;
-        for (int x = 0; x < plan::kCellSide; ++x) {
-            if (mask.lowest(x >> kBlockBits, y >> kBlockBits) < exact::ReceiverMask::kNone) ++sum;
-            const std::size_t corner = (static_cast<std::size_t>(y) + 1) * kCorners + static_cast<std::size_t>(x) + 1;
-            below[corner] = below[corner - kCorners] + sum;
-        }
-    }
-}
-
-double ExactEstimate::Sums::in(const exact::CellBox& box) const {
-    if (box.empty()) return 0;
-    const auto at = [&](int x, int y) {
-        return double{below[static_cast<std::size_t>(y) * (plan::kCellSide + 1) + static_cast<std::size_t>(x)]};
-    };
-    return std::max(
-        0.0, at(box.x1 + 1, box.y1 + 1) + at(box.x0, box.y0) - at(box.x0, box.y1 + 1) - at(box.x1 + 1, box.y0));
-}
-
-/// Every `stride`-th caster that the mask keeps.
-void ExactEstimate::keepClusters(const executor::FrameDrawing& frame, std::size_t stride) {
+/// Of every `stride_`-th caster those that the mask keeps.
+void ExactEstimate::keepClusters(
+    const executor::FrameDrawing& frame, std::span<const selection::ClusterRange> casters) {
     kept_.clear();
     std::size_t place = 0;
-    for (const selection::ClusterRange& range : frame.exactCasters->ranges) {
+    for (const selection::ClusterRange& range : casters) {
         const hierarchy::Page& page = frame.pages(range.page);
         for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c) {
-            if (place++ % stride != 0) continue;
+            if (place++ % stride_ != 0) continue;
             const hierarchy::GridBox& box = page.clusters[c].box;
             const hierarchy::GridPoint& origin = frame.space.originCell;
             const LightBox light =
@@ -222,7 +210,7 @@ void ExactEstimate::keepClusters(const executor::FrameDrawing& frame, std::size_
 
 void ExactEstimate::pickTriangles(const executor::FrameDrawing& frame, const KeptCluster& kept, double weight) {
     const hierarchy::Cluster& cluster = kept.page->clusters[kept.cluster];
-    const std::uint32_t stride = (cluster.triangleCount + kTrianglesOfCluster - 1) / kTrianglesOfCluster;
+    const std::uint32_t stride = (cluster.triangleCount + trianglesOfCluster_ - 1) / trianglesOfCluster_;
     const std::uint32_t first = kept.cluster % stride;
     const std::uint32_t looked = (cluster.triangleCount - first + stride - 1) / stride;
     for (std::uint32_t t = first; t < cluster.triangleCount; t += stride) {
@@ -291,20 +279,26 @@ std::size_t ExactEstimate::blockOf(const Point& point) const {
     return block(p.y / p.z) * kBlocks + block(p.x / p.z);
 }
 
-/// What share of the points of each block is not dark yet once `cast` of all casters went over them: a point that k
-/// casters stand before is left with e^(-k cast).
-std::vector<double> ExactEstimate::sharesLeft(double cast) const {
-    std::vector<double> shares(kBlocks * kBlocks, 1);
+std::vector<double> ExactEstimate::pointsOfBlocks() const {
+    std::vector<double> points;
     for (std::size_t y = 0; y < kBlocks; ++y)
         for (std::size_t x = 0; x < kBlocks; ++x) {
             const auto at = [](std::size_t block) { return static_cast<int>(block) << kBlockBits; };
-            const double points = all_.in({at(x), at(y), at(x + 1) - 1, at(y + 1) - 1});
-            if (points > 0) shares[y * kBlocks + x] = std::exp(-cast * coverers_[y * kBlocks + x] / points);
+            points.push_back(all_.in({at(x), at(y), at(x + 1) - 1, at(y + 1) - 1}));
         }
+    return points;
+}
+
+/// What share of the points of each block, of which there are `points`, is not dark yet once `cast` of all casters went
+/// over them: a point that k casters stand before is left with e^(-k cast).
+std::vector<double> ExactEstimate::sharesLeft(std::span<const double> points, double cast) const {
+    std::vector<double> shares(points.size(), 1);
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (points[i] > 0) shares[i] = std::exp(-cast * coverers_[i] / points[i]);
     return shares;
 }
 
-void ExactEstimate::addRound(const Sums& left, double share, double perPoint, plan::ExactWork& work) const {
+void ExactEstimate::addRound(const PointSums& left, double share, double perPoint, plan::ExactWork& work) const {
     for (const PickedTriangle& picked : picked_) {
         const exact::CellBox& box = picked.cells;
         // The mask knows of whole blocks.
@@ -342,6 +336,8 @@ void ExactEstimate::pickClusters(const executor::FrameDrawing& frame, double wei
         points += kept.points;
     }
     picked_.clear();
+    const double clusters = std::max(1.0, std::min(kPickedClusters, static_cast<double>(kept_.size())));
+    trianglesOfCluster_ = std::max(kLeastTriangles, static_cast<std::uint32_t>(kPickedTriangles / clusters));
     double sum = 0.5;
     for (const KeptCluster& kept : kept_) {
         const double share = 0.5 * kept.page->clusters[kept.cluster].triangleCount / triangles +
@@ -353,7 +349,7 @@ void ExactEstimate::pickClusters(const executor::FrameDrawing& frame, double wei
     }
 }
 
-plan::ExactWork ExactEstimate::estimate(const executor::FrameDrawing& frame) {
+plan::ExactWork ExactEstimate::estimate(const executor::FrameDrawing& frame, const selection::DrawList& image) {
     plan::ExactWork work;
     work.casterTriangles = static_cast<double>(frame.exactCasters->triangles);
     if (frame.plan->cellMaps.empty()) return work;
@@ -365,19 +361,26 @@ plan::ExactWork ExactEstimate::estimate(const executor::FrameDrawing& frame) {
     work.samples = perPoint * static_cast<double>(points_.size());
     sortPoints(frame);
     all_.add(first_, {});
-    const std::size_t stride =
-        std::max<std::size_t>(1, (frame.exactCasters->clusters + kMostClusters - 1) / kMostClusters);
-    keepClusters(frame, stride);
-    pickClusters(frame, static_cast<double>(stride));
-    addKept(static_cast<double>(stride), work);
-    const exact::CellBox whole{0, 0, plan::kCellSide - 1, plan::kCellSide - 1};
+    const std::vector<selection::ClusterRange> casters = ofEither(frame.exactCasters->ranges, image.ranges);
+    std::size_t clusters = 0;
+    for (const selection::ClusterRange& range : casters)
+        clusters += range.clusterCount;
+    stride_ = std::max<std::size_t>(1, (clusters + kMostClusters - 1) / kMostClusters);
+    keepClusters(frame, casters);
+    pickClusters(frame, static_cast<double>(stride_));
+    addKept(static_cast<double>(stride_), work);
     left_ = all_;
+    const std::vector<double> ofBlocks = pointsOfBlocks();
+    auto points = static_cast<double>(points_.size());
     double cast = 0;
     for (const double share : kRounds) {
         addRound(left_, share, perPoint, work);
         cast += share;
-        next_.add(first_, sharesLeft(cast));
-        if (next_.in(whole) <= (1 - kLeastDark) * left_.in(whole)) std::swap(left_, next_);
+        const std::vector<double> shares = sharesLeft(ofBlocks, cast);
+        const double stay = std::inner_product(shares.begin(), shares.end(), ofBlocks.begin(), 0.0);
+        if (cast >= 1 || stay > (1 - kLeastDark) * points) continue;
+        points = stay;
+        left_.add(first_, shares);
     }
     return work;
 }

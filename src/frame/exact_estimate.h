@@ -3,7 +3,7 @@
 #pragma once
 
 #include "executor/exact_pass.h"
-#include "plan/cell_maps.h"
+#include "frame/point_sums.h"
 #include "plan/shadow_choice.h"
 
 #include <array>
@@ -19,31 +19,17 @@ namespace gnomon::frame {
 /// within those evenly, and what is found is scaled up. Nothing in it is random: equal frames give equal numbers.
 class ExactEstimate {
 public:
-    static constexpr int kSide = 96;
+    static constexpr int kSide = 160;
 
     /// The size in pixels of the small image for a frame of `view`, with its proportions; no larger than the view.
     static glm::ivec2 sizeFor(const plan::View& view);
 
     /// The work for `frame`, whose image is drawn at sizeFor its view and may be as coarse as that shows;
-    /// `exactCasters` are all that can cast. Runs in the caller's TBB arena.
-    plan::ExactWork estimate(const executor::FrameDrawing& frame);
+    /// `exactCasters` and what the frame itself draws, `image`, are all that can cast. Runs in the caller's TBB arena.
+    plan::ExactWork estimate(const executor::FrameDrawing& frame, const selection::DrawList& image);
 
 private:
-    static constexpr int kBlockBits = exact::ReceiverMask::kBlockBits;
-    static constexpr int kBlockSide = 1 << kBlockBits;
-    static constexpr std::size_t kBlocks = plan::kCellSide / kBlockSide;
     static constexpr std::size_t kSlices = 4;
-
-    /// How many points lie in boxes of cells.
-    struct Sums {
-        std::vector<float> below; // in the cells with lesser x and lesser y
-
-        /// Of the points of cell i, which are those from first[i] on, the share of its block; all if there are none.
-        void add(const std::vector<std::uint32_t>& first, const std::vector<double>& shares);
-        /// Of each cell of a block with points in `mask` 1.
-        void addBlocks(const exact::ReceiverMask& mask);
-        double in(const exact::CellBox& box) const;
-    };
 
     /// A point that faces the light, in the shear along it.
     struct Point {
@@ -56,8 +42,8 @@ private:
 
     /// One of the four maps in 2048x2048 texels that would be drawn in place of exact shadows.
     struct Slice {
-        exact::ReceiverMask mask;    // of its own points
-        Sums asked;                  // cells of blocks with such points
+        exact::ReceiverMask mask; // of its own points
+        AskedCells asked;
         exact::CellBox cells;        // of all these
         double texelsOfCell() const; // of a map that just covers these
     };
@@ -81,7 +67,7 @@ private:
 
     void drawPoints(const executor::FrameDrawing& frame);
     void sortPoints(const executor::FrameDrawing& frame);
-    void keepClusters(const executor::FrameDrawing& frame, std::size_t stride);
+    void keepClusters(const executor::FrameDrawing& frame, std::span<const selection::ClusterRange> casters);
     void lowerMasks(const Point& point, int x, int y);
     void addKept(double weight, plan::ExactWork& work) const;
     void pickClusters(const executor::FrameDrawing& frame, double weight);
@@ -90,8 +76,9 @@ private:
         const std::array<glm::dvec3, 3>& corners, const std::array<glm::dvec3, 3>& places, PickedTriangle& picked);
     static bool isCovered(const Point& point, const std::array<glm::dvec3, 3>& corners);
     std::size_t blockOf(const Point& point) const;
-    std::vector<double> sharesLeft(double cast) const;
-    void addRound(const Sums& left, double share, double perPoint, plan::ExactWork& work) const;
+    std::vector<double> pointsOfBlocks() const;
+    std::vector<double> sharesLeft(std::span<const double> points, double cast) const;
+    void addRound(const PointSums& left, double share, double perPoint, plan::ExactWork& work) const;
 
     raster::Rasterizer rasterizer_;
     executor::SoftwarePass pass_;
@@ -101,12 +88,14 @@ private:
     glm::dmat3 cells_{1};                // from the light plane
     double leastW_ = 0;                  // points have at least twice that
     std::vector<std::uint32_t> cellOf_, first_;
-    Sums all_, left_, next_; // of all points, of those not dark yet, and of the next round
+    PointSums all_, left_; // of all points, and of those not dark yet
     exact::ReceiverMask mask_;
     std::array<Slice, kSlices> slices_;
+    std::size_t stride_ = 1; // of the casters that are looked at
     std::vector<KeptCluster> kept_;
     std::vector<PickedTriangle> picked_;
-    std::vector<double> coverers_; // of the points of each block, summed
+    std::uint32_t trianglesOfCluster_ = 0; // that are looked at
+    std::vector<double> coverers_;         // of the points of each block, summed
 };
 
 } // namespace gnomon::frame

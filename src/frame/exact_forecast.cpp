@@ -7,10 +7,10 @@ namespace gnomon::frame {
 
 namespace {
 
-// The points of the small image need not be better than this: places within some of its pixels do as well.
-constexpr double kCoarser = 4;
-constexpr std::uint64_t kMostTriangles = 40000;
-constexpr int kMostCoarsenings = 3;
+// An image of more triangles is drawn that much coarser, again and again.
+constexpr double kCoarser = 1.5;
+constexpr std::uint64_t kMostTriangles = 100000;
+constexpr int kMostCoarsenings = 6;
 
 } // namespace
 
@@ -25,7 +25,7 @@ plan::ExactWork predictedWork(
     selection::CutQuery query = cutQuery(residency, frame);
     query.rule = &rule;
     query.volumes = query.volumes.first(1);
-    query.errorPixels *= kCoarser * static_cast<double>(view.height) / ExactEstimate::sizeFor(view).y;
+    query.errorPixels *= static_cast<double>(view.height) / ExactEstimate::sizeFor(view).y;
     selection::Cut coarse = culling::cutFrame(query);
     for (int i = 0; i < kMostCoarsenings && coarse.lists[0].triangles > kMostTriangles; ++i) {
         query.errorPixels *= kCoarser;
@@ -34,7 +34,7 @@ plan::ExactWork predictedWork(
     executor::FrameDrawing drawn = drawing;
     drawn.image = &coarse.lists[0];
     drawn.exactCasters = &frame.cut.lists[1];
-    return estimate.estimate(drawn);
+    return estimate.estimate(drawn, frame.cut.lists[0]);
 }
 
 } // namespace gnomon::frame

@@ -41,7 +41,7 @@ class AutoShadows(ProgramTest):
         self.assertEqual(self.drawn(), "exact")
         self.assertEqual(self.drawn("--shadows", "auto"), "exact")
         self.assertEqual({row["shadows"] for row in self.logged()}, {"exact"})
-        plan = self.plan(*SOFTWARE)
+        plan = self.plan(*SIZE, *SOFTWARE)
         self.assertEqual(plan["shadows"], "exact")
         self.assertIn("no more than maps", plan["shadows_because"])
         for count in ("shadow_samples", "cast_triangles", "sample_tests"):

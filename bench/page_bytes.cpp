@@ -93,17 +93,19 @@ int run(int argc, char** argv) {
     const hierarchy::ModelFile file(argv[1]);
     const Shares sum = Count(file, argc > 2 ? std::atof(argv[2]) : 1, argc > 3 ? std::atof(argv[3]) : 1).run();
     std::printf(
-        "pages %zu of %.1f MB in all, table %.2f MB; read %llu, %.2f MB; of these with something refined %.2f MB, "
-        "refined groups %.2f MB, drawn clusters %.2f MB (%.0f triangles): %.2f times\n",
+        "%zu pages of %.1f MB, table %.2f MB; read %llu pages, MB as stored: %.2f; of these drawn clusters (%.0f "
+        "triangles) %.2f, refined groups above them %.2f, other groups in these pages %.2f, pages of which nothing is "
+        "refined %.2f; read / drawn %.2f\n",
         file.pages().size(),
         double(file.fileBytes()) / 1e6,
         sum.tables / 1e6,
         static_cast<unsigned long long>(sum.requests),
         sum.pages / 1e6,
-        sum.refinedPages / 1e6,
-        sum.groups / 1e6,
-        sum.clusters / 1e6,
         sum.triangles,
+        sum.clusters / 1e6,
+        (sum.groups - sum.clusters) / 1e6,
+        (sum.refinedPages - sum.groups) / 1e6,
+        (sum.pages - sum.refinedPages) / 1e6,
         sum.pages / sum.clusters);
     return 0;
 }

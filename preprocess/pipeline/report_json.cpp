@@ -4,14 +4,9 @@
 
 namespace gnomon::pipeline {
 
-nlohmann::ordered_json reportJson(
-    const BuildReport& report, const read::MeshSummary& source, std::uint64_t peakResidentBytes) {
-    std::uint64_t clusters = 0;
-    std::uint64_t groups = 0;
-    for (const hierarchy::LevelInfo& level : report.summary.levels) {
-        clusters += level.clusters;
-        groups += level.groups;
-    }
+namespace {
+
+nlohmann::ordered_json phasesJson(const BuildReport& report) {
     nlohmann::ordered_json phases = nlohmann::ordered_json::array();
     for (const BuildPhase& phase : report.phases) {
         phases.push_back(
@@ -23,6 +18,19 @@ nlohmann::ordered_json reportJson(
         phases.back()["tasks"] = phase.team.tasks;
         phases.back()["idle_share"] = phase.team.idle;
         phases.back()["slowest_rank"] = phase.team.slowest;
+    }
+    return phases;
+}
+
+} // namespace
+
+nlohmann::ordered_json reportJson(
+    const BuildReport& report, const read::MeshSummary& source, std::uint64_t peakResidentBytes) {
+    std::uint64_t clusters = 0;
+    std::uint64_t groups = 0;
+    for (const hierarchy::LevelInfo& level : report.summary.levels) {
+        clusters += level.clusters;
+        groups += level.groups;
     }
     nlohmann::ordered_json rounds = nlohmann::ordered_json::array();
     for (const auto& [nodes, roundTriangles, locked, before] : report.rounds)
@@ -48,7 +56,7 @@ nlohmann::ordered_json reportJson(
         {"peak_rss_bytes", peakResidentBytes},
         {"temporary_bytes", report.temporaryBytes},
         {"seconds", report.seconds},
-        {"phases", phases},
+        {"phases", phasesJson(report)},
         {"rounds", rounds},
         {"triangles_per_second", report.seconds > 0 ? triangles / report.seconds : 0},
         {"content_hash", report.contentHash},

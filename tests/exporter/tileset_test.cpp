@@ -270,7 +270,7 @@ TEST_F(Tiles, AreTheSameBytesForAnyMemoryAndThreads) {
         return files;
     };
     const auto expected = filesOf(place + "/a", {1});
-    for (const std::size_t threads : {1, 5}) {
+    for (const std::size_t threads : {std::size_t{1}, std::size_t{5}}) {
         const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
         EXPECT_EQ(filesOf(place + "/b" + std::to_string(threads), gibibytes(1)), expected);
     }

@@ -32,6 +32,12 @@ glm::dvec3 sharedCorner(const ViewFrustum& frustum, Face a, Face b) {
     return ray;
 }
 
+/// The owner of `p` when it is asked for in a rounding mode.
+std::size_t ownerIn(int mode, const PartitionSelector& selector, const glm::dvec3& p) {
+    const tests::RoundingMode rounding(mode);
+    return ownerOf(selector, p);
+}
+
 TEST(Rounding, APointBetweenTwoFacesBelongsToOneOfThem) {
     Random random(7);
     int tested = 0;
@@ -50,11 +56,7 @@ TEST(Rounding, APointBetweenTwoFacesBelongsToOneOfThem) {
             const double depth = random.uniform(frustum.near, frustum.far);
             const glm::dvec3 p = ray * depth + towardsLight * ((isInward ? 1 : -1) * depth * random.uniform(0, 1e-3));
             for (const int mode : {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
-                std::size_t owner = 0;
-                {
-                    const tests::RoundingMode rounding(mode);
-                    owner = ownerOf(selector, p);
-                }
+                const std::size_t owner = ownerIn(mode, selector, p);
                 EXPECT_TRUE(owner == i || owner == next) << "view " << trial << ", rounding " << mode;
                 ++tested;
             }

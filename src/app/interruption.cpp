@@ -19,11 +19,12 @@ namespace gnomon::app {
 namespace {
 
 // A signal reaches nothing else.
-constinit std::atomic_flag interrupted; // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
-constinit std::atomic<int> polling{0};  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
+constinit std::atomic_flag interrupted;          // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
+constinit std::atomic<int> polling{0};           // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
+constinit std::atomic<bool> isOnlyNoting{false}; // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
 
 extern "C" void onSignal(int /*signal*/) {
-    if (!interrupted.test_and_set() && polling > 0) return;
+    if ((!interrupted.test_and_set() && polling > 0) || isOnlyNoting) return;
     for (const char* text : {"gnomon: ", kInterrupted, "\n"})
         static_cast<void>(!::write(STDERR_FILENO, text, std::strlen(text)));
     TemporaryName::removeAllAndExit(1);
@@ -66,6 +67,11 @@ void endCleanlyOnSignals() {
         if (isIgnored && (signal == SIGHUP || signal == SIGPIPE)) continue; // nohup, or a shell that wants EPIPE
         ::sigaction(signal, &action, nullptr);
     }
+}
+
+void onlyNoteSignals() {
+    isOnlyNoting = true;
+    endCleanlyOnSignals();
 }
 
 bool isInterrupted() {

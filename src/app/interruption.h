@@ -9,6 +9,9 @@ constexpr const char* kInterrupted = "interrupted; nothing was left half-written
 /// does what ends a process by std::terminate for want of memory or threads. HUP and PIPE stay ignored where they are.
 void endCleanlyOnSignals();
 
+/// Likewise, but such a signal is only noted, however often it comes: for a process that another one speaks for.
+void onlyNoteSignals();
+
 /// Whether one of the signals has come.
 bool isInterrupted();
 

@@ -43,7 +43,6 @@ int lead(distributed::Mailbox& mailbox, int argc, char** argv) {
 
 /// Its exit code is 0 in any case: the leader tells what fails, and fails once.
 int help(distributed::Mailbox& mailbox, int argc, char** argv) {
-    const app::PolledInterruption quiet; // of a signal, too, the leader tells
     distributed::Helper helper(mailbox);
     const auto build = [&](read::MeshSource&, const pipeline::BuildOptions& options, Progress& progress) {
         helper.serve(options, progress);
@@ -69,8 +68,14 @@ int main(int argc, char** argv) {
     int code = 1;
     const int failed = app::exitCodeOf([&] {
         distributed::Mailbox mailbox(&argc, &argv);
-        app::endCleanlyOnSignals();
-        code = mailbox.rank() == 0 ? lead(mailbox, argc, argv) : help(mailbox, argc, argv);
+        if (mailbox.rank() == 0) {
+            app::endCleanlyOnSignals();
+            code = lead(mailbox, argc, argv);
+        } else {
+            app::onlyNoteSignals(); // of them, too, the leader tells; mpirun sends one once the leader ends with an
+                                    // error
+            code = help(mailbox, argc, argv);
+        }
     });
     return failed != 0 ? failed : code;
 }

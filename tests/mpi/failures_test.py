@@ -39,6 +39,9 @@ class Failures(JobTest):
         super().setUpClass()
         cls.model = cls.place / "m.gnm"
 
+    def setUp(self):
+        self.model.unlink(missing_ok=True)  # of a test that failed
+
     def expect_finish(self, processes, mesh, expected):
         told = run(processes, "build", mesh, "-o", self.model, *SMALL, "--resume", "--json")
         self.assertEqual((told.returncode, told.stderr), (0, ""))

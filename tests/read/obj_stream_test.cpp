@@ -11,6 +11,7 @@
 #include <array>
 #include <cstdlib>
 #include <functional>
+#include <sstream>
 #include <tuple>
 
 #include <unistd.h>
@@ -116,6 +117,33 @@ TEST_F(StreamedObj, HasTheNormalsOfItsCorners) {
     expectAlike(kCorners + "f 1//1 2//1 3//1\n");
     expectAlike(kCorners + "vn 3e38 3e38 0\nvn 0 1 0\nf 1//1 2//2 3//1\n");
     expectAlike(kCorners + "f 1//1 2//2 3//3\nvn 0 0 1\nvn 1 0 0\n");
+}
+
+/// Faces of very many corners that have other normals than their vertices had before: a look at all of them for each
+/// corner takes minutes. So do faces that are none, whose normals count until the next one.
+TEST_F(StreamedObj, HasTheNormalsOfVeryManyCorners) {
+    constexpr int kCornerCount = 300000;
+    std::ostringstream own; // triangles that give each vertex its own normal
+    std::ostringstream others;
+    std::ostringstream none;
+    std::ostringstream large; // one face
+    for (int i = 1; i <= kCornerCount; ++i)
+        own << "v " << i << ' ' << i % 2 << " 0\nvn 0 " << i << " 1\n";
+    own << "vn 1 0 0\n";
+    large << 'f';
+    for (int i = 1; i <= kCornerCount; ++i) {
+        const std::string other = std::to_string(i) + "//" + std::to_string(kCornerCount + 1);
+        const char* const begin = i % 3 == 1 ? "f " : " ";
+        const char* const end = i % 3 == 0 ? "\n" : "";
+        own << begin << i << "//" << i << end;
+        others << begin << other << end;
+        none << "f " << other << ' ' << other << ' ' << other << '\n';
+        large << ' ' << other;
+    }
+    expectAlike(own.str() + others.str() + none.str() + "f 1//1 2//2 3//3 4 5//5\n");
+    writeScratch(path, own.str() + large.str() + "\nf 1 2 3\n");
+    const auto streamed = streamObj(path, kObjRoom);
+    EXPECT_EQ(streamed->summary().vertexCount, 2U * kCornerCount);
 }
 
 TEST_F(StreamedObj, HasTheColoursOfVerticesAndMaterials) {

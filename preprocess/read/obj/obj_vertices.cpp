@@ -12,6 +12,9 @@ namespace {
 /// Vertices between two counts of those that are used.
 constexpr std::size_t kRankStep = 64;
 
+/// Of an entry of a hash table and its bucket, as it grows.
+constexpr std::uint64_t kBytesOfOther = 64;
+
 std::tuple<float, float, float> tupleOf(const glm::vec3& v) {
     return {v.x, v.y, v.z};
 }
@@ -58,16 +61,28 @@ void ObjVertices::giveNormal(std::uint64_t vertex, std::uint32_t normal) {
         hasOwnNormal_[vertex] = true;
         return;
     }
-    std::erase_if(others_, [vertex](const CornerNormal& other) { return other.vertex == vertex; });
     std::uint32_t& own = ownNormals_[vertex];
     if (own == kOwn) own = normal;
-    if (normals_[own] != normals_[normal]) others_.push_back({vertex, normal});
+    if (normals_[own] != normals_[normal])
+        others_[vertex] = normal;
+    else
+        others_.erase(vertex);
+    constexpr std::size_t kFew = 1U << 16U;
+    if (others_.size() > kFew && (others_.size() & (kFew - 1)) == 0) requireRoom();
+}
+
+void ObjVertices::forgetOthers() {
+    constexpr std::size_t kFewBuckets = 1024; // more take longer to empty than a face to read
+    if (others_.bucket_count() > kFewBuckets)
+        others_ = std::unordered_map<std::uint64_t, std::uint32_t>();
+    else if (!others_.empty())
+        others_.clear();
 }
 
 ObjVariant ObjVertices::variantOf(std::uint64_t vertex, std::uint32_t color) const {
     ObjVariant variant{static_cast<std::uint32_t>(vertex), kOwn, options_.hasFaceColors ? color : 0};
-    for (const CornerNormal& other : others_)
-        if (other.vertex == vertex) variant.normal = other.normal;
+    const auto found = others_.find(vertex);
+    if (found != others_.end()) variant.normal = found->second;
     return variant;
 }
 
@@ -96,7 +111,7 @@ void ObjVertices::add(const ObjLine& face) {
         }
         if (!isOwn(variant)) variants_.push_back(variant);
     }
-    others_.clear();
+    forgetOthers();
     constexpr std::size_t kFew = 1U << 20U;
     if (variants_.size() > 2 * compacted_ + kFew) compact();
 }
@@ -111,7 +126,7 @@ void ObjVertices::compact() {
 }
 
 void ObjVertices::finish() {
-    others_.clear();
+    forgetOthers();
     compact();
     variants_.shrink_to_fit();
     firstVariant_ = options_.vertexCount;
@@ -145,14 +160,15 @@ std::span<const std::uint64_t> ObjVertices::cornersOf(const ObjLine& face) {
             corners_.push_back(place);
         }
     }
-    others_.clear();
+    forgetOthers();
     return corners_;
 }
 
 std::uint64_t ObjVertices::heldBytes() const {
     return normals_.capacity() * sizeof(glm::vec3) + hasOwnNormal_.capacity() / 8 +
            (ownNormals_.capacity() + ownColors_.capacity()) * sizeof(std::uint32_t) + isUsed_.capacity() / 8 +
-           usedBefore_.capacity() * sizeof(std::uint64_t) + variants_.capacity() * sizeof(ObjVariant);
+           usedBefore_.capacity() * sizeof(std::uint64_t) + variants_.capacity() * sizeof(ObjVariant) +
+           others_.size() * kBytesOfOther;
 }
 
 void ObjVertices::requireRoom() const {

@@ -9,6 +9,7 @@
 #include <limits>
 #include <span>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace gnomon::read {
@@ -46,7 +47,7 @@ public:
     void finish();
 
     /// Before the faces are given again.
-    void begin() { others_.clear(); }
+    void begin() { forgetOthers(); }
 
     /// The vertices of `face`, empty where it is none: fewer than three different corners.
     std::span<const std::uint64_t> cornersOf(const ObjLine& face);
@@ -71,14 +72,9 @@ public:
     std::uint64_t heldBytes() const;
 
 private:
-    /// The normal that a corner has, told from its own.
-    struct CornerNormal {
-        std::uint64_t vertex = 0;
-        std::uint32_t normal = 0;
-    };
-
     void takeNormals(const ObjLine& face);
     void giveNormal(std::uint64_t vertex, std::uint32_t normal);
+    void forgetOthers();
     ObjVariant variantOf(std::uint64_t vertex, std::uint32_t color) const;
     bool isOwn(const ObjVariant& variant) const;
     bool isBefore(const ObjVariant& a, const ObjVariant& b) const;
@@ -97,7 +93,9 @@ private:
     std::vector<ObjVariant> variants_;
     std::size_t compacted_ = 0;
     std::uint64_t firstVariant_ = 0;
-    std::vector<CornerNormal> others_; ///< of the face in hand, and of those before that were none
+    /// The normals that corners have in place of their vertices' own: of the face in hand, and of those before that
+    /// were none. A face may have a million corners.
+    std::unordered_map<std::uint64_t, std::uint32_t> others_;
     std::vector<std::uint64_t> corners_;
 };
 

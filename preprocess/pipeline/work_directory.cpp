@@ -87,11 +87,16 @@ std::string differenceOf(const std::string& expected, const std::string& found) 
     return text;
 }
 
+std::unique_ptr<TemporaryName> heldName(const std::string& path) {
+    return std::make_unique<TemporaryName>(path, [] { return true; });
+}
+
 } // namespace
 
 WorkDirectory::Names::~Names() {
     if (held_.empty()) return;
     const std::string folder = held_.front()->path();
+    log_.reset();
     while (!held_.empty())
         held_.pop_back();
     std::error_code ignored;
@@ -128,18 +133,22 @@ void WorkDirectory::Names::make(const std::string& folder) {
 
 void WorkDirectory::Names::takeOver(const std::string& folder) {
     if (held_.size() > 1) return;
-    if (held_.empty()) take(folder);
-    for (const char* name : {"checkpoints", "lock"})
-        take(folder + "/" + name);
+    if (held_.empty()) held_.push_back(heldName(folder));
+    take(folder + "/lock");
 }
 
 void WorkDirectory::Names::take(const std::string& path) {
-    held_.push_back(std::make_unique<TemporaryName>(path, [] { return true; }));
+    held_.push_back(heldName(path));
+    auto log = heldName(held_.front()->path() + "/checkpoints");
+    if (log_) log_->keep([] { return true; });
+    log_ = std::move(log);
 }
 
 void WorkDirectory::Names::leave() {
+    if (log_) log_->keep([] { return true; });
     for (const auto& name : held_)
         name->keep([] { return true; });
+    log_.reset();
     held_.clear();
 }
 

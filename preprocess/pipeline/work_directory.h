@@ -71,7 +71,8 @@ public:
     }
 
 private:
-    /// The folder and the files that builds write into it; they go with it unless it leaves them.
+    /// The folder and the files that builds write into it; they go with it unless it leaves them. The checkpoint log
+    /// goes first: while it is there, so is all that it tells of, and a build that is killed can be resumed.
     class Names {
     public:
         explicit Names(std::function<void(const std::string&)> onKept) : onKept_(std::move(onKept)) {}
@@ -96,6 +97,7 @@ private:
     private:
         std::function<void(const std::string&)> onKept_;
         std::vector<std::unique_ptr<TemporaryName>> held_; // the folder first
+        std::unique_ptr<TemporaryName> log_;               // newer than all others
     };
 
     /// Resumes from the checkpoint log that is there; whether there is one. Throws Error if it is of another build.

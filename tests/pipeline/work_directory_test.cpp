@@ -5,8 +5,74 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstring>
+
+#include <sys/inotify.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 namespace gnomon::pipeline {
 namespace {
+
+/// Tells which names of a folder are removed, in turn.
+class Removals {
+public:
+    explicit Removals(const std::string& folder) : events_(::inotify_init1(IN_NONBLOCK)) {
+        EXPECT_GE(::inotify_add_watch(events_, folder.c_str(), IN_DELETE), 0);
+    }
+
+    ~Removals() { ::close(events_); }
+
+    Removals(const Removals&) = delete;
+    Removals& operator=(const Removals&) = delete;
+    Removals(Removals&&) = delete;
+    Removals& operator=(Removals&&) = delete;
+
+    std::vector<std::string> names() const {
+        std::vector<std::string> names;
+        std::array<char, 4096> bytes{};
+        for (ssize_t read = 0; (read = ::read(events_, bytes.data(), bytes.size())) > 0;) {
+            for (std::size_t at = 0; at < static_cast<std::size_t>(read);) {
+                inotify_event event{};
+                std::memcpy(&event, bytes.data() + at, sizeof event);
+                if (event.len > 0) names.emplace_back(bytes.data() + at + sizeof event);
+                at += sizeof event + event.len;
+            }
+        }
+        return names;
+    }
+
+private:
+    int events_;
+};
+
+// A build that is killed between two removals finds a log that tells of files that are gone.
+TEST(WorkDirectory, RemovesTheLogBeforeWhatItTellsOf) {
+    const TestFolder folder;
+    NoProgress progress;
+    const WorkDirectoryOptions options{folder.file("m.gnm"), "", "the key", false, true};
+    const std::vector<std::string> expected{"checkpoints", "scratch.1", "scratch.0", "lock"};
+    const auto work = [&] {
+        auto place = std::make_unique<WorkDirectory>(options, progress);
+        place->expectProcesses(2);
+        place->scratch().append(std::vector<std::byte>(7));
+        scratch::PartedScratch(place->scratchPlace().stem, 1, place->space()).append(std::vector<std::byte>(7));
+        return place;
+    };
+    {
+        auto place = work();
+        const Removals removals(folder.file("m.gnm.building"));
+        place.reset();
+        EXPECT_EQ(removals.names(), expected);
+    }
+    const auto place = work();
+    const Removals removals(folder.file("m.gnm.building"));
+    const pid_t child = ::fork();
+    if (child == 0) TemporaryName::removeAllAndExit(0); // as a signal does
+    ::waitpid(child, nullptr, 0);
+    EXPECT_EQ(removals.names(), expected);
+}
 
 TEST(WorkDirectory, TakesTheFilesOfAllItsProcessesAway) {
     const TestFolder folder;

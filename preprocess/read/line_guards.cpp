@@ -48,6 +48,16 @@ void expectCorners(const std::vector<std::string_view>& line, const std::string&
         throw Error(where, "bad corner of a face", "V, V/T, V//N or V/T/N with V not 0", quotedForMessage(*bad));
 }
 
+/// Where in `line` a word is no number, behind its three coordinates: OpenMesh would take the digits that it begins
+/// with for a channel of a colour.
+std::size_t endOfNumbers(const std::string& line, const std::vector<std::string_view>& words) {
+    for (std::size_t i = 4; i < words.size(); ++i) {
+        const std::optional<float> number = numberIn<float>(words[i]);
+        if (!number || !std::isfinite(*number)) return static_cast<std::size_t>(words[i].data() - line.data());
+    }
+    return line.size();
+}
+
 } // namespace
 
 void ObjGuard::begin() {
@@ -84,6 +94,7 @@ std::optional<std::string> ObjGuard::pass(std::string_view line, const std::stri
     }
     expectNumbers(words, 1, 3, where);
     if (words[0] == "v") ++vertexLines_;
+    whole.resize(endOfNumbers(whole, words));
     return whole;
 }
 

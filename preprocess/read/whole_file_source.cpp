@@ -94,6 +94,7 @@ MemoryMesh readObj(const InputFile& file, Bytes memoryLimit) {
     const std::uint64_t notAPolygon = guard.faceLines() - mesh.faceSizes.size();
     std::map<std::string, std::uint64_t> leftOut = guard.leftOut();
     leftOut.insert(materials.leftOut().begin(), materials.leftOut().end());
+    if (mesh.faceSizes.empty()) return mesh;
     if (materials.hasColors() && mesh.colors.empty())
         mesh = withFaceColors(std::move(mesh), importer.takeFaceColors(), file.path(), memoryLimit);
     else if (materials.hasColors())

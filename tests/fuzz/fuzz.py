@@ -16,7 +16,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 BUILD = ROOT / "build/fuzz"
 CORPUS = ROOT / "tests/fuzz/corpus"
 FOUND = BUILD / "found"
-LONGEST = {"ply": 4096, "lines": 4096, "gltf": 8192, "model": 16384, "page": 8192, "json": 4096}  # bytes
+LONGEST = {"ply": 4096, "lines": 4096, "materials": 2048, "gltf": 8192, "image": 4096, "model": 16384, "page": 8192, "json": 4096}  # bytes
 KEPT = 40  # inputs of a harness, the shortest first
 
 # What is claimed to be covered: all that reads a file from outside.

@@ -1,5 +1,5 @@
-// Makes the seeds that are bytes: models, their pages and .glb. The others were written by hand.
-// usage: fuzz_seeds FOLDER    writes FOLDER/model/*, FOLDER/page/* and FOLDER/gltf/*
+// Makes the seeds that are bytes: models, their pages, .glb and images. The others were written by hand.
+// usage: fuzz_seeds FOLDER    writes FOLDER/model/*, FOLDER/page/*, FOLDER/gltf/* and FOLDER/image/*
 #include "core/error.h"
 #include "hierarchy/bytes.h"
 #include "hierarchy/file_layout.h"
@@ -12,7 +12,10 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 
+#include <png.h>
+#include <turbojpeg.h>
 #include <zstd.h>
 
 namespace gnomon::fuzz {
@@ -99,6 +102,40 @@ void writeGltf(const std::filesystem::path& folder) {
     write(folder / "gltf" / "quad.seed", std::as_bytes(std::span(text)));
 }
 
+/// Images of 8x8 pixels: PNG with and without colours and alpha, JPEG with colours at full and half resolution.
+void writeImages(const std::filesystem::path& folder) {
+    constexpr int kSide = 8;
+    std::vector<std::uint8_t> pixels(std::size_t{kSide} * kSide * 4);
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+        pixels[i] = static_cast<std::uint8_t>(i * 37);
+    const auto keep = [&](const std::string& name, const auto* bytes, std::size_t count) {
+        write(folder / "image" / name, std::as_bytes(std::span(bytes, count)));
+    };
+    for (const png_uint_32 format :
+         std::initializer_list<png_uint_32>{PNG_FORMAT_GRAY, PNG_FORMAT_RGB, PNG_FORMAT_RGBA}) {
+        png_image image{};
+        image.version = PNG_IMAGE_VERSION;
+        image.width = image.height = kSide;
+        image.format = format;
+        std::vector<std::uint8_t> encoded(PNG_IMAGE_PNG_SIZE_MAX(image));
+        png_alloc_size_t size = encoded.size();
+        if (png_image_write_to_memory(&image, encoded.data(), &size, 0, pixels.data(), 0, nullptr) == 0)
+            throw Error(static_cast<const char*>(image.message));
+        keep("png_" + std::to_string(format) + ".seed", encoded.data(), size);
+    }
+    for (const int subsampling : {TJSAMP_444, TJSAMP_420, TJSAMP_GRAY}) {
+        const std::unique_ptr<void, int (*)(void*)> compressor(tjInitCompress(), tjDestroy);
+        unsigned char* encoded = nullptr;
+        unsigned long size = 0;
+        constexpr int kQuality = 75;
+        const int failed = tjCompress2(
+            compressor.get(), pixels.data(), kSide, 0, kSide, TJPF_RGBA, &encoded, &size, subsampling, kQuality, 0);
+        const std::unique_ptr<unsigned char, void (*)(unsigned char*)> owner(encoded, tjFree);
+        if (failed != 0) throw Error(tjGetErrorStr2(compressor.get()));
+        keep("jpeg_" + std::to_string(subsampling) + ".seed", encoded, size);
+    }
+}
+
 } // namespace
 } // namespace gnomon::fuzz
 
@@ -107,6 +144,7 @@ int main(int count, char** words) {
     try {
         gnomon::fuzz::writeModels(words[1]);
         gnomon::fuzz::writeGltf(words[1]);
+        gnomon::fuzz::writeImages(words[1]);
     } catch (const std::exception& error) {
         static_cast<void>(std::fprintf(stderr, "fuzz_seeds: %s\n", error.what()));
         return 1;

@@ -177,7 +177,13 @@ TEST_F(StreamedObj, SaysWhatIsWrongInTheSameWords) {
           "g a\n",
           "v 0 0 0\nf 1 2 \\\n",
           "v 0 0 0\nf 1 1 1\n",
-          "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2\nf 1 2 9\nf 1 2 8\n"})
+          "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2\nf 1 2 9\nf 1 2 8\n",
+          "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 9//1\n",
+          "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1 2 3\nf 1 9//1\n",
+          "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//2 3\nf 1 9//-7\n",
+          "v 0 0 0\nf 1 9//-7\n",
+          "v 0 0 0 0 1 0x\nv 1 0 0 0 1 0x\nv 0 1 0 0 1 0x\nf 1 2 3\n",
+          "v 0 0 0 0 1 inf\nv 1 0 0 0 1 inf\nv 0 1 0 0 1 inf\nf 1 2 3\n"})
         expectAlike(text);
 }
 

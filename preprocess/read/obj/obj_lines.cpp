@@ -195,7 +195,7 @@ bool ObjLines::takeVector(std::string_view rest, ObjKind kind, ObjLine& line) {
         int channels = 0;
         for (; channels < 3; ++channels) {
             const std::optional<float> number = numberIn<float>(nextWord(rest));
-            if (!number) break;
+            if (!number || !std::isfinite(*number)) break;
             color[channels] = *number;
         }
         if (channels == 3) line.vertexColor = color;

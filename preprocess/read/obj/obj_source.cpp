@@ -29,9 +29,9 @@ struct ObjCounts {
 };
 
 /// Whether the vertex of a corner has to be there: a line of too few corners is no face, and nothing asks for its
-/// vertices but its normals.
-bool isLookedUp(const ObjLine& face, const ObjCorner& corner) {
-    return corner.normal != ObjCorner::kNoNormal || isObjFace(face.corners);
+/// vertices but those of the file's `normals` that it names.
+bool isLookedUp(const ObjLine& face, const ObjCorner& corner, std::uint64_t normals) {
+    return corner.normal < normals || isObjFace(face.corners);
 }
 
 class ObjSource final : public MeshSource {
@@ -116,7 +116,7 @@ private:
 
     void surveyFace(const ObjLine& face) {
         for (const ObjCorner& corner : face.corners) {
-            if (isLookedUp(face, corner))
+            if (isLookedUp(face, corner, ObjCorner::kNoNormal)) // how many there are is not known yet
                 counts_.vertexEnd = std::max({counts_.vertexEnd, corner.vertex, corner.vertex + 1}); // may wrap
             if (corner.normal == ObjCorner::kNoNormal) continue;
             counts_.namesNormals = true;
@@ -130,13 +130,13 @@ private:
         counts_.triangles += face.corners.size() - 2;
     }
 
-    /// Names the line of the first face whose vertices are not all there.
+    /// Names the line of the first face whose vertices are not all there, if there is one.
     void findBadFace() {
         ObjLines lines(file_, stretches_, kindBit(ObjKind::Face));
         ObjLine line;
         while (lines.next(line))
             for (const ObjCorner& corner : line.corners)
-                if (corner.vertex >= counts_.vertices && isLookedUp(line, corner))
+                if (corner.vertex >= counts_.vertices && isLookedUp(line, corner, counts_.normals))
                     throw Error(
                         lines.where(),
                         "vertex index out of range",

@@ -87,7 +87,7 @@ private:
         const plan::ExactWork& work = *exact.plan.predicted;
         const plan::ShadowCosts costs = plan::shadowCosts(work);
         std::printf(
-            "%s,%llu,%d,%.0f,%.0f,%.0f,%.0f,%.0f,%.0f,%lld,%lld,%lld,%lld,%lld,%.0f,%.0f,%.3f,%.3f\n",
+            "%s,%llu,%d,%.0f,%.0f,%.0f,%.0f,%.0f,%.0f,%lld,%lld,%lld,%lld,%lld,%.0f,%.0f,%.3f,%.3f,%lld,%lld\n",
             name_.c_str(),
             static_cast<unsigned long long>(index),
             width_ * height_,
@@ -105,7 +105,9 @@ private:
             costs.exact,
             costs.maps,
             mapsMs,
-            exactMs);
+            exactMs,
+            static_cast<long long>(exact.row.refinedCastTriangles.value_or(0)),
+            static_cast<long long>(exact.row.refinedSampleTests.value_or(0)));
         std::fflush(stdout);
     }
 
@@ -135,7 +137,7 @@ int run(int count, char** arguments) {
     const int height = std::atoi(size.substr(size.find('x') + 1).c_str());
     std::printf("model,view,pixels,samples,caster_triangles,kept_triangles,cast_triangles,sample_tests,map_fragments,"
                 "counted_samples,counted_cast,counted_tests,counted_map_triangles,counted_fragments,cost_exact,"
-                "cost_maps,maps_ms,exact_ms\n");
+                "cost_maps,maps_ms,exact_ms,refined_cast,refined_tests\n");
     for (int i = 6; i < count; ++i) {
         Bench bench(arguments[i], Clock(isOfProcessor), width, height, std::max(1, std::atoi(arguments[5])));
         for (std::uint64_t view = first; view < first + views; ++view)

@@ -3,6 +3,9 @@
 #include "culling/frame_cut.h"
 #include "frame/frame_cuts.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace gnomon::frame {
 
 namespace {
@@ -35,6 +38,16 @@ plan::ExactWork predictedWork(
     drawn.image = &coarse.lists[0];
     drawn.exactCasters = &frame.cut.lists[1];
     return estimate.estimate(drawn, frame.cut.lists[0]);
+}
+
+plan::ExactWork refinedWork(const plan::ExactWork& predicted, const exact::CastForecast& forecast) {
+    const auto mean = [&](double before, double now) {
+        return std::pow(std::max(before, 1.0), 1 - forecast.weight) * std::pow(std::max(now, 1.0), forecast.weight);
+    };
+    plan::ExactWork work = predicted;
+    work.castTriangles = mean(predicted.castTriangles, forecast.trianglesCast);
+    work.sampleTests = mean(predicted.sampleTests, forecast.sampleTests);
+    return work;
 }
 
 } // namespace gnomon::frame

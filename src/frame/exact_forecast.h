@@ -1,6 +1,7 @@
 // What the exact shadows of a prepared frame will take, before anything of it is drawn.
 #pragma once
 
+#include "exact/exact_shadows.h"
 #include "frame/exact_estimate.h"
 #include "frame/prepared_frame.h"
 #include "frame/residency.h"
@@ -14,5 +15,9 @@ plan::ExactWork predictedWork(
     const executor::FrameDrawing& drawing,
     const Residency& residency,
     ExactEstimate& estimate);
+
+/// Of `predicted` the triangles cast and the sample tests once more, when the image is drawn and the first eighth of
+/// the casters are cast: the weighted geometric mean with what these let one expect.
+plan::ExactWork refinedWork(const plan::ExactWork& predicted, const exact::CastForecast& forecast);
 
 } // namespace gnomon::frame

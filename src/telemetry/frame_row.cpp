@@ -143,6 +143,8 @@ constexpr std::array kColumns = {
     Column{"sun_angle", read<&R::sunAngle>},
     Column{"light_error", read<&R::lightError>},
     Column{"triangles_set_up", read<&R::trianglesSetUp>},
+    Column{"refined_cast_triangles", read<&R::refinedCastTriangles>},
+    Column{"refined_sample_tests", read<&R::refinedSampleTests>},
 };
 
 } // namespace

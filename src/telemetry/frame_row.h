@@ -87,7 +87,9 @@ struct FrameRow {
     std::optional<std::int64_t> samplesPerPixel;
     std::optional<double> sunAngle;
     std::optional<double> lightError;
-    std::optional<std::int64_t> trianglesSetUp; // given edge functions in an image without what is hidden
+    std::optional<std::int64_t> trianglesSetUp;       // given edge functions in an image without what is hidden
+    std::optional<std::int64_t> refinedCastTriangles; // of exact shadows, predicted anew with an eighth of them cast
+    std::optional<std::int64_t> refinedSampleTests;
 };
 
 /// The value of a column; nothing if it was not measured.

@@ -36,7 +36,9 @@ void fillMeasured(FrameRow& row) {
                                                &row.clustersHidden,
                                                &row.imageWidthDrawn,
                                                &row.samplesPerPixel,
-                                               &row.trianglesSetUp})
+                                               &row.trianglesSetUp,
+                                               &row.refinedCastTriangles,
+                                               &row.refinedSampleTests})
         *field = ++whole;
     double real = 0.5;
     for (std::optional<double>* field :

@@ -24,7 +24,7 @@ TEST(FrameRow, ColumnsAreThoseOfTheContractInItsOrder) {
         "image_difference,crawl,since_start_ms,missed_shadow_fraction,unexplained_shadow_fraction,"
         "shadows,shadow_samples,shadow_cells,sample_tests,exact_decisions,touching_pixels,predicted_sample_tests,"
         "occlusion,clusters_hidden,wrong_pixels_all,image_width_drawn,samples_per_pixel,sun_angle,light_error,"
-        "triangles_set_up");
+        "triangles_set_up,refined_cast_triangles,refined_sample_tests");
 }
 
 TEST(FrameRow, EveryRowHasEveryCell) {

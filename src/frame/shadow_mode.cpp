@@ -79,9 +79,14 @@ PreparedFrame Renderer::prepareShadows(
         return frame;
     };
     if (view.pointLight) return prepareForPoint(view, quality, waiting, before);
+    std::optional<plan::ModeMemory> memory = before ? before->memory.mode : std::nullopt;
+    if (memory && memory->isAskedFor != (quality.shadows == ShadowMode::Exact)) memory.reset();
+    const std::optional<plan::ModeMemory> held = plan::withoutCosts(memory);
     if (quality.shadows != ShadowMode::Auto) {
         PreparedFrame frame = prepared(quality.shadows);
-        if (quality.shadows == ShadowMode::Exact) predict(frame);
+        if (quality.shadows != ShadowMode::Exact) return frame;
+        frame.memory.mode = held.value_or(plan::ModeMemory{.isExact = true, .isAskedFor = true});
+        if (!held) predict(frame);
         return frame;
     }
     if (plan::isWithoutSun(quality.look.shading)) {
@@ -91,10 +96,10 @@ PreparedFrame Renderer::prepareShadows(
     }
     if (quality.mapsBecause) return asMaps(*quality.mapsBecause);
     if (!executor_->decidesExactly()) return asMaps(ShadowReason::ExecutorHasMaps);
-    const std::optional<plan::ModeMemory> memory = before ? before->memory.mode : std::nullopt;
-    if (const auto choice = plan::choiceWithoutCosts(memory)) {
-        PreparedFrame frame = asMaps(choice->reason);
-        frame.memory.mode = choice->memory;
+    if (held) {
+        PreparedFrame frame = prepared(held->isExact ? ShadowMode::Exact : ShadowMode::Maps);
+        frame.plan.shadowReason = ShadowReason::Held;
+        frame.memory.mode = held;
         return frame;
     }
     PreparedFrame exact = prepared(ShadowMode::Exact);

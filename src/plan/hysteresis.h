@@ -19,7 +19,8 @@ inline constexpr int kFramesBeforeSchemeGoes = 96;
 /// How many frames in a row the other kind of shadows must dominate where `auto` chooses between exact ones and maps.
 inline constexpr int kFramesBeforeModeGoes = 24;
 
-/// While maps are chosen, what exact shadows would cost is looked at once in so many frames: that takes their casters.
+/// What shadows of either kind would cost is looked at once in so many frames as long as the kind that is there is the
+/// better one; while the other dominates it, in each: looking takes casters and a small image.
 inline constexpr int kFramesBetweenCosts = 12;
 
 /// A scheme or a kind of shadows dominates another where it costs less than this share of it.

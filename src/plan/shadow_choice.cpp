@@ -29,11 +29,11 @@ ShadowCosts shadowCosts(const ExactWork& work) {
             kMapFragment * work.mapFragments};
 }
 
-std::optional<ShadowChoice> choiceWithoutCosts(const std::optional<ModeMemory>& before) {
-    if (!before || before->isExact || before->framesUnasked + 1 >= kFramesBetweenCosts) return std::nullopt;
+std::optional<ModeMemory> withoutCosts(const std::optional<ModeMemory>& before) {
+    if (!before || before->framesDominated > 0 || before->framesUnasked + 1 >= kFramesBetweenCosts) return std::nullopt;
     ModeMemory memory = *before;
     ++memory.framesUnasked;
-    return ShadowChoice{ShadowMode::Maps, ShadowReason::Held, memory};
+    return memory;
 }
 
 ShadowChoice choiceByCosts(const ShadowCosts& costs, const std::optional<ModeMemory>& before) {
@@ -43,16 +43,14 @@ ShadowChoice choiceByCosts(const ShadowCosts& costs, const std::optional<ModeMem
     if (before && before->isExact != isExactBest) {
         const bool isDominated =
             isExactBest ? costs.exact < kCheaper * costs.maps : costs.maps < kCheaper * costs.exact;
-        // A frame with maps stands for all that went by since costs were looked at.
-        const int frames = before->isExact ? 1 : before->framesUnasked + 1;
-        framesDominated = isDominated ? before->framesDominated + frames : 0;
+        framesDominated = isDominated ? before->framesDominated + 1 : 0;
         isExact = framesDominated >= kFramesBeforeModeGoes ? isExactBest : before->isExact;
     }
     ShadowChoice choice;
     choice.mode = isExact ? ShadowMode::Exact : ShadowMode::Maps;
     choice.reason = isExact ? ShadowReason::ExactCostsNoMore : ShadowReason::MapsCostLess;
     if (isExact != isExactBest) choice.reason = ShadowReason::Held;
-    choice.memory = ModeMemory{isExact, isExact == isExactBest ? 0 : framesDominated, 0};
+    choice.memory = ModeMemory{isExact, isExact == isExactBest ? 0 : framesDominated, 0, false};
     return choice;
 }
 

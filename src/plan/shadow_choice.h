@@ -53,11 +53,12 @@ struct ShadowCosts {
 /// The costs of `work`, and those of four maps in 2048x2048 texels for the same view.
 ShadowCosts shadowCosts(const ExactWork& work);
 
-/// The mode of the frame before, if it was left open.
+/// The mode of the frame before, if its costs are looked at.
 struct ModeMemory {
     bool isExact = false;
     int framesDominated = 0; // for how many frames in a row, that one included, the other mode has dominated it
-    int framesUnasked = 0;   // of maps: for how many frames the costs have not been looked at
+    int framesUnasked = 0;   // for how many frames the costs have not been looked at
+    bool isAskedFor = false; // exact shadows by their name: looked at for the log alone
 };
 
 /// The mode of a frame, why, and what the next frame is to be told.
@@ -67,9 +68,9 @@ struct ShadowChoice {
     std::optional<ModeMemory> memory; // nothing where the mode was asked for
 };
 
-/// The choice of a frame behind `before` that can be made without costs: maps are looked at every kFramesBetweenCosts
-/// frames alone. Nothing where costs are called for.
-std::optional<ShadowChoice> choiceWithoutCosts(const std::optional<ModeMemory>& before);
+/// The memory of a frame behind `before` whose costs need not be looked at: they are in every kFramesBetweenCosts-th
+/// frame, and in each while another mode dominates. Nothing where costs are called for.
+std::optional<ModeMemory> withoutCosts(const std::optional<ModeMemory>& before);
 
 /// The choice by `costs`: exact shadows where they cost no more; behind a frame with the other mode only if that is
 /// dominated (plan/hysteresis.h) for long enough.

@@ -4,6 +4,7 @@
 #include "frame/exact_forecast.h"
 #include "frame/made_model.h"
 #include "hierarchy/scene_mesh.h"
+#include "plan/hysteresis.h"
 
 #include <gtest/gtest.h>
 #include <tbb/task_arena.h>
@@ -110,6 +111,23 @@ TEST(ShadowMode, IsMapsWhereTheyAreAskedForOrAllThatThereIs) {
     EXPECT_EQ(frame.row.shadows, "maps");
     EXPECT_EQ(frame.plan.shadowReason, ShadowReason::ExecutorHasMaps);
     EXPECT_FALSE(frame.row.predictedSampleTests);
+}
+
+// A prediction takes its own small image, so a walk pays for it now and then: asked for by name or left open.
+TEST(ShadowMode, IsPredictedOnceInAWhileAndAtOnceBehindAnotherMode) {
+    Crate crate;
+    const auto executor = executor::makeSoftwareExecutor();
+    Renderer renderer(crate.model->file(), *executor, {});
+    for (const ShadowMode mode : {ShadowMode::Exact, ShadowMode::Auto, ShadowMode::Exact}) {
+        crate.quality.shadows = mode;
+        for (int i = 0; i < 2 * plan::kFramesBetweenCosts + 1; ++i) {
+            const Frame frame = renderer.render(crate.view, crate.quality, {});
+            EXPECT_EQ(frame.row.shadows, "exact");
+            EXPECT_EQ(frame.plan.predicted.has_value(), i % plan::kFramesBetweenCosts == 0) << i;
+        }
+    }
+    renderer.forget();
+    EXPECT_TRUE(renderer.render(crate.view, crate.quality, {}).plan.predicted);
 }
 
 // Explicit and left open, whatever was drawn before: nothing of a mode stays behind in pictures.

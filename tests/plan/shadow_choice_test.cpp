@@ -14,9 +14,9 @@ std::vector<ShadowMode> modesOf(const std::vector<ShadowCosts>& costs) {
     std::vector<ShadowMode> modes;
     std::optional<ModeMemory> memory;
     for (const ShadowCosts& frame : costs) {
-        const ShadowChoice choice = choiceWithoutCosts(memory).value_or(choiceByCosts(frame, memory));
-        modes.push_back(choice.mode);
-        memory = choice.memory;
+        const std::optional<ModeMemory> held = withoutCosts(memory);
+        memory = held ? held : choiceByCosts(frame, memory).memory;
+        modes.push_back(memory->isExact ? ShadowMode::Exact : ShadowMode::Maps);
     }
     return modes;
 }
@@ -116,17 +116,22 @@ TEST(ShadowChoice, DoesNotFlickerWhereCostsDo) {
     }
 }
 
-TEST(ShadowChoice, LooksAtCostsOnceInAWhileAsLongAsItHasMaps) {
-    std::optional<ModeMemory> memory = choiceByCosts(kMapsAreCheap, std::nullopt).memory;
-    int frames = 1;
-    while (const auto choice = choiceWithoutCosts(memory)) {
-        EXPECT_EQ(choice->mode, ShadowMode::Maps);
-        memory = choice->memory;
-        ++frames;
+TEST(ShadowChoice, LooksAtCostsOnceInAWhileAndAlwaysWhileDominated) {
+    for (const bool isExact : {true, false}) {
+        const ShadowCosts own = isExact ? kExactIsCheap : kMapsAreCheap;
+        const ShadowCosts other = isExact ? kMapsAreCheap : kExactIsCheap;
+        std::optional<ModeMemory> memory = choiceByCosts(own, std::nullopt).memory;
+        int frames = 1;
+        while (const auto held = withoutCosts(memory)) {
+            EXPECT_EQ(held->isExact, isExact);
+            memory = held;
+            ++frames;
+        }
+        EXPECT_EQ(frames, kFramesBetweenCosts);
+        EXPECT_FALSE(withoutCosts(choiceByCosts(other, memory).memory));
+        EXPECT_TRUE(withoutCosts(choiceByCosts(own, choiceByCosts(other, memory).memory).memory));
     }
-    EXPECT_EQ(frames, kFramesBetweenCosts);
-    EXPECT_FALSE(choiceWithoutCosts(std::nullopt));
-    EXPECT_FALSE(choiceWithoutCosts(choiceByCosts(kExactIsCheap, std::nullopt).memory));
+    EXPECT_FALSE(withoutCosts(std::nullopt));
 }
 
 } // namespace

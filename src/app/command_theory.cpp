@@ -10,8 +10,8 @@
 #include "settings/codec.h"
 #include "settings/files/named_files.h"
 #include "telemetry/json_text.h"
+#include "theory/embedded_files.h"
 #include "theory/figures.h"
-#include "theory/figures_script.h"
 #include "theory/rows.h"
 #include "theory/scheme_table.h"
 #include "theory/theory_json.h"
@@ -97,8 +97,8 @@ void writeFigures(const std::string& folder) {
     const PreparedFolder prepared(folder);
     const std::string shown = printable(folder);
     std::vector<theory::Figure> figures = theory::paperFigures();
-    for (theory::Figure& figure : theory::ownFigures())
-        figures.push_back(std::move(figure));
+    for (const auto& more : {theory::ownFigures(), theory::ulpsFigures()})
+        figures.insert(figures.end(), more.begin(), more.end());
     json list = json::array();
     for (const theory::Figure& figure : figures) {
         writeTextFile(folder + "/" + figure.name + ".csv", theory::csvOf(figure));

@@ -34,6 +34,10 @@ std::vector<Figure> paperFigures();
 /// orientation.
 std::vector<Figure> ownFigures();
 
+/// How far the closed forms of src/shadow are off, over the depth ratio: from the table that the tests made
+/// (tests/theory/ulps_table.h), at 60,000 draws each.
+std::vector<Figure> ulpsFigures();
+
 /// The table as CSV with a header line.
 std::string csvOf(const Figure& figure);
 

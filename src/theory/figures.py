@@ -33,14 +33,20 @@ def draw_lines(figure, rows):
     many = len(rows) > 60
     for i, label in enumerate(figure["columns"][1:], start=1):
         points = [(a, row[i]) for a, row in zip(x, rows) if not math.isnan(row[i])]
-        dashed = "--" if i > len(COLOURS) // 2 else "-"
+        if not points:
+            continue
+        dashed = ":" if i > len(COLOURS) else "--" if i > len(COLOURS) // 2 else "-"
         axes.plot(*zip(*points), dashed, marker=None if many else "o", markersize=3,
                   color=COLOURS[(i - 1) % len(COLOURS)], label=label)
     axes.set_xlabel(figure["x"])
     axes.set_ylabel(figure["y"])
     axes.set_xscale("log" if figure["log_x"] else "linear")
     axes.set_yscale("log" if figure["log_y"] else "linear")
-    axes.legend(frameon=False, fontsize=8)
+    if len(figure["columns"]) <= len(COLOURS) + 1:
+        axes.legend(frameon=False, fontsize=8)
+    else:
+        image.set_figwidth(9.5)
+        axes.legend(frameon=False, fontsize=8, loc="upper left", bbox_to_anchor=(1.01, 1))
     return image
 
 

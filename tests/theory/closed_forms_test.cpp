@@ -1,6 +1,6 @@
 // Every closed form of src/shadow beside its twin of 200 bits, over its whole domain: how many units in the last place
 // it is off, and where that is more than 64, whether the condition number of its inputs says so.
-#include "tests/theory/closed_forms.h"
+#include "tests/theory/ulps_table.h"
 
 #include <gtest/gtest.h>
 
@@ -18,14 +18,6 @@ namespace {
 
 /// The most that a closed form may be off where the condition number of its inputs does not say more, in ulps.
 constexpr double kMostUlps = 64;
-
-/// How far `found` is from `exact`, in units in the last place of that.
-double ulpsOff(double found, const Real& exact) {
-    const double near = exact.rounded();
-    if (!exact.isFinite()) return found == near ? 0 : INFINITY;
-    const double next = std::nextafter(std::abs(near), INFINITY) - std::abs(near);
-    return (magnitude(Real(found) - exact) / next).rounded();
-}
 
 /// The condition number of output `index` at `in`: how much more it changes, relatively, than inputs do that change
 /// by 2^-53, all at once in the worst way. So small a step is also what a kink or a jump nearby shows in.

@@ -1,8 +1,8 @@
 // The table of schemes against sums of the theory's own rows and against what more maps, faces and turns must bring;
 // the lights that figures are sampled at; the text of a figure.
 #include "core/random.h"
+#include "theory/embedded_files.h"
 #include "theory/figures.h"
-#include "theory/figures_script.h"
 #include "theory/rows.h"
 #include "theory/sampling.h"
 #include "theory/scheme_table.h"

@@ -213,7 +213,10 @@ HWY_INLINE void shadeLanes(const ShadingFrame& f, PixelBatch& batch, std::size_t
     const auto cosine = dot(flat, light);
     const auto faces = hn::Gt(cosine, zero);
     auto pass = hn::Set(kInts, -1);
-    Floats lit = hn::IfThenElseZero(faces, f.litSource == LitSource::Mask ? load(batch.litMask, i) : constant(1));
+    // Who decides exactly also decides which surfaces face the light; of those that graze it floats may say otherwise.
+    Floats lit = f.litSource == LitSource::Mask ? load(batch.litMask, i) : constant(1);
+    const bool isDecidedExactly = f.litSource == LitSource::Mask || f.litSource == LitSource::Undecided;
+    if (!isDecidedExactly) lit = hn::IfThenElseZero(faces, lit);
     if (f.litSource == LitSource::Maps) lit = litByMaps(f, {position, flat, depth, cosine, faces}, pass);
     if (f.litSource == LitSource::Awaited) leaveLookups(f, {position, flat, depth, cosine, faces}, pass, batch, i);
 

@@ -231,12 +231,10 @@ void Shading::flush(Work& work, const ShadingTarget& target) const {
             target.surfaces->pixels[at] = {};
             continue;
         }
+        const bool facesLight = batch.faces[i] != 0 || (shared_.litSource == LitSource::Mask && batch.lit[i] > 0);
         const float partitionAndLit = static_cast<float>(batch.pass[i] + 1) + 0.5F * batch.lit[i];
         target.surfaces->pixels[at] = {
-            toVector(batch.flatNormal, i),
-            batch.faces[i] != 0 ? partitionAndLit : -1.0F,
-            toVector(batch.position, i),
-            1};
+            toVector(batch.flatNormal, i), facesLight ? partitionAndLit : -1.0F, toVector(batch.position, i), 1};
     }
     batch.count = 0;
 }

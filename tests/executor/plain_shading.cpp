@@ -133,7 +133,7 @@ void shadeOne(const ShadingFrame& f, PixelBatch& batch, std::size_t i) {
 
     batch.lit[i] = cosine > 0 ? 1.0F : 0.0F;
     batch.pass[i] = -1;
-    if (cosine > 0 && f.litSource == LitSource::Mask) batch.lit[i] = batch.litMask[i];
+    if (f.litSource == LitSource::Mask) batch.lit[i] = batch.litMask[i];
     if (cosine > 0 && f.litSource == LitSource::Maps) {
         batch.pass[i] = plainPassOf(f, position - f.frame->eye, depth);
         if (batch.pass[i] >= 0) batch.lit[i] = plainLitFraction(f, batch.pass[i], position, flat, cosine);

@@ -1,6 +1,9 @@
 // What is drawn for a frame and for its proofs, counted: a frame draws once, and a proof what it says.
+#include "core/random.h"
 #include "executor/software_executor.h"
 #include "frame/crate_scene.h"
+#include "frame/drawn_model.h"
+#include "hierarchy/scene_mesh.h"
 #include "proof/frame_proof.h"
 
 #include <gtest/gtest.h>
@@ -49,6 +52,14 @@ private:
     std::vector<double> images_;
 };
 
+/// A corner of a box, of coordinates that the model keeps.
+glm::dvec3 inSixtyFourths(Random& random) {
+    const auto one = [&] { return (static_cast<double>(random.below(257)) - 128) / 64; };
+    const double x = one();
+    const double y = one();
+    return {x, y, one()};
+}
+
 /// A crate on the ground in a file of its own.
 class CrateFile {
 public:
@@ -91,6 +102,34 @@ TEST_F(FrameProofs, AFrameIsDrawnOnceAndMeasuredNowhere) {
     EXPECT_FALSE(frame.row.wrongShadowFraction);
     EXPECT_FALSE(frame.row.imageDifference);
     EXPECT_FALSE(frame.row.crawl);
+}
+
+// The light lies in the plane of what is seen, so that integers alone can say which side of it faces the light: floats
+// say either, and a picture's pixels are to be those of the integers.
+TEST(WrongPixels, AreNoneOfWhatTheLightGrazes) {
+    Random random(149);
+    std::size_t grazed = 0;
+    for (int i = 0; i < 40; ++i) {
+        const glm::dvec3 first = inSixtyFourths(random);
+        const glm::dvec3 second = inSixtyFourths(random);
+        plan::View view;
+        view.towardsLight = inSixtyFourths(random).x * first + inSixtyFourths(random).x * second;
+        if (glm::length(glm::cross(first, second)) < 0.1 || glm::length(view.towardsLight) < 0.1) continue;
+        tests::SceneMesh scene;
+        scene.addQuad({0, 0, 0}, first, second);
+        frame::DrawnModel model(scene.model());
+        const glm::dvec3 middle = 0.5 * (first + second);
+        view.camera = {middle + 4.0 * glm::normalize(glm::cross(first, second)), middle, {0.6, 0.8, 0.1}, 1};
+        view.width = view.height = 32;
+        plan::Quality quality;
+        quality.shadows = plan::ShadowMode::Exact;
+        const frame::Frame frame = model.draw(view, quality);
+        ++grazed;
+        ProofOptions options;
+        options.oracle = Oracle::Exact;
+        EXPECT_EQ(prove(model.renderer(), frame, options).wrongPixelsAll, 0) << i;
+    }
+    EXPECT_GT(grazed, 30U);
 }
 
 TEST_F(FrameProofs, NothingIsDrawnToFindNothingOut) {

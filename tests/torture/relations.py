@@ -244,16 +244,19 @@ def reversed_winding(i):
     most_differ(drawn(i, "a.gnm"), drawn(i, "b.gnm"), 0.002, "corners the other way round")
 
 
+LIT = ("--shading", "lit")
+
+
 def mirrored(i):
-    """x becomes -x, left becomes right."""
+    """x becomes -x, left becomes right; but for the eye's own light, which is brighter to the right than to the left."""
     def mirror(place):
         return (-place[0], *place[1:])
 
     i.built(Mesh([mirror(vertex) for vertex in i.mesh.vertices], [(a, c, b) for a, b, c in i.mesh.triangles]))
     words = i.view.words(mirror(i.view.eye), mirror(i.view.target), mirror(i.view.light))
-    width, height, channels, rows = drawn(i, "b.gnm", words)
+    width, height, channels, rows = drawn(i, "b.gnm", words, *LIT)
     flipped = [b"".join(row[x : x + channels] for x in range((width - 1) * channels, -1, -channels)) for row in rows]
-    most_differ(drawn(i, "a.gnm"), (width, height, channels, flipped), 0.005, "mirrored")
+    most_differ(drawn(i, "a.gnm", None, *LIT), (width, height, channels, flipped), 0.005, "mirrored")
 
 
 def turned_axes(i):

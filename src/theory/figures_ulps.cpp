@@ -75,6 +75,7 @@ std::vector<Figure> ulpsFigures() {
     for (std::string line; std::getline(lines, line);)
         table.push_back(cellsOf(line));
     std::vector<Figure> figures;
+    figures.reserve(kUlpsFamilies.size());
     for (const UlpsFamily& family : kUlpsFamilies)
         figures.push_back(ulpsFigure(family, table));
     return figures;

@@ -3,6 +3,7 @@
 #include "core/camera.h"
 #include "hierarchy/cut_rule.h"
 #include "hierarchy/model_file.h"
+#include "selection/cut.h"
 #include "selection/error_rule.h"
 
 #include <cmath>
@@ -18,8 +19,10 @@ namespace {
 /// Of stored bytes: a page's are its clusters' by their triangles.
 struct Shares {
     double tables = 0;
-    double pages = 0;        // that hold what is refined, or that such a page refines
+    double pages = 0; // that hold what is refined, or that such a page refines: what a frame reads that never waits
     double refinedPages = 0; // that hold what is refined
+    double passedPages = 0;  // of these, that the page table alone says to be refined as a whole
+    double undrawnPages = 0; // of these, all of which nothing is drawn
     double groups = 0;
     double clusters = 0;
     double triangles = 0;
@@ -29,7 +32,10 @@ struct Shares {
 class Count {
 public:
     Count(const hierarchy::ModelFile& file, double errorPixels, double distance)
-        : file_(file), errorPixels_(errorPixels), isNeeded_(file.pages().size()) {
+        : file_(file),
+          errorPixels_(errorPixels),
+          isNeeded_(file.pages().size()),
+          trees_(file.pages(), file.summary().grid) {
         const hierarchy::ModelSummary& summary = file.summary();
         const double size = glm::length(summary.bounds.extent());
         Camera camera;
@@ -44,6 +50,7 @@ public:
     Shares run() {
         Shares sum;
         std::vector<std::uint8_t> isRefined(isNeeded_.size());
+        std::vector<std::uint8_t> isDrawn(isNeeded_.size());
         const ConvexVolume pyramid = selection::viewPyramid(view_);
         for (std::uint32_t p = 0; p < isNeeded_.size(); ++p) {
             const hierarchy::Page page = file_.readPage(p);
@@ -62,24 +69,39 @@ public:
                 [this](double error, const Sphere& bounds) { return refines(error, bounds); },
                 [&](const hierarchy::Group&, const hierarchy::Cluster& cluster) {
                     if (classify(pyramid, file_.summary().grid.local(cluster.box)) == Containment::Outside) return;
+                    isDrawn[p] = 1;
                     sum.clusters += each * cluster.triangleCount;
                     sum.triangles += cluster.triangleCount;
                 });
         }
+        addPages(isRefined, isDrawn, sum);
+        return sum;
+    }
+
+private:
+    /// What the pages take of which something is refined, or drawn, and those above them.
+    void addPages(const std::vector<std::uint8_t>& isRefined, const std::vector<std::uint8_t>& isDrawn, Shares& sum) {
+        selection::CutQuery query;
+        query.trees = &trees_;
+        query.rule = rule_.get();
+        query.errorPixels = errorPixels_;
+        query.passable = file_.pages();
         for (std::size_t p = isNeeded_.size(); p-- > 0;) {
             const hierarchy::PageInfo& info = file_.pages()[p];
             isNeeded_[p] = isRefined[p];
             for (const std::uint32_t child : info.children)
                 isNeeded_[p] |= isNeeded_[child];
-            if (isRefined[p] != 0) sum.refinedPages += info.storedBytes;
-            if (isNeeded_[p] == 0) continue;
-            sum.pages += info.storedBytes;
-            ++sum.requests;
+            if (isRefined[p] != 0) {
+                const bool isPassed = selection::isPassedThrough(query, static_cast<std::uint32_t>(p));
+                sum.refinedPages += info.storedBytes;
+                if (isPassed) sum.passedPages += info.storedBytes;
+                if (isDrawn[p] == 0) sum.undrawnPages += info.storedBytes;
+                if (!isPassed) ++sum.requests;
+            }
+            if (isNeeded_[p] != 0) sum.pages += info.storedBytes;
         }
-        return sum;
     }
 
-private:
     bool refines(double error, const Sphere& bounds) const { return rule_->exceeds(bounds, error, errorPixels_); }
 
     const hierarchy::ModelFile& file_;
@@ -87,25 +109,36 @@ private:
     std::vector<std::uint8_t> isNeeded_;
     selection::DetailView view_;
     std::unique_ptr<selection::ErrorRule> rule_;
+    selection::PageTrees trees_;
 };
 
 int run(int argc, char** argv) {
     const hierarchy::ModelFile file(argv[1]);
     const Shares sum = Count(file, argc > 2 ? std::atof(argv[2]) : 1, argc > 3 ? std::atof(argv[3]) : 1).run();
+    constexpr double kMega = 1e6;
+    const double read = sum.refinedPages - sum.passedPages;
     std::printf(
-        "%zu pages of %.1f MB, table %.2f MB; read %llu pages, MB as stored: %.2f; of these drawn clusters (%.0f "
-        "triangles) %.2f, refined groups above them %.2f, other groups in these pages %.2f, pages of which nothing is "
-        "refined %.2f; read / drawn %.2f\n",
+        "%zu pages of %.1f MB, table %.2f MB; a picture reads %llu pages, MB as stored: %.2f; drawn clusters (%.0f "
+        "triangles) %.2f; read / drawn %.2f\n",
         file.pages().size(),
-        double(file.fileBytes()) / 1e6,
-        sum.tables / 1e6,
+        double(file.fileBytes()) / kMega,
+        sum.tables / kMega,
         static_cast<unsigned long long>(sum.requests),
-        sum.pages / 1e6,
+        read / kMega,
         sum.triangles,
-        sum.clusters / 1e6,
-        (sum.groups - sum.clusters) / 1e6,
-        (sum.refinedPages - sum.groups) / 1e6,
-        (sum.pages - sum.refinedPages) / 1e6,
+        sum.clusters / kMega,
+        read / sum.clusters);
+    std::printf(
+        "refined groups above what is drawn %.2f, other groups in these pages %.2f; of these pages nothing is drawn of "
+        "%.2f, known by the table of %.2f, which are not read\n",
+        (sum.groups - sum.clusters) / kMega,
+        (sum.refinedPages - sum.groups) / kMega,
+        sum.undrawnPages / kMega,
+        sum.passedPages / kMega);
+    std::printf(
+        "with --real-time: %.2f, %.2f of them pages of which nothing is refined; read / drawn %.2f\n",
+        sum.pages / kMega,
+        (sum.pages - sum.refinedPages) / kMega,
         sum.pages / sum.clusters);
     return 0;
 }

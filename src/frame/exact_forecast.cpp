@@ -17,6 +17,10 @@ constexpr int kMostCoarsenings = 6;
 
 } // namespace
 
+double predictedErrorPixels(const plan::View& view, double errorPixels) {
+    return errorPixels * (static_cast<double>(view.height) / ExactEstimate::sizeFor(view).y);
+}
+
 plan::ExactWork predictedWork(
     const PreparedFrame& frame,
     const executor::FrameDrawing& drawing,
@@ -28,7 +32,7 @@ plan::ExactWork predictedWork(
     selection::CutQuery query = cutQuery(residency, frame);
     query.rule = &rule;
     query.volumes = query.volumes.first(1);
-    query.errorPixels *= static_cast<double>(view.height) / ExactEstimate::sizeFor(view).y;
+    query.errorPixels = predictedErrorPixels(view, query.errorPixels);
     selection::Cut coarse = culling::cutFrame(query);
     for (int i = 0; i < kMostCoarsenings && coarse.lists[0].triangles > kMostTriangles; ++i) {
         query.errorPixels *= kCoarser;

@@ -8,6 +8,9 @@
 
 namespace gnomon::frame {
 
+/// The least error, in pixels, of the clusters by which `predictedWork` knows a frame of `errorPixels`.
+double predictedErrorPixels(const plan::View& view, double errorPixels);
+
 /// The work that deciding the shadows of `frame` exactly is predicted to take; none where it has nothing to decide.
 /// `frame` is planned and cut for exact shadows, its pages are resident, `drawing` is what the executor would get.
 plan::ExactWork predictedWork(

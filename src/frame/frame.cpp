@@ -2,6 +2,7 @@
 #include "culling/layers.h"
 #include "executor/light/light_sum.h"
 #include "executor/ray_shadows.h"
+#include "frame/exact_forecast.h"
 #include "frame/frame_cuts.h"
 #include "frame/frame_row.h"
 #include "frame/ground.h"
@@ -10,6 +11,7 @@
 #include "plan/caster_culling.h"
 #include "plan/occlusion_choice.h"
 
+#include <limits>
 #include <utility>
 
 // The frame, told in the words of the README:
@@ -103,7 +105,8 @@ PreparedFrame Renderer::prepareAs(
     const hierarchy::ModelSummary& model = model_->summary();
     residency_.keepRayTrees(quality.shadows == plan::ShadowMode::Rays);
     double streamMs = 0; // all that waiting costs: the rounds but the last are made for it
-    addTime(streamMs, [&] { residency_.admitLoaded(waiting); });
+    // A cap finds its error among all clusters that are there.
+    addTime(streamMs, [&] { residency_.admitLoaded(waiting, quality.maxTriangles.has_value()); });
     for (;;) {
         const Stopwatch round;
         PreparedFrame frame;
@@ -112,6 +115,10 @@ PreparedFrame Renderer::prepareAs(
         const std::optional<DepthSpan> range =
             plan::widestRange(view, quality, withGround(model.bounds, ground_.get()));
         frame.errorPixels = quality.errorPixels;
+        // Exact shadows are predicted by coarser clusters, which have to be there for it.
+        const bool isPredicted = quality.shadows == plan::ShadowMode::Exact;
+        frame.mostPassedPixels =
+            isPredicted ? predictedErrorPixels(view, quality.errorPixels) : std::numeric_limits<double>::infinity();
         double surveyedPixels = 0;
         do { // once, but for a cap that casters raise the error under: what is surveyed has to be what is drawn
             addTime(frame.selectMs, [&] { cutImage(frame, {view, margin_}, quality, range, residency_, model.grid); });

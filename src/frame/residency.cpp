@@ -65,6 +65,7 @@ selection::CutQuery Residency::query() const {
     query.trees = &trees_;
     query.resident = store_.resident();
     query.blocked = &store_.blocked();
+    if (isOpen_) query.passable = model_->pages();
     return query;
 }
 
@@ -74,7 +75,10 @@ void Residency::keepRayTrees(bool areKept) {
     store_.keepBeside(areKept ? raycast::keptTreeBytes : std::function<Bytes(const hierarchy::PageInfo&)>());
 }
 
-void Residency::admitLoaded(Waiting waiting) {
+void Residency::admitLoaded(Waiting waiting, bool needsAllAbove) {
+    // Where frames do not wait what stands above is drawn meanwhile.
+    hasNotWaited_ = hasNotWaited_ || waiting == Waiting::Never;
+    isOpen_ = !hasNotWaited_ && !needsAllAbove;
     if (waiting == Waiting::Never) store_.admitLoaded();
 }
 
@@ -82,13 +86,18 @@ streaming::DemandOutcome Residency::serve(
     const selection::CutQuery& query, const selection::Cut& cut, Waiting waiting) {
     // A frame that waits takes level after level and nothing that it may not need: it is there no later, even over a
     // network, and a sixth less is read.
-    if (waiting == Waiting::UntilComplete) return store_.load({cut.used, cut.wanted});
+    if (waiting == Waiting::UntilComplete) {
+        streaming::DemandOutcome outcome = store_.load({.used = cut.used, .wanted = cut.wanted, .isOpen = isOpen_});
+        // Once it has to be closed it stays so, that this comes to an end.
+        if (std::exchange(isOpen_, store_.isOpen()) != isOpen_) outcome.hasChanged = true;
+        return outcome;
+    }
     const std::vector<hierarchy::PageDemand> foreseen = selection::foreseenPages(query, cut, model_->pages());
     return store_.request({cut.used, cut.wanted, foreseen, alongTheMotion(query)});
 }
 
 std::vector<std::uint32_t> Residency::pagesOf(const selection::CutQuery& query, const selection::Cut& cut) const {
-    std::vector<std::uint32_t> pages;
+    std::vector<std::uint32_t> pages = cut.passed;
     const std::vector<hierarchy::PageDemand> foreseen = selection::foreseenPages(query, cut, model_->pages());
     for (const std::span<const hierarchy::PageDemand> demands :
          {std::span(cut.used), std::span(cut.wanted), std::span(foreseen)})

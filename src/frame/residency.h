@@ -47,8 +47,9 @@ public:
     /// Whether reading `page` has failed.
     bool isDamaged(std::uint32_t page) const { return store_.isDamaged(page); }
 
-    /// Makes the pages that were loaded since the last frame resident, if frames never wait.
-    void admitLoaded(Waiting waiting);
+    /// Begins a frame: makes the pages that were loaded since the last one resident, if frames never wait. One that
+    /// waits reads no page for being above others, until one has not waited; `needsAllAbove` if it does all the same.
+    void admitLoaded(Waiting waiting, bool needsAllAbove = false);
 
     /// Requests what `cut` of `query` wants, and waits for it if frames do. The first volume is the image's.
     streaming::DemandOutcome serve(const selection::CutQuery& query, const selection::Cut& cut, Waiting waiting);
@@ -101,6 +102,8 @@ private:
     Bytes memory_;
     Bytes reserved_;
     Bytes sums_;
+    bool hasNotWaited_ = false; // a frame
+    bool isOpen_ = false;       // this frame: pages come without those above them
     streaming::FilePageSource source_;
     std::unique_ptr<raycast::KeptTrees> rayTrees_; // null while none are kept
     streaming::PageStore store_;

@@ -9,7 +9,8 @@
 namespace gnomon::hierarchy {
 
 /// The decoded pages by page id; null where a page is not resident. Residency is closed upwards: where a page is
-/// resident, so is every page with a refinement into it, but for damaged ones.
+/// resident, so is every page with a refinement into it, but for damaged ones, and but for pages of frames that draw
+/// nothing until their cut is complete.
 using ResidentPages = std::span<const Page* const>;
 
 /// Groups of resident pages that may not be refined because some of what they replace lies below a damaged page.

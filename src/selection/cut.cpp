@@ -110,6 +110,14 @@ bool CutPart::isBlocked(std::uint32_t page, std::uint32_t group) const {
     return query_->blocked != nullptr && !query_->blocked->empty() && query_->blocked->contains({page, group});
 }
 
+/// As isPassedThrough, of a page that is not resident.
+bool CutPart::isPassed(std::uint32_t page) {
+    if (query_->passable.empty()) return false;
+    if (asked_ != page) isAskedPassed_ = isPassedThrough(*query_, page); // neighbours often share a page
+    asked_ = page;
+    return isAskedPassed_;
+}
+
 /// The planes that a page's box may cross: those of the volumes that it is not known to lie in.
 void CutPart::collectPlanes(bvh::VolumeMask mask) {
     pagePlanes_.clear();
@@ -169,7 +177,8 @@ void CutPart::test(const hierarchy::Page& page) {
         const bool isResident = query_->resident[refinement.group.page] != nullptr;
         refinements_[i] = {view, false};
         if (!(pixels > threshold)) continue;
-        refinements_[i].isRefined = isResident && !isBlocked(refinement.group.page, refinement.group.group);
+        refinements_[i].isRefined = (isResident || isPassed(refinement.group.page)) &&
+                                    !isBlocked(refinement.group.page, refinement.group.group);
         std::vector<PageDemand>& demands = isResident ? used_ : wanted_;
         if (!demands.empty() && demands.back().page == refinement.group.page) { // neighbours often share a page
             demands.back().pixels = std::max(demands.back().pixels, pixels);
@@ -224,6 +233,7 @@ Cut CutPart::joined(
     }
     unite(result.used);
     unite(result.wanted);
+    if (!query.passable.empty()) replacePassed(query, result);
     return result;
 }
 

@@ -62,6 +62,10 @@ struct CutQuery {
     double errorPixels = 1;                // refined where the rule gives more
     std::span<const ConvexVolume> volumes; // local space; fewer than bvh::kMaxVolumes; the first is the image's
     const hierarchy::BlockedGroups* blocked = nullptr; // groups that stay unrefined whatever the rule says, if any
+    /// The page table, if the cut is drawn only once it wants nothing: then pages that it surely refines as a whole
+    /// need not be there (`isPassedThrough`), as long as none of their groups has more than `mostPassedPixels` in view.
+    std::span<const hierarchy::PageInfo> passable = {};
+    double mostPassedPixels = std::numeric_limits<double>::infinity();
 };
 
 /// The result: one list per volume, and what it took. Along every chain of refinement that a volume reaches, exactly
@@ -72,6 +76,7 @@ struct Cut {
     std::vector<DrawList> lists;               // as the query's volumes
     std::vector<hierarchy::PageDemand> used;   // resident pages that the cut refines into, each once, by id
     std::vector<hierarchy::PageDemand> wanted; // pages that it would refine into were they resident, each once, by id
+    std::vector<std::uint32_t> passed;         // pages that it refines through and that are not resident, by id
     double errorPixels = 0;                    // the threshold that it was made with
     double achievedErrorPixels = 0;            // the most on the screen of anything in the first list (viewPixels)
     std::uint64_t groupsTested = 0;
@@ -129,6 +134,7 @@ private:
         const hierarchy::GridBox& box,
         std::vector<CutPlane>* still) const;
     bool isBlocked(std::uint32_t page, std::uint32_t group) const;
+    bool isPassed(std::uint32_t page);
     void collectPlanes(bvh::VolumeMask mask);
     void test(const hierarchy::Page& page);
     void draw(std::uint32_t page, std::uint32_t cluster, std::uint32_t triangles, std::uint64_t touching);
@@ -139,6 +145,8 @@ private:
     std::vector<hierarchy::PageDemand> used_;
     std::vector<hierarchy::PageDemand> wanted_;
     std::vector<RefinementState> refinements_;
+    std::uint32_t asked_ = hierarchy::kNone; // whether this page is passed through was asked for last
+    bool isAskedPassed_ = false;
     std::vector<CutPlane> pagePlanes_;
     std::vector<CutPlane> groupPlanes_;
     double step_; // of the grid
@@ -156,6 +164,13 @@ std::vector<hierarchy::PageDemand> demand(const CutQuery& query);
 /// wait level by level. Where nothing is wanted nothing is foreseen: what is resident says all.
 std::vector<hierarchy::PageDemand> foreseenPages(
     const CutQuery& query, const Cut& cut, std::span<const hierarchy::PageInfo> pages);
+
+/// Whether a cut of `query` refines all that refines `page`, by the page table alone, so that it draws nothing of it,
+/// whatever it holds; never so of pages with root groups.
+bool isPassedThrough(const CutQuery& query, std::uint32_t page);
+
+/// Has `cut` of `query` want, or use, in place of pages that it passes through those that refine them.
+void replacePassed(const CutQuery& query, Cut& cut);
 
 /// The cut, on one thread. culling::cutFrame does the same on all.
 Cut cut(const CutQuery& query);

@@ -87,6 +87,16 @@ double ErrorRule::viewPixels(const Sphere& bounds, double error) const {
     return error * pixelsPerUnit_ / (std::max(depth - bounds.radius, view_.nearestDepth) * cosine);
 }
 
+double ErrorRule::leastViewPixels(const Box& box, double error) const {
+    if (classify(pyramid_, box) != Containment::Inside) return 0;
+    // Such a sphere reaches to what is farthest in the box or nearer, and no angle off the axis makes it less.
+    constexpr double kRoundedUp = 1 - 1e-6; // spheres and what they enclose are rounded apart
+    const glm::dvec3& view = view_.basis.view;
+    const double middle = glm::dot(box.center() - view_.eye, view);
+    const double farthest = middle + 0.5 * glm::dot(glm::abs(view), box.extent());
+    return kRoundedUp * error * pixelsPerUnit_ / std::max(farthest, view_.nearestDepth);
+}
+
 double ErrorRule::casterPixels(const Sphere& bounds, double error, double floor) const {
     if (casters_.empty() || !(error > 0)) return 0;
     double pixels = floor;

@@ -97,6 +97,10 @@ public:
     /// The part that the screen shows.
     double viewPixels(const Sphere& bounds, double error) const;
 
+    /// No more than `viewPixels` gives any sphere that encloses something in `box` (local space), with `error` or more;
+    /// 0 where `box` does not lie in view as a whole.
+    double leastViewPixels(const Box& box, double error) const;
+
     /// The part that shows at the edges of shadows; any number up to `floor` if it is not more.
     double casterPixels(const Sphere& bounds, double error, double floor = 0) const;
 

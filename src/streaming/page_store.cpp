@@ -72,7 +72,8 @@ void PageStore::loadRoots() {
 
 bool PageStore::admitLoaded() {
     const std::uint64_t evictedBefore = statistics_.pagesEvicted;
-    const bool hasCome = takeFinished();
+    const bool hasClosed = close();
+    const bool hasCome = takeFinished() || hasClosed;
     for (const std::uint32_t page : requested_)
         if (entries_[page].retention == Retention::InUse) entries_[page].retention = Retention::None;
     areVictimsKnown_ = false;
@@ -100,12 +101,17 @@ DemandOutcome PageStore::load(const Demand& demand) {
     loaders_.wait();
     outcome.hasChanged = takeFinished();
     chooseKept(outcome);
+    const bool isOpen = demand.isOpen && !outcome.isBudgetBinding && statistics_.pagesDamaged == 0;
+    if (!isOpen && close()) outcome.hasChanged = true;
+    isOpen_ = isOpen;
     requestKept();
     loaders_.wait();
     outcome.hasChanged = takeFinished() || outcome.hasChanged;
     if (outcome.isBudgetBinding) outcome.hasChanged = dropUnkept() || outcome.hasChanged;
     makeRoom({0}); // of pages that nobody asks for: what is kept beside others may need theirs
     countMissing(demand, outcome);
+    const bool isIncomplete = statistics_.pagesDamaged > 0 || outcome.pagesMissing > 0;
+    if (isIncomplete && close()) outcome.hasChanged = true; // a cut is to draw what stands above
     return outcome;
 }
 
@@ -115,6 +121,7 @@ void PageStore::rank(const Demand& demand) {
         Entry& entry = entries_[page];
         entry.urgency = 0;
         entry.need = Need::None;
+        entry.isAsked = false;
         if (entry.retention != Retention::Pinned) entry.retention = Retention::None;
     }
     requested_.clear();
@@ -127,6 +134,8 @@ void PageStore::rank(const Demand& demand) {
         raisePriority(foreseen.page, foreseen.pixels, Need::Foreseen);
     for (const hierarchy::PageDemand& ahead : demand.prefetch)
         raisePriority(ahead.page, std::min(ahead.pixels, 1e20) * kPrefetchScale, Need::Foreseen);
+    for (const std::uint32_t page : requested_)
+        entries_[page].isAsked = true;
     raiseParents();
     std::sort(requested_.begin(), requested_.end(), [this](std::uint32_t a, std::uint32_t b) {
         const double urgencyA = entries_[a].urgency;
@@ -191,6 +200,7 @@ void PageStore::requestKept() {
     for (const std::uint32_t page : requested_) {
         Entry& entry = entries_[page];
         if (!entry.isKept() || entry.state != State::Absent || isPausing(entry)) continue;
+        if (isOpen_ ? !entry.isAsked : isUnrequested(page)) continue; // parents are more urgent, so they came before
         if (!makeRoom(entry.bytes)) break;
         hold(page);
         requests.push_back(page);
@@ -279,7 +289,7 @@ bool PageStore::admitWaiting() {
         const auto isDecided = [this](std::uint32_t parent) {
             return entries_[parent].state == State::Resident || entries_[parent].state == State::Damaged;
         };
-        if (std::all_of(entry.parents.begin(), entry.parents.end(), isDecided)) {
+        if (isOpen_ || std::all_of(entry.parents.begin(), entry.parents.end(), isDecided)) {
             admit(std::move(loaded));
             hasMoved = true;
         } else if (isUnrequested(loaded.page)) {
@@ -330,7 +340,7 @@ void PageStore::admit(LoadedPage loaded) {
     table_[loaded.page] = entry.content.get();
     ++statistics_.residentPages;
     statistics_.resident.count += decodedBytes(source_->pages()[loaded.page]).count;
-    if (statistics_.pagesDamaged > 0) blockGroups(loaded.page);
+    if (statistics_.pagesDamaged > 0 && !isOpen_) blockGroups(loaded.page);
 }
 
 /// Evicts what the current demand requested but the budget has no room for; true if that was anything.

@@ -44,6 +44,9 @@ struct Demand {
     /// after them.
     std::span<const hierarchy::PageDemand> foreseen = {};
     std::span<const hierarchy::PageDemand> prefetch = {}; // after all others, if there is room
+    /// Whether all that is used and wanted is drawn only once it is there: then what stands above a page is not read
+    /// for being above it. It has its room all the same. For `load` alone.
+    bool isOpen = false;
 };
 
 /// How far the last demand was served.
@@ -104,6 +107,14 @@ public:
     /// of what is in demand does not depend on the past. Cut and load in turns until nothing changes.
     DemandOutcome load(const Demand& demand);
 
+    /// Whether pages may be resident without those above them, as a `load` of an open demand leaves them: then a cut is
+    /// right only once it wants nothing.
+    bool isOpen() const { return isOpen_; }
+
+    /// Takes pages that are resident without one above them, or below a damaged one, from view until those above are
+    /// there, so that residency is closed upwards. True if there were any.
+    bool close();
+
     /// Takes `bytes` of the budget for something else than pages, in place of what was taken before, and evicts what
     /// the last `load` does not need; 0 gives all back. Throws Error if that does not fit beside the pages that always
     /// stay.
@@ -148,6 +159,7 @@ private:
         State state = State::Absent;
         std::optional<Stopwatch> unreadSince{}; // could not be read then
         Need need = Need::None;
+        bool isAsked = false; // by the current demand itself, not as a parent of what it asks for
         Retention retention = Retention::None;
 
         bool isKept() const { return retention >= Retention::Kept; }
@@ -177,6 +189,7 @@ private:
     void blockBelow(std::uint32_t parent, std::uint32_t page, const Block& block) const;
     std::exception_ptr leaveOut(const LoadedPage& loaded);
     void admit(LoadedPage loaded);
+    void hide(std::uint32_t page);
     void countMissing(const Demand& demand, DemandOutcome& outcome) const;
 
     const PageSource* source_;
@@ -186,6 +199,7 @@ private:
     std::vector<std::uint32_t> requested_; // by urgency, coarser first; the current demand
     std::vector<std::uint32_t> victims_;   // resident pages that may go, the next one last; the current demand
     bool areVictimsKnown_ = false;
+    bool isOpen_ = false;             // residency need not be closed upwards
     bool isUnreadTold_ = false;       // and no page was read since
     std::vector<LoadedPage> waiting_; // decoded before one of their parents
     hierarchy::BlockedGroups blocked_;

@@ -185,6 +185,14 @@ HWY_INLINE Floats pointStrength(const block::Frame& frame, const Vec3& position)
     return hn::Div(constant(1), hn::Max(dot(towards, towards), constant(kLeast)));
 }
 
+/// What reaches a surface before maps are looked up. Who decides exactly also decides which surfaces face the light: of
+/// those that graze it floats may say otherwise.
+template <class Mask>
+HWY_INLINE Floats litBefore(const ShadingFrame& f, const PixelBatch& batch, std::size_t i, Mask faces) {
+    if (f.litSource == LitSource::Mask) return load(batch.litMask, i);
+    return f.litSource == LitSource::Undecided ? constant(1) : hn::IfThenElseZero(faces, constant(1));
+}
+
 HWY_INLINE void shadeLanes(const ShadingFrame& f, PixelBatch& batch, std::size_t i) {
     const block::Frame& frame = *f.frame;
     const auto zero = hn::Zero(kFloats);
@@ -213,10 +221,7 @@ HWY_INLINE void shadeLanes(const ShadingFrame& f, PixelBatch& batch, std::size_t
     const auto cosine = dot(flat, light);
     const auto faces = hn::Gt(cosine, zero);
     auto pass = hn::Set(kInts, -1);
-    // Who decides exactly also decides which surfaces face the light; of those that graze it floats may say otherwise.
-    Floats lit = f.litSource == LitSource::Mask ? load(batch.litMask, i) : constant(1);
-    const bool isDecidedExactly = f.litSource == LitSource::Mask || f.litSource == LitSource::Undecided;
-    if (!isDecidedExactly) lit = hn::IfThenElseZero(faces, lit);
+    Floats lit = litBefore(f, batch, i, faces);
     if (f.litSource == LitSource::Maps) lit = litByMaps(f, {position, flat, depth, cosine, faces}, pass);
     if (f.litSource == LitSource::Awaited) leaveLookups(f, {position, flat, depth, cosine, faces}, pass, batch, i);
 

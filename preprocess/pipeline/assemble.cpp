@@ -77,31 +77,21 @@ std::vector<std::span<const PageInfo>> pagesOf(const CheckpointLog& log) {
     return pages;
 }
 
-void writePages(
-    const CheckpointLog& log,
-    const scratch::ScratchFile& pages,
-    hierarchy::ModelWriter& writer,
-    Progress& progress,
-    const std::function<void(const hierarchy::EncodedPage&)>& onPage) {
+void forEachPage(const CheckpointLog& log, const std::function<void(const PageInfo&, std::uint64_t)>& take) {
     std::vector<std::vector<const NodeRecord::LevelOfNode*>> levels(log.pageCounts().size());
     forEachLevel(
         log, [&](const NodeRecord::LevelOfNode& level, std::size_t number) { levels[number].push_back(&level); });
     const std::vector<std::uint32_t> first = firstPageIds(log);
-    progress.stage("write", "pages", first.empty() ? 0 : first.front() + log.pageCounts().front());
-    hierarchy::EncodedPage page;
+    PageInfo page;
     for (std::size_t number = levels.size(); number-- > 0;)
         for (const NodeRecord::LevelOfNode* level : levels[number])
             for (const PageInfo& info : level->pages) {
-                page.info = info;
-                for (std::uint32_t& child : page.info.children) {
+                page = info;
+                for (std::uint32_t& child : page.children) {
                     const levels::PageOfLevel place = levels::placeOfProvisional(child);
                     child = first[place.level] + place.page;
                 }
-                page.bytes.resize(info.storedBytes);
-                pages.read(info.offset, page.bytes);
-                writer.append(page);
-                onPage(page);
-                progress.advance(1);
+                take(page, info.offset);
             }
 }
 

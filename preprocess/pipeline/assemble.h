@@ -1,11 +1,9 @@
 // The last phase: pages in their final order, then the tables.
 #pragma once
 
-#include "core/progress.h"
-#include "hierarchy/model_writer.h"
+#include "hierarchy/model.h"
 #include "preprocess/levels/level.h"
 #include "preprocess/pipeline/checkpoint_log.h"
-#include "preprocess/scratch/scratch_file.h"
 
 #include <functional>
 #include <span>
@@ -28,12 +26,8 @@ Totals totalsOf(const CheckpointLog& log, std::map<std::string, std::string> opt
 /// The rows of all pages, in parts.
 std::vector<std::span<const hierarchy::PageInfo>> pagesOf(const CheckpointLog& log);
 
-/// Appends all pages to `writer`, coarsest level first, each level in the order of the nodes; `onPage` sees each.
-void writePages(
-    const CheckpointLog& log,
-    const scratch::ScratchFile& pages,
-    hierarchy::ModelWriter& writer,
-    Progress& progress,
-    const std::function<void(const hierarchy::EncodedPage&)>& onPage);
+/// Calls `take(page, place in the scratch file)` for all pages in the order of the file: coarsest level first, each
+/// level in the order of the nodes. Children are those of the file, the offset is not.
+void forEachPage(const CheckpointLog& log, const std::function<void(const hierarchy::PageInfo&, std::uint64_t)>& take);
 
 } // namespace gnomon::pipeline

@@ -11,6 +11,7 @@
 #include "preprocess/pipeline/round_bins.h"
 #include "preprocess/pipeline/rounds.h"
 #include "preprocess/pipeline/tasks/task_work.h"
+#include "preprocess/pipeline/tasks/write_pages.h"
 #include "preprocess/pipeline/upright_model.h"
 #include "preprocess/pipeline/work_directory.h"
 
@@ -327,9 +328,17 @@ private:
         hierarchy::ModelWriter writer(options_.output);
         workDirectory_.scratch().reopenOthers();
         UprightModel upright(options_, summary, pagesOf(log()));
-        writePages(log(), workDirectory_.scratch(), writer, progress_, [&](const hierarchy::EncodedPage& page) {
-            upright.see(page);
-        });
+        const PagesToWrite pages{
+            log(),
+            workDirectory_.scratch(),
+            writer,
+            progress_,
+            [&](const hierarchy::PageInfo& page) { return upright.isSeen(page); },
+            [&](const hierarchy::EncodedPage& page) { upright.see(page); }};
+        if (team_ != nullptr && writer.unfinishedPath())
+            writePagesInTasks(pages, options_.output, team_->processCount(), *team_, perform_);
+        else
+            appendPages(pages);
         source_.requireUnchanged();
         report_.upBecause = upright.tell(summary);
         report_.contentHash = writer.finish(summary);
@@ -338,7 +347,7 @@ private:
         report_.stuckTriangles = totals.stuckTriangles;
         report_.summary = summary;
         bytesWritten_ -= report_.fileBytes;
-        endPhase("write", 0);
+        endPhase("write", writer.bytesRead());
     }
 
     const CheckpointLog& log() const { return workDirectory_.log(); }

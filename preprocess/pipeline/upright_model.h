@@ -24,9 +24,11 @@ public:
           error_(options.up ? 0 : hierarchy::coarseError(pages, glm::length(summary.bounds.extent()))),
           survey_(summary.grid, summary.bounds) {}
 
+    /// Whether it has to see the page.
+    bool isSeen(const hierarchy::PageInfo& page) const { return !options_.up && hierarchy::isDrawnOf(page, error_); }
+
     void see(const hierarchy::EncodedPage& page) {
-        if (!options_.up && hierarchy::isDrawnOf(page.info, error_))
-            survey_.add(hierarchy::decodePageBytes(page.bytes, page.info), error_);
+        survey_.add(hierarchy::decodePageBytes(page.bytes, page.info), error_);
     }
 
     /// Enters it into `summary`, with the reason unless nobody said a word and it is y: why up is what it is.

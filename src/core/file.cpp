@@ -255,6 +255,10 @@ AtomicFile::AtomicFile(const std::string& finalPath)
     if (isReplacing) file_->resemble(finalPath_);
 }
 
+std::optional<std::string> AtomicFile::temporaryPath() const {
+    return temporary_ ? std::optional(temporary_->path()) : std::nullopt;
+}
+
 void AtomicFile::commit() {
     file_->sync();
     if (!temporary_) return;

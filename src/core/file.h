@@ -92,6 +92,9 @@ public:
 
     File& file() { return *file_; }
 
+    /// Where it lies until then; nothing if the final name itself is written to.
+    std::optional<std::string> temporaryPath() const;
+
     /// Flushes and renames onto the final name.
     void commit();
 

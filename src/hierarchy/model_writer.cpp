@@ -5,6 +5,9 @@
 #include "hierarchy/page_codec.h"
 #include "hierarchy/validation.h"
 
+#include <algorithm>
+#include <utility>
+
 #include <xxhash.h>
 
 namespace gnomon::hierarchy {
@@ -25,11 +28,30 @@ struct ModelWriter::State {
         XXH3_128bits_reset(hash.get());
     }
 
-    /// Everything after the header goes through here, in file order.
+    /// Everything after the header goes through here, in file order, but what others write.
     void write(std::span<const std::byte> bytes) {
         output.file().writeAt(offset, bytes);
         XXH3_128bits_update(hash.get(), bytes.data(), bytes.size());
         offset += bytes.size();
+    }
+
+    void enter(PageInfo info) {
+        GNOMON_CHECK(pages.empty() || info.level <= pages.back().level);
+        info.offset = offset;
+        pages.push_back(std::move(info));
+    }
+
+    /// The file is opened anew, as network file systems ask of those who want to read what others have written.
+    void hashReserved() {
+        constexpr std::uint64_t kBlock = std::uint64_t{1} << 20U;
+        const File file(output.temporaryPath().value(), File::Mode::Read, output.file().path());
+        std::vector<std::byte> block;
+        for (std::uint64_t at = kHeaderBytes; at < offset; at += block.size()) {
+            block.resize(std::min(kBlock, offset - at));
+            file.readAt(at, block);
+            XXH3_128bits_update(hash.get(), block.data(), block.size());
+            bytesRead += block.size();
+        }
     }
 
     TablePlace writeTable(std::span<const std::byte> bytes) {
@@ -42,6 +64,8 @@ struct ModelWriter::State {
     std::unique_ptr<XXH3_state_t, XXH_errorcode (*)(XXH3_state_t*)> hash;
     std::uint64_t offset = kHeaderBytes;
     std::vector<PageInfo> pages;
+    bool hasReserved = false;
+    std::uint64_t bytesRead = 0;
 };
 
 ModelWriter::ModelWriter(const std::string& path) : state_(std::make_unique<State>(path)) {}
@@ -49,15 +73,25 @@ ModelWriter::ModelWriter(const std::string& path) : state_(std::make_unique<Stat
 ModelWriter::~ModelWriter() = default;
 
 std::uint32_t ModelWriter::append(const EncodedPage& page) {
-    GNOMON_CHECK(state_->pages.empty() || page.info.level <= state_->pages.back().level);
-    PageInfo info = page.info;
-    info.offset = state_->offset;
+    GNOMON_CHECK(!state_->hasReserved);
+    state_->enter(page.info);
     state_->write(page.bytes);
-    state_->pages.push_back(info);
     return static_cast<std::uint32_t>(state_->pages.size() - 1);
 }
 
+std::uint64_t ModelWriter::reserve(const PageInfo& page) {
+    GNOMON_CHECK(state_->hasReserved || state_->pages.empty());
+    state_->hasReserved = true;
+    state_->enter(page);
+    return std::exchange(state_->offset, state_->offset + page.storedBytes);
+}
+
+std::optional<std::string> ModelWriter::unfinishedPath() const {
+    return state_->output.temporaryPath();
+}
+
 std::string ModelWriter::finish(const ModelSummary& summary) {
+    if (state_->hasReserved) state_->hashReserved();
     Footer footer;
     footer.pageTable = state_->writeTable(encodePageTable(state_->pages));
     footer.summary = state_->writeTable(encodeSummary(summary));
@@ -75,6 +109,10 @@ std::string ModelWriter::finish(const ModelSummary& summary) {
 
 std::uint64_t ModelWriter::bytesWritten() const {
     return state_->offset;
+}
+
+std::uint64_t ModelWriter::bytesRead() const {
+    return state_->bytesRead;
 }
 
 } // namespace gnomon::hierarchy

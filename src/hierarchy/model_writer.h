@@ -6,6 +6,7 @@
 #include "hierarchy/page_fields.h"
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -35,10 +36,20 @@ public:
     /// Appends a page and returns its id.
     std::uint32_t append(const EncodedPage& page);
 
+    /// The same for a page whose bytes others write; returns where in the file. They must be there before `finish`,
+    /// which then reads all pages for the hash.
+    std::uint64_t reserve(const PageInfo& page);
+
+    /// The unfinished file, for others to write pages to; nothing if the output is no file that waits for its name.
+    std::optional<std::string> unfinishedPath() const;
+
     /// Writes the tables, the content hash, flushes and renames. Returns the content hash in lower hex.
     std::string finish(const ModelSummary& summary);
 
     std::uint64_t bytesWritten() const;
+
+    /// By `finish`, of pages that others have written.
+    std::uint64_t bytesRead() const;
 
 private:
     struct State;

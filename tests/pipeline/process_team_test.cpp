@@ -120,5 +120,24 @@ TEST_F(Team, ThatFailsLeavesWhatAnotherGoesOnWith) {
     EXPECT_EQ(folder.names(), std::set<std::string>{"m.gnm"});
 }
 
+// The last tasks write pages to a file that has no name yet.
+TEST_F(Team, ThatFailsAtTheLastPagesKeepsTheModelThatWasThere) {
+    const std::string expected = builtAlone();
+    BackwardTeam whole(3);
+    EXPECT_EQ(built(whole), expected);
+    for (const std::uint64_t fromEnd : {1U, 2U, 3U}) {
+        BackwardTeam team(3, whole.tasks() - fromEnd);
+        EXPECT_THROW(built(team), Error);
+        EXPECT_EQ(folder.names(), (std::set<std::string>{"m.gnm", "m.gnm.building"}));
+        EXPECT_EQ(hierarchy::ModelFile(options.output).contentHash(), expected);
+        options.isResumed = true;
+        BackwardTeam next(2);
+        EXPECT_EQ(built(next), expected);
+        EXPECT_LT(next.tasks(), 10U) << "pages alone are written anew";
+        EXPECT_EQ(folder.names(), std::set<std::string>{"m.gnm"});
+        options.isResumed = false;
+    }
+}
+
 } // namespace
 } // namespace gnomon::pipeline

@@ -50,6 +50,22 @@ void expectExact(const std::vector<std::byte>& bytes, const Take& take) {
     EXPECT_THROW(take(longer), hierarchy::Damage);
 }
 
+TEST(TaskBytes, RangesOfPagesComeBack) {
+    Random random(3);
+    const PageRange range{"/a/m.gnm.17.partial", "m.gnm", 0x1234567890, someBlocks(random)};
+    const std::vector<std::byte> bytes = encoded(range);
+    const auto take = [](std::span<const std::byte> from) {
+        hierarchy::ByteReader in(from);
+        return takePageRange(in);
+    };
+    const PageRange back = take(bytes);
+    EXPECT_EQ(back.path, range.path);
+    EXPECT_EQ(back.toldPath, range.toldPath);
+    EXPECT_EQ(back.offset, range.offset);
+    EXPECT_TRUE(same(back.pages, range.pages));
+    expectExact(bytes, take);
+}
+
 TEST(TaskBytes, FactsComeBack) {
     TaskFacts facts{{{1.5, -2e9, 1e-7}, -33}, {}};
     facts.format.isDouble = true;

@@ -17,6 +17,7 @@ enum class TaskKind : std::uint8_t {
     BuildNode,      // from a chunk, or from clusters in a later round
     RouteClusters,  // of a node, to those of the next round
     ShareLocks,     // of the positions that several nodes of the next round use, those of one stream
+    WritePages,     // that lie next to each other in the model, to their place there
 };
 
 /// Tasks that do not wait for each other.

@@ -157,6 +157,25 @@ RoutedMail decodedRoutedMail(std::span<const std::byte> bytes) {
     return mail;
 }
 
+std::vector<std::byte> encoded(const PageRange& input) {
+    ByteWriter out;
+    out.putText(input.path);
+    out.putText(input.toldPath);
+    out.putVarint(input.offset);
+    putBlocks(out, input.pages);
+    return out.take();
+}
+
+PageRange takePageRange(ByteReader& in) {
+    PageRange input;
+    input.path = in.takeText();
+    input.toldPath = in.takeText();
+    input.offset = in.takeVarint();
+    input.pages = takeBlocks(in);
+    in.expectEnd();
+    return input;
+}
+
 std::vector<std::byte> locksInput(const Blocks& borders) {
     ByteWriter out;
     putBlocks(out, borders);

@@ -6,6 +6,7 @@
 #include "preprocess/pipeline/tasks/task.h"
 
 #include <array>
+#include <string>
 
 namespace gnomon::pipeline {
 
@@ -70,11 +71,22 @@ RoutedMail decodedRoutedMail(std::span<const std::byte> bytes);
 /// The input of ShareLocks.
 std::vector<std::byte> locksInput(const Blocks& borders);
 
+/// The input of WritePages, whose result is empty.
+struct PageRange {
+    std::string path;         // of the unfinished model, and ...
+    std::string toldPath;     // ... how messages name it
+    std::uint64_t offset = 0; // there, of the first page
+    Blocks pages;             // in the scratch file
+};
+
+std::vector<std::byte> encoded(const PageRange& input);
+
 /// What `chunkInput` and `encoded` made, taken from `in`, which must end there but for a chunk. Throws
 /// hierarchy::Damage.
 ChunkStreams takeChunk(hierarchy::ByteReader& in);
 NodeInput takeNode(hierarchy::ByteReader& in);
 RouteInput takeRoute(hierarchy::ByteReader& in);
+PageRange takePageRange(hierarchy::ByteReader& in);
 
 std::vector<std::byte> encoded(const RoutedMail& mail);
 

@@ -102,6 +102,8 @@ std::vector<std::byte> TaskWork::resultOf(TaskKind kind, ByteReader& in) const {
         return routeClusters(in);
     case TaskKind::ShareLocks:
         return shareLocks(in);
+    case TaskKind::WritePages:
+        return writePages(in);
     }
     throw hierarchy::Damage{"a task of unknown kind"};
 }
@@ -154,6 +156,22 @@ std::vector<std::byte> TaskWork::routeClusters(ByteReader& in) const {
         posted(clusters.locks, scratch_),
         posted(clusters.borders, scratch_),
         clusters.counts});
+}
+
+std::vector<std::byte> TaskWork::writePages(ByteReader& in) const {
+    const PageRange range = takePageRange(in);
+    File model(range.path, File::Mode::Update, range.toldPath);
+    std::uint64_t at = range.offset;
+    std::vector<std::byte> bytes;
+    for (const scratch::StreamStore::Block& page : range.pages) {
+        bytes.resize(page.bytes);
+        scratch_.read(page.offset, bytes);
+        model.writeAt(at, bytes);
+        at += page.bytes;
+        progress_.advance(1);
+    }
+    model.sync();
+    return {};
 }
 
 std::vector<std::byte> TaskWork::shareLocks(ByteReader& in) const {

@@ -23,6 +23,7 @@ private:
     std::vector<std::byte> buildNode(hierarchy::ByteReader& in) const;
     std::vector<std::byte> routeClusters(hierarchy::ByteReader& in) const;
     std::vector<std::byte> shareLocks(hierarchy::ByteReader& in) const;
+    std::vector<std::byte> writePages(hierarchy::ByteReader& in) const;
 
     TaskFacts facts_;
     levels::LevelOptions options_;

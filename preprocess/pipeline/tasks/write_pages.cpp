@@ -1,0 +1,80 @@
+#include "preprocess/pipeline/tasks/write_pages.h"
+
+#include "preprocess/pipeline/assemble.h"
+#include "preprocess/pipeline/tasks/task_bytes.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <numeric>
+
+namespace gnomon::pipeline {
+
+namespace {
+
+using hierarchy::EncodedPage;
+using hierarchy::PageInfo;
+
+std::uint64_t pageCount(const CheckpointLog& log) {
+    return std::accumulate(log.pageCounts().begin(), log.pageCounts().end(), std::uint64_t{0});
+}
+
+EncodedPage readPage(const PagesToWrite& pages, const PageInfo& info, std::uint64_t place) {
+    EncodedPage page{info, std::vector<std::byte>(info.storedBytes)};
+    pages.scratch.read(place, page.bytes);
+    return page;
+}
+
+/// Several for each process, so that they end together; large enough that to sync each costs little.
+std::uint64_t bytesOfRange(const CheckpointLog& log, std::uint32_t processes) {
+    constexpr std::uint64_t kLeast = std::uint64_t{64} << 10U;
+    constexpr std::uint64_t kMost = std::uint64_t{16} << 20U;
+    std::uint64_t bytes = 0;
+    forEachPage(log, [&](const PageInfo& info, std::uint64_t) { bytes += info.storedBytes; });
+    return std::clamp(bytes / (std::uint64_t{4} * processes), kLeast, kMost);
+}
+
+} // namespace
+
+void appendPages(const PagesToWrite& pages) {
+    pages.progress.stage("write", "pages", pageCount(pages.log));
+    forEachPage(pages.log, [&](const PageInfo& info, std::uint64_t place) {
+        const EncodedPage page = readPage(pages, info, place);
+        pages.writer.append(page);
+        if (pages.isSeen(info)) pages.see(page);
+        pages.progress.advance(1);
+    });
+}
+
+void writePagesInTasks(
+    const PagesToWrite& pages,
+    const std::string& toldPath,
+    std::uint32_t processes,
+    TaskRunner& runner,
+    const Perform& perform) {
+    pages.progress.stage("write", "pages", pageCount(pages.log));
+    const std::uint64_t most = bytesOfRange(pages.log, processes);
+    const std::string path = std::filesystem::absolute(pages.writer.unfinishedPath().value()).string();
+    std::vector<PageRange> ranges;
+    std::uint64_t end = 0;
+    forEachPage(pages.log, [&](const PageInfo& info, std::uint64_t place) {
+        const std::uint64_t offset = pages.writer.reserve(info);
+        if (ranges.empty() || offset + info.storedBytes - ranges.back().offset > most)
+            ranges.push_back({path, toldPath, offset, {}});
+        ranges.back().pages.push_back({place, info.storedBytes});
+        end = offset + info.storedBytes;
+        if (pages.isSeen(info)) pages.see(readPage(pages, info, place));
+    });
+    TaskPhase phase;
+    phase.kind = TaskKind::WritePages;
+    phase.tasks.resize(ranges.size());
+    std::iota(phase.tasks.begin(), phase.tasks.end(), 0U);
+    phase.atOnce = ranges.size(); // a task holds one page at a time
+    phase.weight = [&](std::uint32_t range) {
+        return (range + 1 < ranges.size() ? ranges[range + 1].offset : end) - ranges[range].offset;
+    };
+    phase.input = [&](std::uint32_t range) { return encoded(ranges[range]); };
+    phase.take = [](std::uint32_t, std::span<const std::byte>) {};
+    runner.run(phase, perform);
+}
+
+} // namespace gnomon::pipeline

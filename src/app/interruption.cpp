@@ -52,7 +52,8 @@ extern "C" void onSignal(int /*signal*/) {
 
 void endCleanlyOnSignals() {
     std::set_terminate(onTerminate);
-    std::signal(SIGXFSZ, SIG_IGN); // a write beyond the limit fails instead
+    std::atexit(TemporaryName::removeAll); // where a library ends the program: Xlib, when its server is gone
+    std::signal(SIGXFSZ, SIG_IGN);         // a write beyond the limit fails instead
 
     struct sigaction action {};
 

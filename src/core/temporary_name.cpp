@@ -68,10 +68,19 @@ bool TemporaryName::keep(const std::function<bool()>& finish) {
     return true;
 }
 
-void TemporaryName::removeAllAndExit(int status) {
-    const Lock lock; // for ever: from here on nothing is made
+void TemporaryName::removeNames() {
     for (const TemporaryName* name = newest; name != nullptr; name = name->older_)
         removeName(name->path_);
+}
+
+void TemporaryName::removeAll() {
+    const Lock lock;
+    removeNames();
+}
+
+void TemporaryName::removeAllAndExit(int status) {
+    const Lock lock; // for ever: from here on nothing is made
+    removeNames();
     ::_exit(status);
 }
 

@@ -27,10 +27,14 @@ public:
     /// Runs `finish`, such as a rename, and leaves the name alone from then on if that returns true; so it returns.
     bool keep(const std::function<bool()>& finish);
 
-    /// Removes all temporary names, newest first, and ends the process at once. May be called by a signal's handler.
+    /// Removes all temporary names, newest first, whose objects will not do it: the process is about to end.
+    static void removeAll();
+
+    /// Does that and ends the process at once. May be called by a signal's handler.
     [[noreturn]] static void removeAllAndExit(int status);
 
 private:
+    static void removeNames();
     void enter();
     void leave();
 

@@ -136,6 +136,19 @@ def check_going_away(display, program, folder, model):
     assert session.complaints() == [], session.complaints()
 
 
+def check_lost_display(program, folder, model):
+    """Xlib ends a program whose server is gone: no unfinished file stays."""
+    display = Display()
+    session = Session(display, program, folder, model, "--csv", "lost.csv")
+    session.shot()
+    assert list(session.folder.glob("lost.csv.*.partial"))
+    display.server.kill()
+    assert session.process.wait(PATIENCE) != 0
+    display.close()
+    left = list(session.folder.glob("lost.csv*"))
+    assert left == [], left
+
+
 def check_sizes(display, program, folder, model):
     session = Session(display, program, folder, model)
     for width, height in ((1, 1), (4000, 3000), (1, 700), (300, 200), (800, 800)):
@@ -355,6 +368,7 @@ def main():
             "measures": lambda: check_measures(display, program, pathlib.Path(folder)),
             "recent views": lambda: check_recent_views(display, program, folder, model),
             "colours by value": lambda: check_colors(display, program, folder, model),
+            "losing the display": lambda: check_lost_display(program, folder, model),
             "losing focus, minimised": lambda: check_going_away(display, program, folder, model),
             "sizes from 1x1 to 4000x3000": lambda: check_sizes(display, program, folder, model),
             "paths": lambda: check_paths(display, program, folder, model),

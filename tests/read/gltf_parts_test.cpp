@@ -188,16 +188,16 @@ TEST_F(GltfParts, InstancesStandInTheirNode) {
             EXPECT_DOUBLE_EQ(placed[i].toWorld[3][c], (2 + c) * double{moves[at]});
             EXPECT_DOUBLE_EQ(placed[i].toWorld[c][c], (2 + c) * double{scales[at]});
         }
+    const auto complaint = [&] {
+        return errorAbout(path, [&] {
+            GltfFile spoiled = fileOf(maker);
+            placedMeshes(spoiled);
+        });
+    };
     attributes["SCALE"] = triangle;
-    EXPECT_NE(
-        errorAbout(
-            path,
-            [&] {
-                GltfFile spoiled = fileOf(maker);
-                placedMeshes(spoiled);
-            })
-            .find("instances with values missing"),
-        std::string::npos);
+    EXPECT_NE(complaint().find("instances with values missing"), std::string::npos);
+    attributes = {{"_BATCH", triangle}};
+    EXPECT_NE(complaint().find("instances without places"), std::string::npos) << "else the mesh is not seen at all";
 }
 
 DecodedImage randomImage(Random& random, int width, int height) {

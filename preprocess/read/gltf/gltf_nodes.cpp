@@ -60,6 +60,12 @@ std::vector<glm::dmat4> instancesOf(GltfFile& file, const tinygltf::Node& node) 
     const std::vector<float> t = instanceValues(file, attributes, "TRANSLATION", 3, count);
     const std::vector<float> r = instanceValues(file, attributes, "ROTATION", 4, count);
     const std::vector<float> s = instanceValues(file, attributes, "SCALE", 3, count);
+    if (count == 0)
+        throw Error(
+            file.path(),
+            "instances without places",
+            "TRANSLATION, ROTATION or SCALE of EXT_mesh_gpu_instancing",
+            "none");
     file.room().take(count, sizeof(glm::dmat4) + sizeof(PlacedMesh));
     std::vector<glm::dmat4> instances;
     instances.reserve(count);

@@ -68,6 +68,9 @@ def picture(layers, offline):
 
 
 def main():
+    if len(sys.argv) != (3 if sys.argv[1:2] == ["--check"] else 2) or sys.argv[1] in ("-h", "--help"):
+        print(__doc__)
+        return 2
     check = sys.argv[1] == "--check"
     root = pathlib.Path(__file__).resolve().parents[2]
     table = read_layers((root / "src" / "layers.txt").read_text())

@@ -52,6 +52,30 @@ TEST(ErrorRule, NestedSpheresNeverGetMorePixels) {
     EXPECT_GT(positive, 10000);
 }
 
+TEST(ErrorRule, WhatEnclosesSomethingOfABoxHasNoLessThanTheBoxPromises) {
+    Random random(24);
+    int promised = 0;
+    double closest = 0;
+    for (int trial = 0; trial < 100000; ++trial) {
+        const ErrorRule rule(randomView(random, kErrorSpace));
+        const Sphere middle = randomSphere(random);
+        const Box box{middle.center - glm::dvec3(middle.radius), middle.center + glm::dvec3(middle.radius)};
+        const double error = std::exp(random.uniform(-8, 0));
+        const double least = rule.leastViewPixels(box, error);
+        if (!(least > 0)) continue;
+        ++promised;
+        const glm::dvec3 enclosed =
+            box.min + box.extent() * glm::dvec3(random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1));
+        const double radius = std::exp(random.uniform(-9, 2));
+        const Sphere sphere{randomPointIn(random, {enclosed, radius}), radius * (1 + 1e-12)};
+        const double pixels = rule.viewPixels(sphere, error);
+        EXPECT_GE(pixels, least) << trial;
+        closest = std::max(closest, least / pixels);
+    }
+    EXPECT_GT(promised, 1000);
+    EXPECT_GT(closest, 0.9) << "it promises too little";
+}
+
 TEST(ErrorRule, APointLightMagnifiesWhatIsNearIt) {
     DetailView view;
     view.basis = cameraBasis({view.eye, {0, 0, 1}, {0, 1, 0}, 1});

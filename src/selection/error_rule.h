@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace gnomon::selection {
@@ -81,6 +82,8 @@ public:
     ErrorRule(const DetailView& view, std::vector<CasterDetail> casters);
 
     const DetailView& view() const { return view_; }
+
+    std::span<const CasterDetail> casters() const { return casters_; }
 
     /// The larger of both; 0 where refining would be seen nowhere, infinite for an infinite error (a root group).
     double pixels(const Sphere& bounds, double error) const {

@@ -61,6 +61,8 @@ SearchResult search(const Objective& objective, const SearchOptions& options) {
     Found at;
     std::uint64_t stepOfClimb = stepsAClimb;
     for (std::uint64_t step = 0; step < options.steps; ++step) {
+        if (step > 0 && options.isOver && options.isOver()) break;
+        ++result.steps;
         const bool isAfresh = stepOfClimb >= stepsAClimb;
         Found next;
         next.genes = isAfresh ? drawn(objective.genes, random) : mutated(at.genes, random);

@@ -4,6 +4,7 @@
 #include "objectives.h"
 
 #include <cstdint>
+#include <functional>
 
 namespace gnomon::torture {
 
@@ -11,6 +12,7 @@ struct SearchOptions {
     std::uint64_t seed = 1;
     std::uint64_t steps = 1000;    // evaluations in all
     std::uint64_t stepsAClimb = 0; // 0: as many as genes, times 12
+    std::function<bool()> isOver;  // asked before each step but the first; where it is so the search ends, early
 };
 
 struct Found {
@@ -23,6 +25,7 @@ struct SearchResult {
     Found worst;              // of all that were looked at
     std::vector<Found> finds; // above the bar, each of another climb, shrunk
     std::uint64_t climbs = 0;
+    std::uint64_t steps = 0; // that were made
     std::uint64_t stepOfWorst = 0;
     bool operator==(const SearchResult&) const = default;
 };

@@ -36,6 +36,22 @@ TEST(WorstSearch, ClimbsANarrowPeakAndTellsItSimply) {
     EXPECT_NE(search(kPeak, options), result);
 }
 
+TEST(WorstSearch, EndsWithinAClimbWhenItsTimeIsOver) {
+    SearchOptions options;
+    options.steps = 20000;
+    options.stepsAClimb = 5000;
+    std::uint64_t asked = 0;
+    options.isOver = [&] { return ++asked == 7; };
+    const SearchResult result = search(kPeak, options);
+    EXPECT_EQ(result.steps, 7U);
+    EXPECT_EQ(result.climbs, 1U);
+    options.isOver = [] { return true; };
+    EXPECT_EQ(search(kPeak, options).steps, 1U) << "says something however little time there is";
+    options.steps = 7;
+    options.isOver = {};
+    EXPECT_EQ(search(kPeak, options), result) << "what was found until then is that of as many steps";
+}
+
 TEST(SlowWorstSearch, NoObjectiveIsBrokenByAFewCasesAndAllCanBeToldInWords) {
     std::vector<Objective> objectives = viewObjectives();
     for (const Objective& objective : meshObjectives())

@@ -221,11 +221,28 @@ void ClusterCaster::decide(std::size_t triangle, std::size_t place, bool mayCast
     if (bits != kLit) mark(context_.statuses[place], bits);
 }
 
+float ClusterCaster::highestOf(std::size_t triangle) const {
+    const auto h = [&](std::size_t k) { return floatH_[static_cast<std::size_t>(corner_[k][triangle])]; };
+    return std::max({h(0), h(1), h(2)});
+}
+
+/// Whether no sample at [begin, end) lies below `highest`, the greatest h of a triangle: it casts on none of them then,
+/// as where the mask says so of whole blocks of cells. Many samples have boxes that tell it.
+template <class Test>
+bool ClusterCaster::isBelowAll(std::size_t begin, std::size_t end, float highest) const {
+    if (!std::is_same_v<Test, TriangleTest> || end - begin >= kLeastInBlocks) return false;
+    const auto most = constant(highest);
+    for (std::size_t i = begin; i < end; i += hn::Lanes(kDoubles)) {
+        const auto isAbove = hn::Ge(hn::LoadU(kDoubles, &context_.samples->h[i]), most);
+        if (!hn::AllTrue(kDoubles, hn::Or(isAbove, hn::Not(hn::FirstN(kDoubles, end - i))))) return false;
+    }
+    return true;
+}
+
 /// Holds the triangle against the samples at [begin, end); `blocks` is its test by blocks, once there is one.
 template <class Test>
 void ClusterCaster::castSpan(
     std::size_t triangle, const Test& test, std::optional<BlockTest>& blocks, std::size_t begin, std::size_t end) {
-    constexpr std::size_t kLeastInBlocks = 32; // fewer samples are sooner looked at one by one
     counts_.sampleTests += end - begin;
     const auto decideOpen = [&](std::size_t place, bool mayCast) {
         if (!isMetAtOnce(test, place)) decide(triangle, place, mayCast);
@@ -244,6 +261,7 @@ void ClusterCaster::castTriangleAs(std::size_t map, std::size_t triangle, const 
     const SampleGrid& grid = *context_.grid;
     Test test;
     std::optional<BlockTest> blocks;
+    const float highest = highestOf(triangle);
     bool isSet = false;
     for (int row = box.y0; row <= box.y1; ++row) {
         std::size_t begin = grid.first(map, box.x0, row);
@@ -255,6 +273,10 @@ void ClusterCaster::castTriangleAs(std::size_t map, std::size_t triangle, const 
             begin = grid.first(map, span.x0, row);
             end = grid.first(map, span.x1 + 1, row);
             if (begin == end) continue;
+        }
+        if (isBelowAll<Test>(begin, end, highest)) {
+            counts_.sampleTests += end - begin;
+            continue;
         }
         if (!isSet && !prepare(triangle, test)) return;
         isSet = true;

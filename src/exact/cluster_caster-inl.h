@@ -32,6 +32,7 @@ using Ints = hn::Vec<IntTag>;
 constexpr FloatTag kFloats;
 constexpr IntTag kInts;
 
+constexpr std::size_t kLeastInBlocks = 32; // fewer samples are sooner looked at one by one
 constexpr std::size_t kMostVertices = raster::kMaxClusterVertices;
 constexpr std::size_t kMostTriangles = raster::kMaxClusterTriangles;
 
@@ -75,6 +76,9 @@ private:
 
     bool isMetAtOnce(const PointTriangleTest& test, std::size_t place) const;
     void decide(std::size_t triangle, std::size_t place, bool mayCast);
+    float highestOf(std::size_t triangle) const;
+    template <class Test>
+    bool isBelowAll(std::size_t begin, std::size_t end, float highest) const;
     template <class Test>
     void castSpan(
         std::size_t triangle, const Test& test, std::optional<BlockTest>& blocks, std::size_t begin, std::size_t end);

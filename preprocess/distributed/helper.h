@@ -17,6 +17,9 @@ public:
     /// Tells the leader why this process cannot go on, once.
     void fail(const std::string& why);
 
+    /// Somebody else has received Stop.
+    void noteStop() { isStopped_ = true; }
+
     /// Waits for Stop, if it has not come, and says Bye.
     void leave();
 

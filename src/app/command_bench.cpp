@@ -3,27 +3,23 @@
 #include "app/console.h"
 #include "app/oracle_option.h"
 #include "app/thread_limit.h"
-#include "core/error.h"
-#include "core/file.h"
 #include "core/prepared_output.h"
 #include "measure/baseline.h"
 #include "measure/bench_output.h"
 #include "measure/bench_text.h"
 #include "measure/report_runs.h"
 #include "measure/run_summary.h"
-#include "report/accuracy_cost.h"
-#include "report/page.h"
 #include "settings/codec.h"
 #include "settings/files/named_files.h"
 #include "settings/resolve.h"
 #include "settings/table.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <iterator>
 #include <memory>
+#include <numeric>
 
 namespace gnomon::app {
 
@@ -47,6 +43,7 @@ struct BenchOptions {
     std::string budgetMs;
     std::string baseline;
     std::string failAbovePercent = "10";
+    bool sharesNodes = false;
 };
 
 /// What a reader must know to judge or repeat the figures.
@@ -60,43 +57,6 @@ std::map<std::string, std::string> contextOf(
     context["version"] = GNOMON_VERSION;
     context["threads"] = std::to_string(ThreadLimit::current());
     return context;
-}
-
-void writePictures(const std::string& folder, int run, const std::vector<report::Picture>& pictures) {
-    const std::string stem = (std::filesystem::path(folder) / ("run" + std::to_string(run))).string();
-    for (const report::Picture& picture : pictures)
-        writeTextFile(
-            stem + (picture.kind == "picture" ? "" : "_" + picture.kind) + ".png",
-            {picture.png.begin(), picture.png.end()});
-}
-
-/// The runs whose pictures a report holds: those that no other beats in time and error, and the first.
-std::vector<std::size_t> picturedRuns(const std::vector<report::RunSummary>& summaries) {
-    std::vector<std::size_t> runs = report::paretoFront(summaries, report::leadingError(summaries));
-    runs.push_back(0);
-    std::sort(runs.begin(), runs.end());
-    runs.erase(std::unique(runs.begin(), runs.end()), runs.end());
-    return runs;
-}
-
-void writeReport(const std::string& folder, report::Report page, const std::vector<measure::RunResult>& results) {
-    const auto place = [&](const std::string& name) { return (std::filesystem::path(folder) / name).string(); };
-    page.csvFile = "bench.csv";
-    page.jsonFile = "bench.json";
-    writeTextFile(place(page.csvFile), measure::csvText(results));
-    writeTextFile(place(page.jsonFile), measure::benchmarkText(page.context, results));
-    writeTextFile(place("index.html"), report::page(page));
-}
-
-/// Writes each picture under the number of its run.
-auto pictureWriter(const std::string& folder, const std::vector<measure::BenchRun>& runs) {
-    return [&runs, folder](const measure::BenchRun& run, int frame, const executor::Picture& picture) {
-        const auto isThis = [&](const measure::BenchRun& other) { return other.name == run.name; };
-        const auto index = std::find_if(runs.begin(), runs.end(), isThis) - runs.begin();
-        std::array<char, 48> name{};
-        std::snprintf(name.data(), name.size(), "run%d_frame%04d.png", static_cast<int>(index), frame);
-        executor::writePng((std::filesystem::path(folder) / name.data()).string(), picture);
-    };
 }
 
 /// What the options ask of each walk: --quick shortens it, a report wants repetitions and proofs.
@@ -153,46 +113,50 @@ std::vector<measure::BenchRun> runsOf(const BenchOptions& options) {
     return runs;
 }
 
-/// What the executor of all runs is made by: of one that can carry out each of them.
-settings::Settings executorSettings(const std::vector<measure::BenchRun>& runs) {
-    const auto isExact = [](const measure::BenchRun& run) {
-        return run.settings.quality.shadows == plan::ShadowMode::Exact;
-    };
-    const auto exact = std::find_if(runs.begin(), runs.end(), isExact);
-    return exact != runs.end() ? exact->settings : runs.front().settings;
-}
-
-/// A bench that can be walked: once it is made, all that is known to fail without a walk has failed.
+/// A bench that can be walked: once it is made, all that is known to fail without a walk has failed. A process that
+/// another one leads makes no files.
 class Bench {
 public:
-    explicit Bench(const BenchOptions& options)
+    Bench(const BenchOptions& options, TaskFarm& farm)
         : options_(options),
+          farm_(farm),
           bounds_(boundsOf(options)),
           runs_(runsOf(options)),
           path_(path::projected(path::readCameraPath(options.path), runs_.front().settings.projection)),
           baseline_(options.baseline.empty() ? std::nullopt : std::optional(measure::readBaseline(options.baseline))),
-          session_(options.model, executorSettings(runs_), printWarning),
-          csv_(options.csv),
-          json_(options.json),
-          images_(options.images),
-          report_(options.report) {
+          session_(
+              options.model,
+              measure::executorSettings(runs_),
+              [&farm](const std::string& warning) {
+                  if (!farm.isLed()) printWarning(warning);
+              }),
+          csv_(ownFile(options.csv)),
+          json_(ownFile(options.json)),
+          images_(ownFile(options.images)),
+          report_(ownFile(options.report)) {
+        if (farm.isLed()) options_.common.progress = "none";
         if (options.isQuick) shorten();
         context_ = contextOf(options_, runs_, path_, session_);
         if (baseline_) measure::requireComparable(*baseline_, context_);
-        if (options.hasAllImages) options_.walk.onPicture = pictureWriter(options.images, runs_);
+        if (options.hasAllImages)
+            options_.walk.onPicture = [folder = options.images](auto run, int frame, auto png) {
+                measure::writeFramePicture(folder, run, frame, png);
+            };
     }
 
     void run() {
-        const std::vector<measure::RunResult> results = walked("bench", runs_, options_.walk);
+        gather();
+        if (farm_.isLed()) return farm_.serve(measure::workOf(walks()), *makeProgress(options_.common));
+        const std::vector<measure::RunResult> results = walked();
         std::vector<report::RunSummary> summaries;
         std::transform(results.begin(), results.end(), std::back_inserter(summaries), measure::summary);
         context_["first_frame_ms"] = std::to_string(results.front().firstFrameMs);
         csv_.write(measure::csvText(results)); // before what may be stopped: it has taken the longest
-        json_.write(measure::benchmarkText(context_, results));
+        json_.write(measure::benchmarkText(context_, results, farm_.report()));
         std::fputs(measure::tableText(summaries).c_str(), stdout);
         std::fputs(choicesText(summaries).c_str(), stdout);
         if (!options_.images.empty()) writeImages();
-        if (!options_.report.empty()) writeReport(options_.report, pageOf(summaries), results);
+        if (!options_.report.empty()) measure::writeReport(options_.report, pageOf(summaries), results);
         const bool hasFiles = !(options_.csv + options_.json + options_.images + options_.report).empty();
         requirePrinted(hasFiles ? "the files that were asked for are complete" : "");
         if (baseline_) {
@@ -204,6 +168,24 @@ public:
     }
 
 private:
+    std::string ownFile(const std::string& path) const { return farm_.isLed() ? std::string() : path; }
+
+    measure::BenchWalks walks() { return {session_, path_, runs_, options_.walk, farm_}; }
+
+    void gather() {
+        FarmMember self;
+        self.threads = static_cast<std::uint32_t>(ThreadLimit::current());
+        self.machine = context_["cpu"];
+        farm_.gather(measure::keyOf(walks()), self, *makeProgress(options_.common));
+        const std::string shared = measure::sharedHost(farm_.report());
+        if (!shared.empty() && !options_.sharesNodes)
+            throw settings::UsageError{
+                shared + " and would disturb each other's times: start one a node (mpirun --map-by ppr:1:node), or "
+                         "say --share-nodes"};
+        for (const std::string& sentence : measure::unlikeMachines(farm_.report()))
+            printWarning(sentence);
+    }
+
     std::string choicesText(const std::vector<report::RunSummary>& summaries) {
         std::string text;
         const auto again = [this](std::size_t run) { return walkedAgain(run); };
@@ -218,35 +200,38 @@ private:
         const int wanted = options_.walk.frames;
         options_.walk.frames = measure::quickFrames(session_, path_, runs_, options_.walk);
         options_.walk.provenFrames = std::min(options_.walk.provenFrames, options_.walk.frames);
-        if (options_.walk.frames < wanted)
+        if (options_.walk.frames < wanted && !farm_.isLed())
             printMessage(
                 "--quick walks " + std::to_string(options_.walk.frames) + " of " + std::to_string(wanted) +
                 " frames a run: so many triangles take their time");
     }
 
-    std::vector<measure::RunResult> walked(
-        const char* stage, const std::vector<measure::BenchRun>& runs, const measure::WalkOptions& walk) {
-        const auto progress = makeProgress(options_.common);
-        progress->stage(stage, "frames", measure::frameCount(runs, walk));
-        return measure::walkAll(session_, path_, runs, walk, *progress);
+    /// A stage of so many frames.
+    std::unique_ptr<Progress> staged(const char* stage, std::size_t frames) const {
+        auto progress = makeProgress(options_.common);
+        progress->stage(stage, "frames", frames);
+        return progress;
+    }
+
+    std::vector<measure::RunResult> walked() {
+        return measure::walkAll(walks(), *staged("bench", measure::frameCount(runs_, options_.walk)));
     }
 
     report::RunSummary walkedAgain(std::size_t run) {
         measure::WalkOptions walk = options_.walk;
         walk.oracle = proof::Oracle::None;
-        walk.onPicture = nullptr;
-        return measure::summary(walked("once more", {runs_[run]}, walk).front());
-    }
-
-    std::vector<report::Picture> picturesOf(std::size_t run, Progress& progress) {
-        return measure::middlePictures(session_, path_, runs_[run], options_.walk, progress);
+        const auto progress = staged("once more", measure::frameCount({runs_[run]}, walk));
+        return measure::summary(measure::walkAgain(walks(), run, *progress));
     }
 
     void writeImages() {
-        const auto progress = makeProgress(options_.common);
-        progress->stage("pictures", "frames", measure::kFramesOfPictures * runs_.size());
-        for (std::size_t run = 0; run < runs_.size(); ++run)
-            writePictures(options_.images, static_cast<int>(run), picturesOf(run, *progress));
+        std::vector<std::size_t> all(runs_.size());
+        std::iota(all.begin(), all.end(), std::size_t{0});
+        const auto write = [this](std::size_t run, const std::vector<report::Picture>& pictures) {
+            measure::writePictures(options_.images, run, pictures);
+        };
+        const auto progress = staged("pictures", measure::kFramesOfPictures * runs_.size());
+        measure::middlePicturesOfEach(walks(), all, write, *progress);
     }
 
     report::Report pageOf(const std::vector<report::RunSummary>& summaries) {
@@ -254,12 +239,9 @@ private:
         page.model = context_.at("model") + ", " + context_.at("model_triangles") + " triangles";
         page.context = context_;
         page.runs = summaries;
-        std::vector<measure::BenchRun> pictured;
-        for (const std::size_t run : picturedRuns(summaries))
-            pictured.push_back(runs_[run]);
-        const auto progress = makeProgress(options_.common);
-        progress->stage("pictures", "frames", measure::kFramesOfPictures * pictured.size());
-        page.pictures = measure::middlePicturesOfAll(session_, path_, pictured, options_.walk, *progress);
+        const std::vector<std::size_t> pictured = measure::picturedRuns(summaries);
+        const auto progress = staged("pictures", measure::kFramesOfPictures * pictured.size());
+        page.pictures = measure::middlePicturesOfAll(walks(), pictured, *progress);
         const settings::Settings& settings = runs_.front().settings;
         plan::View view = settings::viewOf(settings, session_.model().summary());
         view.camera = path::cameraAt(path_, path_.keyframes.front().time);
@@ -268,6 +250,7 @@ private:
     }
 
     BenchOptions options_;
+    TaskFarm& farm_;
     Bounds bounds_;
     std::vector<measure::BenchRun> runs_;
     path::CameraPath path_;
@@ -280,18 +263,18 @@ private:
     PreparedFolder report_;
 };
 
-void runBench(BenchOptions options) {
+void runBench(BenchOptions options, TaskFarm& farm) {
     const ThreadLimit limit(options.common);
     settings::requireApart(
         {{"MODEL", options.model}, {"--path", options.path}, {"--baseline", options.baseline}},
         {{"--csv", options.csv}, {"--json-file", options.json}});
     options.walk = walkOf(options);
-    Bench(options).run();
+    Bench(options, farm).run();
 }
 
 } // namespace
 
-void addBenchCommand(CLI::App& program) {
+void addBenchCommand(CLI::App& program, const std::shared_ptr<TaskFarm>& farm) {
     CLI::App* command = program.add_subcommand(
         "bench",
         "Walk a camera path for every combination of settings and log every frame.\n"
@@ -339,10 +322,16 @@ void addBenchCommand(CLI::App& program) {
     command->add_option("--baseline", options->baseline, "Compare with the --json-file of an earlier bench");
     command->add_option("--fail-above", options->failAbovePercent, "Exit 1 if a median grew by more percent than this")
         ->capture_default_str();
+    if (farm)
+        command->add_flag(
+            "--share-nodes", options->sharesNodes, "Time even where several processes of the job share a host");
     options->settings.addTo(*command);
     shadowMaps->excludes("--z-partitions");
     addCommonOptions(*command, options->common);
-    command->callback([options] { runBench(*options); });
+    command->callback([options, farm] {
+        LoneFarm lone;
+        runBench(*options, farm ? *farm : lone);
+    });
 }
 
 } // namespace gnomon::app

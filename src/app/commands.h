@@ -1,6 +1,7 @@
 // The subcommands of `gnomon`: each adds itself, its options and what it does to the command line.
 #pragma once
 
+#include "core/process/task_farm.h"
 #include "core/progress.h"
 #include "preprocess/pipeline/build_model.h"
 
@@ -39,7 +40,8 @@ void addServerOptions(CLI::App& command);
 /// Adds MODEL, the name of a .gnm that is read, and those.
 void addModel(CLI::App& command, std::string& model);
 
-void addBenchCommand(CLI::App& program);
+/// Without `farm` by this process alone.
+void addBenchCommand(CLI::App& program, const std::shared_ptr<TaskFarm>& farm = {});
 
 /// How a command builds: nothing comes back to a process that only helped another.
 using BuildBy = std::function<std::optional<pipeline::BuildReport>(

@@ -22,7 +22,7 @@ int main(int argc, char** argv) {
               addRenderCommand,
               addMeasureCommand,
               addExplainCommand,
-              addBenchCommand,
+              [](CLI::App& program) { addBenchCommand(program); },
               addViewCommand,
               addSunCommand,
               addTheoryCommand,

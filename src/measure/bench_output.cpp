@@ -1,6 +1,9 @@
 #include "measure/bench_output.h"
 
+#include "core/file.h"
+#include "core/formatted.h"
 #include "measure/run_summary.h"
+#include "report/accuracy_cost.h"
 #include "settings/table.h"
 #include "shadow/scheme.h"
 #include "telemetry/benchmark_report.h"
@@ -52,7 +55,8 @@ std::string csvText(const std::vector<RunResult>& results) {
     return text;
 }
 
-std::string benchmarkText(const std::map<std::string, std::string>& context, const std::vector<RunResult>& results) {
+std::string benchmarkText(
+    const std::map<std::string, std::string>& context, const std::vector<RunResult>& results, const FarmReport& farm) {
     std::vector<telemetry::RunTimes> runs;
     for (const RunResult& result : results) {
         const report::RunSummary facts = summary(result);
@@ -61,7 +65,62 @@ std::string benchmarkText(const std::map<std::string, std::string>& context, con
             times.totalMs.push_back(row.totalMs.value_or(0));
         runs.push_back(times);
     }
-    return telemetry::benchmarkJson(context, runs) + "\n";
+    return telemetry::benchmarkJson(context, runs, farm) + "\n";
+}
+
+std::string sharedHost(const FarmReport& farm) {
+    std::map<std::string, std::uint32_t> rankOf;
+    for (const FarmMember& member : farm.members) {
+        const auto [other, isFirst] = rankOf.try_emplace(member.host, member.rank);
+        if (!isFirst)
+            return "ranks " + std::to_string(other->second) + " and " + std::to_string(member.rank) + " are both on " +
+                   member.host;
+    }
+    return {};
+}
+
+std::vector<std::string> unlikeMachines(const FarmReport& farm) {
+    std::vector<std::string> sentences;
+    const auto textOf = [](const FarmMember& member) {
+        return "rank " + std::to_string(member.rank) + " on " + member.host + " has " + std::to_string(member.threads) +
+               " threads of " + member.machine;
+    };
+    for (const FarmMember& member : farm.members) {
+        const FarmMember& first = farm.members.front();
+        if (member.threads != first.threads || member.machine != first.machine)
+            sentences.push_back(textOf(member) + ", but " + textOf(first) + ": their times do not compare");
+    }
+    return sentences;
+}
+
+void writePictures(const std::string& folder, std::size_t run, const std::vector<report::Picture>& pictures) {
+    const std::string stem = (std::filesystem::path(folder) / ("run" + std::to_string(run))).string();
+    for (const report::Picture& picture : pictures)
+        writeTextFile(
+            stem + (picture.kind == "picture" ? "" : "_" + picture.kind) + ".png",
+            {picture.png.begin(), picture.png.end()});
+}
+
+void writeFramePicture(const std::string& folder, std::size_t run, int frame, std::span<const std::uint8_t> png) {
+    const std::string name = formatted("run%zu_frame%04d.png", run, frame);
+    writeTextFile((std::filesystem::path(folder) / name).string(), {png.begin(), png.end()});
+}
+
+std::vector<std::size_t> picturedRuns(const std::vector<report::RunSummary>& summaries) {
+    std::vector<std::size_t> runs = report::paretoFront(summaries, report::leadingError(summaries));
+    runs.push_back(0);
+    std::sort(runs.begin(), runs.end());
+    runs.erase(std::unique(runs.begin(), runs.end()), runs.end());
+    return runs;
+}
+
+void writeReport(const std::string& folder, report::Report page, const std::vector<RunResult>& results) {
+    const auto place = [&](const std::string& name) { return (std::filesystem::path(folder) / name).string(); };
+    page.csvFile = "bench.csv";
+    page.jsonFile = "bench.json";
+    writeTextFile(place(page.csvFile), csvText(results));
+    writeTextFile(place(page.jsonFile), benchmarkText(page.context, results));
+    writeTextFile(place("index.html"), report::page(page));
 }
 
 std::vector<report::StoragePoint> storagePoints(const plan::FramePlan& plan) {

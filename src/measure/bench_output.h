@@ -4,7 +4,9 @@
 #include "measure/bench_runs.h"
 #include "report/page.h"
 
+#include <cstdint>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -22,8 +24,32 @@ std::map<std::string, std::string> statedFacts(
 /// The log: a header line and a row a frame.
 std::string csvText(const std::vector<RunResult>& results);
 
-/// A document of the shape of Google Benchmark's.
-std::string benchmarkText(const std::map<std::string, std::string>& context, const std::vector<RunResult>& results);
+/// A document of the shape of Google Benchmark's; where several processes measured, `farm` says who.
+std::string benchmarkText(
+    const std::map<std::string, std::string>& context,
+    const std::vector<RunResult>& results,
+    const FarmReport& farm = {});
+
+/// Two processes of one host, as "ranks 0 and 1 are both on node1": they would disturb each other's times. Empty if
+/// there are none.
+std::string sharedHost(const FarmReport& farm);
+
+/// What makes times of different processes hard to compare, a sentence each: other threads or another processor than
+/// rank 0 has.
+std::vector<std::string> unlikeMachines(const FarmReport& farm);
+
+/// Writes the pictures of run `run` into `folder`, under its number.
+void writePictures(const std::string& folder, std::size_t run, const std::vector<report::Picture>& pictures);
+
+/// Writes a PNG into `folder` under the numbers of its run and frame.
+void writeFramePicture(const std::string& folder, std::size_t run, int frame, std::span<const std::uint8_t> png);
+
+/// The runs whose pictures a report holds: those that no other beats in time and error, and the first.
+std::vector<std::size_t> picturedRuns(const std::vector<report::RunSummary>& summaries);
+
+/// Writes the page into `folder`, its log and its benchmark document beside it. They name no host: a report is handed
+/// around.
+void writeReport(const std::string& folder, report::Report page, const std::vector<RunResult>& results);
 
 /// The storage factors of slices with and without warp and of faces, for the depth range of `plan`.
 std::vector<report::StoragePoint> storagePoints(const plan::FramePlan& plan);

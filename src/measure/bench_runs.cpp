@@ -1,14 +1,13 @@
 #include "measure/bench_runs.h"
 
-#include "executor/overlay/legend.h"
+#include "measure/bytes/row_bytes.h"
 #include "settings/resolve.h"
 #include "settings/table.h"
-#include "telemetry/process_clock.h"
 
 #include <algorithm>
-#include <chrono>
 #include <functional>
-#include <thread>
+#include <iterator>
+#include <numeric>
 #include <utility>
 
 namespace gnomon::measure {
@@ -25,115 +24,6 @@ executor::Picture magnifiedDifference(const executor::Picture& a, const executor
         }
     return result;
 }
-
-/// One run's walk along the path.
-class Walk {
-public:
-    Walk(Session& session, const path::CameraPath& path, const WalkOptions& options, RunResult& result)
-        : session_(session),
-          path_(path),
-          options_(options),
-          result_(result),
-          view_(settings::viewOf(settings::uprightIn(result.run.settings, session.model()), session.model().summary())),
-          quality_(settings::qualityOf(result.run.settings)) {
-        frameOptions_.waiting = options.isRealTime ? frame::Waiting::Never : frame::Waiting::UntilComplete;
-    }
-
-    /// Warm-up, then a row a frame.
-    void repeat(int repetition, Progress& progress) {
-        warmUp(progress);
-        const auto start = std::chrono::steady_clock::now();
-        for (int frame = 0; frame < options_.frames; ++frame) {
-            if (options_.isRealTime)
-                std::this_thread::sleep_until(start + std::chrono::duration<double>(timeOf(frame) - timeOf(0)));
-            const double cpuBefore = telemetry::processorTime().count;
-            telemetry::FrameRow row = draw(frame).row;
-            result_.cpuMs += (telemetry::processorTime().count - cpuBefore) / (options_.frames * options_.repetitions);
-            row.run = result_.run.name;
-            row.repetition = repetition;
-            row.frame = frame;
-            row.timeS = timeOf(frame);
-            result_.rows.push_back(row);
-            if (options_.onPicture && repetition == 0)
-                options_.onPicture(result_.run, frame, session_.executor().picture());
-            progress.advance(1);
-        }
-    }
-
-    /// Walks the first repetition once more, untimed and with the same plans, and holds some of its frames against
-    /// the oracle.
-    void prove(Progress& progress) {
-        warmUp(progress);
-        proof::ProofOptions options;
-        options.measuresAliasing = options.measuresCrawl = options.comparesWithFinest = true;
-        options.oracle = options_.oracle;
-        options.countsWrongPixels = options_.countsWrongPixels;
-        for (int frame = 0; frame < options_.frames; ++frame) {
-            const frame::Frame drawn = draw(frame);
-            if (isProvenFrame(frame))
-                proof::setAccuracy(
-                    proof::prove(session_.renderer(), drawn, options), result_.rows[static_cast<std::size_t>(frame)]);
-            progress.advance(1);
-        }
-    }
-
-    /// What drawing `frame` works through: triangles, and twice its pixels, each of which costs about two of them.
-    double work(int frame) {
-        const telemetry::FrameRow row = draw(frame).row;
-        session_.renderer().forget();
-        const std::int64_t pixels = std::int64_t{view_.width} * view_.height;
-        return static_cast<double>(row.imageTriangles.value_or(0) + row.shadowTriangles.value_or(0) + 2 * pixels);
-    }
-
-    /// The middle frame, with its legend.
-    executor::Picture picture(executor::Overlay overlay, Progress& progress) {
-        frameOptions_.overlay = overlay;
-        session_.renderer().forget();
-        const frame::Frame drawn = draw(options_.frames / 2);
-        if (overlay == executor::Overlay::None)
-            quality_.shadows = drawn.plan.quality.shadows; // for the overlays after it
-        progress.advance(1);
-        executor::Picture picture = session_.executor().picture();
-        executor::drawLegend(picture, executor::legendOf(overlay, drawn.plan));
-        return picture;
-    }
-
-private:
-    void warmUp(Progress& progress) {
-        session_.renderer().forget();
-        for (int i = 0; i < options_.warmup; ++i) {
-            draw(0);
-            progress.advance(0); // not counted, but a place to stop
-        }
-        session_.renderer().forget();
-    }
-
-    /// Frames evenly over the path, first and last among them.
-    bool isProvenFrame(int frame) const {
-        const int last = std::min(options_.provenFrames, options_.frames) - 1;
-        for (int i = 0; i <= last; ++i)
-            if (frame == (last == 0 ? options_.frames / 2 : i * (options_.frames - 1) / last)) return true;
-        return false;
-    }
-
-    double timeOf(int frame) const { return path::frameTime(path_, frame, options_.frames); }
-
-    frame::Frame draw(int frame) {
-        view_.camera = path::cameraAt(path_, timeOf(frame));
-        frame::Frame drawn = session_.renderer().render(view_, quality_, frameOptions_);
-        drawn.row.sinceStartMs = telemetry::sinceProcessStart().count;
-        if (result_.firstFrameMs == 0) result_.firstFrameMs = *drawn.row.sinceStartMs;
-        return drawn;
-    }
-
-    Session& session_;
-    const path::CameraPath& path_;
-    const WalkOptions& options_;
-    RunResult& result_;
-    plan::View view_;
-    plan::Quality quality_;
-    frame::FrameOptions frameOptions_;
-};
 
 /// `text` with `more` behind it, and `separator` between them if both are there.
 std::string joined(std::string text, const char* separator, const std::string& more) {
@@ -170,6 +60,174 @@ bool areTheSameExact(const settings::Settings& a, const settings::Settings& b) {
     });
 }
 
+using hierarchy::ByteReader;
+using hierarchy::ByteWriter;
+
+/// What processes do for each other.
+enum class WalkKind : std::uint8_t {
+    Walk,      // one repetition
+    WalkAgain, // likewise, of whose pictures nobody is told
+    Prove,     // the first repetition
+    Pictures,  // of the middle frame
+};
+
+struct WalkTask {
+    WalkKind kind = WalkKind::Walk;
+    std::size_t run = 0;
+    int repetition = 0;
+    std::vector<telemetry::FrameRow> rows = {}; // to be proven
+};
+
+TaskBytes encoded(const WalkTask& task) {
+    ByteWriter out;
+    out.put(static_cast<std::uint8_t>(task.kind));
+    out.putVarint(task.run);
+    out.putVarint(static_cast<std::uint64_t>(task.repetition));
+    putRows(out, task.rows);
+    return out.take();
+}
+
+WalkTask decodedTask(std::span<const std::byte> bytes) {
+    ByteReader in(bytes);
+    WalkTask task;
+    task.kind = static_cast<WalkKind>(in.take<std::uint8_t>());
+    task.run = in.takeVarint();
+    task.repetition = static_cast<int>(in.takeVarint());
+    task.rows = takeRows(in);
+    in.expectEnd();
+    return task;
+}
+
+/// What came of a walk.
+TaskBytes encoded(const RunResult& result) {
+    ByteWriter out;
+    out.put(result.cpuMs);
+    out.put(result.firstFrameMs);
+    putRows(out, result.rows);
+    return out.take();
+}
+
+/// Adds it to `result`, in whose rows it comes last.
+void addWalk(std::span<const std::byte> bytes, RunResult& result) {
+    ByteReader in(bytes);
+    result.cpuMs += in.take<double>();
+    const auto firstFrameMs = in.take<double>();
+    if (result.firstFrameMs == 0) result.firstFrameMs = firstFrameMs;
+    std::vector<telemetry::FrameRow> rows = takeRows(in);
+    std::move(rows.begin(), rows.end(), std::back_inserter(result.rows));
+}
+
+TaskBytes encoded(const std::vector<report::Picture>& pictures) {
+    ByteWriter out;
+    for (const report::Picture& picture : pictures) {
+        out.putText(picture.kind);
+        out.putVarint(picture.png.size());
+        out.put(std::as_bytes(std::span(picture.png)));
+    }
+    return out.take();
+}
+
+std::vector<std::uint8_t> takePng(ByteReader& in, std::size_t bytes) {
+    const std::span<const std::byte> taken = in.take(bytes);
+    std::vector<std::uint8_t> png(taken.size());
+    std::transform(taken.begin(), taken.end(), png.begin(), [](std::byte b) { return static_cast<std::uint8_t>(b); });
+    return png;
+}
+
+std::vector<report::Picture> decodedPictures(std::span<const std::byte> bytes, const std::string& run) {
+    ByteReader in(bytes);
+    std::vector<report::Picture> pictures;
+    while (in.remaining() > 0) {
+        std::string kind = in.takeText();
+        pictures.push_back({run, std::move(kind), takePng(in, in.takeVarint())});
+    }
+    return pictures;
+}
+
+/// Tells the leading process of the pictures of a run.
+Walk::OnFrame tellerOf(std::size_t run, const FarmWork::Tell& tell) {
+    return [run, &tell](int frame, const executor::Picture& picture) {
+        const std::vector<std::uint8_t> png = executor::pngBytes(picture);
+        ByteWriter out;
+        out.putVarint(run);
+        out.putVarint(static_cast<std::uint64_t>(frame));
+        out.put(std::as_bytes(std::span(png)));
+        tell(out.take());
+    };
+}
+
+void hearPicture(const WalkOptions& options, std::span<const std::byte> told) {
+    ByteReader in(told);
+    const std::size_t run = in.takeVarint();
+    const auto frame = static_cast<int>(in.takeVarint());
+    options.onPicture(run, frame, takePng(in, in.remaining()));
+}
+
+TaskBytes perform(const BenchWalks& walks, const WalkTask& task, Progress& progress, const FarmWork::Tell& tell) {
+    RunResult result;
+    result.run = walks.runs.at(task.run);
+    result.rows = task.rows;
+    if (task.kind == WalkKind::Pictures)
+        return encoded(middlePictures(walks.session, walks.path, result.run, walks.options, progress));
+    Walk walk(walks.session, walks.path, walks.options, result);
+    const bool isTold = task.kind == WalkKind::Walk && walks.options.onPicture && task.repetition == 0;
+    if (task.kind == WalkKind::Prove)
+        walk.prove(progress);
+    else
+        walk.repeat(task.repetition, isTold ? tellerOf(task.run, tell) : Walk::OnFrame(), progress);
+    return encoded(result);
+}
+
+/// Walks runs `which`, each repetition all of them before the next one.
+std::vector<RunResult> walked(
+    const BenchWalks& walks, const std::vector<std::size_t>& which, WalkKind kind, Progress& progress) {
+    const auto repetitions = static_cast<std::size_t>(walks.options.repetitions);
+    std::vector<TaskBytes> taken(which.size() * repetitions);
+    FarmTasks tasks;
+    tasks.name = kind == WalkKind::Walk ? "bench" : "once more";
+    tasks.count = taken.size();
+    tasks.input = [&](std::size_t task) {
+        return encoded(WalkTask{kind, which[task % which.size()], static_cast<int>(task / which.size())});
+    };
+    tasks.take = [&](std::size_t task, std::span<const std::byte> bytes) {
+        taken[task].assign(bytes.begin(), bytes.end());
+    };
+    tasks.hear = [&](std::span<const std::byte> told) { hearPicture(walks.options, told); };
+    walks.farm.run(tasks, workOf(walks), progress);
+    std::vector<RunResult> results(which.size());
+    for (std::size_t task = 0; task < taken.size(); ++task) {
+        RunResult& result = results[task % which.size()];
+        result.run = walks.runs[which[task % which.size()]];
+        addWalk(taken[task], result);
+    }
+    return results;
+}
+
+/// Fills the columns of accuracy of each first repetition.
+void prove(const BenchWalks& walks, std::vector<RunResult>& results, Progress& progress) {
+    const auto frames = static_cast<std::ptrdiff_t>(walks.options.frames);
+    FarmTasks tasks;
+    tasks.name = "proof";
+    tasks.count = results.size();
+    tasks.input = [&](std::size_t run) {
+        const auto begin = results[run].rows.begin();
+        return encoded(WalkTask{WalkKind::Prove, run, 0, {begin, begin + frames}});
+    };
+    tasks.take = [&](std::size_t run, std::span<const std::byte> bytes) {
+        RunResult proven;
+        addWalk(bytes, proven);
+        std::move(proven.rows.begin(), proven.rows.end(), results[run].rows.begin());
+    };
+    walks.farm.run(tasks, workOf(walks), progress);
+}
+
+/// The numbers of all runs.
+std::vector<std::size_t> allOf(const std::vector<BenchRun>& runs) {
+    std::vector<std::size_t> all(runs.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    return all;
+}
+
 } // namespace
 
 std::vector<BenchRun> runsOf(const std::vector<settings::Settings>& settings) {
@@ -182,25 +240,45 @@ std::vector<BenchRun> runsOf(const std::vector<settings::Settings>& settings) {
     return runs;
 }
 
-std::vector<RunResult> walkAll(
-    Session& session,
-    const path::CameraPath& path,
-    const std::vector<BenchRun>& runs,
-    const WalkOptions& options,
-    Progress& progress) {
-    std::vector<RunResult> results;
-    results.reserve(runs.size());
-    for (const BenchRun& run : runs)
-        results.emplace_back().run = run;
-    for (int repetition = 0; repetition < options.repetitions; ++repetition)
-        for (RunResult& result : results) {
-            Walk walk(session, path, options, result);
-            walk.repeat(repetition, progress);
-        }
-    if (options.oracle != proof::Oracle::None)
-        for (RunResult& result : results)
-            Walk(session, path, options, result).prove(progress);
+settings::Settings executorSettings(const std::vector<BenchRun>& runs) {
+    const auto isExact = [](const BenchRun& run) { return run.settings.quality.shadows == plan::ShadowMode::Exact; };
+    const auto exact = std::find_if(runs.begin(), runs.end(), isExact);
+    return exact != runs.end() ? exact->settings : runs.front().settings;
+}
+
+std::string keyOf(const BenchWalks& walks) {
+    const WalkOptions& options = walks.options;
+    std::string key = "model " + walks.session.model().contentHash() + "; path " + path::contentHash(walks.path);
+    for (const int number :
+         {options.frames,
+          options.repetitions,
+          options.warmup,
+          options.isRealTime ? 1 : 0,
+          static_cast<int>(options.oracle),
+          options.provenFrames,
+          options.countsWrongPixels ? 1 : 0})
+        key += "; " + std::to_string(number);
+    for (const BenchRun& run : walks.runs)
+        key += "; " + run.name + " " + run.options;
+    return key;
+}
+
+FarmWork workOf(const BenchWalks& walks) {
+    return {
+        [walks](std::span<const std::byte> input, Progress& progress, const FarmWork::Tell& tell) {
+            return perform(walks, decodedTask(input), progress, tell);
+        },
+        FarmWork::Thread::Calling};
+}
+
+std::vector<RunResult> walkAll(const BenchWalks& walks, Progress& progress) {
+    std::vector<RunResult> results = walked(walks, allOf(walks.runs), WalkKind::Walk, progress);
+    if (walks.options.oracle != proof::Oracle::None) prove(walks, results, progress);
     return results;
+}
+
+RunResult walkAgain(const BenchWalks& walks, std::size_t run, Progress& progress) {
+    return walked(walks, {run}, WalkKind::WalkAgain, progress).front();
 }
 
 std::size_t frameCount(const std::vector<BenchRun>& runs, const WalkOptions& options) {
@@ -246,31 +324,41 @@ std::vector<report::Picture> middlePictures(
         {run.name, "partitions", executor::pngBytes(draw(walk, executor::Overlay::Partitions))}};
 }
 
+void middlePicturesOfEach(
+    const BenchWalks& walks, const std::vector<std::size_t>& which, const TakePictures& take, Progress& progress) {
+    FarmTasks tasks;
+    tasks.name = "pictures";
+    tasks.count = which.size();
+    tasks.input = [&](std::size_t task) { return encoded(WalkTask{WalkKind::Pictures, which[task]}); };
+    tasks.take = [&](std::size_t task, std::span<const std::byte> bytes) {
+        take(which[task], decodedPictures(bytes, walks.runs[which[task]].name));
+    };
+    walks.farm.run(tasks, workOf(walks), progress);
+}
+
 std::vector<report::Picture> middlePicturesOfAll(
-    Session& session,
-    const path::CameraPath& path,
-    const std::vector<BenchRun>& runs,
-    const WalkOptions& options,
-    Progress& progress) {
-    std::vector<std::vector<report::Picture>> all;
-    for (const BenchRun& run : runs) {
-        const auto drawn = std::find_if(
-            runs.begin(), runs.begin() + static_cast<std::ptrdiff_t>(all.size()), [&](const BenchRun& before) {
-                return settings::drawAlike(before.settings, run.settings);
-            });
-        const auto place = static_cast<std::size_t>(drawn - runs.begin());
-        if (place == all.size()) {
-            all.push_back(middlePictures(session, path, run, options, progress));
-            continue;
-        }
-        all.push_back(all[place]);
-        for (report::Picture& picture : all.back())
-            picture.run = run.name;
-        progress.advance(kFramesOfPictures);
-    }
+    const BenchWalks& walks, const std::vector<std::size_t>& which, Progress& progress) {
+    std::vector<std::size_t> distinct; // a run for all that draw alike
+    const auto drawnFor = [&](std::size_t run) {
+        return std::find_if(distinct.begin(), distinct.end(), [&](std::size_t before) {
+            return settings::drawAlike(walks.runs[before].settings, walks.runs[run].settings);
+        });
+    };
+    for (const std::size_t run : which)
+        if (drawnFor(run) == distinct.end()) distinct.push_back(run);
+    std::vector<std::vector<report::Picture>> drawn(walks.runs.size());
+    middlePicturesOfEach(
+        walks,
+        distinct,
+        [&](std::size_t run, std::vector<report::Picture> pictures) { drawn[run] = std::move(pictures); },
+        progress);
+    progress.advance(kFramesOfPictures * (which.size() - distinct.size()));
     std::vector<report::Picture> pictures;
-    for (std::vector<report::Picture>& own : all)
-        std::move(own.begin(), own.end(), std::back_inserter(pictures));
+    for (const std::size_t run : which)
+        for (report::Picture picture : drawn[*drawnFor(run)]) {
+            picture.run = walks.runs[run].name;
+            pictures.push_back(std::move(picture));
+        }
     return pictures;
 }
 

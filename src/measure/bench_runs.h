@@ -1,12 +1,9 @@
-// The runs of a bench: every combination of the swept settings, walked along one camera path.
+// The runs of a bench: every combination of the swept settings, walked along one camera path by whoever is free.
 #pragma once
 
-#include "core/progress.h"
-#include "measure/session.h"
-#include "path/camera_path.h"
-#include "proof/frame_proof.h"
+#include "core/process/task_farm.h"
+#include "measure/bench_walk.h"
 #include "report/page.h"
-#include "telemetry/frame_row.h"
 
 #include <functional>
 #include <string>
@@ -14,47 +11,35 @@
 
 namespace gnomon::measure {
 
-/// One combination of settings.
-struct BenchRun {
-    std::string name; // the settings that vary between runs, "error_pixels:1/z_partitions:4"; "run" where none does
-    settings::Settings settings;
-    std::string options; // to paste behind `gnomon render MODEL`: those that vary and those that are not the default
-};
-
-/// How each run is walked.
-struct WalkOptions {
-    int frames = 60;
-    int repetitions = 1;
-    int warmup = 2;
-    bool isRealTime = false;
-    proof::Oracle oracle = proof::Oracle::None;
-    int provenFrames = 0;           // with an oracle: so many frames, evenly over the path, are held against it
-    bool countsWrongPixels = false; // and against integers besides
-    /// Gets the picture of every frame of the first repetition, if given.
-    std::function<void(const BenchRun& run, int frame, const executor::Picture& picture)> onPicture;
-};
-
-/// What came of one run.
-struct RunResult {
-    BenchRun run;
-    std::vector<telemetry::FrameRow> rows; // repetition by repetition, each in the order of the path
-    double cpuMs = 0;                      // of all threads, a logged frame on average
-    double firstFrameMs = 0; // from the start of the process to the end of the run's first frame, warm-up or not
-};
-
 /// One run for each of `settings`, in their order; one for all that draw exact shadows and differ in their maps alone.
 std::vector<BenchRun> runsOf(const std::vector<settings::Settings>& settings);
 
-/// Walks every run along `path`: warm-up frames, then `frames` frames evenly over the path, as often as asked. Each
+/// What the executor of all runs is made by: of one that can carry out each of them.
+settings::Settings executorSettings(const std::vector<BenchRun>& runs);
+
+/// What a bench walks and who does: all processes of `farm` have the same. All must outlive it.
+struct BenchWalks {
+    Session& session;
+    const path::CameraPath& path;
+    const std::vector<BenchRun>& runs;
+    const WalkOptions& options;
+    TaskFarm& farm;
+};
+
+/// What each process of the farm must have alike.
+std::string keyOf(const BenchWalks& walks);
+
+/// How a process does walks, and pictures, for another.
+FarmWork workOf(const BenchWalks& walks);
+
+/// Walks every run along the path: warm-up frames, then `frames` frames evenly over the path, as often as asked. Each
 /// repetition walks all runs before the next one begins, so that a machine that slows down slows them all alike. In
 /// real time no frame begins before its time on the path. Once all times are taken, each run is walked once more and
 /// what its pictures are held against fills its first repetition's columns of accuracy.
-std::vector<RunResult> walkAll(
-    Session& session,
-    const path::CameraPath& path,
-    const std::vector<BenchRun>& runs,
-    const WalkOptions& options,
-    Progress& progress);
+std::vector<RunResult> walkAll(const BenchWalks& walks, Progress& progress);
+
+/// Walks `run` alone, and holds it against nothing. Progress advances by frames times repetitions.
+RunResult walkAgain(const BenchWalks& walks, std::size_t run, Progress& progress);
 
 /// What all frames of a quick bench may work through, in triangles: on two cores of 2026 they then take under two
 /// minutes with their proofs.
@@ -78,14 +63,17 @@ std::vector<report::Picture> middlePictures(
     const WalkOptions& options,
     Progress& progress);
 
-/// Those of all `runs`, one after the other. What runs that draw alike show is drawn once. Progress advances by
-/// kFramesOfPictures a run.
+/// Gets the pictures of one run.
+using TakePictures = std::function<void(std::size_t run, std::vector<report::Picture> pictures)>;
+
+/// Those of all `which` of the runs, each taken as soon as it is drawn.
+void middlePicturesOfEach(
+    const BenchWalks& walks, const std::vector<std::size_t>& which, const TakePictures& take, Progress& progress);
+
+/// Those of all `which` of the runs, one after the other. What runs that draw alike show is drawn once. Progress
+/// advances by kFramesOfPictures a run.
 std::vector<report::Picture> middlePicturesOfAll(
-    Session& session,
-    const path::CameraPath& path,
-    const std::vector<BenchRun>& runs,
-    const WalkOptions& options,
-    Progress& progress);
+    const BenchWalks& walks, const std::vector<std::size_t>& which, Progress& progress);
 
 /// The frames that `middlePictures` draws.
 constexpr std::size_t kFramesOfPictures = 5;

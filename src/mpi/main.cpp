@@ -6,6 +6,9 @@
 #include "app/program.h"
 #include "core/error.h"
 #include "core/printable.h"
+#include "hierarchy/bytes.h"
+#include "mpi/leading_farm.h"
+#include "mpi/serving_farm.h"
 #include "preprocess/distributed/helper.h"
 #include "preprocess/distributed/leader.h"
 #include "settings/table.h"
@@ -14,11 +17,12 @@ namespace {
 
 using namespace gnomon;
 
-app::Program programOf(const app::BuildBy& buildBy, bool isSilent) {
+app::Program programOf(const app::BuildBy& buildBy, const std::shared_ptr<TaskFarm>& farm, bool isSilent) {
     return {
         "gnomon-mpi",
         "What gnomon does, by the processes of an MPI job: mpirun -n N gnomon-mpi COMMAND",
-        {[buildBy](CLI::App& program) { app::addBuildCommand(program, buildBy); }},
+        {[buildBy](CLI::App& program) { app::addBuildCommand(program, buildBy); },
+         [farm](CLI::App& program) { app::addBenchCommand(program, farm); }},
         isSilent};
 }
 
@@ -36,7 +40,8 @@ int lead(distributed::Mailbox& mailbox, int argc, char** argv) {
         report.processes.front().bytesWritten = report.scratchWritten;
         return std::optional(std::move(report));
     };
-    const int code = app::exitCodeOf([&] { app::runProgram(programOf(build, false), argc, argv); });
+    const int code = app::exitCodeOf(
+        [&] { app::runProgram(programOf(build, std::make_shared<mpi::LeadingFarm>(mailbox), false), argc, argv); });
     if (!isDismissed) leader.dismiss();
     return code;
 }
@@ -49,11 +54,13 @@ int help(distributed::Mailbox& mailbox, int argc, char** argv) {
         return std::optional<pipeline::BuildReport>();
     };
     try {
-        app::runProgram(programOf(build, true), argc, argv);
+        app::runProgram(programOf(build, std::make_shared<mpi::ServingFarm>(mailbox, helper), true), argc, argv);
     } catch (const settings::UsageError& error) {
         helper.fail(error.message);
     } catch (const Interrupted&) {
         helper.fail("interrupted");
+    } catch (const hierarchy::Damage& damage) {
+        helper.fail("what rank 0 sends is not understood: " + damage.what);
     } catch (const std::exception& error) {
         helper.fail(inWords(error));
     }

@@ -1,7 +1,9 @@
 #include "telemetry/frame_row.h"
 
+#include "core/error.h"
 #include "telemetry/json_text.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -25,6 +27,35 @@ Value toValue(const std::optional<T>& value) {
 template <auto Member>
 Value read(const FrameRow& row) {
     return toValue(row.*Member);
+}
+
+template <class T>
+void fromValue(const Value& value, T& member) {
+    member = std::get<T>(value);
+}
+
+template <class T>
+void fromValue(const Value& value, std::optional<T>& member) {
+    if (std::holds_alternative<std::monostate>(value))
+        member.reset();
+    else
+        member = std::get<T>(value);
+}
+
+template <auto Member>
+void write(FrameRow& row, const Value& value) {
+    fromValue(value, row.*Member);
+}
+
+/// A column, and how its value gets into a row.
+struct Entry {
+    Column column;
+    void (*set)(FrameRow& row, const Value& value);
+};
+
+template <auto Member>
+constexpr Entry column(std::string_view name) {
+    return {{name, read<Member>}, write<Member>};
 }
 
 template <class Number>
@@ -73,85 +104,105 @@ struct JsonCell {
 using R = FrameRow;
 
 /// All columns in their order.
-constexpr std::array kColumns = {
-    Column{"run", read<&R::run>},
-    Column{"repetition", read<&R::repetition>},
-    Column{"model", read<&R::model>},
-    Column{"frame", read<&R::frame>},
-    Column{"time_s", read<&R::timeS>},
-    Column{"scheme", read<&R::scheme>},
-    Column{"warp", read<&R::warp>},
-    Column{"z_partitions", read<&R::zPartitions>},
-    Column{"face_partitions", read<&R::facePartitions>},
-    Column{"stabilize", read<&R::stabilize>},
-    Column{"filter", read<&R::filter>},
-    Column{"shadow_maps", read<&R::shadowMaps>},
-    Column{"shadow_maps_drawn", read<&R::shadowMapsDrawn>},
-    Column{"cull_casters", read<&R::cullCasters>},
-    Column{"shadow_texels", read<&R::shadowTexels>},
-    Column{"error_pixels", read<&R::errorPixels>},
-    Column{"width", read<&R::width>},
-    Column{"height", read<&R::height>},
-    Column{"backend", read<&R::backend>},
-    Column{"plan_ms", read<&R::planMs>},
-    Column{"select_ms", read<&R::selectMs>},
-    Column{"cull_ms", read<&R::cullMs>},
-    Column{"stream_ms", read<&R::streamMs>},
-    Column{"shadow_ms", read<&R::shadowMs>},
-    Column{"image_ms", read<&R::imageMs>},
-    Column{"total_ms", read<&R::totalMs>},
-    Column{"image_triangles", read<&R::imageTriangles>},
-    Column{"shadow_triangles", read<&R::shadowTriangles>},
-    Column{"shadow_fragments", read<&R::shadowFragments>},
-    Column{"casters_tested", read<&R::castersTested>},
-    Column{"casters_kept", read<&R::castersKept>},
-    Column{"draw_calls", read<&R::drawCalls>},
-    Column{"resident_bytes", read<&R::residentBytes>},
-    Column{"gpu_bytes", read<&R::gpuBytes>},
-    Column{"bytes_read", read<&R::bytesRead>},
-    Column{"pages_missing", read<&R::pagesMissing>},
-    Column{"pages_damaged", read<&R::pagesDamaged>},
-    Column{"achieved_error_pixels", read<&R::achievedErrorPixels>},
-    Column{"near", read<&R::near>},
-    Column{"far", read<&R::far>},
-    Column{"depth_ratio", read<&R::depthRatio>},
-    Column{"light_angle", read<&R::lightAngle>},
-    Column{"storage_factor", read<&R::storageFactor>},
-    Column{"promised_aliasing_x", read<&R::promisedAliasingX>},
-    Column{"promised_aliasing_z", read<&R::promisedAliasingZ>},
-    Column{"measured_aliasing", read<&R::measuredAliasing>},
-    Column{"promise_kept", read<&R::promiseKept>},
-    Column{"wrong_shadow_fraction", read<&R::wrongShadowFraction>},
-    Column{"shadow_edge_p99_px", read<&R::shadowEdgeP99Px>},
-    Column{"image_difference", read<&R::imageDifference>},
-    Column{"crawl", read<&R::crawl>},
-    Column{"since_start_ms", read<&R::sinceStartMs>},
-    Column{"missed_shadow_fraction", read<&R::missedShadowFraction>},
-    Column{"unexplained_shadow_fraction", read<&R::unexplainedShadowFraction>},
-    Column{"shadows", read<&R::shadows>},
-    Column{"shadow_samples", read<&R::shadowSamples>},
-    Column{"shadow_cells", read<&R::shadowCells>},
-    Column{"sample_tests", read<&R::sampleTests>},
-    Column{"exact_decisions", read<&R::exactDecisions>},
-    Column{"touching_pixels", read<&R::touchingPixels>},
-    Column{"predicted_sample_tests", read<&R::predictedSampleTests>},
-    Column{"occlusion", read<&R::occlusion>},
-    Column{"clusters_hidden", read<&R::clustersHidden>},
-    Column{"wrong_pixels_all", read<&R::wrongPixelsAll>},
-    Column{"image_width_drawn", read<&R::imageWidthDrawn>},
-    Column{"samples_per_pixel", read<&R::samplesPerPixel>},
-    Column{"sun_angle", read<&R::sunAngle>},
-    Column{"light_error", read<&R::lightError>},
-    Column{"triangles_set_up", read<&R::trianglesSetUp>},
-    Column{"refined_cast_triangles", read<&R::refinedCastTriangles>},
-    Column{"refined_sample_tests", read<&R::refinedSampleTests>},
+constexpr std::array kEntries = {
+    column<&R::run>("run"),
+    column<&R::repetition>("repetition"),
+    column<&R::model>("model"),
+    column<&R::frame>("frame"),
+    column<&R::timeS>("time_s"),
+    column<&R::scheme>("scheme"),
+    column<&R::warp>("warp"),
+    column<&R::zPartitions>("z_partitions"),
+    column<&R::facePartitions>("face_partitions"),
+    column<&R::stabilize>("stabilize"),
+    column<&R::filter>("filter"),
+    column<&R::shadowMaps>("shadow_maps"),
+    column<&R::shadowMapsDrawn>("shadow_maps_drawn"),
+    column<&R::cullCasters>("cull_casters"),
+    column<&R::shadowTexels>("shadow_texels"),
+    column<&R::errorPixels>("error_pixels"),
+    column<&R::width>("width"),
+    column<&R::height>("height"),
+    column<&R::backend>("backend"),
+    column<&R::planMs>("plan_ms"),
+    column<&R::selectMs>("select_ms"),
+    column<&R::cullMs>("cull_ms"),
+    column<&R::streamMs>("stream_ms"),
+    column<&R::shadowMs>("shadow_ms"),
+    column<&R::imageMs>("image_ms"),
+    column<&R::totalMs>("total_ms"),
+    column<&R::imageTriangles>("image_triangles"),
+    column<&R::shadowTriangles>("shadow_triangles"),
+    column<&R::shadowFragments>("shadow_fragments"),
+    column<&R::castersTested>("casters_tested"),
+    column<&R::castersKept>("casters_kept"),
+    column<&R::drawCalls>("draw_calls"),
+    column<&R::residentBytes>("resident_bytes"),
+    column<&R::gpuBytes>("gpu_bytes"),
+    column<&R::bytesRead>("bytes_read"),
+    column<&R::pagesMissing>("pages_missing"),
+    column<&R::pagesDamaged>("pages_damaged"),
+    column<&R::achievedErrorPixels>("achieved_error_pixels"),
+    column<&R::near>("near"),
+    column<&R::far>("far"),
+    column<&R::depthRatio>("depth_ratio"),
+    column<&R::lightAngle>("light_angle"),
+    column<&R::storageFactor>("storage_factor"),
+    column<&R::promisedAliasingX>("promised_aliasing_x"),
+    column<&R::promisedAliasingZ>("promised_aliasing_z"),
+    column<&R::measuredAliasing>("measured_aliasing"),
+    column<&R::promiseKept>("promise_kept"),
+    column<&R::wrongShadowFraction>("wrong_shadow_fraction"),
+    column<&R::shadowEdgeP99Px>("shadow_edge_p99_px"),
+    column<&R::imageDifference>("image_difference"),
+    column<&R::crawl>("crawl"),
+    column<&R::sinceStartMs>("since_start_ms"),
+    column<&R::missedShadowFraction>("missed_shadow_fraction"),
+    column<&R::unexplainedShadowFraction>("unexplained_shadow_fraction"),
+    column<&R::shadows>("shadows"),
+    column<&R::shadowSamples>("shadow_samples"),
+    column<&R::shadowCells>("shadow_cells"),
+    column<&R::sampleTests>("sample_tests"),
+    column<&R::exactDecisions>("exact_decisions"),
+    column<&R::touchingPixels>("touching_pixels"),
+    column<&R::predictedSampleTests>("predicted_sample_tests"),
+    column<&R::occlusion>("occlusion"),
+    column<&R::clustersHidden>("clusters_hidden"),
+    column<&R::wrongPixelsAll>("wrong_pixels_all"),
+    column<&R::imageWidthDrawn>("image_width_drawn"),
+    column<&R::samplesPerPixel>("samples_per_pixel"),
+    column<&R::sunAngle>("sun_angle"),
+    column<&R::lightError>("light_error"),
+    column<&R::trianglesSetUp>("triangles_set_up"),
+    column<&R::refinedCastTriangles>("refined_cast_triangles"),
+    column<&R::refinedSampleTests>("refined_sample_tests"),
 };
 
 } // namespace
 
 const std::vector<Column>& columns() {
-    static const std::vector<Column> table(kColumns.begin(), kColumns.end());
+    static const std::vector<Column> table = [] {
+        std::vector<Column> made;
+        std::transform(
+            kEntries.begin(), kEntries.end(), std::back_inserter(made), [](const Entry& e) { return e.column; });
+        return made;
+    }();
     return table;
+}
+
+FrameRow rowOf(std::span<const Value> values) {
+    if (values.size() != kEntries.size())
+        throw Error(
+            "a row of the log", "it has other columns", std::to_string(kEntries.size()), std::to_string(values.size()));
+    FrameRow row;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        try {
+            kEntries[i].set(row, values[i]);
+        } catch (const std::bad_variant_access&) {
+            throw Error("a row of the log", "a value of another type in " + std::string(kEntries[i].column.name));
+        }
+    }
+    return row;
 }
 
 std::string csvHeader() {

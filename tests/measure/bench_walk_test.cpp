@@ -1,8 +1,7 @@
 // Walks of a bench: what repeats, which caps hold, what real time ends in and what damage does.
 #include "core/random.h"
-#include "core/units.h"
-#include "hierarchy/temporary_model.h"
-#include "measure/bench_runs.h"
+#include "measure/bench_walk.h"
+#include "measure/small_bench.h"
 #include "streaming/page_store.h"
 
 #include <gtest/gtest.h>
@@ -15,70 +14,11 @@
 namespace gnomon::measure {
 namespace {
 
-tests::TinyModelOptions hills() {
-    tests::TinyModelOptions options;
-    options.gridExponent = 6;
-    options.height = 8;
-    options.clusterTriangles = 32;
-    return options;
-}
-
-const std::string& model() {
-    static const tests::TemporaryModel file(hills());
-    return file.path();
-}
-
-settings::Settings smallSettings() {
-    settings::Settings settings;
-    settings.quality.shadows = plan::ShadowMode::Maps;
-    settings.imageSize = {96, 96};
-    settings.backend = settings::Backend::Software;
-    settings.quality.shadowTexelsWidth = settings.quality.shadowTexelsHeight = 256;
-    settings.quality.errorPixels = 0.2;
-    return settings;
-}
-
-/// Low over the hills from one side to the other, in half a second.
-path::CameraPath flight() {
-    const auto key = [](double time, const glm::dvec3& eye, const glm::dvec3& target) {
-        return path::Keyframe{time, {eye, target, {0, 1, 0}, 1}};
-    };
-    path::CameraPath path;
-    path.keyframes = {
-        key(0, {3, 12, 3}, {30, 3, 30}), key(0.2, {30, 10, 20}, {50, 3, 30}), key(0.5, {45, 20, 50}, {10, 0, 30})};
-    return path;
-}
-
 path::CameraPath stillness() {
     path::CameraPath path = flight();
     path.keyframes = {path.keyframes[0], path.keyframes[0]};
     path.keyframes[1].time = 0.1;
     return path;
-}
-
-WalkOptions frames(int count, bool isRealTime = false) {
-    WalkOptions options;
-    options.frames = count;
-    options.warmup = 0;
-    options.isRealTime = isRealTime;
-    return options;
-}
-
-RunResult walked(
-    Session& session, const settings::Settings& view, const path::CameraPath& path, const WalkOptions& options) {
-    NoProgress progress;
-    return walkAll(session, path, runsOf({view}), options, progress).front();
-}
-
-/// The cells that must repeat.
-std::vector<std::string> timeless(const RunResult& result) {
-    std::vector<std::string> cells;
-    for (telemetry::FrameRow row : result.rows) {
-        row.planMs = row.selectMs = row.cullMs = row.streamMs = row.shadowMs = row.imageMs = row.totalMs = 0;
-        row.sinceStartMs = 0;
-        cells.push_back(telemetry::csvRow(row));
-    }
-    return cells;
 }
 
 /// `--memory` that leaves room for `fraction` of the model's pages.
@@ -88,11 +28,6 @@ Bytes memoryFor(double fraction) {
     for (const hierarchy::PageInfo& page : file.pages())
         bytes += static_cast<double>(streaming::decodedBytes(page).count) * fraction;
     return {static_cast<std::uint64_t>(bytes) + frame::tableBytes(file).count};
-}
-
-/// For models without damage.
-void failOnWarning(const std::string& warning) {
-    ADD_FAILURE() << warning;
 }
 
 TEST(BenchWalk, TwiceTheSameButForTimes) {
@@ -138,7 +73,7 @@ TEST(BenchWalk, CanBeStoppedWhileItWarmsUpAndBetweenPictures) {
     WalkOptions options = frames(2);
     options.warmup = 3;
     StopAfter third(2);
-    EXPECT_THROW(walkAll(session, flight(), runs, options, third), Interrupted);
+    EXPECT_THROW(walkAlone(session, flight(), runs, options, third), Interrupted);
     EXPECT_EQ(third.done(), 0U) << "no frame but those before the walk";
     StopAfter never(1000);
     EXPECT_EQ(middlePictures(session, flight(), runs[0], options, never).size(), 6U);
@@ -303,7 +238,11 @@ TEST(BenchWalk, DrawsWhatRunsShowThatDrawAlikeOnce) {
                 apart.push_back(std::move(picture));
         }
         Session session(model(), plain, failOnWarning);
-        const std::vector<report::Picture> together = middlePicturesOfAll(session, flight(), runs, frames(2), progress);
+        LoneFarm lone;
+        const path::CameraPath path = flight();
+        const WalkOptions options = frames(2);
+        const std::vector<report::Picture> together =
+            middlePicturesOfAll({session, path, runs, options, lone}, {0, 1, 2}, progress);
         ASSERT_EQ(together.size(), apart.size());
         for (std::size_t i = 0; i < apart.size(); ++i) {
             EXPECT_EQ(together[i].run, apart[i].run);

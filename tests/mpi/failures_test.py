@@ -1,36 +1,14 @@
 """What ends a job, and that another one goes on with what it left."""
 import json
 import os
-import pathlib
 import random
 import signal
 import time
 import unittest
 
-from job import GNOMON_MPI, JobTest, Told, alone, run, start
+from job import JobTest, Told, alone, ranks_of, run, start
 
 SMALL = ("--chunk-triangles", "4k", "--threads", "1")
-
-
-def ranks_of(job, processes):
-    """The process numbers of a job's ranks, by rank, once all are there."""
-    for _ in range(2000):
-        found = {}
-        for entry in pathlib.Path("/proc").iterdir():
-            if not entry.name.isdigit():
-                continue
-            try:
-                if os.readlink(entry / "exe") != os.path.realpath(GNOMON_MPI):
-                    continue
-                told = dict(row.split(b"=", 1) for row in (entry / "environ").read_bytes().split(b"\0") if b"=" in row)
-                if int((entry / "stat").read_text().rsplit(")", 1)[1].split()[1]) == job.pid:
-                    found[int(told[b"OMPI_COMM_WORLD_RANK"])] = int(entry.name)
-            except (OSError, KeyError, ValueError):
-                continue
-        if len(found) == processes or job.poll() is not None:
-            return found
-        time.sleep(0.005)
-    raise AssertionError("the ranks do not start")
 
 
 class Failures(JobTest):
@@ -103,13 +81,6 @@ class Failures(JobTest):
         self.assertEqual((told.returncode, told.stderr), (0, ""))
         self.assertEqual(json.loads(told.stdout)["content_hash"], expected)
         self.model.unlink()
-
-    def of_rank(self, rank, limit):
-        """A program that is gnomon-mpi, with `limit` of the shell before it in one rank."""
-        program = self.place / "limited.ply"  # not counted among what is left
-        program.write_text(f'#!/bin/bash\n[ "$OMPI_COMM_WORLD_RANK" != {rank} ] || {limit}\nexec {GNOMON_MPI} "$@"\n')
-        program.chmod(0o755)
-        return program
 
     def test_a_full_disk_of_one_rank_is_one_line_and_the_old_output_stays(self):
         mesh = self.made("plant", "150k")

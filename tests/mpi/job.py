@@ -4,6 +4,7 @@ import os
 import pathlib
 import subprocess
 import tempfile
+import time
 import unittest
 
 GNOMON, GNOMON_MPI = os.environ["GNOMON"], os.environ["GNOMON_MPI"]
@@ -51,6 +52,27 @@ def alone(*words):
     return done.stdout
 
 
+def ranks_of(job, processes):
+    """The process numbers of a job's ranks, by rank, once all are there."""
+    for _ in range(2000):
+        found = {}
+        for entry in pathlib.Path("/proc").iterdir():
+            if not entry.name.isdigit():
+                continue
+            try:
+                if os.readlink(entry / "exe") != os.path.realpath(GNOMON_MPI):
+                    continue
+                told = dict(row.split(b"=", 1) for row in (entry / "environ").read_bytes().split(b"\0") if b"=" in row)
+                if int((entry / "stat").read_text().rsplit(")", 1)[1].split()[1]) == job.pid:
+                    found[int(told[b"OMPI_COMM_WORLD_RANK"])] = int(entry.name)
+            except (OSError, KeyError, ValueError):
+                continue
+        if len(found) == processes or job.poll() is not None:
+            return found
+        time.sleep(0.005)
+    raise AssertionError("the ranks do not start")
+
+
 class JobTest(unittest.TestCase):
     """In a folder of its own, `place`."""
 
@@ -68,6 +90,13 @@ class JobTest(unittest.TestCase):
         if not mesh.exists():
             alone("make", kind, "--triangles", triangles, "-o", mesh)
         return mesh
+
+    def of_rank(self, rank, limit):
+        """A program that is gnomon-mpi, with `limit` of the shell before it in one rank."""
+        program = self.place / "limited.ply"  # not counted among what is left
+        program.write_text(f'#!/bin/bash\n[ "$OMPI_COMM_WORLD_RANK" != {rank} ] || {limit}\nexec {GNOMON_MPI} "$@"\n')
+        program.chmod(0o755)
+        return program
 
     def left(self):
         """What is in the folder beside meshes."""

@@ -1,0 +1,90 @@
+// A small model and walks over it, for the tests of benches.
+#pragma once
+
+#include "core/units.h"
+#include "hierarchy/temporary_model.h"
+#include "measure/bench_runs.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace gnomon::measure {
+
+inline tests::TinyModelOptions hills() {
+    tests::TinyModelOptions options;
+    options.gridExponent = 6;
+    options.height = 8;
+    options.clusterTriangles = 32;
+    return options;
+}
+
+inline const std::string& model() {
+    static const tests::TemporaryModel file(hills());
+    return file.path();
+}
+
+inline settings::Settings smallSettings() {
+    settings::Settings settings;
+    settings.quality.shadows = plan::ShadowMode::Maps;
+    settings.imageSize = {96, 96};
+    settings.backend = settings::Backend::Software;
+    settings.quality.shadowTexelsWidth = settings.quality.shadowTexelsHeight = 256;
+    settings.quality.errorPixels = 0.2;
+    return settings;
+}
+
+/// Low over the hills from one side to the other, in half a second.
+inline path::CameraPath flight() {
+    const auto key = [](double time, const glm::dvec3& eye, const glm::dvec3& target) {
+        return path::Keyframe{time, {eye, target, {0, 1, 0}, 1}};
+    };
+    path::CameraPath path;
+    path.keyframes = {
+        key(0, {3, 12, 3}, {30, 3, 30}), key(0.2, {30, 10, 20}, {50, 3, 30}), key(0.5, {45, 20, 50}, {10, 0, 30})};
+    return path;
+}
+
+inline WalkOptions frames(int count, bool isRealTime = false) {
+    WalkOptions options;
+    options.frames = count;
+    options.warmup = 0;
+    options.isRealTime = isRealTime;
+    return options;
+}
+
+/// Walks all runs in this process.
+inline std::vector<RunResult> walkAlone(
+    Session& session,
+    const path::CameraPath& path,
+    const std::vector<BenchRun>& runs,
+    const WalkOptions& options,
+    Progress& progress) {
+    LoneFarm lone;
+    return walkAll({session, path, runs, options, lone}, progress);
+}
+
+inline RunResult walked(
+    Session& session, const settings::Settings& view, const path::CameraPath& path, const WalkOptions& options) {
+    NoProgress progress;
+    return walkAlone(session, path, runsOf({view}), options, progress).front();
+}
+
+/// The cells that must repeat.
+inline std::vector<std::string> timeless(const RunResult& result) {
+    std::vector<std::string> cells;
+    for (telemetry::FrameRow row : result.rows) {
+        row.planMs = row.selectMs = row.cullMs = row.streamMs = row.shadowMs = row.imageMs = row.totalMs = 0;
+        row.sinceStartMs = 0;
+        cells.push_back(telemetry::csvRow(row));
+    }
+    return cells;
+}
+
+/// For models without damage.
+inline void failOnWarning(const std::string& warning) {
+    ADD_FAILURE() << warning;
+}
+
+} // namespace gnomon::measure

@@ -76,15 +76,21 @@ struct HoursOptions {
     std::string at, from, to, step, error;
     SettingOptions settings;
     measure::SunHoursTask task;
+    bool isJson = false;
     CommonOptions common;
 };
 
-void runHours(const HoursOptions& options) {
+void runHours(HoursOptions options, TaskFarm& farm) {
     const ThreadLimit threads(options.common);
     measure::SunHoursTask task = options.task;
+    task.farm = &farm;
+    task.threads = static_cast<std::uint32_t>(ThreadLimit::current());
+    if (farm.isLed()) options.common.progress = "none";
     task.settings = options.settings.settings();
     settings::requireDirectionalLight(task.settings, "sun hours");
-    task.warn = printWarning;
+    task.warn = [&farm](const std::string& warning) {
+        if (!farm.isLed()) printWarning(warning);
+    };
     task.period.place = settings::parsed(settings::place(), "--at", options.at);
     task.period.from = settings::parsed(settings::moment(), "--from", options.from);
     task.period.to = settings::parsed(settings::moment(), "--to", options.to);
@@ -106,21 +112,17 @@ void runHours(const HoursOptions& options) {
     settings::requireApart(
         {{"MODEL", task.model}, {"--camera", task.settings.cameraFile}, {"--points", task.points}},
         {{"--output", task.output}, {"--pfm", task.pfm}, {"--csv", task.csv}});
-    const measure::SunHoursSummary done = measure::computeSunHours(task, *makeProgress(options.common));
-    std::fprintf(
-        stderr,
-        "%zu points, sun up in %u of %zu steps; %llu of %llu verdicts hang on the tolerance; detail errs by up to %s; "
-        "each time the light comes or goes errs by up to half a step of %g s\n",
-        done.receivers,
-        done.stepsUp,
-        done.steps,
-        static_cast<unsigned long long>(done.touching),
-        static_cast<unsigned long long>(done.samples),
-        done.detail.c_str(),
-        task.period.stepSeconds);
+    const auto done = measure::computeSunHours(task, *makeProgress(options.common));
+    if (!done) return;
+    if (!options.isJson) {
+        std::fputs(measure::summaryText(*done, task.period.stepSeconds).c_str(), stderr);
+        return;
+    }
+    std::printf("%s\n", measure::summaryJson(*done, farm.report()).c_str());
+    requirePrinted("the files that were asked for are complete");
 }
 
-void addHoursCommand(CLI::App& group) {
+void addHoursCommand(CLI::App& group, const std::shared_ptr<TaskFarm>& farm) {
     auto options = std::make_shared<HoursOptions>();
     CLI::App* command = group.add_subcommand("hours", "Count the hours of sun over a period, by exact shadows");
     measure::SunHoursTask& task = options->task;
@@ -141,18 +143,15 @@ void addHoursCommand(CLI::App& group) {
         ->excludes(points);
     command->add_option("--error", options->error, "Of --points, --vertices: the level's error, world units [finest]");
     command->add_flag("--resume", task.isResumed, "Go on with what a killed run left");
+    command->add_flag("--json", options->isJson, "Print what was counted, and who counted, as JSON on stdout");
     options->settings.addTo(*command);
     addCommonOptions(*command, options->common);
-    command->callback([options] { runHours(*options); });
+    command->callback([options, farm] { runHours(*options, *farm); });
 }
 
-} // namespace
-
-void addSunCommand(CLI::App& program) {
+void addPositionCommand(CLI::App& group) {
     auto options = std::make_shared<PositionOptions>();
-    CLI::App* group = program.add_subcommand("sun", "Tell where the sun stands, and how long it shines on what");
-    group->require_subcommand(1);
-    CLI::App* command = group->add_subcommand("position", "Where the sun stands at a time, when it rises and sets");
+    CLI::App* command = group.add_subcommand("position", "Where the sun stands at a time, when it rises and sets");
     command->add_option("--at", options->at, "LAT,LON in degrees, north and east positive")->required();
     command->add_option("--time", options->time, "ISO 8601 with an offset: 2026-06-21T12:00+02:00")->required();
     command->add_option("--height", options->height, "Metres above the ellipsoid of WGS 84, default 0")
@@ -164,7 +163,15 @@ void addSunCommand(CLI::App& program) {
     command->add_flag("--json", options->json, "Print one JSON document");
     addCommonOptions(*command, options->common);
     command->callback([options] { runPosition(*options); });
-    addHoursCommand(*group);
+}
+
+} // namespace
+
+void addSunCommand(CLI::App& program, const std::shared_ptr<TaskFarm>& farm) {
+    CLI::App* group = program.add_subcommand("sun", "Tell where the sun stands, and how long it shines on what");
+    group->require_subcommand(1);
+    if (!farm) addPositionCommand(*group);
+    addHoursCommand(*group, farm ? farm : std::make_shared<LoneFarm>());
 }
 
 } // namespace gnomon::app

@@ -57,7 +57,9 @@ void addManualCommand(CLI::App& program);
 void addMeasureCommand(CLI::App& program);
 void addPathCommand(CLI::App& program);
 void addRenderCommand(CLI::App& program);
-void addSunCommand(CLI::App& program);
+
+/// Without `farm` by this process alone; with it hours of sun alone.
+void addSunCommand(CLI::App& program, const std::shared_ptr<TaskFarm>& farm = {});
 void addTheoryCommand(CLI::App& program);
 void addVerifyCommand(CLI::App& program);
 void addViewCommand(CLI::App& program);

@@ -24,7 +24,7 @@ int main(int argc, char** argv) {
               addExplainCommand,
               [](CLI::App& program) { addBenchCommand(program); },
               addViewCommand,
-              addSunCommand,
+              [](CLI::App& program) { addSunCommand(program); },
               addTheoryCommand,
               addManualCommand}},
             argc,

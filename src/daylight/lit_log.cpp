@@ -59,16 +59,23 @@ bool LitLog::hasLog() const {
     return found == headBytes && file_.size() - headBytes >= head[1]; // else a kill came before the key was there
 }
 
-/// Counts the whole records of the log that is there.
+/// Finds the whole records of the log that is there.
 void LitLog::resume(const std::string& key) {
     std::uint64_t length = 0;
     file_.readAt(sizeof(kMagic), std::as_writable_bytes(std::span(&length, 1)));
     std::string before(std::min(length, kMostKey), ' ');
     before.resize(file_.readSomeAt(kHeadWords * sizeof(std::uint64_t), std::as_writable_bytes(std::span(before))));
     if (before != key) throw Error(path_, "cannot resume, input or options changed", key, before);
-    while (isWhole(size_))
-        ++size_;
-    file_.resize(offsetOf(size_));
+    const std::uint64_t bytes = file_.size() - std::min(file_.size(), firstRecord_);
+    for (std::size_t light = 0; light < bytes / recordBytes_; ++light)
+        if (isWhole(light)) note(light);
+    file_.resize(offsetOf(isThere_.size()));
+}
+
+void LitLog::note(std::size_t light) {
+    if (light >= isThere_.size()) isThere_.resize(light + 1);
+    if (!isThere_[light]) ++size_;
+    isThere_[light] = true;
 }
 
 bool LitLog::isWhole(std::size_t light) const {
@@ -78,13 +85,13 @@ bool LitLog::isWhole(std::size_t light) const {
     return record.back() == sumOf(record, record.size() - 1, light);
 }
 
-void LitLog::add(const std::vector<std::uint8_t>& isLit) {
+void LitLog::put(std::size_t light, const std::vector<std::uint8_t>& isLit) {
     Words record(wordsOf(receivers_) + 1);
     for (std::size_t i = 0; i < receivers_; ++i)
         record[i / 64] |= std::uint64_t{isLit[i] != 0} << i % 64;
-    record.back() = sumOf(record, record.size() - 1, size_);
-    file_.writeAt(offsetOf(size_), bytesOf(record));
-    ++size_;
+    record.back() = sumOf(record, record.size() - 1, light);
+    file_.writeAt(offsetOf(light), bytesOf(record));
+    note(light);
 }
 
 void LitLog::read(std::size_t light, std::vector<std::uint8_t>& isLit) const {

@@ -10,20 +10,22 @@
 
 namespace gnomon::daylight {
 
-/// A file of records, one for each light in their order: a bit for each receiver, checked by a sum. A record that a
-/// kill cut short is made again.
+/// A file of records, one for each light at its place: a bit for each receiver, checked by a sum. A record that a kill
+/// cut short, or that was not there yet, is made again.
 class LitLog {
 public:
-    /// Begins the log at `path` for `receivers` receivers anew; or, with `isResumed`, opens the one that is there and
-    /// goes on behind its last whole record. `key` tells what is computed from what. Throws Error if a log that is to
-    /// be resumed has another key, or another process holds it, or if what is there is no log.
+    /// Begins the log at `path` for `receivers` receivers anew; or, with `isResumed`, opens the one that is there, of
+    /// which whole records count. `key` tells what is computed from what. Throws Error if a log that is to be resumed
+    /// has another key, or another process holds it, or if what is there is no log.
     LitLog(std::string path, const std::string& key, std::size_t receivers, bool isResumed);
 
     /// Lights whose records are there.
     std::size_t size() const { return size_; }
 
-    /// Adds the next light's record: not 0 where a receiver is lit.
-    void add(const std::vector<std::uint8_t>& isLit);
+    bool has(std::size_t light) const { return light < isThere_.size() && isThere_[light]; }
+
+    /// Puts a light's record in its place: not 0 where a receiver is lit. Lights come in any order.
+    void put(std::size_t light, const std::vector<std::uint8_t>& isLit);
 
     /// Reads record `light` into `isLit`, 0 and 1.
     void read(std::size_t light, std::vector<std::uint8_t>& isLit) const;
@@ -37,12 +39,14 @@ private:
     bool hasLog() const;
     void resume(const std::string& key);
     bool isWhole(std::size_t light) const;
+    void note(std::size_t light);
 
     std::string path_;
     std::size_t receivers_;
     std::uint64_t firstRecord_ = 0;
     std::uint64_t recordBytes_ = 0;
     std::size_t size_ = 0;
+    std::vector<bool> isThere_; // by light
     File file_;
 };
 

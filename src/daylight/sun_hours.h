@@ -1,7 +1,7 @@
 // Hours of sun: of each receiver in how many steps the Sun reaches it, when first and when last.
 #pragma once
 
-#include "core/progress.h"
+#include "core/process/task_farm.h"
 #include "daylight/lit_log.h"
 #include "daylight/receivers.h"
 #include "daylight/sun_steps.h"
@@ -26,8 +26,13 @@ struct LitSteps {
 /// The lights of those steps in which the Sun is up.
 std::vector<IntegerLight> lightsOf(const std::vector<SunStep>& steps);
 
-/// Decides `receivers` for all steps, from where `log` ends on, and adds what each light comes to to the log.
-/// `progress` advances by one for each light, those of the log included; where it throws, the log holds what was done.
-LitSteps litSteps(Receivers& receivers, const std::vector<SunStep>& steps, LitLog& log, Progress& progress);
+/// How a process decides `receivers` for another, light by light.
+FarmWork workOf(Receivers& receivers, const std::vector<SunStep>& steps);
+
+/// Decides `receivers` for all steps whose lights `log` lacks, in all processes of `farm`, and adds what each light
+/// comes to to the log. `progress` advances by one for each light, those of the log included; where it throws, the log
+/// holds what was done.
+LitSteps litSteps(
+    Receivers& receivers, const std::vector<SunStep>& steps, LitLog& log, TaskFarm& farm, Progress& progress);
 
 } // namespace gnomon::daylight

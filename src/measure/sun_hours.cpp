@@ -8,6 +8,8 @@
 #include "measure/sun_hours_points.h"
 #include "settings/codec.h"
 #include "settings/resolve.h"
+#include "telemetry/farm_json.h"
+#include "telemetry/json_text.h"
 
 namespace gnomon::measure {
 
@@ -23,18 +25,21 @@ std::string keyOfView(const plan::View& view, const plan::Quality& quality) {
     return key + keyOfSections(view);
 }
 
-SunHoursSummary computeViewHours(const SunHoursTask& task, Progress& progress) {
+std::optional<SunHoursSummary> computeViewHours(const SunHoursTask& task, Progress& progress) {
     const settings::Settings settings = settings::sunHoursSettings(task.settings);
     const plan::Quality quality = settings::qualityOf(settings);
     Session session(task.model, settings, task.warn);
     const plan::View view = settings::viewOf(settings, session.model());
     SunHoursRun run(task, stepsOf(task, view.up), keyOfView(view, quality));
-    for (const std::string& path : {task.output, task.pfm, task.csv})
-        requireWritable(path);
-    const PreparedFolder report(task.report);
+    const bool isLed = task.farm->isLed();
+    if (!isLed)
+        for (const std::string& path : {task.output, task.pfm, task.csv})
+            requireWritable(path);
+    const PreparedFolder report(isLed ? std::string() : task.report);
     daylight::SunView receivers(session.renderer(), view, quality, daylight::lightsOf(run.steps()));
-    const daylight::LitSteps& lit = run.decide(receivers, progress);
-    const SunHoursFiles files(receivers, lit, run, task.period);
+    const daylight::LitSteps* const lit = run.decide(receivers, progress);
+    if (lit == nullptr) return std::nullopt;
+    const SunHoursFiles files(receivers, *lit, run, task.period);
     if (!task.output.empty()) files.writePicture(task.output);
     if (!task.pfm.empty()) files.writePfm(task.pfm);
     if (!task.csv.empty()) files.writeCsv(task.csv);
@@ -53,9 +58,34 @@ SunHoursSummary computeViewHours(const SunHoursTask& task, Progress& progress) {
 
 } // namespace
 
-SunHoursSummary computeSunHours(const SunHoursTask& task, Progress& progress) {
+std::optional<SunHoursSummary> computeSunHours(const SunHoursTask& task, Progress& progress) {
     return task.isOfVertices || !task.points.empty() ? computePointHours(task, progress)
                                                      : computeViewHours(task, progress);
+}
+
+std::string summaryText(const SunHoursSummary& summary, double stepSeconds) {
+    return formatted(
+        "%zu points, sun up in %u of %zu steps; %llu of %llu verdicts hang on the tolerance; detail errs by up to %s; "
+        "each time the light comes or goes errs by up to half a step of %g s\n",
+        summary.receivers,
+        summary.stepsUp,
+        summary.steps,
+        static_cast<unsigned long long>(summary.touching),
+        static_cast<unsigned long long>(summary.samples),
+        summary.detail.c_str(),
+        stepSeconds);
+}
+
+std::string summaryJson(const SunHoursSummary& summary, const FarmReport& farm) {
+    nlohmann::ordered_json json = {
+        {"receivers", summary.receivers},
+        {"steps", summary.steps},
+        {"steps_up", summary.stepsUp},
+        {"verdicts", summary.samples},
+        {"touching", summary.touching},
+        {"detail", summary.detail}};
+    if (!farm.members.empty()) json.update(telemetry::farmJson(farm));
+    return telemetry::jsonText(json, 1);
 }
 
 } // namespace gnomon::measure

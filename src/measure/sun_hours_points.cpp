@@ -106,7 +106,7 @@ std::vector<Plane> cutsOfCasters(const plan::View& view, const hierarchy::Grid& 
 
 } // namespace
 
-SunHoursSummary computePointHours(const SunHoursTask& task, Progress& progress) {
+std::optional<SunHoursSummary> computePointHours(const SunHoursTask& task, Progress& progress) {
     settings::requirePointHours(task.settings);
     const hierarchy::ModelFile model(task.model, task.settings.memory);
     const hierarchy::ModelSummary& summary = model.summary();
@@ -115,8 +115,9 @@ SunHoursSummary computePointHours(const SunHoursTask& task, Progress& progress) 
     plan::View view;
     settings::setSections(task.settings, view);
     std::vector<daylight::SunStep> steps = stepsOf(task, upright.up.value_or(summary.up.direction));
-    for (const std::string& path : {task.output, task.csv})
-        requireWritable(path);
+    if (!task.farm->isLed())
+        for (const std::string& path : {task.output, task.csv})
+            requireWritable(path);
     exporter::ExportLimit limit;
     limit.error = task.error.value_or(summary.grid.snapError());
     exporter::UniformCut cut = exporter::uniformCut(model, limit, progress);
@@ -139,9 +140,10 @@ SunHoursSummary computePointHours(const SunHoursTask& task, Progress& progress) 
     daylight::PointReceivers receivers(cut, std::move(cells), cutsOfCasters(view, summary.grid));
     const double error = cut.error;
     cut = {};
-    const daylight::LitSteps& lit = run.decide(receivers, progress);
+    const daylight::LitSteps* const lit = run.decide(receivers, progress);
+    if (lit == nullptr) return std::nullopt;
     if (task.isOfVertices)
-        writeVertices(task.output, mesh, summary, lit, run, progress);
+        writeVertices(task.output, mesh, summary, *lit, run, progress);
     else
         writePointRows(task.csv, points, run);
     return run.finish(receivers.count(), formatted("%.3g of the model's units", error));

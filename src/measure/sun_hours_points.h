@@ -6,7 +6,7 @@
 
 namespace gnomon::measure {
 
-/// Hours of sun of a task's points or vertices.
-SunHoursSummary computePointHours(const SunHoursTask& task, Progress& progress);
+/// Hours of sun of a task's points or vertices; nothing in a process that another one leads.
+std::optional<SunHoursSummary> computePointHours(const SunHoursTask& task, Progress& progress);
 
 } // namespace gnomon::measure

@@ -61,16 +61,25 @@ std::vector<daylight::SunStep> stepsOf(const SunHoursTask& task, const glm::dvec
 }
 
 SunHoursRun::SunHoursRun(const SunHoursTask& task, std::vector<daylight::SunStep> steps, const std::string& key)
-    : logPath_(logPathOf(task)),
+    : farm_(*task.farm),
+      threads_(task.threads),
+      logPath_(logPathOf(task)),
       key_(keyOfRun(task, steps) + key),
       isResumed_(task.isResumed),
       stepSeconds_(task.period.stepSeconds),
       steps_(std::move(steps)) {}
 
-const daylight::LitSteps& SunHoursRun::decide(daylight::Receivers& receivers, Progress& progress) {
+const daylight::LitSteps* SunHoursRun::decide(daylight::Receivers& receivers, Progress& progress) {
+    FarmMember self;
+    self.threads = threads_;
+    farm_.gather(key_ + "; receivers " + std::to_string(receivers.count()), self, progress);
+    if (farm_.isLed()) {
+        farm_.serve(daylight::workOf(receivers, steps_), progress);
+        return nullptr;
+    }
     log_.emplace(logPath_, key_, receivers.count(), isResumed_);
-    lit_ = daylight::litSteps(receivers, steps_, *log_, progress);
-    return lit_;
+    lit_ = daylight::litSteps(receivers, steps_, *log_, farm_, progress);
+    return &lit_;
 }
 
 std::string SunHoursRun::time(std::uint32_t step) const {

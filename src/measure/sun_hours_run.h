@@ -19,14 +19,15 @@ std::string keyOfSections(const plan::View& view);
 /// One run through all steps.
 class SunHoursRun {
 public:
-    /// `key` tells the receivers from others of the same model. Opens the log beside the task's first output. Throws
+    /// `key` tells the receivers from others of the same model. The log lies beside the task's first output. Throws
     /// Error.
     SunHoursRun(const SunHoursTask& task, std::vector<daylight::SunStep> steps, const std::string& key);
 
     const std::vector<daylight::SunStep>& steps() const { return steps_; }
 
-    /// Decides `receivers` for all steps; those of the log are not decided again.
-    const daylight::LitSteps& decide(daylight::Receivers& receivers, Progress& progress);
+    /// Decides `receivers` for all steps, in all processes of the task's farm; those of the log are not decided again.
+    /// Nothing in a process that another one leads: it has helped.
+    const daylight::LitSteps* decide(daylight::Receivers& receivers, Progress& progress);
 
     /// Sets `isLit` to which receivers are lit at light `light`, by the log; after `decide`.
     void readLit(std::size_t light, std::vector<std::uint8_t>& isLit) const { log_->read(light, isLit); }
@@ -42,6 +43,8 @@ public:
 private:
     std::string time(std::uint32_t step) const;
 
+    TaskFarm& farm_;
+    std::uint32_t threads_;
     std::string logPath_;
     std::string key_;
     bool isResumed_;

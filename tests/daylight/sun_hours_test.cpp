@@ -17,6 +17,8 @@
 
 #include <filesystem>
 #include <fstream>
+#include <numeric>
+#include <random>
 
 namespace gnomon::daylight {
 namespace {
@@ -197,8 +199,9 @@ TEST(LitSteps, CountEachStepAndKeepTheFirstAndTheLast) {
     const LogName name;
     LitLog log(name.path, "a", Dice().count(), false);
     Dice dice;
+    LoneFarm lone;
     NoProgress silent;
-    const LitSteps found = litSteps(dice, steps, log, silent);
+    const LitSteps found = litSteps(dice, steps, log, lone, silent);
     EXPECT_EQ(found.stepsUp, lightsOf(steps).size());
     EXPECT_EQ(found.samples, 1000U * found.stepsUp);
     std::vector<std::uint8_t> lit(dice.count());
@@ -219,23 +222,30 @@ TEST(LitSteps, CountEachStepAndKeepTheFirstAndTheLast) {
     EXPECT_EQ(found.last, expected.last);
 }
 
+/// What comes of a run that nobody stops.
+LitSteps undisturbed(const std::vector<SunStep>& steps, const LogName& name) {
+    Dice dice;
+    LoneFarm lone;
+    NoProgress silent;
+    LitLog log(name.path, "a", dice.count(), false);
+    LitSteps whole = litSteps(dice, steps, log, lone, silent);
+    log.remove();
+    return whole;
+}
+
 TEST(LitSteps, GoOnWhereAKilledRunStopped) {
     const std::vector<SunStep> steps = sunSteps(midsummerDay());
     const std::size_t lights = lightsOf(steps).size();
     const LogName name;
     Dice dice;
+    LoneFarm lone;
     NoProgress silent;
-    LitSteps whole;
-    {
-        LitLog log(name.path, "a", dice.count(), false);
-        whole = litSteps(dice, steps, log, silent);
-        log.remove();
-    }
+    const LitSteps whole = undisturbed(steps, name);
     for (const int cut : {0, 1, 50, 136}) { // bytes that a kill leaves of a record more
         Stopping stopping(20);
         {
             LitLog log(name.path, "a", dice.count(), false);
-            EXPECT_THROW(litSteps(dice, steps, log, stopping), Interrupted);
+            EXPECT_THROW(litSteps(dice, steps, log, lone, stopping), Interrupted);
         }
         std::ofstream(name.path, std::ios::app | std::ios::binary) << std::string(static_cast<std::size_t>(cut), 'x');
         EXPECT_THROW(LitLog(name.path, "b", dice.count(), true), Error);
@@ -243,7 +253,7 @@ TEST(LitSteps, GoOnWhereAKilledRunStopped) {
         EXPECT_EQ(log.size(), 20U);
         EXPECT_THROW(LitLog(name.path, "a", dice.count(), true), Error) << "one process at a time";
         dice.decided = 0;
-        const LitSteps resumed = litSteps(dice, steps, log, silent);
+        const LitSteps resumed = litSteps(dice, steps, log, lone, silent);
         EXPECT_EQ(dice.decided, lights - 20);
         EXPECT_EQ(resumed.count, whole.count);
         EXPECT_EQ(resumed.first, whole.first);
@@ -252,15 +262,77 @@ TEST(LitSteps, GoOnWhereAKilledRunStopped) {
     }
 }
 
+/// Has tasks done by somebody else's receivers, and takes them in an order of their own.
+class Shuffled final : public TaskFarm {
+public:
+    explicit Shuffled(FarmWork other) : other_(std::move(other)) {}
+
+    bool isLed() const override { return false; }
+
+    void gather(const std::string& /*key*/, const FarmMember& /*self*/, Progress& /*progress*/) override {}
+
+    void serve(const FarmWork& /*work*/, Progress& /*progress*/) override {}
+
+    void run(const FarmTasks& tasks, const FarmWork& /*work*/, Progress& progress) override {
+        std::vector<std::size_t> order(tasks.count);
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        std::shuffle(order.begin(), order.end(), std::mt19937(5));
+        for (const std::size_t task : order)
+            tasks.take(task, other_.perform(tasks.input(task), progress, {}));
+    }
+
+    FarmReport report() const override { return {}; }
+
+private:
+    FarmWork other_;
+};
+
+TEST(LitSteps, AreTheSameInAnyOrderAndGoOnBetweenHoles) {
+    const std::vector<SunStep> steps = sunSteps(midsummerDay());
+    const std::size_t lights = lightsOf(steps).size();
+    const LogName name;
+    Dice dice;
+    Dice other;
+    LoneFarm lone;
+    NoProgress silent;
+    const LitSteps whole = undisturbed(steps, name);
+    Shuffled farm(workOf(other, steps));
+    Stopping stopping(20);
+    {
+        LitLog log(name.path, "a", dice.count(), false);
+        EXPECT_THROW(litSteps(dice, steps, log, farm, stopping), Interrupted);
+    }
+    EXPECT_EQ(other.decided, 20U);
+    LitLog log(name.path, "a", dice.count(), true);
+    EXPECT_EQ(log.size(), 20U);
+    EXPECT_FALSE(log.has(0) && log.has(1) && log.has(2) && log.has(3)) << "no holes: this tests nothing";
+    dice.decided = 0;
+    const LitSteps resumed = litSteps(dice, steps, log, lone, silent);
+    EXPECT_EQ(dice.decided, lights - 20);
+    EXPECT_EQ(log.size(), lights);
+    std::vector<std::uint8_t> lit(dice.count());
+    std::vector<std::uint8_t> expected(dice.count());
+    for (std::size_t light = 0; light < lights; ++light) {
+        log.read(light, lit);
+        dice.decide(lightsOf(steps)[light], expected);
+        EXPECT_EQ(lit, expected) << light;
+    }
+    EXPECT_EQ(resumed.count, whole.count);
+    EXPECT_EQ(resumed.first, whole.first);
+    EXPECT_EQ(resumed.last, whole.last);
+    EXPECT_EQ(resumed.stepsUp, whole.stepsUp);
+    EXPECT_EQ(resumed.samples, 1000U * (lights - 20)) << "of those that were decided now";
+}
+
 TEST(LitLog, BeginsAnewAfterAKillWithinItsHead) {
     const LogName name;
     const std::string key = "a key of some length";
-    LitLog(name.path, key, 64, false).add(std::vector<std::uint8_t>(64, 1));
+    LitLog(name.path, key, 64, false).put(0, std::vector<std::uint8_t>(64, 1));
     for (std::uintmax_t bytes = 0; bytes < 2 * sizeof(std::uint64_t) + key.size(); ++bytes) {
         std::filesystem::resize_file(name.path, bytes);
         LitLog log(name.path, key, 64, true);
         EXPECT_EQ(log.size(), 0U) << bytes;
-        log.add(std::vector<std::uint8_t>(64, 1));
+        log.put(0, std::vector<std::uint8_t>(64, 1));
     }
     EXPECT_EQ(LitLog(name.path, key, 64, true).size(), 1U);
 }

@@ -61,10 +61,10 @@ public:
         space_.limitRate(bytesPerSecond);
     }
 
-    void begin(const Beginning& beginning, std::uint32_t rank, const levels::LevelOptions& options) {
+    void begin(const Beginning& beginning, std::uint32_t rank, const pipeline::BuildOptions& options) {
         const pipeline::ScratchPlace& place = beginning.place;
-        scratch_.emplace(place.stem, place.firstPart + rank, space_);
-        tasks_.emplace(beginning.facts, options, *scratch_, progress_);
+        scratch_.emplace(place.stem, place.firstPart + rank, space_, options.localFolder);
+        tasks_.emplace(beginning.facts, options.level, *scratch_, progress_);
     }
 
     void start(Assignment assignment) {
@@ -135,7 +135,7 @@ bool Helper::isBusy(Work& work, const pipeline::BuildOptions& options) {
         if (letter->subject == Subject::Stop) isStopped_ = true;
         if (letter->subject == Subject::Task) work.start(decodedAssignment(letter->bytes));
         if (letter->subject == Subject::Begin) {
-            work.begin(decodedBeginning(letter->bytes), mailbox_.rank(), options.level);
+            work.begin(decodedBeginning(letter->bytes), mailbox_.rank(), options);
             mailbox_.send(0, Subject::Ready, {});
         }
         return true;

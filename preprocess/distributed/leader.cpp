@@ -85,6 +85,7 @@ void Leader::take(const Letter& letter) {
 void Leader::gather(const pipeline::BuildOptions& options, std::size_t threads, Progress& progress) {
     members_.front().report.threads = static_cast<std::uint32_t>(threads);
     key_ = pipeline::keyOf(options);
+    hasCopies_ = !options.localFolder.empty();
     pool_.emplace(threads);
     waitForAll([](const Member& member) { return member.isThere; }, progress);
 }
@@ -106,21 +107,24 @@ Leader::Member* Leader::freeMember(std::size_t atOnce) {
     return best;
 }
 
-bool Leader::handOut(Queue& queue, const pipeline::TaskPhase& phase, const pipeline::Perform& perform) {
-    const std::size_t first = queue.next;
-    while (queue.next < queue.tasks.size()) {
+bool Leader::handOut(TaskQueue& queue, const pipeline::TaskPhase& phase, const pipeline::Perform& perform) {
+    bool isBusy = false;
+    while (!queue.isEmpty()) {
         Member* const member = freeMember(phase.atOnce);
         if (member == nullptr) break;
-        const std::uint32_t task = queue.tasks[queue.next++];
+        const std::uint32_t rank = member->report.rank;
+        const std::uint32_t task = queue.takeFor(rank);
+        if (hasCopies_ && readsAgain(phase.kind)) homes_[task] = rank;
         ++member->running;
+        isBusy = true;
         std::vector<std::byte> input = phase.input(task);
-        if (member->report.rank > 0)
-            mailbox_.send(member->report.rank, Subject::Task, encoded(Assignment{phase.kind, task, std::move(input)}));
+        if (rank > 0)
+            mailbox_.send(rank, Subject::Task, encoded(Assignment{phase.kind, task, std::move(input)}));
         else
             pool_->start(
                 task, [&perform, kind = phase.kind, input = std::move(input)] { return perform(kind, input); });
     }
-    return queue.next > first;
+    return isBusy;
 }
 
 void Leader::count(Member& member, double seconds) {
@@ -153,12 +157,14 @@ std::optional<Outcome> Leader::receiveOutcome() {
 void Leader::run(const pipeline::TaskPhase& phase, const pipeline::Perform& perform) {
     const Stopwatch watch;
     const DrainAtEnd drain(*pool_);
-    Queue queue{phase.tasks, 0};
-    std::stable_sort(queue.tasks.begin(), queue.tasks.end(), [&](std::uint32_t a, std::uint32_t b) {
+    std::vector<std::uint32_t> tasks = phase.tasks;
+    std::stable_sort(tasks.begin(), tasks.end(), [&](std::uint32_t a, std::uint32_t b) {
         return phase.weight(a) > phase.weight(b);
     });
+    if (!readsAgain(phase.kind)) homes_.clear();
+    TaskQueue queue(std::move(tasks), homes_);
     Patience patience;
-    for (std::size_t taken = 0; taken < queue.tasks.size();) {
+    for (std::size_t taken = 0; taken < phase.tasks.size();) {
         bool isBusy = handOut(queue, phase, perform);
         if (const std::optional<Finished> own = pool_->finished()) {
             if (own->error) std::rethrow_exception(own->error);

@@ -4,6 +4,7 @@
 #include "preprocess/distributed/mailbox.h"
 #include "preprocess/distributed/messages.h"
 #include "preprocess/distributed/task_pool.h"
+#include "preprocess/distributed/task_queue.h"
 
 #include <optional>
 
@@ -37,14 +38,8 @@ private:
         double busySeconds = 0; // in this phase
     };
 
-    /// What is left to hand out of a phase.
-    struct Queue {
-        std::vector<std::uint32_t> tasks; // the largest first
-        std::size_t next = 0;
-    };
-
     /// Whether it has handed out any.
-    bool handOut(Queue& queue, const pipeline::TaskPhase& phase, const pipeline::Perform& perform);
+    bool handOut(TaskQueue& queue, const pipeline::TaskPhase& phase, const pipeline::Perform& perform);
 
     Member* freeMember(std::size_t atOnce);
     void count(Member& member, double seconds);
@@ -65,6 +60,8 @@ private:
     std::optional<TaskPool> pool_;
     Progress* progress_ = nullptr;
     std::string key_;
+    bool hasCopies_ = false;  // processes keep some of what they have read
+    Homes homes_;             // who has them of the tasks that read again
     double phaseSeconds_ = 0; // of runs since the last endPhase
     pipeline::TeamShare share_;
 };

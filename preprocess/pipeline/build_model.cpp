@@ -73,7 +73,8 @@ public:
                options.isInMemory,
                options.isResumed,
                options.onKeptFolder,
-               options.scratchBytesPerSecond},
+               options.scratchBytesPerSecond,
+               options.localFolder},
               progress) {}
 
     BuildReport run() {

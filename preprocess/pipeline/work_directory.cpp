@@ -172,10 +172,10 @@ WorkDirectory::WorkDirectory(const WorkDirectoryOptions& options, Progress& prog
         recordLog_ = scratch::RecordLog::create(folder_ + "/checkpoints");
         recordLog_->append(bytesOf(options.key));
     }
-    makeScratch();
+    makeScratch(options.localFolder);
 }
 
-void WorkDirectory::makeScratch() {
+void WorkDirectory::makeScratch(const std::string& localFolder) {
     std::map<std::uint32_t, std::uint64_t> known;
     try {
         known = log_.scratchBytes();
@@ -195,7 +195,7 @@ void WorkDirectory::makeScratch() {
     for (const auto& [part, bytes] : known)
         names_.take(scratch::partPath(place_.stem, part));
     expectProcesses(1);
-    auto scratch = std::make_unique<scratch::PartedScratch>(place_.stem, place_.firstPart, space_);
+    auto scratch = std::make_unique<scratch::PartedScratch>(place_.stem, place_.firstPart, space_, localFolder);
     for (const auto& [part, bytes] : known)
         scratch->resume(part, bytes);
     scratch_ = std::move(scratch);

@@ -22,6 +22,7 @@ struct WorkDirectoryOptions {
     bool isResumed = false;  // go on with what is there, if anything
     std::function<void(const std::string&)> onKept = {}; // told the folder if it stays for what no build has put there
     std::uint64_t bytesPerSecond = 0;                    // read and written at most; 0: no limit
+    std::string localFolder = {};                        // for copies of what is read again; empty: none
 };
 
 /// Where a build's scratch files are.
@@ -104,7 +105,7 @@ private:
     bool hasResumed(const std::string& key);
 
     /// Makes the scratch file of this process after those that the log tells of, and removes all others.
-    void makeScratch();
+    void makeScratch(const std::string& localFolder);
 
     scratch::TemporarySpace space_;
     std::string folder_; // empty: in memory

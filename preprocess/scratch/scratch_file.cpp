@@ -95,9 +95,11 @@ std::uint64_t ScratchFile::append(std::span<const std::byte> bytes) {
 }
 
 void ScratchFile::read(std::uint64_t offset, std::span<std::byte> out) const {
+    if (loadCopy(offset, out)) return;
     space_.countRead(out.size());
     space_.pace(out.size());
     load(offset, out);
+    keepCopy(offset, out);
 }
 
 void ScratchFile::release(std::uint64_t offset, std::uint64_t bytes) {

@@ -52,6 +52,13 @@ private:
     std::chrono::steady_clock::time_point free_; // when what was let through is through
 };
 
+/// What is done with copies of what is read, where a scratch file keeps any.
+enum class Copies : std::uint8_t {
+    Keep, // it will be read again
+    Use,  // it is read for the last time
+    Drop, // nothing of it is read again
+};
+
 /// Appended to and read by any number of threads at once.
 class ScratchFile {
 public:
@@ -76,6 +83,9 @@ public:
     /// Lets this process read what others have handed over.
     virtual void reopenOthers() {}
 
+    /// From now on does so with what is read; to be called while nothing is read for another purpose.
+    virtual void handleCopies(Copies /*copies*/) {}
+
     /// Gives the space of one `append` back; its bytes are lost.
     void release(std::uint64_t offset, std::uint64_t bytes);
 
@@ -83,6 +93,12 @@ public:
     std::uint64_t end() const { return end_; }
 
 protected:
+    /// Fills `out` from a copy; false if there is none.
+    virtual bool loadCopy(std::uint64_t /*offset*/, std::span<std::byte> /*out*/) const { return false; }
+
+    /// Keeps a copy of what was read, if it is to be kept.
+    virtual void keepCopy(std::uint64_t /*offset*/, std::span<const std::byte> /*bytes*/) const {}
+
     virtual void load(std::uint64_t offset, std::span<std::byte> out) const = 0;
     virtual void store(std::uint64_t offset, std::span<const std::byte> bytes) = 0;
     virtual void forget(std::uint64_t offset, std::uint64_t bytes) = 0;

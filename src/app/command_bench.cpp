@@ -46,19 +46,6 @@ struct BenchOptions {
     bool sharesNodes = false;
 };
 
-/// What a reader must know to judge or repeat the figures.
-std::map<std::string, std::string> contextOf(
-    const BenchOptions& options,
-    const std::vector<measure::BenchRun>& runs,
-    const path::CameraPath& path,
-    measure::Session& session) {
-    std::map<std::string, std::string> context = measure::statedFacts(runs, path, options.walk, session);
-    context["path"] = std::filesystem::path(options.path).filename().string();
-    context["version"] = GNOMON_VERSION;
-    context["threads"] = std::to_string(ThreadLimit::current());
-    return context;
-}
-
 /// What the options ask of each walk: --quick shortens it, a report wants repetitions and proofs.
 measure::WalkOptions walkOf(const BenchOptions& options) {
     measure::WalkOptions walk = options.walk;
@@ -136,7 +123,10 @@ public:
           report_(ownFile(options.report)) {
         if (farm.isLed()) options_.common.progress = "none";
         if (options.isQuick) shorten();
-        context_ = contextOf(options_, runs_, path_, session_);
+        context_ = measure::statedFacts(runs_, path_, options_.walk, session_);
+        context_["path"] = std::filesystem::path(options.path).filename().string();
+        context_["version"] = GNOMON_VERSION;
+        context_["threads"] = std::to_string(ThreadLimit::current());
         if (baseline_) measure::requireComparable(*baseline_, context_);
         if (options.hasAllImages)
             options_.walk.onPicture = [folder = options.images](auto run, int frame, auto png) {

@@ -41,6 +41,21 @@ class Build(JobTest):
             self.assertIn(phase["slowest_rank"], (0, 1, 2))
         self.assertGreater(told["source_triangles"] * 2, sum(rank["bytes_sent"] for rank in told["ranks"]))
 
+    def test_copies_on_each_host_spare_the_shared_folder_what_is_read_again(self):
+        mesh = self.made("plant", "60k")
+        local = self.place / "local.ply"  # a folder that is not counted among what is left
+        local.mkdir()
+        expected = self.hash_alone(mesh, *SMALL)
+        for processes in (1, 3):
+            without = self.report(processes, mesh, *SMALL, "--threads", "1")
+            told = self.report(processes, mesh, *SMALL, "--threads", "1", "--local-tmp", local)
+            self.assertEqual(told["content_hash"], expected)
+            self.assertEqual(list(local.iterdir()), [])
+            read, most = (sum(rank["scratch_bytes_read"] for rank in report["ranks"]) for report in (told, without))
+            self.assertLess(read, 0.8 * most)
+            written, as_much = (sum(rank["scratch_bytes_written"] for rank in report["ranks"]) for report in (told, without))
+            self.assertEqual(written, as_much)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -55,14 +55,18 @@ class TwoHosts(JobTest):
     def test_build_the_bytes_of_one(self):
         mesh, model = self.made("plant", "60k"), self.place / "m.gnm"
         expected = self.hash_alone(mesh, *SMALL)
-        told = self.across(GNOMON_MPI, "build", mesh, "-o", model, *SMALL, "--json")
-        self.assertEqual((told.returncode, told.stderr), (0, ""))
-        report = json.loads(told.stdout)
-        self.assertEqual(report["content_hash"], expected)
-        self.assertEqual([rank["host"] for rank in report["ranks"]], ["node-a", "node-b"])
-        for rank in report["ranks"]:
-            self.assertGreater(rank["tasks"], 0)
-        self.assertEqual(self.left(), ["local", "m.gnm", "remote_shell"])
+        read = []
+        for local in ((), ("--local-tmp", self.place / "local")):  # each host's own
+            told = self.across(GNOMON_MPI, "build", mesh, "-o", model, *SMALL, "--json", *local)
+            self.assertEqual((told.returncode, told.stderr), (0, ""))
+            report = json.loads(told.stdout)
+            self.assertEqual(report["content_hash"], expected)
+            self.assertEqual([rank["host"] for rank in report["ranks"]], ["node-a", "node-b"])
+            for rank in report["ranks"]:
+                self.assertGreater(rank["tasks"], 0)
+            read.append(sum(rank["scratch_bytes_read"] for rank in report["ranks"]))
+            self.assertEqual(self.left(), ["local", "m.gnm", "remote_shell"])
+        self.assertLess(read[1], 0.8 * read[0])
 
     def test_time_a_bench_each(self):
         model, path = self.place / "b.gnm", self.place / "b.json"

@@ -64,6 +64,12 @@ Mail posted(const StreamBytes& messages, scratch::ScratchFile& scratch) {
     return mail;
 }
 
+/// A chunk's streams are read to answer others, once or twice, and then to build its node.
+scratch::Copies copiesFor(TaskKind kind) {
+    if (!readsAgain(kind)) return scratch::Copies::Drop;
+    return kind == TaskKind::BuildNode ? scratch::Copies::Use : scratch::Copies::Keep;
+}
+
 /// Stores what was made of a node.
 void store(levels::BuiltNode& made, NodeRecord& record, scratch::ScratchFile& scratch) {
     for (levels::NodeLevel& level : made.levels) {
@@ -86,6 +92,7 @@ void store(levels::BuiltNode& made, NodeRecord& record, scratch::ScratchFile& sc
 std::vector<std::byte> TaskWork::perform(TaskKind kind, std::span<const std::byte> input) const {
     ByteReader in(input);
     scratch_.reopenOthers();
+    scratch_.handleCopies(copiesFor(kind));
     std::vector<std::byte> result = resultOf(kind, in);
     scratch_.handOver();
     return result;

@@ -146,7 +146,8 @@ double jumpBetween(const plan::FramePlan& a, const plan::FramePlan& b) {
     if (a.passes.size() != b.passes.size() || a.hasFaces != b.hasFaces || plan::schemeName(a) != plan::schemeName(b))
         jump += 10;
     if (a.textureWidth != b.textureWidth || a.textureHeight != b.textureHeight) jump += 10;
-    if (a.near != b.near) jump += 10;
+    constexpr double kLeastStep = 1e-3; // less than one of near; on its floor near follows far, as views do
+    if (std::abs(a.near - b.near) > kLeastStep * a.near) jump += 10;
     if (a.passes.empty() || b.passes.empty()) return jump;
     const double ratio = a.promised.worst() / b.promised.worst();
     return jump * std::max(ratio, 1 / ratio);

@@ -1,10 +1,12 @@
 // A whole .gnm whose checksums are mended: tables, then pages.
 #include "core/error.h"
 #include "harness.h"
+#include "hierarchy/file_layout.h"
 #include "hierarchy/model_file.h"
 #include "hierarchy/validation.h"
 #include "resealed.h"
 
+#include <cstdlib>
 #include <cstring>
 
 namespace gnomon::fuzz {
@@ -43,6 +45,16 @@ private:
 
 constexpr std::uint32_t kMostPages = 16; // of a file: the others differ by their bytes alone
 
+/// Aborts unless what was read of the summary is written as bytes that say the same.
+void storeAndRead(const hierarchy::ModelSummary& summary) {
+    try {
+        const std::vector<std::byte> stored = hierarchy::encodeSummary(summary);
+        if (hierarchy::encodeSummary(hierarchy::decodeSummary(stored)) != stored) std::abort();
+    } catch (const hierarchy::Damage&) {
+        std::abort();
+    }
+}
+
 } // namespace
 } // namespace gnomon::fuzz
 
@@ -52,6 +64,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const hierarchy::ModelFile model(
             std::make_unique<fuzz::MemorySource>(fuzz::resealed(std::as_bytes(std::span(data, size)))), mebibytes(16));
         static_cast<void>(hierarchy::drawingFault(model.pages(), model.summary().grid));
+        static_cast<void>(model.computedContentHash());
+        static_cast<void>(hierarchy::encodePageTable(model.pages()));
+        fuzz::storeAndRead(model.summary());
         const auto pages = static_cast<std::uint32_t>(model.pages().size());
         for (std::uint32_t page = 0; page < std::min(pages, fuzz::kMostPages); ++page) {
             try {

@@ -13,15 +13,17 @@ namespace gnomon::fuzz {
 namespace {
 
 constexpr Bytes kMemory = mebibytes(64);
+constexpr std::uint64_t kMostPlaces = 3;       // vertices whose places are asked for, each a pass over the file
 constexpr std::uint64_t kMostKept = 1U << 16U; // vertices that are kept for the polygons
 
 void readWhole(read::MeshSource& source) {
+    NoProgress progress;
+    source.pollWith(progress);
     std::vector<glm::dvec3> positions;
     source.readVertices([&](const read::VertexBlock& block) {
         if (positions.size() < kMostKept)
             positions.insert(positions.end(), block.positions.begin(), block.positions.end());
     });
-    NoProgress progress;
     read::PolygonRefiner refiner(progress);
     source.readTriangles([&](const read::TriangleBlock& block) {
         std::vector<read::TriangleCorners> triangles(block.triangles.begin(), block.triangles.end());
@@ -34,6 +36,9 @@ void readWhole(read::MeshSource& source) {
             if (isKept) refiner.refine(fan, [&](std::uint64_t vertex) { return positions[vertex]; });
         }
     });
+    for (std::uint64_t vertex = 0; vertex < std::min<std::uint64_t>(positions.size(), kMostPlaces); ++vertex)
+        static_cast<void>(source.whereIs(vertex)); // as messages about a vertex say
+    source.requireUnchanged();
 }
 
 } // namespace

@@ -73,7 +73,7 @@ bool ServingFarm::receive() {
     return true;
 }
 
-void ServingFarm::sendNews(News news) {
+void ServingFarm::sendNews(const News& news) {
     mailbox_.send(0, distributed::Subject::News, encoded(news));
 }
 

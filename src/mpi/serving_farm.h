@@ -31,7 +31,7 @@ private:
 
     /// Takes a letter, if one is there.
     bool receive();
-    void sendNews(News news);
+    void sendNews(const News& news);
     void sendOutcome(std::uint64_t task, TaskBytes result, double seconds);
 
     /// One task in this thread, which talks while its progress advances.

@@ -49,8 +49,8 @@ void write(FrameRow& row, const Value& value) {
 
 /// A column, and how its value gets into a row.
 struct Entry {
-    Column column;
-    void (*set)(FrameRow& row, const Value& value);
+    Column column{};
+    void (*set)(FrameRow& row, const Value& value) = nullptr;
 };
 
 template <auto Member>

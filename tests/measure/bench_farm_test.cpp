@@ -65,45 +65,47 @@ std::vector<BenchRun> threeRuns() {
 
 class BenchFarm : public ::testing::Test {
 protected:
-    BenchFarm() : session_(model(), smallSettings(), failOnWarning), other_(model(), smallSettings(), failOnWarning) {
-        options_.repetitions = 2;
-        options_.warmup = 1;
-        options_.oracle = proof::Oracle::SameDetail;
-        options_.provenFrames = 2;
-        options_.onPicture = [this](std::size_t run, int frame, std::span<const std::uint8_t> png) {
-            EXPECT_TRUE(heard_.emplace(std::pair(run, frame), std::vector(png.begin(), png.end())).second);
+    BenchFarm() : session(model(), smallSettings(), failOnWarning), other(model(), smallSettings(), failOnWarning) {
+        options.repetitions = 2;
+        options.warmup = 1;
+        options.oracle = proof::Oracle::SameDetail;
+        options.provenFrames = 2;
+        options.onPicture = [this](std::size_t run, int frame, std::span<const std::uint8_t> png) {
+            EXPECT_TRUE(heard.emplace(std::pair(run, frame), std::vector(png.begin(), png.end())).second);
         };
     }
 
-    BenchWalks walks(TaskFarm& farm) { return {session_, path_, runs_, options_, farm}; }
+    BenchWalks walks(TaskFarm& farm) { return {session, path, runs, options, farm}; }
 
     /// Another process of the job: it hands out nothing.
-    BenchWalks others() { return {other_, path_, runs_, options_, lone_}; }
+    BenchWalks others() { return {other, path, runs, options, lone}; }
 
-    path::CameraPath path_ = flight();
-    std::vector<BenchRun> runs_ = threeRuns();
-    WalkOptions options_ = frames(5);
-    Session session_;
-    Session other_;
-    LoneFarm lone_;
-    std::map<std::pair<std::size_t, int>, std::vector<std::uint8_t>> heard_;
+    path::CameraPath path = flight();
+    std::vector<BenchRun> runs = threeRuns();
+    WalkOptions options = frames(5);
+    Session session;
+    Session other;
+    LoneFarm lone;
+    std::map<std::pair<std::size_t, int>, std::vector<std::uint8_t>> heard;
 };
 
 TEST_F(BenchFarm, WalksWhatOneProcessWalks) {
     Counted progress;
-    const std::vector<RunResult> expected = walkAll(walks(lone_), progress);
-    EXPECT_EQ(progress.done, frameCount(runs_, options_));
-    const auto heardAlone = std::exchange(heard_, {});
+    const std::vector<RunResult> expected = walkAll(walks(lone), progress);
+    EXPECT_EQ(progress.done, frameCount(runs, options));
+    const auto heardAlone = std::exchange(heard, {});
     EXPECT_EQ(heardAlone.size(), 15U) << "every frame of each first repetition";
     TwoSessions farm(workOf(others()));
     Counted again;
     const std::vector<RunResult> found = walkAll(walks(farm), again);
     EXPECT_EQ(farm.names, (std::vector<std::string>{"bench", "proof"}));
     EXPECT_EQ(again.done, progress.done);
-    EXPECT_TRUE(heard_ == heardAlone);
+    EXPECT_TRUE(heard == heardAlone);
     ASSERT_EQ(found.size(), expected.size());
     for (std::size_t run = 0; run < found.size(); ++run) {
-        EXPECT_EQ(found[run].run.name, runs_[run].name);
+        EXPECT_EQ(found[run].run.name, runs[run].name);
+        for (const telemetry::FrameRow& row : found[run].rows)
+            EXPECT_EQ(row.run, runs[run].name);
         EXPECT_EQ(ofTheRunAlone(found[run]), ofTheRunAlone(expected[run]));
         EXPECT_GT(found[run].cpuMs, 0);
         EXPECT_GT(found[run].firstFrameMs, 0);
@@ -116,15 +118,15 @@ TEST_F(BenchFarm, WalksOneRunAgainWithoutPictures) {
     TwoSessions farm(workOf(others()));
     Counted progress;
     const RunResult again = walkAgain(walks(farm), 1, progress);
-    EXPECT_EQ(again.run.name, runs_[1].name);
+    EXPECT_EQ(again.run.name, runs[1].name);
     EXPECT_EQ(again.rows.size(), 10U);
     EXPECT_EQ(progress.done, 10U);
-    EXPECT_TRUE(heard_.empty());
+    EXPECT_TRUE(heard.empty());
 }
 
 TEST_F(BenchFarm, DrawsThePicturesOfOneProcess) {
     Counted progress;
-    const auto expected = middlePicturesOfAll(walks(lone_), {0, 2}, progress);
+    const auto expected = middlePicturesOfAll(walks(lone), {0, 2}, progress);
     EXPECT_EQ(progress.done, 2 * kFramesOfPictures);
     TwoSessions farm(workOf(others()));
     const auto found = middlePicturesOfAll(walks(farm), {0, 2}, progress);
@@ -137,15 +139,15 @@ TEST_F(BenchFarm, DrawsThePicturesOfOneProcess) {
 }
 
 TEST_F(BenchFarm, KnowsWhoWalksSomethingElse) {
-    EXPECT_EQ(keyOf(walks(lone_)), keyOf(others()));
-    const std::string key = keyOf(walks(lone_));
-    options_.frames = 6;
+    EXPECT_EQ(keyOf(walks(lone)), keyOf(others()));
+    const std::string key = keyOf(walks(lone));
+    options.frames = 6;
     EXPECT_NE(keyOf(others()), key);
-    options_.frames = 5;
-    path_.keyframes[1].time = 0.3;
+    options.frames = 5;
+    path.keyframes[1].time = 0.3;
     EXPECT_NE(keyOf(others()), key);
-    path_ = flight();
-    runs_.pop_back();
+    path = flight();
+    runs.pop_back();
     EXPECT_NE(keyOf(others()), key);
 }
 

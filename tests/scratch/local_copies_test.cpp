@@ -56,6 +56,7 @@ TEST_F(Local, FindsWholePiecesUntilTheyAreCleared) {
 TEST_F(Local, ServesManyThreads) {
     LocalCopies copies(folder);
     std::vector<std::thread> threads;
+    threads.reserve(4);
     for (int t = 0; t < 4; ++t)
         threads.emplace_back([&copies, t] {
             for (std::uint64_t i = 0; i < 100; ++i) {

@@ -4,13 +4,14 @@
 
 namespace gnomon::read {
 
-VertexBuffer::VertexBuffer(const VertexSink& sink, const Attributes& attributes)
+VertexBuffer::VertexBuffer(const VertexSink& sink, const Attributes& attributes, std::uint64_t first)
     : sink_(sink),
       positions_(kBlockRows),
       normals_(attributes.hasNormals ? kBlockRows : 0),
       colors_(attributes.hasColors ? kBlockRows : 0),
       fields_(attributes.fieldCount * kBlockRows),
-      fieldCount_(attributes.fieldCount) {}
+      fieldCount_(attributes.fieldCount),
+      first_(first) {}
 
 VertexBuffer::Rows VertexBuffer::append(std::size_t count) {
     GNOMON_CHECK_OP(count, <=, room());
@@ -36,7 +37,8 @@ void VertexBuffer::flush() {
     sink_(block);
 }
 
-TriangleBuffer::TriangleBuffer(const TriangleSink& sink) : sink_(sink), triangles_(kBlockRows) {}
+TriangleBuffer::TriangleBuffer(const TriangleSink& sink, std::uint64_t first)
+    : sink_(sink), triangles_(kBlockRows), first_(first) {}
 
 void TriangleBuffer::addPolygon(std::span<const std::uint64_t> corners) {
     if (corners.size() < 3) {

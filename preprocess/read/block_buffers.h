@@ -29,7 +29,8 @@ public:
         std::size_t fieldCount = 0;
     };
 
-    VertexBuffer(const VertexSink& sink, const Attributes& attributes);
+    /// Of vertices from `first` on.
+    VertexBuffer(const VertexSink& sink, const Attributes& attributes, std::uint64_t first = 0);
 
     /// Rows that fit before the next flush, at least 1.
     std::size_t room() const { return kBlockRows - size_; }
@@ -53,14 +54,15 @@ private:
     std::vector<std::uint32_t> colors_;
     std::vector<double> fields_;
     std::size_t fieldCount_;
-    std::uint64_t first_ = 0;
+    std::uint64_t first_;
     std::size_t size_ = 0;
 };
 
 /// Collects triangles, polygons and faces that are none.
 class TriangleBuffer {
 public:
-    explicit TriangleBuffer(const TriangleSink& sink);
+    /// Of triangles from `first` on.
+    explicit TriangleBuffer(const TriangleSink& sink, std::uint64_t first = 0);
 
     void add(const TriangleCorners& corners) {
         triangles_[size_++] = corners;
@@ -89,7 +91,7 @@ private:
     std::vector<TriangleCorners> triangles_;
     std::vector<PolygonRun> polygons_;
     std::uint64_t notAPolygon_ = 0;
-    std::uint64_t first_ = 0;
+    std::uint64_t first_;
     std::size_t size_ = 0;
 };
 

@@ -29,6 +29,7 @@ struct MeshSummary {
     bool hasNormals = false;
     bool hasColors = false;
     bool isDouble = false;                 ///< positions need more than a float
+    bool hasRanges = false;                ///< its rows can be read from anywhere, see MeshSource
     std::vector<std::string> fields;       ///< scalar properties of the vertices that are read
     std::uint64_t heldBytes = 0;           ///< of memory that the source keeps as long as it lives
     std::vector<std::string> filesBesides; ///< that an input refers to and that were read: buffers, images
@@ -98,6 +99,18 @@ public:
 
     /// Delivers all triangles in file order; source indices count from 0 without gaps.
     virtual void readTriangles(const TriangleSink& sink) = 0;
+
+    /// Where the summary's `hasRanges` says so: the vertices [begin, end), in index order. Safe from many threads at
+    /// once, and beside passes.
+    virtual void readVertexRange(std::uint64_t /*begin*/, std::uint64_t /*end*/, const VertexSink& /*sink*/) {
+        throw Error(summary().path, "its vertices cannot be read from anywhere");
+    }
+
+    /// Likewise the triangles [begin, end), of faces that are all triangles as far as the size of the file tells. False
+    /// if one is none after all, or has an index out of range: then only a whole pass tells what the input is.
+    virtual bool readTriangleRange(std::uint64_t /*begin*/, std::uint64_t /*end*/, const TriangleSink& /*sink*/) {
+        throw Error(summary().path, "its triangles cannot be read from anywhere");
+    }
 
     /// From now on passes over a file poll `progress`, which must outlive them.
     virtual void pollWith(Progress& /*progress*/) {}

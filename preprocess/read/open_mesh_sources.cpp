@@ -28,6 +28,7 @@ class JoinedSource final : public MeshSource {
 public:
     explicit JoinedSource(std::vector<std::unique_ptr<MeshSource>> parts) : parts_(std::move(parts)) {
         summary_.hasNormals = true;
+        summary_.hasRanges = true;
         summary_.fields = parts_.front()->summary().fields;
         for (const auto& part : parts_) {
             const MeshSummary& more = part->summary();
@@ -38,6 +39,7 @@ public:
             summary_.stripCount += more.stripCount;
             summary_.likelyTriangles += more.likelyTriangles;
             summary_.hasNormals &= more.hasNormals;
+            summary_.hasRanges &= more.hasRanges;
             summary_.hasColors |= more.hasColors;
             summary_.isDouble |= more.isDouble;
             summary_.heldBytes += more.heldBytes;
@@ -54,11 +56,7 @@ public:
     void readVertices(const VertexSink& sink) override {
         std::uint64_t first = 0;
         for (const auto& part : parts_) {
-            part->readVertices([&](VertexBlock block) {
-                block.firstVertex += first;
-                if (!summary_.hasNormals) block.normals = {};
-                sink(block);
-            });
+            part->readVertices([&](const VertexBlock& block) { sink(joined(block, first)); });
             first += part->summary().vertexCount;
         }
     }
@@ -70,18 +68,42 @@ public:
         for (const auto& part : parts_) {
             std::uint64_t end = firstTriangle;
             part->readTriangles([&](TriangleBlock block) {
-                shifted.assign(block.triangles.begin(), block.triangles.end());
-                for (TriangleCorners& triangle : shifted)
-                    for (std::uint64_t& corner : triangle)
-                        corner += firstVertex;
-                block.firstTriangle += firstTriangle;
+                block = joined(block, firstVertex, firstTriangle, shifted);
                 end = block.firstTriangle + shifted.size();
-                block.triangles = shifted;
                 sink(block);
             });
             firstTriangle = end;
             firstVertex += part->summary().vertexCount;
         }
+    }
+
+    void readVertexRange(std::uint64_t begin, std::uint64_t end, const VertexSink& sink) override {
+        std::uint64_t first = 0;
+        for (const auto& part : parts_) {
+            const std::uint64_t count = part->summary().vertexCount;
+            const std::uint64_t partBegin = std::clamp(begin, first, first + count) - first;
+            const std::uint64_t partEnd = std::clamp(end, first, first + count) - first;
+            if (partBegin < partEnd)
+                part->readVertexRange(
+                    partBegin, partEnd, [&](const VertexBlock& block) { sink(joined(block, first)); });
+            first += count;
+        }
+    }
+
+    bool readTriangleRange(std::uint64_t begin, std::uint64_t end, const TriangleSink& sink) override {
+        std::uint64_t firstVertex = 0;
+        std::uint64_t first = 0;
+        std::vector<TriangleCorners> shifted;
+        for (const auto& part : parts_) {
+            const std::uint64_t count = part->summary().faceCount;
+            const std::uint64_t partBegin = std::clamp(begin, first, first + count) - first;
+            const std::uint64_t partEnd = std::clamp(end, first, first + count) - first;
+            const auto take = [&](const TriangleBlock& block) { sink(joined(block, firstVertex, first, shifted)); };
+            if (partBegin < partEnd && !part->readTriangleRange(partBegin, partEnd, take)) return false;
+            first += count;
+            firstVertex += part->summary().vertexCount;
+        }
+        return true;
     }
 
     void pollWith(Progress& progress) override {
@@ -102,6 +124,27 @@ public:
     }
 
 private:
+    VertexBlock joined(VertexBlock block, std::uint64_t firstVertex) const {
+        block.firstVertex += firstVertex;
+        if (!summary_.hasNormals) block.normals = {};
+        return block;
+    }
+
+    /// `block`, with its triangles in `shifted`.
+    static TriangleBlock joined(
+        TriangleBlock block,
+        std::uint64_t firstVertex,
+        std::uint64_t firstTriangle,
+        std::vector<TriangleCorners>& shifted) {
+        shifted.assign(block.triangles.begin(), block.triangles.end());
+        for (TriangleCorners& triangle : shifted)
+            for (std::uint64_t& corner : triangle)
+                corner += firstVertex;
+        block.firstTriangle += firstTriangle;
+        block.triangles = shifted;
+        return block;
+    }
+
     std::vector<std::unique_ptr<MeshSource>> parts_;
     MeshSummary summary_;
 };

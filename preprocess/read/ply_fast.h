@@ -13,4 +13,12 @@ void readVertexColumns(BinaryValues& values, const PlyElement& element, const Ve
 void readFaceRows(
     BinaryValues& values, const PlyElement& element, int list, std::uint64_t vertexCount, TriangleBuffer& out);
 
+/// The bytes of a row that is a triangle, where `list` is the only list of the element and is read fast; 0 elsewhere.
+std::size_t triangleRowBytes(const PlyElement& element, int list);
+
+/// As readFaceRows where all rows are triangles of good indices and `triangleRowBytes` is not 0; false at the first
+/// that is none, with those before it in `out`.
+bool readTriangleRows(
+    BinaryValues& values, const PlyElement& element, int list, std::uint64_t vertexCount, TriangleBuffer& out);
+
 } // namespace gnomon::read

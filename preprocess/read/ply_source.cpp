@@ -106,6 +106,7 @@ public:
         const PlyElement& faces = header_.elements[firstFaces_];
         const bool isOneElement = summary_.stripCount == 0 && summary_.faceCount == faces.count;
         if (isOneElement && !layout_.hasColors) faceColors_ = faceColorLayoutOf(faces);
+        if (isOneElement) findRanges();
     }
 
     const MeshSummary& summary() const override { return summary_; }
@@ -140,6 +141,28 @@ public:
 
     void readTriangles(const TriangleSink& sink) override {
         pass([&](auto values) { trianglePass(values, sink); }, firstFaces_);
+    }
+
+    void readVertexRange(std::uint64_t begin, std::uint64_t end, const VertexSink& sink) override {
+        PlyElement rows = header_.elements[vertices_];
+        BinaryValues values(file_, header_.format, {vertexOffset_ + begin * rows.leastRowBytes(header_.format), 0});
+        rows.count = end - begin;
+        values.beginElement(rows);
+        VertexBuffer out(sink, attributes(), begin);
+        readVertexColumns(values, rows, layout_, out);
+        out.flush();
+    }
+
+    bool readTriangleRange(std::uint64_t begin, std::uint64_t end, const TriangleSink& sink) override {
+        PlyElement rows = header_.elements[firstFaces_];
+        const int list = indexListOf(rows);
+        BinaryValues values(file_, header_.format, {faceOffset_ + begin * triangleRowBytes(rows, list), 0});
+        rows.count = end - begin;
+        values.beginElement(rows);
+        TriangleBuffer out(sink, begin);
+        if (!readTriangleRows(values, rows, list, summary_.vertexCount, out)) return false;
+        out.flush();
+        return true;
     }
 
     void pollWith(Progress& progress) override { file_.pollWith(progress); }
@@ -217,6 +240,29 @@ private:
         return std::max(summary_.faceCount, corners - std::min(corners, 2 * summary_.faceCount));
     }
 
+    VertexBuffer::Attributes attributes() const {
+        return {.hasNormals = layout_.hasNormals, .hasColors = layout_.hasColors, .fieldCount = layout_.fields.size()};
+    }
+
+    // Rows of one width each lie where their numbers say, and all do if the file is as long as they come to.
+    void findRanges() {
+        if (header_.format == PlyFormat::Ascii) return;
+        std::uint64_t offset = header_.bodyOffset;
+        for (std::size_t i = 0; i < header_.elements.size(); ++i) {
+            const PlyElement& element = header_.elements[i];
+            std::uint64_t rowBytes = element.leastRowBytes(header_.format);
+            if (i == firstFaces_)
+                rowBytes = triangleRowBytes(element, indexListOf(element));
+            else if (element.hasLists())
+                rowBytes = 0;
+            if (rowBytes == 0 || element.count > (summary_.fileBytes - offset) / rowBytes) return;
+            if (i == vertices_) vertexOffset_ = offset;
+            if (i == firstFaces_) faceOffset_ = offset;
+            offset += rowBytes * element.count;
+        }
+        summary_.hasRanges = offset == summary_.fileBytes;
+    }
+
     // Calls `body` with values that stand at element `begin`; where that is, is found once by reading up to it.
     template <class Body>
     void pass(Body body, std::size_t begin) {
@@ -244,9 +290,7 @@ private:
     void vertexPass(Values& values, const VertexSink& sink) {
         const PlyElement& element = header_.elements[vertices_];
         values.beginElement(element);
-        VertexBuffer out(
-            sink,
-            {.hasNormals = layout_.hasNormals, .hasColors = layout_.hasColors, .fieldCount = layout_.fields.size()});
+        VertexBuffer out(sink, attributes());
         if constexpr (std::is_same_v<Values, BinaryValues>) {
             if (element.hasLists())
                 readVertexRows(values, element, layout_, out);
@@ -300,6 +344,8 @@ private:
     std::optional<FaceColorLayout> faceColors_;
     std::size_t vertices_ = header_.elements.size();   ///< the vertex element
     std::size_t firstFaces_ = header_.elements.size(); ///< the first element with triangles
+    std::uint64_t vertexOffset_ = 0;                   ///< where the summary has ranges, and ...
+    std::uint64_t faceOffset_ = 0;                     ///< ... of the faces
     std::vector<std::optional<PlyPlace>> starts_;      ///< of each element, where known; one more for the end
 };
 

@@ -2,6 +2,7 @@
 
 #include "core/random.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace gnomon::read {
@@ -27,6 +28,28 @@ void CodeMesh::readTriangles(const TriangleSink& sink) {
     TriangleBlock block;
     block.triangles = corners;
     sink(block);
+}
+
+// In blocks of a few, as a file comes.
+void CodeMesh::readVertexRange(std::uint64_t begin, std::uint64_t end, const VertexSink& sink) {
+    constexpr std::uint64_t kRows = 1000;
+    for (; begin < end; begin += kRows) {
+        VertexBlock block;
+        block.firstVertex = begin;
+        block.positions = std::span(positions).subspan(begin, std::min(kRows, end - begin));
+        sink(block);
+    }
+}
+
+bool CodeMesh::readTriangleRange(std::uint64_t begin, std::uint64_t end, const TriangleSink& sink) {
+    std::vector<TriangleCorners> corners;
+    TriangleBlock block;
+    block.firstTriangle = begin;
+    for (; begin < end; ++begin)
+        corners.push_back({triangles[begin][0], triangles[begin][1], triangles[begin][2]});
+    block.triangles = corners;
+    sink(block);
+    return areRegular_;
 }
 
 CodeMesh bumpySheet(std::uint32_t n, double scale, const glm::dvec3& origin) {

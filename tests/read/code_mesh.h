@@ -27,12 +27,22 @@ public:
 
     void readVertices(const VertexSink& sink) override;
     void readTriangles(const TriangleSink& sink) override;
+    void readVertexRange(std::uint64_t begin, std::uint64_t end, const VertexSink& sink) override;
+    bool readTriangleRange(std::uint64_t begin, std::uint64_t end, const TriangleSink& sink) override;
+
+    /// From now on it can be read by ranges of its rows; irregular rows are some that only a whole pass can tell.
+    CodeMesh& withRanges(bool areRegular = true) {
+        summary_.hasRanges = true;
+        areRegular_ = areRegular;
+        return *this;
+    }
 
     std::vector<glm::dvec3> positions;
     std::vector<Triangle> triangles;
 
 private:
     MeshSummary summary_;
+    bool areRegular_ = true;
 };
 
 /// A bumpy height field of `n` x `n` squares over the unit square times `scale`, at `origin`.

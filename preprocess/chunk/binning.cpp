@@ -2,8 +2,7 @@
 
 #include "core/check.h"
 #include "core/limit_error.h"
-#include "hierarchy/octahedral.h"
-#include "preprocess/chunk/field_numbers.h"
+#include "preprocess/chunk/chunk_writer.h"
 #include "preprocess/chunk/heavy_points.h"
 #include "preprocess/chunk/vertex_lookup.h"
 #include "preprocess/read/polygon.h"
@@ -15,10 +14,12 @@ namespace gnomon::chunk {
 
 namespace {
 
-using Corners = std::array<std::uint32_t, 3>;
+using Corners = read::TriangleCorners;
 
-Corners narrow(const read::TriangleCorners& t) {
-    return {static_cast<std::uint32_t>(t[0]), static_cast<std::uint32_t>(t[1]), static_cast<std::uint32_t>(t[2])};
+/// How many of the heavy points are told from others: so few that numbers of chunks and of these have 16 bits where
+/// those of chunks have.
+std::size_t mostHeavyPoints(std::uint32_t chunks) {
+    return chunks <= kNarrowChunks ? (kNarrowChunks - chunks) / 2 : kNarrowChunks / 2;
 }
 
 /// Without a store it counts what it would write.
@@ -32,23 +33,21 @@ public:
         std::size_t polygonCorners,
         Progress& progress)
         : source_(source),
-          fields_(survey.fields),
           bins_(bins),
-          format_(formatOf(source.summary())),
+          writer_(formatOf(source.summary()), survey.fields, bins, tree.chunkCount()),
           polygonCorners_(polygonCorners),
           progress_(progress),
           tree_(tree),
-          heavy_(tree.heavyPoints(), (kMaxChunks - tree.chunkCount()) / 2),
+          heavy_(tree.heavyPoints(), mostHeavyPoints(tree.chunkCount())),
           isHeavy_(tree.chunkCount()),
-          placeOf_(source.summary().vertexCount),
-          sizes_(tree.chunkCount()),
+          placeOf_(source.summary().vertexCount, tree.chunkCount() + 2 * heavy_.size()),
           polygons_(streamOf(SourceStream::Polygons, tree.chunkCount())),
           triangles_(streamOf(SourceStream::Triangles, tree.chunkCount())) {
         for (std::size_t i = 0; i < heavy_.size(); ++i) {
-            heavyChunks_.push_back(static_cast<std::uint16_t>(tree.chunkOf(heavy_[i])));
+            heavyChunks_.push_back(tree.chunkOf(heavy_[i]));
             isHeavy_[heavyChunks_.back()] = true;
         }
-        if (heavy_.size() > 0) isNeeded_.resize(placeOf_.size());
+        if (heavy_.size() > 0) isNeeded_.resize(source.summary().vertexCount);
     }
 
     /// All that triangles use but those in chunks with heavy points.
@@ -60,12 +59,12 @@ public:
                 const std::uint64_t vertex = block.firstVertex + i;
                 if (survey.valence[vertex] == 0) continue;
                 const hierarchy::GridPoint point = snap(block.positions[i]);
-                const auto chunk = static_cast<std::uint16_t>(tree_.chunkOf(point));
-                placeOf_[vertex] = chunk;
+                const std::uint32_t chunk = tree_.chunkOf(point);
+                placeOf_.set(vertex, chunk);
                 if (!isHeavy_[chunk]) {
-                    write(block, i, chunk);
+                    writer_.putVertex(block, i, chunk);
                 } else if (const auto found = heavy_.find(point, block.positions[i])) {
-                    placeOf_[vertex] = static_cast<std::uint16_t>(tree_.chunkCount() + *found);
+                    placeOf_.set(vertex, tree_.chunkCount() + *found);
                 } else {
                     isNeeded_[vertex] = true;
                 }
@@ -81,8 +80,7 @@ public:
         progress_.stage("bin", "vertices", source_.summary().vertexCount);
         source_.readVertices([&](const read::VertexBlock& block) {
             for (std::size_t i = 0; i < block.positions.size(); ++i)
-                if (isNeeded_[block.firstVertex + i])
-                    write(block, i, chunkOf(static_cast<std::uint32_t>(block.firstVertex + i)));
+                if (isNeeded_[block.firstVertex + i]) writer_.putVertex(block, i, chunkOf(block.firstVertex + i));
             progress_.advance(block.positions.size());
         });
         flush();
@@ -117,7 +115,7 @@ public:
             auto run = block.polygons.begin();
             for (std::size_t i = 0; i < block.triangles.size();) {
                 if (run == block.polygons.end() || run->first > i) {
-                    add(narrow(block.triangles[i++]));
+                    add(block.triangles[i++]);
                     continue;
                 }
                 const auto fan = block.triangles.subspan(run->first, run->count);
@@ -142,16 +140,16 @@ public:
 
     BinnedSize size() const {
         BinnedSize size;
-        for (const PartSize& chunk : sizes_)
+        for (const PartSize& chunk : writer_.sizes())
             size.largestChunk.growTo(chunk);
         size.dropped = dropped_;
         return size;
     }
 
 private:
-    std::uint16_t chunkOf(std::uint32_t vertex) const {
-        const std::uint16_t place = placeOf_[vertex];
-        return place < sizes_.size() ? place : heavyChunks_[(place - sizes_.size()) / 2];
+    std::uint32_t chunkOf(std::uint64_t vertex) const {
+        const std::uint32_t place = placeOf_[vertex];
+        return place < tree_.chunkCount() ? place : heavyChunks_[(place - tree_.chunkCount()) / 2];
     }
 
     template <class T>
@@ -163,62 +161,45 @@ private:
         if (bins_ != nullptr) bins_->flush();
     }
 
-    /// Writes vertex `i` of a block to its chunk.
-    void write(const read::VertexBlock& block, std::size_t i, std::uint16_t chunk) {
-        ++sizes_[chunk].vertices;
-        if (bins_ == nullptr) return;
-        ChunkVertex vertex;
-        vertex.index = static_cast<std::uint32_t>(block.firstVertex + i);
-        vertex.position = block.positions[i];
-        if (!block.normals.empty()) vertex.normal = hierarchy::packNormal(glm::dvec3(block.normals[i]));
-        if (!block.colors.empty()) vertex.color = block.colors[i];
-        if (!fields_.empty())
-            vertex.fields = packedFields(block.fields.subspan(i * fields_.size(), fields_.size()), fields_);
-        VertexBytes storage{};
-        bins_->append(streamOf(BinStream::Vertices, chunk), encodeVertex(vertex, format_, storage));
-    }
-
     /// Whether the triangle lies between heavy points and repeats another there, for which it is dropped.
     bool isDropped(const Corners& corners) {
         std::array<std::uint32_t, 3> found{};
         for (std::size_t i = 0; i < 3; ++i) {
-            const std::size_t place = placeOf_[corners[i]];
-            if (place < sizes_.size()) return false;
-            found[i] = static_cast<std::uint32_t>(place - sizes_.size());
+            const std::uint32_t place = placeOf_[corners[i]];
+            if (place < tree_.chunkCount()) return false;
+            found[i] = place - tree_.chunkCount();
         }
         return heavy_.isRepeated(corners, found, dropped_);
     }
 
     void markNeeded(const Corners& corners) {
         if (isNeeded_.empty()) return;
-        for (const std::uint32_t corner : corners)
-            if (placeOf_[corner] >= sizes_.size()) isNeeded_[corner] = true;
+        for (const std::uint64_t corner : corners)
+            if (placeOf_[corner] >= tree_.chunkCount()) isNeeded_[corner] = true;
     }
 
     /// As many polygons as fit at once: one pass over the vertices.
     void refineSome(scratch::StreamStore::Reader& reader) {
         std::vector<read::TriangleCorners> fans;
         std::vector<std::uint32_t> sizes;
-        std::vector<std::uint32_t> corners;
+        std::vector<std::uint64_t> corners;
         while (!reader.isAtEnd() && corners.size() < polygonCorners_) {
             sizes.push_back(reader.take<std::uint32_t>());
             for (std::uint32_t i = 0; i < sizes.back(); ++i) {
                 fans.push_back(reader.take<read::TriangleCorners>());
-                for (const std::uint32_t corner : narrow(fans.back()))
-                    corners.push_back(corner);
+                corners.insert(corners.end(), fans.back().begin(), fans.back().end());
             }
         }
         const VertexLookup positions(source_, std::move(corners));
         read::PolygonRefiner refiner(progress_);
         std::size_t begin = 0;
         for (const std::uint32_t size : sizes) {
-            refiner.refine(std::span(fans).subspan(begin, size), [&](std::uint64_t vertex) {
-                return positions[static_cast<std::uint32_t>(vertex)];
-            });
+            refiner.refine(
+                std::span(fans).subspan(begin, size), [&](std::uint64_t vertex) { return positions[vertex]; });
             begin += size;
         }
         for (const read::TriangleCorners& t : fans)
-            put(triangles_, narrow(t));
+            put(triangles_, t);
     }
 
     Corners refinedTriangle(scratch::StreamStore::Reader& refined) const {
@@ -233,94 +214,56 @@ private:
     }
 
     bool isInOneChunk(std::span<const read::TriangleCorners> fan) const {
-        const std::uint16_t chunk = chunkOf(narrow(fan.front())[0]);
-        return std::all_of(fan.begin(), fan.end(), [&](const read::TriangleCorners& t) {
-            const Corners corners = narrow(t);
-            return std::all_of(
-                corners.begin(), corners.end(), [&](std::uint32_t corner) { return chunkOf(corner) == chunk; });
+        const std::uint32_t chunk = chunkOf(fan.front()[0]);
+        return std::all_of(fan.begin(), fan.end(), [&](const Corners& t) {
+            return std::all_of(t.begin(), t.end(), [&](std::uint64_t corner) { return chunkOf(corner) == chunk; });
         });
     }
 
-    void addFan(std::span<const read::TriangleCorners> fan) {
-        const std::uint16_t chunk = chunkOf(narrow(fan.front())[0]);
-        const std::uint32_t stream = streamOf(BinStream::Triangles, chunk);
-        sizes_[chunk].triangles += fan.size();
-        put(stream, Corners{kPolygonMark, static_cast<std::uint32_t>(fan.size()), 0});
-        for (const read::TriangleCorners& t : fan) {
-            put(stream, narrow(t));
-            markNeeded(narrow(t));
-        }
+    void addFan(std::span<const Corners> fan) {
+        writer_.putFan(fan, chunkOf(fan.front()[0]));
+        for (const Corners& t : fan)
+            markNeeded(t);
     }
 
     /// Of a polygon that is not triangulated rightly yet: whichever triangles each of its chunks gets, it is no more.
     void countInAllItsChunks(std::span<const read::TriangleCorners> fan) {
-        std::vector<std::uint16_t> chunks;
+        std::vector<std::uint32_t> chunks;
         for (const read::TriangleCorners& t : fan) {
-            markNeeded(narrow(t));
-            for (const std::uint32_t corner : narrow(t))
+            markNeeded(t);
+            for (const std::uint64_t corner : t)
                 chunks.push_back(chunkOf(corner));
         }
         std::sort(chunks.begin(), chunks.end());
         chunks.erase(std::unique(chunks.begin(), chunks.end()), chunks.end());
-        for (const std::uint16_t chunk : chunks) {
-            sizes_[chunk].triangles += fan.size();
-            sizes_[chunk].vertices += 2 * fan.size();
+        for (const std::uint32_t chunk : chunks) {
+            writer_.count(chunk, {fan.size(), 2 * fan.size()});
         }
     }
 
     void add(const Corners& corners) {
         if (isDropped(corners)) return;
         markNeeded(corners);
-        const std::array<std::uint16_t, 3> lies{chunkOf(corners[0]), chunkOf(corners[1]), chunkOf(corners[2])};
-        const std::uint16_t owner =
-            std::max(std::min(lies[0], lies[1]), std::min(std::max(lies[0], lies[1]), lies[2])); // the median
-        put(streamOf(BinStream::Triangles, owner), corners);
-        ++sizes_[owner].triangles;
-        if (lies[0] == lies[1] && lies[1] == lies[2]) return;
-        request(corners, lies, owner, true);
-        if (format_.hasNormals) return;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const bool isFirst = std::find(lies.begin(), lies.begin() + static_cast<std::ptrdiff_t>(i), lies[i]) ==
-                                 lies.begin() + static_cast<std::ptrdiff_t>(i);
-            if (lies[i] == owner || !isFirst) continue;
-            put(streamOf(BinStream::Ghosts, lies[i]), corners);
-            ++sizes_[lies[i]].triangles;
-            request(corners, lies, lies[i], false);
-        }
-    }
-
-    /// Asks for the corners that do not lie in `chunk`.
-    void request(const Corners& corners, const std::array<std::uint16_t, 3>& lies, std::uint16_t chunk, bool isOwner) {
-        for (std::size_t i = 0; i < 3; ++i) {
-            if (lies[i] == chunk) continue;
-            put(streamOf(BinStream::Requests, lies[i]), VertexRequest{chunk, corners[i], isOwner ? 1U : 0U});
-            ++sizes_[chunk].vertices; // once for each of its triangles there: more than they are
-        }
+        writer_.putTriangle(corners, {chunkOf(corners[0]), chunkOf(corners[1]), chunkOf(corners[2])});
     }
 
     read::MeshSource& source_;
-    const std::vector<hierarchy::Field>& fields_;
     scratch::StreamStore* bins_; // none where it only counts
-    VertexFormat format_;
+    ChunkWriter writer_;
     std::size_t polygonCorners_;
     Progress& progress_;
     const ChunkTree& tree_;
     HeavyPoints heavy_;
-    std::vector<std::uint16_t> heavyChunks_; // in which the heavy points lie
+    std::vector<std::uint32_t> heavyChunks_; // in which the heavy points lie
     std::vector<bool> isHeavy_;              // whether a chunk has a heavy point
-    std::vector<std::uint16_t> placeOf_;     // a vertex's chunk, or behind the chunks what HeavyPoints::find tells
+    VertexNumbers placeOf_;                  // a vertex's chunk, or behind the chunks what HeavyPoints::find tells
     std::vector<bool> isNeeded_; // the vertices to write of chunks with heavy points; empty if there are none
     DroppedTriangles dropped_;
-    std::vector<PartSize> sizes_; // of the chunks
-    std::uint32_t polygons_;      // streams of the whole source
+    std::uint32_t polygons_; // streams of the whole source
     std::uint32_t triangles_;
 };
 
 } // namespace
-
-VertexFormat formatOf(const read::MeshSummary& source) {
-    return {source.isDouble, source.hasNormals, source.hasColors, hierarchy::FieldLayout::of(source.fields.size())};
-}
 
 ChunkTree planChunks(
     read::MeshSource& source, const SourceSurvey& survey, std::uint32_t chunkTriangles, Progress& progress) {
@@ -336,11 +279,15 @@ ChunkTree planChunks(
             progress.advance(block.positions.size());
         });
     } while (counts.refine(limit / 8));
+    return treeOf(counts, limit, source.summary().path);
+}
+
+ChunkTree treeOf(const CellCounts& counts, std::uint64_t limit, const std::string& path) {
     ChunkTree tree(counts, limit);
     if (tree.chunkCount() > kMaxChunks)
         throw LimitError(
             Limit::ChunkTriangles,
-            {source.summary().path,
+            {path,
              "chunks of too few triangles for this model",
              "at most " + std::to_string(kMaxChunks) + " chunks",
              std::to_string(tree.chunkCount())});

@@ -2,19 +2,20 @@
 #pragma once
 
 #include "core/progress.h"
-#include "preprocess/chunk/chunk_streams.h"
 #include "preprocess/chunk/chunk_tree.h"
+#include "preprocess/chunk/chunk_writer.h"
 #include "preprocess/chunk/survey.h"
 #include "preprocess/read/mesh_source.h"
 
 namespace gnomon::chunk {
 
-VertexFormat formatOf(const read::MeshSummary& source);
-
 /// Cuts the grid into chunks of about `chunkTriangles` triangles each: passes over the vertices until the cells are
 /// small enough. Throws LimitError where that would take more than kMaxChunks chunks.
 ChunkTree planChunks(
     read::MeshSource& source, const SourceSurvey& survey, std::uint32_t chunkTriangles, Progress& progress);
+
+/// The tree of `counts` in which a chunk weighs `limit`. Throws LimitError, naming `path`, for more than kMaxChunks.
+ChunkTree treeOf(const CellCounts& counts, std::uint64_t limit, const std::string& path);
 
 /// What a source comes to in chunks.
 struct BinnedSize {
@@ -24,7 +25,8 @@ struct BinnedSize {
 
 /// Writes all streams of BinStream. A vertex lies in the chunk of its snapped position; a triangle belongs to the chunk
 /// in which most of its corners lie, or to the middle one of three: so triangles of the same three positions always
-/// meet. The vertices' chunks are held in memory (two bytes a vertex); nothing else grows with the source. Polygons
+/// meet. The vertices' chunks are held in memory (two bytes a
+/// vertex, four where there are more than 65,535 chunks); nothing else grows with the source. Polygons
 /// that lie in several chunks are triangulated first, as many at a time as `polygonCorners` allows, in one pass over
 /// the vertices each. Vertices at heavy points of the tree are written in one more pass over the vertices, as far as
 /// triangles that are not dropped use them.

@@ -107,7 +107,7 @@ std::vector<std::uint32_t> normalsOf(const Surroundings& around) {
 } // namespace
 
 Messages answerVertices(const BinnedSource& source, std::uint32_t chunk) {
-    auto requests = source.bins.readAs<VertexRequest>(streamOf(BinStream::Requests, chunk));
+    auto requests = readRequests(source.bins, streamOf(BinStream::Requests, chunk), source.format);
     for (VertexRequest& request : requests)
         request.isOwner = 0;
     std::sort(requests.begin(), requests.end());
@@ -118,7 +118,7 @@ Messages answerVertices(const BinnedSource& source, std::uint32_t chunk) {
     VertexBytes storage{};
     for (const VertexRequest& request : requests) {
         const auto found = std::lower_bound(
-            vertices.begin(), vertices.end(), request.vertex, [](const ChunkVertex& vertex, std::uint32_t index) {
+            vertices.begin(), vertices.end(), request.vertex, [](const ChunkVertex& vertex, std::uint64_t index) {
                 return vertex.index < index;
             });
         GNOMON_CHECK(found != vertices.end() && found->index == request.vertex);
@@ -131,7 +131,7 @@ Messages answerVertices(const BinnedSource& source, std::uint32_t chunk) {
 
 Messages answerNormals(
     const BinnedSource& source, const scratch::StreamStore& borders, std::uint32_t chunk, Progress& progress) {
-    auto requests = source.bins.readAs<VertexRequest>(streamOf(BinStream::Requests, chunk));
+    auto requests = readRequests(source.bins, streamOf(BinStream::Requests, chunk), source.format);
     std::erase_if(requests, [](const VertexRequest& request) { return request.isOwner == 0; });
     std::sort(requests.begin(), requests.end());
     requests.erase(std::unique(requests.begin(), requests.end()), requests.end());
@@ -141,9 +141,7 @@ Messages answerNormals(
     const std::vector<std::uint32_t> normals = normalsOf(around);
     for (const VertexRequest& request : requests) {
         const SharedNormal answer{request.vertex, normals[around.vertices.placeOfSource(request.vertex)]};
-        const auto record = std::as_bytes(std::span(&answer, 1));
-        std::vector<std::byte>& bytes = messageTo(messages, request.chunk);
-        bytes.insert(bytes.end(), record.begin(), record.end());
+        appendNormal(messageTo(messages, request.chunk), answer, source.format);
     }
     return messages;
 }

@@ -37,8 +37,9 @@ Places placesOf(
     const std::vector<simplify::Triangle>& faces) {
     Places places;
     if (!source.format.hasNormals) places.normals = levels::smoothNormals(vertices.places(), faces);
-    places.isShared = sharedPlaces(vertices, source.bins.readAs<VertexRequest>(streamOf(BinStream::Requests, chunk)));
-    for (const SharedNormal& shared : borders.readAs<SharedNormal>(streamOf(BorderStream::Normals, chunk)))
+    places.isShared =
+        sharedPlaces(vertices, readRequests(source.bins, streamOf(BinStream::Requests, chunk), source.format));
+    for (const SharedNormal& shared : readNormals(borders, streamOf(BorderStream::Normals, chunk), source.format))
         places.normals[vertices.placeOfSource(shared.vertex)] = shared.normal;
     return places;
 }
@@ -124,24 +125,25 @@ IndexedVertices readVertices(const BinnedSource& source, const scratch::StreamSt
 ChunkTriangles readTriangles(
     const BinnedSource& source, std::uint32_t chunk, const IndexedVertices& vertices, Progress& progress) {
     ChunkTriangles triangles;
-    const auto records = source.bins.readAs<simplify::Triangle>(streamOf(BinStream::Triangles, chunk));
-    triangles.own.reserve(records.size());
+    const std::uint32_t own = streamOf(BinStream::Triangles, chunk);
+    const std::uint32_t ghosts = streamOf(BinStream::Ghosts, chunk);
+    triangles.own.reserve(triangleRecords(source.bins, own, source.format));
     read::PolygonRefiner refiner(progress);
-    for (std::size_t i = 0; i < records.size();) {
-        if (records[i][0] != kPolygonMark) {
-            triangles.own.push_back(vertices.find(records[i++]));
-            continue;
+    std::size_t fan = 0;  // triangles of the polygon in hand, and ...
+    std::size_t left = 0; // ... how many of them are to come
+    forEachTriangle(source.bins, own, source.format, [&](const read::TriangleCorners& corners) {
+        if (left == 0 && corners[0] == kPolygonMark) {
+            fan = left = corners[1];
+            return;
         }
-        const std::size_t count = records[i][1];
-        GNOMON_CHECK_OP(count, <, records.size() - i);
-        for (std::size_t k = 1; k <= count; ++k)
-            triangles.own.push_back(vertices.find(records[i + k]));
-        refine(vertices, refiner, std::span(triangles.own).last(count));
-        i += count + 1;
-    }
-    triangles.ghosts = source.bins.readAs<simplify::Triangle>(streamOf(BinStream::Ghosts, chunk));
-    for (simplify::Triangle& t : triangles.ghosts)
-        t = vertices.find(t);
+        triangles.own.push_back(vertices.find(corners));
+        if (left > 0 && --left == 0) refine(vertices, refiner, std::span(triangles.own).last(fan));
+    });
+    GNOMON_CHECK_OP(left, ==, 0U);
+    triangles.ghosts.reserve(triangleRecords(source.bins, ghosts, source.format));
+    forEachTriangle(source.bins, ghosts, source.format, [&](const read::TriangleCorners& corners) {
+        triangles.ghosts.push_back(vertices.find(corners));
+    });
     return triangles;
 }
 

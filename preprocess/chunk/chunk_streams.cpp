@@ -18,8 +18,30 @@ const std::byte* take(const std::byte* place, T& value) {
     return place + sizeof(T);
 }
 
+std::byte* putNumber(std::byte* place, std::uint64_t vertex, const VertexFormat& format) {
+    return format.isWide ? put(place, vertex) : put(place, static_cast<std::uint32_t>(vertex));
+}
+
+const std::byte* takeNumber(const std::byte* place, std::uint64_t& vertex, const VertexFormat& format) {
+    if (format.isWide) return take(place, vertex);
+    std::uint32_t narrow = 0;
+    place = take(place, narrow);
+    vertex = narrow;
+    return place;
+}
+
+constexpr std::size_t kMostRecordBytes = 16;
+
+std::size_t requestBytes(const VertexFormat& format) {
+    return (format.isWide ? 8 : 4) + 8;
+}
+
+std::size_t normalBytes(const VertexFormat& format) {
+    return (format.isWide ? 8 : 4) + 4;
+}
+
 const std::byte* takeVertex(const std::byte* place, const VertexFormat& format, ChunkVertex& vertex) {
-    place = take(place, vertex.index);
+    place = takeNumber(place, vertex.index, format);
     if (format.isDouble) {
         place = take(place, vertex.position);
     } else {
@@ -36,7 +58,7 @@ const std::byte* takeVertex(const std::byte* place, const VertexFormat& format, 
 } // namespace
 
 std::span<const std::byte> encodeVertex(const ChunkVertex& vertex, const VertexFormat& format, VertexBytes& storage) {
-    std::byte* place = put(storage.data(), vertex.index);
+    std::byte* place = putNumber(storage.data(), vertex.index, format);
     if (format.isDouble)
         place = put(place, vertex.position);
     else
@@ -63,6 +85,52 @@ void appendVertices(
     vertices.reserve(end);
     store.readBlocks(stream, [&](std::span<const std::byte> records) { decodeVertices(records, format, vertices); });
     GNOMON_CHECK_OP(vertices.size(), ==, end);
+}
+
+std::uint64_t triangleRecords(const scratch::StreamStore& store, std::uint32_t stream, const VertexFormat& format) {
+    return store.bytes(stream) / (format.isWide ? sizeof(read::TriangleCorners) : sizeof(simplify::Triangle));
+}
+
+void putRequest(
+    scratch::StreamStore& store, std::uint32_t stream, const VertexRequest& request, const VertexFormat& format) {
+    std::array<std::byte, kMostRecordBytes> storage{};
+    std::byte* place = put(put(storage.data(), request.chunk), request.isOwner);
+    putNumber(place, request.vertex, format);
+    store.append(stream, std::span(storage).first(requestBytes(format)));
+}
+
+std::vector<VertexRequest> readRequests(
+    const scratch::StreamStore& store, std::uint32_t stream, const VertexFormat& format) {
+    std::vector<VertexRequest> requests;
+    requests.reserve(store.bytes(stream) / requestBytes(format));
+    store.readBlocks(stream, [&](std::span<const std::byte> records) {
+        for (const std::byte* place = records.data(); place != records.data() + records.size();) {
+            VertexRequest& request = requests.emplace_back();
+            place = take(take(place, request.chunk), request.isOwner);
+            place = takeNumber(place, request.vertex, format);
+        }
+    });
+    return requests;
+}
+
+void appendNormal(std::vector<std::byte>& bytes, const SharedNormal& normal, const VertexFormat& format) {
+    std::array<std::byte, kMostRecordBytes> storage{};
+    putNumber(put(storage.data(), normal.normal), normal.vertex, format);
+    bytes.insert(bytes.end(), storage.begin(), storage.begin() + static_cast<std::ptrdiff_t>(normalBytes(format)));
+}
+
+std::vector<SharedNormal> readNormals(
+    const scratch::StreamStore& store, std::uint32_t stream, const VertexFormat& format) {
+    std::vector<SharedNormal> normals;
+    normals.reserve(store.bytes(stream) / normalBytes(format));
+    store.readBlocks(stream, [&](std::span<const std::byte> records) {
+        for (const std::byte* place = records.data(); place != records.data() + records.size();) {
+            SharedNormal& normal = normals.emplace_back();
+            place = take(place, normal.normal);
+            place = takeNumber(place, normal.vertex, format);
+        }
+    });
+    return normals;
 }
 
 } // namespace gnomon::chunk

@@ -1,5 +1,7 @@
 #include "preprocess/chunk/chunk_tree.h"
 
+#include "hierarchy/bytes.h"
+
 #include <algorithm>
 #include <bit>
 
@@ -41,6 +43,11 @@ std::uint32_t gathered(std::uint32_t cell, std::uint32_t axis) {
 
 } // namespace
 
+int rootBitsFor(std::uint64_t vertices) {
+    constexpr std::uint64_t kFew = std::uint64_t{1} << 22U;
+    return vertices < kFew ? 5 : kRootBits;
+}
+
 CellCounts::CellCounts(const hierarchy::GridPoint& furthest, int rootBits) {
     const int width = static_cast<int>(std::bit_width(std::max({furthest.x, furthest.y, furthest.z, 1U})));
     const int bits = std::min({rootBits, kRootBits, width});
@@ -49,7 +56,7 @@ CellCounts::CellCounts(const hierarchy::GridPoint& furthest, int rootBits) {
 
 CellCounts::Table CellCounts::makeTable(int bits, int shift) {
     const std::size_t cells = std::size_t{1} << static_cast<unsigned>(3 * bits);
-    return {bits, shift, std::vector<std::uint64_t>(cells), std::vector<std::int32_t>(cells, -1)};
+    return {bits, shift, std::vector<std::uint64_t>(cells), {}};
 }
 
 std::uint32_t CellCounts::cellOf(const Table& table, const hierarchy::GridPoint& point) {
@@ -60,7 +67,7 @@ void CellCounts::add(const hierarchy::GridPoint& point, std::uint32_t weight) {
     std::size_t table = 0;
     for (;;) {
         const std::uint32_t cell = cellOf(tables_[table], point);
-        const std::int32_t finer = tables_[table].finer[cell];
+        const std::int32_t finer = finerThan(tables_[table], cell);
         if (finer < 0) {
             if (table >= firstOpen_) tables_[table].weights[cell] += weight;
             return;
@@ -69,17 +76,75 @@ void CellCounts::add(const hierarchy::GridPoint& point, std::uint32_t weight) {
     }
 }
 
+void CellCounts::cut(const Parent& parent) {
+    Table& table = tables_[parent.table];
+    if (table.finer.empty()) table.finer.assign(table.weights.size(), -1);
+    table.finer[parent.cell] = static_cast<std::int32_t>(tables_.size());
+    const int bits = std::min(kFinerBits, table.shift);
+    tables_.push_back(makeTable(bits, table.shift - bits)); // `table` is gone
+    parents_.push_back(parent);
+}
+
+std::vector<std::byte> CellCounts::shape() const {
+    hierarchy::ByteWriter out;
+    out.putVarint(firstOpen_);
+    out.putVarint(parents_.size());
+    for (const Parent& parent : parents_) {
+        out.putVarint(parent.table);
+        out.putVarint(parent.cell);
+    }
+    return out.take();
+}
+
+CellCounts::CellCounts(const hierarchy::GridPoint& furthest, std::span<const std::byte> shape, int rootBits)
+    : CellCounts(furthest, rootBits) {
+    hierarchy::ByteReader in(shape);
+    firstOpen_ = in.takeVarint();
+    for (std::uint64_t left = in.takeVarint(); left > 0; --left) {
+        Parent parent;
+        parent.table = static_cast<std::uint32_t>(in.takeVarint());
+        parent.cell = static_cast<std::uint32_t>(in.takeVarint());
+        if (parent.table >= tables_.size() || parent.cell >= tables_[parent.table].weights.size())
+            throw hierarchy::Damage{"a cell that is not there"};
+        cut(parent);
+    }
+    in.expectEnd();
+}
+
+std::vector<std::byte> CellCounts::openWeights() const {
+    hierarchy::ByteWriter out;
+    for (std::size_t t = firstOpen_; t < tables_.size(); ++t) {
+        std::size_t next = 0;
+        for (std::size_t cell = 0; cell < tables_[t].weights.size(); ++cell) {
+            if (tables_[t].weights[cell] == 0) continue;
+            out.putVarint(1 + cell - next);
+            out.putVarint(tables_[t].weights[cell]);
+            next = cell + 1;
+        }
+        out.putVarint(0);
+    }
+    return out.take();
+}
+
+void CellCounts::addOpenWeights(std::span<const std::byte> weights) {
+    hierarchy::ByteReader in(weights);
+    for (std::size_t t = firstOpen_; t < tables_.size(); ++t) {
+        std::size_t next = 0;
+        while (const std::uint64_t step = in.takeVarint()) {
+            if (step > tables_[t].weights.size() - next) throw hierarchy::Damage{"a cell that is not there"};
+            next += step;
+            tables_[t].weights[next - 1] += in.takeVarint();
+        }
+    }
+    in.expectEnd();
+}
+
 bool CellCounts::refine(std::uint64_t limit) {
     const std::size_t known = tables_.size();
     for (std::size_t t = firstOpen_; t < known; ++t) {
         if (tables_[t].shift == 0) continue;
-        const int bits = std::min(kFinerBits, tables_[t].shift);
-        const int shift = tables_[t].shift - bits;
-        for (std::size_t cell = 0; cell < tables_[t].weights.size(); ++cell) {
-            if (tables_[t].weights[cell] <= limit) continue;
-            tables_[t].finer[cell] = static_cast<std::int32_t>(tables_.size());
-            tables_.push_back(makeTable(bits, shift));
-        }
+        for (std::uint32_t cell = 0; cell < tables_[t].weights.size(); ++cell)
+            if (tables_[t].weights[cell] > limit) cut({static_cast<std::uint32_t>(t), cell});
     }
     firstOpen_ = known;
     return tables_.size() > known;
@@ -105,8 +170,8 @@ void CellCounts::collectAbove(
             corner.z | gathered(cell, 2) << cells.shift};
         if (cells.shift == 0)
             points.push_back(at);
-        else if (cells.finer[cell] >= 0)
-            collectAbove(limit, static_cast<std::size_t>(cells.finer[cell]), at, points);
+        else if (const std::int32_t finer = finerThan(cells, cell); finer >= 0)
+            collectAbove(limit, static_cast<std::size_t>(finer), at, points);
     }
 }
 
@@ -134,7 +199,7 @@ void ChunkTree::cut(
             cut(counts, table, begin + i * eighth, begin + (i + 1) * eighth, limit);
         return;
     }
-    if (weight > limit / 8 && cells.finer[begin] >= 0) {
+    if (weight > limit / 8 && CellCounts::finerThan(cells, begin) >= 0) {
         const auto finer = static_cast<std::size_t>(cells.finer[begin]);
         tables_[table].chunks[begin] = kFiner + static_cast<std::uint32_t>(finer);
         return cut(counts, finer, 0, counts.tables_[finer].weights.size(), limit);
@@ -146,6 +211,43 @@ void ChunkTree::cut(
 void ChunkTree::assign(std::size_t table, std::size_t begin, std::size_t end) {
     for (std::size_t cell = begin; cell < end; ++cell)
         tables_[table].chunks[cell] = chunkCount() - 1;
+}
+
+std::vector<std::byte> ChunkTree::encoded() const {
+    hierarchy::ByteWriter out;
+    out.putVarint(weights_.size());
+    out.putVarint(tables_.size());
+    for (const Table& table : tables_) {
+        out.putVarint(static_cast<std::uint64_t>(table.bits));
+        out.putVarint(static_cast<std::uint64_t>(table.shift));
+        for (std::size_t begin = 0, end = 0; begin < table.chunks.size(); begin = end) {
+            while (end < table.chunks.size() && table.chunks[end] == table.chunks[begin])
+                ++end;
+            out.putVarint(table.chunks[begin]);
+            out.putVarint(end - begin);
+        }
+    }
+    return out.take();
+}
+
+ChunkTree::ChunkTree(std::span<const std::byte> bytes) {
+    hierarchy::ByteReader in(bytes);
+    weights_.resize(in.takeVarint());
+    for (std::uint64_t left = in.takeVarint(); left > 0; --left) {
+        Table& table = tables_.emplace_back();
+        table.bits = static_cast<int>(in.takeVarint());
+        table.shift = static_cast<int>(in.takeVarint());
+        if (table.bits > kRootBits) throw hierarchy::Damage{"a table of too many cells"};
+        const std::size_t cells = std::size_t{1} << static_cast<unsigned>(3 * table.bits);
+        table.chunks.reserve(cells);
+        while (table.chunks.size() < cells) {
+            const auto chunk = static_cast<std::uint32_t>(in.takeVarint());
+            const std::uint64_t count = in.takeVarint();
+            if (count > cells - table.chunks.size()) throw hierarchy::Damage{"a table of too many cells"};
+            table.chunks.insert(table.chunks.end(), count, chunk);
+        }
+    }
+    in.expectEnd();
 }
 
 std::uint32_t ChunkTree::chunkOf(const hierarchy::GridPoint& point) const {

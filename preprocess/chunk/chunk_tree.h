@@ -3,12 +3,20 @@
 
 #include "preprocess/simplify/mesh.h"
 
+#include <cstddef>
+#include <span>
 #include <vector>
 
 namespace gnomon::chunk {
 
-/// The most chunks of a model: their ids have 16 bits.
-constexpr std::uint32_t kMaxChunks = 0xFFFF;
+/// The most chunks of a model: with 32 bits for the streams that each has several of.
+constexpr std::uint32_t kMaxChunks = (1U << 29U) - 1;
+
+/// As many chunks have numbers of 16 bits.
+constexpr std::uint32_t kNarrowChunks = 0xFFFF;
+
+/// For CellCounts of the vertices of a source, of which each thread has one: the first cells of a small one are few.
+int rootBitsFor(std::uint64_t vertices);
 
 /// Weights by cell of the grid; cells that turn out too heavy are counted again in smaller ones.
 ///
@@ -29,6 +37,17 @@ public:
     /// must be added again.
     bool refine(std::uint64_t limit);
 
+    /// How the cells are cut: what another process counts into the same cells with.
+    std::vector<std::byte> shape() const;
+
+    /// The cells of `shape`, with `furthest` and `rootBits` as there, all without weight. Throws hierarchy::Damage.
+    CellCounts(const hierarchy::GridPoint& furthest, std::span<const std::byte> shape, int rootBits = kMostRootBits);
+
+    /// The weights of the cells that are still unknown, and how to add them to those here, where the cells are cut
+    /// likewise. Throws hierarchy::Damage.
+    std::vector<std::byte> openWeights() const;
+    void addOpenWeights(std::span<const std::byte> weights);
+
     /// The points of more weight than `limit`, after the last `refine` of it.
     std::vector<hierarchy::GridPoint> pointsAbove(std::uint64_t limit) const;
 
@@ -40,9 +59,20 @@ private:
         int bits = 0;  // of each coordinate that tell the cell
         int shift = 0; // bits of each coordinate below them
         std::vector<std::uint64_t> weights;
-        std::vector<std::int32_t> finer; // table of the cell's own cells, or -1
+        std::vector<std::int32_t> finer; // table of the cell's own cells, or -1; empty until there is one
     };
 
+    /// Of each table from the second on: the cell that it cuts.
+    struct Parent {
+        std::uint32_t table = 0;
+        std::uint32_t cell = 0;
+    };
+
+    static std::int32_t finerThan(const Table& table, std::size_t cell) {
+        return table.finer.empty() ? -1 : table.finer[cell];
+    }
+
+    void cut(const Parent& parent);
     static Table makeTable(int bits, int shift);
     static std::uint32_t cellOf(const Table& table, const hierarchy::GridPoint& point);
     void collectAbove(
@@ -52,6 +82,7 @@ private:
         std::vector<hierarchy::GridPoint>& points) const;
 
     std::vector<Table> tables_;
+    std::vector<Parent> parents_;
     std::size_t firstOpen_ = 0;
 };
 
@@ -61,6 +92,10 @@ public:
     /// Cuts the cells, in Morton order, into chunks of at most `limit` weight each; a cell is left whole where its
     /// weight is at most an eighth of that. Only a cell of a single point can weigh more than a chunk may.
     ChunkTree(const CellCounts& counts, std::uint64_t limit);
+
+    /// What `encoded` made, without its heavy points. Throws hierarchy::Damage.
+    explicit ChunkTree(std::span<const std::byte> bytes);
+    std::vector<std::byte> encoded() const;
 
     std::uint32_t chunkCount() const { return static_cast<std::uint32_t>(weights_.size()); }
 

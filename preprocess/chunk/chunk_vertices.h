@@ -18,7 +18,7 @@ public:
     const IndexedVertices& indexed() const { return vertices_; }
 
     /// The place of the vertex with this index in the source; a check fails for a vertex that the chunk has not.
-    std::uint32_t placeOfSource(std::uint32_t sourceIndex) const { return placeOf_[vertices_.find(sourceIndex)]; }
+    std::uint32_t placeOfSource(std::uint64_t sourceIndex) const { return placeOf_[vertices_.find(sourceIndex)]; }
 
     std::uint32_t placeOf(std::uint32_t vertex) const { return placeOf_[vertex]; }
 

@@ -25,32 +25,49 @@ void add(
 
 } // namespace
 
-std::vector<hierarchy::Field> measuredFields(
-    read::MeshSource& source, const std::vector<std::uint8_t>& valence, Progress& progress) {
-    const read::MeshSummary& summary = source.summary();
-    if (summary.fields.size() > hierarchy::kMostFields)
+std::vector<hierarchy::Field> unmeasuredFields(const read::MeshSummary& source) {
+    if (source.fields.size() > hierarchy::kMostFields)
         throw Error(
-            summary.path,
+            source.path,
             "too many fields",
             "at most " + std::to_string(hierarchy::kMostFields),
-            std::to_string(summary.fields.size()));
+            std::to_string(source.fields.size()));
     std::vector<hierarchy::Field> fields;
-    if (summary.fields.empty()) return fields;
-    const hierarchy::FieldLayout layout = hierarchy::FieldLayout::of(summary.fields.size());
-    for (const std::string& name : summary.fields)
+    const hierarchy::FieldLayout layout = hierarchy::FieldLayout::of(source.fields.size());
+    for (const std::string& name : source.fields)
         fields.push_back({name, HUGE_VAL, -HUGE_VAL, layout.bits[fields.size()]});
-    progress.stage("fields", "vertices", summary.vertexCount);
-    source.readVertices([&](const read::VertexBlock& block) {
-        for (std::size_t i = 0; i < block.positions.size(); ++i)
-            if (valence[block.firstVertex + i] > 0)
-                add(source, block.firstVertex + i, block.fields.subspan(i * fields.size(), fields.size()), fields);
-        progress.advance(block.positions.size());
-    });
+    return fields;
+}
+
+void addUsed(
+    read::MeshSource& source,
+    const read::VertexBlock& block,
+    const VertexTable<std::uint8_t>& valence,
+    std::vector<hierarchy::Field>& fields) {
+    for (std::size_t i = 0; !fields.empty() && i < block.positions.size(); ++i)
+        if (valence[block.firstVertex + i] > 0)
+            add(source, block.firstVertex + i, block.fields.subspan(i * fields.size(), fields.size()), fields);
+}
+
+void endRanges(const std::string& path, std::vector<hierarchy::Field>& fields) {
     for (hierarchy::Field& field : fields) {
         if (field.least > field.greatest) field.least = field.greatest = 0; // no triangle uses any vertex
         if (!std::isfinite(field.greatest - field.least))
-            throw Error(summary.path, "the values of field " + field.name + " lie too far apart");
+            throw Error(path, "the values of field " + field.name + " lie too far apart");
     }
+}
+
+std::vector<hierarchy::Field> measuredFields(
+    read::MeshSource& source, const VertexTable<std::uint8_t>& valence, Progress& progress) {
+    const read::MeshSummary& summary = source.summary();
+    std::vector<hierarchy::Field> fields = unmeasuredFields(summary);
+    if (fields.empty()) return fields;
+    progress.stage("fields", "vertices", summary.vertexCount);
+    source.readVertices([&](const read::VertexBlock& block) {
+        addUsed(source, block, valence, fields);
+        progress.advance(block.positions.size());
+    });
+    endRanges(summary.path, fields);
     return fields;
 }
 

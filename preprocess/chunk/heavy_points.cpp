@@ -12,7 +12,7 @@ constexpr std::size_t kRemembered = std::size_t{1} << 16U;
 
 /// Why a triangle between heavy points is dropped if it is not the first there, as far as that is known.
 std::uint64_t DroppedTriangles::*reasonOf(
-    const std::array<std::uint32_t, 3>& corners, const std::array<std::uint32_t, 3>& found) {
+    const read::TriangleCorners& corners, const std::array<std::uint32_t, 3>& found) {
     bool isCollapsed = false;
     bool isUnknown = false;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -45,7 +45,7 @@ std::optional<std::uint32_t> HeavyPoints::find(const hierarchy::GridPoint& point
 }
 
 bool HeavyPoints::isRepeated(
-    const std::array<std::uint32_t, 3>& corners, const std::array<std::uint32_t, 3>& found, DroppedTriangles& dropped) {
+    const read::TriangleCorners& corners, const std::array<std::uint32_t, 3>& found, DroppedTriangles& dropped) {
     std::uint64_t DroppedTriangles::*const reason = reasonOf(corners, found);
     if (reason == nullptr) return false;
     std::array<std::uint64_t, 3> points{found[0] / 2, found[1] / 2, found[2] / 2};

@@ -28,9 +28,7 @@ public:
     /// points are those of an earlier triangle, and why it is dropped is known without its positions; `dropped` counts
     /// it then. Not all repeats are found: what is remembered is bounded.
     bool isRepeated(
-        const std::array<std::uint32_t, 3>& corners,
-        const std::array<std::uint32_t, 3>& found,
-        DroppedTriangles& dropped);
+        const read::TriangleCorners& corners, const std::array<std::uint32_t, 3>& found, DroppedTriangles& dropped);
 
 private:
     std::vector<hierarchy::GridPoint> points_; // ascending

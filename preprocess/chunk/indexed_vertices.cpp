@@ -21,12 +21,12 @@ void IndexedVertices::forEachRun(
     std::uint32_t nextVertex = 0;
     bool isFirst = true;
     const auto add = [&](std::uint32_t vertex) {
-        const std::uint32_t index = vertices_[vertex].index;
+        const std::uint64_t index = vertices_[vertex].index;
         GNOMON_CHECK_OP(index, >=, nextIndex);
         if (isFirst || index != nextIndex || vertex != nextVertex) begin(index, vertex);
         extend();
         isFirst = false;
-        nextIndex = std::uint64_t{index} + 1;
+        nextIndex = index + 1;
         nextVertex = vertex + 1;
     };
     std::uint32_t vertex = 0;
@@ -48,11 +48,11 @@ void IndexedVertices::findRuns() {
     // Counted first: as many as vertices where each is a run.
     std::size_t count = 0;
     forEachRun(
-        foreign, [&](std::uint32_t, std::uint32_t) { ++count; }, [] {});
+        foreign, [&](std::uint64_t, std::uint32_t) { ++count; }, [] {});
     runs_.reserve(count);
     forEachRun(
         foreign,
-        [&](std::uint32_t index, std::uint32_t vertex) {
+        [&](std::uint64_t index, std::uint32_t vertex) {
             runs_.push_back({index, vertex, 0});
         },
         [&] { ++runs_.back().count; });
@@ -60,19 +60,19 @@ void IndexedVertices::findRuns() {
 
 void IndexedVertices::bucketRuns() {
     if (runs_.empty()) return;
-    const std::uint32_t range = runs_.back().index + runs_.back().count - 1 - runs_.front().index;
+    const std::uint64_t range = runs_.back().index + runs_.back().count - 1 - runs_.front().index;
     while (range >> bucketShift_ >= runs_.size())
         ++bucketShift_;
     firstRun_.reserve((range >> bucketShift_) + 2);
     for (std::uint32_t run = 0; run < runs_.size(); ++run) {
-        const std::uint32_t bucket = (runs_[run].index - runs_.front().index) >> bucketShift_;
+        const std::uint64_t bucket = (runs_[run].index - runs_.front().index) >> bucketShift_;
         while (firstRun_.size() <= bucket)
             firstRun_.push_back(run);
     }
     firstRun_.resize((range >> bucketShift_) + 2, static_cast<std::uint32_t>(runs_.size()));
 }
 
-std::uint32_t IndexedVertices::find(std::uint32_t sourceIndex) const {
+std::uint32_t IndexedVertices::find(std::uint64_t sourceIndex) const {
     GNOMON_CHECK(!runs_.empty() && sourceIndex >= runs_.front().index);
     const std::size_t bucket = (sourceIndex - runs_.front().index) >> bucketShift_;
     GNOMON_CHECK_OP(bucket + 1, <, firstRun_.size());
@@ -80,10 +80,10 @@ std::uint32_t IndexedVertices::find(std::uint32_t sourceIndex) const {
         runs_.begin() + firstRun_[bucket],
         runs_.begin() + firstRun_[bucket + 1],
         sourceIndex,
-        [](std::uint32_t index, const Run& run) { return index < run.index; });
+        [](std::uint64_t index, const Run& run) { return index < run.index; });
     const Run& run = *(after - 1);
     GNOMON_CHECK_OP(sourceIndex - run.index, <, run.count);
-    return run.vertex + (sourceIndex - run.index);
+    return run.vertex + static_cast<std::uint32_t>(sourceIndex - run.index);
 }
 
 } // namespace gnomon::chunk

@@ -26,16 +26,16 @@ public:
     }
 
     /// Its number here; a check fails for a vertex that the chunk has not.
-    std::uint32_t find(std::uint32_t sourceIndex) const;
+    std::uint32_t find(std::uint64_t sourceIndex) const;
 
-    simplify::Triangle find(const simplify::Triangle& corners) const {
+    simplify::Triangle find(const read::TriangleCorners& corners) const {
         return {find(corners[0]), find(corners[1]), find(corners[2])};
     }
 
 private:
     /// Vertices that follow each other both in the source and here. Scans have few runs, and long ones.
     struct Run {
-        std::uint32_t index = 0;
+        std::uint64_t index = 0;
         std::uint32_t vertex = 0;
         std::uint32_t count = 0;
     };

@@ -30,12 +30,12 @@ int floorExponent(double value) {
 void countTriangles(read::MeshSource& source, SourceSurvey& survey, EdgeSample& sample, Progress& progress) {
     const read::MeshSummary& summary = source.summary();
     progress.stage("count", "faces", summary.faceCount);
-    survey.valence.assign(summary.vertexCount, 0);
+    survey.valence = VertexTable<std::uint8_t>(summary.vertexCount);
     source.readTriangles([&](const read::TriangleBlock& block) {
         std::uint64_t index = block.firstTriangle;
         for (const read::TriangleCorners& triangle : block.triangles) {
             for (const std::uint64_t corner : triangle)
-                if (std::uint8_t& valence = survey.valence[corner]; valence < 255) ++valence;
+                if (std::uint8_t& valence = survey.valence.at(corner); valence < 255) ++valence;
             sample.offer(index++, triangle);
         }
         survey.triangles += block.triangles.size();
@@ -43,42 +43,54 @@ void countTriangles(read::MeshSource& source, SourceSurvey& survey, EdgeSample& 
         survey.hasPolygons = survey.hasPolygons || !block.polygons.empty();
         progress.advance(block.faceCount());
     });
-    if (survey.triangles >= 0xFFFFFFFFU)
-        throw Error(summary.path, "too many triangles", "fewer than 2^32", std::to_string(survey.triangles));
 }
 
-/// Of the vertices that triangles use: a stray one would set the grid's step.
-Box boundsOf(read::MeshSource& source, const std::vector<std::uint8_t>& valence, Progress& progress) {
+/// Throws Error for coordinates that cannot be computed with.
+void requireReach(const std::string& path, const Box& box) {
     constexpr double kMostCoordinate = 1e100; // beyond, squares of distances leave the range of doubles
+    const double largest = box.isEmpty() ? 0 : std::max(maxAbs(box.min), maxAbs(box.max));
+    if (largest <= kMostCoordinate) return;
+    std::array<char, 32> found{};
+    std::snprintf(found.data(), found.size(), "%g", largest);
+    throw Error(path, "a coordinate is too large", "at most 1e100", found.data());
+}
+
+Box boundsOf(read::MeshSource& source, const VertexTable<std::uint8_t>& valence, Progress& progress) {
     progress.stage("measure", "vertices", source.summary().vertexCount);
     Box box;
     source.readVertices([&](const read::VertexBlock& block) {
-        for (std::size_t i = 0; i < block.positions.size(); ++i) {
-            if (valence[block.firstVertex + i] == 0) continue;
-            read::requireFinite(source, block.firstVertex + i, block.positions[i]);
-            box.add(block.positions[i]);
-        }
+        addUsed(source, block, valence, box);
         progress.advance(block.positions.size());
     });
-    const double largest = box.isEmpty() ? 0 : std::max(maxAbs(box.min), maxAbs(box.max));
-    if (largest > kMostCoordinate) {
-        std::array<char, 32> found{};
-        std::snprintf(found.data(), found.size(), "%g", largest);
-        throw Error(source.summary().path, "a coordinate is too large", "at most 1e100", found.data());
-    }
+    requireReach(source.summary().path, box);
     return box;
 }
 
 } // namespace
 
+void addUsed(
+    read::MeshSource& source, const read::VertexBlock& block, const VertexTable<std::uint8_t>& valence, Box& box) {
+    for (std::size_t i = 0; i < block.positions.size(); ++i) {
+        if (valence[block.firstVertex + i] == 0) continue;
+        read::requireFinite(source, block.firstVertex + i, block.positions[i]);
+        box.add(block.positions[i]);
+    }
+}
+
+// The threshold of the whole sample is the largest power of two that leaves few enough, in whatever order: half as many
+// again as a part may offer too much are no loss.
+EdgeSample::EdgeSample(std::uint64_t triangles) {
+    for (; triangles > 2 * kMostSampled; triangles /= 2)
+        threshold_ /= 2;
+}
+
 void EdgeSample::offer(std::uint64_t index, const read::TriangleCorners& corners) {
-    const std::uint64_t hash = mix64(index);
-    if (hash > threshold_) return;
-    entries_.push_back(
-        {hash,
-         {static_cast<std::uint32_t>(corners[0]),
-          static_cast<std::uint32_t>(corners[1]),
-          static_cast<std::uint32_t>(corners[2])}});
+    take({mix64(index), corners});
+}
+
+void EdgeSample::take(const Entry& entry) {
+    if (entry.hash > threshold_) return;
+    entries_.push_back(entry);
     if (entries_.size() <= kMostSampled) return;
     threshold_ /= 2;
     std::erase_if(entries_, [&](const Entry& entry) { return entry.hash > threshold_; });
@@ -102,12 +114,19 @@ double EdgeSample::Lengths::quantile(double fraction) const {
     return 0;
 }
 
-EdgeSample::Lengths EdgeSample::measure(read::MeshSource& source) const {
-    std::vector<std::uint32_t> vertices;
+std::vector<std::uint64_t> EdgeSample::vertices() const {
+    std::vector<std::uint64_t> vertices;
     vertices.reserve(entries_.size() * 3);
     for (const Entry& entry : entries_)
         vertices.insert(vertices.end(), entry.corners.begin(), entry.corners.end());
-    const VertexLookup positions(source, std::move(vertices));
+    return vertices;
+}
+
+EdgeSample::Lengths EdgeSample::measure(read::MeshSource& source) const {
+    return measure(VertexLookup(source, vertices()));
+}
+
+EdgeSample::Lengths EdgeSample::measure(const VertexLookup& positions) const {
     Lengths lengths;
     for (const Entry& entry : entries_) {
         const glm::dvec3& a = positions[entry.corners[0]];
@@ -142,18 +161,21 @@ hierarchy::Grid chooseGrid(const Box& box, const EdgeSample::Lengths& lengths) {
     return grid;
 }
 
+void setGrid(SourceSurvey& survey, const std::string& path, const Box& box, const EdgeSample::Lengths& lengths) {
+    requireReach(path, box);
+    survey.grid = chooseGrid(box, lengths);
+    survey.furthest = GridSnap(survey.grid)(box.isEmpty() ? glm::dvec3(0) : box.max);
+}
+
 SourceSurvey surveySource(read::MeshSource& source, Progress& progress) {
     const read::MeshSummary& summary = source.summary();
-    if (summary.vertexCount >= 0xFFFFFFFFU)
-        throw Error(summary.path, "too many vertices", "fewer than 2^32", std::to_string(summary.vertexCount));
     SourceSurvey survey;
     survey.vertices = summary.vertexCount;
     EdgeSample sample;
     countTriangles(source, survey, sample, progress);
     const Box box = boundsOf(source, survey.valence, progress);
-    survey.grid = chooseGrid(box, sample.measure(source));
+    setGrid(survey, summary.path, box, sample.measure(source));
     survey.fields = measuredFields(source, survey.valence, progress);
-    survey.furthest = GridSnap(survey.grid)(box.isEmpty() ? glm::dvec3(0) : box.max);
     return survey;
 }
 

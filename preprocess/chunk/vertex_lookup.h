@@ -13,7 +13,7 @@ namespace gnomon::chunk {
 class VertexLookup {
 public:
     /// Reads the positions of `vertices` (any order, repeats welcome) in one pass over the source.
-    VertexLookup(read::MeshSource& source, std::vector<std::uint32_t> vertices) : vertices_(std::move(vertices)) {
+    VertexLookup(read::MeshSource& source, std::vector<std::uint64_t> vertices) : vertices_(std::move(vertices)) {
         std::sort(vertices_.begin(), vertices_.end());
         vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
         positions_.reserve(vertices_.size());
@@ -25,13 +25,19 @@ public:
         GNOMON_CHECK_OP(positions_.size(), ==, vertices_.size());
     }
 
-    const glm::dvec3& operator[](std::uint32_t vertex) const {
+    /// Of `vertices`, ascending, with their positions.
+    VertexLookup(std::vector<std::uint64_t> vertices, std::vector<glm::dvec3> positions)
+        : vertices_(std::move(vertices)), positions_(std::move(positions)) {
+        GNOMON_CHECK_OP(positions_.size(), ==, vertices_.size());
+    }
+
+    const glm::dvec3& operator[](std::uint64_t vertex) const {
         const auto found = std::lower_bound(vertices_.begin(), vertices_.end(), vertex);
         return positions_[static_cast<std::size_t>(found - vertices_.begin())];
     }
 
 private:
-    std::vector<std::uint32_t> vertices_;
+    std::vector<std::uint64_t> vertices_;
     std::vector<glm::dvec3> positions_;
 };
 

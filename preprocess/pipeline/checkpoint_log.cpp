@@ -102,6 +102,7 @@ void binnedFields(Fields& fields, Record& record) {
     fields.field(record.format.hasColors);
     for (auto& bits : record.format.fields.bits)
         fields.field(bits);
+    fields.field(record.format.isWide);
     fields.count(record.fields);
     for (auto& field : record.fields) {
         fields.text(field.name);

@@ -16,7 +16,7 @@
 namespace gnomon::pipeline {
 
 /// Counts up when the records change: a build can go on only with those of its own kind.
-constexpr int kCheckpointVersion = 7;
+constexpr int kCheckpointVersion = 8;
 
 /// The source is in chunks.
 struct BinnedRecord {

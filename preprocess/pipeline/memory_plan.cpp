@@ -10,7 +10,7 @@ constexpr Bytes kProcess = mebibytes(64);
 constexpr Bytes kSample = mebibytes(72);
 constexpr std::uint64_t kNodeBytesPerTriangle = 130;
 constexpr std::uint64_t kNodeBytesPerVertex = 110;
-constexpr std::uint64_t kBorderBytesPerVertex = 100;
+constexpr std::uint64_t kBorderBytesPerVertex = 108;
 constexpr std::uint64_t kBorderBytesPerTriangle = 64;
 constexpr std::uint64_t kRoutingBytesPerVertex = 64;   // beside the records and their copies
 constexpr std::uint64_t kScratchBytesPerTriangle = 44; // where temporary files are in memory
@@ -55,7 +55,9 @@ Bytes MemoryNeeds::survey() const {
 }
 
 Bytes MemoryNeeds::binning() const {
-    return {base().count + source.vertexCount * 3};
+    // A chunk is at least seven eighths full, but for those that close before a heavy point.
+    const std::uint64_t mostChunks = 2 * (trianglesOf(source) / chunkTriangles + 1);
+    return {base().count + source.vertexCount * (mostChunks > chunk::kNarrowChunks ? 5 : 3)};
 }
 
 Bytes MemoryNeeds::least() const {

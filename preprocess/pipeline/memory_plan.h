@@ -3,6 +3,7 @@
 
 #include "core/units.h"
 #include "preprocess/chunk/chunk_streams.h"
+#include "preprocess/chunk/chunk_tree.h"
 #include "preprocess/read/mesh_source.h"
 
 #include <cstddef>

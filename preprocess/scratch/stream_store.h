@@ -9,6 +9,17 @@
 
 namespace gnomon::scratch {
 
+/// Calls `take` for one value of `bytes`, which has a whole number of them, after the other.
+template <class T, class Take>
+void forEachRecord(std::span<const std::byte> bytes, const Take& take) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    for (std::size_t place = 0; place < bytes.size(); place += sizeof(T)) {
+        T value{};
+        std::memcpy(&value, bytes.data() + place, sizeof(T));
+        take(value);
+    }
+}
+
 /// Streams count from 0. What comes out of a stream is what went in, in order, whatever the size of the blocks.
 class StreamStore {
 public:

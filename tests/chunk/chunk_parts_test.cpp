@@ -18,13 +18,14 @@ namespace {
 
 TEST(ChunkStreams, AVertexComesBackWithWhatItsFormatHas) {
     Random random(1);
-    for (unsigned bits = 0; bits < 16; ++bits) {
+    for (unsigned bits = 0; bits < 32; ++bits) {
         VertexFormat format{(bits & 1U) != 0, (bits & 2U) != 0, (bits & 4U) != 0};
         if ((bits & 8U) != 0) format.fields = hierarchy::FieldLayout::of(2);
+        format.isWide = (bits & 16U) != 0;
         std::vector<ChunkVertex> vertices(20);
         std::vector<std::byte> records;
         for (ChunkVertex& vertex : vertices) {
-            vertex.index = static_cast<std::uint32_t>(random.bits());
+            vertex.index = format.isWide ? random.bits() : random.below(kMostNarrow);
             vertex.position = {random.uniform(-1e6, 1e6), random.unit(), -random.unit()};
             vertex.normal = static_cast<std::uint32_t>(random.bits());
             vertex.color = static_cast<std::uint32_t>(random.bits());
@@ -148,11 +149,11 @@ TEST(KeptTriangles, AreThoseThatASetKeeps) {
 
 TEST(SharedPlaces, AreThoseWhereOtherChunksMayHaveTriangles) {
     const ChunkVertices vertices = verticesAt({{0, 0, 0}, {4, 0, 0}, {0.1, 0, 0}, {9, 9, 9}}, 3);
-    const std::vector<VertexRequest> forNormals{{9, 10, 0}, {9, 11, 0}};
+    const std::vector<VertexRequest> forNormals{{9, 0, 10}, {9, 0, 11}};
     EXPECT_EQ(sharedPlaces(vertices, forNormals), (std::vector<std::uint8_t>{0, 0, 1})) << "the last lies elsewhere";
-    const std::vector<VertexRequest> second{{7, 11, 1}, {9, 10, 0}};
+    const std::vector<VertexRequest> second{{7, 1, 11}, {9, 0, 10}};
     EXPECT_EQ(sharedPlaces(vertices, second), (std::vector<std::uint8_t>{0, 1, 1}));
-    const std::vector<VertexRequest> samePlace{{6, 12, 1}};
+    const std::vector<VertexRequest> samePlace{{6, 1, 12}};
     EXPECT_EQ(sharedPlaces(vertices, samePlace), (std::vector<std::uint8_t>{1, 0, 1}))
         << "a vertex at its place counts";
 }

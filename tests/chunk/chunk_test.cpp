@@ -232,13 +232,13 @@ MadeVertices madeVertices(Random& random) {
         std::vector<ChunkVertex>& some = random.below(4) == 0 ? made.foreign : made.own;
         for (std::uint64_t left = 1 + random.below(longestRun); left > 0; --left) {
             some.emplace_back();
-            some.back().index = static_cast<std::uint32_t>(index++);
+            some.back().index = index++;
         }
         index += random.below(widestGap);
     }
     if (random.below(8) == 0) {
         made.own.emplace_back();
-        made.own.back().index = 0xFFFFFFFE;
+        made.own.back().index = random.below(2) == 0 ? 0xFFFFFFFE : std::uint64_t{1} << 40U;
     }
     for (std::size_t i = made.foreign.size(); i > 1; --i)
         std::swap(made.foreign[i - 1], made.foreign[random.below(i)]);
@@ -249,7 +249,7 @@ TEST(IndexedVertices, AreFoundAsInAMap) {
     Random random(11);
     for (int i = 0; i < 300; ++i) {
         const MadeVertices made = madeVertices(random);
-        std::map<std::uint32_t, std::uint32_t> plain;
+        std::map<std::uint64_t, std::uint32_t> plain;
         for (const std::vector<ChunkVertex>* some : {&made.own, &made.foreign})
             for (const ChunkVertex& vertex : *some)
                 plain.emplace(vertex.index, static_cast<std::uint32_t>(plain.size()));

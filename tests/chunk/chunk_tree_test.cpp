@@ -1,5 +1,6 @@
 // The octree of counts against the points themselves: every chunk within its limit, along the space-filling order.
 #include "core/random.h"
+#include "hierarchy/bytes.h"
 #include "preprocess/chunk/chunk_tree.h"
 
 #include <gtest/gtest.h>
@@ -99,6 +100,43 @@ TEST(ChunkTree, DoesNotDependOnTheOrderOfThePoints) {
     ASSERT_EQ(forwards.chunkCount(), backwards.chunkCount());
     for (const auto& [point, weight] : weights)
         EXPECT_EQ(forwards.chunkOf(point), backwards.chunkOf(point));
+}
+
+// As processes do that know a part of the points each.
+TEST(CellCounts, OfPartsAddUpToTheTreeOfAll) {
+    Random random(9);
+    for (const int rootBits : {2, 5, CellCounts::kMostRootBits}) {
+        const Weights weights = randomWeights(random, 5000, 3000);
+        const GridPoint furthest{5000, 5000, 5000};
+        constexpr std::uint64_t kLimit = 200;
+        CellCounts all(furthest);
+        do {
+            for (const auto& [point, weight] : weights)
+                all.add(point, weight);
+        } while (all.refine(kLimit / 8));
+        CellCounts sum(furthest, rootBits);
+        do {
+            for (std::size_t part = 0; part < 3; ++part) {
+                CellCounts counts(furthest, sum.shape(), rootBits);
+                std::size_t i = 0;
+                for (const auto& [point, weight] : weights)
+                    if (i++ % 3 == part) counts.add(point, weight);
+                sum.addOpenWeights(counts.openWeights());
+            }
+        } while (sum.refine(kLimit / 8));
+        const ChunkTree expected(all, kLimit);
+        const ChunkTree tree(sum, kLimit);
+        const ChunkTree back(tree.encoded());
+        EXPECT_GT(tree.chunkCount(), 20U);
+        EXPECT_EQ(tree.chunkCount(), expected.chunkCount());
+        EXPECT_EQ(back.chunkCount(), expected.chunkCount());
+        for (const auto& [point, weight] : weights) {
+            ASSERT_EQ(tree.chunkOf(point), expected.chunkOf(point));
+            ASSERT_EQ(back.chunkOf(point), expected.chunkOf(point));
+        }
+        const std::vector<std::byte> bytes = tree.encoded();
+        EXPECT_THROW(ChunkTree(std::span(bytes).first(bytes.size() / 2)), hierarchy::Damage);
+    }
 }
 
 TEST(CellCounts, ACellIsCutAboveTheLimitAndNotAtIt) {

@@ -36,6 +36,13 @@ private:
     read::MeshSummary summary_;
 };
 
+VertexTable<std::uint8_t> corners(const std::vector<std::uint8_t>& counts) {
+    VertexTable<std::uint8_t> table(counts.size());
+    for (std::size_t v = 0; v < counts.size(); ++v)
+        table.at(v) = counts[v];
+    return table;
+}
+
 TEST(FieldNumbers, AreHalfAStepOffAtMost) {
     NoProgress progress;
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
@@ -48,7 +55,7 @@ TEST(FieldNumbers, AreHalfAStepOffAtMost) {
         for (std::size_t i = 0; i < values.size(); ++i)
             values[i] = i % count == 1 ? 7 : random.uniform(-1, 1) * std::ldexp(1, static_cast<int>(seed) - 20);
         FieldSource source(names, values);
-        const auto fields = measuredFields(source, std::vector<std::uint8_t>(50, 1), progress);
+        const auto fields = measuredFields(source, corners(std::vector<std::uint8_t>(50, 1)), progress);
         const hierarchy::FieldLayout layout = hierarchy::FieldLayout::of(count);
         ASSERT_EQ(fields.size(), count);
         for (std::size_t v = 0; v < 50; ++v) {
@@ -67,11 +74,11 @@ TEST(FieldNumbers, AreHalfAStepOffAtMost) {
 TEST(FieldNumbers, CountOnlyVerticesThatTrianglesUse) {
     NoProgress progress;
     FieldSource source({"a"}, {5, std::numeric_limits<double>::quiet_NaN(), -3, 99});
-    const auto fields = measuredFields(source, {1, 0, 2, 0}, progress);
+    const auto fields = measuredFields(source, corners({1, 0, 2, 0}), progress);
     EXPECT_EQ(fields, (std::vector<hierarchy::Field>{{"a", -3, 5, 16}}));
     EXPECT_EQ(packedFields(std::array{-3.0}, fields), 0U);
     EXPECT_EQ(packedFields(std::array{5.0}, fields), 0xFFFFU);
-    EXPECT_EQ(measuredFields(source, {0, 0, 0, 0}, progress)[0].error(), 0);
+    EXPECT_EQ(measuredFields(source, corners({0, 0, 0, 0}), progress)[0].error(), 0);
 }
 
 TEST(FieldNumbers, RefuseWhatNoNumberStandsFor) {
@@ -79,7 +86,7 @@ TEST(FieldNumbers, RefuseWhatNoNumberStandsFor) {
     const auto messageFor = [&](std::vector<std::string> names, std::vector<double> values) {
         FieldSource source(std::move(names), std::move(values));
         try {
-            measuredFields(source, {1, 1}, progress);
+            measuredFields(source, corners({1, 1}), progress);
         } catch (const Error& error) {
             return std::string(error.what());
         }

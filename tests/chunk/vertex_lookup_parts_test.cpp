@@ -13,9 +13,9 @@ namespace gnomon::chunk {
 namespace {
 
 /// Vertices of `indices`, each told by its position.
-std::vector<ChunkVertex> verticesOf(const std::vector<std::uint32_t>& indices) {
+std::vector<ChunkVertex> verticesOf(const std::vector<std::uint64_t>& indices) {
     std::vector<ChunkVertex> vertices;
-    for (const std::uint32_t index : indices) {
+    for (const std::uint64_t index : indices) {
         vertices.emplace_back().index = index;
         vertices.back().position = glm::dvec3(index, 0, 1);
     }
@@ -26,32 +26,32 @@ std::vector<ChunkVertex> verticesOf(const std::vector<std::uint32_t>& indices) {
 TEST(IndexedVertices, FindEachVertexByItsIndex) {
     Random random(1);
     for (int trial = 0; trial < 200; ++trial) {
-        std::set<std::uint32_t> chosen;
-        const std::uint64_t spread = trial % 2 == 0 ? 300 : 4'000'000'000U;
+        std::set<std::uint64_t> chosen;
+        const std::uint64_t spread = trial % 3 == 0 ? 300 : trial % 3 == 1 ? 4'000'000'000U : std::uint64_t{1} << 40U;
         while (chosen.size() < 1 + static_cast<std::size_t>(trial)) {
-            const auto first = static_cast<std::uint32_t>(random.below(spread));
+            const std::uint64_t first = random.below(spread);
             for (std::uint32_t i = 0; i < 1 + random.below(20); ++i)
                 chosen.insert(first + i);
         }
-        std::vector<std::uint32_t> own;
-        std::vector<std::uint32_t> foreign;
-        for (const std::uint32_t index : chosen)
+        std::vector<std::uint64_t> own;
+        std::vector<std::uint64_t> foreign;
+        for (const std::uint64_t index : chosen)
             (random.below(4) == 0 ? foreign : own).push_back(index);
         for (std::size_t i = foreign.size(); i-- > 1;)
             std::swap(foreign[i], foreign[random.below(i + 1)]);
-        std::vector<std::uint32_t> all = own;
+        std::vector<std::uint64_t> all = own;
         all.insert(all.end(), foreign.begin(), foreign.end());
         IndexedVertices vertices(verticesOf(all), own.size());
         ASSERT_EQ(vertices.size(), all.size());
         EXPECT_EQ(vertices.ownCount(), own.size());
-        for (const std::uint32_t index : all) {
+        for (const std::uint64_t index : all) {
             const std::uint32_t place = vertices.find(index);
             ASSERT_LT(place, all.size());
             ASSERT_EQ(vertices[place].index, index);
-            ASSERT_EQ(vertices[place].position.x, index);
+            ASSERT_EQ(vertices[place].position.x, static_cast<double>(index));
             ASSERT_EQ(place < own.size(), std::binary_search(own.begin(), own.end(), index));
         }
-        const simplify::Triangle corners{all.front(), all.back(), all[all.size() / 2]};
+        const read::TriangleCorners corners{all.front(), all.back(), all[all.size() / 2]};
         const simplify::Triangle found = vertices.find(corners);
         for (std::size_t k = 0; k < 3; ++k)
             EXPECT_EQ(vertices[found[k]].index, corners[k]);
@@ -76,8 +76,7 @@ TEST(HeavyPoints, TellPointsAndWhetherAVertexLiesWhereTheFirstDid) {
 TEST(HeavyPoints, LeaveOutRepeatedTrianglesByWhatIsWrongWithThem) {
     HeavyPoints points({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, 3);
     DroppedTriangles dropped;
-    const auto isRepeated = [&](const std::array<std::uint32_t, 3>& corners,
-                                const std::array<std::uint32_t, 3>& found) {
+    const auto isRepeated = [&](const read::TriangleCorners& corners, const std::array<std::uint32_t, 3>& found) {
         return points.isRepeated(corners, found, dropped);
     };
     EXPECT_FALSE(isRepeated({1, 2, 3}, {0, 2, 4})) << "the first of its points";

@@ -51,7 +51,7 @@ std::vector<std::byte> encoded(const TaskFacts& facts) {
     for (int axis = 0; axis < 3; ++axis)
         out.put(facts.grid.origin[axis]);
     out.put(facts.grid.stepExponent);
-    for (const bool has : {facts.format.isDouble, facts.format.hasNormals, facts.format.hasColors})
+    for (const bool has : {facts.format.isDouble, facts.format.hasNormals, facts.format.hasColors, facts.format.isWide})
         out.put(static_cast<std::uint8_t>(has ? 1 : 0));
     for (const auto bits : facts.format.fields.bits)
         out.putVarint(bits);
@@ -64,7 +64,7 @@ TaskFacts decodedFacts(std::span<const std::byte> bytes) {
     for (int axis = 0; axis < 3; ++axis)
         facts.grid.origin[axis] = in.take<double>();
     facts.grid.stepExponent = in.take<decltype(facts.grid.stepExponent)>();
-    for (bool* has : {&facts.format.isDouble, &facts.format.hasNormals, &facts.format.hasColors})
+    for (bool* has : {&facts.format.isDouble, &facts.format.hasNormals, &facts.format.hasColors, &facts.format.isWide})
         *has = in.take<std::uint8_t>() != 0;
     for (auto& bits : facts.format.fields.bits)
         bits = static_cast<std::decay_t<decltype(bits)>>(in.takeVarint());

@@ -1,0 +1,57 @@
+// Hands vertices and triangles of a source to the streams of the chunks in which they lie.
+#pragma once
+
+#include "hierarchy/model.h"
+#include "preprocess/chunk/chunk_streams.h"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace gnomon::chunk {
+
+VertexFormat formatOf(const read::MeshSummary& source);
+
+/// Counts what each chunk gets; without a store it does no more.
+class ChunkWriter {
+public:
+    /// Both must outlive it.
+    ChunkWriter(
+        const VertexFormat& format,
+        std::span<const hierarchy::Field> fields,
+        scratch::StreamStore* bins,
+        std::uint32_t chunkCount)
+        : format_(format), fields_(fields), bins_(bins), sizes_(chunkCount) {}
+
+    /// Vertex `i` of a block, which lies in `chunk`.
+    void putVertex(const read::VertexBlock& block, std::size_t i, std::uint32_t chunk);
+
+    /// A triangle whose corners lie in the chunks `lies`.
+    void putTriangle(const read::TriangleCorners& corners, const std::array<std::uint32_t, 3>& lies);
+
+    /// A polygon that lies in `chunk`, as a fan.
+    void putFan(std::span<const read::TriangleCorners> fan, std::uint32_t chunk);
+
+    /// What `chunk` gets besides.
+    void count(std::uint32_t chunk, const PartSize& more) {
+        sizes_[chunk].triangles += more.triangles;
+        sizes_[chunk].vertices += more.vertices;
+    }
+
+    /// Of each chunk.
+    const std::vector<PartSize>& sizes() const { return sizes_; }
+
+private:
+    void request(
+        const read::TriangleCorners& corners,
+        const std::array<std::uint32_t, 3>& lies,
+        std::uint32_t chunk,
+        bool isOwner);
+
+    VertexFormat format_;
+    std::span<const hierarchy::Field> fields_;
+    scratch::StreamStore* bins_; // none where it only counts
+    std::vector<PartSize> sizes_;
+};
+
+} // namespace gnomon::chunk

@@ -75,6 +75,8 @@ public:
         });
     }
 
+    void borrow(std::size_t threads) { pool_.borrow(threads); }
+
     std::optional<Finished> finished() { return pool_.finished(); }
 
     Outcome outcomeOf(Finished finished) {
@@ -111,7 +113,6 @@ void Helper::serve(const pipeline::BuildOptions& options, Progress& progress) {
     constexpr auto kLimit = tbb::global_control::max_allowed_parallelism;
     const std::size_t threads =
         options.threads > 0 ? static_cast<std::size_t>(options.threads) : tbb::global_control::active_value(kLimit);
-    const tbb::global_control limit(kLimit, threads + 1); // this one only waits
     Work work(threads, options.scratchBytesPerSecond);
     mailbox_.send(
         0, Subject::Hello, encoded(Hello{mailbox_.host(), static_cast<std::uint32_t>(threads), keyOf(options)}));
@@ -134,6 +135,7 @@ bool Helper::isBusy(Work& work, const pipeline::BuildOptions& options) {
     if (const std::optional<Letter> letter = mailbox_.receive()) {
         if (letter->subject == Subject::Stop) isStopped_ = true;
         if (letter->subject == Subject::Task) work.start(decodedAssignment(letter->bytes));
+        if (letter->subject == Subject::Lend) work.borrow(decodedNumber(letter->bytes));
         if (letter->subject == Subject::Begin) {
             work.begin(decodedBeginning(letter->bytes), mailbox_.rank(), options);
             mailbox_.send(0, Subject::Ready, {});

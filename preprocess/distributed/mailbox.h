@@ -17,6 +17,7 @@ enum class Subject : std::uint8_t {
     Ready,  // helper to leader: nothing
     Task,   // leader to helper: Assignment
     Result, // helper to leader: Outcome
+    Lend,   // leader to helper: how many threads of others its tasks may share
     News,   // helper to leader, of a task that runs (src/mpi): News
     Failed, // helper to leader: a text
     Stop,   // leader to helper: nothing

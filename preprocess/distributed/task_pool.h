@@ -21,6 +21,7 @@ struct Finished {
 
 class TaskPool {
 public:
+    /// From now on until it goes, TBB has no more threads in this process, beside the one that makes it.
     explicit TaskPool(std::size_t threads);
 
     /// Waits for the tasks that run.
@@ -31,6 +32,12 @@ public:
     TaskPool& operator=(TaskPool&&) = delete;
 
     std::size_t threads() const { return threads_; }
+
+    /// Lets the tasks share `lent` more threads than `threads()`, as far as this process may use so many cores.
+    void borrow(std::size_t lent);
+
+    /// How many threads the tasks share.
+    std::size_t sharedThreads() const;
 
     /// How many tasks were started whose outcome was not taken.
     std::size_t running() const { return running_; }

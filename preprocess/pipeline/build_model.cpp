@@ -378,8 +378,8 @@ BuildReport built(read::MeshSource& source, const BuildOptions& options, Process
     constexpr auto kLimit = tbb::global_control::max_allowed_parallelism;
     const std::size_t threads =
         options.threads > 0 ? static_cast<std::size_t>(options.threads) : tbb::global_control::active_value(kLimit);
-    // The thread that leads other processes waits for them, and works little.
-    const tbb::global_control limit(kLimit, threads + (team != nullptr ? 1 : 0));
+    std::optional<tbb::global_control> limit;
+    if (team == nullptr) limit.emplace(kLimit, threads); // a team sees to that itself
     Stopwatch watch;
     BuildReport report = Build(source, options, threads, team, progress).run();
     report.seconds = lap(watch); // with the temporary files gone

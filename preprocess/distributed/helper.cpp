@@ -57,15 +57,24 @@ std::string textOf(const std::exception_ptr& error) {
 /// What the tasks of a helper need.
 class Helper::Work {
 public:
-    Work(std::size_t threads, std::uint64_t bytesPerSecond) : space_(progress_), pool_(threads) {
-        space_.limitRate(bytesPerSecond);
+    Work(read::MeshSource& source, const pipeline::BuildOptions& options, std::size_t threads)
+        : source_(source), options_(options), space_(progress_), pool_(threads) {
+        space_.limitRate(options.scratchBytesPerSecond);
+        source_.pollWith(progress_);
     }
 
-    void begin(const Beginning& beginning, std::uint32_t rank, const pipeline::BuildOptions& options) {
+    void begin(const Beginning& beginning, std::uint32_t rank) {
         const pipeline::ScratchPlace& place = beginning.place;
-        scratch_.emplace(place.stem, place.firstPart + rank, space_, options.localFolder);
-        tasks_.emplace(beginning.facts, options.level, *scratch_, progress_);
+        scratch_.emplace(place.stem, place.firstPart + rank, space_, options_.localFolder);
+        tasks_.emplace(source_, options_.level, *scratch_, progress_);
     }
+
+    void tell(const pipeline::TaskFacts& facts) {
+        if (!tasks_) throw Error("facts before the build began");
+        tasks_->tell(facts);
+    }
+
+    std::uint64_t mostTableBytes() const { return tasks_ ? tasks_->mostTableBytes() : 0; }
 
     void start(Assignment assignment) {
         const std::uint32_t task = assignment.task;
@@ -96,6 +105,8 @@ public:
     }
 
 private:
+    read::MeshSource& source_;
+    const pipeline::BuildOptions& options_;
     CountedProgress progress_;
     scratch::TemporarySpace space_;
     std::optional<scratch::PartedScratch> scratch_;
@@ -109,17 +120,17 @@ void Helper::fail(const std::string& why) {
     if (!std::exchange(hasFailed_, true)) mailbox_.send(0, Subject::Failed, encoded(why));
 }
 
-void Helper::serve(const pipeline::BuildOptions& options, Progress& progress) {
+void Helper::serve(read::MeshSource& source, const pipeline::BuildOptions& options, Progress& progress) {
     constexpr auto kLimit = tbb::global_control::max_allowed_parallelism;
     const std::size_t threads =
         options.threads > 0 ? static_cast<std::size_t>(options.threads) : tbb::global_control::active_value(kLimit);
-    Work work(threads, options.scratchBytesPerSecond);
+    Work work(source, options, threads);
     mailbox_.send(
         0, Subject::Hello, encoded(Hello{mailbox_.host(), static_cast<std::uint32_t>(threads), keyOf(options)}));
     Patience patience;
     while (!isStopped_) {
         try {
-            if (isBusy(work, options))
+            if (isBusy(work))
                 patience.restart();
             else
                 patience.wait();
@@ -129,15 +140,17 @@ void Helper::serve(const pipeline::BuildOptions& options, Progress& progress) {
         }
     }
     work.stop();
+    tableBytes_ = work.mostTableBytes();
 }
 
-bool Helper::isBusy(Work& work, const pipeline::BuildOptions& options) {
+bool Helper::isBusy(Work& work) {
     if (const std::optional<Letter> letter = mailbox_.receive()) {
         if (letter->subject == Subject::Stop) isStopped_ = true;
         if (letter->subject == Subject::Task) work.start(decodedAssignment(letter->bytes));
+        if (letter->subject == Subject::Facts) work.tell(pipeline::decodedFacts(letter->bytes));
         if (letter->subject == Subject::Lend) work.borrow(decodedNumber(letter->bytes));
         if (letter->subject == Subject::Begin) {
-            work.begin(decodedBeginning(letter->bytes), mailbox_.rank(), options);
+            work.begin(decodedBeginning(letter->bytes), mailbox_.rank());
             mailbox_.send(0, Subject::Ready, {});
         }
         return true;
@@ -156,7 +169,8 @@ void Helper::leave() {
         if (letter && letter->subject == Subject::Stop) isStopped_ = true;
         if (!letter) patience.wait();
     }
-    mailbox_.send(0, Subject::Bye, encoded(Farewell{telemetry::peakResident().count, mailbox_.bytesSent()}));
+    mailbox_.send(
+        0, Subject::Bye, encoded(Farewell{telemetry::peakResident().count, tableBytes_, mailbox_.bytesSent()}));
     while (!mailbox_.hasSentAll())
         patience.wait();
 }

@@ -10,9 +10,9 @@ class Helper {
 public:
     explicit Helper(Mailbox& mailbox) : mailbox_(mailbox) {}
 
-    /// Says that it is there, and does tasks until the leader says Stop. `progress` is polled for interruptions. What
-    /// fails is told to the leader, who tells the user.
-    void serve(const pipeline::BuildOptions& options, Progress& progress);
+    /// Says that it is there, and does tasks of `source` until the leader says Stop. `progress` is polled for
+    /// interruptions. What fails is told to the leader, who tells the user.
+    void serve(read::MeshSource& source, const pipeline::BuildOptions& options, Progress& progress);
 
     /// Tells the leader why this process cannot go on, once.
     void fail(const std::string& why);
@@ -27,9 +27,10 @@ private:
     class Work;
 
     /// Takes a letter or what a task came to; false if there was neither. Throws what failed.
-    bool isBusy(Work& work, const pipeline::BuildOptions& options);
+    bool isBusy(Work& work);
 
     Mailbox& mailbox_;
+    std::uint64_t tableBytes_ = 0;
     bool hasFailed_ = false;
     bool isStopped_ = false;
 };

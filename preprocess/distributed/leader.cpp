@@ -74,6 +74,7 @@ void Leader::take(const Letter& letter) {
     case Subject::Bye: {
         const Farewell farewell = decodedFarewell(letter.bytes);
         member.report.peakResidentBytes = farewell.peakResidentBytes;
+        member.report.tableBytes = farewell.tableBytes;
         member.report.bytesSent = farewell.bytesSent;
         member.isGone = true;
         break;
@@ -91,11 +92,16 @@ void Leader::gather(const pipeline::BuildOptions& options, std::size_t threads, 
     waitForAll([](const Member& member) { return member.isThere; }, progress);
 }
 
-void Leader::begin(const pipeline::TaskFacts& facts, const pipeline::ScratchPlace& place, Progress& progress) {
+void Leader::begin(const pipeline::ScratchPlace& place, Progress& progress) {
     progress_ = &progress;
     for (std::uint32_t rank = 1; rank < members_.size(); ++rank)
-        mailbox_.send(rank, Subject::Begin, encoded(Beginning{facts, place}));
+        mailbox_.send(rank, Subject::Begin, encoded(Beginning{place}));
     waitForAll([](const Member& member) { return member.isReady; }, progress);
+}
+
+void Leader::tell(const pipeline::TaskFacts& facts) {
+    for (std::uint32_t rank = 1; rank < members_.size(); ++rank)
+        mailbox_.send(rank, Subject::Facts, pipeline::encoded(facts));
 }
 
 Leader::Member* Leader::freeMember(std::size_t atOnce) {

@@ -18,7 +18,8 @@ public:
     std::uint32_t processCount() const override { return mailbox_.count(); }
 
     void gather(const pipeline::BuildOptions& options, std::size_t threads, Progress& progress) override;
-    void begin(const pipeline::TaskFacts& facts, const pipeline::ScratchPlace& place, Progress& progress) override;
+    void begin(const pipeline::ScratchPlace& place, Progress& progress) override;
+    void tell(const pipeline::TaskFacts& facts) override;
     void run(const pipeline::TaskPhase& phase, const pipeline::Perform& perform) override;
     pipeline::TeamShare endPhase() override;
 

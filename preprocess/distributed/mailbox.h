@@ -14,11 +14,12 @@ namespace gnomon::distributed {
 enum class Subject : std::uint8_t {
     Hello,  // helper to leader: Hello
     Begin,  // leader to helper: Beginning
+    Facts,  // leader to helper: TaskFacts
     Ready,  // helper to leader: nothing
     Task,   // leader to helper: Assignment
     Result, // helper to leader: Outcome
-    Lend,   // leader to helper: how many threads of others its tasks may share
     News,   // helper to leader, of a task that runs (src/mpi): News
+    Lend,   // leader to helper: how many threads of others its tasks may share
     Failed, // helper to leader: a text
     Stop,   // leader to helper: nothing
     Bye,    // helper to leader, its last: Farewell

@@ -39,7 +39,6 @@ Hello decodedHello(std::span<const std::byte> bytes) {
 
 std::vector<std::byte> encoded(const Beginning& beginning) {
     ByteWriter out;
-    putBytes(out, encoded(beginning.facts));
     out.putText(beginning.place.stem);
     out.putVarint(beginning.place.firstPart);
     return out.take();
@@ -48,7 +47,6 @@ std::vector<std::byte> encoded(const Beginning& beginning) {
 Beginning decodedBeginning(std::span<const std::byte> bytes) {
     ByteReader in(bytes);
     Beginning beginning;
-    beginning.facts = pipeline::decodedFacts(takeBytes(in));
     beginning.place.stem = in.takeText();
     beginning.place.firstPart = static_cast<std::uint32_t>(in.takeVarint());
     in.expectEnd();
@@ -98,6 +96,7 @@ Outcome decodedOutcome(std::span<const std::byte> bytes) {
 std::vector<std::byte> encoded(const Farewell& farewell) {
     ByteWriter out;
     out.putVarint(farewell.peakResidentBytes);
+    out.putVarint(farewell.tableBytes);
     out.putVarint(farewell.bytesSent);
     return out.take();
 }
@@ -106,6 +105,7 @@ Farewell decodedFarewell(std::span<const std::byte> bytes) {
     ByteReader in(bytes);
     Farewell farewell;
     farewell.peakResidentBytes = in.takeVarint();
+    farewell.tableBytes = in.takeVarint();
     farewell.bytesSent = in.takeVarint();
     in.expectEnd();
     return farewell;

@@ -17,7 +17,6 @@ struct Hello {
 
 /// What all tasks need.
 struct Beginning {
-    pipeline::TaskFacts facts;
     pipeline::ScratchPlace place; // the leader's; helper i has the i-th part after it
 };
 
@@ -40,6 +39,7 @@ struct Outcome {
 /// What a helper says last.
 struct Farewell {
     std::uint64_t peakResidentBytes = 0;
+    std::uint64_t tableBytes = 0; // as in ProcessReport
     std::uint64_t bytesSent = 0;
 };
 

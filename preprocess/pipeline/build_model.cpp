@@ -3,13 +3,13 @@
 #include "core/heap.h"
 #include "core/limit_error.h"
 #include "core/stopwatch.h"
-#include "preprocess/chunk/binning.h"
 #include "preprocess/pipeline/assemble.h"
 #include "preprocess/pipeline/build_key.h"
 #include "preprocess/pipeline/counted_memory.h"
 #include "preprocess/pipeline/memory_plan.h"
 #include "preprocess/pipeline/round_bins.h"
 #include "preprocess/pipeline/rounds.h"
+#include "preprocess/pipeline/sort_source.h"
 #include "preprocess/pipeline/tasks/task_work.h"
 #include "preprocess/pipeline/tasks/write_pages.h"
 #include "preprocess/pipeline/upright_model.h"
@@ -90,13 +90,14 @@ public:
         report_.temporaryBytes = workDirectory_.space().peakBytes();
         report_.scratchRead = workDirectory_.space().bytesRead();
         report_.scratchWritten = workDirectory_.space().bytesWritten();
+        report_.tableBytes = work_->mostTableBytes();
         return std::move(report_);
     }
 
 private:
     void runPhases() {
-        bin();
         beginTasks();
+        bin();
         shareBorders();
         buildRounds();
         assemble();
@@ -107,28 +108,17 @@ private:
         const MemoryNeeds needs{source_.summary(), options_.chunkTriangles, options_.isInMemory};
         if (needs.least() > options_.memory) {
             source_.pollWith(progress_);
-            requireMemory(countedLeast(source_, needs, options_.memory, progress_));
+            requireMemory(source_.summary(), options_, countedLeast(source_, needs, options_.memory, progress_));
         }
         return needs;
     }
 
-    void requireMemory(const Bytes& needed) const {
-        if (needed > options_.memory)
-            throw LimitError(
-                Limit::Memory,
-                {source_.summary().path,
-                 "too little memory for this model",
-                 std::to_string((needed.count >> 20U) + 1) + "M or more",
-                 readableBytes(options_.memory)});
-    }
-
-    Bytes roomBeside(const Bytes& taken) const {
-        return {options_.memory.count > taken.count ? options_.memory.count - taken.count : 0};
-    }
+    Bytes room() const { return roomBeside(options_, needs_.base()); }
 
     void endPhase(const std::string& name, std::uint64_t sourceBytes) {
         scratch::TemporarySpace& space = workDirectory_.space();
         const TeamShare team = team_ != nullptr ? team_->endPhase() : TeamShare{};
+        space.takeOfOthers(team.bytesWritten);
         report_.phases.push_back(
             {name,
              lap(watch_),
@@ -137,56 +127,44 @@ private:
              team});
     }
 
+    /// What is read and built from here on is so in tasks, by whichever process.
+    void beginTasks() {
+        work_.emplace(source_, options_.level, workDirectory_.scratch(), progress_);
+        perform_ = [this](TaskKind kind, std::span<const std::byte> input) { return work_->perform(kind, input); };
+        if (team_ == nullptr) return;
+        workDirectory_.expectProcesses(team_->processCount());
+        workDirectory_.scratch().handOver();
+        team_->begin(workDirectory_.scratchPlace(), progress_);
+    }
+
     /// Sorts the source into chunks.
     void bin() {
         const bool isResumed = log().binned().has_value();
         if (isResumed) {
             bins_.emplace(workDirectory_.scratch(), log().binned()->directory);
         } else {
-            chunk::SourceSurvey survey = chunk::surveySource(source_, progress_);
-            endPhase("count", source_.summary().fileBytes);
-            const chunk::ChunkTree tree = chunk::planChunks(source_, survey, options_.chunkTriangles, progress_);
-            endPhase("octree", 0);
-            BinnedRecord record;
-            record.grid = survey.grid;
-            record.furthest = survey.furthest;
-            record.format = chunk::formatOf(source_.summary());
-            record.fields = survey.fields;
-            record.triangles = survey.triangles;
-            record.vertices = survey.vertices;
-            record.notAPolygon = survey.notAPolygon;
-            record.chunkCount = tree.chunkCount();
-            const Bytes room = roomBeside(needs_.binning());
-            bins_.emplace(
-                workDirectory_.scratch(),
-                chunk::binStreams(tree.chunkCount()),
-                blockBytes({room.count / 2}, std::uint64_t{3} * tree.chunkCount()));
-            const chunk::BinnedSize size =
-                chunk::binSource(source_, survey, tree, *bins_, room.count / 2 / kBytesPerPolygonCorner, progress_);
-            record.largestChunk = size.largestChunk;
-            record.dropped = {size.dropped.degenerate, size.dropped.doubled, size.dropped.collapsedByGrid};
-            source_.requireUnchanged(); // it is not read again
-            record.directory = bins_->directory();
-            workDirectory_.finish(std::move(record));
+            workDirectory_.finish(sortSource(
+                {source_,
+                 options_,
+                 workDirectory_.scratch(),
+                 runner(),
+                 perform_,
+                 progress_,
+                 threads_,
+                 team_ != nullptr ? team_->processCount() : 1,
+                 [this](const std::string& name, std::uint64_t sourceBytes) { endPhase(name, sourceBytes); }},
+                bins_));
             endPhase("bin", source_.summary().fileBytes);
         }
         const Bytes needed = {needs_.base().count + MemoryNeeds::node(log().binned()->largestChunk).count};
         if (isResumed && needed > options_.memory) workDirectory_.leave(); // what is finished waits for more memory
-        requireMemory(needed);
-        if (const chunk::PartSize& most = log().binned()->largestChunk;
-            countAtOnce(roomBeside(needs_.base()), MemoryNeeds::node(most), threads_) < 2)
+        requireMemory(source_.summary(), options_, needed);
+        if (countAtOnce(room(), MemoryNeeds::node(log().binned()->largestChunk), threads_) < 2)
             returnFreedMemoryAtOnce(); // memory is tight
-    }
-
-    /// From here on all is done in tasks, by whichever process.
-    void beginTasks() {
         const TaskFacts facts{log().binned()->grid, log().binned()->format};
-        work_.emplace(facts, options_.level, workDirectory_.scratch(), progress_);
-        perform_ = [this](TaskKind kind, std::span<const std::byte> input) { return work_->perform(kind, input); };
-        if (team_ == nullptr) return;
-        workDirectory_.expectProcesses(team_->processCount());
+        work_->tell(facts);
         workDirectory_.scratch().handOver();
-        team_->begin(facts, workDirectory_.scratchPlace(), progress_);
+        if (team_ != nullptr) team_->tell(facts);
     }
 
     TaskRunner& runner() { return team_ != nullptr ? static_cast<TaskRunner&>(*team_) : localTasks_; }
@@ -239,7 +217,7 @@ private:
 
     /// How many tasks that take `each` fit into memory, at least one, which does.
     std::size_t atOnce(const Bytes& each) const {
-        return std::max<std::size_t>(countAtOnce(roomBeside(needs_.base()), each, threads_), 1);
+        return std::max<std::size_t>(countAtOnce(room(), each, threads_), 1);
     }
 
     void buildRounds() {
@@ -251,8 +229,7 @@ private:
             endPhase("round " + std::to_string(round.number), 0);
             if (round.number == 0) requireTriangles();
             if (round.isLast) break;
-            round = roundBins_->next(
-                round, {roomBeside(needs_.base()), threads_, options_.chunkTriangles, runner(), perform_});
+            round = roundBins_->next(round, {room(), threads_, options_.chunkTriangles, runner(), perform_});
             endPhase("bin round " + std::to_string(round.number), 0);
             report_.rounds.push_back(reportOf(*log().binnedRound(round.number)));
         }
@@ -352,8 +329,6 @@ private:
     }
 
     const CheckpointLog& log() const { return workDirectory_.log(); }
-
-    static constexpr std::uint64_t kBytesPerPolygonCorner = 96;
 
     read::MeshSource& source_;
     const BuildOptions& options_;

@@ -36,6 +36,7 @@ struct BuildReport {
     std::uint64_t temporaryBytes = 0; // at their peak
     std::uint64_t scratchRead = 0;    // bytes of temporary files, by this process
     std::uint64_t scratchWritten = 0;
+    std::uint64_t tableBytes = 0; // at most, of what is known of each vertex, by this process
     double seconds = 0;
     std::vector<BuildPhase> phases;
     std::vector<RoundReport> rounds;

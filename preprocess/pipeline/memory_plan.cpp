@@ -8,6 +8,9 @@ namespace {
 
 constexpr Bytes kProcess = mebibytes(64);
 constexpr Bytes kSample = mebibytes(72);
+constexpr std::uint64_t kSampleBytesPerTriangle = 160;
+constexpr Bytes kRangeReading = mebibytes(5); // a window over the file, rows of a block
+constexpr std::uint64_t kBytesPerCell = 12;   // of the first table of an octree
 constexpr std::uint64_t kNodeBytesPerTriangle = 130;
 constexpr std::uint64_t kNodeBytesPerVertex = 110;
 constexpr std::uint64_t kBorderBytesPerVertex = 108;
@@ -50,11 +53,26 @@ Bytes MemoryNeeds::routing(std::uint64_t bytes, std::uint64_t vertices) {
     return {2 * bytes + vertices * kRoutingBytesPerVertex};
 }
 
+Bytes MemoryNeeds::leastRangeTables() {
+    return mebibytes(4);
+}
+
+Bytes MemoryNeeds::rangeTask(const read::MeshSummary& source) {
+    const std::uint64_t cells = std::uint64_t{1} << static_cast<unsigned>(3 * chunk::rootBitsFor(source.vertexCount));
+    return {kRangeReading.count + kBytesPerCell * cells + leastRangeTables().count};
+}
+
+Bytes MemoryNeeds::ranges() const {
+    return {base().count + std::min(kSample.count, kSampleBytesPerTriangle * trianglesOf(source))};
+}
+
 Bytes MemoryNeeds::survey() const {
+    if (source.hasRanges && !isSerial) return {ranges().count + rangeTask(source).count};
     return {base().count + source.vertexCount + kSample.count};
 }
 
 Bytes MemoryNeeds::binning() const {
+    if (source.hasRanges && !isSerial) return survey();
     // A chunk is at least seven eighths full, but for those that close before a heavy point.
     const std::uint64_t mostChunks = 2 * (trianglesOf(source) / chunkTriangles + 1);
     return {base().count + source.vertexCount * (mostChunks > chunk::kNarrowChunks ? 5 : 3)};

@@ -15,6 +15,7 @@ struct MemoryNeeds {
     const read::MeshSummary& source;
     std::uint32_t chunkTriangles = 0;
     bool isInMemory = false; // temporary files in memory, too
+    bool isSerial = false;   // sorted in whole passes, though the source has ranges
 
     /// What the process is anyway, and what the source itself holds.
     Bytes base() const;
@@ -28,6 +29,13 @@ struct MemoryNeeds {
     /// What handing on the clusters that a node left takes: `bytes` of them, with `vertices`; less than a node of their
     /// size.
     static Bytes routing(std::uint64_t bytes, std::uint64_t vertices);
+
+    /// What a task of a range of rows takes at least, and how much of that for tables and the blocks of streams.
+    static Bytes rangeTask(const read::MeshSummary& source);
+    static Bytes leastRangeTables();
+
+    /// What sorting by ranges takes beside its tasks.
+    Bytes ranges() const;
 
     /// The first look at the source.
     Bytes survey() const;

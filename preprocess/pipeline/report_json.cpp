@@ -72,6 +72,7 @@ nlohmann::ordered_json reportJson(
              {"tasks", process.tasks},
              {"busy_seconds", process.busySeconds},
              {"peak_rss_bytes", process.peakResidentBytes},
+             {"table_bytes", process.tableBytes},
              {"bytes_sent", process.bytesSent},
              {"scratch_bytes_read", process.bytesRead},
              {"scratch_bytes_written", process.bytesWritten}});

@@ -61,7 +61,12 @@ private:
 
 void TemporarySpace::take(std::uint64_t bytes) {
     written_ += bytes;
-    const std::uint64_t now = bytes_ += bytes;
+    takeOfOthers(bytes);
+}
+
+void TemporarySpace::takeOfOthers(std::uint64_t bytes) {
+    const auto more = static_cast<std::int64_t>(bytes);
+    const auto now = static_cast<std::uint64_t>(std::max<std::int64_t>(bytes_ += more, 0));
     std::uint64_t peak = peak_;
     while (peak < now && !peak_.compare_exchange_weak(peak, now)) {
     }
@@ -82,7 +87,8 @@ void TemporarySpace::pace(std::uint64_t bytes) {
 }
 
 void TemporarySpace::giveBack(std::uint64_t bytes) {
-    progress_.temporarySpace(bytes_ -= bytes);
+    bytes_ -= static_cast<std::int64_t>(bytes);
+    progress_.temporarySpace(this->bytes());
 }
 
 std::uint64_t ScratchFile::append(std::span<const std::byte> bytes) {

@@ -4,6 +4,7 @@
 #include "core/file.h"
 #include "core/progress.h"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstddef>
@@ -23,7 +24,10 @@ public:
     void take(std::uint64_t bytes);
     void giveBack(std::uint64_t bytes);
 
-    std::uint64_t bytes() const { return bytes_; }
+    /// What other processes took in the same space: theirs may have been given back here before.
+    void takeOfOthers(std::uint64_t bytes);
+
+    std::uint64_t bytes() const { return static_cast<std::uint64_t>(std::max<std::int64_t>(bytes_, 0)); }
 
     std::uint64_t peakBytes() const { return peak_; }
 
@@ -43,7 +47,7 @@ public:
 
 private:
     Progress& progress_;
-    std::atomic<std::uint64_t> bytes_{0};
+    std::atomic<std::int64_t> bytes_{0};
     std::atomic<std::uint64_t> peak_{0};
     std::atomic<std::uint64_t> read_{0};
     std::atomic<std::uint64_t> written_{0};

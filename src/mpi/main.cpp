@@ -38,6 +38,7 @@ int lead(distributed::Mailbox& mailbox, int argc, char** argv) {
         isDismissed = true;
         report.processes = leader.reports();
         report.processes.front().bytesRead = report.scratchRead;
+        report.processes.front().tableBytes = report.tableBytes;
         report.processes.front().bytesWritten = report.scratchWritten;
         return std::optional(std::move(report));
     };
@@ -50,8 +51,8 @@ int lead(distributed::Mailbox& mailbox, int argc, char** argv) {
 /// Its exit code is 0 in any case: the leader tells what fails, and fails once.
 int help(distributed::Mailbox& mailbox, int argc, char** argv) {
     distributed::Helper helper(mailbox);
-    const auto build = [&](read::MeshSource&, const pipeline::BuildOptions& options, Progress& progress) {
-        helper.serve(options, progress);
+    const auto build = [&](read::MeshSource& source, const pipeline::BuildOptions& options, Progress& progress) {
+        helper.serve(source, options, progress);
         return std::optional<pipeline::BuildReport>();
     };
     try {

@@ -20,9 +20,11 @@ TEST(Messages, ComeBack) {
     EXPECT_EQ(hello.host, "node17");
     EXPECT_EQ(hello.threads, 48U);
     EXPECT_EQ(hello.key, "format 3, input 1 bytes 5");
-    const Farewell farewell = decodedFarewell(encoded(Farewell{std::uint64_t{1} << 40U, 7}));
+    const Farewell farewell = decodedFarewell(encoded(Farewell{std::uint64_t{1} << 40U, 99, 7}));
     EXPECT_EQ(farewell.peakResidentBytes, std::uint64_t{1} << 40U);
+    EXPECT_EQ(farewell.tableBytes, 99U);
     EXPECT_EQ(farewell.bytesSent, 7U);
+    EXPECT_EQ(decodedNumber(encoded(std::uint64_t{1} << 50U)), std::uint64_t{1} << 50U);
     EXPECT_EQ(decodedText(encoded(std::string("the disk is full"))), "the disk is full");
     const Assignment assignment =
         decodedAssignment(encoded(Assignment{pipeline::TaskKind::ShareLocks, 0xFFFFFFFF, {std::byte{4}}}));
@@ -42,12 +44,8 @@ TEST(Messages, OutcomesAndBeginningsComeBackOrAreRefused) {
     EXPECT_EQ(back.result, outcome.result);
     expectExact(encoded(outcome), decodedOutcome);
     Beginning beginning;
-    beginning.facts.grid.stepExponent = -7;
-    beginning.facts.format.hasNormals = true;
     beginning.place = {"folder/scratch.", 33};
     const Beginning begun = decodedBeginning(encoded(beginning));
-    EXPECT_EQ(begun.facts.grid.stepExponent, -7);
-    EXPECT_TRUE(begun.facts.format.hasNormals);
     EXPECT_EQ(begun.place.stem, "folder/scratch.");
     EXPECT_EQ(begun.place.firstPart, 33U);
     expectExact(encoded(beginning), decodedBeginning);

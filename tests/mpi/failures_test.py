@@ -62,8 +62,11 @@ class Failures(JobTest):
         mesh = self.made("plant", "150k")
         expected = self.hash_alone(mesh, *SMALL)
         job = start(2, "build", mesh, "-o", self.model, *SMALL, "--scratch-rate", "2M")  # long enough to be ended
-        for _ in range(4000):  # until tasks run
-            if (self.place / "m.gnm.building/scratch.1").exists() or job.poll() is not None:
+        log = self.place / "m.gnm.building/checkpoints"
+        sizes = set()
+        for _ in range(4000):  # until the source is in chunks: the first record after that of what is built
+            sizes.add(log.stat().st_size if log.exists() else 0)
+            if len(sizes) > 2 or job.poll() is not None:
                 break
             time.sleep(0.002)
         job.send_signal(signal.SIGTERM)

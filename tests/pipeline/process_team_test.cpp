@@ -18,19 +18,23 @@ namespace {
 class BackwardTeam final : public ProcessTeam {
 public:
     /// Fails at its `fatalTask`th task.
-    explicit BackwardTeam(std::uint32_t processes, std::uint64_t fatalTask = ~std::uint64_t{0})
-        : processes_(processes), fatalTask_(fatalTask) {}
+    BackwardTeam(read::MeshSource& source, std::uint32_t processes, std::uint64_t fatalTask = ~std::uint64_t{0})
+        : source_(source), processes_(processes), fatalTask_(fatalTask) {}
 
     std::uint32_t processCount() const override { return processes_; }
 
     void gather(const BuildOptions& /*options*/, std::size_t /*threads*/, Progress& /*progress*/) override {}
 
-    void begin(const TaskFacts& facts, const ScratchPlace& place, Progress& /*progress*/) override {
+    void begin(const ScratchPlace& place, Progress& /*progress*/) override {
         for (std::uint32_t i = 1; i < processes_; ++i) {
             parts_.push_back(std::make_unique<scratch::PartedScratch>(place.stem, place.firstPart + i, space_));
-            work_.push_back(std::make_unique<TaskWork>(
-                decodedFacts(encoded(facts)), levels::LevelOptions(), *parts_.back(), progress_));
+            work_.push_back(std::make_unique<TaskWork>(source_, levels::LevelOptions(), *parts_.back(), progress_));
         }
+    }
+
+    void tell(const TaskFacts& facts) override {
+        for (const auto& work : work_)
+            work->tell(decodedFacts(encoded(facts)));
     }
 
     void run(const TaskPhase& phase, const Perform& perform) override {
@@ -48,6 +52,7 @@ public:
     std::uint64_t tasks() const { return tasks_; }
 
 private:
+    read::MeshSource& source_;
     std::uint32_t processes_;
     std::uint64_t fatalTask_;
     std::uint64_t tasks_ = 0;
@@ -66,34 +71,33 @@ protected:
         options.inputKey = "the sheet";
     }
 
-    std::string built(ProcessTeam& team) {
-        read::CodeMesh mesh = read::bumpySheet(80);
-        return buildModel(mesh, options, team, progress).contentHash;
-    }
+    std::string built(ProcessTeam& team) { return buildModel(mesh, options, team, progress).contentHash; }
 
     std::string builtAlone() {
-        read::CodeMesh mesh = read::bumpySheet(80);
-        return buildModel(mesh, options, progress).contentHash;
+        read::CodeMesh whole = read::bumpySheet(80);
+        return buildModel(whole, options, progress).contentHash;
     }
 
     NoProgress progress;
     TestFolder folder;
     BuildOptions options;
+    read::CodeMesh mesh = read::bumpySheet(80);
 };
 
 TEST_F(Team, BuildsTheBytesOfOneProcess) {
     const std::string expected = builtAlone();
-    for (const std::uint32_t processes : {1U, 2U, 5U}) {
-        BackwardTeam team(processes);
+    for (const std::uint32_t processes : {1U, 2U, 5U, 1U, 2U, 5U}) {
+        BackwardTeam team(mesh, processes);
         EXPECT_EQ(built(team), expected) << processes;
         EXPECT_GT(team.tasks(), 20U);
         EXPECT_EQ(folder.names(), std::set<std::string>{"m.gnm"});
+        if (processes == 5) mesh.withRanges(); // and then the source, too, is sorted in tasks
     }
 }
 
 TEST_F(Team, ThatFailsLeavesWhatAnotherGoesOnWith) {
     const std::string expected = builtAlone();
-    BackwardTeam whole(1);
+    BackwardTeam whole(mesh, 1);
     EXPECT_EQ(built(whole), expected);
     std::filesystem::remove(options.output);
     options.isResumed = true;
@@ -101,7 +105,7 @@ TEST_F(Team, ThatFailsLeavesWhatAnotherGoesOnWith) {
     std::uint32_t processes = 2;
     std::string hash;
     while (hash.empty()) {
-        BackwardTeam team(processes, 60); // the exchange of borders, and a few nodes
+        BackwardTeam team(mesh, processes, 60); // the exchange of borders, and a few nodes
         try {
             hash = built(team);
         } catch (const Error&) {
@@ -114,7 +118,7 @@ TEST_F(Team, ThatFailsLeavesWhatAnotherGoesOnWith) {
     EXPECT_EQ(hash, expected);
     EXPECT_EQ(folder.names(), std::set<std::string>{"m.gnm"});
     std::filesystem::remove(options.output);
-    BackwardTeam team(3, 70);
+    BackwardTeam team(mesh, 3, 70);
     EXPECT_THROW(built(team), Error);
     EXPECT_EQ(builtAlone(), expected) << "one process goes on with what many left";
     EXPECT_EQ(folder.names(), std::set<std::string>{"m.gnm"});
@@ -123,15 +127,15 @@ TEST_F(Team, ThatFailsLeavesWhatAnotherGoesOnWith) {
 // The last tasks write pages to a file that has no name yet.
 TEST_F(Team, ThatFailsAtTheLastPagesKeepsTheModelThatWasThere) {
     const std::string expected = builtAlone();
-    BackwardTeam whole(3);
+    BackwardTeam whole(mesh, 3);
     EXPECT_EQ(built(whole), expected);
     for (const std::uint64_t fromEnd : {1U, 2U, 3U}) {
-        BackwardTeam team(3, whole.tasks() - fromEnd);
+        BackwardTeam team(mesh, 3, whole.tasks() - fromEnd);
         EXPECT_THROW(built(team), Error);
         EXPECT_EQ(folder.names(), (std::set<std::string>{"m.gnm", "m.gnm.building"}));
         EXPECT_EQ(hierarchy::ModelFile(options.output).contentHash(), expected);
         options.isResumed = true;
-        BackwardTeam next(2);
+        BackwardTeam next(mesh, 2);
         EXPECT_EQ(built(next), expected);
         EXPECT_LT(next.tasks(), 10U) << "pages alone are written anew";
         EXPECT_EQ(folder.names(), std::set<std::string>{"m.gnm"});

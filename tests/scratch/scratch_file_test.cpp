@@ -118,6 +118,18 @@ INSTANTIATE_TEST_SUITE_P(OnDiskAndInMemory, Scratch, testing::Bool(), [](const a
     return name.param ? "OnDisk" : "InMemory";
 });
 
+TEST(TemporarySpace, OfOthersMayBeGivenBackBeforeItIsToldOf) {
+    NoProgress progress;
+    TemporarySpace space(progress);
+    space.take(100);
+    space.giveBack(300);
+    EXPECT_EQ(space.bytes(), 0U);
+    space.takeOfOthers(500);
+    EXPECT_EQ(space.bytes(), 300U);
+    EXPECT_EQ(space.peakBytes(), 300U);
+    EXPECT_EQ(space.bytesWritten(), 100U) << "by this process";
+}
+
 TEST(TemporarySpace, KeepsToItsRateOverAllThreads) {
     NoProgress progress;
     TemporarySpace space(progress);

@@ -27,8 +27,9 @@ struct ProcessReport {
     std::uint64_t tasks = 0;
     double busySeconds = 0; // of all its tasks
     std::uint64_t peakResidentBytes = 0;
-    std::uint64_t bytesSent = 0; // in messages
-    std::uint64_t bytesRead = 0; // of scratch files
+    std::uint64_t tableBytes = 0; // at most, of what is known of each vertex of the source
+    std::uint64_t bytesSent = 0;  // in messages
+    std::uint64_t bytesRead = 0;  // of scratch files
     std::uint64_t bytesWritten = 0;
 };
 
@@ -43,7 +44,10 @@ public:
 
     /// `place` is where this process's part of the scratch files is; each other has one of its own after it. What the
     /// others do advances `progress`, which must outlive all runs.
-    virtual void begin(const TaskFacts& facts, const ScratchPlace& place, Progress& progress) = 0;
+    virtual void begin(const ScratchPlace& place, Progress& progress) = 0;
+
+    /// Tells all what tasks of chunks and nodes need.
+    virtual void tell(const TaskFacts& facts) = 0;
 
     /// How what ran since the last call was shared.
     virtual TeamShare endPhase() = 0;

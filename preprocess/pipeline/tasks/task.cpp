@@ -22,13 +22,6 @@ Block takeBlock(ByteReader& in) {
     return block;
 }
 
-/// A number of things of which each has a byte or more.
-std::size_t takeCount(ByteReader& in) {
-    const std::uint64_t count = in.takeVarint();
-    if (count > in.remaining()) throw hierarchy::Damage{"the bytes end too early"};
-    return count;
-}
-
 } // namespace
 
 void LocalTasks::run(const TaskPhase& phase, const Perform& perform) {
@@ -38,6 +31,12 @@ void LocalTasks::run(const TaskPhase& phase, const Perform& perform) {
         phase.atOnce,
         [&](std::size_t i) { return perform(phase.kind, phase.input(phase.tasks[i])); },
         [&](std::size_t i, const std::vector<std::byte>& result) { phase.take(phase.tasks[i], result); });
+}
+
+std::size_t takeCount(ByteReader& in) {
+    const std::uint64_t count = in.takeVarint();
+    if (count > in.remaining()) throw hierarchy::Damage{"the bytes end too early"};
+    return count;
 }
 
 void putBlocks(ByteWriter& out, const Blocks& blocks) {

@@ -12,12 +12,17 @@
 namespace gnomon::pipeline {
 
 enum class TaskKind : std::uint8_t {
-    AnswerVertices, // of a chunk, for the others
-    AnswerNormals,  // likewise
-    BuildNode,      // from a chunk, or from clusters in a later round
-    RouteClusters,  // of a node, to those of the next round
-    ShareLocks,     // of the positions that several nodes of the next round use, those of one stream
-    WritePages,     // that lie next to each other in the model, to their place there
+    CountFaces,      // of a range of the source: corners at each vertex, and a sample of edges
+    MeasureVertices, // of a range: what corners there are in all, and within which box
+    CountCells,      // of the octree, of a range of vertices
+    BinVertices,     // of a range, to their chunks
+    BinFaces,        // likewise
+    AnswerVertices,  // of a chunk, for the others
+    AnswerNormals,   // likewise
+    BuildNode,       // from a chunk, or from clusters in a later round
+    RouteClusters,   // of a node, to those of the next round
+    ShareLocks,      // of the positions that several nodes of the next round use, those of one stream
+    WritePages,      // that lie next to each other in the model, to their place there
 };
 
 /// Whether tasks of that kind read what one of the same number has read before, if it was of a chunk, too.
@@ -64,6 +69,9 @@ using Blocks = std::vector<scratch::StreamStore::Block>;
 
 /// Blocks of the scratch file for streams, by number.
 using Mail = std::vector<std::pair<std::uint32_t, scratch::StreamStore::Block>>;
+
+/// A number of things of which each has a byte or more. Throws hierarchy::Damage.
+std::size_t takeCount(hierarchy::ByteReader& in);
 
 void putBlocks(hierarchy::ByteWriter& out, const Blocks& blocks);
 Blocks takeBlocks(hierarchy::ByteReader& in);

@@ -100,6 +100,19 @@ std::vector<std::byte> TaskWork::perform(TaskKind kind, std::span<const std::byt
 
 std::vector<std::byte> TaskWork::resultOf(TaskKind kind, ByteReader& in) const {
     switch (kind) {
+    case TaskKind::CountFaces:
+        return encoded(ranges_.countFaces(takeCountInput(in)));
+    case TaskKind::MeasureVertices:
+        return encoded(ranges_.measureVertices(takeMeasureInput(in)));
+    case TaskKind::CountCells: {
+        ByteWriter out;
+        putBlocks(out, ranges_.countCells(takeCellsInput(in)));
+        return out.take();
+    }
+    case TaskKind::BinVertices:
+        return encoded(ranges_.binVertices(takeBinVerticesInput(in)));
+    case TaskKind::BinFaces:
+        return encoded(ranges_.binFaces(takeBinFacesInput(in)));
     case TaskKind::AnswerVertices:
     case TaskKind::AnswerNormals:
         return answer(kind, in);

@@ -1,0 +1,238 @@
+#include "preprocess/pipeline/ranges/range_bytes.h"
+
+namespace gnomon::pipeline {
+
+namespace {
+
+using hierarchy::ByteReader;
+using hierarchy::ByteWriter;
+
+void putRange(ByteWriter& out, const RowRange& range) {
+    out.putVarint(range.begin);
+    out.putVarint(range.end);
+}
+
+RowRange takeRange(ByteReader& in) {
+    RowRange range;
+    range.begin = in.takeVarint();
+    range.end = in.takeVarint();
+    if (range.end < range.begin) throw hierarchy::Damage{"a range that ends before it begins"};
+    return range;
+}
+
+void putVector(ByteWriter& out, const glm::dvec3& v) {
+    for (int axis = 0; axis < 3; ++axis)
+        out.put(v[axis]);
+}
+
+glm::dvec3 takeVector(ByteReader& in) {
+    glm::dvec3 v;
+    for (int axis = 0; axis < 3; ++axis)
+        v[axis] = in.take<double>();
+    return v;
+}
+
+void putFacts(ByteWriter& out, const SortFacts& facts) {
+    putVector(out, facts.grid.origin);
+    out.put(facts.grid.stepExponent);
+    for (const std::uint32_t most : {facts.furthest.x, facts.furthest.y, facts.furthest.z})
+        out.putVarint(most);
+}
+
+SortFacts takeFacts(ByteReader& in) {
+    SortFacts facts;
+    facts.grid.origin = takeVector(in);
+    facts.grid.stepExponent = in.take<decltype(facts.grid.stepExponent)>();
+    for (std::uint32_t* most : {&facts.furthest.x, &facts.furthest.y, &facts.furthest.z})
+        *most = static_cast<std::uint32_t>(in.takeVarint());
+    return facts;
+}
+
+} // namespace
+
+std::vector<std::byte> encoded(const CountInput& input) {
+    ByteWriter out;
+    putRange(out, input.faces);
+    out.putVarint(input.mostPages);
+    return out.take();
+}
+
+CountInput takeCountInput(ByteReader& in) {
+    CountInput input;
+    input.faces = takeRange(in);
+    input.mostPages = in.takeVarint();
+    in.expectEnd();
+    return input;
+}
+
+std::vector<std::byte> encoded(const FaceCount& count) {
+    ByteWriter out;
+    out.put(static_cast<std::uint8_t>(count.isRegular ? 1 : 0));
+    putMail(out, count.pages);
+    putBlocks(out, count.sample);
+    return out.take();
+}
+
+FaceCount decodedFaceCount(std::span<const std::byte> bytes) {
+    ByteReader in(bytes);
+    FaceCount count;
+    count.isRegular = in.take<std::uint8_t>() != 0;
+    count.pages = takeMail(in);
+    count.sample = takeBlocks(in);
+    in.expectEnd();
+    return count;
+}
+
+std::vector<std::byte> encoded(const MeasureInput& input) {
+    ByteWriter out;
+    putRange(out, input.vertices);
+    putMail(out, input.pages);
+    putBlocks(out, input.sampled);
+    return out.take();
+}
+
+MeasureInput takeMeasureInput(ByteReader& in) {
+    MeasureInput input;
+    input.vertices = takeRange(in);
+    input.pages = takeMail(in);
+    input.sampled = takeBlocks(in);
+    in.expectEnd();
+    return input;
+}
+
+std::vector<std::byte> encoded(const VertexMeasure& measure) {
+    ByteWriter out;
+    putVector(out, measure.box.min);
+    putVector(out, measure.box.max);
+    out.putVarint(measure.fields.size());
+    for (const auto& [least, greatest] : measure.fields) {
+        out.put(least);
+        out.put(greatest);
+    }
+    putBlocks(out, measure.valence);
+    putBlocks(out, measure.positions);
+    return out.take();
+}
+
+VertexMeasure decodedMeasure(std::span<const std::byte> bytes) {
+    ByteReader in(bytes);
+    VertexMeasure measure;
+    measure.box.min = takeVector(in);
+    measure.box.max = takeVector(in);
+    measure.fields.resize(takeCount(in));
+    for (auto& [least, greatest] : measure.fields) {
+        least = in.take<double>();
+        greatest = in.take<double>();
+    }
+    measure.valence = takeBlocks(in);
+    measure.positions = takeBlocks(in);
+    in.expectEnd();
+    return measure;
+}
+
+std::vector<std::byte> encoded(const CellsInput& input) {
+    ByteWriter out;
+    putRange(out, input.vertices);
+    putFacts(out, input.facts);
+    putBlocks(out, input.valence);
+    putBlocks(out, input.shape);
+    return out.take();
+}
+
+CellsInput takeCellsInput(ByteReader& in) {
+    CellsInput input;
+    input.vertices = takeRange(in);
+    input.facts = takeFacts(in);
+    input.valence = takeBlocks(in);
+    input.shape = takeBlocks(in);
+    in.expectEnd();
+    return input;
+}
+
+std::vector<std::byte> encoded(const BinVerticesInput& input) {
+    ByteWriter out;
+    putRange(out, input.vertices);
+    putFacts(out, input.facts);
+    out.putVarint(input.fields.size());
+    for (const hierarchy::Field& field : input.fields) {
+        out.putText(field.name);
+        out.put(field.least);
+        out.put(field.greatest);
+        out.putVarint(field.bits);
+    }
+    putBlocks(out, input.valence);
+    putBlocks(out, input.tree);
+    out.putVarint(input.blockBytes);
+    return out.take();
+}
+
+BinVerticesInput takeBinVerticesInput(ByteReader& in) {
+    BinVerticesInput input;
+    input.vertices = takeRange(in);
+    input.facts = takeFacts(in);
+    input.fields.resize(takeCount(in));
+    for (hierarchy::Field& field : input.fields) {
+        field.name = in.takeText();
+        field.least = in.take<double>();
+        field.greatest = in.take<double>();
+        field.bits = static_cast<decltype(field.bits)>(in.takeVarint());
+    }
+    input.valence = takeBlocks(in);
+    input.tree = takeBlocks(in);
+    input.blockBytes = in.takeVarint();
+    in.expectEnd();
+    return input;
+}
+
+std::vector<std::byte> encoded(const BinFacesInput& input) {
+    ByteWriter out;
+    putRange(out, input.faces);
+    out.putVarint(input.chunkCount);
+    out.putVarint(input.verticesOfRange);
+    putBlocks(out, input.chunks);
+    out.putVarint(input.mostPages);
+    out.putVarint(input.blockBytes);
+    return out.take();
+}
+
+BinFacesInput takeBinFacesInput(ByteReader& in) {
+    BinFacesInput input;
+    input.faces = takeRange(in);
+    input.chunkCount = static_cast<std::uint32_t>(in.takeVarint());
+    input.verticesOfRange = in.takeVarint();
+    input.chunks = takeBlocks(in);
+    input.mostPages = in.takeVarint();
+    input.blockBytes = in.takeVarint();
+    in.expectEnd();
+    return input;
+}
+
+std::vector<std::byte> encoded(const BinnedRange& range) {
+    ByteWriter out;
+    putMail(out, range.streams);
+    out.putVarint(range.sizes.size());
+    for (const auto& [chunk, size] : range.sizes) {
+        out.putVarint(chunk);
+        out.putVarint(size.triangles);
+        out.putVarint(size.vertices);
+    }
+    putBlocks(out, range.chunks);
+    return out.take();
+}
+
+BinnedRange decodedBinnedRange(std::span<const std::byte> bytes) {
+    ByteReader in(bytes);
+    BinnedRange range;
+    range.streams = takeMail(in);
+    range.sizes.resize(takeCount(in));
+    for (auto& [chunk, size] : range.sizes) {
+        chunk = static_cast<std::uint32_t>(in.takeVarint());
+        size.triangles = in.takeVarint();
+        size.vertices = in.takeVarint();
+    }
+    range.chunks = takeBlocks(in);
+    in.expectEnd();
+    return range;
+}
+
+} // namespace gnomon::pipeline

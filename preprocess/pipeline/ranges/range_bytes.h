@@ -1,0 +1,105 @@
+// The inputs and results of tasks that sort a source by ranges of its rows, and as bytes.
+#pragma once
+
+#include "core/box.h"
+#include "hierarchy/model.h"
+#include "preprocess/chunk/chunk_streams.h"
+#include "preprocess/pipeline/tasks/task.h"
+
+#include <vector>
+
+namespace gnomon::pipeline {
+
+/// Rows of a source.
+struct RowRange {
+    std::uint64_t begin = 0;
+    std::uint64_t end = 0;
+};
+
+/// The input of CountFaces.
+struct CountInput {
+    RowRange faces;
+    std::uint64_t mostPages = 1; // of corners at vertices, to hold at once
+};
+
+struct FaceCount {
+    bool isRegular = false; // all are triangles of good indices; else nothing else counts
+    Mail pages;             // by page of vertices: corners at each, at most 255; a page may come several times
+    Blocks sample;          // of edges: entries of an EdgeSample
+};
+
+/// The input of MeasureVertices.
+struct MeasureInput {
+    RowRange vertices;
+    Mail pages;     // of these
+    Blocks sampled; // numbers of vertices whose positions are asked for, ascending
+};
+
+struct VertexMeasure {
+    Box box; // of those that triangles use
+    std::vector<std::array<double, 2>> fields;
+    Blocks valence;   // a byte for each vertex of the range
+    Blocks positions; // that were asked for
+};
+
+/// What is known of a source once it is measured.
+struct SortFacts {
+    hierarchy::Grid grid;
+    hierarchy::GridPoint furthest;
+};
+
+/// The input of CountCells; the result are the weights of CellCounts, in a block.
+struct CellsInput {
+    RowRange vertices;
+    SortFacts facts;
+    Blocks valence;
+    Blocks shape; // of the cells
+};
+
+/// The input of BinVertices.
+struct BinVerticesInput {
+    RowRange vertices;
+    SortFacts facts;
+    std::vector<hierarchy::Field> fields;
+    Blocks valence;
+    Blocks tree;
+    std::uint64_t blockBytes = 0;
+};
+
+/// The input of BinFaces.
+struct BinFacesInput {
+    RowRange faces;
+    std::uint32_t chunkCount = 0;
+    std::uint64_t verticesOfRange = 0; // of each block of `chunks`
+    Blocks chunks;                     // the number of each vertex's chunk, in 2 bytes or in 4
+    std::uint64_t mostPages = 1;       // of these, to hold at once
+    std::uint64_t blockBytes = 0;
+};
+
+/// The result of both.
+struct BinnedRange {
+    Mail streams; // of chunks
+    std::vector<std::pair<std::uint32_t, chunk::PartSize>> sizes;
+    Blocks chunks; // of BinVertices: the number of each vertex's chunk
+};
+
+std::vector<std::byte> encoded(const CountInput& input);
+std::vector<std::byte> encoded(const FaceCount& count);
+std::vector<std::byte> encoded(const MeasureInput& input);
+std::vector<std::byte> encoded(const VertexMeasure& measure);
+std::vector<std::byte> encoded(const CellsInput& input);
+std::vector<std::byte> encoded(const BinVerticesInput& input);
+std::vector<std::byte> encoded(const BinFacesInput& input);
+std::vector<std::byte> encoded(const BinnedRange& range);
+
+/// What `encoded` made. Throw hierarchy::Damage.
+CountInput takeCountInput(hierarchy::ByteReader& in);
+FaceCount decodedFaceCount(std::span<const std::byte> bytes);
+MeasureInput takeMeasureInput(hierarchy::ByteReader& in);
+VertexMeasure decodedMeasure(std::span<const std::byte> bytes);
+CellsInput takeCellsInput(hierarchy::ByteReader& in);
+BinVerticesInput takeBinVerticesInput(hierarchy::ByteReader& in);
+BinFacesInput takeBinFacesInput(hierarchy::ByteReader& in);
+BinnedRange decodedBinnedRange(std::span<const std::byte> bytes);
+
+} // namespace gnomon::pipeline

@@ -1,0 +1,280 @@
+#include "preprocess/pipeline/ranges/range_work.h"
+
+#include "preprocess/chunk/chunk_writer.h"
+#include "preprocess/chunk/field_numbers.h"
+#include "preprocess/chunk/survey.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace gnomon::pipeline {
+
+namespace {
+
+using Corners = chunk::VertexTable<std::uint8_t>;
+
+static_assert(kPageVertices == Corners::kPageVertices);
+
+constexpr std::uint64_t kSparseBytes = 3; // of a vertex in a page of which few have corners
+
+/// The corners at the vertices of a page: a byte each, or each that has any with its number.
+std::vector<std::byte> packedPage(std::span<const std::uint8_t> corners) {
+    const auto used = static_cast<std::uint64_t>(
+        std::count_if(corners.begin(), corners.end(), [](std::uint8_t count) { return count > 0; }));
+    const auto bytes = std::as_bytes(corners);
+    if (used * kSparseBytes >= corners.size()) return {bytes.begin(), bytes.end()};
+    std::vector<std::byte> packed;
+    packed.reserve(used * kSparseBytes);
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        if (corners[i] > 0)
+            packed.insert(packed.end(), {std::byte(i & 0xFFU), std::byte(i >> 8U), std::byte(corners[i])});
+    return packed;
+}
+
+/// Adds what `packedPage` made, up to 255 a vertex.
+void addPage(std::span<std::uint8_t> corners, std::span<const std::byte> packed) {
+    const auto add = [&](std::size_t vertex, std::byte count) {
+        corners[vertex] = static_cast<std::uint8_t>(std::min(255U, corners[vertex] + std::to_integer<unsigned>(count)));
+    };
+    if (packed.size() == corners.size()) {
+        for (std::size_t i = 0; i < corners.size(); ++i)
+            add(i, packed[i]);
+        return;
+    }
+    for (std::size_t i = 0; i + kSparseBytes <= packed.size(); i += kSparseBytes)
+        add(std::to_integer<std::size_t>(packed[i]) | std::to_integer<std::size_t>(packed[i + 1]) << 8U, packed[i + 2]);
+}
+
+template <class T>
+std::vector<T> valuesOf(std::span<const std::byte> bytes) {
+    std::vector<T> values(bytes.size() / sizeof(T));
+    std::memcpy(values.data(), bytes.data(), values.size() * sizeof(T));
+    return values;
+}
+
+/// What a task wrote for the streams of chunks.
+void collect(const scratch::StreamStore& store, const chunk::ChunkWriter& writer, BinnedRange& range) {
+    for (std::uint32_t stream = 0; stream < store.streamCount(); ++stream)
+        for (const scratch::StreamStore::Block& block : store.blocks(stream))
+            range.streams.push_back({stream, block});
+    for (std::uint32_t chunk = 0; chunk < writer.sizes().size(); ++chunk)
+        if (const chunk::PartSize& size = writer.sizes()[chunk]; size.triangles + size.vertices > 0)
+            range.sizes.push_back({chunk, size});
+}
+
+} // namespace
+
+/// Counts the bytes of tables that a task holds.
+class RangeWork::Held {
+public:
+    explicit Held(const RangeWork& work) : work_(work) {}
+
+    ~Held() { set(0); }
+
+    Held(const Held&) = delete;
+    Held& operator=(const Held&) = delete;
+    Held(Held&&) = delete;
+    Held& operator=(Held&&) = delete;
+
+    void set(std::uint64_t bytes) {
+        const std::uint64_t all = work_.tableBytes_ += bytes - std::exchange(bytes_, bytes); // wraps around
+        std::uint64_t most = work_.mostTableBytes_;
+        while (all > most && !work_.mostTableBytes_.compare_exchange_weak(most, all)) {
+        }
+    }
+
+private:
+    const RangeWork& work_;
+    std::uint64_t bytes_ = 0;
+};
+
+std::vector<std::byte> RangeWork::read(const Blocks& blocks) const {
+    scratch::StreamStore store(scratch_, 1, 1);
+    for (const scratch::StreamStore::Block& block : blocks)
+        store.adopt(0, block);
+    return store.read(0);
+}
+
+Blocks RangeWork::posted(std::span<const std::byte> bytes) const {
+    if (bytes.empty()) return {};
+    return {{scratch_.append(bytes), bytes.size()}};
+}
+
+FaceCount RangeWork::countFaces(const CountInput& input) const {
+    FaceCount count;
+    Corners corners(source_.summary().vertexCount);
+    chunk::EdgeSample sample(source_.summary().faceCount);
+    Held held(*this);
+    const auto post = [&] {
+        held.set(corners.held() * kPageVertices);
+        for (std::size_t page = 0; page < corners.pageCount(); ++page) {
+            if (corners.page(page).empty()) continue;
+            const std::vector<std::byte> packed = packedPage(corners.page(page));
+            if (!packed.empty())
+                count.pages.push_back({static_cast<std::uint32_t>(page), {scratch_.append(packed), packed.size()}});
+        }
+        corners.clear();
+    };
+    count.isRegular =
+        source_.readTriangleRange(input.faces.begin, input.faces.end, [&](const read::TriangleBlock& block) {
+            std::uint64_t index = block.firstTriangle;
+            for (const read::TriangleCorners& triangle : block.triangles) {
+                if (corners.held() + 3 > std::max<std::uint64_t>(input.mostPages, 3)) post();
+                for (const std::uint64_t corner : triangle)
+                    if (std::uint8_t& valence = corners.at(corner); valence < 255) ++valence;
+                sample.offer(index++, triangle);
+            }
+            progress_.advance(block.triangles.size());
+        });
+    post();
+    count.sample = posted(std::as_bytes(std::span(sample.entries())));
+    return count;
+}
+
+VertexMeasure RangeWork::measureVertices(const MeasureInput& input) const {
+    const RowRange& range = input.vertices;
+    Corners corners(source_.summary().vertexCount);
+    for (const auto& [page, block] : input.pages)
+        addPage(corners.pageAt(page), read({block}));
+    Held held(*this);
+    held.set(range.end - range.begin);
+    const auto sampled = valuesOf<std::uint64_t>(read(input.sampled));
+    std::vector<glm::dvec3> positions;
+    positions.reserve(sampled.size());
+    VertexMeasure measure;
+    std::vector<hierarchy::Field> fields = chunk::unmeasuredFields(source_.summary());
+    source_.readVertexRange(range.begin, range.end, [&](const read::VertexBlock& block) {
+        chunk::addUsed(source_, block, corners, measure.box);
+        chunk::addUsed(source_, block, corners, fields);
+        const std::uint64_t end = block.firstVertex + block.positions.size();
+        while (positions.size() < sampled.size() && sampled[positions.size()] < end)
+            positions.push_back(block.positions[sampled[positions.size()] - block.firstVertex]);
+        progress_.advance(block.positions.size());
+    });
+    for (const hierarchy::Field& field : fields)
+        measure.fields.push_back({field.least, field.greatest});
+    std::vector<std::byte> valence(range.end - range.begin);
+    for (std::uint64_t v = range.begin; v < range.end; v += kPageVertices) {
+        const auto page = std::as_bytes(corners.page(v / kPageVertices));
+        std::copy_n(
+            page.begin(),
+            std::min<std::uint64_t>(page.size(), range.end - v),
+            valence.begin() + static_cast<std::ptrdiff_t>(v - range.begin));
+    }
+    measure.valence = posted(valence);
+    measure.positions = posted(std::as_bytes(std::span(positions)));
+    return measure;
+}
+
+Blocks RangeWork::countCells(const CellsInput& input) const {
+    const std::vector<std::byte> valence = read(input.valence);
+    chunk::CellCounts counts(
+        input.facts.furthest, read(input.shape), chunk::rootBitsFor(source_.summary().vertexCount));
+    const chunk::GridSnap snap(input.facts.grid);
+    source_.readVertexRange(input.vertices.begin, input.vertices.end, [&](const read::VertexBlock& block) {
+        const std::byte* corners = valence.data() + (block.firstVertex - input.vertices.begin);
+        for (std::size_t i = 0; i < block.positions.size(); ++i)
+            if (const auto weight = std::to_integer<std::uint32_t>(corners[i]); weight > 0)
+                counts.add(snap(block.positions[i]), weight);
+        progress_.advance(block.positions.size());
+    });
+    return posted(counts.openWeights());
+}
+
+BinnedRange RangeWork::binVertices(const BinVerticesInput& input) const {
+    const RowRange& range = input.vertices;
+    const chunk::ChunkTree tree(read(input.tree));
+    const std::vector<std::byte> valence = read(input.valence);
+    const bool isWide = tree.chunkCount() > chunk::kNarrowChunks;
+    std::vector<std::uint16_t> narrow(isWide ? 0 : range.end - range.begin);
+    std::vector<std::uint32_t> wide(isWide ? range.end - range.begin : 0);
+    Held held(*this);
+    held.set((range.end - range.begin) * (isWide ? 5 : 3));
+    scratch::StreamStore store(scratch_, chunk::binStreams(tree.chunkCount()), input.blockBytes);
+    chunk::ChunkWriter writer(chunk::formatOf(source_.summary()), input.fields, &store, tree.chunkCount());
+    const chunk::GridSnap snap(input.facts.grid);
+    source_.readVertexRange(range.begin, range.end, [&](const read::VertexBlock& block) {
+        const std::uint64_t first = block.firstVertex - range.begin;
+        for (std::size_t i = 0; i < block.positions.size(); ++i) {
+            if (valence[first + i] == std::byte{0}) continue;
+            const std::uint32_t chunk = tree.chunkOf(snap(block.positions[i]));
+            if (isWide)
+                wide[first + i] = chunk;
+            else
+                narrow[first + i] = static_cast<std::uint16_t>(chunk);
+            writer.putVertex(block, i, chunk);
+        }
+        progress_.advance(block.positions.size());
+    });
+    store.flush();
+    BinnedRange binned;
+    collect(store, writer, binned);
+    binned.chunks = posted(isWide ? std::as_bytes(std::span(wide)) : std::as_bytes(std::span(narrow)));
+    return binned;
+}
+
+namespace {
+
+/// The numbers of vertices' chunks, read where they are asked for.
+template <class Number>
+class ChunkNumbers {
+public:
+    ChunkNumbers(const BinFacesInput& input, std::uint64_t vertices, scratch::ScratchFile& scratch)
+        : input_(input), vertices_(vertices), scratch_(scratch), numbers_(vertices) {}
+
+    std::uint32_t operator[](std::uint64_t vertex) {
+        const std::size_t page = vertex / kPageVertices;
+        if (numbers_.page(page).empty()) load(page);
+        return numbers_[vertex];
+    }
+
+    std::uint64_t bytes() const { return numbers_.held() * kPageVertices * sizeof(Number); }
+
+private:
+    void load(std::size_t page) {
+        if (numbers_.held() >= input_.mostPages) numbers_.clear();
+        const std::uint64_t first = page * kPageVertices;
+        const std::uint64_t range = first / input_.verticesOfRange;
+        const std::span<Number> numbers =
+            numbers_.pageAt(page).first(std::min<std::uint64_t>(kPageVertices, vertices_ - first));
+        scratch_.read(
+            input_.chunks[range].offset + (first - range * input_.verticesOfRange) * sizeof(Number),
+            std::as_writable_bytes(numbers));
+    }
+
+    const BinFacesInput& input_;
+    std::uint64_t vertices_;
+    scratch::ScratchFile& scratch_;
+    chunk::VertexTable<Number> numbers_;
+};
+
+} // namespace
+
+BinnedRange RangeWork::binFaces(const BinFacesInput& input) const {
+    scratch::StreamStore store(scratch_, chunk::binStreams(input.chunkCount), input.blockBytes);
+    chunk::ChunkWriter writer(chunk::formatOf(source_.summary()), {}, &store, input.chunkCount);
+    Held held(*this);
+    const auto bin = [&](auto numbers) {
+        const bool isRegular =
+            source_.readTriangleRange(input.faces.begin, input.faces.end, [&](const read::TriangleBlock& block) {
+                for (const read::TriangleCorners& t : block.triangles)
+                    writer.putTriangle(t, {numbers[t[0]], numbers[t[1]], numbers[t[2]]});
+                held.set(numbers.bytes());
+                progress_.advance(block.triangles.size());
+            });
+        if (isRegular) return;
+        source_.requireUnchanged();
+        throw Error(source_.summary().path, "the input changed while it was read");
+    };
+    const std::uint64_t vertices = source_.summary().vertexCount;
+    if (input.chunkCount > chunk::kNarrowChunks)
+        bin(ChunkNumbers<std::uint32_t>(input, vertices, scratch_));
+    else
+        bin(ChunkNumbers<std::uint16_t>(input, vertices, scratch_));
+    store.flush();
+    BinnedRange binned;
+    collect(store, writer, binned);
+    return binned;
+}
+
+} // namespace gnomon::pipeline

@@ -1,0 +1,43 @@
+// How the tasks that sort a source by ranges of its rows are done, in whichever process.
+#pragma once
+
+#include "core/progress.h"
+#include "preprocess/chunk/chunk_tree.h"
+#include "preprocess/pipeline/ranges/range_bytes.h"
+
+#include <atomic>
+
+namespace gnomon::pipeline {
+
+/// Vertices of a page of corners: ranges of vertices are whole pages, but for the last.
+constexpr std::uint64_t kPageVertices = std::uint64_t{1} << 16U;
+
+/// Does tasks; safe from many threads. All must outlive it.
+class RangeWork {
+public:
+    RangeWork(read::MeshSource& source, scratch::ScratchFile& scratch, Progress& progress)
+        : source_(source), scratch_(scratch), progress_(progress) {}
+
+    FaceCount countFaces(const CountInput& input) const;
+    VertexMeasure measureVertices(const MeasureInput& input) const;
+    Blocks countCells(const CellsInput& input) const;
+    BinnedRange binVertices(const BinVerticesInput& input) const;
+    BinnedRange binFaces(const BinFacesInput& input) const;
+
+    /// The most bytes that tasks together held of what is known of each vertex.
+    std::uint64_t mostTableBytes() const { return mostTableBytes_; }
+
+private:
+    class Held;
+
+    std::vector<std::byte> read(const Blocks& blocks) const;
+    Blocks posted(std::span<const std::byte> bytes) const;
+
+    read::MeshSource& source_;
+    scratch::ScratchFile& scratch_;
+    Progress& progress_;
+    mutable std::atomic<std::uint64_t> tableBytes_{0};
+    mutable std::atomic<std::uint64_t> mostTableBytes_{0};
+};
+
+} // namespace gnomon::pipeline

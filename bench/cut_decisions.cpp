@@ -17,8 +17,6 @@
 namespace gnomon {
 namespace {
 
-using selection::Decision;
-
 struct Counts {
     std::uint64_t decisions = 0;
     std::uint64_t undecided = 0;
@@ -76,6 +74,14 @@ struct View {
     return exceeds;
 }
 
+/// How many of the other modes decide otherwise than `usual`.
+std::uint64_t changedModes(const View& view, const Bounded& group, double threshold, bool usual) {
+    std::uint64_t changed = 0;
+    for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO})
+        changed += exceedsIn(mode, view, group, threshold) != usual ? 1 : 0;
+    return changed;
+}
+
 void count(const View& view, const std::vector<Bounded>& groups, Counts& counts) {
     const selection::ErrorRule rule(view.detail, view.casters);
     const selection::CertainRule certain(rule);
@@ -87,12 +93,10 @@ void count(const View& view, const std::vector<Bounded>& groups, Counts& counts)
             ++counts.decisions;
             counts.undecided += isUndecided ? 1 : 0;
             if (!isUndecided && step % 4 != 0) continue; // making the rule anew in each mode takes long
-            for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
-                const bool isChanged =
-                    exceedsIn(mode, view, group, threshold) != rule.exceeds(group.bounds, group.error, threshold);
-                counts.changed += isChanged ? 1 : 0;
-                counts.wrong += isChanged && !isUndecided ? 1 : 0;
-            }
+            const bool usual = rule.exceeds(group.bounds, group.error, threshold);
+            const std::uint64_t changed = changedModes(view, group, threshold, usual);
+            counts.changed += changed;
+            counts.wrong += isUndecided ? 0 : changed;
         }
     }
 }

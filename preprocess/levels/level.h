@@ -1,20 +1,35 @@
 // One level of detail while it is built: triangles, clusters of them, groups of clusters.
 #pragma once
 
+#include "core/words.h"
 #include "preprocess/levels/color_transfer.h"
 #include "preprocess/levels/normal_transfer.h"
 #include "preprocess/simplify/mesh.h"
 #include "preprocess/simplify/simplify.h"
 
+#include <array>
 #include <limits>
 
 namespace gnomon::levels {
+
+/// How the stored error of a group comes about.
+enum class ErrorKind : std::uint8_t {
+    Estimated, // what the simplifier claims
+    Measured,  // a bound, summed over the collapses
+    Tight      // a bound of what they came to, where that is lower
+};
+
+inline constexpr std::array kErrorKinds = {
+    Word<ErrorKind>{ErrorKind::Estimated, "estimated"},
+    Word<ErrorKind>{ErrorKind::Measured, "measured"},
+    Word<ErrorKind>{ErrorKind::Tight, "tight"},
+};
 
 /// What shapes the hierarchy; part of what a .gnm says about itself.
 struct LevelOptions {
     std::uint32_t clusterTriangles = 128;
     simplify::Simplifier simplifier = simplify::Simplifier::Quadric;
-    bool isErrorMeasured = true;
+    ErrorKind error = ErrorKind::Measured;
 };
 
 /// Where a group lies: its level, its page within that level's pages, its place in the page.

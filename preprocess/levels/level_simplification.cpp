@@ -17,6 +17,7 @@ namespace {
 using hierarchy::kNone;
 
 constexpr double kToleranceShare = 0.25; // of the error that the clusters of a group already have
+constexpr double kTightShare = 0.5;      // of the collapses' bound: where a lower one is no longer looked for
 
 std::uint64_t triangleCount(const Level& level, const LevelGroup& group) {
     const LevelCluster& first = level.clusters[group.firstCluster];
@@ -30,6 +31,23 @@ struct GroupResult {
     double error = 0;
     double attributeError = 0;
 };
+
+double largestOf(std::span<const simplify::TriangleError> errors) {
+    double worst = 0;
+    for (const simplify::TriangleError& error : errors)
+        worst = std::max({worst, double{error.fromSource}, double{error.toSource}});
+    return worst;
+}
+
+/// The bounds of `simplified`, or those of measuring it against `patch`, whichever is lower at its worst. What a
+/// triangle moves in one collapse it may move back in the next; the first adds both up.
+std::vector<simplify::TriangleError> tightErrors(
+    const simplify::Patch& patch, const simplify::SimplifiedPatch& simplified) {
+    const double worst = largestOf(simplified.errors);
+    simplify::Deviation measured =
+        simplify::measureDeviation(patch, simplified, std::max(largestOf(patch.errors), kTightShare * worst));
+    return measured.worst < worst ? std::move(measured.errors) : simplified.errors;
+}
 
 /// The largest of one of the errors of what refines the clusters of a group.
 double worstRefinement(const Level& level, const LevelGroup& group, double LevelRefinement::*error) {
@@ -53,28 +71,20 @@ public:
         const auto triangles = std::span(level_.triangles).subspan(first.firstTriangle, count);
         GroupPatch patch = makeGroupPatch(mesh_, triangles, owners_, numbers);
         patch.patch.costLimit = costLimit_;
-        patch.patch.isErrorBounded = options_.isErrorMeasured;
+        patch.patch.isErrorBounded = options_.error != ErrorKind::Estimated;
         patch.patch.errors = std::span(level_.errors).subspan(first.firstTriangle, count);
         const simplify::SimplifiedPatch simplified =
             simplify::simplify(patch.patch, (count + 1) / 2, options_.simplifier);
         const double before = std::max(worstRefinement(level_, group, &LevelRefinement::error), mesh_.grid.snapError());
         GroupResult result;
         std::vector<simplify::TriangleError> errors(simplified.triangles.size());
-        if (options_.isErrorMeasured) {
-            if (simplified.errors.empty()) {
-                const double tolerance = before / mesh_.grid.step() * kToleranceShare;
-                errors = simplify::measureDeviation(patch.patch, simplified, tolerance).errors;
-            } else {
-                errors = simplified.errors;
-            }
-            double worst = 0;
-            for (const simplify::TriangleError& error : errors)
-                worst = std::max({worst, double{error.fromSource}, double{error.toSource}});
-            // A little more than computed: the distances themselves are rounded.
-            const double measured = worst * (1 + 1e-9) * mesh_.grid.step() + mesh_.grid.snapError();
-            result.error = std::max(before, measured);
-        } else {
+        if (options_.error == ErrorKind::Estimated) {
             result.error = before + simplified.claimedError * mesh_.grid.step();
+        } else {
+            errors = boundedErrors(patch.patch, simplified, before);
+            // A little more than computed: the distances themselves are rounded.
+            const double measured = largestOf(errors) * (1 + 1e-9) * mesh_.grid.step() + mesh_.grid.snapError();
+            result.error = std::max(before, measured);
         }
         cutIntoClusters(patch, simplified, errors, groupIndex, result.clusters);
         transferAttributes(patch, simplified, result);
@@ -84,6 +94,16 @@ public:
     }
 
 private:
+    /// Bounds of the errors of a simplified patch whose clusters have `before`, world units, already.
+    std::vector<simplify::TriangleError> boundedErrors(
+        const simplify::Patch& patch, const simplify::SimplifiedPatch& simplified, double before) const {
+        if (simplified.errors.empty()) {
+            const double goal = before / mesh_.grid.step() * (1 + kToleranceShare);
+            return simplify::measureDeviation(patch, simplified, goal).errors;
+        }
+        return options_.error == ErrorKind::Tight ? tightErrors(patch, simplified) : simplified.errors;
+    }
+
     void transferAttributes(
         const GroupPatch& patch, const simplify::SimplifiedPatch& simplified, GroupResult& result) const {
         result.clusters.normals = transferredNormals(patch.patch, simplified);

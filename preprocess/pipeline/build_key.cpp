@@ -25,7 +25,7 @@ std::map<std::string, std::string> optionsOf(const BuildOptions& options) {
     std::map<std::string, std::string> rows{
         {"chunk_triangles", std::to_string(options.chunkTriangles)},
         {"cluster_triangles", std::to_string(options.level.clusterTriangles)},
-        {"error", options.level.isErrorMeasured ? "measured" : "estimated"},
+        {"error", std::string(wordOf(levels::kErrorKinds, options.level.error))},
         {"simplifier", nameOf(options.level.simplifier)},
     };
     std::string fields;

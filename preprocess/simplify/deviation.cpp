@@ -87,21 +87,22 @@ Farthest farthestFrom(const Surface& surface, const Piece& piece, std::uint32_t 
 /// Cuts triangles into pieces and assigns each to a nearby triangle of a surface, its host.
 class Cover {
 public:
-    Cover(Surface& surface, double tolerance) : surface_(surface), toleranceSquare_(tolerance * tolerance) {}
+    Cover(Surface& surface, double goal) : surface_(surface), enough_(goal) {}
 
-    /// Calls `assign(host, distance)` for pieces that together make up `whole`, which names a host to begin with.
-    template <class Assign>
-    void run(const Piece& whole, Assign assign) {
+    /// Calls `assign(host, error)` for pieces that together make up `whole`, which names a host to begin with; the
+    /// error of a piece is its distance from its host and what `before(host)` adds to it.
+    template <class Before, class Assign>
+    void run(const Piece& whole, Before before, Assign assign) {
         pieces_ = 0;
         stack_.assign(1, whole);
         while (!stack_.empty()) {
             const Piece piece = stack_.back();
             stack_.pop_back();
             const Farthest farthest = farthestFrom(surface_, piece, piece.host);
-            if (farthest.square <= std::max(toleranceSquare_, enoughSquare_) || pieces_ >= kMaxPieces ||
-                !(walk(piece, farthest) || halve(piece, farthest))) {
-                enoughSquare_ = std::max(enoughSquare_, farthest.square);
-                assign(piece.host, std::sqrt(farthest.square));
+            const double error = std::sqrt(farthest.square) + before(piece.host);
+            if (error <= enough_ || pieces_ >= kMaxPieces || !(walk(piece, farthest) || halve(piece, farthest))) {
+                enough_ = std::max(enough_, error);
+                assign(piece.host, error);
                 ++pieces_;
             }
         }
@@ -221,8 +222,7 @@ private:
     }
 
     Surface& surface_;
-    double toleranceSquare_;
-    double enoughSquare_ = 0; // the largest distance that had to be accepted: no other piece need do better
+    double enough_; // the goal, or the largest error that had to be accepted: no other piece need do better
     std::uint32_t pieces_ = 0;
     std::vector<Piece> stack_;
 };
@@ -255,7 +255,7 @@ public:
         result_.errors.resize(simplified.triangles.size());
     }
 
-    Deviation run(double tolerance) {
+    Deviation run(double goal) {
         std::vector<std::uint8_t> isDone(result_.errors.size(), 0);
         for (std::uint32_t t = 0; t < result_.errors.size(); ++t) {
             const std::uint32_t origin = simplified_.origin[t];
@@ -265,22 +265,28 @@ public:
             isSame_[origin] = isDone[t] = 1;
             result_.errors[t] = patch_.error(origin);
         }
-        Cover onFine(fine_, tolerance);
+        Cover onFine(fine_, goal);
         for (std::uint32_t t = 0; t < result_.errors.size(); ++t) {
             if (isDone[t] != 0) continue;
+            if (!simplified_.errors.empty() && double{simplified_.errors[t].toSource} <= goal) {
+                result_.errors[t].toSource = simplified_.errors[t].toSource;
+                continue;
+            }
             const std::uint32_t origin = simplified_.origin[t];
             const std::uint32_t host = origin != kNone ? origin : fine_.nearest(centerOf(coarse_, t));
-            onFine.run(wholeTriangle(coarse_, t, host), [&](std::uint32_t on, double distance) {
-                growTo(result_.errors[t].toSource, distance + static_cast<double>(patch_.error(on).toSource));
-            });
+            onFine.run(
+                wholeTriangle(coarse_, t, host),
+                [&](std::uint32_t on) { return static_cast<double>(patch_.error(on).toSource); },
+                [&](std::uint32_t /*on*/, double error) { growTo(result_.errors[t].toSource, error); });
         }
-        Cover onCoarse(coarse_, tolerance);
+        Cover onCoarse(coarse_, goal);
         for (std::uint32_t t = 0; t < successor_.size(); ++t) {
             if (isSame_[t] != 0) continue;
             const double before = patch_.error(t).fromSource;
-            onCoarse.run(wholeTriangle(fine_, t, firstHost(t)), [&](std::uint32_t on, double distance) {
-                growTo(result_.errors[on].fromSource, distance + before);
-            });
+            onCoarse.run(
+                wholeTriangle(fine_, t, firstHost(t)),
+                [&](std::uint32_t /*on*/) { return before; },
+                [&](std::uint32_t on, double error) { growTo(result_.errors[on].fromSource, error); });
         }
         for (const TriangleError& error : result_.errors)
             result_.worst = std::max({result_.worst, double{error.fromSource}, double{error.toSource}});
@@ -324,8 +330,8 @@ private:
 
 } // namespace
 
-Deviation measureDeviation(const Patch& patch, const SimplifiedPatch& simplified, double tolerance) {
-    return Measurement(patch, simplified).run(tolerance);
+Deviation measureDeviation(const Patch& patch, const SimplifiedPatch& simplified, double goal) {
+    return Measurement(patch, simplified).run(goal);
 }
 
 } // namespace gnomon::simplify

@@ -93,7 +93,7 @@ void run(const BuildCommand& command, const BuildBy& buildBy) {
     options.memory = *parseBytes(command.memory);
     options.threads = command.common.threads;
     options.level.clusterTriangles = command.clusterTriangles;
-    options.level.isErrorMeasured = command.error == "measured";
+    options.level.error = *valueOf(levels::kErrorKinds, command.error);
     options.chunkTriangles = static_cast<std::uint32_t>(*parseCount(command.chunkTriangles));
     options.temporaryFolder = command.temporary;
     options.localFolder = command.local;
@@ -190,9 +190,8 @@ void addBuildCommand(CLI::App& program, const BuildBy& buildBy) {
             "Edge collapse by quadric error (own is its old name), or one of the two that it is compared with")
         ->check(CLI::IsMember({"quadric", "meshopt", "openmesh", "own"}))
         ->capture_default_str();
-    command
-        ->add_option("--error", options->error, "Whether stored errors are measured bounds or the simplifier's claims")
-        ->check(CLI::IsMember({"measured", "estimated"}))
+    command->add_option("--error", options->error, "Stored errors: bounds, lower bounds, or the simplifier's claims")
+        ->check(CLI::IsMember({"measured", "tight", "estimated"}))
         ->capture_default_str();
     command
         ->add_option("--max-stuck", options->maxStuckPercent, "Fail if more percent of the triangles never get coarser")

@@ -129,6 +129,20 @@ class CommandLine(ProgramTest):
         told = self.expect(0, "", "build", DATA / "models/sundial.ply", "-o", model)
         self.assertEqual(told.stderr, "")
 
+    def test_a_tight_error_is_a_lower_bound_and_the_same_for_any_threads(self):
+        mesh = self.place / "statue.ply"
+        self.expect(0, "", "make", "statue", "--triangles", "8k", "--seed", "1", "-o", mesh)
+        tightness = {}
+        alone = self.place / "alone.gnm"
+        self.expect(0, "", "build", mesh, "-o", alone, "--error", "tight", "--threads", 1)
+        for error in ("measured", "tight"):
+            model = self.place / f"{error}.gnm"
+            self.expect(0, "", "build", mesh, "-o", model, "--error", error, "--threads", 2)
+            told = json.loads(self.expect(0, "", "verify", model, "--source", mesh, "--cuts", "5", "--json").stdout)
+            tightness[error] = next(check["tightness"] for check in told["checks"] if check["name"] == "error_bound")
+        self.assertLess(tightness["tight"], 0.95 * tightness["measured"])
+        self.assertEqual(alone.read_bytes(), model.read_bytes())
+
     def test_info_tells_far_coordinates_apart(self):
         survey, model = self.place / "survey.ply", self.place / "survey.gnm"
         survey.write_text("ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double y\nproperty double z\n"

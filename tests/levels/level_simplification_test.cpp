@@ -114,7 +114,7 @@ TEST(SimplifiedLevel, AnEstimatedErrorIsTheOneBeforeAndTheSimplifiersClaim) {
     const simplify::Mesh mesh = meshOf(read::bumpySheet(40));
     NoProgress progress;
     LevelOptions options;
-    options.isErrorMeasured = false;
+    options.error = ErrorKind::Estimated;
     Level level = groupedLevel(mesh);
     const Level next = simplifiedLevel(mesh, level, options, simplify::CostLimit::None, progress);
     Level measured = groupedLevel(mesh);
@@ -125,6 +125,27 @@ TEST(SimplifiedLevel, AnEstimatedErrorIsTheOneBeforeAndTheSimplifiersClaim) {
         EXPECT_GT(level.groups[g].error, mesh.grid.snapError());
         EXPECT_LT(level.groups[g].error, measured.groups[g].error * 2);
     }
+}
+
+TEST(SimplifiedLevel, ATightErrorIsNowhereMoreThanAMeasuredOneAndLowerBefore) {
+    const simplify::Mesh mesh = meshOf(read::bumpySheet(64));
+    NoProgress progress;
+    LevelOptions options;
+    options.error = ErrorKind::Tight;
+    Level tight = groupedLevel(mesh);
+    const Level next = simplifiedLevel(mesh, tight, options, simplify::CostLimit::None, progress);
+    Level measured = groupedLevel(mesh);
+    const Level other = simplifiedLevel(mesh, measured, {}, simplify::CostLimit::None, progress);
+    EXPECT_EQ(next.triangles, other.triangles) << "of the source's own level the same triangles are left";
+    double sum = 0;
+    double measuredSum = 0;
+    for (std::size_t g = 0; g < tight.groups.size(); ++g) {
+        EXPECT_LE(tight.groups[g].error, measured.groups[g].error);
+        EXPECT_GT(tight.groups[g].error, mesh.grid.snapError());
+        sum += tight.groups[g].error;
+        measuredSum += measured.groups[g].error;
+    }
+    EXPECT_LT(sum, 0.9 * measuredSum);
 }
 
 TEST(SimplifiedLevel, KeepsThePositionsThatGroupsShare) {

@@ -234,7 +234,8 @@ TEST(BuildKey, HasWhatChangesBytesAndNothingElse) {
     };
     EXPECT_TRUE(differs([](BuildOptions& o) { o.chunkTriangles = 5; }));
     EXPECT_TRUE(differs([](BuildOptions& o) { o.level.clusterTriangles = 64; }));
-    EXPECT_TRUE(differs([](BuildOptions& o) { o.level.isErrorMeasured = false; }));
+    EXPECT_TRUE(differs([](BuildOptions& o) { o.level.error = levels::ErrorKind::Estimated; }));
+    EXPECT_TRUE(differs([](BuildOptions& o) { o.level.error = levels::ErrorKind::Tight; }));
     EXPECT_TRUE(differs([](BuildOptions& o) { o.level.simplifier = simplify::Simplifier::Meshopt; }));
     EXPECT_TRUE(differs([](BuildOptions& o) { o.level.simplifier = simplify::Simplifier::OpenMesh; }));
     EXPECT_TRUE(differs([](BuildOptions& o) { o.inputKey = "input 1 bytes 5"; }));

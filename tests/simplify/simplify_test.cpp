@@ -72,6 +72,23 @@ TEST(Simplify, WhatTheSimplifierBoundsIsNearToWhatIsMeasuredAfterwards) {
     EXPECT_LE(bounded, 3 * measured.worst);
 }
 
+TEST(Simplify, WhatIsMeasuredAfterwardsUpToAGoalHoldsForEveryPointOfBothSurfaces) {
+    std::vector<Patch> patches{patchOf(read::bumpySheet(20)), patchOf(read::strewnBoxes(60)), patchOf(mixedMesh())};
+    for (Patch& patch : patches) {
+        const std::vector<TriangleError> errors = someErrors(patch.triangles.size());
+        patch.errors = errors;
+        const SimplifiedPatch simplified = simplifyQuadric(patch, patch.triangles.size() / 3);
+        for (const double goal : {10.0, 30.0, 200.0}) {
+            const Deviation measured = measureDeviation(patch, simplified, goal);
+            expectHonest(patch, simplified.triangles, measured.errors);
+            for (std::size_t t = 0; t < simplified.triangles.size(); ++t) {
+                if (simplified.errors[t].toSource > goal) continue;
+                ASSERT_LE(measured.errors[t].toSource, simplified.errors[t].toSource) << "kept, or the same triangle";
+            }
+        }
+    }
+}
+
 TEST(Simplify, TheOthersToBeComparedWithKeepWhatOtherGroupsCountOnAndAreMeasuredHonestly) {
     for (const Simplifier simplifier : {Simplifier::Meshopt, Simplifier::OpenMesh}) {
         std::vector<Patch> patches{patchOf(read::bumpySheet(20)), patchOf(read::strewnBoxes(60)), patchOf(mixedMesh())};

@@ -4,6 +4,7 @@
 #include "culling/frame_cut.h"
 #include "hierarchy/validation.h"
 
+#include <cmath>
 #include <utility>
 
 namespace gnomon::frame {
@@ -93,7 +94,10 @@ streaming::DemandOutcome Residency::serve(
         return outcome;
     }
     const std::vector<hierarchy::PageDemand> foreseen = selection::foreseenPages(query, cut, model_->pages());
-    return store_.request({cut.used, cut.wanted, foreseen, alongTheMotion(query)});
+    const auto ranked = [&](std::span<const hierarchy::PageDemand> demands) {
+        return rankedByBoxes(query, demands, model_->pages());
+    };
+    return store_.request({ranked(cut.used), ranked(cut.wanted), ranked(foreseen), alongTheMotion(query)});
 }
 
 std::vector<std::uint32_t> Residency::pagesOf(const selection::CutQuery& query, const selection::Cut& cut) const {
@@ -133,6 +137,22 @@ std::vector<hierarchy::PageDemand> Residency::alongTheMotion(const selection::Cu
     std::vector<hierarchy::PageDemand> result = std::move(cut.used);
     result.insert(result.end(), cut.wanted.begin(), cut.wanted.end());
     result.insert(result.end(), foreseen.begin(), foreseen.end());
+    return result;
+}
+
+std::vector<hierarchy::PageDemand> rankedByBoxes(
+    const selection::CutQuery& query,
+    std::span<const hierarchy::PageDemand> demands,
+    std::span<const hierarchy::PageInfo> pages) {
+    constexpr double kOutOfView = 1e-15; // asked for after all that is in view, before what is prefetched
+    std::vector<hierarchy::PageDemand> result(demands.begin(), demands.end());
+    for (hierarchy::PageDemand& demand : result) {
+        const hierarchy::PageInfo& info = pages[demand.page];
+        if (std::isinf(demand.pixels) || std::isinf(info.maxError)) continue;
+        const double seen = query.rule->mostViewPixels(query.trees->grid().local(info.box), info.maxError);
+        const double shown = std::max(seen, query.rule->casterPixels(info.bounds, info.maxError));
+        demand.pixels = shown > 0 ? std::min(demand.pixels, shown) : demand.pixels * kOutOfView;
+    }
     return result;
 }
 

@@ -111,6 +111,15 @@ private:
     std::optional<selection::DetailView> before_; // the view of the frame before
 };
 
+/// `demands` by what the boxes of their pages, rows of `pages`, show of them, of which the most urgent have to come
+/// first where not all fit: those out of view last, but for what shadows need. The sphere of a group encloses those of
+/// all that refines it, so that inside of a model most reach to the eye, and all seem urgent. Never raised; whatever
+/// holds a root group stays as it is.
+std::vector<hierarchy::PageDemand> rankedByBoxes(
+    const selection::CutQuery& query,
+    std::span<const hierarchy::PageDemand> demands,
+    std::span<const hierarchy::PageInfo> pages);
+
 /// The view that the motion from `before` to `now` leads to in `frames` frames.
 selection::DetailView continued(const selection::DetailView& before, const selection::DetailView& now, double frames);
 

@@ -161,9 +161,18 @@ void CutPart::addGroup(
         clustersTested_ += static_cast<std::uint64_t>(std::popcount(touching & ~std::uint64_t{1}));
         const std::uint64_t touched = narrowed(touching, groupPlanes_, cluster.box, nullptr);
         if (touched == 0) continue;
-        if (finer != nullptr && (touched & 1U) != 0) achieved_ = std::max(achieved_, finer->viewPixels);
+        if (finer != nullptr && (touched & 1U) != 0) achieved_ = std::max(achieved_, shownPixels(page, cluster));
         draw(id, c, cluster.triangleCount, touched);
     }
+}
+
+/// How far the image of a cluster that is drawn may be off: its own box says it more closely than the sphere of all
+/// that refines it, which reaches to the eye where a page is missing, so that the rule knows of no end.
+double CutPart::shownPixels(const hierarchy::Page& page, const hierarchy::Cluster& cluster) const {
+    const double pixels = refinements_[cluster.refinement].viewPixels;
+    if (!(pixels > query_->errorPixels)) return pixels;
+    const double error = page.refinements[cluster.refinement].drawnError();
+    return std::min(pixels, query_->rule->mostViewPixels(query_->trees->grid().local(cluster.box), error));
 }
 
 void CutPart::test(const hierarchy::Page& page) {

@@ -78,7 +78,7 @@ struct Cut {
     std::vector<hierarchy::PageDemand> wanted; // pages that it would refine into were they resident, each once, by id
     std::vector<std::uint32_t> passed;         // pages that it refines through and that are not resident, by id
     double errorPixels = 0;                    // the threshold that it was made with
-    double achievedErrorPixels = 0;            // the most on the screen of anything in the first list (viewPixels)
+    double achievedErrorPixels = 0;            // the most on the screen of anything in the first list
     std::uint64_t groupsTested = 0;
     std::uint64_t clustersTested = 0; // drawn clusters that the walk came to, once for each volume but the first
 };
@@ -136,6 +136,7 @@ private:
     bool isBlocked(std::uint32_t page, std::uint32_t group) const;
     bool isPassed(std::uint32_t page);
     void collectPlanes(bvh::VolumeMask mask);
+    double shownPixels(const hierarchy::Page& page, const hierarchy::Cluster& cluster) const;
     void test(const hierarchy::Page& page);
     void draw(std::uint32_t page, std::uint32_t cluster, std::uint32_t triangles, std::uint64_t touching);
     void flush();

@@ -97,6 +97,18 @@ double ErrorRule::leastViewPixels(const Box& box, double error) const {
     return kRoundedUp * error * pixelsPerUnit_ / std::max(farthest, view_.nearestDepth);
 }
 
+double ErrorRule::mostViewPixels(const Box& box, double error) const {
+    const Box reach{box.min - error, box.max + error}; // of what is drawn and of what would be drawn in its place
+    if (!(error > 0) || classify(pyramid_, reach) == Containment::Outside) return 0;
+    const glm::dvec3& view = view_.basis.view;
+    const double middle = glm::dot(reach.center() - view_.eye, view);
+    const double nearest = middle - 0.5 * glm::dot(glm::abs(view), reach.extent());
+    // What is in view is no further off the axis than the image's corner, and moves by `error` from there.
+    const double depth = std::max(nearest, distance(box, view_.eye) * cornerCosine_ - error);
+    const double across = view_.heightPixels * std::hypot(1.0, view_.tanHalfX / view_.tanHalfY);
+    return std::min(across, error * pixelsPerUnit_ / (std::max(depth, view_.nearestDepth) * cornerCosine_));
+}
+
 double ErrorRule::casterPixels(const Sphere& bounds, double error, double floor) const {
     if (casters_.empty() || !(error > 0)) return 0;
     double pixels = floor;

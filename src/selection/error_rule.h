@@ -104,6 +104,11 @@ public:
     /// 0 where `box` does not lie in view as a whole.
     double leastViewPixels(const Box& box, double error) const;
 
+    /// What `viewPixels` bounds by a sphere, of what lies in `box` (local space): no less than the image of anything
+    /// there moves with a displacement of `error`, 0 where that shows nothing. No image moves further than across the
+    /// picture.
+    double mostViewPixels(const Box& box, double error) const;
+
     /// The part that shows at the edges of shadows; any number up to `floor` if it is not more.
     double casterPixels(const Sphere& bounds, double error, double floor = 0) const;
 

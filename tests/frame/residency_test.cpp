@@ -93,6 +93,58 @@ TEST_F(ModelResidency, AFrameThatNeverWaitsArrivesInTheEnd) {
     ADD_FAILURE() << "pages never arrive";
 }
 
+TEST_F(ModelResidency, PagesOutOfViewAreRankedLast) {
+    const hierarchy::ModelFile model(path);
+    Residency residency(model, {});
+    const SeenCut seen(residency);
+    std::vector<hierarchy::PageDemand> demands;
+    for (std::uint32_t page = 0; page < model.pages().size(); ++page) {
+        const hierarchy::PageInfo& info = model.pages()[page];
+        demands.push_back({page, std::isinf(info.maxError) ? info.maxError : 1e9}); // as spheres around the eye have it
+    }
+    const std::vector<hierarchy::PageDemand> ranked = rankedByBoxes(seen.query, demands, model.pages());
+    ASSERT_EQ(ranked.size(), demands.size());
+    double leastSeen = 1e300;
+    double mostUnseen = 0;
+    for (std::size_t i = 0; i < ranked.size(); ++i) {
+        const hierarchy::PageInfo& info = model.pages()[ranked[i].page];
+        EXPECT_EQ(ranked[i].page, demands[i].page);
+        EXPECT_GT(ranked[i].pixels, 0);
+        EXPECT_LE(ranked[i].pixels, demands[i].pixels);
+        if (std::isinf(info.maxError)) {
+            EXPECT_EQ(ranked[i].pixels, info.maxError);
+            continue;
+        }
+        Box box = model.summary().grid.local(info.box);
+        box.min -= info.maxError;
+        box.max += info.maxError;
+        const bool isSeen = classify(seen.volumes[0], box) != Containment::Outside;
+        if (isSeen) leastSeen = std::min(leastSeen, ranked[i].pixels);
+        if (!isSeen) mostUnseen = std::max(mostUnseen, ranked[i].pixels);
+    }
+    EXPECT_GT(mostUnseen, 0);
+    EXPECT_LT(mostUnseen, leastSeen);
+}
+
+TEST_F(ModelResidency, WhatShadowsNeedIsRankedByThem) {
+    const hierarchy::ModelFile model(path);
+    Residency residency(model, {});
+    const SeenCut seen(residency);
+    selection::CasterDetail caster; // anything anywhere, with shadows at one unit from the eye
+    caster.receiverNear = 1;
+    const selection::ErrorRule rule(seen.view, {caster});
+    selection::CutQuery query = seen.query;
+    query.rule = &rule;
+    for (std::uint32_t page = 0; page < model.pages().size(); ++page) {
+        const hierarchy::PageInfo& info = model.pages()[page];
+        if (std::isinf(info.maxError)) continue;
+        const hierarchy::PageDemand demand{page, 1e9};
+        const double pixels = rankedByBoxes(query, {&demand, 1}, model.pages())[0].pixels;
+        EXPECT_GE(pixels, rule.casterPixels(info.bounds, info.maxError)) << page;
+        EXPECT_GT(pixels, 0.1 * info.maxError) << page;
+    }
+}
+
 TEST_F(ModelResidency, TheTableMustFitTheMemory) {
     const hierarchy::ModelFile model(path);
     const Bytes tables = tableBytes(model);

@@ -262,10 +262,15 @@ TEST(Cut, ReportsTheErrorOfWhatIsMissing) {
             for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c) {
                 if (page.clusters[c].refinement == kNone) continue;
                 const hierarchy::Refinement& finer = page.refinements[page.clusters[c].refinement];
-                worst = std::max(worst, scene.rule.viewPixels(finer.bounds, tests::largerError(finer)));
+                const double error = tests::largerError(finer);
+                const Box box = scene.trees->grid().local(page.clusters[c].box);
+                const double pixels = scene.rule.viewPixels(finer.bounds, error);
+                const bool isMissing = pixels > scene.errorPixels;
+                worst = std::max(worst, isMissing ? std::min(pixels, scene.rule.mostViewPixels(box, error)) : pixels);
             }
         }
         EXPECT_EQ(now.achievedErrorPixels, worst);
+        EXPECT_LE(worst, scene.view.heightPixels * (1 + scene.view.tanHalfX / scene.view.tanHalfY));
         worse += worst > scene.errorPixels ? 1 : 0;
     }
     EXPECT_GT(worse, 5);

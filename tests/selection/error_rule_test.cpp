@@ -129,6 +129,51 @@ TEST(ErrorRule, NoPointInViewMovesFurtherThanReported) {
     EXPECT_LT(tightest, 1.1) << "a bound that nothing comes near says little";
 }
 
+// Displacements of any length, of points of a box that the image shows.
+TEST(ErrorRule, NothingInABoxMovesFurtherThanTheBoxAllows) {
+    Random random(25);
+    int shown = 0;
+    double tightest = 1e9;
+    for (int trial = 0; trial < 200000; ++trial) {
+        const DetailView view = randomView(random, kErrorSpace);
+        const ErrorRule rule(view);
+        const glm::dvec3 size =
+            std::exp(random.uniform(-5, 2)) * glm::dvec3(random.unit(), random.unit(), random.unit());
+        const glm::dvec3 min(random.uniform(-20, 20), random.uniform(-20, 20), random.uniform(-20, 20));
+        const Box box{min, min + size};
+        const glm::dvec3 point = min + glm::dvec3(random.unit(), random.unit(), random.unit()) * size;
+        const glm::dvec3 inCamera = toCamera(view.basis, point - view.eye);
+        const bool isShown = inCamera.z >= view.nearestDepth && std::abs(inCamera.x) <= view.tanHalfX * inCamera.z &&
+                             std::abs(inCamera.y) <= view.tanHalfY * inCamera.z;
+        if (!isShown) continue;
+        const double error = inCamera.z * std::exp(random.uniform(-12, 1));
+        const glm::dvec3 direction = randomPointIn(random, {glm::dvec3(0), 1}) + glm::dvec3(1e-9);
+        const glm::dvec3 moved = point + error * glm::normalize(direction);
+        if (toCamera(view.basis, moved - view.eye).z < view.nearestDepth) continue;
+        ++shown;
+        const double across = view.heightPixels * std::hypot(1.0, view.tanHalfX / view.tanHalfY);
+        const double seen = std::min(across, glm::distance(projected(view, point), projected(view, moved)));
+        const double reported = rule.mostViewPixels(box, error);
+        EXPECT_LE(seen, reported * (1 + 1e-9));
+        EXPECT_LE(reported, across);
+        if (error < 1e-3 * inCamera.z) tightest = std::min(tightest, reported / seen);
+    }
+    EXPECT_GT(shown, 10000);
+    EXPECT_LT(tightest, 1.2) << "a bound that nothing comes near says little";
+}
+
+TEST(ErrorRule, ABoxOutOfViewShowsNothing) {
+    DetailView view;
+    view.basis = cameraBasis({{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, 1});
+    const ErrorRule rule(view);
+    EXPECT_EQ(rule.mostViewPixels({{-1, -1, 5}, {1, 1, 7}}, 0.1), 0);
+    EXPECT_EQ(rule.mostViewPixels({{-1, -1, -7}, {1, 1, -5}}, 0), 0);
+    const double far = rule.mostViewPixels({{-1, -1, -70}, {1, 1, -50}}, 0.1);
+    EXPECT_GT(far, 0);
+    EXPECT_GT(rule.mostViewPixels({{-1, -1, -7}, {1, 1, -5}}, 0.1), 8 * far);
+    EXPECT_LT(rule.mostViewPixels({{-1, -1, -7}, {1, 1, 5}}, 0.1), 1.5 * view.heightPixels) << "the eye is within";
+}
+
 TEST(ErrorRule, ChargesACornerMoreThanTheCentre) {
     DetailView view; // 60 degrees each way, looking along -z
     const ErrorRule rule(view);

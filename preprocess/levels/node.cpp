@@ -58,6 +58,12 @@ void endAtRoot(Level& level) {
     }
 }
 
+/// Where the groups lie that the clusters of the next level were simplified from.
+void tellPlaces(const Level& level, Level& next) {
+    for (std::size_t g = 0; g < level.groups.size(); ++g)
+        next.refinements[g].place = level.groups[g].place;
+}
+
 void takeAttributes(const Level& level, simplify::Mesh& mesh) {
     for (const TransferredWord& carried : level.colors)
         mesh.vertices[carried.vertex].color = carried.word;
@@ -74,25 +80,26 @@ BuiltNode buildNode(
     BuiltNode node;
     if (level.triangles.empty()) return node;
     const bool isToRoot = plan.levelCount == kNone;
-    const auto keep = [&](std::uint32_t number, std::uint32_t pageCount) {
+    const auto keep = [&](std::uint32_t number) {
+        const std::uint32_t pageCount = placeGroups(level, number);
         node.levels.push_back({infoOf(level, mesh.grid), encodePages(mesh, level, number, pageCount)});
     };
     for (std::uint32_t number = plan.firstLevel; isToRoot || number - plan.firstLevel < plan.levelCount; ++number) {
         const bool isSingle = level.clusters.size() == 1;
         if (isSingle && !isToRoot && number > 0) break;
         formGroups(level, mesh.grid, options, number);
-        const std::uint32_t pageCount = placeGroups(level, number);
         Coarser coarser;
         if (!isSingle || !isToRoot) coarser = coarserLevel(mesh, level, isToRoot, options, progress);
         if (!coarser.isWorthwhile && isToRoot) {
             endAtRoot(level);
-            keep(number, pageCount);
+            keep(number);
             node.rootTriangles = level.triangles.size();
             if (number == 0 && !isSingle) node.stuckTriangles = level.triangles.size();
             return node;
         }
         if (!coarser.isWorthwhile && number > 0) break;
-        keep(number, pageCount);
+        keep(number);
+        tellPlaces(level, coarser.level);
         level = std::move(coarser.level);
         takeAttributes(level, mesh);
     }

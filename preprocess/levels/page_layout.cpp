@@ -8,6 +8,8 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <span>
 
 namespace gnomon::levels {
@@ -24,6 +26,37 @@ std::uint64_t decodedBytes(const Level& level, const LevelGroup& group) {
         bytes += sizeof(hierarchy::Cluster) + level.clusters[c].vertexCount * sizeof(hierarchy::Vertex) +
                  level.clusters[c].triangleCount * sizeof(hierarchy::Triangle);
     return bytes;
+}
+
+/// The exponent of a group's error: all of a double's lie between those of none and of a root.
+int errorExponent(const LevelGroup& group) {
+    constexpr int kMostExponent = 2048;
+    const double error = std::max(group.error, group.attributeError);
+    return std::clamp(std::ilogb(error), -kMostExponent, kMostExponent); // INT_MIN for 0, INT_MAX for infinity
+}
+
+int floorOfQuotient(int value, int by) {
+    return value >= 0 ? value / by : -((by - 1 - value) / by);
+}
+
+/// The groups by their errors, in classes of a factor of 16 about the median, and within a class as they lie: where a
+/// view refines some of a neighbourhood and not others, those that it does not are in other pages, which it need not
+/// read.
+std::vector<std::uint32_t> pageOrder(const Level& level) {
+    constexpr int kClassBits = 4;
+    std::vector<int> exponents;
+    for (const LevelGroup& group : level.groups)
+        exponents.push_back(errorExponent(group));
+    std::vector<int> sorted = exponents;
+    const auto median = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+    std::nth_element(sorted.begin(), median, sorted.end());
+    const int lowest = *median - kClassBits / 2; // of the median's class
+    const auto classOf = [&](std::uint32_t g) { return floorOfQuotient(exponents[g] - lowest, kClassBits); };
+    std::vector<std::uint32_t> order(level.groups.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::stable_sort(
+        order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return classOf(a) < classOf(b); });
+    return order;
 }
 
 /// Appends the cluster's triangles, its vertices numbered in the order of their first use.
@@ -72,20 +105,19 @@ struct PageWithFields {
     hierarchy::PageFields fields; // of its vertices
 };
 
-/// The page of the groups [first, end).
+/// The page of these groups of the level.
 PageWithFields makePage(
     const simplify::Mesh& mesh,
     const Level& level,
     std::uint32_t number,
-    std::size_t first,
-    std::size_t end,
+    std::span<const std::uint32_t> groups,
     LocalNumbers& numbers) {
     PageWithFields made;
     auto& [page, fields] = made;
     fields.layout = mesh.fields.layout;
     page.level = number;
     std::vector<std::uint32_t> refinements; // of the level, in the order of the page
-    for (std::size_t g = first; g < end; ++g) {
+    for (const std::uint32_t g : groups) {
         const LevelGroup& source = level.groups[g];
         page.groups.push_back(
             {static_cast<std::uint32_t>(page.clusters.size()),
@@ -126,7 +158,8 @@ PageOfLevel placeOfProvisional(std::uint32_t id) {
 std::uint32_t placeGroups(Level& level, std::uint32_t number) {
     GroupPlace place{number, 0, 0};
     std::uint64_t bytes = 0;
-    for (LevelGroup& group : level.groups) {
+    for (const std::uint32_t g : pageOrder(level)) {
+        LevelGroup& group = level.groups[g];
         const std::uint64_t own = decodedBytes(level, group);
         if (bytes > 0 && bytes + own > hierarchy::kPageTargetBytes) {
             ++place.page;
@@ -142,13 +175,13 @@ std::uint32_t placeGroups(Level& level, std::uint32_t number) {
 
 std::vector<hierarchy::EncodedPage> encodePages(
     const simplify::Mesh& mesh, const Level& level, std::uint32_t number, std::uint32_t pageCount) {
-    std::vector<std::size_t> ends(pageCount, 0); // of each page's groups
-    for (std::size_t g = 0; g < level.groups.size(); ++g)
-        ends[level.groups[g].place.page] = g + 1;
+    std::vector<std::vector<std::uint32_t>> groups(pageCount); // of each page, in the order of their places
+    for (const std::uint32_t g : pageOrder(level))
+        groups[level.groups[g].place.page].push_back(g);
     std::vector<hierarchy::EncodedPage> encoded(pageCount);
     tbb::enumerable_thread_specific<LocalNumbers> numbers(mesh.vertices.size());
     tbb::parallel_for(std::uint32_t{0}, pageCount, [&](std::uint32_t id) {
-        auto [page, fields] = makePage(mesh, level, number, id > 0 ? ends[id - 1] : 0, ends[id], numbers.local());
+        auto [page, fields] = makePage(mesh, level, number, groups[id], numbers.local());
         hierarchy::orderForCoding(page, fields);
         encoded[id] = hierarchy::encodePage(page, fields);
     });

@@ -23,8 +23,8 @@ struct PageOfLevel {
 /// What `provisionalId` was made of.
 PageOfLevel placeOfProvisional(std::uint32_t id);
 
-/// Gives every group of `level`, the `number`th from 0, its place: pages of about kPageTargetBytes, counted from 0, in
-/// the order of the groups. Returns how many pages.
+/// Gives every group of `level`, the `number`th from 0, its place: pages of about kPageTargetBytes, counted from 0,
+/// filled in the order of the groups with those whose errors are alike. Returns how many pages.
 std::uint32_t placeGroups(Level& level, std::uint32_t number);
 
 /// The `pageCount` pages of `level`, encoded; other pages are named by their provisional ids.

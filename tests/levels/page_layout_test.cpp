@@ -9,6 +9,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
 
 namespace gnomon::levels {
 namespace {
@@ -35,15 +38,17 @@ TEST(ProvisionalIdsDeathTest, OfMoreLevelsOrPagesThanThereAreFail) {
 }
 
 struct Placed {
-    Placed() : mesh(meshOf(read::bumpySheet(200))), level(firstLevel(mesh, {})) {
+    /// Errors of groups that come after each other are `step` powers of two apart, up and down.
+    explicit Placed(int step = 0) : mesh(meshOf(read::bumpySheet(200))), level(firstLevel(mesh, {})) {
         for (std::uint32_t c = 0; c < level.clusters.size(); ++c) {
             level.refinements.push_back({{2, c / 20, c % 20}, {glm::dvec3(c), 1000.0 + c}, 0.5 + c, 0.25 + c});
             level.clusters[c].refinement = c / 3;
         }
         formGroups(level, mesh.grid, {}, 3);
         for (std::size_t g = 0; g < level.groups.size(); ++g) {
-            level.groups[g].error = 1e3 + static_cast<double>(g);
-            level.groups[g].attributeError = 2e3 + static_cast<double>(g);
+            const int power = g % 2 == 0 ? 0 : step;
+            level.groups[g].error = std::ldexp(1e3 + static_cast<double>(g), power);
+            level.groups[g].attributeError = std::ldexp(2e3 + static_cast<double>(g), power);
         }
         pageCount = placeGroups(level, 3);
     }
@@ -129,6 +134,59 @@ TEST(PageLayout, GroupsOfAllSizesLieWhereTheFirstPageHasRoom) {
     }
 }
 
+TEST(PageLayout, GroupsOfLikeErrorLieTogether) {
+    Random random(5);
+    for (int run = 0; run < 20; ++run) {
+        Level level;
+        level.clusters.resize(300);
+        level.groups.resize(300);
+        std::vector<int> exponents;
+        const int spread = 1 << run % 8; // of the errors, in powers of two
+        for (std::uint32_t g = 0; g < 300; ++g) {
+            level.clusters[g].vertexCount = static_cast<std::uint32_t>(random.below(hierarchy::kPageTargetBytes / 100));
+            const int exponent = static_cast<int>(random.below(2 * spread)) - spread;
+            const double error = std::ldexp(1.75, exponent);
+            LevelGroup& group = level.groups[g];
+            group.firstCluster = g;
+            group.clusterCount = 1;
+            group.error = g % 2 == 0 ? error : 0; // the larger of both counts
+            group.attributeError = g % 2 == 0 ? error / 3 : error;
+            exponents.push_back(exponent);
+        }
+        placeGroups(level, 0);
+        std::vector<int> sorted = exponents;
+        std::sort(sorted.begin(), sorted.end());
+        std::vector<std::uint32_t> order(300); // the plain way to the same order
+        std::iota(order.begin(), order.end(), 0U);
+        const auto classOf = [&](std::uint32_t g) { return std::floor((exponents[g] - sorted[150] + 2) / 4.0); };
+        std::stable_sort(
+            order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return classOf(a) < classOf(b); });
+        for (std::size_t i = 1; i < order.size(); ++i) {
+            const GroupPlace& before = level.groups[order[i - 1]].place;
+            const GroupPlace& place = level.groups[order[i]].place;
+            ASSERT_TRUE(
+                (place.page == before.page && place.group == before.group + 1) ||
+                (place.page == before.page + 1 && place.group == 0))
+                << "run " << run;
+        }
+    }
+}
+
+TEST(PageLayout, RootsAndGroupsWithoutAnErrorHaveAPlace) {
+    Level level;
+    level.clusters.resize(3);
+    level.groups.resize(3); // roots
+    for (std::uint32_t g = 0; g < 3; ++g) {
+        level.groups[g].firstCluster = g;
+        level.groups[g].clusterCount = 1;
+    }
+    level.groups[1].error = 0;
+    EXPECT_EQ(placeGroups(level, 0), 1U);
+    EXPECT_EQ(level.groups[1].place, (GroupPlace{0, 0, 0}));
+    EXPECT_EQ(level.groups[0].place, (GroupPlace{0, 0, 1}));
+    EXPECT_EQ(level.groups[2].place, (GroupPlace{0, 0, 2}));
+}
+
 /// The triangles of a cluster as `cornersOf` a level has them.
 std::vector<Corners> cornersOf(const hierarchy::Page& page, const hierarchy::Cluster& cluster) {
     std::vector<Corners> all;
@@ -143,8 +201,14 @@ std::vector<Corners> cornersOf(const hierarchy::Page& page, const hierarchy::Clu
     return all;
 }
 
-TEST(PageLayout, EncodedPagesHoldTheGroupsAsTheyWere) {
-    const Placed placed;
+void expectGroupsAsTheyWere(const Placed& placed) {
+    std::vector<std::uint32_t> order(placed.level.groups.size());
+    std::iota(order.begin(), order.end(), 0U);
+    const auto placeOf = [&](std::uint32_t g) {
+        const GroupPlace& place = placed.level.groups[g].place;
+        return std::pair(place.page, place.group);
+    };
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return placeOf(a) < placeOf(b); });
     const std::vector<hierarchy::EncodedPage> pages = encodePages(placed.mesh, placed.level, 3, placed.pageCount);
     ASSERT_EQ(pages.size(), placed.pageCount);
     std::size_t next = 0; // group of the level
@@ -152,7 +216,7 @@ TEST(PageLayout, EncodedPagesHoldTheGroupsAsTheyWere) {
         const hierarchy::Page page = hierarchy::decodePageBytes(encoded.bytes, encoded.info);
         ASSERT_EQ(page.level, 3U);
         for (const hierarchy::Group& group : page.groups) {
-            const LevelGroup& source = placed.level.groups[next++];
+            const LevelGroup& source = placed.level.groups[order[next++]];
             ASSERT_EQ(group.clusterCount, source.clusterCount);
             ASSERT_EQ(group.error, source.error);
             ASSERT_EQ(group.attributeError, source.attributeError);
@@ -174,6 +238,11 @@ TEST(PageLayout, EncodedPagesHoldTheGroupsAsTheyWere) {
         }
     }
     EXPECT_EQ(next, placed.level.groups.size());
+}
+
+TEST(PageLayout, EncodedPagesHoldTheGroupsAsTheyWere) {
+    expectGroupsAsTheyWere(Placed());
+    expectGroupsAsTheyWere(Placed(20));
 }
 
 } // namespace

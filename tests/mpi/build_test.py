@@ -2,7 +2,7 @@
 import json
 import unittest
 
-from job import DATA, JobTest, run
+from job import DATA, JobTest, read_of_chunks, run
 
 SMALL = ("--chunk-triangles", "4k")
 

@@ -25,7 +25,7 @@ read::CodeMesh lonelyTriangles(std::uint32_t count) {
     return {std::move(positions), std::move(triangles)};
 }
 
-TEST(ManyChunks, EachHasTheTrianglesAndVerticesThatLieThere) {
+TEST(SlowManyChunks, EachHasTheTrianglesAndVerticesThatLieThere) {
     read::CodeMesh mesh = lonelyTriangles(70'000);
     NoProgress progress;
     SourceSurvey survey = surveySource(mesh, progress);

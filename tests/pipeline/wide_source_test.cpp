@@ -20,7 +20,8 @@ std::vector<std::uint64_t> pagesOf(const read::SpreadMesh::Shape& shape, std::ui
     NoProgress progress;
     EXPECT_EQ(buildModel(source, options, progress).summary.sourceVertices, 3721 + shape.gap);
     std::vector<std::uint64_t> checksums;
-    for (const hierarchy::PageInfo& page : hierarchy::ModelFile(options.output).pages())
+    const hierarchy::ModelFile file(options.output);
+    for (const hierarchy::PageInfo& page : file.pages())
         checksums.push_back(page.checksum);
     return checksums;
 }

@@ -48,7 +48,7 @@ void addPage(std::span<std::uint8_t> corners, std::span<const std::byte> packed)
 template <class T>
 std::vector<T> valuesOf(std::span<const std::byte> bytes) {
     std::vector<T> values(bytes.size() / sizeof(T));
-    std::memcpy(values.data(), bytes.data(), values.size() * sizeof(T));
+    if (!values.empty()) std::memcpy(values.data(), bytes.data(), values.size() * sizeof(T));
     return values;
 }
 

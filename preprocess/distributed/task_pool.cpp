@@ -38,7 +38,7 @@ struct TaskPool::State {
 
 TaskPool::TaskPool(std::size_t threads)
     : threads_(threads),
-      state_(std::make_unique<State>(std::max<std::size_t>(threads, tbb::info::default_concurrency()))) {
+      state_(std::make_unique<State>(std::max(threads, static_cast<std::size_t>(tbb::info::default_concurrency())))) {
     state_->allow(threads);
 }
 

@@ -46,7 +46,8 @@ std::vector<simplify::TriangleError> tightErrors(
     const double worst = largestOf(simplified.errors);
     simplify::Deviation measured =
         simplify::measureDeviation(patch, simplified, std::max(largestOf(patch.errors), kTightShare * worst));
-    return measured.worst < worst ? std::move(measured.errors) : simplified.errors;
+    if (measured.worst < worst) return std::move(measured.errors);
+    return simplified.errors;
 }
 
 /// The largest of one of the errors of what refines the clusters of a group.

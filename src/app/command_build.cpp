@@ -145,6 +145,26 @@ CLI::Validator chunkSize() {
         "COUNT"};
 }
 
+/// What shapes the hierarchy.
+void addShapeOptions(CLI::App& command, BuildCommand& options) {
+    command.add_option("--cluster-triangles", options.clusterTriangles, "Most triangles of a cluster")
+        ->check(CLI::Range(8, 256))
+        ->capture_default_str();
+    command.add_option("--chunk-triangles", options.chunkTriangles, "Most triangles of a part that is built by itself")
+        ->check(chunkSize())
+        ->capture_default_str();
+    command
+        .add_option(
+            "--simplifier",
+            options.simplifier,
+            "Edge collapse by quadric error (own is its old name), or one of the two that it is compared with")
+        ->check(CLI::IsMember({"quadric", "meshopt", "openmesh", "own"}))
+        ->capture_default_str();
+    command.add_option("--error", options.error, "Stored errors: bounds, lower bounds, or the simplifier's claims")
+        ->check(CLI::IsMember({"measured", "tight", "estimated"}))
+        ->capture_default_str();
+}
+
 } // namespace
 
 void addBuildCommand(CLI::App& program, const BuildBy& buildBy) {
@@ -176,23 +196,7 @@ void addBuildCommand(CLI::App& program, const BuildBy& buildBy) {
     command->add_flag("--in-memory", options->isInMemory, "Build without temporary files")
         ->excludes(folder)
         ->excludes(resume);
-    command->add_option("--cluster-triangles", options->clusterTriangles, "Most triangles of a cluster")
-        ->check(CLI::Range(8, 256))
-        ->capture_default_str();
-    command
-        ->add_option("--chunk-triangles", options->chunkTriangles, "Most triangles of a part that is built by itself")
-        ->check(chunkSize())
-        ->capture_default_str();
-    command
-        ->add_option(
-            "--simplifier",
-            options->simplifier,
-            "Edge collapse by quadric error (own is its old name), or one of the two that it is compared with")
-        ->check(CLI::IsMember({"quadric", "meshopt", "openmesh", "own"}))
-        ->capture_default_str();
-    command->add_option("--error", options->error, "Stored errors: bounds, lower bounds, or the simplifier's claims")
-        ->check(CLI::IsMember({"measured", "tight", "estimated"}))
-        ->capture_default_str();
+    addShapeOptions(*command, *options);
     command
         ->add_option("--max-stuck", options->maxStuckPercent, "Fail if more percent of the triangles never get coarser")
         ->check(CLI::Range(0.0, 100.0))

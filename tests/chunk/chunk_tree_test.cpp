@@ -102,6 +102,16 @@ TEST(ChunkTree, DoesNotDependOnTheOrderOfThePoints) {
         EXPECT_EQ(forwards.chunkOf(point), backwards.chunkOf(point));
 }
 
+void addInThreeParts(const Weights& weights, const GridPoint& furthest, int rootBits, CellCounts& sum) {
+    for (std::size_t part = 0; part < 3; ++part) {
+        CellCounts counts(furthest, sum.shape(), rootBits);
+        std::size_t i = 0;
+        for (const auto& [point, weight] : weights)
+            if (i++ % 3 == part) counts.add(point, weight);
+        sum.addOpenWeights(counts.openWeights());
+    }
+}
+
 // As processes do that know a part of the points each.
 TEST(CellCounts, OfPartsAddUpToTheTreeOfAll) {
     Random random(9);
@@ -116,13 +126,7 @@ TEST(CellCounts, OfPartsAddUpToTheTreeOfAll) {
         } while (all.refine(kLimit / 8));
         CellCounts sum(furthest, rootBits);
         do {
-            for (std::size_t part = 0; part < 3; ++part) {
-                CellCounts counts(furthest, sum.shape(), rootBits);
-                std::size_t i = 0;
-                for (const auto& [point, weight] : weights)
-                    if (i++ % 3 == part) counts.add(point, weight);
-                sum.addOpenWeights(counts.openWeights());
-            }
+            addInThreeParts(weights, furthest, rootBits, sum);
         } while (sum.refine(kLimit / 8));
         const ChunkTree expected(all, kLimit);
         const ChunkTree tree(sum, kLimit);

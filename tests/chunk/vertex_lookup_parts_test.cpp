@@ -22,17 +22,22 @@ std::vector<ChunkVertex> verticesOf(const std::vector<std::uint64_t>& indices) {
     return vertices;
 }
 
-// Runs of a scan, and indices far apart.
+/// Runs of a scan, and indices far apart.
+std::set<std::uint64_t> chosenIndices(Random& random, int trial) {
+    std::set<std::uint64_t> chosen;
+    const std::uint64_t spread = trial % 3 == 0 ? 300 : trial % 3 == 1 ? 4'000'000'000U : std::uint64_t{1} << 40U;
+    while (chosen.size() < 1 + static_cast<std::size_t>(trial)) {
+        const std::uint64_t first = random.below(spread);
+        for (std::uint32_t i = 0; i < 1 + random.below(20); ++i)
+            chosen.insert(first + i);
+    }
+    return chosen;
+}
+
 TEST(IndexedVertices, FindEachVertexByItsIndex) {
     Random random(1);
     for (int trial = 0; trial < 200; ++trial) {
-        std::set<std::uint64_t> chosen;
-        const std::uint64_t spread = trial % 3 == 0 ? 300 : trial % 3 == 1 ? 4'000'000'000U : std::uint64_t{1} << 40U;
-        while (chosen.size() < 1 + static_cast<std::size_t>(trial)) {
-            const std::uint64_t first = random.below(spread);
-            for (std::uint32_t i = 0; i < 1 + random.below(20); ++i)
-                chosen.insert(first + i);
-        }
+        const std::set<std::uint64_t> chosen = chosenIndices(random, trial);
         std::vector<std::uint64_t> own;
         std::vector<std::uint64_t> foreign;
         for (const std::uint64_t index : chosen)

@@ -69,7 +69,7 @@ TEST(TaskPool, RunsAllAndHasNoMoreThreadsThanItSays) {
 }
 
 TEST(TaskPool, BorrowsThreadsAndGivesThemBack) {
-    const std::size_t cores = tbb::info::default_concurrency();
+    const auto cores = static_cast<std::size_t>(tbb::info::default_concurrency());
     TaskPool pool(1);
     EXPECT_EQ(pool.sharedThreads(), 1U);
     for (const std::size_t lent : {1U, 100U, 0U}) {

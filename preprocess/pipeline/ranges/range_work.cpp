@@ -59,7 +59,7 @@ void collect(const scratch::StreamStore& store, const chunk::ChunkWriter& writer
             range.streams.push_back({stream, block});
     for (std::uint32_t chunk = 0; chunk < writer.sizes().size(); ++chunk)
         if (const chunk::PartSize& size = writer.sizes()[chunk]; size.triangles + size.vertices > 0)
-            range.sizes.push_back({chunk, size});
+            range.sizes.emplace_back(chunk, size);
 }
 
 } // namespace

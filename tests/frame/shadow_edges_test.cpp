@@ -42,10 +42,13 @@ std::vector<float> plainEdgeDistances(const ReachPicture& picture, const ReachPi
             isEdge = isEdge || (areBeside(picture, i, j) && isMet(picture.samples[i], Reach::Dark) &&
                                 isMet(picture.samples[j], Reach::Lit));
         if (!isEdge) continue;
-        double nearest = std::hypot(static_cast<double>(width), static_cast<double>(count / width));
+        const std::size_t height = count / width;
+        double nearest = std::hypot(static_cast<double>(width), static_cast<double>(height));
         for (const std::size_t j : ends) {
             const double across = static_cast<double>(i % width) - static_cast<double>(j % width);
-            const double along = static_cast<double>(i / width) - static_cast<double>(j / width);
+            const std::size_t row = i / width;
+            const std::size_t otherRow = j / width;
+            const double along = static_cast<double>(row) - static_cast<double>(otherRow);
             nearest = std::min(nearest, std::hypot(across, along));
         }
         distances[i] = static_cast<float>(nearest);
@@ -94,7 +97,7 @@ ReachPicture floorWithEdge(std::size_t dark, Reach reach, float darkSine) {
 
 TEST(ShadowEdges, LieAsFarApartAsTheyWereMoved) {
     const ReachPicture picture = floorWithEdge(20, Reach::Dark, 0.5F);
-    for (const std::size_t moved : {0, 1, 3, 7}) {
+    for (const std::size_t moved : {0U, 1U, 3U, 7U}) {
         const std::vector<float> distances = edgeDistances(picture, floorWithEdge(20 + moved, Reach::Dark, 0.5F));
         for (std::size_t i = 0; i < distances.size(); ++i)
             EXPECT_EQ(distances[i], i % 40 == 19 ? static_cast<float>(moved) : -1) << i;

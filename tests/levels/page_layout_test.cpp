@@ -144,7 +144,7 @@ TEST(PageLayout, GroupsOfLikeErrorLieTogether) {
         const int spread = 1 << run % 8; // of the errors, in powers of two
         for (std::uint32_t g = 0; g < 300; ++g) {
             level.clusters[g].vertexCount = static_cast<std::uint32_t>(random.below(hierarchy::kPageTargetBytes / 100));
-            const int exponent = static_cast<int>(random.below(2 * spread)) - spread;
+            const int exponent = static_cast<int>(random.below(static_cast<std::uint64_t>(spread) * 2)) - spread;
             const double error = std::ldexp(1.75, exponent);
             LevelGroup& group = level.groups[g];
             group.firstCluster = g;

@@ -53,6 +53,13 @@ protected:
     }
 };
 
+void addByChance(Random& random, PlyLayout& layout) {
+    if (random.below(2) == 0) layout.normal = "float";
+    if (random.below(2) == 0) layout.color = "uchar";
+    if (random.below(2) == 0) layout.count = "int";
+    if (random.below(2) == 0) layout.index = "uint";
+}
+
 TEST_F(Ranges, OfAnyBinaryLayoutAreThoseOfAWholePass) {
     Random random(4);
     for (const char* format : {"binary_little_endian", "binary_big_endian"})
@@ -62,10 +69,7 @@ TEST_F(Ranges, OfAnyBinaryLayoutAreThoseOfAWholePass) {
                 layout.format = format;
                 layout.position = position;
                 layout.facesFirst = facesFirst;
-                if (random.below(2) == 0) layout.normal = "float";
-                if (random.below(2) == 0) layout.color = "uchar";
-                if (random.below(2) == 0) layout.count = "int";
-                if (random.below(2) == 0) layout.index = "uint";
+                addByChance(random, layout);
                 const auto source = opened(trianglesOnly(random.bits(), 40'000, 50'000, layout), layout);
                 ASSERT_TRUE(source->summary().hasRanges);
                 EXPECT_EQ(collectByRanges(*source, random), collect(*source));

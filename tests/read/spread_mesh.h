@@ -19,7 +19,7 @@ public:
         bool hasNormals = false; // (0, 1, 0) everywhere
     };
 
-    SpreadMesh(CodeMesh mesh, const Shape& shape) : mesh_(mesh), shape_(shape), summary_(mesh.summary()) {
+    SpreadMesh(const CodeMesh& mesh, const Shape& shape) : mesh_(mesh), shape_(shape), summary_(mesh.summary()) {
         summary_.vertexCount += shape.gap;
         summary_.faceCount /= shape.isQuads ? 2 : 1;
         summary_.hasNormals = shape.hasNormals;

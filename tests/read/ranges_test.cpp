@@ -127,12 +127,18 @@ TEST_F(Ranges, OfSeveralInputsGoOverTheirBorders) {
     Random random(5);
     for (int i = 0; i < 20; ++i)
         EXPECT_EQ(collectByRanges(*source, random), collect(*source));
-    const auto mixed =
-        openMeshSources({path, second, std::string(GNOMON_SOURCE_DIR) + "/data/models/colonnade.obj"}, mebibytes(64));
-    EXPECT_FALSE(mixed->summary().hasRanges);
-    EXPECT_THROW(mixed->readVertexRange(0, 1001, [](const VertexBlock&) {}), Error);
-    EXPECT_THROW((void)mixed->readTriangleRange(0, mixed->summary().faceCount, [](const TriangleBlock&) {}), Error);
     std::filesystem::remove(second);
+}
+
+TEST_F(Ranges, AreNotOfferedWhereOneInputHasNone) {
+    writeScratch(path, plyText(trianglesOnly(3, 300, 500, PlyLayout()), PlyLayout()));
+    const auto mixed =
+        openMeshSources({path, std::string(GNOMON_SOURCE_DIR) + "/data/models/colonnade.obj"}, mebibytes(64));
+    EXPECT_FALSE(mixed->summary().hasRanges);
+    const VertexSink noVertices = [](const VertexBlock&) {};
+    const TriangleSink noTriangles = [](const TriangleBlock&) {};
+    EXPECT_THROW(mixed->readVertexRange(0, 301, noVertices), Error);
+    EXPECT_THROW((void)mixed->readTriangleRange(0, mixed->summary().faceCount, noTriangles), Error);
 }
 
 } // namespace

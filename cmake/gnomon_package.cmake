@@ -21,8 +21,15 @@ install(TARGETS gnomon RUNTIME)
 install(FILES ${source}/data/desktop/gnomon.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
 install(FILES ${source}/data/desktop/gnomon.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages)
 install(FILES ${source}/data/desktop/gnomon.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps)
+install(CODE "set(manual_of gnomon)")
 install(SCRIPT ${source}/cmake/install_manual.cmake)
 gnomon_document(program gnomon)
+# In no package, since a job wants the MPI of its cluster: `cmake --install BUILD --component mpi`.
+if(TARGET gnomon-mpi)
+    install(TARGETS gnomon-mpi RUNTIME COMPONENT mpi)
+    install(CODE "set(manual_of gnomon-mpi)" COMPONENT mpi)
+    install(SCRIPT ${source}/cmake/install_manual.cmake COMPONENT mpi)
+endif()
 
 set(config ${CMAKE_INSTALL_LIBDIR}/cmake/gnomon)
 install(TARGETS gnomon_library gnomon_part_hierarchy gnomon_part_selection gnomon_part_shadow gnomon_part_build

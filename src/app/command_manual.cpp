@@ -6,7 +6,7 @@
 
 namespace gnomon::app {
 
-void addManualCommand(CLI::App& program) {
+void addManualCommand(CLI::App& program, bool isSilent) {
     struct Options {
         std::string format;
         std::vector<std::string> names;
@@ -19,18 +19,18 @@ void addManualCommand(CLI::App& program) {
         ->required()
         ->check(CLI::IsMember({"man", "bash", "zsh", "fish"}));
     command->add_option("COMMAND", options->names, "The command whose page is printed");
-    command->callback([options, &program] {
+    command->callback([options, &program, isSilent] {
         const manual::CommandWords words = manual::commandWords(program);
         std::string text;
         if (options->format == "man")
-            text = manual::manPage(manual::commandAt(words, options->names), GNOMON_VERSION);
+            text = manual::manPage(manual::commandAt(words, options->names), program.get_name(), GNOMON_VERSION);
         else if (options->format == "bash")
             text = manual::bashCompletion(words);
         else if (options->format == "zsh")
             text = manual::zshCompletion(words);
         else
             text = manual::fishCompletion(words);
-        std::fputs(text.c_str(), stdout);
+        if (!isSilent) std::fputs(text.c_str(), stdout);
     });
 }
 

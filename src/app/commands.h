@@ -53,7 +53,7 @@ void addExplainCommand(CLI::App& program);
 void addExportCommand(CLI::App& program);
 void addInfoCommand(CLI::App& program);
 void addMakeCommand(CLI::App& program);
-void addManualCommand(CLI::App& program);
+void addManualCommand(CLI::App& program, bool isSilent = false); // silent where another process prints
 void addMeasureCommand(CLI::App& program);
 void addPathCommand(CLI::App& program);
 void addRenderCommand(CLI::App& program);

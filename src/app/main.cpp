@@ -26,7 +26,7 @@ int main(int argc, char** argv) {
               addViewCommand,
               [](CLI::App& program) { addSunCommand(program); },
               addTheoryCommand,
-              addManualCommand}},
+              [](CLI::App& program) { addManualCommand(program); }}},
             argc,
             argv);
     });

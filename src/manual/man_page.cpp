@@ -64,11 +64,11 @@ std::string firstLine(const std::string& text) {
 
 } // namespace
 
-std::string manPage(const CommandWords& command, const std::string& version) {
-    const std::string name = joinedPath(command, "gnomon", "-");
+std::string manPage(const CommandWords& command, const std::string& program, const std::string& version) {
+    const std::string name = joinedPath(command, program, "-");
     std::string out = ".TH \"" + upper(plain(name)) + R"(" 1 "" "gnomon )" + version + "\" \"User Commands\"\n";
     out += ".SH NAME\n" + plain(name) + R"( \- )" + plain(firstLine(command.description)) + "\n";
-    out += ".SH SYNOPSIS\n.B " + plain(joinedPath(command, "gnomon", " ")) + "\n";
+    out += ".SH SYNOPSIS\n.B " + plain(joinedPath(command, program, " ")) + "\n";
     if (!command.options.empty()) out += "[" + italic("OPTIONS") + "]\n";
     for (const OptionWords& argument : command.arguments) {
         const std::string words = italic(plain(argument.names.front()));
@@ -91,9 +91,9 @@ std::string manPage(const CommandWords& command, const std::string& version) {
         addOption(out, option, false);
     out += ".SH EXIT STATUS\n0 on success, 1 where the work failed, 2 where the command line is wrong.\n";
     std::string also;
-    if (!command.path.empty()) also += ".BR gnomon (1)";
+    if (!command.path.empty()) also += ".BR " + plain(program) + " (1)";
     for (const CommandWords& below : command.commands)
-        also += (also.empty() ? "" : ",\n") + (".BR " + plain(joinedPath(below, "gnomon", "-")) + " (1)");
+        also += (also.empty() ? "" : ",\n") + (".BR " + plain(joinedPath(below, program, "-")) + " (1)");
     if (!also.empty()) out += ".SH SEE ALSO\n" + also + "\n";
     return out;
 }

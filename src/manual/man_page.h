@@ -5,7 +5,7 @@
 
 namespace gnomon::manual {
 
-/// The page of `command` in roff with the macros of man(7), section 1; `version` as it stands at the foot.
-std::string manPage(const CommandWords& command, const std::string& version);
+/// The page of `command` of `program` in roff with the macros of man(7), section 1; `version` as it stands at the foot.
+std::string manPage(const CommandWords& command, const std::string& program, const std::string& version);
 
 } // namespace gnomon::manual

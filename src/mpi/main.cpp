@@ -23,7 +23,8 @@ app::Program programOf(const app::BuildBy& buildBy, const std::shared_ptr<TaskFa
         "What gnomon does, by the processes of an MPI job: mpirun -n N gnomon-mpi COMMAND",
         {[buildBy](CLI::App& program) { app::addBuildCommand(program, buildBy); },
          [farm](CLI::App& program) { app::addBenchCommand(program, farm); },
-         [farm](CLI::App& program) { app::addSunCommand(program, farm); }},
+         [farm](CLI::App& program) { app::addSunCommand(program, farm); },
+         [isSilent](CLI::App& program) { app::addManualCommand(program, isSilent); }},
         isSilent};
 }
 

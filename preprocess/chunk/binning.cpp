@@ -112,24 +112,18 @@ public:
         std::optional<scratch::StreamStore::Reader> refined;
         if (bins_ != nullptr) refined.emplace(*bins_, triangles_);
         source_.readTriangles([&](const read::TriangleBlock& block) {
-            auto run = block.polygons.begin();
-            for (std::size_t i = 0; i < block.triangles.size();) {
-                if (run == block.polygons.end() || run->first > i) {
-                    add(block.triangles[i++]);
-                    continue;
-                }
-                const auto fan = block.triangles.subspan(run->first, run->count);
-                if (isInOneChunk(fan)) {
-                    addFan(fan);
+            block.forEachFace([&](std::span<const Corners> face) {
+                if (face.size() == 1) {
+                    add(face.front());
+                } else if (isInOneChunk(face)) {
+                    addFan(face);
                 } else if (!refined) {
-                    countInAllItsChunks(fan);
+                    countInAllItsChunks(face);
                 } else {
-                    for (std::size_t k = 0; k < fan.size(); ++k)
+                    for (std::size_t k = 0; k < face.size(); ++k)
                         add(refinedTriangle(*refined));
                 }
-                i += run->count;
-                ++run;
-            }
+            });
             progress_.advance(block.faceCount());
         });
         if (bins_ == nullptr) return;
@@ -213,11 +207,8 @@ private:
         throw Error(source_.summary().path, "the input changed while it was read");
     }
 
-    bool isInOneChunk(std::span<const read::TriangleCorners> fan) const {
-        const std::uint32_t chunk = chunkOf(fan.front()[0]);
-        return std::all_of(fan.begin(), fan.end(), [&](const Corners& t) {
-            return std::all_of(t.begin(), t.end(), [&](std::uint64_t corner) { return chunkOf(corner) == chunk; });
-        });
+    bool isInOneChunk(std::span<const Corners> fan) const {
+        return chunk::isInOneChunk(fan, [&](std::uint64_t vertex) { return chunkOf(vertex); });
     }
 
     void addFan(std::span<const Corners> fan) {

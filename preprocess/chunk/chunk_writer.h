@@ -4,6 +4,7 @@
 #include "hierarchy/model.h"
 #include "preprocess/chunk/chunk_streams.h"
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
@@ -11,6 +12,15 @@
 namespace gnomon::chunk {
 
 VertexFormat formatOf(const read::MeshSummary& source);
+
+/// Whether all corners of a polygon, given as its fan, lie in one chunk; `chunkOf(vertex)` is the chunk of a vertex.
+template <class ChunkOf>
+bool isInOneChunk(std::span<const read::TriangleCorners> fan, ChunkOf chunkOf) {
+    const std::uint32_t chunk = chunkOf(fan.front()[0]);
+    return std::all_of(fan.begin(), fan.end(), [&](const read::TriangleCorners& t) {
+        return std::all_of(t.begin(), t.end(), [&](std::uint64_t corner) { return chunkOf(corner) == chunk; });
+    });
+}
 
 /// Counts what each chunk gets; without a store it does no more.
 class ChunkWriter {

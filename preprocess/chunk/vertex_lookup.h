@@ -17,12 +17,27 @@ public:
         std::sort(vertices_.begin(), vertices_.end());
         vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
         positions_.reserve(vertices_.size());
-        source.readVertices([&](const read::VertexBlock& block) {
-            const std::uint64_t end = block.firstVertex + block.positions.size();
-            while (positions_.size() < vertices_.size() && vertices_[positions_.size()] < end)
-                positions_.push_back(block.positions[vertices_[positions_.size()] - block.firstVertex]);
-        });
+        source.readVertices([&](const read::VertexBlock& block) { take(block, vertices_, positions_); });
         GNOMON_CHECK_OP(positions_.size(), ==, vertices_.size());
+    }
+
+    /// The same of a source whose rows are indexed: of what lies between, only little is read.
+    static VertexLookup byRanges(read::MeshSource& source, std::vector<std::uint64_t> vertices) {
+        constexpr std::uint64_t kLittle = read::RowIndex::kRows; // about what a file is read in anyway
+        std::sort(vertices.begin(), vertices.end());
+        vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+        std::vector<glm::dvec3> positions;
+        positions.reserve(vertices.size());
+        for (std::size_t begin = 0; begin < vertices.size(); begin = positions.size()) {
+            std::size_t end = begin + 1;
+            while (end < vertices.size() && vertices[end] - vertices[end - 1] < kLittle)
+                ++end;
+            source.readVertexRange(vertices[begin], vertices[end - 1] + 1, [&](const read::VertexBlock& block) {
+                take(block, vertices, positions);
+            });
+            GNOMON_CHECK_OP(positions.size(), ==, end);
+        }
+        return {std::move(vertices), std::move(positions)};
     }
 
     /// Of `vertices`, ascending, with their positions.
@@ -34,6 +49,16 @@ public:
     const glm::dvec3& operator[](std::uint64_t vertex) const {
         const auto found = std::lower_bound(vertices_.begin(), vertices_.end(), vertex);
         return positions_[static_cast<std::size_t>(found - vertices_.begin())];
+    }
+
+    /// Appends the positions of those of `vertices`, ascending, that are next and in the block.
+    static void take(
+        const read::VertexBlock& block,
+        const std::vector<std::uint64_t>& vertices,
+        std::vector<glm::dvec3>& positions) {
+        const std::uint64_t end = block.firstVertex + block.positions.size();
+        while (positions.size() < vertices.size() && vertices[positions.size()] < end)
+            positions.push_back(block.positions[vertices[positions.size()] - block.firstVertex]);
     }
 
 private:

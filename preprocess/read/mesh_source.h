@@ -29,7 +29,7 @@ struct MeshSummary {
     bool hasNormals = false;
     bool hasColors = false;
     bool isDouble = false;                 ///< positions need more than a float
-    bool hasRanges = false;                ///< its rows can be read from anywhere, see MeshSource
+    bool hasRanges = false;                ///< its rows can be read from anywhere, see MeshSource::indexRows
     std::vector<std::string> fields;       ///< scalar properties of the vertices that are read
     std::uint64_t heldBytes = 0;           ///< of memory that the source keeps as long as it lives
     std::vector<std::string> filesBesides; ///< that an input refers to and that were read: buffers, images
@@ -69,6 +69,18 @@ struct TriangleBlock {
     std::span<const PolygonRun> polygons; ///< in ascending order of `first`
     std::uint64_t notAPolygon = 0; ///< faces of fewer than three corners met in this block, which have no triangles
 
+    /// Calls `use` with the triangles of each face in turn: one, or the fan of a polygon.
+    template <class Use>
+    void forEachFace(Use use) const {
+        auto run = polygons.begin();
+        for (std::size_t i = 0; i < triangles.size();) {
+            const bool isPolygon = run != polygons.end() && run->first == i;
+            const std::size_t count = isPolygon ? (run++)->count : 1;
+            use(triangles.subspan(i, count));
+            i += count;
+        }
+    }
+
     /// How many faces it came from, where it came from no strips.
     std::uint64_t faceCount() const {
         std::uint64_t count = triangles.size() + notAPolygon;
@@ -76,6 +88,26 @@ struct TriangleBlock {
             count -= run.count - 1;
         return count;
     }
+};
+
+/// Where rows of a source lie, for reading from anywhere. All processes that have the source open can share it.
+struct RowIndex {
+    static constexpr std::uint64_t kRows = std::uint64_t{1} << 16U; ///< from one place to the next
+
+    struct Place {
+        std::uint64_t offset = 0;   ///< bytes from the start of the file
+        std::uint64_t line = 0;     ///< of text
+        std::uint64_t triangle = 0; ///< of faces: how many triangles lie before it
+    };
+
+    /// Of one file. Rows of one length have one place, that of the first.
+    struct Part {
+        std::vector<Place> vertices;
+        std::vector<Place> faces;
+        std::uint64_t triangles = 0;
+    };
+
+    std::vector<Part> parts;
 };
 
 using VertexSink = std::function<void(const VertexBlock&)>;
@@ -100,16 +132,25 @@ public:
     /// Delivers all triangles in file order; source indices count from 0 without gaps.
     virtual void readTriangles(const TriangleSink& sink) = 0;
 
-    /// Where the summary's `hasRanges` says so: the vertices [begin, end), in index order. Safe from many threads at
-    /// once, and beside passes.
+    /// Where the summary's `hasRanges` says so, before ranges are read: finds where rows lie, in a pass over those of
+    /// no fixed length. Nothing where the input has a defect: then only a whole pass tells what it is.
+    virtual std::optional<RowIndex> indexRows(Progress& /*progress*/) { return RowIndex(); }
+
+    /// Instead of `indexRows`: what it returned for the same input. Throws Error where that cannot be.
+    virtual void takeRowIndex(const RowIndex& /*index*/) {}
+
+    /// How many triangles its faces are, once rows are indexed.
+    virtual std::uint64_t triangleCount() const { return summary().faceCount; }
+
+    /// The vertices [begin, end), in index order. Safe from many threads at once, and beside passes.
     virtual void readVertexRange(std::uint64_t /*begin*/, std::uint64_t /*end*/, const VertexSink& /*sink*/) {
         throw Error(summary().path, "its vertices cannot be read from anywhere");
     }
 
-    /// Likewise the triangles [begin, end), of faces that are all triangles as far as the size of the file tells. False
-    /// if one is none after all, or has an index out of range: then only a whole pass tells what the input is.
-    virtual bool readTriangleRange(std::uint64_t /*begin*/, std::uint64_t /*end*/, const TriangleSink& /*sink*/) {
-        throw Error(summary().path, "its triangles cannot be read from anywhere");
+    /// Likewise the triangles of the faces [begin, end). False where one has a defect, or is no triangle though the
+    /// size of the file told that all are: then only a whole pass tells what the input is.
+    virtual bool readFaceRange(std::uint64_t /*begin*/, std::uint64_t /*end*/, const TriangleSink& /*sink*/) {
+        throw Error(summary().path, "its faces cannot be read from anywhere");
     }
 
     /// From now on passes over a file poll `progress`, which must outlive them.

@@ -5,7 +5,7 @@
 #include "core/file.h"
 #include "preprocess/read/gltf/gltf_source.h"
 #include "preprocess/read/input_file.h"
-#include "preprocess/read/ply_source.h"
+#include "preprocess/read/ply/ply_source.h"
 #include "preprocess/read/whole_file_source.h"
 #include "preprocess/read/words.h"
 
@@ -90,17 +90,44 @@ public:
         }
     }
 
-    bool readTriangleRange(std::uint64_t begin, std::uint64_t end, const TriangleSink& sink) override {
+    std::optional<RowIndex> indexRows(Progress& progress) override {
+        RowIndex index;
+        for (const auto& part : parts_) {
+            std::optional<RowIndex> more = part->indexRows(progress);
+            if (!more) return std::nullopt;
+            index.parts.push_back(std::move(more->parts.at(0)));
+        }
+        return index;
+    }
+
+    void takeRowIndex(const RowIndex& index) override {
+        if (index.parts.size() != parts_.size()) throw Error(summary_.path, "another process has other inputs");
+        for (std::size_t i = 0; i < parts_.size(); ++i)
+            parts_[i]->takeRowIndex({{index.parts[i]}});
+    }
+
+    std::uint64_t triangleCount() const override {
+        std::uint64_t count = 0;
+        for (const auto& part : parts_)
+            count += part->triangleCount();
+        return count;
+    }
+
+    bool readFaceRange(std::uint64_t begin, std::uint64_t end, const TriangleSink& sink) override {
         std::uint64_t firstVertex = 0;
+        std::uint64_t firstTriangle = 0;
         std::uint64_t first = 0;
         std::vector<TriangleCorners> shifted;
         for (const auto& part : parts_) {
             const std::uint64_t count = part->summary().faceCount;
             const std::uint64_t partBegin = std::clamp(begin, first, first + count) - first;
             const std::uint64_t partEnd = std::clamp(end, first, first + count) - first;
-            const auto take = [&](const TriangleBlock& block) { sink(joined(block, firstVertex, first, shifted)); };
-            if (partBegin < partEnd && !part->readTriangleRange(partBegin, partEnd, take)) return false;
+            const auto take = [&](const TriangleBlock& block) {
+                sink(joined(block, firstVertex, firstTriangle, shifted));
+            };
+            if (partBegin < partEnd && !part->readFaceRange(partBegin, partEnd, take)) return false;
             first += count;
+            firstTriangle += part->triangleCount();
             firstVertex += part->summary().vertexCount;
         }
         return true;

@@ -4,7 +4,7 @@
 #include "preprocess/read/face_importer.h"
 #include "preprocess/read/line_guards.h"
 #include "preprocess/read/obj/obj_source.h"
-#include "preprocess/read/ply_face_colors.h"
+#include "preprocess/read/ply/ply_face_colors.h"
 #include "preprocess/read/words.h"
 
 #include <OpenMesh/Core/IO/reader/OBJReader.hh>

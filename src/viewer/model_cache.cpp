@@ -7,7 +7,7 @@
 #include "preprocess/pipeline/build_model.h"
 #include "preprocess/pipeline/source_up.h"
 #include "preprocess/read/open_mesh_sources.h"
-#include "preprocess/read/ply_source.h"
+#include "preprocess/read/ply/ply_source.h"
 #include "storage/open_source.h"
 
 #include <array>

@@ -6,8 +6,10 @@
 #include "preprocess/pipeline/ranges/range_work.h"
 #include "preprocess/pipeline/sort_source.h"
 #include "preprocess/pipeline/tasks/task_work.h"
+#include "preprocess/read/open_mesh_sources.h"
 #include "tests/pipeline/test_folder.h"
 #include "tests/read/code_mesh.h"
+#include "tests/read/ply_writer.h"
 
 #include <gtest/gtest.h>
 
@@ -29,6 +31,24 @@ read::CodeMesh tangle(std::uint32_t vertices, std::uint32_t triangles) {
              static_cast<std::uint32_t>(random.below(vertices - 1))});
     return {std::move(positions), std::move(corners)};
 }
+
+/// A source as it is without ranges.
+class WithoutRanges final : public read::MeshSource {
+public:
+    explicit WithoutRanges(read::MeshSource& source) : source_(source), summary_(source.summary()) {
+        summary_.hasRanges = false;
+    }
+
+    const read::MeshSummary& summary() const override { return summary_; }
+
+    void readVertices(const read::VertexSink& sink) override { source_.readVertices(sink); }
+
+    void readTriangles(const read::TriangleSink& sink) override { source_.readTriangles(sink); }
+
+private:
+    read::MeshSource& source_;
+    read::MeshSummary summary_;
+};
 
 class RangeBinningTest : public testing::Test {
 protected:
@@ -66,6 +86,7 @@ protected:
         EXPECT_EQ(a.record.grid.stepExponent, b.record.grid.stepExponent);
         EXPECT_EQ(a.record.furthest, b.record.furthest);
         EXPECT_EQ(a.record.triangles, b.record.triangles);
+        EXPECT_EQ(a.record.notAPolygon, b.record.notAPolygon);
         EXPECT_EQ(a.record.chunkCount, b.record.chunkCount);
         EXPECT_EQ(a.record.largestChunk.triangles, b.record.largestChunk.triangles);
         EXPECT_EQ(a.record.largestChunk.vertices, b.record.largestChunk.vertices);
@@ -100,6 +121,43 @@ TEST_F(RangeBinningTest, ComesToTheStreamsOfWholePasses) {
     expectSame(whole, sorted(mesh, least, 3));
 }
 
+// Of polygons in several chunks, some at a time where there is little memory, and one rank's index in another's hands.
+TEST_F(RangeBinningTest, ComesToTheStreamsOfWholePassesOfPolygonsAndText) {
+    options.chunkTriangles = 20'000;
+    for (const char* format : {"ascii", "binary_little_endian"}) {
+        read::PlyLayout layout;
+        layout.format = format;
+        layout.color = "uchar";
+        const std::string path = folder.file(std::string(format) + ".ply");
+        read::writeScratch(path, read::plyText(read::randomMesh(5, 140'000, 140'000, layout), layout));
+        const auto source = read::openMeshSources({path}, mebibytes(64));
+        WithoutRanges plain(*source);
+        const Sorted whole = sorted(plain, gibibytes(2), 1);
+        EXPECT_EQ(tableBytes, 0U);
+        EXPECT_GT(whole.record.chunkCount, 5U);
+        EXPECT_GT(whole.record.notAPolygon, 0U);
+        for (const std::size_t threads : {1U, 5U}) {
+            const auto again = read::openMeshSources({path}, mebibytes(64));
+            expectSame(whole, sorted(*again, gibibytes(2), threads));
+            EXPECT_GT(tableBytes, 100'000U);
+        }
+        const Bytes least = MemoryNeeds{source->summary(), options.chunkTriangles}.survey();
+        expectSame(whole, sorted(*source, least, 2));
+    }
+}
+
+// What is said of it is what a whole pass says.
+TEST_F(RangeBinningTest, GoesOverTheWholeWhereTextHasADefect) {
+    read::PlyLayout layout;
+    layout.format = "ascii";
+    const std::string path = folder.file("defect.ply");
+    read::writeScratch(path, read::plyText(read::randomMesh(5, 50, 60, layout), layout) + "more");
+    const auto source = read::openMeshSources({path}, mebibytes(64));
+    EXPECT_EQ(
+        read::errorAbout(path, [&] { (void)sorted(*source, gibibytes(2), 2); }),
+        ":122: data after the last element: the header's counts are too small");
+}
+
 TEST_F(RangeBinningTest, GoesOverTheWholeWhereARowIsIrregular) {
     read::CodeMesh mesh = read::bumpySheet(100);
     options.chunkTriangles = 1000;
@@ -126,15 +184,17 @@ TEST_F(RangeBinningTest, PagesAreWrittenWhereNoMoreAreToBeHeld) {
     scratch::TemporarySpace space(progress);
     const auto scratch = scratch::scratchInMemory(space);
     const RangeWork work(mesh, *scratch, progress);
+    const std::vector<std::byte> none = encoded(read::RowIndex());
+    const Blocks noIndex{{scratch->append(none), none.size()}};
     std::vector<unsigned> plain(mesh.positions.size());
     for (const read::CodeMesh::Triangle& t : mesh.triangles)
         for (const std::uint32_t corner : t)
             ++plain[corner];
-    const FaceCount count = work.countFaces({{0, 30'000}, 4});
+    const FaceCount count = work.countFaces({{0, 30'000, noIndex}, 4});
     EXPECT_TRUE(count.isRegular);
     EXPECT_GT(count.pages.size(), 20U);
     EXPECT_LE(work.mostTableBytes(), 6 * kPageVertices);
-    MeasureInput input{{kPageVertices, 3 * kPageVertices}, {}, {}};
+    MeasureInput input{{kPageVertices, 3 * kPageVertices, noIndex}, {}, {}};
     for (const auto& [page, block] : count.pages)
         if (page == 1 || page == 2) input.pages.push_back({page, block});
     const VertexMeasure measure = work.measureVertices(input);
@@ -148,8 +208,8 @@ TEST_F(RangeBinningTest, PagesAreWrittenWhereNoMoreAreToBeHeld) {
 }
 
 TEST(RangeBytes, ComeBackAndAreRefusedWhereTheyEndEarly) {
-    const RowRange range{7, std::uint64_t{1} << 40U};
     const Blocks blocks{{100, 20}, {std::uint64_t{1} << 50U, 3}};
+    const RowRange range{7, std::uint64_t{1} << 40U, blocks};
     VertexMeasure measure;
     measure.box.add(glm::dvec3(1, 2, 3));
     measure.fields = {{-1, 2}};
@@ -167,9 +227,18 @@ TEST(RangeBytes, ComeBackAndAreRefusedWhereTheyEndEarly) {
     EXPECT_EQ(back.streams[0].first, 5U);
     EXPECT_EQ(back.sizes[0].first, 70'000U);
     EXPECT_EQ(back.sizes[0].second.vertices, 9U);
-    const FaceCount counted = decodedFaceCount(encoded(FaceCount{true, {{3, blocks[0]}}, blocks}));
+    const FaceCount counted = decodedFaceCount(encoded(FaceCount{true, 5, 6, true, {{3, blocks[0]}}, blocks}));
     EXPECT_TRUE(counted.isRegular);
     EXPECT_EQ(counted.pages[0].second.bytes, 20U);
+    EXPECT_EQ(counted.triangles, 5U);
+    EXPECT_EQ(counted.notAPolygon, 6U);
+    EXPECT_TRUE(counted.hasPolygons);
+    const read::RowIndex index{{{{{7, 8, 0}}, {{9, 10, 11}, {12, 13, 14}}, 15}}};
+    const read::RowIndex indexed = decodedRowIndex(encoded(index));
+    ASSERT_EQ(indexed.parts.size(), 1U);
+    EXPECT_EQ(indexed.parts[0].vertices[0].line, 8U);
+    EXPECT_EQ(indexed.parts[0].faces[1].triangle, 14U);
+    EXPECT_EQ(indexed.parts[0].triangles, 15U);
     BinVerticesInput vertices{range, {}, {{"f", 1, 2, 16}}, blocks, blocks, 4096};
     vertices.facts.grid.stepExponent = -9;
     vertices.facts.furthest = {1, 2, 3};
@@ -177,6 +246,7 @@ TEST(RangeBytes, ComeBackAndAreRefusedWhereTheyEndEarly) {
     hierarchy::ByteReader in(bytes);
     const BinVerticesInput taken = takeBinVerticesInput(in);
     EXPECT_EQ(taken.vertices.end, range.end);
+    EXPECT_EQ(taken.vertices.index[1].offset, blocks[1].offset);
     EXPECT_EQ(taken.facts.grid.stepExponent, -9);
     EXPECT_EQ(taken.facts.furthest, vertices.facts.furthest);
     EXPECT_EQ(taken.fields[0].name, "f");
@@ -186,7 +256,7 @@ TEST(RangeBytes, ComeBackAndAreRefusedWhereTheyEndEarly) {
         hierarchy::ByteReader cut{std::span(bytes).first(size)};
         EXPECT_THROW((void)takeBinVerticesInput(cut), hierarchy::Damage);
     }
-    const std::vector<std::byte> backwards = encoded(CountInput{{9, 8}, 1});
+    const std::vector<std::byte> backwards = encoded(CountInput{{9, 8, {}}, 1});
     hierarchy::ByteReader bad(backwards);
     EXPECT_THROW((void)takeCountInput(bad), hierarchy::Damage);
 }

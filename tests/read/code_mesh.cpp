@@ -41,7 +41,7 @@ void CodeMesh::readVertexRange(std::uint64_t begin, std::uint64_t end, const Ver
     }
 }
 
-bool CodeMesh::readTriangleRange(std::uint64_t begin, std::uint64_t end, const TriangleSink& sink) {
+bool CodeMesh::readFaceRange(std::uint64_t begin, std::uint64_t end, const TriangleSink& sink) {
     std::vector<TriangleCorners> corners;
     TriangleBlock block;
     block.firstTriangle = begin;

@@ -28,7 +28,7 @@ public:
     void readVertices(const VertexSink& sink) override;
     void readTriangles(const TriangleSink& sink) override;
     void readVertexRange(std::uint64_t begin, std::uint64_t end, const VertexSink& sink) override;
-    bool readTriangleRange(std::uint64_t begin, std::uint64_t end, const TriangleSink& sink) override;
+    bool readFaceRange(std::uint64_t begin, std::uint64_t end, const TriangleSink& sink) override;
 
     /// From now on it can be read by ranges of its rows; irregular rows are some that only a whole pass can tell.
     CodeMesh& withRanges(bool areRegular = true) {

@@ -2,7 +2,7 @@
 #include "collect.h"
 #include "core/random.h"
 #include "preprocess/read/open_mesh_sources.h"
-#include "preprocess/read/ply_face_colors.h"
+#include "preprocess/read/ply/ply_face_colors.h"
 
 #include <gtest/gtest.h>
 

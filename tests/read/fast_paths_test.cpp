@@ -1,6 +1,6 @@
 // The fast paths for binary PLY bodies beside the rows that are read value by value.
 #include "core/random.h"
-#include "preprocess/read/ply_fast.h"
+#include "preprocess/read/ply/ply_fast.h"
 #include "tests/read/scratch_input.h"
 
 #include <gtest/gtest.h>

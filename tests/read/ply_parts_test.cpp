@@ -1,9 +1,9 @@
 // The parts of the PLY reader: headers, values of every type from bytes and from text, and colour channels.
 #include "core/error.h"
 #include "core/random.h"
-#include "preprocess/read/ply_header.h"
-#include "preprocess/read/ply_rows.h"
-#include "preprocess/read/ply_values.h"
+#include "preprocess/read/ply/ply_header.h"
+#include "preprocess/read/ply/ply_rows.h"
+#include "preprocess/read/ply/ply_values.h"
 #include "tests/read/scratch_input.h"
 
 #include <gtest/gtest.h>

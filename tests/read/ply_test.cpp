@@ -1,7 +1,7 @@
 // The PLY reader against meshes that are known before they are written, in every layout; and its errors.
 #include "preprocess/read/block_buffers.h"
 #include "preprocess/read/open_mesh_sources.h"
-#include "preprocess/read/ply_source.h"
+#include "preprocess/read/ply/ply_source.h"
 #include "tests/read/ply_writer.h"
 
 #include <gtest/gtest.h>

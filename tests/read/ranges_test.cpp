@@ -1,7 +1,7 @@
 // Rows that are read from anywhere are those of a whole pass.
 #include "core/random.h"
 #include "preprocess/read/open_mesh_sources.h"
-#include "preprocess/read/ply_fast.h"
+#include "preprocess/read/ply/ply_fast.h"
 #include "tests/read/ply_writer.h"
 #include "tests/read/scratch_input.h"
 
@@ -19,6 +19,8 @@ KnownMesh trianglesOnly(std::uint64_t seed, std::size_t vertices, std::size_t fa
 /// What ranges between seeded cuts come to.
 CollectedMesh collectByRanges(MeshSource& source, Random& random) {
     CollectedMesh mesh;
+    NoProgress progress;
+    EXPECT_TRUE(source.indexRows(progress));
     const auto cuts = [&](std::uint64_t rows) {
         std::vector<std::uint64_t> at{0, rows};
         for (int i = 0; i < 6; ++i)
@@ -36,12 +38,16 @@ CollectedMesh collectByRanges(MeshSource& source, Random& random) {
         });
     const std::vector<std::uint64_t> faces = cuts(source.summary().faceCount);
     for (std::size_t i = 0; i + 1 < faces.size(); ++i) {
-        const bool isRegular = source.readTriangleRange(faces[i], faces[i + 1], [&](const TriangleBlock& block) {
+        const bool isRegular = source.readFaceRange(faces[i], faces[i + 1], [&](const TriangleBlock& block) {
             EXPECT_EQ(block.firstTriangle, mesh.triangles.size());
+            for (const PolygonRun& run : block.polygons)
+                mesh.polygons.push_back({static_cast<std::uint32_t>(mesh.triangles.size()) + run.first, run.count});
             mesh.triangles.insert(mesh.triangles.end(), block.triangles.begin(), block.triangles.end());
+            mesh.notAPolygon += block.notAPolygon;
         });
         EXPECT_TRUE(isRegular);
     }
+    EXPECT_EQ(source.triangleCount(), mesh.triangles.size());
     return mesh;
 }
 
@@ -76,22 +82,118 @@ TEST_F(Ranges, OfAnyBinaryLayoutAreThoseOfAWholePass) {
             }
 }
 
-TEST_F(Ranges, AreNotOfferedWhereRowsMayLieElsewhere) {
-    PlyLayout layout;
+// More rows than lie between two places of an index, and ranges that begin anywhere between these.
+TEST_F(Ranges, OfRowsOfAnyLengthAreThoseOfAWholePass) {
+    Random random(6);
+    for (const char* format : {"binary_little_endian", "binary_big_endian", "ascii"})
+        for (const bool hasExtras : {false, true})
+            for (const bool facesFirst : {false, true}) {
+                PlyLayout layout;
+                layout.format = format;
+                layout.hasExtras = hasExtras;
+                layout.facesFirst = facesFirst;
+                layout.lineEnd = random.below(2) == 0 ? "\n" : "\r\n";
+                addByChance(random, layout);
+                const std::size_t rows = RowIndex::kRows + 20'000;
+                const auto source = opened(randomMesh(random.bits(), rows, rows, layout), layout);
+                ASSERT_TRUE(source->summary().hasRanges);
+                EXPECT_EQ(collectByRanges(*source, random), collect(*source));
+                const auto other = openMeshSources({path}, mebibytes(64));
+                NoProgress progress;
+                other->takeRowIndex(*source->indexRows(progress));
+                EXPECT_EQ(collectByRanges(*other, random), collect(*source));
+            }
+}
+
+TEST_F(Ranges, OfFixedLengthWantNoPassAndOthersDo) {
+    const PlyLayout layout;
     const KnownMesh triangles = trianglesOnly(1, 50, 60, layout);
-    EXPECT_TRUE(opened(triangles, layout)->summary().hasRanges);
-    EXPECT_FALSE(opened(randomMesh(1, 50, 60, layout), layout)->summary().hasRanges) << "faces of any size";
-    PlyLayout extras = layout;
-    extras.hasExtras = true;
-    EXPECT_FALSE(opened(triangles, extras)->summary().hasRanges) << "lists beside";
+    const auto isReady = [&](const std::string& text) {
+        writeScratch(path, text);
+        try {
+            return openMeshSources({path}, mebibytes(64))->triangleCount() > 0;
+        } catch (const Error&) {
+            return false;
+        }
+    };
     PlyLayout ascii = layout;
     ascii.format = "ascii";
-    EXPECT_FALSE(opened(triangles, ascii)->summary().hasRanges);
     PlyLayout narrow = layout;
     narrow.index = "ushort";
-    EXPECT_FALSE(opened(triangles, narrow)->summary().hasRanges) << "indices of two bytes are read slowly";
-    writeScratch(path, plyText(triangles, layout) + '\n');
-    EXPECT_FALSE(openMeshSources({path}, mebibytes(64))->summary().hasRanges) << "a byte too many";
+    EXPECT_TRUE(isReady(plyText(triangles, layout)));
+    EXPECT_FALSE(isReady(plyText(randomMesh(1, 50, 60, layout), layout))) << "faces of any size";
+    EXPECT_FALSE(isReady(plyText(triangles, ascii)));
+    EXPECT_FALSE(isReady(plyText(triangles, narrow))) << "indices of two bytes are read slowly";
+    EXPECT_FALSE(isReady(plyText(triangles, layout) + '\n')) << "a byte too many";
+}
+
+// Only a whole pass says what it is.
+TEST_F(Ranges, AreNotFoundInAnInputWithADefect) {
+    NoProgress progress;
+    for (const char* format : {"binary_little_endian", "ascii"}) {
+        PlyLayout layout;
+        layout.format = format;
+        layout.hasExtras = true;
+        const std::string text = plyText(randomMesh(1, 50, 60, layout), layout);
+        for (const std::size_t size : {text.size() - 30, text.size() - 40, text.size() - 100}) {
+            writeScratch(path, text.substr(0, size));
+            const auto source = openMeshSources({path}, mebibytes(64));
+            EXPECT_FALSE(source->indexRows(progress)) << format << " " << size;
+            EXPECT_THROW((void)collect(*source), Error);
+        }
+        writeScratch(path, text + "more");
+        EXPECT_FALSE(openMeshSources({path}, mebibytes(64))->indexRows(progress)) << format;
+    }
+}
+
+TEST_F(Ranges, TellThatAnIndexIsOutOfRange) {
+    NoProgress progress;
+    PlyLayout layout;
+    layout.format = "ascii";
+    KnownMesh mesh = randomMesh(1, 50, 60, layout);
+    mesh.faces[20] = {1, 2, 50};
+    const auto source = opened(mesh, layout);
+    ASSERT_TRUE(source->indexRows(progress));
+    const auto isRegular = [&](std::uint64_t begin, std::uint64_t end) {
+        return source->readFaceRange(begin, end, [](const TriangleBlock&) {});
+    };
+    EXPECT_TRUE(isRegular(0, 20));
+    EXPECT_FALSE(isRegular(20, 21));
+    EXPECT_FALSE(isRegular(0, 61));
+    EXPECT_TRUE(isRegular(21, 61));
+    const auto failing = [](const TriangleBlock&) { throw Error("disk full"); };
+    EXPECT_THROW((void)source->readFaceRange(0, 20, failing), Error) << "no defect of the input";
+}
+
+TEST_F(Ranges, AreRefusedWithTheIndexOfAnotherInput) {
+    NoProgress progress;
+    PlyLayout layout;
+    layout.format = "ascii";
+    const RowIndex index = *opened(randomMesh(1, 50, 60, layout), layout)->indexRows(progress);
+    const auto isRefused = [&](const RowIndex& other) {
+        const auto source = openMeshSources({path}, mebibytes(64));
+        try {
+            source->takeRowIndex(other);
+        } catch (const Error&) {
+            return true;
+        }
+        return false;
+    };
+    EXPECT_FALSE(isRefused(index));
+    RowIndex bad = index;
+    bad.parts.push_back(bad.parts[0]);
+    EXPECT_TRUE(isRefused(bad));
+    bad = index;
+    bad.parts[0].faces.push_back({});
+    EXPECT_TRUE(isRefused(bad));
+    bad = index;
+    bad.parts[0].vertices[0].offset = std::uint64_t{1} << 40U;
+    EXPECT_TRUE(isRefused(bad));
+    writeScratch(path, plyText(trianglesOnly(1, 50, 60, PlyLayout()), PlyLayout()));
+    bad = *openMeshSources({path}, mebibytes(64))->indexRows(progress);
+    EXPECT_FALSE(isRefused(bad));
+    bad.parts[0].faces[0].offset += 1;
+    EXPECT_TRUE(isRefused(bad)) << "behind the end of the file";
 }
 
 // A pair and a quad are as long as two triangles.
@@ -101,7 +203,7 @@ TEST_F(Ranges, TellThatARowIsNoTriangleAfterAll) {
     const auto isRegular = [&](std::uint64_t begin, std::uint64_t end) {
         const auto source = opened(mesh, layout);
         EXPECT_TRUE(source->summary().hasRanges);
-        return source->readTriangleRange(begin, end, [](const TriangleBlock&) {});
+        return source->readFaceRange(begin, end, [](const TriangleBlock&) {});
     };
     const std::uint64_t count = mesh.faces.size();
     EXPECT_TRUE(isRegular(0, count));
@@ -121,12 +223,18 @@ TEST_F(Ranges, OfSeveralInputsGoOverTheirBorders) {
     smooth.normal = "float";
     const std::string second = path + "_second.ply";
     writeScratch(path, plyText(trianglesOnly(3, 300, 500, smooth), smooth));
-    writeScratch(second, plyText(trianglesOnly(4, 700, 400, PlyLayout()), PlyLayout()));
-    const auto source = openMeshSources({path, second, path}, mebibytes(64));
-    ASSERT_TRUE(source->summary().hasRanges);
+    PlyLayout ascii;
+    ascii.format = "ascii";
     Random random(5);
-    for (int i = 0; i < 20; ++i)
-        EXPECT_EQ(collectByRanges(*source, random), collect(*source));
+    for (const std::string& more :
+         {plyText(trianglesOnly(4, 700, 400, PlyLayout()), PlyLayout()),
+          plyText(randomMesh(4, 700, 400, ascii), ascii)}) {
+        writeScratch(second, more);
+        const auto source = openMeshSources({path, second, path, second}, mebibytes(64));
+        ASSERT_TRUE(source->summary().hasRanges);
+        for (int i = 0; i < 20; ++i)
+            EXPECT_EQ(collectByRanges(*source, random), collect(*source));
+    }
     std::filesystem::remove(second);
 }
 
@@ -138,7 +246,7 @@ TEST_F(Ranges, AreNotOfferedWhereOneInputHasNone) {
     const VertexSink noVertices = [](const VertexBlock&) {};
     const TriangleSink noTriangles = [](const TriangleBlock&) {};
     EXPECT_THROW(mixed->readVertexRange(0, 301, noVertices), Error);
-    EXPECT_THROW((void)mixed->readTriangleRange(0, mixed->summary().faceCount, noTriangles), Error);
+    EXPECT_THROW((void)mixed->readFaceRange(0, mixed->summary().faceCount, noTriangles), Error);
 }
 
 } // namespace

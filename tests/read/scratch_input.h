@@ -2,7 +2,7 @@
 #pragma once
 
 #include "preprocess/read/input_file.h"
-#include "preprocess/read/ply_header.h"
+#include "preprocess/read/ply/ply_header.h"
 #include "tests/read/collect.h"
 
 #include <array>

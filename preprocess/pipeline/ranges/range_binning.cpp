@@ -15,6 +15,7 @@ constexpr std::uint64_t kRangesPerThread = 4;
 
 constexpr std::uint64_t kLeastRows = std::uint64_t{1} << 16U;
 constexpr std::uint64_t kMostRows = std::uint64_t{1} << 22U;
+constexpr std::uint64_t kBytesPerCorner = 64; // of a polygon: its number twice while sorted, its position
 
 /// Whole pages.
 std::uint64_t rowsOfRange(std::uint64_t rows, std::uint64_t threads, std::uint64_t most) {
@@ -51,7 +52,7 @@ RowRange RangeBinning::rangeOf(std::uint32_t task, bool isOfFaces) const {
     const read::MeshSummary& source = means_.source.summary();
     const std::uint64_t rows = isOfFaces ? source.faceCount : source.vertexCount;
     const std::uint64_t each = isOfFaces ? facesOfRange_ : verticesOfRange_;
-    return {task * each, std::min((task + 1) * each, rows)};
+    return {task * each, std::min((task + 1) * each, rows), index_};
 }
 
 void RangeBinning::run(
@@ -91,7 +92,7 @@ void RangeBinning::release(Blocks& blocks) {
         means_.scratch.release(block.offset, block.bytes);
 }
 
-bool RangeBinning::countFaces(chunk::EdgeSample& sample, std::vector<Mail>& pages) {
+bool RangeBinning::countFaces(chunk::SourceSurvey& survey, chunk::EdgeSample& sample, std::vector<Mail>& pages) {
     means_.progress.stage("count", "faces", means_.source.summary().faceCount);
     std::vector<FaceCount> counts(rangeCount(true));
     run(
@@ -105,13 +106,16 @@ bool RangeBinning::countFaces(chunk::EdgeSample& sample, std::vector<Mail>& page
     pages.resize(rangeCount(false));
     for (FaceCount& count : counts) {
         isRegular = isRegular && count.isRegular;
+        survey.triangles += count.triangles;
+        survey.notAPolygon += count.notAPolygon;
+        survey.hasPolygons = survey.hasPolygons || count.hasPolygons;
         scratch::forEachRecord<chunk::EdgeSample::Entry>(
             read(count.sample), [&](const chunk::EdgeSample::Entry& entry) { sample.take(entry); });
         release(count.sample);
         for (const auto& [page, block] : count.pages)
             pages[page * kPageVertices / verticesOfRange_].push_back({page, block});
     }
-    return isRegular;
+    return isRegular && survey.triangles > 0;
 }
 
 Box RangeBinning::measure(
@@ -154,13 +158,16 @@ Box RangeBinning::measure(
 
 std::optional<chunk::SourceSurvey> RangeBinning::survey() {
     const read::MeshSummary& source = means_.source.summary();
+    const std::optional<read::RowIndex> index = means_.source.indexRows(means_.progress);
+    if (!index) return std::nullopt;
+    index_ = posted(encoded(*index));
     chunk::SourceSurvey survey;
     survey.vertices = source.vertexCount;
-    survey.triangles = source.faceCount;
     survey.fields = chunk::unmeasuredFields(source);
     chunk::EdgeSample sample;
     std::vector<Mail> pages;
-    const bool isRegular = countFaces(sample, pages);
+    const bool isRegular = countFaces(survey, sample, pages);
+    hasPolygons_ = survey.hasPolygons;
     std::vector<std::uint64_t> sampled = sample.vertices();
     std::sort(sampled.begin(), sampled.end());
     sampled.erase(std::unique(sampled.begin(), sampled.end()), sampled.end());
@@ -174,8 +181,9 @@ std::optional<chunk::SourceSurvey> RangeBinning::survey() {
     for (const Mail& mail : pages)
         for (const auto& [page, block] : mail)
             means_.scratch.release(block.offset, block.bytes);
-    if (!isRegular) return std::nullopt;
-    return survey;
+    if (isRegular) return survey;
+    release(index_);
+    return std::nullopt;
 }
 
 chunk::ChunkTree RangeBinning::plan(const chunk::SourceSurvey& survey, std::uint32_t chunkTriangles) {
@@ -211,6 +219,7 @@ chunk::VertexTable<std::uint8_t> RangeBinning::takeValence() {
                 table.at(rangeOf(range, false).begin + i) = std::to_integer<std::uint8_t>(bytes[i]);
         release(valence_[range]);
     }
+    release(index_);
     return table;
 }
 
@@ -247,8 +256,10 @@ chunk::BinnedSize RangeBinning::bin(
     for (Blocks& valence : valence_)
         release(valence);
     release(treeBytes);
-    means_.progress.stage("bin", "faces", survey.triangles);
+    means_.progress.stage("bin", "faces", means_.source.summary().faceCount);
     std::vector<BinnedRange> ofFaces(rangeCount(true));
+    const std::uint64_t pageBytes = tableBytes_ / (hasPolygons_ ? 4 : 2);
+    const std::uint64_t mostCorners = hasPolygons_ ? tableBytes_ / 4 / kBytesPerCorner : 0;
     run(
         TaskKind::BinFaces,
         true,
@@ -258,13 +269,15 @@ chunk::BinnedSize RangeBinning::bin(
                 tree.chunkCount(),
                 verticesOfRange_,
                 numbers,
-                tableBytes_ / 2 / (kPageVertices * numberBytes),
+                pageBytes / (kPageVertices * numberBytes),
+                mostCorners,
                 block});
         },
         [&](std::uint32_t task, std::span<const std::byte> result) { ofFaces[task] = decodedBinnedRange(result); });
     for (const BinnedRange& range : ofFaces)
         deliver(range);
     release(numbers);
+    release(index_);
     chunk::BinnedSize size;
     for (const chunk::PartSize& chunk : sizes)
         size.largestChunk.growTo(chunk);

@@ -28,8 +28,8 @@ class RangeBinning {
 public:
     explicit RangeBinning(const RangeMeans& means);
 
-    /// As chunk::surveySource, but for the valence. Nothing where the source is not what its size told: then only whole
-    /// passes will do.
+    /// As chunk::surveySource, but for the valence. Nothing where the source has a defect or is not what its size told:
+    /// then only whole passes will do.
     std::optional<chunk::SourceSurvey> survey();
 
     /// As chunk::planChunks.
@@ -48,8 +48,8 @@ private:
     RowRange rangeOf(std::uint32_t task, bool isOfFaces) const;
     std::uint32_t rangeCount(bool isOfFaces) const;
 
-    /// The edges of all parts, and what was told of pages of vertices, by range.
-    bool countFaces(chunk::EdgeSample& sample, std::vector<Mail>& pages);
+    /// The edges of all parts, and what was told of pages of vertices, by range. False where it is irregular.
+    bool countFaces(chunk::SourceSurvey& survey, chunk::EdgeSample& sample, std::vector<Mail>& pages);
     Box measure(
         const std::vector<Mail>& pages,
         const std::vector<std::uint64_t>& sampled,
@@ -65,6 +65,8 @@ private:
     std::uint64_t tableBytes_ = 0; // of a task
     std::uint64_t verticesOfRange_ = 0;
     std::uint64_t facesOfRange_ = 0;
+    Blocks index_; // of the source's rows
+    bool hasPolygons_ = false;
     std::vector<Blocks> valence_; // by range of vertices
 };
 

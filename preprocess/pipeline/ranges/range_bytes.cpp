@@ -10,6 +10,7 @@ using hierarchy::ByteWriter;
 void putRange(ByteWriter& out, const RowRange& range) {
     out.putVarint(range.begin);
     out.putVarint(range.end);
+    putBlocks(out, range.index);
 }
 
 RowRange takeRange(ByteReader& in) {
@@ -17,6 +18,7 @@ RowRange takeRange(ByteReader& in) {
     range.begin = in.takeVarint();
     range.end = in.takeVarint();
     if (range.end < range.begin) throw hierarchy::Damage{"a range that ends before it begins"};
+    range.index = takeBlocks(in);
     return range;
 }
 
@@ -48,7 +50,46 @@ SortFacts takeFacts(ByteReader& in) {
     return facts;
 }
 
+void putPlaces(ByteWriter& out, const std::vector<read::RowIndex::Place>& places) {
+    out.putVarint(places.size());
+    for (const read::RowIndex::Place& place : places)
+        for (const std::uint64_t value : {place.offset, place.line, place.triangle})
+            out.putVarint(value);
+}
+
+std::vector<read::RowIndex::Place> takePlaces(ByteReader& in) {
+    std::vector<read::RowIndex::Place> places(takeCount(in));
+    for (read::RowIndex::Place& place : places)
+        for (std::uint64_t* value : {&place.offset, &place.line, &place.triangle})
+            *value = in.takeVarint();
+    return places;
+}
+
 } // namespace
+
+std::vector<std::byte> encoded(const read::RowIndex& index) {
+    ByteWriter out;
+    out.putVarint(index.parts.size());
+    for (const read::RowIndex::Part& part : index.parts) {
+        putPlaces(out, part.vertices);
+        putPlaces(out, part.faces);
+        out.putVarint(part.triangles);
+    }
+    return out.take();
+}
+
+read::RowIndex decodedRowIndex(std::span<const std::byte> bytes) {
+    ByteReader in(bytes);
+    read::RowIndex index;
+    index.parts.resize(takeCount(in));
+    for (read::RowIndex::Part& part : index.parts) {
+        part.vertices = takePlaces(in);
+        part.faces = takePlaces(in);
+        part.triangles = in.takeVarint();
+    }
+    in.expectEnd();
+    return index;
+}
 
 std::vector<std::byte> encoded(const CountInput& input) {
     ByteWriter out;
@@ -68,6 +109,9 @@ CountInput takeCountInput(ByteReader& in) {
 std::vector<std::byte> encoded(const FaceCount& count) {
     ByteWriter out;
     out.put(static_cast<std::uint8_t>(count.isRegular ? 1 : 0));
+    out.putVarint(count.triangles);
+    out.putVarint(count.notAPolygon);
+    out.put(static_cast<std::uint8_t>(count.hasPolygons ? 1 : 0));
     putMail(out, count.pages);
     putBlocks(out, count.sample);
     return out.take();
@@ -77,6 +121,9 @@ FaceCount decodedFaceCount(std::span<const std::byte> bytes) {
     ByteReader in(bytes);
     FaceCount count;
     count.isRegular = in.take<std::uint8_t>() != 0;
+    count.triangles = in.takeVarint();
+    count.notAPolygon = in.takeVarint();
+    count.hasPolygons = in.take<std::uint8_t>() != 0;
     count.pages = takeMail(in);
     count.sample = takeBlocks(in);
     in.expectEnd();
@@ -191,6 +238,7 @@ std::vector<std::byte> encoded(const BinFacesInput& input) {
     out.putVarint(input.verticesOfRange);
     putBlocks(out, input.chunks);
     out.putVarint(input.mostPages);
+    out.putVarint(input.mostCorners);
     out.putVarint(input.blockBytes);
     return out.take();
 }
@@ -202,6 +250,7 @@ BinFacesInput takeBinFacesInput(ByteReader& in) {
     input.verticesOfRange = in.takeVarint();
     input.chunks = takeBlocks(in);
     input.mostPages = in.takeVarint();
+    input.mostCorners = in.takeVarint();
     input.blockBytes = in.takeVarint();
     in.expectEnd();
     return input;

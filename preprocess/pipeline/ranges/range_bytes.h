@@ -14,6 +14,7 @@ namespace gnomon::pipeline {
 struct RowRange {
     std::uint64_t begin = 0;
     std::uint64_t end = 0;
+    Blocks index; // of the whole source
 };
 
 /// The input of CountFaces.
@@ -23,9 +24,12 @@ struct CountInput {
 };
 
 struct FaceCount {
-    bool isRegular = false; // all are triangles of good indices; else nothing else counts
-    Mail pages;             // by page of vertices: corners at each, at most 255; a page may come several times
-    Blocks sample;          // of edges: entries of an EdgeSample
+    bool isRegular = false; // they could be read; else nothing else counts
+    std::uint64_t triangles = 0;
+    std::uint64_t notAPolygon = 0; // faces
+    bool hasPolygons = false;
+    Mail pages;    // by page of vertices: corners at each, at most 255; a page may come several times
+    Blocks sample; // of edges: entries of an EdgeSample
 };
 
 /// The input of MeasureVertices.
@@ -73,6 +77,7 @@ struct BinFacesInput {
     std::uint64_t verticesOfRange = 0; // of each block of `chunks`
     Blocks chunks;                     // the number of each vertex's chunk, in 2 bytes or in 4
     std::uint64_t mostPages = 1;       // of these, to hold at once
+    std::uint64_t mostCorners = 0;     // of polygons in several chunks, likewise; 0 where there are no polygons
     std::uint64_t blockBytes = 0;
 };
 
@@ -83,6 +88,7 @@ struct BinnedRange {
     Blocks chunks; // of BinVertices: the number of each vertex's chunk
 };
 
+std::vector<std::byte> encoded(const read::RowIndex& index);
 std::vector<std::byte> encoded(const CountInput& input);
 std::vector<std::byte> encoded(const FaceCount& count);
 std::vector<std::byte> encoded(const MeasureInput& input);
@@ -93,6 +99,7 @@ std::vector<std::byte> encoded(const BinFacesInput& input);
 std::vector<std::byte> encoded(const BinnedRange& range);
 
 /// What `encoded` made. Throw hierarchy::Damage.
+read::RowIndex decodedRowIndex(std::span<const std::byte> bytes);
 CountInput takeCountInput(hierarchy::ByteReader& in);
 FaceCount decodedFaceCount(std::span<const std::byte> bytes);
 MeasureInput takeMeasureInput(hierarchy::ByteReader& in);

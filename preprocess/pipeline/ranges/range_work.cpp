@@ -3,6 +3,7 @@
 #include "preprocess/chunk/chunk_writer.h"
 #include "preprocess/chunk/field_numbers.h"
 #include "preprocess/chunk/survey.h"
+#include "preprocess/read/polygon.h"
 
 #include <algorithm>
 #include <optional>
@@ -100,10 +101,15 @@ Blocks RangeWork::posted(std::span<const std::byte> bytes) const {
     return {{scratch_.append(bytes), bytes.size()}};
 }
 
+void RangeWork::useIndex(const Blocks& index) const {
+    std::call_once(isIndexed_, [&] { source_.takeRowIndex(decodedRowIndex(read(index))); });
+}
+
 FaceCount RangeWork::countFaces(const CountInput& input) const {
+    useIndex(input.faces.index);
     FaceCount count;
     Corners corners(source_.summary().vertexCount);
-    chunk::EdgeSample sample(source_.summary().faceCount);
+    chunk::EdgeSample sample(source_.triangleCount());
     Held held(*this);
     const auto post = [&] {
         held.set(corners.held() * kPageVertices);
@@ -115,17 +121,19 @@ FaceCount RangeWork::countFaces(const CountInput& input) const {
         }
         corners.clear();
     };
-    count.isRegular =
-        source_.readTriangleRange(input.faces.begin, input.faces.end, [&](const read::TriangleBlock& block) {
-            std::uint64_t index = block.firstTriangle;
-            for (const read::TriangleCorners& triangle : block.triangles) {
-                if (corners.held() + 3 > std::max<std::uint64_t>(input.mostPages, 3)) post();
-                for (const std::uint64_t corner : triangle)
-                    if (std::uint8_t& valence = corners.at(corner); valence < 255) ++valence;
-                sample.offer(index++, triangle);
-            }
-            progress_.advance(block.triangles.size());
-        });
+    count.isRegular = source_.readFaceRange(input.faces.begin, input.faces.end, [&](const read::TriangleBlock& block) {
+        std::uint64_t index = block.firstTriangle;
+        for (const read::TriangleCorners& triangle : block.triangles) {
+            if (corners.held() + 3 > std::max<std::uint64_t>(input.mostPages, 3)) post();
+            for (const std::uint64_t corner : triangle)
+                if (std::uint8_t& valence = corners.at(corner); valence < 255) ++valence;
+            sample.offer(index++, triangle);
+        }
+        count.triangles += block.triangles.size();
+        count.notAPolygon += block.notAPolygon;
+        count.hasPolygons = count.hasPolygons || !block.polygons.empty();
+        progress_.advance(block.faceCount());
+    });
     post();
     count.sample = posted(std::as_bytes(std::span(sample.entries())));
     return count;
@@ -133,6 +141,7 @@ FaceCount RangeWork::countFaces(const CountInput& input) const {
 
 VertexMeasure RangeWork::measureVertices(const MeasureInput& input) const {
     const RowRange& range = input.vertices;
+    useIndex(range.index);
     Corners corners(source_.summary().vertexCount);
     for (const auto& [page, block] : input.pages)
         addPage(corners.pageAt(page), read({block}));
@@ -167,6 +176,7 @@ VertexMeasure RangeWork::measureVertices(const MeasureInput& input) const {
 }
 
 Blocks RangeWork::countCells(const CellsInput& input) const {
+    useIndex(input.vertices.index);
     const std::vector<std::byte> valence = read(input.valence);
     chunk::CellCounts counts(
         input.facts.furthest, read(input.shape), chunk::rootBitsFor(source_.summary().vertexCount));
@@ -183,6 +193,7 @@ Blocks RangeWork::countCells(const CellsInput& input) const {
 
 BinnedRange RangeWork::binVertices(const BinVerticesInput& input) const {
     const RowRange& range = input.vertices;
+    useIndex(range.index);
     const chunk::ChunkTree tree(read(input.tree));
     const std::vector<std::byte> valence = read(input.valence);
     const bool isWide = tree.chunkCount() > chunk::kNarrowChunks;
@@ -222,13 +233,14 @@ public:
     ChunkNumbers(const BinFacesInput& input, std::uint64_t vertices, scratch::ScratchFile& scratch)
         : input_(input), vertices_(vertices), scratch_(scratch), numbers_(vertices) {}
 
-    std::uint32_t operator[](std::uint64_t vertex) {
+    std::uint32_t operator()(std::uint64_t vertex) {
         const std::size_t page = vertex / kPageVertices;
         if (numbers_.page(page).empty()) load(page);
         return numbers_[vertex];
     }
 
-    std::uint64_t bytes() const { return numbers_.held() * kPageVertices * sizeof(Number); }
+    /// That were held at once.
+    std::uint64_t mostBytes() const { return mostHeld_ * kPageVertices * sizeof(Number); }
 
 private:
     void load(std::size_t page) {
@@ -237,6 +249,7 @@ private:
         const std::uint64_t range = first / input_.verticesOfRange;
         const std::span<Number> numbers =
             numbers_.pageAt(page).first(std::min<std::uint64_t>(kPageVertices, vertices_ - first));
+        mostHeld_ = std::max(mostHeld_, numbers_.held());
         scratch_.read(
             input_.chunks[range].offset + (first - range * input_.verticesOfRange) * sizeof(Number),
             std::as_writable_bytes(numbers));
@@ -246,31 +259,111 @@ private:
     std::uint64_t vertices_;
     scratch::ScratchFile& scratch_;
     chunk::VertexTable<Number> numbers_;
+    std::size_t mostHeld_ = 0; // pages
+};
+
+/// Bins faces as long as the positions that their polygons need fit in memory at once.
+template <class Number>
+class FaceBins {
+public:
+    FaceBins(
+        read::MeshSource& source,
+        const BinFacesInput& input,
+        scratch::ScratchFile& scratch,
+        chunk::ChunkWriter& writer,
+        Progress& progress)
+        : source_(source),
+          input_(input),
+          chunkOf_(input, source.summary().vertexCount, scratch),
+          writer_(writer),
+          progress_(progress),
+          refiner_(progress) {}
+
+    /// From face `begin` on; the face before which it ended.
+    std::uint64_t bin(std::uint64_t begin) {
+        std::uint64_t end = input_.faces.end;
+        std::vector<std::uint64_t> corners;
+        if (input_.mostCorners > 0) end = findCorners(begin, corners);
+        const auto positions = chunk::VertexLookup::byRanges(source_, std::move(corners));
+        readFaces(begin, end, [&](const read::TriangleBlock& block) {
+            block.forEachFace([&](std::span<const read::TriangleCorners> face) {
+                if (face.size() == 1)
+                    put(face.front());
+                else if (isInOneChunk(face))
+                    writer_.putFan(face, chunkOf_(face.front()[0]));
+                else
+                    putRefined(face, positions);
+            });
+            progress_.advance(block.faceCount());
+        });
+        return end;
+    }
+
+    /// Of tables that it held at once.
+    std::uint64_t mostBytes() const { return chunkOf_.mostBytes(); }
+
+private:
+    void put(const read::TriangleCorners& t) {
+        writer_.putTriangle(t, {chunkOf_(t[0]), chunkOf_(t[1]), chunkOf_(t[2])});
+    }
+
+    void putRefined(std::span<const read::TriangleCorners> fan, const chunk::VertexLookup& positions) {
+        std::vector<read::TriangleCorners> refined(fan.begin(), fan.end());
+        refiner_.refine(refined, [&](std::uint64_t vertex) { return positions[vertex]; });
+        for (const read::TriangleCorners& t : refined)
+            put(t);
+    }
+
+    bool isInOneChunk(std::span<const read::TriangleCorners> fan) {
+        return chunk::isInOneChunk(fan, [&](std::uint64_t vertex) { return chunkOf_(vertex); });
+    }
+
+    /// The corners of polygons in several chunks, up to a face before which it ends.
+    std::uint64_t findCorners(std::uint64_t begin, std::vector<std::uint64_t>& corners) {
+        std::uint64_t end = begin;
+        readFaces(begin, input_.faces.end, [&](const read::TriangleBlock& block) {
+            if (corners.size() >= input_.mostCorners) return;
+            end += block.faceCount();
+            block.forEachFace([&](std::span<const read::TriangleCorners> face) {
+                if (face.size() == 1 || isInOneChunk(face)) return;
+                for (const read::TriangleCorners& t : face)
+                    corners.insert(corners.end(), t.begin(), t.end());
+            });
+        });
+        return end;
+    }
+
+    void readFaces(std::uint64_t begin, std::uint64_t end, const read::TriangleSink& sink) {
+        if (source_.readFaceRange(begin, end, sink)) return;
+        source_.requireUnchanged();
+        throw Error(source_.summary().path, "the input changed while it was read");
+    }
+
+    read::MeshSource& source_;
+    const BinFacesInput& input_;
+    ChunkNumbers<Number> chunkOf_;
+    chunk::ChunkWriter& writer_;
+    Progress& progress_;
+    read::PolygonRefiner refiner_;
 };
 
 } // namespace
 
 BinnedRange RangeWork::binFaces(const BinFacesInput& input) const {
+    useIndex(input.faces.index);
     scratch::StreamStore store(scratch_, chunk::binStreams(input.chunkCount), input.blockBytes);
     chunk::ChunkWriter writer(chunk::formatOf(source_.summary()), {}, &store, input.chunkCount);
     Held held(*this);
-    const auto bin = [&](auto numbers) {
-        const bool isRegular =
-            source_.readTriangleRange(input.faces.begin, input.faces.end, [&](const read::TriangleBlock& block) {
-                for (const read::TriangleCorners& t : block.triangles)
-                    writer.putTriangle(t, {numbers[t[0]], numbers[t[1]], numbers[t[2]]});
-                held.set(numbers.bytes());
-                progress_.advance(block.triangles.size());
-            });
-        if (isRegular) return;
-        source_.requireUnchanged();
-        throw Error(source_.summary().path, "the input changed while it was read");
+    const auto bin = [&](auto faces) {
+        for (std::uint64_t begin = input.faces.begin; begin < input.faces.end;) {
+            begin = faces.bin(begin);
+            held.set(faces.mostBytes());
+        }
     };
-    const std::uint64_t vertices = source_.summary().vertexCount;
     if (input.chunkCount > chunk::kNarrowChunks)
-        bin(ChunkNumbers<std::uint32_t>(input, vertices, scratch_));
+        bin(FaceBins<std::uint32_t>(source_, input, scratch_, writer, progress_));
     else
-        bin(ChunkNumbers<std::uint16_t>(input, vertices, scratch_));
+        bin(FaceBins<std::uint16_t>(source_, input, scratch_, writer, progress_));
     store.flush();
     BinnedRange binned;
     collect(store, writer, binned);

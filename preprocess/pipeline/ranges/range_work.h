@@ -6,6 +6,7 @@
 #include "preprocess/pipeline/ranges/range_bytes.h"
 
 #include <atomic>
+#include <mutex>
 
 namespace gnomon::pipeline {
 
@@ -30,12 +31,16 @@ public:
 private:
     class Held;
 
+    /// So that rows of the source can be read.
+    void useIndex(const Blocks& index) const;
+
     std::vector<std::byte> read(const Blocks& blocks) const;
     Blocks posted(std::span<const std::byte> bytes) const;
 
     read::MeshSource& source_;
     scratch::ScratchFile& scratch_;
     Progress& progress_;
+    mutable std::once_flag isIndexed_;
     mutable std::atomic<std::uint64_t> tableBytes_{0};
     mutable std::atomic<std::uint64_t> mostTableBytes_{0};
 };

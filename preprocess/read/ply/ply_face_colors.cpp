@@ -1,4 +1,4 @@
-#include "preprocess/read/ply_face_colors.h"
+#include "preprocess/read/ply/ply_face_colors.h"
 
 #include "core/error.h"
 

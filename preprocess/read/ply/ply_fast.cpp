@@ -1,4 +1,4 @@
-#include "preprocess/read/ply_fast.h"
+#include "preprocess/read/ply/ply_fast.h"
 
 #include <algorithm>
 
@@ -238,26 +238,6 @@ void readFaceRows(
 std::size_t triangleRowBytes(const PlyElement& element, int list) {
     const auto index = static_cast<std::size_t>(list);
     return isFastFace(element, index) ? faceLayoutOf(element, index, false).triangleBytes() : 0;
-}
-
-bool readTriangleRows(
-    BinaryValues& values, const PlyElement& element, int list, std::uint64_t vertexCount, TriangleBuffer& out) {
-    const FaceLayout layout = faceLayoutOf(element, static_cast<std::size_t>(list), values.isSwapped());
-    const CopyTriangles copy = copyFor(layout.countType, layout.isSwapped);
-    ByteStream& stream = values.stream();
-    for (std::uint64_t done = 0; done < element.count;) {
-        if (!stream.fill(layout.triangleBytes())) values.throwEndsEarly();
-        const std::span<TriangleCorners> room = out.room();
-        const auto most = static_cast<std::size_t>(std::min<std::uint64_t>(element.count - done, room.size()));
-        const std::size_t copied =
-            copy(std::span(stream.data(), stream.available()), layout, vertexCount, room.first(most));
-        stream.consume(copied * layout.triangleBytes());
-        done += copied;
-        values.endRows(copied);
-        out.commit(copied);
-        if (copied == 0) return false;
-    }
-    return true;
 }
 
 } // namespace gnomon::read

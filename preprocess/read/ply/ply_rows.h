@@ -3,7 +3,7 @@
 
 #include "core/error.h"
 #include "preprocess/read/block_buffers.h"
-#include "preprocess/read/ply_values.h"
+#include "preprocess/read/ply/ply_values.h"
 
 #include <algorithm>
 #include <array>
@@ -84,6 +84,23 @@ void skipElement(Values& values, const PlyElement& element, PlyFormat format) {
             skipProperty(values, property);
         values.endRow();
     }
+}
+
+/// Passes over all rows of an element whose polygons are in the property `list`; how many triangles they come to.
+template <class Values>
+std::uint64_t skipFaces(Values& values, const PlyElement& element, std::size_t list) {
+    std::uint64_t triangles = 0;
+    values.beginElement(element);
+    for (std::uint64_t row = 0; row < element.count; ++row) {
+        for (std::size_t i = 0; i < element.properties.size(); ++i) {
+            const PlyProperty& property = element.properties[i];
+            const std::uint64_t count = property.isList ? readListCount(values, property) : 1;
+            values.skip(property.type, count);
+            if (i == list && count > 2) triangles += count - 2;
+        }
+        values.endRow();
+    }
+    return triangles;
 }
 
 /// Throws Error unless `value` indexes one of `vertexCount` vertices.

@@ -1,4 +1,4 @@
-#include "preprocess/read/ply_header.h"
+#include "preprocess/read/ply/ply_header.h"
 
 #include "core/error.h"
 #include "preprocess/read/words.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "preprocess/read/byte_stream.h"
-#include "preprocess/read/ply_header.h"
+#include "preprocess/read/ply/ply_header.h"
 
 #include <cstring>
 #include <string>
@@ -89,8 +89,10 @@ public:
     /// Passes over `count` rows of `rowBytes` bytes, which the file must still have.
     void skipRows(std::uint64_t rowBytes, std::uint64_t count);
 
-    /// What is read from here on is the rows of `element`.
-    void beginElement(const PlyElement& element) { progress_ = {element.name, element.count, 0}; }
+    /// What is read from here on is the rows of `element` from `row` on.
+    void beginElement(const PlyElement& element, std::uint64_t row = 0) {
+        progress_ = {element.name, element.count, row};
+    }
 
     void endRow() { ++progress_.done; }
 
@@ -143,7 +145,9 @@ public:
     void skip(PlyType type, std::uint64_t count = 1);
     void skipRows(std::uint64_t valuesPerRow, std::uint64_t count);
 
-    void beginElement(const PlyElement& element) { progress_ = {element.name, element.count, 0}; }
+    void beginElement(const PlyElement& element, std::uint64_t row = 0) {
+        progress_ = {element.name, element.count, row};
+    }
 
     void endRow();
     std::uint64_t mostValues(PlyType type) const;

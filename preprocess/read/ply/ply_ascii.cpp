@@ -1,5 +1,5 @@
 #include "core/error.h"
-#include "preprocess/read/ply_values.h"
+#include "preprocess/read/ply/ply_values.h"
 #include "preprocess/read/words.h"
 
 #include <algorithm>

@@ -1,7 +1,9 @@
-#include "preprocess/read/ply_source.h"
+#include "preprocess/read/ply/ply_source.h"
 
-#include "preprocess/read/ply_face_colors.h"
-#include "preprocess/read/ply_fast.h"
+#include "preprocess/read/ply/ply_face_colors.h"
+#include "preprocess/read/ply/ply_fast.h"
+#include "preprocess/read/ply/ply_layout.h"
+#include "preprocess/read/ply/ply_ranges.h"
 
 #include <algorithm>
 #include <optional>
@@ -9,85 +11,6 @@
 namespace gnomon::read {
 
 namespace {
-
-enum class Role { Other, Vertices, Faces, Strips };
-
-int indexListOf(const PlyElement& element) {
-    const int list = element.indexOf("vertex_indices", "vertex_index");
-    return list >= 0 && element.properties[static_cast<std::size_t>(list)].isList ? list : -1;
-}
-
-Role roleOf(const PlyElement& element) {
-    if (element.name == "vertex") return Role::Vertices;
-    if (element.name == "face" && indexListOf(element) >= 0) return Role::Faces;
-    if (element.name == "tristrips" && indexListOf(element) >= 0) return Role::Strips;
-    return Role::Other;
-}
-
-VertexLayout vertexLayoutOf(const PlyElement& element) {
-    constexpr std::array<std::array<const char*, 2>, kVertexSlots> kNames = {
-        {{"x", ""},
-         {"y", ""},
-         {"z", ""},
-         {"nx", ""},
-         {"ny", ""},
-         {"nz", ""},
-         {"red", "diffuse_red"},
-         {"green", "diffuse_green"},
-         {"blue", "diffuse_blue"},
-         {"alpha", "diffuse_alpha"}}};
-    VertexLayout layout;
-    for (std::size_t slot = 0; slot < kVertexSlots; ++slot) {
-        int found = element.indexOf(kNames[slot][0], kNames[slot][1]);
-        if (found >= 0 && element.properties[static_cast<std::size_t>(found)].isList) found = -1;
-        layout.property[slot] = found;
-        const PlyType type = found >= 0 ? element.properties[static_cast<std::size_t>(found)].type : PlyType::Float32;
-        if (slot < kNormal)
-            layout.isDouble |= type == PlyType::Float64 || type == PlyType::Int32 || type == PlyType::Uint32;
-    }
-    layout.hasNormals = layout.has(kNormal, 3);
-    layout.hasColors = layout.has(kColor, 3);
-    return layout;
-}
-
-constexpr const char* kFaceColors = "face colours";
-
-/// What is not kept of an element's property, in words; empty if it is kept.
-std::string droppedName(const PlyElement& element, Role role, const std::string& property) {
-    constexpr std::array kKept = {"x", "y", "z", "nx", "ny", "nz", "vertex_indices", "vertex_index"};
-    constexpr std::array kColors = {"red", "green", "blue", "diffuse_red", "diffuse_green", "diffuse_blue"};
-    constexpr std::array kTexture = {"s", "t", "u", "v", "texture_u", "texture_v", "texcoord", "texnumber"};
-    const auto isOneOf = [&](const auto& names) {
-        return std::find(names.begin(), names.end(), property) != names.end();
-    };
-    if (role == Role::Other) return "element " + element.name;
-    if (isOneOf(kKept)) return {};
-    if (isOneOf(kTexture)) return "texture coordinates";
-    if (property == "alpha" || property == "diffuse_alpha") return "alpha";
-    if (isOneOf(kColors)) return role == Role::Vertices ? "" : kFaceColors;
-    return element.name + " " + property;
-}
-
-/// The properties of vertices that can be fields: numbers that nothing else is made of.
-std::vector<std::size_t> fieldsOf(const PlyElement& element, const VertexLayout& layout) {
-    std::vector<std::size_t> fields;
-    for (std::size_t i = 0; i < element.properties.size(); ++i) {
-        const auto slot = std::ranges::find(layout.property, static_cast<int>(i));
-        const bool isKept = slot != layout.property.end() &&
-                            (slot < layout.property.begin() + kNormal ||
-                             (slot < layout.property.begin() + kColor ? layout.hasNormals : layout.hasColors));
-        if (!element.properties[i].isList && !isKept) fields.push_back(i);
-    }
-    return fields;
-}
-
-/// Their names, for a message.
-std::string listOf(const PlyElement& element, const std::vector<std::size_t>& fields) {
-    std::string list = fields.empty() ? "none, since vertices have no other numbers" : "one of ";
-    for (std::size_t i = 0; i < fields.size(); ++i)
-        list += (i > 0 ? ", " : "") + element.properties[fields[i]].name;
-    return list;
-}
 
 class PlySource final : public MeshSource {
 public:
@@ -106,7 +29,8 @@ public:
         const PlyElement& faces = header_.elements[firstFaces_];
         const bool isOneElement = summary_.stripCount == 0 && summary_.faceCount == faces.count;
         if (isOneElement && !layout_.hasColors) faceColors_ = faceColorLayoutOf(faces);
-        if (isOneElement) findRanges();
+        if (isOneElement) ranges_.emplace(file_, header_, vertices_, firstFaces_);
+        summary_.hasRanges = ranges_.has_value();
     }
 
     const MeshSummary& summary() const override { return summary_; }
@@ -143,26 +67,32 @@ public:
         pass([&](auto values) { trianglePass(values, sink); }, firstFaces_);
     }
 
-    void readVertexRange(std::uint64_t begin, std::uint64_t end, const VertexSink& sink) override {
-        PlyElement rows = header_.elements[vertices_];
-        BinaryValues values(file_, header_.format, {vertexOffset_ + begin * rows.leastRowBytes(header_.format), 0});
-        rows.count = end - begin;
-        values.beginElement(rows);
-        VertexBuffer out(sink, attributes(), begin);
-        readVertexColumns(values, rows, layout_, out);
-        out.flush();
+    std::optional<RowIndex> indexRows(Progress& progress) override {
+        requireRanges();
+        if (!ranges_->indexRows(progress)) return std::nullopt;
+        return RowIndex{{ranges_->index()}};
     }
 
-    bool readTriangleRange(std::uint64_t begin, std::uint64_t end, const TriangleSink& sink) override {
-        PlyElement rows = header_.elements[firstFaces_];
-        const int list = indexListOf(rows);
-        BinaryValues values(file_, header_.format, {faceOffset_ + begin * triangleRowBytes(rows, list), 0});
-        rows.count = end - begin;
-        values.beginElement(rows);
-        TriangleBuffer out(sink, begin);
-        if (!readTriangleRows(values, rows, list, summary_.vertexCount, out)) return false;
-        out.flush();
-        return true;
+    void takeRowIndex(const RowIndex& index) override {
+        requireRanges();
+        if (index.parts.size() != 1) throw Error(summary_.path, "another process has other inputs");
+        ranges_->takeIndex(index.parts.front());
+    }
+
+    std::uint64_t triangleCount() const override {
+        requireRanges();
+        return ranges_->index().triangles;
+    }
+
+    void readVertexRange(std::uint64_t begin, std::uint64_t end, const VertexSink& sink) override {
+        requireRanges();
+        VertexBuffer out(sink, attributes(), begin);
+        ranges_->readVertices(begin, end, layout_, out);
+    }
+
+    bool readFaceRange(std::uint64_t begin, std::uint64_t end, const TriangleSink& sink) override {
+        requireRanges();
+        return ranges_->readFaces(begin, end, summary_.vertexCount, sink);
     }
 
     void pollWith(Progress& progress) override { file_.pollWith(progress); }
@@ -185,6 +115,10 @@ public:
     }
 
 private:
+    void requireRanges() const {
+        if (!ranges_) throw Error(summary_.path, "its rows cannot be read from anywhere");
+    }
+
     void addToSummary(std::size_t i, const std::vector<std::string>& fields) {
         const PlyElement& element = header_.elements[i];
         const Role role = roleOf(element);
@@ -244,25 +178,6 @@ private:
         return {.hasNormals = layout_.hasNormals, .hasColors = layout_.hasColors, .fieldCount = layout_.fields.size()};
     }
 
-    // Rows of one width each lie where their numbers say, and all do if the file is as long as they come to.
-    void findRanges() {
-        if (header_.format == PlyFormat::Ascii) return;
-        std::uint64_t offset = header_.bodyOffset;
-        for (std::size_t i = 0; i < header_.elements.size(); ++i) {
-            const PlyElement& element = header_.elements[i];
-            std::uint64_t rowBytes = element.leastRowBytes(header_.format);
-            if (i == firstFaces_)
-                rowBytes = triangleRowBytes(element, indexListOf(element));
-            else if (element.hasLists())
-                rowBytes = 0;
-            if (rowBytes == 0 || element.count > (summary_.fileBytes - offset) / rowBytes) return;
-            if (i == vertices_) vertexOffset_ = offset;
-            if (i == firstFaces_) faceOffset_ = offset;
-            offset += rowBytes * element.count;
-        }
-        summary_.hasRanges = offset == summary_.fileBytes;
-    }
-
     // Calls `body` with values that stand at element `begin`; where that is, is found once by reading up to it.
     template <class Body>
     void pass(Body body, std::size_t begin) {
@@ -291,14 +206,7 @@ private:
         const PlyElement& element = header_.elements[vertices_];
         values.beginElement(element);
         VertexBuffer out(sink, attributes());
-        if constexpr (std::is_same_v<Values, BinaryValues>) {
-            if (element.hasLists())
-                readVertexRows(values, element, layout_, out);
-            else
-                readVertexColumns(values, element, layout_, out);
-        } else {
-            readVertexRows(values, element, layout_, out);
-        }
+        readVertexElement(values, element, layout_, out);
         starts_[vertices_ + 1] = values.place();
         out.flush();
     }
@@ -311,7 +219,7 @@ private:
             const PlyElement& element = header_.elements[i];
             const Role role = roleOf(element);
             values.beginElement(element);
-            if (role == Role::Faces) readFaces(values, element, out);
+            if (role == Role::Faces) readFaceElement(values, element, indexListOf(element), summary_.vertexCount, out);
             if (role == Role::Strips) {
                 for (std::uint64_t row = 0; row < element.count; ++row)
                     readStripRow(values, element, indexListOf(element), summary_.vertexCount, out);
@@ -326,17 +234,6 @@ private:
         if (out.count() == 0) throw Error(summary_.path, "no triangles: no face has three corners");
     }
 
-    template <class Values>
-    void readFaces(Values& values, const PlyElement& element, TriangleBuffer& out) {
-        if constexpr (std::is_same_v<Values, BinaryValues>) {
-            readFaceRows(values, element, indexListOf(element), summary_.vertexCount, out);
-        } else {
-            std::vector<std::uint64_t> corners;
-            for (std::uint64_t row = 0; row < element.count; ++row)
-                readFaceRow(values, element, indexListOf(element), summary_.vertexCount, out, corners);
-        }
-    }
-
     InputFile file_;
     PlyHeader header_;
     VertexLayout layout_;
@@ -344,8 +241,7 @@ private:
     std::optional<FaceColorLayout> faceColors_;
     std::size_t vertices_ = header_.elements.size();   ///< the vertex element
     std::size_t firstFaces_ = header_.elements.size(); ///< the first element with triangles
-    std::uint64_t vertexOffset_ = 0;                   ///< where the summary has ranges, and ...
-    std::uint64_t faceOffset_ = 0;                     ///< ... of the faces
+    std::optional<PlyRanges> ranges_;                  ///< where all triangles are of one element
     std::vector<std::optional<PlyPlace>> starts_;      ///< of each element, where known; one more for the end
 };
 

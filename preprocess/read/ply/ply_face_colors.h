@@ -3,7 +3,7 @@
 
 #include "core/units.h"
 #include "preprocess/read/memory_source.h"
-#include "preprocess/read/ply_rows.h"
+#include "preprocess/read/ply/ply_rows.h"
 
 #include <array>
 #include <optional>

@@ -2,6 +2,7 @@
 // the receiver's own plane over what a kernel reads, and whether a lookup stays in the map.
 #pragma once
 
+#include "core/check.h"
 #include "shadow/depth_bias.h"
 #include "shadow/map_image.h"
 #include "shadow/setup.h"
@@ -11,6 +12,28 @@
 #include <limits>
 
 namespace gnomon::shadow {
+
+/// What is measured, by a wider number than what it is measured of: next to a warp's centre of projection numbers
+/// cancel, and in doubles the differences below would tell the measure's own rounding.
+using Wide = long double;
+using WideVec2 = glm::vec<2, Wide, glm::defaultp>;
+using WideVec3 = glm::vec<3, Wide, glm::defaultp>;
+using WideVec4 = glm::vec<4, Wide, glm::defaultp>;
+using WideMat4 = glm::mat<4, 4, Wide, glm::defaultp>;
+
+/// The image of a map that is fitted to no view, as far as a place in it is told.
+inline MapImage<Wide> wideImage(const ShadowMap& map) {
+    const DoubleMapImage image = cameraImage(map);
+    GNOMON_CHECK(!image.fitted);
+    MapImage<Wide> wide;
+    wide.origin = WideVec3(image.origin);
+    wide.clipFromOffset = WideMat4(image.clipFromOffset);
+    wide.texelScale = WideVec2(image.texelScale);
+    wide.texelOffset = WideVec2(image.texelOffset);
+    wide.logRows = image.logRows;
+    wide.fromPoint = image.fromPoint;
+    return wide;
+}
 
 /// The aliasing that a map has at a point.
 struct Measured {
@@ -25,18 +48,24 @@ inline Measured measuredAt(const ShadowMap& map, const ShadowView& view, const g
     const double h = 1e-4 * at.w / std::max(map.warped.kappa, 1 / map.warped.length);
     const double across =
         1e-4 * at.w * map.warped.width; // s goes evenly with x: any step will do, and a large one best
-    const DoubleMapImage image = cameraImage(map);
-    const auto texel = [&](const glm::dvec3& q) {
-        const MapTexel<double> read = texelAt(image, q);
-        return map.rectangle.transposed ? glm::dvec2(read.row, read.column) : glm::dvec2(read.column, read.row);
+    const MapImage<Wide> image = wideImage(map);
+    const auto texel = [&](const WideVec3& q) {
+        const MapTexel<Wide> read = texelAt(image, q);
+        return map.rectangle.transposed ? WideVec2(read.row, read.column) : WideVec2(read.column, read.row);
     };
-    const glm::dvec3 x = alongX(map.warped.frame);
-    const glm::dvec2 perX = (texel(p + x * across) - texel(p - x * across)) / (2 * across);
-    const glm::dvec2 perZ = (texel(p + map.warped.frame.z * h) - texel(p - map.warped.frame.z * h)) / (2 * h);
-    const double pixel = imageBeamWidth(view.frustum, p.z, view.imageHeight);
+    const auto perUnit = [&](const glm::dvec3& axis, Wide step) {
+        const WideVec3 way = WideVec3(axis) * step;
+        return (texel(WideVec3(p) + way) - texel(WideVec3(p) - way)) / (2 * step);
+    };
+    const WideVec2 perX = perUnit(alongX(map.warped.frame), across);
+    const WideVec2 perZ = perUnit(map.warped.frame.z, h);
+    const Wide pixel = imageBeamWidth(view.frustum, p.z, view.imageHeight);
     // The world step that keeps s and moves t by a texel: z with as much x as undoes its shear.
-    const double shear = -perZ.x / perX.x;
-    return {1 / perX.x / pixel, 1 / perZ.y / pixel, std::sqrt(1 + shear * shear) / perZ.y / pixel};
+    const Wide shear = -perZ.x / perX.x;
+    return {
+        static_cast<double>(1 / perX.x / pixel),
+        static_cast<double>(1 / perZ.y / pixel),
+        static_cast<double>(std::sqrt(1 + shear * shear) / perZ.y / pixel)};
 }
 
 /// A receiver in one map of a random setup.
@@ -51,26 +80,27 @@ struct Receiver {
 };
 
 /// The depth in the map of the receiver's plane where the light's ray through a place of the texture meets it.
-inline double planeDepth(const Receiver& receiver, const glm::dvec2& texel) {
-    const DoubleMapImage image = cameraImage(receiver.map);
-    const glm::dmat4 offsetFromClip = glm::inverse(image.clipFromOffset);
-    glm::dvec2 clip = (texel - image.texelOffset) / image.texelScale;
+inline Wide planeDepth(const Receiver& receiver, const WideVec2& texel) {
+    const MapImage<Wide> image = wideImage(receiver.map);
+    const WideMat4 offsetFromClip = glm::inverse(image.clipFromOffset);
+    WideVec2 clip = (texel - image.texelOffset) / image.texelScale;
     if (image.logRows != 0) clip.y = -std::exp(-clip.y);
-    const glm::dvec4 plane(receiver.normal, -glm::dot(receiver.normal, receiver.p - image.origin));
-    const double atZero = glm::dot(plane, offsetFromClip * glm::dvec4(clip, 0, 1));
-    const double change = glm::dot(plane, offsetFromClip[2]);
+    const WideVec3 normal(receiver.normal);
+    const WideVec4 plane(normal, -glm::dot(normal, WideVec3(receiver.p) - image.origin));
+    const Wide atZero = glm::dot(plane, offsetFromClip * WideVec4(clip, 0, 1));
+    const Wide change = glm::dot(plane, offsetFromClip[2]);
     return -atZero / change;
 }
 
 /// How much nearer to the light than at `p` the plane is at the middle of the furthest texel that a kernel reads.
 inline double largestRise(const Receiver& receiver) {
-    const MapTexel<double> at = texelAt(cameraImage(receiver.map), receiver.p);
-    const double reach = std::max(1.0, receiver.filterTexels) / 2;
-    double rise = 0;
-    for (const double dx : {-reach, reach})
-        for (const double dy : {-reach, reach})
+    const MapTexel<Wide> at = texelAt(wideImage(receiver.map), WideVec3(receiver.p));
+    const Wide reach = std::max(1.0, receiver.filterTexels) / 2;
+    Wide rise = 0;
+    for (const Wide dx : {-reach, reach})
+        for (const Wide dy : {-reach, reach})
             rise = std::max(rise, at.depth - planeDepth(receiver, {at.column + dx, at.row + dy}));
-    return rise;
+    return static_cast<double>(rise);
 }
 
 /// How far the lookup of `p`, kernel included, lies outside of the rectangle of `map`, in texels, or outside of its

@@ -131,7 +131,7 @@ FaceCount RangeWork::countFaces(const CountInput& input) const {
         }
         count.triangles += block.triangles.size();
         count.notAPolygon += block.notAPolygon;
-        count.hasPolygons = count.hasPolygons || !block.polygons.empty();
+        count.hasPolygons |= !block.polygons.empty();
         progress_.advance(block.faceCount());
     });
     post();

@@ -48,7 +48,7 @@ std::string inWords(const ShadowView& view, const ShadowOptions& options) {
 
 /// Next to a warp's centre of projection differences have no digits left to measure by.
 bool isMeasurable(const ShadowMap& map) {
-    return map.warped.kappa * map.warped.length <= 1e4;
+    return map.warped.kappa * map.warped.length <= 1e7;
 }
 
 /// The vertices of a map's region, and points between them.
@@ -192,7 +192,7 @@ Score jumpScore(Genes genes, Words words) {
 
 std::vector<Objective> viewObjectives() {
     return {
-        {"promise", "measured over promised aliasing", 70, 1 + 1e-5, 1, promiseScore},
+        {"promise", "measured over promised aliasing", 70, 1 + 1e-7, 1, promiseScore},
         {"bias", "rise of the receiver's plane over its bias", 70, 1 + 1e-6, 1, biasScore},
         {"lookup", "1 and the texels by which a lookup leaves its map", 90, 1, 1, lookupScore},
         {"jump", "promises of views beside each other, and 10 for each change of the plan", 26, 1.001, 50, jumpScore},

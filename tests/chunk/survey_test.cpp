@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -119,6 +120,29 @@ TEST(EdgeSample, OfALargeSourceIsAFairPart) {
     const EdgeSample::Lengths lengths = sample.measure(mesh);
     EXPECT_EQ(lengths.quantile(0.66), 1);
     EXPECT_EQ(lengths.quantile(0.673), 8);
+}
+
+// Whatever parts leave out the whole would have left out, and they do not offer much more.
+TEST(EdgeSample, OfPartsIsThatOfTheWhole) {
+    for (const std::uint64_t triangles : {520'000U, 530'000U, 1'045'000U, 1'075'000U}) {
+        EdgeSample whole;
+        EdgeSample joined;
+        std::array parts{EdgeSample(triangles), EdgeSample(triangles), EdgeSample(triangles)};
+        for (std::uint64_t i = 0; i < triangles; ++i) {
+            whole.offer(i, {i, 1, 2});
+            parts[i * parts.size() / triangles].offer(i, {i, 1, 2});
+        }
+        std::size_t offered = 0;
+        for (const EdgeSample& part : parts) {
+            offered += part.entries().size();
+            for (const EdgeSample::Entry& entry : part.entries())
+                joined.take(entry);
+        }
+        EXPECT_LE(offered, 540'000U) << triangles;
+        ASSERT_EQ(joined.entries().size(), whole.entries().size()) << triangles;
+        for (std::size_t i = 0; i < whole.entries().size(); ++i)
+            ASSERT_EQ(joined.entries()[i].corners, whole.entries()[i].corners) << triangles;
+    }
 }
 
 TEST(Survey, CountsTrianglesVerticesAndValences) {

@@ -1,16 +1,23 @@
 #include "preprocess/proximity/triangle_distance.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace gnomon::proximity {
 
-namespace {
+PreparedTriangle::PreparedTriangle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
+    : corners_{a, b, c},
+      edges_{b - a, c - b, a - c},
+      normal_(glm::cross(b - a, c - a)),
+      area_(glm::dot(normal_, normal_)) {
+    for (std::size_t i = 0; i < 3; ++i)
+        inwards_[i] = glm::cross(normal_, edges_[i]);
+}
 
-/// The nearest point of the segment from corner `i` to the next.
-TriangleDistance distanceToEdge(const glm::dvec3& p, const std::array<glm::dvec3, 3>& corners, std::uint32_t i) {
-    const glm::dvec3& a = corners[i];
-    const glm::dvec3 edge = corners[(i + 1) % 3] - a;
-    const glm::dvec3 offset = p - a;
+/// From the segment from corner `i` to the next.
+TriangleDistance PreparedTriangle::distanceToEdge(const glm::dvec3& p, std::uint32_t i) const {
+    const glm::dvec3& edge = edges_[i];
+    const glm::dvec3 offset = p - corners_[i];
     const double length = glm::dot(edge, edge);
     const double along = glm::dot(offset, edge);
     if (along <= 0) return {glm::dot(offset, offset), static_cast<TriangleFeature>(4 + i)};
@@ -22,26 +29,24 @@ TriangleDistance distanceToEdge(const glm::dvec3& p, const std::array<glm::dvec3
     return {glm::dot(rest, rest), static_cast<TriangleFeature>(1 + i)};
 }
 
-} // namespace
+TriangleDistance PreparedTriangle::distanceTo(const glm::dvec3& p) const {
+    // What is nearest to a point beside the triangle lies on an edge that it is beyond of.
+    TriangleDistance best{std::numeric_limits<double>::infinity()};
+    bool isInside = area_ > 0;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        if (area_ > 0 && glm::dot(inwards_[i], p - corners_[i]) >= 0) continue;
+        isInside = false;
+        const TriangleDistance other = distanceToEdge(p, i);
+        if (other.square < best.square) best = other;
+    }
+    if (!isInside) return best;
+    const double height = glm::dot(normal_, p - corners_[0]);
+    return {height * height / area_, TriangleFeature::Face};
+}
 
 TriangleDistance distanceToTriangle(
     const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
-    const std::array<glm::dvec3, 3> corners{a, b, c};
-    const glm::dvec3 normal = glm::cross(b - a, c - a);
-    const double area = glm::dot(normal, normal);
-    bool isInside = area > 0;
-    for (std::uint32_t i = 0; i < 3 && isInside; ++i)
-        isInside = glm::dot(glm::cross(normal, corners[(i + 1) % 3] - corners[i]), p - corners[i]) >= 0;
-    if (isInside) {
-        const double height = glm::dot(normal, p - a);
-        return {height * height / area, TriangleFeature::Face};
-    }
-    TriangleDistance best = distanceToEdge(p, corners, 0);
-    for (std::uint32_t i = 1; i < 3; ++i) {
-        const TriangleDistance other = distanceToEdge(p, corners, i);
-        if (other.square < best.square) best = other;
-    }
-    return best;
+    return PreparedTriangle(a, b, c).distanceTo(p);
 }
 
 double squaredDistance(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {

@@ -28,12 +28,29 @@ struct TriangleDistance {
     TriangleFeature feature = TriangleFeature::Face;
 };
 
+/// A triangle, which may be degenerate, for the distances of many points.
+class PreparedTriangle {
+public:
+    PreparedTriangle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
+
+    TriangleDistance distanceTo(const glm::dvec3& p) const;
+
+private:
+    TriangleDistance distanceToEdge(const glm::dvec3& p, std::uint32_t edge) const;
+
+    std::array<glm::dvec3, 3> corners_;
+    std::array<glm::dvec3, 3> edges_;   // from each corner to the next
+    std::array<glm::dvec3, 3> inwards_; // of each edge, at right angles to it, in the plane; 0 if there is none
+    glm::dvec3 normal_;
+    double area_ = 0; // the square of twice that
+};
+
 /// The squared distance of `p` from the triangle `a`, `b`, `c`, which may be degenerate.
 TriangleDistance distanceToTriangle(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
 
 /// An upper bound of the squared distance of `p` from the triangle that is its exact value but for rounding: the
 /// distance from a point of the triangle that is computed explicitly. Ericson, "Real-Time Collision Detection", 2005,
-/// 5.1.5.
+/// 5.1.5. Of a triangle without area perhaps that of one of its edges alone.
 double squaredDistance(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
 
 /// The same for the segment from `a` to `b`.

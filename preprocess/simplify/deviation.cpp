@@ -17,15 +17,44 @@ constexpr std::uint32_t kMaxWalk = 24;     // cuts in a row from one triangle to
 constexpr std::uint32_t kMaxHalvings = 12; // of a piece that walking cannot assign
 constexpr std::uint32_t kMaxPieces = 1024; // of one triangle
 
+/// Points of which only those that are there are copied.
+class Corners {
+public:
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): behind the last there is anything
+    Corners() = default;
+
+    Corners(const Corners& other) { *this = other; } // NOLINT(cppcoreguidelines-pro-type-member-init): as above
+
+    Corners(Corners&&) = delete;
+    ~Corners() = default;
+
+    Corners& operator=(const Corners& other) {
+        count_ = other.count_;
+        std::copy_n(other.points_.begin(), count_, points_.begin());
+        return *this;
+    }
+
+    Corners& operator=(Corners&&) = delete;
+
+    void add(const glm::dvec3& p) { points_[count_++] = p; }
+
+    void clear() { count_ = 0; }
+
+    std::uint32_t count() const { return count_; }
+
+    const glm::dvec3& operator[](std::size_t i) const { return points_[i]; }
+
+private:
+    std::array<glm::dvec3, 2 * kMaxCorners> points_; // rounding may let a plane cross more than two sides
+    std::uint32_t count_ = 0;
+};
+
 /// A convex polygon.
 struct Piece {
-    std::array<glm::dvec3, 2 * kMaxCorners> corners{}; // rounding may let a plane cross more than two sides
-    std::uint32_t count = 0;
+    Corners corners;
     std::uint32_t host = kNone;
     std::uint32_t walked = 0;
     std::uint32_t halvings = 0;
-
-    void add(const glm::dvec3& p) { corners[count++] = p; }
 };
 
 /// The parts of `piece` where dot(p - point, normal) is at most and at least 0.
@@ -41,30 +70,31 @@ Halves cut(const Piece& piece, const glm::dvec3& point, const glm::dvec3& normal
         half->walked = piece.walked + 1;
         half->halvings = piece.halvings;
     }
-    std::array<double, 2 * kMaxCorners> side{};
+    std::array<double, 2 * kMaxCorners>
+        side; // NOLINT(cppcoreguidelines-pro-type-member-init): of the corners there are
     double least = 0;
     double most = 0;
-    for (std::uint32_t i = 0; i < piece.count; ++i) {
+    for (std::uint32_t i = 0; i < piece.corners.count(); ++i) {
         side[i] = glm::dot(piece.corners[i] - point, normal);
         least = std::min(least, side[i]);
         most = std::max(most, side[i]);
     }
-    for (std::uint32_t i = 0; i < piece.count; ++i) {
-        const std::uint32_t next = (i + 1) % piece.count;
-        if (side[i] <= 0) halves.inside.add(piece.corners[i]);
-        if (side[i] >= 0) halves.outside.add(piece.corners[i]);
+    for (std::uint32_t i = 0; i < piece.corners.count(); ++i) {
+        const std::uint32_t next = (i + 1) % piece.corners.count();
+        if (side[i] <= 0) halves.inside.corners.add(piece.corners[i]);
+        if (side[i] >= 0) halves.outside.corners.add(piece.corners[i]);
         if ((side[i] < 0 && side[next] > 0) || (side[i] > 0 && side[next] < 0)) {
             const double share = side[i] / (side[i] - side[next]);
             const glm::dvec3 crossing = piece.corners[i] + (piece.corners[next] - piece.corners[i]) * share;
-            halves.inside.add(crossing);
-            halves.outside.add(crossing);
+            halves.inside.corners.add(crossing);
+            halves.outside.corners.add(crossing);
         }
     }
     // What lies in the plane belongs to one half only.
     if (most <= 0)
-        halves.outside.count = 0;
+        halves.outside.corners.clear();
     else if (least >= 0)
-        halves.inside.count = 0;
+        halves.inside.corners.clear();
     return halves;
 }
 
@@ -77,8 +107,9 @@ struct Farthest {
 
 Farthest farthestFrom(const Surface& surface, const Piece& piece, std::uint32_t triangle) {
     Farthest farthest;
-    for (std::uint32_t i = 0; i < piece.count; ++i) {
-        const proximity::TriangleDistance f = surface.distanceTo(piece.corners[i], triangle);
+    const proximity::PreparedTriangle host = surface.prepared(triangle);
+    for (std::uint32_t i = 0; i < piece.corners.count(); ++i) {
+        const proximity::TriangleDistance f = host.distanceTo(piece.corners[i]);
         if (f.square > farthest.square) farthest = {f.square, f.feature, i};
     }
     return farthest;
@@ -111,7 +142,7 @@ public:
 private:
     /// Hands the part beyond the host's edge to the triangle there; false if that brings nothing nearer.
     bool walk(const Piece& piece, const Farthest& farthest) {
-        if (piece.walked >= kMaxWalk || piece.count + 2 > kMaxCorners ||
+        if (piece.walked >= kMaxWalk || piece.corners.count() + 2 > kMaxCorners ||
             farthest.feature == proximity::TriangleFeature::Face)
             return false;
         const auto place = static_cast<std::uint32_t>(farthest.feature);
@@ -125,7 +156,7 @@ private:
             const glm::dvec3& corner = piece.corners[farthest.corner];
             // A corner that the plane leaves on this side would come back, and back again.
             if (glm::dot(corner - surface_.corner(piece.host, edge), bisector(piece.host, edge)) <= 0) continue;
-            const double square = surface_.distanceTo(corner, other).square;
+            const double square = surface_.squaredDistance(corner, other);
             if (square < best) {
                 best = square;
                 bestEdge = edge;
@@ -139,13 +170,13 @@ private:
         const glm::dvec3& from = surface_.corner(piece.host, edge);
         Halves halves = cut(piece, from, bisector(piece.host, edge));
         halves.outside.host = other;
-        if (halves.outside.count < 3) { // all is on this side of the bisecting plane, yet nearer to the other
+        if (halves.outside.corners.count() < 3) { // all is on this side of the bisecting plane, yet nearer to the other
             if (piece.walked > 2) return false;
             halves.inside.host = other;
             halves.inside.walked = piece.walked + 1;
         }
-        if (halves.inside.count >= 3) stack_.push_back(halves.inside);
-        if (halves.outside.count >= 3) stack_.push_back(halves.outside);
+        if (halves.inside.corners.count() >= 3) stack_.push_back(halves.inside);
+        if (halves.outside.corners.count() >= 3) stack_.push_back(halves.outside);
         return true;
     }
 
@@ -153,7 +184,7 @@ private:
     bool halve(const Piece& piece, const Farthest& farthest) {
         const glm::dvec3& corner = piece.corners[farthest.corner];
         const std::uint32_t nearest = surface_.nearest(corner);
-        if (surface_.distanceTo(corner, nearest).square > farthest.square * 0.8) return false;
+        if (surface_.squaredDistance(corner, nearest) > farthest.square * 0.8) return false;
         Piece moved = piece;
         moved.host = nearest;
         // A few times more than it may be halved, and then no more, so that this ends.
@@ -165,12 +196,12 @@ private:
             return true;
         }
         if (piece.halvings >= kMaxHalvings) return false;
-        if (piece.count + 2 > kMaxCorners) return splitAlongDiagonal(piece);
+        if (piece.corners.count() + 2 > kMaxCorners) return splitAlongDiagonal(piece);
         const glm::dvec3 across = corner - farthestCorner(piece, corner);
         Halves halves = cut(piece, corner - across * 0.5, across);
         halves.outside.host = nearest;
         for (Piece* half : {&halves.inside, &halves.outside}) {
-            if (half->count < 3) return false;
+            if (half->corners.count() < 3) return false;
             half->walked = 0;
             half->halvings = piece.halvings + 1;
         }
@@ -181,22 +212,24 @@ private:
 
     /// The corner of `piece` that is farthest from `p`.
     static glm::dvec3 farthestCorner(const Piece& piece, const glm::dvec3& p) {
-        return *std::max_element(
-            piece.corners.begin(), piece.corners.begin() + piece.count, [&p](const glm::dvec3& a, const glm::dvec3& b) {
-                return glm::dot(a - p, a - p) < glm::dot(b - p, b - p);
-            });
+        std::uint32_t farthest = 0;
+        for (std::uint32_t i = 1; i < piece.corners.count(); ++i)
+            if (proximity::squaredLength(piece.corners[i] - p) > proximity::squaredLength(piece.corners[farthest] - p))
+                farthest = i;
+        return piece.corners[farthest];
     }
 
     /// Many cuts leave a piece more corners than a further cut has room for: two pieces have half as many each.
     bool splitAlongDiagonal(const Piece& piece) {
         Piece first = piece;
         Piece second = piece;
-        first.count = second.count = 0;
-        const std::uint32_t middle = piece.count / 2;
+        first.corners.clear();
+        second.corners.clear();
+        const std::uint32_t middle = piece.corners.count() / 2;
         for (std::uint32_t i = 0; i <= middle; ++i)
-            first.add(piece.corners[i]);
-        for (std::uint32_t i = middle; i <= piece.count; ++i)
-            second.add(piece.corners[i % piece.count]);
+            first.corners.add(piece.corners[i]);
+        for (std::uint32_t i = middle; i <= piece.corners.count(); ++i)
+            second.corners.add(piece.corners[i % piece.corners.count()]);
         for (Piece* half : {&first, &second}) {
             half->walked = 0;
             half->halvings = piece.halvings + 1;
@@ -230,7 +263,7 @@ private:
 Piece wholeTriangle(const Surface& surface, std::uint32_t t, std::uint32_t host) {
     Piece piece;
     for (std::size_t i = 0; i < 3; ++i)
-        piece.add(surface.corner(t, i));
+        piece.corners.add(surface.corner(t, i));
     piece.host = host;
     return piece;
 }
@@ -310,7 +343,7 @@ private:
         std::uint32_t host = kNone;
         for (const std::uint32_t p : fine_.triangles()[t])
             for (const std::uint32_t candidate : coarse_.around(simplified_.movedTo[p])) {
-                const double square = coarse_.distanceTo(center, candidate).square;
+                const double square = coarse_.squaredDistance(center, candidate);
                 if (square < best) {
                     best = square;
                     host = candidate;

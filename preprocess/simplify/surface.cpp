@@ -41,20 +41,18 @@ void Surface::buildTree(std::uint32_t begin, std::uint32_t end) {
     Node node{glm::dvec3(kInfinity), glm::dvec3(-kInfinity), begin, end, 0};
     for (std::uint32_t i = begin; i < end; ++i)
         for (std::size_t k = 0; k < 3; ++k) {
-            node.low = glm::min(node.low, corner(treeOrder_[i], k));
-            node.high = glm::max(node.high, corner(treeOrder_[i], k));
+            node.low = glm::min(node.low, corner(leaves_[i].triangle, k));
+            node.high = glm::max(node.high, corner(leaves_[i].triangle, k));
         }
     nodes_.push_back(node);
     if (end - begin <= kLeafTriangles) return;
     const glm::dvec3 size = node.high - node.low;
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
     const std::uint32_t middle = begin + (end - begin) / 2;
-    const auto key = [&](std::uint32_t t) { return corner(t, 0)[axis] + corner(t, 1)[axis] + corner(t, 2)[axis]; };
     std::nth_element(
-        treeOrder_.begin() + begin,
-        treeOrder_.begin() + middle,
-        treeOrder_.begin() + end,
-        [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b) || (key(a) == key(b) && a < b); });
+        leaves_.begin() + begin, leaves_.begin() + middle, leaves_.begin() + end, [axis](const Leaf& a, const Leaf& b) {
+            return a.center[axis] < b.center[axis] || (a.center[axis] == b.center[axis] && a.triangle < b.triangle);
+        });
     buildTree(begin, middle);
     nodes_[index].right = static_cast<std::uint32_t>(nodes_.size());
     buildTree(middle, end);
@@ -62,10 +60,10 @@ void Surface::buildTree(std::uint32_t begin, std::uint32_t end) {
 
 std::uint32_t Surface::nearest(const glm::dvec3& p) {
     if (nodes_.empty()) {
-        treeOrder_.resize(triangles_.size());
-        for (std::uint32_t t = 0; t < treeOrder_.size(); ++t)
-            treeOrder_[t] = t;
-        buildTree(0, static_cast<std::uint32_t>(treeOrder_.size()));
+        leaves_.reserve(triangles_.size());
+        for (std::uint32_t t = 0; t < triangles_.size(); ++t)
+            leaves_.push_back({glm::vec3(corner(t, 0) + corner(t, 1) + corner(t, 2)), t});
+        buildTree(0, static_cast<std::uint32_t>(leaves_.size()));
     }
     double bestSquare = std::numeric_limits<double>::infinity();
     std::uint32_t best = 0;
@@ -78,10 +76,10 @@ std::uint32_t Surface::nearest(const glm::dvec3& p) {
         const Node& node = nodes_[index];
         if (node.right == 0) {
             for (std::uint32_t i = node.begin; i < node.end; ++i) {
-                const double s = distanceTo(p, treeOrder_[i]).square;
+                const double s = squaredDistance(p, leaves_[i].triangle);
                 if (s >= bestSquare) continue;
                 bestSquare = s;
-                best = treeOrder_[i];
+                best = leaves_[i].triangle;
             }
             continue;
         }

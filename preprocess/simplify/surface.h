@@ -21,8 +21,12 @@ public:
         return positions_[triangles_[triangle][i]];
     }
 
-    proximity::TriangleDistance distanceTo(const glm::dvec3& p, std::uint32_t triangle) const {
-        return proximity::distanceToTriangle(p, corner(triangle, 0), corner(triangle, 1), corner(triangle, 2));
+    proximity::PreparedTriangle prepared(std::uint32_t triangle) const {
+        return {corner(triangle, 0), corner(triangle, 1), corner(triangle, 2)};
+    }
+
+    double squaredDistance(const glm::dvec3& p, std::uint32_t triangle) const {
+        return proximity::squaredDistance(p, corner(triangle, 0), corner(triangle, 1), corner(triangle, 2));
     }
 
     /// A triangle across edge `i` (from corner i to the next), or kNone.
@@ -35,10 +39,15 @@ public:
     std::uint32_t nearest(const glm::dvec3& p);
 
 private:
+    struct Leaf {
+        glm::vec3 center; // of the triangle, three times
+        std::uint32_t triangle = 0;
+    };
+
     struct Node {
         glm::dvec3 low;
         glm::dvec3 high;
-        std::uint32_t begin; // of its triangles in treeOrder_
+        std::uint32_t begin; // of its triangles in leaves_
         std::uint32_t end;
         std::uint32_t right; // index of the second child, the first follows its parent; 0 for a leaf
     };
@@ -50,7 +59,7 @@ private:
     TriangleAdjacency adjacency_;
     std::vector<Triangle> across_;
     std::vector<Node> nodes_;
-    std::vector<std::uint32_t> treeOrder_;
+    std::vector<Leaf> leaves_; // in the tree's order
 };
 
 } // namespace gnomon::simplify

@@ -52,8 +52,8 @@ TEST(Surface, TheNearestTriangleIsNoFartherThanAnyOther) {
         const glm::dvec3 p(x, y, random.uniform(900, 2100));
         double least = std::numeric_limits<double>::infinity();
         for (std::uint32_t t = 0; t < patch.triangles.size(); ++t)
-            least = std::min(least, surface.distanceTo(p, t).square);
-        ASSERT_EQ(surface.distanceTo(p, surface.nearest(p)).square, least);
+            least = std::min(least, surface.squaredDistance(p, t));
+        ASSERT_EQ(surface.squaredDistance(p, surface.nearest(p)), least);
     }
 }
 

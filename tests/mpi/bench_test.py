@@ -7,7 +7,7 @@ import signal
 import time
 import unittest
 
-from job import GNOMON_MPI, JobTest, Told, alone, ranks_of, run, start
+from job import GNOMON_MPI, SLOW, JobTest, Told, alone, ranks_of, run, slow, start
 
 # What a process holds, and so reads, hangs on the runs it has walked before.
 VARYING = re.compile(r".*_ms|gpu_bytes|resident_bytes|bytes_read")
@@ -44,7 +44,7 @@ class Bench(JobTest):
         words, expected = self.outputs("alone", "pictures")
         alone(*self.walk, "--oracle", *words)
         names = [row["name"] for row in json.loads((expected / "runs.json").read_text())["benchmarks"]]
-        for processes in (1, 2, 3):
+        for processes in (1, 2, 3) if SLOW else (2,):
             words, place = self.outputs(f"of{processes}", "pictures")
             told = run(processes, *self.walk, "--oracle", *words, "--share-nodes")
             self.assertEqual((told.returncode, told.stderr), (0, ""))
@@ -68,6 +68,7 @@ class Bench(JobTest):
                 self.assertTrue(0 <= phase["idle_share"] <= 1, phase)
                 self.assertIn(phase["slowest_rank"], range(processes))
 
+    @slow
     def test_a_report_names_no_host_and_a_budget_is_walked_again(self):
         page = self.place / "page"
         told = run(2, *self.walk, "--report", page, "--budget-ms", "1000", "--share-nodes", "--progress", "json")
@@ -103,6 +104,7 @@ class Bench(JobTest):
         self.assertRegex(told.lines[0], r"gnomon: rank 2\b.*nothing.gnm: cannot open: No such file")
         self.assertEqual(list(place.iterdir()), [])
 
+    @slow
     def test_a_rank_that_dies_leaves_nothing(self):
         words, place = self.outputs("killed")
         job = start(2, *self.walk, "--frames", "100000", *words, "--share-nodes")  # the last --frames counts

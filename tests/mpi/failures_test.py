@@ -6,7 +6,7 @@ import signal
 import time
 import unittest
 
-from job import JobTest, Told, alone, ranks_of, run, start
+from job import JobTest, Told, alone, ranks_of, run, slow, start
 
 SMALL = ("--chunk-triangles", "4k", "--threads", "1")
 
@@ -27,6 +27,7 @@ class Failures(JobTest):
         self.assertEqual(self.left(), ["m.gnm"])
         self.model.unlink()
 
+    @slow
     def test_a_killed_rank_ends_the_job_and_any_number_goes_on(self):
         mesh = self.made("plant", "150k")
         expected = self.hash_alone(mesh, *SMALL)
@@ -58,6 +59,7 @@ class Failures(JobTest):
         self.assertGreater(ended, 0)
         self.assertEqual(list(local.iterdir()), [], "copies outlive a killed rank")
 
+    @slow
     def test_a_job_that_is_told_to_end_keeps_what_it_has(self):
         mesh = self.made("plant", "150k")
         expected = self.hash_alone(mesh, *SMALL)
@@ -75,6 +77,7 @@ class Failures(JobTest):
         self.assertEqual(self.left(), ["m.gnm.building"])
         self.expect_finish(3, mesh, expected)
 
+    @slow
     def test_a_stopped_rank_is_waited_for(self):
         mesh = self.made("plant", "150k")
         expected = self.hash_alone(mesh, *SMALL)

@@ -23,6 +23,13 @@ SETTINGS = {
 }
 
 
+SLOW = "GNOMON_SLOW" in os.environ  # all that is asked, which takes minutes; else a little of each
+
+
+def slow(test):
+    return unittest.skipUnless(SLOW, "slow")(test)
+
+
 def command(processes, *words, program=GNOMON_MPI):
     return [MPIEXEC, "-n", str(processes), str(program), *map(str, words)]
 

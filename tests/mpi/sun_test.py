@@ -5,7 +5,7 @@ import signal
 import time
 import unittest
 
-from job import JobTest, Told, alone, ranks_of, run, start
+from job import SLOW, JobTest, Told, alone, ranks_of, run, slow, start
 
 DAY = ("--at", "47.4,8.5", "--from", "2026-06-21T00:00+02:00", "--to", "2026-06-22T00:00+02:00", "--step", "30m", "--threads", "1")
 
@@ -34,7 +34,7 @@ class Sun(JobTest):
         self.assertNotIn("ranks", expected_counts)
         expected = self.written(place)
         self.assertEqual(set(expected), {"h.png", "h.pfm", "h.csv", "index.html"})
-        for processes in (1, 2, 3):
+        for processes in (1, 2, 3) if SLOW else (2,):
             words, place = self.outputs(f"of{processes}")
             told = run(processes, *self.hours, *words, "--json", "--progress", "json")
             self.assertEqual(told.returncode, 0, told.stderr)
@@ -50,6 +50,7 @@ class Sun(JobTest):
             lines = [json.loads(line) for line in told.stderr.splitlines() if line.startswith('{"stage": "sun"')]
             self.assertEqual((lines[-1]["done"], lines[-1]["total"]), (counts["steps_up"], counts["steps_up"]))
 
+    @slow
     def test_points_and_vertices_come_to_the_same_bytes(self):
         for name, words in (("points.csv", ("--points", self.points, "--csv")), ("vertices.ply", ("--vertices", "--error", "0.5", "-o"))):
             alone(*self.hours, *words, self.place / f"alone_{name}")
@@ -57,6 +58,7 @@ class Sun(JobTest):
             self.assertEqual((told.returncode, told.stderr.count("sun up in")), (0, 1), told.stderr)
             self.assertEqual((self.place / f"all_{name}").read_bytes(), (self.place / f"alone_{name}").read_bytes())
 
+    @slow
     def test_a_killed_job_is_resumed_by_any_number(self):
         words, place = self.outputs("expected")
         long = (*self.hours[:-4], "--step", "1m", "--threads", "1")

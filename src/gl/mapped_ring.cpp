@@ -8,12 +8,7 @@ namespace gnomon::gl {
 
 namespace {
 
-constexpr std::size_t kAlignment = 256;
 constexpr GLbitfield kMapped = GL_MAP_WRITE_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
-
-constexpr std::size_t aligned(std::size_t bytes) {
-    return (bytes + kAlignment - 1) / kAlignment * kAlignment;
-}
 
 } // namespace
 

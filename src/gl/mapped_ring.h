@@ -27,9 +27,14 @@ public:
     MappedRing(MappedRing&&) = delete;
     MappedRing& operator=(MappedRing&&) = delete;
 
-    /// A piece of `bytes` bytes, at most a segment, at a multiple of 256 (the largest alignment that OpenGL asks of a
-    /// uniform block). Waits for the GPU only if it is two segments behind.
+    /// A piece of `bytes` bytes, at most a segment, at a multiple of `kAlignment`. Waits for the GPU only if it is two
+    /// segments behind.
     RingPiece take(std::size_t bytes);
+
+    /// What a piece of `bytes` bytes takes of a segment.
+    static constexpr std::size_t aligned(std::size_t bytes) {
+        return (bytes + kAlignment - 1) / kAlignment * kAlignment;
+    }
 
     GLuint id() const { return object_.id(); }
 
@@ -39,6 +44,7 @@ public:
 
 private:
     static constexpr std::size_t kSegments = 3;
+    static constexpr std::size_t kAlignment = 256; // the largest that OpenGL asks of a uniform block
 
     void enterNext();
 

@@ -4,9 +4,12 @@
 #include "core/error.h"
 #include "core/random.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 
 namespace gnomon::executor {
 
@@ -31,6 +34,30 @@ constexpr std::array<gl::Attribute, 3> kAttributes = {
     gl::Attribute{0, 3, GL_UNSIGNED_INT, true, 0, 0},
     gl::Attribute{1, 1, GL_UNSIGNED_INT, true, 0, 1},
     gl::Attribute{2, 4, GL_UNSIGNED_BYTE, false, 4, 1}};
+
+/// A page as it lies in a chunk.
+struct PackedPage {
+    std::vector<hierarchy::GridPoint> positions;
+    std::vector<PackedAttributes> attributes;
+    std::vector<Index> indices;
+};
+
+PackedPage packed(std::uint32_t id, const hierarchy::Page& page, const hierarchy::Grid& grid) {
+    PackedPage result;
+    result.positions.reserve(page.vertices.size());
+    result.attributes.reserve(page.vertices.size());
+    for (const PackedVertex& vertex : packedVertices(id, page, grid)) {
+        result.positions.push_back(vertex.position);
+        result.attributes.push_back({vertex.normal, vertex.color});
+    }
+    result.indices = packedIndices(page);
+    return result;
+}
+
+template <class T>
+void fill(const gl::RingPiece& piece, const std::vector<T>& values) {
+    std::memcpy(piece.bytes.data(), values.data(), piece.bytes.size());
+}
 
 /// The code of an error in eighths of an octave above the grid's step, rounded up; 0 is none.
 std::uint32_t errorCode(double error, double step) {
@@ -84,6 +111,14 @@ Bytes GeometryPool::size() const {
     for (const Chunk& chunk : chunks_)
         sum.count += chunk.buffer.size();
     return sum;
+}
+
+GeometryPool::PageOffsets GeometryPool::Chunk::offsets(const PagePlace& place) const {
+    const auto vertex = static_cast<std::size_t>(place.baseVertex);
+    return {
+        vertex * kPositionBytes,
+        vertexCapacity * kPositionBytes + vertex * sizeof(PackedAttributes),
+        std::size_t{place.firstIndex} * sizeof(Index)};
 }
 
 void GeometryPool::keepUnder(Bytes cap) {
@@ -175,24 +210,70 @@ std::optional<PagePlace> GeometryPool::insert(
             readableBytes({pageSize.vertices * kVertexBytes + pageSize.indices * sizeof(Index)}),
             readableBytes(cap_));
     if (!found) return std::nullopt;
-    std::vector<hierarchy::GridPoint> positions;
-    std::vector<PackedAttributes> attributes;
-    positions.reserve(pageSize.vertices);
-    attributes.reserve(pageSize.vertices);
-    for (const PackedVertex& vertex : packedVertices(id, page, grid)) {
-        positions.push_back(vertex.position);
-        attributes.push_back({vertex.normal, vertex.color});
-    }
+    const PackedPage bytes = packed(id, page, grid);
     const Chunk& chunk = chunks_[found->chunk];
-    const auto vertex = static_cast<std::size_t>(found->baseVertex);
-    const std::size_t attributeStart = chunk.vertexCapacity * kPositionBytes;
-    upload(chunk.buffer, vertex * kPositionBytes, std::as_bytes(std::span(positions)));
-    upload(chunk.buffer, attributeStart + vertex * sizeof(PackedAttributes), std::as_bytes(std::span(attributes)));
-    const std::vector<Index> indices = packedIndices(page);
-    upload(chunk.buffer, std::size_t{found->firstIndex} * sizeof(Index), std::as_bytes(std::span(indices)));
-    byUse_.push_front({id, *found, pageSize});
-    entries_.emplace(id, byUse_.begin());
+    const PageOffsets offsets = chunk.offsets(*found);
+    upload(chunk.buffer, offsets.positions, std::as_bytes(std::span(bytes.positions)));
+    upload(chunk.buffer, offsets.attributes, std::as_bytes(std::span(bytes.attributes)));
+    upload(chunk.buffer, offsets.indices, std::as_bytes(std::span(bytes.indices)));
+    remember(id, *found, pageSize);
     return found;
+}
+
+void GeometryPool::insertAll(std::span<const NewPage> pages, const hierarchy::Grid& grid) {
+    std::vector<Staged> staged;
+    std::size_t bytes = 0; // of the staging memory; a segment at most, so that commands may follow when all is filled
+    const auto flush = [&] {
+        upload(staged, grid);
+        staged.clear();
+        bytes = 0;
+    };
+    for (const NewPage& page : pages) {
+        Staged next{page, {}, {page.page->vertices.size(), page.page->triangles.size() * 3}, {}, {}, {}};
+        const std::array<std::size_t, 3> sizes = {
+            next.size.vertices * kPositionBytes,
+            next.size.vertices * sizeof(PackedAttributes),
+            next.size.indices * sizeof(Index)};
+        std::size_t needed = 0;
+        for (const std::size_t size : sizes)
+            needed += gl::MappedRing::aligned(size);
+        if (needed > staging_->segmentBytes()) continue; // in parts, by `insert`
+        const auto found = place(next.size);
+        if (!found) break;
+        if (bytes + needed > staging_->segmentBytes()) flush();
+        bytes += needed;
+        next.place = *found;
+        next.positions = staging_->take(sizes[0]);
+        next.attributes = staging_->take(sizes[1]);
+        next.indices = staging_->take(sizes[2]);
+        staged.push_back(next);
+    }
+    flush();
+}
+
+void GeometryPool::upload(std::span<const Staged> pages, const hierarchy::Grid& grid) {
+    tbb::parallel_for(std::size_t{0}, pages.size(), [&](std::size_t i) {
+        const PackedPage bytes = packed(pages[i].page.id, *pages[i].page.page, grid);
+        fill(pages[i].positions, bytes.positions);
+        fill(pages[i].attributes, bytes.attributes);
+        fill(pages[i].indices, bytes.indices);
+    });
+    for (const Staged& page : pages) {
+        const Chunk& chunk = chunks_[page.place.chunk];
+        const PageOffsets offsets = chunk.offsets(page.place);
+        const auto copy = [&](std::size_t offset, const gl::RingPiece& piece) {
+            chunk.buffer.copy(offset, staging_->id(), piece.offset, piece.bytes.size());
+        };
+        copy(offsets.positions, page.positions);
+        copy(offsets.attributes, page.attributes);
+        copy(offsets.indices, page.indices);
+        remember(page.page.id, page.place, page.size);
+    }
+}
+
+void GeometryPool::remember(std::uint32_t id, const PagePlace& place, const PageSize& size) {
+    byUse_.push_front({id, place, size});
+    entries_.emplace(id, byUse_.begin());
 }
 
 bool GeometryPool::evictOldest() {

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <list>
 #include <optional>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -44,6 +45,16 @@ public:
     /// The place of `page` if it is there; counts as a use.
     std::optional<PagePlace> find(std::uint32_t page);
 
+    /// A page to be put in.
+    struct NewPage {
+        std::uint32_t id = 0;
+        const hierarchy::Page* page = nullptr;
+    };
+
+    /// Puts in those of `pages`, all different and none of them there, that there is room for without dropping others.
+    /// All worker threads write to the staging memory, as many pages at a time as a segment of it holds.
+    void insertAll(std::span<const NewPage> pages, const hierarchy::Grid& grid);
+
     /// Puts `page` in; nothing if that needs room that only `evictOldest` can make. Throws Error if the page alone is
     /// larger than the cap.
     std::optional<PagePlace> insert(std::uint32_t id, const hierarchy::Page& page, const hierarchy::Grid& grid);
@@ -67,7 +78,16 @@ private:
         std::size_t indices = 0;
     };
 
+    /// Where what a page consists of begins in its chunk's buffer, in bytes.
+    struct PageOffsets {
+        std::size_t positions = 0;
+        std::size_t attributes = 0;
+        std::size_t indices = 0;
+    };
+
     struct Chunk {
+        PageOffsets offsets(const PagePlace& place) const;
+
         gl::Buffer buffer;
         gl::VertexArray positions;
         gl::VertexArray surfaces;
@@ -82,7 +102,19 @@ private:
         PageSize size;
     };
 
+    /// A page that has a place and pieces of the staging memory.
+    struct Staged {
+        NewPage page;
+        PagePlace place;
+        PageSize size;
+        gl::RingPiece positions;
+        gl::RingPiece attributes;
+        gl::RingPiece indices;
+    };
+
     std::optional<PagePlace> place(const PageSize& page);
+    void upload(std::span<const Staged> pages, const hierarchy::Grid& grid);
+    void remember(std::uint32_t id, const PagePlace& place, const PageSize& size);
     bool addChunk(const PageSize& page);
     void upload(const gl::Buffer& buffer, std::size_t offset, std::span<const std::byte> bytes);
 

@@ -98,6 +98,7 @@ private:
     void drawBackground(const FrameDrawing& frame);
     void drawSurfaces(const FrameDrawing& frame);
     void drawGeometry(const FrameDrawing& frame, const selection::DrawList& list, bool withAttributes);
+    void bringIn(const FrameDrawing& frame, const selection::DrawList& list);
     PagePlace placed(const FrameDrawing& frame, std::uint32_t id, GlBatch& batch);
     bool waitsForDraws() const;
     const gl::Program& surfaceProgram(const FrameDrawing& frame);
@@ -326,6 +327,17 @@ void GlExecutor::drawSurfaces(const FrameDrawing& frame) {
     drawGeometry(frame, *frame.image, true);
 }
 
+void GlExecutor::bringIn(const FrameDrawing& frame, const selection::DrawList& list) {
+    std::vector<GeometryPool::NewPage> missing;
+    for (const selection::ClusterRange& range : list.ranges)
+        if (!pool_.find(range.page)) missing.push_back({range.page, &frame.pages(range.page)});
+    const auto isBefore = [](const auto& a, const auto& b) { return a.id < b.id; };
+    std::sort(missing.begin(), missing.end(), isBefore);
+    const auto isSame = [](const auto& a, const auto& b) { return a.id == b.id; };
+    missing.erase(std::unique(missing.begin(), missing.end(), isSame), missing.end());
+    pool_.insertAll(missing, frame.grid);
+}
+
 PagePlace GlExecutor::placed(const FrameDrawing& frame, std::uint32_t id, GlBatch& batch) {
     if (const auto place = pool_.find(id)) return *place;
     const hierarchy::Page& page = frame.pages(id);
@@ -339,6 +351,7 @@ PagePlace GlExecutor::placed(const FrameDrawing& frame, std::uint32_t id, GlBatc
 
 void GlExecutor::drawGeometry(const FrameDrawing& frame, const selection::DrawList& list, bool withAttributes) {
     GlBatch batch(api(), commands_, withAttributes);
+    bringIn(frame, list);
     for (const selection::ClusterRange& range : list.ranges)
         batch.add(placed(frame, range.page, batch), frame.pages(range.page), range);
     drawCalls_ += batch.flush(pool_, waitsForDraws());

@@ -34,6 +34,14 @@ struct Check {
         if (holds) return;
         if (failed++ == 0) detail = words();
     }
+
+    /// Counts the tests of a part, which comes after those before it.
+    void add(const Check& part) {
+        if (failed == 0 && part.failed > 0) detail = part.detail;
+        tested += part.tested;
+        failed += part.failed;
+        worst = std::max(worst, part.worst);
+    }
 };
 
 struct Verification {

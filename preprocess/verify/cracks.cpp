@@ -2,12 +2,14 @@
 
 #include "core/random.h"
 #include "hierarchy/cut_rule.h"
+#include "preprocess/verify/crack_cells.h"
 #include "preprocess/verify/locked_edges.h"
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include <cmath>
+#include <functional>
 #include <sstream>
 
 namespace gnomon::verify {
@@ -28,16 +30,29 @@ struct View {
 /// from a level chosen at random just flips.
 class ViewSource {
 public:
-    explicit ViewSource(const LoadedModel& model) : model_(model) {
-        const glm::dvec3 origin = model.summary.grid.origin;
-        bounds_ = {model.summary.bounds.min - origin, model.summary.bounds.max - origin};
-        groups_.resize(model.summary.levels.size());
-        for (const Page& page : model.pages)
-            for (const Group& group : page.groups)
-                if (std::isfinite(group.error)) groups_[page.level].push_back(&group);
-        std::erase_if(groups_, [](const auto& level) { return level.empty(); });
+    /// `surfacePoint(random)` draws a vertex of the model.
+    ViewSource(const ModelSummary& summary, std::function<GridPoint(Random&)> surfacePoint)
+        : grid_(summary.grid), surfacePoint_(std::move(surfacePoint)), groups_(summary.levels.size()) {
+        bounds_ = {summary.bounds.min - grid_.origin, summary.bounds.max - grid_.origin};
     }
 
+    /// Groups of a page; all before the first view.
+    void add(std::uint32_t level, std::span<const Group> groups) {
+        for (const Group& group : groups)
+            if (std::isfinite(group.error)) groups_[level].push_back(&group);
+    }
+
+    std::vector<View> draw(std::uint64_t count, std::uint64_t seed) {
+        std::erase_if(groups_, [](const auto& level) { return level.empty(); });
+        std::vector<View> views;
+        for (std::uint64_t i = 0; i < count; ++i) {
+            Random random(mix64(seed) + i);
+            views.push_back(draw(random));
+        }
+        return views;
+    }
+
+private:
     View draw(Random& random) const {
         View view;
         view.eye = eye(random);
@@ -50,14 +65,13 @@ public:
         return view;
     }
 
-private:
     glm::dvec3 eye(Random& random) const {
         const glm::dvec3 unit(random.unit(), random.unit(), random.unit());
         switch (random.below(4)) {
         case 0:
             return bounds_.min + unit * bounds_.extent();
         case 1:
-            return onSurface(random);
+            return grid_.local(surfacePoint_(random));
         case 2:
             return bounds_.center() + (unit - 0.5) * 3.0 * (bounds_.extent() + glm::length(bounds_.extent()) * 0.1);
         default:
@@ -65,12 +79,8 @@ private:
         }
     }
 
-    glm::dvec3 onSurface(Random& random) const {
-        const Page& page = model_.pages[random.below(model_.pages.size())];
-        return model_.summary.grid.local(page.vertices[random.below(page.vertices.size())].position);
-    }
-
-    const LoadedModel& model_;
+    Grid grid_;
+    std::function<GridPoint(Random&)> surfacePoint_;
     Box bounds_;
     std::vector<std::vector<const Group*>> groups_; // with a finite error, by level
 };
@@ -129,23 +139,24 @@ CutResult judge(const LockedEdges& edges, CutEdges& cut) {
     return result;
 }
 
-} // namespace
-
-Check checkCracks(const LoadedModel& model, std::uint64_t cuts, std::uint64_t seed, Progress& progress) {
-    progress.stage("index locked edges", "models", 1);
-    const LockedEdges edges(model);
-    const ViewSource views(model);
-    progress.advance(1);
-    progress.stage("cut", "cuts", cuts);
-    std::vector<CutResult> results(cuts);
+/// Looks at the locked edges of `cell` in all views; `model` has all pages that meet it. Returns how many edges those
+/// are.
+std::size_t lookAt(
+    const LoadedModel& model, const GridBox& cell, std::span<const View> views, std::vector<CutResult>& results) {
+    const LockedEdges edges(model, cell);
     tbb::enumerable_thread_specific<CutEdges> scratch;
-    tbb::parallel_for(std::uint64_t{0}, cuts, [&](std::uint64_t i) {
-        Random random(mix64(seed) + i);
+    tbb::parallel_for(std::size_t{0}, views.size(), [&](std::size_t i) {
         CutEdges& cut = scratch.local();
-        collect(model, edges, views.draw(random), cut);
-        results[i] = judge(edges, cut);
-        progress.advance(1);
+        collect(model, edges, views[i], cut);
+        const CutResult found = judge(edges, cut);
+        if (results[i].cracks == 0) results[i].detail = found.detail;
+        results[i].tested += found.tested;
+        results[i].cracks += found.cracks;
     });
+    return edges.count();
+}
+
+Check checkOf(const std::vector<CutResult>& results, std::uint64_t edges) {
     Check check{"cracks"};
     for (std::size_t i = 0; i < results.size(); ++i) {
         check.tested += results[i].tested;
@@ -155,8 +166,50 @@ Check checkCracks(const LoadedModel& model, std::uint64_t cuts, std::uint64_t se
         check.worst = std::max(check.worst, static_cast<double>(results[i].cracks));
     }
     if (check.failed == 0)
-        check.detail = std::to_string(cuts) + " cuts, " + std::to_string(edges.count()) + " locked edges";
+        check.detail = std::to_string(results.size()) + " cuts, " + std::to_string(edges) + " locked edges";
     return check;
+}
+
+} // namespace
+
+Check checkCracks(const LoadedModel& model, std::uint64_t cuts, std::uint64_t seed, Progress& progress) {
+    progress.stage("look for cracks", "models", 1);
+    ViewSource source(model.summary, [&](Random& random) {
+        const Page& page = model.pages[random.below(model.pages.size())];
+        return page.vertices[random.below(page.vertices.size())].position;
+    });
+    for (const Page& page : model.pages)
+        source.add(page.level, page.groups);
+    std::vector<CutResult> results(cuts);
+    const std::size_t edges = lookAt(model, kWholeGrid, source.draw(cuts, seed), results);
+    progress.advance(1);
+    return checkOf(results, edges);
+}
+
+Check checkCracks(
+    const ModelFile& file,
+    const ModelFacts& facts,
+    std::uint64_t cuts,
+    std::uint64_t seed,
+    Bytes memory,
+    Progress& progress) {
+    ViewSource source(facts.summary, [&](Random& random) {
+        const auto page = static_cast<std::uint32_t>(random.below(file.pages().size()));
+        return file.readPage(page).vertices[random.below(file.pages()[page].vertexCount)].position;
+    });
+    for (const PageFacts& page : facts.pages)
+        source.add(page.level, page.groups);
+    const std::vector<View> views = source.draw(cuts, seed);
+    const std::vector<CrackCell> cells = crackCells(file.pages(), memory);
+    std::uint64_t pages = 0;
+    for (const CrackCell& cell : cells)
+        pages += cell.pages.size();
+    progress.stage("look for cracks", "pages", pages);
+    std::vector<CutResult> results(cuts);
+    std::uint64_t edges = 0;
+    for (const CrackCell& cell : cells)
+        edges += lookAt(loadPages(file, cell.pages, progress), cell.box, views, results);
+    return checkOf(results, edges);
 }
 
 } // namespace gnomon::verify

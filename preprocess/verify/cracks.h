@@ -3,6 +3,7 @@
 
 #include "preprocess/verify/check.h"
 #include "preprocess/verify/loaded_model.h"
+#include "preprocess/verify/model_facts.h"
 
 namespace gnomon::verify {
 
@@ -11,5 +12,15 @@ namespace gnomon::verify {
 /// level or the next coarser one at it: the number of triangles at the edge, compared by position, must be that of the
 /// level. Worst: the most cracks in one cut.
 Check checkCracks(const LoadedModel& model, std::uint64_t cuts, std::uint64_t seed, Progress& progress);
+
+/// The same of a file, `facts` of which are given, cell of space by cell so that it takes about `memory` at a time.
+/// What is found is the same, but perhaps for which of several cracks of a cut is told.
+Check checkCracks(
+    const hierarchy::ModelFile& file,
+    const ModelFacts& facts,
+    std::uint64_t cuts,
+    std::uint64_t seed,
+    Bytes memory,
+    Progress& progress);
 
 } // namespace gnomon::verify

@@ -4,9 +4,9 @@
 
 #include <tbb/parallel_for.h>
 
-namespace gnomon::verify {
+#include <numeric>
 
-namespace {
+namespace gnomon::verify {
 
 /// So that a few bytes that say the same again and again cannot ask for all memory. The pages of a flat sheet, which
 /// repeats itself as nothing else does, decode to 255 times their stored bytes.
@@ -24,33 +24,29 @@ void requireBelievable(const hierarchy::ModelFile& file) {
             readableBytes(decoded));
 }
 
-} // namespace
-
-LoadedModel loadModel(const hierarchy::ModelFile& file, Progress& progress) {
-    requireBelievable(file);
+LoadedModel loadPages(const hierarchy::ModelFile& file, std::span<const std::uint32_t> pages, Progress& progress) {
     LoadedModel model;
     model.summary = file.summary();
     model.pages.resize(file.pages().size());
-    std::vector<std::string> damage(file.pages().size());
-    progress.stage("read pages", "pages", model.pages.size());
-    tbb::parallel_for(std::size_t{0}, model.pages.size(), [&](std::size_t page) {
-        try {
-            model.pages[page] = file.readPage(static_cast<std::uint32_t>(page));
-        } catch (const hierarchy::PageDamage& error) {
-            damage[page] = error.what();
-        }
-        progress.advance(1);
-    });
     model.firstGroup.push_back(0);
     model.firstCluster.push_back(0);
-    for (std::size_t page = 0; page < model.pages.size(); ++page) {
-        if (!damage[page].empty()) model.damage.push_back(damage[page]);
-        const auto groups = static_cast<std::uint32_t>(model.pages[page].groups.size());
-        const auto clusters = static_cast<std::uint32_t>(model.pages[page].clusters.size());
-        model.firstGroup.push_back(model.firstGroup.back() + groups);
-        model.firstCluster.push_back(model.firstCluster.back() + clusters);
+    for (const hierarchy::PageInfo& info : file.pages()) {
+        model.firstGroup.push_back(model.firstGroup.back() + info.groupCount);
+        model.firstCluster.push_back(model.firstCluster.back() + info.clusterCount);
     }
+    tbb::parallel_for(std::size_t{0}, pages.size(), [&](std::size_t i) {
+        model.pages[pages[i]] = file.readPage(pages[i]);
+        progress.advance(1);
+    });
     return model;
+}
+
+LoadedModel loadModel(const hierarchy::ModelFile& file, Progress& progress) {
+    requireBelievable(file);
+    std::vector<std::uint32_t> all(file.pages().size());
+    std::iota(all.begin(), all.end(), 0U);
+    progress.stage("read pages", "pages", all.size());
+    return loadPages(file, all, progress);
 }
 
 } // namespace gnomon::verify

@@ -1,18 +1,17 @@
-// A whole model in memory, every page decoded once, with numbers for its groups and clusters across pages.
+// A model in memory, or some of its pages, with numbers for its groups and clusters across all of them.
 #pragma once
 
 #include "core/progress.h"
 #include "hierarchy/model_file.h"
 
-#include <string>
+#include <span>
 #include <vector>
 
 namespace gnomon::verify {
 
 struct LoadedModel {
     hierarchy::ModelSummary summary;
-    std::vector<hierarchy::Page> pages;      // empty where a page is damaged
-    std::vector<std::string> damage;         // one line for each damaged page
+    std::vector<hierarchy::Page> pages;      // empty where one is not there
     std::vector<std::uint32_t> firstGroup;   // by page, one more at the end
     std::vector<std::uint32_t> firstCluster; // by page, one more at the end
 
@@ -21,9 +20,14 @@ struct LoadedModel {
     const hierarchy::Group& group(const hierarchy::GroupRef& ref) const { return pages[ref.page].groups[ref.group]; }
 };
 
-/// Reads all pages of `file` on all threads. Throws Error where they would take more memory once decoded than a
-/// thousand times the file and 64 MiB, which no model comes near to, and if one cannot be read though it is not
-/// damaged.
+/// Reads `pages` of `file` on all threads. Throws Error if one cannot be read, damaged or not.
+LoadedModel loadPages(const hierarchy::ModelFile& file, std::span<const std::uint32_t> pages, Progress& progress);
+
+/// The same with all of them.
 LoadedModel loadModel(const hierarchy::ModelFile& file, Progress& progress);
+
+/// Throws Error where the pages of `file` would take more memory once decoded than a thousand times the file and
+/// 64 MiB, which no model comes near to.
+void requireBelievable(const hierarchy::ModelFile& file);
 
 } // namespace gnomon::verify

@@ -67,7 +67,7 @@ void forEachShared(std::vector<Use>& uses, const Take& take) {
 
 } // namespace
 
-LockedEdges::LockedEdges(const LoadedModel& model) {
+LockedEdges::LockedEdges(const LoadedModel& model, const GridBox& cell) : cell_(cell) {
     numberPositions(model);
     findLocks(model);
     findIncidences(model);
@@ -100,6 +100,12 @@ void LockedEdges::numberPositions(const LoadedModel& model) {
         if (i == 0 || places[i].position != places[i - 1].position) positions_.push_back(places[i].position);
         positionOf_[places[i].vertex] = static_cast<std::uint32_t>(positions_.size() - 1);
     }
+}
+
+bool LockedEdges::isOurs(std::uint32_t lowerEnd) const {
+    const GridPoint& p = positions_[lowerEnd];
+    return p.x >= cell_.min.x && p.x <= cell_.max.x && p.y >= cell_.min.y && p.y <= cell_.max.y && p.z >= cell_.min.z &&
+           p.z <= cell_.max.z;
 }
 
 void LockedEdges::findLocks(const LoadedModel& model) {
@@ -138,7 +144,7 @@ void LockedEdges::findLocksOfLevel(const LoadedModel& model, std::uint32_t level
             cluster,
             [&](std::uint32_t v) { return positionOf_[firstVertex_[p] + v]; },
             [&](std::uint32_t a, std::uint32_t b) {
-                if (isShared[a] && isShared[b]) uses.push_back({edgeKey(a, b), group});
+                if (isShared[a] && isShared[b] && isOurs(std::min(a, b))) uses.push_back({edgeKey(a, b), group});
             });
     });
     forEachShared(uses, [&](std::span<const Use> edge) {

@@ -15,10 +15,16 @@ struct EdgeLock {
     std::uint32_t triangles = 0;
 };
 
-/// All locked edges of a model. Positions, not vertices, make an edge: its ends are numbers of distinct positions.
+/// All of the grid.
+inline constexpr hierarchy::GridBox kWholeGrid{
+    {0, 0, 0}, {hierarchy::kMaxGridCoordinate, hierarchy::kMaxGridCoordinate, hierarchy::kMaxGridCoordinate}};
+
+/// The locked edges of a model whose lesser end, by coordinates in turn, lies in a cell of the grid. Positions, not
+/// vertices, make an edge: its ends are numbers of distinct positions. All pages whose box meets the cell must be
+/// there.
 class LockedEdges {
 public:
-    explicit LockedEdges(const LoadedModel& model);
+    explicit LockedEdges(const LoadedModel& model, const hierarchy::GridBox& cell = kWholeGrid);
 
     std::size_t count() const { return edges_.size(); }
 
@@ -40,6 +46,7 @@ public:
 
 private:
     void numberPositions(const LoadedModel& model);
+    bool isOurs(std::uint32_t lowerEnd) const;
     using FoundLock = std::pair<std::uint64_t, EdgeLock>;
 
     void findLocks(const LoadedModel& model);
@@ -47,6 +54,7 @@ private:
     void findIncidences(const LoadedModel& model);
     std::uint32_t find(std::uint64_t edge) const;
 
+    hierarchy::GridBox cell_;
     std::vector<std::uint32_t> firstVertex_; // by page
     std::vector<std::uint32_t> positionOf_;  // by vertex across pages
     std::vector<hierarchy::GridPoint> positions_;

@@ -17,7 +17,9 @@ namespace {
 
 constexpr std::size_t kMostLevels = 62; // a cut marks levels in the bits of one word
 
-Check checkChecksums(const hierarchy::ModelFile& file, const LoadedModel& model) {
+constexpr Bytes kLeastPages = mebibytes(64);
+
+Check checkChecksums(const hierarchy::ModelFile& file, const ModelFacts& model) {
     Check check{"checksums"};
     check.tested = model.pages.size();
     check.failed = model.damage.size();
@@ -55,7 +57,8 @@ Verification verifyModel(const VerifyOptions& options, Progress& progress) {
         leaveOut(verification, rest, "the tables are damaged");
         return verification;
     }
-    const LoadedModel model = loadModel(*file, progress);
+    requireBelievable(*file);
+    const ModelFacts model = readFacts(*file, progress);
     verification.checks.push_back(checkChecksums(*file, model));
     if (!model.damage.empty()) {
         leaveOut(verification, rest, "pages are damaged");
@@ -72,12 +75,14 @@ Verification verifyModel(const VerifyOptions& options, Progress& progress) {
     }
     verification.checks.push_back(checkNesting(model));
     verification.checks.push_back(checkMonotoneError(model));
-    verification.checks.push_back(checkCracks(model, options.cuts, options.seed, progress));
+    const std::uint64_t held = factsBytes(file->pages()).count;
+    const Bytes pages{std::max(kLeastPages.count, options.memory.count - std::min(options.memory.count, held))};
+    verification.checks.push_back(checkCracks(*file, model, options.cuts, options.seed, pages, progress));
     if (options.source.empty()) return verification;
     const auto mesh = read::openMeshSources(options.source, gibibytes(64));
     progress.stage("read the source", "triangles", mesh->summary().faceCount);
     const TriangleSoup soup = readSoup(*mesh, model.summary.grid, progress);
-    verification.checks.push_back(checkErrorBound(model, soup, options.seed, progress));
+    verification.checks.push_back(checkErrorBound(loadModel(*file, progress), soup, options.seed, progress));
     return verification;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/progress.h"
+#include "core/units.h"
 #include "preprocess/verify/check.h"
 
 #include <string>
@@ -14,10 +15,12 @@ struct VerifyOptions {
     std::vector<std::string> source; // paths; empty: no comparison with the source
     std::uint64_t cuts = 100;
     std::uint64_t seed = 1;
+    Bytes memory = gibibytes(2); // about what it takes, but for a comparison with the source
 };
 
 /// Runs all checks: checksums, structure, nesting, monotone_error, cracks and, with a source, error_bound. Checks that
-/// need what a failed one found broken are left out and say so. Holds the whole model in memory, and the source.
+/// need what a failed one found broken are left out and say so. Holds facts of all groups in memory, of a model of a
+/// billion triangles some 300 MB, and pages as `memory` has room for; with a source the whole model and the source.
 /// Throws Error only if a file cannot be opened at all or the source cannot be read.
 Verification verifyModel(const VerifyOptions& options, Progress& progress);
 

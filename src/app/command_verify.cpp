@@ -58,19 +58,13 @@ void print(const verify::Verification& verification, bool asJson) {
     }
 }
 
-/// Throws Error with the first check that failed.
-void expectOk(const verify::Verification& verification, const std::string& model) {
-    for (const verify::Check& check : verification.checks)
-        if (check.failed > 0)
-            throw Error(model + ": " + check.name + ": " + std::to_string(check.failed) + " failed: " + check.detail);
-}
-
 } // namespace
 
 void addVerifyCommand(CLI::App& program) {
     struct Options {
         verify::VerifyOptions verify;
         CommonOptions common;
+        std::string memory = "2G";
         bool json = false;
     };
 
@@ -85,14 +79,21 @@ void addVerifyCommand(CLI::App& program) {
     command->add_option("--seed", options->verify.seed, "Other cuts, other samples")
         ->check(seedText())
         ->capture_default_str();
+    command->add_option("--memory", options->memory, "About what to use, but for --source, which needs room for both")
+        ->check(memorySize())
+        ->capture_default_str();
     command->add_flag("--json", options->json, "Print one JSON document");
     addCommonOptions(*command, options->common);
     command->callback([options] {
         const auto progress = makeProgress(options->common);
         const ThreadLimit limit(options->common);
+        options->verify.memory = *parseBytes(options->memory);
         const verify::Verification verification = verify::verifyModel(options->verify, *progress);
         print(verification, options->json);
-        expectOk(verification, options->verify.model);
+        for (const verify::Check& c : verification.checks)
+            if (c.failed > 0)
+                throw Error(
+                    options->verify.model + ": " + c.name + ": " + std::to_string(c.failed) + " failed: " + c.detail);
     });
 }
 

@@ -3,10 +3,12 @@
 #include "hierarchy/tiny_model.h"
 #include "preprocess/read/memory_source.h"
 #include "preprocess/verify/check.h"
+#include "preprocess/verify/crack_cells.h"
 #include "preprocess/verify/cracks.h"
 #include "preprocess/verify/error_bound.h"
 #include "preprocess/verify/loaded_model.h"
 #include "preprocess/verify/locked_edges.h"
+#include "preprocess/verify/model_facts.h"
 #include "preprocess/verify/rules.h"
 #include "preprocess/verify/source_soup.h"
 #include "preprocess/verify/uniform_cut.h"
@@ -45,6 +47,13 @@ LoadedModel smallModel() {
     options.groupClusters = 3;
     options.pageGroups = 2;
     return loadedOf(tests::makeTinyModel(options));
+}
+
+ModelFacts factsOf(const LoadedModel& model) {
+    ModelFacts facts{model.summary, {}, {}};
+    for (std::size_t page = 0; page < model.pages.size(); ++page)
+        facts.pages.push_back(verify::factsOf(model.pages[page], page, model.summary.grid));
+    return facts;
 }
 
 using PlainEdge = std::pair<GridPoint, GridPoint>;
@@ -171,8 +180,9 @@ TEST(BoundsInCut, AreTheLargestErrorOfWhatStandsForAGroup) {
 
 TEST(Rules, ASoundModelKeepsThemAll) {
     const LoadedModel model = smallModel();
-    EXPECT_TRUE(refinementsResolve(model));
-    for (const Check& check : {checkStructure(model), checkNesting(model), checkMonotoneError(model)}) {
+    const ModelFacts facts = factsOf(model);
+    EXPECT_TRUE(refinementsResolve(facts));
+    for (const Check& check : {checkStructure(facts), checkNesting(facts), checkMonotoneError(facts)}) {
         EXPECT_GT(check.tested, 10U) << check.name;
         EXPECT_EQ(check.failed, 0U) << check.name << ": " << check.detail;
         EXPECT_LE(check.worst, 1e-9) << check.name;
@@ -185,28 +195,92 @@ TEST(Rules, ASoundModelKeepsThemAll) {
 }
 
 /// The first page that has refinements.
-Page& refiningPage(LoadedModel& model) {
-    for (Page& page : model.pages)
+Page& refiningPage(std::vector<Page>& pages) {
+    for (Page& page : pages)
         if (!page.refinements.empty()) return page;
     throw std::logic_error("no page refines");
+}
+
+tests::TinyModel modelOfManyPages() {
+    tests::TinyModelOptions options;
+    options.gridExponent = 6;
+    options.clusterTriangles = 32;
+    options.pageGroups = 1;
+    return tests::makeTinyModel(options);
+}
+
+TEST(CrackCells, FillTheGridAndHaveAllPagesThatMeetThem) {
+    const tests::TinyModel tiny = modelOfManyPages();
+    const std::string path = testing::TempDir() + "gnomon_crack_cells.gnm";
+    tests::writeModel(tiny, path);
+    const ModelFile file(path);
+    std::size_t most = 0;
+    for (const std::uint64_t memory : {1ULL << 40U, 1ULL << 21U, 1ULL << 19U, 1ULL << 17U, 1ULL}) {
+        const std::vector<CrackCell> cells = crackCells(file.pages(), {memory});
+        EXPECT_GE(cells.size(), most);
+        most = cells.size();
+        double volume = 0;
+        for (const CrackCell& cell : cells) {
+            const auto length = [](std::uint32_t low, std::uint32_t high) { return std::ldexp(high - low + 1U, -31); };
+            volume += length(cell.box.min.x, cell.box.max.x) * length(cell.box.min.y, cell.box.max.y) *
+                      length(cell.box.min.z, cell.box.max.z);
+            std::vector<std::uint32_t> met;
+            for (std::uint32_t p = 0; p < file.pages().size(); ++p) {
+                const GridBox& box = file.pages()[p].box;
+                if (box.min.x <= cell.box.max.x && box.max.x >= cell.box.min.x && box.min.y <= cell.box.max.y &&
+                    box.max.y >= cell.box.min.y && box.min.z <= cell.box.max.z && box.max.z >= cell.box.min.z)
+                    met.push_back(p);
+            }
+            EXPECT_EQ(cell.pages, met);
+        }
+        EXPECT_EQ(volume, 1) << "none twice, none left out";
+    }
+    EXPECT_GT(most, 4U);
+}
+
+// What a whole model in memory has, any number of cells has.
+TEST(Cracks, OfAFileCellByCellAreThoseOfTheWhole) {
+    tests::TinyModel tiny = modelOfManyPages();
+    const std::string path = testing::TempDir() + "gnomon_cracks.gnm";
+    NoProgress progress;
+    for (const bool isCracked : {false, true}) {
+        // A cluster that is drawn where what its neighbours refine to is not.
+        if (isCracked) refiningPage(tiny.pages).refinements[0].error *= 0.01;
+        tests::writeModel(tiny, path);
+        const ModelFile file(path);
+        const ModelFacts facts = readFacts(file, progress);
+        const Check whole = checkCracks(loadModel(file, progress), 40, 5, progress);
+        EXPECT_GT(whole.tested, 1000U);
+        EXPECT_EQ(whole.failed > 0, isCracked);
+        EXPECT_GT(crackCells(file.pages(), {1ULL << 17U}).size(), 4U);
+        for (const std::uint64_t memory : {1ULL << 40U, 1ULL << 19U, 1ULL << 17U}) {
+            const Check parts = checkCracks(file, facts, 40, 5, {memory}, progress);
+            EXPECT_EQ(parts.tested, whole.tested);
+            EXPECT_EQ(parts.failed, whole.failed);
+            EXPECT_EQ(parts.worst, whole.worst);
+            EXPECT_EQ(isCracked || parts.detail == whole.detail, true) << parts.detail;
+        }
+    }
 }
 
 TEST(Rules, EachBreachIsToldInItsOwnWords) {
     const auto structure = [](auto&& breakIt) {
         LoadedModel model = smallModel();
         breakIt(model);
-        return checkStructure(model).detail;
+        return checkStructure(factsOf(model)).detail;
     };
     const auto has = [](const std::string& text, const std::string& part) {
         EXPECT_NE(text.find(part), std::string::npos) << text;
     };
-    has(structure([](LoadedModel& m) { refiningPage(m).refinements[0].group.group = 1000; }), "names no finer group");
-    has(structure([](LoadedModel& m) { refiningPage(m).refinements[0].error *= 2; }),
+    has(structure([](LoadedModel& m) { refiningPage(m.pages).refinements[0].group.group = 1000; }),
+        "names no finer group");
+    has(structure([](LoadedModel& m) { refiningPage(m.pages).refinements[0].error *= 2; }),
         "bounds or an error that are not those of the group that it names");
-    has(structure([](LoadedModel& m) { refiningPage(m).refinements[0].attributeError = 1; }),
+    has(structure([](LoadedModel& m) { refiningPage(m.pages).refinements[0].attributeError = 1; }),
         "bounds or an error that are not those of the group that it names");
     has(structure([](LoadedModel& m) { m.summary.levels[1].maxAttributeError = 1; }), "summary of level 1 is not the");
-    has(structure([](LoadedModel& m) { refiningPage(m).refinements.push_back(refiningPage(m).refinements[0]); }),
+    has(structure(
+            [](LoadedModel& m) { refiningPage(m.pages).refinements.push_back(refiningPage(m.pages).refinements[0]); }),
         "belongs to no cluster");
     has(structure([](LoadedModel& m) { m.summary.levels[0].triangles += 1; }), "summary of level 0 is not the sum");
     has(structure([](LoadedModel& m) { m.summary.levels[1].maxError *= 2; }), "summary of level 1 is not the sum");
@@ -220,18 +294,18 @@ TEST(Rules, EachBreachIsToldInItsOwnWords) {
     LoadedModel dropped = smallModel();
     dropped.summary.sourceTriangles += 3;
     dropped.summary.dropped = {{"degenerate", 1}, {"doubled", 2}, {"not_a_polygon", 100}};
-    EXPECT_EQ(checkStructure(dropped).failed, 0U) << "what is no polygon has no triangles";
+    EXPECT_EQ(checkStructure(factsOf(dropped)).failed, 0U) << "what is no polygon has no triangles";
     LoadedModel unresolved = smallModel();
-    refiningPage(unresolved).refinements[0].group.page = 0;
-    EXPECT_FALSE(refinementsResolve(unresolved)) << "a page of its own level or a coarser one";
+    refiningPage(unresolved.pages).refinements[0].group.page = 0;
+    EXPECT_FALSE(refinementsResolve(factsOf(unresolved))) << "a page of its own level or a coarser one";
 }
 
 TEST(Rules, TheWorstIsHowFarItIsBroken) {
     LoadedModel loose = smallModel();
-    Page& page = refiningPage(loose);
+    Page& page = refiningPage(loose.pages);
     Group& group = page.groups[0];
     group.bounds.radius -= 0.5;
-    const Check nesting = checkNesting(loose);
+    const Check nesting = checkNesting(factsOf(loose));
     EXPECT_GT(nesting.failed, 0U);
     EXPECT_GT(nesting.worst, 0);
     EXPECT_LE(nesting.worst, 0.5 + 1e-9);
@@ -245,7 +319,7 @@ TEST(Rules, TheWorstIsHowFarItIsBroken) {
         finer =
             std::max(finer, other->refinements[other->clusters[other->groups[0].firstCluster + c].refinement].error);
     other->groups[0].error = finer - 0.125;
-    const Check monotone = checkMonotoneError(low);
+    const Check monotone = checkMonotoneError(factsOf(low));
     EXPECT_GT(monotone.failed, 0U);
     EXPECT_NEAR(monotone.worst, 0.125, 1e-12);
     EXPECT_NE(monotone.detail.find("has an error below that of one of its clusters"), std::string::npos);
@@ -263,13 +337,13 @@ TEST(Rules, ErrorsOfAttributesNeverDecreaseEither) {
             if (page.level > 0 && !std::isinf(group.error)) below += group.clusterCount;
         }
     ASSERT_GT(below, 0U);
-    const Check low = checkMonotoneError(model);
+    const Check low = checkMonotoneError(factsOf(model));
     EXPECT_EQ(low.failed, below);
     EXPECT_NE(low.detail.find("has an error of attributes below that of one of its clusters"), std::string::npos);
     for (Page& page : model.pages)
         for (Group& group : page.groups)
             group.attributeError *= 2;
-    EXPECT_EQ(checkMonotoneError(model).failed, 0U);
+    EXPECT_EQ(checkMonotoneError(factsOf(model)).failed, 0U);
 }
 
 TEST(Check, CallsForWordsOnceAndCountsAll) {

@@ -1,0 +1,97 @@
+#include "preprocess/verify/crack_cells.h"
+
+#include "preprocess/verify/locked_edges.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+namespace gnomon::verify {
+
+using namespace hierarchy;
+
+namespace {
+
+/// A vertex while locked edges are indexed: its place among all, sorted, its position's number and the first edge from
+/// there, uses by groups and edges.
+constexpr std::uint64_t kBytesPerVertex = 80;
+constexpr double kLeastGain = 0.95; // of a cell: a cut that leaves more on one side is no help
+constexpr std::array kAxes = {&GridPoint::x, &GridPoint::y, &GridPoint::z};
+
+class Cells {
+public:
+    Cells(std::span<const PageInfo> pages, Bytes memory) : pages_(pages), memory_(memory) {}
+
+    void cut(CrackCell cell) {
+        const std::uint64_t whole = bytes(cell);
+        if (whole > memory_.count) {
+            for (const auto axis : longestFirst(cell)) {
+                const std::uint32_t at = middle(cell, axis);
+                if (at >= cell.box.max.*axis) continue; // all pages begin at its end
+                CrackCell low{cell.box, {}};
+                CrackCell high{cell.box, {}};
+                low.box.max.*axis = at;
+                high.box.min.*axis = at + 1;
+                for (const std::uint32_t page : cell.pages) {
+                    if (pages_[page].box.min.*axis <= at) low.pages.push_back(page);
+                    if (pages_[page].box.max.*axis > at) high.pages.push_back(page);
+                }
+                const auto most = static_cast<double>(std::max(bytes(low), bytes(high)));
+                if (most > kLeastGain * static_cast<double>(whole)) continue;
+                cut(std::move(low));
+                cut(std::move(high));
+                return;
+            }
+        }
+        found_.push_back(std::move(cell));
+    }
+
+    std::vector<CrackCell> found() { return std::move(found_); }
+
+private:
+    std::uint64_t bytes(const CrackCell& cell) const {
+        std::uint64_t sum = 0;
+        for (const std::uint32_t page : cell.pages)
+            sum += decodedPageBytes(pages_[page]) + kBytesPerVertex * pages_[page].vertexCount;
+        return sum;
+    }
+
+    /// The axes, that along which the cell's pages reach furthest first.
+    std::array<std::uint32_t GridPoint::*, 3> longestFirst(const CrackCell& cell) const {
+        GridBox box;
+        for (const std::uint32_t page : cell.pages)
+            box.add(pages_[page].box);
+        std::array<std::uint32_t GridPoint::*, 3> axes = kAxes;
+        const auto length = [&](auto axis) {
+            return std::min(box.max.*axis, cell.box.max.*axis) - std::max(box.min.*axis, cell.box.min.*axis);
+        };
+        std::stable_sort(axes.begin(), axes.end(), [&](auto a, auto b) { return length(a) > length(b); });
+        return axes;
+    }
+
+    /// In the middle of the middles of the cell's pages, within the cell.
+    std::uint32_t middle(const CrackCell& cell, std::uint32_t GridPoint::*axis) const {
+        std::vector<std::uint32_t> middles;
+        for (const std::uint32_t page : cell.pages)
+            middles.push_back(std::midpoint(pages_[page].box.min.*axis, pages_[page].box.max.*axis));
+        const auto half = middles.begin() + static_cast<std::ptrdiff_t>(middles.size() / 2);
+        std::nth_element(middles.begin(), half, middles.end());
+        return std::clamp(*half, cell.box.min.*axis, cell.box.max.*axis);
+    }
+
+    std::span<const PageInfo> pages_;
+    Bytes memory_;
+    std::vector<CrackCell> found_;
+};
+
+} // namespace
+
+std::vector<CrackCell> crackCells(std::span<const PageInfo> pages, Bytes memory) {
+    CrackCell whole{kWholeGrid, std::vector<std::uint32_t>(pages.size())};
+    std::iota(whole.pages.begin(), whole.pages.end(), 0U);
+    Cells cells(pages, memory);
+    cells.cut(std::move(whole));
+    return cells.found();
+}
+
+} // namespace gnomon::verify

@@ -8,13 +8,13 @@ namespace gnomon::proximity {
 PreparedTriangle::PreparedTriangle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
     : corners_{a, b, c},
       edges_{b - a, c - b, a - c},
+      inwards_{
+          glm::cross(glm::cross(b - a, c - a), edges_[0]),
+          glm::cross(glm::cross(b - a, c - a), edges_[1]),
+          glm::cross(glm::cross(b - a, c - a), edges_[2])},
       normal_(glm::cross(b - a, c - a)),
-      area_(glm::dot(normal_, normal_)) {
-    for (std::size_t i = 0; i < 3; ++i)
-        inwards_[i] = glm::cross(normal_, edges_[i]);
-}
+      area_(glm::dot(normal_, normal_)) {}
 
-/// From the segment from corner `i` to the next.
 TriangleDistance PreparedTriangle::distanceToEdge(const glm::dvec3& p, std::uint32_t i) const {
     const glm::dvec3& edge = edges_[i];
     const glm::dvec3 offset = p - corners_[i];

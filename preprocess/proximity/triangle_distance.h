@@ -36,7 +36,8 @@ public:
     TriangleDistance distanceTo(const glm::dvec3& p) const;
 
 private:
-    TriangleDistance distanceToEdge(const glm::dvec3& p, std::uint32_t edge) const;
+    /// From the edge from corner `i` to the next.
+    TriangleDistance distanceToEdge(const glm::dvec3& p, std::uint32_t i) const;
 
     std::array<glm::dvec3, 3> corners_;
     std::array<glm::dvec3, 3> edges_;   // from each corner to the next

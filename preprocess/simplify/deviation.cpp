@@ -18,10 +18,9 @@ constexpr std::uint32_t kMaxHalvings = 12; // of a piece that walking cannot ass
 constexpr std::uint32_t kMaxPieces = 1024; // of one triangle
 
 /// Points of which only those that are there are copied.
-class Corners {
+class Corners { // NOLINT(cppcoreguidelines-pro-type-member-init): behind the last there is anything
 public:
-    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): behind the last there is anything
-    Corners() = default;
+    Corners() = default; // NOLINT(cppcoreguidelines-pro-type-member-init): the same
 
     Corners(const Corners& other) { *this = other; } // NOLINT(cppcoreguidelines-pro-type-member-init): as above
 
@@ -70,8 +69,8 @@ Halves cut(const Piece& piece, const glm::dvec3& point, const glm::dvec3& normal
         half->walked = piece.walked + 1;
         half->halvings = piece.halvings;
     }
-    std::array<double, 2 * kMaxCorners>
-        side; // NOLINT(cppcoreguidelines-pro-type-member-init): of the corners there are
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): of the corners that there are
+    std::array<double, 2 * kMaxCorners> side;
     double least = 0;
     double most = 0;
     for (std::uint32_t i = 0; i < piece.corners.count(); ++i) {

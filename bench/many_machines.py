@@ -18,38 +18,26 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "tests" / "
 from job import alone, run  # noqa: E402
 
 UNITS = {"K": 1 << 10, "M": 1 << 20, "G": 1 << 30}
-ALONE = ("count", "octree", "bin", "write")  # phases of rank 0
-
-
-def tasks_of(phase, told, processes):
-    """How many tasks a phase has, at the granularity that matters: its largest group of equals."""
-    chunks = told["chunks"]
-    nodes = [chunks] + [row["nodes"] for row in told["rounds"]]
-    if phase == "borders":
-        return chunks
-    if phase.startswith("bin round"):
-        return nodes[int(phase.split()[-1]) - 1]
-    return nodes[int(phase.split()[-1])]
 
 
 def scratch_bytes(phase, told, mesh_bytes):
-    """Of temporary files, without those of the source and the output."""
+    """Read and written of temporary files, without the source and the output."""
     read = phase["bytes_read"] - (mesh_bytes if phase["name"] in ("count", "bin") else 0)
     written = phase["bytes_written"] - (told["file_bytes"] if phase["name"] == "write" else 0)
-    return read + written
+    return max(read, 0), max(written, 0)
 
 
 def predicted(told, mesh_bytes, processes, rate, cores):
-    """Seconds: each task computes and then waits for its bytes; a phase lasts as long as its busiest process."""
+    """Seconds: each task computes and then waits for its bytes; a phase lasts as long as its busiest process, and no
+    more processes compute at a time than there are cores. What tasks have counted, rank 0 reads alone."""
     seconds = 0
     for phase in told["phases"]:
-        waits = scratch_bytes(phase, told, mesh_bytes) / rate
-        if phase["name"] in ALONE:
-            seconds += phase["seconds"] + waits
-            continue
-        tasks = tasks_of(phase["name"], told, processes)
+        read, written = scratch_bytes(phase, told, mesh_bytes)
+        alone = read if phase["name"] == "count" or phase["tasks"] == 0 else 0
+        tasks = max(phase["tasks"], 1)
         share = math.ceil(tasks / processes) / tasks
-        seconds += max(share * (phase["seconds"] + waits), phase["seconds"] / cores)
+        seconds += (alone + share * (read - alone + written)) / rate
+        seconds += max(share, 1 / cores if tasks > 1 else 1) * phase["seconds"]
     return seconds
 
 
@@ -71,9 +59,8 @@ def main():
         if not given.mesh:
             alone("make", "statue", "--triangles", "1M", "-o", mesh)
         words = ("build", mesh, "-o", folder / "m.gnm", "--json", "--threads", "1", "--chunk-triangles", given.chunk_triangles)
-        # By one process of MPI, which also counts tasks: those of round 0 are the chunks.
+        # By one process of MPI, which also counts tasks.
         told = min((json.loads(run(1, *words).stdout) for _ in range(given.repetitions)), key=lambda row: row["seconds"])
-        told["chunks"] = next(phase["tasks"] for phase in told["phases"] if phase["name"] == "round 0")
         for processes in map(int, given.processes.split(",")):
             expected = predicted(told, mesh.stat().st_size, processes, rate, given.cores)
             runs = [json.loads(run(processes, *words, "--scratch-rate", given.rate).stdout) for _ in range(given.repetitions)]

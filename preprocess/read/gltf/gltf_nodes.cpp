@@ -5,6 +5,8 @@
 
 #include <glm/gtc/quaternion.hpp>
 
+#include <limits>
+
 namespace gnomon::read {
 
 namespace {
@@ -35,11 +37,18 @@ glm::dmat4 toParent(const tinygltf::Node& node) {
         s.size() == 3 ? glm::dvec3(s[0], s[1], s[2]) : glm::dvec3(1));
 }
 
+/// The accessor that a number of an extension names, which the library leaves as it is in the file; -1, which is none,
+/// for what no int can be.
+int accessorOf(const tinygltf::Value& number) {
+    const double value = number.GetNumberAsDouble();
+    return value >= 0 && value <= std::numeric_limits<int>::max() ? static_cast<int>(value) : -1;
+}
+
 /// An attribute of EXT_mesh_gpu_instancing, one value an instance; empty where it is not given.
 std::vector<float> instanceValues(
     GltfFile& file, const tinygltf::Value& attributes, const char* name, std::size_t components, std::uint64_t& count) {
     if (!attributes.IsObject() || !attributes.Has(name) || !attributes.Get(name).IsNumber()) return {};
-    std::vector<float> values = numbersOf(file, attributes.Get(name).GetNumberAsInt(), components);
+    std::vector<float> values = numbersOf(file, accessorOf(attributes.Get(name)), components);
     const std::uint64_t found = values.size() / components;
     if (count > 0 && found != count)
         throw Error(

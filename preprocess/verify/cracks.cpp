@@ -142,7 +142,11 @@ CutResult judge(const LockedEdges& edges, CutEdges& cut) {
 /// Looks at the locked edges of `cell` in all views; `model` has all pages that meet it. Returns how many edges those
 /// are.
 std::size_t lookAt(
-    const LoadedModel& model, const GridBox& cell, std::span<const View> views, std::vector<CutResult>& results) {
+    const LoadedModel& model,
+    const GridBox& cell,
+    std::span<const View> views,
+    std::vector<CutResult>& results,
+    Progress& progress) {
     const LockedEdges edges(model, cell);
     tbb::enumerable_thread_specific<CutEdges> scratch;
     tbb::parallel_for(std::size_t{0}, views.size(), [&](std::size_t i) {
@@ -152,6 +156,7 @@ std::size_t lookAt(
         if (results[i].cracks == 0) results[i].detail = found.detail;
         results[i].tested += found.tested;
         results[i].cracks += found.cracks;
+        progress.advance(0); // a chance to stop
     });
     return edges.count();
 }
@@ -181,7 +186,7 @@ Check checkCracks(const LoadedModel& model, std::uint64_t cuts, std::uint64_t se
     for (const Page& page : model.pages)
         source.add(page.level, page.groups);
     std::vector<CutResult> results(cuts);
-    const std::size_t edges = lookAt(model, kWholeGrid, source.draw(cuts, seed), results);
+    const std::size_t edges = lookAt(model, kWholeGrid, source.draw(cuts, seed), results, progress);
     progress.advance(1);
     return checkOf(results, edges);
 }
@@ -208,7 +213,7 @@ Check checkCracks(
     std::vector<CutResult> results(cuts);
     std::uint64_t edges = 0;
     for (const CrackCell& cell : cells)
-        edges += lookAt(loadPages(file, cell.pages, progress), cell.box, views, results);
+        edges += lookAt(loadPages(file, cell.pages, progress), cell.box, views, results, progress);
     return checkOf(results, edges);
 }
 

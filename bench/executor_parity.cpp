@@ -1,5 +1,6 @@
-// The software executor against GL on OSMesa over seeded views, lights and settings of a model: what differs, by
-// scheme, and who is off where map depths do. usage: executor_parity MODEL.gnm TRIPLES [SIDE] [TEXELS] [FIRST_SEED]
+// The software executor against GL on OSMesa, or EGL with GNOMON_TEST_GL=egl, over seeded views, lights and settings of
+// a model: what differs, by scheme, and who is off where map depths do. usage: executor_parity MODEL.gnm TRIPLES [SIDE]
+// [TEXELS] [FIRST_SEED]
 #include "bench/exact_depth.h"
 #include "core/random.h"
 #include "executor/gl/gl_executor.h"
@@ -8,6 +9,7 @@
 #include "gl/shader_library.h"
 #include "tests/executor/executor_comparison.h"
 #include "tests/executor/field.h"
+#include "tests/gl/tested_platform.h"
 
 #include <algorithm>
 #include <cmath>
@@ -138,7 +140,7 @@ struct Options {
 void compareModel(const Options& options) {
     const hierarchy::ModelFile model(options.model);
     const std::unique_ptr<Executor> ours = makeSoftwareExecutor();
-    const std::unique_ptr<Executor> gl = makeGlExecutor(gl::Platform::Osmesa, gl::ShaderLibrary(), gibibytes(1));
+    const std::unique_ptr<Executor> gl = makeGlExecutor(gl::testedPlatform(), gl::ShaderLibrary(), gibibytes(1));
     frame::Renderer ourRenderer(model, *ours, {});
     frame::Renderer glRenderer(model, *gl, {});
     Findings all;
@@ -151,6 +153,7 @@ void compareModel(const Options& options) {
         quality.shadowTexelsWidth = quality.shadowTexelsHeight = options.texels;
         frame::FrameOptions frameOptions;
         frameOptions.overlay = static_cast<Overlay>(seed / 2 % 8);
+        frameOptions.wantsWholeMaps = true;
         ourRenderer.forget();
         glRenderer.forget();
         const frame::Frame frame = ourRenderer.render(view, quality, frameOptions);

@@ -9,18 +9,30 @@
 namespace gnomon::executor {
 namespace {
 
+/// The largest difference between `map` at (x, y) and the texels about it.
+double steepest(const FloatPicture& map, int x, int y) {
+    double most = 0;
+    for (int row = std::max(y - 1, 0); row <= std::min(y + 1, map.height - 1); ++row)
+        for (int column = std::max(x - 1, 0); column <= std::min(x + 1, map.width - 1); ++column)
+            most = std::max(most, std::abs(double{map.at(column, row)} - double{map.at(x, y)}));
+    return most;
+}
+
 void compareMaps(const FloatPicture& a, const FloatPicture& b, ExecutorDifference& found) {
     GNOMON_CHECK_OP(a.pixels.size(), ==, b.pixels.size());
-    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-        const bool isA = a.pixels[i] < 1;
-        const bool isB = b.pixels[i] < 1;
-        if (isA != isB) ++found.texelCover;
-        if (!isA || !isB) continue;
-        ++found.texels;
-        const double depth = std::abs(double{a.pixels[i]} - double{b.pixels[i]});
-        if (depth > 1e-5) ++found.texelWrong;
-        found.largestTexelDepth = std::max(found.largestTexelDepth, depth);
-    }
+    for (int y = 0; y < a.height; ++y)
+        for (int x = 0; x < a.width; ++x) {
+            const bool isA = a.at(x, y) < 1;
+            const bool isB = b.at(x, y) < 1;
+            if (isA != isB) ++found.texelCover;
+            if (!isA || !isB) continue;
+            ++found.texels;
+            const double depth = std::abs(double{a.at(x, y)} - double{b.at(x, y)});
+            found.largestTexelDepth = std::max(found.largestTexelDepth, depth);
+            if (depth <= 1e-5) continue;
+            ++found.texelWrong;
+            if (depth > 1e-5 + std::max(steepest(a, x, y), steepest(b, x, y)) / 128) ++found.texelMoved;
+        }
 }
 
 } // namespace
@@ -33,6 +45,7 @@ void ExecutorDifference::operator+=(const ExecutorDifference& other) {
     texels += other.texels;
     texelCover += other.texelCover;
     texelWrong += other.texelWrong;
+    texelMoved += other.texelMoved;
     largestTexelDepth = std::max(largestTexelDepth, other.largestTexelDepth);
 }
 

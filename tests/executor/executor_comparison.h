@@ -16,12 +16,15 @@ struct ExecutorDifference {
     std::size_t texels = 0;       // of shadow maps, covered by both
     std::size_t texelCover = 0;   // by one alone
     std::size_t texelWrong = 0;   // of those covered by both: depths differ by more than 1e-5
+    std::size_t texelMoved = 0;   // and by more than both maps' steps to a neighbour explain (see below)
     double largestTexelDepth = 0; // the largest such difference
 
     void operator+=(const ExecutorDifference& other);
 };
 
-/// Of the last frame of each.
+/// Of the last frame of each. A card puts vertices on a grid of 1/256 texel and leaves their depths: so a depth may be
+/// off by what the triangle's plane changes in that, which `texelMoved` grants as 1/128 of the largest step to a
+/// neighbour.
 ExecutorDifference difference(Executor& a, Executor& b);
 
 } // namespace gnomon::executor

@@ -5,6 +5,7 @@
 #include "gl/shader_library.h"
 #include "tests/executor/field.h"
 #include "tests/gl/counted_calls.h"
+#include "tests/gl/tested_platform.h"
 
 #include <gtest/gtest.h>
 
@@ -72,7 +73,7 @@ TEST(GlSubmission, GivesADriverNothingToComplainOf) {
         return found;
     };
     context.api().useProgram(0xFFFF); // there is none: the log must say so, or an empty one says nothing
-    EXPECT_EQ(complaints().size(), 1U);
+    EXPECT_GE(complaints().size(), 1U);
     EXPECT_THROW(context.check("the same error"), Error);
     const auto executor = makeWindowExecutor(context, gl::ShaderLibrary(), mebibytes(256), GlSubmission::Queues);
     for (std::uint64_t seed = 0; seed < 22; ++seed) {
@@ -90,7 +91,7 @@ TEST(GlSubmission, DrawsTheSamePictureHoweverItWaits) {
     std::vector<FloatPicture> depths;
     for (const GlSubmission submission :
          {GlSubmission::WaitsForEachPass, GlSubmission::WaitsForEachFrame, GlSubmission::Queues}) {
-        const gl::Context context(gl::Platform::Osmesa);
+        const gl::Context context(gl::testedPlatform());
         // Little memory: what the rings hold comes round within a frame.
         const auto executor = makeWindowExecutor(context, gl::ShaderLibrary(), mebibytes(48), submission);
         for (std::uint64_t seed = 0; seed < 3; ++seed) {

@@ -5,6 +5,7 @@
 #include "executor/software_executor.h"
 #include "gl/shader_library.h"
 #include "tests/executor/field.h"
+#include "tests/gl/tested_platform.h"
 
 #include <gtest/gtest.h>
 
@@ -95,7 +96,7 @@ TEST(RayPass, DecidesEachSample) {
 
 // Rays of OpenGL begin off surfaces that floats tell of: less true in light as low as this.
 TEST(RayPass, OpenGlBeginsOffItsSurfaces) {
-    const std::unique_ptr<Executor> gl = makeGlExecutor(gl::Platform::Osmesa, gl::ShaderLibrary(), mebibytes(64));
+    const std::unique_ptr<Executor> gl = makeGlExecutor(gl::testedPlatform(), gl::ShaderLibrary(), mebibytes(64));
     raycast::KeptTrees trees;
     std::size_t wrong = 0;
     std::size_t dark = 0;

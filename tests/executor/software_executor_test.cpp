@@ -5,6 +5,7 @@
 #include "gl/shader_library.h"
 #include "tests/executor/executor_comparison.h"
 #include "tests/executor/field.h"
+#include "tests/gl/tested_platform.h"
 
 #include <gtest/gtest.h>
 #include <tbb/task_arena.h>
@@ -31,7 +32,7 @@ ExecutorDifference compareSeeds(
     std::uint64_t first, std::uint64_t count, bool overlays, ComparedLight light = ComparedLight::Sun) {
     const Field field;
     const std::unique_ptr<Executor> ours = makeSoftwareExecutor();
-    const std::unique_ptr<Executor> gl = makeGlExecutor(gl::Platform::Osmesa, gl::ShaderLibrary(), mebibytes(64));
+    const std::unique_ptr<Executor> gl = makeGlExecutor(gl::testedPlatform(), gl::ShaderLibrary(), mebibytes(64));
     ExecutorDifference found;
     for (std::uint64_t seed = first; seed < first + count; ++seed) {
         plan::View view = field.view(seed);
@@ -52,6 +53,8 @@ ExecutorDifference compareSeeds(
 constexpr std::uint64_t kTexelsOfSun = 50000;
 constexpr std::uint64_t kTexelsOfLamp = 5000;
 
+constexpr std::uint64_t kTexelsOfACard = 1000;
+
 void expectAlike(const ExecutorDifference& found, std::uint64_t texels = kTexelsOfSun) {
     EXPECT_LE(found.coverage * 10000, found.pixels);
     EXPECT_LE(found.color * 1000, found.pixels);
@@ -60,7 +63,11 @@ void expectAlike(const ExecutorDifference& found, std::uint64_t texels = kTexels
     EXPECT_LE(found.texelCover * 10000, found.texels);
     // Where one alone covers a texel with the nearest triangle, another behind it shows: a matter of coverage.
     // On steep triangles OpenGL's single-precision planes were seen to be off by up to 7e-5, ours by 5e-6.
-    EXPECT_LE(found.texelWrong * texels, found.texels);
+    if (gl::testedPlatform() == gl::Platform::Egl) {
+        EXPECT_LE(found.texelMoved * kTexelsOfACard, found.texels);
+    } else {
+        EXPECT_LE(found.texelWrong * texels, found.texels);
+    }
 }
 
 TEST(SoftwareExecutor, DrawsWhatGlDraws) {
@@ -116,7 +123,7 @@ std::size_t unlike(const FloatPicture& a, const FloatPicture& b) {
 TEST(Onlooker, SeesTheFramesGeometryFromWhereItStands) {
     const Field field;
     const std::unique_ptr<Executor> ours = makeSoftwareExecutor();
-    const std::unique_ptr<Executor> gl = makeGlExecutor(gl::Platform::Osmesa, gl::ShaderLibrary(), mebibytes(64));
+    const std::unique_ptr<Executor> gl = makeGlExecutor(gl::testedPlatform(), gl::ShaderLibrary(), mebibytes(64));
     for (std::uint64_t seed = 0; seed < 4; ++seed) {
         const plan::FramePlan watched = field.plan(field.view(seed), fieldQuality(seed));
         const plan::FramePlan watching = field.plan(field.view(seed + 102), fieldQuality(seed));

@@ -5,6 +5,7 @@
 #include "executor/software_executor.h"
 #include "frame/accumulation.h"
 #include "frame/drawn_model.h"
+#include "tests/gl/tested_platform.h"
 
 #include <gtest/gtest.h>
 
@@ -204,7 +205,7 @@ TEST_P(AccumulationTwins, DrawWholeMapsOnce) {
 }
 
 std::unique_ptr<executor::Executor> osmesa() {
-    return executor::makeGlExecutor(gl::Platform::Osmesa, gl::ShaderLibrary(std::nullopt), mebibytes(64));
+    return executor::makeGlExecutor(gl::testedPlatform(), gl::ShaderLibrary(std::nullopt), mebibytes(64));
 }
 
 INSTANTIATE_TEST_SUITE_P(Software, AccumulationTwins, testing::Values(&executor::makeSoftwareExecutor));

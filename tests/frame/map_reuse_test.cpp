@@ -4,6 +4,7 @@
 #include "executor/software_executor.h"
 #include "frame/renderer.h"
 #include "hierarchy/tiny_model.h"
+#include "tests/gl/tested_platform.h"
 
 #include <gtest/gtest.h>
 
@@ -286,7 +287,7 @@ TEST_P(MapReuse, ASeededWalkShowsTheSamePictures) {
 }
 
 std::unique_ptr<executor::Executor> reuseOnOsmesa() {
-    return executor::makeGlExecutor(gl::Platform::Osmesa, gl::ShaderLibrary(std::nullopt), mebibytes(64));
+    return executor::makeGlExecutor(gl::testedPlatform(), gl::ShaderLibrary(std::nullopt), mebibytes(64));
 }
 
 INSTANTIATE_TEST_SUITE_P(Software, MapReuse, testing::Values(&executor::makeSoftwareExecutor));

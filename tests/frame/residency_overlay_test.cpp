@@ -4,6 +4,7 @@
 #include "executor/software_executor.h"
 #include "frame/renderer.h"
 #include "hierarchy/tiny_model.h"
+#include "tests/gl/tested_platform.h"
 
 #include <gtest/gtest.h>
 
@@ -122,7 +123,7 @@ TEST_P(ResidencyOverlay, IsDarkRedWherePagesAreDamaged) {
 }
 
 std::unique_ptr<executor::Executor> residencyOnOsmesa() {
-    return executor::makeGlExecutor(gl::Platform::Osmesa, gl::ShaderLibrary(std::nullopt), mebibytes(64));
+    return executor::makeGlExecutor(gl::testedPlatform(), gl::ShaderLibrary(std::nullopt), mebibytes(64));
 }
 
 INSTANTIATE_TEST_SUITE_P(Software, ResidencyOverlay, testing::Values(&executor::makeSoftwareExecutor));

@@ -3,6 +3,7 @@
 #include "gl/objects.h"
 #include "gl/program.h"
 #include "gl/window.h"
+#include "tests/gl/tested_platform.h"
 
 #include <gtest/gtest.h>
 
@@ -81,7 +82,7 @@ TEST(Context, OsmesaIsNoHardware) {
 }
 
 TEST(Context, AnErrorIsThrownWithItsPlace) {
-    const Context context(Platform::Osmesa);
+    const Context context(testedPlatform());
     context.api().enable(0xFFFF);
     try {
         context.check("the test");
@@ -93,7 +94,7 @@ TEST(Context, AnErrorIsThrownWithItsPlace) {
 }
 
 TEST(Program, AShaderThatDoesNotCompileIsNamedWithTheLog) {
-    const Context context(Platform::Osmesa);
+    const Context context(testedPlatform());
     const ShaderLibrary library(shaderFolder("void main() { nonsense; }\n"));
     try {
         const Program program(context.api(), library, "a.vert", "a.frag");
@@ -105,7 +106,7 @@ TEST(Program, AShaderThatDoesNotCompileIsNamedWithTheLog) {
 }
 
 TEST(Object, MovesAndDeletesOnce) {
-    const Context context(Platform::Osmesa);
+    const Context context(testedPlatform());
     Buffer a(context.api(), 16);
     const GLuint name = a.id();
     Buffer b(std::move(a));

@@ -1,7 +1,8 @@
-// A context of OSMesa that counts the calls of every function of OpenGL.
+// A context that counts the calls of every function of OpenGL.
 #pragma once
 
 #include "gl/native_context.h"
+#include "tests/gl/tested_platform.h"
 
 #include <array>
 #include <cstddef>
@@ -59,7 +60,9 @@ inline FunctionPointer function(const char* wanted) {
 
 class CountedContext final : public NativeContext {
 public:
-    CountedContext() : real_(makeOsmesaContext()) { counted::source = real_->functionSource(); }
+    CountedContext() : real_(testedPlatform() == Platform::Egl ? makeEglContext() : makeOsmesaContext()) {
+        counted::source = real_->functionSource();
+    }
 
     FunctionSource functionSource() const override { return &counted::function; }
 

@@ -3,6 +3,7 @@
 #include "gl/gpu_timer.h"
 #include "gl/mapped_ring.h"
 #include "tests/gl/counted_calls.h"
+#include "tests/gl/tested_platform.h"
 
 #include <gtest/gtest.h>
 
@@ -42,7 +43,7 @@ TEST(MappedRing, GivesEveryCopyItsOwnBytesOverManyRounds) {
 }
 
 TEST(MappedRing, PiecesThatMayStillBeReadAreApart) {
-    const Context context(Platform::Osmesa);
+    const Context context(testedPlatform());
     MappedRing ring(context.api(), 1024);
     std::set<std::size_t> offsets;
     for (int i = 0; i < 12; ++i) // three segments of four
@@ -51,13 +52,13 @@ TEST(MappedRing, PiecesThatMayStillBeReadAreApart) {
 }
 
 TEST(MappedRingDeathTest, HasNoPieceLargerThanASegment) {
-    const Context context(Platform::Osmesa);
+    const Context context(testedPlatform());
     MappedRing ring(context.api(), 1024);
     EXPECT_DEATH(ring.take(1025), "1025");
 }
 
 TEST(GpuTimer, KnowsTheLastPassThatIsDone) {
-    const Context context(Platform::Osmesa);
+    const Context context(testedPlatform());
     GpuTimer timer(context.api());
     EXPECT_EQ(timer.latest().count, 0);
     for (int pass = 0; pass < 9; ++pass) { // more than it keeps

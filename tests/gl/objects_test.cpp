@@ -6,6 +6,7 @@
 #include "gl/native_context.h"
 #include "gl/objects.h"
 #include "gl/picture_fill.h"
+#include "tests/gl/tested_platform.h"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +19,7 @@ namespace gnomon::gl {
 namespace {
 
 TEST(Texture, GivesBackWhatWasWritten) {
-    const Context context(Platform::Osmesa);
+    const Context context(testedPlatform());
     const Texture bytes(context.api(), GL_RGBA8, 5, 3);
     EXPECT_EQ(bytes.width(), 5);
     EXPECT_EQ(bytes.height(), 3);
@@ -39,7 +40,7 @@ TEST(Texture, GivesBackWhatWasWritten) {
 }
 
 TEST(Texture, OfWindowPicturesHasTheirBytesInTheirOrder) {
-    const Context context(Platform::Osmesa);
+    const Context context(testedPlatform());
     const Texture texture = Texture::ofWindowPictures(context.api(), 2, 2);
     EXPECT_EQ(texture.width(), 2);
     EXPECT_EQ(texture.height(), 2);
@@ -123,7 +124,7 @@ int offBy(const Context& context, int width, int height, int larger) {
 
 // As large as the window it is there to the bit; in a larger one each pixel is a mix of the nearest four.
 TEST(PictureFill, FillsWhatIsBoundWithThePicture) {
-    const Context context(Platform::Osmesa);
+    const Context context(testedPlatform());
     EXPECT_EQ(offBy(context, 37, 23, 1), 0);
     EXPECT_EQ(offBy(context, 320, 200, 1), 0);
     EXPECT_LE(offBy(context, 200, 140, 2), 4);
@@ -132,7 +133,7 @@ TEST(PictureFill, FillsWhatIsBoundWithThePicture) {
 }
 
 TEST(Framebuffer, OfWhatDoesNotFitTogetherIsRefused) {
-    const Context context(Platform::Osmesa);
+    const Context context(testedPlatform());
     const Texture color(context.api(), GL_RGBA8, 8, 8);
     const Texture depth(context.api(), GL_DEPTH_COMPONENT32F, 8, 8);
     const std::array<const Texture*, 1> colors{&color};
@@ -142,7 +143,7 @@ TEST(Framebuffer, OfWhatDoesNotFitTogetherIsRefused) {
 }
 
 TEST(BufferDeathTest, IsWrittenInPiecesAndNotPastItsEnd) {
-    const Context context(Platform::Osmesa);
+    const Context context(testedPlatform());
     const Buffer buffer(context.api(), 12);
     EXPECT_EQ(buffer.size(), 12U);
     const std::array<std::uint32_t, 2> first{1, 2};
@@ -165,7 +166,7 @@ TEST(Object, OfNothingOwnsNothing) {
 }
 
 TEST(Context, KnowsItsRendererAndItsLimits) {
-    const Context context(Platform::Osmesa);
+    const Context context(testedPlatform());
     EXPECT_NE(context.renderer(), "");
     EXPECT_GE(context.maxTextureSize(), 4096);
 }

@@ -8,6 +8,7 @@
 #include "preprocess/make/named_model.h"
 #include "preprocess/pipeline/build_model.h"
 #include "preprocess/read/open_mesh_sources.h"
+#include "tests/gl/tested_platform.h"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +20,7 @@ namespace {
 
 std::unique_ptr<executor::Executor> executorOf(Backend backend) {
     if (backend == Backend::Software) return executor::makeSoftwareExecutor();
-    return executor::makeGlExecutor(gl::Platform::Osmesa, gl::ShaderLibrary(), gibibytes(1));
+    return executor::makeGlExecutor(gl::testedPlatform(), gl::ShaderLibrary(), gibibytes(1));
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include "frame/renderer.h"
 #include "frame/shadow_triples.h"
 #include "proof/frame_proof.h"
+#include "tests/gl/tested_platform.h"
 
 #include <gtest/gtest.h>
 
@@ -110,7 +111,7 @@ TEST(LampMaps, KeepTheirPromiseAndTheShadowsOfRaysThroughOpenGl) {
     LampStage stage(
         "plant",
         20000,
-        executor::makeGlExecutor(gl::Platform::Osmesa, gl::ShaderLibrary(std::nullopt), mebibytes(256)));
+        executor::makeGlExecutor(gl::testedPlatform(), gl::ShaderLibrary(std::nullopt), mebibytes(256)));
     expectLampsKept(stage, 12, 0.02, std::nullopt);
 }
 

@@ -9,6 +9,7 @@
 #include "tests/executor/field.h"
 #include "tests/executor/plain_shading.h"
 #include "tests/frame/drawn_model.h"
+#include "tests/gl/tested_platform.h"
 
 #include <gtest/gtest.h>
 
@@ -49,7 +50,7 @@ void compareLookups(executor::Executor& gl, const executor::Field& field, std::u
 TEST(ShadowLookup, OfOpenGlIsThatOfPlainCodeOverTheSameMaps) {
     const executor::Field field;
     const std::unique_ptr<executor::Executor> gl =
-        executor::makeGlExecutor(gl::Platform::Osmesa, gl::ShaderLibrary(), mebibytes(64));
+        executor::makeGlExecutor(gl::testedPlatform(), gl::ShaderLibrary(), mebibytes(64));
     Asked asked;
     for (std::uint64_t seed = 1; seed <= 12; ++seed)
         compareLookups(*gl, field, seed, asked);

@@ -7,6 +7,7 @@
 #include "gl/shader_library.h"
 #include "hierarchy/tiny_model.h"
 #include "proof/frame_proof.h"
+#include "tests/gl/tested_platform.h"
 
 #include <gtest/gtest.h>
 
@@ -209,7 +210,7 @@ TEST(MeasuredAliasing, IsTheSameThroughOpenGl) {
     options.measuresAliasing = true;
     std::array<std::unique_ptr<executor::Executor>, 2> executors = {
         executor::makeSoftwareExecutor(),
-        executor::makeGlExecutor(gl::Platform::Osmesa, gl::ShaderLibrary(), mebibytes(64))};
+        executor::makeGlExecutor(gl::testedPlatform(), gl::ShaderLibrary(), mebibytes(64))};
     for (std::uint64_t i = 0; i < 6; ++i) {
         const ShadowTriple triple = tests::shadowTriple(model.file().summary().bounds, i, 128, 256);
         std::array<double, 2> measured{};
@@ -228,7 +229,7 @@ TEST(MeasuredAliasing, IsTheSameThroughOpenGl) {
 TEST(GivenRange, LeavesTheSurfacesOutsideItTheirShadows) {
     Stage stage = softwareStage("plant", 20000);
     Stage throughGl = {
-        "plant", 20000, executor::makeGlExecutor(gl::Platform::Osmesa, gl::ShaderLibrary(), mebibytes(64))};
+        "plant", 20000, executor::makeGlExecutor(gl::testedPlatform(), gl::ShaderLibrary(), mebibytes(64))};
     ProofOptions options;
     options.oracle = Oracle::SameDetail;
     std::array<std::uint64_t, 3> wrong{};
@@ -280,7 +281,7 @@ TEST(RayTracedShadows, AreTheSameThroughOpenGl) {
     std::array<executor::Picture, 2> pictures;
     std::array<std::unique_ptr<executor::Executor>, 2> executors = {
         executor::makeSoftwareExecutor(),
-        executor::makeGlExecutor(gl::Platform::Osmesa, gl::ShaderLibrary(), mebibytes(64))};
+        executor::makeGlExecutor(gl::testedPlatform(), gl::ShaderLibrary(), mebibytes(64))};
     for (std::size_t e = 0; e < 2; ++e) {
         frame::Renderer(model.file(), *executors[e], {}).render(triple.view, triple.quality, {});
         pictures[e] = executors[e]->picture();

@@ -1,4 +1,5 @@
 // The rasteriser against llvmpipe: the same coverage but for a few pixels in a million, and the same depth.
+#include "tests/gl/tested_platform.h"
 #include "tests/raster/gl_depth.h"
 #include "tests/raster/scenes.h"
 
@@ -46,7 +47,7 @@ Difference depthDifference(const gl::Context& context, const Scene& scene) {
 }
 
 TEST(GlParity, SheetsOfEverySizeOfTriangle) {
-    const gl::Context context(gl::Platform::Osmesa);
+    const gl::Context context(gl::testedPlatform());
     for (const double spacing : {1.4, 4.0, 14.0, 100.0}) {
         // Seven tenths of the target, so that there is an outline.
         const int quads = static_cast<int>(0.7 * kGlSide / spacing);
@@ -58,7 +59,7 @@ TEST(GlParity, SheetsOfEverySizeOfTriangle) {
 }
 
 TEST(GlParity, EdgesOnPixelCentresBelongToTheSameSide) {
-    const gl::Context context(gl::Platform::Osmesa);
+    const gl::Context context(gl::testedPlatform());
     Random random(3);
     Scene scene;
     for (std::uint32_t i = 0; i < 400; ++i) {
@@ -78,7 +79,7 @@ TEST(GlParity, EdgesOnPixelCentresBelongToTheSameSide) {
 }
 
 TEST(GlParity, PerspectiveThroughNear) {
-    const gl::Context context(gl::Platform::Osmesa);
+    const gl::Context context(gl::testedPlatform());
     for (std::uint64_t seed = 0; seed < 8; ++seed) {
         const Scene scene = soup(120, seed);
         const std::vector<Cluster> clusters = scene.clusters();

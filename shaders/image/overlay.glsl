@@ -6,7 +6,7 @@ vec3 indexColor(int index) {
     const vec3 colors[8] = vec3[](
         vec3(0.74, 0.57, 0.29), vec3(0.49, 0.12, 0.1), vec3(0.75, 0.9, 0.47), vec3(0.2, 0.38, 0.53),
         vec3(0.96, 0.99, 0.93), vec3(0.26, 0.03, 0.35), vec3(0.21, 0.8, 0.76), vec3(0.09, 0.54, 0.46));
-    return colors[index % 8];
+    return colors[uint(index) % 8u]; // -1 where there is no map, and no array has that
 }
 
 // Dark blue up to 1/4, grey at 1, orange at 4 and pale yellow from 16: one step a factor of 4.

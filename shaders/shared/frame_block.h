@@ -99,7 +99,9 @@ GNOMON_BLOCK(3, OtherPartitions) {
     Partition otherPartitions[GNOMON_MAX_PARTITIONS - GNOMON_FIRST_PARTITIONS];
 };
 
+/// At -1, where there is no map, some other one: compilers that see that index at every pixel refuse to read there.
 Partition partitionAt(int index) {
+    index = max(index, 0);
 #if MANY_PARTITIONS
     if (index >= GNOMON_FIRST_PARTITIONS) return otherPartitions[index - GNOMON_FIRST_PARTITIONS];
 #endif

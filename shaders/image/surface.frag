@@ -4,6 +4,7 @@
 // MANY_PARTITIONS: 1 if there are more than the first block holds. OVERLAY: 0 none, see overlay.glsl.
 #include "shared/frame_block.h"
 #include "image/light.glsl"
+#include "image/lit_alpha.glsl"
 #include "image/shadow_lookup.glsl"
 #include "image/overlay.glsl"
 
@@ -16,9 +17,6 @@ in Surface {
 };
 
 layout(binding = 1) uniform sampler2D litMask;
-
-// A window sees no difference, and who counts the pixels that the light reaches does.
-const float kLitAlpha = 254.0 / 255.0;
 
 layout(location = 0) out vec4 pixel;
 #if AUXILIARY

@@ -7,6 +7,7 @@
 #define GNOMON_GL_FUNCTIONS(X)                                                                                         \
     X(PFNGLACTIVETEXTUREPROC, activeTexture, "glActiveTexture")                                                        \
     X(PFNGLATTACHSHADERPROC, attachShader, "glAttachShader")                                                           \
+    X(PFNGLBEGINQUERYPROC, beginQuery, "glBeginQuery")                                                                 \
     X(PFNGLBINDBUFFERPROC, bindBuffer, "glBindBuffer")                                                                 \
     X(PFNGLBINDBUFFERRANGEPROC, bindBufferRange, "glBindBufferRange")                                                  \
     X(PFNGLBINDFRAMEBUFFERPROC, bindFramebuffer, "glBindFramebuffer")                                                  \
@@ -42,6 +43,7 @@
     X(PFNGLDRAWARRAYSPROC, drawArrays, "glDrawArrays")                                                                 \
     X(PFNGLENABLEPROC, enable, "glEnable")                                                                             \
     X(PFNGLENABLEVERTEXARRAYATTRIBPROC, enableVertexArrayAttrib, "glEnableVertexArrayAttrib")                          \
+    X(PFNGLENDQUERYPROC, endQuery, "glEndQuery")                                                                       \
     X(PFNGLFENCESYNCPROC, fenceSync, "glFenceSync")                                                                    \
     X(PFNGLFINISHPROC, finish, "glFinish")                                                                             \
     X(PFNGLGETERRORPROC, getError, "glGetError")                                                                       \
@@ -62,6 +64,7 @@
     X(PFNGLNAMEDBUFFERSTORAGEPROC, namedBufferStorage, "glNamedBufferStorage")                                         \
     X(PFNGLNAMEDBUFFERSUBDATAPROC, namedBufferSubData, "glNamedBufferSubData")                                         \
     X(PFNGLNAMEDFRAMEBUFFERDRAWBUFFERSPROC, namedFramebufferDrawBuffers, "glNamedFramebufferDrawBuffers")              \
+    X(PFNGLNAMEDFRAMEBUFFERPARAMETERIPROC, namedFramebufferParameteri, "glNamedFramebufferParameteri")                 \
     X(PFNGLNAMEDFRAMEBUFFERTEXTUREPROC, namedFramebufferTexture, "glNamedFramebufferTexture")                          \
     X(PFNGLPIXELSTOREIPROC, pixelStorei, "glPixelStorei")                                                              \
     X(PFNGLPROGRAMUNIFORM1IPROC, programUniform1i, "glProgramUniform1i")                                               \

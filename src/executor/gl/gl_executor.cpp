@@ -6,6 +6,7 @@
 #include "executor/gl/geometry_pool.h"
 #include "executor/gl/gl_batch.h"
 #include "executor/gl/gl_targets.h"
+#include "executor/gl/lit_count.h"
 #include "executor/light/background.h"
 #include "executor/lod_substitutes.h"
 #include "gl/gpu_timer.h"
@@ -122,7 +123,11 @@ private:
     std::optional<gl::Program> depthProgram_;
     std::optional<gl::Program> skyProgram_;
     gl::VertexArray vertexless_;
-    int unaskedFrames_ = 0;                              // since the lit pixels were counted
+    std::optional<LitCount> litCount_;
+    plan::Shading shading_{};                            // of the last frame
+    plan::Shading countedShading_{};                     // of the frame whose lit pixels are counted
+    bool isCounting_ = false;                            // where frames are not waited for
+    int unaskedFrames_ = 0;                              // since lit pixels were counted
     std::map<std::string, gl::Program> surfacePrograms_; // by their defines
     GlTargets targets_;
     gl::Texture litMask_;
@@ -146,6 +151,7 @@ PassStatistics GlExecutor::drawImage(const FrameDrawing& frame) {
     prepareTargets(frame);
     drawCalls_ = 0;
     depth_ = lensOf(frame).depth;
+    shading_ = frame.shading;
     const Stopwatch watch;
     if (imageTimer_) imageTimer_->begin();
     drawSurfaces(frame);
@@ -254,11 +260,11 @@ const gl::Program& GlExecutor::surfaceProgram(const FrameDrawing& frame) {
         .first->second;
 }
 
-/// Reading a picture back waits for it: where nothing is waited for, only now and then.
 std::optional<std::uint64_t> GlExecutor::litPixels() {
-    constexpr int kFramesBetween = 16;
-    if (submission_ == GlSubmission::Queues && unaskedFrames_++ % kFramesBetween != 0) return std::nullopt;
-    return targets().litPixels();
+    context_->makeCurrent();
+    if (!litCount_) litCount_.emplace(api(), shaders_);
+    if (submission_ == GlSubmission::Queues) return litCount_->nowAndThen(targets_.color(), shading_);
+    return litCount_->of(targets_.color());
 }
 
 void GlExecutor::drawBackground(const FrameDrawing& frame) {

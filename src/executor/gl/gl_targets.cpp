@@ -5,12 +5,6 @@
 
 namespace gnomon::executor {
 
-namespace {
-
-constexpr std::uint8_t kLitAlpha = 254; // as shaders/image/surface.frag has it
-
-} // namespace
-
 Bytes GlTargets::bytes(const FrameDrawing& frame) const {
     const auto texels = [](int width, int height) {
         return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
@@ -109,14 +103,6 @@ LightPicture GlTargets::light() const {
     }
     flipRows(result);
     return result;
-}
-
-std::uint64_t GlTargets::litPixels() const {
-    std::vector<std::array<std::uint8_t, 4>> pixels(
-        static_cast<std::size_t>(image_->color.width()) * static_cast<std::size_t>(image_->color.height()));
-    image_->color.read(GL_RGBA, GL_UNSIGNED_BYTE, std::as_writable_bytes(std::span(pixels)));
-    return static_cast<std::uint64_t>(
-        std::count_if(pixels.begin(), pixels.end(), [](const auto& pixel) { return pixel[3] == kLitAlpha; }));
 }
 
 FloatPicture GlTargets::viewDepth(const ImageDepth& meaning) const {

@@ -50,9 +50,6 @@ public:
     /// Of a frame that wants it.
     LightPicture light() const;
 
-    /// Those that the image's shader marked as lit.
-    std::uint64_t litPixels() const;
-
     /// Depths along the view, of an image whose depths have this `meaning`; infinite where nothing was drawn.
     FloatPicture viewDepth(const ImageDepth& meaning) const;
 

@@ -1,0 +1,8 @@
+// Passes where the image's alpha says that the light reaches the pixel.
+#include "image/lit_alpha.glsl"
+
+layout(binding = 0) uniform sampler2D image;
+
+void main() {
+    if (abs(texelFetch(image, ivec2(gl_FragCoord.xy), 0).a - kLitAlpha) > 0.5 / 255.0) discard;
+}

@@ -61,6 +61,7 @@
     X(PFNGLMAPNAMEDBUFFERRANGEPROC, mapNamedBufferRange, "glMapNamedBufferRange")                                      \
     X(PFNGLMULTIDRAWELEMENTSBASEVERTEXPROC, multiDrawElementsBaseVertex, "glMultiDrawElementsBaseVertex")              \
     X(PFNGLMULTIDRAWELEMENTSINDIRECTPROC, multiDrawElementsIndirect, "glMultiDrawElementsIndirect")                    \
+    X(PFNGLNAMEDBUFFERDATAPROC, namedBufferData, "glNamedBufferData")                                                  \
     X(PFNGLNAMEDBUFFERSTORAGEPROC, namedBufferStorage, "glNamedBufferStorage")                                         \
     X(PFNGLNAMEDBUFFERSUBDATAPROC, namedBufferSubData, "glNamedBufferSubData")                                         \
     X(PFNGLNAMEDFRAMEBUFFERDRAWBUFFERSPROC, namedFramebufferDrawBuffers, "glNamedFramebufferDrawBuffers")              \

@@ -28,6 +28,7 @@ std::uint64_t callsThatStall() {
              Name::createFramebuffers,
              Name::createVertexArrays,
              Name::createQueries,
+             Name::namedBufferData,
              Name::namedBufferStorage,
              Name::textureStorage2D,
              Name::namedBufferSubData,

@@ -37,6 +37,14 @@ Context::Context(std::unique_ptr<NativeContext> native)
     check("context");
 }
 
+CurrentAtDestruction::~CurrentAtDestruction() {
+    try {
+        context_->makeCurrent();
+    } catch (const Error&) {
+        // A driver that is gone has nothing left to delete.
+    }
+}
+
 bool Context::isHardware() const {
     return renderer_.find("llvmpipe") == std::string::npos && renderer_.find("softpipe") == std::string::npos &&
            renderer_.find("swrast") == std::string::npos;

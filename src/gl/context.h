@@ -46,6 +46,22 @@ private:
     int maxTextureSize_ = 0;
 };
 
+/// Makes a context current when it is destroyed. The last member of whoever owns objects of that context: their names
+/// are those of other things in other contexts.
+class CurrentAtDestruction {
+public:
+    explicit CurrentAtDestruction(const Context& context) : context_(&context) {}
+
+    ~CurrentAtDestruction();
+    CurrentAtDestruction(const CurrentAtDestruction&) = delete;
+    CurrentAtDestruction& operator=(const CurrentAtDestruction&) = delete;
+    CurrentAtDestruction(CurrentAtDestruction&&) = delete;
+    CurrentAtDestruction& operator=(CurrentAtDestruction&&) = delete;
+
+private:
+    const Context* context_;
+};
+
 /// Whether EGL knows a device that is not software. Loads EGL, makes no context.
 bool hasGpu();
 

@@ -74,8 +74,7 @@ public:
     }
 
     ~EglContext() override {
-        egl_.function<PFNEGLMAKECURRENTPROC>("eglMakeCurrent")(
-            display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+        if (isCurrent()) makeCurrent_(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
         egl_.function<PFNEGLDESTROYCONTEXTPROC>("eglDestroyContext")(display_, context_);
         // No eglTerminate: another context of this process may live on the same display.
     }
@@ -85,9 +84,17 @@ public:
     EglContext(EglContext&&) = delete;
     EglContext& operator=(EglContext&&) = delete;
 
+    void makeCurrent() override {
+        if (isCurrent()) return;
+        if (makeCurrent_(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_FALSE)
+            throw Error("EGL", "the context cannot be made current without a surface");
+    }
+
     FunctionSource functionSource() const override { return egl_.function<FunctionSource>("eglGetProcAddress"); }
 
 private:
+    bool isCurrent() const { return current_() == context_; }
+
     void makeContext() {
         if (egl_.function<PFNEGLBINDAPIPROC>("eglBindAPI")(EGL_OPENGL_API) == EGL_FALSE)
             throw Error("EGL", "no desktop OpenGL");
@@ -99,12 +106,12 @@ private:
         context_ = egl_.function<PFNEGLCREATECONTEXTPROC>("eglCreateContext")(
             display_, count > 0 ? config : nullptr, EGL_NO_CONTEXT, kContextAttributes.data());
         if (context_ == EGL_NO_CONTEXT) throw Error("EGL", "no context", "core 4.5", "nothing");
-        const auto makeCurrent = egl_.function<PFNEGLMAKECURRENTPROC>("eglMakeCurrent");
-        if (makeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_FALSE)
-            throw Error("EGL", "the context cannot be made current without a surface");
+        makeCurrent();
     }
 
     Egl egl_;
+    PFNEGLMAKECURRENTPROC makeCurrent_ = egl_.function<PFNEGLMAKECURRENTPROC>("eglMakeCurrent");
+    PFNEGLGETCURRENTCONTEXTPROC current_ = egl_.function<PFNEGLGETCURRENTCONTEXTPROC>("eglGetCurrentContext");
     EGLDisplay display_ = EGL_NO_DISPLAY;
     EGLContext context_ = EGL_NO_CONTEXT;
 };

@@ -108,5 +108,29 @@ TEST(GlSubmission, DrawsTheSamePictureHoweverItWaits) {
     }
 }
 
+/// A context's objects have the names of another's: whoever draws or deletes has to do so in its own.
+TEST(GlSubmission, ExecutorsOfOneProcessLeaveEachOtherAlone) {
+    const Field field;
+    const plan::FramePlan plan = field.plan(field.view(1), plan::Quality());
+    const plan::FramePlan otherPlan = field.plan(field.view(2), plan::Quality());
+    for (const gl::Platform platform : {gl::Platform::Osmesa, gl::Platform::Egl}) {
+        const auto make = [&] { return makeGlExecutor(platform, gl::ShaderLibrary(), mebibytes(64)); };
+        auto first = make();
+        first->draw(field.drawing(plan));
+        const Picture alone = first->picture();
+        const auto second = make();
+        second->draw(field.drawing(otherPlan));
+        EXPECT_EQ(first->picture().pixels, alone.pixels);
+        first->draw(field.drawing(plan));
+        EXPECT_EQ(first->picture().pixels, alone.pixels);
+        const Picture other = second->picture();
+        EXPECT_NE(other.pixels, alone.pixels);
+        first.reset();
+        EXPECT_EQ(second->picture().pixels, other.pixels);
+        second->draw(field.drawing(otherPlan));
+        EXPECT_EQ(second->picture().pixels, other.pixels);
+    }
+}
+
 } // namespace
 } // namespace gnomon::executor

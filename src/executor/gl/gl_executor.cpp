@@ -134,6 +134,7 @@ private:
     Bytes targetMemory_;
     ImageDepth depth_;
     std::uint64_t drawCalls_ = 0; // of the current pass
+    gl::CurrentAtDestruction deletesInItsContext_{*context_};
 };
 
 PassStatistics GlExecutor::drawShadowMaps(const FrameDrawing& frame) {

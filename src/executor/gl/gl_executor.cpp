@@ -125,9 +125,6 @@ private:
     gl::VertexArray vertexless_;
     std::optional<LitCount> litCount_;
     plan::Shading shading_{};                            // of the last frame
-    plan::Shading countedShading_{};                     // of the frame whose lit pixels are counted
-    bool isCounting_ = false;                            // where frames are not waited for
-    int unaskedFrames_ = 0;                              // since lit pixels were counted
     std::map<std::string, gl::Program> surfacePrograms_; // by their defines
     GlTargets targets_;
     gl::Texture litMask_;

@@ -214,8 +214,10 @@ std::vector<shadow::SeenPart> seenParts(
     const selection::DetailView& view = query.rule->view();
     const ConvexVolume pyramid = selection::viewPyramid(view);
     const DepthQuantization steps(depths);
-    std::vector<Box> boxes(steps.count());
-    for (const selection::ClusterRange& range : image.ranges) {
+    std::vector<DepthSpan> spans(steps.count());
+    for (std::size_t i = 0; i < spans.size(); ++i)
+        spans[i] = steps.span(i);
+    const auto addTo = [&](std::vector<Box>& boxes, const selection::ClusterRange& range) {
         const hierarchy::Page& page = *query.resident[range.page];
         for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c) {
             const Box box = boxWithMargin(query.trees->grid(), page, page.clusters[c]);
@@ -225,15 +227,22 @@ std::vector<shadow::SeenPart> seenParts(
             const std::size_t last = steps.step(span.far);
             for (std::size_t i = first; i <= last; ++i) {
                 // What is nearer than the first step, or further than the last, counts as in it.
-                const DepthSpan step = steps.span(i);
-                boxes[i].add(
-                    boxBetween(view, box, {i == first ? span.near : step.near, i == last ? span.far : step.far}));
+                boxes[i].add(boxBetween(
+                    view, box, {i == first ? span.near : spans[i].near, i == last ? span.far : spans[i].far}));
             }
         }
-    }
+    };
+    // A box is of extremes: which thread adds what to it does not show.
+    tbb::enumerable_thread_specific<std::vector<Box>> ofThreads(spans.size());
+    tbb::parallel_for(
+        std::size_t{0}, image.ranges.size(), [&](std::size_t i) { addTo(ofThreads.local(), image.ranges[i]); });
+    std::vector<Box> boxes(spans.size());
+    for (const std::vector<Box>& found : ofThreads)
+        for (std::size_t i = 0; i < boxes.size(); ++i)
+            boxes[i].add(found[i]);
     std::vector<shadow::SeenPart> parts;
     for (std::size_t i = 0; i < boxes.size(); ++i)
-        if (!boxes[i].isEmpty()) parts.push_back({steps.span(i), {boxes[i].min - view.eye, boxes[i].max - view.eye}});
+        if (!boxes[i].isEmpty()) parts.push_back({spans[i], {boxes[i].min - view.eye, boxes[i].max - view.eye}});
     return parts;
 }
 

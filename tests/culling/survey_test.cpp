@@ -5,6 +5,7 @@
 #include "seen_scene.h"
 
 #include <gtest/gtest.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <limits>
@@ -152,6 +153,32 @@ TEST(SeenParts, StepsAreSixteenAnOctaveAndLieInTheRange) {
             EXPECT_FALSE(parts[i].box.isEmpty());
         }
     }
+}
+
+TEST(SeenParts, AreTheSameForAnyNumberOfThreads) {
+    Random random(75);
+    std::size_t compared = 0;
+    for (int trial = 0; trial < 20; ++trial) {
+        const Seen scene(random);
+        const DepthSpan depths{random.uniform(0.01, 1), random.uniform(20, 400)};
+        const auto partsOn = [&](int threads) {
+            return tbb::task_arena(threads).execute(
+                [&] { return seenParts(scene.query(), scene.cut.lists[0], depths); });
+        };
+        const std::vector<shadow::SeenPart> one = partsOn(1);
+        for (const int threads : {2, 16}) {
+            const std::vector<shadow::SeenPart> parts = partsOn(threads);
+            ASSERT_EQ(parts.size(), one.size());
+            for (std::size_t i = 0; i < parts.size(); ++i) {
+                EXPECT_EQ(parts[i].depths.near, one[i].depths.near);
+                EXPECT_EQ(parts[i].depths.far, one[i].depths.far);
+                EXPECT_EQ(parts[i].box.min, one[i].box.min);
+                EXPECT_EQ(parts[i].box.max, one[i].box.max);
+                ++compared;
+            }
+        }
+    }
+    EXPECT_GT(compared, 100U);
 }
 
 /// The box of a cluster with what any refinement may move it by.

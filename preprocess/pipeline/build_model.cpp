@@ -231,8 +231,23 @@ private:
             if (round.isLast) break;
             round = roundBins_->next(round, {room(), threads_, options_.chunkTriangles, runner(), perform_});
             endPhase("bin round " + std::to_string(round.number), 0);
+            expectWhatIsLeft(round);
             report_.rounds.push_back(reportOf(*log().binnedRound(round.number)));
         }
+    }
+
+    /// What is left takes as much for a triangle as what is gone did.
+    void expectWhatIsLeft(const Round& round) {
+        const std::uint64_t source = log().binned()->triangles;
+        std::uint64_t left = 0;
+        for (const auto& node : log().binnedRound(round.number)->nodes)
+            left += node.triangles;
+        std::uint64_t done = 0;
+        for (std::uint32_t before = 0; before < round.number; ++before)
+            done += log().builtTriangles(before);
+        if (left >= source) return;
+        const double perTriangle = static_cast<double>(done) / static_cast<double>(source - left);
+        progress_.expect(done + static_cast<std::uint64_t>(perTriangle * static_cast<double>(left)));
     }
 
     void buildRound(const Round& round) {

@@ -12,6 +12,11 @@ void Watched::stage(std::string_view name, std::string_view /*unit*/, std::uint6
     told();
 }
 
+void Watched::expect(std::uint64_t total) {
+    const std::lock_guard lock(mutex_);
+    total_ = total;
+}
+
 void Watched::advance(std::uint64_t count) {
     const std::lock_guard lock(mutex_);
     done_ += count;

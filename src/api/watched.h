@@ -14,6 +14,7 @@ public:
     explicit Watched(OnProgress tell) : tell_(std::move(tell)) {}
 
     void stage(std::string_view name, std::string_view unit, std::uint64_t total) override;
+    void expect(std::uint64_t total) override;
     void advance(std::uint64_t count) override;
 
 private:

@@ -1,9 +1,9 @@
 #include "app/commands.h"
 #include "app/interruption.h"
+#include "core/heap.h"
 #include "core/stopwatch.h"
 
 #include <cstdio>
-#include <fstream>
 #include <mutex>
 #include <optional>
 
@@ -14,15 +14,6 @@ namespace gnomon::app {
 namespace {
 
 constexpr Milliseconds kBetweenShown{100};
-
-/// Resident bytes of this process, from the kernel.
-std::uint64_t residentBytes() {
-    std::ifstream statm("/proc/self/statm");
-    std::uint64_t total = 0;
-    std::uint64_t resident = 0;
-    statm >> total >> resident;
-    return resident * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
-}
 
 /// Shows stage, done/total, rate, memory and time left, at most ten times a second.
 class StderrProgress final : public Progress {
@@ -52,6 +43,11 @@ public:
         done_ = 0;
         sinceStart_ = {};
         sinceShown_ = {};
+    }
+
+    void expect(std::uint64_t total) override {
+        const std::scoped_lock lock(mutex_);
+        total_ = total;
     }
 
     void advance(std::uint64_t count) override {
@@ -91,7 +87,7 @@ private:
                 static_cast<unsigned long long>(done_),
                 static_cast<unsigned long long>(total),
                 rate,
-                static_cast<unsigned long long>(residentBytes()),
+                static_cast<unsigned long long>(residentSize().count),
                 static_cast<unsigned long long>(temporaryBytes_),
                 left);
         } else if (style_ == Style::Bar) {
@@ -109,7 +105,7 @@ private:
                 readableCount(total).c_str(),
                 unit_.c_str(),
                 readableCount(static_cast<std::uint64_t>(rate)).c_str(),
-                readableBytes({residentBytes()}).c_str(),
+                readableBytes(residentSize()).c_str(),
                 temporaryBytes_ > 0 ? (" + " + readableBytes({temporaryBytes_}) + " temporary").c_str() : "",
                 left);
         }

@@ -1,7 +1,11 @@
 #include "core/heap.h"
 
+#include <cstdint>
+#include <fstream>
+
 #include <malloc.h>
 #include <sys/mman.h>
+#include <unistd.h>
 
 namespace gnomon {
 
@@ -12,6 +16,14 @@ void returnFreedMemoryAtOnce() {
 bool isAddressSpaceLeft(Bytes size) {
     void* const piece = ::mmap(nullptr, size.count, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     return piece != MAP_FAILED && ::munmap(piece, size.count) == 0;
+}
+
+Bytes residentSize() {
+    std::ifstream statm("/proc/self/statm");
+    std::uint64_t total = 0;
+    std::uint64_t resident = 0; // in pages
+    statm >> total >> resident;
+    return {resident * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE))};
 }
 
 } // namespace gnomon

@@ -1,4 +1,4 @@
-// How the heap of the process behaves.
+// How the heap of the process behaves, and what of it is in memory.
 #pragma once
 
 #include "core/units.h"
@@ -11,5 +11,8 @@ void returnFreedMemoryAtOnce();
 
 /// Whether so much could be had now in one piece, as far as a limit of the process's address space decides that.
 bool isAddressSpaceLeft(Bytes size);
+
+/// What this process has in memory, as the kernel counts it.
+Bytes residentSize();
 
 } // namespace gnomon

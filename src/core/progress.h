@@ -19,6 +19,9 @@ public:
     /// A new stage of `total` units (triangles, bytes, frames) begins.
     virtual void stage(std::string_view name, std::string_view unit, std::uint64_t total) = 0;
 
+    /// The stage, as is known better by now, takes `total` units in all.
+    virtual void expect(std::uint64_t /*total*/) {}
+
     /// `count` more units of the stage are done. Throws gnomon::Interrupted if the user asked to stop.
     virtual void advance(std::uint64_t count) = 0;
 

@@ -25,6 +25,11 @@ public:
         build_->status_ = {std::string(name), std::string(unit), 0, total, seconds()};
     }
 
+    void expect(std::uint64_t total) override {
+        const std::scoped_lock lock(build_->mutex_);
+        build_->status_.total = total;
+    }
+
     void advance(std::uint64_t count) override {
         if (build_->isStopped_) throw Interrupted{};
         const std::scoped_lock lock(build_->mutex_);

@@ -10,10 +10,14 @@
 
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <filesystem>
 #include <numeric>
 #include <set>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -83,6 +87,30 @@ private:
     std::atomic<std::uint64_t> most_{0};
 };
 
+/// What a build said of its longest stage, which is called as it is.
+class BuildWatch final : public Progress {
+public:
+    void stage(std::string_view name, std::string_view /*unit*/, std::uint64_t total) override {
+        isBuilding_ = name == "build";
+        if (isBuilding_) totals.push_back(total);
+    }
+
+    void expect(std::uint64_t total) override {
+        EXPECT_TRUE(isBuilding_);
+        totals.push_back(total);
+    }
+
+    void advance(std::uint64_t count) override {
+        if (isBuilding_) done += count;
+    }
+
+    std::atomic<std::uint64_t> done = 0;
+    std::vector<std::uint64_t> totals; // as they were taken to be, one after another
+
+private:
+    std::atomic<bool> isBuilding_ = false;
+};
+
 std::string build(read::CodeMesh mesh, const BuildOptions& options) {
     NoProgress progress;
     return buildModel(mesh, options, progress).contentHash;
@@ -126,6 +154,23 @@ TEST(Pipeline, TellsWhileItRunsHowMuchTemporarySpaceIsInUse) {
     const BuildReport report = buildModel(mesh, options, watch);
     EXPECT_EQ(report.temporaryBytes, watch.most());
     EXPECT_GT(watch.most(), mesh.triangles.size() * 12);
+}
+
+TEST(Pipeline, KnowsBetterAfterEachRoundHowMuchThereIsToDo) {
+    for (const read::CodeMesh& mesh : {read::bumpySheet(140), read::strewnBoxes(3000)}) {
+        const TestFolder folder;
+        read::CodeMesh own = mesh;
+        BuildOptions options = smallChunks(600);
+        options.output = folder.file("m.gnm");
+        BuildWatch watch;
+        buildModel(own, options, watch);
+        ASSERT_GE(watch.totals.size(), 3U) << "a total a round";
+        const auto done = static_cast<double>(watch.done);
+        EXPECT_EQ(watch.totals.front(), 2 * mesh.triangles.size());
+        const auto isOffBy = [&](std::uint64_t total) { return std::abs(static_cast<double>(total) - done); };
+        EXPECT_LT(isOffBy(watch.totals[1]), isOffBy(watch.totals.front()));
+        EXPECT_LT(isOffBy(watch.totals.back()), 0.6 * isOffBy(watch.totals.front()));
+    }
 }
 
 TEST(Pipeline, SameBytesOnDiskAndInMemoryForAnyThreadsAndMemory) {

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <span>
 
 namespace gnomon::culling {
 namespace {
@@ -192,6 +193,22 @@ Box boxWithMargin(const hierarchy::Grid& grid, const hierarchy::Page& page, cons
     return {box.min - margin, box.max + margin};
 }
 
+/// Adds what `box` holds at each step of depth to that step's box.
+void addParts(
+    const selection::DetailView& view,
+    const Box& box,
+    const DepthQuantization& steps,
+    std::span<const DepthSpan> spans,
+    std::span<Box> boxes) {
+    const DepthSpan span = depthsOf(view, box);
+    const std::size_t first = steps.step(span.near);
+    const std::size_t last = steps.step(span.far);
+    // What is nearer than the first step, or further than the last, counts as in it.
+    for (std::size_t i = first; i <= last; ++i)
+        boxes[i].add(
+            boxBetween(view, box, {i == first ? span.near : spans[i].near, i == last ? span.far : spans[i].far}));
+}
+
 } // namespace
 
 LitSurfaces litSurfaces(
@@ -217,25 +234,17 @@ std::vector<shadow::SeenPart> seenParts(
     std::vector<DepthSpan> spans(steps.count());
     for (std::size_t i = 0; i < spans.size(); ++i)
         spans[i] = steps.span(i);
-    const auto addTo = [&](std::vector<Box>& boxes, const selection::ClusterRange& range) {
-        const hierarchy::Page& page = *query.resident[range.page];
-        for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c) {
-            const Box box = boxWithMargin(query.trees->grid(), page, page.clusters[c]);
-            if (classify(pyramid, box) == Containment::Outside) continue;
-            const DepthSpan span = depthsOf(view, box);
-            const std::size_t first = steps.step(span.near);
-            const std::size_t last = steps.step(span.far);
-            for (std::size_t i = first; i <= last; ++i) {
-                // What is nearer than the first step, or further than the last, counts as in it.
-                boxes[i].add(boxBetween(
-                    view, box, {i == first ? span.near : spans[i].near, i == last ? span.far : spans[i].far}));
-            }
-        }
-    };
     // A box is of extremes: which thread adds what to it does not show.
     tbb::enumerable_thread_specific<std::vector<Box>> ofThreads(spans.size());
-    tbb::parallel_for(
-        std::size_t{0}, image.ranges.size(), [&](std::size_t i) { addTo(ofThreads.local(), image.ranges[i]); });
+    tbb::parallel_for(std::size_t{0}, image.ranges.size(), [&](std::size_t i) {
+        const selection::ClusterRange& range = image.ranges[i];
+        const hierarchy::Page& page = *query.resident[range.page];
+        std::vector<Box>& boxes = ofThreads.local();
+        for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c) {
+            const Box box = boxWithMargin(query.trees->grid(), page, page.clusters[c]);
+            if (classify(pyramid, box) != Containment::Outside) addParts(view, box, steps, spans, boxes);
+        }
+    });
     std::vector<Box> boxes(spans.size());
     for (const std::vector<Box>& found : ofThreads)
         for (std::size_t i = 0; i < boxes.size(); ++i)

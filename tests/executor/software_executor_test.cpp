@@ -53,6 +53,7 @@ ExecutorDifference compareSeeds(
 constexpr std::uint64_t kTexelsOfSun = 50000;
 constexpr std::uint64_t kTexelsOfLamp = 5000;
 
+/// Of a card's, of so many one may be off by more than where it puts vertices explains.
 constexpr std::uint64_t kTexelsOfACard = 1000;
 
 void expectAlike(const ExecutorDifference& found, std::uint64_t texels = kTexelsOfSun) {

@@ -15,6 +15,10 @@ constexpr std::uint32_t kGroupClusters = 16;
 /// Where each level's cuts lie: never twice in a row in the same place.
 constexpr std::array<double, 3> kGroupCutFractions{0.5, 0.42, 0.58};
 
+// Errors up to twice what two thirds of the triangles have are grouped.
+constexpr double kUsualShare = 2.0 / 3;
+constexpr double kMostTimesUsual = 2;
+
 glm::vec3 toVector(const hierarchy::GridPoint& p) {
     return glm::dvec3(p.x, p.y, p.z);
 }
@@ -33,17 +37,64 @@ Sphere enclosing(const Box& box, std::span<const Sphere> children) {
     return sphere;
 }
 
+/// Beyond which error clusters are deferred, world units.
+double greatestGroupedError(const Level& level) {
+    std::vector<WeightedError> errors;
+    for (const LevelCluster& cluster : level.clusters)
+        errors.push_back({level.refinements[cluster.refinement].drawnError(), cluster.triangleCount});
+    return kMostTimesUsual * errorQuantile(std::move(errors), kUsualShare);
+}
+
+/// Appends `cluster` of `from`, with its triangles.
+void append(const Level& from, LevelCluster cluster, Level& to) {
+    const auto first = static_cast<std::ptrdiff_t>(cluster.firstTriangle);
+    const auto last = first + static_cast<std::ptrdiff_t>(cluster.triangleCount);
+    cluster.firstTriangle = static_cast<std::uint32_t>(to.triangles.size());
+    to.triangles.insert(to.triangles.end(), from.triangles.begin() + first, from.triangles.begin() + last);
+    to.errors.insert(to.errors.end(), from.errors.begin() + first, from.errors.begin() + last);
+    to.clusters.push_back(cluster);
+}
+
+std::span<const LevelCluster> clustersOf(const Level& level, const LevelGroup& group) {
+    return std::span(level.clusters).subspan(group.firstCluster, group.clusterCount);
+}
+
 } // namespace
 
-void formGroups(Level& level, const hierarchy::Grid& grid, const LevelOptions& options, std::uint32_t number) {
+double errorQuantile(std::vector<WeightedError> errors, double share) {
+    std::uint64_t all = 0;
+    for (const WeightedError& error : errors)
+        all += error.triangles;
+    std::ranges::sort(errors, {}, &WeightedError::error);
+    std::uint64_t sum = 0;
+    for (const WeightedError& error : errors) {
+        sum += error.triangles;
+        if (static_cast<double>(sum) >= share * static_cast<double>(all)) return error.error;
+    }
+    return kNoLimit;
+}
+
+void formGroups(
+    Level& level, const hierarchy::Grid& grid, const LevelOptions& options, std::uint32_t number, bool mayDefer) {
+    const double greatest = mayDefer ? greatestGroupedError(level) : kNoLimit;
     std::vector<KdItem> items;
     items.reserve(level.clusters.size());
-    for (std::uint32_t c = 0; c < level.clusters.size(); ++c)
-        items.push_back({centerOf(level.clusters[c].box), level.clusters[c].triangleCount, c});
+    std::vector<std::uint32_t> deferred;
+    for (std::uint32_t c = 0; c < level.clusters.size(); ++c) {
+        const LevelCluster& cluster = level.clusters[c];
+        if (!mayDefer || level.refinements[cluster.refinement].drawnError() <= greatest)
+            items.push_back({centerOf(cluster.box), cluster.triangleCount, c});
+        else
+            deferred.push_back(c);
+    }
     const std::uint64_t maxWeight = std::uint64_t{kGroupClusters} * options.clusterTriangles;
     // Half a group at least on either side of a gap: small parts need others near them to merge with.
-    const KdParts parts =
-        kdSplit(items, maxWeight, kGroupCutFractions.at(number % kGroupCutFractions.size()), maxWeight / 2);
+    KdParts parts = kdSplit(items, maxWeight, kGroupCutFractions.at(number % kGroupCutFractions.size()), maxWeight / 2);
+    const std::size_t formed = parts.ends.size();
+    for (const std::uint32_t c : deferred) {
+        parts.order.push_back(c);
+        parts.ends.push_back(static_cast<std::uint32_t>(parts.order.size()));
+    }
     Level ordered;
     ordered.triangles.reserve(level.triangles.size());
     ordered.errors.reserve(level.errors.size());
@@ -67,12 +118,44 @@ void formGroups(Level& level, const hierarchy::Grid& grid, const LevelOptions& o
                 children.push_back(level.refinements[cluster.refinement].bounds);
             ordered.clusters.push_back(cluster);
         }
+        group.isDeferred = ordered.groups.size() >= formed;
         group.bounds = enclosing(grid.local(group.box), children);
         ordered.groups.push_back(group);
         begin = end;
     }
     ordered.refinements = std::move(level.refinements);
     level = std::move(ordered);
+}
+
+void dropDeferred(Level& level) {
+    if (std::ranges::none_of(level.groups, &LevelGroup::isDeferred)) return;
+    Level rest;
+    for (LevelGroup group : level.groups) {
+        if (group.isDeferred) continue;
+        const auto first = static_cast<std::uint32_t>(rest.clusters.size());
+        for (const LevelCluster& cluster : clustersOf(level, group))
+            append(level, cluster, rest);
+        group.firstCluster = first;
+        rest.groups.push_back(group);
+    }
+    rest.refinements = std::move(level.refinements);
+    level = std::move(rest);
+}
+
+void appendDeferred(const Level& level, Level& next) {
+    std::vector<std::uint32_t> numbers(level.refinements.size(), hierarchy::kNone); // in `next`
+    for (const LevelGroup& group : level.groups) {
+        if (!group.isDeferred) continue;
+        for (const LevelCluster& cluster : clustersOf(level, group)) {
+            append(level, cluster, next);
+            std::uint32_t& number = numbers[cluster.refinement];
+            if (number == hierarchy::kNone) {
+                number = static_cast<std::uint32_t>(next.refinements.size());
+                next.refinements.push_back(level.refinements[cluster.refinement]);
+            }
+            next.clusters.back().refinement = number;
+        }
+    }
 }
 
 } // namespace gnomon::levels

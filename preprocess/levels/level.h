@@ -7,6 +7,7 @@
 #include "preprocess/simplify/mesh.h"
 #include "preprocess/simplify/simplify.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -24,6 +25,8 @@ inline constexpr std::array kErrorKinds = {
     Word<ErrorKind>{ErrorKind::Measured, "measured"},
     Word<ErrorKind>{ErrorKind::Tight, "tight"},
 };
+
+inline constexpr double kNoLimit = std::numeric_limits<double>::infinity(); // of an error
 
 /// What shapes the hierarchy; part of what a .gnm says about itself.
 struct LevelOptions {
@@ -47,6 +50,8 @@ struct LevelRefinement {
     Sphere bounds;             // local space
     double error = 0;          // world units
     double attributeError = 0; // world units
+
+    double drawnError() const { return std::max(error, attributeError); }
 };
 
 struct LevelCluster {
@@ -61,10 +66,11 @@ struct LevelGroup {
     std::uint32_t firstCluster = 0;
     std::uint32_t clusterCount = 0;
     hierarchy::GridBox box;
-    Sphere bounds;                                          // local space
-    double error = std::numeric_limits<double>::infinity(); // world units; infinite for a root
-    double attributeError = 0;                              // world units; 0 for a root
+    Sphere bounds;             // local space
+    double error = kNoLimit;   // world units; infinite for a root
+    double attributeError = 0; // world units; 0 for a root
     GroupPlace place;
+    bool isDeferred = false; // its clusters go on to the next level as they are
 };
 
 /// Clusters of a group and triangles of a cluster are contiguous.

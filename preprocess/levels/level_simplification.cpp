@@ -1,6 +1,7 @@
 #include "preprocess/levels/level_simplification.h"
 
 #include "preprocess/levels/group_patch.h"
+#include "preprocess/levels/grouping.h"
 #include "preprocess/levels/level_clusters.h"
 #include "preprocess/simplify/deviation.h"
 
@@ -16,6 +17,7 @@ namespace {
 
 using hierarchy::kNone;
 
+constexpr double kMostTimesMedian = 4;   // of a level: what a group may cost and not be deferred
 constexpr double kToleranceShare = 0.25; // of the error that the clusters of a group already have
 constexpr double kTightShare = 0.5;      // of the collapses' bound: where a lower one is no longer looked for
 
@@ -30,6 +32,12 @@ struct GroupResult {
     Level clusters; // firstTriangle counts from the group's own first triangle
     double error = 0;
     double attributeError = 0;
+    double before = 0; // the larger of both that its clusters have
+
+    double drawnError() const { return std::max(error, attributeError); }
+
+    /// Whether it adds nothing beyond `greatest` to what its clusters have.
+    bool isWithin(double greatest) const { return drawnError() <= std::max(greatest, before); }
 };
 
 double largestOf(std::span<const simplify::TriangleError> errors) {
@@ -76,8 +84,10 @@ public:
         patch.patch.errors = std::span(level_.errors).subspan(first.firstTriangle, count);
         const simplify::SimplifiedPatch simplified =
             simplify::simplify(patch.patch, (count + 1) / 2, options_.simplifier);
-        const double before = std::max(worstRefinement(level_, group, &LevelRefinement::error), mesh_.grid.snapError());
         GroupResult result;
+        const double before = std::max(worstRefinement(level_, group, &LevelRefinement::error), mesh_.grid.snapError());
+        const double attributesBefore = worstRefinement(level_, group, &LevelRefinement::attributeError);
+        result.before = std::max(before, attributesBefore);
         std::vector<simplify::TriangleError> errors(simplified.triangles.size());
         if (options_.error == ErrorKind::Estimated) {
             result.error = before + simplified.claimedError * mesh_.grid.step();
@@ -87,10 +97,9 @@ public:
             const double measured = largestOf(errors) * (1 + 1e-9) * mesh_.grid.step() + mesh_.grid.snapError();
             result.error = std::max(before, measured);
         }
-        cutIntoClusters(patch, simplified, errors, groupIndex, result.clusters);
+        cutIntoClusters(patch, simplified, errors, result.clusters);
         transferAttributes(patch, simplified, result);
-        result.attributeError =
-            std::max(result.attributeError, worstRefinement(level_, group, &LevelRefinement::attributeError));
+        result.attributeError = std::max(result.attributeError, attributesBefore);
         return result;
     }
 
@@ -123,7 +132,6 @@ private:
         const GroupPatch& patch,
         const simplify::SimplifiedPatch& simplified,
         const std::vector<simplify::TriangleError>& errors,
-        std::uint32_t groupIndex,
         Level& out) const {
         std::vector<glm::vec3> positions;
         positions.reserve(patch.patch.positions.size());
@@ -138,8 +146,6 @@ private:
             out.errors.push_back(errors[t]);
         }
         appendClusters(mesh_, out.triangles, clustering, out);
-        for (LevelCluster& cluster : out.clusters)
-            cluster.refinement = groupIndex;
     }
 
     const simplify::Mesh& mesh_;
@@ -149,6 +155,17 @@ private:
     PositionOwners owners_;
 };
 
+/// Defers the groups that cost far more than others do.
+void deferDearGroups(Level& level, const std::vector<GroupResult>& results) {
+    std::vector<WeightedError> errors;
+    for (std::size_t g = 0; g < results.size(); ++g)
+        if (!level.groups[g].isDeferred)
+            errors.push_back({results[g].drawnError(), triangleCount(level, level.groups[g])});
+    const double greatest = kMostTimesMedian * errorQuantile(std::move(errors), 0.5);
+    for (std::size_t g = 0; g < results.size(); ++g)
+        if (!results[g].isWithin(greatest)) level.groups[g].isDeferred = true;
+}
+
 } // namespace
 
 Level simplifiedLevel(
@@ -156,17 +173,20 @@ Level simplifiedLevel(
     Level& level,
     const LevelOptions& options,
     simplify::CostLimit limit,
+    bool mayDefer,
     Progress& progress) {
     const GroupSimplifier simplifier(mesh, level, options, limit);
     std::vector<GroupResult> results(level.groups.size());
     tbb::enumerable_thread_specific<PatchNumbers> numbers([&] { return PatchNumbers(mesh); });
     tbb::parallel_for(std::size_t{0}, results.size(), [&](std::size_t g) {
-        results[g] = simplifier(static_cast<std::uint32_t>(g), numbers.local());
+        if (!level.groups[g].isDeferred) results[g] = simplifier(static_cast<std::uint32_t>(g), numbers.local());
         progress.advance(triangleCount(level, level.groups[g]));
     });
+    if (mayDefer) deferDearGroups(level, results);
     Level next;
     for (std::size_t g = 0; g < results.size(); ++g) {
         LevelGroup& group = level.groups[g];
+        if (group.isDeferred) continue;
         group.error = results[g].error;
         group.attributeError = results[g].attributeError;
         next.refinements.push_back({group.place, group.bounds, group.error, group.attributeError});
@@ -179,9 +199,11 @@ Level simplifiedLevel(
         next.fields.insert(next.fields.end(), own.fields.begin(), own.fields.end());
         for (LevelCluster cluster : own.clusters) {
             cluster.firstTriangle += first;
+            cluster.refinement = static_cast<std::uint32_t>(next.refinements.size() - 1);
             next.clusters.push_back(cluster);
         }
     }
+    appendDeferred(level, next);
     return next;
 }
 

@@ -37,23 +37,30 @@ struct Coarser {
     bool isWorthwhile = false;
 };
 
-/// The next level under a cost limit; towards the root without one, where the limit would end it.
+/// Forms the groups of `level`, the `number`th, and simplifies them under a cost limit; towards the root without one,
+/// where the limit would end it. Triangles of level 0 are never deferred: a cluster of any other names a finer group.
 Coarser coarserLevel(
-    const simplify::Mesh& mesh, Level& level, bool isToRoot, const LevelOptions& options, Progress& progress) {
-    const auto at = [&](simplify::CostLimit limit) {
-        Coarser coarser = {simplifiedLevel(mesh, level, options, limit, progress)};
+    const simplify::Mesh& mesh,
+    Level& level,
+    std::uint32_t number,
+    bool isToRoot,
+    const LevelOptions& options,
+    Progress& progress) {
+    const auto make = [&](simplify::CostLimit limit, bool mayDefer) {
+        formGroups(level, mesh.grid, options, number, mayDefer);
+        Coarser coarser = {simplifiedLevel(mesh, level, options, limit, mayDefer, progress)};
         coarser.isWorthwhile = isWorthwhile(coarser.level, level.triangles.size());
         return coarser;
     };
-    Coarser limited = at(simplify::CostLimit::MeanEdge);
+    Coarser limited = make(simplify::CostLimit::MeanEdge, number > 0);
     if (limited.isWorthwhile || !isToRoot) return limited;
-    return at(simplify::CostLimit::None);
+    return make(simplify::CostLimit::None, false);
 }
 
 /// The groups of a root: nothing coarser replaces them, whatever the error.
 void endAtRoot(Level& level) {
     for (LevelGroup& group : level.groups) {
-        group.error = std::numeric_limits<double>::infinity();
+        group.error = kNoLimit;
         group.attributeError = 0;
     }
 }
@@ -87,9 +94,11 @@ BuiltNode buildNode(
     for (std::uint32_t number = plan.firstLevel; isToRoot || number - plan.firstLevel < plan.levelCount; ++number) {
         const bool isSingle = level.clusters.size() == 1;
         if (isSingle && !isToRoot && number > 0) break;
-        formGroups(level, mesh.grid, options, number);
         Coarser coarser;
-        if (!isSingle || !isToRoot) coarser = coarserLevel(mesh, level, isToRoot, options, progress);
+        if (!isSingle || !isToRoot)
+            coarser = coarserLevel(mesh, level, number, isToRoot, options, progress);
+        else
+            formGroups(level, mesh.grid, options, number, false);
         if (!coarser.isWorthwhile && isToRoot) {
             endAtRoot(level);
             keep(number);
@@ -98,6 +107,7 @@ BuiltNode buildNode(
             return node;
         }
         if (!coarser.isWorthwhile && number > 0) break;
+        dropDeferred(level);
         keep(number);
         tellPlaces(level, coarser.level);
         level = std::move(coarser.level);

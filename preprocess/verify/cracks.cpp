@@ -88,7 +88,7 @@ private:
 /// What one cut has at the locked edges; kept between cuts, so that only what was touched is cleared.
 struct CutEdges {
     std::vector<std::uint32_t> triangles;
-    std::vector<std::uint64_t> levels; // bit l: a triangle of level l lies there
+    std::vector<std::uint64_t> levels; // bit l: a triangle of the surface of level l lies there
     std::vector<std::uint32_t> touched;
 };
 
@@ -107,7 +107,7 @@ void collect(const LoadedModel& model, const LockedEdges& edges, const View& vie
             const auto index = static_cast<std::uint32_t>(&cluster - page.clusters.data());
             for (const std::uint32_t edge : edges.edgesOf(model.firstCluster[p] + index)) {
                 if (cut.triangles[edge]++ == 0) cut.touched.push_back(edge);
-                cut.levels[edge] |= std::uint64_t{1} << page.level;
+                cut.levels[edge] |= edges.levelsOf(model.firstCluster[p] + index);
             }
         });
     }

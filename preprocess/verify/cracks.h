@@ -8,9 +8,9 @@
 namespace gnomon::verify {
 
 /// Draws `cuts` random view-dependent cuts (a group is refined if its error exceeds threshold times distance to the
-/// eye) and looks at every edge that was locked between groups of a level, in each cut that draws a triangle of that
-/// level or the next coarser one at it: the number of triangles at the edge, compared by position, must be that of the
-/// level. Worst: the most cracks in one cut.
+/// eye) and looks at every edge that was locked at a level (locked_edges.h), in each cut that draws a triangle of the
+/// surface of that level or the next coarser one at it: the number of triangles at the edge, compared by position, must
+/// be that of the level. Worst: the most cracks in one cut.
 Check checkCracks(const LoadedModel& model, std::uint64_t cuts, std::uint64_t seed, Progress& progress);
 
 /// The same of a file, `facts` of which are given, cell of space by cell so that it takes about `memory` at a time.

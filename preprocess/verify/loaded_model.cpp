@@ -33,6 +33,7 @@ LoadedModel loadPages(const hierarchy::ModelFile& file, std::span<const std::uin
     for (const hierarchy::PageInfo& info : file.pages()) {
         model.firstGroup.push_back(model.firstGroup.back() + info.groupCount);
         model.firstCluster.push_back(model.firstCluster.back() + info.clusterCount);
+        model.levels.push_back(info.level);
     }
     tbb::parallel_for(std::size_t{0}, pages.size(), [&](std::size_t i) {
         model.pages[pages[i]] = file.readPage(pages[i]);

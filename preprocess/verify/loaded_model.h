@@ -14,8 +14,16 @@ struct LoadedModel {
     std::vector<hierarchy::Page> pages;      // empty where one is not there
     std::vector<std::uint32_t> firstGroup;   // by page, one more at the end
     std::vector<std::uint32_t> firstCluster; // by page, one more at the end
+    std::vector<std::uint32_t> levels;       // by page, also of those that are not there
 
     std::uint32_t groupNumber(const hierarchy::GroupRef& ref) const { return firstGroup[ref.page] + ref.group; }
+
+    /// The level whose groups `cluster` of `page` was simplified to: it is part of the surface of each level from there
+    /// up to its page's own, whose groups replace it.
+    std::uint32_t firstLevelOf(const hierarchy::Page& page, const hierarchy::Cluster& cluster) const {
+        if (cluster.refinement == hierarchy::kNone) return 0;
+        return levels[page.refinements[cluster.refinement].group.page] + 1;
+    }
 
     const hierarchy::Group& group(const hierarchy::GroupRef& ref) const { return pages[ref.page].groups[ref.group]; }
 };

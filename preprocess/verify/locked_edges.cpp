@@ -15,12 +15,12 @@ using namespace hierarchy;
 
 namespace {
 
-/// A use of an edge or a vertex by a group of the level under work.
+/// A use of an edge or a vertex by what stays or goes as one: a group of the level under work, or a cluster that waits.
 struct Use {
     std::uint64_t what = 0;
-    std::uint32_t group = 0;
+    std::uint64_t owner = 0;
 
-    bool operator<(const Use& other) const { return std::tie(what, group) < std::tie(other.what, other.group); }
+    bool operator<(const Use& other) const { return std::tie(what, owner) < std::tie(other.what, other.owner); }
 };
 
 std::uint64_t edgeKey(std::uint32_t a, std::uint32_t b) {
@@ -42,26 +42,32 @@ void forEachEdge(const Page& page, const Cluster& cluster, const OfVertex& ofVer
     }
 }
 
-/// Calls `take(page, cluster, group)` for all clusters of a level; groups are numbered across pages.
+/// Calls `take(page, cluster, owner)` for all clusters of the surface of a level: those of its groups, which are their
+/// owners, and those that wait, each its own.
 template <class Take>
-void forEachCluster(const LoadedModel& model, std::uint32_t level, const Take& take) {
+void forEachCluster(const LoadedModel& model, const LockedEdges& edges, std::uint32_t level, const Take& take) {
     for (std::size_t p = 0; p < model.pages.size(); ++p) {
         const Page& page = model.pages[p];
-        if (page.level != level) continue;
+        if (page.level < level) continue;
         for (std::uint32_t g = 0; g < page.groups.size(); ++g)
-            for (std::uint32_t c = 0; c < page.groups[g].clusterCount; ++c)
-                take(p, page.clusters[page.groups[g].firstCluster + c], model.firstGroup[p] + g);
+            for (std::uint32_t i = 0; i < page.groups[g].clusterCount; ++i) {
+                const std::uint32_t c = page.groups[g].firstCluster + i;
+                if ((edges.levelsOf(model.firstCluster[p] + c) >> level & 1U) == 0) continue;
+                const bool waits = page.level > level;
+                const std::uint64_t waiting = std::uint64_t{model.firstGroup.back()} + model.firstCluster[p] + c;
+                take(p, page.clusters[c], waits ? waiting : model.firstGroup[p] + g);
+            }
     }
 }
 
-/// Calls `take(run)` for each run of entries of the same thing that belongs to more than one group.
+/// Calls `take(run)` for each run of entries of the same thing that belongs to more than one owner.
 template <class Take>
 void forEachShared(std::vector<Use>& uses, const Take& take) {
     tbb::parallel_sort(uses.begin(), uses.end());
     for (std::size_t begin = 0, end = 0; begin < uses.size(); begin = end) {
         while (end < uses.size() && uses[end].what == uses[begin].what)
             ++end;
-        if (uses[begin].group != uses[end - 1].group) take(std::span<const Use>(uses).subspan(begin, end - begin));
+        if (uses[begin].owner != uses[end - 1].owner) take(std::span<const Use>(uses).subspan(begin, end - begin));
     }
 }
 
@@ -69,6 +75,7 @@ void forEachShared(std::vector<Use>& uses, const Take& take) {
 
 LockedEdges::LockedEdges(const LoadedModel& model, const GridBox& cell) : cell_(cell) {
     numberPositions(model);
+    findLevels(model);
     findLocks(model);
     findIncidences(model);
 }
@@ -108,6 +115,18 @@ bool LockedEdges::isOurs(std::uint32_t lowerEnd) const {
            p.z <= cell_.max.z;
 }
 
+void LockedEdges::findLevels(const LoadedModel& model) {
+    levelsOf_.resize(model.firstCluster.back());
+    for (std::size_t p = 0; p < model.pages.size(); ++p) {
+        const Page& page = model.pages[p];
+        for (std::size_t c = 0; c < page.clusters.size(); ++c) {
+            const std::uint32_t first = model.firstLevelOf(page, page.clusters[c]);
+            const std::uint64_t below = (std::uint64_t{1} << first) - 1;
+            levelsOf_[model.firstCluster[p] + c] = ((std::uint64_t{2} << page.level) - 1) & ~below;
+        }
+    }
+}
+
 void LockedEdges::findLocks(const LoadedModel& model) {
     std::vector<FoundLock> found;
     for (std::uint32_t level = 0; level < model.summary.levels.size(); ++level)
@@ -131,20 +150,20 @@ void LockedEdges::findLocks(const LoadedModel& model) {
 
 void LockedEdges::findLocksOfLevel(const LoadedModel& model, std::uint32_t level, std::vector<FoundLock>& found) const {
     std::vector<Use> uses;
-    forEachCluster(model, level, [&](std::size_t p, const Cluster& cluster, std::uint32_t group) {
+    forEachCluster(model, *this, level, [&](std::size_t p, const Cluster& cluster, std::uint64_t owner) {
         for (std::uint32_t v = 0; v < cluster.vertexCount; ++v)
-            uses.push_back({positionOf_[firstVertex_[p] + cluster.firstVertex + v], group});
+            uses.push_back({positionOf_[firstVertex_[p] + cluster.firstVertex + v], owner});
     });
     std::vector<bool> isShared(positions_.size());
     forEachShared(uses, [&](std::span<const Use> vertex) { isShared[vertex[0].what] = true; });
     uses.clear();
-    forEachCluster(model, level, [&](std::size_t p, const Cluster& cluster, std::uint32_t group) {
+    forEachCluster(model, *this, level, [&](std::size_t p, const Cluster& cluster, std::uint64_t owner) {
         forEachEdge(
             model.pages[p],
             cluster,
             [&](std::uint32_t v) { return positionOf_[firstVertex_[p] + v]; },
             [&](std::uint32_t a, std::uint32_t b) {
-                if (isShared[a] && isShared[b] && isOurs(std::min(a, b))) uses.push_back({edgeKey(a, b), group});
+                if (isShared[a] && isShared[b] && isOurs(std::min(a, b))) uses.push_back({edgeKey(a, b), owner});
             });
     });
     forEachShared(uses, [&](std::span<const Use> edge) {

@@ -1,4 +1,6 @@
-// The edges that groups of some level share, and which triangles of which clusters lie at them.
+// The edges that are locked at some level, and which triangles of which clusters lie at them. The surface of a level is
+// its groups and the clusters that wait for the groups of a coarser one; an edge that several of these share stays as
+// it is from this surface to the next coarser one.
 #pragma once
 
 #include "preprocess/verify/loaded_model.h"
@@ -9,7 +11,7 @@
 
 namespace gnomon::verify {
 
-/// A level at which an edge is shared by several groups, and the triangles that lie at it there.
+/// A level at which an edge is locked, and the triangles that lie at it there.
 struct EdgeLock {
     std::uint32_t level = 0;
     std::uint32_t triangles = 0;
@@ -33,6 +35,9 @@ public:
         return std::span(locks_).subspan(firstLock_[edge], firstLock_[edge + 1] - firstLock_[edge]);
     }
 
+    /// Of which levels' surfaces a cluster (numbered across pages) is part: bit l for level l.
+    std::uint64_t levelsOf(std::uint32_t cluster) const { return levelsOf_[cluster]; }
+
     /// The edges at the triangles of a cluster (numbered across pages), one entry for each triangle at each edge.
     std::span<const std::uint32_t> edgesOf(std::uint32_t cluster) const {
         return std::span(incidences_)
@@ -49,12 +54,14 @@ private:
     bool isOurs(std::uint32_t lowerEnd) const;
     using FoundLock = std::pair<std::uint64_t, EdgeLock>;
 
+    void findLevels(const LoadedModel& model);
     void findLocks(const LoadedModel& model);
     void findLocksOfLevel(const LoadedModel& model, std::uint32_t level, std::vector<FoundLock>& found) const;
     void findIncidences(const LoadedModel& model);
     std::uint32_t find(std::uint64_t edge) const;
 
     hierarchy::GridBox cell_;
+    std::vector<std::uint64_t> levelsOf_;    // by cluster
     std::vector<std::uint32_t> firstVertex_; // by page
     std::vector<std::uint32_t> positionOf_;  // by vertex across pages
     std::vector<hierarchy::GridPoint> positions_;

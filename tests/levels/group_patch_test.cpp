@@ -17,7 +17,7 @@ struct Grouped {
         for (std::uint32_t p = 0; p < mesh.positionCount; p += 13)
             mesh.isBorder[p] = 1;
         level = firstLevel(mesh, {});
-        formGroups(level, mesh.grid, {}, 0);
+        formGroups(level, mesh.grid, {}, 0, false);
     }
 
     simplify::Mesh mesh;

@@ -1,4 +1,5 @@
 // One step to the next coarser level: what replaces each group, and what it says of its error.
+#include "core/random.h"
 #include "preprocess/levels/grouping.h"
 #include "preprocess/levels/level_clusters.h"
 #include "preprocess/levels/level_simplification.h"
@@ -14,7 +15,7 @@ namespace {
 
 Level groupedLevel(const simplify::Mesh& mesh) {
     Level level = firstLevel(mesh, {});
-    formGroups(level, mesh.grid, {}, 0);
+    formGroups(level, mesh.grid, {}, 0, false);
     for (std::uint32_t g = 0; g < level.groups.size(); ++g)
         level.groups[g].place = {7, g / 3, g % 3};
     return level;
@@ -37,7 +38,7 @@ TEST(SimplifiedLevel, HalvesEachGroupAndNamesItInTheClustersThatReplaceIt) {
     const simplify::Mesh mesh = meshOf(read::bumpySheet(64));
     Level level = groupedLevel(mesh);
     Counter progress;
-    const Level next = simplifiedLevel(mesh, level, {}, simplify::CostLimit::None, progress);
+    const Level next = simplifiedLevel(mesh, level, {}, simplify::CostLimit::None, false, progress);
     EXPECT_EQ(progress.sum(), level.triangles.size());
     EXPECT_LE(next.triangles.size(), level.triangles.size() * 11 / 20);
     EXPECT_GE(next.triangles.size(), level.triangles.size() * 2 / 5);
@@ -71,7 +72,7 @@ TEST(SimplifiedLevel, WhereNothingHindersAGroupHasHalfItsTrianglesLeftRoundedUp)
     const simplify::Mesh mesh = meshOf(flat);
     NoProgress progress;
     Level level = groupedLevel(mesh);
-    const Level next = simplifiedLevel(mesh, level, {}, simplify::CostLimit::None, progress);
+    const Level next = simplifiedLevel(mesh, level, {}, simplify::CostLimit::None, false, progress);
     std::vector<std::size_t> before(level.groups.size(), 0);
     for (const std::uint32_t group : groupOfTriangles(level))
         ++before[group];
@@ -95,7 +96,7 @@ TEST(SimplifiedLevel, AGroupsErrorIsThatOfItsWorstTriangleAndTheGridsAndNeverLes
         const double before = 5 * mesh.grid.step();
         level.refinements.push_back({{}, {}, before});
         level.clusters[level.groups[1].firstCluster].refinement = 0;
-        const Level next = simplifiedLevel(mesh, level, options, simplify::CostLimit::None, progress);
+        const Level next = simplifiedLevel(mesh, level, options, simplify::CostLimit::None, false, progress);
         std::vector<double> worst(level.groups.size(), 0);
         for (const LevelCluster& cluster : next.clusters)
             for (std::uint32_t t = cluster.firstTriangle; t < cluster.firstTriangle + cluster.triangleCount; ++t)
@@ -116,9 +117,9 @@ TEST(SimplifiedLevel, AnEstimatedErrorIsTheOneBeforeAndTheSimplifiersClaim) {
     LevelOptions options;
     options.error = ErrorKind::Estimated;
     Level level = groupedLevel(mesh);
-    const Level next = simplifiedLevel(mesh, level, options, simplify::CostLimit::None, progress);
+    const Level next = simplifiedLevel(mesh, level, options, simplify::CostLimit::None, false, progress);
     Level measured = groupedLevel(mesh);
-    simplifiedLevel(mesh, measured, {}, simplify::CostLimit::None, progress);
+    simplifiedLevel(mesh, measured, {}, simplify::CostLimit::None, false, progress);
     for (const simplify::TriangleError& error : next.errors)
         ASSERT_EQ(std::max(error.fromSource, error.toSource), 0);
     for (std::size_t g = 0; g < level.groups.size(); ++g) {
@@ -133,9 +134,9 @@ TEST(SimplifiedLevel, ATightErrorIsNowhereMoreThanAMeasuredOneAndLowerBefore) {
     LevelOptions options;
     options.error = ErrorKind::Tight;
     Level tight = groupedLevel(mesh);
-    const Level next = simplifiedLevel(mesh, tight, options, simplify::CostLimit::None, progress);
+    const Level next = simplifiedLevel(mesh, tight, options, simplify::CostLimit::None, false, progress);
     Level measured = groupedLevel(mesh);
-    const Level other = simplifiedLevel(mesh, measured, {}, simplify::CostLimit::None, progress);
+    const Level other = simplifiedLevel(mesh, measured, {}, simplify::CostLimit::None, false, progress);
     EXPECT_EQ(next.triangles, other.triangles) << "of the source's own level the same triangles are left";
     double sum = 0;
     double measuredSum = 0;
@@ -157,12 +158,69 @@ TEST(SimplifiedLevel, KeepsThePositionsThatGroupsShare) {
         for (const std::uint32_t v : level.triangles[t])
             users[v].insert(groups[t]);
     NoProgress progress;
-    const Level next = simplifiedLevel(mesh, level, {}, simplify::CostLimit::None, progress);
+    const Level next = simplifiedLevel(mesh, level, {}, simplify::CostLimit::None, false, progress);
     std::set<std::uint32_t> left;
     for (const simplify::Triangle& t : next.triangles)
         left.insert(t.begin(), t.end());
     for (std::uint32_t v = 0; v < users.size(); ++v)
         ASSERT_TRUE(users[v].size() <= 1 || left.contains(v)) << v;
+}
+
+/// Level 1 of `mesh`, in groups.
+Level levelAboveTheFirst(const simplify::Mesh& mesh) {
+    Level finest = groupedLevel(mesh);
+    NoProgress progress;
+    Level level = simplifiedLevel(mesh, finest, {}, simplify::CostLimit::MeanEdge, false, progress);
+    formGroups(level, mesh.grid, {}, 1, false);
+    return level;
+}
+
+TEST(SimplifiedLevel, DefersGroupsThatCostFarMoreThanOthers) {
+    read::CodeMesh sheet = read::bumpySheet(200);
+    Random random(4);
+    for (glm::dvec3& p : sheet.positions)
+        p.y = p.x < 0.12 ? random.uniform(0, 0.2) : 0.1 * p.y;
+    const simplify::Mesh mesh = meshOf(sheet);
+    Counter progress;
+    Level all = levelAboveTheFirst(mesh);
+    Level some = all;
+    simplifiedLevel(mesh, all, {}, simplify::CostLimit::MeanEdge, false, progress);
+    const Level next = simplifiedLevel(mesh, some, {}, simplify::CostLimit::MeanEdge, true, progress);
+    EXPECT_EQ(progress.sum(), 2 * some.triangles.size());
+    std::vector<double> errors; // of each triangle, were all groups simplified
+    const std::vector<std::uint32_t> groups = groupOfTriangles(all);
+    errors.reserve(groups.size());
+    for (const std::uint32_t g : groups)
+        errors.push_back(all.groups[g].error);
+    std::sort(errors.begin(), errors.end());
+    const double limit = 4 * errors[(errors.size() + 1) / 2 - 1];
+    std::size_t deferred = 0;
+    std::size_t kept = 0;
+    for (std::size_t g = 0; g < some.groups.size(); ++g) {
+        double before = 0;
+        for (std::uint32_t c = 0; c < some.groups[g].clusterCount; ++c)
+            before =
+                std::max(before, some.refinements[some.clusters[some.groups[g].firstCluster + c].refinement].error);
+        ASSERT_EQ(some.groups[g].isDeferred, all.groups[g].error > std::max(limit, before));
+        if (some.groups[g].isDeferred) {
+            ++deferred;
+            continue;
+        }
+        EXPECT_EQ(some.groups[g].error, all.groups[g].error);
+        EXPECT_EQ(next.refinements[kept].error, some.groups[g].error);
+        ++kept;
+    }
+    EXPECT_GT(deferred, 0U);
+    EXPECT_GT(kept, deferred);
+    Level passedOn;
+    for (const LevelGroup& group : some.groups)
+        for (std::uint32_t c = 0; c < (group.isDeferred ? group.clusterCount : 0); ++c) {
+            const LevelCluster& cluster = some.clusters[group.firstCluster + c];
+            for (std::uint32_t t = 0; t < cluster.triangleCount; ++t)
+                passedOn.triangles.push_back(some.triangles[cluster.firstTriangle + t]);
+        }
+    const std::size_t count = passedOn.triangles.size();
+    EXPECT_EQ(cornersOf(mesh, next, next.triangles.size() - count, count), cornersOf(mesh, passedOn));
 }
 
 } // namespace

@@ -44,7 +44,7 @@ struct Placed {
             level.refinements.push_back({{2, c / 20, c % 20}, {glm::dvec3(c), 1000.0 + c}, 0.5 + c, 0.25 + c});
             level.clusters[c].refinement = c / 3;
         }
-        formGroups(level, mesh.grid, {}, 3);
+        formGroups(level, mesh.grid, {}, 3, false);
         for (std::size_t g = 0; g < level.groups.size(); ++g) {
             const int power = g % 2 == 0 ? 0 : step;
             level.groups[g].error = std::ldexp(1e3 + static_cast<double>(g), power);

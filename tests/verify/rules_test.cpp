@@ -1,4 +1,4 @@
-// The parts of verify by themselves: locked edges against sets, cuts and bounds against chains, each rule's own words.
+// The parts of verify by themselves: cuts and bounds against chains, each rule's own words.
 #include "core/random.h"
 #include "hierarchy/tiny_model.h"
 #include "preprocess/read/memory_source.h"
@@ -7,7 +7,6 @@
 #include "preprocess/verify/cracks.h"
 #include "preprocess/verify/error_bound.h"
 #include "preprocess/verify/loaded_model.h"
-#include "preprocess/verify/locked_edges.h"
 #include "preprocess/verify/model_facts.h"
 #include "preprocess/verify/rules.h"
 #include "preprocess/verify/source_soup.h"
@@ -36,6 +35,7 @@ LoadedModel loadedOf(const tests::TinyModel& tiny) {
     for (const Page& page : model.pages) {
         model.firstGroup.push_back(model.firstGroup.back() + static_cast<std::uint32_t>(page.groups.size()));
         model.firstCluster.push_back(model.firstCluster.back() + static_cast<std::uint32_t>(page.clusters.size()));
+        model.levels.push_back(page.level);
     }
     return model;
 }
@@ -54,70 +54,6 @@ ModelFacts factsOf(const LoadedModel& model) {
     for (std::size_t page = 0; page < model.pages.size(); ++page)
         facts.pages.push_back(verify::factsOf(model.pages[page], page, model.summary.grid));
     return facts;
-}
-
-using PlainEdge = std::pair<GridPoint, GridPoint>;
-
-/// The edges of a cluster's triangles, one entry for each triangle at each; lesser end first.
-std::vector<PlainEdge> edgesOf(const Page& page, const Cluster& cluster) {
-    std::vector<PlainEdge> edges;
-    for (std::uint32_t t = 0; t < cluster.triangleCount; ++t)
-        for (std::size_t k = 0; k < 3; ++k) {
-            const Triangle& triangle = page.triangles[cluster.firstTriangle + t];
-            const GridPoint a = page.vertices[cluster.firstVertex + triangle[k]].position;
-            const GridPoint b = page.vertices[cluster.firstVertex + triangle[(k + 1) % 3]].position;
-            if (a != b) edges.emplace_back(std::min(a, b), std::max(a, b));
-        }
-    return edges;
-}
-
-/// Calls `visit(edge, cluster number, group number, level)` for every edge of every triangle.
-template <class Visit>
-void forEveryEdge(const LoadedModel& model, const Visit& visit) {
-    for (std::size_t p = 0; p < model.pages.size(); ++p) {
-        const Page& page = model.pages[p];
-        for (std::uint32_t g = 0; g < page.groups.size(); ++g)
-            for (std::uint32_t i = 0; i < page.groups[g].clusterCount; ++i) {
-                const std::uint32_t c = page.groups[g].firstCluster + i;
-                for (const PlainEdge& edge : edgesOf(page, page.clusters[c]))
-                    visit(edge, model.firstCluster[p] + c, model.firstGroup[p] + g, page.level);
-            }
-    }
-}
-
-TEST(LockedEdges, AreThoseThatGroupsOfALevelShare) {
-    const LoadedModel model = smallModel();
-    std::map<std::pair<PlainEdge, std::uint32_t>, std::multiset<std::uint32_t>> groupsAt; // by edge and level
-    std::map<std::uint32_t, std::multiset<PlainEdge>> edgesOfCluster;
-    forEveryEdge(model, [&](const PlainEdge& edge, std::uint32_t cluster, std::uint32_t group, std::uint32_t level) {
-        groupsAt[{edge, level}].insert(group);
-        edgesOfCluster[cluster].insert(edge);
-    });
-    std::map<PlainEdge, std::map<std::uint32_t, std::uint32_t>> expected; // edge -> level -> triangles
-    for (const auto& [key, groups] : groupsAt)
-        if (*groups.begin() != *groups.rbegin())
-            expected[key.first][key.second] = static_cast<std::uint32_t>(groups.size());
-    ASSERT_GT(expected.size(), 20U);
-    const LockedEdges edges(model);
-    ASSERT_EQ(edges.count(), expected.size());
-    std::map<PlainEdge, std::uint32_t> numberOf;
-    for (std::uint32_t e = 0; e < edges.count(); ++e) {
-        const PlainEdge edge(
-            std::min(edges.end(e, false), edges.end(e, true)), std::max(edges.end(e, false), edges.end(e, true)));
-        ASSERT_TRUE(expected.contains(edge));
-        numberOf[edge] = e;
-        std::map<std::uint32_t, std::uint32_t> locks;
-        for (const EdgeLock& lock : edges.locks(e))
-            locks[lock.level] = lock.triangles;
-        EXPECT_EQ(locks, expected[edge]);
-    }
-    for (std::uint32_t cluster = 0; cluster < model.firstCluster.back(); ++cluster) {
-        std::multiset<std::uint32_t> locked;
-        for (const PlainEdge& edge : edgesOfCluster[cluster])
-            if (numberOf.contains(edge)) locked.insert(numberOf[edge]);
-        const auto found = edges.edgesOf(cluster);
-        EXPECT_EQ(std::multiset<std::uint32_t>(found.begin(), found.end()), locked);
-    }
 }
 
 TEST(UniformCut, IsWhatTheRuleDrawsAtOneError) {

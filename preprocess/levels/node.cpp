@@ -9,6 +9,7 @@ namespace {
 
 using hierarchy::kNone;
 
+constexpr std::uint32_t kDeferringLevels = hierarchy::kMaxLevels / 2; // the rest get to the root in any case
 constexpr double kLeastProgress = 0.95; // a level of more than this share of the one below is not worth having
 
 hierarchy::LevelInfo infoOf(const Level& level, const hierarchy::Grid& grid) {
@@ -38,7 +39,8 @@ struct Coarser {
 };
 
 /// Forms the groups of `level`, the `number`th, and simplifies them under a cost limit; towards the root without one,
-/// where the limit would end it. Triangles of level 0 are never deferred: a cluster of any other names a finer group.
+/// where the limit would end it. Triangles of level 0 are never deferred: a cluster of any other names a finer group;
+/// nor are those of high levels, of which there must be enough to get to the root.
 Coarser coarserLevel(
     const simplify::Mesh& mesh,
     Level& level,
@@ -52,7 +54,7 @@ Coarser coarserLevel(
         coarser.isWorthwhile = isWorthwhile(coarser.level, level.triangles.size());
         return coarser;
     };
-    Coarser limited = make(simplify::CostLimit::MeanEdge, number > 0);
+    Coarser limited = make(simplify::CostLimit::MeanEdge, number > 0 && number < kDeferringLevels);
     if (limited.isWorthwhile || !isToRoot) return limited;
     return make(simplify::CostLimit::None, false);
 }

@@ -15,11 +15,18 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <string>
 
 namespace gnomon::verify {
 namespace {
 
 using namespace hierarchy;
+
+/// Two tests may run at once.
+std::string pathOfThisTest(const std::string& name) {
+    const char* test = testing::UnitTest::GetInstance()->current_test_info()->name();
+    return testing::TempDir() + "gnomon_locked_edges_" + test + "_" + name;
+}
 
 /// A sheet that is all but flat, with a rough part whose clusters cost far more to coarsen.
 LoadedModel modelWithWaitingClusters() {
@@ -28,7 +35,7 @@ LoadedModel modelWithWaitingClusters() {
     for (glm::dvec3& p : mesh.positions)
         p.y = p.x < 0.3 ? random.uniform(0, 0.02) : 1e-4 * p.y;
     pipeline::BuildOptions options;
-    options.output = testing::TempDir() + "gnomon_waiting.gnm";
+    options.output = pathOfThisTest("waiting.gnm");
     NoProgress progress;
     pipeline::buildModel(mesh, options, progress);
     return loadModel(ModelFile(options.output), progress);
@@ -40,7 +47,7 @@ LoadedModel tinyModel() {
     options.clusterTriangles = 32;
     options.groupClusters = 3;
     options.pageGroups = 2;
-    const std::string path = testing::TempDir() + "gnomon_locked_edges.gnm";
+    const std::string path = pathOfThisTest("tiny.gnm");
     tests::writeModel(tests::makeTinyModel(options), path);
     NoProgress progress;
     return loadModel(ModelFile(path), progress);

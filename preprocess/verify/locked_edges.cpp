@@ -15,7 +15,7 @@ using namespace hierarchy;
 
 namespace {
 
-/// A use of an edge or a vertex by what stays or goes as one: a group of the level under work, or a cluster that waits.
+/// A use of an edge or a vertex by what stays or goes as one: a group of the level under work, or a deferred cluster.
 struct Use {
     std::uint64_t what = 0;
     std::uint64_t owner = 0;
@@ -43,7 +43,7 @@ void forEachEdge(const Page& page, const Cluster& cluster, const OfVertex& ofVer
 }
 
 /// Calls `take(page, cluster, owner)` for all clusters of the surface of a level: those of its groups, which are their
-/// owners, and those that wait, each its own.
+/// owners, and deferred ones, each its own.
 template <class Take>
 void forEachCluster(const LoadedModel& model, const LockedEdges& edges, std::uint32_t level, const Take& take) {
     for (std::size_t p = 0; p < model.pages.size(); ++p) {
@@ -53,9 +53,9 @@ void forEachCluster(const LoadedModel& model, const LockedEdges& edges, std::uin
             for (std::uint32_t i = 0; i < page.groups[g].clusterCount; ++i) {
                 const std::uint32_t c = page.groups[g].firstCluster + i;
                 if ((edges.levelsOf(model.firstCluster[p] + c) >> level & 1U) == 0) continue;
-                const bool waits = page.level > level;
-                const std::uint64_t waiting = std::uint64_t{model.firstGroup.back()} + model.firstCluster[p] + c;
-                take(p, page.clusters[c], waits ? waiting : model.firstGroup[p] + g);
+                const bool isDeferred = page.level > level;
+                const std::uint64_t itself = std::uint64_t{model.firstGroup.back()} + model.firstCluster[p] + c;
+                take(p, page.clusters[c], isDeferred ? itself : model.firstGroup[p] + g);
             }
     }
 }

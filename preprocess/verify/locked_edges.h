@@ -1,5 +1,5 @@
 // The edges that are locked at some level, and which triangles of which clusters lie at them. The surface of a level is
-// its groups and the clusters that wait for the groups of a coarser one; an edge that several of these share stays as
+// its groups and the clusters that it defers to a coarser one; an edge that several of these share stays as
 // it is from this surface to the next coarser one.
 #pragma once
 

@@ -1,5 +1,4 @@
-// Models in which clusters wait for the groups of a coarser level: what is locked around them, and that cracks there
-// are found.
+// What is locked at each level, against sets, with deferred clusters too, and that cracks beside these are found.
 #include "core/random.h"
 #include "hierarchy/tiny_model.h"
 #include "preprocess/pipeline/build_model.h"
@@ -29,13 +28,13 @@ std::string pathOfThisTest(const std::string& name) {
 }
 
 /// A sheet that is all but flat, with a rough part whose clusters cost far more to coarsen.
-LoadedModel modelWithWaitingClusters() {
+LoadedModel modelWithDeferredClusters() {
     read::CodeMesh mesh = read::bumpySheet(120);
     Random random(3);
     for (glm::dvec3& p : mesh.positions)
         p.y = p.x < 0.3 ? random.uniform(0, 0.02) : 1e-4 * p.y;
     pipeline::BuildOptions options;
-    options.output = pathOfThisTest("waiting.gnm");
+    options.output = pathOfThisTest("deferred.gnm");
     NoProgress progress;
     pipeline::buildModel(mesh, options, progress);
     return loadModel(ModelFile(options.output), progress);
@@ -53,7 +52,7 @@ LoadedModel tinyModel() {
     return loadModel(ModelFile(path), progress);
 }
 
-bool waits(const LoadedModel& model, const Page& page, const Cluster& cluster) {
+bool isDeferred(const LoadedModel& model, const Page& page, const Cluster& cluster) {
     return model.firstLevelOf(page, cluster) < page.level;
 }
 
@@ -72,7 +71,7 @@ std::vector<PlainEdge> edgesOf(const Page& page, const Cluster& cluster) {
 }
 
 /// Of each triangle at an edge of a level's surface: its page, 1 where its group is of that level, 0 where its cluster
-/// waits, and the number of either.
+/// is deferred, and the number of either.
 using Owners = std::multiset<std::array<std::uint32_t, 3>>;
 
 /// The owner of a cluster in the surface of `level`; nothing if it is no part of that.
@@ -127,18 +126,18 @@ void expectEdgesOfClusters(
         }
 }
 
-std::size_t waitingCount(const LoadedModel& model) {
+std::size_t deferredCount(const LoadedModel& model) {
     std::size_t count = 0;
     for (const Page& page : model.pages)
         for (const Cluster& cluster : page.clusters)
-            count += waits(model, page, cluster) ? 1 : 0;
+            count += isDeferred(model, page, cluster) ? 1 : 0;
     return count;
 }
 
-TEST(LockedEdges, AreThoseThatGroupsAndWaitingClustersOfALevelShare) {
-    const std::array models = {tinyModel(), modelWithWaitingClusters()};
-    EXPECT_EQ(waitingCount(models[0]), 0U);
-    EXPECT_GT(waitingCount(models[1]), 20U);
+TEST(LockedEdges, AreThoseThatGroupsAndDeferredClustersOfALevelShare) {
+    const std::array models = {tinyModel(), modelWithDeferredClusters()};
+    EXPECT_EQ(deferredCount(models[0]), 0U);
+    EXPECT_GT(deferredCount(models[1]), 20U);
     for (const LoadedModel& model : models) {
         const std::map<PlainEdge, Locks> expected = plainLocks(model);
         ASSERT_GT(expected.size(), 20U);
@@ -165,9 +164,9 @@ void moveEnd(Page& page, const Cluster& cluster, const PlainEdge& edge) {
     }
 }
 
-/// Moves what replaces a group beside a cluster that waits off their edge, where only the lock between these two can
+/// Moves what replaces a group beside a deferred cluster off their edge, where only the lock between these two can
 /// tell; false if there is no such edge.
-bool moveOffAWaitingCluster(LoadedModel& model) {
+bool moveOffADeferredCluster(LoadedModel& model) {
     for (std::uint32_t level = 1; level + 1 < model.summary.levels.size(); ++level) {
         const auto owners = ownersAt(model, level);
         const auto next = ownersAt(model, level + 1);
@@ -178,7 +177,7 @@ bool moveOffAWaitingCluster(LoadedModel& model) {
         };
         for (Page& page : model.pages)
             for (const Cluster& cluster : page.clusters) {
-                if (page.level != level + 1 || waits(model, page, cluster)) continue;
+                if (page.level != level + 1 || isDeferred(model, page, cluster)) continue;
                 const std::vector<PlainEdge> edges = edgesOf(page, cluster);
                 const auto edge = std::ranges::find_if(edges, isTheOnlyLock);
                 if (edge == edges.end()) continue;
@@ -189,13 +188,13 @@ bool moveOffAWaitingCluster(LoadedModel& model) {
     return false;
 }
 
-TEST(LockedEdges, ACrackBesideAClusterThatWaitsIsFound) {
-    LoadedModel model = modelWithWaitingClusters();
+TEST(LockedEdges, ACrackBesideADeferredClusterIsFound) {
+    LoadedModel model = modelWithDeferredClusters();
     NoProgress progress;
     const Check sound = checkCracks(model, 100, 3, progress);
     EXPECT_GT(sound.tested, 1000U);
     EXPECT_EQ(sound.failed, 0U) << sound.detail;
-    ASSERT_TRUE(moveOffAWaitingCluster(model)) << "no such edge";
+    ASSERT_TRUE(moveOffADeferredCluster(model)) << "no such edge";
     EXPECT_GT(checkCracks(model, 200, 3, progress).failed, 0U);
 }
 

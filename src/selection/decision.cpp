@@ -112,6 +112,7 @@ CertainRule::CertainRule(const ErrorRule& rule) : rule_(&rule) {
     const Range x = view.tanHalfX;
     const Range y = view.tanHalfY;
     pixelsPerUnit_ = view.heightPixels / (2 * y);
+    edgePixelsPerUnit_ = DetailView::kEdgeMargin * pixelsPerUnit_;
     cornerCosine_ = 1 / root(1 + x * x + y * y);
 }
 
@@ -183,7 +184,7 @@ Range CertainRule::casterPixels(const CasterDetail& caster, const Sphere& bounds
         const Range from = root(dot(toCenter, toCenter)) - bounds.radius;
         const Range farthest = caster.point->farthest;
         const Range growth = greatest(1, farthest / greatest(from, kNearest * farthest));
-        return where(isSeen, error * growth * pixelsPerUnit_ / caster.receiverNear);
+        return where(isSeen, error * growth * edgePixelsPerUnit_ / caster.receiverNear);
     }
     const TexelWidth& texel = caster.texel;
     const Range zeta = dot(vectorOf(texel.axis), vectorOf(bounds.center)) - texel.origin;
@@ -192,7 +193,7 @@ Range CertainRule::casterPixels(const CasterDetail& caster, const Sphere& bounds
     if (error <= half.high) isSeen = Decision::Undecided;
     Decision meets = Decision::Yes;
     const Range depth = leastReceiverDepth(caster, bounds, meets);
-    return where(both(isSeen, meets), error * pixelsPerUnit_ / greatest(depth, caster.receiverNear));
+    return where(both(isSeen, meets), error * edgePixelsPerUnit_ / greatest(depth, caster.receiverNear));
 }
 
 } // namespace gnomon::selection

@@ -38,6 +38,7 @@ private:
     const ErrorRule* rule_;
     std::vector<PlaneRange> pyramid_;
     Range pixelsPerUnit_;
+    Range edgePixelsPerUnit_;
     Range cornerCosine_;
 };
 

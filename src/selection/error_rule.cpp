@@ -67,6 +67,7 @@ ErrorRule::ErrorRule(const DetailView& view, std::vector<CasterDetail> casters)
     : view_(view),
       pyramid_(viewPyramid(view)),
       pixelsPerUnit_(view.pixelsPerUnit()),
+      edgePixelsPerUnit_(view.edgePixelsPerUnit()),
       cornerCosine_(1 / std::sqrt(1 + view.tanHalfX * view.tanHalfX + view.tanHalfY * view.tanHalfY)),
       casters_(std::move(casters)) {
     GNOMON_CHECK(view.nearestDepth > 0 && view.tanHalfX > 0 && view.tanHalfY > 0);
@@ -114,7 +115,7 @@ double ErrorRule::casterPixels(const Sphere& bounds, double error, double floor)
     double pixels = floor;
     for (const CasterDetail& caster : casters_) {
         const bool isBounded = !caster.point; // by the most that it can give
-        if (isBounded && error * pixelsPerUnit_ / caster.receiverNear <= pixels) continue;
+        if (isBounded && error * edgePixelsPerUnit_ / caster.receiverNear <= pixels) continue;
         pixels = std::max(pixels, oneCasterPixels(caster, bounds, error));
     }
     return pixels;
@@ -126,7 +127,7 @@ double ErrorRule::oneCasterPixels(const CasterDetail& caster, const Sphere& boun
         constexpr double kNearest = 1e-6; // of the way to the farthest receiver
         const double from = glm::length(bounds.center - caster.point->at) - bounds.radius;
         const double growth = std::max(1.0, caster.point->farthest / std::max(from, kNearest * caster.point->farthest));
-        return error * growth * pixelsPerUnit_ / caster.receiverNear;
+        return error * growth * edgePixelsPerUnit_ / caster.receiverNear;
     }
     const TexelWidth& texel = caster.texel;
     const double zeta = glm::dot(texel.axis, bounds.center) - texel.origin;
@@ -136,7 +137,7 @@ double ErrorRule::oneCasterPixels(const CasterDetail& caster, const Sphere& boun
     const double start = glm::dot(bounds.center - view_.eye, view_.basis.view);
     const double slope = -glm::dot(caster.towardsLight, view_.basis.view);
     const double nearest = start + slope * (slope > 0 ? ray.first : ray.last) - bounds.radius;
-    return error * pixelsPerUnit_ / std::max(slope == 0 ? start - bounds.radius : nearest, caster.receiverNear);
+    return error * edgePixelsPerUnit_ / std::max(slope == 0 ? start - bounds.radius : nearest, caster.receiverNear);
 }
 
 } // namespace gnomon::selection

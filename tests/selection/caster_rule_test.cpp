@@ -46,13 +46,13 @@ TEST(CasterRule, ChargesAPointWhatItsRayOfLightMeets) {
             std::isfinite(least) && contains(caster.casters, point) && error > 0.5 * caster.texel.smallerSide(zeta);
         if (isSeen) {
             ++charged;
-            const double expected = error * view.pixelsPerUnit() / std::max(least, caster.receiverNear);
+            const double expected = error * view.edgePixelsPerUnit() / std::max(least, caster.receiverNear);
             EXPECT_GE(reported, expected * (1 - 1e-9));
             EXPECT_LE(reported, expected * (1 + 2 * step / caster.receiverNear)) << "as exact as the steps are";
         } else {
             free += reported == 0 ? 1 : 0;
         }
-        EXPECT_LE(reported, error * view.pixelsPerUnit() / caster.receiverNear * (1 + 1e-9));
+        EXPECT_LE(reported, error * view.edgePixelsPerUnit() / caster.receiverNear * (1 + 1e-9));
     }
     EXPECT_GT(charged, 100);
     EXPECT_GT(free, 1000);
@@ -63,7 +63,7 @@ struct ByHand {
     ByHand() {
         view.basis = cameraBasis(Camera{});
         view.tanHalfX = view.tanHalfY = 1;
-        view.heightPixels = 200; // 100 pixels a unit at depth 1
+        view.heightPixels = 200; // 100 pixels a unit at depth 1, 120 of an edge
         caster.receivers = viewPyramid(view);
         caster.receivers.planes.push_back({{0, 0, -1}, -2}); // from depth 2 ...
         caster.receivers.planes.push_back({{0, 0, 1}, 8});   // ... to depth 8
@@ -84,14 +84,14 @@ struct ByHand {
 
 TEST(CasterRule, StraightFromAboveIsTheErrorOverTheDepthBelow) {
     const ByHand scene;
-    EXPECT_NEAR(scene.pixels({{0, 100, -5}, 0}, 0.3), 0.3 * 100 / 5, 1e-9);
-    EXPECT_NEAR(scene.pixels({{0, 100, -5}, 1}, 0.3), 0.3 * 100 / 4, 1e-9) << "its nearest point";
-    EXPECT_NEAR(scene.pixels({{0, 100, -2.5}, 1}, 0.3), 0.3 * 100 / 2, 1e-9) << "no nearer than the receivers";
+    EXPECT_NEAR(scene.pixels({{0, 100, -5}, 0}, 0.3), 0.3 * 120 / 5, 1e-9);
+    EXPECT_NEAR(scene.pixels({{0, 100, -5}, 1}, 0.3), 0.3 * 120 / 4, 1e-9) << "its nearest point";
+    EXPECT_NEAR(scene.pixels({{0, 100, -2.5}, 1}, 0.3), 0.3 * 120 / 2, 1e-9) << "no nearer than the receivers";
     EXPECT_EQ(scene.pixels({{0, -100, -5}, 1}, 0.3), 0) << "below, it shadows nothing";
     EXPECT_EQ(scene.pixels({{0, 100, -1}, 0.5}, 0.3), 0) << "in front of the receivers";
     EXPECT_EQ(scene.pixels({{0, 100, -9}, 0.5}, 0.3), 0) << "behind them";
     EXPECT_EQ(scene.pixels({{0, 100, -5}, 1}, 0), 0);
-    EXPECT_NEAR(scene.pixels({{0, 0, -5}, 0}, 0.3), 0.3 * 100 / 5, 1e-9) << "in view as out of it";
+    EXPECT_NEAR(scene.pixels({{0, 0, -5}, 0}, 0.3), 0.3 * 120 / 5, 1e-9) << "in view as out of it";
 }
 
 TEST(CasterRule, ACasterInViewIsChargedWhereItsShadowFallsNearTheEye) {
@@ -100,9 +100,9 @@ TEST(CasterRule, ACasterInViewIsChargedWhereItsShadowFallsNearTheEye) {
     const Sphere farAway{{0, 3, -7}, 0};
     const double seen = ErrorRule(scene.view).pixels(farAway, 0.3);
     EXPECT_LT(seen, 0.3 * 100 / 6);
-    EXPECT_NEAR(scene.pixels(farAway, 0.3), 0.3 * 100 / 2, 1e-9) << "its ray of light reaches depth 2 in view";
+    EXPECT_NEAR(scene.pixels(farAway, 0.3), 0.3 * 120 / 2, 1e-9) << "its ray of light reaches depth 2 in view";
     scene.caster.receivers.planes.push_back({{0, 1, 0}, -1}); // the model ends at y = 1, where the ray is at depth 5
-    EXPECT_NEAR(scene.pixels(farAway, 0.3), 0.3 * 100 / 5, 1e-9) << "nothing is shadowed beyond the model";
+    EXPECT_NEAR(scene.pixels(farAway, 0.3), 0.3 * 120 / 5, 1e-9) << "nothing is shadowed beyond the model";
 }
 
 TEST(CasterRule, HalfATexelIsForFree) {
@@ -136,7 +136,7 @@ TEST(CasterRule, TheWorstPartitionCounts) {
          {std::vector{scene.caster, coarse},
           std::vector{coarse, scene.caster},
           std::vector{coarse, nearer, scene.caster}})
-        EXPECT_NEAR(ErrorRule(scene.view, casters).casterPixels(above, 0.3), 6, 1e-9);
+        EXPECT_NEAR(ErrorRule(scene.view, casters).casterPixels(above, 0.3), 0.3 * 120 / 5, 1e-9);
     EXPECT_EQ(ErrorRule(scene.view, {coarse}).casterPixels(above, 0.3), 0);
     EXPECT_EQ(ErrorRule(scene.view).casterPixels(above, 0.3), 0) << "rays, or no shadows";
 }

@@ -83,7 +83,7 @@ TEST(ErrorRule, APointLightMagnifiesWhatIsNearIt) {
     caster.receiverNear = 4;
     caster.point = {{0, 3, 0}, 12};
     const ErrorRule rule(view, {caster});
-    const double perUnit = view.pixelsPerUnit() / 4;
+    const double perUnit = view.edgePixelsPerUnit() / 4;
     EXPECT_DOUBLE_EQ(rule.casterPixels({{0, 0, 0}, 1}, 0.01), 0.01 * perUnit * 6) << "from 2 away";
     EXPECT_DOUBLE_EQ(rule.casterPixels({{0, -20, 0}, 1}, 0.01), 0.01 * perUnit) << "farther than what it could shadow";
     EXPECT_GT(rule.casterPixels({{0, 2.5, 0}, 1}, 0.01), 1e4 * 0.01 * perUnit) << "about the light";
@@ -98,7 +98,7 @@ TEST(ErrorRule, AShadowThatMeetsItsReceiversInOnePointIsSeen) {
     caster.receiverNear = 1;
     caster.towardsLight = {0, 0, -1};
     const ErrorRule rule(view, {caster});
-    EXPECT_EQ(rule.casterPixels({{0, 0, -4}, 0}, 1), view.pixelsPerUnit() / 2);
+    EXPECT_EQ(rule.casterPixels({{0, 0, -4}, 0}, 1), view.edgePixelsPerUnit() / 2);
     EXPECT_EQ(rule.casterPixels({{0, 0, 4}, 0}, 1), 0) << "light goes the other way";
 }
 
@@ -207,7 +207,7 @@ TEST(ErrorRule, NoShadowEdgeMovesFurtherThanReported) {
                 ++cast;
                 const double depth = glm::dot(receiver - view.eye, view.basis.view);
                 const double zeta = glm::dot(caster.texel.axis, receiver) - caster.texel.origin;
-                const double edge = error * view.pixelsPerUnit() / depth;
+                const double edge = error * view.edgePixelsPerUnit() / depth;
                 const bool isBelowTexel = error <= 0.5 * caster.texel.smallerSide(zeta);
                 EXPECT_LE(isBelowTexel ? 0 : edge, rule.pixels(sphere, error) * (1 + 1e-9));
             }

@@ -107,7 +107,7 @@ std::optional<Real> leastDepth(const CasterDetail& caster, const DetailView& vie
 
 Real casterPixels(const CasterDetail& caster, const DetailView& view, const Sphere& sphere, double error) {
     if (!touches(caster.casters, sphere)) return 0;
-    const Real unit = Real(error) * perUnit(view);
+    const Real unit = Real(error) * DetailView::kEdgeMargin * perUnit(view);
     if (caster.point) {
         const Real farthest = caster.point->farthest;
         const Real from = length(Vector(sphere.center) - caster.point->at) - sphere.radius;

@@ -20,6 +20,8 @@ ChannelFit::ChannelFit(
       layout_(layout),
       surface_(patch, simplified),
       words_(std::move(words)),
+      around_(patch.positions.size(), Around::NoTriangle),
+      wordAround_(patch.positions.size(), 0),
       reach_(patch.positions.size(), 0),
       residual_(patch.vertices.size()),
       weight_(patch.vertices.size(), 0),
@@ -32,6 +34,7 @@ ChannelFit::ChannelFit(
         const double moved = glm::length(patch.positions[p] - patch.positions[q]);
         reach_[q] = std::max(reach_[q], moved);
     }
+    compareWordsAround();
 }
 
 std::vector<TransferredWord> ChannelFit::run() {
@@ -73,22 +76,39 @@ ChannelFit::Channels ChannelFit::mixed(const simplify::Triangle& t, const Weight
     return result;
 }
 
-/// The simplified triangles around what the corners of triangle `t` were collapsed into, each once; whether all of
-/// them have one word, that of `t`, at all corners.
-bool ChannelFit::gatherCandidates(const simplify::Triangle& t) {
+void ChannelFit::compareWordsAround() {
+    for (const simplify::Triangle& t : simplified_.triangles) {
+        const std::uint32_t word = words_[t[0]];
+        const bool isOfOneWord = words_[t[1]] == word && words_[t[2]] == word;
+        for (const std::uint32_t v : t) {
+            const std::uint32_t p = patch_.positionOf[v];
+            const bool isFirst = around_[p] == Around::NoTriangle;
+            const bool isLikeOthers = isFirst || (around_[p] == Around::OneWord && wordAround_[p] == word);
+            around_[p] = isOfOneWord && isLikeOthers ? Around::OneWord : Around::Words;
+            wordAround_[p] = word;
+        }
+    }
+}
+
+/// Whether the simplified triangles around what the corners of triangle `t` were collapsed into all have one word, that
+/// of `t`, at all corners: what most triangles have that are coloured part by part, found without a list of them.
+bool ChannelFit::isPlain(const simplify::Triangle& t) const {
+    const std::uint32_t word = words_[t[0]];
+    return std::ranges::all_of(t, [&](std::uint32_t v) {
+        const std::uint32_t p = simplified_.movedTo[patch_.positionOf[v]];
+        const bool isOfWord = around_[p] == Around::OneWord && wordAround_[p] == word;
+        return words_[v] == word && (isOfWord || around_[p] == Around::NoTriangle);
+    });
+}
+
+/// The simplified triangles around what the corners of triangle `t` were collapsed into, each once.
+void ChannelFit::gatherCandidates(const simplify::Triangle& t) {
     candidates_.clear();
     for (const std::uint32_t v : t)
         for (const std::uint32_t candidate : surface_.around(patch_.positionOf[v]))
             candidates_.push_back(candidate);
     std::sort(candidates_.begin(), candidates_.end());
     candidates_.erase(std::unique(candidates_.begin(), candidates_.end()), candidates_.end());
-    const std::uint32_t word = words_[t[0]];
-    const auto isOfWord = [&](const simplify::Triangle& other) {
-        return std::ranges::all_of(other, [&](std::uint32_t v) { return words_[v] == word; });
-    };
-    return isOfWord(t) && std::ranges::all_of(candidates_, [&](std::uint32_t candidate) {
-               return isOfWord(simplified_.triangles[candidate]);
-           });
 }
 
 /// How far the corners of a triangle moved; where none did, how far what was collapsed into them did.
@@ -107,15 +127,15 @@ double ChannelFit::lengthOf(const simplify::Triangle& t) const {
 /// simplified triangle there.
 void ChannelFit::compare(std::uint32_t number) {
     const simplify::Triangle& t = patch_.triangles[number];
-    const bool isPlain = gatherCandidates(t);
-    if (candidates_.empty()) return;
     const std::array<glm::dvec3, 3> places = surface_.placesOf(t);
     const auto area = static_cast<float>(glm::length(glm::cross(places[1] - places[0], places[2] - places[0])));
-    if (isPlain) { // nothing is off, but that counts
+    if (isPlain(t)) { // nothing is off, but that counts
         for (const std::uint32_t v : t)
             plainWeight_[simplified_.movedTo[patch_.positionOf[v]]] += area;
         return;
     }
+    gatherCandidates(t);
+    if (candidates_.empty()) return;
     const double length = lengthOf(t);
     for (const Weights& at : kSampleWeights) {
         const glm::dvec3 p = places[0] * static_cast<double>(at[0]) + places[1] * static_cast<double>(at[1]) +

@@ -63,7 +63,12 @@ private:
 
     Channels found(const Sample& sample) const { return mixed(simplified_.triangles[sample.triangle], sample.weights); }
 
-    bool gatherCandidates(const simplify::Triangle& t);
+    /// What the simplified triangles around a position have at their corners.
+    enum class Around : std::uint8_t { NoTriangle, OneWord, Words };
+
+    void compareWordsAround();
+    bool isPlain(const simplify::Triangle& t) const;
+    void gatherCandidates(const simplify::Triangle& t);
     double lengthOf(const simplify::Triangle& t) const;
     void compare(std::uint32_t number);
 
@@ -72,8 +77,10 @@ private:
     hierarchy::FieldLayout layout_;
     SimplifiedSurface surface_;
     std::vector<std::uint32_t> words_;
-    std::vector<double> reach_;      // per position: how far what was collapsed into it moved
-    std::vector<Channels> channels_; // per vertex
+    std::vector<Around> around_;            // per position that is left
+    std::vector<std::uint32_t> wordAround_; // likewise, of those with OneWord
+    std::vector<double> reach_;             // per position: how far what was collapsed into it moved
+    std::vector<Channels> channels_;        // per vertex
     std::vector<Channels> residual_;
     std::vector<float> weight_;      // of what the residuals were added up over
     std::vector<float> plainWeight_; // per position: likewise, of triangles without any

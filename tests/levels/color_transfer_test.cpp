@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace gnomon::levels {
 namespace {
@@ -224,6 +225,68 @@ TEST(ColorTransfer, ASeamStaysSharp) {
     for (const std::uint32_t color : colorsAfter(patch, transfer))
         EXPECT_TRUE(color == 0xFF0000FFU || color == 0xFFFF0000U) << color;
     EXPECT_EQ(transfer.error, 0);
+}
+
+/// The sheet in squares of one colour each, of `random` out of three; where they meet each has vertices of its own.
+simplify::Patch patchwork(Random& random) {
+    constexpr std::uint32_t kSquare = 3;
+    simplify::Patch patch = sheet([](auto, auto) { return kWhite; });
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> vertexOf; // by position and square
+    std::map<std::uint32_t, std::uint32_t> colorOf;
+    const simplify::Patch plain = patch;
+    patch.vertices.clear();
+    patch.positionOf.clear();
+    for (std::size_t t = 0; t < patch.triangles.size(); ++t) {
+        const auto square = static_cast<std::uint32_t>(t / 2);
+        const std::uint32_t part = square % kSide / kSquare + square / kSide / kSquare * kSide;
+        const std::uint32_t color = colorOf.try_emplace(part, 0xFF000000U | 0xFFU << 8 * random.below(3)).first->second;
+        for (std::uint32_t& v : patch.triangles[t]) {
+            const auto next = static_cast<std::uint32_t>(patch.vertices.size());
+            const auto [found, isNew] = vertexOf.try_emplace({v, part}, next);
+            if (isNew) {
+                patch.vertices.push_back(plain.vertices[v]);
+                patch.vertices.back().color = color;
+                patch.positionOf.push_back(v);
+            }
+            v = found->second;
+        }
+    }
+    return patch;
+}
+
+/// Whether all simplified triangles with a corner where one of `t` went are of the colour of `t`, the slow way.
+bool isOfOneColor(
+    const simplify::Triangle& t, const simplify::Patch& patch, const simplify::SimplifiedPatch& simplified) {
+    const auto placesAt = [&](std::uint32_t v) { return simplified.movedTo[patch.positionOf[v]]; };
+    const auto isOfColor = [&](std::uint32_t v) { return patch.vertices[v].color == patch.vertices[t[0]].color; };
+    return std::ranges::all_of(t, isOfColor) &&
+           std::ranges::all_of(simplified.triangles, [&](const simplify::Triangle& other) {
+               const bool isAround = std::ranges::any_of(t, [&](std::uint32_t v) {
+                   return std::ranges::any_of(
+                       other, [&](std::uint32_t w) { return placesAt(v) == patch.positionOf[w]; });
+               });
+               return !isAround || std::ranges::all_of(other, isOfColor);
+           });
+}
+
+TEST(ColorTransfer, LooksAtTrianglesWithMoreThanOneColourAroundThem) {
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+        Random random(seed);
+        const simplify::Patch patch = patchwork(random);
+        const simplify::SimplifiedPatch simplified = halved(patch);
+        std::vector<std::uint32_t> words;
+        for (const hierarchy::Vertex& vertex : patch.vertices)
+            words.push_back(vertex.color);
+        ChannelFit fit(patch, simplified, words, {{8, 8, 8, 8}});
+        fit.run();
+        int points = 0;
+        fit.forEachDifference([&](double, double) { ++points; });
+        const auto plain = std::ranges::count_if(
+            patch.triangles, [&](const simplify::Triangle& t) { return isOfOneColor(t, patch, simplified); });
+        EXPECT_GT(plain, 100);
+        EXPECT_GT(points, 1000);
+        EXPECT_EQ(points, 3 * (static_cast<int>(patch.triangles.size()) - plain)) << seed;
+    }
 }
 
 TEST(ColorTransfer, TheErrorIsThatOfThePointWhereMostIsOff) {

@@ -1,8 +1,7 @@
-"""The house rules that a script can check: no include cycles, folders and files of a size that can be read, a small
-src/app, short functions in scripts and shaders, and how much of the code tests look at.
+"""Checks the rules for all source files: no include cycles, functions of at most 80 lines in scripts and shaders, and
+option names and standard streams only in src/app.
 
-usage: house.py [ROOT]             fails when a rule that holds is broken
-       house.py --report [ROOT]    prints every rule's breaches and the figures, and fails never
+usage: house.py [ROOT]             prints each breach of a rule, and fails if there is one
 """
 import argparse
 import ast
@@ -15,9 +14,7 @@ COMMENT, STRING, OPTION = re.compile(r"//.*"), re.compile(r'"(?:[^"\\\n]|\\.)*"'
 STREAM = re.compile(r"\b(?:stdout|stderr|std::c(?:out|err|log)\b|(?:f|v|vf)?printf\(|f?puts\()")
 CODE = {".h", ".cpp", ".inc"}
 SHADERS = {".glsl", ".vert", ".frag", ".comp", ".geom"}
-READ_BY_PEOPLE = CODE | SHADERS | {".py", ".cmake", ".js", ".css", ".html", ".sh", ""}
-UNTESTED = "tests/lint/untested.txt"
-MOST_FILES, MOST_LINES, MOST_FUNCTION_LINES, MOST_APP_LINES, LEAST_RATIO = 35, 400, 60, 2500, 0.7
+MAX_FUNCTION_LINES = 80
 
 
 def tracked(root, *tops):
@@ -26,14 +23,6 @@ def tracked(root, *tops):
         for path in sorted((root / top).rglob("*")):
             if path.is_file() and "__pycache__" not in path.parts:
                 yield path
-
-
-def line_count(path):
-    return path.read_text().count("\n")
-
-
-def code_lines(root, *tops):
-    return sum(line_count(p) for p in tracked(root, *tops) if p.suffix in {".h", ".cpp"})
 
 
 def unit_of(path):
@@ -94,20 +83,6 @@ def unit_cycles(root):
     return [f"units include each other: {group}" for group in cycles(needs)]
 
 
-def full_folders(root):
-    counts = {}
-    for path in tracked(root, "src", "preprocess"):
-        counts[path.parent] = counts.get(path.parent, 0) + 1
-    return [f"{folder.relative_to(root)}: {count} files, at most {MOST_FILES}"
-            for folder, count in sorted(counts.items()) if count > MOST_FILES]
-
-
-def long_files(root):
-    places = ("src", "preprocess", "shaders", "tests", "bench", "scripts", "cmake", "examples", "python")
-    return [f"{path.relative_to(root)}: {line_count(path)} lines, at most {MOST_LINES}"
-            for path in tracked(root, *places) if path.suffix in READ_BY_PEOPLE and line_count(path) > MOST_LINES]
-
-
 def code_below_app(root):
     """(file, its text without comments) of what knows neither the command line nor the standard streams"""
     for path in tracked(root, "src", "preprocess"):
@@ -126,11 +101,6 @@ def streams_below_app(root):
     for path, text in code_below_app(root):
         if path.stem != "check":
             yield from (f"{path}: writes to {found}" for found in STREAM.findall(text))
-
-
-def large_app(root):
-    lines = code_lines(root, "src/app")
-    return [] if lines < MOST_APP_LINES else [f"src/app: {lines} lines of C++, under {MOST_APP_LINES}"]
 
 
 def python_functions(text):
@@ -158,71 +128,19 @@ def long_functions(root):
         else:
             continue
         for name, lines in functions:
-            if lines > MOST_FUNCTION_LINES:
-                yield f"{path.relative_to(root)}: {name}: {lines} lines, at most {MOST_FUNCTION_LINES}"
+            if lines > MAX_FUNCTION_LINES:
+                yield f"{path.relative_to(root)}: {name}: {lines} lines, at most {MAX_FUNCTION_LINES}"
 
 
-def included_by_tests(root):
-    return {header for path in tracked(root, "tests") if path.suffix in CODE for header in INCLUDE.findall(path.read_text())}
-
-
-def untested_reasons(root):
-    """header -> why no test includes it, from the lines "HEADER: reason" of tests/lint/untested.txt"""
-    path = root / UNTESTED
-    lines = path.read_text().splitlines() if path.exists() else []
-    return dict(line.split(": ", 1) for line in lines if line and not line.startswith("#"))
-
-
-def untested_units(root):
-    """Headers of src and preprocess that no C++ of tests/ includes and no reason is given for, and reasons for others."""
-    tested, reasons = included_by_tests(root), untested_reasons(root)
-    untested = set()
-    for path in tracked(root, "src", "preprocess"):
-        if path.suffix == ".h":
-            name = path.relative_to(root / "src") if path.is_relative_to(root / "src") else path.relative_to(root)
-            if str(name) not in tested:
-                untested.add(str(path.relative_to(root)))
-    yield from (f"{header}: no test includes it" for header in sorted(untested - reasons.keys()))
-    yield from (f"{UNTESTED}: {header}: it is no header that no test includes" for header in sorted(reasons.keys() - untested))
-
-
-def few_tests(root):
-    ratio = test_ratio(root)
-    return [] if ratio >= LEAST_RATIO else [f"tests: {ratio:.2f} lines for each of src and preprocess, at least {LEAST_RATIO}"]
-
-
-def test_ratio(root):
-    return code_lines(root, "tests") / max(1, code_lines(root, "src", "preprocess"))
-
-
-RULES = {"folder cycles": folder_cycles, "unit cycles": unit_cycles, "full folders": full_folders, "long files": long_files,
-         "large app": large_app, "long functions": long_functions, "few tests": few_tests, "untested units": untested_units,
+RULES = {"folder cycles": folder_cycles, "unit cycles": unit_cycles, "long functions": long_functions,
          "options below app": options_below_app, "streams below app": streams_below_app}
-# The rules that hold, and must go on to.
-HELD = ("folder cycles", "unit cycles", "full folders", "long files", "large app", "long functions", "options below app",
-        "streams below app", "few tests", "untested units")
-
-
-def report(root):
-    for name, rule in RULES.items():
-        found = list(rule(root))
-        print(f"{name} ({'held' if name in HELD else 'not yet held'}): {len(found)}")
-        print("".join(f"    {breach}\n" for breach in found), end="")
-    print(f"untested with a reason: {len(untested_reasons(root))} ({UNTESTED})")
-    print(f"C++ lines: tests {code_lines(root, 'tests')}, src {code_lines(root, 'src')}, "
-          f"preprocess {code_lines(root, 'preprocess')}; tests to source {test_ratio(root):.2f}")
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("root", nargs="?", default=".")
-    parser.add_argument("--report", action="store_true")
-    options = parser.parse_args()
-    root = pathlib.Path(options.root).resolve()
-    if options.report:
-        report(root)
-        return 0
-    found = [breach for name in HELD for breach in RULES[name](root)]
+    root = pathlib.Path(parser.parse_args().root).resolve()
+    found = [breach for rule in RULES.values() for breach in rule(root)]
     print("\n".join(found) or "house: clean")
     return 1 if found else 0
 

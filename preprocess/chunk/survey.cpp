@@ -93,7 +93,7 @@ void EdgeSample::take(const Entry& entry) {
     entries_.push_back(entry);
     if (entries_.size() <= kMostSampled) return;
     threshold_ /= 2;
-    std::erase_if(entries_, [&](const Entry& entry) { return entry.hash > threshold_; });
+    std::erase_if(entries_, [&](const Entry& kept) { return kept.hash > threshold_; });
 }
 
 void EdgeSample::Lengths::add(double length) {

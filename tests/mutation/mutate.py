@@ -83,7 +83,7 @@ class Workshop:
         self.build = folder / "build" / "release"
         self.environment = {**os.environ, "CCACHE_BASEDIR": str(folder), "GTEST_BRIEF": "1"}
         launcher = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
-        subprocess.run(["cmake", "--preset", "release", "-DGNOMON_TESTS=ON", "-DGNOMON_STRICT=OFF", *launcher], cwd=folder,
+        subprocess.run(["cmake", "--preset", "release", "-DGNOMON_TESTS=ON", *launcher], cwd=folder,
                        env=self.environment, check=True, stdout=subprocess.DEVNULL)
         self.seconds = {}
         self.bytes = {}

@@ -1,5 +1,7 @@
 #include "core/printable.h"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -30,27 +32,56 @@ std::size_t characterBytes(std::string_view text) {
     return isTooLong || isNoCharacter ? 0 : bytes;
 }
 
-/// Whether a terminal obeys the character instead of showing it.
-bool isControl(std::string_view character) {
+/// The characters that a terminal or a page obeys or hides instead of showing them: controls, line and paragraph
+/// separators, and those that Unicode 15 calls Bidi_Control or Default_Ignorable_Code_Point.
+struct Range {
+    std::uint32_t first = 0;
+    std::uint32_t last = 0;
+};
+
+constexpr std::array kHidden = {
+    Range{0x0, 0x1f},
+    Range{0x7f, 0x9f},
+    Range{0xad, 0xad},
+    Range{0x34f, 0x34f},
+    Range{0x61c, 0x61c},
+    Range{0x115f, 0x1160},
+    Range{0x17b4, 0x17b5},
+    Range{0x180b, 0x180f},
+    Range{0x200b, 0x200f},
+    Range{0x2028, 0x202e},
+    Range{0x2060, 0x206f},
+    Range{0x3164, 0x3164},
+    Range{0xfe00, 0xfe0f},
+    Range{0xfeff, 0xfeff},
+    Range{0xffa0, 0xffa0},
+    Range{0xfff0, 0xfffb},
+    Range{0x1bca0, 0x1bca3},
+    Range{0x1d173, 0x1d17a},
+    Range{0xe0000, 0xe0fff}};
+
+bool isHidden(std::string_view character) {
     std::uint32_t code = static_cast<unsigned char>(character[0]);
     if (character.size() > 1) code &= 0xffU >> (character.size() + 1);
     for (std::size_t i = 1; i < character.size(); ++i)
         code = (code << 6U) | (static_cast<unsigned char>(character[i]) & 0x3fU);
-    const auto isIn = [code](std::uint32_t first, std::uint32_t last) { return code >= first && code <= last; };
-    return code < 0x20 || isIn(0x7f, 0x9f) || isIn(0x200e, 0x200f) || isIn(0x2028, 0x202e) || isIn(0x2066, 0x2069);
+    const auto* const range =
+        std::find_if(kHidden.begin(), kHidden.end(), [code](const Range& candidate) { return code <= candidate.last; });
+    return range != kHidden.end() && code >= range->first;
 }
 
 } // namespace
 
 std::string printable(std::string_view text) {
     constexpr std::string_view kDigits = "0123456789abcdef";
+    if (std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~'; })) return std::string(text);
     std::string shown;
     shown.reserve(text.size());
     while (!text.empty()) {
         const std::size_t bytes = characterBytes(text);
         const std::string_view character = text.substr(0, bytes == 0 ? 1 : bytes);
         text.remove_prefix(character.size());
-        if (bytes != 0 && !isControl(character)) {
+        if (bytes != 0 && !isHidden(character)) {
             shown += character;
             continue;
         }

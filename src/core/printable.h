@@ -1,4 +1,4 @@
-// Text from outside as it may reach a terminal: in one line and without control characters.
+// Text from outside as it may reach a terminal, a window or a page: in one line, and each character is visible.
 #pragma once
 
 #include <exception>
@@ -7,8 +7,8 @@
 
 namespace gnomon {
 
-/// `text` with line breaks, escapes, other control characters (those that turn the direction of writing, too) and bytes
-/// that are no UTF-8 written as in C: "\n", "\x1b". What is printable already stays as it is.
+/// Returns `text` with characters that act on a terminal, turn the direction of writing or have no shape written as in
+/// C: "\n", "\x1b". So are bytes that are not UTF-8. All other text stays as it is.
 std::string printable(std::string_view text);
 
 /// What an exception says, in the order of our own: "PATH: cannot create directories: No space left on device" where

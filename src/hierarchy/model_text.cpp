@@ -127,7 +127,7 @@ std::string modelJson(const ModelFile& file) {
     json["file_bytes"] = file.fileBytes();
     json["content_hash"] = file.contentHash();
     json["options"] = summary.options;
-    return json.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+    return json.dump(1, ' ', true, ordered_json::error_handler_t::replace) + "\n";
 }
 
 } // namespace gnomon::hierarchy

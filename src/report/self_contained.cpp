@@ -1,6 +1,10 @@
 #include "report/self_contained.h"
 
+#include "core/printable.h"
 #include "telemetry/json_text.h"
+
+#include <algorithm>
+#include <utility>
 
 namespace gnomon::report {
 
@@ -18,8 +22,30 @@ std::string base64(std::span<const std::uint8_t> bytes) {
     return text;
 }
 
-std::string scriptSafe(const nlohmann::json& data) {
-    std::string text = telemetry::jsonText(data);
+namespace {
+
+/// Makes every line of every string in `data` printable.
+void makePrintable(nlohmann::json& data) {
+    if (data.is_structured())
+        for (nlohmann::json& value : data)
+            makePrintable(value);
+    if (!data.is_string()) return;
+    const std::string_view text = data.get_ref<const std::string&>();
+    std::string shown;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        shown += printable(text.substr(begin, end - begin));
+        if (end < text.size()) shown += '\n';
+        begin = end + 1;
+    }
+    data = std::move(shown);
+}
+
+} // namespace
+
+std::string scriptSafe(nlohmann::json data) {
+    makePrintable(data);
+    const std::string text = telemetry::jsonText(data);
     std::string safe;
     safe.reserve(text.size());
     for (const char c : text) {

@@ -13,8 +13,8 @@ namespace gnomon::report {
 /// `bytes` in base 64 (RFC 4648), padded.
 std::string base64(std::span<const std::uint8_t> bytes);
 
-/// `data` as text that can stand within a script of a page, whatever its strings hold.
-std::string scriptSafe(const nlohmann::json& data);
+/// Returns `data` as text that a script of a page can contain, whatever its strings contain. Their lines are printable.
+std::string scriptSafe(nlohmann::json data);
 
 /// Puts `value` in the place of the first `mark` in `text`, which has one.
 void substitute(std::string& text, std::string_view mark, std::string_view value);

@@ -1,5 +1,7 @@
 #include "viewer/messages.h"
 
+#include "core/printable.h"
+
 #include <algorithm>
 
 namespace gnomon::viewer {
@@ -14,17 +16,18 @@ constexpr double kFailSeconds = 15;
 
 void Messages::show(const std::string& text) {
     if (lastIsShown_ && !messages_.empty()) messages_.pop_back();
-    messages_.push_back({text, false, now_() + kShowSeconds});
+    messages_.push_back({printable(text), false, now_() + kShowSeconds});
     lastIsShown_ = true;
 }
 
 void Messages::note(const std::string& text) {
-    messages_.push_back({text, false, now_() + kNoteSeconds});
+    messages_.push_back({printable(text), false, now_() + kNoteSeconds});
     lastIsShown_ = false;
     tell_(text);
 }
 
-void Messages::fail(const std::string& text) {
+void Messages::fail(const std::string& reason) {
+    const std::string text = printable(reason);
     // The same failure frame after frame is one message.
     const auto same = std::find_if(messages_.begin(), messages_.end(), [&](const Message& message) {
         return message.isError && message.text == text;

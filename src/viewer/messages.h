@@ -1,4 +1,5 @@
-// Short messages that are shown for a while in the window, and handed on for whoever reads them later.
+// Short messages that are shown for a while in the window in one printable line, and handed on for whoever reads them
+// later.
 #pragma once
 
 #include <exception>
@@ -29,7 +30,7 @@ public:
     void note(const std::string& text);
 
     /// Something that could not be done: fifteen seconds.
-    void fail(const std::string& text);
+    void fail(const std::string& reason);
 
     /// Drops what has been shown long enough; true if anything went.
     bool expire();

@@ -211,10 +211,14 @@ TEST(Page, HasAllItsPartsWhole) {
     }
 }
 
-TEST(Page, OfNamesThatAreNoTextIsTextAllTheSame) {
+TEST(Page, OfNamesThatAreNoTextOrTurnTextIsPrintable) {
     Report report;
-    report.model = "\xC3\x28.gnm";
-    EXPECT_NE(page(report).find("\xEF\xBF\xBD(.gnm"), std::string::npos);
+    report.model = "\xC3\x28.gnm \xE2\x80\xAE";
+    const std::string html = page(report);
+    EXPECT_NE(html.find(R"(\\xc3(.gnm \\xe2\\x80\\xae)"), std::string::npos);
+    SunPage sun;
+    sun.about = report.model;
+    EXPECT_NE(sunPage(sun).find(R"(\\xc3(.gnm \\xe2\\x80\\xae)"), std::string::npos);
 }
 
 TEST(ErrorKinds, HaveAKeyAndALabelEach) {

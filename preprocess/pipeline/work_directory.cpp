@@ -96,11 +96,22 @@ std::unique_ptr<TemporaryName> heldName(const std::string& path) {
 WorkDirectory::Names::~Names() {
     if (held_.empty()) return;
     const std::string folder = held_.front()->path();
+    std::vector<std::string> ours = {folder + "/checkpoints"};
+    for (auto name = held_.begin() + 1; name != held_.end(); ++name)
+        ours.push_back((*name)->path());
+    ours.push_back(folder);
     log_.reset();
     while (!held_.empty())
         held_.pop_back();
-    std::error_code ignored;
-    if (onKept_ && fs::exists(folder, ignored)) onKept_(folder);
+    std::error_code failure;
+    if (!fs::exists(folder, failure)) return;
+    // A file system may refuse to remove a file once and allow it later, so this tries again.
+    std::string reason;
+    for (const std::string& path : ours)
+        if (!fs::remove(path, failure) && failure && failure != std::errc::directory_not_empty && reason.empty())
+            reason = "cannot remove " + path + ": " + failure.message();
+    if (reason.empty()) reason = "there is something in it that no build has written";
+    if (onKept_ && fs::exists(folder, failure)) onKept_(folder + ": it stays, " + reason);
 }
 
 void WorkDirectory::Names::make(const std::string& folder) {

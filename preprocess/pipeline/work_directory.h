@@ -20,7 +20,7 @@ struct WorkDirectoryOptions {
     std::string key;         // what is built from what, as "name value, name value": a resumed build must have the same
     bool isInMemory = false; // no files at all
     bool isResumed = false;  // go on with what is there, if anything
-    std::function<void(const std::string&)> onKept = {}; // told the folder if it stays for what no build has put there
+    std::function<void(const std::string&)> onKept = {}; // told which folder stays and why, if it cannot be removed
     std::uint64_t bytesPerSecond = 0;                    // read and written at most; 0: no limit
     std::string localFolder = {};                        // for copies of what is read again; empty: none
 };

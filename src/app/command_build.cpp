@@ -100,9 +100,7 @@ void run(const BuildCommand& command, const BuildBy& buildBy) {
     options.scratchBytesPerSecond = parseBytes(command.scratchRate)->count;
     options.isInMemory = command.isInMemory;
     options.isResumed = command.isResumed;
-    options.onKeptFolder = [](const std::string& folder) {
-        printWarning(folder + ": it stays, there is something in it that no build has written");
-    };
+    options.onKeptFolder = printWarning;
     const std::map<std::string, Simplifier> simplifiers{
         {"quadric", Simplifier::Quadric},
         {"own", Simplifier::Quadric}, // its name before; stored in models still

@@ -91,12 +91,13 @@ std::string temporaryPathFor(const std::string& finalPath) {
 
 File::File(const std::string& path, Mode mode) : File(path, mode, path) {}
 
-File::File(const std::string& path, Mode mode, std::string toldPath) : path_(std::move(toldPath)) {
+File::File(const std::string& path, Mode mode, std::string toldPath) : File(-1, std::move(toldPath)) {
     if (mode == Mode::Create) {
         constexpr int kAttempts = 8; // somebody else may be as quick
         std::optional<File> made;
         for (int i = 0; i < kAttempts && !made; ++i) {
-            ::unlink(path.c_str());
+            const bool isGone = ::unlink(path.c_str()) == 0 || errno == ENOENT;
+            if (!isGone && i + 1 == kAttempts) throwSystemError(path_, "cannot remove the old file");
             made = createdNew(path, kNewPermissions, path_);
         }
         if (!made) throwSystemError(path_, "cannot create");
@@ -108,10 +109,14 @@ File::File(const std::string& path, Mode mode, std::string toldPath) : path_(std
 
     struct stat info {};
 
-    if (::fstat(descriptor_, &info) == 0 && S_ISDIR(info.st_mode)) {
-        ::close(descriptor_);
-        throw Error(path_, "cannot open: is a directory");
-    }
+    if (::fstat(descriptor_, &info) != 0) throwSystemError(path_, "cannot stat");
+    if (S_ISDIR(info.st_mode)) throw Error(path_, "cannot open: is a directory");
+    if (mode == Mode::Update && info.st_nlink > 1)
+        throw Error(
+            path_,
+            "cannot be changed, since other names (hard links) lead to the same file",
+            "one name",
+            std::to_string(info.st_nlink));
 }
 
 File::File(int descriptor, std::string toldPath) : path_(std::move(toldPath)), descriptor_(descriptor) {}

@@ -40,6 +40,24 @@ TEST(File, AnAbandonedWriteLeavesTheOldFile) {
     EXPECT_EQ(readTextFile(path), "old");
 }
 
+TEST(File, WithAnotherNameIsReplacedAndNeverChanged) {
+    const std::string path = scratch("linked");
+    const std::string other = scratch("other");
+    writeTextFile(other, "theirs");
+    std::filesystem::create_hard_link(other, path);
+    EXPECT_THROW(File(path, File::Mode::Update), Error);
+    writeTextFile(path, "ours");
+    EXPECT_EQ(readTextFile(other), "theirs");
+    File(path, File::Mode::Update).writeAt(0, std::as_bytes(std::span("O", 1)));
+    EXPECT_EQ(readTextFile(path), "Ours");
+    std::filesystem::remove(path);
+    std::filesystem::create_hard_link(other, path);
+    File(path, File::Mode::Create).writeAt(0, std::as_bytes(std::span("new", 3)));
+    EXPECT_EQ(readTextFile(other), "theirs");
+    std::filesystem::remove(path);
+    std::filesystem::remove(other);
+}
+
 TEST(File, WhatIsNoFileIsWrittenToAndNeverReplaced) {
     const std::string pipe = scratch("pipe");
     std::filesystem::remove(pipe);

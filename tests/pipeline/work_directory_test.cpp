@@ -1,3 +1,4 @@
+#include "core/error.h"
 #include "core/file.h"
 #include "preprocess/pipeline/work_directory.h"
 #include "preprocess/scratch/stream_store.h"
@@ -7,6 +8,7 @@
 
 #include <array>
 #include <cstring>
+#include <filesystem>
 
 #include <sys/inotify.h>
 #include <sys/wait.h>
@@ -46,6 +48,27 @@ public:
 private:
     int events_;
 };
+
+TEST(WorkDirectory, WritesNoFileThatHasAnotherName) {
+    const TestFolder folder;
+    NoProgress progress;
+    const std::string theirs = folder.file("theirs.txt");
+    const std::string checkpoints = folder.file("m.gnm.building/checkpoints");
+    const std::string text = "a text that is somebody's own";
+    writeTextFile(theirs, text);
+    for (const bool isResumed : {false, true}) {
+        std::filesystem::create_directory(folder.file("m.gnm.building"));
+        std::filesystem::permissions(folder.file("m.gnm.building"), std::filesystem::perms::owner_all);
+        std::filesystem::create_hard_link(theirs, checkpoints);
+        const WorkDirectoryOptions options{folder.file("m.gnm"), "", "the key", false, isResumed};
+        if (isResumed)
+            EXPECT_THROW(WorkDirectory(options, progress), Error);
+        else
+            EXPECT_NO_THROW(WorkDirectory(options, progress)) << "which puts a new file in its place";
+        EXPECT_EQ(readTextFile(theirs), text);
+        std::filesystem::remove_all(folder.file("m.gnm.building"));
+    }
+}
 
 // A build that is killed between two removals finds a log that tells of files that are gone.
 TEST(WorkDirectory, RemovesTheLogBeforeWhatItTellsOf) {

@@ -34,13 +34,19 @@ std::size_t wordsOf(std::size_t receivers) {
 
 } // namespace
 
-LitLog::LitLog(std::string path, const std::string& key, std::size_t receivers, bool isResumed)
+LitLog::LitLog(std::string path, const std::string& key, std::size_t receivers, std::size_t lights, bool isResumed)
     : path_(std::move(path)), receivers_(receivers), file_(path_, File::Mode::Lock) {
     if (!file_.tryLock()) throw Error(path_, "another process is at work on it");
+    if (const std::uintmax_t names = std::filesystem::hard_link_count(path_); names > 1)
+        throw Error(
+            path_,
+            "cannot be changed, since other names (hard links) lead to the same file",
+            "one name",
+            std::to_string(names));
     firstRecord_ = kHeadWords * sizeof(std::uint64_t) + key.size();
     recordBytes_ = (wordsOf(receivers) + 1) * sizeof(std::uint64_t);
     if (hasLog() && isResumed) {
-        resume(key);
+        resume(key, lights);
         return;
     }
     file_.resize(0);
@@ -59,15 +65,16 @@ bool LitLog::hasLog() const {
     return found == headBytes && file_.size() - headBytes >= head[1]; // else a kill came before the key was there
 }
 
-/// Finds the whole records of the log that is there.
-void LitLog::resume(const std::string& key) {
+/// Finds the whole records of the log that is there, of the first `lights` places. The file can be longer than all of
+/// them, since a file of any size can be one hole.
+void LitLog::resume(const std::string& key, std::size_t lights) {
     std::uint64_t length = 0;
     file_.readAt(sizeof(kMagic), std::as_writable_bytes(std::span(&length, 1)));
     std::string before(std::min(length, kMostKey), ' ');
     before.resize(file_.readSomeAt(kHeadWords * sizeof(std::uint64_t), std::as_writable_bytes(std::span(before))));
     if (before != key) throw Error(path_, "cannot resume, input or options changed", key, before);
     const std::uint64_t bytes = file_.size() - std::min(file_.size(), firstRecord_);
-    for (std::size_t light = 0; light < bytes / recordBytes_; ++light)
+    for (std::size_t light = 0; light < std::min<std::uint64_t>(bytes / recordBytes_, lights); ++light)
         if (isWhole(light)) note(light);
     file_.resize(offsetOf(isThere_.size()));
 }

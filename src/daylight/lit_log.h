@@ -14,10 +14,11 @@ namespace gnomon::daylight {
 /// cut short, or that was not there yet, is made again.
 class LitLog {
 public:
-    /// Begins the log at `path` for `receivers` receivers anew; or, with `isResumed`, opens the one that is there, of
-    /// which whole records count. `key` tells what is computed from what. Throws Error if a log that is to be resumed
-    /// has another key, or another process holds it, or if what is there is no log.
-    LitLog(std::string path, const std::string& key, std::size_t receivers, bool isResumed);
+    /// Begins the log at `path` for `receivers` receivers and `lights` lights anew; or, with `isResumed`, opens the one
+    /// that is there, of which whole records count. `key` tells what is computed from what. Throws Error if a log that
+    /// is to be resumed has another key, or another process holds it, or if what is there is no log, or if it has other
+    /// names (hard links).
+    LitLog(std::string path, const std::string& key, std::size_t receivers, std::size_t lights, bool isResumed);
 
     /// Lights whose records are there.
     std::size_t size() const { return size_; }
@@ -37,7 +38,7 @@ private:
     std::uint64_t offsetOf(std::size_t light) const { return firstRecord_ + light * recordBytes_; }
 
     bool hasLog() const;
-    void resume(const std::string& key);
+    void resume(const std::string& key, std::size_t lights);
     bool isWhole(std::size_t light) const;
     void note(std::size_t light);
 

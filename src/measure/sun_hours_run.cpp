@@ -77,7 +77,7 @@ const daylight::LitSteps* SunHoursRun::decide(daylight::Receivers& receivers, Pr
         farm_.serve(daylight::workOf(receivers, steps_), progress);
         return nullptr;
     }
-    log_.emplace(logPath_, key_, receivers.count(), isResumed_);
+    log_.emplace(logPath_, key_, receivers.count(), daylight::lightsOf(steps_).size(), isResumed_);
     lit_ = daylight::litSteps(receivers, steps_, *log_, farm_, progress);
     return &lit_;
 }

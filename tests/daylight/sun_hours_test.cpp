@@ -197,7 +197,7 @@ struct LogName {
 TEST(LitSteps, CountEachStepAndKeepTheFirstAndTheLast) {
     const std::vector<SunStep> steps = sunSteps(midsummerDay());
     const LogName name;
-    LitLog log(name.path, "a", Dice().count(), false);
+    LitLog log(name.path, "a", Dice().count(), lightsOf(steps).size(), false);
     Dice dice;
     LoneFarm lone;
     NoProgress silent;
@@ -227,7 +227,7 @@ LitSteps undisturbed(const std::vector<SunStep>& steps, const LogName& name) {
     Dice dice;
     LoneFarm lone;
     NoProgress silent;
-    LitLog log(name.path, "a", dice.count(), false);
+    LitLog log(name.path, "a", dice.count(), lightsOf(steps).size(), false);
     LitSteps whole = litSteps(dice, steps, log, lone, silent);
     log.remove();
     return whole;
@@ -244,14 +244,14 @@ TEST(LitSteps, GoOnWhereAKilledRunStopped) {
     for (const int cut : {0, 1, 50, 136}) { // bytes that a kill leaves of a record more
         Stopping stopping(20);
         {
-            LitLog log(name.path, "a", dice.count(), false);
+            LitLog log(name.path, "a", dice.count(), lights, false);
             EXPECT_THROW(litSteps(dice, steps, log, lone, stopping), Interrupted);
         }
         std::ofstream(name.path, std::ios::app | std::ios::binary) << std::string(static_cast<std::size_t>(cut), 'x');
-        EXPECT_THROW(LitLog(name.path, "b", dice.count(), true), Error);
-        LitLog log(name.path, "a", dice.count(), true);
+        EXPECT_THROW(LitLog(name.path, "b", dice.count(), lights, true), Error);
+        LitLog log(name.path, "a", dice.count(), lights, true);
         EXPECT_EQ(log.size(), 20U);
-        EXPECT_THROW(LitLog(name.path, "a", dice.count(), true), Error) << "one process at a time";
+        EXPECT_THROW(LitLog(name.path, "a", dice.count(), lights, true), Error) << "one process at a time";
         dice.decided = 0;
         const LitSteps resumed = litSteps(dice, steps, log, lone, silent);
         EXPECT_EQ(dice.decided, lights - 20);
@@ -299,11 +299,11 @@ TEST(LitSteps, AreTheSameInAnyOrderAndGoOnBetweenHoles) {
     Shuffled farm(workOf(other, steps));
     Stopping stopping(20);
     {
-        LitLog log(name.path, "a", dice.count(), false);
+        LitLog log(name.path, "a", dice.count(), lights, false);
         EXPECT_THROW(litSteps(dice, steps, log, farm, stopping), Interrupted);
     }
     EXPECT_EQ(other.decided, 20U);
-    LitLog log(name.path, "a", dice.count(), true);
+    LitLog log(name.path, "a", dice.count(), lights, true);
     EXPECT_EQ(log.size(), 20U);
     EXPECT_FALSE(log.has(0) && log.has(1) && log.has(2) && log.has(3)) << "no holes: this tests nothing";
     dice.decided = 0;
@@ -327,23 +327,51 @@ TEST(LitSteps, AreTheSameInAnyOrderAndGoOnBetweenHoles) {
 TEST(LitLog, BeginsAnewAfterAKillWithinItsHead) {
     const LogName name;
     const std::string key = "a key of some length";
-    LitLog(name.path, key, 64, false).put(0, std::vector<std::uint8_t>(64, 1));
+    LitLog(name.path, key, 64, 1, false).put(0, std::vector<std::uint8_t>(64, 1));
     for (std::uintmax_t bytes = 0; bytes < 2 * sizeof(std::uint64_t) + key.size(); ++bytes) {
         std::filesystem::resize_file(name.path, bytes);
-        LitLog log(name.path, key, 64, true);
+        LitLog log(name.path, key, 64, 1, true);
         EXPECT_EQ(log.size(), 0U) << bytes;
         log.put(0, std::vector<std::uint8_t>(64, 1));
     }
-    EXPECT_EQ(LitLog(name.path, key, 64, true).size(), 1U);
+    EXPECT_EQ(LitLog(name.path, key, 64, 1, true).size(), 1U);
+}
+
+TEST(LitLog, LooksForNoRecordBehindItsLastLight) {
+    const LogName name;
+    {
+        LitLog log(name.path, "a", 64, 3, false);
+        for (std::size_t light = 0; light < 3; ++light)
+            log.put(light, std::vector<std::uint8_t>(64, 1));
+    }
+    std::filesystem::resize_file(name.path, std::uintmax_t{1} << 40U); // a hole: no test would end that reads it
+    {
+        const LitLog log(name.path, "a", 64, 2, true);
+        EXPECT_EQ(log.size(), 2U);
+        EXPECT_FALSE(log.has(2));
+    }
+    EXPECT_LT(std::filesystem::file_size(name.path), 100U) << "the file ends behind its last record";
+}
+
+TEST(LitLog, WithAnotherNameIsNotWritten) {
+    const LogName name;
+    LitLog(name.path, "a", 64, 1, false).put(0, std::vector<std::uint8_t>(64, 1));
+    const std::string other = name.path + ".other";
+    std::filesystem::create_hard_link(name.path, other);
+    const auto size = std::filesystem::file_size(other);
+    EXPECT_THROW(LitLog(name.path, "a", 64, 1, false), Error);
+    EXPECT_EQ(std::filesystem::file_size(other), size);
+    std::filesystem::remove(other);
+    EXPECT_EQ(LitLog(name.path, "a", 64, 1, true).size(), 1U);
 }
 
 TEST(LitLog, LeavesWhatIsNoLogAlone) {
     const LogName name;
     std::ofstream(name.path) << "a text of some length that is nobody's log";
-    EXPECT_THROW(LitLog(name.path, "a", 64, true), Error);
+    EXPECT_THROW(LitLog(name.path, "a", 64, 1, true), Error);
     EXPECT_GT(std::filesystem::file_size(name.path), 0U);
     std::filesystem::remove(name.path);
-    EXPECT_EQ(LitLog(name.path, "a", 64, true).size(), 0U) << "nothing to resume is a beginning";
+    EXPECT_EQ(LitLog(name.path, "a", 64, 1, true).size(), 0U) << "nothing to resume is a beginning";
 }
 
 } // namespace

@@ -48,16 +48,55 @@ struct Kept {
     fs::path path;
 };
 
+bool isFolder(const fs::path& path) {
+    std::error_code error;
+    return fs::is_directory(fs::symlink_status(path, error));
+}
+
+/// Whether a folder of the cache has this name: the digits of a Sum.
+bool isNameOfFolder(const std::string& name) {
+    return name.size() == 2 * sizeof(Sum) && name.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
+/// Whether a file of the cache has this name: "OFFSET-SIZE", or "OFFSET-SIZE.PROCESS.NUMBER.partial".
+bool isNameOfFile(std::string_view name) {
+    const auto takeDigits = [&name] {
+        const std::size_t end = std::min(name.find_first_not_of("0123456789"), name.size());
+        name.remove_prefix(end);
+        return end > 0;
+    };
+    const auto take = [&name](std::string_view start) {
+        const bool isThere = name.starts_with(start);
+        if (isThere) name.remove_prefix(start.size());
+        return isThere;
+    };
+    if (!takeDigits() || !take("-") || !takeDigits()) return false;
+    return name.empty() || (take(".") && takeDigits() && take(".") && takeDigits() && name == ".partial");
+}
+
+/// Calls `use(entry)` for each entry of `folder`, as far as it can be listed.
+template <class Use>
+void forEachEntry(const fs::path& folder, const Use& use) {
+    std::error_code error;
+    for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
+        use(*it);
+}
+
+/// The files of the cache in `folder`. Other people's files can lie beside them, and links can lead to more of those.
 std::vector<Kept> keptIn(const std::string& folder) {
     std::vector<Kept> result;
-    std::error_code error;
-    for (fs::recursive_directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    const auto add = [&result](const fs::directory_entry& file) {
         std::error_code gone; // another process makes room, too
-        if (!it->is_regular_file(gone)) continue;
-        Kept kept{it->last_write_time(gone), 0, it->path()};
-        if (!gone) kept.bytes = it->file_size(gone);
+        if (!isNameOfFile(file.path().filename().string())) return;
+        if (!fs::is_regular_file(file.symlink_status(gone))) return;
+        Kept kept{file.last_write_time(gone), 0, file.path()};
+        if (!gone) kept.bytes = file.file_size(gone);
         if (!gone) result.push_back(std::move(kept));
-    }
+    };
+    if (!isFolder(folder)) return result;
+    forEachEntry(folder, [&](const fs::directory_entry& place) {
+        if (isNameOfFolder(place.path().filename().string()) && isFolder(place.path())) forEachEntry(place.path(), add);
+    });
     return result;
 }
 
@@ -92,7 +131,10 @@ void RangeCache::put(std::uint64_t offset, std::span<const std::byte> bytes) con
     const std::uint64_t size = sizeof(Sum) + bytes.size();
     if (size > cap_.count) return;
     std::error_code error;
-    if (fs::create_directories(place_, error)) fs::permissions(place_, fs::perms::owner_all, error);
+    fs::create_directories(folder_, error);
+    if (!isFolder(folder_)) return; // a link leads to a folder of another purpose
+    if (fs::create_directory(place_, error)) fs::permissions(place_, fs::perms::owner_all, error);
+    if (!isFolder(place_)) return;
     makeRoom(size);
     try {
         const std::string path = pathOf(offset, bytes.size());
@@ -131,8 +173,7 @@ void RangeCache::makeRoom(std::uint64_t bytes) const {
     std::error_code error;
     for (const Kept& file : kept) {
         if (total_ <= std::max(least, bytes)) return;
-        fs::remove(file.path, error);
-        total_ -= file.bytes;
+        if (fs::remove(file.path, error)) total_ -= file.bytes;
     }
 }
 

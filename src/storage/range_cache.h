@@ -12,7 +12,8 @@
 namespace gnomon::storage {
 
 /// Files in a folder that many processes may share, each a range with its checksum; the longest unused go first. It is
-/// a help and never a fault: where a disk is full or a file is damaged, nothing was kept. Safe from many threads.
+/// a help and never a fault: where a disk is full or a file is damaged, nothing was kept. It removes only files with
+/// names that it makes, and it follows no link from that folder on. Safe from many threads.
 class RangeCache {
 public:
     /// Keeps ranges of the content that `content` tells from all others, in `folder`, which all of them together fill

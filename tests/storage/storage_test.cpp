@@ -130,6 +130,47 @@ TEST(RangeCache, ForgetsWhatWasNotUsedForLongest) {
     EXPECT_TRUE(cache.get(59, out)) << "what is larger than the cap takes nobody's place";
 }
 
+TEST(RangeCache, RemovesNothingButItsOwnFilesAndFollowsNoLink) {
+    Random random(4);
+    const std::string folder = testing::TempDir() + "mixed";
+    const std::string photos = testing::TempDir() + "photos";
+    const std::string digits(32, 'a');
+    const auto fill = [&](const Bytes& cap) {
+        const RangeCache cache(folder, cap, "content");
+        for (std::uint64_t offset = 0; offset < 30; ++offset)
+            cache.put(offset, randomBytes(random, 4000));
+    };
+    fill({64 << 10U});
+    fs::create_directories(photos);
+    fs::create_directories(folder + "/" + digits);
+    fs::create_directories(folder + "/album");
+    fs::create_directory_symlink(photos, folder + "/" + std::string(32, 'b'));
+    const std::vector<std::string> theirs = {
+        photos + "/1-2",
+        folder + "/1.jpg",
+        folder + "/1-2",
+        folder + "/album/1-2",
+        folder + "/" + digits + "/1-2.jpg",
+        folder + "/" + digits + "/1-2.3.partial",
+        folder + "/" + digits + "/-2"};
+    for (const std::string& path : theirs)
+        writeTextFile(path, std::string(100'000, 'x'));
+    const std::string left = folder + "/" + digits + "/1-2.3.4.partial";
+    writeTextFile(left, std::string(100'000, 'x'));
+    fill({64 << 10U});
+    for (const std::string& path : theirs)
+        EXPECT_TRUE(fs::exists(path)) << path;
+    EXPECT_FALSE(fs::exists(left)) << "by a process that was killed";
+
+    fs::remove_all(folder);
+    fs::create_directory_symlink(photos, folder);
+    fill({64 << 10U});
+    std::vector<std::byte> out(4000);
+    EXPECT_FALSE(RangeCache(folder, mebibytes(1), "content").get(29, out)) << "through a link nothing is kept";
+    EXPECT_TRUE(fs::exists(photos + "/1-2"));
+    EXPECT_EQ(std::distance(fs::directory_iterator(photos), fs::directory_iterator()), 1);
+}
+
 TEST(RangeCache, IsSharedByThreadsAndProcesses) {
     const std::string folder = testing::TempDir() + "shared";
     const Bytes cap{40 << 10U};

@@ -266,8 +266,13 @@ TEST(KeptViews, TakeNothingFromWhatIsNoViews) {
 TEST(KeptViews, AreOfTheLastModelsAndFailWhereNothingCanBeWritten) {
     const ViewsFolder folder;
     KeptViews kept(folder.views());
+    kept.save("first.gnm", {cameraAtX(1)});
+    const std::string theirs = folder.views() + "/notes.json";
+    writeTextFile(theirs, "somebody's own");
+    std::filesystem::last_write_time(theirs, std::filesystem::file_time_type()); // the oldest
     for (std::size_t i = 0; i < KeptViews::kMostModels + 5; ++i)
         kept.save(std::to_string(i) + ".gnm", {cameraAtX(1)});
+    EXPECT_TRUE(std::filesystem::remove(theirs)) << "it is no file of views";
     EXPECT_EQ(folder.fileCount(), KeptViews::kMostModels);
     EXPECT_EQ(kept.load(std::to_string(KeptViews::kMostModels + 4) + ".gnm").size(), 1U);
     EXPECT_THROW(KeptViews("/dev/null/views").save("a.gnm", {cameraAtX(1)}), Error);

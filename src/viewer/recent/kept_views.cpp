@@ -5,9 +5,9 @@
 #include "core/formatted.h"
 #include "hierarchy/file_layout.h"
 #include "path/camera_path.h"
+#include "viewer/environment_path.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <span>
 #include <system_error>
@@ -18,12 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// An absolute path in the environment, or nothing: the XDG Base Directory Specification has others ignored.
-std::string placeInEnvironment(const char* name) {
-    const char* value = std::getenv(name); // NOLINT(concurrency-mt-unsafe): nothing here sets any
-    return value != nullptr && *value == '/' ? value : "";
-}
-
 /// What tells a model from others: its file by whatever name, an address as it is.
 std::string nameOf(const std::string& model) {
     if (model.find("://") != std::string::npos) return model;
@@ -32,11 +26,17 @@ std::string nameOf(const std::string& model) {
     return failure ? model : place.string();
 }
 
+/// Whether `fileOf` makes this name: others' files are not removed.
+bool isNameOfFile(const std::string& name) {
+    return name.size() == 16 + 5 && name.ends_with(".json") &&
+           name.find_first_not_of("0123456789abcdef") == name.find(".json");
+}
+
 } // namespace
 
 KeptViews KeptViews::ofUser() {
-    const std::string state = placeInEnvironment("XDG_STATE_HOME");
-    const std::string home = placeInEnvironment("HOME");
+    const std::string state = environmentPath("XDG_STATE_HOME");
+    const std::string home = environmentPath("HOME");
     if (state.empty() && home.empty()) return KeptViews("");
     return KeptViews((state.empty() ? home + "/.local/state" : state) + "/gnomon/views");
 }
@@ -78,7 +78,7 @@ void KeptViews::dropOldest() const {
     std::error_code failure;
     std::vector<std::pair<fs::file_time_type, fs::path>> files;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder_, failure))
-        if (entry.path().extension() == ".json" && entry.is_regular_file(failure))
+        if (isNameOfFile(entry.path().filename().string()) && fs::is_regular_file(entry.symlink_status(failure)))
             files.emplace_back(entry.last_write_time(failure), entry.path());
     if (files.size() <= kMostModels) return;
     std::sort(files.begin(), files.end());

@@ -71,6 +71,19 @@ bool isLasting(CURLcode code) {
     return std::find(kCodes.begin(), kCodes.end(), code) != kCodes.end();
 }
 
+RangeFailure endlessHeader() {
+    return {
+        Refusal::Lasting, "the server's header does not end", "at most " + readableBytes({kMostHeaderBytes}), "more"};
+}
+
+/// What a code of libcurl means that came before any byte of a part. A line of a header that is longer than 100 KiB is
+/// "out of memory" to it, or "too large" (100) from version 8.6 on.
+RangeFailure failureOf(CURLcode code, const char* reason) {
+    constexpr int kTooLarge = 100;
+    if (code == CURLE_OUT_OF_MEMORY || code == kTooLarge) return endlessHeader();
+    return {isLasting(code) ? Refusal::Lasting : Refusal::Passing, *reason != 0 ? reason : curl_easy_strerror(code)};
+}
+
 /// What a status other than that of a part means.
 RangeFailure failureOf(long status, const Identity* known) {
     const std::string found = std::to_string(status);
@@ -199,11 +212,7 @@ struct Connections::Request {
         auto& self = *static_cast<Request*>(request);
         self.headerBytes += size;
         if (self.headerBytes > kMostHeaderBytes) {
-            self.refuse(
-                {Refusal::Lasting,
-                 "the server's header does not end",
-                 "at most " + readableBytes({kMostHeaderBytes}),
-                 "more"});
+            self.refuse(endlessHeader());
             return 0;
         }
         self.header.take({data, size});
@@ -273,9 +282,7 @@ public:
         if (*request.isStopped) {
             request.refuse({Refusal::Lasting, "given up"});
         } else if (code != CURLE_OK && code != CURLE_PARTIAL_FILE) {
-            request.refuse(
-                {isLasting(code) ? Refusal::Lasting : Refusal::Passing,
-                 reason_.front() != 0 ? reason_.data() : curl_easy_strerror(code)});
+            request.refuse(failureOf(code, reason_.data()));
         } else if (request.wanted == 0) { // no body, and so perhaps not all of the header
             const long status = request.status();
             if (status != 206)
@@ -289,6 +296,19 @@ public:
                  std::to_string(request.wanted) + " bytes",
                  std::to_string(request.answer.received)});
         }
+    }
+
+    /// Returns the protocol, host and port that the last request was redirected to; empty if it was not.
+    std::string redirectedTo() const {
+        long count = 0;
+        char* url = nullptr;
+        curl_easy_getinfo(curl_.get(), CURLINFO_REDIRECT_COUNT, &count);
+        if (count == 0 || curl_easy_getinfo(curl_.get(), CURLINFO_EFFECTIVE_URL, &url) != CURLE_OK || url == nullptr)
+            return {};
+        const std::string_view address(url);
+        const std::size_t begin = std::min(address.find("//") + 2, address.size());
+        const std::string_view host = address.substr(begin, address.find_first_of("/?#", begin) - begin);
+        return std::string(address.substr(0, begin)).append(host.substr(host.rfind('@') + 1));
     }
 
 private:
@@ -329,8 +349,17 @@ RangeAnswer Connections::get(std::uint64_t offset, std::span<std::byte> out, con
     request.isStopped = &isStopped_;
     std::unique_ptr<Handle> handle = taken();
     handle->perform(request);
+    const std::string host = handle->redirectedTo();
+    std::optional<RangeFailure>& failure = request.answer.failure;
     const std::lock_guard lock(mutex_);
     idle_.push_back(std::move(handle));
+    if (request.answer.received > 0) {
+        redirectedTo_ = host;
+    } else if (failure && failure->refusal == Refusal::Passing && host != redirectedTo_ && !host.empty()) {
+        // No server came back that had answered before: asking again does not help.
+        failure->refusal = Refusal::Lasting;
+        failure->what = "redirected to " + host + ": " + failure->what;
+    }
     return std::move(request.answer);
 }
 

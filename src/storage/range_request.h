@@ -94,6 +94,7 @@ private:
     std::string authorityFile_;
     mutable std::mutex mutex_;
     mutable std::vector<std::unique_ptr<Handle>> idle_;
+    mutable std::string redirectedTo_; // the host that sent the last part, if that was another than the address's
     mutable std::atomic<bool> isStopped_{false};
 };
 

@@ -280,6 +280,13 @@ TEST(HttpSource, TakesNoMoreThanItAskedFor) {
         return answer;
     };
     EXPECT_NE(saidOf(content, endlessHeader).find("header does not end"), std::string::npos);
+    for (const unsigned from : {0U, 1U}) {
+        const std::string said = saidOf(content, [&](const RangeQuestion& question) {
+            if (question.number < from) return partOf(content, question);
+            return RawAnswer{"HTTP/1.1 206 Partial Content\r\nX-Line: " + std::string(5000, 'x'), false, true};
+        });
+        EXPECT_NE(said.find("header does not end"), std::string::npos) << said;
+    }
     EXPECT_NE(
         saidOf(content, [](const RangeQuestion&) { return statusOnly(302, "Location: /again\r\n"); }).find("redirect"),
         std::string::npos);
@@ -294,6 +301,42 @@ TEST(HttpSource, FollowsAServerToWhereItSends) {
                                          : statusOnly(307, "Location: /there\r\nETag: \"none\"\r\n");
     };
     EXPECT_EQ(saidOf(content, answer), "");
+}
+
+TEST(HttpSource, IsGivenUpAtOnceWhereARedirectLeadsToNoServer) {
+    const std::string content = randomContent(15, 200'000);
+    for (const char* to :
+         {"http://127.0.0.1:1/there",
+          "https://127.0.0.1:1/there",
+          "http://nowhere.invalid/",
+          "ftp://127.0.0.1/there",
+          "file:///etc/passwd"}) {
+        const ScriptedServer server([&](const RangeQuestion& question) {
+            return question.number == 0 ? partOf(content, question)
+                                        : statusOnly(302, std::string("Location: ") + to + "\r\n");
+        });
+        const HttpSource source(
+            server.address(), patient(std::chrono::hours(1))); // the test ends, so it is not waited for
+        EXPECT_THROW(readText(source, 5000, 100), Error) << to;
+        EXPECT_EQ(server.questions(), 2U) << to;
+    }
+}
+
+TEST(HttpSource, IsReadAfterAServerCameBackThatARedirectLeadsTo) {
+    const std::string content = randomContent(16, 200'000);
+    const auto answer = [&](const RangeQuestion& question) { return partOf(content, question); };
+    auto there = std::make_unique<ScriptedServer>(answer);
+    const std::uint16_t port = there->port();
+    const std::string to = there->address();
+    const ScriptedServer server([&](const RangeQuestion&) { return statusOnly(302, "Location: " + to + "\r\n"); });
+    const HttpSource source(server.address(), patient());
+    there.reset();
+    std::thread restart([&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        there = std::make_unique<ScriptedServer>(answer, port);
+    });
+    EXPECT_EQ(readText(source, 9000, 100), content.substr(9000, 100));
+    restart.join();
 }
 
 TEST(HttpSource, IsReadAfterAServerCameBack) {

@@ -50,11 +50,7 @@ extern "C" void onSignal(int /*signal*/) {
 
 } // namespace
 
-void endCleanlyOnSignals() {
-    std::set_terminate(onTerminate);
-    std::atexit(TemporaryName::removeAll); // where a library ends the program: Xlib, when its server is gone
-    std::signal(SIGXFSZ, SIG_IGN);         // a write beyond the limit fails instead
-
+void catchSignals() {
     struct sigaction action {};
 
     action.sa_handler = onSignal;
@@ -68,6 +64,13 @@ void endCleanlyOnSignals() {
         if (isIgnored && (signal == SIGHUP || signal == SIGPIPE)) continue; // nohup, or a shell that wants EPIPE
         ::sigaction(signal, &action, nullptr);
     }
+}
+
+void endCleanlyOnSignals() {
+    std::set_terminate(onTerminate);
+    std::atexit(TemporaryName::removeAll); // where a library ends the program: Xlib, when its server is gone
+    std::signal(SIGXFSZ, SIG_IGN);         // a write beyond the limit fails instead
+    catchSignals();
 }
 
 void onlyNoteSignals() {

@@ -5,8 +5,11 @@ namespace gnomon::app {
 
 constexpr const char* kInterrupted = "interrupted; nothing was left half-written";
 
-/// From now on such a signal removes every temporary file, says kInterrupted and ends the process with exit code 1. So
-/// does what ends a process by std::terminate for want of memory or threads. HUP and PIPE stay ignored where they are.
+/// From now on such a signal removes every temporary file, says kInterrupted and ends the process with exit code 1. HUP
+/// and PIPE stay ignored where they are. The function can run before any library has initialised itself.
+void catchSignals();
+
+/// Does that. From now on std::terminate for want of memory or threads ends the process likewise.
 void endCleanlyOnSignals();
 
 /// Likewise, but such a signal is only noted, however often it comes: for a process that another one speaks for.

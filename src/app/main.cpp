@@ -3,13 +3,23 @@
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/interruption.h"
+#include "app/main_stack.h"
 #include "app/program.h"
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // whose code cannot run so early
+namespace {
+
+// The dynamic linker calls this before the initialisation of the libraries, which takes several milliseconds.
+__attribute__((section(".preinit_array"), used)) void (*const catchSignalsEarly)() = gnomon::app::catchSignals;
+
+} // namespace
+#endif
 
 int main(int argc, char** argv) {
     using namespace gnomon::app;
     occupyStandardDescriptors();
     endCleanlyOnSignals();
-    return exitCodeOf([&] {
+    const auto run = [&] {
         runProgram(
             {"gnomon",
              "Low-error shadow maps for meshes of a million to a billion triangles.",
@@ -29,5 +39,6 @@ int main(int argc, char** argv) {
               [](CLI::App& program) { addManualCommand(program); }}},
             argc,
             argv);
-    });
+    };
+    return onLargeStack([&] { return exitCodeOf(run); });
 }

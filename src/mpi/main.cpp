@@ -3,6 +3,7 @@
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/interruption.h"
+#include "app/main_stack.h"
 #include "app/program.h"
 #include "core/error.h"
 #include "core/printable.h"
@@ -71,10 +72,7 @@ int help(distributed::Mailbox& mailbox, int argc, char** argv) {
     return 0;
 }
 
-} // namespace
-
-int main(int argc, char** argv) {
-    app::occupyStandardDescriptors();
+int run(int argc, char** argv) {
     int code = 1;
     const int failed = app::exitCodeOf([&] {
         distributed::Mailbox mailbox(&argc, &argv);
@@ -88,4 +86,11 @@ int main(int argc, char** argv) {
         }
     });
     return failed != 0 ? failed : code;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    app::occupyStandardDescriptors();
+    return app::onLargeStack([&] { return run(argc, argv); });
 }

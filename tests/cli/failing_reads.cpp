@@ -1,6 +1,8 @@
-// Preloaded into the program: its reads of models from a place on fail, as on a disk that wears out.
+// Preloaded into the program: its reads of models from a place on fail, as on a disk that wears out, and so do removals
+// of temporary files; or it gets a signal before the libraries are ready.
 #include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <string>
@@ -35,4 +37,36 @@ extern "C" ssize_t pread(int file, void* to, size_t count, off_t offset) {
     --left;
     errno = EIO;
     return -1;
+}
+
+namespace {
+
+using Remove = int (*)(const char*);
+
+/// Fails with EIO below folders NAME.building, the first $FAIL_REMOVALS times.
+int removed(const char* path, const char* function) {
+    static std::atomic<long> left = numberFrom("FAIL_REMOVALS");
+    if (std::strstr(path, ".building/") == nullptr || left <= 0)
+        return reinterpret_cast<Remove>(dlsym(RTLD_NEXT, function))(path);
+    --left;
+    errno = EIO;
+    return -1;
+}
+
+} // namespace
+
+// NOLINTBEGIN(readability-identifier-naming, readability-inconsistent-declaration-parameter-name)
+extern "C" int unlink(const char* path) noexcept {
+    return removed(path, "unlink");
+}
+
+extern "C" int remove(const char* path) noexcept {
+    return removed(path, "remove");
+}
+
+// NOLINTEND(readability-identifier-naming, readability-inconsistent-declaration-parameter-name)
+
+/// Runs while libraries initialise themselves, before `main`.
+__attribute__((constructor)) static void raiseEarly() {
+    if (const long signal = numberFrom("RAISE_EARLY"); signal > 0) ::raise(static_cast<int>(signal));
 }

@@ -176,6 +176,55 @@ class Process(ProgramTest):
                          "--shadow-depth", folder, "--oracle", ready="maps")  # fmt: skip
         self.assertFalse(folder.exists())
 
+    @unittest.skipIf(IS_SANITIZED, "a sanitizer's library has to come first")
+    def test_a_signal_before_the_libraries_are_ready_ends_it_cleanly_too(self):
+        for sent in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGPIPE):
+            told = subprocess.run([GNOMON, "info", self.sundial], capture_output=True, text=True, timeout=60,
+                                  env=self.preloaded(RAISE_EARLY=int(sent)))  # fmt: skip
+            self.assertEqual((told.returncode, told.stdout, told.stderr),
+                             (1, "", "gnomon: interrupted; nothing was left half-written\n"), sent)  # fmt: skip
+
+    @staticmethod
+    def preloaded(**how):
+        """An environment in which calls of the system do what `how` says."""
+        return dict(os.environ, LD_PRELOAD=os.environ["FAILING_READS"], **{name: str(what) for name, what in how.items()})
+
+    @unittest.skipIf(IS_SANITIZED, "a sanitizer's library has to come first")
+    def test_what_cannot_be_removed_is_tried_again_and_told_of_by_name(self):
+        model, mesh = self.place / "removed.gnm", DATA / "models/sundial.ply"
+        folder = self.place / "removed.gnm.building"
+        for failures, said in ((1, ""), (1000, f"cannot remove {folder}/checkpoints: Input/output error\n")):
+            told = subprocess.run([GNOMON, "build", str(mesh), "-o", str(model)], capture_output=True, text=True,
+                                  timeout=60, env=self.preloaded(FAIL_REMOVALS=failures))  # fmt: skip
+            self.assertEqual((told.returncode, folder.exists()), (0, said != ""), told.stderr)
+            self.assertTrue(told.stderr.endswith(said), told.stderr)
+        self.expect(0, "", "build", mesh, "-o", model, "--resume")
+        self.assertFalse(folder.exists())
+
+    def test_a_small_limit_of_stacks_is_large_enough(self):
+        mesh, model, picture = DATA / "models/colonnade.obj", self.place / "stack.gnm", self.place / "stack.png"
+        pictures = []
+        for limit in ("ulimit -s 64", "true"):
+            for words in (("build", mesh, "-o", model), ("verify", model, "--cuts", "2"),
+                          ("render", model, "-o", picture, "--size", "64x64")):  # fmt: skip
+                told = subprocess.run(["bash", "-c", f'{limit}; exec "$@"', "bash", GNOMON, *map(str, words)],
+                                      capture_output=True, text=True, timeout=60)  # fmt: skip
+                self.assertEqual(told.returncode, 0, f"{limit} {words}: {told.stderr}")
+            pictures.append((model.read_bytes(), picture.read_bytes()))
+        self.assertTrue(pictures[0] == pictures[1])
+
+    def test_no_character_of_a_name_acts_on_a_terminal(self):
+        hidden = "\x1b[31m \u061c \u200b \u200d \u202e \u2066 \u2060 \ufeff \x9b \x7f \u2028 \U000e0041"
+        mesh, model = self.place / f"{hidden}.ply", self.place / f"{hidden}.gnm"
+        mesh.write_bytes((DATA / "models/sundial.ply").read_bytes())
+        for words in (("build", mesh, "-o", model, "--progress", "json"), ("info", model), ("info", model, "--json"),
+                      ("verify", model, "--cuts", "1", "--json"), ("info", self.place / f"no{hidden}.gnm"),
+                      ("measure", model, "--point", "0,0,0", "--point", "1,0,0", "--json"),
+                      ("build", mesh, "-o", model, "--json"), ("render", model, "-o", self.place / f"{hidden}.x")):
+            told = run(*words)
+            for character in told.stdout + told.stderr:
+                self.assertTrue(character.isprintable() or character == "\n", f"{words}: {character!r}")
+
     def test_what_nohup_ignores_stays_ignored(self):
         model = self.place / "nohup.gnm"
         words = [GNOMON, "build", str(DATA / "models/sundial.ply"), "-o", str(model)]

@@ -1,17 +1,19 @@
 #include "viewer/model_cache.h"
 
-#include "core/error.h"
 #include "core/file.h"
+#include "core/json_file.h"
+#include "core/printable.h"
 #include "core/stopwatch.h"
 #include "hierarchy/model_file.h"
+#include "preprocess/pipeline/build_key.h"
 #include "preprocess/pipeline/build_model.h"
 #include "preprocess/pipeline/source_up.h"
 #include "preprocess/read/open_mesh_sources.h"
-#include "preprocess/read/ply/ply_source.h"
 #include "storage/open_source.h"
+#include "telemetry/json_text.h"
 
-#include <array>
 #include <filesystem>
+#include <vector>
 
 namespace gnomon::viewer {
 
@@ -54,38 +56,62 @@ std::string cachePath(const std::string& meshPath) {
 
 namespace {
 
-/// Whether `model` can have been built from the mesh: a PLY says without being read whole how many vertices and faces
-/// it has.
-bool canBeOf(const hierarchy::ModelSummary& model, const std::string& meshPath) {
-    std::array<char, 4> start{};
-    File(meshPath, File::Mode::Read).readSomeAt(0, std::as_writable_bytes(std::span(start)));
-    const std::string_view line(start.data(), start.size());
-    if (line != "ply\n" && line != "ply\r") return true;
-    const read::MeshSummary mesh = read::openPly(meshPath)->summary();
-    if (mesh.vertexCount != model.sourceVertices) return false;
-    // A polygon is one triangle or more, and a strip any number.
-    const auto none = model.dropped.find("not_a_polygon");
-    const std::uint64_t most = model.sourceTriangles + (none == model.dropped.end() ? 0 : none->second);
-    return mesh.faceCount <= most && (mesh.faceCount > 0 || mesh.stripCount > 0);
+namespace fs = std::filesystem;
+
+/// Describes which files the cache was built from.
+std::string recordPath(const std::string& meshPath) {
+    return cachePath(meshPath) + ".json";
+}
+
+/// The facts of a file that change with its content; null if there is no such file.
+nlohmann::ordered_json factsOf(const fs::path& path) {
+    std::error_code failure;
+    if (!fs::is_regular_file(path, failure)) return nullptr;
+    const std::uintmax_t bytes = fs::file_size(path, failure);
+    const fs::file_time_type changed = fs::last_write_time(path, failure);
+    if (failure) return nullptr;
+    return {{"bytes", bytes}, {"changed_ns", changed.time_since_epoch().count()}};
+}
+
+pipeline::BuildOptions buildOptionsOf(const std::string& meshPath, const CacheOptions& cache) {
+    pipeline::BuildOptions options;
+    options.output = cachePath(meshPath);
+    options.memory = cache.memory;
+    options.threads = cache.threads;
+    return options;
+}
+
+/// What was built from what: the program, its options that change bytes, and each of `files`, whose names are relative
+/// to the folder of the mesh.
+nlohmann::ordered_json recordOf(
+    const std::string& meshPath, const std::vector<std::string>& files, const CacheOptions& options) {
+    nlohmann::ordered_json record = {
+        {"version", GNOMON_VERSION},
+        {"options", pipeline::keyOf(buildOptionsOf(meshPath, options))},
+        {"files", nlohmann::ordered_json::array()}};
+    for (const std::string& name : files)
+        record["files"].push_back({{"name", name}, {"facts", factsOf(fs::path(meshPath).parent_path() / name)}});
+    return record;
 }
 
 } // namespace
 
-bool isCacheFresh(const std::string& meshPath) {
-    std::error_code error;
-    const auto built = std::filesystem::last_write_time(cachePath(meshPath), error);
-    if (error) return false;
-    const auto made = std::filesystem::last_write_time(meshPath, error);
-    if (error || built < made) return false;
+bool isCacheFresh(const std::string& meshPath, const CacheOptions& options) {
     try {
-        return canBeOf(hierarchy::ModelFile(cachePath(meshPath)).summary(), meshPath);
-    } catch (const Error&) {
-        return false; // another version's, or damaged: a build makes it whole, or says what is wrong with the mesh
+        const nlohmann::ordered_json stored = readJsonFile(recordPath(meshPath));
+        std::vector<std::string> files;
+        for (const auto& file : stored.at("files"))
+            files.push_back(file.at("name"));
+        nlohmann::ordered_json now = recordOf(meshPath, files, options);
+        now["model"] = hierarchy::ModelFile(cachePath(meshPath)).contentHash();
+        return now == stored;
+    } catch (const std::exception&) {
+        return false; // there is none, it is another version's or damaged: a build says what is wrong with the mesh
     }
 }
 
-CacheBuild::CacheBuild(std::string meshPath, Bytes memory, int threads)
-    : meshPath_(std::move(meshPath)), thread_([this, memory, threads] { run(memory, threads); }) {}
+CacheBuild::CacheBuild(std::string meshPath, const CacheOptions& options)
+    : meshPath_(std::move(meshPath)), thread_([this, options] { run(options); }) {}
 
 CacheBuild::~CacheBuild() {
     isStopped_ = true;
@@ -97,20 +123,27 @@ BuildStatus CacheBuild::status() const {
     return status_;
 }
 
-void CacheBuild::run(Bytes memory, int threads) {
+void CacheBuild::run(const CacheOptions& options) {
     try {
         Watch watch(*this);
-        pipeline::BuildOptions options;
-        options.output = cachePath(meshPath_);
-        options.memory = memory;
-        options.threads = threads;
-        pipeline::askForUpOfSources(options, {meshPath_});
-        const auto source = read::openMeshSources({meshPath_}, memory);
-        pipeline::buildModel(*source, options, watch);
+        const fs::path folder = fs::path(meshPath_).parent_path();
+        std::vector<std::string> files = {fs::path(meshPath_).filename().string()};
+        const nlohmann::ordered_json before = recordOf(meshPath_, files, options);
+        pipeline::BuildOptions build = buildOptionsOf(meshPath_, options);
+        pipeline::askForUpOfSources(build, {meshPath_});
+        const auto source = read::openMeshSources({meshPath_}, options.memory);
+        for (const std::string& path : source->summary().filesBesides)
+            files.push_back(fs::path(path).lexically_proximate(folder).string());
+        nlohmann::ordered_json record = recordOf(meshPath_, files, options);
+        pipeline::buildModel(*source, build, watch);
+        // If a file changed meanwhile, nobody knows which content was read: the next window builds again.
+        const bool isSame = record == recordOf(meshPath_, files, options) && record["files"][0] == before["files"][0];
+        record["model"] = hierarchy::ModelFile(build.output).contentHash();
+        if (isSame) writeTextFile(recordPath(meshPath_), telemetry::jsonText(record, 1) + "\n");
     } catch (const Interrupted&) {
         failure_ = "stopped";
     } catch (const std::exception& error) {
-        failure_ = error.what();
+        failure_ = inWords(error);
     }
     isDone_ = true;
 }

@@ -18,9 +18,15 @@ bool isModelPath(const std::string& path);
 /// The cache of a mesh: "scan.ply.gnm" beside "scan.ply", which is nobody's own name for a model.
 std::string cachePath(const std::string& meshPath);
 
-/// Whether the cache of `meshPath` is there and not older than the mesh, this version can read its tables, and they
-/// have as many vertices and no fewer triangles than the mesh, if that is a PLY, has vertices and faces.
-bool isCacheFresh(const std::string& meshPath);
+/// What a cache is built with.
+struct CacheOptions {
+    Bytes memory; // peak resident size of the build
+    int threads = 0;
+};
+
+/// Whether the cache of `meshPath` is the one that a build would write now: the file beside it (CACHE.json) names the
+/// same version and options, the same model, and the same size and time of change for each file that was read.
+bool isCacheFresh(const std::string& meshPath, const CacheOptions& options);
 
 /// How far a build is.
 struct BuildStatus {
@@ -31,10 +37,11 @@ struct BuildStatus {
     double seconds = 0;      // since the build began
 };
 
-/// Builds the cache of a mesh on a thread of its own. Ends with it: the destructor stops the build and waits.
+/// Builds the cache of a mesh on a thread of its own, and writes the file beside it that `isCacheFresh` reads. Ends
+/// with the thread: the destructor stops the build and waits.
 class CacheBuild {
 public:
-    CacheBuild(std::string meshPath, Bytes memory, int threads);
+    CacheBuild(std::string meshPath, const CacheOptions& options);
     ~CacheBuild();
     CacheBuild(const CacheBuild&) = delete;
     CacheBuild& operator=(const CacheBuild&) = delete;
@@ -53,7 +60,7 @@ public:
 private:
     class Watch;
 
-    void run(Bytes memory, int threads);
+    void run(const CacheOptions& options);
 
     std::string meshPath_;
     mutable std::mutex mutex_;

@@ -13,9 +13,10 @@ constexpr double kWatchSeconds = 1; // between looks at the model's file
 void OpenFile::open(const std::string& file) {
     messages_->attempt([&] {
         if (isModelPath(file)) return openModel(file);
-        if (isCacheFresh(file)) return openModel(cachePath(file));
+        const CacheOptions cache{options_->buildMemory, options_->threads};
+        if (isCacheFresh(file, cache)) return openModel(cachePath(file));
         build_.reset();
-        build_ = std::make_unique<CacheBuild>(file, options_->buildMemory, options_->threads);
+        build_ = std::make_unique<CacheBuild>(file, cache);
     });
 }
 

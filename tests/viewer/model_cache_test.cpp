@@ -11,6 +11,8 @@
 namespace gnomon::viewer {
 namespace {
 
+const CacheOptions kOptions{gibibytes(1), 1};
+
 class ModelCache : public testing::Test {
 protected:
     void SetUp() override {
@@ -54,27 +56,27 @@ TEST_F(ModelCache, IsBesideTheMeshUnderANameOfItsOwn) {
 TEST_F(ModelCache, IsBuiltOnceAndAgainWhenTheMeshIsNewer) {
     const std::string mesh = file("scan.ply");
     writeTextFile(mesh, fan(400));
-    EXPECT_FALSE(isCacheFresh(mesh));
+    EXPECT_FALSE(isCacheFresh(mesh, kOptions));
     {
-        const CacheBuild build(mesh, gibibytes(1), 1);
+        const CacheBuild build(mesh, kOptions);
         wait(build);
         EXPECT_FALSE(build.failure()) << *build.failure();
         EXPECT_FALSE(build.status().stage.empty());
     }
-    EXPECT_TRUE(isCacheFresh(mesh));
+    EXPECT_TRUE(isCacheFresh(mesh, kOptions));
     EXPECT_EQ(hierarchy::ModelFile(cachePath(mesh)).summary().sourceTriangles, 400U);
     const auto built = std::filesystem::last_write_time(cachePath(mesh));
     std::filesystem::last_write_time(mesh, built + std::chrono::seconds(1));
-    EXPECT_FALSE(isCacheFresh(mesh));
+    EXPECT_FALSE(isCacheFresh(mesh, kOptions));
 }
 
 TEST_F(ModelCache, IsBuiltAgainWhereItCannotBeReadOrIsOfAnotherMesh) {
     const std::string mesh = file("scan.ply");
     const auto rebuild = [&] {
-        const CacheBuild build(mesh, gibibytes(1), 1);
+        const CacheBuild build(mesh, kOptions);
         wait(build);
         EXPECT_FALSE(build.failure()) << *build.failure();
-        EXPECT_TRUE(isCacheFresh(mesh));
+        EXPECT_TRUE(isCacheFresh(mesh, kOptions));
     };
     writeTextFile(mesh, fan(400));
     rebuild();
@@ -83,18 +85,70 @@ TEST_F(ModelCache, IsBuiltAgainWhereItCannotBeReadOrIsOfAnotherMesh) {
     for (const std::size_t at : {8U, 9U, 10U, 11U}) // the version follows the magic, whatever its width
         other[at] = static_cast<char>(other[at] ^ 0x55);
     writeTextFile(cachePath(mesh), other);
-    EXPECT_FALSE(isCacheFresh(mesh)) << "of another version";
+    EXPECT_FALSE(isCacheFresh(mesh, kOptions)) << "of another version";
     rebuild();
     EXPECT_EQ(readTextFile(cachePath(mesh)), bytes);
     writeTextFile(cachePath(mesh), bytes.substr(0, bytes.size() / 2));
-    EXPECT_FALSE(isCacheFresh(mesh)) << "cut off";
+    EXPECT_FALSE(isCacheFresh(mesh, kOptions)) << "cut off";
     rebuild();
     const auto built = std::filesystem::last_write_time(cachePath(mesh));
     writeTextFile(mesh, fan(401));
     std::filesystem::last_write_time(mesh, built - std::chrono::hours(1));
-    EXPECT_FALSE(isCacheFresh(mesh)) << "of another mesh that is older, such as one that was moved here";
+    EXPECT_FALSE(isCacheFresh(mesh, kOptions)) << "of another mesh that is older, such as one that was moved here";
     rebuild();
     EXPECT_EQ(hierarchy::ModelFile(cachePath(mesh)).summary().sourceTriangles, 401U);
+}
+
+/// Gives a file other bytes of the same number, as of `when`.
+void change(const std::string& path, const std::string& text, std::filesystem::file_time_type when) {
+    writeTextFile(path, text);
+    std::filesystem::last_write_time(path, when);
+}
+
+TEST_F(ModelCache, IsBuiltAgainAfterAChangeOfAnyFileThatWasReadWhateverItsTime) {
+    const std::string mesh = file("wall.obj");
+    const std::string library = file("wall.mtl");
+    const std::string faces = "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n";
+    const auto rebuild = [&] {
+        const CacheBuild build(mesh, kOptions);
+        wait(build);
+        ASSERT_FALSE(build.failure()) << *build.failure();
+        EXPECT_TRUE(isCacheFresh(mesh, kOptions));
+    };
+    writeTextFile(mesh, "mtllib wall.mtl\n" + faces);
+    writeTextFile(library, "newmtl a\nKd 1 0 0\n");
+    rebuild();
+    const std::string red = hierarchy::ModelFile(cachePath(mesh)).contentHash();
+    for (const std::string& other : {mesh + ".gnm.json", mesh + ".gnm"}) {
+        const std::string bytes = readTextFile(other);
+        std::filesystem::remove(other);
+        EXPECT_FALSE(isCacheFresh(mesh, kOptions)) << other;
+        writeTextFile(other, bytes);
+        EXPECT_TRUE(isCacheFresh(mesh, kOptions)) << other;
+    }
+    const auto then = std::filesystem::last_write_time(library);
+    change(library, "newmtl a\nKd 0 1 0\n", then - std::chrono::hours(24));
+    EXPECT_FALSE(isCacheFresh(mesh, kOptions)) << "an older library";
+    rebuild();
+    EXPECT_NE(hierarchy::ModelFile(cachePath(mesh)).contentHash(), red);
+    change(library, "newmtl a\nKd 0 1 0\n", then - std::chrono::hours(24) + std::chrono::nanoseconds(1000));
+    EXPECT_FALSE(isCacheFresh(mesh, kOptions)) << "a time that differs";
+    rebuild();
+    const auto made = std::filesystem::last_write_time(mesh);
+    change(mesh, "mtllib wall.mtl\n" + faces, made - std::chrono::hours(1));
+    EXPECT_FALSE(isCacheFresh(mesh, kOptions)) << "another mesh that is older, such as one that was moved here";
+    rebuild();
+    writeTextFile(file("other.ply"), fan(3));
+    {
+        const CacheBuild build(file("other.ply"), kOptions);
+        wait(build);
+    }
+    std::filesystem::copy_file(
+        file("other.ply.gnm"), cachePath(mesh), std::filesystem::copy_options::overwrite_existing);
+    EXPECT_FALSE(isCacheFresh(mesh, kOptions)) << "a model of another mesh in its place";
+    rebuild();
+    std::filesystem::remove(library);
+    EXPECT_FALSE(isCacheFresh(mesh, kOptions)) << "a library that is gone";
 }
 
 TEST_F(ModelCache, IsFreshForPolygonsAndFormatsThatTellNothing) {
@@ -107,17 +161,17 @@ TEST_F(ModelCache, IsFreshForPolygonsAndFormatsThatTellNothing) {
     const std::string object = file("scan.obj");
     writeTextFile(object, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     for (const std::string& mesh : {quads, object}) {
-        const CacheBuild build(mesh, gibibytes(1), 1);
+        const CacheBuild build(mesh, kOptions);
         wait(build);
         ASSERT_FALSE(build.failure()) << *build.failure();
-        EXPECT_TRUE(isCacheFresh(mesh)) << mesh;
+        EXPECT_TRUE(isCacheFresh(mesh, kOptions)) << mesh;
     }
 }
 
 TEST_F(ModelCache, AMeshThatIsNoneFailsWithAReasonAndLeavesNothing) {
     const std::string mesh = file("broken.ply");
     writeTextFile(mesh, "ply\nformat ascii 1.0\nelement vertex 3\n");
-    const CacheBuild build(mesh, gibibytes(1), 1);
+    const CacheBuild build(mesh, kOptions);
     wait(build);
     ASSERT_TRUE(build.failure());
     EXPECT_NE(build.failure()->find("broken.ply"), std::string::npos) << *build.failure();
@@ -127,10 +181,12 @@ TEST_F(ModelCache, AMeshThatIsNoneFailsWithAReasonAndLeavesNothing) {
 TEST_F(ModelCache, EndsWithItsOwnerAndLeavesNothingHalfWritten) {
     const std::string mesh = file("large.ply");
     writeTextFile(mesh, fan(100000));
-    { const CacheBuild build(mesh, gibibytes(1), 1); }
+    { const CacheBuild build(mesh, kOptions); }
     std::size_t files = 0;
     for (const auto& entry : std::filesystem::directory_iterator(folder))
-        files += entry.path() == mesh || entry.path() == cachePath(mesh) ? 0 : 1;
+        files += entry.path() == mesh || entry.path() == cachePath(mesh) || entry.path() == cachePath(mesh) + ".json"
+                     ? 0
+                     : 1;
     EXPECT_EQ(files, 0U);
 }
 

@@ -16,7 +16,11 @@ public:
         sceneFrames_ = kSettlingFrames;
         framesSinceWoken_ = 0;
         millisecondsSinceWoken_ = 0;
+        ++changes_;
     }
+
+    /// How often something has changed so far.
+    std::uint64_t changes() const { return changes_; }
 
     /// Something has changed in what lies over the scene.
     void wakeWindow() { windowFrames_ = kLayoutFrames; }
@@ -70,6 +74,7 @@ private:
     int windowFrames_ = kLayoutFrames;
     int framesSinceWoken_ = 0;
     double millisecondsSinceWoken_ = 0;
+    std::uint64_t changes_ = 0;
     int unanswered_ = 0;
     std::int64_t bytesRead_ = 0;
 };

@@ -1,5 +1,7 @@
 #include "viewer/viewer.h"
 
+#include "core/error.h"
+#include "core/printable.h"
 #include "path/camera_path.h"
 #include "settings/resolve.h"
 #include "settings/sun_settings.h"
@@ -97,9 +99,12 @@ void WindowSession::run(Progress& interrupt) {
         takeInput(seconds);
         watch();
         if (file_.scene() != nullptr && !walk_.isUnderWay()) recentViews().see(walk_.control().camera(), now());
-        if (!drawFrame() || walk_.advance(now() - lastFrame_)) continue;
+        const bool hasDrawn = drawFrame();
+        if (isScripted() && file_.build() == nullptr && !walk_.isPlaying())
+            throw Error(options_.path, "the path was not played to its end");
+        if (!hasDrawn || walk_.advance(now() - lastFrame_)) continue;
         pace_.wakeScene();
-        if (!options_.path.empty() && !options_.images.empty()) break; // all that was asked for is there
+        if (isScripted()) break; // all that was asked for is there
     }
     keepViews();
     if (log_) log_->finish();
@@ -122,8 +127,9 @@ void WindowSession::enter(const Scene& scene) {
         settings_.colors = {};
     }
     saved_ = SavedFiles(model.path());
+    pictureDue_.reset(); // it was to be of another model
     measuring_ = Measuring(survey::surveyedOf(model.path(), model.summary(), framed_->up()));
-    glfwSetWindowTitle(window_.handle(), ("Gnomon - " + model.path()).c_str());
+    glfwSetWindowTitle(window_.handle(), ("Gnomon - " + printable(model.path())).c_str());
     pace_.wakeScene();
     if (!options_.path.empty() && frameCount_ == 0) walk_.togglePlaying(saved_);
 }
@@ -188,7 +194,8 @@ bool WindowSession::isHurried() const {
     return settings_.targetMs > 0 && !walk_.playsFixed() && !rests;
 }
 
-Shot WindowSession::shot(const glm::ivec2& size) const {
+/// What the window draws now with `size` pixels; a still one takes the time that it needs.
+Shot WindowSession::shot(const glm::ivec2& size, bool isStill) const {
     Shot shot;
     shot.view.towardsLight = settings_.asked.towardsLight;
     shot.view.pointLight = framed_->pointLight(settings_.asked);
@@ -197,7 +204,7 @@ Shot WindowSession::shot(const glm::ivec2& size) const {
     settings::setSections(settings_.asked, shot.view);
     shot.view.camera = walk_.culledBy();
     shot.quality = settings_.asked.quality;
-    const Effort effort = isHurried() ? budget_.effort(wantedEffort()) : wantedEffort();
+    const Effort effort = isHurried() && !isStill ? budget_.effort(wantedEffort()) : wantedEffort();
     shot.view.width = drawnSide(size.x, effort.resolution);
     shot.view.height = drawnSide(size.y, effort.resolution);
     shot.quality.errorPixels = effort.errorPixels * effort.resolution;
@@ -212,7 +219,7 @@ Shot WindowSession::shot(const glm::ivec2& size) const {
     shot.options.wantsSurfaces = isColored;
     shot.measuresAliasing = comesToRest();
     shot.options.isAccumulated =
-        comesToRest() && options_.samples > 1 && settings_.overlay == executor::Overlay::None && !isColored;
+        isStill && options_.samples > 1 && settings_.overlay == executor::Overlay::None && !isColored;
     shot.samples = options_.samples;
     shot.options.waiting = walk_.playsFixed() ? frame::Waiting::UntilComplete : frame::Waiting::Never;
     if (walk_.isFrozen()) shot.options.observerCamera = walk_.camera();
@@ -229,6 +236,7 @@ bool WindowSession::drawFrame() {
     const frame::Frame* frame = scene != nullptr ? scene->frame() : nullptr;
     if (frame != nullptr && drawnFor_ != size) pace_.wakeScene();
     const bool drawsScene = scene != nullptr && !isIdle();
+    if (pictureDue_ && pictureDue_->changes != pace_.changes()) savePictureOf(pictureDue_->shot);
     if (drawsScene)
         drawScene(size);
     else if (isRefining())
@@ -245,7 +253,7 @@ void WindowSession::drawScene(const glm::ivec2& size) {
     const bool isMeasured = isHurried();
     const bool rests = comesToRest();
     if (rests) file_.scene()->forget(); // what stands is what `gnomon render` makes of the view
-    const Shot shot = this->shot(size);
+    const Shot shot = this->shot(size, rests);
     drawnFor_ = size;
     pace_.countScene();
     if (messages_.attempt([&] { file_.scene()->draw(shot); })) {
@@ -280,15 +288,47 @@ void WindowSession::afterScene(const Shot& shot, bool isMeasured) {
     if (log_) log_->add(row);
     walk_.record(shot.seenBy());
     if (walk_.isPlaying() && !options_.images.empty())
-        messages_.attempt([&] { saved_.savePlayed(options_.images, walk_.playedFrame(), scene.picture()); });
+        if (!messages_.attempt([&] { saved_.savePlayed(options_.images, walk_.playedFrame(), scene.picture()); }))
+            walk_.stop();
+}
+
+/// Saves the view of this moment, at once or later.
+void WindowSession::takePicture() {
+    const bool isShownInFull = walk_.playsFixed() || (isIdle() && !isRefining());
+    if (isShownInFull && file_.scene()->frame() != nullptr) return saveShownPicture();
+    const Shot still = shot(framebufferSize(), true);
+    if (walk_.isUnderWay())
+        savePictureOf(still);
+    else
+        pictureDue_ = {still, pace_.changes()};
 }
 
 void WindowSession::savePictureOnceDone() {
-    const bool getsBetter =
-        (options_.samples > 1 || settings_.targetMs > 0) && !walk_.isUnderWay() && (!isIdle() || isRefining());
-    if (!savesPicture_ || getsBetter) return;
-    savesPicture_ = false;
+    const bool getsBetter = (options_.samples > 1 || settings_.targetMs > 0) && (!isIdle() || isRefining());
+    if (pictureDue_ && !getsBetter) saveShownPicture();
+}
+
+void WindowSession::saveShownPicture() {
+    pictureDue_.reset();
     messages_.attempt([&] { messages_.note("saved " + saved_.savePicture(file_.scene()->picture())); });
+}
+
+/// Draws a view in full, which the frames in motion do not, and saves that. The window waits meanwhile.
+void WindowSession::savePictureOf(Shot still) {
+    constexpr double kMaxSeconds = 1; // for samples, of which the first is there in any case
+    pictureDue_.reset();
+    messages_.attempt([&] {
+        Scene& scene = *file_.scene();
+        if (!scene.model().source().isRemote()) still.options.waiting = frame::Waiting::UntilComplete;
+        scene.forget();
+        scene.draw(still);
+        const double end = now() + kMaxSeconds;
+        while (scene.samples() > 0 && scene.samples() < scene.wantedSamples() && now() < end)
+            scene.addSample();
+        messages_.note("saved " + saved_.savePicture(scene.picture()));
+    });
+    pace_.wakeScene();
+    lastFrame_ = now();
 }
 
 OverlayContent WindowSession::content() const {
@@ -310,7 +350,7 @@ OverlayContent WindowSession::content() const {
     content.messages = &messages_.all();
     if (const CacheBuild* build = file_.build()) {
         content.build = build->status();
-        content.buildOf = build->meshPath();
+        content.buildOf = printable(build->meshPath());
     }
     return content;
 }

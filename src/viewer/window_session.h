@@ -60,20 +60,32 @@ private:
 
     Projection projection() const { return walk_.control().camera().projection; }
 
+    /// Whether the session ends by itself: with the path whose frames it writes, or where that cannot be played.
+    bool isScripted() const { return !options_.path.empty() && !options_.images.empty(); }
+
     bool isIdle() const { return !pace_.isSceneAwake() && !walk_.isUnderWay(); }
 
     bool comesToRest() const;
     bool isRefining() const;
     void refine();
     void savePictureOnceDone();
+    void saveShownPicture();
+    void savePictureOf(Shot still);
     Effort wantedEffort() const;
     bool isHurried() const;
-    Shot shot(const glm::ivec2& size) const;
+    Shot shot(const glm::ivec2& size, bool isStill) const;
+    void takePicture();
     bool drawFrame(); // whether the scene was drawn
     void drawScene(const glm::ivec2& size);
     void afterScene(const Shot& shot, bool isMeasured);
     OverlayContent content() const;
     void drawWindow(const glm::ivec2& size);
+
+    /// A picture of a view at rest is saved once it is as good as it gets, or before the window draws another view.
+    struct PictureDue {
+        Shot shot; // at the moment when the user asked for it
+        std::uint64_t changes = 0;
+    };
 
     ViewerOptions options_;
     ViewSettings settings_;
@@ -102,7 +114,7 @@ private:
     double lastWindowMs_ = 0;
     glm::ivec2 drawnFor_{0}; // the window that the last frame was for
     std::int64_t frameCount_ = 0;
-    bool savesPicture_ = false; // once all input until now is drawn, and at rest once it is as good as it gets
+    std::optional<PictureDue> pictureDue_;
     bool savesWindow_ = false;
 };
 

@@ -209,7 +209,8 @@ void WindowSession::actOnModel(const Binding& binding) {
         if (walk_.togglePlaying(saved_)) file_.scene()->forget();
         return;
     case Action::Screenshot:
-        (binding.value == 1 ? savesWindow_ : savesPicture_) = true;
+        if (binding.value == 0) return takePicture();
+        savesWindow_ = true;
         return;
     case Action::Reload:
         return open(std::string(file_.scene()->model().path()));

@@ -7,9 +7,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <thread>
 
 #include <unistd.h>
 
@@ -24,6 +26,9 @@ protected:
     void SetUp() override {
         fs::create_directories(folder_);
         fs::current_path(folder_);
+        ::unsetenv("XDG_CONFIG_HOME");
+        ::setenv("XDG_PICTURES_DIR", place("pictures").c_str(), 1);
+        ::setenv("HOME", place("home").c_str(), 1);
     }
 
     void TearDown() override {
@@ -41,6 +46,8 @@ protected:
         return static_cast<std::size_t>(std::distance(fs::recursive_directory_iterator("."), {}));
     }
 
+    std::string place(const std::string& name) const { return (folder_ / name).string(); }
+
 private:
     fs::path before_ = fs::current_path();
     fs::path folder_ = fs::temp_directory_path() / ("gnomon_session_" + std::to_string(::getpid()));
@@ -57,18 +64,60 @@ executor::Picture anyPicture(Random& random) {
 TEST_F(SessionFilesTest, PicturesAreNumberedOverNoneThatIsThere) {
     Random random(1);
     const SavedFiles saved("/any/where/scan.of.bunny.gnm");
-    std::ofstream("scan.of.bunny_view2.png") << "mine";
+    const std::string start = place("pictures") + "/Gnomon/scan.of.bunny_";
+    fs::create_directories(place("pictures") + "/Gnomon");
+    std::ofstream(start + "2.png") << "mine";
     std::vector<executor::Picture> pictures;
-    for (const char* name : {"scan.of.bunny_view1.png", "scan.of.bunny_view3.png", "scan.of.bunny_view4.png"}) {
+    for (const std::string& name : {start + "1.png", start + "3.png", start + "4.png"}) {
         pictures.push_back(anyPicture(random));
         EXPECT_EQ(saved.savePicture(pictures.back()), name);
         EXPECT_EQ(executor::readPng(name).pixels, pictures.back().pixels);
     }
-    EXPECT_EQ(read("scan.of.bunny_view2.png"), "mine");
-    fs::remove("scan.of.bunny_view1.png");
-    EXPECT_EQ(saved.savePicture(pictures[1]), "scan.of.bunny_view1.png") << "a free number is used again";
-    EXPECT_EQ(executor::readPng("scan.of.bunny_view3.png").pixels, pictures[1].pixels);
-    EXPECT_EQ(SavedFiles().savePicture(pictures[0]), "gnomon_view1.png") << "before any model";
+    EXPECT_EQ(read(start + "2.png"), "mine");
+    fs::remove(start + "1.png");
+    EXPECT_EQ(saved.savePicture(pictures[1]), start + "1.png") << "a free number is used again";
+    EXPECT_EQ(executor::readPng(start + "3.png").pixels, pictures[1].pixels);
+    EXPECT_EQ(SavedFiles().savePicture(pictures[0]), place("pictures") + "/Gnomon/gnomon_1.png") << "before any model";
+}
+
+TEST_F(SessionFilesTest, PicturesAreInTheFolderThatTheUserDirectoriesName) {
+    Random random(6);
+    const SavedFiles saved("bunny.gnm");
+    const auto folderOf = [&] { return fs::path(saved.savePicture(anyPicture(random))).parent_path().string(); };
+    ::unsetenv("XDG_PICTURES_DIR");
+    EXPECT_EQ(folderOf(), place("home/Pictures/Gnomon"));
+    fs::create_directories(place("home/.config"));
+    std::ofstream(place("home/.config/user-dirs.dirs"))
+        << "# of xdg-user-dirs\nXDG_MUSIC_DIR=\"$HOME/Music\"\n  XDG_PICTURES_DIR=\"$HOME/Bilder\"\nXDG_PICTURES";
+    EXPECT_EQ(folderOf(), place("home/Bilder/Gnomon"));
+    ::setenv("XDG_CONFIG_HOME", place("config").c_str(), 1);
+    fs::create_directories(place("config"));
+    std::ofstream(place("config/user-dirs.dirs")) << "XDG_PICTURES_DIR=\"" << place("elsewhere") << "\"\n";
+    EXPECT_EQ(folderOf(), place("elsewhere/Gnomon"));
+    std::ofstream(place("file")) << "mine";
+    ::setenv("XDG_PICTURES_DIR", place("file").c_str(), 1);
+    EXPECT_EQ(folderOf(), place("home/Pictures/Gnomon")) << "where nothing can be written";
+    fs::remove_all(place("home/Pictures"));
+    std::ofstream(place("home/Pictures")) << "mine";
+    EXPECT_EQ(folderOf(), place("home/Gnomon"));
+    ::setenv("HOME", place("file").c_str(), 1);
+    EXPECT_EQ(folderOf(), "Gnomon");
+}
+
+TEST_F(SessionFilesTest, TwoWindowsThatSaveAtOnceLoseNothing) {
+    constexpr int kPictures = 40;
+    const auto saveAll = [](int width) {
+        const SavedFiles saved("bunny.gnm");
+        for (int i = 0; i < kPictures; ++i)
+            saved.savePicture(executor::Picture(width, 1));
+    };
+    std::thread other([&] { saveAll(1); });
+    saveAll(2);
+    other.join();
+    int wide = 0;
+    for (int number = 1; number <= 2 * kPictures; ++number)
+        wide += executor::readPng(place("pictures/Gnomon/bunny_") + std::to_string(number) + ".png").width - 1;
+    EXPECT_EQ(wide, kPictures);
 }
 
 TEST_F(SessionFilesTest, MeasuresLieBesideTheModelUnderANumberThatIsFreeForBoth) {
@@ -80,7 +129,11 @@ TEST_F(SessionFilesTest, MeasuresLieBesideTheModelUnderANumberThatIsFreeForBoth)
     EXPECT_EQ(read("site/bunny_measures2.csv"), "a,b\n");
     EXPECT_EQ(read("site/bunny_measures1.csv"), "mine");
     EXPECT_FALSE(fs::exists("site/bunny_measures1.json"));
-    EXPECT_THROW((void)SavedFiles("nowhere/bunny.gnm").saveMeasures("", ""), Error);
+    EXPECT_EQ(
+        SavedFiles("http://localhost/site/bunny.gnm").saveMeasures("", ""),
+        "bunny_measures1.json and bunny_measures1.csv")
+        << "the folder of a server is no folder here";
+    EXPECT_EQ(SavedFiles("nowhere/bunny.gnm").saveMeasures("", ""), "bunny_measures2.json and bunny_measures2.csv");
 }
 
 TEST_F(SessionFilesTest, PathsReadBackAndCountForThemselves) {
@@ -88,7 +141,7 @@ TEST_F(SessionFilesTest, PathsReadBackAndCountForThemselves) {
     path::CameraPath path;
     path.keyframes = {{0, {{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 1}}, {2, {{5, 0, 5}, {0, 0, 0}, {0, 1, 0}, 1}}};
     Random random(2);
-    EXPECT_EQ(saved.savePicture(anyPicture(random)), "bunny.ply_view1.png");
+    EXPECT_EQ(saved.savePicture(anyPicture(random)), place("pictures/Gnomon/bunny.ply_1.png"));
     EXPECT_EQ(saved.savePath(path), "bunny.ply_path1.json");
     EXPECT_EQ(saved.savePath(path), "bunny.ply_path2.json");
     EXPECT_EQ(path::contentHash(path::readCameraPath("bunny.ply_path2.json")), path::contentHash(path));

@@ -5,7 +5,7 @@ import subprocess
 import sys
 import time
 
-from session import Session, rows_of
+from session import Session, rows_of, size_of
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "torture"))
 from instances import pixels  # noqa: E402
@@ -69,6 +69,25 @@ def check_rest_after_motion(display, program, folder, model):
         words = ("render", model, "--camera", camera, "-o", rendered, "--size", "800x800", "--samples", "2", *shadows)
         subprocess.run([program, *map(str, words)], cwd=folder, check=True, capture_output=True)
         assert filecmp.cmp(rendered, stood, shallow=False), shadows
+
+
+def check_picture(display, program, folder, model):
+    """A picture shows the view at which its key was pressed, in full, though the camera moves right after or already."""
+    session = Session(display, program, folder, model, samples=4, target=3)
+    time.sleep(1)
+    full = session.shot()
+    since = len(session.lines)
+    display.do("key", "F12", "keydown", "w")
+    picture = session.folder / session.expect(r"saved (\S+\.png)", since).group(1)
+    assert picture.parent.name == "Gnomon" and filecmp.cmp(full, picture, shallow=False)
+    for _ in range(3):
+        since = len(session.lines)
+        session.press("F12")
+        picture = session.folder / session.expect(r"saved (\S+\.png)", since).group(1)
+        assert size_of(picture) == (800, 800) and not filecmp.cmp(full, picture, shallow=False)
+    display.do("keyup", "w")
+    session.leave()
+    assert session.complaints() == [], session.complaints()
 
 
 def check_target(display, program, folder, model):

@@ -34,6 +34,11 @@ def check_server(display, program, folder, model):
     with RangeServer(pathlib.Path(model).parent) as server:
         session = at_server(server, pathlib.Path(folder) / "cache of the healthy")
         expect_picture(session, expected)
+        session.press("u")
+        display.do("mousemove", 400, 400, "click", 1)
+        session.press("shift+u")
+        saved = session.expect(r"saved (\S+\.json) and (\S+\.csv)")
+        assert all((session.folder / name).read_text() for name in saved.groups()), saved
         session.leave()
         healthy = server.requests
     assert session.complaints() == [] and healthy > 10, (session.complaints(), healthy)

@@ -57,8 +57,9 @@ class Session:
         self.started = time.monotonic()
         words = [program, "view", *arguments, "--samples", samples, "--target-ms", target]
         state = state or tempfile.mkdtemp(dir=display.state.name)
+        places = {"XDG_STATE_HOME": str(state), "XDG_PICTURES_DIR": str(folder)}
         self.process = subprocess.Popen(list(map(str, words)), cwd=folder, stderr=subprocess.PIPE, text=True,
-                                        env=dict(display.environment, XDG_STATE_HOME=str(state)))
+                                        env=dict(display.environment, **places))
         threading.Thread(target=self._listen, daemon=True).start()
         self.window = self._find_window()
         display.do("mousemove", 400, 400)

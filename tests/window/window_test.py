@@ -22,7 +22,7 @@ import threading
 import time
 
 from measure_checks import check_colors, check_measures, check_recent_views
-from rest_checks import check_rest, check_rest_after_motion, check_target
+from rest_checks import check_picture, check_rest, check_rest_after_motion, check_target
 from server_checks import check_server
 from session import PATIENCE, Display, Session, keys_of_help, rows_of, size_of
 from x_client import XClient
@@ -241,6 +241,19 @@ def check_files(display, program, folder, mesh, model):
         assert not changed(third, session.shot())
     session.leave()
 
+    # Without a person, a window ends where its path cannot be played.
+    path = session.folder / "still.json"
+    path.write_text(json.dumps({"keyframes": [{"time": 0, "eye": [0, 0, 5], "target": [0, 0, 0], "up": [0, 1, 0], "fov_y": 60}]}))
+    (session.folder / "cut.ply").write_text("ply\nformat ascii 1.0\nelement vertex 5\n")
+    (session.folder / "cut.gnm").write_bytes(copy.read_bytes()[:1000])
+    (session.folder / "no_folder").write_text("")
+    for wrong, images in (("cut.ply", "played"), ("cut.gnm", "played"), ("http://127.0.0.1:1/m.gnm", "played"),
+                          (str(copy), "no_folder")):  # fmt: skip
+        ended = subprocess.run([program, "view", wrong, "--path", path, "--frames", "2", "--images", images], cwd=folder,
+                               env=display.environment, capture_output=True, text=True, timeout=PATIENCE)
+        assert ended.returncode == 1 and "was not played to its end" in ended.stderr.splitlines()[-1], ended
+        assert len(ended.stderr.splitlines()) == 2, ended
+
     broken = session.folder / "broken.ply"
     broken.write_text("ply\nformat ascii 1.0\nelement vertex 5\n")
     session = Session(display, program, folder, broken)
@@ -364,6 +377,7 @@ def main():
             "the mouse": lambda: check_mouse(display, program, folder, model),
             "a view at rest": lambda: check_rest(display, program, folder, model),
             "a view at rest after motion": lambda: check_rest_after_motion(display, program, folder, model),
+            "a picture in motion": lambda: check_picture(display, program, folder, model),
             "a time target": lambda: check_target(display, program, folder, model),
             "measures": lambda: check_measures(display, program, pathlib.Path(folder)),
             "recent views": lambda: check_recent_views(display, program, folder, model),

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/printable.h"
+#include "core/temporary_name.h"
 #include "path/camera_path.h"
 #include "settings/resolve.h"
 #include "settings/sun_settings.h"
@@ -108,6 +109,7 @@ void WindowSession::run(Progress& interrupt) {
     }
     keepViews();
     if (log_) log_->finish();
+    if (file_.build() != nullptr) TemporaryName::removeAllAndExit(0); // a reader notices only later that it is to stop
 }
 
 void WindowSession::open(const std::string& file) {

@@ -254,6 +254,14 @@ def check_files(display, program, folder, mesh, model):
         assert ended.returncode == 1 and "was not played to its end" in ended.stderr.splitlines()[-1], ended
         assert len(ended.stderr.splitlines()) == 2, ended
 
+    # A window that is closed during a build ends at once and leaves nothing.
+    large = session.folder / "large.obj"
+    large.write_text("".join(f"v {i} {i * i % 97} 0\n" for i in range(300000)) +
+                     "".join(f"f {i} {i + 1} {i + 2}\n" for i in range(1, 299999)))
+    session = Session(display, program, folder, large)
+    session.leave()
+    assert [path.name for path in session.folder.glob("large*")] == ["large.obj"], session.lines
+
     broken = session.folder / "broken.ply"
     broken.write_text("ply\nformat ascii 1.0\nelement vertex 5\n")
     session = Session(display, program, folder, broken)

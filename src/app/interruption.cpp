@@ -64,6 +64,7 @@ void catchSignals() {
         if (isIgnored && (signal == SIGHUP || signal == SIGPIPE)) continue; // nohup, or a shell that wants EPIPE
         ::sigaction(signal, &action, nullptr);
     }
+    ::sigprocmask(SIG_UNBLOCK, &action.sa_mask, nullptr);
 }
 
 void endCleanlyOnSignals() {

@@ -47,6 +47,7 @@ public:
             heavyChunks_.push_back(tree.chunkOf(heavy_[i]));
             isHeavy_[heavyChunks_.back()] = true;
         }
+        heavyChunks_.push_back(kBeyondGrid);
         if (heavy_.size() > 0) isNeeded_.resize(source.summary().vertexCount);
     }
 
@@ -58,6 +59,11 @@ public:
             for (std::size_t i = 0; i < block.positions.size(); ++i) {
                 const std::uint64_t vertex = block.firstVertex + i;
                 if (survey.valence[vertex] == 0) continue;
+                if (!snap.isInRange(block.positions[i])) {
+                    strays_.add(block.positions[i]);
+                    placeOf_.set(vertex, beyondGrid());
+                    continue;
+                }
                 const hierarchy::GridPoint point = snap(block.positions[i]);
                 const std::uint32_t chunk = tree_.chunkOf(point);
                 placeOf_.set(vertex, chunk);
@@ -137,6 +143,7 @@ public:
         for (const PartSize& chunk : writer_.sizes())
             size.largestChunk.growTo(chunk);
         size.dropped = dropped_;
+        size.strayed = {writer_.beyondGrid(), strays_};
         return size;
     }
 
@@ -145,6 +152,9 @@ private:
         const std::uint32_t place = placeOf_[vertex];
         return place < tree_.chunkCount() ? place : heavyChunks_[(place - tree_.chunkCount()) / 2];
     }
+
+    /// Returns the place of vertices that are beyond the grid's range.
+    std::uint32_t beyondGrid() const { return tree_.chunkCount() + static_cast<std::uint32_t>(2 * heavy_.size()); }
 
     template <class T>
     void put(std::uint32_t stream, const T& value) {
@@ -160,7 +170,7 @@ private:
         std::array<std::uint32_t, 3> found{};
         for (std::size_t i = 0; i < 3; ++i) {
             const std::uint32_t place = placeOf_[corners[i]];
-            if (place < tree_.chunkCount()) return false;
+            if (place < tree_.chunkCount() || place == beyondGrid()) return false;
             found[i] = place - tree_.chunkCount();
         }
         return heavy_.isRepeated(corners, found, dropped_);
@@ -169,7 +179,8 @@ private:
     void markNeeded(const Corners& corners) {
         if (isNeeded_.empty()) return;
         for (const std::uint64_t corner : corners)
-            if (placeOf_[corner] >= tree_.chunkCount()) isNeeded_[corner] = true;
+            if (const std::uint32_t place = placeOf_[corner]; place >= tree_.chunkCount() && place != beyondGrid())
+                isNeeded_[corner] = true;
     }
 
     /// As many polygons as fit at once: one pass over the vertices.
@@ -227,9 +238,8 @@ private:
         }
         std::sort(chunks.begin(), chunks.end());
         chunks.erase(std::unique(chunks.begin(), chunks.end()), chunks.end());
-        for (const std::uint32_t chunk : chunks) {
-            writer_.count(chunk, {fan.size(), 2 * fan.size()});
-        }
+        for (const std::uint32_t chunk : chunks)
+            if (chunk != kBeyondGrid) writer_.count(chunk, {fan.size(), 2 * fan.size()});
     }
 
     void add(const Corners& corners) {
@@ -245,11 +255,13 @@ private:
     Progress& progress_;
     const ChunkTree& tree_;
     HeavyPoints heavy_;
-    std::vector<std::uint32_t> heavyChunks_; // in which the heavy points lie
+    std::vector<std::uint32_t> heavyChunks_; // in which the heavy points lie, and at the end kBeyondGrid
     std::vector<bool> isHeavy_;              // whether a chunk has a heavy point
-    VertexNumbers placeOf_;                  // a vertex's chunk, or behind the chunks what HeavyPoints::find tells
+    VertexNumbers placeOf_;                  // a vertex's chunk, or behind the chunks what HeavyPoints::find tells,
+                                             // or behind these beyondGrid()
     std::vector<bool> isNeeded_; // the vertices to write of chunks with heavy points; empty if there are none
     DroppedTriangles dropped_;
+    Box strays_;
     std::uint32_t polygons_; // streams of the whole source
     std::uint32_t triangles_;
 };
@@ -265,7 +277,8 @@ ChunkTree planChunks(
         progress.stage("octree", "vertices", survey.vertices);
         source.readVertices([&](const read::VertexBlock& block) {
             for (std::size_t i = 0; i < block.positions.size(); ++i)
-                if (const std::uint8_t valence = survey.valence[block.firstVertex + i]; valence > 0)
+                if (const std::uint8_t valence = survey.valence[block.firstVertex + i];
+                    valence > 0 && snap.isInRange(block.positions[i]))
                     counts.add(snap(block.positions[i]), valence);
             progress.advance(block.positions.size());
         });

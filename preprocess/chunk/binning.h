@@ -21,6 +21,7 @@ ChunkTree treeOf(const CellCounts& counts, std::uint64_t limit, const std::strin
 struct BinnedSize {
     PartSize largestChunk;    // the most triangles and the most vertices that a chunk has to deal with
     DroppedTriangles dropped; // that no chunk has, since they repeat others between heavy points of the tree
+    Strayed strayed;
 };
 
 /// Writes all streams of BinStream. A vertex lies in the chunk of its snapped position; a triangle belongs to the chunk

@@ -1,6 +1,7 @@
 // What the binning writes and the chunks read: records by chunk, in streams of a store.
 #pragma once
 
+#include "core/box.h"
 #include "hierarchy/page_fields.h"
 #include "preprocess/read/mesh_source.h"
 #include "preprocess/scratch/stream_store.h"
@@ -127,6 +128,12 @@ struct DroppedTriangles {
     std::uint64_t degenerate = 0;      // two corners at one position of the source
     std::uint64_t collapsedByGrid = 0; // two corners at one position of the grid only
     std::uint64_t doubled = 0;         // the same three positions as an earlier one
+};
+
+/// The triangles that have a corner beyond the grid's range, and the box of these corners.
+struct Strayed {
+    std::uint64_t triangles = 0;
+    Box corners;
 };
 
 /// How large a part of the model is, with what of others it takes along.

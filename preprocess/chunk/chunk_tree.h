@@ -15,6 +15,9 @@ constexpr std::uint32_t kMaxChunks = (1U << 29U) - 1;
 /// As many chunks have numbers of 16 bits.
 constexpr std::uint32_t kNarrowChunks = 0xFFFF;
 
+/// The chunk of vertices beyond the grid's range, which no chunk contains. In 16 bits it is 0xFFFF.
+constexpr std::uint32_t kBeyondGrid = 0xFFFFFFFF;
+
 /// For CellCounts of the vertices of a source, of which each thread has one: the first cells of a small one are few.
 int rootBitsFor(std::uint64_t vertices);
 

@@ -31,6 +31,10 @@ void ChunkWriter::putVertex(const read::VertexBlock& block, std::size_t i, std::
 }
 
 void ChunkWriter::putTriangle(const read::TriangleCorners& corners, const std::array<std::uint32_t, 3>& lies) {
+    if (std::find(lies.begin(), lies.end(), kBeyondGrid) != lies.end()) {
+        ++beyondGrid_;
+        return;
+    }
     const std::uint32_t owner =
         std::max(std::min(lies[0], lies[1]), std::min(std::max(lies[0], lies[1]), lies[2])); // the median
     if (bins_ != nullptr) chunk::putTriangle(*bins_, streamOf(BinStream::Triangles, owner), corners, format_);
@@ -49,6 +53,10 @@ void ChunkWriter::putTriangle(const read::TriangleCorners& corners, const std::a
 }
 
 void ChunkWriter::putFan(std::span<const read::TriangleCorners> fan, std::uint32_t chunk) {
+    if (chunk == kBeyondGrid) {
+        beyondGrid_ += fan.size();
+        return;
+    }
     sizes_[chunk].triangles += fan.size();
     if (bins_ == nullptr) return;
     const std::uint32_t stream = streamOf(BinStream::Triangles, chunk);

@@ -3,6 +3,7 @@
 
 #include "hierarchy/model.h"
 #include "preprocess/chunk/chunk_streams.h"
+#include "preprocess/chunk/chunk_tree.h"
 
 #include <algorithm>
 #include <array>
@@ -36,10 +37,10 @@ public:
     /// Vertex `i` of a block, which lies in `chunk`.
     void putVertex(const read::VertexBlock& block, std::size_t i, std::uint32_t chunk);
 
-    /// A triangle whose corners lie in the chunks `lies`.
+    /// A triangle whose corners lie in the chunks `lies`. If one of these is kBeyondGrid, it only counts the triangle.
     void putTriangle(const read::TriangleCorners& corners, const std::array<std::uint32_t, 3>& lies);
 
-    /// A polygon that lies in `chunk`, as a fan.
+    /// A polygon that lies in `chunk`, as a fan. If this is kBeyondGrid, it only counts the triangles.
     void putFan(std::span<const read::TriangleCorners> fan, std::uint32_t chunk);
 
     /// What `chunk` gets besides.
@@ -50,6 +51,9 @@ public:
 
     /// Of each chunk.
     const std::vector<PartSize>& sizes() const { return sizes_; }
+
+    /// Returns how many triangles have a corner beyond the grid's range. No chunk receives them.
+    std::uint64_t beyondGrid() const { return beyondGrid_; }
 
 private:
     void request(
@@ -62,6 +66,7 @@ private:
     std::span<const hierarchy::Field> fields_;
     scratch::StreamStore* bins_; // none where it only counts
     std::vector<PartSize> sizes_;
+    std::uint64_t beyondGrid_ = 0;
 };
 
 } // namespace gnomon::chunk

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <span>
 
 namespace gnomon::chunk {
 
@@ -15,9 +16,45 @@ namespace {
 
 constexpr std::size_t kMostSampled = std::size_t{1} << 19U;
 constexpr int kExponentBias = 1200;
+constexpr int kBinsPerOctave = 16;
+constexpr std::size_t kMaxStrayShare = 1000; // one of so many triangles
+constexpr std::size_t kMaxFewStrays = 16;    // triangles of a small source
+constexpr std::size_t kMaxFewStrayShare = 8; // one of so many
+constexpr double kFewStraysDistance = 1000;  // widths of the others
+constexpr double kUnsampled = 1.0 / 64;      // of the width: vertices outside of the sample may lie so far out
+constexpr int kRangeBits = 30;               // of a grid coordinate, if all of the source is in the grid's range
 
 double maxAbs(const glm::dvec3& p) {
     return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+}
+
+double maxExtent(const Box& box) {
+    const glm::dvec3 extent = box.extent();
+    return std::max({extent.x, extent.y, extent.z});
+}
+
+/// Returns `box`, moved outwards on each side by its width times `widths`.
+Box grown(const Box& box, double widths) {
+    const glm::dvec3 by(widths * maxExtent(box));
+    return {box.min - by, box.max + by};
+}
+
+bool contains(const Box& outer, const Box& inner) {
+    return glm::all(glm::lessThanEqual(outer.min, inner.min)) && glm::all(glm::greaterThanEqual(outer.max, inner.max));
+}
+
+/// Returns the median of each coordinate, of 65,536 evenly chosen positions at most. `positions` has at least one.
+glm::dvec3 medianOf(std::span<const glm::dvec3> positions) {
+    glm::dvec3 median(0);
+    std::vector<double> values(std::min<std::size_t>(positions.size(), 1U << 16U));
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    for (int axis = 0; axis < 3; ++axis) {
+        for (std::size_t i = 0; i < values.size(); ++i)
+            values[i] = positions[i * positions.size() / values.size()][axis];
+        std::nth_element(values.begin(), middle, values.end());
+        median[axis] = *middle;
+    }
+    return median;
 }
 
 /// The largest exponent e with 2^e <= value.
@@ -98,8 +135,11 @@ void EdgeSample::take(const Entry& entry) {
 
 void EdgeSample::Lengths::add(double length) {
     if (!(length > 0)) return;
-    if (counts_.empty()) counts_.resize(2 * kExponentBias + 1);
-    ++counts_[static_cast<std::size_t>(std::clamp(floorExponent(length) + kExponentBias, 0, 2 * kExponentBias))];
+    if (counts_.empty()) counts_.resize(std::size_t{2 * kExponentBias + 1} * kBinsPerOctave);
+    const int exponent = std::clamp(floorExponent(length), -kExponentBias, kExponentBias);
+    const double scaled = std::ldexp(length, -exponent); // from 1 to 2, except for infinity
+    const int part = static_cast<int>(std::min((scaled - 1) * kBinsPerOctave, kBinsPerOctave - 1.0));
+    ++counts_[static_cast<std::size_t>((exponent + kExponentBias) * kBinsPerOctave + part)];
     ++total_;
 }
 
@@ -108,8 +148,9 @@ double EdgeSample::Lengths::quantile(double fraction) const {
     std::uint64_t below = 0;
     for (std::size_t i = 0; i < counts_.size(); ++i) {
         below += counts_[i];
-        if (counts_[i] > 0 && static_cast<double>(below) > rank)
-            return std::ldexp(1.0, static_cast<int>(i) - kExponentBias);
+        if (counts_[i] == 0 || static_cast<double>(below) <= rank) continue;
+        const int bin = static_cast<int>(i);
+        return std::ldexp(1 + bin % kBinsPerOctave / double{kBinsPerOctave}, bin / kBinsPerOctave - kExponentBias);
     }
     return 0;
 }
@@ -120,10 +161,6 @@ std::vector<std::uint64_t> EdgeSample::vertices() const {
     for (const Entry& entry : entries_)
         vertices.insert(vertices.end(), entry.corners.begin(), entry.corners.end());
     return vertices;
-}
-
-EdgeSample::Lengths EdgeSample::measure(read::MeshSource& source) const {
-    return measure(VertexLookup(source, vertices()));
 }
 
 EdgeSample::Lengths EdgeSample::measure(const VertexLookup& positions) const {
@@ -138,43 +175,89 @@ EdgeSample::Lengths EdgeSample::measure(const VertexLookup& positions) const {
     return lengths;
 }
 
-hierarchy::Grid chooseGrid(const Box& box, const EdgeSample::Lengths& lengths) {
-    const glm::dvec3 size = box.extent();
-    const double extent = std::max({size.x, size.y, size.z});
+Box EdgeSample::mainPart(const VertexLookup& positions, const Box& box) const {
+    const std::size_t share = entries_.size() / kMaxStrayShare;
+    const std::size_t few = std::min(kMaxFewStrays, entries_.size() / kMaxFewStrayShare);
+    if (few == 0) return box;
+    const glm::dvec3 median = medianOf(positions.positions());
+    std::vector<double> distances;
+    distances.reserve(entries_.size());
+    for (const Entry& entry : entries_) {
+        double furthest = 0;
+        for (const std::uint64_t corner : entry.corners)
+            furthest = std::max(furthest, maxAbs(positions[corner] - median));
+        distances.push_back(furthest);
+    }
+    for (const auto& [strays, widths] : {std::pair(share, 1.0), std::pair(few, kFewStraysDistance)}) {
+        const auto last = distances.end() - 1 - static_cast<std::ptrdiff_t>(strays);
+        std::nth_element(distances.begin(), last, distances.end());
+        Box others;
+        for (const glm::dvec3& position : positions.positions())
+            if (maxAbs(position - median) <= *last) others.add(position);
+        if (!(maxExtent(others) > 0) || contains(grown(others, widths), box)) continue;
+        const Box around = grown(others, 1);
+        Box part;
+        for (const glm::dvec3& position : positions.positions())
+            if (contains(around, {position, position})) part.add(position);
+        part = grown(part, kUnsampled);
+        return {glm::max(part.min, box.min), glm::min(part.max, box.max)};
+    }
+    return box;
+}
+
+hierarchy::Grid chooseGrid(const Box& box, const Box& mainPart, const EdgeSample::Lengths& lengths) {
     hierarchy::Grid grid;
+    const double extent = maxExtent(mainPart);
     if (!(extent > 0)) {
         grid.origin = box.isEmpty() ? glm::dvec3(0) : box.min;
         grid.stepExponent = -20;
         return grid;
     }
     int exponent = floorExponent(extent * 0x1p-20);
-    if (const double median = lengths.quantile(0.5); median > 0)
-        exponent = std::min(exponent, floorExponent(median / 64));
+    for (const double fraction : {0.5, 0.1})
+        if (const double edge = lengths.quantile(fraction); edge > 0)
+            exponent = std::min(exponent, floorExponent(edge / 64));
+    const int coarsest = exponent;
     if (const double shortest = lengths.quantile(2e-5); shortest > 0)
         exponent = std::min(exponent, floorExponent(shortest / 2));
-    exponent = std::max(exponent, floorExponent(extent) - 29);
     // A step below the spacing of doubles at these coordinates would only store noise.
-    const double largest = std::max(glm::length(box.min), glm::length(box.max));
+    const double largest = std::max(glm::length(mainPart.min), glm::length(mainPart.max));
     exponent = std::max(exponent, floorExponent(largest) - 52);
-    grid.stepExponent = exponent;
-    grid.origin = glm::floor(box.min / grid.step()) * grid.step();
+    const int ofAll = floorExponent(maxExtent(box)) + 1 - kRangeBits;
+    const bool isAllInRange = ofAll <= std::max(coarsest, exponent);
+    const int least = isAllInRange ? ofAll : std::max(coarsest, floorExponent(extent) + 1 - kRangeBits);
+    grid.stepExponent = std::max(exponent, least);
+    const double range = grid.step() * hierarchy::kMaxGridCoordinate;
+    glm::dvec3 origin = box.min;
+    for (int axis = 0; axis < 3; ++axis)
+        if (box.extent()[axis] > range) origin[axis] = std::max(origin[axis], mainPart.center()[axis] - range / 2);
+    grid.origin = glm::floor(origin / grid.step()) * grid.step();
     return grid;
 }
 
-void setGrid(SourceSurvey& survey, const std::string& path, const Box& box, const EdgeSample::Lengths& lengths) {
+void setGrid(
+    SourceSurvey& survey,
+    const std::string& path,
+    const Box& box,
+    const EdgeSample& sample,
+    const VertexLookup& positions,
+    Strays strays) {
     requireReach(path, box);
-    survey.grid = chooseGrid(box, lengths);
+    const EdgeSample::Lengths lengths = sample.measure(positions);
+    survey.mainPart = sample.mainPart(positions, box);
+    survey.medianEdge = lengths.quantile(0.5);
+    survey.grid = chooseGrid(box, strays == Strays::Keep ? box : survey.mainPart, lengths);
     survey.furthest = GridSnap(survey.grid)(box.isEmpty() ? glm::dvec3(0) : box.max);
 }
 
-SourceSurvey surveySource(read::MeshSource& source, Progress& progress) {
+SourceSurvey surveySource(read::MeshSource& source, Progress& progress, Strays strays) {
     const read::MeshSummary& summary = source.summary();
     SourceSurvey survey;
     survey.vertices = summary.vertexCount;
     EdgeSample sample;
     countTriangles(source, survey, sample, progress);
     const Box box = boundsOf(source, survey.valence, progress);
-    setGrid(survey, summary.path, box, sample.measure(source));
+    setGrid(survey, summary.path, box, sample, VertexLookup(source, sample.vertices()), strays);
     survey.fields = measuredFields(source, survey.valence, progress);
     return survey;
 }

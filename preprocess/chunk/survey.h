@@ -12,9 +12,14 @@
 
 namespace gnomon::chunk {
 
+/// What to do with triangles far outside of the main part of a source.
+enum class Strays : std::uint8_t { Leave, Keep };
+
 struct SourceSurvey {
     hierarchy::Grid grid;
     hierarchy::GridPoint furthest; // no snapped vertex of a triangle lies beyond it on any axis
+    Box mainPart;                  // contains all vertices of triangles unless the source has strays
+    double medianEdge = 0;         // of the sampled edges; 0 without edges
     std::uint64_t triangles = 0;
     std::uint64_t vertices = 0;
     std::uint64_t notAPolygon = 0;
@@ -25,7 +30,7 @@ struct SourceSurvey {
 
 /// One pass over the triangles and two over the vertices, one more where these have fields, in one byte a vertex and
 /// some 60 MiB. Throws Error where the source does.
-SourceSurvey surveySource(read::MeshSource& source, Progress& progress);
+SourceSurvey surveySource(read::MeshSource& source, Progress& progress, Strays strays = Strays::Leave);
 
 /// The triangles whose edges the grid is chosen by: all of a source of up to 512 Ki triangles, else at least 256 Ki
 /// drawn by a hash of their index, so the same ones for the same source.
@@ -52,13 +57,14 @@ public:
     /// All corners.
     std::vector<std::uint64_t> vertices() const;
 
-    /// Edge lengths by powers of two: enough for a median and a low quantile, and free of order.
+    /// A histogram of edge lengths, with 16 bins from each power of two to the next. It does not depend on the order of
+    /// the edges.
     class Lengths {
     public:
         void add(double length);
 
-        /// A power of two that is at most the length of all but the shortest `fraction` of the edges, or 0 without
-        /// edges.
+        /// Returns the lower end of the bin in which the quantile lies: at most the quantile, and more than 16/17 of
+        /// it. Returns 0 without edges.
         double quantile(double fraction) const;
 
     private:
@@ -66,11 +72,15 @@ public:
         std::uint64_t total_ = 0;
     };
 
-    /// The lengths of the sampled edges: one pass over the vertices.
-    Lengths measure(read::MeshSource& source) const;
-
-    /// The same with the positions of `vertices()`.
+    /// Returns the lengths of the sampled edges. `positions` are those of `vertices()`.
     Lengths measure(const VertexLookup& positions) const;
+
+    /// Returns the part of `box` in which the sampled triangles lie, without strays. Strays are
+    /// - up to 0.1% of the triangles, if they lie further outside of the box of the others than this box is wide, or
+    /// - up to 16 triangles, but at most an eighth, if they lie 1000 times as far outside.
+    /// The triangles that may be strays are those that are furthest from the median vertex. Without strays the result
+    /// is `box`, else the box of all sampled vertices that lie no further out than the others are wide, grown by 1/64.
+    Box mainPart(const VertexLookup& positions, const Box& box) const;
 
 private:
     std::vector<Entry> entries_;
@@ -82,13 +92,22 @@ private:
 void addUsed(
     read::MeshSource& source, const read::VertexBlock& block, const VertexTable<std::uint8_t>& valence, Box& box);
 
-/// Sets the grid of a survey by the `box` of the vertices that triangles use and the lengths of edges. Throws Error for
-/// coordinates that cannot be computed with.
-void setGrid(SourceSurvey& survey, const std::string& path, const Box& box, const EdgeSample::Lengths& lengths);
+/// Sets the grid of a survey, its main part and its median edge. `box` contains the vertices that triangles use, and
+/// `positions` are those of the sample's vertices. Throws Error for coordinates that cannot be computed with.
+void setGrid(
+    SourceSurvey& survey,
+    const std::string& path,
+    const Box& box,
+    const EdgeSample& sample,
+    const VertexLookup& positions,
+    Strays strays);
 
-/// The grid for positions within `box` whose edges have these `lengths`: a step of at most 2^-20 of the extent, 1/64 of
-/// the median edge and half of nearly the shortest; coarser only where 30 bits or the spacing of doubles end.
-hierarchy::Grid chooseGrid(const Box& box, const EdgeSample::Lengths& lengths);
+/// Returns the grid for positions within `box` whose edges have these `lengths`. Its step is at most 2^-20 of the
+/// extent of `mainPart`, 1/64 of the median and of the 10% quantile of the edges, and the spacing of doubles at most.
+/// If `box` fits into 2^30 steps, it is also at most half of nearly the shortest edge. It is coarser only if `mainPart`
+/// needs more than 2^30 steps. If `box` needs more, the grid's range is around `mainPart`, and the rest of `box` is
+/// beyond it.
+hierarchy::Grid chooseGrid(const Box& box, const Box& mainPart, const EdgeSample::Lengths& lengths);
 
 /// Finds the points of a grid that are nearest to positions.
 class GridSnap {
@@ -100,11 +119,20 @@ public:
         return {coordinate(p.x), coordinate(p.y), coordinate(p.z)};
     }
 
+    /// Returns whether the grid has a point that is at most half a step away on each axis.
+    bool isInRange(const glm::dvec3& position) const {
+        const glm::dvec3 p = (position - origin_) * stepsPerUnit_;
+        return isInRange(p.x) && isInRange(p.y) && isInRange(p.z);
+    }
+
 private:
+    static constexpr auto kMost = static_cast<double>(hierarchy::kMaxGridCoordinate);
+
     static std::uint32_t coordinate(double value) {
-        constexpr auto kMost = static_cast<double>(hierarchy::kMaxGridCoordinate);
         return static_cast<std::uint32_t>(std::clamp(value + 0.5, 0.0, kMost));
     }
+
+    static bool isInRange(double value) { return value >= -0.5 && value < kMost + 0.5; }
 
     glm::dvec3 origin_;
     double stepsPerUnit_;

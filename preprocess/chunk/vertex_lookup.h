@@ -5,6 +5,7 @@
 #include "preprocess/read/mesh_source.h"
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
 namespace gnomon::chunk {
@@ -50,6 +51,9 @@ public:
         const auto found = std::lower_bound(vertices_.begin(), vertices_.end(), vertex);
         return positions_[static_cast<std::size_t>(found - vertices_.begin())];
     }
+
+    /// All of them, in the order of the vertices.
+    std::span<const glm::dvec3> positions() const { return positions_; }
 
     /// Appends the positions of those of `vertices`, ascending, that are next and in the block.
     static void take(

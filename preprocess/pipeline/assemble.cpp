@@ -1,5 +1,6 @@
 #include "preprocess/pipeline/assemble.h"
 
+#include "hierarchy/main_part.h"
 #include "preprocess/levels/page_layout.h"
 
 namespace gnomon::pipeline {
@@ -50,6 +51,7 @@ Totals totalsOf(const CheckpointLog& log, std::map<std::string, std::string> opt
         {"degenerate", dropped[0]},
         {"doubled", dropped[1]},
         {"collapsed_by_grid", dropped[2]},
+        {"beyond_grid", log.binned()->strayed.triangles},
         {"not_a_polygon", log.binned()->notAPolygon}};
     for (std::uint32_t round = 0; round < log.roundCount(); ++round)
         for (const NodeRecord& node : log.nodes(round)) {
@@ -58,6 +60,7 @@ Totals totalsOf(const CheckpointLog& log, std::map<std::string, std::string> opt
             summary.coarsestTriangles += node.rootTriangles;
             totals.stuckTriangles += node.stuckTriangles;
         }
+    hierarchy::setMainPart(summary, log.binned()->mainPart);
     summary.levels.resize(log.pageCounts().size());
     forEachLevel(log, [&](const NodeRecord::LevelOfNode& level, std::size_t number) {
         hierarchy::LevelInfo& sum = summary.levels[number];

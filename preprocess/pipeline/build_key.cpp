@@ -28,6 +28,7 @@ std::map<std::string, std::string> optionsOf(const BuildOptions& options) {
         {"error", std::string(wordOf(levels::kErrorKinds, options.level.error))},
         {"simplifier", nameOf(options.level.simplifier)},
     };
+    if (options.keepsStrays) rows["strays"] = "kept";
     std::string fields;
     for (const std::string& name : options.fields)
         fields += (fields.empty() ? "" : ",") + name;

@@ -308,7 +308,8 @@ private:
             source_.summary().path,
             "no triangles are left",
             "at least 1",
-            std::to_string(dropped[0]) + " without area, " + std::to_string(dropped[2]) + " smaller than the grid");
+            std::to_string(dropped[0]) + " without area, " + std::to_string(dropped[2]) + " smaller than the grid, " +
+                std::to_string(log().binned()->strayed.triangles) + " beyond its range");
     }
 
     /// Writes the model.
@@ -339,6 +340,8 @@ private:
         report_.pages = totals.pages;
         report_.stuckTriangles = totals.stuckTriangles;
         report_.summary = summary;
+        report_.strays = log().binned()->strayed.corners;
+        report_.medianEdge = log().binned()->medianEdge;
         bytesWritten_ -= report_.fileBytes;
         endPhase("write", writer.bytesRead());
     }

@@ -43,6 +43,8 @@ struct BuildReport {
     std::string contentHash;
     std::vector<ProcessReport> processes; // where they are many
     std::string upBecause;                // why the summary's up is what it is
+    Box strays;                           // of corners beyond the grid's range
+    double medianEdge = 0;                // of the source
 };
 
 /// Builds `options.output` from `source`, out of core: whatever the source's size, memory stays below `memory`. The

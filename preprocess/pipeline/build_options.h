@@ -31,6 +31,7 @@ struct BuildOptions {
     std::optional<hierarchy::UpAxis> up; // nothing: guessed from the mesh's shape (hierarchy/up_guess.h)
     std::string upBecause = "as asked";  // where it is given: who says so
     hierarchy::Unit unit = hierarchy::Unit::Metre;
+    bool keepsStrays = false; // the grid's range includes triangles far outside of the main part (chunk/survey.h)
     std::vector<std::string> fields; // that the source was opened with, in order
     bool isResumed = false;          // go on with what a killed build left, if anything
     std::string inputKey;            // what tells this input from others, for a build that resumes (fingerprint.h)

@@ -77,6 +77,12 @@ void vectorFields(Fields& fields, Vector& v) {
         fields.field(v[axis]);
 }
 
+template <class Fields, class SomeBox>
+void boxFields(Fields& fields, SomeBox& box) {
+    vectorFields(fields, box.min);
+    vectorFields(fields, box.max);
+}
+
 /// A page's row as in a model's table, after the place of its bytes in the scratch file.
 void pageFields(Putter& fields, const PageInfo& info) {
     fields.field(info.offset);
@@ -97,6 +103,10 @@ void binnedFields(Fields& fields, Record& record) {
     fields.field(record.furthest.x);
     fields.field(record.furthest.y);
     fields.field(record.furthest.z);
+    boxFields(fields, record.mainPart);
+    fields.field(record.medianEdge);
+    fields.field(record.strayed.triangles);
+    boxFields(fields, record.strayed.corners);
     fields.field(record.format.isDouble);
     fields.field(record.format.hasNormals);
     fields.field(record.format.hasColors);

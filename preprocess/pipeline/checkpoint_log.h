@@ -16,12 +16,15 @@
 namespace gnomon::pipeline {
 
 /// Counts up when the records change: a build can go on only with those of its own kind.
-constexpr int kCheckpointVersion = 8;
+constexpr int kCheckpointVersion = 9;
 
 /// The source is in chunks.
 struct BinnedRecord {
     hierarchy::Grid grid;
     hierarchy::GridPoint furthest; // of the positions, on each axis
+    Box mainPart;                  // of the source, without strays
+    double medianEdge = 0;
+    chunk::Strayed strayed;
     chunk::VertexFormat format;
     std::vector<hierarchy::Field> fields;
     std::uint64_t triangles = 0;

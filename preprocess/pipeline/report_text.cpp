@@ -6,6 +6,15 @@
 
 namespace gnomon::pipeline {
 
+namespace {
+
+std::string pointText(const glm::dvec3& point) {
+    return "(" + formatted("%.9g", point.x) + ", " + formatted("%.9g", point.y) + ", " + formatted("%.9g", point.z) +
+           ")";
+}
+
+} // namespace
+
 std::string reportText(const BuildReport& report, const read::MeshSummary& source, std::uint64_t peakResidentBytes) {
     const hierarchy::ModelSummary& model = report.summary;
     const auto triangles = static_cast<double>(model.sourceTriangles);
@@ -36,6 +45,22 @@ std::string warningOfCoarsest(const BuildReport& report) {
     return "the coarsest level has " + std::to_string(coarsest) + " of " + std::to_string(source) +
            " triangles, expected at most " + std::to_string(kManyTriangles) + "; stuck are " +
            formatted("%.3g", stuckPercent) + " percent, expected at most " + formatted("%g", kManyStuckPercent);
+}
+
+std::string warningOfStrays(const BuildReport& report) {
+    const auto beyond = report.summary.dropped.find("beyond_grid");
+    if (beyond == report.summary.dropped.end() || beyond->second == 0) return "";
+    return std::to_string(beyond->second) + (beyond->second == 1 ? " triangle is" : " triangles are") +
+           " left out: too far from the main part for the grid, with corners at " + pointText(report.strays.min) +
+           " to " + pointText(report.strays.max);
+}
+
+std::string warningOfStep(const BuildReport& report) {
+    constexpr double kMaxStep = 0.1; // of the median edge
+    const double step = report.summary.grid.step();
+    if (report.medianEdge == 0 || step <= kMaxStep * report.medianEdge) return "";
+    return "small details collapse: the grid's step is " + formatted("%.3g", step) +
+           ", expected at most a tenth of the median edge, " + formatted("%.3g", report.medianEdge);
 }
 
 } // namespace gnomon::pipeline

@@ -12,6 +12,10 @@ namespace {
 
 constexpr std::uint64_t kBytesPerPolygonCorner = 96;
 
+chunk::Strays straysOf(const BuildOptions& options) {
+    return options.keepsStrays ? chunk::Strays::Keep : chunk::Strays::Leave;
+}
+
 /// What whole passes of this process take.
 MemoryNeeds serialNeeds(const SortingMeans& means) {
     MemoryNeeds needs{means.source.summary(), means.options.chunkTriangles, means.options.isInMemory};
@@ -32,7 +36,8 @@ std::optional<RangeBinning> rangesOf(const SortingMeans& means) {
          means.progress,
          roomBeside(means.options, needs.ranges()),
          means.threads,
-         means.processes});
+         means.processes,
+         straysOf(means.options)});
 }
 
 } // namespace
@@ -60,7 +65,7 @@ BinnedRecord sortSource(const SortingMeans& means, std::optional<scratch::Stream
     if (!survey) {
         ranges.reset();
         requireMemory(source.summary(), means.options, serialNeeds(means).least());
-        survey = chunk::surveySource(source, means.progress);
+        survey = chunk::surveySource(source, means.progress, straysOf(means.options));
     }
     means.endPhase("count", source.summary().fileBytes);
     const chunk::ChunkTree tree = ranges ? ranges->plan(*survey, chunkTriangles)
@@ -74,6 +79,8 @@ BinnedRecord sortSource(const SortingMeans& means, std::optional<scratch::Stream
     BinnedRecord record;
     record.grid = survey->grid;
     record.furthest = survey->furthest;
+    record.mainPart = survey->mainPart;
+    record.medianEdge = survey->medianEdge;
     record.format = chunk::formatOf(source.summary());
     record.fields = survey->fields;
     record.triangles = survey->triangles;
@@ -91,6 +98,7 @@ BinnedRecord sortSource(const SortingMeans& means, std::optional<scratch::Stream
             : chunk::binSource(source, *survey, tree, *bins, room.count / 2 / kBytesPerPolygonCorner, means.progress);
     record.largestChunk = size.largestChunk;
     record.dropped = {size.dropped.degenerate, size.dropped.doubled, size.dropped.collapsedByGrid};
+    record.strayed = size.strayed;
     source.requireUnchanged(); // it is not read again
     record.directory = bins->directory();
     return record;

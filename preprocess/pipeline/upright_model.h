@@ -2,6 +2,7 @@
 #pragma once
 
 #include "hierarchy/coarse_cut.h"
+#include "hierarchy/main_part.h"
 #include "hierarchy/model_writer.h"
 #include "hierarchy/page_codec.h"
 #include "hierarchy/up_guess.h"
@@ -21,8 +22,8 @@ public:
         const hierarchy::ModelSummary& summary,
         const std::vector<std::span<const hierarchy::PageInfo>>& pages)
         : options_(options),
-          error_(options.up ? 0 : hierarchy::coarseError(pages, glm::length(summary.bounds.extent()))),
-          survey_(summary.grid, summary.bounds) {}
+          error_(options.up ? 0 : hierarchy::coarseError(pages, glm::length(hierarchy::mainPartOf(summary).extent()))),
+          survey_(summary.grid, hierarchy::mainPartOf(summary)) {}
 
     /// Whether it has to see the page.
     bool isSeen(const hierarchy::PageInfo& page) const { return !options_.up && hierarchy::isDrawnOf(page, error_); }

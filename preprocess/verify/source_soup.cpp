@@ -14,6 +14,12 @@ glm::dvec3 snapped(const glm::dvec3& local, const hierarchy::Grid& grid) {
     return glm::floor(local / grid.step() + 0.5);
 }
 
+bool isOnGrid(const glm::dvec3& point) {
+    constexpr auto kMax = static_cast<double>(hierarchy::kMaxGridCoordinate);
+    return glm::all(glm::greaterThanEqual(point, glm::dvec3(0))) &&
+           glm::all(glm::lessThanEqual(point, glm::dvec3(kMax)));
+}
+
 } // namespace
 
 TriangleSoup readSoup(read::MeshSource& source, const hierarchy::Grid& grid, Progress& progress) {
@@ -39,7 +45,7 @@ TriangleSoup readSoup(read::MeshSource& source, const hierarchy::Grid& grid, Pro
             const glm::dvec3 a = snapped(soup.positions[t[0]], grid);
             const glm::dvec3 b = snapped(soup.positions[t[1]], grid);
             const glm::dvec3 c = snapped(soup.positions[t[2]], grid);
-            if (a == b || b == c || c == a) continue;
+            if (a == b || b == c || c == a || !isOnGrid(a) || !isOnGrid(b) || !isOnGrid(c)) continue;
             soup.triangles.push_back(
                 {static_cast<std::uint32_t>(t[0]), static_cast<std::uint32_t>(t[1]), static_cast<std::uint32_t>(t[2])});
         }

@@ -8,8 +8,8 @@
 
 namespace gnomon::verify {
 
-/// Reads all of `source`. Triangles that a build drops, because two of their corners are the same grid point, are left
-/// out. Progress advances by the triangles read, those left out included.
+/// Reads all of `source`. Triangles that a build drops, because two of their corners are the same grid point or because
+/// a corner is beyond the grid's range, are left out. Progress advances by the triangles read, those left out included.
 TriangleSoup readSoup(read::MeshSource& source, const hierarchy::Grid& grid, Progress& progress);
 
 } // namespace gnomon::verify

@@ -43,6 +43,7 @@ struct BuildCommand {
     double maxStuckPercent = 100;
     bool isInMemory = false;
     bool isResumed = false;
+    bool keepsStrays = false;
     bool isJson = false;
 };
 
@@ -109,6 +110,7 @@ void run(const BuildCommand& command, const BuildBy& buildBy) {
     options.level.simplifier = simplifiers.at(command.simplifier);
     if (command.maxStuckPercent < 100) options.maxStuckPercent = command.maxStuckPercent;
     options.fields = command.fields;
+    options.keepsStrays = command.keepsStrays;
     options.unit = *hierarchy::unitNamed(command.unit);
     takeUp(up, command.inputs, options);
     const auto textures = command.textures == "bake" ? read::Textures::Bake : read::Textures::Off;
@@ -119,8 +121,12 @@ void run(const BuildCommand& command, const BuildBy& buildBy) {
     const std::optional<BuildReport> done = built(*source, options, command.common, buildBy);
     if (!done) return;
     const BuildReport& report = *done;
-    if (const std::string warning = pipeline::warningOfCoarsest(report); !warning.empty())
-        printWarning(command.output + ": " + warning);
+    const std::string strays = pipeline::warningOfStrays(report);
+    for (const std::string& warning :
+         {pipeline::warningOfCoarsest(report),
+          strays.empty() ? strays : strays + "; --keep-strays includes such triangles, with a coarser grid",
+          pipeline::warningOfStep(report)})
+        if (!warning.empty()) printWarning(command.output + ": " + warning);
     if (command.isJson)
         std::printf(
             "%s\n",
@@ -206,6 +212,10 @@ void addBuildCommand(CLI::App& program, const BuildBy& buildBy) {
     command->add_option("--unit", options->unit, "The length of a coordinate of 1")
         ->check(CLI::IsMember({"m", "cm", "mm", "ft", "in"}))
         ->capture_default_str();
+    command->add_flag(
+        "--keep-strays",
+        options->keepsStrays,
+        "Include triangles far outside of the part that holds 99.9% of the triangles, with a coarser grid");
     command->add_option("--scratch-rate", options->scratchRate, "What a slower disk would do: bytes a second")
         ->check(memorySize())
         ->group(""); // for measurements, in no help

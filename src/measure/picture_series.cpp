@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "core/prepared_output.h"
 #include "executor/picture_series.h"
+#include "hierarchy/main_part.h"
 #include "measure/finished_picture.h"
 #include "path/camera_path.h"
 #include "path/outline.h"
@@ -27,7 +28,7 @@ plan::View firstView(const SeriesTask& task, const hierarchy::ModelFile& model, 
     const settings::Settings settings = settings::uprightIn(task.settings, model);
     if (isWalked || !settings::isFramed(settings)) return settings::viewOf(settings, model.summary());
     const glm::dvec3 up = settings.up.value_or(model.summary().up.direction);
-    const glm::dvec3 center = model.summary().bounds.center();
+    const glm::dvec3 center = hierarchy::mainPartOf(model.summary()).center();
     return settings::viewOf(settings, model.summary(), path::sweptOutline(path::outlineOf(model), center, up));
 }
 

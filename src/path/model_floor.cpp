@@ -1,6 +1,7 @@
 #include "path/model_floor.h"
 
 #include "core/error.h"
+#include "hierarchy/main_part.h"
 #include "hierarchy/upright_frame.h"
 #include "path/drawn_triangles.h"
 
@@ -75,7 +76,8 @@ std::vector<double> worthOfColumns(const WalkableFloor& floor, const HeightBand&
 } // namespace
 
 Box uprightBounds(const hierarchy::ModelFile& model) {
-    return hierarchy::uprightBox(hierarchy::uprightFrame(model.summary().up.direction), model.summary().bounds);
+    return hierarchy::uprightBox(
+        hierarchy::uprightFrame(model.summary().up.direction), hierarchy::mainPartOf(model.summary()));
 }
 
 WalkableFloor floorOf(const hierarchy::ModelFile& model, const Box& region, const WalkBody& body, double cell) {

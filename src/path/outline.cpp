@@ -3,6 +3,7 @@
 #include "core/angle.h"
 #include "hierarchy/coarse_cut.h"
 #include "hierarchy/cut_rule.h"
+#include "hierarchy/main_part.h"
 
 #include <array>
 #include <cmath>
@@ -11,18 +12,28 @@ namespace gnomon::path {
 
 namespace {
 
-/// Adds what a cut of `error` draws of a page.
+bool contains(const Box& box, const glm::dvec3& point) {
+    return glm::all(glm::lessThanEqual(box.min, point)) && glm::all(glm::lessThanEqual(point, box.max));
+}
+
+/// Adds the vertices in `part` of what a cut of `error` draws of a page.
 void addVertices(
-    const hierarchy::Page& page, const hierarchy::Grid& grid, double error, std::vector<glm::dvec3>& points) {
+    const hierarchy::Page& page,
+    const hierarchy::Grid& grid,
+    double error,
+    const Box& part,
+    std::vector<glm::dvec3>& points) {
     const auto isRefined = [error](double groupError, const Sphere&) { return groupError > error; };
     hierarchy::forEachDrawn(page, isRefined, [&](const hierarchy::Group&, const hierarchy::Cluster& cluster) {
         for (std::uint32_t v = cluster.firstVertex; v < cluster.firstVertex + cluster.vertexCount; ++v)
-            points.push_back(grid.world(page.vertices[v].position));
+            if (const glm::dvec3 point = grid.world(page.vertices[v].position); contains(part, point))
+                points.push_back(point);
     });
 }
 
 double coarseErrorOf(const hierarchy::ModelFile& model) {
-    return hierarchy::coarseError(std::array{model.pages()}, glm::length(model.summary().bounds.extent()));
+    return hierarchy::coarseError(
+        std::array{model.pages()}, glm::length(hierarchy::mainPartOf(model.summary()).extent()));
 }
 
 } // namespace
@@ -42,25 +53,27 @@ std::vector<glm::dvec3> cornersOf(const Box& box) {
 std::vector<glm::dvec3> outlineOf(const hierarchy::ModelFile& model) {
     const hierarchy::ModelSummary& summary = model.summary();
     const double error = coarseErrorOf(model);
+    const Box part = hierarchy::mainPartOf(summary);
     std::vector<glm::dvec3> points;
     for (std::uint32_t id = 0; id < model.pages().size(); ++id) {
         const hierarchy::PageInfo& info = model.pages()[id];
         if (!hierarchy::isDrawnOf(info, error)) continue;
         try {
-            addVertices(model.readPage(id), summary.grid, error, points);
+            addVertices(model.readPage(id), summary.grid, error, part, points);
         } catch (const hierarchy::PageDamage&) {
             const Box local = summary.grid.local(info.box);
-            const std::vector<glm::dvec3> corners =
-                cornersOf({local.min + summary.grid.origin, local.max + summary.grid.origin});
+            const std::vector<glm::dvec3> corners = cornersOf(
+                {glm::max(local.min + summary.grid.origin, part.min),
+                 glm::min(local.max + summary.grid.origin, part.max)});
             points.insert(points.end(), corners.begin(), corners.end());
         }
     }
-    return points.empty() ? cornersOf(summary.bounds) : points;
+    return points.empty() ? cornersOf(part) : points;
 }
 
 hierarchy::UpGuess guessedUp(const hierarchy::ModelFile& model) {
     const double error = coarseErrorOf(model);
-    hierarchy::UpSurvey survey(model.summary().grid, model.summary().bounds);
+    hierarchy::UpSurvey survey(model.summary().grid, hierarchy::mainPartOf(model.summary()));
     for (std::uint32_t id = 0; id < model.pages().size(); ++id)
         if (hierarchy::isDrawnOf(model.pages()[id], error)) survey.add(model.readPage(id), error);
     return survey.guess();

@@ -8,9 +8,10 @@
 
 namespace gnomon::path {
 
-/// The vertices of a coarse cut of `model`, world space: one whose error is 1/400 of the bounds' diagonal, or as much
-/// more as it takes to read 16 MiB of pages at most. Every vertex of a cut lies on the source's surface, and the
-/// surface no further beyond them than that error. Of a page that is damaged it takes the corners of its box.
+/// The vertices of a coarse cut of the main part of `model`, world space: a cut whose error is 1/400 of the diagonal of
+/// the main part, or as much more as it takes to read 16 MiB of pages at most. Every vertex of a cut lies on the
+/// source's surface, and the surface no further beyond them than that error. Of a page that is damaged it takes the
+/// corners of its box.
 std::vector<glm::dvec3> outlineOf(const hierarchy::ModelFile& model);
 
 /// Which way is up in `model` by its shape, from the same pages, as a build that is told nothing guesses it. Throws

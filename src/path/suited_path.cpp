@@ -1,5 +1,6 @@
 #include "path/suited_path.h"
 
+#include "hierarchy/main_part.h"
 #include "hierarchy/upright_frame.h"
 #include "path/drawn_triangles.h"
 #include "path/model_floor.h"
@@ -98,7 +99,7 @@ glm::dvec3 coarseVertexTowards(
 /// From far away to very near the surface, in equal ratios of the distance from it; towards what of the model lies
 /// before its middle or, where nothing does, towards what of it is nearest to that line.
 CameraPath approach(const hierarchy::ModelFile& model) {
-    const Box& bounds = model.summary().bounds;
+    const Box bounds = hierarchy::mainPartOf(model.summary());
     const hierarchy::UprightFrame frame = hierarchy::uprightFrame(model.summary().up.direction);
     const glm::dvec3 from = glm::normalize(frame.toWorld({0.35, 0.25, 1}));
     const glm::dvec3 start = bounds.center() + 2.5 * glm::length(bounds.extent()) * from;

@@ -1,6 +1,7 @@
 #include "settings/resolve.h"
 
 #include "core/angle.h"
+#include "hierarchy/main_part.h"
 #include "path/camera_path.h"
 #include "path/outline.h"
 #include "settings/codec.h"
@@ -170,8 +171,8 @@ plan::View viewOf(
     view.up = settings.up.value_or(kAutoUp);
     if (view.up == kAutoUp) view.up = summary.up.direction;
     view.pointLight = pointLightOf(settings, summary);
-    view.towardsLight =
-        view.pointLight ? towardsPoint(*view.pointLight, summary.bounds, view.up) : lightOf(settings, view.up);
+    view.towardsLight = view.pointLight ? towardsPoint(*view.pointLight, hierarchy::mainPartOf(summary), view.up)
+                                        : lightOf(settings, view.up);
     view.sunAngleRadians = lightDiameter(settings);
     setSections(settings, view);
     if (!settings.cameraFile.empty()) {
@@ -181,7 +182,7 @@ plan::View viewOf(
     }
     const double fovY = radiansFromDegrees(settings.fovYDegrees.value_or(kUsualFovYDegrees));
     const path::Vantage vantage = path::vantageOf(settings.side, view.up);
-    const std::vector<glm::dvec3> corners = path::cornersOf(summary.bounds);
+    const std::vector<glm::dvec3> corners = path::cornersOf(hierarchy::mainPartOf(summary));
     const auto frame =
         settings.projection == Projection::Orthographic ? path::orthographicFraming : path::framingCamera;
     view.camera = frame(outline.empty() ? corners : outline, vantage, view.aspect(), fovY);

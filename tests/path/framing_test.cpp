@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 namespace gnomon::path {
 namespace {
 
@@ -191,6 +193,46 @@ TEST(Outline, FramesTheModelAtFullDetail) {
                 EXPECT_LT(seen.offMiddle(), 0.01) << kind << " from " << word;
             }
     }
+}
+
+/// Writes a square pyramid of 2 n^2 triangles, and `strays` small triangles around a point on the x axis.
+auto pyramidWithStrays(int n, int strays, double x) {
+    return [=](const std::string& path) {
+        std::ofstream out(path);
+        const int side = n + 1;
+        out << "ply\nformat ascii 1.0\nelement vertex " << side * side + 3 * strays
+            << "\nproperty float x\nproperty float y\nproperty float z\nelement face " << 2 * n * n + strays
+            << "\nproperty list uchar int vertex_indices\nend_header\n";
+        for (int i = 0; i < side * side; ++i)
+            out << i % side << ' ' << std::min({i % side, i / side, n - i % side, n - i / side}) << ' ' << i / side
+                << '\n';
+        for (int i = 0; i < 3 * strays; ++i)
+            out << x + i % 3 << ' ' << i % 2 << ' ' << i << '\n';
+        for (int i = 0; i < n * n; ++i) {
+            const int a = i / n * side + i % n;
+            out << "3 " << a << ' ' << a + side << ' ' << a + 1 << "\n3 " << a + 1 << ' ' << a + side << ' '
+                << a + side + 1 << '\n';
+        }
+        for (int i = side * side; i < side * side + 3 * strays; i += 3)
+            out << "3 " << i << ' ' << i + 1 << ' ' << i + 2 << '\n';
+    };
+}
+
+TEST(Outline, LeavesOutStrays) {
+    const auto boxOf = [](const std::vector<glm::dvec3>& points) {
+        Box box;
+        for (const glm::dvec3& point : points)
+            box.add(point);
+        return box;
+    };
+    const MadeModel plain(pyramidWithStrays(50, 0, 0));
+    const MadeModel strayed(pyramidWithStrays(50, 5, 4000));
+    EXPECT_GT(strayed.file().summary().bounds.max.x, 4000) << "they are in the model";
+    const Box expected = boxOf(outlineOf(plain.file()));
+    const Box found = boxOf(outlineOf(strayed.file()));
+    EXPECT_LT(glm::length(found.min - expected.min) + glm::length(found.max - expected.max), 0.5);
+    const MadeModel many(pyramidWithStrays(50, 20, 4000));
+    EXPECT_GT(boxOf(outlineOf(many.file())).max.x, 4000) << "more than a thousandth are a part of the model";
 }
 
 TEST(Outline, SweptStaysInThePictureThroughAWholeTurn) {

@@ -1,5 +1,6 @@
 // What a build's records add up to, where its pages go, and the memory that its chunks call for.
 #include "core/random.h"
+#include "hierarchy/main_part.h"
 #include "preprocess/levels/page_layout.h"
 #include "preprocess/pipeline/assemble.h"
 #include "preprocess/pipeline/counted_memory.h"
@@ -31,12 +32,14 @@ NodeRecord nodeWith(std::uint64_t seed, std::uint32_t round, std::uint32_t first
 TEST(Assemble, AddsUpWhatTheNodesHave) {
     CheckpointLog log;
     BinnedRecord binned;
-    binned.grid = {{1, 2, 3}, -5};
+    binned.grid = {{-4, -4, -4}, -5};
     binned.format.hasColors = true;
     binned.triangles = 777;
     binned.vertices = 555;
     binned.notAPolygon = 4;
     binned.dropped = {10, 20, 30};
+    binned.strayed.triangles = 5;
+    binned.mainPart = {{-0.5, -3, -3}, {2, 2, 2}};
     log.add(binned);
     log.add(nodeWith(1, 0, 0, 2));
     NodeRecord second = nodeWith(2, 0, 0, 2);
@@ -57,9 +60,11 @@ TEST(Assemble, AddsUpWhatTheNodesHave) {
     EXPECT_EQ(summary.bounds.min, glm::dvec3(-3));
     EXPECT_EQ(summary.bounds.max, glm::dvec3(1));
     const std::map<std::string, std::uint64_t> dropped{
-        {"degenerate", 13}, {"doubled", 26}, {"collapsed_by_grid", 39}, {"not_a_polygon", 4}};
+        {"degenerate", 13}, {"doubled", 26}, {"collapsed_by_grid", 39}, {"beyond_grid", 5}, {"not_a_polygon", 4}};
     EXPECT_EQ(summary.dropped, dropped);
     EXPECT_EQ(summary.options.at("simplifier"), "own");
+    EXPECT_EQ(mainPartOf(summary).min, glm::dvec3(-0.5, -3, -3));
+    EXPECT_EQ(mainPartOf(summary).max, glm::dvec3(1));
     ASSERT_EQ(summary.levels.size(), 3U);
     EXPECT_EQ(summary.levels[0].triangles, 30U);
     EXPECT_EQ(summary.levels[1].clusters, 6U);

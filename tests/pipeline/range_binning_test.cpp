@@ -91,6 +91,12 @@ protected:
         EXPECT_EQ(a.record.largestChunk.triangles, b.record.largestChunk.triangles);
         EXPECT_EQ(a.record.largestChunk.vertices, b.record.largestChunk.vertices);
         EXPECT_EQ(a.record.dropped, b.record.dropped);
+        EXPECT_EQ(a.record.mainPart.min, b.record.mainPart.min);
+        EXPECT_EQ(a.record.mainPart.max, b.record.mainPart.max);
+        EXPECT_EQ(a.record.medianEdge, b.record.medianEdge);
+        EXPECT_EQ(a.record.strayed.triangles, b.record.strayed.triangles);
+        EXPECT_EQ(a.record.strayed.corners.min, b.record.strayed.corners.min);
+        EXPECT_EQ(a.record.strayed.corners.max, b.record.strayed.corners.max);
         ASSERT_EQ(a.streams.size(), b.streams.size());
         for (std::size_t stream = 0; stream < a.streams.size(); ++stream)
             EXPECT_EQ(a.streams[stream], b.streams[stream]) << stream;
@@ -119,6 +125,28 @@ TEST_F(RangeBinningTest, ComesToTheStreamsOfWholePasses) {
     }
     const Bytes least = MemoryNeeds{mesh.summary(), options.chunkTriangles}.survey();
     expectSame(whole, sorted(mesh, least, 3));
+}
+
+TEST_F(RangeBinningTest, LeavesOutTheTrianglesOfWholePassesThatAreBeyondTheGrid) {
+    read::CodeMesh sheet = read::bumpySheet(300, 10, {512345, 5403210, 400});
+    const auto far = static_cast<std::uint32_t>(sheet.positions.size());
+    sheet.positions.insert(sheet.positions.end(), {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+    sheet.triangles.insert(sheet.triangles.begin() + 70'000, {{far, far + 1, far + 2}, {5, 6, far}});
+    read::CodeMesh mesh(sheet.positions, sheet.triangles);
+    options.chunkTriangles = 20'000;
+    const Sorted whole = sorted(mesh, gibibytes(2), 1);
+    EXPECT_EQ(whole.record.strayed.triangles, 2U);
+    EXPECT_EQ(whole.record.strayed.corners.min, glm::dvec3(0));
+    EXPECT_EQ(whole.record.strayed.corners.max, glm::dvec3(1, 1, 0));
+    EXPECT_GT(whole.record.mainPart.min.x, 512340);
+    mesh.withRanges();
+    for (const std::size_t threads : {1U, 3U})
+        expectSame(whole, sorted(mesh, gibibytes(2), threads));
+    options.keepsStrays = true;
+    const Sorted all = sorted(mesh, gibibytes(2), 3);
+    EXPECT_EQ(all.record.strayed.triangles, 0U);
+    EXPECT_GT(all.record.grid.step(), 100 * whole.record.grid.step());
+    EXPECT_GT(all.record.mainPart.min.x, 512340) << "what views frame is the same";
 }
 
 // Of polygons in several chunks, some at a time where there is little memory, and one rank's index in another's hands.
@@ -221,10 +249,13 @@ TEST(RangeBytes, ComeBackAndAreRefusedWhereTheyEndEarly) {
     binned.streams = {{5, blocks[0]}};
     binned.sizes = {{70'000, {8, 9}}};
     binned.chunks = blocks;
+    binned.strayed = {12, {glm::dvec3(1), glm::dvec3(2)}};
     const BinnedRange back = decodedBinnedRange(encoded(binned));
     EXPECT_EQ(back.streams[0].first, 5U);
     EXPECT_EQ(back.sizes[0].first, 70'000U);
     EXPECT_EQ(back.sizes[0].second.vertices, 9U);
+    EXPECT_EQ(back.strayed.triangles, 12U);
+    EXPECT_EQ(back.strayed.corners.max, glm::dvec3(2));
     const FaceCount counted = decodedFaceCount(encoded(FaceCount{true, 5, 6, true, {{3, blocks[0]}}, blocks}));
     EXPECT_TRUE(counted.isRegular);
     EXPECT_EQ(counted.pages[0].second.bytes, 20U);

@@ -67,6 +67,9 @@ BinnedRecord someBinned() {
     record.dropped = {17, 18, 19};
     record.directory = {std::byte{1}, std::byte{2}};
     record.furthest = {1, 0x7FFFFFFF, 3};
+    record.mainPart = {{-1, -2, -3}, {4, 5, 6}};
+    record.medianEdge = 0.3;
+    record.strayed = {8, {{1, 2, 3}, {7, 8, 9}}};
     return record;
 }
 
@@ -133,6 +136,10 @@ TEST(CheckpointLog, EveryRecordComesBackFromItsBytes) {
     EXPECT_EQ(log.binned()->largestChunk.triangles, 5U);
     EXPECT_EQ(log.binned()->largestChunk.vertices, 6U);
     EXPECT_EQ(log.binned()->directory, someBinned().directory);
+    EXPECT_EQ(log.binned()->mainPart.max, glm::dvec3(4, 5, 6));
+    EXPECT_EQ(log.binned()->medianEdge, 0.3);
+    EXPECT_EQ(log.binned()->strayed.triangles, 8U);
+    EXPECT_EQ(log.binned()->strayed.corners.min, glm::dvec3(1, 2, 3));
     ASSERT_TRUE(log.bordered());
     EXPECT_EQ(log.bordered()->directory, std::vector<std::byte>{std::byte{9}});
     ASSERT_EQ(log.nodes(0).size(), 1U);

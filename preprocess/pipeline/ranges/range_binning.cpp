@@ -174,8 +174,8 @@ std::optional<chunk::SourceSurvey> RangeBinning::survey() {
     std::vector<glm::dvec3> positions;
     if (isRegular) {
         const Box box = measure(pages, sampled, survey.fields, positions);
-        chunk::setGrid(
-            survey, source.path, box, sample.measure(chunk::VertexLookup(std::move(sampled), std::move(positions))));
+        const chunk::VertexLookup lookup(std::move(sampled), std::move(positions));
+        chunk::setGrid(survey, source.path, box, sample, lookup, means_.strays);
         chunk::endRanges(source.path, survey.fields);
     }
     for (const Mail& mail : pages)
@@ -230,13 +230,16 @@ chunk::BinnedSize RangeBinning::bin(
     const std::uint64_t numberBytes = tree.chunkCount() > chunk::kNarrowChunks ? 4 : 2;
     Blocks treeBytes = posted(tree.encoded());
     std::vector<chunk::PartSize> sizes(tree.chunkCount());
+    chunk::BinnedSize size;
     const auto deliver = [&](const BinnedRange& range) {
         for (const auto& [stream, streamBlock] : range.streams)
             bins.adopt(stream, streamBlock);
-        for (const auto& [chunk, size] : range.sizes) {
-            sizes[chunk].triangles += size.triangles;
-            sizes[chunk].vertices += size.vertices;
+        for (const auto& [chunk, more] : range.sizes) {
+            sizes[chunk].triangles += more.triangles;
+            sizes[chunk].vertices += more.vertices;
         }
+        size.strayed.triangles += range.strayed.triangles;
+        size.strayed.corners.add(range.strayed.corners);
     };
     means_.progress.stage("bin", "vertices", survey.vertices);
     std::vector<BinnedRange> ofVertices(rangeCount(false));
@@ -278,7 +281,6 @@ chunk::BinnedSize RangeBinning::bin(
         deliver(range);
     release(numbers);
     release(index_);
-    chunk::BinnedSize size;
     for (const chunk::PartSize& chunk : sizes)
         size.largestChunk.growTo(chunk);
     return size;

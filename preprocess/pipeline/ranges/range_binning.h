@@ -20,6 +20,7 @@ struct RangeMeans {
     Bytes room;                  // of memory for tasks, in each process
     std::size_t threads = 1;     // of this process
     std::uint32_t processes = 1; // all with about as many
+    chunk::Strays strays = chunk::Strays::Leave;
 };
 
 /// What is known of each vertex lies in the scratch file, by ranges of vertices: first how many corners are there, then

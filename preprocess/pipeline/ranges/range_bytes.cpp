@@ -34,6 +34,18 @@ glm::dvec3 takeVector(ByteReader& in) {
     return v;
 }
 
+void putBox(ByteWriter& out, const Box& box) {
+    putVector(out, box.min);
+    putVector(out, box.max);
+}
+
+Box takeBox(ByteReader& in) {
+    Box box;
+    box.min = takeVector(in);
+    box.max = takeVector(in);
+    return box;
+}
+
 void putFacts(ByteWriter& out, const SortFacts& facts) {
     putVector(out, facts.grid.origin);
     out.put(facts.grid.stepExponent);
@@ -149,8 +161,7 @@ MeasureInput takeMeasureInput(ByteReader& in) {
 
 std::vector<std::byte> encoded(const VertexMeasure& measure) {
     ByteWriter out;
-    putVector(out, measure.box.min);
-    putVector(out, measure.box.max);
+    putBox(out, measure.box);
     out.putVarint(measure.fields.size());
     for (const auto& [least, greatest] : measure.fields) {
         out.put(least);
@@ -164,8 +175,7 @@ std::vector<std::byte> encoded(const VertexMeasure& measure) {
 VertexMeasure decodedMeasure(std::span<const std::byte> bytes) {
     ByteReader in(bytes);
     VertexMeasure measure;
-    measure.box.min = takeVector(in);
-    measure.box.max = takeVector(in);
+    measure.box = takeBox(in);
     measure.fields.resize(takeCount(in));
     for (auto& [least, greatest] : measure.fields) {
         least = in.take<double>();
@@ -265,6 +275,8 @@ std::vector<std::byte> encoded(const BinnedRange& range) {
         out.putVarint(size.triangles);
         out.putVarint(size.vertices);
     }
+    out.putVarint(range.strayed.triangles);
+    putBox(out, range.strayed.corners);
     putBlocks(out, range.chunks);
     return out.take();
 }
@@ -279,6 +291,8 @@ BinnedRange decodedBinnedRange(std::span<const std::byte> bytes) {
         size.triangles = in.takeVarint();
         size.vertices = in.takeVarint();
     }
+    range.strayed.triangles = in.takeVarint();
+    range.strayed.corners = takeBox(in);
     range.chunks = takeBlocks(in);
     in.expectEnd();
     return range;

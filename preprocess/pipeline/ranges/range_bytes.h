@@ -85,7 +85,8 @@ struct BinFacesInput {
 struct BinnedRange {
     Mail streams; // of chunks
     std::vector<std::pair<std::uint32_t, chunk::PartSize>> sizes;
-    Blocks chunks; // of BinVertices: the number of each vertex's chunk
+    chunk::Strayed strayed; // of BinVertices only the corners, of BinFaces only the triangles
+    Blocks chunks;          // of BinVertices: the number of each vertex's chunk
 };
 
 std::vector<std::byte> encoded(const read::RowIndex& index);

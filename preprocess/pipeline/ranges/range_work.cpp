@@ -61,6 +61,7 @@ void collect(const scratch::StreamStore& store, const chunk::ChunkWriter& writer
     for (std::uint32_t chunk = 0; chunk < writer.sizes().size(); ++chunk)
         if (const chunk::PartSize& size = writer.sizes()[chunk]; size.triangles + size.vertices > 0)
             range.sizes.emplace_back(chunk, size);
+    range.strayed.triangles = writer.beyondGrid();
 }
 
 } // namespace
@@ -184,7 +185,8 @@ Blocks RangeWork::countCells(const CellsInput& input) const {
     source_.readVertexRange(input.vertices.begin, input.vertices.end, [&](const read::VertexBlock& block) {
         const std::byte* corners = valence.data() + (block.firstVertex - input.vertices.begin);
         for (std::size_t i = 0; i < block.positions.size(); ++i)
-            if (const auto weight = std::to_integer<std::uint32_t>(corners[i]); weight > 0)
+            if (const auto weight = std::to_integer<std::uint32_t>(corners[i]);
+                weight > 0 && snap.isInRange(block.positions[i]))
                 counts.add(snap(block.positions[i]), weight);
         progress_.advance(block.positions.size());
     });
@@ -204,21 +206,25 @@ BinnedRange RangeWork::binVertices(const BinVerticesInput& input) const {
     scratch::StreamStore store(scratch_, chunk::binStreams(tree.chunkCount()), input.blockBytes);
     chunk::ChunkWriter writer(chunk::formatOf(source_.summary()), input.fields, &store, tree.chunkCount());
     const chunk::GridSnap snap(input.facts.grid);
+    BinnedRange binned;
     source_.readVertexRange(range.begin, range.end, [&](const read::VertexBlock& block) {
         const std::uint64_t first = block.firstVertex - range.begin;
         for (std::size_t i = 0; i < block.positions.size(); ++i) {
             if (valence[first + i] == std::byte{0}) continue;
-            const std::uint32_t chunk = tree.chunkOf(snap(block.positions[i]));
+            const bool isInRange = snap.isInRange(block.positions[i]);
+            const std::uint32_t chunk = isInRange ? tree.chunkOf(snap(block.positions[i])) : chunk::kBeyondGrid;
             if (isWide)
                 wide[first + i] = chunk;
             else
                 narrow[first + i] = static_cast<std::uint16_t>(chunk);
-            writer.putVertex(block, i, chunk);
+            if (isInRange)
+                writer.putVertex(block, i, chunk);
+            else
+                binned.strayed.corners.add(block.positions[i]);
         }
         progress_.advance(block.positions.size());
     });
     store.flush();
-    BinnedRange binned;
     collect(store, writer, binned);
     binned.chunks = posted(isWide ? std::as_bytes(std::span(wide)) : std::as_bytes(std::span(narrow)));
     return binned;
@@ -236,7 +242,8 @@ public:
     std::uint32_t operator()(std::uint64_t vertex) {
         const std::size_t page = vertex / kPageVertices;
         if (numbers_.page(page).empty()) load(page);
-        return numbers_[vertex];
+        const Number number = numbers_[vertex];
+        return number == static_cast<Number>(chunk::kBeyondGrid) ? chunk::kBeyondGrid : number;
     }
 
     /// That were held at once.

@@ -9,10 +9,12 @@
 #include "preprocess/pipeline/build_model.h"
 #include "preprocess/pipeline/source_up.h"
 #include "preprocess/read/open_mesh_sources.h"
+#include "preprocess/read/words.h"
 #include "storage/open_source.h"
 #include "telemetry/json_text.h"
 
 #include <filesystem>
+#include <set>
 #include <vector>
 
 namespace gnomon::viewer {
@@ -73,6 +75,29 @@ nlohmann::ordered_json factsOf(const fs::path& path) {
     return {{"bytes", bytes}, {"changed_ns", changed.time_since_epoch().count()}};
 }
 
+/// The names of libraries or pictures in the folder of the mesh and in the folders in that. One that the mesh names may
+/// have been missing when the cache was built.
+std::set<std::string> namesBeside(const fs::path& mesh) {
+    constexpr std::size_t kMaxEntries = 10'000;
+    const std::string format = read::loweredSuffix(mesh.string());
+    const std::set<std::string> suffixes = format == ".obj"    ? std::set<std::string>{".mtl"}
+                                           : format == ".gltf" ? std::set<std::string>{".png", ".jpg", ".jpeg", ".webp"}
+                                                               : std::set<std::string>();
+    std::set<std::string> names;
+    if (suffixes.empty()) return names;
+    const fs::path folder = mesh.has_parent_path() ? mesh.parent_path() : fs::path(".");
+    std::error_code failure;
+    std::size_t entries = 0;
+    fs::recursive_directory_iterator it(folder, fs::directory_options::skip_permission_denied, failure);
+    for (const fs::recursive_directory_iterator end; !failure && it != end && entries < kMaxEntries; ++entries) {
+        if (it.depth() > 0) it.disable_recursion_pending();
+        if (suffixes.contains(read::loweredSuffix(it->path().string())))
+            names.insert(it->path().lexically_relative(folder).string());
+        it.increment(failure);
+    }
+    return names;
+}
+
 pipeline::BuildOptions buildOptionsOf(const std::string& meshPath, const CacheOptions& cache) {
     pipeline::BuildOptions options;
     options.output = cachePath(meshPath);
@@ -88,7 +113,8 @@ nlohmann::ordered_json recordOf(
     nlohmann::ordered_json record = {
         {"version", GNOMON_VERSION},
         {"options", pipeline::keyOf(buildOptionsOf(meshPath, options))},
-        {"files", nlohmann::ordered_json::array()}};
+        {"files", nlohmann::ordered_json::array()},
+        {"beside", namesBeside(meshPath)}};
     for (const std::string& name : files)
         record["files"].push_back({{"name", name}, {"facts", factsOf(fs::path(meshPath).parent_path() / name)}});
     return record;

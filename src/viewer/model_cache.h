@@ -25,7 +25,8 @@ struct CacheOptions {
 };
 
 /// Whether the cache of `meshPath` is the one that a build would write now: the file beside it (CACHE.json) names the
-/// same version and options, the same model, and the same size and time of change for each file that was read.
+/// same version and options, the same model, the same size and time of change for each file that was read, and the same
+/// libraries or pictures in the folder of the mesh.
 bool isCacheFresh(const std::string& meshPath, const CacheOptions& options);
 
 /// How far a build is.

@@ -149,6 +149,15 @@ TEST_F(ModelCache, IsBuiltAgainAfterAChangeOfAnyFileThatWasReadWhateverItsTime) 
     rebuild();
     std::filesystem::remove(library);
     EXPECT_FALSE(isCacheFresh(mesh, kOptions)) << "a library that is gone";
+    rebuild();
+    writeTextFile(file("WALL.mtl"), "newmtl a\nKd 0 0 1\n");
+    EXPECT_FALSE(isCacheFresh(mesh, kOptions)) << "a library that was missing";
+    std::filesystem::remove(file("WALL.mtl"));
+    std::filesystem::create_directory(file("notes"));
+    writeTextFile(file("notes/other.txt"), "of no mesh");
+    EXPECT_TRUE(isCacheFresh(mesh, kOptions));
+    writeTextFile(file("notes/wall.mtl"), "newmtl a\nKd 0 0 1\n");
+    EXPECT_FALSE(isCacheFresh(mesh, kOptions)) << "a library in a folder below";
 }
 
 TEST_F(ModelCache, IsFreshForPolygonsAndFormatsThatTellNothing) {

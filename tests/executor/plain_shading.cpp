@@ -237,11 +237,11 @@ float plainLitFraction(const ShadingFrame& f, int pass, const vec3& p, const vec
         return std::min(std::max(texel - 0.5F * static_cast<float>(width - 1), -1e6F), 1e6F);
     };
     const auto isLit = [&](int x, int y) {
-        const int column =
+        const int texelX =
             std::min(std::max(x, static_cast<int>(part.firstTexel.x)), static_cast<int>(part.endTexel.x) - 1);
-        const int row =
+        const int texelY =
             std::min(std::max(y, static_cast<int>(part.firstTexel.y)), static_cast<int>(part.endTexel.y) - 1);
-        return depth <= f.shadowDepth[row * f.shadowWidth + column] ? 1.0F : 0.0F;
+        return depth <= f.shadowDepth[texelY * f.shadowWidth + texelX] ? 1.0F : 0.0F;
     };
     // The mean over each of the four squares that the kernel holds and that are a texel narrower, between them.
     const int box = std::max(width - 1, 1);

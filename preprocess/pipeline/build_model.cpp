@@ -334,7 +334,7 @@ private:
         else
             appendPages(pages);
         source_.requireUnchanged();
-        report_.upBecause = upright.tell(summary);
+        upright.tell(summary);
         report_.contentHash = writer.finish(summary);
         report_.fileBytes = writer.bytesWritten();
         report_.pages = totals.pages;

@@ -42,7 +42,6 @@ struct BuildReport {
     std::vector<RoundReport> rounds;
     std::string contentHash;
     std::vector<ProcessReport> processes; // where they are many
-    std::string upBecause;                // why the summary's up is what it is
     Box strays;                           // of corners beyond the grid's range
     double medianEdge = 0;                // of the source
 };

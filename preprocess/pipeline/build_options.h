@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/units.h"
+#include "hierarchy/up_guess.h"
 #include "hierarchy/world_frame.h"
 #include "preprocess/levels/level.h"
 
@@ -30,6 +31,7 @@ struct BuildOptions {
     bool isInMemory = false;             // temporary files in memory
     std::optional<hierarchy::UpAxis> up; // nothing: guessed from the mesh's shape (hierarchy/up_guess.h)
     std::string upBecause = "as asked";  // where it is given: who says so
+    hierarchy::UpVotes upVotes{};        // where it is guessed: what the kind of the source says
     hierarchy::Unit unit = hierarchy::Unit::Metre;
     bool keepsStrays = false; // the grid's range includes triangles far outside of the main part (chunk/survey.h)
     std::vector<std::string> fields; // that the source was opened with, in order

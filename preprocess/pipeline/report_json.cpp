@@ -61,7 +61,8 @@ nlohmann::ordered_json reportJson(
         {"triangles_per_second", report.seconds > 0 ? triangles / report.seconds : 0},
         {"content_hash", report.contentHash},
         {"up", hierarchy::upAxisText(report.summary.up)},
-        {"up_because", report.upBecause},
+        {"up_because", report.summary.options.at("up")},
+        {"up_confidence", report.summary.options.at("up_confidence")},
         {"unit", hierarchy::rowOf(report.summary.unit).name},
     };
     for (const ProcessReport& process : report.processes)

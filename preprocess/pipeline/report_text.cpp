@@ -3,6 +3,7 @@
 #include "core/formatted.h"
 #include "core/printable.h"
 #include "core/units.h"
+#include "hierarchy/model_text.h"
 
 namespace gnomon::pipeline {
 
@@ -29,7 +30,7 @@ std::string reportText(const BuildReport& report, const read::MeshSummary& sourc
     if (source.texelsPerEdge)
         text += "textures: their colours at vertices, " + formatted("%.1f", *source.texelsPerEdge) +
                 " texels apart; what is between them is lost\n";
-    text += "up " + hierarchy::upAxisText(model.up) + ", " + printable(report.upBecause) + "\n";
+    text += "up " + hierarchy::upText(model) + "\n";
     const double rate = report.seconds > 0 ? triangles / report.seconds : 0;
     return text + formatted("%.2f", report.seconds) + " s, " + readableCount(static_cast<std::uint64_t>(rate)) +
            " triangles/s, peak " + readableBytes({peakResidentBytes}) + "\n";

@@ -4,6 +4,9 @@
 #include "preprocess/read/words.h"
 
 #include <algorithm>
+#include <array>
+#include <filesystem>
+#include <span>
 
 namespace gnomon::pipeline {
 
@@ -17,6 +20,10 @@ bool isLetter(char c) {
     return c >= 'a' && c <= 'z';
 }
 
+bool isWordEnd(std::string_view text, std::size_t at) {
+    return at >= text.size() || !isLetter(text[at]);
+}
+
 /// The axis named by the letter at `at`, and the sign before it, if nothing else is joined to them.
 std::optional<UpAxis> axisAt(std::string_view text, std::size_t at) {
     if (at >= text.size() || text[at] < 'x' || text[at] > 'z') return std::nullopt;
@@ -26,9 +33,9 @@ std::optional<UpAxis> axisAt(std::string_view text, std::size_t at) {
     return hierarchy::upAxisNamed(isDown ? text.substr(at - 1, 2) : text.substr(at, 1));
 }
 
-/// The axis of "z up" or "z-up" whose second word begins at `up`.
+/// The axis of "z up", "z-up" or "z_up" whose second word begins at `up`.
 std::optional<UpAxis> axisBefore(std::string_view text, std::size_t up) {
-    const bool isApart = up >= 2 && (text[up - 1] == ' ' || text[up - 1] == '-');
+    const bool isApart = up >= 2 && (text[up - 1] == ' ' || text[up - 1] == '-' || text[up - 1] == '_');
     return isApart ? axisAt(text, up - 2) : std::nullopt;
 }
 
@@ -57,12 +64,68 @@ void agree(std::optional<UpAxis>& said, const std::optional<UpAxis>& more, bool&
     said = more;
 }
 
-std::string headerOf(const std::string& path) {
+/// What a program that writes meshes has up unless its user asks for something else.
+struct Exporter {
+    std::string_view name;   // as comments have it, in small letters
+    std::string_view up;     // in any file
+    std::string_view ofObjs; // in an OBJ
+};
+
+constexpr std::array kExporters = {
+    Exporter{"blender", "z", "y"},        Exporter{"sketchup", "z", "y"},       Exporter{"3ds max", "z", "y"},
+    Exporter{"rhino", "z", "y"},          Exporter{"maya", "y", "y"},           Exporter{"zbrush", "y", "y"},
+    Exporter{"wings3d", "y", "y"},        Exporter{"cinema 4d", "y", "y"},      Exporter{"cloudcompare", "z", "z"},
+    Exporter{"metashape", "z", "z"},      Exporter{"photoscan", "z", "z"},      Exporter{"pix4d", "z", "z"},
+    Exporter{"contextcapture", "z", "z"}, Exporter{"realitycapture", "z", "z"}, Exporter{"ifcopenshell", "z", "z"},
+    Exporter{"freecad", "z", "z"},        Exporter{"openscad", "z", "z"},       Exporter{"solidworks", "z", "z"},
+    Exporter{"revit", "z", "z"},          Exporter{"autocad", "z", "z"},        Exporter{"qgis", "z", "z"},
+};
+
+// Of hierarchy::kSureVotes: a program nearly suffices, and a kind of file changes close calls.
+constexpr int kExporterVotes = 2000;
+constexpr int kKindVotes = 1000;
+
+/// The comments at the begin of a file, a line each: after "comment" or "obj_info" in the header of a PLY, after # in
+/// an OBJ or OFF, the whole header of an STL.
+std::string commentsOf(const std::string& path, const std::string& suffix) {
+    constexpr std::size_t kStlHeader = 80;
     const File file(path, File::Mode::Read);
-    std::string text(kMostHeader, '\0');
+    std::string text(suffix == ".stl" ? kStlHeader : kMostHeader, '\0');
     text.resize(file.readSomeAt(0, std::as_writable_bytes(std::span(text.data(), text.size()))));
-    if (!text.starts_with("ply")) return {};
-    return text.substr(0, text.find("end_header"));
+    if (suffix == ".stl") return text.substr(0, text.find_first_of("\r\n"));
+    const bool isPly = text.starts_with("ply");
+    if (isPly) text.resize(std::min(text.find("end_header"), text.size()));
+    std::string comments;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find_first_of("\r\n", begin), text.size());
+        const std::string_view line = std::string_view(text).substr(begin, end - begin);
+        if (isPly ? line.starts_with("comment ") || line.starts_with("obj_info ") : line.starts_with('#'))
+            comments.append(line.substr(isPly ? line.find(' ') : 1)).append("\n");
+        begin = end + 1;
+    }
+    return comments;
+}
+
+void addVotes(hierarchy::UpVotes& votes, std::string_view axis, int count) {
+    constexpr std::size_t kY = 2;
+    constexpr std::size_t kZ = 4;
+    votes[axis == "y" ? kY : kZ] += count;
+}
+
+/// What usually is up in a file with this ending and these comments.
+hierarchy::UpVotes votesOf(const std::string& suffix, const std::string& comments) {
+    hierarchy::UpVotes votes{};
+    const std::string text = lowered(comments);
+    const bool isObj = suffix == ".obj";
+    const auto* const exporter = std::ranges::find_if(
+        kExporters, [&](const Exporter& each) { return text.find(each.name) != std::string::npos; });
+    if (exporter != kExporters.end())
+        addVotes(votes, isObj ? exporter->ofObjs : exporter->up, kExporterVotes);
+    else if (isObj)
+        addVotes(votes, "y", kKindVotes);
+    else if (suffix == ".stl")
+        addVotes(votes, "z", kKindVotes);
+    return votes;
 }
 
 } // namespace
@@ -72,7 +135,10 @@ std::optional<UpAxis> upOfComment(std::string_view comment) {
     std::optional<UpAxis> said;
     bool isOne = true;
     for (std::size_t up = text.find("up"); up != std::string::npos; up = text.find("up", up + 1)) {
-        const bool isWord = (up == 0 || !isLetter(text[up - 1])) && (up + 2 >= text.size() || !isLetter(text[up + 2]));
+        const bool isJoined = up > 0 && (up == 1 || !isLetter(text[up - 2])) && isWordEnd(text, up + 2);
+        if (isJoined && (text[up - 1] == 'y' || text[up - 1] == 'z'))
+            agree(said, hierarchy::upAxisNamed(text.substr(up - 1, 1)), isOne);
+        const bool isWord = (up == 0 || !isLetter(text[up - 1])) && isWordEnd(text, up + 2);
         if (!isWord) continue;
         agree(said, axisBefore(text, up), isOne);
         agree(said, axisBehind(text, up), isOne);
@@ -80,29 +146,35 @@ std::optional<UpAxis> upOfComment(std::string_view comment) {
     return isOne ? said : std::nullopt;
 }
 
-std::optional<UpAxis> upOfSources(const std::vector<std::string>& paths) {
-    std::optional<UpAxis> said;
+SourceUp upOfSources(const std::vector<std::string>& paths) {
+    SourceUp found;
     bool isOne = true;
     for (const std::string& path : paths) {
-        if (const std::string suffix = read::loweredSuffix(path); suffix == ".gltf" || suffix == ".glb") {
-            agree(said, hierarchy::upAxisNamed("y"), isOne); // by the format
+        const std::string suffix = read::loweredSuffix(path);
+        if (suffix == ".gltf" || suffix == ".glb") {
+            agree(found.told, hierarchy::upAxisNamed("y"), isOne); // by the format
             continue;
         }
-        const std::string header = headerOf(path);
-        for (std::size_t begin = 0; begin < header.size();) {
-            const std::size_t end = std::min(header.find_first_of("\r\n", begin), header.size());
-            const std::string_view line = std::string_view(header).substr(begin, end - begin);
-            if (line.starts_with("comment ") || line.starts_with("obj_info "))
-                agree(said, upOfComment(line.substr(line.find(' '))), isOne);
+        agree(found.told, upOfComment(std::filesystem::path(path).stem().string()), isOne);
+        const std::string comments = commentsOf(path, suffix);
+        for (std::size_t begin = 0; begin < comments.size();) {
+            const std::size_t end = std::min(comments.find('\n', begin), comments.size());
+            agree(found.told, upOfComment(std::string_view(comments).substr(begin, end - begin)), isOne);
             begin = end + 1;
         }
+        const hierarchy::UpVotes votes = votesOf(suffix, comments);
+        for (std::size_t i = 0; i < votes.size(); ++i)
+            found.votes[i] += votes[i] / static_cast<int>(paths.size());
     }
-    return isOne ? said : std::nullopt;
+    if (!isOne) found.told = std::nullopt;
+    return found;
 }
 
 void askForUpOfSources(BuildOptions& options, const std::vector<std::string>& paths) {
-    options.up = upOfSources(paths);
+    const SourceUp found = upOfSources(paths);
+    options.up = found.told;
     options.upBecause = "as its source says";
+    options.upVotes = found.votes;
 }
 
 } // namespace gnomon::pipeline

@@ -22,7 +22,7 @@ public:
         const hierarchy::ModelSummary& summary,
         const std::vector<std::span<const hierarchy::PageInfo>>& pages)
         : options_(options),
-          error_(options.up ? 0 : hierarchy::coarseError(pages, glm::length(hierarchy::mainPartOf(summary).extent()))),
+          error_(options.up ? 0 : hierarchy::upError(pages, glm::length(hierarchy::mainPartOf(summary).extent()))),
           survey_(summary.grid, hierarchy::mainPartOf(summary)) {}
 
     /// Whether it has to see the page.
@@ -32,19 +32,15 @@ public:
         survey_.add(hierarchy::decodePageBytes(page.bytes, page.info), error_);
     }
 
-    /// Enters it into `summary`, with the reason unless nobody said a word and it is y: why up is what it is.
-    std::string tell(hierarchy::ModelSummary& summary) const {
+    /// Enters the axis, why it is up and how sure that is into `summary`.
+    void tell(hierarchy::ModelSummary& summary) const {
         summary.unit = options_.unit;
-        if (options_.up) {
-            summary.up = *options_.up;
-            summary.options["up"] = options_.upBecause;
-            return options_.upBecause;
-        }
-        const hierarchy::UpGuess guess = survey_.guess();
-        std::string because = (guess.isSure ? "guessed: " : "") + guess.because;
-        summary.up = guess.up;
-        if (!(guess.up == hierarchy::UpAxis())) summary.options["up"] = because;
-        return because;
+        const hierarchy::UpGuess up =
+            options_.up ? hierarchy::UpGuess{*options_.up, options_.upBecause, hierarchy::UpConfidence::Told}
+                        : survey_.guess(options_.upVotes);
+        summary.up = up.up;
+        summary.options["up"] = up.because;
+        summary.options["up_confidence"] = wordOf(hierarchy::kUpConfidences, up.confidence);
     }
 
 private:

@@ -4,6 +4,7 @@
 #include "core/limit_error.h"
 #include "core/printable.h"
 #include "core/units.h"
+#include "hierarchy/model_text.h"
 #include "preprocess/pipeline/fingerprint.h"
 #include "preprocess/pipeline/report_json.h"
 #include "preprocess/pipeline/report_text.h"
@@ -136,6 +137,8 @@ void run(const BuildCommand& command, const BuildBy& buildBy) {
             "%s: %s",
             printable(command.output).c_str(),
             pipeline::reportText(report, source->summary(), telemetry::peakResident().count).c_str());
+    if (!command.isJson && upConfidenceOf(report.summary) != hierarchy::UpConfidence::Told)
+        std::printf("up is a guess: --up x, y, z, -x, -y, -z or X,Y,Z turns the model\n");
     requirePrinted("the model " + command.output + " is complete");
 }
 
@@ -207,7 +210,9 @@ void addBuildCommand(CLI::App& program, const BuildBy& buildBy) {
         ->capture_default_str();
     command
         ->add_option(
-            "--up", options->up, "x, y, z, -x, -y, -z, X,Y,Z or auto: what the source's comments say, else a guess")
+            "--up",
+            options->up,
+            "x, y, z, -x, -y, -z, X,Y,Z or auto: what the source says, else a guess by its coordinates and shape")
         ->capture_default_str();
     command->add_option("--unit", options->unit, "The length of a coordinate of 1")
         ->check(CLI::IsMember({"m", "cm", "mm", "ft", "in"}))

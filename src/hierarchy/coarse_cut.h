@@ -14,10 +14,9 @@ inline bool isDrawnOf(const PageInfo& info, double error) {
 }
 
 /// The error of that cut of the pages whose bounds have this diagonal: 1/400 of it, or as much more as it takes to read
-/// 16 MiB of decoded pages beside those of the roots. `pages` is a range of ranges of PageInfo.
+/// `mostBytes` of decoded pages beside those of the roots. `pages` is a range of ranges of PageInfo.
 template <class Pages>
-double coarseError(const Pages& pages, double diagonal) {
-    constexpr std::uint64_t kMostBytes = std::uint64_t{16} << 20U;
+double coarseError(const Pages& pages, double diagonal, std::uint64_t mostBytes = std::uint64_t{16} << 20U) {
     double error = diagonal / 400;
     for (;; error *= 1.25) {
         std::uint64_t bytes = 0;
@@ -25,8 +24,15 @@ double coarseError(const Pages& pages, double diagonal) {
             for (const PageInfo& info : some)
                 if (info.maxError != std::numeric_limits<double>::infinity() && info.maxError > error)
                     bytes += decodedPageBytes(info);
-        if (bytes <= kMostBytes || !(error > 0)) return error;
+        if (bytes <= mostBytes || !(error > 0)) return error;
     }
+}
+
+/// The error of the cut of a model, whose main part has this diagonal, by which up is guessed: finer, but of fewer
+/// bytes.
+template <class Pages>
+double upError(const Pages& pages, double diagonal) {
+    return coarseError(pages, 0.4 * diagonal, std::uint64_t{4} << 20U);
 }
 
 } // namespace gnomon::hierarchy

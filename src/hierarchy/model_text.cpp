@@ -33,12 +33,6 @@ void putVector(std::ostream& out, const glm::dvec3& v) {
     out << v.x << ',' << v.y << ',' << v.z;
 }
 
-/// In brackets, why up is what it is, if the model says so.
-std::string upReason(const ModelSummary& summary) {
-    const auto found = summary.options.find("up");
-    return found == summary.options.end() ? "" : " (" + printable(found->second) + ")";
-}
-
 void putSource(std::ostream& out, const ModelSummary& summary) {
     out << "source     " << summary.sourceTriangles << " triangles, " << summary.sourceVertices << " vertices";
     for (const auto& [reason, count] : summary.dropped)
@@ -47,8 +41,7 @@ void putSource(std::ostream& out, const ModelSummary& summary) {
     putVector(out, summary.bounds.min);
     out << " to ";
     putVector(out, summary.bounds.max);
-    out << std::setprecision(6) << "\naxes       up " << upAxisText(summary.up) << upReason(summary) << ", in "
-        << rowOf(summary.unit).name;
+    out << std::setprecision(6) << "\naxes       up " << upText(summary) << "; in " << rowOf(summary.unit).name;
     for (const Field& field : summary.fields)
         out << "\nfield      " << printable(field.name) << ' ' << field.least << " to " << field.greatest << " in "
             << field.bits << " bits";
@@ -75,6 +68,20 @@ void putLevels(std::ostream& out, const ModelSummary& summary) {
 }
 
 } // namespace
+
+UpConfidence upConfidenceOf(const ModelSummary& summary) {
+    if (const auto found = summary.options.find("up_confidence"); found != summary.options.end())
+        return valueOf(kUpConfidences, found->second).value_or(UpConfidence::Guess);
+    const auto because = summary.options.find("up"); // of a model that older builds wrote
+    const bool isTold = because != summary.options.end() && !because->second.starts_with("guessed");
+    return isTold ? UpConfidence::Told : UpConfidence::Guess;
+}
+
+std::string upText(const ModelSummary& summary) {
+    const auto because = summary.options.find("up");
+    return upAxisText(summary.up) + ", " + std::string(wordOf(kUpConfidences, upConfidenceOf(summary))) +
+           (because == summary.options.end() ? "" : " " + printable(because->second));
+}
 
 std::string modelText(const ModelFile& file) {
     const ModelSummary& summary = file.summary();
@@ -122,6 +129,7 @@ std::string modelJson(const ModelFile& file) {
              {"bits", field.bits},
              {"error", field.error()}});
     json["up"] = upAxisText(summary.up);
+    json["up_confidence"] = wordOf(kUpConfidences, upConfidenceOf(summary));
     json["unit"] = rowOf(summary.unit).name;
     json["pages"] = file.pages().size();
     json["file_bytes"] = file.fileBytes();

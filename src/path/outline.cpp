@@ -72,8 +72,9 @@ std::vector<glm::dvec3> outlineOf(const hierarchy::ModelFile& model) {
 }
 
 hierarchy::UpGuess guessedUp(const hierarchy::ModelFile& model) {
-    const double error = coarseErrorOf(model);
-    hierarchy::UpSurvey survey(model.summary().grid, hierarchy::mainPartOf(model.summary()));
+    const Box part = hierarchy::mainPartOf(model.summary());
+    const double error = hierarchy::upError(std::array{model.pages()}, glm::length(part.extent()));
+    hierarchy::UpSurvey survey(model.summary().grid, part);
     for (std::uint32_t id = 0; id < model.pages().size(); ++id)
         if (hierarchy::isDrawnOf(model.pages()[id], error)) survey.add(model.readPage(id), error);
     return survey.guess();

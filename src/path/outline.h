@@ -14,8 +14,8 @@ namespace gnomon::path {
 /// corners of its box.
 std::vector<glm::dvec3> outlineOf(const hierarchy::ModelFile& model);
 
-/// Which way is up in `model` by its shape, from the same pages, as a build that is told nothing guesses it. Throws
-/// Error for a page that is damaged.
+/// Which way is up in `model` by its place and its shape, as a build that is told nothing guesses it. Throws Error for
+/// a page that is damaged.
 hierarchy::UpGuess guessedUp(const hierarchy::ModelFile& model);
 
 /// The corners of a box, of any if it is empty.

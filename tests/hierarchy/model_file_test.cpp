@@ -156,7 +156,7 @@ TEST(ModelText, TellsAxesFieldsAndErrorsOfAttributesWhereThereAreAny) {
     tests::TinyModel model = coloredModel();
     tests::writeModel(model, path);
     const auto has = [&path](const char* words) { return modelText(ModelFile(path)).find(words) != std::string::npos; };
-    EXPECT_TRUE(has("\naxes       up y, in m\n"));
+    EXPECT_TRUE(has("\naxes       up y, guess; in m\n"));
     EXPECT_TRUE(has(", normals, colours\n"));
     EXPECT_TRUE(has("groups  largest error\n"));
     model.summary.up.direction = {0, 0, 1};
@@ -164,7 +164,7 @@ TEST(ModelText, TellsAxesFieldsAndErrorsOfAttributesWhereThereAreAny) {
     model.summary.fields = {{"qual\nity", -1, 2, 8}};
     model.summary.levels.back().maxAttributeError = 12.5;
     tests::writeModel(model, path);
-    EXPECT_TRUE(has("\naxes       up z, in ft\n"));
+    EXPECT_TRUE(has("\naxes       up z, guess; in ft\n"));
     EXPECT_TRUE(has("ity -1 to 2 in 8 bits\n"));
     EXPECT_FALSE(has("qual\nity"));
     EXPECT_TRUE(has("largest error  of attributes\n"));

@@ -114,15 +114,16 @@ CutLimit limitFor(const ModelFile& file, std::uint64_t most, Progress& progress)
         std::to_string(most));
 }
 
-/// The largest limit that promises at most `error`.
+/// The largest limit that promises at most `error`; of 0 one below all errors, so that all groups are refined.
 CutLimit limitOf(const ModelFile& file, double error) {
+    if (error == 0) return {-1, {0, 0}};
     const double least = file.summary().grid.snapError();
     if (error >= least) return {error, {0, 0}};
     throw Error(
         file.path(),
         "no cut is that exact",
-        "an error of at least " + std::to_string(least) + ", half a cell of the grid",
-        std::to_string(error));
+        formatted("an error of 0, or of at least %g, half a cell of the grid", least),
+        formatted("%g", error));
 }
 
 /// Adds what the cut draws of `group`, which it refines.

@@ -19,7 +19,7 @@ enum class ExportFormat { Ply, Glb };
 /// What to cut at: exactly one of both.
 struct ExportLimit {
     std::optional<std::uint64_t> triangles; // at most
-    std::optional<double> error;            // at most, world units
+    std::optional<double> error;            // at most, world units; 0: full detail
 };
 
 /// Which vertices and triangles of a cut are a cluster's.

@@ -1,5 +1,6 @@
 #include "preprocess/verify/error_bound.h"
 
+#include "core/formatted.h"
 #include "core/random.h"
 #include "hierarchy/cut_rule.h"
 #include "preprocess/verify/uniform_cut.h"
@@ -143,9 +144,9 @@ private:
         check_.worst = std::max(check_.worst, share);
         check_.test(sampled <= bound * (1 + kRounding) + model_.summary.grid.step() * kRounding, [&] {
             const glm::dvec3 world = model_.summary.grid.origin + point;
-            return std::string(which) + " at " + std::to_string(world.x) + "," + std::to_string(world.y) + "," +
-                   std::to_string(world.z) + ", in the cut of error " + std::to_string(limit) + ", is " +
-                   std::to_string(sampled) + " away where the stored error is " + std::to_string(bound);
+            return std::string(which) + formatted(" at %.9g,%.9g,%.9g", world.x, world.y, world.z) +
+                   formatted(
+                       ", in the cut of error %g, is %g away where the stored error is %g", limit, sampled, bound);
         });
     }
 

@@ -1,5 +1,6 @@
 #include "api/gnomon.h"
 #include "api/plain_errors.h"
+#include "core/formatted.h"
 #include "core/process/floating_point.h"
 #include "core/units.h"
 #include "hierarchy/model_text.h"
@@ -96,7 +97,7 @@ std::string Model::info() const {
 }
 
 Mesh Model::cutByError(double error) const {
-    if (!(error >= 0)) throw Error("error", "no length", "a number of at least 0", std::to_string(error));
+    if (!(error >= 0)) throw Error("error", "no length", "a number of at least 0", formatted("%g", error));
     return uniformMesh(state_->session.model(), {std::nullopt, error});
 }
 

@@ -88,7 +88,8 @@ void addExportCommand(CLI::App& program) {
         ->check(memorySize())
         ->capture_default_str();
     auto* triangles = command->add_option("--triangles", options->triangles, "At most so many; 13M is a count too");
-    command->add_option("--error", options->error, "Error of at most so many world units")->excludes(triangles);
+    command->add_option("--error", options->error, "Error of at most so many world units; 0 is full detail")
+        ->excludes(triangles);
     addCommonOptions(*command, options->common);
     command->callback([options] {
         const ThreadLimit threads(options->common);

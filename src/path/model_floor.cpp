@@ -1,6 +1,7 @@
 #include "path/model_floor.h"
 
 #include "core/error.h"
+#include "core/formatted.h"
 #include "hierarchy/main_part.h"
 #include "hierarchy/upright_frame.h"
 #include "path/drawn_triangles.h"
@@ -87,7 +88,7 @@ WalkableFloor floorOf(const hierarchy::ModelFile& model, const Box& region, cons
             model.path(),
             "the eye is too low for a model as high",
             "a millionth of its height or more",
-            std::to_string(body.eyeHeight));
+            formatted("%g", body.eyeHeight));
     const glm::dvec3 origin = model.summary().grid.origin;
     const hierarchy::UprightFrame frame = hierarchy::uprightFrame(model.summary().up.direction);
     const Box world = hierarchy::worldBox(frame, region);

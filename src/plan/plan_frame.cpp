@@ -2,6 +2,7 @@
 
 #include "core/angle.h"
 #include "core/error.h"
+#include "core/formatted.h"
 #include "plan/cell_maps.h"
 #include "plan/depth_range.h"
 #include "plan/lamp/lamp_passes.h"
@@ -28,7 +29,7 @@ void requireValid(const View& view) {
             "vertical angle", "this angle is impossible", "above 0 and below 180 degrees", std::to_string(degrees));
     const double lightLength = glm::length(view.towardsLight);
     if (!(lightLength > 0) || !std::isfinite(lightLength))
-        throw Error("light direction", "this is no direction", "a finite length above 0", std::to_string(lightLength));
+        throw Error("light direction", "this is no direction", "a finite length above 0", formatted("%g", lightLength));
 }
 
 /// Why this view calls for no map at all; nothing if it does.

@@ -1,5 +1,6 @@
 #include "settings/path_options.h"
 
+#include "core/formatted.h"
 #include "settings/usage_error.h"
 
 #include <algorithm>
@@ -18,7 +19,7 @@ void checkPathOptions(const PathOptions& options) {
     if (eyeHeight && options.kind != "walk") throw UsageError{"--eye-height is for --kind walk"};
     if (storey && *storey < 0) refuse("--storey", std::to_string(*storey), "0 or more");
     if (eyeHeight && !(*eyeHeight > 0 && std::isfinite(*eyeHeight)))
-        refuse("--eye-height", std::to_string(*eyeHeight), "a height above 0");
+        refuse("--eye-height", formatted("%g", *eyeHeight), "a height above 0");
 }
 
 } // namespace gnomon::settings

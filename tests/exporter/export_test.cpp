@@ -1,5 +1,6 @@
 // Exported cuts are the cuts asked for, as meshes that the reader takes back.
 #include "core/error.h"
+#include "core/formatted.h"
 #include "core/random.h"
 #include "hierarchy/octahedral.h"
 #include "hierarchy/tiny_model.h"
@@ -8,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <limits>
 
@@ -149,6 +151,31 @@ TEST(Export, KeepsTheCapOnTheError) {
         triangles = cut.triangles;
     }
     EXPECT_EQ(triangles, model.summary.coarsestTriangles);
+}
+
+// All cuts of a flat model are as exact as its grid. Full detail is what an error of 0 asks for.
+TEST(Export, AnErrorOf0IsFullDetailOfAFlatModelToo) {
+    tests::TinyModel model = tests::makeTinyModel({});
+    const double snapError = model.summary.grid.snapError();
+    for (hierarchy::Page& page : model.pages) {
+        for (hierarchy::Group& group : page.groups)
+            group.error = std::min(group.error, std::isinf(group.error) ? group.error : snapError);
+        for (hierarchy::Refinement& refinement : page.refinements)
+            refinement.error = snapError;
+    }
+    tests::writeModel(model, pathFor("flat.gnm"));
+    NoProgress progress;
+    const auto triangles = [&](double error) {
+        return exportCut(pathFor("flat.gnm"), {{}, error}, pathFor("out.ply"), progress).triangles;
+    };
+    EXPECT_EQ(triangles(0), model.summary.levels.front().triangles);
+    EXPECT_EQ(triangles(snapError), model.summary.coarsestTriangles);
+    try {
+        triangles(snapError / 2);
+        FAIL() << "finer than the grid";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find(formatted("%g", snapError / 2)), std::string::npos) << error.what();
+    }
 }
 
 TEST(Export, FarFromTheOriginPositionsAreDoubles) {

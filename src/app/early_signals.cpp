@@ -4,15 +4,13 @@
 
 /// The linker calls this first of all. Blocks INT, TERM, HUP and PIPE until catchSignals (interruption.h) has installed
 /// their handler. Returns 0: then the linker drops this library.
-extern "C" __attribute__((visibility("default"))) unsigned la_version(unsigned /*version*/) { // NOLINT: its name
-    constexpr unsigned long kSetMask = 14;                                                    // rt_sigprocmask
-    constexpr unsigned long kBlock = 0;                                                       // SIG_BLOCK
+// NOLINTNEXTLINE(readability-identifier-naming)
+extern "C" __attribute__((visibility("default"))) unsigned la_version(unsigned /*version*/) {
+    constexpr unsigned long kSetMask = 14;                         // rt_sigprocmask
+    constexpr unsigned long kBlock = 0;                            // SIG_BLOCK
     const unsigned long signals = 1U | 2U | 1U << 12U | 1U << 14U; // HUP, INT, PIPE, TERM: bit 0 is signal 1
     unsigned long result = kSetMask;
-    register unsigned long bytes asm("r10") = sizeof(signals); // NOLINT(hicpp-no-assembler): there is no library
-    asm volatile("syscall"                                     // NOLINT(hicpp-no-assembler)
-                 : "+a"(result)
-                 : "D"(kBlock), "S"(&signals), "d"(0UL), "r"(bytes)
-                 : "rcx", "r11", "memory");
+    register unsigned long bytes asm("r10") = sizeof(signals);
+    asm volatile("syscall" : "+a"(result) : "D"(kBlock), "S"(&signals), "d"(0UL), "r"(bytes) : "rcx", "r11", "memory");
     return 0;
 }

@@ -6,10 +6,11 @@
 #include "app/main_stack.h"
 #include "app/program.h"
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // whose code cannot run so early
+#ifdef GNOMON_HOLDS_SIGNALS_BACK
 namespace {
 
-// The dynamic linker calls this before the initialisation of the libraries, which takes several milliseconds.
+// The dynamic linker calls this before the libraries initialise themselves. The signals of early_signals.cpp come now.
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): a function is no data
 __attribute__((section(".preinit_array"), used)) void (*const catchSignalsEarly)() = gnomon::app::catchSignals;
 
 } // namespace

@@ -34,7 +34,7 @@ std::vector<std::string> saveNew(
         std::vector<std::string> names;
         std::vector<std::unique_ptr<TemporaryName>> made;
         for (const std::string& suffix : suffixes) {
-            const std::string& name = names.emplace_back(start + std::to_string(number) + suffix);
+            const std::string& name = names.emplace_back(start).append(std::to_string(number)).append(suffix);
             made.push_back(std::make_unique<TemporaryName>(
                 name, [&] { return File::createdNew(name, kPermissions, name).has_value(); }));
             if (!made.back()->isHeld()) break;
@@ -50,7 +50,7 @@ std::vector<std::string> saveNew(
 /// The folder that `xdg-user-dir PICTURES` prints, if the user has chosen one: in the environment, or in a line
 /// XDG_PICTURES_DIR="$HOME/PATH" or "/PATH" of user-dirs.dirs.
 std::string chosenPicturesFolder(const std::string& home) {
-    const std::string chosen = environmentPath("XDG_PICTURES_DIR");
+    std::string chosen = environmentPath("XDG_PICTURES_DIR");
     if (!chosen.empty()) return chosen;
     const std::string config = environmentPath("XDG_CONFIG_HOME");
     std::ifstream lines((config.empty() ? home + "/.config" : config) + "/user-dirs.dirs");
@@ -77,7 +77,7 @@ std::string pictureFolder() {
     if (!home.empty()) folders.insert(folders.end(), {home + "/Pictures", home});
     for (const std::string& folder : folders) {
         if (folder.empty()) continue;
-        const std::string ours = folder + "/Gnomon";
+        std::string ours = folder + "/Gnomon";
         std::error_code failure;
         fs::create_directories(ours, failure);
         if (::access(ours.c_str(), W_OK | X_OK) == 0) return ours;

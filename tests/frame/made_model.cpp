@@ -36,6 +36,7 @@ void BuiltFile::build(const std::string& source) {
     NoProgress progress;
     pipeline::BuildOptions options;
     options.output = folder_ + "/model.gnm";
+    options.up = hierarchy::UpAxis();
     pipeline::buildModel(*read::openMeshSources({source}, options.memory), options, progress);
     file_ = std::make_unique<hierarchy::ModelFile>(options.output);
 }

@@ -49,6 +49,7 @@ public:
         write(stem + ".ply");
         NoProgress progress;
         options.output = stem + ".gnm";
+        if (!options.up) options.up = hierarchy::UpAxis(); // not what a guess makes of boxes
         const auto source = read::openMeshSources({stem + ".ply"}, gibibytes(1));
         pipeline::buildModel(*source, options, progress);
         file_ = std::make_unique<hierarchy::ModelFile>(stem + ".gnm");

@@ -92,6 +92,11 @@ struct Segment {
     }
 };
 
+Keyframe shifted(Keyframe key, double seconds) {
+    key.time += seconds;
+    return key;
+}
+
 } // namespace
 
 Camera cameraAt(const CameraPath& path, double time) {
@@ -106,8 +111,11 @@ Camera cameraAt(const CameraPath& path, double time) {
     const auto at = static_cast<std::size_t>(next - keys.begin());
     const Keyframe& b = keys[at - 1];
     const Keyframe& c = keys[at];
-    const Keyframe& a = at >= 2 ? keys[at - 2] : b;
-    const Keyframe& d = at + 1 < keys.size() ? keys[at + 1] : c;
+    // The last keyframe of a loop is its first again, so the neighbours across the seam are one period away.
+    const double period = path.loop ? path.duration() : 0;
+    const bool wraps = path.loop && keys.size() > 2;
+    const Keyframe a = at >= 2 ? keys[at - 2] : wraps ? shifted(keys[keys.size() - 2], -period) : b;
+    const Keyframe d = at + 1 < keys.size() ? keys[at + 1] : wraps ? shifted(keys[1], period) : c;
     const double u = c.time > b.time ? (time - b.time) / (c.time - b.time) : 0;
     const auto blend = [&](const auto& member) {
         if (path.interpolation == Interpolation::Linear) return b.camera.*member * (1 - u) + c.camera.*member * u;
@@ -128,8 +136,11 @@ Camera cameraAt(const CameraPath& path, double time) {
 }
 
 double frameTime(const CameraPath& path, int frame, int frames) {
-    const double fraction = frames > 1 ? static_cast<double>(frame) / (frames - 1) : 0;
-    return path.keyframes.front().time + path.duration() * fraction;
+    return path.keyframes.front().time + path.duration() * frame / std::max(frameSteps(path, frames), 1);
+}
+
+int frameSteps(const CameraPath& path, int frames) {
+    return path.loop ? frames : frames - 1;
 }
 
 Camera turnedAround(const Camera& camera, const glm::dvec3& up, double radians) {

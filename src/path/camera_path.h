@@ -32,11 +32,16 @@ struct CameraPath {
 };
 
 /// The camera of `path` at `time`, held at both ends. Catmull-Rom is the centripetal-free cubic over uneven times
-/// (Catmull and Rom 1974), with one-sided differences at the ends; the angle stays between those of its two keyframes.
+/// (Catmull and Rom 1974). Its differences are one-sided at the ends of an open path, and reach across the seam of a
+/// loop, whose last keyframe is its first again. The angle stays between those of its two keyframes.
 Camera cameraAt(const CameraPath& path, double time);
 
-/// The time of frame `frame` of `frames` that are spread evenly over `path`, both ends included.
+/// The time of frame `frame` of `frames` that are spread evenly over `path`. An open path includes both ends; a loop
+/// leaves out its end, which is its start.
 double frameTime(const CameraPath& path, int frame, int frames);
+
+/// The number of equal steps into which `frames` frames divide the duration of `path`.
+int frameSteps(const CameraPath& path, int frames);
 
 /// `camera` turned about its target, about the direction `up` and against the clock as seen from there.
 Camera turnedAround(const Camera& camera, const glm::dvec3& up, double radians);

@@ -97,5 +97,59 @@ TEST(CameraPath, AnAngleIsWrittenAsItWasGiven) {
     }
 }
 
+/// A closed path of uneven times, whose last keyframe is its first.
+CameraPath loop(Interpolation interpolation) {
+    CameraPath path;
+    path.loop = true;
+    path.interpolation = interpolation;
+    const std::vector<double> times = {2, 3, 4.5, 5, 7, 8};
+    const std::vector<glm::dvec3> eyes = {{0, 0, 5}, {4, 1, 1}, {2, 3, -4}, {-3, 0, -3}, {-4, 1, 2}, {0, 0, 5}};
+    for (std::size_t i = 0; i < times.size(); ++i)
+        path.keyframes.push_back(keyframeAt(times[i], eyes[i], {0, 0.1 * static_cast<double>(i % 5), 0}));
+    return path;
+}
+
+TEST(CameraPath, ALoopHasNoKinkAtItsSeam) {
+    const CameraPath path = loop(Interpolation::CatmullRom);
+    const auto eye = [&](double time) { return cameraAt(path, time).eye; };
+    constexpr double kStep = 1e-6;
+    for (const double seam : {2.0, 8.0, 14.0}) {
+        const glm::dvec3 before = (eye(seam) - eye(seam - kStep)) / kStep;
+        const glm::dvec3 after = (eye(seam + kStep) - eye(seam)) / kStep;
+        EXPECT_LT(glm::length(after - before), 1e-3) << "at " << seam;
+        EXPECT_GT(glm::length(after), 0.5);
+    }
+    // The same keyframes begun elsewhere are the same curve.
+    CameraPath turned = path;
+    turned.keyframes.erase(turned.keyframes.begin());
+    turned.keyframes.push_back({path.keyframes[1].time + path.duration(), path.keyframes[1].camera});
+    for (double time = 2; time < 8; time += 0.05)
+        EXPECT_LT(glm::length(cameraAt(turned, time).eye - eye(time)), 1e-9) << time;
+}
+
+TEST(CameraPath, AnOpenPathKeepsItsEnds) {
+    CameraPath path = loop(Interpolation::CatmullRom);
+    path.loop = false;
+    path.keyframes.back().camera.eye = {1, 1, 9};
+    EXPECT_EQ(cameraAt(path, 1).eye, path.keyframes.front().camera.eye);
+    EXPECT_EQ(cameraAt(path, 9).eye, path.keyframes.back().camera.eye);
+    EXPECT_EQ(frameTime(path, 0, 5), 2);
+    EXPECT_EQ(frameTime(path, 4, 5), 8);
+    EXPECT_EQ(frameTime(path, 0, 1), 2);
+}
+
+TEST(CameraPath, FramesOfALoopAreEvenAndNoneComesTwice) {
+    for (const Interpolation interpolation : {Interpolation::Linear, Interpolation::CatmullRom})
+        for (const int frames : {1, 2, 5, 12}) {
+            const CameraPath path = loop(interpolation);
+            for (int frame = 0; frame < frames; ++frame)
+                EXPECT_NEAR(frameTime(path, frame, frames), 2 + 6.0 * frame / frames, 1e-12);
+            if (frames == 1) continue;
+            const glm::dvec3 first = cameraAt(path, frameTime(path, 0, frames)).eye;
+            const glm::dvec3 last = cameraAt(path, frameTime(path, frames - 1, frames)).eye;
+            EXPECT_GT(glm::length(first - last), 0.1);
+        }
+}
+
 } // namespace
 } // namespace gnomon::path

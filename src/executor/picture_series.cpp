@@ -22,7 +22,11 @@ std::optional<std::string> numberedName(const std::string& pattern, int number) 
 std::string y4mHeader(int width, int height, double framesPerSecond) {
     constexpr int kParts = 1000;
     return formatted(
-        "YUV4MPEG2 W%d H%d F%ld:%d Ip A1:1 C444\n", width, height, std::lround(framesPerSecond * kParts), kParts);
+        "YUV4MPEG2 W%d H%d F%ld:%d Ip A1:1 C444 XCOLORRANGE=LIMITED\n",
+        width,
+        height,
+        std::lround(framesPerSecond * kParts),
+        kParts);
 }
 
 std::string y4mFrame(const Picture& picture) {
@@ -32,11 +36,11 @@ std::string y4mFrame(const Picture& picture) {
     frame.resize(luma + 3 * count);
     for (std::size_t i = 0; i < count; ++i) {
         const auto& [r, g, b] = picture.pixels[i];
-        // In 1/65536: the matrix of BT.601 times 219/255 and 224/255, rounded; each row of chroma adds up to 0.
-        frame[luma + i] = static_cast<char>(16 + (16829 * r + 33039 * g + 6416 * b + 32768) / 65536);
-        frame[luma + count + i] = static_cast<char>((-9714 * r - 19070 * g + 28784 * b + 128 * 65536 + 32768) / 65536);
+        // In 1/65536: the matrix of BT.709 times 219/255 and 224/255, rounded; each row of chroma adds up to 0.
+        frame[luma + i] = static_cast<char>(16 + (11966 * r + 40254 * g + 4064 * b + 32768) / 65536);
+        frame[luma + count + i] = static_cast<char>((-6596 * r - 22189 * g + 28785 * b + 128 * 65536 + 32768) / 65536);
         frame[luma + 2 * count + i] =
-            static_cast<char>((28784 * r - 24103 * g - 4681 * b + 128 * 65536 + 32768) / 65536);
+            static_cast<char>((28785 * r - 26145 * g - 2640 * b + 128 * 65536 + 32768) / 65536);
     }
     return frame;
 }

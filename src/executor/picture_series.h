@@ -12,10 +12,12 @@ namespace gnomon::executor {
 /// than one, or a percent sign of another kind.
 std::optional<std::string> numberedName(const std::string& pattern, int number);
 
-/// The head of a YUV4MPEG2 stream of pictures of that size, progressive, square pixels, 4:4:4.
+/// The head of a YUV4MPEG2 stream of pictures of that size, progressive, square pixels, 4:4:4, limited range. Pictures
+/// of odd sizes have no other format.
 std::string y4mHeader(int width, int height, double framesPerSecond);
 
-/// `picture` as a frame of such a stream: BT.601 in the range 16 to 235, as encoders take what is not said.
+/// `picture` as a frame of such a stream: BT.709 in the range 16 to 235. A stream cannot name its matrix, so encoders
+/// must be told (docs/looks.md).
 std::string y4mFrame(const Picture& picture);
 
 } // namespace gnomon::executor

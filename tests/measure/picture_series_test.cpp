@@ -26,7 +26,7 @@ TEST(NumberedName, HasItsNumberInOnePlace) {
 
 // Black, white and grey have no colour, and each channel stays in the range of video.
 TEST(Y4m, IsInTheRangeOfVideo) {
-    EXPECT_EQ(executor::y4mHeader(4, 2, 29.97), "YUV4MPEG2 W4 H2 F29970:1000 Ip A1:1 C444\n");
+    EXPECT_EQ(executor::y4mHeader(4, 2, 29.97), "YUV4MPEG2 W4 H2 F29970:1000 Ip A1:1 C444 XCOLORRANGE=LIMITED\n");
     executor::Picture picture(256, 3);
     for (int i = 0; i < 256; ++i) {
         const auto level = static_cast<std::uint8_t>(i);

@@ -24,7 +24,8 @@ void requireAddressSpace(const char* platform) {
         throw Error(platform, "too little address space (ulimit -v)", readableBytes(kNeeded) + " more", "less");
 }
 
-Context::Context(Platform platform) : Context(platform == Platform::Osmesa ? makeOsmesaContext() : makeEglContext()) {}
+Context::Context(Platform platform, const std::function<void(const std::string&)>& warn)
+    : Context(platform == Platform::Osmesa ? makeOsmesaContext() : makeEglContext(warn)) {}
 
 Context::Context(std::unique_ptr<NativeContext> native)
     : native_(std::move(native)),

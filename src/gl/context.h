@@ -4,20 +4,23 @@
 #include "gl/api.h"
 #include "gl/native_context.h"
 
+#include <functional>
 #include <memory>
 #include <string>
 
 namespace gnomon::gl {
 
-/// Where a context comes from. `Egl` takes a GPU if EGL knows one, else EGL's surfaceless platform.
+/// Where a context comes from. `Egl` is the first GPU of EGL that can be used. If EGL knows no GPU, `Egl` is its
+/// surfaceless platform.
 enum class Platform { Osmesa, Egl };
 
 /// A context, current on the thread that made it until it is destroyed or another is made there. Everything is drawn
 /// into framebuffer objects; clip space is z in [0, 1] with the origin at the lower left.
 class Context {
 public:
-    /// Throws gnomon::Error if the library, the context or a function is missing.
-    explicit Context(Platform platform);
+    /// Tells `warn`, if given, in a line of each GPU that cannot be used. Throws gnomon::Error if the library, the
+    /// context or a function is missing.
+    explicit Context(Platform platform, const std::function<void(const std::string&)>& warn = {});
 
     /// The context that `native` is, current on this thread. Throws gnomon::Error if a function is missing.
     explicit Context(std::unique_ptr<NativeContext> native);

@@ -1,3 +1,4 @@
+#include "core/formatted.h"
 #include "gl/context.h"
 #include "gl/native_context.h"
 
@@ -31,18 +32,20 @@ public:
         return reinterpret_cast<Function>(function<PFNEGLGETPROCADDRESSPROC>("eglGetProcAddress")(name));
     }
 
-    /// The first device that is not Mesa's software one; EGL_NO_DEVICE_EXT if there is none.
-    EGLDeviceEXT gpu() const {
+    /// The devices that are not Mesa's software one, in EGL's order.
+    std::vector<EGLDeviceEXT> gpus() const {
         const auto queryDevices = extension<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
         const auto queryString = extension<PFNEGLQUERYDEVICESTRINGEXTPROC>("eglQueryDeviceStringEXT");
-        if (queryDevices == nullptr || queryString == nullptr) return EGL_NO_DEVICE_EXT;
+        if (queryDevices == nullptr || queryString == nullptr) return {};
         EGLint count = 0;
-        if (queryDevices(0, nullptr, &count) == EGL_FALSE || count == 0) return EGL_NO_DEVICE_EXT;
+        if (queryDevices(0, nullptr, &count) == EGL_FALSE || count == 0) return {};
         std::vector<EGLDeviceEXT> devices(static_cast<std::size_t>(count));
-        if (queryDevices(count, devices.data(), &count) == EGL_FALSE) return EGL_NO_DEVICE_EXT;
-        for (EGLDeviceEXT device : devices)
-            if (!hasWord(queryString(device, EGL_EXTENSIONS), "EGL_MESA_device_software")) return device;
-        return EGL_NO_DEVICE_EXT;
+        if (queryDevices(count, devices.data(), &count) == EGL_FALSE) return {};
+        devices.resize(static_cast<std::size_t>(count));
+        std::erase_if(devices, [&](EGLDeviceEXT device) {
+            return hasWord(queryString(device, EGL_EXTENSIONS), "EGL_MESA_device_software");
+        });
+        return devices;
     }
 
 private:
@@ -60,17 +63,20 @@ constexpr std::array<EGLint, 7> kContextAttributes = {
 
 class EglContext final : public NativeContext {
 public:
-    EglContext() {
+    explicit EglContext(const std::function<void(const std::string&)>& warn) {
         requireAddressSpace("EGL");
+        const std::vector<EGLDeviceEXT> gpus = egl_.gpus();
         const auto platformDisplay = egl_.function<PFNEGLGETPLATFORMDISPLAYPROC>("eglGetPlatformDisplay");
-        const EGLDeviceEXT device = egl_.gpu();
-        display_ = device != EGL_NO_DEVICE_EXT
-                       ? platformDisplay(EGL_PLATFORM_DEVICE_EXT, device, nullptr)
-                       : platformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
-        if (display_ == EGL_NO_DISPLAY ||
-            egl_.function<PFNEGLINITIALIZEPROC>("eglInitialize")(display_, nullptr, nullptr) == EGL_FALSE)
-            throw Error("EGL", "no display without a window system");
-        makeContext();
+        if (gpus.empty()) open(platformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
+        for (std::size_t i = 0; i < gpus.size() && context_ == EGL_NO_CONTEXT; ++i) {
+            try {
+                open(platformDisplay(EGL_PLATFORM_DEVICE_EXT, gpus[i], nullptr));
+            } catch (const Error& error) {
+                const std::string failure = formatted("GPU %zu of %zu: ", i + 1, gpus.size()) + error.what();
+                if (i + 1 == gpus.size()) throw Error("EGL", "no GPU can be used; the last failed: " + failure);
+                if (warn) warn(failure + "; the next GPU is tried");
+            }
+        }
     }
 
     ~EglContext() override {
@@ -95,6 +101,14 @@ public:
 private:
     bool isCurrent() const { return current_() == context_; }
 
+    void open(EGLDisplay display) {
+        display_ = display;
+        if (display_ == EGL_NO_DISPLAY ||
+            egl_.function<PFNEGLINITIALIZEPROC>("eglInitialize")(display_, nullptr, nullptr) == EGL_FALSE)
+            throw Error("EGL", "no display without a window system");
+        makeContext();
+    }
+
     void makeContext() {
         if (egl_.function<PFNEGLBINDAPIPROC>("eglBindAPI")(EGL_OPENGL_API) == EGL_FALSE)
             throw Error("EGL", "no desktop OpenGL");
@@ -118,13 +132,13 @@ private:
 
 } // namespace
 
-std::unique_ptr<NativeContext> makeEglContext() {
-    return std::make_unique<EglContext>();
+std::unique_ptr<NativeContext> makeEglContext(const std::function<void(const std::string&)>& warn) {
+    return std::make_unique<EglContext>(warn);
 }
 
 bool hasGpu() {
     const Egl egl;
-    return egl.isOpen() && egl.gpu() != EGL_NO_DEVICE_EXT;
+    return egl.isOpen() && !egl.gpus().empty();
 }
 
 } // namespace gnomon::gl

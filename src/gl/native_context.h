@@ -5,7 +5,9 @@
 #include "gl/api.h"
 
 #include <cstring>
+#include <functional>
 #include <memory>
+#include <string>
 
 #include <dlfcn.h>
 
@@ -34,8 +36,9 @@ void requireAddressSpace(const char* platform);
 /// A core 4.5 context of OSMesa. Throws Error if there is none.
 std::unique_ptr<NativeContext> makeOsmesaContext();
 
-/// A core 4.5 context of EGL without a surface: on a GPU if there is one. Throws Error if there is none.
-std::unique_ptr<NativeContext> makeEglContext();
+/// A core 4.5 context of EGL without a surface, on the first GPU that can be used; on EGL's surfaceless platform if EGL
+/// knows no GPU. Tells `warn`, if given, why a GPU cannot be used. Throws Error if there is none.
+std::unique_ptr<NativeContext> makeEglContext(const std::function<void(const std::string&)>& warn);
 
 /// A shared library opened when it is needed: linking it would load LLVM into every `gnomon build`. It stays open,
 /// since drivers do not survive being unloaded.

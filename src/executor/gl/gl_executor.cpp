@@ -369,8 +369,12 @@ bool GlExecutor::waitsForDraws() const {
 
 } // namespace
 
-std::unique_ptr<Executor> makeGlExecutor(gl::Platform platform, const gl::ShaderLibrary& shaders, Bytes gpuMemory) {
-    auto context = std::make_unique<const gl::Context>(platform);
+std::unique_ptr<Executor> makeGlExecutor(
+    gl::Platform platform,
+    const gl::ShaderLibrary& shaders,
+    Bytes gpuMemory,
+    const std::function<void(const std::string&)>& warn) {
+    auto context = std::make_unique<const gl::Context>(platform, warn);
     const gl::Context& ours = *context;
     const char* const name = platform == gl::Platform::Egl ? "egl" : "osmesa";
     const GlSubmission submission =

@@ -18,9 +18,13 @@ enum class GlSubmission {
     Queues,            // a GPU with a window: times are those of the last frame that is known to be done
 };
 
-/// Draws with `platform`'s context; image, maps and geometry stay under `gpuMemory`. Throws Error if there is no
-/// context.
-std::unique_ptr<Executor> makeGlExecutor(gl::Platform platform, const gl::ShaderLibrary& shaders, Bytes gpuMemory);
+/// Draws with `platform`'s context; image, maps and geometry stay under `gpuMemory`. Tells `warn`, if given, which GPUs
+/// cannot be used. Throws Error if there is no context.
+std::unique_ptr<Executor> makeGlExecutor(
+    gl::Platform platform,
+    const gl::ShaderLibrary& shaders,
+    Bytes gpuMemory,
+    const std::function<void(const std::string&)>& warn = {});
 
 /// An executor whose picture can be shown where it was drawn, without reading it back.
 class TextureExecutor : public Executor {

@@ -13,6 +13,7 @@
 #include "settings/files/named_files.h"
 #include "settings/resolve.h"
 #include "settings/table.h"
+#include "telemetry/shortfall.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -141,6 +142,7 @@ public:
         std::vector<report::RunSummary> summaries;
         std::transform(results.begin(), results.end(), std::back_inserter(summaries), measure::summary);
         context_["first_frame_ms"] = std::to_string(results.front().firstFrameMs);
+        tellShortfall(results);
         csv_.write(measure::csvText(results)); // before what may be stopped: it has taken the longest
         json_.write(measure::benchmarkText(context_, results, farm_.report()));
         std::fputs(measure::tableText(summaries).c_str(), stdout);
@@ -158,6 +160,14 @@ public:
     }
 
 private:
+    static void tellShortfall(const std::vector<measure::RunResult>& results) {
+        telemetry::Shortfall shortfall;
+        for (const measure::RunResult& result : results)
+            for (const telemetry::FrameRow& row : result.rows)
+                shortfall.add(row);
+        if (const std::string line = measure::shortfallLine(shortfall); !line.empty()) printWarning(line);
+    }
+
     std::string ownFile(const std::string& path) const { return farm_.isLed() ? std::string() : path; }
 
     measure::BenchWalks walks() { return {session_, path_, runs_, options_.walk, farm_}; }

@@ -30,7 +30,7 @@ void runExplain(const ExplainOptions& options) {
     if (!quality.mapsBecause && !isSoftware) quality.mapsBecause = plan::ShadowReason::ExecutorHasMaps;
     settings.backend = settings::Backend::Software; // nothing is drawn, so no context is made
     measure::Session session(options.model, settings, printWarning);
-    session.renderer().planFor({.drawsLogRows = isSoftware});
+    session.renderer().planFor(isSoftware ? plan::kSoftwareCapabilities : plan::kOpenGlCapabilities);
     const plan::FramePlan plan = session.renderer().plan(settings::viewOf(settings, session.model()), quality);
     const std::string text =
         options.json ? telemetry::jsonText(settings::planJson(plan), 1) + "\n" : settings::planText(plan);

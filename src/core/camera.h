@@ -28,6 +28,8 @@ struct Camera {
 
     /// Whether the lines of sight are parallel.
     bool isParallel() const { return projection == Projection::Orthographic; }
+
+    bool operator==(const Camera&) const = default;
 };
 
 /// Half the height of what the picture of `camera` shows at the depth of its target, world units.

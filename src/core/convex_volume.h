@@ -14,6 +14,8 @@ struct Plane {
     double offset = 0;
 
     double signedDistance(const glm::dvec3& point) const { return glm::dot(normal, point) + offset; }
+
+    bool operator==(const Plane&) const = default;
 };
 
 /// The points inside every plane; no planes is all of space.

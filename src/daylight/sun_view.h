@@ -45,8 +45,8 @@ public:
     /// What casts, at most.
     std::uint64_t casterTriangles() const { return frame_.cut.lists[1].triangles; }
 
-    /// The largest error of what is in view, pixels.
-    double achievedErrorPixels() const { return frame_.cut.achievedErrorPixels; }
+    /// The view as it is cut and drawn.
+    const frame::PreparedFrame& prepared() const { return frame_; }
 
 private:
     void prepare(frame::Renderer& renderer, std::span<const IntegerLight> lights);

@@ -58,9 +58,10 @@ public:
     /// What the samples and their cells take: those of the frame that had most of them.
     std::uint64_t bytes() const { return mostSamples_ * kBytesPerSample + grid_.cellBytes(); }
 
-private:
+    /// What a sample takes, with its statuses.
     static constexpr std::uint64_t kBytesPerSample = SampleList::kBytesPerSample + SampleGrid::kBytesPerSample + 2;
 
+private:
     std::size_t countDark() const;
     void removeDark(std::size_t dark);
     void takeStatuses(ExactStatistics& statistics);

@@ -102,6 +102,14 @@ enum class LightPart : std::uint8_t {
     SkyDirection, // what comes from the direction of the plan's light alone, as part of the sky
 };
 
+/// Some rows of an image, counted from the bottom.
+struct ImageRows {
+    int first = 0;
+    int count = 0;
+
+    bool operator==(const ImageRows&) const = default;
+};
+
 /// The light that a pixel's surface reflects towards the eye, linear RGB before the shoulder, 1 being full scale. Below
 /// 0 where no surface is: -1, and more by kGroundShade of what a shadow on the ground takes of the background's light.
 using LightPicture = Raster<std::array<float, 3>>;
@@ -137,9 +145,16 @@ struct FrameDrawing {
     const Raster<std::uint8_t>* litMask = nullptr;     // 255 where the light reaches, instead of maps
     const selection::DrawList* exactCasters = nullptr; // of drawExactly, besides the image's own clusters
     const raycast::CutScene* rays = nullptr;           // of both: decide what drawExactly else does by casting
+    std::optional<ImageRows> rows; // the only rows that are drawn and held, with the capability `bands`; nothing: all
     const shadow::TileMask* tiles = nullptr; // of the image, where alone it is drawn, if the executor can; null: all
-    bool cullsByReceivers = false; // maps need not hold what no pixel of the image asks for; where `drawsImageFirst`
+    bool cullsByReceivers =
+        false; // maps need not hold what no pixel of the image asks for; with the capability `imageFirst`
 };
+
+/// The rows that `frame` draws.
+inline ImageRows rowsOf(const FrameDrawing& frame) {
+    return frame.rows.value_or(ImageRows{0, frame.plan->view.height});
+}
 
 /// What one kind of passes took.
 struct PassStatistics {
@@ -200,17 +215,11 @@ public:
     /// Draws the image, lit through the maps or by the frame's `litMask`.
     virtual PassStatistics drawImage(const FrameDrawing& frame) = 0;
 
-    /// Whether `drawExactly` can be called.
-    virtual bool decidesExactly() const { return false; }
-
-    /// Whether it can carry out a plan's `skipsHidden`.
-    virtual bool skipsHidden() const { return false; }
-
-    /// Whether it can draw and look up maps with logarithmic rows, and such as are fitted to a view.
-    virtual bool drawsLogRows() const { return false; }
+    /// What it can draw.
+    virtual plan::Capabilities capabilities() const { return plan::kOpenGlCapabilities; }
 
     /// Where each pixel of the image lies whose surface faces the light, relative to the eye in camera space: where
-    /// `frame` is going to look up its maps. Nothing where `drawsLogRows` says no.
+    /// `frame` is going to look up its maps. Returns an empty list without the capability `unevenRows`.
     virtual std::vector<glm::vec3> seenPoints(const FrameDrawing& /*frame*/) { return {}; }
 
     /// Draws the image of a frame whose plan asks for exact shadows or for rays: what is visible first, then who stands
@@ -220,12 +229,10 @@ public:
     /// What geometry and textures hold since the last frame.
     virtual Bytes deviceMemory() const = 0;
 
-    /// Whether `draw` can find out what is visible before it draws the maps.
-    virtual bool drawsImageFirst() const { return false; }
-
     /// Both passes of a frame; the same picture whether receivers cull casters or not.
     virtual DrawStatistics draw(const FrameDrawing& frame);
 
+    /// Of the rows that were drawn, as is all that follows.
     virtual Picture picture() = 0;
     /// Only after a frame with `wantsLight`; what `picture` shows is made of it.
     virtual LightPicture light() = 0;

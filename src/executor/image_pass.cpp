@@ -17,7 +17,9 @@ std::optional<raster::OcclusionCounts> drawVisible(const FrameDrawing& frame, co
     pass.gather(frame, *frame.image, Cutting::BySections);
     if (frame.ground != nullptr) pass.addGround(*frame.ground);
     const raster::View seen = rasterView(frame.space, imageClipFromDraw(frame), {0, 0, view.width, view.height});
-    raster::VisibilityTarget target{buffers.words->data(), view.width, view.height};
+    const ImageRows rows = rowsOf(frame);
+    raster::VisibilityTarget target{buffers.words->data(), view.width, rows.count};
+    target.firstRow = rows.first;
     if (frame.tiles != nullptr)
         target.isWanted = [&tiles = *frame.tiles](const raster::PixelBox& box) {
             return tiles.holdsAny(box.x0, box.y0, box.x1, box.y1);
@@ -55,12 +57,14 @@ void shadeVisible(const Shading& shading, std::span<const std::uint64_t> words, 
     // Squares, since neighbours in both directions see the same triangles; small enough to share out evenly.
     constexpr int kSide = 2 * shadow::ImageTiles::kSide;
     const Picture& picture = *target.picture;
+    const ImageRows held = shading.rows();
     const int columns = (picture.width + kSide - 1) / kSide;
-    const int rows = (picture.height + kSide - 1) / kSide;
+    const int rows = (held.count + kSide - 1) / kSide;
     tbb::parallel_for(0, columns * rows, [&](int i) {
         const int x = i % columns * kSide;
-        const int y = i / columns * kSide;
-        const raster::PixelBox square{x, y, std::min(picture.width, x + kSide), std::min(picture.height, y + kSide)};
+        const int y = held.first + i / columns * kSide;
+        const raster::PixelBox square{
+            x, y, std::min(picture.width, x + kSide), std::min(held.first + held.count, y + kSide)};
         if (target.tiles == nullptr)
             shading.shade(square, words, target);
         else

@@ -7,8 +7,13 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <exception>
+#include <new>
+#include <span>
+#include <utility>
 
 #include <png.h>
 
@@ -22,36 +27,113 @@ std::string sizeText(const Picture& picture) {
 
 } // namespace
 
-std::vector<std::uint8_t> pngBytes(const Picture& picture, const std::optional<Coverage>& coverage) {
-    const void* pixels = picture.pixels.data();
-    std::vector<std::array<std::uint8_t, 4>> withAlpha;
-    if (coverage) {
+namespace {
+
+/// A picture as libpng takes it.
+class PngImage {
+public:
+    PngImage(const Picture& picture, const std::optional<Coverage>& coverage) : pixels_(picture.pixels.data()) {
+        image_.version = PNG_IMAGE_VERSION;
+        image_.width = static_cast<png_uint_32>(picture.width);
+        image_.height = static_cast<png_uint_32>(picture.height);
+        image_.format = coverage ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
+        if (!coverage) return;
         GNOMON_CHECK_OP(coverage->pixels.size(), ==, picture.pixels.size());
-        withAlpha.reserve(picture.pixels.size());
+        withAlpha_.reserve(picture.pixels.size());
         for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
             const Rgb& color = picture.pixels[i];
-            withAlpha.push_back({color[0], color[1], color[2], coverage->pixels[i]});
+            withAlpha_.push_back({color[0], color[1], color[2], coverage->pixels[i]});
         }
-        pixels = withAlpha.data();
+        pixels_ = withAlpha_.data();
     }
-    png_image image{};
-    image.version = PNG_IMAGE_VERSION;
-    image.width = static_cast<png_uint_32>(picture.width);
-    image.height = static_cast<png_uint_32>(picture.height);
-    image.format = coverage ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
+
+    /// Writes the file into `to`, or only counts its bytes if that is null.
+    void write(void* to, png_alloc_size_t& size) {
+        require(png_image_write_to_memory(&image_, to, &size, 0, pixels_, 0, nullptr) != 0);
+    }
+
+    void write(std::FILE* to) { require(png_image_write_to_stdio(&image_, to, 0, pixels_, 0, nullptr) != 0); }
+
+private:
+    void require(bool isDone) const {
+        if (!isDone) throw Error(std::string("a picture cannot be written as PNG: ") + image_.message);
+    }
+
+    png_image image_{};
+    const void* pixels_;
+    std::vector<std::array<std::uint8_t, 4>> withAlpha_;
+};
+
+/// A stream of the C library that writes to a file of ours.
+class FileStream {
+public:
+    explicit FileStream(File& file)
+        : file_(&file), stream_(::fopencookie(this, "w", {nullptr, &FileStream::put, nullptr, nullptr})) {
+        if (stream_ == nullptr) throw std::bad_alloc();
+    }
+
+    ~FileStream() {
+        if (stream_ != nullptr) std::fclose(stream_);
+    }
+
+    FileStream(const FileStream&) = delete;
+    FileStream& operator=(const FileStream&) = delete;
+    FileStream(FileStream&&) = delete;
+    FileStream& operator=(FileStream&&) = delete;
+
+    std::FILE* stream() { return stream_; }
+
+    /// Writes what is left, and throws what went wrong meanwhile.
+    void close() {
+        std::fclose(std::exchange(stream_, nullptr));
+        rethrow();
+    }
+
+    void rethrow() const {
+        if (failure_) std::rethrow_exception(failure_);
+    }
+
+private:
+    static ssize_t put(void* self, const char* bytes, std::size_t size) {
+        auto& stream = *static_cast<FileStream*>(self);
+        try {
+            stream.file_->writeAt(stream.end_, std::as_bytes(std::span(bytes, size)));
+        } catch (const Error&) {
+            stream.failure_ = std::current_exception();
+            return 0;
+        }
+        stream.end_ += size;
+        return static_cast<ssize_t>(size);
+    }
+
+    File* file_;
+    std::uint64_t end_ = 0;
+    std::exception_ptr failure_;
+    std::FILE* stream_;
+};
+
+} // namespace
+
+std::vector<std::uint8_t> pngBytes(const Picture& picture, const std::optional<Coverage>& coverage) {
+    PngImage image(picture, coverage);
     png_alloc_size_t size = 0;
-    if (png_image_write_to_memory(&image, nullptr, &size, 0, pixels, 0, nullptr) == 0)
-        throw Error(std::string("a picture cannot be written as PNG: ") + image.message);
+    image.write(nullptr, size);
     std::vector<std::uint8_t> bytes(size);
-    if (png_image_write_to_memory(&image, bytes.data(), &size, 0, pixels, 0, nullptr) == 0)
-        throw Error(std::string("a picture cannot be written as PNG: ") + image.message);
+    image.write(bytes.data(), size);
     bytes.resize(size);
     return bytes;
 }
 
 void writePng(const std::string& path, const Picture& picture, const std::optional<Coverage>& coverage) {
     AtomicFile file(path);
-    file.file().writeAt(0, std::as_bytes(std::span<const std::uint8_t>(pngBytes(picture, coverage))));
+    FileStream stream(file.file()); // the file is never in memory as a whole
+    try {
+        PngImage(picture, coverage).write(stream.stream());
+    } catch (const Error&) {
+        stream.rethrow(); // says more than libpng does
+        throw;
+    }
+    stream.close();
     file.commit();
 }
 

@@ -93,7 +93,7 @@ DrawStatistics drawByRays(Executor& executor, FrameDrawing frame, raycast::KeptT
     frame.rays = &scene;
     const Milliseconds making = watch.elapsed();
     DrawStatistics statistics;
-    if (executor.decidesExactly()) {
+    if (executor.capabilities().exactShadows) {
         statistics = executor.drawExactly(frame);
         statistics.shadows.time.count += making.count;
         return statistics;

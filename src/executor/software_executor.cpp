@@ -30,15 +30,9 @@ public:
 
     PassStatistics drawImage(const FrameDrawing& frame) override;
 
-    bool drawsImageFirst() const override { return true; }
-
     DrawStatistics draw(const FrameDrawing& frame) override;
 
-    bool decidesExactly() const override { return true; }
-
-    bool skipsHidden() const override { return true; }
-
-    bool drawsLogRows() const override { return true; }
+    plan::Capabilities capabilities() const override { return plan::kSoftwareCapabilities; }
 
     std::vector<glm::vec3> seenPoints(const FrameDrawing& frame) override {
         sizeTargets(frame);
@@ -233,17 +227,23 @@ DrawStatistics SoftwareExecutor::draw(const FrameDrawing& frame) {
 void SoftwareExecutor::sizeTargets(const FrameDrawing& frame) {
     depth_ = lensOf(frame).depth;
     isTransparent_ = isTransparent(frame);
-    const plan::View& view = frame.plan->view;
-    if (picture_.width != view.width || picture_.height != view.height) picture_ = Picture(view.width, view.height);
-    if (!frame.wantsSurfaces)
+    const int width = frame.plan->view.width;
+    const int height = rowsOf(frame).count;
+    const auto fit = [&](auto& raster) {
+        if (raster.width != width || raster.height != height) raster = {width, height};
+    };
+    fit(picture_);
+    if (frame.wantsSurfaces)
+        fit(surfaces_);
+    else
         surfaces_ = {};
-    else if (surfaces_.width != view.width || surfaces_.height != view.height)
-        surfaces_ = Raster<SurfaceSample>(view.width, view.height);
     words_.resize(picture_.pixels.size());
-    if (!frame.wantsLight)
+    if (frame.wantsLight) {
+        fit(light_);
+        fit(undecidedLight_);
+    } else {
         light_ = undecidedLight_ = {};
-    else if (light_.width != view.width || light_.height != view.height)
-        light_ = undecidedLight_ = LightPicture(view.width, view.height);
+    }
 }
 
 ImageBuffers SoftwareExecutor::imageBuffers(const FrameDrawing& frame) {

@@ -52,6 +52,7 @@ Shading::Shading(
     std::span<const DrawnCluster> clusters,
     Verdict verdict)
     : frame_(&frame),
+      rows_(rowsOf(frame)),
       clusters_(clusters),
       block_(frameBlock(frame, frame.space, clipFromDraw)),
       shadows_(shadowsBlock(frame)),
@@ -149,14 +150,14 @@ void Shading::shadeSquare(
     const raster::PixelBox& box, std::span<const std::uint64_t> words, const ShadingTarget& target, Work& work) const {
     const Picture& picture = *target.picture;
     for (int y = box.y0; y < box.y1; ++y) {
-        const std::uint64_t* row = &words[picture.index(0, y)];
-        Rgb* colors = &target.picture->at(0, picture.height - 1 - y);
-        const Rgb background = background_[static_cast<std::size_t>(picture.height - 1 - y)];
+        const std::uint64_t* row = &words[picture.index(0, y - rows_.first)];
+        Rgb* colors = &target.picture->at(0, fromTop(y));
+        const Rgb background = background_[static_cast<std::size_t>(frame_->plan->view.height - 1 - y)];
         for (int x = box.x0; x < box.x1; ++x) {
             const std::uint32_t name = raster::visibleTriangle(row[x]);
             if (row[x] == 0 || isCapName(name)) {
                 colors[x] = row[x] == 0 ? background : capColor(*frame_, name);
-                leaveUnshaded(picture.index(x, picture.height - 1 - y), row[x] != 0, target);
+                leaveUnshaded(picture.index(x, fromTop(y)), row[x] != 0, target);
                 continue;
             }
             const std::size_t i = work.batch.count++;
@@ -206,7 +207,7 @@ void Shading::gatherTriangles(Work& work) const {
     if (shared_.litSource != LitSource::Mask) return;
     const Raster<std::uint8_t>& mask = *frame_->litMask;
     for (std::size_t i = 0; i < batch.count; ++i)
-        batch.litMask[i] = static_cast<float>(mask.at(work.columns[i], mask.height - 1 - work.rows[i])) / 255.0F;
+        batch.litMask[i] = static_cast<float>(mask.at(work.columns[i], fromTop(work.rows[i]))) / 255.0F;
 }
 
 void Shading::flush(Work& work, const ShadingTarget& target) const {
@@ -223,7 +224,7 @@ void Shading::flush(Work& work, const ShadingTarget& target) const {
     Picture& picture = *target.picture;
     const bool isPainted = frame_->overlay != Overlay::None;
     for (std::size_t i = 0; i < batch.count; ++i) {
-        const std::size_t at = picture.index(work.columns[i], picture.height - 1 - work.rows[i]);
+        const std::size_t at = picture.index(work.columns[i], fromTop(work.rows[i]));
         const bool isOnGround = isGround(work, i);
         picture.pixels[at] = isPainted && !isOnGround ? painted(work, i) : unpacked(batch.color[i]);
         if (target.surfaces == nullptr) continue;
@@ -242,7 +243,7 @@ void Shading::flush(Work& work, const ShadingTarget& target) const {
 void Shading::keepFacing(const Work& work, const ShadingTarget& target) const {
     const PixelBatch& batch = work.batch;
     for (std::size_t i = 0; i < batch.count; ++i) {
-        const std::size_t at = target.picture->index(work.columns[i], target.picture->height - 1 - work.rows[i]);
+        const std::size_t at = target.picture->index(work.columns[i], fromTop(work.rows[i]));
         (*target.facing)[at] = {toVector(batch.position, i), batch.faces[i] != 0 ? 1.0F : 0.0F};
     }
 }
@@ -271,7 +272,7 @@ void Shading::keepLight(const Work& work, const ShadingTarget& target) const {
     const bool isUndecided = target.undecided != nullptr;
     const auto& shown = isUndecided ? batch.shadowLight : batch.light;
     for (std::size_t i = 0; i < batch.count; ++i) {
-        const std::size_t at = target.picture->index(work.columns[i], target.picture->height - 1 - work.rows[i]);
+        const std::size_t at = target.picture->index(work.columns[i], fromTop(work.rows[i]));
         if (isGround(work, i)) {
             target.light->pixels[at] = lightOfGround(isUndecided ? 0 : batch.lit[i]);
             if (isUndecided) target.undecidedLight->pixels[at] = lightOfGround(1);
@@ -282,19 +283,23 @@ void Shading::keepLight(const Work& work, const ShadingTarget& target) const {
     }
 }
 
+/// Whether pixel `i` of `work` counts among the lit pixels if the light reaches it. A surface that grazes the light
+/// shows none of it, and a rounding decides which side it turns to the light.
+bool Shading::countsAsLit(const Work& work, std::size_t i) const {
+    constexpr float kMinCosine = 1e-3F;
+    const PixelBatch& batch = work.batch;
+    const glm::vec3 towardsLight =
+        block_.pointReach > 0 ? glm::normalize(block_.towardsLight - toVector(batch.position, i)) : block_.towardsLight;
+    return glm::dot(toVector(batch.flatNormal, i), towardsLight) > kMinCosine && !isGround(work, i);
+}
+
 void Shading::countLit(const Work& work, const ShadingTarget& target) const {
     if (target.undecided != nullptr) return;
     const PixelBatch& batch = work.batch;
-    // What grazes the light gets none that is seen, and faces it or not by a rounding.
-    constexpr float kLeastCosine = 1e-3F;
     std::uint64_t count = 0;
     for (std::size_t i = 0; i < batch.count; ++i) {
         const bool isKnown = target.awaited == nullptr || batch.pass[i] < 0;
-        const glm::vec3 towardsLight = block_.pointReach > 0
-                                           ? glm::normalize(block_.towardsLight - toVector(batch.position, i))
-                                           : block_.towardsLight;
-        const bool isLit = batch.lit[i] > 0 && glm::dot(toVector(batch.flatNormal, i), towardsLight) > kLeastCosine;
-        count += isKnown && isLit && !isGround(work, i) ? 1U : 0U;
+        count += isKnown && batch.lit[i] > 0 && countsAsLit(work, i) ? 1U : 0U;
     }
     target.litPixels->fetch_add(count, std::memory_order_relaxed);
 }
@@ -303,7 +308,7 @@ void Shading::leaveUndecided(Work& work, const ShadingTarget& target) const {
     const PixelBatch& batch = work.batch;
     UndecidedPixels& undecided = *target.undecided;
     for (std::size_t i = 0; i < batch.count; ++i) {
-        const std::size_t at = target.picture->index(work.columns[i], target.picture->height - 1 - work.rows[i]);
+        const std::size_t at = target.picture->index(work.columns[i], fromTop(work.rows[i]));
         work.pixels[i] = static_cast<std::uint32_t>(at);
         work.tolerances[i] = undecided.tolerance;
         work.maps[i] = 0;
@@ -350,11 +355,12 @@ void Shading::leaveAwaited(Work& work, const ShadingTarget& target) const {
     std::size_t to = awaited.size.fetch_add(count, std::memory_order_relaxed);
     for (std::size_t k = 0; k < count; ++k, ++to) {
         const std::size_t i = work.awaiting[k];
-        const std::size_t at = target.picture->index(work.columns[i], target.picture->height - 1 - work.rows[i]);
+        const std::size_t at = target.picture->index(work.columns[i], fromTop(work.rows[i]));
         awaited.pixels[to] = static_cast<std::uint32_t>(at);
         awaited.texels[to] = static_cast<std::uint32_t>(batch.firstRow[i] * shared_.shadowWidth + batch.firstColumn[i]);
         awaited.litColors[to] = batch.litColor[i];
         awaited.depths[to] = batch.lookupDepth[i];
+        awaited.counts[to] = countsAsLit(work, i) ? 1 : 0;
     }
 }
 

@@ -30,12 +30,13 @@ struct UndecidedPixels {
 
 /// Pixels whose maps are still to be drawn: `mask` gets what will be looked up. Where `isLitLater` they are listed too,
 /// one after another in any order: which pixel, which texel of the depth texture, the depth that is compared with it,
-/// and the colour in the light, as PixelBatch has it.
+/// the colour in the light, as PixelBatch has it, and whether the pixel counts as lit once the light reaches it.
 struct AwaitedPixels {
     exact::LookupMask* mask = nullptr;
     bool isLitLater = false;
     std::vector<std::uint32_t> pixels, texels, litColors; // with room for every pixel; the first `size` count
     std::vector<float> depths;
+    std::vector<std::uint8_t> counts;
     std::atomic<std::size_t> size{0};
 };
 
@@ -76,8 +77,12 @@ public:
     Shading& operator=(Shading&&) = delete;
     ~Shading() = default;
 
-    /// Writes every pixel of `box` (rows from the bottom) from the words of the visibility buffer of the whole image.
+    /// Writes every pixel of `box` (rows from the bottom of the image) from the words of the visibility buffer, which
+    /// holds the same rows as the target.
     void shade(const raster::PixelBox& box, std::span<const std::uint64_t> words, const ShadingTarget& target) const;
+
+    /// The rows that targets hold.
+    ImageRows rows() const { return rows_; }
 
     /// What the kernel is told of the frame.
     const ShadingFrame& frame() const { return shared_; }
@@ -102,11 +107,16 @@ private:
     std::array<float, 3> lightOfCap(const Rgb& color) const;
     std::array<float, 3> lightOfGround(float lit) const;
 
+    /// The row of a target that holds row `row` of the image.
+    int fromTop(int row) const { return rows_.first + rows_.count - 1 - row; }
+
     bool isGround(const Work& work, std::size_t i) const;
 
+    bool countsAsLit(const Work& work, std::size_t i) const;
     void countLit(const Work& work, const ShadingTarget& target) const;
 
     const FrameDrawing* frame_;
+    ImageRows rows_;
     std::span<const DrawnCluster> clusters_;
     block::Frame block_;
     block::Shadows shadows_;

@@ -34,6 +34,12 @@ glm::dvec2 subpixelOffset(int sample) {
     return {aroundMiddle(x), aroundMiddle(y)};
 }
 
+glm::dvec2 mapShift(int sample) {
+    // The inverse of the plastic number, and its square.
+    const glm::dvec2 place = static_cast<double>(sample) * glm::dvec2(0.7548776662466927, 0.5698402909980532);
+    return place - glm::floor(place + 0.5);
+}
+
 void Accumulation::begin(Renderer& renderer, const Frame& frame, int samples) {
     renderer_ = &renderer;
     frame_ = &frame;
@@ -42,7 +48,7 @@ void Accumulation::begin(Renderer& renderer, const Frame& frame, int samples) {
     whole_ = hasSky ? wanted_ : std::max(samples, plan::leastFirstPoints(wanted_));
     const executor::FrameDrawing drawing = renderer.drawing(frame, frame.options);
     shown_ = executor::shownAs(drawing);
-    sum_.reset(shown_.hasGround);
+    sum_.reset(shown_.hasGround, executor::rowsOf(drawing).first);
     if (hasSky) {
         onGround_ = executor::groundShares(drawing);
         onGround_.sky /= static_cast<float>(plan::levelSkyLight(wanted_, plan().sky.model));
@@ -72,6 +78,7 @@ const std::shared_ptr<const shadow::TileMask>& Accumulation::tilesOf(int sample)
 void Accumulation::drawSunlit(int sample) {
     FrameOptions options = frame_->options;
     options.subpixel = subpixelOffset(sample);
+    options.mapShift = mapShift(sample);
     options.tiles = tilesOf(sample);
     const bool hasSky = plan().sky.directions > 0;
     if (hasSky) leaveSkyOut(options);
@@ -94,6 +101,7 @@ void Accumulation::take(int sample) {
     const plan::SkyPart part = plan::skyPart(sample, wanted_, plan().sky.model, plan().view.up);
     FrameOptions options = frame_->options;
     options.subpixel = subpixelOffset(sample);
+    options.mapShift = mapShift(sample);
     options.lightPart = executor::LightPart::SkyDirection;
     options.skyWeight = part.weight;
     const double level = part.weight * glm::dot(part.direction, glm::normalize(plan().view.up));

@@ -13,6 +13,10 @@ namespace gnomon::frame {
 /// middle, and of the first 2^m each rectangle of the area 2^-m whose sides are powers of two holds one.
 glm::dvec2 subpixelOffset(int sample);
 
+/// Where frame `sample` of an accumulation, from 0, moves the grids of its shadow maps: texels, each at least -1/2 and
+/// below 1/2, the first 0. The R2 sequence (Roberts 2018), which has no pattern in common with `subpixelOffset`.
+glm::dvec2 mapShift(int sample);
+
 /// The frames of a standing view, one after another, and the mean of their pictures. Where the plan of the first calls
 /// for directions of the light's disc each has one, and where it calls for those of the sky each is the sum of two
 /// drawings: in the light of the sun, of the ground and from the eye, and in that of a part of the sky. Frames that

@@ -6,6 +6,7 @@
 #include "frame/frame_cuts.h"
 #include "frame/frame_row.h"
 #include "frame/ground.h"
+#include "frame/picture_memory.h"
 #include "frame/renderer.h"
 #include "frame/scene_facts.h"
 #include "plan/caster_culling.h"
@@ -23,63 +24,72 @@ namespace gnomon::frame {
 
 namespace {
 
-Bytes sumBytes(const plan::View& view, const plan::Quality& quality) {
-    const auto pixels = static_cast<std::uint64_t>(view.width) * static_cast<std::uint64_t>(view.height);
-    const bool hasSky = quality.sky.directions > 0;
-    return executor::LightSum::bytes(pixels, quality.look.ground, hasSky);
+/// Moves the grids of all maps, which then have to be drawn.
+void moveMaps(plan::FramePlan& plan, const glm::dvec2& shift) {
+    for (plan::ShadowPass& pass : plan.passes) {
+        pass.map.shift = shift;
+        pass.isReused = false;
+    }
+}
+
+telemetry::DrawnDetail detailOf(const PreparedFrame& frame) {
+    return {
+        frame.plan.quality.errorPixels,
+        frame.cut.achievedErrorPixels,
+        frame.residency.pagesMissing,
+        frame.residency.pagesBlocked > 0};
 }
 
 } // namespace
+
+/// What `memory` has to hold of the picture: all of it, or the sums of a picture of several frames.
+Bytes Renderer::picturePart(const plan::View& view, const plan::Quality& quality, const FrameOptions& options) const {
+    if (residency_.holdsPictures()) return pictureBytes(view, quality, options);
+    if (!options.isAccumulated) return {};
+    const auto pixels = static_cast<std::uint64_t>(view.width) * static_cast<std::uint64_t>(view.height);
+    return executor::LightSum::bytes(pixels, quality.look.ground, quality.sky.directions > 0);
+}
 
 Frame Renderer::render(const plan::View& view, const plan::Quality& quality, const FrameOptions& options) {
     const Stopwatch watch;
     plan::Quality meant = quality;
     if (executor::isOfMaps(options.overlay)) meant.mapsBecause = plan::ShadowReason::MapsAskedFor;
-    margin_ = options.isAccumulated ? 0.5 : 0;
-    forgetIfJumped(view);
-    residency_.reserveSums(options.isAccumulated ? sumBytes(view, quality) : Bytes());
-    Frame frame{prepare(view, meant, options.waiting, previous_), options, {}};
-    if (options.reusesMaps) markReusedMaps(frame, options);
-    frame.isSunless = wasSunless_ && meant.look.shading == plan::Shading::Auto;
-    executor::DrawStatistics drawn = draw(frame, options);
-    if (hasSunWrong(frame)) {
-        frame.isSunless = !frame.isSunless;
-        drawn = draw(frame, options);
-    }
-    wasSunless_ = frame.isSunless;
+    if (!continuesMotion(view, meant)) motion_.isSunless.reset();
+    residency_.reservePicture(picturePart(view, meant, options));
+    Frame frame{prepare(view, meant, options.waiting, frameBefore(view, meant), options.margin()), options, {}};
+    const executor::DrawStatistics drawn = drawWithOrWithoutSun(frame);
     if (frame.isSunless) plan::leaveLightSamplingOut(frame.plan);
     if (drawn.exact && drawn.exact->endedEarly)
         frame.plan.omitted.push_back({plan::Effect::LateCasters, plan::OmissionReason::AllAreDark});
     frame.row =
         frameRow(frame, drawn, {model_->path(), executor_->name(), residency_.statistics(), residency_.rayTreeBytes()});
     frame.row.totalMs = watch.elapsed().count;
-    previous_ = std::make_shared<const plan::PlannedFrame>(plan::PlannedFrame{frame.plan, frame.memory});
-    viewBefore_ = view;
-    farthestBefore_ = frame.facts.visible ? frame.facts.visible->farthest : 0;
+    shortfall_.add(frame.row);
+    motion_.previous = std::make_shared<const plan::PlannedFrame>(plan::PlannedFrame{frame.plan, frame.memory});
+    motion_.view = view;
+    motion_.quality = meant;
+    motion_.farthest = frame.facts.visible ? frame.facts.visible->farthest : 0;
     return frame;
 }
 
 void Renderer::chooseOcclusion(PreparedFrame& frame) const {
-    const bool canSkip = executor_->skipsHidden();
-    const bool isOpen = canSkip && frame.plan.quality.occlusion == plan::Choice::Auto;
+    const bool isOpen = capabilities().occlusionCulling && frame.plan.quality.occlusion == plan::Choice::Auto;
     const double layers =
         isOpen ? culling::imageLayers(cutQuery(residency_, frame), frame.cut.lists[0], plan::kLeastLayers) : 0;
-    plan::chooseOcclusion(frame.plan, layers, canSkip);
+    plan::chooseOcclusion(frame.plan, layers);
 }
 
 void Renderer::planAnew(PreparedFrame& frame, const plan::View& view, const plan::Quality& quality) const {
     const plan::PlanMemory memory = frame.before ? frame.before->memory : plan::PlanMemory{};
-    const plan::ExecutorFacts executor = plannedFor_.value_or(plan::ExecutorFacts{executor_->drawsLogRows()});
-    plan::PlannedFrame planned = plan::planFrame(view, quality, frame.facts, memory, executor);
+    plan::PlannedFrame planned = plan::planFrame(view, quality, frame.facts, memory, capabilities());
     frame.plan = std::move(planned.plan);
     frame.memory = std::move(planned.memory);
-    plan::chooseCasterCulling(
-        frame.plan, executor_->drawsImageFirst() ? plan::MapOrder::ImageFirst : plan::MapOrder::MapsFirst);
+    plan::chooseCasterCulling(frame.plan);
     chooseOcclusion(frame);
 }
 
 void Renderer::fitToView(PreparedFrame& frame, const plan::View& view, const plan::Quality& quality) {
-    const bool isFitted = frame.plan.quality.warp.rule == shadow::WarpRule::Fitted && executor_->drawsLogRows();
+    const bool isFitted = frame.plan.quality.warp.rule == shadow::WarpRule::Fitted && capabilities().unevenRows;
     if (!isFitted || view.pointLight || !frame.facts.light) return;
     // Casters call for detail by the texels of their maps, and that is seen: so few pixels show something else now.
     constexpr int kRounds = 4;
@@ -101,7 +111,8 @@ PreparedFrame Renderer::prepareAs(
     const plan::View& view,
     const plan::Quality& quality,
     Waiting waiting,
-    const std::shared_ptr<const plan::PlannedFrame>& before) {
+    const std::shared_ptr<const plan::PlannedFrame>& before,
+    double margin) {
     const hierarchy::ModelSummary& model = model_->summary();
     residency_.keepRayTrees(quality.shadows == plan::ShadowMode::Rays);
     double streamMs = 0; // all that waiting costs: the rounds but the last are made for it
@@ -121,7 +132,7 @@ PreparedFrame Renderer::prepareAs(
             isPredicted ? predictedErrorPixels(view, quality.errorPixels) : std::numeric_limits<double>::infinity();
         double surveyedPixels = 0;
         do { // once, but for a cap that casters raise the error under: what is surveyed has to be what is drawn
-            addTime(frame.selectMs, [&] { cutImage(frame, {view, margin_}, quality, range, residency_, model.grid); });
+            addTime(frame.selectMs, [&] { cutImage(frame, {view, margin}, quality, range, residency_, model.grid); });
             surveyedPixels = frame.errorPixels;
             addTime(frame.cullMs, [&] {
                 frame.facts =
@@ -143,15 +154,17 @@ PreparedFrame Renderer::prepareAs(
     }
 }
 
-executor::DrawStatistics Renderer::draw(const PreparedFrame& frame, const FrameOptions& options) {
-    heldMaps_.reset();
+executor::DrawStatistics Renderer::draw(PreparedFrame& frame, const FrameOptions& options) {
+    moveMaps(frame.plan, options.mapShift);
+    heldMaps_.mark(frame, options);
+    heldMaps_.clear();
     executor::FrameDrawing drawing = this->drawing(frame, options);
     if (frame.hasOneCasterList()) drawing.exactCasters = &frame.cut.lists[1];
     if (frame.isExact()) return executor_->drawExactly(drawing);
     if (frame.isRayTraced()) return executor::drawByRays(*executor_, drawing, residency_.rayTrees());
     executor::DrawStatistics statistics = executor_->draw(drawing);
     if (frame.plan.quality.shadows == plan::ShadowMode::Exact) statistics.exact.emplace(); // nothing to decide
-    rememberMaps(frame, options, statistics.culled.has_value());
+    heldMaps_.hold(frame, options, statistics.culled.has_value());
     return statistics;
 }
 
@@ -164,14 +177,23 @@ void Renderer::drawTowards(const Frame& frame, const glm::dvec3& towardsLight, c
     const bool hasSky = frame.plan.sky.directions > 0;
     ground_ = groundOf(
         hasSky ? frame.plan.view : view, frame.plan.quality.look, {model.bounds, model.grid, model_->pages()}, hasSky);
-    PreparedFrame turned = prepareAs(view, frame.plan.quality, Waiting::UntilComplete, nullptr);
+    PreparedFrame turned = prepareAs(view, frame.plan.quality, Waiting::UntilComplete, nullptr, options.margin());
     turned.isSunless = frame.isSunless;
     draw(turned, options);
+    shortfall_.add(detailOf(turned));
 }
 
 void Renderer::drawSample(const PreparedFrame& frame, const FrameOptions& options) {
     executor::FrameDrawing drawing = this->drawing(frame, options);
     if (frame.hasOneCasterList()) drawing.exactCasters = &frame.cut.lists[1];
+    plan::FramePlan moved;
+    if (options.mapShift != glm::dvec2(0) && !frame.plan.passes.empty()) {
+        moved = frame.plan;
+        moveMaps(moved, options.mapShift);
+        drawing.plan = &moved;
+        heldMaps_.clear();
+        executor_->drawShadowMaps(drawing);
+    }
     if (frame.isExact())
         executor_->drawExactly(drawing);
     else if (frame.isRayTraced())

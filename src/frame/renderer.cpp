@@ -3,7 +3,6 @@
 #include "executor/lod_substitutes.h"
 #include "executor/view/section_memory.h"
 #include "frame/frame_cuts.h"
-#include "plan/map_reuse.h"
 #include "plan/view_jump.h"
 
 #include <algorithm>
@@ -37,56 +36,45 @@ Renderer::Renderer(const hierarchy::ModelFile& model, executor::Executor& execut
       sections_(std::make_shared<executor::SectionMemory>()) {}
 
 plan::FramePlan Renderer::plan(const plan::View& view, const plan::Quality& quality) {
-    return prepare(view, quality, Waiting::UntilComplete, previous_).plan;
+    return prepare(view, quality, Waiting::UntilComplete, frameBefore(view, quality)).plan;
 }
 
-/// What the frames before drew is still there to be told of.
-void Renderer::forgetIfJumped(const plan::View& view) {
-    if (!previous_ || !plan::hasJumped(*viewBefore_, farthestBefore_, view)) return;
-    previous_ = std::make_shared<const plan::PlannedFrame>(plan::PlannedFrame{previous_->plan, {}});
-    wasSunless_ = false;
+bool Renderer::continuesMotion(const plan::View& view, const plan::Quality& quality) const {
+    return motion_.previous && plan::isSameMotion({motion_.view, motion_.quality}, {view, quality}) &&
+           !plan::hasJumped(motion_.view, motion_.farthest, view);
 }
 
-/// Whether so much of the frame that was just drawn is lit, or so little, that it has to be drawn the other way. Where
-/// the frame before was drawn without sun it takes more light to bring it back, so that nothing flickers.
-bool Renderer::hasSunWrong(const Frame& frame) const {
-    constexpr double kNextToNothing = 0.005; // of the pixels
-    constexpr double kEnough = 0.02;
-    const plan::FramePlan& plan = frame.plan;
-    const bool isLeftOpen = plan.quality.look.shading == plan::Shading::Auto && !frame.options.observerCamera;
-    if (!isLeftOpen || !frame.facts.visible || !frame.facts.visible->anything) return false;
-    const double pixels = static_cast<double>(plan.view.width) * plan.view.height;
+/// What the frame before drew stays known.
+std::shared_ptr<const plan::PlannedFrame> Renderer::frameBefore(
+    const plan::View& view, const plan::Quality& quality) const {
+    if (!motion_.previous || continuesMotion(view, quality)) return motion_.previous;
+    return std::make_shared<const plan::PlannedFrame>(plan::PlannedFrame{motion_.previous->plan, {}});
+}
+
+/// Whether Shading::Auto leaves the sun out of `frame`, which was just drawn with it: the sun reaches next to nothing.
+/// Returns nothing if that is not known yet.
+std::optional<bool> Renderer::isWithoutSun(const Frame& frame) const {
+    if (ground_) return false; // nothing but the sun's shadow shows it
+    if (frame.options.observerCamera || !frame.facts.visible || !frame.facts.visible->anything) return std::nullopt;
     const std::optional<std::uint64_t> litPixels = executor_->litPixels();
-    if (!litPixels) return false;
-    const double lit = static_cast<double>(*litPixels) / pixels;
-    return frame.isSunless ? lit >= kEnough : lit < kNextToNothing;
+    if (!litPixels) return std::nullopt;
+    return isNextToNothing(*litPixels, frame.plan.view);
 }
 
-void Renderer::markReusedMaps(PreparedFrame& frame, const FrameOptions& options) const {
-    if (!heldMaps_) return;
-    const HeldMaps& held = *heldMaps_;
-    if (held.isCulled) {
-        // What is missing from them was missed by nobody, as long as the very same is asked.
-        const bool isAskedTheSame =
-            cullsByReceivers(frame, options) && !options.observerCamera && !held.options.observerCamera &&
-            options.overlay == held.options.overlay && options.subpixel == held.options.subpixel &&
-            options.wantsSurfaces == held.options.wantsSurfaces && frame.cut.lists[0].ranges == held.image &&
-            plan::isSameQuestion(frame.plan, held.plan);
-        if (!isAskedTheSame) return;
-    }
-    for (std::size_t p = 0; p < frame.plan.passes.size(); ++p)
-        frame.plan.passes[p].isReused =
-            plan::isSameMap(frame.plan, held.plan, p) && frame.cut.lists[p + 1].ranges == held.casters[p];
+bool Renderer::isNextToNothing(std::uint64_t litPixels, const plan::View& view) {
+    constexpr double kNextToNothing = 0.005; // of the pixels
+    return static_cast<double>(litPixels) < kNextToNothing * view.width * view.height;
 }
 
-void Renderer::rememberMaps(const PreparedFrame& frame, const FrameOptions& options, bool isCulled) {
-    HeldMaps& held = heldMaps_.emplace();
-    held.plan = frame.plan;
-    held.isCulled = isCulled;
-    held.image = frame.cut.lists[0].ranges;
-    held.options = options;
-    for (std::size_t p = 0; p < frame.plan.passes.size(); ++p)
-        held.casters.push_back(frame.cut.lists[p + 1].ranges);
+/// The first frame of a motion decides for all of it, so that no walk switches between sun and headlight.
+executor::DrawStatistics Renderer::drawWithOrWithoutSun(Frame& frame) {
+    const bool isLeftOpen = frame.plan.quality.look.shading == plan::Shading::Auto;
+    frame.isSunless = isLeftOpen && !ground_ && motion_.isSunless.value_or(false);
+    executor::DrawStatistics drawn = draw(frame, frame.options);
+    if (!isLeftOpen || motion_.isSunless) return drawn;
+    motion_.isSunless = isWithoutSun(frame);
+    frame.isSunless = motion_.isSunless.value_or(false);
+    return frame.isSunless ? draw(frame, frame.options) : drawn;
 }
 
 executor::FrameDrawing Renderer::drawing(const PreparedFrame& frame, const FrameOptions& options) const {
@@ -132,6 +120,7 @@ executor::FrameDrawing Renderer::drawing(const PreparedFrame& frame, const Frame
     drawing.skyWeight = options.skyWeight;
     drawing.groundShade = options.groundShade;
     drawing.tiles = options.tiles.get();
+    drawing.rows = options.rows;
     drawing.wantsLight = options.isAccumulated && !options.wantsSurfaces;
     drawing.cullsByReceivers = cullsByReceivers(frame, options);
     return drawing;

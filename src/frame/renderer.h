@@ -2,49 +2,26 @@
 #pragma once
 
 #include "culling/receivers.h"
+#include "frame/held_maps.h"
 #include "frame/prepared_frame.h"
 #include "frame/residency.h"
 #include "hierarchy/model_file.h"
 #include "telemetry/frame_row.h"
+#include "telemetry/shortfall.h"
 
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace gnomon::frame {
 
 class ExactEstimate;
 
-/// How a frame is drawn, besides view and quality.
-struct FrameOptions {
-    Waiting waiting = Waiting::UntilComplete;
-    executor::Overlay overlay = executor::Overlay::None;
-    bool wantsSurfaces = false;           // keep what the executor's `surfaces` returns
-    bool reusesMaps = true;               // where the frame before left the very same ones
-    bool wantsWholeMaps = false;          // to be looked at besides this image: receivers cull none of their casters
-    std::optional<Camera> observerCamera; // sees the frame of the view from outside: its cut, its casters, its maps
-    glm::dvec2 subpixel{0};               // where pixels are sampled, as FrameDrawing has it; at most half a pixel off
-    bool isAccumulated = false;           // `drawSample` is to follow: the cut reaches half a pixel beyond the image,
-                                          // maps are whole, and the executor keeps the light
-    executor::LightPart lightPart = executor::LightPart::All;
-    double skyWeight = 0;                          // as FrameDrawing has it
-    std::optional<glm::vec3> groundShade;          // likewise
-    std::shared_ptr<const shadow::TileMask> tiles; // likewise
-};
-
 /// A frame that was drawn once.
 struct Frame : PreparedFrame {
     FrameOptions options;
     telemetry::FrameRow row;
-};
-
-/// What the executor's depth texture holds.
-struct HeldMaps {
-    plan::FramePlan plan;
-    std::vector<std::vector<selection::ClusterRange>> casters; // by pass
-    bool isCulled = false;                                     // by what the image looked up
-    std::vector<selection::ClusterRange> image;                // that did
-    FrameOptions options;
 };
 
 /// Draws a model frame by frame.
@@ -54,36 +31,58 @@ public:
     /// tables take.
     Renderer(const hierarchy::ModelFile& model, executor::Executor& executor, ResidencyOptions options);
 
-    /// The frame of a view; the executor holds its picture. Its plan is steadied by that of the frame before, unless
-    /// the view is a jump from that one's (plan/view_jump.h).
+    /// Draws the frame of a view; the executor holds its picture. The frame before steadies its plan and decides its
+    /// shading if both are frames of one motion (plan/view_jump.h). Otherwise the picture depends on no frame before.
     Frame render(const plan::View& view, const plan::Quality& quality, const FrameOptions& options);
 
     /// The plan alone, refined with what the hierarchy answers; nothing is drawn.
     plan::FramePlan plan(const plan::View& view, const plan::Quality& quality);
 
     /// Plans from now on for an executor that can do so much, which is not the one that draws.
-    void planFor(const plan::ExecutorFacts& executor) { plannedFor_ = executor; }
+    void planFor(const plan::Capabilities& executor) { plannedFor_ = executor; }
+
+    /// What the frames of a motion share. Frames that begin with the same state are planned and shaded alike.
+    struct Motion {
+        std::shared_ptr<const plan::PlannedFrame> previous;
+        plan::View view; // of the frame before, as it was asked for
+        plan::Quality quality;
+        double farthest = 0;           // depth that the frame before saw
+        std::optional<bool> isSunless; // of the frames with Shading::Auto; nothing: not decided yet
+    };
+
+    const Motion& motion() const { return motion_; }
+
+    /// Lets the next frame follow the frames that `motion` comes from.
+    void continueFrom(const Motion& motion) { motion_ = motion; }
+
+    /// Whether the light reaches so few of the pixels that Shading::Auto leaves the sun out.
+    static bool isNextToNothing(std::uint64_t litPixels, const plan::View& view);
+
+    /// Whether the last frame has a ground, in view or not.
+    bool hasGround() const { return ground_ != nullptr; }
 
     /// Forgets the frames before, so that the next plan depends on its view alone.
     void forget() {
-        previous_.reset();
-        wasSunless_ = false;
-        heldMaps_.reset();
+        motion_ = {};
+        heldMaps_.clear();
     }
 
     /// Chooses the mode of the shadows where it is left open; then plans and cuts a view as the frame after `before`
-    /// (null: the first), and makes its pages resident; draws nothing, and the next frame does not know of it.
+    /// (null: the first), and makes its pages resident; draws nothing, and the next frame does not know of it. The cut
+    /// reaches `margin` pixels beyond the image.
     PreparedFrame prepare(
         const plan::View& view,
         const plan::Quality& quality,
         Waiting waiting,
-        const std::shared_ptr<const plan::PlannedFrame>& before);
+        const std::shared_ptr<const plan::PlannedFrame>& before,
+        double margin = 0);
 
-    /// Draws a frame, one that was drawn before too, as long as it is the last that was prepared.
-    executor::DrawStatistics draw(const PreparedFrame& frame, const FrameOptions& options);
+    /// Draws a frame, one that was drawn before too, as long as it is the last that was prepared. Its plan then says
+    /// which maps were used again.
+    executor::DrawStatistics draw(PreparedFrame& frame, const FrameOptions& options);
 
     /// Draws the image of the last frame that was rendered once more, one with `isAccumulated`, where `options` samples
-    /// its pixels: by the same cut and the same maps, as the frame left them.
+    /// its pixels: by the same cut. The maps are drawn again if `options` move them.
     void drawSample(const PreparedFrame& frame, const FrameOptions& options);
 
     /// Draws the view of `frame` in light from another direction, of any length above 0, planned and cut anew with the
@@ -93,6 +92,15 @@ public:
 
     /// What the executor gets to draw `frame`, which must outlive it.
     executor::FrameDrawing drawing(const PreparedFrame& frame, const FrameOptions& options) const;
+
+    /// Keeps room for the picture of a frame that is still to come.
+    void reservePicture(const plan::View& view, const plan::Quality& quality, const FrameOptions& options) {
+        residency_.reservePicture(picturePart(view, quality, options));
+    }
+
+    /// What the frames since the last call miss of the error that was asked for. Small pictures that only decide
+    /// something are to be taken out so.
+    telemetry::Shortfall takeShortfall() { return std::exchange(shortfall_, {}); }
 
     const Residency& residency() const { return residency_; }
 
@@ -108,21 +116,27 @@ private:
         const plan::View& view,
         const plan::Quality& quality,
         Waiting waiting,
-        const std::shared_ptr<const plan::PlannedFrame>& before);
+        const std::shared_ptr<const plan::PlannedFrame>& before,
+        double margin);
 
     /// The same for a view that a point light shines on.
     PreparedFrame prepareForPoint(
         const plan::View& view,
         const plan::Quality& quality,
         Waiting waiting,
-        const std::shared_ptr<const plan::PlannedFrame>& before);
+        const std::shared_ptr<const plan::PlannedFrame>& before,
+        double margin);
 
     /// `prepare` with shadows whose mode is not left open.
     PreparedFrame prepareAs(
         const plan::View& view,
         const plan::Quality& quality,
         Waiting waiting,
-        const std::shared_ptr<const plan::PlannedFrame>& before);
+        const std::shared_ptr<const plan::PlannedFrame>& before,
+        double margin);
+
+    /// The capabilities that plans are made for.
+    plan::Capabilities capabilities() const { return plannedFor_.value_or(executor_->capabilities()); }
 
     /// Plans `frame` by its facts.
     void planAnew(PreparedFrame& frame, const plan::View& view, const plan::Quality& quality) const;
@@ -131,24 +145,24 @@ private:
     /// and cuts again, until what is cut is what was looked at.
     void fitToView(PreparedFrame& frame, const plan::View& view, const plan::Quality& quality);
 
-    /// Keeps nothing of the frames before that steadies a plan if `view` is a jump from the last one's.
-    void forgetIfJumped(const plan::View& view);
+    /// Whether a frame of `view` with `quality` continues the motion of the frame before.
+    bool continuesMotion(const plan::View& view, const plan::Quality& quality) const;
 
-    bool hasSunWrong(const Frame& frame) const;
+    /// The frame before, without the memory that steadies a plan unless `view` continues its motion.
+    std::shared_ptr<const plan::PlannedFrame> frameBefore(const plan::View& view, const plan::Quality& quality) const;
+
+    std::optional<bool> isWithoutSun(const Frame& frame) const;
+    executor::DrawStatistics drawWithOrWithoutSun(Frame& frame);
+    Bytes picturePart(const plan::View& view, const plan::Quality& quality, const FrameOptions& options) const;
     void chooseOcclusion(PreparedFrame& frame) const;
-    void markReusedMaps(PreparedFrame& frame, const FrameOptions& options) const;
-    void rememberMaps(const PreparedFrame& frame, const FrameOptions& options, bool isCulled);
 
     const hierarchy::ModelFile* model_;
     executor::Executor* executor_;
-    std::optional<plan::ExecutorFacts> plannedFor_;
+    std::optional<plan::Capabilities> plannedFor_;
     Residency residency_;
-    std::shared_ptr<const plan::PlannedFrame> previous_;
-    std::optional<plan::View> viewBefore_; // as it was asked for; that of the frame before, as is:
-    double farthestBefore_ = 0;            // depth that was seen
-    bool wasSunless_ = false;              // the frame before
-    double margin_ = 0;                    // pixels around the image that the cut reaches
-    std::optional<HeldMaps> heldMaps_;
+    Motion motion_;
+    HeldMaps heldMaps_;
+    telemetry::Shortfall shortfall_;
     std::vector<culling::DepthCandidate> depthScratch_;
     std::shared_ptr<const Ground> ground_;    // of the view that is prepared
     std::shared_ptr<ExactEstimate> estimate_; // its memory; made when first needed

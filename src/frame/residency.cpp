@@ -4,6 +4,7 @@
 #include "culling/frame_cut.h"
 #include "hierarchy/validation.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -17,15 +18,22 @@ constexpr Milliseconds kUnreadPause{2000}; // before a server is asked again for
 /// with all that it hangs from.
 constexpr double kFramesAhead = 10;
 
-/// The budget of the page cache of a model that can be drawn.
-Bytes pageMemory(const hierarchy::ModelFile& model, Bytes memory) {
+constexpr Bytes kProgram = mebibytes(64); // of the process before it opens a model
+
+/// What `options` leave to tables, pages and pictures of a model that can be drawn.
+Bytes memoryBesideProgram(const hierarchy::ModelFile& model, const ResidencyOptions& options) {
     if (const auto fault = hierarchy::drawingFault(model.pages(), model.summary().grid))
         throw Error(model.path(), *fault);
-    const Bytes tables = tableBytes(model);
-    if (memory <= tables)
+    const Bytes program = options.holdsPictures ? kProgram : Bytes();
+    const Bytes least{program.count + tableBytes(model).count};
+    if (options.memory <= least)
         throw Error(
-            "page memory", "the page table alone takes more", "above " + readableBytes(tables), readableBytes(memory));
-    return {memory.count - tables.count};
+            "page memory",
+            options.holdsPictures ? "the program and the page table alone take more"
+                                  : "the page table alone takes more",
+            "above " + readableBytes(least),
+            readableBytes(options.memory));
+    return {options.memory.count - program.count};
 }
 
 bool hasMoved(const selection::DetailView& a, const selection::DetailView& b) {
@@ -46,11 +54,12 @@ Bytes tableBytes(const hierarchy::ModelFile& model) {
 
 Residency::Residency(const hierarchy::ModelFile& model, ResidencyOptions options)
     : model_(&model),
-      memory_(options.memory),
+      memory_(memoryBesideProgram(model, options)),
+      holdsPictures_(options.holdsPictures),
       source_(model),
       store_(
           source_,
-          {.budget = pageMemory(model, options.memory),
+          {.budget = {memory_.count - tableBytes(model).count},
            .loaderThreads = model.source().parallelReads(),
            .onDamaged = std::move(options.onDamaged),
            .onEvicted =
@@ -68,6 +77,24 @@ selection::CutQuery Residency::query() const {
     query.blocked = &store_.blocked();
     if (isOpen_) query.passable = model_->pages();
     return query;
+}
+
+void Residency::reservePicture(Bytes bytes) {
+    const std::uint64_t tables = tableBytes(*model_).count;
+    const std::uint64_t left = memory_.count - std::min(memory_.count, tables + bytes.count);
+    const std::uint64_t working = holdsPictures_ ? left / 3 : 0;
+    const Bytes least{tables + bytes.count + store_.pinned().count + store_.pinned().count / 2};
+    if (holdsPictures_ && least > memory_)
+        throw Error(
+            "page memory",
+            "a picture of this size does not fit into it",
+            "at least " + readableBytes({least.count + kProgram.count}),
+            readableBytes({memory_.count + kProgram.count}));
+    const Bytes reserved{bytes.count + working};
+    // Pages that are there already would be in the way of a picture that takes more than the ones before.
+    if (reserved == picture_ || (holdsPictures_ && reserved < picture_)) return;
+    store_.reserve({reserved.count + reserved_.count});
+    picture_ = reserved;
 }
 
 void Residency::keepRayTrees(bool areKept) {

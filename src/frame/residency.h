@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/check.h"
+#include "frame/frame_options.h"
 #include "hierarchy/model_file.h"
 #include "raycast/kept_trees.h"
 #include "selection/cut.h"
@@ -14,18 +15,15 @@
 
 namespace gnomon::frame {
 
-/// How frames treat what is not resident.
-enum class Waiting : std::uint8_t {
-    UntilComplete, // a frame waits until its cut is resident, and nothing is prefetched: everything but times repeats
-    Never,         // a frame draws what is there; pages are prefetched along the motion
-};
-
 struct ResidencyOptions {
     Bytes memory = gibibytes(1); // tables and decoded pages
     std::function<void(const streaming::DamagedPage&)> onDamaged;
     /// A page that cannot be read counts as damaged, or on a server as missing, and is asked for again; else that is an
     /// error.
     bool drawsWithoutUnread = false;
+    /// Whether `memory` is that of the process: the program itself, the images and what drawing takes beside them
+    /// count, and not tables and pages alone.
+    bool holdsPictures = false;
 };
 
 /// What the tables of `model` and all that is made of them at run time take, about.
@@ -63,22 +61,22 @@ public:
     /// What trees of rays over all of `pages` would take.
     Bytes rayTreeBytesWith(std::span<const std::uint32_t> pages) const;
 
-    /// What tables and pages may take.
+    /// What tables, pages and, if it holds them, pictures may take.
     Bytes memory() const { return memory_; }
 
     /// Keeps `bytes` of the memory for something else than pages; what the last frame that waited needs stays resident.
     void reserve(Bytes bytes) {
-        store_.reserve({bytes.count + sums_.count});
+        store_.reserve({bytes.count + picture_.count});
         reserved_ = bytes;
     }
 
-    /// Likewise for the sums of a picture of several frames, besides. Throws Error if they do not fit beside the pages
-    /// that always stay.
-    void reserveSums(Bytes bytes) {
-        if (bytes == sums_) return;
-        store_.reserve({bytes.count + reserved_.count});
-        sums_ = bytes;
-    }
+    /// Likewise for a picture, besides. If `memory` holds the images, a third of what is left is for what drawing makes
+    /// of the pages. Throws Error, with the memory that the picture needs, if it does not fit beside the pages that
+    /// always stay. If `memory` holds the images, the room of the largest picture so far stays reserved.
+    void reservePicture(Bytes bytes);
+
+    /// Whether `memory` holds the images too.
+    bool holdsPictures() const { return holdsPictures_; }
 
     /// Keeps room for trees of rays beside each page, in the same memory, or forgets the trees and gives that back.
     /// Throws Error if they do not fit beside the pages that always stay.
@@ -101,7 +99,8 @@ private:
     const hierarchy::ModelFile* model_;
     Bytes memory_;
     Bytes reserved_;
-    Bytes sums_;
+    Bytes picture_;
+    bool holdsPictures_ = false;
     bool hasNotWaited_ = false; // a frame
     bool isOpen_ = false;       // this frame: pages come without those above them
     streaming::FilePageSource source_;

@@ -31,11 +31,13 @@ PreparedFrame Renderer::prepare(
     const plan::View& view,
     const plan::Quality& quality,
     Waiting waiting,
-    const std::shared_ptr<const plan::PlannedFrame>& before) {
+    const std::shared_ptr<const plan::PlannedFrame>& before,
+    double margin) {
     const hierarchy::ModelSummary& model = model_->summary();
     ground_ = groundOf(view, quality.look, {model.bounds, model.grid, model_->pages()}, quality.sky.directions > 0);
     const plan::View distant = plan::distantView(view, withGround(model.bounds, ground_.get()));
-    PreparedFrame frame = prepareShadows(distant, plan::distantQuality(quality, view, distant), waiting, before);
+    PreparedFrame frame =
+        prepareShadows(distant, plan::distantQuality(quality, view, distant), waiting, before, margin);
     addTime(frame.planMs, [&] { planLightSampling(frame, residency_); });
     return frame;
 }
@@ -44,18 +46,19 @@ PreparedFrame Renderer::prepareForPoint(
     const plan::View& view,
     const plan::Quality& quality,
     Waiting waiting,
-    const std::shared_ptr<const plan::PlannedFrame>& before) {
+    const std::shared_ptr<const plan::PlannedFrame>& before,
+    double margin) {
     using plan::ShadowMode;
     const bool isWithout = plan::isWithoutSun(quality.look.shading);
     const auto prepared = [&](ShadowMode mode, plan::ShadowReason reason) {
-        PreparedFrame frame = prepareAs(view, with(quality, mode), waiting, before);
+        PreparedFrame frame = prepareAs(view, with(quality, mode), waiting, before, margin);
         frame.plan.shadowReason = reason;
         return frame;
     };
     if (quality.shadows != ShadowMode::Auto) return prepared(quality.shadows, plan::ShadowReason::AskedFor);
     if (isWithout) return prepared(ShadowMode::Off, plan::ShadowReason::NoSun);
     if (quality.mapsBecause) return prepared(ShadowMode::Maps, *quality.mapsBecause);
-    if (!executor_->decidesExactly()) return prepared(ShadowMode::Maps, plan::ShadowReason::ExecutorHasMaps);
+    if (!executor_->capabilities().exactShadows) return prepared(ShadowMode::Maps, plan::ShadowReason::ExecutorHasMaps);
     return prepared(ShadowMode::Exact, plan::ShadowReason::PointLight);
 }
 
@@ -63,10 +66,13 @@ PreparedFrame Renderer::prepareShadows(
     const plan::View& view,
     const plan::Quality& quality,
     Waiting waiting,
-    const std::shared_ptr<const plan::PlannedFrame>& before) {
+    const std::shared_ptr<const plan::PlannedFrame>& before,
+    double margin) {
     using plan::ShadowMode;
     using plan::ShadowReason;
-    const auto prepared = [&](ShadowMode mode) { return prepareAs(view, with(quality, mode), waiting, before); };
+    const auto prepared = [&](ShadowMode mode) {
+        return prepareAs(view, with(quality, mode), waiting, before, margin);
+    };
     const auto predict = [&](PreparedFrame& frame) {
         if (!estimate_) estimate_ = std::make_shared<ExactEstimate>();
         addTime(frame.planMs, [&] {
@@ -78,7 +84,7 @@ PreparedFrame Renderer::prepareShadows(
         frame.plan.shadowReason = reason;
         return frame;
     };
-    if (view.pointLight) return prepareForPoint(view, quality, waiting, before);
+    if (view.pointLight) return prepareForPoint(view, quality, waiting, before, margin);
     std::optional<plan::ModeMemory> memory = before ? before->memory.mode : std::nullopt;
     if (memory && memory->isAskedFor != (quality.shadows == ShadowMode::Exact)) memory.reset();
     const std::optional<plan::ModeMemory> held = plan::withoutCosts(memory);
@@ -95,7 +101,7 @@ PreparedFrame Renderer::prepareShadows(
         return frame;
     }
     if (quality.mapsBecause) return asMaps(*quality.mapsBecause);
-    if (!executor_->decidesExactly()) return asMaps(ShadowReason::ExecutorHasMaps);
+    if (!executor_->capabilities().exactShadows) return asMaps(ShadowReason::ExecutorHasMaps);
     if (held) {
         PreparedFrame frame = prepared(held->isExact ? ShadowMode::Exact : ShadowMode::Maps);
         frame.plan.shadowReason = ShadowReason::Held;

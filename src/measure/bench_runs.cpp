@@ -1,6 +1,7 @@
 #include "measure/bench_runs.h"
 
 #include "measure/bytes/row_bytes.h"
+#include "settings/backend_needs.h"
 #include "settings/resolve.h"
 #include "settings/table.h"
 
@@ -241,9 +242,9 @@ std::vector<BenchRun> runsOf(const std::vector<settings::Settings>& settings) {
 }
 
 settings::Settings executorSettings(const std::vector<BenchRun>& runs) {
-    const auto isExact = [](const BenchRun& run) { return run.settings.quality.shadows == plan::ShadowMode::Exact; };
-    const auto exact = std::find_if(runs.begin(), runs.end(), isExact);
-    return exact != runs.end() ? exact->settings : runs.front().settings;
+    const auto isNeedy = [](const BenchRun& run) { return settings::needsSoftware(run.settings); };
+    const auto needy = std::find_if(runs.begin(), runs.end(), isNeedy);
+    return needy != runs.end() ? needy->settings : runs.front().settings;
 }
 
 std::string keyOf(const BenchWalks& walks) {

@@ -14,7 +14,7 @@ namespace gnomon::measure {
 /// One run for each of `settings`, in their order; one for all that draw exact shadows and differ in their maps alone.
 std::vector<BenchRun> runsOf(const std::vector<settings::Settings>& settings);
 
-/// What the executor of all runs is made by: of one that can carry out each of them.
+/// The settings that the executor of all runs is made by: those of a run that needs the software backend, if one does.
 settings::Settings executorSettings(const std::vector<BenchRun>& runs);
 
 /// What a bench walks and who does: all processes of `farm` have the same. All must outlive it.

@@ -17,6 +17,8 @@ Walk::Walk(Session& session, const path::CameraPath& path, const WalkOptions& op
       result_(result),
       view_(settings::viewOf(settings::uprightIn(result.run.settings, session.model()), session.model().summary())),
       quality_(settings::qualityOf(result.run.settings)) {
+    // Frames are compared with each other, so all have the sun, however little of it they show.
+    if (quality_.look.shading == plan::Shading::Auto) quality_.look.shading = plan::Shading::Lit;
     frameOptions_.waiting = options.isRealTime ? frame::Waiting::Never : frame::Waiting::UntilComplete;
 }
 

@@ -2,8 +2,124 @@
 
 #include "executor/overlay/legend.h"
 #include "frame/accumulation.h"
+#include "frame/picture_memory.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace gnomon::measure {
+
+namespace {
+
+/// Advances by a share of a whole number of steps.
+class SharedProgress {
+public:
+    SharedProgress(Progress& progress, int steps, std::size_t parts)
+        : progress_(&progress), steps_(static_cast<std::uint64_t>(steps)), parts_(parts) {}
+
+    /// Says that `done` of `wanted` of the current part are there.
+    void tell(int done, int wanted) {
+        const std::uint64_t parts = static_cast<std::uint64_t>(wanted) * parts_;
+        const std::uint64_t now =
+            steps_ * (part_ * static_cast<std::uint64_t>(wanted) + static_cast<std::uint64_t>(done)) / parts;
+        progress_->advance(now - told_);
+        told_ = now;
+        if (done == wanted) ++part_;
+    }
+
+private:
+    Progress* progress_;
+    std::uint64_t steps_;
+    std::uint64_t parts_;
+    std::uint64_t part_ = 0;
+    std::uint64_t told_ = 0;
+};
+
+/// The rows of `frame` that its options name, or all.
+struct DrawnRows {
+    frame::Frame frame;
+    executor::Picture picture;
+    std::optional<executor::Coverage> coverage;
+};
+
+DrawnRows drawRows(
+    Session& session,
+    const plan::View& view,
+    const plan::Quality& quality,
+    const frame::FrameOptions& options,
+    int samples,
+    SharedProgress& progress) {
+    DrawnRows drawn;
+    drawn.frame = session.renderer().render(view, quality, options);
+    if (samples > 1) {
+        frame::Accumulation accumulation;
+        accumulation.begin(session.renderer(), drawn.frame, samples);
+        const int wanted = accumulation.wanted();
+        progress.tell(1, wanted);
+        while (accumulation.samples() < wanted) {
+            accumulation.add();
+            progress.tell(accumulation.samples(), wanted);
+        }
+        drawn.picture = accumulation.picture();
+        drawn.coverage = accumulation.coverage();
+        return drawn;
+    }
+    progress.tell(1, 1);
+    drawn.picture = session.executor().picture();
+    if (quality.look.background.kind == plan::Background::Kind::Transparent)
+        drawn.coverage = session.executor().coverage();
+    return drawn;
+}
+
+/// The shading of a picture in `bands`, which has to be the one that the whole picture gets.
+plan::Shading shadingOf(
+    Session& session,
+    const plan::View& view,
+    const plan::Quality& quality,
+    const frame::FrameOptions& options,
+    const std::vector<executor::ImageRows>& bands) {
+    if (quality.look.shading != plan::Shading::Auto) return quality.look.shading;
+    plan::Quality lit = quality;
+    lit.look.shading = plan::Shading::Lit;
+    const frame::Renderer::Motion before = session.renderer().motion();
+    std::uint64_t litPixels = 0;
+    bool isDark = true;
+    for (std::size_t i = 0; i < bands.size() && isDark; ++i) {
+        frame::FrameOptions ofBand = options;
+        ofBand.rows = bands[i];
+        session.renderer().continueFrom(before);
+        const frame::Frame frame = session.renderer().render(view, lit, ofBand);
+        litPixels += session.executor().litPixels().value_or(0);
+        const bool isAnythingSeen = frame.facts.visible && frame.facts.visible->anything;
+        isDark = isAnythingSeen && !session.renderer().hasGround() && frame::Renderer::isNextToNothing(litPixels, view);
+    }
+    session.renderer().continueFrom(before);
+    return isDark ? plan::Shading::Headlight : plan::Shading::Lit;
+}
+
+template <class Pixel>
+void put(const executor::Raster<Pixel>& rows, int top, executor::Raster<Pixel>& whole) {
+    std::copy(
+        rows.pixels.begin(),
+        rows.pixels.end(),
+        whole.pixels.begin() + static_cast<std::ptrdiff_t>(whole.index(0, top)));
+}
+
+} // namespace
+
+std::vector<executor::ImageRows> bandsOf(
+    Session& session,
+    const plan::View& view,
+    const plan::Quality& quality,
+    const frame::FrameOptions& options,
+    int samples) {
+    const frame::Residency& residency = session.renderer().residency();
+    if (!residency.holdsPictures()) return {{0, view.height}};
+    frame::FrameOptions frameOptions = options;
+    frameOptions.isAccumulated = samples > 1;
+    return frame::bandsOf(view, quality, frameOptions, residency.memory());
+}
 
 FinishedPicture drawFinished(
     Session& session,
@@ -12,32 +128,35 @@ FinishedPicture drawFinished(
     const frame::FrameOptions& options,
     int samples,
     Progress& progress) {
+    frame::Renderer& renderer = session.renderer();
     frame::FrameOptions frameOptions = options;
     frameOptions.isAccumulated = samples > 1;
+    const std::vector<executor::ImageRows> bands = bandsOf(session, view, quality, options, samples);
+    SharedProgress shared(progress, samples, bands.size());
     FinishedPicture finished;
-    finished.frame = session.renderer().render(view, quality, frameOptions);
-    const bool isTransparent = quality.look.background.kind == plan::Background::Kind::Transparent;
-    if (samples > 1) {
-        frame::Accumulation accumulation;
-        accumulation.begin(session.renderer(), finished.frame, samples);
-        const auto whole = static_cast<std::uint64_t>(samples);
-        const auto wanted = static_cast<std::uint64_t>(accumulation.wanted());
-        std::uint64_t told = whole / wanted;
-        progress.advance(told);
-        while (accumulation.samples() < accumulation.wanted()) {
-            accumulation.add();
-            const std::uint64_t done = whole * static_cast<std::uint64_t>(accumulation.samples()) / wanted;
-            progress.advance(done - told);
-            told = done;
-        }
-        finished.picture = accumulation.picture();
-        finished.coverage = accumulation.coverage();
+    if (bands.size() == 1) {
+        DrawnRows drawn = drawRows(session, view, quality, frameOptions, samples, shared);
+        finished = {std::move(drawn.frame), std::move(drawn.picture), std::move(drawn.coverage)};
+        if (samples == 1)
+            executor::drawLegend(finished.picture, executor::legendOf(options.overlay, finished.frame.plan));
         return finished;
     }
-    progress.advance(1);
-    finished.picture = session.executor().picture();
-    executor::drawLegend(finished.picture, executor::legendOf(options.overlay, finished.frame.plan));
-    if (isTransparent) finished.coverage = session.executor().coverage();
+    plan::Quality decided = quality;
+    decided.look.shading = shadingOf(session, view, quality, frameOptions, bands);
+    finished.picture = executor::Picture(view.width, view.height);
+    const frame::Renderer::Motion before = renderer.motion();
+    for (const executor::ImageRows& band : bands) {
+        frameOptions.rows = band;
+        renderer.continueFrom(before);
+        DrawnRows drawn = drawRows(session, view, decided, frameOptions, samples, shared);
+        const int top = view.height - band.first - band.count;
+        put(drawn.picture, top, finished.picture);
+        if (drawn.coverage) {
+            if (!finished.coverage) finished.coverage = executor::Coverage(view.width, view.height);
+            put(*drawn.coverage, top, *finished.coverage);
+        }
+        finished.frame = std::move(drawn.frame);
+    }
     return finished;
 }
 

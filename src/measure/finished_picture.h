@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace gnomon::measure {
 
@@ -17,8 +18,17 @@ struct FinishedPicture {
     std::optional<executor::Coverage> coverage; // where the background is transparent
 };
 
+/// The bands in which `drawFinished` draws the same picture.
+std::vector<executor::ImageRows> bandsOf(
+    Session& session,
+    const plan::View& view,
+    const plan::Quality& quality,
+    const frame::FrameOptions& options,
+    int samples);
+
 /// Draws `view` `samples` times, at least once; where that is more than once and its plan calls for more directions of
-/// light, so many times. `progress` advances by `samples` in all; its stage is the caller's.
+/// light, so many times. A picture that does not fit into the session's memory is drawn in bands, to the same bytes.
+/// `progress` advances by `samples` in all; its stage is the caller's.
 FinishedPicture drawFinished(
     Session& session,
     const plan::View& view,

@@ -32,6 +32,7 @@ survey::Measure shownPoints(const PointTask& task, Session& session) {
     const frame::FrameOptions options;
     const frame::Frame frame =
         session.renderer().render(settings::viewOf(task.settings, session.model()), quality, options);
+    session.tellShortfall();
     survey::Measure measure;
     for (const glm::ivec2& pixel : task.pixels) {
         const auto drawn = frame::drawnPoint(session.renderer(), frame, options, pixel);

@@ -11,6 +11,9 @@
 #include "settings/resolve.h"
 #include "settings/samples.h"
 
+#include <algorithm>
+#include <vector>
+
 namespace gnomon::measure {
 
 namespace {
@@ -32,6 +35,36 @@ plan::View firstView(const SeriesTask& task, const hierarchy::ModelFile& model, 
     return settings::viewOf(settings, model.summary(), path::sweptOutline(path::outlineOf(model), center, up));
 }
 
+/// The shading of all pictures of a series, so that it does not switch between them. If `quality` leaves it open, looks
+/// at small pictures of up to 16 of its `cameras`: headlight if more than half of them show next to no sun.
+plan::Shading commonShading(
+    Session& session, plan::View view, const plan::Quality& quality, const std::vector<Camera>& cameras) {
+    constexpr std::size_t kMaxLooks = 16;
+    constexpr int kReduction = 4; // of the picture's sides
+    if (quality.look.shading != plan::Shading::Auto) return quality.look.shading;
+    view.width = std::max(view.width / kReduction, 1);
+    view.height = std::max(view.height / kReduction, 1);
+    const std::size_t looks = std::min(cameras.size(), kMaxLooks);
+    std::size_t sunless = 0;
+    for (std::size_t i = 0; i < looks; ++i) {
+        view.camera = cameras[i * cameras.size() / looks];
+        session.renderer().forget();
+        sunless += session.renderer().render(view, quality, {}).isSunless ? 1 : 0;
+    }
+    session.renderer().forget();
+    session.renderer().takeShortfall();
+    return 2 * sunless > looks ? plan::Shading::Headlight : plan::Shading::Lit;
+}
+
+std::vector<Camera> camerasOf(const std::optional<path::CameraPath>& walked, const plan::View& first, int frames) {
+    std::vector<Camera> cameras;
+    for (int i = 0; i < frames; ++i)
+        cameras.push_back(
+            walked ? path::cameraAt(*walked, path::frameTime(*walked, i, frames))
+                   : path::turnedAround(first.camera, first.up, 2 * kPi * i / frames));
+    return cameras;
+}
+
 } // namespace
 
 void drawSeries(const settings::PictureSeries& series, const SeriesTask& task, Progress& progress) {
@@ -47,27 +80,33 @@ void drawSeries(const settings::PictureSeries& series, const SeriesTask& task, P
     const int frames = walked ? series.frames.value_or(kUsualFrames) : series.turntable;
     const bool takesTime = walked && walked->duration() > 0 && frames > 1;
     const bool isStream = series.output == "-";
-    const plan::Quality quality = settings::qualityOf(task.settings);
+    plan::Quality quality = settings::qualityOf(task.settings);
     Session session(task.model, task.settings, task.warn);
     plan::View view = firstView(task, session.model(), walked.has_value());
-    const Camera start = view.camera;
+    const std::vector<Camera> cameras = camerasOf(walked, view, frames);
     if (isStream)
-        task.stream(
-            executor::y4mHeader(view.width, view.height, takesTime ? (frames - 1) / walked->duration() : kUsualRate));
+        task.stream(executor::y4mHeader(
+            view.width, view.height, takesTime ? path::frameSteps(*walked, frames) / walked->duration() : kUsualRate));
     else
         requireWritable(nameOf(series, 0));
     frame::FrameOptions frameOptions;
     frameOptions.overlay = task.overlay;
     progress.stage("render", "frames", static_cast<std::uint64_t>(frames) * static_cast<std::uint64_t>(samples));
+    // The small pictures that decide the shading must not fill the room of the large ones.
+    frame::FrameOptions whole = frameOptions;
+    whole.isAccumulated = samples > 1;
+    whole.rows = bandsOf(session, view, quality, frameOptions, samples).front();
+    session.renderer().reservePicture(view, quality, whole);
+    quality.look.shading = commonShading(session, view, quality, cameras);
     for (int i = 0; i < frames; ++i) {
-        view.camera = walked ? path::cameraAt(*walked, path::frameTime(*walked, i, frames))
-                             : path::turnedAround(start, view.up, 2 * kPi * i / frames);
+        view.camera = cameras[static_cast<std::size_t>(i)];
         const FinishedPicture drawn = drawFinished(session, view, quality, frameOptions, samples, progress);
         if (isStream)
             task.stream(executor::y4mFrame(drawn.picture));
         else
             executor::writePng(nameOf(series, i), drawn.picture, drawn.coverage);
     }
+    session.tellShortfall();
 }
 
 } // namespace gnomon::measure

@@ -11,17 +11,21 @@
 
 namespace gnomon::measure {
 
-/// The executor that `settings` name, which is not the window: `auto` is a GPU if there is one and it can
-/// carry out what they ask for, else `software`.
-std::unique_ptr<executor::Executor> makeExecutor(const settings::Settings& settings);
+/// Makes the executor that `settings` name, which is not the window: `auto` is a GPU if there is one and it can carry
+/// out what they ask for, else `software`. Tells `warn` in a line why a GPU is not used.
+std::unique_ptr<executor::Executor> makeExecutor(
+    const settings::Settings& settings, const std::function<void(const std::string&)>& warn);
 
 /// Whether the executor that `settings` name can decide shadows exactly. Makes none.
 bool decidesExactly(const settings::Settings& settings);
 
+/// The sentence of `shortfall`, with the options concerned; empty if nothing is missed.
+std::string shortfallLine(const telemetry::Shortfall& shortfall);
+
 /// A model, its executor and its renderer.
 class Session {
 public:
-    /// `warn` is told once of each page that is damaged, in a line.
+    /// `warn` is told in a line of each page that is damaged, and of each GPU that cannot be used.
     Session(
         const std::string& modelPath,
         const settings::Settings& settings,
@@ -41,7 +45,11 @@ public:
 
     frame::Renderer& renderer() { return renderer_; }
 
+    /// Tells `warn` in a line if pictures since the last call miss their error or lack pages.
+    void tellShortfall();
+
 private:
+    std::function<void(const std::string&)> warn_;
     hierarchy::ModelFile model_;
     std::unique_ptr<executor::Executor> executor_;
     frame::Renderer renderer_;

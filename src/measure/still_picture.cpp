@@ -62,8 +62,10 @@ void drawStill(const StillTask& task, Progress& progress) {
     options.overlay = task.overlay;
     options.wantsSurfaces = beside.values;
     options.wantsWholeMaps = !task.shadowDepth.empty();
+    options.wantsWholeImage = beside.depth || beside.statistics || beside.oracle;
     progress.stage("render", samples > 1 ? "frames" : "pictures", static_cast<std::uint64_t>(samples));
     FinishedPicture drawn = drawFinished(session, view, quality, options, samples, progress);
+    session.tellShortfall();
     if (beside.values) values::colorByValues(task.colors, session.renderer(), drawn.frame, drawn.picture);
     if (samples == 1) setAccuracy(task, session, drawn.frame);
     executor::writePng(task.output, drawn.picture, drawn.coverage);

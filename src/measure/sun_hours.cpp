@@ -25,6 +25,19 @@ std::string keyOfView(const plan::View& view, const plan::Quality& quality) {
     return key + keyOfSections(view);
 }
 
+void tellShortfall(
+    const frame::PreparedFrame& frame,
+    const plan::Quality& quality,
+    const std::function<void(const std::string&)>& warn) {
+    telemetry::Shortfall shortfall;
+    shortfall.add(
+        {quality.errorPixels,
+         frame.cut.achievedErrorPixels,
+         frame.residency.pagesMissing,
+         frame.residency.pagesBlocked > 0});
+    if (const std::string line = shortfallLine(shortfall); !line.empty()) warn(line);
+}
+
 std::optional<SunHoursSummary> computeViewHours(const SunHoursTask& task, Progress& progress) {
     const settings::Settings settings = settings::sunHoursSettings(task.settings);
     const plan::Quality quality = settings::qualityOf(settings);
@@ -37,13 +50,14 @@ std::optional<SunHoursSummary> computeViewHours(const SunHoursTask& task, Progre
             requireWritable(path);
     const PreparedFolder report(isLed ? std::string() : task.report);
     daylight::SunView receivers(session.renderer(), view, quality, daylight::lightsOf(run.steps()));
+    if (!isLed) tellShortfall(receivers.prepared(), quality, task.warn);
     const daylight::LitSteps* const lit = run.decide(receivers, progress);
     if (lit == nullptr) return std::nullopt;
     const SunHoursFiles files(receivers, *lit, run, task.period);
     if (!task.output.empty()) files.writePicture(task.output);
     if (!task.pfm.empty()) files.writePfm(task.pfm);
     if (!task.csv.empty()) files.writeCsv(task.csv);
-    const std::string detail = formatted("%.3g pixels", receivers.achievedErrorPixels());
+    const std::string detail = formatted("%.3g pixels", receivers.prepared().cut.achievedErrorPixels);
     if (!task.report.empty())
         files.writePage(
             task.report,

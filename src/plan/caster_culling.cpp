@@ -4,11 +4,11 @@ namespace gnomon::plan {
 
 namespace {
 
-std::optional<OmissionReason> whyNoReceivers(const FramePlan& plan, MapOrder order) {
+std::optional<OmissionReason> whyNoReceivers(const FramePlan& plan) {
     const Quality& quality = plan.quality;
     if (quality.cullCasters == CasterCulling::Off || quality.cullCasters == CasterCulling::On)
         return OmissionReason::SwitchedOff;
-    if (order == MapOrder::MapsFirst) return OmissionReason::MapsComeFirst;
+    if (!plan.executor.imageFirst) return OmissionReason::MapsComeFirst;
     if (quality.cullCasters == CasterCulling::Receivers) return std::nullopt;
     if (quality.stabilize) return OmissionReason::MapsAreKept;
     std::uint64_t triangles = 0;
@@ -21,10 +21,10 @@ std::optional<OmissionReason> whyNoReceivers(const FramePlan& plan, MapOrder ord
 
 } // namespace
 
-void chooseCasterCulling(FramePlan& plan, MapOrder order) {
+void chooseCasterCulling(FramePlan& plan) {
     plan.casterCulling = plan.quality.cullCasters == CasterCulling::Off ? CasterCulling::Off : CasterCulling::On;
     if (plan.passes.empty()) return;
-    if (const auto reason = whyNoReceivers(plan, order))
+    if (const auto reason = whyNoReceivers(plan))
         plan.omitted.push_back({Effect::ReceiverMasks, *reason});
     else
         plan.casterCulling = CasterCulling::Receivers;

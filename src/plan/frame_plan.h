@@ -6,6 +6,7 @@
 #include "core/convex_volume.h"
 #include "core/depth_span.h"
 #include "core/integer_light.h"
+#include "plan/capabilities.h"
 #include "plan/light_sampling.h"
 #include "plan/look.h"
 #include "plan/omission.h"
@@ -28,6 +29,8 @@ namespace gnomon::plan {
 struct PointLight {
     glm::dvec3 at{0}; // world space, on the model's grid
     double reach = 1; // world units, above 0: so far away it is as bright as the sun
+
+    bool operator==(const PointLight&) const = default;
 };
 
 /// What is looked at, from where, towards which light.
@@ -51,6 +54,8 @@ struct View {
     double tanHalfY() const { return std::tan(camera.fovYRadians / 2); }
 
     double tanHalfX() const { return aspect() * tanHalfY(); }
+
+    bool operator==(const View&) const = default;
 };
 
 /// How the cells of exact shadows lie: as the texels of one map or of four slices, and of a warp or not. Changes no
@@ -104,6 +109,8 @@ struct Quality {
     Look look;
     double lightError = 0.05; // of the share of the light's disc that reaches a point, at most
     SkyLight sky;
+
+    bool operator==(const Quality&) const = default;
 };
 
 /// What is known of the scene in this view before its geometry was asked, and after.
@@ -140,11 +147,6 @@ struct SceneFacts {
     bool isTurnedFromLight = false; // all that is in view, for sure
 };
 
-/// What the executor that a plan is made for can do.
-struct ExecutorFacts {
-    bool drawsLogRows = false; // maps with logarithmic rows
-};
-
 /// One shadow map and how this frame draws it.
 struct ShadowPass {
     shadow::ShadowMap map;
@@ -156,8 +158,8 @@ struct ShadowPass {
 /// The plan of a frame.
 struct FramePlan {
     View view;
-    Quality quality; // its shadows are those that are drawn, never Auto
-    ExecutorFacts executor;
+    Quality quality;       // its shadows are those that are drawn, never Auto
+    Capabilities executor; // of the backend that the plan is for
     ShadowReason shadowReason = ShadowReason::AskedFor;
     std::optional<ExactWork> predicted; // of exact shadows, where that was asked
     CameraBasis basis;

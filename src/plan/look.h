@@ -10,7 +10,8 @@
 namespace gnomon::plan {
 
 /// Where the light of a surface comes from. Lit: the sun, where no shadow lies, the sky and the ground. Flat: likewise,
-/// with each triangle's own normal. Headlight: the eye. Unlit: nowhere, colours are shown as they are. Auto: Lit.
+/// with each triangle's own normal. Headlight: the eye. Unlit: nowhere, colours are shown as they are. Auto: Lit if the
+/// picture has a ground or the sun reaches at least 0.5% of its pixels, else Headlight.
 enum class Shading : std::uint8_t { Auto, Lit, Headlight, Flat, Unlit };
 inline constexpr std::array kShadings = {
     Word<Shading>{Shading::Auto, "auto"},
@@ -39,6 +40,8 @@ struct Look {
     double ambient = 1; // of the light of sky and ground, as a multiple of the usual
     Background background;
     bool ground = false; // the model's shadow on a plane under it is seen, and nothing else of that
+
+    bool operator==(const Look&) const = default;
 };
 
 } // namespace gnomon::plan

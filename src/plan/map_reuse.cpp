@@ -19,11 +19,7 @@ bool isSameTexture(const FramePlan& a, const FramePlan& b) {
 }
 
 bool hasSameSections(const FramePlan& a, const FramePlan& b) {
-    const auto isSame = [](const Plane& p, const Plane& q) { return p.normal == q.normal && p.offset == q.offset; };
-    const std::vector<Plane>& planes = a.view.sections;
-    const std::vector<Plane>& others = b.view.sections;
-    return a.view.cutsCasters == b.view.cutsCasters &&
-           std::equal(planes.begin(), planes.end(), others.begin(), others.end(), isSame);
+    return a.view.cutsCasters == b.view.cutsCasters && a.view.sections == b.view.sections;
 }
 
 bool isSameCamera(const FramePlan& a, const FramePlan& b) {
@@ -35,6 +31,7 @@ bool isSameCamera(const FramePlan& a, const FramePlan& b) {
 /// from the same place alone.
 bool isSamePlace(
     const FramePlan& now, const FramePlan& before, const shadow::ShadowMap& a, const shadow::ShadowMap& b) {
+    if (a.shift != b.shift) return false;
     if (a.stable || b.stable) return a.stable == b.stable;
     const bool hasSameGrid = a.warped.fitted == b.warped.fitted ||
                              (a.warped.fitted && b.warped.fitted && *a.warped.fitted == *b.warped.fitted);
@@ -51,16 +48,15 @@ bool isSameMap(const FramePlan& now, const FramePlan& before, std::size_t pass) 
     return isSamePlace(now, before, a.map, b.map) && a.map.gutter == b.map.gutter && a.clampsDepth == b.clampsDepth;
 }
 
-bool isSameQuestion(const FramePlan& now, const FramePlan& before) {
-    if (now.passes.size() != before.passes.size() || !isSameCamera(now, before)) return false;
+bool isSameImage(const FramePlan& now, const FramePlan& before) {
+    if (now.view != before.view || now.quality != before.quality || now.executor != before.executor ||
+        now.selector != before.selector || now.passOfPartition != before.passOfPartition ||
+        now.passes.size() != before.passes.size())
+        return false;
     for (std::size_t pass = 0; pass < now.passes.size(); ++pass)
         if (!isSameMap(now, before, pass) || now.passes[pass].map.filterTexels != before.passes[pass].map.filterTexels)
             return false;
-    const View& a = now.view;
-    const View& b = before.view;
-    return a.width == b.width && a.height == b.height && a.camera.fovYRadians == b.camera.fovYRadians &&
-           now.quality.filter == before.quality.filter && now.splits == before.splits &&
-           now.passOfPartition == before.passOfPartition;
+    return true;
 }
 
 } // namespace gnomon::plan

@@ -10,8 +10,8 @@ namespace gnomon::plan {
 /// camera. Its casters are not looked at.
 bool isSameMap(const FramePlan& now, const FramePlan& before, std::size_t pass);
 
-/// Whether images of the same surfaces by these plans look the same depths up in the same maps: then maps without what
-/// no lookup asks for (CasterCulling::Receivers) may stay too.
-bool isSameQuestion(const FramePlan& now, const FramePlan& before);
+/// Whether both plans draw one image: the view, every setting and every map are equal. Maps that receivers culled
+/// (CasterCulling::Receivers) are valid for no other image.
+bool isSameImage(const FramePlan& now, const FramePlan& before);
 
 } // namespace gnomon::plan

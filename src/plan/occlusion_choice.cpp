@@ -4,17 +4,17 @@ namespace gnomon::plan {
 
 namespace {
 
-std::optional<OmissionReason> reasonToDrawAll(const FramePlan& plan, double layers, bool canSkip) {
+std::optional<OmissionReason> reasonToDrawAll(const FramePlan& plan, double layers) {
     if (plan.quality.occlusion == Choice::Off) return OmissionReason::SwitchedOff;
-    if (!canSkip) return OmissionReason::ExecutorDrawsAll;
+    if (!plan.executor.occlusionCulling) return OmissionReason::ExecutorDrawsAll;
     if (plan.quality.occlusion == Choice::Auto && layers < kLeastLayers) return OmissionReason::FewLayers;
     return std::nullopt;
 }
 
 } // namespace
 
-void chooseOcclusion(FramePlan& plan, double layers, bool canSkip) {
-    const std::optional<OmissionReason> reason = reasonToDrawAll(plan, layers, canSkip);
+void chooseOcclusion(FramePlan& plan, double layers) {
+    const std::optional<OmissionReason> reason = reasonToDrawAll(plan, layers);
     plan.skipsHidden = !reason;
     if (reason) plan.omitted.push_back({Effect::OcclusionCulling, *reason});
 }

@@ -11,8 +11,7 @@ namespace gnomon::plan {
 inline constexpr double kLeastLayers = 2;
 
 /// Says in `plan`, one of planFrame's, whether its image is drawn without what is hidden, and why not if not; `layers`
-/// is how many drawn clusters lie over a pixel on average, by their boxes, and counts where `auto` decides; `canSkip`
-/// says whether the executor can leave out anything.
-void chooseOcclusion(FramePlan& plan, double layers, bool canSkip);
+/// is how many drawn clusters lie over a pixel on average, by their boxes, and counts where `auto` decides.
+void chooseOcclusion(FramePlan& plan, double layers);
 
 } // namespace gnomon::plan

@@ -91,7 +91,7 @@ PlannedFrame planFrame(
     const Quality& quality,
     const SceneFacts& scene,
     const PlanMemory& memory,
-    const ExecutorFacts& executor) {
+    const Capabilities& executor) {
     requireValid(view);
     PlannedFrame result;
     FramePlan& plan = result.plan;

@@ -26,6 +26,6 @@ PlannedFrame planFrame(
     const Quality& quality,
     const SceneFacts& scene,
     const PlanMemory& memory = {},
-    const ExecutorFacts& executor = {});
+    const Capabilities& executor = {});
 
 } // namespace gnomon::plan

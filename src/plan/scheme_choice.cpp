@@ -271,7 +271,7 @@ std::vector<SchemeChoice> openChoices(const SchemeContext& context) {
     const int last = quality.zPartitions.value_or(kMostSlices);
     const Choice faces = quality.stabilize ? Choice::Off : quality.facePartitions;
     const bool areRowsOpen = !quality.zPartitions && quality.warp.rule == shadow::WarpRule::Auto &&
-                             context.executor.drawsLogRows && !quality.stabilize;
+                             context.executor.unevenRows && !quality.stabilize;
     std::vector<SchemeChoice> choices;
     const auto add = [&](int slices, bool hasFaces) {
         choices.push_back({slices, hasFaces, true});

@@ -16,7 +16,7 @@ struct SchemeContext {
     CameraBasis basis;
     Quality quality;
     const SceneFacts* scene = nullptr;
-    ExecutorFacts executor;
+    Capabilities executor;
     std::optional<SchemeMemory> before; // of the frame before, if it had a scheme
     Receivers receivers;                // after it
     bool ignoreHistory = false;         // slices are empty where nothing in this very frame needs them

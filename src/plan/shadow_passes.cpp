@@ -30,7 +30,7 @@ OmissionReason warpReason(const FramePlan& plan) {
 
 /// Why rows are even where the warp is left open.
 OmissionReason rowsReason(const FramePlan& plan) {
-    if (!plan.executor.drawsLogRows) return OmissionReason::ExecutorHasEvenRows;
+    if (!plan.executor.unevenRows) return OmissionReason::ExecutorHasEvenRows;
     return plan.quality.zPartitions ? OmissionReason::SlicesGiven : OmissionReason::BetterWithout;
 }
 

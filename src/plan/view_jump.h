@@ -32,4 +32,30 @@ inline bool hasJumped(const View& before, double farthest, const View& now) {
     return isTurned || glm::dot(before.light().unit(), now.light().unit()) < leastCosine;
 }
 
+/// A frame as it was asked for.
+struct AskedFrame {
+    const View& view;
+    const Quality& quality;
+};
+
+/// Whether `now` can be the next frame of the motion that `before` belongs to. During a motion the camera, the light
+/// and the image size change, and so do the settings that a time target lowers. A change of any other setting ends the
+/// motion, and so does a change of any setting while camera and light stand still.
+inline bool isSameMotion(const AskedFrame& before, const AskedFrame& now) {
+    View view = before.view;
+    view.camera = now.view.camera;
+    view.towardsLight = now.view.towardsLight;
+    view.pointLight = now.view.pointLight;
+    if (view == before.view) return before.view == now.view && before.quality == now.quality;
+    view.width = now.view.width;
+    view.height = now.view.height;
+    Quality quality = before.quality;
+    quality.errorPixels = now.quality.errorPixels;
+    quality.zPartitions = now.quality.zPartitions;
+    quality.shadowTexelsWidth = now.quality.shadowTexelsWidth;
+    quality.shadowTexelsHeight = now.quality.shadowTexelsHeight;
+    quality.shadows = now.quality.shadows;
+    return view == now.view && quality == now.quality;
+}
+
 } // namespace gnomon::plan

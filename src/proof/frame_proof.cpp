@@ -26,7 +26,7 @@ frame::PreparedFrame finest(frame::Renderer& renderer, const frame::Frame& frame
 
 /// The picture of the finest level in ray-traced shadows; drawn. For `oracle` of full detail it is whole, or an error.
 executor::Picture finestPicture(frame::Renderer& renderer, const frame::Frame& frame, Oracle oracle) {
-    const frame::PreparedFrame fine = finest(renderer, frame, plan::ShadowMode::Rays);
+    frame::PreparedFrame fine = finest(renderer, frame, plan::ShadowMode::Rays);
     std::optional<RayMemory> memory;
     if (oracle == Oracle::FullDetail) memory.emplace(renderer, fine);
     renderer.draw(fine, {});
@@ -87,7 +87,7 @@ Crawl crawlSince(
     const std::shared_ptr<const plan::PlannedFrame>& before,
     const executor::FrameDrawing& now,
     const executor::FloatPicture& maps) {
-    const frame::PreparedFrame prepared =
+    frame::PreparedFrame prepared =
         renderer.prepare(before->plan.view, before->plan.quality, frame::Waiting::UntilComplete, before);
     frame::FrameOptions options;
     options.wantsSurfaces = true;
@@ -116,8 +116,9 @@ FrameProof prove(frame::Renderer& renderer, const frame::Frame& frame, const Pro
     plain.overlay = executor::Overlay::None;
     plain.wantsSurfaces = hasOracle || isCompared || isMeasured || hasCrawl;
     plain.wantsWholeMaps = hasCrawl;
-    renderer.draw(frame, plain);
-    const executor::FrameDrawing drawn = renderer.drawing(frame, plain);
+    frame::PreparedFrame again = frame;
+    renderer.draw(again, plain);
+    const executor::FrameDrawing drawn = renderer.drawing(again, plain);
     const executor::Picture picture = executor.picture();
     const executor::FloatPicture maps = hasCrawl ? executor.shadowDepth() : executor::FloatPicture();
     if (isMeasured) proof.aliasing = measuredAliasing(drawn, executor.surfaces());
@@ -129,8 +130,8 @@ FrameProof prove(frame::Renderer& renderer, const frame::Frame& frame, const Pro
         proof.imageDifference = executor::difference(finestPicture(renderer, frame, options.oracle), picture).mean;
     if (hasCrawl) proof.crawl = crawlSince(renderer, frame.before, drawn, maps);
     // What the executor shows is the frame that was asked for, and its pages are there.
-    frame::PreparedFrame again =
-        renderer.prepare(frame.plan.view, frame.plan.quality, frame.options.waiting, frame.before);
+    again = renderer.prepare(
+        frame.plan.view, frame.plan.quality, frame.options.waiting, frame.before, frame.options.margin());
     again.isSunless = frame.isSunless;
     renderer.draw(again, frame.options);
     return proof;

@@ -95,12 +95,14 @@ struct DepthTarget {
     BoxFilter isWanted{}; // tiles for which it answers no are left alone; empty: all are wanted
 };
 
-/// The nearest triangle of each pixel: one word a pixel, 0 where there is none.
+/// The nearest triangle of each pixel: one word a pixel, 0 where there is none. The target may hold some rows of the
+/// image only; the others are left alone.
 struct VisibilityTarget {
     std::uint64_t* words = nullptr; // row by row
     int width = 0;
-    int height = 0;
+    int height = 0;       // rows that the target holds
     BoxFilter isWanted{}; // as a DepthTarget's
+    int firstRow = 0;     // of the image; the first row that the target holds
 };
 
 /// A word of a visibility buffer: depth above, the complement of the name below, so that the largest word is the

@@ -27,6 +27,13 @@ void checkViewport(const PixelBox& viewport, int width, int height) {
     GNOMON_CHECK_OP(viewport.y1, <=, height);
 }
 
+/// The part of `viewport` that `target` holds.
+PixelBox heldPart(const PixelBox& viewport, const VisibilityTarget& target) {
+    const PixelBox held = intersection(viewport, {0, target.firstRow, viewport.x1, target.firstRow + target.height});
+    checkViewport(held, target.width, target.firstRow + target.height);
+    return held;
+}
+
 /// A quarter of a tile is not split below this: the clusters that straddle would outweigh the rest.
 constexpr int kLeastTileSide = 32;
 
@@ -48,6 +55,14 @@ struct VisibilityKind {
         drawVisibilityTile(work, tile);
         return 0; // not counted
     }
+};
+
+/// The rows that a target holds.
+template <class Kind>
+struct TargetRows {
+    typename Kind::Pixel* pixels = nullptr;
+    int width = 0;
+    int firstRow = 0;
 };
 
 struct TileMemory {
@@ -77,15 +92,14 @@ struct Rasterizer::Memory {
 
     /// `drawTile` takes a bin and the empty pixels of its tile, and answers how many fragments it drew.
     template <class Kind, class DrawTile>
-    void drawTiles(typename Kind::Pixel* target, int width, const TileVisitor& onTile, const DrawTile& drawTile);
+    void drawTiles(const TargetRows<Kind>& target, const TileVisitor& onTile, const DrawTile& drawTile);
 
     template <class Kind>
     void draw(
         std::span<const Cluster> input,
         const Projection& projection,
         const PixelBox& viewport,
-        typename Kind::Pixel* target,
-        int width,
+        const TargetRows<Kind>& target,
         const TileVisitor& onTile);
 
     Projection depthProjection(const View& view);
@@ -116,7 +130,7 @@ void Rasterizer::Memory::binClusters(const PixelBox& viewport, int side) {
 /// Last step: each tile in a thread's own memory, then once over the target.
 template <class Kind, class DrawTile>
 void Rasterizer::Memory::drawTiles(
-    typename Kind::Pixel* target, int width, const TileVisitor& onTile, const DrawTile& drawTile) {
+    const TargetRows<Kind>& target, const TileVisitor& onTile, const DrawTile& drawTile) {
     std::atomic<std::size_t> next = 0;
     fragments = 0;
     const auto drawRemaining = [&](int /*worker*/) {
@@ -131,8 +145,10 @@ void Rasterizer::Memory::drawTiles(
                 std::copy_n(
                     pixels + std::size_t{kTileStride} * static_cast<std::size_t>(row),
                     tile.box.width(),
-                    target + static_cast<std::size_t>(tile.box.y0 + row) * static_cast<std::size_t>(width) +
-                        tile.box.x0);
+                    target.pixels +
+                        static_cast<std::size_t>(tile.box.y0 + row - target.firstRow) *
+                            static_cast<std::size_t>(target.width) +
+                        static_cast<std::size_t>(tile.box.x0));
             if (onTile) onTile(tile.box);
         }
     };
@@ -144,12 +160,11 @@ void Rasterizer::Memory::draw(
     std::span<const Cluster> input,
     const Projection& projection,
     const PixelBox& viewport,
-    typename Kind::Pixel* target,
-    int width,
+    const TargetRows<Kind>& target,
     const TileVisitor& onTile) {
     snapClusters(input, projection);
     binClusters(viewport, Kind::kSide);
-    drawTiles<Kind>(target, width, onTile, [this](const TileBin& tile, typename Kind::Pixel* pixels) {
+    drawTiles<Kind>(target, onTile, [this](const TileBin& tile, typename Kind::Pixel* pixels) {
         return Kind::draw({tile.box, clusters.all(), bins.of(tile)}, pixels);
     });
 }
@@ -173,7 +188,7 @@ void Rasterizer::Memory::drawUneven(std::span<const Cluster> input, const View& 
     const Projection projection = depthProjection(view);
     snapClusters(input, projection);
     binClusters(view.viewport, DepthKind::kSide);
-    drawTiles<DepthKind>(target.depths, target.width, {}, [&](const TileBin& tile, float* depths) {
+    drawTiles<DepthKind>({target.depths, target.width}, {}, [&](const TileBin& tile, float* depths) {
         return drawUnevenTile({tile.box, clusters.all(), bins.of(tile)}, rows, projection.columns, depths);
     });
 }
@@ -191,7 +206,7 @@ std::uint64_t Rasterizer::drawDepth(std::span<const Cluster> clusters, const Vie
         memory_->drawUneven(clusters, view, target);
         return memory_->fragments;
     }
-    memory_->draw<DepthKind>(clusters, projection(view, false), view.viewport, target.depths, target.width, {});
+    memory_->draw<DepthKind>(clusters, projection(view, false), view.viewport, {target.depths, target.width}, {});
     return memory_->fragments;
 }
 
@@ -202,7 +217,7 @@ NearestDepths Rasterizer::drawNearestDepth(
     memory.occlusion.prepare(
         clusters, boxes, memory.depthProjection(view), view.viewport, DepthOrder::Plain, memory.clusters);
     binWanted(memory.occlusion.items(), view.viewport, target.isWanted, DepthKind::kSide, kLeastTileSide, memory.bins);
-    memory.drawTiles<DepthKind>(target.depths, target.width, {}, [&memory](const TileBin& tile, float* depths) {
+    memory.drawTiles<DepthKind>({target.depths, target.width}, {}, [&memory](const TileBin& tile, float* depths) {
         return memory.occlusion.drawTile(tile.box, memory.bins.of(tile), depths);
     });
     return {memory.fragments, memory.occlusion.counts()};
@@ -210,9 +225,10 @@ NearestDepths Rasterizer::drawNearestDepth(
 
 void Rasterizer::drawVisibility(
     std::span<const Cluster> clusters, const View& view, const VisibilityTarget& target, const TileVisitor& onTile) {
-    checkViewport(view.viewport, target.width, target.height);
+    const PixelBox held = heldPart(view.viewport, target);
     memory_->isWanted = target.isWanted;
-    memory_->draw<VisibilityKind>(clusters, projection(view, true), view.viewport, target.words, target.width, onTile);
+    memory_->draw<VisibilityKind>(
+        clusters, projection(view, true), held, {target.words, target.width, target.firstRow}, onTile);
 }
 
 OcclusionCounts Rasterizer::drawVisible(
@@ -220,14 +236,12 @@ OcclusionCounts Rasterizer::drawVisible(
     std::span<const CellBox> boxes,
     const View& view,
     const VisibilityTarget& target) {
-    checkViewport(view.viewport, target.width, target.height);
+    const PixelBox held = heldPart(view.viewport, target);
     Memory& memory = *memory_;
-    memory.occlusion.prepare(
-        clusters, boxes, projection(view, true), view.viewport, DepthOrder::Reversed, memory.clusters);
-    binWanted(
-        memory.occlusion.items(), view.viewport, target.isWanted, VisibilityKind::kSide, kLeastTileSide, memory.bins);
+    memory.occlusion.prepare(clusters, boxes, projection(view, true), held, DepthOrder::Reversed, memory.clusters);
+    binWanted(memory.occlusion.items(), held, target.isWanted, VisibilityKind::kSide, kLeastTileSide, memory.bins);
     memory.drawTiles<VisibilityKind>(
-        target.words, target.width, {}, [&memory](const TileBin& tile, std::uint64_t* words) {
+        {target.words, target.width, target.firstRow}, {}, [&memory](const TileBin& tile, std::uint64_t* words) {
             memory.occlusion.drawTile(tile.box, memory.bins.of(tile), words);
             return std::uint64_t{0}; // not counted
         });

@@ -4,6 +4,7 @@
 #include "hierarchy/main_part.h"
 #include "path/camera_path.h"
 #include "path/outline.h"
+#include "settings/backend_needs.h"
 #include "settings/codec.h"
 #include "settings/sun_settings.h"
 #include "settings/table.h"
@@ -16,12 +17,6 @@ namespace gnomon::settings {
 namespace {
 
 constexpr double kUsualFovYDegrees = 60;
-
-/// The option of a setting and its value, as they are written: "--eta 0.5".
-std::string written(const char* name, const Settings& settings) {
-    const Setting& setting = named(name);
-    return setting.option() + " " + setting.text(settings);
-}
 
 /// Whether there is more or less of a camera beside a camera file.
 bool hasPose(const Settings& settings) {
@@ -53,31 +48,11 @@ void requireNoWarpIfStable(const Settings& settings) {
 }
 
 void requireSoftwareIfNeeded(const Settings& settings) {
-    const bool isGl = settings.backend != Backend::Auto && settings.backend != Backend::Software;
-    if (isGl && settings.quality.shadows == plan::ShadowMode::Exact)
+    if (settings.backend == Backend::Auto || settings.backend == Backend::Software) return;
+    if (const auto need = unmetNeed(settings, plan::kOpenGlCapabilities))
         throw UsageError{
-            written("backend", settings) + " and " + written("shadows", settings) +
-            " contradict each other: only the software executor decides shadows exactly"};
-    if (isGl && shadow::rowsOf(settings.quality.warp.rule) == shadow::RowSpacing::Logarithmic)
-        throw UsageError{
-            written("backend", settings) + " and " + written("warp", settings) +
-            " contradict each other: only the software executor draws rows that lie unevenly"};
-    if (isGl && settings.quality.cullCasters == plan::CasterCulling::Receivers)
-        throw UsageError{
-            written("backend", settings) + " and " + written("cull-casters", settings) +
-            " contradict each other: only the software executor finds receivers before it draws maps"};
-    if (isGl && settings.quality.occlusion == plan::Choice::On)
-        throw UsageError{
-            written("backend", settings) + " and " + written("occlusion", settings) +
-            " contradict each other: only the software executor leaves out what is hidden"};
-    if (isGl && !settings.sections.empty())
-        throw UsageError{
-            written("backend", settings) +
-            " and --section contradict each other: only the software executor draws sections"};
-    if (isGl && settings.quality.look.ground)
-        throw UsageError{
-            written("backend", settings) + " and " + written("ground", settings) +
-            " contradict each other: only the software executor shows the ground"};
+            written("backend", settings) + " and " + need->option +
+            " contradict each other: only the software executor " + need->reason};
 }
 
 /// Whether options ask for shadows, or for maps of them.

@@ -190,7 +190,7 @@ std::vector<Setting> machineSettings() {
             &Settings::memory,
             {.name = "memory",
              .form = "SIZE",
-             .help = "Tables, page cache and the sums of pictures of several frames",
+             .help = "Peak resident size of the process; with OpenGL, of tables, page cache and sums of pictures alone",
              .statedAs = "memory_cap",
              .quantity = "page memory"},
             memory()),
@@ -370,6 +370,11 @@ const Setting& named(std::string_view name) {
     const auto found = std::find_if(all.begin(), all.end(), [&](const Setting& each) { return each.name() == name; });
     GNOMON_CHECK(found != all.end());
     return *found;
+}
+
+std::string written(const char* name, const Settings& settings) {
+    const Setting& setting = named(name);
+    return setting.option() + " " + setting.text(settings);
 }
 
 std::string optionsOf(std::string_view message) {

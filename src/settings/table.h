@@ -19,6 +19,9 @@ std::span<const Setting> table();
 /// The one of that name, which must be there.
 const Setting& named(std::string_view name);
 
+/// The option of a setting and its value, as they are written: "--eta 0.5".
+std::string written(const char* name, const Settings& settings);
+
 /// The options of the settings whose quantities `message` names, ", " between them; empty if it names none.
 std::string optionsOf(std::string_view message);
 

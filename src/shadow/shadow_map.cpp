@@ -86,6 +86,10 @@ void fitGrid(const ShadowMap& map, DoubleMapImage& image) {
     GridParts<double> parts;
     parts.columns = axisParts(grid.columns, inner.x, inner.width, image.reach, image.texelOffset.x);
     parts.rows = axisParts(grid.rows, inner.y, inner.height, image.reach, image.texelOffset.y);
+    for (std::size_t i = 0; i < kFittedParts; ++i) {
+        parts.columns.start[i] += map.shift.x;
+        parts.rows.start[i] += map.shift.y;
+    }
     if (image.logRows != 0) {
         const double steps = image.reach / image.texelScale.y;
         for (double& longest : parts.rows.longest)
@@ -96,8 +100,25 @@ void fitGrid(const ShadowMap& map, DoubleMapImage& image) {
 
 } // namespace
 
-DoubleMapImage mapImage(const ShadowMap& map, const glm::dmat4& lightClipFromOffset, const glm::dvec3& origin) {
+namespace {
+
+/// `clip` with even columns and rows moved by the map's shift. Clip space is 2 w wide over the rectangle.
+glm::dmat4 shifted(const ShadowMap& map, glm::dmat4 clip) {
+    if (map.shift == glm::dvec2(0) || map.warped.fitted) return clip;
+    const bool hasEvenRows = map.cubeFace || map.warped.rows == RowSpacing::Even;
+    const glm::dvec2 perW = 2.0 * map.shift / glm::dvec2(map.rectangle.width, map.rectangle.height);
+    for (glm::length_t column = 0; column < 4; ++column) {
+        clip[column].x += perW.x * clip[column].w;
+        if (hasEvenRows) clip[column].y += perW.y * clip[column].w;
+    }
+    return clip;
+}
+
+} // namespace
+
+DoubleMapImage mapImage(const ShadowMap& map, const glm::dmat4& unmovedClipFromOffset, const glm::dvec3& origin) {
     const TexelRectangle& r = map.rectangle;
+    const glm::dmat4 lightClipFromOffset = shifted(map, unmovedClipFromOffset);
     DoubleMapImage image;
     image.origin = origin;
     image.clipFromOffset = lightClipFromOffset;
@@ -125,7 +146,7 @@ DoubleMapImage mapImage(const ShadowMap& map, const glm::dmat4& lightClipFromOff
     image.logRows = 1;
     image.reach += rowsMissed(map.region.frustum, map.region.face, map.warped.frame.y, map.texels().t);
     image.texelScale.y = map.rowsPerLog();
-    image.texelOffset.y = r.y;
+    image.texelOffset.y = r.y + (map.warped.fitted ? 0 : map.shift.y);
     // A step of `reach` rows towards the light's near end is the longest: 1 / w grows by e^(reach / rowsPerLog).
     const double steps = image.reach / map.rowsPerLog();
     const double longer = map.warped.fitted ? 1 : std::expm1(steps) / steps; // else it is the parts'

@@ -34,6 +34,9 @@ struct ShadowMap {
     /// For views so thin (depth ratio under 1.1 or half angle under a degree) that float positions must be relative to
     /// a point inside the slice: that point; of a point light's map the light; else 0.
     glm::dvec3 origin{0};
+    /// Columns and rows of the depth texture by which the grid of texels is moved, each at most half a texel: the
+    /// samples of one picture see different grids. Lookups and casters need no more room for it.
+    glm::dvec2 shift{0};
 
     /// What a lookup reads without a kernel: the rectangle without its gutters.
     TexelRectangle innerRectangle() const;
@@ -53,8 +56,9 @@ struct ShadowMap {
     }
 };
 
-/// The image of `map` for positions of which `lightClipFromOffset` makes clip space once `origin` is subtracted.
-DoubleMapImage mapImage(const ShadowMap& map, const glm::dmat4& lightClipFromOffset, const glm::dvec3& origin);
+/// The image of `map`, moved by its shift, for positions of which `unmovedClipFromOffset` makes clip space without it
+/// once `origin` is subtracted.
+DoubleMapImage mapImage(const ShadowMap& map, const glm::dmat4& unmovedClipFromOffset, const glm::dvec3& origin);
 
 /// The image of `map` for positions in camera space, relative to the map's origin.
 DoubleMapImage cameraImage(const ShadowMap& map);

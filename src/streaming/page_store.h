@@ -120,6 +120,9 @@ public:
     /// stay.
     void reserve(Bytes bytes);
 
+    /// The bytes of the pages that always stay.
+    Bytes pinned() const { return pinned_; }
+
     /// Makes room beside each resident page for what its owner makes of it, `bytes` of the page (null: nothing), in
     /// place of what there was; it is to go with the page. Evicts what the last `load` does not need; the next takes no
     /// more pages than fit so. Throws Error if the pages that always stay do not.

@@ -3,6 +3,7 @@
 #include "executor/light/eye_dome.h"
 #include "executor/software_executor.h"
 #include "proof/frame_proof.h"
+#include "settings/backend_needs.h"
 #include "storage/open_source.h"
 #include "values/value_picture.h"
 #include "viewer/input/picking.h"
@@ -26,11 +27,9 @@ std::unique_ptr<storage::Source> sourceOf(const std::string& path) {
 /// The window's executor where its OpenGL is worth it; null for the software one.
 std::unique_ptr<executor::TextureExecutor> windowExecutor(
     const settings::Settings& settings, const gl::Context& context) {
-    const bool wantsSoftware = settings.quality.shadows == plan::ShadowMode::Exact ||
-                               settings.quality.occlusion == plan::Choice::On || settings.quality.look.ground ||
-                               !settings.sections.empty();
-    const bool isSoftware = settings.backend == settings::Backend::Software ||
-                            (settings.backend == settings::Backend::Auto && (wantsSoftware || !context.isHardware()));
+    const bool isSoftware =
+        settings.backend == settings::Backend::Software ||
+        (settings.backend == settings::Backend::Auto && (settings::needsSoftware(settings) || !context.isHardware()));
     if (isSoftware) return nullptr;
     const gl::ShaderLibrary shaders(
         settings.shaderFolder.empty() ? std::nullopt : std::optional<std::string>(settings.shaderFolder));
@@ -68,9 +67,9 @@ Scene::Scene(
 
 const frame::Frame& Scene::draw(const Shot& shot) {
     plan::Quality quality = shot.quality;
-    if (quality.shadows == plan::ShadowMode::Exact && !executor_->decidesExactly())
+    if (quality.shadows == plan::ShadowMode::Exact && !executor_->capabilities().exactShadows)
         quality.shadows = plan::ShadowMode::Rays; // as exact as this executor can be
-    if (shadow::rowsOf(quality.warp.rule) == shadow::RowSpacing::Logarithmic && !executor_->drawsLogRows())
+    if (shadow::rowsOf(quality.warp.rule) == shadow::RowSpacing::Logarithmic && !executor_->capabilities().unevenRows)
         quality.warp.rule = shadow::WarpRule::Auto; // the least that even rows promise
     accumulation_.clear();
     frame_ = renderer_.render(shot.view, quality, shot.options);

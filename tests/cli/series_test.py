@@ -1,6 +1,9 @@
 """Pictures in number: files along a path and all around, the y4m stream of the same, and a path's camera at a time."""
 import json
 import pathlib
+import re
+import shlex
+import shutil
 import struct
 import subprocess
 import unittest
@@ -36,9 +39,9 @@ def png(path):
 
 
 def yuv(r, g, b):
-    """BT.601 in the range of video, by its definition."""
-    y = 0.299 * r + 0.587 * g + 0.114 * b
-    return 16 + 219 / 255 * y, 128 + 224 / 255 * 0.5 * (b - y) / (1 - 0.114), 128 + 224 / 255 * 0.5 * (r - y) / (1 - 0.299)
+    """BT.709 in the limited range, by its definition."""
+    y = 0.2126 * r + 0.7152 * g + 0.0722 * b
+    return 16 + 219 / 255 * y, 128 + 224 / 255 * 0.5 * (b - y) / (1 - 0.0722), 128 + 224 / 255 * 0.5 * (r - y) / (1 - 0.2126)
 
 
 class Series(ProgramTest):
@@ -49,13 +52,13 @@ class Series(ProgramTest):
         words = ("render", self.sundial, "--path", PATH, "--frames", "3", *SIZE)
         self.expect(0, "", *words, "-o", self.place / "walk%03d.png")
         self.assertEqual(sorted(path.name for path in self.place.path.glob("walk*")), [f"walk00{i}.png" for i in range(3)])
-        self.assertEqual(len(set(self.pictures("walk"))), 2)  # a loop ends where it began
+        self.assertEqual(len(set(self.pictures("walk"))), 3, "a loop draws no picture twice")
         stream = subprocess.run([GNOMON, *map(str, words), "-o", "-"], capture_output=True, timeout=60)
         self.assertEqual(stream.returncode, 0, stream.stderr)
         head, _, rest = stream.stdout.partition(b"\n")
         times = [key["time"] for key in json.loads(PATH.read_text())["keyframes"]]
-        rate = round(1000 * 2 / (times[-1] - times[0]))
-        self.assertEqual(head, f"YUV4MPEG2 W48 H32 F{rate}:1000 Ip A1:1 C444".encode())
+        rate = round(1000 * 3 / (times[-1] - times[0]))
+        self.assertEqual(head, f"YUV4MPEG2 W48 H32 F{rate}:1000 Ip A1:1 C444 XCOLORRANGE=LIMITED".encode())
         frame = 6 + 3 * 48 * 32
         self.assertEqual(len(rest), 3 * frame)
         for i in range(3):
@@ -65,6 +68,26 @@ class Series(ProgramTest):
             for place, pixel in enumerate(pixels):
                 for plane, value in enumerate(yuv(*pixel)):
                     self.assertLessEqual(abs(planes[plane * 48 * 32 + place] - value), 0.51, pixel)
+
+    @unittest.skipUnless(shutil.which("ffmpeg"), "there is no ffmpeg")
+    def test_a_video_shows_the_colours_of_the_pictures(self):
+        """As the page about looks says: through ffmpeg, of an odd size too, and back by the tags of the video."""
+        colors = [(191, 64, 32), (255, 0, 0), (0, 255, 0), (0, 0, 255), (255, 255, 255), (16, 96, 160)]
+        for number, color in enumerate(colors):
+            size = "48x32" if number % 2 == 0 else "47x33"
+            drawn = ("render", self.sundial, "--size", size, "--background", "#%02x%02x%02x" % color, "--turntable", "2")
+            away = ("--eye", "0,50,0", "--target", "0,99,1")  # nothing but the background
+            stream = subprocess.run([GNOMON, *map(str, drawn), *away, "-o", "-"], capture_output=True, timeout=60)
+            self.assertEqual(stream.returncode, 0, stream.stderr)
+            video = self.place / f"color{number}.mp4"
+            line = re.search(r"\| (ffmpeg -i - .*) turn.mp4", (DATA.parent / "docs/looks.md").read_text())[1]
+            made = subprocess.run([*shlex.split(line), "-v", "error", "-y", video], input=stream.stdout, timeout=60)
+            self.assertEqual(made.returncode, 0)
+            back = ("ffmpeg", "-v", "error", "-i", video, "-f", "rawvideo", "-pix_fmt", "rgb24", "-")
+            shown = subprocess.run(back, capture_output=True, timeout=60).stdout
+            middle = 3 * (16 * 48 + 24)
+            for got, meant in zip(shown[middle : middle + 3], color):
+                self.assertLessEqual(abs(got - meant), 2, f"{color} is shown as {tuple(shown[middle:middle + 3])}")
 
     def test_a_turntable_goes_around_and_begins_where_it_is_told(self):
         self.expect(0, "", "render", self.sundial, *SIZE, "--turntable", "4", "-o", self.place / "turn%d.png")

@@ -136,7 +136,7 @@ TEST(ExactPass, WhatLiesAlongTheLightLandsOnOnePlace) {
 TEST(ExactPass, OpenGlRefusesIt) {
     const ExactFrame frame(5);
     const std::unique_ptr<Executor> gl = makeGlExecutor(gl::testedPlatform(), gl::ShaderLibrary(), mebibytes(16));
-    EXPECT_FALSE(gl->decidesExactly());
+    EXPECT_FALSE(gl->capabilities().exactShadows);
     try {
         gl->drawExactly(frame.drawing());
         FAIL() << "it draws";

@@ -67,6 +67,7 @@ public:
             FrameOptions options;
             options.isAccumulated = true;
             options.subpixel = subpixelOffset(sample);
+            options.mapShift = mapShift(sample);
             const Frame frame = renderer_.render(view, quality, options);
             background_ = executor::backgroundRows(renderer_.drawing(frame, options));
             add(executor_->light());
@@ -178,7 +179,7 @@ TEST_P(AccumulationTwins, AreTheMeanOfFramesRenderedOneByOne) {
     EXPECT_GT(edges, 50U) << "this tests nothing";
 }
 
-TEST_P(AccumulationTwins, DrawWholeMapsOnce) {
+TEST_P(AccumulationTwins, DrawWholeMapsMovedBySample) {
     const auto executor = GetParam()();
     Renderer renderer(hills(), *executor, {});
     Random random(3);
@@ -193,15 +194,19 @@ TEST_P(AccumulationTwins, DrawWholeMapsOnce) {
     ASSERT_GT(maps.width, 0);
     Accumulation accumulation;
     accumulation.begin(renderer, frame, 5);
-    for (int sample = 1; sample < 5; ++sample)
-        accumulation.add();
-    EXPECT_EQ(executor->shadowDepth().pixels, maps.pixels);
     const auto fresh = GetParam()();
     Renderer whole(hills(), *fresh, {});
     options.wantsWholeMaps = true;
     whole.render(view, quality, {});
-    whole.render(view, quality, options);
-    EXPECT_EQ(fresh->shadowDepth().pixels, maps.pixels);
+    const Renderer::Motion before = whole.motion();
+    for (int sample = 0; sample < 5; ++sample) {
+        if (sample > 0) accumulation.add();
+        options.mapShift = mapShift(sample);
+        whole.continueFrom(before);
+        whole.render(view, quality, options);
+        EXPECT_EQ(executor->shadowDepth().pixels, fresh->shadowDepth().pixels) << sample;
+        EXPECT_EQ(executor->shadowDepth().pixels == maps.pixels, sample == 0);
+    }
 }
 
 std::unique_ptr<executor::Executor> osmesa() {

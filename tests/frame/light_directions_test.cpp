@@ -330,6 +330,7 @@ TEST(LightFrames, AreTheMeanOfFramesDrawnOneByOne) {
             FrameOptions options;
             options.isAccumulated = true;
             options.subpixel = subpixelOffset(i);
+            options.mapShift = mapShift(i);
             const auto lightFrom = [&](const glm::dvec3& direction, executor::LightPart part, double weight) {
                 plan::View turned = view;
                 turned.towardsLight = direction;

@@ -193,6 +193,8 @@ TEST(MapReuseByReceivers, EndsWhereAnotherImageAsks) {
     EXPECT_EQ(reused(options), 0);
     quality.filter = 2;
     EXPECT_EQ(reused(options), 0);
+    for (int frame = 0; frame < 16; ++frame) // a changed setting begins anew
+        reused(options);
     EXPECT_GT(reused(options), 0);
     options.subpixel = {0.25, -0.375};
     EXPECT_EQ(reused(options), 0) << "its pixels are sampled elsewhere";

@@ -2,7 +2,6 @@
 #include "core/random.h"
 #include "measure/bench_walk.h"
 #include "measure/small_bench.h"
-#include "streaming/page_store.h"
 
 #include <gtest/gtest.h>
 
@@ -19,15 +18,6 @@ path::CameraPath stillness() {
     path.keyframes = {path.keyframes[0], path.keyframes[0]};
     path.keyframes[1].time = 0.1;
     return path;
-}
-
-/// `--memory` that leaves room for `fraction` of the model's pages.
-Bytes memoryFor(double fraction) {
-    const hierarchy::ModelFile file(model());
-    double bytes = 0;
-    for (const hierarchy::PageInfo& page : file.pages())
-        bytes += static_cast<double>(streaming::decodedBytes(page).count) * fraction;
-    return {static_cast<std::uint64_t>(bytes) + frame::tableBytes(file).count};
 }
 
 TEST(BenchWalk, TwiceTheSameButForTimes) {

@@ -2,8 +2,11 @@
 #pragma once
 
 #include "core/units.h"
+#include "frame/picture_memory.h"
 #include "hierarchy/temporary_model.h"
 #include "measure/bench_runs.h"
+#include "settings/resolve.h"
+#include "streaming/page_store.h"
 
 #include <gtest/gtest.h>
 
@@ -33,6 +36,23 @@ inline settings::Settings smallSettings() {
     settings.quality.shadowTexelsWidth = settings.quality.shadowTexelsHeight = 256;
     settings.quality.errorPixels = 0.2;
     return settings;
+}
+
+/// `--memory` that leaves room for `fraction` of the model's pages.
+inline Bytes memoryFor(double fraction, plan::ShadowMode shadows = plan::ShadowMode::Maps, int samples = 1) {
+    const hierarchy::ModelFile file(model());
+    double bytes = 0;
+    for (const hierarchy::PageInfo& page : file.pages())
+        bytes += static_cast<double>(streaming::decodedBytes(page).count) * fraction;
+    settings::Settings settings = smallSettings();
+    settings.quality.shadows = shadows;
+    const plan::View view = settings::viewOf(settings, file.summary());
+    frame::FrameOptions options;
+    options.isAccumulated = samples > 1;
+    const Bytes picture = frame::pictureBytes(view, settings::qualityOf(settings), options);
+    // Pages have two thirds of what the program, the tables and the picture leave.
+    return {
+        mebibytes(64).count + frame::tableBytes(file).count + picture.count + static_cast<std::uint64_t>(1.5 * bytes)};
 }
 
 /// Low over the hills from one side to the other, in half a second.

@@ -20,7 +20,7 @@ TEST(CasterCulling, IsChosenByCountsAndByWhoDraws) {
         const char* words;
         CasterCulling asked;
         std::uint64_t triangles;
-        MapOrder order;
+        bool isImageFirst;
         bool isStable;
         CasterCulling chosen;
         std::optional<OmissionReason> reason;
@@ -30,21 +30,22 @@ TEST(CasterCulling, IsChosenByCountsAndByWhoDraws) {
     using R = OmissionReason;
     const std::uint64_t few = std::uint64_t{100} * 100 / kPixelsPerTriangle - 1;
     const std::vector<Row> rows = {
-        {"many casters", C::Auto, few + 1, MapOrder::ImageFirst, false, C::Receivers, {}},
-        {"few casters", C::Auto, few, MapOrder::ImageFirst, false, C::On, R::FewCasters},
-        {"few, but asked for", C::Receivers, few, MapOrder::ImageFirst, false, C::Receivers, {}},
-        {"kept for other views", C::Auto, 1'000'000, MapOrder::ImageFirst, true, C::On, R::MapsAreKept},
-        {"kept, but asked for", C::Receivers, 1, MapOrder::ImageFirst, true, C::Receivers, {}},
-        {"maps first", C::Auto, 1'000'000, MapOrder::MapsFirst, false, C::On, R::MapsComeFirst},
-        {"maps first, asked for", C::Receivers, 1'000'000, MapOrder::MapsFirst, false, C::On, R::MapsComeFirst},
-        {"on", C::On, 1'000'000, MapOrder::ImageFirst, false, C::On, R::SwitchedOff},
-        {"off", C::Off, 1'000'000, MapOrder::ImageFirst, false, C::Off, R::SwitchedOff},
+        {"many casters", C::Auto, few + 1, true, false, C::Receivers, {}},
+        {"few casters", C::Auto, few, true, false, C::On, R::FewCasters},
+        {"few, but asked for", C::Receivers, few, true, false, C::Receivers, {}},
+        {"kept for other views", C::Auto, 1'000'000, true, true, C::On, R::MapsAreKept},
+        {"kept, but asked for", C::Receivers, 1, true, true, C::Receivers, {}},
+        {"maps first", C::Auto, 1'000'000, false, false, C::On, R::MapsComeFirst},
+        {"maps first, asked for", C::Receivers, 1'000'000, false, false, C::On, R::MapsComeFirst},
+        {"on", C::On, 1'000'000, true, false, C::On, R::SwitchedOff},
+        {"off", C::Off, 1'000'000, true, false, C::Off, R::SwitchedOff},
     };
     for (const Row& row : rows) {
         SCOPED_TRACE(row.words);
         FramePlan plan = planOf(row.asked, row.triangles);
         plan.quality.stabilize = row.isStable;
-        chooseCasterCulling(plan, row.order);
+        plan.executor.imageFirst = row.isImageFirst;
+        chooseCasterCulling(plan);
         EXPECT_EQ(plan.casterCulling, row.chosen);
         ASSERT_EQ(plan.omitted.size(), row.reason ? 1U : 0U);
         if (!row.reason) continue;
@@ -52,7 +53,7 @@ TEST(CasterCulling, IsChosenByCountsAndByWhoDraws) {
     }
     FramePlan without = planOf(C::Auto, 5);
     without.passes.clear();
-    chooseCasterCulling(without, MapOrder::ImageFirst);
+    chooseCasterCulling(without);
     EXPECT_TRUE(without.omitted.empty()) << "there is nothing to cull";
 }
 

@@ -38,6 +38,7 @@ TEST(MapReuse, IsOfEqualMapsAlone) {
         {"texel", [](FramePlan& p) { p.passes[1].map.stable->texel *= 1.5; }, false},
         {"not stabilised", [](FramePlan& p) { p.passes[1].map.stable.reset(); }, false},
         {"gutter", [](FramePlan& p) { ++p.passes[1].map.gutter; }, false},
+        {"shift", [](FramePlan& p) { p.passes[1].map.shift.x += 0.25; }, false},
         {"depth clamp", [](FramePlan& p) { p.passes[1].clampsDepth = !p.passes[1].clampsDepth; }, false},
     };
     for (const Row& row : table) {
@@ -54,7 +55,7 @@ TEST(MapReuse, IsOfWarpedMapsFromTheSameCamera) {
     const FramePlan plan = planFrame(madeView(4), {}, scene.facts(madeView(4))).plan;
     ASSERT_GT(plan.passes.size(), 1U);
     EXPECT_TRUE(isSameMap(plan, plan, 0));
-    EXPECT_TRUE(isSameQuestion(plan, plan));
+    EXPECT_TRUE(isSameImage(plan, plan));
 
     struct Row {
         const char* what;
@@ -69,12 +70,19 @@ TEST(MapReuse, IsOfWarpedMapsFromTheSameCamera) {
         {"extent", [](FramePlan& p) { p.passes[0].map.warped.width *= 1.001; }, false},
         {"depth", [](FramePlan& p) { p.passes[0].map.warped.rawMin += 1e-3; }, false},
         {"origin", [](FramePlan& p) { p.passes[0].map.origin.z += 1; }, false},
+        {"shift", [](FramePlan& p) { p.passes[0].map.shift.y -= 0.5; }, false},
         {"stabilised", [](FramePlan& p) { p.passes[0].map.stable.emplace(); }, false},
         {"light", [](FramePlan& p) { ++p.light.direction.z; }, false},
         {"image", [](FramePlan& p) { ++p.view.height; }, true},
         {"angle", [](FramePlan& p) { p.view.camera.fovYRadians += 1e-6; }, true},
         {"filter", [](FramePlan& p) { p.quality.filter = 3; }, true},
-        {"splits", [](FramePlan& p) { p.splits[1] *= 1.001; }, true},
+        {"splits", [](FramePlan& p) { p.selector.splits[1] *= 1.001; }, true},
+        {"ground", [](FramePlan& p) { p.quality.look.ground = true; }, true},
+        {"sun's width", [](FramePlan& p) { p.view.sunAngleRadians = 0.01; }, true},
+        {"error", [](FramePlan& p) { p.quality.errorPixels *= 1.001; }, true},
+        {"culling", [](FramePlan& p) { p.quality.cullCasters = CasterCulling::Receivers; }, true},
+        {"kernel", [](FramePlan& p) { p.passes[0].map.filterTexels += 1; }, true},
+        {"backend", [](FramePlan& p) { p.executor = kSoftwareCapabilities; }, true},
         {"partitions", [](FramePlan& p) { p.passOfPartition[0] = -1; }, true},
     };
     for (const Row& row : table) {
@@ -82,7 +90,7 @@ TEST(MapReuse, IsOfWarpedMapsFromTheSameCamera) {
         FramePlan other = plan;
         row.change(other);
         EXPECT_EQ(isSameMap(plan, other, 0), row.isSameMap);
-        EXPECT_FALSE(isSameQuestion(plan, other));
+        EXPECT_FALSE(isSameImage(plan, other));
     }
 }
 

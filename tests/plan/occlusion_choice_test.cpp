@@ -9,7 +9,8 @@ namespace {
 FramePlan chosen(Choice occlusion, double layers, bool canSkip) {
     FramePlan plan;
     plan.quality.occlusion = occlusion;
-    chooseOcclusion(plan, layers, canSkip);
+    plan.executor.occlusionCulling = canSkip;
+    chooseOcclusion(plan, layers);
     return plan;
 }
 

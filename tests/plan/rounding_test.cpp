@@ -29,13 +29,13 @@ Quality openQuality(std::uint64_t seed) {
 struct ModeCase {
     explicit ModeCase(std::uint64_t seed)
         : view(madeView(seed)), quality(openQuality(seed)), facts(MadeScene(seed % 20).facts(view)) {
-        executor.drawsLogRows = seed % 3 != 0;
+        executor.unevenRows = seed % 3 != 0;
     }
 
     View view;
     Quality quality;
     SceneFacts facts;
-    ExecutorFacts executor;
+    Capabilities executor;
 };
 
 [[gnu::noinline]] PlannedFrame planOf(const ModeCase& given) {

@@ -68,7 +68,8 @@ Bytes LightSum::bytes(std::uint64_t pixels, bool hasGround, bool hasSky) {
     return {pixels * (kHeld + kShown + ofGround + ofSky)};
 }
 
-void LightSum::reset(bool hasGround) {
+void LightSum::reset(bool hasGround, int firstRow) {
+    firstRow_ = firstRow;
     sums_ = shadows_ = {};
     covered_ = {};
     count_ = whole_ = 0;
@@ -105,7 +106,7 @@ void LightSum::add(const LightPicture& light, const shadow::TileMask* tiles) {
     if (!tiles_) tiles_ = *tiles;
     tbb::parallel_for(0, light.height, [&](int row) {
         for (int x = 0; x < light.width; x += shadow::ImageTiles::kSide) {
-            if (!tiles->holds(x, light.height - 1 - row)) continue;
+            if (!tiles->holds(x, firstRow_ + light.height - 1 - row)) continue;
             const int end = std::min(x + shadow::ImageTiles::kSide, light.width);
             for (std::size_t i = light.index(x, row); i < light.index(end, row); ++i)
                 addPixel(i, light.pixels[i]);
@@ -119,7 +120,7 @@ int LightSum::framesOf(std::size_t i) const {
     if (!tiles_) return count_;
     const auto width = static_cast<std::size_t>(sums_.width);
     const int row = static_cast<int>(i / width);
-    return tiles_->holds(static_cast<int>(i % width), sums_.height - 1 - row) ? count_ : whole_;
+    return tiles_->holds(static_cast<int>(i % width), firstRow_ + sums_.height - 1 - row) ? count_ : whole_;
 }
 
 LightPicture LightSum::mean() const {
@@ -151,13 +152,15 @@ float LightSum::groundCoverage(std::size_t i) const {
 
 Picture LightSum::picture(const Shown& shown) const {
     GNOMON_CHECK(count_ > 0);
-    GNOMON_CHECK(shown.backgroundRows.size() == static_cast<std::size_t>(sums_.height));
+    const auto lastRow = static_cast<std::size_t>(firstRow_ + sums_.height);
+    GNOMON_CHECK(shown.backgroundRows.size() >= lastRow);
+    const std::size_t above = shown.backgroundRows.size() - lastRow; // rows of the image
     block::Frame curve{};
     curve.isShouldered = shown.isShouldered ? 1 : 0;
     const LightPicture mean = this->mean();
     Picture picture(sums_.width, sums_.height);
     forAllPixels(picture.pixels.size(), [&](std::size_t i) {
-        const Rgb& behind = shown.backgroundRows[i / static_cast<std::size_t>(sums_.width)];
+        const Rgb& behind = shown.backgroundRows[above + i / static_cast<std::size_t>(sums_.width)];
         const int covered = covered_.pixels[i];
         const std::array<float, 3> left = leftOfBackground(i);
         const auto background = [&](std::size_t c) {

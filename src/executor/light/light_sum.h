@@ -42,8 +42,8 @@ public:
     static Bytes bytes(std::uint64_t pixels, bool hasGround, bool hasSky);
 
     /// Begins anew with nothing, and gives back what there was. With `hasGround` it counts what shadows leave of the
-    /// background.
-    void reset(bool hasGround = false);
+    /// background. The frames hold the rows of the image from `firstRow` on, counted from the bottom.
+    void reset(bool hasGround = false, int firstRow = 0);
 
     /// Adds one more, at most kMost in all and of the size of the first; where it is of some tiles, only what lies in
     /// them. All frames from the first such on are of these.
@@ -55,7 +55,7 @@ public:
     /// The mean over the frames that cover a pixel.
     LightPicture mean() const;
 
-    /// At least one frame; the rows of the background are as many as the frames'. Of equal frames it is what each of
+    /// At least one frame; the rows of the background are those of the whole image. Of equal frames it is what each of
     /// them shows.
     Picture picture(const Shown& shown) const;
 
@@ -70,6 +70,7 @@ private:
     std::array<float, 3> leftOfBackground(std::size_t i) const;
     float groundCoverage(std::size_t i) const;
 
+    int firstRow_ = 0;
     int count_ = 0;
     int whole_ = 0;                         // the frames before the first of some tiles
     std::optional<shadow::TileMask> tiles_; // of those from there on

@@ -53,6 +53,7 @@ std::uint64_t ReceiverPass::collect(
         for (auto* values : {&awaited_.pixels, &awaited_.texels, &awaited_.litColors})
             values->resize(most);
         awaited_.depths.resize(most);
+        awaited_.counts.resize(most);
     }
     awaited_.mask = &mask_;
     mask_.reset(shadowDepth.width, shadowDepth.height);
@@ -114,7 +115,7 @@ std::uint64_t ReceiverPass::light(const FloatPicture& shadowDepth, Picture& pict
         for (std::size_t i = range.begin(); i < range.end(); ++i) {
             if (awaited_.depths[i] > shadowDepth.pixels[awaited_.texels[i]]) continue;
             picture.pixels[awaited_.pixels[i]] = unpacked(awaited_.litColors[i]);
-            ++count;
+            count += awaited_.counts[i];
         }
         lit.fetch_add(count, std::memory_order_relaxed);
     });

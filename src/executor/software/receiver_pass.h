@@ -24,14 +24,14 @@ public:
     /// or surfaces want more than colours.
     bool canLight() const { return awaited_.isLitLater; }
 
-    /// Gives the light to the pixels that it reaches, from what the maps hold, and answers how many those are.
+    /// Gives the light to the pixels that it reaches, from what the maps hold, and returns how many count as lit.
     std::uint64_t light(const FloatPicture& shadowDepth, Picture& picture) const;
 
     /// Clusters that `casters` was asked about since the last `collect`.
     std::uint64_t clustersTested() const { return clustersTested_; }
 
     /// What the arrays by pixel take.
-    std::uint64_t bytes() const { return awaited_.pixels.size() * (3 * sizeof(std::uint32_t) + sizeof(float)); }
+    std::uint64_t bytes() const { return awaited_.pixels.size() * (3 * sizeof(std::uint32_t) + sizeof(float) + 1); }
 
 private:
     exact::LookupMask mask_;

@@ -21,6 +21,8 @@ struct FaceSelector {
                            // which every p passes
     glm::dvec3 edge{0};    // with an own near map: p belongs to the near face where dot(edge, p) < edgeOffset * n_i,
     double edgeOffset = 0; // n_i the near depth of p's slice
+
+    bool operator==(const FaceSelector&) const = default;
 };
 
 /// Which partition a point in camera space belongs to. Shaders repeat `ownerOf` word for word.
@@ -32,6 +34,8 @@ struct PartitionSelector {
     std::size_t facesPerSlice() const { return faces.empty() ? 1 : faces.size() + (ownNear ? 1 : 0); }
 
     std::size_t partitionCount() const { return (splits.size() - 1) * facesPerSlice(); }
+
+    bool operator==(const PartitionSelector&) const = default;
 };
 
 /// Which faces of a slice have maps of their own.

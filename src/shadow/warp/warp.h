@@ -58,6 +58,8 @@ struct Warp {
         tsmFocus; // Tsm: view distance of the focus from near, world units, > 0; nothing: tsmFocusDepth
     double tsmFraction = 0.8;
     double kappa = 0; // Given: 1 / world units, >= 0
+
+    bool operator==(const Warp&) const = default;
 };
 
 /// Wimmer's rule: n' = (n + sqrt(n (n + d sin gamma))) / sin gamma.

@@ -158,7 +158,7 @@ Score jumpScore(Genes genes, Words words) {
     const plan::MadeScene scene(genes.below(64));
     plan::View view = plan::madeViewFrom(genes);
     const plan::Quality quality = openQuality(genes);
-    const plan::ExecutorFacts executor{genes.below(3) != 0};
+    const plan::Capabilities executor{.unevenRows = genes.below(3) != 0};
     const glm::dvec3 step = randomDirection(genes) * std::pow(10.0, genes.uniform(-9, -6));
     constexpr int kStill =
         14; // frames: near waits for less (plan/hysteresis.h), and a scheme goes at once or after more

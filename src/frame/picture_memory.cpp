@@ -1,0 +1,74 @@
+#include "frame/picture_memory.h"
+
+#include "exact/exact_shadows.h"
+#include "executor/light/light_sum.h"
+#include "executor/picture.h"
+
+#include <algorithm>
+
+namespace gnomon::frame {
+
+namespace {
+
+constexpr std::uint64_t kFinished = sizeof(executor::Rgb) + sizeof(std::uint8_t); // a pixel, with its coverage
+
+/// What a pixel of an image takes while it is drawn.
+std::uint64_t bytesPerPixel(const plan::View& view, const plan::Quality& quality, const FrameOptions& options) {
+    constexpr std::uint64_t kAwaited = 3 * sizeof(std::uint32_t) + sizeof(float) + sizeof(std::uint8_t);
+    constexpr std::uint64_t kMapOfLamp = sizeof(std::int32_t);
+    std::uint64_t bytes = sizeof(std::uint64_t) + 2 * sizeof(executor::Rgb); // visibility buffer, picture and its copy
+    if (options.wantsSurfaces) bytes += sizeof(executor::SurfaceSample);
+    if (options.isAccumulated)
+        bytes += executor::LightSum::bytes(1, quality.look.ground, quality.sky.directions > 0).count;
+    const bool hasSun = !plan::isWithoutSun(quality.look.shading);
+    const plan::ShadowMode shadows = quality.shadows;
+    if (hasSun && shadows != plan::ShadowMode::Off && shadows != plan::ShadowMode::Maps)
+        bytes += exact::ExactShadows::kBytesPerSample + (view.pointLight ? kMapOfLamp : 0);
+    else if (hasSun && shadows == plan::ShadowMode::Maps && !options.isAccumulated)
+        bytes += kAwaited;
+    return bytes;
+}
+
+/// What does not depend on the image's size: the depth texture and its masks, and the cells of exact shadows.
+std::uint64_t fixedBytes(const plan::Quality& quality) {
+    constexpr std::uint64_t kCells = mebibytes(8).count;
+    const auto texels =
+        static_cast<std::uint64_t>(quality.shadowTexelsWidth) * static_cast<std::uint64_t>(quality.shadowTexelsHeight);
+    const bool hasMaps = quality.shadows == plan::ShadowMode::Maps || quality.shadows == plan::ShadowMode::Auto;
+    const bool isExact = quality.shadows == plan::ShadowMode::Exact || quality.shadows == plan::ShadowMode::Auto;
+    return (hasMaps ? texels * sizeof(float) : 0) + (isExact ? kCells : 0);
+}
+
+/// Whether the image can be drawn a few rows at a time: nothing asks for all of it at once.
+bool canHaveBands(const plan::View& view, const plan::Quality& quality, const FrameOptions& options) {
+    return options.overlay == executor::Overlay::None && !options.wantsSurfaces && !options.wantsWholeImage &&
+           !options.wantsWholeMaps && !options.observerCamera && view.sections.empty() &&
+           quality.warp.rule != shadow::WarpRule::Fitted;
+}
+
+} // namespace
+
+Bytes pictureBytes(const plan::View& view, const plan::Quality& quality, const FrameOptions& options) {
+    const auto width = static_cast<std::uint64_t>(view.width);
+    const auto height = static_cast<std::uint64_t>(view.height);
+    const auto rows = options.rows ? static_cast<std::uint64_t>(options.rows->count) : height;
+    return {width * rows * bytesPerPixel(view, quality, options) + width * height * kFinished + fixedBytes(quality)};
+}
+
+std::vector<executor::ImageRows> bandsOf(
+    const plan::View& view, const plan::Quality& quality, const FrameOptions& options, Bytes memory) {
+    constexpr int kMinRows = 64; // a multiple of what is shaded together and of what is masked
+    const bool fits = pictureBytes(view, quality, options).count <= memory.count / 2;
+    if (fits || !canHaveBands(view, quality, options)) return {{0, view.height}};
+    const std::uint64_t perStripe =
+        bytesPerPixel(view, quality, options) * static_cast<std::uint64_t>(view.width) * kMinRows;
+    const std::uint64_t stripes = std::max<std::uint64_t>(memory.count / 4 / perStripe, 1);
+    const int rows =
+        static_cast<int>(std::min<std::uint64_t>(stripes * kMinRows, static_cast<std::uint64_t>(view.height)));
+    std::vector<executor::ImageRows> bands;
+    for (int first = 0; first < view.height; first += rows)
+        bands.push_back({first, std::min(rows, view.height - first)});
+    return bands;
+}
+
+} // namespace gnomon::frame

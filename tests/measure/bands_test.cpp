@@ -1,0 +1,108 @@
+// A picture that is drawn in bands has the bytes of the whole one, and takes no more memory than it may.
+#include "frame/picture_memory.h"
+#include "measure/finished_picture.h"
+#include "settings/resolve.h"
+#include "tests/frame/crate_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include <unistd.h>
+
+namespace gnomon::measure {
+namespace {
+
+using plan::ShadowMode;
+
+/// The file of a crate on a plain, gone with this.
+class CrateFile {
+public:
+    CrateFile() : path_(testing::TempDir() + "gnomon_bands_" + std::to_string(::getpid()) + ".gnm") {
+        tests::writeModel(frame::crateOnGround().model(), path_);
+    }
+
+    ~CrateFile() { std::filesystem::remove(path_); }
+
+    CrateFile(const CrateFile&) = delete;
+    CrateFile& operator=(const CrateFile&) = delete;
+    CrateFile(CrateFile&&) = delete;
+    CrateFile& operator=(CrateFile&&) = delete;
+
+    const std::string& path() const { return path_; }
+
+private:
+    std::string path_;
+};
+
+TEST(Bands, CoverAPictureInWholeStripes) {
+    plan::View view;
+    view.width = 7680;
+    view.height = 4320;
+    plan::Quality quality;
+    quality.shadows = ShadowMode::Auto;
+    frame::FrameOptions options;
+    options.isAccumulated = true;
+    const Bytes whole = frame::pictureBytes(view, quality, options);
+    EXPECT_EQ(frame::bandsOf(view, quality, options, {2 * whole.count}).size(), 1U);
+    const Bytes memory = mebibytes(448);
+    const std::vector<executor::ImageRows> bands = frame::bandsOf(view, quality, options, memory);
+    ASSERT_GT(bands.size(), 8U);
+    int next = 0;
+    for (const executor::ImageRows& band : bands) {
+        EXPECT_EQ(band.first, next);
+        EXPECT_EQ(band.first % 64, 0);
+        next += band.count;
+        options.rows = band;
+        EXPECT_LT(
+            frame::pictureBytes(view, quality, options).count, memory.count / 4 + 5U * 7680 * 4320 + (32U << 20U));
+    }
+    EXPECT_EQ(next, view.height);
+}
+
+/// The same picture by a session that has much memory and by one that has little.
+TEST(Bands, HaveTheBytesOfTheWholePicture) {
+    settings::Settings much;
+    much.backend = settings::Backend::Software;
+    settings::Settings little = much;
+    little.memory = mebibytes(84); // 20 for pictures and pages
+    const auto ignore = [](const std::string&) {};
+    const CrateFile crate;
+    Session wide(crate.path(), much, ignore);
+    Session narrow(crate.path(), little, ignore);
+    NoProgress progress;
+    plan::View view = settings::viewOf(much, wide.model());
+    view.width = 300;
+    view.height = 450;
+    int banded = 0;
+    for (const ShadowMode mode : {ShadowMode::Exact, ShadowMode::Maps, ShadowMode::Rays, ShadowMode::Off})
+        for (const int samples : {1, 2})
+            for (const bool hasExtras : {false, true}) {
+                if (hasExtras && samples == 1) continue;
+                plan::Quality quality;
+                quality.shadows = mode;
+                quality.shadowTexelsWidth = quality.shadowTexelsHeight = 256;
+                quality.look.shading = hasExtras ? plan::Shading::Lit : plan::Shading::Auto;
+                quality.look.ground = hasExtras;
+                if (hasExtras) quality.look.background.kind = plan::Background::Kind::Transparent;
+                if (hasExtras && samples > 1) quality.sky.directions = 2;
+                view.sunAngleRadians = hasExtras && samples > 1 ? 0.05 : 0;
+                frame::FrameOptions options;
+                options.isAccumulated = samples > 1;
+                banded +=
+                    frame::bandsOf(view, quality, options, narrow.renderer().residency().memory()).size() > 1 ? 1 : 0;
+                wide.renderer().forget();
+                narrow.renderer().forget();
+                const FinishedPicture whole = drawFinished(wide, view, quality, {}, samples, progress);
+                const FinishedPicture bands = drawFinished(narrow, view, quality, {}, samples, progress);
+                EXPECT_TRUE(whole.picture.pixels == bands.picture.pixels) << static_cast<int>(mode) << " " << samples;
+                ASSERT_EQ(whole.coverage.has_value(), bands.coverage.has_value());
+                if (whole.coverage) {
+                    EXPECT_TRUE(whole.coverage->pixels == bands.coverage->pixels);
+                }
+            }
+    EXPECT_GT(banded, 6) << "this tests nothing";
+}
+
+} // namespace
+} // namespace gnomon::measure

@@ -8,6 +8,13 @@ namespace {
 constexpr std::array<std::array<float, 3>, 3> kSampleWeights = {
     {{2.0F / 3, 1.0F / 6, 1.0F / 6}, {1.0F / 6, 2.0F / 3, 1.0F / 6}, {1.0F / 6, 1.0F / 6, 2.0F / 3}}};
 
+/// The least height of a triangle.
+double widthOf(const std::array<glm::dvec3, 3>& t) {
+    const double area = glm::length(glm::cross(t[1] - t[0], t[2] - t[0]));
+    const double longest = std::max({glm::length(t[1] - t[0]), glm::length(t[2] - t[1]), glm::length(t[0] - t[2])});
+    return longest > 0 ? area / longest : 0;
+}
+
 } // namespace
 
 ChannelFit::ChannelFit(
@@ -42,9 +49,10 @@ std::vector<TransferredWord> ChannelFit::run() {
         compare(t);
     std::vector<TransferredWord> transferred;
     for (std::uint32_t v = 0; v < channels_.size(); ++v) {
-        if (!(weight_[v] > 0) || patch_.isLocked[patch_.positionOf[v]] != 0) continue;
+        const std::uint32_t p = simplified_.positionOf(patch_, v);
+        if (!(weight_[v] > 0) || patch_.isLocked[p] != 0) continue;
         for (std::size_t i = 0; i < channels_[v].size(); ++i)
-            channels_[v][i] += residual_[v][i] / (weight_[v] + plainWeight_[patch_.positionOf[v]]);
+            channels_[v][i] += residual_[v][i] / (weight_[v] + plainWeight_[p]);
         const std::uint32_t word = packed(channels_[v]);
         channels_[v] = channelsOf(word);
         if (word != words_[v]) transferred.push_back({v, word});
@@ -81,7 +89,7 @@ void ChannelFit::compareWordsAround() {
         const std::uint32_t word = words_[t[0]];
         const bool isOfOneWord = words_[t[1]] == word && words_[t[2]] == word;
         for (const std::uint32_t v : t) {
-            const std::uint32_t p = patch_.positionOf[v];
+            const std::uint32_t p = simplified_.positionOf(patch_, v);
             const bool isFirst = around_[p] == Around::NoTriangle;
             const bool isLikeOthers = isFirst || (around_[p] == Around::OneWord && wordAround_[p] == word);
             around_[p] = isOfOneWord && isLikeOthers ? Around::OneWord : Around::Words;
@@ -95,7 +103,7 @@ void ChannelFit::compareWordsAround() {
 bool ChannelFit::isPlain(const simplify::Triangle& t) const {
     const std::uint32_t word = words_[t[0]];
     return std::ranges::all_of(t, [&](std::uint32_t v) {
-        const std::uint32_t p = simplified_.movedTo[patch_.positionOf[v]];
+        const std::uint32_t p = simplified_.positionOf(patch_, v);
         const bool isOfWord = around_[p] == Around::OneWord && wordAround_[p] == word;
         return words_[v] == word && (isOfWord || around_[p] == Around::NoTriangle);
     });
@@ -131,18 +139,18 @@ void ChannelFit::compare(std::uint32_t number) {
     const auto area = static_cast<float>(glm::length(glm::cross(places[1] - places[0], places[2] - places[0])));
     if (isPlain(t)) { // nothing is off, but that counts
         for (const std::uint32_t v : t)
-            plainWeight_[simplified_.movedTo[patch_.positionOf[v]]] += area;
+            plainWeight_[simplified_.positionOf(patch_, v)] += area;
         return;
     }
     gatherCandidates(t);
     if (candidates_.empty()) return;
-    const double length = lengthOf(t);
+    const double length = std::max(lengthOf(t), 0.5 * widthOf(places));
     for (const Weights& at : kSampleWeights) {
         const glm::dvec3 p = places[0] * static_cast<double>(at[0]) + places[1] * static_cast<double>(at[1]) +
                              places[2] * static_cast<double>(at[2]);
         const std::uint32_t triangle = surface_.nearest(p, candidates_);
         const simplify::Triangle& coarse = simplified_.triangles[triangle];
-        const glm::vec3 weights(weightsAt(p, surface_.placesOf(coarse)));
+        const glm::vec3 weights(weightsAt(p, surface_.placesOfSimplified(triangle)));
         Sample sample{mixed(t, at), {weights.x, weights.y, weights.z}, triangle, length};
         const Channels there = found(sample);
         for (std::size_t corner = 0; corner < coarse.size(); ++corner) {

@@ -6,12 +6,6 @@ namespace gnomon::levels {
 
 namespace {
 
-/// What nobody sees in a shaded picture, of a channel: colours so near are taken for equal.
-constexpr double kUnseenDifference = 0.03;
-
-/// What a pixel may be wrong by, of a channel, before it counts as one whole pixel of error.
-constexpr double kWrongPixel = 0.3;
-
 /// RGBA8.
 constexpr hierarchy::FieldLayout kColorLayout = {{8, 8, 8, 8}};
 
@@ -21,10 +15,6 @@ bool isPlain(const std::vector<std::uint32_t>& words) {
 
 } // namespace
 
-double colorCharge(double length, double difference) {
-    return length * std::max(difference - kUnseenDifference, 0.0) / kWrongPixel;
-}
-
 ColorTransfer transferredColors(const simplify::Patch& patch, const simplify::SimplifiedPatch& simplified) {
     std::vector<std::uint32_t> colors;
     colors.reserve(patch.vertices.size());
@@ -32,9 +22,9 @@ ColorTransfer transferredColors(const simplify::Patch& patch, const simplify::Si
         colors.push_back(vertex.color);
     if (isPlain(colors)) return {};
     ChannelFit fit(patch, simplified, std::move(colors), kColorLayout);
-    ColorTransfer result{fit.run(), 0};
+    ColorTransfer result{fit.run(), simplified.layerCharge};
     fit.forEachDifference([&](double length, double difference) {
-        result.error = std::max(result.error, colorCharge(length, difference));
+        result.error = std::max(result.error, simplify::colorCharge(length, difference));
     });
     return result;
 }

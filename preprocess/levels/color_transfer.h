@@ -3,6 +3,7 @@
 #pragma once
 
 #include "preprocess/levels/channel_fit.h"
+#include "preprocess/simplify/color_charge.h"
 
 namespace gnomon::levels {
 
@@ -10,10 +11,6 @@ struct ColorTransfer {
     std::vector<TransferredWord> colors; // RGBA8, of vertices that `simplified` keeps and that change, ascending
     double error = 0;                    // grid steps
 };
-
-/// The charge of what is `difference` (of a channel, 0..1) off in colour where vertices moved by `length`: how far the
-/// wrong colour reaches, times what of the difference exceeds what is seen, in units of what a pixel may be wrong by.
-double colorCharge(double length, double difference);
 
 /// New colours for the vertices that `simplified` keeps, by ChannelFit. The error is the largest `colorCharge` of what
 /// is off after that.

@@ -54,6 +54,12 @@ struct LevelRefinement {
     double drawnError() const { return std::max(error, attributeError); }
 };
 
+/// A vertex of the mesh that lies, from a level on, where `at` lies.
+struct MovedVertex {
+    std::uint32_t vertex = 0;
+    std::uint32_t at = 0;
+};
+
 struct LevelCluster {
     std::uint32_t firstTriangle = 0;
     std::uint32_t triangleCount = 0;
@@ -80,6 +86,7 @@ struct Level {
     std::vector<LevelCluster> clusters;
     std::vector<LevelGroup> groups;
     std::vector<LevelRefinement> refinements;
+    std::vector<MovedVertex> moved;         // vertices of the mesh that change their position from this level on
     std::vector<TransferredNormal> normals; // that vertices of the mesh take from this level on
     std::vector<TransferredWord> colors;    // likewise
     std::vector<TransferredWord> fields;    // likewise

@@ -11,8 +11,8 @@ namespace gnomon::levels {
 /// Level 0: the mesh's triangles in clusters, without groups.
 Level firstLevel(const simplify::Mesh& mesh, const LevelOptions& options);
 
-/// Appends the clusters of `triangles` (vertices of `mesh`), which are in the order of `clustering`, to `level`;
-/// `firstTriangle` counts from the first of them.
+/// Appends the clusters of `triangles`, which are in the order of `clustering`, to `level`; `firstTriangle` counts from
+/// the first of them. Only the positions of the corners matter, which are vertices of `mesh`.
 void appendClusters(
     const simplify::Mesh& mesh,
     std::span<const simplify::Triangle> triangles,

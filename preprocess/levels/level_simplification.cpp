@@ -128,6 +128,7 @@ private:
         result.attributeError = colors.error * mesh_.grid.step();
     }
 
+    /// Cuts the simplified triangles into the clusters of `out`, and tells which of their vertices move.
     void cutIntoClusters(
         const GroupPatch& patch,
         const simplify::SimplifiedPatch& simplified,
@@ -137,15 +138,32 @@ private:
         positions.reserve(patch.patch.positions.size());
         for (const glm::dvec3& p : patch.patch.positions)
             positions.emplace_back(p);
+        const auto count = static_cast<std::uint32_t>(patch.patch.vertices.size());
+        std::vector<std::uint32_t> vertexAt(positions.size()); // of the mesh, by position, before vertices move
+        std::vector<std::uint32_t> positionOf(count);
+        for (std::uint32_t v = 0; v < count; ++v) {
+            vertexAt[patch.patch.positionOf[v]] = patch.globalVertex[v];
+            positionOf[v] = simplified.positionOf(patch.patch, v);
+        }
         const Clustering clustering =
-            clusterTriangles(simplified.triangles, patch.patch.positionOf, positions, options_.clusterTriangles);
+            clusterTriangles(simplified.triangles, positionOf, positions, options_.clusterTriangles);
+        std::vector<simplify::Triangle> places;
+        places.reserve(clustering.order.size());
+        std::vector<bool> isMoved(count);
         for (const std::uint32_t t : clustering.order) {
             const simplify::Triangle& local = simplified.triangles[t];
             out.triangles.push_back(
                 {patch.globalVertex[local[0]], patch.globalVertex[local[1]], patch.globalVertex[local[2]]});
             out.errors.push_back(errors[t]);
+            places.push_back(
+                {vertexAt[positionOf[local[0]]], vertexAt[positionOf[local[1]]], vertexAt[positionOf[local[2]]]});
+            for (const std::uint32_t v : local) {
+                if (positionOf[v] == patch.patch.positionOf[v] || isMoved[v]) continue;
+                isMoved[v] = true;
+                out.moved.push_back({patch.globalVertex[v], vertexAt[positionOf[v]]});
+            }
         }
-        appendClusters(mesh_, out.triangles, clustering, out);
+        appendClusters(mesh_, places, clustering, out);
     }
 
     const simplify::Mesh& mesh_;
@@ -194,6 +212,7 @@ Level simplifiedLevel(
         const Level& own = results[g].clusters;
         next.triangles.insert(next.triangles.end(), own.triangles.begin(), own.triangles.end());
         next.errors.insert(next.errors.end(), own.errors.begin(), own.errors.end());
+        next.moved.insert(next.moved.end(), own.moved.begin(), own.moved.end());
         next.normals.insert(next.normals.end(), own.normals.begin(), own.normals.end());
         next.colors.insert(next.colors.end(), own.colors.begin(), own.colors.end());
         next.fields.insert(next.fields.end(), own.fields.begin(), own.fields.end());

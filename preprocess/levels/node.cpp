@@ -73,7 +73,11 @@ void tellPlaces(const Level& level, Level& next) {
         next.refinements[g].place = level.groups[g].place;
 }
 
-void takeAttributes(const Level& level, simplify::Mesh& mesh) {
+void takeVertices(const Level& level, simplify::Mesh& mesh) {
+    for (const MovedVertex& moved : level.moved) {
+        mesh.vertices[moved.vertex].position = mesh.vertices[moved.at].position;
+        mesh.positionOf[moved.vertex] = mesh.positionOf[moved.at];
+    }
     for (const TransferredWord& carried : level.colors)
         mesh.vertices[carried.vertex].color = carried.word;
     for (const TransferredWord& carried : level.fields)
@@ -113,7 +117,7 @@ BuiltNode buildNode(
         keep(number);
         tellPlaces(level, coarser.level);
         level = std::move(coarser.level);
-        takeAttributes(level, mesh);
+        takeVertices(level, mesh);
     }
     node.pending = encodePendingLevel(mesh, level);
     return node;

@@ -43,7 +43,7 @@ public:
             if (isKept_[v] == 0 && hasNormal(v)) distributeResidual(v);
         std::vector<TransferredNormal> transferred;
         for (std::uint32_t v = 0; v < normal_.size(); ++v) {
-            if (isKept_[v] == 0 || !hasNormal(v) || patch_.isLocked[patch_.positionOf[v]] != 0) continue;
+            if (isKept_[v] == 0 || !hasNormal(v) || patch_.isLocked[simplified_.positionOf(patch_, v)] != 0) continue;
             if (!(weight_[v] > 0)) continue;
             const std::uint32_t packed = hierarchy::packNormal(normal_[v] + residual_[v] / weight_[v]);
             if (packed != hierarchy::kNoNormal) transferred.push_back({v, packed});
@@ -60,7 +60,7 @@ private:
         const std::uint32_t triangle = surface_.nearest(patch_.positions[position], surface_.around(position));
         if (triangle == kNone) return;
         const simplify::Triangle& t = simplified_.triangles[triangle];
-        glm::dvec3 weights = weightsAt(patch_.positions[position], surface_.placesOf(t));
+        glm::dvec3 weights = weightsAt(patch_.positions[position], surface_.placesOfSimplified(triangle));
         double sum = 0;
         glm::dvec3 found(0);
         for (int i = 0; i < 3; ++i) {

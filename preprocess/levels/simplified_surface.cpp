@@ -9,12 +9,11 @@ namespace gnomon::levels {
 
 namespace {
 
-std::vector<simplify::Triangle> cornersOf(
-    const simplify::Patch& patch, const std::vector<simplify::Triangle>& triangles) {
+std::vector<simplify::Triangle> cornersOf(const simplify::Patch& patch, const simplify::SimplifiedPatch& simplified) {
     std::vector<simplify::Triangle> corners;
-    corners.reserve(triangles.size());
-    for (const simplify::Triangle& t : triangles)
-        corners.push_back(patch.corners(t));
+    corners.reserve(simplified.triangles.size());
+    for (const simplify::Triangle& t : simplified.triangles)
+        corners.push_back(simplified.corners(patch, t));
     return corners;
 }
 
@@ -33,9 +32,7 @@ glm::dvec3 weightsAt(const glm::dvec3& p, const std::array<glm::dvec3, 3>& t) {
 }
 
 SimplifiedSurface::SimplifiedSurface(const simplify::Patch& patch, const simplify::SimplifiedPatch& simplified)
-    : patch_(patch),
-      simplified_(simplified),
-      adjacency_(patch.positions.size(), cornersOf(patch, simplified.triangles)) {}
+    : patch_(patch), simplified_(simplified), adjacency_(patch.positions.size(), cornersOf(patch, simplified)) {}
 
 std::uint32_t SimplifiedSurface::nearest(const glm::dvec3& p, std::span<const std::uint32_t> among) {
     std::uint32_t nearest = hierarchy::kNone;
@@ -44,7 +41,7 @@ std::uint32_t SimplifiedSurface::nearest(const glm::dvec3& p, std::span<const st
         const auto some = among.subspan(first, std::min(proximity::TriangleBatch::kCapacity, among.size() - first));
         batch_.clear();
         for (const std::uint32_t t : some) {
-            const auto [a, b, c] = placesOf(simplified_.triangles[t]);
+            const auto [a, b, c] = placesOfSimplified(t);
             batch_.add(a, b, c);
         }
         batch_.squaredDistances(p, squares_);

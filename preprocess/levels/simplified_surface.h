@@ -18,10 +18,12 @@ class SimplifiedSurface {
 public:
     SimplifiedSurface(const simplify::Patch& patch, const simplify::SimplifiedPatch& simplified);
 
-    /// Where the corners of `t` lie, a triangle of either.
-    std::array<glm::dvec3, 3> placesOf(const simplify::Triangle& t) const {
-        const simplify::Triangle p = patch_.corners(t);
-        return {patch_.positions[p[0]], patch_.positions[p[1]], patch_.positions[p[2]]};
+    /// Returns the places of the corners of `t`, a triangle of the patch.
+    std::array<glm::dvec3, 3> placesOf(const simplify::Triangle& t) const { return places(patch_.corners(t)); }
+
+    /// Returns the places of the corners of the simplified triangle `number`.
+    std::array<glm::dvec3, 3> placesOfSimplified(std::uint32_t number) const {
+        return places(simplified_.corners(patch_, simplified_.triangles[number]));
     }
 
     /// The simplified triangles around what `position` was collapsed into.
@@ -33,6 +35,10 @@ public:
     std::uint32_t nearest(const glm::dvec3& p, std::span<const std::uint32_t> among);
 
 private:
+    std::array<glm::dvec3, 3> places(const simplify::Triangle& p) const {
+        return {patch_.positions[p[0]], patch_.positions[p[1]], patch_.positions[p[2]]};
+    }
+
     const simplify::Patch& patch_;
     const simplify::SimplifiedPatch& simplified_;
     simplify::TriangleAdjacency adjacency_;

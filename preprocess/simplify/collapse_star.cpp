@@ -2,6 +2,7 @@
 
 #include "hierarchy/octahedral.h"
 #include "preprocess/proximity/triangle_distance.h"
+#include "preprocess/simplify/color_charge.h"
 
 #include <algorithm>
 #include <limits>
@@ -117,7 +118,8 @@ bool CollapseStar::orderAsFan(Fan& fan) {
 }
 
 /// The vertex at `to` that replaces `vertex`: the one at the other end of an edge of a vanishing triangle, which keeps
-/// attribute seams, else the one with the nearest attributes.
+/// attribute seams, else the one with the nearest attributes. If that one has another colour, `vertex` itself moves to
+/// `to`: else the faces that stay would show the other part's colour, however large they are.
 std::uint32_t CollapseStar::replacementOf(std::uint32_t vertex) {
     for (const auto& [removed, kept] : replacements_)
         if (removed == vertex) return kept;
@@ -132,7 +134,8 @@ std::uint32_t CollapseStar::replacementOf(std::uint32_t vertex) {
             best = candidate;
         }
     });
-    return best;
+    const double difference = colorDifference(patch_.vertices[best].color, patch_.vertices[vertex].color);
+    return difference > kOtherPart ? vertex : best;
 }
 
 void CollapseStar::apply() {

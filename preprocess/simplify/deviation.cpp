@@ -280,8 +280,8 @@ public:
     Measurement(const Patch& patch, const SimplifiedPatch& simplified)
         : patch_(patch),
           simplified_(simplified),
-          fine_(patch.positions, cornersOf(patch, patch.triangles)),
-          coarse_(patch.positions, cornersOf(patch, simplified.triangles)),
+          fine_(patch.positions, fineCorners(patch)),
+          coarse_(patch.positions, coarseCorners(patch, simplified)),
           successor_(patch.triangles.size(), kNone),
           isSame_(patch.triangles.size(), 0) {
         result_.errors.resize(simplified.triangles.size());
@@ -326,11 +326,19 @@ public:
     }
 
 private:
-    static std::vector<Triangle> cornersOf(const Patch& patch, const std::vector<Triangle>& triangles) {
+    static std::vector<Triangle> fineCorners(const Patch& patch) {
         std::vector<Triangle> corners;
-        corners.reserve(triangles.size());
-        for (const Triangle& t : triangles)
+        corners.reserve(patch.triangles.size());
+        for (const Triangle& t : patch.triangles)
             corners.push_back(patch.corners(t));
+        return corners;
+    }
+
+    static std::vector<Triangle> coarseCorners(const Patch& patch, const SimplifiedPatch& simplified) {
+        std::vector<Triangle> corners;
+        corners.reserve(simplified.triangles.size());
+        for (const Triangle& t : simplified.triangles)
+            corners.push_back(simplified.corners(patch, t));
         return corners;
     }
 

@@ -45,14 +45,25 @@ struct Patch {
     Triangle corners(const Triangle& t) const { return {positionOf[t[0]], positionOf[t[1]], positionOf[t[2]]}; }
 };
 
-/// A patch after simplification, in the patch's own vertices: no position is new and locked ones are all where they
-/// were.
+/// A patch after simplification, in the patch's own vertices. No position is new, and locked positions stay. A vertex
+/// whose position was collapsed may be in use at the position that it moved to, because no vertex there has its colour.
 struct SimplifiedPatch {
     std::vector<Triangle> triangles;
     std::vector<std::uint32_t> origin;  // per triangle the patch's triangle that it was, kNone where that is unknown
     std::vector<std::uint32_t> movedTo; // per position the one that it was collapsed into; itself where it stayed
     std::vector<TriangleError> errors;  // of the triangles, bounds; empty if unknown or not asked for
     double claimedError = 0;            // what the simplifier believes, in grid steps; no bound
+    double layerCharge = 0; // grid steps: the largest charge of a triangle that may lie before another layer now
+
+    /// Returns the position that `vertex` of `patch` has after simplification.
+    std::uint32_t positionOf(const Patch& patch, std::uint32_t vertex) const {
+        return movedTo[patch.positionOf[vertex]];
+    }
+
+    /// Returns the positions of the corners of `t`, one of `triangles`.
+    Triangle corners(const Patch& patch, const Triangle& t) const {
+        return {positionOf(patch, t[0]), positionOf(patch, t[1]), positionOf(patch, t[2])};
+    }
 };
 
 } // namespace gnomon::simplify

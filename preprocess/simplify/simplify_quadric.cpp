@@ -23,6 +23,7 @@
 #include "preprocess/simplify/collapse_queue.h"
 #include "preprocess/simplify/collapse_star.h"
 #include "preprocess/simplify/cost_estimate.h"
+#include "preprocess/simplify/layer_gaps.h"
 #include "preprocess/simplify/simplification_mesh.h"
 #include "preprocess/simplify/simplify.h"
 
@@ -69,6 +70,7 @@ private:
     template <class Visit>
     void forTargets(std::uint32_t p, std::span<const std::uint32_t> neighbours, Visit visit);
     double boundedCost(std::uint32_t from, std::uint32_t to, double limit = kForbidden);
+    double layerCost() const;
     Choice cheapestByEstimate(std::uint32_t p, std::span<const std::uint32_t> neighbours);
     Choice cheapestByBound(std::uint32_t p, Choice best);
 
@@ -87,9 +89,11 @@ private:
     SimplificationMesh mesh_;
     CostEstimate estimate_;
     CollapseErrorBound errors_;
-    CollapseStar star_; // of the collapse that `boundedCost` evaluated last
-    double maxCost_;    // of a collapse
+    std::vector<LayerGap> gaps_; // per triangle, empty if all is of one colour
+    CollapseStar star_;          // of the collapse that `boundedCost` evaluated last
+    double maxCost_;             // of a collapse
     double claimed_ = 0;
+    double layerCharge_ = 0;
     CollapseQueue queue_;
     std::vector<std::uint32_t> target_;   // per position in the queue
     std::vector<std::uint8_t> isBounded_; // whether its cost in the queue is bounded, not estimated
@@ -102,6 +106,7 @@ Collapser::Collapser(const Patch& patch)
       mesh_(patch),
       estimate_(patch, mesh_),
       errors_(patch, mesh_),
+      gaps_(layerGaps(patch)),
       star_(patch, mesh_),
       maxCost_(patch.costLimit == CostLimit::None ? kForbidden : kMeanEdges * meanEdge(patch)),
       queue_(patch.positions.size()),
@@ -131,7 +136,23 @@ double Collapser::boundedCost(std::uint32_t from, std::uint32_t to, double limit
     if (!patch_.isErrorBounded) return penalty * estimate;
     if (!errors_.evaluate(star_, limit)) return kForbidden;
     const double before = errors_.largestAround(from);
-    return std::max(errors_.worst(), before + estimate) + (penalty - 1) * (errors_.worst() - before);
+    const double cost = std::max(errors_.worst(), before + estimate) + (penalty - 1) * (errors_.worst() - before);
+    return std::max(cost, layerCost());
+}
+
+/// The largest charge of the faces of `star_` that the collapse may move to the other side of a layer.
+double Collapser::layerCost() const {
+    if (gaps_.empty()) return 0;
+    double cost = 0;
+    for (const StarFace& face : star_.faces()) {
+        const LayerGap& gap = gaps_[face.triangle];
+        if (star_.vanishes(face) || gap.charge <= cost) continue;
+        const glm::dvec3& normal = mesh_.originalNormal(face.triangle);
+        const std::uint32_t corner = patch_.positionOf[patch_.triangles[face.triangle][0]];
+        const glm::dvec3 moved = patch_.positions[star_.to()] - patch_.positions[corner];
+        if (std::abs(glm::dot(moved, normal)) > double{gap.reach} * glm::length(normal)) cost = gap.charge;
+    }
+    return cost;
 }
 
 /// The target of the least estimate.
@@ -230,6 +251,7 @@ std::optional<Collapser::Choice> Collapser::evaluateFirst(std::uint32_t p, doubl
 /// Carries out the collapse that `boundedCost` evaluated last.
 void Collapser::collapse(std::uint32_t from, std::uint32_t to) {
     claimed_ = std::max(claimed_, estimate_.planes(from, to));
+    layerCharge_ = std::max(layerCharge_, layerCost());
     around_.clear();
     for (const std::uint32_t q : mesh_.neighbours(from))
         if (q != to) around_.push_back(q);
@@ -305,6 +327,7 @@ SimplifiedPatch Collapser::result() const {
     for (std::uint32_t p = 0; p < patch_.positions.size(); ++p)
         result.movedTo.push_back(mesh_.representative(p));
     result.claimedError = std::sqrt(claimed_);
+    result.layerCharge = layerCharge_;
     return result;
 }
 

@@ -14,6 +14,8 @@
 namespace gnomon::levels {
 namespace {
 
+using simplify::colorCharge;
+
 constexpr std::uint32_t kSide = 24;   // squares of the sheet, along each side
 constexpr std::uint32_t kEdge = 1000; // grid steps, the side of a square
 constexpr std::uint32_t kWhite = 0xFFFFFFFFU;

@@ -29,8 +29,8 @@ std::vector<std::uint32_t> firstPageIds(const CheckpointLog& log) {
 
 } // namespace
 
-std::array<std::uint64_t, 3> droppedTriangles(const CheckpointLog& log) {
-    std::array<std::uint64_t, 3> dropped = log.binned()->dropped;
+DroppedCounts droppedTriangles(const CheckpointLog& log) {
+    DroppedCounts dropped = log.binned()->dropped;
     for (const NodeRecord& node : log.nodes(0))
         for (std::size_t i = 0; i < dropped.size(); ++i)
             dropped[i] += node.dropped[i];
@@ -46,13 +46,14 @@ Totals totalsOf(const CheckpointLog& log, std::map<std::string, std::string> opt
     summary.hasColors = log.binned()->format.hasColors;
     summary.fields = log.binned()->fields;
     summary.options = std::move(options);
-    const std::array<std::uint64_t, 3> dropped = droppedTriangles(log);
+    const DroppedCounts dropped = droppedTriangles(log);
     summary.dropped = {
         {"degenerate", dropped[0]},
         {"doubled", dropped[1]},
         {"collapsed_by_grid", dropped[2]},
         {"beyond_grid", log.binned()->strayed.triangles},
         {"not_a_polygon", log.binned()->notAPolygon}};
+    if (dropped[3] > 0) summary.dropped["covered"] = dropped[3];
     for (std::uint32_t round = 0; round < log.roundCount(); ++round)
         for (const NodeRecord& node : log.nodes(round)) {
             summary.bounds.add(node.bounds);

@@ -18,7 +18,7 @@ struct Totals {
 };
 
 /// The source's triangles that are left out: degenerate, doubled, collapsed by the grid.
-std::array<std::uint64_t, 3> droppedTriangles(const CheckpointLog& log);
+DroppedCounts droppedTriangles(const CheckpointLog& log);
 
 /// `options` are those of the build that change bytes.
 Totals totalsOf(const CheckpointLog& log, std::map<std::string, std::string> options);

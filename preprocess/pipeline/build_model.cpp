@@ -303,7 +303,7 @@ private:
         for (const NodeRecord& node : log().nodes(0))
             if (!node.levels.empty()) triangles += node.levels.front().info.triangles;
         if (triangles > 0) return;
-        const std::array<std::uint64_t, 3> dropped = droppedTriangles(log());
+        const DroppedCounts dropped = droppedTriangles(log());
         throw Error(
             source_.summary().path,
             "no triangles are left",

@@ -16,7 +16,11 @@
 namespace gnomon::pipeline {
 
 /// Counts up when the records change: a build can go on only with those of its own kind.
-constexpr int kCheckpointVersion = 9;
+constexpr int kCheckpointVersion = 10;
+
+/// Triangles of the source that are left out: degenerate, doubled, collapsed by the grid, and those that earlier ones
+/// cover in the same plane, wholly or in part.
+using DroppedCounts = std::array<std::uint64_t, 4>;
 
 /// The source is in chunks.
 struct BinnedRecord {
@@ -32,8 +36,8 @@ struct BinnedRecord {
     std::uint64_t notAPolygon = 0;
     std::uint32_t chunkCount = 0;
     chunk::PartSize largestChunk;
-    std::array<std::uint64_t, 3> dropped{}; // before the chunks: degenerate, doubled, collapsed by the grid
-    std::vector<std::byte> directory;       // of the store
+    DroppedCounts dropped{};          // before the chunks
+    std::vector<std::byte> directory; // of the store
 };
 
 /// The chunks know their borders.
@@ -59,9 +63,9 @@ struct NodeRecord {
     ClusterSums pending;
     std::uint64_t rootTriangles = 0;
     std::uint64_t stuckTriangles = 0;
-    std::array<std::uint64_t, 3> dropped{}; // degenerate, doubled, collapsed by the grid
-    Box bounds;                             // of the chunk, in round 0
-    bool hasNormals = false;                // of the chunk, in round 0
+    DroppedCounts dropped{};
+    Box bounds;              // of the chunk, in round 0
+    bool hasNormals = false; // of the chunk, in round 0
 };
 
 /// The clusters that the round before left are in the streams of a round's nodes.

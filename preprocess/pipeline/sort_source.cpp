@@ -97,7 +97,7 @@ BinnedRecord sortSource(const SortingMeans& means, std::optional<scratch::Stream
             ? ranges->bin(*survey, tree, *bins)
             : chunk::binSource(source, *survey, tree, *bins, room.count / 2 / kBytesPerPolygonCorner, means.progress);
     record.largestChunk = size.largestChunk;
-    record.dropped = {size.dropped.degenerate, size.dropped.doubled, size.dropped.collapsedByGrid};
+    record.dropped = {size.dropped.degenerate, size.dropped.doubled, size.dropped.collapsedByGrid, 0};
     record.strayed = size.strayed;
     source.requireUnchanged(); // it is not read again
     record.directory = bins->directory();

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "preprocess/chunk/borders.h"
 #include "preprocess/chunk/chunk_mesh.h"
+#include "preprocess/chunk/covered_faces.h"
 #include "preprocess/levels/level_clusters.h"
 #include "preprocess/levels/node.h"
 
@@ -153,7 +154,8 @@ std::vector<std::byte> TaskWork::buildNode(ByteReader& in) const {
     if (input.round == 0) {
         const OneChunk one(input.chunk, facts_, scratch_);
         chunk::ChunkMesh chunk = chunk::loadChunk(one.source(), one.borders(), 0, progress_);
-        record.dropped = {chunk.dropped.degenerate, chunk.dropped.doubled, chunk.dropped.collapsedByGrid};
+        const std::uint64_t covered = chunk::removeCoveredFaces(chunk.mesh);
+        record.dropped = {chunk.dropped.degenerate, chunk.dropped.doubled, chunk.dropped.collapsedByGrid, covered};
         record.bounds = chunk.bounds;
         record.hasNormals = chunk.hasNormals;
         made = levels::buildNode(chunk.mesh, levels::firstLevel(chunk.mesh, options_), plan, options_, progress_);

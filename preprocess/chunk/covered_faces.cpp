@@ -1,0 +1,416 @@
+#include "preprocess/chunk/covered_faces.h"
+
+#include "core/index_table.h"
+#include "hierarchy/octahedral.h"
+#include "preprocess/proximity/box_tree.h"
+#include "preprocess/simplify/color_charge.h"
+#include "preprocess/simplify/triangle_adjacency.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+namespace gnomon::chunk {
+
+namespace {
+
+constexpr double kPlaneTolerance = 1.5;      // grid steps: what rounding to the grid moves two tilted planes apart
+constexpr double kLeastWidth = 0.5;          // grid steps: of a part that counts
+constexpr double kParallel = 0.99;           // the least cosine between faces of one plane
+constexpr std::size_t kMostCovering = 256;   // of a triangle
+constexpr std::uint32_t kMostTested = 16384; // boxes that meet that of a triangle
+constexpr std::size_t kMostParts = 128;      // of a triangle
+
+using Polygon = std::vector<glm::dvec3>; // convex
+
+struct Face {
+    std::array<glm::dvec3, 3> corners;
+    glm::dvec3 normal; // unit
+    double area = 0;   // twice
+};
+
+glm::dvec3 vectorOf(const hierarchy::GridPoint& p) {
+    return {p.x, p.y, p.z};
+}
+
+Face faceOf(const simplify::Mesh& mesh, const simplify::Triangle& t) {
+    Face face;
+    for (std::size_t i = 0; i < 3; ++i)
+        face.corners[i] = vectorOf(mesh.vertices[t[i]].position);
+    const glm::dvec3 normal = glm::cross(face.corners[1] - face.corners[0], face.corners[2] - face.corners[0]);
+    face.area = glm::length(normal);
+    face.normal = face.area > 0 ? normal / face.area : glm::dvec3(0);
+    return face;
+}
+
+std::uint32_t colorOf(const simplify::Mesh& mesh, std::uint32_t triangle) {
+    return mesh.vertices[mesh.triangles[triangle][0]].color;
+}
+
+/// The triangles that have one colour, in their order; empty if all have the same one.
+std::vector<std::uint32_t> plainTriangles(const simplify::Mesh& mesh) {
+    std::vector<std::uint32_t> plain;
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+        const auto& [a, b, c] = mesh.triangles[t];
+        const std::uint32_t color = mesh.vertices[a].color;
+        if (mesh.vertices[b].color == color && mesh.vertices[c].color == color) plain.push_back(t);
+    }
+    const auto isLikeFirst = [&](std::uint32_t t) { return colorOf(mesh, t) == colorOf(mesh, plain.front()); };
+    if (std::ranges::all_of(plain, isLikeFirst)) plain.clear();
+    return plain;
+}
+
+/// The normal, in the plane of `face` and away from it, of its edge from corner `i`.
+glm::dvec3 outwards(const Face& face, std::size_t i) {
+    return glm::normalize(glm::cross(face.corners[(i + 1) % 3] - face.corners[i], face.normal));
+}
+
+bool isInPlaneOf(const Face& small, const Face& large) {
+    const glm::dvec3 sides = glm::abs(large.normal);
+    const bool isUpright = std::max({sides.x, sides.y, sides.z}) > 1 - 1e-12; // such planes lie at whole steps
+    return std::ranges::all_of(small.corners, [&](const glm::dvec3& p) {
+        return std::abs(glm::dot(p - large.corners[0], large.normal)) <= (isUpright ? 0.5 : kPlaneTolerance);
+    });
+}
+
+/// Whether an edge of `face` has all of `other` on its outer side, but for kLeastWidth.
+bool separates(const Face& face, const Face& other) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        const glm::dvec3 away = outwards(face, i);
+        const auto isOut = [&](const glm::dvec3& p) { return glm::dot(p - face.corners[i], away) >= -kLeastWidth; };
+        if (std::ranges::all_of(other.corners, isOut)) return true;
+    }
+    return false;
+}
+
+/// Whether `face` and the triangle `t` lie in one plane and overlap. Most triangles are told apart without a root.
+bool overlap(const simplify::Mesh& mesh, const Face& face, const simplify::Triangle& t) {
+    const glm::dvec3 a = vectorOf(mesh.vertices[t[0]].position);
+    const glm::dvec3 b = vectorOf(mesh.vertices[t[1]].position) - a;
+    const glm::dvec3 c = vectorOf(mesh.vertices[t[2]].position) - a;
+    const glm::dvec3 normal = glm::cross(b, c);
+    const double along = glm::dot(normal, face.normal);
+    const double square = glm::dot(normal, normal);
+    if (along * along <= kParallel * kParallel * square) return false;
+    const Face other = faceOf(mesh, t);
+    if (!(face.area < other.area ? isInPlaneOf(face, other) : isInPlaneOf(other, face))) return false;
+    return !separates(face, other) && !separates(other, face);
+}
+
+/// Finds the earlier triangles of other colours that overlap one of some triangles of a mesh.
+class Coverings {
+public:
+    Coverings(const simplify::Mesh& mesh, std::span<const std::uint32_t> triangles)
+        : mesh_(mesh),
+          triangles_(triangles),
+          boxes_(boxesOf(mesh, triangles)),
+          colors_(colorsOf(mesh, triangles)),
+          tree_(boxes_, colors_) {}
+
+    /// Returns the triangles that cover the one of this place, ascending; none if they are too many.
+    std::vector<std::uint32_t> of(std::uint32_t place) const {
+        proximity::TreeBox box = boxes_[place];
+        box.low -= kPlaneTolerance;
+        box.high += kPlaneTolerance;
+        const Face face = faceOf(mesh_, mesh_.triangles[triangles_[place]]);
+        std::vector<std::uint32_t> found;
+        std::uint32_t tested = 0;
+        if (!(face.area > 0)) return found;
+        tree_.forEachOther(box, colors_[place], [&](std::uint32_t other) {
+            if (other >= place || ++tested > kMostTested || found.size() > kMostCovering) return;
+            if (simplify::colorDifference(colors_[place], colors_[other]) <= simplify::kUnseenDifference) return;
+            const std::uint32_t triangle = triangles_[other];
+            if (overlap(mesh_, face, mesh_.triangles[triangle])) found.push_back(triangle);
+        });
+        if (tested > kMostTested || found.size() > kMostCovering) return {};
+        std::sort(found.begin(), found.end());
+        return found;
+    }
+
+private:
+    static std::vector<proximity::TreeBox> boxesOf(
+        const simplify::Mesh& mesh, std::span<const std::uint32_t> triangles) {
+        std::vector<proximity::TreeBox> boxes(triangles.size());
+        for (std::size_t i = 0; i < boxes.size(); ++i)
+            for (const std::uint32_t v : mesh.triangles[triangles[i]])
+                boxes[i].add(vectorOf(mesh.vertices[v].position));
+        return boxes;
+    }
+
+    static std::vector<std::uint32_t> colorsOf(const simplify::Mesh& mesh, std::span<const std::uint32_t> triangles) {
+        std::vector<std::uint32_t> colors;
+        colors.reserve(triangles.size());
+        for (const std::uint32_t t : triangles)
+            colors.push_back(colorOf(mesh, t));
+        return colors;
+    }
+
+    const simplify::Mesh& mesh_;
+    std::span<const std::uint32_t> triangles_;
+    std::vector<proximity::TreeBox> boxes_;
+    std::vector<std::uint32_t> colors_;
+    proximity::BoxTree tree_;
+};
+
+/// Tells open surfaces from closed ones.
+class OpenSurfaces {
+public:
+    explicit OpenSurfaces(const simplify::Mesh& mesh)
+        : corners_(cornersOf(mesh)),
+          adjacency_(mesh.positionCount, corners_),
+          state_(mesh.triangles.size(), State::Unknown) {}
+
+    /// Whether an edge of what is connected with `triangle` has no other triangle.
+    bool isOpen(std::uint32_t triangle) {
+        if (state_[triangle] == State::Unknown) explore(triangle);
+        return state_[triangle] == State::Open;
+    }
+
+private:
+    enum class State : std::uint8_t { Unknown, Closed, Open };
+
+    static std::vector<simplify::Triangle> cornersOf(const simplify::Mesh& mesh) {
+        std::vector<simplify::Triangle> corners;
+        corners.reserve(mesh.triangles.size());
+        for (const simplify::Triangle& t : mesh.triangles)
+            corners.push_back({mesh.positionOf[t[0]], mesh.positionOf[t[1]], mesh.positionOf[t[2]]});
+        return corners;
+    }
+
+    void explore(std::uint32_t first) {
+        std::vector<std::uint32_t> connected{first};
+        state_[first] = State::Closed;
+        bool isOpen = false;
+        for (std::size_t next = 0; next < connected.size(); ++next) {
+            const simplify::Triangle& t = corners_[connected[next]];
+            for (std::size_t i = 0; i < 3; ++i) {
+                bool isShared = false;
+                for (const std::uint32_t other : adjacency_.around(t[i])) {
+                    const simplify::Triangle& u = corners_[other];
+                    if (other == connected[next] || std::ranges::find(u, t[(i + 1) % 3]) == u.end()) continue;
+                    isShared = true;
+                    if (state_[other] != State::Unknown) continue;
+                    state_[other] = State::Closed;
+                    connected.push_back(other);
+                }
+                isOpen = isOpen || !isShared;
+            }
+        }
+        if (!isOpen) return;
+        for (const std::uint32_t t : connected)
+            state_[t] = State::Open;
+    }
+
+    std::vector<simplify::Triangle> corners_;
+    simplify::TriangleAdjacency adjacency_;
+    std::vector<State> state_;
+};
+
+/// The parts of `polygon` on the side of the plane through `point` that `away` leads to, and on the other.
+std::array<Polygon, 2> cut(const Polygon& polygon, const glm::dvec3& point, const glm::dvec3& away) {
+    std::array<Polygon, 2> parts;
+    auto& [out, in] = parts;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const glm::dvec3& a = polygon[i];
+        const glm::dvec3& b = polygon[(i + 1) % polygon.size()];
+        const double sideOfA = glm::dot(a - point, away);
+        const double sideOfB = glm::dot(b - point, away);
+        if (sideOfA >= 0) out.push_back(a);
+        if (sideOfA <= 0) in.push_back(a);
+        if ((sideOfA < 0 && sideOfB > 0) || (sideOfA > 0 && sideOfB < 0)) {
+            const glm::dvec3 crossing = a + (b - a) * (sideOfA / (sideOfA - sideOfB));
+            out.push_back(crossing);
+            in.push_back(crossing);
+        }
+    }
+    return parts;
+}
+
+/// Whether a polygon is wide enough to be seen.
+bool counts(const Polygon& polygon) {
+    if (polygon.size() < 3) return false;
+    glm::dvec3 area(0);
+    double longest = 0;
+    for (std::size_t i = 1; i < polygon.size(); ++i) {
+        longest = std::max(longest, glm::length(polygon[i] - polygon[0]));
+        area += glm::cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
+    }
+    return glm::length(area) > 2 * kLeastWidth * longest;
+}
+
+/// What `covering` leaves of `parts`.
+std::vector<Polygon> uncovered(const std::vector<Polygon>& parts, const Face& covering) {
+    std::vector<Polygon> left;
+    for (Polygon part : parts) {
+        std::vector<Polygon> outside;
+        for (std::size_t i = 0; i < 3 && !part.empty(); ++i) {
+            std::array<Polygon, 2> halves = cut(part, covering.corners[i], outwards(covering, i));
+            if (counts(halves[0])) outside.push_back(std::move(halves[0]));
+            part = std::move(halves[1]);
+        }
+        left.insert(left.end(), outside.begin(), outside.end());
+    }
+    return left;
+}
+
+/// Gives the parts of triangles corners in the mesh.
+class CornerMaker {
+    auto isAt(const hierarchy::GridPoint& p) const {
+        return [this, p](std::uint32_t v) { return mesh_.vertices[v].position == p; };
+    }
+
+public:
+    explicit CornerMaker(simplify::Mesh& mesh) : mesh_(mesh), vertexAt_(mesh.vertices.size()) {
+        for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
+            const hierarchy::GridPoint& p = mesh.vertices[v].position;
+            vertexAt_.findOrInsert(hashOf(p.x, p.y, p.z), v, isAt(p));
+        }
+    }
+
+    /// A vertex of `triangle` at `p`, which lies on it.
+    std::uint32_t vertexAt(const simplify::Triangle& triangle, const glm::dvec3& p) {
+        const auto rounded = [](double x) { return static_cast<std::uint32_t>(std::llround(std::max(x, 0.0))); };
+        const hierarchy::GridPoint point{rounded(p.x), rounded(p.y), rounded(p.z)};
+        std::uint32_t nearest = triangle[0];
+        for (const std::uint32_t v : triangle) {
+            if (mesh_.vertices[v].position == point) return v;
+            if (squareFrom(v, p) < squareFrom(nearest, p)) nearest = v;
+        }
+        hierarchy::Vertex vertex = mesh_.vertices[nearest];
+        vertex.position = point;
+        vertex.normal = normalAt(triangle, p);
+        const std::uint32_t fields = mesh_.fieldsOf(nearest);
+        const auto next = static_cast<std::uint32_t>(mesh_.vertices.size());
+        const auto [found, isNew] = made_.try_emplace({vertex, fields}, next);
+        if (!isNew) return found->second;
+        mesh_.vertices.push_back(vertex);
+        if (mesh_.hasFields()) mesh_.fields.words.push_back(fields);
+        mesh_.positionOf.push_back(positionAt(point));
+        return next;
+    }
+
+private:
+    std::uint32_t positionAt(const hierarchy::GridPoint& p) {
+        const std::uint32_t known = vertexAt_.find(hashOf(p.x, p.y, p.z), isAt(p));
+        if (known != IndexTable::kAbsent) return mesh_.positionOf[known];
+        const auto [place, isNew] = newPositionAt_.try_emplace(p, mesh_.positionCount);
+        if (isNew) {
+            ++mesh_.positionCount;
+            mesh_.isBorder.push_back(0);
+        }
+        return place->second;
+    }
+
+    double squareFrom(std::uint32_t v, const glm::dvec3& p) const {
+        const glm::dvec3 apart = vectorOf(mesh_.vertices[v].position) - p;
+        return glm::dot(apart, apart);
+    }
+
+    std::uint32_t normalAt(const simplify::Triangle& t, const glm::dvec3& p) const {
+        const std::uint32_t first = mesh_.vertices[t[0]].normal;
+        if (mesh_.vertices[t[1]].normal == first && mesh_.vertices[t[2]].normal == first) return first;
+        glm::dvec3 sum(0);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const glm::dvec3 b = vectorOf(mesh_.vertices[t[(i + 1) % 3]].position) - p;
+            const glm::dvec3 c = vectorOf(mesh_.vertices[t[(i + 2) % 3]].position) - p;
+            sum += hierarchy::unpackNormal(mesh_.vertices[t[i]].normal) * glm::length(glm::cross(b, c));
+        }
+        return hierarchy::packNormal(sum);
+    }
+
+    simplify::Mesh& mesh_;
+    IndexTable vertexAt_; // one of the mesh's own at each of its positions
+    std::map<hierarchy::GridPoint, std::uint32_t> newPositionAt_;
+    std::map<std::pair<hierarchy::Vertex, std::uint32_t>, std::uint32_t> made_;
+};
+
+/// The triangles of what is left of a face, as a fan each.
+void appendParts(
+    CornerMaker& maker,
+    const simplify::Triangle& triangle,
+    const std::vector<Polygon>& parts,
+    const simplify::Mesh& mesh,
+    std::vector<simplify::Triangle>& triangles) {
+    for (const Polygon& part : parts) {
+        std::vector<std::uint32_t> corners;
+        for (const glm::dvec3& p : part)
+            corners.push_back(maker.vertexAt(triangle, p));
+        for (std::size_t i = 2; i < corners.size(); ++i) {
+            const simplify::Triangle t{corners[0], corners[i - 1], corners[i]};
+            const std::uint32_t a = mesh.positionOf[t[0]];
+            const std::uint32_t b = mesh.positionOf[t[1]];
+            const std::uint32_t c = mesh.positionOf[t[2]];
+            if (a != b && b != c && c != a) triangles.push_back(t);
+        }
+    }
+}
+
+bool isAtBorder(const simplify::Mesh& mesh, const simplify::Triangle& t) {
+    return std::ranges::count_if(t, [&](std::uint32_t v) { return mesh.isBorder[mesh.positionOf[v]] != 0; }) > 1;
+}
+
+/// What earlier triangles leave of `triangle`; nothing if all of it stays.
+std::optional<std::vector<Polygon>> partsOf(
+    const simplify::Mesh& mesh,
+    std::uint32_t triangle,
+    std::span<const std::uint32_t> covering,
+    OpenSurfaces& surfaces) {
+    const Face face = faceOf(mesh, mesh.triangles[triangle]);
+    const std::vector<Polygon> whole{{face.corners.begin(), face.corners.end()}};
+    std::vector<Polygon> parts = whole;       // without the parts that sheets and faces of the same side cover
+    std::vector<Polygon> unseenParts = whole; // also without those that face a solid
+    for (const std::uint32_t other : covering) {
+        const Face cover = faceOf(mesh, mesh.triangles[other]);
+        const bool facesIt = glm::dot(face.normal, cover.normal) < 0;
+        const int open = (surfaces.isOpen(triangle) ? 1 : 0) + (surfaces.isOpen(other) ? 1 : 0);
+        if (facesIt && open == 0) continue;
+        unseenParts = uncovered(unseenParts, cover);
+        if (!facesIt || open == 2) parts = uncovered(parts, cover);
+        if (std::max(parts.size(), unseenParts.size()) > kMostParts) return std::nullopt;
+    }
+    if (unseenParts.empty()) return unseenParts;
+    if (parts == whole) return std::nullopt;
+    return parts;
+}
+
+} // namespace
+
+std::uint64_t removeCoveredFaces(simplify::Mesh& mesh) {
+    const std::vector<std::uint32_t> plain = plainTriangles(mesh);
+    std::vector<std::vector<std::uint32_t>> covering(plain.size());
+    if (!plain.empty()) {
+        const Coverings coverings(mesh, plain);
+        tbb::parallel_for(std::size_t{0}, plain.size(), [&](std::size_t i) {
+            if (!isAtBorder(mesh, mesh.triangles[plain[i]])) covering[i] = coverings.of(static_cast<std::uint32_t>(i));
+        });
+    }
+    if (std::ranges::all_of(covering, [](const auto& some) { return some.empty(); })) return 0;
+    OpenSurfaces surfaces(mesh);
+    CornerMaker maker(mesh);
+    std::vector<simplify::Triangle> triangles;
+    triangles.reserve(mesh.triangles.size());
+    std::uint64_t changed = 0;
+    std::uint32_t next = 0; // of the mesh's triangles
+    const auto keepUntil = [&](std::size_t end) {
+        for (; next < end; ++next)
+            triangles.push_back(mesh.triangles[next]);
+    };
+    for (std::size_t i = 0; i < plain.size(); ++i) {
+        if (covering[i].empty()) continue;
+        const auto parts = partsOf(mesh, plain[i], covering[i], surfaces);
+        if (!parts) continue;
+        keepUntil(plain[i]);
+        appendParts(maker, mesh.triangles[plain[i]], *parts, mesh, triangles);
+        ++next;
+        ++changed;
+    }
+    keepUntil(mesh.triangles.size());
+    if (triangles.empty()) return 0;
+    mesh.triangles = std::move(triangles);
+    return changed;
+}
+
+} // namespace gnomon::chunk

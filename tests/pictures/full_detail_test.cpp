@@ -1,4 +1,6 @@
 // A picture at --error-pixels 1 against the same view at full detail: what a viewer may see of the level of detail.
+#include "path/framing.h"
+#include "tests/pictures/painted_parts.h"
 #include "tests/pictures/painted_wall.h"
 #include "tests/pictures/pictured_model.h"
 
@@ -137,6 +139,79 @@ TEST(PaintedWall, LooksTheSameAtOnePixel) {
 
 TEST(SlowPaintedWall, Of600SquaresLooksTheSameAtOnePixel) {
     expectWallLikeFullDetail(600, 800);
+}
+
+/// Differences over a whole picture.
+struct PictureDifference {
+    double mean = 0; // over channels, fraction of full scale
+    double off = 0;  // share of the pixels with a channel that differs by more than a quarter
+};
+
+PictureDifference pictureDifference(const executor::Picture& a, const executor::Picture& b) {
+    std::uint64_t sum = 0;
+    std::uint64_t off = 0;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+        int largest = 0;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const int apart = std::abs(int{a.pixels[i][c]} - int{b.pixels[i][c]});
+            sum += static_cast<std::uint64_t>(apart);
+            largest = std::max(largest, apart);
+        }
+        if (largest * 4 > 255) ++off;
+    }
+    const auto pixels = static_cast<double>(a.pixels.size());
+    return {static_cast<double>(sum) / (pixels * 3 * 255), static_cast<double>(off) / pixels};
+}
+
+/// A model in which z is up, from the front, as `render` frames it.
+plan::View framedView(const Box& bounds, int width, int height) {
+    std::vector<glm::dvec3> corners;
+    for (unsigned i = 0; i < 8; ++i)
+        corners.emplace_back(
+            (i & 1U) != 0 ? bounds.max.x : bounds.min.x,
+            (i & 2U) != 0 ? bounds.max.y : bounds.min.y,
+            (i & 4U) != 0 ? bounds.max.z : bounds.min.z);
+    plan::View view;
+    view.width = width;
+    view.height = height;
+    const path::Vantage vantage = path::vantageOf({}, {0, 0, 1});
+    view.camera = path::framingCamera(corners, vantage, view.aspect(), view.camera.fovYRadians);
+    return view;
+}
+
+/// The bar for models of coloured parts.
+void expectPartsLikeFullDetail(const PaintedMesh& painted) {
+    const ScratchFile mesh("mesh.ply");
+    const ScratchFile model("model.gnm");
+    writePainted(painted, mesh.path());
+    build(mesh.path(), model.path());
+    PicturedModel pictured(model.path(), Backend::Software);
+    for (const auto& [width, height] : {std::pair{400, 400}, {1280, 720}}) {
+        const plan::View view = framedView(pictured.file().summary().bounds, width, height);
+        const PictureDifference found =
+            pictureDifference(pictured.draw(view, kFullDetail).picture, pictured.draw(view, 1).picture);
+        std::printf("%d pixels wide: mean %.5f, off %.5f\n", width, found.mean, found.off);
+        EXPECT_LE(found.mean, 0.005) << width;
+        EXPECT_LE(found.off, 0.002) << width;
+    }
+}
+
+constexpr double kWholeFaces = 1000; // of painted parts: faces are not cut into cells
+
+TEST(PaintedParts, ACityLooksTheSameAtOnePixel) {
+    expectPartsLikeFullDetail(paintedCity(8, kWholeFaces));
+}
+
+TEST(PaintedParts, ABridgeLooksTheSameAtOnePixel) {
+    expectPartsLikeFullDetail(paintedBridge(4, kWholeFaces));
+}
+
+TEST(SlowPaintedParts, LookTheSameAtOnePixel) {
+    for (const double cell : {kWholeFaces, 1.0})
+        for (const PaintedMesh& mesh : {paintedCity(12, cell), paintedBridge(20, cell)}) {
+            expectPartsLikeFullDetail(mesh);
+            expectPartsLikeFullDetail(welded(mesh));
+        }
 }
 
 class FullDetail : public testing::TestWithParam<Made> {};

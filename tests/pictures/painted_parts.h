@@ -1,0 +1,34 @@
+// Generated models of many thin parts of different colours, in contact and in layers: a bridge and a city.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace gnomon::tests {
+
+/// A triangle mesh with one colour per vertex.
+struct PaintedMesh {
+    using Color = std::array<std::uint8_t, 3>;
+
+    std::vector<std::array<double, 3>> positions;
+    std::vector<Color> colors;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+/// A bridge of `bays` bays of 8 m: yellow girders with bolts, a blue deck in layers, stripes, and railings. Faces have
+/// cells of some 20 cm times `cellScale`.
+PaintedMesh paintedBridge(std::uint32_t bays, double cellScale);
+
+/// A city of `side` x `side` houses: adjoining walls, windows, and roofs of layers that are 1 to 20 cm apart.
+/// Faces have cells of some 50 cm times `cellScale`.
+PaintedMesh paintedCity(std::uint32_t side, double cellScale);
+
+/// Merges vertices at equal positions. The first vertex of a position gives its colour, so colours mix at contacts.
+PaintedMesh welded(const PaintedMesh& mesh);
+
+/// Writes `mesh` as a PLY with a colour per vertex.
+void writePainted(const PaintedMesh& mesh, const std::string& path);
+
+} // namespace gnomon::tests

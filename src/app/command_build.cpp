@@ -58,8 +58,20 @@ Error inOptions(const LimitError& error) {
         return {"--chunk-triangles", "too few for this model", parts.expected, parts.found};
     case Limit::StuckTriangles:
         return {"--max-stuck", parts.what, parts.expected, parts.found};
+    case Limit::Textures:
+        return {parts.where, parts.what, parts.expected + ", or --textures off", parts.found};
     }
     return {parts.where, parts.what, parts.expected, parts.found};
+}
+
+/// Returns the result of `work`, or throws its LimitError in the words of the command line.
+template <class Work>
+auto withinOptions(const Work& work) {
+    try {
+        return work();
+    } catch (const LimitError& error) {
+        throw inOptions(error);
+    }
 }
 
 std::optional<BuildReport> built(
@@ -68,11 +80,9 @@ std::optional<BuildReport> built(
     const CommonOptions& common,
     const BuildBy& buildBy) {
     const auto progress = makeProgress(common);
-    try {
+    return withinOptions([&]() -> std::optional<BuildReport> {
         return buildBy ? buildBy(source, options, *progress) : buildModel(source, options, *progress);
-    } catch (const LimitError& error) {
-        throw inOptions(error);
-    }
+    });
 }
 
 /// Asks for `up`; where it is auto, for what the inputs say of themselves, if anything.
@@ -115,7 +125,8 @@ void run(const BuildCommand& command, const BuildBy& buildBy) {
     options.unit = *hierarchy::unitNamed(command.unit);
     takeUp(up, command.inputs, options);
     const auto textures = command.textures == "bake" ? read::Textures::Bake : read::Textures::Off;
-    const auto source = read::openMeshSources(command.inputs, options.memory, command.fields, textures);
+    const auto source =
+        withinOptions([&] { return read::openMeshSources(command.inputs, options.memory, command.fields, textures); });
     std::vector<std::string> read = command.inputs;
     read.insert(read.end(), source->summary().filesBesides.begin(), source->summary().filesBesides.end());
     options.inputKey = pipeline::fingerprintOf(read) + (command.textures == "bake" ? "" : ", textures off");

@@ -9,8 +9,8 @@
 
 namespace gnomon {
 
-/// What a build can be limited in.
-enum class Limit : std::uint8_t { Memory, ChunkTriangles, StuckTriangles };
+/// What a build can be limited in. Textures: the source can be read without its textures only.
+enum class Limit : std::uint8_t { Memory, ChunkTriangles, StuckTriangles, Textures };
 
 class LimitError : public Error {
 public:

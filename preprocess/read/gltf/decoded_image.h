@@ -18,8 +18,9 @@ struct DecodedImage {
     std::vector<std::uint8_t> pixels;
 };
 
-/// The image in `encoded`, by libpng or libjpeg-turbo. Throws Error, placed by `where`, for one that is neither PNG nor
-/// JPEG or is damaged, and before it is unpacked where `room` has none for it.
+/// Decodes the image in `encoded` by libpng or libjpeg-turbo. Inks of a CMYK JPEG are turned to red, green and blue
+/// without a colour profile. Throws Error, placed by `where`, if the image is neither PNG nor JPEG, is damaged, has too
+/// many scans, or would take more memory than `room` has.
 DecodedImage decodedImage(std::span<const std::byte> encoded, MemoryRoom& room, const std::string& where);
 
 } // namespace gnomon::read

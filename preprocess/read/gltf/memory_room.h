@@ -32,6 +32,8 @@ public:
 
     Bytes taken() const { return {taken_}; }
 
+    Bytes limit() const { return limit_; }
+
 private:
     std::string path_;
     Bytes limit_;

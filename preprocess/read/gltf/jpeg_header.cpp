@@ -1,0 +1,111 @@
+#include "preprocess/read/gltf/jpeg_header.h"
+
+#include <algorithm>
+#include <string_view>
+
+namespace gnomon::read {
+
+namespace {
+
+constexpr unsigned kBlockSide = 8;
+constexpr std::uint64_t kBlockBytes = 128; // 64 coefficients of 16 bits
+
+constexpr unsigned kStartOfScan = 0xDA;
+constexpr unsigned kEndOfImage = 0xD9;
+constexpr unsigned kAdobe = 0xEE; // application segment 14
+
+bool isFrame(unsigned marker) {
+    return marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8 && marker != 0xCC;
+}
+
+/// Whether frames of this kind refine their coefficients scan by scan.
+bool isProgressive(unsigned frame) {
+    return frame % 4 == 2;
+}
+
+/// Whether no segment follows the marker: stuffed bytes, restarts, and the start of the image.
+bool isAlone(unsigned marker) {
+    return marker <= 0x01 || (marker >= 0xD0 && marker <= 0xD8);
+}
+
+/// Bytes as the numbers of a JPEG, high byte first.
+class JpegBytes {
+public:
+    explicit JpegBytes(std::span<const std::byte> bytes) : bytes_(bytes) {}
+
+    std::size_t size() const { return bytes_.size(); }
+
+    unsigned at(std::size_t index) const { return std::to_integer<unsigned>(bytes_[index]); }
+
+    unsigned word(std::size_t index) const { return at(index) << 8U | at(index + 1); }
+
+    JpegBytes part(std::size_t first, std::size_t count) const { return JpegBytes(bytes_.subspan(first, count)); }
+
+    bool beginsWith(std::string_view text) const {
+        return text.size() <= size() && std::equal(text.begin(), text.end(), bytes_.begin(), [](char a, std::byte b) {
+                   return static_cast<std::byte>(a) == b;
+               });
+    }
+
+private:
+    std::span<const std::byte> bytes_;
+};
+
+/// Enters a frame's segment. Returns false if the segment is too short.
+bool takeFrame(const JpegBytes& segment, JpegHeader& header) {
+    constexpr std::size_t kStart = 6;
+    constexpr std::size_t kComponent = 3;
+    if (segment.size() < kStart || segment.size() < kStart + kComponent * segment.at(5)) return false;
+    header.height = segment.word(1);
+    header.width = segment.word(3);
+    header.components = static_cast<int>(segment.at(5));
+    const auto samplings = [&](std::size_t i) { return segment.at(kStart + kComponent * i + 1); };
+    const auto count = static_cast<std::size_t>(header.components);
+    std::uint64_t mostAcross = 1;
+    std::uint64_t mostDown = 1;
+    for (std::size_t i = 0; i < count; ++i) {
+        mostAcross = std::max<std::uint64_t>(mostAcross, samplings(i) >> 4U);
+        mostDown = std::max<std::uint64_t>(mostDown, samplings(i) & 15U);
+    }
+    // A component is stored as whole units of `mostAcross` by `mostDown` blocks, of which it has its samplings.
+    const auto unitsOf = [](std::uint64_t size, std::uint64_t most) {
+        return (size + most * kBlockSide - 1) / (most * kBlockSide);
+    };
+    const std::uint64_t units = unitsOf(header.width, mostAcross) * unitsOf(header.height, mostDown);
+    for (std::size_t i = 0; i < count; ++i)
+        header.coefficientBytes += units * (samplings(i) >> 4U) * (samplings(i) & 15U) * kBlockBytes;
+    return true;
+}
+
+} // namespace
+
+std::optional<JpegHeader> jpegHeaderOf(std::span<const std::byte> encoded) {
+    const JpegBytes bytes(encoded);
+    JpegHeader header;
+    bool needsAll = false;
+    for (std::size_t at = 0; at + 1 < bytes.size();) {
+        const unsigned marker = bytes.at(at + 1);
+        if (bytes.at(at) != 0xFF || marker == 0xFF || isAlone(marker)) {
+            ++at;
+            continue;
+        }
+        if (marker == kEndOfImage || at + 4 > bytes.size()) break;
+        const std::size_t length = bytes.word(at + 2);
+        if (length < 2 || length > bytes.size() - at - 2) break;
+        const JpegBytes segment = bytes.part(at + 4, length - 2);
+        if (isFrame(marker) && header.components == 0) {
+            if (!takeFrame(segment, header)) return std::nullopt;
+            needsAll = isProgressive(marker);
+        } else if (marker == kAdobe && segment.beginsWith("Adobe")) {
+            header.isAdobe = true;
+        } else if (marker == kStartOfScan && segment.size() > 0) {
+            if (++header.scans == 1) needsAll |= static_cast<int>(segment.at(0)) < header.components;
+        }
+        at += 2 + length;
+    }
+    if (header.components == 0) return std::nullopt;
+    if (!needsAll) header.coefficientBytes = 0;
+    return header;
+}
+
+} // namespace gnomon::read

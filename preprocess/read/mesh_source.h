@@ -1,6 +1,7 @@
 // What every input looks like to the builder: a mesh that is read in streams, as often as wanted, in bounded memory.
 #pragma once
 
+#include "core/camera.h"
 #include "core/error.h"
 #include "core/progress.h"
 
@@ -34,6 +35,7 @@ struct MeshSummary {
     std::uint64_t heldBytes = 0;           ///< of memory that the source keeps as long as it lives
     std::vector<std::string> filesBesides; ///< that an input refers to and that were read: buffers, images
     std::map<std::string, std::uint64_t> attributesDropped; ///< what the input has besides, and how many have it
+    std::vector<Camera> cameras;                            ///< of the input's scene, all of one projection
     std::optional<double> texelsPerEdge; ///< of textures that were looked up at vertices: what is between is lost
 };
 
@@ -162,6 +164,23 @@ public:
     /// Where vertex `vertex` is in the input, for messages.
     virtual std::string whereIs(std::uint64_t /*vertex*/) { return summary().path; }
 };
+
+/// Adds cameras to the summary: those in perspective or, if there are none, the orthographic ones, since all keyframes
+/// of a path have the same projection. Counts the other cameras as dropped, and those beyond a number that tables of a
+/// model have space for.
+inline void takeCameras(const std::vector<Camera>& cameras, MeshSummary& summary) {
+    constexpr std::size_t kMaxCameras = 1024;
+    bool hasPerspective = false;
+    for (const Camera& camera : cameras)
+        hasPerspective |= !camera.isParallel();
+    for (const Camera& camera : cameras)
+        if (camera.isParallel() == hasPerspective)
+            ++summary.attributesDropped["orthographic cameras"];
+        else if (summary.cameras.size() == kMaxCameras)
+            ++summary.attributesDropped["cameras"];
+        else
+            summary.cameras.push_back(camera);
+}
 
 /// Throws Error if `summary`, whose counts are known, has no faces.
 inline void requireFaces(const MeshSummary& summary) {

@@ -30,6 +30,7 @@ public:
         summary_.hasNormals = true;
         summary_.hasRanges = true;
         summary_.fields = parts_.front()->summary().fields;
+        std::vector<Camera> cameras;
         for (const auto& part : parts_) {
             const MeshSummary& more = part->summary();
             summary_.path += (summary_.path.empty() ? "" : ", ") + more.path;
@@ -48,7 +49,9 @@ public:
                 summary_.filesBesides.end(), more.filesBesides.begin(), more.filesBesides.end());
             for (const auto& [name, count] : more.attributesDropped)
                 summary_.attributesDropped[name] += count;
+            cameras.insert(cameras.end(), more.cameras.begin(), more.cameras.end());
         }
+        takeCameras(cameras, summary_);
     }
 
     const MeshSummary& summary() const override { return summary_; }

@@ -56,11 +56,11 @@ TEST_F(GltfContainer, IsReadAsFarAsItIsThere) {
     for (std::size_t length = 1; length < good.size(); length += 7)
         EXPECT_NE(refusalOf(good.substr(0, length)), "no error") << length;
     expectRefusal(withWord(good, 4, 1), "not glTF 2.0: expected version 2, found 1");
-    expectRefusal(withWord(good, 12, 1U << 30U), "not a .glb");
-    expectRefusal(withWord(good, 12, ~0U), "not a .glb");
+    expectRefusal(withWord(good, 12, 1U << 30U), "a chunk of the .glb ends after the file");
+    expectRefusal(withWord(good, 12, ~0U), "a chunk of the .glb ends after the file");
     expectRefusal(withWord(good, 16, 0), "not a .glb");
     const std::size_t binary = good.size() - 36 - 8;
-    expectRefusal(withWord(good, binary, ~0U), "the file ends too early");
+    expectRefusal(withWord(good, binary, ~0U), "a chunk of the .glb ends after the file");
     expectRefusal(withWord(good, binary + 4, 0), "buffer view 0: lies outside of its buffer");
     EXPECT_EQ(refusalOf(good + "what a later version appends"), "no error");
 }

@@ -6,6 +6,7 @@
 #include "preprocess/read/gltf/gltf_nodes.h"
 #include "preprocess/read/gltf/gltf_primitive.h"
 #include "preprocess/read/gltf/memory_room.h"
+#include "preprocess/read/open_mesh_sources.h"
 #include "tests/read/collect.h"
 #include "tests/read/gltf_maker.h"
 
@@ -153,7 +154,7 @@ TEST_F(GltfParts, NodesStandWhereTheirParentsPutThem) {
             maker.document.erase("scenes");
         }
         GltfFile file = fileOf(maker);
-        const std::vector<PlacedMesh> placed = placedMeshes(file);
+        const std::vector<PlacedMesh> placed = sceneOf(file).meshes;
         std::vector<PlacedMesh> expected;
         placeSlowly(nodes, 0, glm::dmat4(1), expected);
         ASSERT_EQ(placed.size(), expected.size());
@@ -180,7 +181,7 @@ TEST_F(GltfParts, InstancesStandInTheirNode) {
     attributes["TRANSLATION"] = maker.addVectors(moves);
     attributes["SCALE"] = maker.addVectors(scales);
     GltfFile file = fileOf(maker);
-    const std::vector<PlacedMesh> placed = placedMeshes(file);
+    const std::vector<PlacedMesh> placed = sceneOf(file).meshes;
     ASSERT_EQ(placed.size(), kInstances);
     for (std::size_t i = 0; i < kInstances; ++i)
         for (int c = 0; c < 3; ++c) {
@@ -191,7 +192,7 @@ TEST_F(GltfParts, InstancesStandInTheirNode) {
     const auto complaint = [&] {
         return errorAbout(path, [&] {
             GltfFile spoiled = fileOf(maker);
-            placedMeshes(spoiled);
+            sceneOf(spoiled);
         });
     };
     attributes["SCALE"] = triangle;
@@ -368,6 +369,251 @@ TEST_F(GltfParts, TextureTransformsScaleTurnAndMove) {
     EXPECT_NEAR(moved.x, 0.5 + 3 * 0.2, 1e-12);
     EXPECT_NEAR(moved.y, 0.25 - 2 * 0.1, 1e-12);
     EXPECT_EQ(baseColorOf(file, -1).factor, glm::dvec4(1));
+    json& texture = maker.document["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"];
+    texture["extensions"]["KHR_texture_transform"]["texCoord"] = 3;
+    EXPECT_EQ(baseColorOf(fileOf(maker), 0).texCoord, 3) << "it replaces that of the texture";
+    EXPECT_EQ(baseColorOf(fileOf(maker), 0).toImage, color.toImage);
+    texture["extensions"]["KHR_texture_transform"] = {{"texCoord", 0}};
+    EXPECT_EQ(baseColorOf(fileOf(maker), 0).texCoord, 0);
+}
+
+TEST_F(GltfParts, DiffuseColoursOfSpecularGlossinessReplaceBaseColours) {
+    GltfMaker maker;
+    maker.attributes()["POSITION"] = maker.addVectors({0, 0, 0, 1, 0, 0, 0, 1, 0});
+    const auto colorWith = [&](const json& specular) {
+        maker.document["materials"] = {
+            {{"alphaMode", "MASK"},
+             {"pbrMetallicRoughness",
+              {{"baseColorFactor", {0, 0, 1, 1}}, {"baseColorTexture", {{"index", 7}, {"texCoord", 2}}}}}}};
+        if (!specular.is_null())
+            maker.document["materials"][0]["extensions"]["KHR_materials_pbrSpecularGlossiness"] = specular;
+        maker.document["extensionsRequired"] = {"KHR_materials_pbrSpecularGlossiness"};
+        return baseColorOf(fileOf(maker), 0);
+    };
+    EXPECT_EQ(colorWith(nullptr).factor, glm::dvec4(0, 0, 1, 1));
+    EXPECT_EQ(colorWith(nullptr).texture, 7);
+    const BaseColor factor = colorWith({{"diffuseFactor", {1, 0.5, 0.25, 0.125}}, {"specularFactor", {0, 0, 0}}});
+    EXPECT_EQ(factor.factor, glm::dvec4(1, 0.5, 0.25, 0.125));
+    EXPECT_EQ(factor.texture, -1);
+    EXPECT_TRUE(factor.isClear);
+    const BaseColor plain = colorWith(json::object());
+    EXPECT_EQ(plain.factor, glm::dvec4(1));
+    EXPECT_EQ(plain.texture, -1);
+    const BaseColor texture = colorWith({{"diffuseTexture", {{"index", 3}, {"texCoord", 1}}}});
+    EXPECT_EQ(texture.factor, glm::dvec4(1));
+    EXPECT_EQ(texture.texture, 3);
+    EXPECT_EQ(texture.texCoord, 1);
+    const BaseColor moved = colorWith(
+        {{"diffuseTexture",
+          {{"index", 3},
+           {"extensions", {{"KHR_texture_transform", {{"offset", {0.5, 0}}, {"scale", {2, 4}}, {"texCoord", 5}}}}}}}});
+    EXPECT_EQ(moved.texCoord, 5);
+    EXPECT_EQ(moved.toImage * glm::dvec3(1, 1, 1), glm::dvec2(2.5, 4));
+}
+
+/// The matrix of a quaternion of unit length, by its formula.
+glm::dmat3 matrixOf(const std::array<double, 4>& q) {
+    const auto& [x, y, z, w] = q;
+    return {
+        1 - 2 * (y * y + z * z),
+        2 * (x * y + z * w),
+        2 * (x * z - y * w), //
+        2 * (x * y - z * w),
+        1 - 2 * (x * x + z * z),
+        2 * (y * z + x * w), //
+        2 * (x * z + y * w),
+        2 * (y * z - x * w),
+        1 - 2 * (x * x + y * y),
+    };
+}
+
+void expectTurned(const glm::dmat4& found, const glm::dmat3& expected, double within) {
+    for (int c = 0; c < 3; ++c)
+        EXPECT_LT(glm::length(glm::dvec3(found[c]) - expected[c]), within) << c;
+}
+
+TEST_F(GltfParts, RotationsOfAnyLengthAndTypeTurnWithoutScaling) {
+    Random random(12);
+    for (int round = 0; round < 100; ++round) {
+        std::array<double, 4> unit{};
+        double length = 0;
+        while (length < 0.1) {
+            for (double& part : unit)
+                part = random.uniform(-1, 1);
+            length = std::sqrt(unit[0] * unit[0] + unit[1] * unit[1] + unit[2] * unit[2] + unit[3] * unit[3]);
+        }
+        for (double& part : unit)
+            part /= length;
+        const double scale = std::pow(10, random.uniform(-20, 20));
+        GltfMaker maker;
+        maker.attributes()["POSITION"] = maker.addVectors({0, 0, 0, 1, 0, 0, 0, 1, 0});
+        json& node = maker.document["nodes"][0];
+        node["rotation"] = {scale * unit[0], scale * unit[1], scale * unit[2], scale * unit[3]};
+        GltfFile file = fileOf(maker);
+        expectTurned(sceneOf(file).meshes.at(0).toWorld, matrixOf(unit), 1e-12);
+        node.erase("rotation");
+        json& rotation = node["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["ROTATION"];
+        std::vector<std::int8_t> bytes;
+        std::vector<std::int16_t> words;
+        for (const double part : unit) {
+            bytes.push_back(static_cast<std::int8_t>(std::lround(127 * part)));
+            words.push_back(static_cast<std::int16_t>(std::lround(32767 * part)));
+        }
+        for (const bool isByte : {true, false}) {
+            rotation = isByte ? maker.add(bytes, "VEC4", 5120, 4) : maker.add(words, "VEC4", 5122, 4);
+            maker.document["accessors"].back()["normalized"] = true;
+            GltfFile quantised = fileOf(maker);
+            const glm::dmat4 toWorld = sceneOf(quantised).meshes.at(0).toWorld;
+            expectTurned(toWorld, matrixOf(unit), isByte ? 0.03 : 1e-4);
+            EXPECT_NEAR(glm::determinant(glm::dmat3(toWorld)), 1, 1e-12) << "it neither scales nor shears";
+        }
+    }
+}
+
+TEST_F(GltfParts, TransformsThatAreNoneAreToldOrRefused) {
+    GltfMaker maker;
+    maker.attributes()["POSITION"] = maker.addVectors({0, 0, 0, 1, 0, 0, 0, 1, 0});
+    json& node = maker.document["nodes"][0];
+    node["rotation"] = {0, 0, 0, 0};
+    node["scale"] = {2, 2, 2};
+    GltfFile file = fileOf(maker);
+    const GltfScene scene = sceneOf(file);
+    expectTurned(scene.meshes.at(0).toWorld, glm::dmat3(2), 1e-12);
+    EXPECT_EQ(scene.leftOut, (std::map<std::string, std::uint64_t>{{"rotations of length 0", 1}}));
+    for (const auto& [name, count] :
+         {std::pair("rotation", 3), std::pair("translation", 2), std::pair("scale", 4), std::pair("matrix", 15)}) {
+        node = {{"mesh", 0}, {name, std::vector<double>(static_cast<std::size_t>(count), 1.0)}};
+        const std::string message = errorAbout(path, [&] {
+            GltfFile spoiled = fileOf(maker);
+            sceneOf(spoiled);
+        });
+        EXPECT_NE(message.find("node 0: its " + std::string(name) + " cannot be understood"), std::string::npos)
+            << message;
+    }
+}
+
+/// A document with a camera for each of `nodes`, all in one scene.
+GltfMaker makerOfCameras(const json& cameras, const json& nodes, const json& roots) {
+    GltfMaker maker;
+    maker.attributes()["POSITION"] = maker.addVectors({0, 0, 0, 1, 0, 0, 0, 1, 0});
+    maker.document["cameras"] = cameras;
+    maker.document["nodes"] = nodes;
+    maker.document["scenes"][0]["nodes"] = roots;
+    return maker;
+}
+
+const json kPerspective = {{"type", "perspective"}, {"perspective", {{"yfov", 0.8}, {"znear", 0.1}}}};
+
+TEST_F(GltfParts, CamerasShowThePointsBeforeTheirNodes) {
+    Random random(13);
+    for (int round = 0; round < 100; ++round) {
+        // Below any chain of turned, moved and evenly scaled nodes. An odd number of mirrors mirrors the picture.
+        json nodes = json::array();
+        glm::dmat4 toWorld(1);
+        const std::size_t depth = 1 + random.below(4);
+        for (std::size_t i = 0; i < depth; ++i) {
+            const glm::dvec3 move(random.uniform(-9, 9), random.uniform(-9, 9), random.uniform(-9, 9));
+            const double angle = random.uniform(-3, 3);
+            const double size = random.uniform(0.2, 3);
+            const double mirror = random.below(3) == 0 ? -1 : 1;
+            toWorld = glm::translate(toWorld, move);
+            toWorld = glm::rotate(toWorld, angle, glm::dvec3(0, 0.6, 0.8));
+            toWorld = glm::scale(toWorld, glm::dvec3(mirror * size, size, size));
+            nodes.push_back(
+                {{"translation", {move.x, move.y, move.z}},
+                 {"rotation", {0, 0.6 * std::sin(angle / 2), 0.8 * std::sin(angle / 2), std::cos(angle / 2)}},
+                 {"scale", {mirror * size, size, size}},
+                 {"children", {i + 1}}});
+        }
+        nodes.push_back({{"camera", 0}});
+        nodes.push_back({{"mesh", 0}});
+        GltfMaker maker = makerOfCameras(json::array({kPerspective}), nodes, {0, depth + 1});
+        GltfFile file = fileOf(maker);
+        const GltfScene scene = sceneOf(file);
+        ASSERT_EQ(scene.cameras.size(), 1U);
+        EXPECT_TRUE(scene.leftOut.empty());
+        const Camera& camera = scene.cameras[0];
+        EXPECT_EQ(camera.projection, Projection::Perspective);
+        EXPECT_EQ(camera.fovYRadians, 0.8);
+        EXPECT_LT(glm::length(camera.eye - glm::dvec3(toWorld[3])), 1e-9);
+        const CameraBasis basis = cameraBasis(camera);
+        const double side = glm::determinant(glm::dmat3(toWorld)) < 0 ? -1 : 1;
+        for (int i = 0; i < 5; ++i) {
+            const glm::dvec3 point(random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-9, -1));
+            const glm::dvec3 seen = toCamera(basis, glm::dvec3(toWorld * glm::dvec4(point, 1)) - camera.eye);
+            EXPECT_NEAR(seen.x / seen.z, side * point.x / -point.z, 1e-9);
+            EXPECT_NEAR(seen.y / seen.z, point.y / -point.z, 1e-9);
+            EXPECT_GT(seen.z, 0);
+        }
+    }
+}
+
+TEST_F(GltfParts, OrthographicCamerasShowTheirHeight) {
+    const json parallel = {
+        {"type", "orthographic"}, {"orthographic", {{"xmag", 3}, {"ymag", 2.5}, {"zfar", 9}, {"znear", 0}}}};
+    GltfMaker maker = makerOfCameras(
+        json::array({parallel}),
+        {{{"camera", 0}, {"translation", {1, 2, 3}}, {"scale", {4, 4, 4}}}, {{"mesh", 0}}},
+        {0, 1});
+    GltfFile file = fileOf(maker);
+    const std::vector<Camera> cameras = sceneOf(file).cameras;
+    ASSERT_EQ(cameras.size(), 1U);
+    EXPECT_TRUE(cameras[0].isParallel());
+    EXPECT_NEAR(halfHeightAtTarget(cameras[0]), 2.5, 1e-12) << "the node's scale does not change it";
+    EXPECT_EQ(cameras[0].eye, glm::dvec3(1, 2, 3));
+    EXPECT_NEAR(cameras[0].target.x, 1, 1e-12);
+    EXPECT_NEAR(cameras[0].target.y, 2, 1e-12);
+    EXPECT_LT(cameras[0].target.z, 3);
+}
+
+TEST_F(GltfParts, CamerasComeInTheOrderOfTheFileAndTheRestIsCounted) {
+    const auto turned = [](double angle) {
+        json camera = kPerspective;
+        camera["perspective"]["yfov"] = angle;
+        return camera;
+    };
+    const auto found = [&](const json& cameras, const json& nodes, const json& roots) {
+        GltfMaker maker = makerOfCameras(cameras, nodes, roots);
+        writeScratch(path, maker.container());
+        const MeshSummary summary = openMeshSources({path}, mebibytes(64))->summary();
+        std::vector<double> angles;
+        for (const Camera& camera : summary.cameras)
+            angles.push_back(camera.fovYRadians);
+        return std::pair(angles, summary.attributesDropped);
+    };
+    using Found = std::pair<std::vector<double>, std::map<std::string, std::uint64_t>>;
+    const json parallel = {
+        {"type", "orthographic"}, {"orthographic", {{"xmag", 1}, {"ymag", 1}, {"zfar", 9}, {"znear", 0}}}};
+    const json mesh = {{"mesh", 0}};
+    const auto at = [](int camera) { return json{{"camera", camera}}; };
+    const auto list = [](const std::vector<json>& entries) { return json(entries); };
+    EXPECT_EQ(found(list({turned(0.1), turned(0.2)}), list({at(1), at(0), mesh}), {0, 1, 2}), (Found{{0.1, 0.2}, {}}));
+    EXPECT_EQ(found(list({turned(0.1)}), list({at(0), at(0), mesh}), {0, 1, 2}), (Found{{0.1, 0.1}, {}}));
+    EXPECT_EQ(found(list({turned(0.1), turned(0.2)}), list({at(1), mesh}), {0, 1}), (Found{{0.2}, {{"cameras", 1}}}));
+    EXPECT_EQ(
+        found(list({turned(0.1)}), list({at(0), mesh}), list({1})),
+        (Found{{}, {{"cameras", 1}, {"nodes of other scenes", 1}}}));
+    EXPECT_EQ(found(list({turned(0.1)}), list({at(7), mesh}), {0, 1}), (Found{{}, {{"cameras", 1}}}))
+        << "there is no such camera";
+    EXPECT_EQ(
+        found(list({parallel, turned(0.1)}), list({at(0), at(1), mesh}), {0, 1, 2}),
+        (Found{{0.1}, {{"orthographic cameras", 1}}}));
+    EXPECT_EQ(found(list({parallel}), list({at(0), mesh}), {0, 1}).first.size(), 1U);
+    const json flat = {{"camera", 0}, {"scale", {1, 1, 0}}};
+    EXPECT_EQ(found(list({turned(0.1)}), list({flat, mesh}), {0, 1}), (Found{{}, {{"cameras", 1}}}))
+        << "it looks nowhere";
+    for (const json& none : {turned(0), turned(-1), turned(4), json{{"type", "fisheye"}}, json::object(), json(3)})
+        EXPECT_EQ(found(list({none}), list({at(0), mesh}), {0, 1}), (Found{{}, {{"cameras", 1}}})) << none;
+    json many = json::array();
+    json nodes = list({mesh});
+    json roots = list({0});
+    for (int i = 0; i < 1030; ++i) {
+        many.push_back(turned(0.001 * (i + 1)));
+        nodes.push_back(at(i));
+        roots.push_back(i + 1);
+    }
+    EXPECT_EQ(found(many, nodes, roots).first.size(), 1024U);
+    EXPECT_EQ(found(many, nodes, roots).second, (std::map<std::string, std::uint64_t>{{"cameras", 6}}));
 }
 
 TEST_F(GltfParts, PrimitivesOfPointsAndLinesAreLeftOutAndCounted) {

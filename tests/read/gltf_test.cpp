@@ -353,13 +353,5 @@ TEST_F(ReadMadeGltf, MangledRealFilesGiveAMeshOrOneLine) {
     }
 }
 
-TEST(PercentDecoded, PutsBytesInPlaceOfTheirDigits) {
-    EXPECT_EQ(percentDecoded("a%20b%E2%9d%a4"), "a b\xE2\x9D\xA4");
-    EXPECT_EQ(percentDecoded("50%"), "50%");
-    EXPECT_EQ(percentDecoded("%4"), "%4");
-    EXPECT_EQ(percentDecoded("%41"), "A");
-    EXPECT_EQ(percentDecoded("%zz"), "%zz");
-}
-
 } // namespace
 } // namespace gnomon::read

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace gnomon::read {
 
@@ -45,17 +46,42 @@ glm::dvec2 pairOf(const tinygltf::Value& object, const char* key, glm::dvec2 oth
     return {object.Get(key).Get(0).GetNumberAsDouble(), object.Get(key).Get(1).GetNumberAsDouble()};
 }
 
-/// By KHR_texture_transform: scaled, turned, then moved.
-glm::dmat3x2 transformOf(const tinygltf::ExtensionMap& extensions) {
-    const auto found = extensions.find("KHR_texture_transform");
-    if (found == extensions.end() || !found->second.IsObject()) return {1, 0, 0, 1, 0, 0};
-    const glm::dvec2 offset = pairOf(found->second, "offset", {0, 0});
-    const glm::dvec2 scale = pairOf(found->second, "scale", {1, 1});
-    const bool isTurned = found->second.Has("rotation") && found->second.Get("rotation").IsNumber();
-    const double turn = isTurned ? found->second.Get("rotation").GetNumberAsDouble() : 0;
+/// A whole number from 0 on that an extension may give.
+int indexMember(const tinygltf::Value& object, const char* key, int otherwise) {
+    if (!object.Has(key) || !object.Get(key).IsNumber()) return otherwise;
+    const double value = object.Get(key).GetNumberAsDouble();
+    return value >= 0 && value <= std::numeric_limits<int>::max() ? static_cast<int>(value) : otherwise;
+}
+
+/// Applies KHR_texture_transform to the texture of `color`: coordinates are scaled, turned, then moved. Its set of
+/// coordinates replaces the texture's.
+void applyTransform(const tinygltf::Value& transform, BaseColor& color) {
+    if (!transform.IsObject()) return;
+    const glm::dvec2 offset = pairOf(transform, "offset", {0, 0});
+    const glm::dvec2 scale = pairOf(transform, "scale", {1, 1});
+    const bool isTurned = transform.Has("rotation") && transform.Get("rotation").IsNumber();
+    const double turn = isTurned ? transform.Get("rotation").GetNumberAsDouble() : 0;
     const double c = std::cos(turn);
     const double s = std::sin(turn);
-    return {scale.x * c, -scale.x * s, scale.y * s, scale.y * c, offset.x, offset.y};
+    color.toImage = {scale.x * c, -scale.x * s, scale.y * s, scale.y * c, offset.x, offset.y};
+    color.texCoord = indexMember(transform, "texCoord", color.texCoord);
+}
+
+constexpr const char* kTextureTransform = "KHR_texture_transform";
+
+/// Takes the diffuse colour of KHR_materials_pbrSpecularGlossiness.
+void takeDiffuse(const tinygltf::Value& surface, BaseColor& color) {
+    if (!surface.IsObject()) return;
+    const tinygltf::Value& factor = surface.Get("diffuseFactor");
+    if (factor.IsArray() && factor.ArrayLen() == 4)
+        for (int i = 0; i < 4; ++i)
+            color.factor[i] = factor.Get(i).GetNumberAsDouble();
+    const tinygltf::Value& texture = surface.Get("diffuseTexture");
+    if (!texture.IsObject()) return;
+    color.texture = indexMember(texture, "index", -1);
+    color.texCoord = indexMember(texture, "texCoord", 0);
+    const tinygltf::Value& extensions = texture.Get("extensions");
+    if (extensions.IsObject()) applyTransform(extensions.Get(kTextureTransform), color);
 }
 
 } // namespace
@@ -64,13 +90,20 @@ BaseColor baseColorOf(const GltfFile& file, int material) {
     BaseColor color;
     if (material < 0) return color;
     const tinygltf::Material& from = file.elementOf(file.model().materials, material, "material");
+    color.isClear = from.alphaMode != "OPAQUE";
+    if (const auto specular = from.extensions.find("KHR_materials_pbrSpecularGlossiness");
+        specular != from.extensions.end()) {
+        takeDiffuse(specular->second, color);
+        return color;
+    }
     const tinygltf::PbrMetallicRoughness& surface = from.pbrMetallicRoughness;
     for (std::size_t i = 0; i < 4 && i < surface.baseColorFactor.size(); ++i)
         color.factor[static_cast<int>(i)] = surface.baseColorFactor[i];
-    color.isClear = from.alphaMode != "OPAQUE";
     color.texture = surface.baseColorTexture.index;
     color.texCoord = surface.baseColorTexture.texCoord;
-    color.toImage = transformOf(surface.baseColorTexture.extensions);
+    if (const auto transform = surface.baseColorTexture.extensions.find(kTextureTransform);
+        transform != surface.baseColorTexture.extensions.end())
+        applyTransform(transform->second, color);
     return color;
 }
 

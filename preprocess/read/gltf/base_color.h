@@ -1,4 +1,4 @@
-// What a material of glTF says of the colour of a surface, where it is lit by white light.
+// The base colour of a glTF material: the colour of its surface in white light.
 #pragma once
 
 #include "preprocess/read/gltf/decoded_image.h"
@@ -21,7 +21,8 @@ struct BaseColor {
     glm::dmat3x2 toImage{1, 0, 0, 1, 0, 0}; ///< from (u, v, 1), by KHR_texture_transform
 };
 
-/// Of material `material`; white for -1. Throws Error if there is no such material.
+/// Returns the base colour of material `material`; white for -1. KHR_materials_pbrSpecularGlossiness replaces the
+/// colour of the material that has it. Throws Error if there is no such material.
 BaseColor baseColorOf(const GltfFile& file, int material);
 
 /// A texture that can be looked up.

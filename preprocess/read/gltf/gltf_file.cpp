@@ -2,6 +2,8 @@
 
 #include "core/error.h"
 #include "core/json_file.h"
+#include "preprocess/read/gltf/gltf_document.h"
+#include "preprocess/read/gltf/uri.h"
 #include "preprocess/read/words.h"
 
 #include <algorithm>
@@ -27,50 +29,11 @@ constexpr std::uint32_t kBinaryChunk = 0x004E4942;
 constexpr std::size_t kGlbHeader = 12;
 constexpr std::size_t kChunkHeader = 8;
 
-/// Extensions that may be required: what they say is read, or changes no surface and no base colour.
-constexpr std::array kKnownExtensions = {
-    "KHR_mesh_quantization",
-    "EXT_meshopt_compression",
-    "EXT_mesh_gpu_instancing",
-    "KHR_texture_transform",
-    "KHR_lights_punctual",
-    "KHR_materials_unlit",
-    "KHR_materials_emissive_strength",
-    "KHR_materials_clearcoat",
-    "KHR_materials_ior",
-    "KHR_materials_sheen",
-    "KHR_materials_specular",
-    "KHR_materials_transmission",
-    "KHR_materials_variants",
-    "KHR_materials_volume"};
-
 std::uint32_t word(std::span<const std::byte> bytes) {
     std::uint32_t value = 0;
     for (std::size_t i = 4; i-- > 0;)
         value = value << 8U | std::to_integer<std::uint32_t>(bytes[i]);
     return value;
-}
-
-int hexDigit(char c) {
-    if (c >= '0' && c <= '9') return c - '0';
-    if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-    if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-    return -1;
-}
-
-/// The array `key` of an object of the document; an empty one where there is none.
-nlohmann::json arrayOf(const nlohmann::json& object, const char* key, const std::string& path) {
-    const auto found = object.find(key);
-    if (found == object.end()) return nlohmann::json::array();
-    if (!found->is_array())
-        throw Error(path, "cannot be understood", std::string("\"") + key + "\" as an array", "another kind of value");
-    return *found;
-}
-
-std::string textOf(const nlohmann::json& object, const char* key) {
-    if (!object.is_object()) return {};
-    const auto found = object.find(key);
-    return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
 bool isWhole(double value) {
@@ -86,30 +49,27 @@ std::string wordOf(const tinygltf::Value& object, const char* key) {
     return object.IsObject() && object.Has(key) && object.Get(key).IsString() ? object.Get(key).Get<std::string>() : "";
 }
 
-void requireExtensions(const nlohmann::json& document, const std::string& path) {
-    for (const nlohmann::json& name : arrayOf(document, "extensionsRequired", path)) {
-        const std::string text = name.is_string() ? name.get<std::string>() : "a name that is none";
-        if (std::find(kKnownExtensions.begin(), kKnownExtensions.end(), text) == kKnownExtensions.end())
-            throw Error(path, "needs an extension of glTF that is not read: " + quotedForMessage(text));
-    }
-}
+/// A chunk of a .glb, without its header.
+struct Chunk {
+    std::uint64_t begin = 0;
+    std::uint64_t length = 0;
+    std::uint32_t type = 0;
 
-/// Draco's geometry may be there without being announced as required; its accessors have no bytes of their own then.
-void requireNoDraco(const nlohmann::json& document, const std::string& path) {
-    const nlohmann::json accessors = arrayOf(document, "accessors", path);
-    const auto hasBytes = [&](const nlohmann::json& primitive) {
-        const auto at = nlohmann::json::json_pointer("/attributes/POSITION");
-        const std::size_t index = primitive.contains(at) && primitive[at].is_number_unsigned()
-                                      ? primitive[at].get<std::size_t>()
-                                      : accessors.size();
-        return index >= accessors.size() || accessors[index].contains("bufferView");
-    };
-    const auto packed = nlohmann::json::json_pointer("/extensions/KHR_draco_mesh_compression");
-    for (const nlohmann::json& mesh : arrayOf(document, "meshes", path))
-        if (mesh.is_object())
-            for (const nlohmann::json& primitive : arrayOf(mesh, "primitives", path))
-                if (primitive.is_object() && primitive.contains(packed) && !hasBytes(primitive))
-                    throw Error(path, "needs an extension of glTF that is not read: \"KHR_draco_mesh_compression\"");
+    std::uint64_t end() const { return begin + length; }
+};
+
+/// Returns the chunk whose header is at byte `at`. Throws Error if the chunk does not end before byte `end`.
+Chunk chunkAt(const InputFile& file, std::uint64_t at, std::uint64_t end) {
+    std::array<std::byte, kChunkHeader> head{};
+    file.readAt(at, head);
+    const Chunk chunk{at + head.size(), word(head), word(std::span<const std::byte>(head).subspan(4))};
+    if (chunk.length > end - chunk.begin)
+        throw Error(
+            atByte(file.path(), at),
+            "a chunk of the .glb ends after the file",
+            "at most " + std::to_string(end - chunk.begin) + " bytes",
+            std::to_string(chunk.length));
+    return chunk;
 }
 
 /// tinygltf's own words, which may be many lines.
@@ -120,20 +80,9 @@ std::string firstLineOf(const std::string& text) {
 
 } // namespace
 
-std::string percentDecoded(std::string_view uri) {
-    std::string text;
-    for (std::size_t i = 0; i < uri.size(); ++i) {
-        const int high = uri[i] == '%' && i + 2 < uri.size() ? hexDigit(uri[i + 1]) : -1;
-        const int low = high >= 0 ? hexDigit(uri[i + 2]) : -1;
-        if (low >= 0) i += 2;
-        text += low >= 0 ? static_cast<char>(high * 16 + low) : uri[i];
-    }
-    return text;
-}
-
-GltfFile::GltfFile(const std::string& path, Bytes limit) : room_(path, limit) {
+GltfFile::GltfFile(const std::string& path, Bytes limit, bool readsTextures) : room_(path, limit) {
     files_.push_back(std::make_unique<InputFile>(path));
-    parse(readContainer());
+    parse(readContainer(), readsTextures);
     unpacked_.resize(model_.bufferViews.size());
 }
 
@@ -148,54 +97,59 @@ std::uint64_t GltfFile::fileBytes() const {
     return sum;
 }
 
-/// The text of the document; what a .glb holds beside it stays.
+/// Returns the text of the document. Of a .glb, also reads the first binary chunk, and skips and counts all other
+/// chunks (glTF 2.0, section 4.4.3).
 std::string GltfFile::readContainer() {
     const InputFile& file = *files_.front();
-    std::array<std::byte, kGlbHeader + kChunkHeader> head{};
+    std::array<std::byte, kGlbHeader> head{};
     const std::size_t got = file.readSomeAt(0, head);
-    std::uint64_t begin = 0;
-    std::uint64_t length = file.size();
-    if (got >= 4 && word(head) == kGlbMagic) {
-        if (got < head.size())
-            throw Error(atByte(path(), got), "the file ends too early", "a header of 20 bytes", "the end");
-        const std::span<const std::byte> bytes(head);
-        if (word(bytes.subspan(4)) != 2)
-            throw Error(path(), "not glTF 2.0", "version 2", std::to_string(word(bytes.subspan(4))));
-        begin = head.size();
-        length = word(bytes.subspan(kGlbHeader));
-        if (word(bytes.subspan(kGlbHeader + 4)) != kJsonChunk || length > file.size() - begin)
-            throw Error(
-                atByte(path(), kGlbHeader), "not a .glb", "a chunk of JSON that lies within the file", "another");
-    }
-    room_.take(length, kBytesPerJsonByte);
-    std::string text(length, '\0');
-    file.readAt(begin, std::as_writable_bytes(std::span(text.data(), text.size())));
-    const std::uint64_t end = begin + length;
-    if (begin == 0 || file.size() - end < kChunkHeader) return text;
-    std::array<std::byte, kChunkHeader> chunk{};
-    file.readAt(end, chunk);
-    const std::uint64_t binary = word(chunk);
-    if (word(std::span<const std::byte>(chunk).subspan(4)) != kBinaryChunk) return text;
-    if (binary > file.size() - end - kChunkHeader)
+    if (got < 4 || word(head) != kGlbMagic) return textAt(0, file.size());
+    if (file.size() < kGlbHeader + kChunkHeader)
+        throw Error(path(), "the file ends too early", "a header of 20 bytes", std::to_string(file.size()));
+    const std::span<const std::byte> bytes(head);
+    if (word(bytes.subspan(4)) != 2)
+        throw Error(path(), "not glTF 2.0", "version 2", std::to_string(word(bytes.subspan(4))));
+    const std::uint64_t end = word(bytes.subspan(8));
+    if (end > file.size() || end < kGlbHeader + kChunkHeader)
         throw Error(
-            atByte(path(), end),
-            "the file ends too early",
-            std::to_string(binary) + " bytes of buffer",
-            std::to_string(file.size() - end - kChunkHeader));
-    room_.take(binary);
-    embedded_.resize(binary);
-    file.readAt(end + kChunkHeader, embedded_);
+            atByte(path(), 8),
+            end > file.size() ? "the file ends too early" : "the .glb has a wrong length",
+            "20 to " + std::to_string(file.size()) + " bytes, the size of the file",
+            std::to_string(end));
+    const Chunk first = chunkAt(file, kGlbHeader, end);
+    if (first.type != kJsonChunk)
+        throw Error(atByte(path(), kGlbHeader), "not a .glb", "a first chunk of JSON", "another type");
+    std::string text = textAt(first.begin, first.length);
+    bool hasBinary = false;
+    for (std::uint64_t at = first.end(); end - at >= kChunkHeader;) {
+        const Chunk chunk = chunkAt(file, at, end);
+        if (chunk.type == kBinaryChunk && !hasBinary) {
+            hasBinary = true;
+            room_.take(chunk.length);
+            embedded_.resize(chunk.length);
+            file.readAt(chunk.begin, embedded_);
+        } else {
+            ++leftOut_["chunks of other types"];
+        }
+        at = chunk.end();
+    }
     return text;
 }
 
-void GltfFile::parse(const std::string& text) {
+std::string GltfFile::textAt(std::uint64_t offset, std::uint64_t length) {
+    room_.take(length, kBytesPerJsonByte);
+    std::string text(length, '\0');
+    files_.front()->readAt(offset, std::as_writable_bytes(std::span(text.data(), text.size())));
+    return text;
+}
+
+void GltfFile::parse(const std::string& text, bool readsTextures) {
     requireJsonLimits(path(), text);
     const auto endsValue = [](char c) { return c == ',' || c == ':' || c == '[' || c == '{'; };
     room_.take(static_cast<std::uint64_t>(std::count_if(text.begin(), text.end(), endsValue)), kBytesPerJsonValue);
     Json document = Json::parse(text, nullptr, false);
     if (!document.is_object()) throw Error(path(), "not glTF", "an object of JSON", "something else");
-    requireExtensions(document, path());
-    requireNoDraco(document, path());
+    requireExtensions(document, path(), readsTextures);
     leaveOut(document);
     readBuffers(document);
     const std::string structure = document.dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -208,16 +162,15 @@ void GltfFile::parse(const std::string& text) {
         throw Error(path(), "not glTF 2.0: " + firstLineOf(error));
 }
 
-/// Takes out what no surface needs, and what tinygltf would read by itself: images.
+/// Counts the data that no model uses, and removes the parts that tinygltf must not parse.
 void GltfFile::leaveOut(Json& document) {
+    leftOut_.merge(unusedParts(document));
     images_ = arrayOf(document, "images", path());
-    document.erase("images");
-    for (const char* const name : {"animations", "skins"}) {
-        const std::size_t count = arrayOf(document, name, path()).size();
-        if (count > 0) leftOut_[name] = count;
+    cameras_ = arrayOf(document, "cameras", path());
+    for (const char* const name : {"images", "cameras", "animations", "skins"})
         document.erase(name);
-    }
-    document.erase("cameras");
+    const auto extensions = document.find("extensions");
+    if (extensions != document.end() && extensions->is_object()) extensions->erase("KHR_lights_punctual");
 }
 
 /// Reads all buffers and leaves tinygltf one of a byte for each.
@@ -249,22 +202,24 @@ std::vector<std::byte> GltfFile::bufferBytes(const Json& buffer, std::size_t ind
 }
 
 std::vector<std::byte> GltfFile::ofUri(const std::string& uri, const std::string& place) {
-    if (!uri.starts_with("data:")) return ofFile(uri, place);
-    room_.take(uri.size(), 2);
-    std::vector<unsigned char> bytes;
-    std::string type;
-    if (!tinygltf::IsDataURI(uri) || !tinygltf::DecodeDataURI(&bytes, type, uri, 0, false))
-        throw Error(place, "cannot be understood", "base64 of bytes, a PNG or a JPEG", quotedForMessage(uri));
-    const auto held = std::as_bytes(std::span(bytes));
-    return {held.begin(), held.end()};
+    if (!isDataUri(uri)) return ofFile(besideThis(uri, place));
+    room_.take(uri.size());
+    return bytesOfDataUri(uri, place);
 }
 
-std::vector<std::byte> GltfFile::ofFile(const std::string& uri, const std::string& place) {
-    const std::filesystem::path name = percentDecoded(uri);
+/// The path of the file that `uri` names.
+std::string GltfFile::besideThis(const std::string& uri, const std::string& place) const {
+    const std::filesystem::path name = fileNameOf(uri, place);
     if (name.is_absolute() || uri.find("://") != std::string::npos)
         throw Error(
             place, "refers to a file by more than a name", "a path from the folder of the file", quotedForMessage(uri));
-    const std::string path = (std::filesystem::path(this->path()).parent_path() / name).string();
+    const std::filesystem::path path = std::filesystem::path(this->path()).parent_path() / name;
+    std::error_code missing;
+    requirePercentDigits(uri, std::filesystem::exists(path, missing), place);
+    return path.string();
+}
+
+std::vector<std::byte> GltfFile::ofFile(const std::string& path) {
     requireRereadable(path);
     auto file = std::make_unique<InputFile>(path);
     room_.take(file->size());
@@ -349,11 +304,12 @@ std::vector<std::byte> GltfFile::image(int index) {
             bufferView(static_cast<int>(std::min<std::int64_t>(view->get<std::int64_t>(), 1 << 30)));
         return {bytes.begin(), bytes.end()};
     }
-    if (uri.starts_with("data:")) return ofUri(uri, where("image", static_cast<std::uint64_t>(index)));
+    const std::string place = where("image", static_cast<std::uint64_t>(index));
+    if (isDataUri(uri)) return ofUri(uri, place);
+    const std::string file = besideThis(uri, place);
     std::error_code missing;
-    const auto file = std::filesystem::path(path()).parent_path() / percentDecoded(uri);
     if (!std::filesystem::is_regular_file(file, missing)) return {};
-    return ofFile(uri, where("image", static_cast<std::uint64_t>(index)));
+    return ofFile(file);
 }
 
 } // namespace gnomon::read

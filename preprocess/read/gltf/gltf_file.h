@@ -17,13 +17,14 @@
 
 namespace gnomon::read {
 
-/// Scenes, nodes, meshes, accessors and materials as tinygltf understands them. Buffers and images stay out of its
-/// hands: their bytes are read, bounded and handed out here. Animations, skins and cameras are left out and counted.
+/// Scenes, nodes, meshes, accessors and materials as tinygltf parses them. This class itself reads buffers and images,
+/// checks their sizes and returns their bytes. It counts the data that no model uses, such as animations.
 class GltfFile {
 public:
-    /// Throws Error, which names the file, for what is not glTF 2.0, lacks a buffer, needs an extension that is not
-    /// read (Draco's among them), or may take more than `limit`.
-    GltfFile(const std::string& path, Bytes limit);
+    /// Throws Error, which names the file, if the file is not glTF 2.0, lacks a buffer, requires an extension that is
+    /// not read (Draco's among them), or may take more than `limit`. A file may require a format of textures that is
+    /// not read only if the caller reads no textures.
+    GltfFile(const std::string& path, Bytes limit, bool readsTextures = true);
 
     const std::string& path() const { return files_.front()->path(); }
 
@@ -35,6 +36,9 @@ public:
 
     /// The encoded image `index`; empty where its file is not there.
     std::vector<std::byte> image(int index);
+
+    /// The cameras of the document, of which tinygltf parses nothing.
+    const nlohmann::json& cameras() const { return cameras_; }
 
     /// Of this file and of all that it refers to and that was read.
     std::uint64_t fileBytes() const;
@@ -62,12 +66,14 @@ private:
     using Json = nlohmann::json;
 
     std::string readContainer();
-    void parse(const std::string& text);
+    std::string textAt(std::uint64_t offset, std::uint64_t length);
+    void parse(const std::string& text, bool readsTextures);
     void leaveOut(Json& document);
     void readBuffers(Json& document);
     std::vector<std::byte> bufferBytes(const Json& buffer, std::size_t index);
     std::vector<std::byte> ofUri(const std::string& uri, const std::string& place);
-    std::vector<std::byte> ofFile(const std::string& uri, const std::string& place);
+    std::vector<std::byte> ofFile(const std::string& path);
+    std::string besideThis(const std::string& uri, const std::string& place) const;
     std::span<const std::byte> inBuffer(std::string_view name, int view, double buffer, double offset, double length);
     std::vector<std::byte> unpacked(int view, const tinygltf::Value& packed);
 
@@ -77,11 +83,9 @@ private:
     std::vector<std::vector<std::byte>> buffers_;
     std::vector<std::vector<std::byte>> unpacked_; // by view
     Json images_;
+    Json cameras_;
     std::map<std::string, std::uint64_t> leftOut_;
     tinygltf::Model model_;
 };
-
-/// The bytes that the percent signs of a URI stand for put in their place; a sign that two digits do not follow stays.
-std::string percentDecoded(std::string_view uri);
 
 } // namespace gnomon::read

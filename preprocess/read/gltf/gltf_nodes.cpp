@@ -1,40 +1,37 @@
 #include "preprocess/read/gltf/gltf_nodes.h"
 
+#include "core/angle.h"
 #include "core/error.h"
 #include "preprocess/read/gltf/gltf_accessor.h"
+#include "preprocess/read/gltf/gltf_document.h"
 
 #include <glm/gtc/quaternion.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <optional>
+#include <set>
 
 namespace gnomon::read {
 
 namespace {
 
-/// Moved, turned and scaled, scaled first; the quaternion as x, y, z, w.
+/// The matrix of a quaternion x, y, z, w of any length above 0; the identity for one of length 0.
+glm::dmat4 turnedBy(const glm::dvec4& rotation) {
+    const double length = glm::length(rotation);
+    if (length == 0) return glm::dmat4(1);
+    const glm::dvec4 unit = rotation / length;
+    return glm::mat4_cast(glm::dquat(unit.w, unit.x, unit.y, unit.z));
+}
+
+/// Moved, turned and scaled, scaled first.
 glm::dmat4 placed(const glm::dvec3& translation, const glm::dvec4& rotation, const glm::dvec3& scale) {
-    const glm::dquat turn(rotation.w, rotation.x, rotation.y, rotation.z);
-    glm::dmat4 matrix = glm::mat4_cast(turn);
+    glm::dmat4 matrix = turnedBy(rotation);
     for (int i = 0; i < 3; ++i)
         matrix[i] *= scale[i];
     matrix[3] = glm::dvec4(translation, 1);
     return matrix;
-}
-
-glm::dmat4 toParent(const tinygltf::Node& node) {
-    if (node.matrix.size() == 16) {
-        glm::dmat4 matrix{};
-        for (int i = 0; i < 16; ++i)
-            matrix[i / 4][i % 4] = node.matrix[static_cast<std::size_t>(i)];
-        return matrix;
-    }
-    const auto& t = node.translation;
-    const auto& r = node.rotation;
-    const auto& s = node.scale;
-    return placed(
-        t.size() == 3 ? glm::dvec3(t[0], t[1], t[2]) : glm::dvec3(0),
-        r.size() == 4 ? glm::dvec4(r[0], r[1], r[2], r[3]) : glm::dvec4(0, 0, 0, 1),
-        s.size() == 3 ? glm::dvec3(s[0], s[1], s[2]) : glm::dvec3(1));
 }
 
 /// The accessor that a number of an extension names, which the library leaves as it is in the file; -1, which is none,
@@ -60,32 +57,6 @@ std::vector<float> instanceValues(
     return values;
 }
 
-/// Where instances of a mesh stand, in the space of its node.
-std::vector<glm::dmat4> instancesOf(GltfFile& file, const tinygltf::Node& node) {
-    const auto found = node.extensions.find("EXT_mesh_gpu_instancing");
-    if (found == node.extensions.end() || !found->second.IsObject()) return {glm::dmat4(1)};
-    const tinygltf::Value& attributes = found->second.Get("attributes");
-    std::uint64_t count = 0;
-    const std::vector<float> t = instanceValues(file, attributes, "TRANSLATION", 3, count);
-    const std::vector<float> r = instanceValues(file, attributes, "ROTATION", 4, count);
-    const std::vector<float> s = instanceValues(file, attributes, "SCALE", 3, count);
-    if (count == 0)
-        throw Error(
-            file.path(),
-            "instances without places",
-            "TRANSLATION, ROTATION or SCALE of EXT_mesh_gpu_instancing",
-            "none");
-    file.room().take(count, sizeof(glm::dmat4) + sizeof(PlacedMesh));
-    std::vector<glm::dmat4> instances;
-    instances.reserve(count);
-    for (std::size_t i = 0; i < count; ++i)
-        instances.push_back(placed(
-            t.empty() ? glm::dvec3(0) : glm::dvec3(t[3 * i], t[3 * i + 1], t[3 * i + 2]),
-            r.empty() ? glm::dvec4(0, 0, 0, 1) : glm::dvec4(r[4 * i], r[4 * i + 1], r[4 * i + 2], r[4 * i + 3]),
-            s.empty() ? glm::dvec3(1) : glm::dvec3(s[3 * i], s[3 * i + 1], s[3 * i + 2])));
-    return instances;
-}
-
 std::vector<int> rootsOf(const GltfFile& file) {
     const tinygltf::Model& model = file.model();
     if (!model.scenes.empty()) {
@@ -102,42 +73,191 @@ std::vector<int> rootsOf(const GltfFile& file) {
     return roots;
 }
 
-} // namespace
+/// The number `key` of `object`; 0 if there is none.
+double memberNumber(const nlohmann::json& object, const char* key) {
+    if (!object.is_object() || !object.contains(key) || !object[key].is_number()) return 0;
+    return object[key].get<double>();
+}
 
-std::vector<PlacedMesh> placedMeshes(GltfFile& file) {
+/// Returns the camera that `described` is where `toWorld` puts it; nothing if glTF has no such camera or the node's
+/// axes have no direction.
+std::optional<Camera> cameraAt(const nlohmann::json& described, const glm::dmat4& toWorld) {
+    Camera camera;
+    const glm::dvec3 ahead = -glm::dvec3(toWorld[2]);
+    camera.eye = glm::dvec3(toWorld[3]);
+    camera.up = glm::normalize(glm::dvec3(toWorld[1]));
+    double distance = 1;
+    const std::string type = textOf(described, "type");
+    if (type == "perspective" && described.contains(type)) {
+        camera.fovYRadians = memberNumber(described[type], "yfov");
+    } else if (type == "orthographic" && described.contains(type)) {
+        camera.projection = Projection::Orthographic;
+        camera.fovYRadians = kPi / 3;
+        distance = std::sqrt(3.0) * memberNumber(described[type], "ymag"); // the tangent of 30 degrees is 1 / sqrt(3)
+    } else {
+        return std::nullopt;
+    }
+    camera.target = camera.eye + distance * glm::normalize(ahead);
+    const double turned = glm::length(glm::cross(glm::normalize(ahead), camera.up)); // not finite if any axis is not
+    const bool hasView =
+        distance > 0 && turned > 1e-9 && std::isfinite(glm::length(camera.target)) && camera.target != camera.eye;
+    const bool hasAngle = camera.fovYRadians > 0 && camera.fovYRadians < kPi;
+    return hasView && hasAngle ? std::optional(camera) : std::nullopt;
+}
+
+class SceneReader {
+public:
+    explicit SceneReader(GltfFile& file) : file_(file), isMet_(file.model().nodes.size(), false) {}
+
+    GltfScene read() && {
+        push(rootsOf(file_), glm::dmat4(1));
+        while (!open_.empty()) {
+            const Visit visit = open_.back();
+            open_.pop_back();
+            const tinygltf::Node& node = file_.elementOf(file_.model().nodes, visit.node, "node");
+            meet(visit.node);
+            const glm::dmat4 toWorld = visit.toWorld * toParent(node, visit.node);
+            if (node.mesh >= 0) {
+                file_.elementOf(file_.model().meshes, node.mesh, "mesh");
+                for (const glm::dmat4& instance : instancesOf(node))
+                    scene_.meshes.push_back({node.mesh, toWorld * instance});
+            }
+            if (node.camera >= 0) addCamera(node.camera, toWorld);
+            push(node.children, toWorld);
+        }
+        takeCameras();
+        count("nodes of other scenes", static_cast<std::uint64_t>(std::count(isMet_.begin(), isMet_.end(), false)));
+        return std::move(scene_);
+    }
+
+private:
     struct Visit {
         int node;
         glm::dmat4 toWorld; // of its parent
     };
 
-    std::vector<Visit> open;
-    const auto push = [&](const std::vector<int>& nodes, const glm::dmat4& toWorld) {
-        for (std::size_t i = nodes.size(); i-- > 0;)
-            open.push_back({nodes[i], toWorld});
+    struct NodeCamera {
+        int index; // in the file's list
+        Camera camera;
     };
-    push(rootsOf(file), glm::dmat4(1));
-    std::vector<bool> isMet(file.model().nodes.size(), false);
-    std::vector<PlacedMesh> placedOnes;
-    while (!open.empty()) {
-        const Visit visit = open.back();
-        open.pop_back();
-        const tinygltf::Node& node = file.elementOf(file.model().nodes, visit.node, "node");
-        if (isMet[static_cast<std::size_t>(visit.node)])
+
+    void push(const std::vector<int>& nodes, const glm::dmat4& toWorld) {
+        for (std::size_t i = nodes.size(); i-- > 0;)
+            open_.push_back({nodes[i], toWorld});
+    }
+
+    void meet(int node) {
+        if (isMet_[static_cast<std::size_t>(node)])
             throw Error(
-                file.where("node", static_cast<std::uint64_t>(visit.node)),
+                file_.where("node", static_cast<std::uint64_t>(node)),
                 "nodes that are no tree",
                 "one way to each node",
                 "a cycle, or a second parent");
-        isMet[static_cast<std::size_t>(visit.node)] = true;
-        const glm::dmat4 toWorld = visit.toWorld * toParent(node);
-        if (node.mesh >= 0) {
-            file.elementOf(file.model().meshes, node.mesh, "mesh");
-            for (const glm::dmat4& instance : instancesOf(file, node))
-                placedOnes.push_back({node.mesh, toWorld * instance});
-        }
-        push(node.children, toWorld);
+        isMet_[static_cast<std::size_t>(node)] = true;
     }
-    return placedOnes;
+
+    void count(const std::string& name, std::uint64_t number) {
+        if (number > 0) scene_.leftOut[name] += number;
+    }
+
+    glm::dmat4 toParent(const tinygltf::Node& node, int index) {
+        if (!node.matrix.empty()) {
+            requireNumbers(node.matrix, 16, "matrix", index);
+            glm::dmat4 matrix{};
+            for (int i = 0; i < 16; ++i)
+                matrix[i / 4][i % 4] = node.matrix[static_cast<std::size_t>(i)];
+            return matrix;
+        }
+        const auto& t = node.translation;
+        const auto& r = node.rotation;
+        const auto& s = node.scale;
+        requireNumbers(t, 3, "translation", index);
+        requireNumbers(r, 4, "rotation", index);
+        requireNumbers(s, 3, "scale", index);
+        const glm::dvec4 rotation = r.empty() ? glm::dvec4(0, 0, 0, 1) : glm::dvec4(r[0], r[1], r[2], r[3]);
+        countRotation(rotation);
+        return placed(
+            t.empty() ? glm::dvec3(0) : glm::dvec3(t[0], t[1], t[2]),
+            rotation,
+            s.empty() ? glm::dvec3(1) : glm::dvec3(s[0], s[1], s[2]));
+    }
+
+    /// Throws Error if the node has other than `expected` numbers in its list `name`; the list may be missing.
+    void requireNumbers(const std::vector<double>& list, std::size_t expected, const char* name, int node) const {
+        if (list.empty() || list.size() == expected) return;
+        throw Error(
+            file_.where("node", static_cast<std::uint64_t>(node)),
+            std::string("its ") + name + " cannot be understood",
+            std::to_string(expected) + " numbers",
+            std::to_string(list.size()));
+    }
+
+    void countRotation(const glm::dvec4& rotation) {
+        if (rotation == glm::dvec4(0)) count("rotations of length 0", 1);
+    }
+
+    /// The places of the instances of a mesh, in the space of its node.
+    std::vector<glm::dmat4> instancesOf(const tinygltf::Node& node) {
+        const auto found = node.extensions.find("EXT_mesh_gpu_instancing");
+        if (found == node.extensions.end() || !found->second.IsObject()) return {glm::dmat4(1)};
+        const tinygltf::Value& attributes = found->second.Get("attributes");
+        std::uint64_t instanceCount = 0;
+        const std::vector<float> t = instanceValues(file_, attributes, "TRANSLATION", 3, instanceCount);
+        const std::vector<float> r = instanceValues(file_, attributes, "ROTATION", 4, instanceCount);
+        const std::vector<float> s = instanceValues(file_, attributes, "SCALE", 3, instanceCount);
+        if (instanceCount == 0)
+            throw Error(
+                file_.path(),
+                "instances without places",
+                "TRANSLATION, ROTATION or SCALE of EXT_mesh_gpu_instancing",
+                "none");
+        for (const std::string& name : attributes.Keys())
+            if (name != "TRANSLATION" && name != "ROTATION" && name != "SCALE") count(name, instanceCount);
+        file_.room().take(instanceCount, sizeof(glm::dmat4) + sizeof(PlacedMesh));
+        std::vector<glm::dmat4> instances;
+        instances.reserve(instanceCount);
+        for (std::size_t i = 0; i < instanceCount; ++i) {
+            const glm::dvec4 rotation =
+                r.empty() ? glm::dvec4(0, 0, 0, 1) : glm::dvec4(r[4 * i], r[4 * i + 1], r[4 * i + 2], r[4 * i + 3]);
+            countRotation(rotation);
+            instances.push_back(placed(
+                t.empty() ? glm::dvec3(0) : glm::dvec3(t[3 * i], t[3 * i + 1], t[3 * i + 2]),
+                rotation,
+                s.empty() ? glm::dvec3(1) : glm::dvec3(s[3 * i], s[3 * i + 1], s[3 * i + 2])));
+        }
+        return instances;
+    }
+
+    void addCamera(int index, const glm::dmat4& toWorld) {
+        if (static_cast<std::size_t>(index) >= file_.cameras().size()) return;
+        if (const auto camera = cameraAt(file_.cameras()[static_cast<std::size_t>(index)], toWorld))
+            cameras_.push_back({index, *camera});
+    }
+
+    /// Sorts the cameras by the file's list, and counts those of the list that no node of the scene has.
+    void takeCameras() {
+        std::stable_sort(cameras_.begin(), cameras_.end(), [](const NodeCamera& a, const NodeCamera& b) {
+            return a.index < b.index;
+        });
+        std::set<int> indices;
+        for (const NodeCamera& found : cameras_) {
+            scene_.cameras.push_back(found.camera);
+            indices.insert(found.index);
+        }
+        count("cameras", file_.cameras().size() - indices.size());
+    }
+
+    GltfFile& file_;
+    GltfScene scene_;
+    std::vector<Visit> open_;
+    std::vector<bool> isMet_;
+    std::vector<NodeCamera> cameras_;
+};
+
+} // namespace
+
+GltfScene sceneOf(GltfFile& file) {
+    return SceneReader(file).read();
 }
 
 } // namespace gnomon::read

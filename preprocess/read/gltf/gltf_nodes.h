@@ -1,10 +1,14 @@
-// The nodes of a scene of glTF: which meshes stand where.
+// The nodes of a scene of glTF: the placed meshes and cameras.
 #pragma once
 
+#include "core/camera.h"
 #include "preprocess/read/gltf/gltf_file.h"
 
 #include <glm/glm.hpp>
 
+#include <cstdint>
+#include <map>
+#include <string>
 #include <vector>
 
 namespace gnomon::read {
@@ -15,9 +19,21 @@ struct PlacedMesh {
     glm::dmat4 toWorld{1};
 };
 
-/// All meshes of the default scene (the first where none is named; all roots where there is no scene), node by node,
-/// each before its children, instances of EXT_mesh_gpu_instancing one after the other. Throws Error for nodes that are
-/// no trees, or that refer to what is not there. glTF 2.0, section 3.5.
-std::vector<PlacedMesh> placedMeshes(GltfFile& file);
+struct GltfScene {
+    /// Node by node, each before its children, instances of EXT_mesh_gpu_instancing one after the other.
+    std::vector<PlacedMesh> meshes;
+
+    /// In the order of the file's list of cameras, then of nodes. A camera looks along -z of its node with y up, and
+    /// the node's scale changes its position only (glTF 2.0, section 3.10). The target of an orthographic camera is at
+    /// the depth where `fovYRadians` gives its height.
+    std::vector<Camera> cameras;
+
+    std::map<std::string, std::uint64_t> leftOut; ///< the parts that are not used, and their counts
+};
+
+/// Reads the default scene (the first if none is named; all roots if there is no scene). Quaternions are scaled to unit
+/// length; one of length 0 turns nothing and is counted. Throws Error for nodes that are no trees, for a transform of
+/// the wrong length, and for references to entries that are not there. glTF 2.0, section 3.5.
+GltfScene sceneOf(GltfFile& file);
 
 } // namespace gnomon::read

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "preprocess/read/gltf/gltf_accessor.h"
 
+#include <cmath>
 #include <numeric>
 
 namespace gnomon::read {
@@ -83,10 +84,19 @@ std::optional<GltfPrimitive> GltfPrimitives::read(const tinygltf::Primitive& fro
     if (const int normals = attributeOf(from, "NORMAL"); normals >= 0) {
         requireAsMany(file_, normals, vertices);
         primitive.normals = numbersOf(file_, normals, 3);
+        countBadNormals(primitive.normals);
     }
     if (!from.targets.empty()) ++leftOut_["morph targets"];
-    addColors(from, primitive);
+    const std::string coordinates = addColors(from, primitive);
+    for (const auto& [name, accessor] : from.attributes)
+        if (name != "POSITION" && name != "NORMAL" && name != "COLOR_0" && name != coordinates) ++leftOut_[name];
     return primitive;
+}
+
+void GltfPrimitives::countBadNormals(const std::vector<float>& normals) {
+    for (std::size_t i = 0; i < normals.size(); i += 3)
+        if (!std::isfinite(double{normals[i]} + normals[i + 1] + normals[i + 2]))
+            ++leftOut_["normals that are not finite"];
 }
 
 /// The texture of `color`, if it is there and may be looked up.
@@ -106,20 +116,22 @@ const BaseTexture* GltfPrimitives::textureOf(const BaseColor& color, const tinyg
     return found->second ? &*found->second : nullptr;
 }
 
-void GltfPrimitives::addColors(const tinygltf::Primitive& from, GltfPrimitive& primitive) {
+/// Returns the name of the attribute with the coordinates of the texture that was looked up; an empty name if none was.
+std::string GltfPrimitives::addColors(const tinygltf::Primitive& from, GltfPrimitive& primitive) {
     const BaseColor color = baseColorOf(file_, from.material);
     const BaseTexture* const texture = textureOf(color, from);
     const std::uint64_t vertices = primitive.vertexCount();
     const int ofVertices = attributeOf(from, "COLOR_0");
-    if (texture == nullptr && ofVertices < 0 && color.factor == glm::dvec4(1)) return;
+    if (texture == nullptr && ofVertices < 0 && color.factor == glm::dvec4(1)) return {};
     std::vector<float> tints;
     std::vector<float> coordinates;
+    const std::string attribute = texture == nullptr ? "" : "TEXCOORD_" + std::to_string(color.texCoord);
     if (ofVertices >= 0) {
         requireAsMany(file_, ofVertices, vertices);
         tints = colorsOf(file_, ofVertices);
     }
     if (texture != nullptr) {
-        const int accessor = attributeOf(from, "TEXCOORD_" + std::to_string(color.texCoord));
+        const int accessor = attributeOf(from, attribute);
         requireAsMany(file_, accessor, vertices);
         coordinates = numbersOf(file_, accessor, 2);
     }
@@ -139,6 +151,7 @@ void GltfPrimitives::addColors(const tinygltf::Primitive& from, GltfPrimitive& p
     if (color.isClear) leftOut_["alpha"] += vertices;
     file_.room().give((tints.size() + coordinates.size()) * sizeof(float));
     if (texture != nullptr) countTexels(primitive, places, *texture);
+    return attribute;
 }
 
 void GltfPrimitives::countTexels(

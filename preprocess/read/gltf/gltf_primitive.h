@@ -35,7 +35,7 @@ public:
     /// Error that names the accessor for indices out of range and attributes of another length.
     std::optional<GltfPrimitive> read(const tinygltf::Primitive& from);
 
-    /// What was left out, and how many primitives have it.
+    /// The attributes and primitives that no model uses, and how many primitives have them.
     const std::map<std::string, std::uint64_t>& leftOut() const { return leftOut_; }
 
     /// Texels along an edge of a triangle, where textures were looked up at vertices, in the mean of all such edges;
@@ -43,8 +43,9 @@ public:
     double texelsPerEdge() const { return edges_ > 0 ? texels_ / static_cast<double>(edges_) : 0; }
 
 private:
-    void addColors(const tinygltf::Primitive& from, GltfPrimitive& primitive);
+    std::string addColors(const tinygltf::Primitive& from, GltfPrimitive& primitive);
     const BaseTexture* textureOf(const BaseColor& color, const tinygltf::Primitive& from);
+    void countBadNormals(const std::vector<float>& normals);
     void countTexels(const GltfPrimitive& primitive, const std::vector<glm::dvec2>& places, const BaseTexture& texture);
 
     GltfFile& file_;

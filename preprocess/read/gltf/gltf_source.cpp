@@ -37,10 +37,11 @@ glm::vec3 unitOrNone(const glm::dvec3& normal) {
 class GltfSource final : public MeshSource {
 public:
     GltfSource(const std::string& path, Bytes limit, bool bakesTextures) {
-        GltfFile file(path, limit);
+        GltfFile file(path, limit, bakesTextures);
         GltfPrimitives reader(file, bakesTextures);
-        takePlacements(file, reader);
-        summarize(file, reader);
+        const GltfScene scene = sceneOf(file);
+        takePlacements(file, reader, scene);
+        summarize(file, reader, scene);
         files_ = std::move(file).takeFiles();
         for (std::size_t i = 1; i < files_.size(); ++i)
             summary_.filesBesides.push_back(files_[i]->path());
@@ -94,14 +95,14 @@ private:
     }
 
     /// Reads each mesh that is placed, once.
-    void takePlacements(GltfFile& file, GltfPrimitives& reader) {
+    void takePlacements(GltfFile& file, GltfPrimitives& reader, const GltfScene& scene) {
         struct Range {
             std::uint32_t begin = 0;
             std::uint32_t end = 0;
         };
 
         std::map<int, Range> ranges;
-        for (const PlacedMesh& placed : placedMeshes(file)) {
+        for (const PlacedMesh& placed : scene.meshes) {
             auto found = ranges.find(placed.mesh);
             if (found == ranges.end()) {
                 const auto begin = static_cast<std::uint32_t>(primitives_.size());
@@ -117,17 +118,18 @@ private:
         }
     }
 
-    void summarize(const GltfFile& file, const GltfPrimitives& reader) {
+    void summarize(const GltfFile& file, const GltfPrimitives& reader, const GltfScene& scene) {
         summary_.path = file.path();
         summary_.fileBytes = file.fileBytes();
-        summary_.hasNormals = !primitives_.empty();
+        std::uint64_t withNormals = 0;
         for (const GltfPrimitive& primitive : primitives_) {
-            summary_.hasNormals &= !primitive.normals.empty();
+            withNormals += primitive.normals.empty() ? 0 : 1;
             summary_.hasColors |= !primitive.colors.empty();
             summary_.heldBytes += (primitive.positions.capacity() + primitive.normals.capacity()) * sizeof(float) +
                                   primitive.colors.capacity() * sizeof(std::uint32_t) +
                                   primitive.triangles.capacity() * sizeof(primitive.triangles[0]);
         }
+        summary_.hasNormals = withNormals == primitives_.size();
         for (const PlacedPrimitive& placed : placed_) {
             summary_.vertexCount += primitives_[placed.primitive].vertexCount();
             summary_.faceCount += primitives_[placed.primitive].triangles.size();
@@ -135,9 +137,11 @@ private:
         }
         summary_.heldBytes += placed_.capacity() * sizeof(PlacedPrimitive);
         summary_.likelyTriangles = summary_.faceCount;
-        summary_.attributesDropped = file.leftOut();
-        for (const auto& [name, count] : reader.leftOut())
-            summary_.attributesDropped[name] += count;
+        for (const auto& counts : {file.leftOut(), scene.leftOut, reader.leftOut()})
+            for (const auto& [name, count] : counts)
+                summary_.attributesDropped[name] += count;
+        if (!summary_.hasNormals && withNormals > 0) summary_.attributesDropped["NORMAL"] += withNormals;
+        takeCameras(scene.cameras, summary_);
         if (reader.texelsPerEdge() > 0) summary_.texelsPerEdge = reader.texelsPerEdge();
         if (summary_.faceCount == 0) throw Error(file.path(), "no triangles: its scene shows no mesh that has any");
     }

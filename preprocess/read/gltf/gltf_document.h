@@ -1,0 +1,28 @@
+// The JSON of a glTF file before tinygltf parses it: required extensions, and the data that no model uses.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+namespace gnomon::read {
+
+/// Returns the array `key` of `object`; an empty array if there is none. Throws Error, which names the file `path`, for
+/// another kind of value.
+nlohmann::json arrayOf(const nlohmann::json& object, const char* key, const std::string& path);
+
+/// Returns the text `key` of `object`; an empty text if there is none.
+std::string textOf(const nlohmann::json& object, const char* key);
+
+/// Throws Error if the document requires an extension that is not read. A required format of textures is such an
+/// extension only if `readsTextures`. Also throws Error for geometry that only Draco's extension holds.
+void requireExtensions(const nlohmann::json& document, const std::string& path, bool readsTextures);
+
+/// Returns the parts of the document that no model uses, with a count for each name: entries of lists such as
+/// animations, lights, members of materials, and objects with an extension that is not read. Meshes, nodes and cameras
+/// are not among them: their readers count these.
+std::map<std::string, std::uint64_t> unusedParts(const nlohmann::json& document);
+
+} // namespace gnomon::read

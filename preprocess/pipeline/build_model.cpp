@@ -3,6 +3,7 @@
 #include "core/heap.h"
 #include "core/limit_error.h"
 #include "core/stopwatch.h"
+#include "hierarchy/source_cameras.h"
 #include "preprocess/pipeline/assemble.h"
 #include "preprocess/pipeline/build_key.h"
 #include "preprocess/pipeline/counted_memory.h"
@@ -335,6 +336,8 @@ private:
             appendPages(pages);
         source_.requireUnchanged();
         upright.tell(summary);
+        if (const auto& cameras = source_.summary().cameras; !cameras.empty())
+            summary.options[hierarchy::kCamerasOption] = hierarchy::camerasText(cameras);
         report_.contentHash = writer.finish(summary);
         report_.fileBytes = writer.bytesWritten();
         report_.pages = totals.pages;

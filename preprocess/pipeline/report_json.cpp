@@ -42,6 +42,7 @@ nlohmann::ordered_json reportJson(
         {"source_vertices", report.summary.sourceVertices},
         {"dropped", report.summary.dropped},
         {"attributes_dropped", source.attributesDropped},
+        {"cameras", source.cameras.size()},
         {"texels_per_edge",
          source.texelsPerEdge ? nlohmann::ordered_json(*source.texelsPerEdge) : nlohmann::ordered_json()},
         {"fields", source.fields},

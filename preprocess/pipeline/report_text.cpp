@@ -27,6 +27,9 @@ std::string reportText(const BuildReport& report, const read::MeshSummary& sourc
         if (count > 0) text += "dropped: " + reason + " " + std::to_string(count) + "\n";
     for (const auto& [name, count] : source.attributesDropped)
         text += "not kept: " + printable(name) + " (" + std::to_string(count) + ")\n";
+    if (!source.cameras.empty())
+        text += "cameras: " + std::to_string(source.cameras.size()) +
+                ", which the command path writes to a file (kind source)\n";
     if (source.texelsPerEdge)
         text += "textures: their colours at vertices, " + formatted("%.1f", *source.texelsPerEdge) +
                 " texels apart; what is between them is lost\n";

@@ -1,13 +1,34 @@
 #include "app/commands.h"
 #include "app/thread_limit.h"
+#include "core/error.h"
 #include "core/file.h"
+#include "core/units.h"
+#include "hierarchy/source_cameras.h"
 #include "path/suited_path.h"
+#include "preprocess/read/open_mesh_sources.h"
+#include "preprocess/read/words.h"
 #include "settings/files/named_files.h"
 #include "settings/path_options.h"
 
 #include <memory>
 
 namespace gnomon::app {
+
+namespace {
+
+/// Returns the cameras of the source of a model, or of a glTF. Throws Error if there is none.
+path::CameraPath sourcePath(const std::string& file) {
+    const std::string suffix = read::loweredSuffix(file);
+    const std::vector<Camera> cameras =
+        suffix == ".gltf" || suffix == ".glb"
+            ? read::openMeshSources({file}, gibibytes(2), {}, read::Textures::Off)->summary().cameras
+            : hierarchy::camerasOf(hierarchy::ModelFile(file));
+    if (cameras.empty())
+        throw Error(file, "no camera of its source can be used", "a glTF with a camera in its scene", "none");
+    return path::pathThrough(cameras);
+}
+
+} // namespace
 
 void addPathCommand(CLI::App& program) {
     struct Options {
@@ -29,10 +50,13 @@ void addPathCommand(CLI::App& program) {
         settings::checkPathOptions(options->path);
         const ThreadLimit limit(options->common);
         settings::requireApart({{"MODEL", options->model}}, {{"--output", options->output}});
-        const hierarchy::ModelFile model(options->model);
         const auto progress = makeProgress(options->common, Polling::No);
         progress->stage("path", "paths", 1);
-        writeTextFile(options->output, path::toJson(path::suitedPath(model, options->path.kind, options->path.walk)));
+        const path::CameraPath found =
+            options->path.kind == "source"
+                ? sourcePath(options->model)
+                : path::suitedPath(hierarchy::ModelFile(options->model), options->path.kind, options->path.walk);
+        writeTextFile(options->output, path::toJson(found));
         progress->advance(1);
     });
 }

@@ -2,6 +2,7 @@
 
 #include "core/printable.h"
 #include "core/units.h"
+#include "hierarchy/source_cameras.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,6 +32,13 @@ int coordinateDigits(const ModelSummary& summary) {
 
 void putVector(std::ostream& out, const glm::dvec3& v) {
     out << v.x << ',' << v.y << ',' << v.z;
+}
+
+/// The options that a user gave. The cameras are no option of the build and too long to print.
+std::map<std::string, std::string> optionsWithoutCameras(const ModelSummary& summary) {
+    std::map<std::string, std::string> options = summary.options;
+    options.erase(kCamerasOption);
+    return options;
 }
 
 void putSource(std::ostream& out, const ModelSummary& summary) {
@@ -94,7 +102,8 @@ std::string modelText(const ModelFile& file) {
         << std::setprecision(6) << " bytes a source triangle" << (summary.hasNormals ? ", normals" : "")
         << (summary.hasColors ? ", colours" : "") << '\n';
     putLevels(out, summary);
-    for (const auto& [name, value] : summary.options)
+    if (const std::size_t cameras = cameraCount(summary); cameras > 0) out << "cameras    " << cameras << '\n';
+    for (const auto& [name, value] : optionsWithoutCameras(summary))
         out << "option   " << printable(name) << ' ' << printable(value) << '\n';
     return out.str();
 }
@@ -134,7 +143,8 @@ std::string modelJson(const ModelFile& file) {
     json["pages"] = file.pages().size();
     json["file_bytes"] = file.fileBytes();
     json["content_hash"] = file.contentHash();
-    json["options"] = summary.options;
+    json["cameras"] = cameraCount(summary);
+    json["options"] = optionsWithoutCameras(summary);
     return json.dump(1, ' ', true, ordered_json::error_handler_t::replace) + "\n";
 }
 

@@ -97,6 +97,40 @@ Keyframe shifted(Keyframe key, double seconds) {
     return key;
 }
 
+/// Reads a camera file or a path. Throws Error for a glTF, which has cameras in another form.
+ordered_json cameraDocument(const std::string& path) {
+    for (const char* const suffix : {".gltf", ".glb"})
+        if (path.ends_with(suffix))
+            throw Error(
+                path, "not a file of cameras", "a file that the command path writes from it (kind source)", "a glTF");
+    return readJsonFile(path);
+}
+
+CameraPath pathOf(const ordered_json& document, const std::string& path) {
+    CameraPath result;
+    if (!document.is_object() || !document.contains("keyframes") || !document["keyframes"].is_array() ||
+        document["keyframes"].empty())
+        throw Error(path, "a camera path has keyframes", "{\"keyframes\": [...]}", "none");
+    const ordered_json loop = document.value("loop", ordered_json(false));
+    if (!loop.is_boolean()) throw Error(path, R"("loop")", "true or false", telemetry::jsonText(loop));
+    result.loop = loop.get<bool>();
+    const ordered_json interpolation = document.value("interpolation", ordered_json("linear"));
+    if (interpolation != "linear" && interpolation != "catmull-rom")
+        throw Error(path, "unknown \"interpolation\"", "linear or catmull-rom", telemetry::jsonText(interpolation));
+    result.interpolation = interpolation == "linear" ? Interpolation::Linear : Interpolation::CatmullRom;
+    for (const ordered_json& key : document["keyframes"]) {
+        const std::string where = path + ": keyframe " + std::to_string(result.keyframes.size());
+        const Camera camera = cameraOf(key, where);
+        const double time = numberOf(key, "time", where);
+        if (!result.keyframes.empty() && time < result.keyframes.back().time)
+            throw Error(where, "keyframes must be in the order of their times");
+        if (!result.keyframes.empty() && camera.projection != result.keyframes.front().camera.projection)
+            throw Error(where, "all keyframes of a path must have the same \"projection\"");
+        result.keyframes.push_back({time, camera});
+    }
+    return result;
+}
+
 } // namespace
 
 Camera cameraAt(const CameraPath& path, double time) {
@@ -156,33 +190,13 @@ Camera turnedAround(const Camera& camera, const glm::dvec3& up, double radians) 
 }
 
 Camera readCamera(const std::string& path) {
-    return cameraOf(readJsonFile(path), path);
+    const ordered_json document = cameraDocument(path);
+    if (document.is_object() && document.contains("keyframes")) return pathOf(document, path).keyframes.front().camera;
+    return cameraOf(document, path);
 }
 
 CameraPath readCameraPath(const std::string& path) {
-    const ordered_json document = readJsonFile(path);
-    CameraPath result;
-    if (!document.is_object() || !document.contains("keyframes") || !document["keyframes"].is_array() ||
-        document["keyframes"].empty())
-        throw Error(path, "a camera path has keyframes", "{\"keyframes\": [...]}", "none");
-    const ordered_json loop = document.value("loop", ordered_json(false));
-    if (!loop.is_boolean()) throw Error(path, R"("loop")", "true or false", telemetry::jsonText(loop));
-    result.loop = loop.get<bool>();
-    const ordered_json interpolation = document.value("interpolation", ordered_json("linear"));
-    if (interpolation != "linear" && interpolation != "catmull-rom")
-        throw Error(path, "unknown \"interpolation\"", "linear or catmull-rom", telemetry::jsonText(interpolation));
-    result.interpolation = interpolation == "linear" ? Interpolation::Linear : Interpolation::CatmullRom;
-    for (const ordered_json& key : document["keyframes"]) {
-        const std::string where = path + ": keyframe " + std::to_string(result.keyframes.size());
-        const Camera camera = cameraOf(key, where);
-        const double time = numberOf(key, "time", where);
-        if (!result.keyframes.empty() && time < result.keyframes.back().time)
-            throw Error(where, "keyframes must be in the order of their times");
-        if (!result.keyframes.empty() && camera.projection != result.keyframes.front().camera.projection)
-            throw Error(where, "all keyframes of a path must have the same \"projection\"");
-        result.keyframes.push_back({time, camera});
-    }
-    return result;
+    return pathOf(cameraDocument(path), path);
 }
 
 std::string toJson(const CameraPath& path) {

@@ -46,8 +46,8 @@ int frameSteps(const CameraPath& path, int frames);
 /// `camera` turned about its target, about the direction `up` and against the clock as seen from there.
 Camera turnedAround(const Camera& camera, const glm::dvec3& up, double radians);
 
-/// Reads one keyframe `{"eye", "target", "up", "fov_y", "projection"}`; all but eye and target may be missing. Throws
-/// Error with path and place.
+/// Reads one keyframe `{"eye", "target", "up", "fov_y", "projection"}`, of which all but eye and target may be missing,
+/// or the first keyframe of a path. Throws Error with path and place.
 Camera readCamera(const std::string& path);
 
 /// Reads a path, all of whose keyframes have the same projection. Throws Error with path and place.

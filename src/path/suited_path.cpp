@@ -134,6 +134,13 @@ CameraPath inWorld(CameraPath path, const hierarchy::UprightFrame& frame) {
 
 } // namespace
 
+CameraPath pathThrough(const std::vector<Camera>& cameras) {
+    CameraPath path;
+    for (const Camera& camera : cameras)
+        path.keyframes.push_back({static_cast<double>(path.keyframes.size()), camera});
+    return path;
+}
+
 CameraPath suitedPath(const hierarchy::ModelFile& model, const std::string& kind, const WalkOptions& walkOptions) {
     if (kind == "approach") return approach(model);
     const hierarchy::UprightFrame frame = hierarchy::uprightFrame(model.summary().up.direction);

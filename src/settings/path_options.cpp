@@ -11,9 +11,9 @@
 namespace gnomon::settings {
 
 void checkPathOptions(const PathOptions& options) {
-    constexpr std::array<std::string_view, 4> kKinds{"walk", "orbit", "flyby", "approach"};
+    constexpr std::array<std::string_view, 5> kKinds{"walk", "orbit", "flyby", "approach", "source"};
     if (std::find(kKinds.begin(), kKinds.end(), options.kind) == kKinds.end())
-        refuse("--kind", options.kind, "walk, orbit, flyby or approach");
+        refuse("--kind", options.kind, "walk, orbit, flyby, approach or source");
     const auto& [storey, eyeHeight] = options.walk;
     if (storey && options.kind != "walk") throw UsageError{"--storey is for --kind walk"};
     if (eyeHeight && options.kind != "walk") throw UsageError{"--eye-height is for --kind walk"};

@@ -8,9 +8,9 @@
 namespace gnomon::settings {
 
 inline constexpr const char* kPathKindHelp =
-    "walk, orbit, flyby or approach. A walk goes over floors at eye height, 1.4 m/s, for a minute at most: through "
-    "rooms, "
-    "doors and stairs, or around a thing that has no floor. The others take 12 s";
+    "walk, orbit, flyby, approach or source. A walk goes over floors at eye height, 1.4 m/s, for a minute at most: "
+    "through rooms, doors and stairs, or around a thing that has no floor. Orbit, flyby and approach take 12 s. Source "
+    "writes the cameras of the source, a glTF, a second apart";
 
 struct PathOptions {
     std::string kind;

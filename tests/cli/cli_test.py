@@ -1,14 +1,31 @@
 """Help, exit codes, one-line errors, and files that are there whole or not at all."""
+import base64
 import csv
 import json
+import math
 import random
 import os
 import stat
+import struct
 import unittest
 
 from program import DATA, ProgramTest, run
 
 COMMANDS = ("make", "build", "info", "verify", "export", "path", "render", "explain", "bench", "view", "theory", "measure")
+
+
+def square_document():
+    """A glTF whose mesh is the square from (1, 0.5) to (3, 2) at z = -8. Its scene has node 0."""
+    corners = [(1, 0.5, -8), (3, 0.5, -8), (3, 2, -8), (1, 2, -8)]
+    buffer = struct.pack("<12f", *(number for corner in corners for number in corner))
+    return {
+        "asset": {"version": "2.0"},
+        "buffers": [{"byteLength": 48, "uri": "data:;base64," + base64.b64encode(buffer).decode()}],
+        "bufferViews": [{"buffer": 0, "byteLength": 48}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 4}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "mode": 6}]}],
+        "scenes": [{"nodes": [0]}],
+    }
 
 
 class CommandLine(ProgramTest):
@@ -70,6 +87,55 @@ class CommandLine(ProgramTest):
         self.expect(1, "no cut", "export", self.sundial, "-o", self.place / "undone.ply", "--triangles", "1")
         self.expect(1, "cannot create", "render", self.sundial, "-o", missing / "undone.png")
         self.assertEqual(list(self.place.path.glob("*undone*")), [])
+
+    def test_textures_that_cannot_be_read_can_be_left_out(self):
+        source, model = self.place / "textured.gltf", self.place / "textured.gnm"
+        required = {"extensionsUsed": ["KHR_texture_basisu"], "extensionsRequired": ["KHR_texture_basisu"]}
+        source.write_text(json.dumps(square_document() | required | {"nodes": [{"mesh": 0}]}))
+        self.expect(1, "found KHR_texture_basisu", "build", source, "-o", model)
+        self.expect(1, "or --textures off", "build", source, "-o", model)
+        self.assertFalse(model.exists())
+        self.expect(0, "", "build", source, "-o", model, "--textures", "off")
+        self.assertTrue(model.exists())
+
+    def test_a_picture_through_a_camera_of_the_source_shows_what_the_camera_sees(self):
+        # At the depth of the square the picture shows 8 by 8.
+        camera = {"type": "perspective", "perspective": {"yfov": 2 * math.atan(0.5), "znear": 0.1}}
+        document = square_document() | {
+            "cameras": [camera, {"type": "perspective", "perspective": {"yfov": 1, "znear": 0.1}}],
+            "nodes": [
+                {"children": [1, 2, 3], "rotation": [0.5, 0.5, 0.5, 0.5], "scale": [3, 3, 3], "translation": [7e5, 5e6, 9]},
+                {"mesh": 0},
+                {"camera": 1, "translation": [0, 0, 9]},
+                {"camera": 0},
+            ],
+        }
+        source = self.place / "seen.gltf"
+        source.write_text(json.dumps(document))
+        model = self.place / "seen.gnm"
+        report = json.loads(self.expect(0, "", "build", source, "-o", model, "--json").stdout)
+        self.assertEqual((report["cameras"], report["attributes_dropped"]), (2, {}))
+        self.assertEqual(json.loads(run("info", model, "--json").stdout)["cameras"], 2)
+        paths = []
+        for start in (model, source):
+            paths.append(self.place / (start.name + ".json"))
+            self.expect(0, "", "path", start, "--kind", "source", "-o", paths[-1])
+        path = json.loads(paths[0].read_text())
+        self.assertEqual(path, json.loads(paths[1].read_text()))
+        self.assertEqual([key["time"] for key in path["keyframes"]], [0, 1])
+        self.assertEqual(path["keyframes"][0]["eye"], [7e5, 5e6, 9])
+        depth = self.place / "seen.pfm"
+        picture = self.place / "seen.png"
+        words = ("render", model, "-o", picture, "--size", "80x80", "--samples", "1", "--depth", depth)
+        self.expect(0, "", *words, "--camera", paths[0])
+        header, rest = b"Pf\n80 80\n-1.0\n", depth.read_bytes()
+        self.assertTrue(rest.startswith(header))
+        rows = struct.unpack("<6400f", rest[len(header):])  # from below
+        seen = {(i % 80, i // 80) for i, value in enumerate(rows) if math.isfinite(value)}
+        self.assertEqual(seen, {(x, y) for x in range(50, 70) for y in range(45, 60)})
+        self.expect(1, "(kind source)", *words, "--camera", source)
+        self.expect(1, "no camera", "path", self.sundial, "--kind", "source", "-o", self.place / "undone.json")
+        self.assertFalse((self.place / "undone.json").exists())
 
     def test_a_device_is_written_to_and_not_replaced(self):
         # A full one, so that writing to it is seen; a copy of it, so that a failure costs nobody his.

@@ -124,8 +124,28 @@ TEST(CameraFiles, OfOneCameraAreAKeyframeWithoutATime) {
     camera.erase("up");
     EXPECT_EQ(fromText(camera.dump(), readCamera).up, glm::dvec3(0, 1, 0));
     EXPECT_DOUBLE_EQ(fromText(camera.dump(), readCamera).fovYRadians, std::numbers::pi / 3);
-    EXPECT_THROW(fromText(ordered_json{{"keyframes", {keyframe(0)}}}.dump(), readCamera), Error) << "a path is none";
     EXPECT_THROW(fromText("[]", readCamera), Error);
+}
+
+TEST(CameraFiles, OfAPathGiveItsFirstCamera) {
+    ordered_json second = keyframe(1);
+    second["eye"] = {7, 7, 7};
+    const Camera read = fromText(ordered_json{{"keyframes", {keyframe(0), second}}}.dump(), readCamera);
+    EXPECT_EQ(read.eye, glm::dvec3(0, 1, 5));
+    EXPECT_THROW(fromText(ordered_json{{"keyframes", ordered_json::array()}}.dump(), readCamera), Error);
+}
+
+TEST(CameraFiles, AreNoGltf) {
+    for (const char* const name : {"/no/such/c.gltf", "/no/such/c.glb"})
+        for (const auto& read :
+             {std::function<void(const std::string&)>(readCamera),
+              std::function<void(const std::string&)>(readCameraPath)})
+            try {
+                read(name);
+                ADD_FAILURE() << name;
+            } catch (const Error& error) {
+                EXPECT_NE(std::string(error.what()).find("(kind source)"), std::string::npos) << error.what();
+            }
 }
 
 CameraPath anyPath(Random& random) {

@@ -138,5 +138,16 @@ TEST(SuitedPath, FollowsWhatIsUpAndTheUnit) {
     }
 }
 
+TEST(SuitedPath, ThroughCamerasHasOneASecond) {
+    const std::vector<Camera> cameras = {{{1, 0, 0}, {0, 0, 0}}, {{2, 0, 0}, {0, 0, 0}}, {{3, 0, 0}, {0, 0, 0}}};
+    const CameraPath path = pathThrough(cameras);
+    EXPECT_FALSE(path.loop);
+    ASSERT_EQ(path.keyframes.size(), 3U);
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(path.keyframes[i].time, static_cast<double>(i));
+        EXPECT_EQ(path.keyframes[i].camera.eye, cameras[i].eye);
+    }
+}
+
 } // namespace
 } // namespace gnomon::path

@@ -11,11 +11,12 @@ namespace gnomon::settings {
 namespace {
 
 TEST(PathOptions, OnlyAWalkHasStoreysAndAnEye) {
-    for (const char* kind : {"walk", "orbit", "flyby", "approach"})
+    for (const char* kind : {"walk", "orbit", "flyby", "approach", "source"})
         EXPECT_NO_THROW(checkPathOptions({kind, {}}));
     EXPECT_NO_THROW(checkPathOptions({"walk", {0, 0.2}}));
     EXPECT_THROW(checkPathOptions({"orbit", {0, {}}}), UsageError);
     EXPECT_THROW(checkPathOptions({"flyby", {{}, 1.7}}), UsageError);
+    EXPECT_THROW(checkPathOptions({"source", {{}, 1.7}}), UsageError);
     EXPECT_THROW(checkPathOptions({"stroll", {}}), UsageError);
 }
 

@@ -1,0 +1,25 @@
+// The cameras of a model's source, which the model stores as text among the options of its build.
+#pragma once
+
+#include "core/camera.h"
+#include "hierarchy/model_file.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace gnomon::hierarchy {
+
+/// The key of this text in ModelSummary::options. A model whose source has no camera lacks the key.
+inline constexpr const char* kCamerasOption = "cameras";
+
+/// Returns one line per camera: projection, eye, target, up, and the full vertical angle in radians.
+std::string camerasText(std::span<const Camera> cameras);
+
+/// Returns how many cameras the model stores.
+std::size_t cameraCount(const ModelSummary& summary);
+
+/// Returns the cameras that the model stores. Throws Error if their text is damaged.
+std::vector<Camera> camerasOf(const ModelFile& model);
+
+} // namespace gnomon::hierarchy

@@ -100,6 +100,22 @@ bool overlap(const simplify::Mesh& mesh, const Face& face, const simplify::Trian
     return !separates(face, other) && !separates(other, face);
 }
 
+/// The places in `triangles` of those whose plane has the same x, the same y, the same z at all corners, and of others.
+/// Most are of the first three kinds in buildings, and only faces of one kind can lie in one plane.
+std::array<std::vector<std::uint32_t>, 4> placesByDirection(
+    const simplify::Mesh& mesh, std::span<const std::uint32_t> triangles) {
+    std::array<std::vector<std::uint32_t>, 4> places;
+    for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+        const simplify::Triangle& t = mesh.triangles[triangles[i]];
+        const hierarchy::GridPoint& a = mesh.vertices[t[0]].position;
+        const hierarchy::GridPoint& b = mesh.vertices[t[1]].position;
+        const hierarchy::GridPoint& c = mesh.vertices[t[2]].position;
+        const std::array<bool, 3> isFlat{a.x == b.x && b.x == c.x, a.y == b.y && b.y == c.y, a.z == b.z && b.z == c.z};
+        places[isFlat[0] ? 0 : isFlat[1] ? 1 : isFlat[2] ? 2 : 3].push_back(i);
+    }
+    return places;
+}
+
 /// Finds the earlier triangles of other colours that overlap one of some triangles of a mesh.
 class Coverings {
 public:
@@ -381,10 +397,14 @@ std::optional<std::vector<Polygon>> partsOf(
 std::uint64_t removeCoveredFaces(simplify::Mesh& mesh) {
     const std::vector<std::uint32_t> plain = plainTriangles(mesh);
     std::vector<std::vector<std::uint32_t>> covering(plain.size());
-    if (!plain.empty()) {
-        const Coverings coverings(mesh, plain);
-        tbb::parallel_for(std::size_t{0}, plain.size(), [&](std::size_t i) {
-            if (!isAtBorder(mesh, mesh.triangles[plain[i]])) covering[i] = coverings.of(static_cast<std::uint32_t>(i));
+    for (const std::vector<std::uint32_t>& places : placesByDirection(mesh, plain)) {
+        std::vector<std::uint32_t> triangles;
+        triangles.reserve(places.size());
+        for (const std::uint32_t place : places)
+            triangles.push_back(plain[place]);
+        const Coverings coverings(mesh, triangles);
+        tbb::parallel_for(std::uint32_t{0}, static_cast<std::uint32_t>(places.size()), [&](std::uint32_t i) {
+            if (!isAtBorder(mesh, mesh.triangles[triangles[i]])) covering[places[i]] = coverings.of(i);
         });
     }
     if (std::ranges::all_of(covering, [](const auto& some) { return some.empty(); })) return 0;

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <cstring>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -60,7 +61,8 @@ inline FunctionPointer function(const char* wanted) {
 
 class CountedContext final : public NativeContext {
 public:
-    CountedContext() : real_(testedPlatform() == Platform::Egl ? makeEglContext() : makeOsmesaContext()) {
+    CountedContext()
+        : real_(testedPlatform() == Platform::Egl ? makeEglContext([](const std::string&) {}) : makeOsmesaContext()) {
         counted::source = real_->functionSource();
     }
 

@@ -54,94 +54,119 @@ bool isStrictlyConvex(std::span<const glm::dvec2> loop) {
     return true;
 }
 
-// Finds points near a triangle without asking all of them: square cells over their bounding box, in one array.
-class PointCells {
+/// Finds points in a triangle without asking all of them: a k-d tree, from which points can be removed. A triangle that
+/// is long and narrow meets few of its boxes, wherever the points are.
+class PointTree {
 public:
-    PointCells(std::span<const glm::dvec2> points, const std::vector<std::uint32_t>& indices) {
-        glm::dvec2 max(-std::numeric_limits<double>::infinity());
-        for (const std::uint32_t i : indices) {
-            min_ = glm::min(min_, points[i]);
-            max = glm::max(max, points[i]);
-        }
-        constexpr double kPointsPerCell = 4;
-        const double side = std::ceil(std::sqrt(static_cast<double>(indices.size()) / kPointsPerCell));
-        side_ = static_cast<std::size_t>(std::max(side, 1.0));
-        scale_ = glm::dvec2(static_cast<double>(side_)) / (max - min_);
-        // Counting sort: begins_[cell] is first the number of points before the cell, then where its next point goes.
-        begins_.assign(side_ * side_ + 2, 0);
-        for (const std::uint32_t i : indices)
-            ++begins_[cellOf(points[i]) + 2];
-        for (std::size_t cell = 2; cell < begins_.size(); ++cell)
-            begins_[cell] += begins_[cell - 1];
-        sorted_.resize(indices.size());
-        for (const std::uint32_t i : indices)
-            sorted_[begins_[cellOf(points[i]) + 1]++] = i;
+    PointTree(std::span<const glm::dvec2> points, std::vector<std::uint32_t> indices)
+        : points_(points), sorted_(std::move(indices)), placeOf_(points.size()) {
+        if (!sorted_.empty()) build(0, static_cast<std::uint32_t>(sorted_.size()));
+        for (std::uint32_t place = 0; place < sorted_.size(); ++place)
+            placeOf_[sorted_[place]] = place;
     }
 
-    /// Calls `test(index)` for every point that may lie in the triangle, until one call is true; whether one was.
-    /// Adds the points and rows that it looked at to `work`.
+    /// Calls `test(index)` for each point that may lie in the triangle, which turns left, until one call is true;
+    /// returns whether one was. Adds the boxes and points that it looked at to `work`.
     template <class Test>
-    bool any(const std::array<glm::dvec2, 3>& triangle, std::uint64_t& work, Test test) const {
-        const glm::dvec2 low = glm::min(triangle[0], glm::min(triangle[1], triangle[2]));
-        const glm::dvec2 high = glm::max(triangle[0], glm::max(triangle[1], triangle[2]));
-        for (std::size_t y = along(low, 1); y <= along(high, 1); ++y) {
-            const std::size_t row = y * side_;
-            const auto [first, last] = columnsOf(triangle, y, along(low, 0), along(high, 0));
-            work += kWorkPerRow;
-            for (std::uint32_t i = begins_[row + first]; i < begins_[row + last + 1]; ++i) {
+    bool any(const std::array<glm::dvec2, 3>& triangle, std::uint64_t& work, Test test) {
+        if (nodes_.empty()) return false;
+        stack_.assign(1, 0);
+        while (!stack_.empty()) {
+            const Node& node = nodes_[stack_.back()];
+            stack_.pop_back();
+            ++work;
+            if (node.left == 0 || isApart(node, triangle)) continue;
+            if (node.child != 0) {
+                stack_.push_back(node.child);
+                stack_.push_back(node.child + 1);
+                continue;
+            }
+            for (std::uint32_t place = node.begin; place < node.end; ++place) {
                 ++work;
-                if (test(sorted_[i])) return true;
+                if (test(sorted_[place])) return true;
             }
         }
         return false;
     }
 
-private:
-    // The cells of row `y`, of those from `first` to `last`, that the triangle meets: what it needs of a long and
-    // narrow box is little. Half a cell on all sides makes up for rounding.
-    std::pair<std::size_t, std::size_t> columnsOf(
-        const std::array<glm::dvec2, 3>& triangle, std::size_t y, std::size_t first, std::size_t last) const {
-        if (last - first < kFewCells) return {first, last};
-        const double bottom = static_cast<double>(y) - 0.5;
-        const double top = static_cast<double>(y) + 1.5;
-        double left = std::numeric_limits<double>::infinity();
-        double right = -left;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const glm::dvec2 a = (triangle[i] - min_) * scale_;
-            const glm::dvec2 b = (triangle[(i + 1) % 3] - min_) * scale_;
-            const glm::dvec2 way = b - a;
-            if (!(std::abs(way.x) + std::abs(way.y) < kMostCells)) return {first, last}; // no numbers to reckon with
-            const double toBottom = way.y != 0 ? std::clamp((bottom - a.y) / way.y, 0.0, 1.0) : 0;
-            const double toTop = way.y != 0 ? std::clamp((top - a.y) / way.y, 0.0, 1.0) : 1;
-            if (std::max(a.y, b.y) < bottom || std::min(a.y, b.y) > top) continue;
-            left = std::min({left, a.x + toBottom * way.x, a.x + toTop * way.x});
-            right = std::max({right, a.x + toBottom * way.x, a.x + toTop * way.x});
+    /// Forgets a point, which must be there.
+    void remove(std::uint32_t index) {
+        std::uint32_t node = 0;
+        while (true) {
+            --nodes_[node].left;
+            const std::uint32_t child = nodes_[node].child;
+            if (child == 0) return;
+            node = placeOf_[index] < nodes_[child].end ? child : child + 1;
         }
-        if (!(left <= right)) return {first, last};
-        const auto cellAt = [&](double x) {
-            return std::clamp(static_cast<std::size_t>(std::max(x, 0.0)), first, last);
-        };
-        return {cellAt(left - 0.5), cellAt(right + 0.5)};
     }
 
-    // Never decreases with the coordinate; what is no number is in cell 0.
-    std::size_t along(const glm::dvec2& point, int axis) const {
-        const double cell = (point[axis] - min_[axis]) * scale_[axis];
-        const auto last = static_cast<double>(side_ - 1);
-        return cell > 0 ? static_cast<std::size_t>(std::min(cell, last)) : 0;
+private:
+    struct Node {
+        glm::dvec2 min{std::numeric_limits<double>::infinity()};
+        glm::dvec2 max{-std::numeric_limits<double>::infinity()};
+        std::uint32_t begin = 0; ///< of its points in sorted_
+        std::uint32_t end = 0;
+        std::uint32_t left = 0;  ///< points that are not removed
+        std::uint32_t child = 0; ///< the first of its two children; 0: none
+    };
+
+    static constexpr std::uint32_t kLeafPoints = 8;
+
+    /// Returns whether the box is outside of the triangle's box or on the outer side of an edge. Rounding is monotone:
+    /// no point in the box has a larger turn than the corner of the box that is looked at.
+    static bool isApart(const Node& node, const std::array<glm::dvec2, 3>& triangle) {
+        const glm::dvec2 low = glm::min(triangle[0], glm::min(triangle[1], triangle[2]));
+        const glm::dvec2 high = glm::max(triangle[0], glm::max(triangle[1], triangle[2]));
+        if (node.max.x < low.x || node.max.y < low.y || node.min.x > high.x || node.min.y > high.y) return true;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const glm::dvec2& a = triangle[i];
+            const glm::dvec2& b = triangle[(i + 1) % 3];
+            const glm::dvec2 inner(b.y > a.y ? node.min.x : node.max.x, b.x > a.x ? node.max.y : node.min.y);
+            if (turn(a, b, inner) < 0) return true;
+        }
+        return false;
     }
 
-    std::size_t cellOf(const glm::dvec2& point) const { return along(point, 1) * side_ + along(point, 0); }
+    std::uint32_t addNode(std::uint32_t begin, std::uint32_t end) {
+        Node node;
+        for (std::uint32_t place = begin; place < end; ++place) {
+            node.min = glm::min(node.min, points_[sorted_[place]]);
+            node.max = glm::max(node.max, points_[sorted_[place]]);
+        }
+        node.begin = begin;
+        node.end = end;
+        node.left = end - begin;
+        nodes_.push_back(node);
+        return static_cast<std::uint32_t>(nodes_.size() - 1);
+    }
 
-    static constexpr std::size_t kFewCells = 4;
-    static constexpr double kMostCells = 0x1p20;
-    static constexpr std::uint64_t kWorkPerRow = 8; // as long as so many points take
+    void build(std::uint32_t begin, std::uint32_t end) {
+        addNode(begin, end);
+        for (std::uint32_t i = 0; i < nodes_.size(); ++i) { // children come behind their parents
+            const Node node = nodes_[i];
+            if (node.left <= kLeafPoints) continue;
+            const glm::dvec2 size = node.max - node.min;
+            const int axis = size.x >= size.y ? 0 : 1;
+            const auto key = [&](std::uint32_t index) {
+                const double value = points_[index][axis];
+                return value == value ? value : -std::numeric_limits<double>::infinity();
+            };
+            const std::uint32_t middle = node.begin + node.left / 2;
+            std::nth_element(
+                sorted_.begin() + node.begin,
+                sorted_.begin() + middle,
+                sorted_.begin() + node.end,
+                [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+            nodes_[i].child = addNode(node.begin, middle);
+            addNode(middle, node.end);
+        }
+    }
 
-    glm::dvec2 min_{std::numeric_limits<double>::infinity()};
-    glm::dvec2 scale_{0};
-    std::size_t side_ = 1;
-    std::vector<std::uint32_t> begins_; ///< where a cell's points begin in sorted_; one more for the end
+    std::span<const glm::dvec2> points_;
     std::vector<std::uint32_t> sorted_;
+    std::vector<std::uint32_t> placeOf_; ///< in sorted_, by index
+    std::vector<Node> nodes_;
+    std::vector<std::uint32_t> stack_;
 };
 
 class EarClipper {
@@ -161,7 +186,7 @@ public:
             links_[i].isBlocker = !isConvex(i);
             if (links_[i].isBlocker) blockers.push_back(i);
         }
-        cells_.emplace(points_, blockers);
+        blockers_.emplace(points_, std::move(blockers));
     }
 
     void run() {
@@ -192,8 +217,8 @@ public:
     }
 
 private:
-    // Simple loops stay far below this.
-    static constexpr std::uint64_t kMostWorkPerCorner = 10'000;
+    // Simple loops stay below this: a star of a million spikes of random lengths takes less than half.
+    static constexpr std::uint64_t kMostWorkPerCorner = 2'000;
 
     // And this is what is left to a loop from where it turns out to have corners without area in its way, or to cross
     // itself: one that does so everywhere asks for a scan of all of it before each triangle, and none is right for it.
@@ -213,10 +238,16 @@ private:
         return turn(points_[links_[i].previous], points_[i], points_[links_[i].next]) > 0;
     }
 
-    std::deque<std::uint32_t> remaining() const {
+    /// The corners that are left, in their order.
+    std::deque<std::uint32_t> remaining() {
+        while (links_[first_].isGone)
+            ++first_;
         std::deque<std::uint32_t> result;
-        for (std::uint32_t i = 0; i < points_.size(); ++i)
-            if (!links_[i].isGone) result.push_back(i);
+        std::uint32_t corner = first_;
+        do {
+            result.push_back(corner);
+            corner = links_[corner].next;
+        } while (corner != first_);
         return result;
     }
 
@@ -227,7 +258,7 @@ private:
         const glm::dvec2& a = points_[links_[i].previous];
         const glm::dvec2& b = points_[i];
         const glm::dvec2& c = points_[links_[i].next];
-        return !cells_->any(
+        return !blockers_->any(
             {a, b, c}, work_, [&](std::uint32_t blocker) { return links_[blocker].isBlocker && blocks(blocker, i); });
     }
 
@@ -286,17 +317,23 @@ private:
         links_[before].next = after;
         links_[after].previous = before;
         links_[corner].isGone = true;
-        links_[corner].isBlocker = false;
         --left_;
+        if (links_[corner].isBlocker) unblock(corner);
         for (const std::uint32_t i : {before, after})
-            links_[i].isBlocker = links_[i].isBlocker && !isConvex(i);
+            if (links_[i].isBlocker && isConvex(i)) unblock(i);
+    }
+
+    void unblock(std::uint32_t corner) {
+        links_[corner].isBlocker = false;
+        blockers_->remove(corner);
     }
 
     std::vector<glm::dvec2> points_;
     std::vector<Link> links_;
-    std::optional<PointCells> cells_; ///< over the corners that were not convex at first: clipping makes none of them
+    std::optional<PointTree> blockers_; ///< the corners that are not convex: clipping makes none of them
     std::size_t left_;
-    std::uint64_t work_ = 0; ///< corners that were looked at
+    std::uint32_t first_ = 0; ///< no corner that is left comes before it
+    std::uint64_t work_ = 0;  ///< corners that were looked at
     std::uint64_t mostWork_;
     std::uint64_t nextPoll_ = 0;
     std::uint64_t workPerCorner_ = kMostWorkPerCorner;

@@ -16,8 +16,8 @@ using PolygonTriangle = std::array<std::uint32_t, 3>;
 /// Cuts a polygon of n >= 3 corners into exactly n - 2 triangles that keep its orientation. A strictly convex one
 /// becomes the fan from corner 0; any other is cut by ear clipping in its plane (Newell's normal, projected along the
 /// nearest axis, which rounds nothing), which covers a simple polygon exactly; one that crosses itself still gives
-/// n - 2 triangles. Time is about n log n for real outlines and bounded for any input: ten thousand steps a corner, of
-/// them one hundred from where the polygon turns out to cross itself (a thousand where corners without area are in the
+/// n - 2 triangles. Time is about n log n for real outlines and bounded for any input: two thousand steps per corner,
+/// and one hundred from where the polygon turns out to cross itself (a thousand where corners without area are in the
 /// way); what is left then becomes a fan. Polls `progress`. Appends to `out`. Corners may be at any distance from the
 /// origin: all is relative to the first. Source: Meisters, "Polygons have ears", 1975.
 void triangulatePolygon(std::span<const glm::dvec3> corners, std::vector<PolygonTriangle>& out, Progress& progress);

@@ -93,6 +93,7 @@ void bindBuild(py::module_& module) {
         .def_readwrite("threads", &api::BuildOptions::threads)
         .def_readwrite("tmp", &api::BuildOptions::temporaryFolder)
         .def_readwrite("fields", &api::BuildOptions::fields)
+        .def_readwrite("source_root", &api::BuildOptions::sourceRoot)
         .def_readwrite("up", &api::BuildOptions::up)
         .def_readwrite("unit", &api::BuildOptions::unit);
     module.def("build", &build);

@@ -3,6 +3,7 @@
 
 #include "preprocess/read/mesh_source.h"
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -10,6 +11,14 @@ namespace gnomon::read {
 
 /// Rows or triangles of a full block: small enough for the second-level cache.
 constexpr std::size_t kBlockRows = 16384;
+
+/// More corners than any real polygon; a longer list is a damaged file, and would break the bound on memory.
+constexpr std::uint64_t kMostPolygonCorners = std::uint64_t{1} << 20U;
+
+/// Returns `normal`, or zero, which stands for none, if it is not finite.
+inline glm::vec3 finiteOrZero(const glm::vec3& normal) {
+    return std::isfinite(normal.x + normal.y + normal.z) ? normal : glm::vec3(0);
+}
 
 /// Collects vertices.
 class VertexBuffer {

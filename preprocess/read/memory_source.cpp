@@ -10,11 +10,6 @@ namespace gnomon::read {
 
 namespace {
 
-template <class T>
-std::uint64_t bytesOf(const std::vector<T>& values) {
-    return values.capacity() * sizeof(T);
-}
-
 class MemorySource final : public MeshSource {
 public:
     MemorySource(const std::string& path, std::uint64_t fileBytes, MemoryMesh mesh) : mesh_(std::move(mesh)) {
@@ -35,7 +30,7 @@ public:
         const auto needsDouble = [](const glm::dvec3& p) { return glm::dvec3(glm::vec3(p)) != p; };
         summary_.isDouble = std::any_of(mesh_.positions.begin(), mesh_.positions.end(), needsDouble);
         summary_.attributesDropped = mesh_.attributesDropped;
-        summary_.filesBesides = mesh_.filesBesides;
+        summary_.remarks = mesh_.remarks;
         requireFaces(summary_);
     }
 
@@ -74,6 +69,17 @@ private:
 };
 
 } // namespace
+
+void requireRoomForWhole(const std::string& path, std::uint64_t fileBytes, Bytes memoryLimit) {
+    // Arrays, the slack of growing ones, and tables of vertices: short lines of text are the worst.
+    constexpr std::uint64_t kBytesPerFileByte = 12;
+    if (fileBytes <= memoryLimit.count / kBytesPerFileByte) return;
+    throw Error(
+        path,
+        "too large for a format that is read whole (convert it to PLY, which is streamed)",
+        "at most " + readableBytes(memoryLimit) + " of memory",
+        "a need for up to " + readableBytes({fileBytes * kBytesPerFileByte}));
+}
 
 std::unique_ptr<MeshSource> memorySource(const std::string& path, std::uint64_t fileBytes, MemoryMesh mesh) {
     return std::make_unique<MemorySource>(path, fileBytes, std::move(mesh));

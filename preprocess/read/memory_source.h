@@ -1,6 +1,7 @@
 // A mesh that is held in memory, as a MeshSource.
 #pragma once
 
+#include "core/units.h"
 #include "preprocess/read/mesh_source.h"
 
 #include <memory>
@@ -18,9 +19,18 @@ struct MemoryMesh {
     std::map<std::string, std::uint64_t> attributesDropped{}; ///< as in MeshSummary
     std::vector<std::string> fieldNames{};                    ///< as in MeshSummary
     std::vector<double> fields{};                             ///< of all vertices, as in VertexBlock
-    std::vector<std::string> filesBesides{};                  ///< as in MeshSummary
+    std::vector<std::string> remarks{};                       ///< as in MeshSummary
     std::uint64_t notAPolygon = 0; ///< faces that never came this far, besides those of faceSizes below 3
 };
+
+/// Returns the bytes that an array takes.
+template <class T>
+std::uint64_t bytesOf(const std::vector<T>& values) {
+    return values.capacity() * sizeof(T);
+}
+
+/// Throws Error if reading a file of `fileBytes` into memory could take more than `memoryLimit`.
+void requireRoomForWhole(const std::string& path, std::uint64_t fileBytes, Bytes memoryLimit);
 
 /// Takes the mesh over. `path` names it in errors, `fileBytes` is what it took on disk.
 std::unique_ptr<MeshSource> memorySource(const std::string& path, std::uint64_t fileBytes, MemoryMesh mesh);

@@ -36,6 +36,7 @@ struct MeshSummary {
     std::vector<std::string> filesBesides; ///< that an input refers to and that were read: buffers, images
     std::map<std::string, std::uint64_t> attributesDropped; ///< what the input has besides, and how many have it
     std::vector<Camera> cameras;                            ///< of the input's scene, all of one projection
+    std::vector<std::string> remarks; ///< how inputs were understood where that is no rule, a line each with its path
     std::optional<double> texelsPerEdge; ///< of textures that were looked up at vertices: what is between is lost
 };
 

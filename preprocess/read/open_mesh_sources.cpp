@@ -5,8 +5,10 @@
 #include "core/file.h"
 #include "preprocess/read/gltf/gltf_source.h"
 #include "preprocess/read/input_file.h"
+#include "preprocess/read/obj/obj_source.h"
+#include "preprocess/read/off/off_source.h"
 #include "preprocess/read/ply/ply_source.h"
-#include "preprocess/read/whole_file_source.h"
+#include "preprocess/read/stl/stl_source.h"
 #include "preprocess/read/words.h"
 
 #include <algorithm>
@@ -47,6 +49,7 @@ public:
             summary_.texelsPerEdge = mostOf(summary_.texelsPerEdge, more.texelsPerEdge);
             summary_.filesBesides.insert(
                 summary_.filesBesides.end(), more.filesBesides.begin(), more.filesBesides.end());
+            summary_.remarks.insert(summary_.remarks.end(), more.remarks.begin(), more.remarks.end());
             for (const auto& [name, count] : more.attributesDropped)
                 summary_.attributesDropped[name] += count;
             cameras.insert(cameras.end(), more.cameras.begin(), more.cameras.end());
@@ -217,16 +220,22 @@ constexpr std::array kOtherFormats = {
 
 /// Opens `path` by what it begins with, else by the end of its name.
 std::unique_ptr<MeshSource> openByFormat(
-    const std::string& path, Bytes room, const std::vector<std::string>& fields, Textures textures) {
+    const std::string& path,
+    Bytes room,
+    const std::vector<std::string>& fields,
+    Textures textures,
+    const std::string& sourceRoot) {
     const bool isPly = startsWith(path, "ply");
     if (File(path, File::Mode::Read).size() == 0) throw Error(path, "the file is empty");
     const std::string suffix = loweredSuffix(path);
     if (isPly || suffix == ".ply") return openPlyWithFaceColors(path, room, fields);
     const bool isGltf = suffix == ".gltf" || suffix == ".glb" || startsWith(path, "glTF");
-    if (!isGltf && !isWholeFileFormat(path)) refuse(path, suffix);
+    const bool isOther = suffix == ".obj" || suffix == ".off" || suffix == ".stl";
+    if (!isGltf && !isOther) refuse(path, suffix);
     if (!fields.empty()) throw Error(path, "only a PLY has fields", "none", fields.front());
-    if (isGltf) return readGltf(path, room, textures == Textures::Bake);
-    return readWholeFile(path, room);
+    if (isGltf) return readGltf(path, room, textures == Textures::Bake, sourceRoot);
+    if (suffix == ".obj") return openObj(path, room, sourceRoot);
+    return suffix == ".off" ? readOff(path, room) : readStl(path, room);
 }
 
 } // namespace
@@ -235,14 +244,15 @@ std::unique_ptr<MeshSource> openMeshSources(
     const std::vector<std::string>& paths,
     Bytes memoryLimit,
     const std::vector<std::string>& fields,
-    Textures textures) {
+    Textures textures,
+    const std::string& sourceRoot) {
     GNOMON_CHECK(!paths.empty());
     std::vector<std::unique_ptr<MeshSource>> parts;
     parts.reserve(paths.size());
     Bytes room = memoryLimit;
     for (const std::string& path : paths) {
         requireRereadable(path);
-        parts.push_back(openByFormat(path, room, fields, textures));
+        parts.push_back(openByFormat(path, room, fields, textures, sourceRoot));
         room.count -= std::min(room.count, parts.back()->summary().heldBytes);
     }
     if (parts.size() == 1) return std::move(parts.front());

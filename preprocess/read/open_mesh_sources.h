@@ -17,15 +17,18 @@ enum class Textures { Bake, Off };
 /// indices are shifted accordingly. A block of a joined model holds vertices of one input only, so it lacks normals or
 /// colours where that input has none, even if the summary has them because another does.
 ///
-/// PLY files and .glb are known by their first bytes, whatever their name; the others by their suffix. PLY is streamed,
-/// unless its faces have colours; that, glTF, OBJ, STL and OFF are read whole and throw Error if that could take more
-/// than `memoryLimit`. All errors name the file.
+/// PLY files and .glb are known by their first bytes, whatever their name; the others by their suffix. PLY and OBJ are
+/// streamed, but for a PLY whose faces have colours; that, glTF, STL and OFF are read whole and throw Error if that
+/// could take more than `memoryLimit`. All errors name the file.
 ///
 /// `fields` are scalar properties of the vertices to read besides, which every input must be a PLY for and must have.
+/// `sourceRoot` is the folder that buffers, images and material libraries may come from; if it is empty, the folder of
+/// each input is (see SourceRoot).
 std::unique_ptr<MeshSource> openMeshSources(
     const std::vector<std::string>& paths,
     Bytes memoryLimit,
     const std::vector<std::string>& fields = {},
-    Textures textures = Textures::Bake);
+    Textures textures = Textures::Bake,
+    const std::string& sourceRoot = {});
 
 } // namespace gnomon::read

@@ -21,13 +21,18 @@ inline std::vector<std::string_view> wordsOf(std::string_view line) {
     return result;
 }
 
+/// `text` with its ASCII letters in lower case.
+inline std::string lowered(std::string_view text) {
+    std::string result(text);
+    for (char& c : result)
+        c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+    return result;
+}
+
 /// The last suffix of the file name in `path`, with its dot, in lower case; empty if it has none.
 inline std::string loweredSuffix(std::string_view path) {
     const std::size_t dot = path.find_last_of("./");
-    std::string suffix(dot == std::string_view::npos || path[dot] == '/' ? "" : path.substr(dot));
-    for (char& c : suffix)
-        c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-    return suffix;
+    return lowered(dot == std::string_view::npos || path[dot] == '/' ? "" : path.substr(dot));
 }
 
 /// The beginning of `text` in quotes with unprintable bytes as "?": a file can hold anything, an error is one line.

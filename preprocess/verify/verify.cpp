@@ -79,7 +79,8 @@ Verification verifyModel(const VerifyOptions& options, Progress& progress) {
     const Bytes pages{std::max(kLeastPages.count, options.memory.count - std::min(options.memory.count, held))};
     verification.checks.push_back(checkCracks(*file, model, options.cuts, options.seed, pages, progress));
     if (options.source.empty()) return verification;
-    const auto mesh = read::openMeshSources(options.source, gibibytes(64));
+    const auto mesh =
+        read::openMeshSources(options.source, gibibytes(64), {}, read::Textures::Bake, options.sourceRoot);
     progress.stage("read the source", "triangles", mesh->summary().faceCount);
     const TriangleSoup soup = readSoup(*mesh, model.summary.grid, progress);
     verification.checks.push_back(checkErrorBound(loadModel(*file, progress), soup, options.seed, progress));

@@ -13,6 +13,7 @@ namespace gnomon::verify {
 struct VerifyOptions {
     std::string model;
     std::vector<std::string> source; // paths; empty: no comparison with the source
+    std::string sourceRoot;          // as --source-root of a build
     std::uint64_t cuts = 100;
     std::uint64_t seed = 1;
     Bytes memory = gibibytes(2); // about what it takes, but for a comparison with the source

@@ -83,7 +83,8 @@ def open(path, memory=1 << 30):
     return Model(path, memory)
 
 
-def build(inputs, output, *, memory=2 << 30, threads=0, tmp="", fields=(), up="auto", unit="m", progress=None):
+def build(inputs, output, *, memory=2 << 30, threads=0, tmp="", fields=(), up="auto", unit="m", source_root="",
+          progress=None):
     """Builds `output`, a .gnm, of one mesh or several; returns what `gnomon build --json` prints. `progress` is told
     (stage, done, total) and ends the build where it returns False."""
     if isinstance(inputs, (str, os.PathLike)):
@@ -91,6 +92,7 @@ def build(inputs, output, *, memory=2 << 30, threads=0, tmp="", fields=(), up="a
     options = _gnomon.BuildOptions()
     options.memory, options.threads, options.tmp = memory, threads, os.fspath(tmp)
     options.fields, options.up, options.unit = list(fields), up, unit
+    options.source_root = os.fspath(source_root)
     tell = None if progress is None else lambda *told: progress(*told) is not False
     return json.loads(_gnomon.build([os.fspath(each) for each in inputs], os.fspath(output), options, tell))
 

@@ -35,6 +35,7 @@ def build(
     fields: Sequence[str] = ...,
     up: str = ...,
     unit: str = ...,
+    source_root: _Path = ...,
     progress: Callable[[str, int, int], bool | None] | None = ...,
 ) -> dict[str, Any]: ...
 def schemes(

@@ -57,7 +57,8 @@ std::string build(
     requireUsualFloatingPoint();
     if (inputs.empty()) throw Error("build", "nothing to build of", "at least one mesh", "none");
     const pipeline::BuildOptions asked = withPlainErrors([&] { return buildOptionsOf(inputs, output, options); });
-    const auto source = read::openMeshSources(inputs, asked.memory, asked.fields);
+    const auto source =
+        read::openMeshSources(inputs, asked.memory, asked.fields, read::Textures::Bake, options.sourceRoot);
     Watched progress(onProgress);
     const pipeline::BuildReport report = pipeline::buildModel(*source, asked, progress);
     return telemetry::jsonText(pipeline::reportJson(report, source->summary(), telemetry::peakResident().count), 1);

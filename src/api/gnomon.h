@@ -35,6 +35,7 @@ struct BuildOptions {
     std::vector<std::string> fields{};              // scalar properties of the vertices of a PLY to keep
     std::string up = "auto";                        // x, y, z, -x, -y, -z, a direction "x,y,z", or guessed
     std::string unit = "m";                         // m, cm, mm, ft, in: of the coordinates
+    std::string sourceRoot{};                       // folder of textures, buffers, libraries; empty: the input's
 };
 
 /// Builds the model `output`, a .gnm, of `inputs` (PLY, glTF, OBJ, STL, OFF), out of core. Returns what `gnomon build

@@ -1,7 +1,7 @@
 #include "app/commands.h"
 #include "app/console.h"
+#include "app/option_errors.h"
 #include "core/error.h"
-#include "core/limit_error.h"
 #include "core/printable.h"
 #include "core/units.h"
 #include "hierarchy/model_text.h"
@@ -32,6 +32,7 @@ struct BuildCommand {
     std::string up = "auto";
     std::string unit = "m";
     std::string textures = "bake";
+    std::string sourceRoot;
     std::string output;
     std::string memory = "2G";
     std::string temporary;
@@ -48,39 +49,13 @@ struct BuildCommand {
     bool isJson = false;
 };
 
-/// `error` in the words of the command line.
-Error inOptions(const LimitError& error) {
-    const LimitError::Parts& parts = error.parts();
-    switch (error.limit()) {
-    case Limit::Memory:
-        return {parts.where, parts.what, "--memory " + parts.expected, parts.found};
-    case Limit::ChunkTriangles:
-        return {"--chunk-triangles", "too few for this model", parts.expected, parts.found};
-    case Limit::StuckTriangles:
-        return {"--max-stuck", parts.what, parts.expected, parts.found};
-    case Limit::Textures:
-        return {parts.where, parts.what, parts.expected + ", or --textures off", parts.found};
-    }
-    return {parts.where, parts.what, parts.expected, parts.found};
-}
-
-/// Returns the result of `work`, or throws its LimitError in the words of the command line.
-template <class Work>
-auto withinOptions(const Work& work) {
-    try {
-        return work();
-    } catch (const LimitError& error) {
-        throw inOptions(error);
-    }
-}
-
 std::optional<BuildReport> built(
     read::MeshSource& source,
     const pipeline::BuildOptions& options,
     const CommonOptions& common,
     const BuildBy& buildBy) {
     const auto progress = makeProgress(common);
-    return withinOptions([&]() -> std::optional<BuildReport> {
+    return withOptionErrors([&]() -> std::optional<BuildReport> {
         return buildBy ? buildBy(source, options, *progress) : buildModel(source, options, *progress);
     });
 }
@@ -125,14 +100,17 @@ void run(const BuildCommand& command, const BuildBy& buildBy) {
     options.unit = *hierarchy::unitNamed(command.unit);
     takeUp(up, command.inputs, options);
     const auto textures = command.textures == "bake" ? read::Textures::Bake : read::Textures::Off;
-    const auto source =
-        withinOptions([&] { return read::openMeshSources(command.inputs, options.memory, command.fields, textures); });
+    const auto source = withOptionErrors([&] {
+        return read::openMeshSources(command.inputs, options.memory, command.fields, textures, command.sourceRoot);
+    });
     std::vector<std::string> read = command.inputs;
     read.insert(read.end(), source->summary().filesBesides.begin(), source->summary().filesBesides.end());
     options.inputKey = pipeline::fingerprintOf(read) + (command.textures == "bake" ? "" : ", textures off");
     const std::optional<BuildReport> done = built(*source, options, command.common, buildBy);
     if (!done) return;
     const BuildReport& report = *done;
+    for (const std::string& remark : source->summary().remarks)
+        printMessage(remark);
     const std::string strays = pipeline::warningOfStrays(report);
     for (const std::string& warning :
          {pipeline::warningOfCoarsest(report),
@@ -198,6 +176,12 @@ void addBuildCommand(CLI::App& program, const BuildBy& buildBy) {
         ->add_option("--textures", options->textures, "The base colours of a glTF's textures, as they are at vertices")
         ->check(CLI::IsMember({"bake", "off"}))
         ->capture_default_str();
+    command
+        ->add_option(
+            "--source-root",
+            options->sourceRoot,
+            "Folder that textures, buffers and material libraries may come from (default: the folder of the source)")
+        ->check(CLI::ExistingDirectory);
     command->add_option("--memory", options->memory, "Peak resident size of the process")
         ->check(memorySize())
         ->capture_default_str();

@@ -2,6 +2,7 @@
 
 #include "app/command_line.h"
 #include "app/commands.h"
+#include "app/option_errors.h"
 #include "app/thread_limit.h"
 #include "core/error.h"
 #include "core/printable.h"
@@ -73,6 +74,12 @@ void addVerifyCommand(CLI::App& program) {
     addModel(*command, options->verify.model);
     command->add_option(
         "--source", options->verify.source, "What the model was built from: compare distances with stored errors");
+    command
+        ->add_option(
+            "--source-root",
+            options->verify.sourceRoot,
+            "Folder that files of --source may come from (default: the folder of the source)")
+        ->check(CLI::ExistingDirectory);
     command->add_option("--cuts", options->verify.cuts, "Random view-dependent cuts to look at for cracks")
         ->check(CLI::Range(0, 1'000'000))
         ->capture_default_str();
@@ -88,7 +95,8 @@ void addVerifyCommand(CLI::App& program) {
         const auto progress = makeProgress(options->common);
         const ThreadLimit limit(options->common);
         options->verify.memory = *parseBytes(options->memory);
-        const verify::Verification verification = verify::verifyModel(options->verify, *progress);
+        const verify::Verification verification =
+            withOptionErrors([&] { return verify::verifyModel(options->verify, *progress); });
         print(verification, options->json);
         for (const verify::Check& c : verification.checks)
             if (c.failed > 0)

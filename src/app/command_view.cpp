@@ -71,6 +71,12 @@ void addViewCommand(CLI::App& program) {
     command->add_option("--csv", viewer.csv, "Write a row per frame here, in the columns of bench");
     command->add_option("--build-memory", options->buildMemory, "Peak resident size while a mesh is built")
         ->capture_default_str();
+    command
+        ->add_option(
+            "--source-root",
+            viewer.sourceRoot,
+            "Folder that files of a mesh may come from (default: the folder of the mesh)")
+        ->check(CLI::ExistingDirectory);
     addColorOptions(*command, options->colors);
     options->settings.addTo(*command);
     addCommonOptions(*command, options->common);

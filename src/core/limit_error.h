@@ -10,7 +10,7 @@
 namespace gnomon {
 
 /// What a build can be limited in. Textures: the source can be read without its textures only.
-enum class Limit : std::uint8_t { Memory, ChunkTriangles, StuckTriangles, Textures };
+enum class Limit : std::uint8_t { Memory, ChunkTriangles, StuckTriangles, Textures, SourceRoot };
 
 class LimitError : public Error {
 public:

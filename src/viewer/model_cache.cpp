@@ -113,6 +113,7 @@ nlohmann::ordered_json recordOf(
     nlohmann::ordered_json record = {
         {"version", GNOMON_VERSION},
         {"options", pipeline::keyOf(buildOptionsOf(meshPath, options))},
+        {"source_root", options.sourceRoot},
         {"files", nlohmann::ordered_json::array()},
         {"beside", namesBeside(meshPath)}};
     for (const std::string& name : files)
@@ -157,7 +158,8 @@ void CacheBuild::run(const CacheOptions& options) {
         const nlohmann::ordered_json before = recordOf(meshPath_, files, options);
         pipeline::BuildOptions build = buildOptionsOf(meshPath_, options);
         pipeline::askForUpOfSources(build, {meshPath_});
-        const auto source = read::openMeshSources({meshPath_}, options.memory);
+        const auto source =
+            read::openMeshSources({meshPath_}, options.memory, {}, read::Textures::Bake, options.sourceRoot);
         for (const std::string& path : source->summary().filesBesides)
             files.push_back(fs::path(path).lexically_proximate(folder).string());
         nlohmann::ordered_json record = recordOf(meshPath_, files, options);

@@ -22,6 +22,7 @@ std::string cachePath(const std::string& meshPath);
 struct CacheOptions {
     Bytes memory; // peak resident size of the build
     int threads = 0;
+    std::string sourceRoot{}; // folder that files of the mesh may come from; empty: its own
 };
 
 /// Whether the cache of `meshPath` is the one that a build would write now: the file beside it (CACHE.json) names the

@@ -13,7 +13,7 @@ constexpr double kWatchSeconds = 1; // between looks at the model's file
 void OpenFile::open(const std::string& file) {
     messages_->attempt([&] {
         if (isModelPath(file)) return openModel(file);
-        const CacheOptions cache{options_->buildMemory, options_->threads};
+        const CacheOptions cache{options_->buildMemory, options_->threads, options_->sourceRoot};
         if (isCacheFresh(file, cache)) return openModel(cachePath(file));
         build_.reset();
         build_ = std::make_unique<CacheBuild>(file, cache);

@@ -22,6 +22,7 @@ struct ViewerOptions {
     std::optional<int> frames;        // of the path, at a fixed step; nothing: by the clock
     std::string images;               // folder for the pictures of played frames; empty: none
     std::string csv;                  // log of all frames; empty: none
+    std::string sourceRoot;           // of a mesh's other files, as --source-root of a build
     Bytes buildMemory = gibibytes(2); // peak resident size while a mesh is built
     std::function<void(const std::string&)> tell = [](const std::string&) {
     }; // what is noted, and what has failed, beside being shown

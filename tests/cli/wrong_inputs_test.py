@@ -128,7 +128,7 @@ ROWS = [
     (1, "not finite", "build nan.ply -o b.gnm"),
     (1, "out of range", "build far_index.ply -o b.gnm"),
     (1, "one of 3 vertices", "build far_index.obj -o b.gnm"),
-    (1, "a finite one", "build bad_number.obj -o b.gnm"),
+    (1, "not a number", "build bad_number.obj -o b.gnm"),
     (1, "ends too early", "build no_end.stl -o b.gnm"),
     (2, "a name ending in .gnm", "build sundial.ply -o b.ply"),
     (2, "--output is required", "build sundial.ply"),
@@ -193,12 +193,12 @@ class WrongInputs(ProgramTest):
         (self.place / "rich.ply").write_text(vertex + "property float quality\n" + face + rows + "3 0 1 2 1 2 3\n")
         (self.place / "rich.obj").write_text(
             "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nusemtl red\nf 1/1 2/2 3/1\n")  # fmt: skip
-        (self.place / "rich.off").write_text("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 0\n")
+        (self.place / "rich.off").write_text("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 7\n")
         for mesh, kept in (
             ("rich.ply", {"alpha (3)", "vertex quality (3)", "face colours (1)"}),
             ("rich.obj", {"texture coordinates (2)", "material libraries that are not there (1)",
                           "materials that no library has (1)"}),
-            ("rich.off", {"face colours (1)"}),
+            ("rich.off", {"face colours by their numbers in a table (1)"}),
             ("sundial.ply", set()),
         ):
             told = run("build", self.place / mesh, "-o", self.place / "rich.gnm").stdout.splitlines()

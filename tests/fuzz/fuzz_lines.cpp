@@ -1,4 +1,4 @@
-// OBJ, STL and OFF, which go through OpenMesh: the first byte says which.
+// OBJ, STL and OFF: the first byte says which.
 #include "harness.h"
 
 #include <array>

@@ -1,8 +1,8 @@
 // Faces with colours: every corner has its face's, and a vertex is split only where its faces differ.
 #include "collect.h"
 #include "core/random.h"
+#include "preprocess/read/face_color_splitter.h"
 #include "preprocess/read/open_mesh_sources.h"
-#include "preprocess/read/ply/ply_face_colors.h"
 
 #include <gtest/gtest.h>
 

@@ -65,6 +65,36 @@ TEST_F(GltfContainer, IsReadAsFarAsItIsThere) {
     EXPECT_EQ(refusalOf(good + "what a later version appends"), "no error");
 }
 
+TEST_F(GltfContainer, FilesOutsideOfTheSourceRootAreRefused) {
+    GltfMaker maker;
+    maker.attributes()["POSITION"] = maker.addVectors(kCorners);
+    maker.container();
+    const std::string raw(reinterpret_cast<const char*>(kCorners.data()), kCorners.size() * sizeof(float));
+    writeScratch(folder + "/b.bin", raw);
+    std::filesystem::create_directories(folder + "/deep/er");
+    const std::string plain = folder + "/deep/c.gltf";
+    const auto messageOf = [&](const std::string& uri, const std::string& root) {
+        maker.document["buffers"][0]["uri"] = uri;
+        writeScratch(plain, maker.document.dump());
+        return errorAbout(plain, [&] { collect(*openMeshSources({plain}, mebibytes(64), {}, Textures::Bake, root)); });
+    };
+    const std::string refused =
+        ": buffer 0: refers to a file outside the folder of the source: expected a path below " + folder +
+        "/deep, found ";
+    for (const char* const uri :
+         {"../b.bin", "%2e%2e/b.bin", "..%2Fb.bin", "er/../../b.bin", "./../b.bin", "/etc/passwd", "../gone.bin"})
+        EXPECT_TRUE(messageOf(uri, "").starts_with(refused)) << messageOf(uri, "");
+    EXPECT_EQ(messageOf("../b.bin", folder), "no error");
+    EXPECT_EQ(messageOf(folder + "/b.bin", folder), "no error") << "an absolute path inside the root";
+    EXPECT_EQ(messageOf("er/../../b.bin", folder + "/"), "no error");
+    EXPECT_EQ(messageOf("../b.bin", "/"), "no error");
+    EXPECT_NE(messageOf("../b.bin", folder + "/deep/er").find("outside the folder"), std::string::npos);
+    EXPECT_NE(messageOf("../../b.bin", folder).find("outside the folder"), std::string::npos);
+    EXPECT_NE(messageOf("a%00b", "").find("%00"), std::string::npos);
+    std::filesystem::create_symlink(folder, folder + "/link");
+    EXPECT_EQ(messageOf("../b.bin", folder + "/link"), "no error") << "another name of the same folder";
+}
+
 TEST_F(GltfContainer, BuffersMayLieBesideItAndInIt) {
     GltfMaker maker;
     maker.attributes()["POSITION"] = maker.addVectors(kCorners);
@@ -93,8 +123,8 @@ TEST_F(GltfContainer, BuffersMayLieBesideItAndInIt) {
     };
     holds(messageOf(withUri("data:application/octet-stream;base64,AAAA")), "buffer 0: too short: expected 36 bytes");
     holds(messageOf(withUri("data:text/html,hello")), "buffer 0: cannot be understood");
-    holds(messageOf(withUri(folder + "/b.bin")), "refers to a file by more than a name");
-    holds(messageOf(withUri("https://example.org/b.bin")), "refers to a file by more than a name");
+    holds(messageOf(withUri("/b.bin")), "refers to a file outside the folder of the source");
+    holds(messageOf(withUri("https://example.org/b.bin")), "refers to a file by more than a path");
     maker.document["buffers"][0].erase("byteLength");
     holds(messageOf(withUri("b%20\xE2\x9D\xA4.bin")), "buffer 0: cannot be understood: expected a byteLength");
     maker.document["buffers"][0]["byteLength"] = 36;

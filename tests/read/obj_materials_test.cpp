@@ -48,7 +48,7 @@ TEST_F(ObjWithMaterials, FacesHaveTheDiffuseColourAndSplitVerticesWhereItChanges
     const CollectedMesh mesh =
         meshOf("mtllib a.mtl\n" + kSquare + "usemtl red\nf 1 2 3\nusemtl dark  green\nf 1 3 4\n");
     EXPECT_EQ(
-        mesh.positions, (std::vector<glm::dvec3>{{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, 0}, {0, 1, 0}}));
+        mesh.positions, (std::vector<glm::dvec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 0}, {1, 1, 0}}));
     const auto colorsAt = [&](std::size_t triangle) {
         std::set<std::uint32_t> colors;
         for (const std::uint64_t corner : mesh.triangles[triangle])
@@ -75,7 +75,7 @@ TEST_F(ObjWithMaterials, NamesOfLibrariesMayHaveBlanks) {
 
 TEST_F(ObjWithMaterials, WhatIsMissingIsToldAndLeavesTheSurface) {
     writeScratch(folder + "/a.mtl", "Kd 0 0 1\nnewmtl red\nKd 1 0 0\nmap_Kd wood.png\nnewmtl plain\n");
-    const std::string text = "mtllib a.mtl\nmtllib /etc/passwd\nmtllib ../a.mtl\n" + kSquare +
+    const std::string text = "mtllib a.mtl\nmtllib /gone/b.mtl\nmtllib ../c.mtl\n" + kSquare +
                              "usemtl red\nf 1 2 3\nusemtl blue\nf 1 3 4\nusemtl plain\nf 1 2 4\n";
     const CollectedMesh mesh = meshOf(text);
     EXPECT_EQ(mesh.triangles.size(), 3U);
@@ -83,6 +83,106 @@ TEST_F(ObjWithMaterials, WhatIsMissingIsToldAndLeavesTheSurface) {
     const std::map<std::string, std::uint64_t> expected = {
         {"material libraries that are not there", 2}, {"materials that no library has", 1}, {"textures", 1}};
     EXPECT_EQ(leftOutOf(text), expected);
+}
+
+TEST_F(ObjWithMaterials, AreNamedAsPeopleNameThem) {
+    const std::string faces = kSquare + "usemtl red\nf 1 2 3\n";
+    const auto colorsOf = [&](const std::string& obj) {
+        const CollectedMesh mesh = meshOf(obj);
+        return std::set<std::uint32_t>(mesh.colors.begin(), mesh.colors.end());
+    };
+    std::filesystem::create_directories(folder + "/Sub Folder");
+    writeScratch(folder + "/My Red.mtl", "newmtl red\nKd 1 0 0\n");
+    writeScratch(folder + "/Sub Folder/Deep.mtl", "newmtl red\nKd 1 0 0\n");
+    for (const char* const line :
+         {"mtllib My Red.mtl",
+          "mtllib\tMy Red.mtl",
+          "  mtllib   My Red.mtl \t",
+          "mtllib my red.MTL",
+          "mtllib ./My Red.mtl",
+          "mtllib .\\My Red.mtl",
+          "mtllib Sub Folder/Deep.mtl",
+          "mtllib Sub Folder\\Deep.mtl",
+          "mtllib SUB FOLDER\\deep.mtl",
+          "mtllib Sub Folder\\..\\my red.mtl",
+          "mtllib C:\\Users\\Some One\\My Red.mtl",
+          "mtllib c:/users/my red.mtl",
+          "mtllib \\\\server\\share\\MY RED.mtl",
+          "mtllib ..\\..\\gone\\My Red.mtl",
+          "mtllib /home/gone/My Red.mtl",
+          "mtllib gone.mtl C:\\a\\My Red.mtl # a comment",
+          "mtllib My \\\nRed.mtl"})
+        EXPECT_EQ(colorsOf(std::string(line) + "\n" + faces), std::set{kRed}) << line;
+    writeScratch(path, "mtllib C:\\a\\My Red.mtl\nmtllib D:\\b\\My Red.mtl\n" + faces);
+    const auto source = openMeshSources({path}, mebibytes(64));
+    ASSERT_EQ(source->summary().remarks.size(), 1U) << "printed once";
+    EXPECT_EQ(
+        source->summary().remarks[0],
+        path + ": there is no material library \"C:\\a\\My Red.mtl\"; \"My Red.mtl\" in the folder of the OBJ is read "
+               "instead");
+    EXPECT_TRUE(openMeshSources({path}, mebibytes(64))->summary().attributesDropped.empty());
+    writeScratch(path, "mtllib my red.mtl\n" + faces);
+    EXPECT_TRUE(openMeshSources({path}, mebibytes(64))->summary().remarks.empty());
+}
+
+TEST_F(ObjWithMaterials, MayHaveAnyNames) {
+    writeScratch(
+        folder + "/a.mtl",
+        "newmtl\tPaint #1\nKd\t1\t0\t0\nnewmtl Paint #2\nKd 0 1 0\nnewmtl red # a comment\nkd 1 0 0\n"
+        "newmtl a#b\nKd 0.5\nnewmtl \xC3\xA4\xC3\xB6 \xE2\x98\x83\nKd +0 1e0 .0 # green\n");
+    const auto colorOf = [&](const std::string& use) {
+        const CollectedMesh mesh = meshOf("mtllib a.mtl\n" + kSquare + use + "\nf 1 2 3\n");
+        return mesh.colors.empty() ? kUncolored : mesh.colors[0];
+    };
+    EXPECT_EQ(colorOf("usemtl Paint #1"), kRed);
+    EXPECT_EQ(colorOf("usemtl\tPaint #2"), kGreen);
+    EXPECT_EQ(colorOf("  usemtl\t Paint #2 \r"), kGreen);
+    EXPECT_EQ(colorOf("usemtl red"), kRed);
+    EXPECT_EQ(colorOf("usemtl red # of both"), kRed);
+    EXPECT_EQ(colorOf("usemtl a#b"), 0xFF808080) << "one number is a grey";
+    EXPECT_EQ(colorOf("usemtl \xC3\xA4\xC3\xB6 \xE2\x98\x83"), kGreen);
+    EXPECT_EQ(meshOf(kSquare + "usemtl Paint #1\nmtllib a.mtl\nf 1 2 3\n").colors.at(0), kRed)
+        << "a library may follow";
+}
+
+TEST_F(ObjWithMaterials, LibrariesOutsideOfTheSourceRootAreRefused) {
+    std::filesystem::create_directories(folder + "/deep");
+    writeScratch(folder + "/red.mtl", "newmtl red\nKd 1 0 0\n");
+    const std::string obj = folder + "/deep/a.obj";
+    const auto errorOf = [&](const std::string& line, const std::string& root) {
+        writeScratch(obj, line + "\n" + kSquare + "usemtl red\nf 1 2 3\n");
+        return errorAbout(obj, [&] {
+            const CollectedMesh mesh = collect(*openMeshSources({obj}, mebibytes(64), {}, Textures::Bake, root));
+            EXPECT_EQ(mesh.colors.at(0), kRed);
+        });
+    };
+    for (const std::string& line :
+         {std::string("mtllib ../red.mtl"),
+          std::string("mtllib ..\\red.mtl"),
+          std::string("mtllib ..\\RED.mtl"),
+          "mtllib " + folder + "/red.mtl"}) {
+        EXPECT_EQ(errorOf(line, "").substr(0, 53), ":1: refers to a file outside the folder of the source") << line;
+        EXPECT_EQ(errorOf(line, folder), "no error") << line;
+    }
+}
+
+/// A search for each name, alone and joined to those behind it, would take a minute.
+TEST_F(ObjWithMaterials, VeryManyNamesTakeNoTime) {
+    std::string many = "mtllib";
+    std::string lines;
+    for (int i = 0; i < 50'000; ++i) {
+        many += " x/" + std::to_string(i);
+        lines += "mtllib a/" + std::to_string(i) + " b c d e f g\n";
+    }
+    EXPECT_EQ(leftOutOf(many + "\n" + kSquare + "f 1 2 3\n").at("material libraries that are not there"), 50'000U);
+    EXPECT_EQ(leftOutOf(lines + kSquare + "f 1 2 3\n").at("material libraries that are not there"), 350'000U);
+}
+
+TEST_F(ObjWithMaterials, LibrariesInUtf16AreRefused) {
+    writeScratch(folder + "/a.mtl", std::string("\xFF\xFEn\0e\0w\0", 8));
+    EXPECT_EQ(
+        errorAbout(folder + "/a.mtl", [&] { meshOf("mtllib a.mtl\n" + kSquare + "f 1 2 3\n"); }),
+        ": the text is in UTF-16; convert to UTF-8");
 }
 
 TEST_F(ObjWithMaterials, ColoursOfVerticesComeFirst) {
@@ -95,7 +195,7 @@ TEST_F(ObjWithMaterials, ColoursOfVerticesComeFirst) {
 
 TEST_F(ObjWithMaterials, BadColoursAreRefusedWithTheirLine) {
     const std::string library = folder + "/a.mtl";
-    for (const char* const color : {"1 0 x", "nan 0 0", "1 inf 0"}) {
+    for (const char* const color : {"1 0 x", "nan 0 0", "1 inf 0", "1 0", "1 0 # 0", ""}) {
         writeScratch(library, std::string("newmtl red\nKd ") + color + "\n");
         const std::string message = errorAbout(library, [&] { meshOf("mtllib a.mtl\n" + kSquare + "f 1 2 3\n"); });
         EXPECT_TRUE(message.starts_with(":2: bad colour of a material")) << message;

@@ -11,13 +11,6 @@
 namespace gnomon::read {
 namespace {
 
-TEST(ObjWords, NumbersAreWholeWords) {
-    EXPECT_EQ(numberIn<float>("+1.5"), 1.5F);
-    EXPECT_EQ(numberIn<std::int32_t>("-7"), -7);
-    for (const char* const bad : {"", "x", "1x", "1e99", "99999999999"})
-        EXPECT_FALSE(numberIn<float>(bad) && numberIn<std::int32_t>(bad)) << bad;
-}
-
 TEST(ObjWords, CornersNameAVertexAndMayNameANormal) {
     const auto indicesOf = [](std::string_view word) {
         const std::optional<ObjIndices> corner = cornerIn(word);

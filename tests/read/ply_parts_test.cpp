@@ -162,17 +162,19 @@ TEST_F(PlyParts, AsciiValuesAreRoundedToTheirType) {
 }
 
 TEST(PlyRows, ColorsAreBytesWhateverTheirType) {
-    EXPECT_EQ(colorByte(PlyType::Uint8, 200), 200);
-    EXPECT_EQ(colorByte(PlyType::Int32, 300), 255);
-    EXPECT_EQ(colorByte(PlyType::Int32, -5), 0);
-    EXPECT_EQ(colorByte(PlyType::Float32, 0.5), 128);
-    EXPECT_EQ(colorByte(PlyType::Float64, 1), 255);
-    EXPECT_EQ(colorByte(PlyType::Float64, 7), 255);
-    EXPECT_EQ(colorByte(PlyType::Float32, std::numeric_limits<double>::quiet_NaN()), 0);
-    EXPECT_EQ(colorByte(PlyType::Uint16, 65535), 255);
-    EXPECT_EQ(colorByte(PlyType::Uint16, 32896), 128);
-    EXPECT_EQ(usableNormal({1, 2, std::numeric_limits<float>::infinity()}), glm::vec3(0));
-    EXPECT_EQ(usableNormal({1, 2, 3}), glm::vec3(1, 2, 3));
+    EXPECT_EQ(colorByte(PlyType::Uint8, 200, 255), 200);
+    EXPECT_EQ(colorByte(PlyType::Int8, -1, 255), 255);
+    EXPECT_EQ(colorByte(PlyType::Int32, 300, 255), 255);
+    EXPECT_EQ(colorByte(PlyType::Int32, -5, 255), 0);
+    EXPECT_EQ(colorByte(PlyType::Float32, 0.5, 1), 128);
+    EXPECT_EQ(colorByte(PlyType::Float64, 1, 1), 255);
+    EXPECT_EQ(colorByte(PlyType::Float64, 7, 1), 255);
+    EXPECT_EQ(colorByte(PlyType::Float64, 7, 255), 7);
+    EXPECT_EQ(colorByte(PlyType::Float32, std::numeric_limits<double>::quiet_NaN(), 1), 0);
+    EXPECT_EQ(colorByte(PlyType::Uint16, 65535, 65535), 255);
+    EXPECT_EQ(colorByte(PlyType::Uint16, 32896, 65535), 128);
+    EXPECT_EQ(finiteOrZero({1, 2, std::numeric_limits<float>::infinity()}), glm::vec3(0));
+    EXPECT_EQ(finiteOrZero({1, 2, 3}), glm::vec3(1, 2, 3));
 }
 
 TEST(PlyRows, ALayoutHasWhatItHasAllOf) {

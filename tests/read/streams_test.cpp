@@ -1,17 +1,14 @@
-// Windows over a file: bytes in big blocks, guarded lines and guarded bytes, and blocks of vertices and triangles.
+// Windows over a file: bytes in big blocks, and blocks of vertices and triangles.
 #include "core/error.h"
 #include "core/random.h"
 #include "preprocess/read/block_buffers.h"
 #include "preprocess/read/byte_stream.h"
-#include "preprocess/read/guarded_stream.h"
 #include "preprocess/read/memory_source.h"
 #include "tests/read/scratch_input.h"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
-#include <istream>
-#include <optional>
 
 namespace gnomon::read {
 namespace {
@@ -61,70 +58,6 @@ TEST_F(Streams, AByteStreamBeginsAnywhereAndKnowsWhatIsNotThere) {
     ASSERT_TRUE(stream.fill(6));
     EXPECT_EQ(static_cast<char>(*stream.data()), '4');
     EXPECT_FALSE(ByteStream(file, 10).fill(1));
-}
-
-/// Leaves out every line that begins with a hash, refuses one that begins with a bang.
-class HashGuard final : public LineGuard {
-public:
-    void begin() override { ++begun; }
-
-    std::optional<std::string> pass(std::string_view line, const std::string& where) override {
-        if (line.starts_with('!')) throw Error(where, "a bang");
-        if (line.starts_with('#')) return std::nullopt;
-        return std::string(line);
-    }
-
-    void end(const std::string& where) override { ended = where; }
-
-    int begun = 0;
-    std::string ended;
-};
-
-TEST_F(Streams, GuardedLinesAreTheLinesThatTheGuardPasses) {
-    HashGuard guard;
-    GuardedLines lines(fileOf("one\n#two\nthree\n\nlast"), guard);
-    std::istream in(&lines);
-    std::string line;
-    std::vector<std::string> read;
-    while (std::getline(in, line))
-        read.push_back(line);
-    EXPECT_EQ(read, (std::vector<std::string>{"one", "three", "", "last"}));
-    EXPECT_EQ(guard.ended, path + ":5");
-    in.clear();
-    in.seekg(0);
-    std::getline(in, line);
-    EXPECT_EQ(line, "one") << "rewound to the start";
-    EXPECT_EQ(lines.where(), path + ":1");
-    EXPECT_EQ(guard.begun, 2);
-    in.seekg(3);
-    EXPECT_TRUE(in.fail()) << "and to no other place";
-}
-
-TEST_F(Streams, TheGuardSeesWhatTheReaderDidNotAskFor) {
-    HashGuard guard;
-    GuardedLines lines(fileOf("one\ntwo\n!bad\n"), guard);
-    std::istream in(&lines);
-    std::string line;
-    std::getline(in, line);
-    try {
-        lines.readOut();
-        ADD_FAILURE() << "the bad line was not seen";
-    } catch (const Error& error) {
-        EXPECT_EQ(std::string(error.what()), path + ":3: a bang");
-    }
-}
-
-TEST_F(Streams, GuardedBytesKnowTheirPlace) {
-    const std::string text = randomText(2 * ByteStream::kBufferBytes + 777);
-    GuardedBytes bytes(fileOf(text));
-    std::istream in(&bytes);
-    std::string read(text.size() + 10, ' ');
-    in.read(read.data(), 1000);
-    EXPECT_EQ(bytes.where(), path + ": byte 1000");
-    in.read(read.data() + 1000, static_cast<std::streamsize>(text.size()));
-    EXPECT_EQ(static_cast<std::size_t>(in.gcount()), text.size() - 1000);
-    EXPECT_EQ(read.substr(0, text.size()), text);
-    EXPECT_EQ(bytes.where(), path + ": byte " + std::to_string(text.size()));
 }
 
 TEST(BlockBuffers, VerticesComeInFullBlocksInOrder) {

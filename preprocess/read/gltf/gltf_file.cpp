@@ -80,7 +80,8 @@ std::string firstLineOf(const std::string& text) {
 
 } // namespace
 
-GltfFile::GltfFile(const std::string& path, Bytes limit, bool readsTextures) : room_(path, limit) {
+GltfFile::GltfFile(const std::string& path, Bytes limit, bool readsTextures, const std::string& sourceRoot)
+    : root_(path, sourceRoot), room_(path, limit) {
     files_.push_back(std::make_unique<InputFile>(path));
     parse(readContainer(), readsTextures);
     unpacked_.resize(model_.bufferViews.size());
@@ -209,14 +210,13 @@ std::vector<std::byte> GltfFile::ofUri(const std::string& uri, const std::string
 
 /// The path of the file that `uri` names.
 std::string GltfFile::besideThis(const std::string& uri, const std::string& place) const {
-    const std::filesystem::path name = fileNameOf(uri, place);
-    if (name.is_absolute() || uri.find("://") != std::string::npos)
+    if (uri.find("://") != std::string::npos)
         throw Error(
-            place, "refers to a file by more than a name", "a path from the folder of the file", quotedForMessage(uri));
-    const std::filesystem::path path = std::filesystem::path(this->path()).parent_path() / name;
+            place, "refers to a file by more than a path", "a path from the folder of the file", quotedForMessage(uri));
+    const std::string path = root_.pathOf(fileNameOf(uri, place), place);
     std::error_code missing;
     requirePercentDigits(uri, std::filesystem::exists(path, missing), place);
-    return path.string();
+    return path;
 }
 
 std::vector<std::byte> GltfFile::ofFile(const std::string& path) {

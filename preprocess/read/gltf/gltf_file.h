@@ -3,6 +3,7 @@
 
 #include "preprocess/read/gltf/memory_room.h"
 #include "preprocess/read/input_file.h"
+#include "preprocess/read/source_root.h"
 
 #include <cstddef>
 #include <map>
@@ -23,8 +24,8 @@ class GltfFile {
 public:
     /// Throws Error, which names the file, if the file is not glTF 2.0, lacks a buffer, requires an extension that is
     /// not read (Draco's among them), or may take more than `limit`. A file may require a format of textures that is
-    /// not read only if the caller reads no textures.
-    GltfFile(const std::string& path, Bytes limit, bool readsTextures = true);
+    /// not read only if the caller reads no textures. Files that it refers to obey the rule of SourceRoot.
+    GltfFile(const std::string& path, Bytes limit, bool readsTextures = true, const std::string& sourceRoot = {});
 
     const std::string& path() const { return files_.front()->path(); }
 
@@ -78,6 +79,7 @@ private:
     std::vector<std::byte> unpacked(int view, const tinygltf::Value& packed);
 
     std::vector<std::unique_ptr<InputFile>> files_; // this one first
+    SourceRoot root_;
     MemoryRoom room_;
     std::vector<std::byte> embedded_; // what a .glb holds for its first buffer
     std::vector<std::vector<std::byte>> buffers_;

@@ -36,8 +36,8 @@ glm::vec3 unitOrNone(const glm::dvec3& normal) {
 
 class GltfSource final : public MeshSource {
 public:
-    GltfSource(const std::string& path, Bytes limit, bool bakesTextures) {
-        GltfFile file(path, limit, bakesTextures);
+    GltfSource(const std::string& path, Bytes limit, bool bakesTextures, const std::string& sourceRoot) {
+        GltfFile file(path, limit, bakesTextures, sourceRoot);
         GltfPrimitives reader(file, bakesTextures);
         const GltfScene scene = sceneOf(file);
         takePlacements(file, reader, scene);
@@ -170,8 +170,9 @@ private:
 
 } // namespace
 
-std::unique_ptr<MeshSource> readGltf(const std::string& path, Bytes memoryLimit, bool bakesTextures) {
-    return std::make_unique<GltfSource>(path, memoryLimit, bakesTextures);
+std::unique_ptr<MeshSource> readGltf(
+    const std::string& path, Bytes memoryLimit, bool bakesTextures, const std::string& sourceRoot) {
+    return std::make_unique<GltfSource>(path, memoryLimit, bakesTextures, sourceRoot);
 }
 
 } // namespace gnomon::read

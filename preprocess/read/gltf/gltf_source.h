@@ -14,7 +14,8 @@ namespace gnomon::read {
 ///
 /// Vertices have the material's base colour, times that of the vertex, as sRGB; `bakesTextures` multiplies the texture
 /// in as it is at the vertex. Throws Error for what is damaged, needs extensions that are not read (Draco's among
-/// them), or takes more than `memoryLimit`.
-std::unique_ptr<MeshSource> readGltf(const std::string& path, Bytes memoryLimit, bool bakesTextures);
+/// them), takes more than `memoryLimit`, or refers to files outside of `sourceRoot` (see SourceRoot).
+std::unique_ptr<MeshSource> readGltf(
+    const std::string& path, Bytes memoryLimit, bool bakesTextures, const std::string& sourceRoot);
 
 } // namespace gnomon::read

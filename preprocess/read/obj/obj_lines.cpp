@@ -1,161 +1,125 @@
 #include "preprocess/read/obj/obj_lines.h"
 
-#include "core/check.h"
 #include "core/error.h"
+#include "preprocess/read/block_buffers.h"
 #include "preprocess/read/obj/obj_words.h"
+#include "preprocess/read/words.h"
 
+#include <algorithm>
 #include <cmath>
-#include <cstring>
+#include <utility>
 
 namespace gnomon::read {
 
 namespace {
 
 constexpr std::uint64_t kStretchBytes = std::uint64_t{1} << 20U;
-constexpr std::size_t kLongestObjLine = std::size_t{64} << 20U;
-constexpr const char* kTexcoords = "texture coordinates";
 
-bool isObjBlank(char c) {
-    return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
-}
-
-/// The next word of `text`, which loses it; empty at its end.
-std::string_view nextWord(std::string_view& text) {
-    std::size_t begin = 0;
-    while (begin < text.size() && isObjBlank(text[begin]))
-        ++begin;
-    std::size_t end = begin;
-    while (end < text.size() && !isObjBlank(text[end]))
-        ++end;
-    const std::string_view word = text.substr(begin, end - begin);
-    text.remove_prefix(end);
-    return word;
-}
-
-/// Neither a comment in it nor a sign that it goes on in the next line.
-bool isPlain(std::string_view text) {
-    if (std::memchr(text.data(), '#', text.size()) != nullptr) return false;
-    std::size_t end = text.size();
-    while (end > 0 && isObjBlank(text[end - 1]))
-        --end;
-    return end == 0 || text[end - 1] != '\\';
-}
+constexpr TextStream::Rules kObjRules{.hasComments = true, .isContinuable = true};
 
 std::optional<ObjKind> kindOf(std::string_view keyword) {
     if (keyword == "v") return ObjKind::Vertex;
     if (keyword == "vn") return ObjKind::Normal;
     if (keyword == "f") return ObjKind::Face;
+    if (keyword == "vc") return ObjKind::Color;
     return std::nullopt;
 }
 
-std::uint64_t placeOf(std::int32_t index, std::uint64_t count) {
+std::uint64_t countedFromZero(std::int32_t index, std::uint64_t count) {
     return index > 0 ? static_cast<std::uint64_t>(index) - 1 : count + static_cast<std::uint64_t>(std::int64_t{index});
 }
 
+/// What lines of a keyword are called that no reader of triangles needs.
+constexpr std::array<std::pair<std::string_view, const char*>, 26> kOtherLines = {{
+    {"vt", "texture coordinates"},
+    {"l", "lines"},
+    {"p", "points"},
+    {"g", "names of groups"},
+    {"o", "names of objects"},
+    {"s", "smoothing groups"},
+    {"mg", "merging groups"},
+    {"vp", "free-form surfaces"},
+    {"deg", "free-form surfaces"},
+    {"bmat", "free-form surfaces"},
+    {"step", "free-form surfaces"},
+    {"cstype", "free-form surfaces"},
+    {"curv", "free-form surfaces"},
+    {"curv2", "free-form surfaces"},
+    {"surf", "free-form surfaces"},
+    {"parm", "free-form surfaces"},
+    {"trim", "free-form surfaces"},
+    {"hole", "free-form surfaces"},
+    {"scrv", "free-form surfaces"},
+    {"sp", "free-form surfaces"},
+    {"end", "free-form surfaces"},
+    {"con", "free-form surfaces"},
+    {"usemap", "textures of faces"},
+    {"maplib", "textures of faces"},
+    {"lod", "levels of detail"},
+    {"shadow_obj", "objects of shadows"},
+}};
+
 } // namespace
 
-ObjLines::ObjLines(const InputFile& file, std::vector<ObjStretch>* found)
-    : file_(file), stream_(file, 0), guard_(file.path()), found_(found) {
-    guard_.begin();
-}
+ObjLines::ObjLines(const InputFile& file, ObjMaterials& materials, ObjSurvey& survey)
+    : text_(file, kObjRules), materials_(materials), libraries_(&materials), survey_(&survey) {}
 
-ObjLines::ObjLines(const InputFile& file, std::span<const ObjStretch> stretches, ObjKinds wanted)
-    : file_(file), stream_(file, 0), guard_(file.path()), stretches_(stretches), wanted_(wanted) {
-    guard_.begin();
-}
-
-std::string ObjLines::where() const {
-    return atLine(file_.path(), lineNumber_);
-}
-
-std::map<std::string, std::uint64_t> ObjLines::leftOut() const {
-    std::map<std::string, std::uint64_t> all = guard_.leftOut();
-    if (texcoordLines_ > 0) all[kTexcoords] += texcoordLines_;
-    return all;
-}
+ObjLines::ObjLines(const InputFile& file, const ObjMaterials& materials, const ObjSurvey& survey, ObjKinds wanted)
+    : text_(file, kObjRules), materials_(materials), stretches_(survey.stretches), wanted_(wanted) {}
 
 bool ObjLines::next(ObjLine& line) {
-    std::string_view text;
-    while (nextText(text))
-        if (take(text, line)) return true;
-    guard_.end(where());
-    return false;
-}
-
-/// The next line of the file without its end; valid until the next call.
-bool ObjLines::nextText(std::string_view& text) {
-    stream_.consume(given_);
-    given_ = 0;
-    if (found_ != nullptr) beginStretch();
-    if (!passOver() || !stream_.fill(1)) return false;
-    ++lineNumber_;
-    std::size_t searched = 0;
     while (true) {
-        text = {reinterpret_cast<const char*>(stream_.data()), stream_.available()};
-        if (const void* const end = std::memchr(text.data() + searched, '\n', text.size() - searched)) {
-            text = text.substr(0, static_cast<std::size_t>(static_cast<const char*>(end) - text.data()));
-            given_ = text.size() + 1;
-            return true;
-        }
-        searched = text.size();
-        if (searched == ByteStream::kBufferBytes) return longText(text);
-        if (stream_.fill(searched + 1)) continue;
-        given_ = searched;
-        return true;
+        text_.endLine();
+        if (!passOver() || !text_.nextLine()) return false;
+        if (survey_ != nullptr) beginStretch();
+        const std::string_view keyword = text_.word();
+        if (!keyword.empty() && take(keyword, line)) return true;
     }
 }
 
-bool ObjLines::longText(std::string_view& text) {
-    long_.clear();
-    while (stream_.fill(1)) {
-        const std::string_view more(reinterpret_cast<const char*>(stream_.data()), stream_.available());
-        const std::size_t end = more.find('\n');
-        long_ += more.substr(0, end);
-        if (long_.size() > kLongestObjLine) throw Error(where(), "a line of more than 64 MiB");
-        stream_.consume(end == std::string_view::npos ? more.size() : end + 1);
-        if (end != std::string_view::npos) break;
-    }
-    text = long_;
-    return true;
-}
-
-/// Where the last stretch is long enough, the next one begins, unless a line goes on in it.
+/// Begins the next stretch at the line in hand if the last one is long enough.
 void ObjLines::beginStretch() {
-    if (isContinued_ || (!found_->empty() && stream_.offset() < found_->back().offset + kStretchBytes)) return;
-    found_->push_back({stream_.offset(), lineNumber_, vertices_, normals_, 0});
+    const std::uint64_t offset = text_.offset();
+    if (!survey_->stretches.empty() && offset < survey_->stretches.back().offset + kStretchBytes) return;
+    survey_->stretches.push_back({offset, text_.line() - 1, vertices_, normals_, 0});
 }
 
 /// Passes over stretches that have nothing that is wanted; false where nothing is left.
 bool ObjLines::passOver() {
-    while (stretch_ < stretches_.size() && stream_.offset() >= stretches_[stretch_].offset) {
+    if (stretch_ == stretches_.size()) return true;
+    while (stretch_ < stretches_.size() && text_.offset() >= stretches_[stretch_].offset) {
         const ObjStretch& here = stretches_[stretch_++];
         if ((here.kinds & wanted_) != 0) continue;
         if (stretch_ == stretches_.size()) return false;
         const ObjStretch& after = stretches_[stretch_];
-        stream_.skip(after.offset - stream_.offset());
-        lineNumber_ = after.line;
+        text_.moveTo(after.offset, after.line);
         vertices_ = after.vertices;
         normals_ = after.normals;
     }
     return true;
 }
 
-/// Whether `text` is one of the lines that are told; `line` is it then.
-bool ObjLines::take(std::string_view text, ObjLine& line) {
-    if (!text.empty() && text[0] == '#' && !isContinued_ && isPlain(text.substr(1))) return false;
-    if (isContinued_ || !isPlain(text)) return takeGuarded(text, line);
-    std::string_view rest = text;
-    const std::string_view keyword = nextWord(rest);
-    if (keyword.empty()) return false;
-    if (keyword == "vt") {
-        ++texcoordLines_;
+/// Returns whether the line is of a wanted kind; `line` is it then.
+bool ObjLines::take(std::string_view keyword, ObjLine& line) {
+    const std::optional<ObjKind> kind = kindOf(keyword);
+    if (!kind) {
+        if (keyword == "usemtl")
+            takeMaterial();
+        else if (survey_ != nullptr)
+            surveyOther(keyword);
         return false;
     }
-    const std::optional<ObjKind> kind = kindOf(keyword);
-    if (!kind) return takeGuarded(text, line);
-    if ((wanted_ & kindBit(*kind)) != 0) return takeWords(text, line) || takeGuarded(text, line);
-    countVector(*kind); // it was looked at in the first pass
-    return false;
+    if ((wanted_ & kindBit(*kind)) == 0) { // it was looked at in the first pass
+        countVector(*kind);
+        return false;
+    }
+    line.kind = *kind;
+    if (*kind == ObjKind::Face)
+        takeFace(line);
+    else
+        takeVector(*kind, line);
+    note(*kind);
+    return true;
 }
 
 void ObjLines::countVector(ObjKind kind) {
@@ -163,67 +127,76 @@ void ObjLines::countVector(ObjKind kind) {
     if (kind == ObjKind::Normal) ++normals_;
 }
 
-/// The slow way, which knows continued lines, comments and materials and says what is wrong with a line.
-bool ObjLines::takeGuarded(std::string_view text, ObjLine& line) {
-    if (found_ != nullptr) found_->back().kinds |= kindBit(ObjKind::Face);
-    const std::optional<std::string> whole = guard_.pass(text, where());
-    isContinued_ = guard_.isContinued();
-    if (!whole) return false;
-    guarded_ = *whole;
-    if (takeWords(guarded_, line)) return (wanted_ & kindBit(line.kind)) != 0;
-    std::string_view rest = guarded_;
-    GNOMON_CHECK(nextWord(rest) == "vc"); // all else the guard has refused
-    ++colorLines_;
-    return false;
-}
-
-/// False where that is none of the lines that are told, or a bad one.
-bool ObjLines::takeWords(std::string_view text, ObjLine& line) {
-    const std::optional<ObjKind> kind = kindOf(nextWord(text));
-    return kind && (*kind == ObjKind::Face ? takeFace(text, line) : takeVector(text, *kind, line));
-}
-
-bool ObjLines::takeVector(std::string_view rest, ObjKind kind, ObjLine& line) {
+void ObjLines::takeVector(ObjKind kind, ObjLine& line) {
     for (int i = 0; i < 3; ++i) {
-        const std::optional<float> number = numberIn<float>(nextWord(rest));
-        if (!number || !std::isfinite(*number)) return false;
-        line.vector[i] = *number;
-    }
-    line.vertexColor.reset();
-    if (kind == ObjKind::Vertex) {
-        glm::vec3 color(0);
-        int channels = 0;
-        for (; channels < 3; ++channels) {
-            const std::optional<float> number = numberIn<float>(nextWord(rest));
-            if (!number || !std::isfinite(*number)) break;
-            color[channels] = *number;
-        }
-        if (channels == 3) line.vertexColor = color;
+        const std::string_view word = text_.word();
+        if (word.empty()) throw Error(where(), "too few numbers", "3", std::to_string(i));
+        const std::optional<double> any = kind == ObjKind::Normal ? numberIn(word) : std::nullopt;
+        line.vector[i] = any ? *any : text_.numberOf(word); // a normal may be infinite
     }
     countVector(kind);
-    line.kind = kind;
-    note(kind);
-    return true;
+    if (kind == ObjKind::Vertex) takeVertexColor(line);
 }
 
-bool ObjLines::takeFace(std::string_view rest, ObjLine& line) {
-    corners_.clear();
-    for (std::string_view word = nextWord(rest); !word.empty(); word = nextWord(rest)) {
-        const std::optional<ObjIndices> indices = cornerIn(word);
-        if (!indices) return false;
-        ObjCorner& corner = corners_.emplace_back();
-        corner.vertex = placeOf(indices->vertex, vertices_);
-        if (indices->normal != 0) corner.normal = placeOf(indices->normal, normals_);
+/// Reads the words behind the coordinates of a vertex: a weight, or three channels of a colour and an alpha. Words that
+/// are no finite numbers are left out.
+void ObjLines::takeVertexColor(ObjLine& line) {
+    line.vertexColor.reset();
+    std::array<double, 4> values{};
+    std::size_t count = 0;
+    for (std::string_view word = text_.word(); !word.empty() && count < values.size(); word = text_.word()) {
+        const std::optional<double> value = numberIn(word);
+        if (!value || !std::isfinite(*value)) break;
+        values[count++] = *value;
     }
-    line.kind = ObjKind::Face;
+    if (count >= 3) line.vertexColor = glm::dvec3(values[0], values[1], values[2]);
+    if (survey_ == nullptr || count == 0) return;
+    if (count == 4 && values[3] != 1) ++survey_->attributesDropped["alpha"];
+    if (count < 3 && values[0] != 1) ++survey_->attributesDropped["weights of vertices"];
+}
+
+void ObjLines::takeFace(ObjLine& line) {
+    corners_.clear();
+    for (std::string_view word = text_.word(); !word.empty(); word = text_.word()) {
+        const std::optional<ObjIndices> indices = cornerIn(word);
+        if (!indices)
+            throw Error(where(), "bad corner of a face", "V, V/T, V//N or V/T/N with V not 0", quotedForMessage(word));
+        if (corners_.size() == kMostPolygonCorners)
+            throw Error(
+                where(), "too large a face", "at most " + std::to_string(kMostPolygonCorners) + " corners", "more");
+        ObjCorner& corner = corners_.emplace_back();
+        corner.vertex = countedFromZero(indices->vertex, vertices_);
+        if (indices->normal != 0) corner.normal = countedFromZero(indices->normal, normals_);
+    }
     line.corners = corners_;
-    line.faceColor = materials().color();
+    line.faceColor = color_;
+}
+
+void ObjLines::takeMaterial() {
+    if ((wanted_ & kindBit(ObjKind::Face)) == 0) return;
+    const std::string name = text_.rest();
+    if (libraries_ != nullptr) libraries_->use(name);
+    color_ = materials_.colorOf(name);
     note(ObjKind::Face);
-    return true;
+}
+
+/// Reads the line of a library of materials, and counts what is left out.
+void ObjLines::surveyOther(std::string_view keyword) {
+    if (keyword == "mtllib") {
+        const std::string names = text_.rest();
+        return libraries_->addLibraries(names, where());
+    }
+    const auto* const known =
+        std::find_if(kOtherLines.begin(), kOtherLines.end(), [&](const auto& entry) { return entry.first == keyword; });
+    if (keyword == "s") {
+        const std::string_view group = text_.word();
+        if (group.empty() || group == "off" || group == "0") return;
+    }
+    ++survey_->attributesDropped[known != kOtherLines.end() ? known->second : "other lines"];
 }
 
 void ObjLines::note(ObjKind kind) {
-    if (found_ != nullptr) found_->back().kinds |= kindBit(kind);
+    if (survey_ != nullptr) survey_->stretches.back().kinds |= kindBit(kind);
 }
 
 } // namespace gnomon::read

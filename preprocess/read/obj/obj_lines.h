@@ -1,8 +1,8 @@
 // The lines of an OBJ one after the other, as vertices, normals and faces, without holding any of them.
 #pragma once
 
-#include "preprocess/read/byte_stream.h"
-#include "preprocess/read/line_guards.h"
+#include "preprocess/read/obj/obj_materials.h"
+#include "preprocess/read/text/text_stream.h"
 
 #include <glm/glm.hpp>
 
@@ -24,8 +24,8 @@ struct ObjCorner {
     std::uint64_t normal = kNoNormal;
 };
 
-/// What a line may be.
-enum class ObjKind : std::uint8_t { Vertex = 1, Normal = 2, Face = 4 };
+/// What a line may be. `vc` lines have colours of vertices, in their order.
+enum class ObjKind : std::uint8_t { Vertex = 1, Normal = 2, Face = 4, Color = 8 };
 
 /// Some kinds together.
 using ObjKinds = std::uint8_t;
@@ -34,15 +34,16 @@ constexpr ObjKinds kindBit(ObjKind kind) {
     return static_cast<ObjKinds>(kind);
 }
 
-constexpr ObjKinds kAllObjKinds = kindBit(ObjKind::Vertex) | kindBit(ObjKind::Normal) | kindBit(ObjKind::Face);
+constexpr ObjKinds kAllObjKinds =
+    kindBit(ObjKind::Vertex) | kindBit(ObjKind::Normal) | kindBit(ObjKind::Face) | kindBit(ObjKind::Color);
 
-/// One of them. What is not of its kind means nothing.
+/// One of them. A member of another kind means nothing.
 struct ObjLine {
     ObjKind kind = ObjKind::Vertex;
-    glm::vec3 vector{0};                  ///< a position or a normal
-    std::optional<glm::vec3> vertexColor; ///< red, green, blue, as they stand there
-    std::span<const ObjCorner> corners;   ///< valid until the next line
-    std::uint32_t faceColor = 0xFFFFFFFF; ///< RGBA8, of the material in use
+    glm::dvec3 vector{0};                  ///< a position or a normal, finite or not
+    std::optional<glm::dvec3> vertexColor; ///< red, green, blue, as they stand there
+    std::span<const ObjCorner> corners;    ///< valid until the next line
+    std::uint32_t faceColor = 0xFFFFFFFF;  ///< RGBA8, of the material in use
 };
 
 /// A stretch of whole lines of the file, and what stands before it and in it.
@@ -54,62 +55,53 @@ struct ObjStretch {
     ObjKinds kinds = 0; ///< in it; a face for a material as well
 };
 
-/// A pass over an OBJ. Throws Error with path and line at the first line that is not one, as ObjGuard has it.
+/// What a first pass over an OBJ finds.
+struct ObjSurvey {
+    std::vector<ObjStretch> stretches;                      ///< of about a MiB each
+    std::map<std::string, std::uint64_t> attributesDropped; ///< what is neither read nor a material
+};
+
+/// A pass over an OBJ. Throws Error with path and line at the first line that is not one.
 class ObjLines {
 public:
-    /// Every line, and stretches of about a MiB go to `found`, which must be empty.
-    ObjLines(const InputFile& file, std::vector<ObjStretch>* found);
+    /// The first pass, over every line: fills `survey`, which must be empty, and reads the libraries of `materials`.
+    ObjLines(const InputFile& file, ObjMaterials& materials, ObjSurvey& survey);
 
-    /// Lines of `wanted` kinds alone; what they stand in is found by `stretches` of a whole pass.
-    ObjLines(const InputFile& file, std::span<const ObjStretch> stretches, ObjKinds wanted);
+    /// A later pass, over lines of `wanted` kinds alone, with what the first pass found.
+    ObjLines(const InputFile& file, const ObjMaterials& materials, const ObjSurvey& survey, ObjKinds wanted);
 
     /// False at the end.
     bool next(ObjLine& line);
 
     /// "PATH:LINE" of the line in hand.
-    std::string where() const;
+    std::string where() const { return text_.where(); }
 
     std::uint64_t vertices() const { return vertices_; }
 
     std::uint64_t normals() const { return normals_; }
 
-    const ObjMaterials& materials() const { return guard_.materials(); }
-
-    /// What the lines so far have that is neither read nor a material.
-    std::map<std::string, std::uint64_t> leftOut() const;
-
-    /// Lines of colours of vertices apart from their positions (`vc`).
-    std::uint64_t colorLines() const { return colorLines_; }
-
 private:
-    bool nextText(std::string_view& text);
-    bool longText(std::string_view& text);
     void beginStretch();
     bool passOver();
-    bool take(std::string_view text, ObjLine& line);
-    bool takeGuarded(std::string_view text, ObjLine& line);
-    bool takeWords(std::string_view text, ObjLine& line);
-    bool takeVector(std::string_view rest, ObjKind kind, ObjLine& line);
-    bool takeFace(std::string_view rest, ObjLine& line);
+    bool take(std::string_view keyword, ObjLine& line);
+    void takeVector(ObjKind kind, ObjLine& line);
+    void takeVertexColor(ObjLine& line);
+    void takeFace(ObjLine& line);
+    void takeMaterial();
+    void surveyOther(std::string_view keyword);
     void countVector(ObjKind kind);
     void note(ObjKind kind);
 
-    const InputFile& file_;
-    ByteStream stream_;
-    ObjGuard guard_;
-    std::vector<ObjStretch>* found_ = nullptr;
+    TextStream text_;
+    const ObjMaterials& materials_;
+    ObjMaterials* libraries_ = nullptr; // to be read, in the first pass
+    ObjSurvey* survey_ = nullptr;       // to be filled, in the first pass
     std::span<const ObjStretch> stretches_;
     std::size_t stretch_ = 0; // that comes next
     ObjKinds wanted_ = kAllObjKinds;
-    bool isContinued_ = false;
-    std::string long_; // a line that the buffer does not hold
-    std::string guarded_;
-    std::size_t given_ = 0; // bytes of the line in hand
-    std::uint64_t lineNumber_ = 0;
     std::uint64_t vertices_ = 0;
     std::uint64_t normals_ = 0;
-    std::uint64_t colorLines_ = 0;
-    std::uint64_t texcoordLines_ = 0;
+    std::uint32_t color_ = 0xFFFFFFFF; // of the material in use
     std::vector<ObjCorner> corners_;
 };
 

@@ -2,20 +2,20 @@
 
 #include "core/error.h"
 #include "core/file.h"
+#include "preprocess/read/text/number.h"
+#include "preprocess/read/text/text_stream.h"
 #include "preprocess/read/words.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <filesystem>
-#include <system_error>
 
 namespace gnomon::read {
 
 namespace {
 
 constexpr std::uint64_t kMostLibraryBytes = std::uint64_t{64} << 20U;
-constexpr std::size_t kMostWordsOfName = 16;
+constexpr std::size_t kMostLeftOut = 64; ///< bits of a mask
+constexpr std::size_t kMostUnknown = 4096;
 
 std::string_view trimmed(std::string_view text) {
     constexpr std::string_view kBlanks = " \t\r\v\f";
@@ -25,90 +25,131 @@ std::string_view trimmed(std::string_view text) {
 }
 
 std::uint32_t channelOf(std::string_view word, const std::string& where) {
-    double value = 0;
-    const char* const end = word.data() + word.size();
-    const auto [stop, error] = std::from_chars(word.data(), end, value);
-    if (stop != end || error != std::errc() || !std::isfinite(value))
+    const std::optional<double> value = numberIn(word);
+    if (!value || !std::isfinite(*value))
         throw Error(where, "bad colour of a material", "three numbers from 0 to 1", quotedForMessage(word));
-    return static_cast<std::uint32_t>(std::lround(255 * std::clamp(value, 0.0, 1.0)));
+    return static_cast<std::uint32_t>(std::lround(255 * std::clamp(*value, 0.0, 1.0)));
 }
 
-/// The path of `name` in the folder of `obj`; empty where it is no file there.
-std::string fileBeside(const std::string& obj, const std::string& name) {
-    std::string slashed = name;
-    std::replace(slashed.begin(), slashed.end(), '\\', '/'); // as Windows writes them
-    const std::filesystem::path relative = std::filesystem::path(slashed).lexically_normal();
-    if (relative.empty() || relative.is_absolute() || *relative.begin() == "..") return {};
-    const std::filesystem::path file = std::filesystem::path(obj).parent_path() / relative;
-    std::error_code missing;
-    return std::filesystem::is_regular_file(file, missing) ? file.string() : std::string();
+/// `name` without the comment that a '#' behind a blank may begin.
+std::string withoutComment(const std::string& name) {
+    for (std::size_t at = name.find('#'); at != std::string::npos; at = name.find('#', at + 1))
+        if (at > 0 && (name[at - 1] == ' ' || name[at - 1] == '\t'))
+            return std::string(trimmed(std::string_view(name).substr(0, at)));
+    return name;
 }
 
 } // namespace
 
-void ObjMaterials::begin() {
-    materials_.clear();
-    files_.clear();
-    leftOut_.clear();
-    color_ = 0xFFFFFFFF;
-    hasColors_ = false;
-}
-
-void ObjMaterials::addLibraries(std::string_view names) {
-    const std::vector<std::string_view> words = wordsOf(names);
-    for (std::size_t first = 0; first < words.size();) {
-        std::string found;
-        std::size_t count = std::min(words.size() - first, kMostWordsOfName);
-        for (; count > 0 && found.empty(); --count) {
-            const std::string_view last = words[first + count - 1];
-            const char* const begin = words[first].data();
-            found = fileBeside(path_, {begin, static_cast<std::size_t>(last.data() + last.size() - begin)});
-        }
-        if (found.empty())
-            ++leftOut_["material libraries that are not there"];
-        else
-            readLibrary(found);
-        first += found.empty() ? 1 : count + 1;
-    }
+void ObjMaterials::addLibraries(std::string_view names, const std::string& where) {
+    const LibraryFinder::Found found = finder_.filesOf(names, where);
+    if (found.missing > 0) leftOut_["material libraries that are not there"] += found.missing;
+    for (const std::string& file : found.files)
+        readLibrary(file);
+    if (found.files.empty()) return;
+    std::erase_if(unknown_, [this](const auto& use) { return useKnown(use.first); });
 }
 
 void ObjMaterials::readLibrary(const std::string& file) {
     if (std::find(files_.begin(), files_.end(), file) != files_.end()) return;
     files_.push_back(file);
+    const InputFile opened(file);
+    requireUtf8(opened);
     const std::string text = readTextFile(file, {kMostLibraryBytes});
     Material* material = nullptr;
     std::uint64_t number = 0;
-    for (std::size_t begin = 0; begin < text.size();) {
-        const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const bool isOldMac = text.find('\n') == std::string::npos;
+    for (std::size_t begin = markBytesOf(opened); begin < text.size();) {
+        const std::size_t end = std::min(text.find(isOldMac ? '\r' : '\n', begin), text.size());
         const std::string_view line = trimmed(std::string_view(text).substr(begin, end - begin));
         begin = end + 1;
         ++number;
         const std::vector<std::string_view> words = wordsOf(line);
-        if (words.empty()) continue;
-        if (words[0] == "newmtl") material = &materials_[std::string(trimmed(line.substr(6)))];
-        if (material == nullptr) continue;
-        // "Kd spectral FILE" and "Kd xyz X Y Z" are known from the format's description alone.
-        if (words[0] == "Kd" && words.size() >= 4 && words[1] != "spectral" && words[1] != "xyz") {
-            const std::string where = atLine(file, number);
-            material->color = 0xFF000000U | channelOf(words[1], where) | channelOf(words[2], where) << 8U |
-                              channelOf(words[3], where) << 16U;
-        }
-        if (words[0] == "map_Kd") material->hasTexture = true;
+        if (words.empty() || words[0].starts_with('#')) continue;
+        if (lowered(words[0]) == "newmtl")
+            material = &declared(std::string(trimmed(line.substr(words[0].size()))));
+        else if (material != nullptr)
+            readStatement(*material, words, atLine(file, number));
     }
 }
 
-void ObjMaterials::use(std::string_view name) {
-    const auto found = materials_.find(std::string(trimmed(name)));
-    if (found == materials_.end()) {
-        color_ = 0xFFFFFFFF;
-        ++leftOut_["materials that no library has"];
-        return;
-    }
-    Material& material = found->second;
-    if (material.hasTexture && !material.isUsed) ++leftOut_["textures"];
-    material.isUsed = true;
-    color_ = material.color;
-    hasColors_ |= color_ != 0xFFFFFFFF;
+ObjMaterials::Material& ObjMaterials::declared(const std::string& name) {
+    if (const std::string shortName = withoutComment(name); shortName != name) fullNames_.try_emplace(shortName, name);
+    return materials_[name];
+}
+
+void ObjMaterials::readStatement(
+    Material& material, const std::vector<std::string_view>& words, const std::string& where) {
+    if (lowered(words[0]) != "kd") return leaveOut(material, std::string(words[0]));
+    // "Kd spectral FILE" and "Kd xyz X Y Z" are known from the format's description alone.
+    if (words.size() > 1 && (words[1] == "spectral" || words[1] == "xyz"))
+        return leaveOut(material, "Kd " + std::string(words[1]));
+    std::size_t count = 1;
+    while (count < words.size() && !words[count].starts_with('#'))
+        ++count;
+    if (count != 2 && count < 4)
+        throw Error(where, "bad colour of a material", "one number or three", std::to_string(count - 1));
+    const std::uint32_t red = channelOf(words[1], where);
+    const std::uint32_t green = count == 2 ? red : channelOf(words[2], where); // one number is a grey
+    const std::uint32_t blue = count == 2 ? red : channelOf(words[3], where);
+    material.color = 0xFF000000U | red | green << 8U | blue << 16U;
+}
+
+/// Notes that `material` has a statement that is not kept.
+void ObjMaterials::leaveOut(Material& material, const std::string& statement) {
+    const bool isPlain = statement.size() <= 16 && std::all_of(statement.begin(), statement.end(), [](char c) {
+                             return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                                    c == '_' || c == '-' || c == ' ';
+                         });
+    const std::string name = lowered(statement) == "map_kd" ? "textures"
+                             : isPlain                      ? "material " + statement
+                                                            : leftOutNames_.front();
+    auto found = std::find(leftOutNames_.begin(), leftOutNames_.end(), name);
+    if (found == leftOutNames_.end())
+        found = leftOutNames_.size() < kMostLeftOut ? leftOutNames_.insert(found, name) : leftOutNames_.begin();
+    material.leftOut |= std::uint64_t{1} << static_cast<std::size_t>(found - leftOutNames_.begin());
+}
+
+template <class Materials>
+auto ObjMaterials::materialIn(Materials& materials, const std::string& name) const {
+    auto found = materials.find(name);
+    const std::string shortName = found == materials.end() ? withoutComment(name) : name;
+    if (found == materials.end()) found = materials.find(shortName);
+    if (const auto full = fullNames_.find(shortName); found == materials.end() && full != fullNames_.end())
+        found = materials.find(full->second);
+    return found == materials.end() ? nullptr : &found->second;
+}
+
+void ObjMaterials::use(const std::string& name) {
+    if (useKnown(name)) return;
+    if (unknown_.size() < kMostUnknown || unknown_.contains(name))
+        ++unknown_[name];
+    else
+        ++missing_;
+}
+
+bool ObjMaterials::useKnown(const std::string& name) {
+    Material* const material = materialIn(materials_, name);
+    if (material == nullptr) return false;
+    for (std::size_t i = 0; i < leftOutNames_.size() && !material->isUsed; ++i)
+        if ((material->leftOut >> i & 1U) != 0) ++leftOut_[leftOutNames_[i]];
+    material->isUsed = true;
+    hasColors_ |= material->color != 0xFFFFFFFF;
+    return true;
+}
+
+std::uint32_t ObjMaterials::colorOf(const std::string& name) const {
+    const Material* const material = materialIn(materials_, name);
+    return material == nullptr ? 0xFFFFFFFF : material->color;
+}
+
+std::map<std::string, std::uint64_t> ObjMaterials::leftOut() const {
+    std::map<std::string, std::uint64_t> all = leftOut_;
+    std::uint64_t missing = missing_;
+    for (const auto& [name, uses] : unknown_)
+        missing += uses;
+    if (missing > 0) all["materials that no library has"] += missing;
+    return all;
 }
 
 } // namespace gnomon::read

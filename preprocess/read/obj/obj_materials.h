@@ -1,6 +1,8 @@
 // The materials of an OBJ: libraries of Wavefront MTL, of which the diffuse colours are kept.
 #pragma once
 
+#include "preprocess/read/obj/library_finder.h"
+
 #include <cstdint>
 #include <map>
 #include <string>
@@ -10,49 +12,58 @@
 
 namespace gnomon::read {
 
-/// Reads the libraries that an OBJ names, as it names them, and says which colour a face has.
+/// Reads each library that an OBJ names once, and says which colour a face has.
 class ObjMaterials {
 public:
-    /// `path` of the OBJ, in whose folder its libraries lie.
-    explicit ObjMaterials(std::string path) : path_(std::move(path)) {}
+    /// Of the OBJ `path`. `sourceRoot` is the folder that libraries may come from (see SourceRoot).
+    ObjMaterials(const std::string& path, const std::string& sourceRoot) : finder_(path, sourceRoot) {}
 
-    /// The OBJ is read from its beginning (again).
-    void begin();
+    /// Reads the libraries `names`, which follow `mtllib` (see LibraryFinder). Throws Error that names line and library
+    /// for a colour that is none, and Error at `where` for a file outside of the source root.
+    void addLibraries(std::string_view names, const std::string& where);
 
-    /// What follows `mtllib`: names of files, which may have blanks in them, so that of all ways to join words the
-    /// longest that is there counts. A name that leads out of the folder is none that is there. Throws Error that names
-    /// line and library for a colour that is none.
-    void addLibraries(std::string_view names);
+    /// Counts a use of material `name`, which follows `usemtl`.
+    void use(const std::string& name);
 
-    /// What follows `usemtl`; from here on faces have this material.
-    void use(std::string_view name);
+    /// Returns the colour of material `name` as RGBA8, red in the lowest byte; white if no library has it. `Kd` counts
+    /// as sRGB, as it is shown. A '#' may belong to the name or begin a comment: the whole name comes first.
+    std::uint32_t colorOf(const std::string& name) const;
 
-    /// RGBA8, red in the lowest byte, of the material in use; white without one. `Kd` counts as sRGB, as it is shown.
-    std::uint32_t color() const { return color_; }
-
-    /// Whether a face may have had a colour other than white.
+    /// Returns whether a material that is used has a colour other than white.
     bool hasColors() const { return hasColors_; }
 
-    /// What is missing, or is left out of the materials that are used, and how often.
-    const std::map<std::string, std::uint64_t>& leftOut() const { return leftOut_; }
+    /// Returns what is missing, or is left out of the materials that are used, and how often.
+    std::map<std::string, std::uint64_t> leftOut() const;
 
     /// The libraries that were read.
     const std::vector<std::string>& files() const { return files_; }
 
+    /// Returns what a user should know of the libraries; empty for nothing.
+    const std::string& remark() const { return finder_.remark(); }
+
 private:
     struct Material {
         std::uint32_t color = 0xFFFFFFFF;
-        bool hasTexture = false;
+        std::uint64_t leftOut = 0; ///< bit by bit the statements of leftOutNames_
         bool isUsed = false;
     };
 
     void readLibrary(const std::string& file);
+    void readStatement(Material& material, const std::vector<std::string_view>& words, const std::string& where);
+    Material& declared(const std::string& name);
+    void leaveOut(Material& material, const std::string& statement);
+    template <class Materials>
+    auto materialIn(Materials& materials, const std::string& name) const;
+    bool useKnown(const std::string& name);
 
-    std::string path_;
+    LibraryFinder finder_;
     std::unordered_map<std::string, Material> materials_;
+    std::unordered_map<std::string, std::string> fullNames_; ///< by names without comments
     std::vector<std::string> files_;
+    std::vector<std::string> leftOutNames_{"other material statements"};
     std::map<std::string, std::uint64_t> leftOut_;
-    std::uint32_t color_ = 0xFFFFFFFF;
+    std::map<std::string, std::uint64_t> unknown_; ///< uses of materials before a library has them
+    std::uint64_t missing_ = 0;                    ///< uses beyond those of unknown_
     bool hasColors_ = false;
 };
 

@@ -2,7 +2,7 @@
 
 #include "core/error.h"
 #include "preprocess/read/block_buffers.h"
-#include "preprocess/read/face_importer.h"
+#include "preprocess/read/color_range.h"
 #include "preprocess/read/obj/obj_lines.h"
 #include "preprocess/read/obj/obj_vertices.h"
 
@@ -18,7 +18,7 @@ struct ObjCounts {
     std::uint64_t vertices = 0;
     std::uint64_t normals = 0;
     std::uint64_t coloredVertices = 0;
-    std::uint64_t colorLines = 0;
+    double maxChannel = 0; ///< of their colours
     std::uint64_t faces = 0;
     std::uint64_t notAPolygon = 0;
     std::uint64_t triangles = 0;
@@ -36,23 +36,20 @@ bool isLookedUp(const ObjLine& face, const ObjCorner& corner, std::uint64_t norm
 
 class ObjSource final : public MeshSource {
 public:
-    ObjSource(const std::string& path, Bytes memoryLimit) : file_(path), memoryLimit_(memoryLimit) {
+    ObjSource(const std::string& path, Bytes memoryLimit, const std::string& sourceRoot)
+        : file_(path), memoryLimit_(memoryLimit), materials_(path, sourceRoot) {
         summary_.path = path;
         summary_.fileBytes = file_.size();
         survey();
         if (counts_.vertexEnd > counts_.vertices) findBadFace();
         requireFaces(summary_);
-        if (counts_.coloredVertices + counts_.colorLines > 0 && counts_.coloredVertices != counts_.vertices)
-            throw Error(
-                path,
-                "too large to be read whole, as an OBJ is of whose vertices some have colours (convert it to PLY)",
-                "colours at all vertices or at none",
-                std::to_string(counts_.coloredVertices) + " of " + std::to_string(counts_.vertices));
         findVertices();
         summary_.vertexCount = vertices_ ? vertices_->count() : counts_.vertices;
         summary_.hasNormals = vertices_ && vertices_->hasNormals();
-        summary_.hasColors = counts_.coloredVertices > 0 || counts_.hasFaceColors;
-        summary_.heldBytes = stretches_.capacity() * sizeof(ObjStretch) + (vertices_ ? vertices_->heldBytes() : 0);
+        summary_.hasColors = hasVertexColors() || counts_.hasFaceColors;
+        summary_.heldBytes = survey_.stretches.capacity() * sizeof(ObjStretch) +
+                             listedColors_.capacity() * sizeof(std::uint32_t) +
+                             (vertices_ ? vertices_->heldBytes() : 0);
         file_.requireUnchanged();
     }
 
@@ -62,7 +59,7 @@ public:
         VertexBuffer out(sink, {summary_.hasNormals, summary_.hasColors, 0});
         forEachVertex([&](std::uint64_t vertex, const ObjLine& line, const glm::vec3& normal) {
             if (vertices_ && !vertices_->isThere(vertex)) return;
-            put(out, line, normal, line.vertexColor || !vertices_ ? 0xFFFFFFFF : vertices_->ownColor(vertex));
+            put(out, line, normal, colorOf(vertex, line, vertices_ ? vertices_->ownColor(vertex) : kNoColor));
         });
         if (vertices_ && !vertices_->variants().empty()) readVariants(out);
         out.flush();
@@ -71,7 +68,7 @@ public:
     void readTriangles(const TriangleSink& sink) override {
         TriangleBuffer out(sink);
         if (vertices_) vertices_->begin();
-        ObjLines lines(file_, stretches_, kindBit(ObjKind::Face));
+        ObjLines lines(file_, materials_, survey_, kindBit(ObjKind::Face));
         ObjLine line;
         std::vector<std::uint64_t> corners;
         while (lines.next(line)) {
@@ -92,27 +89,67 @@ public:
 
     void requireUnchanged() const override { file_.requireUnchanged(); }
 
+    std::string whereIs(std::uint64_t vertex) override {
+        const std::uint64_t ofFile = vertices_ ? vertices_->ofFile(vertex) : vertex;
+        ObjLines lines(file_, materials_, survey_, kindBit(ObjKind::Vertex));
+        ObjLine line;
+        while (lines.next(line))
+            if (lines.vertices() == ofFile + 1) break;
+        return lines.where();
+    }
+
 private:
     void survey() {
-        ObjLines lines(file_, &stretches_);
+        ObjLines lines(file_, materials_, survey_);
         ObjLine line;
+        std::uint64_t badNormals = 0;
         while (lines.next(line)) {
-            if (line.kind == ObjKind::Vertex) counts_.coloredVertices += line.vertexColor ? 1 : 0;
+            if (line.kind == ObjKind::Vertex) surveyVertex(line);
+            if (line.kind == ObjKind::Normal && finiteOrZero(line.vector) != glm::vec3(line.vector)) ++badNormals;
+            if (line.kind == ObjKind::Color) surveyColor(line);
             if (line.kind == ObjKind::Face) surveyFace(line);
         }
         counts_.vertices = lines.vertices();
         counts_.normals = lines.normals();
-        counts_.colorLines = lines.colorLines();
-        counts_.hasFaceColors = lines.materials().hasColors() && counts_.coloredVertices == 0;
+        counts_.hasFaceColors = materials_.hasColors() && !hasVertexColors();
         summary_.vertexCount = counts_.vertices;
         summary_.faceCount = counts_.faces;
         summary_.likelyTriangles = counts_.triangles;
-        summary_.attributesDropped = lines.leftOut();
-        summary_.attributesDropped.insert(lines.materials().leftOut().begin(), lines.materials().leftOut().end());
-        if (lines.materials().hasColors() && !counts_.hasFaceColors)
+        summary_.attributesDropped = std::move(survey_.attributesDropped);
+        summary_.attributesDropped.merge(materials_.leftOut());
+        if (badNormals > 0) summary_.attributesDropped["normals that are not finite"] = badNormals;
+        if (materials_.hasColors() && !counts_.hasFaceColors)
             summary_.attributesDropped["colours of materials, beside those of vertices"] = counts_.faces;
-        summary_.filesBesides = lines.materials().files();
+        summary_.filesBesides = materials_.files();
+        if (!materials_.remark().empty()) summary_.remarks.push_back(file_.path() + ": " + materials_.remark());
+        if (fullOfReals(counts_.maxChannel) != 1)
+            summary_.remarks.push_back(
+                file_.path() + ": colours of vertices range from 0 to 255, because one exceeds 1");
     }
+
+    void surveyVertex(const ObjLine& line) {
+        summary_.isDouble = summary_.isDouble || glm::dvec3(glm::vec3(line.vector)) != line.vector;
+        if (!line.vertexColor) return;
+        ++counts_.coloredVertices;
+        const glm::dvec3& color = *line.vertexColor;
+        counts_.maxChannel = std::max({counts_.maxChannel, color.r, color.g, color.b});
+    }
+
+    void surveyColor(const ObjLine& line) {
+        listedColors_.push_back(packedChannels(glm::dvec4(line.vector, 1), 1));
+        if (listedColors_.size() * sizeof(std::uint32_t) > memoryLimit_.count)
+            throw Error(file_.path(), "too many lines of colours (vc) for the memory (convert it to PLY)");
+    }
+
+    bool hasVertexColors() const { return counts_.coloredVertices > 0 || !listedColors_.empty(); }
+
+    /// The colour of a vertex of the file: its own, else the one that `vc` lists, else `other`.
+    std::uint32_t colorOf(std::uint64_t vertex, const ObjLine& line, std::uint32_t other) const {
+        if (line.vertexColor) return packedChannels(glm::dvec4(*line.vertexColor, full()), full());
+        return vertex < listedColors_.size() ? listedColors_[vertex] : other;
+    }
+
+    double full() const { return fullOfReals(counts_.maxChannel); }
 
     void surveyFace(const ObjLine& face) {
         for (const ObjCorner& corner : face.corners) {
@@ -132,7 +169,7 @@ private:
 
     /// Names the line of the first face whose vertices are not all there, if there is one.
     void findBadFace() {
-        ObjLines lines(file_, stretches_, kindBit(ObjKind::Face));
+        ObjLines lines(file_, materials_, survey_, kindBit(ObjKind::Face));
         ObjLine line;
         while (lines.next(line))
             for (const ObjCorner& corner : line.corners)
@@ -159,7 +196,7 @@ private:
             ObjVertices::Options{file_.path(), memoryLimit_, counts_.vertices, isAligned, counts_.hasFaceColors},
             isAligned ? std::vector<glm::vec3>() : allNormals(),
             counts_.normals);
-        ObjLines lines(file_, stretches_, kindBit(ObjKind::Face));
+        ObjLines lines(file_, materials_, survey_, kindBit(ObjKind::Face));
         ObjLine line;
         while (lines.next(line))
             vertices_->add(line);
@@ -169,7 +206,7 @@ private:
     std::vector<glm::vec3> allNormals() {
         std::vector<glm::vec3> normals;
         normals.reserve(static_cast<std::size_t>(counts_.normals));
-        ObjLines lines(file_, stretches_, kindBit(ObjKind::Normal));
+        ObjLines lines(file_, materials_, survey_, kindBit(ObjKind::Normal));
         ObjLine line;
         while (lines.next(line))
             normals.push_back(finiteOrZero(line.vector));
@@ -180,9 +217,9 @@ private:
     template <class Use>
     void forEachVertex(const Use& use) {
         const bool isAligned = vertices_ && vertices_->hasNormals() && counts_.isAligned;
-        ObjLines lines(file_, stretches_, kindBit(ObjKind::Vertex));
+        ObjLines lines(file_, materials_, survey_, kindBit(ObjKind::Vertex));
         std::optional<ObjLines> normals;
-        if (isAligned) normals.emplace(file_, stretches_, kindBit(ObjKind::Normal));
+        if (isAligned) normals.emplace(file_, materials_, survey_, kindBit(ObjKind::Normal));
         ObjLine line;
         ObjLine normalLine;
         for (std::uint64_t vertex = 0; lines.next(line); ++vertex) {
@@ -203,7 +240,7 @@ private:
                 put(out,
                     line,
                     variant.normal == ObjVertices::kOwn ? normal : vertices_->normal(variant.normal),
-                    variant.color);
+                    colorOf(vertex, line, counts_.hasFaceColors ? variant.color : kNoColor));
             }
         });
     }
@@ -212,22 +249,24 @@ private:
         const VertexBuffer::Rows rows = out.append(1);
         rows.positions[0] = line.vector;
         if (summary_.hasNormals) rows.normals[0] = normal;
-        if (summary_.hasColors) rows.colors[0] = line.vertexColor ? packedChannels({*line.vertexColor, 1}) : color;
+        if (summary_.hasColors) rows.colors[0] = color;
         out.flushIfFull();
     }
 
     InputFile file_;
     Bytes memoryLimit_;
+    ObjMaterials materials_;
     MeshSummary summary_;
     ObjCounts counts_;
-    std::vector<ObjStretch> stretches_;
+    ObjSurvey survey_;
+    std::vector<std::uint32_t> listedColors_; ///< of `vc` lines, in their order
     std::optional<ObjVertices> vertices_;
 };
 
 } // namespace
 
-std::unique_ptr<MeshSource> streamObj(const std::string& path, Bytes memoryLimit) {
-    return std::make_unique<ObjSource>(path, memoryLimit);
+std::unique_ptr<MeshSource> openObj(const std::string& path, Bytes memoryLimit, const std::string& sourceRoot) {
+    return std::make_unique<ObjSource>(path, memoryLimit, sourceRoot);
 }
 
 } // namespace gnomon::read

@@ -9,10 +9,13 @@
 
 namespace gnomon::read {
 
-/// The same mesh as readWholeFile has of the OBJ `path`, but for the numbers of its vertices: each line is parsed in
-/// each pass, and no position is held. Held are the stretches of the file, and where faces say so for each vertex:
-/// which normal it has, which colour, and what else corners make of it. Throws Error that names the line, or where that
-/// takes more than `memoryLimit`.
-std::unique_ptr<MeshSource> streamObj(const std::string& path, Bytes memoryLimit);
+/// Opens the OBJ `path`. Each line is parsed in each pass, and no position is held. Held are the stretches of the file,
+/// and where faces say so for each vertex: which normal it has, which colour, and what else corners make of it.
+///
+/// Positions are the doubles nearest to the decimals of the text. A vertex whose corners have different normals or
+/// colours comes several times. Colours of vertices come first; without them faces have the diffuse colours of their
+/// materials, from libraries in `sourceRoot` (see ObjMaterials). A face without three different corners counts as not a
+/// polygon. Throws Error that names the line, or where the held data needs more than `memoryLimit`.
+std::unique_ptr<MeshSource> openObj(const std::string& path, Bytes memoryLimit, const std::string& sourceRoot = {});
 
 } // namespace gnomon::read

@@ -49,7 +49,7 @@ std::uint32_t ObjVertices::ownNormal(std::uint64_t vertex) const {
     return ownNormals_.empty() ? kOwn : ownNormals_[vertex];
 }
 
-/// What OpenMesh's reader calls for the corners of a face, whether it comes to be one or not.
+/// Gives the vertices of a face the normals of its corners, whether it comes to be a polygon or not.
 void ObjVertices::takeNormals(const ObjLine& face) {
     for (const ObjCorner& corner : face.corners)
         if (corner.normal < normalCount_) giveNormal(corner.vertex, static_cast<std::uint32_t>(corner.normal));
@@ -162,6 +162,15 @@ std::span<const std::uint64_t> ObjVertices::cornersOf(const ObjLine& face) {
     }
     forgetOthers();
     return corners_;
+}
+
+std::uint64_t ObjVertices::ofFile(std::uint64_t vertex) const {
+    if (vertex >= firstVariant_) return variants_[vertex - firstVariant_].vertex;
+    if (!options_.hasFaceColors) return vertex;
+    std::uint64_t used = 0;
+    for (std::size_t v = 0; v < isUsed_.size(); ++v)
+        if (isUsed_[v] && used++ == vertex) return v;
+    return isUsed_.size();
 }
 
 std::uint64_t ObjVertices::heldBytes() const {

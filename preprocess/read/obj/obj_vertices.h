@@ -54,6 +54,9 @@ public:
 
     std::uint64_t count() const { return firstVariant_ + variants_.size(); }
 
+    /// Returns the vertex of the file that the delivered vertex `vertex` comes from.
+    std::uint64_t ofFile(std::uint64_t vertex) const;
+
     bool hasNormals() const { return hasNormals_; }
 
     /// Whether `vertex` of the file is there as it is, with its own normal and `ownColor`.

@@ -1,25 +1,11 @@
-// Words of an OBJ's lines: numbers, and corners of faces.
+// Words of an OBJ's lines: corners of faces.
 #pragma once
 
-#include <charconv>
-#include <cstdint>
-#include <optional>
-#include <string_view>
-#include <system_error>
+#include "preprocess/read/text/number.h"
 
 namespace gnomon::read {
 
-/// The number that `word` is, whole, with a sign or without.
-template <class Number>
-std::optional<Number> numberIn(std::string_view word) {
-    Number value{};
-    const char* const end = word.data() + word.size();
-    const auto [stop, error] = std::from_chars(word.data() + (word.starts_with('+') ? 1 : 0), end, value);
-    if (stop != end || error != std::errc()) return std::nullopt;
-    return value;
-}
-
-/// As the file has them: from 1 on, or below 0 back from the last one so far; 0 for none.
+/// The indices of a corner as the file has them: from 1 on, or below 0 back from the last one so far; 0 for none.
 struct ObjIndices {
     std::int32_t vertex = 0;
     std::int32_t normal = 0;
@@ -32,7 +18,7 @@ inline std::optional<ObjIndices> cornerIn(std::string_view word) {
         const std::size_t slash = word.find('/');
         const std::string_view text = word.substr(0, slash);
         const bool mayBeEmpty = part == 1 || (part == 2 && slash == std::string_view::npos);
-        const std::int32_t index = numberIn<std::int32_t>(text).value_or(0);
+        const std::int32_t index = integerIn<std::int32_t>(text).value_or(0);
         if (index == 0 && !(text.empty() && mayBeEmpty)) return std::nullopt;
         if (part == 0) corner.vertex = index;
         if (part == 2) corner.normal = index;

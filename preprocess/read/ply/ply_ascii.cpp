@@ -1,11 +1,11 @@
 #include "core/error.h"
 #include "preprocess/read/ply/ply_values.h"
+#include "preprocess/read/text/number.h"
 #include "preprocess/read/words.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <limits>
+#include <optional>
 
 namespace gnomon::read {
 
@@ -16,13 +16,6 @@ constexpr std::size_t kLongestWord = 1000;
 
 bool isBlank(char c) {
     return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\v' || c == '\f';
-}
-
-// What std::from_chars leaves open when a value is too large or too small for a double.
-double outOfRangeValue(std::string_view text) {
-    const std::size_t exponent = text.find_first_of("eE");
-    if (exponent != std::string_view::npos && text.substr(exponent + 1, 1) == "-") return 0;
-    return std::numeric_limits<double>::infinity();
 }
 
 } // namespace
@@ -62,29 +55,18 @@ std::string_view AsciiValues::word() {
 }
 
 double AsciiValues::real(PlyType type) {
-    const std::string_view text = word();
-    const char* begin = text.data() + (text.size() > 1 && text[0] == '+' ? 1 : 0);
-    const char* end = text.data() + text.size();
-    double value = 0;
-    const auto [stop, error] = std::from_chars(begin, end, value);
-    if (stop != end || error == std::errc::invalid_argument)
-        throw Error(where(), "not a number", "a number", quotedForMessage(text));
-    if (error == std::errc::result_out_of_range) value = outOfRangeValue(text);
-    return type == PlyType::Float32 ? static_cast<double>(static_cast<float>(value)) : value;
+    lastWord_ = word();
+    const std::optional<double> value = numberIn(lastWord_);
+    if (!value) throw Error(where(), "not a number", "a number", quotedForMessage(lastWord_));
+    return type == PlyType::Float32 ? static_cast<double>(static_cast<float>(*value)) : *value;
 }
 
 std::int64_t AsciiValues::integer(PlyType /*type*/) {
     const std::string_view text = word();
-    const char* begin = text.data() + (text.size() > 1 && text[0] == '+' ? 1 : 0);
-    const char* end = text.data() + text.size();
-    std::int64_t value = 0;
-    const auto [stop, error] = std::from_chars(begin, end, value);
-    if (stop == end && error == std::errc()) return value;
-    double number = 0;
-    const auto [realStop, realError] = std::from_chars(begin, end, number);
+    if (const auto value = integerIn<std::int64_t>(text)) return *value;
+    const double number = numberIn(text).value_or(0.5);
     constexpr double kLimit = 0x1.0p53;
-    if (realStop == end && realError == std::errc() && std::abs(number) < kLimit && number == std::floor(number))
-        return static_cast<std::int64_t>(number);
+    if (std::abs(number) < kLimit && number == std::floor(number)) return static_cast<std::int64_t>(number);
     throw Error(where(), "not a whole number", "an index or a count", quotedForMessage(text));
 }
 

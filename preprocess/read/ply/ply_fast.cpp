@@ -85,16 +85,17 @@ void decodeNormals(const RawRows& rows, const Columns& columns, std::span<glm::v
             normals[i][static_cast<int>(axis)] = static_cast<float>(value);
         });
     for (glm::vec3& normal : normals)
-        normal = usableNormal(normal);
+        normal = finiteOrZero(normal);
 }
 
-void decodeColors(const RawRows& rows, const Columns& columns, std::span<std::uint32_t> colors) {
+void decodeColors(
+    const RawRows& rows, const Columns& columns, const std::array<double, 4>& full, std::span<std::uint32_t> colors) {
     std::fill(colors.begin(), colors.end(), columns[kAlpha].isPresent ? 0U : 0xFF000000U);
     for (std::uint32_t channel = 0; channel < 4; ++channel) {
         const Column& column = columns[kColor + channel];
         if (!column.isPresent) continue;
         decode(rows, column, [&](std::size_t i, auto value) {
-            colors[i] |= static_cast<std::uint32_t>(colorByte(column.type, static_cast<double>(value)))
+            colors[i] |= static_cast<std::uint32_t>(colorByte(column.type, static_cast<double>(value), full[channel]))
                          << (8 * channel);
         });
     }
@@ -200,7 +201,7 @@ void readVertexColumns(BinaryValues& values, const PlyElement& element, const Ve
         const VertexBuffer::Rows place = out.append(rows.count);
         decodePositions(rows, columns, place.positions);
         if (layout.hasNormals) decodeNormals(rows, columns, place.normals);
-        if (layout.hasColors) decodeColors(rows, columns, place.colors);
+        if (layout.hasColors) decodeColors(rows, columns, layout.full, place.colors);
         decodeFields(rows, element, layout, place.fields);
         stream.consume(rows.count * stride);
         done += count;

@@ -1,6 +1,7 @@
 #include "preprocess/read/ply/ply_header.h"
 
 #include "core/error.h"
+#include "preprocess/read/text/text_stream.h"
 #include "preprocess/read/words.h"
 
 #include <algorithm>
@@ -38,7 +39,9 @@ constexpr std::array<std::pair<std::string_view, PlyType>, 16> kTypeNames = {{
 
 class HeaderParser {
 public:
-    HeaderParser(const InputFile& file, std::string_view text) : file_(file), text_(text) {}
+    /// The header begins behind `markBytes` of a byte order mark.
+    HeaderParser(const InputFile& file, std::string_view text, std::size_t markBytes)
+        : file_(file), text_(text), position_(markBytes) {}
 
     PlyHeader parse() {
         findLineEnd();
@@ -59,7 +62,7 @@ private:
 
     // The first line decides, since the body of a binary file may begin with a byte that looks like a line end.
     void findLineEnd() {
-        if (!text_.starts_with("ply"))
+        if (!text_.substr(position_).starts_with("ply"))
             throw Error(atByte(file_.path(), 0), "not a PLY file: the first line is not \"ply\"");
         const std::size_t end = text_.find_first_of("\r\n");
         const bool isOldMac = end != std::string_view::npos && text_[end] == '\r' && text_.substr(end + 1, 1) != "\n";
@@ -176,9 +179,10 @@ std::uint64_t PlyElement::leastRowBytes(PlyFormat format) const {
 }
 
 PlyHeader readPlyHeader(const InputFile& file) {
+    requireUtf8(file);
     std::string text(std::min(file.size(), kLargestHeader), '\0');
     text.resize(file.readSomeAt(0, std::as_writable_bytes(std::span(text))));
-    PlyHeader header = HeaderParser(file, text).parse();
+    PlyHeader header = HeaderParser(file, text, std::min<std::size_t>(markBytesOf(file), text.size())).parse();
     checkCounts(file, header);
     return header;
 }

@@ -36,6 +36,17 @@ constexpr bool isFloat(PlyType type) {
     return type == PlyType::Float32 || type == PlyType::Float64;
 }
 
+constexpr const char* nameOf(PlyType type) {
+    constexpr const char* kNames[] = {"char", "uchar", "short", "ushort", "int", "uint", "float", "double"};
+    return kNames[static_cast<int>(type)];
+}
+
+/// The maximum of a type of integers.
+constexpr double largestOf(PlyType type) {
+    constexpr double kMaxima[] = {127, 255, 32767, 65535, 2147483647, 4294967295, 0, 0};
+    return kMaxima[static_cast<int>(type)];
+}
+
 /// One property: a value, or a list with the type of its count.
 struct PlyProperty {
     std::string name;

@@ -1,5 +1,7 @@
 #include "preprocess/read/ply/ply_layout.h"
 
+#include "preprocess/read/words.h"
+
 #include <algorithm>
 #include <array>
 
@@ -17,45 +19,100 @@ Role roleOf(const PlyElement& element) {
     return Role::Other;
 }
 
+std::optional<ColorLayout> colorLayoutOf(const PlyElement& element) {
+    constexpr std::array<std::array<const char*, 4>, 4> kNames = {
+        {{"red", "green", "blue", "alpha"},
+         {"diffuse_red", "diffuse_green", "diffuse_blue", "diffuse_alpha"},
+         {"r", "g", "b", "a"},
+         {"color_red", "color_green", "color_blue", "color_alpha"}}};
+    const auto indexOf = [&](const char* name) {
+        const auto found = std::ranges::find_if(element.properties, [&](const PlyProperty& property) {
+            return !property.isList && lowered(property.name) == name;
+        });
+        return found == element.properties.end() ? -1 : static_cast<int>(found - element.properties.begin());
+    };
+    for (const auto& names : kNames) {
+        ColorLayout layout{};
+        std::transform(names.begin(), names.end(), layout.begin(), indexOf);
+        if (layout[0] >= 0 && layout[1] >= 0 && layout[2] >= 0) return layout;
+    }
+    return std::nullopt;
+}
+
+bool needsMaxima(const PlyElement& element, const ColorLayout& colors) {
+    return std::any_of(colors.begin(), colors.end(), [&](int index) {
+        return index >= 0 && byteSize(element.properties[static_cast<std::size_t>(index)].type) > 1;
+    });
+}
+
+ColorRule colorRuleOf(const PlyElement& element, const ColorLayout& colors, const std::array<double, 4>& maxima) {
+    const auto propertyOf = [&](std::size_t channel) -> const PlyProperty& {
+        return element.properties[static_cast<std::size_t>(colors[channel])];
+    };
+    const auto fullOf = [&](std::size_t channel, double max) {
+        const PlyType type = propertyOf(channel).type;
+        return isFloat(type) ? fullOfReals(max) : fullOfIntegers(max, largestOf(type));
+    };
+    const auto rangeOf = [&](std::size_t channel, double full) {
+        return std::string(" of type ") + nameOf(propertyOf(channel).type) + " range from 0 to " +
+               std::to_string(static_cast<std::uint64_t>(full));
+    };
+    ColorRule rule;
+    const double max = std::max({maxima[0], maxima[1], maxima[2]});
+    for (std::size_t channel = 0; channel < 3; ++channel) // one range if they have one type, as they always do
+        rule.full[channel] = fullOf(channel, propertyOf(channel).type == propertyOf(0).type ? max : maxima[channel]);
+    const bool hasAlpha = colors[3] >= 0;
+    if (hasAlpha) rule.full[3] = fullOf(3, maxima[3]);
+    const bool isUsual = propertyOf(0).name == "red" && !needsMaxima(element, colors);
+    if (isUsual) return rule;
+    rule.remark = "colours of element " + element.name + " (" + propertyOf(0).name + ", " + propertyOf(1).name + ", " +
+                  propertyOf(2).name + ")" + rangeOf(0, rule.full[0]);
+    if (hasAlpha) rule.remark += ", those of " + propertyOf(3).name + rangeOf(3, rule.full[3]);
+    return rule;
+}
+
 VertexLayout vertexLayoutOf(const PlyElement& element) {
-    constexpr std::array<std::array<const char*, 2>, kVertexSlots> kNames = {
-        {{"x", ""},
-         {"y", ""},
-         {"z", ""},
-         {"nx", ""},
-         {"ny", ""},
-         {"nz", ""},
-         {"red", "diffuse_red"},
-         {"green", "diffuse_green"},
-         {"blue", "diffuse_blue"},
-         {"alpha", "diffuse_alpha"}}};
+    constexpr std::array<const char*, kColor> kNames = {"x", "y", "z", "nx", "ny", "nz"};
     VertexLayout layout;
     for (std::size_t slot = 0; slot < kVertexSlots; ++slot) {
-        int found = element.indexOf(kNames[slot][0], kNames[slot][1]);
+        int found = slot < kColor ? element.indexOf(kNames[slot]) : -1;
         if (found >= 0 && element.properties[static_cast<std::size_t>(found)].isList) found = -1;
         layout.property[slot] = found;
         const PlyType type = found >= 0 ? element.properties[static_cast<std::size_t>(found)].type : PlyType::Float32;
         if (slot < kNormal)
             layout.isDouble |= type == PlyType::Float64 || type == PlyType::Int32 || type == PlyType::Uint32;
     }
+    if (const std::optional<ColorLayout> colors = colorLayoutOf(element))
+        std::copy(colors->begin(), colors->end(), layout.property.begin() + kColor);
     layout.hasNormals = layout.has(kNormal, 3);
     layout.hasColors = layout.has(kColor, 3);
     return layout;
 }
 
-std::string droppedName(const PlyElement& element, Role role, const std::string& property) {
-    constexpr std::array kKept = {"x", "y", "z", "nx", "ny", "nz", "vertex_indices", "vertex_index"};
-    constexpr std::array kColors = {"red", "green", "blue", "diffuse_red", "diffuse_green", "diffuse_blue"};
+std::set<std::string> droppedNames(const PlyElement& element, Role role, const std::vector<std::string>& fields) {
+    if (role == Role::Other) return {"element " + element.name};
     constexpr std::array kTexture = {"s", "t", "u", "v", "texture_u", "texture_v", "texcoord", "texnumber"};
-    const auto isOneOf = [&](const auto& names) {
-        return std::find(names.begin(), names.end(), property) != names.end();
-    };
-    if (role == Role::Other) return "element " + element.name;
-    if (isOneOf(kKept)) return {};
-    if (isOneOf(kTexture)) return "texture coordinates";
-    if (property == "alpha" || property == "diffuse_alpha") return "alpha";
-    if (isOneOf(kColors)) return role == Role::Vertices ? "" : kFaceColors;
-    return element.name + " " + property;
+    std::set<int> kept = {indexListOf(element)};
+    const std::optional<ColorLayout> colors = colorLayoutOf(element);
+    if (role == Role::Vertices) {
+        const VertexLayout layout = vertexLayoutOf(element);
+        kept = {layout.property.begin(), layout.property.begin() + (layout.hasNormals ? kColor : kNormal)};
+    }
+    std::set<std::string> names;
+    for (int i = 0; i < static_cast<int>(element.properties.size()); ++i) {
+        const std::string& property = element.properties[static_cast<std::size_t>(i)].name;
+        const auto channel = colors ? std::find(colors->begin(), colors->end(), i) - colors->begin() : 4;
+        const bool isTexture = std::find(kTexture.begin(), kTexture.end(), property) != kTexture.end();
+        const bool isField =
+            role == Role::Vertices && std::find(fields.begin(), fields.end(), property) != fields.end();
+        if (isField || kept.contains(i) || (channel < 3 && role == Role::Vertices)) continue;
+        names.insert(
+            channel < 3    ? kFaceColors
+            : channel == 3 ? "alpha"
+            : isTexture    ? "texture coordinates"
+                           : element.name + " " + property);
+    }
+    return names;
 }
 
 std::vector<std::size_t> fieldsOf(const PlyElement& element, const VertexLayout& layout) {

@@ -3,6 +3,7 @@
 
 #include "core/error.h"
 #include "preprocess/read/block_buffers.h"
+#include "preprocess/read/color_range.h"
 #include "preprocess/read/ply/ply_values.h"
 
 #include <algorithm>
@@ -25,7 +26,8 @@ struct VertexLayout {
     bool hasNormals = false;
     bool hasColors = false;
     bool isDouble = false;
-    std::vector<std::size_t> fields; ///< indices of the properties that are read as fields
+    std::vector<std::size_t> fields;                ///< indices of the properties that are read as fields
+    std::array<double, 4> full{255, 255, 255, 255}; ///< the value of a full channel: red, green, blue and alpha
 
     /// Whether the element has all of `count` slots from `first` on.
     bool has(std::size_t first, std::size_t count) const {
@@ -34,21 +36,10 @@ struct VertexLayout {
     }
 };
 
-/// A colour channel in 0..255: uchar as it is, ushort scaled down, floats from 0..1; everything else clamped.
-inline std::uint8_t colorByte(PlyType type, double value) {
-    if (isFloat(type)) value *= 255;
-    if (type == PlyType::Uint16) value /= 257;
-    // The order of the comparisons makes a NaN 0.
-    return static_cast<std::uint8_t>(value > 0 ? std::min(value, 255.0) + 0.5 : 0.0);
+/// Returns the byte of a channel that is full at `full`. Programs that write the type char mean uchar.
+inline std::uint8_t colorByte(PlyType type, double value, double full) {
+    return channelByte(type == PlyType::Int8 && value < 0 ? value + 256 : value, full);
 }
-
-/// A normal that can be computed with: zero stands for none.
-inline glm::vec3 usableNormal(const glm::vec3& normal) {
-    return std::isfinite(normal.x + normal.y + normal.z) ? normal : glm::vec3(0);
-}
-
-/// More corners than any real polygon; a longer list is a damaged file, and would break the bound on memory.
-constexpr std::uint64_t kMostPolygonCorners = std::uint64_t{1} << 20U;
 
 /// Reads the count of a list whose values the rest of the file can hold.
 template <class Values>
@@ -204,6 +195,7 @@ class VertexRow {
 public:
     VertexRow(const PlyElement& element, const VertexLayout& layout)
         : element_(element),
+          full_(layout.full),
           slotOf_(element.properties.size(), -1),
           fieldOf_(element.properties.size(), layout.fields.size()),
           fields_(layout.fields.size()) {
@@ -212,7 +204,7 @@ public:
                 slotOf_[static_cast<std::size_t>(i)] = static_cast<int>(slot);
         for (std::size_t field = 0; field < layout.fields.size(); ++field)
             fieldOf_[layout.fields[field]] = field;
-        slots_[kAlpha] = 255;
+        slots_[kAlpha] = full_[kAlpha - kColor];
     }
 
     template <class Values>
@@ -235,12 +227,13 @@ public:
 
     double operator[](std::size_t slot) const { return slots_[slot]; }
 
-    std::uint8_t channel(std::size_t slot) const { return colorByte(types_[slot], slots_[slot]); }
+    std::uint8_t channel(std::size_t slot) const { return colorByte(types_[slot], slots_[slot], full_[slot - kColor]); }
 
     const std::vector<double>& fields() const { return fields_; }
 
 private:
     const PlyElement& element_;
+    std::array<double, 4> full_;
     std::vector<int> slotOf_;          // by property, -1 for none
     std::vector<std::size_t> fieldOf_; // by property, the number of fields for none
     std::array<PlyType, kVertexSlots> types_{};
@@ -257,7 +250,7 @@ void readVertexRows(Values& values, const PlyElement& element, const VertexLayou
         const VertexBuffer::Rows place = out.append(1);
         place.positions[0] = {row[0], row[1], row[2]};
         if (!place.normals.empty())
-            place.normals[0] = usableNormal(glm::vec3(row[kNormal], row[kNormal + 1], row[kNormal + 2]));
+            place.normals[0] = finiteOrZero(glm::vec3(row[kNormal], row[kNormal + 1], row[kNormal + 2]));
         if (!place.colors.empty()) {
             place.colors[0] = 0;
             for (std::uint32_t c = 0; c < 4; ++c)

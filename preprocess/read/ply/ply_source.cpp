@@ -1,12 +1,16 @@
 #include "preprocess/read/ply/ply_source.h"
 
+#include "preprocess/read/face_color_splitter.h"
+#include "preprocess/read/ply/ply_digits.h"
 #include "preprocess/read/ply/ply_face_colors.h"
 #include "preprocess/read/ply/ply_fast.h"
 #include "preprocess/read/ply/ply_layout.h"
 #include "preprocess/read/ply/ply_ranges.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
+#include <type_traits>
 
 namespace gnomon::read {
 
@@ -28,7 +32,9 @@ public:
         summary_.likelyTriangles = likelyTriangles();
         const PlyElement& faces = header_.elements[firstFaces_];
         const bool isOneElement = summary_.stripCount == 0 && summary_.faceCount == faces.count;
-        if (isOneElement && !layout_.hasColors) faceColors_ = faceColorLayoutOf(faces);
+        if (isOneElement && !layout_.hasColors) faceColors_ = colorLayoutOf(faces);
+        if (layout_.hasColors) findRangeOfVertexColors();
+        warnOfDigits();
         if (isOneElement) ranges_.emplace(file_, header_, vertices_, firstFaces_);
         summary_.hasRanges = ranges_.has_value();
     }
@@ -43,10 +49,13 @@ public:
         FaceColorSplitter splitter(summary_.path, memoryLimit, summary_.fields);
         readVertices([&](const VertexBlock& block) { splitter.addVertices(block); });
         const PlyElement& faces = header_.elements[firstFaces_];
+        const ColorRule rule = colorRuleOf(faces, *faceColors_, maximaOfFaceColors());
         pass(
             [&](auto values) {
-                values.beginElement(faces);
-                readColoredFaces(values, faces, indexListOf(faces), *faceColors_, summary_.vertexCount, splitter);
+                readColoredFaces(
+                    values, faces, *faceColors_, summary_.vertexCount, [&](auto corners, const auto& channels) {
+                        splitter.addFace(corners, colorOf(faces, *faceColors_, rule.full, channels));
+                    });
                 for (std::size_t i = firstFaces_ + 1; i < header_.elements.size(); ++i)
                     skipElement(values, header_.elements[i], header_.format);
                 values.expectEnd();
@@ -56,6 +65,8 @@ public:
         MemoryMesh mesh = splitter.take();
         mesh.attributesDropped = summary_.attributesDropped;
         mesh.attributesDropped.erase(kFaceColors);
+        mesh.remarks = summary_.remarks;
+        addRemark(mesh.remarks, rule.remark);
         return memorySource(summary_.path, summary_.fileBytes, std::move(mesh));
     }
 
@@ -122,11 +133,8 @@ private:
     void addToSummary(std::size_t i, const std::vector<std::string>& fields) {
         const PlyElement& element = header_.elements[i];
         const Role role = roleOf(element);
-        for (const PlyProperty& property : element.properties) {
-            if (role == Role::Vertices && std::ranges::find(fields, property.name) != fields.end()) continue;
-            if (const std::string name = droppedName(element, role, property.name); !name.empty() && element.count > 0)
-                summary_.attributesDropped[name] = element.count;
-        }
+        for (const std::string& name : droppedNames(element, role, fields))
+            if (element.count > 0) summary_.attributesDropped[name] += element.count;
         if (role == Role::Vertices) {
             if (vertices_ < header_.elements.size()) throw Error(summary_.path, "the header declares vertices twice");
             vertices_ = i;
@@ -139,6 +147,59 @@ private:
         if (role == Role::Faces) summary_.faceCount += element.count;
         if (role == Role::Strips) summary_.stripCount += element.count;
         if (role == Role::Faces || role == Role::Strips) firstFaces_ = std::min(firstFaces_, i);
+    }
+
+    void addRemark(std::vector<std::string>& remarks, const std::string& remark) const {
+        if (!remark.empty()) remarks.push_back(summary_.path + ": " + remark);
+    }
+
+    /// Reads the colours of all vertices where their range depends on their maxima.
+    void findRangeOfVertexColors() {
+        const PlyElement& element = header_.elements[vertices_];
+        const ColorLayout colors = *colorLayoutOf(element);
+        std::array<double, 4> maxima{};
+        if (needsMaxima(element, colors)) {
+            VertexLayout scan = layout_;
+            scan.hasNormals = scan.hasColors = false;
+            for (const int index : colors)
+                if (index >= 0) scan.fields.push_back(static_cast<std::size_t>(index));
+            const std::size_t count = scan.fields.size();
+            const VertexSink sink = [&](const VertexBlock& block) {
+                for (std::size_t i = 0; i < block.fields.size(); ++i)
+                    if (std::isfinite(block.fields[i]))
+                        maxima[i % count] = std::max(maxima[i % count], block.fields[i]);
+            };
+            pass([&](auto values) { readVerticesAs(values, scan, sink); }, vertices_);
+        }
+        const ColorRule rule = colorRuleOf(element, colors, maxima);
+        layout_.full = rule.full;
+        addRemark(summary_.remarks, rule.remark);
+    }
+
+    std::array<double, 4> maximaOfFaceColors() {
+        const PlyElement& faces = header_.elements[firstFaces_];
+        std::array<double, 4> maxima{};
+        if (!needsMaxima(faces, *faceColors_)) return maxima;
+        pass(
+            [&](auto values) {
+                readColoredFaces(values, faces, *faceColors_, summary_.vertexCount, [&](auto, const auto& channels) {
+                    for (std::size_t i = 0; i < channels.size(); ++i)
+                        if (std::isfinite(channels[i].value_or(0)))
+                            maxima[i] = std::max(maxima[i], channels[i].value_or(0));
+                });
+            },
+            firstFaces_);
+        return maxima;
+    }
+
+    /// Looks at the first vertices of a text whose coordinates are of type float.
+    void warnOfDigits() {
+        if (header_.format != PlyFormat::Ascii) return;
+        const auto warn = [&](auto values) {
+            if constexpr (std::is_same_v<decltype(values), AsciiValues>)
+                addRemark(summary_.remarks, warningOfDigits(values, header_.elements[vertices_], layout_));
+        };
+        pass(warn, vertices_);
     }
 
     void takeFields(const std::vector<std::string>& names) {
@@ -203,11 +264,17 @@ private:
 
     template <class Values>
     void vertexPass(Values& values, const VertexSink& sink) {
+        readVerticesAs(values, layout_, sink);
+        starts_[vertices_ + 1] = values.place();
+    }
+
+    template <class Values>
+    void readVerticesAs(Values& values, const VertexLayout& layout, const VertexSink& sink) {
         const PlyElement& element = header_.elements[vertices_];
         values.beginElement(element);
-        VertexBuffer out(sink, attributes());
-        readVertexElement(values, element, layout_, out);
-        starts_[vertices_ + 1] = values.place();
+        VertexBuffer out(
+            sink, {.hasNormals = layout.hasNormals, .hasColors = layout.hasColors, .fieldCount = layout.fields.size()});
+        readVertexElement(values, element, layout, out);
         out.flush();
     }
 
@@ -238,7 +305,7 @@ private:
     PlyHeader header_;
     VertexLayout layout_;
     MeshSummary summary_;
-    std::optional<FaceColorLayout> faceColors_;
+    std::optional<ColorLayout> faceColors_;
     std::size_t vertices_ = header_.elements.size();   ///< the vertex element
     std::size_t firstFaces_ = header_.elements.size(); ///< the first element with triangles
     std::optional<PlyRanges> ranges_;                  ///< where all triangles are of one element

@@ -155,6 +155,9 @@ public:
 
     std::string row() const { return progress_.row(); }
 
+    /// The number that `real` read last, as text; valid until the next call of another function.
+    std::string_view lastWord() const { return lastWord_; }
+
     PlyPlace place() const { return {stream_.offset(), line_}; }
 
     void expectEnd();
@@ -166,6 +169,7 @@ private:
     ByteStream stream_;
     char lineEnd_;
     std::uint64_t line_;
+    std::string_view lastWord_;
     PlyProgress progress_;
 };
 

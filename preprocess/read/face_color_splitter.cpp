@@ -1,4 +1,4 @@
-#include "preprocess/read/ply/ply_face_colors.h"
+#include "preprocess/read/face_color_splitter.h"
 
 #include "core/error.h"
 
@@ -17,24 +17,7 @@ constexpr std::uint64_t kMostVertices = std::uint64_t{1} << kColorBits;
 constexpr std::uint64_t kBytesPerCorner =
     4 * sizeof(std::uint64_t) + 2 * (sizeof(glm::dvec3) + sizeof(glm::vec3) + sizeof(std::uint32_t));
 
-template <class T>
-std::uint64_t bytesOf(const std::vector<T>& values) {
-    return values.capacity() * sizeof(T);
-}
-
 } // namespace
-
-std::optional<FaceColorLayout> faceColorLayoutOf(const PlyElement& element) {
-    FaceColorLayout layout{};
-    constexpr std::array<const char*, 4> kNames = {"red", "green", "blue", "alpha"};
-    for (std::size_t channel = 0; channel < kNames.size(); ++channel) {
-        const int found = element.indexOf(kNames[channel]);
-        const bool isValue = found >= 0 && !element.properties[static_cast<std::size_t>(found)].isList;
-        if (!isValue && channel < 3) return {};
-        layout[channel] = isValue ? found : -1;
-    }
-    return layout;
-}
 
 void FaceColorSplitter::requireRoom() const {
     const std::uint64_t needed = bytesOf(mesh_.positions) + bytesOf(mesh_.normals) + bytesOf(mesh_.faceSizes) +
@@ -82,6 +65,22 @@ MemoryMesh FaceColorSplitter::take() {
         mesh_.colors.push_back(static_cast<std::uint32_t>(name & std::numeric_limits<std::uint32_t>::max()));
     }
     return std::move(mesh_);
+}
+
+MemoryMesh withFaceColors(
+    MemoryMesh mesh, std::span<const std::uint32_t> colors, const std::string& path, Bytes memoryLimit) {
+    FaceColorSplitter splitter(path, memoryLimit, {});
+    splitter.addVertices({0, mesh.positions, mesh.normals, {}, {}});
+    std::size_t first = 0;
+    for (std::size_t face = 0; face < mesh.faceSizes.size(); ++face) {
+        splitter.addFace(std::span(mesh.corners).subspan(first, mesh.faceSizes[face]), colors[face]);
+        first += mesh.faceSizes[face];
+    }
+    MemoryMesh split = splitter.take();
+    split.attributesDropped = std::move(mesh.attributesDropped);
+    split.remarks = std::move(mesh.remarks);
+    split.notAPolygon = mesh.notAPolygon;
+    return split;
 }
 
 } // namespace gnomon::read

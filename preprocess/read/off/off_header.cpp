@@ -1,0 +1,116 @@
+#include "preprocess/read/off/off_header.h"
+
+#include "core/error.h"
+#include "preprocess/read/text/number.h"
+#include "preprocess/read/words.h"
+
+#include <algorithm>
+
+namespace gnomon::read {
+
+namespace {
+
+class OffHeaderReader {
+public:
+    explicit OffHeaderReader(const InputFile& file) : file_(file), text_(file, kOffRules) {}
+
+    OffHeader read() {
+        const std::string glued = keyword(std::string(text_.wordOnAnyLine()));
+        std::string first = glued.empty() ? std::string(text_.wordOnAnyLine()) : glued;
+        if (first == "BINARY") {
+            text_.endLine();
+            header_.isBinary = true;
+            header_.bodyOffset = text_.offset();
+            return header_;
+        }
+        header_.vertices = count(first);
+        header_.faces = count(std::string(text_.wordOnAnyLine()));
+        edges();
+        requireRoom();
+        return header_;
+    }
+
+private:
+    /// Takes the keyword apart; returns the count that is glued to it, or stands in its place.
+    std::string keyword(std::string word) {
+        if (integerIn<std::uint64_t>(word)) return word;
+        if (word.starts_with("off") || word.starts_with("coff") || word.starts_with("noff") ||
+            word.starts_with("cnoff") || word.starts_with("stoff"))
+            std::transform(word.begin(), word.end(), word.begin(), [](char c) {
+                return static_cast<char>(c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c);
+            });
+        const std::size_t off = word.find("OFF");
+        std::string_view kinds = std::string_view(word).substr(0, off);
+        while (off != std::string::npos && !kinds.empty()) {
+            const bool isTexture = kinds.starts_with("ST");
+            bool& has = isTexture              ? header_.hasTexture
+                        : kinds.front() == 'C' ? header_.hasColors
+                        : kinds.front() == 'N' ? header_.hasNormals
+                                               : isOther_;
+            has = true;
+            kinds.remove_prefix(isTexture ? 2 : 1);
+        }
+        if (off == std::string::npos || isOther_)
+            throw Error(
+                text_.where(),
+                "not an OFF file with three coordinates per vertex",
+                "OFF, or ST, C or N before it",
+                quotedForMessage(word));
+        return word.substr(off + 3);
+    }
+
+    std::uint64_t count(const std::string& word) const {
+        const auto value = integerIn<std::uint64_t>(word);
+        if (!value)
+            throw Error(
+                text_.where(), "bad counts", "the numbers of vertices, faces and edges", quotedForMessage(word));
+        return *value;
+    }
+
+    /// Passes over the number of edges, which nobody needs: the rest of this line, or a line of one number.
+    void edges() {
+        const std::string word(text_.word());
+        if (!word.empty()) {
+            count(word);
+            header_.bodyOffset = text_.offset();
+            header_.bodyLine = text_.line() - 1;
+            return;
+        }
+        text_.endLine();
+        header_.bodyOffset = text_.offset();
+        header_.bodyLine = text_.line();
+        const std::string next(text_.wordOnAnyLine());
+        if (!integerIn<std::uint64_t>(next) || !text_.word().empty()) return;
+        text_.endLine();
+        header_.bodyOffset = text_.offset();
+        header_.bodyLine = text_.line();
+    }
+
+    /// No count is believed that the bytes of the file cannot hold.
+    void requireRoom() const {
+        constexpr std::uint64_t kVertexBytes = 6; // "0 0 0 "
+        constexpr std::uint64_t kFaceBytes = 2;   // "0\n"
+        const std::uint64_t left = file_.size() - header_.bodyOffset + 1;
+        const bool isGood = header_.vertices <= left / kVertexBytes &&
+                            header_.faces <= (left - kVertexBytes * header_.vertices) / kFaceBytes;
+        if (!isGood)
+            throw Error(
+                file_.path(),
+                "the file ends too early",
+                std::to_string(header_.vertices) + " vertices and " + std::to_string(header_.faces) + " faces",
+                std::to_string(left - 1) + " bytes");
+    }
+
+    const InputFile& file_;
+    TextStream text_;
+    OffHeader header_;
+    bool isOther_ = false; ///< the keyword announces a value that is not read
+};
+
+} // namespace
+
+OffHeader readOffHeader(const InputFile& file) {
+    return OffHeaderReader(file).read();
+}
+
+} // namespace gnomon::read

@@ -1,0 +1,237 @@
+#include "preprocess/read/off/off_source.h"
+
+#include "core/error.h"
+#include "preprocess/read/block_buffers.h"
+#include "preprocess/read/face_color_splitter.h"
+#include "preprocess/read/off/off_binary.h"
+#include "preprocess/read/off/off_colors.h"
+#include "preprocess/read/off/off_header.h"
+#include "preprocess/read/text/number.h"
+#include "preprocess/read/words.h"
+
+#include <algorithm>
+#include <array>
+
+namespace gnomon::read {
+
+namespace {
+
+/// How the rows of an element are told apart: each has a line, or each has so many words.
+enum class Rows { Lines, Words };
+
+/// One way to understand a file of text.
+struct Attempt {
+    Rows vertices = Rows::Lines;
+    Rows faces = Rows::Lines;
+    std::size_t channels = 4; ///< of the colours of vertices that have no line
+};
+
+/// The ways in the order in which they are tried: a file of lines is no file of words, since its colours are in the
+/// way.
+constexpr std::array<Attempt, 6> kAttempts = {{
+    {Rows::Lines, Rows::Lines},
+    {Rows::Words, Rows::Lines},
+    {Rows::Lines, Rows::Words},
+    {Rows::Words, Rows::Words},
+    {Rows::Words, Rows::Lines, 3},
+    {Rows::Words, Rows::Words, 3},
+}};
+
+class OffText {
+public:
+    OffText(const InputFile& file, const OffHeader& header, const Attempt& attempt)
+        : file_(file), header_(header), attempt_(attempt), text_(file, kOffRules) {
+        text_.moveTo(header.bodyOffset, header.bodyLine);
+    }
+
+    MemoryMesh read(Bytes memoryLimit) {
+        mesh_.positions.reserve(header_.vertices);
+        mesh_.faceSizes.reserve(header_.faces);
+        for (std::uint64_t vertex = 0; vertex < header_.vertices; ++vertex)
+            readVertex(vertex);
+        for (std::uint64_t face = 0; face < header_.faces; ++face)
+            readFace(face);
+        if (!text_.wordOnAnyLine().empty())
+            throw Error(text_.where(), "data after the last face: the counts are too small");
+        return finished(memoryLimit);
+    }
+
+private:
+    void readVertex(std::uint64_t vertex) {
+        const std::size_t known = 3U + (header_.hasNormals ? 3 : 0);
+        const std::size_t texture = header_.hasTexture ? 2 : 0;
+        const std::size_t most = attempt_.vertices == Rows::Lines
+                                     ? kMostValues
+                                     : known + texture + (header_.hasColors ? attempt_.channels : 0);
+        std::array<double, kMostValues> values{};
+        std::array<bool, kMostValues> areReal{};
+        std::size_t count = 0;
+        for (std::string_view word = firstWord(header_.vertices - vertex, header_.faces); !word.empty();
+             word = nextWord()) {
+            if (count < kMostValues) areReal[count] = isWrittenAsReal(word);
+            if (count < kMostValues) values[count] = text_.numberOf(word);
+            if (++count == most && attempt_.vertices == Rows::Words) break;
+        }
+        if (count < known + texture)
+            throw Error(text_.where(), "too few numbers", std::to_string(known + texture), std::to_string(count));
+        mesh_.positions.emplace_back(values[0], values[1], values[2]);
+        if (!isFinite(mesh_.positions.back()) && badLines_.size() < kMostBadLines) badLines_[vertex] = text_.line();
+        if (header_.hasNormals) addNormal({values[3], values[4], values[5]});
+        const std::size_t rest = std::min(count, kMostValues) - known - texture;
+        const bool isColor = rest == 3 || rest == 4;
+        if (header_.hasColors && rest != 0 && !isColor)
+            throw Error(
+                text_.where(), "bad vertex", "a colour of three or four channels", std::to_string(rest) + " values");
+        if (isColor)
+            vertexColors_.add(
+                vertex,
+                std::span(values).subspan(known, rest),
+                std::find(areReal.begin() + known, areReal.begin() + known + rest, true) !=
+                    areReal.begin() + known + rest);
+        else if (rest > 0)
+            ++mesh_.attributesDropped[kOtherOfVertices];
+    }
+
+    void addNormal(const glm::dvec3& normal) {
+        mesh_.normals.push_back(finiteOrZero(glm::vec3(normal)));
+        if (mesh_.normals.back() != glm::vec3(normal)) ++mesh_.attributesDropped["normals that are not finite"];
+    }
+
+    void readFace(std::uint64_t face) {
+        const std::string_view first = firstWord(0, header_.faces - face);
+        const auto size = integerIn<std::uint64_t>(first);
+        const bool areLines = attempt_.faces == Rows::Lines;
+        if (!size || (!areLines && *size < 3))
+            throw Error(text_.where(), "bad face", "a number of corners and as many indices", quotedForMessage(first));
+        if (*size > kMostPolygonCorners)
+            throw Error(
+                text_.where(),
+                "too large a face",
+                "at most " + std::to_string(kMostPolygonCorners) + " corners",
+                std::to_string(*size));
+        for (std::uint64_t i = 0; i < *size; ++i) {
+            const std::string_view word = areLines ? text_.word() : text_.wordOnAnyLine();
+            if (word.empty())
+                throw Error(
+                    text_.where(),
+                    "bad face",
+                    "a number of corners and as many indices",
+                    std::to_string(i + 1) + " words");
+            mesh_.corners.push_back(checkedCorner(word));
+        }
+        mesh_.faceSizes.push_back(static_cast<std::uint32_t>(*size));
+        if (areLines) readFaceColor(face);
+    }
+
+    std::uint64_t checkedCorner(std::string_view word) const {
+        const auto index = integerIn<std::int64_t>(word);
+        if (!index) throw Error(text_.where(), "bad face", "an index", quotedForMessage(word));
+        const auto vertex = static_cast<std::uint64_t>(*index);
+        if (vertex >= header_.vertices)
+            throw Error(
+                text_.where(),
+                "vertex index out of range",
+                "one of " + std::to_string(header_.vertices) + " vertices",
+                "index " + std::to_string(*index) + " counted from 0");
+        if (!isFinite(mesh_.positions[vertex])) {
+            const auto line = badLines_.find(vertex);
+            throw Error(
+                line == badLines_.end() ? file_.path() : atLine(file_.path(), line->second),
+                "a coordinate of vertex " + std::to_string(vertex) + " is not finite");
+        }
+        return vertex;
+    }
+
+    void readFaceColor(std::uint64_t face) {
+        std::array<double, 4> values{};
+        std::size_t count = 0;
+        bool isReal = false;
+        for (std::string_view word = text_.word(); !word.empty(); word = text_.word(), ++count) {
+            isReal = isReal || isWrittenAsReal(word);
+            if (count < values.size()) values[count] = text_.numberOf(word);
+        }
+        if (count == 3 || count == 4)
+            faceColors_.add(face, std::span(values).first(count), isReal);
+        else if (count == 1)
+            ++mesh_.attributesDropped["face colours by their numbers in a table"];
+        else if (count > 0)
+            ++mesh_.attributesDropped["other values of faces"];
+    }
+
+    /// The first word of a row; throws Error at the end of the file, where so many rows are missing.
+    std::string_view firstWord(std::uint64_t vertices, std::uint64_t faces) {
+        const bool areLines = (vertices > 0 ? attempt_.vertices : attempt_.faces) == Rows::Lines;
+        if (areLines && text_.isInLine() && !text_.word().empty())
+            throw Error(text_.where(), "more values in a row than the keyword announces");
+        const std::string_view word = text_.wordOnAnyLine();
+        if (word.empty())
+            throw Error(
+                text_.where(),
+                "the file ends too early",
+                std::to_string(vertices) + " more vertices and " + std::to_string(faces) + " more faces",
+                "the end");
+        return word;
+    }
+
+    std::string_view nextWord() { return attempt_.vertices == Rows::Lines ? text_.word() : text_.wordOnAnyLine(); }
+
+    MemoryMesh finished(Bytes memoryLimit) {
+        if (vertexColors_.areRealsBytes() || faceColors_.areRealsBytes())
+            mesh_.remarks.push_back(
+                file_.path() + ": colours of real numbers range from 0 to 255, because one exceeds 1");
+        const auto drop = [&](const OffColors& colors, const char* name) {
+            if (colors.count() > 0) mesh_.attributesDropped[name] += colors.count();
+        };
+        const bool areVerticesColored = vertexColors_.areColors() || (header_.hasColors && vertexColors_.count() > 0);
+        if (areVerticesColored)
+            mesh_.colors = vertexColors_.take(header_.vertices);
+        else
+            drop(vertexColors_, kOtherOfVertices);
+        if (header_.hasTexture && header_.vertices > 0)
+            mesh_.attributesDropped["texture coordinates"] = header_.vertices;
+        if (!areVerticesColored && faceColors_.areColors()) {
+            const std::vector<std::uint32_t> colors = faceColors_.take(header_.faces);
+            return withFaceColors(std::move(mesh_), colors, file_.path(), memoryLimit);
+        }
+        drop(faceColors_, "face colours");
+        return std::move(mesh_);
+    }
+
+    static constexpr std::size_t kMostValues = 16; ///< of a vertex that are looked at
+    static constexpr std::size_t kMostBadLines = 1000;
+    static constexpr const char* kOtherOfVertices = "other values of vertices";
+
+    const InputFile& file_;
+    const OffHeader& header_;
+    Attempt attempt_;
+    TextStream text_;
+    MemoryMesh mesh_;
+    OffColors vertexColors_;
+    OffColors faceColors_;
+    std::map<std::uint64_t, std::uint64_t> badLines_; ///< lines of vertices that are not finite
+};
+
+MemoryMesh readOffText(const InputFile& file, const OffHeader& header, Bytes memoryLimit) {
+    std::optional<Error> first;
+    for (const Attempt& attempt : kAttempts) {
+        try {
+            return OffText(file, header, attempt).read(memoryLimit);
+        } catch (const Error& error) {
+            if (!first) first = error;
+        }
+    }
+    throw Error(*first);
+}
+
+} // namespace
+
+std::unique_ptr<MeshSource> readOff(const std::string& path, Bytes memoryLimit) {
+    const InputFile file(path);
+    requireRoomForWhole(path, file.size(), memoryLimit);
+    const OffHeader header = readOffHeader(file);
+    MemoryMesh mesh = header.isBinary ? readOffBinary(file, header) : readOffText(file, header, memoryLimit);
+    file.requireUnchanged();
+    return memorySource(path, file.size(), std::move(mesh));
+}
+
+} // namespace gnomon::read

@@ -1,0 +1,28 @@
+// The rule for files that an input refers to: buffers and images of a glTF, material libraries of an OBJ.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace gnomon::read {
+
+/// The folder that these files may come from. A mesh from a stranger must not choose which other files are read.
+class SourceRoot {
+public:
+    /// Uses the folder `root`, which the option --source-root names. If `root` is empty, uses the folder of `input`.
+    SourceRoot(const std::string& input, const std::string& root);
+
+    /// Returns the path of the file `name`, which is absolute or relative to the folder of the input. The path has no
+    /// ".." in it. Throws LimitError at `place` if the path is outside the root, and Error for a name with a zero byte.
+    /// Follows symbolic links inside the root, because its owner made them.
+    std::string pathOf(const std::string& name, const std::string& place) const;
+
+    /// Returns whether `path` is inside the root, as written or after the links in both paths are resolved.
+    bool contains(const std::filesystem::path& path) const;
+
+private:
+    std::filesystem::path inputFolder_;
+    std::filesystem::path root_;
+};
+
+} // namespace gnomon::read

@@ -1,0 +1,13 @@
+// ASCII STL.
+#pragma once
+
+#include "preprocess/read/memory_source.h"
+#include "preprocess/read/text/text_stream.h"
+
+namespace gnomon::read {
+
+/// Reads all solids of an ASCII STL. Line ends mean nothing, except that the name of a solid ends with its line.
+/// Keywords may be in any case. Throws Error with the line of a defect.
+MemoryMesh readStlText(const InputFile& file);
+
+} // namespace gnomon::read

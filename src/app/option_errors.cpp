@@ -1,0 +1,22 @@
+#include "app/option_errors.h"
+
+namespace gnomon::app {
+
+Error inOptions(const LimitError& error) {
+    const LimitError::Parts& parts = error.parts();
+    switch (error.limit()) {
+    case Limit::Memory:
+        return {parts.where, parts.what, "--memory " + parts.expected, parts.found};
+    case Limit::ChunkTriangles:
+        return {"--chunk-triangles", "too few for this model", parts.expected, parts.found};
+    case Limit::StuckTriangles:
+        return {"--max-stuck", parts.what, parts.expected, parts.found};
+    case Limit::Textures:
+        return {parts.where, parts.what, parts.expected + ", or --textures off", parts.found};
+    case Limit::SourceRoot:
+        return {parts.where, parts.what, parts.expected + " (--source-root allows another folder)", parts.found};
+    }
+    return {parts.where, parts.what, parts.expected, parts.found};
+}
+
+} // namespace gnomon::app

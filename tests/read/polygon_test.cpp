@@ -256,6 +256,26 @@ TEST(ReadPolygon, ALoopThatCrossesItselfEverywhereIsGivenUpSoonAndCanBeStopped) 
     EXPECT_THROW(triangulatePolygon(corners, triangles, stopping), Interrupted);
 }
 
+// The triangles of its long teeth meet each row of any grid.
+TEST(ReadPolygon, ACombOfManyTeethIsCutInFewSteps) {
+    constexpr int kCorners = 100'000;
+    std::vector<glm::dvec3> corners{{-10, -10, 0}, {kCorners, -10, 0}};
+    for (int i = kCorners - 3; i >= 0; --i)
+        corners.emplace_back(i / 2, (i % 4 == 0 || i % 4 == 3 ? 0 : 1e6) + 0.01 * (i % 7), 0);
+    std::vector<PolygonTriangle> triangles;
+    Poll counting(false);
+    triangulatePolygon(corners, triangles, counting);
+    ASSERT_EQ(triangles.size(), corners.size() - 2);
+    EXPECT_LE(counting.asked, 4); // once in four million steps
+    double sum = 0;
+    for (const PolygonTriangle& t : triangles) {
+        const double twice = cross(corners[t[0]], corners[t[1]], corners[t[2]]);
+        EXPECT_GE(twice, 0);
+        sum += twice / 2;
+    }
+    EXPECT_NEAR(sum / area(Loop(corners.begin(), corners.end())), 1, 1e-12);
+}
+
 TEST(ReadPolygon, TheRefinerRewritesAFanInPlace) {
     const std::vector<glm::dvec3> positions = {{9, 9, 9}, {-1, -1, 0}, {0, -0.2, 0}, {1, -1, 0}, {0, 1, 0}};
     std::vector<TriangleCorners> fan = {{4, 1, 2}, {4, 2, 3}};

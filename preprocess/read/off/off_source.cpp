@@ -57,38 +57,57 @@ public:
     }
 
 private:
+    static constexpr std::size_t kMostValues = 16; ///< of a vertex that are looked at
+
+    /// The numbers of one vertex.
+    struct VertexRow {
+        std::array<double, kMostValues> values{};
+        std::array<bool, kMostValues> areReal{};
+        std::size_t count = 0; ///< may be more than are looked at
+    };
+
+    /// Reads the row of a vertex; without lines it has `most` numbers.
+    VertexRow readRow(std::uint64_t vertex, std::size_t most) {
+        VertexRow row;
+        std::string_view word = firstWord(header_.vertices - vertex, header_.faces);
+        while (!word.empty()) {
+            if (row.count < kMostValues) {
+                row.areReal[row.count] = isWrittenAsReal(word);
+                row.values[row.count] = text_.numberOf(word);
+            }
+            ++row.count;
+            const bool areLines = attempt_.vertices == Rows::Lines;
+            if (!areLines && row.count == most) break;
+            word = areLines ? text_.word() : text_.wordOnAnyLine();
+        }
+        return row;
+    }
+
     void readVertex(std::uint64_t vertex) {
         const std::size_t known = 3U + (header_.hasNormals ? 3 : 0);
         const std::size_t texture = header_.hasTexture ? 2 : 0;
-        const std::size_t most = attempt_.vertices == Rows::Lines
-                                     ? kMostValues
-                                     : known + texture + (header_.hasColors ? attempt_.channels : 0);
-        std::array<double, kMostValues> values{};
-        std::array<bool, kMostValues> areReal{};
-        std::size_t count = 0;
-        for (std::string_view word = firstWord(header_.vertices - vertex, header_.faces); !word.empty();
-             word = nextWord()) {
-            if (count < kMostValues) areReal[count] = isWrittenAsReal(word);
-            if (count < kMostValues) values[count] = text_.numberOf(word);
-            if (++count == most && attempt_.vertices == Rows::Words) break;
-        }
-        if (count < known + texture)
-            throw Error(text_.where(), "too few numbers", std::to_string(known + texture), std::to_string(count));
-        mesh_.positions.emplace_back(values[0], values[1], values[2]);
+        const VertexRow row = readRow(vertex, known + texture + (header_.hasColors ? attempt_.channels : 0));
+        if (row.count < known + texture)
+            throw Error(text_.where(), "too few numbers", std::to_string(known + texture), std::to_string(row.count));
+        mesh_.positions.emplace_back(row.values[0], row.values[1], row.values[2]);
         if (!isFinite(mesh_.positions.back()) && badLines_.size() < kMostBadLines) badLines_[vertex] = text_.line();
-        if (header_.hasNormals) addNormal({values[3], values[4], values[5]});
-        const std::size_t rest = std::min(count, kMostValues) - known - texture;
-        const bool isColor = rest == 3 || rest == 4;
-        if (header_.hasColors && rest != 0 && !isColor)
+        if (header_.hasNormals) addNormal({row.values[3], row.values[4], row.values[5]});
+        addVertexColor(vertex, row, known, std::min(row.count, kMostValues) - known - texture);
+    }
+
+    /// Takes `count` values of `row` from `first` on, which are behind the known ones.
+    void addVertexColor(std::uint64_t vertex, const VertexRow& row, std::size_t first, std::size_t count) {
+        const bool isColor = count == 3 || count == 4;
+        if (header_.hasColors && count != 0 && !isColor)
             throw Error(
-                text_.where(), "bad vertex", "a colour of three or four channels", std::to_string(rest) + " values");
+                text_.where(), "bad vertex", "a colour of three or four channels", std::to_string(count) + " values");
+        const auto areReal = std::span(row.areReal).subspan(first, count);
         if (isColor)
             vertexColors_.add(
                 vertex,
-                std::span(values).subspan(known, rest),
-                std::find(areReal.begin() + known, areReal.begin() + known + rest, true) !=
-                    areReal.begin() + known + rest);
-        else if (rest > 0)
+                std::span(row.values).subspan(first, count),
+                std::find(areReal.begin(), areReal.end(), true) != areReal.end());
+        else if (count > 0)
             ++mesh_.attributesDropped[kOtherOfVertices];
     }
 
@@ -173,8 +192,6 @@ private:
         return word;
     }
 
-    std::string_view nextWord() { return attempt_.vertices == Rows::Lines ? text_.word() : text_.wordOnAnyLine(); }
-
     MemoryMesh finished(Bytes memoryLimit) {
         if (vertexColors_.areRealsBytes() || faceColors_.areRealsBytes())
             mesh_.remarks.push_back(
@@ -197,7 +214,6 @@ private:
         return std::move(mesh_);
     }
 
-    static constexpr std::size_t kMostValues = 16; ///< of a vertex that are looked at
     static constexpr std::size_t kMostBadLines = 1000;
     static constexpr const char* kOtherOfVertices = "other values of vertices";
 

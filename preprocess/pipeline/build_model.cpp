@@ -15,6 +15,7 @@
 #include "preprocess/pipeline/tasks/write_pages.h"
 #include "preprocess/pipeline/upright_model.h"
 #include "preprocess/pipeline/work_directory.h"
+#include "preprocess/scratch/damage_error.h"
 
 #include <tbb/global_control.h>
 
@@ -83,6 +84,10 @@ public:
         try {
             if (team_ != nullptr) team_->gather(options_, threads_, progress_);
             runPhases();
+        } catch (const scratch::DamageError&) {
+            throw;
+        } catch (const hierarchy::Damage& damage) {
+            throw scratch::DamageError(options_.output + ": temporary data", damage.what);
         } catch (...) {
             // What many machines have done is worth more than the space that it takes.
             if (team_ != nullptr && log().binned()) workDirectory_.leave();
@@ -257,7 +262,7 @@ private:
         phase.kind = TaskKind::BuildNode;
         for (std::uint32_t node = 0; node < round.nodeCount; ++node) {
             if (log().isBuilt(round.number, node))
-                releaseInputs(round, node);
+                workDirectory_.release(takeInputs(round, node));
             else
                 phase.tasks.push_back(node);
         }
@@ -268,8 +273,7 @@ private:
         };
         phase.input = [&](std::uint32_t node) { return encoded(inputOf(round, node)); };
         phase.take = [&](std::uint32_t node, std::span<const std::byte> result) {
-            workDirectory_.finish(decodedNode(result));
-            releaseInputs(round, node);
+            workDirectory_.finish(decodedNode(result), takeInputs(round, node));
         };
         runner().run(phase, perform_);
     }
@@ -283,20 +287,19 @@ private:
         return input;
     }
 
-    /// Gives the space of what a finished node was made from back.
-    void releaseInputs(const Round& round, std::uint32_t node) {
-        if (round.number == 0) {
-            for (const chunk::BinStream kind :
-                 {chunk::BinStream::Vertices,
-                  chunk::BinStream::Triangles,
-                  chunk::BinStream::Ghosts,
-                  chunk::BinStream::Requests})
-                bins_->release(chunk::streamOf(kind, node));
-            for (const chunk::BorderStream kind : {chunk::BorderStream::Vertices, chunk::BorderStream::Normals})
-                borders_->release(chunk::streamOf(kind, node));
-            return;
-        }
-        roundBins_->release(node);
+    /// Returns the blocks of a finished node's inputs, which nobody reads again.
+    Blocks takeInputs(const Round& round, std::uint32_t node) {
+        if (round.number > 0) return roundBins_->takeBlocks(node);
+        Blocks all;
+        const auto take = [&](scratch::StreamStore& store, std::uint32_t stream) {
+            const Blocks blocks = store.takeBlocks(stream);
+            all.insert(all.end(), blocks.begin(), blocks.end());
+        };
+        for (std::uint32_t kind = 0; kind < static_cast<std::uint32_t>(chunk::BinStream::Count); ++kind)
+            take(*bins_, chunk::streamOf(static_cast<chunk::BinStream>(kind), node));
+        for (std::uint32_t kind = 0; kind < static_cast<std::uint32_t>(chunk::BorderStream::Count); ++kind)
+            take(*borders_, chunk::streamOf(static_cast<chunk::BorderStream>(kind), node));
+        return all;
     }
 
     void requireTriangles() const {
@@ -377,7 +380,18 @@ BuildReport built(read::MeshSource& source, const BuildOptions& options, Process
     std::optional<tbb::global_control> limit;
     if (team == nullptr) limit.emplace(kLimit, threads); // a team sees to that itself
     Stopwatch watch;
-    BuildReport report = Build(source, options, threads, team, progress).run();
+    const auto run = [&](const BuildOptions& given) { return Build(source, given, threads, team, progress).run(); };
+    BuildReport report;
+    try {
+        report = run(options);
+    } catch (const scratch::DamageError& damage) {
+        if (!options.isResumed) throw;
+        if (team != nullptr) throw Error(std::string(damage.what()) + "; build again without --resume");
+        if (options.onDamage) options.onDamage(damage.what());
+        BuildOptions anew = options;
+        anew.isResumed = false;
+        report = run(anew);
+    }
     report.seconds = lap(watch); // with the temporary files gone
     return report;
 }

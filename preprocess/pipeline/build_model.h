@@ -47,10 +47,11 @@ struct BuildReport {
 };
 
 /// Builds `options.output` from `source`, out of core: whatever the source's size, memory stays below `memory`. The
-/// bytes are the same for any memory, threads and place of the temporary files, resumed or not. Throws Error for what
-/// the source or the output refuses, for a model without triangles, for a `memory` that is too small (naming the one
-/// that would do), for a resumed build of another input or with other options, and where more than `maxStuckPercent` of
-/// the triangles stay stuck at full detail; then nothing is left under the output's name.
+/// bytes are the same for any memory, threads and place of the temporary files, resumed or not. A resumed build starts
+/// anew if temporary data are damaged. Throws Error for what the source or the output refuses, for a model without
+/// triangles, for a `memory` that is too small (naming the one that would do), for a resumed build of another input or
+/// with other options, for damaged temporary data, and where more than `maxStuckPercent` of the triangles stay stuck at
+/// full detail; then nothing is left under the output's name.
 BuildReport buildModel(read::MeshSource& source, const BuildOptions& options, Progress& progress);
 
 /// The same by many processes.

@@ -40,6 +40,9 @@ struct BuildOptions {
 
     std::uint64_t scratchBytesPerSecond = 0; // each process reads and writes no more of temporary files; 0: no limit
 
+    /// Told which temporary data are damaged, before a resumed build starts anew.
+    std::function<void(const std::string&)> onDamage = {};
+
     /// Told the folder of temporary files if it stays, for what no build has written into it.
     std::function<void(const std::string&)> onKeptFolder = {};
 };

@@ -2,6 +2,7 @@
 
 #include "core/check.h"
 #include "hierarchy/file_layout.h"
+#include "preprocess/chunk/chunk_tree.h"
 #include "preprocess/levels/page_layout.h"
 #include "preprocess/scratch/parted_scratch.h"
 
@@ -42,6 +43,8 @@ struct Putter {
     }
 
     void text(const std::string& value) { out.putText(value); }
+
+    void block(const scratch::Block& value) { scratch::putBlock(out, value); }
 };
 
 struct Taker {
@@ -69,6 +72,8 @@ struct Taker {
     }
 
     void text(std::string& value) { value = in.takeText(); }
+
+    void block(scratch::Block& value) { value = scratch::takeBlock(in); }
 };
 
 template <class Fields, class Vector>
@@ -171,8 +176,8 @@ void nodeFields(Fields& fields, Record& record) {
         for (auto& page : level.pages)
             pageFields(fields, page);
     }
-    fields.field(record.pendingOffset);
-    fields.field(record.pendingBytes);
+    fields.block(record.places);
+    fields.block(record.clusters);
     sumFields(fields, record.pending);
     fields.field(record.rootTriangles);
     fields.field(record.stuckTriangles);
@@ -181,6 +186,46 @@ void nodeFields(Fields& fields, Record& record) {
     vectorFields(fields, record.bounds.min);
     vectorFields(fields, record.bounds.max);
     fields.field(record.hasNormals);
+}
+
+/// Calls `take(block)` for all blocks of a directory.
+template <class Take>
+void forEachBlock(const std::vector<std::byte>& directory, const Take& take) {
+    for (const scratch::Blocks& blocks : scratch::StreamStore::blocksOf(directory))
+        std::for_each(blocks.begin(), blocks.end(), take);
+}
+
+template <class Take>
+void forEachBlock(const NodeRecord& node, const Take& take) {
+    take(node.places);
+    take(node.clusters);
+    for (const NodeRecord::LevelOfNode& level : node.levels)
+        for (const PageInfo& page : level.pages)
+            take({page.offset, page.storedBytes, page.checksum});
+}
+
+template <class Record>
+std::vector<std::uint32_t> partsOfBlocks(const Record& record) {
+    std::vector<std::uint32_t> parts;
+    forEachBlock(record, [&](const scratch::Block& block) {
+        if (block.bytes > 0) parts.push_back(scratch::partOf(block.offset));
+    });
+    std::sort(parts.begin(), parts.end());
+    parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+    return parts;
+}
+
+void requireStreams(const std::vector<std::byte>& directory, std::uint64_t count) {
+    if (const std::uint64_t found = scratch::StreamStore::blocksOf(directory).size(); found != count)
+        throw hierarchy::Damage{"streams: expected " + std::to_string(count) + ", found " + std::to_string(found)};
+}
+
+/// Throws Damage for a record of none of `nodeCount` nodes, or with other clusters than places.
+void requireNode(const NodeRecord& node, std::uint64_t nodeCount) {
+    if (node.node >= nodeCount) throw hierarchy::Damage{"a node that is not there"};
+    if (node.places.bytes % levels::placeBytes(1) != 0 ||
+        node.places.bytes / levels::placeBytes(1) != node.pending.clusters)
+        throw hierarchy::Damage{"a node with places of another number of clusters"};
 }
 
 /// A record ends with its kind.
@@ -260,34 +305,78 @@ void CheckpointLog::append(NodeRecord record) {
     rounds_[record.round].push_back(std::move(record));
 }
 
-std::map<std::uint32_t, std::uint64_t> CheckpointLog::scratchBytes() const {
-    std::map<std::uint32_t, std::uint64_t> bytes;
-    const auto take = [&](std::uint64_t place, std::uint64_t size) {
-        if (size == 0) return;
-        const std::uint32_t part = scratch::partOf(place);
-        bytes[part] = std::max(bytes[part], place - scratch::placeOf(part, 0) + size);
-    };
-    const auto takeDirectory = [&](std::span<const std::byte> directory) {
-        for (const auto& blocks : scratch::StreamStore::blocksOf(directory))
-            for (const scratch::StreamStore::Block& block : blocks)
-                take(block.offset, block.bytes);
-    };
-    const auto takeNode = [&](const NodeRecord& node) {
-        take(node.pendingOffset, node.pendingBytes);
-        for (const NodeRecord::LevelOfNode& level : node.levels)
-            for (const PageInfo& page : level.pages)
-                take(page.offset, page.storedBytes);
-    };
-    if (binned_) takeDirectory(binned_->directory);
-    if (bordered_) takeDirectory(bordered_->directory);
+void CheckpointLog::requireConsistent() const {
+    const std::uint64_t chunks = binned_ ? binned_->chunkCount : 0;
+    if (chunks > chunk::kMaxChunks) throw hierarchy::Damage{"too many chunks"};
+    if (!binned_ && (bordered_ || !binnedRounds_.empty() || !rounds_.empty()))
+        throw hierarchy::Damage{"records of chunks that are not there"};
+    if (binned_) requireStreams(binned_->directory, chunk::binStreams(binned_->chunkCount));
+    if (bordered_) requireStreams(bordered_->directory, chunk::borderStreams(binned_->chunkCount));
     for (const RoundRecord& round : binnedRounds_)
-        takeDirectory(round.directory);
-    for (std::size_t round = 0; round < rounds_.size(); ++round) {
-        std::for_each(rounds_[round].begin(), rounds_[round].end(), takeNode);
+        requireStreams(round.directory, kStreamsOfNode * std::uint64_t{round.nodes.size()});
+    for (std::uint32_t round = 0; round < roundCount(); ++round) {
+        const RoundRecord* const binned = binnedRound(round);
+        const std::uint64_t nodeCount = round == 0 ? chunks : binned != nullptr ? binned->nodes.size() : 0;
+        for (const NodeRecord& node : rounds_[round]) {
+            requireNode(node, nodeCount);
+            for (const NodeRecord::LevelOfNode& level : node.levels)
+                for (const PageInfo& page : level.pages)
+                    requireChildren(page);
+        }
         for (const auto& [number, node] : early_[round])
-            takeNode(node);
+            requireNode(node, nodeCount);
     }
-    return bytes;
+}
+
+void CheckpointLog::requireChildren(const PageInfo& page) const {
+    for (const std::uint32_t child : page.children) {
+        const levels::PageOfLevel place = levels::placeOfProvisional(child);
+        if (place.level >= pageCounts_.size() || place.page >= pageCounts_[place.level])
+            throw hierarchy::Damage{"a page that is not there"};
+    }
+}
+
+std::map<std::uint32_t, std::uint64_t> CheckpointLog::scratchBytes() const {
+    std::map<std::uint32_t, std::uint64_t> ends;
+    std::map<std::uint32_t, std::uint64_t> sums;
+    const auto take = [&](const scratch::Block& block) {
+        if (block.bytes == 0) return;
+        const std::uint32_t part = scratch::partOf(block.offset);
+        const std::uint64_t room = scratch::placeOf(part, 0) + scratch::kMostPartBytes - block.offset;
+        if (block.bytes > room) throw hierarchy::Damage{"a block that is too long"};
+        ends[part] = std::max(ends[part], scratch::kMostPartBytes - room + block.bytes);
+        sums[part] += block.bytes;
+        if (sums[part] > scratch::kMostPartBytes) throw hierarchy::Damage{"blocks that share bytes"};
+    };
+    if (binned_) forEachBlock(binned_->directory, take);
+    if (bordered_) forEachBlock(bordered_->directory, take);
+    for (const RoundRecord& round : binnedRounds_)
+        forEachBlock(round.directory, take);
+    for (std::size_t round = 0; round < rounds_.size(); ++round) {
+        for (const NodeRecord& node : rounds_[round])
+            forEachBlock(node, take);
+        for (const auto& [number, node] : early_[round])
+            forEachBlock(node, take);
+    }
+    for (const auto& [part, sum] : sums)
+        if (sum > ends[part]) throw hierarchy::Damage{"blocks that share bytes"};
+    return ends;
+}
+
+std::vector<std::uint32_t> partsOf(const BinnedRecord& record) {
+    return partsOfBlocks(record.directory);
+}
+
+std::vector<std::uint32_t> partsOf(const BorderedRecord& record) {
+    return partsOfBlocks(record.directory);
+}
+
+std::vector<std::uint32_t> partsOf(const RoundRecord& record) {
+    return partsOfBlocks(record.directory);
+}
+
+std::vector<std::uint32_t> partsOf(const NodeRecord& record) {
+    return partsOfBlocks(record);
 }
 
 void CheckpointLog::addEncoded(std::span<const std::byte> record) {
@@ -329,6 +418,8 @@ NodeRecord decodedNode(std::span<const std::byte> record) {
     NodeRecord node;
     nodeFields(fields, node);
     in.expectEnd();
+    if (node.firstLevel > hierarchy::kMaxLevels || node.levels.size() > hierarchy::kMaxLevels - node.firstLevel)
+        throw hierarchy::Damage{"a node of too many levels"};
     return node;
 }
 

@@ -16,11 +16,14 @@
 namespace gnomon::pipeline {
 
 /// Counts up when the records change: a build can go on only with those of its own kind.
-constexpr int kCheckpointVersion = 10;
+constexpr int kCheckpointVersion = 11;
 
 /// Triangles of the source that are left out: degenerate, doubled, collapsed by the grid, and those that earlier ones
 /// cover in the same plane, wholly or in part.
 using DroppedCounts = std::array<std::uint64_t, 4>;
+
+/// The streams of a node of a round after the first (round_bins.h).
+constexpr std::uint32_t kStreamsOfNode = 3;
 
 /// The source is in chunks.
 struct BinnedRecord {
@@ -58,9 +61,9 @@ struct NodeRecord {
     std::uint32_t node = 0;
     std::uint32_t firstLevel = 0;
     std::vector<LevelOfNode> levels;
-    std::uint64_t pendingOffset = 0;
-    std::uint64_t pendingBytes = 0;
-    ClusterSums pending;
+    scratch::Block places;   // of the clusters that are left, and ...
+    scratch::Block clusters; // ... these
+    ClusterSums pending;     // their sums
     std::uint64_t rootTriangles = 0;
     std::uint64_t stuckTriangles = 0;
     DroppedCounts dropped{};
@@ -118,7 +121,11 @@ public:
     /// In any order within a round. Throws Damage for a node that is there already.
     void add(NodeRecord record);
 
-    /// How many bytes of each part of the scratch file the records tell of, counted from its begin.
+    /// Throws Damage if records do not belong together: streams, nodes or pages that are not there.
+    void requireConsistent() const;
+
+    /// Returns how many bytes of each part of the scratch file the records name, counted from its begin. Throws Damage
+    /// if blocks do not fit into a part, or share bytes.
     std::map<std::uint32_t, std::uint64_t> scratchBytes() const;
 
     /// Adds what `encoded` returned. Throws Damage.
@@ -126,6 +133,7 @@ public:
 
 private:
     void append(NodeRecord record);
+    void requireChildren(const hierarchy::PageInfo& page) const;
 
     std::optional<BinnedRecord> binned_;
     std::optional<BorderedRecord> bordered_;
@@ -140,6 +148,12 @@ std::vector<std::byte> encoded(const BinnedRecord& record);
 std::vector<std::byte> encoded(const BorderedRecord& record);
 std::vector<std::byte> encoded(const RoundRecord& record);
 std::vector<std::byte> encoded(const NodeRecord& record);
+
+/// Returns the parts of the scratch file that have the blocks of `record`, ascending.
+std::vector<std::uint32_t> partsOf(const BinnedRecord& record);
+std::vector<std::uint32_t> partsOf(const BorderedRecord& record);
+std::vector<std::uint32_t> partsOf(const RoundRecord& record);
+std::vector<std::uint32_t> partsOf(const NodeRecord& record);
 
 /// What `encoded` made of a node's record. Throws Damage.
 NodeRecord decodedNode(std::span<const std::byte> record);

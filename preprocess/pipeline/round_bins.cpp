@@ -18,16 +18,22 @@ std::uint32_t borderStreamsFor(std::uint64_t bytes, std::uint32_t nodeCount) {
     return static_cast<std::uint32_t>(std::clamp<std::uint64_t>(nodeCount, 1, wanted));
 }
 
+std::uint64_t bytesLeftBy(const NodeRecord& node) {
+    return node.places.bytes + node.clusters.bytes;
+}
+
 } // namespace
 
 Round RoundBins::next(const Round& round, const BinningMeans& means) {
     const RoundRecord* record = log().binnedRound(round.number + 1);
+    const Blocks left = leftBlocks(round);
     if (record == nullptr) {
-        workDirectory_.finish(bin(round, means));
+        workDirectory_.finish(bin(round, means), left);
         record = log().binnedRound(round.number + 1);
+    } else {
+        workDirectory_.release(left);
     }
     bins_.emplace(workDirectory_.scratch(), record->directory);
-    releaseLeft(round);
     return roundAfter(round, log().nodes(round.number), *record);
 }
 
@@ -38,10 +44,8 @@ std::vector<levels::ClusterPlace> RoundBins::placesOf(const Round& round) const 
         count += node.pending.clusters;
     places.reserve(count);
     workDirectory_.scratch().reopenOthers();
-    std::vector<std::byte> bytes;
     for (const NodeRecord& node : log().nodes(round.number)) {
-        bytes.resize(levels::placeBytes(node.pending.clusters));
-        if (!bytes.empty()) workDirectory_.scratch().read(node.pendingOffset, bytes);
+        const std::vector<std::byte> bytes = workDirectory_.scratch().read({&node.places, 1});
         const std::vector<levels::ClusterPlace> own = levels::clusterPlaces(bytes);
         places.insert(places.end(), own.begin(), own.end());
         progress_.advance(0);
@@ -80,18 +84,17 @@ void RoundBins::routeAll(const Round& round, const BinningMeans& means, const Cl
     phase.kind = TaskKind::RouteClusters;
     for (const NodeRecord& node : nodes) {
         firstCluster.push_back(firstCluster.back() + node.pending.clusters);
-        most = std::max(most, MemoryNeeds::routing(node.pendingBytes, node.pending.vertices));
-        leftBytes += node.pendingBytes;
+        most = std::max(most, MemoryNeeds::routing(bytesLeftBy(node), node.pending.vertices));
+        leftBytes += bytesLeftBy(node);
         phase.tasks.push_back(node.node);
     }
     const std::uint32_t borderStreams = borderStreamsFor(leftBytes, nodeCount);
     phase.atOnce = std::max<std::size_t>(countAtOnce(means.room, most, means.threads), 1);
-    phase.weight = [&](std::uint32_t node) { return nodes[node].pendingBytes; };
+    phase.weight = [&](std::uint32_t node) { return bytesLeftBy(nodes[node]); };
     phase.input = [&](std::uint32_t node) {
         const auto begin = plan.nodeOf.begin() + static_cast<std::ptrdiff_t>(firstCluster[node]);
         return encoded(RouteInput{
-            nodes[node].pendingOffset,
-            nodes[node].pendingBytes,
+            {nodes[node].places, nodes[node].clusters},
             nodes[node].firstLevel,
             borderStreams,
             log().firstPages(round.number, node),
@@ -155,14 +158,18 @@ NodeInput RoundBins::input(const Round& round, std::uint32_t node) const {
     return input;
 }
 
-void RoundBins::release(std::uint32_t node) {
-    for (const Stream kind : {Stream::Records, Stream::Locks})
-        bins_->release(chunk::streamOf(kind, node));
+Blocks RoundBins::takeBlocks(std::uint32_t node) {
+    Blocks all = bins_->takeBlocks(chunk::streamOf(Stream::Records, node));
+    const Blocks locks = bins_->takeBlocks(chunk::streamOf(Stream::Locks, node));
+    all.insert(all.end(), locks.begin(), locks.end());
+    return all;
 }
 
-void RoundBins::releaseLeft(const Round& round) {
+Blocks RoundBins::leftBlocks(const Round& round) const {
+    Blocks blocks;
     for (const NodeRecord& node : log().nodes(round.number))
-        workDirectory_.scratch().release(node.pendingOffset, node.pendingBytes);
+        blocks.insert(blocks.end(), {node.places, node.clusters});
+    return blocks;
 }
 
 } // namespace gnomon::pipeline

@@ -30,12 +30,13 @@ public:
     /// What builds a node of `round`, which `next` returned; safe from many threads.
     NodeInput input(const Round& round, std::uint32_t node) const;
 
-    /// Gives the space of a finished node's clusters back.
-    void release(std::uint32_t node);
+    /// Returns the blocks of a finished node's clusters, which nobody reads again.
+    Blocks takeBlocks(std::uint32_t node);
 
 private:
     /// The streams of a node.
     enum class Stream : std::uint32_t { Records, Locks, Borders, Count };
+    static_assert(static_cast<std::uint32_t>(Stream::Count) == kStreamsOfNode);
 
     const CheckpointLog& log() const { return workDirectory_.log(); }
 
@@ -44,7 +45,7 @@ private:
     void routeAll(const Round& round, const BinningMeans& means, const ClusterPlan& plan, LockCounts& locks);
     void shareBorders(std::uint32_t streams, std::size_t atOnce, const BinningMeans& means, LockCounts& locks);
     void deliver(Stream kind, const Mail& mail);
-    void releaseLeft(const Round& round);
+    Blocks leftBlocks(const Round& round) const;
 
     WorkDirectory& workDirectory_;
     Progress& progress_;

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "hierarchy/bytes.h"
 #include "hierarchy/file_layout.h"
+#include "preprocess/scratch/damage_error.h"
 
 #include <algorithm>
 #include <array>
@@ -178,12 +179,15 @@ WorkDirectory::WorkDirectory(const WorkDirectoryOptions& options, Progress& prog
         throw Error(folder_, "another build is at work there");
     }
     removeLeftovers(options.output);
-    if (!options.isResumed || !hasResumed(options.key)) {
-        names_.takeOver(folder_);
-        recordLog_ = scratch::RecordLog::create(folder_ + "/checkpoints");
-        recordLog_->append(bytesOf(options.key));
+    std::optional<scratch::RecordLog> records;
+    if (options.isResumed) records = resumed(options.key);
+    names_.takeOver(folder_);
+    if (!records) {
+        records = scratch::RecordLog::create(folder_ + "/checkpoints");
+        records->append(bytesOf(options.key));
     }
     makeScratch(options.localFolder);
+    writer_.emplace(std::move(*records), *scratch_);
 }
 
 void WorkDirectory::makeScratch(const std::string& localFolder) {
@@ -191,7 +195,7 @@ void WorkDirectory::makeScratch(const std::string& localFolder) {
     try {
         known = log_.scratchBytes();
     } catch (const hierarchy::Damage& damage) {
-        throw Error(folder_ + "/checkpoints", damage.what);
+        throw scratch::DamageError(folder_ + "/checkpoints", damage.what);
     }
     place_ = {folder_ + "/" + kScratchStem, known.empty() ? 0 : known.rbegin()->first + 1};
     std::error_code ignored;
@@ -223,21 +227,30 @@ void WorkDirectory::expectProcesses(std::uint32_t count) {
         names_.take(scratch::partPath(place_.stem, place_.firstPart + expected_));
 }
 
-bool WorkDirectory::hasResumed(const std::string& key) {
+void WorkDirectory::leave() {
+    if (writer_) writer_->finish();
+    names_.leave();
+}
+
+void WorkDirectory::release(const scratch::Blocks& blocks) {
+    for (const scratch::Block& block : blocks)
+        scratch_->release(block);
+}
+
+std::optional<scratch::RecordLog> WorkDirectory::resumed(const std::string& key) {
     std::optional<scratch::RecordLog> found = scratch::RecordLog::reopen(folder_ + "/checkpoints");
-    if (!found || found->records().empty()) return false;
+    if (!found || found->records().empty()) return {};
     const std::vector<std::byte>& first = found->records().front();
     const std::string before(reinterpret_cast<const char*>(first.data()), first.size());
     if (before != key) throw Error(folder_, "cannot resume, input or options changed: " + differenceOf(key, before));
-    recordLog_ = std::move(found);
     try {
-        for (std::size_t i = 1; i < recordLog_->records().size(); ++i)
-            log_.addEncoded(recordLog_->records()[i]);
+        for (std::size_t i = 1; i < found->records().size(); ++i)
+            log_.addEncoded(found->records()[i]);
+        log_.requireConsistent();
     } catch (const hierarchy::Damage& damage) {
-        throw Error(folder_ + "/checkpoints", damage.what);
+        throw scratch::DamageError(folder_ + "/checkpoints", damage.what);
     }
-    names_.takeOver(folder_);
-    return true;
+    return found;
 }
 
 } // namespace gnomon::pipeline

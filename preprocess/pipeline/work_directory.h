@@ -3,6 +3,7 @@
 
 #include "core/temporary_name.h"
 #include "preprocess/pipeline/checkpoint_log.h"
+#include "preprocess/pipeline/record_writer.h"
 #include "preprocess/scratch/parted_scratch.h"
 #include "preprocess/scratch/record_log.h"
 
@@ -37,7 +38,8 @@ struct ScratchPlace {
 class WorkDirectory {
 public:
     /// Throws Error where another process is at work, where the folder is another user's or a link, or if a resumed
-    /// build has another key, naming the entries that differ; then nothing is touched.
+    /// build has another key, naming the entries that differ; then nothing is touched. Throws DamageError if a resumed
+    /// build finds records or scratch files that cannot be right.
     WorkDirectory(const WorkDirectoryOptions& options, Progress& progress);
     ~WorkDirectory() = default;
     WorkDirectory(const WorkDirectory&) = delete;
@@ -61,15 +63,22 @@ public:
     /// first.
     void expectProcesses(std::uint32_t count);
 
-    /// Lets everything stay where it is when the object goes, for another process to go on with.
-    void leave() { names_.leave(); }
+    /// Writes all records. Lets everything stay where it is when the object goes, for another process to go on with.
+    void leave();
 
-    /// Adds `record` to the checkpoint log; what it tells of must have been written.
+    /// Adds `record` to the checkpoint log; the data that it names must have been appended. Gives the space of `freed`
+    /// back once the record is written. Throws the error of a record before that could not be written.
     template <class Record>
-    void finish(Record record) {
-        if (recordLog_) recordLog_->append(encoded(record));
+    void finish(Record record, scratch::Blocks freed = {}) {
+        if (writer_)
+            writer_->add({encoded(record), partsOf(record), std::move(freed)});
+        else
+            release(freed);
         log_.add(std::move(record));
     }
+
+    /// Gives the space of `blocks` back.
+    void release(const scratch::Blocks& blocks);
 
 private:
     /// The folder and the files that builds write into it; they go with it unless it leaves them. The checkpoint log
@@ -101,8 +110,9 @@ private:
         std::unique_ptr<TemporaryName> log_;               // newer than all others
     };
 
-    /// Resumes from the checkpoint log that is there; whether there is one. Throws Error if it is of another build.
-    bool hasResumed(const std::string& key);
+    /// Resumes from the checkpoint log that is there; returns it, or nothing if there is none. Throws Error if it is of
+    /// another build.
+    std::optional<scratch::RecordLog> resumed(const std::string& key);
 
     /// Makes the scratch file of this process after those that the log tells of, and removes all others.
     void makeScratch(const std::string& localFolder);
@@ -112,10 +122,10 @@ private:
     ScratchPlace place_;
     std::uint32_t expected_ = 0; // processes
     std::optional<File> lock_;
-    std::optional<scratch::RecordLog> recordLog_;
     CheckpointLog log_;
     std::unique_ptr<scratch::ScratchFile> scratch_;
-    Names names_; // last, so that all is removed before the lock is free
+    Names names_;                        // after the lock, so that all is removed before the lock is free
+    std::optional<RecordWriter> writer_; // last, so that it writes no file whose name is gone
 };
 
 } // namespace gnomon::pipeline

@@ -1,7 +1,9 @@
 #include "preprocess/scratch/parted_scratch.h"
 
 #include "core/check.h"
-#include "core/error.h"
+#include "preprocess/scratch/damage_error.h"
+
+#include <filesystem>
 
 namespace gnomon::scratch {
 
@@ -30,12 +32,22 @@ PartedScratch::PartedScratch(
 }
 
 void PartedScratch::resume(std::uint32_t part, std::uint64_t bytes) {
-    File file(partPath(stem_, part), File::Mode::Update);
+    const std::string path = partPath(stem_, part);
+    if (!std::filesystem::exists(path)) throw DamageError(path, "the temporary file is missing");
+    File file(path, File::Mode::Update);
     if (const std::uint64_t found = file.size(); found < bytes)
-        throw Error(
-            file.path(), "the temporary file was cut off", std::to_string(bytes) + " bytes", std::to_string(found));
+        throw DamageError(
+            path, "the temporary file was cut off", std::to_string(bytes) + " bytes", std::to_string(found));
     file.resize(bytes);
     space().take(bytes);
+}
+
+void PartedScratch::sync(std::span<const std::uint32_t> parts) {
+    for (const std::uint32_t part : parts)
+        if (part == ownPart_)
+            own_.sync();
+        else
+            other(part)->sync();
 }
 
 void PartedScratch::handOver() const {
@@ -69,9 +81,9 @@ std::shared_ptr<File> PartedScratch::other(std::uint32_t part) const {
 
 void PartedScratch::load(std::uint64_t place, std::span<std::byte> out) const {
     if (partOf(place) == ownPart_)
-        own_.readAt(offsetOf(place), out);
+        loadFrom(own_, offsetOf(place), out);
     else
-        other(partOf(place))->readAt(offsetOf(place), out);
+        loadFrom(*other(partOf(place)), offsetOf(place), out);
 }
 
 void PartedScratch::store(std::uint64_t place, std::span<const std::byte> bytes) {
@@ -84,6 +96,10 @@ void PartedScratch::forget(std::uint64_t place, std::uint64_t bytes) {
         own_.release(offsetOf(place), bytes);
     else
         other(partOf(place))->release(offsetOf(place), bytes);
+}
+
+std::string PartedScratch::placeText(std::uint64_t place) const {
+    return atByte(partPath(stem_, partOf(place)), offsetOf(place));
 }
 
 } // namespace gnomon::scratch

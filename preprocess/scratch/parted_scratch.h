@@ -18,6 +18,9 @@ constexpr unsigned kPartShift = 48;
 /// The most parts of one build, over all processes that ever worked for it.
 constexpr std::uint32_t kMostParts = 1U << (64U - kPartShift);
 
+/// The max size of a part.
+constexpr std::uint64_t kMostPartBytes = std::uint64_t{1} << kPartShift;
+
 constexpr std::uint32_t partOf(std::uint64_t place) {
     return static_cast<std::uint32_t>(place >> kPartShift);
 }
@@ -37,9 +40,10 @@ public:
     PartedScratch(std::string stem, std::uint32_t ownPart, TemporarySpace& space, const std::string& localFolder = "");
 
     /// Counts the first `bytes` of a part that an earlier process left, and cuts off what it wrote after them. Throws
-    /// Error if the file is shorter.
+    /// DamageError if the file is shorter or missing.
     void resume(std::uint32_t part, std::uint64_t bytes);
 
+    void sync(std::span<const std::uint32_t> parts) override;
     void handOver() const override;
     void reopenOthers() override;
     void handleCopies(Copies copies) override;
@@ -50,6 +54,7 @@ private:
     void load(std::uint64_t place, std::span<std::byte> out) const override;
     void store(std::uint64_t place, std::span<const std::byte> bytes) override;
     void forget(std::uint64_t place, std::uint64_t bytes) override;
+    std::string placeText(std::uint64_t place) const override;
 
     std::shared_ptr<File> other(std::uint32_t part) const;
 

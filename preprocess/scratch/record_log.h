@@ -24,6 +24,9 @@ public:
 
     void append(std::span<const std::byte> record);
 
+    /// Flushes the records to the device.
+    void sync() { file_.sync(); }
+
     std::uint64_t bytes() const { return end_; }
 
 private:

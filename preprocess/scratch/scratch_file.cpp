@@ -1,8 +1,12 @@
 #include "preprocess/scratch/scratch_file.h"
 
 #include "core/check.h"
+#include "hierarchy/file_layout.h"
+#include "preprocess/scratch/damage_error.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <cstring>
 #include <map>
 #include <mutex>
@@ -19,11 +23,13 @@ public:
     DiskScratch(const std::string& path, TemporarySpace& space) : ScratchFile(space), file_(path, File::Mode::Create) {}
 
 private:
-    void load(std::uint64_t offset, std::span<std::byte> out) const override { file_.readAt(offset, out); }
+    void load(std::uint64_t offset, std::span<std::byte> out) const override { loadFrom(file_, offset, out); }
 
     void store(std::uint64_t offset, std::span<const std::byte> bytes) override { file_.writeAt(offset, bytes); }
 
     void forget(std::uint64_t offset, std::uint64_t bytes) override { file_.release(offset, bytes); }
+
+    std::string placeText(std::uint64_t offset) const override { return atByte(file_.path(), offset); }
 
     File file_;
 };
@@ -53,9 +59,17 @@ private:
         pieces_.erase(offset);
     }
 
+    std::string placeText(std::uint64_t offset) const override { return atByte("temporary data in memory", offset); }
+
     mutable std::shared_mutex mutex_;
     std::map<std::uint64_t, std::vector<std::byte>> pieces_;
 };
+
+std::string checksumText(std::uint64_t checksum) {
+    std::array<char, 32> digits{};
+    std::snprintf(digits.data(), digits.size(), "checksum %016llx", static_cast<unsigned long long>(checksum));
+    return digits.data();
+}
 
 } // namespace
 
@@ -91,27 +105,58 @@ void TemporarySpace::giveBack(std::uint64_t bytes) {
     progress_.temporarySpace(this->bytes());
 }
 
-std::uint64_t ScratchFile::append(std::span<const std::byte> bytes) {
-    if (bytes.empty()) return end_;
+Block ScratchFile::append(std::span<const std::byte> bytes) {
+    if (bytes.empty()) return {end_, 0, 0};
     space_.take(bytes.size());
     space_.pace(bytes.size());
-    const std::uint64_t offset = end_.fetch_add(bytes.size());
-    store(offset, bytes);
-    return offset;
+    const Block block{end_.fetch_add(bytes.size()), bytes.size(), hierarchy::checksum64(bytes)};
+    store(block.offset, bytes);
+    return block;
 }
 
-void ScratchFile::read(std::uint64_t offset, std::span<std::byte> out) const {
-    if (loadCopy(offset, out)) return;
+void ScratchFile::read(const Block& block, std::span<std::byte> out) const {
+    GNOMON_CHECK_OP(out.size(), ==, block.bytes);
+    if (out.empty()) return;
+    if (loadCopy(block.offset, out) && hierarchy::checksum64(out) == block.checksum) return;
     space_.countRead(out.size());
     space_.pace(out.size());
-    load(offset, out);
-    keepCopy(offset, out);
+    load(block.offset, out);
+    if (const std::uint64_t found = hierarchy::checksum64(out); found != block.checksum)
+        throw DamageError(
+            placeText(block.offset),
+            std::to_string(block.bytes) + " bytes of temporary data are damaged",
+            checksumText(block.checksum),
+            checksumText(found));
+    keepCopy(block.offset, out);
 }
 
-void ScratchFile::release(std::uint64_t offset, std::uint64_t bytes) {
-    if (bytes == 0) return;
-    forget(offset, bytes);
-    space_.giveBack(bytes);
+std::vector<std::byte> ScratchFile::read(std::span<const Block> blocks) const {
+    std::size_t size = 0;
+    for (const Block& block : blocks)
+        size += block.bytes;
+    std::vector<std::byte> bytes(size);
+    std::size_t done = 0;
+    for (const Block& block : blocks) {
+        read(block, std::span(bytes).subspan(done, block.bytes));
+        done += block.bytes;
+    }
+    return bytes;
+}
+
+void ScratchFile::release(const Block& block) {
+    if (block.bytes == 0) return;
+    forget(block.offset, block.bytes);
+    space_.giveBack(block.bytes);
+}
+
+void ScratchFile::loadFrom(const File& file, std::uint64_t offset, std::span<std::byte> out) {
+    const std::size_t got = file.readSomeAt(offset, out);
+    if (got < out.size())
+        throw DamageError(
+            atByte(file.path(), offset + got),
+            "temporary data are cut off",
+            std::to_string(out.size() - got) + " more bytes",
+            "the end of the file");
 }
 
 std::unique_ptr<ScratchFile> scratchOnDisk(const std::string& path, TemporarySpace& space) {

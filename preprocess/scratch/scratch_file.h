@@ -3,6 +3,7 @@
 
 #include "core/file.h"
 #include "core/progress.h"
+#include "preprocess/scratch/block.h"
 
 #include <algorithm>
 #include <atomic>
@@ -75,11 +76,15 @@ public:
     ScratchFile(ScratchFile&&) = delete;
     ScratchFile& operator=(ScratchFile&&) = delete;
 
-    /// Appends `bytes` and returns where they begin. Throws Error where the disk is full.
-    std::uint64_t append(std::span<const std::byte> bytes);
+    /// Appends `bytes` as one block. Throws Error if the disk is full.
+    Block append(std::span<const std::byte> bytes);
 
-    /// Fills `out` with what was appended at `offset`; in memory never across two calls of `append`.
-    void read(std::uint64_t offset, std::span<std::byte> out) const;
+    /// Fills `out`, which has the size of `block`, with its bytes. Throws DamageError if they are not those that were
+    /// appended.
+    void read(const Block& block, std::span<std::byte> out) const;
+
+    /// Returns the bytes of `blocks`, one block after the other. Throws DamageError.
+    std::vector<std::byte> read(std::span<const Block> blocks) const;
 
     /// Lets processes on other hosts read what this one has appended, where there are any.
     virtual void handOver() const {}
@@ -90,8 +95,12 @@ public:
     /// From now on does so with what is read; to be called while nothing is read for another purpose.
     virtual void handleCopies(Copies /*copies*/) {}
 
-    /// Gives the space of one `append` back; its bytes are lost.
-    void release(std::uint64_t offset, std::uint64_t bytes);
+    /// Flushes the data of `parts` to the device, so that a power cut does not lose them. A file of one part ignores
+    /// this.
+    virtual void sync(std::span<const std::uint32_t> /*parts*/) {}
+
+    /// Gives the space of `block` back; its bytes are lost.
+    void release(const Block& block);
 
     /// Where the next bytes go.
     std::uint64_t end() const { return end_; }
@@ -103,9 +112,15 @@ protected:
     /// Keeps a copy of what was read, if it is to be kept.
     virtual void keepCopy(std::uint64_t /*offset*/, std::span<const std::byte> /*bytes*/) const {}
 
+    /// Reads from a file of this machine. Throws DamageError if the file is too short.
+    static void loadFrom(const File& file, std::uint64_t offset, std::span<std::byte> out);
+
     virtual void load(std::uint64_t offset, std::span<std::byte> out) const = 0;
     virtual void store(std::uint64_t offset, std::span<const std::byte> bytes) = 0;
     virtual void forget(std::uint64_t offset, std::uint64_t bytes) = 0;
+
+    /// Returns the text that errors use for the byte at `offset`.
+    virtual std::string placeText(std::uint64_t offset) const = 0;
 
     TemporarySpace& space() { return space_; }
 

@@ -11,26 +11,24 @@ StreamStore::StreamStore(ScratchFile& file, std::uint32_t streamCount, std::size
     : file_(file), blockBytes_(blockBytes), streams_(streamCount) {}
 
 StreamStore::StreamStore(ScratchFile& file, std::span<const std::byte> directory) : file_(file), blockBytes_(1) {
-    std::vector<std::vector<Block>> blocks = blocksOf(directory);
+    std::vector<Blocks> blocks = blocksOf(directory);
     streams_.resize(blocks.size());
     for (std::size_t i = 0; i < blocks.size(); ++i)
         streams_[i].blocks = std::move(blocks[i]);
 }
 
-std::vector<std::vector<StreamStore::Block>> StreamStore::blocksOf(std::span<const std::byte> directory) {
+std::vector<Blocks> StreamStore::blocksOf(std::span<const std::byte> directory) {
     hierarchy::ByteReader in(directory);
     const auto count = [&in] {
         const std::uint64_t values = in.takeVarint();
         if (values > in.remaining()) throw hierarchy::Damage{"the bytes end too early"}; // each has a byte or more
         return values;
     };
-    std::vector<std::vector<Block>> streams(count());
-    for (std::vector<Block>& stream : streams) {
+    std::vector<Blocks> streams(count());
+    for (Blocks& stream : streams) {
         stream.resize(count());
-        for (Block& block : stream) {
-            block.offset = in.takeVarint();
-            block.bytes = in.takeVarint();
-        }
+        for (Block& block : stream)
+            block = takeBlock(in);
     }
     in.expectEnd();
     return streams;
@@ -53,7 +51,7 @@ void StreamStore::writeOpen(Stream& stream) {
 }
 
 void StreamStore::write(Stream& stream, std::span<const std::byte> bytes) {
-    stream.blocks.push_back({file_.append(bytes), bytes.size()});
+    stream.blocks.push_back(file_.append(bytes));
 }
 
 void StreamStore::flush() {
@@ -80,16 +78,16 @@ void StreamStore::readInto(std::uint32_t stream, std::span<std::byte> out) const
     GNOMON_CHECK_OP(out.size(), ==, bytes(stream));
     std::size_t done = 0;
     for (const Block& block : streams_[stream].blocks) {
-        file_.read(block.offset, out.subspan(done, block.bytes));
+        file_.read(block, out.subspan(done, block.bytes));
         done += block.bytes;
     }
 }
 
 bool StreamStore::Reader::isAtEnd() {
-    const std::vector<Block>& blocks = store_.streams_[stream_].blocks;
+    const Blocks& blocks = store_.streams_[stream_].blocks;
     while (place_ == block_.size() && nextBlock_ < blocks.size()) {
         block_.resize(blocks[nextBlock_].bytes);
-        store_.file_.read(blocks[nextBlock_].offset, block_);
+        store_.file_.read(blocks[nextBlock_], block_);
         ++nextBlock_;
         place_ = 0;
     }
@@ -107,9 +105,8 @@ void StreamStore::Reader::takeBytes(std::span<std::byte> out) {
 }
 
 void StreamStore::release(std::uint32_t stream) {
-    for (const Block& block : streams_[stream].blocks)
-        file_.release(block.offset, block.bytes);
-    streams_[stream].blocks.clear();
+    for (const Block& block : takeBlocks(stream))
+        file_.release(block);
 }
 
 std::vector<std::byte> StreamStore::directory() const {
@@ -117,10 +114,8 @@ std::vector<std::byte> StreamStore::directory() const {
     out.putVarint(streams_.size());
     for (const Stream& stream : streams_) {
         out.putVarint(stream.blocks.size());
-        for (const Block& block : stream.blocks) {
-            out.putVarint(block.offset);
-            out.putVarint(block.bytes);
-        }
+        for (const Block& block : stream.blocks)
+            putBlock(out, block);
     }
     return out.take();
 }

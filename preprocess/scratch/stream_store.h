@@ -5,6 +5,7 @@
 
 #include <cstring>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace gnomon::scratch {
@@ -40,16 +41,10 @@ public:
     /// Writes what is in memory and frees it.
     void flush();
 
-    /// Bytes of a stream that lie one after the other in the scratch file.
-    struct Block {
-        std::uint64_t offset = 0;
-        std::uint64_t bytes = 0;
-    };
-
     /// Appends what somebody else has written to the scratch file; what was appended before must be flushed.
     void adopt(std::uint32_t stream, const Block& block) { streams_[stream].blocks.push_back(block); }
 
-    const std::vector<Block>& blocks(std::uint32_t stream) const { return streams_[stream].blocks; }
+    const Blocks& blocks(std::uint32_t stream) const { return streams_[stream].blocks; }
 
     std::uint32_t streamCount() const { return static_cast<std::uint32_t>(streams_.size()); }
 
@@ -74,7 +69,7 @@ public:
         std::vector<std::byte> bytes;
         for (const Block& block : streams_[stream].blocks) {
             bytes.resize(block.bytes);
-            file_.read(block.offset, bytes);
+            file_.read(block, bytes);
             take(std::span<const std::byte>(bytes));
         }
     }
@@ -104,6 +99,9 @@ public:
         std::size_t place_ = 0;
     };
 
+    /// Empties a stream and returns its blocks, whose space the caller gives back.
+    Blocks takeBlocks(std::uint32_t stream) { return std::exchange(streams_[stream].blocks, {}); }
+
     /// Gives a stream's space back.
     void release(std::uint32_t stream);
 
@@ -111,12 +109,12 @@ public:
     std::vector<std::byte> directory() const;
 
     /// The blocks of each stream of a `directory`. Throws hierarchy::Damage.
-    static std::vector<std::vector<Block>> blocksOf(std::span<const std::byte> directory);
+    static std::vector<Blocks> blocksOf(std::span<const std::byte> directory);
 
 private:
     struct Stream {
         std::vector<std::byte> open;
-        std::vector<Block> blocks;
+        Blocks blocks;
     };
 
     void writeOpen(Stream& stream);

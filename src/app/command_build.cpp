@@ -87,6 +87,7 @@ void run(const BuildCommand& command, const BuildBy& buildBy) {
     options.scratchBytesPerSecond = parseBytes(command.scratchRate)->count;
     options.isInMemory = command.isInMemory;
     options.isResumed = command.isResumed;
+    options.onDamage = [](const std::string& damage) { printWarning(damage + "; the build starts anew"); };
     options.onKeptFolder = printWarning;
     const std::map<std::string, Simplifier> simplifiers{
         {"quadric", Simplifier::Quadric},

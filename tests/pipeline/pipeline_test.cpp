@@ -3,11 +3,13 @@
 #include "core/file.h"
 #include "core/random.h"
 #include "preprocess/pipeline/build_options.h"
+#include "preprocess/scratch/damage_error.h"
 #include "tests/pipeline/built_model.h"
 #include "tests/pipeline/test_folder.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -17,6 +19,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <thread>
 #include <vector>
 
 #include <sys/resource.h>
@@ -62,7 +65,9 @@ public:
 
 private:
     void step() {
-        if (--left_ < 0) ::raise(SIGKILL);
+        if (--left_ >= 0) return;
+        std::this_thread::sleep_for(std::chrono::milliseconds(5)); // until records are written
+        ::raise(SIGKILL);
     }
 
     std::atomic<int> left_;
@@ -234,6 +239,107 @@ TEST(Pipeline, GoesOnAfterBeingKilledAnywhere) {
         EXPECT_EQ(folder.names(), std::set<std::string>{"m.gnm"});
     }
     EXPECT_GT(killed, 8);
+}
+
+/// Damages one of the scratch files or the log in `folder` in one of several ways.
+void damageOne(const fs::path& folder, Random& random) {
+    std::vector<fs::path> files;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+        if (entry.path().filename() != "lock") files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    const std::string path = files[random.below(files.size())].string();
+    std::string bytes = readTextFile(path);
+    const std::size_t place = random.below(bytes.size() + 1);
+    const std::size_t length = std::min<std::size_t>(random.below(3) == 0 ? bytes.size() : 512, bytes.size() - place);
+    switch (random.below(6)) {
+    case 0: // as after a power cut
+        bytes.replace(place, length, length, '\0');
+        break;
+    case 1:
+        if (length > 0) bytes[place] = static_cast<char>(bytes[place] ^ 1 << random.below(8));
+        break;
+    case 2:
+        bytes.resize(place);
+        break;
+    case 3: // the block of another place
+        bytes.replace(place, length, bytes.substr(random.below(bytes.size() - length + 1), length));
+        break;
+    case 4:
+        bytes.insert(place, "more");
+        break;
+    default:
+        fs::remove(path);
+        return;
+    }
+    writeTextFile(path, bytes);
+}
+
+TEST(Pipeline, DamagedTemporaryDataDoNotChangeAResumedBuild) {
+    const read::CodeMesh mesh = read::bumpySheet(50);
+    const TestFolder folder;
+    BuildOptions options = smallChunks(400);
+    options.output = folder.file("m.gnm");
+    ASSERT_FALSE(isKilled(mesh, options, kToTheEnd));
+    const std::string expected = hierarchy::ModelFile(options.output).contentHash();
+    const fs::path state = options.output + ".building";
+    const fs::path kept = folder.file("kept");
+    Random random(11);
+    int damaged = 0;
+    options.onDamage = [&](const std::string& damage) {
+        ++damaged;
+        EXPECT_NE(damage.find(".building"), std::string::npos) << damage;
+    };
+    for (const int steps : {30, 60, 90}) {
+        options.isResumed = false;
+        ASSERT_TRUE(isKilled(mesh, options, steps));
+        fs::remove_all(kept);
+        fs::rename(state, kept);
+        options.isResumed = true;
+        for (int i = 0; i < 14; ++i) {
+            fs::copy(kept, state);
+            damageOne(state, random);
+            fs::remove(options.output);
+            ASSERT_EQ(build(mesh, options), expected) << i;
+            EXPECT_FALSE(fs::exists(state));
+        }
+    }
+    EXPECT_GT(damaged, 5);
+}
+
+TEST(Pipeline, AnErrorNamesTemporaryDataThatAreDamagedWhileABuildRuns) {
+    read::CodeMesh mesh = read::bumpySheet(50);
+    const TestFolder folder;
+    BuildOptions options = smallChunks(400);
+    options.output = folder.file("m.gnm");
+    const std::string scratch = options.output + ".building/scratch.0";
+
+    class Damager final : public Progress {
+    public:
+        explicit Damager(std::string path) : path_(std::move(path)) {}
+
+        void stage(std::string_view name, std::string_view /*unit*/, std::uint64_t /*total*/) override {
+            if (name != "borders") return;
+            File file(path_, File::Mode::Update);
+            file.writeAt(0, std::vector<std::byte>(file.size()));
+        }
+
+        void advance(std::uint64_t /*count*/) override {}
+
+    private:
+        std::string path_;
+    };
+
+    Damager damager(scratch);
+    try {
+        buildModel(mesh, options, damager);
+        ADD_FAILURE() << "no error";
+    } catch (const scratch::DamageError& error) {
+        const std::string text = error.what();
+        EXPECT_EQ(text.rfind(scratch + ": byte ", 0), 0U) << text;
+        EXPECT_NE(text.find(" bytes of temporary data are damaged: expected checksum "), std::string::npos) << text;
+        EXPECT_NE(text.find(", found checksum "), std::string::npos) << text;
+    }
+    EXPECT_EQ(folder.names(), std::set<std::string>{});
 }
 
 TEST(Pipeline, AResumedBuildOfSomethingElseIsRefusedAndTouchesNothing) {

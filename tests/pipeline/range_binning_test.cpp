@@ -211,7 +211,7 @@ TEST_F(RangeBinningTest, PagesAreWrittenWhereNoMoreAreToBeHeld) {
     const auto scratch = scratch::scratchInMemory(space);
     const RangeWork work(mesh, *scratch, progress);
     const std::vector<std::byte> none = encoded(read::RowIndex());
-    const Blocks noIndex{{scratch->append(none), none.size()}};
+    const Blocks noIndex{scratch->append(none)};
     std::vector<unsigned> plain(mesh.positions.size());
     for (const read::CodeMesh::Triangle& t : mesh.triangles)
         for (const std::uint32_t corner : t)
@@ -225,16 +225,15 @@ TEST_F(RangeBinningTest, PagesAreWrittenWhereNoMoreAreToBeHeld) {
         if (page == 1 || page == 2) input.pages.push_back({page, block});
     const VertexMeasure measure = work.measureVertices(input);
     ASSERT_EQ(measure.valence.size(), 1U);
-    std::vector<std::byte> valence(measure.valence.front().bytes);
+    const std::vector<std::byte> valence = scratch->read(measure.valence);
     ASSERT_EQ(valence.size(), 2 * kPageVertices);
-    scratch->read(measure.valence.front().offset, valence);
     for (std::size_t i = 0; i < valence.size(); ++i)
         ASSERT_EQ(std::to_integer<unsigned>(valence[i]), std::min(plain[kPageVertices + i], 255U));
     EXPECT_TRUE(measure.positions.empty());
 }
 
 TEST(RangeBytes, ComeBackAndAreRefusedWhereTheyEndEarly) {
-    const Blocks blocks{{100, 20}, {std::uint64_t{1} << 50U, 3}};
+    const Blocks blocks{{100, 20, 5}, {std::uint64_t{1} << 50U, 3, std::uint64_t{1} << 63U}};
     const RowRange range{7, std::uint64_t{1} << 40U, blocks};
     VertexMeasure measure;
     measure.box.add(glm::dvec3(1, 2, 3));

@@ -99,8 +99,8 @@ NodeRecord someNode(std::uint32_t round, std::uint32_t firstLevel, std::uint32_t
     node.levels[0].pages[1].maxError = 0.75;
     node.levels[0].pages[1].children = {3, 5};
     node.levels[1].pages.resize(1);
-    node.pendingOffset = 11;
-    node.pendingBytes = 12;
+    node.places = {11, 12, 18};
+    node.clusters = {23, 24, std::uint64_t{25} << 56U};
     node.rootTriangles = 13;
     node.stuckTriangles = 14;
     node.dropped = {15, 16, 17};
@@ -172,7 +172,10 @@ TEST(CheckpointLog, NodesInAnyOrderComeToTheSame) {
         CheckpointLog log;
         for (const std::uint32_t number : order) {
             NodeRecord node = someNode(0, 0, number);
-            node.levels[0].pages[2].offset = scratch::placeOf(number, 100);
+            node.places.offset = scratch::placeOf(number, 11);
+            node.clusters.offset = scratch::placeOf(number, 23);
+            node.levels[0].pages[1].offset = scratch::placeOf(number, 77);
+            node.levels[0].pages[2].offset = scratch::placeOf(number, 200);
             node.levels[0].pages[2].storedBytes = 10;
             node.levels[1].pages[0].children = {levels::provisionalId(0, 2), levels::provisionalId(0, 0)};
             log.addEncoded(encoded(node));
@@ -187,7 +190,7 @@ TEST(CheckpointLog, NodesInAnyOrderComeToTheSame) {
     const CheckpointLog other = logOf({2, 0, 3, 1});
     EXPECT_EQ(other.pageCounts(), plain.pageCounts());
     EXPECT_EQ(other.scratchBytes(), plain.scratchBytes());
-    EXPECT_EQ(plain.scratchBytes().at(3), 110U);
+    EXPECT_EQ(plain.scratchBytes().at(3), 210U);
     ASSERT_EQ(other.nodes(0).size(), 4U);
     for (std::uint32_t node = 0; node < 4; ++node) {
         EXPECT_EQ(encoded(other.nodes(0)[node]), encoded(plain.nodes(0)[node]));
@@ -198,7 +201,11 @@ TEST(CheckpointLog, NodesInAnyOrderComeToTheSame) {
     EXPECT_TRUE(holed.isBuilt(0, 2) && holed.isBuilt(0, 0));
     EXPECT_FALSE(holed.isBuilt(0, 1) || holed.isBuilt(0, 3) || holed.isBuilt(1, 0));
     EXPECT_EQ(holed.builtTriangles(0), plain.builtTriangles(0) / 2);
-    EXPECT_EQ(holed.scratchBytes().at(2), 110U);
+    EXPECT_EQ(holed.scratchBytes().at(2), 210U);
+    CheckpointLog shared;
+    shared.add(someNode(0, 0));
+    shared.add(someNode(0, 0, 1));
+    EXPECT_THROW(shared.scratchBytes(), hierarchy::Damage) << "blocks of two nodes at one place";
     EXPECT_THROW(logOf({2, 0, 2}), hierarchy::Damage) << "built twice";
     EXPECT_THROW(logOf({0, 0}), hierarchy::Damage);
 }
@@ -219,6 +226,52 @@ TEST(CheckpointLog, DamagedRecordsAreRefused) {
     EXPECT_THROW(CheckpointLog().addEncoded(longer), hierarchy::Damage);
     EXPECT_THROW(CheckpointLog().addEncoded({}), hierarchy::Damage);
     EXPECT_THROW(CheckpointLog().addEncoded(encoded(someRound(2))), hierarchy::Damage) << "round 1 is missing";
+}
+
+TEST(CheckpointLog, RecordsThatDoNotBelongTogetherAreRefused) {
+    NoProgress progress;
+    scratch::TemporarySpace space(progress);
+    const auto file = scratch::scratchInMemory(space);
+    const auto directoryOf = [&](std::uint32_t streams) { return scratch::StreamStore(*file, streams, 1).directory(); };
+    BinnedRecord binned = someBinned();
+    binned.chunkCount = 2;
+    binned.directory = directoryOf(chunk::binStreams(2));
+    NodeRecord node = someNode(0, 0);
+    node.pending.clusters = 3;
+    node.places.bytes = levels::placeBytes(3);
+    node.levels[0].pages[1].children.clear();
+    node.levels[1].pages[0].children = {levels::provisionalId(0, 2)};
+    const auto check = [](const BinnedRecord& record, const NodeRecord& built, std::optional<BorderedRecord> bordered) {
+        CheckpointLog log;
+        log.add(record);
+        if (bordered) log.add(*bordered);
+        log.add(built);
+        log.requireConsistent();
+    };
+    EXPECT_NO_THROW(check(binned, node, BorderedRecord{directoryOf(chunk::borderStreams(2))}));
+    EXPECT_THROW(check(binned, node, BorderedRecord{directoryOf(chunk::borderStreams(3))}), hierarchy::Damage);
+    BinnedRecord others = binned;
+    for (const std::uint32_t count : {0U, 1U, 3U, ~0U}) {
+        others.chunkCount = count;
+        EXPECT_THROW(check(others, node, {}), hierarchy::Damage) << count;
+    }
+    NodeRecord bad = node;
+    bad.node = 2;
+    EXPECT_THROW(check(binned, bad, {}), hierarchy::Damage);
+    bad = node;
+    bad.pending.clusters = std::uint64_t{1} << 62U;
+    EXPECT_THROW(check(binned, bad, {}), hierarchy::Damage);
+    bad = node;
+    bad.firstLevel = ~0U - 1;
+    CheckpointLog log;
+    EXPECT_THROW(log.addEncoded(encoded(bad)), hierarchy::Damage);
+    for (const std::uint32_t child : {levels::provisionalId(0, 3), levels::provisionalId(7, 0)}) {
+        bad = node;
+        bad.levels[1].pages[0].children = {child};
+        EXPECT_THROW(check(binned, bad, {}), hierarchy::Damage);
+    }
+    log.add(someRound(1));
+    EXPECT_THROW(log.requireConsistent(), hierarchy::Damage) << "no chunks";
 }
 
 TEST(BuildKey, HasWhatChangesBytesAndNothingElse) {

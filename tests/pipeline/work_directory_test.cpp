@@ -124,7 +124,7 @@ TEST(WorkDirectory, ThatIsLeftCanBeResumed) {
     WorkDirectoryOptions options{folder.file("m.gnm"), "", "the key", false, true};
     {
         WorkDirectory place(options, progress);
-        scratch::StreamStore bins(place.scratch(), 1, 1);
+        scratch::StreamStore bins(place.scratch(), chunk::binStreams(0), 1);
         bins.append(0, std::vector<std::byte>(1000));
         place.scratch().append(std::vector<std::byte>(500)); // of what is not finished
         BinnedRecord record;

@@ -98,8 +98,8 @@ TEST_F(Local, SparesAScratchFileWhatIsReadAgain) {
     TemporarySpace space(progress);
     PartedScratch writer(folder + "/scratch.", 0, space);
     PartedScratch reader(folder + "/scratch.", 1, space, folder);
-    const std::uint64_t a = writer.append(filled(1000, 1));
-    const std::uint64_t b = writer.append(filled(3000, 2));
+    const Block a = writer.append(filled(1000, 1));
+    const Block b = writer.append(filled(3000, 2));
     std::vector<std::byte> small(1000);
     std::vector<std::byte> large(3000);
     reader.read(b, large);

@@ -75,21 +75,12 @@ void RangeBinning::run(
 
 Blocks RangeBinning::posted(std::span<const std::byte> bytes) {
     if (bytes.empty()) return {};
-    return {{means_.scratch.append(bytes), bytes.size()}};
-}
-
-std::vector<std::byte> RangeBinning::read(const Blocks& blocks) {
-    std::vector<std::byte> bytes;
-    for (const scratch::StreamStore::Block& block : blocks) {
-        bytes.resize(bytes.size() + block.bytes);
-        means_.scratch.read(block.offset, std::span(bytes).last(block.bytes));
-    }
-    return bytes;
+    return {means_.scratch.append(bytes)};
 }
 
 void RangeBinning::release(Blocks& blocks) {
-    for (const scratch::StreamStore::Block& block : std::exchange(blocks, {}))
-        means_.scratch.release(block.offset, block.bytes);
+    for (const scratch::Block& block : std::exchange(blocks, {}))
+        means_.scratch.release(block);
 }
 
 bool RangeBinning::countFaces(chunk::SourceSurvey& survey, chunk::EdgeSample& sample, std::vector<Mail>& pages) {
@@ -110,7 +101,7 @@ bool RangeBinning::countFaces(chunk::SourceSurvey& survey, chunk::EdgeSample& sa
         survey.notAPolygon += count.notAPolygon;
         survey.hasPolygons = survey.hasPolygons || count.hasPolygons;
         scratch::forEachRecord<chunk::EdgeSample::Entry>(
-            read(count.sample), [&](const chunk::EdgeSample::Entry& entry) { sample.take(entry); });
+            means_.scratch.read(count.sample), [&](const chunk::EdgeSample::Entry& entry) { sample.take(entry); });
         release(count.sample);
         for (const auto& [page, block] : count.pages)
             pages[page * kPageVertices / verticesOfRange_].push_back({page, block});
@@ -147,7 +138,7 @@ Box RangeBinning::measure(
             fields[i].least = std::min(fields[i].least, measure.fields.at(i)[0]);
             fields[i].greatest = std::max(fields[i].greatest, measure.fields.at(i)[1]);
         }
-        append(positions, read(measure.positions));
+        append(positions, means_.scratch.read(measure.positions));
         release(measure.positions);
         valence_.push_back(std::move(measure.valence));
     }
@@ -180,7 +171,7 @@ std::optional<chunk::SourceSurvey> RangeBinning::survey() {
     }
     for (const Mail& mail : pages)
         for (const auto& [page, block] : mail)
-            means_.scratch.release(block.offset, block.bytes);
+            means_.scratch.release(block);
     if (isRegular) return survey;
     release(index_);
     return std::nullopt;
@@ -202,7 +193,7 @@ chunk::ChunkTree RangeBinning::plan(const chunk::SourceSurvey& survey, std::uint
                 hierarchy::ByteReader in(result);
                 Blocks weights = takeBlocks(in);
                 means_.scratch.reopenOthers();
-                counts.addOpenWeights(read(weights));
+                counts.addOpenWeights(means_.scratch.read(weights));
                 release(weights);
             });
         release(shape);
@@ -213,7 +204,7 @@ chunk::ChunkTree RangeBinning::plan(const chunk::SourceSurvey& survey, std::uint
 chunk::VertexTable<std::uint8_t> RangeBinning::takeValence() {
     chunk::VertexTable<std::uint8_t> table(means_.source.summary().vertexCount);
     for (std::uint32_t range = 0; range < valence_.size(); ++range) {
-        const std::vector<std::byte> bytes = read(valence_[range]);
+        const std::vector<std::byte> bytes = means_.scratch.read(valence_[range]);
         for (std::size_t i = 0; i < bytes.size(); ++i)
             if (bytes[i] != std::byte{0})
                 table.at(rangeOf(range, false).begin + i) = std::to_integer<std::uint8_t>(bytes[i]);
@@ -270,7 +261,6 @@ chunk::BinnedSize RangeBinning::bin(
             return encoded(BinFacesInput{
                 rangeOf(task, true),
                 tree.chunkCount(),
-                verticesOfRange_,
                 numbers,
                 pageBytes / (kPageVertices * numberBytes),
                 mostCorners,

@@ -58,7 +58,6 @@ private:
         std::vector<glm::dvec3>& positions);
 
     Blocks posted(std::span<const std::byte> bytes);
-    std::vector<std::byte> read(const Blocks& blocks);
     void release(Blocks& blocks);
 
     RangeMeans means_;

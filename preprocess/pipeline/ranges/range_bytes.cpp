@@ -245,7 +245,6 @@ std::vector<std::byte> encoded(const BinFacesInput& input) {
     ByteWriter out;
     putRange(out, input.faces);
     out.putVarint(input.chunkCount);
-    out.putVarint(input.verticesOfRange);
     putBlocks(out, input.chunks);
     out.putVarint(input.mostPages);
     out.putVarint(input.mostCorners);
@@ -257,7 +256,6 @@ BinFacesInput takeBinFacesInput(ByteReader& in) {
     BinFacesInput input;
     input.faces = takeRange(in);
     input.chunkCount = static_cast<std::uint32_t>(in.takeVarint());
-    input.verticesOfRange = in.takeVarint();
     input.chunks = takeBlocks(in);
     input.mostPages = in.takeVarint();
     input.mostCorners = in.takeVarint();

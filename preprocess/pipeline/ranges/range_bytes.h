@@ -74,10 +74,9 @@ struct BinVerticesInput {
 struct BinFacesInput {
     RowRange faces;
     std::uint32_t chunkCount = 0;
-    std::uint64_t verticesOfRange = 0; // of each block of `chunks`
-    Blocks chunks;                     // the number of each vertex's chunk, in 2 bytes or in 4
-    std::uint64_t mostPages = 1;       // of these, to hold at once
-    std::uint64_t mostCorners = 0;     // of polygons in several chunks, likewise; 0 where there are no polygons
+    Blocks chunks;               // one for each page of vertices: the number of each vertex's chunk, in 2 bytes or in 4
+    std::uint64_t mostPages = 1; // of these, to hold at once
+    std::uint64_t mostCorners = 0; // of polygons in several chunks, likewise; 0 where there are no polygons
     std::uint64_t blockBytes = 0;
 };
 
@@ -86,7 +85,7 @@ struct BinnedRange {
     Mail streams; // of chunks
     std::vector<std::pair<std::uint32_t, chunk::PartSize>> sizes;
     chunk::Strayed strayed; // of BinVertices only the corners, of BinFaces only the triangles
-    Blocks chunks;          // of BinVertices: the number of each vertex's chunk
+    Blocks chunks;          // of BinVertices: as in BinFacesInput, of the range's vertices
 };
 
 std::vector<std::byte> encoded(const read::RowIndex& index);

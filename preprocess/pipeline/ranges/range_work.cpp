@@ -56,7 +56,7 @@ std::vector<T> valuesOf(std::span<const std::byte> bytes) {
 /// What a task wrote for the streams of chunks.
 void collect(const scratch::StreamStore& store, const chunk::ChunkWriter& writer, BinnedRange& range) {
     for (std::uint32_t stream = 0; stream < store.streamCount(); ++stream)
-        for (const scratch::StreamStore::Block& block : store.blocks(stream))
+        for (const scratch::Block& block : store.blocks(stream))
             range.streams.push_back({stream, block});
     for (std::uint32_t chunk = 0; chunk < writer.sizes().size(); ++chunk)
         if (const chunk::PartSize& size = writer.sizes()[chunk]; size.triangles + size.vertices > 0)
@@ -90,20 +90,13 @@ private:
     std::uint64_t bytes_ = 0;
 };
 
-std::vector<std::byte> RangeWork::read(const Blocks& blocks) const {
-    scratch::StreamStore store(scratch_, 1, 1);
-    for (const scratch::StreamStore::Block& block : blocks)
-        store.adopt(0, block);
-    return store.read(0);
-}
-
 Blocks RangeWork::posted(std::span<const std::byte> bytes) const {
     if (bytes.empty()) return {};
-    return {{scratch_.append(bytes), bytes.size()}};
+    return {scratch_.append(bytes)};
 }
 
 void RangeWork::useIndex(const Blocks& index) const {
-    std::call_once(isIndexed_, [&] { source_.takeRowIndex(decodedRowIndex(read(index))); });
+    std::call_once(isIndexed_, [&] { source_.takeRowIndex(decodedRowIndex(scratch_.read(index))); });
 }
 
 FaceCount RangeWork::countFaces(const CountInput& input) const {
@@ -117,8 +110,7 @@ FaceCount RangeWork::countFaces(const CountInput& input) const {
         for (std::size_t page = 0; page < corners.pageCount(); ++page) {
             if (corners.page(page).empty()) continue;
             const std::vector<std::byte> packed = packedPage(corners.page(page));
-            if (!packed.empty())
-                count.pages.push_back({static_cast<std::uint32_t>(page), {scratch_.append(packed), packed.size()}});
+            if (!packed.empty()) count.pages.push_back({static_cast<std::uint32_t>(page), scratch_.append(packed)});
         }
         corners.clear();
     };
@@ -145,10 +137,10 @@ VertexMeasure RangeWork::measureVertices(const MeasureInput& input) const {
     useIndex(range.index);
     Corners corners(source_.summary().vertexCount);
     for (const auto& [page, block] : input.pages)
-        addPage(corners.pageAt(page), read({block}));
+        addPage(corners.pageAt(page), scratch_.read({&block, 1}));
     Held held(*this);
     held.set(range.end - range.begin);
-    const auto sampled = valuesOf<std::uint64_t>(read(input.sampled));
+    const auto sampled = valuesOf<std::uint64_t>(scratch_.read(input.sampled));
     std::vector<glm::dvec3> positions;
     positions.reserve(sampled.size());
     VertexMeasure measure;
@@ -178,9 +170,9 @@ VertexMeasure RangeWork::measureVertices(const MeasureInput& input) const {
 
 Blocks RangeWork::countCells(const CellsInput& input) const {
     useIndex(input.vertices.index);
-    const std::vector<std::byte> valence = read(input.valence);
+    const std::vector<std::byte> valence = scratch_.read(input.valence);
     chunk::CellCounts counts(
-        input.facts.furthest, read(input.shape), chunk::rootBitsFor(source_.summary().vertexCount));
+        input.facts.furthest, scratch_.read(input.shape), chunk::rootBitsFor(source_.summary().vertexCount));
     const chunk::GridSnap snap(input.facts.grid);
     source_.readVertexRange(input.vertices.begin, input.vertices.end, [&](const read::VertexBlock& block) {
         const std::byte* corners = valence.data() + (block.firstVertex - input.vertices.begin);
@@ -196,8 +188,8 @@ Blocks RangeWork::countCells(const CellsInput& input) const {
 BinnedRange RangeWork::binVertices(const BinVerticesInput& input) const {
     const RowRange& range = input.vertices;
     useIndex(range.index);
-    const chunk::ChunkTree tree(read(input.tree));
-    const std::vector<std::byte> valence = read(input.valence);
+    const chunk::ChunkTree tree(scratch_.read(input.tree));
+    const std::vector<std::byte> valence = scratch_.read(input.valence);
     const bool isWide = tree.chunkCount() > chunk::kNarrowChunks;
     std::vector<std::uint16_t> narrow(isWide ? 0 : range.end - range.begin);
     std::vector<std::uint32_t> wide(isWide ? range.end - range.begin : 0);
@@ -226,7 +218,10 @@ BinnedRange RangeWork::binVertices(const BinVerticesInput& input) const {
     });
     store.flush();
     collect(store, writer, binned);
-    binned.chunks = posted(isWide ? std::as_bytes(std::span(wide)) : std::as_bytes(std::span(narrow)));
+    const auto numbers = isWide ? std::as_bytes(std::span(wide)) : std::as_bytes(std::span(narrow));
+    const std::uint64_t pageBytes = kPageVertices * (isWide ? sizeof(wide[0]) : sizeof(narrow[0]));
+    for (std::uint64_t at = 0; at < numbers.size(); at += pageBytes)
+        binned.chunks.push_back(scratch_.append(numbers.subspan(at, std::min(pageBytes, numbers.size() - at))));
     return binned;
 }
 
@@ -252,14 +247,10 @@ public:
 private:
     void load(std::size_t page) {
         if (numbers_.held() >= input_.mostPages) numbers_.clear();
-        const std::uint64_t first = page * kPageVertices;
-        const std::uint64_t range = first / input_.verticesOfRange;
         const std::span<Number> numbers =
-            numbers_.pageAt(page).first(std::min<std::uint64_t>(kPageVertices, vertices_ - first));
+            numbers_.pageAt(page).first(std::min<std::uint64_t>(kPageVertices, vertices_ - page * kPageVertices));
         mostHeld_ = std::max(mostHeld_, numbers_.held());
-        scratch_.read(
-            input_.chunks[range].offset + (first - range * input_.verticesOfRange) * sizeof(Number),
-            std::as_writable_bytes(numbers));
+        scratch_.read(input_.chunks[page], std::as_writable_bytes(numbers));
     }
 
     const BinFacesInput& input_;

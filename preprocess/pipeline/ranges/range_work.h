@@ -34,7 +34,6 @@ private:
     /// So that rows of the source can be read.
     void useIndex(const Blocks& index) const;
 
-    std::vector<std::byte> read(const Blocks& blocks) const;
     Blocks posted(std::span<const std::byte> bytes) const;
 
     read::MeshSource& source_;

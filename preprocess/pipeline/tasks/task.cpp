@@ -8,19 +8,9 @@ namespace {
 
 using hierarchy::ByteReader;
 using hierarchy::ByteWriter;
-using Block = scratch::StreamStore::Block;
-
-void putBlock(ByteWriter& out, const Block& block) {
-    out.putVarint(block.offset);
-    out.putVarint(block.bytes);
-}
-
-Block takeBlock(ByteReader& in) {
-    Block block;
-    block.offset = in.takeVarint();
-    block.bytes = in.takeVarint();
-    return block;
-}
+using scratch::Block;
+using scratch::putBlock;
+using scratch::takeBlock;
 
 } // namespace
 

@@ -65,10 +65,10 @@ public:
     void run(const TaskPhase& phase, const Perform& perform) override;
 };
 
-using Blocks = std::vector<scratch::StreamStore::Block>;
+using scratch::Blocks;
 
 /// Blocks of the scratch file for streams, by number.
-using Mail = std::vector<std::pair<std::uint32_t, scratch::StreamStore::Block>>;
+using Mail = std::vector<std::pair<std::uint32_t, scratch::Block>>;
 
 /// A number of things of which each has a byte or more. Throws hierarchy::Damage.
 std::size_t takeCount(hierarchy::ByteReader& in);

@@ -116,8 +116,7 @@ NodeInput takeNode(ByteReader& in) {
 
 std::vector<std::byte> encoded(const RouteInput& input) {
     ByteWriter out;
-    out.putVarint(input.offset);
-    out.putVarint(input.bytes);
+    putBlocks(out, input.left);
     out.putVarint(input.firstLevel);
     out.putVarint(input.borderStreams);
     putNumbers(out, input.firstPages);
@@ -127,8 +126,7 @@ std::vector<std::byte> encoded(const RouteInput& input) {
 
 RouteInput takeRoute(ByteReader& in) {
     RouteInput input;
-    input.offset = in.takeVarint();
-    input.bytes = in.takeVarint();
+    input.left = takeBlocks(in);
     input.firstLevel = taken<std::uint32_t>(in);
     input.borderStreams = taken<std::uint32_t>(in);
     input.firstPages = takeNumbers(in);

@@ -48,8 +48,7 @@ std::vector<std::byte> encoded(const NodeInput& input);
 
 /// The input of RouteClusters.
 struct RouteInput {
-    std::uint64_t offset = 0; // in the scratch file, of what the node left
-    std::uint64_t bytes = 0;
+    Blocks left; // by the node: the places of its clusters, and the clusters
     std::uint32_t firstLevel = 0;
     std::uint32_t borderStreams = 0;
     std::vector<std::uint32_t> firstPages;

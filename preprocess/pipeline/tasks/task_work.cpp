@@ -33,7 +33,7 @@ private:
     template <class Kinds>
     static void adopt(scratch::StreamStore& store, const Kinds& kinds) {
         for (std::uint32_t kind = 0; kind < kinds.size(); ++kind)
-            for (const scratch::StreamStore::Block& block : kinds[kind])
+            for (const scratch::Block& block : kinds[kind])
                 store.adopt(kind, block);
     }
 
@@ -44,9 +44,9 @@ private:
 
 levels::PendingLevel pendingLevel(const NodeInput& input, const TaskFacts& facts, scratch::ScratchFile& scratch) {
     scratch::StreamStore store(scratch, 2, 1);
-    for (const scratch::StreamStore::Block& block : input.records)
+    for (const scratch::Block& block : input.records)
         store.adopt(0, block);
-    for (const scratch::StreamStore::Block& block : input.locks)
+    for (const scratch::Block& block : input.locks)
         store.adopt(1, block);
     levels::PendingLevelMerger merger(facts.grid, input.sums.clusters, input.sums.vertices, facts.format.fields);
     store.readBlocks(0, [&](std::span<const std::byte> records) { merger.add(records); });
@@ -61,7 +61,7 @@ levels::PendingLevel pendingLevel(const NodeInput& input, const TaskFacts& facts
 Mail posted(const StreamBytes& messages, scratch::ScratchFile& scratch) {
     Mail mail;
     for (const auto& [stream, bytes] : messages)
-        if (!bytes.empty()) mail.push_back({stream, {scratch.append(bytes), bytes.size()}});
+        if (!bytes.empty()) mail.emplace_back(stream, scratch.append(bytes));
     return mail;
 }
 
@@ -77,12 +77,13 @@ void store(levels::BuiltNode& made, NodeRecord& record, scratch::ScratchFile& sc
         NodeRecord::LevelOfNode& own = record.levels.emplace_back();
         own.info = level.info;
         for (hierarchy::EncodedPage& page : level.pages) {
-            page.info.offset = scratch.append(page.bytes);
+            page.info.offset = scratch.append(page.bytes).offset;
             own.pages.push_back(std::move(page.info));
         }
     }
-    record.pendingBytes = made.pending.bytes.size();
-    record.pendingOffset = scratch.append(made.pending.bytes);
+    const std::size_t placeBytes = levels::placeBytes(made.pending.clusters);
+    record.places = scratch.append(std::span(made.pending.bytes).first(placeBytes));
+    record.clusters = scratch.append(std::span(made.pending.bytes).subspan(placeBytes));
     record.pending = {made.pending.clusters, made.pending.triangles, made.pending.vertices};
     record.rootTriangles = made.rootTriangles;
     record.stuckTriangles = made.stuckTriangles;
@@ -137,7 +138,7 @@ std::vector<std::byte> TaskWork::answer(TaskKind kind, ByteReader& in) const {
                                          : chunk::answerNormals(chunk.source(), chunk.borders(), 0, progress_);
     Mail mail;
     for (const chunk::Message& message : messages) // none is empty
-        mail.push_back({message.chunk, {scratch_.append(message.bytes), message.bytes.size()}});
+        mail.emplace_back(message.chunk, scratch_.append(message.bytes));
     ByteWriter out;
     putMail(out, mail);
     return out.take();
@@ -169,8 +170,7 @@ std::vector<std::byte> TaskWork::buildNode(ByteReader& in) const {
 
 std::vector<std::byte> TaskWork::routeClusters(ByteReader& in) const {
     const RouteInput input = takeRoute(in);
-    std::vector<std::byte> bytes(input.bytes);
-    if (!bytes.empty()) scratch_.read(input.offset, bytes);
+    const std::vector<std::byte> bytes = scratch_.read(input.left);
     const RoutedClusters clusters =
         routed({bytes, input.nodeOf, input.firstLevel, input.firstPages}, input.borderStreams);
     return encoded(RoutedMail{
@@ -185,9 +185,9 @@ std::vector<std::byte> TaskWork::writePages(ByteReader& in) const {
     File model(range.path, File::Mode::Update, range.toldPath);
     std::uint64_t at = range.offset;
     std::vector<std::byte> bytes;
-    for (const scratch::StreamStore::Block& page : range.pages) {
+    for (const scratch::Block& page : range.pages) {
         bytes.resize(page.bytes);
-        scratch_.read(page.offset, bytes);
+        scratch_.read(page, bytes);
         model.writeAt(at, bytes);
         at += page.bytes;
         progress_.advance(1);
@@ -198,7 +198,7 @@ std::vector<std::byte> TaskWork::writePages(ByteReader& in) const {
 
 std::vector<std::byte> TaskWork::shareLocks(ByteReader& in) const {
     scratch::StreamStore store(scratch_, 1, 1);
-    for (const scratch::StreamStore::Block& block : takeBlocks(in))
+    for (const scratch::Block& block : takeBlocks(in))
         store.adopt(0, block);
     in.expectEnd();
     RoutedMail shared;

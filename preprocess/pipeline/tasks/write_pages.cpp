@@ -20,7 +20,7 @@ std::uint64_t pageCount(const CheckpointLog& log) {
 
 EncodedPage readPage(const PagesToWrite& pages, const PageInfo& info, std::uint64_t place) {
     EncodedPage page{info, std::vector<std::byte>(info.storedBytes)};
-    pages.scratch.read(place, page.bytes);
+    pages.scratch.read({place, info.storedBytes, info.checksum}, page.bytes);
     return page;
 }
 
@@ -60,7 +60,7 @@ void writePagesInTasks(
         const std::uint64_t offset = pages.writer.reserve(info);
         if (ranges.empty() || offset + info.storedBytes - ranges.back().offset > most)
             ranges.push_back({path, toldPath, offset, {}});
-        ranges.back().pages.push_back({place, info.storedBytes});
+        ranges.back().pages.push_back({place, info.storedBytes, info.checksum});
         end = offset + info.storedBytes;
         if (pages.isSeen(info)) pages.see(readPage(pages, info, place));
     });

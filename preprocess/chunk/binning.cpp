@@ -272,7 +272,7 @@ ChunkTree planChunks(
     read::MeshSource& source, const SourceSurvey& survey, std::uint32_t chunkTriangles, Progress& progress) {
     const std::uint64_t limit = std::uint64_t{3} * chunkTriangles;
     const GridSnap snap(survey.grid);
-    CellCounts counts(survey.furthest);
+    CellCounts counts(survey.furthest, rootBitsFor(survey.vertices));
     do {
         progress.stage("octree", "vertices", survey.vertices);
         source.readVertices([&](const read::VertexBlock& block) {

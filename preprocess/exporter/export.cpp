@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/formatted.h"
+#include "core/heap.h"
 #include "hierarchy/cut_rule.h"
 #include "hierarchy/model_file.h"
 #include "preprocess/exporter/glb_writer.h"
@@ -31,8 +32,13 @@ struct Step {
 };
 
 /// A cluster is in the cut from its stored error on, until the limit reaches its group's.
-std::vector<Step> stepsOf(const ModelFile& file, Progress& progress) {
+std::vector<Step> stepsOf(const ModelFile& file, std::optional<Bytes> memory, Progress& progress) {
     std::vector<Step> steps;
+    std::uint64_t count = 0;
+    for (const PageInfo& info : file.pages())
+        count += 2 * std::uint64_t{info.clusterCount};
+    if (memory) requireRoom({count * sizeof(Step)}, *memory, file.path(), "counting the triangles of its cuts");
+    steps.reserve(count);
     progress.stage("count", "pages", file.pages().size());
     for (std::uint32_t p = 0; p < file.pages().size(); ++p) {
         const Page page = file.readPage(p);
@@ -95,8 +101,8 @@ void refineGroups(
 }
 
 /// The finest cut of at most `most` triangles: the least error at which one is, and groups at it.
-CutLimit limitFor(const ModelFile& file, std::uint64_t most, Progress& progress) {
-    const std::vector<Step> steps = stepsOf(file, progress);
+CutLimit limitFor(const ModelFile& file, std::uint64_t most, std::optional<Bytes> memory, Progress& progress) {
+    const std::vector<Step> steps = stepsOf(file, memory, progress);
     std::int64_t triangles = 0;
     for (std::size_t i = 0; i < steps.size(); ++i) {
         triangles += steps[i].triangles;
@@ -126,37 +132,108 @@ CutLimit limitOf(const ModelFile& file, double error) {
         formatted("%g", error));
 }
 
-/// Adds what the cut draws of `group`, which it refines.
-void addGroup(
-    const Page& page,
-    const PageFields& fields,
-    const Group& group,
-    const CutLimit& limit,
-    double snapError,
-    UniformCut& cut) {
+/// Calls `take(cluster)` for the clusters of `group`, which the cut refines, that the cut draws.
+template <class Take>
+void forEachDrawn(const Page& page, const Group& group, const CutLimit& limit, const Take& take) {
     for (std::uint32_t c = group.firstCluster; c < group.firstCluster + group.clusterCount; ++c) {
         const Cluster& cluster = page.clusters[c];
         if (cluster.refinement != kNone) {
             const Refinement& finer = page.refinements[cluster.refinement];
             if (limit.isRefined(finer.drawnError(), finer.group)) continue;
         }
-        addCluster(page, fields, cluster, snapError, cut);
+        take(cluster);
     }
 }
 
-UniformCut collect(const ModelFile& file, const CutLimit& limit, Progress& progress) {
+/// How much a cut holds.
+struct CutSize {
+    std::uint64_t vertices = 0;
+    std::uint64_t triangles = 0;
+    std::uint64_t clusters = 0;
+};
+
+/// Whether no group of a page is refined.
+bool isLeftOut(const PageInfo& info, const CutLimit& limit) {
+    return info.maxError < limit.error;
+}
+
+/// The size of the pages of which a cut has groups: the cut itself is smaller.
+CutSize sizeOfPages(const ModelFile& file, const CutLimit& limit) {
+    CutSize size;
+    for (const PageInfo& info : file.pages()) {
+        if (isLeftOut(info, limit)) continue;
+        size.vertices += info.vertexCount;
+        size.triangles += info.triangleCount;
+        size.clusters += info.clusterCount;
+    }
+    return size;
+}
+
+/// The exact size, which takes a pass over the pages.
+CutSize sizeOfCut(const ModelFile& file, const CutLimit& limit, Progress& progress) {
+    CutSize size;
+    progress.stage("measure", "pages", file.pages().size());
+    for (std::uint32_t p = 0; p < file.pages().size(); ++p) {
+        progress.advance(1);
+        if (isLeftOut(file.pages()[p], limit)) continue;
+        const Page page = file.readPage(p);
+        for (std::uint32_t g = 0; g < page.groups.size(); ++g) {
+            if (!limit.isRefined(page.groups[g].drawnError(), {p, g})) continue;
+            forEachDrawn(page, page.groups[g], limit, [&](const Cluster& cluster) {
+                size.vertices += cluster.vertexCount;
+                size.triangles += cluster.triangleCount;
+                ++size.clusters;
+            });
+        }
+    }
+    return size;
+}
+
+/// What holding and welding a cut takes, and then writing it, which takes `writingBytes` a vertex.
+std::uint64_t bytesOf(const CutSize& size, const ModelSummary& summary, std::uint64_t writingBytes) {
+    constexpr std::uint64_t kOther = std::uint64_t{16} << 20U; // a page that is decoded, buffers of the output
+    constexpr std::uint64_t kWeldBytes = 12;                   // of a vertex: order, first and place
+    const std::uint64_t ofVertex =
+        sizeof(Vertex) + (summary.fields.empty() ? 0 : sizeof(std::uint32_t)) + std::max(kWeldBytes, writingBytes);
+    return kOther + size.vertices * ofVertex + size.triangles * sizeof(CutMesh{}.triangles[0]) +
+           size.clusters * sizeof(CutCluster);
+}
+
+/// What holding a cut may take.
+struct CutRoom {
+    std::optional<Bytes> memory;    // of the process; nothing: no limit
+    std::uint64_t writingBytes = 0; // of a vertex, while the cut is written
+};
+
+/// Returns a size that the cut does not exceed. Throws Error if the cut does not fit into the memory.
+CutSize affordableSize(const ModelFile& file, const CutLimit& limit, const CutRoom& room, Progress& progress) {
+    const CutSize ofPages = sizeOfPages(file, limit);
+    const auto bytes = [&](const CutSize& size) { return bytesOf(size, file.summary(), room.writingBytes); };
+    if (!room.memory || residentSize().count + bytes(ofPages) <= room.memory->count) return ofPages;
+    const CutSize exact = sizeOfCut(file, limit, progress);
+    requireRoom({bytes(exact)}, *room.memory, file.path(), "this cut");
+    return exact;
+}
+
+UniformCut collect(const ModelFile& file, const CutLimit& limit, const CutRoom& room, Progress& progress) {
     UniformCut cut;
     PageFields fields;
+    const CutSize size = affordableSize(file, limit, room, progress);
+    cut.mesh.vertices.reserve(size.vertices);
+    cut.mesh.triangles.reserve(size.triangles);
+    if (!file.summary().fields.empty()) cut.mesh.fields.words.reserve(size.vertices);
+    cut.clusters.reserve(size.clusters);
     progress.stage("cut", "pages", file.pages().size());
     for (std::uint32_t p = 0; p < file.pages().size(); ++p) {
         progress.advance(1);
-        const PageInfo& info = file.pages()[p];
-        if (info.maxError < limit.error) continue; // none of its groups is refined
+        if (isLeftOut(file.pages()[p], limit)) continue;
         const Page page = file.readPage(p, fields);
         cut.mesh.fields.layout = fields.layout;
         for (std::uint32_t g = 0; g < page.groups.size(); ++g)
             if (limit.isRefined(page.groups[g].drawnError(), {p, g}))
-                addGroup(page, fields, page.groups[g], limit, file.summary().grid.snapError(), cut);
+                forEachDrawn(page, page.groups[g], limit, [&](const Cluster& cluster) {
+                    addCluster(page, fields, cluster, file.summary().grid.snapError(), cut);
+                });
         if (cut.mesh.vertices.size() > std::numeric_limits<std::int32_t>::max())
             throw Error(file.path(), "the cut has more vertices than a PLY can number");
     }
@@ -214,9 +291,18 @@ void weld(CutMesh& mesh) {
             corner = place[corner];
 }
 
+namespace {
+
+UniformCut cutOf(const ModelFile& file, const ExportLimit& limit, std::uint64_t writingBytes, Progress& progress) {
+    const CutLimit refined =
+        limit.triangles ? limitFor(file, *limit.triangles, limit.memory, progress) : limitOf(file, *limit.error);
+    return collect(file, refined, {limit.memory, writingBytes}, progress);
+}
+
+} // namespace
+
 UniformCut uniformCut(const ModelFile& file, const ExportLimit& limit, Progress& progress) {
-    const CutLimit refined = limit.triangles ? limitFor(file, *limit.triangles, progress) : limitOf(file, *limit.error);
-    return collect(file, refined, progress);
+    return cutOf(file, limit, 0, progress);
 }
 
 std::string cutText(const ExportedCut& cut) {
@@ -234,7 +320,8 @@ ExportedCut exportCut(
     Progress& progress,
     ExportFormat format) {
     const ModelFile file(model);
-    UniformCut cut = uniformCut(file, limit, progress);
+    const bool hasFaceNormals = format == ExportFormat::Glb && file.summary().hasNormals;
+    UniformCut cut = cutOf(file, limit, hasFaceNormals ? sizeof(glm::dvec3) : 0, progress);
     weld(cut.mesh);
     if (format == ExportFormat::Glb)
         writeGlb(cut.mesh, file.summary(), output, progress);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/progress.h"
+#include "core/units.h"
 #include "hierarchy/model_file.h"
 #include "preprocess/exporter/cut_mesh.h"
 
@@ -16,10 +17,11 @@ namespace gnomon::exporter {
 
 enum class ExportFormat { Ply, Glb };
 
-/// What to cut at: exactly one of both.
+/// What to cut at: exactly one of `triangles` and `error`.
 struct ExportLimit {
     std::optional<std::uint64_t> triangles; // at most
     std::optional<double> error;            // at most, world units; 0: full detail
+    std::optional<Bytes> memory = {};       // max resident size of the process; nothing: no limit
 };
 
 /// Which vertices and triangles of a cut are a cluster's.
@@ -45,7 +47,7 @@ void addCluster(
     double snapError,
     UniformCut& cut);
 
-/// The cut that `limit` asks for, as exportCut has it. Throws Error as that does.
+/// The cut that `limit` asks for, as exportCut has it. Throws Error as exportCut does.
 UniformCut uniformCut(const hierarchy::ModelFile& file, const ExportLimit& limit, Progress& progress);
 
 /// Makes vertices with the same position, normal, colour and fields one, in the order of their first use.
@@ -62,7 +64,8 @@ std::string cutText(const ExportedCut& cut);
 
 /// Writes the finest uniform cut of `model` with at most `limit.triangles`, or the coarsest whose error is at most
 /// `limit.error`, to `output`. Corners with the same position, normal, colour and fields are one vertex. Holds the cut
-/// in memory. Throws Error if no cut is that small or that exact, or a page is damaged.
+/// in memory. Throws Error if no cut is that small or that exact, if a page is damaged, or if the cut does not fit into
+/// `limit.memory`; that error names the memory that does.
 ExportedCut exportCut(
     const std::string& model,
     const ExportLimit& limit,

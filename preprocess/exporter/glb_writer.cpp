@@ -75,7 +75,7 @@ public:
         for (const Vertex& vertex : mesh.vertices)
             bounds.add(summary.grid.world(vertex.position));
         if (tile || !fitsFloats(mesh, summary.grid)) origin_ = (bounds.min + bounds.max) / 2.0;
-        if (summary.hasNormals) addNormals();
+        if (summary.hasNormals) sums_ = faceNormals();
     }
 
     void write(const std::string& path) {
@@ -103,11 +103,11 @@ public:
 private:
     glm::vec3 local(const Vertex& vertex) const { return {summary_.grid.world(vertex.position) - origin_}; }
 
-    /// For each vertex what the faces around it are turned to, by area; for none where all have normals of their own.
+    /// For each vertex the sum of the normals of the faces around it, by area; empty if all vertices have normals.
     std::vector<glm::dvec3> faceNormals() const {
         const auto isMissing = [](const Vertex& vertex) { return vertex.normal == kNoNormal; };
+        if (std::none_of(mesh_.vertices.begin(), mesh_.vertices.end(), isMissing)) return {};
         std::vector<glm::dvec3> sums(mesh_.vertices.size(), glm::dvec3(0));
-        if (std::none_of(mesh_.vertices.begin(), mesh_.vertices.end(), isMissing)) return sums;
         for (const auto& [a, b, c] : mesh_.triangles) {
             const auto at = [&](std::uint32_t v) { return summary_.grid.world(mesh_.vertices[v].position); };
             const glm::dvec3 normal = glm::cross(at(b) - at(a), at(c) - at(a));
@@ -117,15 +117,12 @@ private:
         return sums;
     }
 
-    /// Unit vectors, which glTF wants: as stored, else of the faces around, else up.
-    void addNormals() {
-        const std::vector<glm::dvec3> sums = faceNormals();
-        for (std::size_t v = 0; v < sums.size(); ++v) {
-            const glm::dvec3 stored = unpackNormal(mesh_.vertices[v].normal);
-            const glm::dvec3 normal = stored != glm::dvec3(0) ? stored : sums[v];
-            const double length = glm::length(normal);
-            normals_.push_back(length > 0 ? glm::vec3(normal / length) : glm::vec3(summary_.up.direction));
-        }
+    /// The normal of a vertex as a unit vector, which glTF requires: as stored, else of the faces around, else up.
+    glm::vec3 normalOf(std::size_t v) const {
+        const glm::dvec3 stored = unpackNormal(mesh_.vertices[v].normal);
+        const glm::dvec3 normal = stored != glm::dvec3(0) || sums_.empty() ? stored : sums_[v];
+        const double length = glm::length(normal);
+        return length > 0 ? glm::vec3(normal / length) : glm::vec3(summary_.up.direction);
     }
 
     /// A view of `count` elements of `type`, and an accessor of it; its number.
@@ -240,8 +237,8 @@ private:
                 putVector(local(vertex));
             break;
         case Content::Normals:
-            for (const glm::vec3& normal : normals_)
-                putVector(normal);
+            for (std::size_t v = 0; v < mesh_.vertices.size(); ++v)
+                putVector(normalOf(v));
             break;
         case Content::Colors:
             for (const Vertex& vertex : mesh_.vertices)
@@ -303,7 +300,7 @@ private:
     const ModelSummary& summary_;
     GlbTile tile_;
     glm::dvec3 origin_{0};
-    std::vector<glm::vec3> normals_;
+    std::vector<glm::dvec3> sums_;  // of the normals of faces around each vertex
     std::uint64_t bytes_ = 0;       // of the buffer
     std::vector<Content> contents_; // of views
     std::vector<unsigned char> packed_;

@@ -66,8 +66,8 @@ public:
           options_(options),
           team_(team),
           progress_(progress),
-          needs_(affordableNeeds()),
           threads_(threads),
+          needs_(affordableNeeds()),
           workDirectory_(
               {options.output,
                options.temporaryFolder,
@@ -111,10 +111,11 @@ private:
 
     /// Before anything is touched.
     MemoryNeeds affordableNeeds() const {
-        const MemoryNeeds needs{source_.summary(), options_.chunkTriangles, options_.isInMemory};
-        if (needs.least() > options_.memory) {
+        MemoryNeeds needs{source_.summary(), options_.chunkTriangles, options_.isInMemory};
+        needs.threads = threads_;
+        if (needs.most() > options_.memory) {
             source_.pollWith(progress_);
-            requireMemory(source_.summary(), options_, countedLeast(source_, needs, options_.memory, progress_));
+            requireMemory(source_.summary(), options_, countedNeed(source_, needs, options_.memory, progress_));
         }
         return needs;
     }
@@ -162,10 +163,10 @@ private:
                 bins_));
             endPhase("bin", source_.summary().fileBytes);
         }
-        const Bytes needed = {needs_.base().count + MemoryNeeds::node(log().binned()->largestChunk).count};
+        const Bytes needed = needs_.building(log().binned()->largestChunk);
         if (isResumed && needed > options_.memory) workDirectory_.leave(); // what is finished waits for more memory
         requireMemory(source_.summary(), options_, needed);
-        if (countAtOnce(room(), MemoryNeeds::node(log().binned()->largestChunk), threads_) < 2)
+        if (countAtOnce(room(), MemoryNeeds::node(log().binned()->largestChunk, threads_), threads_) < 2)
             returnFreedMemoryAtOnce(); // memory is tight
         const TaskFacts facts{log().binned()->grid, log().binned()->format};
         work_->tell(facts);
@@ -267,7 +268,8 @@ private:
                 phase.tasks.push_back(node);
         }
         progress_.advance(log().builtTriangles(round.number));
-        phase.atOnce = atOnce(MemoryNeeds::node(round.number == 0 ? log().binned()->largestChunk : round.largestNode));
+        const chunk::PartSize& largest = round.number == 0 ? log().binned()->largestChunk : round.largestNode;
+        phase.atOnce = atOnce(MemoryNeeds::node(largest, threads_));
         phase.weight = [&](std::uint32_t node) {
             return round.number == 0 ? chunkBytes(node) : log().binnedRound(round.number)->nodes[node].triangles;
         };
@@ -358,8 +360,8 @@ private:
     const BuildOptions& options_;
     ProcessTeam* team_;
     Progress& progress_;
-    MemoryNeeds needs_;
     std::size_t threads_;
+    MemoryNeeds needs_;
     WorkDirectory workDirectory_;
     BuildReport report_;
     Stopwatch watch_;

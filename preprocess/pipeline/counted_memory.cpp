@@ -12,16 +12,21 @@ constexpr Bytes kSmallModel = mebibytes(256);
 
 } // namespace
 
-Bytes countedLeast(read::MeshSource& source, const MemoryNeeds& needs, Bytes memory, Progress& progress) {
+Bytes countedNeed(read::MeshSource& source, const MemoryNeeds& needs, Bytes memory, Progress& progress) {
     MemoryNeeds serial = needs;
     serial.isSerial = true;
-    if (std::max(serial.survey(), serial.binning()) > std::max(memory, kSmallModel)) return needs.least();
+    const bool isRefused = needs.sorting() > memory; // the question is how much would do
+    if (serial.sorting() > (isRefused ? std::max(memory, kSmallModel) : memory))
+        return isRefused ? needs.most() : needs.sorting();
     const chunk::SourceSurvey survey = chunk::surveySource(source, progress);
+    read::MeshSummary counted = source.summary();
+    counted.likelyTriangles = survey.triangles; // of strips, the header tells more
+    counted.faceCount = std::min(counted.faceCount, survey.triangles);
     const chunk::ChunkTree tree = chunk::planChunks(source, survey, needs.chunkTriangles, progress);
     const chunk::BinnedSize size = chunk::measureBins(source, survey, tree, progress);
     const bool isInRanges = tree.heavyPoints().empty() && !survey.hasPolygons && survey.notAPolygon == 0;
-    return std::max(
-        (isInRanges ? needs : serial).least(), Bytes{needs.base().count + MemoryNeeds::node(size.largestChunk).count});
+    const MemoryNeeds exact{counted, needs.chunkTriangles, needs.isInMemory, !isInRanges, needs.threads};
+    return std::max(exact.sorting(), needs.building(size.largestChunk));
 }
 
 } // namespace gnomon::pipeline

@@ -1,4 +1,4 @@
-// The least memory of a source as its triangles tell it, where the header's figure is refused.
+// The memory that a source needs as its triangles tell it, where the header's figure is too large.
 #pragma once
 
 #include "core/progress.h"
@@ -6,9 +6,10 @@
 
 namespace gnomon::pipeline {
 
-/// The least memory that builds `source`, never less than `needs.least()`: its chunks are measured as binning will find
-/// them, in passes over the source. That takes memory of its own; where it would take more than `memory` and more than
-/// a small model does, the header's figure stands.
-Bytes countedLeast(read::MeshSource& source, const MemoryNeeds& needs, Bytes memory, Progress& progress);
+/// Returns the memory that `source` needs: its chunks are measured as binning will find them, in passes over the
+/// source. Measuring takes memory of its own. If that is more than `memory`, the result is what sorting needs, and
+/// whether the chunks fit is known once they are there; if sorting does not fit, more than a small model takes, it is
+/// needs.most().
+Bytes countedNeed(read::MeshSource& source, const MemoryNeeds& needs, Bytes memory, Progress& progress);
 
 } // namespace gnomon::pipeline

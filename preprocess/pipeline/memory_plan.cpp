@@ -6,13 +6,15 @@ namespace gnomon::pipeline {
 
 namespace {
 
-constexpr Bytes kProcess = mebibytes(64);
-constexpr Bytes kSample = mebibytes(72);
-constexpr std::uint64_t kSampleBytesPerTriangle = 160;
-constexpr Bytes kRangeReading = mebibytes(5); // a window over the file, rows of a block
-constexpr std::uint64_t kBytesPerCell = 12;   // of the first table of an octree
-constexpr std::uint64_t kNodeBytesPerTriangle = 130;
-constexpr std::uint64_t kNodeBytesPerVertex = 110;
+constexpr Bytes kProcess = mebibytes(19);       // 17 as it starts, the rest is what threads and small tables take
+constexpr std::uint64_t kMostSampled = 540'000; // triangles
+constexpr std::uint64_t kSampleBytesPerTriangle = 96;
+constexpr std::uint64_t kSampleBytesPerVertex = 24;
+constexpr std::uint64_t kReadingBytes = std::uint64_t{5} << 20U; // a window over the file, rows of a block
+constexpr std::uint64_t kLeastReadingBytes = std::uint64_t{256} << 10U;
+constexpr std::uint64_t kTableBytes = std::uint64_t{4} << 20U;
+constexpr std::uint64_t kTableBytesPerVertex = 8;
+constexpr std::uint64_t kBytesPerCell = 12; // of the first table of an octree
 constexpr std::uint64_t kBorderBytesPerVertex = 108;
 constexpr std::uint64_t kBorderBytesPerTriangle = 64;
 constexpr std::uint64_t kRoutingBytesPerVertex = 64;   // beside the records and their copies
@@ -41,45 +43,78 @@ Bytes MemoryNeeds::base() const {
     return {kProcess.count + source.heldBytes + pageRowBytes(trianglesOf(source), chunkTriangles) + scratch};
 }
 
-Bytes MemoryNeeds::node(const chunk::PartSize& size) {
-    return {size.triangles * kNodeBytesPerTriangle + size.vertices * kNodeBytesPerVertex};
+// Measured by the byte over scans, plants, LEGO, coloured scans and soups of triangles: loading a chunk takes up to
+// 20 bytes a triangle and 130 a vertex, forming its first clusters 109 a triangle, and simplifying them 60 a triangle,
+// 62 a vertex and 8 a vertex in each thread.
+Bytes MemoryNeeds::node(const chunk::PartSize& size, std::size_t threads) {
+    const std::uint64_t loading = 20 * size.triangles + 130 * size.vertices;
+    const std::uint64_t clustering = 109 * size.triangles;
+    const std::uint64_t simplifying = 60 * size.triangles + (62 + 8 * threads) * size.vertices;
+    return {std::max({loading, clustering, simplifying})};
 }
 
 Bytes MemoryNeeds::borders(const chunk::PartSize& size) {
-    return {size.triangles * kBorderBytesPerTriangle + size.vertices * kBorderBytesPerVertex};
+    return std::min(
+        Bytes{size.triangles * kBorderBytesPerTriangle + size.vertices * kBorderBytesPerVertex}, node(size));
 }
 
 Bytes MemoryNeeds::routing(std::uint64_t bytes, std::uint64_t vertices) {
     return {2 * bytes + vertices * kRoutingBytesPerVertex};
 }
 
-Bytes MemoryNeeds::leastRangeTables() {
-    return mebibytes(4);
+Bytes MemoryNeeds::leastRangeTables(const read::MeshSummary& source) {
+    return {std::min(kTableBytes, (std::uint64_t{512} << 10U) + kTableBytesPerVertex * source.vertexCount)};
 }
 
+namespace {
+
+std::uint64_t readingBytes(const read::MeshSummary& source) {
+    return std::min(kReadingBytes, kLeastReadingBytes + source.fileBytes);
+}
+
+std::uint64_t cellBytes(const read::MeshSummary& source) {
+    return kBytesPerCell << static_cast<unsigned>(3 * chunk::rootBitsFor(source.vertexCount));
+}
+
+/// Triangles that are drawn to measure edges, and the positions of their corners.
+std::uint64_t sampleBytes(const read::MeshSummary& source) {
+    const std::uint64_t triangles = std::min(trianglesOf(source), kMostSampled);
+    return kSampleBytesPerTriangle * triangles + kSampleBytesPerVertex * std::min(source.vertexCount, 3 * triangles);
+}
+
+} // namespace
+
 Bytes MemoryNeeds::rangeTask(const read::MeshSummary& source) {
-    const std::uint64_t cells = std::uint64_t{1} << static_cast<unsigned>(3 * chunk::rootBitsFor(source.vertexCount));
-    return {kRangeReading.count + kBytesPerCell * cells + leastRangeTables().count};
+    return {readingBytes(source) + cellBytes(source) + leastRangeTables(source).count};
 }
 
 Bytes MemoryNeeds::ranges() const {
-    return {base().count + std::min(kSample.count, kSampleBytesPerTriangle * trianglesOf(source))};
+    return {base().count + sampleBytes(source)};
 }
 
 Bytes MemoryNeeds::survey() const {
     if (source.hasRanges && !isSerial) return {ranges().count + rangeTask(source).count};
-    return {base().count + source.vertexCount + kSample.count};
+    return {
+        base().count + source.vertexCount + readingBytes(source) + std::max(sampleBytes(source), cellBytes(source))};
 }
 
 Bytes MemoryNeeds::binning() const {
     if (source.hasRanges && !isSerial) return survey();
     // A chunk is at least seven eighths full, but for those that close before a heavy point.
     const std::uint64_t mostChunks = 2 * (trianglesOf(source) / chunkTriangles + 1);
-    return {base().count + source.vertexCount * (mostChunks > chunk::kNarrowChunks ? 5 : 3)};
+    return {base().count + readingBytes(source) + source.vertexCount * (mostChunks > chunk::kNarrowChunks ? 5 : 3)};
 }
 
-Bytes MemoryNeeds::least() const {
+Bytes MemoryNeeds::sorting() const {
     const std::uint64_t chunks = trianglesOf(source) / chunkTriangles + 1;
+    return {std::max(survey().count, binning().count + 3 * chunks * 2 * kLeastBlock)};
+}
+
+Bytes MemoryNeeds::building(const chunk::PartSize& largest) const {
+    return {base().count + node(largest, threads).count};
+}
+
+Bytes MemoryNeeds::most() const {
     chunk::PartSize most;
     most.triangles = std::min<std::uint64_t>(chunkTriangles, trianglesOf(source));
     // A chunk may have more of them than the whole has on the average.
@@ -87,8 +122,7 @@ Bytes MemoryNeeds::least() const {
         {3 * most.triangles,
          source.vertexCount,
          2 * most.triangles * source.vertexCount / std::max<std::uint64_t>(trianglesOf(source), 1)});
-    return {
-        std::max({survey().count, binning().count + 3 * chunks * 2 * kLeastBlock, base().count + node(most).count})};
+    return {std::max(sorting(), building(most))};
 }
 
 std::size_t blockBytes(Bytes room, std::uint64_t streams) {

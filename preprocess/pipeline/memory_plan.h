@@ -10,20 +10,22 @@
 
 namespace gnomon::pipeline {
 
-/// What the parts of a build take at their peak: estimates from above, held against models of up to 372M triangles.
+/// What the parts of a build take at their peak: estimates from above, within a quarter of the
+/// peak of ordinary models (tests/cli/memory_test.py).
 struct MemoryNeeds {
     const read::MeshSummary& source;
     std::uint32_t chunkTriangles = 0;
     bool isInMemory = false; // temporary files in memory, too
     bool isSerial = false;   // sorted in whole passes, though the source has ranges
+    std::size_t threads = 1;
 
-    /// What the process is anyway, and what the source itself holds.
+    /// What the process takes before it works, and what the source itself holds.
     Bytes base() const;
 
     /// What working on a node takes.
-    static Bytes node(const chunk::PartSize& size);
+    static Bytes node(const chunk::PartSize& size, std::size_t threads = 1);
 
-    /// What finding the answers of a chunk for others takes; less than a node of its size.
+    /// What finding the answers of a chunk for others takes; at most what a node of its size does.
     static Bytes borders(const chunk::PartSize& size);
 
     /// What handing on the clusters that a node left takes: `bytes` of them, with `vertices`; less than a node of their
@@ -32,7 +34,7 @@ struct MemoryNeeds {
 
     /// What a task of a range of rows takes at least, and how much of that for tables and the blocks of streams.
     static Bytes rangeTask(const read::MeshSummary& source);
-    static Bytes leastRangeTables();
+    static Bytes leastRangeTables(const read::MeshSummary& source);
 
     /// What sorting by ranges takes beside its tasks.
     Bytes ranges() const;
@@ -43,8 +45,14 @@ struct MemoryNeeds {
     /// Sorting the source into chunks, without the streams' blocks.
     Bytes binning() const;
 
-    /// The least memory that builds the source, as far as its header tells.
-    Bytes least() const;
+    /// What all takes until the source is in chunks: the header tells it.
+    Bytes sorting() const;
+
+    /// What all takes from there on, once the largest chunk is known.
+    Bytes building(const chunk::PartSize& largest) const;
+
+    /// The memory that builds the source in any case, as far as its header tells: chunks may turn out to need less.
+    Bytes most() const;
 };
 
 /// The size of the streams' blocks when `streams` are written side by side in `room`.

@@ -63,8 +63,8 @@ BinnedRecord sortSource(const SortingMeans& means, std::optional<scratch::Stream
     std::optional<chunk::SourceSurvey> survey;
     if (ranges) survey = ranges->survey();
     if (!survey) {
+        if (ranges) requireMemory(source.summary(), means.options, serialNeeds(means).sorting());
         ranges.reset();
-        requireMemory(source.summary(), means.options, serialNeeds(means).least());
         survey = chunk::surveySource(source, means.progress, straysOf(means.options));
     }
     means.endPhase("count", source.summary().fileBytes);
@@ -72,7 +72,7 @@ BinnedRecord sortSource(const SortingMeans& means, std::optional<scratch::Stream
                                          : chunk::planChunks(source, *survey, chunkTriangles, means.progress);
     means.endPhase("octree", 0);
     if (ranges && !tree.heavyPoints().empty()) { // what repeats there is known in the order of the source alone
-        requireMemory(source.summary(), means.options, serialNeeds(means).least());
+        requireMemory(source.summary(), means.options, serialNeeds(means).sorting());
         survey->valence = ranges->takeValence();
         ranges.reset();
     }

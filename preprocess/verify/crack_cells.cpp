@@ -14,16 +14,20 @@ namespace {
 
 /// A vertex while locked edges are indexed: its place among all, sorted, its position's number and the first edge from
 /// there, uses by groups and edges.
-constexpr std::uint64_t kBytesPerVertex = 80;
+constexpr std::uint64_t kBytesPerVertex = 36;
+
+/// A vertex in each thread that looks at cuts: what lies at the edges around it.
+constexpr std::uint64_t kBytesPerVertexAndThread = 2;
 constexpr double kLeastGain = 0.95; // of a cell: a cut that leaves more on one side is no help
 constexpr std::array kAxes = {&GridPoint::x, &GridPoint::y, &GridPoint::z};
 
 class Cells {
 public:
-    Cells(std::span<const PageInfo> pages, Bytes memory) : pages_(pages), memory_(memory) {}
+    Cells(std::span<const PageInfo> pages, Bytes memory, std::size_t threads)
+        : pages_(pages), memory_(memory), bytesPerVertex_(kBytesPerVertex + threads * kBytesPerVertexAndThread) {}
 
     void cut(CrackCell cell) {
-        const std::uint64_t whole = bytes(cell);
+        const std::uint64_t whole = cell.bytes = bytes(cell);
         if (whole > memory_.count) {
             for (const auto axis : longestFirst(cell)) {
                 const std::uint32_t at = middle(cell, axis);
@@ -52,7 +56,7 @@ private:
     std::uint64_t bytes(const CrackCell& cell) const {
         std::uint64_t sum = 0;
         for (const std::uint32_t page : cell.pages)
-            sum += decodedPageBytes(pages_[page]) + kBytesPerVertex * pages_[page].vertexCount;
+            sum += decodedPageBytes(pages_[page]) + bytesPerVertex_ * pages_[page].vertexCount;
         return sum;
     }
 
@@ -81,15 +85,16 @@ private:
 
     std::span<const PageInfo> pages_;
     Bytes memory_;
+    std::uint64_t bytesPerVertex_;
     std::vector<CrackCell> found_;
 };
 
 } // namespace
 
-std::vector<CrackCell> crackCells(std::span<const PageInfo> pages, Bytes memory) {
+std::vector<CrackCell> crackCells(std::span<const PageInfo> pages, Bytes memory, std::size_t threads) {
     CrackCell whole{kWholeGrid, std::vector<std::uint32_t>(pages.size())};
     std::iota(whole.pages.begin(), whole.pages.end(), 0U);
-    Cells cells(pages, memory);
+    Cells cells(pages, memory, threads);
     cells.cut(std::move(whole));
     return cells.found();
 }

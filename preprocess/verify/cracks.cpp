@@ -177,6 +177,10 @@ Check checkOf(const std::vector<CutResult>& results, std::uint64_t edges) {
 
 } // namespace
 
+std::uint64_t cutBytes(std::uint64_t cuts) {
+    return cuts * 2 * (sizeof(View) + sizeof(CutResult));
+}
+
 Check checkCracks(const LoadedModel& model, std::uint64_t cuts, std::uint64_t seed, Progress& progress) {
     progress.stage("look for cracks", "models", 1);
     ViewSource source(model.summary, [&](Random& random) {
@@ -196,7 +200,7 @@ Check checkCracks(
     const ModelFacts& facts,
     std::uint64_t cuts,
     std::uint64_t seed,
-    Bytes memory,
+    std::span<const CrackCell> cells,
     Progress& progress) {
     ViewSource source(facts.summary, [&](Random& random) {
         const auto page = static_cast<std::uint32_t>(random.below(file.pages().size()));
@@ -205,7 +209,6 @@ Check checkCracks(
     for (const PageFacts& page : facts.pages)
         source.add(page.level, page.groups);
     const std::vector<View> views = source.draw(cuts, seed);
-    const std::vector<CrackCell> cells = crackCells(file.pages(), memory);
     std::uint64_t pages = 0;
     for (const CrackCell& cell : cells)
         pages += cell.pages.size();

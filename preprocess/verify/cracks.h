@@ -2,6 +2,7 @@
 #pragma once
 
 #include "preprocess/verify/check.h"
+#include "preprocess/verify/crack_cells.h"
 #include "preprocess/verify/loaded_model.h"
 #include "preprocess/verify/model_facts.h"
 
@@ -13,14 +14,17 @@ namespace gnomon::verify {
 /// be that of the level. Worst: the most cracks in one cut.
 Check checkCracks(const LoadedModel& model, std::uint64_t cuts, std::uint64_t seed, Progress& progress);
 
-/// The same of a file, `facts` of which are given, cell of space by cell so that it takes about `memory` at a time.
-/// What is found is the same, but perhaps for which of several cracks of a cut is told.
+/// The same of a file, `facts` of which are given, one of `cells`, which crackCells returns, after the other. The
+/// result is the same, but perhaps for which of several cracks of a cut is told.
 Check checkCracks(
     const hierarchy::ModelFile& file,
     const ModelFacts& facts,
     std::uint64_t cuts,
     std::uint64_t seed,
-    Bytes memory,
+    std::span<const CrackCell> cells,
     Progress& progress);
+
+/// What `cuts` cuts take beside the cells, in bytes.
+std::uint64_t cutBytes(std::uint64_t cuts);
 
 } // namespace gnomon::verify

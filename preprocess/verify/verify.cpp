@@ -1,6 +1,7 @@
 #include "preprocess/verify/verify.h"
 
 #include "core/error.h"
+#include "core/heap.h"
 #include "preprocess/read/open_mesh_sources.h"
 #include "preprocess/verify/cracks.h"
 #include "preprocess/verify/error_bound.h"
@@ -8,6 +9,9 @@
 #include "preprocess/verify/source_soup.h"
 #include "storage/open_source.h"
 
+#include <tbb/global_control.h>
+
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -16,8 +20,6 @@ namespace gnomon::verify {
 namespace {
 
 constexpr std::size_t kMostLevels = 62; // a cut marks levels in the bits of one word
-
-constexpr Bytes kLeastPages = mebibytes(64);
 
 Check checkChecksums(const hierarchy::ModelFile& file, const ModelFacts& model) {
     Check check{"checksums"};
@@ -42,6 +44,58 @@ void leaveOut(Verification& verification, const std::vector<std::string>& names,
         verification.checks.push_back(leftOut(name, why));
 }
 
+/// As many threads as half of the memory beside facts has pages for.
+std::size_t threadsFor(const hierarchy::ModelFile& file, Bytes memory) {
+    std::uint64_t page = 1;
+    for (const hierarchy::PageInfo& info : file.pages())
+        page = std::max(page, hierarchy::decodedPageBytes(info) + info.storedBytes);
+    const std::uint64_t facts = factsBytes(file.pages()).count;
+    requireRoom({facts + 2 * page}, memory, file.path(), "the facts of its pages");
+    const std::uint64_t room = memory.count - residentSize().count - facts;
+    const auto most = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+    return static_cast<std::size_t>(std::clamp<std::uint64_t>(room / 2 / page, 1, most));
+}
+
+Check checkCracksWithin(
+    const hierarchy::ModelFile& file,
+    const ModelFacts& model,
+    const VerifyOptions& options,
+    std::size_t threads,
+    Progress& progress) {
+    constexpr std::uint64_t kOther = std::uint64_t{8} << 20U; // stored pages while they are decoded, tables of pages
+    const std::uint64_t others = kOther + cutBytes(options.cuts);
+    const std::uint64_t taken = residentSize().count + others;
+    const Bytes room{options.memory.count - std::min(options.memory.count, taken)};
+    const std::vector<CrackCell> cells = crackCells(file.pages(), room, threads);
+    std::uint64_t largest = 0;
+    for (const CrackCell& cell : cells)
+        largest = std::max(largest, cell.bytes);
+    requireRoom({others + largest}, options.memory, file.path(), "looking for cracks");
+    return checkCracks(file, model, options.cuts, options.seed, cells, progress);
+}
+
+/// What comparing the model with its source takes: both, their trees, and the cuts with theirs.
+Bytes comparisonBytes(const hierarchy::ModelFile& file, const read::MeshSummary& source) {
+    constexpr std::uint64_t kSamples = std::uint64_t{48} << 20U;
+    constexpr std::uint64_t kTreeBytes = 56; // of a triangle: its node, its place in the order, its middle
+    const auto soup = [](std::uint64_t vertices, std::uint64_t triangles) {
+        return vertices * sizeof(glm::dvec3) + triangles * sizeof(std::array<std::uint32_t, 3>);
+    };
+    const std::uint64_t triangles = std::max(source.faceCount, source.likelyTriangles);
+    std::uint64_t model = 0;
+    std::uint64_t finestVertices = 0;
+    std::uint64_t finestTriangles = 0;
+    for (const hierarchy::PageInfo& info : file.pages()) {
+        model += hierarchy::decodedPageBytes(info);
+        if (info.level > 0) continue;
+        finestVertices += info.vertexCount;
+        finestTriangles += info.triangleCount;
+    }
+    return {
+        kSamples + model + source.heldBytes + soup(source.vertexCount, triangles) + kTreeBytes * triangles +
+        2 * soup(finestVertices, finestTriangles) + kTreeBytes * finestTriangles};
+}
+
 } // namespace
 
 Verification verifyModel(const VerifyOptions& options, Progress& progress) {
@@ -58,6 +112,8 @@ Verification verifyModel(const VerifyOptions& options, Progress& progress) {
         return verification;
     }
     requireBelievable(*file);
+    const std::size_t threads = threadsFor(*file, options.memory);
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
     const ModelFacts model = readFacts(*file, progress);
     verification.checks.push_back(checkChecksums(*file, model));
     if (!model.damage.empty()) {
@@ -75,12 +131,11 @@ Verification verifyModel(const VerifyOptions& options, Progress& progress) {
     }
     verification.checks.push_back(checkNesting(model));
     verification.checks.push_back(checkMonotoneError(model));
-    const std::uint64_t held = factsBytes(file->pages()).count;
-    const Bytes pages{std::max(kLeastPages.count, options.memory.count - std::min(options.memory.count, held))};
-    verification.checks.push_back(checkCracks(*file, model, options.cuts, options.seed, pages, progress));
+    verification.checks.push_back(checkCracksWithin(*file, model, options, threads, progress));
     if (options.source.empty()) return verification;
     const auto mesh =
-        read::openMeshSources(options.source, gibibytes(64), {}, read::Textures::Bake, options.sourceRoot);
+        read::openMeshSources(options.source, options.memory, {}, read::Textures::Bake, options.sourceRoot);
+    requireRoom(comparisonBytes(*file, mesh->summary()), options.memory, options.model, "comparing it with its source");
     progress.stage("read the source", "triangles", mesh->summary().faceCount);
     const TriangleSoup soup = readSoup(*mesh, model.summary.grid, progress);
     verification.checks.push_back(checkErrorBound(loadModel(*file, progress), soup, options.seed, progress));

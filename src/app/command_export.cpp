@@ -30,6 +30,7 @@ struct ExportOptions {
 
 exporter::ExportLimit limitOf(const ExportOptions& options) {
     exporter::ExportLimit limit;
+    limit.memory = *parseBytes(options.memory);
     if (options.triangles.empty() == options.error.empty())
         throw settings::UsageError{"export: say either --triangles or --error"};
     if (!options.triangles.empty()) {
@@ -84,7 +85,7 @@ void addExportCommand(CLI::App& program) {
         ->check(CLI::IsMember({"ply", "glb", "3dtiles"}));
     command->add_option("--ecef", options->place, "Of 3D Tiles: where on the earth the model stands, LAT,LON,HEIGHT");
     command->add_flag("--uncompressed", options->isUncompressed, "Of 3D Tiles: without EXT_meshopt_compression");
-    command->add_option("--memory", options->memory, "Of 3D Tiles: for decoded pages")
+    command->add_option("--memory", options->memory, "Peak resident size of the process")
         ->check(memorySize())
         ->capture_default_str();
     auto* triangles = command->add_option("--triangles", options->triangles, "At most so many; 13M is a count too");

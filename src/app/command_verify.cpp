@@ -86,7 +86,7 @@ void addVerifyCommand(CLI::App& program) {
     command->add_option("--seed", options->verify.seed, "Other cuts, other samples")
         ->check(seedText())
         ->capture_default_str();
-    command->add_option("--memory", options->memory, "About what to use, but for --source, which needs room for both")
+    command->add_option("--memory", options->memory, "Peak resident size of the process")
         ->check(memorySize())
         ->capture_default_str();
     command->add_flag("--json", options->json, "Print one JSON document");

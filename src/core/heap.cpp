@@ -1,5 +1,7 @@
 #include "core/heap.h"
 
+#include "core/error.h"
+
 #include <cstdint>
 #include <fstream>
 
@@ -13,6 +15,10 @@ void returnFreedMemoryAtOnce() {
     ::mallopt(M_MMAP_THRESHOLD, 1 << 20);
 }
 
+void returnFreedMemory() {
+    ::malloc_trim(0);
+}
+
 bool isAddressSpaceLeft(Bytes size) {
     void* const piece = ::mmap(nullptr, size.count, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     return piece != MAP_FAILED && ::munmap(piece, size.count) == 0;
@@ -24,6 +30,16 @@ Bytes residentSize() {
     std::uint64_t resident = 0; // in pages
     statm >> total >> resident;
     return {resident * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE))};
+}
+
+void requireRoom(Bytes more, Bytes memory, const std::string& where, const std::string& what) {
+    const std::uint64_t needed = residentSize().count + more.count;
+    if (needed <= memory.count) return;
+    throw Error(
+        where,
+        "too little memory for " + what,
+        "--memory " + std::to_string((needed >> 20U) + 1) + "M or more",
+        readableBytes(memory));
 }
 
 } // namespace gnomon

@@ -2,6 +2,7 @@
 // and errors nest.
 #include "core/error.h"
 #include "core/file.h"
+#include "core/heap.h"
 #include "hierarchy/cut_rule.h"
 #include "hierarchy/tiny_model.h"
 #include "preprocess/exporter/export.h"
@@ -269,7 +270,8 @@ TEST_F(Tiles, AreTheSameBytesForAnyMemoryAndThreads) {
         EXPECT_EQ(bytes, done.bytes);
         return files;
     };
-    const auto expected = filesOf(place + "/a", {1});
+    EXPECT_THROW(filesOf(place + "/none", {1}), Error);
+    const auto expected = filesOf(place + "/a", {residentSize().count + mebibytes(24).count});
     for (const std::size_t threads : {std::size_t{1}, std::size_t{5}}) {
         const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
         EXPECT_EQ(filesOf(place + "/b" + std::to_string(threads), gibibytes(1)), expected);

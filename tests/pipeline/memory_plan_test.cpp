@@ -13,18 +13,23 @@ read::MeshSummary sourceOf(std::uint64_t triangles, std::uint64_t vertices) {
     return source;
 }
 
-TEST(MemoryPlan, TheLeastHoldsEveryPhaseAndGrowsWithTheSource) {
+TEST(MemoryPlan, TheMostHoldsEveryPhaseAndGrowsWithTheSource) {
     Random random(6);
     for (int i = 0; i < 2000; ++i) {
         const read::MeshSummary source = sourceOf(1 + random.below(400'000'000), 3 + random.below(200'000'000));
         const MemoryNeeds needs{source, static_cast<std::uint32_t>(1000 + random.below(2'000'000)), i % 2 == 0};
-        EXPECT_GE(needs.least(), needs.survey());
-        EXPECT_GE(needs.least(), needs.binning());
-        EXPECT_GT(needs.least(), needs.base());
+        EXPECT_GE(needs.most(), needs.survey());
+        EXPECT_GE(needs.most(), needs.binning());
+        EXPECT_GT(needs.most(), needs.base());
+        EXPECT_GE(needs.most(), needs.sorting());
+        EXPECT_GE(needs.sorting(), needs.binning());
+        MemoryNeeds ofMany = needs;
+        ofMany.threads = 64;
+        EXPECT_GE(ofMany.most(), needs.most());
         read::MeshSummary larger = source;
         larger.faceCount *= 2;
         larger.vertexCount *= 2;
-        EXPECT_GE((MemoryNeeds{larger, needs.chunkTriangles, needs.isInMemory}.least()), needs.least());
+        EXPECT_GE((MemoryNeeds{larger, needs.chunkTriangles, needs.isInMemory}.most()), needs.most());
         EXPECT_GE(
             (MemoryNeeds{source, needs.chunkTriangles, true}.base()),
             (MemoryNeeds{source, needs.chunkTriangles, false}.base()));
@@ -45,16 +50,20 @@ TEST(MemoryPlan, RowsOfPagesTakeLittleUnlessChunksAreSmall) {
     const auto base = [](const read::MeshSummary& source, std::uint32_t chunkTriangles) {
         return MemoryNeeds{source, chunkTriangles, false}.base().count;
     };
-    EXPECT_LT((MemoryNeeds{statue, 1U << 20U, false}.least()), gibibytes(2));
+    EXPECT_LT((MemoryNeeds{statue, 1U << 20U, false}.most()), gibibytes(2));
     const std::uint64_t process = base(sourceOf(1, 3), 1U << 20U);
     EXPECT_GT(base(statue, 1U << 20U), process + 48'000'000) << "measured: 0.048 bytes a triangle";
     EXPECT_LT(base(statue, 1U << 20U), process + 70'000'000);
     EXPECT_GE(base(statue, 64), process + 1'000'000'000 - 1) << "as much as a byte a triangle";
 }
 
-TEST(MemoryPlan, BordersTakeLessThanANode) {
-    for (const chunk::PartSize& size : {chunk::PartSize{1000, 10}, chunk::PartSize{10, 1000}})
-        EXPECT_LT(MemoryNeeds::borders(size), MemoryNeeds::node(size));
+TEST(MemoryPlan, ASmallSourceNeedsLittleMoreThanTheProcess) {
+    read::MeshSummary source = sourceOf(1000, 500);
+    source.fileBytes = 19'000;
+    for (const bool hasRanges : {false, true}) {
+        source.hasRanges = hasRanges;
+        EXPECT_LT((MemoryNeeds{source, 1U << 20U}.most()), mebibytes(23));
+    }
 }
 
 TEST(MemoryPlan, BlocksShareTheirRoomWithinBounds) {

@@ -190,7 +190,7 @@ TEST(Cracks, OfAFileCellByCellAreThoseOfTheWhole) {
         EXPECT_EQ(whole.failed > 0, isCracked);
         EXPECT_GT(crackCells(file.pages(), {1ULL << 17U}).size(), 4U);
         for (const std::uint64_t memory : {1ULL << 40U, 1ULL << 19U, 1ULL << 17U}) {
-            const Check parts = checkCracks(file, facts, 40, 5, {memory}, progress);
+            const Check parts = checkCracks(file, facts, 40, 5, crackCells(file.pages(), {memory}), progress);
             EXPECT_EQ(parts.tested, whole.tested);
             EXPECT_EQ(parts.failed, whole.failed);
             EXPECT_EQ(parts.worst, whole.worst);

@@ -4,13 +4,25 @@
 
 #include <algorithm>
 #include <limits>
-#include <map>
 
 namespace gnomon::exporter {
 
 using namespace hierarchy;
 
 namespace {
+
+/// By how many triangles the cut grows where its limit passes `error`.
+struct Change {
+    double error = 0;
+    std::int64_t triangles = 0;
+};
+
+std::uint64_t clusterCount(const ModelFile& file) {
+    std::uint64_t count = 0;
+    for (const PageInfo& info : file.pages())
+        count += info.clusterCount;
+    return count;
+}
 
 std::vector<TileCluster> clustersOfPage(const ModelFile& file, std::uint32_t p) {
     std::vector<TileCluster> clusters;
@@ -26,10 +38,16 @@ std::vector<TileCluster> clustersOfPage(const ModelFile& file, std::uint32_t p) 
 
 } // namespace
 
+std::uint64_t surveyBytes(const ModelFile& file) {
+    constexpr std::uint64_t kOther = std::uint64_t{16} << 20U; // pages that are decoded, and the clusters of some
+    return kOther + clusterCount(file) * (sizeof(TileCluster) + 4 * sizeof(Change));
+}
+
 std::vector<TileCluster> clustersOf(const ModelFile& file, Progress& progress) {
     constexpr std::size_t kPagesAtOnce = 256;
     const std::size_t pageCount = file.pages().size();
     std::vector<TileCluster> clusters;
+    clusters.reserve(clusterCount(file));
     std::vector<std::vector<TileCluster>> some(std::min(kPagesAtOnce, pageCount));
     progress.stage("survey", "pages", pageCount);
     for (std::size_t first = 0; first < pageCount; first += some.size()) {
@@ -45,22 +63,26 @@ std::vector<TileCluster> clustersOf(const ModelFile& file, Progress& progress) {
 }
 
 std::vector<double> limitsOf(const std::vector<TileCluster>& clusters, std::uint64_t triangles) {
-    std::map<double, std::int64_t> change; // of the number of triangles, where the limit passes an error
+    std::vector<Change> changes;
+    changes.reserve(2 * clusters.size());
     for (const TileCluster& cluster : clusters) {
-        change[std::max(cluster.drawnFrom, 0.0)] += cluster.triangles;
-        change[cluster.drawnUntil] -= cluster.triangles;
+        changes.push_back({std::max(cluster.drawnFrom, 0.0), cluster.triangles});
+        changes.push_back({cluster.drawnUntil, -std::int64_t{cluster.triangles}});
     }
-    std::vector<std::pair<double, std::int64_t>> cuts; // limit, triangles
+    std::sort(changes.begin(), changes.end(), [](const Change& a, const Change& b) { return a.error < b.error; });
+    std::vector<Change> cuts; // the triangles of each limit
     std::int64_t sum = 0;
-    for (const auto& [error, count] : change) {
-        sum += count;
-        if (error < std::numeric_limits<double>::infinity()) cuts.emplace_back(error, sum);
+    for (const Change& change : changes) {
+        sum += change.triangles;
+        if (!(change.error < std::numeric_limits<double>::infinity())) break;
+        if (cuts.empty() || cuts.back().error != change.error) cuts.push_back({change.error, 0});
+        cuts.back().triangles = sum;
     }
     std::vector<double> limits;
     for (auto most = static_cast<std::int64_t>(triangles);; most *= 4) {
         const auto found =
-            std::find_if(cuts.begin(), cuts.end(), [most](const auto& cut) { return cut.second <= most; });
-        const double limit = found == cuts.end() ? cuts.back().first : found->first;
+            std::find_if(cuts.begin(), cuts.end(), [most](const Change& cut) { return cut.triangles <= most; });
+        const double limit = found == cuts.end() ? cuts.back().error : found->error;
         if (limit <= 0) break;
         if (limits.empty() || limit < limits.back()) limits.push_back(limit);
     }

@@ -24,6 +24,9 @@ struct TileCluster {
     bool isFinest() const { return drawnFrom < 0; }
 };
 
+/// What `clustersOf` and `limitsOf` take, in bytes.
+std::uint64_t surveyBytes(const hierarchy::ModelFile& file);
+
 /// All clusters of a model, page by page: those that a uniform cut of any limit draws (hierarchy/cut_rule.h) among
 /// them.
 std::vector<TileCluster> clustersOf(const hierarchy::ModelFile& file, Progress& progress);

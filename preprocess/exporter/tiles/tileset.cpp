@@ -4,13 +4,13 @@
 #include "core/box.h"
 #include "core/error.h"
 #include "core/file.h"
+#include "core/heap.h"
 #include "hierarchy/model_file.h"
 #include "hierarchy/upright_frame.h"
 #include "preprocess/exporter/glb_writer.h"
 #include "preprocess/exporter/tiles/tile_levels.h"
 #include "preprocess/exporter/tiles/tile_mesh.h"
 
-#include <tbb/enumerable_thread_specific.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -76,42 +76,64 @@ std::vector<CellContent> inSpace(std::map<CellKey, std::vector<const TileCluster
     return ordered;
 }
 
-/// How many tiles are made at once: as many as threads, while a quarter of the memory holds them.
-int threadsFor(Bytes memory) {
-    constexpr std::uint64_t kTileBytes = std::uint64_t{32} << 20U; // of its mesh and of the file, some times over
+/// What making the tile of a cell takes at most: its mesh and its file, some times over, of all triangles that may
+/// reach it.
+std::uint64_t tileBytes(const CellContent& cell) {
+    constexpr std::uint64_t kFixed = std::uint64_t{1} << 20U;
+    constexpr std::uint64_t kBytesPerTriangle = 144;
+    std::uint64_t triangles = 0;
+    for (const TileCluster* member : cell.members)
+        triangles += member->triangles;
+    return kFixed + kBytesPerTriangle * triangles;
+}
+
+/// How the memory beside what the process holds is shared by threads that make tiles.
+struct TileRoom {
+    int threads = 1;
+    Bytes pages; // decoded, of each thread
+};
+
+/// As many threads as half of the memory has tiles for; pages get the rest. Throws Error if not even one tile fits.
+TileRoom roomFor(const std::vector<CellContent>& cells, Bytes memory, const std::string& model) {
+    constexpr std::uint64_t kPagesInHand = std::uint64_t{8} << 20U; // the one in use and the next
+    constexpr std::uint64_t kLeastPages = kPagesInHand + (std::uint64_t{4} << 20U);
+    std::uint64_t tile = 0;
+    for (const CellContent& cell : cells)
+        tile = std::max(tile, tileBytes(cell));
+    returnFreedMemory();
+    requireRoom({tile + kLeastPages}, memory, model, "its tiles");
+    const std::uint64_t room = memory.count - residentSize().count;
     const auto most =
         static_cast<std::uint64_t>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
-    return static_cast<int>(std::clamp<std::uint64_t>(memory.count / 4 / kTileBytes, 1, most));
+    const std::uint64_t threads =
+        std::clamp<std::uint64_t>(room / 2 / std::max(tile, kLeastPages), 1, std::max<std::uint64_t>(most, 1));
+    return {static_cast<int>(threads), {room / threads - tile - kPagesInHand}};
 }
 
 class TilesetWriter {
 public:
     TilesetWriter(const ModelFile& file, const TilesetOptions& options, const std::string& folder)
-        : file_(file),
-          options_(options),
-          folder_(folder),
-          upright_(uprightFrame(file.summary().up.direction)),
-          threads_(threadsFor(options.memory)) {
+        : file_(file), options_(options), folder_(folder), upright_(uprightFrame(file.summary().up.direction)) {
         const Box bounds = uprightBox(upright_, file.summary().bounds);
         const glm::dvec3 middle = (bounds.min + bounds.max) / 2.0;
         anchor_ = upright_.toWorld({middle.x, bounds.min.y, middle.z});
     }
 
     ExportedTileset write(Progress& progress) {
+        requireRoom({surveyBytes(file_)}, options_.memory, file_.path(), "the list of its clusters");
         const std::vector<TileCluster> clusters = clustersOf(file_, progress);
         const std::vector<double> limits = limitsOf(clusters, options_.tileTriangles);
         std::uint64_t extent = 0;
         for (const TileCluster& cluster : clusters)
             extent = std::max<std::uint64_t>({extent, cluster.box.max.x, cluster.box.max.y, cluster.box.max.z});
         side_ = std::bit_ceil(extent + 1);
-        tbb::task_arena arena(threads_);
         progress.stage("tiles", "levels", limits.size());
         for (std::size_t level = 0; level < limits.size() && (side_ >> level) > 1; ++level) {
             const bool isLast = level + 1 == limits.size() || (side_ >> (level + 1)) <= 1;
             const double limit = isLast ? 0 : limits[level];
             errors_.push_back(limit);
             const double above = level == 0 ? limit : errors_[level - 1];
-            arena.execute([&] { writeLevel(clusters, level, limit, above, progress); });
+            writeLevel(clusters, level, limit, above, progress);
             progress.advance(1);
         }
         writeDocument();
@@ -156,11 +178,18 @@ private:
         const double skirt = options_.hasSkirts ? depth / file_.summary().grid.step() : 0;
         std::vector<CellContent> cells = inSpace(cellsOf(clusters, level, limit));
         if (!cells.empty()) fs::create_directories(fs::path(folder_ + "/" + contentOf(level, {})).parent_path());
-        tbb::enumerable_thread_specific<PageCache> caches(
-            [this] { return PageCache(file_, {options_.memory.count / 2 / static_cast<unsigned>(threads_)}); });
-        tbb::parallel_for(std::size_t{0}, cells.size(), [&](std::size_t i) {
-            progress.advance(0); // asks whether to go on
-            writeTile(cells[i], level, limit, skirt, caches.local());
+        const TileRoom room = roomFor(cells, options_.memory, file_.path());
+        std::vector<PageCache> caches;
+        caches.reserve(static_cast<std::size_t>(room.threads));
+        for (int i = 0; i < room.threads; ++i)
+            caches.emplace_back(file_, room.pages);
+        tbb::task_arena arena(room.threads);
+        arena.execute([&] {
+            tbb::parallel_for(std::size_t{0}, cells.size(), [&](std::size_t i) {
+                progress.advance(0); // asks whether to go on
+                const auto thread = static_cast<std::size_t>(tbb::this_task_arena::current_thread_index());
+                writeTile(cells[i], level, limit, skirt, caches[thread]);
+            });
         });
         TileLevel tiles;
         for (const CellContent& cell : cells) {
@@ -277,8 +306,7 @@ private:
     const TilesetOptions& options_;
     const std::string& folder_;
     UprightFrame upright_;
-    glm::dvec3 anchor_{0}; // world space
-    int threads_ = 1;
+    glm::dvec3 anchor_{0};       // world space
     std::uint64_t side_ = 1;     // of the root cell, grid steps: a power of two
     std::vector<double> errors_; // of levels, world units
     std::vector<TileLevel> levels_;

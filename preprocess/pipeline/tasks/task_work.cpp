@@ -1,11 +1,13 @@
 #include "preprocess/pipeline/tasks/task_work.h"
 
-#include "core/error.h"
+#include "core/heap.h"
 #include "preprocess/chunk/borders.h"
 #include "preprocess/chunk/chunk_mesh.h"
 #include "preprocess/chunk/covered_faces.h"
 #include "preprocess/levels/level_clusters.h"
 #include "preprocess/levels/node.h"
+
+#include <algorithm>
 
 namespace gnomon::pipeline {
 
@@ -69,6 +71,17 @@ Mail posted(const StreamBytes& messages, scratch::ScratchFile& scratch) {
 scratch::Copies copiesFor(TaskKind kind) {
     if (!readsAgain(kind)) return scratch::Copies::Drop;
     return kind == TaskKind::BuildNode ? scratch::Copies::Use : scratch::Copies::Keep;
+}
+
+std::uint64_t inputBytes(const NodeInput& input) {
+    std::uint64_t sum = 0;
+    const auto add = [&](const Blocks& blocks) {
+        for (const scratch::Block& block : blocks)
+            sum += block.bytes;
+    };
+    std::for_each(input.chunk.bins.begin(), input.chunk.bins.end(), add);
+    add(input.records);
+    return sum;
 }
 
 /// Stores what was made of a node.
@@ -145,7 +158,9 @@ std::vector<std::byte> TaskWork::answer(TaskKind kind, ByteReader& in) const {
 }
 
 std::vector<std::byte> TaskWork::buildNode(ByteReader& in) const {
+    constexpr std::uint64_t kLarge = std::uint64_t{4} << 20U; // bytes: takes long enough for the heap to be trimmed
     const NodeInput input = takeNode(in);
+    if (inputBytes(input) > kLarge) returnFreedMemory(); // pieces that the node before left
     NodeRecord record;
     record.round = input.round;
     record.node = input.node;

@@ -1,4 +1,5 @@
 // The rule is monotone under nesting and reports no less than what a displaced point moves on the screen.
+#include "exact_rule.h"
 #include "model_views.h"
 
 #include <gtest/gtest.h>
@@ -28,6 +29,24 @@ Sphere randomSphere(Random& random) {
 glm::dvec2 projected(const DetailView& view, const glm::dvec3& point) {
     const glm::dvec3 p = toCamera(view.basis, point - view.eye);
     return glm::dvec2(p.x, p.y) / p.z * view.pixelsPerUnit();
+}
+
+TEST(ErrorRule, EqualsTheRuleAt200Bits) {
+    Random random(72);
+    int positive = 0;
+    for (int trial = 0; trial < 5000; ++trial) {
+        const DetailView view = randomView(random, kErrorSpace);
+        std::vector<CasterDetail> casters = randomCasters(random, view);
+        for (CasterDetail& caster : casters)
+            if (random.below(4) == 0) caster.point = {randomSphere(random).center, std::exp(random.uniform(0, 4))};
+        const ErrorRule rule(view, casters);
+        const Sphere bounds = randomSphere(random);
+        const double error = std::exp(random.uniform(-8, 0));
+        const double exact = tests::exactPixels(rule, bounds, error).rounded();
+        EXPECT_NEAR(rule.pixels(bounds, error), exact, 1e-9 * exact) << trial;
+        positive += exact > 0 ? 1 : 0;
+    }
+    EXPECT_GT(positive, 1000);
 }
 
 TEST(ErrorRule, NestedSpheresNeverGetMorePixels) {
